@@ -1,0 +1,265 @@
+//! What the user says, checked and in SI units. One struct per kind of thing; names are the user's own.
+
+use std::collections::BTreeMap;
+
+/// A whole spec: every thing by its own name, every quantity in SI units, every reference resolved.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Spec {
+    /// `[beam.NAME]`
+    pub beam: BTreeMap<String, Beam>,
+    /// `[patch.NAME]`
+    pub patch: BTreeMap<String, Patch>,
+    /// `[mass.NAME]`
+    pub mass: BTreeMap<String, Mass>,
+    /// `[modal.NAME]`
+    pub modal: BTreeMap<String, Modal>,
+    /// `[stop.NAME]`
+    pub stop: BTreeMap<String, Stop>,
+    /// `[circuit.NAME]`
+    pub circuit: BTreeMap<String, Circuit>,
+    /// `[drive.NAME]`
+    pub drive: BTreeMap<String, Drive>,
+    /// `[damping]`
+    pub damping: Damping,
+    /// `[reduction]`
+    pub reduction: Reduction,
+    /// `[run]`
+    pub run: Run,
+}
+
+/// A uniform cantilever; its root is clamped (no rotation) to the ground or to a mass.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Beam {
+    /// `length`
+    pub length_m: f64,
+    /// `width`
+    pub width_m: f64,
+    /// `thickness`
+    pub thickness_m: f64,
+    /// `youngs_modulus`
+    pub youngs_modulus_pa: f64,
+    /// `density`
+    pub density_kg_m3: f64,
+    /// `root`: `"ground"` or the name of a mass; default `"ground"`.
+    pub root: String,
+    /// `[beam.NAME.point]`: named places along the beam, distance from the root, m. `NAME.root` and `NAME.end` always exist.
+    pub point: BTreeMap<String, f64>,
+}
+
+/// A piezoelectric patch bonded on one face of a beam.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Patch {
+    /// `on`: name of the beam.
+    pub on: String,
+    /// `start`: distance from the root, m.
+    pub start_m: f64,
+    /// `length`
+    pub length_m: f64,
+    /// `width`
+    pub width_m: f64,
+    /// `thickness`
+    pub thickness_m: f64,
+    /// `youngs_modulus`
+    pub youngs_modulus_pa: f64,
+    /// `density`; default 0, allowed with `thin-skin` only, where it is not used (the paper neglects the patch's mass).
+    pub density_kg_m3: f64,
+    /// `d31`, m/V
+    pub d31_m_per_v: f64,
+    /// `capacitance`
+    pub capacitance_f: f64,
+    /// `section`; default `laminate`.
+    pub section: Section,
+}
+
+/// How a patch changes the section of its beam.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Section {
+    /// `"thin-skin"`: `EI_b + E_p b_p h_p (h/2)^2` about the beam's mid-plane, no patch mass (the paper's own).
+    ThinSkin,
+    /// `"laminate"`: full section about the shifted neutral axis, with the patch's mass.
+    #[default]
+    Laminate,
+}
+
+/// A rigid mass that moves along the drive direction on a grounded spring, and may carry beams.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mass {
+    /// `mass`
+    pub mass_kg: f64,
+    /// `frequency` (of the mass alone on its spring) or `stiffness`, exactly one of them; stored as stiffness, N/m.
+    pub stiffness_n_m: f64,
+    /// `damping_ratio`: damping ratio of the coupled mode in which this mass moves most.
+    pub damping_ratio: f64,
+}
+
+/// A structure given by its modes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Modal {
+    /// `frequency_hz`: plain numbers, Hz, ascending; 0 for a rigid-body mode.
+    pub frequency_hz: Vec<f64>,
+    /// `damping_ratio`
+    pub damping_ratio: Vec<f64>,
+    /// `[modal.NAME.point]`: mass-normalised shape at each point, kg^-1/2.
+    pub point: BTreeMap<String, Vec<f64>>,
+    /// `[modal.NAME.patch.PATCH]`
+    pub patch: BTreeMap<String, ModalPatch>,
+}
+
+/// A patch of a structure given by its modes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModalPatch {
+    /// `coupling_n_per_v`: plain numbers, one per mode.
+    pub coupling_n_per_v: Vec<f64>,
+    /// `capacitance`
+    pub capacitance_f: f64,
+}
+
+/// What a point strikes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stop {
+    /// `at`: the striking point, `"beam.tip"`, `"table"`, `"harvester.tip"`.
+    pub at: String,
+    /// `frame`: `"ground"` (default) or the body or point that carries the stop; the reaction acts there.
+    pub frame: String,
+    /// `side`: `"positive"` (default) or `"negative"`: the direction in which the point must move to strike.
+    pub side: Side,
+    /// `gap`, m; may be negative (preloaded contact).
+    pub gap_m: f64,
+    /// `law` and its numbers.
+    pub law: StopLaw,
+}
+
+/// On which side of the point at rest a stop stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Side {
+    /// Struck by moving in the positive direction.
+    #[default]
+    Positive,
+    /// Struck by moving in the negative direction.
+    Negative,
+}
+
+/// The contact law of a stop. `delta` is the penetration, m; `delta'` its rate, m/s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StopLaw {
+    /// `law = "hertz"`: `F = stiffness * delta^exponent`; keys `stiffness` (N/m^exponent), `exponent` (default 1.5, at least 1).
+    Hertz {
+        /// N/m^exponent
+        stiffness: f64,
+        /// dimensionless
+        exponent: f64,
+    },
+    /// `law = "spring"`: `F = stiffness * delta`; key `stiffness` (N/m).
+    Spring {
+        /// N/m
+        stiffness_n_m: f64,
+    },
+    /// `law = "kelvin-voigt"`: `F = max(0, stiffness * delta + damping * delta')`; keys `stiffness` (N/m), `damping` (N s/m).
+    KelvinVoigt {
+        /// N/m
+        stiffness_n_m: f64,
+        /// N s/m
+        damping_n_s_m: f64,
+    },
+    /// `law = "hunt-crossley"`: `F = stiffness * delta^exponent * max(0, 1 + damping * delta')`; keys `stiffness`, `exponent`, `damping` (s/m).
+    HuntCrossley {
+        /// N/m^exponent
+        stiffness: f64,
+        /// dimensionless
+        exponent: f64,
+        /// s/m
+        damping_s_m: f64,
+    },
+    /// `law = "rigid"`: instantaneous rebound with a coefficient of restitution; key `restitution` (0 to 1).
+    Rigid {
+        /// dimensionless
+        restitution: f64,
+    },
+}
+
+/// An electrical load across one patch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Circuit {
+    /// `patch`: `"mfc"` or `"harvester.mfc"`.
+    pub patch: String,
+    /// `resistance`, ohm, > 0.
+    pub resistance_ohm: f64,
+}
+
+/// A sinusoidal drive `amplitude * sin(2 pi frequency t + phase)`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drive {
+    /// `at`: point or mass on which it acts.
+    pub at: String,
+    /// `kind = "force"` (the only kind today).
+    pub kind: DriveKind,
+    /// `amplitude`, zero to peak, N.
+    pub amplitude_n: f64,
+    /// `frequency`
+    pub frequency_hz: f64,
+    /// `phase`, rad; default 0.
+    pub phase_rad: f64,
+}
+
+/// What a drive prescribes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum DriveKind {
+    /// A force on the point.
+    #[default]
+    Force,
+}
+
+/// `[damping]`: damping ratios of the modes of all assembled beams, in ascending order, those of masses left out.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Damping {
+    /// `ratios`: one per flexible mode in ascending order.
+    pub ratios: Vec<f64>,
+    /// `beyond`: ratio of the flexible modes after the list; needed only when there are more modes than ratios.
+    pub beyond: Option<f64>,
+}
+
+/// `[reduction]`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reduction {
+    /// `modes`: how many modes of the assembled structure are kept; default 8.
+    pub modes: usize,
+    /// `mesh_tolerance`: wanted relative error of every kept frequency; default 1e-9.
+    pub mesh_tolerance: f64,
+}
+
+impl Default for Reduction {
+    fn default() -> Self {
+        Self { modes: 8, mesh_tolerance: 1e-9 }
+    }
+}
+
+/// `[run]`
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// `start`; default rest.
+    pub start: Start,
+    /// `duration`, s.
+    pub duration_s: f64,
+    /// `average_over`: length of the averaging window at the end of the run, s; at most `duration`.
+    pub average_over_s: f64,
+    /// `tolerance`: wanted relative error of the response; default 1e-7.
+    pub tolerance: f64,
+}
+
+impl Default for Run {
+    fn default() -> Self {
+        Self { start: Start::Rest, duration_s: 20.0, average_over_s: 10.0, tolerance: 1e-7 }
+    }
+}
+
+/// Where a run starts from.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum Start {
+    /// `"rest"`
+    #[default]
+    Rest,
+    /// `"linear"`: the steady state of the harvester without its stop.
+    Linear,
+    /// Any other string: path of a state file saved by another run (relative to the spec file).
+    State(String),
+}

@@ -1,0 +1,49 @@
+//! A structure given by its modes: the only thing that the rest of jounce knows about beams.
+//!
+//! Per mode `i`, with mass-normalised shapes (SI units):
+//!
+//! ```text
+//! q_i'' + 2 zeta_i w_i q_i' + w_i^2 q_i = sum_patches coupling_i V + sum_points shape_i(point) F(point)
+//! x(point) = sum_i shape_i(point) q_i
+//! C V' + (current into the circuit) + sum_i coupling_i q_i' = 0
+//! ```
+//!
+//! Source: impact-harvester paper (2019), eqs. (5) and (6), projected on undamped short-circuit modes.
+
+use std::collections::BTreeMap;
+
+/// Undamped short-circuit modes of all structures of a harvester, in ascending frequency.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Modes {
+    /// Undamped short-circuit angular frequencies, rad/s, ascending; 0 for a rigid-body mode.
+    pub frequency_rad_s: Vec<f64>,
+    /// Damping ratio of each mode (1 = critical); for a rigid-body mode it has no meaning and is 0.
+    pub damping_ratio: Vec<f64>,
+    /// Mass-normalised shape at each named point (`"beam.tip"`, `"table"`, `"harvester.tip"`), kg^-1/2, one value per mode.
+    pub shape: BTreeMap<String, Vec<f64>>,
+    /// Each patch by its name (`"mfc"`, `"harvester.mfc"`).
+    pub patch: BTreeMap<String, PatchModes>,
+    /// Estimated relative error of each frequency from the discretisation (0 where the modes were given).
+    pub discretisation_error: Vec<f64>,
+}
+
+/// What a piezoelectric patch is to the modes and to the circuit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PatchModes {
+    /// Modal coupling, N/V per unit modal coordinate (`gamma_p` times the modal slope difference of the patch ends), one per mode.
+    pub coupling_n_per_v: Vec<f64>,
+    /// Clamped capacitance, F.
+    pub capacitance_f: f64,
+}
+
+impl Modes {
+    /// Number of modes.
+    pub fn len(&self) -> usize {
+        self.frequency_rad_s.len()
+    }
+
+    /// True when there is no mode at all.
+    pub fn is_empty(&self) -> bool {
+        self.frequency_rad_s.is_empty()
+    }
+}
