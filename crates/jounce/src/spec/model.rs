@@ -61,7 +61,7 @@ pub struct Patch {
     pub thickness_m: f64,
     /// `youngs_modulus`
     pub youngs_modulus_pa: f64,
-    /// `density`; default 0, allowed with `thin-skin` only, where it is not used (the paper neglects the patch's mass).
+    /// `density`; required with `laminate`; not used by `thin-skin` (the paper neglects the mass of the patch), default 0 there.
     pub density_kg_m3: f64,
     /// `d31`, m/V
     pub d31_m_per_v: f64,
