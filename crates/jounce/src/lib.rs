@@ -7,4 +7,7 @@
 //! `signal` -> `measure` -> `study` (sweeps) -> `table` -> `picture` -> `report`; `reference` holds exact answers.
 
 pub mod spec;
+pub mod contact;
+pub mod march;
+pub mod plant;
 pub mod structure;

@@ -1,0 +1,58 @@
+//! The contract of a contact law, and the choice among them.
+
+use super::{Hertz, HuntCrossley, KelvinVoigt, Rigid};
+use crate::spec::StopLaw;
+
+/// Derivatives of a contact force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Slopes {
+    /// `dF/d delta`, N/m.
+    pub stiffness_n_m: f64,
+    /// `dF/d delta'`, N s/m.
+    pub damping_n_s_m: f64,
+}
+
+/// A compliant contact law. All functions are total: outside contact they return zero.
+pub trait ContactLaw: Copy + Send + Sync {
+    /// True when the force depends on the rate of penetration.
+    const RATE_DEPENDENT: bool;
+
+    /// Compressive force, N, never negative.
+    fn force_n(&self, penetration_m: f64, rate_m_s: f64) -> f64;
+
+    /// Both slopes of the force; one-sided (from inside the contact) on its edge.
+    fn slopes(&self, penetration_m: f64, rate_m_s: f64) -> Slopes;
+
+    /// Energy stored by the elastic part of the force, J.
+    fn energy_j(&self, penetration_m: f64) -> f64;
+
+    /// Elastic part of the force, N: the derivative of the stored energy.
+    fn elastic_force_n(&self, penetration_m: f64) -> f64;
+}
+
+/// Any contact law, as a stop carries it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Law {
+    /// `F = k delta^n`; the linear spring is `n = 1`.
+    Hertz(Hertz),
+    /// Linear spring and dashpot that never pull.
+    KelvinVoigt(KelvinVoigt),
+    /// Hertz force with damping that grows with penetration.
+    HuntCrossley(HuntCrossley),
+    /// Instantaneous rebound.
+    Rigid(Rigid),
+}
+
+impl From<StopLaw> for Law {
+    fn from(law: StopLaw) -> Self {
+        match law {
+            StopLaw::Hertz { stiffness, exponent } => Law::Hertz(Hertz { stiffness, exponent }),
+            StopLaw::Spring { stiffness_n_m } => Law::Hertz(Hertz { stiffness: stiffness_n_m, exponent: 1.0 }),
+            StopLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m } => Law::KelvinVoigt(KelvinVoigt { stiffness_n_m, damping_n_s_m }),
+            StopLaw::HuntCrossley { stiffness, exponent, damping_s_m } => {
+                Law::HuntCrossley(HuntCrossley { elastic: Hertz { stiffness, exponent }, damping_s_m })
+            }
+            StopLaw::Rigid { restitution } => Law::Rigid(Rigid { restitution }),
+        }
+    }
+}

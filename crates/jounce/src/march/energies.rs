@@ -1,0 +1,92 @@
+//! The energy balance of a march, from exact integrals (see [`crate::plant::EnergyMeter`]).
+
+use super::marcher::{Marcher, Regime};
+use crate::contact::{ContactLaw, Law};
+
+/// Energies since the start of a march, J.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Energies {
+    /// Put in by the drives.
+    pub input_j: f64,
+    /// Delivered to each load, in the order of `system.loads`.
+    pub loads_j: Vec<f64>,
+    /// Lost in modal damping.
+    pub damping_j: f64,
+    /// Lost in contact.
+    pub contact_loss_j: f64,
+    /// Stored in the structure, the patches and the compressed contact, less what was stored at the start.
+    pub stored_j: f64,
+    /// Largest energy that was stored or had flowed at any time it was looked at: the scale of the residual.
+    pub scale_j: f64,
+}
+
+impl Energies {
+    /// `input - loads - damping - contact loss - stored`, J: zero but for the error of the contact integration and roundoff.
+    pub fn residual_j(&self) -> f64 {
+        self.input_j - self.loads_j.iter().sum::<f64>() - self.damping_j - self.contact_loss_j - self.stored_j
+    }
+
+    /// The residual over the largest energy of the run.
+    pub fn residual_relative(&self) -> f64 {
+        if self.scale_j > 0.0 { self.residual_j() / self.scale_j } else { 0.0 }
+    }
+}
+
+/// Meter readings at the start of a march.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Opening {
+    pub input_j: f64,
+    pub loads_j: Vec<f64>,
+    pub damping_j: f64,
+    pub stored_j: f64,
+}
+
+impl Marcher<'_> {
+    /// Energies from the start of the march to the present time.
+    pub fn energies(&self) -> Energies {
+        let now = self.readings();
+        let open = &self.opening;
+        let meters = &self.kernel.meters;
+        let tones = &self.integrals.tones_n_s;
+        let contact = |meter: &crate::plant::EnergyMeter, work_j: f64| {
+            if self.kernel.plant.ports.is_empty() { 0.0 } else { meter.contact_j(0, work_j, tones) }
+        };
+        let loads_j: Vec<f64> = (meters.loads.iter().zip(&self.integrals.loads_j).zip(now.loads_j.iter().zip(&open.loads_j)))
+            .map(|((meter, work), (now, open))| now - open + contact(meter, *work))
+            .collect();
+        let input_j = now.input_j - open.input_j + contact(&meters.input, 0.0);
+        let damping_j = now.damping_j - open.damping_j + contact(&meters.damping, self.integrals.damping_j);
+        let stored_j = now.stored_j - open.stored_j;
+        let flows = input_j.abs().max(damping_j.abs()).max(loads_j.iter().map(|j| j.abs()).sum());
+        let scale_j = flows.max(now.stored_j.abs()).max(open.stored_j.abs());
+        Energies { input_j, loads_j, damping_j, contact_loss_j: self.integrals.loss_j, stored_j, scale_j }
+    }
+
+    pub(super) fn readings(&self) -> Opening {
+        let (y, t) = (self.state(), self.time_s);
+        let meters = &self.kernel.meters;
+        Opening {
+            input_j: meters.input.boundary_j(&y, t),
+            loads_j: meters.loads.iter().map(|meter| meter.boundary_j(&y, t)).collect(),
+            damping_j: meters.damping.boundary_j(&y, t),
+            stored_j: self.stored_j(&y),
+        }
+    }
+
+    /// `sum (q'^2 + w^2 q^2) / 2 + sum C V^2 / 2 + energy of the compressed contact`, J.
+    fn stored_j(&self, y: &[f64]) -> f64 {
+        let plant = &self.kernel.plant;
+        let modes = &plant.system.modes;
+        let n = modes.len();
+        let x = plant.to_physical(y, self.time_s);
+        let mechanical: f64 = (0..n).map(|i| 0.5 * (x[n + i].powi(2) + (modes.frequency_rad_s[i] * x[i]).powi(2))).sum();
+        let electrical: f64 = modes.patch.values().zip(&x[2 * n..]).map(|(patch, v)| 0.5 * patch.capacitance_f * v * v).sum();
+        let compressed = match (self.regime, plant.system.stops.first().map(|stop| stop.law)) {
+            (Regime::Contact, Some(Law::Hertz(law))) => law.energy_j(self.penetration_m),
+            (Regime::Contact, Some(Law::KelvinVoigt(law))) => law.energy_j(self.penetration_m),
+            (Regime::Contact, Some(Law::HuntCrossley(law))) => law.energy_j(self.penetration_m),
+            _ => 0.0,
+        };
+        mechanical + electrical + compressed
+    }
+}

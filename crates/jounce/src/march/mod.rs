@@ -1,0 +1,20 @@
+//! Marching: integration in time with exact flow between contacts and collocation inside them.
+mod certificate;
+mod collocation;
+mod contact_step;
+mod duhamel;
+mod energies;
+mod flight;
+mod kernel;
+mod lane;
+mod marcher;
+mod peak;
+mod state;
+mod table;
+mod tone;
+mod totals;
+
+pub use energies::Energies;
+pub use kernel::Kernel;
+pub use marcher::{MarchError, Marcher};
+pub use totals::{ContactIntegrals, ContactStatistics, WorkCount};

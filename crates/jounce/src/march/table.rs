@@ -1,0 +1,320 @@
+//! Everything that a step of one length needs, computed once per plant: exact flow, Duhamel weights of the contact force, rows
+//! of the port displacement at the nodes, and the bounds that prove a flight free of contact.
+
+use super::collocation::{COLLOCATION, NODES, legendre};
+use super::duhamel::{Duhamel, Responses};
+use super::kernel::{Kernel, Layout};
+use super::lane::{Lane, WIDTH};
+use crate::plant::Pair;
+use faer::c64;
+
+/// A row of the state, seen at the nodes and at the end of a step: `value(x_i) = sum_k columns_k y_k + sum_j push_j f_j`.
+#[derive(Debug, Clone, Default)]
+pub struct Response {
+    /// One lane per state in column order: seven nodes and the end.
+    pub columns: Vec<Lane>,
+    /// One lane per force node.
+    pub push: [Lane; NODES],
+    /// Sum of `push`: the answer to a constant unit force.
+    pub push_sum: Lane,
+}
+
+/// Tables of one step length and one port.
+#[derive(Debug, Clone)]
+pub struct Table {
+    /// Length, s.
+    pub length_s: f64,
+    /// Entries `a, b, c, d` of the flow of the pairs, then the flow of the reals.
+    pub pair_flow: [Vec<Lane>; 4],
+    /// Flow of the reals.
+    pub real_flow: Vec<Lane>,
+    /// State at the end of the step per unit nodal force.
+    pub push: [Vec<Lane>; NODES],
+    /// Displacement of the port.
+    pub displacement: Response,
+    /// Velocity of the port.
+    pub velocity: Response,
+    /// Per load: `P b` of its energy meter, integrated over the step against each nodal polynomial.
+    pub loads: Vec<Response>,
+    /// The same for the damping meter.
+    pub damping: Response,
+    /// The proof of no contact.
+    pub flight: FlightTable,
+}
+
+/// What a flight step evaluates at its end: displacement and velocity of the port, in full and of the slow blocks alone.
+#[derive(Debug, Clone)]
+pub struct FlightTable {
+    /// One lane per state in column order: `[w, w', w_slow, w'_slow, 0, ..]`.
+    pub columns: Vec<Lane>,
+    /// Factor per state (padded layout) of the bound on the fourth derivative of the slow part.
+    pub slow_fourth: Vec<Lane>,
+    /// Factor per state (padded layout) of the bound on the fast part itself.
+    pub fast_bound: Vec<Lane>,
+    /// True where some block is fast at this length.
+    pub has_fast: bool,
+}
+
+/// `|lambda| h` above which a block counts as fast: where its own size is a better bound than its Hermite remainder.
+const FAST: f64 = 4.4;
+
+struct BlockResponse {
+    states: Vec<usize>,
+    /// Per Legendre force: Legendre coefficients in time of each state of the block.
+    time: Vec<[Vec<f64>; NODES]>,
+}
+
+impl Response {
+    fn new(columns: Vec<Lane>, push: [Lane; NODES]) -> Self {
+        let push_sum = push.iter().fold(Lane::ZERO, |sum, lane| sum.add(lane));
+        Self { columns, push, push_sum }
+    }
+}
+
+impl Table {
+    /// Makes the table of a length.
+    pub fn new(kernel: &Kernel, port: usize, length_s: f64) -> Self {
+        let plant = &kernel.plant;
+        let layout = Layout::of(plant);
+        let no_port = || vec![0.0; plant.len()];
+        let (displacement, velocity, force) = match plant.ports.get(port) {
+            Some(port) => (port.displacement.clone(), port.velocity.clone(), port.force.clone()),
+            None => (no_port(), no_port(), no_port()),
+        };
+        let meter_row = |meter: &crate::plant::EnergyMeter| {
+            if plant.ports.is_empty() { no_port() } else { meter.port_row(port).to_vec() }
+        };
+        let blocks = block_responses(kernel, &force, length_s);
+        let flows = Flows::new(kernel, length_s);
+        let integral = |row: &[f64]| flows.integral(&layout, row, &blocks, length_s);
+        Self {
+            length_s,
+            pair_flow: flows.pair_entries(&layout),
+            real_flow: flows.real_entries(&layout),
+            push: push(&layout, &blocks),
+            displacement: flows.pointwise(&layout, &displacement, &blocks),
+            velocity: flows.pointwise(&layout, &velocity, &blocks),
+            loads: kernel.meters.loads.iter().map(|meter| integral(&meter_row(meter))).collect(),
+            damping: integral(&meter_row(&kernel.meters.damping)),
+            flight: flight_table(kernel, &layout, &displacement, &velocity, length_s),
+        }
+    }
+}
+
+/// Nodal coefficients from Legendre coefficients of the force.
+fn to_nodal(legendre: &[f64; NODES]) -> [f64; NODES] {
+    std::array::from_fn(|j| (0..NODES).map(|b| legendre[b] * COLLOCATION.from_nodal[b][j]).sum())
+}
+
+/// Response of every state to each Legendre force through `force`, as Legendre coefficients in time.
+fn block_responses(kernel: &Kernel, force: &[f64], h: f64) -> Vec<BlockResponse> {
+    let block = &kernel.plant.diagonal.block;
+    let part = |responses: &Responses, factor: c64, imaginary: bool| -> [Vec<f64>; NODES] {
+        std::array::from_fn(|b| responses[b].iter().map(|y| if imaginary { (factor * y).im } else { (factor * y).re }).collect())
+    };
+    let mut all = Vec::with_capacity(block.len());
+    for (k, pair) in block.pairs.iter().enumerate() {
+        let states = vec![2 * k, 2 * k + 1];
+        let [bu, bv] = [force[2 * k] * h, force[2 * k + 1] * h];
+        let time = match *pair {
+            Pair::Oscillatory { decay, frequency } => {
+                let responses = Duhamel::new(c64::new(decay, frequency) * h).responses();
+                let factor = c64::new(bu, bv);
+                vec![part(&responses, factor, false), part(&responses, factor, true)]
+            }
+            Pair::Jordan { rate } => {
+                let duhamel = Duhamel::new(c64::new(rate * h, 0.0));
+                let v = part(&duhamel.responses(), c64::new(bv, 0.0), false);
+                let u = std::array::from_fn(|b| {
+                    let mut drive: Vec<c64> = v[b].iter().map(|v| c64::new(v * h, 0.0)).collect();
+                    drive[b] += bu;
+                    duhamel.respond(&drive).iter().map(|y| y.re).collect()
+                });
+                vec![u, v]
+            }
+        };
+        all.push(BlockResponse { states, time });
+    }
+    let first = 2 * block.pairs.len();
+    for (k, rate) in block.reals.iter().enumerate() {
+        let responses = Duhamel::new(c64::new(rate * h, 0.0)).responses();
+        let time = vec![part(&responses, c64::new(force[first + k] * h, 0.0), false)];
+        all.push(BlockResponse { states: vec![first + k], time });
+    }
+    all
+}
+
+/// State at the end of the step per nodal force: the Legendre series at 1 is the sum of its coefficients.
+fn push(layout: &Layout, blocks: &[BlockResponse]) -> [Vec<Lane>; NODES] {
+    let states = 2 * layout.pairs + layout.reals;
+    let mut ends = vec![[0.0; NODES]; states];
+    for block in blocks {
+        for (state, time) in block.states.iter().zip(&block.time) {
+            ends[*state] = to_nodal(&std::array::from_fn(|b| time[b].iter().sum()));
+        }
+    }
+    std::array::from_fn(|j| layout.pack(&ends.iter().map(|end| end[j]).collect::<Vec<_>>()))
+}
+
+/// Flow of every block to every node and to the end.
+struct Flows {
+    pairs: Vec<[[f64; 4]; WIDTH]>,
+    reals: Vec<[f64; WIDTH]>,
+    /// `int_0^1 e^{J h x} P_b(x) dx` per block: entries of the 2 x 2 (or 1 x 1) matrix per Legendre polynomial.
+    pair_moments: Vec<[[f64; 4]; NODES]>,
+    real_moments: Vec<[f64; NODES]>,
+}
+
+impl Flows {
+    fn new(kernel: &Kernel, h: f64) -> Self {
+        let block = &kernel.plant.diagonal.block;
+        let time = |i: usize| h * if i < NODES { COLLOCATION.nodes[i] } else { 1.0 };
+        // By x -> 1 - x the moments of the flow are the end values of the Duhamel responses, up to sign.
+        let sign = |b: usize| if b.is_multiple_of(2) { 1.0 } else { -1.0 };
+        let end = |y: &[c64]| y.iter().sum::<c64>();
+        let pair_moments = |pair: &Pair| -> [[f64; 4]; NODES] {
+            match *pair {
+                Pair::Oscillatory { decay, frequency } => {
+                    let responses = Duhamel::new(c64::new(decay, frequency) * h).responses();
+                    std::array::from_fn(|b| {
+                        let m = end(&responses[b]) * sign(b);
+                        [m.re, -m.im, m.im, m.re]
+                    })
+                }
+                Pair::Jordan { rate } => {
+                    let duhamel = Duhamel::new(c64::new(rate * h, 0.0));
+                    let responses = duhamel.responses();
+                    std::array::from_fn(|b| {
+                        let (one, two) = (end(&responses[b]).re * sign(b), end(&duhamel.respond(&responses[b])).re * sign(b));
+                        [one, h * two, 0.0, one]
+                    })
+                }
+            }
+        };
+        Self {
+            pairs: block.pairs.iter().map(|pair| std::array::from_fn(|i| pair.flow(time(i)))).collect(),
+            reals: block.reals.iter().map(|rate| std::array::from_fn(|i| (rate * time(i)).exp())).collect(),
+            pair_moments: block.pairs.iter().map(pair_moments).collect(),
+            real_moments: (block.reals.iter())
+                .map(|rate| {
+                    let responses = Duhamel::new(c64::new(rate * h, 0.0)).responses();
+                    std::array::from_fn(|b| end(&responses[b]).re * sign(b))
+                })
+                .collect(),
+        }
+    }
+
+    fn pair_entries(&self, layout: &Layout) -> [Vec<Lane>; 4] {
+        std::array::from_fn(|entry| {
+            let mut lanes = vec![Lane::ZERO; layout.pair_lanes];
+            self.pairs.iter().enumerate().for_each(|(k, flow)| lanes[k / WIDTH].0[k % WIDTH] = flow[NODES][entry]);
+            lanes
+        })
+    }
+
+    fn real_entries(&self, layout: &Layout) -> Vec<Lane> {
+        let mut lanes = vec![Lane::ZERO; layout.real_lanes];
+        self.reals.iter().enumerate().for_each(|(k, flow)| lanes[k / WIDTH].0[k % WIDTH] = flow[NODES]);
+        lanes
+    }
+
+    /// A row at the nodes and at the end of the step.
+    fn pointwise(&self, layout: &Layout, row: &[f64], blocks: &[BlockResponse]) -> Response {
+        let first = 2 * layout.pairs;
+        let column = |state: usize| -> Lane {
+            Lane(std::array::from_fn(|i| match state.checked_sub(first) {
+                Some(real) => row[state] * self.reals[real][i],
+                None => {
+                    let flow = &self.pairs[state / 2][i];
+                    row[state & !1] * flow[state % 2] + row[state | 1] * flow[2 + state % 2]
+                }
+            }))
+        };
+        let series = row_series(row, blocks);
+        let mut push = [Lane::ZERO; NODES];
+        for i in 0..WIDTH {
+            let x = if i < NODES { COLLOCATION.nodes[i] } else { 1.0 };
+            let basis = legendre(x, series[0].len());
+            let at = to_nodal(&std::array::from_fn(|b| series[b].iter().zip(&basis).map(|(y, p)| y * p).sum()));
+            (0..NODES).for_each(|j| push[j].0[i] = at[j]);
+        }
+        Response::new(layout.column_order().into_iter().map(column).collect(), push)
+    }
+
+    /// A row integrated over the step against each nodal polynomial.
+    fn integral(&self, layout: &Layout, row: &[f64], blocks: &[BlockResponse], h: f64) -> Response {
+        let first = 2 * layout.pairs;
+        let column = |state: usize| -> Lane {
+            let moments: [f64; NODES] = std::array::from_fn(|b| match state.checked_sub(first) {
+                Some(real) => row[state] * self.real_moments[real][b],
+                None => {
+                    let m = &self.pair_moments[state / 2][b];
+                    row[state & !1] * m[state % 2] + row[state | 1] * m[2 + state % 2]
+                }
+            });
+            let nodal = to_nodal(&moments);
+            Lane(std::array::from_fn(|i| if i < NODES { h * nodal[i] } else { 0.0 }))
+        };
+        let series = row_series(row, blocks);
+        let mut push = [Lane::ZERO; NODES];
+        // int P_a y = y_a / (2 a + 1)
+        let by_force: [[f64; NODES]; NODES] =
+            std::array::from_fn(|b| to_nodal(&std::array::from_fn(|a| series[b][a] / (2 * a + 1) as f64)));
+        for i in 0..NODES {
+            let nodal = to_nodal(&std::array::from_fn(|b| by_force[b][i]));
+            (0..NODES).for_each(|j| push[j].0[i] = h * nodal[j]);
+        }
+        Response::new(layout.column_order().into_iter().map(column).collect(), push)
+    }
+}
+
+/// Legendre series in time of a row's response to each Legendre force.
+fn row_series(row: &[f64], blocks: &[BlockResponse]) -> [Vec<f64>; NODES] {
+    let longest = blocks.iter().flat_map(|block| block.time.iter().map(|time| time[0].len())).max().unwrap_or(NODES);
+    std::array::from_fn(|b| {
+        let mut sum = vec![0.0; longest];
+        for block in blocks {
+            for (state, time) in block.states.iter().zip(&block.time) {
+                sum.iter_mut().zip(&time[b]).for_each(|(s, y)| *s += row[*state] * y);
+            }
+        }
+        sum
+    })
+}
+
+fn flight_table(kernel: &Kernel, layout: &Layout, displacement: &[f64], velocity: &[f64], h: f64) -> FlightTable {
+    let block = &kernel.plant.diagonal.block;
+    let n = block.len();
+    let (mut fourth, mut bound, mut slow) = (vec![0.0; n], vec![0.0; n], vec![true; n]);
+    for (k, pair) in block.pairs.iter().enumerate() {
+        let row = [displacement[2 * k], displacement[2 * k + 1]];
+        let (gain, speed) = Kernel::fourth_derivative(pair, row, h);
+        let is_slow = speed * h < FAST || matches!(pair, Pair::Jordan { .. });
+        for s in 0..2 {
+            slow[2 * k + s] = is_slow;
+            if is_slow {
+                fourth[2 * k + s] = gain[s];
+            } else {
+                bound[2 * k + s] = row[0].hypot(row[1]);
+            }
+        }
+    }
+    let first = 2 * block.pairs.len();
+    for (k, rate) in block.reals.iter().enumerate() {
+        slow[first + k] = rate.abs() * h < FAST;
+        let gain = displacement[first + k].abs();
+        if slow[first + k] {
+            fourth[first + k] = gain * rate.powi(4);
+        } else {
+            bound[first + k] = gain;
+        }
+    }
+    let columns = (layout.column_order().into_iter())
+        .map(|s| {
+            let (w, v) = (displacement[s], velocity[s]);
+            let kept = if slow[s] { 1.0 } else { 0.0 };
+            Lane([w, v, kept * w, kept * v, 0.0, 0.0, 0.0, 0.0])
+        })
+        .collect();
+    FlightTable { columns, slow_fourth: layout.pack(&fourth), fast_bound: layout.pack(&bound), has_fast: slow.contains(&false) }
+}

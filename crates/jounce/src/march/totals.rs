@@ -1,0 +1,48 @@
+//! What a march has seen so far: contacts, and the contact integrals that the energy meters need.
+
+use faer::c64;
+
+/// Work done by the marcher, for snapshots: it must not grow unnoticed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
+pub struct WorkCount {
+    /// Flight steps taken.
+    pub flight_steps: u64,
+    /// Flight steps tried and shortened, because they could not be proved free of contact.
+    pub flight_rejections: u64,
+    /// Contact steps taken.
+    pub contact_steps: u64,
+    /// Contact steps tried and shortened, because their error was too large.
+    pub contact_rejections: u64,
+    /// Fixed-point iterations of all contact steps.
+    pub iterations: u64,
+}
+
+/// Contact statistics since the last reset.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ContactStatistics {
+    /// Contacts that began.
+    pub contacts: u64,
+    /// Time in contact, s.
+    pub time_s: f64,
+    /// Largest penetration, m; negative: the closest approach of a run without contact is not tracked and stays 0.
+    pub max_penetration_m: f64,
+    /// Largest contact force, N.
+    pub max_force_n: f64,
+    /// Time integral of the contact force, N s.
+    pub impulse_n_s: f64,
+    /// Time spent at rest on a rigid stop, s.
+    pub sticking_s: f64,
+}
+
+/// Contact integrals since the start of the march.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ContactIntegrals {
+    /// `integral f (P b) . y dt` per load, J.
+    pub loads_j: Vec<f64>,
+    /// The same for damping, J.
+    pub damping_j: f64,
+    /// `integral f e^{i w t} dt` per tone, N s.
+    pub tones_n_s: Vec<c64>,
+    /// Energy lost in the contact law, J.
+    pub loss_j: f64,
+}

@@ -1,0 +1,133 @@
+//! The blocks of a diagonalised plant and their exact flow.
+
+use faer::c64;
+
+/// A 2 x 2 block acting on `(u, v)`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Pair {
+    /// A complex pair `decay +- i frequency`: `u + i v` turns and decays. Rates in 1/s and rad/s.
+    Oscillatory {
+        /// Real part of the eigenvalue, 1/s.
+        decay: f64,
+        /// Imaginary part of the eigenvalue, rad/s.
+        frequency: f64,
+    },
+    /// A double real eigenvalue with one eigenvector: `u' = rate u + v`, `v' = rate v`. A free body has `rate = 0`.
+    Jordan {
+        /// The eigenvalue, 1/s.
+        rate: f64,
+    },
+}
+
+impl Pair {
+    /// Entries `[a, b, c, d]` of the block, row by row, 1/s.
+    pub fn matrix(&self) -> [f64; 4] {
+        match *self {
+            Pair::Oscillatory { decay, frequency } => [decay, -frequency, frequency, decay],
+            Pair::Jordan { rate } => [rate, 1.0, 0.0, rate],
+        }
+    }
+
+    /// Entries of the exact flow over `time_s`.
+    pub fn flow(&self, time_s: f64) -> [f64; 4] {
+        match *self {
+            Pair::Oscillatory { decay, frequency } => {
+                let (sin, cos) = (frequency * time_s).sin_cos();
+                let envelope = (decay * time_s).exp();
+                [envelope * cos, -envelope * sin, envelope * sin, envelope * cos]
+            }
+            Pair::Jordan { rate } => {
+                let envelope = (rate * time_s).exp();
+                [envelope, envelope * time_s, 0.0, envelope]
+            }
+        }
+    }
+
+    /// The eigenvalue with non-negative imaginary part.
+    pub fn eigenvalue(&self) -> c64 {
+        match *self {
+            Pair::Oscillatory { decay, frequency } => c64::new(decay, frequency),
+            Pair::Jordan { rate } => c64::new(rate, 0.0),
+        }
+    }
+}
+
+/// Blocks of a plant: states are ordered `u0, v0, u1, v1, ..., r0, r1, ...`.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Block {
+    /// The 2 x 2 blocks.
+    pub pairs: Vec<Pair>,
+    /// The 1 x 1 blocks, 1/s.
+    pub reals: Vec<f64>,
+}
+
+impl Block {
+    /// Number of states.
+    pub fn len(&self) -> usize {
+        2 * self.pairs.len() + self.reals.len()
+    }
+
+    /// True without any state.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// `A y`.
+    pub fn apply(&self, y: &[f64]) -> Vec<f64> {
+        self.map(y, Pair::matrix, |rate| rate)
+    }
+
+    /// `e^{A t} y`.
+    pub fn flow(&self, time_s: f64, y: &[f64]) -> Vec<f64> {
+        self.map(y, |pair| pair.flow(time_s), |rate| (rate * time_s).exp())
+    }
+
+    fn map(&self, y: &[f64], pair: impl Fn(&Pair) -> [f64; 4], real: impl Fn(f64) -> f64) -> Vec<f64> {
+        let (paired, single) = y.split_at(2 * self.pairs.len());
+        let turned = self.pairs.iter().zip(paired.chunks_exact(2)).flat_map(|(block, uv)| {
+            let [a, b, c, d] = pair(block);
+            [a * uv[0] + b * uv[1], c * uv[0] + d * uv[1]]
+        });
+        turned.chain(self.reals.iter().zip(single).map(|(rate, r)| real(*rate) * r)).collect()
+    }
+
+    /// `(s I - A)^-1 y` for a complex `s` that is no eigenvalue.
+    pub fn resolve(&self, s: c64, y: &[c64]) -> Vec<c64> {
+        let mut out = Vec::with_capacity(y.len());
+        for (block, uv) in self.pairs.iter().zip(y.chunks_exact(2)) {
+            let [a, b, c, d] = block.matrix();
+            let det = (s - a) * (s - d) - b * c;
+            out.push(((s - d) * uv[0] + uv[1] * b) / det);
+            out.push((uv[0] * c + (s - a) * uv[1]) / det);
+        }
+        let paired = 2 * self.pairs.len();
+        out.extend(self.reals.iter().zip(&y[paired..]).map(|(rate, r)| *r / (s - *rate)));
+        out
+    }
+
+    /// Row vector `c (s I - A)^-1`.
+    pub fn resolve_row(&self, s: c64, c: &[c64]) -> Vec<c64> {
+        let mut out = Vec::with_capacity(c.len());
+        for (block, row) in self.pairs.iter().zip(c.chunks_exact(2)) {
+            let [a, b, c, d] = block.matrix();
+            let det = (s - a) * (s - d) - b * c;
+            out.push((row[0] * (s - d) + row[1] * c) / det);
+            out.push((row[0] * b + row[1] * (s - a)) / det);
+        }
+        let paired = 2 * self.pairs.len();
+        out.extend(self.reals.iter().zip(&c[paired..]).map(|(rate, r)| *r / (s - *rate)));
+        out
+    }
+
+    /// All eigenvalues, with the state index of the block each belongs to; complex pairs give both.
+    pub fn eigenvalues(&self) -> Vec<c64> {
+        let mut all = Vec::with_capacity(self.len());
+        for pair in &self.pairs {
+            let value = pair.eigenvalue();
+            all.push(value);
+            all.push(value.conj());
+        }
+        all.extend(self.reals.iter().map(|rate| c64::new(*rate, 0.0)));
+        all
+    }
+}

@@ -1,0 +1,241 @@
+//! Energies of a run as exact integrals.
+//!
+//! A power that is a sum of squares of outputs, `p(t) = sum_m weight_m (c_m . y + Re(S_m e^{i w t}))^2`, is integrated without
+//! quadrature. With `A^T P + P A = -sum_m weight_m c_m c_m^T` and, for each tone, `r = C (i w I + A)^-1`,
+//! `C = 2 sum_m weight_m S_m c_m`,
+//!
+//! ```text
+//! B(t) = -y^T P y + Re(e^{i w t} r y) + (antiderivative of the steady part),
+//! integral of p = [B] + 2 integral f (P b) . y dt - Re(r b integral f e^{i w t} dt)
+//! ```
+//!
+//! because `d(y^T P y)/dt = -sum weight (c y)^2 + 2 f y^T P b` and `d(e^{i w t} r y)/dt = e^{i w t} (C y + r b f)`. Only the
+//! contact force `f` needs care; between contacts nothing is evaluated at all. A power that is linear in `y` (the drive's) has
+//! `P = 0`.
+//!
+//! Validation: `tests/plant.rs` compares with Gauss quadrature along exact flows.
+
+use super::{Block, Plant, PlantError};
+use faer::{Mat, c64};
+use std::f64::consts::TAU;
+
+/// One exactly integrated power.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EnergyMeter {
+    /// `P`, in block coordinates.
+    gramian: Mat<f64>,
+    /// Per tone: angular frequency and `r`.
+    cross: Vec<(f64, Vec<c64>)>,
+    /// Antiderivative of the steady part: slope, W, and terms `Re(a e^{i w t})`.
+    steady_power_w: f64,
+    steady_terms: Vec<(f64, c64)>,
+    /// Per port: `P b`, and `r b` per tone.
+    port_rows: Vec<Vec<f64>>,
+    port_cross: Vec<Vec<c64>>,
+}
+
+/// The three energies of every run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Meters {
+    /// Energy delivered to each load, J.
+    pub loads: Vec<EnergyMeter>,
+    /// Energy lost in modal damping, J.
+    pub damping: EnergyMeter,
+    /// Energy put in by the drives, J.
+    pub input: EnergyMeter,
+}
+
+/// One squared output.
+struct Square {
+    weight: f64,
+    row: Vec<f64>,
+    steady: Vec<c64>,
+}
+
+impl Meters {
+    /// Meters of a plant.
+    ///
+    /// # Errors
+    /// [`PlantError::Undamped`] where a mode that never decays carries power.
+    pub fn new(plant: &Plant) -> Result<Self, PlantError> {
+        let modes = &plant.system.modes;
+        let patches: Vec<&String> = modes.patch.keys().collect();
+        let loads = plant.system.loads.iter().map(|load| {
+            let index = patches.iter().position(|name| **name == load.patch).unwrap_or_default();
+            let square = Square::new(plant, 1.0 / load.resistance_ohm, plant.voltage_row(index));
+            EnergyMeter::squares(plant, &format!("the energy of load `{}`", load.name), &[square])
+        });
+        let velocity = |i: usize| plant.velocity_row(&unit(modes.len(), i));
+        let losses: Vec<Square> = (0..modes.len())
+            .map(|i| Square::new(plant, 2.0 * modes.damping_ratio[i] * modes.frequency_rad_s[i], velocity(i)))
+            .filter(|square| square.weight > 0.0)
+            .collect();
+        Ok(Self {
+            loads: loads.collect::<Result<_, _>>()?,
+            damping: EnergyMeter::squares(plant, "the energy lost in damping", &losses)?,
+            input: EnergyMeter::drive(plant),
+        })
+    }
+}
+
+impl Square {
+    fn new(plant: &Plant, weight: f64, row: Vec<f64>) -> Self {
+        Self { weight, steady: plant.steady_output(&row), row }
+    }
+}
+
+impl EnergyMeter {
+    /// `B(t)`, J: differences of it are the energy but for the contact terms.
+    pub fn boundary_j(&self, y: &[f64], time_s: f64) -> f64 {
+        let n = y.len();
+        let mut sum = self.steady_power_w * time_s;
+        for j in 0..n {
+            sum -= y[j] * (0..n).map(|i| self.gramian[(i, j)] * y[i]).sum::<f64>();
+        }
+        for (w, row) in &self.cross {
+            let value: c64 = row.iter().zip(y).map(|(r, y)| *r * *y).sum();
+            sum += (c64::cis(w * time_s) * value).re;
+        }
+        sum + self.steady_terms.iter().map(|(w, a)| (a * c64::cis(w * time_s)).re).sum::<f64>()
+    }
+
+    /// `P b` of a port: the row whose product with the force is integrated.
+    pub fn port_row(&self, port: usize) -> &[f64] {
+        &self.port_rows[port]
+    }
+
+    /// Energy, J, that the contact force of one port adds to `[B]`, from `integral f (P b) . y dt` (J) and, per tone,
+    /// `integral f e^{i w t} dt` (N s).
+    pub fn contact_j(&self, port: usize, work_j: f64, impulse_n_s: &[c64]) -> f64 {
+        2.0 * work_j - self.port_cross[port].iter().zip(impulse_n_s).map(|(rb, f)| (rb * f).re).sum::<f64>()
+    }
+
+    fn squares(plant: &Plant, what: &str, squares: &[Square]) -> Result<Self, PlantError> {
+        let gramian = gramian(&plant.diagonal.block, what, squares)?;
+        let forcing = |tone: usize| -> Vec<c64> {
+            (0..plant.len()).map(|j| squares.iter().map(|s| s.steady[tone] * (2.0 * s.weight * s.row[j])).sum()).collect()
+        };
+        let (mut mean, mut terms) = (0.0, Vec::new());
+        let frequencies: Vec<f64> = plant.tones.iter().map(|tone| tone.angular_frequency_rad_s).collect();
+        for (k, wk) in frequencies.iter().enumerate() {
+            for (l, wl) in frequencies.iter().enumerate() {
+                let sum: c64 = squares.iter().map(|s| s.steady[k] * s.steady[l] * (0.5 * s.weight)).sum();
+                let difference: c64 = squares.iter().map(|s| s.steady[k] * s.steady[l].conj() * (0.5 * s.weight)).sum();
+                terms.push((wk + wl, sum / c64::new(0.0, wk + wl)));
+                match k == l {
+                    true => mean += difference.re,
+                    false => terms.push((wk - wl, difference / c64::new(0.0, wk - wl))),
+                }
+            }
+        }
+        Ok(Self::finish(plant, gramian, forcing, mean, terms))
+    }
+
+    /// `integral F(t) x_d'(t) dt`, summed over drives.
+    fn drive(plant: &Plant) -> Self {
+        let n = plant.system.modes.len();
+        let velocities: Vec<Vec<f64>> = (0..n).map(|i| plant.velocity_row(&unit(n, i))).collect();
+        let forcing = |tone: usize| -> Vec<c64> {
+            (0..plant.len()).map(|j| plant.tones[tone].force.iter().zip(&velocities).map(|(g, row)| g * row[j]).sum()).collect()
+        };
+        let (mut mean, mut terms) = (0.0, Vec::new());
+        for tone in &plant.tones {
+            for other in &plant.tones {
+                let speed: Vec<c64> = velocities.iter().map(|row| super::plant::dot(row, &other.steady)).collect();
+                let (wk, wl) = (tone.angular_frequency_rad_s, other.angular_frequency_rad_s);
+                let sum: c64 = tone.force.iter().zip(&speed).map(|(g, v)| g * v * 0.5).sum();
+                let difference: c64 = tone.force.iter().zip(&speed).map(|(g, v)| g * v.conj() * 0.5).sum();
+                terms.push((wk + wl, sum / c64::new(0.0, wk + wl)));
+                match wk == wl {
+                    true => mean += difference.re,
+                    false => terms.push((wk - wl, difference / c64::new(0.0, wk - wl))),
+                }
+            }
+        }
+        Self::finish(plant, Mat::zeros(plant.len(), plant.len()), forcing, mean, terms)
+    }
+
+    fn finish(plant: &Plant, gramian: Mat<f64>, forcing: impl Fn(usize) -> Vec<c64>, mean: f64, terms: Vec<(f64, c64)>) -> Self {
+        let n = plant.len();
+        let cross: Vec<(f64, Vec<c64>)> = (plant.tones.iter().enumerate())
+            .map(|(k, tone)| {
+                let w = tone.angular_frequency_rad_s;
+                // (i w I + A)^-1 = -((-i w) I - A)^-1
+                let row = plant.diagonal.block.resolve_row(c64::new(0.0, -w), &forcing(k));
+                (w, row.into_iter().map(|r| -r).collect())
+            })
+            .collect();
+        let product = |b: &[f64]| (0..n).map(|i| (0..n).map(|j| gramian[(i, j)] * b[j]).sum()).collect();
+        Self {
+            port_rows: plant.ports.iter().map(|port| product(&port.force)).collect(),
+            port_cross: (plant.ports.iter())
+                .map(|port| cross.iter().map(|(_, row)| super::plant::dot(&port.force, row)).collect())
+                .collect(),
+            gramian,
+            cross,
+            steady_power_w: mean,
+            steady_terms: terms,
+        }
+    }
+}
+
+/// Solves `A^T P + P A = -sum weight c c^T` blockwise, in the eigenvectors of each pair of blocks.
+fn gramian(block: &Block, what: &str, squares: &[Square]) -> Result<Mat<f64>, PlantError> {
+    let spans = spans(block);
+    let mut gramian = Mat::zeros(block.len(), block.len());
+    for first in &spans {
+        for second in &spans {
+            let source = Mat::from_fn(first.size, second.size, |i, j| {
+                -squares.iter().map(|s| s.weight * s.row[first.start + i] * s.row[second.start + j]).sum::<f64>()
+            });
+            if source.norm_max() == 0.0 {
+                continue;
+            }
+            let local = sylvester(first, second, &source);
+            let rate = (first.decay + second.decay).abs();
+            if !local.norm_max().is_finite() || rate <= 1e-14 * (first.speed + second.speed) && first.start == second.start {
+                return Err(PlantError::Undamped { what: what.to_owned(), mode_hz: first.speed / TAU });
+            }
+            (0..first.size).for_each(|i| (0..second.size).for_each(|j| gramian[(first.start + i, second.start + j)] = local[(i, j)]));
+        }
+    }
+    Ok(gramian)
+}
+
+/// One block: where it stands and its matrix.
+struct Span {
+    start: usize,
+    size: usize,
+    matrix: [f64; 4],
+    decay: f64,
+    speed: f64,
+}
+
+fn spans(block: &Block) -> Vec<Span> {
+    let pairs = block.pairs.iter().enumerate().map(|(k, pair)| {
+        let value = pair.eigenvalue();
+        Span { start: 2 * k, size: 2, matrix: pair.matrix(), decay: value.re, speed: value.norm() }
+    });
+    let first = 2 * block.pairs.len();
+    let reals = block.reals.iter().enumerate();
+    pairs.chain(reals.map(|(k, r)| Span { start: first + k, size: 1, matrix: [*r, 0.0, 0.0, 0.0], decay: *r, speed: r.abs() })).collect()
+}
+
+/// Solves `A1^T P + P A2 = source` for blocks of size 1 or 2 as a dense system of at most four unknowns.
+fn sylvester(first: &Span, second: &Span, source: &Mat<f64>) -> Mat<f64> {
+    use faer::linalg::solvers::Solve;
+    let (m, n) = (first.size, second.size);
+    let a1 = |i: usize, j: usize| first.matrix[2 * i + j];
+    let a2 = |i: usize, j: usize| second.matrix[2 * i + j];
+    let system = Mat::from_fn(m * n, m * n, |row, column| {
+        let ((i, j), (k, l)) = ((row / n, row % n), (column / n, column % n));
+        (if j == l { a1(k, i) } else { 0.0 }) + (if i == k { a2(l, j) } else { 0.0 })
+    });
+    let right = Mat::from_fn(m * n, 1, |row, _| source[(row / n, row % n)]);
+    let solution = system.full_piv_lu().solve(&right);
+    Mat::from_fn(m, n, |i, j| solution[(i * n + j, 0)])
+}
+
+fn unit(n: usize, i: usize) -> Vec<f64> {
+    (0..n).map(|j| f64::from(u8::from(i == j))).collect()
+}

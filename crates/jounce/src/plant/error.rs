@@ -1,0 +1,66 @@
+//! What can be wrong with a system before anything is computed.
+
+/// A system that has no usable linear plant. Each carries its numbers.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PlantError {
+    /// A name in the spec leads nowhere.
+    #[error("{what} refers to `{name}`, which is not there; there are: {known}")]
+    UnknownName {
+        /// The thing that refers.
+        what: String,
+        /// The name it uses.
+        name: String,
+        /// The names that exist.
+        known: String,
+    },
+    /// Two circuits on one patch.
+    #[error("patch `{patch}` carries two circuits, `{first}` and `{second}`; give each patch one circuit")]
+    TwoCircuits {
+        /// The patch.
+        patch: String,
+        /// First circuit.
+        first: String,
+        /// Second circuit.
+        second: String,
+    },
+    /// Two eigenvectors coincide, so the plant cannot be diagonalised.
+    #[error(
+        "the modes of the coupled system are defective (condition number of the eigenvectors {condition:.1e}, allowed {allowed:.0e}); change a damping ratio or the resistance slightly"
+    )]
+    Defective {
+        /// Condition number found.
+        condition: f64,
+        /// Largest condition number allowed.
+        allowed: f64,
+    },
+    /// The eigenvalue solver did not converge.
+    #[error("the eigenvalues of the coupled system of {states} states could not be computed")]
+    NoEigenvalues {
+        /// Number of states.
+        states: usize,
+    },
+    /// The drive hits an undamped eigenvalue, so there is no steady state.
+    #[error(
+        "the drive at {frequency_hz} Hz is in resonance with an undamped mode at {mode_hz} Hz, so no steady state exists; give the mode some damping or move the drive"
+    )]
+    UndampedResonance {
+        /// Drive frequency, Hz.
+        frequency_hz: f64,
+        /// Frequency of the mode, Hz.
+        mode_hz: f64,
+    },
+    /// A mean power is asked of a mode that never decays.
+    #[error("{what} cannot be integrated: the mode at {mode_hz} Hz has no damping at all; give it a damping ratio")]
+    Undamped {
+        /// The energy meter.
+        what: String,
+        /// Frequency of the mode, Hz.
+        mode_hz: f64,
+    },
+    /// A stop whose port has no mobility.
+    #[error("stop `{stop}`: the striking point and the stop move together in every mode, so they can never meet")]
+    ImmobilePort {
+        /// The stop.
+        stop: String,
+    },
+}

@@ -1,0 +1,24 @@
+//! The coupled electromechanical system between its ports: linear, in real block-diagonal form, with its outputs as rows.
+//!
+//! Nothing from here on knows about beams: a [`System`] is modes, loads, stops and drives; a [`Plant`] is
+//!
+//! ```text
+//! y' = A y + sum_ports b_p f_p(t),   x(t) = T y(t) + Re(X e^{i w t}),   x = (q, q', V)
+//! ```
+//!
+//! with `A` made of 2 x 2 and 1 x 1 blocks, `y` the part of the state that the sinusoidal drive does not force, and `X` the
+//! steady state under the drive without contact. Between contacts the flow of `y` is therefore known exactly.
+
+mod block;
+mod diagonal;
+mod energy;
+mod error;
+mod plant;
+mod system;
+
+pub use block::{Block, Pair};
+pub use diagonal::Diagonal;
+pub use energy::{EnergyMeter, Meters};
+pub use error::PlantError;
+pub use plant::{Plant, Port, Tone};
+pub use system::{Drive, Load, Stop, System};

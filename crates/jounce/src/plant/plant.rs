@@ -1,0 +1,195 @@
+//! The linear plant with its ports, tones and outputs.
+
+use super::{Diagonal, PlantError, System};
+use faer::c64;
+
+/// A coupled electromechanical system ready to be solved.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plant {
+    /// What it was made from.
+    pub system: System,
+    /// The diagonal form.
+    pub diagonal: Diagonal,
+    /// One per distinct drive frequency.
+    pub tones: Vec<Tone>,
+    /// One per stop, in the order of `system.stops`.
+    pub ports: Vec<Port>,
+}
+
+/// A sinusoid that all drives of one frequency make together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tone {
+    /// Angular frequency, rad/s.
+    pub angular_frequency_rad_s: f64,
+    /// Complex modal force `G` (N kg^-1/2 per mode): the modal force is `Re(G e^{i w t})`.
+    pub force: Vec<c64>,
+    /// Steady state `Y` in block coordinates: without contact `x = T Re(Y e^{i w t})`.
+    pub steady: Vec<c64>,
+}
+
+/// Where one scalar nonlinearity acts: rows and column in block coordinates.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Port {
+    /// Row of the displacement towards the stop, m.
+    pub displacement: Vec<f64>,
+    /// Row of its velocity, m/s.
+    pub velocity: Vec<f64>,
+    /// Column of a compressive unit force, per N.
+    pub force: Vec<f64>,
+    /// Complex displacement of each tone, m.
+    pub steady_m: Vec<c64>,
+    /// Velocity lost towards the stop per unit impulse, 1/kg.
+    pub mobility_per_kg: f64,
+}
+
+impl Plant {
+    /// Diagonalises a system and finds its steady state under the drives.
+    ///
+    /// # Errors
+    /// Every variant of [`PlantError`] that concerns the linear system.
+    pub fn new(system: System) -> Result<Self, PlantError> {
+        let diagonal = Diagonal::of(&system)?;
+        let mut plant = Self { system, diagonal, tones: Vec::new(), ports: Vec::new() };
+        plant.tones = plant.make_tones()?;
+        plant.ports = plant.system.stops.iter().map(|stop| plant.port(&stop.shape)).collect();
+        Ok(plant)
+    }
+
+    /// The same plant under other drives; the diagonal form is kept.
+    ///
+    /// # Errors
+    /// [`PlantError::UndampedResonance`].
+    pub fn with_drives(&self, drives: Vec<super::Drive>) -> Result<Self, PlantError> {
+        let mut plant = self.clone();
+        plant.system.drives = drives;
+        plant.tones = plant.make_tones()?;
+        plant.ports = plant.system.stops.iter().map(|stop| plant.port(&stop.shape)).collect();
+        Ok(plant)
+    }
+
+    /// Number of states.
+    pub fn len(&self) -> usize {
+        self.diagonal.block.len()
+    }
+
+    /// True without any state.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Row in block coordinates of `sum_i shape_i q_i`.
+    pub fn displacement_row(&self, shape: &[f64]) -> Vec<f64> {
+        self.row(shape, 0)
+    }
+
+    /// Row in block coordinates of `sum_i shape_i q_i'`.
+    pub fn velocity_row(&self, shape: &[f64]) -> Vec<f64> {
+        self.row(shape, self.system.modes.len())
+    }
+
+    /// Row in block coordinates of the voltage of patch number `patch` (in the order of `system.modes.patch`).
+    pub fn voltage_row(&self, patch: usize) -> Vec<f64> {
+        self.row(&[1.0], 2 * self.system.modes.len() + patch)
+    }
+
+    /// Column in block coordinates of a modal force `shape`.
+    pub fn force_column(&self, shape: &[f64]) -> Vec<f64> {
+        let (n, inverse) = (self.system.modes.len(), &self.diagonal.from_physical);
+        (0..self.len()).map(|i| shape.iter().enumerate().map(|(j, s)| inverse[(i, n + j)] * s).sum()).collect()
+    }
+
+    /// Block coordinates of a physical state `(q, q', V)` at time `t`, the steady part taken away.
+    pub fn from_physical(&self, x: &[f64], time_s: f64) -> Vec<f64> {
+        let steady = self.steady_at(time_s);
+        let inverse = &self.diagonal.from_physical;
+        (0..self.len()).map(|i| x.iter().enumerate().map(|(j, x)| inverse[(i, j)] * x).sum::<f64>() - steady[i]).collect()
+    }
+
+    /// Physical state `(q, q', V)` at time `t` of block coordinates `y`.
+    pub fn to_physical(&self, y: &[f64], time_s: f64) -> Vec<f64> {
+        let steady = self.steady_at(time_s);
+        let full: Vec<f64> = y.iter().zip(&steady).map(|(y, s)| y + s).collect();
+        let matrix = &self.diagonal.to_physical;
+        (0..self.len()).map(|i| full.iter().enumerate().map(|(j, y)| matrix[(i, j)] * y).sum()).collect()
+    }
+
+    /// Complex amplitude of an output row under each tone.
+    pub fn steady_output(&self, row: &[f64]) -> Vec<c64> {
+        self.tones.iter().map(|tone| dot(row, &tone.steady)).collect()
+    }
+
+    /// The steady state in block coordinates at a time.
+    pub fn steady_at(&self, time_s: f64) -> Vec<f64> {
+        let mut steady = vec![0.0; self.len()];
+        for tone in &self.tones {
+            let turn = c64::cis(tone.angular_frequency_rad_s * time_s);
+            steady.iter_mut().zip(&tone.steady).for_each(|(s, y)| *s += (turn * y).re);
+        }
+        steady
+    }
+
+    /// Largest `|eigenvalue|`, rad/s.
+    pub fn fastest_rad_s(&self) -> f64 {
+        self.diagonal.block.eigenvalues().iter().fold(0.0, |max, l| max.max(l.norm()))
+    }
+
+    fn row(&self, values: &[f64], first: usize) -> Vec<f64> {
+        let matrix = &self.diagonal.to_physical;
+        (0..self.len()).map(|j| values.iter().enumerate().map(|(i, v)| v * matrix[(first + i, j)]).sum()).collect()
+    }
+
+    fn port(&self, shape: &[f64]) -> Port {
+        let displacement = self.displacement_row(shape);
+        let pushed_back: Vec<f64> = shape.iter().map(|s| -s).collect();
+        Port {
+            steady_m: self.steady_output(&displacement),
+            displacement,
+            velocity: self.velocity_row(shape),
+            force: self.force_column(&pushed_back),
+            mobility_per_kg: shape.iter().map(|s| s * s).sum(),
+        }
+    }
+
+    fn make_tones(&self) -> Result<Vec<Tone>, PlantError> {
+        let mut tones: Vec<Tone> = Vec::new();
+        for drive in &self.system.drives {
+            let w = std::f64::consts::TAU * drive.frequency_hz;
+            // F sin(w t + a) = Re(-i F e^{i a} e^{i w t})
+            let amplitude = c64::new(0.0, -drive.amplitude_n) * c64::cis(drive.phase_rad);
+            let force = drive.shape.iter().map(|s| amplitude * s);
+            match tones.iter_mut().find(|tone| tone.angular_frequency_rad_s == w) {
+                Some(tone) => tone.force.iter_mut().zip(force).for_each(|(sum, f)| *sum += f),
+                None => tones.push(Tone { angular_frequency_rad_s: w, force: force.collect(), steady: Vec::new() }),
+            }
+        }
+        for tone in &mut tones {
+            tone.steady = self.steady_state(tone.angular_frequency_rad_s, &tone.force)?;
+        }
+        Ok(tones)
+    }
+
+    /// `(i w I - A)^-1` of a complex modal force, in block coordinates.
+    ///
+    /// # Errors
+    /// [`PlantError::UndampedResonance`] where an eigenvalue lies at `i w` to roundoff.
+    pub fn steady_state(&self, angular_frequency_rad_s: f64, modal_force: &[c64]) -> Result<Vec<c64>, PlantError> {
+        let s = c64::new(0.0, angular_frequency_rad_s);
+        for value in self.diagonal.block.eigenvalues() {
+            if (s - value).norm() <= 1e-12 * angular_frequency_rad_s.max(value.norm()) || s == value {
+                return Err(PlantError::UndampedResonance {
+                    frequency_hz: angular_frequency_rad_s / std::f64::consts::TAU,
+                    mode_hz: value.norm() / std::f64::consts::TAU,
+                });
+            }
+        }
+        let (n, inverse) = (self.system.modes.len(), &self.diagonal.from_physical);
+        let column: Vec<c64> =
+            (0..self.len()).map(|i| modal_force.iter().enumerate().map(|(j, g)| *g * inverse[(i, n + j)]).sum()).collect();
+        Ok(self.diagonal.block.resolve(s, &column))
+    }
+}
+
+/// Real row times complex vector.
+pub(crate) fn dot(row: &[f64], vector: &[c64]) -> c64 {
+    row.iter().zip(vector).map(|(r, v)| *v * *r).sum()
+}
