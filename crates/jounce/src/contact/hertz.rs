@@ -16,15 +16,28 @@ impl ContactLaw for Hertz {
 
     #[inline(always)]
     fn force_n(&self, penetration_m: f64, _rate_m_s: f64) -> f64 {
-        let depth = penetration_m.max(0.0);
-        // The two exponents of practice avoid `powf`, which does not vectorise.
+        self.forces_n(&[penetration_m], &[0.0])[0]
+    }
+
+    #[inline(always)]
+    fn forces_n<const N: usize>(&self, penetration_m: &[f64; N], _rate_m_s: &[f64; N]) -> [f64; N] {
+        let mut force = [0.0; N];
+        // The exponents of practice, 3/2 and 1, avoid `powf`, which does not vectorise.
         if self.exponent == 1.5 {
-            self.stiffness * depth * depth.sqrt()
+            for i in 0..N {
+                let depth = if penetration_m[i] > 0.0 { penetration_m[i] } else { 0.0 };
+                force[i] = self.stiffness * depth * depth.sqrt();
+            }
         } else if self.exponent == 1.0 {
-            self.stiffness * depth
+            for i in 0..N {
+                force[i] = self.stiffness * if penetration_m[i] > 0.0 { penetration_m[i] } else { 0.0 };
+            }
         } else {
-            self.stiffness * depth.powf(self.exponent)
+            for i in 0..N {
+                force[i] = self.stiffness * penetration_m[i].max(0.0).powf(self.exponent);
+            }
         }
+        force
     }
 
     #[inline]

@@ -40,14 +40,14 @@ impl FlightStep {
     /// Largest error of the Hermite interpolant plus the fast part, m.
     #[inline(always)]
     pub fn uncertainty_m(&self) -> f64 {
-        self.fourth_bound * self.length_s.powi(4) / 384.0 + self.fast_bound_m
+        self.fourth_bound * fourth_power(self.length_s) / 384.0 + self.fast_bound_m
     }
 
     /// Upper bound of the distance past the stop inside the step (its start left out), m: negative proves that there is no contact.
     #[inline(always)]
     pub fn highest_m(&self) -> f64 {
         let [q0, q1, q2, q3, q4] = self.coefficients();
-        let bubble = self.fourth_bound * self.length_s.powi(4) / 144.0;
+        let bubble = self.fourth_bound * fourth_power(self.length_s) / 144.0;
         let inside = q1.max(q2 + bubble).max(q3.max(q4));
         // A flight may start on the stop itself (q0 = 0); with a fast part its start is as uncertain as the rest.
         if self.fast_bound_m > 0.0 { inside.max(q0) + self.fast_bound_m } else { inside }
@@ -71,6 +71,11 @@ impl FlightStep {
         }
         None
     }
+}
+
+#[inline(always)]
+fn fourth_power(x: f64) -> f64 {
+    (x * x) * (x * x)
 }
 
 /// Zeros inside (0, 1) of `d0 + 2 c2 x + 3 c3 x^2`, ascending.

@@ -6,12 +6,12 @@
 //! meet the law at the two ends of the step as well, where it is not made to.
 
 use super::collocation::{COLLOCATION, NODES};
-use super::kernel::Kernel;
+use super::kernel::{Kernel, Layout};
 use super::lane::{Lane, WIDTH};
 use super::marcher::{MarchError, Marcher, Regime};
 use super::peak::interpolated_peak;
 use super::state::{add_push, columns, flow, pushed};
-use super::table::Table;
+use super::table::{Response, Table};
 use crate::contact::ContactLaw;
 use faer::c64;
 
@@ -178,14 +178,10 @@ impl Marcher<'_> {
     #[inline(always)]
     fn integrate<L: ContactLaw, const FMA: bool>(&mut self, law: L, table: &Table, drive: Drive, solved: &Solved, force: &Lane) {
         let c = &*COLLOCATION;
-        let bilinear = |response: &super::table::Response| {
-            let row = pushed::<FMA>(columns::<FMA>(&self.layout, &self.y, &response.columns), &response.push, force);
-            Lane::ZERO.add_product::<FMA>(&row, force).sum()
-        };
         for (sum, response) in self.integrals.loads_j.iter_mut().zip(&table.loads) {
-            *sum += bilinear(response);
+            *sum += bilinear::<FMA>(&self.layout, &self.y, response, force);
         }
-        self.integrals.damping_j += bilinear(&table.damping);
+        self.integrals.damping_j += bilinear::<FMA>(&self.layout, &self.y, &table.damping, force);
         let mut weighted = Lane::ZERO;
         for j in 0..NODES {
             weighted.0[j] = table.length_s * c.weights[j] * force.0[j];
@@ -245,11 +241,14 @@ impl Marcher<'_> {
     }
 }
 
+/// `integral f (row . y) dt` over a step.
+#[inline(always)]
+fn bilinear<const FMA: bool>(layout: &Layout, y: &[Lane], response: &Response, force: &Lane) -> f64 {
+    let row = pushed::<FMA>(columns::<FMA>(layout, y, &response.columns), &response.push, force);
+    Lane::ZERO.add_product::<FMA>(&row, force).sum()
+}
+
 #[inline(always)]
 fn law_of<L: ContactLaw>(law: L, penetration: &Lane, rate: &Lane) -> Lane {
-    let mut force = Lane::ZERO;
-    for i in 0..WIDTH {
-        force.0[i] = law.force_n(penetration.0[i], rate.0[i]);
-    }
-    force
+    Lane(law.forces_n(&penetration.0, &rate.0))
 }
