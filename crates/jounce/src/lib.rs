@@ -6,8 +6,10 @@
 //! linear system in diagonal form, with its ports) -> `linear` (closed-form answers) -> `march` (time) -> `response` ->
 //! `signal` -> `measure` -> `study` (sweeps) -> `table` -> `picture` -> `report`; `reference` holds exact answers.
 
-pub mod spec;
 pub mod contact;
+pub mod linear;
 pub mod march;
 pub mod plant;
+pub mod run;
+pub mod spec;
 pub mod structure;

@@ -150,6 +150,9 @@ impl Marcher<'_> {
     fn take<L: ContactLaw, const FMA: bool>(&mut self, law: L, table: &Table, drive: Drive, solved: &Solved) {
         let mut force = solved.force;
         force.0[WIDTH - 1] = 0.0;
+        if self.record.is_some() {
+            self.note(table.length_s, Some(std::array::from_fn(|j| force.0[j])));
+        }
         self.integrate::<L, FMA>(law, table, drive, solved, &force);
         flow::<FMA>(&self.layout, &self.y, table, &mut self.next);
         add_push::<FMA>(table, &force, &mut self.next);

@@ -2,6 +2,7 @@
 
 use super::certificate::FlightStep;
 use super::kernel::Kernel;
+use super::lane::WIDTH;
 use super::marcher::{MarchError, Marcher, Regime};
 use super::state::{columns, dot_abs, flow};
 use super::table::Table;
@@ -56,22 +57,15 @@ impl Marcher<'_> {
         let kernel = self.kernel;
         let table = kernel.table(0, level);
         flow::<FMA>(&self.layout, &self.y, table, &mut self.next);
-        let mut turned = [(0.0, 0.0); 1];
-        let (mut drive_m, mut drive_m_s) = (0.0, 0.0);
-        let mut start = (0.0, 0.0);
+        let start = self.drive();
+        let mut end = (0.0, 0.0);
         for tone in &mut self.tones {
-            let (w, v) = tone.motion();
-            start = (start.0 + w, start.1 + v);
             let (cos, sin) = tone.level(level);
-            let before = tone.turn;
-            tone.turn *= faer::c64::new(cos.0[7], sin.0[7]);
-            let (w, v) = tone.motion();
-            (drive_m, drive_m_s) = (drive_m + w, drive_m_s + v);
-            tone.turn = before;
+            let (w, v) = tone.motion_after(cos.0[WIDTH - 1], sin.0[WIDTH - 1]);
+            end = (end.0 + w, end.1 + v);
         }
-        turned[0] = (drive_m, drive_m_s);
         let outputs = columns::<FMA>(&self.layout, &self.next, &table.flight.columns).0;
-        let step = self.step_of::<FMA>(table, start, [outputs[2], outputs[3]], turned[0]);
+        let step = self.step_of::<FMA>(table, start, [outputs[2], outputs[3]], end);
         let clear = step.highest_m() < 0.0;
         let located = !clear && step.uncertainty_m() <= LOCATED * self.scale_m(outputs[0]);
         if !clear {
@@ -83,14 +77,17 @@ impl Marcher<'_> {
             }
             // Shallower than the resolution: nothing the force law could feel.
         }
+        if self.record.is_some() {
+            self.note(table.length_s, None);
+        }
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += table.length_s;
         for tone in &mut self.tones {
             let (cos, sin) = tone.level(level);
-            tone.turn *= faer::c64::new(cos.0[7], sin.0[7]);
+            tone.turn *= faer::c64::new(cos.0[WIDTH - 1], sin.0[WIDTH - 1]);
         }
-        self.penetration_m = outputs[0] + turned[0].0 - self.rows.gap_m;
-        self.rate_m_s = outputs[1] + turned[0].1;
+        self.penetration_m = outputs[0] + end.0 - self.rows.gap_m;
+        self.rate_m_s = outputs[1] + end.1;
         Attempt::Clear
     }
 
@@ -130,30 +127,29 @@ impl Marcher<'_> {
         }
         // The level above the remaining time bounds it from above; its table splits slow and fast for the whole step.
         let table = self.kernel.table(0, (level - 1).max(Kernel::coarsest()));
-        let saved = (self.y.clone(), self.time_s, self.penetration_m, self.rate_m_s);
-        let start_drive = self.tones.iter().map(|t| t.motion()).fold((0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1));
-        let before = self.clone_start();
-        self.glide(remaining, end_s);
-        let outputs = columns::<FMA>(&self.layout, &self.y, &table.flight.columns).0;
-        let drive = self.tones.iter().map(|t| t.motion()).fold((0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1));
-        std::mem::swap(&mut self.y, &mut self.next);
-        self.y.copy_from_slice(&saved.0);
-        (self.time_s, self.penetration_m, self.rate_m_s) = (saved.1, saved.2, saved.3);
-        let mut step = self.step_of::<FMA>(table, start_drive, [outputs[2], outputs[3]], drive);
+        let start = self.drive();
+        let ahead = self.flown(remaining);
+        let turns: Vec<_> = self.tones.iter().map(|tone| tone.turn).collect();
+        self.tones.iter_mut().for_each(|tone| tone.set(end_s));
+        let drive = self.drive();
+        let outputs = columns::<FMA>(&self.layout, &ahead, &table.flight.columns).0;
+        let mut step = self.step_of::<FMA>(table, start, [outputs[2], outputs[3]], drive);
         step.length_s = remaining;
-        let clear = step.highest_m() < 0.0 || step.uncertainty_m() <= LOCATED * self.scale_m(outputs[0]) && step.crossing_s().is_none();
+        let located = || step.uncertainty_m() <= LOCATED * self.scale_m(outputs[0]) && step.crossing_s().is_none();
+        let clear = step.highest_m() < 0.0 || located();
+        self.tones.iter_mut().zip(turns).for_each(|(tone, turn)| tone.turn = turn);
         if clear {
-            std::mem::swap(&mut self.y, &mut self.next);
-            self.time_s = end_s;
+            self.glide(remaining, end_s);
             self.see::<FMA>();
-        } else {
-            self.tones.iter_mut().zip(before).for_each(|(tone, turn)| tone.turn = turn);
+            self.work.flight_steps += 1;
         }
         clear
     }
 
-    fn clone_start(&self) -> Vec<faer::c64> {
-        self.tones.iter().map(|tone| tone.turn).collect()
+    /// Displacement and velocity of the port under the drive at the present time.
+    #[inline(always)]
+    fn drive(&self) -> (f64, f64) {
+        self.tones.iter().map(|tone| tone.motion()).fold((0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1))
     }
 
     /// Moves onto the stop and enters contact.

@@ -3,10 +3,12 @@
 //! Between contacts the flow is exact and a step is as long as the certificate allows; in contact the scalar force on a step
 //! is a polynomial through seven Gauss nodes, found by fixed point. The loop alternates the two.
 
+use super::collocation::NODES;
 use super::energies::Opening;
 use super::kernel::{Kernel, Layout};
 use super::lane::Lane;
 use super::tone::Turning;
+use super::trajectory::{Segment, Trajectory};
 use super::totals::{ContactIntegrals, ContactStatistics, WorkCount};
 use crate::contact::{ContactLaw, Hertz, Law};
 use pulp::{Arch, Simd, WithSimd};
@@ -72,6 +74,7 @@ pub struct Marcher<'k> {
     pub(super) integrals: ContactIntegrals,
     pub(super) work: WorkCount,
     pub(super) opening: Opening,
+    pub(super) record: Option<Trajectory>,
 }
 
 /// Padded rows of the port.
@@ -138,6 +141,7 @@ impl<'k> Marcher<'k> {
             statistics: ContactStatistics::default(),
             work: WorkCount::default(),
             opening: Opening::default(),
+            record: None,
         };
         marcher.see::<false>();
         if marcher.penetration_m > 0.0 {
@@ -167,6 +171,23 @@ impl<'k> Marcher<'k> {
         self.statistics = ContactStatistics::default();
         if self.regime == Regime::Contact {
             self.statistics.max_penetration_m = self.penetration_m.max(0.0);
+        }
+    }
+
+    /// Starts to keep every step.
+    pub fn start_record(&mut self) {
+        self.record = Some(Trajectory::default());
+    }
+
+    /// Ends the record and hands it over.
+    pub fn take_record(&mut self) -> Trajectory {
+        self.record.take().unwrap_or_default()
+    }
+
+    /// Keeps the step that is about to be taken.
+    pub(super) fn note(&mut self, length_s: f64, force_n: Option<[f64; NODES]>) {
+        if let Some(record) = &mut self.record {
+            record.push(Segment { start_s: self.time_s, length_s, state: self.layout.unpack(&self.y), force_n });
         }
     }
 
@@ -220,10 +241,15 @@ impl<'k> Marcher<'k> {
         (self.penetration_m, self.rate_m_s) = motion;
     }
 
+    /// The state after an exact flow over any time.
+    pub(super) fn flown(&self, length_s: f64) -> Vec<Lane> {
+        self.layout.pack(&self.kernel.plant.diagonal.block.flow(length_s, &self.layout.unpack(&self.y)))
+    }
+
     /// Exact flow over any time, by one exponential per block.
     pub(super) fn glide(&mut self, length_s: f64, end_s: f64) {
-        let y = self.layout.unpack(&self.y);
-        self.y = self.layout.pack(&self.kernel.plant.diagonal.block.flow(length_s, &y));
+        self.note(length_s, None);
+        self.y = self.flown(length_s);
         self.time_s = end_s;
         self.tones.iter_mut().for_each(|tone| tone.set(end_s));
     }

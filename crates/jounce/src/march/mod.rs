@@ -13,8 +13,10 @@ mod state;
 mod table;
 mod tone;
 mod totals;
+mod trajectory;
 
 pub use energies::Energies;
 pub use kernel::Kernel;
 pub use marcher::{MarchError, Marcher};
+pub use trajectory::{Instant, Segment, Trajectory};
 pub use totals::{ContactIntegrals, ContactStatistics, WorkCount};

@@ -58,10 +58,13 @@ pub struct FlightTable {
 /// `|lambda| h` above which a block counts as fast: where its own size is a better bound than its Hermite remainder.
 const FAST: f64 = 4.4;
 
-struct BlockResponse {
-    states: Vec<usize>,
+/// Response of one block to the contact force.
+#[derive(Debug, Clone)]
+pub(super) struct BlockResponse {
+    /// States of the block.
+    pub states: Vec<usize>,
     /// Per Legendre force: Legendre coefficients in time of each state of the block.
-    time: Vec<[Vec<f64>; NODES]>,
+    pub time: Vec<[Vec<f64>; NODES]>,
 }
 
 impl Response {
@@ -107,7 +110,7 @@ fn to_nodal(legendre: &[f64; NODES]) -> [f64; NODES] {
 }
 
 /// Response of every state to each Legendre force through `force`, as Legendre coefficients in time.
-fn block_responses(kernel: &Kernel, force: &[f64], h: f64) -> Vec<BlockResponse> {
+pub(super) fn block_responses(kernel: &Kernel, force: &[f64], h: f64) -> Vec<BlockResponse> {
     let block = &kernel.plant.diagonal.block;
     let part = |responses: &Responses, factor: c64, imaginary: bool| -> [Vec<f64>; NODES] {
         std::array::from_fn(|b| responses[b].iter().map(|y| if imaginary { (factor * y).im } else { (factor * y).re }).collect())

@@ -54,6 +54,13 @@ impl Turning {
         (z.re, -self.angular_frequency_rad_s * z.im)
     }
 
+    /// The same after a turn by an angle given by its `cos` and `sin`.
+    #[inline(always)]
+    pub fn motion_after(&self, cos: f64, sin: f64) -> (f64, f64) {
+        let z = self.displacement_m * self.turn * c64::new(cos, sin);
+        (z.re, -self.angular_frequency_rad_s * z.im)
+    }
+
     /// Fresh phasor at a time, without the roundoff of many turns.
     #[inline(always)]
     pub fn set(&mut self, time_s: f64) {

@@ -20,5 +20,6 @@ pub use block::{Block, Pair};
 pub use diagonal::Diagonal;
 pub use energy::{EnergyMeter, Meters};
 pub use error::PlantError;
+pub(crate) use plant::dot;
 pub use plant::{Plant, Port, Tone};
 pub use system::{Drive, Load, Stop, System};

@@ -1,0 +1,91 @@
+//! Frequency response functions of any output to a force on any point.
+
+use crate::plant::{Plant, PlantError};
+use faer::c64;
+use std::f64::consts::TAU;
+
+/// What is looked at.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Response {
+    /// Displacement of a point, m.
+    Displacement(String),
+    /// Velocity of a point, m/s.
+    Velocity(String),
+    /// Acceleration of a point, m/s^2.
+    Acceleration(String),
+    /// Voltage of a patch, V.
+    Voltage(String),
+}
+
+/// One frequency response function.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Frf {
+    /// What is looked at.
+    pub response: Response,
+    /// Value per newton at each frequency.
+    pub value: Vec<c64>,
+}
+
+impl Response {
+    /// Name for tables, with the unit as its suffix.
+    pub fn name(&self) -> String {
+        match self {
+            Response::Displacement(point) => format!("{point}.displacement"),
+            Response::Velocity(point) => format!("{point}.velocity"),
+            Response::Acceleration(point) => format!("{point}.acceleration"),
+            Response::Voltage(patch) => format!("{patch}.voltage"),
+        }
+    }
+
+    /// Unit per newton of force.
+    pub fn unit(&self) -> &'static str {
+        match self {
+            Response::Displacement(_) => "m/N",
+            Response::Velocity(_) => "m/(s N)",
+            Response::Acceleration(_) => "m/(s^2 N)",
+            Response::Voltage(_) => "V/N",
+        }
+    }
+}
+
+/// Responses to a unit force on `input`, at each frequency.
+///
+/// # Errors
+/// [`PlantError::UnknownName`] for a point or patch that is not there, [`PlantError::UndampedResonance`].
+pub fn frf(plant: &Plant, input: &str, responses: &[Response], frequencies_hz: &[f64]) -> Result<Vec<Frf>, PlantError> {
+    let force: Vec<c64> = shape(plant, input)?.iter().map(|s| c64::new(*s, 0.0)).collect();
+    let rows = responses.iter().map(|response| row(plant, response)).collect::<Result<Vec<_>, _>>()?;
+    let mut answers: Vec<Frf> = responses.iter().map(|r| Frf { response: r.clone(), value: Vec::new() }).collect();
+    for &frequency_hz in frequencies_hz {
+        let w = TAU * frequency_hz;
+        let state = plant.steady_state(w, &force)?;
+        for (answer, row) in answers.iter_mut().zip(&rows) {
+            let value = crate::plant::dot(row, &state);
+            let speeded = matches!(answer.response, Response::Acceleration(_));
+            answer.value.push(if speeded { value * c64::new(0.0, w) } else { value });
+        }
+    }
+    Ok(answers)
+}
+
+fn row(plant: &Plant, response: &Response) -> Result<Vec<f64>, PlantError> {
+    Ok(match response {
+        Response::Displacement(point) => plant.displacement_row(shape(plant, point)?),
+        Response::Velocity(point) | Response::Acceleration(point) => plant.velocity_row(shape(plant, point)?),
+        Response::Voltage(patch) => {
+            let patches: Vec<&String> = plant.system.modes.patch.keys().collect();
+            let index = patches.iter().position(|name| *name == patch).ok_or_else(|| unknown("response", patch, &patches))?;
+            plant.voltage_row(index)
+        }
+    })
+}
+
+fn shape<'p>(plant: &'p Plant, point: &str) -> Result<&'p Vec<f64>, PlantError> {
+    let shapes = &plant.system.modes.shape;
+    shapes.get(point).ok_or_else(|| unknown("force or response", point, &shapes.keys().collect::<Vec<_>>()))
+}
+
+fn unknown(what: &str, name: &str, known: &[&String]) -> PlantError {
+    let known = known.iter().map(|name| name.as_str()).collect::<Vec<_>>().join(", ");
+    PlantError::UnknownName { what: what.to_owned(), name: name.to_owned(), known }
+}

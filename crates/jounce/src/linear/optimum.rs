@@ -1,0 +1,51 @@
+//! Steady power and the load that draws most of it.
+
+use crate::plant::{Plant, PlantError};
+
+/// The best resistance under a fixed drive.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct Optimum {
+    /// Resistance, ohm.
+    pub resistance_ohm: f64,
+    /// Mean power there, W.
+    pub mean_power_w: f64,
+}
+
+/// Mean power of all loads under the drives of a plant, without contact, W.
+pub fn steady_power_w(plant: &Plant) -> f64 {
+    let patches: Vec<&String> = plant.system.modes.patch.keys().collect();
+    let mut power_w = 0.0;
+    for load in &plant.system.loads {
+        let Some(index) = patches.iter().position(|name| **name == load.patch) else { continue };
+        let row = plant.voltage_row(index);
+        for tone in &plant.tones {
+            power_w += 0.5 * crate::plant::dot(&row, &tone.steady).norm_sqr() / load.resistance_ohm;
+        }
+    }
+    power_w
+}
+
+/// Resistance of load number `load` that draws the largest steady mean power, others unchanged.
+///
+/// With one tone the voltage is `V = I / (1 / R + Y)` with `I` and `Y` free of `R`, so that `P = |I|^2 R / (2 |1 + R Y|^2)` has
+/// its one maximum at `R = 1 / |Y|` (Thevenin).
+///
+/// # Errors
+/// [`PlantError`] of the plants at two trial resistances.
+pub fn optimal_resistance(plant: &Plant, load: usize) -> Result<Optimum, PlantError> {
+    let patches: Vec<&String> = plant.system.modes.patch.keys().collect();
+    let patch = patches.iter().position(|name| **name == plant.system.loads[load].patch).unwrap_or_default();
+    let voltage = |resistance_ohm: f64| -> Result<faer::c64, PlantError> {
+        let mut system = plant.system.clone();
+        system.loads[load].resistance_ohm = resistance_ohm;
+        let plant = Plant::new(system)?;
+        Ok(plant.tones.first().map_or(faer::c64::new(0.0, 0.0), |tone| crate::plant::dot(&plant.voltage_row(patch), &tone.steady)))
+    };
+    // V (1/R + Y) = I at two resistances gives Y.
+    let (r1, r2) = (plant.system.loads[load].resistance_ohm, 2.0 * plant.system.loads[load].resistance_ohm);
+    let (v1, v2) = (voltage(r1)?, voltage(r2)?);
+    let admittance = (v2 / r2 - v1 / r1) / (v1 - v2);
+    let resistance_ohm = 1.0 / admittance.norm();
+    let power = 0.5 * voltage(resistance_ohm)?.norm_sqr() / resistance_ohm;
+    Ok(Optimum { resistance_ohm, mean_power_w: power })
+}

@@ -1,0 +1,11 @@
+//! A run: from a start to an end, with its averages, its energy balance and whether it has settled.
+
+mod result;
+mod settle;
+mod simulate;
+mod start;
+
+pub use result::{LoadAnswer, RunAnswer};
+pub use settle::Settlement;
+pub use simulate::{RunError, RunPlan, simulate};
+pub use start::StartState;

@@ -1,0 +1,45 @@
+//! What a run answers.
+
+use super::{Settlement, StartState};
+use crate::march::{Energies, Trajectory, WorkCount};
+use serde::Serialize;
+
+/// One electrical load over the averaging window.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LoadAnswer {
+    /// Name of the circuit.
+    pub name: String,
+    /// Mean power, W (paper eq. (7)).
+    pub mean_power_w: f64,
+    /// Voltage, rms, V.
+    pub voltage_rms_v: f64,
+}
+
+/// Answers over the averaging window, and the audit of the whole run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunAnswer {
+    /// Mean power of all loads together, W.
+    pub mean_power_w: f64,
+    /// Each load.
+    pub loads: Vec<LoadAnswer>,
+    /// Largest penetration of the stop, m.
+    pub max_penetration_m: f64,
+    /// Largest contact force, N.
+    pub max_contact_force_n: f64,
+    /// Contacts that began.
+    pub contacts: u64,
+    /// Share of the time in contact, 0 to 1.
+    pub contact_duty: f64,
+    /// Has the run settled?
+    pub settlement: Settlement,
+    /// Energies of the whole run, J.
+    pub energies: Energies,
+    /// Steps and iterations of the whole run.
+    pub work: WorkCount,
+    /// State at the end.
+    pub end: StartState,
+    /// Wall time of the marching alone, s.
+    pub march_s: f64,
+    /// The last part of the run, as long as the plan asked for.
+    pub trajectory: Trajectory,
+}

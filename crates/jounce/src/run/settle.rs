@@ -1,0 +1,78 @@
+//! Has a run settled? The stroboscopic states of the last drive periods decide.
+//!
+//! With `d_k` the change of the state over `n` periods at two successive looks, the distance still to go is about
+//! `d_2 r / (1 - r)`, `r = d_2 / d_1`: a slow mode changes little in a period and may yet be far from its orbit.
+
+use serde::Serialize;
+
+/// Period-to-period change at the end of a run.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Settlement {
+    /// True when the distance to the periodic orbit is below the tolerance.
+    pub settled: bool,
+    /// Period of the orbit in drive cycles, as far as it was looked for.
+    pub period_cycles: u32,
+    /// Relative change of the state (energy norm) over the last period of the orbit.
+    pub change: f64,
+    /// Estimated relative distance to the periodic orbit; infinite when the changes do not shrink.
+    pub distance: f64,
+}
+
+/// Longest orbit looked for, in drive cycles.
+pub(super) const LONGEST_PERIOD: usize = 4;
+
+/// States looked at: two changes of the longest orbit need three of its periods.
+pub(super) const LOOKS: usize = 2 * LONGEST_PERIOD + 1;
+
+/// Relative distance to the orbit below which a run counts as settled.
+pub const SETTLED: f64 = 1e-4;
+
+/// Judges states one drive period apart, oldest first, in energy coordinates.
+pub(super) fn settlement(states: &[Vec<f64>]) -> Settlement {
+    let mut best: Option<Settlement> = None;
+    for period in 1..=LONGEST_PERIOD {
+        let Some(first) = states.len().checked_sub(2 * period + 1) else { break };
+        let (old, middle, last) = (&states[first], &states[first + period], &states[first + 2 * period]);
+        let size = norm(last.iter().copied());
+        let change = |a: &[f64], b: &[f64]| norm(a.iter().zip(b).map(|(a, b)| a - b)) / size.max(f64::MIN_POSITIVE);
+        let (before, now) = (change(middle, old), change(last, middle));
+        let ratio = now / before;
+        // At roundoff the ratio of two changes means nothing.
+        let distance = match now < 1e-12 {
+            true => now,
+            false if ratio < 1.0 => now * (ratio / (1.0 - ratio)).max(1.0),
+            false => f64::INFINITY,
+        };
+        let found = Settlement { settled: distance < SETTLED, period_cycles: period as u32, change: now, distance };
+        if found.settled {
+            return found;
+        }
+        if best.is_none_or(|best| found.change < best.change) {
+            best = Some(found);
+        }
+    }
+    best.unwrap_or(Settlement { settled: false, period_cycles: 1, change: f64::INFINITY, distance: f64::INFINITY })
+}
+
+fn norm(values: impl Iterator<Item = f64>) -> f64 {
+    values.map(|v| v * v).sum::<f64>().sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slow_decay_is_not_settled_though_it_changes_little() {
+        let states: Vec<Vec<f64>> = (0..LOOKS).map(|k| vec![1.0 + 0.05 * 0.999_f64.powi(k as i32)]).collect();
+        let found = settlement(&states);
+        assert!(!found.settled && found.change < 1e-4 && (found.distance / 0.0472 - 1.0).abs() < 0.02, "{found:?}");
+    }
+
+    #[test]
+    fn an_orbit_of_two_cycles_is_found() {
+        let states: Vec<Vec<f64>> = (0..LOOKS).map(|k| vec![1.0, if k % 2 == 0 { 0.1 } else { -0.1 }]).collect();
+        let found = settlement(&states);
+        assert!(found.settled && found.period_cycles == 2, "{found:?}");
+    }
+}

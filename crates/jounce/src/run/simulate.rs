@@ -1,0 +1,138 @@
+//! Marches a plan and reads its answers.
+
+use super::settle::{LOOKS, settlement};
+use super::{LoadAnswer, RunAnswer, Settlement, StartState};
+use crate::march::{Kernel, MarchError, Marcher};
+use crate::plant::Plant;
+use std::time::Instant;
+
+/// What to march.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunPlan {
+    /// Length of the run, s.
+    pub duration_s: f64,
+    /// Averaging window at its end, s.
+    pub average_over_s: f64,
+    /// Wanted relative error of the response.
+    pub tolerance: f64,
+    /// Length of the record kept at the end of the run, s; 0 for none.
+    pub record_s: f64,
+}
+
+/// A run that could not be made.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum RunError {
+    /// See [`MarchError`].
+    #[error(transparent)]
+    March(#[from] MarchError),
+    /// A start state of another harvester.
+    #[error(
+        "the start state has {modes} modes, {patches} patches and {drives} drives, or a value that is not finite; this harvester has {wanted_modes} modes, {wanted_patches} patches and {wanted_drives} drives"
+    )]
+    StateDoesNotFit {
+        /// Modes of the state.
+        modes: usize,
+        /// Patches of the state.
+        patches: usize,
+        /// Drives of the state.
+        drives: usize,
+        /// Modes of the harvester.
+        wanted_modes: usize,
+        /// Patches of the harvester.
+        wanted_patches: usize,
+        /// Drives of the harvester.
+        wanted_drives: usize,
+    },
+    /// The plant cannot be made with the drive angles of the state.
+    #[error(transparent)]
+    Plant(#[from] crate::plant::PlantError),
+}
+
+/// Marches from a start.
+///
+/// The drives of `kernel` must start at the angles of the state (see [`super::StartState`] and [`Kernel::with_drives`]).
+///
+/// # Errors
+/// [`RunError`].
+pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<RunAnswer, RunError> {
+    let plant = &kernel.plant;
+    check(plant, start)?;
+    let clock = Instant::now();
+    let y = plant.from_physical(&start.physical(), 0.0);
+    let mut marcher = Marcher::new(kernel, &y, 0.0, plan.tolerance)?;
+    let end_s = plan.duration_s;
+    let window_s = end_s - plan.average_over_s;
+    let period_s = plant.tones.first().map(|tone| std::f64::consts::TAU / tone.angular_frequency_rad_s);
+    let looks_s = period_s.map_or(0.0, |period_s| (LOOKS - 1) as f64 * period_s);
+    let record_s = end_s - plan.record_s.max(looks_s).min(end_s);
+    let mut opened = None;
+    let mut marks = [(window_s, true), (record_s, false)];
+    marks.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for (time_s, is_window) in marks {
+        marcher.advance_to(time_s)?;
+        if is_window {
+            marcher.reset_statistics();
+            opened = Some(marcher.energies());
+        } else {
+            marcher.start_record();
+        }
+    }
+    marcher.advance_to(end_s)?;
+    let march_s = clock.elapsed().as_secs_f64();
+    let opened = opened.unwrap_or_default();
+    let trajectory = marcher.take_record();
+    let settlement = settled(kernel, &trajectory, end_s, period_s);
+    let energies = marcher.energies();
+    let statistics = marcher.statistics();
+    let loads: Vec<LoadAnswer> = (plant.system.loads.iter().zip(energies.loads_j.iter().zip(&opened.loads_j)))
+        .map(|(load, (end, start))| {
+            let mean_power_w = (end - start) / plan.average_over_s;
+            LoadAnswer { name: load.name.clone(), mean_power_w, voltage_rms_v: (mean_power_w * load.resistance_ohm).max(0.0).sqrt() }
+        })
+        .collect();
+    Ok(RunAnswer {
+        mean_power_w: loads.iter().map(|load| load.mean_power_w).sum(),
+        loads,
+        max_penetration_m: statistics.max_penetration_m,
+        max_contact_force_n: statistics.max_force_n,
+        contacts: statistics.contacts,
+        contact_duty: statistics.time_s / plan.average_over_s,
+        settlement,
+        energies,
+        work: marcher.work(),
+        end: StartState::from_blocks(plant, &marcher.state(), end_s),
+        march_s,
+        trajectory,
+    })
+}
+
+fn check(plant: &Plant, start: &StartState) -> Result<(), RunError> {
+    if start.fits(plant) {
+        return Ok(());
+    }
+    Err(RunError::StateDoesNotFit {
+        modes: start.displacement.len(),
+        patches: start.voltage_v.len(),
+        drives: start.drive_angle_rad.len(),
+        wanted_modes: plant.system.modes.len(),
+        wanted_patches: plant.system.modes.patch.len(),
+        wanted_drives: plant.system.drives.len(),
+    })
+}
+
+/// Looks at the state once per drive period at the end of the run. Without a drive there is no period and nothing to settle to.
+fn settled(kernel: &Kernel, trajectory: &crate::march::Trajectory, end_s: f64, period_s: Option<f64>) -> Settlement {
+    let Some(period_s) = period_s else { return settlement(&[]) };
+    let times: Vec<f64> =
+        (0..LOOKS).rev().map(|k| end_s - k as f64 * period_s).filter(|time_s| *time_s > -1e-9 * period_s).collect();
+    let modes = &kernel.plant.system.modes;
+    let n = modes.len();
+    let scales: Vec<f64> = (modes.frequency_rad_s.iter().copied())
+        .chain(std::iter::repeat_n(1.0, n))
+        .chain(modes.patch.values().map(|patch| patch.capacitance_f.sqrt()))
+        .collect();
+    let states: Vec<Vec<f64>> = (trajectory.at(kernel, &times).iter())
+        .map(|at| kernel.plant.to_physical(&at.state, at.time_s).iter().zip(&scales).map(|(x, s)| x * s).collect())
+        .collect();
+    settlement(&states)
+}

@@ -1,0 +1,65 @@
+//! Where a run starts.
+
+use crate::plant::Plant;
+use serde::{Deserialize, Serialize};
+
+/// The state of a harvester at one time, in coordinates that outlive a change of load, stop or drive.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StartState {
+    /// Modal displacements `q`, kg^1/2 m.
+    pub displacement: Vec<f64>,
+    /// Modal velocities `q'`, kg^1/2 m/s.
+    pub velocity: Vec<f64>,
+    /// Voltage of each patch, V.
+    pub voltage_v: Vec<f64>,
+    /// Angle of each drive (argument of its sine), rad: a run that goes on from here keeps it continuous.
+    pub drive_angle_rad: Vec<f64>,
+}
+
+impl StartState {
+    /// Everything at rest, drives at their own starting angle.
+    pub fn rest(plant: &Plant) -> Self {
+        let n = plant.system.modes.len();
+        Self {
+            displacement: vec![0.0; n],
+            velocity: vec![0.0; n],
+            voltage_v: vec![0.0; plant.system.modes.patch.len()],
+            drive_angle_rad: plant.system.drives.iter().map(|drive| drive.phase_rad).collect(),
+        }
+    }
+
+    /// The steady state of the harvester without its stops.
+    pub fn linear(plant: &Plant) -> Self {
+        Self::from_blocks(plant, &vec![0.0; plant.len()], 0.0)
+    }
+
+    /// A state in block coordinates at a time of a run whose drives started at their own angle at time 0.
+    pub fn from_blocks(plant: &Plant, y: &[f64], time_s: f64) -> Self {
+        let n = plant.system.modes.len();
+        let x = plant.to_physical(y, time_s);
+        let angle = |drive: &crate::plant::Drive| {
+            (drive.phase_rad + std::f64::consts::TAU * (drive.frequency_hz * time_s).fract()).rem_euclid(std::f64::consts::TAU)
+        };
+        Self {
+            displacement: x[..n].to_vec(),
+            velocity: x[n..2 * n].to_vec(),
+            voltage_v: x[2 * n..].to_vec(),
+            drive_angle_rad: plant.system.drives.iter().map(angle).collect(),
+        }
+    }
+
+    /// `(q, q', V)` in one row.
+    pub fn physical(&self) -> Vec<f64> {
+        [self.displacement.as_slice(), &self.velocity, &self.voltage_v].concat()
+    }
+
+    /// True when the state has the sizes of a plant.
+    pub fn fits(&self, plant: &Plant) -> bool {
+        let modes = &plant.system.modes;
+        self.displacement.len() == modes.len()
+            && self.velocity.len() == modes.len()
+            && self.voltage_v.len() == modes.patch.len()
+            && self.drive_angle_rad.len() == plant.system.drives.len()
+            && self.physical().iter().chain(&self.drive_angle_rad).all(|value| value.is_finite())
+    }
+}
