@@ -55,7 +55,7 @@ fn holds(kind: Kind) -> String {
         Kind::Count => "whole number".to_owned(),
         Kind::Numbers => "list of numbers".to_owned(),
         Kind::NamedNumbers => "list of numbers by name".to_owned(),
-        Kind::Text => "text".to_owned(),
+        Kind::ChoiceOrPath(_) => "choice or path".to_owned(),
         Kind::Choice(_) => "choice".to_owned(),
         Kind::Reference { what } => format!("name of {what}"),
         Kind::Things | Kind::Table => "table".to_owned(),
@@ -65,7 +65,7 @@ fn holds(kind: Kind) -> String {
 fn allowed(kind: Kind, range: &Range) -> String {
     match kind {
         Kind::Choice(words) => words.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", "),
-        Kind::Text | Kind::Reference { .. } | Kind::Things | Kind::Table | Kind::NamedNumbers => String::new(),
+        Kind::ChoiceOrPath(_) | Kind::Reference { .. } | Kind::Things | Kind::Table | Kind::NamedNumbers => String::new(),
         _ if *range == Range::ANY => "any".to_owned(),
         _ => range.rule(kind).trim_start_matches("must be ").to_owned(),
     }

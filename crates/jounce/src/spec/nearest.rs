@@ -3,6 +3,9 @@
 /// Longer words are no misspelling of anything, and the distance of two long words takes long.
 const LONGEST: usize = 64;
 
+/// No more candidates than this are compared, so that a huge file with many wrong names is refused in bounded time.
+const COMPARED: usize = 2000;
+
 /// How many known words a message lists.
 const LISTED: usize = 12;
 
@@ -12,7 +15,7 @@ pub(super) fn nearest<'c>(word: &str, candidates: impl IntoIterator<Item = &'c s
     if length > LONGEST {
         return None;
     }
-    let near = candidates.into_iter().filter(|candidate| candidate.len() <= LONGEST);
+    let near = candidates.into_iter().take(COMPARED).filter(|candidate| candidate.len() <= LONGEST);
     let (distance, best) =
         near.map(|candidate| (strsim::damerau_levenshtein(word, candidate), candidate)).min_by_key(|(distance, _)| *distance)?;
     (distance <= (length / 3).max(1)).then_some(best)
@@ -25,9 +28,16 @@ pub(super) fn did_you_mean<'c>(word: &str, candidates: impl IntoIterator<Item = 
 
 /// A list for a message: `a, b, c and 5 more`.
 pub(super) fn listed<'c>(words: impl IntoIterator<Item = &'c str>) -> String {
-    let words: Vec<&str> = words.into_iter().collect();
+    let mut words: Vec<&str> = words.into_iter().collect();
+    words.dedup();
     let shown = words.iter().take(LISTED).map(|word| clip(word)).collect::<Vec<_>>().join(", ");
     if words.len() > LISTED { format!("{shown} and {} more", words.len() - LISTED) } else { shown }
+}
+
+/// `KEY is ...` or `KEY: ...`, whichever reads on.
+pub(super) fn sentence(key: &str, text: &str) -> String {
+    let reads_on = ["is ", "has ", "does "].iter().any(|verb| text.starts_with(verb));
+    format!("{}{} {text}", clip(key), if reads_on { "" } else { ":" })
 }
 
 /// A text from the user, short enough for a message.

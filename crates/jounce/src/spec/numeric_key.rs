@@ -43,7 +43,7 @@ impl NumericKey {
         };
         if path.starts_with("stop.") && found.info.name == "exponent" {
             let why = "cannot be varied alone, because the unit of `stiffness` depends on it; write one spec for each exponent";
-            return Err(Fault::without_place(path, format!("{path}: {why}")));
+            return Err(Fault::without_place(path, format!("{path} {why}")));
         }
         Ok(Self { path: path.to_owned(), kind: found.kind, info: found.info, held: None })
     }
@@ -96,7 +96,7 @@ impl NumericKey {
             return Ok(());
         }
         let rule = if whole { self.info.range.rule(self.kind) } else { "must be a whole number".to_owned() };
-        Err(Fault::without_place(&self.path, format!("{}: is {}; it {rule}", self.path, self.kind.show(value_si))))
+        Err(Fault::without_place(&self.path, format!("{} is {}; it {rule}", self.path, self.kind.show(value_si))))
     }
 
     pub(super) fn kind(&self) -> Kind {

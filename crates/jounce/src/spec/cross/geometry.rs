@@ -40,7 +40,7 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
             if patch.start_m < reach_m - slack_m {
                 let text = || {
                     format!(
-                        "the patch starts at {}, but patch \"{}\" on the same beam ends at {} only",
+                        "the patch starts at {}, but patch \"{}\" on the same beam reaches to {}",
                         metres(patch.start_m),
                         before.0,
                         metres(reach_m)

@@ -22,7 +22,7 @@ impl Broken {
     fn push(&mut self, key: impl FnOnce() -> String, text: impl FnOnce() -> String) {
         if self.found.len() < Faults::MOST {
             let key = key();
-            let message = format!("{}: {}", super::nearest::clip(&key), text());
+            let message = super::nearest::sentence(&key, &text());
             self.found.push((key, message));
         }
     }

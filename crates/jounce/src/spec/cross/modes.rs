@@ -47,15 +47,16 @@ fn check_damping(spec: &Spec, broken: &mut Broken) {
     if spec.beam.is_empty() || spec.damping.beyond.is_some() {
         return;
     }
-    let wanted = spec.reduction.modes.saturating_sub(spec.mass.len());
-    let given = spec.damping.ratios.len();
+    let damped = damped_elsewhere(spec);
+    let (kept, given) = (spec.reduction.modes, spec.damping.ratios.len());
+    let wanted = kept.saturating_sub(damped);
     if given < wanted {
-        let (kept, masses) = (spec.reduction.modes, spec.mass.len());
-        let of_masses = if masses == 0 { String::new() } else { format!(" and {masses} of them by [mass]") };
+        let except = if damped == 0 { String::new() } else { format!(", {damped} of them damped by [mass] or [modal]") };
         let text = || {
             format!(
-                "{kept} modes are kept{of_masses}, so that {wanted} ratios are needed, but {given} stand here; \
-                 add ratios, give `beyond` for the rest, or lower reduction.modes"
+                "has {}, but {kept} modes are kept{except}, so that {wanted} are needed; \
+                 add ratios, give `beyond` for the rest, or lower reduction.modes",
+                numbers(given)
             )
         };
         broken.push(|| "damping.ratios".to_owned(), text);
@@ -64,12 +65,17 @@ fn check_damping(spec: &Spec, broken: &mut Broken) {
 
 /// Where there are no beams the number of modes is known. The default asks for no more than there are.
 fn check_count(spec: &Spec, broken: &mut Broken) {
-    let there = spec.mass.len() + spec.modal.values().map(|modal| modal.frequency_hz.len()).sum::<usize>();
+    let there = damped_elsewhere(spec);
     let has_hole = spec.modal.values().any(|modal| modal.frequency_hz.is_empty());
     let wanted = spec.reduction.modes;
     if spec.beam.is_empty() && there > 0 && !has_hole && wanted > there && wanted != Reduction::default().modes {
         broken.push(|| "reduction.modes".to_owned(), || format!("is {wanted}, but the structure has {there} modes"));
     }
+}
+
+/// Modes whose damping ratios are given by masses and modal structures.
+fn damped_elsewhere(spec: &Spec) -> usize {
+    spec.mass.len() + spec.modal.values().map(|modal| modal.frequency_hz.len()).sum::<usize>()
 }
 
 fn numbers(count: usize) -> String {

@@ -1,5 +1,7 @@
 //! References lead to things that exist, and to one thing only.
 
+use std::cell::LazyCell;
+
 use super::Broken;
 use crate::spec::Spec;
 use crate::spec::nearest::{clip, did_you_mean, listed};
@@ -20,19 +22,21 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
             broken.push(|| format!("patch.{name}.on"), || unknown("beam", &patch.on, "beams", beams));
         }
     }
+    // Listed once, and only if something is wrong: a huge file may have many points and many wrong references.
+    let patches = LazyCell::new(|| patches(spec));
+    let points = LazyCell::new(|| points(spec));
     for (name, circuit) in &spec.circuit {
         if !has_patch(spec, &circuit.patch) {
-            let patches = patches(spec);
             let words = || patches.iter().map(String::as_str);
             broken.push(|| format!("circuit.{name}.patch"), || unknown("patch", &circuit.patch, "patches", words));
         }
     }
     for (name, drive) in &spec.drive {
-        check_point(spec, || format!("drive.{name}.at"), &drive.at, false, broken);
+        check_point(spec, &points, || format!("drive.{name}.at"), &drive.at, false, broken);
     }
     for (name, stop) in &spec.stop {
-        check_point(spec, || format!("stop.{name}.at"), &stop.at, false, broken);
-        check_point(spec, || format!("stop.{name}.frame"), &stop.frame, true, broken);
+        check_point(spec, &points, || format!("stop.{name}.at"), &stop.at, false, broken);
+        check_point(spec, &points, || format!("stop.{name}.frame"), &stop.frame, true, broken);
         if !stop.at.is_empty() && stop.at == stop.frame {
             broken.push(
                 || format!("stop.{name}.frame"),
@@ -58,11 +62,17 @@ fn check_names(spec: &Spec, broken: &mut Broken) {
     }
 }
 
-fn check_point(spec: &Spec, key: impl FnOnce() -> String, point: &str, ground: bool, broken: &mut Broken) {
+fn check_point<F: FnOnce() -> Vec<String>>(
+    spec: &Spec,
+    points: &LazyCell<Vec<String>, F>,
+    key: impl FnOnce() -> String,
+    point: &str,
+    ground: bool,
+    broken: &mut Broken,
+) {
     if point.is_empty() || (ground && point == GROUND) || has_point(spec, point) || broken.is_full() {
         return;
     }
-    let points = points(spec);
     let words = || [GROUND].into_iter().filter(|_| ground).chain(points.iter().map(String::as_str));
     broken.push(key, || unknown("point or mass", point, "points and masses", words));
 }

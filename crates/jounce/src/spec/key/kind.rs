@@ -13,10 +13,10 @@ pub(in crate::spec) enum Kind {
     Count,
     /// A list of plain numbers, each within the key's range.
     Numbers,
-    /// Any text.
-    Text,
     /// One of these words.
     Choice(&'static [&'static str]),
+    /// One of these words, or the path of a file, which has a dot or a slash in it.
+    ChoiceOrPath(&'static [&'static str]),
     /// The name of another thing; `what` names it in the docs.
     Reference {
         /// what kind of thing, `"a beam"`
@@ -42,11 +42,8 @@ impl Kind {
             Self::Number => "a plain number is due, without quotes and without unit".to_owned(),
             Self::Count => "a whole number is due, without quotes".to_owned(),
             Self::Numbers | Self::NamedNumbers => "a list of plain numbers is due, as in [0.01, 0.02]".to_owned(),
-            Self::Text => "text is due, in quotes".to_owned(),
-            Self::Choice(words) => {
-                let quoted: Vec<String> = words.iter().map(|word| format!("\"{word}\"")).collect();
-                format!("one of {} is due", quoted.join(", "))
-            }
+            Self::Choice(words) => format!("one of {} is due", quoted(words)),
+            Self::ChoiceOrPath(words) => format!("one of {} is due, or the path of a file, as in \"./NAME\"", quoted(words)),
             Self::Reference { what } => format!("the name of {what} is due, in quotes"),
             Self::Things | Self::Table => "a table is due".to_owned(),
         }
@@ -61,4 +58,8 @@ impl Kind {
             _ => format!("{value:?}"),
         }
     }
+}
+
+fn quoted(words: &[&str]) -> String {
+    words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(", ")
 }

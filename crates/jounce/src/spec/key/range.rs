@@ -37,7 +37,7 @@ impl Range {
         value.is_finite() && above && value <= self.high
     }
 
-    /// The rule in words, `"must be > 0 and at most 1 MHz"`, in units of the kind.
+    /// The rule in words, `"must be from 1 uHz to 1 MHz"`, in units of the kind.
     pub(in crate::spec) fn rule(&self, kind: Kind) -> String {
         let low = match (self.low.is_finite(), self.open) {
             (false, _) => None,
@@ -46,6 +46,7 @@ impl Range {
         };
         let high = self.high.is_finite().then(|| format!("at most {}", kind.show(self.high)));
         match (low, high) {
+            (Some(_), Some(_)) if !self.open => format!("must be from {} to {}", kind.show(self.low), kind.show(self.high)),
             (Some(low), Some(high)) => format!("must be {low} and {high}"),
             (Some(limit), None) | (None, Some(limit)) => format!("must be {limit}"),
             (None, None) => "must be a finite number".to_owned(),

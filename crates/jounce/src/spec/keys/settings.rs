@@ -42,7 +42,7 @@ pub(super) static REDUCTION: &[Key<Reduction>] = &[
 pub(super) static RUN: &[Key<Run>] = &[
     Key::text(
         "start",
-        Kind::Text,
+        Kind::ChoiceOrPath(&["rest", "linear"]),
         "`\"rest\"`, `\"linear\"` (the steady state without the stops), or the path of a state file, relative to the spec",
         |r: &Run| match &r.start {
             Start::Rest => "rest".to_owned(),

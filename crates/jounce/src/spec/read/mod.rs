@@ -33,10 +33,10 @@ impl Reading {
         Self { found: Vec::new(), places: HashMap::new(), complete }
     }
 
-    /// Notes a fault; the message is `key: text`. Past the most that is reported nothing is kept.
+    /// Notes a fault; the message names the key. Past the most that is reported nothing is kept.
     pub(super) fn fault(&mut self, place: Place, key: &str, text: impl FnOnce() -> String) {
         if self.found.len() < Faults::MOST {
-            let message = format!("{}: {}", super::nearest::clip(key), text());
+            let message = super::nearest::sentence(key, &text());
             self.found.push(Finding { place, key: key.to_owned(), message });
         }
     }

@@ -3,7 +3,7 @@
 use super::value::read_slot;
 use super::{Reading, join};
 use crate::spec::key::{Key, Kind, Need, Slot, applies, chosen};
-use crate::spec::nearest::{did_you_mean, listed};
+use crate::spec::nearest::{clip, did_you_mean, listed, nearest};
 use crate::spec::source::{Entry, Node};
 
 /// Reads a table of keys into a thing. Choices come before the keys that depend on them, in the table of keys as here.
@@ -19,7 +19,7 @@ pub(in crate::spec) fn read_keys<T>(keys: &'static [Key<T>], path: &str, node: &
             continue;
         }
         let Some(entry) = entries.iter().find(|entry| entry.name == info.name) else {
-            if missing(key, entries, path, node, reading) {
+            if missing(keys, key, path, node, reading) {
                 doubtful.push(info.name);
             }
             continue;
@@ -40,19 +40,25 @@ pub(in crate::spec) fn read_keys<T>(keys: &'static [Key<T>], path: &str, node: &
     check_alternatives(keys, path, entries, reading);
 }
 
-/// Reports a key that is not there but must be; true where one was.
-fn missing<T>(key: &Key<T>, entries: &[Entry], path: &str, node: &Node, reading: &mut Reading) -> bool {
+/// Reports a key that is not there but must be, unless it stands misspelt; true where one is missing.
+fn missing<T>(keys: &[Key<T>], key: &Key<T>, path: &str, node: &Node, reading: &mut Reading) -> bool {
+    let entries = node.entries().unwrap_or_default();
     let stands = |name: &&str| entries.iter().any(|entry| entry.name == *name);
-    let text = match key.info.need {
-        Need::Default => return false,
-        Need::Required => format!("`{}` is missing; {}", key.info.name, key.info.kind.due()),
-        Need::OneOf(names) if names.iter().any(stands) || names.first() != Some(&key.info.name) => return false,
+    let text = || match key.info.need {
         Need::OneOf(names) => format!("one of {} is missing", quoted(names)),
+        _ => format!("`{}` is missing; {}", key.info.name, key.info.kind.due()),
     };
-    if reading.complete {
-        reading.fault(node.place, path, || text);
+    let must = match key.info.need {
+        Need::Default => false,
+        Need::Required => true,
+        Need::OneOf(names) => names.first() == Some(&key.info.name) && !names.iter().any(stands),
+    };
+    let names = || keys.iter().map(|key| key.info.name);
+    let misspelt = |entry: &Entry| names().all(|name| name != entry.name) && nearest(&entry.name, names()) == Some(key.info.name);
+    if must && reading.complete && reading.has_room() && !entries.iter().any(misspelt) {
+        reading.fault(node.place, path, text);
     }
-    true
+    must
 }
 
 fn check_known<T>(keys: &[Key<T>], path: &str, entry: &Entry, thing: &T, doubtful: &[&str], reading: &mut Reading) {
@@ -101,16 +107,21 @@ pub(in crate::spec) fn read_named(
         };
         return reading.fault(node.place, path, || format!("{hint}; found {}", node.found()));
     };
+    let mut strays = 0;
     for entry in entries {
         let path_of = join(path, &entry.name);
         let allowed = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
         if entry.name.is_empty() || !entry.name.chars().all(allowed) {
             reading.fault(entry.place, path, || {
-                format!("the name {:?} is not allowed; names are letters a to z, digits, _ and -", crate::spec::nearest::clip(&entry.name))
+                format!("the name {:?} is not allowed; names are letters a to z, digits, _ and -", clip(&entry.name))
             });
         }
         if matches!(kind, Kind::Things) && entry.node.entries().is_none() {
-            reading.fault(entry.place, &path_of, || format!("a key stands where a name is due: write [{path}.NAME] with its keys below"));
+            strays += 1;
+            if strays == 1 {
+                let text = || format!("this stands where a name is due: write [{path}.NAME] with its keys below");
+                reading.fault(entry.place, &path_of, text);
+            }
             continue;
         }
         reading.places.insert(path_of.clone(), entry.place);

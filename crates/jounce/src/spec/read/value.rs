@@ -1,8 +1,8 @@
 //! Values: of the right kind, within their limits.
 
-use super::{Reading, join, read_named};
+use super::{Reading, read_named};
 use crate::spec::key::{Key, KeyInfo, Kind, Need, Range, Slot};
-use crate::spec::nearest::clip;
+use crate::spec::nearest::{clip, did_you_mean, sentence};
 use crate::spec::source::{Node, Value};
 
 /// Reads the value of one key; false where it is wrong.
@@ -84,7 +84,11 @@ pub(in crate::spec) fn read_number(kind: Kind, range: Range, node: &Node) -> Res
 fn text<'n>(info: &KeyInfo, path: &str, node: &'n Node, reading: &mut Reading) -> Option<&'n str> {
     let wrong = match (&node.value, info.kind) {
         (Value::Text(text), Kind::Choice(words)) if !words.contains(&text.as_str()) => {
-            let meant = crate::spec::nearest::did_you_mean(text, words.iter().copied());
+            let meant = did_you_mean(text, words.iter().copied());
+            format!("\"{}\" is not known{meant}; {}", clip(text), info.kind.due())
+        }
+        (Value::Text(text), Kind::ChoiceOrPath(words)) if !words.contains(&text.as_str()) && !text.contains(['.', '/', '\\']) => {
+            let meant = did_you_mean(text, words.iter().copied());
             format!("\"{}\" is not known{meant}; {}", clip(text), info.kind.due())
         }
         (Value::Text(text), _) if text.trim().is_empty() => format!("the text is empty; {}", info.kind.due()),
@@ -109,9 +113,7 @@ fn numbers(info: &KeyInfo, path: &str, node: &Node, reading: &mut Reading) -> Op
     for (index, item) in items.iter().enumerate() {
         match read_number(Kind::Numbers, info.range, item) {
             Ok(value) => list.push(value),
-            Err(text) => {
-                reading.fault(item.place, &join(path, &(index + 1).to_string()), || format!("number {} of the list: {text}", index + 1))
-            }
+            Err(text) => reading.fault(item.place, path, || sentence(&format!("number {}", index + 1), &text)),
         }
     }
     (list.len() == items.len()).then_some(list)

@@ -15,7 +15,7 @@ impl<'t> Lines<'t> {
 
     /// Line and column, both from 1, the column in characters; an offset past the end is the end.
     pub(in crate::spec) fn place(&self, offset: usize) -> (usize, usize) {
-        let offset = self.text.floor_char_boundary(offset);
+        let offset = boundary(self.text, offset);
         let line = self.starts.partition_point(|start| *start <= offset);
         let start = self.starts[line - 1];
         (line, 1 + self.text[start..offset].chars().count())
@@ -27,6 +27,11 @@ impl<'t> Lines<'t> {
         let end = self.starts.get(line).map_or(self.text.len(), |next| next - 1);
         self.starts[line - 1]..end
     }
+}
+
+/// The last start of a character at or before an offset.
+pub(super) fn boundary(text: &str, offset: usize) -> usize {
+    (0..=offset.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0)
 }
 
 #[cfg(test)]

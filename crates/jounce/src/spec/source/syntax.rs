@@ -5,13 +5,16 @@
 
 use toml_edit::Document;
 
-use super::lines::Lines;
+use super::lines::{Lines, boundary};
 use super::node::{Node, Value, entries};
 use crate::spec::nearest::clip;
 use crate::spec::units::Decimal;
 
 /// No more syntax errors than this are looked for.
 const MOST: usize = 20;
+
+/// No more bytes than this are read again, because of errors, than the file has.
+const MOST_REREAD: usize = 4 << 20;
 
 /// A spec as text and as a tree.
 pub(in crate::spec) struct Source {
@@ -34,7 +37,8 @@ pub(in crate::spec) struct SyntaxError {
 pub(in crate::spec) fn parse(text: &str) -> Source {
     let mut work = text.to_owned();
     let mut source = Source { root: Node::at(0, Value::Table(Vec::new())), errors: Vec::new(), complete: true };
-    while source.errors.len() < MOST {
+    let most = (MOST_REREAD / text.len().max(1)).clamp(1, MOST);
+    while source.errors.len() < most {
         let error = match Document::parse(work.as_str()) {
             Ok(document) => {
                 source.root.value = Value::Table(entries(&work, document.as_table(), 0));
@@ -43,7 +47,7 @@ pub(in crate::spec) fn parse(text: &str) -> Source {
             Err(error) => error,
         };
         let span = error.span().unwrap_or(0..0);
-        let offset = work.floor_char_boundary(span.start);
+        let offset = boundary(&work, span.start);
         let duplicate = error.message() == "duplicate key";
         source.complete &= duplicate;
         source.errors.push(if duplicate { duplicated(&work, offset, &span) } else { malformed(&work, offset, error.message()) });

@@ -39,7 +39,14 @@ impl Dimension {
     /// The kind in words with its article, `"a length"`; base units where the kind has no name here.
     pub(crate) fn kind(self) -> String {
         let named = KINDS.iter().find(|(_, exponents)| self.is(Self::new(*exponents)));
-        named.map_or_else(|| format!("a quantity in {self}"), |(name, _)| (*name).to_owned())
+        let [kg, m, s, rest @ ..] = self.0;
+        match named {
+            Some((name, _)) => (*name).to_owned(),
+            None if Self([kg, 0.0, s, rest[0], rest[1]]).is(Self::new([1, 0, -2, 0, 0])) => {
+                format!("a contact stiffness in N/m^{}", rounded(1.0 - m))
+            }
+            None => format!("a quantity in {self}"),
+        }
     }
 }
 
@@ -52,12 +59,16 @@ impl fmt::Display for Dimension {
             }
             write!(out, "{gap}{name}")?;
             if (power - 1.0).abs() > SAME {
-                write!(out, "^{}", (power * 1e9).round() / 1e9)?;
+                write!(out, "^{}", rounded(power))?;
             }
             gap = " ";
         }
         Ok(())
     }
+}
+
+fn rounded(power: f64) -> f64 {
+    (power * 1e9).round() / 1e9
 }
 
 /// What a reader may have written instead: kind in words, exponents of kg, m, s, A, rad.

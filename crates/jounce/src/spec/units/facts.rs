@@ -94,7 +94,7 @@ impl Quantity {
             Self::Length => &[("nm", -9), ("um", -6), ("mm", -3), ("m", 0)],
             Self::Mass => &[("mg", -6), ("g", -3), ("kg", 0)],
             Self::Time => &[("us", -6), ("ms", -3), ("s", 0)],
-            Self::Frequency => &[("mHz", -3), ("Hz", 0), ("kHz", 3)],
+            Self::Frequency => &[("uHz", -6), ("mHz", -3), ("Hz", 0), ("kHz", 3), ("MHz", 6)],
             Self::Force => &[("mN", -3), ("N", 0), ("kN", 3)],
             Self::Pressure => &[("Pa", 0), ("kPa", 3), ("MPa", 6), ("GPa", 9)],
             Self::ChargePerForce => &[("pC/N", -12), ("nC/N", -9)],

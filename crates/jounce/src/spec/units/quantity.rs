@@ -210,7 +210,7 @@ mod tests {
             (
                 Quantity::ContactStiffness { exponent: 2.0 },
                 "1 N/m^1.5",
-                "is a quantity in kg m^-0.5 s^-2; a contact stiffness is due, in N/m^2, kN/m^2",
+                "is a contact stiffness in N/m^1.5; a contact stiffness is due, in N/m^2, kN/m^2",
             ),
         ] {
             let refusal = quantity.read(text).unwrap_err().to_string();
