@@ -32,7 +32,7 @@ impl KeyRange {
     /// A range that is empty, reversed, longer than a million points, in wrong units or beyond the limits of the key.
     pub fn parse(key: NumericKey, text: &str) -> Result<Self, Fault> {
         let values = points(&key, text).map_err(|why| fault(&key, &why))?;
-        for value in [values.first(), values.last()].into_iter().flatten().chain(values.iter().take(1000)) {
+        for value in &values {
             key.check(*value)?;
         }
         Ok(Self { key, values })

@@ -20,39 +20,38 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
     let mut on_beam: BTreeMap<&str, Vec<(&str, &Patch)>> = BTreeMap::new();
     for (name, patch) in &spec.patch {
         let Some(beam) = spec.beam.get(&patch.on) else { continue };
-        let end_m = patch.start_m + patch.length_m;
-        if end_m > beam.length_m * (1.0 + SLACK) {
-            let text = || format!("the patch ends {} from the root, but its beam ends at {}", metres(end_m), metres(beam.length_m));
+        if end_m(patch) > beam.length_m * (1.0 + SLACK) {
+            let text = || format!("the patch ends {} from the root, but its beam ends at {}", metres(end_m(patch)), metres(beam.length_m));
             broken.push(|| format!("patch.{name}.length"), text);
         }
-        if end_m.is_finite() {
+        if end_m(patch).is_finite() {
             on_beam.entry(&patch.on).or_default().push((name, patch));
         }
     }
-    for (beam, mut patches) in on_beam {
-        patches.sort_by(|a, b| a.1.start_m.total_cmp(&b.1.start_m));
-        let slack_m = SLACK * spec.beam[beam].length_m;
-        // The patch that reaches furthest so far, not the one before: a long patch may cover several.
-        let mut furthest = 0;
-        for index in 1..patches.len() {
-            let (before, (name, patch)) = (patches[furthest], patches[index]);
-            let reach_m = before.1.start_m + before.1.length_m;
-            if patch.start_m < reach_m - slack_m {
-                let text = || {
-                    format!(
-                        "the patch starts at {}, but patch \"{}\" on the same beam reaches to {}",
-                        metres(patch.start_m),
-                        before.0,
-                        metres(reach_m)
-                    )
-                };
-                broken.push(|| format!("patch.{name}.start"), text);
-            }
-            if patch.start_m + patch.length_m > reach_m {
-                furthest = index;
-            }
+    for (beam, patches) in on_beam {
+        check_overlap(patches, SLACK * spec.beam[beam].length_m, broken);
+    }
+}
+
+fn check_overlap(mut patches: Vec<(&str, &Patch)>, slack_m: f64, broken: &mut Broken) {
+    patches.sort_by(|a, b| a.1.start_m.total_cmp(&b.1.start_m));
+    // The patch that reaches furthest so far, not the one before: a long patch may cover several.
+    let mut furthest = 0;
+    for index in 1..patches.len() {
+        let ((other, before), (name, patch)) = (patches[furthest], patches[index]);
+        if patch.start_m < end_m(before) - slack_m {
+            let [start, reach] = [patch.start_m, end_m(before)].map(metres);
+            let text = || format!("the patch starts at {start}, but patch \"{other}\" on the same beam reaches to {reach}");
+            broken.push(|| format!("patch.{name}.start"), text);
+        }
+        if end_m(patch) > end_m(before) {
+            furthest = index;
         }
     }
+}
+
+fn end_m(patch: &Patch) -> f64 {
+    patch.start_m + patch.length_m
 }
 
 /// A length for a message: sums are rounded to what decimals were meant.
