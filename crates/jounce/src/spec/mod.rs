@@ -1,3 +1,32 @@
 //! What the user says: one TOML file, every fault reported at once with its place.
+//!
+//! [`SpecFile`] holds the text and its overrides, [`Spec`] what both say, in SI units. One table of keys (`keys/`) drives reading, range
+//! checks, suggestions, overrides, sweeps, printing, the JSON Schema ([`schema`]) and the key reference ([`reference_markdown`]).
+
+mod cross;
+mod fault;
+mod file;
+mod key;
+mod key_range;
+mod key_reference;
+mod keys;
 mod model;
+mod nearest;
+mod numeric_key;
+mod over;
+mod read;
+mod read_error;
+mod schema;
+mod source;
+mod units;
+mod write;
+
+pub use fault::{Fault, Faults};
+pub use file::SpecFile;
+pub use key_range::KeyRange;
+pub use key_reference::reference_markdown;
 pub use model::*;
+pub use numeric_key::NumericKey;
+pub use read_error::ReadError;
+pub use schema::schema;
+pub use units::{Quantity, QuantityError};

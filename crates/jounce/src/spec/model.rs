@@ -260,6 +260,6 @@ pub enum Start {
     Rest,
     /// `"linear"`: the steady state of the harvester without its stop.
     Linear,
-    /// Any other string: path of a state file saved by another run (relative to the spec file).
+    /// Any other string with a dot or a slash in it: path of a state file saved by another run (relative to the spec file).
     State(String),
 }

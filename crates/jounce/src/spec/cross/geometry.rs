@@ -1,0 +1,61 @@
+//! Points and patches lie on their beams, patches beside each other.
+
+use std::collections::BTreeMap;
+
+use super::Broken;
+use crate::spec::{Patch, Quantity, Spec};
+
+/// Lengths that differ by less than this part of the beam are equal: sums of decimal lengths are not exact.
+const SLACK: f64 = 1e-9;
+
+pub(super) fn check(spec: &Spec, broken: &mut Broken) {
+    for (name, beam) in &spec.beam {
+        for (point, &x_m) in &beam.point {
+            if x_m > beam.length_m * (1.0 + SLACK) {
+                let text = || format!("is {} from the root, but the beam ends at {}", metres(x_m), metres(beam.length_m));
+                broken.push(|| format!("beam.{name}.point.{point}"), text);
+            }
+        }
+    }
+    let mut on_beam: BTreeMap<&str, Vec<(&str, &Patch)>> = BTreeMap::new();
+    for (name, patch) in &spec.patch {
+        let Some(beam) = spec.beam.get(&patch.on) else { continue };
+        if end_m(patch) > beam.length_m * (1.0 + SLACK) {
+            let text = || format!("the patch ends {} from the root, but its beam ends at {}", metres(end_m(patch)), metres(beam.length_m));
+            broken.push(|| format!("patch.{name}.length"), text);
+        }
+        if end_m(patch).is_finite() {
+            on_beam.entry(&patch.on).or_default().push((name, patch));
+        }
+    }
+    for (beam, patches) in on_beam {
+        check_overlap(patches, SLACK * spec.beam[beam].length_m, broken);
+    }
+}
+
+fn check_overlap(mut patches: Vec<(&str, &Patch)>, slack_m: f64, broken: &mut Broken) {
+    patches.sort_by(|a, b| a.1.start_m.total_cmp(&b.1.start_m));
+    // The patch that reaches furthest so far, not the one before: a long patch may cover several.
+    let mut furthest = 0;
+    for index in 1..patches.len() {
+        let ((other, before), (name, patch)) = (patches[furthest], patches[index]);
+        if patch.start_m < end_m(before) - slack_m {
+            let [start, reach] = [patch.start_m, end_m(before)].map(metres);
+            let text = || format!("the patch starts at {start}, but patch \"{other}\" on the same beam reaches to {reach}");
+            broken.push(|| format!("patch.{name}.start"), text);
+        }
+        if end_m(patch) > end_m(before) {
+            furthest = index;
+        }
+    }
+}
+
+fn end_m(patch: &Patch) -> f64 {
+    patch.start_m + patch.length_m
+}
+
+/// A length for a message: sums are rounded to what decimals were meant.
+fn metres(length_m: f64) -> String {
+    let rounded = format!("{length_m:.12e}").parse().unwrap_or(length_m);
+    Quantity::Length.write(rounded)
+}

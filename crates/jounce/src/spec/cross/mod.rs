@@ -1,0 +1,47 @@
+//! Rules between keys: references, geometry, lengths of lists, counts.
+//!
+//! Every rule looks at a typed spec that may have holes where values are missing or wrong: a hole (NaN, an empty text, an empty
+//! list) breaks no rule, because its own fault is told already.
+
+mod geometry;
+mod modes;
+mod reference;
+
+use super::Spec;
+use super::fault::Faults;
+
+/// The key of the fault that there is nothing to simulate.
+pub(super) const NO_STRUCTURE: &str = "spec";
+
+/// Collects what is broken: dotted key and what is wrong with it.
+pub(super) struct Broken {
+    found: Vec<(String, String)>,
+}
+
+impl Broken {
+    fn push(&mut self, key: impl FnOnce() -> String, text: impl FnOnce() -> String) {
+        if self.found.len() < Faults::MOST {
+            let key = key();
+            let message = super::nearest::sentence(&key, &text());
+            self.found.push((key, message));
+        }
+    }
+
+    fn is_full(&self) -> bool {
+        self.found.len() >= Faults::MOST
+    }
+}
+
+/// Every rule that a spec breaks: dotted key and message.
+pub(super) fn broken(spec: &Spec) -> Vec<(String, String)> {
+    let mut broken = Broken { found: Vec::new() };
+    reference::check(spec, &mut broken);
+    geometry::check(spec, &mut broken);
+    modes::check(spec, &mut broken);
+    broken.found
+}
+
+/// The first rule that a spec breaks.
+pub(super) fn first(spec: &Spec) -> Option<(String, String)> {
+    broken(spec).into_iter().next()
+}

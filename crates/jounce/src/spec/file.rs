@@ -1,0 +1,158 @@
+//! A spec file: its text, the overrides on it, and the spec that both give.
+
+use std::path::Path;
+
+use super::fault::{Fault, Faults};
+use super::key::Kind;
+use super::keys::SPEC;
+use super::nearest::clip;
+use super::numeric_key::NumericKey;
+use super::over::{Override, resolve};
+use super::read::{Reading, read_keys, read_number};
+use super::read_error::{MOST_BYTES, ReadError};
+use super::source::{Lines, Place, Source, parse};
+use super::{KeyRange, Quantity, Spec, cross};
+
+/// A spec as text, with overrides.
+///
+/// ```
+/// use jounce::spec::SpecFile;
+/// let mut file = SpecFile::from_text("[mass.table]\nmass = \"12 kg\"\nfrequency = \"1 Hz\"\ndamping_ratio = 0.3");
+/// file.set("mass.table.damping_ratio", "0.05")?;
+/// assert_eq!(file.spec()?.mass["table"].damping_ratio, 0.05);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct SpecFile {
+    text: String,
+    source: Source,
+    overrides: Vec<Override>,
+}
+
+impl SpecFile {
+    /// Reads a file; what is wrong inside is told by [`SpecFile::spec`].
+    ///
+    /// # Errors
+    /// A path that is missing, a directory, not readable, larger than 16 MiB or no UTF-8 text.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, ReadError> {
+        super::read_error::read_text(path.as_ref()).map(Self::from_text)
+    }
+
+    /// Takes the text of a spec; what is wrong inside is told by [`SpecFile::spec`].
+    pub fn from_text(text: impl Into<String>) -> Self {
+        let text = text.into();
+        let source = parse(if text.len() > MOST_BYTES { "" } else { &text });
+        Self { text, source, overrides: Vec::new() }
+    }
+
+    /// Overrides one key; the value is as on a command line: `0.5 mm`, `"0.5 mm"`, `13`, `[0.1, 0.2]`, `table`.
+    ///
+    /// The thing must exist in the file; an optional key of it may be new. Of two keys that exclude each other the one set wins.
+    ///
+    /// # Errors
+    /// A key that is not known, with the nearest one of this file. A wrong value is told by [`SpecFile::spec`].
+    pub fn set(&mut self, key: &str, value: &str) -> Result<(), Fault> {
+        let row = resolve(&self.source.root, key)
+            .map_err(|message| Fault { set: Some(Override::shown(key, value)), ..Fault::without_place(&clip(key), message) })?;
+        let change = Override::new(key, value, &row, self.overrides.len());
+        change.apply(&mut self.source.root);
+        self.overrides.push(change);
+        Ok(())
+    }
+
+    /// The spec, with the overrides.
+    ///
+    /// # Errors
+    /// Everything that is wrong, sorted by place; faults of overrides first.
+    pub fn spec(&self) -> Result<Spec, Faults> {
+        if self.text.len() > MOST_BYTES {
+            return Err(Fault { line: 1, column: 1, ..Fault::without_place("", "the spec is larger than 16 MiB") }.into());
+        }
+        if self.source.errors.is_empty() && self.source.root.entries().is_some_and(<[_]>::is_empty) {
+            let message = "the spec is empty; it needs a structure at least: [beam.NAME], [mass.NAME] or [modal.NAME]";
+            return Err(Fault { line: 1, column: 1, ..Fault::without_place("", message) }.into());
+        }
+        let mut spec = Spec::default();
+        let mut reading = Reading::new(self.source.complete);
+        read_keys(SPEC, "", &self.source.root, &mut spec, &mut reading);
+        if self.source.complete {
+            reading.add_broken(cross::broken(&spec));
+        }
+        if reading.found.is_empty() && self.source.errors.is_empty() { Ok(spec) } else { Err(self.faults(reading)) }
+    }
+
+    fn faults(&self, reading: Reading) -> Faults {
+        let lines = Lines::new(&self.text);
+        let syntax = self.source.errors.iter().map(|error| {
+            let (line, column) = lines.place(error.offset);
+            Fault { line, column, key: error.key.clone(), message: error.message.clone(), set: None }
+        });
+        let read = reading.found.into_iter().map(|finding| {
+            let fault = Fault::without_place(&clip(&finding.key), finding.message);
+            match finding.place {
+                Place::At(offset) => {
+                    let (line, column) = lines.place(offset);
+                    Fault { line, column, ..fault }
+                }
+                Place::Set(index) => Fault { set: self.overrides.get(index).map(Override::to_string), ..fault },
+            }
+        });
+        Faults::new(syntax.chain(read).collect())
+    }
+
+    /// The text with the overrides written into it; comments and layout stay.
+    pub fn text(&self) -> String {
+        let Ok(mut document) = self.text.parse::<toml_edit::DocumentMut>() else { return self.text.clone() };
+        for change in &self.overrides {
+            change.write_into(&mut document);
+        }
+        document.to_string()
+    }
+
+    /// A key with one number, ready to be set many times.
+    ///
+    /// # Errors
+    /// A spec with faults, or a key that is not known or holds no number.
+    pub fn numeric_key(&self, key: &str) -> Result<NumericKey, Faults> {
+        resolve(&self.source.root, key).map_err(|message| Fault::without_place(&clip(key), message))?;
+        let found = NumericKey::find(&self.spec()?, key)?;
+        // A mass whose spring was given by its frequency keeps that, as it would if the file were edited.
+        let ["mass", name, "mass"] = key.split('.').collect::<Vec<_>>()[..] else { return Ok(found) };
+        let frequency = self.source.root.get("mass").and_then(|masses| masses.node.get(name)?.node.get("frequency"));
+        let kind = Kind::Quantity(Quantity::Frequency);
+        let value = frequency.and_then(|entry| read_number(kind, super::key::Range::POSITIVE, &entry.node).ok());
+        Ok(match value {
+            Some(frequency_hz) => found.holding(format!("mass.{name}.frequency"), frequency_hz),
+            None => found,
+        })
+    }
+
+    /// Reads the range of a sweep, `"drive.shaker.frequency=4Hz:20Hz:0.1Hz"`; see [`KeyRange`].
+    ///
+    /// # Errors
+    /// As [`SpecFile::numeric_key`], and a range that is empty, reversed, too long or in wrong units.
+    pub fn range(&self, assignment: &str) -> Result<KeyRange, Faults> {
+        let Some((key, range)) = assignment.split_once('=') else {
+            let message = format!("{}: a range is KEY=FROM:TO:STEP, as in drive.shaker.frequency=4Hz:20Hz:0.1Hz", clip(assignment));
+            return Err(Fault::without_place("", message).into());
+        };
+        Ok(KeyRange::parse(self.numeric_key(key.trim())?, range)?)
+    }
+}
+
+impl Spec {
+    /// Reads a spec from TOML.
+    ///
+    /// # Errors
+    /// Everything that is wrong, sorted by place.
+    pub fn from_toml(text: &str) -> Result<Self, Faults> {
+        SpecFile::from_text(text).spec()
+    }
+}
+
+impl std::str::FromStr for Spec {
+    type Err = Faults;
+
+    fn from_str(text: &str) -> Result<Self, Faults> {
+        Self::from_toml(text)
+    }
+}

@@ -1,0 +1,92 @@
+//! Tables within tables: things by name (`[beam.NAME]`) and single tables (`[run]`).
+
+use std::collections::BTreeMap;
+
+use super::outline::{Row, rows};
+use super::{Key, Kind};
+use crate::spec::numeric_key::{Numeric, locate, store};
+use crate::spec::read::{Reading, read_keys, read_named};
+use crate::spec::source::Node;
+use crate::spec::write::write_keys;
+
+/// A table within a `P`, whatever type it is read into.
+pub(in crate::spec) trait Inner<P>: Sync {
+    /// Reads it into the parent.
+    fn read(&self, parent: &mut P, path: &str, node: &Node, reading: &mut Reading);
+    /// Prints it as TOML under its header.
+    fn write(&self, parent: &P, path: &str, out: &mut String);
+    /// Its keys.
+    fn rows(&self) -> Vec<Row>;
+    /// The number at a path below it.
+    fn locate(&self, parent: &P, path: &[&str]) -> Option<Numeric>;
+    /// Stores a number at a path below it; false where there is none.
+    fn store(&self, parent: &mut P, path: &[&str], value: f64) -> bool;
+}
+
+/// Things by the user's own names.
+pub(in crate::spec) struct Named<P: 'static, T: 'static> {
+    pub(in crate::spec) get: fn(&P) -> &BTreeMap<String, T>,
+    pub(in crate::spec) open: fn(&mut P) -> &mut BTreeMap<String, T>,
+    /// Defaults where there are any; numbers that must be given are NaN, texts and lists empty.
+    pub(in crate::spec) blank: fn() -> T,
+    pub(in crate::spec) keys: &'static [Key<T>],
+}
+
+impl<P, T> Inner<P> for Named<P, T> {
+    fn read(&self, parent: &mut P, path: &str, node: &Node, reading: &mut Reading) {
+        read_named(path, node, Kind::Things, reading, |name, path, node, reading| {
+            let mut thing = (self.blank)();
+            read_keys(self.keys, path, node, &mut thing, reading);
+            (self.open)(parent).insert(name.to_owned(), thing);
+        });
+    }
+
+    fn write(&self, parent: &P, path: &str, out: &mut String) {
+        for (name, thing) in (self.get)(parent) {
+            write_keys(self.keys, thing, &format!("{path}.{}", toml_edit::Key::new(name)), true, out);
+        }
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        rows(self.keys, &(self.blank)())
+    }
+
+    fn locate(&self, parent: &P, path: &[&str]) -> Option<Numeric> {
+        let (name, rest) = path.split_first()?;
+        locate(self.keys, (self.get)(parent).get(*name)?, rest)
+    }
+
+    fn store(&self, parent: &mut P, path: &[&str], value: f64) -> bool {
+        let Some((name, rest)) = path.split_first() else { return false };
+        (self.open)(parent).get_mut(*name).is_some_and(|thing| store(self.keys, thing, rest, value))
+    }
+}
+
+/// A table that stands once.
+pub(in crate::spec) struct Single<P: 'static, T: 'static> {
+    pub(in crate::spec) get: fn(&P) -> &T,
+    pub(in crate::spec) open: fn(&mut P) -> &mut T,
+    pub(in crate::spec) keys: &'static [Key<T>],
+}
+
+impl<P, T: Default> Inner<P> for Single<P, T> {
+    fn read(&self, parent: &mut P, path: &str, node: &Node, reading: &mut Reading) {
+        read_keys(self.keys, path, node, (self.open)(parent), reading);
+    }
+
+    fn write(&self, parent: &P, path: &str, out: &mut String) {
+        write_keys(self.keys, (self.get)(parent), path, false, out);
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        rows(self.keys, &T::default())
+    }
+
+    fn locate(&self, parent: &P, path: &[&str]) -> Option<Numeric> {
+        locate(self.keys, (self.get)(parent), path)
+    }
+
+    fn store(&self, parent: &mut P, path: &[&str], value: f64) -> bool {
+        store(self.keys, (self.open)(parent), path, value)
+    }
+}

@@ -1,0 +1,55 @@
+//! The values that a number may take.
+
+use super::Kind;
+
+/// Limits of a number in SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::spec) struct Range {
+    /// Smallest allowed value.
+    pub(in crate::spec) low: f64,
+    /// True when `low` itself is not allowed.
+    pub(in crate::spec) open: bool,
+    /// Largest allowed value.
+    pub(in crate::spec) high: f64,
+}
+
+impl Range {
+    /// Any finite number.
+    pub(in crate::spec) const ANY: Self = Self { low: f64::NEG_INFINITY, open: false, high: f64::INFINITY };
+    /// Greater than zero.
+    pub(in crate::spec) const POSITIVE: Self = Self::above(0.0, f64::INFINITY);
+    /// Zero or more.
+    pub(in crate::spec) const NOT_NEGATIVE: Self = Self::from(0.0, f64::INFINITY);
+
+    /// `low <= x <= high`.
+    pub(in crate::spec) const fn from(low: f64, high: f64) -> Self {
+        Self { low, open: false, high }
+    }
+
+    /// `low < x <= high`.
+    pub(in crate::spec) const fn above(low: f64, high: f64) -> Self {
+        Self { low, open: true, high }
+    }
+
+    /// True when the value is finite and within the limits.
+    pub(in crate::spec) fn holds(&self, value: f64) -> bool {
+        let above = if self.open { value > self.low } else { value >= self.low };
+        value.is_finite() && above && value <= self.high
+    }
+
+    /// The rule in words, `"must be from 1 uHz to 1 MHz"`, in units of the kind.
+    pub(in crate::spec) fn rule(&self, kind: Kind) -> String {
+        let low = match (self.low.is_finite(), self.open) {
+            (false, _) => None,
+            (true, true) => Some(format!("greater than {}", kind.show(self.low))),
+            (true, false) => Some(format!("at least {}", kind.show(self.low))),
+        };
+        let high = self.high.is_finite().then(|| format!("at most {}", kind.show(self.high)));
+        match (low, high) {
+            (Some(_), Some(_)) if !self.open => format!("must be from {} to {}", kind.show(self.low), kind.show(self.high)),
+            (Some(low), Some(high)) => format!("must be {low} and {high}"),
+            (Some(limit), None) | (None, Some(limit)) => format!("must be {limit}"),
+            (None, None) => "must be a finite number".to_owned(),
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! The values of a sweep.
+//!
+//! ```text
+//! FROM:TO:STEP   x_i = FROM + i STEP, up to and with TO         4Hz:20Hz:0.1Hz
+//! FROM:TO:Nx     x_i = FROM + i (TO - FROM) / (N - 1)           4Hz:20Hz:161x
+//! FROM:TO:Nlog   x_i = FROM (TO / FROM)^(i / (N - 1))           1kohm:10Mohm:50log
+//! A,B,C          these
+//! ```
+//!
+//! Steps are added as decimals, so that 4 Hz + 3 * 0.1 Hz is the very float that `"4.3 Hz"` is.
+
+use super::fault::Fault;
+use super::key::{Kind, Range};
+use super::nearest::clip;
+use super::numeric_key::NumericKey;
+use super::units::Decimal;
+
+/// The longest sweep.
+const MOST_POINTS: usize = 1_000_000;
+
+/// A key and the values that it takes, in ascending order or as listed.
+#[derive(Debug, Clone)]
+pub struct KeyRange {
+    key: NumericKey,
+    values: Vec<f64>,
+}
+
+impl KeyRange {
+    /// Reads `FROM:TO:STEP`, `FROM:TO:Nx`, `FROM:TO:Nlog`, `A,B,C` or one value, each with its unit.
+    ///
+    /// # Errors
+    /// A range that is empty, reversed, longer than a million points, in wrong units or beyond the limits of the key.
+    pub fn parse(key: NumericKey, text: &str) -> Result<Self, Fault> {
+        let values = points(&key, text).map_err(|why| fault(&key, &why))?;
+        for value in &values {
+            key.check(*value)?;
+        }
+        Ok(Self { key, values })
+    }
+
+    /// The key.
+    pub fn key(&self) -> &NumericKey {
+        &self.key
+    }
+
+    /// The values, SI.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+}
+
+fn fault(key: &NumericKey, why: &str) -> Fault {
+    Fault::without_place(key.path(), format!("{}: {why}", key.path()))
+}
+
+fn points(key: &NumericKey, text: &str) -> Result<Vec<f64>, String> {
+    let parts: Vec<&str> = text.split(':').map(str::trim).collect();
+    let [from, to, spacing] = parts[..] else {
+        if parts.len() != 1 {
+            return Err(format!("\"{}\" is no range; write FROM:TO:STEP, FROM:TO:Nx, FROM:TO:Nlog or A,B,C", clip(text)));
+        }
+        return text.split(',').map(|part| Ok(Number::read(key, part)?.value)).collect();
+    };
+    let (from, to) = (Number::read(key, from)?, Number::read(key, to)?);
+    if from.value > to.value {
+        return Err(format!("the range {} is reversed; write the smaller value first (a sweep can run down all the same)", clip(text)));
+    }
+    if let Some(count) = spacing.strip_suffix("log") {
+        return logarithmic(from.value, to.value, count_of(count)?);
+    }
+    if let Some(count) = spacing.strip_suffix('x') {
+        return Ok(linear(from.value, to.value, count_of(count)?));
+    }
+    let step = Number::read(key, spacing)?;
+    if step.value <= 0.0 {
+        return Err(format!("the step is {}; it must be greater than 0", clip(spacing)));
+    }
+    stepped(&from, &to, &step)
+}
+
+/// A number as float and, where it is one, as whole digits times a power of ten.
+struct Number {
+    value: f64,
+    exact: Option<(i128, i64)>,
+}
+
+impl Number {
+    fn read(key: &NumericKey, text: &str) -> Result<Self, String> {
+        let text = text.trim();
+        if let Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) = key.kind() {
+            let value = quantity.read(text).map_err(|error| error.to_string())?;
+            return Ok(Self { value, exact: quantity.exact(text) });
+        }
+        match Decimal::split(text) {
+            Some((number, "")) if Range::ANY.holds(number.scaled(0)) => Ok(Self { value: number.scaled(0), exact: number.whole(0) }),
+            _ => Err(format!("\"{}\" is no plain number; {}", clip(text), key.kind().due())),
+        }
+    }
+
+    /// The digits at an exponent not above the own one.
+    fn digits_at(&self, exponent: i64) -> Option<i128> {
+        let (digits, own) = self.exact?;
+        let shift = u32::try_from(own - exponent).ok().filter(|shift| *shift < 30)?;
+        digits.checked_mul(10i128.checked_pow(shift)?)
+    }
+}
+
+fn stepped(from: &Number, to: &Number, step: &Number) -> Result<Vec<f64>, String> {
+    let steps = ((to.value - from.value) / step.value * (1.0 + 1e-12) + 1e-9).floor();
+    if steps.is_nan() || steps >= MOST_POINTS as f64 {
+        return Err(format!("the range has more than {MOST_POINTS} points; make the step larger"));
+    }
+    let exponent = [from, to, step].iter().filter_map(|number| number.exact).map(|(_, exponent)| exponent).min();
+    let digits = exponent.and_then(|e| {
+        let first = from.digits_at(e)?;
+        Some((e, first, to.digits_at(e)?.checked_sub(first)?, step.digits_at(e)?))
+    });
+    if let Some((exponent, from, length, step)) = digits
+        && step > 0
+    {
+        let nearest = |digits: i128| format!("{digits}e{exponent}").parse::<f64>().unwrap_or(f64::INFINITY);
+        return Ok((0..=length / step).map(|index| nearest(from + index * step)).collect());
+    }
+    Ok((0..=steps as u64).map(|index| (from.value + index as f64 * step.value).min(to.value)).collect())
+}
+
+fn linear(from: f64, to: f64, count: usize) -> Vec<f64> {
+    let part = |index: usize| index as f64 / (count - 1).max(1) as f64;
+    let inner = (0..count).map(|index| if index + 1 == count && count > 1 { to } else { from + (to - from) * part(index) });
+    inner.collect()
+}
+
+fn logarithmic(from: f64, to: f64, count: usize) -> Result<Vec<f64>, String> {
+    if from <= 0.0 {
+        return Err("a logarithmic range starts above 0".to_owned());
+    }
+    let ratio = (to / from).ln();
+    let exponents = linear(0.0, 1.0, count);
+    let inner = exponents.into_iter().enumerate().map(|(index, part)| match index {
+        0 => from,
+        _ if index + 1 == count => to,
+        _ => from * (ratio * part).exp(),
+    });
+    Ok(inner.collect())
+}
+
+fn count_of(text: &str) -> Result<usize, String> {
+    let count = text.trim().parse::<usize>().ok().filter(|count| (2..=MOST_POINTS).contains(count));
+    count.ok_or_else(|| format!("\"{}\" is no number of points; give 2 to {MOST_POINTS}", clip(text)))
+}

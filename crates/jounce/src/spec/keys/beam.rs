@@ -1,0 +1,47 @@
+//! `[beam.NAME]`
+
+use std::collections::BTreeMap;
+
+use crate::spec::key::{Key, Kind, Range, Slot};
+use crate::spec::{Beam, Quantity};
+
+pub(super) fn blank() -> Beam {
+    Beam {
+        length_m: f64::NAN,
+        width_m: f64::NAN,
+        thickness_m: f64::NAN,
+        youngs_modulus_pa: f64::NAN,
+        density_kg_m3: f64::NAN,
+        root: "ground".to_owned(),
+        point: BTreeMap::new(),
+    }
+}
+
+pub(super) static KEYS: &[Key<Beam>] = &[
+    Key::quantity("length", Quantity::Length, "from the clamped root to the free end", |b: &Beam| b.length_m, |b, x| b.length_m = x)
+        .within(Range::POSITIVE),
+    Key::quantity("width", Quantity::Length, "width of the rectangular section", |b: &Beam| b.width_m, |b, x| b.width_m = x)
+        .within(Range::POSITIVE),
+    Key::quantity("thickness", Quantity::Length, "thickness in the bending direction", |b: &Beam| b.thickness_m, |b, x| b.thickness_m = x)
+        .within(Range::POSITIVE),
+    Key::quantity("youngs_modulus", Quantity::Pressure, "Young's modulus", |b: &Beam| b.youngs_modulus_pa, |b, x| b.youngs_modulus_pa = x)
+        .within(Range::POSITIVE),
+    Key::quantity("density", Quantity::Density, "mass per volume", |b: &Beam| b.density_kg_m3, |b, x| b.density_kg_m3 = x)
+        .within(Range::POSITIVE),
+    Key::text(
+        "root",
+        Kind::Reference { what: "a mass, or \"ground\"" },
+        "what the root is clamped to: `\"ground\"` or the name of a mass",
+        |b: &Beam| b.root.clone(),
+        |b, x| x.clone_into(&mut b.root),
+    )
+    .optional(),
+    Key::with_slot(
+        "point",
+        Kind::NamedQuantities(Quantity::Length),
+        "named places along the beam, measured from the root; `NAME.root` and `NAME.end` always exist",
+        Slot::NamedQuantities { get: |b: &Beam| &b.point, open: |b| &mut b.point },
+    )
+    .within(Range::NOT_NEGATIVE)
+    .optional(),
+];

@@ -1,0 +1,70 @@
+//! The keys of every table of a spec, one file per kind of thing.
+
+mod beam;
+mod circuit;
+mod drive;
+mod mass;
+mod modal;
+mod patch;
+mod settings;
+mod stop;
+
+use super::Spec;
+use super::key::{Key, Kind, Named, Single, Slot};
+
+/// The frequencies that jounce deals with, Hz.
+pub(super) const FREQUENCY_LIMITS_HZ: (f64, f64) = (1e-6, 1e6);
+
+/// The tables of a spec.
+pub(super) static SPEC: &[Key<Spec>] = &[
+    things("beam", "uniform cantilevers", &Named { get: |s: &Spec| &s.beam, open: |s| &mut s.beam, blank: beam::blank, keys: beam::KEYS }),
+    things(
+        "patch",
+        "piezoelectric patches bonded on beams",
+        &Named { get: |s: &Spec| &s.patch, open: |s| &mut s.patch, blank: patch::blank, keys: patch::KEYS },
+    ),
+    things(
+        "mass",
+        "rigid masses on grounded springs, which may carry beams",
+        &Named { get: |s: &Spec| &s.mass, open: |s| &mut s.mass, blank: mass::blank, keys: mass::KEYS },
+    ),
+    things(
+        "modal",
+        "structures given by their modes",
+        &Named { get: |s: &Spec| &s.modal, open: |s| &mut s.modal, blank: modal::blank, keys: modal::KEYS },
+    ),
+    things(
+        "stop",
+        "what a point strikes; without any, the harvester is linear",
+        &Named { get: |s: &Spec| &s.stop, open: |s| &mut s.stop, blank: stop::blank, keys: stop::KEYS },
+    ),
+    things(
+        "circuit",
+        "electrical loads, one across each patch; a patch without one is open-circuit",
+        &Named { get: |s: &Spec| &s.circuit, open: |s| &mut s.circuit, blank: circuit::blank, keys: circuit::KEYS },
+    ),
+    things(
+        "drive",
+        "what shakes it: `amplitude * sin(2 pi frequency t + phase)`",
+        &Named { get: |s: &Spec| &s.drive, open: |s| &mut s.drive, blank: drive::blank, keys: drive::KEYS },
+    ),
+    table(
+        "damping",
+        "damping ratios of the modes of beams, in ascending order of frequency, those of masses left out",
+        &Single { get: |s: &Spec| &s.damping, open: |s| &mut s.damping, keys: settings::DAMPING },
+    ),
+    table(
+        "reduction",
+        "how many modes are kept, and how well the mesh must resolve them",
+        &Single { get: |s: &Spec| &s.reduction, open: |s| &mut s.reduction, keys: settings::REDUCTION },
+    ),
+    table("run", "marching in time", &Single { get: |s: &Spec| &s.run, open: |s| &mut s.run, keys: settings::RUN }),
+];
+
+const fn things(name: &'static str, doc: &'static str, inner: &'static dyn super::key::Inner<Spec>) -> Key<Spec> {
+    Key::with_slot(name, Kind::Things, doc, Slot::Inner(inner)).optional()
+}
+
+const fn table(name: &'static str, doc: &'static str, inner: &'static dyn super::key::Inner<Spec>) -> Key<Spec> {
+    Key::with_slot(name, Kind::Table, doc, Slot::Inner(inner)).optional()
+}

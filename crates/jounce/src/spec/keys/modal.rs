@@ -1,0 +1,64 @@
+//! `[modal.NAME]`
+
+use std::collections::BTreeMap;
+
+use crate::spec::key::{Key, Kind, Named, Range, Slot};
+use crate::spec::{Modal, ModalPatch, Quantity};
+
+use super::FREQUENCY_LIMITS_HZ;
+
+pub(super) fn blank() -> Modal {
+    Modal { frequency_hz: Vec::new(), damping_ratio: Vec::new(), point: BTreeMap::new(), patch: BTreeMap::new() }
+}
+
+fn blank_patch() -> ModalPatch {
+    ModalPatch { coupling_n_per_v: Vec::new(), capacitance_f: f64::NAN }
+}
+
+pub(super) static KEYS: &[Key<Modal>] = &[
+    Key::with_slot(
+        "frequency_hz",
+        Kind::Numbers,
+        "undamped short-circuit frequencies in Hz, ascending; 0 for a rigid-body mode",
+        Slot::Numbers { get: |m: &Modal| &m.frequency_hz, open: |m| &mut m.frequency_hz },
+    )
+    .within(Range::from(0.0, FREQUENCY_LIMITS_HZ.1)),
+    Key::with_slot(
+        "damping_ratio",
+        Kind::Numbers,
+        "damping ratios, one per mode",
+        Slot::Numbers { get: |m: &Modal| &m.damping_ratio, open: |m| &mut m.damping_ratio },
+    )
+    .within(Range::from(0.0, 10.0)),
+    Key::with_slot(
+        "point",
+        Kind::NamedNumbers,
+        "mass-normalised shape at each named point in kg^-1/2, one number per mode",
+        Slot::NamedNumbers { get: |m: &Modal| &m.point, open: |m| &mut m.point },
+    )
+    .optional(),
+    Key::with_slot(
+        "patch",
+        Kind::Things,
+        "piezoelectric patches of the structure, `[modal.NAME.patch.PATCH]`",
+        Slot::Inner(&Named { get: |m: &Modal| &m.patch, open: |m| &mut m.patch, blank: blank_patch, keys: PATCH_KEYS }),
+    )
+    .optional(),
+];
+
+static PATCH_KEYS: &[Key<ModalPatch>] = &[
+    Key::with_slot(
+        "coupling_n_per_v",
+        Kind::Numbers,
+        "modal coupling in N/V per unit modal coordinate, one number per mode",
+        Slot::Numbers { get: |p: &ModalPatch| &p.coupling_n_per_v, open: |p| &mut p.coupling_n_per_v },
+    ),
+    Key::quantity(
+        "capacitance",
+        Quantity::Capacitance,
+        "clamped capacitance",
+        |p: &ModalPatch| p.capacitance_f,
+        |p, x| p.capacitance_f = x,
+    )
+    .within(Range::POSITIVE),
+];

@@ -1,0 +1,167 @@
+//! `[stop.NAME]`
+
+use crate::spec::key::{Key, Kind, Range};
+use crate::spec::{Quantity, Side, Stop, StopLaw};
+
+const LAWS: &[&str] = &["hertz", "spring", "kelvin-voigt", "hunt-crossley", "rigid"];
+const POWER_LAWS: &[&str] = &["hertz", "hunt-crossley"];
+const LINEAR_LAWS: &[&str] = &["spring", "kelvin-voigt"];
+
+/// The exponent of Hertz's law for two smooth bodies.
+const HERTZ_EXPONENT: f64 = 1.5;
+
+pub(super) fn blank() -> Stop {
+    Stop {
+        at: String::new(),
+        frame: "ground".to_owned(),
+        side: Side::default(),
+        gap_m: f64::NAN,
+        law: StopLaw::Hertz { stiffness: f64::NAN, exponent: HERTZ_EXPONENT },
+    }
+}
+
+pub(super) static KEYS: &[Key<Stop>] = &[
+    Key::text(
+        "at",
+        Kind::Reference { what: "a point or mass" },
+        "the point that strikes",
+        |s: &Stop| s.at.clone(),
+        |s, x| x.clone_into(&mut s.at),
+    ),
+    Key::text(
+        "frame",
+        Kind::Reference { what: "a point or mass, or \"ground\"" },
+        "what carries the stop, and takes the reaction: `\"ground\"`, a mass or a point",
+        |s: &Stop| s.frame.clone(),
+        |s, x| x.clone_into(&mut s.frame),
+    )
+    .optional(),
+    Key::text(
+        "side",
+        Kind::Choice(&["positive", "negative"]),
+        "the direction in which the point moves to strike",
+        |s: &Stop| if s.side == Side::Positive { "positive" } else { "negative" }.to_owned(),
+        |s, x| s.side = if x == "positive" { Side::Positive } else { Side::Negative },
+    )
+    .optional(),
+    Key::quantity(
+        "gap",
+        Quantity::Length,
+        "distance to the stop at rest; negative for a preloaded contact",
+        |s: &Stop| s.gap_m,
+        |s, x| s.gap_m = x,
+    ),
+    Key::text("law", Kind::Choice(LAWS), "the contact law", |s: &Stop| law_word(&s.law).to_owned(), |s, x| s.law = blank_law(x)),
+    Key::number("exponent", "exponent of the penetration", |s: &Stop| exponent(&s.law), |s, x| set_exponent(&mut s.law, x))
+        .within(Range::from(1.0, 10.0))
+        .when("law", POWER_LAWS)
+        .optional(),
+    Key::quantity(
+        "stiffness",
+        Quantity::ContactStiffness { exponent: HERTZ_EXPONENT },
+        "force per penetration to the power of `exponent`",
+        |s: &Stop| stiffness(&s.law),
+        |s, x| set_stiffness(&mut s.law, x),
+    )
+    .within(Range::POSITIVE)
+    .when("law", POWER_LAWS)
+    .measured_by("exponent", |s: &Stop| Quantity::ContactStiffness { exponent: exponent(&s.law) }),
+    Key::quantity(
+        "stiffness",
+        Quantity::Stiffness,
+        "force per penetration",
+        |s: &Stop| stiffness(&s.law),
+        |s, x| set_stiffness(&mut s.law, x),
+    )
+    .within(Range::POSITIVE)
+    .when("law", LINEAR_LAWS),
+    Key::quantity(
+        "damping",
+        Quantity::Damping,
+        "force per rate of penetration",
+        |s: &Stop| damping(&s.law),
+        |s, x| set_damping(&mut s.law, x),
+    )
+    .within(Range::NOT_NEGATIVE)
+    .when("law", &["kelvin-voigt"]),
+    Key::quantity(
+        "damping",
+        Quantity::InverseSpeed,
+        "the factor c of `1 + c * rate of penetration`",
+        |s: &Stop| damping(&s.law),
+        |s, x| set_damping(&mut s.law, x),
+    )
+    .within(Range::NOT_NEGATIVE)
+    .when("law", &["hunt-crossley"]),
+    Key::number(
+        "restitution",
+        "speed after over speed before the impact",
+        |s: &Stop| if let StopLaw::Rigid { restitution } = s.law { restitution } else { f64::NAN },
+        |s, x| s.law = StopLaw::Rigid { restitution: x },
+    )
+    .within(Range::from(0.0, 1.0))
+    .when("law", &["rigid"]),
+];
+
+fn law_word(law: &StopLaw) -> &'static str {
+    match law {
+        StopLaw::Hertz { .. } => "hertz",
+        StopLaw::Spring { .. } => "spring",
+        StopLaw::KelvinVoigt { .. } => "kelvin-voigt",
+        StopLaw::HuntCrossley { .. } => "hunt-crossley",
+        StopLaw::Rigid { .. } => "rigid",
+    }
+}
+
+fn blank_law(word: &str) -> StopLaw {
+    let (hole, exponent) = (f64::NAN, HERTZ_EXPONENT);
+    match word {
+        "spring" => StopLaw::Spring { stiffness_n_m: hole },
+        "kelvin-voigt" => StopLaw::KelvinVoigt { stiffness_n_m: hole, damping_n_s_m: hole },
+        "hunt-crossley" => StopLaw::HuntCrossley { stiffness: hole, exponent, damping_s_m: hole },
+        "rigid" => StopLaw::Rigid { restitution: hole },
+        _ => StopLaw::Hertz { stiffness: hole, exponent },
+    }
+}
+
+fn exponent(law: &StopLaw) -> f64 {
+    match law {
+        StopLaw::Hertz { exponent, .. } | StopLaw::HuntCrossley { exponent, .. } => *exponent,
+        _ => 1.0,
+    }
+}
+
+fn set_exponent(law: &mut StopLaw, value: f64) {
+    if let StopLaw::Hertz { exponent, .. } | StopLaw::HuntCrossley { exponent, .. } = law {
+        *exponent = value;
+    }
+}
+
+fn stiffness(law: &StopLaw) -> f64 {
+    match law {
+        StopLaw::Hertz { stiffness: k, .. } | StopLaw::HuntCrossley { stiffness: k, .. } => *k,
+        StopLaw::Spring { stiffness_n_m: k } | StopLaw::KelvinVoigt { stiffness_n_m: k, .. } => *k,
+        StopLaw::Rigid { .. } => f64::NAN,
+    }
+}
+
+fn set_stiffness(law: &mut StopLaw, value: f64) {
+    match law {
+        StopLaw::Hertz { stiffness: k, .. } | StopLaw::HuntCrossley { stiffness: k, .. } => *k = value,
+        StopLaw::Spring { stiffness_n_m: k } | StopLaw::KelvinVoigt { stiffness_n_m: k, .. } => *k = value,
+        StopLaw::Rigid { .. } => {}
+    }
+}
+
+fn damping(law: &StopLaw) -> f64 {
+    match law {
+        StopLaw::KelvinVoigt { damping_n_s_m: c, .. } | StopLaw::HuntCrossley { damping_s_m: c, .. } => *c,
+        _ => f64::NAN,
+    }
+}
+
+fn set_damping(law: &mut StopLaw, value: f64) {
+    if let StopLaw::KelvinVoigt { damping_n_s_m: c, .. } | StopLaw::HuntCrossley { damping_s_m: c, .. } = law {
+        *c = value;
+    }
+}

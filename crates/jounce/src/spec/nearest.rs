@@ -1,0 +1,78 @@
+//! The known word nearest to one that is not known.
+
+/// Longer words are no misspelling of anything, and the distance of two long words takes long.
+const LONGEST: usize = 64;
+
+/// No more candidates than this are compared, so that a huge file with many wrong names is refused in bounded time.
+const COMPARED: usize = 2000;
+
+/// How many known words a message lists.
+const LISTED: usize = 12;
+
+/// The candidate nearest to `word`, if it is near enough to be meant: at most one edit in three characters, one at least.
+pub(super) fn nearest<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
+    let length = word.chars().count();
+    if length > LONGEST {
+        return None;
+    }
+    let near = candidates.into_iter().take(COMPARED).filter(|candidate| candidate.len() <= LONGEST);
+    let (distance, best) =
+        near.map(|candidate| (strsim::damerau_levenshtein(word, candidate), candidate)).min_by_key(|(distance, _)| *distance)?;
+    (distance <= (length / 3).max(1)).then_some(best)
+}
+
+/// ` (did you mean X?)`, or nothing.
+pub(super) fn did_you_mean<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> String {
+    nearest(word, candidates).map(|near| format!(" (did you mean `{near}`?)")).unwrap_or_default()
+}
+
+/// A list for a message: `a, b, c and 5 more`.
+pub(super) fn listed<'c>(words: impl IntoIterator<Item = &'c str>) -> String {
+    let mut words: Vec<&str> = words.into_iter().collect();
+    words.dedup();
+    let shown = words.iter().take(LISTED).map(|word| clip(word)).collect::<Vec<_>>().join(", ");
+    if words.len() > LISTED { format!("{shown} and {} more", words.len() - LISTED) } else { shown }
+}
+
+/// `KEY is ...` or `KEY: ...`, whichever reads on.
+pub(super) fn sentence(key: &str, text: &str) -> String {
+    let reads_on = ["is ", "has ", "does "].iter().any(|verb| text.starts_with(verb));
+    format!("{}{} {text}", clip(key), if reads_on { "" } else { ":" })
+}
+
+/// A text from the user, short enough for a message.
+pub(super) fn clip(text: &str) -> String {
+    let mut clipped = String::new();
+    for (count, c) in text.chars().enumerate() {
+        match c {
+            _ if count == LONGEST => {
+                clipped.push_str("...");
+                break;
+            }
+            // A control character would garble the terminal that shows the message.
+            c if c.is_control() => clipped.extend(c.escape_debug()),
+            c => clipped.push(c),
+        }
+    }
+    clipped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn misspellings_find_their_word_and_others_do_not() {
+        let keys = ["stiffness", "gap", "law"];
+        assert_eq!(nearest("stifness", keys), Some("stiffness"));
+        assert_eq!(nearest("gpa", keys), Some("gap"));
+        assert_eq!(nearest("colour", keys), None);
+        assert_eq!(nearest(&"gap".repeat(100), keys), None);
+    }
+
+    #[test]
+    fn long_lists_are_cut() {
+        let names: Vec<String> = (0..20).map(|i| i.to_string()).collect();
+        assert_eq!(listed(names.iter().map(String::as_str)), "0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 and 8 more");
+    }
+}

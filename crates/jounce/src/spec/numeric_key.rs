@@ -1,0 +1,160 @@
+//! A key that holds one number, for sweeps.
+
+use super::fault::Fault;
+use super::key::{Key, KeyInfo, Kind, Slot, applies};
+use super::keys::SPEC;
+use super::nearest::clip;
+use super::{Spec, cross};
+
+/// One number of a spec that can be set over and over.
+///
+/// ```
+/// use jounce::spec::{NumericKey, Spec};
+/// let mut spec = Spec::from_toml("[mass.table]\nmass = \"12 kg\"\nfrequency = \"1 Hz\"\ndamping_ratio = 0.3")?;
+/// NumericKey::find(&spec, "mass.table.damping_ratio")?.set(&mut spec, 0.05)?;
+/// assert_eq!(spec.mass["table"].damping_ratio, 0.05);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct NumericKey {
+    path: String,
+    kind: Kind,
+    info: KeyInfo,
+    /// A key and its value that must outlive the change: the frequency of a mass whose spring was given by it.
+    held: Option<(String, f64)>,
+}
+
+/// What is known of the number at a path.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Numeric {
+    info: KeyInfo,
+    kind: Kind,
+    value: f64,
+}
+
+impl NumericKey {
+    /// Finds the key by its dotted path, `"drive.shaker.frequency"`.
+    ///
+    /// # Errors
+    /// A path that leads to no number. The exponent of a contact law is refused: the unit of its stiffness hangs on it.
+    pub fn find(spec: &Spec, path: &str) -> Result<Self, Fault> {
+        let Some(found) = locate(SPEC, spec, &segments(path)) else {
+            return Err(Fault::without_place(path, format!("{}: this is no key with a number in this spec", clip(path))));
+        };
+        if path.starts_with("stop.") && found.info.name == "exponent" {
+            let why = "cannot be varied alone, because the unit of `stiffness` depends on it; write one spec for each exponent";
+            return Err(Fault::without_place(path, format!("{path} {why}")));
+        }
+        Ok(Self { path: path.to_owned(), kind: found.kind, info: found.info, held: None })
+    }
+
+    /// Keeps another number of the spec at a value whenever this one is set.
+    pub(super) fn holding(mut self, path: String, value: f64) -> Self {
+        self.held = Some((path, value));
+        self
+    }
+
+    /// The dotted path.
+    pub fn path(&self) -> &str {
+        &self.path
+    }
+
+    /// The SI unit of the number; empty for a plain number.
+    pub fn unit(&self) -> String {
+        if let Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) = self.kind { quantity.si_unit() } else { String::new() }
+    }
+
+    /// The value in a spec, SI.
+    ///
+    /// # Errors
+    /// A spec that does not have this key.
+    pub fn get(&self, spec: &Spec) -> Result<f64, Fault> {
+        let found = locate(SPEC, spec, &segments(&self.path));
+        found.map(|found| found.value).ok_or_else(|| Fault::without_place(&self.path, format!("{}: not in this spec", self.path)))
+    }
+
+    /// Sets the value, SI. On an error the spec is as it was.
+    ///
+    /// # Errors
+    /// A value outside the limits of the key, or one that breaks a rule between keys (a patch beyond its beam).
+    pub fn set(&self, spec: &mut Spec, value_si: f64) -> Result<(), Fault> {
+        self.check(value_si)?;
+        let before = self.get(spec)?;
+        self.store(spec, value_si);
+        let broken = cross::first(spec);
+        if let Some((_, message)) = broken {
+            self.store(spec, before);
+            return Err(Fault::without_place(&self.path, format!("{} = {}: {message}", self.path, self.kind.show(value_si))));
+        }
+        Ok(())
+    }
+
+    /// Checks a value against the limits of the key alone.
+    pub(super) fn check(&self, value_si: f64) -> Result<(), Fault> {
+        let whole = self.info.kind != Kind::Count || value_si.fract() == 0.0;
+        if self.info.range.holds(value_si) && whole {
+            return Ok(());
+        }
+        let rule = if whole { self.info.range.rule(self.kind) } else { "must be a whole number".to_owned() };
+        Err(Fault::without_place(&self.path, format!("{} is {}; it {rule}", self.path, self.kind.show(value_si))))
+    }
+
+    pub(super) fn kind(&self) -> Kind {
+        self.kind
+    }
+
+    fn store(&self, spec: &mut Spec, value: f64) {
+        store(SPEC, spec, &segments(&self.path), value);
+        if let Some((path, value)) = &self.held {
+            store(SPEC, spec, &segments(path), *value);
+        }
+    }
+}
+
+impl Spec {
+    /// Sets one number by its dotted path; SI. Where the spring of a mass was given by its frequency, setting `mass` keeps its
+    /// stiffness here; the key of [`SpecFile::numeric_key`](super::SpecFile::numeric_key) keeps its frequency. On an error the spec is
+    /// as it was.
+    ///
+    /// # Errors
+    /// As [`NumericKey::find`] and [`NumericKey::set`].
+    pub fn set_si(&mut self, path: &str, value_si: f64) -> Result<(), Fault> {
+        NumericKey::find(self, path)?.set(self, value_si)
+    }
+}
+
+fn segments(path: &str) -> Vec<&str> {
+    path.split('.').collect()
+}
+
+/// The number at a path below a thing.
+pub(super) fn locate<T>(keys: &[Key<T>], thing: &T, path: &[&str]) -> Option<Numeric> {
+    let (name, rest) = path.split_first()?;
+    let key = keys.iter().find(|key| key.info.name == *name && applies(keys, thing, &key.info))?;
+    let numeric = |value| Numeric { info: key.info, kind: key.kind_in(thing), value };
+    match (&key.slot, rest) {
+        (Slot::Number { get, .. } | Slot::Derived { get, .. }, []) => Some(numeric(get(thing))),
+        (Slot::Optional { get, .. }, []) => Some(numeric(get(thing)?)),
+        (Slot::Count { get, .. }, []) => Some(numeric(get(thing) as f64)),
+        (Slot::NamedQuantities { get, .. }, [name]) => get(thing).get(*name).map(|value| numeric(*value)),
+        (Slot::Inner(inner), rest) => inner.locate(thing, rest),
+        _ => None,
+    }
+}
+
+/// Stores a number at a path below a thing; false where there is none.
+pub(super) fn store<T>(keys: &[Key<T>], thing: &mut T, path: &[&str], value: f64) -> bool {
+    let Some((name, rest)) = path.split_first() else { return false };
+    let Some(key) = keys.iter().find(|key| key.info.name == *name && applies(keys, thing, &key.info)) else { return false };
+    match (&key.slot, rest) {
+        (Slot::Number { set, .. } | Slot::Derived { set, .. } | Slot::Optional { set, .. }, []) => set(thing, value),
+        (Slot::Count { set, .. }, []) => set(thing, value as usize),
+        (Slot::NamedQuantities { open, .. }, [name]) => {
+            let Some(place) = open(thing).get_mut(*name) else { return false };
+            *place = value;
+        }
+        (Slot::Inner(inner), rest) => return inner.store(thing, rest, value),
+        _ => return false,
+    }
+    true
+}

@@ -1,0 +1,160 @@
+//! Overrides: `--set KEY=VALUE`.
+
+use std::fmt;
+
+use toml_edit::{DocumentMut, Item, TableLike};
+
+use super::key::{KeyInfo, Kind, Need, Row, rows};
+use super::keys::SPEC;
+use super::nearest::{clip, listed, nearest};
+use super::source::{Node, Place, Value, value_of};
+use super::{Spec, read::join};
+
+/// The nearest key is looked for among no more keys than this.
+const MOST_PATHS: usize = 5000;
+
+/// One override.
+pub(super) struct Override {
+    path: Vec<String>,
+    value: String,
+    node: Node,
+    /// Keys of the same table that this one excludes.
+    excludes: &'static [&'static str],
+}
+
+impl Override {
+    /// An override of a key that is known.
+    pub(super) fn new(key: &str, value: &str, info: &KeyInfo, index: usize) -> Self {
+        let mut node = read_value(value);
+        let wants_text = matches!(info.kind, Kind::ChoiceOrPath(_) | Kind::Choice(_) | Kind::Reference { .. });
+        if wants_text && !matches!(node.value, Value::Text(_)) {
+            node.value = Value::Text(value.to_owned());
+        }
+        move_to(&mut node, Place::Set(index));
+        let excludes = if let Need::OneOf(names) = info.need { names } else { &[] };
+        Self { path: key.split('.').map(str::to_owned).collect(), value: value.to_owned(), node, excludes }
+    }
+
+    /// How it was written.
+    pub(super) fn shown(key: &str, value: &str) -> String {
+        format!("--set {}={}", clip(key), clip(value))
+    }
+
+    /// Puts it into a tree.
+    pub(super) fn apply(&self, root: &mut Node) {
+        let path: Vec<&str> = self.path.iter().map(String::as_str).collect();
+        if let Some((name, parents)) = path.split_last() {
+            for other in self.excludes.iter().filter(|other| *other != name) {
+                root.remove(&[parents, &[*other]].concat());
+            }
+        }
+        root.put(&path, self.node.clone());
+    }
+
+    /// Writes it into a document, in the layout of what stood there.
+    pub(super) fn write_into(&self, document: &mut DocumentMut) {
+        let Some((name, parents)) = self.path.split_last() else { return };
+        let mut table: &mut dyn TableLike = document.as_table_mut();
+        for parent in parents {
+            let item = table.entry(parent).or_insert_with(toml_edit::table);
+            let Some(below) = item.as_table_like_mut() else { return };
+            table = below;
+        }
+        for other in self.excludes.iter().filter(|other| *other != name) {
+            table.remove(other);
+        }
+        let mut value = match &self.node.value {
+            Value::Text(text) => toml_edit::Value::from(text.as_str()),
+            _ => self.value.trim().parse().unwrap_or_else(|_| toml_edit::Value::from(self.value.as_str())),
+        };
+        if let Some(old) = table.get(name).and_then(Item::as_value) {
+            *value.decor_mut() = old.decor().clone();
+        }
+        table.insert(name, Item::Value(value));
+    }
+}
+
+impl fmt::Display for Override {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(&Self::shown(&self.path.join("."), &self.value))
+    }
+}
+
+/// A value of a command line: TOML where it is TOML, text otherwise.
+fn read_value(value: &str) -> Node {
+    let line = format!("v = {}", value.trim());
+    let parsed = toml_edit::Document::parse(line.as_str()).ok().filter(|document| !value.contains('\n') && document.len() == 1);
+    let node = parsed.as_ref().and_then(|document| document.get("v")?.as_value().map(|found| value_of(&line, found, 0)));
+    node.unwrap_or_else(|| Node::at(0, Value::Text(value.to_owned())))
+}
+
+fn move_to(node: &mut Node, place: Place) {
+    node.place = place;
+    match &mut node.value {
+        Value::List(items) => items.iter_mut().for_each(|item| move_to(item, place)),
+        Value::Table(entries) => entries.iter_mut().for_each(|entry| {
+            entry.place = place;
+            move_to(&mut entry.node, place);
+        }),
+        _ => {}
+    }
+}
+
+/// The key at a path, where the things on the way exist in the file; a message otherwise.
+pub(super) fn resolve(root: &Node, key: &str) -> Result<KeyInfo, String> {
+    let top = rows(SPEC, &Spec::default());
+    let segments: Vec<&str> = key.split('.').collect();
+    walk(&top, Some(root), &segments, "").map_err(|why| {
+        let mut known = Vec::new();
+        paths(&top, Some(root), "", &mut known);
+        let meant = nearest(key, known.iter().map(String::as_str)).map(|near| format!("; the nearest key here is `{near}`"));
+        format!("{}: {why}{}", clip(key), meant.unwrap_or_default())
+    })
+}
+
+fn walk(rows: &[Row], node: Option<&Node>, path: &[&str], walked: &str) -> Result<KeyInfo, String> {
+    let place = if walked.is_empty() { "here".to_owned() } else { format!("in {walked}") };
+    let Some((name, rest)) = path.split_first() else {
+        return Err(format!("{walked} is a table; its keys: {}", listed(rows.iter().map(|row| row.info.name))));
+    };
+    let Some(row) = rows.iter().find(|row| row.info.name == *name) else {
+        return Err(format!("unknown key; keys {place}: {}", listed(rows.iter().map(|row| row.info.name))));
+    };
+    let below = node.and_then(|node| node.get(name)).map(|entry| &entry.node);
+    let walked = join(walked, name);
+    match (row.info.kind, rest) {
+        (Kind::Table, rest) => walk(&row.inner, below, rest, &walked),
+        (Kind::Things, []) => Err(format!("{walked} is a table of things by name")),
+        (Kind::Things, [thing, rest @ ..]) => {
+            let Some(found) = below.and_then(|below| below.get(thing)) else {
+                let there = below.and_then(Node::entries).unwrap_or_default();
+                let names = listed(there.iter().map(|entry| entry.name.as_str()));
+                let names = if names.is_empty() { "none".to_owned() } else { names };
+                return Err(format!("this file has no [{walked}.{}]; it has: {names}", clip(thing)));
+            };
+            walk(&row.inner, Some(&found.node), rest, &join(&walked, thing))
+        }
+        (Kind::NamedQuantities(_) | Kind::NamedNumbers, [_]) => Ok(row.info),
+        (Kind::NamedQuantities(_) | Kind::NamedNumbers, _) => Err(format!("{walked} is a table of values by name")),
+        (_, []) => Ok(row.info),
+        (_, _) => Err(format!("{walked} is one value and has no keys")),
+    }
+}
+
+/// Every key that the things of a file have or may have.
+fn paths(rows: &[Row], node: Option<&Node>, prefix: &str, out: &mut Vec<String>) {
+    for row in rows {
+        if out.len() > MOST_PATHS {
+            return;
+        }
+        let path = join(prefix, row.info.name);
+        let below = node.and_then(|node| node.get(row.info.name)).map(|entry| &entry.node);
+        let entries = below.and_then(Node::entries).unwrap_or_default();
+        match row.info.kind {
+            Kind::Table => paths(&row.inner, below, &path, out),
+            Kind::Things => entries.iter().for_each(|entry| paths(&row.inner, Some(&entry.node), &join(&path, &entry.name), out)),
+            Kind::NamedQuantities(_) | Kind::NamedNumbers => out.extend(entries.iter().map(|entry| join(&path, &entry.name))),
+            _ => out.push(path),
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! Tables: which keys stand, which are missing, which are not known.
+
+use super::value::read_slot;
+use super::{Reading, join};
+use crate::spec::key::{Key, Kind, Need, Slot, applies, chosen};
+use crate::spec::nearest::{clip, did_you_mean, listed, nearest};
+use crate::spec::source::{Entry, Node};
+
+/// Reads a table of keys into a thing. Choices come before the keys that depend on them, in the table of keys as here.
+pub(in crate::spec) fn read_keys<T>(keys: &'static [Key<T>], path: &str, node: &Node, thing: &mut T, reading: &mut Reading) {
+    let Some(entries) = node.entries() else {
+        return reading.fault(node.place, path, || format!("a table is due, [{path}] with its keys below; found {}", node.found()));
+    };
+    let mut doubtful: Vec<&str> = Vec::new();
+    for key in keys {
+        let info = &key.info;
+        let depends_on = [info.when.map(|when| when.key), key.quantity.as_ref().map(|measure| measure.by)];
+        if depends_on.into_iter().flatten().any(|other| doubtful.contains(&other)) || !applies(keys, thing, info) {
+            continue;
+        }
+        let Some(entry) = entries.iter().find(|entry| entry.name == info.name) else {
+            if missing(keys, key, path, node, reading) {
+                doubtful.push(info.name);
+            }
+            continue;
+        };
+        let path = join(path, info.name);
+        reading.places.insert(path.clone(), entry.node.place);
+        if let Slot::Inner(inner) = &key.slot {
+            inner.read(thing, &path, &entry.node, reading);
+        } else if !read_slot(key, &path, &entry.node, thing, reading) {
+            doubtful.push(info.name);
+        }
+    }
+    for entry in entries {
+        if reading.has_room() {
+            check_known(keys, path, entry, thing, &doubtful, reading);
+        }
+    }
+    check_alternatives(keys, path, entries, reading);
+}
+
+/// Reports a key that is not there but must be, unless it stands misspelt; true where one is missing.
+fn missing<T>(keys: &[Key<T>], key: &Key<T>, path: &str, node: &Node, reading: &mut Reading) -> bool {
+    let entries = node.entries().unwrap_or_default();
+    let stands = |name: &&str| entries.iter().any(|entry| entry.name == *name);
+    let text = || match key.info.need {
+        Need::OneOf(names) => format!("one of {} is missing", quoted(names)),
+        _ => format!("`{}` is missing; {}", key.info.name, key.info.kind.due()),
+    };
+    let must = match key.info.need {
+        Need::Default => false,
+        Need::Required => true,
+        Need::OneOf(names) => names.first() == Some(&key.info.name) && !names.iter().any(stands),
+    };
+    let names = || keys.iter().map(|key| key.info.name);
+    let misspelt = |entry: &Entry| names().all(|name| name != entry.name) && nearest(&entry.name, names()) == Some(key.info.name);
+    if must && reading.complete && reading.has_room() && !entries.iter().any(misspelt) {
+        reading.fault(node.place, path, text);
+    }
+    must
+}
+
+fn check_known<T>(keys: &[Key<T>], path: &str, entry: &Entry, thing: &T, doubtful: &[&str], reading: &mut Reading) {
+    let named = || keys.iter().filter(|key| key.info.name == entry.name);
+    let key = join(path, &entry.name);
+    if named().next().is_none() {
+        let names = distinct(keys.iter().map(|key| key.info.name));
+        return reading.fault(entry.place, &key, || {
+            format!("unknown key{}; keys here: {}", did_you_mean(&entry.name, names.iter().copied()), listed(names.iter().copied()))
+        });
+    }
+    if named().any(|key| applies(keys, thing, &key.info)) {
+        return;
+    }
+    let Some(when) = named().find_map(|key| key.info.when).filter(|when| !doubtful.contains(&when.key)) else { return };
+    let word = chosen(keys, thing, when.key).unwrap_or_default();
+    let words = distinct(named().filter_map(|key| key.info.when).flat_map(|when| when.is.iter().copied()));
+    reading.fault(entry.place, &key, || format!("does not go with {} = \"{word}\", only with {}", when.key, listed(words.iter().copied())));
+}
+
+fn check_alternatives<T>(keys: &[Key<T>], path: &str, entries: &[Entry], reading: &mut Reading) {
+    for key in keys {
+        let Need::OneOf(names) = key.info.need else { continue };
+        let mut standing = entries.iter().filter(|entry| names.contains(&entry.name.as_str()));
+        if names.first() == Some(&key.info.name)
+            && let (Some(first), Some(second)) = (standing.next(), standing.next())
+        {
+            let key = join(path, &second.name);
+            reading.fault(second.place, &key, || format!("`{}` is given too; give exactly one of {}", first.name, quoted(names)));
+        }
+    }
+}
+
+/// Walks a table of the user's own names. `kind` is what stands under each.
+pub(in crate::spec) fn read_named(
+    path: &str,
+    node: &Node,
+    kind: Kind,
+    reading: &mut Reading,
+    mut read: impl FnMut(&str, &str, &Node, &mut Reading),
+) {
+    let Some(entries) = node.entries() else {
+        let hint = match kind {
+            Kind::Things => format!("things have names: write [{path}.NAME] with its keys below"),
+            _ => format!("a table is due: write [{path}] with NAME = VALUE below"),
+        };
+        return reading.fault(node.place, path, || format!("{hint}; found {}", node.found()));
+    };
+    let mut strays = 0;
+    for entry in entries {
+        let path_of = join(path, &entry.name);
+        let allowed = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+        if entry.name.is_empty() || !entry.name.chars().all(allowed) {
+            reading.fault(entry.place, path, || {
+                format!("the name {:?} is not allowed; names are letters a to z, digits, _ and -", clip(&entry.name))
+            });
+        }
+        if matches!(kind, Kind::Things) && entry.node.entries().is_none() {
+            strays += 1;
+            if strays == 1 {
+                let text = || format!("this stands where a name is due: write [{path}.NAME] with its keys below");
+                reading.fault(entry.place, &path_of, text);
+            }
+            continue;
+        }
+        reading.places.insert(path_of.clone(), entry.place);
+        read(&entry.name, &path_of, &entry.node, reading);
+    }
+}
+
+fn quoted(names: &[&str]) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(" or ")
+}
+
+fn distinct<'k>(names: impl Iterator<Item = &'k str>) -> Vec<&'k str> {
+    let mut seen = Vec::new();
+    for name in names {
+        if !seen.contains(&name) {
+            seen.push(name);
+        }
+    }
+    seen
+}

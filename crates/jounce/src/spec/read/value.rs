@@ -1,0 +1,120 @@
+//! Values: of the right kind, within their limits.
+
+use super::{Reading, read_named};
+use crate::spec::key::{Key, KeyInfo, Kind, Need, Range, Slot};
+use crate::spec::nearest::{clip, did_you_mean, sentence};
+use crate::spec::source::{Node, Value};
+
+/// Reads the value of one key; false where it is wrong.
+pub(super) fn read_slot<T>(key: &Key<T>, path: &str, node: &Node, thing: &mut T, reading: &mut Reading) -> bool {
+    let kind = key.kind_in(thing);
+    let range = key.info.range;
+    match &key.slot {
+        Slot::Number { set, .. } | Slot::Derived { set, .. } | Slot::Optional { set, .. } => {
+            // A hole instead of the default: rules between keys must not blame what was not meant.
+            let number = one_number(kind, range, path, node, reading);
+            set(thing, number.unwrap_or(f64::NAN));
+            number.is_some()
+        }
+        Slot::Count { set, .. } => {
+            let number = one_number(kind, range, path, node, reading);
+            set(thing, number.map_or(0, |value| value as usize));
+            number.is_some()
+        }
+        Slot::Text { set, .. } => {
+            let text = text(&key.info, path, node, reading);
+            text.map(|text| set(thing, text)).is_some()
+        }
+        Slot::Numbers { open, .. } => {
+            let list = numbers(&key.info, path, node, reading);
+            list.map(|list| *open(thing) = list).is_some()
+        }
+        Slot::NamedQuantities { open, .. } => {
+            let map = open(thing);
+            read_named(path, node, kind, reading, |name, path, node, reading| {
+                // The name stays known, so that references to it are not called wrong too.
+                let value = one_number(kind, range, path, node, reading).unwrap_or(f64::NAN);
+                reading.places.insert(path.to_owned(), node.place);
+                map.insert(name.to_owned(), value);
+            });
+            true
+        }
+        Slot::NamedNumbers { open, .. } => {
+            let map = open(thing);
+            read_named(path, node, kind, reading, |name, path, node, reading| {
+                let list = numbers(&key.info, path, node, reading).unwrap_or_default();
+                reading.places.insert(path.to_owned(), node.place);
+                map.insert(name.to_owned(), list);
+            });
+            true
+        }
+        Slot::Inner(_) => true,
+    }
+}
+
+fn one_number(kind: Kind, range: Range, path: &str, node: &Node, reading: &mut Reading) -> Option<f64> {
+    match read_number(kind, range, node) {
+        Ok(value) => Some(value),
+        Err(text) => {
+            reading.fault(node.place, path, || text);
+            None
+        }
+    }
+}
+
+/// A number of any kind within its limits, in SI; what is wrong with it otherwise.
+pub(in crate::spec) fn read_number(kind: Kind, range: Range, node: &Node) -> Result<f64, String> {
+    let (value, shown) = match (kind, &node.value) {
+        (Kind::Quantity(quantity) | Kind::NamedQuantities(quantity), Value::Text(text)) => {
+            (quantity.read(text).map_err(|error| error.to_string())?, clip(text))
+        }
+        (Kind::Quantity(quantity) | Kind::NamedQuantities(quantity), Value::Integer(_) | Value::Float(_)) => {
+            let example = quantity.units().swap_remove(0);
+            let raw = clip(&node.raw);
+            return Err(format!("{raw} has no unit; {}; write for example \"{raw} {example}\"", kind.due()));
+        }
+        (Kind::Number | Kind::Count | Kind::Numbers | Kind::NamedNumbers, Value::Integer(value)) => (*value as f64, clip(&node.raw)),
+        (Kind::Number | Kind::Numbers | Kind::NamedNumbers, Value::Float(value)) => (*value, clip(&node.raw)),
+        (Kind::Numbers | Kind::NamedNumbers, _) => return Err(format!("a plain number is due; found {}", node.found())),
+        _ => return Err(format!("{}; found {}", kind.due(), node.found())),
+    };
+    if range.holds(value) { Ok(value) } else { Err(format!("is {shown}; it {}", range.rule(kind))) }
+}
+
+fn text<'n>(info: &KeyInfo, path: &str, node: &'n Node, reading: &mut Reading) -> Option<&'n str> {
+    let wrong = match (&node.value, info.kind) {
+        (Value::Text(text), Kind::Choice(words)) if !words.contains(&text.as_str()) => {
+            let meant = did_you_mean(text, words.iter().copied());
+            format!("\"{}\" is not known{meant}; {}", clip(text), info.kind.due())
+        }
+        (Value::Text(text), Kind::ChoiceOrPath(words)) if !words.contains(&text.as_str()) && !text.contains(['.', '/', '\\']) => {
+            let meant = did_you_mean(text, words.iter().copied());
+            format!("\"{}\" is not known{meant}; {}", clip(text), info.kind.due())
+        }
+        (Value::Text(text), _) if text.trim().is_empty() => format!("the text is empty; {}", info.kind.due()),
+        (Value::Text(text), _) => return Some(text),
+        _ => format!("{}; found {}", info.kind.due(), node.found()),
+    };
+    reading.fault(node.place, path, || wrong);
+    None
+}
+
+fn numbers(info: &KeyInfo, path: &str, node: &Node, reading: &mut Reading) -> Option<Vec<f64>> {
+    let Value::List(items) = &node.value else {
+        reading.fault(node.place, path, || format!("{}; found {}", Kind::Numbers.due(), node.found()));
+        return None;
+    };
+    let may_be_empty = info.kind == Kind::Numbers && info.need == Need::Default;
+    if items.is_empty() && !may_be_empty {
+        reading.fault(node.place, path, || "the list is empty; give one number per mode".to_owned());
+        return None;
+    }
+    let mut list = Vec::with_capacity(items.len());
+    for (index, item) in items.iter().enumerate() {
+        match read_number(Kind::Numbers, info.range, item) {
+            Ok(value) => list.push(value),
+            Err(text) => reading.fault(item.place, path, || sentence(&format!("number {}", index + 1), &text)),
+        }
+    }
+    (list.len() == items.len()).then_some(list)
+}

@@ -1,0 +1,78 @@
+//! Files that cannot be read at all.
+
+use std::io::Read as _;
+use std::path::{Path, PathBuf};
+
+use super::fault::Fault;
+use super::source::Lines;
+
+/// The largest spec, bytes.
+pub(super) const MOST_BYTES: usize = 16 << 20;
+
+/// Why a file cannot be read as a spec.
+#[derive(Debug, thiserror::Error)]
+pub enum ReadError {
+    /// Nothing there.
+    #[error("{} does not exist", path.display())]
+    Missing {
+        /// the path
+        path: PathBuf,
+    },
+    /// A directory instead of a file.
+    #[error("{} is a directory; name the spec file in it", path.display())]
+    Directory {
+        /// the path
+        path: PathBuf,
+    },
+    /// Not a spec at this size.
+    #[error("{} is larger than 16 MiB, which no spec is", path.display())]
+    TooLarge {
+        /// the path
+        path: PathBuf,
+    },
+    /// Bytes that are not UTF-8.
+    #[error("{} is not a text file: {fault}", path.display())]
+    NotText {
+        /// the path
+        path: PathBuf,
+        /// the first wrong byte and its place
+        fault: Fault,
+    },
+    /// The system refuses.
+    #[error("{} cannot be read: {source}", path.display())]
+    Unreadable {
+        /// the path
+        path: PathBuf,
+        /// what the system says
+        source: std::io::Error,
+    },
+}
+
+/// The text of a file.
+pub(super) fn read_text(path: &Path) -> Result<String, ReadError> {
+    let owned = || path.to_path_buf();
+    let unreadable = |source: std::io::Error| match source.kind() {
+        std::io::ErrorKind::NotFound => ReadError::Missing { path: owned() },
+        std::io::ErrorKind::IsADirectory => ReadError::Directory { path: owned() },
+        _ => ReadError::Unreadable { path: owned(), source },
+    };
+    if path.is_dir() {
+        return Err(ReadError::Directory { path: owned() });
+    }
+    let mut bytes = Vec::new();
+    // One byte more than allowed, so that a device without end is not read for ever.
+    let limited = std::fs::File::open(path).map_err(unreadable)?.take(MOST_BYTES as u64 + 1);
+    { limited }.read_to_end(&mut bytes).map_err(unreadable)?;
+    if bytes.len() > MOST_BYTES {
+        return Err(ReadError::TooLarge { path: owned() });
+    }
+    String::from_utf8(bytes).map_err(|error| ReadError::NotText { path: owned(), fault: wrong_byte(&error) })
+}
+
+fn wrong_byte(error: &std::string::FromUtf8Error) -> Fault {
+    let at = error.utf8_error().valid_up_to();
+    let valid = String::from_utf8_lossy(&error.as_bytes()[..at]);
+    let (line, column) = Lines::new(&valid).place(at);
+    let message = format!("the byte 0x{:02x} is not UTF-8", error.as_bytes()[at]);
+    Fault { line, column, ..Fault::without_place("", message) }
+}

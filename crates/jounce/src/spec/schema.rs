@@ -1,0 +1,144 @@
+//! The JSON Schema of a spec, draft-07, from the table of keys.
+
+use serde_json::{Map, Value, json};
+
+use super::Spec;
+use super::key::{Kind, Need, Row, rows};
+use super::keys::SPEC;
+
+/// A name that the user may choose.
+const NAME: &str = "^[A-Za-z0-9_-]+$";
+
+/// The draft-07 JSON Schema of a spec, for editors that complete and check TOML.
+///
+/// It knows every key, kind, limit and choice. It cannot know references, units of the wrong kind and rules between things:
+/// [`Spec::from_toml`] checks those.
+pub fn schema() -> Value {
+    let top = rows(SPEC, &Spec::default());
+    let mut schema = table(&top);
+    schema["$schema"] = json!("http://json-schema.org/draft-07/schema#");
+    schema["title"] = json!("jounce spec");
+    schema["description"] = json!("An impact energy harvester: its structure, stops, circuits and drives.");
+    schema["anyOf"] = json!([{ "required": ["beam"] }, { "required": ["mass"] }, { "required": ["modal"] }]);
+    schema
+}
+
+fn table(rows: &[Row]) -> Value {
+    let mut properties = Map::new();
+    for row in rows {
+        let mut property = property(row);
+        if let Some(other) = properties.get(row.info.name) {
+            property["description"] = json!(format!("{}; {}", text(other), text(&property)));
+            // The limits that hold in every case; the case itself is told apart below.
+            property["pattern"] = json!(if is_signed(other) || is_signed(&property) { pattern(true) } else { pattern(false) });
+        }
+        properties.insert(row.info.name.to_owned(), property);
+    }
+    let required = rows.iter().filter(|row| row.info.need == Need::Required && row.info.when.is_none());
+    let required: Vec<&str> = required.map(|row| row.info.name).collect();
+    let mut table = json!({ "type": "object", "properties": properties, "additionalProperties": false, "required": required });
+    let rules = rules(rows);
+    if !rules.is_empty() {
+        table["allOf"] = Value::Array(rules);
+    }
+    table
+}
+
+fn text(property: &Value) -> &str {
+    property["description"].as_str().unwrap_or_default()
+}
+
+fn is_signed(property: &Value) -> bool {
+    property["pattern"] == json!(pattern(true))
+}
+
+fn property(row: &Row) -> Value {
+    let info = &row.info;
+    let mut property = match info.kind {
+        Kind::Quantity(_) | Kind::NamedQuantities(_) => {
+            let quantity = json!({ "type": "string", "pattern": pattern(info.range.low < 0.0) });
+            if matches!(info.kind, Kind::Quantity(_)) { quantity } else { by_name(quantity) }
+        }
+        Kind::Number => number(row, "number"),
+        Kind::Count => number(row, "integer"),
+        Kind::Numbers => numbers(row),
+        Kind::NamedNumbers => by_name(numbers(row)),
+        Kind::ChoiceOrPath(_) | Kind::Reference { .. } => json!({ "type": "string", "minLength": 1 }),
+        Kind::Choice(words) => json!({ "type": "string", "enum": words }),
+        Kind::Things => by_name(table(&row.inner)),
+        Kind::Table => table(&row.inner),
+    };
+    let mut description = info.doc.to_owned();
+    if let Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) = info.kind {
+        description = format!("{description}; {}, in {}", quantity.kind(), quantity.units().join(", "));
+    }
+    if let Some(default) = &row.default {
+        description = format!("{description} (default {default})");
+    }
+    property["description"] = json!(description);
+    property
+}
+
+fn by_name(inner: Value) -> Value {
+    json!({ "type": "object", "patternProperties": { NAME: inner }, "additionalProperties": false })
+}
+
+fn number(row: &Row, kind: &str) -> Value {
+    let range = &row.info.range;
+    let mut number = json!({ "type": kind });
+    if range.low.is_finite() {
+        number[if range.open { "exclusiveMinimum" } else { "minimum" }] = json!(range.low);
+    }
+    if range.high.is_finite() {
+        number["maximum"] = json!(range.high);
+    }
+    number
+}
+
+fn numbers(row: &Row) -> Value {
+    let least = usize::from(row.info.need == Need::Required);
+    json!({ "type": "array", "items": number(row, "number"), "minItems": least })
+}
+
+/// A number, then something for the unit.
+fn pattern(signed: bool) -> String {
+    let sign = if signed { "[+-]?" } else { "\\+?" };
+    format!(r"^\s*{sign}(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*[^\s\d.,+-].*$|^\s*{sign}(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s+1/.*$")
+}
+
+/// Which keys go with which word of a choice, and which exclude each other.
+fn rules(rows: &[Row]) -> Vec<Value> {
+    let mut rules = Vec::new();
+    for choice in rows {
+        let Kind::Choice(words) = choice.info.kind else { continue };
+        let dependent: Vec<&Row> = rows.iter().filter(|row| row.info.when.is_some_and(|when| when.key == choice.info.name)).collect();
+        if !dependent.is_empty() {
+            rules.extend(words.iter().map(|word| rule(choice, word, &dependent)));
+        }
+    }
+    for row in rows {
+        if let Need::OneOf(names) = row.info.need
+            && names.first() == Some(&row.info.name)
+        {
+            let alternatives: Vec<Value> = names.iter().map(|name| json!({ "required": [name] })).collect();
+            rules.push(json!({ "oneOf": alternatives }));
+        }
+    }
+    rules
+}
+
+fn rule(choice: &Row, word: &str, dependent: &[&Row]) -> Value {
+    let name = choice.info.name;
+    let goes = |row: &&&Row| row.info.when.is_some_and(|when| when.is.contains(&word));
+    let present: Vec<&str> = dependent.iter().filter(goes).map(|row| row.info.name).collect();
+    let required: Vec<&str> =
+        dependent.iter().filter(goes).filter(|row| row.info.need == Need::Required).map(|row| row.info.name).collect();
+    let absent = dependent.iter().map(|row| row.info.name).filter(|other| !present.contains(other));
+    let absent: Map<String, Value> = absent.map(|other| (other.to_owned(), json!(false))).collect();
+    let is_default = choice.default.as_deref() == Some(format!("\"{word}\"").as_str());
+    let needed = if is_default { json!([]) } else { json!([name]) };
+    json!({
+        "if": { "properties": { name: { "const": word } }, "required": needed },
+        "then": { "required": required, "properties": absent },
+    })
+}

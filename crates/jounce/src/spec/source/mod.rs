@@ -1,0 +1,9 @@
+//! The text of a spec as a tree of values that know their places.
+
+mod lines;
+mod node;
+mod syntax;
+
+pub(super) use lines::Lines;
+pub(super) use node::{Entry, Node, Place, Value, value_of};
+pub(super) use syntax::{Source, parse};

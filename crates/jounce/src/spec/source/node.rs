@@ -1,0 +1,139 @@
+//! A value of a spec and its place.
+
+use toml_edit::{Item, TableLike};
+
+use crate::spec::nearest::clip;
+
+/// Where something stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::spec) enum Place {
+    /// Offset in the text, bytes.
+    At(usize),
+    /// The override of this index.
+    Set(usize),
+}
+
+/// A value and its place.
+#[derive(Debug, Clone)]
+pub(in crate::spec) struct Node {
+    pub(in crate::spec) place: Place,
+    /// Numbers as they were written; empty for other values.
+    pub(in crate::spec) raw: String,
+    pub(in crate::spec) value: Value,
+}
+
+/// What TOML can say.
+#[derive(Debug, Clone)]
+pub(in crate::spec) enum Value {
+    Text(String),
+    Integer(i64),
+    Float(f64),
+    Boolean,
+    Date,
+    List(Vec<Node>),
+    Table(Vec<Entry>),
+    /// `[[NAME]]`
+    Tables,
+}
+
+/// A key and its value.
+#[derive(Debug, Clone)]
+pub(in crate::spec) struct Entry {
+    pub(in crate::spec) name: String,
+    /// Place of the key.
+    pub(in crate::spec) place: Place,
+    pub(in crate::spec) node: Node,
+}
+
+impl Node {
+    /// Its keys, where it is a table.
+    pub(in crate::spec) fn entries(&self) -> Option<&[Entry]> {
+        if let Value::Table(entries) = &self.value { Some(entries) } else { None }
+    }
+
+    /// The value under a key, where this is a table that has it.
+    pub(in crate::spec) fn get(&self, name: &str) -> Option<&Entry> {
+        self.entries()?.iter().find(|entry| entry.name == name)
+    }
+
+    /// Puts a value under a path; tables are made where they are missing. False where something else stands in the way.
+    pub(in crate::spec) fn put(&mut self, path: &[&str], node: Node) -> bool {
+        let Value::Table(entries) = &mut self.value else { return false };
+        let Some((name, rest)) = path.split_first() else { return false };
+        let index = entries.iter().position(|entry| entry.name == *name).unwrap_or_else(|| {
+            let empty = Node { place: node.place, raw: String::new(), value: Value::Table(Vec::new()) };
+            entries.push(Entry { name: (*name).to_owned(), place: node.place, node: empty });
+            entries.len() - 1
+        });
+        if rest.is_empty() {
+            entries[index] = Entry { name: (*name).to_owned(), place: node.place, node };
+            return true;
+        }
+        entries[index].node.put(rest, node)
+    }
+
+    /// Takes a key out, if it is there.
+    pub(in crate::spec) fn remove(&mut self, path: &[&str]) {
+        let Value::Table(entries) = &mut self.value else { return };
+        match path {
+            [] => {}
+            [name] => entries.retain(|entry| entry.name != *name),
+            [name, rest @ ..] => entries.iter_mut().filter(|entry| entry.name == *name).for_each(|entry| entry.node.remove(rest)),
+        }
+    }
+
+    /// The words for what it is: `the number 5`.
+    pub(in crate::spec) fn found(&self) -> String {
+        match &self.value {
+            Value::Text(text) => format!("the text \"{}\"", clip(text)),
+            Value::Integer(_) | Value::Float(_) => format!("the number {}", clip(&self.raw)),
+            Value::Boolean => "true or false".to_owned(),
+            Value::Date => "a date".to_owned(),
+            Value::List(_) => "a list".to_owned(),
+            Value::Table(_) => "a table".to_owned(),
+            Value::Tables => "a list of tables".to_owned(),
+        }
+    }
+}
+
+/// A table with the places of its keys; `parent` is the place for what carries none.
+pub(super) fn entries(text: &str, table: &dyn TableLike, parent: usize) -> Vec<Entry> {
+    let entry = |(name, item): (&str, &Item)| {
+        let key = table.get_key_value(name).and_then(|(key, _)| key.span());
+        let at = key.or_else(|| item.span()).map_or(parent, |span| span.start);
+        Entry { name: name.to_owned(), place: Place::At(at), node: node(text, item, at) }
+    };
+    table.iter().map(entry).collect()
+}
+
+fn node(text: &str, item: &Item, parent: usize) -> Node {
+    match item {
+        Item::Value(value) => value_of(text, value, parent),
+        Item::Table(table) => Node::at(parent, Value::Table(entries(text, table, parent))),
+        Item::ArrayOfTables(_) | Item::None => Node::at(parent, Value::Tables),
+    }
+}
+
+/// A value with its places.
+pub(in crate::spec) fn value_of(text: &str, value: &toml_edit::Value, parent: usize) -> Node {
+    let span = value.span().unwrap_or(parent..parent);
+    let raw = || text.get(span.clone()).unwrap_or_default().to_owned();
+    match value {
+        toml_edit::Value::String(text) => Node::at(span.start, Value::Text(text.value().clone())),
+        toml_edit::Value::Integer(number) => Node { raw: raw(), ..Node::at(span.start, Value::Integer(*number.value())) },
+        toml_edit::Value::Float(number) => Node { raw: raw(), ..Node::at(span.start, Value::Float(*number.value())) },
+        toml_edit::Value::Boolean(_) => Node::at(span.start, Value::Boolean),
+        toml_edit::Value::Datetime(_) => Node::at(span.start, Value::Date),
+        toml_edit::Value::Array(list) => {
+            Node::at(span.start, Value::List(list.iter().map(|value| value_of(text, value, span.start)).collect()))
+        }
+        toml_edit::Value::InlineTable(table) => Node::at(span.start, Value::Table(entries(text, table, span.start))),
+    }
+}
+
+impl Node {
+    /// A value at an offset of the text.
+    pub(in crate::spec) fn at(offset: usize, value: Value) -> Self {
+        Self { place: Place::At(offset), raw: String::new(), value }
+    }
+}

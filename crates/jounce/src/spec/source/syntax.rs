@@ -1,0 +1,126 @@
+//! TOML to a tree, past as many syntax errors as can be passed safely.
+//!
+//! After an error the line that causes it is blanked and the rest is read again, so that several errors are reported at once.
+//! A line that is valid on its own is never blamed: then the cause lies elsewhere, and reading stops.
+
+use toml_edit::Document;
+
+use super::lines::{Lines, boundary};
+use super::node::{Node, Value, entries};
+use crate::spec::nearest::clip;
+use crate::spec::units::Decimal;
+
+/// No more syntax errors than this are looked for.
+const MOST: usize = 20;
+
+/// No more bytes than this are read again, because of errors, than the file has.
+const MOST_REREAD: usize = 4 << 20;
+
+/// A spec as text and as a tree.
+pub(in crate::spec) struct Source {
+    /// The whole file as a table.
+    pub(in crate::spec) root: Node,
+    /// What is no TOML.
+    pub(in crate::spec) errors: Vec<SyntaxError>,
+    /// False where lines had to be left out, so that keys may be missing that the file has.
+    pub(in crate::spec) complete: bool,
+}
+
+/// Something that is no TOML.
+pub(in crate::spec) struct SyntaxError {
+    pub(in crate::spec) offset: usize,
+    pub(in crate::spec) key: String,
+    pub(in crate::spec) message: String,
+}
+
+/// Reads a text.
+pub(in crate::spec) fn parse(text: &str) -> Source {
+    let mut work = text.to_owned();
+    let mut source = Source { root: Node::at(0, Value::Table(Vec::new())), errors: Vec::new(), complete: true };
+    let most = (MOST_REREAD / text.len().max(1)).clamp(1, MOST);
+    while source.errors.len() < most {
+        let error = match Document::parse(work.as_str()) {
+            Ok(document) => {
+                source.root.value = Value::Table(entries(&work, document.as_table(), 0));
+                return source;
+            }
+            Err(error) => error,
+        };
+        let span = error.span().unwrap_or(0..0);
+        let offset = boundary(&work, span.start);
+        let duplicate = error.message() == "duplicate key";
+        source.complete &= duplicate;
+        source.errors.push(if duplicate { duplicated(&work, offset, &span) } else { malformed(&work, offset, error.message()) });
+        if !leave_out(&mut work, offset, duplicate) {
+            break;
+        }
+    }
+    source.complete = false;
+    source
+}
+
+/// Blanks what an error blames; false where that is not clear.
+fn leave_out(work: &mut String, offset: usize, duplicate: bool) -> bool {
+    let lines = Lines::new(work);
+    let line = lines.range(offset);
+    let content = &work[line.clone()];
+    if content.trim().is_empty() || (!duplicate && Document::parse(content).is_ok()) {
+        return false;
+    }
+    let mut end = line.end;
+    if is_header(content) {
+        // The keys below a header go with it: in another table they would mean something else.
+        while end < work.len() && !is_header(&work[lines.range(end + 1)]) {
+            end = lines.range(end + 1).end;
+        }
+    }
+    let blank: String = work[line.start..end].bytes().map(|byte| if byte == b'\n' { '\n' } else { ' ' }).collect();
+    work.replace_range(line.start..end, &blank);
+    true
+}
+
+fn is_header(line: &str) -> bool {
+    line.trim_start().starts_with('[')
+}
+
+/// `beam.beam` of `[beam.beam]  # comment`.
+fn header_name(line: &str) -> &str {
+    line.trim_start().trim_start_matches('[').split(']').next().unwrap_or_default().trim()
+}
+
+fn duplicated(text: &str, offset: usize, span: &std::ops::Range<usize>) -> SyntaxError {
+    let lines = Lines::new(text);
+    let line = &text[lines.range(offset)];
+    if is_header(line) {
+        let name = header_name(line);
+        let first = first_line(text, |other| is_header(other) && header_name(other) == name).filter(|first| *first < lines.place(offset).0);
+        let told = first.map(|first| format!(" (first on line {first})")).unwrap_or_default();
+        let message = format!("[{}] stands twice{told}; give the second one another name, or join the two", clip(name));
+        return SyntaxError { offset, key: clip(name), message };
+    }
+    let key = text.get(span.clone()).unwrap_or_default().trim();
+    let before = &text[..lines.range(offset).start];
+    let header = before.lines().rev().find(|other| is_header(other)).map(header_name).unwrap_or_default();
+    let path = if header.is_empty() { clip(key) } else { format!("{}.{}", clip(header), clip(key)) };
+    let message = format!("{path}: the key stands twice in this table; remove one of the two");
+    SyntaxError { offset, key: path, message }
+}
+
+fn first_line(text: &str, wanted: impl Fn(&str) -> bool) -> Option<usize> {
+    text.lines().position(wanted).map(|index| index + 1)
+}
+
+fn malformed(text: &str, offset: usize, why: &str) -> SyntaxError {
+    let line = &text[Lines::new(text).range(offset)];
+    let hint = line.split_once('=').and_then(|(key, value)| unquoted(key.trim(), value.trim()));
+    let message = hint.unwrap_or_else(|| format!("this is not valid TOML: {why}"));
+    SyntaxError { offset, key: String::new(), message }
+}
+
+/// The likely slip `frequency = 13 Hz`.
+fn unquoted(key: &str, value: &str) -> Option<String> {
+    let value = value.split('#').next().unwrap_or_default().trim();
+    let (_, unit) = Decimal::split(value)?;
+    let begins_a_unit = unit.trim_start().starts_with(|c: char| c.is_alphabetic() || c == '\u{b0}');
+    begins_a_unit.then(|| format!("{}: a quantity stands in quotes: \"{}\"", clip(key), clip(value)))
+}

@@ -1,0 +1,112 @@
+//! What is known of each kind of quantity: its name, its units, its dimension.
+
+use super::dimension::Dimension;
+use super::quantity::Quantity;
+
+impl Quantity {
+    /// The kind in words, with its article: `"a length"`.
+    pub fn kind(self) -> &'static str {
+        match self {
+            Self::Length => "a length",
+            Self::Mass => "a mass",
+            Self::Time => "a time",
+            Self::Frequency => "a frequency",
+            Self::Force => "a force",
+            Self::Pressure => "a pressure",
+            Self::Density => "a density",
+            Self::ChargePerForce => "a piezoelectric charge coefficient",
+            Self::Capacitance => "a capacitance",
+            Self::Resistance => "a resistance",
+            Self::Stiffness => "a stiffness",
+            Self::ContactStiffness { .. } => "a contact stiffness",
+            Self::Damping => "a damping coefficient",
+            Self::InverseSpeed => "an inverse speed",
+            Self::Angle => "an angle",
+        }
+    }
+
+    /// Units that fit, the most usual first.
+    pub fn units(self) -> Vec<String> {
+        let units: &[&str] = match self {
+            Self::Length => &["mm", "um", "cm", "m"],
+            Self::Mass => &["kg", "g", "mg"],
+            Self::Time => &["s", "ms", "min", "h"],
+            Self::Frequency => &["Hz", "kHz", "1/min"],
+            Self::Force => &["N", "mN", "kN"],
+            Self::Pressure => &["GPa", "MPa", "Pa", "N/m^2"],
+            Self::Density => &["kg/m^3", "g/cm^3"],
+            Self::ChargePerForce => &["pC/N", "pm/V", "m/V"],
+            Self::Capacitance => &["nF", "pF", "uF", "F"],
+            Self::Resistance => &["ohm", "kohm", "Mohm"],
+            Self::Stiffness => &["N/m", "kN/m", "N/mm"],
+            Self::ContactStiffness { exponent } => return vec![per_metre(exponent), format!("k{}", per_metre(exponent))],
+            Self::Damping => &["N s/m", "kg/s"],
+            Self::InverseSpeed => &["s/m", "s/mm"],
+            Self::Angle => &["deg", "rad"],
+        };
+        units.iter().map(|unit| (*unit).to_owned()).collect()
+    }
+
+    /// The SI unit of the value.
+    pub fn si_unit(self) -> String {
+        match self {
+            Self::Length => "m".to_owned(),
+            Self::Mass => "kg".to_owned(),
+            Self::Pressure => "Pa".to_owned(),
+            Self::ChargePerForce => "m/V".to_owned(),
+            Self::Capacitance => "F".to_owned(),
+            Self::Angle => "rad".to_owned(),
+            other => other.units().swap_remove(0),
+        }
+    }
+
+    pub(super) fn due(self) -> String {
+        let units = self.units();
+        format!("{} is due, in {}", self.kind(), units.join(", "))
+    }
+
+    pub(super) fn dimension(self) -> Dimension {
+        let newton_per_metre = Dimension::new([1, 0, -2, 0, 0]);
+        Dimension::new(match self {
+            Self::Length => [0, 1, 0, 0, 0],
+            Self::Mass => [1, 0, 0, 0, 0],
+            Self::Time => [0, 0, 1, 0, 0],
+            Self::Frequency => [0, 0, -1, 0, 0],
+            Self::Force => [1, 1, -2, 0, 0],
+            Self::Pressure => [1, -1, -2, 0, 0],
+            Self::Density => [1, -3, 0, 0, 0],
+            Self::ChargePerForce => [-1, -1, 3, 1, 0],
+            Self::Capacitance => [-1, -2, 4, 2, 0],
+            Self::Resistance => [1, 2, -3, -2, 0],
+            Self::Stiffness => return newton_per_metre,
+            Self::ContactStiffness { exponent } => {
+                return newton_per_metre.times(Dimension::new([0, 1, 0, 0, 0]), 1.0 - exponent);
+            }
+            Self::Damping => [1, 0, -1, 0, 0],
+            Self::InverseSpeed => [0, -1, 1, 0, 0],
+            Self::Angle => [0, 0, 0, 0, 1],
+        })
+    }
+
+    /// Units for printing with their powers of ten against SI, ascending.
+    pub(super) fn scales(self) -> Vec<(String, i32)> {
+        let scales: &[(&str, i32)] = match self {
+            Self::Length => &[("nm", -9), ("um", -6), ("mm", -3), ("m", 0)],
+            Self::Mass => &[("mg", -6), ("g", -3), ("kg", 0)],
+            Self::Time => &[("us", -6), ("ms", -3), ("s", 0)],
+            Self::Frequency => &[("uHz", -6), ("mHz", -3), ("Hz", 0), ("kHz", 3), ("MHz", 6)],
+            Self::Force => &[("mN", -3), ("N", 0), ("kN", 3)],
+            Self::Pressure => &[("Pa", 0), ("kPa", 3), ("MPa", 6), ("GPa", 9)],
+            Self::ChargePerForce => &[("pC/N", -12), ("nC/N", -9)],
+            Self::Capacitance => &[("pF", -12), ("nF", -9), ("uF", -6), ("mF", -3), ("F", 0)],
+            Self::Resistance => &[("ohm", 0), ("kohm", 3), ("Mohm", 6), ("Gohm", 9)],
+            Self::Stiffness => &[("N/m", 0), ("kN/m", 3), ("MN/m", 6)],
+            other => return vec![(other.si_unit(), 0)],
+        };
+        scales.iter().map(|(unit, power)| ((*unit).to_owned(), *power)).collect()
+    }
+}
+
+fn per_metre(exponent: f64) -> String {
+    if exponent == 1.0 { "N/m".to_owned() } else { format!("N/m^{exponent}") }
+}

@@ -1,0 +1,249 @@
+//! The kinds of quantity that a spec knows, their reading and their printing.
+
+use super::decimal::Decimal;
+use super::error::QuantityError;
+use super::expression::{Refusal, Unit};
+use crate::spec::nearest::clip;
+
+/// No quantity needs more characters than this.
+const MAX_CHARS: usize = 200;
+
+/// A kind of quantity; its value is always in the SI unit named here.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Quantity {
+    /// m
+    Length,
+    /// kg
+    Mass,
+    /// s
+    Time,
+    /// Hz
+    Frequency,
+    /// N
+    Force,
+    /// Pa
+    Pressure,
+    /// kg/m^3
+    Density,
+    /// m/V, the same as C/N
+    ChargePerForce,
+    /// F
+    Capacitance,
+    /// ohm
+    Resistance,
+    /// N/m
+    Stiffness,
+    /// N/m^exponent
+    ContactStiffness {
+        /// dimensionless
+        exponent: f64,
+    },
+    /// N s/m
+    Damping,
+    /// s/m
+    InverseSpeed,
+    /// rad
+    Angle,
+}
+
+impl Quantity {
+    /// Reads `"NUMBER UNIT"` and returns the value in SI.
+    ///
+    /// # Errors
+    /// A text without number, without unit, with an unknown unit or with one of another kind.
+    ///
+    /// # Validation
+    /// `units::quantity::tests::values_are_the_nearest_floats`: bit for bit the literal wherever the factor is a power of ten.
+    ///
+    /// ```
+    /// use jounce::spec::Quantity;
+    /// assert_eq!(Quantity::Length.read("0.98 mm"), Ok(0.98e-3));
+    /// assert!(Quantity::Frequency.read("13 mm").is_err());
+    /// ```
+    pub fn read(self, text: &str) -> Result<f64, QuantityError> {
+        let (number, unit) = self.split(text)?;
+        let whole = unit.power_of_ten.floor();
+        let decimal = number.scaled(whole as i64);
+        let value = decimal * unit.up / unit.down * 10f64.powf(unit.power_of_ten - whole);
+        let lost = value == 0.0 && !number.is_zero();
+        if !value.is_finite() || lost {
+            return Err(QuantityError::NotRepresentable { text: clip(text), unit: self.si_unit() });
+        }
+        Ok(value)
+    }
+
+    /// A text as whole digits times a power of ten, where it is exactly that in SI.
+    pub(crate) fn exact(self, text: &str) -> Option<(i128, i64)> {
+        let (number, unit) = self.split(text).ok()?;
+        let decimal = unit.up == 1.0 && unit.down == 1.0 && unit.power_of_ten.fract() == 0.0;
+        if decimal { number.whole(unit.power_of_ten as i64) } else { None }
+    }
+
+    fn split(self, text: &str) -> Result<(Decimal<'_>, Unit), QuantityError> {
+        let (shown, due) = (clip(text), || self.due());
+        if text.chars().count() > MAX_CHARS {
+            return Err(QuantityError::Malformed { text: shown, why: format!("longer than {MAX_CHARS} characters"), due: due() });
+        }
+        let text = text.trim();
+        let Some((number, rest)) = Decimal::split(text) else {
+            return Err(QuantityError::NotANumber { text: shown, due: due() });
+        };
+        if rest.trim().is_empty() {
+            return Err(QuantityError::NoUnit { text: shown, due: due() });
+        }
+        if rest.starts_with(',') {
+            return Err(QuantityError::Malformed { text: shown, why: "decimals take a point, not a comma".to_owned(), due: due() });
+        }
+        let unit = Unit::parse(rest).map_err(|refusal| match refusal {
+            Refusal::Unknown(unit) => QuantityError::UnknownUnit { text: shown.clone(), unit, due: due() },
+            Refusal::Malformed(why) => QuantityError::Malformed { text: shown.clone(), why, due: due() },
+        })?;
+        if !unit.dimension.is(self.dimension()) {
+            return Err(QuantityError::WrongKind { text: shown, kind: unit.dimension.kind(), due: due() });
+        }
+        Ok((number, unit))
+    }
+
+    /// Prints a value in SI with the unit that keeps the number short; [`Quantity::read`] gives the same bits back.
+    ///
+    /// ```
+    /// use jounce::spec::Quantity;
+    /// assert_eq!(Quantity::Pressure.write(65e9), "65 GPa");
+    /// ```
+    pub fn write(self, value: f64) -> String {
+        let shortest = format!("{value:e}");
+        let (mantissa, exponent) = shortest.split_once('e').unwrap_or((&shortest, "0"));
+        let exponent = exponent.parse::<i32>().unwrap_or(0);
+        let scales = self.scales();
+        let fitting = scales.iter().rev().find(|(_, power)| *power <= exponent).or(scales.first());
+        let (unit, power) = match fitting {
+            Some(scale) if value != 0.0 && value.is_finite() => scale.clone(),
+            _ => (self.si_unit(), 0),
+        };
+        format!("{} {unit}", shifted(mantissa, exponent - power))
+    }
+}
+
+/// A mantissa `d.ddd` with its decimal point moved right by `exponent` places; far shifts keep an exponent.
+fn shifted(mantissa: &str, exponent: i32) -> String {
+    if exponent == 0 || !mantissa.contains(|c: char| c.is_ascii_digit()) {
+        return mantissa.to_owned();
+    }
+    if !(-3..=9).contains(&exponent) {
+        return format!("{mantissa}e{exponent}");
+    }
+    let (sign, unsigned) = mantissa.strip_prefix('-').map_or(("", mantissa), |rest| ("-", rest));
+    let digits = unsigned.replace('.', "");
+    let point = 1 + exponent;
+    if point <= 0 {
+        return format!("{sign}0.{}{digits}", "0".repeat(point.unsigned_abs() as usize));
+    }
+    let point = point.unsigned_abs() as usize;
+    if digits.len() <= point {
+        return format!("{sign}{digits}{}", "0".repeat(point - digits.len()));
+    }
+    format!("{sign}{}.{}", &digits[..point], &digits[point..])
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_the_nearest_floats() {
+        let contact = Quantity::ContactStiffness { exponent: 1.5 };
+        for (quantity, text, value) in [
+            (Quantity::Length, "0.98 mm", 0.98e-3),
+            (Quantity::Length, "315 mm", 0.315),
+            (Quantity::Length, "85 \u{b5}m", 85e-6),
+            (Quantity::Pressure, "30.336 GPa", 30.336e9),
+            (Quantity::Pressure, "65 kN/mm^2", 65e9),
+            (Quantity::Density, "5440 kg/m^3", 5440.0),
+            (Quantity::Density, "2.75 g/cm\u{b3}", 2750.0),
+            (Quantity::ChargePerForce, "-170 pC/N", -170e-12),
+            (Quantity::ChargePerForce, "-170 pm/V", -170e-12),
+            (Quantity::Capacitance, "177 nF", 177e-9),
+            (Quantity::Resistance, "1 Mohm", 1e6),
+            (Quantity::Resistance, "1 k\u{3a9}", 1e3),
+            (Quantity::Resistance, "0.1 \u{2126}", 0.1),
+            (Quantity::Stiffness, "2 kN/mm", 2e6),
+            (Quantity::Damping, "10 N s/m", 10.0),
+            (Quantity::Damping, "10 N*s/m", 10.0),
+            (Quantity::Damping, "10 N\u{b7}s\u{b7}m\u{207b}\u{b9}", 10.0),
+            (contact, "1000 N/m^1.5", 1000.0),
+            (contact, "1000 N/m^(3/2)", 1000.0),
+            (contact, "1 kN m^-1.5", 1000.0),
+            (Quantity::Frequency, "13Hz", 13.0),
+            (Quantity::Frequency, "600 1/min", 10.0),
+            (Quantity::Frequency, "4 /s", 4.0),
+            (Quantity::Time, "20 min", 1200.0),
+            (Quantity::Angle, "180 deg", std::f64::consts::PI),
+            (Quantity::Mass, "12 g", 0.012),
+            (Quantity::InverseSpeed, "0.3 s/m", 0.3),
+        ] {
+            assert_eq!(quantity.read(text).unwrap().to_bits(), f64::to_bits(value), "{text}");
+        }
+        // 10^4.5 is no power of ten with a whole exponent: one rounding more.
+        let value = contact.read("1 N/mm^1.5").unwrap();
+        assert!((value / 31_622.776_601_683_793 - 1.0).abs() < 4e-16, "{value}");
+    }
+
+    #[test]
+    fn wrong_texts_are_refused_with_the_units_that_fit() {
+        for (quantity, text, message) in [
+            (Quantity::Frequency, "13 mm", "\"13 mm\" is a length; a frequency is due, in Hz, kHz, 1/min"),
+            (Quantity::Frequency, "13 rad/s", "\"13 rad/s\" is an angular frequency; a frequency is due, in Hz, kHz, 1/min"),
+            (Quantity::Frequency, "13", "13 has no unit; a frequency is due, in Hz, kHz, 1/min"),
+            (Quantity::Force, "fifty N", "\"fifty N\" does not start with a number; a force is due, in N, mN, kN"),
+            (Quantity::Force, "nan N", "\"nan N\" does not start with a number; a force is due, in N, mN, kN"),
+            (Quantity::Force, "5 newtons", "\"5 newtons\": \"newtons\" is no known unit; a force is due, in N, mN, kN"),
+            (Quantity::Damping, "5 N/m s", "a product after a quotient reads both ways; use parentheses, as in N/(m s)"),
+            (Quantity::Length, "1,5 mm", "decimals take a point, not a comma"),
+            (Quantity::Length, "1e400 mm", "\"1e400 mm\" is too large or too small for a number in m"),
+            (Quantity::Length, "1e-400 mm", "\"1e-400 mm\" is too large or too small for a number in m"),
+            (Quantity::Pressure, "1 N/m2", "a power is written with ^, as in m^2"),
+            (Quantity::Pressure, "1 N/m^99", "powers go from -12 to 12"),
+            (Quantity::Pressure, "1 N/(m^2", "a parenthesis is not closed"),
+            (Quantity::Pressure, "1 N//m^2", "`/` is not expected there"),
+            (Quantity::Pressure, "1 N/", "the unit stops too early"),
+            (
+                Quantity::ContactStiffness { exponent: 2.0 },
+                "1 N/m^1.5",
+                "is a contact stiffness in N/m^1.5; a contact stiffness is due, in N/m^2, kN/m^2",
+            ),
+        ] {
+            let refusal = quantity.read(text).unwrap_err().to_string();
+            assert!(refusal.contains(message), "{text}: {refusal}");
+        }
+    }
+
+    #[test]
+    fn printed_values_are_short() {
+        for (quantity, value, text) in [
+            (Quantity::Length, 0.98e-3, "980 um"),
+            (Quantity::Length, 0.315, "315 mm"),
+            (Quantity::Length, 1.5, "1.5 m"),
+            (Quantity::Length, -1e-3, "-1 mm"),
+            (Quantity::Length, 0.0, "0 m"),
+            (Quantity::Resistance, 1e6, "1 Mohm"),
+            (Quantity::ChargePerForce, -170e-12, "-170 pC/N"),
+            (Quantity::Density, 5440.0, "5440 kg/m^3"),
+            (Quantity::ContactStiffness { exponent: 1.5 }, 1e10, "1e10 N/m^1.5"),
+            (Quantity::Force, 1e-30, "1e-27 mN"),
+        ] {
+            assert_eq!(quantity.write(value), text);
+        }
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn printing_and_reading_gives_the_same_bits(value in proptest::num::f64::NORMAL | proptest::num::f64::ZERO) {
+            let contact = Quantity::ContactStiffness { exponent: 1.37 };
+            for quantity in [Quantity::Length, Quantity::Pressure, Quantity::ChargePerForce, Quantity::Frequency, Quantity::Angle, contact] {
+                let text = quantity.write(value);
+                proptest::prop_assert_eq!(quantity.read(&text).unwrap().to_bits(), value.to_bits(), "{}", text);
+            }
+        }
+    }
+}

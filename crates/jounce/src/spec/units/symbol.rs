@@ -1,0 +1,109 @@
+//! Unit symbols and SI prefixes.
+
+use super::dimension::Dimension;
+
+/// A symbol in SI: `10^power_of_ten * up / down` of its dimension.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Symbol {
+    pub(super) power_of_ten: i32,
+    pub(super) up: f64,
+    pub(super) down: f64,
+    pub(super) dimension: Dimension,
+}
+
+/// Names, exponents of kg, m, s, A, rad, and the power of ten against SI; all take prefixes.
+const PREFIXED: &[(&[&str], [i8; 5], i32)] = &[
+    (&["m"], [0, 1, 0, 0, 0], 0),
+    (&["g"], [1, 0, 0, 0, 0], -3),
+    (&["s"], [0, 0, 1, 0, 0], 0),
+    (&["A"], [0, 0, 0, 1, 0], 0),
+    (&["rad"], [0, 0, 0, 0, 1], 0),
+    (&["N"], [1, 1, -2, 0, 0], 0),
+    (&["Pa"], [1, -1, -2, 0, 0], 0),
+    (&["Hz"], [0, 0, -1, 0, 0], 0),
+    (&["V"], [1, 2, -3, -1, 0], 0),
+    (&["W"], [1, 2, -3, 0, 0], 0),
+    (&["J"], [1, 2, -2, 0, 0], 0),
+    (&["C"], [0, 0, 1, 1, 0], 0),
+    (&["F"], [-1, -2, 4, 2, 0], 0),
+    (&["ohm", "Ohm", "\u{3a9}", "\u{2126}"], [1, 2, -3, -2, 0], 0),
+    (&["S"], [-1, -2, 3, 2, 0], 0),
+    (&["H"], [1, 2, -2, -2, 0], 0),
+];
+
+/// Symbols that take no prefix: names, exponents, `up / down`.
+const PLAIN: &[(&[&str], [i8; 5], f64, f64)] = &[
+    (&["min"], [0, 0, 1, 0, 0], 60.0, 1.0),
+    (&["h"], [0, 0, 1, 0, 0], 3600.0, 1.0),
+    (&["deg", "\u{b0}"], [0, 0, 0, 0, 1], std::f64::consts::PI, 180.0),
+];
+
+/// SI prefixes; micro is `u`, the micro sign or the Greek letter.
+const PREFIXES: &[(&str, i32)] = &[
+    ("da", 1),
+    ("y", -24),
+    ("z", -21),
+    ("a", -18),
+    ("f", -15),
+    ("p", -12),
+    ("n", -9),
+    ("u", -6),
+    ("\u{b5}", -6),
+    ("\u{3bc}", -6),
+    ("m", -3),
+    ("c", -2),
+    ("d", -1),
+    ("h", 2),
+    ("k", 3),
+    ("M", 6),
+    ("G", 9),
+    ("T", 12),
+    ("P", 15),
+    ("E", 18),
+    ("Z", 21),
+    ("Y", 24),
+];
+
+impl Symbol {
+    /// Looks a symbol up: as it stands first, then as prefix and symbol.
+    pub(super) fn find(name: &str) -> Option<Self> {
+        Self::bare(name).or_else(|| {
+            PREFIXES.iter().find_map(|(prefix, power)| {
+                let symbol = Self::prefixable(name.strip_prefix(prefix)?)?;
+                Some(Self { power_of_ten: symbol.power_of_ten + power, ..symbol })
+            })
+        })
+    }
+
+    fn bare(name: &str) -> Option<Self> {
+        let plain = PLAIN.iter().find(|(names, ..)| names.contains(&name));
+        plain
+            .map(|&(_, exponents, up, down)| Self { power_of_ten: 0, up, down, dimension: Dimension::new(exponents) })
+            .or_else(|| Self::prefixable(name))
+    }
+
+    fn prefixable(name: &str) -> Option<Self> {
+        let (_, exponents, power_of_ten) = PREFIXED.iter().find(|(names, ..)| names.contains(&name))?;
+        Some(Self { power_of_ten: *power_of_ten, up: 1.0, down: 1.0, dimension: Dimension::new(*exponents) })
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_symbol_wins_over_prefix_and_symbol() {
+        assert_eq!(Symbol::find("min").unwrap().up, 60.0);
+        assert_eq!(Symbol::find("Pa").unwrap().power_of_ten, 0);
+        assert_eq!(Symbol::find("h").unwrap().up, 3600.0);
+        assert_eq!(Symbol::find("hPa").unwrap().power_of_ten, 2);
+        assert_eq!(Symbol::find("kg").unwrap().power_of_ten, 0);
+        assert_eq!(Symbol::find("dam").unwrap().power_of_ten, 1);
+        assert_eq!(Symbol::find("\u{b5}\u{3a9}").unwrap().power_of_ten, -6);
+        assert!(Symbol::find("kmin").is_none());
+        assert!(Symbol::find("").is_none());
+        assert!(Symbol::find("k").is_none());
+    }
+}

@@ -1,0 +1,164 @@
+//! Random specs without faults.
+
+use std::collections::BTreeMap;
+
+use jounce::spec::*;
+use proptest::prelude::*;
+
+fn positive() -> impl Strategy<Value = f64> {
+    (-9.0..9.0f64).prop_map(|exponent| 10f64.powf(exponent))
+}
+
+fn any_number() -> impl Strategy<Value = f64> {
+    prop_oneof![positive(), positive().prop_map(|x| -x), Just(0.0)]
+}
+
+fn name() -> impl Strategy<Value = String> {
+    "[A-Za-z0-9_-]{1,8}".prop_filter("taken", |name| !["ground", "root", "end"].contains(&name.as_str()))
+}
+
+fn law() -> impl Strategy<Value = StopLaw> {
+    let exponent = prop_oneof![Just(1.0), Just(1.5), 1.0..10.0f64];
+    prop_oneof![
+        (positive(), exponent.clone()).prop_map(|(stiffness, exponent)| StopLaw::Hertz { stiffness, exponent }),
+        positive().prop_map(|stiffness_n_m| StopLaw::Spring { stiffness_n_m }),
+        (positive(), positive()).prop_map(|(stiffness_n_m, damping_n_s_m)| StopLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m }),
+        (positive(), exponent, positive()).prop_map(|(stiffness, exponent, damping_s_m)| StopLaw::HuntCrossley {
+            stiffness,
+            exponent,
+            damping_s_m
+        }),
+        (0.0..=1.0f64).prop_map(|restitution| StopLaw::Rigid { restitution }),
+    ]
+}
+
+fn mass() -> impl Strategy<Value = Mass> {
+    (positive(), positive(), 0.0..1.0f64).prop_map(|(mass_kg, stiffness_n_m, damping_ratio)| Mass { mass_kg, stiffness_n_m, damping_ratio })
+}
+
+fn beam() -> impl Strategy<Value = Beam> {
+    let points = prop::collection::btree_map(name(), 0.0..1.0f64, 0..4);
+    ((positive(), positive(), positive()), (positive(), positive()), points).prop_map(
+        |((length_m, width_m, thickness_m), (e, density), parts)| Beam {
+            length_m,
+            width_m,
+            thickness_m,
+            youngs_modulus_pa: e,
+            density_kg_m3: density,
+            root: "ground".to_owned(),
+            point: parts.into_iter().map(|(name, part)| (name, part * length_m)).collect(),
+        },
+    )
+}
+
+fn modal() -> impl Strategy<Value = Modal> {
+    (1..6usize).prop_flat_map(|modes| {
+        let list = || prop::collection::vec(any_number(), modes);
+        let patch = (list(), positive()).prop_map(|(coupling_n_per_v, capacitance_f)| ModalPatch { coupling_n_per_v, capacitance_f });
+        let frequencies = prop::collection::vec(0.0..1e5f64, modes).prop_map(|mut list| {
+            list.sort_by(f64::total_cmp);
+            list
+        });
+        let ratios = prop::collection::vec(0.0..1.0f64, modes);
+        let maps = (prop::collection::btree_map(name(), list(), 1..4), prop::collection::btree_map(name(), patch, 0..3));
+        (frequencies, ratios, maps).prop_map(|(frequency_hz, damping_ratio, (point, patch))| Modal {
+            frequency_hz,
+            damping_ratio,
+            point,
+            patch,
+        })
+    })
+}
+
+fn patch(beam: (String, Beam)) -> impl Strategy<Value = Patch> {
+    let section = prop_oneof![Just(Section::ThinSkin), Just(Section::Laminate)];
+    let place = (0.0..0.5f64, 0.01..0.49f64);
+    (place, positive(), positive(), (positive(), positive(), any_number(), positive()), section).prop_map(
+        move |((start, length), width_m, thickness_m, (e, density, d31, capacitance_f), section)| Patch {
+            on: beam.0.clone(),
+            start_m: start * beam.1.length_m,
+            length_m: length * beam.1.length_m,
+            width_m,
+            thickness_m,
+            youngs_modulus_pa: e,
+            density_kg_m3: density,
+            d31_m_per_v: d31,
+            capacitance_f,
+            section,
+        },
+    )
+}
+
+fn structure() -> impl Strategy<Value = Spec> {
+    let beams = prop::collection::btree_map(name(), beam(), 0..3);
+    let masses = prop::collection::btree_map(name(), mass(), 1..3);
+    let modals = prop::collection::btree_map(name(), modal(), 0..3);
+    (beams, masses, modals, any::<bool>()).prop_map(|(mut beam, mass, mut modal, carried)| {
+        modal.retain(|name, _| !beam.contains_key(name));
+        if carried {
+            beam.values_mut().for_each(|beam| beam.root = mass.keys().next().unwrap().clone());
+        }
+        Spec { beam, mass, modal, ..Spec::default() }
+    })
+}
+
+fn points(spec: &Spec) -> Vec<String> {
+    let ends = spec.beam.keys().map(|name| format!("{name}.end"));
+    let named = spec.beam.iter().flat_map(|(body, beam)| beam.point.keys().map(move |point| format!("{body}.{point}")));
+    let modal = spec.modal.iter().flat_map(|(body, modal)| modal.point.keys().map(move |point| format!("{body}.{point}")));
+    spec.mass.keys().cloned().chain(ends).chain(named).chain(modal).collect()
+}
+
+fn stop(points: Vec<String>) -> impl Strategy<Value = Stop> {
+    let side = prop_oneof![Just(Side::Positive), Just(Side::Negative)];
+    let frames: Vec<String> = points.iter().cloned().chain(["ground".to_owned()]).collect();
+    (prop::sample::select(points), prop::sample::select(frames), side, any_number(), law()).prop_map(|(at, frame, side, gap_m, law)| {
+        let frame = if frame == at { "ground".to_owned() } else { frame };
+        Stop { at, frame, side, gap_m, law }
+    })
+}
+
+fn drive(points: Vec<String>) -> impl Strategy<Value = Drive> {
+    (prop::sample::select(points), positive(), 1e-6..1e6f64, any_number()).prop_map(|(at, amplitude_n, frequency_hz, phase_rad)| Drive {
+        at,
+        kind: DriveKind::Force,
+        amplitude_n,
+        frequency_hz,
+        phase_rad,
+    })
+}
+
+fn run() -> impl Strategy<Value = Run> {
+    let start = prop_oneof![Just(Start::Rest), Just(Start::Linear), "[a-z \"\\\\\u{e9}]{0,8}[a-z]\\.json".prop_map(Start::State)];
+    (start, positive(), 0.001..=1.0f64, -12.0..-1.0f64).prop_map(|(start, duration_s, part, digits)| Run {
+        start,
+        duration_s,
+        average_over_s: part * duration_s,
+        tolerance: 10f64.powf(digits),
+    })
+}
+
+/// A spec of any structure, with any laws, circuits and drives, and no fault.
+pub fn spec() -> impl Strategy<Value = Spec> {
+    structure().prop_flat_map(|spec| {
+        let patches: Vec<_> = spec.beam.clone().into_iter().map(patch).collect();
+        let stops = prop::collection::btree_map(name(), stop(points(&spec)), 0..4);
+        let drives = prop::collection::btree_map(name(), drive(points(&spec)), 0..3);
+        let ratios = prop::collection::vec(0.0..1.0f64, 0..5);
+        let reduction = (-12.0..-1.0f64).prop_map(|digits| Reduction { modes: 8, mesh_tolerance: 10f64.powf(digits) });
+        let circuit = prop::collection::vec((name(), positive()), 8);
+        ((Just(spec), patches, stops, drives), (run(), ratios, reduction, 0.0..1.0f64, circuit)).prop_map(assemble)
+    })
+}
+
+type Things = (Spec, Vec<Patch>, BTreeMap<String, Stop>, BTreeMap<String, Drive>);
+type Settings = (Run, Vec<f64>, Reduction, f64, Vec<(String, f64)>);
+
+fn assemble(((mut spec, patches, stop, drive), (run, ratios, reduction, beyond, loads)): (Things, Settings)) -> Spec {
+    spec.patch = patches.into_iter().enumerate().map(|(index, patch)| (format!("p{index}"), patch)).collect();
+    let modal = spec.modal.iter().flat_map(|(body, modal)| modal.patch.keys().map(move |patch| format!("{body}.{patch}")));
+    let names: Vec<String> = spec.patch.keys().cloned().chain(modal).collect();
+    spec.circuit = names.into_iter().zip(loads).map(|(patch, (name, resistance_ohm))| (name, Circuit { patch, resistance_ohm })).collect();
+    // A thin skin without mass prints and reads its unused density like any other.
+    Spec { stop, drive, run, reduction, damping: Damping { ratios, beyond: Some(beyond) }, ..spec }
+}
