@@ -1,0 +1,36 @@
+//! A structure given by its modes: `[modal.NAME]` to [`Modes`], every name with `NAME.` before it.
+
+use super::error::StructureError;
+use super::modes::{Modes, PatchModes};
+use crate::spec::Modal;
+use std::f64::consts::TAU;
+
+/// The modes of `[modal.NAME]`, all of them.
+///
+/// # Errors
+/// `WrongLength`; `OutOfRange` for a frequency or a damping ratio that is negative or not finite.
+pub(super) fn given_modes(name: &str, modal: &Modal) -> Result<Modes, StructureError> {
+    let count = modal.frequency_hz.len();
+    let full = |place: String, values: &Vec<f64>| match values.len() {
+        found if found == count => Ok(values.clone()),
+        found => Err(StructureError::WrongLength { place, found, expected: count }),
+    };
+    for frequency_hz in &modal.frequency_hz {
+        StructureError::not_negative(format!("modal.{name}.frequency_hz"), *frequency_hz)?;
+    }
+    let mut modes = Modes {
+        frequency_rad_s: modal.frequency_hz.iter().map(|frequency_hz| TAU * frequency_hz).collect(),
+        damping_ratio: full(format!("modal.{name}.damping_ratio"), &modal.damping_ratio)?,
+        discretisation_error: vec![0.0; count],
+        ..Modes::default()
+    };
+    for (point, values) in &modal.point {
+        modes.shape.insert(format!("{name}.{point}"), full(format!("modal.{name}.point.{point}"), values)?);
+    }
+    for (patch, modal_patch) in &modal.patch {
+        let place = format!("modal.{name}.patch.{patch}.coupling_n_per_v");
+        let coupling_n_per_v = full(place, &modal_patch.coupling_n_per_v)?;
+        modes.patch.insert(format!("{name}.{patch}"), PatchModes { coupling_n_per_v, capacitance_f: modal_patch.capacitance_f });
+    }
+    Ok(modes)
+}

@@ -1,0 +1,104 @@
+//! The eigenproblem, solved as the inverse problem in factored form.
+//!
+//! With `K = I` and `M = G^T G` in coordinates of strain, `K s = w^2 M s` is the singular value problem of `G`:
+//!
+//! ```text
+//! G = U diag(1/w) V^T,      mass-normalised mode k:  s_k = w_k v_k,      x(point) of mode k = row(point) . s_k
+//! ```
+//!
+//! Low modes are the greatest singular values, so roundoff is about 1e-16 `w_k / w_1` relative, whatever the mesh. A plain solve with
+//! `K` and `M` loses them: its roundoff is 1e-16 times the square of the highest frequency of the mesh over the wanted one.
+//! With a rigid-body coordinate (column `g` of `G`, no strain energy) the others are first made orthogonal to it in mass.
+
+use super::assembly::{Assembly, Row};
+use super::error::StructureError;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::svd::{ComputeSvdVectors, svd, svd_scratch};
+use faer::{Diag, Mat, MatRef, Par};
+
+/// The modes of one assembly, all of them, in ascending frequency.
+#[derive(Debug, Clone)]
+pub(super) struct Reduced {
+    pub frequency_rad_s: Vec<f64>,
+    /// Strain coordinates of the mass-normalised modes, one column per mode.
+    coordinates: Mat<f64>,
+}
+
+impl Reduced {
+    /// Solves the eigenproblem of an assembly.
+    ///
+    /// # Errors
+    /// `NotRepresentable` where the numbers leave the range of double precision.
+    pub fn new(assembly: &Assembly) -> Result<Self, StructureError> {
+        let factor = assembly.mass_factor()?;
+        let reduced = if assembly.rigid { Self::free(factor) } else { Self::held(factor.as_ref()) };
+        reduced.ok_or_else(|| StructureError::NotRepresentable { body: assembly.body.name().into() })
+    }
+
+    /// `row . s_k` for the first `modes` modes.
+    pub fn modal(&self, row: &Row, modes: usize) -> Vec<f64> {
+        let dot = |mode| self.coordinates.col(mode).iter().zip(row).map(|(s, value)| s * value).sum();
+        (0..modes).map(dot).collect()
+    }
+
+    /// Gives each mode its sign: the first free end (beams in the order of their names) that moves at least half as far as the
+    /// furthest moves in the positive direction. For a single beam: its free end is positive in every mode.
+    pub fn orient(&mut self, free_ends: &[Row]) {
+        let count = self.frequency_rad_s.len();
+        let ends: Vec<Vec<f64>> = free_ends.iter().map(|row| self.modal(row, count)).collect();
+        for mode in 0..count {
+            let furthest = ends.iter().map(|end| end[mode].abs()).fold(0.0, f64::max);
+            let leading = ends.iter().map(|end| end[mode]).find(|end| end.abs() >= furthest / 2.0);
+            if leading.is_some_and(|end| end < 0.0) {
+                self.coordinates.col_mut(mode).iter_mut().for_each(|s| *s = -*s);
+            }
+        }
+    }
+
+    fn held(factor: MatRef<f64>) -> Option<Self> {
+        let (singular, mut coordinates) = right_singular(factor)?;
+        let frequency_rad_s: Vec<f64> = singular.iter().map(|value| 1.0 / value).collect();
+        for (mode, frequency) in frequency_rad_s.iter().enumerate() {
+            coordinates.col_mut(mode).iter_mut().for_each(|s| *s *= frequency);
+        }
+        frequency_rad_s.iter().all(|frequency| !frequency.is_nan()).then_some(Self { frequency_rad_s, coordinates })
+    }
+
+    fn free(mut factor: Mat<f64>) -> Option<Self> {
+        let (rows, columns) = factor.shape();
+        let root_mass = factor.col(0).norm_l2();
+        let rigid: Vec<f64> = factor.col(0).iter().map(|entry| entry / root_mass).collect();
+        let mut carried = vec![0.0; columns];
+        for (column, carried) in carried.iter_mut().enumerate().skip(1) {
+            let share: f64 = factor.col(column).iter().zip(&rigid).map(|(entry, unit)| entry * unit).sum();
+            factor.col_mut(column).iter_mut().zip(&rigid).for_each(|(entry, unit)| *entry -= share * unit);
+            *carried = share / root_mass;
+        }
+        let flexible = if columns > 1 { Self::held(factor.get(0..rows, 1..columns))? } else { Self::none() };
+        let mut coordinates = Mat::zeros(columns, columns);
+        coordinates[(0, 0)] = 1.0 / root_mass;
+        for mode in 1..columns {
+            for column in 1..columns {
+                coordinates[(column, mode)] = flexible.coordinates[(column - 1, mode - 1)];
+                coordinates[(0, mode)] -= carried[column] * coordinates[(column, mode)];
+            }
+        }
+        let frequency_rad_s = std::iter::once(0.0).chain(flexible.frequency_rad_s).collect();
+        Some(Self { frequency_rad_s, coordinates })
+    }
+
+    fn none() -> Self {
+        Self { frequency_rad_s: Vec::new(), coordinates: Mat::new() }
+    }
+}
+
+/// Singular values, descending, and right singular vectors; on one thread, so that the bits are the same everywhere.
+fn right_singular(factor: MatRef<f64>) -> Option<(Vec<f64>, Mat<f64>)> {
+    let (rows, columns) = factor.shape();
+    let (mut values, mut vectors) = (Diag::zeros(columns), Mat::zeros(columns, columns));
+    let scratch = svd_scratch::<f64>(rows, columns, ComputeSvdVectors::No, ComputeSvdVectors::Thin, Par::Seq, Default::default());
+    let mut memory = MemBuffer::new(scratch);
+    let stack = MemStack::new(&mut memory);
+    svd(factor, values.as_mut(), None, Some(vectors.as_mut()), Par::Seq, stack, Default::default()).ok()?;
+    Some((values.column_vector().iter().copied().collect(), vectors))
+}

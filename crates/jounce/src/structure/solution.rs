@@ -1,0 +1,114 @@
+//! Every connected structure of a spec, divided by one mesh rule and solved.
+
+use super::assembly::Assembly;
+use super::body::{Body, bodies};
+use super::element::Element;
+use super::error::StructureError;
+use super::layout::{Segment, segments};
+use super::mesh::Mesh;
+use super::order::Order;
+use super::reduction::Reduced;
+use crate::spec::Spec;
+use std::collections::BTreeMap;
+
+/// Most modes kept: beyond them a mode is far outside the reach of beam theory, and the dense solve is slow.
+const MOST_MODES: usize = 400;
+/// Most unknowns of a mesh; a dense solve with 2000 takes some seconds.
+const MOST_UNKNOWNS: usize = 3000;
+
+/// The bodies of a spec, their beams cut into segments, and how many modes are kept.
+#[derive(Debug, Clone)]
+pub(super) struct Structures<'a> {
+    bodies: Vec<Body<'a>>,
+    segments: BTreeMap<&'a str, Vec<Segment>>,
+    /// Number of modes kept: `reduction.modes`, less one for each body held fixed.
+    pub modes: usize,
+}
+
+/// The modes of every body on one mesh.
+#[derive(Debug, Clone)]
+pub(super) struct Solution<'a> {
+    pub parts: Vec<(Assembly<'a>, Reduced)>,
+    /// The kept modes.
+    pub order: Order,
+}
+
+impl<'a> Structures<'a> {
+    /// Checks the spec and cuts its beams.
+    ///
+    /// # Errors
+    /// Every variant of [`StructureError`] that names a key of the spec, `CannotHold`, `CannotHoldGiven`, `NoModes`, `TooManyModes`.
+    pub fn new(spec: &'a Spec, held: &[String]) -> Result<Self, StructureError> {
+        let bodies = bodies(spec, held)?;
+        let cut = |(name, beam): (&'a String, _)| Ok((name.as_str(), segments(spec, name, beam)?));
+        let segments = spec.beam.iter().map(cut).collect::<Result<BTreeMap<_, _>, StructureError>>()?;
+        let modes = if bodies.is_empty() { 0 } else { spec.reduction.modes.saturating_sub(held.len()) };
+        let available = if segments.is_empty() { bodies.len() } else { MOST_MODES };
+        if !bodies.is_empty() && modes == 0 {
+            return Err(StructureError::NoModes { wanted: spec.reduction.modes, held: held.len() });
+        }
+        if modes > available {
+            return Err(StructureError::TooManyModes { wanted: modes, available });
+        }
+        StructureError::positive("reduction.mesh_tolerance".into(), spec.reduction.mesh_tolerance)?;
+        Ok(Self { bodies, segments, modes })
+    }
+
+    /// The mesh of refinement `level`, for mode shapes of relative error `tolerance`.
+    pub fn spectral_mesh(&self, tolerance: f64, level: usize) -> Mesh {
+        Mesh::spectral(self.modes, tolerance, level, self.segments.values().flatten())
+    }
+
+    /// Solves every body on a mesh.
+    ///
+    /// # Errors
+    /// `NotRepresentable`, `TooManyModes` where the mesh has fewer unknowns than modes are kept.
+    pub fn solve(&self, mesh: &Mesh) -> Result<Solution<'a>, StructureError> {
+        let parts = self.bodies.iter().map(|body| solved(self.assembled(body, mesh))).collect::<Result<Vec<_>, _>>()?;
+        let frequencies: Vec<&[f64]> = parts.iter().map(|(_, reduced)| reduced.frequency_rad_s.as_slice()).collect();
+        let order = Order::ascending(&frequencies).first(self.modes);
+        match order.len() {
+            available if available < self.modes => Err(StructureError::TooManyModes { wanted: self.modes, available }),
+            _ => Ok(Solution { parts, order }),
+        }
+    }
+
+    /// The rule of cubic elements of at most `longest_m`.
+    ///
+    /// # Errors
+    /// `OutOfRange`, `MeshTooFine`.
+    pub fn cubic_mesh(&self, longest_m: f64) -> Result<Mesh, StructureError> {
+        StructureError::positive("the longest element".into(), longest_m)?;
+        let elements: f64 = self.segments.values().flatten().map(|segment| (segment.length_m / longest_m).ceil()).sum();
+        let unknowns = (2.0 * elements) as usize + self.bodies.len();
+        if unknowns > MOST_UNKNOWNS {
+            return Err(StructureError::MeshTooFine { longest_m, unknowns, allowed: MOST_UNKNOWNS });
+        }
+        Ok(Mesh::Cubic { longest_m })
+    }
+
+    fn assembled(&self, body: &Body<'a>, mesh: &Mesh) -> Assembly<'a> {
+        let elements = |beam: &&str| self.segments[beam].iter().flat_map(|segment| mesh.elements(segment)).collect::<Vec<Element>>();
+        Assembly::new(body.clone(), body.beams.iter().map(elements).collect())
+    }
+}
+
+impl Solution<'_> {
+    /// Angular frequencies of the kept modes, rad/s.
+    pub fn frequency_rad_s(&self) -> Vec<f64> {
+        let lists: Vec<&[f64]> = self.parts.iter().map(|(_, reduced)| reduced.frequency_rad_s.as_slice()).collect();
+        self.order.gather(&lists)
+    }
+
+    /// Number of unknowns of all bodies.
+    pub fn unknowns(&self) -> usize {
+        self.parts.iter().map(|(assembly, _)| assembly.columns).sum()
+    }
+}
+
+/// Solves one body and gives every mode its sign.
+fn solved(assembly: Assembly) -> Result<(Assembly, Reduced), StructureError> {
+    let mut reduced = Reduced::new(&assembly)?;
+    reduced.orient(&assembly.free_ends());
+    Ok((assembly, reduced))
+}
