@@ -21,7 +21,9 @@ pub enum SignalError {
         value: f64,
     },
     /// An order line lies at zero, beyond the Nyquist frequency, or is asked for twice.
-    #[error("order {order} of {drive_hz} Hz cannot be fitted: every order must lie above 0 and below {nyquist_hz} Hz, and be asked for once")]
+    #[error(
+        "order {order} of {drive_hz} Hz cannot be fitted: every order must lie above 0 and below {nyquist_hz} Hz, and be asked for once"
+    )]
     Order {
         /// The order.
         order: f64,

@@ -60,8 +60,7 @@ mod tests {
             Column::new("note", "", "", vec!["a,b".to_owned(), String::new(), "say \"no\"".to_owned()]),
         ];
         let text = String::from_utf8(encode(&Table::new(columns).unwrap()).unwrap()).unwrap();
-        let expected =
-            "frequency_hz,settled,note\n4.0,true,\"a,b\"\n0.30000000000000004,false,\n1e-7,true,\"say \"\"no\"\"\"\n";
+        let expected = "frequency_hz,settled,note\n4.0,true,\"a,b\"\n0.30000000000000004,false,\n1e-7,true,\"say \"\"no\"\"\"\n";
         assert_eq!(text, expected);
         assert_eq!(sidecar_path(Path::new("out/sweep.csv")), Path::new("out/sweep.manifest.json"));
     }

@@ -14,9 +14,9 @@ mod csv;
 mod error;
 mod json;
 mod manifest;
+mod named_columns;
 mod notes;
 mod parquet;
-mod named_columns;
 
 pub use column::{Column, Values};
 pub use error::TableError;

@@ -158,7 +158,8 @@ mod tests {
     fn empty_tables_survive() {
         let folder = tempfile::tempdir().unwrap();
         let no_rows = Table::new(vec![Column::new("a", "m", "", Vec::<f64>::new())]).unwrap();
-        for (name, table) in [("a.csv", &no_rows), ("a.parquet", &no_rows), ("b.csv", &Table::default()), ("b.parquet", &Table::default())] {
+        for (name, table) in [("a.csv", &no_rows), ("a.parquet", &no_rows), ("b.csv", &Table::default()), ("b.parquet", &Table::default())]
+        {
             let path = folder.path().join(name);
             table.write(&path, &manifest()).unwrap();
             assert_eq!(&Table::read(&path).unwrap().0, table, "{name}");
