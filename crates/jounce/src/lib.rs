@@ -4,12 +4,18 @@
 //!
 //! `spec` (what the user says) -> `structure` (beams and masses to modes) -> `contact` (laws) -> `plant` (the coupled
 //! linear system in diagonal form, with its ports) -> `linear` (closed-form answers) -> `march` (time) -> `response` ->
-//! `signal` -> `measure` -> `study` (sweeps) -> `table` -> `picture` -> `report`; `reference` holds exact answers.
+//! `signal` -> `measure` -> `study` (sweeps) -> `table` -> `picture` -> `report`; `reference` holds exact answers. `store` writes
+//! files whole or not at all and stands before all that write any.
 
 pub mod contact;
 pub mod linear;
 pub mod march;
+pub mod picture;
 pub mod plant;
+pub mod report;
 pub mod run;
+pub mod signal;
 pub mod spec;
+pub mod store;
 pub mod structure;
+pub mod table;

@@ -1,0 +1,46 @@
+//! Colours that colour-blind readers tell apart.
+//!
+//! Source: M. Okabe, K. Ito, Color universal design (2008); its yellow is left out, it vanishes on white paper.
+
+/// A colour of a line, a marker or an area.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Colour {
+    /// The first colour of a series.
+    #[default]
+    Blue,
+    /// Red to most, told from green by all.
+    Vermilion,
+    /// Bluish green.
+    Green,
+    /// Reddish purple.
+    Purple,
+    /// Orange.
+    Orange,
+    /// Sky blue.
+    Sky,
+    /// Black on white paper, white on a dark page.
+    Ink,
+    /// For what serves as a comparison: the linear case, reference lines, shaded areas.
+    Grey,
+}
+
+impl Colour {
+    /// The colour of curve number `index`, from 0, in a picture of several; after six they start again.
+    pub fn nth(index: usize) -> Self {
+        [Self::Blue, Self::Vermilion, Self::Green, Self::Purple, Self::Orange, Self::Sky][index % 6]
+    }
+
+    /// As `#rrggbb`.
+    pub(super) fn hex(self) -> &'static str {
+        match self {
+            Self::Blue => "#0072b2",
+            Self::Vermilion => "#d55e00",
+            Self::Green => "#009e73",
+            Self::Purple => "#cc79a7",
+            Self::Orange => "#e69f00",
+            Self::Sky => "#56b4e9",
+            Self::Ink => "#1a1a1a",
+            Self::Grey => "#8a8a8a",
+        }
+    }
+}

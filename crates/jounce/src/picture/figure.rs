@@ -1,0 +1,110 @@
+//! A figure: panels under one title, to SVG, PNG or a file.
+
+use std::path::Path;
+
+use super::frame::{frame, grid};
+use super::layout::Layout;
+use super::legend::{self, Place};
+use super::marks::marks;
+use super::svg::{Anchor, Svg};
+use super::text::{LEADING, TITLE};
+use super::{Panel, PictureError, raster};
+use crate::store;
+
+/// A column of panels under one title. Panels over equal horizontal axes share one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// Title above the panels; may be empty.
+    pub title: String,
+    /// The panels from top to bottom.
+    pub panels: Vec<Panel>,
+    /// Width of the picture, pixels of 1/96 inch; the height follows from the panels.
+    pub width_px: f64,
+}
+
+impl Figure {
+    /// A figure without panels yet, 720 pixels wide.
+    pub fn new(title: &str) -> Self {
+        Self { title: title.to_owned(), panels: Vec::new(), width_px: 720.0 }
+    }
+
+    /// The same with one more panel below.
+    #[must_use]
+    pub fn with(mut self, panel: Panel) -> Self {
+        self.panels.push(panel);
+        self
+    }
+
+    /// The picture as an SVG document without ids, scripts or links, so that many fit inline in one page.
+    ///
+    /// # Errors
+    /// A range that makes no sense, a series of unequal lengths, a size that no picture can have.
+    pub fn to_svg(&self) -> Result<String, PictureError> {
+        self.check()?;
+        let layout = Layout::new(self, 0.0)?;
+        let places: Vec<_> = layout.plots.iter().map(legend::place).collect();
+        let beside =
+            |(plot, place): (&super::layout::Plot<'_>, &Place)| (*place == Place::Beside).then(|| legend::size(plot.panel)).flatten();
+        let aside = layout.plots.iter().zip(&places).filter_map(beside).map(|(width, _)| width).fold(0.0, f64::max);
+        if aside == 0.0 {
+            return Ok(self.draw(&layout, &places));
+        }
+        // A narrower frame: where there was room inside there may be none now, so those legends are placed again.
+        let layout = Layout::new(self, aside)?;
+        let again = |(plot, place): (_, &Place)| if *place == Place::Beside { Place::Beside } else { legend::place(plot) };
+        let places: Vec<_> = layout.plots.iter().zip(&places).map(again).collect();
+        Ok(self.draw(&layout, &places))
+    }
+
+    /// The picture as a PNG file of `scale` times the size in pixels (2 gives 192 dpi at the nominal size).
+    ///
+    /// # Errors
+    /// As for [`Figure::to_svg`], and a scale that gives no size a picture can have.
+    pub fn to_png(&self, scale: f64) -> Result<Vec<u8>, PictureError> {
+        raster::png(&self.to_svg()?, scale)
+    }
+
+    /// Writes the picture whole or not at all, in the format that the ending of `path` names: `.svg`, or `.png` at scale 2.
+    ///
+    /// # Errors
+    /// As for [`Figure::to_png`], another ending, a place that cannot be written.
+    pub fn write(&self, path: &Path) -> Result<(), PictureError> {
+        let content = match path.extension().and_then(|ending| ending.to_str()) {
+            Some("svg") => self.to_svg()?.into_bytes(),
+            Some("png") => self.to_png(2.0)?,
+            _ => return Err(PictureError::Format { path: path.to_owned() }),
+        };
+        Ok(store::write(path, &content)?)
+    }
+
+    fn check(&self) -> Result<(), PictureError> {
+        for series in self.panels.iter().flat_map(|panel| &panel.series).filter(|series| series.x.len() != series.y.len()) {
+            let (x, y) = (series.x.len(), series.y.len());
+            return Err(PictureError::Lengths { series: series.label.clone().unwrap_or_default(), x, y });
+        }
+        let possible = |length: f64| (1.0..=raster::LARGEST_SIDE).contains(&length);
+        match self.panels.iter().map(|panel| panel.height_px).find(|height| !possible(*height)) {
+            Some(height) => Err(PictureError::Size { width: self.width_px, height }),
+            None if !possible(self.width_px) => Err(PictureError::Size { width: self.width_px, height: 1.0 }),
+            None => Ok(()),
+        }
+    }
+
+    fn draw(&self, layout: &Layout<'_>, places: &[Place]) -> String {
+        let mut svg = Svg::new(self.width_px, layout.height, &self.title);
+        let left = layout.plots.first().map_or(12.0, |plot| plot.left);
+        let widest = layout.title.iter().map(|line| super::text::width(line, TITLE)).fold(0.0, f64::max);
+        // Flush with the frame where the title fits there, else from the edge of the picture.
+        let left = if left + widest <= self.width_px - 12.0 { left } else { 12.0 };
+        for (line, text) in layout.title.iter().enumerate() {
+            svg.text(left, 12.0 + TITLE + line as f64 * TITLE * LEADING, TITLE, Anchor::Start, text);
+        }
+        for (plot, place) in layout.plots.iter().zip(places) {
+            grid(&mut svg, plot);
+            marks(&mut svg, plot);
+            frame(&mut svg, plot);
+            legend::legend(&mut svg, plot, *place);
+        }
+        svg.finish()
+    }
+}

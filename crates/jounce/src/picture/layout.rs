@@ -1,0 +1,121 @@
+//! Where things go: the frames of the panels and the room around them for ticks, titles and names.
+
+use super::panel::Along;
+use super::span::Span;
+use super::text::{LABEL, LEADING, SMALL, TITLE, width, wrap};
+use super::ticks::Ticks;
+use super::{Figure, Panel, PictureError};
+
+/// Length of a tick and its distance to the label, pixels.
+pub(super) const TICK: f64 = 5.0;
+const GAP: f64 = 8.0;
+const BORDER: f64 = 12.0;
+
+/// A panel with its frame in pixels and its axes settled.
+pub(super) struct Plot<'a> {
+    pub panel: &'a Panel,
+    pub left: f64,
+    pub top: f64,
+    pub width: f64,
+    pub height: f64,
+    pub x: Span,
+    pub y: Span,
+    pub x_ticks: Ticks,
+    pub y_ticks: Ticks,
+    /// Whether the horizontal axis is labelled here; panels over a common axis leave that to the lowest.
+    pub labels_x: bool,
+    pub y_title: Vec<String>,
+}
+
+/// A figure laid out.
+pub(super) struct Layout<'a> {
+    pub height: f64,
+    pub title: Vec<String>,
+    pub plots: Vec<Plot<'a>>,
+}
+
+impl Plot<'_> {
+    /// A point in pixels from the upper left corner of the frame.
+    pub fn pixel(&self, x: f64, y: f64) -> Option<(f64, f64)> {
+        Some((self.x.place(x)? * self.width, (1.0 - self.y.place(y)?) * self.height))
+    }
+
+    /// Whether any series has a point inside the frame.
+    pub fn has_data(&self) -> bool {
+        let inside = |(x, y): (&f64, &f64)| self.x.holds(*x) && self.y.holds(*y);
+        self.panel.series.iter().any(|series| series.x.iter().zip(&series.y).any(inside))
+    }
+}
+
+impl<'a> Layout<'a> {
+    /// Lays a figure out, leaving `aside` pixels at the right for legends.
+    pub fn new(figure: &'a Figure, aside: f64) -> Result<Self, PictureError> {
+        let spans = spans(figure)?;
+        let mut plots: Vec<_> =
+            figure.panels.iter().zip(spans).enumerate().map(|(i, (panel, (x, y)))| start(figure, i, panel, x, y)).collect();
+        let left = plots.iter().map(left_room).fold(0.0, f64::max);
+        let right = plots.iter().map(right_room).fold(BORDER, f64::max) + aside;
+        let inner = (figure.width_px - left - right).max(40.0);
+        let title = wrap(&figure.title, TITLE, figure.width_px - 2.0 * BORDER);
+        let mut top = BORDER + title.len() as f64 * TITLE * LEADING + if title.is_empty() { 0.0 } else { GAP };
+        for plot in &mut plots {
+            (plot.left, plot.width) = (left, inner);
+            plot.x_ticks = Ticks::of(&plot.panel.x, &plot.x, inner / 80.0);
+            plot.top = top + room_above(plot);
+            top = plot.top + plot.height + room_below(plot);
+        }
+        Ok(Self { height: (top + BORDER - GAP).max(2.0 * BORDER), title, plots })
+    }
+}
+
+fn start<'a>(figure: &Figure, index: usize, panel: &'a Panel, x: Span, y: Span) -> Plot<'a> {
+    let y_ticks = Ticks::of(&panel.y, &y, panel.height_px / 40.0);
+    let y_title = wrap(&y_ticks.title, LABEL, panel.height_px.max(120.0));
+    let labels_x = index + 1 == figure.panels.len() || !shares_x(figure);
+    let x_ticks = Ticks::of(&panel.x, &x, figure.width_px / 100.0);
+    Plot { panel, left: 0.0, top: 0.0, width: 0.0, height: panel.height_px, x, y, x_ticks, y_ticks, labels_x, y_title }
+}
+
+/// Panels over equal horizontal axes share one.
+fn shares_x(figure: &Figure) -> bool {
+    figure.panels.windows(2).all(|pair| pair[0].x == pair[1].x)
+}
+
+fn spans(figure: &Figure) -> Result<Vec<(Span, Span)>, PictureError> {
+    let marked = figure.panels.iter().flat_map(|panel| &panel.series).any(|series| series.marker.is_some());
+    let x_margin = if marked { 0.015 } else { 0.0 };
+    let x_of = |panel: &Panel| panel.series.iter().flat_map(|series| series.x.clone()).collect::<Vec<_>>();
+    let all: Vec<f64> = figure.panels.iter().flat_map(x_of).collect();
+    let span = |panel: &Panel| {
+        let data = if shares_x(figure) { all.clone() } else { x_of(panel) };
+        let x = Span::settle(&panel.x, data.into_iter(), x_margin)?;
+        // The vertical axis spans what the horizontal one shows.
+        let shown = |(x_value, y_value): (&f64, &f64)| x.holds(*x_value).then_some(*y_value);
+        let values = panel.series.iter().flat_map(|series| series.x.iter().zip(&series.y).filter_map(shown));
+        Ok((x, Span::settle(&panel.y, values, 0.05)?))
+    };
+    figure.panels.iter().map(span).collect()
+}
+
+fn left_room(plot: &Plot<'_>) -> f64 {
+    let labels = plot.y_ticks.major.iter().map(|(_, label)| width(label, SMALL)).fold(0.0, f64::max);
+    BORDER + plot.y_title.len() as f64 * LABEL * LEADING + GAP / 2.0 + labels + TICK + 3.0
+}
+
+fn right_room(plot: &Plot<'_>) -> f64 {
+    let last = plot.x_ticks.major.last().map_or(0.0, |(_, label)| width(label, SMALL) / 2.0);
+    let names = names(plot, Along::Y).map(|name| width(name, SMALL) + 6.0).fold(0.0, f64::max);
+    BORDER + last.max(names)
+}
+
+fn room_above(plot: &Plot<'_>) -> f64 {
+    if names(plot, Along::X).next().is_some() { SMALL * LEADING + 2.0 } else { 0.0 }
+}
+
+fn room_below(plot: &Plot<'_>) -> f64 {
+    if plot.labels_x { TICK + 3.0 + SMALL * LEADING + LABEL * LEADING + 2.0 * GAP } else { 2.0 * GAP }
+}
+
+fn names<'a>(plot: &'a Plot<'_>, along: Along) -> impl Iterator<Item = &'a str> {
+    plot.panel.references.iter().filter(move |line| line.along == along).filter_map(|line| line.label.as_deref())
+}

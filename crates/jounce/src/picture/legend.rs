@@ -1,0 +1,118 @@
+//! The legend: in the corner where it covers no data, else beside the frame.
+
+use super::curve::along;
+use super::layout::Plot;
+use super::marks::{band_look, line_look, marker_look, marker_path, marker_places, pixel_runs};
+use super::panel::Along;
+use super::svg::{Anchor, Svg, number};
+use super::text::{SMALL, width};
+use super::{Panel, Series};
+
+const ROW: f64 = 18.0;
+const KEY: f64 = 28.0;
+const PADDING: f64 = 8.0;
+/// Free paper around a legend inside the frame, pixels.
+const CLEAR: f64 = 6.0;
+
+/// Where a legend stands, from the upper left corner of the frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Place {
+    /// Nothing to list.
+    None,
+    /// Inside the frame.
+    Inside(f64, f64),
+    /// At the right of the frame.
+    Beside,
+}
+
+/// Width and height of the legend of a panel; `None` where nothing has a name.
+pub(super) fn size(panel: &Panel) -> Option<(f64, f64)> {
+    let names = names(panel);
+    let widest = names.iter().map(|name| width(name, SMALL)).fold(0.0, f64::max);
+    (!names.is_empty()).then(|| (widest + KEY + 3.0 * PADDING, names.len() as f64 * ROW + PADDING))
+}
+
+fn names(panel: &Panel) -> Vec<&str> {
+    let series = panel.series.iter().filter_map(|series| series.label.as_deref());
+    series.chain(panel.bands.iter().filter_map(|band| band.label.as_deref())).collect()
+}
+
+/// The first place in the frame that covers no data; beside the frame where there is none.
+pub(super) fn place(plot: &Plot<'_>) -> Place {
+    let Some((w, h)) = size(plot.panel) else { return Place::None };
+    let covered = covered(plot);
+    let (left, centre, right) = (CLEAR, (plot.width - w) / 2.0, plot.width - w - CLEAR);
+    let (top, bottom) = (CLEAR, plot.height - h - CLEAR);
+    if right < left || bottom < top {
+        return Place::Beside;
+    }
+    let middle = (plot.height - h) / 2.0;
+    let candidates =
+        [(right, top), (left, top), (right, bottom), (left, bottom), (centre, top), (centre, bottom), (right, middle), (left, middle)];
+    let hits =
+        |(x, y): &(f64, f64), (px, py): &(f64, f64)| (x - CLEAR..x + w + CLEAR).contains(px) && (y - CLEAR..y + h + CLEAR).contains(py);
+    candidates.into_iter().find(|at| !covered.iter().any(|point| hits(at, point))).map_or(Place::Beside, |(x, y)| Place::Inside(x, y))
+}
+
+/// Points in the frame that data, notes and reference lines cover, close enough together that none slips through a legend.
+fn covered(plot: &Plot<'_>) -> Vec<(f64, f64)> {
+    let mut points = Vec::new();
+    for series in &plot.panel.series {
+        if series.line.is_some() {
+            points.extend(pixel_runs(plot, series).iter().flat_map(|run| along(run, ROW / 2.0)));
+        }
+        if series.marker.is_some() {
+            points.extend(marker_places(plot, series));
+        }
+    }
+    for line in &plot.panel.references {
+        let ends = match line.along {
+            Along::X => plot.x.place(line.value).map(|x| [(x * plot.width, 0.0), (x * plot.width, plot.height)]),
+            Along::Y => plot.y.place(line.value).map(|y| [(0.0, (1.0 - y) * plot.height), (plot.width, (1.0 - y) * plot.height)]),
+        };
+        points.extend(ends.into_iter().flat_map(|ends| along(&ends, ROW / 2.0)));
+    }
+    for note in &plot.panel.notes {
+        if let Some((x, y)) = plot.pixel(note.x, note.y) {
+            let half = width(&note.text, SMALL) / 2.0;
+            points.extend(along(&[(x - half, y - SMALL), (x + half, y - SMALL)], ROW / 2.0));
+        }
+    }
+    points
+}
+
+/// Draws the legend of a panel at its place.
+pub(super) fn legend(svg: &mut Svg, plot: &Plot<'_>, place: Place) {
+    let (x, y) = match place {
+        Place::None => return,
+        Place::Inside(x, y) => (plot.left + x, plot.top + y),
+        Place::Beside => (plot.left + plot.width + PADDING, plot.top),
+    };
+    if let (Place::Inside(..), Some((w, h))) = (place, size(plot.panel)) {
+        let look = "class=\"jounce-paper jounce-grid\" fill=\"#ffffff\" fill-opacity=\"0.9\" stroke=\"#cccccc\" stroke-width=\"0.8\"";
+        svg.rect(x, y, w, h, look);
+    }
+    let mut row = y + PADDING / 2.0 + ROW / 2.0;
+    for series in plot.panel.series.iter().filter(|series| series.label.is_some()) {
+        key(svg, series, x + PADDING, row);
+        entry(svg, series.label.as_deref(), x, &mut row);
+    }
+    for band in plot.panel.bands.iter().filter(|band| band.label.is_some()) {
+        svg.rect(x + PADDING, row - 5.0, KEY, 10.0, &band_look(band.colour));
+        entry(svg, band.label.as_deref(), x, &mut row);
+    }
+}
+
+fn entry(svg: &mut Svg, label: Option<&str>, x: f64, row: &mut f64) {
+    svg.text(x + 2.0 * PADDING + KEY, *row + 0.36 * SMALL, SMALL, Anchor::Start, label.unwrap_or_default());
+    *row += ROW;
+}
+
+fn key(svg: &mut Svg, series: &Series, x: f64, y: f64) {
+    if let Some(line) = series.line {
+        svg.path(&format!("M{} {}h{}", number(x), number(y), number(KEY)), &line_look(line, series.colour));
+    }
+    if let Some(marker) = series.marker {
+        svg.path(&marker_path(marker, x + KEY / 2.0, y, 1.0), &marker_look(marker, series.colour));
+    }
+}

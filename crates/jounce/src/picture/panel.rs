@@ -1,0 +1,110 @@
+//! One pair of axes and all that is drawn between them.
+
+use super::{Axis, Colour, Series};
+
+/// A pair of axes with series, bands, reference lines and notes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Vertical axis.
+    pub y: Axis,
+    /// Data, drawn in this order.
+    pub series: Vec<Series>,
+    /// Shaded ranges behind the data.
+    pub bands: Vec<Band>,
+    /// Lines across the panel.
+    pub references: Vec<Reference>,
+    /// Texts at points.
+    pub notes: Vec<Note>,
+    /// Height of the frame, pixels.
+    pub height_px: f64,
+}
+
+/// Direction of an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Along {
+    /// Horizontal.
+    X,
+    /// Vertical.
+    Y,
+}
+
+/// A shaded range of one axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Band {
+    /// The axis on which the range lies.
+    pub along: Along,
+    /// Lower end.
+    pub low: f64,
+    /// Upper end.
+    pub high: f64,
+    /// Name in the legend.
+    pub label: Option<String>,
+    /// Colour of the shade.
+    pub colour: Colour,
+}
+
+/// A thin dotted line across the panel at one value. A vertical line has its name above the frame, a horizontal one at the right of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reference {
+    /// The axis on which the value lies.
+    pub along: Along,
+    /// The value.
+    pub value: f64,
+    /// Its name; left out where it would touch the name of an earlier line.
+    pub label: Option<String>,
+}
+
+/// A text at a point, right above it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Note {
+    /// Abscissa of the point.
+    pub x: f64,
+    /// Ordinate of the point.
+    pub y: f64,
+    /// What is written; moved inwards where it would leave the frame.
+    pub text: String,
+}
+
+impl Panel {
+    /// Empty axes, 300 pixels high.
+    pub fn new(x: Axis, y: Axis) -> Self {
+        Self { x, y, series: Vec::new(), bands: Vec::new(), references: Vec::new(), notes: Vec::new(), height_px: 300.0 }
+    }
+
+    /// The same with one more series.
+    #[must_use]
+    pub fn with(mut self, series: Series) -> Self {
+        self.series.push(series);
+        self
+    }
+
+    /// The same with a shaded range.
+    #[must_use]
+    pub fn band(mut self, along: Along, low: f64, high: f64, label: Option<&str>) -> Self {
+        self.bands.push(Band { along, low, high, label: label.map(str::to_owned), colour: Colour::Grey });
+        self
+    }
+
+    /// The same with a reference line.
+    #[must_use]
+    pub fn reference(mut self, along: Along, value: f64, label: Option<&str>) -> Self {
+        self.references.push(Reference { along, value, label: label.map(str::to_owned) });
+        self
+    }
+
+    /// The same with a text at a point.
+    #[must_use]
+    pub fn note(mut self, x: f64, y: f64, text: &str) -> Self {
+        self.notes.push(Note { x, y, text: text.to_owned() });
+        self
+    }
+
+    /// The same with another height of the frame, pixels.
+    #[must_use]
+    pub fn high(mut self, height_px: f64) -> Self {
+        self.height_px = height_px;
+        self
+    }
+}

@@ -1,0 +1,14 @@
+//! Ready-made figures: plain data in, a [`super::Figure`] out, drawn the way the harvester paper (2019) draws its figures 4 to 9.
+mod frequency_response;
+mod mode_shapes;
+mod resistance;
+mod spectrum;
+mod sweep;
+mod time_history;
+
+pub use frequency_response::{Response, frequency_responses};
+pub use mode_shapes::{ModeShape, Patch, mode_shapes};
+pub use resistance::power_against_resistance;
+pub use spectrum::{SpectrumLine, spectra};
+pub use sweep::{Direction, SweepLine, SweepLook, sweep};
+pub use time_history::{Trace, time_histories};

@@ -1,0 +1,37 @@
+//! Amplitude spectra with the multiples of the drive frequency marked.
+
+use crate::picture::{Along, Axis, Colour, Figure, Line, Panel, Scale, Series};
+
+/// One spectrum.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpectrumLine {
+    /// Name in the legend; not listed where there is one spectrum only.
+    pub label: String,
+    /// Frequency of each line, Hz.
+    pub frequency_hz: Vec<f64>,
+    /// Peak amplitude of each line.
+    pub amplitude_peak: Vec<f64>,
+}
+
+/// Spectra of one quantity (`Voltage`, `V`), up to the end of their frequencies. With a drive frequency its multiples are marked and
+/// numbered above the frame, as far as there is room.
+pub fn spectra(title: &str, quantity: &str, unit: &str, scale: Scale, lines: &[SpectrumLine], drive_hz: Option<f64>) -> Figure {
+    let y = Axis::of(scale, &format!("{quantity}, peak"), unit);
+    let mut panel = Panel::new(Axis::linear("Frequency", "Hz"), y).high(320.0);
+    let highest_hz = lines.iter().flat_map(|line| &line.frequency_hz).copied().filter(|f| f.is_finite()).fold(0.0, f64::max);
+    for order in orders(drive_hz, highest_hz) {
+        let label = if order == 1 { "drive".to_owned() } else { format!("{order}×") };
+        panel = panel.reference(Along::X, f64::from(order) * drive_hz.unwrap_or(0.0), Some(&label));
+    }
+    for (index, line) in lines.iter().enumerate() {
+        let series = Series::line(line.frequency_hz.clone(), line.amplitude_peak.clone()).colour(Colour::nth(index)).style(Line::Solid);
+        panel = panel.with(if lines.len() > 1 { series.label(&line.label) } else { series });
+    }
+    Figure::new(title).with(panel)
+}
+
+/// Multiples of the drive in the picture; none where they would stand closer than a fortieth of it.
+fn orders(drive_hz: Option<f64>, highest_hz: f64) -> std::ops::RangeInclusive<u32> {
+    let count = drive_hz.filter(|f| *f > 0.0 && f.is_finite()).map_or(0.0, |drive| (highest_hz / drive + 1e-9).floor());
+    1..=if count <= 40.0 { count as u32 } else { 0 }
+}

@@ -1,0 +1,111 @@
+//! Sweeps: a result over a parameter stepped up and down, at several levels, as in the paper's figure 6.
+
+use crate::picture::{Axis, Colour, Figure, Line, Marker, Panel, Scale, Series};
+
+/// Which way the parameter was stepped.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Direction {
+    /// From low to high: solid line, filled triangles to the right.
+    Up,
+    /// From high to low: dashed line, open triangles to the left.
+    Down,
+    /// Points that do not follow from each other: circles without a line.
+    Independent,
+    /// A closed form: a grey line.
+    Linear,
+}
+
+/// One sweep.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SweepLine {
+    /// Level or case, the same for both directions of one level: `50 N`.
+    pub label: String,
+    /// Which way it went.
+    pub direction: Direction,
+    /// The parameter, in its SI unit.
+    pub parameter: Vec<f64>,
+    /// The result at each step.
+    pub value: Vec<f64>,
+    /// Whether each step had settled; empty means that all had. Steps that had not get a ring.
+    pub settled: Vec<bool>,
+}
+
+/// Axes of a sweep.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SweepLook {
+    /// The parameter: `Drive frequency`, `Hz`.
+    pub parameter: Axis,
+    /// The result: `Mean power per force squared`, `W/N^2`.
+    pub value: Axis,
+}
+
+impl SweepLook {
+    /// Normalised mean power over drive frequency, the axes of the paper's figure 6.
+    pub fn power_over_frequency(scale: Scale) -> Self {
+        Self { parameter: Axis::linear("Drive frequency", "Hz"), value: Axis::of(scale, "Mean power per force squared", "W/N^2") }
+    }
+}
+
+/// Sweeps in one panel: a colour for each level, the direction by line and marker.
+pub fn sweep(title: &str, look: &SweepLook, lines: &[SweepLine]) -> Figure {
+    let mut panel = Panel::new(look.parameter.clone(), look.value.clone()).high(380.0);
+    let levels = levels(lines);
+    let mut named: Vec<&str> = Vec::new();
+    for line in lines {
+        let mut series = drawn(line, &levels);
+        if !named.contains(&line.label.as_str()) {
+            named.push(&line.label);
+            series = series.label(&line.label);
+        }
+        panel = panel.with(series);
+    }
+    for line in lines.iter().filter(|line| line.settled.contains(&false)) {
+        panel = panel.with(unsettled(line));
+    }
+    panel.series.extend(keys(lines));
+    Figure::new(title).with(panel)
+}
+
+/// Levels that get a colour, in the order in which they come.
+fn levels(lines: &[SweepLine]) -> Vec<&str> {
+    let mut levels: Vec<&str> = Vec::new();
+    for line in lines.iter().filter(|line| line.direction != Direction::Linear) {
+        if !levels.contains(&line.label.as_str()) {
+            levels.push(&line.label);
+        }
+    }
+    levels
+}
+
+fn drawn(line: &SweepLine, levels: &[&str]) -> Series {
+    let colour = Colour::nth(levels.iter().position(|level| *level == line.label).unwrap_or(0));
+    let series = Series::line(line.parameter.clone(), line.value.clone()).colour(colour);
+    match line.direction {
+        Direction::Up => series.marker(Marker::Right),
+        Direction::Down => series.style(Line::Dashed).marker(Marker::Left),
+        Direction::Independent => Series { line: None, ..series.marker(Marker::Circle) },
+        Direction::Linear => series.colour(Colour::Grey),
+    }
+}
+
+fn unsettled(line: &SweepLine) -> Series {
+    let points = line.parameter.iter().zip(&line.value).zip(&line.settled).filter(|(_, settled)| !**settled);
+    let (x, y) = points.map(|((x, y), _)| (*x, *y)).unzip();
+    Series::points(x, y, Marker::Ring).colour(Colour::Ink)
+}
+
+/// What lines and markers mean, where more than one of them is used.
+fn keys(lines: &[SweepLine]) -> Vec<Series> {
+    let has = |direction| lines.iter().any(|line| line.direction == direction);
+    let mut keys = Vec::new();
+    if has(Direction::Up) && (has(Direction::Down) || has(Direction::Linear)) {
+        keys.push(Series::key("stepped up", Some(Line::Solid), Some(Marker::Right)));
+    }
+    if has(Direction::Down) {
+        keys.push(Series::key("stepped down", Some(Line::Dashed), Some(Marker::Left)));
+    }
+    if lines.iter().any(|line| line.settled.contains(&false)) {
+        keys.push(Series::key("not settled", None, Some(Marker::Ring)));
+    }
+    keys
+}

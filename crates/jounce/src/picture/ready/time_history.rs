@@ -1,0 +1,26 @@
+//! Time histories, one panel for each quantity over a common time.
+
+use crate::picture::{Axis, Colour, Figure, Line, Panel, Series};
+
+/// A quantity over time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trace {
+    /// What it is: `Voltage`.
+    pub quantity: String,
+    /// Its SI unit.
+    pub unit: String,
+    /// Its value at each time.
+    pub values: Vec<f64>,
+}
+
+/// Traces over the times `time_s`, stacked, as in the paper's figure 7.
+pub fn time_histories(title: &str, time_s: &[f64], traces: &[Trace]) -> Figure {
+    let height_px = if traces.len() > 1 { 170.0 } else { 280.0 };
+    // Many turns of a line on little paper read better thin.
+    let line = if time_s.len() > 3000 { Line::Thin } else { Line::Solid };
+    let panel = |(index, trace): (usize, &Trace)| {
+        let series = Series::line(time_s.to_vec(), trace.values.clone()).style(line).colour(Colour::nth(index));
+        Panel::new(Axis::linear("Time", "s"), Axis::linear(&trace.quantity, &trace.unit)).high(height_px).with(series)
+    };
+    Figure { panels: traces.iter().enumerate().map(panel).collect(), ..Figure::new(title) }
+}

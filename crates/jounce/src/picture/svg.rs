@@ -1,0 +1,125 @@
+//! The few SVG elements that a figure needs. Coordinates carry two decimals; colours are attributes, so that a page's style may override them.
+
+use std::fmt::Write as _;
+
+use super::text::FAMILY;
+
+/// A document under construction.
+pub(super) struct Svg {
+    body: String,
+}
+
+/// How a text sits at its point.
+#[derive(Clone, Copy)]
+pub(super) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+impl Svg {
+    /// An empty page of white paper with an accessible title.
+    pub fn new(width: f64, height: f64, title: &str) -> Self {
+        let (w, h, name) = (number(width), number(height), escape(title));
+        let mut body = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" viewBox=\"0 0 {w} {h}\" role=\"img\" font-family=\"{FAMILY}\">\n"
+        );
+        if !name.is_empty() {
+            let _ = writeln!(body, "<title>{name}</title>");
+        }
+        let _ = writeln!(body, "<rect class=\"jounce-paper\" width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>");
+        Self { body }
+    }
+
+    /// The finished document.
+    pub fn finish(mut self) -> String {
+        self.body.push_str("</svg>\n");
+        self.body
+    }
+
+    /// Opens a window: what follows is clipped to it, with coordinates from its upper left corner.
+    pub fn open_window(&mut self, x: f64, y: f64, width: f64, height: f64) {
+        let (x, y, w, h) = (number(x), number(y), number(width), number(height));
+        let _ = writeln!(self.body, "<svg x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" overflow=\"hidden\">");
+    }
+
+    /// Closes the last window.
+    pub fn close_window(&mut self) {
+        self.body.push_str("</svg>\n");
+    }
+
+    /// A rectangle; `look` are its attributes.
+    pub fn rect(&mut self, x: f64, y: f64, width: f64, height: f64, look: &str) {
+        let (x, y, w, h) = (number(x), number(y), number(width), number(height));
+        let _ = writeln!(self.body, "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" {look}/>");
+    }
+
+    /// A path; `look` are its attributes. Nothing for an empty path.
+    pub fn path(&mut self, steps: &str, look: &str) {
+        if !steps.is_empty() {
+            let _ = writeln!(self.body, "<path d=\"{steps}\" {look}/>");
+        }
+    }
+
+    /// A text on the baseline through `(x, y)`.
+    pub fn text(&mut self, x: f64, y: f64, size: f64, anchor: Anchor, text: &str) {
+        self.set(x, y, size, anchor, "", text);
+    }
+
+    /// A text that reads upwards, its baseline through `(x, y)`, centred there.
+    pub fn upward_text(&mut self, x: f64, y: f64, size: f64, text: &str) {
+        let turn = format!(" transform=\"rotate(-90 {} {})\"", number(x), number(y));
+        self.set(x, y, size, Anchor::Middle, &turn, text);
+    }
+
+    fn set(&mut self, x: f64, y: f64, size: f64, anchor: Anchor, turn: &str, text: &str) {
+        let anchor = match anchor {
+            Anchor::Start => "start",
+            Anchor::Middle => "middle",
+            Anchor::End => "end",
+        };
+        let (x, y, size, text) = (number(x), number(y), number(size), escape(text));
+        let _ = writeln!(
+            self.body,
+            "<text class=\"jounce-ink\" x=\"{x}\" y=\"{y}\" font-size=\"{size}\" text-anchor=\"{anchor}\" fill=\"#1a1a1a\"{turn}>{text}</text>"
+        );
+    }
+}
+
+/// A coordinate with at most two decimals.
+pub(super) fn number(value: f64) -> String {
+    let text = format!("{value:.2}");
+    match text.trim_end_matches('0').trim_end_matches('.') {
+        "-0" => "0".to_owned(),
+        text => text.to_owned(),
+    }
+}
+
+/// Text with the characters of markup escaped; what XML cannot hold (control characters) is replaced.
+pub(crate) fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            '\'' => escaped.push_str("&#39;"),
+            '\t' | '\n' | '\r' => escaped.push(' '),
+            letter if letter.is_control() || matches!(letter, '\u{fffe}' | '\u{ffff}') => escaped.push('\u{fffd}'),
+            letter => escaped.push(letter),
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short_and_texts_are_escaped() {
+        assert_eq!([0.0, -0.001, 1.0, 1.005, 12.3456, 100.0].map(number), ["0", "0", "1", "1", "12.35", "100"]);
+        assert_eq!(escape("a<b & \"c\" 'd'\u{0}"), "a&lt;b &amp; &quot;c&quot; &#39;d&#39;\u{fffd}");
+    }
+}

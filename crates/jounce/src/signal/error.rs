@@ -1,0 +1,43 @@
+//! What cannot be asked of a signal.
+
+/// A signal, or a question to it, that has no answer.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SignalError {
+    /// There is no sample.
+    #[error("the signal has no samples; a longer record is needed")]
+    Empty,
+    /// The sample rate is zero, negative or not a number.
+    #[error("the sample rate is {rate_hz} Hz; it must be a finite number > 0")]
+    Rate {
+        /// The rate, Hz.
+        rate_hz: f64,
+    },
+    /// A sample is NaN or infinite.
+    #[error("sample {index} of the signal is {value}; all samples must be finite")]
+    Sample {
+        /// Its place, from 0.
+        index: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// An order line lies at zero, beyond the Nyquist frequency, or is asked for twice.
+    #[error(
+        "order {order} of {drive_hz} Hz cannot be fitted: every order must lie above 0 and below {nyquist_hz} Hz, and be asked for once"
+    )]
+    Order {
+        /// The order.
+        order: f64,
+        /// The drive frequency, Hz.
+        drive_hz: f64,
+        /// Half the sample rate, Hz.
+        nyquist_hz: f64,
+    },
+    /// The record is too short to tell the lines apart.
+    #[error("the record lasts {duration_s} s; to tell these orders apart it must last at least {needed_s} s")]
+    Short {
+        /// Length of the record, s.
+        duration_s: f64,
+        /// Period of the smallest spacing of the lines, s.
+        needed_s: f64,
+    },
+}

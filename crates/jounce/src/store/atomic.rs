@@ -1,0 +1,137 @@
+//! One function that replaces a file atomically.
+
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// An output that could not be written. Nothing was left behind, and an older file at the path is untouched.
+#[derive(Debug, thiserror::Error)]
+#[error("cannot write \"{path}\": {reason}")]
+pub struct StoreError {
+    /// Where the file should have gone.
+    pub path: PathBuf,
+    /// What stood in the way, and what to do about it where that is known.
+    pub reason: String,
+}
+
+impl StoreError {
+    fn new(path: &Path, reason: impl ToString) -> Self {
+        Self { path: path.to_owned(), reason: reason.to_string() }
+    }
+}
+
+/// Writes `content` to `path`, replacing an older file in one step. A symbolic link is followed.
+///
+/// # Errors
+/// The folder is missing or not writable, the target is a folder, a device or read-only, or the disk is full.
+pub fn write(path: &Path, content: &[u8]) -> Result<(), StoreError> {
+    let target = target_of(path)?;
+    let folder = match target.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    if !folder.is_dir() {
+        return Err(StoreError::new(path, format!("\"{}\" is not a folder; create it first", folder.display())));
+    }
+    replace(&target, folder, content).map_err(|fault| StoreError::new(path, fault))
+}
+
+/// The regular file to replace: the end of a chain of links, or the path itself where nothing is yet.
+fn target_of(path: &Path) -> Result<PathBuf, StoreError> {
+    if path.file_name().is_none() {
+        return Err(StoreError::new(path, "it names no file"));
+    }
+    let Ok(found) = fs::metadata(path) else { return Ok(path.to_owned()) };
+    if found.is_dir() {
+        return Err(StoreError::new(path, "it is a folder; give the name of a file in it"));
+    }
+    if !found.is_file() {
+        return Err(StoreError::new(path, "it is not a regular file"));
+    }
+    if found.permissions().readonly() {
+        return Err(StoreError::new(path, "it is read-only; make it writable or choose another name"));
+    }
+    fs::canonicalize(path).map_err(|fault| StoreError::new(path, fault))
+}
+
+fn replace(target: &Path, folder: &Path, content: &[u8]) -> io::Result<()> {
+    let mut beside = beside(folder)?;
+    beside.write_all(content)?;
+    beside.as_file().sync_all()?;
+    beside.persist(target).map_err(|fault| fault.error)?;
+    // The new name itself must reach the disk; a file system that cannot flush a folder has done all it can.
+    if let Ok(folder) = File::open(folder) {
+        let _ = folder.sync_all();
+    }
+    Ok(())
+}
+
+/// A temporary neighbour with the permissions of an ordinary new file (the process's mask applies).
+fn beside(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".jounce-");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt as _;
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    builder.tempfile_in(folder)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    fn names(folder: &Path) -> Vec<String> {
+        let mut names: Vec<_> = fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn a_file_is_created_then_replaced_and_nothing_else_is_left() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.csv");
+        write(&path, b"one").unwrap();
+        write(&path, b"two").unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"two");
+        assert_eq!(names(folder.path()), ["a.csv"]);
+    }
+
+    #[test]
+    fn what_cannot_be_written_is_an_error_with_path_and_reason() {
+        let folder = tempfile::tempdir().unwrap();
+        let missing = write(&folder.path().join("no/such.csv"), b"x").unwrap_err().to_string();
+        assert!(missing.contains("such.csv") && missing.contains("is not a folder"), "{missing}");
+        let directory = write(folder.path(), b"x").unwrap_err().to_string();
+        assert!(directory.contains("it is a folder"), "{directory}");
+        assert!(write(Path::new(""), b"x").unwrap_err().to_string().contains("names no file"));
+        assert!(names(folder.path()).is_empty());
+    }
+
+    #[test]
+    fn a_read_only_file_is_kept() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("kept");
+        write(&path, b"old").unwrap();
+        let mut permissions = fs::metadata(&path).unwrap().permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(&path, permissions).unwrap();
+        assert!(write(&path, b"new").unwrap_err().reason.contains("read-only"));
+        assert_eq!(fs::read(&path).unwrap(), b"old");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_device_is_refused_and_a_link_is_followed() {
+        assert!(write(Path::new("/dev/null"), b"x").unwrap_err().reason.contains("regular file"));
+        let folder = tempfile::tempdir().unwrap();
+        let (real, link) = (folder.path().join("real"), folder.path().join("link"));
+        write(&real, b"old").unwrap();
+        std::os::unix::fs::symlink(&real, &link).unwrap();
+        write(&link, b"new").unwrap();
+        assert_eq!(fs::read(&real).unwrap(), b"new");
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+    }
+}

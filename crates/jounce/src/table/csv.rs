@@ -1,0 +1,76 @@
+//! Comma-separated text: one header line of names, one line per row; notes in a sidecar.
+
+use std::path::{Path, PathBuf};
+
+use super::notes::Notes;
+use super::{Manifest, Table, Values};
+
+/// `sweep.csv` has its notes in `sweep.manifest.json`.
+pub(super) fn sidecar_path(path: &Path) -> PathBuf {
+    path.with_extension("manifest.json")
+}
+
+pub(super) fn sidecar(table: &Table, manifest: &Manifest) -> String {
+    Notes::of(table, manifest).to_json()
+}
+
+pub(super) fn encode(table: &Table) -> Result<Vec<u8>, String> {
+    if table.columns().is_empty() {
+        return Ok(Vec::new());
+    }
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(table.columns().iter().map(|column| &column.name)).map_err(|fault| fault.to_string())?;
+    for row in 0..table.rows() {
+        let fields = table.columns().iter().map(|column| column.values.text(row).unwrap_or_default());
+        writer.write_record(fields).map_err(|fault| fault.to_string())?;
+    }
+    writer.into_inner().map_err(|fault| fault.to_string())
+}
+
+pub(super) fn decode(path: &Path) -> Result<(Table, Manifest), String> {
+    let sidecar = sidecar_path(path);
+    let notes = std::fs::read_to_string(&sidecar).map_err(|fault| format!("its notes \"{}\": {fault}", sidecar.display()))?;
+    let notes = Notes::from_json(&notes)?;
+    let mut reader = csv::Reader::from_path(path).map_err(|fault| fault.to_string())?;
+    let expected: Vec<_> = notes.columns.iter().map(|note| note.name.as_str()).collect();
+    if *reader.headers().map_err(|fault| fault.to_string())? != expected {
+        return Err("its header is not the one in its notes".to_owned());
+    }
+    let mut fields = vec![Vec::new(); expected.len()];
+    for record in reader.records() {
+        let record = record.map_err(|fault| fault.to_string())?;
+        fields.iter_mut().zip(record.iter()).for_each(|(column, field)| column.push(field.to_owned()));
+    }
+    let parse = |(texts, kind): (_, &String)| Values::parse(kind, texts);
+    let values = fields.into_iter().zip(notes.columns.iter().map(|note| &note.kind)).map(parse).collect::<Result<_, _>>()?;
+    notes.join(values)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::super::Column;
+    use super::*;
+
+    #[test]
+    fn the_text_is_what_a_spreadsheet_expects() {
+        let columns = vec![
+            Column::new("frequency_hz", "Hz", "drive frequency", vec![4.0, 0.1 + 0.2, 1e-7]),
+            Column::new("settled", "", "", vec![true, false, true]),
+            Column::new("note", "", "", vec!["a,b".to_owned(), String::new(), "say \"no\"".to_owned()]),
+        ];
+        let text = String::from_utf8(encode(&Table::new(columns).unwrap()).unwrap()).unwrap();
+        let expected = "frequency_hz,settled,note\n4.0,true,\"a,b\"\n0.30000000000000004,false,\n1e-7,true,\"say \"\"no\"\"\"\n";
+        assert_eq!(text, expected);
+        assert_eq!(sidecar_path(Path::new("out/sweep.csv")), Path::new("out/sweep.manifest.json"));
+    }
+
+    #[test]
+    fn a_header_that_was_edited_is_an_error() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("t.csv");
+        Table::new(vec![Column::new("a", "", "", vec![1.0])]).unwrap().write(&path, &Manifest::new("")).unwrap();
+        std::fs::write(&path, "b\n1.0\n").unwrap();
+        assert!(decode(&path).unwrap_err().contains("header"));
+    }
+}

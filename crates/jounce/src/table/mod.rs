@@ -1,0 +1,24 @@
+//! Named columns with units, to files that other programs read without asking.
+//!
+//! | format | holds | floats |
+//! |---|---|---|
+//! | CSV | header = column names (the unit is the suffix: `frequency_hz`); the rest in a sidecar `NAME.manifest.json` | shortest text that reads back to the same bits |
+//! | Parquet | typed columns, snappy; units, descriptions and manifest under the key `jounce` | bit for bit |
+//! | JSON | `columns`, `units`, `about`, `manifest` | shortest text; NaN and infinities become `null` |
+//!
+//! Every file is written atomically and holds no clock time: the same table gives the same bytes.
+//!
+//! pandas reads the CSV exactly with `read_csv(path, float_precision="round_trip")`.
+mod column;
+mod csv;
+mod error;
+mod json;
+mod manifest;
+mod named_columns;
+mod notes;
+mod parquet;
+
+pub use column::{Column, Values};
+pub use error::TableError;
+pub use manifest::Manifest;
+pub use named_columns::Table;

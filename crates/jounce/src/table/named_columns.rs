@@ -1,0 +1,189 @@
+//! Columns of equal length, each under its own name.
+
+use std::path::Path;
+
+use super::{Column, Manifest, TableError, Values};
+use super::{csv, json, parquet};
+use crate::store;
+
+/// A table: columns of equal length with unique names.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Table {
+    columns: Vec<Column>,
+}
+
+impl Table {
+    /// A table from its columns.
+    ///
+    /// # Errors
+    /// Columns of different lengths, a name that is empty or used twice.
+    pub fn new(columns: Vec<Column>) -> Result<Self, TableError> {
+        let mut table = Self::default();
+        columns.into_iter().try_for_each(|column| table.push(column))?;
+        Ok(table)
+    }
+
+    /// Adds a column on the right.
+    ///
+    /// # Errors
+    /// Its length differs from that of the table, its name is empty or taken.
+    pub fn push(&mut self, column: Column) -> Result<(), TableError> {
+        if column.name.is_empty() || self.column(&column.name).is_some() {
+            return Err(TableError::Name { column: column.name });
+        }
+        let (rows, expected) = (column.values.len(), self.rows());
+        if !self.columns.is_empty() && rows != expected {
+            return Err(TableError::Lengths { column: column.name, rows, expected });
+        }
+        self.columns.push(column);
+        Ok(())
+    }
+
+    /// All columns from left to right.
+    pub fn columns(&self) -> &[Column] {
+        &self.columns
+    }
+
+    /// The column of that name.
+    pub fn column(&self, name: &str) -> Option<&Column> {
+        self.columns.iter().find(|column| column.name == name)
+    }
+
+    /// The real numbers of the column of that name; `None` where there is none or it holds another kind.
+    pub fn floats(&self, name: &str) -> Option<&[f64]> {
+        match &self.column(name)?.values {
+            Values::Float(values) => Some(values),
+            _ => None,
+        }
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.columns.first().map_or(0, |column| column.values.len())
+    }
+
+    /// Writes the table in the format that the ending of `path` names: `.csv` (with its sidecar), `.parquet` or `.json`.
+    ///
+    /// # Errors
+    /// Another ending, or a place that cannot be written; no partial file is left.
+    pub fn write(&self, path: &Path, manifest: &Manifest) -> Result<(), TableError> {
+        match ending(path) {
+            Some("csv") => {
+                // The sidecar first: a CSV file that exists always has its notes.
+                store::write(&csv::sidecar_path(path), csv::sidecar(self, manifest).as_bytes())?;
+                store::write(path, &csv::encode(self).map_err(|reason| encode_error(path, reason))?)?;
+            }
+            Some("parquet") => store::write(path, &parquet::encode(self, manifest).map_err(|reason| encode_error(path, reason))?)?,
+            Some("json") => store::write(path, json::encode(self, manifest).as_bytes())?,
+            _ => return Err(TableError::Format { path: path.to_owned() }),
+        }
+        Ok(())
+    }
+
+    /// Reads a table that jounce wrote as CSV (with its sidecar) or Parquet, with its manifest.
+    ///
+    /// # Errors
+    /// Another ending, a file that is missing, damaged or without the notes of jounce.
+    pub fn read(path: &Path) -> Result<(Self, Manifest), TableError> {
+        let read = match ending(path) {
+            Some("csv") => csv::decode(path),
+            Some("parquet") => parquet::decode(path),
+            _ => return Err(TableError::Format { path: path.to_owned() }),
+        };
+        read.map_err(|reason| TableError::Read { path: path.to_owned(), reason })
+    }
+}
+
+fn ending(path: &Path) -> Option<&str> {
+    path.extension().and_then(|ending| ending.to_str())
+}
+
+fn encode_error(path: &Path, reason: String) -> TableError {
+    TableError::Encode { path: path.to_owned(), reason }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    fn awkward() -> Table {
+        let floats = vec![0.1 + 0.2, -0.0, f64::NAN, 5e-324, f64::MAX, f64::NEG_INFINITY, 1e-7, 7.023_747_569_4e-5];
+        let texts = ["plain", "comma, quote \" and\nnewline", "", "µΩ", " ", "NaN", "1", "'"];
+        Table::new(vec![
+            Column::new("power_w", "W", "mean power", floats),
+            Column::new("shift", "", "signed", vec![i64::MIN, -1, 0, 1, 2, 3, 4, i64::MAX]),
+            Column::new("contacts", "", "count", vec![0u64, 1, 2, 3, 4, 5, 1 << 53 | 1, u64::MAX]),
+            Column::new("settled", "", "yes or no", vec![true, false, true, true, false, false, true, false]),
+            Column::new("label", "", "text", texts.map(str::to_owned).to_vec()),
+        ])
+        .unwrap()
+    }
+
+    fn manifest() -> Manifest {
+        Manifest { seed: Some(7), ..Manifest::new("00ff").with("command", "sweep").with("over", "drive.shaker.frequency=4Hz:20Hz:0.1Hz") }
+    }
+
+    /// Equal as bits, which `==` is not for NaN and -0.
+    fn same_bits(a: &Table, b: &Table) -> bool {
+        let bits = |t: &Table| t.floats("power_w").unwrap().iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+        bits(a) == bits(b) && a.columns()[1..] == b.columns()[1..]
+    }
+
+    #[test]
+    fn csv_and_parquet_round_trip_bit_for_bit() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in ["t.csv", "t.parquet"] {
+            let path = folder.path().join(name);
+            awkward().write(&path, &manifest()).unwrap();
+            let (table, read) = Table::read(&path).unwrap();
+            assert!(same_bits(&table, &awkward()), "{name}: {table:?}");
+            assert_eq!(read, manifest(), "{name}");
+            assert_eq!(table.columns()[0].unit, "W");
+        }
+    }
+
+    #[test]
+    fn the_same_table_gives_the_same_bytes() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in ["t.csv", "t.parquet", "t.json"] {
+            let (a, b) = (folder.path().join(name), folder.path().join(format!("again-{name}")));
+            awkward().write(&a, &manifest()).unwrap();
+            awkward().write(&b, &manifest()).unwrap();
+            assert_eq!(std::fs::read(&a).unwrap(), std::fs::read(&b).unwrap(), "{name}");
+        }
+    }
+
+    #[test]
+    fn empty_tables_survive() {
+        let folder = tempfile::tempdir().unwrap();
+        let no_rows = Table::new(vec![Column::new("a", "m", "", Vec::<f64>::new())]).unwrap();
+        for (name, table) in [("a.csv", &no_rows), ("a.parquet", &no_rows), ("b.csv", &Table::default()), ("b.parquet", &Table::default())]
+        {
+            let path = folder.path().join(name);
+            table.write(&path, &manifest()).unwrap();
+            assert_eq!(&Table::read(&path).unwrap().0, table, "{name}");
+        }
+    }
+
+    #[test]
+    fn unequal_lengths_and_double_names_are_errors() {
+        let two = || Column::new("a", "", "", vec![1.0, 2.0]);
+        let three = Column::new("b", "", "", vec![1.0, 2.0, 3.0]);
+        assert!(matches!(Table::new(vec![two(), three]), Err(TableError::Lengths { rows: 3, expected: 2, .. })));
+        assert!(matches!(Table::new(vec![two(), two()]), Err(TableError::Name { .. })));
+    }
+
+    #[test]
+    fn a_place_that_cannot_be_written_or_read_is_an_error() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        assert!(matches!(awkward().write(&at("no/t.csv"), &manifest()), Err(TableError::Store(_))));
+        assert!(matches!(awkward().write(&at("t.xls"), &manifest()), Err(TableError::Format { .. })));
+        for name in ["t.csv", "t.parquet"] {
+            assert!(matches!(Table::read(&at(name)), Err(TableError::Read { .. })), "{name} is missing");
+            std::fs::write(at(name), b"\xff\x00garbage").unwrap();
+            assert!(matches!(Table::read(&at(name)), Err(TableError::Read { .. })), "{name} is garbage");
+        }
+    }
+}

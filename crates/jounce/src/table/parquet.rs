@@ -1,0 +1,162 @@
+//! Apache Parquet: typed columns, snappy; the notes under the metadata key `jounce`.
+
+use std::fs::File;
+use std::path::Path;
+use std::sync::Arc;
+
+use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
+use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
+use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
+use parquet::errors::ParquetError;
+use parquet::file::metadata::KeyValue;
+use parquet::file::properties::WriterProperties;
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
+use parquet::schema::types::Type;
+
+use super::notes::Notes;
+use super::{Column, Manifest, Table, Values};
+
+const KEY: &str = "jounce";
+
+pub(super) fn encode(table: &Table, manifest: &Manifest) -> Result<Vec<u8>, String> {
+    write(table, manifest).map_err(|fault| fault.to_string())
+}
+
+pub(super) fn decode(path: &Path) -> Result<(Table, Manifest), String> {
+    let file = File::open(path).map_err(|fault| fault.to_string())?;
+    let reader = SerializedFileReader::new(file).map_err(|fault| fault.to_string())?;
+    let notes = notes_of(&reader)?;
+    let columns = reader.metadata().file_metadata().schema_descr().num_columns();
+    if columns != notes.columns.len() {
+        return Err(format!("it has {columns} columns, its notes name {}", notes.columns.len()));
+    }
+    let values = notes.columns.iter().enumerate().map(|(index, note)| read_column(&reader, index, &note.kind));
+    let values = values.collect::<Result<_, _>>()?;
+    notes.join(values)
+}
+
+fn write(table: &Table, manifest: &Manifest) -> Result<Vec<u8>, ParquetError> {
+    let notes = KeyValue::new(KEY.to_owned(), Notes::of(table, manifest).to_json());
+    let properties = WriterProperties::builder()
+        .set_compression(Compression::SNAPPY)
+        .set_created_by(format!("{} version {}", manifest.created_by, manifest.version))
+        .set_key_value_metadata(Some(vec![notes]))
+        .build();
+    let mut bytes = Vec::new();
+    let mut writer = SerializedFileWriter::new(&mut bytes, Arc::new(schema(table)?), Arc::new(properties))?;
+    let mut rows = writer.next_row_group()?;
+    for column in table.columns() {
+        let Some(mut target) = rows.next_column()? else { break };
+        write_column(&mut target, &column.values)?;
+        target.close()?;
+    }
+    rows.close()?;
+    writer.close()?;
+    Ok(bytes)
+}
+
+fn schema(table: &Table) -> Result<Type, ParquetError> {
+    let fields = table.columns().iter().map(field).map(|f| f.map(Arc::new)).collect::<Result<_, _>>()?;
+    Type::group_type_builder("table").with_fields(fields).build()
+}
+
+fn field(column: &Column) -> Result<Type, ParquetError> {
+    let (physical, logical) = match column.values {
+        Values::Float(_) => (Physical::DOUBLE, None),
+        Values::Integer(_) => (Physical::INT64, None),
+        Values::Count(_) => (Physical::INT64, Some(LogicalType::integer(64, false))),
+        Values::Flag(_) => (Physical::BOOLEAN, None),
+        Values::Text(_) => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
+    };
+    Type::primitive_type_builder(&column.name, physical).with_repetition(Repetition::REQUIRED).with_logical_type(logical).build()
+}
+
+fn write_column(target: &mut SerializedColumnWriter<'_>, values: &Values) -> Result<usize, ParquetError> {
+    match values {
+        Values::Float(v) => target.typed::<DoubleType>().write_batch(v, None, None),
+        Values::Integer(v) => target.typed::<Int64Type>().write_batch(v, None, None),
+        // Parquet stores an unsigned integer as the signed one of the same bits.
+        Values::Count(v) => target.typed::<Int64Type>().write_batch(&v.iter().map(|x| x.cast_signed()).collect::<Vec<_>>(), None, None),
+        Values::Flag(v) => target.typed::<BoolType>().write_batch(v, None, None),
+        Values::Text(v) => {
+            let texts: Vec<_> = v.iter().map(|text| ByteArray::from(text.as_str())).collect();
+            target.typed::<ByteArrayType>().write_batch(&texts, None, None)
+        }
+    }
+}
+
+fn notes_of(reader: &SerializedFileReader<File>) -> Result<Notes, String> {
+    let pairs = reader.metadata().file_metadata().key_value_metadata();
+    let notes = pairs.and_then(|pairs| pairs.iter().find(|pair| pair.key == KEY)).and_then(|pair| pair.value.as_deref());
+    Notes::from_json(notes.ok_or("it has no notes of jounce")?)
+}
+
+fn read_column(reader: &SerializedFileReader<File>, index: usize, kind: &str) -> Result<Values, String> {
+    let wrong = || format!("column {} does not hold the kind \"{kind}\" that its notes name", index + 1);
+    let mut parts = Vec::new();
+    for group in 0..reader.num_row_groups() {
+        let rows = reader.get_row_group(group).map_err(|fault| fault.to_string())?;
+        parts.push((rows.get_column_reader(index).map_err(|fault| fault.to_string())?, rows.metadata().num_rows()));
+    }
+    match kind {
+        "float" => typed(parts, |r| if let ColumnReader::DoubleColumnReader(r) = r { Some(r) } else { None }, wrong).map(Values::Float),
+        "integer" => integers(parts, wrong).map(Values::Integer),
+        "count" => Ok(Values::Count(integers(parts, wrong)?.into_iter().map(i64::cast_unsigned).collect())),
+        "flag" => typed(parts, |r| if let ColumnReader::BoolColumnReader(r) = r { Some(r) } else { None }, wrong).map(Values::Flag),
+        "text" => {
+            let pick = |r| if let ColumnReader::ByteArrayColumnReader(r) = r { Some(r) } else { None };
+            let texts = typed(parts, pick, wrong)?;
+            let text = |bytes: ByteArray| String::from_utf8(bytes.data().to_vec()).map_err(|fault| fault.to_string());
+            texts.into_iter().map(text).collect::<Result<_, _>>().map(Values::Text)
+        }
+        other => Err(format!("there is no kind of column \"{other}\"")),
+    }
+}
+
+fn integers(parts: Vec<(ColumnReader, i64)>, wrong: impl Fn() -> String) -> Result<Vec<i64>, String> {
+    typed(parts, |r| if let ColumnReader::Int64ColumnReader(r) = r { Some(r) } else { None }, wrong)
+}
+
+fn typed<T: DataType>(
+    parts: Vec<(ColumnReader, i64)>,
+    pick: impl Fn(ColumnReader) -> Option<ColumnReaderImpl<T>>,
+    wrong: impl Fn() -> String,
+) -> Result<Vec<T::T>, String> {
+    let mut values = Vec::new();
+    for (part, rows) in parts {
+        let rows = usize::try_from(rows).map_err(|fault| fault.to_string())?;
+        let mut reader = pick(part).ok_or_else(&wrong)?;
+        let (mut read, mut last) = (0, 1);
+        while read < rows && last > 0 {
+            last = reader.read_records(rows - read, None, None, &mut values).map_err(|fault| fault.to_string())?.0;
+            read += last;
+        }
+    }
+    Ok(values)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn any_parquet_reader_sees_the_types_and_the_notes() {
+        let table = Table::new(vec![
+            Column::new("power_w", "W", "mean power", vec![1.0, f64::NAN]),
+            Column::new("contacts", "", "", vec![0u64, u64::MAX]),
+            Column::new("label", "", "", vec!["a".to_owned(), "b".to_owned()]),
+        ])
+        .unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("t.parquet");
+        std::fs::write(&path, encode(&table, &Manifest::new("ab")).unwrap()).unwrap();
+        let reader = SerializedFileReader::new(File::open(&path).unwrap()).unwrap();
+        let row = reader.get_row_iter(None).unwrap().nth(1).unwrap().unwrap();
+        let row: Vec<_> = row.get_column_iter().map(|(name, field)| format!("{name}={field}")).collect();
+        assert_eq!(row, ["power_w=NaN", "contacts=18446744073709551615", "label=\"b\""]);
+        assert_eq!(reader.metadata().row_group(0).column(0).compression(), Compression::SNAPPY);
+        assert_eq!(notes_of(&reader).unwrap().columns[0].unit, "W");
+    }
+}
