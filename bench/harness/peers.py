@@ -67,7 +67,7 @@ def interpreted(python: str) -> list[Peer]:
     """SciPy and Octave: minutes a run, so one repetition."""
     script = str(build.HERE / "peers" / "scipy_peer.py")
     peers = [
-        Peer(f"{method} (SciPy)", tolerances(4, 8, 2), adaptive([python, script, "PLANT", method]), 1, cases=2)
+        Peer(f"{method} (SciPy)", tolerances(4, 10, 2), adaptive([python, script, "PLANT", method]), 1, cases=2)
         for method in ("DOP853", "LSODA", "odeint")
     ]
     if octave := build.find_octave():

@@ -22,7 +22,8 @@ def base_of(results: list[Result]) -> str:
 
 def row(result: Result, results: list[Result], base: str) -> str:
     """One line of the long table."""
-    head = f"| {result.peer} | {result.setting:g} {result.setting_name} |"
+    setting = f"{result.setting:.0e}" if result.setting < 1.0 else f"{result.setting:.0f}"
+    head = f"| {result.peer} | {setting} {result.setting_name} |"
     if result.error is None or not result.cpu_s:
         return f"{head} {result.failed} | | | |"
     own = curve(results, result.case, result.peer)
@@ -38,7 +39,7 @@ def row(result: Result, results: list[Result], base: str) -> str:
 def at_the_same_error(results: list[Result], case: str, base: str) -> list[str]:
     """Times of every method at a few errors, and their ratios to the base."""
     lines = ["| method | " + " | ".join(f"{target:.0e}" for target in TARGETS) + " |", "|---|" + "---|" * len(TARGETS)]
-    for peer in dict.fromkeys(result.peer for result in results):
+    for peer in dict.fromkeys(result.peer for result in results if result.case == case):
         cells = []
         for target in TARGETS:
             own_s, base_s = (time_at(curve(results, case, name), target) for name in (peer, base))
