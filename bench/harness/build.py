@@ -1,0 +1,63 @@
+"""Compiles the peers; what cannot be built is named and left out, never silently."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent.parent
+BUILD = HERE / "build"
+C_FLAGS = ["-std=gnu11", "-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math"]
+
+
+def say(text: str) -> None:
+    """To stderr, at once."""
+    print(text, file=sys.stderr, flush=True)
+
+
+def write_coefficients() -> None:
+    """The table of DOP853 as a C header, from the one that SciPy carries."""
+    from scipy.integrate._ivp import dop853_coefficients as table
+
+    def row(values: list[float]) -> str:
+        return "{" + ", ".join(repr(value) for value in values) + "}"
+
+    lines = [f"static const double DOP853_A[12][12] = {{{', '.join(row(r) for r in table.A[:12, :12].tolist())}}};"]
+    for name, values in {"B": table.B, "C": table.C[:12], "E3": table.E3, "E5": table.E5}.items():
+        lines.append(f"static const double DOP853_{name}[{len(values)}] = {row(values.tolist())};")
+    (BUILD / "dop853_coefficients.h").write_text("\n".join(lines) + "\n")
+
+
+def compile_c(name: str, modes: int) -> Path | None:
+    """A C peer for a number of modes."""
+    compiler = shutil.which("gcc")
+    if compiler is None:
+        say(f"left out: {name}: gcc is not installed")
+        return None
+    target = BUILD / f"{name}-{modes}"
+    vectors = f"-DVECTORS={(modes + 3) // 4}"
+    command = [compiler, *C_FLAGS, vectors, f"-I{BUILD}", str(HERE / "peers" / f"{name}.c"), "-o", str(target), "-lm"]
+    subprocess.run(command, check=True)
+    return target
+
+
+def compile_rust() -> Path | None:
+    """The Rust peers, in a workspace and a target folder of their own."""
+    if shutil.which("cargo") is None:
+        say("left out: the Rust peers: cargo is not installed")
+        return None
+    folder = HERE / "peers-rust"
+    environment = os.environ | {"CARGO_TARGET_DIR": str(folder / "target")}
+    subprocess.run(["cargo", "build", "--release", "--quiet"], cwd=folder, env=environment, check=True)
+    return folder / "target" / "release" / "peers"
+
+
+def find_octave() -> Path | None:
+    """Octave's command line, if it is installed."""
+    found = shutil.which("octave-cli")
+    if found is None:
+        say("left out: ode45: octave-cli is not installed (Debian package octave)")
+    return Path(found) if found else None

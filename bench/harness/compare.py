@@ -1,0 +1,63 @@
+"""Errors against a reference that two methods agree on, and times at the same error."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+from .measure import Result, outcome, parameter_file
+from .plant import Case, Plant
+
+AGREEMENT = 1e-10
+FINEST_STEPS_PER_S = "2000000"
+TIGHTEST = ("1e-13", "1e-19")
+
+
+class NoReferenceError(ArithmeticError):
+    """The two methods do not agree, or one cannot be run."""
+
+
+def reference_w(plant: Plant, case: Case, rk4: Path, dop853: Path) -> tuple[float, float]:
+    """Mean power by RK4 at two million steps per second, W, and its relative distance from DOP853 at a tolerance of 1e-13."""
+    file = str(parameter_file(plant, case))
+    found = [outcome([str(rk4), file, FINEST_STEPS_PER_S], 600.0), outcome([str(dop853), file, *TIGHTEST], 600.0)]
+    for each in found:
+        if "failed" in each:
+            raise NoReferenceError(f"{plant.path.name}, {case.title}: {each['failed']}")
+    fixed, adaptive = (float(each["mean_power_w"]) for each in found)
+    apart = abs(fixed / adaptive - 1.0)
+    if apart > AGREEMENT:
+        raise NoReferenceError(f"{plant.path.name}, {case.title}: {fixed!r} W and {adaptive!r} W differ by {apart:.1e}")
+    return fixed, apart
+
+
+def set_errors(results: list[Result], references_w: dict[str, float]) -> None:
+    """Relative error of the mean power in every result that has one."""
+    for result in results:
+        if result.mean_power_w is not None:
+            result.error = abs(result.mean_power_w / references_w[result.case] - 1.0)
+
+
+def curve(results: list[Result], case: str, peer: str) -> list[tuple[float, float]]:
+    """(error, median time) of one peer from loose to tight, where the error of a setting is the largest at it or at any tighter one.
+
+    An error that crosses zero by luck at one setting is so not taken for accuracy.
+    """
+    ladder = [r for r in results if r.case == case and r.peer == peer and r.error is not None and r.cpu_s]
+    points: list[tuple[float, float]] = []
+    worst = 0.0
+    for result in reversed(ladder):
+        worst = max(worst, result.error or 0.0)
+        points.append((worst, result.median_s))
+    return points[::-1]
+
+
+def time_at(points: list[tuple[float, float]], error: float) -> float | None:
+    """The time at which a curve reaches an error, interpolated in logarithms; None where it never does."""
+    if not points or error < points[-1][0]:
+        return None
+    for (loose, early), (tight, late) in zip(points, points[1:], strict=False):
+        if tight <= error <= loose and tight < loose:
+            part = math.log(error / loose) / math.log(max(tight, 1e-300) / loose)
+            return math.exp(math.log(early) + part * math.log(late / early))
+    return points[0][1]

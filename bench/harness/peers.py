@@ -1,0 +1,86 @@
+"""The peers: how each is called, and the settings it climbs from loose to tight."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from . import build
+from .plant import Case, Plant
+
+# Absolute tolerance over relative tolerance, for every adaptive peer: the ratio of Octave's defaults. Ratios from 1e-6 to 1 move the
+# work-precision curve of DOP853 by less than a fifth.
+ABSOLUTE_PER_RELATIVE = 1e-3
+
+
+@dataclass(frozen=True)
+class Peer:
+    """One method; `command(parameter_file, case, setting)` gives its command line."""
+
+    name: str
+    settings: tuple[float, ...]
+    command: Callable[[Path, Case, float], list[str]]
+    repeats: int
+    setting_name: str = "tolerance"
+    cases: int = 99  # runs on that many cases of a plant, the first ones
+
+
+def tolerances(first: int, last: int, step: int = 1) -> tuple[float, ...]:
+    """Powers of ten, from 10^-first to 10^-last."""
+    return tuple(float(f"1e-{power}") for power in range(first, last + 1, step))
+
+
+def adaptive(prefix: list[str]) -> Callable[[Path, Case, float], list[str]]:
+    """A command that takes the plant, the relative and the absolute tolerance."""
+
+    def command(plant: Path, _case: Case, tolerance: float) -> list[str]:
+        head, *tail = prefix
+        return [head, *(str(plant) if word == "PLANT" else word for word in tail), repr(tolerance), repr(tolerance * ABSOLUTE_PER_RELATIVE)]
+
+    return command
+
+
+def steps_ladder(modes: int) -> tuple[float, ...]:
+    """Steps per second from just above the stability limit, by factors of about the square root of 2; even, so that windows are hit."""
+    first, count = (2_400, 15) if modes <= 8 else (26_000, 8)
+    return tuple(float(2 * round(first * 2 ** (i / 2) / 2)) for i in range(count))
+
+
+def compiled(modes: int, repeats: int) -> list[Peer]:
+    """The C and Rust peers that could be built."""
+    peers = []
+    if rk4 := build.compile_c("rk4", modes):
+        peers.append(Peer("RK4 (C)", steps_ladder(modes), lambda p, _c, s: [str(rk4), str(p), repr(s)], repeats, "steps/s"))
+    if dop853 := build.compile_c("dop853", modes):
+        peers.append(Peer("DOP853 (C)", tolerances(4, 12), adaptive([str(dop853), "PLANT"]), repeats))
+    if rust := build.compile_rust():
+        for method, name in {"dop853": "DOP853 (differential-equations)", "tsit45": "TSIT45 (diffsol)"}.items():
+            peers.append(Peer(name, tolerances(4, 12), adaptive([str(rust), "PLANT", method]), repeats))
+        implicit = {"bdf": "BDF (diffsol)", "tr-bdf2": "TR-BDF2 (diffsol)", "esdirk34": "ESDIRK34 (diffsol)"}
+        for method, name in implicit.items() if modes <= 8 else ():
+            peers.append(Peer(name, tolerances(4, 8), adaptive([str(rust), "PLANT", method]), min(repeats, 2), cases=2))
+    return peers
+
+
+def interpreted(python: str) -> list[Peer]:
+    """SciPy and Octave: minutes a run, so one repetition."""
+    script = str(build.HERE / "peers" / "scipy_peer.py")
+    peers = [
+        Peer(f"{method} (SciPy)", tolerances(4, 10, 2), adaptive([python, script, "PLANT", method]), 1, cases=2)
+        for method in ("DOP853", "LSODA", "odeint")
+    ]
+    if octave := build.find_octave():
+        command = adaptive([str(octave), "--norc", "--quiet", str(build.HERE / "peers" / "ode45_peer.m"), "PLANT"])
+        peers.append(Peer("ode45 (Octave)", (1e-3, 1e-6, 1e-8), command, 1, cases=2))
+    return peers
+
+
+def jounce(binary: Path, plant: Plant, repeats: int) -> Peer:
+    """The product itself, on the spec and not on the parameter file; its time is the `march_s` it reports."""
+
+    def command(_plant: Path, case: Case, tolerance: float) -> list[str]:
+        sets = [f'drive.{plant.drive}.amplitude="{case.amplitude_n:g} N"', f'drive.{plant.drive}.frequency="{case.frequency_hz:g} Hz"']
+        return [str(binary), "run", str(plant.path), "--json", "--tolerance", repr(tolerance), *(w for s in sets for w in ("--set", s))]
+
+    return Peer("jounce", tolerances(4, 11), command, repeats)
