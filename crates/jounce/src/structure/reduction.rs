@@ -14,7 +14,8 @@ use super::assembly::{Assembly, Row};
 use super::error::StructureError;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::svd::{ComputeSvdVectors, svd, svd_scratch};
-use faer::{Diag, Mat, MatRef, Par};
+use faer::diag::Diag;
+use faer::{Mat, MatRef, Par};
 
 /// The modes of one assembly, all of them, in ascending frequency.
 #[derive(Debug, Clone)]
