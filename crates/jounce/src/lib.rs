@@ -12,6 +12,7 @@ pub mod linear;
 pub mod march;
 pub mod picture;
 pub mod plant;
+pub mod reference;
 pub mod report;
 pub mod run;
 pub mod signal;

@@ -1,0 +1,43 @@
+//! Systems of one mode, from which most references are made.
+//!
+//! A point mass `m` with displacement `x` is the mode `q = sqrt(m) x`, of shape `1 / sqrt(m)` at the mass; without a spring its
+//! frequency is 0.
+
+use crate::contact::Law;
+use crate::plant::{Stop, System};
+use crate::structure::Modes;
+use std::collections::BTreeMap;
+
+/// Name of the point at the mass.
+pub const MASS: &str = "mass";
+
+/// Name of the patch of a reference that has one.
+pub const PATCH: &str = "patch";
+
+/// A mass on a spring and a dashpot to the ground, without anything else.
+pub(super) fn oscillator(mass_kg: f64, frequency_rad_s: f64, damping_ratio: f64) -> System {
+    let modes = Modes {
+        frequency_rad_s: vec![frequency_rad_s],
+        damping_ratio: vec![damping_ratio],
+        shape: BTreeMap::from([(MASS.to_owned(), shape(mass_kg))]),
+        patch: BTreeMap::new(),
+        discretisation_error: vec![0.0],
+    };
+    System { modes, loads: Vec::new(), stops: Vec::new(), drives: Vec::new() }
+}
+
+/// The same with a stop in the positive direction.
+pub(super) fn with_stop(mut system: System, mass_kg: f64, gap_m: f64, law: Law) -> System {
+    system.stops.push(Stop { name: "stop".to_owned(), shape: shape(mass_kg), gap_m, law });
+    system
+}
+
+/// Displacement of the mass per unit modal coordinate, kg^-1/2.
+pub(super) fn shape(mass_kg: f64) -> Vec<f64> {
+    vec![1.0 / mass_kg.sqrt()]
+}
+
+/// `(q, q')` of a displacement and a velocity of the mass.
+pub(super) fn state(mass_kg: f64, displacement_m: f64, velocity_m_s: f64) -> Vec<f64> {
+    vec![mass_kg.sqrt() * displacement_m, mass_kg.sqrt() * velocity_m_s]
+}
