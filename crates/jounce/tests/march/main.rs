@@ -1,0 +1,11 @@
+//! The marcher against exact answers, against itself under symmetries, and against published and tight reference runs.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod collisions;
+mod grazing;
+mod harvester;
+mod plants;
+mod random;
+mod swings;
+mod symmetry;
+mod work;

@@ -1,0 +1,71 @@
+//! Plants and runs that several tests share.
+
+use jounce::march::{Kernel, Marcher};
+use jounce::plant::{Plant, System};
+use jounce::run::{RunAnswer, RunPlan, StartState, simulate};
+use jounce::spec::Spec;
+use jounce::structure::modes;
+use std::path::PathBuf;
+
+fn read(text: &str) -> System {
+    let spec = Spec::from_toml(text).unwrap();
+    System::assemble(&spec, modes(&spec).unwrap()).unwrap()
+}
+
+/// `bench/plant.toml`: the paper's harvester by eight modes.
+pub fn bench(amplitude_n: f64, frequency_hz: f64) -> System {
+    driven(read(include_str!("../../../../bench/plant.toml")), amplitude_n, frequency_hz)
+}
+
+/// The plant of the paper that stands beside the repository, where it does.
+pub fn paper(amplitude_n: f64, frequency_hz: f64) -> Option<System> {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/plant/paper-plant.toml");
+    let text = std::fs::read_to_string(path).ok()?;
+    Some(driven(read(&text), amplitude_n, frequency_hz))
+}
+
+fn driven(mut system: System, amplitude_n: f64, frequency_hz: f64) -> System {
+    system.drives[0].amplitude_n = amplitude_n;
+    system.drives[0].frequency_hz = frequency_hz;
+    system
+}
+
+pub fn kernel(system: System) -> Kernel {
+    Kernel::new(Plant::new(system).unwrap()).unwrap()
+}
+
+/// A run from rest, averaged over its second half.
+pub fn from_rest(kernel: &Kernel, duration_s: f64, tolerance: f64) -> RunAnswer {
+    let plan = RunPlan { duration_s, average_over_s: 0.5 * duration_s, tolerance, record_s: 0.0 };
+    simulate(kernel, &StartState::rest(&kernel.plant), &plan).unwrap()
+}
+
+/// A march from a physical state `(q, q', V)`.
+pub fn march<'k>(kernel: &'k Kernel, start: &[f64], start_s: f64, end_s: f64, tolerance: f64) -> Marcher<'k> {
+    let y = kernel.plant.from_physical(start, start_s);
+    let mut marcher = Marcher::new(kernel, &y, start_s, tolerance).unwrap();
+    marcher.advance_to(end_s).unwrap();
+    marcher
+}
+
+/// Physical state `(q, q', V)` where a march has come to.
+pub fn physical(marcher: &Marcher, kernel: &Kernel) -> Vec<f64> {
+    kernel.plant.to_physical(&marcher.state(), marcher.time_s())
+}
+
+/// Distance of two states in the energy norm, relative to the second.
+pub fn distance(kernel: &Kernel, one: &[f64], other: &[f64]) -> f64 {
+    let modes = &kernel.plant.system.modes;
+    let n = modes.len();
+    let weight = |i: usize| match i {
+        i if i < n => modes.frequency_rad_s[i].max(f64::MIN_POSITIVE),
+        i if i < 2 * n => 1.0,
+        _ => modes.patch.values().nth(i - 2 * n).unwrap().capacitance_f.sqrt(),
+    };
+    let norm = |value: &dyn Fn(usize) -> f64| (0..one.len()).map(|i| (weight(i) * value(i)).powi(2)).sum::<f64>().sqrt();
+    norm(&|i| one[i] - other[i]) / norm(&|i| other[i])
+}
+
+pub fn relative(found: f64, expected: f64) -> f64 {
+    (found / expected - 1.0).abs()
+}

@@ -1,0 +1,74 @@
+//! Swings against a spring: bilinear period, preloaded contact, the blow on a piezoelectric oscillator.
+
+use crate::plants::{distance, kernel, march, physical, relative};
+use jounce::contact::{Hertz, Law};
+use jounce::reference::{Bilinear, Impulse, Reference};
+
+#[test]
+fn bilinear_oscillator_comes_back_after_its_period() {
+    for stop_stiffness_n_m in [10.0, 1e4, 1e7] {
+        let problem = Bilinear { mass_kg: 0.5, frequency_rad_s: 20.0, stop_stiffness_n_m };
+        let start = problem.start(0.01);
+        let kernel = kernel(problem.system());
+        let swings = 20.0;
+        let marcher = march(&kernel, &start, 0.0, swings * problem.period_s(), 1e-10);
+        let end = physical(&marcher, &kernel);
+        // An error of the period turns into a speed: q' = -w^2 q dt; relative to the period it is the mean of 20 swings.
+        let late = end[1] / (start[0] * 20.0 * 20.0) / (swings * problem.period_s());
+        let depth = relative(marcher.statistics().max_penetration_m, problem.peak_penetration_m(0.01));
+        println!("k {stop_stiffness_n_m:e}: period {late:.1e}, depth {depth:.1e}");
+        assert!(late.abs() <= Bilinear::TOLERANCE && depth <= 1e-8, "{late:e} {depth:e}");
+        assert_eq!(marcher.statistics().contacts, 20);
+    }
+}
+
+/// Pressed by 2 mm at rest in its middle, the mass swings about its new equilibrium and never leaves the stop.
+#[test]
+fn preloaded_contact_is_a_spring() {
+    let problem = Bilinear { mass_kg: 0.5, frequency_rad_s: 20.0, stop_stiffness_n_m: 60.0 };
+    let mut system = problem.system();
+    system.stops[0].gap_m = -2e-3;
+    let w = problem.contact_frequency_rad_s();
+    let equilibrium_m = -60.0 * 2e-3 / (0.5 * w * w);
+    let kernel = kernel(system);
+    for end_s in [0.01, 0.1, 1.0, 3.7] {
+        let marcher = march(&kernel, &problem.start(0.0), 0.0, end_s, 1e-10);
+        let root = 0.5_f64.sqrt();
+        let exact = [root * equilibrium_m * (1.0 - (w * end_s).cos()), root * equilibrium_m * w * (w * end_s).sin()];
+        let error = distance(&kernel, &physical(&marcher, &kernel), &exact);
+        assert!(error < 1e-8, "{end_s}: {error:e}");
+        assert!(relative(marcher.statistics().time_s, end_s) < 1e-12);
+        assert!(marcher.energies().residual_relative().abs() < 1e-9, "{}", marcher.energies().residual_relative());
+    }
+}
+
+/// A stop that is never reached: all energy of the blow is lost in the damping and in the load.
+#[test]
+fn share_of_a_blow_that_reaches_the_resistor() {
+    for (damping_ratio, coupling_squared, alpha) in [(0.01, 0.1, 1.0), (0.005, 0.02, 0.5), (0.2, 0.5, 3.0)] {
+        let blow = Impulse { alpha, coupling_squared, damping_ratio };
+        let mut system = blow.oscillator().system(0.0, 1.0);
+        system.drives.clear();
+        let kernel = kernel(system);
+        let marcher = march(&kernel, &[0.0, 3.0, 0.0], 0.0, 12_000.0, 1e-10);
+        let share = marcher.energies().loads_j[0] / 4.5;
+        assert!(relative(share, blow.efficiency()) < Impulse::TOLERANCE, "{share} {}", blow.efficiency());
+    }
+}
+
+/// The stop as a spring of many laws in one: exponent 1 of the power law and the plain spring agree to the last bit of the law.
+#[test]
+fn stiffness_in_parallel_adds() {
+    let soft = Bilinear { mass_kg: 0.5, frequency_rad_s: 20.0, stop_stiffness_n_m: 300.0 };
+    let mut system = soft.system();
+    system.stops[0].gap_m = -1.0;
+    system.stops[0].law = Law::Hertz(Hertz { stiffness: 300.0, exponent: 1.0 });
+    let kernel = kernel(system);
+    let w = soft.contact_frequency_rad_s();
+    let equilibrium_m = -300.0 / (0.5 * w * w);
+    // Let go at 1 cm from the equilibrium: one period of the stiffened spring later it is back.
+    let start = [0.5_f64.sqrt() * (equilibrium_m + 0.01), 0.0];
+    let marcher = march(&kernel, &start, 0.0, 10.0 * std::f64::consts::TAU / w, 1e-10);
+    let error = distance(&kernel, &physical(&marcher, &kernel), &start);
+    assert!(error < 1e-9, "{error:e}");
+}
