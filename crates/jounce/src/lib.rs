@@ -11,3 +11,8 @@ pub mod contact;
 pub mod march;
 pub mod plant;
 pub mod structure;
+
+/// The Rust code of the README, compiled with the documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+mod readme {}
