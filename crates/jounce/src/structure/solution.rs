@@ -22,7 +22,7 @@ pub(super) struct Structures<'a> {
     bodies: Vec<Body<'a>>,
     segments: BTreeMap<&'a str, Vec<Segment>>,
     /// Number of modes kept: `reduction.modes`, less one for each body held fixed.
-    pub modes: usize,
+    modes: usize,
 }
 
 /// The modes of every body on one mesh.
@@ -81,7 +81,7 @@ impl<'a> Structures<'a> {
     pub fn cubic_mesh(&self, longest_m: f64) -> Result<Mesh, StructureError> {
         StructureError::positive("the longest element".into(), longest_m)?;
         let elements: f64 = self.segments.values().flatten().map(|segment| (segment.length_m / longest_m).ceil()).sum();
-        let unknowns = (2.0 * elements) as usize + self.bodies.len();
+        let unknowns = ((2.0 * elements) as usize).saturating_add(self.bodies.len());
         if unknowns > MOST_UNKNOWNS {
             return Err(StructureError::MeshTooFine { longest_m, unknowns, allowed: MOST_UNKNOWNS });
         }
