@@ -5,7 +5,7 @@ use std::path::Path;
 use super::frame::{frame, grid};
 use super::layout::{Layout, Plot};
 use super::legend::{self, Place};
-use super::marks::marks;
+use super::marks::{markers, marks};
 use super::svg::{Anchor, Svg};
 use super::text::{LEADING, TITLE, width};
 use super::{Panel, PictureError, raster};
@@ -103,6 +103,7 @@ impl Figure {
             grid(&mut svg, plot);
             marks(&mut svg, plot);
             frame(&mut svg, plot);
+            markers(&mut svg, plot);
             legend::legend(&mut svg, plot, *place);
         }
         svg.finish()

@@ -12,7 +12,7 @@ use super::{Colour, Line, Marker, Series};
 /// Markers on a line stand at least this far apart, pixels.
 const MARKER_DISTANCE: f64 = 14.0;
 
-/// Everything inside the frame, or the words "no data".
+/// Everything inside the frame but the markers, or the words "no data".
 pub(super) fn marks(svg: &mut Svg, plot: &Plot<'_>) {
     svg.open_window(plot.left, plot.top, plot.width, plot.height);
     bands(svg, plot);
@@ -23,6 +23,15 @@ pub(super) fn marks(svg: &mut Svg, plot: &Plot<'_>) {
         }
     }
     svg.close_window();
+    if !plot.has_data() {
+        svg.text(plot.left + plot.width / 2.0, plot.top + plot.height / 2.0, SMALL, Anchor::Middle, "no data");
+    }
+    names(svg, plot);
+    notes(svg, plot);
+}
+
+/// The markers, drawn over the frame: those at an end of an axis stay whole.
+pub(super) fn markers(svg: &mut Svg, plot: &Plot<'_>) {
     for series in &plot.panel.series {
         if let Some(marker) = series.marker {
             let places = marker_places(plot, series);
@@ -30,11 +39,6 @@ pub(super) fn marks(svg: &mut Svg, plot: &Plot<'_>) {
             svg.path(&steps, &marker_look(marker, series.colour));
         }
     }
-    if !plot.has_data() {
-        svg.text(plot.left + plot.width / 2.0, plot.top + plot.height / 2.0, SMALL, Anchor::Middle, "no data");
-    }
-    names(svg, plot);
-    notes(svg, plot);
 }
 
 /// The stretches of a series without gap, in pixels of the frame.
