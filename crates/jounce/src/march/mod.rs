@@ -18,5 +18,5 @@ mod trajectory;
 pub use energies::Energies;
 pub use kernel::Kernel;
 pub use marcher::{MarchError, Marcher};
-pub use trajectory::{Instant, Segment, Trajectory};
 pub use totals::{ContactIntegrals, ContactStatistics, WorkCount};
+pub use trajectory::{Instant, Segment, Trajectory};
