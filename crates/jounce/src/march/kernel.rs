@@ -108,6 +108,19 @@ impl Kernel {
         Ok(Self { plant, meters, levels: Arc::clone(&self.levels) })
     }
 
+    /// Row of the relative acceleration of the first port, the contact force left out: `(A^T c_v)`.
+    pub fn acceleration_row(&self) -> Vec<f64> {
+        let block = &self.plant.diagonal.block;
+        let velocity = &self.plant.ports[0].velocity;
+        let mut row = Vec::with_capacity(velocity.len());
+        for (pair, c) in block.pairs.iter().zip(velocity.chunks_exact(2)) {
+            let [a, b, d, e] = pair.matrix();
+            row.extend([c[0] * a + c[1] * d, c[0] * b + c[1] * e]);
+        }
+        row.extend(block.reals.iter().zip(&velocity[2 * block.pairs.len()..]).map(|(rate, c)| rate * c));
+        row
+    }
+
     /// Length of a level, s.
     pub fn length_s(level: i32) -> f64 {
         2.0_f64.powi(-level)

@@ -206,7 +206,7 @@ impl<'k> Marcher<'k> {
             Some(Law::Hertz(law)) => self.dispatch(law, end_s),
             Some(Law::KelvinVoigt(law)) => self.dispatch(law, end_s),
             Some(Law::HuntCrossley(law)) => self.dispatch(law, end_s),
-            Some(Law::Rigid(_)) => Ok(()),
+            Some(Law::Rigid(law)) => self.advance_rigid(law, end_s),
         }
     }
 

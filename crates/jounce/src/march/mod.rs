@@ -9,6 +9,7 @@ mod kernel;
 mod lane;
 mod marcher;
 mod peak;
+mod rigid;
 mod state;
 mod table;
 mod tone;
