@@ -1,2 +1,20 @@
-//! The command line of jounce.
-fn main() {}
+//! The command line of jounce: arguments in, library calls, answers out. It computes nothing itself.
+
+mod arguments;
+mod commands;
+mod failure;
+mod output;
+mod progress;
+mod spec_arguments;
+
+use clap::Parser;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments = arguments::Arguments::parse();
+    let json = arguments.command.wants_json();
+    match commands::run(arguments.command) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(json),
+    }
+}

@@ -2,10 +2,9 @@
 //!
 //! Data flows one way, and a module uses only what stands before it in this list:
 //!
-//! `spec` (what the user says) -> `structure` (beams and masses to modes) -> `contact` (laws) -> `plant` (the coupled
-//! linear system in diagonal form, with its ports) -> `linear` (closed-form answers) -> `march` (time) -> `response` ->
-//! `signal` -> `measure` -> `study` (sweeps) -> `table` -> `picture` -> `report`; `reference` holds exact answers. `store` writes
-//! files whole or not at all and stands before all that write any.
+//! `store` (files that appear whole or not at all), `spec` (what the user says) -> `structure` (beams and masses to modes) ->
+//! `contact` (laws) -> `plant` (the coupled linear system in diagonal form, with its ports) -> `linear` (closed-form answers) ->
+//! `march` (time) -> `run` -> `signal` -> `study` (sweeps) -> `table` -> `picture` -> `report`.
 
 pub mod contact;
 pub mod linear;
@@ -19,4 +18,10 @@ pub mod signal;
 pub mod spec;
 pub mod store;
 pub mod structure;
+pub mod study;
 pub mod table;
+
+/// The Rust code of the README, compiled with the documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+mod readme {}

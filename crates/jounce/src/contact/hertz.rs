@@ -43,8 +43,7 @@ impl ContactLaw for Hertz {
     #[inline]
     fn slopes(&self, penetration_m: f64, _rate_m_s: f64) -> Slopes {
         let inside = penetration_m >= 0.0;
-        let stiffness_n_m =
-            if inside { self.stiffness * self.exponent * penetration_m.max(0.0).powf(self.exponent - 1.0) } else { 0.0 };
+        let stiffness_n_m = if inside { self.stiffness * self.exponent * penetration_m.max(0.0).powf(self.exponent - 1.0) } else { 0.0 };
         Slopes { stiffness_n_m, damping_n_s_m: 0.0 }
     }
 

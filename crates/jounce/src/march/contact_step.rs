@@ -19,7 +19,7 @@ use faer::c64;
 const MOST_ITERATIONS: u32 = 24;
 
 /// Share of the tolerance that one contact may spend on the error of its impulse.
-const IMPULSE_SHARE: f64 = 1e-2;
+const IMPULSE_SHARE: f64 = 0.1;
 
 /// A step as solved: nodal penetrations, rates and forces (last place: end of the step).
 struct Solved {
@@ -153,7 +153,7 @@ impl Marcher<'_> {
         if self.record.is_some() {
             self.note(table.length_s, Some(std::array::from_fn(|j| force.0[j])));
         }
-        self.integrate::<L, FMA>(law, table, drive, solved, &force);
+        self.integrate::<L, FMA>(law, table, solved, &force);
         flow::<FMA>(&self.layout, &self.y, table, &mut self.next);
         add_push::<FMA>(table, &force, &mut self.next);
         std::mem::swap(&mut self.y, &mut self.next);
@@ -179,22 +179,10 @@ impl Marcher<'_> {
 
     /// Adds the step to the contact integrals.
     #[inline(always)]
-    fn integrate<L: ContactLaw, const FMA: bool>(&mut self, law: L, table: &Table, drive: Drive, solved: &Solved, force: &Lane) {
+    fn integrate<L: ContactLaw, const FMA: bool>(&mut self, law: L, table: &Table, solved: &Solved, force: &Lane) {
         let c = &*COLLOCATION;
-        for (sum, response) in self.integrals.loads_j.iter_mut().zip(&table.loads) {
-            *sum += bilinear::<FMA>(&self.layout, &self.y, response, force);
-        }
-        self.integrals.damping_j += bilinear::<FMA>(&self.layout, &self.y, &table.damping, force);
-        let mut weighted = Lane::ZERO;
-        for j in 0..NODES {
-            weighted.0[j] = table.length_s * c.weights[j] * force.0[j];
-        }
-        for ((sum, tone), (cos, sin)) in self.integrals.tones_n_s.iter_mut().zip(&self.tones).zip(drive) {
-            let turned = c64::new(Lane::ZERO.add_product::<FMA>(&weighted, cos).sum(), Lane::ZERO.add_product::<FMA>(&weighted, sin).sum());
-            *sum += tone.turn * turned;
-        }
+        self.integrate_force::<FMA>(table, force);
         let statistics = &mut self.statistics;
-        statistics.impulse_n_s += weighted.sum();
         // A step on whose end the point has left the stop counts for the share of its nodes in contact.
         for j in 0..NODES {
             if solved.penetration.0[j] > 0.0 {
@@ -207,6 +195,27 @@ impl Marcher<'_> {
                 self.integrals.loss_j += table.length_s * c.weights[j] * lost * solved.rate.0[j];
             }
         }
+    }
+
+    /// Adds the nodal forces of a step to the integrals that the energy meters need.
+    #[inline(always)]
+    pub(super) fn integrate_force<const FMA: bool>(&mut self, table: &Table, force: &Lane) {
+        let c = &*COLLOCATION;
+        for (sum, response) in self.integrals.loads_j.iter_mut().zip(&table.loads) {
+            *sum += bilinear::<FMA>(&self.layout, &self.y, response, force);
+        }
+        self.integrals.damping_j += bilinear::<FMA>(&self.layout, &self.y, &table.damping, force);
+        let mut weighted = Lane::ZERO;
+        for j in 0..NODES {
+            weighted.0[j] = table.length_s * c.weights[j] * force.0[j];
+        }
+        for (sum, tone) in self.integrals.tones_n_s.iter_mut().zip(&mut self.tones) {
+            let (cos, sin) = tone.for_length(table.length_s);
+            let turned =
+                c64::new(Lane::ZERO.add_product::<FMA>(&weighted, &cos).sum(), Lane::ZERO.add_product::<FMA>(&weighted, &sin).sum());
+            *sum += tone.turn * turned;
+        }
+        self.statistics.impulse_n_s += weighted.sum();
     }
 
     /// Length of the step to come: longer while the error is small, shorter as the end of the contact comes near.

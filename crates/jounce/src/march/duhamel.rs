@@ -102,7 +102,14 @@ mod tests {
     #[test]
     fn agrees_with_quadrature_for_small_and_large_rates() {
         let mut worst: f64 = 0.0;
-        for z in [c64::new(-1e-9, 1e-7), c64::new(-0.3, 1.0), c64::new(-0.01, 6.0), c64::new(-2.0, 40.0), c64::new(-30.0, 0.0), c64::new(0.0, 0.0)] {
+        for z in [
+            c64::new(-1e-9, 1e-7),
+            c64::new(-0.3, 1.0),
+            c64::new(-0.01, 6.0),
+            c64::new(-2.0, 40.0),
+            c64::new(-30.0, 0.0),
+            c64::new(0.0, 0.0),
+        ] {
             let responses = Duhamel::new(z).responses();
             for (b, response) in responses.iter().enumerate() {
                 for x in [0.02, 0.4, 1.0] {

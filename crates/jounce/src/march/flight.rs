@@ -9,20 +9,21 @@ use super::table::Table;
 
 /// Certificate uncertainty, relative to the motion, below which a crossing counts as located: a contact that could hide in a
 /// step is then shallower than this fraction of the motion.
-const LOCATED: f64 = 1e-14;
+const LOCATED: f64 = 1e-12;
 
 /// What became of one attempted step.
 enum Attempt {
     Clear,
     Strike(f64),
-    Unclear,
+    Unclear { crossing_s: Option<f64> },
 }
 
 impl Marcher<'_> {
     /// Flies until contact or until the end.
     #[inline(always)]
     pub(super) fn flight<const FMA: bool>(&mut self, end_s: f64) -> Result<(), MarchError> {
-        let mut grow = true;
+        // Levels to go up after a success: two while nothing has failed in this flight.
+        let mut grow = 2;
         while self.time_s < end_s {
             let remaining = end_s - self.time_s;
             let mut level = self.flight_level;
@@ -35,13 +36,15 @@ impl Marcher<'_> {
             match self.attempt::<FMA>(level) {
                 Attempt::Clear => {
                     self.work.flight_steps += 1;
-                    self.flight_level = if grow { (level - 1).max(Kernel::coarsest()) } else { level };
+                    self.flight_level = (level - grow).max(Kernel::coarsest());
                 }
                 Attempt::Strike(after_s) => return self.strike::<FMA>(after_s),
-                Attempt::Unclear => {
+                Attempt::Unclear { crossing_s } => {
                     self.work.flight_rejections += 1;
-                    grow = false;
-                    self.flight_level = level + 1;
+                    grow = 0;
+                    // Short of the crossing that the cubic foretells, a step may well be clear.
+                    let short = crossing_s.map_or(level, |crossing_s| Kernel::level_within(0.95 * crossing_s));
+                    self.flight_level = short.max(level + 1).min(Kernel::finest());
                     if !self.penetration_m.is_finite() {
                         return Err(MarchError::NotFinite { time_s: self.time_s });
                     }
@@ -70,7 +73,7 @@ impl Marcher<'_> {
         let located = !clear && step.uncertainty_m() <= LOCATED * self.scale_m(outputs[0]);
         if !clear {
             if !located {
-                return Attempt::Unclear;
+                return Attempt::Unclear { crossing_s: step.crossing_s() };
             }
             if let Some(after_s) = step.crossing_s() {
                 return Attempt::Strike(after_s);

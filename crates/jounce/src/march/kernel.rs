@@ -5,7 +5,7 @@
 use super::lane::{Lane, WIDTH};
 use super::table::Table;
 use crate::plant::{Meters, Pair, Plant, PlantError};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// Exponents `e` of the level lengths run from here ...
 const COARSEST: i32 = -12;
@@ -19,7 +19,8 @@ pub struct Kernel {
     pub plant: Plant,
     /// Its energy meters.
     pub meters: Meters,
-    levels: Vec<Vec<OnceLock<Box<Table>>>>,
+    /// Per port and level; they depend on the plant without its drives only, so that plants that differ in drives share them.
+    levels: Arc<Vec<Vec<OnceLock<Box<Table>>>>>,
 }
 
 /// Where the numbers of a state stand: `u` of all pairs, then `v` of all pairs, then the reals, each padded to whole lanes.
@@ -94,17 +95,30 @@ impl Kernel {
         let ports = plant.ports.len().max(1);
         let count = (FINEST - COARSEST + 1) as usize;
         let levels = (0..ports).map(|_| (0..count).map(|_| OnceLock::new()).collect()).collect();
-        Ok(Self { plant, meters, levels })
+        Ok(Self { plant, meters, levels: Arc::new(levels) })
     }
 
     /// The same plant under other drives, the tables made so far kept.
     ///
     /// # Errors
     /// [`PlantError::UndampedResonance`].
-    pub fn with_drives(self, drives: Vec<crate::plant::Drive>) -> Result<Self, PlantError> {
+    pub fn with_drives(&self, drives: Vec<crate::plant::Drive>) -> Result<Self, PlantError> {
         let plant = self.plant.with_drives(drives)?;
         let meters = Meters::new(&plant)?;
-        Ok(Self { plant, meters, levels: self.levels })
+        Ok(Self { plant, meters, levels: Arc::clone(&self.levels) })
+    }
+
+    /// Row of the relative acceleration of the first port, the contact force left out: `(A^T c_v)`.
+    pub fn acceleration_row(&self) -> Vec<f64> {
+        let block = &self.plant.diagonal.block;
+        let velocity = &self.plant.ports[0].velocity;
+        let mut row = Vec::with_capacity(velocity.len());
+        for (pair, c) in block.pairs.iter().zip(velocity.chunks_exact(2)) {
+            let [a, b, d, e] = pair.matrix();
+            row.extend([c[0] * a + c[1] * d, c[0] * b + c[1] * e]);
+        }
+        row.extend(block.reals.iter().zip(&velocity[2 * block.pairs.len()..]).map(|(rate, c)| rate * c));
+        row
     }
 
     /// Length of a level, s.

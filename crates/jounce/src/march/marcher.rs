@@ -8,8 +8,8 @@ use super::energies::Opening;
 use super::kernel::{Kernel, Layout};
 use super::lane::Lane;
 use super::tone::Turning;
-use super::trajectory::{Segment, Trajectory};
 use super::totals::{ContactIntegrals, ContactStatistics, WorkCount};
+use super::trajectory::{Segment, Trajectory};
 use crate::contact::{ContactLaw, Hertz, Law};
 use pulp::{Arch, Simd, WithSimd};
 
@@ -104,9 +104,8 @@ impl<'k> Marcher<'k> {
         let layout = Layout::of(plant);
         let port = plant.ports.first();
         let steady = |k: usize| port.map_or_else(Default::default, |port| port.steady_m[k]);
-        let tones: Vec<Turning> = (plant.tones.iter().enumerate())
-            .map(|(k, tone)| Turning::new(tone.angular_frequency_rad_s, steady(k), time_s))
-            .collect();
+        let tones: Vec<Turning> =
+            (plant.tones.iter().enumerate()).map(|(k, tone)| Turning::new(tone.angular_frequency_rad_s, steady(k), time_s)).collect();
         let none = vec![0.0; plant.len()];
         let rows = Rows {
             displacement: layout.pack(port.map_or(&none, |port| &port.displacement)),
@@ -207,7 +206,7 @@ impl<'k> Marcher<'k> {
             Some(Law::Hertz(law)) => self.dispatch(law, end_s),
             Some(Law::KelvinVoigt(law)) => self.dispatch(law, end_s),
             Some(Law::HuntCrossley(law)) => self.dispatch(law, end_s),
-            Some(Law::Rigid(_)) => Ok(()),
+            Some(Law::Rigid(law)) => self.advance_rigid(law, end_s),
         }
     }
 

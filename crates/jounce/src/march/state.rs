@@ -27,11 +27,11 @@ pub fn columns<const FMA: bool>(layout: &Layout, y: &[Lane], columns: &[Lane]) -
 #[inline(always)]
 pub fn pushed<const FMA: bool>(start: Lane, push: &[Lane; NODES], force: &Lane) -> Lane {
     let (mut even, mut odd) = (start, Lane::ZERO);
-    for j in 0..NODES {
+    for (j, push) in push.iter().enumerate() {
         if j % 2 == 0 {
-            even = even.add_scaled::<FMA>(force.0[j], &push[j]);
+            even = even.add_scaled::<FMA>(force.0[j], push);
         } else {
-            odd = odd.add_scaled::<FMA>(force.0[j], &push[j]);
+            odd = odd.add_scaled::<FMA>(force.0[j], push);
         }
     }
     even.add(&odd)

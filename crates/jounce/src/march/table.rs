@@ -55,6 +55,29 @@ pub struct FlightTable {
     pub has_fast: bool,
 }
 
+/// What rest on a rigid stop needs on a step, made when it happens.
+#[derive(Debug, Clone)]
+pub struct Sticking {
+    /// Relative acceleration of the port, without the direct share of the force.
+    pub acceleration: Response,
+    /// From free accelerations at the nodes to the nodal forces that cancel them, kg.
+    pub inverse: [[f64; NODES]; NODES],
+}
+
+impl Sticking {
+    /// For the step of a table.
+    pub fn new(kernel: &Kernel, table: &Table) -> Self {
+        use faer::linalg::solvers::DenseSolveCore;
+        let (plant, h) = (&kernel.plant, table.length_s);
+        let blocks = block_responses(kernel, &plant.ports[0].force, h);
+        let acceleration = Flows::new(kernel, h).pointwise(&Layout::of(plant), &kernel.acceleration_row(), &blocks);
+        let mobility = plant.ports[0].mobility_per_kg;
+        let system = faer::Mat::from_fn(NODES, NODES, |i, j| (if i == j { mobility } else { 0.0 }) - acceleration.push[j].0[i]);
+        let inverse = system.partial_piv_lu().inverse();
+        Self { acceleration, inverse: std::array::from_fn(|i| std::array::from_fn(|j| inverse[(i, j)])) }
+    }
+}
+
 /// `|lambda| h` above which a block counts as fast: where its own size is a better bound than its Hermite remainder.
 const FAST: f64 = 4.4;
 
@@ -259,14 +282,11 @@ impl Flows {
             Lane(std::array::from_fn(|i| if i < NODES { h * nodal[i] } else { 0.0 }))
         };
         let series = row_series(row, blocks);
-        let mut push = [Lane::ZERO; NODES];
         // int P_a y = y_a / (2 a + 1)
         let by_force: [[f64; NODES]; NODES] =
             std::array::from_fn(|b| to_nodal(&std::array::from_fn(|a| series[b][a] / (2 * a + 1) as f64)));
-        for i in 0..NODES {
-            let nodal = to_nodal(&std::array::from_fn(|b| by_force[b][i]));
-            (0..NODES).for_each(|j| push[j].0[i] = h * nodal[j]);
-        }
+        let nodal: [[f64; NODES]; NODES] = std::array::from_fn(|i| to_nodal(&std::array::from_fn(|b| by_force[b][i])));
+        let push = std::array::from_fn(|j| Lane(std::array::from_fn(|i| if i < NODES { h * nodal[i][j] } else { 0.0 })));
         Response::new(layout.column_order().into_iter().map(column).collect(), push)
     }
 }

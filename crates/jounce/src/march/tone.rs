@@ -40,6 +40,13 @@ impl Turning {
         }
     }
 
+    /// The same over a step that may or may not be a level.
+    #[inline(always)]
+    pub fn for_length(&mut self, length_s: f64) -> (Lane, Lane) {
+        let level = Kernel::level_within(length_s);
+        if Kernel::length_s(level) == length_s { self.level(level) } else { self.over(length_s) }
+    }
+
     /// `cos` and `sin` of `w tau` over a step of any length.
     pub fn over(&self, length_s: f64) -> (Lane, Lane) {
         let angle = |i: usize| self.angular_frequency_rad_s * length_s * if i < NODES { COLLOCATION.nodes[i] } else { 1.0 };

@@ -59,9 +59,9 @@ impl Trajectory {
             }
             let Some(segment) = self.segments.get(index) else { break };
             let force = kernel.plant.ports.first().map(|port| port.force.as_slice()).unwrap_or_default();
-            let blocks = segment.force_n.map(|_| {
-                &*responses.entry(segment.length_s.to_bits()).or_insert_with(|| block_responses(kernel, force, segment.length_s))
-            });
+            let blocks = segment
+                .force_n
+                .map(|_| &*responses.entry(segment.length_s.to_bits()).or_insert_with(|| block_responses(kernel, force, segment.length_s)));
             instants.push(segment.at(kernel, time_s, blocks.map(Vec::as_slice)));
         }
         instants

@@ -165,7 +165,10 @@ fn single_mode(system: &System, mode: usize, assembly: &Assembly) -> Vec<Piece> 
     }
     let fast = decay - w * ((zeta - 1.0) * (zeta + 1.0)).sqrt();
     // The product of the two rates is w^2: no cancellation in the slow one.
-    [fast, w * w / fast].into_iter().map(|rate| Piece::Real(rate, column(1.0_f64.min(w / rate.abs()), rate / w * 1.0_f64.min(w / rate.abs())))).collect()
+    [fast, w * w / fast]
+        .into_iter()
+        .map(|rate| Piece::Real(rate, column(1.0_f64.min(w / rate.abs()), rate / w * 1.0_f64.min(w / rate.abs()))))
+        .collect()
 }
 
 /// Eigenvectors of a component with patches, in energy coordinates.
@@ -187,9 +190,7 @@ fn coupled(states: &[usize], assembly: &Assembly) -> Result<Vec<Piece>, PlantErr
         .into_iter()
         .map(|j| match values[j] {
             c64 { re, im: 0.0 } => Piece::Real(re, column(j, |x| x.re)),
-            c64 { re, im } => {
-                Piece::Pair(Pair::Oscillatory { decay: re, frequency: im }, [column(j, |x| x.re), column(j, |x| -x.im)])
-            }
+            c64 { re, im } => Piece::Pair(Pair::Oscillatory { decay: re, frequency: im }, [column(j, |x| x.re), column(j, |x| -x.im)]),
         })
         .collect())
 }

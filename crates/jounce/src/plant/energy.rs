@@ -141,7 +141,7 @@ impl EnergyMeter {
         let (mut mean, mut terms) = (0.0, Vec::new());
         for tone in &plant.tones {
             for other in &plant.tones {
-                let speed: Vec<c64> = velocities.iter().map(|row| super::plant::dot(row, &other.steady)).collect();
+                let speed: Vec<c64> = velocities.iter().map(|row| super::coupled::dot(row, &other.steady)).collect();
                 let (wk, wl) = (tone.angular_frequency_rad_s, other.angular_frequency_rad_s);
                 let sum: c64 = tone.force.iter().zip(&speed).map(|(g, v)| g * v * 0.5).sum();
                 let difference: c64 = tone.force.iter().zip(&speed).map(|(g, v)| g * v.conj() * 0.5).sum();
@@ -169,7 +169,7 @@ impl EnergyMeter {
         Self {
             port_rows: plant.ports.iter().map(|port| product(&port.force)).collect(),
             port_cross: (plant.ports.iter())
-                .map(|port| cross.iter().map(|(_, row)| super::plant::dot(&port.force, row)).collect())
+                .map(|port| cross.iter().map(|(_, row)| super::coupled::dot(&port.force, row)).collect())
                 .collect(),
             gramian,
             cross,

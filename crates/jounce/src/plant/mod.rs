@@ -10,16 +10,16 @@
 //! steady state under the drive without contact. Between contacts the flow of `y` is therefore known exactly.
 
 mod block;
+mod coupled;
 mod diagonal;
 mod energy;
 mod error;
-mod plant;
 mod system;
 
 pub use block::{Block, Pair};
+pub(crate) use coupled::dot;
+pub use coupled::{Plant, Port, Tone};
 pub use diagonal::Diagonal;
 pub use energy::{EnergyMeter, Meters};
 pub use error::PlantError;
-pub(crate) use plant::dot;
-pub use plant::{Plant, Port, Tone};
 pub use system::{Drive, Load, Stop, System};

@@ -28,7 +28,9 @@ pub(super) const LOOKS: usize = 2 * LONGEST_PERIOD + 1;
 pub const SETTLED: f64 = 1e-4;
 
 /// Judges states one drive period apart, oldest first, in energy coordinates.
-pub(super) fn settlement(states: &[Vec<f64>]) -> Settlement {
+///
+/// Changes below `noise` are the march's own error, of which no ratio can be taken.
+pub(super) fn settlement(states: &[Vec<f64>], noise: f64) -> Settlement {
     let mut best: Option<Settlement> = None;
     for period in 1..=LONGEST_PERIOD {
         let Some(first) = states.len().checked_sub(2 * period + 1) else { break };
@@ -37,8 +39,7 @@ pub(super) fn settlement(states: &[Vec<f64>]) -> Settlement {
         let change = |a: &[f64], b: &[f64]| norm(a.iter().zip(b).map(|(a, b)| a - b)) / size.max(f64::MIN_POSITIVE);
         let (before, now) = (change(middle, old), change(last, middle));
         let ratio = now / before;
-        // At roundoff the ratio of two changes means nothing.
-        let distance = match now < 1e-12 {
+        let distance = match now < noise {
             true => now,
             false if ratio < 1.0 => now * (ratio / (1.0 - ratio)).max(1.0),
             false => f64::INFINITY,
@@ -65,14 +66,14 @@ mod tests {
     #[test]
     fn a_slow_decay_is_not_settled_though_it_changes_little() {
         let states: Vec<Vec<f64>> = (0..LOOKS).map(|k| vec![1.0 + 0.05 * 0.999_f64.powi(k as i32)]).collect();
-        let found = settlement(&states);
+        let found = settlement(&states, 1e-12);
         assert!(!found.settled && found.change < 1e-4 && (found.distance / 0.0472 - 1.0).abs() < 0.02, "{found:?}");
     }
 
     #[test]
     fn an_orbit_of_two_cycles_is_found() {
         let states: Vec<Vec<f64>> = (0..LOOKS).map(|k| vec![1.0, if k % 2 == 0 { 0.1 } else { -0.1 }]).collect();
-        let found = settlement(&states);
+        let found = settlement(&states, 1e-12);
         assert!(found.settled && found.period_cycles == 2, "{found:?}");
     }
 }

@@ -81,7 +81,7 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
     let march_s = clock.elapsed().as_secs_f64();
     let opened = opened.unwrap_or_default();
     let trajectory = marcher.take_record();
-    let settlement = settled(kernel, &trajectory, end_s, period_s);
+    let settlement = settled(kernel, &trajectory, end_s, period_s, 10.0 * plan.tolerance.max(1e-13));
     let energies = marcher.energies();
     let statistics = marcher.statistics();
     let loads: Vec<LoadAnswer> = (plant.system.loads.iter().zip(energies.loads_j.iter().zip(&opened.loads_j)))
@@ -121,10 +121,9 @@ fn check(plant: &Plant, start: &StartState) -> Result<(), RunError> {
 }
 
 /// Looks at the state once per drive period at the end of the run. Without a drive there is no period and nothing to settle to.
-fn settled(kernel: &Kernel, trajectory: &crate::march::Trajectory, end_s: f64, period_s: Option<f64>) -> Settlement {
-    let Some(period_s) = period_s else { return settlement(&[]) };
-    let times: Vec<f64> =
-        (0..LOOKS).rev().map(|k| end_s - k as f64 * period_s).filter(|time_s| *time_s > -1e-9 * period_s).collect();
+fn settled(kernel: &Kernel, trajectory: &crate::march::Trajectory, end_s: f64, period_s: Option<f64>, noise: f64) -> Settlement {
+    let Some(period_s) = period_s else { return settlement(&[], noise) };
+    let times: Vec<f64> = (0..LOOKS).rev().map(|k| end_s - k as f64 * period_s).filter(|time_s| *time_s > -1e-9 * period_s).collect();
     let modes = &kernel.plant.system.modes;
     let n = modes.len();
     let scales: Vec<f64> = (modes.frequency_rad_s.iter().copied())
@@ -134,5 +133,5 @@ fn settled(kernel: &Kernel, trajectory: &crate::march::Trajectory, end_s: f64, p
     let states: Vec<Vec<f64>> = (trajectory.at(kernel, &times).iter())
         .map(|at| kernel.plant.to_physical(&at.state, at.time_s).iter().zip(&scales).map(|(x, s)| x * s).collect())
         .collect();
-    settlement(&states)
+    settlement(&states, noise)
 }

@@ -160,3 +160,53 @@ impl Placed {
         }
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::spec::Mass;
+    use crate::structure::section::CrossSection;
+
+    fn stepped(terms: usize) -> Vec<Element> {
+        let section = |bending_stiffness_n_m2| CrossSection { bending_stiffness_n_m2, mass_per_length_kg_m: 0.08, neutral_axis_m: 0.0 };
+        let element = |start_m, length_m, stiffness| Element { start_m, length_m, section: section(stiffness), terms };
+        vec![element(0.0, 0.1, 0.2), element(0.1, 0.05, 0.2), element(0.15, 0.15, 0.1)]
+    }
+
+    fn square(row: &Row) -> f64 {
+        row.iter().map(|value| value * value).sum()
+    }
+
+    /// A unit force at the end: `1/k + integral of (L - x)^2 / EI`; measured 3e-16.
+    #[test]
+    fn rows_hold_the_static_flexibility() {
+        let mass = Mass { mass_kg: 2.0, stiffness_n_m: 400.0, damping_ratio: 0.0 };
+        for terms in [2, 7] {
+            let body = Body { mass: Some(("table", &mass)), beams: vec!["beam"] };
+            let assembly = Assembly::new(body, vec![stepped(terms)]);
+            let exact = 1.0 / 400.0 + (0.3_f64.powi(3) - 0.15_f64.powi(3)) / (3.0 * 0.2) + 0.15_f64.powi(3) / (3.0 * 0.1);
+            assert!((square(&assembly.displacement(0, 0.3)) / exact - 1.0).abs() < 1e-14);
+            let inside = 1.0 / 400.0 + 0.1_f64.powi(3) / (3.0 * 0.2);
+            assert!((square(&assembly.displacement(0, 0.1)) / inside - 1.0).abs() < 1e-14);
+            let turned = 0.15 / 0.2 + 0.15 / 0.1;
+            assert!((square(&assembly.slope(0, 0.3)) / turned - 1.0).abs() < 1e-14);
+        }
+    }
+
+    /// Rigid motion of a free mass: column 0 of `G` weighs all that moves.
+    #[test]
+    fn rigid_column_has_the_total_mass() {
+        let mass = Mass { mass_kg: 2.0, stiffness_n_m: 0.0, damping_ratio: 0.0 };
+        let body = Body { mass: Some(("table", &mass)), beams: vec!["beam"] };
+        let factor = Assembly::new(body, vec![stepped(4)]).mass_factor().unwrap();
+        assert!((factor.col(0).squared_norm_l2() - 2.0 - 0.08 * 0.3).abs() < 1e-14);
+    }
+
+    #[test]
+    fn free_ends_are_the_ends_of_the_beams() {
+        let assembly = Assembly::new(Body { mass: None, beams: vec!["beam"] }, vec![stepped(3)]);
+        assert_eq!(assembly.free_ends(), [assembly.displacement(0, 0.3)]);
+        assert!(assembly.root_displacement().iter().all(|value| *value == 0.0));
+    }
+}

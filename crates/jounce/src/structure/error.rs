@@ -166,6 +166,11 @@ impl StructureError {
         Self::require(true, place, value, "finite")
     }
 
+    /// Refuses a tolerance that is looser than useful or tighter than double precision.
+    pub(super) fn tolerance(place: String, value: f64) -> Result<(), Self> {
+        Self::require((1e-13..=0.1).contains(&value), place, value, "between 1e-13 and 0.1")
+    }
+
     fn require(within: bool, place: String, value: f64, allowed: &'static str) -> Result<(), Self> {
         if within && value.is_finite() { Ok(()) } else { Err(Self::OutOfRange { place, value, allowed }) }
     }

@@ -11,8 +11,6 @@ use std::f64::consts::PI;
 
 /// Highest number of curvature terms of an element (degree 23 of the displacement).
 const MOST_TERMS: usize = 22;
-/// Terms added to every element by each refinement.
-const TERMS_PER_LEVEL: usize = 2;
 
 /// A rule that divides segments into elements.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,8 +21,6 @@ pub(super) enum Mesh {
         root_frequency: f64,
         /// Wanted relative error of the mode shapes.
         tolerance: f64,
-        /// 0 for the first mesh, one more for each refinement.
-        level: usize,
     },
     /// Cubic elements, equal within a segment.
     Cubic {
@@ -34,10 +30,10 @@ pub(super) enum Mesh {
 }
 
 impl Mesh {
-    /// The mesh of refinement `level` for the first `modes` modes of beams made of these segments.
-    pub fn spectral<'a>(modes: usize, tolerance: f64, level: usize, segments: impl Iterator<Item = &'a Segment>) -> Self {
+    /// The mesh for the first `modes` modes of beams made of these segments.
+    pub fn spectral<'a>(modes: usize, tolerance: f64, segments: impl Iterator<Item = &'a Segment>) -> Self {
         let phase: f64 = segments.map(Segment::phase_per_root_frequency).sum();
-        Self::Spectral { root_frequency: PI * modes as f64 / phase, tolerance, level }
+        Self::Spectral { root_frequency: PI * modes as f64 / phase, tolerance }
     }
 
     /// The elements of a segment, from its start on.
@@ -52,13 +48,10 @@ impl Mesh {
     fn division(&self, segment: &Segment) -> (usize, usize) {
         match *self {
             Self::Cubic { longest_m } => (((segment.length_m / longest_m - 1e-9).ceil() as usize).max(1), 2),
-            Self::Spectral { root_frequency, tolerance, level } => {
+            Self::Spectral { root_frequency, tolerance } => {
                 let half_phase = root_frequency * segment.phase_per_root_frequency() / 2.0;
-                let (pieces, terms) = (1..)
-                    .map(|pieces| (pieces, terms_needed(half_phase / pieces as f64, tolerance)))
-                    .find(|(_, terms)| *terms <= MOST_TERMS)
-                    .unwrap_or((1, MOST_TERMS));
-                (pieces, terms + level * TERMS_PER_LEVEL)
+                let divided = |pieces| (pieces, terms_needed(half_phase / pieces as f64, tolerance));
+                (1..).map(divided).find(|(_, terms)| *terms <= MOST_TERMS).unwrap_or((1, MOST_TERMS))
             }
         }
     }
@@ -73,4 +66,40 @@ fn terms_needed(a: f64, tolerance: f64) -> usize {
         coefficient *= a / (2 * terms - 1) as f64;
     }
     terms
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::structure::section::CrossSection;
+
+    fn segment(length_m: f64) -> Segment {
+        let section = CrossSection { bending_stiffness_n_m2: 1.0, mass_per_length_kg_m: 1.0, neutral_axis_m: 0.0 };
+        Segment { start_m: 0.1, length_m, section }
+    }
+
+    #[test]
+    fn terms_follow_the_wave_phase() {
+        let stretches = [segment(0.1), segment(0.9)];
+        let mesh = Mesh::spectral(8, 1e-9, stretches.iter());
+        let [short, long] = stretches.map(|stretch| mesh.elements(&stretch));
+        assert_eq!((short.len(), short[0].terms), (1, 11));
+        assert_eq!((long.len(), long[0].terms), (2, 21));
+        assert!((long[1].start_m - 0.55).abs() < 1e-15 && long[0].terms <= MOST_TERMS);
+    }
+
+    #[test]
+    fn waves_resolved_by_the_terms_are_below_the_tolerance() {
+        for a in [0.1, 1.0, 5.0] {
+            let terms = terms_needed(a, 1e-9);
+            let bound = |count: usize| (0..count).map(|j| a / (2 * j + 1) as f64).product::<f64>();
+            assert!(bound(terms) <= 1e-9 && bound(terms - 1) > 1e-9, "{a}: {terms}");
+        }
+    }
+
+    #[test]
+    fn cubic_elements_are_as_long_as_allowed() {
+        let mesh = Mesh::Cubic { longest_m: 0.1 };
+        assert_eq!([0.04, 0.1, 0.3, 0.31].map(|length_m| mesh.elements(&segment(length_m)).len()), [1, 1, 3, 4]);
+    }
 }

@@ -10,8 +10,9 @@
 //! w' = 0 at the root, w = u the displacement of what carries it (0 on the ground);  M u_tt + k u = force of the beams on the mass
 //! ```
 //!
-//! Validation (tests in this folder and in `tests/structure.rs`): cantilever frequencies against the closed form to 1e-12, the paper's
-//! Table 2 to every printed digit, the table-coupled modes of the paper's harvester to 1e-12 on any mesh.
+//! Validation (`tests/structure.rs`): the harvester of the paper against the transfer matrix of its segments in 40-digit arithmetic,
+//! 4e-15 relative in every frequency; uniform cantilever against its closed form, 40 modes; Table 2 to every printed digit; plain
+//! cubic meshes of up to 512 elements with no roundoff above 1e-13.
 //!
 //! Source: impact-harvester paper (2019), sections 2 and 3; Euler-Bernoulli theory.
 
@@ -51,7 +52,7 @@ use std::collections::BTreeMap;
 /// [`StructureError`], with the place and the value in the spec.
 ///
 /// # Limits
-/// Slender beams (no shear, no rotary inertia), small deflections, at most 400 modes.
+/// Slender beams (no shear, no rotary inertia), small deflections, at most 200 modes.
 pub fn modes(spec: &Spec) -> Result<Modes, StructureError> {
     modes_holding(spec, &[])
 }

@@ -68,3 +68,32 @@ pub(super) fn merged(parts: &[Modes]) -> (Order, Modes) {
     }
     (order, modes)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeMap;
+
+    fn part(name: &str, frequency_rad_s: &[f64]) -> Modes {
+        let count = frequency_rad_s.len();
+        let shape: Vec<f64> = (1..=count).map(|mode| mode as f64).collect();
+        Modes {
+            frequency_rad_s: frequency_rad_s.to_vec(),
+            damping_ratio: vec![0.1; count],
+            shape: BTreeMap::from([(name.to_owned(), shape.clone())]),
+            patch: BTreeMap::from([(name.to_owned(), PatchModes { coupling_n_per_v: shape, capacitance_f: 1e-9 })]),
+            discretisation_error: vec![0.0; count],
+        }
+    }
+
+    #[test]
+    fn merged_modes_ascend_and_rest_in_each_other() {
+        let (order, modes) = merged(&[part("one", &[1.0, 4.0, 5.0]), part("two", &[0.0, 4.0])]);
+        assert_eq!(modes.frequency_rad_s, [0.0, 1.0, 4.0, 4.0, 5.0]);
+        assert_eq!(modes.shape["one"], [0.0, 1.0, 2.0, 0.0, 3.0]);
+        assert_eq!(modes.patch["two"].coupling_n_per_v, [1.0, 0.0, 0.0, 2.0, 0.0]);
+        assert_eq!((order.place(1, 1), order.place(1, 2)), (Some(3), None));
+        let first = order.first(3);
+        assert_eq!((first.len(), first.needed(0), first.needed(1)), (3, 2, 1));
+    }
+}

@@ -12,7 +12,7 @@ use crate::spec::Spec;
 use std::collections::BTreeMap;
 
 /// Most modes kept: beyond them a mode is far outside the reach of beam theory, and the dense solve is slow.
-const MOST_MODES: usize = 400;
+const MOST_MODES: usize = 200;
 /// Most unknowns of a mesh; a dense solve with 2000 takes some seconds.
 const MOST_UNKNOWNS: usize = 3000;
 
@@ -22,7 +22,7 @@ pub(super) struct Structures<'a> {
     bodies: Vec<Body<'a>>,
     segments: BTreeMap<&'a str, Vec<Segment>>,
     /// Number of modes kept: `reduction.modes`, less one for each body held fixed.
-    pub modes: usize,
+    modes: usize,
 }
 
 /// The modes of every body on one mesh.
@@ -42,21 +42,22 @@ impl<'a> Structures<'a> {
         let bodies = bodies(spec, held)?;
         let cut = |(name, beam): (&'a String, _)| Ok((name.as_str(), segments(spec, name, beam)?));
         let segments = spec.beam.iter().map(cut).collect::<Result<BTreeMap<_, _>, StructureError>>()?;
-        let modes = if bodies.is_empty() { 0 } else { spec.reduction.modes.saturating_sub(held.len()) };
+        let held = spec.mass.keys().filter(|name| held.contains(name)).count();
+        let modes = if bodies.is_empty() { 0 } else { spec.reduction.modes.saturating_sub(held) };
         let available = if segments.is_empty() { bodies.len() } else { MOST_MODES };
         if !bodies.is_empty() && modes == 0 {
-            return Err(StructureError::NoModes { wanted: spec.reduction.modes, held: held.len() });
+            return Err(StructureError::NoModes { wanted: spec.reduction.modes, held });
         }
         if modes > available {
             return Err(StructureError::TooManyModes { wanted: modes, available });
         }
-        StructureError::positive("reduction.mesh_tolerance".into(), spec.reduction.mesh_tolerance)?;
+        StructureError::tolerance("reduction.mesh_tolerance".into(), spec.reduction.mesh_tolerance)?;
         Ok(Self { bodies, segments, modes })
     }
 
-    /// The mesh of refinement `level`, for mode shapes of relative error `tolerance`.
-    pub fn spectral_mesh(&self, tolerance: f64, level: usize) -> Mesh {
-        Mesh::spectral(self.modes, tolerance, level, self.segments.values().flatten())
+    /// The mesh for mode shapes of relative error `tolerance`.
+    pub fn spectral_mesh(&self, tolerance: f64) -> Mesh {
+        Mesh::spectral(self.modes, tolerance, self.segments.values().flatten())
     }
 
     /// Solves every body on a mesh.
@@ -80,7 +81,7 @@ impl<'a> Structures<'a> {
     pub fn cubic_mesh(&self, longest_m: f64) -> Result<Mesh, StructureError> {
         StructureError::positive("the longest element".into(), longest_m)?;
         let elements: f64 = self.segments.values().flatten().map(|segment| (segment.length_m / longest_m).ceil()).sum();
-        let unknowns = (2.0 * elements) as usize + self.bodies.len();
+        let unknowns = ((2.0 * elements) as usize).saturating_add(self.bodies.len());
         if unknowns > MOST_UNKNOWNS {
             return Err(StructureError::MeshTooFine { longest_m, unknowns, allowed: MOST_UNKNOWNS });
         }

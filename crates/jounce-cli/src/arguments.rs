@@ -1,0 +1,53 @@
+//! What can be typed.
+
+use crate::commands::{check, completions, frf, modes, reproduce, run, sweep};
+use clap::{Parser, Subcommand};
+
+/// Simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
+///
+/// Exit codes: 0 done, 2 wrong usage, 3 not converged, 4 invalid input.
+#[derive(Debug, Parser)]
+#[command(name = "jounce", version, max_term_width = 110)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Reads a spec and reports every fault in it.
+    Check(check::Check),
+    /// Natural frequencies, damping ratios and coupling factors.
+    Modes(modes::Modes),
+    /// Frequency response functions without contact, in closed form.
+    Frf(frf::Frf),
+    /// Marches one run and reports its mean power and its energy balance.
+    Run(run::Run),
+    /// Marches a run at every value of a key.
+    Sweep(sweep::Sweep),
+    /// Computes the tables, figures and claims of the 2019 impact-harvester paper.
+    Reproduce(reproduce::Reproduce),
+    /// Prints the JSON Schema (draft-07) of a spec, for editors.
+    Schema,
+    /// Prints the reference of all keys of a spec, in Markdown.
+    Keys,
+    /// Prints a completion script for a shell.
+    Completions(completions::Completions),
+}
+
+impl Command {
+    /// True when answers and faults go to stdout as JSON.
+    pub fn wants_json(&self) -> bool {
+        match self {
+            Command::Check(command) => command.output.json,
+            Command::Modes(command) => command.output.json,
+            Command::Frf(command) => command.output.json,
+            Command::Run(command) => command.output.json,
+            Command::Sweep(command) => command.output.json,
+            Command::Reproduce(command) => command.json,
+            Command::Schema | Command::Keys | Command::Completions(_) => false,
+        }
+    }
+}

@@ -1,0 +1,38 @@
+//! `jounce check SPEC`
+
+use crate::failure::{Failure, described};
+use crate::output::{line, print};
+use crate::spec_arguments::{OutputArguments, SpecArguments};
+use clap::Args;
+use jounce::study::Prepared;
+
+/// Arguments of `check`.
+#[derive(Debug, Args)]
+pub struct Check {
+    #[command(flatten)]
+    spec: SpecArguments,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
+impl Check {
+    /// Reads the spec and builds its plant, so that what can only be seen there is seen too.
+    pub fn run(&self) -> Result<(), Failure> {
+        let spec = match self.spec.spec() {
+            Err(Failure::Faults(path, faults)) if self.output.json => {
+                faults.iter().for_each(|fault| eprintln!("{}", described(&path, fault)));
+                print(&serde_json::json!({ "valid": false, "faults": faults }));
+                // The faults are told; only the exit code is left to give.
+                std::process::exit(4);
+            }
+            other => other?,
+        };
+        Prepared::new(spec)?;
+        if self.output.json {
+            print(&serde_json::json!({ "valid": true, "faults": [] }));
+        } else {
+            line(format!("{}: valid", self.spec.spec.display()));
+        }
+        Ok(())
+    }
+}

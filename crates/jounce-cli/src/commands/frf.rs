@@ -1,0 +1,116 @@
+//! `jounce frf SPEC`
+
+use super::modes::held;
+use crate::failure::Failure;
+use crate::output::{self, line, print};
+use crate::spec_arguments::{OutputArguments, SpecArguments};
+use clap::Args;
+use jounce::linear::{self, Response};
+use jounce::picture::{self, Scale};
+use jounce::plant::{Plant, System};
+use jounce::spec::{Quantity, Spec};
+use jounce::structure;
+use jounce::table::{Column, Table};
+
+/// Arguments of `frf`.
+#[derive(Debug, Args)]
+pub struct Frf {
+    #[command(flatten)]
+    spec: SpecArguments,
+    /// Lowest frequency, as in 1Hz.
+    #[arg(long, default_value = "1Hz")]
+    from: String,
+    /// Highest frequency, as in 1000Hz.
+    #[arg(long, default_value = "1000Hz")]
+    to: String,
+    /// Number of frequencies, evenly spaced on a logarithmic axis.
+    #[arg(long, default_value_t = 2000)]
+    points: usize,
+    /// Point that is pushed; by default that of the first drive.
+    #[arg(long, value_name = "POINT")]
+    input: Option<String>,
+    /// Holds a body still, by its name; can be given several times.
+    #[arg(long, value_name = "BODY")]
+    hold: Vec<String>,
+    /// Holds every mass still.
+    #[arg(long)]
+    fixed_table: bool,
+    /// Leaves every patch without its circuit.
+    #[arg(long)]
+    open_circuit: bool,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
+impl Frf {
+    /// Prints the acceleration of every point and the voltage of every patch, per newton.
+    pub fn run(&self) -> Result<(), Failure> {
+        let mut spec = self.spec.spec()?;
+        let frequency_hz = self.frequencies()?;
+        let held = held(&self.hold, self.fixed_table, &spec);
+        let input = match (&self.input, spec.drive.values().next()) {
+            (Some(point), _) => point.clone(),
+            (None, Some(drive)) => drive.at.clone(),
+            (None, None) => return Err(Failure::usage("this spec has no drive: name the point to push with --input POINT".into())),
+        };
+        if self.open_circuit {
+            spec.circuit.clear();
+        }
+        spec.drive.clear();
+        spec.stop.clear();
+        let modes = structure::modes_holding(&spec, &held)?;
+        let points = modes.shape.keys().map(|point| Response::Acceleration(point.clone()));
+        let responses: Vec<Response> = points.chain(modes.patch.keys().map(|patch| Response::Voltage(patch.clone()))).collect();
+        let plant = Plant::new(System::assemble(&spec, modes)?)?;
+        let answers = linear::frf(&plant, &input, &responses, &frequency_hz)?;
+        if let Some(folder) = &self.output.out {
+            self.write(folder, &spec, &frequency_hz, &answers)?;
+        }
+        if self.output.json {
+            let listed: serde_json::Map<String, serde_json::Value> = (answers.iter())
+                .map(|frf| {
+                    let re: Vec<f64> = frf.value.iter().map(|v| v.re).collect();
+                    let im: Vec<f64> = frf.value.iter().map(|v| v.im).collect();
+                    (frf.response.name(), serde_json::json!({ "re": re, "im": im, "unit": frf.response.unit() }))
+                })
+                .collect();
+            print(&serde_json::json!({ "input": input, "held": held, "frequency_hz": frequency_hz, "responses": listed }));
+            return Ok(());
+        }
+        for frf in &answers {
+            let highest = frf.value.iter().map(|v| v.norm()).enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+            if let Some((place, size)) = highest {
+                line(format!("{}: highest {size:.5e} {} at {:.4} Hz", frf.response.name(), frf.response.unit(), frequency_hz[place]));
+            }
+        }
+        Ok(())
+    }
+
+    fn frequencies(&self) -> Result<Vec<f64>, Failure> {
+        let read = |name: &str, text: &str| {
+            let fault = |reason: String| Failure::usage(format!("--{name} {text}: {reason}"));
+            let value = Quantity::Frequency.read(text).map_err(|error| fault(error.to_string()))?;
+            if value > 0.0 && value.is_finite() { Ok(value) } else { Err(fault("a frequency must be above 0 Hz".into())) }
+        };
+        let (from, to) = (read("from", &self.from)?, read("to", &self.to)?);
+        if from >= to || !(2..=1_000_000).contains(&self.points) {
+            return Err(Failure::usage("frf needs --from below --to, and 2 to 1000000 --points".into()));
+        }
+        let ratio = (to / from).ln() / (self.points - 1) as f64;
+        Ok((0..self.points).map(|k| if k + 1 == self.points { to } else { from * (ratio * k as f64).exp() }).collect())
+    }
+
+    fn write(&self, folder: &std::path::Path, spec: &Spec, frequency_hz: &[f64], answers: &[linear::Frf]) -> Result<(), Failure> {
+        let mut table = Table::new(vec![Column::new("frequency_hz", "Hz", "frequency", frequency_hz.to_vec())])?;
+        for frf in answers {
+            let (name, unit) = (frf.response.name(), frf.response.unit());
+            let (re, im): (Vec<f64>, Vec<f64>) = frf.value.iter().map(|v| (v.re, v.im)).unzip();
+            table.push(Column::new(&format!("{name}.re"), unit, "real part", re.clone()))?;
+            table.push(Column::new(&format!("{name}.im"), unit, "imaginary part", im.clone()))?;
+            let response = picture::Response { label: name.clone(), re, im };
+            let figure = picture::frequency_responses(&name, &name, unit, Scale::Log, frequency_hz, &[response]);
+            output::figure(folder, &format!("frf-{name}"), &figure)?;
+        }
+        output::table(folder, "frf", &table, &self.spec.manifest(spec, "frf"))
+    }
+}

@@ -1,0 +1,34 @@
+//! One file per command.
+
+pub mod check;
+pub mod completions;
+pub mod frf;
+pub mod modes;
+pub mod reproduce;
+pub mod run;
+pub mod sweep;
+
+use crate::arguments::Command;
+use crate::failure::Failure;
+use crate::output::line;
+
+/// Runs a command.
+pub fn run(command: Command) -> Result<(), Failure> {
+    match command {
+        Command::Check(command) => command.run(),
+        Command::Modes(command) => command.run(),
+        Command::Frf(command) => command.run(),
+        Command::Run(command) => command.run(),
+        Command::Sweep(command) => command.run(),
+        Command::Reproduce(command) => command.run(),
+        Command::Completions(command) => command.run(),
+        Command::Schema => {
+            line(format!("{:#}", jounce::spec::schema()));
+            Ok(())
+        }
+        Command::Keys => {
+            line(jounce::spec::reference_markdown());
+            Ok(())
+        }
+    }
+}

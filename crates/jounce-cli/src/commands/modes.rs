@@ -1,0 +1,97 @@
+//! `jounce modes SPEC`
+
+use crate::failure::Failure;
+use crate::output::{self, line, print};
+use crate::spec_arguments::{OutputArguments, SpecArguments};
+use clap::Args;
+use jounce::linear::couplings;
+use jounce::picture::{ModeShape, Patch, mode_shapes};
+use jounce::spec::Spec;
+use jounce::structure;
+use jounce::table::{Column, Table};
+use std::f64::consts::TAU;
+
+/// Arguments of `modes`.
+#[derive(Debug, Args)]
+pub struct Modes {
+    #[command(flatten)]
+    spec: SpecArguments,
+    /// Holds a body still, by its name; can be given several times.
+    #[arg(long, value_name = "BODY")]
+    hold: Vec<String>,
+    /// Holds every mass still: the beams as clamped.
+    #[arg(long)]
+    fixed_table: bool,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
+/// Names of the bodies to hold.
+pub fn held(hold: &[String], fixed_table: bool, spec: &Spec) -> Vec<String> {
+    let masses = spec.mass.keys().filter(|_| fixed_table);
+    hold.iter().chain(masses).cloned().collect()
+}
+
+impl Modes {
+    /// Prints modes and couplings.
+    pub fn run(&self) -> Result<(), Failure> {
+        let spec = self.spec.spec()?;
+        let held = held(&self.hold, self.fixed_table, &spec);
+        let modes = structure::modes_holding(&spec, &held)?;
+        let frequency_hz: Vec<f64> = modes.frequency_rad_s.iter().map(|w| w / TAU).collect();
+        let couplings = couplings(&modes);
+        if let Some(folder) = &self.output.out {
+            let table = Table::new(vec![
+                Column::new("frequency_hz", "Hz", "undamped short-circuit frequency", frequency_hz.clone()),
+                Column::new("damping_ratio", "", "damping ratio", modes.damping_ratio.clone()),
+                Column::new("discretisation_error", "", "estimated relative error of the frequency", modes.discretisation_error.clone()),
+            ])?;
+            output::table(folder, "modes", &table, &self.spec.manifest(&spec, "modes"))?;
+            self.draw(folder, &spec, &held, &frequency_hz)?;
+        }
+        if self.output.json {
+            let list: Vec<_> = (0..modes.len())
+                .map(|i| {
+                    serde_json::json!({
+                        "frequency_hz": frequency_hz[i],
+                        "damping_ratio": modes.damping_ratio[i],
+                        "discretisation_error": modes.discretisation_error[i],
+                    })
+                })
+                .collect();
+            print(&serde_json::json!({ "modes": list, "couplings": couplings, "held": held }));
+            return Ok(());
+        }
+        line("mode  frequency_hz  damping_ratio");
+        for (i, frequency) in frequency_hz.iter().enumerate() {
+            line(format!("{:>4}  {frequency:>12.5}  {:>13.5}", i + 1, modes.damping_ratio[i]));
+        }
+        for c in couplings {
+            line(format!(
+                "patch {}, mode {}: open circuit {:.5} Hz, coupling squared {:.4e}",
+                c.patch,
+                c.mode + 1,
+                c.open_circuit_hz,
+                c.coupling_squared
+            ));
+        }
+        Ok(())
+    }
+
+    fn draw(&self, folder: &std::path::Path, spec: &Spec, held: &[String], frequency_hz: &[f64]) -> Result<(), Failure> {
+        for (name, along) in structure::shapes_along_beams(spec, held, 200)? {
+            let shapes: Vec<ModeShape> = (0..frequency_hz.len().min(5))
+                .filter_map(|mode| {
+                    Some(ModeShape { label: format!("{}: {:.2} Hz", mode + 1, frequency_hz[mode]), displacement: along.mode(mode)? })
+                })
+                .collect();
+            let patches: Vec<Patch> = (spec.patch.iter())
+                .filter(|(_, patch)| patch.on == name)
+                .map(|(label, patch)| Patch { label: label.clone(), start_m: patch.start_m, end_m: patch.start_m + patch.length_m })
+                .collect();
+            let figure = mode_shapes(&format!("Mode shapes of {name}"), &along.place_m, &shapes, &patches);
+            output::figure(folder, &format!("modes-{name}"), &figure)?;
+        }
+        Ok(())
+    }
+}

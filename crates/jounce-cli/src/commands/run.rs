@@ -1,0 +1,217 @@
+//! `jounce run SPEC`
+
+use crate::failure::Failure;
+use crate::output::{self, line, print};
+use crate::spec_arguments::{OutputArguments, SpecArguments};
+use clap::Args;
+use jounce::march::Kernel;
+use jounce::picture::{Scale, SpectrumLine, Trace, spectra, time_histories};
+use jounce::run::{RunAnswer, RunPlan, simulate};
+use jounce::signal::{Samples, Window};
+use jounce::study::Prepared;
+use jounce::table::{Column, Table};
+use std::path::{Path, PathBuf};
+
+/// Samples per second of the tables and pictures of a run.
+const SAMPLE_RATE_HZ: f64 = 4096.0;
+
+/// Arguments of `run`.
+#[derive(Debug, Args)]
+pub struct Run {
+    #[command(flatten)]
+    spec: SpecArguments,
+    /// Wanted relative error of the response; overrides run.tolerance.
+    #[arg(long)]
+    tolerance: Option<f64>,
+    /// Starts from the state that another run saved; overrides run.start.
+    #[arg(long, value_name = "FILE")]
+    start: Option<PathBuf>,
+    /// Saves the last state, for another run to go on from.
+    #[arg(long, value_name = "FILE")]
+    save_state: Option<PathBuf>,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
+impl Run {
+    /// Marches and reports.
+    pub fn run(&self) -> Result<(), Failure> {
+        let mut file = self.spec.file()?;
+        if let Some(tolerance) = self.tolerance {
+            file.set("run.tolerance", &format!("{tolerance:e}")).map_err(|fault| Failure::faults(&self.spec.spec, vec![fault]))?;
+        }
+        let mut spec = self.spec.checked(file.spec())?;
+        let mut folder = self.spec.folder();
+        if let Some(start) = &self.start {
+            spec.run.start = jounce::spec::Start::State(start.display().to_string());
+            folder = PathBuf::new();
+        }
+        let prepared = Prepared::new(spec)?;
+        let start = prepared.start(&folder)?;
+        let kernel = prepared.from_state(&start)?;
+        let run = &prepared.spec.run;
+        let plan = RunPlan {
+            duration_s: run.duration_s,
+            average_over_s: run.average_over_s,
+            tolerance: run.tolerance,
+            record_s: if self.output.out.is_some() { run.average_over_s } else { 0.0 },
+        };
+        let answer = simulate(&kernel, &start, &plan).map_err(jounce::study::StudyError::from)?;
+        if let Some(path) = &self.save_state {
+            let text = serde_json::to_string_pretty(&answer.end).map_err(|error| Failure::Input(error.to_string()))?;
+            jounce::store::write(path, text.as_bytes())?;
+        }
+        if let Some(folder) = &self.output.out {
+            self.write(folder, &prepared, &kernel, &answer, &plan)?;
+        }
+        self.tell(&kernel, &answer, &plan);
+        Ok(())
+    }
+
+    fn tell(&self, kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) {
+        let residual = answer.energies.residual_relative();
+        let settlement = &answer.settlement;
+        if self.output.json {
+            print(&serde_json::json!({
+                "mean_power_w": answer.mean_power_w,
+                "voltage_rms_v": answer.loads.first().map(|load| load.voltage_rms_v),
+                "voltage_peak_v": peak_voltage_v(kernel, answer, plan),
+                "loads": answer.loads,
+                "max_penetration_m": answer.max_penetration_m,
+                "max_contact_force_n": answer.max_contact_force_n,
+                "contacts": answer.contacts,
+                "contact_duty": answer.contact_duty,
+                "energy_residual_relative": residual,
+                "energies": {
+                    "input_j": answer.energies.input_j,
+                    "loads_j": answer.energies.loads_j,
+                    "damping_j": answer.energies.damping_j,
+                    "contact_loss_j": answer.energies.contact_loss_j,
+                    "stored_j": answer.energies.stored_j,
+                },
+                "settled": settlement.settled,
+                "period_cycles": settlement.period_cycles,
+                "settle_change": settlement.change,
+                "settle_distance": finite(settlement.distance),
+                "work": answer.work,
+                "march_s": answer.march_s,
+                "tolerance": plan.tolerance,
+            }));
+            return;
+        }
+        line(format!("mean power         {:.6e} W", answer.mean_power_w));
+        for load in &answer.loads {
+            line(format!("voltage, rms       {:.6} V  (load {})", load.voltage_rms_v, load.name));
+        }
+        line(format!(
+            "contacts           {} in {} s, {:.2} % of the time",
+            answer.contacts,
+            plan.average_over_s,
+            100.0 * answer.contact_duty
+        ));
+        line(format!("penetration, peak  {:.6e} m, force {:.4e} N", answer.max_penetration_m, answer.max_contact_force_n));
+        line(format!("energy residual    {residual:.1e} of the largest energy"));
+        match settlement.settled {
+            true => line(format!("settled            period {} drive cycles, change {:.1e}", settlement.period_cycles, settlement.change)),
+            false => {
+                line(format!("NOT settled        change over a period {:.1e}; a longer run.duration may settle it", settlement.change))
+            }
+        }
+        line(format!(
+            "marched in         {:.3} ms, {} flight and {} contact steps",
+            1e3 * answer.march_s,
+            answer.work.flight_steps,
+            answer.work.contact_steps
+        ));
+    }
+
+    /// Time histories, spectrum and table of the averaging window.
+    fn write(&self, folder: &Path, prepared: &Prepared, kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) -> Result<(), Failure> {
+        let count = ((plan.average_over_s * SAMPLE_RATE_HZ) as usize).max(2);
+        let begin = plan.duration_s - plan.average_over_s;
+        let time_s: Vec<f64> = (0..count).map(|k| begin + k as f64 / SAMPLE_RATE_HZ).collect();
+        let plant = &kernel.plant;
+        let (modes, n) = (&plant.system.modes, plant.system.modes.len());
+        let instants = answer.trajectory.at(kernel, &time_s);
+        let states: Vec<Vec<f64>> = instants.iter().map(|at| plant.to_physical(&at.state, at.time_s)).collect();
+        let mut traces: Vec<Trace> = Vec::new();
+        for (patch, name) in modes.patch.keys().enumerate() {
+            let values = states.iter().map(|x| x[2 * n + patch]).collect();
+            traces.push(Trace { quantity: format!("Voltage of {name}"), unit: "V".into(), values });
+        }
+        for stop in &plant.system.stops {
+            let towards = |x: &Vec<f64>| stop.shape.iter().zip(x).map(|(s, q)| s * q).sum::<f64>();
+            traces.push(Trace {
+                quantity: format!("Towards {}", stop.name),
+                unit: "m".into(),
+                values: states.iter().map(towards).collect(),
+            });
+        }
+        traces.push(Trace { quantity: "Contact force".into(), unit: "N".into(), values: instants.iter().map(|at| at.force_n).collect() });
+        let mut table = Table::new(vec![Column::new("time_s", "s", "time", time_s.clone())])?;
+        for trace in &traces {
+            table.push(Column::new(
+                &trace.quantity.to_lowercase().replace(' ', "_"),
+                &trace.unit,
+                &trace.quantity,
+                trace.values.clone(),
+            ))?;
+        }
+        output::table(folder, "run", &table, &self.spec.manifest(&prepared.spec, "run").with("tolerance", plan.tolerance))?;
+        let shown = count.min(SAMPLE_RATE_HZ as usize);
+        let last: Vec<Trace> = traces.iter().map(|t| Trace { values: t.values[count - shown..].to_vec(), ..t.clone() }).collect();
+        output::figure(folder, "run-time", &time_histories("Last second of the run", &time_s[count - shown..], &last))?;
+        if let Some(voltage) = traces.first() {
+            let spectrum = Samples::new(&voltage.values, SAMPLE_RATE_HZ)?.spectrum(Window::Hann);
+            let drive_hz = plant.system.drives.first().map(|drive| drive.frequency_hz);
+            let highest = 12.0 * drive_hz.unwrap_or(SAMPLE_RATE_HZ / 24.0);
+            let kept = spectrum.frequency_hz.iter().take_while(|f| **f <= highest).count();
+            let shown = SpectrumLine {
+                label: voltage.quantity.clone(),
+                frequency_hz: spectrum.frequency_hz[..kept].to_vec(),
+                amplitude_peak: spectrum.amplitude_peak[..kept].to_vec(),
+            };
+            output::figure(
+                folder,
+                "run-spectrum",
+                &spectra("Voltage spectrum, Hann window", &voltage.quantity, "V", Scale::Log, &[shown], drive_hz),
+            )?;
+        }
+        Ok(())
+    }
+}
+
+/// Largest voltage of the first patch over the last drive cycles that the run keeps, V.
+fn peak_voltage_v(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) -> Option<f64> {
+    let plant = &kernel.plant;
+    let first = answer.trajectory.segments().first()?.start_s;
+    let samples = 4096;
+    let times: Vec<f64> = (0..=samples).map(|k| first + (plan.duration_s - first) * f64::from(k) / f64::from(samples)).collect();
+    let row = (!plant.system.modes.patch.is_empty()).then(|| plant.voltage_row(0))?;
+    let steady = plant.steady_output(&row);
+    let voltage = |state: &[f64], time_s: f64| {
+        let forced: f64 = (plant.tones.iter().zip(&steady))
+            .map(|(tone, s)| {
+                let (sin, cos) = (tone.angular_frequency_rad_s * time_s).sin_cos();
+                s.re * cos - s.im * sin
+            })
+            .sum();
+        (row.iter().zip(state).map(|(r, y)| r * y).sum::<f64>() + forced).abs()
+    };
+    Some(answer.trajectory.at(kernel, &times).iter().map(|at| voltage(&at.state, at.time_s)).fold(0.0, f64::max))
+}
+
+fn finite(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn infinite_distance_is_null_in_json() {
+        assert_eq!(finite(f64::INFINITY), None);
+        assert_eq!(finite(1.5), Some(1.5));
+    }
+}

@@ -1,0 +1,202 @@
+//! `jounce sweep SPEC --over KEY=RANGE`
+
+use crate::failure::Failure;
+use crate::output::{self, line, print};
+use crate::progress;
+use crate::spec_arguments::{OutputArguments, SpecArguments};
+use clap::{Args, ValueEnum};
+use jounce::picture::{self, Axis, SweepLine, SweepLook};
+use jounce::spec::{KeyRange, Spec};
+use jounce::study::{Direction, Journal, Sweep as Study, SweepPoint, Way};
+use jounce::table::{Column, Table};
+use sha2::{Digest, Sha256};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Order of visit.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum Order {
+    /// From the first value to the last, the state carried over.
+    Up,
+    /// From the last value to the first, the state carried over.
+    Down,
+    /// Up, then down from where it arrived.
+    Both,
+    /// Each point from the start of the spec, in parallel.
+    Independent,
+}
+
+/// Arguments of `sweep`.
+#[derive(Debug, Args)]
+pub struct Sweep {
+    #[command(flatten)]
+    spec: SpecArguments,
+    /// The key and its values: KEY=FROM:TO:STEP, KEY=FROM:TO:Nx, KEY=FROM:TO:Nlog or KEY=A,B,C.
+    #[arg(long, value_name = "KEY=RANGE")]
+    over: String,
+    /// Order in which the points are visited.
+    #[arg(long, value_enum, default_value = "up")]
+    direction: Order,
+    /// Every point runs for run.duration and averages over run.average_over, instead of until it has settled.
+    #[arg(long)]
+    fixed_duration: bool,
+    /// Wanted relative error of the response; overrides run.tolerance.
+    #[arg(long)]
+    tolerance: Option<f64>,
+    /// Number of threads; by default one per core.
+    #[arg(long)]
+    threads: Option<usize>,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
+impl Sweep {
+    /// Sweeps and reports.
+    pub fn run(&self) -> Result<(), Failure> {
+        let mut file = self.spec.file()?;
+        if let Some(tolerance) = self.tolerance {
+            file.set("run.tolerance", &format!("{tolerance:e}")).map_err(|fault| Failure::faults(&self.spec.spec, vec![fault]))?;
+        }
+        let spec = self.spec.checked(file.spec())?;
+        let range = self.spec.checked(file.range(&self.over))?;
+        let direction = match self.direction {
+            Order::Up => Direction::Up,
+            Order::Down => Direction::Down,
+            Order::Both => Direction::Both,
+            Order::Independent => Direction::Independent,
+        };
+        let study = Study { spec: &spec, range: &range, direction, fixed_duration: self.fixed_duration, folder: self.spec.folder() };
+        let journal = Journal::open(&cache_folder(), &self.journal_key(&spec))?;
+        let bar = progress::bar(study.len());
+        bar.set_position(journal.found().len() as u64);
+        if !journal.found().is_empty() {
+            eprintln!("going on after {} finished points", journal.found().len());
+        }
+        let stop = Arc::new(AtomicBool::new(false));
+        let asked = Arc::clone(&stop);
+        let _ = ctrlc::set_handler(move || asked.store(true, Ordering::Relaxed));
+        let mut pool = rayon::ThreadPoolBuilder::new();
+        if let Some(threads) = self.threads {
+            pool = pool.num_threads(threads);
+        }
+        let pool = pool.build().map_err(|error| Failure::Input(format!("the threads cannot be started: {error}")))?;
+        let points = pool.install(|| study.run(Some(&journal), &stop, &|_| bar.inc(1)))?;
+        bar.finish_and_clear();
+        if points.len() < study.len() {
+            let text = format!("stopped after {} of {} points; the same command goes on from there", points.len(), study.len());
+            return Err(Failure::Interrupted(text));
+        }
+        self.tell(&spec, &range, &points)?;
+        journal.finish()?;
+        Ok(())
+    }
+
+    /// Tells one sweep from another: the spec's own digest, the key with its values, the options and the version.
+    fn journal_key(&self, spec: &Spec) -> String {
+        let options = format!("{} {:?} {} {}", self.over, self.direction, self.fixed_duration, env!("CARGO_PKG_VERSION"));
+        let digest = Sha256::digest(format!("{} {options}", spec.hash_hex()));
+        digest.iter().map(|byte| format!("{byte:02x}")).collect()
+    }
+
+    fn tell(&self, spec: &Spec, range: &KeyRange, points: &[SweepPoint]) -> Result<(), Failure> {
+        let unsettled = points.iter().filter(|point| !point.settled).count();
+        if unsettled > 0 {
+            eprintln!("{unsettled} of {} points had not settled when they were averaged; they are marked settled = false", points.len());
+        }
+        if let Some(folder) = &self.output.out {
+            self.write(folder, spec, range, points)?;
+        }
+        if self.output.json {
+            let listed: Vec<_> = points.iter().map(listed).collect();
+            print(&serde_json::json!({ "over": range.key().path(), "unit": range.key().unit(), "points": listed }));
+            return Ok(());
+        }
+        line(format!("{:>14}  direction    mean_power_w   voltage_rms_v  settled", format!("parameter [{}]", range.key().unit())));
+        for p in points {
+            line(format!(
+                "{:>14.6}  {:<11}  {:.6e}  {:>13.6}  {}",
+                p.parameter,
+                p.direction.name(),
+                p.mean_power_w,
+                p.voltage_rms_v,
+                p.settled
+            ));
+        }
+        Ok(())
+    }
+
+    fn write(&self, folder: &std::path::Path, spec: &Spec, range: &KeyRange, points: &[SweepPoint]) -> Result<(), Failure> {
+        let unit = range.key().unit();
+        let column = |name: &str, unit: &str, about: &str, value: fn(&SweepPoint) -> f64| {
+            Column::new(name, unit, about, points.iter().map(value).collect::<Vec<f64>>())
+        };
+        let table = Table::new(vec![
+            column("parameter", &unit, range.key().path(), |p| p.parameter),
+            Column::new(
+                "direction",
+                "",
+                "how the point was reached",
+                points.iter().map(|p| p.direction.name().to_owned()).collect::<Vec<_>>(),
+            ),
+            column("mean_power_w", "W", "mean power of all loads", |p| p.mean_power_w),
+            column("voltage_rms_v", "V", "voltage of the first load, rms", |p| p.voltage_rms_v),
+            column("max_penetration_m", "m", "largest penetration of the stop", |p| p.max_penetration_m),
+            column("contact_rate_hz", "1/s", "contacts per second", |p| p.contact_rate_hz),
+            Column::new("settled", "", "settled when it was averaged", points.iter().map(|p| p.settled).collect::<Vec<_>>()),
+            Column::new(
+                "period_cycles",
+                "",
+                "period in drive cycles",
+                points.iter().map(|p| u64::from(p.period_cycles)).collect::<Vec<_>>(),
+            ),
+            column("energy_residual_relative", "", "energy residual of the march", |p| p.energy_residual_relative),
+        ])?;
+        output::table(folder, "sweep", &table, &self.spec.manifest(spec, "sweep").with("over", &self.over))?;
+        let lines: Vec<SweepLine> = [Way::Up, Way::Down, Way::Independent].into_iter().filter_map(|way| drawn(points, way)).collect();
+        let look = SweepLook { parameter: Axis::linear(range.key().path(), &unit), value: Axis::log("Mean power", "W") };
+        output::figure(folder, "sweep", &picture::sweep(&format!("Mean power over {}", range.key().path()), &look, &lines))
+    }
+}
+
+fn listed(point: &SweepPoint) -> serde_json::Value {
+    serde_json::json!({
+        "parameter": point.parameter,
+        "direction": point.direction.name(),
+        "mean_power_w": point.mean_power_w,
+        "voltage_rms_v": point.voltage_rms_v,
+        "max_penetration_m": point.max_penetration_m,
+        "contact_rate_hz": point.contact_rate_hz,
+        "settled": point.settled,
+        "period_cycles": point.period_cycles,
+        "energy_residual_relative": point.energy_residual_relative,
+        "marched_s": point.marched_s,
+    })
+}
+
+fn drawn(points: &[SweepPoint], way: Way) -> Option<SweepLine> {
+    let mut own: Vec<&SweepPoint> = points.iter().filter(|point| point.direction == way).collect();
+    own.sort_by(|a, b| a.parameter.total_cmp(&b.parameter));
+    let direction = match way {
+        Way::Up => picture::Direction::Up,
+        Way::Down => picture::Direction::Down,
+        Way::Independent => picture::Direction::Independent,
+    };
+    (!own.is_empty()).then(|| SweepLine {
+        label: "mean power".into(),
+        direction,
+        parameter: own.iter().map(|p| p.parameter).collect(),
+        value: own.iter().map(|p| p.mean_power_w).collect(),
+        settled: own.iter().map(|p| p.settled).collect(),
+    })
+}
+
+/// Where journals live: `JOUNCE_CACHE`, else the user's cache folder, else the temporary one.
+fn cache_folder() -> PathBuf {
+    if let Some(folder) = std::env::var_os("JOUNCE_CACHE") {
+        return PathBuf::from(folder);
+    }
+    let cache = std::env::var_os("XDG_CACHE_HOME").map(PathBuf::from);
+    let home = || std::env::var_os("HOME").or_else(|| std::env::var_os("USERPROFILE")).map(|home| PathBuf::from(home).join(".cache"));
+    cache.or_else(home).unwrap_or_else(std::env::temp_dir).join("jounce")
+}

@@ -1,0 +1,96 @@
+//! How a command ends when it does not succeed.
+
+use crate::output::print;
+use jounce::spec::{Fault, ReadError};
+use jounce::study::StudyError;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Why a command did not succeed.
+#[derive(Debug)]
+pub enum Failure {
+    /// Wrong usage: exit code 2.
+    Usage(String),
+    /// Faults in a spec: exit code 4.
+    Faults(PathBuf, Vec<Fault>),
+    /// Invalid input of another kind, or an output that cannot be written: exit code 4.
+    Input(String),
+    /// A computation that did not converge: exit code 3.
+    NotConverged(String),
+    /// Stopped by the user; finished work is kept: exit code 130, as shells do.
+    Interrupted(String),
+}
+
+impl Failure {
+    /// Wrong usage.
+    pub fn usage(message: String) -> Self {
+        Failure::Usage(message)
+    }
+
+    /// Faults of a spec file.
+    pub fn faults(path: &Path, faults: Vec<Fault>) -> Self {
+        Failure::Faults(path.to_path_buf(), faults)
+    }
+
+    /// Tells the user and gives the exit code.
+    pub fn report(self, json: bool) -> ExitCode {
+        let (code, text, faults) = match self {
+            Failure::Usage(text) => (2, text, Vec::new()),
+            Failure::NotConverged(text) => (3, text, Vec::new()),
+            Failure::Input(text) => (4, text, Vec::new()),
+            Failure::Interrupted(text) => (130, text, Vec::new()),
+            Failure::Faults(path, faults) => {
+                let lines: Vec<String> = faults.iter().map(|fault| described(&path, fault)).collect();
+                (4, lines.join("\n"), faults)
+            }
+        };
+        eprintln!("{text}");
+        if json {
+            print(&serde_json::json!({ "error": text, "exit_code": code, "faults": faults }));
+        }
+        ExitCode::from(code)
+    }
+}
+
+/// A fault with the file it stands in.
+pub fn described(path: &Path, fault: &Fault) -> String {
+    match fault.set {
+        Some(_) => fault.to_string(),
+        None => format!("{}:{fault}", path.display()),
+    }
+}
+
+impl From<ReadError> for Failure {
+    fn from(error: ReadError) -> Self {
+        Failure::Input(error.to_string())
+    }
+}
+
+impl From<StudyError> for Failure {
+    fn from(error: StudyError) -> Self {
+        match &error {
+            StudyError::Run(jounce::run::RunError::March(_)) => Failure::NotConverged(error.to_string()),
+            _ => Failure::Input(error.to_string()),
+        }
+    }
+}
+
+macro_rules! input_failure {
+    ($($error:ty),*) => {
+        $(impl From<$error> for Failure {
+            fn from(error: $error) -> Self {
+                Failure::Input(error.to_string())
+            }
+        })*
+    };
+}
+
+input_failure!(
+    jounce::structure::StructureError,
+    jounce::plant::PlantError,
+    jounce::table::TableError,
+    jounce::picture::PictureError,
+    jounce::signal::SignalError,
+    jounce::study::JournalError,
+    jounce::store::StoreError
+);

@@ -1,0 +1,65 @@
+//! The arguments that every command on a spec shares.
+
+use crate::failure::Failure;
+use clap::Args;
+use jounce::spec::{Faults, Spec, SpecFile};
+use jounce::table::Manifest;
+use std::path::{Path, PathBuf};
+
+/// The spec and its overrides.
+#[derive(Debug, Args)]
+pub struct SpecArguments {
+    /// The spec file (TOML).
+    pub spec: PathBuf,
+    /// Sets a key for this call, as in --set stop.tip.gap="0.5 mm"; can be given several times.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+}
+
+/// Where answers go.
+#[derive(Debug, Args)]
+pub struct OutputArguments {
+    /// Prints one JSON object on stdout.
+    #[arg(long)]
+    pub json: bool,
+    /// Writes tables (CSV, Parquet, JSON) and pictures (SVG, PNG) into this folder.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+impl SpecArguments {
+    /// Reads the file and applies the overrides.
+    pub fn file(&self) -> Result<SpecFile, Failure> {
+        let mut file = SpecFile::read(&self.spec)?;
+        let mut faults = Vec::new();
+        for assignment in &self.set {
+            let Some((key, value)) = assignment.split_once('=') else {
+                return Err(Failure::usage(format!("--set {assignment}: write KEY=VALUE, as in --set stop.tip.gap=\"0.5 mm\"")));
+            };
+            if let Err(fault) = file.set(key, value) {
+                faults.push(fault);
+            }
+        }
+        if faults.is_empty() { Ok(file) } else { Err(Failure::faults(&self.spec, faults)) }
+    }
+
+    /// The spec itself.
+    pub fn spec(&self) -> Result<Spec, Failure> {
+        self.checked(self.file()?.spec())
+    }
+
+    /// Faults with the name of the file.
+    pub fn checked<T>(&self, result: Result<T, Faults>) -> Result<T, Failure> {
+        result.map_err(|faults| Failure::faults(&self.spec, faults.as_slice().to_vec()))
+    }
+
+    /// Folder of the spec file.
+    pub fn folder(&self) -> PathBuf {
+        self.spec.parent().map_or_else(PathBuf::new, Path::to_path_buf)
+    }
+
+    /// Manifest of an answer.
+    pub fn manifest(&self, spec: &Spec, command: &str) -> Manifest {
+        Manifest::new(&spec.hash_hex()).with("command", command).with("set", self.set.join(" "))
+    }
+}

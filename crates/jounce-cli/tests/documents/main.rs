@@ -1,0 +1,100 @@
+//! README and book say what is true: every command in them runs, every spec in them is valid, every Rust block is a doctest.
+//!
+//! | block | what is done with it |
+//! |---|---|
+//! | `sh`, `console` | its commands run in order in a folder with a copy of `examples/`; each must succeed |
+//! | `toml spec` | `jounce check` must accept it |
+//! | `toml part` | the same, its tables put in place of those of the paper's spec |
+//! | `rust`, `rust,no_run` | the document must be among the doctests of the library |
+//! | `text` | nothing |
+
+mod block;
+mod commands;
+mod specs;
+
+use block::{Block, blocks};
+use std::path::{Path, PathBuf};
+
+/// The root of the repository.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// An empty folder of that name for this test run.
+fn empty_folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("documents").join(name);
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder).expect("the folder of an earlier run can be removed");
+    }
+    std::fs::create_dir_all(&folder).expect("a folder can be made in the target folder");
+    folder
+}
+
+/// README and every page of the book, by paths from the root.
+fn documents() -> Vec<String> {
+    let mut found = vec!["README.md".to_owned()];
+    let mut folders = vec![PathBuf::from("book/src")];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(root().join(&folder)).expect("the book is there") {
+            let path = folder.join(entry.expect("the book can be listed").file_name());
+            if root().join(&path).is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "md") {
+                found.push(path.to_string_lossy().replace('\\', "/"));
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+/// The blocks of every document with a property.
+fn all_blocks(wanted: impl Fn(&Block) -> bool) -> Vec<Block> {
+    let read = |document: &String| std::fs::read_to_string(root().join(document)).expect("documents are UTF-8");
+    documents().iter().flat_map(|document| blocks(document, &read(document))).filter(wanted).collect()
+}
+
+fn assert_none(faults: Vec<String>) {
+    assert!(faults.is_empty(), "\n{}", faults.join("\n"));
+}
+
+#[test]
+fn every_block_says_what_it_is() {
+    assert_none(all_blocks(|_| true).iter().filter_map(Block::fault).collect());
+}
+
+#[test]
+fn every_command_works() {
+    let found = all_blocks(Block::is_shell);
+    assert!(found.iter().any(|block| block.document == "README.md"), "README shows no command");
+    let mut faults = Vec::new();
+    for document in documents() {
+        let blocks: Vec<&Block> = found.iter().filter(|block| block.document == document).collect();
+        if !blocks.is_empty() {
+            let folder = empty_folder(&document.replace('/', "-"));
+            commands::copy(&root().join("examples"), &folder.join("examples"));
+            faults.extend(blocks.into_iter().flat_map(|block| commands::faults(block, &folder)));
+        }
+    }
+    assert_none(faults);
+}
+
+#[test]
+fn every_spec_is_valid() {
+    let found = all_blocks(Block::is_spec);
+    assert!(!found.is_empty(), "no document shows a spec");
+    let folder = empty_folder("specs");
+    let base = root().join("examples/impact-harvester-2019/harvester.toml");
+    let base = std::fs::read_to_string(base).expect("the paper's spec is there");
+    assert_none(found.iter().filter_map(|block| specs::fault(block, &base, &folder)).collect());
+}
+
+#[test]
+fn every_document_with_rust_is_a_doctest() {
+    let library = std::fs::read_to_string(root().join("crates/jounce/src/lib.rs")).expect("the library is there");
+    let included = |document: &str| library.contains(&format!("include_str!(\"../../../{document}\")"));
+    let mut missing: Vec<String> = all_blocks(Block::is_rust).into_iter().map(|block| block.document).collect();
+    missing.dedup();
+    missing.retain(|document| !included(document));
+    assert!(missing.is_empty(), "documents with Rust that lib.rs does not include: {}", missing.join(", "));
+}

@@ -1,0 +1,61 @@
+//! Specs of a document, and parts of specs.
+
+use super::block::Block;
+use std::path::Path;
+use std::process::Command;
+
+/// Why `jounce check` refuses the spec of a block.
+pub fn fault(block: &Block, base: &str, folder: &Path) -> Option<String> {
+    let text = if block.info == "toml part" { grafted(base, &block.text) } else { block.text.clone() };
+    let path = folder.join(format!("{}-{}.toml", block.document.replace('/', "-"), block.line));
+    std::fs::write(&path, text).expect("a file can be written in the target folder");
+    let done = Command::new(env!("CARGO_BIN_EXE_jounce")).arg("check").arg(&path).output().expect("jounce starts");
+    let told = || format!("{}: this spec is refused\n{}", block.place(), String::from_utf8_lossy(&done.stderr));
+    (!done.status.success()).then(told)
+}
+
+/// A spec with the tables of a part in place of its own.
+pub fn grafted(base: &str, part: &str) -> String {
+    let replaced: Vec<&str> = part.lines().filter_map(header).collect();
+    let mut keep = true;
+    let mut text = String::new();
+    for line in base.lines() {
+        if let Some(header) = header(line) {
+            keep = !replaced.contains(&header);
+        }
+        if keep {
+            text.push_str(line);
+            text.push('\n');
+        }
+    }
+    text + part
+}
+
+/// `[stop.tip]` of a line that opens a table.
+fn header(line: &str) -> Option<&str> {
+    let end = line.find(']')?;
+    line.starts_with('[').then(|| &line[..=end])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::block::blocks;
+    use super::super::empty_folder;
+    use super::{fault, grafted};
+
+    #[test]
+    fn a_part_takes_the_place_of_its_table() {
+        let base = "# all\n[run]\nstart = \"rest\" # so\n[stop.tip] # it\ngap = 1\n[stop.top]\ngap = 2\n";
+        assert_eq!(
+            grafted(base, "[stop.tip]\ngap = 3\n"),
+            "# all\n[run]\nstart = \"rest\" # so\n[stop.top]\ngap = 2\n[stop.tip]\ngap = 3\n"
+        );
+    }
+
+    #[test]
+    fn a_spec_that_is_wrong_is_told() {
+        let block = &blocks("a.md", "```toml spec\n[rum]\n```\n")[0];
+        let told = fault(block, "", &empty_folder("wrong-spec"));
+        assert!(told.is_some_and(|told| told.starts_with("a.md:1: this spec is refused")));
+    }
+}

@@ -1,0 +1,171 @@
+//! Rigid stop: exact flight between impacts, impacts as jumps of velocity, and rest on the stop.
+//!
+//! At an impact the relative speed `v` becomes `-e v` by the impulse `p = (1 + e) v / M`, with `M` the mobility of the port
+//! (1/kg), which costs the energy `(1 - e^2) v^2 / (2 M)`. Where the motion presses the point onto the stop, impacts follow each
+//! other ever faster and end in finite time (chatter): once the speed is below the tolerance the rest of that sequence is left
+//! out and the point sticks. While it sticks the contact force keeps its relative acceleration at zero,
+//!
+//! ```text
+//! a . y(t) + a_drive(t) - M f(t) = 0,
+//! ```
+//!
+//! collocated at the nodes of a step as everywhere else; the point leaves when the force would have to pull.
+
+use super::collocation::{COLLOCATION, NODES};
+use super::kernel::Kernel;
+use super::lane::Lane;
+use super::marcher::{MarchError, Marcher, Regime};
+use super::state::{add_push, dot, flow};
+use super::table::{Sticking, Table};
+use crate::contact::Rigid;
+use faer::c64;
+
+/// Speed after an impact, relative to the fastest strike and the tolerance, below which chatter ends.
+const CHATTER_SHARE: f64 = 1e-2;
+
+impl Marcher<'_> {
+    /// Alternates flight, impacts and rest until the end.
+    pub(super) fn advance_rigid(&mut self, law: Rigid, end_s: f64) -> Result<(), MarchError> {
+        while self.time_s < end_s {
+            match self.regime {
+                Regime::Flight => self.flight::<false>(end_s)?,
+                Regime::Contact if self.rate_m_s > 0.0 => self.impact(law),
+                Regime::Contact => self.stick(end_s)?,
+            }
+        }
+        Ok(())
+    }
+
+    /// One impact; ends in flight, or at rest on the stop where chatter has died away.
+    fn impact(&mut self, law: Rigid) {
+        let (before, e) = (self.rate_m_s, law.restitution);
+        let presses = self.acceleration_m_s2() > 0.0;
+        let sticks = presses && e * before <= CHATTER_SHARE * self.tolerance * self.strike_m_s;
+        let rebound = if sticks { 0.0 } else { e };
+        self.push_by((1.0 + rebound) * before / self.rows.mobility_per_kg);
+        self.integrals.loss_j += 0.5 * (1.0 - rebound * rebound) * before * before / self.rows.mobility_per_kg;
+        self.penetration_m = 0.0;
+        self.rate_m_s = -rebound * before;
+        if !sticks {
+            self.regime = Regime::Flight;
+        }
+    }
+
+    /// Changes the velocity by an impulse towards the stop's outside, N s.
+    fn push_by(&mut self, impulse_n_s: f64) {
+        let kernel = self.kernel;
+        let column = self.layout.pack(&kernel.plant.ports[0].force);
+        let middle: Vec<Lane> = self.y.iter().zip(&column).map(|(y, b)| y.add_scaled::<false>(0.5 * impulse_n_s, b)).collect();
+        // The meters' integral of a force that acts in no time: force times the mean of the state before and after.
+        for (sum, meter) in self.integrals.loads_j.iter_mut().zip(&kernel.meters.loads) {
+            *sum += impulse_n_s * dot::<false>(&self.layout.pack(meter.port_row(0)), &middle);
+        }
+        self.integrals.damping_j += impulse_n_s * dot::<false>(&self.layout.pack(kernel.meters.damping.port_row(0)), &middle);
+        for (sum, tone) in self.integrals.tones_n_s.iter_mut().zip(&self.tones) {
+            *sum += tone.turn * impulse_n_s;
+        }
+        self.statistics.impulse_n_s += impulse_n_s;
+        self.y.iter_mut().zip(&column).for_each(|(y, b)| *y = y.add_scaled::<false>(impulse_n_s, b));
+    }
+
+    /// Relative acceleration towards the stop without contact force, m/s^2.
+    fn acceleration_m_s2(&self) -> f64 {
+        let row = self.layout.pack(&self.kernel.acceleration_row());
+        let drive: f64 = self.tones.iter().map(|tone| acceleration(tone.displacement_m * tone.turn, tone.angular_frequency_rad_s)).sum();
+        dot::<false>(&row, &self.y) + drive
+    }
+
+    /// Rests on the stop until the force would have to pull, or until the end.
+    fn stick(&mut self, end_s: f64) -> Result<(), MarchError> {
+        let mut level = self.entry_level;
+        while self.time_s < end_s {
+            let force_now = self.acceleration_m_s2() / self.rows.mobility_per_kg;
+            if force_now <= 0.0 {
+                self.regime = Regime::Flight;
+                return Ok(());
+            }
+            let remaining = end_s - self.time_s;
+            let landing = Kernel::length_s(level) >= remaining;
+            let table = if landing { Table::new(self.kernel, 0, remaining) } else { self.kernel.table(0, level).clone() };
+            let sticking = Sticking::new(self.kernel, &table);
+            let (force, error) = self.holding_force(&table, &sticking);
+            let pulls = force.iter().any(|f| *f < 0.0);
+            let negligible = force_now * table.length_s <= 1e-3 * self.tolerance * self.strike_m_s / self.rows.mobility_per_kg;
+            if (pulls && !negligible) || error > self.tolerance.max(1e-12) * 1e-2 {
+                level = if landing { Kernel::level_within(remaining) + 1 } else { level + 1 };
+                if level > Kernel::finest() {
+                    return Err(MarchError::NotFinite { time_s: self.time_s });
+                }
+                continue;
+            }
+            self.take_held(&table, &force.map(|f| f.max(0.0)));
+            if landing {
+                self.time_s = end_s;
+            }
+            if pulls {
+                self.regime = Regime::Flight;
+                return Ok(());
+            }
+            level = (level - 1).max(Kernel::coarsest());
+        }
+        Ok(())
+    }
+
+    /// Nodal forces that hold the point, N, and their relative mismatch at the end of the step.
+    fn holding_force(&self, table: &Table, sticking: &Sticking) -> ([f64; NODES], f64) {
+        let mut free = super::state::columns::<false>(&self.layout, &self.y, &sticking.acceleration.columns);
+        for tone in &self.tones {
+            let (cos, sin) = tone.over(table.length_s);
+            for i in 0..super::lane::WIDTH {
+                let turned = tone.displacement_m * tone.turn * c64::new(cos.0[i], sin.0[i]);
+                free.0[i] += acceleration(turned, tone.angular_frequency_rad_s);
+            }
+        }
+        let force: [f64; NODES] = std::array::from_fn(|i| (0..NODES).map(|j| sticking.inverse[i][j] * free.0[j]).sum());
+        let c = &*COLLOCATION;
+        let end_by_nodes: f64 = (0..NODES).map(|j| c.at_end[j] * force[j]).sum();
+        let felt: f64 = free.0[NODES] + (0..NODES).map(|j| sticking.acceleration.push[j].0[NODES] * force[j]).sum::<f64>();
+        let size = force.iter().fold(f64::MIN_POSITIVE, |max, f| max.max(f.abs()));
+        (force, (end_by_nodes - felt / self.rows.mobility_per_kg).abs() / size)
+    }
+
+    /// Takes a step under given nodal forces and puts the point back onto the stop to roundoff.
+    fn take_held(&mut self, table: &Table, force: &[f64; NODES]) {
+        self.note(table.length_s, Some(*force));
+        let lane = Lane(std::array::from_fn(|i| if i < NODES { force[i] } else { 0.0 }));
+        self.integrate_force::<false>(table, &lane);
+        let mut next = std::mem::take(&mut self.next);
+        flow::<false>(&self.layout, &self.y, table, &mut next);
+        add_push::<false>(table, &lane, &mut next);
+        self.next = std::mem::replace(&mut self.y, next);
+        self.time_s += table.length_s;
+        self.tones.iter_mut().for_each(|tone| tone.set(self.time_s));
+        self.see::<false>();
+        let sizes = force.iter().fold(0.0_f64, |max, f| max.max(*f));
+        self.statistics.max_force_n = self.statistics.max_force_n.max(sizes);
+        self.statistics.sticking_s += table.length_s;
+        self.statistics.time_s += table.length_s;
+        self.put_back();
+    }
+
+    /// Removes the drift of collocation: the constraint is kept in acceleration, so position and speed wander by roundoff.
+    fn put_back(&mut self) {
+        let plant = &self.kernel.plant;
+        let shape = &plant.system.stops[0].shape;
+        let shift: Vec<f64> = shape.iter().map(|s| -s * self.penetration_m / self.rows.mobility_per_kg).collect();
+        let inverse = &plant.diagonal.from_physical;
+        let moved: Vec<f64> = (0..plant.len()).map(|i| shift.iter().enumerate().map(|(j, q)| inverse[(i, j)] * q).sum()).collect();
+        let moved = self.layout.pack(&moved);
+        let column = self.layout.pack(&plant.ports[0].force);
+        let impulse = self.rate_m_s / self.rows.mobility_per_kg;
+        for ((y, moved), b) in self.y.iter_mut().zip(&moved).zip(&column) {
+            *y = y.add(moved).add_scaled::<false>(impulse, b);
+        }
+        (self.penetration_m, self.rate_m_s) = (0.0, 0.0);
+    }
+}
+
+/// Acceleration of a turning displacement, m/s^2.
+fn acceleration(displacement_m: c64, angular_frequency_rad_s: f64) -> f64 {
+    -(displacement_m * angular_frequency_rad_s * angular_frequency_rad_s).re
+}

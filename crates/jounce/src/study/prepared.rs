@@ -1,0 +1,103 @@
+//! From a spec to something that can be marched, keeping what a changed key leaves as it was.
+
+use crate::march::Kernel;
+use crate::plant::{Plant, PlantError, System};
+use crate::run::{RunError, StartState};
+use crate::spec::{Spec, Start};
+use crate::structure::{self, Modes, StructureError};
+use std::path::Path;
+
+/// Why a study, or one of its points, cannot be made.
+#[derive(Debug, thiserror::Error)]
+pub enum StudyError {
+    /// The structure.
+    #[error(transparent)]
+    Structure(#[from] StructureError),
+    /// The plant.
+    #[error(transparent)]
+    Plant(#[from] PlantError),
+    /// The march.
+    #[error(transparent)]
+    Run(#[from] RunError),
+    /// A value of the swept key that the spec does not allow.
+    #[error("{0}")]
+    Value(#[from] crate::spec::Fault),
+    /// The journal of finished points.
+    #[error(transparent)]
+    Journal(#[from] super::JournalError),
+    /// A start state that cannot be read.
+    #[error("the start state {path} cannot be used: {reason}; write one with `jounce run SPEC --save-state FILE`")]
+    StartFile {
+        /// The file.
+        path: String,
+        /// What is wrong.
+        reason: String,
+    },
+}
+
+/// A spec with its kernel.
+#[derive(Debug)]
+pub struct Prepared {
+    /// The spec.
+    pub spec: Spec,
+    /// Its kernel.
+    pub kernel: Kernel,
+    modes: Modes,
+}
+
+impl Prepared {
+    /// Solves the structure and diagonalises the plant.
+    ///
+    /// # Errors
+    /// [`StudyError::Structure`], [`StudyError::Plant`].
+    pub fn new(spec: Spec) -> Result<Self, StudyError> {
+        let modes = structure::modes(&spec)?;
+        let kernel = Kernel::new(Plant::new(System::assemble(&spec, modes.clone())?)?)?;
+        Ok(Self { spec, kernel, modes })
+    }
+
+    /// The same for a changed spec: modes are kept when no body changed, step tables when nothing but drives changed.
+    ///
+    /// # Errors
+    /// As [`Prepared::new`].
+    pub fn changed(&self, spec: Spec) -> Result<Self, StudyError> {
+        if !same_bodies(&self.spec, &spec) {
+            return Self::new(spec);
+        }
+        let system = System::assemble(&spec, self.modes.clone())?;
+        let only_drives = self.spec.circuit == spec.circuit && self.spec.stop == spec.stop;
+        let kernel = if only_drives { self.kernel.with_drives(system.drives)? } else { Kernel::new(Plant::new(system)?)? };
+        Ok(Self { spec, kernel, modes: self.modes.clone() })
+    }
+
+    /// The start that the spec asks for; a state file is read relative to `folder`.
+    ///
+    /// # Errors
+    /// [`StudyError::StartFile`].
+    pub fn start(&self, folder: &Path) -> Result<StartState, StudyError> {
+        match &self.spec.run.start {
+            Start::Rest => Ok(StartState::rest(&self.kernel.plant)),
+            Start::Linear => Ok(StartState::linear(&self.kernel.plant)),
+            Start::State(path) => {
+                let path = folder.join(path);
+                let fault = |reason: String| StudyError::StartFile { path: path.display().to_string(), reason };
+                let text = std::fs::read_to_string(&path).map_err(|error| fault(error.to_string()))?;
+                serde_json::from_str(&text).map_err(|error| fault(error.to_string()))
+            }
+        }
+    }
+
+    /// A kernel whose drives go on at the angles of a state.
+    ///
+    /// # Errors
+    /// [`PlantError`], [`RunError::StateDoesNotFit`].
+    pub fn from_state(&self, start: &StartState) -> Result<Kernel, StudyError> {
+        let mut drives = self.kernel.plant.system.drives.clone();
+        drives.iter_mut().zip(&start.drive_angle_rad).for_each(|(drive, angle)| drive.phase_rad = *angle);
+        Ok(self.kernel.with_drives(drives)?)
+    }
+}
+
+fn same_bodies(a: &Spec, b: &Spec) -> bool {
+    a.beam == b.beam && a.patch == b.patch && a.mass == b.mass && a.modal == b.modal && a.damping == b.damping && a.reduction == b.reduction
+}

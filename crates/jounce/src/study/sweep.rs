@@ -1,0 +1,190 @@
+//! Sweeps over one numeric key of the spec.
+//!
+//! Stepped sweeps carry the state over and keep the drive's angle continuous, so that they stay on a branch of solutions as
+//! long as it lasts. Independent points start anew and run in parallel. Every point is computed by the same operations
+//! whatever the number of threads, so the bits are the same.
+
+use super::{Journal, Prepared, StudyError, SweepPoint, Way};
+use crate::run::{RunAnswer, RunPlan, StartState, simulate};
+use crate::spec::{KeyRange, Spec};
+use rayon::prelude::*;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Order in which the points are visited.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// From the first value to the last.
+    Up,
+    /// From the last value to the first.
+    Down,
+    /// Up, then down from where it arrived.
+    Both,
+    /// Each point from the start of the spec.
+    Independent,
+}
+
+/// A sweep to be made.
+#[derive(Debug)]
+pub struct Sweep<'s> {
+    /// The spec at its own values.
+    pub spec: &'s Spec,
+    /// The key and its values.
+    pub range: &'s KeyRange,
+    /// Order of visit.
+    pub direction: Direction,
+    /// True: every point runs for `run.duration`; false: until it has settled.
+    pub fixed_duration: bool,
+    /// Folder against which a start state file is read.
+    pub folder: PathBuf,
+}
+
+/// Drive cycles marched between two looks at whether a point has settled.
+const CYCLES_PER_LOOK: f64 = 48.0;
+/// Drive cycles averaged once it has: a multiple of every period that is looked for.
+const CYCLES_AVERAGED: f64 = 12.0;
+/// A point that has not settled after this many run durations is reported as it is, unsettled.
+const MOST_DURATIONS: f64 = 15.0;
+
+impl Sweep<'_> {
+    /// Number of points.
+    pub fn len(&self) -> usize {
+        self.visits().len()
+    }
+
+    /// True without a point.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Makes the sweep. `done` hears of each finished point; `stop` ends it early, with the points finished so far kept in the
+    /// journal. Points come back in order of visit.
+    ///
+    /// # Errors
+    /// [`StudyError`].
+    pub fn run(
+        &self,
+        journal: Option<&Journal>,
+        stop: &AtomicBool,
+        done: &(dyn Fn(&SweepPoint) + Sync),
+    ) -> Result<Vec<SweepPoint>, StudyError> {
+        let base = Prepared::new(self.spec.clone())?;
+        let mut points = match self.direction {
+            Direction::Independent => self.independent(&base, journal, stop, done)?,
+            _ => self.stepped(&base, journal, stop, done)?,
+        };
+        points.sort_by_key(|point| point.index);
+        Ok(points)
+    }
+
+    fn visits(&self) -> Vec<(f64, Way)> {
+        let values = self.range.values();
+        let up = values.iter().map(|value| (*value, Way::Up));
+        let down = values.iter().rev().map(|value| (*value, Way::Down));
+        match self.direction {
+            Direction::Up => up.collect(),
+            Direction::Down => down.collect(),
+            Direction::Both => up.chain(down).collect(),
+            Direction::Independent => values.iter().map(|value| (*value, Way::Independent)).collect(),
+        }
+    }
+
+    fn independent(
+        &self,
+        base: &Prepared,
+        journal: Option<&Journal>,
+        stop: &AtomicBool,
+        done: &(dyn Fn(&SweepPoint) + Sync),
+    ) -> Result<Vec<SweepPoint>, StudyError> {
+        let found = journal.map(Journal::found).unwrap_or_default();
+        let points = (self.visits().into_par_iter().enumerate())
+            .filter(|_| !stop.load(Ordering::Relaxed))
+            .map(|(index, (value, way))| {
+                if let Some(point) = found.iter().find(|point| point.index == index) {
+                    return Ok(point.clone());
+                }
+                let prepared = base.changed(self.at(value)?)?;
+                let start = prepared.start(&self.folder)?;
+                self.finish(journal, done, self.point(&prepared, start, index, value, way)?)
+            })
+            .collect::<Result<Vec<_>, StudyError>>()?;
+        Ok(points)
+    }
+
+    fn stepped(
+        &self,
+        base: &Prepared,
+        journal: Option<&Journal>,
+        stop: &AtomicBool,
+        done: &(dyn Fn(&SweepPoint) + Sync),
+    ) -> Result<Vec<SweepPoint>, StudyError> {
+        let mut points: Vec<SweepPoint> = journal.map(Journal::found).unwrap_or_default().to_vec();
+        for (index, (value, way)) in self.visits().into_iter().enumerate().skip(points.len()) {
+            if stop.load(Ordering::Relaxed) {
+                break;
+            }
+            let prepared = base.changed(self.at(value)?)?;
+            let start = match points.last() {
+                Some(last) => last.end.clone(),
+                None => prepared.start(&self.folder)?,
+            };
+            points.push(self.finish(journal, done, self.point(&prepared, start, index, value, way)?)?);
+        }
+        Ok(points)
+    }
+
+    fn at(&self, value: f64) -> Result<Spec, StudyError> {
+        let mut spec = self.spec.clone();
+        self.range.key().set(&mut spec, value)?;
+        Ok(spec)
+    }
+
+    fn finish(&self, journal: Option<&Journal>, done: &(dyn Fn(&SweepPoint) + Sync), point: SweepPoint) -> Result<SweepPoint, StudyError> {
+        if let Some(journal) = journal {
+            journal.keep(&point)?;
+        }
+        done(&point);
+        Ok(point)
+    }
+
+    /// Marches one point.
+    fn point(&self, prepared: &Prepared, mut start: StartState, index: usize, value: f64, way: Way) -> Result<SweepPoint, StudyError> {
+        let run = &prepared.spec.run;
+        let cycle_s = prepared.spec.drive.values().next().map_or(run.duration_s, |drive| 1.0 / drive.frequency_hz);
+        let plan = match self.fixed_duration {
+            true => RunPlan { duration_s: run.duration_s, average_over_s: run.average_over_s, tolerance: run.tolerance, record_s: 0.0 },
+            false => RunPlan {
+                duration_s: CYCLES_PER_LOOK * cycle_s,
+                average_over_s: CYCLES_AVERAGED * cycle_s,
+                tolerance: run.tolerance,
+                record_s: 0.0,
+            },
+        };
+        let mut marched_s = 0.0;
+        loop {
+            let answer = simulate(&prepared.from_state(&start)?, &start, &plan)?;
+            marched_s += plan.duration_s;
+            start = answer.end.clone();
+            if self.fixed_duration || answer.settlement.settled || marched_s >= MOST_DURATIONS * run.duration_s {
+                return Ok(point_of(&answer, &plan, (index, value, way), marched_s));
+            }
+        }
+    }
+}
+
+fn point_of(answer: &RunAnswer, plan: &RunPlan, (index, parameter, direction): (usize, f64, Way), marched_s: f64) -> SweepPoint {
+    SweepPoint {
+        index,
+        parameter,
+        direction,
+        mean_power_w: answer.mean_power_w,
+        voltage_rms_v: answer.loads.first().map_or(0.0, |load| load.voltage_rms_v),
+        max_penetration_m: answer.max_penetration_m,
+        contact_rate_hz: answer.contacts as f64 / plan.average_over_s,
+        settled: answer.settlement.settled,
+        period_cycles: answer.settlement.period_cycles,
+        energy_residual_relative: answer.energies.residual_relative(),
+        marched_s,
+        end: answer.end.clone(),
+    }
+}

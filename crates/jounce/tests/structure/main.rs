@@ -1,0 +1,8 @@
+//! Modes of beams and masses against closed forms, published numbers, and a second method.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod exact;
+mod faults;
+mod paper;
+mod published;
+mod several;
