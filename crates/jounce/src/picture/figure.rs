@@ -3,15 +3,15 @@
 use std::path::Path;
 
 use super::frame::{frame, grid};
-use super::layout::Layout;
+use super::layout::{Layout, Plot};
 use super::legend::{self, Place};
 use super::marks::marks;
 use super::svg::{Anchor, Svg};
-use super::text::{LEADING, TITLE};
+use super::text::{LEADING, TITLE, width};
 use super::{Panel, PictureError, raster};
 use crate::store;
 
-/// A column of panels under one title. Panels over equal horizontal axes share one.
+/// A column of panels under one title. Panels over equal horizontal axes share one; if their vertical axes are equal too, they share its range.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
     /// Title above the panels; may be empty.
@@ -43,9 +43,8 @@ impl Figure {
         self.check()?;
         let layout = Layout::new(self, 0.0)?;
         let places: Vec<_> = layout.plots.iter().map(legend::place).collect();
-        let beside =
-            |(plot, place): (&super::layout::Plot<'_>, &Place)| (*place == Place::Beside).then(|| legend::size(plot.panel)).flatten();
-        let aside = layout.plots.iter().zip(&places).filter_map(beside).map(|(width, _)| width).fold(0.0, f64::max);
+        let beside = |(plot, place): (&Plot<'_>, &Place)| (*place == Place::Beside).then(|| legend::size(plot.panel)).flatten();
+        let aside = layout.plots.iter().zip(&places).filter_map(beside).map(|(wide, _)| wide).fold(0.0, f64::max);
         if aside == 0.0 {
             return Ok(self.draw(&layout, &places));
         }
@@ -78,7 +77,8 @@ impl Figure {
     }
 
     fn check(&self) -> Result<(), PictureError> {
-        for series in self.panels.iter().flat_map(|panel| &panel.series).filter(|series| series.x.len() != series.y.len()) {
+        let mut series = self.panels.iter().flat_map(|panel| &panel.series);
+        if let Some(series) = series.find(|series| series.x.len() != series.y.len()) {
             let (x, y) = (series.x.len(), series.y.len());
             return Err(PictureError::Lengths { series: series.label.clone().unwrap_or_default(), x, y });
         }
@@ -93,7 +93,7 @@ impl Figure {
     fn draw(&self, layout: &Layout<'_>, places: &[Place]) -> String {
         let mut svg = Svg::new(self.width_px, layout.height, &self.title);
         let left = layout.plots.first().map_or(12.0, |plot| plot.left);
-        let widest = layout.title.iter().map(|line| super::text::width(line, TITLE)).fold(0.0, f64::max);
+        let widest = layout.title.iter().map(|line| width(line, TITLE)).fold(0.0, f64::max);
         // Flush with the frame where the title fits there, else from the edge of the picture.
         let left = if left + widest <= self.width_px - 12.0 { left } else { 12.0 };
         for (line, text) in layout.title.iter().enumerate() {

@@ -9,8 +9,11 @@ use super::text::{LABEL, LEADING, SMALL};
 const GRID: &str = "class=\"jounce-grid\" fill=\"none\" stroke=\"#e6e6e6\" stroke-width=\"0.8\"";
 const RULE: &str = "class=\"jounce-rule\" fill=\"none\" stroke=\"#333333\" stroke-width=\"0.9\"";
 
-/// The grid, drawn before the data.
+/// The grid, drawn before the data; none where there is no data.
 pub(super) fn grid(svg: &mut Svg, plot: &Plot<'_>) {
+    if !plot.has_data() {
+        return;
+    }
     let mut steps = String::new();
     for x in plot.x_ticks.major.iter().filter_map(|(value, _)| plot.x.place(*value)) {
         let _ = write!(steps, "M{} {}v{}", number(plot.left + x * plot.width), number(plot.top), number(plot.height));
@@ -33,8 +36,7 @@ pub(super) fn frame(svg: &mut Svg, plot: &Plot<'_>) {
         }
     }
     for (line, text) in plot.y_title.iter().rev().enumerate() {
-        let labels = plot.y_ticks.major.iter().map(|(_, label)| super::text::width(label, SMALL)).fold(0.0, f64::max);
-        let x = plot.left - TICK - 3.0 - labels - 8.0 - line as f64 * LABEL * LEADING;
+        let x = plot.y_title_right - 4.0 - line as f64 * LABEL * LEADING;
         svg.upward_text(x, plot.top + plot.height / 2.0, LABEL, text);
     }
     if !plot.labels_x {

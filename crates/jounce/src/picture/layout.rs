@@ -25,6 +25,8 @@ pub(super) struct Plot<'a> {
     /// Whether the horizontal axis is labelled here; panels over a common axis leave that to the lowest.
     pub labels_x: bool,
     pub y_title: Vec<String>,
+    /// Right edge of the vertical title, pixels: one column for all panels.
+    pub y_title_right: f64,
 }
 
 /// A figure laid out.
@@ -53,27 +55,29 @@ impl<'a> Layout<'a> {
         let spans = spans(figure)?;
         let mut plots: Vec<_> =
             figure.panels.iter().zip(spans).enumerate().map(|(i, (panel, (x, y)))| start(figure, i, panel, x, y)).collect();
-        let left = plots.iter().map(left_room).fold(0.0, f64::max);
+        let labels = plots.iter().map(label_room).fold(0.0, f64::max);
+        let left = plots.iter().map(title_room).fold(0.0, f64::max) + labels;
         let right = plots.iter().map(right_room).fold(BORDER, f64::max) + aside;
         let inner = (figure.width_px - left - right).max(40.0);
         let title = wrap(&figure.title, TITLE, figure.width_px - 2.0 * BORDER);
         let mut top = BORDER + title.len() as f64 * TITLE * LEADING + if title.is_empty() { 0.0 } else { GAP };
         for plot in &mut plots {
             (plot.left, plot.width) = (left, inner);
-            plot.x_ticks = Ticks::of(&plot.panel.x, &plot.x, inner / 80.0);
+            plot.y_title_right = left - labels;
+            plot.x_ticks = roomy_ticks(plot);
             plot.top = top + room_above(plot);
             top = plot.top + plot.height + room_below(plot);
         }
-        Ok(Self { height: (top + BORDER - GAP).max(2.0 * BORDER), title, plots })
+        Ok(Self { height: (top + BORDER - GAP).max(2.0 * BORDER).ceil(), title, plots })
     }
 }
 
 fn start<'a>(figure: &Figure, index: usize, panel: &'a Panel, x: Span, y: Span) -> Plot<'a> {
-    let y_ticks = Ticks::of(&panel.y, &y, panel.height_px / 40.0);
+    let y_ticks = Ticks::of(&panel.y, &y, panel.height_px / 34.0);
     let y_title = wrap(&y_ticks.title, LABEL, panel.height_px.max(120.0));
     let labels_x = index + 1 == figure.panels.len() || !shares_x(figure);
     let x_ticks = Ticks::of(&panel.x, &x, figure.width_px / 100.0);
-    Plot { panel, left: 0.0, top: 0.0, width: 0.0, height: panel.height_px, x, y, x_ticks, y_ticks, labels_x, y_title }
+    Plot { panel, left: 0.0, top: 0.0, width: 0.0, height: panel.height_px, x, y, x_ticks, y_ticks, labels_x, y_title, y_title_right: 0.0 }
 }
 
 /// Panels over equal horizontal axes share one.
@@ -85,21 +89,45 @@ fn spans(figure: &Figure) -> Result<Vec<(Span, Span)>, PictureError> {
     let marked = figure.panels.iter().flat_map(|panel| &panel.series).any(|series| series.marker.is_some());
     let x_margin = if marked { 0.015 } else { 0.0 };
     let x_of = |panel: &Panel| panel.series.iter().flat_map(|series| series.x.clone()).collect::<Vec<_>>();
-    let all: Vec<f64> = figure.panels.iter().flat_map(x_of).collect();
+    let shares_y = shares_x(figure) && figure.panels.windows(2).all(|pair| pair[0].y == pair[1].y);
+    let common: Vec<f64> = figure.panels.iter().flat_map(x_of).collect();
     let span = |panel: &Panel| {
-        let data = if shares_x(figure) { all.clone() } else { x_of(panel) };
-        let x = Span::settle(&panel.x, data.into_iter(), x_margin)?;
-        // The vertical axis spans what the horizontal one shows.
-        let shown = |(x_value, y_value): (&f64, &f64)| x.holds(*x_value).then_some(*y_value);
-        let values = panel.series.iter().flat_map(|series| series.x.iter().zip(&series.y).filter_map(shown));
-        Ok((x, Span::settle(&panel.y, values, 0.05)?))
+        let places = if shares_x(figure) { common.clone() } else { x_of(panel) };
+        let x = Span::settle(&panel.x, places.into_iter(), x_margin)?;
+        let panels = if shares_y { &figure.panels[..] } else { std::slice::from_ref(panel) };
+        // Notes stand above their points and need room there.
+        let margin = if panel.notes.is_empty() { 0.05 } else { 0.13 };
+        Ok((x, Span::settle(&panel.y, panels.iter().flat_map(|panel| shown(panel, x)), margin)?))
     };
     figure.panels.iter().map(span).collect()
 }
 
-fn left_room(plot: &Plot<'_>) -> f64 {
-    let labels = plot.y_ticks.major.iter().map(|(_, label)| width(label, SMALL)).fold(0.0, f64::max);
-    BORDER + plot.y_title.len() as f64 * LABEL * LEADING + GAP / 2.0 + labels + TICK + 3.0
+/// The values in what the horizontal axis shows: the vertical axis spans these.
+fn shown(panel: &Panel, x: Span) -> impl Iterator<Item = f64> {
+    let points = panel.series.iter().flat_map(|series| series.x.iter().zip(&series.y));
+    points.filter_map(move |(place, value)| x.holds(*place).then_some(*value))
+}
+
+/// As many ticks as have room for their labels side by side.
+fn roomy_ticks(plot: &Plot<'_>) -> Ticks {
+    let mut room = plot.width / 65.0;
+    loop {
+        let ticks = Ticks::of(&plot.panel.x, &plot.x, room);
+        let edges = |(value, label): &(f64, String)| plot.x.place(*value).map(|at| (at * plot.width, width(label, SMALL) / 2.0));
+        let edges: Vec<_> = ticks.major.iter().filter_map(edges).collect();
+        if room < 2.0 || edges.windows(2).all(|pair| pair[0].0 + pair[0].1 + GAP <= pair[1].0 - pair[1].1) {
+            return ticks;
+        }
+        room *= 0.8;
+    }
+}
+
+fn title_room(plot: &Plot<'_>) -> f64 {
+    BORDER + plot.y_title.len() as f64 * LABEL * LEADING
+}
+
+fn label_room(plot: &Plot<'_>) -> f64 {
+    GAP / 2.0 + plot.y_ticks.major.iter().map(|(_, label)| width(label, SMALL)).fold(0.0, f64::max) + TICK + 3.0
 }
 
 fn right_room(plot: &Plot<'_>) -> f64 {

@@ -3,7 +3,6 @@
 use super::curve::along;
 use super::layout::Plot;
 use super::marks::{band_look, line_look, marker_look, marker_path, marker_places, pixel_runs};
-use super::panel::Along;
 use super::svg::{Anchor, Svg, number};
 use super::text::{SMALL, width};
 use super::{Panel, Series};
@@ -29,7 +28,7 @@ pub(super) enum Place {
 pub(super) fn size(panel: &Panel) -> Option<(f64, f64)> {
     let names = names(panel);
     let widest = names.iter().map(|name| width(name, SMALL)).fold(0.0, f64::max);
-    (!names.is_empty()).then(|| (widest + KEY + 3.0 * PADDING, names.len() as f64 * ROW + PADDING))
+    (!names.is_empty()).then_some((widest + KEY + 3.0 * PADDING, names.len() as f64 * ROW + PADDING))
 }
 
 fn names(panel: &Panel) -> Vec<&str> {
@@ -54,7 +53,8 @@ pub(super) fn place(plot: &Plot<'_>) -> Place {
     candidates.into_iter().find(|at| !covered.iter().any(|point| hits(at, point))).map_or(Place::Beside, |(x, y)| Place::Inside(x, y))
 }
 
-/// Points in the frame that data, notes and reference lines cover, close enough together that none slips through a legend.
+/// Points in the frame that data and notes cover, close enough together that none slips through a legend. A reference line may be covered: it
+/// goes on at both ends.
 fn covered(plot: &Plot<'_>) -> Vec<(f64, f64)> {
     let mut points = Vec::new();
     for series in &plot.panel.series {
@@ -64,13 +64,6 @@ fn covered(plot: &Plot<'_>) -> Vec<(f64, f64)> {
         if series.marker.is_some() {
             points.extend(marker_places(plot, series));
         }
-    }
-    for line in &plot.panel.references {
-        let ends = match line.along {
-            Along::X => plot.x.place(line.value).map(|x| [(x * plot.width, 0.0), (x * plot.width, plot.height)]),
-            Along::Y => plot.y.place(line.value).map(|y| [(0.0, (1.0 - y) * plot.height), (plot.width, (1.0 - y) * plot.height)]),
-        };
-        points.extend(ends.into_iter().flat_map(|ends| along(&ends, ROW / 2.0)));
     }
     for note in &plot.panel.notes {
         if let Some((x, y)) = plot.pixel(note.x, note.y) {
@@ -89,7 +82,7 @@ pub(super) fn legend(svg: &mut Svg, plot: &Plot<'_>, place: Place) {
         Place::Beside => (plot.left + plot.width + PADDING, plot.top),
     };
     if let (Place::Inside(..), Some((w, h))) = (place, size(plot.panel)) {
-        let look = "class=\"jounce-paper jounce-grid\" fill=\"#ffffff\" fill-opacity=\"0.9\" stroke=\"#cccccc\" stroke-width=\"0.8\"";
+        let look = "class=\"jounce-paper jounce-grid\" fill=\"#ffffff\" stroke=\"#cccccc\" stroke-width=\"0.8\"";
         svg.rect(x, y, w, h, look);
     }
     let mut row = y + PADDING / 2.0 + ROW / 2.0;

@@ -47,7 +47,7 @@ pub(super) fn line_look(line: Line, colour: Colour) -> String {
     let (weight, dash) = match line {
         Line::Solid => ("1.8", ""),
         Line::Dashed => ("1.8", " stroke-dasharray=\"6 4\""),
-        Line::Thin => ("0.9", ""),
+        Line::Thin => ("1.1", ""),
     };
     let class = if colour == Colour::Ink { "class=\"jounce-rule\" " } else { "" };
     format!(
@@ -58,12 +58,15 @@ pub(super) fn line_look(line: Line, colour: Colour) -> String {
 
 /// Attributes of a marker: filled, or open with white paper inside.
 pub(super) fn marker_look(marker: Marker, colour: Colour) -> String {
-    let class = if colour == Colour::Ink { "jounce-rule" } else { "jounce-marker" };
+    let rule = if colour == Colour::Ink { " jounce-rule" } else { "" };
     match marker {
         Marker::Ring | Marker::Left => {
-            format!("class=\"{class} jounce-paper\" fill=\"#ffffff\" stroke=\"{}\" stroke-width=\"1.2\"", colour.hex())
+            format!("class=\"jounce-paper{rule}\" fill=\"#ffffff\" stroke=\"{}\" stroke-width=\"1.2\"", colour.hex())
         }
-        _ => format!("class=\"{class}\" fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.6\"", colour.hex()),
+        _ => {
+            let ink = if colour == Colour::Ink { "class=\"jounce-ink jounce-rule\" " } else { "" };
+            format!("{ink}fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.6\"", colour.hex())
+        }
     }
 }
 
@@ -125,7 +128,8 @@ fn references(svg: &mut Svg, plot: &Plot<'_>) {
 
 /// Names of reference lines, outside the frame; one that would touch an earlier one is left out.
 fn names(svg: &mut Svg, plot: &Plot<'_>) {
-    let (mut across, mut down): (Vec<(f64, f64)>, Vec<(f64, f64)>) = (Vec::new(), Vec::new());
+    // Centre and half width of each name so far.
+    let (mut across, mut down) = (Vec::<(f64, f64)>::new(), Vec::<(f64, f64)>::new());
     for line in &plot.panel.references {
         let Some(name) = &line.label else { continue };
         let (span, taken) = if line.along == Along::X { (plot.x, &mut across) } else { (plot.y, &mut down) };
@@ -151,7 +155,7 @@ fn notes(svg: &mut Svg, plot: &Plot<'_>) {
         let half = width(&note.text, SMALL) / 2.0 + 4.0;
         let x = x.clamp(half.min(plot.width / 2.0), (plot.width - half).max(plot.width / 2.0));
         // Above the point where there is room, else below it.
-        let y = if y > 2.0 * SMALL { y - 7.0 } else { y + SMALL + 6.0 };
+        let y = if y > 1.6 * SMALL { y - 7.0 } else { y + SMALL + 6.0 };
         svg.text(plot.left + x, plot.top + y, SMALL, Anchor::Middle, &note.text);
     }
 }

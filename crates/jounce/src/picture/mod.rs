@@ -38,3 +38,4 @@ pub use ready::{
     power_against_resistance, spectra, sweep, time_histories,
 };
 pub use series::{Line, Marker, Series};
+pub(crate) use svg::escape;

@@ -68,7 +68,8 @@ fn widen(low: f64, high: f64, margin: f64) -> (f64, f64) {
         (low - 0.1 * size, high + 0.1 * size)
     } else {
         let gap = (high - low) * margin;
-        (low - gap, high + gap)
+        // Positive data that come near zero start there.
+        (if low > 0.0 && low < gap { 0.0 } else { low - gap }, high + gap)
     }
 }
 

@@ -60,15 +60,17 @@ fn prefix_exponent(span: &Span) -> i32 {
         }
         Scale::Log => {
             let candidates = [0, thousands(span.low), thousands(span.low) + 3];
-            let plain = |e: &i32| unit::prefix(*e).is_some() && axis_is_plain(span, 10f64.powi(*e));
+            // Over many decades a prefix helps nobody: 10⁻⁵ W reads better than 10000 nW.
+            let short = (span.high / span.low).log10() < 4.5;
+            let plain = |e: &i32| (*e == 0 || short) && unit::prefix(*e).is_some() && axis_is_plain(span, 10f64.powi(*e));
             candidates.into_iter().find(plain).unwrap_or(0)
         }
     }
 }
 
-/// Whether all of a logarithmic axis reads well as plain decimals.
+/// Whether the powers of ten on a logarithmic axis read well as plain decimals: 0.001 to 10000.
 fn axis_is_plain(span: &Span, factor: f64) -> bool {
-    span.low / factor > 0.9e-3 && span.high / factor < 1.5e4
+    (span.low / factor).log10().ceil() >= -3.0 && (span.high / factor).log10().floor() <= 4.0
 }
 
 /// Power of ten taken out of the labels of an axis with equal steps, where its unit takes no prefix and its values are far from 1.
@@ -100,9 +102,10 @@ fn equal_steps(wanted: Option<f64>, span: &Span, factor: f64, room: f64) -> (Vec
         m if m <= 5.0 => (5.0, 5.0),
         _ => (10.0, 5.0),
     };
-    let (step, decimals) = match wanted {
-        Some(step) if step > 0.0 && (high - low) / step < 50.0 => (step, decimals_of(step)),
-        _ => (mantissa * 10f64.powi(exponent), if mantissa >= 10.0 { -exponent - 1 } else { -exponent }),
+    let (step, parts, decimals) = match wanted {
+        // Thirds of 90 degrees, fifths of anything else.
+        Some(step) if step > 0.0 && (high - low) / step < 50.0 => (step, if step % 3.0 == 0.0 { 3.0 } else { 5.0 }, decimals_of(step)),
+        _ => (mantissa * 10f64.powi(exponent), parts, if mantissa >= 10.0 { -exponent - 1 } else { -exponent }),
     };
     let multiples = |step: f64| {
         let (first, last) = ((low / step - 1e-9).ceil(), (high / step + 1e-9).floor());

@@ -27,7 +27,7 @@ impl Window {
         };
         let value = |i: usize| {
             let angle = TAU * i as f64 / n as f64;
-            let sign = |m: usize| if m % 2 == 0 { 1.0 } else { -1.0 };
+            let sign = |m: usize| if m.is_multiple_of(2) { 1.0 } else { -1.0 };
             coefficients.iter().enumerate().map(|(m, c)| sign(m) * c * (m as f64 * angle).cos()).sum()
         };
         (0..n).map(value).collect()

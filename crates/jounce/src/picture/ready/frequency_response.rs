@@ -17,7 +17,7 @@ pub struct Response {
 pub fn frequency_responses(title: &str, quantity: &str, unit: &str, scale: Scale, frequency_hz: &[f64], responses: &[Response]) -> Figure {
     let x = || Axis::of(scale, "Frequency", "Hz");
     let mut magnitude = Panel::new(x(), Axis::log(quantity, unit)).high(260.0);
-    let mut phase = Panel::new(x(), Axis::linear("Phase", "deg").between(-180.0, 180.0).every(90.0)).high(130.0);
+    let mut phase = Panel::new(x(), Axis::linear("Phase", "deg").between(-195.0, 195.0).every(90.0)).high(130.0);
     for (index, response) in responses.iter().enumerate() {
         let parts = || response.re.iter().zip(&response.im);
         let size = Series::line(frequency_hz.to_vec(), parts().map(|(re, im)| re.hypot(*im)).collect()).colour(Colour::nth(index));

@@ -13,21 +13,22 @@ pub struct SpectrumLine {
     pub amplitude_peak: Vec<f64>,
 }
 
-/// Spectra of one quantity (`Voltage`, `V`), up to the end of their frequencies. With a drive frequency its multiples are marked and
-/// numbered above the frame, as far as there is room.
+/// Spectra of one quantity (`Voltage`, `V`), up to the end of their frequencies, one panel each with equal axes. With a drive frequency its
+/// multiples are marked and numbered above the frames, as far as there is room.
 pub fn spectra(title: &str, quantity: &str, unit: &str, scale: Scale, lines: &[SpectrumLine], drive_hz: Option<f64>) -> Figure {
     let y = Axis::of(scale, &format!("{quantity}, peak"), unit);
-    let mut panel = Panel::new(Axis::linear("Frequency", "Hz"), y).high(320.0);
+    let height_px = if lines.len() > 1 { 200.0 } else { 320.0 };
+    let mut axes = Panel::new(Axis::linear("Frequency", "Hz"), y).high(height_px);
     let highest_hz = lines.iter().flat_map(|line| &line.frequency_hz).copied().filter(|f| f.is_finite()).fold(0.0, f64::max);
     for order in orders(drive_hz, highest_hz) {
         let label = if order == 1 { "drive".to_owned() } else { format!("{order}×") };
-        panel = panel.reference(Along::X, f64::from(order) * drive_hz.unwrap_or(0.0), Some(&label));
+        axes = axes.reference(Along::X, f64::from(order) * drive_hz.unwrap_or(0.0), Some(&label));
     }
-    for (index, line) in lines.iter().enumerate() {
-        let series = Series::line(line.frequency_hz.clone(), line.amplitude_peak.clone()).colour(Colour::nth(index)).style(Line::Solid);
-        panel = panel.with(if lines.len() > 1 { series.label(&line.label) } else { series });
-    }
-    Figure::new(title).with(panel)
+    let panel = |(index, line): (usize, &SpectrumLine)| {
+        let series = Series::line(line.frequency_hz.clone(), line.amplitude_peak.clone()).colour(Colour::nth(index)).style(Line::Thin);
+        axes.clone().with(if lines.len() > 1 { series.label(&line.label) } else { series })
+    };
+    Figure { panels: lines.iter().enumerate().map(panel).collect(), ..Figure::new(title) }
 }
 
 /// Multiples of the drive in the picture; none where they would stand closer than a fortieth of it.

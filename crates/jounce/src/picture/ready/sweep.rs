@@ -50,14 +50,21 @@ impl SweepLook {
 pub fn sweep(title: &str, look: &SweepLook, lines: &[SweepLine]) -> Figure {
     let mut panel = Panel::new(look.parameter.clone(), look.value.clone()).high(380.0);
     let levels = levels(lines);
+    let both_ways = lines.iter().any(|line| line.direction == Direction::Down);
     let mut named: Vec<&str> = Vec::new();
     for line in lines {
-        let mut series = drawn(line, &levels);
-        if !named.contains(&line.label.as_str()) {
-            named.push(&line.label);
-            series = series.label(&line.label);
+        let series = drawn(line, &levels);
+        if named.contains(&line.label.as_str()) {
+            panel = panel.with(series);
+            continue;
         }
-        panel = panel.with(series);
+        named.push(&line.label);
+        // With both directions in the picture the colour alone is the level; what lines and markers mean is told apart.
+        panel = if both_ways && line.direction != Direction::Independent {
+            panel.with(Series::key(&line.label, Some(Line::Solid), None).colour(series.colour)).with(series)
+        } else {
+            panel.with(series.label(&line.label))
+        };
     }
     for line in lines.iter().filter(|line| line.settled.contains(&false)) {
         panel = panel.with(unsettled(line));
