@@ -4,7 +4,7 @@
 //!
 //! `spec` (what the user says) -> `structure` (beams and masses to modes) -> `contact` (laws) -> `plant` (the coupled
 //! linear system in diagonal form, with its ports) -> `linear` (closed-form answers) -> `march` (time) -> `response` ->
-//! `signal` -> `measure` -> `study` (sweeps) -> `table` -> `picture` -> `report`; `reference` holds exact answers. `store` writes
+//! `signal` -> `measure` -> `study` (sweeps) -> `table` -> `picture` -> `report` -> `reproduce` (the paper); `reference` holds exact answers. `store` writes
 //! files whole or not at all and stands before all that write any.
 
 pub mod contact;
@@ -13,6 +13,7 @@ pub mod march;
 pub mod picture;
 pub mod plant;
 pub mod report;
+pub mod reproduce;
 pub mod run;
 pub mod signal;
 pub mod spec;
