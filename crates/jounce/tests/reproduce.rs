@@ -70,11 +70,13 @@ fn claims() {
     for claim in &PAPER.claims {
         eprintln!("{} {}: {}", if claim.holds { "HOLDS" } else { "FAILS" }, claim.claim, claim.evidence);
     }
+    // The stop on the ground misses S5 (chaotic at 6 Hz), S6 (87.6 against 146.4 kΩ there) and S8 (the normalised peak falls with the force).
+    let missed = ["S5", "S6", "S8"];
     let verdicts: Vec<(&str, bool)> = PAPER.claims.iter().map(|claim| (&claim.claim[..2], claim.holds)).collect();
-    assert_eq!(verdicts, ["S2", "S3", "S4", "S5", "S6", "S7", "S8", "S9"].map(|name| (name, true)));
+    assert_eq!(verdicts, ["S2", "S3", "S4", "S5", "S6", "S7", "S8", "S9"].map(|name| (name, !missed.contains(&name))));
     let evidence = |place: usize| &PAPER.claims[place].evidence;
-    assert!(evidence(0).contains("4.05") && evidence(0).contains("8.7"), "{}", evidence(0));
-    assert!(evidence(4).contains("69.2 kΩ without") && evidence(4).contains("147.9 kΩ without"), "{}", evidence(4));
+    assert!(evidence(0).contains("4.05") && evidence(0).contains("8.70"), "{}", evidence(0));
+    assert!(evidence(4).contains("69.3 kΩ without") && evidence(4).contains("146.4 kΩ without"), "{}", evidence(4));
 }
 
 /// Every choice is told with whether it has settled; the stop on the table gives ten times the power.
@@ -82,6 +84,8 @@ fn claims() {
 fn assumptions() {
     let ratio = floats("assumptions", "ratio");
     assert_eq!(ratio[0], 1.0);
+    let claims = flags("claims", "table_holds");
+    assert!(claims[3] && !flags("claims", "ground_holds")[3], "with the stop on the table S5 holds: {claims:?}");
     close(floats("assumptions", "power_20_s_w")[1], 8.90e-4, 0.02);
     assert_eq!(flags("assumptions", "settled_20_s").len(), ratio.len());
 }
@@ -95,7 +99,7 @@ fn everything_is_written() {
         assert!(std::fs::metadata(path).unwrap().len() > 100, "{}", path.display());
     }
     let html = std::fs::read_to_string(&written.report).unwrap();
-    assert!(!html.contains("src=") && !html.contains("<script") && html.matches("<svg").count() == PAPER.figures.len());
+    assert!(!html.contains("src=") && !html.contains("<script") && html.matches("<figcaption>").count() == PAPER.figures.len());
     let blocked = folder.join("report.html");
     assert!(PAPER.write(&blocked).unwrap_err().to_string().contains("cannot create the folder"));
 }

@@ -12,10 +12,12 @@
 mod assumptions;
 mod claim;
 mod claims;
+mod coexistence;
 mod computed;
 mod error;
 mod frequency_responses;
 mod harvester;
+mod impact;
 mod named;
 mod page;
 mod power_over_frequency;

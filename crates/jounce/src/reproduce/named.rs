@@ -27,6 +27,18 @@ pub struct NamedFigure {
     pub figure: Figure,
 }
 
+/// Where the stop stands, as it enters names and captions.
+pub(super) struct Stop {
+    pub suffix: &'static str,
+    pub words: &'static str,
+}
+
+/// Eq. (5) as printed; the default.
+pub(super) const ON_GROUND: Stop = Stop { suffix: "", words: "" };
+
+/// The other reading.
+pub(super) const ON_TABLE: Stop = Stop { suffix: "-stop-on-table", words: " Here the stop rides on the shaker table." };
+
 impl NamedTable {
     pub(super) fn new(name: &str, caption: &str, digits: usize, table: Table) -> Self {
         Self { name: name.to_owned(), caption: caption.to_owned(), digits, table }

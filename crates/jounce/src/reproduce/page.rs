@@ -64,6 +64,13 @@ pub(super) fn page(of: &Reproduction) -> Result<Document, ReproduceError> {
     table(&mut page, of, "figure-7-orders");
     page.section("Figures 8 and 9: power over load resistance");
     figures(&mut page, of, &["figure-8", "figure-9"])?;
+    page.section("The stop on the shaker table");
+    page.paragraph(
+        "Eq. (5) takes the displacement of the contact point in space, so that the stop stands on the ground; if the rig carries it on the table, \
+         figures 6, 8 and 9 become these.",
+    );
+    table(&mut page, of, "claims");
+    figures(&mut page, of, &["figure-6-stop-on-table", "figure-8-stop-on-table", "figure-9-stop-on-table"])?;
     assumptions(&mut page, of);
     page.section("Data");
     page.paragraph("The folder `tables` holds the data of every table and figure as CSV and JSON, `figures` every picture as SVG and PNG.");

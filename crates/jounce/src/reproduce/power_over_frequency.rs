@@ -3,15 +3,19 @@
 //! The paper gives neither the levels nor the step; 50, 100 and 200 N (two of which its figures 7 to 9 name) and 0.1 Hz are guesses.
 
 use super::harvester::{Case, Harvester, MEGOHM};
+use super::named::Stop;
 use super::stepped::{Branch, Level, stepped};
 use super::{NamedFigure, NamedTable, ReproduceError};
-use crate::linear::steady_power_w;
+use crate::linear::{Response, frf};
 use crate::picture::{Direction, Scale, SweepLine, SweepLook, sweep};
 use crate::table::{Column, Table};
 use rayon::prelude::*;
 
 /// Levels of force, N, zero to peak.
 pub(super) const LEVELS_N: [f64; 3] = [50.0, 100.0, 200.0];
+
+/// Levels where the stop stands otherwise than in the paper's eq. (5): enough to compare.
+pub(super) const FEWER_LEVELS_N: [f64; 2] = [50.0, 200.0];
 
 /// All curves of the figure.
 pub(super) struct PowerOverFrequency {
@@ -20,15 +24,15 @@ pub(super) struct PowerOverFrequency {
 }
 
 impl PowerOverFrequency {
-    /// 4 to 20 Hz in steps of 0.1 Hz; the linear case in closed form in steps of 5 mHz.
-    pub fn compute(harvester: &Harvester) -> Result<Self, ReproduceError> {
+    /// 4 to 20 Hz in steps of 0.1 Hz; the linear case in closed form in steps of 10 mHz, 1 mHz at its resonance.
+    pub fn compute(harvester: &Harvester, levels_n: &[f64]) -> Result<Self, ReproduceError> {
         let frequencies_hz: Vec<f64> = (40..=200).map(|i| f64::from(i) / 10.0).collect();
-        let levels = LEVELS_N.par_iter().map(|level| stepped(harvester, *level, &frequencies_hz)).collect::<Result<Vec<_>, _>>()?;
+        let levels = levels_n.par_iter().map(|level| stepped(harvester, *level, &frequencies_hz)).collect::<Result<Vec<_>, _>>()?;
         Ok(Self { linear: linear(harvester)?, levels })
     }
 
     /// Figure 6.
-    pub fn figure(&self) -> NamedFigure {
+    pub fn figure(&self, stop: &Stop) -> NamedFigure {
         let line = |label: &str, direction, branch: &Branch| SweepLine {
             label: label.to_owned(),
             direction,
@@ -45,11 +49,11 @@ impl PowerOverFrequency {
         let figure = sweep("Mean power per force squared", &SweepLook::power_over_frequency(Scale::Log), &lines);
         let caption = "Figure 6. Mean power over the last 10 s of 20 s at each frequency, divided by the force squared; 1 MΩ. The frequency \
                        steps by 0.1 Hz, up and then down, and the motion is carried over.";
-        NamedFigure::new("figure-6", caption, figure)
+        NamedFigure::new(&format!("figure-6{}", stop.suffix), &format!("{caption}{}", stop.words), figure)
     }
 
     /// Every point of the stepped curves.
-    pub fn table(&self) -> Result<NamedTable, ReproduceError> {
+    pub fn table(&self, stop: &Stop) -> Result<NamedTable, ReproduceError> {
         let ways: Vec<(f64, &str, &Branch)> =
             self.levels.iter().flat_map(|level| [(level.amplitude_n, "up", &level.up), (level.amplitude_n, "down", &level.down)]).collect();
         let each = |(amplitude_n, way, branch): &(f64, &str, &Branch)| vec![(*amplitude_n, (*way).to_owned()); branch.frequency_hz.len()];
@@ -63,19 +67,18 @@ impl PowerOverFrequency {
             Column::new("power_w_n2", "W/N^2", "Mean power per force squared", all(|branch| &branch.power_w_n2)),
             Column::new("settled", "", "Settled", settled),
         ])?;
-        Ok(NamedTable::new("figure-6", "Figure 6: mean power per force squared, stepped up and down.", 5, table))
+        let caption = format!("Figure 6: mean power per force squared, stepped up and down.{}", stop.words);
+        Ok(NamedTable::new(&format!("figure-6{}", stop.suffix), &caption, 5, table))
     }
 }
 
 fn linear(harvester: &Harvester) -> Result<Branch, ReproduceError> {
-    let case = Case { frequency_hz: 4.0, amplitude_n: 1.0, resistance_ohm: MEGOHM };
-    let plant = harvester.plant(case)?;
-    let mut branch = Branch::default();
-    for frequency_hz in (800..=4000).map(|i| f64::from(i) / 200.0) {
-        let mut drives = plant.system.drives.clone();
-        drives.iter_mut().for_each(|drive| drive.frequency_hz = frequency_hz);
-        branch.frequency_hz.push(frequency_hz);
-        branch.power_w_n2.push(case.normalised(steady_power_w(&plant.with_drives(drives)?)));
-    }
-    Ok(branch)
+    let plant = harvester.plant(Case { frequency_hz: 4.0, amplitude_n: 1.0, resistance_ohm: MEGOHM })?;
+    let coarse = (400..=2000).map(|i| f64::from(i) / 100.0);
+    let fine = (8600..=8800).map(|i| f64::from(i) / 1000.0);
+    let mut frequency_hz: Vec<f64> = coarse.filter(|f| !(8.6..=8.8).contains(f)).chain(fine).collect();
+    frequency_hz.sort_by(f64::total_cmp);
+    let answers = frf(&plant, "table", &[Response::Voltage("mfc".to_owned())], &frequency_hz)?;
+    let power_w_n2 = answers.iter().flat_map(|answer| &answer.value).map(|v| v.norm_sqr() / (2.0 * MEGOHM)).collect();
+    Ok(Branch { frequency_hz, power_w_n2, ..Branch::default() })
 }

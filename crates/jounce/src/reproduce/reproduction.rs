@@ -1,6 +1,7 @@
 //! The result: tables, figures and claims, and the folder they are written to.
 
 use super::computed::Computed;
+use super::named::{ON_GROUND, ON_TABLE};
 use super::{Claim, NamedFigure, NamedTable, ReproduceError, assumptions, claims, page, runs};
 use crate::table::Manifest;
 use rayon::prelude::*;
@@ -9,9 +10,9 @@ use std::path::{Path, PathBuf};
 /// The paper computed again.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reproduction {
-    /// `table-2`, `runs`, `assumptions`, and the data of every figure.
+    /// `table-2`, `claims`, `runs`, `assumptions`, and the data of every figure.
     pub tables: Vec<NamedTable>,
-    /// `figure-4` to `figure-9`, and `figure-7-spectrum`.
+    /// `figure-4` to `figure-9`, `figure-7-spectrum`, and figures 6, 8 and 9 `-stop-on-table`.
     pub figures: Vec<NamedFigure>,
     /// S2 to S9.
     pub claims: Vec<Claim>,
@@ -39,15 +40,25 @@ pub struct Written {
 pub fn reproduce(progress: &dyn Fn(&str)) -> Result<Reproduction, ReproduceError> {
     let computed = Computed::new(progress)?;
     let mut figures = computed.hammer.figures();
-    figures.push(computed.frequency.figure());
-    figures.extend(computed.voltage.figures()?);
-    figures.extend([computed.above.figure(8), computed.below.figure(9)]);
-    let mut tables = vec![computed.table_2.table()?, runs::table(&computed)?, assumptions::table(&computed.variants)?];
-    tables.extend([computed.hammer.table()?, computed.frequency.table()?]);
-    tables.extend(computed.voltage.tables()?);
-    tables.extend([computed.above.table(8)?, computed.below.table(9)?]);
-    let manifest = Manifest::new(&computed.harvester.spec.hash_hex()).with("command", "reproduce");
-    Ok(Reproduction { tables, figures, claims: claims::claims(&computed), summary: page::summary(&computed), manifest })
+    figures.push(computed.ground.frequency.figure(&ON_GROUND));
+    figures.extend(computed.ground.voltage.figures()?);
+    figures.extend([computed.ground.above.figure(8, &ON_GROUND), computed.ground.below.figure(9, &ON_GROUND)]);
+    figures.extend([computed.table.frequency.figure(&ON_TABLE), computed.table.above.figure(8, &ON_TABLE)]);
+    figures.push(computed.table.below.figure(9, &ON_TABLE));
+    let (ground, on_table) = (claims::judged(&computed.ground), claims::judged(&computed.table));
+    let manifest = Manifest::new(&computed.ground.harvester.spec.hash_hex()).with("command", "reproduce");
+    let tables = tables(&computed, claims::table(&ground, &on_table)?)?;
+    Ok(Reproduction { tables, figures, claims: claims::claims(&ground, &on_table), summary: page::summary(&computed), manifest })
+}
+
+fn tables(computed: &Computed, claims: NamedTable) -> Result<Vec<NamedTable>, ReproduceError> {
+    let (ground, on_table) = (&computed.ground, &computed.table);
+    let mut tables = vec![computed.table_2.table()?, claims, runs::table(ground)?, assumptions::table(&computed.variants)?];
+    tables.extend([computed.hammer.table()?, ground.frequency.table(&ON_GROUND)?]);
+    tables.extend(ground.voltage.tables()?);
+    tables.extend([ground.above.table(8, &ON_GROUND)?, ground.below.table(9, &ON_GROUND)?]);
+    tables.extend([on_table.frequency.table(&ON_TABLE)?, on_table.above.table(8, &ON_TABLE)?, on_table.below.table(9, &ON_TABLE)?]);
+    Ok(tables)
 }
 
 impl Reproduction {

@@ -1,14 +1,14 @@
 //! The two runs that the paper's figures 7 to 9 start from, in numbers.
 
-use super::computed::{Computed, LONG_RUN_S};
 use super::harvester::{ABOVE_RESONANCE, BELOW_RESONANCE, Case};
+use super::impact::{Impact, LONG_RUN_S};
 use super::{NamedTable, ReproduceError};
 use crate::linear::steady_power_w;
 use crate::run::RunAnswer;
 use crate::table::{Column, Table};
 
 /// The table of both runs, and of the first one going on until it has settled.
-pub(super) fn table(computed: &Computed) -> Result<NamedTable, ReproduceError> {
+pub(super) fn table(computed: &Impact) -> Result<NamedTable, ReproduceError> {
     let duration_s = computed.harvester.spec.run.duration_s;
     let rows: [(Case, f64, &RunAnswer); 3] = [
         (ABOVE_RESONANCE, duration_s, &computed.voltage.answer),

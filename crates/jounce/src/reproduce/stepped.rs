@@ -1,6 +1,7 @@
 //! A frequency stepped up and down with the motion carried over and the phase continuous, as the paper describes for its figure 6.
 
 use super::ReproduceError;
+use super::coexistence::Coexistence;
 use super::harvester::{Case, Harvester, MEGOHM};
 use crate::run::{StartState, simulate};
 
@@ -13,6 +14,8 @@ pub(super) struct Branch {
     pub settled: Vec<bool>,
     /// Period of the orbit in drive cycles, where it has settled.
     pub period_cycles: Vec<u32>,
+    /// State at the end of each point.
+    pub state: Vec<StartState>,
 }
 
 /// A level of force swept up and then down.
@@ -21,6 +24,7 @@ pub(super) struct Level {
     pub amplitude_n: f64,
     pub up: Branch,
     pub down: Branch,
+    pub coexistence: Coexistence,
 }
 
 /// Sweeps up through the frequencies and then down through them, from rest at the first.
@@ -28,9 +32,9 @@ pub(super) fn stepped(harvester: &Harvester, amplitude_n: f64, frequencies_hz: &
     let first = Case { frequency_hz: frequencies_hz[0], amplitude_n, resistance_ohm: MEGOHM };
     let (mut kernel, plan) = (harvester.kernel(first)?, harvester.plan());
     let mut state = StartState::rest(&kernel.plant);
-    let mut level = Level { amplitude_n, up: Branch::default(), down: Branch::default() };
-    let down = frequencies_hz.iter().rev().map(|frequency_hz| (frequency_hz, false));
-    for (&frequency_hz, is_up) in frequencies_hz.iter().map(|frequency_hz| (frequency_hz, true)).chain(down) {
+    let (mut up, mut down) = (Branch::default(), Branch::default());
+    let back = frequencies_hz.iter().rev().map(|frequency_hz| (frequency_hz, false));
+    for (&frequency_hz, is_up) in frequencies_hz.iter().map(|frequency_hz| (frequency_hz, true)).chain(back) {
         let mut drives = kernel.plant.system.drives.clone();
         for (drive, angle_rad) in drives.iter_mut().zip(&state.drive_angle_rad) {
             drive.frequency_hz = frequency_hz;
@@ -38,14 +42,16 @@ pub(super) fn stepped(harvester: &Harvester, amplitude_n: f64, frequencies_hz: &
         }
         kernel = kernel.with_drives(drives)?;
         let answer = simulate(&kernel, &state, &plan)?;
-        let branch = if is_up { &mut level.up } else { &mut level.down };
+        let branch = if is_up { &mut up } else { &mut down };
         branch.frequency_hz.push(frequency_hz);
         branch.power_w_n2.push(first.normalised(answer.mean_power_w));
         branch.settled.push(answer.settlement.settled);
         branch.period_cycles.push(answer.settlement.period_cycles);
+        branch.state.push(answer.end.clone());
         state = answer.end;
     }
-    Ok(level)
+    let coexistence = Coexistence::compute(harvester, amplitude_n, &up, &down)?;
+    Ok(Level { amplitude_n, up, down, coexistence })
 }
 
 impl Branch {
