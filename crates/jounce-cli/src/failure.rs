@@ -92,5 +92,6 @@ input_failure!(
     jounce::picture::PictureError,
     jounce::signal::SignalError,
     jounce::study::JournalError,
+    jounce::reproduce::ReproduceError,
     jounce::store::StoreError
 );

@@ -2,9 +2,11 @@
 //!
 //! Data flows one way, and a module uses only what stands before it in this list:
 //!
+<<<<<<< HEAD
 //! `store` (files that appear whole or not at all), `spec` (what the user says) -> `structure` (beams and masses to modes) ->
 //! `contact` (laws) -> `plant` (the coupled linear system in diagonal form, with its ports) -> `linear` (closed-form answers) ->
-//! `march` (time) -> `run` -> `signal` -> `study` (sweeps) -> `table` -> `picture` -> `report`.
+//! `march` (time) -> `run` -> `signal` -> `study` (sweeps) -> `table` -> `picture` -> `report` -> `reproduce` (the paper);
+//! `reference` holds exact answers.
 
 pub mod contact;
 pub mod linear;
@@ -13,6 +15,7 @@ pub mod picture;
 pub mod plant;
 pub mod reference;
 pub mod report;
+pub mod reproduce;
 pub mod run;
 pub mod signal;
 pub mod spec;

@@ -1,6 +1,7 @@
 //! `jounce reproduce`
 
 use crate::failure::Failure;
+use crate::output::{line, print};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -18,7 +19,25 @@ pub struct Reproduce {
 impl Reproduce {
     /// Computes and writes everything.
     pub fn run(&self) -> Result<(), Failure> {
-        let _ = &self.out;
-        Err(Failure::Input("not merged".into()))
+        let reproduction = jounce::reproduce::reproduce(&|stage| eprintln!("{stage}"))?;
+        let written = reproduction.write(&self.out)?;
+        let names = |paths: &[PathBuf]| paths.iter().map(|path| path.display().to_string()).collect::<Vec<_>>();
+        let claims: Vec<_> = (reproduction.claims.iter())
+            .map(|claim| serde_json::json!({ "claim": claim.claim, "holds": claim.holds, "evidence": claim.evidence }))
+            .collect();
+        if self.json {
+            print(&serde_json::json!({
+                "report": written.report.display().to_string(),
+                "tables": names(&written.tables),
+                "figures": names(&written.figures),
+                "claims": claims,
+            }));
+            return Ok(());
+        }
+        for claim in &reproduction.claims {
+            line(format!("{}  {}\n     {}", if claim.holds { "holds         " } else { "does not hold " }, claim.claim, claim.evidence));
+        }
+        line(format!("report: {}", written.report.display()));
+        Ok(())
     }
 }

@@ -1,0 +1,55 @@
+//! Why the paper could not be computed again or written down.
+
+use crate::picture::PictureError;
+use crate::plant::PlantError;
+use crate::run::RunError;
+use crate::signal::SignalError;
+use crate::spec::{Fault, Faults};
+use crate::store::StoreError;
+use crate::structure::StructureError;
+use crate::table::TableError;
+use std::path::PathBuf;
+
+/// What can stop a reproduction. The inputs are built in, so that only [`ReproduceError::Folder`] and [`ReproduceError::Store`] are the
+/// user's to mend; the others would be faults of jounce.
+#[derive(Debug, thiserror::Error)]
+pub enum ReproduceError {
+    /// See [`Faults`].
+    #[error(transparent)]
+    Spec(#[from] Faults),
+    /// See [`StructureError`].
+    #[error(transparent)]
+    Structure(#[from] StructureError),
+    /// See [`PlantError`].
+    #[error(transparent)]
+    Plant(#[from] PlantError),
+    /// See [`RunError`].
+    #[error(transparent)]
+    Run(#[from] RunError),
+    /// See [`SignalError`].
+    #[error(transparent)]
+    Signal(#[from] SignalError),
+    /// See [`TableError`].
+    #[error(transparent)]
+    Table(#[from] TableError),
+    /// See [`PictureError`].
+    #[error(transparent)]
+    Picture(#[from] PictureError),
+    /// See [`StoreError`].
+    #[error(transparent)]
+    Store(#[from] StoreError),
+    /// The output folder cannot be made.
+    #[error("cannot create the folder \"{path}\": {reason}; choose another one with --out")]
+    Folder {
+        /// The folder.
+        path: PathBuf,
+        /// What stood in the way.
+        reason: String,
+    },
+}
+
+impl From<Fault> for ReproduceError {
+    fn from(fault: Fault) -> Self {
+        Self::Spec(fault.into())
+    }
+}

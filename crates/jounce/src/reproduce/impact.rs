@@ -1,0 +1,62 @@
+//! All impact results of the paper under one reading of where the stop stands.
+
+use super::ReproduceError;
+use super::harvester::{ABOVE_RESONANCE, BELOW_RESONANCE, Harvester};
+use super::power_over_frequency::PowerOverFrequency;
+use super::power_over_resistance::PowerOverResistance;
+use super::voltage::VoltageRecord;
+use crate::linear::{Coupling, couplings};
+use crate::run::{RunAnswer, RunPlan, StartState, simulate};
+
+/// Length of the runs that show what a case settles to, s.
+pub(super) const LONG_RUN_S: f64 = 100.0;
+
+/// Figures 6 to 9 and the runs beside them.
+pub(super) struct Impact {
+    pub harvester: Harvester,
+    pub frequency: PowerOverFrequency,
+    pub voltage: VoltageRecord,
+    pub above: PowerOverResistance,
+    pub below: PowerOverResistance,
+    pub below_run: RunAnswer,
+    /// 13 Hz and 200 N for [`LONG_RUN_S`].
+    pub long_run: RunAnswer,
+    /// The first bending mode of the harvester on its table.
+    pub first_mode: Coupling,
+    /// Frequency of its second bending mode, Hz.
+    pub second_mode_hz: f64,
+}
+
+impl Impact {
+    /// Marches everything with the stop on `"ground"` or `"table"`, figure 6 at some levels of force, N; the many runs share all cores.
+    pub fn compute(frame: &str, levels_n: &[f64]) -> Result<Self, ReproduceError> {
+        let harvester = Harvester::with(&[("stop.tip.frame".to_owned(), frame.to_owned())])?;
+        let (frequency, (above, below)) = rayon::join(
+            || PowerOverFrequency::compute(&harvester, levels_n),
+            || {
+                let over = |case| PowerOverResistance::compute(&harvester, case);
+                rayon::join(|| over(ABOVE_RESONANCE), || over(BELOW_RESONANCE))
+            },
+        );
+        // Mode 0 is that of the table on its spring.
+        let bending: Vec<Coupling> = couplings(&harvester.system.modes).into_iter().filter(|coupling| coupling.mode > 0).collect();
+        Ok(Self {
+            frequency: frequency?,
+            voltage: VoltageRecord::compute(&harvester)?,
+            above: above?,
+            below: below?,
+            below_run: harvester.run(BELOW_RESONANCE)?,
+            long_run: long_run(&harvester)?,
+            first_mode: bending[0].clone(),
+            second_mode_hz: bending[1].short_circuit_hz,
+            harvester,
+        })
+    }
+}
+
+/// 13 Hz and 200 N from rest for [`LONG_RUN_S`], the last 10 s averaged.
+pub(super) fn long_run(harvester: &Harvester) -> Result<RunAnswer, ReproduceError> {
+    let kernel = harvester.kernel(ABOVE_RESONANCE)?;
+    let plan = RunPlan { duration_s: LONG_RUN_S, ..harvester.plan() };
+    Ok(simulate(&kernel, &StartState::rest(&kernel.plant), &plan)?)
+}

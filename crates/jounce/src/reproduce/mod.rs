@@ -1,0 +1,34 @@
+//! The paper computed again: Table 2, figures 4 to 9, a verdict on every claim, and what changes with each open choice.
+//!
+//! Source: "Experimental validation of an impact off-resonance energy harvester" (2019), sections 2 to 4. The spec of its harvester is
+//! built in. Figures 10 to 13 are measured and are not drawn here.
+//!
+//! ```no_run
+//! let reproduction = jounce::reproduce::reproduce(&|stage| eprintln!("{stage}"))?;
+//! let written = reproduction.write(std::path::Path::new("reproduction"))?;
+//! println!("{}", written.report.display());
+//! # Ok::<(), jounce::reproduce::ReproduceError>(())
+//! ```
+mod assumptions;
+mod claim;
+mod claims;
+mod coexistence;
+mod computed;
+mod error;
+mod frequency_responses;
+mod harvester;
+mod impact;
+mod named;
+mod page;
+mod power_over_frequency;
+mod power_over_resistance;
+mod reproduction;
+mod runs;
+mod stepped;
+mod table_2;
+mod voltage;
+
+pub use claim::Claim;
+pub use error::ReproduceError;
+pub use named::{NamedFigure, NamedTable};
+pub use reproduction::{Reproduction, Written, reproduce};

@@ -1,0 +1,106 @@
+//! The result: tables, figures and claims, and the folder they are written to.
+
+use super::computed::Computed;
+use super::named::{ON_GROUND, ON_TABLE};
+use super::{Claim, NamedFigure, NamedTable, ReproduceError, assumptions, claims, page, runs};
+use crate::table::Manifest;
+use rayon::prelude::*;
+use std::path::{Path, PathBuf};
+
+/// The paper computed again.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reproduction {
+    /// `table-2`, `claims`, `runs`, `assumptions`, and the data of every figure.
+    pub tables: Vec<NamedTable>,
+    /// `figure-4` to `figure-9`, `figure-7-spectrum`, and figures 6, 8 and 9 `-stop-on-table`.
+    pub figures: Vec<NamedFigure>,
+    /// S2 to S9.
+    pub claims: Vec<Claim>,
+    summary: String,
+    manifest: Manifest,
+}
+
+/// Where a reproduction was written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Written {
+    /// The report, one HTML file that holds everything people read.
+    pub report: PathBuf,
+    /// `tables/NAME.csv` (with a manifest beside it) and `tables/NAME.json`.
+    pub tables: Vec<PathBuf>,
+    /// `figures/NAME.svg` and `figures/NAME.png`.
+    pub figures: Vec<PathBuf>,
+}
+
+/// Computes the paper's simulated tables and figures and judges its claims; `progress` is told each stage.
+///
+/// The numbers are the same bits for any number of threads.
+///
+/// # Errors
+/// None is expected: the inputs are built in. See [`ReproduceError`].
+pub fn reproduce(progress: &dyn Fn(&str)) -> Result<Reproduction, ReproduceError> {
+    let computed = Computed::new(progress)?;
+    let mut figures = computed.hammer.figures();
+    figures.push(computed.ground.frequency.figure(&ON_GROUND));
+    figures.extend(computed.ground.voltage.figures()?);
+    figures.extend([computed.ground.above.figure(8, &ON_GROUND), computed.ground.below.figure(9, &ON_GROUND)]);
+    figures.extend([computed.table.frequency.figure(&ON_TABLE), computed.table.above.figure(8, &ON_TABLE)]);
+    figures.push(computed.table.below.figure(9, &ON_TABLE));
+    let (ground, on_table) = (claims::judged(&computed.ground), claims::judged(&computed.table));
+    let manifest = Manifest::new(&computed.ground.harvester.spec.hash_hex()).with("command", "reproduce");
+    let tables = tables(&computed, claims::table(&ground, &on_table)?)?;
+    Ok(Reproduction { tables, figures, claims: claims::claims(&ground, &on_table), summary: page::summary(&computed), manifest })
+}
+
+fn tables(computed: &Computed, claims: NamedTable) -> Result<Vec<NamedTable>, ReproduceError> {
+    let (ground, on_table) = (&computed.ground, &computed.table);
+    let mut tables = vec![computed.table_2.table()?, claims, runs::table(ground)?, assumptions::table(&computed.variants)?];
+    tables.extend([computed.hammer.table()?, ground.frequency.table(&ON_GROUND)?]);
+    tables.extend(ground.voltage.tables()?);
+    tables.extend([ground.above.table(8, &ON_GROUND)?, ground.below.table(9, &ON_GROUND)?]);
+    tables.extend([on_table.frequency.table(&ON_TABLE)?, on_table.above.table(8, &ON_TABLE)?, on_table.below.table(9, &ON_TABLE)?]);
+    Ok(tables)
+}
+
+impl Reproduction {
+    /// The table of that name.
+    pub fn table(&self, name: &str) -> Option<&NamedTable> {
+        self.tables.iter().find(|table| table.name == name)
+    }
+
+    /// The figure of that name.
+    pub fn figure(&self, name: &str) -> Option<&NamedFigure> {
+        self.figures.iter().find(|figure| figure.name == name)
+    }
+
+    /// What Table 2 shows, in a sentence or two.
+    pub(super) fn summary(&self) -> &str {
+        &self.summary
+    }
+
+    /// Writes `report.html`, `tables/` and `figures/` into a folder, which is made where it is missing.
+    ///
+    /// # Errors
+    /// A folder or file that cannot be written.
+    pub fn write(&self, folder: &Path) -> Result<Written, ReproduceError> {
+        let (tables, figures) = (folder.join("tables"), folder.join("figures"));
+        for path in [folder, &tables, &figures] {
+            std::fs::create_dir_all(path).map_err(|fault| ReproduceError::Folder { path: path.to_owned(), reason: fault.to_string() })?;
+        }
+        let report = folder.join("report.html");
+        page::page(self)?.write(&report)?;
+        let mut written = Written { report, tables: Vec::new(), figures: Vec::new() };
+        for table in &self.tables {
+            for ending in ["csv", "json"] {
+                let path = tables.join(format!("{}.{ending}", table.name));
+                table.table.write(&path, &self.manifest)?;
+                written.tables.push(path);
+            }
+        }
+        let drawn =
+            self.figures.iter().flat_map(|figure| ["svg", "png"].map(|ending| (figure, figures.join(format!("{}.{ending}", figure.name)))));
+        let drawn: Vec<_> = drawn.collect();
+        drawn.par_iter().try_for_each(|(figure, path)| figure.figure.write(path))?;
+        written.figures = drawn.into_iter().map(|(_, path)| path).collect();
+        Ok(written)
+    }
+}
