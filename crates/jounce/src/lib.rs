@@ -2,7 +2,6 @@
 //!
 //! Data flows one way, and a module uses only what stands before it in this list:
 //!
-<<<<<<< HEAD
 //! `store` (files that appear whole or not at all), `spec` (what the user says) -> `structure` (beams and masses to modes) ->
 //! `contact` (laws) -> `plant` (the coupled linear system in diagonal form, with its ports) -> `linear` (closed-form answers) ->
 //! `march` (time) -> `run` -> `signal` -> `study` (sweeps) -> `table` -> `picture` -> `report` -> `reproduce` (the paper);

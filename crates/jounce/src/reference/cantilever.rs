@@ -53,7 +53,7 @@ impl Cantilever {
         let below_one = (l.sin() - l.cos() - (-l).exp()) * (-l).exp() / divisor;
         let hyperbolic = 0.5 * below_one * b.exp() + 0.5 * (1.0 + ratio) * (-b).exp();
         let value = hyperbolic - b.cos() + ratio * b.sin();
-        let sign = if mode % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if mode.is_multiple_of(2) { 1.0 } else { -1.0 };
         sign * value / (self.mass_per_length_kg_m * self.length_m).sqrt()
     }
 
