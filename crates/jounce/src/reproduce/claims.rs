@@ -149,8 +149,13 @@ fn similar_peak(computed: &Impact) -> Claim {
     let highest = |branch: &Branch| branch.power_w_n2[branch.peak()];
     let linear = highest(&computed.frequency.linear);
     let ratios: Vec<f64> = computed.frequency.levels.iter().map(|level| highest(&level.up) / linear).collect();
-    let told: Vec<String> =
-        computed.frequency.levels.iter().zip(&ratios).map(|(level, ratio)| format!("{ratio:.2} at {} N", level.amplitude_n)).collect();
+    let told: Vec<String> = computed
+        .frequency
+        .levels
+        .iter()
+        .zip(&ratios)
+        .map(|(level, ratio)| format!("{:.2} % at {} N", 100.0 * ratio, level.amplitude_n))
+        .collect();
     let holds = ratios.iter().all(|ratio| (0.5..=2.0).contains(ratio));
     let evidence = format!(
         "Highest power per force squared on the way up over the linear peak ({linear:.3e} W/N²): {}. Criterion: within a factor of 2 at \

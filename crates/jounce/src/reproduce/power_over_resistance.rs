@@ -10,7 +10,10 @@ use crate::picture::{Direction, SweepLine, power_against_resistance};
 use crate::table::{Column, Table};
 use rayon::prelude::*;
 
-/// Resistances per decade.
+/// Resistances per decade of the line without impact.
+const LINE_PER_DECADE: u32 = 60;
+
+/// Resistances per decade with impact.
 const PER_DECADE: u32 = 10;
 
 /// One of the two figures.
@@ -20,6 +23,8 @@ pub(super) struct PowerOverResistance {
     pub impact_w: Vec<f64>,
     pub settled: Vec<bool>,
     pub linear_w: Vec<f64>,
+    /// Resistances, ohm, and powers, W, of the line without impact.
+    linear_line: (Vec<f64>, Vec<f64>),
     /// The best load without impact, closed form.
     pub linear_best: Optimum,
     /// The best load with impact: top of the parabola over `ln R` through the highest point and its neighbours.
@@ -29,17 +34,20 @@ pub(super) struct PowerOverResistance {
 impl PowerOverResistance {
     /// 10 kohm to 10 Mohm at the drive of a case.
     pub fn compute(harvester: &Harvester, case: Case) -> Result<Self, ReproduceError> {
-        let resistance_ohm: Vec<f64> = (0..=3 * PER_DECADE).map(|i| 10f64.powf(4.0 + f64::from(i) / f64::from(PER_DECADE))).collect();
+        let resistance_ohm = resistances_ohm(PER_DECADE);
         let at = |resistance_ohm: &f64| Case { resistance_ohm: *resistance_ohm, ..case };
         let answers = resistance_ohm.par_iter().map(|r| harvester.run(at(r))).collect::<Result<Vec<_>, _>>()?;
-        let linear_w =
-            resistance_ohm.iter().map(|r| Ok(steady_power_w(&harvester.plant(at(r))?))).collect::<Result<_, ReproduceError>>()?;
+        let line_ohm = resistances_ohm(LINE_PER_DECADE);
+        let linear =
+            |ohm: &[f64]| ohm.iter().map(|r| Ok(steady_power_w(&harvester.plant(at(r))?))).collect::<Result<Vec<f64>, ReproduceError>>();
+        let (linear_w, line_w) = (linear(&resistance_ohm)?, linear(&line_ohm)?);
         let impact_w: Vec<f64> = answers.iter().map(|answer| answer.mean_power_w).collect();
         Ok(Self {
             case,
             settled: answers.iter().map(|answer| answer.settlement.settled).collect(),
             linear_best: optimal_resistance(&harvester.plant(case)?, 0)?,
             impact_best_ohm: best_ohm(&resistance_ohm, &impact_w),
+            linear_line: (line_ohm, line_w),
             resistance_ohm,
             impact_w,
             linear_w,
@@ -54,16 +62,16 @@ impl PowerOverResistance {
 
     /// The figure under its number in the paper.
     pub fn figure(&self, number: u32, stop: &Stop) -> NamedFigure {
-        let line = |label: &str, direction, value: &[f64], settled: &[bool]| SweepLine {
+        let line = |label: &str, direction, ohm: &[f64], value: &[f64], settled: &[bool]| SweepLine {
             label: label.to_owned(),
             direction,
-            parameter: self.resistance_ohm.clone(),
+            parameter: ohm.to_vec(),
             value: value.to_vec(),
             settled: settled.to_vec(),
         };
         let lines = [
-            line("without impact", Direction::Linear, &self.linear_w, &[]),
-            line("with impact", Direction::Independent, &self.impact_w, &self.settled),
+            line("without impact", Direction::Linear, &self.linear_line.0, &self.linear_line.1, &[]),
+            line("with impact", Direction::Independent, &self.resistance_ohm, &self.impact_w, &self.settled),
         ];
         let title = format!("Mean power at {} Hz and {} N", self.case.frequency_hz, self.case.amplitude_n);
         let caption = format!(
@@ -85,6 +93,10 @@ impl PowerOverResistance {
         let caption = format!("Figure {number}: mean power over the load resistance.{}", stop.words);
         Ok(NamedTable::new(&format!("figure-{number}{}", stop.suffix), &caption, 5, table))
     }
+}
+
+fn resistances_ohm(per_decade: u32) -> Vec<f64> {
+    (0..=3 * per_decade).map(|i| 10f64.powf(4.0 + f64::from(i) / f64::from(per_decade))).collect()
 }
 
 /// Top of the parabola over `ln R` through the highest of equally spaced (in `ln R`) points and its neighbours; an end stays what it is.
