@@ -79,7 +79,7 @@ fn blocks_are_the_plant_in_other_coordinates() {
         let size = Mat::from_fn(n, n, |i, j| scale[i] * a[(i, j)] / scale[j]).norm_max();
         let worst = (0..n * n).map(|k| (scale[k / n] * residual[(k / n, k % n)]).abs()).fold(0.0, f64::max) / size;
         let identity = (t * inverse - Mat::<f64>::identity(n, n)).norm_max();
-        println!("{name}: A T - T J {worst:.1e}, T T^-1 - I {identity:.1e}");
+        eprintln!("{name}: A T - T J {worst:.1e}, T T^-1 - I {identity:.1e}");
         assert!(worst < 1e-13, "{name}: {worst:e}");
         // Unscaled, the identity mixes volts with metres: a factor of the largest ratio of the scales.
         assert!(identity < 1e-8, "{name}: {identity:e}");
@@ -102,7 +102,7 @@ fn eigenvalues_solve_the_secular_equation() {
             slope += (c64::new(w * w, 0.0) - l * l) * (theta * theta) / (dynamic * dynamic);
         }
         let moved = (value / slope).norm() / l.norm();
-        println!("{l:?}: {moved:.1e}");
+        eprintln!("{l:?}: {moved:.1e}");
         assert!(moved < 1e-12, "{l:?}: {moved:e}");
     }
 }
@@ -245,7 +245,7 @@ fn meter_of_a_blow_is_the_closed_form() {
     let plant = Plant::new(system).unwrap();
     let meters = Meters::new(&plant).unwrap();
     let y = plant.from_physical(&[0.0, 1.0, 0.0], 0.0);
-    let delivered = meters.loads[0].boundary_j(&vec![0.0; 3], 0.0) - meters.loads[0].boundary_j(&y, 0.0);
+    let delivered = meters.loads[0].boundary_j(&[0.0; 3], 0.0) - meters.loads[0].boundary_j(&y, 0.0);
     assert!((delivered / 0.5 / blow.efficiency() - 1.0).abs() < 1e-13, "{delivered}");
 }
 
@@ -304,7 +304,7 @@ fn assert_meters(name: &str, system: System, start: &[f64], duration_s: f64, all
     let found: Vec<f64> = energies.loads_j.iter().copied().chain([energies.damping_j, energies.input_j]).collect();
     let exact: Vec<f64> = loads.into_iter().chain([damping, input]).collect();
     let errors: Vec<f64> = found.iter().zip(&exact).map(|(a, b)| (a - b).abs() / b.abs().max(1e-6 * energies.scale_j)).collect();
-    println!("{name}: {contacts} contacts, loads, damping, input {errors:?}");
+    eprintln!("{name}: {contacts} contacts, loads, damping, input {errors:?}");
     assert!(errors.iter().all(|e| *e < allowed), "{name}: {found:?} {exact:?} {errors:?}");
     assert!(contacts > 0 || system.stops.is_empty(), "{name}: no contact");
 }

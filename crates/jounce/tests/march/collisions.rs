@@ -52,7 +52,7 @@ fn assert_hertz(problem: &HertzCollision, tolerance: f64, allowed: f64) {
         relative(found.contact_time_s, problem.contact_time_s()),
         found.residual.abs(),
     ];
-    println!("k {:e}, n {}: speed, depth, force, time, energy {errors:?}", problem.stiffness, problem.exponent);
+    eprintln!("k {:e}, n {}: speed, depth, force, time, energy {errors:?}", problem.stiffness, problem.exponent);
     assert!(found.contacts == 1 && errors.iter().all(|e| *e <= allowed), "{problem:?}: {found:?}: {errors:?}");
 }
 
@@ -91,7 +91,7 @@ fn kelvin_voigt_collision_loses_what_the_closed_form_says() {
         let e = problem.restitution();
         let loss_j = 0.5 * problem.mass_kg * problem.speed_m_s.powi(2) * (1.0 - e * e);
         let errors = [relative(found.speed_m_s, e * problem.speed_m_s), relative(found.loss_j, loss_j), found.residual.abs()];
-        println!("c {damping_n_s_m}, zeta {:.3}: speed, loss, energy {errors:?}", problem.damping_ratio());
+        eprintln!("c {damping_n_s_m}, zeta {:.3}: speed, loss, energy {errors:?}", problem.damping_ratio());
         // The loss of a light dashpot is the small difference of large energies.
         let amplified = 1.0 / (1.0 - e * e);
         assert!(errors[0] <= 1e-8 && errors[1] <= 1e-8 * amplified && errors[2] <= 1e-8, "{problem:?}: {found:?}: {errors:?}");
@@ -114,7 +114,7 @@ fn hunt_crossley_collision_loses_what_the_closed_form_says() {
             relative(found.loss_j, loss_j),
             found.residual.abs(),
         ];
-        println!("n {exponent}, a {damping_s_m}, e {e:.3}: speed, depth, loss, energy {errors:?}");
+        eprintln!("n {exponent}, a {damping_s_m}, e {e:.3}: speed, depth, loss, energy {errors:?}");
         let amplified = 1.0 / (1.0 - e * e);
         let allowed = HuntCrossleyCollision::TOLERANCE;
         assert!(

@@ -31,7 +31,7 @@ fn a_hair_over_the_grazing_amplitude_touches_and_a_hair_below_does_not() {
         for hair in [1e-3, 1e-6, 1e-9, 1e-11] {
             let over = graze(system.clone(), 1.0 + hair, 5.0 * cycles_s);
             let under = graze(system.clone(), 1.0 - hair, 5.0 * cycles_s);
-            println!("{name}, hair {hair:e}: {} contacts over, {} under", over.contacts, under.contacts);
+            eprintln!("{name}, hair {hair:e}: {} contacts over, {} under", over.contacts, under.contacts);
             assert!(over.contacts >= 1, "{name} {hair:e}: missed");
             assert_eq!(under.contacts, 0, "{name} {hair:e}: invented");
         }

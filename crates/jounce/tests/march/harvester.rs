@@ -13,7 +13,7 @@ fn power_of_the_harvester_meets_other_solvers() {
             let answer = from_rest(&kernel, 20.0, tolerance);
             let error = relative(answer.mean_power_w, power_w);
             let residual = answer.energies.residual_relative();
-            println!("{amplitude_n} N {frequency_hz} Hz at {tolerance:e}: error {error:.1e}, energy {residual:.1e}");
+            eprintln!("{amplitude_n} N {frequency_hz} Hz at {tolerance:e}: error {error:.1e}, energy {residual:.1e}");
             assert!(error <= allowed, "{amplitude_n} N {frequency_hz} Hz at {tolerance:e}: {error:e}");
             assert!(residual.abs() <= 10.0 * tolerance, "{residual:e}");
         }
@@ -27,7 +27,7 @@ fn error_falls_with_the_tolerance() {
         .into_iter()
         .map(|tolerance| relative(from_rest(&kernel, 20.0, tolerance).mean_power_w, CASES[0].2))
         .collect();
-    println!("errors at 1e-3, 1e-5, 1e-7, 1e-9: {errors:?}");
+    eprintln!("errors at 1e-3, 1e-5, 1e-7, 1e-9: {errors:?}");
     // Errors of single runs scatter by chance; over four decades of tolerance they must fall by two at least.
     assert!(errors[2] < 1e-2 * errors[0] && errors[3] < 1e-2 * errors[1], "{errors:?}");
 }
@@ -36,7 +36,7 @@ fn error_falls_with_the_tolerance() {
 fn paper_plant_agrees_with_itself_at_a_tighter_tolerance() {
     for (amplitude_n, frequency_hz, _) in CASES {
         let Some(system) = paper(amplitude_n, frequency_hz) else {
-            println!("SKIPPED: ../shared/plant/paper-plant.toml is not beside the repository");
+            eprintln!("SKIPPED: ../shared/plant/paper-plant.toml is not beside the repository");
             return;
         };
         let kernel = kernel(system);
@@ -44,7 +44,7 @@ fn paper_plant_agrees_with_itself_at_a_tighter_tolerance() {
         for (tolerance, allowed) in [(1e-7, 1e-5), (1e-10, 1e-8)] {
             let answer = from_rest(&kernel, 20.0, tolerance);
             let error = relative(answer.mean_power_w, tight.mean_power_w);
-            println!("paper plant, {amplitude_n} N {frequency_hz} Hz at {tolerance:e}: {error:.1e} of {:.10e} W", tight.mean_power_w);
+            eprintln!("paper plant, {amplitude_n} N {frequency_hz} Hz at {tolerance:e}: {error:.1e} of {:.10e} W", tight.mean_power_w);
             assert!(error <= allowed && answer.energies.residual_relative().abs() <= 10.0 * tolerance, "{error:e}");
         }
     }

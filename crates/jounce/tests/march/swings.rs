@@ -16,7 +16,7 @@ fn bilinear_oscillator_comes_back_after_its_period() {
         // An error of the period turns into a speed: q' = -w^2 q dt; relative to the period it is the mean of 20 swings.
         let late = end[1] / (start[0] * 20.0 * 20.0) / (swings * problem.period_s());
         let depth = relative(marcher.statistics().max_penetration_m, problem.peak_penetration_m(0.01));
-        println!("k {stop_stiffness_n_m:e}: period {late:.1e}, depth {depth:.1e}");
+        eprintln!("k {stop_stiffness_n_m:e}: period {late:.1e}, depth {depth:.1e}");
         assert!(late.abs() <= Bilinear::TOLERANCE && depth <= 1e-8, "{late:e} {depth:e}");
         assert_eq!(marcher.statistics().contacts, 20);
     }

@@ -18,7 +18,7 @@ fn the_clock_may_start_later() {
     let one = march(&early, &rest, 0.0, 2.0, TOLERANCE);
     let other = march(&shifted, &rest, later_s, 2.0 + later_s, TOLERANCE);
     let error = distance(&early, &physical(&other, &shifted), &physical(&one, &early));
-    println!("time shift {error:.1e}");
+    eprintln!("time shift {error:.1e}");
     assert!(one.statistics().contacts > 10 && error < 1e-8, "{error:e}");
     assert!(relative(other.energies().loads_j[0], one.energies().loads_j[0]) < 1e-8);
 }
@@ -34,7 +34,7 @@ fn the_other_side_is_the_mirror_image() {
     let other = march(&left, &rest, 0.0, 2.0, TOLERANCE);
     let mirrored: Vec<f64> = physical(&other, &left).iter().map(|x| -x).collect();
     let error = distance(&right, &mirrored, &physical(&one, &right));
-    println!("mirror {error:.1e}");
+    eprintln!("mirror {error:.1e}");
     assert!(error < 1e-8, "{error:e}");
 }
 
@@ -49,7 +49,7 @@ fn lengths_scale_with_the_force() {
     let one = from_rest(&kernel(bench(50.0, 11.0)), 4.0, TOLERANCE);
     let other = from_rest(&kernel(scaled), 4.0, TOLERANCE);
     let error = relative(other.mean_power_w, c * c * one.mean_power_w);
-    println!("scaling {error:.1e}");
+    eprintln!("scaling {error:.1e}");
     assert!(error < 1e-8 && other.contacts == one.contacts, "{error:e}");
 }
 
@@ -68,7 +68,7 @@ fn time_scales_with_the_frequencies() {
     let one = from_rest(&kernel(bench(50.0, 11.0)), 4.0, TOLERANCE);
     let other = from_rest(&kernel(fast), 4.0 / rate, TOLERANCE);
     let error = relative(other.mean_power_w, rate.powi(3) * one.mean_power_w);
-    println!("time scaling {error:.1e}");
+    eprintln!("time scaling {error:.1e}");
     assert!(error < 1e-8 && other.contacts == one.contacts, "{error:e}");
 }
 
@@ -84,7 +84,7 @@ fn landing_anywhere_gives_the_same_answer() {
             broken.advance_to(2.0 * f64::from(k) / f64::from(pieces)).unwrap();
         }
         let error = distance(&kernel, &physical(&broken, &kernel), &physical(&straight, &kernel));
-        println!("{pieces} pieces: {error:.1e}");
+        eprintln!("{pieces} pieces: {error:.1e}");
         assert!(error < 1e-8, "{pieces}: {error:e}");
         assert_eq!(broken.statistics().contacts, straight.statistics().contacts, "{pieces}");
         assert!(relative(broken.energies().loads_j[0], straight.energies().loads_j[0]) < 1e-8, "{pieces}");
@@ -102,6 +102,6 @@ fn a_run_goes_on_from_its_end() {
     let plan = RunPlan { duration_s: 3.0 - 1.37, average_over_s: 1.5, tolerance: TOLERANCE, record_s: 0.0 };
     let rest = simulate(&onward, &first.end, &plan).unwrap();
     let error = distance(&onward, &rest.end.physical(), &whole.end.physical());
-    println!("gone on {error:.1e}");
+    eprintln!("gone on {error:.1e}");
     assert!(error < 1e-8 && relative(rest.mean_power_w, whole.mean_power_w) < 1e-8, "{error:e}");
 }
