@@ -117,13 +117,14 @@ fn steady_state_solves_the_physical_equations() {
     let t = &plant.diagonal.to_physical;
     let x: Vec<c64> = (0..n).map(|i| (0..n).map(|j| tone.steady[j] * t[(i, j)]).sum()).collect();
     let modes = system.modes.len();
+    let norm = |i: usize| (0..n).map(|j| (x[j] * a[(i, j)]).norm()).fold(0.0, f64::max);
+    let size = (0..n).map(|i| scale[i] * norm(i)).fold(0.0, f64::max);
     for i in 0..n {
         let force = if i >= modes && i < 2 * modes { tone.force[i - modes] } else { c64::new(0.0, 0.0) };
         let inertia = c64::new(0.0, tone.angular_frequency_rad_s) * x[i];
         let flow: c64 = (0..n).map(|j| x[j] * a[(i, j)]).sum();
-        let size = scale[i] * (0..n).map(|j| (x[j] * a[(i, j)]).norm()).fold(force.norm(), f64::max);
         let residual = scale[i] * (inertia - flow - force).norm() / size;
-        assert!(residual < 1e-12, "row {i}: {residual:e}");
+        assert!(residual < 1e-14, "row {i}: {residual:e}");
     }
 }
 
@@ -175,18 +176,15 @@ fn free_critical_and_overdamped_modes_flow_exactly() {
         let problem = Harmonic { mass_kg: 1.0, frequency_rad_s, damping_ratio: zeta, amplitude_n: 0.0, drive_hz: 1.0 };
         let mut system = problem.system();
         system.drives.clear();
-        let plant = match Plant::new(system) {
-            Ok(plant) => plant,
-            // Next to critical damping the two real eigenvectors all but coincide: an error, not a wrong answer.
-            Err(PlantError::Defective { .. }) if zeta > 1.0 && zeta < 1.0 + 1e-6 => continue,
-            Err(error) => panic!("{error}"),
-        };
+        let plant = Plant::new(system).unwrap();
         let y = plant.from_physical(&[0.3, -2.0], 0.0);
         for time_s in [1e-3, 0.1, 2.0] {
             let x = plant.to_physical(&plant.diagonal.block.flow(time_s, &y), time_s);
             let exact = decay(frequency_rad_s, zeta, [0.3, -2.0], time_s);
             let error = (x[0] - exact[0]).abs().max((x[1] - exact[1]).abs() / w) / 0.3;
-            assert!(error < 1e-12, "w {frequency_rad_s}, zeta {zeta}, t {time_s}: {error:e}");
+            // Next to critical damping the two eigenvectors all but coincide, and figures are lost in their difference.
+            let allowed = if zeta > 1.0 && zeta < 1.1 { 1e-10 } else { 1e-12 };
+            assert!(error < allowed, "w {frequency_rad_s}, zeta {zeta}, t {time_s}: {error:e}");
         }
     }
 }
@@ -203,10 +201,15 @@ fn decay(w: f64, zeta: f64, [x, v]: [f64; 2], t: f64) -> [f64; 2] {
         }
         1.0 => ((-w * t).exp(), t * (-w * t).exp()),
         z => {
-            let d = w * (z * z - 1.0).sqrt();
-            let slow = -w / (z + (z * z - 1.0).sqrt());
-            let (a, b) = ((slow * t).exp(), ((-z * w - d) * t).exp());
-            (0.5 * (a + b), (a - b) / (2.0 * d))
+            let d = w * ((z - 1.0) * (z + 1.0)).sqrt();
+            let slow = -w * w / (z * w + d);
+            match d * t < 1.0 {
+                true => ((d * t).cosh() * (-z * w * t).exp(), (d * t).sinh() / d * (-z * w * t).exp()),
+                false => {
+                    let (a, b) = ((slow * t).exp(), ((-z * w - d) * t).exp());
+                    (0.5 * (a + b), (a - b) / (2.0 * d))
+                }
+            }
         }
     };
     let b = zeta * w;

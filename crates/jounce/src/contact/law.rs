@@ -62,3 +62,15 @@ impl From<StopLaw> for Law {
         }
     }
 }
+
+impl Law {
+    /// Energy stored by the elastic part of the force, J; a rigid stop stores none.
+    pub fn energy_j(&self, penetration_m: f64) -> f64 {
+        match self {
+            Law::Hertz(law) => law.energy_j(penetration_m),
+            Law::KelvinVoigt(law) => law.energy_j(penetration_m),
+            Law::HuntCrossley(law) => law.energy_j(penetration_m),
+            Law::Rigid(_) => 0.0,
+        }
+    }
+}

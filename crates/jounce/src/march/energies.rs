@@ -1,7 +1,6 @@
 //! The energy balance of a march, from exact integrals (see [`crate::plant::EnergyMeter`]).
 
 use super::marcher::{Marcher, Regime};
-use crate::contact::{ContactLaw, Law};
 
 /// Energies since the start of a march, J.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -81,10 +80,8 @@ impl Marcher<'_> {
         let x = plant.to_physical(y, self.time_s);
         let mechanical: f64 = (0..n).map(|i| 0.5 * (x[n + i].powi(2) + (modes.frequency_rad_s[i] * x[i]).powi(2))).sum();
         let electrical: f64 = modes.patch.values().zip(&x[2 * n..]).map(|(patch, v)| 0.5 * patch.capacitance_f * v * v).sum();
-        let compressed = match (self.regime, plant.system.stops.first().map(|stop| stop.law)) {
-            (Regime::Contact, Some(Law::Hertz(law))) => law.energy_j(self.penetration_m),
-            (Regime::Contact, Some(Law::KelvinVoigt(law))) => law.energy_j(self.penetration_m),
-            (Regime::Contact, Some(Law::HuntCrossley(law))) => law.energy_j(self.penetration_m),
+        let compressed = match (self.regime, plant.system.stops.first()) {
+            (Regime::Contact, Some(stop)) => stop.law.energy_j(self.penetration_m),
             _ => 0.0,
         };
         mechanical + electrical + compressed

@@ -143,11 +143,21 @@ impl<'k> Marcher<'k> {
             record: None,
         };
         marcher.see::<false>();
-        if marcher.penetration_m > 0.0 {
-            marcher.regime = Regime::Contact;
-        }
+        marcher.start_pressed();
         marcher.opening = marcher.readings();
         Ok(marcher)
+    }
+
+    /// Starts in contact where the point lies past the stop.
+    fn start_pressed(&mut self) {
+        let Some(law) = self.kernel.plant.system.stops.first().map(|stop| stop.law) else { return };
+        // A point that leaves a rigid stop is past it by roundoff only.
+        let leaves = matches!(law, Law::Rigid(_)) && self.rate_m_s < 0.0;
+        if self.penetration_m > 0.0 && !leaves {
+            self.regime = Regime::Contact;
+            // The compressed stop would throw the point off at this speed: the scale of the impulse of a contact that starts at rest.
+            self.strike_m_s = (2.0 * law.energy_j(self.penetration_m) * self.rows.mobility_per_kg).sqrt();
+        }
     }
 
     /// Present time, s.

@@ -6,6 +6,7 @@ mod grazing;
 mod harvester;
 mod plants;
 mod random;
+mod rigid;
 mod swings;
 mod symmetry;
 mod work;

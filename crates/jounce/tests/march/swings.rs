@@ -56,7 +56,7 @@ fn share_of_a_blow_that_reaches_the_resistor() {
     }
 }
 
-/// The stop as a spring of many laws in one: exponent 1 of the power law and the plain spring agree to the last bit of the law.
+/// Pressed so deep that it never leaves the stop, the mass feels one stiffer spring.
 #[test]
 fn stiffness_in_parallel_adds() {
     let soft = Bilinear { mass_kg: 0.5, frequency_rad_s: 20.0, stop_stiffness_n_m: 300.0 };

@@ -1,0 +1,51 @@
+//! Rigid stops: periodic impacts and chatter against their closed forms.
+
+use crate::plants::{distance, kernel, march, physical, relative};
+use jounce::march::Marcher;
+use jounce::reference::{BouncingBall, ImpactOscillator, Reference};
+use std::f64::consts::TAU;
+
+#[test]
+fn orbit_with_one_impact_per_cycle_repeats_itself() {
+    for (frequency_ratio, damping_ratio, gap) in [(2.0, 0.0, 0.0), (0.8, 0.05, 0.5)] {
+        let problem = ImpactOscillator { frequency_ratio, damping_ratio, restitution: 0.8, gap };
+        let orbit = problem.orbits(1)[0];
+        let system = problem.system(orbit.angle_rad);
+        let kernel = kernel(system);
+        let period_s = TAU / frequency_ratio;
+        let y = kernel.plant.from_physical(&problem.start(&orbit), 0.0);
+        let mut marcher = Marcher::new(&kernel, &y, 0.0, 1e-10).unwrap();
+        marcher.advance_to(0.5 * period_s).unwrap();
+        let first = physical(&marcher, &kernel);
+        marcher.advance_to(50.5 * period_s).unwrap();
+        let drift = distance(&kernel, &physical(&marcher, &kernel), &first);
+        let loss_j = marcher.energies().contact_loss_j;
+        let exact = 50.0 * 0.5 * (1.0 - 0.8 * 0.8) * orbit.speed.powi(2);
+        println!(
+            "w {frequency_ratio}: drift {drift:.1e}, loss {:.1e}, energy {:.1e}",
+            relative(loss_j, exact),
+            marcher.energies().residual_relative()
+        );
+        assert_eq!(marcher.statistics().contacts, 50);
+        assert!(drift < ImpactOscillator::TOLERANCE && relative(loss_j, exact) < ImpactOscillator::TOLERANCE, "{drift:e}");
+        assert!(marcher.energies().residual_relative().abs() < 1e-10);
+    }
+}
+
+/// A spring stretched by 1 m at the stop pulls with all but constant force over bounces of a micrometre: a ball under gravity.
+#[test]
+fn chatter_ends_when_the_bouncing_ball_rests() {
+    let ball = BouncingBall { height_m: 1e-6, gravity_m_s2: 1.0, restitution: 0.8 };
+    let mut system = ImpactOscillator { frequency_ratio: 1.0, damping_ratio: 0.0, restitution: 0.8, gap: -1.0 }.system(0.0);
+    system.drives.clear();
+    let kernel = kernel(system);
+    let end_s = 2.0 * ball.time_to_rest_s();
+    let marcher = march(&kernel, &[-1.0 - ball.height_m, 0.0], 0.0, end_s, 1e-10);
+    let rest_s = end_s - marcher.statistics().sticking_s;
+    let error = relative(rest_s, ball.time_to_rest_s());
+    let lost = relative(marcher.energies().contact_loss_j, ball.height_m);
+    println!("rest after {rest_s} s: {error:.1e}, loss {lost:.1e}, {} contacts", marcher.statistics().contacts);
+    // The pull grows by a millionth with height.
+    assert!(error < 1e-5 && lost < 1e-5, "{rest_s} {error:e} {lost:e}");
+    assert!((physical(&marcher, &kernel)[0] + 1.0).abs() < 1e-14);
+}
