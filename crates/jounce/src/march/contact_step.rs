@@ -30,6 +30,13 @@ struct Solved {
     error_n_s: f64,
 }
 
+impl Solved {
+    /// Leaves the stop before its middle: what comes after is flight, and another contact might hide in it.
+    fn mostly_free(&self) -> bool {
+        self.penetration.0[NODES] < 0.0 && self.penetration.0[NODES / 2] < 0.0
+    }
+}
+
 /// The drive over a step: `cos` and `sin` of `w tau` per tone.
 type Drive<'a> = &'a [(Lane, Lane)];
 
@@ -39,6 +46,8 @@ impl Marcher<'_> {
     pub(super) fn contact<L: ContactLaw, const FMA: bool>(&mut self, law: L, end_s: f64) -> Result<(), MarchError> {
         let kernel = self.kernel;
         let mut level = self.entry_level;
+        // On steps this short no second contact can follow the first.
+        let safe = Kernel::level_within(1.0 / kernel.plant.fastest_rad_s().max(f64::MIN_POSITIVE)) + 3;
         let mut entering = self.penetration_m <= 0.0;
         let mut drive: Vec<(Lane, Lane)> = Vec::with_capacity(self.tones.len());
         let mut odd: Option<Box<Table>> = None;
@@ -55,7 +64,7 @@ impl Marcher<'_> {
             };
             let allowed = self.tolerance * IMPULSE_SHARE * self.strike_m_s.max(self.rate_m_s.abs()) / self.rows.mobility_per_kg;
             match self.solve::<L, FMA>(law, table, &drive) {
-                Some(solved) if solved.error_n_s <= allowed => {
+                Some(solved) if solved.error_n_s <= allowed && (level >= safe || !solved.mostly_free()) => {
                     self.take::<L, FMA>(law, table, &drive, &solved);
                     if landing {
                         self.time_s = end_s;
@@ -190,10 +199,9 @@ impl Marcher<'_> {
             }
         }
         if L::RATE_DEPENDENT {
-            for j in 0..NODES {
-                let lost = force.0[j] - law.elastic_force_n(solved.penetration.0[j]);
-                self.integrals.loss_j += table.length_s * c.weights[j] * lost * solved.rate.0[j];
-            }
+            // Work done on the stop less what it stores: the elastic force itself has a kink where a spent contact is left.
+            let work: f64 = (0..NODES).map(|j| table.length_s * c.weights[j] * force.0[j] * solved.rate.0[j]).sum();
+            self.integrals.loss_j += work + law.energy_j(self.penetration_m) - law.energy_j(solved.penetration.0[NODES]);
         }
     }
 
