@@ -175,7 +175,7 @@ impl Marcher<'_> {
         let statistics = &mut self.statistics;
         let highest = solved.penetration.0.iter().fold(started.0, |max, p| max.max(*p));
         if highest > 0.98 * statistics.max_penetration_m {
-            let peak = if started.1 > 0.0 && self.rate_m_s < 0.0 { interpolated_peak(&solved.penetration) } else { highest };
+            let peak = if started.1 > 0.0 && self.rate_m_s < 0.0 { interpolated_peak(started.0, &solved.penetration) } else { highest };
             statistics.max_penetration_m = statistics.max_penetration_m.max(peak);
         }
         let strongest = if L::RATE_DEPENDENT { solved.force.max_abs() } else { law.force_n(statistics.max_penetration_m, 0.0) };
