@@ -86,5 +86,8 @@ fn bad_input_ends_with_its_code_and_one_clear_sentence() {
         assert!(stderr.contains(words) && !stderr.contains("panicked"), "{arguments:?}: {stderr}");
     }
     let (code, json, _) = jounce(&["check", SPEC, "--json", "--set", "stop.tip.stiffness=\"-1 N/m^1.5\""]);
-    assert!(code == 4 && json["valid"] == false && json["faults"][0]["line"].is_number() && json["faults"][0]["message"].is_string(), "{json}");
+    assert!(
+        code == 4 && json["valid"] == false && json["faults"][0]["line"].is_number() && json["faults"][0]["message"].is_string(),
+        "{json}"
+    );
 }

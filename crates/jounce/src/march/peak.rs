@@ -49,6 +49,7 @@ mod tests {
         let c = &*COLLOCATION;
         let sine = |x: f64| (2.0 * x + 0.3).sin();
         let lane = Lane(std::array::from_fn(|i| sine(if i < NODES { c.nodes[i] } else { 1.0 })));
-        assert!((interpolated_peak(sine(0.0), &lane) - 1.0).abs() < 1e-9);
+        // Ninth derivative 2^9 over 9! times the node polynomial, at most 7.6e-6: 1.1e-8.
+        assert!((interpolated_peak(sine(0.0), &lane) - 1.0).abs() < 1.1e-8);
     }
 }

@@ -29,8 +29,13 @@ pub struct Diagonal {
     pub from_physical: Mat<f64>,
 }
 
-/// One block with its columns of `T`.
-enum Piece {
+/// One block with its columns of `T`, and whether it is known in closed form.
+struct Piece {
+    block: PieceBlock,
+    exact: bool,
+}
+
+enum PieceBlock {
     Pair(Pair, [Vec<f64>; 2]),
     Real(f64, Vec<f64>),
 }
@@ -52,25 +57,28 @@ impl Diagonal {
         let mut pieces = Vec::new();
         for component in components(system) {
             match component.as_slice() {
-                [mode] if *mode < assembly.modes => pieces.extend(single_mode(system, *mode, &assembly)),
-                states => pieces.extend(coupled(states, &assembly)?),
+                [mode] if *mode < assembly.modes => {
+                    pieces.extend(single_mode(system, *mode, &assembly).into_iter().map(|block| Piece { block, exact: true }))
+                }
+                states => pieces.extend(coupled(states, &assembly)?.into_iter().map(|block| Piece { block, exact: false })),
             }
         }
         // Pairs come before reals, each in order of its component, so that the layout depends on the system only.
-        pieces.sort_by_key(|piece| matches!(piece, Piece::Real(..)));
+        pieces.sort_by_key(|piece| matches!(piece.block, PieceBlock::Real(..)));
         Self::gather(pieces, &assembly)
     }
 
     fn gather(pieces: Vec<Piece>, assembly: &Assembly) -> Result<Self, PlantError> {
         let n = assembly.scale.len();
         let (mut block, mut columns) = (Block::default(), Vec::with_capacity(n));
+        let exact: Vec<bool> = pieces.iter().map(|piece| piece.exact).collect();
         for piece in pieces {
-            match piece {
-                Piece::Pair(pair, [u, v]) => {
+            match piece.block {
+                PieceBlock::Pair(pair, [u, v]) => {
                     block.pairs.push(pair);
                     columns.extend([u, v]);
                 }
-                Piece::Real(rate, column) => {
+                PieceBlock::Real(rate, column) => {
                     block.reals.push(rate);
                     columns.push(column);
                 }
@@ -83,7 +91,7 @@ impl Diagonal {
             return Err(PlantError::Defective { condition, allowed: CONDITION_ALLOWED });
         }
         let inverse = vectors.partial_piv_lu().inverse();
-        polish(&mut block, &(&inverse * &assembly.scaled() * &vectors));
+        polish(&mut block, &exact, &(&inverse * &assembly.scaled() * &vectors));
         let scale = &assembly.scale;
         Ok(Self {
             block,
@@ -143,7 +151,7 @@ fn components(system: &System) -> Vec<Vec<usize>> {
 }
 
 /// Closed form of a mode that drives no patch, in energy coordinates `(w q, q')`.
-fn single_mode(system: &System, mode: usize, assembly: &Assembly) -> Vec<Piece> {
+fn single_mode(system: &System, mode: usize, assembly: &Assembly) -> Vec<PieceBlock> {
     let (w, zeta) = (system.modes.frequency_rad_s[mode], system.modes.damping_ratio[mode]);
     let column = |displacement: f64, velocity: f64| {
         let mut column = vec![0.0; assembly.scale.len()];
@@ -152,27 +160,27 @@ fn single_mode(system: &System, mode: usize, assembly: &Assembly) -> Vec<Piece> 
         column
     };
     if w == 0.0 {
-        return vec![Piece::Pair(Pair::Jordan { rate: 0.0 }, [column(1.0, 0.0), column(0.0, 1.0)])];
+        return vec![PieceBlock::Pair(Pair::Jordan { rate: 0.0 }, [column(1.0, 0.0), column(0.0, 1.0)])];
     }
     if zeta == 1.0 {
-        return vec![Piece::Pair(Pair::Jordan { rate: -w }, [column(1.0, -1.0), column(0.0, 1.0 / w)])];
+        return vec![PieceBlock::Pair(Pair::Jordan { rate: -w }, [column(1.0, -1.0), column(0.0, 1.0 / w)])];
     }
     let decay = -zeta * w;
     if zeta < 1.0 {
         let frequency = w * ((1.0 - zeta) * (1.0 + zeta)).sqrt();
         let pair = Pair::Oscillatory { decay, frequency };
-        return vec![Piece::Pair(pair, [column(1.0, decay / w), column(0.0, -frequency / w)])];
+        return vec![PieceBlock::Pair(pair, [column(1.0, decay / w), column(0.0, -frequency / w)])];
     }
     let fast = decay - w * ((zeta - 1.0) * (zeta + 1.0)).sqrt();
     // The product of the two rates is w^2: no cancellation in the slow one.
     [fast, w * w / fast]
         .into_iter()
-        .map(|rate| Piece::Real(rate, column(1.0_f64.min(w / rate.abs()), rate / w * 1.0_f64.min(w / rate.abs()))))
+        .map(|rate| PieceBlock::Real(rate, column(1.0_f64.min(w / rate.abs()), rate / w * 1.0_f64.min(w / rate.abs()))))
         .collect()
 }
 
 /// Eigenvectors of a component with patches, in energy coordinates.
-fn coupled(states: &[usize], assembly: &Assembly) -> Result<Vec<Piece>, PlantError> {
+fn coupled(states: &[usize], assembly: &Assembly) -> Result<Vec<PieceBlock>, PlantError> {
     let n = assembly.modes;
     let all: Vec<usize> = states.iter().flat_map(|&s| if s < n { vec![s, n + s] } else { vec![s] }).collect();
     let scaled = assembly.scaled();
@@ -189,24 +197,25 @@ fn coupled(states: &[usize], assembly: &Assembly) -> Result<Vec<Piece>, PlantErr
     Ok(order
         .into_iter()
         .map(|j| match values[j] {
-            c64 { re, im: 0.0 } => Piece::Real(re, column(j, |x| x.re)),
-            c64 { re, im } => Piece::Pair(Pair::Oscillatory { decay: re, frequency: im }, [column(j, |x| x.re), column(j, |x| -x.im)]),
+            c64 { re, im: 0.0 } => PieceBlock::Real(re, column(j, |x| x.re)),
+            c64 { re, im } => PieceBlock::Pair(Pair::Oscillatory { decay: re, frequency: im }, [column(j, |x| x.re), column(j, |x| -x.im)]),
         })
         .collect())
 }
 
-/// Replaces each eigenvalue by the diagonal of `T^-1 A T`: the Rayleigh correction, which holds low frequencies to their own
-/// relative roundoff where the eigenvalue solver only holds the largest.
-fn polish(block: &mut Block, transformed: &Mat<f64>) {
-    for (k, pair) in block.pairs.iter_mut().enumerate() {
+/// Replaces each computed eigenvalue by the diagonal of `T^-1 A T`: the Rayleigh correction, which holds low frequencies to
+/// their own relative roundoff where the eigenvalue solver only holds the largest. Closed forms stay: next to critical damping
+/// their difference would drown in the roundoff of the product.
+fn polish(block: &mut Block, exact: &[bool], transformed: &Mat<f64>) {
+    for (k, pair) in block.pairs.iter_mut().enumerate().filter(|(k, _)| !exact[*k]) {
         let (u, v) = (2 * k, 2 * k + 1);
         if let Pair::Oscillatory { decay, frequency } = pair {
             *decay = 0.5 * (transformed[(u, u)] + transformed[(v, v)]);
             *frequency = 0.5 * (transformed[(v, u)] - transformed[(u, v)]);
         }
     }
-    let first = 2 * block.pairs.len();
-    for (k, rate) in block.reals.iter_mut().enumerate() {
-        *rate = transformed[(first + k, first + k)];
+    let pairs = block.pairs.len();
+    for (k, rate) in block.reals.iter_mut().enumerate().filter(|(k, _)| !exact[pairs + k]) {
+        *rate = transformed[(2 * pairs + k, 2 * pairs + k)];
     }
 }

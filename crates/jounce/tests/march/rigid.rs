@@ -21,7 +21,7 @@ fn orbit_with_one_impact_per_cycle_repeats_itself() {
         let drift = distance(&kernel, &physical(&marcher, &kernel), &first);
         let loss_j = marcher.energies().contact_loss_j;
         let exact = 50.0 * 0.5 * (1.0 - 0.8 * 0.8) * orbit.speed.powi(2);
-        println!(
+        eprintln!(
             "w {frequency_ratio}: drift {drift:.1e}, loss {:.1e}, energy {:.1e}",
             relative(loss_j, exact),
             marcher.energies().residual_relative()
@@ -44,7 +44,7 @@ fn chatter_ends_when_the_bouncing_ball_rests() {
     let rest_s = end_s - marcher.statistics().sticking_s;
     let error = relative(rest_s, ball.time_to_rest_s());
     let lost = relative(marcher.energies().contact_loss_j, ball.height_m);
-    println!("rest after {rest_s} s: {error:.1e}, loss {lost:.1e}, {} contacts", marcher.statistics().contacts);
+    eprintln!("rest after {rest_s} s: {error:.1e}, loss {lost:.1e}, {} contacts", marcher.statistics().contacts);
     // The pull grows by a millionth with height.
     assert!(error < 1e-5 && lost < 1e-5, "{rest_s} {error:e} {lost:e}");
     assert!((physical(&marcher, &kernel)[0] + 1.0).abs() < 1e-14);
