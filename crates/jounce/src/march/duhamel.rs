@@ -20,8 +20,10 @@ pub type Responses = [Vec<c64>; NODES];
 
 /// A factored `I - z S`.
 pub struct Duhamel {
-    z: c64,
-    pivot: Vec<c64>,
+    /// `1 / pivot` of each row.
+    inverse: Vec<c64>,
+    /// What a row takes from the row before it, and from the row after it.
+    carry: Vec<[c64; 2]>,
 }
 
 /// Entry of `S` in row `n + 1`, column `n`.
@@ -41,12 +43,19 @@ impl Duhamel {
             let diagonal = c64::new(1.0, 0.0) - product / pivot[n - 1];
             pivot.push(diagonal);
         }
-        Self { z, pivot }
+        let inverse: Vec<c64> = pivot.iter().map(|p| p.inv()).collect();
+        let carry = (0..count)
+            .map(|n| {
+                let before = if n == 0 { c64::new(0.0, 0.0) } else { z * below(n - 1) * inverse[n - 1] };
+                [before, z * below(n + 1)]
+            })
+            .collect();
+        Self { inverse, carry }
     }
 
     /// Solves `y = z S y + S g` for Legendre coefficients `g`.
     pub fn respond(&self, force: &[c64]) -> Vec<c64> {
-        let count = self.pivot.len();
+        let count = self.inverse.len();
         let mut y = vec![c64::new(0.0, 0.0); count];
         for (n, g) in force.iter().enumerate().take(count) {
             if n == 0 {
@@ -59,13 +68,13 @@ impl Duhamel {
             }
         }
         for n in 1..count {
-            let carried = self.z * below(n - 1) / self.pivot[n - 1] * y[n - 1];
+            let carried = self.carry[n][0] * y[n - 1];
             y[n] += carried;
         }
-        y[count - 1] /= self.pivot[count - 1];
+        y[count - 1] *= self.inverse[count - 1];
         for n in (0..count - 1).rev() {
-            let carried = self.z * below(n + 1) * y[n + 1];
-            y[n] = (y[n] - carried) / self.pivot[n];
+            let carried = self.carry[n][1] * y[n + 1];
+            y[n] = (y[n] - carried) * self.inverse[n];
         }
         y
     }

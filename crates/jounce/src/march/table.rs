@@ -69,8 +69,9 @@ impl Sticking {
     pub fn new(kernel: &Kernel, table: &Table) -> Self {
         use faer::linalg::solvers::DenseSolveCore;
         let (plant, h) = (&kernel.plant, table.length_s);
-        let blocks = block_responses(kernel, &plant.ports[0].force, h);
-        let acceleration = Flows::new(kernel, h).pointwise(&Layout::of(plant), &kernel.acceleration_row(), &blocks);
+        let unit = unit_responses(kernel, h);
+        let blocks = forced(kernel, &unit, &plant.ports[0].force, h);
+        let acceleration = Flows::new(kernel, &unit, h).pointwise(&Layout::of(plant), &kernel.acceleration_row(), &blocks);
         let mobility = plant.ports[0].mobility_per_kg;
         let system = faer::Mat::from_fn(NODES, NODES, |i, j| (if i == j { mobility } else { 0.0 }) - acceleration.push[j].0[i]);
         let inverse = system.partial_piv_lu().inverse();
@@ -110,8 +111,9 @@ impl Table {
         let meter_row = |meter: &crate::plant::EnergyMeter| {
             if plant.ports.is_empty() { no_port() } else { meter.port_row(port).to_vec() }
         };
-        let blocks = block_responses(kernel, &force, length_s);
-        let flows = Flows::new(kernel, length_s);
+        let unit = unit_responses(kernel, length_s);
+        let blocks = forced(kernel, &unit, &force, length_s);
+        let flows = Flows::new(kernel, &unit, length_s);
         let integral = |row: &[f64]| flows.integral(&layout, row, &blocks, length_s);
         Self {
             length_s,
@@ -132,8 +134,31 @@ fn to_nodal(legendre: &[f64; NODES]) -> [f64; NODES] {
     std::array::from_fn(|j| (0..NODES).map(|b| legendre[b] * COLLOCATION.from_nodal[b][j]).sum())
 }
 
+/// One block's answer to each Legendre force on a step, before the size of the force comes in.
+struct UnitResponse {
+    duhamel: Duhamel,
+    responses: Responses,
+}
+
+/// Unit answers of the pairs, then of the reals.
+fn unit_responses(kernel: &Kernel, h: f64) -> Vec<UnitResponse> {
+    let block = &kernel.plant.diagonal.block;
+    let pairs = block.pairs.iter().map(crate::plant::Pair::eigenvalue);
+    let values = pairs.chain(block.reals.iter().map(|rate| c64::new(*rate, 0.0)));
+    values
+        .map(|value| {
+            let duhamel = Duhamel::new(value * h);
+            UnitResponse { responses: duhamel.responses(), duhamel }
+        })
+        .collect()
+}
+
 /// Response of every state to each Legendre force through `force`, as Legendre coefficients in time.
 pub(super) fn block_responses(kernel: &Kernel, force: &[f64], h: f64) -> Vec<BlockResponse> {
+    forced(kernel, &unit_responses(kernel, h), force, h)
+}
+
+fn forced(kernel: &Kernel, unit: &[UnitResponse], force: &[f64], h: f64) -> Vec<BlockResponse> {
     let block = &kernel.plant.diagonal.block;
     let part = |responses: &Responses, factor: c64, imaginary: bool| -> [Vec<f64>; NODES] {
         std::array::from_fn(|b| responses[b].iter().map(|y| if imaginary { (factor * y).im } else { (factor * y).re }).collect())
@@ -143,14 +168,13 @@ pub(super) fn block_responses(kernel: &Kernel, force: &[f64], h: f64) -> Vec<Blo
         let states = vec![2 * k, 2 * k + 1];
         let [bu, bv] = [force[2 * k] * h, force[2 * k + 1] * h];
         let time = match *pair {
-            Pair::Oscillatory { decay, frequency } => {
-                let responses = Duhamel::new(c64::new(decay, frequency) * h).responses();
-                let factor = c64::new(bu, bv);
-                vec![part(&responses, factor, false), part(&responses, factor, true)]
+            Pair::Oscillatory { .. } => {
+                let (responses, factor) = (&unit[k].responses, c64::new(bu, bv));
+                vec![part(responses, factor, false), part(responses, factor, true)]
             }
-            Pair::Jordan { rate } => {
-                let duhamel = Duhamel::new(c64::new(rate * h, 0.0));
-                let v = part(&duhamel.responses(), c64::new(bv, 0.0), false);
+            Pair::Jordan { .. } => {
+                let duhamel = &unit[k].duhamel;
+                let v = part(&unit[k].responses, c64::new(bv, 0.0), false);
                 let u = std::array::from_fn(|b| {
                     let mut drive: Vec<c64> = v[b].iter().map(|v| c64::new(v * h, 0.0)).collect();
                     drive[b] += bu;
@@ -162,9 +186,8 @@ pub(super) fn block_responses(kernel: &Kernel, force: &[f64], h: f64) -> Vec<Blo
         all.push(BlockResponse { states, time });
     }
     let first = 2 * block.pairs.len();
-    for (k, rate) in block.reals.iter().enumerate() {
-        let responses = Duhamel::new(c64::new(rate * h, 0.0)).responses();
-        let time = vec![part(&responses, c64::new(force[first + k] * h, 0.0), false)];
+    for k in 0..block.reals.len() {
+        let time = vec![part(&unit[block.pairs.len() + k].responses, c64::new(force[first + k] * h, 0.0), false)];
         all.push(BlockResponse { states: vec![first + k], time });
     }
     all
@@ -192,24 +215,21 @@ struct Flows {
 }
 
 impl Flows {
-    fn new(kernel: &Kernel, h: f64) -> Self {
+    fn new(kernel: &Kernel, unit: &[UnitResponse], h: f64) -> Self {
         let block = &kernel.plant.diagonal.block;
         let time = |i: usize| h * if i < NODES { COLLOCATION.nodes[i] } else { 1.0 };
         // By x -> 1 - x the moments of the flow are the end values of the Duhamel responses, up to sign.
         let sign = |b: usize| if b.is_multiple_of(2) { 1.0 } else { -1.0 };
         let end = |y: &[c64]| y.iter().sum::<c64>();
-        let pair_moments = |pair: &Pair| -> [[f64; 4]; NODES] {
+        let pair_moments = |(pair, unit): (&Pair, &UnitResponse)| -> [[f64; 4]; NODES] {
+            let responses = &unit.responses;
             match *pair {
-                Pair::Oscillatory { decay, frequency } => {
-                    let responses = Duhamel::new(c64::new(decay, frequency) * h).responses();
-                    std::array::from_fn(|b| {
-                        let m = end(&responses[b]) * sign(b);
-                        [m.re, -m.im, m.im, m.re]
-                    })
-                }
-                Pair::Jordan { rate } => {
-                    let duhamel = Duhamel::new(c64::new(rate * h, 0.0));
-                    let responses = duhamel.responses();
+                Pair::Oscillatory { .. } => std::array::from_fn(|b| {
+                    let m = end(&responses[b]) * sign(b);
+                    [m.re, -m.im, m.im, m.re]
+                }),
+                Pair::Jordan { .. } => {
+                    let duhamel = &unit.duhamel;
                     std::array::from_fn(|b| {
                         let (one, two) = (end(&responses[b]).re * sign(b), end(&duhamel.respond(&responses[b])).re * sign(b));
                         [one, h * two, 0.0, one]
@@ -220,12 +240,9 @@ impl Flows {
         Self {
             pairs: block.pairs.iter().map(|pair| std::array::from_fn(|i| pair.flow(time(i)))).collect(),
             reals: block.reals.iter().map(|rate| std::array::from_fn(|i| (rate * time(i)).exp())).collect(),
-            pair_moments: block.pairs.iter().map(pair_moments).collect(),
-            real_moments: (block.reals.iter())
-                .map(|rate| {
-                    let responses = Duhamel::new(c64::new(rate * h, 0.0)).responses();
-                    std::array::from_fn(|b| end(&responses[b]).re * sign(b))
-                })
+            pair_moments: block.pairs.iter().zip(unit).map(pair_moments).collect(),
+            real_moments: (unit[block.pairs.len()..].iter())
+                .map(|unit| std::array::from_fn(|b| end(&unit.responses[b]).re * sign(b)))
                 .collect(),
         }
     }
