@@ -5,6 +5,7 @@ mod contact_step;
 mod duhamel;
 mod energies;
 mod flight;
+mod flight_table;
 mod kernel;
 mod lane;
 mod marcher;

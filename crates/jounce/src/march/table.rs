@@ -3,6 +3,7 @@
 
 use super::collocation::{COLLOCATION, NODES, legendre};
 use super::duhamel::{Duhamel, Responses};
+use super::flight_table::FlightTable;
 use super::kernel::{Kernel, Layout};
 use super::lane::{Lane, WIDTH};
 use crate::plant::Pair;
@@ -42,19 +43,6 @@ pub struct Table {
     pub flight: FlightTable,
 }
 
-/// What a flight step evaluates at its end: displacement and velocity of the port, in full and of the slow blocks alone.
-#[derive(Debug, Clone)]
-pub struct FlightTable {
-    /// One lane per state in column order: `[w, w', w_slow, w'_slow, 0, ..]`.
-    pub columns: Vec<Lane>,
-    /// Factor per state (padded layout) of the bound on the fourth derivative of the slow part.
-    pub slow_fourth: Vec<Lane>,
-    /// Factor per state (padded layout) of the bound on the fast part itself.
-    pub fast_bound: Vec<Lane>,
-    /// True where some block is fast at this length.
-    pub has_fast: bool,
-}
-
 /// What rest on a rigid stop needs on a step, made when it happens.
 #[derive(Debug, Clone)]
 pub struct Sticking {
@@ -78,9 +66,6 @@ impl Sticking {
         Self { acceleration, inverse: std::array::from_fn(|i| std::array::from_fn(|j| inverse[(i, j)])) }
     }
 }
-
-/// `|lambda| h` above which a block counts as fast: where its own size is a better bound than its Hermite remainder.
-const FAST: f64 = 4.4;
 
 /// Response of one block to the contact force.
 #[derive(Debug, Clone)]
@@ -124,7 +109,7 @@ impl Table {
             velocity: flows.pointwise(&layout, &velocity, &blocks),
             loads: kernel.meters.loads.iter().map(|meter| integral(&meter_row(meter))).collect(),
             damping: integral(&meter_row(&kernel.meters.damping)),
-            flight: flight_table(kernel, &layout, &displacement, &velocity, length_s),
+            flight: FlightTable::new(kernel, &layout, &displacement, &velocity, length_s),
         }
     }
 }
@@ -320,41 +305,4 @@ fn row_series(row: &[f64], blocks: &[BlockResponse]) -> [Vec<f64>; NODES] {
         }
         sum
     })
-}
-
-fn flight_table(kernel: &Kernel, layout: &Layout, displacement: &[f64], velocity: &[f64], h: f64) -> FlightTable {
-    let block = &kernel.plant.diagonal.block;
-    let n = block.len();
-    let (mut fourth, mut bound, mut slow) = (vec![0.0; n], vec![0.0; n], vec![true; n]);
-    for (k, pair) in block.pairs.iter().enumerate() {
-        let row = [displacement[2 * k], displacement[2 * k + 1]];
-        let (gain, speed) = Kernel::fourth_derivative(pair, row, h);
-        let is_slow = speed * h < FAST || matches!(pair, Pair::Jordan { .. });
-        for s in 0..2 {
-            slow[2 * k + s] = is_slow;
-            if is_slow {
-                fourth[2 * k + s] = gain[s];
-            } else {
-                bound[2 * k + s] = row[0].hypot(row[1]);
-            }
-        }
-    }
-    let first = 2 * block.pairs.len();
-    for (k, rate) in block.reals.iter().enumerate() {
-        slow[first + k] = rate.abs() * h < FAST;
-        let gain = displacement[first + k].abs();
-        if slow[first + k] {
-            fourth[first + k] = gain * rate.powi(4);
-        } else {
-            bound[first + k] = gain;
-        }
-    }
-    let columns = (layout.column_order().into_iter())
-        .map(|s| {
-            let (w, v) = (displacement[s], velocity[s]);
-            let kept = if slow[s] { 1.0 } else { 0.0 };
-            Lane([w, v, kept * w, kept * v, 0.0, 0.0, 0.0, 0.0])
-        })
-        .collect();
-    FlightTable { columns, slow_fourth: layout.pack(&fourth), fast_bound: layout.pack(&bound), has_fast: slow.contains(&false) }
 }

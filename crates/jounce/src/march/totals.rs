@@ -24,7 +24,7 @@ pub struct ContactStatistics {
     pub contacts: u64,
     /// Time in contact, s.
     pub time_s: f64,
-    /// Largest penetration, m; negative: the closest approach of a run without contact is not tracked and stays 0.
+    /// Largest penetration, m; 0 without contact (how near the point came is not tracked).
     pub max_penetration_m: f64,
     /// Largest contact force, N.
     pub max_force_n: f64,
