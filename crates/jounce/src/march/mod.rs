@@ -1,15 +1,17 @@
 //! Marching: integration in time with exact flow between contacts and collocation inside them.
+mod answers;
+mod basis;
 mod certificate;
-mod collocation;
 mod contact_step;
-mod duhamel;
 mod energies;
 mod flight;
 mod flight_table;
+mod flow;
 mod kernel;
-mod lane;
+mod layout;
 mod marcher;
 mod peak;
+mod response;
 mod rigid;
 mod state;
 mod table;
@@ -18,7 +20,7 @@ mod totals;
 mod trajectory;
 
 pub use energies::Energies;
-pub use kernel::Kernel;
+pub use kernel::{Kernel, Shape};
 pub use marcher::{MarchError, Marcher};
 pub use totals::{ContactIntegrals, ContactStatistics, WorkCount};
 pub use trajectory::{Instant, Segment, Trajectory};
