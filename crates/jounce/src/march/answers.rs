@@ -214,11 +214,12 @@ mod tests {
     #[test]
     fn agree_with_quadrature_for_small_and_large_rates() {
         let onset = Basis::onset(1.5).unwrap();
+        let mut all: Vec<(c64, f64, f64)> = Vec::new();
         for z in [(-1e-9, 1e-7), (-0.3, 1.0), (-0.01, 6.0), (-2.0, 40.0), (-30.0, 0.0), (0.0, 0.0)].map(|(re, im)| c64::new(re, im)) {
-            let (smooth, singular) = (worst(&SMOOTH, z), worst(&onset, z));
-            assert!(smooth < 2e-14, "z {z}: {smooth:e}");
-            assert!(singular < 2e-11, "z {z}: {singular:e}");
+            all.push((z, worst(&SMOOTH, z), worst(&onset, z)));
         }
+        // Onset functions are cut off; what is left falls by another factor of the number of terms in a displacement.
+        assert!(all.iter().all(|(_, smooth, onset)| *smooth < 1e-14 && *onset < 2e-9), "rate, smooth, onset: {all:?}");
     }
 
     #[test]

@@ -151,6 +151,7 @@ impl<'k> Marcher<'k> {
         let mut force = law.forces_n(w, penetration, rate);
         let goal = (0.1 * self.tolerance).clamp(4e-15, 1e-5);
         let mut last_change = f64::INFINITY;
+        let mut deepest = w.largest(penetration);
         for iteration in 1..=MOST_ITERATIONS {
             self.work.iterations += 1;
             let nodal = w.store(force);
@@ -162,7 +163,7 @@ impl<'k> Marcher<'k> {
             let (change, size) = (w.largest(w.abs(w.sub(new, force))), w.largest(new));
             force = new;
             // What is still to come: at most the contraction seen so far, or foretold by the slope of the law.
-            let deepest = w.largest(penetration);
+            deepest = deepest.max(w.largest(penetration));
             let slopes = law.slopes(deepest, 0.0);
             let foretold = slopes.stiffness_n_m * table.reach_m_n + slopes.damping_n_s_m * table.reach_m_n_s;
             let seen = if iteration == 1 { 1.0 } else { (change / last_change).min(1.0) };
