@@ -142,7 +142,11 @@ impl FlightStep {
         let mut x = 0.5 * (low + high);
         for _ in 0..60 {
             let at = bezier(shifted, x);
-            if at > 0.0 { high = x } else { low = x }
+            if at > 0.0 {
+                high = x
+            } else {
+                low = x
+            }
             let newton = x - at / (self.length_s * self.slope(x));
             let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
             let done = (next - x).abs() <= 4.0 * f64::EPSILON;

@@ -2,13 +2,12 @@
 //!
 //! On a step the penetration at the nodes is `delta = free + D f` with the Duhamel weights `D` of the table, and the force is
 //! `f = F(delta, delta')`. `D` is a twofold integration, so the fixed point converges factorially. The force of a Hertz contact
-//! starts and ends like `t^1.5`: the first step has a basis that starts so (see [`super::basis`]), the last ones shorten by
-//! themselves, because the polynomial through the nodes must meet the law at the two ends of the step as well, where it is not
-//! made to.
+//! starts like `t^1.5`: the first step has a basis that does so too (see [`super::basis`]). The error is seen at the two ends of the
+//! step, where the force in the basis is not made to meet the law.
 
 use super::basis::{Basis, NODES};
 use super::kernel::{Kernel, Shape};
-use super::marcher::{MarchError, Marcher, Regime};
+use super::marcher::{Marcher, Regime};
 use super::peak::interpolated_peak;
 use super::state::{add_push, bilinear, columns, dot, pushed};
 use super::table::Table;
@@ -20,14 +19,11 @@ use faer::c64;
 /// Most fixed-point iterations of a step; beyond, a shorter step is cheaper.
 const MOST_ITERATIONS: u32 = 24;
 
-/// Share of the tolerance that one contact may spend on the error of its impulse.
-const IMPULSE_SHARE: f64 = 0.1;
-
 /// A step to be taken: its tables and the drive over it.
-struct Step<'a> {
-    table: &'a Table,
-    basis: &'a Basis,
-    shape: Shape,
+pub(super) struct Step<'a> {
+    pub(super) table: &'a Table,
+    pub(super) basis: &'a Basis,
+    pub(super) shape: Shape,
     /// The drive's share of the free displacement at the nodes and the end, the gap taken away.
     drive: Lane,
     /// The same for the velocity.
@@ -35,82 +31,24 @@ struct Step<'a> {
 }
 
 /// A step as solved: nodal penetrations, rates and forces (last place: end of the step).
-struct Solved {
-    penetration: Lane,
-    rate: Lane,
-    force: Lane,
+pub(super) struct Solved {
+    pub(super) penetration: Lane,
+    pub(super) rate: Lane,
+    pub(super) force: Lane,
     /// Estimated error of the impulse, N s.
-    error_n_s: f64,
-}
-
-impl Solved {
-    /// Leaves the stop before its middle: what comes after is flight, and another contact might hide in it.
-    fn mostly_free(&self) -> bool {
-        self.penetration.0[NODES] < 0.0 && self.penetration.0[NODES / 2] < 0.0
-    }
-
-    /// Still going deeper at its end.
-    fn rises(&self) -> bool {
-        self.penetration.0[NODES] > self.penetration.0[NODES - 1]
-    }
+    pub(super) error_n_s: f64,
 }
 
 impl<'k> Marcher<'k> {
-    /// Stays in contact until the point leaves the stop or the end is reached.
     #[inline(always)]
-    pub(super) fn contact<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, end_s: f64) -> Result<(), MarchError> {
-        let kernel = self.kernel;
-        let mut level = self.entry_level;
-        // On steps this short no second contact can follow the first.
-        let safe = Kernel::level_within(1.0 / kernel.fastest_rad_s) + 3;
-        let mut entering = self.penetration_m <= 0.0;
-        while self.time_s < end_s && self.regime == Regime::Contact {
-            let remaining_s = end_s - self.time_s;
-            let landing = Kernel::length_s(level) >= remaining_s;
-            let shape = if entering { kernel.first_shape(0) } else { Shape::Smooth };
-            let odd;
-            let table = if landing {
-                odd = Table::new(kernel, 0, kernel.basis(0, shape), remaining_s);
-                &odd
-            } else {
-                kernel.table(0, shape, level)
-            };
-            let step = self.step_in_contact::<W, L>(w, table, shape, level, landing);
-            let allowed = self.tolerance * IMPULSE_SHARE * self.strike_m_s.max(self.rate_m_s.abs()) / self.rows.mobility_per_kg;
-            match self.solve(w, law, &step) {
-                Some(solved) if solved.error_n_s <= allowed && self.is_sound(&step, &solved, level >= safe) => {
-                    self.take(w, law, &step, &solved);
-                    if landing {
-                        self.time_s = end_s;
-                    }
-                    if entering {
-                        self.entry_level = if solved.error_n_s < 0.02 * allowed { level - 1 } else { level };
-                        entering = false;
-                    }
-                    level = self.next_level(level, &step, &solved, allowed);
-                }
-                _ => {
-                    self.work.contact_rejections += 1;
-                    level = if landing { Kernel::level_within(remaining_s) + 1 } else { level + 1 };
-                    if level > Kernel::finest() {
-                        return Err(self.diverged());
-                    }
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// A step whose polynomial can be trusted beside its error estimate.
-    fn is_sound(&self, step: &Step, solved: &Solved, is_short: bool) -> bool {
-        match step.shape {
-            Shape::Onset => solved.rises(),
-            Shape::Smooth => is_short || !solved.mostly_free(),
-        }
-    }
-
-    #[inline(always)]
-    fn step_in_contact<'a, W: Wide, L: ContactLaw>(&mut self, w: W, table: &'a Table, shape: Shape, level: i32, landing: bool) -> Step<'a>
+    pub(super) fn step_in_contact<'a, W: Wide, L: ContactLaw>(
+        &mut self,
+        w: W,
+        table: &'a Table,
+        shape: Shape,
+        level: i32,
+        landing: bool,
+    ) -> Step<'a>
     where
         'k: 'a,
     {
@@ -135,7 +73,7 @@ impl<'k> Marcher<'k> {
 
     /// Solves one step for its nodal forces; `None` when the fixed point does not converge.
     #[inline(always)]
-    fn solve<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, step: &Step) -> Option<Solved> {
+    pub(super) fn solve<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, step: &Step) -> Option<Solved> {
         let table = step.table;
         let free = columns(w, &self.layout, &self.y, &table.displacement.columns, w.load(&step.drive));
         let mut free_rate = w.zero();
@@ -203,7 +141,7 @@ impl<'k> Marcher<'k> {
 
     /// Takes a solved step.
     #[inline(always)]
-    fn take<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, step: &Step, solved: &Solved) {
+    pub(super) fn take<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, step: &Step, solved: &Solved) {
         let table = step.table;
         let mut force = solved.force;
         force.0[NODES] = 0.0;
@@ -277,40 +215,6 @@ impl<'k> Marcher<'k> {
             let lane = w.load(&weighted);
             let (cos, sin) = (w.mul(lane, w.load(&tone.swing.cos)), w.mul(lane, w.load(&tone.swing.sin)));
             *sum += tone.turn * c64::new(w.sum(cos), w.sum(sin));
-        }
-    }
-
-    /// Length of the step to come: longer while the error is small, shorter as the end of the contact comes near.
-    #[inline(always)]
-    fn next_level(&self, level: i32, step: &Step, solved: &Solved, allowed: f64) -> i32 {
-        let mut next = level;
-        if step.shape == Shape::Smooth && solved.error_n_s < 0.003 * allowed {
-            next -= 1;
-        }
-        if self.rate_m_s < 0.0 && self.penetration_m > 0.0 {
-            // Time to the stop's surface by the parabola through the last speeds.
-            let before = solved.penetration.0[NODES - 1];
-            let gap_s = step.table.length_s * (1.0 - step.basis.places[NODES - 1]);
-            let chord = (self.penetration_m - before) / gap_s;
-            let curvature = (self.rate_m_s - chord) / gap_s;
-            let discriminant = self.rate_m_s * self.rate_m_s - 4.0 * curvature * self.penetration_m;
-            if discriminant >= 0.0 {
-                let leaving_s = 2.0 * self.penetration_m / (-self.rate_m_s + discriminant.sqrt());
-                // What is left of the impulse may be too small to matter: then one step carries the point past the surface.
-                let negligible = 2.0 * leaving_s * solved.force.0[NODES - 1] <= allowed;
-                let within_s = if negligible { 2.0 * leaving_s } else { 0.6 * leaving_s };
-                next = next.max(Kernel::level_within(within_s)).min(level + 12);
-            }
-        }
-        next.max(Kernel::coarsest())
-    }
-
-    fn diverged(&self) -> MarchError {
-        MarchError::ContactDiverged {
-            time_s: self.time_s,
-            stop: self.kernel.plant.system.stops[0].name.clone(),
-            step_s: Kernel::length_s(Kernel::finest()),
-            penetration_m: self.penetration_m,
         }
     }
 }

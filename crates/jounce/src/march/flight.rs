@@ -71,10 +71,8 @@ impl Marcher<'_> {
             let [place, speed] = tone.motion_after(turn);
             drive = [drive[0] + place, drive[1] + speed];
         }
-        let motion = [
-            dot(w, &self.rows.displacement, &self.next) + drive[0] - self.rows.gap_m,
-            dot(w, &self.rows.velocity, &self.next) + drive[1],
-        ];
+        let motion =
+            [dot(w, &self.rows.displacement, &self.next) + drive[0] - self.rows.gap_m, dot(w, &self.rows.velocity, &self.next) + drive[1]];
         let step = self.step_of(w, level, Kernel::length_s(level), motion, drive);
         let verdict = self.judge_flight(&step, motion[0]);
         if let Verdict::Clear = verdict {
@@ -175,7 +173,11 @@ impl Marcher<'_> {
         let Crossing { mut from_s, mut guess_s, mut to_s } = crossing;
         let mut motion = self.look_ahead(w, guess_s);
         for _ in 0..20 {
-            if motion[0] > 0.0 { to_s = guess_s } else { from_s = guess_s }
+            if motion[0] > 0.0 {
+                to_s = guess_s
+            } else {
+                from_s = guess_s
+            }
             let newton = guess_s - motion[0] / motion[1];
             let next = if newton >= from_s && newton <= to_s { newton } else { 0.5 * (from_s + to_s) };
             let change = (next - guess_s).abs();

@@ -100,7 +100,8 @@ mod tests {
 
     #[test]
     fn series_and_closed_form_agree() {
-        let block = Block { pairs: vec![Pair::Oscillatory { decay: -3.0, frequency: 900.0 }, Pair::Jordan { rate: -40.0 }], reals: vec![-700.0] };
+        let block =
+            Block { pairs: vec![Pair::Oscillatory { decay: -3.0, frequency: 900.0 }, Pair::Jordan { rate: -40.0 }], reals: vec![-700.0] };
         let layout = Layout { pairs: 2, reals: 1, pair_lanes: 1, real_lanes: 1 };
         let start = [1.0, -0.3, 0.7, 2.0, 1.5];
         for time_s in [1.3e-4, -1.3e-4, 1e-9] {

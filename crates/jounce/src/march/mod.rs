@@ -2,6 +2,7 @@
 mod answers;
 mod basis;
 mod certificate;
+mod contact;
 mod contact_step;
 mod energies;
 mod flight;

@@ -50,11 +50,8 @@ fn chebyshev(series: &[f64; POINTS], x: f64) -> [f64; 3] {
     let (mut before, mut now) = ([1.0, 0.0, 0.0], [s, 2.0, 0.0]);
     let mut sum: [f64; 3] = std::array::from_fn(|d| series[0] * before[d] + series[1] * now[d]);
     for c in &series[2..] {
-        let next = [
-            2.0 * s * now[0] - before[0],
-            2.0 * (2.0 * now[0] + s * now[1]) - before[1],
-            2.0 * (4.0 * now[1] + s * now[2]) - before[2],
-        ];
+        let next =
+            [2.0 * s * now[0] - before[0], 2.0 * (2.0 * now[0] + s * now[1]) - before[1], 2.0 * (4.0 * now[1] + s * now[2]) - before[2]];
         (0..3).for_each(|d| sum[d] += c * next[d]);
         (before, now) = (now, next);
     }

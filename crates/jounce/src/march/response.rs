@@ -74,9 +74,8 @@ impl Task for Making<'_> {
         let Making { block, layout, basis, force, rows, length_s: h } = self;
         let count = parts(block).map(|(_, part)| terms(&part, basis, h)).max().unwrap_or(basis.series.len());
         let powers = legendre_lanes(w, basis, count);
-        let moments: Vec<Lane> = (basis.series.iter().enumerate())
-            .map(|(a, lane)| w.store(w.mul(w.splat(h / (2 * a + 1) as f64), w.load(lane))))
-            .collect();
+        let moments: Vec<Lane> =
+            (basis.series.iter().enumerate()).map(|(a, lane)| w.store(w.mul(w.splat(h / (2 * a + 1) as f64), w.load(lane)))).collect();
         let states = block.len();
         let mut series = vec![vec![Lane::ZERO; count]; rows.len()];
         let mut out = Responses {
