@@ -116,8 +116,9 @@ impl Marcher<'_> {
         if 2.0 * left_n_s <= allowed {
             return Kernel::level_within(2.0 * leaving_s);
         }
-        let rho = (left_n_s / (END_GAIN * allowed)).powf(1.0 / 10.5).max(1.0);
-        Kernel::level_within(4.0 * leaving_s / (rho + 1.0 / rho + 2.0))
+        let level = Kernel::level_within(leaving_s);
+        let longer_may_do = ellipse_power(leaving_s / Kernel::length_s(level)) * END_GAIN * allowed >= left_n_s;
+        if longer_may_do { level } else { level + 1 }
     }
 
     /// Time until the penetration ends, by the parabola through the last speeds of a step.
@@ -141,6 +142,15 @@ impl Marcher<'_> {
             penetration_m: self.penetration_m,
         }
     }
+}
+
+/// `rho^10.5` for a step whose length goes `ratio` times into the time to the end of the contact.
+#[inline(always)]
+fn ellipse_power(ratio: f64) -> f64 {
+    let z = 2.0 * ratio - 1.0;
+    let rho = z + (z * z - 1.0).max(0.0).sqrt();
+    let fourth = (rho * rho) * (rho * rho);
+    fourth * fourth * (rho * rho) * rho.sqrt()
 }
 
 /// Levels by which a step might have been longer.
