@@ -12,8 +12,9 @@
 //! collocated at the nodes of a step as everywhere else; the point leaves when the force would have to pull.
 
 use super::basis::{NODES, SMOOTH};
+use super::error::MarchError;
 use super::kernel::{Kernel, Shape};
-use super::marcher::{MarchError, Marcher, Regime};
+use super::marcher::{Marcher, Regime};
 use super::state::{add_push, columns, dot};
 use super::table::{Sticking, Table};
 use super::tone::Swing;
