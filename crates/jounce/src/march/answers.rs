@@ -180,6 +180,7 @@ fn integrate<W: Wide>(w: W, series: &[Lane], out: &mut [Lane]) {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
     use crate::march::basis::{SMOOTH, legendre};

@@ -182,6 +182,7 @@ fn jacobi(alpha: f64, u: f64) -> [f64; 2] {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
 

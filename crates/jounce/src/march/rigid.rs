@@ -168,7 +168,7 @@ impl Marcher<'_> {
         let column = self.layout.pack(&plant.ports[0].force);
         let impulse = self.rate_m_s / self.rows.mobility_per_kg;
         for ((y, moved), b) in self.y.iter_mut().zip(&moved).zip(&column) {
-            *y = y.add(moved).add_scaled(impulse, b);
+            *y = y.add_scaled(1.0, moved).add_scaled(impulse, b);
         }
         (self.penetration_m, self.rate_m_s) = (0.0, 0.0);
     }
