@@ -38,7 +38,6 @@ pub struct Answers {
     pub first: Vec<Lane>,
     /// See above.
     pub second: Vec<Lane>,
-    pivots: Vec<[c64; 3]>,
 }
 
 impl Part {
@@ -81,15 +80,54 @@ impl Part {
     }
 }
 
+/// One row of `I - z S` factored, for eight values of `z` at once: real and imaginary parts of what it takes from the row before,
+/// from the row after, and of one over its pivot.
+#[derive(Debug, Clone, Copy)]
+pub struct Factors {
+    before: [Lane; 2],
+    after: [Lane; 2],
+    inverse: [Lane; 2],
+}
+
+/// Factors of up to eight blocks on a step, as many rows as the neediest of them has terms.
+#[inline(always)]
+pub fn factored<W: Wide>(w: W, parts: &[Part], basis: &Basis, h: f64) -> Vec<Factors> {
+    let count = parts.iter().map(|part| terms(part, basis, h)).max().unwrap_or(0);
+    let rates = |read: fn(c64) -> f64| Lane(std::array::from_fn(|i| parts.get(i).map_or(0.0, |part| h * read(part.rate()))));
+    let z = [w.load(&rates(|z| z.re)), w.load(&rates(|z| z.im))];
+    let scaled = |by: f64| z.map(|part| w.mul(w.splat(by), part));
+    let (one, none) = (w.splat(1.0), w.zero());
+    let half = scaled(-0.5);
+    let mut inverse = reciprocal(w, [w.add(one, half[0]), half[1]]);
+    let mut rows = Vec::with_capacity(count);
+    let stored = |pair: [W::Register; 2]| pair.map(|part| w.store(part));
+    rows.push(Factors { before: stored([none, none]), after: stored(scaled(below(1))), inverse: stored(inverse) });
+    for n in 1..count {
+        let before = product(w, scaled(below(n - 1)), inverse);
+        let pivot = product(w, before, scaled(below(n)));
+        inverse = reciprocal(w, [w.add(one, pivot[0]), pivot[1]]);
+        rows.push(Factors { before: stored(before), after: stored(scaled(below(n + 1))), inverse: stored(inverse) });
+    }
+    rows
+}
+
+/// Product of complex numbers.
+#[inline(always)]
+fn product<W: Wide>(w: W, [a, b]: [W::Register; 2], [c, d]: [W::Register; 2]) -> [W::Register; 2] {
+    [w.sub(w.mul(a, c), w.mul(b, d)), w.fma(a, d, w.mul(b, c))]
+}
+
+/// One over complex numbers.
+#[inline(always)]
+fn reciprocal<W: Wide>(w: W, [a, b]: [W::Register; 2]) -> [W::Register; 2] {
+    let size = w.store(w.fma(a, a, w.mul(b, b)));
+    let scale = w.load(&Lane(size.0.map(|size| 1.0 / size)));
+    [w.mul(a, scale), w.sub(w.zero(), w.mul(b, scale))]
+}
+
 /// Coefficients that a block needs on a step.
 pub fn terms(part: &Part, basis: &Basis, h: f64) -> usize {
     (18 + (0.75 * h * part.rate().norm()).ceil() as usize) + basis.series.len()
-}
-
-/// `1 / z` with one division.
-#[inline(always)]
-fn reciprocal(z: c64) -> c64 {
-    z.conj() * (1.0 / z.norm_sqr())
 }
 
 /// Entry of `S` in row `n + 1`, column `n`; the entry in row `n - 1` is its negative.
@@ -99,50 +137,39 @@ fn below(n: usize) -> f64 {
 }
 
 impl Answers {
-    /// Solves one block for one step length.
+    /// Solves one block for one step length, given the factors of up to eight blocks and the block's place among them.
     #[inline(always)]
-    pub fn solve<W: Wide>(&mut self, w: W, part: &Part, basis: &Basis, h: f64) {
-        let count = terms(part, basis, h);
-        self.factor(part.rate() * h, count);
+    pub fn solve<W: Wide>(&mut self, w: W, part: &Part, basis: &Basis, h: f64, (factors, place): (&[Factors], usize)) {
+        let factors = &factors[..terms(part, basis, h)];
+        let count = factors.len();
         self.first.clear();
         self.first.resize(count, Lane::ZERO);
         self.second.clear();
         self.second.resize(count, Lane::ZERO);
         integrate(w, &basis.series, &mut self.first);
         self.first[0].0[NODES] = 1.0;
-        self.sweep(w);
+        self.sweep(w, factors, place);
         if matches!(part, Part::Double(_)) {
             let answer = std::mem::take(&mut self.first);
             let mut driven = std::mem::take(&mut self.second);
             integrate(w, &answer, &mut driven);
             self.first = driven;
             self.second = vec![Lane::ZERO; count];
-            self.sweep(w);
+            self.sweep(w, factors, place);
             self.second = std::mem::replace(&mut self.first, answer);
-        }
-    }
-
-    /// Factors `I - z S`; per row: what it takes from the row before, from the row after, and one over its pivot.
-    fn factor(&mut self, z: c64, count: usize) {
-        self.pivots.clear();
-        let mut inverse = (1.0 - z * 0.5).inv();
-        self.pivots.push([c64::new(0.0, 0.0), z * below(1), inverse]);
-        for n in 1..count {
-            let before = z * below(n - 1) * inverse;
-            inverse = reciprocal(1.0 + before * z * below(n));
-            self.pivots.push([before, z * below(n + 1), inverse]);
         }
     }
 
     /// Forward and back substitution for all eight right sides.
     #[inline(always)]
-    fn sweep<W: Wide>(&mut self, w: W) {
-        let count = self.pivots.len();
+    fn sweep<W: Wide>(&mut self, w: W, factors: &[Factors], place: usize) {
+        let count = factors.len();
+        let at = |part: &[Lane; 2]| [part[0].0[place], part[1].0[place]];
         let (re, im) = (&mut self.first[..count], &mut self.second[..count]);
         let (mut last_re, mut last_im) = (w.load(&re[0]), w.load(&im[0]));
         for n in 1..count {
-            let [before, ..] = self.pivots[n];
-            let (c, s, t) = (w.splat(before.re), w.splat(before.im), w.splat(-before.im));
+            let [before_re, before_im] = at(&factors[n].before);
+            let (c, s, t) = (w.splat(before_re), w.splat(before_im), w.splat(-before_im));
             let next_re = w.fma(t, last_im, w.fma(c, last_re, w.load(&re[n])));
             let next_im = w.fma(s, last_re, w.fma(c, last_im, w.load(&im[n])));
             (re[n], im[n]) = (w.store(next_re), w.store(next_im));
@@ -150,11 +177,11 @@ impl Answers {
         }
         (last_re, last_im) = (w.zero(), w.zero());
         for n in (0..count).rev() {
-            let [_, after, inverse] = self.pivots[n];
-            let (c, s, t) = (w.splat(-after.re), w.splat(-after.im), w.splat(after.im));
+            let ([after_re, after_im], [inverse_re, inverse_im]) = (at(&factors[n].after), at(&factors[n].inverse));
+            let (c, s, t) = (w.splat(-after_re), w.splat(-after_im), w.splat(after_im));
             let row_re = w.fma(t, last_im, w.fma(c, last_re, w.load(&re[n])));
             let row_im = w.fma(s, last_re, w.fma(c, last_im, w.load(&im[n])));
-            let (c, s, t) = (w.splat(inverse.re), w.splat(inverse.im), w.splat(-inverse.im));
+            let (c, s, t) = (w.splat(inverse_re), w.splat(inverse_im), w.splat(-inverse_im));
             last_re = w.fma(t, row_im, w.mul(c, row_re));
             last_im = w.fma(s, row_re, w.mul(c, row_im));
             (re[n], im[n]) = (w.store(last_re), w.store(last_im));
@@ -203,7 +230,8 @@ mod tests {
     /// Worst error of the answers, and of their imaginary parts alone, which start like a displacement.
     fn worst(basis: &Basis, z: c64) -> [f64; 2] {
         let mut answers = Answers::default();
-        answers.solve(Portable::new(), &Part::Turning(z), basis, 1.0);
+        let (w, part) = (Portable::new(), Part::Turning(z));
+        answers.solve(w, &part, basis, 1.0, (&factored(w, &[part], basis, 1.0), 0));
         let mut worst: [f64; 2] = [0.0; 2];
         for x in [basis.places[1], 0.4, 1.0] {
             let powers = legendre(x, answers.first.len());
@@ -236,7 +264,8 @@ mod tests {
     fn a_double_rate_answers_like_its_closed_form() {
         let (rate, h) = (-3.0, 0.5);
         let mut answers = Answers::default();
-        answers.solve(Portable::new(), &Part::Double(rate), &SMOOTH, h);
+        let (w, part) = (Portable::new(), Part::Double(rate));
+        answers.solve(w, &part, &SMOOTH, h, (&factored(w, &[Part::Single(-1.0), part], &SMOOTH, h), 1));
         // second in place 7: x e^{z x}
         let powers = legendre(0.7, answers.second.len());
         let second: f64 = answers.second.iter().zip(&powers).map(|(lane, p)| lane.0[NODES] * p).sum();

@@ -1,6 +1,6 @@
 //! Output rows of the state on a contact step: what the free motion and the seven nodal forces make of them.
 
-use super::answers::{Answers, Part, terms};
+use super::answers::{Answers, Part, factored, terms};
 use super::basis::{Basis, NODES};
 use super::layout::Layout;
 use crate::plant::{Block, Pair};
@@ -83,9 +83,15 @@ impl Task for Making<'_> {
             push: vec![[Lane::ZERO; NODES]; layout.lanes()],
         };
         let mut answers = Answers::default();
-        for (first, part) in parts(block) {
-            let own = first..first + part.states();
-            answers.solve(w, &part, basis, h);
+        let all: Vec<(usize, Part)> = parts(block).collect();
+        let mut factors = Vec::new();
+        for (index, (first, part)) in all.iter().enumerate() {
+            let (own, place) = (*first..first + part.states(), index % WIDTH);
+            if place == 0 {
+                let group: Vec<Part> = all[index..].iter().take(WIDTH).map(|(_, part)| *part).collect();
+                factors = factored(w, &group, basis, h);
+            }
+            answers.solve(w, part, basis, h, (&factors, place));
             let free = free_motion(w, &answers, &powers);
             let mean = free_motion(w, &answers, &moments);
             for ((wanted, response), series) in rows.iter().zip(&mut out.rows).zip(&mut series) {

@@ -3,7 +3,7 @@
 //! A segment keeps the state at its start and the polynomial of the contact force; the state at any time inside it is the
 //! exact flow plus the Duhamel response, evaluated from its Legendre series.
 
-use super::answers::Answers;
+use super::answers::{Answers, factored};
 use super::basis::{NODES, legendre};
 use super::kernel::{Kernel, Shape};
 use super::response::parts;
@@ -72,9 +72,10 @@ impl Trajectory {
 
 /// Answers of all blocks on a step of one length.
 fn answers(kernel: &Kernel, shape: Shape, length_s: f64) -> Vec<Answers> {
+    let (w, basis) = (Portable::new(), kernel.basis(0, shape));
     let solved = |(_, part)| {
         let mut answers = Answers::default();
-        answers.solve(Portable::new(), &part, kernel.basis(0, shape), length_s);
+        answers.solve(w, &part, basis, length_s, (&factored(w, &[part], basis, length_s), 0));
         answers
     };
     parts(&kernel.plant.diagonal.block).map(solved).collect()
