@@ -7,6 +7,7 @@ mod contact_step;
 mod crossing;
 mod energies;
 mod error;
+mod factors;
 mod flight;
 mod flight_table;
 mod flow;

@@ -1,7 +1,8 @@
 //! Output rows of the state on a contact step: what the free motion and the seven nodal forces make of them.
 
-use super::answers::{Answers, Part, factored, terms};
+use super::answers::{Answers, Part};
 use super::basis::{Basis, NODES};
+use super::factors::{factored, terms};
 use super::layout::Layout;
 use crate::plant::{Block, Pair};
 use crate::wide::{Lane, Task, WIDTH, Wide};

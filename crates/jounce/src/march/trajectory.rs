@@ -3,8 +3,9 @@
 //! A segment keeps the state at its start and the polynomial of the contact force; the state at any time inside it is the
 //! exact flow plus the Duhamel response, evaluated from its Legendre series.
 
-use super::answers::{Answers, factored};
+use super::answers::Answers;
 use super::basis::{NODES, legendre};
+use super::factors::factored;
 use super::kernel::{Kernel, Shape};
 use super::response::parts;
 use crate::wide::Portable;

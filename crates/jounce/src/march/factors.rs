@@ -1,0 +1,62 @@
+//! The tridiagonal matrix `I - z S` of [`super::answers`], factored for eight blocks at once.
+
+use super::answers::Part;
+use super::basis::Basis;
+use crate::wide::{Lane, Wide};
+use faer::c64;
+
+/// One row of `I - z S` factored, for eight values of `z` at once: real and imaginary parts of what it takes from the row before,
+/// from the row after, and of one over its pivot.
+#[derive(Debug, Clone, Copy)]
+pub struct Factors {
+    pub before: [Lane; 2],
+    pub after: [Lane; 2],
+    pub inverse: [Lane; 2],
+}
+
+/// Factors of up to eight blocks on a step, as many rows as the neediest of them has terms.
+#[inline(always)]
+pub fn factored<W: Wide>(w: W, parts: &[Part], basis: &Basis, h: f64) -> Vec<Factors> {
+    let count = parts.iter().map(|part| terms(part, basis, h)).max().unwrap_or(0);
+    let rates = |read: fn(c64) -> f64| Lane(std::array::from_fn(|i| parts.get(i).map_or(0.0, |part| h * read(part.rate()))));
+    let z = [w.load(&rates(|z| z.re)), w.load(&rates(|z| z.im))];
+    let scaled = |by: f64| z.map(|part| w.mul(w.splat(by), part));
+    let (one, none) = (w.splat(1.0), w.zero());
+    let half = scaled(-0.5);
+    let mut inverse = reciprocal(w, [w.add(one, half[0]), half[1]]);
+    let mut rows = Vec::with_capacity(count);
+    let stored = |pair: [W::Register; 2]| pair.map(|part| w.store(part));
+    rows.push(Factors { before: stored([none, none]), after: stored(scaled(below(1))), inverse: stored(inverse) });
+    for n in 1..count {
+        let before = product(w, scaled(below(n - 1)), inverse);
+        let pivot = product(w, before, scaled(below(n)));
+        inverse = reciprocal(w, [w.add(one, pivot[0]), pivot[1]]);
+        rows.push(Factors { before: stored(before), after: stored(scaled(below(n + 1))), inverse: stored(inverse) });
+    }
+    rows
+}
+
+/// Product of complex numbers.
+#[inline(always)]
+fn product<W: Wide>(w: W, [a, b]: [W::Register; 2], [c, d]: [W::Register; 2]) -> [W::Register; 2] {
+    [w.sub(w.mul(a, c), w.mul(b, d)), w.fma(a, d, w.mul(b, c))]
+}
+
+/// One over complex numbers.
+#[inline(always)]
+fn reciprocal<W: Wide>(w: W, [a, b]: [W::Register; 2]) -> [W::Register; 2] {
+    let size = w.store(w.fma(a, a, w.mul(b, b)));
+    let scale = w.load(&Lane(size.0.map(|size| 1.0 / size)));
+    [w.mul(a, scale), w.sub(w.zero(), w.mul(b, scale))]
+}
+
+/// Coefficients that a block needs on a step.
+pub fn terms(part: &Part, basis: &Basis, h: f64) -> usize {
+    (18 + (0.75 * h * part.rate().norm()).ceil() as usize) + basis.series.len()
+}
+
+/// Entry of `S` in row `n + 1`, column `n`; the entry in row `n - 1` is its negative.
+#[inline(always)]
+pub fn below(n: usize) -> f64 {
+    0.5 / (2 * n + 1) as f64
+}
