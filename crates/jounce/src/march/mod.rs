@@ -16,9 +16,11 @@ mod table;
 mod tone;
 mod totals;
 mod trajectory;
+mod variation;
 
 pub use energies::Energies;
 pub use kernel::Kernel;
 pub use marcher::{MarchError, Marcher};
 pub use totals::{ContactIntegrals, ContactStatistics, WorkCount};
 pub use trajectory::{Instant, Segment, Trajectory};
+pub use variation::{Drift, Variation, VariationError};
