@@ -1,0 +1,53 @@
+//! A periodic orbit and its stability.
+
+use faer::{Mat, c64};
+
+/// A periodic orbit as a result.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Orbit {
+    /// Period in drive cycles.
+    pub period_cycles: u32,
+    /// Physical state `(q, q', V)` at the start of a drive cycle.
+    pub start: Vec<f64>,
+    /// Mean power of all loads, W.
+    pub mean_power_w: f64,
+    /// Voltage of the first load, rms, V.
+    pub voltage_rms_v: f64,
+    /// Contacts that begin in a period.
+    pub contacts: u64,
+    /// Largest penetration, m.
+    pub max_penetration_m: f64,
+    /// Floquet multipliers, largest modulus first.
+    pub multipliers: Vec<c64>,
+    /// Estimated relative error of the state.
+    pub error_estimate: f64,
+}
+
+impl Orbit {
+    /// Largest modulus of a multiplier.
+    pub fn floquet_max_abs(&self) -> f64 {
+        self.multipliers.first().map_or(0.0, |value| value.norm())
+    }
+
+    /// True when all multipliers lie inside the unit circle.
+    pub fn is_stable(&self) -> bool {
+        self.floquet_max_abs() < 1.0
+    }
+
+    /// `det(M - s I)` up to a positive factor, for `s` of modulus one.
+    pub fn determinant_at(&self, s: f64) -> f64 {
+        self.multipliers.iter().map(|value| *value - s).product::<c64>().re
+    }
+
+    /// Multipliers outside the unit circle that come in complex pairs.
+    pub fn pairs_outside(&self) -> usize {
+        self.multipliers.iter().filter(|value| value.norm() > 1.0 && value.im > 1e-9).count()
+    }
+}
+
+/// Eigenvalues of a period map, largest modulus first; `None` where they do not converge.
+pub fn multipliers(map: &Mat<f64>) -> Option<Vec<c64>> {
+    let mut values: Vec<c64> = map.eigenvalues().ok()?;
+    values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
+    Some(values)
+}

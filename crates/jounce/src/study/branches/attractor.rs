@@ -1,0 +1,59 @@
+//! From a start to the periodic orbit that the march settles on.
+
+use crate::continuation::{Corrector, Metric, Position, settle};
+use crate::march::{Kernel, Marcher};
+use crate::orbit::{Harvester, Shooting};
+
+/// Drive cycles marched before an orbit is looked for.
+const CYCLES: u32 = 60;
+
+/// Times that the march goes on when no orbit is found.
+const ATTEMPTS: u32 = 8;
+
+/// Longest period looked for, drive cycles.
+const LONGEST: u32 = 4;
+
+/// A stable orbit near where the march from `start` (physical) settles: drive cycles of its period and its state in energy
+/// coordinates. `None` when the march stays away from every orbit that is looked for.
+pub fn settled_orbit<H: Harvester>(harvester: &H, parameter: f64, start: &[f64], tolerance: f64, goal: f64) -> Option<(u32, Vec<f64>)> {
+    let setting = harvester.at(parameter).ok()?;
+    let kernel: &Kernel = &setting.kernel;
+    let cycle_s = std::f64::consts::TAU / kernel.plant.tones.first()?.angular_frequency_rad_s;
+    let mut y = kernel.plant.from_physical(start, 0.0);
+    for _ in 0..ATTEMPTS {
+        let mut looks = Vec::new();
+        let mut marcher = Marcher::new(kernel, &y, 0.0, tolerance.max(1e-8)).ok()?;
+        for cycle in 1..=CYCLES + LONGEST {
+            marcher.advance_to(f64::from(cycle) * cycle_s).ok()?;
+            if cycle >= CYCLES {
+                looks.push(marcher.state());
+            }
+        }
+        y = looks.last()?.clone();
+        let size = norm(looks[0].iter().copied()).max(norm(kernel.plant.steady_at(0.0).into_iter()));
+        let distance = |cycles: u32| norm(looks[0].iter().zip(&looks[cycles as usize]).map(|(a, b)| a - b)) / size;
+        // The shortest period that is nearly closed, by a margin over the longer ones.
+        let closest = (1..=LONGEST).map(distance).fold(f64::INFINITY, f64::min);
+        if closest > 0.1 {
+            continue;
+        }
+        for cycles in (1..=LONGEST).filter(|cycles| distance(*cycles) <= 3.0 * closest + 1e-6) {
+            let shooting = Shooting::new(harvester, kernel, cycles, tolerance);
+            let unknown = shooting.unknown(&kernel.plant.to_physical(&looks[0], 0.0));
+            let position = Position { unknown, parameter };
+            let metric = Metric::at(&position, 1.0);
+            let Ok(found) = settle(&shooting, &Corrector { goal, most: 12 }, &metric, position.clone()) else { continue };
+            // A Newton that runs far has found another orbit than the one that attracts.
+            let moved = norm(found.position.unknown.iter().zip(&position.unknown).map(|(a, b)| a - b)) / metric.unknown;
+            let stable = shooting.orbit(&found.local, found.error).is_ok_and(|orbit| orbit.is_stable());
+            if moved < 0.3 && stable {
+                return Some((cycles, found.position.unknown));
+            }
+        }
+    }
+    None
+}
+
+fn norm(values: impl Iterator<Item = f64>) -> f64 {
+    values.map(|v| v * v).sum::<f64>().sqrt()
+}

@@ -1,0 +1,205 @@
+//! Follows one branch from one of its orbits, and names what it passes.
+
+use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
+use crate::continuation::{Corrector, Direction, Metric, Position, Step, StepControl, Walk, locate};
+use crate::orbit::{Harvester, OrbitError, Shooting, Shot, nearest_extremum_m};
+
+/// How branches are followed.
+#[derive(Debug, Clone, Copy)]
+pub struct Following {
+    /// Ends of the range of the key.
+    pub range: (f64, f64),
+    /// Newton's goal.
+    pub corrector: Corrector,
+    /// The law of the step.
+    pub control: StepControl,
+    /// Most points.
+    pub most_points: usize,
+}
+
+/// A walked point with its orbit.
+struct Place {
+    step: Step<Shot>,
+    point: BranchPoint,
+}
+
+impl Following {
+    /// Scale of the parameter in the metric.
+    pub fn parameter_scale(&self) -> f64 {
+        (self.range.1 - self.range.0) / 20.0
+    }
+
+    /// Walks from an orbit in a direction until the branch ends.
+    ///
+    /// # Errors
+    /// An orbit whose multipliers cannot be computed, or a harvester that cannot be made.
+    pub fn walk<H: Harvester>(
+        &self,
+        shooting: &Shooting<'_, H>,
+        first: Start,
+        direction: Direction,
+    ) -> Result<Branch, OrbitError<H::Error>> {
+        let mut branch = Branch { period_cycles: shooting.cycles, ..Branch::default() };
+        let metric = Metric::at(&first.position, self.parameter_scale());
+        let tangent = metric.unit(direction);
+        let start = Step { position: first.position.clone(), tangent: tangent.clone(), local: first.local, error: first.error };
+        let mut before = Place { point: point(shooting, &start)?, step: start };
+        let origin = before.step.position.clone();
+        branch.points.push(before.point.clone());
+        let mut walk = Walk::new(shooting, self.corrector, self.control, self.parameter_scale(), first.position, tangent);
+        while let Some(next) = walk.next() {
+            let step = match next {
+                Ok(step) => step,
+                // Beyond the range a key may have no meaning at all.
+                Err(error) => {
+                    let parameter = walk.position.parameter;
+                    let ending = Ending::Failed { why: error.to_string(), parameter };
+                    branch.endings.push(ending);
+                    return Ok(branch);
+                }
+            };
+            if step.position.parameter < self.range.0 || step.position.parameter > self.range.1 {
+                self.cut(shooting, &before, &step, &mut branch)?;
+                branch.endings.push(Ending::Range);
+                return Ok(branch);
+            }
+            let after = Place { point: point(shooting, &step)?, step };
+            branch.bifurcations.extend(self.between(shooting, &before, &after)?);
+            branch.points.push(after.point.clone());
+            if let Some(ending) = self.ending(&origin, &before, &after, branch.points.len()) {
+                branch.endings.push(ending);
+                return Ok(branch);
+            }
+            before = after;
+        }
+        Ok(branch)
+    }
+
+    /// The last point, exactly on the edge of the range.
+    fn cut<H: Harvester>(
+        &self,
+        shooting: &Shooting<'_, H>,
+        before: &Place,
+        outside: &Step<Shot>,
+        branch: &mut Branch,
+    ) -> Result<(), OrbitError<H::Error>> {
+        let edge = if outside.position.parameter < self.range.0 { self.range.0 } else { self.range.1 };
+        let from = &before.step.position;
+        let t = (edge - from.parameter) / (outside.position.parameter - from.parameter);
+        let unknown = from.unknown.iter().zip(&outside.position.unknown).map(|(a, b)| a + t * (b - a)).collect();
+        let guess = Position { unknown, parameter: edge };
+        let metric = Metric::at(&guess, self.parameter_scale());
+        if let Ok(found) = crate::continuation::settle(shooting, &self.corrector, &metric, guess) {
+            let step = Step { position: found.position, tangent: outside.tangent.clone(), local: found.local, error: found.error };
+            let after = Place { point: point(shooting, &step)?, step };
+            branch.bifurcations.extend(self.between(shooting, before, &after)?);
+            branch.points.push(after.point);
+        }
+        Ok(())
+    }
+
+    fn ending(&self, origin: &Position, before: &Place, after: &Place, points: usize) -> Option<Ending> {
+        let metric = Metric::at(&after.step.position, self.parameter_scale());
+        let apart = |a: &Position, b: &Position| Direction {
+            unknown: a.unknown.iter().zip(&b.unknown).map(|(a, b)| b - a).collect(),
+            parameter: b.parameter - a.parameter,
+        };
+        // Back at the start: the start lies between the last two points, off the way by little.
+        let (way, home) = (apart(&before.step.position, &after.step.position), apart(&before.step.position, origin));
+        let along = metric.inner(&way, &home) / metric.inner(&way, &way);
+        let length = metric.length(&way);
+        let off = (metric.inner(&home, &home) - along * along * length * length).max(0.0).sqrt();
+        if points > 4 && (0.0..=1.0).contains(&along) && off < 0.1 * length {
+            return Some(Ending::Closed);
+        }
+        // The halves of a doubled orbit pass through each other where it merges with the branch that it left.
+        let halves = |step: &Step<Shot>| -> Option<Vec<f64>> {
+            let looks = &step.local.looks;
+            let half = (looks.len() - 1) / 2;
+            (looks.len() % 2 == 1 && half > 0).then(|| looks[half].iter().zip(&looks[0]).map(|(a, b)| a - b).collect())
+        };
+        if let (Some(a), Some(b)) = (halves(&before.step), halves(&after.step)) {
+            let product: f64 = a.iter().zip(&b).map(|(a, b)| a * b).sum();
+            if product < 0.0 && points > 3 {
+                return Some(Ending::Merged);
+            }
+        }
+        (points >= self.most_points).then_some(Ending::Points)
+    }
+
+    /// Everything that happens between two points.
+    fn between<H: Harvester>(&self, shooting: &Shooting<'_, H>, a: &Place, b: &Place) -> Result<Vec<Bifurcation>, OrbitError<H::Error>> {
+        let mut kinds = Vec::new();
+        let (one, two) = (&a.point.orbit, &b.point.orbit);
+        let turns = a.step.tangent.parameter * b.step.tangent.parameter < 0.0;
+        if turns {
+            kinds.push(BranchKind::Fold);
+        }
+        if (one.determinant_at(1.0) * two.determinant_at(1.0) < 0.0) != turns {
+            kinds.push(BranchKind::BranchPoint);
+        }
+        if one.determinant_at(-1.0) * two.determinant_at(-1.0) < 0.0 {
+            kinds.push(BranchKind::PeriodDoubling);
+        }
+        if one.pairs_outside() != two.pairs_outside() {
+            kinds.push(BranchKind::NeimarkSacker);
+        }
+        if one.contacts != two.contacts {
+            kinds.push(BranchKind::Grazing);
+        }
+        let mut found = Vec::new();
+        for kind in kinds {
+            let resolution = if kind == BranchKind::Fold { 1e-6 } else { 1e-9 };
+            let value = |step: &Step<Shot>| test(shooting, kind, step, one, two);
+            let place = locate(shooting, &self.corrector, self.parameter_scale(), (&a.step, &b.step), resolution, value);
+            let Some(place) = place else { continue };
+            let at = point(shooting, &place)?;
+            // Two real multipliers that meet outside the circle are no torus.
+            let on_circle = at.orbit.multipliers.iter().any(|value| value.im > 1e-9 && (value.norm() - 1.0).abs() < 1e-4);
+            if kind != BranchKind::NeimarkSacker || on_circle {
+                found.push(Bifurcation { kind, at });
+            }
+        }
+        let forward = b.step.position.parameter >= a.step.position.parameter;
+        found.sort_by(|x, y| if forward { x.at.parameter.total_cmp(&y.at.parameter) } else { y.at.parameter.total_cmp(&x.at.parameter) });
+        Ok(found)
+    }
+}
+
+/// The start of a walk.
+pub type Start = crate::continuation::Corrected<Shot>;
+
+fn point<H: Harvester>(shooting: &Shooting<'_, H>, step: &Step<Shot>) -> Result<BranchPoint, OrbitError<H::Error>> {
+    let orbit = shooting.orbit(&step.local, step.error)?;
+    Ok(BranchPoint { parameter: step.position.parameter, orbit, unknown: step.position.unknown.clone() })
+}
+
+/// The function of the curve that is zero at a bifurcation, for two points on its two sides.
+fn test<H: Harvester>(
+    shooting: &Shooting<'_, H>,
+    kind: BranchKind,
+    step: &Step<Shot>,
+    before: &crate::orbit::Orbit,
+    after: &crate::orbit::Orbit,
+) -> f64 {
+    if kind == BranchKind::Fold {
+        return step.tangent.parameter;
+    }
+    if kind == BranchKind::Grazing {
+        let fewer = before.contacts.min(after.contacts);
+        let distance = nearest_extremum_m(&step.local).map_or(0.0, f64::abs);
+        return if step.local.contacts <= fewer { -distance } else { distance };
+    }
+    let Ok(orbit) = shooting.orbit(&step.local, 0.0) else { return 0.0 };
+    match kind {
+        BranchKind::PeriodDoubling => orbit.determinant_at(-1.0),
+        BranchKind::NeimarkSacker => {
+            if orbit.pairs_outside() == before.pairs_outside() {
+                -1.0
+            } else {
+                1.0
+            }
+        }
+        _ => orbit.determinant_at(1.0) * step.tangent.parameter.signum(),
+    }
+}
