@@ -8,7 +8,7 @@ const MOST: u32 = 40;
 /// Walks from `before` towards `after` to the zero of `value`, which has different signs at the two.
 ///
 /// The place is sought along the chord, by false position with halving (Illinois), until the bracket is shorter than `resolution`
-/// (in the metric) or a value is exactly zero. `None` where Newton fails on the way.
+/// (in the metric) or a value is as small beside those at the two ends. `None` where Newton fails on the way.
 pub fn locate<F: Family>(
     family: &F,
     corrector: &Corrector,
@@ -23,6 +23,7 @@ pub fn locate<F: Family>(
     let unit = metric.unit(chord);
     let (mut low, mut high) = (0.0, length);
     let (mut at_low, mut at_high) = (value(before), value(after));
+    let size = at_low.abs().max(at_high.abs());
     let mut best = None;
     for _ in 0..MOST {
         let mut place = (low * at_high - high * at_low) / (at_high - at_low);
@@ -34,9 +35,6 @@ pub fn locate<F: Family>(
         let step = Step { position: found.position, tangent: ahead, local: found.local, error: found.error };
         let here = value(&step);
         best = Some(step);
-        if here == 0.0 {
-            break;
-        }
         if (here > 0.0) == (at_high > 0.0) {
             (high, at_high) = (place, here);
             at_low *= 0.5;
@@ -44,8 +42,7 @@ pub fn locate<F: Family>(
             (low, at_low) = (place, here);
             at_high *= 0.5;
         }
-        if high - low <= resolution || (high - place).min(place - low) <= resolution && here.abs() <= 1e-9 * (at_high.abs() + at_low.abs())
-        {
+        if high - low <= resolution || here.abs() <= resolution * size {
             break;
         }
     }

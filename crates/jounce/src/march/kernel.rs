@@ -104,7 +104,7 @@ impl Kernel {
     /// [`PlantError::UndampedResonance`].
     pub fn with_drives(&self, drives: Vec<crate::plant::Drive>) -> Result<Self, PlantError> {
         let plant = self.plant.with_drives(drives)?;
-        let meters = Meters::new(&plant)?;
+        let meters = self.meters.with_drives(&plant)?;
         Ok(Self { plant, meters, levels: Arc::clone(&self.levels) })
     }
 

@@ -17,7 +17,7 @@
 
 use super::collocation::{COLLOCATION, NODES};
 use super::kernel::{Kernel, Layout};
-use super::lane::Lane;
+use super::lane::{Lane, WIDTH};
 use super::marcher::{MarchError, Marcher};
 use super::state::{columns, pushed};
 use super::table::Table;
@@ -25,6 +25,7 @@ use super::totals::ContactStatistics;
 use super::trajectory::{Segment, Trajectory};
 use crate::contact::{ContactLaw, Law, Slopes};
 use faer::{Mat, c64};
+use pulp::{Arch, Simd, WithSimd};
 
 /// What a parameter does at a fixed state `y`, per unit of the parameter.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -101,27 +102,40 @@ impl Variation {
             rate.iter_mut().zip(&port.force).for_each(|(rate, b)| *rate += b * force_n);
         }
         let n = end.len();
-        let jacobian = Mat::from_fn(n, n, |i, j| flow.rows[i][j]);
-        let drift = flow.rows.iter().map(|row| row[n]).collect();
+        let jacobian = Mat::from_fn(n, n, |i, j| flow.entry(i, j));
+        let drift = (0..n).map(|i| flow.entry(i, n)).collect();
         Ok(Self { end, jacobian, drift, rate, statistics, loads_j, trajectory })
     }
 }
 
-/// The linearised flow so far: a row per state, a column per start state and one for the parameter.
+/// The linearised flow so far: a row of lanes per state; its numbers belong to the start states, the one after them to the parameter.
 struct Flow<'a> {
     kernel: &'a Kernel,
     drift: &'a Drift,
     layout: Layout,
-    rows: Vec<Vec<f64>>,
+    states: usize,
+    /// Lanes per row.
+    width: usize,
+    rows: Vec<Lane>,
     /// Flight not yet applied, s.
     pending_s: f64,
 }
 
+/// Rows of nodal forces of a step.
+type NodeRows = [Vec<Lane>; NODES];
+
 impl<'a> Flow<'a> {
     fn new(kernel: &'a Kernel, drift: &'a Drift) -> Self {
-        let n = kernel.plant.len();
-        let rows = (0..n).map(|i| (0..=n).map(|j| f64::from(u8::from(i == j))).collect()).collect();
-        Self { kernel, drift, layout: Layout::of(&kernel.plant), rows, pending_s: 0.0 }
+        let states = kernel.plant.len();
+        let width = (states + 1).div_ceil(WIDTH);
+        let mut rows = vec![Lane::ZERO; states * width];
+        (0..states).for_each(|i| rows[i * width + i / WIDTH].0[i % WIDTH] = 1.0);
+        Self { kernel, drift, layout: Layout::of(&kernel.plant), states, width, rows, pending_s: 0.0 }
+    }
+
+    /// Derivative of a state by a start state, or by the parameter.
+    fn entry(&self, state: usize, column: usize) -> f64 {
+        self.rows[state * self.width + column / WIDTH].0[column % WIDTH]
     }
 
     /// Passes one step; `next` (or `end`) tells what followed.
@@ -136,7 +150,7 @@ impl<'a> Flow<'a> {
             (_, law) => {
                 self.pending_s += segment.length_s;
                 match law {
-                    Some(Law::KelvinVoigt(law)) if strikes => self.entry(law, segment),
+                    Some(Law::KelvinVoigt(law)) if strikes => self.strike(law, segment),
                     Some(Law::Rigid(_)) => self.impact(segment, next.map_or(end, |next| &next.state)),
                     _ => {}
                 }
@@ -155,18 +169,21 @@ impl<'a> Flow<'a> {
         }
         let block = &self.kernel.plant.diagonal.block;
         for (k, pair) in block.pairs.iter().enumerate() {
-            turn(&mut self.rows, k, pair.flow(self.pending_s));
+            self.turn(k, pair.flow(self.pending_s));
         }
-        let first = 2 * block.pairs.len();
         for (k, rate) in block.reals.iter().enumerate() {
-            let decay = (rate * self.pending_s).exp();
-            self.rows[first + k].iter_mut().for_each(|value| *value *= decay);
+            self.decay(k, (rate * self.pending_s).exp());
         }
         self.pending_s = 0.0;
     }
 
-    /// One step in contact.
+    /// One step in contact, in code compiled for the vector instructions of this machine.
     fn contact<L: ContactLaw>(&mut self, law: L, segment: &Segment, force: &[f64; NODES]) {
+        Arch::new().dispatch(Pass { flow: self, law, segment, force });
+    }
+
+    #[inline(always)]
+    fn pass<L: ContactLaw, const FMA: bool>(&mut self, law: L, segment: &Segment, force: &[f64; NODES]) {
         self.fly();
         let kernel = self.kernel;
         let level = Kernel::level_within(segment.length_s);
@@ -179,19 +196,20 @@ impl<'a> Flow<'a> {
         };
         let nodes_s: [f64; NODES] = std::array::from_fn(|i| segment.start_s + segment.length_s * COLLOCATION.nodes[i]);
         let slopes = self.slopes(law, table, segment, force, &nodes_s);
-        let width = self.rows.len() + 1;
-        let mut right = vec![vec![0.0; width]; NODES];
-        for state in 0..self.rows.len() {
+        let mut right: NodeRows = std::array::from_fn(|_| vec![Lane::ZERO; self.width]);
+        for state in 0..self.states {
             let column = self.column(state);
             let (place, speed) = (&table.displacement.columns[column].0, &table.velocity.columns[column].0);
+            let row = &self.rows[state * self.width..(state + 1) * self.width];
             for i in 0..NODES {
                 let factor = slopes[i].stiffness_n_m * place[i] + slopes[i].damping_n_s_m * speed[i];
-                add_scaled(&mut right[i], factor, &self.rows[state]);
+                add_scaled::<FMA>(&mut right[i], factor, row);
             }
         }
         for i in 0..NODES {
             let (dw, dv) = self.port_drift(nodes_s[i]);
-            right[i][width - 1] += slopes[i].stiffness_n_m * dw + slopes[i].damping_n_s_m * dv + self.drift.force_relative * force[i];
+            let own = slopes[i].stiffness_n_m * dw + slopes[i].damping_n_s_m * dv + self.drift.force_relative * force[i];
+            right[i][self.states / WIDTH].0[self.states % WIDTH] += own;
         }
         let mut matrix = [[0.0; NODES]; NODES];
         for (i, row) in matrix.iter_mut().enumerate() {
@@ -200,17 +218,18 @@ impl<'a> Flow<'a> {
                 *entry = f64::from(u8::from(i == j)) - slopes[i].stiffness_n_m * place - slopes[i].damping_n_s_m * speed;
             }
         }
-        eliminate(&mut matrix, &mut right);
+        eliminate::<FMA>(&mut matrix, &mut right);
         self.flow_of(table);
-        for state in 0..self.rows.len() {
+        for (state, row) in self.rows.chunks_exact_mut(self.width).enumerate() {
             let (lane, place) = self.layout.place(state);
-            for j in 0..NODES {
-                add_scaled(&mut self.rows[state], table.push[j][lane].0[place], &right[j]);
+            for (push, right) in table.push.iter().zip(&right) {
+                add_scaled::<FMA>(row, push[lane].0[place], right);
             }
         }
     }
 
     /// Slopes of the law at the nodes of a step.
+    #[inline(always)]
     fn slopes<L: ContactLaw>(
         &self,
         law: L,
@@ -233,17 +252,16 @@ impl<'a> Flow<'a> {
     }
 
     /// A contact whose force starts with a jump.
-    fn entry<L: ContactLaw>(&mut self, law: L, segment: &Segment) {
+    fn strike<L: ContactLaw>(&mut self, law: L, segment: &Segment) {
         self.fly();
         let port = &self.kernel.plant.ports[0];
         let before = self.kernel.plant.diagonal.block.flow(segment.length_s, &segment.state);
         let (_, speed) = self.driven(segment.start_s + segment.length_s);
         let rate = dot(&port.velocity, &before) + speed;
         let jump = law.force_n(0.0, rate) / rate;
-        let mut struck = self.along(&port.displacement);
-        struck[self.rows.len()] += self.port_drift(segment.start_s + segment.length_s).0;
-        for (row, b) in self.rows.iter_mut().zip(&port.force) {
-            add_scaled(row, b * jump, &struck);
+        let struck = self.along(&port.displacement, self.port_drift(segment.start_s + segment.length_s).0);
+        for (row, b) in self.rows.chunks_exact_mut(self.width).zip(&port.force) {
+            add_scaled::<false>(row, b * jump, &struck);
         }
     }
 
@@ -265,21 +283,20 @@ impl<'a> Flow<'a> {
             .map(|(tone, s)| -(s * c64::cis(tone.angular_frequency_rad_s * time_s)).re * tone.angular_frequency_rad_s.powi(2))
             .sum();
         let acceleration = dot(&self.kernel.acceleration_row(), &before) + turning;
-        let (mut struck, mut hastened) = (self.along(&port.displacement), self.along(&port.velocity));
         let (dw, dv) = self.port_drift(time_s);
-        struck[self.rows.len()] += dw;
-        hastened[self.rows.len()] += dv;
+        let (struck, hastened) = (self.along(&port.displacement, dw), self.along(&port.velocity, dv));
         let kick = block.apply(&port.force);
-        for ((row, b), ab) in self.rows.iter_mut().zip(&port.force).zip(&kick) {
-            add_scaled(row, b * gain, &hastened);
-            add_scaled(row, -(b * gain * acceleration - ab * impulse) / fast, &struck);
+        for ((row, b), ab) in self.rows.chunks_exact_mut(self.width).zip(&port.force).zip(&kick) {
+            add_scaled::<false>(row, b * gain, &hastened);
+            add_scaled::<false>(row, -(b * gain * acceleration - ab * impulse) / fast, &struck);
         }
     }
 
-    /// `row . dy` for every column.
-    fn along(&self, row: &[f64]) -> Vec<f64> {
-        let mut sum = vec![0.0; self.rows.len() + 1];
-        row.iter().zip(&self.rows).for_each(|(factor, values)| add_scaled(&mut sum, *factor, values));
+    /// `row . dy` for every column, and what the parameter adds to it.
+    fn along(&self, row: &[f64], drift: f64) -> Vec<Lane> {
+        let mut sum = vec![Lane::ZERO; self.width];
+        row.iter().zip(self.rows.chunks_exact(self.width)).for_each(|(factor, values)| add_scaled::<false>(&mut sum, *factor, values));
+        sum[self.states / WIDTH].0[self.states % WIDTH] += drift;
         sum
     }
 
@@ -311,33 +328,62 @@ impl<'a> Flow<'a> {
         if state < 2 * pairs { (state % 2) * pairs + state / 2 } else { state }
     }
 
+    #[inline(always)]
     fn flow_of(&mut self, table: &Table) {
         for k in 0..self.layout.pairs {
             let (lane, place) = self.layout.place(2 * k);
-            turn(&mut self.rows, k, std::array::from_fn(|entry| table.pair_flow[entry][lane].0[place]));
+            self.turn(k, std::array::from_fn(|entry| table.pair_flow[entry][lane].0[place]));
         }
-        let first = 2 * self.layout.pairs;
         for k in 0..self.layout.reals {
-            let (lane, place) = self.layout.place(first + k);
-            let decay = table.real_flow[lane - 2 * self.layout.pair_lanes].0[place];
-            self.rows[first + k].iter_mut().for_each(|value| *value *= decay);
+            let (lane, place) = self.layout.place(2 * self.layout.pairs + k);
+            self.decay(k, table.real_flow[lane - 2 * self.layout.pair_lanes].0[place]);
         }
+    }
+
+    /// Turns the two rows of pair `k`.
+    #[inline(always)]
+    fn turn(&mut self, k: usize, [a, b, c, d]: [f64; 4]) {
+        let (low, high) = self.rows.split_at_mut((2 * k + 1) * self.width);
+        for (u, v) in low[2 * k * self.width..].iter_mut().zip(high.iter_mut()) {
+            for i in 0..WIDTH {
+                (u.0[i], v.0[i]) = (a * u.0[i] + b * v.0[i], c * u.0[i] + d * v.0[i]);
+            }
+        }
+    }
+
+    /// Shrinks the row of real state `k`.
+    #[inline(always)]
+    fn decay(&mut self, k: usize, factor: f64) {
+        let first = (2 * self.layout.pairs + k) * self.width;
+        self.rows[first..first + self.width].iter_mut().for_each(|lane| *lane = lane.map(|value| value * factor));
     }
 }
 
-/// Turns the two rows of pair `k`.
-fn turn(rows: &mut [Vec<f64>], k: usize, [a, b, c, d]: [f64; 4]) {
-    let (low, high) = rows.split_at_mut(2 * k + 1);
-    for (u, v) in low[2 * k].iter_mut().zip(high[0].iter_mut()) {
-        (*u, *v) = (a * *u + b * *v, c * *u + d * *v);
+/// A step to be passed.
+struct Pass<'p, 'a, L> {
+    flow: &'p mut Flow<'a>,
+    law: L,
+    segment: &'p Segment,
+    force: &'p [f64; NODES],
+}
+
+impl<L: ContactLaw> WithSimd for Pass<'_, '_, L> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _simd: S) {
+        // Machines with vectors of four numbers or more fuse multiply and add.
+        if S::F64_LANES >= 4 {
+            self.flow.pass::<L, true>(self.law, self.segment, self.force);
+        } else {
+            self.flow.pass::<L, false>(self.law, self.segment, self.force);
+        }
     }
 }
 
 #[inline(always)]
-fn add_scaled(sum: &mut [f64], factor: f64, values: &[f64]) {
-    if factor != 0.0 {
-        sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += factor * value);
-    }
+fn add_scaled<const FMA: bool>(sum: &mut [Lane], factor: f64, values: &[Lane]) {
+    sum.iter_mut().zip(values).for_each(|(sum, value)| *sum = sum.add_scaled::<FMA>(factor, value));
 }
 
 fn dot(row: &[f64], values: &[f64]) -> f64 {
@@ -345,7 +391,8 @@ fn dot(row: &[f64], values: &[f64]) -> f64 {
 }
 
 /// Solves for all right sides at once, by elimination with row exchange; the matrix is the identity plus a small integration.
-fn eliminate(matrix: &mut [[f64; NODES]; NODES], right: &mut [Vec<f64>]) {
+#[inline(always)]
+fn eliminate<const FMA: bool>(matrix: &mut [[f64; NODES]; NODES], right: &mut NodeRows) {
     for k in 0..NODES {
         let pivot = (k..NODES).max_by(|i, j| matrix[*i][k].abs().total_cmp(&matrix[*j][k].abs())).unwrap_or(k);
         matrix.swap(k, pivot);
@@ -356,13 +403,13 @@ fn eliminate(matrix: &mut [[f64; NODES]; NODES], right: &mut [Vec<f64>]) {
             let factor = matrix[i][k] * inverse;
             if i != k && factor != 0.0 {
                 (k..NODES).for_each(|j| matrix[i][j] -= factor * row[j]);
-                add_scaled(&mut right[i], -factor, &own);
+                add_scaled::<FMA>(&mut right[i], -factor, &own);
             }
         }
         right[k] = own;
     }
     for k in 0..NODES {
         let inverse = 1.0 / matrix[k][k];
-        right[k].iter_mut().for_each(|value| *value *= inverse);
+        right[k].iter_mut().for_each(|lane| *lane = lane.map(|value| value * inverse));
     }
 }

@@ -39,6 +39,13 @@ impl Orbit {
         self.multipliers.iter().map(|value| *value - s).product::<c64>().re
     }
 
+    /// `prod_(i<j) (m_i m_j - 1)`: zero where a complex pair lies on the unit circle.
+    pub fn pair_product(&self) -> f64 {
+        let values = &self.multipliers;
+        let pairs = (0..values.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+        pairs.map(|(i, j)| values[i] * values[j] - 1.0).product::<c64>().re
+    }
+
     /// Multipliers outside the unit circle that come in complex pairs.
     pub fn pairs_outside(&self) -> usize {
         self.multipliers.iter().filter(|value| value.norm() > 1.0 && value.im > 1e-9).count()

@@ -149,7 +149,7 @@ impl Following {
         }
         let mut found = Vec::new();
         for kind in kinds {
-            let resolution = if kind == BranchKind::Fold { 1e-6 } else { 1e-9 };
+            let resolution = if kind == BranchKind::Fold { 1e-5 } else { 1e-8 };
             let value = |step: &Step<Shot>| test(shooting, kind, step, one, two);
             let place = locate(shooting, &self.corrector, self.parameter_scale(), (&a.step, &b.step), resolution, value);
             let Some(place) = place else { continue };
@@ -193,13 +193,10 @@ fn test<H: Harvester>(
     let Ok(orbit) = shooting.orbit(&step.local, 0.0) else { return 0.0 };
     match kind {
         BranchKind::PeriodDoubling => orbit.determinant_at(-1.0),
-        BranchKind::NeimarkSacker => {
-            if orbit.pairs_outside() == before.pairs_outside() {
-                -1.0
-            } else {
-                1.0
-            }
-        }
+        // Smooth where one pair crosses; where real ones meet on the way its sign says nothing, and the count decides.
+        BranchKind::NeimarkSacker if before.pair_product() * after.pair_product() < 0.0 => orbit.pair_product(),
+        BranchKind::NeimarkSacker if orbit.pairs_outside() == before.pairs_outside() => -1.0,
+        BranchKind::NeimarkSacker => 1.0,
         _ => orbit.determinant_at(1.0) * step.tangent.parameter.signum(),
     }
 }
