@@ -1,5 +1,6 @@
 //! One file per command.
 
+pub mod branch;
 pub mod check;
 pub mod completions;
 pub mod frf;
@@ -20,6 +21,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Frf(command) => command.run(),
         Command::Run(command) => command.run(),
         Command::Sweep(command) => command.run(),
+        Command::Branch(command) => command.run(),
         Command::Reproduce(command) => command.run(),
         Command::Completions(command) => command.run(),
         Command::Schema => {

@@ -1,4 +1,5 @@
 //! Ready-made figures: plain data in, a [`super::Figure`] out, drawn the way the harvester paper (2019) draws its figures 4 to 9.
+mod branches;
 mod frequency_response;
 mod mode_shapes;
 mod resistance;
@@ -6,6 +7,7 @@ mod spectrum;
 mod sweep;
 mod time_history;
 
+pub use branches::{BranchLine, BranchMark, branches};
 pub use frequency_response::{Response, frequency_responses};
 pub use mode_shapes::{ModeShape, Patch, mode_shapes};
 pub use resistance::power_against_resistance;

@@ -14,13 +14,6 @@ use faer::Mat;
 use faer::linalg::solvers::Solve;
 use rayon::prelude::*;
 
-/// How orbits are computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Method {
-    /// On the exact flow.
-    Shooting,
-}
-
 /// A search to be made.
 #[derive(Debug)]
 pub struct BranchSearch<'s> {
