@@ -3,11 +3,20 @@
 use crate::failure::Failure;
 use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use jounce::picture::{self, Axis, BranchLine, BranchMark};
 use jounce::spec::{KeyRange, NumericKey, Spec};
-use jounce::study::{Bifurcation, Branch as Curve, BranchPoint, BranchSearch, Ending, Parameter, Prepared};
+use jounce::study::{Bifurcation, Branch as Curve, BranchPoint, BranchSearch, Ending, Method, Parameter, Prepared};
 use jounce::table::{Column, Table};
+
+/// How orbits are computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Way {
+    /// On the exact flow: every law, every period.
+    Shooting,
+    /// Harmonics at the port: laws with a finite force.
+    HarmonicBalance,
+}
 
 /// Arguments of `branch`.
 #[derive(Debug, Args)]
@@ -17,6 +26,12 @@ pub struct Branch {
     /// The key and its range: KEY=FROM:TO, as in drive.shaker.frequency=4Hz:20Hz.
     #[arg(long, value_name = "KEY=FROM:TO")]
     over: String,
+    /// How orbits are computed.
+    #[arg(long, value_enum, default_value = "shooting")]
+    method: Way,
+    /// Samples of the port per drive cycle, for harmonic balance; a power of two is quickest.
+    #[arg(long, default_value_t = 256)]
+    samples: usize,
     /// Relative tolerance of the marches that the orbits are made of.
     #[arg(long, default_value_t = 1e-9)]
     tolerance: f64,
@@ -36,6 +51,9 @@ impl Branch {
         if !(self.tolerance > 0.0 && self.tolerance < 1e-2) {
             return Err(Failure::usage(format!("--tolerance {}: give a number between 0 and 0.01", self.tolerance)));
         }
+        if self.samples < 8 || !self.samples.is_multiple_of(2) {
+            return Err(Failure::usage(format!("--samples {}: give an even number, 8 at least", self.samples)));
+        }
         let file = self.spec.file()?;
         let spec = self.spec.checked(file.spec())?;
         let (key, range) = ends(&self.spec, &file, &self.over)?;
@@ -45,6 +63,10 @@ impl Branch {
             base: &base,
             parameter: &parameter,
             range,
+            method: match self.method {
+                Way::Shooting => Method::Shooting,
+                Way::HarmonicBalance => Method::HarmonicBalance { samples: self.samples },
+            },
             tolerance: self.tolerance,
             seeds: self.seeds,
             longest_period: self.longest_period,

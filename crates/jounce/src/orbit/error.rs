@@ -17,6 +17,14 @@ pub enum OrbitError<H: std::error::Error> {
         /// How many there are.
         frequencies: usize,
     },
+    /// Harmonic balance of a law without a force.
+    #[error(
+        "stop `{stop}` is rigid: its impulses have no harmonics that harmonic balance could sum; use the method shooting, or a compliant law"
+    )]
+    Impulsive {
+        /// Name of the stop.
+        stop: String,
+    },
     /// The eigenvalues of the period map did not converge.
     #[error("the Floquet multipliers could not be computed at drive frequency {frequency_hz} Hz")]
     Multipliers {

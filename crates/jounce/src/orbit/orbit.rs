@@ -7,8 +7,8 @@ use faer::{Mat, c64};
 pub struct Orbit {
     /// Period in drive cycles.
     pub period_cycles: u32,
-    /// Physical state `(q, q', V)` at the start of a drive cycle.
-    pub start: Vec<f64>,
+    /// States at the start of each drive cycle and at the end of the last, energy coordinates `(w q, q', sqrt(C) V)`.
+    pub looks: Vec<Vec<f64>>,
     /// Mean power of all loads, W.
     pub mean_power_w: f64,
     /// Voltage of the first load, rms, V.
@@ -32,6 +32,17 @@ impl Orbit {
     /// True when all multipliers lie inside the unit circle.
     pub fn is_stable(&self) -> bool {
         self.floquet_max_abs() < 1.0
+    }
+
+    /// State at the start of the period, energy coordinates.
+    pub fn start(&self) -> &[f64] {
+        &self.looks[0]
+    }
+
+    /// Difference of the state half a period on; `None` for an odd number of cycles.
+    pub fn halves_apart(&self) -> Option<Vec<f64>> {
+        let half = self.period_cycles as usize / 2;
+        (self.period_cycles.is_multiple_of(2)).then(|| self.looks[half].iter().zip(&self.looks[0]).map(|(a, b)| a - b).collect())
     }
 
     /// `det(M - s I)` up to a positive factor, for `s` of modulus one.

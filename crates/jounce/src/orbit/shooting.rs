@@ -8,11 +8,11 @@
 //! of the motion. The derivative is that of the flow (see [`crate::march::Variation`]), cycle by cycle; with respect to the
 //! parameter it is exact for drive, gap and stiffness, and a difference otherwise.
 
-use super::{Change, Harvester, Orbit, OrbitError, multipliers};
+use super::{Change, Harvester, Orbit, OrbitError, OrbitMethod, multipliers, nearest_extremum_m};
 use crate::continuation::{Family, Linear};
 use crate::march::{Drift, Kernel, Trajectory, Variation};
 use faer::linalg::solvers::Solve;
-use faer::{Mat, MatRef};
+use faer::{Mat, MatRef, c64};
 use std::f64::consts::TAU;
 
 /// Orbits of a harvester by shooting.
@@ -124,30 +124,6 @@ impl<'h, H: Harvester> Shooting<'h, H> {
             Shot { kernel, looks, residual, map, by_parameter, period_s, trajectories, contacts, max_penetration_m, loads_w, tolerance };
         Ok((shot, exact))
     }
-
-    /// The orbit of a converged shot; `error` is what Newton left out, relative to the state.
-    ///
-    /// # Errors
-    /// [`OrbitError::Multipliers`].
-    pub fn orbit(&self, shot: &Shot, error: f64) -> Result<Orbit, OrbitError<H::Error>> {
-        let Some(multipliers) = multipliers(&shot.map) else {
-            return Err(OrbitError::Multipliers { frequency_hz: f64::from(self.cycles) / shot.period_s });
-        };
-        // A defect of the march over one period reaches the orbit multiplied by (I - M)^-1.
-        let nearest = multipliers.iter().map(|value| (*value - 1.0).norm()).fold(1.0, f64::min);
-        let loads = &shot.kernel.plant.system.loads;
-        let first = shot.loads_w.first().zip(loads.first());
-        Ok(Orbit {
-            period_cycles: self.cycles,
-            start: self.physical(&shot.looks[0]),
-            mean_power_w: shot.loads_w.iter().sum(),
-            voltage_rms_v: first.map_or(0.0, |(power_w, load)| (power_w * load.resistance_ohm).max(0.0).sqrt()),
-            contacts: shot.contacts,
-            max_penetration_m: shot.max_penetration_m,
-            multipliers,
-            error_estimate: error + shot.tolerance / nearest.max(f64::EPSILON),
-        })
-    }
 }
 
 impl<H: Harvester> Family for Shooting<'_, H> {
@@ -162,6 +138,70 @@ impl<H: Harvester> Family for Shooting<'_, H> {
             shot.by_parameter = ahead.residual.iter().zip(&shot.residual).map(|(a, b)| (a - b) / step).collect();
         }
         Ok(shot)
+    }
+}
+
+impl<H: Harvester> OrbitMethod for Shooting<'_, H> {
+    type Fault = H::Error;
+
+    fn cycles(&self) -> u32 {
+        self.cycles
+    }
+
+    fn orbit(&self, shot: &Shot, error: f64) -> Result<Orbit, Self::Error> {
+        let Some(multipliers) = multipliers(&shot.map) else {
+            return Err(OrbitError::Multipliers { frequency_hz: f64::from(self.cycles) / shot.period_s });
+        };
+        // A defect of the march over one period reaches the orbit multiplied by (I - M)^-1.
+        let nearest = multipliers.iter().map(|value| (*value - 1.0).norm()).fold(1.0, f64::min);
+        let loads = &shot.kernel.plant.system.loads;
+        let first = shot.loads_w.first().zip(loads.first());
+        Ok(Orbit {
+            period_cycles: self.cycles,
+            looks: shot.looks.clone(),
+            mean_power_w: shot.loads_w.iter().sum(),
+            voltage_rms_v: first.map_or(0.0, |(power_w, load)| (power_w * load.resistance_ohm).max(0.0).sqrt()),
+            contacts: shot.contacts,
+            max_penetration_m: shot.max_penetration_m,
+            multipliers,
+            error_estimate: error + shot.tolerance / nearest.max(f64::EPSILON),
+        })
+    }
+
+    fn contacts(&self, shot: &Shot) -> Result<u64, Self::Error> {
+        Ok(shot.contacts)
+    }
+
+    fn nearest_extremum_m(&self, shot: &Shot) -> Result<Option<f64>, Self::Error> {
+        Ok(nearest_extremum_m(shot))
+    }
+
+    fn unknown_of(&self, state: &[f64], _parameter: f64) -> Result<Vec<f64>, Self::Error> {
+        Ok(state.to_vec())
+    }
+}
+
+impl Shot {
+    /// Displacement of the port, m, at `samples` equal times of the period.
+    pub fn displacements_m(&self, samples: usize) -> Vec<f64> {
+        let plant = &self.kernel.plant;
+        let Some(port) = plant.ports.first() else { return vec![0.0; samples] };
+        let cycle_s = self.period_s / self.trajectories.len() as f64;
+        let times: Vec<f64> = (0..samples).map(|k| self.period_s * k as f64 / samples as f64).collect();
+        let mut values = Vec::with_capacity(samples);
+        for (cycle, trajectory) in self.trajectories.iter().enumerate() {
+            let own: Vec<f64> = (times.iter())
+                .filter(|time_s| (**time_s / cycle_s) as usize == cycle)
+                .map(|time_s| time_s - cycle as f64 * cycle_s)
+                .collect();
+            values.extend(trajectory.at(&self.kernel, &own).iter().map(|at| {
+                let moving: f64 = port.displacement.iter().zip(&at.state).map(|(c, y)| c * y).sum();
+                let driven =
+                    plant.tones.iter().zip(&port.steady_m).map(|(tone, s)| (s * c64::cis(tone.angular_frequency_rad_s * at.time_s)).re);
+                moving + driven.sum::<f64>()
+            }));
+        }
+        values
     }
 }
 

@@ -7,7 +7,7 @@ mod prepared;
 mod sweep;
 mod sweep_point;
 
-pub use branches::{Bifurcation, Branch, BranchKind, BranchPoint, BranchSearch, Ending, settled_orbit};
+pub use branches::{Bifurcation, Branch, BranchKind, BranchPoint, BranchSearch, Ending, Method, settled_orbit};
 pub use journal::{Journal, JournalError};
 pub use parameter::Parameter;
 pub use prepared::{Prepared, StudyError};

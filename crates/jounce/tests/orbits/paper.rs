@@ -1,108 +1,56 @@
 //! The paper's plant: power, multipliers and folds computed by other programs.
 
-use jounce::spec::SpecFile;
-use jounce::study::{Branch, BranchSearch, Parameter, Prepared};
+use crate::harvesters::{branches, paper};
+use jounce::study::{Branch, BranchKind, Method};
 
-fn branches(over: &str, range: (f64, f64), seeds: usize) -> Option<Vec<Branch>> {
-    let path = std::path::PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/plant/paper-plant.toml");
-    let path = if path.exists() { path } else { "/work/shared/plant/paper-plant.toml".into() };
-    let file = SpecFile::read(&path).ok()?;
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
-    let key = file.numeric_key(over).unwrap();
-    let parameter = Parameter::new(&base, &key, range.1 - range.0);
-    let clock = std::time::Instant::now();
-    let search = BranchSearch { base: &base, parameter: &parameter, range, tolerance: 1e-9, seeds, longest_period: 4 };
-    let found = search.run().unwrap();
-    eprintln!("{} branches in {:.3} s", found.len(), clock.elapsed().as_secs_f64());
-    Some(found)
+fn folds(branch: &Branch) -> Vec<(f64, f64)> {
+    let folds = branch.bifurcations.iter().filter(|found| found.kind == BranchKind::Fold);
+    folds.map(|found| (found.at.parameter, found.at.orbit.mean_power_w)).collect()
 }
 
 #[test]
-fn look() {
-    let seeds = std::env::var("SEEDS").ok().and_then(|v| v.parse().ok()).unwrap_or(0);
-    let from = std::env::var("FROM").ok().and_then(|v| v.parse().ok()).unwrap_or(4.0);
-    let to = std::env::var("TO").ok().and_then(|v| v.parse().ok()).unwrap_or(20.0);
-    for branch in branches("drive.shaker.frequency", (from, to), seeds).unwrap() {
-        eprintln!("period {} points {} {:?}", branch.period_cycles, branch.points.len(), branch.endings);
-        for b in &branch.bifurcations {
-            eprintln!("   {:18} {:.6} {:.6e} W  contacts {}", b.kind.name(), b.at.parameter, b.at.orbit.mean_power_w, b.at.orbit.contacts);
-        }
-        if std::env::var("POINTS").is_ok() {
-            for p in &branch.points {
-                eprintln!(
-                    "{:.5} {:.6e} {} {:.4} {}",
-                    p.parameter,
-                    p.orbit.mean_power_w,
-                    p.orbit.is_stable(),
-                    p.orbit.floquet_max_abs(),
-                    p.orbit.contacts
-                );
-            }
-        }
-    }
+fn published_points_and_folds_lie_on_the_branch() {
+    let Some(file) = paper() else { return };
+    let found = branches(&file, (10.5, 14.0), Method::Shooting, 0);
+    let branch = &found[0];
+    let first = &branch.points[0];
+    eprintln!("10.5 Hz: {:.9e} W, {:.6}", first.orbit.mean_power_w, first.orbit.floquet_max_abs());
+    assert_eq!(first.parameter, 10.5);
+    assert!((first.orbit.mean_power_w / 3.279858e-5 - 1.0).abs() < 1e-6 && (first.orbit.floquet_max_abs() - 0.9853).abs() < 1e-4);
+    let folds = folds(branch);
+    eprintln!("folds {folds:?}");
+    assert!((folds[0].0 - 12.3218).abs() < 1e-4 && (folds[0].1 / 1.68e-3 - 1.0).abs() < 2e-3, "{folds:?}");
+    // AUTO-07p turns at 12.322 and 11.651 Hz.
+    assert!((folds[1].0 - 11.651).abs() < 1e-3, "{folds:?}");
 }
 
 #[test]
-fn timing() {
-    use jounce::continuation::{Corrector, Direction, Family, Linear, Metric, Position, settle, tangent};
-    use jounce::orbit::{Harvester, Shooting};
-    let path = "/work/shared/plant/paper-plant.toml";
-    let file = SpecFile::read(std::path::Path::new(path)).unwrap();
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
-    let key = file.numeric_key("drive.shaker.frequency").unwrap();
-    let parameter = Parameter::new(&base, &key, 16.0);
-    let plant = &base.kernel.plant;
-    for tol in [1e-7, 1e-9, 1e-11] {
-        let clock = std::time::Instant::now();
-        let (cycles, unknown) = jounce::study::settled_orbit(&parameter, 10.5, &vec![0.0; plant.len()], tol, 1e-10).unwrap();
-        eprintln!("tol {tol:e} settle {cycles} {:.1} ms", 1e3 * clock.elapsed().as_secs_f64());
-        let shooting = Shooting::new(&parameter, &base.kernel, cycles, tol);
-        let timed = |name: &str, f: &dyn Fn()| {
-            f();
-            let c = std::time::Instant::now();
-            for _ in 0..200 {
-                f();
-            }
-            eprintln!("  {name}: {:.1} us", c.elapsed().as_secs_f64() * 5e3);
-        };
-        timed("harvester.at", &|| {
-            parameter.at(10.6).unwrap();
-        });
-        timed("shoot", &|| {
-            shooting.at(&unknown, 10.5).unwrap();
-        });
-        let k = parameter.at(10.5).unwrap().kernel;
-        let y = k.plant.from_physical(&shooting.physical(&unknown), 0.0);
-        timed("march", &|| {
-            let mut m = jounce::march::Marcher::new(&k, &y, 0.0, tol).unwrap();
-            m.advance_to(1.0 / 10.5).unwrap();
-        });
-        timed("vary", &|| {
-            jounce::march::Variation::march(&k, &y, 0.0, 1.0 / 10.5, tol, &Default::default()).unwrap();
-        });
-        let position = Position { unknown: unknown.clone(), parameter: 10.5 };
-        let metric = Metric::at(&position, 0.8);
-        let shot = settle(&shooting, &Corrector { goal: 1e-9, most: 8 }, &metric, position).unwrap();
-        let up = Direction { unknown: vec![0.0; unknown.len()], parameter: 1.0 };
-        let v = jounce::march::Variation::march(&k, &y, 0.0, 1.0 / 10.5, tol, &Default::default()).unwrap();
-        let segs = v.trajectory.segments();
-        eprintln!(
-            "  contact segs {} flight {} ; odd {}",
-            segs.iter().filter(|s| s.force_n.is_some()).count(),
-            segs.iter().filter(|s| s.force_n.is_none()).count(),
-            segs.iter().filter(|s| s.force_n.is_some() && s.length_s.log2().fract() != 0.0).count()
-        );
-        timed("tangent", &|| {
-            tangent(&shot.local, &metric, &up).unwrap();
-        });
-        timed("orbit", &|| {
-            shooting.orbit(&shot.local, 0.0).unwrap();
-        });
-        let _ = shot.local.residual();
-        let o = shooting.orbit(&shot.local, shot.error).unwrap();
-        eprintln!("  power {:.9e} floquet {:.6} err {:.1e}", o.mean_power_w, o.floquet_max_abs(), o.error_estimate);
-        timed("peaks", &|| {
-            jounce::orbit::nearest_extremum_m(&shot.local);
-        });
+fn the_stable_point_below_the_fold_is_the_published_one() {
+    let Some(file) = paper() else { return };
+    let found = branches(&file, (10.5, 12.30122), Method::Shooting, 0);
+    let last = found[0].points.last().unwrap();
+    eprintln!("{} Hz: {:.9e} W, stable {}", last.parameter, last.orbit.mean_power_w, last.orbit.is_stable());
+    assert!(last.parameter == 12.30122 && last.orbit.is_stable());
+    assert!((last.orbit.mean_power_w / 1.751276e-3 - 1.0).abs() < 1e-6);
+}
+
+/// The low branch is the linear answer; its grazing is where the steady amplitude equals the gap.
+#[test]
+fn low_branch_ends_where_the_steady_amplitude_meets_the_gap() {
+    let Some(file) = paper() else { return };
+    let plant = jounce::study::Prepared::new(file.spec().unwrap()).unwrap().kernel.plant;
+    let excess = |frequency_hz: f64| {
+        let mut drives = plant.system.drives.clone();
+        drives[0].frequency_hz = frequency_hz;
+        plant.with_drives(drives).unwrap().ports[0].steady_m[0].norm() - 1e-3
+    };
+    let (mut low, mut high) = (13.0, 14.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if excess(middle) > 0.0 { low = middle } else { high = middle }
     }
+    let found = branches(&file, (10.5, 14.0), Method::Shooting, 0);
+    let grazing = found[0].bifurcations.iter().find(|b| b.kind == BranchKind::Grazing).unwrap();
+    eprintln!("grazing at {:.9} Hz, in closed form {low:.9} Hz", grazing.at.parameter);
+    assert!((grazing.at.parameter - low).abs() < 1e-6);
 }

@@ -2,7 +2,7 @@
 
 use crate::continuation::{Corrector, Metric, Position, settle};
 use crate::march::{Kernel, Marcher};
-use crate::orbit::{Harvester, Shooting};
+use crate::orbit::{Harvester, Orbit, OrbitMethod, Shooting};
 
 /// Drive cycles marched before an orbit is looked for.
 const CYCLES: u32 = 60;
@@ -13,9 +13,8 @@ const ATTEMPTS: u32 = 8;
 /// Longest period looked for, drive cycles.
 const LONGEST: u32 = 4;
 
-/// A stable orbit near where the march from `start` (physical) settles: drive cycles of its period and its state in energy
-/// coordinates. `None` when the march stays away from every orbit that is looked for.
-pub fn settled_orbit<H: Harvester>(harvester: &H, parameter: f64, start: &[f64], tolerance: f64, goal: f64) -> Option<(u32, Vec<f64>)> {
+/// A stable orbit near where the march from `start` (physical) settles. `None` when the march stays away from every orbit that is looked for.
+pub fn settled_orbit<H: Harvester>(harvester: &H, parameter: f64, start: &[f64], tolerance: f64, goal: f64) -> Option<Orbit> {
     let setting = harvester.at(parameter).ok()?;
     let kernel: &Kernel = &setting.kernel;
     let cycle_s = std::f64::consts::TAU / kernel.plant.tones.first()?.angular_frequency_rad_s;
@@ -45,9 +44,13 @@ pub fn settled_orbit<H: Harvester>(harvester: &H, parameter: f64, start: &[f64],
             let Ok(found) = settle(&shooting, &Corrector { goal, most: 12 }, &metric, position.clone()) else { continue };
             // A Newton that runs far has found another orbit than the one that attracts.
             let moved = norm(found.position.unknown.iter().zip(&position.unknown).map(|(a, b)| a - b)) / metric.unknown;
-            let stable = shooting.orbit(&found.local, found.error).is_ok_and(|orbit| orbit.is_stable());
-            if moved < 0.3 && stable {
-                return Some((cycles, found.position.unknown));
+            let Ok(orbit) = shooting.orbit(&found.local, found.error) else { continue };
+            // Cycles that repeat belong to a shorter orbit, which has had its turn.
+            let repeats = (1..cycles as usize).any(|k| {
+                norm(orbit.looks[k].iter().zip(&orbit.looks[0]).map(|(a, b)| a - b)) < 1e-5 * metric.unknown && cycles as usize % k == 0
+            });
+            if moved < 0.3 && orbit.is_stable() && !repeats {
+                return Some(orbit);
             }
         }
     }

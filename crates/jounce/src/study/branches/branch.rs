@@ -23,8 +23,6 @@ pub struct BranchPoint {
     pub parameter: f64,
     /// The orbit.
     pub orbit: Orbit,
-    /// Its state in energy coordinates.
-    pub unknown: Vec<f64>,
 }
 
 /// What happens at a bifurcation.
@@ -97,7 +95,7 @@ impl Branch {
                 continue;
             }
             let t = (parameter - a.parameter) / (b.parameter - a.parameter);
-            let state = a.unknown.iter().zip(&b.unknown).map(|(a, b)| a + t * (b - a)).collect();
+            let state = a.orbit.start().iter().zip(b.orbit.start()).map(|(a, b)| a + t * (b - a)).collect();
             found.push((state, a.orbit.mean_power_w + t * (b.orbit.mean_power_w - a.orbit.mean_power_w)));
         }
         found

@@ -1,8 +1,8 @@
 //! Follows one branch from one of its orbits, and names what it passes.
 
 use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
-use crate::continuation::{Corrector, Direction, Metric, Position, Step, StepControl, Walk, locate};
-use crate::orbit::{Harvester, OrbitError, Shooting, Shot, nearest_extremum_m};
+use crate::continuation::{Corrected, Corrector, Direction, Metric, Position, Step, StepControl, Walk, locate};
+use crate::orbit::{Orbit, OrbitMethod};
 
 /// How branches are followed.
 #[derive(Debug, Clone, Copy)]
@@ -18,8 +18,8 @@ pub struct Following {
 }
 
 /// A walked point with its orbit.
-struct Place {
-    step: Step<Shot>,
+struct Place<M: OrbitMethod> {
+    step: Step<M::Local>,
     point: BranchPoint,
 }
 
@@ -33,20 +33,15 @@ impl Following {
     ///
     /// # Errors
     /// An orbit whose multipliers cannot be computed, or a harvester that cannot be made.
-    pub fn walk<H: Harvester>(
-        &self,
-        shooting: &Shooting<'_, H>,
-        first: Start,
-        direction: Direction,
-    ) -> Result<Branch, OrbitError<H::Error>> {
-        let mut branch = Branch { period_cycles: shooting.cycles, ..Branch::default() };
+    pub fn walk<M: OrbitMethod>(&self, method: &M, first: Corrected<M::Local>, direction: Direction) -> Result<Branch, M::Error> {
+        let mut branch = Branch { period_cycles: method.cycles(), ..Branch::default() };
         let metric = Metric::at(&first.position, self.parameter_scale());
         let tangent = metric.unit(direction);
         let start = Step { position: first.position.clone(), tangent: tangent.clone(), local: first.local, error: first.error };
-        let mut before = Place { point: point(shooting, &start)?, step: start };
+        let mut before = Place { point: point(method, &start)?, step: start };
         let origin = before.step.position.clone();
         branch.points.push(before.point.clone());
-        let mut walk = Walk::new(shooting, self.corrector, self.control, self.parameter_scale(), first.position, tangent);
+        let mut walk = Walk::new(method, self.corrector, self.control, self.parameter_scale(), first.position, tangent);
         while let Some(next) = walk.next() {
             let step = match next {
                 Ok(step) => step,
@@ -59,12 +54,12 @@ impl Following {
                 }
             };
             if step.position.parameter < self.range.0 || step.position.parameter > self.range.1 {
-                self.cut(shooting, &before, &step, &mut branch)?;
+                self.cut(method, &before, &step, &mut branch)?;
                 branch.endings.push(Ending::Range);
                 return Ok(branch);
             }
-            let after = Place { point: point(shooting, &step)?, step };
-            branch.bifurcations.extend(self.between(shooting, &before, &after)?);
+            let after = Place { point: point(method, &step)?, step };
+            branch.bifurcations.extend(self.between(method, &before, &after)?);
             branch.points.push(after.point.clone());
             if let Some(ending) = self.ending(&origin, &before, &after, branch.points.len()) {
                 branch.endings.push(ending);
@@ -76,29 +71,23 @@ impl Following {
     }
 
     /// The last point, exactly on the edge of the range.
-    fn cut<H: Harvester>(
-        &self,
-        shooting: &Shooting<'_, H>,
-        before: &Place,
-        outside: &Step<Shot>,
-        branch: &mut Branch,
-    ) -> Result<(), OrbitError<H::Error>> {
+    fn cut<M: OrbitMethod>(&self, method: &M, before: &Place<M>, outside: &Step<M::Local>, branch: &mut Branch) -> Result<(), M::Error> {
         let edge = if outside.position.parameter < self.range.0 { self.range.0 } else { self.range.1 };
         let from = &before.step.position;
         let t = (edge - from.parameter) / (outside.position.parameter - from.parameter);
         let unknown = from.unknown.iter().zip(&outside.position.unknown).map(|(a, b)| a + t * (b - a)).collect();
         let guess = Position { unknown, parameter: edge };
         let metric = Metric::at(&guess, self.parameter_scale());
-        if let Ok(found) = crate::continuation::settle(shooting, &self.corrector, &metric, guess) {
+        if let Ok(found) = crate::continuation::settle(method, &self.corrector, &metric, guess) {
             let step = Step { position: found.position, tangent: outside.tangent.clone(), local: found.local, error: found.error };
-            let after = Place { point: point(shooting, &step)?, step };
-            branch.bifurcations.extend(self.between(shooting, before, &after)?);
+            let after = Place { point: point(method, &step)?, step };
+            branch.bifurcations.extend(self.between(method, before, &after)?);
             branch.points.push(after.point);
         }
         Ok(())
     }
 
-    fn ending(&self, origin: &Position, before: &Place, after: &Place, points: usize) -> Option<Ending> {
+    fn ending<M: OrbitMethod>(&self, origin: &Position, before: &Place<M>, after: &Place<M>, points: usize) -> Option<Ending> {
         let metric = Metric::at(&after.step.position, self.parameter_scale());
         let apart = |a: &Position, b: &Position| Direction {
             unknown: a.unknown.iter().zip(&b.unknown).map(|(a, b)| b - a).collect(),
@@ -113,12 +102,7 @@ impl Following {
             return Some(Ending::Closed);
         }
         // The halves of a doubled orbit pass through each other where it merges with the branch that it left.
-        let halves = |step: &Step<Shot>| -> Option<Vec<f64>> {
-            let looks = &step.local.looks;
-            let half = (looks.len() - 1) / 2;
-            (looks.len() % 2 == 1 && half > 0).then(|| looks[half].iter().zip(&looks[0]).map(|(a, b)| a - b).collect())
-        };
-        if let (Some(a), Some(b)) = (halves(&before.step), halves(&after.step)) {
+        if let (Some(a), Some(b)) = (before.point.orbit.halves_apart(), after.point.orbit.halves_apart()) {
             let product: f64 = a.iter().zip(&b).map(|(a, b)| a * b).sum();
             if product < 0.0 && points > 3 {
                 return Some(Ending::Merged);
@@ -128,7 +112,7 @@ impl Following {
     }
 
     /// Everything that happens between two points.
-    fn between<H: Harvester>(&self, shooting: &Shooting<'_, H>, a: &Place, b: &Place) -> Result<Vec<Bifurcation>, OrbitError<H::Error>> {
+    fn between<M: OrbitMethod>(&self, method: &M, a: &Place<M>, b: &Place<M>) -> Result<Vec<Bifurcation>, M::Error> {
         let mut kinds = Vec::new();
         let (one, two) = (&a.point.orbit, &b.point.orbit);
         let turns = a.step.tangent.parameter * b.step.tangent.parameter < 0.0;
@@ -150,10 +134,10 @@ impl Following {
         let mut found = Vec::new();
         for kind in kinds {
             let resolution = if kind == BranchKind::Fold { 1e-5 } else { 1e-8 };
-            let value = |step: &Step<Shot>| test(shooting, kind, step, one, two);
-            let place = locate(shooting, &self.corrector, self.parameter_scale(), (&a.step, &b.step), resolution, value);
+            let value = |step: &Step<M::Local>| test(method, kind, step, one, two);
+            let place = locate(method, &self.corrector, self.parameter_scale(), (&a.step, &b.step), resolution, value);
             let Some(place) = place else { continue };
-            let at = point(shooting, &place)?;
+            let at = point(method, &place)?;
             // Two real multipliers that meet outside the circle are no torus.
             let on_circle = at.orbit.multipliers.iter().any(|value| value.im > 1e-9 && (value.norm() - 1.0).abs() < 1e-4);
             if kind != BranchKind::NeimarkSacker || on_circle {
@@ -166,31 +150,22 @@ impl Following {
     }
 }
 
-/// The start of a walk.
-pub type Start = crate::continuation::Corrected<Shot>;
-
-fn point<H: Harvester>(shooting: &Shooting<'_, H>, step: &Step<Shot>) -> Result<BranchPoint, OrbitError<H::Error>> {
-    let orbit = shooting.orbit(&step.local, step.error)?;
-    Ok(BranchPoint { parameter: step.position.parameter, orbit, unknown: step.position.unknown.clone() })
+fn point<M: OrbitMethod>(method: &M, step: &Step<M::Local>) -> Result<BranchPoint, M::Error> {
+    let orbit = method.orbit(&step.local, step.error)?;
+    Ok(BranchPoint { parameter: step.position.parameter, orbit })
 }
 
 /// The function of the curve that is zero at a bifurcation, for two points on its two sides.
-fn test<H: Harvester>(
-    shooting: &Shooting<'_, H>,
-    kind: BranchKind,
-    step: &Step<Shot>,
-    before: &crate::orbit::Orbit,
-    after: &crate::orbit::Orbit,
-) -> f64 {
+fn test<M: OrbitMethod>(method: &M, kind: BranchKind, step: &Step<M::Local>, before: &Orbit, after: &Orbit) -> f64 {
     if kind == BranchKind::Fold {
         return step.tangent.parameter;
     }
     if kind == BranchKind::Grazing {
         let fewer = before.contacts.min(after.contacts);
-        let distance = nearest_extremum_m(&step.local).map_or(0.0, f64::abs);
-        return if step.local.contacts <= fewer { -distance } else { distance };
+        let distance = method.nearest_extremum_m(&step.local).ok().flatten().map_or(0.0, f64::abs);
+        return if method.contacts(&step.local).is_ok_and(|contacts| contacts <= fewer) { -distance } else { distance };
     }
-    let Ok(orbit) = shooting.orbit(&step.local, 0.0) else { return 0.0 };
+    let Ok(orbit) = method.orbit(&step.local, 0.0) else { return 0.0 };
     match kind {
         BranchKind::PeriodDoubling => orbit.determinant_at(-1.0),
         // Smooth where one pair crosses; where real ones meet on the way its sign says nothing, and the count decides.

@@ -7,4 +7,4 @@ mod search;
 
 pub use attractor::settled_orbit;
 pub use branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
-pub use search::BranchSearch;
+pub use search::{BranchSearch, Method};

@@ -1,18 +1,30 @@
 //! All branches of a spec over a range of one key.
 //!
-//! The branch at the lower end of the range is followed through it; then the one at the upper end; then every orbit that marches
-//! from rest and from a hard kick settle on, at values across the range, unless it lies on a branch already known. Doubled
-//! branches are entered where a branch doubles. Marches run in parallel; everything after them is in a fixed order.
+//! The branches through the two ends of the range are followed first; then every orbit that marches from rest and from a hard kick
+//! settle on, at values across the range, unless it lies on a branch already known. Doubled branches are entered where a branch
+//! doubles. Marches run in parallel; everything after them is in a fixed order.
 
 use super::attractor::settled_orbit;
 use super::branch::{Branch, BranchKind, BranchPoint};
 use super::follow::Following;
-use crate::continuation::{Corrector, Direction, Metric, Position, StepControl, correct, settle, tangent};
-use crate::orbit::{Harvester, OrbitError, Shooting, Shot};
+use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, correct, settle, tangent};
+use crate::orbit::{HarmonicBalance, Harvester, Orbit, OrbitError, OrbitMethod, Shooting};
 use crate::study::{Parameter, Prepared, StudyError};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 use rayon::prelude::*;
+
+/// How orbits are computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// On the exact flow.
+    Shooting,
+    /// At the port, on this many samples per drive cycle.
+    HarmonicBalance {
+        /// Samples per drive cycle, even.
+        samples: usize,
+    },
+}
 
 /// A search to be made.
 #[derive(Debug)]
@@ -23,6 +35,8 @@ pub struct BranchSearch<'s> {
     pub parameter: &'s Parameter<'s>,
     /// Ends of the range.
     pub range: (f64, f64),
+    /// How orbits are computed.
+    pub method: Method,
     /// Relative tolerance of the marches.
     pub tolerance: f64,
     /// Values across the range at which orbits are sought by marching.
@@ -43,26 +57,40 @@ impl BranchSearch<'_> {
         }
     }
 
+    fn shooting(&self, cycles: u32) -> Shooting<'_, Parameter<'_>> {
+        Shooting::new(self.parameter, &self.base.kernel, cycles, self.tolerance)
+    }
+
     /// Finds and follows the branches.
     ///
     /// # Errors
     /// [`OrbitError`].
     pub fn run(&self) -> Result<Vec<Branch>, Failure> {
+        match self.method {
+            Method::Shooting => self.run_by(|cycles| Ok(self.shooting(cycles))),
+            Method::HarmonicBalance { samples } => {
+                self.run_by(|cycles| HarmonicBalance::new(self.shooting(cycles), &self.base.kernel, samples * cycles as usize))
+            }
+        }
+    }
+
+    fn run_by<M: OrbitMethod<Fault = StudyError>>(&self, make: impl Fn(u32) -> Result<M, Failure>) -> Result<Vec<Branch>, Failure> {
         let following = self.following();
+        make(1)?;
         let mut branches: Vec<Branch> = Vec::new();
-        for (cycles, unknown, parameter) in self.starts() {
-            if branches.iter().any(|branch| holds(branch, cycles, &unknown, parameter)) {
+        for (orbit, parameter) in self.starts() {
+            if branches.iter().any(|branch| holds(branch, &orbit, parameter)) {
                 continue;
             }
-            let shooting = Shooting::new(self.parameter, &self.base.kernel, cycles, self.tolerance);
-            branches.extend(self.both_ways(&following, &shooting, unknown, parameter)?);
-            self.doubled(&following, &mut branches)?;
+            let method = make(orbit.period_cycles)?;
+            branches.extend(self.both_ways(&following, &method, orbit.start(), parameter)?);
+            self.doubled(&following, &make, &mut branches)?;
         }
         Ok(branches)
     }
 
     /// Settled orbits: lower end, upper end, then across the range.
-    fn starts(&self) -> Vec<(u32, Vec<f64>, f64)> {
+    fn starts(&self) -> Vec<(Orbit, f64)> {
         let (low, high) = self.range;
         let inner = (1..=self.seeds).map(|k| low + (high - low) * k as f64 / (self.seeds + 1) as f64);
         let values: Vec<f64> = [low, high].into_iter().chain(inner).collect();
@@ -71,13 +99,12 @@ impl BranchSearch<'_> {
         (jobs.into_par_iter())
             .filter_map(|(value, kicked)| {
                 let start = self.start(value, kicked)?;
-                let (cycles, unknown) = settled_orbit(self.parameter, value, &start, self.tolerance, goal)?;
-                Some((cycles, unknown, value))
+                Some((settled_orbit(self.parameter, value, &start, self.tolerance, goal)?, value))
             })
             .collect()
     }
 
-    /// Rest, or every mode moving as fast as the drive could make the stiffest of them.
+    /// Rest, or a hard kick: the shape of the stop's port moving at twenty times the larger of gap and steady amplitude.
     fn start(&self, value: f64, kicked: bool) -> Option<Vec<f64>> {
         let plant = self.parameter.at(value).ok()?.kernel.plant;
         let mut state = vec![0.0; plant.len()];
@@ -85,7 +112,6 @@ impl BranchSearch<'_> {
             let stop = plant.system.stops.first()?;
             let w = plant.tones.first()?.angular_frequency_rad_s;
             let n = plant.system.modes.len();
-            // The whole motion at the stop: twenty gaps in amplitude, in the shape of the stop's own port.
             let square: f64 = stop.shape.iter().map(|s| s * s).sum();
             let speed = 20.0 * w * stop.gap_m.abs().max(plant.ports[0].steady_m[0].norm());
             stop.shape.iter().enumerate().for_each(|(i, s)| state[n + i] = s / square * speed);
@@ -93,25 +119,25 @@ impl BranchSearch<'_> {
         Some(state)
     }
 
-    fn both_ways(
+    fn both_ways<M: OrbitMethod<Fault = StudyError>>(
         &self,
         following: &Following,
-        shooting: &Shooting<'_, Parameter<'_>>,
-        unknown: Vec<f64>,
+        method: &M,
+        state: &[f64],
         parameter: f64,
     ) -> Result<Option<Branch>, Failure> {
-        let position = Position { unknown, parameter };
+        let position = Position { unknown: method.unknown_of(state, parameter)?, parameter };
         let metric = Metric::at(&position, following.parameter_scale());
         let up = Direction { unknown: vec![0.0; position.unknown.len()], parameter: 1.0 };
         let mut ways = Vec::new();
         for sign in [-1.0, 1.0] {
             let at_edge = parameter == if sign < 0.0 { self.range.0 } else { self.range.1 };
-            let Ok(first) = settle(shooting, &following.corrector, &metric, position.clone()) else { return Ok(None) };
+            let Ok(first) = settle(method, &following.corrector, &metric, position.clone()) else { return Ok(None) };
             let Some(mut ahead) = tangent(&first.local, &metric, &up) else { return Ok(None) };
             ahead.unknown.iter_mut().for_each(|d| *d *= sign);
             ahead.parameter *= sign;
             if !at_edge {
-                ways.push(following.walk(shooting, first, ahead)?);
+                ways.push(following.walk(method, first, ahead)?);
             }
         }
         let mut ways = ways.into_iter();
@@ -122,7 +148,12 @@ impl BranchSearch<'_> {
     }
 
     /// Enters doubled branches until none is left.
-    fn doubled(&self, following: &Following, branches: &mut Vec<Branch>) -> Result<(), Failure> {
+    fn doubled<M: OrbitMethod<Fault = StudyError>>(
+        &self,
+        following: &Following,
+        make: &impl Fn(u32) -> Result<M, Failure>,
+        branches: &mut Vec<Branch>,
+    ) -> Result<(), Failure> {
         let mut next = 0;
         while next < branches.len() {
             let cycles = 2 * branches[next].period_cycles;
@@ -135,28 +166,28 @@ impl BranchSearch<'_> {
                 continue;
             }
             for at in doublings {
-                let shooting = Shooting::new(self.parameter, &self.base.kernel, cycles, self.tolerance);
-                let Some((first, ahead)) = self.off(following, &shooting, &at) else { continue };
-                if branches.iter().any(|branch| holds(branch, cycles, &first.position.unknown, first.position.parameter)) {
-                    continue;
+                let method = make(cycles)?;
+                let Some((first, ahead)) = self.off(following, &method, &at) else { continue };
+                let orbit = method.orbit(&first.local, first.error)?;
+                if !branches.iter().any(|branch| holds(branch, &orbit, first.position.parameter)) {
+                    let found = following.walk(&method, first, ahead)?;
+                    branches.push(found);
                 }
-                let found = following.walk(&shooting, first, ahead)?;
-                branches.push(found);
             }
         }
         Ok(())
     }
 
     /// A first orbit on the doubled branch, off the doubling along the eigenvector of the multiplier -1.
-    fn off(
+    fn off<M: OrbitMethod<Fault = StudyError>>(
         &self,
         following: &Following,
-        shooting: &Shooting<'_, Parameter<'_>>,
+        method: &M,
         at: &BranchPoint,
-    ) -> Option<(crate::continuation::Corrected<Shot>, Direction)> {
-        let single = Shooting::new(self.parameter, &self.base.kernel, shooting.cycles / 2, self.tolerance);
-        let map = crate::continuation::Family::at(&single, &at.unknown, at.parameter).ok()?.map;
-        let n = at.unknown.len();
+    ) -> Option<(Corrected<M::Local>, Direction)> {
+        let state = at.orbit.start();
+        let map = self.shooting(method.cycles() / 2).at(state, at.parameter).ok()?.map;
+        let n = state.len();
         // Inverse iteration towards -1.
         let shifted = Mat::from_fn(n, n, |i, j| map[(i, j)] + if i == j { 1.0 + 1e-9 } else { 0.0 });
         let solver = shifted.partial_piv_lu();
@@ -166,23 +197,28 @@ impl BranchSearch<'_> {
             let size = vector.norm_l2();
             vector = Mat::from_fn(n, 1, |i, _| vector[(i, 0)] / size);
         }
-        let position = Position { unknown: at.unknown.clone(), parameter: at.parameter };
-        let metric = Metric::at(&position, following.parameter_scale());
-        let ahead = metric.unit(Direction { unknown: (0..n).map(|i| vector[(i, 0)]).collect(), parameter: 0.0 });
+        let size = state.iter().map(|u| u * u).sum::<f64>().sqrt();
+        let origin = Position { unknown: method.unknown_of(state, at.parameter).ok()?, parameter: at.parameter };
+        let metric = Metric::at(&origin, following.parameter_scale());
         [1e-2, 3e-3, 3e-2].into_iter().find_map(|length| {
-            let found = correct(shooting, &following.corrector, &metric, &ahead, position.moved(&ahead, length)).ok()?;
+            let moved: Vec<f64> = (0..n).map(|i| state[i] + length * size * vector[(i, 0)]).collect();
+            let guess = Position { unknown: method.unknown_of(&moved, at.parameter).ok()?, parameter: at.parameter };
+            let apart = guess.unknown.iter().zip(&origin.unknown).map(|(a, b)| a - b).collect();
+            let ahead = metric.unit(Direction { unknown: apart, parameter: 0.0 });
+            let found = correct(method, &following.corrector, &metric, &ahead, guess).ok()?;
             let ahead = tangent(&found.local, &metric, &ahead)?;
             Some((found, ahead))
         })
     }
 }
 
-/// True when an orbit lies on a branch.
-fn holds(branch: &Branch, cycles: u32, unknown: &[f64], parameter: f64) -> bool {
-    let size = unknown.iter().map(|u| u * u).sum::<f64>().sqrt();
-    branch.period_cycles == cycles
-        && branch.crossings(parameter).iter().any(|(state, _)| {
-            let distance = state.iter().zip(unknown).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
-            distance < 0.03 * size
-        })
+/// True when an orbit lies on a branch, at whichever of its drive cycles it is looked at.
+fn holds(branch: &Branch, orbit: &Orbit, parameter: f64) -> bool {
+    let norm = |values: &mut dyn Iterator<Item = f64>| values.map(|v| v * v).sum::<f64>().sqrt();
+    let size = norm(&mut orbit.start().iter().copied());
+    branch.period_cycles == orbit.period_cycles
+        && branch
+            .crossings(parameter)
+            .iter()
+            .any(|(state, _)| orbit.looks.iter().any(|look| norm(&mut look.iter().zip(state).map(|(a, b)| a - b)) < 0.03 * size))
 }
