@@ -30,7 +30,7 @@ pub struct Branch {
     #[arg(long, value_enum, default_value = "shooting")]
     method: Way,
     /// Samples of the port per drive cycle, for harmonic balance; a power of two is quickest.
-    #[arg(long, default_value_t = 256)]
+    #[arg(long, default_value_t = 512)]
     samples: usize,
     /// Relative tolerance of the marches that the orbits are made of.
     #[arg(long, default_value_t = 1e-9)]
@@ -83,6 +83,13 @@ impl Branch {
             if let Ending::Failed { why, parameter } = ending {
                 eprintln!("a branch of period {} ends at {parameter} {}: {why}", branch.period_cycles, key.unit());
             }
+        }
+        let estimates = branches.iter().flat_map(|branch| &branch.points).map(|point| (point.orbit.error_estimate, point.parameter));
+        if let Some((worst, parameter)) = estimates.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(worst, _)| *worst > 1e-3) {
+            eprintln!(
+                "the largest error estimate is {worst:.1e}, at {parameter} {}: more --samples, a smaller --tolerance or --method shooting brings it down",
+                key.unit()
+            );
         }
         self.tell(&base.spec, &key, &branches)
     }

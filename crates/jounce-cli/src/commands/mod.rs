@@ -1,5 +1,6 @@
 //! One file per command.
 
+pub mod basins;
 pub mod branch;
 pub mod check;
 pub mod completions;
@@ -22,6 +23,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Run(command) => command.run(),
         Command::Sweep(command) => command.run(),
         Command::Branch(command) => command.run(),
+        Command::Basins(command) => command.run(),
         Command::Reproduce(command) => command.run(),
         Command::Completions(command) => command.run(),
         Command::Schema => {

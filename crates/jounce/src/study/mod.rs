@@ -1,5 +1,6 @@
 //! Studies: many runs of one spec.
 
+mod basins;
 mod branches;
 mod journal;
 mod parameter;
@@ -7,6 +8,7 @@ mod prepared;
 mod sweep;
 mod sweep_point;
 
+pub use basins::{Attractor, Basins, BasinsAnswer, Cloud, Fate, Lyapunov, Share, largest_exponent, wilson};
 pub use branches::{Bifurcation, Branch, BranchKind, BranchPoint, BranchSearch, Ending, Method, settled_orbit};
 pub use journal::{Journal, JournalError};
 pub use parameter::Parameter;

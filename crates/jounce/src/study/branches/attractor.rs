@@ -8,7 +8,7 @@ use crate::orbit::{Harvester, Orbit, OrbitMethod, Shooting};
 const CYCLES: u32 = 60;
 
 /// Times that the march goes on when no orbit is found.
-const ATTEMPTS: u32 = 8;
+const ATTEMPTS: u32 = 12;
 
 /// Longest period looked for, drive cycles.
 const LONGEST: u32 = 4;
@@ -49,7 +49,7 @@ pub fn settled_orbit<H: Harvester>(harvester: &H, parameter: f64, start: &[f64],
             let repeats = (1..cycles as usize).any(|k| {
                 norm(orbit.looks[k].iter().zip(&orbit.looks[0]).map(|(a, b)| a - b)) < 1e-5 * metric.unknown && cycles as usize % k == 0
             });
-            if moved < 0.3 && orbit.is_stable() && !repeats {
+            if moved < 0.1 && orbit.is_stable() && !repeats {
                 return Some(orbit);
             }
         }

@@ -139,8 +139,10 @@ impl Following {
             let Some(place) = place else { continue };
             let at = point(method, &place)?;
             // Two real multipliers that meet outside the circle are no torus.
+            // An orbit known too roughly to tell its multiplier 1 from a fold near by says nothing.
+            let rough = kind == BranchKind::BranchPoint && one.error_estimate.max(two.error_estimate) > 1e-4;
             let on_circle = at.orbit.multipliers.iter().any(|value| value.im > 1e-9 && (value.norm() - 1.0).abs() < 1e-4);
-            if kind != BranchKind::NeimarkSacker || on_circle {
+            if !rough && (kind != BranchKind::NeimarkSacker || on_circle) {
                 found.push(Bifurcation { kind, at });
             }
         }
