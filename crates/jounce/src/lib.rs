@@ -2,7 +2,7 @@
 //!
 //! Data flows one way, and a module uses only what stands before it in this list:
 //!
-//! `store` (files that appear whole or not at all), `spec` (what the user says) -> `structure` (beams and masses to modes) ->
+//! `store` (files that appear whole or not at all), `wide` (vector arithmetic), `spec` (what the user says) -> `structure` (beams and masses to modes) ->
 //! `contact` (laws) -> `plant` (the coupled linear system in diagonal form, with its ports) -> `linear` (closed-form answers) ->
 //! `march` (time) -> `continuation` (curves of solutions) -> `orbit` (periodic answers) -> `run` -> `signal` -> `study` (sweeps) -> `table` -> `picture` -> `report` -> `reproduce` (the paper);
 //! `reference` holds exact answers.
@@ -24,6 +24,7 @@ pub mod store;
 pub mod structure;
 pub mod study;
 pub mod table;
+pub mod wide;
 
 /// The Rust code of the README, compiled with the documentation tests.
 #[cfg(doctest)]

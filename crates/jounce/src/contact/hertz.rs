@@ -1,6 +1,7 @@
 //! Hertz contact `F = k max(0, delta)^n` (paper eq. (4) with `n = 3/2`); the one-sided linear spring is `n = 1`.
 
 use super::{ContactLaw, Slopes};
+use crate::wide::{Lane, Wide};
 
 /// Elastic contact with a power law.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,34 +17,41 @@ impl ContactLaw for Hertz {
 
     #[inline(always)]
     fn force_n(&self, penetration_m: f64, _rate_m_s: f64) -> f64 {
-        self.forces_n(&[penetration_m], &[0.0])[0]
+        let depth_m = penetration_m.max(0.0);
+        // The exponents of practice avoid `powf`.
+        if self.exponent == 1.5 {
+            self.stiffness * (depth_m * depth_m.sqrt())
+        } else if self.exponent == 1.0 {
+            self.stiffness * depth_m
+        } else {
+            self.stiffness * depth_m.powf(self.exponent)
+        }
     }
 
     #[inline(always)]
-    fn forces_n<const N: usize>(&self, penetration_m: &[f64; N], _rate_m_s: &[f64; N]) -> [f64; N] {
-        let mut force = [0.0; N];
-        // The exponents of practice, 3/2 and 1, avoid `powf`, which does not vectorise.
+    fn forces_n<W: Wide>(&self, wide: W, penetration_m: W::Register, _rate_m_s: W::Register) -> W::Register {
+        let depth_m = wide.max(penetration_m, wide.zero());
+        let stiffness = wide.splat(self.stiffness);
         if self.exponent == 1.5 {
-            for i in 0..N {
-                let depth = if penetration_m[i] > 0.0 { penetration_m[i] } else { 0.0 };
-                force[i] = self.stiffness * depth * depth.sqrt();
-            }
+            wide.mul(stiffness, wide.mul(depth_m, wide.sqrt(depth_m)))
         } else if self.exponent == 1.0 {
-            for i in 0..N {
-                force[i] = self.stiffness * if penetration_m[i] > 0.0 { penetration_m[i] } else { 0.0 };
-            }
+            wide.mul(stiffness, depth_m)
         } else {
-            for i in 0..N {
-                force[i] = self.stiffness * penetration_m[i].max(0.0).powf(self.exponent);
-            }
+            let depth_m = wide.store(depth_m).0;
+            wide.load(&Lane(depth_m.map(|depth_m| self.force_n(depth_m, 0.0))))
         }
-        force
     }
 
     #[inline]
     fn slopes(&self, penetration_m: f64, _rate_m_s: f64) -> Slopes {
-        let inside = penetration_m >= 0.0;
-        let stiffness_n_m = if inside { self.stiffness * self.exponent * penetration_m.max(0.0).powf(self.exponent - 1.0) } else { 0.0 };
+        // n k delta^(n-1) = n F / delta
+        let stiffness_n_m = if penetration_m > 0.0 {
+            self.exponent * self.force_n(penetration_m, 0.0) / penetration_m
+        } else if penetration_m == 0.0 && self.exponent == 1.0 {
+            self.stiffness
+        } else {
+            0.0
+        };
         Slopes { stiffness_n_m, damping_n_s_m: 0.0 }
     }
 
@@ -54,5 +62,22 @@ impl ContactLaw for Hertz {
     #[inline(always)]
     fn elastic_force_n(&self, penetration_m: f64) -> f64 {
         self.force_n(penetration_m, 0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wide::Portable;
+
+    #[test]
+    fn eight_forces_are_the_force_eight_times() {
+        let depths = Lane([-1e-3, 0.0, 1e-9, 1e-6, 1e-4, 1e-3, 0.1, 2.0]);
+        for exponent in [1.0, 1.3, 1.5, 2.5] {
+            let law = Hertz { stiffness: 1e3, exponent };
+            let wide = Portable::new();
+            let forces = wide.store(law.forces_n(wide, wide.load(&depths), wide.zero()));
+            assert_eq!(forces.0, depths.0.map(|depth| law.force_n(depth, 0.0)), "exponent {exponent}");
+        }
     }
 }

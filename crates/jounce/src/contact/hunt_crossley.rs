@@ -3,6 +3,7 @@
 //! Source: Hunt and Crossley, J. Appl. Mech. 42 (1975) 440; for small `a v` the restitution is about `1 - (2/3) a v`.
 
 use super::{ContactLaw, Hertz, Slopes};
+use crate::wide::Wide;
 
 /// Hertz force times a rate factor.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,6 +20,12 @@ impl ContactLaw for HuntCrossley {
     #[inline(always)]
     fn force_n(&self, penetration_m: f64, rate_m_s: f64) -> f64 {
         self.elastic.force_n(penetration_m, 0.0) * (1.0 + self.damping_s_m * rate_m_s).max(0.0)
+    }
+
+    #[inline(always)]
+    fn forces_n<W: Wide>(&self, wide: W, penetration_m: W::Register, rate_m_s: W::Register) -> W::Register {
+        let factor = wide.fma(wide.splat(self.damping_s_m), rate_m_s, wide.splat(1.0));
+        wide.mul(self.elastic.forces_n(wide, penetration_m, rate_m_s), wide.max(factor, wide.zero()))
     }
 
     fn slopes(&self, penetration_m: f64, rate_m_s: f64) -> Slopes {

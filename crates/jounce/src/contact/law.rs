@@ -2,6 +2,7 @@
 
 use super::{Hertz, HuntCrossley, KelvinVoigt, Rigid};
 use crate::spec::StopLaw;
+use crate::wide::{Lane, Wide};
 
 /// Derivatives of a contact force.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,10 +21,11 @@ pub trait ContactLaw: Copy + Send + Sync {
     /// Compressive force, N, never negative.
     fn force_n(&self, penetration_m: f64, rate_m_s: f64) -> f64;
 
-    /// The force at several instants at once; a law overrides it where that is faster.
+    /// The force at eight instants at once; a law overrides it where that is faster.
     #[inline(always)]
-    fn forces_n<const N: usize>(&self, penetration_m: &[f64; N], rate_m_s: &[f64; N]) -> [f64; N] {
-        std::array::from_fn(|i| self.force_n(penetration_m[i], rate_m_s[i]))
+    fn forces_n<W: Wide>(&self, wide: W, penetration_m: W::Register, rate_m_s: W::Register) -> W::Register {
+        let (penetration_m, rate_m_s) = (wide.store(penetration_m).0, wide.store(rate_m_s).0);
+        wide.load(&Lane(std::array::from_fn(|i| self.force_n(penetration_m[i], rate_m_s[i]))))
     }
 
     /// Both slopes of the force; one-sided (from inside the contact) on its edge.

@@ -1,50 +1,56 @@
 //! Flight: exact flow in certified steps, until the stop is struck or the end is reached.
 
-use super::certificate::FlightStep;
+use super::certificate::{Crossing, FlightStep};
 use super::kernel::Kernel;
-use super::lane::WIDTH;
 use super::marcher::{MarchError, Marcher, Regime};
-use super::state::{columns, dot_abs, flow};
-use super::table::Table;
+use super::state::{dot, dot_abs};
+use crate::wide::Wide;
 
-/// Certificate uncertainty, relative to the motion, below which a crossing counts as located: a contact that could hide in a
-/// step is then shallower than this fraction of the motion.
+/// Certificate uncertainty, relative to the motion, below which a step that is neither clear nor a proved crossing is taken for
+/// what its interpolant says: a contact that could hide in it is shallower than this fraction of the motion.
 const LOCATED: f64 = 1e-12;
 
 /// What became of one attempted step.
-enum Attempt {
+enum Verdict {
     Clear,
-    Strike(f64),
-    Unclear { crossing_s: Option<f64> },
+    Strike(Crossing),
+    /// Levels to go down before the next attempt.
+    Unclear(i32),
 }
 
 impl Marcher<'_> {
     /// Flies until contact or until the end.
     #[inline(always)]
-    pub(super) fn flight<const FMA: bool>(&mut self, end_s: f64) -> Result<(), MarchError> {
-        // Levels to go up after a success: two while nothing has failed in this flight.
-        let mut grow = 2;
+    pub(super) fn flight<W: Wide>(&mut self, w: W, end_s: f64) -> Result<(), MarchError> {
+        if self.kernel.plant.ports.is_empty() {
+            let length_s = end_s - self.time_s;
+            let motion = self.look_ahead(w, length_s);
+            self.move_on(length_s, end_s, motion);
+            self.work.flight_steps += 1;
+            return Ok(());
+        }
+        let mut grow = 1;
         while self.time_s < end_s {
-            let remaining = end_s - self.time_s;
-            let mut level = self.flight_level;
-            if Kernel::length_s(level) >= remaining {
-                level = Kernel::level_within(remaining);
-                if self.land::<FMA>(level, remaining, end_s) {
-                    return Ok(());
-                }
-            }
-            match self.attempt::<FMA>(level) {
-                Attempt::Clear => {
+            let level = self.flight_level;
+            let length_s = Kernel::length_s(level);
+            let remaining_s = end_s - self.time_s;
+            let landing = length_s >= remaining_s;
+            let verdict = if landing { self.land(w, level, remaining_s, end_s) } else { self.attempt(w, level) };
+            match verdict {
+                Verdict::Clear => {
                     self.work.flight_steps += 1;
                     self.flight_level = (level - grow).max(Kernel::coarsest());
+                    grow = 1;
                 }
-                Attempt::Strike(after_s) => return self.strike::<FMA>(after_s),
-                Attempt::Unclear { crossing_s } => {
+                Verdict::Strike(crossing) => {
+                    self.strike(w, crossing);
+                    return Ok(());
+                }
+                Verdict::Unclear(down) => {
                     self.work.flight_rejections += 1;
+                    // The step after the next would fail as this one did.
                     grow = 0;
-                    // Short of the crossing that the cubic foretells, a step may well be clear.
-                    let short = crossing_s.map_or(level, |crossing_s| Kernel::level_within(0.95 * crossing_s));
-                    self.flight_level = short.max(level + 1).min(Kernel::finest());
+                    self.flight_level = (level + down).min(Kernel::finest());
                     if !self.penetration_m.is_finite() {
                         return Err(MarchError::NotFinite { time_s: self.time_s });
                     }
@@ -56,63 +62,97 @@ impl Marcher<'_> {
 
     /// One step of a level; taken only if clear.
     #[inline(always)]
-    fn attempt<const FMA: bool>(&mut self, level: i32) -> Attempt {
+    fn attempt<W: Wide>(&mut self, w: W, level: i32) -> Verdict {
         let kernel = self.kernel;
-        let table = kernel.table(0, level);
-        flow::<FMA>(&self.layout, &self.y, table, &mut self.next);
-        let start = self.drive();
-        let mut end = (0.0, 0.0);
+        kernel.flow(level).apply(w, &self.y, &mut self.next);
+        let mut drive = [0.0; 2];
         for tone in &mut self.tones {
-            let (cos, sin) = tone.level(level);
-            let (w, v) = tone.motion_after(cos.0[WIDTH - 1], sin.0[WIDTH - 1]);
-            end = (end.0 + w, end.1 + v);
+            let turn = tone.end(level);
+            let [place, speed] = tone.motion_after(turn);
+            drive = [drive[0] + place, drive[1] + speed];
         }
-        let outputs = columns::<FMA>(&self.layout, &self.next, &table.flight.columns).0;
-        let step = self.step_of::<FMA>(table, start, [outputs[2], outputs[3]], end);
-        let clear = step.highest_m() < 0.0;
-        let located = !clear && step.uncertainty_m() <= LOCATED * self.scale_m(outputs[0]);
-        if !clear {
-            if !located {
-                return Attempt::Unclear { crossing_s: step.crossing_s() };
+        let motion =
+            [dot(w, &self.rows.displacement, &self.next) + drive[0] - self.rows.gap_m, dot(w, &self.rows.velocity, &self.next) + drive[1]];
+        let step = self.step_of(w, level, Kernel::length_s(level), motion, drive);
+        let verdict = self.judge_flight(&step, motion[0]);
+        if let Verdict::Clear = verdict {
+            let length_s = step.length_s;
+            if self.record.is_some() {
+                self.note(length_s, None);
             }
-            if let Some(after_s) = step.crossing_s() {
-                return Attempt::Strike(after_s);
+            std::mem::swap(&mut self.y, &mut self.next);
+            self.time_s += length_s;
+            for tone in &mut self.tones {
+                let turn = tone.end(level);
+                tone.turn *= turn;
             }
-            // Shallower than the resolution: nothing the force law could feel.
+            [self.penetration_m, self.rate_m_s] = motion;
         }
-        if self.record.is_some() {
-            self.note(table.length_s, None);
-        }
-        std::mem::swap(&mut self.y, &mut self.next);
-        self.time_s += table.length_s;
-        for tone in &mut self.tones {
-            let (cos, sin) = tone.level(level);
-            tone.turn *= faer::c64::new(cos.0[WIDTH - 1], sin.0[WIDTH - 1]);
-        }
-        self.penetration_m = outputs[0] + end.0 - self.rows.gap_m;
-        self.rate_m_s = outputs[1] + end.1;
-        Attempt::Clear
+        verdict
     }
 
-    /// The certificate's view of a step whose end gives `slow` and `drive` (displacement, velocity).
+    /// A last step of any length, to the end.
     #[inline(always)]
-    fn step_of<const FMA: bool>(&self, table: &Table, start_drive: (f64, f64), slow: [f64; 2], drive: (f64, f64)) -> FlightStep {
-        let flight = &table.flight;
-        let (mut distance, mut speed) = (self.penetration_m, self.rate_m_s);
-        let mut fast_bound_m = 0.0;
-        if flight.has_fast {
-            let outputs = columns::<FMA>(&self.layout, &self.y, &flight.columns).0;
-            distance = outputs[2] + start_drive.0 - self.rows.gap_m;
-            speed = outputs[3] + start_drive.1;
-            fast_bound_m = dot_abs::<FMA>(&flight.fast_bound, &self.y);
+    fn land<W: Wide>(&mut self, w: W, level: i32, length_s: f64, end_s: f64) -> Verdict {
+        let motion = self.look_ahead(w, length_s);
+        let mut drive = [0.0; 2];
+        for tone in &self.tones {
+            let [place, speed] = tone.motion_after(faer::c64::cis(tone.angular_frequency_rad_s * length_s));
+            drive = [drive[0] + place, drive[1] + speed];
         }
-        FlightStep {
-            length_s: table.length_s,
-            distance_m: [distance, slow[0] + drive.0 - self.rows.gap_m],
-            speed_m_s: [speed, slow[1] + drive.1],
-            fourth_bound: dot_abs::<FMA>(&flight.slow_fourth, &self.y) + self.rows.tone_fourth,
-            fast_bound_m,
+        // The level bounds the length from above: its split into slow and fast serves.
+        let step = self.step_of(w, level, length_s, motion, drive);
+        let verdict = self.judge_flight(&step, motion[0]);
+        if let Verdict::Clear = verdict {
+            self.move_on(length_s, end_s, motion);
         }
+        verdict
+    }
+
+    /// The certificate's view of a step that ends in `next` with `motion` there, of which `drive` is the sinusoids' share.
+    #[inline(always)]
+    fn step_of<W: Wide>(&self, w: W, level: i32, length_s: f64, motion: [f64; 2], drive: [f64; 2]) -> FlightStep {
+        let flight = self.kernel.flight(0, level);
+        let mut step = FlightStep {
+            length_s,
+            distance_m: [self.penetration_m, motion[0]],
+            speed_m_s: [self.rate_m_s, motion[1]],
+            fourth_bound: dot_abs(w, &flight.slow_fourth, &self.y) + self.rows.tone_fourth,
+            fast_m: 0.0,
+            fast_bound_m: 0.0,
+            fast_bound_m_s: 0.0,
+        };
+        if let Some(fast) = &flight.fast {
+            let [place, speed] = self.drive();
+            let slow = dot(w, &fast.slow_displacement, &self.y) + place - self.rows.gap_m;
+            step.distance_m = [slow, dot(w, &fast.slow_displacement, &self.next) + drive[0] - self.rows.gap_m];
+            step.speed_m_s = [dot(w, &fast.slow_velocity, &self.y) + speed, dot(w, &fast.slow_velocity, &self.next) + drive[1]];
+            step.fast_m = self.penetration_m - slow;
+            step.fast_bound_m = dot_abs(w, &fast.displacement_bound, &self.y);
+            step.fast_bound_m_s = dot_abs(w, &fast.velocity_bound, &self.y);
+        }
+        step
+    }
+
+    #[inline(always)]
+    fn judge_flight(&self, step: &FlightStep, displacement_m: f64) -> Verdict {
+        if step.is_clear() {
+            return Verdict::Clear;
+        }
+        if let Some(crossing) = step.crossing() {
+            return Verdict::Strike(crossing);
+        }
+        let uncertainty_m = step.uncertainty_m();
+        if uncertainty_m <= LOCATED * self.scale_m(displacement_m) {
+            // Shallower than the resolution: nothing the force law could feel, unless the interpolant itself crosses.
+            return match step.crossing_s() {
+                None => Verdict::Clear,
+                Some(guess_s) => Verdict::Strike(Crossing { from_s: 0.0, guess_s, to_s: step.length_s }),
+            };
+        }
+        // The uncertainty falls like the fourth power of the length: two levels where one is not enough.
+        let far = uncertainty_m > 16.0 * self.penetration_m.abs().max(LOCATED * self.scale_m(displacement_m));
+        Verdict::Unclear(if far { 2 } else { 1 })
     }
 
     /// Size of the motion against which the certificate's uncertainty is held.
@@ -121,54 +161,38 @@ impl Marcher<'_> {
         gap.max(displacement_m.abs()).max(self.rows.tone_scale_m)
     }
 
-    /// Tries to glide to the end in one certified step shorter than a level.
-    fn land<const FMA: bool>(&mut self, level: i32, remaining: f64, end_s: f64) -> bool {
-        if self.kernel.plant.ports.is_empty() {
-            self.glide(remaining, end_s);
-            self.see::<FMA>();
-            return true;
-        }
-        // The level above the remaining time bounds it from above; its table splits slow and fast for the whole step.
-        let table = self.kernel.table(0, (level - 1).max(Kernel::coarsest()));
-        let start = self.drive();
-        let ahead = self.flown(remaining);
-        let turns: Vec<_> = self.tones.iter().map(|tone| tone.turn).collect();
-        self.tones.iter_mut().for_each(|tone| tone.set(end_s));
-        let drive = self.drive();
-        let outputs = columns::<FMA>(&self.layout, &ahead, &table.flight.columns).0;
-        let mut step = self.step_of::<FMA>(table, start, [outputs[2], outputs[3]], drive);
-        step.length_s = remaining;
-        let located = || step.uncertainty_m() <= LOCATED * self.scale_m(outputs[0]) && step.crossing_s().is_none();
-        let clear = step.highest_m() < 0.0 || located();
-        self.tones.iter_mut().zip(turns).for_each(|(tone, turn)| tone.turn = turn);
-        if clear {
-            self.glide(remaining, end_s);
-            self.see::<FMA>();
-            self.work.flight_steps += 1;
-        }
-        clear
-    }
-
     /// Displacement and velocity of the port under the drive at the present time.
     #[inline(always)]
-    fn drive(&self) -> (f64, f64) {
-        self.tones.iter().map(|tone| tone.motion()).fold((0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1))
+    fn drive(&self) -> [f64; 2] {
+        self.tones.iter().map(|tone| tone.motion()).fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]])
     }
 
-    /// Moves onto the stop and enters contact.
-    fn strike<const FMA: bool>(&mut self, after_s: f64) -> Result<(), MarchError> {
-        self.glide(after_s, self.time_s + after_s);
-        self.see::<FMA>();
-        // The Hermite crossing is exact to roundoff of the motion; one Newton step removes what is left of the distance.
-        let nudge_s = -self.penetration_m / self.rate_m_s;
-        if nudge_s.abs() < after_s {
-            self.glide(nudge_s, self.time_s + nudge_s);
-            self.see::<FMA>();
+    /// Moves onto the stop, by Newton on the exact flow inside the proved interval, and enters contact.
+    #[inline(always)]
+    fn strike<W: Wide>(&mut self, w: W, crossing: Crossing) {
+        let Crossing { mut from_s, mut guess_s, mut to_s } = crossing;
+        let mut motion = self.look_ahead(w, guess_s);
+        for _ in 0..20 {
+            if motion[0] > 0.0 {
+                to_s = guess_s
+            } else {
+                from_s = guess_s
+            }
+            let newton = guess_s - motion[0] / motion[1];
+            let next = if newton >= from_s && newton <= to_s { newton } else { 0.5 * (from_s + to_s) };
+            let change = (next - guess_s).abs();
+            guess_s = next;
+            // Newton squares the error: a change this small left one of roundoff, and the flow to `next` is looked at below.
+            let settled = change <= 1e-7 * guess_s.min(1.0 / self.kernel.fastest_rad_s);
+            motion = self.look_ahead(w, guess_s);
+            if settled {
+                break;
+            }
         }
+        self.move_on(guess_s, self.time_s + guess_s, motion);
         self.penetration_m = 0.0;
         self.strike_m_s = self.strike_m_s.max(self.rate_m_s);
         self.statistics.contacts += 1;
         self.regime = Regime::Contact;
-        Ok(())
     }
 }

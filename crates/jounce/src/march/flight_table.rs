@@ -1,61 +1,95 @@
 //! The rows and bounds that prove a flight step free of contact (see [`super::certificate`]).
 
-use super::kernel::{Kernel, Layout};
-use super::lane::Lane;
-use crate::plant::Pair;
+use super::layout::Layout;
+use crate::plant::{Block, Pair, Port};
+use crate::wide::Lane;
 
-/// What a flight step evaluates at its end: displacement and velocity of the port, in full and of the slow blocks alone.
+/// What the certificate needs of a flight step of one length. All rows are padded.
 #[derive(Debug, Clone)]
 pub struct FlightTable {
-    /// One lane per state in column order: `[w, w', w_slow, w'_slow, 0, ..]`.
-    pub columns: Vec<Lane>,
-    /// Factor per state (padded layout) of the bound on the fourth derivative of the slow part.
+    /// Factors of the bound on the fourth derivative of the slow part, m/s^4.
     pub slow_fourth: Vec<Lane>,
-    /// Factor per state (padded layout) of the bound on the fast part itself.
-    pub fast_bound: Vec<Lane>,
-    /// True where some block is fast at this length.
-    pub has_fast: bool,
+    /// What some block too fast for this length adds; `None` without such a block.
+    pub fast: Option<FastPart>,
 }
 
-/// `|lambda| h` above which a block counts as fast: where its own size is a better bound than its Hermite remainder.
+/// Blocks whose own size is a better bound than their interpolation error.
+#[derive(Debug, Clone)]
+pub struct FastPart {
+    /// Row of the displacement of the slow part.
+    pub slow_displacement: Vec<Lane>,
+    /// Row of its velocity.
+    pub slow_velocity: Vec<Lane>,
+    /// Factors of the bound on the displacement of the fast part, m.
+    pub displacement_bound: Vec<Lane>,
+    /// Factors of the bound on its velocity, m/s.
+    pub velocity_bound: Vec<Lane>,
+}
+
+/// `|lambda| h` above which a block counts as fast.
 const FAST: f64 = 4.4;
+
+/// Bounds on one block's share of the displacement, as factors on the magnitudes of its states.
+struct Share {
+    states: Vec<usize>,
+    speed_rad_s: f64,
+    displacement: Vec<f64>,
+    velocity: Vec<f64>,
+    fourth: Vec<f64>,
+    may_be_fast: bool,
+}
 
 impl FlightTable {
     /// For steps of one length.
-    pub(super) fn new(kernel: &Kernel, layout: &Layout, displacement: &[f64], velocity: &[f64], h: f64) -> Self {
-        let block = &kernel.plant.diagonal.block;
+    pub fn new(block: &Block, layout: &Layout, port: &Port, h: f64) -> Self {
         let n = block.len();
-        let (mut fourth, mut bound, mut slow) = (vec![0.0; n], vec![0.0; n], vec![true; n]);
-        for (k, pair) in block.pairs.iter().enumerate() {
-            let row = [displacement[2 * k], displacement[2 * k + 1]];
-            let (gain, speed) = Kernel::fourth_derivative(pair, row, h);
-            let is_slow = speed * h < FAST || matches!(pair, Pair::Jordan { .. });
-            for s in 0..2 {
-                slow[2 * k + s] = is_slow;
-                if is_slow {
-                    fourth[2 * k + s] = gain[s];
+        let (mut fourth, mut bound, mut speed, mut slow) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![1.0; n]);
+        for share in shares(block, &port.displacement, h) {
+            let is_fast = share.may_be_fast && share.speed_rad_s * h >= FAST;
+            for (i, state) in share.states.iter().enumerate() {
+                if is_fast {
+                    (bound[*state], speed[*state], slow[*state]) = (share.displacement[i], share.velocity[i], 0.0);
                 } else {
-                    bound[2 * k + s] = row[0].hypot(row[1]);
+                    fourth[*state] = share.fourth[i];
                 }
             }
         }
-        let first = 2 * block.pairs.len();
-        for (k, rate) in block.reals.iter().enumerate() {
-            slow[first + k] = rate.abs() * h < FAST;
-            let gain = displacement[first + k].abs();
-            if slow[first + k] {
-                fourth[first + k] = gain * rate.powi(4);
-            } else {
-                bound[first + k] = gain;
+        let kept = |row: &[f64]| layout.pack(&row.iter().zip(&slow).map(|(c, kept)| c * kept).collect::<Vec<_>>());
+        let fast = slow.contains(&0.0).then(|| FastPart {
+            slow_displacement: kept(&port.displacement),
+            slow_velocity: kept(&port.velocity),
+            displacement_bound: layout.pack(&bound),
+            velocity_bound: layout.pack(&speed),
+        });
+        FlightTable { slow_fourth: layout.pack(&fourth), fast }
+    }
+}
+
+/// The blocks decay, so that bounds at the start of a step hold throughout.
+fn shares(block: &Block, row: &[f64], h: f64) -> Vec<Share> {
+    let pair = |(k, pair): (usize, &Pair)| {
+        let own = [row[2 * k], row[2 * k + 1]];
+        let (states, speed_rad_s) = (vec![2 * k, 2 * k + 1], pair.eigenvalue().norm());
+        match *pair {
+            Pair::Oscillatory { .. } => {
+                let gain = own[0].hypot(own[1]);
+                let both = |factor: f64| vec![gain * factor; 2];
+                let (velocity, fourth) = (both(speed_rad_s), both(speed_rad_s.powi(4)));
+                Share { states, speed_rad_s, displacement: both(1.0), velocity, fourth, may_be_fast: true }
+            }
+            // w = (c_u u + c_v v + c_u v t) e^{r t}, r <= 0
+            Pair::Jordan { rate } => {
+                let ([cu, cv], r) = (own.map(f64::abs), rate.abs());
+                let fourth = vec![cu * r.powi(4), (cv + cu * h) * r.powi(4) + 4.0 * cu * r.powi(3)];
+                Share { states, speed_rad_s, displacement: vec![0.0; 2], velocity: vec![0.0; 2], fourth, may_be_fast: false }
             }
         }
-        let columns = (layout.column_order().into_iter())
-            .map(|s| {
-                let (w, v) = (displacement[s], velocity[s]);
-                let kept = if slow[s] { 1.0 } else { 0.0 };
-                Lane([w, v, kept * w, kept * v, 0.0, 0.0, 0.0, 0.0])
-            })
-            .collect();
-        FlightTable { columns, slow_fourth: layout.pack(&fourth), fast_bound: layout.pack(&bound), has_fast: slow.contains(&false) }
-    }
+    };
+    let first = 2 * block.pairs.len();
+    let real = |(k, rate): (usize, &f64)| {
+        let (gain, speed_rad_s) = (row[first + k].abs(), rate.abs());
+        let (velocity, fourth) = (vec![gain * speed_rad_s], vec![gain * speed_rad_s.powi(4)]);
+        Share { states: vec![first + k], speed_rad_s, displacement: vec![gain], velocity, fourth, may_be_fast: true }
+    };
+    block.pairs.iter().enumerate().map(pair).chain(block.reals.iter().enumerate().map(real)).collect()
 }

@@ -1,16 +1,30 @@
-//! A plant laid out for marching: padded block data, the rows of each port, and level tables made when first used.
+//! A plant laid out for marching, and the tables of its step lengths, each made when first used.
 //!
 //! Steps have lengths `2^-e` seconds, so that tables are shared by all runs of a plant, whatever its drive.
 
-use super::lane::{Lane, WIDTH};
+use super::basis::{Basis, SMOOTH};
+use super::flight_table::FlightTable;
+use super::flow::Flow;
+use super::layout::Layout;
 use super::table::Table;
-use crate::plant::{Meters, Pair, Plant, PlantError};
+use crate::contact::Law;
+use crate::plant::{Meters, Plant, PlantError};
+use crate::wide::WIDTH;
 use std::sync::{Arc, OnceLock};
 
 /// Exponents `e` of the level lengths run from here ...
 const COARSEST: i32 = -12;
 /// ... to here.
 const FINEST: i32 = 60;
+
+/// The basis of the force on a contact step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Shape {
+    /// Inside a contact.
+    Smooth,
+    /// The first step of a contact.
+    Onset,
+}
 
 /// A plant with its step tables.
 #[derive(Debug)]
@@ -19,70 +33,30 @@ pub struct Kernel {
     pub plant: Plant,
     /// Its energy meters.
     pub meters: Meters,
-    /// Per port and level; they depend on the plant without its drives only, so that plants that differ in drives share them.
-    levels: Arc<Vec<Vec<OnceLock<Box<Table>>>>>,
+    /// Where its states stand in lanes.
+    pub(super) layout: Layout,
+    /// `A` in lanes.
+    pub(super) generator: Flow,
+    /// Largest `|eigenvalue|`, rad/s.
+    pub(super) fastest_rad_s: f64,
+    /// Per port: the basis of the first step of a contact, where it is not smooth.
+    onset: Arc<Vec<Option<Basis>>>,
+    /// They depend on the plant without its drives only, so that plants that differ in drives share them.
+    levels: Arc<Vec<Level>>,
 }
 
-/// Where the numbers of a state stand: `u` of all pairs, then `v` of all pairs, then the reals, each padded to whole lanes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Layout {
-    /// Number of pairs.
-    pub pairs: usize,
-    /// Number of reals.
-    pub reals: usize,
-    /// Lanes of `u` (and of `v`).
-    pub pair_lanes: usize,
-    /// Lanes of the reals.
-    pub real_lanes: usize,
+/// The tables of one step length.
+#[derive(Debug)]
+struct Level {
+    flow: OnceLock<Flow>,
+    ports: Vec<PortLevel>,
 }
 
-impl Layout {
-    /// Layout of a plant.
-    pub fn of(plant: &Plant) -> Self {
-        let block = &plant.diagonal.block;
-        let (pairs, reals) = (block.pairs.len(), block.reals.len());
-        Self { pairs, reals, pair_lanes: pairs.div_ceil(WIDTH), real_lanes: reals.div_ceil(WIDTH) }
-    }
-
-    /// Lanes of a state.
-    pub fn lanes(&self) -> usize {
-        2 * self.pair_lanes + self.real_lanes
-    }
-
-    /// Lane and place of state number `state` in block order `u0, v0, u1, ...`.
-    pub fn place(&self, state: usize) -> (usize, usize) {
-        let (base, index) = match state.checked_sub(2 * self.pairs) {
-            Some(real) => (2 * self.pair_lanes, real),
-            None => ((state % 2) * self.pair_lanes, state / 2),
-        };
-        (base + index / WIDTH, index % WIDTH)
-    }
-
-    /// Block order to padded lanes.
-    pub fn pack(&self, values: &[f64]) -> Vec<Lane> {
-        let mut lanes = vec![Lane::ZERO; self.lanes()];
-        for (state, value) in values.iter().enumerate() {
-            let (lane, place) = self.place(state);
-            lanes[lane].0[place] = *value;
-        }
-        lanes
-    }
-
-    /// Padded lanes to block order.
-    pub fn unpack(&self, lanes: &[Lane]) -> Vec<f64> {
-        (0..2 * self.pairs + self.reals)
-            .map(|state| {
-                let (lane, place) = self.place(state);
-                lanes[lane].0[place]
-            })
-            .collect()
-    }
-
-    /// Block order to column order `u0, u1, .., v0, v1, .., r0, ..`, in which states meet their columns.
-    pub fn column_order(&self) -> Vec<usize> {
-        let pairs = self.pairs;
-        (0..pairs).map(|k| 2 * k).chain((0..pairs).map(|k| 2 * k + 1)).chain(2 * pairs..2 * pairs + self.reals).collect()
-    }
+#[derive(Debug, Default)]
+struct PortLevel {
+    flight: OnceLock<FlightTable>,
+    smooth: OnceLock<Box<Table>>,
+    onset: OnceLock<Box<Table>>,
 }
 
 impl Kernel {
@@ -92,10 +66,18 @@ impl Kernel {
     /// [`PlantError::Undamped`].
     pub fn new(plant: Plant) -> Result<Self, PlantError> {
         let meters = Meters::new(&plant)?;
-        let ports = plant.ports.len().max(1);
-        let count = (FINEST - COARSEST + 1) as usize;
-        let levels = (0..ports).map(|_| (0..count).map(|_| OnceLock::new()).collect()).collect();
-        Ok(Self { plant, meters, levels: Arc::new(levels) })
+        let layout = Layout::of(&plant);
+        let level = |_| Level { flow: OnceLock::new(), ports: plant.ports.iter().map(|_| PortLevel::default()).collect() };
+        let onset = plant.system.stops.iter().map(|stop| onset_exponent(&stop.law).and_then(Basis::onset));
+        Ok(Self {
+            layout,
+            generator: Flow::generator(&plant.diagonal.block, &layout),
+            fastest_rad_s: plant.fastest_rad_s().max(f64::MIN_POSITIVE),
+            onset: Arc::new(onset.collect()),
+            levels: Arc::new((COARSEST..=FINEST).map(level).collect()),
+            meters,
+            plant,
+        })
     }
 
     /// The same plant under other drives, the tables made so far kept.
@@ -104,8 +86,15 @@ impl Kernel {
     /// [`PlantError::UndampedResonance`].
     pub fn with_drives(&self, drives: Vec<crate::plant::Drive>) -> Result<Self, PlantError> {
         let plant = self.plant.with_drives(drives)?;
-        let meters = self.meters.with_drives(&plant)?;
-        Ok(Self { plant, meters, levels: Arc::clone(&self.levels) })
+        Ok(Self {
+            meters: self.meters.with_drives(&plant)?,
+            plant,
+            layout: self.layout,
+            generator: self.generator.clone(),
+            fastest_rad_s: self.fastest_rad_s,
+            onset: Arc::clone(&self.onset),
+            levels: Arc::clone(&self.levels),
+        })
     }
 
     /// Row of the relative acceleration of the first port, the contact force left out: `(A^T c_v)`.
@@ -122,8 +111,10 @@ impl Kernel {
     }
 
     /// Length of a level, s.
+    #[inline(always)]
     pub fn length_s(level: i32) -> f64 {
-        2.0_f64.powi(-level)
+        // 2^-level by its exponent bits: levels lie far inside the normal numbers.
+        f64::from_bits(((1023 - i64::from(level)) as u64) << 52)
     }
 
     /// Finest level there is.
@@ -137,29 +128,68 @@ impl Kernel {
     }
 
     /// Coarsest level not longer than a time.
+    #[inline(always)]
     pub fn level_within(time_s: f64) -> i32 {
-        (-time_s.log2().floor()).clamp(f64::from(COARSEST), f64::from(FINEST)) as i32
+        // floor(log2) of a positive normal number is its exponent.
+        (1023 - (time_s.to_bits() >> 52) as i32).clamp(COARSEST, FINEST)
     }
 
-    /// Table of a level for a port.
-    pub fn table(&self, port: usize, level: i32) -> &Table {
-        self.levels[port][(level - COARSEST) as usize].get_or_init(|| Box::new(Table::new(self, port, Self::length_s(level))))
+    /// Index of a level in lists of all levels.
+    #[inline(always)]
+    pub(super) fn index(level: i32) -> usize {
+        (level - COARSEST) as usize
     }
 
-    /// Bound on the fourth derivative of one block's share of an output row: factors for `|u|` and `|v|`, and its speed, rad/s.
-    pub fn fourth_derivative(pair: &Pair, row: [f64; 2], length_s: f64) -> ([f64; 2], f64) {
-        match *pair {
-            Pair::Oscillatory { .. } => {
-                let speed = pair.eigenvalue().norm();
-                let gain = row[0].hypot(row[1]) * speed.powi(4);
-                ([gain, gain], speed)
-            }
-            // w = (c_u u + c_v v + c_u v t) e^{r t}, r <= 0
-            Pair::Jordan { rate } => {
-                let [cu, cv] = [row[0].abs(), row[1].abs()];
-                let r = rate.abs();
-                ([cu * r.powi(4), (cv + cu * length_s) * r.powi(4) + 4.0 * cu * r.powi(3)], r)
-            }
+    /// Number of levels.
+    pub(super) const fn count() -> usize {
+        (FINEST - COARSEST + 1) as usize
+    }
+
+    /// Flow over a level.
+    #[inline(always)]
+    pub(super) fn flow(&self, level: i32) -> &Flow {
+        let make = || Flow::over(&self.plant.diagonal.block, &self.layout, Self::length_s(level));
+        self.levels[Self::index(level)].flow.get_or_init(make)
+    }
+
+    /// Flight table of a level for a port.
+    #[inline(always)]
+    pub(super) fn flight(&self, port: usize, level: i32) -> &FlightTable {
+        let make = || FlightTable::new(&self.plant.diagonal.block, &self.layout, &self.plant.ports[port], Self::length_s(level));
+        self.levels[Self::index(level)].ports[port].flight.get_or_init(make)
+    }
+
+    /// Contact table of a level for a port.
+    #[inline(always)]
+    pub(super) fn table(&self, port: usize, shape: Shape, level: i32) -> &Table {
+        let tables = &self.levels[Self::index(level)].ports[port];
+        let slot = if shape == Shape::Smooth { &tables.smooth } else { &tables.onset };
+        slot.get_or_init(|| Box::new(Table::new(self, port, self.basis(port, shape), Self::length_s(level))))
+    }
+
+    /// Basis of the force of a port.
+    pub(super) fn basis(&self, port: usize, shape: Shape) -> &Basis {
+        match (shape, &self.onset[port]) {
+            (Shape::Onset, Some(basis)) => basis,
+            _ => &SMOOTH,
         }
     }
+
+    /// The basis in which a contact of a port starts.
+    #[inline(always)]
+    pub(super) fn first_shape(&self, port: usize) -> Shape {
+        if self.onset[port].is_some() { Shape::Onset } else { Shape::Smooth }
+    }
 }
+
+/// Power of time with which the force of a contact starts.
+fn onset_exponent(law: &Law) -> Option<f64> {
+    match law {
+        Law::Hertz(law) => Some(law.exponent),
+        Law::HuntCrossley(law) => Some(law.elastic.exponent),
+        Law::KelvinVoigt(_) | Law::Rigid(_) => None,
+    }
+}
+
+/// Lanes of a state are padded, and so is the step: seven nodes and its end.
+const _: () = assert!(WIDTH == super::basis::NODES + 1);

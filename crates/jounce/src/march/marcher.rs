@@ -3,15 +3,18 @@
 //! Between contacts the flow is exact and a step is as long as the certificate allows; in contact the scalar force on a step
 //! is a polynomial through seven Gauss nodes, found by fixed point. The loop alternates the two.
 
-use super::collocation::NODES;
+use super::basis::NODES;
 use super::energies::Opening;
-use super::kernel::{Kernel, Layout};
-use super::lane::Lane;
+use super::flow::SHORT;
+use super::kernel::{Kernel, Shape};
+use super::layout::Layout;
+use super::state::dot;
 use super::tone::Turning;
 use super::totals::{ContactIntegrals, ContactStatistics, WorkCount};
 use super::trajectory::{Segment, Trajectory};
-use crate::contact::{ContactLaw, Hertz, Law};
-use pulp::{Arch, Simd, WithSimd};
+use crate::contact::{ContactLaw, Hertz, Law, Rigid};
+use crate::wide::{Lane, Portable, Task, Wide, widest};
+use faer::c64;
 
 /// Whether the point is on the stop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,6 +63,7 @@ pub struct Marcher<'k> {
     pub(super) time_s: f64,
     pub(super) y: Vec<Lane>,
     pub(super) next: Vec<Lane>,
+    pub(super) scratch: Vec<Lane>,
     pub(super) tones: Vec<Turning>,
     /// Distance past the stop and its rate at the present time.
     pub(super) penetration_m: f64,
@@ -101,7 +105,7 @@ impl<'k> Marcher<'k> {
         if plant.ports.len() > 1 {
             return Err(MarchError::SeveralStops { stops: plant.ports.len() });
         }
-        let layout = Layout::of(plant);
+        let layout = kernel.layout;
         let port = plant.ports.first();
         let steady = |k: usize| port.map_or_else(Default::default, |port| port.steady_m[k]);
         let tones: Vec<Turning> =
@@ -115,8 +119,7 @@ impl<'k> Marcher<'k> {
             tone_fourth: tones.iter().map(|tone| tone.displacement_m.norm() * tone.angular_frequency_rad_s.powi(4)).sum(),
             tone_scale_m: tones.iter().map(|tone| tone.displacement_m.norm()).sum(),
         };
-        let fastest = plant.fastest_rad_s().max(f64::MIN_POSITIVE);
-        let start = Kernel::level_within(1.0 / fastest);
+        let start = Kernel::level_within(1.0 / kernel.fastest_rad_s);
         let mut marcher = Self {
             kernel,
             layout,
@@ -124,6 +127,7 @@ impl<'k> Marcher<'k> {
             time_s,
             y: layout.pack(y),
             next: vec![Lane::ZERO; layout.lanes()],
+            scratch: vec![Lane::ZERO; layout.lanes()],
             regime: Regime::Flight,
             penetration_m: 0.0,
             rate_m_s: 0.0,
@@ -142,7 +146,7 @@ impl<'k> Marcher<'k> {
             opening: Opening::default(),
             record: None,
         };
-        marcher.see::<false>();
+        marcher.see(Portable::new());
         marcher.start_pressed();
         marcher.opening = marcher.readings();
         Ok(marcher)
@@ -203,9 +207,9 @@ impl<'k> Marcher<'k> {
     }
 
     /// Keeps the step that is about to be taken.
-    pub(super) fn note(&mut self, length_s: f64, force_n: Option<[f64; NODES]>) {
+    pub(super) fn note(&mut self, length_s: f64, force: Option<(Shape, [f64; NODES])>) {
         if let Some(record) = &mut self.record {
-            record.push(Segment { start_s: self.time_s, length_s, state: self.layout.unpack(&self.y), force_n });
+            record.push(Segment { start_s: self.time_s, length_s, state: self.layout.unpack(&self.y), force });
         }
     }
 
@@ -225,51 +229,56 @@ impl<'k> Marcher<'k> {
             Some(Law::Hertz(law)) => self.dispatch(law, end_s),
             Some(Law::KelvinVoigt(law)) => self.dispatch(law, end_s),
             Some(Law::HuntCrossley(law)) => self.dispatch(law, end_s),
-            Some(Law::Rigid(law)) => self.advance_rigid(law, end_s),
+            Some(Law::Rigid(law)) => widest(AdvanceRigid { marcher: self, law, end_s }),
         }
     }
 
     fn dispatch<L: ContactLaw>(&mut self, law: L, end_s: f64) -> Result<(), MarchError> {
-        Arch::new().dispatch(Advance { marcher: self, law, end_s })
-    }
-
-    /// Alternates flight and contact until the end.
-    #[inline(always)]
-    fn advance<L: ContactLaw, const FMA: bool>(&mut self, law: L, end_s: f64) -> Result<(), MarchError> {
-        while self.time_s < end_s {
-            match self.regime {
-                Regime::Flight => self.flight::<FMA>(end_s)?,
-                Regime::Contact => self.contact::<L, FMA>(law, end_s)?,
-            }
-        }
-        Ok(())
+        widest(Advance { marcher: self, law, end_s })
     }
 
     /// Reads penetration and rate off the state.
     #[inline(always)]
-    pub(super) fn see<const FMA: bool>(&mut self) {
-        let mut motion = (
-            super::state::dot::<FMA>(&self.rows.displacement, &self.y) - self.rows.gap_m,
-            super::state::dot::<FMA>(&self.rows.velocity, &self.y),
-        );
+    pub(super) fn see<W: Wide>(&mut self, w: W) {
+        let mut motion = [dot(w, &self.rows.displacement, &self.y) - self.rows.gap_m, dot(w, &self.rows.velocity, &self.y)];
         for tone in &self.tones {
-            let (w, v) = tone.motion();
-            motion = (motion.0 + w, motion.1 + v);
+            let [place, speed] = tone.motion();
+            motion = [motion[0] + place, motion[1] + speed];
         }
-        (self.penetration_m, self.rate_m_s) = motion;
+        [self.penetration_m, self.rate_m_s] = motion;
     }
 
-    /// The state after an exact flow over any time.
-    pub(super) fn flown(&self, length_s: f64) -> Vec<Lane> {
-        self.layout.pack(&self.kernel.plant.diagonal.block.flow(length_s, &self.layout.unpack(&self.y)))
+    /// Puts the state after an exact flow over any time into `next`; returns penetration and rate there.
+    ///
+    /// The time is cut into levels, longest first, and a rest so short that the power series of the flow is exact.
+    #[inline(always)]
+    pub(super) fn look_ahead<W: Wide>(&mut self, w: W, length_s: f64) -> [f64; 2] {
+        let kernel = self.kernel;
+        self.next.copy_from_slice(&self.y);
+        let mut rest_s = length_s;
+        while rest_s * kernel.fastest_rad_s > SHORT {
+            let level = Kernel::level_within(rest_s);
+            kernel.flow(level).apply(w, &self.next, &mut self.scratch);
+            std::mem::swap(&mut self.next, &mut self.scratch);
+            rest_s -= Kernel::length_s(level);
+        }
+        kernel.generator.glide(w, rest_s, &mut self.next);
+        let mut motion = [dot(w, &self.rows.displacement, &self.next) - self.rows.gap_m, dot(w, &self.rows.velocity, &self.next)];
+        for tone in &self.tones {
+            let [place, speed] = tone.motion_after(c64::cis(tone.angular_frequency_rad_s * length_s));
+            motion = [motion[0] + place, motion[1] + speed];
+        }
+        motion
     }
 
-    /// Exact flow over any time, by one exponential per block.
-    pub(super) fn glide(&mut self, length_s: f64, end_s: f64) {
+    /// Moves to the state in `next`.
+    #[inline(always)]
+    pub(super) fn move_on(&mut self, length_s: f64, end_s: f64, motion: [f64; 2]) {
         self.note(length_s, None);
-        self.y = self.flown(length_s);
+        std::mem::swap(&mut self.y, &mut self.next);
         self.time_s = end_s;
         self.tones.iter_mut().for_each(|tone| tone.set(end_s));
+        [self.penetration_m, self.rate_m_s] = motion;
     }
 }
 
@@ -280,16 +289,35 @@ struct Advance<'m, 'k, L> {
     end_s: f64,
 }
 
-impl<L: ContactLaw> WithSimd for Advance<'_, '_, L> {
+impl<L: ContactLaw> Task for Advance<'_, '_, L> {
+    type Output = Result<(), MarchError>;
+
+    /// Alternates flight and contact until the end.
+    #[inline(always)]
+    fn run<W: Wide>(self, w: W) -> Self::Output {
+        let Advance { marcher, law, end_s } = self;
+        while marcher.time_s < end_s {
+            match marcher.regime {
+                Regime::Flight => marcher.flight(w, end_s)?,
+                Regime::Contact => marcher.contact(w, law, end_s)?,
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The same for a rigid stop.
+struct AdvanceRigid<'m, 'k> {
+    marcher: &'m mut Marcher<'k>,
+    law: Rigid,
+    end_s: f64,
+}
+
+impl Task for AdvanceRigid<'_, '_> {
     type Output = Result<(), MarchError>;
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _simd: S) -> Self::Output {
-        // Machines with vectors of four numbers or more fuse multiply and add.
-        if S::F64_LANES >= 4 {
-            self.marcher.advance::<L, true>(self.law, self.end_s)
-        } else {
-            self.marcher.advance::<L, false>(self.law, self.end_s)
-        }
+    fn run<W: Wide>(self, w: W) -> Self::Output {
+        self.marcher.advance_rigid(w, self.law, self.end_s)
     }
 }

@@ -1,15 +1,18 @@
 //! Marching: integration in time with exact flow between contacts and collocation inside them.
+mod answers;
+mod basis;
 mod certificate;
-mod collocation;
+mod contact;
 mod contact_step;
-mod duhamel;
 mod energies;
 mod flight;
 mod flight_table;
+mod flow;
 mod kernel;
-mod lane;
+mod layout;
 mod marcher;
 mod peak;
+mod response;
 mod rigid;
 mod state;
 mod table;
@@ -19,7 +22,7 @@ mod trajectory;
 mod variation;
 
 pub use energies::Energies;
-pub use kernel::Kernel;
+pub use kernel::{Kernel, Shape};
 pub use marcher::{MarchError, Marcher};
 pub use totals::{ContactIntegrals, ContactStatistics, WorkCount};
 pub use trajectory::{Instant, Segment, Trajectory};

@@ -1,43 +1,61 @@
 //! Highest penetration inside a step.
 
-use super::collocation::{COLLOCATION, NODES};
-use super::lane::Lane;
+use super::basis::{NODES, SMOOTH};
+use crate::wide::Lane;
+use std::sync::LazyLock;
 
 /// Points of the interpolation: the start of the step, its nodes, and its end.
 const POINTS: usize = NODES + 2;
 
-/// Maximum over the step of the polynomial through the start value and the lane (seven nodes and the end), by golden-section
-/// search around the highest point.
-pub fn interpolated_peak(start: f64, values: &Lane) -> f64 {
-    let c = &*COLLOCATION;
+/// Places of the points, and Chebyshev coefficients of the polynomial that is 1 at one point and 0 at the others.
+struct Interpolation {
+    places: [f64; POINTS],
+    coefficients: [[f64; POINTS]; POINTS],
+}
+
+static INTERPOLATION: LazyLock<Interpolation> = LazyLock::new(|| {
+    use faer::linalg::solvers::DenseSolveCore;
     let places: [f64; POINTS] = std::array::from_fn(|i| match i {
         0 => 0.0,
-        i if i <= NODES => c.nodes[i - 1],
+        i if i <= NODES => SMOOTH.places[i - 1],
         _ => 1.0,
     });
+    let inverse = faer::Mat::from_fn(POINTS, POINTS, |i, n| (n as f64 * (2.0 * places[i] - 1.0).acos()).cos()).partial_piv_lu().inverse();
+    Interpolation { places, coefficients: std::array::from_fn(|n| std::array::from_fn(|i| inverse[(n, i)])) }
+});
+
+/// Maximum over the step of the polynomial through the start value and the lane (seven smooth nodes and the end), by Newton on its
+/// slope from the top of the parabola through the highest point and its neighbours.
+pub fn interpolated_peak(start: f64, values: &Lane) -> f64 {
+    let Interpolation { places, coefficients } = &*INTERPOLATION;
     let heights: [f64; POINTS] = std::array::from_fn(|i| if i == 0 { start } else { values.0[i - 1] });
-    let weights: [f64; POINTS] = std::array::from_fn(|i| (0..POINTS).filter(|j| *j != i).map(|j| 1.0 / (places[i] - places[j])).product());
-    // Barycentric form of the interpolation polynomial.
-    let at = |x: f64| {
-        let (mut above, mut below) = (0.0, 0.0);
-        for i in 0..POINTS {
-            if x == places[i] {
-                return heights[i];
-            }
-            let share = weights[i] / (x - places[i]);
-            above += share * heights[i];
-            below += share;
+    let series: [f64; POINTS] = std::array::from_fn(|n| (0..POINTS).map(|i| coefficients[n][i] * heights[i]).sum());
+    let top = (0..POINTS).fold(0, |best, i| if heights[i] > heights[best] { i } else { best });
+    let (low, high) = (places[top.saturating_sub(1)], places[(top + 1).min(POINTS - 1)]);
+    let mut x = places[top];
+    for _ in 0..6 {
+        let [_, slope, curvature] = chebyshev(&series, x);
+        let next = x - slope / curvature;
+        if curvature >= 0.0 || !next.is_finite() {
+            break;
         }
-        above / below
-    };
-    let highest = (0..POINTS).max_by(|&i, &j| heights[i].total_cmp(&heights[j])).unwrap_or(0);
-    let (mut low, mut high) = (places[highest.saturating_sub(1)], places[(highest + 1).min(POINTS - 1)]);
-    let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
-    while high - low > 1e-7 {
-        let (a, b) = (high - golden * (high - low), low + golden * (high - low));
-        if at(a) > at(b) { high = b } else { low = a }
+        x = next.clamp(low, high);
     }
-    at(0.5 * (low + high)).max(heights[highest])
+    chebyshev(&series, x)[0].max(heights[top])
+}
+
+/// Value, slope and curvature in `x` of a Chebyshev series on `[0, 1]`.
+fn chebyshev(series: &[f64; POINTS], x: f64) -> [f64; 3] {
+    let s = 2.0 * x - 1.0;
+    let (mut before, mut now) = ([1.0, 0.0, 0.0], [s, 2.0, 0.0]);
+    let mut sum: [f64; 3] = std::array::from_fn(|d| series[0] * before[d] + series[1] * now[d]);
+    for c in &series[2..] {
+        let next =
+            [2.0 * s * now[0] - before[0], 2.0 * (2.0 * now[0] + s * now[1]) - before[1], 2.0 * (4.0 * now[1] + s * now[2]) - before[2]];
+        (0..3).for_each(|d| sum[d] += c * next[d]);
+        (before, now) = (now, next);
+    }
+    sum
 }
 
 #[cfg(test)]
@@ -46,9 +64,8 @@ mod tests {
 
     #[test]
     fn finds_the_top_of_a_sine_between_nodes() {
-        let c = &*COLLOCATION;
         let sine = |x: f64| (2.0 * x + 0.3).sin();
-        let lane = Lane(std::array::from_fn(|i| sine(if i < NODES { c.nodes[i] } else { 1.0 })));
+        let lane = Lane(SMOOTH.places.map(sine));
         // Ninth derivative 2^9 over 9! times the node polynomial, at most 7.6e-6: 1.1e-8.
         assert!((interpolated_peak(sine(0.0), &lane) - 1.0).abs() < 1.1e-8);
     }

@@ -11,13 +11,14 @@
 //!
 //! collocated at the nodes of a step as everywhere else; the point leaves when the force would have to pull.
 
-use super::collocation::{COLLOCATION, NODES};
-use super::kernel::Kernel;
-use super::lane::Lane;
+use super::basis::{NODES, SMOOTH};
+use super::kernel::{Kernel, Shape};
 use super::marcher::{MarchError, Marcher, Regime};
-use super::state::{add_push, dot, flow};
+use super::state::{add_push, columns, dot};
 use super::table::{Sticking, Table};
+use super::tone::Swing;
 use crate::contact::Rigid;
+use crate::wide::{Lane, Portable, WIDTH, Wide};
 use faer::c64;
 
 /// Speed after an impact, relative to the fastest strike and the tolerance, below which chatter ends.
@@ -25,10 +26,11 @@ const CHATTER_SHARE: f64 = 1e-2;
 
 impl Marcher<'_> {
     /// Alternates flight, impacts and rest until the end.
-    pub(super) fn advance_rigid(&mut self, law: Rigid, end_s: f64) -> Result<(), MarchError> {
+    #[inline(always)]
+    pub(super) fn advance_rigid<W: Wide>(&mut self, w: W, law: Rigid, end_s: f64) -> Result<(), MarchError> {
         while self.time_s < end_s {
             match self.regime {
-                Regime::Flight => self.flight::<false>(end_s)?,
+                Regime::Flight => self.flight(w, end_s)?,
                 Regime::Contact if self.rate_m_s > 0.0 => self.impact(law),
                 Regime::Contact => self.stick(end_s)?,
             }
@@ -55,24 +57,24 @@ impl Marcher<'_> {
     fn push_by(&mut self, impulse_n_s: f64) {
         let kernel = self.kernel;
         let column = self.layout.pack(&kernel.plant.ports[0].force);
-        let middle: Vec<Lane> = self.y.iter().zip(&column).map(|(y, b)| y.add_scaled::<false>(0.5 * impulse_n_s, b)).collect();
+        let middle: Vec<Lane> = self.y.iter().zip(&column).map(|(y, b)| y.add_scaled(0.5 * impulse_n_s, b)).collect();
         // The meters' integral of a force that acts in no time: force times the mean of the state before and after.
         for (sum, meter) in self.integrals.loads_j.iter_mut().zip(&kernel.meters.loads) {
-            *sum += impulse_n_s * dot::<false>(&self.layout.pack(meter.port_row(0)), &middle);
+            *sum += impulse_n_s * dot(Portable::new(), &self.layout.pack(meter.port_row(0)), &middle);
         }
-        self.integrals.damping_j += impulse_n_s * dot::<false>(&self.layout.pack(kernel.meters.damping.port_row(0)), &middle);
+        self.integrals.damping_j += impulse_n_s * dot(Portable::new(), &self.layout.pack(kernel.meters.damping.port_row(0)), &middle);
         for (sum, tone) in self.integrals.tones_n_s.iter_mut().zip(&self.tones) {
             *sum += tone.turn * impulse_n_s;
         }
         self.statistics.impulse_n_s += impulse_n_s;
-        self.y.iter_mut().zip(&column).for_each(|(y, b)| *y = y.add_scaled::<false>(impulse_n_s, b));
+        self.y.iter_mut().zip(&column).for_each(|(y, b)| *y = y.add_scaled(impulse_n_s, b));
     }
 
     /// Relative acceleration towards the stop without contact force, m/s^2.
     fn acceleration_m_s2(&self) -> f64 {
         let row = self.layout.pack(&self.kernel.acceleration_row());
         let drive: f64 = self.tones.iter().map(|tone| acceleration(tone.displacement_m * tone.turn, tone.angular_frequency_rad_s)).sum();
-        dot::<false>(&row, &self.y) + drive
+        dot(Portable::new(), &row, &self.y) + drive
     }
 
     /// Rests on the stop until the force would have to pull, or until the end.
@@ -86,9 +88,15 @@ impl Marcher<'_> {
             }
             let remaining = end_s - self.time_s;
             let landing = Kernel::length_s(level) >= remaining;
-            let table = if landing { Table::new(self.kernel, 0, remaining) } else { self.kernel.table(0, level).clone() };
-            let sticking = Sticking::new(self.kernel, &table);
-            let (force, error) = self.holding_force(&table, &sticking);
+            let odd;
+            let table = if landing {
+                odd = Table::new(self.kernel, 0, &SMOOTH, remaining);
+                &odd
+            } else {
+                self.kernel.table(0, Shape::Smooth, level)
+            };
+            let sticking = Sticking::new(self.kernel, &SMOOTH, table.length_s);
+            let (force, error) = self.holding_force(table, &sticking);
             let pulls = force.iter().any(|f| *f < 0.0);
             let negligible = force_now * table.length_s <= 1e-3 * self.tolerance * self.strike_m_s / self.rows.mobility_per_kg;
             if (pulls && !negligible) || error > self.tolerance.max(1e-12) * 1e-2 {
@@ -98,7 +106,7 @@ impl Marcher<'_> {
                 }
                 continue;
             }
-            self.take_held(&table, &force.map(|f| f.max(0.0)));
+            self.take_held(table, &force.map(|f| f.max(0.0)));
             if landing {
                 self.time_s = end_s;
             }
@@ -112,18 +120,18 @@ impl Marcher<'_> {
     }
 
     /// Nodal forces that hold the point, N, and their relative mismatch at the end of the step.
-    fn holding_force(&self, table: &Table, sticking: &Sticking) -> ([f64; NODES], f64) {
-        let mut free = super::state::columns::<false>(&self.layout, &self.y, &sticking.acceleration.columns);
-        for tone in &self.tones {
-            let (cos, sin) = tone.over(table.length_s);
-            for i in 0..super::lane::WIDTH {
-                let turned = tone.displacement_m * tone.turn * c64::new(cos.0[i], sin.0[i]);
+    fn holding_force(&mut self, table: &Table, sticking: &Sticking) -> ([f64; NODES], f64) {
+        let w = Portable::new();
+        let mut free = w.store(columns(w, &self.layout, &self.y, &sticking.acceleration.columns, w.zero()));
+        for tone in &mut self.tones {
+            tone.swing = Swing::over(tone.angular_frequency_rad_s, &SMOOTH, table.length_s);
+            for i in 0..WIDTH {
+                let turned = tone.displacement_m * tone.turn * c64::new(tone.swing.cos.0[i], tone.swing.sin.0[i]);
                 free.0[i] += acceleration(turned, tone.angular_frequency_rad_s);
             }
         }
         let force: [f64; NODES] = std::array::from_fn(|i| (0..NODES).map(|j| sticking.inverse[i][j] * free.0[j]).sum());
-        let c = &*COLLOCATION;
-        let end_by_nodes: f64 = (0..NODES).map(|j| c.at_end[j] * force[j]).sum();
+        let end_by_nodes: f64 = (0..NODES).map(|j| SMOOTH.at_end[j] * force[j]).sum();
         let felt: f64 = free.0[NODES] + (0..NODES).map(|j| sticking.acceleration.push[j].0[NODES] * force[j]).sum::<f64>();
         let size = force.iter().fold(f64::MIN_POSITIVE, |max, f| max.max(f.abs()));
         (force, (end_by_nodes - felt / self.rows.mobility_per_kg).abs() / size)
@@ -131,16 +139,16 @@ impl Marcher<'_> {
 
     /// Takes a step under given nodal forces and puts the point back onto the stop to roundoff.
     fn take_held(&mut self, table: &Table, force: &[f64; NODES]) {
-        self.note(table.length_s, Some(*force));
+        self.note(table.length_s, Some((Shape::Smooth, *force)));
         let lane = Lane(std::array::from_fn(|i| if i < NODES { force[i] } else { 0.0 }));
-        self.integrate_force::<false>(table, &lane);
-        let mut next = std::mem::take(&mut self.next);
-        flow::<false>(&self.layout, &self.y, table, &mut next);
-        add_push::<false>(table, &lane, &mut next);
-        self.next = std::mem::replace(&mut self.y, next);
+        let w = Portable::new();
+        self.integrate_force(w, table, &SMOOTH, &lane);
+        table.flow.apply(w, &self.y, &mut self.next);
+        add_push(w, &table.push, &lane, &mut self.next);
+        std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += table.length_s;
         self.tones.iter_mut().for_each(|tone| tone.set(self.time_s));
-        self.see::<false>();
+        self.see(w);
         let sizes = force.iter().fold(0.0_f64, |max, f| max.max(*f));
         self.statistics.max_force_n = self.statistics.max_force_n.max(sizes);
         self.statistics.sticking_s += table.length_s;
@@ -159,7 +167,7 @@ impl Marcher<'_> {
         let column = self.layout.pack(&plant.ports[0].force);
         let impulse = self.rate_m_s / self.rows.mobility_per_kg;
         for ((y, moved), b) in self.y.iter_mut().zip(&moved).zip(&column) {
-            *y = y.add(moved).add_scaled::<false>(impulse, b);
+            *y = y.add(moved).add_scaled(impulse, b);
         }
         (self.penetration_m, self.rate_m_s) = (0.0, 0.0);
     }

@@ -1,93 +1,84 @@
-//! The padded state and the few products that marching is made of.
+//! The few products that marching is made of.
 
-use super::collocation::NODES;
-use super::kernel::Layout;
-use super::lane::{Lane, WIDTH, fma};
-use super::table::Table;
+use super::basis::NODES;
+use super::layout::Layout;
+use super::response::Response;
+use crate::wide::{Lane, WIDTH, Wide};
 
-/// `sum_k columns_k y_k`: several outputs of a state at once.
+/// `start + sum_k columns_k y_k`: an output at eight instants.
 #[inline(always)]
-pub fn columns<const FMA: bool>(layout: &Layout, y: &[Lane], columns: &[Lane]) -> Lane {
+pub fn columns<W: Wide>(w: W, layout: &Layout, y: &[Lane], columns: &[Lane], start: W::Register) -> W::Register {
     let (p, n) = (layout.pair_lanes, layout.pairs);
-    let (u, v, r) = (&y[..p], &y[p..2 * p], &y[2 * p..]);
-    // Four sums side by side, so that no addition waits for the one before it.
-    let mut sums = [Lane::ZERO; 4];
-    for k in 0..n {
-        let even = 2 * (k & 1);
-        sums[even] = sums[even].add_scaled::<FMA>(u[k / WIDTH].0[k % WIDTH], &columns[k]);
-        sums[even + 1] = sums[even + 1].add_scaled::<FMA>(v[k / WIDTH].0[k % WIDTH], &columns[n + k]);
-    }
-    for k in 0..layout.reals {
-        sums[0] = sums[0].add_scaled::<FMA>(r[k / WIDTH].0[k % WIDTH], &columns[2 * n + k]);
-    }
-    sums[0].add(&sums[1]).add(&sums[2].add(&sums[3]))
+    let (of_u, rest) = columns.split_at(n);
+    let (of_v, of_r) = rest.split_at(n);
+    let u = weighted(w, &y[..p], of_u, start);
+    let v = weighted(w, &y[p..2 * p], of_v, w.zero());
+    weighted(w, &y[2 * p..], of_r, w.add(u, v))
 }
 
-/// `sum_j push_j f_j`.
+/// `start + sum_k columns_k y_k` over states that lie side by side.
 #[inline(always)]
-pub fn pushed<const FMA: bool>(start: Lane, push: &[Lane; NODES], force: &Lane) -> Lane {
-    let (mut even, mut odd) = (start, Lane::ZERO);
-    for (j, push) in push.iter().enumerate() {
-        if j % 2 == 0 {
-            even = even.add_scaled::<FMA>(force.0[j], push);
+fn weighted<W: Wide>(w: W, y: &[Lane], columns: &[Lane], start: W::Register) -> W::Register {
+    // Two sums side by side, so that no addition waits for the one before it.
+    let (mut even, mut odd) = (start, w.zero());
+    for (lane, columns) in y.iter().zip(columns.chunks(WIDTH)) {
+        if let Ok(columns) = <&[Lane; WIDTH]>::try_from(columns) {
+            for i in 0..WIDTH / 2 {
+                even = w.fma(w.splat(lane.0[2 * i]), w.load(&columns[2 * i]), even);
+                odd = w.fma(w.splat(lane.0[2 * i + 1]), w.load(&columns[2 * i + 1]), odd);
+            }
         } else {
-            odd = odd.add_scaled::<FMA>(force.0[j], push);
+            for (value, column) in lane.0.iter().zip(columns) {
+                even = w.fma(w.splat(*value), w.load(column), even);
+            }
         }
     }
-    even.add(&odd)
+    w.add(even, odd)
+}
+
+/// `start + sum_j push_j f_j`.
+#[inline(always)]
+pub fn pushed<W: Wide>(w: W, start: W::Register, push: &[Lane; NODES], force: &Lane) -> W::Register {
+    let (mut even, mut odd) = (start, w.zero());
+    for i in 0..NODES / 2 {
+        even = w.fma(w.splat(force.0[2 * i]), w.load(&push[2 * i]), even);
+        odd = w.fma(w.splat(force.0[2 * i + 1]), w.load(&push[2 * i + 1]), odd);
+    }
+    even = w.fma(w.splat(force.0[NODES - 1]), w.load(&push[NODES - 1]), even);
+    w.add(even, odd)
 }
 
 /// Row times state, both padded.
 #[inline(always)]
-pub fn dot<const FMA: bool>(row: &[Lane], y: &[Lane]) -> f64 {
-    let mut sum = Lane::ZERO;
+pub fn dot<W: Wide>(w: W, row: &[Lane], y: &[Lane]) -> f64 {
+    let mut sum = w.zero();
     for (row, y) in row.iter().zip(y) {
-        sum = sum.add_product::<FMA>(row, y);
+        sum = w.fma(w.load(row), w.load(y), sum);
     }
-    sum.sum()
+    w.sum(sum)
 }
 
 /// Row times magnitudes of a state, both padded.
 #[inline(always)]
-pub fn dot_abs<const FMA: bool>(row: &[Lane], y: &[Lane]) -> f64 {
-    let mut sum = Lane::ZERO;
+pub fn dot_abs<W: Wide>(w: W, row: &[Lane], y: &[Lane]) -> f64 {
+    let mut sum = w.zero();
     for (row, y) in row.iter().zip(y) {
-        sum = sum.add_product::<FMA>(row, &y.map(f64::abs));
+        sum = w.fma(w.load(row), w.abs(w.load(y)), sum);
     }
-    sum.sum()
-}
-
-/// Exact flow over the length of a table.
-#[inline(always)]
-pub fn flow<const FMA: bool>(layout: &Layout, y: &[Lane], table: &Table, out: &mut [Lane]) {
-    let p = layout.pair_lanes;
-    let [a, b, c, d] = &table.pair_flow;
-    for k in 0..p {
-        for i in 0..WIDTH {
-            let (u, v) = (y[k].0[i], y[p + k].0[i]);
-            out[k].0[i] = fma::<FMA>(a[k].0[i], u, b[k].0[i] * v);
-            out[p + k].0[i] = fma::<FMA>(c[k].0[i], u, d[k].0[i] * v);
-        }
-    }
-    for k in 0..layout.real_lanes {
-        for i in 0..WIDTH {
-            out[2 * p + k].0[i] = table.real_flow[k].0[i] * y[2 * p + k].0[i];
-        }
-    }
+    w.sum(sum)
 }
 
 /// Adds the effect of the nodal forces at the end of a step.
 #[inline(always)]
-pub fn add_push<const FMA: bool>(table: &Table, force: &Lane, out: &mut [Lane]) {
-    for (k, out) in out.iter_mut().enumerate() {
-        let (mut even, mut odd) = (*out, Lane::ZERO);
-        for j in 0..NODES {
-            if j % 2 == 0 {
-                even = even.add_scaled::<FMA>(force.0[j], &table.push[j][k]);
-            } else {
-                odd = odd.add_scaled::<FMA>(force.0[j], &table.push[j][k]);
-            }
-        }
-        *out = even.add(&odd);
+pub fn add_push<W: Wide>(w: W, push: &[[Lane; NODES]], force: &Lane, out: &mut [Lane]) {
+    for (out, push) in out.iter_mut().zip(push) {
+        *out = w.store(pushed(w, w.load(out), push, force));
     }
+}
+
+/// `integral f (row . y) dt` over a step.
+#[inline(always)]
+pub fn bilinear<W: Wide>(w: W, layout: &Layout, y: &[Lane], response: &Response, force: &Lane) -> f64 {
+    let row = pushed(w, columns(w, layout, y, &response.columns, w.zero()), &response.push, force);
+    w.sum(w.mul(row, w.load(force)))
 }

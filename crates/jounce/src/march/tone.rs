@@ -1,8 +1,8 @@
 //! The sinusoidal part of the port displacement, carried along as a turning phasor.
 
-use super::collocation::{COLLOCATION, NODES};
-use super::kernel::Kernel;
-use super::lane::{Lane, WIDTH};
+use super::basis::{Basis, NODES};
+use super::kernel::{Kernel, Shape};
+use crate::wide::{Lane, WIDTH, Wide};
 use faer::c64;
 
 /// One tone at the present time of a march.
@@ -14,58 +14,82 @@ pub struct Turning {
     pub turn: c64,
     /// Complex amplitude of the port displacement, m.
     pub displacement_m: c64,
-    /// `cos` and `sin` of `w tau` at the nodes and the end, per level.
-    levels: Vec<Option<(Lane, Lane)>>,
+    /// Its swing over the step in hand.
+    pub swing: Swing,
+    /// `e^{i w h}` per level.
+    ends: Vec<Option<c64>>,
+    /// `cos` and `sin` of `w tau` at the places of a basis, per level: smooth, then onset.
+    levels: [Vec<Option<Box<Swing>>>; 2],
+}
+
+/// `cos` and `sin` of `w tau` over a step: at the seven nodes and at its end.
+#[derive(Debug, Clone, Copy)]
+pub struct Swing {
+    /// `cos`.
+    pub cos: Lane,
+    /// `sin`.
+    pub sin: Lane,
+}
+
+impl Swing {
+    /// Over a step of any length.
+    pub fn over(angular_frequency_rad_s: f64, basis: &Basis, length_s: f64) -> Self {
+        let sin_cos: [(f64, f64); WIDTH] = basis.places.map(|x| (angular_frequency_rad_s * length_s * x).sin_cos());
+        Self { cos: Lane(sin_cos.map(|(_, cos)| cos)), sin: Lane(sin_cos.map(|(sin, _)| sin)) }
+    }
+
+    /// `e^{i w h}`.
+    #[inline(always)]
+    pub fn end(&self) -> c64 {
+        c64::new(self.cos.0[NODES], self.sin.0[NODES])
+    }
+
+    /// `Re(z e^{i w tau})`.
+    #[inline(always)]
+    pub fn real<W: Wide>(&self, w: W, z: c64, sum: W::Register) -> W::Register {
+        w.fma(w.splat(-z.im), w.load(&self.sin), w.fma(w.splat(z.re), w.load(&self.cos), sum))
+    }
 }
 
 impl Turning {
     /// A tone at a time.
     pub fn new(angular_frequency_rad_s: f64, displacement_m: c64, time_s: f64) -> Self {
-        let count = (Kernel::finest() - Kernel::coarsest() + 1) as usize;
-        let turn = c64::cis(angular_frequency_rad_s * time_s);
-        Self { angular_frequency_rad_s, turn, displacement_m, levels: vec![None; count] }
-    }
-
-    /// `cos` and `sin` of `w tau` over a step of a level.
-    #[inline(always)]
-    pub fn level(&mut self, level: i32) -> (Lane, Lane) {
-        let index = (level - Kernel::coarsest()) as usize;
-        match self.levels[index] {
-            Some(lanes) => lanes,
-            None => {
-                let lanes = self.over(Kernel::length_s(level));
-                self.levels[index] = Some(lanes);
-                lanes
-            }
+        Self {
+            angular_frequency_rad_s,
+            turn: c64::cis(angular_frequency_rad_s * time_s),
+            displacement_m,
+            swing: Swing { cos: Lane::ZERO, sin: Lane::ZERO },
+            ends: vec![None; Kernel::count()],
+            levels: [vec![None; Kernel::count()], vec![None; Kernel::count()]],
         }
     }
 
-    /// The same over a step that may or may not be a level.
+    /// `e^{i w h}` of a level.
     #[inline(always)]
-    pub fn for_length(&mut self, length_s: f64) -> (Lane, Lane) {
-        let level = Kernel::level_within(length_s);
-        if Kernel::length_s(level) == length_s { self.level(level) } else { self.over(length_s) }
+    pub fn end(&mut self, level: i32) -> c64 {
+        let angle = self.angular_frequency_rad_s * Kernel::length_s(level);
+        *self.ends[Kernel::index(level)].get_or_insert_with(|| c64::cis(angle))
     }
 
-    /// `cos` and `sin` of `w tau` over a step of any length.
-    pub fn over(&self, length_s: f64) -> (Lane, Lane) {
-        let angle = |i: usize| self.angular_frequency_rad_s * length_s * if i < NODES { COLLOCATION.nodes[i] } else { 1.0 };
-        let sin_cos: [(f64, f64); WIDTH] = std::array::from_fn(|i| angle(i).sin_cos());
-        (Lane(sin_cos.map(|(_, cos)| cos)), Lane(sin_cos.map(|(sin, _)| sin)))
+    /// Makes `swing` that over a level.
+    #[inline(always)]
+    pub fn swing_over(&mut self, kernel: &Kernel, shape: Shape, level: i32) {
+        let frequency = self.angular_frequency_rad_s;
+        let make = || Box::new(Swing::over(frequency, kernel.basis(0, shape), Kernel::length_s(level)));
+        self.swing = **self.levels[usize::from(shape == Shape::Onset)][Kernel::index(level)].get_or_insert_with(make);
     }
 
     /// Displacement and velocity of the port at the present time, m and m/s.
     #[inline(always)]
-    pub fn motion(&self) -> (f64, f64) {
-        let z = self.displacement_m * self.turn;
-        (z.re, -self.angular_frequency_rad_s * z.im)
+    pub fn motion(&self) -> [f64; 2] {
+        self.motion_after(c64::new(1.0, 0.0))
     }
 
-    /// The same after a turn by an angle given by its `cos` and `sin`.
+    /// The same after a turn.
     #[inline(always)]
-    pub fn motion_after(&self, cos: f64, sin: f64) -> (f64, f64) {
-        let z = self.displacement_m * self.turn * c64::new(cos, sin);
-        (z.re, -self.angular_frequency_rad_s * z.im)
+    pub fn motion_after(&self, turn: c64) -> [f64; 2] {
+        let z = self.displacement_m * self.turn * turn;
+        [z.re, -self.angular_frequency_rad_s * z.im]
     }
 
     /// Fresh phasor at a time, without the roundoff of many turns.

@@ -3,9 +3,11 @@
 //! A segment keeps the state at its start and the polynomial of the contact force; the state at any time inside it is the
 //! exact flow plus the Duhamel response, evaluated from its Legendre series.
 
-use super::collocation::{COLLOCATION, NODES, legendre};
-use super::kernel::Kernel;
-use super::table::{BlockResponse, block_responses};
+use super::answers::Answers;
+use super::basis::{NODES, legendre};
+use super::kernel::{Kernel, Shape};
+use super::response::parts;
+use crate::wide::Portable;
 use std::collections::HashMap;
 
 /// One step as it was taken.
@@ -17,8 +19,8 @@ pub struct Segment {
     pub length_s: f64,
     /// State at its start, block coordinates.
     pub state: Vec<f64>,
-    /// Contact force at the seven nodes, N; `None` in flight.
-    pub force_n: Option<[f64; NODES]>,
+    /// Basis of the contact force and its values at the seven nodes, N; `None` in flight.
+    pub force: Option<(Shape, [f64; NODES])>,
 }
 
 /// Consecutive segments.
@@ -50,7 +52,7 @@ impl Trajectory {
 
     /// States at ascending times; times outside the record are taken from its nearest segment.
     pub fn at(&self, kernel: &Kernel, times_s: &[f64]) -> Vec<Instant> {
-        let mut responses: HashMap<u64, Vec<BlockResponse>> = HashMap::new();
+        let mut made: HashMap<(u64, Shape), Vec<Answers>> = HashMap::new();
         let mut instants = Vec::with_capacity(times_s.len());
         let mut index = 0;
         for &time_s in times_s {
@@ -58,32 +60,47 @@ impl Trajectory {
                 index += 1;
             }
             let Some(segment) = self.segments.get(index) else { break };
-            let force = kernel.plant.ports.first().map(|port| port.force.as_slice()).unwrap_or_default();
-            let blocks = segment
-                .force_n
-                .map(|_| &*responses.entry(segment.length_s.to_bits()).or_insert_with(|| block_responses(kernel, force, segment.length_s)));
-            instants.push(segment.at(kernel, time_s, blocks.map(Vec::as_slice)));
+            let answers = segment.force.map(|(shape, _)| {
+                let length_s = segment.length_s;
+                &*made.entry((length_s.to_bits(), shape)).or_insert_with(|| answers(kernel, shape, length_s))
+            });
+            instants.push(segment.at(kernel, time_s, answers.map(Vec::as_slice)));
         }
         instants
     }
 }
 
+/// Answers of all blocks on a step of one length.
+fn answers(kernel: &Kernel, shape: Shape, length_s: f64) -> Vec<Answers> {
+    let solved = |(_, part)| {
+        let mut answers = Answers::default();
+        answers.solve(Portable::new(), &part, kernel.basis(0, shape), length_s);
+        answers
+    };
+    parts(&kernel.plant.diagonal.block).map(solved).collect()
+}
+
 impl Segment {
-    fn at(&self, kernel: &Kernel, time_s: f64, blocks: Option<&[BlockResponse]>) -> Instant {
+    fn at(&self, kernel: &Kernel, time_s: f64, answers: Option<&[Answers]>) -> Instant {
         let after_s = time_s - self.start_s;
-        let mut state = kernel.plant.diagonal.block.flow(after_s, &self.state);
+        let block = &kernel.plant.diagonal.block;
+        let mut state = block.flow(after_s, &self.state);
         let mut force_n = 0.0;
-        if let (Some(force), Some(blocks)) = (self.force_n, blocks) {
-            let c = &*COLLOCATION;
-            let series: [f64; NODES] = std::array::from_fn(|b| (0..NODES).map(|j| c.from_nodal[b][j] * force[j]).sum());
-            let count = blocks.iter().flat_map(|block| block.time.iter().map(|time| time[0].len())).max().unwrap_or(NODES);
-            let basis = legendre(after_s / self.length_s, count.max(NODES));
-            force_n = series.iter().zip(&basis).map(|(f, p)| f * p).sum::<f64>().max(0.0);
-            for block in blocks {
-                for (state_index, time) in block.states.iter().zip(&block.time) {
-                    for (b, factor) in series.iter().enumerate() {
-                        state[*state_index] += factor * time[b].iter().zip(&basis).map(|(y, p)| y * p).sum::<f64>();
-                    }
+        if let (Some((shape, force)), Some(answers)) = (self.force, answers) {
+            let x = after_s / self.length_s;
+            let functions = kernel.basis(0, shape).at(x.clamp(0.0, 1.0));
+            force_n = functions.iter().zip(&force).map(|(b, f)| b * f).sum::<f64>().max(0.0);
+            let column = &kernel.plant.ports[0].force;
+            let powers = legendre(x, answers.iter().map(|answers| answers.first.len()).max().unwrap_or(0));
+            for ((first, part), answers) in parts(block).zip(answers) {
+                let sum = |series: &[crate::wide::Lane]| -> f64 {
+                    series.iter().zip(&powers).map(|(lane, p)| p * (0..NODES).map(|j| force[j] * lane.0[j]).sum::<f64>()).sum()
+                };
+                let (one, two) = (sum(&answers.first), sum(&answers.second));
+                for s in 0..part.states() {
+                    let unit: [f64; 2] = std::array::from_fn(|i| if i == s { 1.0 } else { 0.0 });
+                    let [f, g] = part.forced(&unit, &column[first..first + part.states()], self.length_s);
+                    state[first + s] += f * one + g * two;
                 }
             }
         }

@@ -36,7 +36,7 @@ fn looks(kernel: &Kernel, trajectory: &Trajectory, cycle_s: f64) -> Vec<Motion> 
     let block = &kernel.plant.diagonal.block;
     let mut looks = Vec::new();
     for segment in trajectory.segments() {
-        let inner = if segment.force_n.is_some() { 1 } else { (LOOKS * segment.length_s / cycle_s).ceil().max(1.0) as usize };
+        let inner = if segment.force.is_some() { 1 } else { (LOOKS * segment.length_s / cycle_s).ceil().max(1.0) as usize };
         for k in 0..inner {
             let after_s = segment.length_s * k as f64 / inner as f64;
             let state = if k == 0 { segment.state.clone() } else { block.flow(after_s, &segment.state) };

@@ -1,0 +1,154 @@
+//! The way through a contact: which step comes next, and whether it is good enough.
+//!
+//! The first step has the onset basis, the others are smooth, each as long as its error allows. The force ends like `t^1.5`, which no
+//! polynomial follows, so the last steps shorten towards the end of the contact: on a step of length `L` that begins a time `d`
+//! before it, the error of the interpolation falls like `rho^-7` with the number of nodes, where `rho + 1/rho = 4 d / L - 2`
+//! (Bernstein's ellipse through the singularity). The estimate of [`Step`] goes with its power 3/2.
+
+use super::basis::NODES;
+use super::contact_step::{Solved, Step};
+use super::kernel::{Kernel, Shape};
+use super::marcher::{MarchError, Marcher, Regime};
+use super::table::Table;
+use crate::contact::ContactLaw;
+use crate::wide::Wide;
+
+/// Share of the tolerance that one contact may spend on the error of its impulse.
+const IMPULSE_SHARE: f64 = 0.1;
+
+/// Factor on the error of a step for twice its length; its power of the length is 8 to 11.
+const ERROR_PER_LEVEL: f64 = 500.0;
+
+/// Most levels to go up at once.
+const MOST_SPARE: i32 = 3;
+
+/// How much smaller the error is than the power of `rho` says, for an end like `t^1.5`.
+const END_GAIN: f64 = 1000.0;
+
+impl Solved {
+    /// Can be trusted beside its error estimate.
+    fn is_sound(&self, shape: Shape, is_short: bool) -> bool {
+        match shape {
+            Shape::Onset => self.rises(),
+            Shape::Smooth => is_short || !self.mostly_free(),
+        }
+    }
+
+    /// Leaves the stop before its middle: what comes after is flight, and another contact might hide in it.
+    fn mostly_free(&self) -> bool {
+        self.penetration.0[NODES] < 0.0 && self.penetration.0[NODES / 2] < 0.0
+    }
+
+    /// Still going deeper at its end.
+    fn rises(&self) -> bool {
+        self.penetration.0[NODES] > self.penetration.0[NODES - 1]
+    }
+
+    /// Speed at its end, m/s, by the last node.
+    fn last_speed_m_s(&self, step: &Step) -> f64 {
+        let gap_s = step.table.length_s * (1.0 - step.basis.places[NODES - 1]);
+        (self.penetration.0[NODES] - self.penetration.0[NODES - 1]) / gap_s
+    }
+}
+
+impl Marcher<'_> {
+    /// Stays in contact until the point leaves the stop or the end is reached.
+    #[inline(always)]
+    pub(super) fn contact<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, end_s: f64) -> Result<(), MarchError> {
+        let kernel = self.kernel;
+        let mut level = self.entry_level;
+        // On steps this short no second contact can follow the first.
+        let safe = Kernel::level_within(1.0 / kernel.fastest_rad_s) + 3;
+        let mut entering = self.penetration_m <= 0.0;
+        while self.time_s < end_s && self.regime == Regime::Contact {
+            let remaining_s = end_s - self.time_s;
+            let allowed = self.allowed_n_s();
+            let shape = if entering { kernel.first_shape(0) } else { Shape::Smooth };
+            let landing = Kernel::length_s(level) >= remaining_s;
+            let odd;
+            let table = if landing {
+                odd = Table::new(kernel, 0, kernel.basis(0, shape), remaining_s);
+                &odd
+            } else {
+                kernel.table(0, shape, level)
+            };
+            let step = self.step_in_contact::<W, L>(w, table, shape, level, landing);
+            let accepted = self.solve(w, law, &step).filter(|solved| solved.error_n_s <= allowed && solved.is_sound(shape, level >= safe));
+            match accepted {
+                Some(solved) => {
+                    self.take(w, law, &step, &solved);
+                    if landing {
+                        self.time_s = end_s;
+                    }
+                    let longer = level - levels_to_spare(solved.error_n_s, allowed);
+                    if entering {
+                        self.entry_level = longer;
+                        entering = false;
+                    }
+                    // The error of the onset basis says nothing about the next step.
+                    level = if shape == Shape::Onset { level } else { longer };
+                    level = level.max(self.level_before_leaving(&step, &solved, allowed)).max(Kernel::coarsest());
+                }
+                None => {
+                    self.work.contact_rejections += 1;
+                    level = if landing { Kernel::level_within(remaining_s) + 1 } else { level + 1 };
+                    if level > Kernel::finest() {
+                        return Err(self.diverged());
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Error of an impulse that one step may make, N s.
+    #[inline(always)]
+    fn allowed_n_s(&self) -> f64 {
+        self.tolerance * IMPULSE_SHARE * self.strike_m_s.max(self.rate_m_s.abs()) / self.rows.mobility_per_kg
+    }
+
+    /// Longest step that respects the end of the contact as it is foretold now.
+    #[inline(always)]
+    fn level_before_leaving(&self, step: &Step, solved: &Solved, allowed: f64) -> i32 {
+        let Some(leaving_s) = self.foretold_leaving_s(step, solved) else { return Kernel::coarsest() };
+        let left_n_s = leaving_s * solved.force.0[NODES - 1];
+        // What is left of the impulse may be too small to matter: then one step carries the point past the surface.
+        if 2.0 * left_n_s <= allowed {
+            return Kernel::level_within(2.0 * leaving_s);
+        }
+        let rho = (left_n_s / (END_GAIN * allowed)).powf(1.0 / 10.5).max(1.0);
+        Kernel::level_within(4.0 * leaving_s / (rho + 1.0 / rho + 2.0))
+    }
+
+    /// Time until the penetration ends, by the parabola through the last speeds of a step.
+    #[inline(always)]
+    fn foretold_leaving_s(&self, step: &Step, solved: &Solved) -> Option<f64> {
+        if self.rate_m_s >= 0.0 || self.penetration_m <= 0.0 {
+            return None;
+        }
+        let gap_s = step.table.length_s * (1.0 - step.basis.places[NODES - 1]);
+        let curvature = (self.rate_m_s - solved.last_speed_m_s(step)) / gap_s;
+        let discriminant = self.rate_m_s * self.rate_m_s - 4.0 * curvature * self.penetration_m;
+        let leaving_s = 2.0 * self.penetration_m / (-self.rate_m_s + discriminant.max(0.0).sqrt());
+        (discriminant >= 0.0).then_some(leaving_s)
+    }
+
+    fn diverged(&self) -> MarchError {
+        MarchError::ContactDiverged {
+            time_s: self.time_s,
+            stop: self.kernel.plant.system.stops[0].name.clone(),
+            step_s: Kernel::length_s(Kernel::finest()),
+            penetration_m: self.penetration_m,
+        }
+    }
+}
+
+/// Levels by which a step might have been longer.
+#[inline(always)]
+fn levels_to_spare(error: f64, allowed: f64) -> i32 {
+    let (mut error, mut spare) = (error.max(f64::MIN_POSITIVE) * ERROR_PER_LEVEL, 0);
+    while error < allowed && spare < MOST_SPARE {
+        (error, spare) = (error * ERROR_PER_LEVEL, spare + 1);
+    }
+    spare
+}

@@ -1,0 +1,65 @@
+//! Where the numbers of a state stand in lanes.
+
+use crate::plant::Plant;
+use crate::wide::{Lane, WIDTH};
+
+/// `u` of all pairs, then `v` of all pairs, then the reals, each padded to whole lanes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Layout {
+    /// Number of pairs.
+    pub pairs: usize,
+    /// Number of reals.
+    pub reals: usize,
+    /// Lanes of `u` (and of `v`).
+    pub pair_lanes: usize,
+    /// Lanes of the reals.
+    pub real_lanes: usize,
+}
+
+impl Layout {
+    /// Layout of a plant.
+    pub fn of(plant: &Plant) -> Self {
+        let block = &plant.diagonal.block;
+        let (pairs, reals) = (block.pairs.len(), block.reals.len());
+        Self { pairs, reals, pair_lanes: pairs.div_ceil(WIDTH), real_lanes: reals.div_ceil(WIDTH) }
+    }
+
+    /// Lanes of a state.
+    pub fn lanes(&self) -> usize {
+        2 * self.pair_lanes + self.real_lanes
+    }
+
+    /// Lane and place of state number `state` in block order `u0, v0, u1, ...`.
+    pub fn place(&self, state: usize) -> (usize, usize) {
+        let (base, index) = match state.checked_sub(2 * self.pairs) {
+            Some(real) => (2 * self.pair_lanes, real),
+            None => ((state % 2) * self.pair_lanes, state / 2),
+        };
+        (base + index / WIDTH, index % WIDTH)
+    }
+
+    /// Block order to padded lanes.
+    pub fn pack(&self, values: &[f64]) -> Vec<Lane> {
+        let mut lanes = vec![Lane::ZERO; self.lanes()];
+        for (state, value) in values.iter().enumerate() {
+            let (lane, place) = self.place(state);
+            lanes[lane].0[place] = *value;
+        }
+        lanes
+    }
+
+    /// Padded lanes to block order.
+    pub fn unpack(&self, lanes: &[Lane]) -> Vec<f64> {
+        (0..2 * self.pairs + self.reals)
+            .map(|state| {
+                let (lane, place) = self.place(state);
+                lanes[lane].0[place]
+            })
+            .collect()
+    }
+
+    /// Place of a state in column order `u0, u1, .., v0, v1, .., r0, ..`, in which states meet their columns.
+    pub fn column(&self, state: usize) -> usize {
+        if state < 2 * self.pairs { (state % 2) * self.pairs + state / 2 } else { state }
+    }
+}

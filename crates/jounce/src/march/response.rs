@@ -1,0 +1,167 @@
+//! Output rows of the state on a contact step: what the free motion and the seven nodal forces make of them.
+
+use super::answers::{Answers, Part, terms};
+use super::basis::{Basis, NODES};
+use super::layout::Layout;
+use crate::plant::{Block, Pair};
+use crate::wide::{Lane, Task, WIDTH, Wide};
+
+/// One row on a step: `value_i = sum_k columns_k[i] y_k + sum_j push_j[i] f_j`.
+#[derive(Debug, Clone, Default)]
+pub struct Response {
+    /// One lane per state in column order.
+    pub columns: Vec<Lane>,
+    /// One lane per force node.
+    pub push: [Lane; NODES],
+}
+
+/// How a row is read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reading {
+    /// At the nodes and at the end of the step.
+    Pointwise,
+    /// Integrated over the step against each function of the basis; the eighth place is 0.
+    Integral,
+}
+
+/// A row wanted on a step.
+#[derive(Debug, Clone)]
+pub struct Row {
+    /// In block coordinates.
+    pub row: Vec<f64>,
+    /// How it is read.
+    pub reading: Reading,
+}
+
+/// All rows on a step, and the lanes of the state at its end per unit nodal force.
+#[derive(Debug, Clone, Default)]
+pub struct Responses {
+    /// In the order asked for.
+    pub rows: Vec<Response>,
+    /// See above.
+    pub push: Vec<[Lane; NODES]>,
+}
+
+/// The making of responses.
+#[derive(Debug)]
+pub struct Making<'a> {
+    /// The blocks.
+    pub block: &'a Block,
+    /// Their places.
+    pub layout: &'a Layout,
+    /// The force on the step.
+    pub basis: &'a Basis,
+    /// Column of a unit force, block coordinates.
+    pub force: &'a [f64],
+    /// Wanted rows.
+    pub rows: &'a [Row],
+    /// Length, s.
+    pub length_s: f64,
+}
+
+/// The blocks with their first state.
+pub fn parts(block: &Block) -> impl Iterator<Item = (usize, Part)> + '_ {
+    let pairs = block.pairs.iter().enumerate().map(|(k, pair): (usize, &Pair)| (2 * k, Part::of(pair)));
+    let first = 2 * block.pairs.len();
+    pairs.chain(block.reals.iter().enumerate().map(move |(k, rate)| (first + k, Part::Single(*rate))))
+}
+
+impl Task for Making<'_> {
+    type Output = Responses;
+
+    #[inline(always)]
+    fn run<W: Wide>(self, w: W) -> Responses {
+        let Making { block, layout, basis, force, rows, length_s: h } = self;
+        let count = parts(block).map(|(_, part)| terms(&part, basis, h)).max().unwrap_or(basis.series.len());
+        let powers = legendre_lanes(w, basis, count);
+        let moments: Vec<Lane> =
+            (basis.series.iter().enumerate()).map(|(a, lane)| w.store(w.mul(w.splat(h / (2 * a + 1) as f64), w.load(lane)))).collect();
+        let states = block.len();
+        let mut series = vec![vec![Lane::ZERO; count]; rows.len()];
+        let mut out = Responses {
+            rows: rows.iter().map(|_| Response { columns: vec![Lane::ZERO; states], push: [Lane::ZERO; NODES] }).collect(),
+            push: vec![[Lane::ZERO; NODES]; layout.lanes()],
+        };
+        let mut answers = Answers::default();
+        for (first, part) in parts(block) {
+            let own = first..first + part.states();
+            answers.solve(w, &part, basis, h);
+            let free = free_motion(w, &answers, &powers);
+            let mean = free_motion(w, &answers, &moments);
+            for ((wanted, response), series) in rows.iter().zip(&mut out.rows).zip(&mut series) {
+                let row = &wanted.row[own.clone()];
+                let source = if wanted.reading == Reading::Pointwise { free } else { mean };
+                for (state, [f, g]) in own.clone().zip(part.free(row, h)) {
+                    response.columns[layout.column(state)] = w.store(w.fma(w.splat(f), source[0], w.mul(w.splat(g), source[1])));
+                }
+                let [f, g] = part.forced(row, &force[own.clone()], h);
+                let kept = if wanted.reading == Reading::Pointwise { answers.first.len() } else { basis.series.len() };
+                for ((sum, first), second) in series.iter_mut().zip(&answers.first).zip(&answers.second).take(kept) {
+                    *sum = w.store(w.fma(w.splat(f), w.load(first), w.fma(w.splat(g), w.load(second), w.load(sum))));
+                }
+            }
+            let end = ends(w, &answers);
+            for (s, state) in own.clone().enumerate() {
+                let unit: [f64; 2] = std::array::from_fn(|i| if i == s { 1.0 } else { 0.0 });
+                let [f, g] = part.forced(&unit, &force[own.clone()], h);
+                let pushed = w.store(w.fma(w.splat(f), end[0], w.mul(w.splat(g), end[1])));
+                let (lane, place) = layout.place(state);
+                (0..NODES).for_each(|j| out.push[lane][j].0[place] = pushed.0[j]);
+            }
+        }
+        for ((wanted, response), series) in rows.iter().zip(&mut out.rows).zip(&series) {
+            let at = if wanted.reading == Reading::Pointwise { &powers } else { &moments };
+            let mut sums = [w.zero(); WIDTH];
+            for (row, lane) in at.iter().zip(series) {
+                let lane = w.load(lane);
+                for (sum, factor) in sums.iter_mut().zip(&row.0) {
+                    *sum = w.fma(w.splat(*factor), lane, *sum);
+                }
+            }
+            for (i, sum) in sums.into_iter().enumerate() {
+                let by_force = w.store(sum);
+                (0..NODES).for_each(|j| response.push[j].0[i] = by_force.0[j]);
+            }
+        }
+        out
+    }
+}
+
+/// `P_a` at the places of a basis, one lane per `a`.
+#[inline(always)]
+fn legendre_lanes<W: Wide>(w: W, basis: &Basis, count: usize) -> Vec<Lane> {
+    let s = w.fma(w.splat(2.0), w.load(&Lane(basis.places)), w.splat(-1.0));
+    let mut powers = vec![w.store(w.splat(1.0)); count.max(2)];
+    let (mut before, mut now) = (w.splat(1.0), s);
+    powers[1] = w.store(s);
+    for n in 1..count.saturating_sub(1) {
+        let n_f = n as f64;
+        let (ahead, back) = ((2.0 * n_f + 1.0) / (n_f + 1.0), -n_f / (n_f + 1.0));
+        let next = w.fma(w.mul(w.splat(ahead), s), now, w.mul(w.splat(back), before));
+        (before, now) = (now, next);
+        powers[n + 1] = w.store(next);
+    }
+    powers
+}
+
+/// The free motion of both answers, summed against lanes.
+#[inline(always)]
+fn free_motion<W: Wide>(w: W, answers: &Answers, lanes: &[Lane]) -> [W::Register; 2] {
+    let mut sums = [w.zero(); 2];
+    for ((lane, first), second) in lanes.iter().zip(&answers.first).zip(&answers.second) {
+        let lane = w.load(lane);
+        sums[0] = w.fma(w.splat(first.0[NODES]), lane, sums[0]);
+        sums[1] = w.fma(w.splat(second.0[NODES]), lane, sums[1]);
+    }
+    sums
+}
+
+/// Both answers at the end of the step, where every Legendre polynomial is 1.
+#[inline(always)]
+fn ends<W: Wide>(w: W, answers: &Answers) -> [W::Register; 2] {
+    let mut sums = [w.zero(); 2];
+    for (first, second) in answers.first.iter().zip(&answers.second) {
+        sums = [w.add(sums[0], w.load(first)), w.add(sums[1], w.load(second))];
+    }
+    sums
+}
