@@ -1,13 +1,13 @@
 //! The place between two points at which a function of the curve passes zero.
 
-use super::{Corrector, Direction, Family, Metric, Position, Step, correct, tangent};
+use super::{Corrector, Family, Metric, Step, Stretch, correct, tangent};
 
 /// Most places tried.
 const MOST: u32 = 40;
 
 /// Walks from `before` towards `after` to the zero of `value`, which has different signs at the two.
 ///
-/// The place is sought along the chord, by false position with halving (Illinois), until the bracket is shorter than `resolution`
+/// The place is sought along the chord, from guesses on the cubic between the two, by false position with halving (Illinois), until the bracket is shorter than `resolution`
 /// (in the metric) or a value is as small beside those at the two ends. `None` where Newton fails on the way.
 pub fn locate<F: Family>(
     family: &F,
@@ -18,9 +18,10 @@ pub fn locate<F: Family>(
     value: impl Fn(&Step<F::Local>) -> f64,
 ) -> Option<Step<F::Local>> {
     let metric = Metric::at(&before.position, parameter_scale);
-    let chord = between(&before.position, &after.position);
+    let chord = before.position.to(&after.position);
     let length = metric.length(&chord);
     let unit = metric.unit(chord);
+    let cubic = Stretch::between(&metric, (&before.position, &before.tangent), (&after.position, &after.tangent));
     let (mut low, mut high) = (0.0, length);
     let (mut at_low, mut at_high) = (value(before), value(after));
     let size = at_low.abs().max(at_high.abs());
@@ -30,7 +31,7 @@ pub fn locate<F: Family>(
         if !(place > low && place < high) {
             place = 0.5 * (low + high);
         }
-        let found = correct(family, corrector, &metric, &unit, before.position.moved(&unit, place)).ok()?;
+        let found = correct(family, corrector, &metric, &unit, cubic.at(place)).ok()?;
         let ahead = tangent(&found.local, &metric, &unit)?;
         let step = Step { position: found.position, tangent: ahead, local: found.local, error: found.error };
         let here = value(&step);
@@ -47,9 +48,4 @@ pub fn locate<F: Family>(
         }
     }
     best
-}
-
-fn between(from: &Position, to: &Position) -> Direction {
-    let unknown = from.unknown.iter().zip(&to.unknown).map(|(a, b)| b - a).collect();
-    Direction { unknown, parameter: to.parameter - from.parameter }
 }

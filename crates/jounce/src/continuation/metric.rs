@@ -68,6 +68,12 @@ impl Metric {
 }
 
 impl Position {
+    /// The way to another position.
+    pub fn to(&self, other: &Position) -> Direction {
+        let unknown = self.unknown.iter().zip(&other.unknown).map(|(a, b)| b - a).collect();
+        Direction { unknown, parameter: other.parameter - self.parameter }
+    }
+
     /// A step along a direction.
     pub fn moved(&self, direction: &Direction, length: f64) -> Self {
         let unknown = self.unknown.iter().zip(&direction.unknown).map(|(u, d)| u + length * d).collect();

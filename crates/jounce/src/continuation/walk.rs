@@ -1,7 +1,7 @@
 //! The driver: an iterator over the points of a curve.
 
 use super::corrector::Corrected;
-use super::{Corrector, Direction, Family, Metric, Position, StepControl, WalkError, correct, tangent};
+use super::{Corrector, Direction, Family, Metric, Position, Stretch, StepControl, WalkError, correct, tangent};
 
 /// A point of a curve with its tangent.
 #[derive(Debug)]
@@ -31,6 +31,8 @@ pub struct Walk<'f, F: Family> {
     pub position: Position,
     /// Tangent there.
     pub tangent: Direction,
+    /// The stretch that led there.
+    pub behind: Option<Stretch>,
     /// Length of the next step.
     pub length: f64,
     /// Points so far.
@@ -48,7 +50,7 @@ impl<'f, F: Family> Walk<'f, F> {
         position: Position,
         tangent: Direction,
     ) -> Self {
-        Self { family, corrector, control, parameter_scale, position, tangent, length: control.first, points: 0, ended: false }
+        Self { family, corrector, control, parameter_scale, position, tangent, behind: None, length: control.first, points: 0, ended: false }
     }
 
     fn advance(&mut self) -> Result<Step<F::Local>, WalkError<F::Error>> {
@@ -56,7 +58,10 @@ impl<'f, F: Family> Walk<'f, F> {
         let ahead = metric.unit(self.tangent.clone());
         let mut last = f64::NAN;
         while self.length > self.control.shortest {
-            let guess = self.position.moved(&ahead, self.length);
+            let guess = match &self.behind {
+                Some(stretch) => stretch.at(stretch.length + self.length),
+                None => self.position.moved(&ahead, self.length),
+            };
             match correct(self.family, &self.corrector, &metric, &ahead, guess) {
                 Ok(found) => {
                     if let Some(step) = self.take(found, &ahead) {
@@ -82,6 +87,7 @@ impl<'f, F: Family> Walk<'f, F> {
             return None;
         }
         self.length = self.control.after(self.length, found.evaluations, turn);
+        self.behind = Some(Stretch::between(&metric, (&self.position, &ahead), (&found.position, &tangent)));
         self.position = found.position.clone();
         self.tangent = tangent.clone();
         self.points += 1;

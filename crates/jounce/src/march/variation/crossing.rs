@@ -1,7 +1,7 @@
 //! What happens at the surface of the stop.
 
-use super::drift::driven;
 use super::linearisation::Linearisation;
+use super::tangents::scale;
 use crate::contact::ContactLaw;
 use crate::march::trajectory::Segment;
 use crate::wide::{Lane, Wide};
@@ -16,13 +16,13 @@ impl Linearisation<'_> {
     pub(super) fn onset_shift<W: Wide>(&mut self, w: W, segment: &Segment) -> Option<Vec<Lane>> {
         let plant = &self.kernel.plant;
         let port = &plant.ports[0];
-        let speed = dot(&port.velocity, &segment.state) + driven(plant, segment.start_s)[1];
+        let driven = self.drift.driven(plant, segment.start_s);
+        let speed = dot(&port.velocity, &segment.state) + driven.velocity_m_s;
         if speed <= 0.0 {
             return None;
         }
-        let [dw, _] = self.drift.of_port(plant, segment.start_s);
-        let mut shift_s = self.tangents.along(w, &port.displacement, dw);
-        super::tangents::scale(w, &mut shift_s, -1.0 / speed);
+        let mut shift_s = self.tangents.along(w, &port.displacement, driven.penetration_drift_m);
+        scale(w, &mut shift_s, -1.0 / speed);
         self.tangents.add_product(w, &plant.diagonal.block.apply(&segment.state), 1.0, &shift_s);
         Some(shift_s)
     }
@@ -35,8 +35,9 @@ impl Linearisation<'_> {
         let port = &plant.ports[0];
         let time_s = segment.start_s + segment.length_s;
         let before = plant.diagonal.block.flow(segment.length_s, &segment.state);
-        let rate = dot(&port.velocity, &before) + driven(plant, time_s)[1];
-        let struck = self.tangents.along(w, &port.displacement, self.drift.of_port(plant, time_s)[0]);
+        let driven = self.drift.driven(plant, time_s);
+        let rate = dot(&port.velocity, &before) + driven.velocity_m_s;
+        let struck = self.tangents.along(w, &port.displacement, driven.penetration_drift_m);
         self.tangents.add_product(w, &port.force, law.force_n(0.0, rate) / rate, &struck);
     }
 
@@ -47,17 +48,18 @@ impl Linearisation<'_> {
         let (block, port) = (&plant.diagonal.block, &plant.ports[0]);
         let before = block.flow(segment.length_s, &segment.state);
         let time_s = segment.start_s + segment.length_s;
-        let [_, speed, turning] = driven(plant, time_s);
-        let (fast, slow) = (dot(&port.velocity, &before) + speed, dot(&port.velocity, after) + speed);
+        let driven = self.drift.driven(plant, time_s);
+        let speed = |state: &[f64]| dot(&port.velocity, state) + driven.velocity_m_s;
+        let (fast, slow) = (speed(&before), speed(after));
         if fast <= 0.0 || fast - slow <= NO_IMPULSE * fast {
             return;
         }
         self.fly(w);
         let impulse = (fast - slow) / port.mobility_per_kg;
         let gain = impulse / fast;
-        let acceleration = dot(&self.kernel.acceleration_row(), &before) + turning;
-        let [dw, dv] = self.drift.of_port(plant, time_s);
-        let (struck, hastened) = (self.tangents.along(w, &port.displacement, dw), self.tangents.along(w, &port.velocity, dv));
+        let acceleration = dot(&self.kernel.acceleration_row(), &before) + driven.acceleration_m_s2;
+        let struck = self.tangents.along(w, &port.displacement, driven.penetration_drift_m);
+        let hastened = self.tangents.along(w, &port.velocity, driven.rate_drift_m_s);
         let kick = block.apply(&port.force);
         let late: Vec<f64> = port.force.iter().zip(&kick).map(|(b, ab)| -(b * gain * acceleration - ab * impulse) / fast).collect();
         self.tangents.add_product(w, &port.force, gain, &hastened);

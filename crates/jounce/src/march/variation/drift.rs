@@ -14,28 +14,36 @@ pub struct Drift {
     pub force_relative: f64,
 }
 
-/// Displacement (m), velocity (m/s) and acceleration (m/s2) of the port under the drives.
-pub(super) fn driven(plant: &Plant, time_s: f64) -> [f64; 3] {
-    let mut motion = [0.0; 3];
-    for (tone, steady) in plant.tones.iter().zip(&plant.ports[0].steady_m) {
-        let w = tone.angular_frequency_rad_s;
-        let turned = steady * c64::cis(w * time_s);
-        motion = [motion[0] + turned.re, motion[1] - w * turned.im, motion[2] - w * w * turned.re];
-    }
-    motion
+/// The share of the drives in the motion of the port at a time, and its change with the parameter.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Driven {
+    pub displacement_m: f64,
+    pub velocity_m_s: f64,
+    pub acceleration_m_s2: f64,
+    /// Per unit of the parameter: penetration, m.
+    pub penetration_drift_m: f64,
+    /// Per unit of the parameter: its rate, m/s.
+    pub rate_drift_m_s: f64,
 }
 
 impl Drift {
-    /// What the parameter does to the penetration (m) and its rate (m/s) at a time.
-    pub(super) fn of_port(&self, plant: &Plant, time_s: f64) -> [f64; 2] {
-        let mut drift = [-self.gap_m, 0.0];
-        for ((tone, s), (ds, dw)) in plant.tones.iter().zip(&plant.ports[0].steady_m).zip(&self.tones) {
+    /// The port under the drives of a plant.
+    pub(super) fn driven(&self, plant: &Plant, time_s: f64) -> Driven {
+        let mut driven = Driven { penetration_drift_m: -self.gap_m, ..Driven::default() };
+        for (k, (tone, s)) in plant.tones.iter().zip(&plant.ports[0].steady_m).enumerate() {
             let w = tone.angular_frequency_rad_s;
             let turn = c64::cis(w * time_s);
-            let change = ds + s * c64::new(0.0, time_s * dw);
-            let hastened = change * c64::new(0.0, w) + s * c64::new(0.0, *dw);
-            drift = [drift[0] + (change * turn).re, drift[1] + (hastened * turn).re];
+            let turned = s * turn;
+            driven.displacement_m += turned.re;
+            driven.velocity_m_s -= w * turned.im;
+            driven.acceleration_m_s2 -= w * w * turned.re;
+            if let Some((ds, dw)) = self.tones.get(k) {
+                let change = ds + s * c64::new(0.0, time_s * dw);
+                let hastened = change * c64::new(0.0, w) + s * c64::new(0.0, *dw);
+                driven.penetration_drift_m += (change * turn).re;
+                driven.rate_drift_m_s += (hastened * turn).re;
+            }
         }
-        drift
+        driven
     }
 }

@@ -2,11 +2,12 @@
 
 use super::VariationError;
 use super::drift::Drift;
+use super::elimination::NodeSystem;
 use super::tangents::Tangents;
 use crate::contact::Law;
 use crate::march::kernel::Kernel;
 use crate::march::trajectory::{Segment, Trajectory};
-use crate::wide::{Task, Wide};
+use crate::wide::{Lane, Task, Wide};
 
 /// A march to be linearised.
 pub struct Linearisation<'a> {
@@ -15,6 +16,10 @@ pub struct Linearisation<'a> {
     trajectory: &'a Trajectory,
     end: &'a [f64],
     pub(super) tangents: Tangents,
+    /// Of the contact step in hand.
+    pub(super) system: NodeSystem,
+    /// Factors of each row of tangents in the right sides of the system.
+    pub(super) factors: Vec<Lane>,
     /// Flight not yet applied, s.
     pending_s: f64,
 }
@@ -22,7 +27,9 @@ pub struct Linearisation<'a> {
 impl<'a> Linearisation<'a> {
     /// From the start of a record; `end` is the state at its end.
     pub fn new(kernel: &'a Kernel, drift: &'a Drift, trajectory: &'a Trajectory, end: &'a [f64]) -> Self {
-        Self { kernel, drift, trajectory, end, tangents: Tangents::identity(kernel.plant.len()), pending_s: 0.0 }
+        let tangents = Tangents::identity(kernel.plant.len());
+        let (system, factors) = (NodeSystem::new(tangents.width), vec![Lane::ZERO; kernel.plant.len()]);
+        Self { kernel, drift, trajectory, end, tangents, system, factors, pending_s: 0.0 }
     }
 
     /// Passes one step; `after` is the state at its end, `strikes` says that a contact follows.

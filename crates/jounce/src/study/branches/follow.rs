@@ -89,12 +89,8 @@ impl Following {
 
     fn ending<M: OrbitMethod>(&self, origin: &Position, before: &Place<M>, after: &Place<M>, points: usize) -> Option<Ending> {
         let metric = Metric::at(&after.step.position, self.parameter_scale());
-        let apart = |a: &Position, b: &Position| Direction {
-            unknown: a.unknown.iter().zip(&b.unknown).map(|(a, b)| b - a).collect(),
-            parameter: b.parameter - a.parameter,
-        };
         // Back at the start: the start lies between the last two points, off the way by little.
-        let (way, home) = (apart(&before.step.position, &after.step.position), apart(&before.step.position, origin));
+        let (way, home) = (before.step.position.to(&after.step.position), before.step.position.to(origin));
         let along = metric.inner(&way, &home) / metric.inner(&way, &way);
         let length = metric.length(&way);
         let off = (metric.inner(&home, &home) - along * along * length * length).max(0.0).sqrt();
