@@ -11,11 +11,13 @@ pub struct StepControl {
     pub shortest: f64,
     /// Wanted turn of the tangent per step, rad.
     pub turn: f64,
+    /// Farthest that Newton may end from its guess, as a share of the step: farther away runs another curve.
+    pub stray: f64,
 }
 
 impl Default for StepControl {
     fn default() -> Self {
-        Self { first: 0.02, longest: 0.4, shortest: 1e-9, turn: 0.25 }
+        Self { first: 0.02, longest: 0.4, shortest: 1e-9, turn: 0.25, stray: 0.3 }
     }
 }
 

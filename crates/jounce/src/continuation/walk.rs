@@ -62,9 +62,12 @@ impl<'f, F: Family> Walk<'f, F> {
                 Some(stretch) => stretch.at(stretch.length + self.length),
                 None => self.position.moved(&ahead, self.length),
             };
-            match correct(self.family, &self.corrector, &metric, &ahead, guess) {
+            match correct(self.family, &self.corrector, &metric, &ahead, guess.clone()) {
                 Ok(found) => {
-                    if let Some(step) = self.take(found, &ahead) {
+                    let strays = metric.length(&guess.to(&found.position)) > self.control.stray * self.length;
+                    if strays && self.behind.is_some() {
+                        last = found.error;
+                    } else if let Some(step) = self.take(found, &ahead) {
                         return Ok(step);
                     }
                 }

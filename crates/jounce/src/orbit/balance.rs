@@ -230,6 +230,10 @@ impl<H: Harvester> OrbitMethod for HarmonicBalance<'_, H> {
         Ok(nearest_extremum_m(self.shot(local)?))
     }
 
+    fn scale_m(&self, local: &Balance) -> f64 {
+        local.kernel.plant.scale_m()
+    }
+
     fn unknown_of(&self, state: &[f64], parameter: f64) -> Result<Vec<f64>, Self::Error> {
         let shot = self.shooting.at(state, parameter)?;
         Ok(shot.displacements_m(self.grid.samples))

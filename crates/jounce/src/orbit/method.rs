@@ -29,6 +29,9 @@ pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>> {
     /// A march that fails.
     fn nearest_extremum_m(&self, local: &Self::Local) -> Result<Option<f64>, Self::Error>;
 
+    /// Size of the motion at the port, m: its steady amplitude or the gap, whichever is larger.
+    fn scale_m(&self, local: &Self::Local) -> f64;
+
     /// The unknown that stands for a state in energy coordinates.
     ///
     /// # Errors

@@ -8,14 +8,14 @@ mod compliance;
 mod error;
 mod harvester;
 mod method;
-mod orbit;
 mod peaks;
+mod periodic;
 mod shooting;
 
 pub use balance::{Balance, HarmonicBalance};
 pub use error::OrbitError;
 pub use harvester::{Change, Harvester, Setting};
 pub use method::OrbitMethod;
-pub use orbit::{Orbit, multipliers};
 pub use peaks::nearest_extremum_m;
+pub use periodic::{Orbit, multipliers};
 pub use shooting::{Shooting, Shot};

@@ -176,6 +176,10 @@ impl<H: Harvester> OrbitMethod for Shooting<'_, H> {
         Ok(nearest_extremum_m(shot))
     }
 
+    fn scale_m(&self, shot: &Shot) -> f64 {
+        shot.kernel.plant.scale_m()
+    }
+
     fn unknown_of(&self, state: &[f64], _parameter: f64) -> Result<Vec<f64>, Self::Error> {
         Ok(state.to_vec())
     }

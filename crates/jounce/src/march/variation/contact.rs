@@ -114,8 +114,8 @@ impl Linearisation<'_> {
             let mut sums = [w.zero(); NODES];
             for (factor, row) in self.factors.iter().zip(self.tangents.lanes.chunks_exact(width)) {
                 let value = w.load(&row[lane]);
-                for i in 0..NODES {
-                    sums[i] = w.fma(w.splat(factor.0[i]), value, sums[i]);
+                for (sum, factor) in sums.iter_mut().zip(factor.0) {
+                    *sum = w.fma(w.splat(factor), value, *sum);
                 }
             }
             for (i, sum) in sums.into_iter().enumerate() {

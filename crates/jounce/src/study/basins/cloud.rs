@@ -24,12 +24,8 @@ impl Cloud {
         let modes = &plant.system.modes;
         let n = modes.len();
         let drive = plant.tones.first().map_or(1.0, |tone| tone.angular_frequency_rad_s);
-        let (mut length_m, mut shape) = (0.0_f64, 1.0);
-        if let Some((stop, port)) = plant.system.stops.first().zip(plant.ports.first()) {
-            length_m = port.steady_m.iter().fold(stop.gap_m.abs(), |max, s| max.max(s.norm()));
-            shape = port.mobility_per_kg.sqrt();
-        }
-        let size = self.spread * drive * length_m / shape;
+        let shape = plant.ports.first().map_or(1.0, |port| port.mobility_per_kg.sqrt());
+        let size = self.spread * drive * plant.scale_m() / shape;
         let mut state = vec![0.0; plant.len()];
         // Starts do not share a stream: each has its own, from the seed and its number.
         let mut stream = Stream(mixed(self.seed) ^ mixed(index as u64 + 1));

@@ -62,6 +62,13 @@ pub enum Ending {
     Merged,
     /// After as many points as were allowed.
     Points,
+    /// At a grazing, where it turns more sharply than any step can follow.
+    Grazing {
+        /// What stopped the walk.
+        why: String,
+        /// Value of the key there.
+        parameter: f64,
+    },
     /// It could not be followed.
     Failed {
         /// Why.

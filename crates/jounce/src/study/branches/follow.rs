@@ -4,6 +4,9 @@ use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
 use crate::continuation::{Corrected, Corrector, Direction, Metric, Position, Step, StepControl, Walk, locate};
 use crate::orbit::{Orbit, OrbitMethod};
 
+/// Distance from the stop, beside the size of the motion, below which an orbit touches it.
+const GRAZES: f64 = 1e-6;
+
 /// How branches are followed.
 #[derive(Debug, Clone, Copy)]
 pub struct Following {
@@ -18,9 +21,16 @@ pub struct Following {
 }
 
 /// A walked point with its orbit.
-struct Place<M: OrbitMethod> {
-    step: Step<M::Local>,
-    point: BranchPoint,
+pub(super) struct Place<M: OrbitMethod> {
+    pub step: Step<M::Local>,
+    pub point: BranchPoint,
+}
+
+impl<M: OrbitMethod> Place<M> {
+    /// Computes the orbit at a step.
+    pub fn new(method: &M, step: Step<M::Local>) -> Result<Self, M::Error> {
+        Ok(Self { point: point(method, &step)?, step })
+    }
 }
 
 impl Following {
@@ -38,18 +48,16 @@ impl Following {
         let metric = Metric::at(&first.position, self.parameter_scale());
         let tangent = metric.unit(direction);
         let start = Step { position: first.position.clone(), tangent: tangent.clone(), local: first.local, error: first.error };
-        let mut before = Place { point: point(method, &start)?, step: start };
+        let mut before = Place::new(method, start)?;
         let origin = before.step.position.clone();
         branch.points.push(before.point.clone());
-        let mut walk = Walk::new(method, self.corrector, self.control, self.parameter_scale(), first.position, tangent);
-        while let Some(next) = walk.next() {
+        let walk = Walk::new(method, self.corrector, self.control, self.parameter_scale(), first.position, tangent);
+        for next in walk {
             let step = match next {
                 Ok(step) => step,
                 // Beyond the range a key may have no meaning at all.
                 Err(error) => {
-                    let parameter = walk.position.parameter;
-                    let ending = Ending::Failed { why: error.to_string(), parameter };
-                    branch.endings.push(ending);
+                    self.give_up(method, before, error.to_string(), &mut branch)?;
                     return Ok(branch);
                 }
             };
@@ -58,16 +66,32 @@ impl Following {
                 branch.endings.push(Ending::Range);
                 return Ok(branch);
             }
-            let after = Place { point: point(method, &step)?, step };
-            branch.bifurcations.extend(self.between(method, &before, &after)?);
-            branch.points.push(after.point.clone());
-            if let Some(ending) = self.ending(&origin, &before, &after, branch.points.len()) {
-                branch.endings.push(ending);
-                return Ok(branch);
+            let after = Place::new(method, step)?;
+            for after in self.refined(method, &before, after)? {
+                branch.bifurcations.extend(self.between(method, &before, &after)?);
+                branch.points.push(after.point.clone());
+                if let Some(ending) = self.ending(&origin, &before, &after, branch.points.len()) {
+                    branch.endings.push(ending);
+                    return Ok(branch);
+                }
+                before = after;
             }
-            before = after;
         }
         Ok(branch)
+    }
+
+    /// Ends a branch that cannot be followed: at a grazing where the orbit touches the stop there, for on a stiff stop a branch turns
+    /// at its grazing more sharply than any step can follow.
+    fn give_up<M: OrbitMethod>(&self, method: &M, last: Place<M>, why: String, branch: &mut Branch) -> Result<(), M::Error> {
+        let distance_m = method.nearest_extremum_m(&last.step.local)?.map_or(f64::INFINITY, f64::abs);
+        let parameter = last.point.parameter;
+        if distance_m < GRAZES * method.scale_m(&last.step.local) {
+            branch.bifurcations.push(Bifurcation { kind: BranchKind::Grazing, at: last.point });
+            branch.endings.push(Ending::Grazing { why, parameter });
+        } else {
+            branch.endings.push(Ending::Failed { why, parameter });
+        }
+        Ok(())
     }
 
     /// The last point, exactly on the edge of the range.
@@ -80,7 +104,7 @@ impl Following {
         let metric = Metric::at(&guess, self.parameter_scale());
         if let Ok(found) = crate::continuation::settle(method, &self.corrector, &metric, guess) {
             let step = Step { position: found.position, tangent: outside.tangent.clone(), local: found.local, error: found.error };
-            let after = Place { point: point(method, &step)?, step };
+            let after = Place::new(method, step)?;
             branch.bifurcations.extend(self.between(method, before, &after)?);
             branch.points.push(after.point);
         }

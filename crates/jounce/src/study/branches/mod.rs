@@ -3,6 +3,7 @@
 mod attractor;
 mod branch;
 mod follow;
+mod refine;
 mod search;
 
 pub use attractor::settled_orbit;

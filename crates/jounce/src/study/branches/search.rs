@@ -113,7 +113,7 @@ impl BranchSearch<'_> {
             let w = plant.tones.first()?.angular_frequency_rad_s;
             let n = plant.system.modes.len();
             let square: f64 = stop.shape.iter().map(|s| s * s).sum();
-            let speed = 20.0 * w * stop.gap_m.abs().max(plant.ports[0].steady_m[0].norm());
+            let speed = 20.0 * w * plant.scale_m();
             stop.shape.iter().enumerate().for_each(|(i, s)| state[n + i] = s / square * speed);
         }
         Some(state)
