@@ -80,9 +80,12 @@ impl Branch {
             return Err(Failure::NotConverged(text));
         }
         for (branch, ending) in branches.iter().flat_map(|branch| branch.endings.iter().map(move |ending| (branch, ending))) {
-            if let Ending::Failed { why, parameter } = ending {
-                eprintln!("a branch of period {} ends at {parameter} {}: {why}", branch.period_cycles, key.unit());
-            }
+            let (what, why, parameter) = match ending {
+                Ending::Failed { why, parameter } => ("ends", why, parameter),
+                Ending::Grazing { why, parameter } => ("grazes and turns sharply", why, parameter),
+                Ending::Range | Ending::Closed | Ending::Merged | Ending::Points => continue,
+            };
+            eprintln!("a branch of period {} {what} at {parameter} {}: {why}", branch.period_cycles, key.unit());
         }
         let estimates = branches.iter().flat_map(|branch| &branch.points).map(|point| (point.orbit.error_estimate, point.parameter));
         if let Some((worst, parameter)) = estimates.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(worst, _)| *worst > 1e-3) {
@@ -128,14 +131,14 @@ impl Branch {
 
 /// Reads `KEY=FROM:TO`.
 pub fn ends(arguments: &SpecArguments, file: &jounce::spec::SpecFile, over: &str) -> Result<(NumericKey, (f64, f64)), Failure> {
-    let wrong = || Failure::usage(format!("--over {over}: write KEY=FROM:TO, as in drive.shaker.frequency=4Hz:20Hz"));
+    let wrong = || Failure::usage(format!("{over}: write KEY=FROM:TO, as in drive.shaker.frequency=4Hz:20Hz"));
     let (name, text) = over.split_once('=').ok_or_else(wrong)?;
     let (from, to) = text.split_once(':').filter(|(_, to)| !to.contains(':')).ok_or_else(wrong)?;
     let key = arguments.checked(file.numeric_key(name.trim()))?;
     let range = KeyRange::parse(key.clone(), &format!("{from},{to}")).map_err(|fault| Failure::faults(&arguments.spec, vec![fault]))?;
     match range.values() {
         [low, high] if low < high => Ok((key, (*low, *high))),
-        _ => Err(Failure::usage(format!("--over {over}: the range must go from a smaller to a larger value"))),
+        _ => Err(Failure::usage(format!("{over}: the range must go from a smaller to a larger value"))),
     }
 }
 

@@ -5,6 +5,7 @@ pub mod branch;
 pub mod check;
 pub mod completions;
 pub mod frf;
+pub mod jumps;
 pub mod modes;
 pub mod reproduce;
 pub mod run;
@@ -23,6 +24,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Run(command) => command.run(),
         Command::Sweep(command) => command.run(),
         Command::Branch(command) => command.run(),
+        Command::Jumps(command) => command.run(),
         Command::Basins(command) => command.run(),
         Command::Reproduce(command) => command.run(),
         Command::Completions(command) => command.run(),

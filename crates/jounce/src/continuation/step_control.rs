@@ -13,11 +13,13 @@ pub struct StepControl {
     pub turn: f64,
     /// Farthest that Newton may end from its guess, as a share of the step: farther away runs another curve.
     pub stray: f64,
+    /// Most evaluations of Newton for a point that is to be trusted.
+    pub most_evaluations: u32,
 }
 
 impl Default for StepControl {
     fn default() -> Self {
-        Self { first: 0.02, longest: 0.4, shortest: 1e-9, turn: 0.25, stray: 0.3 }
+        Self { first: 0.02, longest: 0.4, shortest: 1e-9, turn: 0.25, stray: 0.1, most_evaluations: 5 }
     }
 }
 
@@ -25,6 +27,11 @@ impl StepControl {
     /// True when the tangent turned so far that the curve may have been lost.
     pub fn refuses(&self, turn: f64) -> bool {
         turn > 3.0 * self.turn
+    }
+
+    /// True when Newton went so far, or took so long, on a step of a length that it may have found another curve.
+    pub fn strayed(&self, way: f64, length: f64, evaluations: u32) -> bool {
+        way > self.stray * length || evaluations > self.most_evaluations
     }
 
     /// Length of the step after one that took `evaluations` and turned the tangent by `turn`.

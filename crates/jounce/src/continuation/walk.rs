@@ -1,7 +1,7 @@
 //! The driver: an iterator over the points of a curve.
 
 use super::corrector::Corrected;
-use super::{Corrector, Direction, Family, Metric, Position, Stretch, StepControl, WalkError, correct, tangent};
+use super::{Corrector, Direction, Family, Metric, Position, StepControl, Stretch, WalkError, correct, tangent};
 
 /// A point of a curve with its tangent.
 #[derive(Debug)]
@@ -50,7 +50,18 @@ impl<'f, F: Family> Walk<'f, F> {
         position: Position,
         tangent: Direction,
     ) -> Self {
-        Self { family, corrector, control, parameter_scale, position, tangent, behind: None, length: control.first, points: 0, ended: false }
+        Self {
+            family,
+            corrector,
+            control,
+            parameter_scale,
+            position,
+            tangent,
+            behind: None,
+            length: control.first,
+            points: 0,
+            ended: false,
+        }
     }
 
     fn advance(&mut self) -> Result<Step<F::Local>, WalkError<F::Error>> {
@@ -64,8 +75,8 @@ impl<'f, F: Family> Walk<'f, F> {
             };
             match correct(self.family, &self.corrector, &metric, &ahead, guess.clone()) {
                 Ok(found) => {
-                    let strays = metric.length(&guess.to(&found.position)) > self.control.stray * self.length;
-                    if strays && self.behind.is_some() {
+                    let way = metric.length(&guess.to(&found.position));
+                    if self.behind.is_some() && self.control.strayed(way, self.length, found.evaluations) {
                         last = found.error;
                     } else if let Some(step) = self.take(found, &ahead) {
                         return Ok(step);

@@ -4,6 +4,7 @@
 //! orbits of any number of drive cycles and for every law, and [`HarmonicBalance`] at the port. Stability always comes from the exact flow.
 
 mod balance;
+mod border;
 mod compliance;
 mod error;
 mod harvester;
@@ -11,6 +12,7 @@ mod method;
 mod peaks;
 mod periodic;
 mod shooting;
+mod tracking;
 
 pub use balance::{Balance, HarmonicBalance};
 pub use error::OrbitError;
@@ -19,3 +21,4 @@ pub use method::OrbitMethod;
 pub use peaks::nearest_extremum_m;
 pub use periodic::{Orbit, multipliers};
 pub use shooting::{Shooting, Shot};
+pub use tracking::{Condition, Plane, Tracked, Tracking};

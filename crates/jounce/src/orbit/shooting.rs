@@ -8,10 +8,10 @@
 //! of the motion. The derivative is that of the flow (see [`crate::march::Variation`]), cycle by cycle; with respect to the
 //! parameter it is exact for drive, gap and stiffness, and a difference otherwise.
 
+use super::border::solve_bordered;
 use super::{Change, Harvester, Orbit, OrbitError, OrbitMethod, multipliers, nearest_extremum_m};
 use crate::continuation::{Family, Linear};
 use crate::march::{Drift, Kernel, Trajectory, Variation};
-use faer::linalg::solvers::Solve;
 use faer::{Mat, MatRef, c64};
 use std::f64::consts::TAU;
 
@@ -36,11 +36,11 @@ pub struct Shot {
     /// `u` at the start of each cycle, and at the end of the last.
     pub looks: Vec<Vec<f64>>,
     /// `R`.
-    residual: Vec<f64>,
+    pub(super) residual: Vec<f64>,
     /// `d u(n T) / d u(0)`.
     pub map: Mat<f64>,
     /// `dR / dp`.
-    by_parameter: Vec<f64>,
+    pub(super) by_parameter: Vec<f64>,
     /// Period, s.
     pub period_s: f64,
     /// The cycles.
@@ -75,7 +75,8 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         unknown.iter().zip(&self.scale).map(|(u, w)| u / w).collect()
     }
 
-    fn shoot(&self, unknown: &[f64], parameter: f64) -> Result<(Shot, bool), OrbitError<H::Error>> {
+    /// Marches the period; true when the derivative with respect to the parameter is exact.
+    pub(super) fn shoot(&self, unknown: &[f64], parameter: f64) -> Result<(Shot, bool), OrbitError<H::Error>> {
         let setting = self.harvester.at(parameter).map_err(OrbitError::Harvester)?;
         let kernel = setting.kernel;
         let plant = &kernel.plant;
@@ -216,20 +217,8 @@ impl Linear for Shot {
 
     fn bordered(&self, row: &[f64], corner: f64, right: &[f64], last: f64) -> Option<(Vec<f64>, f64)> {
         let n = row.len();
-        // Rows and columns of like size: the border is brought to the size of the map.
-        let row_size = row.iter().fold(corner.abs(), |max, r| max.max(r.abs()));
-        let column_size = self.by_parameter.iter().fold(f64::MIN_POSITIVE, |max, r| max.max(r.abs()));
-        let matrix = Mat::from_fn(n + 1, n + 1, |i, j| match (i < n, j < n) {
-            (true, true) => self.map[(i, j)] - f64::from(u8::from(i == j)),
-            (true, false) => self.by_parameter[i] / column_size,
-            (false, true) => row[j] / row_size,
-            (false, false) => corner / (row_size * column_size),
-        });
-        let right = Mat::from_fn(n + 1, 1, |i, _| if i < n { right[i] } else { last / row_size });
-        let solution = matrix.partial_piv_lu().solve(&right);
-        let unknown: Vec<f64> = (0..n).map(|i| solution[(i, 0)]).collect();
-        let parameter = solution[(n, 0)] / column_size;
-        (parameter.is_finite() && unknown.iter().all(|u| u.is_finite())).then_some((unknown, parameter))
+        let matrix = Mat::from_fn(n, n, |i, j| self.map[(i, j)] - f64::from(u8::from(i == j)));
+        solve_bordered(&matrix, &self.by_parameter, (row, corner), (right, last))
     }
 }
 

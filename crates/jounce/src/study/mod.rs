@@ -3,6 +3,7 @@
 mod basins;
 mod branches;
 mod journal;
+mod jumps;
 mod parameter;
 mod prepared;
 mod sweep;
@@ -11,6 +12,7 @@ mod sweep_point;
 pub use basins::{Attractor, Basins, BasinsAnswer, Cloud, Fate, Lyapunov, Share, largest_exponent, wilson};
 pub use branches::{Bifurcation, Branch, BranchKind, BranchPoint, BranchSearch, Ending, Method, settled_orbit};
 pub use journal::{Journal, JournalError};
+pub use jumps::{JumpCurve, JumpPoint, JumpSearch, KeyPlane};
 pub use parameter::Parameter;
 pub use prepared::{Prepared, StudyError};
 pub use sweep::{Direction, Sweep};

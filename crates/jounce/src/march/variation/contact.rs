@@ -76,12 +76,7 @@ impl Linearisation<'_> {
         let depth = w.store(pushed(w, free, &table.displacement.push, &force_n));
         let free = columns(w, &layout, &y, &table.velocity.columns, w.zero());
         let rate = w.store(pushed(w, free, &table.velocity.push, &force_n));
-        let mut nodes = Nodes {
-            driven: [Driven::default(); WIDTH],
-            stiffness_n_m: Lane::ZERO,
-            damping_n_s_m: Lane::ZERO,
-            force_n,
-        };
+        let mut nodes = Nodes { driven: [Driven::default(); WIDTH], stiffness_n_m: Lane::ZERO, damping_n_s_m: Lane::ZERO, force_n };
         for (i, place) in kernel.basis(0, shape).places.into_iter().enumerate() {
             let driven = self.drift.driven(&kernel.plant, segment.start_s + segment.length_s * place);
             let (depth, rate) = (depth.0[i] + driven.displacement_m, rate.0[i] + driven.velocity_m_s);

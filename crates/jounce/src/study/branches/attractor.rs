@@ -47,7 +47,8 @@ pub fn settled_orbit<H: Harvester>(harvester: &H, parameter: f64, start: &[f64],
             let Ok(orbit) = shooting.orbit(&found.local, found.error) else { continue };
             // Cycles that repeat belong to a shorter orbit, which has had its turn.
             let repeats = (1..cycles as usize).any(|k| {
-                norm(orbit.looks[k].iter().zip(&orbit.looks[0]).map(|(a, b)| a - b)) < 1e-5 * metric.unknown && (cycles as usize).is_multiple_of(k)
+                norm(orbit.looks[k].iter().zip(&orbit.looks[0]).map(|(a, b)| a - b)) < 1e-5 * metric.unknown
+                    && (cycles as usize).is_multiple_of(k)
             });
             if moved < 0.1 && orbit.is_stable() && !repeats {
                 return Some(orbit);

@@ -1,7 +1,7 @@
 //! Follows one branch from one of its orbits, and names what it passes.
 
 use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
-use crate::continuation::{Corrected, Corrector, Direction, Metric, Position, Step, StepControl, Walk, locate};
+use crate::continuation::{Corrected, Corrector, Direction, Metric, Position, Step, StepControl, Walk, locate, passes};
 use crate::orbit::{Orbit, OrbitMethod};
 
 /// Distance from the stop, beside the size of the motion, below which an orbit touches it.
@@ -113,12 +113,7 @@ impl Following {
 
     fn ending<M: OrbitMethod>(&self, origin: &Position, before: &Place<M>, after: &Place<M>, points: usize) -> Option<Ending> {
         let metric = Metric::at(&after.step.position, self.parameter_scale());
-        // Back at the start: the start lies between the last two points, off the way by little.
-        let (way, home) = (before.step.position.to(&after.step.position), before.step.position.to(origin));
-        let along = metric.inner(&way, &home) / metric.inner(&way, &way);
-        let length = metric.length(&way);
-        let off = (metric.inner(&home, &home) - along * along * length * length).max(0.0).sqrt();
-        if points > 4 && (0.0..=1.0).contains(&along) && off < 0.1 * length {
+        if points > 4 && passes(&metric, origin, &before.step.position, &after.step.position) {
             return Some(Ending::Closed);
         }
         // The halves of a doubled orbit pass through each other where it merges with the branch that it left.
