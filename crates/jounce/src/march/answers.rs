@@ -86,6 +86,12 @@ pub fn terms(part: &Part, basis: &Basis, h: f64) -> usize {
     (18 + (0.75 * h * part.rate().norm()).ceil() as usize) + basis.series.len()
 }
 
+/// `1 / z` with one division.
+#[inline(always)]
+fn reciprocal(z: c64) -> c64 {
+    z.conj() * (1.0 / z.norm_sqr())
+}
+
 /// Entry of `S` in row `n + 1`, column `n`; the entry in row `n - 1` is its negative.
 #[inline(always)]
 fn below(n: usize) -> f64 {
@@ -123,7 +129,7 @@ impl Answers {
         self.pivots.push([c64::new(0.0, 0.0), z * below(1), inverse]);
         for n in 1..count {
             let before = z * below(n - 1) * inverse;
-            inverse = (1.0 + before * z * below(n)).inv();
+            inverse = reciprocal(1.0 + before * z * below(n));
             self.pivots.push([before, z * below(n + 1), inverse]);
         }
     }

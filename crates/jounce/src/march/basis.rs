@@ -17,7 +17,7 @@ pub const NODES: usize = WIDTH - 1;
 
 /// Legendre coefficients kept of a basis function that is not a polynomial: the rest falls off like their number to the power
 /// `-2 n - 3` in the displacement.
-const SINGULAR_TERMS: usize = 160;
+const SINGULAR_TERMS: usize = 64;
 
 /// Seven functions on `[0, 1]`.
 #[derive(Debug, Clone)]

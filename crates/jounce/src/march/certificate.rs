@@ -48,6 +48,9 @@ pub struct Crossing {
     pub to_s: f64,
 }
 
+/// To what share of the step the zero of `H` is found; the margin of a crossing is ten times as wide.
+const LOCATED: f64 = 1e-10;
+
 impl FlightStep {
     /// Bernstein coefficients of the cubic Hermite interpolant.
     #[inline(always)]
@@ -103,7 +106,7 @@ impl FlightStep {
         if slope <= rate {
             return None;
         }
-        let half_s = 1.5 * self.uncertainty_m() / (slope - rate) + 1e-9 * h;
+        let half_s = 1.5 * self.uncertainty_m() / (slope - rate) + 10.0 * LOCATED * h;
         let (from_s, to_s) = ((guess_s - half_s).max(0.0), (guess_s + half_s).min(h));
         let rises = {
             // The parabola H' on [from, to] lies above the least of its Bernstein coefficients.
@@ -149,7 +152,7 @@ impl FlightStep {
             }
             let newton = x - at / (self.length_s * self.slope(x));
             let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-            let done = (next - x).abs() <= 4.0 * f64::EPSILON;
+            let done = (next - x).abs() <= LOCATED;
             x = next;
             if done {
                 break;

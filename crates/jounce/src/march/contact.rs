@@ -25,6 +25,9 @@ const MOST_SPARE: i32 = 3;
 /// How much smaller the error is than the power of `rho` says, for an end like `t^1.5`.
 const END_GAIN: f64 = 1000.0;
 
+/// Lengths of a step before the end of the contact beyond which the end does not matter: the power of `rho` is above 1e8 there.
+const FAR: f64 = 2.0;
+
 impl Solved {
     /// Can be trusted beside its error estimate.
     fn is_sound(&self, shape: Shape, is_short: bool) -> bool {
@@ -87,7 +90,7 @@ impl Marcher<'_> {
                     }
                     // The error of the onset basis says nothing about the next step.
                     level = if shape == Shape::Onset { level } else { longer };
-                    level = level.max(self.level_before_leaving(&step, &solved, allowed)).max(Kernel::coarsest());
+                    level = self.before_leaving(level, &step, &solved, allowed).max(Kernel::coarsest());
                 }
                 None => {
                     self.work.contact_rejections += 1;
@@ -107,17 +110,21 @@ impl Marcher<'_> {
         self.tolerance * IMPULSE_SHARE * self.strike_m_s.max(self.rate_m_s.abs()) / self.rows.mobility_per_kg
     }
 
-    /// Longest step that respects the end of the contact as it is foretold now.
+    /// The level wanted, or a finer one that respects the end of the contact as it is foretold now.
     #[inline(always)]
-    fn level_before_leaving(&self, step: &Step, solved: &Solved, allowed: f64) -> i32 {
-        let Some(leaving_s) = self.foretold_leaving_s(step, solved) else { return Kernel::coarsest() };
+    fn before_leaving(&self, wanted: i32, step: &Step, solved: &Solved, allowed: f64) -> i32 {
+        let Some(leaving_s) = self.foretold_leaving_s(step, solved) else { return wanted };
+        if leaving_s >= FAR * Kernel::length_s(wanted) {
+            return wanted;
+        }
         let left_n_s = leaving_s * solved.force.0[NODES - 1];
         // What is left of the impulse may be too small to matter: then one step carries the point past the surface.
         if 2.0 * left_n_s <= allowed {
-            return Kernel::level_within(2.0 * leaving_s);
+            return wanted.max(Kernel::level_within(2.0 * leaving_s));
         }
-        let rho = (left_n_s / (END_GAIN * allowed)).powf(1.0 / 10.5).max(1.0);
-        Kernel::level_within(4.0 * leaving_s / (rho + 1.0 / rho + 2.0))
+        let level = Kernel::level_within(leaving_s);
+        let is_enough = ellipse_power(leaving_s / Kernel::length_s(level)) * END_GAIN * allowed >= left_n_s;
+        wanted.max(if is_enough { level } else { level + 1 })
     }
 
     /// Time until the penetration ends, by the parabola through the last speeds of a step.
@@ -141,6 +148,15 @@ impl Marcher<'_> {
             penetration_m: self.penetration_m,
         }
     }
+}
+
+/// `rho^10.5` for a step whose length goes `ratio` times into the time to the end of the contact.
+#[inline(always)]
+fn ellipse_power(ratio: f64) -> f64 {
+    let z = 2.0 * ratio - 1.0;
+    let rho = z + (z * z - 1.0).max(0.0).sqrt();
+    let fourth = (rho * rho) * (rho * rho);
+    fourth * fourth * (rho * rho) * rho.sqrt()
 }
 
 /// Levels by which a step might have been longer.

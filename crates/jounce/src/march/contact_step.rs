@@ -9,7 +9,7 @@ use super::basis::{Basis, NODES};
 use super::kernel::{Kernel, Shape};
 use super::marcher::{Marcher, Regime};
 use super::peak::interpolated_peak;
-use super::state::{add_push, bilinear, columns, dot, pushed};
+use super::state::{add_push, columns, dot, pushed};
 use super::table::Table;
 use super::tone::Swing;
 use crate::contact::ContactLaw;
@@ -202,10 +202,10 @@ impl<'k> Marcher<'k> {
     /// Adds the nodal forces of a step, last place 0, to the integrals that the energy meters need.
     #[inline(always)]
     pub(super) fn integrate_force<W: Wide>(&mut self, w: W, table: &Table, basis: &Basis, force: &Lane) {
-        for (sum, response) in self.integrals.loads_j.iter_mut().zip(&table.loads) {
-            *sum += bilinear(w, &self.layout, &self.y, response, force);
+        for (sum, meter) in self.integrals.loads_j.iter_mut().zip(&table.loads) {
+            *sum += meter.read(w, &self.y, force);
         }
-        self.integrals.damping_j += bilinear(w, &self.layout, &self.y, &table.damping, force);
+        self.integrals.damping_j += table.damping.read(w, &self.y, force);
         let mut weighted = Lane::ZERO;
         for j in 0..NODES {
             weighted.0[j] = table.length_s * basis.weights[j] * force.0[j];

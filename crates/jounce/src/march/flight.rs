@@ -1,6 +1,7 @@
 //! Flight: exact flow in certified steps, until the stop is struck or the end is reached.
 
 use super::certificate::{Crossing, FlightStep};
+use super::flow::SHORT;
 use super::kernel::Kernel;
 use super::marcher::{MarchError, Marcher, Regime};
 use super::state::{dot, dot_abs};
@@ -171,6 +172,7 @@ impl Marcher<'_> {
     #[inline(always)]
     fn strike<W: Wide>(&mut self, w: W, crossing: Crossing) {
         let Crossing { mut from_s, mut guess_s, mut to_s } = crossing;
+        let short_s = SHORT / self.kernel.fastest_rad_s;
         let mut motion = self.look_ahead(w, guess_s);
         for _ in 0..20 {
             if motion[0] > 0.0 {
@@ -181,11 +183,10 @@ impl Marcher<'_> {
             let newton = guess_s - motion[0] / motion[1];
             let next = if newton >= from_s && newton <= to_s { newton } else { 0.5 * (from_s + to_s) };
             let change = (next - guess_s).abs();
+            motion = if change <= short_s { self.look_on(w, next - guess_s, next) } else { self.look_ahead(w, next) };
             guess_s = next;
-            // Newton squares the error: a change this small left one of roundoff, and the flow to `next` is looked at below.
-            let settled = change <= 1e-7 * guess_s.min(1.0 / self.kernel.fastest_rad_s);
-            motion = self.look_ahead(w, guess_s);
-            if settled {
+            // Newton squares the error: a change this small left one of roundoff, and the flow to `next` has been looked at.
+            if change <= 1e-7 * guess_s.min(1.0 / self.kernel.fastest_rad_s) {
                 break;
             }
         }

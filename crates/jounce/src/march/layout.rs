@@ -24,6 +24,11 @@ impl Layout {
         Self { pairs, reals, pair_lanes: pairs.div_ceil(WIDTH), real_lanes: reals.div_ceil(WIDTH) }
     }
 
+    /// Numbers of a state.
+    pub fn states(&self) -> usize {
+        2 * self.pairs + self.reals
+    }
+
     /// Lanes of a state.
     pub fn lanes(&self) -> usize {
         2 * self.pair_lanes + self.real_lanes
@@ -50,7 +55,7 @@ impl Layout {
 
     /// Padded lanes to block order.
     pub fn unpack(&self, lanes: &[Lane]) -> Vec<f64> {
-        (0..2 * self.pairs + self.reals)
+        (0..self.states())
             .map(|state| {
                 let (lane, place) = self.place(state);
                 lanes[lane].0[place]

@@ -262,7 +262,13 @@ impl<'k> Marcher<'k> {
             std::mem::swap(&mut self.next, &mut self.scratch);
             rest_s -= Kernel::length_s(level);
         }
-        kernel.generator.glide(w, rest_s, &mut self.next);
+        self.look_on(w, rest_s, length_s)
+    }
+
+    /// Carries `next` on by a short time, to `length_s` after the present one; returns penetration and rate there.
+    #[inline(always)]
+    pub(super) fn look_on<W: Wide>(&mut self, w: W, short_s: f64, length_s: f64) -> [f64; 2] {
+        self.kernel.generator.glide(w, short_s, &mut self.next);
         let mut motion = [dot(w, &self.rows.displacement, &self.next) - self.rows.gap_m, dot(w, &self.rows.velocity, &self.next)];
         for tone in &self.tones {
             let [place, speed] = tone.motion_after(c64::cis(tone.angular_frequency_rad_s * length_s));

@@ -11,6 +11,7 @@ mod flow;
 mod kernel;
 mod layout;
 mod marcher;
+mod meter;
 mod peak;
 mod response;
 mod rigid;

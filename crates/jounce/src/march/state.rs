@@ -2,7 +2,6 @@
 
 use super::basis::NODES;
 use super::layout::Layout;
-use super::response::Response;
 use crate::wide::{Lane, WIDTH, Wide};
 
 /// `start + sum_k columns_k y_k`: an output at eight instants.
@@ -74,11 +73,4 @@ pub fn add_push<W: Wide>(w: W, push: &[[Lane; NODES]], force: &Lane, out: &mut [
     for (out, push) in out.iter_mut().zip(push) {
         *out = w.store(pushed(w, w.load(out), push, force));
     }
-}
-
-/// `integral f (row . y) dt` over a step.
-#[inline(always)]
-pub fn bilinear<W: Wide>(w: W, layout: &Layout, y: &[Lane], response: &Response, force: &Lane) -> f64 {
-    let row = pushed(w, columns(w, layout, y, &response.columns, w.zero()), &response.push, force);
-    w.sum(w.mul(row, w.load(force)))
 }

@@ -4,6 +4,7 @@
 use super::basis::{Basis, NODES};
 use super::flow::Flow;
 use super::kernel::Kernel;
+use super::meter::Meter;
 use super::response::{Making, Reading, Response, Row};
 use crate::plant::EnergyMeter;
 use crate::wide::{Lane, widest};
@@ -29,10 +30,10 @@ pub struct Table {
     pub reach_m_n: f64,
     /// Largest velocity under nodal forces of magnitude 1, m/(N s).
     pub reach_m_n_s: f64,
-    /// Per load: `P b` of its energy meter, integrated over the step against each function of the basis.
-    pub loads: Vec<Response>,
-    /// The same for the damping meter.
-    pub damping: Response,
+    /// What the force does to the meter of each load.
+    pub loads: Vec<Meter>,
+    /// The same for damping.
+    pub damping: Meter,
 }
 
 impl Table {
@@ -60,10 +61,10 @@ impl Table {
             ramp: weighted(&|j| basis.places[j]),
             reach_m_n: reach(&displacement),
             reach_m_n_s: reach(&velocity),
-            loads: responses.collect(),
+            loads: responses.map(|response| Meter::new(layout, &response)).collect(),
             displacement,
             velocity,
-            damping,
+            damping: Meter::new(layout, &damping),
         }
     }
 }
