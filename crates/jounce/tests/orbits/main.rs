@@ -2,7 +2,10 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod balance;
+mod basins;
 mod closed_forms;
+mod hard_cases;
 mod harvesters;
 mod paper;
 mod sweeps;
+mod tracking;

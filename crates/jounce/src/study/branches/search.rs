@@ -76,6 +76,7 @@ impl BranchSearch<'_> {
 
     fn run_by<M: OrbitMethod<Fault = StudyError>>(&self, make: impl Fn(u32) -> Result<M, Failure>) -> Result<Vec<Branch>, Failure> {
         let following = self.following();
+        self.check_ends()?;
         make(1)?;
         let mut branches: Vec<Branch> = Vec::new();
         for (orbit, parameter) in self.starts() {
@@ -87,6 +88,17 @@ impl BranchSearch<'_> {
             self.doubled(&following, &make, &mut branches)?;
         }
         Ok(branches)
+    }
+
+    /// Harvesters exist at both ends of the range, with one drive frequency.
+    fn check_ends(&self) -> Result<(), Failure> {
+        for value in [self.range.0, self.range.1] {
+            let frequencies = self.parameter.at(value).map_err(OrbitError::Harvester)?.kernel.plant.tones.len();
+            if frequencies != 1 {
+                return Err(OrbitError::Frequencies { frequencies });
+            }
+        }
+        Ok(())
     }
 
     /// Settled orbits: lower end, upper end, then across the range.

@@ -26,6 +26,10 @@ pub struct JumpSearch<'s> {
 
 type Failure = OrbitError<StudyError>;
 
+/// Newton's goal beside the tolerance of the march. A critical multiplier is known less well than the orbit, and along its eigenvector
+/// a fold moves by that error over its curvature; the parameter moves by the square of it only.
+const RESOLUTION: f64 = 1e3;
+
 /// Most points of one curve.
 const MOST_POINTS: usize = 400;
 
@@ -99,7 +103,7 @@ impl JumpSearch<'_> {
             origin: found.at.parameter,
             unit: (high - low) / (20.0 * size),
         };
-        let corrector = Corrector { goal: (10.0 * self.tolerance).clamp(1e-10, 1e-6), most: 12 };
+        let corrector = Corrector { goal: (RESOLUTION * self.tolerance).clamp(1e-9, 1e-4), most: 12 };
         let position = Position { unknown: tracking.unknown(start, found.at.parameter), parameter: parameter_2 };
         let metric = Metric::at(&position, self.scale_2());
         let mut ways = Vec::new();
