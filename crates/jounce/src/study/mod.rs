@@ -9,7 +9,7 @@ mod prepared;
 mod sweep;
 mod sweep_point;
 
-pub use basins::{Attractor, Basins, BasinsAnswer, Cloud, Fate, Lyapunov, Share, largest_exponent, wilson};
+pub use basins::{Attractor, Basins, BasinsAnswer, Cloud, Fate, Lyapunov, Share, Wandering, largest_exponent, wilson};
 pub use branches::{Bifurcation, Branch, BranchKind, BranchPoint, BranchSearch, Ending, Method, settled_orbit};
 pub use journal::{Journal, JournalError};
 pub use jumps::{JumpCurve, JumpPoint, JumpSearch, KeyPlane};

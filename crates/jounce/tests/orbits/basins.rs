@@ -4,7 +4,7 @@ use crate::harvesters::bench;
 use jounce::march::{Kernel, Marcher};
 use jounce::orbit::Harvester;
 use jounce::reference::ImpactOscillator;
-use jounce::study::{Basins, BasinsAnswer, Cloud, Parameter, Prepared, largest_exponent};
+use jounce::study::{Basins, BasinsAnswer, Cloud, Parameter, Prepared, Wandering, largest_exponent};
 use std::f64::consts::TAU;
 
 const CLOUD: Cloud = Cloud { starts: 24, seed: 3, spread: 20.0 };
@@ -28,12 +28,12 @@ fn marched_power_w(kernel: &Kernel, start: &[f64], frequency_hz: f64) -> f64 {
 
 #[test]
 fn shares_are_those_of_plain_marches() {
-    let frequency_hz = 12.0;
+    let frequency_hz = 11.8;
     let answer = basins(frequency_hz);
     for a in &answer.attractors {
         eprintln!("{}: {:.6e} W, {:?}", a.id, a.mean_power_w, a.share);
     }
-    assert!(answer.attractors.len() > 1, "two attractors are known at 12 Hz");
+    assert!(answer.attractors.len() > 1, "two attractors are known at 11.8 Hz");
     let file = bench();
     let base = Prepared::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
@@ -64,31 +64,62 @@ fn the_exponent_of_a_linear_plant_is_its_slowest_decay() {
     let slowest = kernel.plant.diagonal.block.eigenvalues().iter().map(|value| value.re).fold(f64::NEG_INFINITY, f64::max);
     let found = largest_exponent(&kernel, &vec![0.0; kernel.plant.len()], 640, 1e-8).unwrap();
     eprintln!("exponent {} +- {}, slowest decay {slowest}", found.exponent_per_s, found.error_per_s);
-    assert!((found.exponent_per_s / slowest - 1.0).abs() < 2e-2 && !found.is_chaotic());
+    assert!((found.exponent_per_s / slowest - 1.0).abs() < 2e-2 && found.wandering() == Wandering::Unsettled);
 }
 
-/// A stable orbit has the exponent `ln |multiplier| / T` of the closed form; an oscillator that chatters past its doublings has a
-/// positive one, the same by the divergence of two marches.
+fn oscillator(gap: f64, frequency_ratio: f64) -> ImpactOscillator {
+    ImpactOscillator { frequency_ratio, damping_ratio: 0.05, restitution: 0.8, gap }
+}
+
+fn kernel(oscillator: &ImpactOscillator, angle_rad: f64) -> Kernel {
+    Kernel::new(jounce::plant::Plant::new(oscillator.system(angle_rad)).unwrap()).unwrap()
+}
+
+/// Two multipliers of one modulus: `ln |multiplier| / T` in closed form.
 #[test]
-fn exponents_of_the_impact_oscillator() {
-    let oscillator = |gap: f64, frequency_ratio: f64| ImpactOscillator { frequency_ratio, damping_ratio: 0.05, restitution: 0.8, gap };
-    let kernel = |gap: f64, frequency_ratio: f64| {
-        Kernel::new(jounce::plant::Plant::new(oscillator(gap, frequency_ratio).system(0.3)).unwrap()).unwrap()
-    };
-    let settled = |kernel: &Kernel, frequency_ratio: f64| {
-        let mut marcher = Marcher::new(kernel, &kernel.plant.from_physical(&[0.0, 0.0], 0.0), 0.0, 1e-10).unwrap();
-        marcher.advance_to(400.0 * TAU / frequency_ratio).unwrap();
+fn the_exponent_of_a_stable_orbit_is_that_of_its_multiplier() {
+    let oscillator = oscillator(1.0, 0.8);
+    let orbit = oscillator.orbits(1).pop().unwrap();
+    let [trace, determinant] = orbit.trace_determinant;
+    let root = (trace * trace - 4.0 * determinant).max(0.0).sqrt();
+    let exact = (0.5 * (trace.abs() + root)).max(determinant.sqrt()).ln() * 0.8 / TAU;
+    // The drive starts a third of a cycle after the impact.
+    let angle_rad = orbit.angle_rad + TAU / 3.0;
+    let kernel = kernel(&oscillator, angle_rad);
+    let start_s = (orbit.angle_rad - angle_rad).rem_euclid(TAU) / 0.8;
+    let y = kernel.plant.from_physical(&oscillator.start(&orbit), start_s);
+    let mut marcher = Marcher::new(&kernel, &y, start_s, 1e-12).unwrap();
+    marcher.advance_to(TAU / 0.8).unwrap();
+    let found = largest_exponent(&kernel, &marcher.state(), 320, 1e-12).unwrap();
+    eprintln!("{} +- {}, closed form {exact}", found.exponent_per_s, found.error_per_s);
+    assert!((found.exponent_per_s / exact - 1.0).abs() < 2e-2 && found.wandering() == Wandering::Unsettled);
+}
+
+/// Chaos at `w = 2.8` on a stop without gap: two marches side by side part as fast as the exponent says.
+#[test]
+fn chaos_is_told_by_its_exponent() {
+    let kernel = kernel(&oscillator(0.0, 2.8), 0.3);
+    let cycle_s = TAU / 2.8;
+    let after_cycle = |y: &[f64]| {
+        let mut marcher = Marcher::new(&kernel, y, 0.0, 1e-12).unwrap();
+        marcher.advance_to(cycle_s).unwrap();
         marcher.state()
     };
-    let stable = kernel(0.5, 0.8);
-    let found = largest_exponent(&stable, &settled(&stable, 0.8), 320, 1e-10).unwrap();
-    let [trace, determinant] = oscillator(0.5, 0.8).orbits(1).pop().unwrap().trace_determinant;
-    let modulus = if trace * trace < 4.0 * determinant {
-        determinant.sqrt()
-    } else {
-        0.5 * (trace.abs() + (trace * trace - 4.0 * determinant).sqrt())
-    };
-    let exact = modulus.ln() * 0.8 / TAU;
-    eprintln!("stable: {} +- {}, closed form {exact}", found.exponent_per_s, found.error_per_s);
-    assert!((found.exponent_per_s / exact - 1.0).abs() < 2e-2 && !found.is_chaotic());
+    let mut y = kernel.plant.from_physical(&[-0.1, 0.0], 0.0);
+    (0..200).for_each(|_| y = after_cycle(&y));
+    let found = largest_exponent(&kernel, &y, 1600, 1e-12).unwrap();
+    let (cycles, apart) = (1600, 1e-8);
+    let mut other = y.clone();
+    other[0] += apart;
+    let mut growth = 0.0;
+    for _ in 0..cycles {
+        (y, other) = (after_cycle(&y), after_cycle(&other));
+        let distance = y.iter().zip(&other).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+        growth += (distance / apart).ln();
+        other = y.iter().zip(&other).map(|(a, b)| a + (b - a) * apart / distance).collect();
+    }
+    let marched = growth / (f64::from(cycles) * cycle_s);
+    eprintln!("exponent {} +- {}, two marches {marched}", found.exponent_per_s, found.error_per_s);
+    assert!(found.wandering() == Wandering::Chaos);
+    assert!((found.exponent_per_s - marched).abs() < 5.0 * found.error_per_s, "{} {marched}", found.exponent_per_s);
 }

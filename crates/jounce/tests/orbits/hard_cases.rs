@@ -56,7 +56,7 @@ fn a_stop_that_is_never_met_leaves_the_linear_answer() {
 #[test]
 fn grazing_at_the_start_is_an_ordinary_start() {
     let first = branches(&bench(), (12.5, 14.0), Method::Shooting, 0);
-    let grazing = first[0].bifurcations.iter().find(|found| found.kind == BranchKind::Grazing).unwrap();
+    let grazing = first.iter().flat_map(|branch| &branch.bifurcations).find(|found| found.kind == BranchKind::Grazing).unwrap();
     let start_hz = grazing.at.parameter;
     let found = branches(&bench(), (start_hz, 14.0), Method::Shooting, 0);
     let whole = found.iter().find(|branch| branch.points.first().is_some_and(|point| point.parameter == start_hz)).unwrap();
@@ -68,6 +68,7 @@ fn resonance_without_damping_says_so() {
     let mut spec = bench().spec().unwrap();
     let modal = spec.modal.values_mut().next().unwrap();
     modal.damping_ratio[1] = 0.0;
+    spec.circuit.clear();
     let refused = Prepared::new(spec).err().unwrap();
     assert!(matches!(refused, StudyError::Plant(PlantError::Undamped { .. } | PlantError::UndampedResonance { .. })), "{refused}");
     assert!(refused.to_string().contains("8.66"), "{refused}");

@@ -1,7 +1,7 @@
 //! Marches a cloud until every start is recognised, and counts.
 
 use super::Cloud;
-use super::lyapunov::{Lyapunov, largest_exponent};
+use super::lyapunov::{Lyapunov, Wandering, largest_exponent};
 use super::share::{QUANTILE_95, Share, wilson};
 use crate::march::{Kernel, Marcher};
 use crate::orbit::{Harvester, Orbit};
@@ -38,7 +38,7 @@ pub enum Fate {
 /// An attractor with its share of the cloud.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Attractor {
-    /// Drive cycles of its period and a letter by falling power: `1a`, `1b`, `2a`; `chaos`; `unrecognised`.
+    /// Drive cycles of its period and a letter by falling power: `1a`, `1b`, `2a`; `chaos`; `torus`; `unsettled`.
     pub id: String,
     /// Drive cycles of the period; 0 for none.
     pub period_cycles: u32,
@@ -59,7 +59,7 @@ pub struct Attractor {
 /// What a cloud answers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BasinsAnswer {
-    /// Attractors: orbits by period and falling power, then chaos, then what was not recognised.
+    /// Attractors: orbits by period and falling power, then chaos, tori, and what was still settling.
     pub attractors: Vec<Attractor>,
     /// `sum fraction power`, W.
     pub expected_power_w: f64,
@@ -105,15 +105,14 @@ impl Basins<'_> {
 
 fn answer(fates: &[Fate]) -> BasinsAnswer {
     let mut orbits: Vec<(&Orbit, Vec<usize>)> = Vec::new();
-    let (mut chaos, mut unrecognised, mut lost) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut wanderers, mut lost): (Vec<(usize, Lyapunov)>, Vec<(usize, String)>) = (Vec::new(), Vec::new());
     for (index, fate) in fates.iter().enumerate() {
         match fate {
             Fate::Orbit(orbit) => match orbits.iter_mut().find(|(known, _)| same(known, orbit)) {
                 Some((_, starts)) => starts.push(index),
                 None => orbits.push((orbit, vec![index])),
             },
-            Fate::Wandering(found) if found.is_chaotic() => chaos.push((index, *found)),
-            Fate::Wandering(found) => unrecognised.push((index, *found)),
+            Fate::Wandering(found) => wanderers.push((index, *found)),
             Fate::Lost(why) => lost.push((index, why.clone())),
         }
     }
@@ -133,8 +132,10 @@ fn answer(fates: &[Fate]) -> BasinsAnswer {
             starts,
         });
     }
-    attractors.extend(wandering("chaos", true, &chaos, of));
-    attractors.extend(wandering("unrecognised", false, &unrecognised, of));
+    for kind in [Wandering::Chaos, Wandering::Torus, Wandering::Unsettled] {
+        let own: Vec<(usize, Lyapunov)> = wanderers.iter().copied().filter(|(_, found)| found.wandering() == kind).collect();
+        attractors.extend(wandering(kind, &own, of));
+    }
     let mean = |power: &dyn Fn(&Attractor) -> f64| attractors.iter().map(|a| a.share.fraction * power(a)).sum::<f64>();
     let expected_power_w = mean(&|a| a.mean_power_w);
     let variance = mean(&|a| (a.mean_power_w - expected_power_w).powi(2));
@@ -148,13 +149,13 @@ fn answer(fates: &[Fate]) -> BasinsAnswer {
     }
 }
 
-fn wandering(id: &str, chaotic: bool, found: &[(usize, Lyapunov)], of: usize) -> Option<Attractor> {
+fn wandering(kind: Wandering, found: &[(usize, Lyapunov)], of: usize) -> Option<Attractor> {
     let count = found.len() as f64;
     let mean = |value: fn(&Lyapunov) -> f64| found.iter().map(|(_, found)| value(found)).sum::<f64>() / count;
     (!found.is_empty()).then(|| Attractor {
-        id: id.to_owned(),
+        id: kind.name().to_owned(),
         period_cycles: 0,
-        chaotic,
+        chaotic: kind == Wandering::Chaos,
         mean_power_w: mean(|found| found.mean_power_w),
         contacts_per_period: 0,
         lyapunov: Some((mean(|found| found.exponent_per_s), mean(|found| found.error_per_s) / count.sqrt())),

@@ -23,10 +23,38 @@ pub struct Lyapunov {
 /// Blocks whose means are compared.
 const BLOCKS: usize = 16;
 
+/// What an exponent says of a motion that is on no orbit of a short period.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Wandering {
+    /// Neighbours part: positive beyond three times the error.
+    Chaos,
+    /// Neighbours keep their distance: a torus, or an orbit at the edge of its stability.
+    Torus,
+    /// Neighbours close up: still on the way to an orbit, or on one of a long period.
+    Unsettled,
+}
+
 impl Lyapunov {
-    /// True when the exponent is positive beyond three times its error.
-    pub fn is_chaotic(&self) -> bool {
-        self.exponent_per_s > 3.0 * self.error_per_s
+    /// The kind of motion.
+    pub fn wandering(&self) -> Wandering {
+        if self.exponent_per_s > 3.0 * self.error_per_s {
+            Wandering::Chaos
+        } else if self.exponent_per_s < -3.0 * self.error_per_s {
+            Wandering::Unsettled
+        } else {
+            Wandering::Torus
+        }
+    }
+}
+
+impl Wandering {
+    /// Name in answers.
+    pub fn name(self) -> &'static str {
+        match self {
+            Wandering::Chaos => "chaos",
+            Wandering::Torus => "torus",
+            Wandering::Unsettled => "unsettled",
+        }
     }
 }
 

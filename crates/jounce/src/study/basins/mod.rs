@@ -7,5 +7,5 @@ mod share;
 
 pub use basin::{Attractor, Basins, BasinsAnswer, Fate};
 pub use cloud::Cloud;
-pub use lyapunov::{Lyapunov, largest_exponent};
+pub use lyapunov::{Lyapunov, Wandering, largest_exponent};
 pub use share::{Share, wilson};

@@ -11,7 +11,7 @@ const CYCLES: u32 = 60;
 const ATTEMPTS: u32 = 12;
 
 /// Longest period looked for, drive cycles.
-const LONGEST: u32 = 4;
+const LONGEST: u32 = 12;
 
 /// A stable orbit near where the march from `start` (physical) settles. `None` when the march stays away from every orbit that is looked for.
 pub fn settled_orbit<H: Harvester>(harvester: &H, parameter: f64, start: &[f64], tolerance: f64, goal: f64) -> Option<Orbit> {

@@ -1,7 +1,7 @@
 //! All branches of a spec over a range of one key.
 //!
-//! The branches through the two ends of the range are followed first; then every orbit that marches from rest and from a hard kick
-//! settle on, at values across the range, unless it lies on a branch already known. Doubled branches are entered where a branch
+//! The branches through the two ends of the range are followed first; then every orbit that marches from rest, from the steady state without
+//! the stop and from a hard kick settle on, at values across the range, unless it lies on a branch already known. Doubled branches are entered where a branch
 //! doubles. Marches run in parallel; everything after them is in a fixed order.
 
 use super::attractor::settled_orbit;
@@ -44,6 +44,20 @@ pub struct BranchSearch<'s> {
     /// Longest period of a doubled branch, drive cycles.
     pub longest_period: u32,
 }
+
+/// Where a march begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Start {
+    /// At rest.
+    Rest,
+    /// In the steady state without the stop: where that does not touch, it is the exact low branch.
+    Steady,
+    /// With the shape of the stop's port moving fast towards it.
+    Kicked,
+}
+
+/// Speed of a kick, beside that of the steady motion.
+const KICK: f64 = 20.0;
 
 type Failure = OrbitError<StudyError>;
 
@@ -106,27 +120,32 @@ impl BranchSearch<'_> {
         let (low, high) = self.range;
         let inner = (1..=self.seeds).map(|k| low + (high - low) * k as f64 / (self.seeds + 1) as f64);
         let values: Vec<f64> = [low, high].into_iter().chain(inner).collect();
-        let jobs: Vec<(f64, bool)> = values.iter().flat_map(|value| [(*value, false), (*value, true)]).collect();
+        let jobs: Vec<(f64, Start)> =
+            values.iter().flat_map(|value| [Start::Rest, Start::Steady, Start::Kicked].map(|start| (*value, start))).collect();
         let goal = self.following().corrector.goal;
         (jobs.into_par_iter())
-            .filter_map(|(value, kicked)| {
-                let start = self.start(value, kicked)?;
+            .filter_map(|(value, start)| {
+                let start = self.start(value, start)?;
                 Some((settled_orbit(self.parameter, value, &start, self.tolerance, goal)?, value))
             })
             .collect()
     }
 
-    /// Rest, or a hard kick: the shape of the stop's port moving at twenty times the larger of gap and steady amplitude.
-    fn start(&self, value: f64, kicked: bool) -> Option<Vec<f64>> {
+    /// The physical state of a start.
+    fn start(&self, value: f64, start: Start) -> Option<Vec<f64>> {
         let plant = self.parameter.at(value).ok()?.kernel.plant;
         let mut state = vec![0.0; plant.len()];
-        if kicked {
-            let stop = plant.system.stops.first()?;
-            let w = plant.tones.first()?.angular_frequency_rad_s;
-            let n = plant.system.modes.len();
-            let square: f64 = stop.shape.iter().map(|s| s * s).sum();
-            let speed = 20.0 * w * plant.scale_m();
-            stop.shape.iter().enumerate().for_each(|(i, s)| state[n + i] = s / square * speed);
+        match start {
+            Start::Rest => {}
+            Start::Steady => state = plant.to_physical(&state, 0.0),
+            Start::Kicked => {
+                let stop = plant.system.stops.first()?;
+                let w = plant.tones.first()?.angular_frequency_rad_s;
+                let n = plant.system.modes.len();
+                let square: f64 = stop.shape.iter().map(|s| s * s).sum();
+                let speed = KICK * w * plant.scale_m();
+                stop.shape.iter().enumerate().for_each(|(i, s)| state[n + i] = s / square * speed);
+            }
         }
         Some(state)
     }
