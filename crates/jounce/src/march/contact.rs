@@ -7,8 +7,9 @@
 
 use super::basis::NODES;
 use super::contact_step::{Solved, Step};
+use super::error::MarchError;
 use super::kernel::{Kernel, Shape};
-use super::marcher::{MarchError, Marcher, Regime};
+use super::marcher::{Marcher, Regime};
 use super::table::Table;
 use crate::contact::ContactLaw;
 use crate::wide::Wide;

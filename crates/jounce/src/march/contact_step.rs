@@ -125,13 +125,13 @@ impl<'k> Marcher<'k> {
     /// Estimates the error of a converged step from the mismatch of its basis and the law at both of its ends.
     #[inline(always)]
     fn judge<L: ContactLaw>(&self, law: L, step: &Step, penetration: Lane, rate: Lane, force: Lane, at_start: f64) -> Solved {
-        let (mut start, mut end, mut size) = (0.0, 0.0, 0.0_f64);
+        let at_end = law.force_n(penetration.0[NODES], rate.0[NODES]);
+        let (mut start, mut end, mut size) = (0.0, 0.0, at_start.max(at_end));
         for j in 0..NODES {
             start += step.basis.at_start[j] * force.0[j];
             end += step.basis.at_end[j] * force.0[j];
             size = size.max(force.0[j]);
         }
-        let at_end = law.force_n(penetration.0[NODES], rate.0[NODES]);
         let mismatch = (start - at_start).abs().max((end - at_end).abs());
         // Gauss weights square the order of the interpolation for smooth forces and gain less at a kink: 3/2 lies between.
         let ratio = if size > 0.0 { mismatch / size } else { 0.0 };

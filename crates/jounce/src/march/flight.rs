@@ -1,9 +1,11 @@
 //! Flight: exact flow in certified steps, until the stop is struck or the end is reached.
 
-use super::certificate::{Crossing, FlightStep};
+use super::certificate::FlightStep;
+use super::crossing::Crossing;
+use super::error::MarchError;
 use super::flow::SHORT;
 use super::kernel::Kernel;
-use super::marcher::{MarchError, Marcher, Regime};
+use super::marcher::{Marcher, Regime};
 use super::state::{dot, dot_abs};
 use crate::wide::Wide;
 

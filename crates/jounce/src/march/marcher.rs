@@ -5,53 +5,20 @@
 
 use super::basis::NODES;
 use super::energies::Opening;
-use super::flow::SHORT;
+use super::error::MarchError;
 use super::kernel::{Kernel, Shape};
 use super::layout::Layout;
-use super::state::dot;
 use super::tone::Turning;
 use super::totals::{ContactIntegrals, ContactStatistics, WorkCount};
 use super::trajectory::{Segment, Trajectory};
 use crate::contact::{ContactLaw, Hertz, Law, Rigid};
 use crate::wide::{Lane, Portable, Task, Wide, widest};
-use faer::c64;
 
 /// Whether the point is on the stop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Regime {
     Flight,
     Contact,
-}
-
-/// A march that could not go on.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum MarchError {
-    /// The contact force did not converge on any step length.
-    #[error(
-        "at t = {time_s} s the contact force of stop `{stop}` did not converge, even on a step of {step_s:e} s (penetration {penetration_m:e} m); check its stiffness and damping"
-    )]
-    ContactDiverged {
-        /// Time, s.
-        time_s: f64,
-        /// Name of the stop.
-        stop: String,
-        /// Shortest step tried, s.
-        step_s: f64,
-        /// Penetration at its start, m.
-        penetration_m: f64,
-    },
-    /// The state is no longer a number.
-    #[error("at t = {time_s} s the state is not finite; check the amplitude of the drive and the contact law")]
-    NotFinite {
-        /// Time, s.
-        time_s: f64,
-    },
-    /// Several stops at once.
-    #[error("the harvester has {stops} stops; marching takes one stop today")]
-    SeveralStops {
-        /// Number of stops.
-        stops: usize,
-    },
 }
 
 /// A run in progress.
@@ -235,56 +202,6 @@ impl<'k> Marcher<'k> {
 
     fn dispatch<L: ContactLaw>(&mut self, law: L, end_s: f64) -> Result<(), MarchError> {
         widest(Advance { marcher: self, law, end_s })
-    }
-
-    /// Reads penetration and rate off the state.
-    #[inline(always)]
-    pub(super) fn see<W: Wide>(&mut self, w: W) {
-        let mut motion = [dot(w, &self.rows.displacement, &self.y) - self.rows.gap_m, dot(w, &self.rows.velocity, &self.y)];
-        for tone in &self.tones {
-            let [place, speed] = tone.motion();
-            motion = [motion[0] + place, motion[1] + speed];
-        }
-        [self.penetration_m, self.rate_m_s] = motion;
-    }
-
-    /// Puts the state after an exact flow over any time into `next`; returns penetration and rate there.
-    ///
-    /// The time is cut into levels, longest first, and a rest so short that the power series of the flow is exact.
-    #[inline(always)]
-    pub(super) fn look_ahead<W: Wide>(&mut self, w: W, length_s: f64) -> [f64; 2] {
-        let kernel = self.kernel;
-        self.next.copy_from_slice(&self.y);
-        let mut rest_s = length_s;
-        while rest_s * kernel.fastest_rad_s > SHORT {
-            let level = Kernel::level_within(rest_s);
-            kernel.flow(level).apply(w, &self.next, &mut self.scratch);
-            std::mem::swap(&mut self.next, &mut self.scratch);
-            rest_s -= Kernel::length_s(level);
-        }
-        self.look_on(w, rest_s, length_s)
-    }
-
-    /// Carries `next` on by a short time, to `length_s` after the present one; returns penetration and rate there.
-    #[inline(always)]
-    pub(super) fn look_on<W: Wide>(&mut self, w: W, short_s: f64, length_s: f64) -> [f64; 2] {
-        self.kernel.generator.glide(w, short_s, &mut self.next);
-        let mut motion = [dot(w, &self.rows.displacement, &self.next) - self.rows.gap_m, dot(w, &self.rows.velocity, &self.next)];
-        for tone in &self.tones {
-            let [place, speed] = tone.motion_after(c64::cis(tone.angular_frequency_rad_s * length_s));
-            motion = [motion[0] + place, motion[1] + speed];
-        }
-        motion
-    }
-
-    /// Moves to the state in `next`.
-    #[inline(always)]
-    pub(super) fn move_on(&mut self, length_s: f64, end_s: f64, motion: [f64; 2]) {
-        self.note(length_s, None);
-        std::mem::swap(&mut self.y, &mut self.next);
-        self.time_s = end_s;
-        self.tones.iter_mut().for_each(|tone| tone.set(end_s));
-        [self.penetration_m, self.rate_m_s] = motion;
     }
 }
 

@@ -12,8 +12,9 @@
 //! collocated at the nodes of a step as everywhere else; the point leaves when the force would have to pull.
 
 use super::basis::{NODES, SMOOTH};
+use super::error::MarchError;
 use super::kernel::{Kernel, Shape};
-use super::marcher::{MarchError, Marcher, Regime};
+use super::marcher::{Marcher, Regime};
 use super::state::{add_push, columns, dot};
 use super::table::{Sticking, Table};
 use super::tone::Swing;
@@ -167,7 +168,7 @@ impl Marcher<'_> {
         let column = self.layout.pack(&plant.ports[0].force);
         let impulse = self.rate_m_s / self.rows.mobility_per_kg;
         for ((y, moved), b) in self.y.iter_mut().zip(&moved).zip(&column) {
-            *y = y.add(moved).add_scaled(impulse, b);
+            *y = y.add_scaled(1.0, moved).add_scaled(impulse, b);
         }
         (self.penetration_m, self.rate_m_s) = (0.0, 0.0);
     }

@@ -12,12 +12,6 @@ impl Lane {
     /// All zero.
     pub const ZERO: Lane = Lane([0.0; WIDTH]);
 
-    /// Sum of both.
-    pub fn add(mut self, other: &Lane) -> Lane {
-        self.0.iter_mut().zip(&other.0).for_each(|(a, b)| *a += b);
-        self
-    }
-
     /// `self + factor * other`.
     pub fn add_scaled(mut self, factor: f64, other: &Lane) -> Lane {
         self.0.iter_mut().zip(&other.0).for_each(|(a, b)| *a += factor * b);

@@ -28,8 +28,9 @@ fn error_falls_with_the_tolerance() {
         .map(|tolerance| relative(from_rest(&kernel, 20.0, tolerance).mean_power_w, CASES[0].2))
         .collect();
     eprintln!("errors at 1e-3, 1e-5, 1e-7, 1e-9: {errors:?}");
-    // Errors of single runs scatter by chance; over four decades of tolerance they must fall by two at least.
-    assert!(errors[2] < 1e-2 * errors[0] && errors[3] < 1e-2 * errors[1], "{errors:?}");
+    // Errors of single runs scatter by chance: each must stay below its tolerance, and the tightest must be far below the loosest.
+    let below = errors.iter().zip([1e-3, 1e-5, 1e-7, 1e-9]).all(|(error, tolerance)| *error <= tolerance);
+    assert!(below && errors[3] < 1e-3 * errors[0], "{errors:?}");
 }
 
 #[test]

@@ -73,12 +73,12 @@ fn modal() -> impl Strategy<Value = Modal> {
 fn patch(beam: (String, Beam)) -> impl Strategy<Value = Patch> {
     let section = prop_oneof![Just(Section::ThinSkin), Just(Section::Laminate)];
     let place = (0.0..0.5f64, 0.01..0.49f64);
-    (place, positive(), positive(), (positive(), positive(), any_number(), positive()), section).prop_map(
-        move |((start, length), width_m, thickness_m, (e, density, d31, capacitance_f), section)| Patch {
+    (place, 0.01..=1.0f64, positive(), (positive(), positive(), any_number(), positive()), section).prop_map(
+        move |((start, length), width, thickness_m, (e, density, d31, capacitance_f), section)| Patch {
             on: beam.0.clone(),
             start_m: start * beam.1.length_m,
             length_m: length * beam.1.length_m,
-            width_m,
+            width_m: width * beam.1.width_m,
             thickness_m,
             youngs_modulus_pa: e,
             density_kg_m3: density,

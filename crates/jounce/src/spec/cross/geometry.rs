@@ -24,6 +24,10 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
             let text = || format!("the patch ends {} from the root, but its beam ends at {}", metres(end_m(patch)), metres(beam.length_m));
             broken.push(|| format!("patch.{name}.length"), text);
         }
+        if patch.width_m > beam.width_m * (1.0 + SLACK) {
+            let text = || format!("the patch is {} wide, but its beam is {}", metres(patch.width_m), metres(beam.width_m));
+            broken.push(|| format!("patch.{name}.width"), text);
+        }
         if end_m(patch).is_finite() {
             on_beam.entry(&patch.on).or_default().push((name, patch));
         }

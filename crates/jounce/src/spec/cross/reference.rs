@@ -1,6 +1,7 @@
 //! References lead to things that exist, and to one thing only.
 
 use std::cell::LazyCell;
+use std::collections::BTreeMap;
 
 use super::Broken;
 use crate::spec::Spec;
@@ -29,6 +30,16 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
         if !has_patch(spec, &circuit.patch) {
             let words = || patches.iter().map(String::as_str);
             broken.push(|| format!("circuit.{name}.patch"), || unknown("patch", &circuit.patch, "patches", words));
+        }
+    }
+    let mut carried: BTreeMap<&str, &str> = BTreeMap::new();
+    for (name, circuit) in spec.circuit.iter().filter(|(_, circuit)| !circuit.patch.is_empty()) {
+        if let Some(first) = carried.get(circuit.patch.as_str()) {
+            let text =
+                || format!("patch \"{}\" carries circuit \"{}\" already; give each patch one circuit", clip(&circuit.patch), clip(first));
+            broken.push(|| format!("circuit.{name}.patch"), text);
+        } else {
+            carried.insert(&circuit.patch, name);
         }
     }
     for (name, drive) in &spec.drive {

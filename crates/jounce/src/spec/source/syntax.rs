@@ -100,9 +100,14 @@ fn duplicated(text: &str, offset: usize, span: &std::ops::Range<usize>) -> Synta
     }
     let key = text.get(span.clone()).unwrap_or_default().trim();
     let before = &text[..lines.range(offset).start];
-    let header = before.lines().rev().find(|other| is_header(other)).map(header_name).unwrap_or_default();
-    let path = if header.is_empty() { clip(key) } else { format!("{}.{}", clip(header), clip(key)) };
-    let message = format!("{path}: the key stands twice in this table; remove one of the two");
+    let header = before.lines().enumerate().filter(|(_, other)| is_header(other)).last();
+    let name = header.map(|(_, line)| header_name(line)).unwrap_or_default();
+    let path = if name.is_empty() { clip(key) } else { format!("{}.{}", clip(name), clip(key)) };
+    let own = before.lines().enumerate().skip(header.map_or(0, |(index, _)| index + 1));
+    let first =
+        own.filter(|(_, other)| other.split('=').next().is_some_and(|other| other.trim() == key)).map(|(index, _)| index + 1).next();
+    let told = first.map(|first| format!(" (first on line {first})")).unwrap_or_default();
+    let message = format!("{path}: the key stands twice in this table{told}; remove one of the two");
     SyntaxError { offset, key: path, message }
 }
 
