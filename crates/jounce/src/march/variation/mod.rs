@@ -28,8 +28,9 @@ mod tangents;
 
 pub use drift::Drift;
 
+use super::error::MarchError;
 use super::kernel::Kernel;
-use super::marcher::{MarchError, Marcher};
+use super::marcher::Marcher;
 use super::totals::ContactStatistics;
 use super::trajectory::Trajectory;
 use crate::wide::widest;
