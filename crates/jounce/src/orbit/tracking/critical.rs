@@ -90,8 +90,8 @@ mod tests {
     fn g_is_zero_with_the_multiplier_at_s() {
         let map = |multiplier: f64| Mat::from_fn(3, 3, |i, j| if i == j { [0.3, multiplier, -0.5][i] } else { 0.0 });
         for distance in [1e-3, 1e-9, -1e-3] {
-            let found = Critical::of(&map(1.0 + distance), 1.0).unwrap();
-            assert!((found.g.abs() - f64::abs(distance)).abs() < 1e-12, "{} for {distance}", found.g);
+            let g = Critical::of(&map(1.0 + distance), 1.0).map_or(f64::NAN, |found| found.g);
+            assert!((g.abs() - f64::abs(distance)).abs() < 1e-12, "{g} for {distance}");
         }
     }
 }

@@ -105,7 +105,8 @@ impl Basins<'_> {
 
 fn answer(fates: &[Fate]) -> BasinsAnswer {
     let mut orbits: Vec<(&Orbit, Vec<usize>)> = Vec::new();
-    let (mut wanderers, mut lost): (Vec<(usize, Lyapunov)>, Vec<(usize, String)>) = (Vec::new(), Vec::new());
+    let mut wanderers: Vec<(usize, Lyapunov)> = Vec::new();
+    let mut lost: Vec<(usize, String)> = Vec::new();
     for (index, fate) in fates.iter().enumerate() {
         match fate {
             Fate::Orbit(orbit) => match orbits.iter_mut().find(|(known, _)| same(known, orbit)) {
