@@ -8,10 +8,37 @@ use crate::orbit::{Harvester, Orbit, OrbitMethod, Shooting};
 const CYCLES: u32 = 60;
 
 /// Times that the march goes on when no orbit is found.
-const ATTEMPTS: u32 = 12;
+const ATTEMPTS: u32 = 16;
 
 /// Longest period looked for, drive cycles.
 const LONGEST: u32 = 12;
+
+/// Times in a row that the march must come nearer to an orbit to be taken as drawn to it: a transient passes by others on its way.
+const NEARER: u32 = 2;
+
+/// Distance from the orbit, beside the size of the state, that needs no such proof.
+const THERE: f64 = 1e-6;
+
+/// A stable orbit that the march is drawn to.
+struct Candidate {
+    orbit: Orbit,
+    distance: f64,
+    nearer: u32,
+}
+
+impl Candidate {
+    /// The next one found, after the one before.
+    fn after(before: Option<Candidate>, orbit: Orbit, distance: f64) -> Self {
+        let same =
+            |known: &Orbit| known.period_cycles == orbit.period_cycles && (known.mean_power_w / orbit.mean_power_w - 1.0).abs() < 1e-5;
+        let nearer = before.filter(|before| same(&before.orbit) && distance < before.distance).map_or(0, |before| before.nearer + 1);
+        Self { orbit, distance, nearer }
+    }
+
+    fn is_certain(&self) -> bool {
+        self.nearer >= NEARER || self.distance < THERE
+    }
+}
 
 /// A stable orbit near where the march from `start` (physical) settles. `None` when the march stays away from every orbit that is looked for.
 pub fn settled_orbit<H: Harvester>(harvester: &H, parameter: f64, start: &[f64], tolerance: f64, goal: f64) -> Option<Orbit> {
@@ -19,6 +46,7 @@ pub fn settled_orbit<H: Harvester>(harvester: &H, parameter: f64, start: &[f64],
     let kernel: &Kernel = &setting.kernel;
     let cycle_s = std::f64::consts::TAU / kernel.plant.tones.first()?.angular_frequency_rad_s;
     let mut y = kernel.plant.from_physical(start, 0.0);
+    let mut candidate: Option<Candidate> = None;
     for _ in 0..ATTEMPTS {
         let mut looks = Vec::new();
         let mut marcher = Marcher::new(kernel, &y, 0.0, tolerance.max(1e-8)).ok()?;
@@ -33,9 +61,11 @@ pub fn settled_orbit<H: Harvester>(harvester: &H, parameter: f64, start: &[f64],
         let distance = |cycles: u32| norm(looks[0].iter().zip(&looks[cycles as usize]).map(|(a, b)| a - b)) / size;
         // The shortest period that is nearly closed, by a margin over the longer ones.
         let closest = (1..=LONGEST).map(distance).fold(f64::INFINITY, f64::min);
+        let before = candidate.take();
         if closest > 0.1 {
             continue;
         }
+        let mut found_now = None;
         for cycles in (1..=LONGEST).filter(|cycles| distance(*cycles) <= 3.0 * closest + 1e-6) {
             let shooting = Shooting::new(harvester, kernel, cycles, tolerance);
             let unknown = shooting.unknown(&kernel.plant.to_physical(&looks[0], 0.0));
@@ -51,11 +81,16 @@ pub fn settled_orbit<H: Harvester>(harvester: &H, parameter: f64, start: &[f64],
                     && (cycles as usize).is_multiple_of(k)
             });
             if moved < 0.1 && orbit.is_stable() && !repeats {
-                return Some(orbit);
+                found_now = Some((orbit, moved));
+                break;
             }
         }
+        candidate = found_now.map(|(orbit, distance)| Candidate::after(before, orbit, distance));
+        if candidate.as_ref().is_some_and(Candidate::is_certain) {
+            break;
+        }
     }
-    None
+    candidate.filter(Candidate::is_certain).map(|candidate| candidate.orbit)
 }
 
 fn norm(values: impl Iterator<Item = f64>) -> f64 {
