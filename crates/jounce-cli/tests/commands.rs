@@ -101,7 +101,7 @@ fn has(value: &Value, keys: &[&str]) {
 #[test]
 fn branch_answers_with_every_key_by_both_methods() {
     for method in ["shooting", "harmonic-balance"] {
-        let over = "drive.shaker.frequency=12.2Hz:12.4Hz";
+        let over = "drive.shaker.frequency=11Hz:13Hz";
         let (code, json, _) = jounce(&["branch", PLANT, "--over", over, "--method", method, "--seeds", "0", "--json"]);
         assert_eq!(code, 0);
         let branch = &json["branches"][0];
@@ -117,14 +117,14 @@ fn branch_answers_with_every_key_by_both_methods() {
 
 #[test]
 fn jumps_answers_with_every_key() {
-    let (over, against) = ("drive.shaker.frequency=12.2Hz:12.5Hz", "stop.tip.gap=0.9mm:1.1mm");
+    let (over, against) = ("drive.shaker.frequency=11Hz:13Hz", "stop.tip.gap=0.9mm:1.1mm");
     let (code, json, _) = jounce(&["jumps", PLANT, "--over", over, "--against", against, "--seeds", "0", "--json"]);
     assert_eq!(code, 0);
-    let fold = json["curves"].as_array().unwrap().iter().find(|curve| curve["kind"] == "fold").unwrap();
-    let points = fold["points"].as_array().unwrap();
-    has(&points[0], &["parameter", "parameter_2", "mean_power_w"]);
-    let own = points.iter().find(|point| (point["parameter_2"].as_f64().unwrap() - 1e-3).abs() < 1e-12).unwrap();
-    assert!((own["parameter"].as_f64().unwrap() - 12.3218).abs() < 1e-3, "{own}");
+    let folds = json["curves"].as_array().unwrap().iter().filter(|curve| curve["kind"] == "fold");
+    let points: Vec<&Value> = folds.flat_map(|fold| fold["points"].as_array().unwrap()).collect();
+    has(points[0], &["parameter", "parameter_2", "mean_power_w"]);
+    let own = points.iter().filter(|point| (point["parameter_2"].as_f64().unwrap() - 1e-3).abs() < 1e-12);
+    assert!(own.clone().any(|point| (point["parameter"].as_f64().unwrap() - 12.3218).abs() < 1e-3), "{json}");
 }
 
 #[test]

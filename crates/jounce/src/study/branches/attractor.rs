@@ -19,6 +19,12 @@ const NEARER: u32 = 2;
 /// Distance from the orbit, beside the size of the state, that needs no such proof.
 const THERE: f64 = 1e-6;
 
+/// Farthest that an orbit may be, beside the size of the state, to be looked at.
+const NEAR: f64 = 0.1;
+
+/// How much nearer a longer period must come than a shorter one.
+const CLEARLY: f64 = 0.5;
+
 /// A stable orbit that the march is drawn to.
 struct Candidate {
     orbit: Orbit,
@@ -59,38 +65,46 @@ pub fn settled_orbit<H: Harvester>(harvester: &H, parameter: f64, start: &[f64],
         y = looks.last()?.clone();
         let size = norm(looks[0].iter().copied()).max(norm(kernel.plant.steady_at(0.0).into_iter()));
         let distance = |cycles: u32| norm(looks[0].iter().zip(&looks[cycles as usize]).map(|(a, b)| a - b)) / size;
-        // The shortest period that is nearly closed, by a margin over the longer ones.
-        let closest = (1..=LONGEST).map(distance).fold(f64::INFINITY, f64::min);
         let before = candidate.take();
-        if closest > 0.1 {
-            continue;
-        }
-        let mut found_now = None;
-        for cycles in (1..=LONGEST).filter(|cycles| distance(*cycles) <= 3.0 * closest + 1e-6) {
-            let shooting = Shooting::new(harvester, kernel, cycles, tolerance);
-            let unknown = shooting.unknown(&kernel.plant.to_physical(&looks[0], 0.0));
-            let position = Position { unknown, parameter };
-            let metric = Metric::at(&position, 1.0);
-            let Ok(found) = settle(&shooting, &Corrector { goal, most: 12 }, &metric, position.clone()) else { continue };
-            // A Newton that runs far has found another orbit than the one that attracts.
-            let moved = norm(found.position.unknown.iter().zip(&position.unknown).map(|(a, b)| a - b)) / metric.unknown;
-            let Ok(orbit) = shooting.orbit(&found.local, found.error) else { continue };
-            // Cycles that repeat belong to a shorter orbit, which has had its turn.
-            let repeats = (1..cycles as usize).any(|k| {
-                norm(orbit.looks[k].iter().zip(&orbit.looks[0]).map(|(a, b)| a - b)) < 1e-5 * metric.unknown
-                    && (cycles as usize).is_multiple_of(k)
-            });
-            if moved < 0.1 && orbit.is_stable() && !repeats {
-                found_now = Some((orbit, moved));
-                break;
-            }
-        }
-        candidate = found_now.map(|(orbit, distance)| Candidate::after(before, orbit, distance));
+        // Periods over which the motion closes clearly better than over every shorter one.
+        let mut closest = f64::INFINITY;
+        let periods = (1..=LONGEST).filter(|cycles| {
+            let here = distance(*cycles);
+            let closes = here < CLEARLY * closest;
+            closest = closest.min(here);
+            closes && here < NEAR
+        });
+        let state = kernel.plant.to_physical(&looks[0], 0.0);
+        let near = |cycles: u32| orbit_near(harvester, kernel, parameter, &state, (cycles, tolerance, goal));
+        let found: Vec<(Orbit, f64)> = periods.filter_map(near).collect();
+        let nearest = found.into_iter().reduce(|short, long| if long.1 < CLEARLY * short.1 { long } else { short });
+        candidate = nearest.map(|(orbit, distance)| Candidate::after(before, orbit, distance));
         if candidate.as_ref().is_some_and(Candidate::is_certain) {
             break;
         }
     }
     candidate.filter(Candidate::is_certain).map(|candidate| candidate.orbit)
+}
+
+/// The stable orbit of some cycles that Newton finds near a physical state, and its distance beside the size of the state.
+fn orbit_near<H: Harvester>(
+    harvester: &H,
+    kernel: &Kernel,
+    parameter: f64,
+    state: &[f64],
+    (cycles, tolerance, goal): (u32, f64, f64),
+) -> Option<(Orbit, f64)> {
+    let shooting = Shooting::new(harvester, kernel, cycles, tolerance);
+    let position = Position { unknown: shooting.unknown(state), parameter };
+    let metric = Metric::at(&position, 1.0);
+    let found = settle(&shooting, &Corrector { goal, most: 12 }, &metric, position.clone()).ok()?;
+    let distance = metric.length(&position.to(&found.position));
+    let orbit = shooting.orbit(&found.local, found.error).ok()?;
+    // Cycles that repeat belong to a shorter orbit, which has a turn of its own.
+    let apart = |k: usize| norm(orbit.looks[k].iter().zip(&orbit.looks[0]).map(|(a, b)| a - b)) / metric.unknown;
+    let repeats = (1..cycles as usize).any(|k| (cycles as usize).is_multiple_of(k) && apart(k) < 1e-5);
+    // A Newton that runs far has found another orbit than the one that attracts.
+    (distance < NEAR && orbit.is_stable() && !repeats).then_some((orbit, distance))
 }
 
 fn norm(values: impl Iterator<Item = f64>) -> f64 {
