@@ -95,6 +95,24 @@ where
     }
 }
 
+impl<S: Simd, const N: usize> Registers<S, N>
+where
+    [S::f64s; N]: Pod,
+{
+    /// The first half of the registers with the second, until one is left; [`Simd`] goes on like this inside it.
+    #[inline(always)]
+    fn folded(self, mut a: [S::f64s; N], function: impl Fn(S, S::f64s, S::f64s) -> S::f64s) -> S::f64s {
+        let mut count = N;
+        while count > 1 {
+            count /= 2;
+            for i in 0..count {
+                a[i] = function(self.0, a[i], a[i + count]);
+            }
+        }
+        a[0]
+    }
+}
+
 impl<S: Simd, const N: usize> Wide for Registers<S, N>
 where
     [S::f64s; N]: Pod,
@@ -157,15 +175,12 @@ where
 
     #[inline(always)]
     fn sum(self, a: Self::Register) -> f64 {
-        let [a, b, c, d, e, f, g, h] = self.store(a).0;
-        ((a + e) + (c + g)) + ((b + f) + (d + h))
+        self.0.reduce_sum_f64s(self.folded(a, |simd, a, b| simd.add_f64s(a, b)))
     }
 
     #[inline(always)]
     fn largest(self, a: Self::Register) -> f64 {
-        let a = self.store(a).0;
-        let larger = |x: f64, y: f64| if x > y { x } else { y };
-        larger(larger(larger(a[0], a[4]), larger(a[2], a[6])), larger(larger(a[1], a[5]), larger(a[3], a[7])))
+        self.0.reduce_max_f64s(self.folded(a, |simd, a, b| simd.max_f64s(a, b)))
     }
 }
 
