@@ -8,7 +8,7 @@ use crate::orbit::{Harvester, Orbit, OrbitMethod, Shooting};
 const CYCLES: u32 = 60;
 
 /// Times that the march goes on when no orbit is found.
-const ATTEMPTS: u32 = 16;
+const ATTEMPTS: u32 = 48;
 
 /// Longest period looked for, drive cycles.
 const LONGEST: u32 = 12;
