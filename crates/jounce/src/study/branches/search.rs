@@ -66,7 +66,11 @@ impl BranchSearch<'_> {
         Following {
             range: self.range,
             corrector: Corrector { goal: (10.0 * self.tolerance).clamp(1e-11, 1e-6), most: 8 },
-            control: StepControl::default(),
+            control: match self.method {
+                Method::Shooting => StepControl::default(),
+                // Its curve has wiggles of the size of its samples, which steps that must end near their guess would all resolve.
+                Method::HarmonicBalance { .. } => StepControl { stray: 0.3, most_evaluations: 8, ..StepControl::default() },
+            },
             most_points: 4000,
         }
     }
