@@ -1,6 +1,6 @@
 //! What can be typed.
 
-use crate::commands::{check, completions, frf, modes, reproduce, run, sweep};
+use crate::commands::{basins, branch, check, completions, frf, jumps, modes, reproduce, run, sweep};
 use clap::{Parser, Subcommand};
 
 /// Simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
@@ -27,6 +27,12 @@ pub enum Command {
     Run(run::Run),
     /// Marches a run at every value of a key.
     Sweep(sweep::Sweep),
+    /// Follows every branch of periodic answers over a range of a key, stable or not.
+    Branch(branch::Branch),
+    /// Follows the places where the answer jumps (folds, doublings, grazings) over two keys.
+    Jumps(jumps::Jumps),
+    /// Finds the attractors, the share of random starts that each takes, and the power to be expected.
+    Basins(basins::Basins),
     /// Computes the tables, figures and claims of the 2019 impact-harvester paper.
     Reproduce(reproduce::Reproduce),
     /// Prints the JSON Schema (draft-07) of a spec, for editors.
@@ -46,6 +52,9 @@ impl Command {
             Command::Frf(command) => command.output.json,
             Command::Run(command) => command.output.json,
             Command::Sweep(command) => command.output.json,
+            Command::Branch(command) => command.output.json,
+            Command::Jumps(command) => command.output.json,
+            Command::Basins(command) => command.output.json,
             Command::Reproduce(command) => command.json,
             Command::Schema | Command::Keys | Command::Completions(_) => false,
         }

@@ -1,6 +1,7 @@
 //! How a command ends when it does not succeed.
 
 use crate::output::print;
+use jounce::orbit::OrbitError;
 use jounce::spec::{Fault, ReadError};
 use jounce::study::StudyError;
 use std::path::{Path, PathBuf};
@@ -71,6 +72,16 @@ impl From<StudyError> for Failure {
         match &error {
             StudyError::Run(jounce::run::RunError::March(_)) => Failure::NotConverged(error.to_string()),
             _ => Failure::Input(error.to_string()),
+        }
+    }
+}
+
+impl From<OrbitError<StudyError>> for Failure {
+    fn from(error: OrbitError<StudyError>) -> Self {
+        match error {
+            OrbitError::Harvester(error) => error.into(),
+            OrbitError::Frequencies { .. } | OrbitError::Impulsive { .. } => Failure::Input(error.to_string()),
+            OrbitError::March(_) | OrbitError::Multipliers { .. } => Failure::NotConverged(error.to_string()),
         }
     }
 }

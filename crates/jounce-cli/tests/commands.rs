@@ -91,3 +91,60 @@ fn bad_input_ends_with_its_code_and_one_clear_sentence() {
         "{json}"
     );
 }
+
+const PLANT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../bench/plant.toml");
+
+fn has(value: &Value, keys: &[&str]) {
+    keys.iter().for_each(|key| assert!(!value[*key].is_null(), "{key} is missing in {value}"));
+}
+
+#[test]
+fn branch_answers_with_every_key_by_both_methods() {
+    for method in ["shooting", "harmonic-balance"] {
+        let over = "drive.shaker.frequency=11Hz:13Hz";
+        let (code, json, _) = jounce(&["branch", PLANT, "--over", over, "--method", method, "--seeds", "0", "--json"]);
+        assert_eq!(code, 0);
+        let branch = &json["branches"][0];
+        has(branch, &["period_cycles", "points", "bifurcations"]);
+        let keys = ["parameter", "mean_power_w", "voltage_rms_v", "stable", "floquet_max_abs", "contacts_per_period", "error_estimate"];
+        has(&branch["points"][0], &keys);
+        let all: Vec<&Value> = json["branches"].as_array().unwrap().iter().flat_map(|b| b["bifurcations"].as_array().unwrap()).collect();
+        let fold = all.iter().find(|found| found["kind"] == "fold").unwrap();
+        has(fold, &["kind", "parameter", "mean_power_w"]);
+        assert!((fold["parameter"].as_f64().unwrap() - 12.3218).abs() < 1e-3, "{method}: {fold}");
+    }
+}
+
+#[test]
+fn jumps_answers_with_every_key() {
+    let (over, against) = ("drive.shaker.frequency=11Hz:13Hz", "stop.tip.gap=0.9mm:1.1mm");
+    let (code, json, _) = jounce(&["jumps", PLANT, "--over", over, "--against", against, "--seeds", "0", "--json"]);
+    assert_eq!(code, 0);
+    let folds = json["curves"].as_array().unwrap().iter().filter(|curve| curve["kind"] == "fold");
+    let points: Vec<&Value> = folds.flat_map(|fold| fold["points"].as_array().unwrap()).collect();
+    has(points[0], &["parameter", "parameter_2", "mean_power_w"]);
+    let own = points.iter().filter(|point| (point["parameter_2"].as_f64().unwrap() - 1e-3).abs() < 1e-12);
+    assert!(own.clone().any(|point| (point["parameter"].as_f64().unwrap() - 12.3218).abs() < 1e-3), "{json}");
+}
+
+#[test]
+fn basins_answer_with_every_key_and_shares_that_add_up() {
+    let at = "drive.shaker.frequency=\"14 Hz\"";
+    let (code, json, _) = jounce(&["basins", PLANT, "--starts", "12", "--seed", "3", "--set", at, "--json"]);
+    assert_eq!(code, 0);
+    has(&json, &["attractors", "expected_power_w"]);
+    let attractors = json["attractors"].as_array().unwrap();
+    attractors
+        .iter()
+        .for_each(|a| has(a, &["id", "period_cycles", "chaotic", "mean_power_w", "fraction", "fraction_low", "fraction_high"]));
+    let sum: f64 = attractors.iter().map(|a| a["fraction"].as_f64().unwrap()).sum();
+    assert!((sum - 1.0).abs() < 1e-12, "{json}");
+}
+
+#[test]
+fn orbits_of_a_rigid_stop_by_harmonic_balance_are_refused() {
+    let rigid = ["--set", "stop.tip.law=rigid", "--set", "stop.tip.restitution=0.8"];
+    let arguments = ["branch", PLANT, "--over", "drive.shaker.frequency=12Hz:13Hz", "--method", "harmonic-balance"];
+    let (code, _, text) = jounce(&[&arguments[..], &rigid].concat());
+    assert!(code == 4 && !text.is_empty(), "{code}: {text}");
+}

@@ -4,12 +4,14 @@
 //!
 //! `store` (files that appear whole or not at all), `wide` (vector arithmetic), `spec` (what the user says) -> `structure` (beams and masses to modes) ->
 //! `contact` (laws) -> `plant` (the coupled linear system in diagonal form, with its ports) -> `linear` (closed-form answers) ->
-//! `march` (time) -> `run` -> `signal` -> `study` (sweeps) -> `table` -> `picture` -> `report` -> `reproduce` (the paper);
+//! `march` (time) -> `continuation` (curves of solutions) -> `orbit` (periodic answers) -> `run` -> `signal` -> `study` (sweeps) -> `table` -> `picture` -> `report` -> `reproduce` (the paper);
 //! `reference` holds exact answers.
 
 pub mod contact;
+pub mod continuation;
 pub mod linear;
 pub mod march;
+pub mod orbit;
 pub mod picture;
 pub mod plant;
 pub mod reference;

@@ -1,8 +1,11 @@
 //! One file per command.
 
+pub mod basins;
+pub mod branch;
 pub mod check;
 pub mod completions;
 pub mod frf;
+pub mod jumps;
 pub mod modes;
 pub mod reproduce;
 pub mod run;
@@ -20,6 +23,9 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Frf(command) => command.run(),
         Command::Run(command) => command.run(),
         Command::Sweep(command) => command.run(),
+        Command::Branch(command) => command.run(),
+        Command::Jumps(command) => command.run(),
+        Command::Basins(command) => command.run(),
         Command::Reproduce(command) => command.run(),
         Command::Completions(command) => command.run(),
         Command::Schema => {

@@ -66,6 +66,16 @@ impl From<StopLaw> for Law {
 }
 
 impl Law {
+    /// Compressive force, N; a rigid stop has none that is finite.
+    pub fn force_n(&self, penetration_m: f64, rate_m_s: f64) -> f64 {
+        match self {
+            Law::Hertz(law) => law.force_n(penetration_m, rate_m_s),
+            Law::KelvinVoigt(law) => law.force_n(penetration_m, rate_m_s),
+            Law::HuntCrossley(law) => law.force_n(penetration_m, rate_m_s),
+            Law::Rigid(_) => 0.0,
+        }
+    }
+
     /// Energy stored by the elastic part of the force, J; a rigid stop stores none.
     pub fn energy_j(&self, penetration_m: f64) -> f64 {
         match self {

@@ -42,6 +42,18 @@ impl Flow {
         flow
     }
 
+    /// Entries `a, b, c, d` of pair `k`.
+    #[inline(always)]
+    pub fn pair(&self, k: usize) -> [f64; 4] {
+        std::array::from_fn(|entry| self.pairs[entry][k / WIDTH].0[k % WIDTH])
+    }
+
+    /// Entry of real `k`.
+    #[inline(always)]
+    pub fn real(&self, k: usize) -> f64 {
+        self.reals[k / WIDTH].0[k % WIDTH]
+    }
+
     #[inline(always)]
     fn entries<W: Wide>(&self, w: W, k: usize) -> [W::Register; 4] {
         let [a, b, c, d] = &self.pairs;

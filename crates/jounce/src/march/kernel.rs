@@ -8,7 +8,7 @@ use super::flow::Flow;
 use super::layout::Layout;
 use super::table::Table;
 use crate::contact::Law;
-use crate::plant::{Meters, Plant, PlantError};
+use crate::plant::{Meters, Plant, PlantError, Stop};
 use crate::wide::WIDTH;
 use std::sync::{Arc, OnceLock};
 
@@ -67,14 +67,12 @@ impl Kernel {
     pub fn new(plant: Plant) -> Result<Self, PlantError> {
         let meters = Meters::new(&plant)?;
         let layout = Layout::of(&plant);
-        let level = |_| Level { flow: OnceLock::new(), ports: plant.ports.iter().map(|_| PortLevel::default()).collect() };
-        let onset = plant.system.stops.iter().map(|stop| onset_exponent(&stop.law).and_then(Basis::onset));
         Ok(Self {
             layout,
             generator: Flow::generator(&plant.diagonal.block, &layout),
             fastest_rad_s: plant.fastest_rad_s().max(f64::MIN_POSITIVE),
-            onset: Arc::new(onset.collect()),
-            levels: Arc::new((COARSEST..=FINEST).map(level).collect()),
+            onset: Arc::new(onsets(&plant)),
+            levels: Arc::new(levels(&plant)),
             meters,
             plant,
         })
@@ -87,13 +85,33 @@ impl Kernel {
     pub fn with_drives(&self, drives: Vec<crate::plant::Drive>) -> Result<Self, PlantError> {
         let plant = self.plant.with_drives(drives)?;
         Ok(Self {
-            meters: Meters::new(&plant)?,
+            meters: self.meters.with_drives(&plant)?,
             plant,
             layout: self.layout,
             generator: self.generator.clone(),
             fastest_rad_s: self.fastest_rad_s,
             onset: Arc::clone(&self.onset),
             levels: Arc::clone(&self.levels),
+        })
+    }
+
+    /// The same plant against other stops; the tables made so far are kept where only gaps and stiffnesses differ.
+    ///
+    /// # Errors
+    /// None that the first plant did not have.
+    pub fn with_stops(&self, stops: Vec<Stop>) -> Result<Self, PlantError> {
+        let alike = |a: &Stop, b: &Stop| a.shape == b.shape && onset_exponent(&a.law) == onset_exponent(&b.law);
+        let before = &self.plant.system.stops;
+        let fit = before.len() == stops.len() && before.iter().zip(&stops).all(|(a, b)| alike(a, b));
+        let plant = self.plant.with_stops(stops);
+        Ok(Self {
+            layout: self.layout,
+            generator: self.generator.clone(),
+            fastest_rad_s: self.fastest_rad_s,
+            meters: if fit { self.meters.clone() } else { self.meters.with_drives(&plant)? },
+            onset: if fit { Arc::clone(&self.onset) } else { Arc::new(onsets(&plant)) },
+            levels: if fit { Arc::clone(&self.levels) } else { Arc::new(levels(&plant)) },
+            plant,
         })
     }
 
@@ -180,6 +198,15 @@ impl Kernel {
     pub(super) fn first_shape(&self, port: usize) -> Shape {
         if self.onset[port].is_some() { Shape::Onset } else { Shape::Smooth }
     }
+}
+
+fn levels(plant: &Plant) -> Vec<Level> {
+    let level = |_| Level { flow: OnceLock::new(), ports: plant.ports.iter().map(|_| PortLevel::default()).collect() };
+    (COARSEST..=FINEST).map(level).collect()
+}
+
+fn onsets(plant: &Plant) -> Vec<Option<Basis>> {
+    plant.system.stops.iter().map(|stop| onset_exponent(&stop.law).and_then(Basis::onset)).collect()
 }
 
 /// Power of time with which the force of a contact starts.

@@ -141,6 +141,15 @@ impl<'k> Marcher<'k> {
         self.layout.unpack(&self.y)
     }
 
+    /// Contact force of a compliant stop at the present time, N; 0 in flight and on a rigid stop.
+    pub fn force_n(&self) -> f64 {
+        let law = self.kernel.plant.system.stops.first().map(|stop| stop.law);
+        match (self.regime, law) {
+            (Regime::Contact, Some(law)) => law.force_n(self.penetration_m, self.rate_m_s),
+            _ => 0.0,
+        }
+    }
+
     /// Contact statistics since the last [`Marcher::reset_statistics`].
     pub fn statistics(&self) -> &ContactStatistics {
         &self.statistics

@@ -24,6 +24,7 @@ mod table;
 mod tone;
 mod totals;
 mod trajectory;
+mod variation;
 
 pub use energies::Energies;
 pub use error::MarchError;
@@ -31,3 +32,4 @@ pub use kernel::{Kernel, Shape};
 pub use marcher::Marcher;
 pub use totals::{ContactIntegrals, ContactStatistics, WorkCount};
 pub use trajectory::{Instant, Segment, Trajectory};
+pub use variation::{Drift, Variation, VariationError};

@@ -67,6 +67,20 @@ impl Plant {
         Ok(plant)
     }
 
+    /// Size of the motion at the first port, m: its steady amplitude or the magnitude of its gap, whichever is larger; 0 without one.
+    pub fn scale_m(&self) -> f64 {
+        let port = self.ports.first().zip(self.system.stops.first());
+        port.map_or(0.0, |(port, stop)| port.steady_m.iter().fold(stop.gap_m.abs(), |max, s| max.max(s.norm())))
+    }
+
+    /// The same plant against other stops.
+    pub fn with_stops(&self, stops: Vec<super::Stop>) -> Self {
+        let mut plant = self.clone();
+        plant.system.stops = stops;
+        plant.ports = plant.system.stops.iter().map(|stop| plant.port(&stop.shape)).collect();
+        plant
+    }
+
     /// Number of states.
     pub fn len(&self) -> usize {
         self.diagonal.block.len()

@@ -58,12 +58,24 @@ impl Meters {
     /// # Errors
     /// [`PlantError::Undamped`] where a mode that never decays carries power.
     pub fn new(plant: &Plant) -> Result<Self, PlantError> {
+        Self::made(plant, None)
+    }
+
+    /// The same for a plant that differs in its drives only: the quadratic forms stay as they are.
+    ///
+    /// # Errors
+    /// None that the first plant did not have.
+    pub fn with_drives(&self, plant: &Plant) -> Result<Self, PlantError> {
+        Self::made(plant, Some(self))
+    }
+
+    fn made(plant: &Plant, before: Option<&Self>) -> Result<Self, PlantError> {
         let modes = &plant.system.modes;
         let patches: Vec<&String> = modes.patch.keys().collect();
-        let loads = plant.system.loads.iter().map(|load| {
+        let loads = plant.system.loads.iter().enumerate().map(|(k, load)| {
             let index = patches.iter().position(|name| **name == load.patch).unwrap_or_default();
             let square = Square::new(plant, 1.0 / load.resistance_ohm, plant.voltage_row(index));
-            EnergyMeter::squares(plant, &format!("the energy of load `{}`", load.name), &[square])
+            EnergyMeter::squares(plant, &format!("the energy of load `{}`", load.name), &[square], before.map(|meters| &meters.loads[k]))
         });
         let velocity = |i: usize| plant.velocity_row(&unit(modes.len(), i));
         let losses: Vec<Square> = (0..modes.len())
@@ -72,7 +84,7 @@ impl Meters {
             .collect();
         Ok(Self {
             loads: loads.collect::<Result<_, _>>()?,
-            damping: EnergyMeter::squares(plant, "the energy lost in damping", &losses)?,
+            damping: EnergyMeter::squares(plant, "the energy lost in damping", &losses, before.map(|meters| &meters.damping))?,
             input: EnergyMeter::drive(plant),
         })
     }
@@ -110,8 +122,11 @@ impl EnergyMeter {
         2.0 * work_j - self.port_cross[port].iter().zip(impulse_n_s).map(|(rb, f)| (rb * f).re).sum::<f64>()
     }
 
-    fn squares(plant: &Plant, what: &str, squares: &[Square]) -> Result<Self, PlantError> {
-        let gramian = gramian(&plant.diagonal.block, what, squares)?;
+    fn squares(plant: &Plant, what: &str, squares: &[Square], before: Option<&Self>) -> Result<Self, PlantError> {
+        let gramian = match before {
+            Some(meter) => meter.gramian.clone(),
+            None => gramian(&plant.diagonal.block, what, squares)?,
+        };
         let forcing = |tone: usize| -> Vec<c64> {
             (0..plant.len()).map(|j| squares.iter().map(|s| s.steady[tone] * (2.0 * s.weight * s.row[j])).sum()).collect()
         };

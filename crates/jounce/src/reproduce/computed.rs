@@ -4,6 +4,7 @@ use super::ReproduceError;
 use super::assumptions::{Variant, variants};
 use super::frequency_responses::HammerTest;
 use super::impact::Impact;
+use super::orbits::Orbits;
 use super::power_over_frequency::{FEWER_LEVELS_N, LEVELS_N};
 use super::table_2::Frequencies;
 
@@ -15,6 +16,7 @@ pub(super) struct Computed {
     pub ground: Impact,
     /// The stop on the shaker table.
     pub table: Impact,
+    pub orbits: Orbits,
     pub variants: Vec<Variant>,
 }
 
@@ -25,7 +27,9 @@ impl Computed {
         let (table_2, hammer) = (Frequencies::compute()?, HammerTest::compute()?);
         progress("figures 6 to 9, with the stop on the ground and on the table: about 1700 runs of 20 s");
         let (ground, table) = rayon::join(|| Impact::compute("ground", &LEVELS_N), || Impact::compute("table", &FEWER_LEVELS_N));
+        progress("branches under figure 6, and jumps against the gap");
+        let orbits = Orbits::compute()?;
         progress("assumptions: 13 Hz and 200 N with the other choices");
-        Ok(Self { table_2, hammer, ground: ground?, table: table?, variants: variants()? })
+        Ok(Self { table_2, hammer, ground: ground?, table: table?, orbits, variants: variants()? })
     }
 }

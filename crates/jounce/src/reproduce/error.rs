@@ -1,5 +1,6 @@
 //! Why the paper could not be computed again or written down.
 
+use crate::orbit::OrbitError;
 use crate::picture::PictureError;
 use crate::plant::PlantError;
 use crate::run::RunError;
@@ -7,6 +8,7 @@ use crate::signal::SignalError;
 use crate::spec::{Fault, Faults};
 use crate::store::StoreError;
 use crate::structure::StructureError;
+use crate::study::StudyError;
 use crate::table::TableError;
 use std::path::PathBuf;
 
@@ -38,6 +40,12 @@ pub enum ReproduceError {
     /// See [`StoreError`].
     #[error(transparent)]
     Store(#[from] StoreError),
+    /// See [`StudyError`].
+    #[error(transparent)]
+    Study(#[from] StudyError),
+    /// See [`OrbitError`].
+    #[error(transparent)]
+    Orbit(#[from] OrbitError<StudyError>),
     /// The output folder cannot be made.
     #[error("cannot create the folder \"{path}\": {reason}; choose another one with --out")]
     Folder {

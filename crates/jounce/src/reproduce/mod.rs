@@ -19,6 +19,7 @@ mod frequency_responses;
 mod harvester;
 mod impact;
 mod named;
+mod orbits;
 mod page;
 mod power_over_frequency;
 mod power_over_resistance;

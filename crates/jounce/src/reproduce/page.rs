@@ -57,7 +57,13 @@ pub(super) fn page(of: &Reproduction) -> Result<Document, ReproduceError> {
         "Rings mark points that had not settled after 20 s: without contact the first mode decays by only 1/e in 9.5 s, and some motions never repeat. \
          The grey line is the exact steady state.",
     );
-    figures(&mut page, of, &["figure-6"])?;
+    figures(&mut page, of, &["figure-6", "figure-6-branches"])?;
+    page.section("Tuning by the gap");
+    page.paragraph(
+        "The paper closes with the idea of tuning the harvester by its gap. Between its folds the answer depends on where it comes from; below the \
+         grazing the stop is out of reach.",
+    );
+    figures(&mut page, of, &["jumps-over-gap"])?;
     page.section("Figure 7: voltage at 13 Hz and 200 N");
     table(&mut page, of, "runs");
     figures(&mut page, of, &["figure-7", "figure-7-spectrum"])?;

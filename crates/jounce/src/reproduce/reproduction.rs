@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 pub struct Reproduction {
     /// `table-2`, `claims`, `runs`, `assumptions`, and the data of every figure.
     pub tables: Vec<NamedTable>,
-    /// `figure-4` to `figure-9`, `figure-7-spectrum`, and figures 6, 8 and 9 `-stop-on-table`.
+    /// `figure-4` to `figure-9`, `figure-7-spectrum`, figures 6, 8 and 9 `-stop-on-table`, `figure-6-branches` and `jumps-over-gap`.
     pub figures: Vec<NamedFigure>,
     /// S2 to S9.
     pub claims: Vec<Claim>,
@@ -45,6 +45,7 @@ pub fn reproduce(progress: &dyn Fn(&str)) -> Result<Reproduction, ReproduceError
     figures.extend([computed.ground.above.figure(8, &ON_GROUND), computed.ground.below.figure(9, &ON_GROUND)]);
     figures.extend([computed.table.frequency.figure(&ON_TABLE), computed.table.above.figure(8, &ON_TABLE)]);
     figures.push(computed.table.below.figure(9, &ON_TABLE));
+    figures.extend([computed.orbits.figure(&computed.ground.frequency), computed.orbits.map()]);
     let (ground, on_table) = (claims::judged(&computed.ground), claims::judged(&computed.table));
     let manifest = Manifest::new(&computed.ground.harvester.spec.hash_hex()).with("command", "reproduce");
     let tables = tables(&computed, claims::table(&ground, &on_table)?)?;
@@ -58,6 +59,7 @@ fn tables(computed: &Computed, claims: NamedTable) -> Result<Vec<NamedTable>, Re
     tables.extend(ground.voltage.tables()?);
     tables.extend([ground.above.table(8, &ON_GROUND)?, ground.below.table(9, &ON_GROUND)?]);
     tables.extend([on_table.frequency.table(&ON_TABLE)?, on_table.above.table(8, &ON_TABLE)?, on_table.below.table(9, &ON_TABLE)?]);
+    tables.extend(computed.orbits.tables()?);
     Ok(tables)
 }
 

@@ -56,7 +56,7 @@ impl Prepared {
         Ok(Self { spec, kernel, modes })
     }
 
-    /// The same for a changed spec: modes are kept when no body changed, step tables when nothing but drives changed.
+    /// The same for a changed spec: modes are kept when no body changed, step tables when no circuit did.
     ///
     /// # Errors
     /// As [`Prepared::new`].
@@ -65,8 +65,12 @@ impl Prepared {
             return Self::new(spec);
         }
         let system = System::assemble(&spec, self.modes.clone())?;
-        let only_drives = self.spec.circuit == spec.circuit && self.spec.stop == spec.stop;
-        let kernel = if only_drives { self.kernel.with_drives(system.drives)? } else { Kernel::new(Plant::new(system)?)? };
+        let kernel = match (self.spec.circuit == spec.circuit, self.spec.stop == spec.stop) {
+            (true, true) => self.kernel.with_drives(system.drives)?,
+            (true, false) if self.spec.drive == spec.drive => self.kernel.with_stops(system.stops)?,
+            (true, false) => self.kernel.with_stops(system.stops)?.with_drives(system.drives)?,
+            (false, _) => Kernel::new(Plant::new(system)?)?,
+        };
         Ok(Self { spec, kernel, modes: self.modes.clone() })
     }
 

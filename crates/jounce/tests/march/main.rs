@@ -9,4 +9,5 @@ mod random;
 mod rigid;
 mod swings;
 mod symmetry;
+mod variation;
 mod work;

@@ -1,12 +1,16 @@
 //! Ready-made figures: plain data in, a [`super::Figure`] out, drawn the way the harvester paper (2019) draws its figures 4 to 9.
+mod branches;
 mod frequency_response;
+mod jumps;
 mod mode_shapes;
 mod resistance;
 mod spectrum;
 mod sweep;
 mod time_history;
 
+pub use branches::{BranchLine, BranchMark, branches};
 pub use frequency_response::{Response, frequency_responses};
+pub use jumps::{JumpLine, jumps};
 pub use mode_shapes::{ModeShape, Patch, mode_shapes};
 pub use resistance::power_against_resistance;
 pub use spectrum::{SpectrumLine, spectra};

@@ -1,0 +1,229 @@
+//! `jounce branch SPEC --over KEY=FROM:TO`
+
+use crate::failure::Failure;
+use crate::output::{self, line, print};
+use crate::spec_arguments::{OutputArguments, SpecArguments};
+use clap::{Args, ValueEnum};
+use jounce::picture::{self, Axis, BranchLine, BranchMark};
+use jounce::spec::{KeyRange, NumericKey, Spec};
+use jounce::study::{Bifurcation, Branch as Curve, BranchPoint, BranchSearch, Ending, Method, Parameter, Prepared};
+use jounce::table::{Column, Table};
+
+/// How orbits are computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Way {
+    /// On the exact flow: every law, every period.
+    Shooting,
+    /// Harmonics at the port: laws with a finite force.
+    HarmonicBalance,
+}
+
+/// Arguments of `branch`.
+#[derive(Debug, Args)]
+pub struct Branch {
+    #[command(flatten)]
+    spec: SpecArguments,
+    /// The key and its range: KEY=FROM:TO, as in drive.shaker.frequency=4Hz:20Hz.
+    #[arg(long, value_name = "KEY=FROM:TO")]
+    over: String,
+    /// How orbits are computed.
+    #[arg(long, value_enum, default_value = "shooting")]
+    method: Way,
+    /// Samples of the port per drive cycle, for harmonic balance; a power of two is quickest.
+    #[arg(long, default_value_t = 512)]
+    samples: usize,
+    /// Relative tolerance of the marches that the orbits are made of.
+    #[arg(long, default_value_t = 1e-9)]
+    tolerance: f64,
+    /// Values between the ends of the range at which orbits are sought by marching, for branches that stand alone.
+    #[arg(long, default_value_t = 12)]
+    seeds: usize,
+    /// Longest period, in drive cycles, of a branch that is entered where another one doubles.
+    #[arg(long, default_value_t = 4)]
+    longest_period: u32,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
+impl Branch {
+    /// Follows the branches and reports.
+    pub fn run(&self) -> Result<(), Failure> {
+        if !(self.tolerance > 0.0 && self.tolerance < 1e-2) {
+            return Err(Failure::usage(format!("--tolerance {}: give a number between 0 and 0.01", self.tolerance)));
+        }
+        if self.samples < 8 || !self.samples.is_multiple_of(2) {
+            return Err(Failure::usage(format!("--samples {}: give an even number, 8 at least", self.samples)));
+        }
+        let file = self.spec.file()?;
+        let spec = self.spec.checked(file.spec())?;
+        let (key, range) = ends(&self.spec, &file, &self.over)?;
+        let base = Prepared::new(spec)?;
+        let parameter = Parameter::new(&base, &key, range.1 - range.0);
+        let search = BranchSearch {
+            base: &base,
+            parameter: &parameter,
+            range,
+            method: match self.method {
+                Way::Shooting => Method::Shooting,
+                Way::HarmonicBalance => Method::HarmonicBalance { samples: self.samples },
+            },
+            tolerance: self.tolerance,
+            seeds: self.seeds,
+            longest_period: self.longest_period,
+        };
+        let branches = search.run()?;
+        if branches.is_empty() {
+            let text = format!(
+                "no periodic orbit was found over {}: every march stayed away from orbits of up to four drive cycles; try more --seeds, more damping or another range",
+                self.over
+            );
+            return Err(Failure::NotConverged(text));
+        }
+        for (branch, ending) in branches.iter().flat_map(|branch| branch.endings.iter().map(move |ending| (branch, ending))) {
+            let (what, why, parameter) = match ending {
+                Ending::Failed { why, parameter } => ("ends", why, parameter),
+                Ending::Grazing { why, parameter } => ("grazes and turns sharply", why, parameter),
+                Ending::Range | Ending::Closed | Ending::Merged | Ending::Points => continue,
+            };
+            eprintln!("a branch of period {} {what} at {parameter} {}: {why}", branch.period_cycles, key.unit());
+        }
+        let estimates = branches.iter().flat_map(|branch| &branch.points).map(|point| (point.orbit.error_estimate, point.parameter));
+        if let Some((worst, parameter)) = estimates.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(worst, _)| *worst > 1e-3) {
+            eprintln!(
+                "the largest error estimate is {worst:.1e}, at {parameter} {}: more --samples, a smaller --tolerance or --method shooting brings it down",
+                key.unit()
+            );
+        }
+        self.tell(&base.spec, &key, &branches)
+    }
+
+    fn tell(&self, spec: &Spec, key: &NumericKey, branches: &[Curve]) -> Result<(), Failure> {
+        if let Some(folder) = &self.output.out {
+            self.write(folder, spec, key, branches)?;
+        }
+        if self.output.json {
+            let listed: Vec<_> = branches.iter().map(listed).collect();
+            print(&serde_json::json!({ "over": key.path(), "unit": key.unit(), "branches": listed }));
+            return Ok(());
+        }
+        for branch in branches {
+            let stable = branch.points.iter().filter(|point| point.orbit.is_stable()).count();
+            line(format!("branch of period {}: {} points, {stable} of them stable", branch.period_cycles, branch.points.len()));
+            for found in &branch.bifurcations {
+                let (at, unit) = (&found.at, key.unit());
+                line(format!("  {:<16} {:>12.6} {unit}  {:.6e} W", found.kind.name(), at.parameter, at.orbit.mean_power_w));
+            }
+        }
+        Ok(())
+    }
+
+    fn write(&self, folder: &std::path::Path, spec: &Spec, key: &NumericKey, branches: &[Curve]) -> Result<(), Failure> {
+        let manifest = self.spec.manifest(spec, "branch").with("over", &self.over).with("tolerance", self.tolerance);
+        output::table(folder, "branches", &points_table(key, branches)?, &manifest)?;
+        output::table(folder, "bifurcations", &bifurcations_table(key, branches)?, &manifest)?;
+        let lines: Vec<BranchLine> = branches.iter().map(drawn).collect();
+        let marks: Vec<BranchMark> = branches.iter().flat_map(|branch| branch.bifurcations.iter().map(mark)).collect();
+        let (x, y) = (Axis::linear(key.path(), &key.unit()), Axis::log("Mean power", "W"));
+        let title = format!("Branches of periodic answers over {}", key.path());
+        output::figure(folder, "branches", &picture::branches(&title, x, y, &lines, &marks))
+    }
+}
+
+/// Reads `KEY=FROM:TO`.
+pub fn ends(arguments: &SpecArguments, file: &jounce::spec::SpecFile, over: &str) -> Result<(NumericKey, (f64, f64)), Failure> {
+    let wrong = || Failure::usage(format!("{over}: write KEY=FROM:TO, as in drive.shaker.frequency=4Hz:20Hz"));
+    let (name, text) = over.split_once('=').ok_or_else(wrong)?;
+    let (from, to) = text.split_once(':').filter(|(_, to)| !to.contains(':')).ok_or_else(wrong)?;
+    let key = arguments.checked(file.numeric_key(name.trim()))?;
+    let range = KeyRange::parse(key.clone(), &format!("{from},{to}")).map_err(|fault| Failure::faults(&arguments.spec, vec![fault]))?;
+    match range.values() {
+        [low, high] if low < high => Ok((key, (*low, *high))),
+        _ => Err(Failure::usage(format!("{over}: the range must go from a smaller to a larger value"))),
+    }
+}
+
+fn listed(branch: &Curve) -> serde_json::Value {
+    let points: Vec<_> = branch.points.iter().map(listed_point).collect();
+    let bifurcations: Vec<_> = branch.bifurcations.iter().map(listed_bifurcation).collect();
+    serde_json::json!({
+        "period_cycles": branch.period_cycles,
+        "points": points,
+        "bifurcations": bifurcations,
+        "endings": branch.endings,
+    })
+}
+
+fn listed_point(point: &BranchPoint) -> serde_json::Value {
+    let orbit = &point.orbit;
+    serde_json::json!({
+        "parameter": point.parameter,
+        "mean_power_w": orbit.mean_power_w,
+        "voltage_rms_v": orbit.voltage_rms_v,
+        "stable": orbit.is_stable(),
+        "floquet_max_abs": orbit.floquet_max_abs(),
+        "contacts_per_period": orbit.contacts,
+        "max_penetration_m": orbit.max_penetration_m,
+        "error_estimate": orbit.error_estimate,
+    })
+}
+
+fn listed_bifurcation(found: &Bifurcation) -> serde_json::Value {
+    serde_json::json!({
+        "kind": found.kind,
+        "parameter": found.at.parameter,
+        "mean_power_w": found.at.orbit.mean_power_w,
+        "contacts_per_period": found.at.orbit.contacts,
+    })
+}
+
+fn points_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failure> {
+    let all: Vec<(usize, &Curve, &BranchPoint)> =
+        branches.iter().enumerate().flat_map(|(k, branch)| branch.points.iter().map(move |point| (k, branch, point))).collect();
+    let number = |name: &str, unit: &str, about: &str, value: fn(&BranchPoint) -> f64| {
+        Column::new(name, unit, about, all.iter().map(|(_, _, point)| value(point)).collect::<Vec<f64>>())
+    };
+    let count = |name: &str, about: &str, value: fn(&(usize, &Curve, &BranchPoint)) -> u64| {
+        Column::new(name, "", about, all.iter().map(value).collect::<Vec<u64>>())
+    };
+    Ok(Table::new(vec![
+        count("branch", "number of the branch, from 0", |(k, _, _)| *k as u64),
+        count("period_cycles", "period in drive cycles", |(_, branch, _)| u64::from(branch.period_cycles)),
+        number("parameter", &key.unit(), key.path(), |p| p.parameter),
+        number("mean_power_w", "W", "mean power of all loads", |p| p.orbit.mean_power_w),
+        number("voltage_rms_v", "V", "voltage of the first load, rms", |p| p.orbit.voltage_rms_v),
+        Column::new("stable", "", "attracts", all.iter().map(|(_, _, p)| p.orbit.is_stable()).collect::<Vec<bool>>()),
+        number("floquet_max_abs", "", "largest modulus of a Floquet multiplier", |p| p.orbit.floquet_max_abs()),
+        count("contacts_per_period", "contacts that begin in a period", |(_, _, p)| p.orbit.contacts),
+        number("max_penetration_m", "m", "largest penetration of the stop", |p| p.orbit.max_penetration_m),
+        number("error_estimate", "", "estimated relative error of the state", |p| p.orbit.error_estimate),
+    ])?)
+}
+
+fn bifurcations_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failure> {
+    let all: Vec<(u64, &Bifurcation)> =
+        branches.iter().enumerate().flat_map(|(k, branch)| branch.bifurcations.iter().map(move |found| (k as u64, found))).collect();
+    Ok(Table::new(vec![
+        Column::new("branch", "", "number of the branch, from 0", all.iter().map(|(k, _)| *k).collect::<Vec<u64>>()),
+        Column::new("kind", "", "what happens", all.iter().map(|(_, found)| found.kind.name().to_owned()).collect::<Vec<_>>()),
+        Column::new("parameter", &key.unit(), key.path(), all.iter().map(|(_, found)| found.at.parameter).collect::<Vec<f64>>()),
+        Column::new(
+            "mean_power_w",
+            "W",
+            "mean power of all loads",
+            all.iter().map(|(_, found)| found.at.orbit.mean_power_w).collect::<Vec<f64>>(),
+        ),
+    ])?)
+}
+
+fn drawn(branch: &Curve) -> BranchLine {
+    BranchLine {
+        label: format!("period {}", branch.period_cycles),
+        parameter: branch.points.iter().map(|point| point.parameter).collect(),
+        value: branch.points.iter().map(|point| point.orbit.mean_power_w).collect(),
+        stable: branch.points.iter().map(|point| point.orbit.is_stable()).collect(),
+    }
+}
+
+fn mark(found: &Bifurcation) -> BranchMark {
+    BranchMark { kind: found.kind.name().to_owned(), parameter: found.at.parameter, value: found.at.orbit.mean_power_w }
+}

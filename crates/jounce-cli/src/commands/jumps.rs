@@ -1,0 +1,133 @@
+//! `jounce jumps SPEC --over KEY=FROM:TO --against KEY2=FROM:TO`
+
+use super::branch::ends;
+use crate::failure::Failure;
+use crate::output::{self, line, print};
+use crate::spec_arguments::{OutputArguments, SpecArguments};
+use clap::Args;
+use jounce::picture::{self, Axis, JumpLine};
+use jounce::spec::{NumericKey, Spec};
+use jounce::study::{JumpCurve, JumpPoint, JumpSearch, Prepared};
+use jounce::table::{Column, Table};
+
+/// Arguments of `jumps`.
+#[derive(Debug, Args)]
+pub struct Jumps {
+    #[command(flatten)]
+    spec: SpecArguments,
+    /// The first key and its range, along which jumps are found: drive.shaker.frequency=4Hz:20Hz.
+    #[arg(long, value_name = "KEY=FROM:TO")]
+    over: String,
+    /// The second key and its range, against which they are followed: stop.tip.gap=0.5mm:2mm.
+    #[arg(long, value_name = "KEY=FROM:TO")]
+    against: String,
+    /// Relative tolerance of the marches that the orbits are made of.
+    #[arg(long, default_value_t = 1e-9)]
+    tolerance: f64,
+    /// Values between the ends of the first range at which orbits are sought by marching, for branches that stand alone.
+    #[arg(long, default_value_t = 4)]
+    seeds: usize,
+    /// Longest period, in drive cycles, of a branch that is entered where another one doubles.
+    #[arg(long, default_value_t = 2)]
+    longest_period: u32,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
+impl Jumps {
+    /// Follows the jumps and reports.
+    pub fn run(&self) -> Result<(), Failure> {
+        if !(self.tolerance > 0.0 && self.tolerance < 1e-2) {
+            return Err(Failure::usage(format!("--tolerance {}: give a number between 0 and 0.01", self.tolerance)));
+        }
+        let file = self.spec.file()?;
+        let base = Prepared::new(self.spec.checked(file.spec())?)?;
+        let (key, range) = ends(&self.spec, &file, &self.over)?;
+        let (key_2, range_2) = ends(&self.spec, &file, &self.against)?;
+        if key.path() == key_2.path() {
+            return Err(Failure::usage(format!("--over and --against are both {}: give two different keys", key.path())));
+        }
+        let search = JumpSearch {
+            base: &base,
+            keys: [&key, &key_2],
+            ranges: [range, range_2],
+            tolerance: self.tolerance,
+            seeds: self.seeds,
+            longest_period: self.longest_period,
+        };
+        let curves = search.run()?;
+        for (curve, why) in curves.iter().flat_map(|curve| curve.failures.iter().map(move |why| (curve, why))) {
+            eprintln!("a curve of kind {} ends early in {}: {why}", curve.kind.name(), key_2.path());
+        }
+        self.tell(&base.spec, [&key, &key_2], &curves)
+    }
+
+    fn tell(&self, spec: &Spec, keys: [&NumericKey; 2], curves: &[JumpCurve]) -> Result<(), Failure> {
+        if let Some(folder) = &self.output.out {
+            let manifest = self.spec.manifest(spec, "jumps").with("over", &self.over).with("against", &self.against);
+            output::table(folder, "jumps", &table(keys, curves)?, &manifest)?;
+            let [x, y] = keys.map(|key| Axis::linear(key.path(), &key.unit()));
+            output::figure(
+                folder,
+                "jumps",
+                &picture::jumps("Where the answer jumps", x, y, &curves.iter().map(drawn).collect::<Vec<_>>()),
+            )?;
+        }
+        if self.output.json {
+            print(&serde_json::json!({
+                "over": keys[0].path(),
+                "unit": keys[0].unit(),
+                "against": keys[1].path(),
+                "unit_2": keys[1].unit(),
+                "curves": curves.iter().map(listed).collect::<Vec<_>>(),
+            }));
+            return Ok(());
+        }
+        for curve in curves {
+            line(format!("{} of period {}: {} points", curve.kind.name(), curve.period_cycles, curve.points.len()));
+            for point in curve.points.first().into_iter().chain(curve.points.last()) {
+                let (unit, unit_2) = (keys[0].unit(), keys[1].unit());
+                line(format!("  {:>12.6} {unit}  {:>12.6} {unit_2}  {:.6e} W", point.parameter, point.parameter_2, point.mean_power_w));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn listed(curve: &JumpCurve) -> serde_json::Value {
+    serde_json::json!({
+        "kind": curve.kind,
+        "period_cycles": curve.period_cycles,
+        "points": curve.points,
+        "failures": curve.failures,
+    })
+}
+
+fn table(keys: [&NumericKey; 2], curves: &[JumpCurve]) -> Result<Table, Failure> {
+    let all: Vec<(u64, &JumpCurve, &JumpPoint)> =
+        curves.iter().enumerate().flat_map(|(k, curve)| curve.points.iter().map(move |point| (k as u64, curve, point))).collect();
+    let number = |name: &str, unit: &str, about: &str, value: fn(&JumpPoint) -> f64| {
+        Column::new(name, unit, about, all.iter().map(|(_, _, point)| value(point)).collect::<Vec<f64>>())
+    };
+    Ok(Table::new(vec![
+        Column::new("curve", "", "number of the curve, from 0", all.iter().map(|(k, ..)| *k).collect::<Vec<u64>>()),
+        Column::new("kind", "", "what happens", all.iter().map(|(_, curve, _)| curve.kind.name().to_owned()).collect::<Vec<_>>()),
+        Column::new(
+            "period_cycles",
+            "",
+            "period in drive cycles",
+            all.iter().map(|(_, curve, _)| u64::from(curve.period_cycles)).collect::<Vec<_>>(),
+        ),
+        number("parameter", &keys[0].unit(), keys[0].path(), |p| p.parameter),
+        number("parameter_2", &keys[1].unit(), keys[1].path(), |p| p.parameter_2),
+        number("mean_power_w", "W", "mean power of all loads", |p| p.mean_power_w),
+    ])?)
+}
+
+fn drawn(curve: &JumpCurve) -> JumpLine {
+    JumpLine {
+        kind: curve.kind.name().to_owned(),
+        x: curve.points.iter().map(|point| point.parameter).collect(),
+        y: curve.points.iter().map(|point| point.parameter_2).collect(),
+    }
+}

@@ -1,0 +1,12 @@
+//! Whether a curve is back where it began.
+
+use super::{Metric, Position};
+
+/// True when a place lies between two others: off the way from one to the other by little.
+pub fn passes(metric: &Metric, place: &Position, before: &Position, after: &Position) -> bool {
+    let (way, home) = (before.to(after), before.to(place));
+    let along = metric.inner(&way, &home) / metric.inner(&way, &way);
+    let length = metric.length(&way);
+    let off = (metric.inner(&home, &home) - along * along * length * length).max(0.0).sqrt();
+    (0.0..=1.0).contains(&along) && off < 0.1 * length
+}

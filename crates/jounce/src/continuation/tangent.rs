@@ -1,0 +1,12 @@
+//! The tangent of a curve: `R_u du + R_p dp = 0`, oriented like a direction known before.
+
+use super::{Direction, Linear, Metric};
+
+/// Unit tangent; `None` where the derivative has lost more than one rank.
+pub fn tangent<L: Linear>(local: &L, metric: &Metric, before: &Direction) -> Option<Direction> {
+    let (row, corner) = metric.row(before);
+    let zero = vec![0.0; row.len()];
+    let (unknown, parameter) = local.bordered(&row, corner, &zero, 1.0)?;
+    let found = Direction { unknown, parameter };
+    found.unknown.iter().all(|d| d.is_finite()).then(|| metric.unit(found))
+}

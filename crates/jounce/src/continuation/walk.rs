@@ -1,0 +1,123 @@
+//! The driver: an iterator over the points of a curve.
+
+use super::corrector::Corrected;
+use super::{Corrector, Direction, Family, Metric, Position, StepControl, Stretch, WalkError, correct, tangent};
+
+/// A point of a curve with its tangent.
+#[derive(Debug)]
+pub struct Step<L> {
+    /// Where.
+    pub position: Position,
+    /// Unit tangent, in the direction of the walk.
+    pub tangent: Direction,
+    /// The problem there.
+    pub local: L,
+    /// Error of the place, in the metric.
+    pub error: f64,
+}
+
+/// A walk along a curve. All of its state is visible.
+#[derive(Debug)]
+pub struct Walk<'f, F: Family> {
+    /// The problem.
+    pub family: &'f F,
+    /// Newton.
+    pub corrector: Corrector,
+    /// The law of the step.
+    pub control: StepControl,
+    /// Scale of the parameter.
+    pub parameter_scale: f64,
+    /// Last point.
+    pub position: Position,
+    /// Tangent there.
+    pub tangent: Direction,
+    /// The stretch that led there.
+    pub behind: Option<Stretch>,
+    /// Length of the next step.
+    pub length: f64,
+    /// Points so far.
+    pub points: usize,
+    ended: bool,
+}
+
+impl<'f, F: Family> Walk<'f, F> {
+    /// A walk from a point on the curve into a direction near its tangent.
+    pub fn new(
+        family: &'f F,
+        corrector: Corrector,
+        control: StepControl,
+        parameter_scale: f64,
+        position: Position,
+        tangent: Direction,
+    ) -> Self {
+        Self {
+            family,
+            corrector,
+            control,
+            parameter_scale,
+            position,
+            tangent,
+            behind: None,
+            length: control.first,
+            points: 0,
+            ended: false,
+        }
+    }
+
+    fn advance(&mut self) -> Result<Step<F::Local>, WalkError<F::Error>> {
+        let metric = Metric::at(&self.position, self.parameter_scale);
+        let ahead = metric.unit(self.tangent.clone());
+        let mut last = f64::NAN;
+        while self.length > self.control.shortest {
+            let guess = match &self.behind {
+                Some(stretch) => stretch.at(stretch.length + self.length),
+                None => self.position.moved(&ahead, self.length),
+            };
+            match correct(self.family, &self.corrector, &metric, &ahead, guess.clone()) {
+                Ok(found) => {
+                    let way = metric.length(&guess.to(&found.position));
+                    if self.behind.is_some() && self.control.strayed(way, self.length, found.evaluations) {
+                        last = found.error;
+                    } else if let Some(step) = self.take(found, &ahead) {
+                        return Ok(step);
+                    }
+                }
+                Err(WalkError::Diverged { error, .. }) => last = error,
+                Err(WalkError::Singular { .. }) => {}
+                Err(other) => return Err(other),
+            }
+            self.length = self.control.shorter(self.length);
+        }
+        Err(WalkError::Stuck { parameter: self.position.parameter, step: self.length, error: last })
+    }
+
+    /// Takes a corrected point, unless the curve turned too far on the way.
+    fn take(&mut self, found: Corrected<F::Local>, ahead: &Direction) -> Option<Step<F::Local>> {
+        let metric = Metric::at(&found.position, self.parameter_scale);
+        let ahead = metric.unit(ahead.clone());
+        let tangent = tangent(&found.local, &metric, &ahead)?;
+        let turn = metric.inner(&tangent, &ahead).clamp(-1.0, 1.0).acos();
+        if self.control.refuses(turn) && self.points > 0 {
+            return None;
+        }
+        self.length = self.control.after(self.length, found.evaluations, turn);
+        self.behind = Some(Stretch::between(&metric, (&self.position, &ahead), (&found.position, &tangent)));
+        self.position = found.position.clone();
+        self.tangent = tangent.clone();
+        self.points += 1;
+        Some(Step { position: found.position, tangent, local: found.local, error: found.error })
+    }
+}
+
+impl<F: Family> Iterator for Walk<'_, F> {
+    type Item = Result<Step<F::Local>, WalkError<F::Error>>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.ended {
+            return None;
+        }
+        let step = self.advance();
+        self.ended = step.is_err();
+        Some(step)
+    }
+}

@@ -1,0 +1,104 @@
+//! Derivative of the flow of a march with respect to its start and to one parameter.
+//!
+//! ```text
+//! flight       dy1 = e^{A h} dy
+//! contact      dy1 = e^{A h} dy + B X,   (I - J D - J' D') X = J (C dy + dw) + J' (C' dy + dv) + F k
+//! onset        the same for Dy = dy + y' s,  s = -(c dy + dw) / v,  and back:  dy1 = Dy1 - y1' s
+//! entry        dy+ = dy- + b F(0, v) (c dy + dw) / v
+//! impact       dy+ = dy- + b m (c' dy + dv) - (b m a - A b p) (c dy + dw) / v,   m = (1 + e) / M
+//! ```
+//!
+//! `J`, `J'` are the slopes of the law at the nodes of the step (N/m, N s/m), `D`, `D'` the Duhamel weights of displacement and
+//! velocity, `C`, `C'` their columns, `B` the push to the end of the step: the linearisation of the very equations that the
+//! march has solved. `b`, `c`, `c'` are the force column and the rows of the port, `v` the speed at which the stop is struck, `a`
+//! the acceleration before it, `p` the impulse. `dw`, `dv` (m, m/s per unit of the parameter) is what a parameter does to the
+//! port at a fixed state, `k` what it does to the force, relative to it (see [`Drift`]).
+//!
+//! A contact that starts like `t^1.5` varies like `t^0.5` at a fixed time, which its basis cannot follow, but like `t^1.5` again
+//! when the time is counted from its own start: hence the shift `s` (s) of the time of the first step.
+//!
+//! Validation: `tests/march/variation.rs` compares with differences of the flow, with its determinant and with closed forms.
+
+mod contact;
+mod crossing;
+mod drift;
+mod elimination;
+mod linearisation;
+mod tangents;
+
+pub use drift::Drift;
+
+use super::error::MarchError;
+use super::kernel::Kernel;
+use super::marcher::Marcher;
+use super::totals::ContactStatistics;
+use super::trajectory::Trajectory;
+use crate::wide::widest;
+use faer::Mat;
+use linearisation::Linearisation;
+
+/// A marched stretch with its derivative.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variation {
+    /// State at the end, block coordinates.
+    pub end: Vec<f64>,
+    /// `d end / d start`, `n x n`.
+    pub jacobian: Mat<f64>,
+    /// `d end / d parameter` at a fixed duration.
+    pub drift: Vec<f64>,
+    /// `d end / d duration`, 1/s.
+    pub rate: Vec<f64>,
+    /// Contacts on the way.
+    pub statistics: ContactStatistics,
+    /// Energy delivered to each load, J.
+    pub loads_j: Vec<f64>,
+    /// The march itself.
+    pub trajectory: Trajectory,
+}
+
+/// A derivative that does not exist or could not be had.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum VariationError {
+    /// The march itself.
+    #[error(transparent)]
+    March(#[from] MarchError),
+    /// Rest on a rigid stop.
+    #[error(
+        "at t = {time_s} s the point comes to rest on the rigid stop, where the derivative of the flow loses rank; use a compliant law or a larger restitution"
+    )]
+    Rests {
+        /// Time, s.
+        time_s: f64,
+    },
+}
+
+impl Variation {
+    /// Marches from block coordinates `start` at `start_s` and linearises the flow along the way.
+    ///
+    /// # Errors
+    /// [`VariationError`].
+    pub fn march(
+        kernel: &Kernel,
+        start: &[f64],
+        start_s: f64,
+        duration_s: f64,
+        tolerance: f64,
+        drift: &Drift,
+    ) -> Result<Self, VariationError> {
+        let mut marcher = Marcher::new(kernel, start, start_s, tolerance)?;
+        marcher.start_record();
+        marcher.advance_to(start_s + duration_s)?;
+        let (end, force_n) = (marcher.state(), marcher.force_n());
+        let (statistics, loads_j) = (*marcher.statistics(), marcher.energies().loads_j);
+        let trajectory = marcher.take_record();
+        let tangents = widest(Linearisation::new(kernel, drift, &trajectory, &end))?;
+        let mut rate = kernel.plant.diagonal.block.apply(&end);
+        if let Some(port) = kernel.plant.ports.first() {
+            rate.iter_mut().zip(&port.force).for_each(|(rate, b)| *rate += b * force_n);
+        }
+        let n = end.len();
+        let jacobian = Mat::from_fn(n, n, |i, j| tangents.entry(i, j));
+        let drift = (0..n).map(|i| tangents.entry(i, n)).collect();
+        Ok(Self { end, jacobian, drift, rate, statistics, loads_j, trajectory })
+    }
+}

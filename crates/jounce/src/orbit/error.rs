@@ -1,0 +1,34 @@
+//! Why an orbit cannot be had.
+
+use crate::march::VariationError;
+
+/// An orbit that cannot be computed; `H` says why a harvester cannot be made at a parameter.
+#[derive(Debug, thiserror::Error)]
+pub enum OrbitError<H: std::error::Error> {
+    /// The harvester.
+    #[error(transparent)]
+    Harvester(H),
+    /// The march of a period.
+    #[error(transparent)]
+    March(#[from] VariationError),
+    /// No drive, or drives of several frequencies.
+    #[error("an orbit needs a drive of one frequency; this harvester has {frequencies} drive frequencies")]
+    Frequencies {
+        /// How many there are.
+        frequencies: usize,
+    },
+    /// Harmonic balance of a law without a force.
+    #[error(
+        "stop `{stop}` is rigid: its impulses have no harmonics that harmonic balance could sum; use the method shooting, or a compliant law"
+    )]
+    Impulsive {
+        /// Name of the stop.
+        stop: String,
+    },
+    /// The eigenvalues of the period map did not converge.
+    #[error("the Floquet multipliers could not be computed at drive frequency {frequency_hz} Hz")]
+    Multipliers {
+        /// Drive frequency, Hz.
+        frequency_hz: f64,
+    },
+}

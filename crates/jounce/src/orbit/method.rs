@@ -1,0 +1,40 @@
+//! What a method of computing orbits gives, beside its residual.
+
+use super::{Orbit, OrbitError};
+use crate::continuation::Family;
+
+/// A method on the harvesters of one family.
+pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>> {
+    /// Why a harvester cannot be made.
+    type Fault: std::error::Error;
+
+    /// Drive cycles of the period.
+    fn cycles(&self) -> u32;
+
+    /// The orbit at a converged place; `error` is what Newton left out, relative to the unknown.
+    ///
+    /// # Errors
+    /// Multipliers that cannot be computed.
+    fn orbit(&self, local: &Self::Local, error: f64) -> Result<Orbit, Self::Error>;
+
+    /// Contacts that begin in a period.
+    ///
+    /// # Errors
+    /// A march that fails.
+    fn contacts(&self, local: &Self::Local) -> Result<u64, Self::Error>;
+
+    /// Distance past the stop, m, of the turning point nearest to its surface.
+    ///
+    /// # Errors
+    /// A march that fails.
+    fn nearest_extremum_m(&self, local: &Self::Local) -> Result<Option<f64>, Self::Error>;
+
+    /// Size of the motion at the port, m: its steady amplitude or the gap, whichever is larger.
+    fn scale_m(&self, local: &Self::Local) -> f64;
+
+    /// The unknown that stands for a state in energy coordinates.
+    ///
+    /// # Errors
+    /// A march that fails.
+    fn unknown_of(&self, state: &[f64], parameter: f64) -> Result<Vec<f64>, Self::Error>;
+}

@@ -1,0 +1,24 @@
+//! Periodic orbits of a harvester under a drive of one frequency, stable or not.
+//!
+//! Two methods that share nothing but the plant and the contact law: [`Shooting`] on the exact flow with its exact derivative, for
+//! orbits of any number of drive cycles and for every law, and [`HarmonicBalance`] at the port. Stability always comes from the exact flow.
+
+mod balance;
+mod border;
+mod compliance;
+mod error;
+mod harvester;
+mod method;
+mod peaks;
+mod periodic;
+mod shooting;
+mod tracking;
+
+pub use balance::{Balance, HarmonicBalance};
+pub use error::OrbitError;
+pub use harvester::{Change, Harvester, Setting};
+pub use method::OrbitMethod;
+pub use peaks::nearest_extremum_m;
+pub use periodic::{Orbit, multipliers};
+pub use shooting::{Shooting, Shot};
+pub use tracking::{Condition, Plane, Tracked, Tracking};

@@ -1,0 +1,72 @@
+//! How near an orbit comes to grazing: the turning point of the port displacement that lies nearest to the surface of the stop.
+
+use super::Shot;
+use crate::march::{Kernel, Trajectory};
+use faer::c64;
+
+/// Looks per drive cycle in flight, at least.
+const LOOKS: f64 = 512.0;
+
+/// Looks inside a stretch in which the speed changes sign.
+const CLOSER: usize = 24;
+
+/// Turning points worth a closer look.
+const NEAREST: usize = 3;
+
+/// Distance past the stop, m, of the turning point (maximum or minimum) nearest to the surface; `None` without one.
+pub fn nearest_extremum_m(shot: &Shot) -> Option<f64> {
+    let cycle_s = shot.period_s / shot.trajectories.len() as f64;
+    let turning = shot.trajectories.iter().flat_map(|trajectory| turning_points(&shot.kernel, trajectory, cycle_s));
+    turning.min_by(|a, b| a.abs().total_cmp(&b.abs()))
+}
+
+/// Time, distance past the stop and its rate.
+type Motion = (f64, f64, f64);
+
+fn turning_points(kernel: &Kernel, trajectory: &Trajectory, cycle_s: f64) -> Vec<f64> {
+    let looks = looks(kernel, trajectory, cycle_s);
+    let mut turns: Vec<(Motion, Motion)> = looks.windows(2).map(|pair| (pair[0], pair[1])).filter(|(a, b)| a.2 * b.2 <= 0.0).collect();
+    turns.sort_by(|a, b| a.0.1.abs().total_cmp(&b.0.1.abs()));
+    turns.truncate(NEAREST);
+    turns.into_iter().filter_map(|(from, to)| closer(kernel, trajectory, from.0, to.0)).collect()
+}
+
+/// Motion at the start of every step, and between those of a flight: contact steps are short beside the motion.
+fn looks(kernel: &Kernel, trajectory: &Trajectory, cycle_s: f64) -> Vec<Motion> {
+    let block = &kernel.plant.diagonal.block;
+    let mut looks = Vec::new();
+    for segment in trajectory.segments() {
+        let inner = if segment.force.is_some() { 1 } else { (LOOKS * segment.length_s / cycle_s).ceil().max(1.0) as usize };
+        for k in 0..inner {
+            let after_s = segment.length_s * k as f64 / inner as f64;
+            let state = if k == 0 { segment.state.clone() } else { block.flow(after_s, &segment.state) };
+            looks.extend(motion(kernel, segment.start_s + after_s, &state));
+        }
+    }
+    looks
+}
+
+/// Distance at the turning point between two times: the speed is taken as linear between close looks, which leaves an error of
+/// second order in a place where the distance does not depend on time.
+fn closer(kernel: &Kernel, trajectory: &Trajectory, from_s: f64, to_s: f64) -> Option<f64> {
+    let times: Vec<f64> = (0..=CLOSER).map(|k| from_s + (to_s - from_s) * k as f64 / CLOSER as f64).collect();
+    let states = trajectory.at(kernel, &times);
+    let motions: Vec<Motion> = states.iter().filter_map(|at| motion(kernel, at.time_s, &at.state)).collect();
+    let (a, b) = motions.windows(2).map(|pair| (pair[0], pair[1])).find(|(a, b)| a.2 * b.2 <= 0.0)?;
+    let share = if a.2 == b.2 { 0.5 } else { a.2 / (a.2 - b.2) };
+    // From the nearer look with half the speed on the way.
+    let way_s = share * (b.0 - a.0);
+    Some(a.1 + 0.5 * a.2 * way_s)
+}
+
+/// Distance past the stop and its rate.
+fn motion(kernel: &Kernel, time_s: f64, state: &[f64]) -> Option<Motion> {
+    let plant = &kernel.plant;
+    let (port, stop) = plant.ports.first().zip(plant.system.stops.first())?;
+    let dot = |row: &[f64]| row.iter().zip(state).map(|(r, y)| r * y).sum::<f64>();
+    let driven = plant.tones.iter().zip(&port.steady_m).fold((0.0, 0.0), |(place, speed), (tone, s)| {
+        let turned = s * c64::cis(tone.angular_frequency_rad_s * time_s);
+        (place + turned.re, speed - tone.angular_frequency_rad_s * turned.im)
+    });
+    Some((time_s, dot(&port.displacement) + driven.0 - stop.gap_m, dot(&port.velocity) + driven.1))
+}

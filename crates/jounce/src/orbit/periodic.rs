@@ -1,0 +1,71 @@
+//! A periodic orbit and its stability.
+
+use faer::{Mat, c64};
+
+/// A periodic orbit as a result.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Orbit {
+    /// Period in drive cycles.
+    pub period_cycles: u32,
+    /// States at the start of each drive cycle and at the end of the last, energy coordinates `(w q, q', sqrt(C) V)`.
+    pub looks: Vec<Vec<f64>>,
+    /// Mean power of all loads, W.
+    pub mean_power_w: f64,
+    /// Voltage of the first load, rms, V.
+    pub voltage_rms_v: f64,
+    /// Contacts that begin in a period.
+    pub contacts: u64,
+    /// Largest penetration, m.
+    pub max_penetration_m: f64,
+    /// Floquet multipliers, largest modulus first.
+    pub multipliers: Vec<c64>,
+    /// Estimated relative error of the state.
+    pub error_estimate: f64,
+}
+
+impl Orbit {
+    /// Largest modulus of a multiplier.
+    pub fn floquet_max_abs(&self) -> f64 {
+        self.multipliers.first().map_or(0.0, |value| value.norm())
+    }
+
+    /// True when all multipliers lie inside the unit circle.
+    pub fn is_stable(&self) -> bool {
+        self.floquet_max_abs() < 1.0
+    }
+
+    /// State at the start of the period, energy coordinates.
+    pub fn start(&self) -> &[f64] {
+        &self.looks[0]
+    }
+
+    /// Difference of the state half a period on; `None` for an odd number of cycles.
+    pub fn halves_apart(&self) -> Option<Vec<f64>> {
+        let half = self.period_cycles as usize / 2;
+        (self.period_cycles.is_multiple_of(2)).then(|| self.looks[half].iter().zip(&self.looks[0]).map(|(a, b)| a - b).collect())
+    }
+
+    /// `det(M - s I)` up to a positive factor, for `s` of modulus one.
+    pub fn determinant_at(&self, s: f64) -> f64 {
+        self.multipliers.iter().map(|value| *value - s).product::<c64>().re
+    }
+
+    /// `prod_(i<j) (m_i m_j - 1)`: zero where a complex pair lies on the unit circle.
+    pub fn pair_product(&self) -> f64 {
+        let values = &self.multipliers;
+        let pairs = (0..values.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+        pairs.map(|(i, j)| values[i] * values[j] - 1.0).product::<c64>().re
+    }
+
+    /// Multipliers outside the unit circle that come in complex pairs.
+    pub fn pairs_outside(&self) -> usize {
+        self.multipliers.iter().filter(|value| value.norm() > 1.0 && value.im > 1e-9).count()
+    }
+}
+
+/// Eigenvalues of a period map, largest modulus first; `None` where they do not converge.
+pub fn multipliers(map: &Mat<f64>) -> Option<Vec<c64>> {
+    let mut values: Vec<c64> = map.eigenvalues().ok()?;
+    values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
+    Some(values)
+}

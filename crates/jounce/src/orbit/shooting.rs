@@ -1,0 +1,227 @@
+//! Shooting: an orbit of `n` drive cycles is a fixed point of the exact flow over them.
+//!
+//! ```text
+//! R(u, p) = W (x(n T) - x(0)),   u = W x(0),   x = (q, q', V),   W = (w, 1, sqrt(C))
+//! ```
+//!
+//! `u` are coordinates whose squares are energies; they outlive a change of load, stop or drive, and their size at a peak is that
+//! of the motion. The derivative is that of the flow (see [`crate::march::Variation`]), cycle by cycle; with respect to the
+//! parameter it is exact for drive, gap and stiffness, and a difference otherwise.
+
+use super::border::solve_bordered;
+use super::{Change, Harvester, Orbit, OrbitError, OrbitMethod, multipliers, nearest_extremum_m};
+use crate::continuation::{Family, Linear};
+use crate::march::{Drift, Kernel, Trajectory, Variation};
+use faer::{Mat, MatRef, c64};
+use std::f64::consts::TAU;
+
+/// Orbits of a harvester by shooting.
+#[derive(Debug)]
+pub struct Shooting<'h, H> {
+    /// The harvester.
+    pub harvester: &'h H,
+    /// Drive cycles of the period.
+    pub cycles: u32,
+    /// Relative tolerance of the march.
+    pub tolerance: f64,
+    /// `W`.
+    pub scale: Vec<f64>,
+}
+
+/// A period as marched, with its derivative.
+#[derive(Debug)]
+pub struct Shot {
+    /// The harvester.
+    pub kernel: Kernel,
+    /// `u` at the start of each cycle, and at the end of the last.
+    pub looks: Vec<Vec<f64>>,
+    /// `R`.
+    pub(super) residual: Vec<f64>,
+    /// `d u(n T) / d u(0)`.
+    pub map: Mat<f64>,
+    /// `dR / dp`.
+    pub(super) by_parameter: Vec<f64>,
+    /// Period, s.
+    pub period_s: f64,
+    /// The cycles.
+    pub trajectories: Vec<Trajectory>,
+    /// Contacts that began.
+    pub contacts: u64,
+    /// Largest penetration, m.
+    pub max_penetration_m: f64,
+    /// Mean power of each load, W.
+    pub loads_w: Vec<f64>,
+    /// Tolerance of the march.
+    tolerance: f64,
+}
+
+impl<'h, H: Harvester> Shooting<'h, H> {
+    /// Orbits of `cycles` drive cycles; `kernel` is the harvester at any value of its parameter.
+    pub fn new(harvester: &'h H, kernel: &Kernel, cycles: u32, tolerance: f64) -> Self {
+        let modes = &kernel.plant.system.modes;
+        let drive = kernel.plant.tones.first().map_or(1.0, |tone| tone.angular_frequency_rad_s);
+        let stiff = modes.frequency_rad_s.iter().map(|w| if *w > 0.0 { *w } else { drive });
+        let scale = stiff.chain(std::iter::repeat_n(1.0, modes.len())).chain(modes.patch.values().map(|p| p.capacitance_f.sqrt()));
+        Self { harvester, cycles, tolerance, scale: scale.collect() }
+    }
+
+    /// `u` of a physical state.
+    pub fn unknown(&self, physical: &[f64]) -> Vec<f64> {
+        physical.iter().zip(&self.scale).map(|(x, w)| x * w).collect()
+    }
+
+    /// The physical state of `u`.
+    pub fn physical(&self, unknown: &[f64]) -> Vec<f64> {
+        unknown.iter().zip(&self.scale).map(|(u, w)| u / w).collect()
+    }
+
+    /// Marches the period; true when the derivative with respect to the parameter is exact.
+    pub(super) fn shoot(&self, unknown: &[f64], parameter: f64) -> Result<(Shot, bool), OrbitError<H::Error>> {
+        let setting = self.harvester.at(parameter).map_err(OrbitError::Harvester)?;
+        let kernel = setting.kernel;
+        let plant = &kernel.plant;
+        let [tone] = &plant.tones[..] else {
+            return Err(OrbitError::Frequencies { frequencies: plant.tones.len() });
+        };
+        let cycle_s = TAU / tone.angular_frequency_rad_s;
+        let exact = setting.change.is_some();
+        let n = plant.len();
+        let change = setting.change.unwrap_or_else(|| Change { drift: Drift::default(), steady: vec![0.0; n], period_relative: 0.0 });
+        let mut y = plant.from_physical(&self.physical(unknown), 0.0);
+        let steady = plant.steady_at(0.0);
+        let mut looks = vec![unknown.to_vec()];
+        let mut map = Mat::<f64>::identity(n, n);
+        // d y / dp: the state is held, so that its part without the steady one moves against it.
+        let mut by_parameter: Vec<f64> = change.steady.iter().map(|s| -s).collect();
+        let (mut trajectories, mut contacts, mut max_penetration_m, mut loads_w) =
+            (Vec::new(), 0, 0.0_f64, vec![0.0; plant.system.loads.len()]);
+        for _ in 0..self.cycles {
+            let cycle = Variation::march(&kernel, &y, 0.0, cycle_s, self.tolerance, &change.drift)?;
+            by_parameter = (0..n)
+                .map(|i| {
+                    let carried: f64 = (0..n).map(|j| cycle.jacobian[(i, j)] * by_parameter[j]).sum();
+                    carried + cycle.drift[i] + cycle.rate[i] * cycle_s * change.period_relative
+                })
+                .collect();
+            map = &cycle.jacobian * &map;
+            y = cycle.end;
+            let full: Vec<f64> = y.iter().zip(&steady).map(|(y, s)| y + s).collect();
+            looks.push(self.unknown(&apply(plant.diagonal.to_physical.as_ref(), &full)));
+            contacts += cycle.statistics.contacts;
+            max_penetration_m = max_penetration_m.max(cycle.statistics.max_penetration_m);
+            loads_w.iter_mut().zip(&cycle.loads_j).for_each(|(sum, j)| *sum += j / (cycle_s * f64::from(self.cycles)));
+            trajectories.push(cycle.trajectory);
+        }
+        by_parameter.iter_mut().zip(&change.steady).for_each(|(y, s)| *y += s);
+        let by_parameter = self.unknown(&apply(plant.diagonal.to_physical.as_ref(), &by_parameter));
+        let (into, out) = (&plant.diagonal.from_physical, &plant.diagonal.to_physical);
+        let left = Mat::from_fn(n, n, |i, j| self.scale[i] * out[(i, j)]);
+        let right = Mat::from_fn(n, n, |i, j| into[(i, j)] / self.scale[j]);
+        let map = &left * &map * &right;
+        let residual = looks[looks.len() - 1].iter().zip(unknown).map(|(end, start)| end - start).collect();
+        let period_s = cycle_s * f64::from(self.cycles);
+        let tolerance = self.tolerance;
+        let shot =
+            Shot { kernel, looks, residual, map, by_parameter, period_s, trajectories, contacts, max_penetration_m, loads_w, tolerance };
+        Ok((shot, exact))
+    }
+}
+
+impl<H: Harvester> Family for Shooting<'_, H> {
+    type Local = Shot;
+    type Error = OrbitError<H::Error>;
+
+    fn at(&self, unknown: &[f64], parameter: f64) -> Result<Shot, Self::Error> {
+        let (mut shot, exact) = self.shoot(unknown, parameter)?;
+        if !exact {
+            let step = self.harvester.difference();
+            let (ahead, _) = self.shoot(unknown, parameter + step)?;
+            shot.by_parameter = ahead.residual.iter().zip(&shot.residual).map(|(a, b)| (a - b) / step).collect();
+        }
+        Ok(shot)
+    }
+}
+
+impl<H: Harvester> OrbitMethod for Shooting<'_, H> {
+    type Fault = H::Error;
+
+    fn cycles(&self) -> u32 {
+        self.cycles
+    }
+
+    fn orbit(&self, shot: &Shot, error: f64) -> Result<Orbit, Self::Error> {
+        let Some(multipliers) = multipliers(&shot.map) else {
+            return Err(OrbitError::Multipliers { frequency_hz: f64::from(self.cycles) / shot.period_s });
+        };
+        // A defect of the march over one period reaches the orbit multiplied by (I - M)^-1.
+        let nearest = multipliers.iter().map(|value| (*value - 1.0).norm()).fold(1.0, f64::min);
+        let loads = &shot.kernel.plant.system.loads;
+        let first = shot.loads_w.first().zip(loads.first());
+        Ok(Orbit {
+            period_cycles: self.cycles,
+            looks: shot.looks.clone(),
+            mean_power_w: shot.loads_w.iter().sum(),
+            voltage_rms_v: first.map_or(0.0, |(power_w, load)| (power_w * load.resistance_ohm).max(0.0).sqrt()),
+            contacts: shot.contacts,
+            max_penetration_m: shot.max_penetration_m,
+            multipliers,
+            error_estimate: error + shot.tolerance / nearest.max(f64::EPSILON),
+        })
+    }
+
+    fn contacts(&self, shot: &Shot) -> Result<u64, Self::Error> {
+        Ok(shot.contacts)
+    }
+
+    fn nearest_extremum_m(&self, shot: &Shot) -> Result<Option<f64>, Self::Error> {
+        Ok(nearest_extremum_m(shot))
+    }
+
+    fn scale_m(&self, shot: &Shot) -> f64 {
+        shot.kernel.plant.scale_m()
+    }
+
+    fn unknown_of(&self, state: &[f64], _parameter: f64) -> Result<Vec<f64>, Self::Error> {
+        Ok(state.to_vec())
+    }
+}
+
+impl Shot {
+    /// Displacement of the port, m, at `samples` equal times of the period.
+    pub fn displacements_m(&self, samples: usize) -> Vec<f64> {
+        let plant = &self.kernel.plant;
+        let Some(port) = plant.ports.first() else { return vec![0.0; samples] };
+        let cycle_s = self.period_s / self.trajectories.len() as f64;
+        let times: Vec<f64> = (0..samples).map(|k| self.period_s * k as f64 / samples as f64).collect();
+        let mut values = Vec::with_capacity(samples);
+        for (cycle, trajectory) in self.trajectories.iter().enumerate() {
+            let own: Vec<f64> = (times.iter())
+                .filter(|time_s| (**time_s / cycle_s) as usize == cycle)
+                .map(|time_s| time_s - cycle as f64 * cycle_s)
+                .collect();
+            values.extend(trajectory.at(&self.kernel, &own).iter().map(|at| {
+                let moving: f64 = port.displacement.iter().zip(&at.state).map(|(c, y)| c * y).sum();
+                let driven =
+                    plant.tones.iter().zip(&port.steady_m).map(|(tone, s)| (s * c64::cis(tone.angular_frequency_rad_s * at.time_s)).re);
+                moving + driven.sum::<f64>()
+            }));
+        }
+        values
+    }
+}
+
+impl Linear for Shot {
+    fn residual(&self) -> &[f64] {
+        &self.residual
+    }
+
+    fn bordered(&self, row: &[f64], corner: f64, right: &[f64], last: f64) -> Option<(Vec<f64>, f64)> {
+        let n = row.len();
+        let matrix = Mat::from_fn(n, n, |i, j| self.map[(i, j)] - f64::from(u8::from(i == j)));
+        solve_bordered(&matrix, &self.by_parameter, (row, corner), (right, last))
+    }
+}
+
+fn apply(matrix: MatRef<f64>, vector: &[f64]) -> Vec<f64> {
+    (0..matrix.nrows()).map(|i| vector.iter().enumerate().map(|(j, v)| matrix[(i, j)] * v).sum()).collect()
+}

@@ -1,0 +1,18 @@
+//! Harvesters over two parameters.
+
+use crate::orbit::Harvester;
+
+/// A plane of harvesters: one line of them for each value of the second parameter.
+pub trait Plane: Sync {
+    /// Harvesters over the first parameter.
+    type Line: Harvester;
+
+    /// The line at a value of the second parameter.
+    ///
+    /// # Errors
+    /// A value that is not allowed.
+    fn line(&self, parameter_2: f64) -> Result<Self::Line, <Self::Line as Harvester>::Error>;
+
+    /// Lengths of differences of the two parameters.
+    fn differences(&self) -> [f64; 2];
+}

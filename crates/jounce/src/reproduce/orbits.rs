@@ -1,0 +1,148 @@
+//! What the paper could not see by stepping: every branch under figure 6, and where the jumps go when the gap is tuned.
+
+use super::harvester::{Harvester, MEGOHM};
+use super::power_over_frequency::{LEVELS_N, PowerOverFrequency};
+use super::{NamedFigure, NamedTable, ReproduceError};
+use crate::picture::{Axis, BranchLine, BranchMark, Colour, JumpLine, Marker, Series, branches, jumps};
+use crate::spec::NumericKey;
+use crate::study::{Branch, BranchPoint, BranchSearch, JumpCurve, JumpPoint, JumpSearch, Method, Parameter, Prepared};
+use crate::table::{Column, Table};
+use rayon::prelude::*;
+
+/// Frequencies of figure 6, Hz.
+const FREQUENCIES_HZ: (f64, f64) = (4.0, 20.0);
+
+/// Frequencies (Hz) and gaps (m) of the map of jumps, and its level of force, N.
+const MAP_HZ: (f64, f64) = (9.0, 15.0);
+const GAPS_M: (f64, f64) = (0.25e-3, 2e-3);
+const MAP_LEVEL_N: f64 = 50.0;
+
+/// Relative tolerance of the marches.
+const TOLERANCE: f64 = 1e-9;
+
+/// Branches of every level of force, N, and the map of jumps.
+pub(super) struct Orbits {
+    levels: Vec<(f64, Vec<Branch>)>,
+    jumps: Vec<JumpCurve>,
+}
+
+impl Orbits {
+    /// Follows everything, with the stop on the ground.
+    pub fn compute() -> Result<Self, ReproduceError> {
+        let (levels, jumps) = rayon::join(
+            || LEVELS_N.into_par_iter().map(|level| Ok((level, followed(level)?))).collect::<Result<Vec<_>, ReproduceError>>(),
+            map_of_jumps,
+        );
+        Ok(Self { levels: levels?, jumps: jumps? })
+    }
+
+    /// The branches with the points of the stepped sweeps on them.
+    pub fn figure(&self, swept: &PowerOverFrequency) -> NamedFigure {
+        let (mut lines, mut marks) = (Vec::new(), Vec::new());
+        for (level, found) in &self.levels {
+            let power = |point: &BranchPoint| point.orbit.mean_power_w / (level * level);
+            lines.extend(found.iter().map(|branch| BranchLine {
+                label: format!("{level} N"),
+                parameter: branch.points.iter().map(|point| point.parameter).collect(),
+                value: branch.points.iter().map(power).collect(),
+                stable: branch.points.iter().map(|point| point.orbit.is_stable()).collect(),
+            }));
+            marks.extend(found.iter().flat_map(|branch| &branch.bifurcations).map(|found| BranchMark {
+                kind: found.kind.name().to_owned(),
+                parameter: found.at.parameter,
+                value: power(&found.at),
+            }));
+        }
+        let (x, y) = (Axis::linear("Drive frequency", "Hz"), Axis::log("Mean power per force squared", "W/N²"));
+        let mut figure = branches("Branches of periodic answers", x, y, &lines, &marks);
+        for (k, level) in swept.levels.iter().enumerate() {
+            for way in [&level.up, &level.down] {
+                let points = Series::points(way.frequency_hz.clone(), way.power_w_n2.clone(), Marker::Circle);
+                figure.panels.iter_mut().for_each(|panel| panel.series.push(points.clone().colour(Colour::nth(k))));
+            }
+        }
+        let caption = "Figure 6 with every periodic answer of one drive cycle that its ends lead to: stable stretches solid, unstable ones \
+                       dashed. The points are those of the stepped sweeps.";
+        NamedFigure::new("figure-6-branches", caption, figure)
+    }
+
+    /// The map of jumps over frequency and gap.
+    pub fn map(&self) -> NamedFigure {
+        let lines: Vec<JumpLine> = (self.jumps.iter())
+            .map(|curve| JumpLine {
+                kind: curve.kind.name().to_owned(),
+                x: curve.points.iter().map(|point| point.parameter).collect(),
+                y: curve.points.iter().map(|point| 1e3 * point.parameter_2).collect(),
+            })
+            .collect();
+        let (x, y) = (Axis::linear("Drive frequency", "Hz"), Axis::linear("Gap", "mm"));
+        let caption = "Frequencies at which the answer jumps at 50 N, against the gap: the harvester is tuned by moving its stop.";
+        NamedFigure::new("jumps-over-gap", caption, jumps("Where the answer jumps", x, y, &lines))
+    }
+
+    /// Data of both figures.
+    pub fn tables(&self) -> Result<Vec<NamedTable>, ReproduceError> {
+        let points: Vec<(f64, u64, &BranchPoint)> = (self.levels.iter())
+            .flat_map(|(level, found)| found.iter().enumerate().map(move |(k, branch)| (*level, k as u64, branch)))
+            .flat_map(|(level, k, branch)| branch.points.iter().map(move |point| (level, k, point)))
+            .collect();
+        let floats = |read: fn(&(f64, u64, &BranchPoint)) -> f64| points.iter().map(read).collect::<Vec<f64>>();
+        let branches = Table::new(vec![
+            Column::new("amplitude_n", "N", "Force, peak", floats(|(level, ..)| *level)),
+            Column::new("branch", "", "Number of the branch", points.iter().map(|(_, k, _)| *k).collect::<Vec<u64>>()),
+            Column::new("frequency_hz", "Hz", "Drive frequency", floats(|(.., point)| point.parameter)),
+            Column::new(
+                "power_w_n2",
+                "W/N^2",
+                "Mean power per force squared",
+                floats(|(level, _, point)| point.orbit.mean_power_w / (level * level)),
+            ),
+            Column::new("stable", "", "Attracts", points.iter().map(|(.., point)| point.orbit.is_stable()).collect::<Vec<bool>>()),
+        ])?;
+        let jumps: Vec<(&JumpCurve, &JumpPoint)> =
+            self.jumps.iter().flat_map(|curve| curve.points.iter().map(move |point| (curve, point))).collect();
+        let floats = |read: fn(&JumpPoint) -> f64| jumps.iter().map(|(_, point)| read(point)).collect::<Vec<f64>>();
+        let map = Table::new(vec![
+            Column::new("kind", "", "What happens", jumps.iter().map(|(curve, _)| curve.kind.name().to_owned()).collect::<Vec<_>>()),
+            Column::new("frequency_hz", "Hz", "Drive frequency", floats(|point| point.parameter)),
+            Column::new("gap_m", "m", "Gap", floats(|point| point.parameter_2)),
+            Column::new("mean_power_w", "W", "Mean power", floats(|point| point.mean_power_w)),
+        ])?;
+        Ok(vec![
+            NamedTable::new("figure-6-branches", "Periodic answers under figure 6.", 5, branches),
+            NamedTable::new("jumps-over-gap", "Jumps over frequency and gap at 50 N.", 5, map),
+        ])
+    }
+}
+
+/// The harvester at a level of force, with its frequency as a key.
+fn prepared(level_n: f64) -> Result<(Prepared, NumericKey), ReproduceError> {
+    let set = |key: &str, value: String| (key.to_owned(), value);
+    let settings = [set("drive.shaker.amplitude", format!("{level_n} N")), set("circuit.load.resistance", format!("{MEGOHM} ohm"))];
+    let spec = Harvester::spec(&settings)?;
+    let key = NumericKey::find(&spec, "drive.shaker.frequency")?;
+    Ok((Prepared::new(spec)?, key))
+}
+
+fn followed(level_n: f64) -> Result<Vec<Branch>, ReproduceError> {
+    let (base, key) = prepared(level_n)?;
+    let parameter = Parameter::new(&base, &key, FREQUENCIES_HZ.1 - FREQUENCIES_HZ.0);
+    let search = BranchSearch {
+        base: &base,
+        parameter: &parameter,
+        range: FREQUENCIES_HZ,
+        method: Method::Shooting,
+        tolerance: TOLERANCE,
+        seeds: 0,
+        longest_period: 1,
+    };
+    Ok(search.run()?.into_iter().filter(|branch| branch.period_cycles == 1).collect())
+}
+
+fn map_of_jumps() -> Result<Vec<JumpCurve>, ReproduceError> {
+    let (base, key) = prepared(MAP_LEVEL_N)?;
+    let gap = NumericKey::find(&base.spec, "stop.tip.gap")?;
+    let (keys, ranges) = ([&key, &gap], [MAP_HZ, GAPS_M]);
+    let search = JumpSearch { base: &base, keys, ranges, tolerance: TOLERANCE, seeds: 0, longest_period: 1 };
+    Ok(search.run()?.into_iter().filter(|curve| curve.period_cycles == 1).collect())
+}

@@ -1,0 +1,204 @@
+//! Marches a cloud until every start is recognised, and counts.
+
+use super::Cloud;
+use super::lyapunov::{Lyapunov, Wandering, largest_exponent};
+use super::share::{QUANTILE_95, Share, wilson};
+use crate::march::{Kernel, Marcher};
+use crate::orbit::{Harvester, Orbit};
+use crate::study::branches::settled_orbit;
+use crate::study::{Parameter, Prepared, StudyError};
+use rayon::prelude::*;
+
+/// A cloud to be marched.
+#[derive(Debug)]
+pub struct Basins<'s> {
+    /// The spec.
+    pub base: &'s Prepared,
+    /// Its harvester, as one value of any key.
+    pub parameter: &'s Parameter<'s>,
+    /// That value.
+    pub value: f64,
+    /// The starts.
+    pub cloud: Cloud,
+    /// Relative tolerance of the marches.
+    pub tolerance: f64,
+}
+
+/// Where a start ends.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Fate {
+    /// On a periodic orbit.
+    Orbit(Orbit),
+    /// On no orbit that was looked for, after a long march.
+    Wandering(Lyapunov),
+    /// Nowhere: the march failed.
+    Lost(String),
+}
+
+/// An attractor with its share of the cloud.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Attractor {
+    /// Drive cycles of its period and a letter by falling power: `1a`, `1b`, `2a`; `chaos`; `torus`; `unsettled`.
+    pub id: String,
+    /// Drive cycles of the period; 0 for none.
+    pub period_cycles: u32,
+    /// True when neighbouring motions part exponentially.
+    pub chaotic: bool,
+    /// Mean power, W.
+    pub mean_power_w: f64,
+    /// Contacts per period; 0 for none.
+    pub contacts_per_period: u64,
+    /// Largest Lyapunov exponent and its error, 1/s, where there is no orbit.
+    pub lyapunov: Option<(f64, f64)>,
+    /// Share of the cloud, 95 %.
+    pub share: Share,
+    /// Numbers of the starts that end here.
+    pub starts: Vec<usize>,
+}
+
+/// What a cloud answers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BasinsAnswer {
+    /// Attractors: orbits by period and falling power, then chaos, tori, and what was still settling.
+    pub attractors: Vec<Attractor>,
+    /// `sum fraction power`, W.
+    pub expected_power_w: f64,
+    /// Its 95 % interval, W.
+    pub expected_power_low_w: f64,
+    /// Upper end, W.
+    pub expected_power_high_w: f64,
+    /// Starts whose march failed, with the reason.
+    pub lost: Vec<(usize, String)>,
+}
+
+/// Drive cycles over which an exponent is taken.
+const EXPONENT_CYCLES: usize = 320;
+
+/// Relative difference of power below which two orbits of one period and as many contacts are one.
+const SAME: f64 = 1e-5;
+
+impl Basins<'_> {
+    /// Marches all starts, in parallel.
+    ///
+    /// # Errors
+    /// A harvester that cannot be made.
+    pub fn run(&self) -> Result<BasinsAnswer, StudyError> {
+        let kernel = self.parameter.at(self.value)?.kernel;
+        let fates: Vec<Fate> = (0..self.cloud.starts).into_par_iter().map(|index| self.fate(&kernel, index)).collect();
+        Ok(answer(&fates))
+    }
+
+    fn fate(&self, kernel: &Kernel, index: usize) -> Fate {
+        let start = self.cloud.start(&kernel.plant, index);
+        if let Some(orbit) = settled_orbit(self.parameter, self.value, &start, self.tolerance, 10.0 * self.tolerance) {
+            return Fate::Orbit(orbit);
+        }
+        let wander = || -> Result<Lyapunov, crate::march::VariationError> {
+            let cycle_s = kernel.plant.tones.first().map_or(1.0, |tone| std::f64::consts::TAU / tone.angular_frequency_rad_s);
+            let mut marcher = Marcher::new(kernel, &kernel.plant.from_physical(&start, 0.0), 0.0, self.tolerance)?;
+            marcher.advance_to(500.0 * cycle_s)?;
+            largest_exponent(kernel, &marcher.state(), EXPONENT_CYCLES, self.tolerance)
+        };
+        wander().map_or_else(|error| Fate::Lost(error.to_string()), Fate::Wandering)
+    }
+}
+
+fn answer(fates: &[Fate]) -> BasinsAnswer {
+    let mut orbits: Vec<(&Orbit, Vec<usize>)> = Vec::new();
+    let mut wanderers: Vec<(usize, Lyapunov)> = Vec::new();
+    let mut lost: Vec<(usize, String)> = Vec::new();
+    for (index, fate) in fates.iter().enumerate() {
+        match fate {
+            Fate::Orbit(orbit) => match orbits.iter_mut().find(|(known, _)| same(known, orbit)) {
+                Some((_, starts)) => starts.push(index),
+                None => orbits.push((orbit, vec![index])),
+            },
+            Fate::Wandering(found) => wanderers.push((index, *found)),
+            Fate::Lost(why) => lost.push((index, why.clone())),
+        }
+    }
+    let of = fates.len() - lost.len();
+    orbits.sort_by(|(a, _), (b, _)| a.period_cycles.cmp(&b.period_cycles).then(b.mean_power_w.total_cmp(&a.mean_power_w)));
+    let mut attractors: Vec<Attractor> = Vec::new();
+    for (orbit, starts) in orbits {
+        let place = attractors.iter().filter(|known| known.period_cycles == orbit.period_cycles).count();
+        attractors.push(Attractor {
+            id: format!("{}{}", orbit.period_cycles, letters(place)),
+            period_cycles: orbit.period_cycles,
+            chaotic: false,
+            mean_power_w: orbit.mean_power_w,
+            contacts_per_period: orbit.contacts,
+            lyapunov: None,
+            share: wilson(starts.len(), of),
+            starts,
+        });
+    }
+    for kind in [Wandering::Chaos, Wandering::Torus, Wandering::Unsettled] {
+        let own: Vec<(usize, Lyapunov)> = wanderers.iter().copied().filter(|(_, found)| found.wandering() == kind).collect();
+        attractors.extend(wandering(kind, &own, of));
+    }
+    let mean = |power: &dyn Fn(&Attractor) -> f64| attractors.iter().map(|a| a.share.fraction * power(a)).sum::<f64>();
+    let expected_power_w = mean(&|a| a.mean_power_w);
+    let variance = mean(&|a| (a.mean_power_w - expected_power_w).powi(2));
+    let half = QUANTILE_95 * (variance / of.max(1) as f64).sqrt();
+    BasinsAnswer {
+        expected_power_low_w: (expected_power_w - half).max(0.0),
+        expected_power_high_w: expected_power_w + half,
+        expected_power_w,
+        attractors,
+        lost,
+    }
+}
+
+fn wandering(kind: Wandering, found: &[(usize, Lyapunov)], of: usize) -> Option<Attractor> {
+    let count = found.len() as f64;
+    let mean = |value: fn(&Lyapunov) -> f64| found.iter().map(|(_, found)| value(found)).sum::<f64>() / count;
+    (!found.is_empty()).then(|| Attractor {
+        id: kind.name().to_owned(),
+        period_cycles: 0,
+        chaotic: kind == Wandering::Chaos,
+        mean_power_w: mean(|found| found.mean_power_w),
+        contacts_per_period: 0,
+        lyapunov: Some((mean(|found| found.exponent_per_s), mean(|found| found.error_per_s) / count.sqrt())),
+        share: wilson(found.len(), of),
+        starts: found.iter().map(|(index, _)| *index).collect(),
+    })
+}
+
+fn same(a: &Orbit, b: &Orbit) -> bool {
+    a.period_cycles == b.period_cycles && a.contacts == b.contacts && (a.mean_power_w / b.mean_power_w - 1.0).abs() < SAME
+}
+
+/// `a`, `b`, .., `z`, `aa`, ..
+fn letters(place: usize) -> String {
+    let last = char::from(b'a' + (place % 26) as u8);
+    if place < 26 { last.to_string() } else { format!("{}{last}", letters(place / 26 - 1)) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn orbit(period_cycles: u32, mean_power_w: f64) -> Fate {
+        Fate::Orbit(Orbit {
+            period_cycles,
+            looks: Vec::new(),
+            mean_power_w,
+            voltage_rms_v: 0.0,
+            contacts: 1,
+            max_penetration_m: 0.0,
+            multipliers: Vec::new(),
+            error_estimate: 0.0,
+        })
+    }
+
+    #[test]
+    fn shares_and_expected_power_are_counted() {
+        let fates = [orbit(1, 2.0), orbit(1, 1.0), orbit(2, 4.0), orbit(1, 1.0 + 1e-9)];
+        let found = answer(&fates);
+        let ids: Vec<&str> = found.attractors.iter().map(|a| a.id.as_str()).collect();
+        assert_eq!(ids, ["1a", "1b", "2a"]);
+        assert_eq!(found.attractors[1].starts, [1, 3]);
+        assert!((found.expected_power_w - 2.0).abs() < 1e-9 && found.expected_power_low_w < 2.0);
+    }
+}

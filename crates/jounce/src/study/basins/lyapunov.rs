@@ -1,0 +1,92 @@
+//! The largest Lyapunov exponent of a march, from the exact derivative of its flow.
+//!
+//! ```text
+//! lambda = lim 1/t ln |D phi_t v|
+//! ```
+//!
+//! taken cycle by cycle along one direction that is brought back to length one after each; the scatter of the means over blocks of
+//! cycles gives the error.
+
+use crate::march::{Drift, Kernel, Variation, VariationError};
+
+/// An exponent with its error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lyapunov {
+    /// Largest exponent, 1/s.
+    pub exponent_per_s: f64,
+    /// Standard error, 1/s.
+    pub error_per_s: f64,
+    /// Mean power of all loads on the way, W.
+    pub mean_power_w: f64,
+}
+
+/// Blocks whose means are compared.
+const BLOCKS: usize = 16;
+
+/// What an exponent says of a motion that is on no orbit of a short period.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Wandering {
+    /// Neighbours part: positive beyond three times the error.
+    Chaos,
+    /// Neighbours keep their distance: a torus, or an orbit at the edge of its stability.
+    Torus,
+    /// Neighbours close up: still on the way to an orbit, or on one of a long period.
+    Unsettled,
+}
+
+impl Lyapunov {
+    /// The kind of motion.
+    pub fn wandering(&self) -> Wandering {
+        if self.exponent_per_s > 3.0 * self.error_per_s {
+            Wandering::Chaos
+        } else if self.exponent_per_s < -3.0 * self.error_per_s {
+            Wandering::Unsettled
+        } else {
+            Wandering::Torus
+        }
+    }
+}
+
+impl Wandering {
+    /// Name in answers.
+    pub fn name(self) -> &'static str {
+        match self {
+            Wandering::Chaos => "chaos",
+            Wandering::Torus => "torus",
+            Wandering::Unsettled => "unsettled",
+        }
+    }
+}
+
+/// Largest exponent over `cycles` drive cycles (rounded up to whole blocks) from block coordinates `y` at the start of a cycle.
+///
+/// # Errors
+/// [`VariationError`].
+pub fn largest_exponent(kernel: &Kernel, y: &[f64], cycles: usize, tolerance: f64) -> Result<Lyapunov, VariationError> {
+    let cycle_s = kernel.plant.tones.first().map_or(1.0, |tone| std::f64::consts::TAU / tone.angular_frequency_rad_s);
+    let per_block = cycles.div_ceil(BLOCKS).max(1);
+    let mut y = y.to_vec();
+    let mut direction = vec![1.0 / (y.len() as f64).sqrt(); y.len()];
+    let (mut means, mut energy_j) = (Vec::with_capacity(BLOCKS), 0.0);
+    // The first block turns the direction to the one that grows fastest; it does not count.
+    for block in 0..=BLOCKS {
+        let mut growth = 0.0;
+        for _ in 0..per_block {
+            let step = Variation::march(kernel, &y, 0.0, cycle_s, tolerance, &Drift::default())?;
+            let n = y.len();
+            let moved: Vec<f64> = (0..n).map(|i| (0..n).map(|j| step.jacobian[(i, j)] * direction[j]).sum()).collect();
+            let length = moved.iter().map(|v| v * v).sum::<f64>().sqrt().max(f64::MIN_POSITIVE);
+            direction = moved.into_iter().map(|v| v / length).collect();
+            growth += length.ln();
+            y = step.end;
+            energy_j += if block > 0 { step.loads_j.iter().sum::<f64>() } else { 0.0 };
+        }
+        if block > 0 {
+            means.push(growth / (per_block as f64 * cycle_s));
+        }
+    }
+    let mean = means.iter().sum::<f64>() / BLOCKS as f64;
+    let variance = means.iter().map(|m| (m - mean).powi(2)).sum::<f64>() / (BLOCKS - 1) as f64;
+    let mean_power_w = energy_j / (BLOCKS * per_block) as f64 / cycle_s;
+    Ok(Lyapunov { exponent_per_s: mean, error_per_s: (variance / BLOCKS as f64).sqrt(), mean_power_w })
+}

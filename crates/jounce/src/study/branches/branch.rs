@@ -1,0 +1,121 @@
+//! What a branch answers.
+
+use crate::orbit::Orbit;
+use serde::Serialize;
+
+/// A curve of periodic orbits.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Branch {
+    /// Period in drive cycles.
+    pub period_cycles: u32,
+    /// Points along the curve.
+    pub points: Vec<BranchPoint>,
+    /// Bifurcations in the order of the curve.
+    pub bifurcations: Vec<Bifurcation>,
+    /// How its two ends came about, first point and last point.
+    pub endings: Vec<Ending>,
+}
+
+/// A point of a branch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BranchPoint {
+    /// Value of the key, SI.
+    pub parameter: f64,
+    /// The orbit.
+    pub orbit: Orbit,
+}
+
+/// What happens at a bifurcation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum BranchKind {
+    /// The branch turns back.
+    Fold,
+    /// A branch of twice the period leaves.
+    PeriodDoubling,
+    /// A torus leaves.
+    NeimarkSacker,
+    /// Another branch of the same period crosses.
+    BranchPoint,
+    /// A contact appears or goes.
+    Grazing,
+}
+
+/// A located bifurcation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bifurcation {
+    /// What it is.
+    pub kind: BranchKind,
+    /// Where.
+    pub at: BranchPoint,
+}
+
+/// How a branch ends.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case", tag = "how")]
+pub enum Ending {
+    /// At the edge of the range.
+    Range,
+    /// It came back to its own start.
+    Closed,
+    /// A doubled branch came back to the branch that it left.
+    Merged,
+    /// After as many points as were allowed.
+    Points,
+    /// At a grazing, where it turns more sharply than any step can follow.
+    Grazing {
+        /// What stopped the walk.
+        why: String,
+        /// Value of the key there.
+        parameter: f64,
+    },
+    /// It could not be followed.
+    Failed {
+        /// Why.
+        why: String,
+        /// Last good value of the key.
+        parameter: f64,
+    },
+}
+
+impl BranchKind {
+    /// Name in answers.
+    pub fn name(self) -> &'static str {
+        match self {
+            BranchKind::Fold => "fold",
+            BranchKind::PeriodDoubling => "period-doubling",
+            BranchKind::NeimarkSacker => "neimark-sacker",
+            BranchKind::BranchPoint => "branch-point",
+            BranchKind::Grazing => "grazing",
+        }
+    }
+}
+
+impl Branch {
+    /// Points where the branch passes a value of the key, states and power interpolated linearly.
+    pub fn crossings(&self, parameter: f64) -> Vec<(Vec<f64>, f64)> {
+        let mut found = Vec::new();
+        for pair in self.points.windows(2) {
+            let (a, b) = (&pair[0], &pair[1]);
+            let (low, high) = (a.parameter.min(b.parameter), a.parameter.max(b.parameter));
+            if parameter < low || parameter > high || low == high {
+                continue;
+            }
+            let t = (parameter - a.parameter) / (b.parameter - a.parameter);
+            let state = a.orbit.start().iter().zip(b.orbit.start()).map(|(a, b)| a + t * (b - a)).collect();
+            found.push((state, a.orbit.mean_power_w + t * (b.orbit.mean_power_w - a.orbit.mean_power_w)));
+        }
+        found
+    }
+
+    /// Joins a walk in the other direction from the same first point.
+    pub fn joined(mut self, other: Branch) -> Branch {
+        self.points.reverse();
+        self.bifurcations.reverse();
+        self.endings.reverse();
+        self.points.extend(other.points.into_iter().skip(1));
+        self.bifurcations.extend(other.bifurcations);
+        self.endings.extend(other.endings);
+        self
+    }
+}

@@ -1,0 +1,194 @@
+//! Follows one branch from one of its orbits, and names what it passes.
+
+use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
+use crate::continuation::{Corrected, Corrector, Direction, Metric, Position, Step, StepControl, Walk, locate, passes};
+use crate::orbit::{Orbit, OrbitMethod};
+
+/// Distance from the stop, beside the size of the motion, below which an orbit touches it.
+const GRAZES: f64 = 1e-6;
+
+/// How branches are followed.
+#[derive(Debug, Clone, Copy)]
+pub struct Following {
+    /// Ends of the range of the key.
+    pub range: (f64, f64),
+    /// Newton's goal.
+    pub corrector: Corrector,
+    /// The law of the step.
+    pub control: StepControl,
+    /// Most points.
+    pub most_points: usize,
+}
+
+/// A walked point with its orbit.
+pub(super) struct Place<M: OrbitMethod> {
+    pub step: Step<M::Local>,
+    pub point: BranchPoint,
+}
+
+impl<M: OrbitMethod> Place<M> {
+    /// Computes the orbit at a step.
+    pub fn new(method: &M, step: Step<M::Local>) -> Result<Self, M::Error> {
+        Ok(Self { point: point(method, &step)?, step })
+    }
+}
+
+impl Following {
+    /// Scale of the parameter in the metric.
+    pub fn parameter_scale(&self) -> f64 {
+        (self.range.1 - self.range.0) / 20.0
+    }
+
+    /// Walks from an orbit in a direction until the branch ends.
+    ///
+    /// # Errors
+    /// An orbit whose multipliers cannot be computed, or a harvester that cannot be made.
+    pub fn walk<M: OrbitMethod>(&self, method: &M, first: Corrected<M::Local>, direction: Direction) -> Result<Branch, M::Error> {
+        let mut branch = Branch { period_cycles: method.cycles(), ..Branch::default() };
+        let metric = Metric::at(&first.position, self.parameter_scale());
+        let tangent = metric.unit(direction);
+        let start = Step { position: first.position.clone(), tangent: tangent.clone(), local: first.local, error: first.error };
+        let mut before = Place::new(method, start)?;
+        let origin = before.step.position.clone();
+        branch.points.push(before.point.clone());
+        let walk = Walk::new(method, self.corrector, self.control, self.parameter_scale(), first.position, tangent);
+        for next in walk {
+            let step = match next {
+                Ok(step) => step,
+                // Beyond the range a key may have no meaning at all.
+                Err(error) => {
+                    self.give_up(method, before, error.to_string(), &mut branch)?;
+                    return Ok(branch);
+                }
+            };
+            if step.position.parameter < self.range.0 || step.position.parameter > self.range.1 {
+                self.cut(method, &before, &step, &mut branch)?;
+                branch.endings.push(Ending::Range);
+                return Ok(branch);
+            }
+            let after = Place::new(method, step)?;
+            for after in self.refined(method, &before, after)? {
+                branch.bifurcations.extend(self.between(method, &before, &after)?);
+                branch.points.push(after.point.clone());
+                if let Some(ending) = self.ending(&origin, &before, &after, branch.points.len()) {
+                    branch.endings.push(ending);
+                    return Ok(branch);
+                }
+                before = after;
+            }
+        }
+        Ok(branch)
+    }
+
+    /// Ends a branch that cannot be followed: at a grazing where the orbit touches the stop there, for on a stiff stop a branch turns
+    /// at its grazing more sharply than any step can follow.
+    fn give_up<M: OrbitMethod>(&self, method: &M, last: Place<M>, why: String, branch: &mut Branch) -> Result<(), M::Error> {
+        let distance_m = method.nearest_extremum_m(&last.step.local)?.map_or(f64::INFINITY, f64::abs);
+        let parameter = last.point.parameter;
+        if distance_m < GRAZES * method.scale_m(&last.step.local) {
+            branch.bifurcations.push(Bifurcation { kind: BranchKind::Grazing, at: last.point });
+            branch.endings.push(Ending::Grazing { why, parameter });
+        } else {
+            branch.endings.push(Ending::Failed { why, parameter });
+        }
+        Ok(())
+    }
+
+    /// The last point, exactly on the edge of the range.
+    fn cut<M: OrbitMethod>(&self, method: &M, before: &Place<M>, outside: &Step<M::Local>, branch: &mut Branch) -> Result<(), M::Error> {
+        let edge = if outside.position.parameter < self.range.0 { self.range.0 } else { self.range.1 };
+        let from = &before.step.position;
+        let t = (edge - from.parameter) / (outside.position.parameter - from.parameter);
+        let unknown = from.unknown.iter().zip(&outside.position.unknown).map(|(a, b)| a + t * (b - a)).collect();
+        let guess = Position { unknown, parameter: edge };
+        let metric = Metric::at(&guess, self.parameter_scale());
+        if let Ok(found) = crate::continuation::settle(method, &self.corrector, &metric, guess) {
+            let step = Step { position: found.position, tangent: outside.tangent.clone(), local: found.local, error: found.error };
+            let after = Place::new(method, step)?;
+            branch.bifurcations.extend(self.between(method, before, &after)?);
+            branch.points.push(after.point);
+        }
+        Ok(())
+    }
+
+    fn ending<M: OrbitMethod>(&self, origin: &Position, before: &Place<M>, after: &Place<M>, points: usize) -> Option<Ending> {
+        let metric = Metric::at(&after.step.position, self.parameter_scale());
+        if points > 4 && passes(&metric, origin, &before.step.position, &after.step.position) {
+            return Some(Ending::Closed);
+        }
+        // The halves of a doubled orbit pass through each other where it merges with the branch that it left.
+        if let (Some(a), Some(b)) = (before.point.orbit.halves_apart(), after.point.orbit.halves_apart()) {
+            let product: f64 = a.iter().zip(&b).map(|(a, b)| a * b).sum();
+            if product < 0.0 && points > 3 {
+                return Some(Ending::Merged);
+            }
+        }
+        (points >= self.most_points).then_some(Ending::Points)
+    }
+
+    /// Everything that happens between two points.
+    fn between<M: OrbitMethod>(&self, method: &M, a: &Place<M>, b: &Place<M>) -> Result<Vec<Bifurcation>, M::Error> {
+        let mut kinds = Vec::new();
+        let (one, two) = (&a.point.orbit, &b.point.orbit);
+        let turns = a.step.tangent.parameter * b.step.tangent.parameter < 0.0;
+        if turns {
+            kinds.push(BranchKind::Fold);
+        }
+        if (one.determinant_at(1.0) * two.determinant_at(1.0) < 0.0) != turns {
+            kinds.push(BranchKind::BranchPoint);
+        }
+        if one.determinant_at(-1.0) * two.determinant_at(-1.0) < 0.0 {
+            kinds.push(BranchKind::PeriodDoubling);
+        }
+        if one.pairs_outside() != two.pairs_outside() {
+            kinds.push(BranchKind::NeimarkSacker);
+        }
+        if one.contacts != two.contacts {
+            kinds.push(BranchKind::Grazing);
+        }
+        let mut found = Vec::new();
+        for kind in kinds {
+            let resolution = if kind == BranchKind::Fold { 1e-5 } else { 1e-8 };
+            let value = |step: &Step<M::Local>| test(method, kind, step, one, two);
+            let place = locate(method, &self.corrector, self.parameter_scale(), (&a.step, &b.step), resolution, value);
+            let Some(place) = place else { continue };
+            let at = point(method, &place)?;
+            // Two real multipliers that meet outside the circle are no torus.
+            // An orbit known too roughly to tell its multiplier 1 from a fold near by says nothing.
+            let rough = kind == BranchKind::BranchPoint && one.error_estimate.max(two.error_estimate) > 1e-4;
+            let on_circle = at.orbit.multipliers.iter().any(|value| value.im > 1e-9 && (value.norm() - 1.0).abs() < 1e-4);
+            if !rough && (kind != BranchKind::NeimarkSacker || on_circle) {
+                found.push(Bifurcation { kind, at });
+            }
+        }
+        let forward = b.step.position.parameter >= a.step.position.parameter;
+        found.sort_by(|x, y| if forward { x.at.parameter.total_cmp(&y.at.parameter) } else { y.at.parameter.total_cmp(&x.at.parameter) });
+        Ok(found)
+    }
+}
+
+fn point<M: OrbitMethod>(method: &M, step: &Step<M::Local>) -> Result<BranchPoint, M::Error> {
+    let orbit = method.orbit(&step.local, step.error)?;
+    Ok(BranchPoint { parameter: step.position.parameter, orbit })
+}
+
+/// The function of the curve that is zero at a bifurcation, for two points on its two sides.
+fn test<M: OrbitMethod>(method: &M, kind: BranchKind, step: &Step<M::Local>, before: &Orbit, after: &Orbit) -> f64 {
+    if kind == BranchKind::Fold {
+        return step.tangent.parameter;
+    }
+    if kind == BranchKind::Grazing {
+        let fewer = before.contacts.min(after.contacts);
+        let distance = method.nearest_extremum_m(&step.local).ok().flatten().map_or(0.0, f64::abs);
+        return if method.contacts(&step.local).is_ok_and(|contacts| contacts <= fewer) { -distance } else { distance };
+    }
+    let Ok(orbit) = method.orbit(&step.local, 0.0) else { return 0.0 };
+    match kind {
+        BranchKind::PeriodDoubling => orbit.determinant_at(-1.0),
+        // Smooth where one pair crosses; where real ones meet on the way its sign says nothing, and the count decides.
+        BranchKind::NeimarkSacker if before.pair_product() * after.pair_product() < 0.0 => orbit.pair_product(),
+        BranchKind::NeimarkSacker if orbit.pairs_outside() == before.pairs_outside() => -1.0,
+        BranchKind::NeimarkSacker => 1.0,
+        _ => orbit.determinant_at(1.0) * step.tangent.parameter.signum(),
+    }
+}

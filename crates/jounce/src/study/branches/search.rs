@@ -1,0 +1,259 @@
+//! All branches of a spec over a range of one key.
+//!
+//! The branches through the two ends of the range are followed first; then every orbit that marches from rest, from the steady state without
+//! the stop and from a hard kick settle on, at values across the range, unless it lies on a branch already known. Doubled branches are entered where a branch
+//! doubles. Marches run in parallel; everything after them is in a fixed order.
+
+use super::attractor::settled_orbit;
+use super::branch::{Branch, BranchKind, BranchPoint};
+use super::follow::Following;
+use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, correct, settle, tangent};
+use crate::orbit::{HarmonicBalance, Harvester, Orbit, OrbitError, OrbitMethod, Shooting};
+use crate::study::{Parameter, Prepared, StudyError};
+use faer::Mat;
+use faer::linalg::solvers::Solve;
+use rayon::prelude::*;
+
+/// How orbits are computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// On the exact flow.
+    Shooting,
+    /// At the port, on this many samples per drive cycle.
+    HarmonicBalance {
+        /// Samples per drive cycle, even.
+        samples: usize,
+    },
+}
+
+/// A search to be made.
+#[derive(Debug)]
+pub struct BranchSearch<'s> {
+    /// The spec at its own values.
+    pub base: &'s Prepared,
+    /// The harvesters.
+    pub parameter: &'s Parameter<'s>,
+    /// Ends of the range.
+    pub range: (f64, f64),
+    /// How orbits are computed.
+    pub method: Method,
+    /// Relative tolerance of the marches.
+    pub tolerance: f64,
+    /// Values across the range at which orbits are sought by marching.
+    pub seeds: usize,
+    /// Longest period of a doubled branch, drive cycles.
+    pub longest_period: u32,
+}
+
+/// Where a march begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Start {
+    /// At rest.
+    Rest,
+    /// In the steady state without the stop: where that does not touch, it is the exact low branch.
+    Steady,
+    /// With the shape of the stop's port moving fast towards it.
+    Kicked,
+}
+
+/// Speed of a kick, beside that of the steady motion.
+const KICK: f64 = 20.0;
+
+type Failure = OrbitError<StudyError>;
+
+impl BranchSearch<'_> {
+    fn following(&self) -> Following {
+        Following {
+            range: self.range,
+            corrector: Corrector { goal: (10.0 * self.tolerance).clamp(1e-11, 1e-6), most: 8 },
+            control: match self.method {
+                Method::Shooting => StepControl::default(),
+                // Its curve has wiggles of the size of its samples, which steps that must end near their guess would all resolve.
+                Method::HarmonicBalance { .. } => StepControl { stray: 0.3, most_evaluations: 8, ..StepControl::default() },
+            },
+            most_points: 4000,
+        }
+    }
+
+    fn shooting(&self, cycles: u32) -> Shooting<'_, Parameter<'_>> {
+        Shooting::new(self.parameter, &self.base.kernel, cycles, self.tolerance)
+    }
+
+    /// Finds and follows the branches.
+    ///
+    /// # Errors
+    /// [`OrbitError`].
+    pub fn run(&self) -> Result<Vec<Branch>, Failure> {
+        match self.method {
+            Method::Shooting => self.run_by(|cycles| Ok(self.shooting(cycles))),
+            Method::HarmonicBalance { samples } => {
+                self.run_by(|cycles| HarmonicBalance::new(self.shooting(cycles), &self.base.kernel, samples * cycles as usize))
+            }
+        }
+    }
+
+    fn run_by<M: OrbitMethod<Fault = StudyError>>(&self, make: impl Fn(u32) -> Result<M, Failure>) -> Result<Vec<Branch>, Failure> {
+        let following = self.following();
+        self.check_ends()?;
+        make(1)?;
+        let mut branches: Vec<Branch> = Vec::new();
+        for (orbit, parameter) in self.starts() {
+            if branches.iter().any(|branch| holds(branch, &orbit, parameter)) {
+                continue;
+            }
+            let method = make(orbit.period_cycles)?;
+            branches.extend(self.both_ways(&following, &method, orbit.start(), parameter)?);
+            self.doubled(&following, &make, &mut branches)?;
+        }
+        Ok(branches)
+    }
+
+    /// Harvesters exist at both ends of the range, with one drive frequency.
+    fn check_ends(&self) -> Result<(), Failure> {
+        for value in [self.range.0, self.range.1] {
+            let frequencies = self.parameter.at(value).map_err(OrbitError::Harvester)?.kernel.plant.tones.len();
+            if frequencies != 1 {
+                return Err(OrbitError::Frequencies { frequencies });
+            }
+        }
+        Ok(())
+    }
+
+    /// Settled orbits: lower end, upper end, then across the range.
+    fn starts(&self) -> Vec<(Orbit, f64)> {
+        let (low, high) = self.range;
+        let inner = (1..=self.seeds).map(|k| low + (high - low) * k as f64 / (self.seeds + 1) as f64);
+        let values: Vec<f64> = [low, high].into_iter().chain(inner).collect();
+        let jobs: Vec<(f64, Start)> =
+            values.iter().flat_map(|value| [Start::Rest, Start::Steady, Start::Kicked].map(|start| (*value, start))).collect();
+        let goal = self.following().corrector.goal;
+        (jobs.into_par_iter())
+            .filter_map(|(value, start)| {
+                let start = self.start(value, start)?;
+                Some((settled_orbit(self.parameter, value, &start, self.tolerance, goal)?, value))
+            })
+            .collect()
+    }
+
+    /// The physical state of a start.
+    fn start(&self, value: f64, start: Start) -> Option<Vec<f64>> {
+        let plant = self.parameter.at(value).ok()?.kernel.plant;
+        let mut state = vec![0.0; plant.len()];
+        match start {
+            Start::Rest => {}
+            Start::Steady => state = plant.to_physical(&state, 0.0),
+            Start::Kicked => {
+                let stop = plant.system.stops.first()?;
+                let w = plant.tones.first()?.angular_frequency_rad_s;
+                let n = plant.system.modes.len();
+                let square: f64 = stop.shape.iter().map(|s| s * s).sum();
+                let speed = KICK * w * plant.scale_m();
+                stop.shape.iter().enumerate().for_each(|(i, s)| state[n + i] = s / square * speed);
+            }
+        }
+        Some(state)
+    }
+
+    fn both_ways<M: OrbitMethod<Fault = StudyError>>(
+        &self,
+        following: &Following,
+        method: &M,
+        state: &[f64],
+        parameter: f64,
+    ) -> Result<Option<Branch>, Failure> {
+        let position = Position { unknown: method.unknown_of(state, parameter)?, parameter };
+        let metric = Metric::at(&position, following.parameter_scale());
+        let up = Direction { unknown: vec![0.0; position.unknown.len()], parameter: 1.0 };
+        let mut ways = Vec::new();
+        for sign in [-1.0, 1.0] {
+            let at_edge = parameter == if sign < 0.0 { self.range.0 } else { self.range.1 };
+            let Ok(first) = settle(method, &following.corrector, &metric, position.clone()) else { return Ok(None) };
+            let Some(mut ahead) = tangent(&first.local, &metric, &up) else { return Ok(None) };
+            ahead.unknown.iter_mut().for_each(|d| *d *= sign);
+            ahead.parameter *= sign;
+            if !at_edge {
+                ways.push(following.walk(method, first, ahead)?);
+            }
+        }
+        let mut ways = ways.into_iter();
+        Ok(match (ways.next(), ways.next()) {
+            (Some(down), Some(up)) => Some(down.joined(up)),
+            (one, _) => one,
+        })
+    }
+
+    /// Enters doubled branches until none is left.
+    fn doubled<M: OrbitMethod<Fault = StudyError>>(
+        &self,
+        following: &Following,
+        make: &impl Fn(u32) -> Result<M, Failure>,
+        branches: &mut Vec<Branch>,
+    ) -> Result<(), Failure> {
+        let mut next = 0;
+        while next < branches.len() {
+            let cycles = 2 * branches[next].period_cycles;
+            let doublings: Vec<BranchPoint> = (branches[next].bifurcations.iter())
+                .filter(|found| found.kind == BranchKind::PeriodDoubling)
+                .map(|found| found.at.clone())
+                .collect();
+            next += 1;
+            if cycles > self.longest_period {
+                continue;
+            }
+            for at in doublings {
+                let method = make(cycles)?;
+                let Some((first, ahead)) = self.off(following, &method, &at) else { continue };
+                let orbit = method.orbit(&first.local, first.error)?;
+                if !branches.iter().any(|branch| holds(branch, &orbit, first.position.parameter)) {
+                    let found = following.walk(&method, first, ahead)?;
+                    branches.push(found);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// A first orbit on the doubled branch, off the doubling along the eigenvector of the multiplier -1.
+    fn off<M: OrbitMethod<Fault = StudyError>>(
+        &self,
+        following: &Following,
+        method: &M,
+        at: &BranchPoint,
+    ) -> Option<(Corrected<M::Local>, Direction)> {
+        let state = at.orbit.start();
+        let map = self.shooting(method.cycles() / 2).at(state, at.parameter).ok()?.map;
+        let n = state.len();
+        // Inverse iteration towards -1.
+        let shifted = Mat::from_fn(n, n, |i, j| map[(i, j)] + if i == j { 1.0 + 1e-9 } else { 0.0 });
+        let solver = shifted.partial_piv_lu();
+        let mut vector = Mat::from_fn(n, 1, |_, _| 1.0);
+        for _ in 0..4 {
+            vector = solver.solve(&vector);
+            let size = vector.norm_l2();
+            vector = Mat::from_fn(n, 1, |i, _| vector[(i, 0)] / size);
+        }
+        let size = state.iter().map(|u| u * u).sum::<f64>().sqrt();
+        let origin = Position { unknown: method.unknown_of(state, at.parameter).ok()?, parameter: at.parameter };
+        let metric = Metric::at(&origin, following.parameter_scale());
+        [1e-2, 3e-3, 3e-2].into_iter().find_map(|length| {
+            let moved: Vec<f64> = (0..n).map(|i| state[i] + length * size * vector[(i, 0)]).collect();
+            let guess = Position { unknown: method.unknown_of(&moved, at.parameter).ok()?, parameter: at.parameter };
+            let apart = guess.unknown.iter().zip(&origin.unknown).map(|(a, b)| a - b).collect();
+            let ahead = metric.unit(Direction { unknown: apart, parameter: 0.0 });
+            let found = correct(method, &following.corrector, &metric, &ahead, guess).ok()?;
+            let ahead = tangent(&found.local, &metric, &ahead)?;
+            Some((found, ahead))
+        })
+    }
+}
+
+/// True when an orbit lies on a branch, at whichever of its drive cycles it is looked at.
+fn holds(branch: &Branch, orbit: &Orbit, parameter: f64) -> bool {
+    let norm = |values: &mut dyn Iterator<Item = f64>| values.map(|v| v * v).sum::<f64>().sqrt();
+    let size = norm(&mut orbit.start().iter().copied());
+    branch.period_cycles == orbit.period_cycles
+        && branch
+            .crossings(parameter)
+            .iter()
+            .any(|(state, _)| orbit.looks.iter().any(|look| norm(&mut look.iter().zip(state).map(|(a, b)| a - b)) < 0.03 * size))
+}

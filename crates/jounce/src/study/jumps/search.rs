@@ -1,0 +1,186 @@
+//! All curves of jumps that pass through three lines of the plane: both ends of the second range, and the spec's own value between.
+
+use super::curve::{JumpCurve, JumpPoint};
+use super::key_plane::KeyPlane;
+use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, Walk, passes, settle, tangent};
+use crate::orbit::{Condition, OrbitError, Plane, Shooting, Tracked, Tracking};
+use crate::spec::NumericKey;
+use crate::study::{Bifurcation, BranchKind, BranchSearch, Method, Parameter, Prepared, StudyError};
+
+/// A search to be made.
+#[derive(Debug)]
+pub struct JumpSearch<'s> {
+    /// The spec at its own values.
+    pub base: &'s Prepared,
+    /// First and second key.
+    pub keys: [&'s NumericKey; 2],
+    /// Their ranges.
+    pub ranges: [(f64, f64); 2],
+    /// Relative tolerance of the marches.
+    pub tolerance: f64,
+    /// Values across the first range at which orbits are sought by marching.
+    pub seeds: usize,
+    /// Longest period of a doubled branch, drive cycles.
+    pub longest_period: u32,
+}
+
+type Failure = OrbitError<StudyError>;
+
+/// Newton's goal beside the tolerance of the march. A critical multiplier is known less well than the orbit, and along its eigenvector
+/// a fold moves by that error over its curvature; the parameter moves by the square of it only.
+const RESOLUTION: f64 = 1e3;
+
+/// Most points of one curve.
+const MOST_POINTS: usize = 400;
+
+impl JumpSearch<'_> {
+    /// Finds and follows the curves.
+    ///
+    /// # Errors
+    /// [`OrbitError`].
+    pub fn run(&self) -> Result<Vec<JumpCurve>, Failure> {
+        let plane = KeyPlane { base: self.base, keys: self.keys, widths: self.ranges.map(|(low, high)| high - low) };
+        let (low, high) = self.ranges[1];
+        let own = self.keys[1].get(&self.base.spec).ok().filter(|own| *own > low && *own < high);
+        let mut curves: Vec<JumpCurve> = Vec::new();
+        for parameter_2 in own.into_iter().chain([low, high]) {
+            for (found, cycles) in self.bifurcations(&plane, parameter_2)? {
+                if !curves.iter().any(|curve| self.holds(curve, &found, cycles, parameter_2)) {
+                    curves.extend(self.both_ways(&plane, &found, cycles, parameter_2)?);
+                }
+            }
+        }
+        Ok(curves)
+    }
+
+    /// The bifurcations on one line, with the periods of their branches.
+    fn bifurcations(&self, plane: &KeyPlane, parameter_2: f64) -> Result<Vec<(Bifurcation, u32)>, Failure> {
+        let line = plane.line(parameter_2).map_err(OrbitError::Harvester)?;
+        let range = self.ranges[0];
+        let parameter = Parameter::new(&line.prepared, self.keys[0], range.1 - range.0);
+        let search = BranchSearch {
+            base: &line.prepared,
+            parameter: &parameter,
+            range,
+            method: Method::Shooting,
+            tolerance: self.tolerance,
+            seeds: self.seeds,
+            longest_period: self.longest_period,
+        };
+        let branches = search.run()?;
+        Ok(branches
+            .into_iter()
+            .flat_map(|branch| branch.bifurcations.into_iter().map(move |found| (found, branch.period_cycles)))
+            .collect())
+    }
+
+    /// True when a bifurcation lies on a curve already known.
+    fn holds(&self, curve: &JumpCurve, found: &Bifurcation, cycles: u32, parameter_2: f64) -> bool {
+        let (low, high) = self.ranges[0];
+        let near = |(parameter, power_w): &(f64, f64)| {
+            (parameter - found.at.parameter).abs() < 5e-3 * (high - low) && (power_w / found.at.orbit.mean_power_w - 1.0).abs() < 0.05
+        };
+        curve.kind == found.kind && curve.period_cycles == cycles && curve.crossings(parameter_2).iter().any(near)
+    }
+
+    fn both_ways(&self, plane: &KeyPlane, found: &Bifurcation, cycles: u32, parameter_2: f64) -> Result<Option<JumpCurve>, Failure> {
+        let condition = match found.kind {
+            BranchKind::Fold => Condition::Multiplier(1.0),
+            BranchKind::PeriodDoubling => Condition::Multiplier(-1.0),
+            BranchKind::Grazing => Condition::Touching,
+            BranchKind::NeimarkSacker | BranchKind::BranchPoint => return Ok(None),
+        };
+        let kernel = &self.base.kernel;
+        let start = found.at.orbit.start();
+        let size = start.iter().map(|u| u * u).sum::<f64>().sqrt();
+        let (low, high) = self.ranges[0];
+        let tracking = Tracking {
+            plane,
+            condition,
+            cycles,
+            tolerance: self.tolerance,
+            scale: Shooting::new(&plane.line(parameter_2).map_err(OrbitError::Harvester)?, kernel, cycles, self.tolerance).scale,
+            origin: found.at.parameter,
+            unit: (high - low) / (20.0 * size),
+        };
+        let corrector = Corrector { goal: (RESOLUTION * self.tolerance).clamp(1e-9, 1e-4), most: 12 };
+        let position = Position { unknown: tracking.unknown(start, found.at.parameter), parameter: parameter_2 };
+        let metric = Metric::at(&position, self.scale_2());
+        let mut ways = Vec::new();
+        for sign in [-1.0, 1.0] {
+            let Ok(first) = settle(&tracking, &corrector, &metric, position.clone()) else { return Ok(None) };
+            let up = Direction { unknown: vec![0.0; position.unknown.len()], parameter: sign };
+            let Some(ahead) = tangent(&first.local, &metric, &up) else { return Ok(None) };
+            ways.push(self.walk(&tracking, corrector, first, ahead, found.kind));
+        }
+        let up = ways.pop();
+        Ok(ways.pop().zip(up).map(|(down, up)| down.joined(up)))
+    }
+
+    fn walk(
+        &self,
+        tracking: &Tracking<KeyPlane>,
+        corrector: Corrector,
+        first: Corrected<Tracked>,
+        ahead: Direction,
+        kind: BranchKind,
+    ) -> JumpCurve {
+        let point = |position: &Position, local: &Tracked| JumpPoint {
+            parameter: tracking.parameter(&position.unknown),
+            parameter_2: position.parameter,
+            mean_power_w: local.shot.loads_w.iter().sum(),
+        };
+        let mut curve = JumpCurve { kind, period_cycles: tracking.cycles, points: Vec::new(), failures: Vec::new() };
+        curve.points.push(point(&first.position, &first.local));
+        let origin = first.position.clone();
+        let mut before = first.position.clone();
+        for step in Walk::new(tracking, corrector, StepControl::default(), self.scale_2(), first.position, ahead) {
+            let step = match step {
+                Ok(step) => step,
+                Err(error) => {
+                    curve.failures.push(error.to_string());
+                    break;
+                }
+            };
+            let (low, high) = self.ranges[1];
+            if step.position.parameter < low || step.position.parameter > high {
+                let edge = if step.position.parameter < low { low } else { high };
+                curve
+                    .points
+                    .extend(self.cut(tracking, corrector, &before, &step.position, edge).map(|found| point(&found.position, &found.local)));
+                break;
+            }
+            let here = point(&step.position, &step.local);
+            if here.parameter < self.ranges[0].0 || here.parameter > self.ranges[0].1 {
+                break;
+            }
+            curve.points.push(here);
+            let metric = Metric::at(&step.position, self.scale_2());
+            let closed = curve.points.len() > 4 && passes(&metric, &origin, &before, &step.position);
+            if closed || curve.points.len() >= MOST_POINTS {
+                break;
+            }
+            before = step.position;
+        }
+        curve
+    }
+
+    /// The point exactly on the edge of the second range.
+    fn cut<F: Family>(
+        &self,
+        family: &F,
+        corrector: Corrector,
+        before: &Position,
+        outside: &Position,
+        edge: f64,
+    ) -> Option<Corrected<F::Local>> {
+        let share = (edge - before.parameter) / (outside.parameter - before.parameter);
+        let mut guess = before.moved(&before.to(outside), share);
+        guess.parameter = edge;
+        settle(family, &corrector, &Metric::at(&guess, self.scale_2()), guess).ok()
+    }
+
+    fn scale_2(&self) -> f64 {
+        (self.ranges[1].1 - self.ranges[1].0) / 20.0
+    }
+}

@@ -1,0 +1,111 @@
+//! One numeric key of a spec as the parameter of a family of harvesters.
+//!
+//! What a drive, a gap or a stiffness changes is known in closed form: with `Y = (i w I - A)^-1 b F` the steady state,
+//!
+//! ```text
+//! dY / df = -2 pi i (i w I - A)^-1 Y,   dY / dF = Y / F,   d(penetration) / d(gap) = -1,   d(force) / dk = force / k
+//! ```
+
+use super::{Prepared, StudyError};
+use crate::contact::Law;
+use crate::march::{Drift, Kernel};
+use crate::orbit::{Change, Harvester, Setting};
+use crate::plant::Drive;
+use crate::spec::NumericKey;
+use faer::c64;
+use std::f64::consts::TAU;
+
+/// Harvesters over one key.
+#[derive(Debug)]
+pub struct Parameter<'s> {
+    base: &'s Prepared,
+    key: &'s NumericKey,
+    role: Role,
+    difference: f64,
+}
+
+/// What the key is to the equations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Role {
+    Frequency,
+    Amplitude,
+    Gap,
+    Stiffness,
+    Other,
+}
+
+impl<'s> Parameter<'s> {
+    /// The harvesters of a spec over a key; `width` is the range of interest.
+    pub fn new(base: &'s Prepared, key: &'s NumericKey, width: f64) -> Self {
+        let segments: Vec<&str> = key.path().split('.').collect();
+        let plain = matches!(base.kernel.plant.system.stops.first().map(|stop| stop.law), Some(Law::Hertz(_) | Law::HuntCrossley(_)));
+        let one_drive = base.kernel.plant.system.drives.len() == 1;
+        let one_stop = base.kernel.plant.system.stops.len() == 1;
+        let role = match segments[..] {
+            ["drive", _, "frequency"] if one_drive => Role::Frequency,
+            ["drive", _, "amplitude"] if one_drive => Role::Amplitude,
+            ["stop", _, "gap"] if one_stop => Role::Gap,
+            ["stop", _, "stiffness"] if one_stop && plain => Role::Stiffness,
+            _ => Role::Other,
+        };
+        Self { base, key, role, difference: 1e-7 * width }
+    }
+
+    /// The key.
+    pub fn key(&self) -> &NumericKey {
+        self.key
+    }
+
+    fn kernel(&self, parameter: f64) -> Result<Kernel, StudyError> {
+        let with_drive = |change: fn(&mut Drive, f64)| -> Result<Kernel, StudyError> {
+            let mut drives = self.base.kernel.plant.system.drives.clone();
+            drives.iter_mut().for_each(|drive| change(drive, parameter));
+            Ok(self.base.kernel.with_drives(drives)?)
+        };
+        match self.role {
+            Role::Frequency => with_drive(|drive, value| drive.frequency_hz = value),
+            Role::Amplitude => with_drive(|drive, value| drive.amplitude_n = value),
+            _ => {
+                let mut spec = self.base.spec.clone();
+                self.key.set(&mut spec, parameter)?;
+                Ok(self.base.changed(spec)?.kernel)
+            }
+        }
+    }
+
+    fn change(&self, kernel: &Kernel, parameter: f64) -> Option<Change> {
+        let plant = &kernel.plant;
+        let zero = vec![0.0; plant.len()];
+        let still = |drift: Drift| Change { drift, steady: zero.clone(), period_relative: 0.0 };
+        let tone = plant.tones.first()?;
+        let moved = |by: Vec<c64>, frequency: f64, period_relative: f64| {
+            let port = plant.ports.first().map(|port| port.displacement.iter().zip(&by).map(|(c, y)| *y * *c).sum());
+            let drift = Drift { tones: vec![(port.unwrap_or_default(), frequency)], ..Drift::default() };
+            Change { drift, steady: by.iter().map(|y| y.re).collect(), period_relative }
+        };
+        match self.role {
+            Role::Frequency => {
+                let resolved = plant.diagonal.block.resolve(c64::new(0.0, tone.angular_frequency_rad_s), &tone.steady);
+                Some(moved(resolved.into_iter().map(|y| y * c64::new(0.0, -TAU)).collect(), TAU, -1.0 / parameter))
+            }
+            Role::Amplitude if parameter != 0.0 => Some(moved(tone.steady.iter().map(|y| *y / parameter).collect(), 0.0, 0.0)),
+            Role::Gap => Some(still(Drift { gap_m: 1.0, ..Drift::default() })),
+            Role::Stiffness => Some(still(Drift { force_relative: 1.0 / parameter, ..Drift::default() })),
+            Role::Amplitude | Role::Other => None,
+        }
+    }
+}
+
+impl Harvester for Parameter<'_> {
+    type Error = StudyError;
+
+    fn at(&self, parameter: f64) -> Result<Setting, StudyError> {
+        let kernel = self.kernel(parameter)?;
+        let change = self.change(&kernel, parameter);
+        Ok(Setting { kernel, change })
+    }
+
+    fn difference(&self) -> f64 {
+        self.difference
+    }
+}

@@ -1,0 +1,165 @@
+//! The derivative of the flow against differences of the flow, its determinant and the closed form of the impact oscillator.
+
+use crate::plants::{bench, kernel};
+use jounce::contact::{Hertz, HuntCrossley, KelvinVoigt, Law};
+use jounce::march::{Drift, Kernel, Marcher, Variation};
+use jounce::plant::System;
+use jounce::reference::ImpactOscillator;
+
+/// A state after some contacts, and a stretch of one drive period from there.
+fn settled(kernel: &Kernel) -> (Vec<f64>, f64) {
+    let period_s = 1.0 / kernel.plant.system.drives[0].frequency_hz;
+    let y = kernel.plant.from_physical(&vec![0.0; kernel.plant.len()], 0.0);
+    let mut marcher = Marcher::new(kernel, &y, 0.0, 1e-11).unwrap();
+    marcher.advance_to(30.0 * period_s).unwrap();
+    (marcher.state(), period_s)
+}
+
+/// Start of the march of every check: a whole number of periods is time 0 again.
+const START_S: f64 = 0.0;
+
+fn end(kernel: &Kernel, y: &[f64], duration_s: f64) -> Vec<f64> {
+    let mut marcher = Marcher::new(kernel, y, START_S, 1e-13).unwrap();
+    marcher.advance_to(START_S + duration_s).unwrap();
+    marcher.state()
+}
+
+fn with_law(mut system: System, law: Law) -> System {
+    system.stops[0].law = law;
+    system
+}
+
+/// Largest error of the jacobian against central differences, relative to its largest entry.
+fn error(kernel: &Kernel, y: &[f64], duration_s: f64) -> f64 {
+    let found = Variation::march(kernel, y, START_S, duration_s, 1e-12, &Drift::default()).unwrap();
+    assert!(found.statistics.contacts > 0, "the check needs a contact");
+    let size = y.iter().fold(0.0_f64, |max, v| max.max(v.abs()));
+    let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
+    for j in 0..y.len() {
+        let step = 1e-5 * size;
+        let moved = |sign: f64| {
+            let mut y = y.to_vec();
+            y[j] += sign * step;
+            end(kernel, &y, duration_s)
+        };
+        let (plus, minus) = (moved(1.0), moved(-1.0));
+        for i in 0..y.len() {
+            let difference = (plus[i] - minus[i]) / (2.0 * step);
+            worst = worst.max((difference - found.jacobian[(i, j)]).abs());
+            largest = largest.max(difference.abs());
+        }
+    }
+    worst / largest
+}
+
+#[test]
+fn jacobian_is_the_difference_of_flows_for_every_law() {
+    let hertz = Hertz { stiffness: 1000.0, exponent: 1.5 };
+    for (name, law) in [
+        ("hertz", Law::Hertz(hertz)),
+        ("spring", Law::Hertz(Hertz { stiffness: 100.0, exponent: 1.0 })),
+        ("kelvin-voigt", Law::KelvinVoigt(KelvinVoigt { stiffness_n_m: 100.0, damping_n_s_m: 0.1 })),
+        ("hunt-crossley", Law::HuntCrossley(HuntCrossley { elastic: hertz, damping_s_m: 0.3 })),
+    ] {
+        let kernel = kernel(with_law(bench(50.0, 11.0), law));
+        let (y, period_s) = settled(&kernel);
+        let found = error(&kernel, &y, period_s);
+        eprintln!("{name}: {found:.1e}");
+        assert!(found < 1e-5, "{name}: {found:e}");
+    }
+}
+
+/// One mode bounces cleanly off a rigid stop, where many chatter.
+#[test]
+fn jacobian_is_the_difference_of_flows_for_a_rigid_stop() {
+    let oscillator = ImpactOscillator { frequency_ratio: 0.8, damping_ratio: 0.05, restitution: 0.8, gap: 0.5 };
+    let kernel = kernel(oscillator.system(0.0));
+    let (y, period_s) = settled(&kernel);
+    let found = error(&kernel, &y, period_s);
+    eprintln!("rigid: {found:.1e}");
+    assert!(found < 1e-6, "{found:e}");
+}
+
+/// An elastic contact changes no volume: the determinant of a period is that of the linear plant, `exp(T trace A)`.
+#[test]
+fn determinant_is_that_of_the_plant() {
+    let kernel = kernel(bench(50.0, 11.0));
+    let (y, period_s) = settled(&kernel);
+    let found = Variation::march(&kernel, &y, START_S, period_s, 1e-12, &Drift::default()).unwrap();
+    let trace: f64 = kernel.plant.diagonal.block.eigenvalues().iter().map(|value| value.re).sum();
+    let error = found.jacobian.determinant() / (trace * period_s).exp() - 1.0;
+    eprintln!("determinant: {error:.1e}");
+    assert!(error.abs() < 1e-6, "{error:e}");
+}
+
+/// Trace and determinant of the period map of the impact oscillator.
+#[test]
+fn rigid_impact_has_the_multipliers_of_the_closed_form() {
+    for (frequency_ratio, damping_ratio, gap) in [(0.8, 0.05, 0.5), (2.0, 1e-6, 0.0)] {
+        let oscillator = ImpactOscillator { frequency_ratio, damping_ratio, restitution: 0.8, gap };
+        let orbit = oscillator.orbits(1)[0];
+        let kernel = kernel(oscillator.system(orbit.angle_rad));
+        let period_s = std::f64::consts::TAU / frequency_ratio;
+        let mut marcher = Marcher::new(&kernel, &kernel.plant.from_physical(&oscillator.start(&orbit), 0.0), 0.0, 1e-13).unwrap();
+        marcher.advance_to(0.4 * period_s).unwrap();
+        let found = Variation::march(&kernel, &marcher.state(), 0.4 * period_s, period_s, 1e-13, &Drift::default()).unwrap();
+        let [trace, determinant] = orbit.trace_determinant;
+        let errors = [found.jacobian[(0, 0)] + found.jacobian[(1, 1)] - trace, found.jacobian.determinant() - determinant];
+        eprintln!("w = {frequency_ratio}: errors {errors:?}");
+        assert!(errors[0].abs() < 1e-9 && errors[1].abs() < 1e-9, "{errors:?}");
+    }
+}
+
+/// Gap, stiffness and drive as parameters, against differences of flows of changed systems.
+#[test]
+fn drift_is_the_difference_of_flows_of_changed_systems() {
+    let base = bench(50.0, 11.0);
+    let at = kernel(base.clone());
+    let (y, period_s) = settled(&at);
+    let changed = |change: &dyn Fn(&mut System, f64), step: f64| -> Vec<f64> {
+        let moved = |sign: f64| {
+            let mut system = base.clone();
+            change(&mut system, sign * step);
+            end(&kernel(system), &y, period_s)
+        };
+        moved(1.0).iter().zip(moved(-1.0)).map(|(plus, minus)| (plus - minus) / (2.0 * step)).collect()
+    };
+    let w = at.plant.tones[0].angular_frequency_rad_s;
+    let steady = at.plant.ports[0].steady_m[0];
+    let shaken = |step: f64| {
+        let mut drives = base.drives.clone();
+        drives[0].frequency_hz += step;
+        at.plant.with_drives(drives).unwrap().ports[0].steady_m[0]
+    };
+    let by_frequency = (shaken(1e-6) - shaken(-1e-6)) / 2e-6;
+    type Change = Box<dyn Fn(&mut System, f64)>;
+    let cases: [(&str, Change, f64, Drift); 4] = [
+        ("gap", Box::new(|system, d| system.stops[0].gap_m += d), 1e-8, Drift { gap_m: 1.0, ..Drift::default() }),
+        (
+            "stiffness",
+            Box::new(|system, d| system.stops[0].law = Law::Hertz(Hertz { stiffness: 1000.0 + d, exponent: 1.5 })),
+            1e-2,
+            Drift { force_relative: 1e-3, ..Drift::default() },
+        ),
+        (
+            "amplitude",
+            Box::new(|system, d| system.drives[0].amplitude_n += d),
+            1e-3,
+            Drift { tones: vec![(steady / 50.0, 0.0)], ..Drift::default() },
+        ),
+        (
+            "frequency",
+            Box::new(|system, d| system.drives[0].frequency_hz += d),
+            1e-6,
+            Drift { tones: vec![(by_frequency, w / 11.0)], ..Drift::default() },
+        ),
+    ];
+    for (name, change, step, drift) in cases {
+        let expected = changed(&change, step);
+        let found = Variation::march(&at, &y, START_S, period_s, 1e-12, &drift).unwrap().drift;
+        let size = expected.iter().fold(0.0_f64, |max, v| max.max(v.abs()));
+        let error = expected.iter().zip(&found).fold(0.0_f64, |max, (a, b)| max.max((a - b).abs())) / size;
+        eprintln!("{name}: {error:.1e}");
+        assert!(error < 1e-5, "{name}: {error:e}");
+    }
+}

@@ -1,0 +1,151 @@
+//! Hard cases, each with its clear outcome.
+
+use crate::harvesters::{bench, branches};
+use jounce::continuation::Family;
+use jounce::orbit::{Harvester, OrbitError, Shooting};
+use jounce::plant::PlantError;
+use jounce::reference::ImpactOscillator;
+use jounce::run::{RunPlan, StartState, simulate};
+use jounce::spec::SpecFile;
+use jounce::study::{Branch, BranchKind, BranchSearch, Ending, Method, Parameter, Prepared, StudyError};
+
+fn with(changes: &[(&str, &str)]) -> SpecFile {
+    let mut file = bench();
+    changes.iter().for_each(|(key, value)| file.set(key, value).unwrap());
+    file
+}
+
+fn over(file: &SpecFile, key: &str, range: (f64, f64), tolerance: f64) -> Result<Vec<Branch>, OrbitError<StudyError>> {
+    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let key = file.numeric_key(key).unwrap();
+    let parameter = Parameter::new(&base, &key, range.1 - range.0);
+    BranchSearch { base: &base, parameter: &parameter, range, method: Method::Shooting, tolerance, seeds: 0, longest_period: 1 }.run()
+}
+
+/// A stop that touches at rest, and one that is pressed at rest: the first point is what a long march settles on.
+#[test]
+fn closed_and_preloaded_gaps_are_marched_to_the_same_power() {
+    for gap in ["\"0 mm\"", "\"-0.2 mm\""] {
+        let file = with(&[("stop.tip.gap", gap), ("drive.shaker.frequency", "\"13 Hz\"")]);
+        let found = branches(&file, (13.0, 14.0), Method::Shooting, 0);
+        let first = found.iter().flat_map(|branch| &branch.points).find(|point| point.parameter == 13.0).unwrap();
+        let kernel = Prepared::new(file.spec().unwrap()).unwrap().kernel;
+        let plan = RunPlan { duration_s: 400.0, average_over_s: 13.0, tolerance: 1e-9, record_s: 0.0 };
+        let marched = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
+        eprintln!("gap {gap}: {:.9e} W, marched {:.9e} W", first.orbit.mean_power_w, marched.mean_power_w);
+        assert!((first.orbit.mean_power_w / marched.mean_power_w - 1.0).abs() < 1e-5 && first.orbit.contacts > 0);
+    }
+}
+
+/// A stop out of reach leaves the linear answer, stable everywhere.
+#[test]
+fn a_stop_that_is_never_met_leaves_the_linear_answer() {
+    let file = with(&[("stop.tip.gap", "\"500 mm\"")]);
+    let found = branches(&file, (10.5, 14.0), Method::Shooting, 0);
+    assert!(found.len() == 1 && found[0].bifurcations.is_empty() && found[0].endings == [Ending::Range]);
+    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    for point in &found[0].points {
+        let mut drives = base.kernel.plant.system.drives.clone();
+        drives[0].frequency_hz = point.parameter;
+        let plant = base.kernel.plant.with_drives(drives).unwrap();
+        let voltage: f64 = plant.steady_output(&plant.voltage_row(0)).iter().map(|v| v.norm()).sum();
+        let exact_w = 0.5 * voltage * voltage / plant.system.loads[0].resistance_ohm;
+        assert!((point.orbit.mean_power_w / exact_w - 1.0).abs() < 1e-7 && point.orbit.is_stable() && point.orbit.contacts == 0);
+    }
+}
+
+/// The walk starts exactly where the orbit touches the stop.
+#[test]
+fn grazing_at_the_start_is_an_ordinary_start() {
+    let first = branches(&bench(), (12.5, 14.0), Method::Shooting, 0);
+    let grazing = first.iter().flat_map(|branch| &branch.bifurcations).find(|found| found.kind == BranchKind::Grazing).unwrap();
+    let start_hz = grazing.at.parameter;
+    let found = branches(&bench(), (start_hz, 14.0), Method::Shooting, 0);
+    let goes_on = |branch: &Branch| {
+        let first = &branch.points[0];
+        let same = (first.orbit.mean_power_w / grazing.at.orbit.mean_power_w - 1.0).abs() < 1e-6;
+        first.parameter == start_hz && same && branch.endings == [Ending::Range]
+    };
+    eprintln!("{:?}", found.iter().map(|branch| (branch.period_cycles, &branch.endings)).collect::<Vec<_>>());
+    assert!(found.iter().any(goes_on));
+}
+
+#[test]
+fn resonance_without_damping_says_so() {
+    let undamped = |frequency_ratio: f64| ImpactOscillator { frequency_ratio, damping_ratio: 0.0, restitution: 0.8, gap: 1.0 }.system(0.0);
+    let harvester = crate::harvesters::Systems(undamped);
+    let kernel = harvester.at(0.5).unwrap().kernel;
+    let shooting = Shooting::new(&harvester, &kernel, 1, 1e-9);
+    let refused = shooting.at(&[0.0, 0.0], 1.0).unwrap_err();
+    assert!(matches!(refused, OrbitError::Harvester(PlantError::UndampedResonance { .. })), "{refused}");
+    assert!(refused.to_string().contains("damping"), "{refused}");
+}
+
+/// A stop like rock: the branch turns at its grazing more sharply than any step can follow, and says so.
+#[test]
+fn a_stop_of_1e10_ends_the_low_branch_at_its_grazing() {
+    let file = with(&[("stop.tip.stiffness", "\"1e10 N/m^1.5\"")]);
+    let found = branches(&file, (13.0, 14.0), Method::Shooting, 0);
+    let grazes = |branch: &Branch| {
+        branch.endings.iter().any(|ending| matches!(ending, Ending::Grazing { parameter, .. } if (parameter - 13.340_123).abs() < 1e-5))
+    };
+    eprintln!("{:?}", found.iter().map(|branch| &branch.endings).collect::<Vec<_>>());
+    assert!(found.iter().any(grazes));
+}
+
+/// Tighter than numbers can be: an answer with the error it has, or none, but no endless search.
+#[test]
+fn a_tolerance_out_of_reach_ends() {
+    match over(&bench(), "drive.shaker.frequency", (10.5, 10.6), 1e-17) {
+        Ok(found) => {
+            let worst = found.iter().flat_map(|branch| &branch.points).map(|point| point.orbit.error_estimate).fold(0.0, f64::max);
+            eprintln!("{} branches, error estimate {worst:e}", found.len());
+            assert!(worst < 1e-6);
+        }
+        Err(refused) => eprintln!("{refused}"),
+    }
+}
+
+#[test]
+fn without_a_drive_there_is_no_orbit() {
+    let file = with(&[("drive.shaker.amplitude", "\"0 N\"")]);
+    let mut spec = file.spec().unwrap();
+    spec.drive.clear();
+    let base = Prepared::new(spec).unwrap();
+    let key = file.numeric_key("stop.tip.gap").unwrap();
+    let parameter = Parameter::new(&base, &key, 1e-3);
+    let search = BranchSearch {
+        base: &base,
+        parameter: &parameter,
+        range: (5e-4, 1e-3),
+        method: Method::Shooting,
+        tolerance: 1e-9,
+        seeds: 0,
+        longest_period: 1,
+    };
+    let refused = search.run().unwrap_err();
+    assert!(matches!(refused, OrbitError::Frequencies { frequencies: 0 }), "{refused}");
+}
+
+/// Any numeric key will do: the orbit at the spec's own value is the same, whichever key leads through it.
+#[test]
+fn every_kind_of_key_leads_through_the_same_orbit() {
+    let file = bench();
+    let spec = file.spec().unwrap();
+    let mut powers = Vec::new();
+    for name in [
+        "drive.shaker.frequency",
+        "drive.shaker.amplitude",
+        "stop.tip.gap",
+        "stop.tip.stiffness",
+        "circuit.load.resistance",
+        "modal.harvester.patch.mfc.capacitance",
+    ] {
+        let own = file.numeric_key(name).unwrap().get(&spec).unwrap();
+        let found = over(&file, name, (own, 1.02 * own), 1e-10).unwrap();
+        let first = found[0].points.iter().find(|point| point.parameter == own).unwrap();
+        eprintln!("{name}: {:.10e} W", first.orbit.mean_power_w);
+        powers.push(first.orbit.mean_power_w);
+    }
+    assert!(powers.iter().all(|power_w| (power_w / powers[0] - 1.0).abs() < 1e-8), "{powers:?}");
+}

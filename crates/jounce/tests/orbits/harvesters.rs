@@ -1,0 +1,45 @@
+//! Harvesters and searches that several tests share.
+
+use jounce::march::Kernel;
+use jounce::orbit::{Harvester, Setting};
+use jounce::plant::{Plant, PlantError, System};
+use jounce::spec::SpecFile;
+use jounce::study::{Branch, BranchSearch, Method, Parameter, Prepared};
+
+/// Systems over any parameter, by a function; derivatives by differences.
+pub struct Systems<F>(pub F);
+
+impl<F: Fn(f64) -> System + Sync> Harvester for Systems<F> {
+    type Error = PlantError;
+
+    fn at(&self, parameter: f64) -> Result<Setting, PlantError> {
+        Ok(Setting { kernel: Kernel::new(Plant::new((self.0)(parameter))?)?, change: None })
+    }
+
+    fn difference(&self) -> f64 {
+        1e-7
+    }
+}
+
+/// The plant of the paper that stands beside the repository, where it does.
+pub fn paper() -> Option<SpecFile> {
+    let path = std::path::PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/plant/paper-plant.toml");
+    let file = SpecFile::read(&path).ok();
+    if file.is_none() {
+        eprintln!("SKIPPED: ../shared/plant/paper-plant.toml is not beside the repository");
+    }
+    file
+}
+
+/// `bench/plant.toml`: the paper's harvester by eight modes.
+pub fn bench() -> SpecFile {
+    SpecFile::from_text(include_str!("../../../../bench/plant.toml"))
+}
+
+/// Branches over the frequency of the shaker.
+pub fn branches(file: &SpecFile, range: (f64, f64), method: Method, seeds: usize) -> Vec<Branch> {
+    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let key = file.numeric_key("drive.shaker.frequency").unwrap();
+    let parameter = Parameter::new(&base, &key, range.1 - range.0);
+    BranchSearch { base: &base, parameter: &parameter, range, method, tolerance: 1e-10, seeds, longest_period: 1 }.run().unwrap()
+}

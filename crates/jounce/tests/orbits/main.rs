@@ -1,0 +1,11 @@
+//! Periodic orbits and their branches against published numbers, closed forms, marches, and one method against the other.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod balance;
+mod basins;
+mod closed_forms;
+mod hard_cases;
+mod harvesters;
+mod paper;
+mod sweeps;
+mod tracking;

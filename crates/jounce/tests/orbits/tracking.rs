@@ -1,0 +1,124 @@
+//! Bifurcations through two parameters: closed forms, and the same places found along one parameter.
+
+use crate::harvesters::{Systems, bench, branches};
+use jounce::continuation::{Corrector, Metric, Position, settle};
+use jounce::march::Marcher;
+use jounce::orbit::{Condition, Harvester, Plane, Shooting, Tracking};
+use jounce::plant::{PlantError, System};
+use jounce::reference::ImpactOscillator;
+use jounce::study::{BranchKind, JumpSearch, Method, Prepared};
+use std::f64::consts::TAU;
+
+const CORRECTOR: Corrector = Corrector { goal: 1e-10, most: 20 };
+
+fn oscillator(gap: f64, frequency_ratio: f64) -> ImpactOscillator {
+    ImpactOscillator { frequency_ratio, damping_ratio: 0.05, restitution: 0.8, gap }
+}
+
+/// Gap against frequency ratio; the drive starts away from the impact.
+struct Gaps {
+    angle_rad: f64,
+}
+
+impl Plane for Gaps {
+    type Line = Systems<Box<dyn Fn(f64) -> System + Sync>>;
+
+    fn line(&self, frequency_ratio: f64) -> Result<Self::Line, PlantError> {
+        let angle_rad = self.angle_rad;
+        Ok(Systems(Box::new(move |gap| oscillator(gap, frequency_ratio).system(angle_rad))))
+    }
+
+    fn differences(&self) -> [f64; 2] {
+        [1e-6, 1e-6]
+    }
+}
+
+/// Gap of the doubling in closed form: `1 + trace + determinant = 0`.
+fn doubling_gap(frequency_ratio: f64) -> f64 {
+    let past = |gap: f64| {
+        let [trace, determinant] = oscillator(gap, frequency_ratio).orbits(1).pop().unwrap().trace_determinant;
+        1.0 + trace + determinant
+    };
+    let (mut low, mut high) = (0.6, 2.2);
+    assert!(past(low) * past(high) < 0.0, "{} {}", past(low), past(high));
+    for _ in 0..80 {
+        let middle = 0.5 * (low + high);
+        if past(low) * past(middle) > 0.0 { low = middle } else { high = middle }
+    }
+    low
+}
+
+#[test]
+fn doublings_of_the_impact_oscillator_are_those_of_the_closed_form() {
+    let ratio = 0.8;
+    let gap = doubling_gap(ratio);
+    let reference = oscillator(gap, ratio);
+    let exact = reference.orbits(1).pop().unwrap();
+    let plane = Gaps { angle_rad: exact.angle_rad + TAU / 3.0 };
+    let line = plane.line(ratio).unwrap();
+    let kernel = line.at(gap).unwrap().kernel;
+    let shooting = Shooting::new(&line, &kernel, 1, 1e-12);
+    let start_s = (exact.angle_rad - plane.angle_rad).rem_euclid(TAU) / ratio;
+    let y = kernel.plant.from_physical(&reference.start(&exact), start_s);
+    let mut marcher = Marcher::new(&kernel, &y, start_s, 1e-12).unwrap();
+    marcher.advance_to(TAU / ratio).unwrap();
+    let start = shooting.unknown(&kernel.plant.to_physical(&marcher.state(), 0.0));
+    let tracking = Tracking {
+        plane: &plane,
+        condition: Condition::Multiplier(-1.0),
+        cycles: 1,
+        tolerance: 1e-12,
+        scale: shooting.scale.clone(),
+        origin: gap,
+        unit: 1.0,
+    };
+    for (ratio, expected) in [(ratio, gap), (0.805, doubling_gap(0.805))] {
+        let position = Position { unknown: tracking.unknown(&start, 1.01 * gap), parameter: ratio };
+        let found = settle(&tracking, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
+        let there = tracking.parameter(&found.position.unknown);
+        eprintln!("w = {ratio}: gap {there:.12}, closed form {expected:.12}");
+        assert!((there / expected - 1.0).abs() < 1e-8, "{there} {expected}");
+    }
+}
+
+#[test]
+fn folds_and_grazings_over_the_amplitude_are_those_along_the_frequency() {
+    let file = bench();
+    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let keys = ["drive.shaker.frequency", "drive.shaker.amplitude"].map(|key| file.numeric_key(key).unwrap());
+    let search = JumpSearch {
+        base: &base,
+        keys: [&keys[0], &keys[1]],
+        ranges: [(11.0, 14.5), (45.0, 55.0)],
+        tolerance: 1e-10,
+        seeds: 0,
+        longest_period: 1,
+    };
+    let curves = search.run().unwrap();
+    for curve in &curves {
+        eprintln!("{:?}: {} points, {:?}", curve.kind, curve.points.len(), curve.failures);
+    }
+    // Both ends of the range are points of the curves, to full accuracy.
+    for amplitude_n in [45.0, 55.0] {
+        let mut changed = bench();
+        changed.set("drive.shaker.amplitude", &format!("\"{amplitude_n} N\"")).unwrap();
+        let along = branches(&changed, (11.0, 14.5), Method::Shooting, 0);
+        let wanted = along.iter().flat_map(|branch| &branch.bifurcations);
+        for found in wanted.filter(|found| [BranchKind::Fold, BranchKind::Grazing].contains(&found.kind)) {
+            let same = curves.iter().filter(|curve| curve.kind == found.kind).flat_map(|curve| &curve.points);
+            let distance = (same.filter(|point| point.parameter_2 == amplitude_n))
+                .map(|point| (point.parameter - found.at.parameter).abs())
+                .fold(f64::INFINITY, f64::min);
+            eprintln!("{:?} at {amplitude_n} N, {:.6} Hz: {distance:.1e} Hz away", found.kind, found.at.parameter);
+            assert!(distance < 1e-6, "{:?}: {distance:e}", found.kind);
+        }
+    }
+    // The low branch grazes where the steady amplitude is the gap.
+    let grazing = curves.iter().find(|curve| curve.kind == BranchKind::Grazing).unwrap();
+    for point in &grazing.points {
+        let mut drives = base.kernel.plant.system.drives.clone();
+        (drives[0].frequency_hz, drives[0].amplitude_n) = (point.parameter, point.parameter_2);
+        let amplitude_m = base.kernel.plant.with_drives(drives).unwrap().ports[0].steady_m[0].norm();
+        assert!((amplitude_m / 1e-3 - 1.0).abs() < 1e-6, "{point:?}: {amplitude_m}");
+    }
+}
