@@ -4,7 +4,7 @@
 //! x(s) = x0 + h10 L t0 + h01 (x1 - x0) + h11 L t1,   h of s / L (Hermite),   s = 0 .. L on the stretch, beyond it ahead
 //! ```
 //!
-//! One step ahead its error is `L^4 / 6` of the fourth derivative, where the tangent alone leaves `L^2 / 2` of the second.
+//! One step ahead its distance to the curve is of the fourth order in `L`, where the tangent alone leaves the second order.
 
 use super::{Direction, Metric, Position};
 
@@ -66,6 +66,7 @@ mod tests {
             (ahead.unknown[0].hypot(ahead.parameter) - 1.0).abs()
         };
         let (coarse, fine) = (error(0.2), error(0.1));
-        assert!(fine < 2e-5 && coarse / fine > 14.0, "{coarse:e} {fine:e}");
+        // L^4 / 6 by the remainder of the cubic, and as much again twice because L is the chord and not the arc.
+        assert!(fine < 0.5e-4 && coarse / fine > 14.0, "{coarse:e} {fine:e}");
     }
 }
