@@ -38,8 +38,8 @@ pub struct Branch {
     /// Values between the ends of the range at which orbits are sought by marching, for branches that stand alone.
     #[arg(long, default_value_t = 12)]
     seeds: usize,
-    /// Longest period, in drive cycles, of a branch that is entered where another one doubles.
-    #[arg(long, default_value_t = 4)]
+    /// Longest period of a branch, in drive cycles.
+    #[arg(long, default_value_t = 12)]
     longest_period: u32,
     #[command(flatten)]
     pub output: OutputArguments,

@@ -27,7 +27,7 @@ pub struct Jumps {
     /// Values between the ends of the first range at which orbits are sought by marching, for branches that stand alone.
     #[arg(long, default_value_t = 4)]
     seeds: usize,
-    /// Longest period, in drive cycles, of a branch that is entered where another one doubles.
+    /// Longest period of a branch, in drive cycles.
     #[arg(long, default_value_t = 2)]
     longest_period: u32,
     #[command(flatten)]

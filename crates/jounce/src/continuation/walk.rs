@@ -16,6 +16,15 @@ pub struct Step<L> {
     pub error: f64,
 }
 
+/// Where a walk stood, to go back to.
+#[derive(Debug, Clone)]
+pub struct Mark {
+    position: Position,
+    tangent: Direction,
+    behind: Option<Stretch>,
+    length: f64,
+}
+
 /// A walk along a curve. All of its state is visible.
 #[derive(Debug)]
 pub struct Walk<'f, F: Family> {
@@ -62,6 +71,19 @@ impl<'f, F: Family> Walk<'f, F> {
             points: 0,
             ended: false,
         }
+    }
+
+    /// Where the walk stands now.
+    pub fn mark(&self) -> Mark {
+        let Self { position, tangent, behind, length, .. } = self;
+        Mark { position: position.clone(), tangent: tangent.clone(), behind: behind.clone(), length: *length }
+    }
+
+    /// Goes back to a mark, to try a shorter step from there; false when the step would be too short.
+    pub fn retreat(&mut self, mark: Mark) -> bool {
+        (self.position, self.tangent, self.behind) = (mark.position, mark.tangent, mark.behind);
+        self.length = self.control.shorter(mark.length.min(self.length));
+        self.length > self.control.shortest
     }
 
     fn advance(&mut self) -> Result<Step<F::Local>, WalkError<F::Error>> {

@@ -2,6 +2,9 @@
 
 use faer::{Mat, c64};
 
+/// Distance beside their size below which two states of an orbit are one.
+const SAME: f64 = 1e-5;
+
 /// A periodic orbit as a result.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Orbit {
@@ -43,6 +46,14 @@ impl Orbit {
     pub fn halves_apart(&self) -> Option<Vec<f64>> {
         let half = self.period_cycles as usize / 2;
         (self.period_cycles.is_multiple_of(2)).then(|| self.looks[half].iter().zip(&self.looks[0]).map(|(a, b)| a - b).collect())
+    }
+
+    /// True when the orbit is one of fewer cycles, gone through several times.
+    pub fn repeats_early(&self) -> bool {
+        let size = self.start().iter().map(|u| u * u).sum::<f64>();
+        let apart = |look: &[f64]| look.iter().zip(self.start()).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
+        let cycles = self.period_cycles as usize;
+        (1..cycles).any(|shorter| cycles.is_multiple_of(shorter) && apart(&self.looks[shorter]) < SAME * SAME * size)
     }
 
     /// `det(M - s I)` up to a positive factor, for `s` of modulus one.

@@ -36,10 +36,15 @@ pub fn bench() -> SpecFile {
     SpecFile::from_text(include_str!("../../../../bench/plant.toml"))
 }
 
-/// Branches over the frequency of the shaker.
+/// Branches of one drive cycle over the frequency of the shaker.
 pub fn branches(file: &SpecFile, range: (f64, f64), method: Method, seeds: usize) -> Vec<Branch> {
+    branches_of(file, range, method, seeds, 1)
+}
+
+/// Branches of several drive cycles.
+pub fn branches_of(file: &SpecFile, range: (f64, f64), method: Method, seeds: usize, longest_period: u32) -> Vec<Branch> {
     let base = Prepared::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
-    BranchSearch { base: &base, parameter: &parameter, range, method, tolerance: 1e-10, seeds, longest_period: 1 }.run().unwrap()
+    BranchSearch { base: &base, parameter: &parameter, range, method, tolerance: 1e-10, seeds, longest_period }.run().unwrap()
 }

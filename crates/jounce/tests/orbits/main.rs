@@ -6,6 +6,7 @@ mod basins;
 mod closed_forms;
 mod hard_cases;
 mod harvesters;
+mod isolated;
 mod paper;
 mod sweeps;
 mod tracking;

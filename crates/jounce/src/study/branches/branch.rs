@@ -3,6 +3,9 @@
 use crate::orbit::Orbit;
 use serde::Serialize;
 
+/// Distance beside its size below which an orbit lies on a branch whose states are read between its points.
+const NEAR: f64 = 0.03;
+
 /// A curve of periodic orbits.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Branch {
@@ -58,7 +61,7 @@ pub enum Ending {
     Range,
     /// It came back to its own start.
     Closed,
-    /// A doubled branch came back to the branch that it left.
+    /// It came to a branch of a shorter period, as a doubled one does where it began.
     Merged,
     /// After as many points as were allowed.
     Points,
@@ -106,6 +109,15 @@ impl Branch {
             found.push((state, a.orbit.mean_power_w + t * (b.orbit.mean_power_w - a.orbit.mean_power_w)));
         }
         found
+    }
+
+    /// True when an orbit lies on the branch, at whichever of its drive cycles it is looked at.
+    pub(super) fn holds(&self, orbit: &Orbit, parameter: f64) -> bool {
+        let norm = |values: &mut dyn Iterator<Item = f64>| values.map(|v| v * v).sum::<f64>().sqrt();
+        let size = norm(&mut orbit.start().iter().copied());
+        let near = |state: &[f64], look: &[f64]| norm(&mut look.iter().zip(state).map(|(a, b)| a - b)) < NEAR * size;
+        let crossings = self.crossings(parameter);
+        self.period_cycles == orbit.period_cycles && crossings.iter().any(|(state, _)| orbit.looks.iter().any(|look| near(state, look)))
     }
 
     /// Joins a walk in the other direction from the same first point.

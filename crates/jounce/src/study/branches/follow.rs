@@ -47,12 +47,14 @@ impl Following {
         let mut branch = Branch { period_cycles: method.cycles(), ..Branch::default() };
         let metric = Metric::at(&first.position, self.parameter_scale());
         let tangent = metric.unit(direction);
+        let sense = tangent.parameter;
         let start = Step { position: first.position.clone(), tangent: tangent.clone(), local: first.local, error: first.error };
         let mut before = Place::new(method, start)?;
-        let origin = before.step.position.clone();
+        let origins = origins(method, &before.point)?;
         branch.points.push(before.point.clone());
-        let walk = Walk::new(method, self.corrector, self.control, self.parameter_scale(), first.position, tangent);
-        for next in walk {
+        let mut walk = Walk::new(method, self.corrector, self.control, self.parameter_scale(), first.position, tangent);
+        let mut mark = walk.mark();
+        while let Some(next) = walk.next() {
             let step = match next {
                 Ok(step) => step,
                 // Beyond the range a key may have no meaning at all.
@@ -67,15 +69,25 @@ impl Following {
                 return Ok(branch);
             }
             let after = Place::new(method, step)?;
-            for after in self.refined(method, &before, after)? {
+            let places = self.refined(method, &before, after)?;
+            if places.iter().any(|place| place.point.orbit.repeats_early()) {
+                // Newton may have strayed to an orbit of fewer cycles; if a short step gets there too, the branch ends on it.
+                if walk.retreat(mark.clone()) {
+                    continue;
+                }
+                branch.endings.push(Ending::Merged);
+                return Ok(branch);
+            }
+            for after in places {
                 branch.bifurcations.extend(self.between(method, &before, &after)?);
                 branch.points.push(after.point.clone());
-                if let Some(ending) = self.ending(&origin, &before, &after, branch.points.len()) {
+                if let Some(ending) = self.ending((&origins, sense), &before, &after, branch.points.len()) {
                     branch.endings.push(ending);
                     return Ok(branch);
                 }
                 before = after;
             }
+            mark = walk.mark();
         }
         Ok(branch)
     }
@@ -111,9 +123,18 @@ impl Following {
         Ok(())
     }
 
-    fn ending<M: OrbitMethod>(&self, origin: &Position, before: &Place<M>, after: &Place<M>, points: usize) -> Option<Ending> {
+    fn ending<M: OrbitMethod>(
+        &self,
+        (origins, sense): (&[Position], f64),
+        before: &Place<M>,
+        after: &Place<M>,
+        points: usize,
+    ) -> Option<Ending> {
         let metric = Metric::at(&after.step.position, self.parameter_scale());
-        if points > 4 && passes(&metric, origin, &before.step.position, &after.step.position) {
+        // Another sheet of the curve may pass near by, in the other sense.
+        let goes_alike = sense * after.step.tangent.parameter > 0.0;
+        let closes = |origin| passes(&metric, origin, &before.step.position, &after.step.position);
+        if points > 4 && goes_alike && origins.iter().any(closes) {
             return Some(Ending::Closed);
         }
         // The halves of a doubled orbit pass through each other where it merges with the branch that it left.
@@ -165,6 +186,13 @@ impl Following {
         found.sort_by(|x, y| if forward { x.at.parameter.total_cmp(&y.at.parameter) } else { y.at.parameter.total_cmp(&x.at.parameter) });
         Ok(found)
     }
+}
+
+/// The first orbit of a walk, looked at in each of its drive cycles: a branch closes where it comes back to any of them.
+fn origins<M: OrbitMethod>(method: &M, first: &BranchPoint) -> Result<Vec<Position>, M::Error> {
+    let cycles = first.orbit.period_cycles as usize;
+    let looks = first.orbit.looks.iter().take(cycles);
+    looks.map(|look| Ok(Position { unknown: method.unknown_of(look, first.parameter)?, parameter: first.parameter })).collect()
 }
 
 fn point<M: OrbitMethod>(method: &M, step: &Step<M::Local>) -> Result<BranchPoint, M::Error> {

@@ -5,7 +5,7 @@
 //! doubles. Marches run in parallel; everything after them is in a fixed order.
 
 use super::attractor::settled_orbit;
-use super::branch::{Branch, BranchKind, BranchPoint};
+use super::branch::{Branch, BranchKind, BranchPoint, Ending};
 use super::follow::Following;
 use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, correct, settle, tangent};
 use crate::orbit::{HarmonicBalance, Harvester, Orbit, OrbitError, OrbitMethod, Shooting};
@@ -41,7 +41,7 @@ pub struct BranchSearch<'s> {
     pub tolerance: f64,
     /// Values across the range at which orbits are sought by marching.
     pub seeds: usize,
-    /// Longest period of a doubled branch, drive cycles.
+    /// Longest period of a branch, drive cycles.
     pub longest_period: u32,
 }
 
@@ -98,7 +98,7 @@ impl BranchSearch<'_> {
         make(1)?;
         let mut branches: Vec<Branch> = Vec::new();
         for (orbit, parameter) in self.starts() {
-            if branches.iter().any(|branch| holds(branch, &orbit, parameter)) {
+            if orbit.period_cycles > self.longest_period || branches.iter().any(|branch| branch.holds(&orbit, parameter)) {
                 continue;
             }
             let method = make(orbit.period_cycles)?;
@@ -171,7 +171,8 @@ impl BranchSearch<'_> {
             let Some(mut ahead) = tangent(&first.local, &metric, &up) else { return Ok(None) };
             ahead.unknown.iter_mut().for_each(|d| *d *= sign);
             ahead.parameter *= sign;
-            if !at_edge {
+            let closed = ways.last().is_some_and(|way: &Branch| way.endings.contains(&Ending::Closed));
+            if !at_edge && !closed {
                 ways.push(following.walk(method, first, ahead)?);
             }
         }
@@ -204,7 +205,7 @@ impl BranchSearch<'_> {
                 let method = make(cycles)?;
                 let Some((first, ahead)) = self.off(following, &method, &at) else { continue };
                 let orbit = method.orbit(&first.local, first.error)?;
-                if !branches.iter().any(|branch| holds(branch, &orbit, first.position.parameter)) {
+                if !branches.iter().any(|branch| branch.holds(&orbit, first.position.parameter)) {
                     let found = following.walk(&method, first, ahead)?;
                     branches.push(found);
                 }
@@ -245,15 +246,4 @@ impl BranchSearch<'_> {
             Some((found, ahead))
         })
     }
-}
-
-/// True when an orbit lies on a branch, at whichever of its drive cycles it is looked at.
-fn holds(branch: &Branch, orbit: &Orbit, parameter: f64) -> bool {
-    let norm = |values: &mut dyn Iterator<Item = f64>| values.map(|v| v * v).sum::<f64>().sqrt();
-    let size = norm(&mut orbit.start().iter().copied());
-    branch.period_cycles == orbit.period_cycles
-        && branch
-            .crossings(parameter)
-            .iter()
-            .any(|(state, _)| orbit.looks.iter().any(|look| norm(&mut look.iter().zip(state).map(|(a, b)| a - b)) < 0.03 * size))
 }

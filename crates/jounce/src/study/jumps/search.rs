@@ -20,7 +20,7 @@ pub struct JumpSearch<'s> {
     pub tolerance: f64,
     /// Values across the first range at which orbits are sought by marching.
     pub seeds: usize,
-    /// Longest period of a doubled branch, drive cycles.
+    /// Longest period of a branch, drive cycles.
     pub longest_period: u32,
 }
 
