@@ -1,7 +1,7 @@
 //! Follows one branch from one of its orbits, and names what it passes.
 
 use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
-use crate::continuation::{Corrected, Corrector, Direction, Metric, Position, Step, StepControl, Walk, locate, passes};
+use crate::continuation::{Corrected, Corrector, Direction, Metric, Position, Step, StepControl, Walk, correct, locate, passes, tangent};
 use crate::orbit::{Orbit, OrbitMethod};
 
 /// Distance from the stop, beside the size of the motion, below which an orbit touches it.
@@ -44,40 +44,77 @@ impl Following {
     /// # Errors
     /// An orbit whose multipliers cannot be computed, or a harvester that cannot be made.
     pub fn walk<M: OrbitMethod>(&self, method: &M, first: Corrected<M::Local>, direction: Direction) -> Result<Branch, M::Error> {
-        let mut branch = Branch { period_cycles: method.cycles(), ..Branch::default() };
         let metric = Metric::at(&first.position, self.parameter_scale());
         let tangent = metric.unit(direction);
-        let start = Step { position: first.position.clone(), tangent: tangent.clone(), local: first.local, error: first.error };
+        let origin = first.position.clone();
+        let start = Step { position: first.position, tangent, local: first.local, error: first.error };
+        let mut branch = Branch { period_cycles: method.cycles(), ..Branch::default() };
+        if let Some((finer, start, origin)) = self.finer(method, &start, &start, &origin)? {
+            branch.points.push(point(&finer, &start)?);
+            self.walk_on(&finer, start, &origin, &mut branch)?;
+        } else {
+            branch.points.push(point(method, &start)?);
+            self.walk_on(method, start, &origin, &mut branch)?;
+        }
+        Ok(branch)
+    }
+
+    /// Walks on from the last point of a branch that began at `origin`.
+    fn walk_on<M: OrbitMethod>(&self, method: &M, start: Step<M::Local>, origin: &Position, branch: &mut Branch) -> Result<(), M::Error> {
+        let (position, tangent) = (start.position.clone(), start.tangent.clone());
         let mut before = Place::new(method, start)?;
-        let origin = before.step.position.clone();
-        branch.points.push(before.point.clone());
-        let walk = Walk::new(method, self.corrector, self.control, self.parameter_scale(), first.position, tangent);
-        for next in walk {
+        for next in Walk::new(method, self.corrector, self.control, self.parameter_scale(), position, tangent) {
             let step = match next {
                 Ok(step) => step,
                 // Beyond the range a key may have no meaning at all.
-                Err(error) => {
-                    self.give_up(method, before, error.to_string(), &mut branch)?;
-                    return Ok(branch);
-                }
+                Err(error) => return self.give_up(method, before, error.to_string(), branch),
             };
             if step.position.parameter < self.range.0 || step.position.parameter > self.range.1 {
-                self.cut(method, &before, &step, &mut branch)?;
+                self.cut(method, &before, &step, branch)?;
                 branch.endings.push(Ending::Range);
-                return Ok(branch);
+                return Ok(());
+            }
+            if let Some((finer, start, origin)) = self.finer(method, &step, &before.step, origin)? {
+                return self.walk_on(&finer, start, &origin, branch);
             }
             let after = Place::new(method, step)?;
             for after in self.refined(method, &before, after)? {
                 branch.bifurcations.extend(self.between(method, &before, &after)?);
                 branch.points.push(after.point.clone());
-                if let Some(ending) = self.ending(&origin, &before, &after, branch.points.len()) {
+                if let Some(ending) = self.ending(origin, &before, &after, branch.points.len()) {
                     branch.endings.push(ending);
-                    return Ok(branch);
+                    return Ok(());
                 }
                 before = after;
             }
         }
-        Ok(branch)
+        Ok(())
+    }
+
+    /// A method fine enough for the orbit at `rough`, where this one is not; `from` and `origin` in its unknown.
+    fn finer<M: OrbitMethod>(
+        &self,
+        method: &M,
+        rough: &Step<M::Local>,
+        from: &Step<M::Local>,
+        origin: &Position,
+    ) -> Result<Option<(M, Step<M::Local>, Position)>, M::Error> {
+        let Some(finer) = method.finer(&rough.local, self.parameter_scale())? else { return Ok(None) };
+        let carried = |step: &Position| Position { unknown: finer.carried(&step.unknown), parameter: step.parameter };
+        let there = |step: &Step<M::Local>| {
+            let guess = carried(&step.position);
+            let metric = Metric::at(&guess, self.parameter_scale());
+            let ahead = Direction { unknown: finer.carried(&step.tangent.unknown), parameter: step.tangent.parameter };
+            let found = correct(&finer, &self.corrector, &metric, &ahead, guess).ok()?;
+            let tangent = tangent(&found.local, &metric, &ahead)?;
+            Some(Step { position: found.position, tangent, local: found.local, error: found.error })
+        };
+        let (Some(rough), Some(from)) = (there(rough), there(from)) else { return Ok(None) };
+        let origin = carried(origin);
+        Ok(match self.finer(&finer, &rough, &from, &origin)? {
+            Some(finest) => Some(finest),
+            None => Some((finer, from, origin)),
+        })
     }
 
     /// Ends a branch that cannot be followed: at a grazing where the orbit touches the stop there, for on a stiff stop a branch turns
@@ -154,10 +191,8 @@ impl Following {
             let Some(place) = place else { continue };
             let at = point(method, &place)?;
             // Two real multipliers that meet outside the circle are no torus.
-            // An orbit known too roughly to tell its multiplier 1 from a fold near by says nothing.
-            let rough = kind == BranchKind::BranchPoint && one.error_estimate.max(two.error_estimate) > 1e-4;
             let on_circle = at.orbit.multipliers.iter().any(|value| value.im > 1e-9 && (value.norm() - 1.0).abs() < 1e-4);
-            if !rough && (kind != BranchKind::NeimarkSacker || on_circle) {
+            if kind != BranchKind::NeimarkSacker || on_circle {
                 found.push(Bifurcation { kind, at });
             }
         }
