@@ -29,9 +29,9 @@ pub struct Branch {
     /// How orbits are computed.
     #[arg(long, value_enum, default_value = "shooting")]
     method: Way,
-    /// Samples of the port per drive cycle, for harmonic balance; a power of two is quickest.
-    #[arg(long, default_value_t = 512)]
-    samples: usize,
+    /// Harmonics of the drive with which harmonic balance begins; it takes as many more as the tolerance needs.
+    #[arg(long, default_value_t = 64)]
+    harmonics: usize,
     /// Relative tolerance of the marches that the orbits are made of.
     #[arg(long, default_value_t = 1e-9)]
     tolerance: f64,
@@ -51,8 +51,8 @@ impl Branch {
         if !(self.tolerance > 0.0 && self.tolerance < 1e-2) {
             return Err(Failure::usage(format!("--tolerance {}: give a number between 0 and 0.01", self.tolerance)));
         }
-        if self.samples < 8 || !self.samples.is_multiple_of(2) {
-            return Err(Failure::usage(format!("--samples {}: give an even number, 8 at least", self.samples)));
+        if !(4..=2048).contains(&self.harmonics) {
+            return Err(Failure::usage(format!("--harmonics {}: give a number from 4 to 2048", self.harmonics)));
         }
         let file = self.spec.file()?;
         let spec = self.spec.checked(file.spec())?;
@@ -65,7 +65,7 @@ impl Branch {
             range,
             method: match self.method {
                 Way::Shooting => Method::Shooting,
-                Way::HarmonicBalance => Method::HarmonicBalance { samples: self.samples },
+                Way::HarmonicBalance => Method::HarmonicBalance { harmonics: self.harmonics },
             },
             tolerance: self.tolerance,
             seeds: self.seeds,
@@ -90,7 +90,7 @@ impl Branch {
         let estimates = branches.iter().flat_map(|branch| &branch.points).map(|point| (point.orbit.error_estimate, point.parameter));
         if let Some((worst, parameter)) = estimates.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(worst, _)| *worst > 1e-3) {
             eprintln!(
-                "the largest error estimate is {worst:.1e}, at {parameter} {}: more --samples, a smaller --tolerance or --method shooting brings it down",
+                "the largest error estimate is {worst:.1e}, at {parameter} {}: a smaller --tolerance or --method shooting brings it down",
                 key.unit()
             );
         }

@@ -8,9 +8,10 @@
 //! `G` exact at a cost that grows with the number of modes times the number of harmonics, and with nothing else.
 
 use crate::march::Kernel;
+use crate::plant::Plant;
 use faer::c64;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
-use std::f64::consts::TAU;
+use std::f64::consts::SQRT_2;
 use std::sync::Arc;
 
 /// Transforms of one length.
@@ -55,21 +56,15 @@ impl Grid {
         let _ = self.backward.process(&mut input, &mut output);
         output
     }
-
-    /// The response to a force on the grid through an exact transfer function.
-    pub fn through(&self, transfer: &[c64], force: &[f64]) -> Vec<f64> {
-        let turned: Vec<c64> = self.coefficients(force).iter().zip(transfer).map(|(f, g)| f * g).collect();
-        self.values(&turned)
-    }
 }
 
-/// `row (s I - A)^-1 b` at `s = i n w / p`, `n = 0..=samples / 2`; `b` is the column of the contact force.
-pub fn transfer(kernel: &Kernel, row: &[f64], cycles: u32, samples: usize) -> Vec<c64> {
+/// `row (s I - A)^-1 b` at `s = i n w / p`, `n = 0..=harmonics`; `b` is the column of the contact force.
+pub fn transfer(kernel: &Kernel, row: &[f64], cycles: u32, harmonics: usize) -> Vec<c64> {
     let plant = &kernel.plant;
-    let (Some(tone), Some(port)) = (plant.tones.first(), plant.ports.first()) else { return Vec::new() };
+    let (Some(tone), Some(port)) = (plant.tones.first(), plant.ports.first()) else { return vec![c64::new(0.0, 0.0); harmonics + 1] };
     let column: Vec<c64> = port.force.iter().map(|b| c64::new(*b, 0.0)).collect();
     let step = tone.angular_frequency_rad_s / f64::from(cycles);
-    (0..=samples / 2)
+    (0..=harmonics)
         .map(|n| {
             let response = plant.diagonal.block.resolve(c64::new(0.0, n as f64 * step), &column);
             response.iter().zip(row).map(|(y, c)| *y * *c).sum()
@@ -77,10 +72,11 @@ pub fn transfer(kernel: &Kernel, row: &[f64], cycles: u32, samples: usize) -> Ve
         .collect()
 }
 
-/// The steady displacement of the port on a grid, m.
-pub fn steady_m(kernel: &Kernel, cycles: u32, samples: usize) -> Vec<f64> {
-    let plant = &kernel.plant;
-    let (Some(_), Some(port)) = (plant.tones.first(), plant.ports.first()) else { return vec![0.0; samples] };
-    let angle = |k: usize| TAU * f64::from(cycles) * k as f64 / samples as f64;
-    (0..samples).map(|k| (port.steady_m[0] * c64::cis(angle(k))).re).collect()
+/// Adds the steady displacement of the port, m, to its harmonics over a period of `cycles` of the drive.
+pub fn steady(plant: &Plant, cycles: u32, harmonics: &mut [f64]) {
+    if let Some(port) = plant.ports.first().filter(|_| !plant.tones.is_empty()) {
+        let n = cycles as usize;
+        harmonics[2 * n - 1] += port.steady_m[0].re / SQRT_2;
+        harmonics[2 * n] -= port.steady_m[0].im / SQRT_2;
+    }
 }

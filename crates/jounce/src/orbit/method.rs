@@ -37,4 +37,21 @@ pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>> {
     /// # Errors
     /// A march that fails.
     fn unknown_of(&self, state: &[f64], parameter: f64) -> Result<Vec<f64>, Self::Error>;
+
+    /// The same method with a finer unknown, where the orbit at a place lies farther from the curve than was asked for and that can
+    /// be cured; `parameter_scale` is that of the metric.
+    ///
+    /// # Errors
+    /// A march that fails.
+    fn finer(&self, _local: &Self::Local, _parameter_scale: f64) -> Result<Option<Self>, Self::Error>
+    where
+        Self: Sized,
+    {
+        Ok(None)
+    }
+
+    /// An unknown of a coarser method as one of this.
+    fn carried(&self, unknown: &[f64]) -> Vec<f64> {
+        unknown.to_vec()
+    }
 }

@@ -10,7 +10,7 @@
 
 use super::border::solve_bordered;
 use super::{Change, Harvester, Orbit, OrbitError, OrbitMethod, multipliers, nearest_extremum_m};
-use crate::continuation::{Family, Linear};
+use crate::continuation::{Direction, Family, Linear, Metric, Position, tangent};
 use crate::march::{Drift, Kernel, Trajectory, Variation};
 use faer::{Mat, MatRef, c64};
 use std::f64::consts::TAU;
@@ -187,6 +187,26 @@ impl<H: Harvester> OrbitMethod for Shooting<'_, H> {
 }
 
 impl Shot {
+    /// Distance to the curve of orbits by Newton across it, relative to the state: finite at a fold too.
+    pub fn off_curve(&self, parameter: f64, parameter_scale: f64) -> f64 {
+        let metric = Metric::at(&Position { unknown: self.looks[0].clone(), parameter }, parameter_scale);
+        let up = Direction { unknown: vec![0.0; self.residual.len()], parameter: parameter_scale };
+        let right: Vec<f64> = self.residual.iter().map(|r| -r).collect();
+        let across = tangent(self, &metric, &up).and_then(|along| {
+            let (row, corner) = metric.row(&along);
+            self.bordered(&row, corner, &right, 0.0)
+        });
+        across.map_or(f64::INFINITY, |(unknown, parameter)| metric.length(&Direction { unknown, parameter }))
+    }
+
+    /// Distance to the orbit by Newton at a fixed parameter, relative to the state.
+    pub fn distance(&self) -> f64 {
+        let right: Vec<f64> = self.residual.iter().map(|r| -r).collect();
+        let fixed = vec![0.0; right.len()];
+        let change = self.bordered(&fixed, 1.0, &right, 0.0);
+        change.map_or(f64::INFINITY, |(change, _)| length(&change) / length(&self.looks[0]).max(f64::MIN_POSITIVE))
+    }
+
     /// Displacement of the port, m, at `samples` equal times of the period.
     pub fn displacements_m(&self, samples: usize) -> Vec<f64> {
         let plant = &self.kernel.plant;
@@ -224,4 +244,8 @@ impl Linear for Shot {
 
 fn apply(matrix: MatRef<f64>, vector: &[f64]) -> Vec<f64> {
     (0..matrix.nrows()).map(|i| vector.iter().enumerate().map(|(j, v)| matrix[(i, j)] * v).sum()).collect()
+}
+
+fn length(vector: &[f64]) -> f64 {
+    vector.iter().map(|v| v * v).sum::<f64>().sqrt()
 }

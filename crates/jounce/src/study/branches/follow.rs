@@ -44,29 +44,41 @@ impl Following {
     /// # Errors
     /// An orbit whose multipliers cannot be computed, or a harvester that cannot be made.
     pub fn walk<M: OrbitMethod>(&self, method: &M, first: Corrected<M::Local>, direction: Direction) -> Result<Branch, M::Error> {
-        let mut branch = Branch { period_cycles: method.cycles(), ..Branch::default() };
         let metric = Metric::at(&first.position, self.parameter_scale());
         let tangent = metric.unit(direction);
         let sense = tangent.parameter;
-        let start = Step { position: first.position.clone(), tangent: tangent.clone(), local: first.local, error: first.error };
+        let start = Step { position: first.position, tangent, local: first.local, error: first.error };
+        let mut branch = Branch { period_cycles: method.cycles(), ..Branch::default() };
+        if let Some((finer, start)) = self.finer(method, &start, &start)? {
+            branch.points.push(point(&finer, &start)?);
+            self.walk_on(&finer, start, sense, &mut branch)?;
+        } else {
+            branch.points.push(point(method, &start)?);
+            self.walk_on(method, start, sense, &mut branch)?;
+        }
+        Ok(branch)
+    }
+
+    /// Walks on from the last point of a branch that began in the given sense of its parameter.
+    fn walk_on<M: OrbitMethod>(&self, method: &M, start: Step<M::Local>, sense: f64, branch: &mut Branch) -> Result<(), M::Error> {
+        let (position, tangent) = (start.position.clone(), start.tangent.clone());
         let mut before = Place::new(method, start)?;
-        let origins = origins(method, &before.point)?;
-        branch.points.push(before.point.clone());
-        let mut walk = Walk::new(method, self.corrector, self.control, self.parameter_scale(), first.position, tangent);
+        let origins = origins(method, &branch.points[0])?;
+        let mut walk = Walk::new(method, self.corrector, self.control, self.parameter_scale(), position, tangent);
         let mut mark = walk.mark();
         while let Some(next) = walk.next() {
             let step = match next {
                 Ok(step) => step,
                 // Beyond the range a key may have no meaning at all.
-                Err(error) => {
-                    self.give_up(method, before, error.to_string(), &mut branch)?;
-                    return Ok(branch);
-                }
+                Err(error) => return self.give_up(method, before, error.to_string(), branch),
             };
             if step.position.parameter < self.range.0 || step.position.parameter > self.range.1 {
-                self.cut(method, &before, &step, &mut branch)?;
+                self.cut(method, &before, &step, branch)?;
                 branch.endings.push(Ending::Range);
-                return Ok(branch);
+                return Ok(());
+            }
+            if let Some((finer, start)) = self.finer(method, &step, &before.step)? {
+                return self.walk_on(&finer, start, sense, branch);
             }
             let after = Place::new(method, step)?;
             let places = self.refined(method, &before, after)?;
@@ -76,20 +88,20 @@ impl Following {
                     continue;
                 }
                 branch.endings.push(Ending::Merged);
-                return Ok(branch);
+                return Ok(());
             }
             for after in places {
                 branch.bifurcations.extend(self.between(method, &before, &after)?);
                 branch.points.push(after.point.clone());
                 if let Some(ending) = self.ending((&origins, sense), &before, &after, branch.points.len()) {
                     branch.endings.push(ending);
-                    return Ok(branch);
+                    return Ok(());
                 }
                 before = after;
             }
             mark = walk.mark();
         }
-        Ok(branch)
+        Ok(())
     }
 
     /// Ends a branch that cannot be followed: at a grazing where the orbit touches the stop there, for on a stiff stop a branch turns
@@ -175,10 +187,8 @@ impl Following {
             let Some(place) = place else { continue };
             let at = point(method, &place)?;
             // Two real multipliers that meet outside the circle are no torus.
-            // An orbit known too roughly to tell its multiplier 1 from a fold near by says nothing.
-            let rough = kind == BranchKind::BranchPoint && one.error_estimate.max(two.error_estimate) > 1e-4;
             let on_circle = at.orbit.multipliers.iter().any(|value| value.im > 1e-9 && (value.norm() - 1.0).abs() < 1e-4);
-            if !rough && (kind != BranchKind::NeimarkSacker || on_circle) {
+            if kind != BranchKind::NeimarkSacker || on_circle {
                 found.push(Bifurcation { kind, at });
             }
         }

@@ -2,6 +2,7 @@
 
 mod attractor;
 mod branch;
+mod finer;
 mod follow;
 mod refine;
 mod search;

@@ -19,10 +19,10 @@ use rayon::prelude::*;
 pub enum Method {
     /// On the exact flow.
     Shooting,
-    /// At the port, on this many samples per drive cycle.
+    /// Harmonics at the port, as many as the accuracy needs.
     HarmonicBalance {
-        /// Samples per drive cycle, even.
-        samples: usize,
+        /// Harmonics of the drive to begin with.
+        harmonics: usize,
     },
 }
 
@@ -59,6 +59,9 @@ enum Start {
 /// Speed of a kick, beside that of the steady motion.
 const KICK: f64 = 20.0;
 
+/// Distance of harmonic balance from the curve that is allowed, beside the tolerance of a march.
+const ACCURACY: f64 = 100.0;
+
 type Failure = OrbitError<StudyError>;
 
 impl BranchSearch<'_> {
@@ -66,11 +69,7 @@ impl BranchSearch<'_> {
         Following {
             range: self.range,
             corrector: Corrector { goal: (10.0 * self.tolerance).clamp(1e-11, 1e-6), most: 8 },
-            control: match self.method {
-                Method::Shooting => StepControl::default(),
-                // Its curve has wiggles of the size of its samples, which steps that must end near their guess would all resolve.
-                Method::HarmonicBalance { .. } => StepControl { stray: 0.3, most_evaluations: 8, ..StepControl::default() },
-            },
+            control: StepControl::default(),
             most_points: 4000,
         }
     }
@@ -86,9 +85,10 @@ impl BranchSearch<'_> {
     pub fn run(&self) -> Result<Vec<Branch>, Failure> {
         match self.method {
             Method::Shooting => self.run_by(|cycles| Ok(self.shooting(cycles))),
-            Method::HarmonicBalance { samples } => {
-                self.run_by(|cycles| HarmonicBalance::new(self.shooting(cycles), &self.base.kernel, samples * cycles as usize))
-            }
+            Method::HarmonicBalance { harmonics } => self.run_by(|cycles| {
+                let accuracy = ACCURACY * self.tolerance;
+                HarmonicBalance::new(self.shooting(cycles), &self.base.kernel, harmonics * cycles as usize, accuracy)
+            }),
         }
     }
 

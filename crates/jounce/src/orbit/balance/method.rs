@@ -1,0 +1,147 @@
+//! Orbits by harmonic balance.
+
+use super::contact::grid;
+use super::motion::{complex, real};
+use super::place::Balance;
+use super::rule::Rules;
+use crate::contact::Law;
+use crate::continuation::{Family, Linear};
+use crate::march::Kernel;
+use crate::orbit::compliance::{Grid, transfer};
+use crate::orbit::{Harvester, Orbit, OrbitError, OrbitMethod, Shooting, Shot, nearest_extremum_m};
+use faer::c64;
+use std::sync::Arc;
+
+/// Most harmonics of a drive cycle.
+const MOST: usize = 1024;
+
+/// Orbits of a harvester by harmonic balance.
+#[derive(Debug)]
+pub struct HarmonicBalance<'h, H> {
+    /// Shooting on the same harvesters, for stability and for the error.
+    pub shooting: Shooting<'h, H>,
+    /// Harmonics of the period.
+    pub harmonics: usize,
+    /// Distance from the curve, relative to the state, above which there are too few.
+    pub accuracy: f64,
+    grid: Grid,
+    rules: Arc<Rules>,
+}
+
+impl<'h, H: Harvester> HarmonicBalance<'h, H> {
+    /// With `harmonics` of the period to begin with.
+    ///
+    /// # Errors
+    /// [`OrbitError::Impulsive`] for a rigid stop.
+    pub fn new(shooting: Shooting<'h, H>, kernel: &Kernel, harmonics: usize, accuracy: f64) -> Result<Self, OrbitError<H::Error>> {
+        match kernel.plant.system.stops.first() {
+            Some(stop) if matches!(stop.law, Law::Rigid(_)) => Err(OrbitError::Impulsive { stop: stop.name.clone() }),
+            _ => Ok(Self { shooting, harmonics, accuracy, grid: grid(harmonics), rules: Arc::default() }),
+        }
+    }
+
+    fn balance(&self, unknown: &[f64], parameter: f64) -> Result<Balance, OrbitError<H::Error>> {
+        let kernel = self.shooting.harvester.at(parameter).map_err(OrbitError::Harvester)?.kernel;
+        match kernel.plant.tones.len() {
+            1 => Ok(Balance::new(kernel, parameter, unknown, self.shooting.cycles, &self.grid, &self.rules)),
+            frequencies => Err(OrbitError::Frequencies { frequencies }),
+        }
+    }
+
+    fn shot<'b>(&self, local: &'b Balance) -> Result<&'b Shot, OrbitError<H::Error>> {
+        if let Some(shot) = local.shot.get() {
+            return Ok(shot);
+        }
+        let state = local.kernel.plant.to_physical(&local.state(&self.grid, &self.rules), 0.0);
+        let shot = self.shooting.at(&self.shooting.unknown(&state), local.parameter)?;
+        Ok(local.shot.get_or_init(|| shot))
+    }
+
+    /// Mean power of each load, W: `sum_n |V_n|^2 / R` over all harmonics of the voltage.
+    fn loads_w(&self, local: &Balance) -> Vec<f64> {
+        let plant = &local.kernel.plant;
+        let names: Vec<&String> = plant.system.modes.patch.keys().collect();
+        let force = complex(&local.force);
+        let cycles = self.shooting.cycles;
+        (plant.system.loads.iter())
+            .map(|load| {
+                let Some(patch) = names.iter().position(|name| **name == load.patch) else { return 0.0 };
+                let row = plant.voltage_row(patch);
+                let mut voltage: Vec<c64> =
+                    transfer(&local.kernel, &row, cycles, self.harmonics).iter().zip(&force).map(|(g, f)| g * f).collect();
+                voltage[cycles as usize] += plant.steady_output(&row).iter().sum::<c64>();
+                let square: f64 = voltage[1..].iter().map(|v| 0.5 * v.norm_sqr()).sum();
+                (square + voltage[0].norm_sqr()) / load.resistance_ohm
+            })
+            .collect()
+    }
+}
+
+impl<H: Harvester> Family for HarmonicBalance<'_, H> {
+    type Local = Balance;
+    type Error = OrbitError<H::Error>;
+
+    fn at(&self, unknown: &[f64], parameter: f64) -> Result<Balance, Self::Error> {
+        let mut local = self.balance(unknown, parameter)?;
+        let step = self.shooting.harvester.difference();
+        let ahead = self.balance(unknown, parameter + step)?;
+        local.by_parameter = ahead.residual().iter().zip(local.residual()).map(|(a, b)| (a - b) / step).collect();
+        Ok(local)
+    }
+}
+
+impl<H: Harvester> OrbitMethod for HarmonicBalance<'_, H> {
+    type Fault = H::Error;
+
+    fn cycles(&self) -> u32 {
+        self.shooting.cycles
+    }
+
+    fn orbit(&self, local: &Balance, error: f64) -> Result<Orbit, Self::Error> {
+        let shot = self.shot(local)?;
+        let mut orbit = self.shooting.orbit(shot, error)?;
+        let loads_w = self.loads_w(local);
+        orbit.mean_power_w = loads_w.iter().sum();
+        let first = loads_w.first().zip(local.kernel.plant.system.loads.first());
+        orbit.voltage_rms_v = first.map_or(0.0, |(power_w, load)| (power_w * load.resistance_ohm).sqrt());
+        orbit.error_estimate = error + shot.distance();
+        Ok(orbit)
+    }
+
+    fn contacts(&self, local: &Balance) -> Result<u64, Self::Error> {
+        Ok(self.shot(local)?.contacts)
+    }
+
+    fn nearest_extremum_m(&self, local: &Balance) -> Result<Option<f64>, Self::Error> {
+        Ok(nearest_extremum_m(self.shot(local)?))
+    }
+
+    fn scale_m(&self, local: &Balance) -> f64 {
+        local.kernel.plant.scale_m()
+    }
+
+    fn unknown_of(&self, state: &[f64], parameter: f64) -> Result<Vec<f64>, Self::Error> {
+        let shot = self.shooting.at(state, parameter)?;
+        let mut spectrum = self.grid.coefficients(&shot.displacements_m(self.grid.samples));
+        spectrum.truncate(self.harmonics + 1);
+        spectrum[1..].iter_mut().for_each(|c| *c *= 2.0);
+        Ok(real(&spectrum))
+    }
+
+    fn finer(&self, local: &Balance, parameter_scale: f64) -> Result<Option<Self>, Self::Error> {
+        let Shooting { harvester, cycles, tolerance, ref scale } = self.shooting;
+        let off = self.shot(local)?.off_curve(local.parameter, parameter_scale);
+        if off <= self.accuracy || self.harmonics >= MOST * cycles as usize {
+            return Ok(None);
+        }
+        let shooting = Shooting { harvester, cycles, tolerance, scale: scale.clone() };
+        let (harmonics, accuracy, rules) = (self.harmonics + self.harmonics / 2, self.accuracy, Arc::clone(&self.rules));
+        Ok(Some(Self { shooting, harmonics, accuracy, grid: grid(harmonics), rules }))
+    }
+
+    fn carried(&self, unknown: &[f64]) -> Vec<f64> {
+        let mut carried = unknown.to_vec();
+        carried.resize(2 * self.harmonics + 1, 0.0);
+        carried
+    }
+}

@@ -1,0 +1,80 @@
+//! The motion of the port as a sum of harmonics.
+//!
+//! ```text
+//! d(x) = u_0 + sqrt(2) sum_n (u_(2n-1) cos n x + u_(2n) sin n x),   x = w t / p
+//! ```
+//!
+//! The factor makes `|u|^2` the mean square of `d` (m^2). `x` is an angle of the period, rad.
+
+use crate::contact::{ContactLaw, Law, Slopes};
+use faer::c64;
+use std::f64::consts::SQRT_2;
+
+/// The port against its stop.
+#[derive(Debug)]
+pub struct Motion {
+    /// `c_n` of `d = Re sum c_n e^(i n x)`, the gap taken off: penetration.
+    pub depth: Vec<c64>,
+    /// `w / p`, rad/s.
+    pub step_rad_s: f64,
+    /// What it strikes.
+    pub law: Law,
+}
+
+impl Motion {
+    /// From the harmonics of the displacement.
+    pub fn new(unknown: &[f64], step_rad_s: f64, gap_m: f64, law: Law) -> Self {
+        let mut depth = complex(unknown);
+        depth[0].re -= gap_m;
+        Self { depth, step_rad_s, law }
+    }
+
+    /// Penetration, m, and its rate, m/s.
+    pub fn at(&self, angle: f64) -> (f64, f64) {
+        let z = c64::cis(angle);
+        let (mut value, mut slope) = (c64::new(0.0, 0.0), c64::new(0.0, 0.0));
+        for (n, c) in self.depth.iter().enumerate().rev() {
+            value = value * z + c;
+            slope = slope * z + c * n as f64;
+        }
+        (value.re, -slope.im * self.step_rad_s)
+    }
+
+    /// True where the stop pushes.
+    pub fn touches(&self, (depth_m, rate_m_s): (f64, f64)) -> bool {
+        depth_m > 0.0 && self.law.force_n(depth_m, rate_m_s) > 0.0
+    }
+
+    /// Slopes of the force.
+    pub fn slopes(&self, depth_m: f64, rate_m_s: f64) -> Slopes {
+        match self.law {
+            Law::Hertz(law) => law.slopes(depth_m, rate_m_s),
+            Law::KelvinVoigt(law) => law.slopes(depth_m, rate_m_s),
+            Law::HuntCrossley(law) => law.slopes(depth_m, rate_m_s),
+            Law::Rigid(_) => Slopes { stiffness_n_m: 0.0, damping_n_s_m: 0.0 },
+        }
+    }
+}
+
+/// `c_n` of real harmonics.
+pub fn complex(unknown: &[f64]) -> Vec<c64> {
+    let pairs = unknown[1..].chunks_exact(2).map(|pair| c64::new(pair[0], -pair[1]) * SQRT_2);
+    std::iter::once(c64::new(unknown[0], 0.0)).chain(pairs).collect()
+}
+
+/// Real harmonics of `c_n`.
+pub fn real(coefficients: &[c64]) -> Vec<f64> {
+    let pairs = coefficients[1..].iter().flat_map(|c| [c.re / SQRT_2, -c.im / SQRT_2]);
+    std::iter::once(coefficients[0].re).chain(pairs).collect()
+}
+
+/// The functions of the sum at an angle, into a column.
+pub fn functions(angle: f64, column: &mut [f64]) {
+    let turn = c64::cis(angle);
+    let mut z = c64::new(SQRT_2, 0.0);
+    column[0] = 1.0;
+    for pair in column[1..].chunks_exact_mut(2) {
+        z *= turn;
+        (pair[0], pair[1]) = (z.re, z.im);
+    }
+}
