@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use clap::Args;
-use jounce::spec::{Faults, Spec, SpecFile};
+use jounce::spec::{Faults, KeyRange, NumericKey, Spec, SpecFile};
 use jounce::table::Manifest;
 use std::path::{Path, PathBuf};
 
@@ -53,6 +53,19 @@ impl SpecArguments {
         result.map_err(|faults| Failure::faults(&self.spec, faults.as_slice().to_vec()))
     }
 
+    /// Reads `KEY=FROM:TO`.
+    pub fn key_and_ends(&self, file: &SpecFile, over: &str) -> Result<(NumericKey, (f64, f64)), Failure> {
+        let wrong = || Failure::usage(format!("{over}: write KEY=FROM:TO, as in drive.shaker.frequency=4Hz:20Hz"));
+        let (name, text) = over.split_once('=').ok_or_else(wrong)?;
+        let (from, to) = text.split_once(':').filter(|(_, to)| !to.contains(':')).ok_or_else(wrong)?;
+        let key = self.checked(file.numeric_key(name.trim()))?;
+        let range = KeyRange::parse(key.clone(), &format!("{from},{to}")).map_err(|fault| Failure::faults(&self.spec, vec![fault]))?;
+        match range.values() {
+            [low, high] if low < high => Ok((key, (*low, *high))),
+            _ => Err(Failure::usage(format!("{over}: the range must go from a smaller to a larger value"))),
+        }
+    }
+
     /// Folder of the spec file.
     pub fn folder(&self) -> PathBuf {
         self.spec.parent().map_or_else(PathBuf::new, Path::to_path_buf)
@@ -62,4 +75,10 @@ impl SpecArguments {
     pub fn manifest(&self, spec: &Spec, command: &str) -> Manifest {
         Manifest::new(&spec.hash_hex()).with("command", command).with("set", self.set.join(" "))
     }
+}
+
+/// A tolerance for orbits.
+pub fn check_tolerance(tolerance: f64) -> Result<(), Failure> {
+    let fits = tolerance > 0.0 && tolerance < 1e-2;
+    if fits { Ok(()) } else { Err(Failure::usage(format!("--tolerance {tolerance}: give a number between 0 and 0.01"))) }
 }

@@ -2,10 +2,10 @@
 
 use crate::failure::Failure;
 use crate::output::{self, line, print};
-use crate::spec_arguments::{OutputArguments, SpecArguments};
+use crate::spec_arguments::{OutputArguments, SpecArguments, check_tolerance};
 use clap::{Args, ValueEnum};
 use jounce::picture::{self, Axis, BranchLine, BranchMark};
-use jounce::spec::{KeyRange, NumericKey, Spec};
+use jounce::spec::{NumericKey, Spec};
 use jounce::study::{Bifurcation, Branch as Curve, BranchPoint, BranchSearch, Ending, Method, Parameter, Prepared};
 use jounce::table::{Column, Table};
 
@@ -38,7 +38,7 @@ pub struct Branch {
     /// Values between the ends of the range at which orbits are sought by marching, for branches that stand alone.
     #[arg(long, default_value_t = 12)]
     seeds: usize,
-    /// Longest period of a branch, in drive cycles.
+    /// Longest period of a branch, in drive cycles; longer ones are left out.
     #[arg(long, default_value_t = 12)]
     longest_period: u32,
     #[command(flatten)]
@@ -48,15 +48,13 @@ pub struct Branch {
 impl Branch {
     /// Follows the branches and reports.
     pub fn run(&self) -> Result<(), Failure> {
-        if !(self.tolerance > 0.0 && self.tolerance < 1e-2) {
-            return Err(Failure::usage(format!("--tolerance {}: give a number between 0 and 0.01", self.tolerance)));
-        }
+        check_tolerance(self.tolerance)?;
         if !(4..=2048).contains(&self.harmonics) {
             return Err(Failure::usage(format!("--harmonics {}: give a number from 4 to 2048", self.harmonics)));
         }
         let file = self.spec.file()?;
         let spec = self.spec.checked(file.spec())?;
-        let (key, range) = ends(&self.spec, &file, &self.over)?;
+        let (key, range) = self.spec.key_and_ends(&file, &self.over)?;
         let base = Prepared::new(spec)?;
         let parameter = Parameter::new(&base, &key, range.1 - range.0);
         let search = BranchSearch {
@@ -74,7 +72,7 @@ impl Branch {
         let branches = search.run()?;
         if branches.is_empty() {
             let text = format!(
-                "no periodic orbit was found over {}: every march stayed away from orbits of up to four drive cycles; try more --seeds, more damping or another range",
+                "no periodic orbit was found over {}: every march stayed away from the orbits that were looked for; try more --seeds, a longer --longest-period, more damping or another range",
                 self.over
             );
             return Err(Failure::NotConverged(text));
@@ -126,19 +124,6 @@ impl Branch {
         let (x, y) = (Axis::linear(key.path(), &key.unit()), Axis::log("Mean power", "W"));
         let title = format!("Branches of periodic answers over {}", key.path());
         output::figure(folder, "branches", &picture::branches(&title, x, y, &lines, &marks))
-    }
-}
-
-/// Reads `KEY=FROM:TO`.
-pub fn ends(arguments: &SpecArguments, file: &jounce::spec::SpecFile, over: &str) -> Result<(NumericKey, (f64, f64)), Failure> {
-    let wrong = || Failure::usage(format!("{over}: write KEY=FROM:TO, as in drive.shaker.frequency=4Hz:20Hz"));
-    let (name, text) = over.split_once('=').ok_or_else(wrong)?;
-    let (from, to) = text.split_once(':').filter(|(_, to)| !to.contains(':')).ok_or_else(wrong)?;
-    let key = arguments.checked(file.numeric_key(name.trim()))?;
-    let range = KeyRange::parse(key.clone(), &format!("{from},{to}")).map_err(|fault| Failure::faults(&arguments.spec, vec![fault]))?;
-    match range.values() {
-        [low, high] if low < high => Ok((key, (*low, *high))),
-        _ => Err(Failure::usage(format!("{over}: the range must go from a smaller to a larger value"))),
     }
 }
 

@@ -1,9 +1,8 @@
 //! `jounce jumps SPEC --over KEY=FROM:TO --against KEY2=FROM:TO`
 
-use super::branch::ends;
 use crate::failure::Failure;
 use crate::output::{self, line, print};
-use crate::spec_arguments::{OutputArguments, SpecArguments};
+use crate::spec_arguments::{OutputArguments, SpecArguments, check_tolerance};
 use clap::Args;
 use jounce::picture::{self, Axis, JumpLine};
 use jounce::spec::{NumericKey, Spec};
@@ -27,7 +26,7 @@ pub struct Jumps {
     /// Values between the ends of the first range at which orbits are sought by marching, for branches that stand alone.
     #[arg(long, default_value_t = 4)]
     seeds: usize,
-    /// Longest period of a branch, in drive cycles.
+    /// Longest period of a branch, in drive cycles; longer ones are left out.
     #[arg(long, default_value_t = 2)]
     longest_period: u32,
     #[command(flatten)]
@@ -37,13 +36,11 @@ pub struct Jumps {
 impl Jumps {
     /// Follows the jumps and reports.
     pub fn run(&self) -> Result<(), Failure> {
-        if !(self.tolerance > 0.0 && self.tolerance < 1e-2) {
-            return Err(Failure::usage(format!("--tolerance {}: give a number between 0 and 0.01", self.tolerance)));
-        }
+        check_tolerance(self.tolerance)?;
         let file = self.spec.file()?;
         let base = Prepared::new(self.spec.checked(file.spec())?)?;
-        let (key, range) = ends(&self.spec, &file, &self.over)?;
-        let (key_2, range_2) = ends(&self.spec, &file, &self.against)?;
+        let (key, range) = self.spec.key_and_ends(&file, &self.over)?;
+        let (key_2, range_2) = self.spec.key_and_ends(&file, &self.against)?;
         if key.path() == key_2.path() {
             return Err(Failure::usage(format!("--over and --against are both {}: give two different keys", key.path())));
         }

@@ -76,6 +76,16 @@ impl Law {
         }
     }
 
+    /// Both slopes of the force; a rigid stop has none.
+    pub fn slopes(&self, penetration_m: f64, rate_m_s: f64) -> Slopes {
+        match self {
+            Law::Hertz(law) => law.slopes(penetration_m, rate_m_s),
+            Law::KelvinVoigt(law) => law.slopes(penetration_m, rate_m_s),
+            Law::HuntCrossley(law) => law.slopes(penetration_m, rate_m_s),
+            Law::Rigid(_) => Slopes { stiffness_n_m: 0.0, damping_n_s_m: 0.0 },
+        }
+    }
+
     /// Energy stored by the elastic part of the force, J; a rigid stop stores none.
     pub fn energy_j(&self, penetration_m: f64) -> f64 {
         match self {

@@ -14,7 +14,7 @@ use super::table::Table;
 use crate::contact::ContactLaw;
 use crate::wide::Wide;
 
-/// Share of the tolerance that one contact may spend on the error of its impulse.
+/// Share of the tolerance that one step may spend on the error of its impulse.
 const IMPULSE_SHARE: f64 = 0.1;
 
 /// Factor on the error of a step for twice its length; its power of the length is 8 to 11.
@@ -28,6 +28,13 @@ const END_GAIN: f64 = 1000.0;
 
 /// Lengths of a step before the end of the contact beyond which the end does not matter: the power of `rho` is above 1e8 there.
 const FAR: f64 = 2.0;
+
+impl Step<'_> {
+    /// Time from the last node to the end, s.
+    fn last_gap_s(&self) -> f64 {
+        self.table.length_s * (1.0 - self.basis.places[NODES - 1])
+    }
+}
 
 impl Solved {
     /// Can be trusted beside its error estimate.
@@ -50,8 +57,7 @@ impl Solved {
 
     /// Speed at its end, m/s, by the last node.
     fn last_speed_m_s(&self, step: &Step) -> f64 {
-        let gap_s = step.table.length_s * (1.0 - step.basis.places[NODES - 1]);
-        (self.penetration.0[NODES] - self.penetration.0[NODES - 1]) / gap_s
+        (self.penetration.0[NODES] - self.penetration.0[NODES - 1]) / step.last_gap_s()
     }
 }
 
@@ -134,8 +140,7 @@ impl Marcher<'_> {
         if self.rate_m_s >= 0.0 || self.penetration_m <= 0.0 {
             return None;
         }
-        let gap_s = step.table.length_s * (1.0 - step.basis.places[NODES - 1]);
-        let curvature = (self.rate_m_s - solved.last_speed_m_s(step)) / gap_s;
+        let curvature = (self.rate_m_s - solved.last_speed_m_s(step)) / step.last_gap_s();
         let discriminant = self.rate_m_s * self.rate_m_s - 4.0 * curvature * self.penetration_m;
         let leaving_s = 2.0 * self.penetration_m / (-self.rate_m_s + discriminant.max(0.0).sqrt());
         (discriminant >= 0.0).then_some(leaving_s)

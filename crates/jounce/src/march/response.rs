@@ -118,20 +118,28 @@ impl Task for Making<'_> {
         }
         for ((wanted, response), series) in rows.iter().zip(&mut out.rows).zip(&series) {
             let at = if wanted.reading == Reading::Pointwise { &powers } else { &moments };
-            let mut sums = [w.zero(); WIDTH];
-            for (row, lane) in at.iter().zip(series) {
-                let lane = w.load(lane);
-                for (sum, factor) in sums.iter_mut().zip(&row.0) {
-                    *sum = w.fma(w.splat(*factor), lane, *sum);
-                }
-            }
-            for (i, sum) in sums.into_iter().enumerate() {
-                let by_force = w.store(sum);
-                (0..NODES).for_each(|j| response.push[j].0[i] = by_force.0[j]);
-            }
+            response.push = summed(w, at, series);
         }
         out
     }
+}
+
+/// Series read at eight places (lanes of factors), one lane per force node.
+#[inline(always)]
+fn summed<W: Wide>(w: W, at: &[Lane], series: &[Lane]) -> [Lane; NODES] {
+    let mut sums = [w.zero(); WIDTH];
+    for (row, lane) in at.iter().zip(series) {
+        let lane = w.load(lane);
+        for (sum, factor) in sums.iter_mut().zip(&row.0) {
+            *sum = w.fma(w.splat(*factor), lane, *sum);
+        }
+    }
+    let mut push = [Lane::ZERO; NODES];
+    for (i, sum) in sums.into_iter().enumerate() {
+        let by_force = w.store(sum);
+        (0..NODES).for_each(|j| push[j].0[i] = by_force.0[j]);
+    }
+    push
 }
 
 /// `P_a` at the places of a basis, one lane per `a`.

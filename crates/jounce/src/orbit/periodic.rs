@@ -1,6 +1,6 @@
 //! A periodic orbit and its stability.
 
-use faer::{Mat, c64};
+use faer::{ColRef, Mat, c64};
 
 /// Distance beside their size below which two states of an orbit are one.
 const SAME: f64 = 1e-5;
@@ -42,6 +42,11 @@ impl Orbit {
         &self.looks[0]
     }
 
+    /// Size of the state at the start of the period.
+    pub fn size(&self) -> f64 {
+        ColRef::from_slice(self.start()).norm_l2()
+    }
+
     /// Difference of the state half a period on; `None` for an odd number of cycles.
     pub fn halves_apart(&self) -> Option<Vec<f64>> {
         let half = self.period_cycles as usize / 2;
@@ -50,10 +55,9 @@ impl Orbit {
 
     /// True when the orbit is one of fewer cycles, gone through several times.
     pub fn repeats_early(&self) -> bool {
-        let size = self.start().iter().map(|u| u * u).sum::<f64>();
-        let apart = |look: &[f64]| look.iter().zip(self.start()).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
+        let apart = |look: &[f64]| (ColRef::from_slice(look) - ColRef::from_slice(self.start())).norm_l2();
         let cycles = self.period_cycles as usize;
-        (1..cycles).any(|shorter| cycles.is_multiple_of(shorter) && apart(&self.looks[shorter]) < SAME * SAME * size)
+        (1..cycles).any(|shorter| cycles.is_multiple_of(shorter) && apart(&self.looks[shorter]) < SAME * self.size())
     }
 
     /// `det(M - s I)` up to a positive factor, for `s` of modulus one.

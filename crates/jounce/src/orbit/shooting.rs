@@ -12,7 +12,7 @@ use super::border::solve_bordered;
 use super::{Change, Harvester, Orbit, OrbitError, OrbitMethod, multipliers, nearest_extremum_m};
 use crate::continuation::{Direction, Family, Linear, Metric, Position, tangent};
 use crate::march::{Drift, Kernel, Trajectory, Variation};
-use faer::{Mat, MatRef, c64};
+use faer::{ColRef, Mat, MatRef};
 use std::f64::consts::TAU;
 
 /// Orbits of a harvester by shooting.
@@ -203,8 +203,9 @@ impl Shot {
     pub fn distance(&self) -> f64 {
         let right: Vec<f64> = self.residual.iter().map(|r| -r).collect();
         let fixed = vec![0.0; right.len()];
+        let size = |vector: &[f64]| ColRef::from_slice(vector).norm_l2();
         let change = self.bordered(&fixed, 1.0, &right, 0.0);
-        change.map_or(f64::INFINITY, |(change, _)| length(&change) / length(&self.looks[0]).max(f64::MIN_POSITIVE))
+        change.map_or(f64::INFINITY, |(change, _)| size(&change) / size(&self.looks[0]).max(f64::MIN_POSITIVE))
     }
 
     /// Displacement of the port, m, at `samples` equal times of the period.
@@ -221,9 +222,7 @@ impl Shot {
                 .collect();
             values.extend(trajectory.at(&self.kernel, &own).iter().map(|at| {
                 let moving: f64 = port.displacement.iter().zip(&at.state).map(|(c, y)| c * y).sum();
-                let driven =
-                    plant.tones.iter().zip(&port.steady_m).map(|(tone, s)| (s * c64::cis(tone.angular_frequency_rad_s * at.time_s)).re);
-                moving + driven.sum::<f64>()
+                moving + plant.driven(port, at.time_s)[0]
             }));
         }
         values
@@ -244,8 +243,4 @@ impl Linear for Shot {
 
 fn apply(matrix: MatRef<f64>, vector: &[f64]) -> Vec<f64> {
     (0..matrix.nrows()).map(|i| vector.iter().enumerate().map(|(j, v)| matrix[(i, j)] * v).sum()).collect()
-}
-
-fn length(vector: &[f64]) -> f64 {
-    vector.iter().map(|v| v * v).sum::<f64>().sqrt()
 }

@@ -142,6 +142,14 @@ impl Plant {
         steady
     }
 
+    /// Displacement (m) and velocity (m/s) of a port in the steady state at a time.
+    pub fn driven(&self, port: &Port, time_s: f64) -> [f64; 2] {
+        self.tones.iter().zip(&port.steady_m).fold([0.0; 2], |[place, speed], (tone, s)| {
+            let turned = s * c64::cis(tone.angular_frequency_rad_s * time_s);
+            [place + turned.re, speed - tone.angular_frequency_rad_s * turned.im]
+        })
+    }
+
     /// Largest `|eigenvalue|`, rad/s.
     pub fn fastest_rad_s(&self) -> f64 {
         self.diagonal.block.eigenvalues().iter().fold(0.0, |max, l| max.max(l.norm()))

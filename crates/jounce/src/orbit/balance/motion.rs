@@ -6,7 +6,7 @@
 //!
 //! The factor makes `|u|^2` the mean square of `d` (m^2). `x` is an angle of the period, rad.
 
-use crate::contact::{ContactLaw, Law, Slopes};
+use crate::contact::Law;
 use faer::c64;
 use std::f64::consts::SQRT_2;
 
@@ -43,16 +43,6 @@ impl Motion {
     /// True where the stop pushes.
     pub fn touches(&self, (depth_m, rate_m_s): (f64, f64)) -> bool {
         depth_m > 0.0 && self.law.force_n(depth_m, rate_m_s) > 0.0
-    }
-
-    /// Slopes of the force.
-    pub fn slopes(&self, depth_m: f64, rate_m_s: f64) -> Slopes {
-        match self.law {
-            Law::Hertz(law) => law.slopes(depth_m, rate_m_s),
-            Law::KelvinVoigt(law) => law.slopes(depth_m, rate_m_s),
-            Law::HuntCrossley(law) => law.slopes(depth_m, rate_m_s),
-            Law::Rigid(_) => Slopes { stiffness_n_m: 0.0, damping_n_s_m: 0.0 },
-        }
     }
 }
 

@@ -46,7 +46,7 @@ fn between(motion: &Motion, (from, to): (f64, f64), rules: &Rules, highest: f64)
         let angle = from + half * (1.0 + place);
         let (depth_m, rate_m_s) = motion.at(angle);
         let force_n = motion.law.force_n(depth_m, rate_m_s);
-        Node { angle, share: half * weight / TAU, force_n, slopes: motion.slopes(depth_m, rate_m_s) }
+        Node { angle, share: half * weight / TAU, force_n, slopes: motion.law.slopes(depth_m, rate_m_s) }
     })
 }
 

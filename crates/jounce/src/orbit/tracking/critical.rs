@@ -10,16 +10,12 @@
 //! Source: W. Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria (SIAM, 2000), ch. 3.
 
 use super::condition::Gradient;
-use crate::orbit::Shot;
 use crate::orbit::border::solve_bordered;
-use faer::Mat;
-use faer::linalg::solvers::Solve;
+use crate::orbit::{Shot, null_vector};
+use faer::{ColRef, Mat};
 
 /// Move along `v` for the second derivative, beside the size of the state.
 const MOVE: f64 = 1e-5;
-
-/// Rounds of inverse iteration.
-const ROUNDS: usize = 3;
 
 /// `A` with its border.
 #[derive(Debug)]
@@ -51,7 +47,7 @@ impl Critical {
         moved: impl Fn(&[f64]) -> Result<Shot, E>,
     ) -> Result<Gradient, E> {
         let n = self.v.len();
-        let step = MOVE * norm(&shot.looks[0]) / norm(&self.v);
+        let step = MOVE * ColRef::from_slice(&shot.looks[0]).norm_l2() / ColRef::from_slice(&self.v).norm_l2();
         let along = moved(&self.v.iter().map(|v| step * v).collect::<Vec<_>>())?;
         let by_unknown = (0..n).map(|j| -(0..n).map(|i| self.w[i] * (along.map[(i, j)] - shot.map[(i, j)])).sum::<f64>() / step).collect();
         let change = |k: usize| -> f64 {
@@ -60,25 +56,6 @@ impl Critical {
         };
         Ok(Gradient { value: self.g, by_unknown, by_parameters: [change(0), change(1)] })
     }
-}
-
-/// Unit vector near the null space, by inverse iteration.
-pub fn null_vector(matrix: &Mat<f64>) -> Vec<f64> {
-    let n = matrix.nrows();
-    // Off the singular matrix by roundoff of its size.
-    let size = (0..n).map(|i| matrix[(i, i)].abs()).fold(1.0, f64::max);
-    let solver = Mat::from_fn(n, n, |i, j| matrix[(i, j)] + if i == j { 1e-12 * size } else { 0.0 }).partial_piv_lu();
-    let mut vector = Mat::from_fn(n, 1, |i, _| 1.0 + 0.1 * i as f64);
-    for _ in 0..ROUNDS {
-        vector = solver.solve(&vector);
-        let length = vector.norm_l2();
-        vector = Mat::from_fn(n, 1, |i, _| vector[(i, 0)] / length);
-    }
-    (0..n).map(|i| vector[(i, 0)]).collect()
-}
-
-fn norm(vector: &[f64]) -> f64 {
-    vector.iter().map(|v| v * v).sum::<f64>().sqrt()
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::condition::Gradient;
 use crate::orbit::{Shot, nearest_extremum_m};
+use faer::ColRef;
 
 /// Move of each state for a difference, beside the size of the state.
 const MOVE: f64 = 1e-6;
@@ -17,7 +18,7 @@ pub fn gradient<E>(
     let distance = |shot: &Shot| nearest_extremum_m(shot).map(|distance_m| distance_m / scale_m);
     let Some(value) = distance(shot) else { return Ok(None) };
     let start = &shot.looks[0];
-    let step = MOVE * start.iter().map(|u| u * u).sum::<f64>().sqrt();
+    let step = MOVE * ColRef::from_slice(start).norm_l2();
     let mut by_unknown = Vec::with_capacity(start.len());
     for j in 0..start.len() {
         let mut by = vec![0.0; start.len()];

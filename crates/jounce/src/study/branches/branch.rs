@@ -1,6 +1,7 @@
 //! What a branch answers.
 
 use crate::orbit::Orbit;
+use faer::ColRef;
 use serde::Serialize;
 
 /// Distance beside its size below which an orbit lies on a branch whose states are read between its points.
@@ -113,9 +114,7 @@ impl Branch {
 
     /// True when an orbit lies on the branch, at whichever of its drive cycles it is looked at.
     pub(super) fn holds(&self, orbit: &Orbit, parameter: f64) -> bool {
-        let norm = |values: &mut dyn Iterator<Item = f64>| values.map(|v| v * v).sum::<f64>().sqrt();
-        let size = norm(&mut orbit.start().iter().copied());
-        let near = |state: &[f64], look: &[f64]| norm(&mut look.iter().zip(state).map(|(a, b)| a - b)) < NEAR * size;
+        let near = |state: &[f64], look: &[f64]| (ColRef::from_slice(look) - ColRef::from_slice(state)).norm_l2() < NEAR * orbit.size();
         let crossings = self.crossings(parameter);
         self.period_cycles == orbit.period_cycles && crossings.iter().any(|(state, _)| orbit.looks.iter().any(|look| near(state, look)))
     }

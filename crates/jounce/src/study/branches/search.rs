@@ -4,14 +4,13 @@
 //! the stop and from a hard kick settle on, at values across the range, unless it lies on a branch already known. Doubled branches are entered where a branch
 //! doubles. Marches run in parallel; everything after them is in a fixed order.
 
-use super::attractor::settled_orbit;
 use super::branch::{Branch, BranchKind, BranchPoint, Ending};
 use super::follow::Following;
+use super::settled_orbit::settled_orbit;
 use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, correct, settle, tangent};
-use crate::orbit::{HarmonicBalance, Harvester, Orbit, OrbitError, OrbitMethod, Shooting};
+use crate::orbit::{HarmonicBalance, Harvester, Orbit, OrbitError, OrbitMethod, Shooting, null_vector};
 use crate::study::{Parameter, Prepared, StudyError};
 use faer::Mat;
-use faer::linalg::solvers::Solve;
 use rayon::prelude::*;
 
 /// How orbits are computed.
@@ -224,20 +223,12 @@ impl BranchSearch<'_> {
         let state = at.orbit.start();
         let map = self.shooting(method.cycles() / 2).at(state, at.parameter).ok()?.map;
         let n = state.len();
-        // Inverse iteration towards -1.
-        let shifted = Mat::from_fn(n, n, |i, j| map[(i, j)] + if i == j { 1.0 + 1e-9 } else { 0.0 });
-        let solver = shifted.partial_piv_lu();
-        let mut vector = Mat::from_fn(n, 1, |_, _| 1.0);
-        for _ in 0..4 {
-            vector = solver.solve(&vector);
-            let size = vector.norm_l2();
-            vector = Mat::from_fn(n, 1, |i, _| vector[(i, 0)] / size);
-        }
-        let size = state.iter().map(|u| u * u).sum::<f64>().sqrt();
+        let vector = null_vector(&Mat::from_fn(n, n, |i, j| map[(i, j)] + if i == j { 1.0 } else { 0.0 }));
+        let size = at.orbit.size();
         let origin = Position { unknown: method.unknown_of(state, at.parameter).ok()?, parameter: at.parameter };
         let metric = Metric::at(&origin, following.parameter_scale());
         [1e-2, 3e-3, 3e-2].into_iter().find_map(|length| {
-            let moved: Vec<f64> = (0..n).map(|i| state[i] + length * size * vector[(i, 0)]).collect();
+            let moved: Vec<f64> = (0..n).map(|i| state[i] + length * size * vector[i]).collect();
             let guess = Position { unknown: method.unknown_of(&moved, at.parameter).ok()?, parameter: at.parameter };
             let apart = guess.unknown.iter().zip(&origin.unknown).map(|(a, b)| a - b).collect();
             let ahead = metric.unit(Direction { unknown: apart, parameter: 0.0 });

@@ -92,7 +92,6 @@ impl JumpSearch<'_> {
         };
         let kernel = &self.base.kernel;
         let start = found.at.orbit.start();
-        let size = start.iter().map(|u| u * u).sum::<f64>().sqrt();
         let (low, high) = self.ranges[0];
         let tracking = Tracking {
             plane,
@@ -101,7 +100,7 @@ impl JumpSearch<'_> {
             tolerance: self.tolerance,
             scale: Shooting::new(&plane.line(parameter_2).map_err(OrbitError::Harvester)?, kernel, cycles, self.tolerance).scale,
             origin: found.at.parameter,
-            unit: (high - low) / (20.0 * size),
+            unit: (high - low) / (20.0 * found.at.orbit.size()),
         };
         let corrector = Corrector { goal: (RESOLUTION * self.tolerance).clamp(1e-9, 1e-4), most: 12 };
         let position = Position { unknown: tracking.unknown(start, found.at.parameter), parameter: parameter_2 };

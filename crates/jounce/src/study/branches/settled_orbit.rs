@@ -100,11 +100,8 @@ fn orbit_near<H: Harvester>(
     let found = settle(&shooting, &Corrector { goal, most: 12 }, &metric, position.clone()).ok()?;
     let distance = metric.length(&position.to(&found.position));
     let orbit = shooting.orbit(&found.local, found.error).ok()?;
-    // Cycles that repeat belong to a shorter orbit, which has a turn of its own.
-    let apart = |k: usize| norm(orbit.looks[k].iter().zip(&orbit.looks[0]).map(|(a, b)| a - b)) / metric.unknown;
-    let repeats = (1..cycles as usize).any(|k| (cycles as usize).is_multiple_of(k) && apart(k) < 1e-5);
-    // A Newton that runs far has found another orbit than the one that attracts.
-    (distance < NEAR && orbit.is_stable() && !repeats).then_some((orbit, distance))
+    // Cycles that repeat belong to a shorter orbit, which has a turn of its own. A Newton that runs far has found another orbit than the one that attracts.
+    (distance < NEAR && orbit.is_stable() && !orbit.repeats_early()).then_some((orbit, distance))
 }
 
 fn norm(values: impl Iterator<Item = f64>) -> f64 {

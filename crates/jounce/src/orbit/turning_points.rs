@@ -2,7 +2,6 @@
 
 use super::Shot;
 use crate::march::{Kernel, Trajectory};
-use faer::c64;
 
 /// Looks per drive cycle in flight, at least.
 const LOOKS: f64 = 512.0;
@@ -64,9 +63,6 @@ fn motion(kernel: &Kernel, time_s: f64, state: &[f64]) -> Option<Motion> {
     let plant = &kernel.plant;
     let (port, stop) = plant.ports.first().zip(plant.system.stops.first())?;
     let dot = |row: &[f64]| row.iter().zip(state).map(|(r, y)| r * y).sum::<f64>();
-    let driven = plant.tones.iter().zip(&port.steady_m).fold((0.0, 0.0), |(place, speed), (tone, s)| {
-        let turned = s * c64::cis(tone.angular_frequency_rad_s * time_s);
-        (place + turned.re, speed - tone.angular_frequency_rad_s * turned.im)
-    });
-    Some((time_s, dot(&port.displacement) + driven.0 - stop.gap_m, dot(&port.velocity) + driven.1))
+    let driven = plant.driven(port, time_s);
+    Some((time_s, dot(&port.displacement) + driven[0] - stop.gap_m, dot(&port.velocity) + driven[1]))
 }
