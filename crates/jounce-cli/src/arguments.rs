@@ -1,6 +1,6 @@
 //! What can be typed.
 
-use crate::commands::{basins, branch, check, completions, frf, jumps, modes, reproduce, run, sweep};
+use crate::commands::{basins, branch, check, completions, frf, jumps, modes, reproduce, run, show, sweep};
 use clap::{Parser, Subcommand};
 
 /// Simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
@@ -19,6 +19,8 @@ pub struct Arguments {
 pub enum Command {
     /// Reads a spec and reports every fault in it.
     Check(check::Check),
+    /// Draws the harvester to scale, so that a wrong number is seen.
+    Show(show::Show),
     /// Natural frequencies, damping ratios and coupling factors.
     Modes(modes::Modes),
     /// Frequency response functions without contact, in closed form.
@@ -48,6 +50,7 @@ impl Command {
     pub fn wants_json(&self) -> bool {
         match self {
             Command::Check(command) => command.output.json,
+            Command::Show(command) => command.json,
             Command::Modes(command) => command.output.json,
             Command::Frf(command) => command.output.json,
             Command::Run(command) => command.output.json,

@@ -4,7 +4,7 @@
 //!
 //! `store` (files that appear whole or not at all), `wide` (vector arithmetic), `spec` (what the user says) -> `structure` (beams and masses to modes) ->
 //! `contact` (laws) -> `plant` (the coupled linear system in diagonal form, with its ports) -> `linear` (closed-form answers) ->
-//! `march` (time) -> `continuation` (curves of solutions) -> `orbit` (periodic answers) -> `run` -> `signal` -> `study` (sweeps) -> `table` -> `picture` -> `report` -> `reproduce` (the paper);
+//! `march` (time) -> `continuation` (curves of solutions) -> `orbit` (periodic answers) -> `run` -> `signal` -> `study` (sweeps) -> `table` -> `picture` -> `show` (drawings) -> `report` -> `reproduce` (the paper);
 //! `reference` holds exact answers.
 
 pub mod contact;
@@ -18,6 +18,7 @@ pub mod reference;
 pub mod report;
 pub mod reproduce;
 pub mod run;
+pub mod show;
 pub mod signal;
 pub mod spec;
 pub mod store;

@@ -9,6 +9,7 @@ pub mod jumps;
 pub mod modes;
 pub mod reproduce;
 pub mod run;
+pub mod show;
 pub mod sweep;
 
 use crate::arguments::Command;
@@ -19,6 +20,7 @@ use crate::output::line;
 pub fn run(command: Command) -> Result<(), Failure> {
     match command {
         Command::Check(command) => command.run(),
+        Command::Show(command) => command.run(),
         Command::Modes(command) => command.run(),
         Command::Frf(command) => command.run(),
         Command::Run(command) => command.run(),

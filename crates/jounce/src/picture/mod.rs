@@ -12,6 +12,7 @@
 mod axis;
 mod colour;
 mod curve;
+mod drawing;
 mod error;
 mod figure;
 mod frame;
@@ -30,6 +31,7 @@ mod unit;
 
 pub use axis::{Axis, Scale};
 pub use colour::Colour;
+pub use drawing::{Carrier, Drawing, DrawnBeam, DrawnBody, DrawnPatch, DrawnStop};
 pub use error::PictureError;
 pub use figure::Figure;
 pub use panel::{Along, Band, Note, Panel, Reference};

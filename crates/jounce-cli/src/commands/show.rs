@@ -1,0 +1,35 @@
+//! `jounce show SPEC`
+
+use crate::failure::Failure;
+use crate::output::{line, print};
+use crate::spec_arguments::SpecArguments;
+use clap::Args;
+use std::path::{Path, PathBuf};
+
+/// Arguments of `show`.
+#[derive(Debug, Args)]
+pub struct Show {
+    #[command(flatten)]
+    spec: SpecArguments,
+    /// Where the drawing goes: a name that ends in .svg or .png. By default the name of the spec with .svg, in the current folder.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Prints one JSON object on stdout.
+    #[arg(long)]
+    pub json: bool,
+}
+
+impl Show {
+    /// Draws the harvester and says where.
+    pub fn run(&self) -> Result<(), Failure> {
+        let spec = self.spec.spec()?;
+        let stem = self.spec.spec.file_stem().unwrap_or_default();
+        let path = self.out.clone().unwrap_or_else(|| Path::new(stem).with_extension("svg"));
+        jounce::show::drawing(&stem.to_string_lossy(), &spec).write(&path)?;
+        match self.json {
+            true => print(&serde_json::json!({ "drawing": path })),
+            false => line(path.display()),
+        }
+        Ok(())
+    }
+}

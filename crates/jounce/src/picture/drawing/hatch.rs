@@ -1,0 +1,34 @@
+//! The ground: a line with hatching on its far side.
+
+use crate::picture::svg::{Svg, number};
+
+/// Side of a line on which the hatching lies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Far {
+    /// Above a level line.
+    Above,
+    /// Below a level line.
+    Below,
+    /// At the left of an upright line.
+    Left,
+}
+
+const LOOK: &str = "class=\"jounce-rule\" stroke=\"#1a1a1a\" stroke-width=\"1.2\" fill=\"none\"";
+
+/// Ground along a line of some length from a corner.
+pub fn ground(svg: &mut Svg, (x, y): (f64, f64), length: f64, far: Far) {
+    let upright = far == Far::Left;
+    let end = if upright { (x, y + length) } else { (x + length, y) };
+    let mut steps = format!("M{} {}L{} {}", number(x), number(y), number(end.0), number(end.1));
+    let count = (length / 7.0).round().max(1.0) as usize;
+    for k in 0..count {
+        let along = (k as f64 + 0.5) * length / count as f64;
+        let (from, to) = match far {
+            Far::Above => ((x + along, y), (x + along + 6.0, y - 7.0)),
+            Far::Below => ((x + along, y), (x + along - 6.0, y + 7.0)),
+            Far::Left => ((x, y + along), (x - 7.0, y + along + 6.0)),
+        };
+        steps.push_str(&format!("M{} {}L{} {}", number(from.0), number(from.1), number(to.0), number(to.1)));
+    }
+    svg.path(&steps, LOOK);
+}

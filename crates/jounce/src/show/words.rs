@@ -1,0 +1,39 @@
+//! Quantities in words.
+
+use crate::spec::{Drive, Mass, Quantity, StopLaw};
+use std::f64::consts::TAU;
+
+/// A value in its unit with at most five digits.
+pub fn value(quantity: Quantity, value: f64) -> String {
+    quantity.write(format!("{value:.4e}").parse().unwrap_or(value))
+}
+
+/// A contact law with its numbers.
+pub fn law(law: &StopLaw) -> String {
+    let stiffness = |stiffness: f64, exponent: f64| value(Quantity::ContactStiffness { exponent }, stiffness);
+    match *law {
+        StopLaw::Hertz { stiffness: k, exponent } => format!("hertz, {}", stiffness(k, exponent)),
+        StopLaw::Spring { stiffness_n_m } => format!("spring, {}", value(Quantity::Stiffness, stiffness_n_m)),
+        StopLaw::KelvinVoigt { stiffness_n_m, damping_n_s_m } => {
+            format!("kelvin-voigt, {}, {}", value(Quantity::Stiffness, stiffness_n_m), value(Quantity::Damping, damping_n_s_m))
+        }
+        StopLaw::HuntCrossley { stiffness: k, exponent, damping_s_m } => {
+            format!("hunt-crossley, {}, {}", stiffness(k, exponent), value(Quantity::InverseSpeed, damping_s_m))
+        }
+        StopLaw::Rigid { restitution } => format!("rigid, restitution {restitution}"),
+    }
+}
+
+/// A mass and its spring.
+pub fn mass(mass: &Mass) -> Vec<String> {
+    let own = value(Quantity::Mass, mass.mass_kg);
+    match mass.stiffness_n_m > 0.0 {
+        true => vec![format!("{own}, {}", value(Quantity::Frequency, (mass.stiffness_n_m / mass.mass_kg).sqrt() / TAU))],
+        false => vec![format!("{own}, free")],
+    }
+}
+
+/// A drive.
+pub fn drive(name: &str, drive: &Drive) -> String {
+    format!("{name}: {} peak, {}", value(Quantity::Force, drive.amplitude_n), value(Quantity::Frequency, drive.frequency_hz))
+}
