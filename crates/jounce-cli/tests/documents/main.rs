@@ -98,3 +98,14 @@ fn every_document_with_rust_is_a_doctest() {
     missing.retain(|document| !included(document));
     assert!(missing.is_empty(), "documents with Rust that lib.rs does not include: {}", missing.join(", "));
 }
+
+/// A picture of the harvester that is out of date would show another one than the text.
+#[test]
+fn the_drawing_in_the_book_is_the_one_that_show_makes() {
+    let folder = empty_folder("drawing");
+    commands::copy(&root().join("examples"), &folder.join("examples"));
+    let arguments = ["show", "examples/impact-harvester-2019/harvester.toml", "--out", "harvester.svg"];
+    assert_cmd::Command::cargo_bin("jounce").expect("the program is built").args(arguments).current_dir(&folder).assert().success();
+    let read = |path: PathBuf| std::fs::read_to_string(path).expect("the picture is there");
+    assert!(read(folder.join("harvester.svg")) == read(root().join("book/src/pictures/harvester.svg")), "draw the picture again");
+}

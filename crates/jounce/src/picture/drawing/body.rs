@@ -80,7 +80,7 @@ pub fn stops(svg: &mut Svg, body: &DrawnBody, view: View) {
         };
         let way = if drawn.above { -0.5 } else { 0.5 };
         let own = if drawn.place_m.is_none() { View { y: view.y + way * BOX.1, ..view } } else { view };
-        stop::drawn(svg, drawn, x, face_m, own, view.root_x - 0.3 * BOX.0);
+        stop::drawn(svg, drawn, x, face_m, own, (view.root_x - 0.3 * BOX.0, view.y + way * BOX.1));
     }
 }
 

@@ -14,7 +14,7 @@ const LEFT: f64 = 190.0;
 const RIGHT: f64 = 110.0;
 
 /// Height of a side view, px.
-const BODY: f64 = 250.0;
+const BODY: f64 = 225.0;
 
 /// Width of a closer look, px.
 const LOOK: f64 = 285.0;

@@ -16,8 +16,8 @@ pub fn tip(x: f64, y: f64, way: f64, size: f64) -> String {
     format!("M{a} {far}L{a} {middle}Q{a} {y0} {x0} {y0}Q{b} {y0} {b} {middle}L{b} {far}Z", x0 = number(x), y0 = number(y))
 }
 
-/// The stop of a body whose striking face lies at `face_m` from the mid-plane.
-pub fn drawn(svg: &mut Svg, stop: &DrawnStop, x: f64, face_m: f64, view: View, carrier_x: f64) {
+/// The stop of a body whose striking face lies at `face_m` from the mid-plane; where it rides, its arm starts at `carrier`.
+pub fn drawn(svg: &mut Svg, stop: &DrawnStop, x: f64, face_m: f64, view: View, carrier: (f64, f64)) {
     let way = if stop.above { -1.0 } else { 1.0 };
     let y = view.y + way * (face_m + stop.gap_m) * view.px_per_m;
     let far = y + way * PIN;
@@ -25,7 +25,8 @@ pub fn drawn(svg: &mut Svg, stop: &DrawnStop, x: f64, face_m: f64, view: View, c
     let look = "class=\"jounce-rule\" stroke=\"#1a1a1a\" stroke-width=\"1.2\" fill=\"none\"";
     svg.path(&format!("M{x0} {a}L{x0} {b}", x0 = number(x), a = number(y + way * 10.0), b = number(far)), look);
     if stop.rides {
-        svg.path(&format!("M{} {f}L{} {f}L{} {}", number(x), number(carrier_x), number(carrier_x), number(view.y), f = number(far)), look);
+        let arm = format!("M{} {f}L{c} {f}L{c} {}", number(x), number(carrier.1), c = number(carrier.0), f = number(far));
+        svg.path(&arm, look);
     } else if stop.frame == "ground" {
         ground(svg, (x - 22.0, far), 44.0, if stop.above { Far::Above } else { Far::Below });
     }
