@@ -68,7 +68,7 @@ def record(result: Result, found: dict[str, Any]) -> None:
         result.failed = str(found["failed"])
         return
     result.mean_power_w = float(found["mean_power_w"])
-    result.cpu_s.append(float(found["cpu_s"] if "cpu_s" in found else found["march_s"]))
+    result.cpu_s.append(float(found["cpu_s"]))
     if "evaluations" in found:
         result.evaluations = float(found["evaluations"])
 
