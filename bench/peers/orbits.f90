@@ -93,26 +93,16 @@ subroutine func(ndim, u, icp, par, ijac, f, dfdu, dfdp)
     dfdp(v + 2, 1) = -tau * s
 end subroutine
 
-! The orbit at the start, t from 0 to 1 over one period: the linear answer to F sin.
+! The orbit at the start, t from 0 to 1 over one period: the linear answer to F sin. AUTO calls this before anything else.
 subroutine stpnt(ndim, u, par, t)
     use plant
     implicit none
     integer, intent(in) :: ndim
     double precision, intent(inout) :: u(ndim), par(*)
     double precision, intent(in) :: t
-    complex(kind(1d0)) :: turned(size(tip) + 1)
-    if (modes == 0) call read_plant()
-    call start(ndim, u, par, t)
-end subroutine
-
-subroutine start(ndim, u, par, t)
-    use plant
-    implicit none
-    integer, intent(in) :: ndim
-    double precision, intent(inout) :: u(ndim), par(*)
-    double precision, intent(in) :: t
-    complex(kind(1d0)) :: turned(modes + 1)
+    complex(kind(1d0)), allocatable :: turned(:)
     double precision :: omega
+    if (modes == 0) call read_plant()
     omega = tau * start_hz
     par(1) = start_hz
     par(11) = 1d0 / start_hz
