@@ -10,7 +10,9 @@ import dataclasses
 import json
 import sys
 import time
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from run import HERE, enter_venv
 
@@ -45,17 +47,24 @@ def main() -> None:
     drawn = orbit_run.draw(methods, chosen.cap)
     rk4, dop853 = (build.compile_c(name, model.modes) for name in ("rk4", "dop853"))
     references = orbit_run.settled_w(model, rk4, dop853) if rk4 and dop853 else {}
-    costs = orbit_run.costs(program, specs(orbit_run.MODES), chosen.repeats, chosen.cap) if program else []
-    text = orbit_report.report(described, drawn, references, costs, chosen.cap)
-    folder = HERE / "results"
-    folder.mkdir(exist_ok=True)
-    stem = folder / time.strftime("orbits-%Y-%m-%dT%H-%M-%S")
-    raw = {"branch": [dataclasses.asdict(each) for each in drawn], "costs": [dataclasses.asdict(each) for each in costs]}
+    stem = HERE / "results" / time.strftime("orbits-%Y-%m-%dT%H-%M-%S")
+    costs: list[orbit_run.Cost] = []
+    for measure_costs in (False, True) if program else (False,):  # the branch is on disk before the long second part begins
+        if program and measure_costs:
+            costs = orbit_run.costs(program, specs(orbit_run.MODES), chosen.repeats, chosen.cap)
+        text = orbit_report.report(described, drawn, references, costs, chosen.cap)
+        write(text, stem, {"branch": drawn, "costs": costs}, chosen.keep)
+    print(text)
+
+
+def write(text: str, stem: Path, parts: dict[str, Sequence[Any]], keep: bool) -> None:
+    """Keeps every number of this run under bench/results, and the report in ORBITS.md."""
+    stem.parent.mkdir(exist_ok=True)
+    raw = {name: [dataclasses.asdict(each) for each in part] for name, part in parts.items()}
     stem.with_suffix(".json").write_text(json.dumps(raw, indent=1))
     stem.with_suffix(".md").write_text(text)
-    if not chosen.keep:
+    if not keep:
         (HERE / "ORBITS.md").write_text(text)
-    print(text)
 
 
 def specs(modes: tuple[int, ...]) -> dict[int, Path]:
