@@ -31,7 +31,7 @@ def enter_venv() -> None:
         subprocess.run([sys.executable, "-m", "venv", str(VENV)], check=True)
         subprocess.run([str(python), "-m", "pip", "install", "--quiet", *REQUIREMENTS], check=True)
         (VENV / "complete").touch()
-    os.execv(python, [str(python), str(Path(__file__).resolve()), *sys.argv[1:]])
+    os.execv(python, [str(python), str(Path(sys.argv[0]).resolve()), *sys.argv[1:]])
 
 
 def options() -> argparse.Namespace:
@@ -39,7 +39,7 @@ def options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("plant", nargs="*", type=Path, help="specs given by modes; default bench/plant.toml and bench/plant-24.toml")
     parser.add_argument(
-        "--jounce", type=Path, default=HERE.parent / "target" / "release" / "jounce", help="the binary; left out where absent"
+        "--jounce", type=Path, default=HERE.parent / "target" / "release" / "jounce", help="the program, for whole tasks; left out where absent"
     )
     parser.add_argument("--spec", type=Path, default=HERE.parent / "examples" / "impact-harvester-2019" / "harvester.toml")
     parser.add_argument("--repeats", type=int, default=7, help="repetitions of each compiled method")
@@ -67,9 +67,7 @@ def main() -> None:
         model = plant.read_plant(path)
         few = model.modes <= 8
         cases = [plant.Case(*pair) for pair in (EIGHT_MODE_CASES if few else MANY_MODE_CASES)]
-        methods = peers.compiled(model.modes, chosen.repeats)
-        if binary:
-            methods.insert(0, peers.jounce(binary, model, chosen.repeats))
+        methods = peers.jounce(model, chosen.repeats) + peers.compiled(model.modes, chosen.repeats)
         if few and not chosen.quick:
             methods += peers.interpreted(sys.executable)
         found = measure.run_all(model, cases, methods, chosen.cap)

@@ -11,6 +11,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent.parent
 BUILD = HERE / "build"
 C_FLAGS = ["-std=gnu11", "-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math"]
+FORTRAN_FLAGS = ["-O3", "-march=native", "-fopenmp"]
 
 
 def say(text: str) -> None:
@@ -44,15 +45,38 @@ def compile_c(name: str, modes: int) -> Path | None:
     return target
 
 
-def compile_rust() -> Path | None:
-    """The Rust peers, in a workspace and a target folder of their own."""
+def cargo(folder: str, program: str) -> Path | None:
+    """A Rust program with a workspace and a target folder of its own."""
     if shutil.which("cargo") is None:
-        say("left out: the Rust peers: cargo is not installed")
+        say(f"left out: {folder}: cargo is not installed")
         return None
-    folder = HERE / "peers-rust"
-    environment = os.environ | {"CARGO_TARGET_DIR": str(folder / "target")}
-    subprocess.run(["cargo", "build", "--release", "--quiet"], cwd=folder, env=environment, check=True)
-    return folder / "target" / "release" / "peers"
+    root = HERE / folder
+    environment = os.environ | {"CARGO_TARGET_DIR": str(root / "target")}
+    subprocess.run(["cargo", "build", "--release", "--quiet"], cwd=root, env=environment, check=True)
+    return root / "target" / "release" / program
+
+
+def compile_rust() -> Path | None:
+    """The Rust libraries that jounce is compared with."""
+    return cargo("peers-rust", "peers")
+
+
+def compile_jounce() -> Path | None:
+    """jounce as a library, from the sources beside this folder."""
+    return cargo("peer-jounce", "peer-jounce")
+
+
+def compile_auto() -> Path | None:
+    """AUTO-07p with the plant's equations, linked as its own `@r` script does."""
+    objects = sorted(Path(os.environ.get("AUTO_DIR", "/usr/lib/auto-07p")).glob("lib/*.o"))
+    compiler = shutil.which("gfortran")
+    if compiler is None or not objects:
+        say("left out: AUTO-07p: gfortran or AUTO's object files are not installed (Debian packages gfortran and auto-07p)")
+        return None
+    target = BUILD / "orbits"
+    command = [compiler, *FORTRAN_FLAGS, str(HERE / "peers" / "orbits.f90"), *map(str, objects), "-o", str(target)]
+    subprocess.run(command, cwd=BUILD, check=True)
+    return target
 
 
 def find_octave() -> Path | None:

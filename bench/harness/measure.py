@@ -3,21 +3,17 @@
 from __future__ import annotations
 
 import json
-import os
 import random
-import resource
-import signal
-import subprocess
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
+from statistics import median
 from typing import Any
 
 from .build import BUILD, say
 from .peers import Peer
 from .plant import Case, Plant
-
-ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+from .process import finish
 
 
 @dataclass
@@ -38,23 +34,17 @@ class Result:
     @property
     def median_s(self) -> float:
         """Median CPU time, s."""
-        ordered = sorted(self.cpu_s)
-        middle = len(ordered) // 2
-        return ordered[middle] if len(ordered) % 2 else (ordered[middle - 1] + ordered[middle]) / 2.0
+        return median(self.cpu_s)
 
 
 def outcome(command: list[str], cap_s: float) -> dict[str, Any]:
     """The JSON that one process prints, or why there is none; the process is stopped after `cap_s` of CPU time."""
-
-    def limit() -> None:
-        resource.setrlimit(resource.RLIMIT_CPU, (round(cap_s), round(cap_s)))
-
-    done = subprocess.run(command, capture_output=True, text=True, env=os.environ | ONE_THREAD, cwd=BUILD, preexec_fn=limit)
-    if done.returncode in (-signal.SIGKILL, -signal.SIGXCPU):
-        return {"failed": f"over {cap_s:g} s"}
+    done = finish(command, BUILD, cap_s)
+    if done.failed:
+        return {"failed": done.failed}
     start = done.stdout.find("{")
     if start < 0:
-        return {"failed": (done.stderr.strip().splitlines() or ["no output"])[-1][:160]}
+        return {"failed": "no output"}
     try:
         found: dict[str, Any] = json.loads(done.stdout[start:])
     except json.JSONDecodeError:
@@ -68,7 +58,7 @@ def record(result: Result, found: dict[str, Any]) -> None:
         result.failed = str(found["failed"])
         return
     result.mean_power_w = float(found["mean_power_w"])
-    result.cpu_s.append(float(found["cpu_s"] if "cpu_s" in found else found["march_s"]))
+    result.cpu_s.append(float(found["cpu_s"]))
     if "evaluations" in found:
         result.evaluations = float(found["evaluations"])
 

@@ -20,11 +20,13 @@ def draw(results: dict[str, list[Result]], modes: dict[str, int], paths: list[Pa
     columns = min(3, len(panels))
     rows = -(-len(panels) // columns)
     figure, axes = plt.subplots(rows, columns, figsize=(4.2 * columns, 3.6 * rows + 0.9), sharex=True, sharey=True, squeeze=False)
+    own = {"color": "black", "linewidth": 2.2, "zorder": 5}
+    styles = {"jounce": own, "jounce, first run": own | {"linestyle": "--", "linewidth": 1.4}}
     colours = plt.get_cmap("tab20")
     for axis, (plant, case) in zip(axes.flat, panels, strict=False):
         for index, peer in enumerate(peers):
             ladder = [r for r in results[plant] if (r.case, r.peer) == (case, peer) and r.error and r.cpu_s]
-            style = {"color": "black", "linewidth": 2.2, "zorder": 5} if peer == "jounce" else {"color": colours(index), "linewidth": 1.1}
+            style = styles.get(peer, {"color": colours(index), "linewidth": 1.1})
             axis.plot([r.error for r in ladder], [1e3 * r.median_s for r in ladder], marker="o", markersize=3, label=peer, **style)
         axis.set(xscale="log", yscale="log", title=f"{modes[plant]} modes, {case}")
         axis.grid(True, which="major", linewidth=0.3)

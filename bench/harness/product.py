@@ -1,55 +1,44 @@
-"""Times of jounce that have no peer: a whole process, a figure of sweeps, the whole reproduction."""
+"""Times of jounce that have no peer: a whole process, a figure of sweeps, the whole reproduction. On all cores."""
 
 from __future__ import annotations
 
-import subprocess
 import tempfile
-import time
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from .build import say
+from .process import finish
 
 LEVELS_N = (50, 100, 200)
 SWEEP = ("--over", "drive.shaker.frequency=4Hz:20Hz:0.1Hz", "--direction", "both", "--fixed-duration", "--json")
 
 
-@dataclass(frozen=True)
+@dataclass
 class Whole:
-    """Wall times of one task, s; `failed` says why there are none."""
+    """CPU and wall times of one task from start to exit, s; `failed` says why there are none."""
 
     task: str
-    wall_s: list[float]
+    cpu_s: list[float] = field(default_factory=list)
+    wall_s: list[float] = field(default_factory=list)
     failed: str | None = None
 
 
-def once(binary: Path, words: list[str], cap_s: float) -> float | str:
-    """Wall time from start to exit, in an empty folder so that nothing is resumed; or why it failed."""
-    with tempfile.TemporaryDirectory() as folder:
-        begin = time.perf_counter()
-        try:
-            done = subprocess.run([str(binary), *words], cwd=folder, capture_output=True, text=True, timeout=cap_s)
-        except subprocess.TimeoutExpired:
-            return f"over {cap_s:g} s"
-        taken_s = time.perf_counter() - begin
-    if done.returncode:
-        return (done.stderr.strip().splitlines() or [f"exit code {done.returncode}"])[0][:160]
-    return taken_s
-
-
 def timed(binary: Path, task: str, commands: list[list[str]], repeats: int, cap_s: float) -> Whole:
-    """The sum over the commands, repeated."""
-    sums: list[float] = []
+    """The sum over the commands, repeated; each in an empty folder, so that nothing is resumed."""
+    whole = Whole(task)
     for _ in range(repeats):
-        total = 0.0
+        cpu_s = wall_s = 0.0
         for words in commands:
-            taken = once(binary, words, cap_s)
-            if isinstance(taken, str):
-                say(f"failed: {task}: {taken}")
-                return Whole(task, sums, taken)
-            total += taken
-        sums.append(total)
-    return Whole(task, sums)
+            with tempfile.TemporaryDirectory() as folder:
+                done = finish([str(binary), *words], Path(folder), cap_s, threads={})
+            if done.failed:
+                say(f"failed: {task}: {done.failed}")
+                whole.failed = done.failed
+                return whole
+            cpu_s, wall_s = cpu_s + done.cpu_s, wall_s + done.wall_s
+        whole.cpu_s.append(cpu_s)
+        whole.wall_s.append(wall_s)
+    return whole
 
 
 def whole_tasks(binary: Path, spec: Path, repeats: int, cap_s: float) -> list[Whole]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from statistics import median
+
 from .compare import curve, time_at
 from .measure import Result
 from .product import Whole
@@ -12,6 +14,11 @@ TARGETS = (1e-4, 1e-6, 1e-8, 1e-9)
 def milliseconds(seconds: float) -> str:
     """Three digits, in ms."""
     return f"{1e3 * seconds:.3g}" if seconds < 1.0 else f"{1e3 * seconds:.0f}"
+
+
+def span(seconds: list[float]) -> str:
+    """Median and extremes, ms."""
+    return f"{milliseconds(median(seconds))} [{milliseconds(min(seconds))} .. {milliseconds(max(seconds))}]"
 
 
 def base_of(results: list[Result]) -> str:
@@ -32,8 +39,7 @@ def row(result: Result, results: list[Result], base: str) -> str:
     other_s = time_at(curve(results, result.case, base), reached)
     ratio = f"{result.median_s / other_s:.3g}" if other_s else "not reached"
     each = f"{1e9 * result.median_s / result.evaluations:.3g}" if result.evaluations else ""
-    span = f"{milliseconds(result.median_s)} [{milliseconds(min(result.cpu_s))} .. {milliseconds(max(result.cpu_s))}]"
-    return f"{head} {span} | {result.error:.1e} | {ratio} | {each} |"
+    return f"{head} {span(result.cpu_s)} | {result.error:.1e} | {ratio} | {each} |"
 
 
 def at_the_same_error(results: list[Result], case: str, base: str) -> list[str]:
@@ -72,11 +78,11 @@ def whole_section(wholes: list[Whole]) -> list[str]:
     """The times of jounce alone."""
     if not wholes:
         return []
-    lines = ["## jounce alone", "", "| task | wall ms, median [min .. max] |", "|---|---|"]
+    head = "| task | CPU ms, all cores, median [min .. max] | wall ms, median [min .. max] |"
+    lines = ["## jounce alone", "", head, "|---|---|---|"]
     for whole in wholes:
-        ordered = sorted(whole.wall_s)
-        span = f"{milliseconds(ordered[len(ordered) // 2])} [{milliseconds(ordered[0])} .. {milliseconds(ordered[-1])}]" if ordered else ""
-        lines.append(f"| {whole.task} | {whole.failed or span} |")
+        cells = f"{whole.failed} | " if whole.failed else f"{span(whole.cpu_s)} | {span(whole.wall_s)}"
+        lines.append(f"| {whole.task} | {cells} |")
     return [*lines, ""]
 
 

@@ -1,0 +1,124 @@
+"""ORBITS.md: what each method needed for the whole branch, where it turns, how exact its power is, and the cost per point."""
+
+from __future__ import annotations
+
+from statistics import median
+
+from .branches import CHECKS_HZ, FORCE_N, HIGHEST_HZ, JOUNCE_METHODS, LOWEST_HZ
+from .orbit_run import MODES, SHORT_HZ, Cost, Drawn
+
+SAME_HZ = 0.01  # a label farther than this from every fold of the base is one of its own
+
+
+def span(seconds: list[float]) -> str:
+    """Median and extremes."""
+    return f"{median(seconds):.3g} [{min(seconds):.3g} .. {max(seconds):.3g}]"
+
+
+def base_of(drawn: list[Drawn]) -> Drawn | None:
+    """jounce by shooting, to which times and folds are set in relation."""
+    return next((each for each in drawn if each.method in JOUNCE_METHODS and each.cpu_s), None)
+
+
+def time_table(drawn: list[Drawn]) -> list[str]:
+    """One line for each method."""
+    base = base_of(drawn)
+    lines = ["| method | CPU s, median [min .. max] | times jounce | points | ms per point | labels |", "|---|---|---|---|---|---|"]
+    for each in drawn:
+        if not each.cpu_s:
+            lines.append(f"| {each.method} | {each.found.failed} | | | | |")
+            continue
+        taken_s = median(each.cpu_s)
+        ratio = f"{taken_s / median(base.cpu_s):.3g}" if base else ""
+        kinds = [label[0] for label in each.found.labels]
+        labels = ", ".join(f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds))
+        ends = "" if each.found.reached else "; the branch ends before the range does, or is in pieces"
+        varies = "; not the same in every repetition" if each.varies else ""
+        per_point = f"{1e3 * taken_s / each.found.points:.3g}"
+        lines.append(f"| {each.method} | {span(each.cpu_s)} | {ratio} | {each.found.points} | {per_point} | {labels}{ends}{varies} |")
+    return lines
+
+
+def matched(folds: list[tuple[float, float]], base: list[tuple[float, float]]) -> tuple[list[tuple[float, float] | None], int]:
+    """For each fold of the base the nearest one within SAME_HZ, and how many folds are left over."""
+    nearest = [min(folds, key=lambda own: abs(own[0] - hz), default=None) for hz, _ in base]
+    close = [own if own and abs(own[0] - hz) < SAME_HZ else None for own, (hz, _) in zip(nearest, base, strict=True)]
+    return close, len(folds) - len({own for own in close if own})
+
+
+def fold_table(drawn: list[Drawn]) -> list[str]:
+    """Frequency and mean power at each fold of the base, and the folds that only the method itself has."""
+    base = base_of(drawn)
+    if base is None:
+        return []
+    folds = sorted(base.found.folds())
+    head = " | ".join(f"fold {number + 1}: Hz, W" for number in range(len(folds)))
+    lines = [f"| method | {head} | further folds |", "|---|" + "---|" * (len(folds) + 1)]
+    for each in drawn:
+        if each.cpu_s:
+            own, more = matched(each.found.folds(), folds)
+            cells = " | ".join(f"{fold[0]:.6f}, {fold[1]:.5e}" if fold else "no label" for fold in own)
+            lines.append(f"| {each.method} | {cells} | {more} |")
+    return lines
+
+
+def check_table(drawn: list[Drawn], references: dict[float, tuple[float, float]]) -> list[str]:
+    """Relative error of the mean power, and the largest multiplier, at the checked frequencies."""
+    head = " | ".join(f"error at {hz:g} Hz | largest multiplier" for hz in CHECKS_HZ)
+    lines = [f"| method | {head} |", "|---|" + "---|---|" * len(CHECKS_HZ)]
+    for each in drawn:
+        if each.cpu_s:
+            cells = []
+            for hz in CHECKS_HZ:
+                power_w, multiplier = each.found.power_w.get(hz), each.found.multiplier.get(hz)
+                cells += [f"{abs(power_w / references[hz][0] - 1.0):.1e}" if power_w else "", f"{multiplier:.6f}" if multiplier else ""]
+            lines.append(f"| {each.method} | {' | '.join(cells)} |")
+    return lines
+
+
+def cost_table(costs: list[Cost]) -> list[str]:
+    """Milliseconds a point against the number of modes."""
+    names = list(JOUNCE_METHODS)
+    lines = ["| modes | " + " | ".join(f"{name}: ms per point (points)" for name in names) + " |", "|---|" + "---|" * len(names)]
+    found = {(cost.method, cost.modes): cost for cost in costs}
+    for modes in MODES:
+        cells = []
+        for name in names:
+            cost = found[name, modes]
+            each_s = cost.per_point_s()
+            cells.append(f"{1e3 * each_s:.3g} ({cost.points})" if each_s else str(cost.failed))
+        lines.append(f"| {modes} | {' | '.join(cells)} |")
+    return lines
+
+
+def report(machine: list[str], drawn: list[Drawn], references: dict[float, tuple[float, float]], costs: list[Cost], cap_s: float) -> str:
+    """The whole file."""
+    known = "; ".join(f"{hz:g} Hz: {watt:.12e} W, {apart:.1e} apart" for hz, (watt, apart) in references.items())
+    lines = [
+        "# Periodic orbits",
+        "",
+        "Written by `bench/orbits.py`; how to read it is in `bench/README.md`.",
+        "",
+        *(f"- {line}" for line in machine),
+        f"- A run was stopped after {cap_s:g} s of CPU time.",
+        "",
+        f"## The branch of period 1, {LOWEST_HZ:g} to {HIGHEST_HZ:g} Hz at {FORCE_N:g} N",
+        "",
+        *time_table(drawn),
+        "",
+        "Where it turns:",
+        "",
+        *fold_table(drawn),
+        "",
+        "Mean power against a march of 300 s that has settled on the orbit"
+        f" (RK4, confirmed by DOP853; {known}), and the largest Floquet multiplier:"
+        if references
+        else "No reference could be marched:",
+        "",
+        *(check_table(drawn, references) if references else []),
+        "",
+        f"## Cost per point against the number of modes, {SHORT_HZ[0]:g} to {SHORT_HZ[1]:g} Hz",
+        "",
+        *(cost_table(costs) if costs else ["Not measured."]),
+    ]
+    return "\n".join(lines).rstrip() + "\n"

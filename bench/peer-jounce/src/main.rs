@@ -1,0 +1,63 @@
+//! One run of jounce as a library: `peer-jounce SPEC warm|first KEY=VALUE...` prints one JSON line.
+//!
+//! Keys of the spec are set as with `--set` on the command line, as in `"drive.shaker.frequency=11 Hz"`.
+//! `cpu_s` is CPU time of the whole process during `simulate`, from a fresh state at rest to the answer. With `warm` the first second
+//! of the same run was marched before on the same kernel, as all compiled peers do: what it has made of the step tables is kept, and
+//! tables that only a later part of the run needs are made within `cpu_s`. With `first` nothing was marched before.
+
+use jounce::march::Kernel;
+use jounce::plant::{Plant, System};
+use jounce::run::{RunAnswer, RunPlan, StartState, simulate};
+use jounce::spec::SpecFile;
+use jounce::structure;
+use rustix::time::{ClockId, clock_gettime};
+use std::error::Error;
+use std::process::ExitCode;
+
+/// Part of the run that the peers warm up on.
+const WARM_UP: f64 = 0.05;
+
+fn cpu_s() -> f64 {
+    let now = clock_gettime(ClockId::ProcessCPUTime);
+    now.tv_sec as f64 + 1e-9 * now.tv_nsec as f64
+}
+
+fn measure(path: &str, start: &str, changes: &[String]) -> Result<String, Box<dyn Error>> {
+    let mut file = SpecFile::read(path)?;
+    for change in changes {
+        let (key, value) = change.split_once('=').ok_or_else(|| format!("'{change}' is not KEY=VALUE"))?;
+        file.set(key, value)?;
+    }
+    let spec = file.spec()?;
+    let kernel = Kernel::new(Plant::new(System::assemble(&spec, structure::modes(&spec)?)?)?)?;
+    let rest = StartState::rest(&kernel.plant);
+    let whole = RunPlan {
+        duration_s: spec.run.duration_s,
+        average_over_s: spec.run.average_over_s,
+        tolerance: spec.run.tolerance,
+        record_s: 0.0,
+    };
+    let begin = RunPlan { duration_s: WARM_UP * whole.duration_s, average_over_s: WARM_UP * whole.duration_s, ..whole };
+    match start {
+        "warm" => drop(simulate(&kernel, &rest, &begin)?),
+        "first" => {}
+        other => return Err(format!("'{other}' is neither warm nor first").into()),
+    }
+    let before_s = cpu_s();
+    let RunAnswer { mean_power_w, .. } = simulate(&kernel, &rest, &whole)?;
+    let taken_s = cpu_s() - before_s;
+    Ok(format!(r#"{{"mean_power_w": {mean_power_w:e}, "cpu_s": {taken_s:e}}}"#))
+}
+
+fn main() -> ExitCode {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let [path, start, changes @ ..] = words.as_slice() else {
+        eprintln!("usage: peer-jounce SPEC warm|first KEY=VALUE...");
+        return ExitCode::from(2);
+    };
+    match measure(path, start, changes) {
+        Ok(line) => println!("{line}"),
+        Err(error) => println!(r#"{{"failed": {:?}}}"#, error.to_string()),
+    }
+    ExitCode::SUCCESS
+}

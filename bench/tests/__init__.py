@@ -1,0 +1,1 @@
+"""Tests of the benches themselves; they need nothing but Python."""
