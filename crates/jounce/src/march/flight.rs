@@ -13,9 +13,6 @@ use crate::wide::Wide;
 /// what its interpolant says: a contact that could hide in it is shallower than this fraction of the motion.
 const LOCATED: f64 = 1e-12;
 
-/// Error of the time of an impact that is left, beside the fastest time of the plant: roundoff.
-const LANDED: f64 = 1e-14;
-
 /// What became of one attempted step.
 enum Verdict {
     Clear,
@@ -185,16 +182,13 @@ impl Marcher<'_> {
             } else {
                 from_s = guess_s
             }
-            let speed_m_s = motion[1];
-            let newton = guess_s - motion[0] / speed_m_s;
-            let inside = newton >= from_s && newton <= to_s;
-            let next = if inside { newton } else { 0.5 * (from_s + to_s) };
+            let newton = guess_s - motion[0] / motion[1];
+            let next = if newton >= from_s && newton <= to_s { newton } else { 0.5 * (from_s + to_s) };
             let change = (next - guess_s).abs();
             motion = if change <= short_s { self.look_on(w, next - guess_s, next) } else { self.look_ahead(w, next) };
             guess_s = next;
-            // Newton squares the error, by half the relative change of the speed on the way, which is large where the stop is hardly met.
-            let left_s = 0.5 * change * ((motion[1] - speed_m_s) / motion[1]).abs();
-            if inside && left_s <= LANDED * guess_s.min(1.0 / self.kernel.fastest_rad_s) {
+            // Newton squares the error: a change this small left one of roundoff, and the flow to `next` has been looked at.
+            if change <= 1e-7 * guess_s.min(1.0 / self.kernel.fastest_rad_s) {
                 break;
             }
         }

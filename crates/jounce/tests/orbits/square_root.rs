@@ -92,7 +92,9 @@ fn multiplier_of_the_impacting_orbit_diverges_towards_its_grazing() {
         let trace = (orbit.multipliers[0] + orbit.multipliers[1]).re;
         let error = trace / exact.trace_determinant[0] - 1.0;
         eprintln!("1e-{decade}: impact speed {:.3e}, trace {trace:.6e}, off by {error:.1e}", exact.speed);
-        assert!(orbit.contacts == 1 && error.abs() < 1e-5 && !orbit.is_stable(), "{error:e}");
+        // A place off by `d` is a speed off by `a d / v`. Measured: d = 2.4e-15, the roundoff of the two steady amplitudes.
+        let roundoff = 4e-15 * 0.64 * amplitude / exact.speed.powi(2);
+        assert!(orbit.contacts == 1 && error.abs() < 1e-12 + roundoff && !orbit.is_stable(), "{error:e}");
         speeds.push((amplitude - gap, exact.speed));
         multipliers.push((amplitude - gap, orbit.floquet_max_abs()));
     }
