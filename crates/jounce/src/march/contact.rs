@@ -66,7 +66,10 @@ impl Marcher<'_> {
     #[inline(always)]
     pub(super) fn contact<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, end_s: f64) -> Result<(), MarchError> {
         let kernel = self.kernel;
-        let mut level = self.entry_level;
+        // Where the motion never leaves the law, no flight carries the fast modes: steps must resolve a disturbance of them, which the
+        // motion itself need not show but its derivative does.
+        let coarsest = if L::BOTH_SIDES { Kernel::level_within(1.0 / kernel.fastest_rad_s) } else { Kernel::coarsest() };
+        let mut level = self.entry_level.max(coarsest);
         // On steps this short no second contact can follow the first.
         let safe = Kernel::level_within(1.0 / kernel.fastest_rad_s) + 3;
         let mut entering = !L::BOTH_SIDES && self.penetration_m <= 0.0;
@@ -105,7 +108,7 @@ impl Marcher<'_> {
                     } else {
                         level = self.before_leaving(level, &step, &solved, allowed);
                     }
-                    level = level.max(Kernel::coarsest());
+                    level = level.max(coarsest);
                 }
                 None => {
                     self.work.contact_rejections += 1;
