@@ -1,6 +1,6 @@
 //! The contract of a contact law, and the choice among them.
 
-use super::{Hertz, HuntCrossley, KelvinVoigt, Rigid};
+use super::{Cubic, Hertz, HuntCrossley, KelvinVoigt, Rigid};
 use crate::spec::StopLaw;
 use crate::wide::{Lane, Wide};
 
@@ -18,7 +18,10 @@ pub trait ContactLaw: Copy + Send + Sync {
     /// True when the force depends on the rate of penetration.
     const RATE_DEPENDENT: bool;
 
-    /// Compressive force, N, never negative.
+    /// True for a law that acts on both sides of its surface: the point never leaves it.
+    const BOTH_SIDES: bool = false;
+
+    /// Compressive force, N; negative only where the law acts on both sides.
     fn force_n(&self, penetration_m: f64, rate_m_s: f64) -> f64;
 
     /// The force at eight instants at once; a law overrides it where that is faster.
@@ -30,6 +33,12 @@ pub trait ContactLaw: Copy + Send + Sync {
 
     /// Both slopes of the force; one-sided (from inside the contact) on its edge.
     fn slopes(&self, penetration_m: f64, rate_m_s: f64) -> Slopes;
+
+    /// Largest magnitudes of the slopes, as far as the point reaches, at rest.
+    #[inline(always)]
+    fn steepest(&self, reach_m: f64) -> Slopes {
+        self.slopes(reach_m, 0.0)
+    }
 
     /// Energy stored by the elastic part of the force, J.
     fn energy_j(&self, penetration_m: f64) -> f64;
@@ -47,6 +56,8 @@ pub enum Law {
     KelvinVoigt(KelvinVoigt),
     /// Hertz force with damping that grows with penetration.
     HuntCrossley(HuntCrossley),
+    /// Linear and cubic spring on both sides.
+    Cubic(Cubic),
     /// Instantaneous rebound.
     Rigid(Rigid),
 }
@@ -60,18 +71,25 @@ impl From<StopLaw> for Law {
             StopLaw::HuntCrossley { stiffness, exponent, damping_s_m } => {
                 Law::HuntCrossley(HuntCrossley { elastic: Hertz { stiffness, exponent }, damping_s_m })
             }
+            StopLaw::Cubic { stiffness_n_m, cubic_stiffness_n_m3 } => Law::Cubic(Cubic { stiffness_n_m, cubic_stiffness_n_m3 }),
             StopLaw::Rigid { restitution } => Law::Rigid(Rigid { restitution }),
         }
     }
 }
 
 impl Law {
+    /// True where the point never leaves the law: it acts on both sides of its surface.
+    pub fn acts_on_both_sides(&self) -> bool {
+        matches!(self, Law::Cubic(_))
+    }
+
     /// Compressive force, N; a rigid stop has none that is finite.
     pub fn force_n(&self, penetration_m: f64, rate_m_s: f64) -> f64 {
         match self {
             Law::Hertz(law) => law.force_n(penetration_m, rate_m_s),
             Law::KelvinVoigt(law) => law.force_n(penetration_m, rate_m_s),
             Law::HuntCrossley(law) => law.force_n(penetration_m, rate_m_s),
+            Law::Cubic(law) => law.force_n(penetration_m, rate_m_s),
             Law::Rigid(_) => 0.0,
         }
     }
@@ -82,6 +100,7 @@ impl Law {
             Law::Hertz(law) => law.slopes(penetration_m, rate_m_s),
             Law::KelvinVoigt(law) => law.slopes(penetration_m, rate_m_s),
             Law::HuntCrossley(law) => law.slopes(penetration_m, rate_m_s),
+            Law::Cubic(law) => law.slopes(penetration_m, rate_m_s),
             Law::Rigid(_) => Slopes { stiffness_n_m: 0.0, damping_n_s_m: 0.0 },
         }
     }
@@ -92,6 +111,7 @@ impl Law {
             Law::Hertz(law) => law.energy_j(penetration_m),
             Law::KelvinVoigt(law) => law.energy_j(penetration_m),
             Law::HuntCrossley(law) => law.energy_j(penetration_m),
+            Law::Cubic(law) => law.energy_j(penetration_m),
             Law::Rigid(_) => 0.0,
         }
     }

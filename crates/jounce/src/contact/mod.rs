@@ -1,14 +1,16 @@
 //! Contact laws: each written once, called by every method.
 //!
 //! With `delta` the penetration (m, positive when the point is past the stop) and `delta'` its rate (m/s), a law gives the
-//! compressive force `F(delta, delta') >= 0` (N, it never pulls), both slopes, the stored energy, and how the force starts.
+//! compressive force `F(delta, delta')` (N), both slopes and the stored energy. Stops never pull, `F >= 0`; the cubic spring does.
 
+mod cubic;
 mod hertz;
 mod hunt_crossley;
 mod kelvin_voigt;
 mod law;
 mod rigid;
 
+pub use cubic::Cubic;
 pub use hertz::Hertz;
 pub use hunt_crossley::HuntCrossley;
 pub use kelvin_voigt::KelvinVoigt;

@@ -66,13 +66,15 @@ impl Marcher<'_> {
     #[inline(always)]
     pub(super) fn contact<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, end_s: f64) -> Result<(), MarchError> {
         let kernel = self.kernel;
-        let mut level = self.entry_level;
+        // Where the motion never leaves the law, no flight carries the fast modes: steps must resolve a disturbance of them, which the
+        // motion itself need not show but its derivative does.
+        let coarsest = if L::BOTH_SIDES { Kernel::level_within(1.0 / kernel.fastest_rad_s) } else { Kernel::coarsest() };
+        let mut level = self.entry_level.max(coarsest);
         // On steps this short no second contact can follow the first.
         let safe = Kernel::level_within(1.0 / kernel.fastest_rad_s) + 3;
-        let mut entering = self.penetration_m <= 0.0;
+        let mut entering = !L::BOTH_SIDES && self.penetration_m <= 0.0;
         while self.time_s < end_s && self.regime == Regime::Contact {
             let remaining_s = end_s - self.time_s;
-            let allowed = self.allowed_n_s();
             let shape = if entering { kernel.first_shape(0) } else { Shape::Smooth };
             let landing = Kernel::length_s(level) >= remaining_s;
             let odd;
@@ -83,7 +85,10 @@ impl Marcher<'_> {
                 kernel.table(0, shape, level)
             };
             let step = self.step_in_contact::<W, L>(w, table, shape, level, landing);
-            let accepted = self.solve(w, law, &step).filter(|solved| solved.error_n_s <= allowed && solved.is_sound(shape, level >= safe));
+            let solved = self.solve(w, law, &step);
+            let allowed = self.allowed_n_s::<L>(&step, solved.as_ref());
+            let is_sound = |solved: &Solved| L::BOTH_SIDES || solved.is_sound(shape, level >= safe);
+            let accepted = solved.filter(|solved| solved.error_n_s <= allowed && is_sound(solved));
             match accepted {
                 Some(solved) => {
                     self.take(w, law, &step, &solved);
@@ -97,7 +102,13 @@ impl Marcher<'_> {
                     }
                     // The error of the onset basis says nothing about the next step.
                     level = if shape == Shape::Onset { level } else { longer };
-                    level = self.before_leaving(level, &step, &solved, allowed).max(Kernel::coarsest());
+                    if L::BOTH_SIDES {
+                        // Nothing is left or entered: the next call goes on where this one stopped.
+                        self.entry_level = if landing { self.entry_level } else { level };
+                    } else {
+                        level = self.before_leaving(level, &step, &solved, allowed);
+                    }
+                    level = level.max(coarsest);
                 }
                 None => {
                     self.work.contact_rejections += 1;
@@ -113,8 +124,13 @@ impl Marcher<'_> {
 
     /// Error of an impulse that one step may make, N s.
     #[inline(always)]
-    fn allowed_n_s(&self) -> f64 {
-        self.tolerance * IMPULSE_SHARE * self.strike_m_s.max(self.rate_m_s.abs()) / self.rows.mobility_per_kg
+    fn allowed_n_s<L: ContactLaw>(&self, step: &Step, solved: Option<&Solved>) -> f64 {
+        let mut speed_m_s = self.strike_m_s.max(self.rate_m_s.abs());
+        if let (true, Some(solved)) = (L::BOTH_SIDES, solved) {
+            // Nothing strikes: a march that starts at rest has no other scale than the speed that it takes up.
+            speed_m_s = speed_m_s.max((solved.penetration.0[NODES] - self.penetration_m).abs() / step.table.length_s);
+        }
+        self.tolerance * IMPULSE_SHARE * speed_m_s / self.rows.mobility_per_kg
     }
 
     /// The level wanted, or a finer one that respects the end of the contact as it is foretold now.

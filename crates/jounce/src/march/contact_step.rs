@@ -89,7 +89,7 @@ impl<'k> Marcher<'k> {
         let mut force = law.forces_n(w, penetration, rate);
         let goal = (0.1 * self.tolerance).clamp(4e-15, 1e-5);
         let mut last_change = f64::INFINITY;
-        let mut deepest = w.largest(penetration);
+        let mut deepest = largest::<W, L>(w, penetration);
         for iteration in 1..=MOST_ITERATIONS {
             self.work.iterations += 1;
             let nodal = w.store(force);
@@ -98,11 +98,11 @@ impl<'k> Marcher<'k> {
                 rate = pushed(w, free_rate, &table.velocity.push, &nodal);
             }
             let new = law.forces_n(w, penetration, rate);
-            let (change, size) = (w.largest(w.abs(w.sub(new, force))), w.largest(new));
+            let (change, size) = (w.largest(w.abs(w.sub(new, force))), largest::<W, L>(w, new));
             force = new;
             // What is still to come: at most the contraction seen so far, or foretold by the slope of the law.
-            deepest = deepest.max(w.largest(penetration));
-            let slopes = law.slopes(deepest, 0.0);
+            deepest = deepest.max(largest::<W, L>(w, penetration));
+            let slopes = law.steepest(deepest);
             let foretold = slopes.stiffness_n_m * table.reach_m_n + slopes.damping_n_s_m * table.reach_m_n_s;
             let seen = if iteration == 1 { 1.0 } else { (change / last_change).min(1.0) };
             let contraction = foretold.min(seen);
@@ -126,11 +126,11 @@ impl<'k> Marcher<'k> {
     #[inline(always)]
     fn judge<L: ContactLaw>(&self, law: L, step: &Step, penetration: Lane, rate: Lane, force: Lane, at_start: f64) -> Solved {
         let at_end = law.force_n(penetration.0[NODES], rate.0[NODES]);
-        let (mut start, mut end, mut size) = (0.0, 0.0, at_start.max(at_end));
+        let (mut start, mut end, mut size) = (0.0, 0.0, at_start.abs().max(at_end.abs()));
         for j in 0..NODES {
             start += step.basis.at_start[j] * force.0[j];
             end += step.basis.at_end[j] * force.0[j];
-            size = size.max(force.0[j]);
+            size = size.max(force.0[j].abs());
         }
         let mismatch = (start - at_start).abs().max((end - at_end).abs());
         // Gauss weights square the order of the interpolation for smooth forces and gain less at a kink: 3/2 lies between.
@@ -163,7 +163,9 @@ impl<'k> Marcher<'k> {
         self.rate_m_s = dot(w, &self.rows.velocity, &self.y) + speed;
         self.observe::<W, L>(w, law, step, solved, started);
         self.work.contact_steps += 1;
-        if self.penetration_m < 0.0 {
+        if L::BOTH_SIDES {
+            self.strike_m_s = self.strike_m_s.max(self.rate_m_s.abs());
+        } else if self.penetration_m < 0.0 {
             self.regime = Regime::Flight;
         }
     }
@@ -173,21 +175,24 @@ impl<'k> Marcher<'k> {
     fn observe<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, step: &Step, solved: &Solved, started: (f64, f64)) {
         let (length_s, weights) = (step.table.length_s, &step.basis.weights);
         let statistics = &mut self.statistics;
-        if self.penetration_m >= 0.0 {
+        if L::BOTH_SIDES || self.penetration_m >= 0.0 {
             statistics.time_s += length_s;
         } else {
             // A step on whose end the point has left the stop counts for the share of its nodes in contact.
             let inside = (0..NODES).filter(|j| solved.penetration.0[*j] > 0.0).map(|j| weights[j]).sum::<f64>();
             statistics.time_s += length_s * inside;
         }
-        let highest = w.largest(w.load(&solved.penetration)).max(started.0);
+        // Where there are two sides, the one that the step is on.
+        let side = if L::BOTH_SIDES { (started.0 + self.penetration_m).signum() } else { 1.0 };
+        let depth = w.mul(w.splat(side), w.load(&solved.penetration));
+        let highest = w.largest(depth).max(side * started.0);
         if highest > 0.98 * statistics.max_penetration_m {
-            let turns = step.shape == Shape::Smooth && started.1 > 0.0 && self.rate_m_s < 0.0;
-            let peak = if turns { interpolated_peak(started.0, &solved.penetration) } else { highest };
+            let turns = step.shape == Shape::Smooth && side * started.1 > 0.0 && side * self.rate_m_s < 0.0;
+            let peak = if turns { interpolated_peak(side * started.0, &w.store(depth)) } else { highest };
             if peak > statistics.max_penetration_m {
                 statistics.max_penetration_m = peak;
                 if !L::RATE_DEPENDENT {
-                    statistics.max_force_n = statistics.max_force_n.max(law.force_n(peak, 0.0));
+                    statistics.max_force_n = statistics.max_force_n.max(law.force_n(side * peak, 0.0).abs());
                 }
             }
         }
@@ -217,4 +222,10 @@ impl<'k> Marcher<'k> {
             *sum += tone.turn * c64::new(w.sum(cos), w.sum(sin));
         }
     }
+}
+
+/// Largest of eight values; of their magnitudes where the law acts on both sides.
+#[inline(always)]
+fn largest<W: Wide, L: ContactLaw>(w: W, values: W::Register) -> f64 {
+    w.largest(if L::BOTH_SIDES { w.abs(values) } else { values })
 }

@@ -124,10 +124,10 @@ impl<'k> Marcher<'k> {
         let Some(law) = self.kernel.plant.system.stops.first().map(|stop| stop.law) else { return };
         // A point that leaves a rigid stop is past it by roundoff only.
         let leaves = matches!(law, Law::Rigid(_)) && self.rate_m_s < 0.0;
-        if self.penetration_m > 0.0 && !leaves {
+        if law.acts_on_both_sides() || (self.penetration_m > 0.0 && !leaves) {
             self.regime = Regime::Contact;
             // The compressed stop would throw the point off at this speed: the scale of the impulse of a contact that starts at rest.
-            self.strike_m_s = (2.0 * law.energy_j(self.penetration_m) * self.rows.mobility_per_kg).sqrt();
+            self.strike_m_s = (2.0 * law.energy_j(self.penetration_m).max(0.0) * self.rows.mobility_per_kg).sqrt();
         }
     }
 
@@ -196,6 +196,7 @@ impl<'k> Marcher<'k> {
             Some(Law::Hertz(law)) => self.dispatch(law, end_s),
             Some(Law::KelvinVoigt(law)) => self.dispatch(law, end_s),
             Some(Law::HuntCrossley(law)) => self.dispatch(law, end_s),
+            Some(Law::Cubic(law)) => self.dispatch(law, end_s),
             Some(Law::Rigid(law)) => widest(AdvanceRigid { marcher: self, law, end_s }),
         }
     }

@@ -24,9 +24,9 @@ pub struct ContactStatistics {
     pub contacts: u64,
     /// Time in contact, s.
     pub time_s: f64,
-    /// Largest penetration, m; 0 without contact (how near the point came is not tracked).
+    /// Largest penetration, m; 0 without contact (how near the point came is not tracked). Of a law on both sides: largest distance.
     pub max_penetration_m: f64,
-    /// Largest contact force, N.
+    /// Largest magnitude of the contact force, N.
     pub max_force_n: f64,
     /// Time integral of the contact force, N s.
     pub impulse_n_s: f64,

@@ -12,8 +12,12 @@ const CLOSER: usize = 24;
 /// Turning points worth a closer look.
 const NEAREST: usize = 3;
 
-/// Distance past the stop, m, of the turning point (maximum or minimum) nearest to the surface; `None` without one.
+/// Distance past the stop, m, of the turning point (maximum or minimum) nearest to the surface; `None` without one, or where the
+/// law acts on both sides of it.
 pub fn nearest_extremum_m(shot: &Shot) -> Option<f64> {
+    if shot.kernel.plant.system.stops.first().is_some_and(|stop| stop.law.acts_on_both_sides()) {
+        return None;
+    }
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
     let turning = shot.trajectories.iter().flat_map(|trajectory| turning_points(&shot.kernel, trajectory, cycle_s));
     turning.min_by(|a, b| a.abs().total_cmp(&b.abs()))

@@ -6,7 +6,9 @@
 
 mod bilinear;
 mod bouncing_ball;
+mod bouncing_table;
 mod cantilever;
+mod duffing;
 mod harmonic;
 mod hertz_collision;
 mod hunt_crossley_collision;
@@ -19,7 +21,9 @@ mod single_mode;
 
 pub use bilinear::Bilinear;
 pub use bouncing_ball::BouncingBall;
+pub use bouncing_table::{BouncingTable, TableOrbit};
 pub use cantilever::Cantilever;
+pub use duffing::Duffing;
 pub use harmonic::Harmonic;
 pub use hertz_collision::HertzCollision;
 pub use hunt_crossley_collision::HuntCrossleyCollision;

@@ -170,6 +170,14 @@ pub enum StopLaw {
         /// s/m
         damping_s_m: f64,
     },
+    /// `law = "cubic"`: `F = stiffness * delta + cubic_stiffness * delta^3` on both sides of the rest place, of either sign; keys
+    /// `stiffness` (N/m, default 0), `cubic_stiffness` (N/m^3).
+    Cubic {
+        /// N/m
+        stiffness_n_m: f64,
+        /// N/m^3
+        cubic_stiffness_n_m3: f64,
+    },
     /// `law = "rigid"`: instantaneous rebound with a coefficient of restitution; key `restitution` (0 to 1).
     Rigid {
         /// dimensionless

@@ -1,7 +1,7 @@
 //! Random small harvesters: the energy balance holds whatever the plant, the law and the drive.
 
 use crate::plants::{from_rest, kernel};
-use jounce::contact::{Hertz, HuntCrossley, KelvinVoigt, Law};
+use jounce::contact::{Cubic, Hertz, HuntCrossley, KelvinVoigt, Law};
 use jounce::plant::{Drive, Load, Stop, System};
 use jounce::structure::{Modes, PatchModes};
 use proptest::prelude::*;
@@ -17,6 +17,8 @@ fn law() -> impl Strategy<Value = Law> {
         (2.0..6.0f64, exponent, 0.01..1.0f64).prop_map(|(decades, exponent, damping_s_m)| {
             Law::HuntCrossley(HuntCrossley { elastic: Hertz { stiffness: 10f64.powf(decades), exponent }, damping_s_m })
         }),
+        (-100.0..1e3f64, 4.0..8.0f64)
+            .prop_map(|(stiffness_n_m, k)| Law::Cubic(Cubic { stiffness_n_m, cubic_stiffness_n_m3: 10f64.powf(k) })),
     ]
 }
 

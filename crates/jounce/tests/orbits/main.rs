@@ -1,12 +1,17 @@
 //! Periodic orbits and their branches against published numbers, closed forms, marches, and one method against the other.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
+mod backbones;
 mod balance;
 mod basins;
+mod bouncing_table;
 mod closed_forms;
+mod duffing;
 mod hard_cases;
 mod harvesters;
 mod isolated;
+mod oscillators;
 mod paper;
+mod square_root;
 mod sweeps;
 mod tracking;

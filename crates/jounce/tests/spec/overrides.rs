@@ -52,7 +52,7 @@ fn faults_name_the_override_as_their_place() {
         (
             "stop.tip.gpa",
             "1 mm",
-            "--set stop.tip.gpa=1 mm: stop.tip.gpa: unknown key; keys in stop.tip: at, frame, side, gap, law, exponent, stiffness, damping, restitution; the nearest key here is `stop.tip.gap`",
+            "--set stop.tip.gpa=1 mm: stop.tip.gpa: unknown key; keys in stop.tip: at, frame, side, gap, law, exponent, stiffness, cubic_stiffness, damping, restitution; the nearest key here is `stop.tip.gap`",
         ),
         (
             "stop.tpi.gap",

@@ -28,6 +28,8 @@ fn law() -> impl Strategy<Value = StopLaw> {
             exponent,
             damping_s_m
         }),
+        (any_number(), any_number())
+            .prop_map(|(stiffness_n_m, cubic_stiffness_n_m3)| StopLaw::Cubic { stiffness_n_m, cubic_stiffness_n_m3 }),
         (0.0..=1.0f64).prop_map(|restitution| StopLaw::Rigid { restitution }),
     ]
 }

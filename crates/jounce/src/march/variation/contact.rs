@@ -83,7 +83,7 @@ impl Linearisation<'_> {
             nodes.driven[i] = driven;
             if i == NODES {
                 nodes.force_n.0[i] = law.force_n(depth, rate);
-            } else if depth > 0.0 {
+            } else if L::BOTH_SIDES || depth > 0.0 {
                 // Past the surface the force is zero whatever the state.
                 let Slopes { stiffness_n_m, damping_n_s_m } = law.slopes(depth, rate);
                 (nodes.stiffness_n_m.0[i], nodes.damping_n_s_m.0[i]) = (stiffness_n_m, damping_n_s_m);

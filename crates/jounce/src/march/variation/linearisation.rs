@@ -44,6 +44,7 @@ impl<'a> Linearisation<'a> {
             (Some(force), Some(Law::Hertz(law))) => self.contact(w, law, segment, force, after),
             (Some(force), Some(Law::KelvinVoigt(law))) => self.contact(w, law, segment, force, after),
             (Some(force), Some(Law::HuntCrossley(law))) => self.contact(w, law, segment, force, after),
+            (Some(force), Some(Law::Cubic(law))) => self.contact(w, law, segment, force, after),
             (_, law) => {
                 self.pending_s += segment.length_s;
                 match law {

@@ -42,7 +42,7 @@ impl Motion {
 
     /// True where the stop pushes.
     pub fn touches(&self, (depth_m, rate_m_s): (f64, f64)) -> bool {
-        depth_m > 0.0 && self.law.force_n(depth_m, rate_m_s) > 0.0
+        self.law.acts_on_both_sides() || depth_m > 0.0 && self.law.force_n(depth_m, rate_m_s) > 0.0
     }
 }
 

@@ -46,7 +46,7 @@ impl Balance {
             });
         let mut force = vec![0.0; unknown.len()];
         let mut shape = vec![0.0; unknown.len()];
-        for node in nodes.iter().filter(|node| node.force_n > 0.0) {
+        for node in nodes.iter().filter(|node| node.force_n != 0.0) {
             functions(node.angle, &mut shape);
             force.iter_mut().zip(&shape).for_each(|(sum, value)| *sum += node.share * node.force_n * value);
         }

@@ -3,7 +3,7 @@
 use crate::spec::key::{Key, Kind, Range};
 use crate::spec::{Quantity, Side, Stop, StopLaw};
 
-const LAWS: &[&str] = &["hertz", "spring", "kelvin-voigt", "hunt-crossley", "rigid"];
+const LAWS: &[&str] = &["hertz", "spring", "kelvin-voigt", "hunt-crossley", "cubic", "rigid"];
 const POWER_LAWS: &[&str] = &["hertz", "hunt-crossley"];
 const LINEAR_LAWS: &[&str] = &["spring", "kelvin-voigt"];
 
@@ -47,7 +47,7 @@ pub(super) static KEYS: &[Key<Stop>] = &[
     Key::quantity(
         "gap",
         Quantity::Length,
-        "distance to the stop at rest; negative for a preloaded contact",
+        "distance to the stop at rest; negative for a preloaded contact; for `cubic`, where its spring is relaxed",
         |s: &Stop| s.gap_m,
         |s, x| s.gap_m = x,
     ),
@@ -75,6 +75,24 @@ pub(super) static KEYS: &[Key<Stop>] = &[
     )
     .within(Range::POSITIVE)
     .when("law", LINEAR_LAWS),
+    Key::quantity(
+        "stiffness",
+        Quantity::Stiffness,
+        "force per displacement, on both sides; negative for a spring that pushes away",
+        // A blank stop has another law: what it says here is the default.
+        |s: &Stop| if let StopLaw::Cubic { stiffness_n_m, .. } = s.law { stiffness_n_m } else { 0.0 },
+        |s, x| set_stiffness(&mut s.law, x),
+    )
+    .when("law", &["cubic"])
+    .optional(),
+    Key::quantity(
+        "cubic_stiffness",
+        Quantity::ContactStiffness { exponent: 3.0 },
+        "force per displacement to the third power, on both sides; negative for a spring that softens",
+        |s: &Stop| if let StopLaw::Cubic { cubic_stiffness_n_m3, .. } = s.law { cubic_stiffness_n_m3 } else { f64::NAN },
+        |s, x| set_cubic_stiffness(&mut s.law, x),
+    )
+    .when("law", &["cubic"]),
     Key::quantity(
         "damping",
         Quantity::Damping,
@@ -109,6 +127,7 @@ fn law_word(law: &StopLaw) -> &'static str {
         StopLaw::Spring { .. } => "spring",
         StopLaw::KelvinVoigt { .. } => "kelvin-voigt",
         StopLaw::HuntCrossley { .. } => "hunt-crossley",
+        StopLaw::Cubic { .. } => "cubic",
         StopLaw::Rigid { .. } => "rigid",
     }
 }
@@ -119,6 +138,7 @@ fn blank_law(word: &str) -> StopLaw {
         "spring" => StopLaw::Spring { stiffness_n_m: hole },
         "kelvin-voigt" => StopLaw::KelvinVoigt { stiffness_n_m: hole, damping_n_s_m: hole },
         "hunt-crossley" => StopLaw::HuntCrossley { stiffness: hole, exponent, damping_s_m: hole },
+        "cubic" => StopLaw::Cubic { stiffness_n_m: 0.0, cubic_stiffness_n_m3: hole },
         "rigid" => StopLaw::Rigid { restitution: hole },
         _ => StopLaw::Hertz { stiffness: hole, exponent },
     }
@@ -140,7 +160,9 @@ fn set_exponent(law: &mut StopLaw, value: f64) {
 fn stiffness(law: &StopLaw) -> f64 {
     match law {
         StopLaw::Hertz { stiffness: k, .. } | StopLaw::HuntCrossley { stiffness: k, .. } => *k,
-        StopLaw::Spring { stiffness_n_m: k } | StopLaw::KelvinVoigt { stiffness_n_m: k, .. } => *k,
+        StopLaw::Spring { stiffness_n_m: k } | StopLaw::KelvinVoigt { stiffness_n_m: k, .. } | StopLaw::Cubic { stiffness_n_m: k, .. } => {
+            *k
+        }
         StopLaw::Rigid { .. } => f64::NAN,
     }
 }
@@ -148,8 +170,16 @@ fn stiffness(law: &StopLaw) -> f64 {
 fn set_stiffness(law: &mut StopLaw, value: f64) {
     match law {
         StopLaw::Hertz { stiffness: k, .. } | StopLaw::HuntCrossley { stiffness: k, .. } => *k = value,
-        StopLaw::Spring { stiffness_n_m: k } | StopLaw::KelvinVoigt { stiffness_n_m: k, .. } => *k = value,
+        StopLaw::Spring { stiffness_n_m: k } | StopLaw::KelvinVoigt { stiffness_n_m: k, .. } | StopLaw::Cubic { stiffness_n_m: k, .. } => {
+            *k = value
+        }
         StopLaw::Rigid { .. } => {}
+    }
+}
+
+fn set_cubic_stiffness(law: &mut StopLaw, value: f64) {
+    if let StopLaw::Cubic { cubic_stiffness_n_m3: k, .. } = law {
+        *k = value;
     }
 }
 
