@@ -14,6 +14,7 @@ mod metric;
 mod predictor;
 mod step_control;
 mod tangent;
+mod trail;
 mod walk;
 
 pub use closure::passes;
@@ -25,4 +26,5 @@ pub use metric::{Direction, Metric, Position};
 pub use predictor::Stretch;
 pub use step_control::StepControl;
 pub use tangent::tangent;
+pub use trail::Trail;
 pub use walk::{Step, Walk};

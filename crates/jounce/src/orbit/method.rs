@@ -2,6 +2,7 @@
 
 use super::{Orbit, OrbitError};
 use crate::continuation::Family;
+use faer::Mat;
 
 /// A method on the harvesters of one family.
 pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>> {
@@ -16,6 +17,12 @@ pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>> {
     /// # Errors
     /// Multipliers that cannot be computed.
     fn orbit(&self, local: &Self::Local, error: f64) -> Result<Orbit, Self::Error>;
+
+    /// Derivative of the flow over the period, energy coordinates.
+    ///
+    /// # Errors
+    /// A march that fails.
+    fn map<'l>(&self, local: &'l Self::Local) -> Result<&'l Mat<f64>, Self::Error>;
 
     /// Contacts that begin in a period.
     ///
