@@ -19,7 +19,8 @@ struct Side {
 ///
 /// Places are sought along the chord by inverse quadratic interpolation kept inside the bracket (Chandrupatla), each from a guess on
 /// the cubic between the two sides of the bracket, which comes nearer to the curve as it shrinks: by the fourth power of its length.
-/// The search ends when the bracket is shorter than `resolution` (in the metric) or a value is as small beside those at the two ends.
+/// The search ends when the bracket or the last move is shorter than `resolution` (in the metric), or a value is as small beside those
+/// at the two ends.
 /// `None` where Newton fails on the way.
 ///
 /// Source: T. R. Chandrupatla, Adv. Eng. Software 28 (1997) 145.
@@ -59,11 +60,12 @@ pub fn locate<F: Family>(
         let place = metric.inner(&unit, &before.position.to(&step.position));
         let here = side(&step, place, value(&step));
         let (small, is_high) = (here.value.abs() <= resolution * size, (here.value > 0.0) == (high.value > 0.0));
+        let moved = (place - one.place).abs();
         let replaced = std::mem::replace(if is_high { &mut high } else { &mut low }, here);
-        // Of the two known places outside the bracket the nearer one bends the interpolation.
+        // It bends the interpolation.
         third = Some((replaced.place, replaced.value));
         last_is_low = !is_high;
-        if small || high.place - low.place <= resolution {
+        if small || moved.min(high.place - low.place) <= resolution {
             return Some(step);
         }
     }

@@ -14,7 +14,6 @@ mod metric;
 mod predictor;
 mod step_control;
 mod tangent;
-mod trail;
 mod walk;
 
 pub use closure::passes;
@@ -26,5 +25,4 @@ pub use metric::{Direction, Metric, Position};
 pub use predictor::Stretch;
 pub use step_control::StepControl;
 pub use tangent::tangent;
-pub use trail::Trail;
 pub use walk::{Step, Walk};

@@ -1,7 +1,7 @@
 //! The driver: an iterator over the points of a curve.
 
 use super::corrector::Corrected;
-use super::{Corrector, Direction, Family, Metric, Position, StepControl, Trail, WalkError, correct, tangent};
+use super::{Corrector, Direction, Family, Metric, Position, StepControl, Stretch, WalkError, correct, tangent};
 
 /// A point of a curve with its tangent.
 #[derive(Debug)]
@@ -21,7 +21,7 @@ pub struct Step<L> {
 pub struct Mark {
     position: Position,
     tangent: Direction,
-    trail: Trail,
+    behind: Option<Stretch>,
     length: f64,
 }
 
@@ -40,8 +40,8 @@ pub struct Walk<'f, F: Family> {
     pub position: Position,
     /// Tangent there.
     pub tangent: Direction,
-    /// The places that led there.
-    pub trail: Trail,
+    /// The stretch that led there.
+    pub behind: Option<Stretch>,
     /// Length of the next step.
     pub length: f64,
     /// Points so far.
@@ -64,9 +64,9 @@ impl<'f, F: Family> Walk<'f, F> {
             corrector,
             control,
             parameter_scale,
-            trail: Trail::new(position.clone(), tangent.clone()),
             position,
             tangent,
+            behind: None,
             length: control.first,
             points: 0,
             ended: false,
@@ -75,13 +75,13 @@ impl<'f, F: Family> Walk<'f, F> {
 
     /// Where the walk stands now.
     pub fn mark(&self) -> Mark {
-        let Self { position, tangent, trail, length, .. } = self;
-        Mark { position: position.clone(), tangent: tangent.clone(), trail: trail.clone(), length: *length }
+        let Self { position, tangent, behind, length, .. } = self;
+        Mark { position: position.clone(), tangent: tangent.clone(), behind: behind.clone(), length: *length }
     }
 
     /// Goes back to a mark, to try a shorter step from there; false when the step would be too short.
     pub fn retreat(&mut self, mark: Mark) -> bool {
-        (self.position, self.tangent, self.trail) = (mark.position, mark.tangent, mark.trail);
+        (self.position, self.tangent, self.behind) = (mark.position, mark.tangent, mark.behind);
         self.length = self.control.shorter(mark.length.min(self.length));
         self.length > self.control.shortest
     }
@@ -91,11 +91,14 @@ impl<'f, F: Family> Walk<'f, F> {
         let ahead = metric.unit(self.tangent.clone());
         let mut last = f64::NAN;
         while self.length > self.control.shortest {
-            let guess = self.trail.ahead(&metric, self.length);
+            let guess = match &self.behind {
+                Some(stretch) => stretch.at(stretch.length + self.length),
+                None => self.position.moved(&ahead, self.length),
+            };
             match correct(self.family, &self.corrector, &metric, &ahead, guess.clone()) {
                 Ok(found) => {
                     let way = metric.length(&guess.to(&found.position));
-                    if self.trail.bends() && self.control.strayed(way, self.length, found.evaluations) {
+                    if self.behind.is_some() && self.control.strayed(way, self.length, found.evaluations) {
                         last = found.error;
                     } else if let Some(step) = self.take(found, &ahead) {
                         return Ok(step);
@@ -120,7 +123,7 @@ impl<'f, F: Family> Walk<'f, F> {
             return None;
         }
         self.length = self.control.after(self.length, found.evaluations, turn);
-        self.trail.push(found.position.clone(), tangent.clone());
+        self.behind = Some(Stretch::between(&metric, (&self.position, &ahead), (&found.position, &tangent)));
         self.position = found.position.clone();
         self.tangent = tangent.clone();
         self.points += 1;

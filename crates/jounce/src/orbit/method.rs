@@ -45,16 +45,21 @@ pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>> {
     /// A march that fails.
     fn unknown_of(&self, state: &[f64], parameter: f64) -> Result<Vec<f64>, Self::Error>;
 
-    /// The same method with a finer unknown, where the orbit at a place lies farther from the curve than was asked for and that can
-    /// be cured; `parameter_scale` is that of the metric.
+    /// Distance of the answer at a place from the curve of the exact flow, beside the one allowed; `parameter_scale` is that of the
+    /// metric. A method on that flow itself has none.
     ///
     /// # Errors
     /// A march that fails.
-    fn finer(&self, _local: &Self::Local, _parameter_scale: f64) -> Result<Option<Self>, Self::Error>
+    fn excess(&self, _local: &Self::Local, _parameter_scale: f64) -> Result<f64, Self::Error> {
+        Ok(0.0)
+    }
+
+    /// The same method with a finer unknown, where there is one.
+    fn finer(&self) -> Option<Self>
     where
         Self: Sized,
     {
-        Ok(None)
+        None
     }
 
     /// An unknown of a coarser method as one of this.

@@ -67,12 +67,12 @@ fn both_methods_agree_along_the_whole_branch() {
     let mut worst = 0.0_f64;
     for point in curve.points.iter().step_by(5) {
         let shooting = Shooting::new(&parameter, &base.kernel, 1, 1e-10);
-        let mut method = HarmonicBalance::new(shooting, &base.kernel, 64, 1e-8).unwrap();
+        let mut method = HarmonicBalance::new(shooting, &base.kernel, 64, 3e-8).unwrap();
         let orbit = loop {
             let position =
                 Position { unknown: method.unknown_of(point.orbit.start(), point.parameter).unwrap(), parameter: point.parameter };
             let found = settle(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
-            match method.finer(&found.local, 0.8).unwrap() {
+            match method.finer().filter(|_| method.excess(&found.local, 0.8).unwrap() > 1.0) {
                 Some(finer) => method = finer,
                 None => break method.orbit(&found.local, found.error).unwrap(),
             }
@@ -116,12 +116,9 @@ fn a_rigid_stop_is_refused_with_the_other_method_named() {
 fn the_change_with_the_parameter_is_that_of_differences() {
     let file = bench();
     let base = Prepared::new(file.spec().unwrap()).unwrap();
-    for (name, value) in [
-        ("drive.shaker.frequency", 11.0),
-        ("drive.shaker.amplitude", 50.0),
-        ("stop.tip.gap", 1e-3),
-        ("stop.tip.stiffness", 1000.0),
-    ] {
+    for (name, value) in
+        [("drive.shaker.frequency", 11.0), ("drive.shaker.amplitude", 50.0), ("stop.tip.gap", 1e-3), ("stop.tip.stiffness", 1000.0)]
+    {
         let key = file.numeric_key(name).unwrap();
         let parameter = Parameter::new(&base, &key, value);
         let kernel = parameter.at(value).unwrap().kernel;
@@ -137,7 +134,8 @@ fn the_change_with_the_parameter_is_that_of_differences() {
         let (by_difference, _) = method.at(&unknown, value).unwrap().bordered(&none, 1.0, &change, 0.0).unwrap();
         let apart = norm(&mut along.iter().zip(&by_difference).map(|(a, b)| a - b)) / norm(&mut along.iter().copied());
         eprintln!("{name}: {apart:.1e}");
-        assert!(apart < 1e-7, "{name}: {apart:e}");
+        // The difference itself is off by this much: the force starts like `t^1.5` at edges that move with the gap.
+        assert!(apart < 1e-6, "{name}: {apart:e}");
     }
 }
 
@@ -157,11 +155,11 @@ fn the_work_at_a_point_is_flat_in_the_number_of_modes() {
         let parameter = Parameter::new(&base, &key, 16.0);
         let kernel = parameter.at(11.0).unwrap().kernel;
         let start = settled_orbit(&parameter, 11.0, &vec![0.0; kernel.plant.len()], 1e-9, 1e-8).unwrap();
-        let mut method = HarmonicBalance::new(Shooting::new(&parameter, &kernel, 1, 1e-9), &kernel, 64, 1e-7).unwrap();
+        let mut method = HarmonicBalance::new(Shooting::new(&parameter, &kernel, 1, 1e-9), &kernel, 64, 3e-7).unwrap();
         let (found, evaluations) = loop {
             let position = Position { unknown: method.unknown_of(start.start(), 11.0).unwrap(), parameter: 11.0 };
             let found = settle(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
-            match method.finer(&found.local, 0.8).unwrap() {
+            match method.finer().filter(|_| method.excess(&found.local, 0.8).unwrap() > 1.0) {
                 Some(finer) => method = finer,
                 None => break (found.local, found.evaluations),
             }

@@ -16,7 +16,7 @@ use std::sync::Arc;
 const MOST: usize = 1024;
 
 /// How much farther from the curve the state may lie than the mean power: most of its distance is in fast modes that carry none.
-const STATE: f64 = 100.0;
+const STATE: f64 = 30.0;
 
 /// Orbits of a harvester by harmonic balance.
 #[derive(Debug)]
@@ -57,18 +57,6 @@ impl<'h, H: Harvester> HarmonicBalance<'h, H> {
         let state = local.kernel.plant.to_physical(&local.state(&self.grid, &self.rules), 0.0);
         let shot = self.shooting.at(&self.shooting.unknown(&state), local.parameter)?;
         Ok(local.shot.get_or_init(|| shot))
-    }
-
-    /// True where the answer lies on the curve of the exact flow: its mean power to the accuracy, its state to [`STATE`] times that.
-    fn is_fine(&self, local: &Balance, parameter_scale: f64) -> Result<bool, OrbitError<H::Error>> {
-        let shot = self.shot(local)?;
-        let Some((across, length)) = shot.across(local.parameter, parameter_scale) else { return Ok(false) };
-        if length > STATE * self.accuracy {
-            return Ok(false);
-        }
-        let there = Position { unknown: shot.looks[0].clone(), parameter: local.parameter }.moved(&across, 1.0);
-        let exact_w = self.shooting.mean_power_w(&there.unknown, there.parameter)?;
-        Ok((self.loads_w(local).iter().sum::<f64>() - exact_w).abs() <= self.accuracy * exact_w)
     }
 
     /// Mean power of each load, W: `sum_n |V_n|^2 / R` over all harmonics of the voltage.
@@ -153,14 +141,25 @@ impl<H: Harvester> OrbitMethod for HarmonicBalance<'_, H> {
         Ok(real(&spectrum))
     }
 
-    fn finer(&self, local: &Balance, parameter_scale: f64) -> Result<Option<Self>, Self::Error> {
-        let Shooting { harvester, cycles, tolerance, ref scale } = self.shooting;
-        if self.is_fine(local, parameter_scale)? || self.harmonics >= MOST * cycles as usize {
-            return Ok(None);
+    /// Of the mean power beside the accuracy, or of the state beside [`STATE`] times that, the larger one.
+    fn excess(&self, local: &Balance, parameter_scale: f64) -> Result<f64, Self::Error> {
+        let shot = self.shot(local)?;
+        let Some((across, length)) = shot.across(local.parameter, parameter_scale) else { return Ok(f64::INFINITY) };
+        let state = length / (STATE * self.accuracy);
+        if state > 1.0 {
+            return Ok(state);
         }
+        let there = Position { unknown: shot.looks[0].clone(), parameter: local.parameter }.moved(&across, 1.0);
+        let exact_w = self.shooting.mean_power_w(&there.unknown, there.parameter)?;
+        let apart_w = (self.loads_w(local).iter().sum::<f64>() - exact_w).abs();
+        Ok(state.max(apart_w / (self.accuracy * exact_w.abs()).max(f64::MIN_POSITIVE)))
+    }
+
+    fn finer(&self) -> Option<Self> {
+        let Shooting { harvester, cycles, tolerance, ref scale } = self.shooting;
         let shooting = Shooting { harvester, cycles, tolerance, scale: scale.clone() };
         let (harmonics, accuracy, rules) = (self.harmonics + self.harmonics / 2, self.accuracy, Arc::clone(&self.rules));
-        Ok(Some(Self { shooting, harmonics, accuracy, grid: grid(harmonics), rules }))
+        (harmonics <= MOST * cycles as usize).then(|| Self { shooting, harmonics, accuracy, grid: grid(harmonics), rules })
     }
 
     fn carried(&self, unknown: &[f64]) -> Vec<f64> {

@@ -80,8 +80,7 @@ impl Balance {
             slopes.damping_n_s_m * node.rate_m_s * hastened - slopes.stiffness_n_m * drift.gap_m + drift.force_relative * node.force_n
         });
         let slide = frequency_rad_s / f64::from(cycles);
-        let slid: Vec<c64> =
-            self.compliance.slopes.iter().enumerate().map(|(n, slope)| slope * c64::new(0.0, n as f64 * slide)).collect();
+        let slid: Vec<c64> = self.compliance.slopes.iter().enumerate().map(|(n, slope)| slope * c64::new(0.0, n as f64 * slide)).collect();
         let moved = through(&self.compliance.values, &own).zip(through(&slid, &self.force));
         let mut by_parameter: Vec<f64> = moved.map(|(a, b)| a + b).collect();
         add_tone(displaced_m, cycles, &mut by_parameter);

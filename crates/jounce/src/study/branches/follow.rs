@@ -7,6 +7,9 @@ use crate::orbit::{Orbit, OrbitMethod, determinant_at, multipliers, nearest_pair
 /// Distance from the stop, beside the size of the motion, below which an orbit touches it.
 const GRAZES: f64 = 1e-6;
 
+/// Length in the metric to which a bifurcation is located.
+const RESOLUTION: f64 = 1e-8;
+
 /// How branches are followed.
 #[derive(Debug, Clone, Copy)]
 pub struct Following {
@@ -181,9 +184,8 @@ impl Following {
         }
         let mut found = Vec::new();
         for kind in kinds {
-            let resolution = if kind == BranchKind::Fold { 1e-5 } else { 1e-8 };
             let value = |step: &Step<M::Local>| test(method, kind, step, one, two);
-            let place = locate(method, &self.corrector, self.parameter_scale(), (&a.step, &b.step), resolution, value);
+            let place = locate(method, &self.corrector, self.parameter_scale(), (&a.step, &b.step), RESOLUTION, value);
             let Some(place) = place else { continue };
             let at = point(method, &place)?;
             // Two real multipliers that meet outside the circle are no torus.

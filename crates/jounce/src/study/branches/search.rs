@@ -58,8 +58,8 @@ enum Start {
 /// Speed of a kick, beside that of the steady motion.
 const KICK: f64 = 20.0;
 
-/// Distance of harmonic balance from the curve that is allowed, beside the tolerance of a march.
-const ACCURACY: f64 = 100.0;
+/// Error of the mean power that is allowed in harmonic balance, beside the tolerance of a march.
+const ACCURACY: f64 = 300.0;
 
 type Failure = OrbitError<StudyError>;
 
