@@ -35,7 +35,7 @@ impl Linearisation<'_> {
             (&odd, None)
         };
         let driven = self.driven(w, (shape, level), segment);
-        let nodes = self.nodes(w, law, table, segment, driven, force);
+        let nodes = self.nodes(w, law, table, segment, driven, force.1);
         let shift_s = if shape == Shape::Onset { self.onset_shift(w, segment) } else { None };
         self.right_sides::<W, L>(w, table, &nodes);
         let (stiffness, damping, driven) = (w.load(&nodes.stiffness_n_m), w.load(&nodes.damping_n_s_m), &nodes.driven);
@@ -71,13 +71,13 @@ impl Linearisation<'_> {
         table: &Table,
         segment: &Segment,
         driven: DrivenNodes,
-        (_, force): (Shape, [f64; NODES]),
+        force: [f64; NODES],
     ) -> Nodes {
         let (kernel, layout) = (self.kernel, self.kernel.layout);
         layout.pack_into(&segment.state, &mut self.packed);
         let mut force_n = Lane::ZERO;
         force_n.0[..NODES].copy_from_slice(&force);
-        let start = w.fma(w.splat(-1.0), w.splat(kernel.plant.system.stops[0].gap_m), w.load(&driven.displacement_m));
+        let start = w.sub(w.load(&driven.displacement_m), w.splat(kernel.plant.system.stops[0].gap_m));
         let free = columns(w, &layout, &self.packed, &table.displacement.columns, start);
         let depth = w.store(pushed(w, free, &table.displacement.push, &force_n));
         let mut rate = Lane::ZERO;
