@@ -180,7 +180,9 @@ fn points_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failure> 
         number("floquet_max_abs", "", "largest modulus of a Floquet multiplier", |p| p.orbit.floquet_max_abs()),
         count("contacts_per_period", "contacts that begin in a period", |(_, _, p)| p.orbit.contacts),
         number("max_penetration_m", "m", "largest penetration of the stop", |p| p.orbit.max_penetration_m),
-        number("error_estimate", "", "estimated relative error of the state", |p| p.orbit.error_estimate),
+        number("error_estimate", "", "estimated relative error of the state and the mean power, the larger one", |p| {
+            p.orbit.error_estimate
+        }),
     ])?)
 }
 

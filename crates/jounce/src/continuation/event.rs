@@ -1,14 +1,29 @@
 //! The place between two points at which a function of the curve passes zero.
 
-use super::{Corrector, Family, Metric, Step, Stretch, correct, tangent};
+use super::{Corrector, Direction, Family, Metric, Position, Step, Stretch, correct, tangent};
 
 /// Most places tried.
 const MOST: u32 = 40;
 
+/// One side of the zero.
+#[derive(Debug, Clone)]
+struct Side {
+    position: Position,
+    tangent: Direction,
+    /// Distance along the chord.
+    place: f64,
+    value: f64,
+}
+
 /// Walks from `before` towards `after` to the zero of `value`, which has different signs at the two.
 ///
-/// The place is sought along the chord, from guesses on the cubic between the two, by false position with halving (Illinois), until the bracket is shorter than `resolution`
-/// (in the metric) or a value is as small beside those at the two ends. `None` where Newton fails on the way.
+/// Places are sought along the chord by inverse quadratic interpolation kept inside the bracket (Chandrupatla), each from a guess on
+/// the cubic between the two sides of the bracket, which comes nearer to the curve as it shrinks: by the fourth power of its length.
+/// The search ends when the bracket or the last move is shorter than `resolution` (in the metric), or a value is as small beside those
+/// at the two ends.
+/// `None` where Newton fails on the way.
+///
+/// Source: T. R. Chandrupatla, Adv. Eng. Software 28 (1997) 145.
 pub fn locate<F: Family>(
     family: &F,
     corrector: &Corrector,
@@ -21,31 +36,46 @@ pub fn locate<F: Family>(
     let chord = before.position.to(&after.position);
     let length = metric.length(&chord);
     let unit = metric.unit(chord);
-    let cubic = Stretch::between(&metric, (&before.position, &before.tangent), (&after.position, &after.tangent));
-    let (mut low, mut high) = (0.0, length);
-    let (mut at_low, mut at_high) = (value(before), value(after));
-    let size = at_low.abs().max(at_high.abs());
-    let mut best = None;
+    let side = |step: &Step<F::Local>, place: f64, value: f64| Side {
+        position: step.position.clone(),
+        tangent: step.tangent.clone(),
+        place,
+        value,
+    };
+    let mut low = side(before, 0.0, value(before));
+    let mut high = side(after, length, value(after));
+    let size = low.value.abs().max(high.value.abs());
+    // The place before the last one, on whichever side.
+    let mut third: Option<(f64, f64)> = None;
+    let mut last_is_low = false;
     for _ in 0..MOST {
-        let mut place = (low * at_high - high * at_low) / (at_high - at_low);
-        if !(place > low && place < high) {
-            place = 0.5 * (low + high);
-        }
-        let found = correct(family, corrector, &metric, &unit, cubic.at(place)).ok()?;
+        let (one, two) = if last_is_low { (&low, &high) } else { (&high, &low) };
+        let least = (0.5 * resolution / (high.place - low.place)).min(0.5);
+        let share = next_share((one.place, one.value), (two.place, two.value), third).clamp(least, 1.0 - least);
+        let stretch = Stretch::between(&metric, (&low.position, &low.tangent), (&high.position, &high.tangent));
+        let from_low = if last_is_low { share } else { 1.0 - share };
+        let found = correct(family, corrector, &metric, &unit, stretch.at(from_low * stretch.length)).ok()?;
         let ahead = tangent(&found.local, &metric, &unit)?;
         let step = Step { position: found.position, tangent: ahead, local: found.local, error: found.error };
-        let here = value(&step);
-        best = Some(step);
-        if (here > 0.0) == (at_high > 0.0) {
-            (high, at_high) = (place, here);
-            at_low *= 0.5;
-        } else {
-            (low, at_low) = (place, here);
-            at_high *= 0.5;
-        }
-        if high - low <= resolution || here.abs() <= resolution * size {
-            break;
+        let place = metric.inner(&unit, &before.position.to(&step.position));
+        let here = side(&step, place, value(&step));
+        let (small, is_high) = (here.value.abs() <= resolution * size, (here.value > 0.0) == (high.value > 0.0));
+        let moved = (place - one.place).abs();
+        let replaced = std::mem::replace(if is_high { &mut high } else { &mut low }, here);
+        // It bends the interpolation.
+        third = Some((replaced.place, replaced.value));
+        last_is_low = !is_high;
+        if small || moved.min(high.place - low.place) <= resolution {
+            return Some(step);
         }
     }
-    best
+    None
+}
+
+/// Share of the way from the last place (place and value) to the other side of the bracket.
+fn next_share((x1, f1): (f64, f64), (x2, f2): (f64, f64), third: Option<(f64, f64)>) -> f64 {
+    let Some((x3, f3)) = third else { return f1 / (f1 - f2) };
+    let (xi, phi) = ((x1 - x2) / (x3 - x2), (f1 - f2) / (f3 - f2));
+    let is_smooth = phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi;
+    if is_smooth { f1 / (f2 - f1) * f3 / (f2 - f3) + (x3 - x1) / (x2 - x1) * f1 / (f3 - f1) * f2 / (f3 - f2) } else { 0.5 }
 }

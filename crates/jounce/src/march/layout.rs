@@ -46,11 +46,21 @@ impl Layout {
     /// Block order to padded lanes.
     pub fn pack(&self, values: &[f64]) -> Vec<Lane> {
         let mut lanes = vec![Lane::ZERO; self.lanes()];
-        for (state, value) in values.iter().enumerate() {
-            let (lane, place) = self.place(state);
-            lanes[lane].0[place] = *value;
-        }
+        self.pack_into(values, &mut lanes);
         lanes
+    }
+
+    /// The same into lanes that hold zeros where nothing belongs.
+    #[inline(always)]
+    pub fn pack_into(&self, values: &[f64], lanes: &mut [Lane]) {
+        let (paired, reals) = values.split_at(2 * self.pairs);
+        for (k, pair) in paired.chunks_exact(2).enumerate() {
+            lanes[k / WIDTH].0[k % WIDTH] = pair[0];
+            lanes[self.pair_lanes + k / WIDTH].0[k % WIDTH] = pair[1];
+        }
+        for (k, real) in reals.iter().enumerate() {
+            lanes[2 * self.pair_lanes + k / WIDTH].0[k % WIDTH] = *real;
+        }
     }
 
     /// Padded lanes to block order.

@@ -7,7 +7,6 @@
 //! `d` is the displacement of the port (m), `f` the contact force (N), `p` the drive cycles of the period. The diagonal form makes
 //! `G` exact at a cost that grows with the number of modes times the number of harmonics, and with nothing else.
 
-use crate::march::Kernel;
 use crate::plant::Plant;
 use faer::c64;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
@@ -58,25 +57,66 @@ impl Grid {
     }
 }
 
-/// `row (s I - A)^-1 b` at `s = i n w / p`, `n = 0..=harmonics`; `b` is the column of the contact force.
-pub fn transfer(kernel: &Kernel, row: &[f64], cycles: u32, harmonics: usize) -> Vec<c64> {
-    let plant = &kernel.plant;
-    let (Some(tone), Some(port)) = (plant.tones.first(), plant.ports.first()) else { return vec![c64::new(0.0, 0.0); harmonics + 1] };
-    let column: Vec<c64> = port.force.iter().map(|b| c64::new(*b, 0.0)).collect();
-    let step = tone.angular_frequency_rad_s / f64::from(cycles);
-    (0..=harmonics)
-        .map(|n| {
-            let response = plant.diagonal.block.resolve(c64::new(0.0, n as f64 * step), &column);
-            response.iter().zip(row).map(|(y, c)| *y * *c).sum()
-        })
-        .collect()
+/// `G = row (s I - A)^-1 b` at the harmonics of an orbit, and its change with the frequency.
+#[derive(Debug, Clone)]
+pub struct Transfer {
+    /// `G` at `s = i n w / p`, `n = 0..=harmonics`.
+    pub values: Vec<c64>,
+    /// `dG / ds` there.
+    pub slopes: Vec<c64>,
 }
 
-/// Adds the steady displacement of the port, m, to its harmonics over a period of `cycles` of the drive.
-pub fn steady(plant: &Plant, cycles: u32, harmonics: &mut [f64]) {
-    if let Some(port) = plant.ports.first().filter(|_| !plant.tones.is_empty()) {
-        let n = cycles as usize;
-        harmonics[2 * n - 1] += port.steady_m[0].re / SQRT_2;
-        harmonics[2 * n] -= port.steady_m[0].im / SQRT_2;
+impl Transfer {
+    /// From the contact force to an output `row`; `step_rad_s` is `w / p`.
+    pub fn new(plant: &Plant, row: &[f64], step_rad_s: f64, harmonics: usize) -> Self {
+        let none = vec![c64::new(0.0, 0.0); harmonics + 1];
+        let mut transfer = Self { values: none.clone(), slopes: none };
+        let Some(port) = plant.ports.first() else { return transfer };
+        let block = &plant.diagonal.block;
+        for (pair, (c, u)) in block.pairs.iter().zip(row.chunks_exact(2).zip(port.force.chunks_exact(2))) {
+            let [a, b, d, e] = pair.matrix();
+            let first = c[0] * u[0] + c[1] * u[1];
+            let rest = c[0] * (b * u[1] - e * u[0]) + c[1] * (d * u[0] - a * u[1]);
+            transfer.add(step_rad_s, [first, rest], [1.0, -a - e, a * e - b * d]);
+        }
+        let paired = 2 * block.pairs.len();
+        for (rate, (c, u)) in block.reals.iter().zip(row[paired..].iter().zip(&port.force[paired..])) {
+            transfer.add(step_rad_s, [0.0, c * u], [0.0, 1.0, -rate]);
+        }
+        transfer
+    }
+
+    /// Adds `(p s + q) / (a s^2 + b s + c)`.
+    fn add(&mut self, step_rad_s: f64, [p, q]: [f64; 2], [a, b, c]: [f64; 3]) {
+        for (n, (value, slope)) in self.values.iter_mut().zip(&mut self.slopes).enumerate() {
+            let w = n as f64 * step_rad_s;
+            let inverse = c64::new(c - a * w * w, b * w).inv();
+            let own = c64::new(q, p * w) * inverse;
+            *value += own;
+            *slope += (c64::new(p, 0.0) - own * c64::new(b, 2.0 * a * w)) * inverse;
+        }
+    }
+}
+
+/// Adds a harmonic of the drive, complex displacement of the port in m, to the harmonics of a period of `cycles` of it.
+pub fn add_tone(displacement_m: c64, cycles: u32, harmonics: &mut [f64]) {
+    let n = cycles as usize;
+    harmonics[2 * n - 1] += displacement_m.re / SQRT_2;
+    harmonics[2 * n] -= displacement_m.im / SQRT_2;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `1 / (s^2 + 3 s + 5)` and its derivative at `s = 2 i`.
+    #[test]
+    fn a_quotient_and_its_slope() {
+        let none = vec![c64::new(0.0, 0.0); 2];
+        let mut transfer = Transfer { values: none.clone(), slopes: none };
+        transfer.add(2.0, [0.0, 1.0], [1.0, 3.0, 5.0]);
+        let below = c64::new(1.0, 6.0);
+        assert!((transfer.values[1] - 1.0 / below).norm() < 1e-16);
+        assert!((transfer.slopes[1] + c64::new(3.0, 4.0) / (below * below)).norm() < 1e-16);
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{Orbit, OrbitError};
 use crate::continuation::Family;
+use faer::Mat;
 
 /// A method on the harvesters of one family.
 pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>> {
@@ -16,6 +17,12 @@ pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>> {
     /// # Errors
     /// Multipliers that cannot be computed.
     fn orbit(&self, local: &Self::Local, error: f64) -> Result<Orbit, Self::Error>;
+
+    /// Derivative of the flow over the period, energy coordinates.
+    ///
+    /// # Errors
+    /// A march that fails.
+    fn map<'l>(&self, local: &'l Self::Local) -> Result<&'l Mat<f64>, Self::Error>;
 
     /// Contacts that begin in a period.
     ///
@@ -38,16 +45,21 @@ pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>> {
     /// A march that fails.
     fn unknown_of(&self, state: &[f64], parameter: f64) -> Result<Vec<f64>, Self::Error>;
 
-    /// The same method with a finer unknown, where the orbit at a place lies farther from the curve than was asked for and that can
-    /// be cured; `parameter_scale` is that of the metric.
+    /// Distance of the answer at a place from the curve of the exact flow, beside the one allowed; `parameter_scale` is that of the
+    /// metric. A method on that flow itself has none.
     ///
     /// # Errors
     /// A march that fails.
-    fn finer(&self, _local: &Self::Local, _parameter_scale: f64) -> Result<Option<Self>, Self::Error>
+    fn excess(&self, _local: &Self::Local, _parameter_scale: f64) -> Result<f64, Self::Error> {
+        Ok(0.0)
+    }
+
+    /// The same method with a finer unknown, where there is one.
+    fn finer(&self) -> Option<Self>
     where
         Self: Sized,
     {
-        Ok(None)
+        None
     }
 
     /// An unknown of a coarser method as one of this.

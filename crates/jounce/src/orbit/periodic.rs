@@ -22,7 +22,7 @@ pub struct Orbit {
     pub max_penetration_m: f64,
     /// Floquet multipliers, largest modulus first.
     pub multipliers: Vec<c64>,
-    /// Estimated relative error of the state.
+    /// Estimated error of the state at the start or of the mean power, relative to its size, the larger one.
     pub error_estimate: f64,
 }
 
@@ -65,17 +65,26 @@ impl Orbit {
         self.multipliers.iter().map(|value| *value - s).product::<c64>().re
     }
 
-    /// `prod_(i<j) (m_i m_j - 1)`: zero where a complex pair lies on the unit circle.
-    pub fn pair_product(&self) -> f64 {
-        let values = &self.multipliers;
-        let pairs = (0..values.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
-        pairs.map(|(i, j)| values[i] * values[j] - 1.0).product::<c64>().re
-    }
-
     /// Multipliers outside the unit circle that come in complex pairs.
     pub fn pairs_outside(&self) -> usize {
-        self.multipliers.iter().filter(|value| value.norm() > 1.0 && value.im > 1e-9).count()
+        pairs_outside(&self.multipliers)
     }
+}
+
+/// Distance to the unit circle of the complex pair that lies nearest to it; 1 without one.
+pub fn nearest_pair_to_circle(multipliers: &[c64]) -> f64 {
+    let pairs = multipliers.iter().filter(|value| value.im > 1e-9);
+    pairs.map(|value| (value.norm() - 1.0).abs()).fold(1.0, f64::min)
+}
+
+/// Multipliers outside the unit circle that come in complex pairs.
+pub fn pairs_outside(multipliers: &[c64]) -> usize {
+    multipliers.iter().filter(|value| value.norm() > 1.0 && value.im > 1e-9).count()
+}
+
+/// `det(M - s I)` of a period map: zero where `s` is a multiplier.
+pub fn determinant_at(map: &Mat<f64>, s: f64) -> f64 {
+    Mat::from_fn(map.nrows(), map.ncols(), |i, j| map[(i, j)] - if i == j { s } else { 0.0 }).determinant()
 }
 
 /// Eigenvalues of a period map, largest modulus first; `None` where they do not converge.

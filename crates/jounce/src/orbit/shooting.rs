@@ -9,10 +9,10 @@
 //! parameter it is exact for drive, gap and stiffness, and a difference otherwise.
 
 use super::border::solve_bordered;
-use super::{Change, Harvester, Orbit, OrbitError, OrbitMethod, multipliers, nearest_extremum_m};
+use super::{Change, Harvester, Orbit, OrbitError, OrbitMethod, nearest_extremum_m};
 use crate::continuation::{Direction, Family, Linear, Metric, Position, tangent};
 use crate::march::{Drift, Kernel, Trajectory, Variation};
-use faer::{ColRef, Mat, MatRef};
+use faer::{Mat, MatRef};
 use std::f64::consts::TAU;
 
 /// Orbits of a harvester by shooting.
@@ -52,7 +52,7 @@ pub struct Shot {
     /// Mean power of each load, W.
     pub loads_w: Vec<f64>,
     /// Tolerance of the march.
-    tolerance: f64,
+    pub(super) tolerance: f64,
 }
 
 impl<'h, H: Harvester> Shooting<'h, H> {
@@ -150,23 +150,13 @@ impl<H: Harvester> OrbitMethod for Shooting<'_, H> {
     }
 
     fn orbit(&self, shot: &Shot, error: f64) -> Result<Orbit, Self::Error> {
-        let Some(multipliers) = multipliers(&shot.map) else {
-            return Err(OrbitError::Multipliers { frequency_hz: f64::from(self.cycles) / shot.period_s });
-        };
-        // A defect of the march over one period reaches the orbit multiplied by (I - M)^-1.
-        let nearest = multipliers.iter().map(|value| (*value - 1.0).norm()).fold(1.0, f64::min);
-        let loads = &shot.kernel.plant.system.loads;
-        let first = shot.loads_w.first().zip(loads.first());
-        Ok(Orbit {
-            period_cycles: self.cycles,
-            looks: shot.looks.clone(),
-            mean_power_w: shot.loads_w.iter().sum(),
-            voltage_rms_v: first.map_or(0.0, |(power_w, load)| (power_w * load.resistance_ohm).max(0.0).sqrt()),
-            contacts: shot.contacts,
-            max_penetration_m: shot.max_penetration_m,
-            multipliers,
-            error_estimate: error + shot.tolerance / nearest.max(f64::EPSILON),
-        })
+        let mut orbit = self.answer(shot)?;
+        orbit.error_estimate = error + self.estimate(shot, &orbit)?;
+        Ok(orbit)
+    }
+
+    fn map<'l>(&self, shot: &'l Shot) -> Result<&'l Mat<f64>, Self::Error> {
+        Ok(&shot.map)
     }
 
     fn contacts(&self, shot: &Shot) -> Result<u64, Self::Error> {
@@ -187,25 +177,17 @@ impl<H: Harvester> OrbitMethod for Shooting<'_, H> {
 }
 
 impl Shot {
-    /// Distance to the curve of orbits by Newton across it, relative to the state: finite at a fold too.
-    pub fn off_curve(&self, parameter: f64, parameter_scale: f64) -> f64 {
+    /// The way to the curve of orbits by Newton across it, and its length relative to the state: finite at a fold too.
+    pub(super) fn across(&self, parameter: f64, parameter_scale: f64) -> Option<(Direction, f64)> {
         let metric = Metric::at(&Position { unknown: self.looks[0].clone(), parameter }, parameter_scale);
         let up = Direction { unknown: vec![0.0; self.residual.len()], parameter: parameter_scale };
         let right: Vec<f64> = self.residual.iter().map(|r| -r).collect();
-        let across = tangent(self, &metric, &up).and_then(|along| {
-            let (row, corner) = metric.row(&along);
-            self.bordered(&row, corner, &right, 0.0)
-        });
-        across.map_or(f64::INFINITY, |(unknown, parameter)| metric.length(&Direction { unknown, parameter }))
-    }
-
-    /// Distance to the orbit by Newton at a fixed parameter, relative to the state.
-    pub fn distance(&self) -> f64 {
-        let right: Vec<f64> = self.residual.iter().map(|r| -r).collect();
-        let fixed = vec![0.0; right.len()];
-        let size = |vector: &[f64]| ColRef::from_slice(vector).norm_l2();
-        let change = self.bordered(&fixed, 1.0, &right, 0.0);
-        change.map_or(f64::INFINITY, |(change, _)| size(&change) / size(&self.looks[0]).max(f64::MIN_POSITIVE))
+        let along = tangent(self, &metric, &up)?;
+        let (row, corner) = metric.row(&along);
+        let (unknown, parameter) = self.bordered(&row, corner, &right, 0.0)?;
+        let across = Direction { unknown, parameter };
+        let length = metric.length(&across);
+        Some((across, length))
     }
 
     /// Displacement of the port, m, at `samples` equal times of the period.

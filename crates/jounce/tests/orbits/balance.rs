@@ -2,9 +2,10 @@
 
 use crate::harvesters::{bench, branches};
 use jounce::contact::{Hertz, HuntCrossley, KelvinVoigt, Law, Rigid};
-use jounce::continuation::{Corrector, Metric, Position, settle};
+use jounce::continuation::{Corrector, Family, Linear, Metric, Position, settle};
 use jounce::orbit::{HarmonicBalance, Harvester, OrbitError, OrbitMethod, Shooting};
 use jounce::plant::System;
+use jounce::spec::SpecFile;
 use jounce::study::{BranchKind, Method, Parameter, Prepared, settled_orbit};
 
 const CORRECTOR: Corrector = Corrector { goal: 1e-10, most: 20 };
@@ -43,7 +44,8 @@ fn balance_meets_shooting_within_its_own_estimate() {
             let state = norm(&mut orbit.start().iter().zip(exact.start()).map(|(a, b)| a - b)) / norm(&mut exact.start().iter().copied());
             let estimate = orbit.error_estimate;
             eprintln!("{name}, {harmonics} harmonics: power off by {error:.1e}, state by {state:.1e}, estimate {estimate:.1e}");
-            assert!(state < 3.0 * estimate + 1e-9 && estimate < 3.0 * state + 1e-9, "{name}: {state:e} {estimate:e}");
+            let off = state.max(error);
+            assert!(off < 3.0 * estimate + 1e-9 && estimate < 3.0 * off + 1e-9, "{name}: {off:e} {estimate:e}");
             assert!(state < (0.5 * last).max(1e-9), "{name}: {state:e} after {last:e}");
             last = state;
         }
@@ -53,8 +55,8 @@ fn balance_meets_shooting_within_its_own_estimate() {
     }
 }
 
-/// At points of the branch that shooting follows, stable or not, the states of both methods differ by less than the sum of their estimates,
-/// and their powers by less than a millionth.
+/// At points of the branch that shooting follows, stable or not, the states and the mean powers of both methods differ by less than the
+/// sum of their estimates, and the powers by less than a millionth.
 #[test]
 fn both_methods_agree_along_the_whole_branch() {
     let file = bench();
@@ -63,14 +65,14 @@ fn both_methods_agree_along_the_whole_branch() {
     let parameter = Parameter::new(&base, &key, 16.0);
     let curve = &branches(&file, (4.0, 20.0), Method::Shooting, 0)[0];
     let mut worst = 0.0_f64;
-    for point in curve.points.iter().step_by(11) {
+    for point in curve.points.iter().step_by(5) {
         let shooting = Shooting::new(&parameter, &base.kernel, 1, 1e-10);
-        let mut method = HarmonicBalance::new(shooting, &base.kernel, 64, 1e-8).unwrap();
+        let mut method = HarmonicBalance::new(shooting, &base.kernel, 64, 3e-8).unwrap();
         let orbit = loop {
             let position =
                 Position { unknown: method.unknown_of(point.orbit.start(), point.parameter).unwrap(), parameter: point.parameter };
             let found = settle(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
-            match method.finer(&found.local, 0.8).unwrap() {
+            match method.finer().filter(|_| method.excess(&found.local, 0.8).unwrap() > 1.0) {
                 Some(finer) => method = finer,
                 None => break method.orbit(&found.local, found.error).unwrap(),
             }
@@ -80,7 +82,7 @@ fn both_methods_agree_along_the_whole_branch() {
         let state = norm(&mut orbit.start().iter().zip(point.orbit.start()).map(|(a, b)| a - b)) / norm(&mut orbit.start().iter().copied());
         let (at, harmonics) = (point.parameter, method.harmonics);
         eprintln!("{at:.6} Hz, {harmonics} harmonics: power apart by {apart:.1e}, state by {state:.1e}, estimates {allowed:.1e}");
-        assert!(state < allowed && apart < 1e-6 && harmonics < 1024, "{at} Hz: {state:e} > {allowed:e}");
+        assert!(state < allowed && apart < allowed && apart < 1e-6 && harmonics < 512, "{at} Hz: {state:e}, {apart:e} > {allowed:e}");
         worst = worst.max(apart / allowed);
     }
     eprintln!("largest difference of the powers: {worst:.2} of the sum of the estimates");
@@ -107,4 +109,62 @@ fn a_rigid_stop_is_refused_with_the_other_method_named() {
     let kernel = harvester.at(11.0).unwrap().kernel;
     let refused = HarmonicBalance::new(Shooting::new(&harvester, &kernel, 1, 1e-9), &kernel, 64, 1e-7).err().unwrap();
     assert!(matches!(refused, OrbitError::Impulsive { .. }) && refused.to_string().contains("shooting"), "{refused}");
+}
+
+/// The derivative by the parameter in closed form is that of differences: frequency, amplitude, gap and stiffness.
+#[test]
+fn the_change_with_the_parameter_is_that_of_differences() {
+    let file = bench();
+    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    for (name, value) in
+        [("drive.shaker.frequency", 11.0), ("drive.shaker.amplitude", 50.0), ("stop.tip.gap", 1e-3), ("stop.tip.stiffness", 1000.0)]
+    {
+        let key = file.numeric_key(name).unwrap();
+        let parameter = Parameter::new(&base, &key, value);
+        let kernel = parameter.at(value).unwrap().kernel;
+        let exact = settled_orbit(&parameter, value, &vec![0.0; kernel.plant.len()], 1e-10, 1e-9).unwrap();
+        let method = HarmonicBalance::new(Shooting::new(&parameter, &kernel, 1, 1e-10), &kernel, 64, 1e-8).unwrap();
+        let unknown = method.unknown_of(exact.start(), value).unwrap();
+        let none = vec![0.0; unknown.len()];
+        // With the parameter fixed the bordered solution moves along `-R_u^-1 R_p`.
+        let (along, _) = method.at(&unknown, value).unwrap().bordered(&none, 1.0, &none, 1.0).unwrap();
+        let step = 1e-6 * value;
+        let residual = |parameter: f64| method.at(&unknown, parameter).unwrap().residual().to_vec();
+        let change: Vec<f64> = residual(value + step).iter().zip(&residual(value - step)).map(|(a, b)| (b - a) / (2.0 * step)).collect();
+        let (by_difference, _) = method.at(&unknown, value).unwrap().bordered(&none, 1.0, &change, 0.0).unwrap();
+        let apart = norm(&mut along.iter().zip(&by_difference).map(|(a, b)| a - b)) / norm(&mut along.iter().copied());
+        eprintln!("{name}: {apart:.1e}");
+        // 3e-10 and less, 3e-7 for the gap: its edges move the nodes, and the difference sees what the rule leaves out change.
+        assert!(apart < 1e-6, "{name}: {apart:e}");
+    }
+}
+
+/// The size of the problem does not know how many modes the plant has: harmonics, nodes in contact, evaluations of Newton.
+#[test]
+fn the_work_at_a_point_is_flat_in_the_number_of_modes() {
+    let mut told = String::new();
+    for modes in [8, 24, 40] {
+        let mut file = SpecFile::from_text(include_str!("../../../../examples/impact-harvester-2019/harvester.toml"));
+        file.set("reduction.modes", &modes.to_string()).unwrap();
+        let known = [0.00194, 0.00925, 0.00864, 0.00359, 0.00126, 0.00274, 0.0016];
+        let ratios: Vec<f64> = (0..modes - 1).map(|mode| known[mode.min(6)]).collect();
+        file.set("damping.ratios", &format!("{ratios:?}")).unwrap();
+        file.set("drive.shaker.amplitude", "\"50 N\"").unwrap();
+        let base = Prepared::new(file.spec().unwrap()).unwrap();
+        let key = file.numeric_key("drive.shaker.frequency").unwrap();
+        let parameter = Parameter::new(&base, &key, 16.0);
+        let kernel = parameter.at(11.0).unwrap().kernel;
+        let start = settled_orbit(&parameter, 11.0, &vec![0.0; kernel.plant.len()], 1e-9, 1e-8).unwrap();
+        let mut method = HarmonicBalance::new(Shooting::new(&parameter, &kernel, 1, 1e-9), &kernel, 64, 3e-7).unwrap();
+        let (found, evaluations) = loop {
+            let position = Position { unknown: method.unknown_of(start.start(), 11.0).unwrap(), parameter: 11.0 };
+            let found = settle(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
+            match method.finer().filter(|_| method.excess(&found.local, 0.8).unwrap() > 1.0) {
+                Some(finer) => method = finer,
+                None => break (found.local, found.evaluations),
+            }
+        };
+        told += &format!("{modes} modes: {} harmonics, {} nodes, {evaluations} evaluations\n", method.harmonics, found.nodes());
+    }
+    insta::assert_snapshot!(told);
 }

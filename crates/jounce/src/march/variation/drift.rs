@@ -1,6 +1,11 @@
 //! The port at a fixed state: its motion under the drive, and what a parameter does to it.
 
+use super::linearisation::Linearisation;
+use crate::march::kernel::Shape;
+use crate::march::tone::Swing;
+use crate::march::trajectory::Segment;
 use crate::plant::Plant;
+use crate::wide::{Lane, Wide};
 use faer::c64;
 
 /// What a parameter does at a fixed state `y`, per unit of the parameter.
@@ -24,6 +29,55 @@ pub(super) struct Driven {
     pub penetration_drift_m: f64,
     /// Per unit of the parameter: its rate, m/s.
     pub rate_drift_m_s: f64,
+}
+
+/// The same at the nodes of a step and at its end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct DrivenNodes {
+    pub displacement_m: Lane,
+    pub velocity_m_s: Lane,
+    pub acceleration_m_s2: Lane,
+    pub penetration_drift_m: Lane,
+    pub rate_drift_m_s: Lane,
+}
+
+impl Linearisation<'_> {
+    /// The port under the drives along a step, of a level or of any length.
+    #[inline(always)]
+    pub(super) fn driven<W: Wide>(&mut self, w: W, (shape, level): (Shape, Option<i32>), segment: &Segment) -> DrivenNodes {
+        let kernel = self.kernel;
+        let basis = kernel.basis(0, shape);
+        let time_s = w.fma(w.splat(segment.length_s), w.load(&Lane(basis.places)), w.splat(segment.start_s));
+        let (mut displacement, mut velocity, mut acceleration) = (w.zero(), w.zero(), w.zero());
+        let (mut penetration_drift, mut rate_drift) = (w.splat(-self.drift.gap_m), w.zero());
+        for (k, tone) in self.tones.iter_mut().enumerate() {
+            let frequency = tone.angular_frequency_rad_s;
+            tone.set(segment.start_s);
+            match level {
+                Some(level) => tone.swing_over(kernel, shape, level),
+                None => tone.swing = Swing::over(frequency, basis, segment.length_s),
+            }
+            let (swing, i) = (tone.swing, c64::new(0.0, 1.0));
+            let z = tone.displacement_m * tone.turn;
+            displacement = swing.real(w, z, displacement);
+            velocity = swing.real(w, z * i * frequency, velocity);
+            acceleration = swing.real(w, -z * frequency * frequency, acceleration);
+            if let Some((ds, dw)) = self.drift.tones.get(k) {
+                let change = ds * tone.turn;
+                let later = w.mul(w.splat(*dw), time_s);
+                penetration_drift = swing.real(w, change, w.fma(later, swing.real(w, z * i, w.zero()), penetration_drift));
+                rate_drift = swing.real(w, change * i * frequency + z * i * *dw, rate_drift);
+                rate_drift = w.fma(later, swing.real(w, -z * frequency, w.zero()), rate_drift);
+            }
+        }
+        DrivenNodes {
+            displacement_m: w.store(displacement),
+            velocity_m_s: w.store(velocity),
+            acceleration_m_s2: w.store(acceleration),
+            penetration_drift_m: w.store(penetration_drift),
+            rate_drift_m_s: w.store(rate_drift),
+        }
+    }
 }
 
 impl Drift {

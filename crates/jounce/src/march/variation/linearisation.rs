@@ -6,6 +6,7 @@ use super::elimination::NodeSystem;
 use super::tangents::Tangents;
 use crate::contact::Law;
 use crate::march::kernel::Kernel;
+use crate::march::tone::Turning;
 use crate::march::trajectory::{Segment, Trajectory};
 use crate::wide::{Lane, Task, Wide};
 
@@ -20,6 +21,10 @@ pub struct Linearisation<'a> {
     pub(super) system: NodeSystem,
     /// Factors of each row of tangents in the right sides of the system.
     pub(super) factors: Vec<Lane>,
+    /// The state at the start of the step in hand.
+    pub(super) packed: Vec<Lane>,
+    /// The drives.
+    pub(super) tones: Vec<Turning>,
     /// Flight not yet applied, s.
     pending_s: f64,
 }
@@ -29,7 +34,12 @@ impl<'a> Linearisation<'a> {
     pub fn new(kernel: &'a Kernel, drift: &'a Drift, trajectory: &'a Trajectory, end: &'a [f64]) -> Self {
         let tangents = Tangents::identity(kernel.plant.len());
         let (system, factors) = (NodeSystem::new(tangents.width), vec![Lane::ZERO; kernel.plant.len()]);
-        Self { kernel, drift, trajectory, end, tangents, system, factors, pending_s: 0.0 }
+        let port = kernel.plant.ports.first();
+        let tones = (kernel.plant.tones.iter().enumerate())
+            .filter_map(|(k, tone)| Some(Turning::new(tone.angular_frequency_rad_s, port?.steady_m[k], 0.0)))
+            .collect();
+        let packed = vec![Lane::ZERO; kernel.layout.lanes()];
+        Self { kernel, drift, trajectory, end, tangents, system, factors, packed, tones, pending_s: 0.0 }
     }
 
     /// Passes one step; `after` is the state at its end, `strikes` says that a contact follows.

@@ -2,16 +2,16 @@
 
 use crate::wide::{Lane, WIDTH, Wide};
 
-/// One row of lanes per state; its numbers belong to the start states, the one after them to the parameter.
+/// Columns in groups of eight, one after the other: in each group one lane per state. The columns belong to the start states, the one
+/// after them to the parameter.
 ///
 /// Loops over lanes are written out: a closure inside an iterator would be compiled without the vector instructions.
 #[derive(Debug)]
 pub struct Tangents {
     states: usize,
-    /// Lanes per row.
+    /// Groups.
     pub width: usize,
-    /// Row after row.
-    pub lanes: Vec<Lane>,
+    lanes: Vec<Lane>,
 }
 
 impl Tangents {
@@ -19,13 +19,23 @@ impl Tangents {
     pub fn identity(states: usize) -> Self {
         let width = (states + 1).div_ceil(WIDTH);
         let mut lanes = vec![Lane::ZERO; states * width];
-        (0..states).for_each(|i| lanes[i * width + i / WIDTH].0[i % WIDTH] = 1.0);
+        (0..states).for_each(|i| lanes[i / WIDTH * states + i].0[i % WIDTH] = 1.0);
         Self { states, width, lanes }
     }
 
     /// Derivative of a state by a start state, or by the parameter.
     pub fn entry(&self, state: usize, column: usize) -> f64 {
-        self.lanes[state * self.width + column / WIDTH].0[column % WIDTH]
+        self.lanes[column / WIDTH * self.states + state].0[column % WIDTH]
+    }
+
+    /// The groups, one lane per state in each.
+    pub fn groups(&self) -> std::slice::ChunksExact<'_, Lane> {
+        self.lanes.chunks_exact(self.states.max(1))
+    }
+
+    /// The same, to be changed.
+    pub fn groups_mut(&mut self) -> std::slice::ChunksExactMut<'_, Lane> {
+        self.lanes.chunks_exact_mut(self.states.max(1))
     }
 
     /// Adds to the number of the parameter in a row.
@@ -37,19 +47,26 @@ impl Tangents {
     /// `row . dy` for every column, and what the parameter adds to it.
     #[inline(always)]
     pub fn along<W: Wide>(&self, w: W, row: &[f64], drift: f64) -> Vec<Lane> {
-        let mut sum = vec![Lane::ZERO; self.width];
-        for (factor, values) in row.iter().zip(self.lanes.chunks_exact(self.width)) {
-            add_scaled(w, &mut sum, *factor, values);
+        let mut sums = Vec::with_capacity(self.width);
+        for group in self.groups() {
+            let mut sum = w.zero();
+            for (factor, lane) in row.iter().zip(group) {
+                sum = w.fma(w.splat(*factor), w.load(lane), sum);
+            }
+            sums.push(w.store(sum));
         }
-        self.drift(&mut sum, drift);
-        sum
+        self.drift(&mut sums, drift);
+        sums
     }
 
     /// `dy += factor column (x) row`.
     #[inline(always)]
     pub fn add_product<W: Wide>(&mut self, w: W, column: &[f64], factor: f64, row: &[Lane]) {
-        for (own, entry) in self.lanes.chunks_exact_mut(self.width).zip(column) {
-            add_scaled(w, own, factor * entry, row);
+        for (group, lane) in self.lanes.chunks_exact_mut(self.states.max(1)).zip(row) {
+            let lane = w.mul(w.splat(factor), w.load(lane));
+            for (own, entry) in group.iter_mut().zip(column) {
+                *own = w.store(w.fma(w.splat(*entry), lane, w.load(own)));
+            }
         }
     }
 
@@ -57,18 +74,19 @@ impl Tangents {
     #[inline(always)]
     pub fn turn<W: Wide>(&mut self, w: W, k: usize, entries: [f64; 4]) {
         let [a, b, c, d] = [w.splat(entries[0]), w.splat(entries[1]), w.splat(entries[2]), w.splat(entries[3])];
-        let (low, high) = self.lanes.split_at_mut((2 * k + 1) * self.width);
-        for (u, v) in low[2 * k * self.width..].iter_mut().zip(high) {
-            let (x, y) = (w.load(u), w.load(v));
-            *u = w.store(w.fma(a, x, w.mul(b, y)));
-            *v = w.store(w.fma(c, x, w.mul(d, y)));
+        for group in self.lanes.chunks_exact_mut(self.states.max(1)) {
+            let (x, y) = (w.load(&group[2 * k]), w.load(&group[2 * k + 1]));
+            group[2 * k] = w.store(w.fma(a, x, w.mul(b, y)));
+            group[2 * k + 1] = w.store(w.fma(c, x, w.mul(d, y)));
         }
     }
 
     /// Shrinks the row of a real state.
     #[inline(always)]
     pub fn decay<W: Wide>(&mut self, w: W, state: usize, factor: f64) {
-        scale(w, &mut self.lanes[state * self.width..(state + 1) * self.width], factor);
+        for group in self.lanes.chunks_exact_mut(self.states.max(1)) {
+            group[state] = w.store(w.mul(w.splat(factor), w.load(&group[state])));
+        }
     }
 }
 

@@ -1,6 +1,5 @@
 //! Newton's linear system, condensed to the nodes in contact.
 
-use super::motion::functions;
 use super::nodes::Node;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
@@ -16,20 +15,20 @@ pub struct Condensed {
 }
 
 impl Condensed {
-    /// At the nodes of a motion; `compliance` up to its last harmonic.
-    pub fn new(nodes: &[Node], compliance: &[c64], step_rad_s: f64) -> Self {
-        let (size, count) = (2 * compliance.len() - 1, nodes.len());
+    /// At the nodes of a motion, with the functions of the sum there in columns; `compliance` up to its last harmonic.
+    pub fn new(nodes: &[Node], shapes: &Mat<f64>, compliance: &[c64], step_rad_s: f64) -> Self {
+        let (size, count) = (shapes.nrows(), nodes.len());
         let (mut push, mut feel) = (Mat::zeros(size, count), Mat::zeros(size, count));
-        let mut shape = vec![0.0; size];
         for (q, node) in nodes.iter().enumerate() {
-            functions(node.angle, &mut shape);
-            push.col_mut(q).iter_mut().zip(through(compliance, &shape)).for_each(|(to, value)| *to = value * node.share);
+            let shape = shapes.col_as_slice(q);
+            let push: &mut [f64] = push.col_as_slice_mut(q);
+            push.iter_mut().zip(through(compliance, shape)).for_each(|(to, value)| *to = value * node.share);
             let (stiffness, damping) = (node.slopes.stiffness_n_m, node.slopes.damping_n_s_m * step_rad_s);
-            feel[(0, q)] = stiffness;
-            for n in 1..compliance.len() {
-                let (cos, sin, turning) = (shape[2 * n - 1], shape[2 * n], damping * n as f64);
-                feel[(2 * n - 1, q)] = stiffness * cos - turning * sin;
-                feel[(2 * n, q)] = stiffness * sin + turning * cos;
+            let feel: &mut [f64] = feel.col_as_slice_mut(q);
+            feel[0] = stiffness;
+            for ((n, feel), shape) in feel[1..].chunks_exact_mut(2).enumerate().zip(shape[1..].chunks_exact(2)) {
+                let turning = damping * (n + 1) as f64;
+                (feel[0], feel[1]) = (stiffness * shape[0] - turning * shape[1], stiffness * shape[1] + turning * shape[0]);
             }
         }
         let matrix = Mat::<f64>::identity(count, count) - feel.transpose() * &push;

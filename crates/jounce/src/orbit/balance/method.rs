@@ -5,15 +5,18 @@ use super::motion::{complex, real};
 use super::place::Balance;
 use super::rule::Rules;
 use crate::contact::Law;
-use crate::continuation::{Family, Linear};
+use crate::continuation::{Family, Linear, Position};
 use crate::march::Kernel;
-use crate::orbit::compliance::{Grid, transfer};
-use crate::orbit::{Harvester, Orbit, OrbitError, OrbitMethod, Shooting, Shot, nearest_extremum_m};
-use faer::c64;
+use crate::orbit::compliance::{Grid, Transfer};
+use crate::orbit::{Harvester, Orbit, OrbitError, OrbitMethod, Setting, Shooting, Shot, nearest_extremum_m};
+use faer::{Mat, c64};
 use std::sync::Arc;
 
 /// Most harmonics of a drive cycle.
 const MOST: usize = 1024;
+
+/// How much farther from the curve the state may lie than the mean power: most of its distance is in fast modes that carry none.
+const STATE: f64 = 30.0;
 
 /// Orbits of a harvester by harmonic balance.
 #[derive(Debug)]
@@ -22,7 +25,7 @@ pub struct HarmonicBalance<'h, H> {
     pub shooting: Shooting<'h, H>,
     /// Harmonics of the period.
     pub harmonics: usize,
-    /// Distance from the curve, relative to the state, above which there are too few.
+    /// Error of the mean power, relative to it, above which there are too few.
     pub accuracy: f64,
     grid: Grid,
     rules: Arc<Rules>,
@@ -40,10 +43,9 @@ impl<'h, H: Harvester> HarmonicBalance<'h, H> {
         }
     }
 
-    fn balance(&self, unknown: &[f64], parameter: f64) -> Result<Balance, OrbitError<H::Error>> {
-        let kernel = self.shooting.harvester.at(parameter).map_err(OrbitError::Harvester)?.kernel;
-        match kernel.plant.tones.len() {
-            1 => Ok(Balance::new(kernel, parameter, unknown, self.shooting.cycles, &self.grid, &self.rules)),
+    fn balance(&self, setting: Setting, unknown: &[f64], parameter: f64) -> Result<Balance, OrbitError<H::Error>> {
+        match setting.kernel.plant.tones.len() {
+            1 => Ok(Balance::new(setting.kernel, parameter, unknown, self.shooting.cycles, &self.grid, &self.rules)),
             frequencies => Err(OrbitError::Frequencies { frequencies }),
         }
     }
@@ -68,7 +70,7 @@ impl<'h, H: Harvester> HarmonicBalance<'h, H> {
                 let Some(patch) = names.iter().position(|name| **name == load.patch) else { return 0.0 };
                 let row = plant.voltage_row(patch);
                 let mut voltage: Vec<c64> =
-                    transfer(&local.kernel, &row, cycles, self.harmonics).iter().zip(&force).map(|(g, f)| g * f).collect();
+                    Transfer::new(plant, &row, local.step_rad_s, self.harmonics).values.iter().zip(&force).map(|(g, f)| g * f).collect();
                 voltage[cycles as usize] += plant.steady_output(&row).iter().sum::<c64>();
                 let square: f64 = voltage[1..].iter().map(|v| 0.5 * v.norm_sqr()).sum();
                 (square + voltage[0].norm_sqr()) / load.resistance_ohm
@@ -82,10 +84,17 @@ impl<H: Harvester> Family for HarmonicBalance<'_, H> {
     type Error = OrbitError<H::Error>;
 
     fn at(&self, unknown: &[f64], parameter: f64) -> Result<Balance, Self::Error> {
-        let mut local = self.balance(unknown, parameter)?;
-        let step = self.shooting.harvester.difference();
-        let ahead = self.balance(unknown, parameter + step)?;
-        local.by_parameter = ahead.residual().iter().zip(local.residual()).map(|(a, b)| (a - b) / step).collect();
+        let mut setting = self.shooting.harvester.at(parameter).map_err(OrbitError::Harvester)?;
+        let change = setting.change.take();
+        let mut local = self.balance(setting, unknown, parameter)?;
+        if let Some(change) = change {
+            local.changed(&change, self.shooting.cycles);
+        } else {
+            let step = self.shooting.harvester.difference();
+            let ahead = self.shooting.harvester.at(parameter + step).map_err(OrbitError::Harvester)?;
+            let ahead = self.balance(ahead, unknown, parameter + step)?;
+            local.by_parameter = ahead.residual().iter().zip(local.residual()).map(|(a, b)| (a - b) / step).collect();
+        }
         Ok(local)
     }
 }
@@ -99,13 +108,17 @@ impl<H: Harvester> OrbitMethod for HarmonicBalance<'_, H> {
 
     fn orbit(&self, local: &Balance, error: f64) -> Result<Orbit, Self::Error> {
         let shot = self.shot(local)?;
-        let mut orbit = self.shooting.orbit(shot, error)?;
+        let mut orbit = self.shooting.answer(shot)?;
         let loads_w = self.loads_w(local);
         orbit.mean_power_w = loads_w.iter().sum();
         let first = loads_w.first().zip(local.kernel.plant.system.loads.first());
         orbit.voltage_rms_v = first.map_or(0.0, |(power_w, load)| (power_w * load.resistance_ohm).sqrt());
-        orbit.error_estimate = error + shot.distance();
+        orbit.error_estimate = error + self.shooting.estimate(shot, &orbit)?;
         Ok(orbit)
+    }
+
+    fn map<'l>(&self, local: &'l Balance) -> Result<&'l Mat<f64>, Self::Error> {
+        Ok(&self.shot(local)?.map)
     }
 
     fn contacts(&self, local: &Balance) -> Result<u64, Self::Error> {
@@ -128,15 +141,25 @@ impl<H: Harvester> OrbitMethod for HarmonicBalance<'_, H> {
         Ok(real(&spectrum))
     }
 
-    fn finer(&self, local: &Balance, parameter_scale: f64) -> Result<Option<Self>, Self::Error> {
-        let Shooting { harvester, cycles, tolerance, ref scale } = self.shooting;
-        let off = self.shot(local)?.off_curve(local.parameter, parameter_scale);
-        if off <= self.accuracy || self.harmonics >= MOST * cycles as usize {
-            return Ok(None);
+    /// Of the mean power beside the accuracy, or of the state beside [`STATE`] times that, the larger one.
+    fn excess(&self, local: &Balance, parameter_scale: f64) -> Result<f64, Self::Error> {
+        let shot = self.shot(local)?;
+        let Some((across, length)) = shot.across(local.parameter, parameter_scale) else { return Ok(f64::INFINITY) };
+        let state = length / (STATE * self.accuracy);
+        if state > 1.0 {
+            return Ok(state);
         }
+        let there = Position { unknown: shot.looks[0].clone(), parameter: local.parameter }.moved(&across, 1.0);
+        let exact_w = self.shooting.mean_power_w(&there.unknown, there.parameter)?;
+        let apart_w = (self.loads_w(local).iter().sum::<f64>() - exact_w).abs();
+        Ok(state.max(apart_w / (self.accuracy * exact_w.abs()).max(f64::MIN_POSITIVE)))
+    }
+
+    fn finer(&self) -> Option<Self> {
+        let Shooting { harvester, cycles, tolerance, ref scale } = self.shooting;
         let shooting = Shooting { harvester, cycles, tolerance, scale: scale.clone() };
         let (harmonics, accuracy, rules) = (self.harmonics + self.harmonics / 2, self.accuracy, Arc::clone(&self.rules));
-        Ok(Some(Self { shooting, harmonics, accuracy, grid: grid(harmonics), rules }))
+        (harmonics <= MOST * cycles as usize).then(|| Self { shooting, harmonics, accuracy, grid: grid(harmonics), rules })
     }
 
     fn carried(&self, unknown: &[f64]) -> Vec<f64> {

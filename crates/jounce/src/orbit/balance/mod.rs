@@ -18,8 +18,9 @@
 //! ```
 //!
 //! The error estimate comes from outside: the exact flow is marched over a period from the state that the forces give, and the
-//! Newton correction of that flow is the distance to the orbit. It sees truncation and quadrature at once, whatever the law makes of
-//! the tail of the spectrum (`n^-2.5` for Hertz, where an estimate that expects geometric decay would be wrong).
+//! Newton correction of that flow is the distance to the orbit; the mean power marched from there is held against that of the
+//! harmonics. It sees truncation and quadrature at once, whatever the law makes of the tail of the spectrum (`n^-2.5` for Hertz,
+//! where an estimate that expects geometric decay would be wrong).
 //!
 //! Validation: `tests/orbits/balance.rs` compares with shooting.
 

@@ -21,6 +21,8 @@ pub struct Node {
     pub angle: f64,
     /// Weight in the mean over a period.
     pub share: f64,
+    /// Rate of the penetration, m/s.
+    pub rate_m_s: f64,
     /// Force, N.
     pub force_n: f64,
     /// Its slopes.
@@ -46,7 +48,7 @@ fn between(motion: &Motion, (from, to): (f64, f64), rules: &Rules, highest: f64)
         let angle = from + half * (1.0 + place);
         let (depth_m, rate_m_s) = motion.at(angle);
         let force_n = motion.law.force_n(depth_m, rate_m_s);
-        Node { angle, share: half * weight / TAU, force_n, slopes: motion.law.slopes(depth_m, rate_m_s) }
+        Node { angle, share: half * weight / TAU, rate_m_s, force_n, slopes: motion.law.slopes(depth_m, rate_m_s) }
     })
 }
 
@@ -58,6 +60,7 @@ fn entry(motion: &Motion, contact: Contact) -> Option<Node> {
     (jump_n > 0.0).then_some(Node {
         angle: contact.from,
         share: 1.0 / TAU,
+        rate_m_s,
         force_n: 0.0,
         slopes: Slopes { stiffness_n_m, damping_n_s_m: 0.0 },
     })

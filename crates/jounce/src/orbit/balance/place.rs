@@ -6,11 +6,15 @@ use super::nodes::{Node, nodes};
 use super::rule::Rules;
 use crate::continuation::Linear;
 use crate::march::Kernel;
-use crate::orbit::Shot;
-use crate::orbit::compliance::{Grid, steady, transfer};
-use faer::c64;
+use crate::orbit::compliance::{Grid, Transfer, add_tone};
+use crate::orbit::{Change, Shot};
+use faer::{Mat, c64};
 use std::cell::OnceCell;
 use std::f64::consts::TAU;
+
+/// Highest harmonic at which modes are told apart from rest at the start of the period: a force that starts like `t^1.5` and lasts
+/// a tenth of the period moves a faster one by less than `(0.2 pi 512)^-2.5 = 6e-7` of its impulse.
+const FASTEST: f64 = 512.0;
 
 /// The balance at one place.
 #[derive(Debug)]
@@ -21,13 +25,16 @@ pub struct Balance {
     pub(super) kernel: Kernel,
     /// Harmonics of the force, N.
     pub(super) force: Vec<f64>,
+    /// `w / p`, rad/s.
+    pub(super) step_rad_s: f64,
     /// The period marched from the state that the forces give.
     pub(super) shot: OnceCell<Shot>,
     pub(super) by_parameter: Vec<f64>,
     unknown: Vec<f64>,
-    step_rad_s: f64,
-    compliance: Vec<c64>,
+    compliance: Transfer,
     nodes: Vec<Node>,
+    /// The functions of the sum at the nodes, in columns.
+    shapes: Mat<f64>,
     residual: Vec<f64>,
     condensed: OnceCell<Condensed>,
 }
@@ -36,25 +43,48 @@ impl Balance {
     /// With the harmonics of the displacement of the port, over a period of `cycles` of the drive.
     pub(super) fn new(kernel: Kernel, parameter: f64, unknown: &[f64], cycles: u32, grid: &Grid, rules: &Rules) -> Self {
         let plant = &kernel.plant;
-        let step_rad_s = plant.tones.first().map_or(1.0, |tone| tone.angular_frequency_rad_s) / f64::from(cycles);
-        let harmonics = unknown.len() / 2;
+        let tone = plant.tones.first();
+        let step_rad_s = tone.map_or(1.0, |tone| tone.angular_frequency_rad_s) / f64::from(cycles);
+        let (size, harmonics) = (unknown.len(), unknown.len() / 2);
         let row = plant.ports.first().map_or_else(Vec::new, |port| port.displacement.clone());
-        let compliance = transfer(&kernel, &row, cycles, harmonics);
+        let compliance = Transfer::new(plant, &row, step_rad_s, harmonics);
         let nodes =
             plant.system.stops.first().map_or_else(Vec::new, |stop| {
                 nodes(&Motion::new(unknown, step_rad_s, stop.gap_m, stop.law), grid, rules, harmonics as f64)
             });
-        let mut force = vec![0.0; unknown.len()];
-        let mut shape = vec![0.0; unknown.len()];
-        for node in nodes.iter().filter(|node| node.force_n != 0.0) {
-            functions(node.angle, &mut shape);
-            force.iter_mut().zip(&shape).for_each(|(sum, value)| *sum += node.share * node.force_n * value);
+        let mut shapes = Mat::zeros(size, nodes.len());
+        nodes.iter().enumerate().for_each(|(q, node)| functions(node.angle, shapes.col_as_slice_mut(q)));
+        let force = gathered(&nodes, &shapes, |node| node.force_n);
+        let mut residual: Vec<f64> = through(&compliance.values, &force).zip(unknown).map(|(pushed, u)| pushed - u).collect();
+        if let Some((port, _)) = plant.ports.first().zip(tone) {
+            add_tone(port.steady_m[0], cycles, &mut residual);
         }
-        let mut residual: Vec<f64> = through(&compliance, &force).zip(unknown).map(|(pushed, u)| pushed - u).collect();
-        steady(plant, cycles, &mut residual);
-        let by_parameter = vec![0.0; unknown.len()];
-        let (unknown, shot, condensed) = (unknown.to_vec(), OnceCell::new(), OnceCell::new());
-        Self { parameter, kernel, force, shot, by_parameter, unknown, step_rad_s, compliance, nodes, residual, condensed }
+        let (by_parameter, unknown) = (vec![0.0; size], unknown.to_vec());
+        let (shot, condensed) = (OnceCell::new(), OnceCell::new());
+        Self { parameter, kernel, force, step_rad_s, shot, by_parameter, unknown, compliance, nodes, shapes, residual, condensed }
+    }
+
+    /// Nodes in contact: the size of Newton's linear system.
+    pub fn nodes(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// `dR / dp` at fixed harmonics of the displacement, where the change is known: of the drive, of the compliance with its
+    /// frequency, and of the force at each node.
+    pub(super) fn changed(&mut self, change: &Change, cycles: u32) {
+        let drift = &change.drift;
+        let (displaced_m, frequency_rad_s) = drift.tones.first().copied().unwrap_or_default();
+        let hastened = frequency_rad_s / (self.step_rad_s * f64::from(cycles));
+        let own = gathered(&self.nodes, &self.shapes, |node| {
+            let slopes = node.slopes;
+            slopes.damping_n_s_m * node.rate_m_s * hastened - slopes.stiffness_n_m * drift.gap_m + drift.force_relative * node.force_n
+        });
+        let slide = frequency_rad_s / f64::from(cycles);
+        let slid: Vec<c64> = self.compliance.slopes.iter().enumerate().map(|(n, slope)| slope * c64::new(0.0, n as f64 * slide)).collect();
+        let moved = through(&self.compliance.values, &own).zip(through(&slid, &self.force));
+        let mut by_parameter: Vec<f64> = moved.map(|(a, b)| a + b).collect();
+        add_tone(displaced_m, cycles, &mut by_parameter);
+        self.by_parameter = by_parameter;
     }
 
     /// The periodic state at the start of the period, block coordinates without the steady part:
@@ -63,15 +93,17 @@ impl Balance {
     /// y = (I - e^(A T))^-1 int_0^T e^(A (T - t)) b F(t) dt
     /// ```
     ///
-    /// All harmonics of the force are in it, those of the fastest mode too, which `d` may leave out because it hardly moves there.
+    /// All harmonics of the force are in it, those of fast modes too, which `d` may leave out because it hardly moves there.
     pub(super) fn state(&self, grid: &Grid, rules: &Rules) -> Vec<f64> {
         let plant = &self.kernel.plant;
         let block = &plant.diagonal.block;
         let mut state = vec![0.0; plant.len()];
         let (Some(port), Some(stop)) = (plant.ports.first(), plant.system.stops.first()) else { return state };
-        let fastest_rad_s = block.pairs.iter().map(|pair| pair.eigenvalue().norm()).fold(0.0, f64::max);
-        let highest = (fastest_rad_s / self.step_rad_s).max((self.unknown.len() / 2) as f64);
-        let nodes = nodes(&Motion::new(&self.unknown, self.step_rad_s, stop.gap_m, stop.law), grid, rules, highest);
+        let order = |rate_rad_s: f64| rate_rad_s / self.step_rad_s;
+        let orders = block.pairs.iter().map(|pair| order(pair.eigenvalue().norm()));
+        let harmonics = (self.unknown.len() / 2) as f64;
+        let fastest = orders.fold(harmonics, f64::max).min(FASTEST.max(harmonics));
+        let nodes = nodes(&Motion::new(&self.unknown, self.step_rad_s, stop.gap_m, stop.law), grid, rules, fastest);
         let period_s = TAU / self.step_rad_s;
         for node in &nodes {
             let left_s = period_s * (1.0 - (node.angle / TAU).rem_euclid(1.0));
@@ -79,6 +111,10 @@ impl Balance {
             state.iter_mut().zip(pushed).for_each(|(sum, y)| *sum += node.share * period_s * node.force_n * y);
         }
         for (pair, y) in block.pairs.iter().zip(state.chunks_exact_mut(2)) {
+            if order(pair.eigenvalue().norm()) > fastest {
+                (y[0], y[1]) = (0.0, 0.0);
+                continue;
+            }
             let [a, b, c, d] = pair.flow(period_s);
             let det = (1.0 - a) * (1.0 - d) - b * c;
             (y[0], y[1]) = (((1.0 - d) * y[0] + b * y[1]) / det, (c * y[0] + (1.0 - a) * y[1]) / det);
@@ -89,13 +125,23 @@ impl Balance {
     }
 }
 
+/// Harmonics of a force given at the nodes.
+fn gathered(nodes: &[Node], shapes: &Mat<f64>, force_n: impl Fn(&Node) -> f64) -> Vec<f64> {
+    let mut sum = vec![0.0; shapes.nrows()];
+    for (q, node) in nodes.iter().enumerate() {
+        let weight = node.share * force_n(node);
+        sum.iter_mut().zip(shapes.col_as_slice(q)).for_each(|(sum, value)| *sum += weight * value);
+    }
+    sum
+}
+
 impl Linear for Balance {
     fn residual(&self) -> &[f64] {
         &self.residual
     }
 
     fn bordered(&self, row: &[f64], corner: f64, right: &[f64], last: f64) -> Option<(Vec<f64>, f64)> {
-        let condensed = self.condensed.get_or_init(|| Condensed::new(&self.nodes, &self.compliance, self.step_rad_s));
+        let condensed = self.condensed.get_or_init(|| Condensed::new(&self.nodes, &self.shapes, &self.compliance.values, self.step_rad_s));
         condensed.bordered(&self.by_parameter, (row, corner), (right, last))
     }
 }

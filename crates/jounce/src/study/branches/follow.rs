@@ -2,10 +2,13 @@
 
 use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
 use crate::continuation::{Corrected, Corrector, Direction, Metric, Position, Step, StepControl, Walk, locate, passes};
-use crate::orbit::{Orbit, OrbitMethod};
+use crate::orbit::{Orbit, OrbitMethod, determinant_at, multipliers, nearest_pair_to_circle, pairs_outside};
 
 /// Distance from the stop, beside the size of the motion, below which an orbit touches it.
 const GRAZES: f64 = 1e-6;
+
+/// Length in the metric to which a bifurcation is located.
+const RESOLUTION: f64 = 1e-8;
 
 /// How branches are followed.
 #[derive(Debug, Clone, Copy)]
@@ -181,9 +184,8 @@ impl Following {
         }
         let mut found = Vec::new();
         for kind in kinds {
-            let resolution = if kind == BranchKind::Fold { 1e-5 } else { 1e-8 };
             let value = |step: &Step<M::Local>| test(method, kind, step, one, two);
-            let place = locate(method, &self.corrector, self.parameter_scale(), (&a.step, &b.step), resolution, value);
+            let place = locate(method, &self.corrector, self.parameter_scale(), (&a.step, &b.step), RESOLUTION, value);
             let Some(place) = place else { continue };
             let at = point(method, &place)?;
             // Two real multipliers that meet outside the circle are no torus.
@@ -220,13 +222,15 @@ fn test<M: OrbitMethod>(method: &M, kind: BranchKind, step: &Step<M::Local>, bef
         let distance = method.nearest_extremum_m(&step.local).ok().flatten().map_or(0.0, f64::abs);
         return if method.contacts(&step.local).is_ok_and(|contacts| contacts <= fewer) { -distance } else { distance };
     }
-    let Ok(orbit) = method.orbit(&step.local, 0.0) else { return 0.0 };
+    let Ok(map) = method.map(&step.local) else { return 0.0 };
     match kind {
-        BranchKind::PeriodDoubling => orbit.determinant_at(-1.0),
-        // Smooth where one pair crosses; where real ones meet on the way its sign says nothing, and the count decides.
-        BranchKind::NeimarkSacker if before.pair_product() * after.pair_product() < 0.0 => orbit.pair_product(),
-        BranchKind::NeimarkSacker if orbit.pairs_outside() == before.pairs_outside() => -1.0,
-        BranchKind::NeimarkSacker => 1.0,
-        _ => orbit.determinant_at(1.0) * step.tangent.parameter.signum(),
+        BranchKind::PeriodDoubling => determinant_at(map, -1.0),
+        BranchKind::NeimarkSacker => {
+            // The count decides on the sign: where real multipliers meet on the way, that of any product says nothing.
+            let Some(values) = multipliers(map) else { return 0.0 };
+            let distance = nearest_pair_to_circle(&values);
+            if pairs_outside(&values) == before.pairs_outside() { -distance } else { distance }
+        }
+        _ => determinant_at(map, 1.0) * step.tangent.parameter.signum(),
     }
 }

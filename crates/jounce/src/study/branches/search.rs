@@ -58,8 +58,11 @@ enum Start {
 /// Speed of a kick, beside that of the steady motion.
 const KICK: f64 = 20.0;
 
-/// Distance of harmonic balance from the curve that is allowed, beside the tolerance of a march.
-const ACCURACY: f64 = 100.0;
+/// Newton's goal beside the tolerance of a march: one more evaluation would square what is left, and the estimate tells it.
+const GOAL: f64 = 50.0;
+
+/// Error of the mean power that is allowed in harmonic balance, beside the tolerance of a march.
+const ACCURACY: f64 = 300.0;
 
 type Failure = OrbitError<StudyError>;
 
@@ -67,7 +70,7 @@ impl BranchSearch<'_> {
     fn following(&self) -> Following {
         Following {
             range: self.range,
-            corrector: Corrector { goal: (10.0 * self.tolerance).clamp(1e-11, 1e-6), most: 8 },
+            corrector: Corrector { goal: (GOAL * self.tolerance).clamp(1e-11, 1e-6), most: 8 },
             control: StepControl::default(),
             most_points: 4000,
         }

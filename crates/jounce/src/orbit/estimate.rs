@@ -1,0 +1,77 @@
+//! What a shot says of the orbit near it, and how far off that may be.
+
+use super::{Harvester, Orbit, OrbitError, Shooting, Shot, multipliers};
+use crate::continuation::Linear;
+use crate::march::{Kernel, Marcher, VariationError};
+use faer::ColRef;
+use std::f64::consts::TAU;
+
+impl<H: Harvester> Shooting<'_, H> {
+    /// What a shot says, but for its error.
+    pub(super) fn answer(&self, shot: &Shot) -> Result<Orbit, OrbitError<H::Error>> {
+        let Some(multipliers) = multipliers(&shot.map) else {
+            return Err(OrbitError::Multipliers { frequency_hz: f64::from(self.cycles) / shot.period_s });
+        };
+        let loads = &shot.kernel.plant.system.loads;
+        let first = shot.loads_w.first().zip(loads.first());
+        Ok(Orbit {
+            period_cycles: self.cycles,
+            looks: shot.looks.clone(),
+            mean_power_w: shot.loads_w.iter().sum(),
+            voltage_rms_v: first.map_or(0.0, |(power_w, load)| (power_w * load.resistance_ohm).max(0.0).sqrt()),
+            contacts: shot.contacts,
+            max_penetration_m: shot.max_penetration_m,
+            multipliers,
+            error_estimate: 0.0,
+        })
+    }
+
+    /// Estimated error of an orbit near a shot at the same parameter, the larger one of its state and of its mean power, each
+    /// relative to its size: the distance to where Newton would go next, and the difference to the power marched there.
+    ///
+    /// A defect of the march over one period reaches the orbit multiplied by `(I - M)^-1`; Newton is made to mend one of the
+    /// size of the tolerance too.
+    pub(super) fn estimate(&self, shot: &Shot, orbit: &Orbit) -> Result<f64, OrbitError<H::Error>> {
+        let nearest = orbit.multipliers.iter().map(|value| (*value - 1.0).norm()).fold(1.0, f64::min);
+        let defect = shot.tolerance / nearest.max(f64::EPSILON);
+        let Some(correction) = shot.correction() else { return Ok(f64::INFINITY) };
+        let size = |vector: &[f64]| ColRef::from_slice(vector).norm_l2();
+        let state = size(&correction) / size(&shot.looks[0]).max(f64::MIN_POSITIVE);
+        let there: Vec<f64> = shot.looks[0].iter().zip(&correction).map(|(u, d)| u + d).collect();
+        let exact_w = self.marched_power_w(&shot.kernel, &there)?;
+        let power = (orbit.mean_power_w - exact_w).abs() / exact_w.abs().max(f64::MIN_POSITIVE);
+        Ok(defect + state.max(power))
+    }
+
+    /// Mean power of all loads, W, over a period from a state, marched without its derivative.
+    ///
+    /// # Errors
+    /// A march that fails.
+    pub(super) fn mean_power_w(&self, unknown: &[f64], parameter: f64) -> Result<f64, OrbitError<H::Error>> {
+        self.marched_power_w(&self.harvester.at(parameter).map_err(OrbitError::Harvester)?.kernel, unknown)
+    }
+
+    fn marched_power_w(&self, kernel: &Kernel, unknown: &[f64]) -> Result<f64, OrbitError<H::Error>> {
+        let cycle_s = kernel.plant.tones.first().map_or(1.0, |tone| TAU / tone.angular_frequency_rad_s);
+        let mut y = kernel.plant.from_physical(&self.physical(unknown), 0.0);
+        let mut sum_j = 0.0;
+        for _ in 0..self.cycles {
+            let mut marcher = Marcher::new(kernel, &y, 0.0, self.tolerance).map_err(VariationError::March)?;
+            marcher.advance_to(cycle_s).map_err(VariationError::March)?;
+            sum_j += marcher.energies().loads_j.iter().sum::<f64>();
+            y = marcher.state();
+        }
+        Ok(sum_j / (cycle_s * f64::from(self.cycles)))
+    }
+}
+
+impl Shot {
+    /// Newton's correction at a fixed parameter, of the residual and of a defect of the tolerance that adds to it.
+    fn correction(&self) -> Option<Vec<f64>> {
+        let size = ColRef::from_slice(&self.looks[0]).norm_l2();
+        let defect = self.tolerance * size / (self.residual.len() as f64).sqrt();
+        let right: Vec<f64> = self.residual.iter().map(|r| -r - defect.copysign(*r)).collect();
+        let fixed = vec![0.0; right.len()];
+        self.bordered(&fixed, 1.0, &right, 0.0).map(|(change, _)| change)
+    }
+}
