@@ -2,7 +2,9 @@
 
 use crate::failure::Failure;
 use crate::output::{self, line, print};
+use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
+use crate::threads::ThreadsArgument;
 use clap::Args;
 use jounce::picture::{Axis, Colour, Figure, Marker, Panel, Series};
 use jounce::plant::Plant;
@@ -26,9 +28,8 @@ pub struct Basins {
     /// Relative tolerance of the marches.
     #[arg(long, default_value_t = 1e-8)]
     tolerance: f64,
-    /// Number of threads; by default one per core.
-    #[arg(long)]
-    threads: Option<usize>,
+    #[command(flatten)]
+    threads: ThreadsArgument,
     #[command(flatten)]
     pub output: OutputArguments,
 }
@@ -49,12 +50,9 @@ impl Basins {
         let parameter = Parameter::new(&base, &key, value);
         let cloud = Cloud { starts: self.starts, seed: self.seed, spread: self.spread };
         let study = Study { base: &base, parameter: &parameter, value, cloud, tolerance: self.tolerance };
-        let mut pool = rayon::ThreadPoolBuilder::new();
-        if let Some(threads) = self.threads {
-            pool = pool.num_threads(threads);
-        }
-        let pool = pool.build().map_err(|error| Failure::Input(format!("the threads cannot be started: {error}")))?;
-        let answer = pool.install(|| study.run())?;
+        let bar = progress::counted(self.starts, "starts");
+        let answer = self.threads.run(|| study.run(&|| bar.inc(1)))??;
+        bar.finish_and_clear();
         if answer.lost.len() == self.starts {
             return Err(Failure::NotConverged(format!("every march failed; the first: {}", answer.lost[0].1)));
         }

@@ -14,7 +14,7 @@ fn basins(frequency_hz: f64) -> BasinsAnswer {
     let base = Prepared::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
-    Basins { base: &base, parameter: &parameter, value: frequency_hz, cloud: CLOUD, tolerance: 1e-8 }.run().unwrap()
+    Basins { base: &base, parameter: &parameter, value: frequency_hz, cloud: CLOUD, tolerance: 1e-8 }.run(&|| ()).unwrap()
 }
 
 /// Mean power over the last cycles of a long march.

@@ -8,5 +8,7 @@ mod hard_cases;
 mod harvesters;
 mod isolated;
 mod paper;
+mod peaks;
 mod sweeps;
 mod tracking;
+mod widths;

@@ -2,10 +2,14 @@
 
 mod basin;
 mod cloud;
+mod fate;
 mod lyapunov;
 mod share;
+mod signature;
 
-pub use basin::{Attractor, Basins, BasinsAnswer, Fate};
+pub use basin::{Attractor, Basins, BasinsAnswer};
 pub use cloud::Cloud;
+pub use fate::Fate;
 pub use lyapunov::{Lyapunov, Wandering, largest_exponent};
 pub use share::{Share, wilson};
+pub(super) use signature::{Signature, letters};
