@@ -90,6 +90,9 @@ impl Jumps {
             }));
             return Ok(());
         }
+        if curves.is_empty() {
+            line(format!("no fold, doubling, torus, grazing or peak over {} for {}", self.over, self.against));
+        }
         for curve in curves {
             line(format!("{} of period {}: {} points", curve.kind.name(), curve.period_cycles, curve.points.len()));
             for point in curve.points.first().into_iter().chain(curve.points.last()) {

@@ -13,7 +13,8 @@ mod sweep_point;
 mod watch;
 
 pub use bandwidth::{Bandwidth, BandwidthSearch, Bandwidths, Edge, Interval, Limit, Peak};
-pub use basins::{Attractor, Basins, BasinsAnswer, Cloud, Fate, Lyapunov, Share, Wandering, largest_exponent, wilson};
+pub use basins::{Attractor, Basins, BasinsAnswer, Cloud, Fate, Grid, GridAxis, GridSide, Lyapunov, Share, Starts, Wandering};
+pub use basins::{largest_exponent, wilson};
 pub use branches::{Bifurcation, Branch, BranchKind, BranchPoint, BranchSearch, Ending, Method, settled_orbit};
 pub use diagram::{Diagram, History, Lineage, Motion, Order, SectionPoint, Seen, Turn, Visit};
 pub use journal::{Journal, JournalError};

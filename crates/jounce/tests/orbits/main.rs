@@ -4,6 +4,7 @@
 mod balance;
 mod basins;
 mod closed_forms;
+mod diagrams;
 mod hard_cases;
 mod harvesters;
 mod isolated;

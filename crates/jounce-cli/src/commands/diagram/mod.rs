@@ -7,7 +7,7 @@ use crate::cache;
 use crate::failure::Failure;
 use crate::output;
 use crate::progress;
-use crate::spec_arguments::{OutputArguments, SpecArguments, check_tolerance};
+use crate::spec_arguments::{OutputArguments, SpecArguments, check_drive, check_tolerance};
 use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
 use jounce::spec::{KeyRange, Spec};
@@ -90,10 +90,7 @@ impl Diagram {
         }
         let (low, high) = (values[0], values[values.len() - 1]);
         let base = Prepared::new(spec.clone())?;
-        if base.kernel.plant.tones.len() != 1 {
-            let frequencies = base.kernel.plant.tones.len();
-            return Err(jounce::orbit::OrbitError::<jounce::study::StudyError>::Frequencies { frequencies }.into());
-        }
+        check_drive(&self.spec, &base.kernel.plant, "a diagram")?;
         let watch = Watch::default();
         let width = if high > low { high - low } else { high.abs().max(1e-12) };
         let parameter = Parameter::new(&base, range.key(), width).watched(Some(&watch));

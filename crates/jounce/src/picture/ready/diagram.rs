@@ -40,6 +40,11 @@ pub fn diagram(title: &str, parameter: &Axis, views: &[DiagramView]) -> Figure {
             let points = Series::points(dots.parameter.clone(), dots.value.clone(), MARKERS[k % MARKERS.len()]);
             drawn = drawn.with(points.colour(Colour::nth(FIRST_COLOUR + k)).label(&dots.label));
         }
+        if !figure.panels.is_empty() {
+            // The first panel names everything.
+            drawn.series.retain(|series| !series.x.is_empty());
+            drawn.series.iter_mut().for_each(|series| series.label = None);
+        }
         figure = figure.with(drawn);
     }
     figure

@@ -138,10 +138,7 @@ impl<'s> BandwidthSearch<'s> {
     fn maximum(&self, segment: &Segment) -> Option<Node> {
         let piece = self.piece(segment)?;
         let [from, to] = segment.ends.map(|end| end.x);
-        if piece.power_slope_w(from)? <= 0.0 || piece.power_slope_w(to)? >= 0.0 {
-            return None;
-        }
-        let found = piece.zero((from, to), |piece, place| piece.power_slope_w(place.x))?;
+        let found = piece.maximum((from, to))?;
         let beside = |step: f64| piece.power_slope_w(found.place.x + step);
         let second = (beside(SIDE)? - beside(-SIDE)?) / (2.0 * SIDE);
         let power_w = found.place.orbit.mean_power_w;

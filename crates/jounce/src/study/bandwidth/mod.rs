@@ -9,3 +9,4 @@ mod piece;
 
 pub use answer::{Bandwidth, Bandwidths, Edge, Interval, Limit, Peak};
 pub use measure::BandwidthSearch;
+pub(super) use piece::{Piece, Zero};

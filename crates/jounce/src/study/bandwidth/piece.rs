@@ -78,6 +78,12 @@ impl<'h, H: Harvester> Piece<'h, H> {
         Some((self.at(x + SLOPE)?.parameter - self.at(x - SLOPE)?.parameter) / (2.0 * SLOPE))
     }
 
+    /// The place between two shares at which power has its maximum, where it rises into the stretch from both ends.
+    pub fn maximum(&self, (from, to): (f64, f64)) -> Option<Zero> {
+        let rises = self.power_slope_w(from)? > 0.0 && self.power_slope_w(to)? < 0.0;
+        rises.then(|| self.zero((from, to), |piece, place| piece.power_slope_w(place.x))).flatten()
+    }
+
     /// The place between two shares where `value` passes zero, by false position with halving; `None` without a change of sign.
     pub fn zero(&self, (from, to): (f64, f64), value: impl Fn(&Self, &Place) -> Option<f64>) -> Option<Zero> {
         let look = |x: f64| {

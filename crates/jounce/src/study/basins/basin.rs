@@ -1,6 +1,6 @@
 //! Marches a cloud until every start is recognised, and counts.
 
-use super::Cloud;
+use super::Starts;
 use super::fate::Fate;
 use super::lyapunov::{Lyapunov, Wandering};
 use super::share::{QUANTILE_95, Share, wilson};
@@ -18,8 +18,8 @@ pub struct Basins<'s> {
     pub parameter: &'s Parameter<'s>,
     /// That value.
     pub value: f64,
-    /// The starts.
-    pub cloud: Cloud,
+    /// From where it starts.
+    pub starts: Starts,
     /// Relative tolerance of the marches.
     pub tolerance: f64,
 }
@@ -68,12 +68,12 @@ impl Basins<'_> {
     pub fn run(&self, done: &(dyn Fn() + Sync)) -> Result<BasinsAnswer, StudyError> {
         let kernel = self.parameter.at(self.value)?.kernel;
         let fate = |index: usize| {
-            let start = self.cloud.start(&kernel.plant, index);
+            let start = self.starts.start(&kernel.plant, index);
             let fate = Fate::of(self.parameter, (&kernel, self.value), &start, self.tolerance);
             done();
             fate
         };
-        let fates: Vec<Fate> = (0..self.cloud.starts).into_par_iter().map(fate).collect();
+        let fates: Vec<Fate> = (0..self.starts.len()).into_par_iter().map(fate).collect();
         Ok(answer(&fates))
     }
 }

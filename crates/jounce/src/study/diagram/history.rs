@@ -1,14 +1,18 @@
 //! Attractors matched from one value of the key to the next.
 //!
 //! An attractor goes on where a march from it at the next value ends on an attractor of the same period from which a march back ends on
-//! the first: both are one. Where the way there and the way back differ, the first is lost and the second is new; each names the other
-//! end of its march. An attractor that only such a march finds is counted as seen by no start.
+//! the first: both are one. One of the two marches is enough where the points of the section lie near each other, for over a coarse
+//! step the other may leave the basin. Otherwise the first is lost and the second is new; each names the other end of its march. An
+//! attractor that only such a march finds is counted as seen by no start.
 
 use super::lineage::{Lineage, Seen, Turn};
 use super::march::Diagram;
 use super::visit::{Motion, Place, Visit};
 use crate::study::{StudyError, Way};
 use rayon::prelude::*;
+
+/// Distance of two sections, beside their size, below which one march is enough.
+const NEAR: f64 = 0.3;
 
 /// What the visits from many starts have in common.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,19 +54,15 @@ impl Diagram<'_> {
             let ahead: Vec<Option<usize>> = forward.iter().map(lands).collect();
             let comes = |visit: &Visit| before.iter().position(|(group, _)| group.first.is_of(visit));
             let behind: Vec<Option<usize>> = backward.iter().map(comes).collect();
-            let homes: Vec<usize> = (here.iter().enumerate())
-                .map(|(j, group)| {
-                    let from = behind.get(j).copied().flatten();
-                    let goes_on = from.filter(|i| ahead[*i] == Some(j) && before[*i].0.first.period_cycles == group.first.period_cycles);
-                    goes_on.map_or_else(
-                        || {
-                            let other = from.map(|i| history.attractors[before[i].1].id.clone());
-                            history.begin(&group.first, (step > 0).then_some(Turn { parameter: *value, other }))
-                        },
-                        |i| before[i].1,
-                    )
-                })
-                .collect();
+            let partners = partners(&before, &here, &ahead, &behind);
+            let mut homes = Vec::with_capacity(here.len());
+            for (j, group) in here.iter().enumerate() {
+                let other = || behind.get(j).copied().flatten().map(|i| history.attractors[before[i].1].id.clone());
+                let born = || (step > 0).then(|| Turn { parameter: *value, other: other() });
+                let known = partners.iter().find(|(_, partner)| *partner == j).map(|(i, _)| before[*i].1);
+                let born = if known.is_none() { born() } else { None };
+                homes.push(known.unwrap_or_else(|| history.begin(&group.first, born)));
+            }
             for (i, (_, home)) in before.iter().enumerate().filter(|(_, (_, home))| !homes.contains(home)) {
                 let other = ahead[i].map(|j| history.attractors[homes[j]].id.clone());
                 history.attractors[*home].died = Some(Turn { parameter: *value, other });
@@ -98,6 +98,30 @@ impl History {
             fraction: group.visits.len() as f64 / of.max(1) as f64,
         });
     }
+}
+
+/// Attractors before and here that are one, nearest first, each in one pair only.
+fn partners(before: &[(Group, usize)], here: &[Group], ahead: &[Option<usize>], behind: &[Option<usize>]) -> Vec<(usize, usize)> {
+    let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
+    for (i, (one, _)) in before.iter().enumerate() {
+        for (j, two) in here.iter().enumerate() {
+            let alike = one.first.motion == two.first.motion && one.first.period_cycles == two.first.period_cycles;
+            let apart = match (ahead[i] == Some(j), behind.get(j) == Some(&Some(i))) {
+                (true, true) => Some(0.0),
+                (true, false) | (false, true) => one.first.apart(&two.first).filter(|apart| *apart < NEAR),
+                (false, false) => None,
+            };
+            pairs.extend(apart.filter(|_| alike).map(|apart| (apart, i, j)));
+        }
+    }
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut chosen: Vec<(usize, usize)> = Vec::new();
+    for (_, i, j) in pairs {
+        if !chosen.iter().any(|(a, b)| *a == i || *b == j) {
+            chosen.push((i, j));
+        }
+    }
+    chosen
 }
 
 /// Visits at a value by attractor, by period and falling power.

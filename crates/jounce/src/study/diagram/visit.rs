@@ -134,6 +134,24 @@ impl Visit {
         self.motion == other.motion && (self.motion != Motion::Orbit || self.signature().is(&other.signature()))
     }
 
+    /// Distance of the sections of two orbits of one period beside the larger of them, at the best order of their points; `None`
+    /// without a period.
+    pub(super) fn apart(&self, other: &Visit) -> Option<f64> {
+        let cycles = self.section.len();
+        if self.period_cycles == 0 || cycles == 0 || other.section.len() != cycles {
+            return None;
+        }
+        let largest = |read: fn(&SectionPoint) -> f64| {
+            self.section.iter().chain(&other.section).map(|point| read(point).abs()).fold(f64::MIN_POSITIVE, f64::max)
+        };
+        let (far_m, fast_m_per_s) = (largest(|point| point.displacement_m), largest(|point| point.velocity_m_per_s));
+        let between = |a: &SectionPoint, b: &SectionPoint| {
+            ((a.displacement_m - b.displacement_m) / far_m).hypot((a.velocity_m_per_s - b.velocity_m_per_s) / fast_m_per_s)
+        };
+        let turned = |by: usize| (0..cycles).map(|k| between(&self.section[k], &other.section[(k + by) % cycles])).fold(0.0, f64::max);
+        (0..cycles).map(turned).min_by(f64::total_cmp)
+    }
+
     fn signature(&self) -> Signature {
         Signature { period_cycles: self.period_cycles, contacts: self.contacts_per_period, mean_power_w: self.mean_power_w }
     }

@@ -6,6 +6,7 @@ use super::seed::Seed;
 use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, Walk, passes, settle, tangent};
 use crate::orbit::{OrbitError, Plane, Shooting, Tracked, Tracking, multipliers};
 use crate::spec::NumericKey;
+use crate::study::bandwidth::Piece;
 use crate::study::{BranchSearch, Method, Parameter, Prepared, StudyError, Watch};
 use faer::ColRef;
 
@@ -75,7 +76,11 @@ impl JumpSearch<'_> {
         };
         let branches = search.run()?;
         let bifurcations = branches.iter().flat_map(|branch| branch.bifurcations.iter().map(|found| Seed::bifurcation(branch, found)));
-        let peaks = branches.iter().filter(|_| self.peaks).flat_map(Seed::peaks);
+        let corrector = Corrector { goal: (10.0 * self.tolerance).clamp(1e-11, 1e-6), most: 8 };
+        let peaks = branches.iter().filter(|_| self.peaks).flat_map(|branch| {
+            let shooting = || Shooting::new(&parameter, &line.prepared.kernel, branch.period_cycles, self.tolerance);
+            Seed::peaks(branch, |points| Piece::new(shooting(), corrector, (range.1 - range.0) / 20.0, points))
+        });
         Ok(bifurcations.chain(peaks).collect())
     }
 

@@ -1,9 +1,9 @@
 //! Places on one line of the plane from which curves start.
 
 use super::CurveKind;
-use crate::orbit::Condition;
-use crate::study::{Bifurcation, Branch, BranchKind};
-use faer::ColRef;
+use crate::orbit::{Condition, Harvester};
+use crate::study::bandwidth::{Piece, Zero};
+use crate::study::{Bifurcation, Branch, BranchKind, BranchPoint};
 
 /// A place on a branch, on or near a curve.
 #[derive(Debug, Clone)]
@@ -32,31 +32,20 @@ impl Seed {
         }
     }
 
-    /// Maxima of power inside a branch: parabolas through three neighbouring points.
-    pub fn peaks(branch: &Branch) -> Vec<Self> {
+    /// Maxima of power inside a branch, each where power is stationary on the curve; `piece` gives the curve between two points.
+    pub fn peaks<'h, H: Harvester + 'h>(branch: &Branch, piece: impl Fn([&BranchPoint; 2]) -> Option<Piece<'h, H>>) -> Vec<Self> {
         let power_w = |k: usize| branch.points[k].orbit.mean_power_w;
         let inner = 1..branch.points.len().saturating_sub(1);
         let highest = inner.filter(|k| power_w(*k) >= power_w(k - 1) && power_w(*k) > power_w(k + 1));
-        highest.map(|k| Self::vertex(branch, k)).collect()
-    }
-
-    fn vertex(branch: &Branch, k: usize) -> Self {
-        let [a, b, c] = [k - 1, k, k + 1].map(|k| &branch.points[k]);
-        let apart = |x: &[f64], y: &[f64]| (ColRef::from_slice(x) - ColRef::from_slice(y)).norm_l2();
-        let [back, on] = [apart(a.orbit.start(), b.orbit.start()), apart(c.orbit.start(), b.orbit.start())];
-        let [fall_back, fall_on] = [a, c].map(|other| b.orbit.mean_power_w - other.orbit.mean_power_w);
-        // Vertex of the parabola through (-back, -fall_back), (0, 0), (on, -fall_on).
-        let bend = 2.0 * (fall_on * back + fall_back * on);
-        let way = if bend > 0.0 { (fall_back * on * on - fall_on * back * back) / bend } else { 0.0 };
-        let (other, share) = if way < 0.0 { (a, -way / back) } else { (c, way / on) };
-        let mix = |x: f64, y: f64| x + share * (y - x);
-        Self {
+        let around = |k: usize| [k - 1, k].into_iter().find_map(|k| piece([&branch.points[k], &branch.points[k + 1]])?.maximum((0.0, 1.0)));
+        let seed = |found: Zero| Self {
             kind: CurveKind::Peak,
             cycles: branch.period_cycles,
-            state: b.orbit.start().iter().zip(other.orbit.start()).map(|(x, y)| mix(*x, *y)).collect(),
-            parameter: mix(b.parameter, other.parameter),
-            mean_power_w: b.orbit.mean_power_w,
-        }
+            state: found.place.orbit.start().to_vec(),
+            parameter: found.place.parameter,
+            mean_power_w: found.place.orbit.mean_power_w,
+        };
+        highest.filter_map(around).map(seed).collect()
     }
 
     /// What is zero on the curve; `None` for what is not followed.
