@@ -1,6 +1,6 @@
 //! What can be typed.
 
-use crate::commands::{basins, branch, check, completions, frf, jumps, modes, reproduce, run, show, sweep};
+use crate::commands::{basins, branch, check, completions, diagram, frf, jumps, modes, reproduce, run, show, sweep};
 use clap::{Parser, Subcommand};
 
 /// Simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
@@ -33,6 +33,8 @@ pub enum Command {
     Branch(branch::Branch),
     /// Follows the places where the answer jumps (folds, doublings, grazings) over two keys.
     Jumps(jumps::Jumps),
+    /// Marches a bifurcation diagram, stepped or from many starts, and lays it over the continued branches.
+    Diagram(diagram::Diagram),
     /// Finds the attractors, the share of random starts that each takes, and the power to be expected.
     Basins(basins::Basins),
     /// Computes the tables, figures and claims of the 2019 impact-harvester paper.
@@ -57,6 +59,7 @@ impl Command {
             Command::Sweep(command) => command.output.json,
             Command::Branch(command) => command.output.json,
             Command::Jumps(command) => command.output.json,
+            Command::Diagram(command) => command.output.json,
             Command::Basins(command) => command.output.json,
             Command::Reproduce(command) => command.json,
             Command::Schema | Command::Keys | Command::Completions(_) => false,

@@ -1,11 +1,13 @@
 //! The command line of jounce: arguments in, library calls, answers out. It computes nothing itself.
 
 mod arguments;
+mod cache;
 mod commands;
 mod failure;
 mod output;
 mod progress;
 mod spec_arguments;
+mod threads;
 
 use clap::Parser;
 use std::process::ExitCode;

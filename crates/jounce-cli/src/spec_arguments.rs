@@ -2,7 +2,10 @@
 
 use crate::failure::Failure;
 use clap::Args;
+use jounce::orbit::OrbitError;
+use jounce::plant::Plant;
 use jounce::spec::{Faults, KeyRange, NumericKey, Spec, SpecFile};
+use jounce::study::StudyError;
 use jounce::table::Manifest;
 use std::path::{Path, PathBuf};
 
@@ -77,8 +80,21 @@ impl SpecArguments {
     }
 }
 
-/// A tolerance for orbits.
+/// A tolerance for orbits: double precision carries no march below its smallest.
 pub fn check_tolerance(tolerance: f64) -> Result<(), Failure> {
-    let fits = tolerance > 0.0 && tolerance < 1e-2;
-    if fits { Ok(()) } else { Err(Failure::usage(format!("--tolerance {tolerance}: give a number between 0 and 0.01"))) }
+    let fits = (1e-14..1e-2).contains(&tolerance);
+    if fits { Ok(()) } else { Err(Failure::usage(format!("--tolerance {tolerance:e}: give a number from 1e-14 to 0.01"))) }
+}
+
+/// A drive of one frequency that moves: without it nothing attracts but rest.
+pub fn check_drive(spec: &SpecArguments, plant: &Plant, what: &str) -> Result<(), Failure> {
+    let moving = plant.system.drives.iter().any(|drive| drive.amplitude_n != 0.0);
+    match (plant.tones.len(), moving) {
+        (1, true) => Ok(()),
+        (1, false) => Err(Failure::Input(format!(
+            "{}: drive.amplitude is 0, but {what} needs a drive that moves: give it an amplitude greater than 0",
+            spec.spec.display()
+        ))),
+        (frequencies, _) => Err(OrbitError::<StudyError>::Frequencies { frequencies }.into()),
+    }
 }

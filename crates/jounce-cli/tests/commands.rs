@@ -148,3 +148,146 @@ fn orbits_of_a_rigid_stop_by_harmonic_balance_are_refused() {
     let (code, _, text) = jounce(&[&arguments[..], &rigid].concat());
     assert!(code == 4 && !text.is_empty(), "{code}: {text}");
 }
+
+#[test]
+fn a_branch_tells_its_peak_and_its_bandwidth() {
+    let folder = tempfile::tempdir().unwrap();
+    let over = "drive.shaker.frequency=11.5Hz:12.5Hz";
+    let arguments = ["branch", PLANT, "--over", over, "--seeds", "0", "--longest-period", "1", "--json", "--threads"];
+    let out = folder.path().to_str().unwrap();
+    let (code, one, _) = jounce(&[&arguments[..], &["1", "--out", out]].concat());
+    assert_eq!(code, 0);
+    let branch = &one["branches"][0];
+    assert!((branch["peak"]["parameter"].as_f64().unwrap() - 12.3119).abs() < 1e-3, "{}", branch["peak"]);
+    let width = &branch["half_power_bandwidth"];
+    for key in ["width", "width_error", "intervals"] {
+        assert!(!width[key].is_null(), "{key} is missing in {width}");
+    }
+    assert_eq!(width["intervals"][0]["to"]["at"], "stability");
+    assert_eq!(one["half_power_bandwidth"], *width);
+    assert!(folder.path().join("bandwidths.csv").exists());
+    assert_eq!(one, jounce(&[&arguments[..], &["3"]].concat()).1);
+}
+
+#[test]
+fn jumps_give_the_curve_of_peaks() {
+    let keys = ["--over", "drive.shaker.frequency=11.9Hz:12.5Hz", "--against", "drive.shaker.amplitude=48N:50N"];
+    let (code, json, _) = jounce(&[&["jumps", PLANT, "--seeds", "0", "--longest-period", "1", "--json"][..], &keys].concat());
+    assert_eq!(code, 0);
+    let curves = json["curves"].as_array().unwrap();
+    let of = |kind: &str| curves.iter().filter(|curve| curve["kind"] == kind).count();
+    assert!(of("peak") >= 1 && of("fold") >= 1, "{:?}", curves.iter().map(|curve| &curve["kind"]).collect::<Vec<_>>());
+    let peak = curves.iter().find(|curve| curve["kind"] == "peak").unwrap();
+    let at_50 = peak["points"].as_array().unwrap().iter().find(|point| point["parameter_2"] == 50.0).unwrap();
+    assert!((at_50["parameter"].as_f64().unwrap() - 12.311_867).abs() < 1e-5 && at_50["stable"] == true, "{at_50}");
+}
+
+#[test]
+fn a_diagram_has_its_points_and_its_attractors() {
+    let folder = tempfile::tempdir().unwrap();
+    let arguments = ["diagram", PLANT, "--over", "drive.shaker.frequency=13.4Hz:13.6Hz:0.1Hz", "--json", "--no-branches"];
+    let starts = [&arguments[..], &["--direction", "starts", "--starts", "6", "--out", folder.path().to_str().unwrap()]].concat();
+    let (code, json, _) = jounce(&starts);
+    assert_eq!((code, json["points"].as_array().unwrap().len()), (0, 18));
+    for key in ["parameter", "direction", "start", "attractor", "motion", "period_cycles", "contacts_per_period", "mean_power_w", "section"]
+    {
+        assert!(!json["points"][0][key].is_null(), "{key} is missing");
+    }
+    assert!(json["attractors"].as_array().unwrap().iter().any(|attractor| attractor["id"] == "1a"));
+    for name in ["diagram.csv", "attractors.csv", "diagram.svg", "diagram.png"] {
+        assert!(folder.path().join(name).exists(), "{name}");
+    }
+    let stepped = jounce(&arguments).1;
+    assert_eq!(stepped["points"].as_array().unwrap().len(), 6);
+    assert!(stepped["attractors"].is_null());
+}
+
+#[test]
+fn basins_start_from_a_plane() {
+    let folder = tempfile::tempdir().unwrap();
+    let grid = ["--grid", "displacement=-5mm:5mm:4x", "--grid", "velocity=-0.5m/s:0.5m/s:3x", "--out", folder.path().to_str().unwrap()];
+    let (code, json, _) = jounce(&[&["basins", PLANT, "--json", "--set", "drive.shaker.frequency=14 Hz"][..], &grid].concat());
+    assert_eq!((code, json["starts"].as_u64()), (0, Some(12)));
+    assert!(folder.path().join("starts.csv").exists() && folder.path().join("basins.png").exists());
+    for (wrong, told) in [("speed=1:2:3x", "no side"), ("velocity=1m:2m:3x", "no velocity"), ("displacement=1mm:2mm:1x", "2x or more")] {
+        let (code, json, _) = jounce(&["basins", PLANT, "--json", "--grid", wrong]);
+        assert!(code == 2 && json["error"].as_str().unwrap().contains(told), "{json}");
+    }
+}
+
+/// Hard cases of orbits from the outside: each ends soon, with an answer or with one clear error.
+#[test]
+fn hard_cases_end_with_an_answer_or_a_clear_error() {
+    let over = |range: &str| format!("drive.shaker.frequency={range}");
+    let branch = |range: &str, set: &str| {
+        let over = over(range);
+        let mut arguments = vec!["branch", PLANT, "--over", &over, "--seeds", "0", "--longest-period", "1", "--json"];
+        arguments.extend(["--set", set].iter().filter(|_| !set.is_empty()));
+        jounce(&arguments)
+    };
+    // Gaps that are closed and preloaded, contact never, a start exactly at the grazing, a stop like rock: answers.
+    for (range, set) in [
+        ("13Hz:13.2Hz", "stop.tip.gap=0 mm"),
+        ("13Hz:13.2Hz", "stop.tip.gap=-0.2 mm"),
+        ("13Hz:13.2Hz", "stop.tip.gap=500 mm"),
+        ("13.3401238Hz:13.5Hz", ""),
+        ("13.2Hz:13.5Hz", "stop.tip.stiffness=1e10 N/m^1.5"),
+    ] {
+        let (code, json, told) = branch(range, set);
+        assert!(code == 0 && !json["branches"][0]["points"].as_array().unwrap().is_empty(), "{set}: {told}");
+        let contacts = json["branches"][0]["points"][0]["contacts_per_period"].as_u64().unwrap();
+        if set.contains("gap") {
+            assert_eq!(contacts > 0, !set.contains("500"), "{set}: {contacts}");
+        }
+    }
+    // Beyond what a key allows, and a tolerance out of reach: refused with the limit.
+    let (code, json, _) = branch("0Hz:10Hz", "");
+    assert!(code == 4 && json["error"].as_str().unwrap().contains("1 uHz"), "{json}");
+    let too_fine = ["branch", PLANT, "--over", "drive.shaker.frequency=13Hz:13.2Hz", "--tolerance", "1e-17", "--json"];
+    let (code, json, _) = jounce(&too_fine);
+    assert!(code == 2 && json["error"].as_str().unwrap().contains("1e-14"), "{json}");
+    // A drive that does not move attracts to nothing but rest.
+    for command in [&["basins", PLANT][..], &["diagram", PLANT, "--over", "drive.shaker.frequency=13Hz:14Hz:1Hz"]] {
+        let (code, json, _) = jounce(&[command, &["--json", "--set", "drive.shaker.amplitude=0 N"]].concat());
+        assert!(code == 4 && json["error"].as_str().unwrap().contains("amplitude"), "{json}");
+    }
+}
+
+/// One mode without damping, driven at its own frequency.
+#[test]
+fn resonance_without_damping_is_refused_with_the_frequency() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("undamped.toml");
+    let text = r#"
+[modal.o]
+frequency_hz = [10.0]
+damping_ratio = [0.0]
+[modal.o.point]
+tip = [1.0]
+[stop.tip]
+at = "o.tip"
+frame = "ground"
+law = "hertz"
+gap = "1 mm"
+stiffness = "1000 N/m^1.5"
+[drive.shaker]
+at = "o.tip"
+kind = "force"
+amplitude = "1 N"
+frequency = "10 Hz"
+[run]
+start = "rest"
+duration = "2 s"
+average_over = "1 s"
+"#;
+    std::fs::write(&path, text).unwrap();
+    let spec = path.to_str().unwrap();
+    let over = "drive.shaker.frequency=10Hz:11Hz";
+    for command in
+        [&["branch", spec, "--over", over][..], &["basins", spec], &["diagram", spec, "--over", "drive.shaker.frequency=10Hz:11Hz:1Hz"]]
+    {
+        let (code, json, _) = jounce(&[command, &["--json"]].concat());
+        let error = json["error"].as_str().unwrap();
+        assert!(code == 4 && error.contains("undamped mode at 10 Hz") && error.contains("damping"), "{error}");
+    }
+}

@@ -1,13 +1,18 @@
 //! `jounce branch SPEC --over KEY=FROM:TO`
 
+use super::bandwidth;
 use crate::failure::Failure;
 use crate::output::{self, line, print};
+use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments, check_tolerance};
+use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
 use jounce::picture::{self, Axis, BranchLine, BranchMark};
 use jounce::spec::{NumericKey, Spec};
-use jounce::study::{Bifurcation, Branch as Curve, BranchPoint, BranchSearch, Ending, Method, Parameter, Prepared};
+use jounce::study::{Bandwidth, BandwidthSearch, Bandwidths, Bifurcation, Branch as Curve, BranchPoint};
+use jounce::study::{BranchSearch, Ending, Method, Parameter, Prepared, Watch};
 use jounce::table::{Column, Table};
+use std::path::Path;
 
 /// How orbits are computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -42,6 +47,8 @@ pub struct Branch {
     #[arg(long, default_value_t = 12)]
     longest_period: u32,
     #[command(flatten)]
+    threads: ThreadsArgument,
+    #[command(flatten)]
     pub output: OutputArguments,
 }
 
@@ -56,7 +63,8 @@ impl Branch {
         let spec = self.spec.checked(file.spec())?;
         let (key, range) = self.spec.key_and_ends(&file, &self.over)?;
         let base = Prepared::new(spec)?;
-        let parameter = Parameter::new(&base, &key, range.1 - range.0);
+        let watch = Watch::default();
+        let parameter = Parameter::new(&base, &key, range.1 - range.0).watched(Some(&watch));
         let search = BranchSearch {
             base: &base,
             parameter: &parameter,
@@ -69,7 +77,9 @@ impl Branch {
             seeds: self.seeds,
             longest_period: self.longest_period,
         };
-        let branches = search.run()?;
+        let width = BandwidthSearch { base: &base, parameter: &parameter, range, tolerance: self.tolerance };
+        let work = || search.run().map(|branches| (width.run(&branches), branches));
+        let (widths, branches) = progress::watched(&watch, || self.threads.run(work))??;
         if branches.is_empty() {
             let text = format!(
                 "no periodic orbit was found over {}: every march stayed away from the orbits that were looked for; try more --seeds, a longer --longest-period, more damping or another range",
@@ -92,33 +102,46 @@ impl Branch {
                 key.unit()
             );
         }
-        self.tell(&base.spec, &key, &branches)
+        self.tell(&base.spec, &key, &branches, &widths)
     }
 
-    fn tell(&self, spec: &Spec, key: &NumericKey, branches: &[Curve]) -> Result<(), Failure> {
+    fn tell(&self, spec: &Spec, key: &NumericKey, branches: &[Curve], widths: &Bandwidths) -> Result<(), Failure> {
         if let Some(folder) = &self.output.out {
-            self.write(folder, spec, key, branches)?;
+            self.write(folder, spec, key, branches, widths)?;
         }
         if self.output.json {
-            let listed: Vec<_> = branches.iter().map(listed).collect();
-            print(&serde_json::json!({ "over": key.path(), "unit": key.unit(), "branches": listed }));
+            let listed: Vec<_> = branches.iter().zip(&widths.branches).map(|(branch, width)| listed(branch, width.as_ref())).collect();
+            let together = widths.together.as_ref();
+            print(&serde_json::json!({
+                "over": key.path(),
+                "unit": key.unit(),
+                "branches": listed,
+                "peak": together.map(|width| width.peak),
+                "half_power_bandwidth": together.map(bandwidth::listed),
+            }));
             return Ok(());
         }
-        for branch in branches {
+        for (branch, width) in branches.iter().zip(&widths.branches) {
             let stable = branch.points.iter().filter(|point| point.orbit.is_stable()).count();
             line(format!("branch of period {}: {} points, {stable} of them stable", branch.period_cycles, branch.points.len()));
             for found in &branch.bifurcations {
                 let (at, unit) = (&found.at, key.unit());
                 line(format!("  {:<16} {:>12.6} {unit}  {:.6e} W", found.kind.name(), at.parameter, at.orbit.mean_power_w));
             }
+            width.iter().for_each(|width| bandwidth::tell(width, &key.unit()));
+        }
+        if let Some(together) = widths.together.as_ref().filter(|_| branches.len() > 1) {
+            line("all branches together");
+            bandwidth::tell(together, &key.unit());
         }
         Ok(())
     }
 
-    fn write(&self, folder: &std::path::Path, spec: &Spec, key: &NumericKey, branches: &[Curve]) -> Result<(), Failure> {
+    fn write(&self, folder: &Path, spec: &Spec, key: &NumericKey, branches: &[Curve], widths: &Bandwidths) -> Result<(), Failure> {
         let manifest = self.spec.manifest(spec, "branch").with("over", &self.over).with("tolerance", self.tolerance);
         output::table(folder, "branches", &points_table(key, branches)?, &manifest)?;
         output::table(folder, "bifurcations", &bifurcations_table(key, branches)?, &manifest)?;
+        output::table(folder, "bandwidths", &bandwidth::table(key, widths)?, &manifest)?;
         let lines: Vec<BranchLine> = branches.iter().map(drawn).collect();
         let marks: Vec<BranchMark> = branches.iter().flat_map(|branch| branch.bifurcations.iter().map(mark)).collect();
         let (x, y) = (Axis::linear(key.path(), &key.unit()), Axis::log("Mean power", "W"));
@@ -127,7 +150,7 @@ impl Branch {
     }
 }
 
-fn listed(branch: &Curve) -> serde_json::Value {
+fn listed(branch: &Curve, width: Option<&Bandwidth>) -> serde_json::Value {
     let points: Vec<_> = branch.points.iter().map(listed_point).collect();
     let bifurcations: Vec<_> = branch.bifurcations.iter().map(listed_bifurcation).collect();
     serde_json::json!({
@@ -135,6 +158,8 @@ fn listed(branch: &Curve) -> serde_json::Value {
         "points": points,
         "bifurcations": bifurcations,
         "endings": branch.endings,
+        "peak": width.map(|width| width.peak),
+        "half_power_bandwidth": width.map(bandwidth::listed),
     })
 }
 

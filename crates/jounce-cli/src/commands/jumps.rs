@@ -2,11 +2,13 @@
 
 use crate::failure::Failure;
 use crate::output::{self, line, print};
+use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments, check_tolerance};
+use crate::threads::ThreadsArgument;
 use clap::Args;
 use jounce::picture::{self, Axis, JumpLine};
 use jounce::spec::{NumericKey, Spec};
-use jounce::study::{JumpCurve, JumpPoint, JumpSearch, Prepared};
+use jounce::study::{JumpCurve, JumpPoint, JumpSearch, Prepared, Watch};
 use jounce::table::{Column, Table};
 
 /// Arguments of `jumps`.
@@ -29,6 +31,11 @@ pub struct Jumps {
     /// Longest period of a branch, in drive cycles; longer ones are left out.
     #[arg(long, default_value_t = 2)]
     longest_period: u32,
+    /// Leaves out the curves on which mean power is largest along the first key.
+    #[arg(long)]
+    no_peaks: bool,
+    #[command(flatten)]
+    threads: ThreadsArgument,
     #[command(flatten)]
     pub output: OutputArguments,
 }
@@ -44,6 +51,7 @@ impl Jumps {
         if key.path() == key_2.path() {
             return Err(Failure::usage(format!("--over and --against are both {}: give two different keys", key.path())));
         }
+        let watch = Watch::default();
         let search = JumpSearch {
             base: &base,
             keys: [&key, &key_2],
@@ -51,8 +59,10 @@ impl Jumps {
             tolerance: self.tolerance,
             seeds: self.seeds,
             longest_period: self.longest_period,
+            peaks: !self.no_peaks,
+            watch: Some(&watch),
         };
-        let curves = search.run()?;
+        let curves = progress::watched(&watch, || self.threads.run(|| search.run()))??;
         for (curve, why) in curves.iter().flat_map(|curve| curve.failures.iter().map(move |why| (curve, why))) {
             eprintln!("a curve of kind {} ends early in {}: {why}", curve.kind.name(), key_2.path());
         }
@@ -80,11 +90,18 @@ impl Jumps {
             }));
             return Ok(());
         }
+        if curves.is_empty() {
+            line(format!("no fold, doubling, torus, grazing or peak over {} for {}", self.over, self.against));
+        }
         for curve in curves {
             line(format!("{} of period {}: {} points", curve.kind.name(), curve.period_cycles, curve.points.len()));
             for point in curve.points.first().into_iter().chain(curve.points.last()) {
                 let (unit, unit_2) = (keys[0].unit(), keys[1].unit());
-                line(format!("  {:>12.6} {unit}  {:>12.6} {unit_2}  {:.6e} W", point.parameter, point.parameter_2, point.mean_power_w));
+                let stable = point.stable.map_or("", |stable| if stable { "  stable" } else { "  unstable" });
+                line(format!(
+                    "  {:>12.6} {unit}  {:>12.6} {unit_2}  {:.6e} W{stable}",
+                    point.parameter, point.parameter_2, point.mean_power_w
+                ));
             }
         }
         Ok(())

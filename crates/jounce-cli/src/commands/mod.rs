@@ -1,9 +1,11 @@
 //! One file per command.
 
+mod bandwidth;
 pub mod basins;
 pub mod branch;
 pub mod check;
 pub mod completions;
+pub mod diagram;
 pub mod frf;
 pub mod jumps;
 pub mod modes;
@@ -27,6 +29,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Sweep(command) => command.run(),
         Command::Branch(command) => command.run(),
         Command::Jumps(command) => command.run(),
+        Command::Diagram(command) => command.run(),
         Command::Basins(command) => command.run(),
         Command::Reproduce(command) => command.run(),
         Command::Completions(command) => command.run(),

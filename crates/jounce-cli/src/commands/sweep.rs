@@ -1,16 +1,16 @@
 //! `jounce sweep SPEC --over KEY=RANGE`
 
+use crate::cache;
 use crate::failure::Failure;
 use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
+use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
 use jounce::picture::{self, Axis, SweepLine, SweepLook};
 use jounce::spec::{KeyRange, Spec};
 use jounce::study::{Direction, Journal, Sweep as Study, SweepPoint, Way};
 use jounce::table::{Column, Table};
-use sha2::{Digest, Sha256};
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -44,9 +44,8 @@ pub struct Sweep {
     /// Wanted relative error of the response; overrides run.tolerance.
     #[arg(long)]
     tolerance: Option<f64>,
-    /// Number of threads; by default one per core.
-    #[arg(long)]
-    threads: Option<usize>,
+    #[command(flatten)]
+    threads: ThreadsArgument,
     #[command(flatten)]
     pub output: OutputArguments,
 }
@@ -67,7 +66,8 @@ impl Sweep {
             Order::Independent => Direction::Independent,
         };
         let study = Study { spec: &spec, range: &range, direction, fixed_duration: self.fixed_duration, folder: self.spec.folder() };
-        let journal = Journal::open(&cache_folder(), &self.journal_key(&spec))?;
+        let options = format!("{} {:?} {}", self.over, self.direction, self.fixed_duration);
+        let journal = Journal::open(&cache::folder(), &cache::key(&spec.hash_hex(), &options))?;
         let bar = progress::bar(study.len());
         bar.set_position(journal.found().len() as u64);
         if !journal.found().is_empty() {
@@ -76,12 +76,7 @@ impl Sweep {
         let stop = Arc::new(AtomicBool::new(false));
         let asked = Arc::clone(&stop);
         let _ = ctrlc::set_handler(move || asked.store(true, Ordering::Relaxed));
-        let mut pool = rayon::ThreadPoolBuilder::new();
-        if let Some(threads) = self.threads {
-            pool = pool.num_threads(threads);
-        }
-        let pool = pool.build().map_err(|error| Failure::Input(format!("the threads cannot be started: {error}")))?;
-        let points = pool.install(|| study.run(Some(&journal), &stop, &|_| bar.inc(1)))?;
+        let points = self.threads.run(|| study.run(Some(&journal), &stop, &|_| bar.inc(1)))??;
         bar.finish_and_clear();
         if points.len() < study.len() {
             let text = format!("stopped after {} of {} points; the same command goes on from there", points.len(), study.len());
@@ -90,13 +85,6 @@ impl Sweep {
         self.tell(&spec, &range, &points)?;
         journal.finish()?;
         Ok(())
-    }
-
-    /// Tells one sweep from another: the spec's own digest, the key with its values, the options and the version.
-    fn journal_key(&self, spec: &Spec) -> String {
-        let options = format!("{} {:?} {} {}", self.over, self.direction, self.fixed_duration, env!("CARGO_PKG_VERSION"));
-        let digest = Sha256::digest(format!("{} {options}", spec.hash_hex()));
-        digest.iter().map(|byte| format!("{byte:02x}")).collect()
     }
 
     fn tell(&self, spec: &Spec, range: &KeyRange, points: &[SweepPoint]) -> Result<(), Failure> {
@@ -189,14 +177,4 @@ fn drawn(points: &[SweepPoint], way: Way) -> Option<SweepLine> {
         value: own.iter().map(|p| p.mean_power_w).collect(),
         settled: own.iter().map(|p| p.settled).collect(),
     })
-}
-
-/// Where journals live: `JOUNCE_CACHE`, else the user's cache folder, else the temporary one.
-fn cache_folder() -> PathBuf {
-    if let Some(folder) = std::env::var_os("JOUNCE_CACHE") {
-        return PathBuf::from(folder);
-    }
-    let cache = std::env::var_os("XDG_CACHE_HOME").map(PathBuf::from);
-    let home = || std::env::var_os("HOME").or_else(|| std::env::var_os("USERPROFILE")).map(|home| PathBuf::from(home).join(".cache"));
-    cache.or_else(home).unwrap_or_else(std::env::temp_dir).join("jounce")
 }

@@ -24,4 +24,4 @@ pub use null_vector::null_vector;
 pub use periodic::{Orbit, determinant_at, multipliers, nearest_pair_to_circle, pairs_outside};
 pub use shooting::{Shooting, Shot};
 pub use tracking::{Condition, Plane, Tracked, Tracking};
-pub use turning_points::nearest_extremum_m;
+pub use turning_points::{Turn, nearest_extremum_m, nearest_turn};

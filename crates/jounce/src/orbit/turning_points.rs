@@ -12,21 +12,39 @@ const CLOSER: usize = 24;
 /// Turning points worth a closer look.
 const NEAREST: usize = 3;
 
-/// Distance past the stop, m, of the turning point (maximum or minimum) nearest to the surface; `None` without one, or where the
-/// law acts on both sides of it.
-pub fn nearest_extremum_m(shot: &Shot) -> Option<f64> {
+/// A turning point of the port.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Turn {
+    /// Drive cycle of the period, from 0.
+    pub cycle: usize,
+    /// Time in it, s.
+    pub time_s: f64,
+    /// Distance past the stop, m.
+    pub past_m: f64,
+}
+
+/// The turning point (maximum or minimum) nearest to the surface; `None` without one, or where the law acts on both sides of it.
+pub fn nearest_turn(shot: &Shot) -> Option<Turn> {
     if shot.kernel.plant.system.stops.first().is_some_and(|stop| stop.law.acts_on_both_sides()) {
         return None;
     }
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
-    let turning = shot.trajectories.iter().flat_map(|trajectory| turning_points(&shot.kernel, trajectory, cycle_s));
-    turning.min_by(|a, b| a.abs().total_cmp(&b.abs()))
+    let turning = shot.trajectories.iter().enumerate().flat_map(|(cycle, trajectory)| {
+        let found = turning_points(&shot.kernel, trajectory, cycle_s);
+        found.into_iter().map(move |(time_s, past_m)| Turn { cycle, time_s, past_m })
+    });
+    turning.min_by(|a, b| a.past_m.abs().total_cmp(&b.past_m.abs()))
+}
+
+/// Distance past the stop, m, of [`nearest_turn`].
+pub fn nearest_extremum_m(shot: &Shot) -> Option<f64> {
+    nearest_turn(shot).map(|turn| turn.past_m)
 }
 
 /// Time, distance past the stop and its rate.
 type Motion = (f64, f64, f64);
 
-fn turning_points(kernel: &Kernel, trajectory: &Trajectory, cycle_s: f64) -> Vec<f64> {
+fn turning_points(kernel: &Kernel, trajectory: &Trajectory, cycle_s: f64) -> Vec<(f64, f64)> {
     let looks = looks(kernel, trajectory, cycle_s);
     let mut turns: Vec<(Motion, Motion)> = looks.windows(2).map(|pair| (pair[0], pair[1])).filter(|(a, b)| a.2 * b.2 <= 0.0).collect();
     turns.sort_by(|a, b| a.0.1.abs().total_cmp(&b.0.1.abs()));
@@ -49,9 +67,9 @@ fn looks(kernel: &Kernel, trajectory: &Trajectory, cycle_s: f64) -> Vec<Motion> 
     looks
 }
 
-/// Distance at the turning point between two times: the speed is taken as linear between close looks, which leaves an error of
+/// Time and distance of the turning point between two times: the speed is taken as linear between close looks, which leaves an error of
 /// second order in a place where the distance does not depend on time.
-fn closer(kernel: &Kernel, trajectory: &Trajectory, from_s: f64, to_s: f64) -> Option<f64> {
+fn closer(kernel: &Kernel, trajectory: &Trajectory, from_s: f64, to_s: f64) -> Option<(f64, f64)> {
     let times: Vec<f64> = (0..=CLOSER).map(|k| from_s + (to_s - from_s) * k as f64 / CLOSER as f64).collect();
     let states = trajectory.at(kernel, &times);
     let motions: Vec<Motion> = states.iter().filter_map(|at| motion(kernel, at.time_s, &at.state)).collect();
@@ -59,7 +77,7 @@ fn closer(kernel: &Kernel, trajectory: &Trajectory, from_s: f64, to_s: f64) -> O
     let share = if a.2 == b.2 { 0.5 } else { a.2 / (a.2 - b.2) };
     // From the nearer look with half the speed on the way.
     let way_s = share * (b.0 - a.0);
-    Some(a.1 + 0.5 * a.2 * way_s)
+    Some((a.0 + way_s, a.1 + 0.5 * a.2 * way_s))
 }
 
 /// Distance past the stop and its rate.

@@ -1,9 +1,11 @@
-//! Finished points on disk, so that an interrupted sweep goes on where it stopped.
+//! Finished points on disk, so that an interrupted sweep or diagram goes on where it stopped.
 //!
 //! One JSON line per point, appended and flushed as soon as the point is finished. A line that a kill cut short is dropped when
 //! the journal is read. Numbers are written so that they read back bit for bit. The journal goes when its sweep is complete.
 
 use super::SweepPoint;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use std::fs::{File, OpenOptions};
 use std::io::{Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -19,15 +21,15 @@ pub struct JournalError {
     pub reason: String,
 }
 
-/// The journal of one sweep.
+/// The journal of one study over points `P`.
 #[derive(Debug)]
-pub struct Journal {
+pub struct Journal<P = SweepPoint> {
     path: PathBuf,
     file: Mutex<File>,
-    found: Vec<SweepPoint>,
+    found: Vec<P>,
 }
 
-impl Journal {
+impl<P: Serialize + DeserializeOwned> Journal<P> {
     /// Opens or creates the journal of a sweep, told apart by `key` (a digest of spec and options).
     ///
     /// # Errors
@@ -43,7 +45,7 @@ impl Journal {
         };
         let (mut found, mut whole) = (Vec::new(), 0);
         for line in text.split_inclusive('\n') {
-            match serde_json::from_str::<SweepPoint>(line) {
+            match serde_json::from_str::<P>(line) {
                 Ok(point) if line.ends_with('\n') => found.push(point),
                 _ => break,
             }
@@ -56,7 +58,7 @@ impl Journal {
     }
 
     /// Points found when the journal was opened.
-    pub fn found(&self) -> &[SweepPoint] {
+    pub fn found(&self) -> &[P] {
         &self.found
     }
 
@@ -64,7 +66,7 @@ impl Journal {
     ///
     /// # Errors
     /// [`JournalError`].
-    pub fn keep(&self, point: &SweepPoint) -> Result<(), JournalError> {
+    pub fn keep(&self, point: &P) -> Result<(), JournalError> {
         let fault = |reason: String| JournalError { path: self.path.display().to_string(), reason };
         let mut line = serde_json::to_string(point).map_err(|error| fault(error.to_string()))?;
         line.push('\n');

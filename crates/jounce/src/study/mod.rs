@@ -1,19 +1,26 @@
 //! Studies: many runs of one spec.
 
+mod bandwidth;
 mod basins;
 mod branches;
+mod diagram;
 mod journal;
 mod jumps;
 mod parameter;
 mod prepared;
 mod sweep;
 mod sweep_point;
+mod watch;
 
-pub use basins::{Attractor, Basins, BasinsAnswer, Cloud, Fate, Lyapunov, Share, Wandering, largest_exponent, wilson};
+pub use bandwidth::{Bandwidth, BandwidthSearch, Bandwidths, Edge, Interval, Limit, Peak};
+pub use basins::{Attractor, Basins, BasinsAnswer, Cloud, Fate, Grid, GridAxis, GridSide, Lyapunov, Share, Starts, Wandering};
+pub use basins::{largest_exponent, wilson};
 pub use branches::{Bifurcation, Branch, BranchKind, BranchPoint, BranchSearch, Ending, Method, settled_orbit};
+pub use diagram::{Diagram, History, Lineage, Motion, Order, SectionPoint, Seen, Turn, Visit};
 pub use journal::{Journal, JournalError};
-pub use jumps::{JumpCurve, JumpPoint, JumpSearch, KeyPlane};
+pub use jumps::{CurveKind, JumpCurve, JumpPoint, JumpSearch, KeyPlane};
 pub use parameter::Parameter;
 pub use prepared::{Prepared, StudyError};
 pub use sweep::{Direction, Sweep};
 pub use sweep_point::{SweepPoint, Way};
+pub use watch::Watch;

@@ -6,7 +6,7 @@
 //! dY / df = -2 pi i (i w I - A)^-1 Y,   dY / dF = Y / F,   d(penetration) / d(gap) = -1,   d(force) / dk = force / k
 //! ```
 
-use super::{Prepared, StudyError};
+use super::{Prepared, StudyError, Watch};
 use crate::contact::Law;
 use crate::march::{Drift, Kernel};
 use crate::orbit::{Change, Harvester, Setting};
@@ -22,6 +22,7 @@ pub struct Parameter<'s> {
     key: &'s NumericKey,
     role: Role,
     difference: f64,
+    watch: Option<&'s Watch>,
 }
 
 /// What the key is to the equations.
@@ -48,7 +49,12 @@ impl<'s> Parameter<'s> {
             ["stop", _, "stiffness"] if one_stop && plain => Role::Stiffness,
             _ => Role::Other,
         };
-        Self { base, key, role, difference: 1e-7 * width }
+        Self { base, key, role, difference: 1e-7 * width, watch: None }
+    }
+
+    /// The same, counted.
+    pub fn watched(self, watch: Option<&'s Watch>) -> Self {
+        Self { watch, ..self }
     }
 
     /// The key.
@@ -100,6 +106,9 @@ impl Harvester for Parameter<'_> {
     type Error = StudyError;
 
     fn at(&self, parameter: f64) -> Result<Setting, StudyError> {
+        if let Some(watch) = self.watch {
+            watch.count();
+        }
         let kernel = self.kernel(parameter)?;
         let change = self.change(&kernel, parameter);
         Ok(Setting { kernel, change })

@@ -4,7 +4,8 @@ use crate::harvesters::bench;
 use jounce::march::{Kernel, Marcher};
 use jounce::orbit::Harvester;
 use jounce::reference::ImpactOscillator;
-use jounce::study::{Basins, BasinsAnswer, Cloud, Parameter, Prepared, Wandering, largest_exponent};
+use jounce::study::largest_exponent;
+use jounce::study::{Basins, BasinsAnswer, Cloud, Grid, GridAxis, GridSide, Parameter, Prepared, SectionPoint, Starts, Wandering};
 use std::f64::consts::TAU;
 
 const CLOUD: Cloud = Cloud { starts: 24, seed: 3, spread: 20.0 };
@@ -14,7 +15,7 @@ fn basins(frequency_hz: f64) -> BasinsAnswer {
     let base = Prepared::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
-    Basins { base: &base, parameter: &parameter, value: frequency_hz, cloud: CLOUD, tolerance: 1e-8 }.run().unwrap()
+    Basins { base: &base, parameter: &parameter, value: frequency_hz, starts: Starts::Cloud(CLOUD), tolerance: 1e-8 }.run(&|| ()).unwrap()
 }
 
 /// Mean power over the last cycles of a long march.
@@ -53,6 +54,40 @@ fn shares_are_those_of_plain_marches() {
 fn any_number_of_threads_gives_the_same_bits() {
     let with = |threads: usize| rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(|| basins(14.0));
     assert_eq!(with(1), with(3));
+}
+
+/// The whole range of the harvester by several clouds: what settles slowly is neither left over nor taken for chaos. The torus at
+/// 12.3 Hz is one: its motion fills a closed curve, and neighbours neither part nor close up.
+#[test]
+fn what_settles_slowly_is_recognised_at_every_frequency() {
+    let file = bench();
+    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let key = file.numeric_key("drive.shaker.frequency").unwrap();
+    let parameter = Parameter::new(&base, &key, 1.0);
+    for (value, seed) in [(5.0, 1), (8.0, 2), (11.0, 5), (12.3, 3), (13.0, 1), (13.34, 2), (16.0, 5), (19.0, 1)] {
+        let starts = Starts::Cloud(Cloud { starts: 12, seed, spread: 10.0 });
+        let answer = Basins { base: &base, parameter: &parameter, value, starts, tolerance: 1e-8 }.run(&|| ()).unwrap();
+        let ids: Vec<&str> = answer.attractors.iter().map(|a| a.id.as_str()).collect();
+        eprintln!("{value} Hz: {ids:?}");
+        let wanders = |id: &str| ["chaos", "unsettled"].contains(&id) || (id == "torus" && value != 12.3);
+        assert!(answer.lost.is_empty() && !ids.iter().any(|id| wanders(id)), "{value} Hz: {ids:?}");
+    }
+}
+
+/// A side of displacements is bent by a static force, one of velocities struck: the stop's point has just that displacement and speed.
+#[test]
+fn a_grid_starts_where_its_sides_say() {
+    let plant = Prepared::new(bench().spec().unwrap()).unwrap().kernel.plant;
+    let side = |axis: GridAxis, from: f64, to: f64, count: usize| GridSide { axis, from, to, count };
+    let sides =
+        vec![side(GridAxis::Displacement, -5e-3, 5e-3, 3), side(GridAxis::Velocity, -0.5, 0.5, 2), side(GridAxis::Voltage, 1.0, 2.0, 2)];
+    let grid = Grid { sides };
+    assert_eq!(grid.len(), 12);
+    let point = SectionPoint::of(&plant.system, &grid.start(&plant, 2 + 3 + 6));
+    assert!(
+        (point.displacement_m - 5e-3).abs() < 1e-15 && (point.velocity_m_per_s - 0.5).abs() < 1e-13 && point.voltage_v == 2.0,
+        "{point:?}"
+    );
 }
 
 /// Without contact every motion decays like the slowest mode.

@@ -6,7 +6,7 @@ use jounce::march::Marcher;
 use jounce::orbit::{Condition, Harvester, Plane, Shooting, Tracking};
 use jounce::plant::{PlantError, System};
 use jounce::reference::ImpactOscillator;
-use jounce::study::{BranchKind, JumpSearch, Method, Prepared};
+use jounce::study::{BranchKind, CurveKind, JumpSearch, Method, Prepared};
 use std::f64::consts::TAU;
 
 const CORRECTOR: Corrector = Corrector { goal: 1e-10, most: 20 };
@@ -93,6 +93,8 @@ fn folds_and_grazings_over_the_amplitude_are_those_along_the_frequency() {
         tolerance: 1e-10,
         seeds: 0,
         longest_period: 1,
+        peaks: false,
+        watch: None,
     };
     let curves = search.run().unwrap();
     for curve in &curves {
@@ -105,7 +107,7 @@ fn folds_and_grazings_over_the_amplitude_are_those_along_the_frequency() {
         let along = branches(&changed, (11.0, 14.5), Method::Shooting, 0);
         let wanted = along.iter().flat_map(|branch| &branch.bifurcations);
         for found in wanted.filter(|found| [BranchKind::Fold, BranchKind::Grazing].contains(&found.kind)) {
-            let same = curves.iter().filter(|curve| curve.kind == found.kind).flat_map(|curve| &curve.points);
+            let same = curves.iter().filter(|curve| curve.kind == CurveKind::Bifurcation(found.kind)).flat_map(|curve| &curve.points);
             let distance = (same.filter(|point| point.parameter_2 == amplitude_n))
                 .map(|point| (point.parameter - found.at.parameter).abs())
                 .fold(f64::INFINITY, f64::min);
@@ -114,7 +116,7 @@ fn folds_and_grazings_over_the_amplitude_are_those_along_the_frequency() {
         }
     }
     // The low branch grazes where the steady amplitude is the gap.
-    let grazing = curves.iter().find(|curve| curve.kind == BranchKind::Grazing).unwrap();
+    let grazing = curves.iter().find(|curve| curve.kind == CurveKind::Bifurcation(BranchKind::Grazing)).unwrap();
     for point in &grazing.points {
         let mut drives = base.kernel.plant.system.drives.clone();
         (drives[0].frequency_hz, drives[0].amplitude_n) = (point.parameter, point.parameter_2);

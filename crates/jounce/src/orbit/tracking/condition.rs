@@ -1,7 +1,7 @@
 //! What is zero at a bifurcation.
 
+use super::circle;
 use super::critical::Critical;
-use super::touching;
 use crate::orbit::Shot;
 
 /// The condition of a bifurcation.
@@ -9,8 +9,12 @@ use crate::orbit::Shot;
 pub enum Condition {
     /// A multiplier of this value: +1 at a fold, -1 at a doubling.
     Multiplier(f64),
+    /// A complex pair of multipliers on the unit circle.
+    Circle,
     /// A turning point of the port on the surface of the stop.
     Touching,
+    /// Mean power stationary along the curve over the first parameter.
+    Peak,
 }
 
 /// `g` with its gradient.
@@ -22,12 +26,15 @@ pub struct Gradient {
     pub by_unknown: Vec<f64>,
     /// By the two parameters.
     pub by_parameters: [f64; 2],
+    /// At a peak, second derivative of the power along the curve, beside the power: negative at a maximum.
+    pub bend: Option<f64>,
 }
 
 impl Condition {
-    /// `g` at a shot. `moved` shoots from a start moved by a vector, `aside` are shots at parameters moved by `differences`.
+    /// `g` at a shot, for a condition on its multipliers. `moved` shoots from a start moved by a vector, `aside` are shots at
+    /// parameters moved by `differences`.
     ///
-    /// `None` where there is no such condition: a singular border, or no turning point.
+    /// `None` where there is no such condition: a singular border, no complex pair, or a condition of another kind.
     pub fn gradient<E>(
         self,
         shot: &Shot,
@@ -40,7 +47,8 @@ impl Condition {
                 Some(critical) => critical.gradient(shot, aside, differences, moved).map(Some),
                 None => Ok(None),
             },
-            Condition::Touching => touching::gradient(shot, aside, differences, moved),
+            Condition::Circle => circle::gradient(shot, aside, differences, moved),
+            Condition::Touching | Condition::Peak => Ok(None),
         }
     }
 }

@@ -1,14 +1,16 @@
-//! Bifurcations followed through two parameters.
+//! Bifurcations, and peaks of power, followed through two parameters.
 //!
 //! ```text
 //! R(u, p, p2) = 0,   g(u, p, p2) = 0
 //! ```
 //!
-//! `R` is that of shooting, `g` is zero at the bifurcation: a multiplier +1 (fold) or -1 (doubling), or a turning point on the surface
-//! of the stop (grazing). Unknown are `u` and `p`; `p2` is the parameter of the curve, which continuation follows through its own folds.
+//! `R` is that of shooting, `g` is zero at the place that is followed: a multiplier +1 (fold) or -1 (doubling), a complex pair on the
+//! unit circle (Neimark-Sacker), a turning point on the surface of the stop (grazing), or power stationary along the curve (peak). Unknown are `u` and `p`; `p2` is the parameter of the curve, which continuation follows through its own folds.
 
+mod circle;
 mod condition;
 mod critical;
+mod peak;
 mod plane;
 mod touching;
 mod tracked;

@@ -2,6 +2,7 @@
 
 use super::condition::{Condition, Gradient};
 use super::plane::Plane;
+use super::touching;
 use crate::continuation::{Family, Linear};
 use crate::orbit::border::solve_bordered;
 use crate::orbit::{Harvester, OrbitError, Shooting, Shot};
@@ -31,6 +32,8 @@ pub struct Tracking<'p, P> {
 pub struct Tracked {
     /// The orbit.
     pub shot: Shot,
+    /// At a peak, second derivative of the power along the curve, beside the power: negative at a maximum.
+    pub bend: Option<f64>,
     residual: Vec<f64>,
     /// By `u` and the unknown of the first parameter.
     matrix: Mat<f64>,
@@ -75,9 +78,13 @@ impl<P: Plane> Family for Tracking<'_, P> {
             let start: Vec<f64> = start.iter().zip(by).map(|(u, d)| u + d).collect();
             shooting.shoot(&start, parameter).map(|(shot, _)| shot)
         };
-        let found = self.condition.gradient(&shot, [&ahead, &aside], differences, moved)?;
+        let found = match self.condition {
+            Condition::Peak => self.peak((start, parameter, parameter_2), &line, &shot, [&ahead, &aside])?,
+            Condition::Touching => touching::gradient(&shot, [&ahead, &aside], differences, (&self.scale, self.tolerance))?,
+            condition => condition.gradient(&shot, [&ahead, &aside], differences, moved)?,
+        };
         // Without the condition there is no bifurcation: a residual that no correction meets.
-        let gradient = found.unwrap_or_else(|| Gradient { value: f64::NAN, by_unknown: vec![0.0; n], by_parameters: [0.0; 2] });
+        let gradient = found.unwrap_or_else(|| Gradient { value: f64::NAN, by_unknown: vec![0.0; n], by_parameters: [0.0; 2], bend: None });
         let difference = |other: &Shot, k: usize, i: usize| (other.residual[i] - shot.residual[i]) / differences[k];
         let by_first = |i: usize| self.unit * if i < n { difference(&ahead, 0, i) } else { gradient.by_parameters[0] };
         let matrix = Mat::from_fn(n + 1, n + 1, |i, j| match (i < n, j < n) {
@@ -87,7 +94,7 @@ impl<P: Plane> Family for Tracking<'_, P> {
         });
         let by_parameter = (0..=n).map(|i| if i < n { difference(&aside, 1, i) } else { gradient.by_parameters[1] }).collect();
         let residual = shot.residual.iter().copied().chain([gradient.value]).collect();
-        Ok(Tracked { shot, residual, matrix, by_parameter })
+        Ok(Tracked { shot, bend: gradient.bend, residual, matrix, by_parameter })
     }
 }
 

@@ -31,7 +31,11 @@ const MARKERS: [Marker; 5] = [Marker::Square, Marker::Ring, Marker::Circle, Mark
 
 /// Branches in one panel: a colour for each label.
 pub fn branches(title: &str, parameter: Axis, value: Axis, lines: &[BranchLine], marks: &[BranchMark]) -> Figure {
-    let mut panel = Panel::new(parameter, value).high(380.0);
+    Figure::new(title).with(panel(Panel::new(parameter, value).high(380.0), lines, marks))
+}
+
+/// The same into a panel.
+pub(super) fn panel(mut panel: Panel, lines: &[BranchLine], marks: &[BranchMark]) -> Panel {
     let mut labels: Vec<&str> = Vec::new();
     for line in lines {
         let known = labels.iter().position(|label| *label == line.label);
@@ -60,7 +64,7 @@ pub fn branches(title: &str, parameter: Axis, value: Axis, lines: &[BranchLine],
         let (x, y) = marks.iter().filter(|mark| mark.kind == *kind).map(|mark| (mark.parameter, mark.value)).unzip();
         panel = panel.with(Series::points(x, y, marker).colour(Colour::Ink).label(kind));
     }
-    Figure::new(title).with(panel)
+    panel
 }
 
 /// Values on stretches of one stability, gaps elsewhere; a stretch reaches to the next point, so that none hangs in the air.

@@ -1,11 +1,11 @@
 //! Marches a cloud until every start is recognised, and counts.
 
-use super::Cloud;
-use super::lyapunov::{Lyapunov, Wandering, largest_exponent};
+use super::Starts;
+use super::fate::Fate;
+use super::lyapunov::{Lyapunov, Wandering};
 use super::share::{QUANTILE_95, Share, wilson};
-use crate::march::{Kernel, Marcher};
+use super::signature::{Signature, letters};
 use crate::orbit::{Harvester, Orbit};
-use crate::study::branches::settled_orbit;
 use crate::study::{Parameter, Prepared, StudyError};
 use rayon::prelude::*;
 
@@ -18,21 +18,10 @@ pub struct Basins<'s> {
     pub parameter: &'s Parameter<'s>,
     /// That value.
     pub value: f64,
-    /// The starts.
-    pub cloud: Cloud,
+    /// From where it starts.
+    pub starts: Starts,
     /// Relative tolerance of the marches.
     pub tolerance: f64,
-}
-
-/// Where a start ends.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Fate {
-    /// On a periodic orbit.
-    Orbit(Orbit),
-    /// On no orbit that was looked for, after a long march.
-    Wandering(Lyapunov),
-    /// Nowhere: the march failed.
-    Lost(String),
 }
 
 /// An attractor with its share of the cloud.
@@ -71,35 +60,21 @@ pub struct BasinsAnswer {
     pub lost: Vec<(usize, String)>,
 }
 
-/// Drive cycles over which an exponent is taken.
-const EXPONENT_CYCLES: usize = 320;
-
-/// Relative difference of power below which two orbits of one period and as many contacts are one.
-const SAME: f64 = 1e-5;
-
 impl Basins<'_> {
-    /// Marches all starts, in parallel.
+    /// Marches all starts, in parallel; `done` hears of each that is finished.
     ///
     /// # Errors
     /// A harvester that cannot be made.
-    pub fn run(&self) -> Result<BasinsAnswer, StudyError> {
+    pub fn run(&self, done: &(dyn Fn() + Sync)) -> Result<BasinsAnswer, StudyError> {
         let kernel = self.parameter.at(self.value)?.kernel;
-        let fates: Vec<Fate> = (0..self.cloud.starts).into_par_iter().map(|index| self.fate(&kernel, index)).collect();
-        Ok(answer(&fates))
-    }
-
-    fn fate(&self, kernel: &Kernel, index: usize) -> Fate {
-        let start = self.cloud.start(&kernel.plant, index);
-        if let Some(orbit) = settled_orbit(self.parameter, self.value, &start, self.tolerance, 10.0 * self.tolerance) {
-            return Fate::Orbit(orbit);
-        }
-        let wander = || -> Result<Lyapunov, crate::march::VariationError> {
-            let cycle_s = kernel.plant.tones.first().map_or(1.0, |tone| std::f64::consts::TAU / tone.angular_frequency_rad_s);
-            let mut marcher = Marcher::new(kernel, &kernel.plant.from_physical(&start, 0.0), 0.0, self.tolerance)?;
-            marcher.advance_to(500.0 * cycle_s)?;
-            largest_exponent(kernel, &marcher.state(), EXPONENT_CYCLES, self.tolerance)
+        let fate = |index: usize| {
+            let start = self.starts.start(&kernel.plant, index);
+            let fate = Fate::of(self.parameter, (&kernel, self.value), &start, self.tolerance);
+            done();
+            fate
         };
-        wander().map_or_else(|error| Fate::Lost(error.to_string()), Fate::Wandering)
+        let fates: Vec<Fate> = (0..self.starts.len()).into_par_iter().map(fate).collect();
+        Ok(answer(&fates))
     }
 }
 
@@ -109,7 +84,7 @@ fn answer(fates: &[Fate]) -> BasinsAnswer {
     let mut lost: Vec<(usize, String)> = Vec::new();
     for (index, fate) in fates.iter().enumerate() {
         match fate {
-            Fate::Orbit(orbit) => match orbits.iter_mut().find(|(known, _)| same(known, orbit)) {
+            Fate::Orbit(orbit) => match orbits.iter_mut().find(|(known, _)| Signature::of(known).is(&Signature::of(orbit))) {
                 Some((_, starts)) => starts.push(index),
                 None => orbits.push((orbit, vec![index])),
             },
@@ -163,16 +138,6 @@ fn wandering(kind: Wandering, found: &[(usize, Lyapunov)], of: usize) -> Option<
         share: wilson(found.len(), of),
         starts: found.iter().map(|(index, _)| *index).collect(),
     })
-}
-
-fn same(a: &Orbit, b: &Orbit) -> bool {
-    a.period_cycles == b.period_cycles && a.contacts == b.contacts && (a.mean_power_w / b.mean_power_w - 1.0).abs() < SAME
-}
-
-/// `a`, `b`, .., `z`, `aa`, ..
-fn letters(place: usize) -> String {
-    let last = char::from(b'a' + (place % 26) as u8);
-    if place < 26 { last.to_string() } else { format!("{}{last}", letters(place / 26 - 1)) }
 }
 
 #[cfg(test)]

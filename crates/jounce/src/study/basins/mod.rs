@@ -2,10 +2,18 @@
 
 mod basin;
 mod cloud;
+mod fate;
+mod grid;
 mod lyapunov;
 mod share;
+mod signature;
+mod starts;
 
-pub use basin::{Attractor, Basins, BasinsAnswer, Fate};
+pub use basin::{Attractor, Basins, BasinsAnswer};
 pub use cloud::Cloud;
+pub use fate::Fate;
+pub use grid::{Grid, GridAxis, GridSide};
 pub use lyapunov::{Lyapunov, Wandering, largest_exponent};
 pub use share::{Share, wilson};
+pub(super) use signature::{Signature, letters};
+pub use starts::Starts;

@@ -3,11 +3,32 @@
 use crate::study::BranchKind;
 use serde::Serialize;
 
-/// A curve of one kind of bifurcation over two keys.
+/// What is followed over two keys.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum CurveKind {
+    /// The largest mean power along a branch over the first key.
+    Peak,
+    /// A bifurcation.
+    #[serde(untagged)]
+    Bifurcation(BranchKind),
+}
+
+impl CurveKind {
+    /// Name in answers.
+    pub fn name(self) -> &'static str {
+        match self {
+            CurveKind::Peak => "peak",
+            CurveKind::Bifurcation(kind) => kind.name(),
+        }
+    }
+}
+
+/// A curve of one kind over two keys.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JumpCurve {
     /// What happens on it.
-    pub kind: BranchKind,
+    pub kind: CurveKind,
     /// Period of its orbits in drive cycles.
     pub period_cycles: u32,
     /// Points along it.
@@ -25,6 +46,9 @@ pub struct JumpPoint {
     pub parameter_2: f64,
     /// Mean power of all loads, W.
     pub mean_power_w: f64,
+    /// On a curve of peaks, whether the orbit attracts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stable: Option<bool>,
 }
 
 impl JumpCurve {

@@ -1,9 +1,10 @@
-//! Folds, doublings and grazings over two keys of a spec: where the answer jumps.
+//! Folds, doublings, tori, grazings and peaks of power over two keys of a spec.
 
 mod curve;
 mod key_plane;
 mod search;
+mod seed;
 
-pub use curve::{JumpCurve, JumpPoint};
+pub use curve::{CurveKind, JumpCurve, JumpPoint};
 pub use key_plane::KeyPlane;
 pub use search::JumpSearch;

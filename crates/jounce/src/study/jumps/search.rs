@@ -1,11 +1,14 @@
 //! All curves of jumps that pass through three lines of the plane: both ends of the second range, and the spec's own value between.
 
-use super::curve::{JumpCurve, JumpPoint};
+use super::curve::{CurveKind, JumpCurve, JumpPoint};
 use super::key_plane::KeyPlane;
+use super::seed::Seed;
 use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, Walk, passes, settle, tangent};
-use crate::orbit::{Condition, OrbitError, Plane, Shooting, Tracked, Tracking};
+use crate::orbit::{OrbitError, Plane, Shooting, Tracked, Tracking, multipliers};
 use crate::spec::NumericKey;
-use crate::study::{Bifurcation, BranchKind, BranchSearch, Method, Parameter, Prepared, StudyError};
+use crate::study::bandwidth::Piece;
+use crate::study::{BranchSearch, Method, Parameter, Prepared, StudyError, Watch};
+use faer::ColRef;
 
 /// A search to be made.
 #[derive(Debug)]
@@ -22,6 +25,10 @@ pub struct JumpSearch<'s> {
     pub seeds: usize,
     /// Longest period of a branch, drive cycles.
     pub longest_period: u32,
+    /// Whether peaks of power are followed too.
+    pub peaks: bool,
+    /// Counts what is done.
+    pub watch: Option<&'s Watch>,
 }
 
 type Failure = OrbitError<StudyError>;
@@ -39,25 +46,25 @@ impl JumpSearch<'_> {
     /// # Errors
     /// [`OrbitError`].
     pub fn run(&self) -> Result<Vec<JumpCurve>, Failure> {
-        let plane = KeyPlane { base: self.base, keys: self.keys, widths: self.ranges.map(|(low, high)| high - low) };
+        let plane = KeyPlane { base: self.base, keys: self.keys, widths: self.ranges.map(|(low, high)| high - low), watch: self.watch };
         let (low, high) = self.ranges[1];
         let own = self.keys[1].get(&self.base.spec).ok().filter(|own| *own > low && *own < high);
         let mut curves: Vec<JumpCurve> = Vec::new();
         for parameter_2 in own.into_iter().chain([low, high]) {
-            for (found, cycles) in self.bifurcations(&plane, parameter_2)? {
-                if !curves.iter().any(|curve| self.holds(curve, &found, cycles, parameter_2)) {
-                    curves.extend(self.both_ways(&plane, &found, cycles, parameter_2)?);
+            for seed in self.seeds(&plane, parameter_2)? {
+                if !curves.iter().any(|curve| self.holds(curve, &seed, parameter_2)) {
+                    curves.extend(self.both_ways(&plane, &seed, parameter_2)?);
                 }
             }
         }
         Ok(curves)
     }
 
-    /// The bifurcations on one line, with the periods of their branches.
-    fn bifurcations(&self, plane: &KeyPlane, parameter_2: f64) -> Result<Vec<(Bifurcation, u32)>, Failure> {
+    /// Places on one line from which curves may start.
+    fn seeds(&self, plane: &KeyPlane, parameter_2: f64) -> Result<Vec<Seed>, Failure> {
         let line = plane.line(parameter_2).map_err(OrbitError::Harvester)?;
         let range = self.ranges[0];
-        let parameter = Parameter::new(&line.prepared, self.keys[0], range.1 - range.0);
+        let parameter = Parameter::new(&line.prepared, self.keys[0], range.1 - range.0).watched(self.watch);
         let search = BranchSearch {
             base: &line.prepared,
             parameter: &parameter,
@@ -68,49 +75,47 @@ impl JumpSearch<'_> {
             longest_period: self.longest_period,
         };
         let branches = search.run()?;
-        Ok(branches
-            .into_iter()
-            .flat_map(|branch| branch.bifurcations.into_iter().map(move |found| (found, branch.period_cycles)))
-            .collect())
+        let bifurcations = branches.iter().flat_map(|branch| branch.bifurcations.iter().map(|found| Seed::bifurcation(branch, found)));
+        let corrector = Corrector { goal: (10.0 * self.tolerance).clamp(1e-11, 1e-6), most: 8 };
+        let peaks = branches.iter().filter(|_| self.peaks).flat_map(|branch| {
+            let shooting = || Shooting::new(&parameter, &line.prepared.kernel, branch.period_cycles, self.tolerance);
+            Seed::peaks(branch, |points| Piece::new(shooting(), corrector, (range.1 - range.0) / 20.0, points))
+        });
+        Ok(bifurcations.chain(peaks).collect())
     }
 
-    /// True when a bifurcation lies on a curve already known.
-    fn holds(&self, curve: &JumpCurve, found: &Bifurcation, cycles: u32, parameter_2: f64) -> bool {
+    /// True when a place lies on a curve already known.
+    fn holds(&self, curve: &JumpCurve, seed: &Seed, parameter_2: f64) -> bool {
         let (low, high) = self.ranges[0];
         let near = |(parameter, power_w): &(f64, f64)| {
-            (parameter - found.at.parameter).abs() < 5e-3 * (high - low) && (power_w / found.at.orbit.mean_power_w - 1.0).abs() < 0.05
+            (parameter - seed.parameter).abs() < 5e-3 * (high - low) && (power_w / seed.mean_power_w - 1.0).abs() < 0.05
         };
-        curve.kind == found.kind && curve.period_cycles == cycles && curve.crossings(parameter_2).iter().any(near)
+        curve.kind == seed.kind && curve.period_cycles == seed.cycles && curve.crossings(parameter_2).iter().any(near)
     }
 
-    fn both_ways(&self, plane: &KeyPlane, found: &Bifurcation, cycles: u32, parameter_2: f64) -> Result<Option<JumpCurve>, Failure> {
-        let condition = match found.kind {
-            BranchKind::Fold => Condition::Multiplier(1.0),
-            BranchKind::PeriodDoubling => Condition::Multiplier(-1.0),
-            BranchKind::Grazing => Condition::Touching,
-            BranchKind::NeimarkSacker | BranchKind::BranchPoint => return Ok(None),
-        };
+    fn both_ways(&self, plane: &KeyPlane, seed: &Seed, parameter_2: f64) -> Result<Option<JumpCurve>, Failure> {
+        let Some(condition) = seed.condition() else { return Ok(None) };
         let kernel = &self.base.kernel;
-        let start = found.at.orbit.start();
+        let line = plane.line(parameter_2).map_err(OrbitError::Harvester)?;
         let (low, high) = self.ranges[0];
         let tracking = Tracking {
             plane,
             condition,
-            cycles,
+            cycles: seed.cycles,
             tolerance: self.tolerance,
-            scale: Shooting::new(&plane.line(parameter_2).map_err(OrbitError::Harvester)?, kernel, cycles, self.tolerance).scale,
-            origin: found.at.parameter,
-            unit: (high - low) / (20.0 * found.at.orbit.size()),
+            scale: Shooting::new(&line, kernel, seed.cycles, self.tolerance).scale,
+            origin: seed.parameter,
+            unit: (high - low) / (20.0 * ColRef::from_slice(&seed.state).norm_l2()),
         };
         let corrector = Corrector { goal: (RESOLUTION * self.tolerance).clamp(1e-9, 1e-4), most: 12 };
-        let position = Position { unknown: tracking.unknown(start, found.at.parameter), parameter: parameter_2 };
+        let position = Position { unknown: tracking.unknown(&seed.state, seed.parameter), parameter: parameter_2 };
         let metric = Metric::at(&position, self.scale_2());
         let mut ways = Vec::new();
         for sign in [-1.0, 1.0] {
             let Ok(first) = settle(&tracking, &corrector, &metric, position.clone()) else { return Ok(None) };
             let up = Direction { unknown: vec![0.0; position.unknown.len()], parameter: sign };
             let Some(ahead) = tangent(&first.local, &metric, &up) else { return Ok(None) };
-            ways.push(self.walk(&tracking, corrector, first, ahead, found.kind));
+            ways.push(self.walk(&tracking, corrector, first, ahead, seed.kind));
         }
         let up = ways.pop();
         Ok(ways.pop().zip(up).map(|(down, up)| down.joined(up)))
@@ -122,12 +127,13 @@ impl JumpSearch<'_> {
         corrector: Corrector,
         first: Corrected<Tracked>,
         ahead: Direction,
-        kind: BranchKind,
+        kind: CurveKind,
     ) -> JumpCurve {
         let point = |position: &Position, local: &Tracked| JumpPoint {
             parameter: tracking.parameter(&position.unknown),
             parameter_2: position.parameter,
             mean_power_w: local.shot.loads_w.iter().sum(),
+            stable: local.bend.and_then(|_| Some(multipliers(&local.shot.map)?.first()?.norm() < 1.0)),
         };
         let mut curve = JumpCurve { kind, period_cycles: tracking.cycles, points: Vec::new(), failures: Vec::new() };
         curve.points.push(point(&first.position, &first.local));
@@ -141,6 +147,10 @@ impl JumpSearch<'_> {
                     break;
                 }
             };
+            if step.local.bend.is_some_and(|bend| bend >= 0.0) {
+                curve.failures.push(format!("at {} the maximum of power meets a minimum", step.position.parameter));
+                break;
+            }
             let (low, high) = self.ranges[1];
             if step.position.parameter < low || step.position.parameter > high {
                 let edge = if step.position.parameter < low { low } else { high };

@@ -1,12 +1,16 @@
 //! `jounce basins SPEC --starts N --seed S`
 
+mod grid;
+
 use crate::failure::Failure;
 use crate::output::{self, line, print};
-use crate::spec_arguments::{OutputArguments, SpecArguments};
+use crate::progress;
+use crate::spec_arguments::{OutputArguments, SpecArguments, check_drive, check_tolerance};
+use crate::threads::ThreadsArgument;
 use clap::Args;
-use jounce::picture::{Axis, Colour, Figure, Marker, Panel, Series};
+use jounce::picture::{Colour, Figure, Marker, Panel, Series};
 use jounce::plant::Plant;
-use jounce::study::{Attractor, Basins as Study, BasinsAnswer, Cloud, Parameter, Prepared};
+use jounce::study::{Attractor, Basins as Study, BasinsAnswer, Cloud, GridAxis, Parameter, Prepared, SectionPoint, Starts};
 use jounce::table::{Column, Table};
 
 /// Arguments of `basins`.
@@ -23,12 +27,15 @@ pub struct Basins {
     /// Size of the cloud at the stop, in gaps (or steady amplitudes, where those are larger).
     #[arg(long, default_value_t = 10.0)]
     spread: f64,
+    /// A side of a plane or box of starts instead of the cloud, with its number of values, once for each side:
+    /// displacement=-5mm:5mm:21x, velocity=-1m/s:1m/s:21x or voltage=-10V:10V:5x.
+    #[arg(long, value_name = "SIDE=FROM:TO:Nx", allow_hyphen_values = true, conflicts_with_all = ["starts", "seed", "spread"])]
+    grid: Vec<String>,
     /// Relative tolerance of the marches.
     #[arg(long, default_value_t = 1e-8)]
     tolerance: f64,
-    /// Number of threads; by default one per core.
-    #[arg(long)]
-    threads: Option<usize>,
+    #[command(flatten)]
+    threads: ThreadsArgument,
     #[command(flatten)]
     pub output: OutputArguments,
 }
@@ -36,39 +43,43 @@ pub struct Basins {
 impl Basins {
     /// Marches the cloud and reports.
     pub fn run(&self) -> Result<(), Failure> {
-        if self.starts == 0 || !(self.spread > 0.0 && self.spread.is_finite()) || !(self.tolerance > 0.0 && self.tolerance < 1e-2) {
-            return Err(Failure::usage("--starts and --spread must be greater than 0, --tolerance between 0 and 0.01".to_owned()));
+        check_tolerance(self.tolerance)?;
+        if self.starts == 0 || !(self.spread > 0.0 && self.spread.is_finite()) {
+            return Err(Failure::usage("--starts and --spread must be greater than 0".to_owned()));
         }
         let file = self.spec.file()?;
         let base = Prepared::new(self.spec.checked(file.spec())?)?;
         let Some((name, drive)) = base.spec.drive.iter().next() else {
             return Err(Failure::Input("a basin needs a drive: add [drive.NAME] to the spec".to_owned()));
         };
+        check_drive(&self.spec, &base.kernel.plant, "a basin")?;
         let value = drive.frequency_hz;
         let key = self.spec.checked(file.numeric_key(&format!("drive.{name}.frequency")))?;
         let parameter = Parameter::new(&base, &key, value);
-        let cloud = Cloud { starts: self.starts, seed: self.seed, spread: self.spread };
-        let study = Study { base: &base, parameter: &parameter, value, cloud, tolerance: self.tolerance };
-        let mut pool = rayon::ThreadPoolBuilder::new();
-        if let Some(threads) = self.threads {
-            pool = pool.num_threads(threads);
-        }
-        let pool = pool.build().map_err(|error| Failure::Input(format!("the threads cannot be started: {error}")))?;
-        let answer = pool.install(|| study.run())?;
-        if answer.lost.len() == self.starts {
+        let starts = match grid::read(&self.grid, base.spec.stop.len())? {
+            Some(grid) => Starts::Grid(grid),
+            None => Starts::Cloud(Cloud { starts: self.starts, seed: self.seed, spread: self.spread }),
+        };
+        let of = starts.len();
+        let study = Study { base: &base, parameter: &parameter, value, starts, tolerance: self.tolerance };
+        let bar = progress::counted(of, "starts");
+        let answer = self.threads.run(|| study.run(&|| bar.inc(1)))??;
+        bar.finish_and_clear();
+        if answer.lost.len() == of {
             return Err(Failure::NotConverged(format!("every march failed; the first: {}", answer.lost[0].1)));
         }
         if let Some((index, why)) = answer.lost.first() {
-            eprintln!("{} of {} marches failed; start {index}: {why}", answer.lost.len(), self.starts);
+            eprintln!("{} of {} marches failed; start {index}: {why}", answer.lost.len(), of);
         }
-        self.tell(&base, &cloud, &answer)
+        self.tell(&base, &study.starts, &answer)
     }
 
-    fn tell(&self, base: &Prepared, cloud: &Cloud, answer: &BasinsAnswer) -> Result<(), Failure> {
+    fn tell(&self, base: &Prepared, starts: &Starts, answer: &BasinsAnswer) -> Result<(), Failure> {
         if let Some(folder) = &self.output.out {
             let manifest = self.spec.manifest(&base.spec, "basins").with("seed", self.seed).with("spread", self.spread);
             output::table(folder, "attractors", &table(answer)?, &manifest)?;
-            output::figure(folder, "basins", &drawn(&base.kernel.plant, cloud, answer))?;
+            output::figure(folder, "basins", &drawn(&base.kernel.plant, starts, answer))?;
+            output::table(folder, "starts", &starts_table(&base.kernel.plant, starts, answer)?, &manifest)?;
         }
         if self.output.json {
             print(&serde_json::json!({
@@ -76,7 +87,7 @@ impl Basins {
                 "expected_power_w": answer.expected_power_w,
                 "expected_power_low_w": answer.expected_power_low_w,
                 "expected_power_high_w": answer.expected_power_high_w,
-                "starts": self.starts,
+                "starts": starts.len(),
                 "lost": answer.lost.len(),
                 "seed": self.seed,
             }));
@@ -134,19 +145,44 @@ fn table(answer: &BasinsAnswer) -> Result<Table, Failure> {
     ])?)
 }
 
-/// The starts by displacement and velocity towards the stop, coloured by where they end.
-fn drawn(plant: &Plant, cloud: &Cloud, answer: &BasinsAnswer) -> Figure {
-    let n = plant.system.modes.len();
-    let mut panel = Panel::new(Axis::linear("Displacement towards the stop", "m"), Axis::linear("Velocity", "m/s")).high(380.0);
+/// One row for each start, in order.
+fn starts_table(plant: &Plant, starts: &Starts, answer: &BasinsAnswer) -> Result<Table, Failure> {
+    let all: Vec<SectionPoint> = (0..starts.len()).map(|index| SectionPoint::of(&plant.system, &starts.start(plant, index))).collect();
+    let home = |index: usize| answer.attractors.iter().find(|a| a.starts.contains(&index)).map_or("lost", |a| a.id.as_str()).to_owned();
+    let number = |name: &str, unit: &str, about: &str, value: fn(&SectionPoint) -> f64| {
+        Column::new(name, unit, about, all.iter().map(value).collect::<Vec<f64>>())
+    };
+    Ok(Table::new(vec![
+        Column::new("start", "", "number of the start, from 0", (0..all.len() as u64).collect::<Vec<_>>()),
+        number("displacement_m", "m", "displacement towards the stop", |point| point.displacement_m),
+        number("velocity_m_per_s", "m/s", "its velocity", |point| point.velocity_m_per_s),
+        number("voltage_v", "V", "voltage of the first patch", |point| point.voltage_v),
+        Column::new("attractor", "", "id of the attractor", (0..all.len()).map(home).collect::<Vec<_>>()),
+    ])?)
+}
+
+/// The starts by displacement and velocity towards the stop, or by the sides of their grid, coloured by where they end.
+fn drawn(plant: &Plant, starts: &Starts, answer: &BasinsAnswer) -> Figure {
+    let sides: Vec<GridAxis> = match starts {
+        Starts::Grid(grid) => grid.sides.iter().map(|side| side.axis).collect(),
+        Starts::Cloud(_) => Vec::new(),
+    };
+    let plane = match sides[..] {
+        [first, second, ..] => [first, second],
+        [GridAxis::Voltage] => [GridAxis::Voltage, GridAxis::Velocity],
+        _ => [GridAxis::Displacement, GridAxis::Velocity],
+    };
+    let [x, y] = plane.map(grid::axis);
+    let marker = if sides.is_empty() { Marker::Circle } else { Marker::Square };
+    let mut panel = Panel::new(x, y).high(380.0);
     for (k, attractor) in answer.attractors.iter().enumerate() {
-        let along = |start: &[f64]| plant.system.stops.first().map_or(0.0, |stop| stop.shape.iter().zip(start).map(|(s, q)| s * q).sum());
-        let (x, y) = (attractor.starts.iter())
-            .map(|index| {
-                let state = cloud.start(plant, *index);
-                (along(&state[..n]), along(&state[n..2 * n]))
-            })
-            .unzip();
-        panel = panel.with(Series::points(x, y, Marker::Circle).colour(Colour::nth(k)).label(&attractor.id));
+        let at = |index: &usize| {
+            let point = SectionPoint::of(&plant.system, &starts.start(plant, *index));
+            let [x, y] = plane.map(|axis| grid::value(axis, &point));
+            (x, y)
+        };
+        let (x, y) = attractor.starts.iter().map(at).unzip();
+        panel = panel.with(Series::points(x, y, marker).colour(Colour::nth(k)).label(&attractor.id));
     }
     Figure::new("Where starts end").with(panel)
 }

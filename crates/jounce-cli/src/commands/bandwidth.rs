@@ -1,0 +1,60 @@
+//! How `jounce branch` tells peaks and half-power bandwidths.
+
+use crate::failure::Failure;
+use crate::output::line;
+use jounce::spec::NumericKey;
+use jounce::study::{Bandwidth, Bandwidths, Edge, Limit};
+use jounce::table::{Column, Table};
+
+/// As JSON: the width, its error and its intervals; the peak stands beside it.
+pub fn listed(width: &Bandwidth) -> serde_json::Value {
+    serde_json::json!({ "width": width.width, "width_error": width.width_error, "intervals": width.intervals })
+}
+
+/// As lines of text.
+pub fn tell(width: &Bandwidth, unit: &str) {
+    let peak = &width.peak;
+    line(format!("  {:<16} {:>12.6} {unit}  {:.6e} W  ({})", "largest stable", peak.parameter, peak.mean_power_w, why(peak.at)));
+    line(format!("  {:<16} {:>12.6} {unit}  +- {:.1e}", "half-power width", width.width, width.width_error));
+    for interval in &width.intervals {
+        let (from, to) = (&interval.from, &interval.to);
+        line(format!("    from {:.6} ({}) to {:.6} {unit} ({})", from.parameter, why(from.at), to.parameter, why(to.at)));
+    }
+}
+
+/// What a place is.
+fn why(limit: Limit) -> &'static str {
+    match limit {
+        Limit::Maximum => "maximum",
+        Limit::HalfPower => "half power",
+        Limit::Stability => "stability lost",
+        Limit::End => "end of the branch",
+    }
+}
+
+/// One row for each interval of each branch, and of all together.
+pub fn table(key: &NumericKey, widths: &Bandwidths) -> Result<Table, Failure> {
+    let own = widths.branches.iter().enumerate().map(|(k, width)| (k.to_string(), width));
+    let all: Vec<(String, &Bandwidth, Edge, Edge)> = (own.chain([("all".to_owned(), &widths.together)]))
+        .filter_map(|(name, width)| Some((name, width.as_ref()?)))
+        .flat_map(|(name, width)| width.intervals.iter().map(move |interval| (name.clone(), width, interval.from, interval.to)))
+        .collect();
+    let number = |name: &str, unit: &str, about: &str, value: &dyn Fn(&(String, &Bandwidth, Edge, Edge)) -> f64| {
+        Column::new(name, unit, about, all.iter().map(value).collect::<Vec<f64>>())
+    };
+    let text = |name: &str, about: &str, value: &dyn Fn(&(String, &Bandwidth, Edge, Edge)) -> String| {
+        Column::new(name, "", about, all.iter().map(value).collect::<Vec<String>>())
+    };
+    let unit = key.unit();
+    Ok(Table::new(vec![
+        text("branch", "number of the branch, from 0; `all` for all together", &|row| row.0.clone()),
+        number("peak_parameter", &unit, "where a stable orbit has the largest power", &|row| row.1.peak.parameter),
+        number("peak_mean_power_w", "W", "mean power there", &|row| row.1.peak.mean_power_w),
+        number("from", &unit, "lower end of a range with at least half of it", &|row| row.2.parameter),
+        number("from_error", &unit, "its estimated error", &|row| row.2.parameter_error),
+        text("from_at", "what ends the range", &|row| why(row.2.at).to_owned()),
+        number("to", &unit, "upper end", &|row| row.3.parameter),
+        number("to_error", &unit, "its estimated error", &|row| row.3.parameter_error),
+        text("to_at", "what ends the range", &|row| why(row.3.at).to_owned()),
+    ])?)
+}

@@ -1,0 +1,172 @@
+//! `jounce diagram SPEC --over KEY=RANGE`
+
+mod drawn;
+mod told;
+
+use crate::cache;
+use crate::failure::Failure;
+use crate::output;
+use crate::progress;
+use crate::spec_arguments::{OutputArguments, SpecArguments, check_drive, check_tolerance};
+use crate::threads::ThreadsArgument;
+use clap::{Args, ValueEnum};
+use jounce::spec::{KeyRange, Spec};
+use jounce::study::{Branch, BranchSearch, Cloud, Diagram as Study, History, Journal, Method, Motion, Order, Parameter, Prepared};
+use jounce::study::{Visit, Watch};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Order of visit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Direction {
+    /// From the first value to the last, the state carried over.
+    Up,
+    /// From the last value to the first, the state carried over.
+    Down,
+    /// Up, then down from where it arrived.
+    Both,
+    /// At each value from every start of a cloud; attractors are matched from value to value.
+    Starts,
+}
+
+/// Arguments of `diagram`.
+#[derive(Debug, Args)]
+pub struct Diagram {
+    #[command(flatten)]
+    spec: SpecArguments,
+    /// The key and its values: KEY=FROM:TO:STEP, KEY=FROM:TO:Nx, KEY=FROM:TO:Nlog or KEY=A,B,C.
+    #[arg(long, value_name = "KEY=RANGE")]
+    over: String,
+    /// Order in which the values are visited.
+    #[arg(long, value_enum, default_value = "both")]
+    direction: Direction,
+    /// Starts at each value, with --direction starts.
+    #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
+    starts: u32,
+    /// Seed of their cloud.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Size of the cloud at the stop, in gaps (or steady amplitudes, where those are larger).
+    #[arg(long, default_value_t = 10.0)]
+    spread: f64,
+    /// Drive cycles shown of a motion without a period.
+    #[arg(long, default_value_t = 64, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    cycles: u32,
+    /// Relative tolerance of the marches.
+    #[arg(long, default_value_t = 1e-8)]
+    tolerance: f64,
+    /// Leaves out the continued branches.
+    #[arg(long)]
+    no_branches: bool,
+    /// Longest period of a continued branch, in drive cycles.
+    #[arg(long, default_value_t = 4)]
+    longest_period: u32,
+    #[command(flatten)]
+    threads: ThreadsArgument,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
+/// What a diagram has to tell.
+struct Answer {
+    visits: Vec<Visit>,
+    history: Option<History>,
+    branches: Vec<Branch>,
+}
+
+impl Diagram {
+    /// Marches the diagram and reports.
+    pub fn run(&self) -> Result<(), Failure> {
+        check_tolerance(self.tolerance)?;
+        if !(self.spread > 0.0 && self.spread.is_finite()) {
+            return Err(Failure::usage(format!("--spread {}: give a number greater than 0", self.spread)));
+        }
+        let file = self.spec.file()?;
+        let spec = self.spec.checked(file.spec())?;
+        let range = self.spec.checked(file.range(&self.over))?;
+        let values = range.values();
+        if values.windows(2).any(|pair| pair[0] >= pair[1]) {
+            return Err(Failure::usage(format!("{}: the values of a diagram must rise", self.over)));
+        }
+        let (low, high) = (values[0], values[values.len() - 1]);
+        let base = Prepared::new(spec.clone())?;
+        check_drive(&self.spec, &base.kernel.plant, "a diagram")?;
+        let watch = Watch::default();
+        let width = if high > low { high - low } else { high.abs().max(1e-12) };
+        let parameter = Parameter::new(&base, range.key(), width).watched(Some(&watch));
+        let order = self.order();
+        let study = Study { base: &base, parameter: &parameter, values, order, cycles: self.cycles, tolerance: self.tolerance };
+        let visits = self.marched(&study, &spec)?;
+        let history = match order {
+            Order::Starts(_) => Some(progress::watched(&watch, || self.threads.run(|| study.history(&visits)))??),
+            Order::Up | Order::Down | Order::Both => None,
+        };
+        let search = BranchSearch {
+            base: &base,
+            parameter: &parameter,
+            range: (low, high),
+            method: Method::Shooting,
+            tolerance: self.tolerance,
+            seeds: 4,
+            longest_period: self.longest_period,
+        };
+        let wanted = !self.no_branches && high > low;
+        let branches = if wanted { progress::watched(&watch, || self.threads.run(|| search.run()))?? } else { Vec::new() };
+        self.tell(&spec, (&base, &parameter, &range), &Answer { visits, history, branches })
+    }
+
+    fn order(&self) -> Order {
+        match self.direction {
+            Direction::Up => Order::Up,
+            Direction::Down => Order::Down,
+            Direction::Both => Order::Both,
+            Direction::Starts => Order::Starts(Cloud { starts: self.starts as usize, seed: self.seed, spread: self.spread }),
+        }
+    }
+
+    /// The marches, going on where an interrupted call of the same command stopped.
+    fn marched(&self, study: &Study, spec: &Spec) -> Result<Vec<Visit>, Failure> {
+        let options = format!("diagram {} {:?} {} {}", self.over, study.order, self.cycles, self.tolerance);
+        let journal = Journal::<Visit>::open(&cache::folder(), &cache::key(&spec.hash_hex(), &options))?;
+        let bar = progress::counted(study.len(), "marches");
+        bar.set_position(journal.found().len() as u64);
+        if !journal.found().is_empty() {
+            eprintln!("going on after {} finished marches", journal.found().len());
+        }
+        let stop = Arc::new(AtomicBool::new(false));
+        let asked = Arc::clone(&stop);
+        let _ = ctrlc::set_handler(move || asked.store(true, Ordering::Relaxed));
+        let visits = self.threads.run(|| study.run(Some(&journal), &stop, &|_| bar.inc(1)))??;
+        bar.finish_and_clear();
+        if visits.len() < study.len() {
+            let text = format!("stopped after {} of {} marches; the same command goes on from there", visits.len(), study.len());
+            return Err(Failure::Interrupted(text));
+        }
+        journal.finish()?;
+        let lost = visits.iter().filter(|visit| visit.motion == Motion::Lost).count();
+        if lost == visits.len() {
+            return Err(Failure::NotConverged("every march failed; a larger --tolerance or another range may help".to_owned()));
+        }
+        if lost > 0 {
+            eprintln!("{lost} of {} marches failed; their motion is `lost`", visits.len());
+        }
+        Ok(visits)
+    }
+
+    fn tell(&self, spec: &Spec, (base, parameter, range): (&Prepared, &Parameter, &KeyRange), answer: &Answer) -> Result<(), Failure> {
+        if let Some(folder) = &self.output.out {
+            let manifest = self.spec.manifest(spec, "diagram").with("over", &self.over).with("seed", self.seed);
+            output::table(folder, "diagram", &told::points(range.key(), answer)?, &manifest)?;
+            if let Some(history) = &answer.history {
+                output::table(folder, "attractors", &told::attractors(range.key(), history)?, &manifest)?;
+            }
+            output::figure(folder, "diagram", &drawn::figure((base, parameter), range.key(), answer)?)?;
+        }
+        if self.output.json {
+            told::json(range.key(), answer);
+        } else {
+            told::text(range.key(), answer);
+        }
+        Ok(())
+    }
+}

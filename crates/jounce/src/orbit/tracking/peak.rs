@@ -1,0 +1,136 @@
+//! Power that is stationary along the curve of orbits over the first parameter, as a scalar.
+//!
+//! ```text
+//! g = (L / P) dP/ds,   s the length along the curve of (u, (p - p0) / unit),   L = |u|
+//! ```
+//!
+//! `dP/ds` is a difference along the tangent, of fourth order in its width; what moves off the curve by its bend does so alike on both
+//! sides and cancels. The gradient of `g` is needed on the surface of orbits only, where two directions span everything: along the
+//! curve (`d2P/ds2`, with the bend of the curve put back by one shot more), and to the neighbouring curve at another second parameter.
+//!
+//! Validation: `tests/orbits/peaks.rs` compares peaks and optimal loads with the closed forms of a harvester that never touches.
+
+use super::condition::Gradient;
+use super::plane::Plane;
+use super::tracked::Tracking;
+use crate::orbit::border::solve_bordered;
+use crate::orbit::{Harvester, OrbitError, Shot, null_vector};
+use faer::{ColRef, Mat};
+
+/// Width of the difference along the curve, beside the size of the state.
+const WIDTH: f64 = 3e-3;
+
+/// Way to the neighbouring curve, in differences of the second parameter.
+const ASIDE: f64 = 1e2;
+
+/// The line through a place, linearised.
+struct Tangent {
+    matrix: Mat<f64>,
+    column: Vec<f64>,
+    /// Unit vector of `(u, (p - p0) / unit)`.
+    along: Vec<f64>,
+}
+
+impl Tangent {
+    fn of(shot: &Shot, ahead: &Shot, difference: f64, unit: f64) -> Option<Self> {
+        let n = shot.residual.len();
+        let matrix = Mat::from_fn(n, n, |i, j| shot.map[(i, j)] - f64::from(u8::from(i == j)));
+        let column: Vec<f64> = (0..n).map(|i| unit * (ahead.residual[i] - shot.residual[i]) / difference).collect();
+        let square = Mat::from_fn(n + 1, n + 1, |i, j| match (i < n, j < n) {
+            (true, true) => matrix[(i, j)],
+            (true, false) => column[i],
+            (false, _) => 0.0,
+        });
+        let rough = null_vector(&square);
+        let (mut along, last) = solve_bordered(&matrix, &column, (&rough[..n], rough[n]), (&vec![0.0; n], 1.0))?;
+        along.push(last);
+        let length = ColRef::from_slice(&along).norm_l2();
+        along.iter_mut().for_each(|t| *t /= length);
+        Some(Self { matrix, column, along })
+    }
+
+    /// The shortest change that changes the residual by `right`.
+    fn across(&self, right: &[f64]) -> Option<Vec<f64>> {
+        let n = right.len();
+        let (mut change, last) = solve_bordered(&self.matrix, &self.column, (&self.along[..n], self.along[n]), (right, 0.0))?;
+        change.push(last);
+        Some(change)
+    }
+}
+
+fn power_w(shot: &Shot) -> f64 {
+    shot.loads_w.iter().sum()
+}
+
+type Failure<P> = OrbitError<<<P as Plane>::Line as Harvester>::Error>;
+
+impl<P: Plane> Tracking<'_, P> {
+    /// `g` with its gradient on the surface of orbits; `ahead` and `aside` are shots at parameters moved by the differences of the plane.
+    pub(super) fn peak(
+        &self,
+        (start, parameter, parameter_2): (&[f64], f64, f64),
+        line: &P::Line,
+        shot: &Shot,
+        [ahead, aside]: [&Shot; 2],
+    ) -> Result<Option<Gradient>, Failure<P>> {
+        let differences = self.plane.differences();
+        let n = start.len();
+        let Some(tangent) = Tangent::of(shot, ahead, differences[0], self.unit) else { return Ok(None) };
+        let (size, own_w) = (ColRef::from_slice(start).norm_l2(), power_w(shot));
+        let width = WIDTH * size;
+        let here = (start, parameter);
+        let [behind, before, after, beyond] = [-2.0, -1.0, 1.0, 2.0].map(|k| self.shoot_off(line, here, &tangent.along, k * width));
+        let (before, after) = (before?, after?);
+        let near = power_w(&after) - power_w(&before);
+        let far = power_w(&beyond?) - power_w(&behind?);
+        // Half-way between the two sides the straight way has left the curve by the bend.
+        let bend: Vec<f64> = (0..n).map(|i| shot.residual[i] - 0.5 * (before.residual[i] + after.residual[i])).collect();
+        let Some(bend) = tangent.across(&bend) else { return Ok(None) };
+        let bent_w = power_w(&self.shoot_off(line, here, &bend, 1.0)?);
+        let second = power_w(&after) + power_w(&before) - 2.0 * own_w + 2.0 * (bent_w - own_w);
+        let per_length = second / (width * width) * size / own_w;
+        let step = ASIDE * differences[1];
+        let right: Vec<f64> = (0..n).map(|i| -(aside.residual[i] - shot.residual[i]) / differences[1]).collect();
+        let Some(to_side) = tangent.across(&right) else { return Ok(None) };
+        let there = self.slope_aside((start, parameter, parameter_2), &tangent.along, &to_side, step)?;
+        let Some(there) = there else { return Ok(None) };
+        Ok(Some(Gradient {
+            value: (8.0 * near - far) / (12.0 * width) * size / own_w,
+            by_unknown: tangent.along[..n].iter().map(|t| per_length * t).collect(),
+            by_parameters: [per_length * tangent.along[n] / self.unit, (there - near / (2.0 * width) * size / own_w) / step],
+            bend: Some(per_length * size),
+        }))
+    }
+
+    /// A shot off a place by a change of `(u, (p - p0) / unit)`.
+    fn shoot_off(&self, line: &P::Line, (start, parameter): (&[f64], f64), change: &[f64], length: f64) -> Result<Shot, Failure<P>> {
+        let n = start.len();
+        let moved: Vec<f64> = start.iter().zip(change).map(|(u, d)| u + length * d).collect();
+        Ok(self.shooting(line).shoot(&moved, parameter + length * self.unit * change[n])?.0)
+    }
+
+    /// `g` by a difference of second order on the neighbouring curve.
+    fn slope_aside(
+        &self,
+        (start, parameter, parameter_2): (&[f64], f64, f64),
+        along: &[f64],
+        to_side: &[f64],
+        step: f64,
+    ) -> Result<Option<f64>, Failure<P>> {
+        let n = start.len();
+        let line = self.plane.line(parameter_2 + step).map_err(OrbitError::Harvester)?;
+        let there: Vec<f64> = start.iter().zip(to_side).map(|(u, d)| u + step * d).collect();
+        let parameter = parameter + step * self.unit * to_side[n];
+        let difference = self.plane.differences()[0];
+        let shooting = self.shooting(&line);
+        let (shot, _) = shooting.shoot(&there, parameter)?;
+        let (ahead, _) = shooting.shoot(&there, parameter + difference)?;
+        let Some(tangent) = Tangent::of(&shot, &ahead, difference, self.unit) else { return Ok(None) };
+        let sense: f64 = tangent.along.iter().zip(along).map(|(a, b)| a * b).sum();
+        let size = ColRef::from_slice(start).norm_l2();
+        let width = WIDTH * size;
+        let side = |way: f64| self.shoot_off(&line, (&there, parameter), &tangent.along, way * width);
+        let near = power_w(&side(1.0)?) - power_w(&side(-1.0)?);
+        Ok(Some(sense.signum() * near / (2.0 * width) * size / power_w(&shot)))
+    }
+}

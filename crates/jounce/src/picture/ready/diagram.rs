@@ -1,0 +1,51 @@
+//! A bifurcation diagram: marched points over the continued branches.
+
+use super::branches::{BranchLine, panel};
+use crate::picture::{Axis, Colour, Figure, Marker, Panel, Series};
+
+/// Marched points of one name.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DiagramDots {
+    /// Name: `stepped up`, `1a`.
+    pub label: String,
+    /// The parameter of each point.
+    pub parameter: Vec<f64>,
+    /// Its value.
+    pub value: Vec<f64>,
+}
+
+/// One panel of a diagram.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DiagramView {
+    /// The value.
+    pub value: Axis,
+    /// Continued branches.
+    pub lines: Vec<BranchLine>,
+    /// Marched points.
+    pub dots: Vec<DiagramDots>,
+}
+
+/// Colours of dots come after this many for branches.
+const FIRST_COLOUR: usize = 3;
+
+/// Markers of dots, one after the other.
+const MARKERS: [Marker; 4] = [Marker::Circle, Marker::Square, Marker::Ring, Marker::Right];
+
+/// Panels over one parameter.
+pub fn diagram(title: &str, parameter: &Axis, views: &[DiagramView]) -> Figure {
+    let mut figure = Figure::new(title);
+    for view in views {
+        let mut drawn = panel(Panel::new(parameter.clone(), view.value.clone()).high(340.0), &view.lines, &[]);
+        for (k, dots) in view.dots.iter().enumerate() {
+            let points = Series::points(dots.parameter.clone(), dots.value.clone(), MARKERS[k % MARKERS.len()]);
+            drawn = drawn.with(points.colour(Colour::nth(FIRST_COLOUR + k)).label(&dots.label));
+        }
+        if !figure.panels.is_empty() {
+            // The first panel names everything.
+            drawn.series.retain(|series| !series.x.is_empty());
+            drawn.series.iter_mut().for_each(|series| series.label = None);
+        }
+        figure = figure.with(drawn);
+    }
+    figure
+}

@@ -1,0 +1,198 @@
+//! Peaks and half-power bandwidths of branches, stable orbits only.
+//!
+//! A branch is cut into segments on which it is stable: the ways between its points, ended where the largest multiplier passes
+//! modulus one. The peak is an end of a segment or a zero of `dP/ds`; the zeros of `P - P_peak / 2` end what lies above half of it.
+//!
+//! Errors: `E |P| / |dP/dp|` at a half-power edge and `E |P| / |d2P/dp2| / step` at a peak, with `E` the error of the power, twice that
+//! of the state; where stability is lost the error of the multiplier over its slope.
+
+use super::answer::{Bandwidth, Bandwidths, Edge, Interval, Limit, Peak};
+use super::merge::merged;
+use super::piece::{Piece, Place};
+use crate::continuation::Corrector;
+use crate::orbit::Shooting;
+use crate::study::{Branch, BranchPoint, Ending, Parameter, Prepared};
+use rayon::prelude::*;
+
+/// Pieces whose power is below this share of the largest hide no peak of their own.
+const NEAR_PEAK: f64 = 0.9;
+
+/// Error of a multiplier, beside the tolerance of the march.
+const MULTIPLIER: f64 = 1e3;
+
+/// Way to a place beside another one, as a share of a piece.
+const SIDE: f64 = 0.02;
+
+/// Branches to be measured.
+#[derive(Debug)]
+pub struct BandwidthSearch<'s> {
+    /// The spec at its own values.
+    pub base: &'s Prepared,
+    /// The harvesters.
+    pub parameter: &'s Parameter<'s>,
+    /// Ends of the range.
+    pub range: (f64, f64),
+    /// Relative tolerance of the marches.
+    pub tolerance: f64,
+}
+
+/// An end of a segment.
+#[derive(Debug, Clone, Copy)]
+struct Node {
+    /// Share of the piece.
+    x: f64,
+    power_w: f64,
+    edge: Edge,
+}
+
+/// A stable part of the way between two neighbouring points.
+#[derive(Clone, Copy)]
+struct Segment<'b> {
+    cycles: u32,
+    points: [&'b BranchPoint; 2],
+    ends: [Node; 2],
+}
+
+/// The stable part of a branch with its peak.
+struct Stable<'b> {
+    segments: Vec<Segment<'b>>,
+    peak: Peak,
+}
+
+impl<'s> BandwidthSearch<'s> {
+    /// Measures branches, each for itself and all together.
+    pub fn run(&self, branches: &[Branch]) -> Bandwidths {
+        let stable: Vec<Option<Stable>> = branches.par_iter().map(|branch| self.stable(branch)).collect();
+        let own = |found: &Option<Stable>| found.as_ref().map(|found| self.above_half(found.peak, &found.segments));
+        let own = stable.iter().map(own).collect();
+        let all: Vec<Stable> = stable.into_iter().flatten().collect();
+        let highest = all.iter().map(|found| found.peak).max_by(|a, b| a.mean_power_w.total_cmp(&b.mean_power_w));
+        let segments: Vec<Segment> = all.into_iter().flat_map(|found| found.segments).collect();
+        Bandwidths { branches: own, together: highest.map(|peak| self.above_half(peak, &segments)) }
+    }
+
+    fn stable<'b>(&self, branch: &'b Branch) -> Option<Stable<'b>> {
+        let pairs: Vec<&[BranchPoint]> = branch.points.windows(2).collect();
+        let segments: Vec<Segment> =
+            pairs.into_par_iter().filter_map(|pair| self.segment(branch.period_cycles, [&pair[0], &pair[1]])).collect();
+        let mut peak = self.peak(&segments)?;
+        let outer = branch.points.first().into_iter().chain(branch.points.last());
+        let closed = branch.endings.contains(&Ending::Closed);
+        if peak.at == Limit::End && (closed || outer.into_iter().all(|point| point.parameter != peak.parameter)) {
+            peak.at = Limit::Maximum;
+        }
+        Some(Stable { segments, peak })
+    }
+
+    fn piece(&self, segment: &Segment) -> Option<Piece<'s, Parameter<'s>>> {
+        let shooting = Shooting::new(self.parameter, &self.base.kernel, segment.cycles, self.tolerance);
+        let corrector = Corrector { goal: (10.0 * self.tolerance).clamp(1e-11, 1e-6), most: 8 };
+        Piece::new(shooting, corrector, (self.range.1 - self.range.0) / 20.0, segment.points)
+    }
+
+    /// The stable part between two neighbouring points.
+    fn segment<'b>(&self, cycles: u32, points: [&'b BranchPoint; 2]) -> Option<Segment<'b>> {
+        let end = |x: f64, point: &BranchPoint| Node {
+            x,
+            power_w: point.orbit.mean_power_w,
+            edge: Edge { parameter: point.parameter, parameter_error: 0.0, at: Limit::End },
+        };
+        let mut segment = Segment { cycles, points, ends: [end(0.0, points[0]), end(1.0, points[1])] };
+        match points.map(|point| point.orbit.is_stable()) {
+            [true, true] => {}
+            [false, false] => return None,
+            [first, _] => segment.ends[usize::from(first)] = self.stability_edge(&segment, if first { -SIDE } else { SIDE })?,
+        }
+        Some(segment)
+    }
+
+    /// The place where the largest multiplier has modulus one; `inwards` leads to the stable side.
+    fn stability_edge(&self, segment: &Segment, inwards: f64) -> Option<Node> {
+        let piece = self.piece(segment)?;
+        let margin = |place: &Place| 1.0 - place.orbit.floquet_max_abs();
+        let found = piece.zero((0.0, 1.0), |_, place| Some(margin(place)))?;
+        let beside = piece.at(found.place.x + inwards)?;
+        let slope = (margin(&beside) - margin(&found.place)) / inwards;
+        let off = found.bracket + MULTIPLIER * self.tolerance / slope.abs();
+        // At a fold the key is stationary: what counts there is of second order.
+        let parameter_error = off * piece.parameter_slope(found.place.x)?.abs() + off * off * (self.range.1 - self.range.0);
+        let edge = Edge { parameter: found.place.parameter, parameter_error, at: Limit::Stability };
+        Some(Node { x: found.place.x, power_w: found.place.orbit.mean_power_w, edge })
+    }
+
+    /// The largest power on some segments: at an end of one or inside.
+    fn peak(&self, segments: &[Segment]) -> Option<Peak> {
+        let ends = || segments.iter().flat_map(|segment| segment.ends);
+        let highest = ends().max_by(|a, b| a.power_w.total_cmp(&b.power_w))?;
+        let worth = |segment: &&Segment| segment.tops(segments).is_some_and(|power_w| power_w >= NEAR_PEAK * highest.power_w);
+        let maxima: Vec<Node> = segments.iter().filter(worth).filter_map(|segment| self.maximum(segment)).collect();
+        let best = maxima
+            .into_iter()
+            .filter(|node| node.power_w >= highest.power_w)
+            .fold(highest, |a, b| if b.power_w >= a.power_w { b } else { a });
+        let Edge { parameter, parameter_error, at } = best.edge;
+        Some(Peak { parameter, parameter_error, mean_power_w: best.power_w, at })
+    }
+
+    /// The maximum inside a segment, where power rises into it from both ends.
+    fn maximum(&self, segment: &Segment) -> Option<Node> {
+        let piece = self.piece(segment)?;
+        let [from, to] = segment.ends.map(|end| end.x);
+        let found = piece.maximum((from, to))?;
+        let beside = |step: f64| piece.power_slope_w(found.place.x + step);
+        let second = (beside(SIDE)? - beside(-SIDE)?) / (2.0 * SIDE);
+        let power_w = found.place.orbit.mean_power_w;
+        let off = found.bracket + 2.0 * found.place.orbit.error_estimate * power_w / (SIDE * second.abs());
+        let parameter_error = off * piece.parameter_slope(found.place.x)?.abs();
+        Some(Node { x: found.place.x, power_w, edge: Edge { parameter: found.place.parameter, parameter_error, at: Limit::Maximum } })
+    }
+
+    /// Where stable orbits have at least half a peak.
+    fn above_half(&self, peak: Peak, segments: &[Segment]) -> Bandwidth {
+        let half_w = 0.5 * peak.mean_power_w;
+        merged(peak, segments.iter().filter_map(|segment| self.above(segment, half_w)).collect())
+    }
+
+    /// The range of a segment above a power.
+    fn above(&self, segment: &Segment, half_w: f64) -> Option<Interval> {
+        let mut edges = segment.ends.map(|end| end.edge);
+        match segment.ends.map(|end| end.power_w >= half_w) {
+            [true, true] => {}
+            [false, false] => return None,
+            [first, _] => edges[usize::from(first)] = self.half_power(segment, half_w).unwrap_or_else(|| segment.between(half_w)),
+        }
+        let [a, b] = edges;
+        Some(if a.parameter <= b.parameter { Interval { from: a, to: b } } else { Interval { from: b, to: a } })
+    }
+
+    /// The place of a segment where power is half the peak.
+    fn half_power(&self, segment: &Segment, half_w: f64) -> Option<Edge> {
+        let piece = self.piece(segment)?;
+        let [from, to] = segment.ends.map(|end| end.x);
+        let found = piece.zero((from, to), |_, place| Some(place.orbit.mean_power_w - half_w))?;
+        let off = found.bracket + 2.0 * found.place.orbit.error_estimate * half_w / piece.power_slope_w(found.place.x)?.abs();
+        let parameter_error = off * piece.parameter_slope(found.place.x)?.abs();
+        Some(Edge { parameter: found.place.parameter, parameter_error, at: Limit::HalfPower })
+    }
+}
+
+impl Segment<'_> {
+    /// The larger power of its ends, where no neighbour goes on upwards from there.
+    fn tops(&self, all: &[Segment]) -> Option<f64> {
+        let top = usize::from(self.ends[1].power_w > self.ends[0].power_w);
+        let power_w = self.ends[top].power_w;
+        let rises = |other: &Segment| {
+            let shared = other.points.iter().position(|point| std::ptr::eq(*point, self.points[top]));
+            shared.is_some_and(|shared| other.ends[1 - shared].power_w > power_w)
+        };
+        (!all.iter().any(rises)).then_some(power_w)
+    }
+
+    /// Half power by the line between the ends, where the curve between them cannot be had.
+    fn between(&self, half_w: f64) -> Edge {
+        let [a, b] = self.ends;
+        let way = b.edge.parameter - a.edge.parameter;
+        let share = (half_w - a.power_w) / (b.power_w - a.power_w);
+        Edge { parameter: a.edge.parameter + share * way, parameter_error: way.abs(), at: Limit::HalfPower }
+    }
+}

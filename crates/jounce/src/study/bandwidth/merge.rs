@@ -1,0 +1,39 @@
+//! Ranges that overlap or touch become one.
+
+use super::answer::{Bandwidth, Interval, Peak};
+
+/// The bandwidth of some ranges in any order.
+pub fn merged(peak: Peak, mut ranges: Vec<Interval>) -> Bandwidth {
+    ranges.sort_by(|a, b| a.from.parameter.total_cmp(&b.from.parameter));
+    let mut intervals: Vec<Interval> = Vec::new();
+    for range in ranges {
+        match intervals.last_mut() {
+            Some(last) if range.from.parameter <= last.to.parameter => {
+                if range.to.parameter > last.to.parameter {
+                    last.to = range.to;
+                }
+            }
+            _ => intervals.push(range),
+        }
+    }
+    let width = intervals.iter().map(|range| range.to.parameter - range.from.parameter).sum();
+    let width_error = intervals.iter().map(|range| range.to.parameter_error + range.from.parameter_error).sum();
+    Bandwidth { peak, width, width_error, intervals }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::answer::{Edge, Limit};
+    use super::*;
+
+    #[test]
+    fn ranges_that_touch_are_one_and_their_outer_ends_stay() {
+        let edge = |parameter: f64, at: Limit| Edge { parameter, parameter_error: 0.5, at };
+        let range = |a: f64, b: f64| Interval { from: edge(a, Limit::HalfPower), to: edge(b, Limit::Stability) };
+        let peak = Peak { parameter: 2.0, parameter_error: 0.0, mean_power_w: 1.0, at: Limit::Maximum };
+        let found = merged(peak, vec![range(5.0, 6.0), range(1.0, 2.0), range(2.0, 3.0), range(1.5, 1.7)]);
+        let ends: Vec<(f64, f64)> = found.intervals.iter().map(|one| (one.from.parameter, one.to.parameter)).collect();
+        assert_eq!(ends, [(1.0, 3.0), (5.0, 6.0)]);
+        assert!(found.width == 3.0 && found.width_error == 2.0 && found.intervals[0].to.at == Limit::Stability);
+    }
+}

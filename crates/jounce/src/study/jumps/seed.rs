@@ -1,0 +1,62 @@
+//! Places on one line of the plane from which curves start.
+
+use super::CurveKind;
+use crate::orbit::{Condition, Harvester};
+use crate::study::bandwidth::{Piece, Zero};
+use crate::study::{Bifurcation, Branch, BranchKind, BranchPoint};
+
+/// A place on a branch, on or near a curve.
+#[derive(Debug, Clone)]
+pub struct Seed {
+    /// What the curve is of.
+    pub kind: CurveKind,
+    /// Drive cycles of the period.
+    pub cycles: u32,
+    /// State at the start of the period, energy coordinates.
+    pub state: Vec<f64>,
+    /// First key.
+    pub parameter: f64,
+    /// Mean power, W.
+    pub mean_power_w: f64,
+}
+
+impl Seed {
+    /// A bifurcation of a branch.
+    pub fn bifurcation(branch: &Branch, found: &Bifurcation) -> Self {
+        Self {
+            kind: CurveKind::Bifurcation(found.kind),
+            cycles: branch.period_cycles,
+            state: found.at.orbit.start().to_vec(),
+            parameter: found.at.parameter,
+            mean_power_w: found.at.orbit.mean_power_w,
+        }
+    }
+
+    /// Maxima of power inside a branch, each where power is stationary on the curve; `piece` gives the curve between two points.
+    pub fn peaks<'h, H: Harvester + 'h>(branch: &Branch, piece: impl Fn([&BranchPoint; 2]) -> Option<Piece<'h, H>>) -> Vec<Self> {
+        let power_w = |k: usize| branch.points[k].orbit.mean_power_w;
+        let inner = 1..branch.points.len().saturating_sub(1);
+        let highest = inner.filter(|k| power_w(*k) >= power_w(k - 1) && power_w(*k) > power_w(k + 1));
+        let around = |k: usize| [k - 1, k].into_iter().find_map(|k| piece([&branch.points[k], &branch.points[k + 1]])?.maximum((0.0, 1.0)));
+        let seed = |found: Zero| Self {
+            kind: CurveKind::Peak,
+            cycles: branch.period_cycles,
+            state: found.place.orbit.start().to_vec(),
+            parameter: found.place.parameter,
+            mean_power_w: found.place.orbit.mean_power_w,
+        };
+        highest.filter_map(around).map(seed).collect()
+    }
+
+    /// What is zero on the curve; `None` for what is not followed.
+    pub fn condition(&self) -> Option<Condition> {
+        Some(match self.kind {
+            CurveKind::Peak => Condition::Peak,
+            CurveKind::Bifurcation(BranchKind::Fold) => Condition::Multiplier(1.0),
+            CurveKind::Bifurcation(BranchKind::PeriodDoubling) => Condition::Multiplier(-1.0),
+            CurveKind::Bifurcation(BranchKind::NeimarkSacker) => Condition::Circle,
+            CurveKind::Bifurcation(BranchKind::Grazing) => Condition::Touching,
+            CurveKind::Bifurcation(BranchKind::BranchPoint) => return None,
+        })
+    }
+}

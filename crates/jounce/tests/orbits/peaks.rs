@@ -1,0 +1,99 @@
+//! Peaks of power and optimal loads followed over two keys, and tori against where they are found along one key.
+
+use crate::harvesters::{bench, branches};
+use jounce::linear::{optimal_resistance, steady_power_w};
+use jounce::spec::SpecFile;
+use jounce::study::{BandwidthSearch, CurveKind, JumpCurve, JumpSearch, Method, Parameter, Prepared};
+
+fn untouched() -> SpecFile {
+    let mut file = bench();
+    file.set("stop.tip.gap", "\"500 mm\"").unwrap();
+    file
+}
+
+fn peaks(file: &SpecFile, keys: [&str; 2], ranges: [(f64, f64); 2]) -> Vec<JumpCurve> {
+    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let keys = keys.map(|key| file.numeric_key(key).unwrap());
+    let search = JumpSearch {
+        base: &base,
+        keys: [&keys[0], &keys[1]],
+        ranges,
+        tolerance: 1e-10,
+        seeds: 0,
+        longest_period: 1,
+        peaks: true,
+        watch: None,
+    };
+    let found: Vec<JumpCurve> = search.run().unwrap().into_iter().filter(|curve| curve.kind == CurveKind::Peak).collect();
+    found.iter().for_each(|curve| eprintln!("{} points, {:?}", curve.points.len(), curve.failures));
+    found
+}
+
+/// Resistance of most power at each frequency: `1 / |Y|` by Thevenin. Newton ends at 1e-7 of the state, and so does the power, which is
+/// flat there. Measured at tolerance 1e-10: loads off by 5e-6 at most, powers by 2e-8.
+#[test]
+fn the_optimal_load_of_a_harvester_that_never_touches_is_the_closed_form() {
+    let found = peaks(&untouched(), ["circuit.load.resistance", "drive.shaker.frequency"], [(1e4, 4e5), (8.2, 9.4)]);
+    let [curve] = &found[..] else { panic!("{} curves", found.len()) };
+    assert!(curve.failures.is_empty() && curve.points.len() > 5);
+    let spec = untouched().spec().unwrap();
+    let mut worst = 0.0_f64;
+    for point in &curve.points {
+        let mut spec = spec.clone();
+        spec.drive.values_mut().for_each(|drive| drive.frequency_hz = point.parameter_2);
+        let exact = optimal_resistance(&Prepared::new(spec).unwrap().kernel.plant, 0).unwrap();
+        worst = worst.max((point.parameter / exact.resistance_ohm - 1.0).abs());
+        assert!((point.mean_power_w / exact.mean_power_w - 1.0).abs() < 2e-7 && point.stable == Some(true), "{point:?} {exact:?}");
+    }
+    eprintln!("{} loads, off by {worst:.1e}", curve.points.len());
+    assert!(worst < 3e-5);
+    assert!(curve.points.iter().any(|point| point.parameter_2 == 8.2) && curve.points.iter().any(|point| point.parameter_2 == 9.4));
+}
+
+/// Frequency of most power at each load, by the slope of the steady power. Measured at tolerance 1e-10: off by 1e-8 Hz at most.
+#[test]
+fn the_resonance_of_a_harvester_that_never_touches_is_that_of_the_steady_power() {
+    let found = peaks(&untouched(), ["drive.shaker.frequency", "circuit.load.resistance"], [(8.2, 9.2), (2e4, 5e5)]);
+    let [curve] = &found[..] else { panic!("{} curves", found.len()) };
+    assert!(curve.failures.is_empty() && curve.points.len() > 5);
+    let spec = untouched().spec().unwrap();
+    let mut worst = 0.0_f64;
+    for point in &curve.points {
+        let mut spec = spec.clone();
+        spec.circuit.values_mut().for_each(|load| load.resistance_ohm = point.parameter_2);
+        let kernel = Prepared::new(spec).unwrap().kernel;
+        let power_w = |frequency_hz: f64| {
+            let mut drives = kernel.plant.system.drives.clone();
+            drives[0].frequency_hz = frequency_hz;
+            steady_power_w(&kernel.plant.with_drives(drives).unwrap())
+        };
+        // Newton on the slope, by differences that are exact to fourth order.
+        let (step, at) = (2e-4, point.parameter);
+        let slope = 8.0 * (power_w(at + step) - power_w(at - step)) - (power_w(at + 2.0 * step) - power_w(at - 2.0 * step));
+        let second = power_w(at + step) + power_w(at - step) - 2.0 * power_w(at);
+        worst = worst.max((slope / 12.0 / second * step).abs());
+    }
+    eprintln!("{} peaks, off by {worst:.1e} Hz", curve.points.len());
+    assert!(worst < 1e-6);
+}
+
+/// With contact the curve of peaks passes through the peak that is located along the branch, and its end too lies on the branch there.
+#[test]
+fn the_peak_of_the_impact_branch_is_the_one_along_the_branch() {
+    let found = peaks(&bench(), ["drive.shaker.frequency", "drive.shaker.amplitude"], [(11.9, 12.5), (48.0, 50.0)]);
+    let [curve] = &found[..] else { panic!("{} curves", found.len()) };
+    for amplitude_n in [48.0, 50.0] {
+        let mut file = bench();
+        file.set("drive.shaker.amplitude", &format!("\"{amplitude_n} N\"")).unwrap();
+        let base = Prepared::new(file.spec().unwrap()).unwrap();
+        let key = file.numeric_key("drive.shaker.frequency").unwrap();
+        let parameter = Parameter::new(&base, &key, 0.6);
+        let along = branches(&file, (11.9, 12.5), Method::Shooting, 0);
+        let widths = BandwidthSearch { base: &base, parameter: &parameter, range: (11.9, 12.5), tolerance: 1e-10 }.run(&along);
+        let peak = widths.together.unwrap().peak;
+        let point = curve.points.iter().find(|point| point.parameter_2 == amplitude_n).unwrap();
+        eprintln!("{amplitude_n} N: {:.9} Hz, along the branch {:.9} +- {:.1e}", point.parameter, peak.parameter, peak.parameter_error);
+        assert!((point.parameter - peak.parameter).abs() < 1e-6 && point.stable == Some(true));
+        assert!((point.mean_power_w / peak.mean_power_w - 1.0).abs() < 2e-7);
+    }
+}
