@@ -20,6 +20,9 @@ pub fn law(law: &StopLaw) -> String {
         StopLaw::HuntCrossley { stiffness: k, exponent, damping_s_m } => {
             format!("hunt-crossley, {}, {}", stiffness(k, exponent), value(Quantity::InverseSpeed, damping_s_m))
         }
+        StopLaw::Cubic { stiffness_n_m, cubic_stiffness_n_m3 } => {
+            format!("cubic, {}, {}", value(Quantity::Stiffness, stiffness_n_m), stiffness(cubic_stiffness_n_m3, 3.0))
+        }
         StopLaw::Rigid { restitution } => format!("rigid, restitution {restitution}"),
     }
 }
