@@ -113,7 +113,7 @@ mod tests {
 
     #[test]
     fn thresholds_are_those_of_the_table() {
-        for (restitution, existence, doubling) in [(0.5, 1.047197551, 1.526823701), (0.8, 0.349065850, 1.070836468)] {
+        for (restitution, existence, doubling) in [(0.5, PI / 3.0, 1.526823701), (0.8, PI / 9.0, 1.070836468)] {
             let table = BouncingTable { restitution, acceleration_ratio: doubling };
             assert!((table.existence(1) - existence).abs() < 1e-9 && (table.doubling(1) - doubling).abs() < 1e-9);
             let [trace, determinant] = table.orbit(1).unwrap().trace_determinant;
