@@ -32,17 +32,20 @@ fn why(limit: Limit) -> &'static str {
     }
 }
 
+/// A branch with its bandwidth, and both ends of an interval.
+type Row<'w> = (String, &'w Bandwidth, Edge, Edge);
+
 /// One row for each interval of each branch, and of all together.
 pub fn table(key: &NumericKey, widths: &Bandwidths) -> Result<Table, Failure> {
     let own = widths.branches.iter().enumerate().map(|(k, width)| (k.to_string(), width));
-    let all: Vec<(String, &Bandwidth, Edge, Edge)> = (own.chain([("all".to_owned(), &widths.together)]))
+    let all: Vec<Row> = (own.chain([("all".to_owned(), &widths.together)]))
         .filter_map(|(name, width)| Some((name, width.as_ref()?)))
         .flat_map(|(name, width)| width.intervals.iter().map(move |interval| (name.clone(), width, interval.from, interval.to)))
         .collect();
-    let number = |name: &str, unit: &str, about: &str, value: &dyn Fn(&(String, &Bandwidth, Edge, Edge)) -> f64| {
+    let number = |name: &str, unit: &str, about: &str, value: &dyn Fn(&Row) -> f64| {
         Column::new(name, unit, about, all.iter().map(value).collect::<Vec<f64>>())
     };
-    let text = |name: &str, about: &str, value: &dyn Fn(&(String, &Bandwidth, Edge, Edge)) -> String| {
+    let text = |name: &str, about: &str, value: &dyn Fn(&Row) -> String| {
         Column::new(name, "", about, all.iter().map(value).collect::<Vec<String>>())
     };
     let unit = key.unit();

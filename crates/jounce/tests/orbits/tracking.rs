@@ -82,7 +82,7 @@ fn doublings_of_the_impact_oscillator_are_those_of_the_closed_form() {
 }
 
 #[test]
-fn folds_and_grazings_over_the_amplitude_are_those_along_the_frequency() {
+fn folds_tori_and_grazings_over_the_amplitude_are_those_along_the_frequency() {
     let file = bench();
     let base = Prepared::new(file.spec().unwrap()).unwrap();
     let keys = ["drive.shaker.frequency", "drive.shaker.amplitude"].map(|key| file.numeric_key(key).unwrap());
@@ -106,7 +106,7 @@ fn folds_and_grazings_over_the_amplitude_are_those_along_the_frequency() {
         changed.set("drive.shaker.amplitude", &format!("\"{amplitude_n} N\"")).unwrap();
         let along = branches(&changed, (11.0, 14.5), Method::Shooting, 0);
         let wanted = along.iter().flat_map(|branch| &branch.bifurcations);
-        for found in wanted.filter(|found| [BranchKind::Fold, BranchKind::Grazing].contains(&found.kind)) {
+        for found in wanted.filter(|found| [BranchKind::Fold, BranchKind::NeimarkSacker, BranchKind::Grazing].contains(&found.kind)) {
             let same = curves.iter().filter(|curve| curve.kind == CurveKind::Bifurcation(found.kind)).flat_map(|curve| &curve.points);
             let distance = (same.filter(|point| point.parameter_2 == amplitude_n))
                 .map(|point| (point.parameter - found.at.parameter).abs())

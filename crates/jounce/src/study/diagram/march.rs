@@ -88,7 +88,7 @@ impl Diagram<'_> {
             Order::Both => up.chain(down).collect(),
             Order::Starts(cloud) => {
                 let starts = |value: &f64| (0..cloud.starts).map(move |start| (*value, Way::Independent, start)).collect::<Vec<_>>();
-                self.values.iter().flat_map(|value| starts(value)).collect()
+                self.values.iter().flat_map(starts).collect()
             }
         };
         let place = |(index, (parameter, direction, start))| Place { index, parameter, direction, start };

@@ -166,7 +166,11 @@ impl JumpSearch<'_> {
             curve.points.push(here);
             let metric = Metric::at(&step.position, self.scale_2());
             let closed = curve.points.len() > 4 && passes(&metric, &origin, &before, &step.position);
-            if closed || curve.points.len() >= MOST_POINTS {
+            if closed {
+                break;
+            }
+            if curve.points.len() >= MOST_POINTS {
+                curve.failures.push(format!("after {MOST_POINTS} points, at {}", step.position.parameter));
                 break;
             }
             before = step.position;
