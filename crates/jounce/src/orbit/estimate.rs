@@ -31,16 +31,18 @@ impl<H: Harvester> Shooting<'_, H> {
     ///
     /// A defect of the march over one period reaches the orbit multiplied by `(I - M)^-1`; Newton is made to mend one of the
     /// size of the tolerance too.
-    pub(super) fn estimate(&self, shot: &Shot, orbit: &Orbit) -> Result<f64, OrbitError<H::Error>> {
+    pub(super) fn estimate(&self, shot: &Shot, orbit: &Orbit) -> f64 {
         let nearest = orbit.multipliers.iter().map(|value| (*value - 1.0).norm()).fold(1.0, f64::min);
         let defect = shot.tolerance / nearest.max(f64::EPSILON);
-        let Some(correction) = shot.correction() else { return Ok(f64::INFINITY) };
+        let Some(correction) = shot.correction() else { return f64::INFINITY };
         let size = |vector: &[f64]| ColRef::from_slice(vector).norm_l2();
         let state = size(&correction) / size(&shot.looks[0]).max(f64::MIN_POSITIVE);
         let there: Vec<f64> = shot.looks[0].iter().zip(&correction).map(|(u, d)| u + d).collect();
-        let exact_w = self.marched_power_w(&shot.kernel, &there)?;
-        let power = (orbit.mean_power_w - exact_w).abs() / exact_w.abs().max(f64::MIN_POSITIVE);
-        Ok(defect + state.max(power))
+        // Beside a fold the correction can lead so far that nothing can be marched there: its own length is then all that is known.
+        let power = self
+            .marched_power_w(&shot.kernel, &there)
+            .map_or(state, |exact_w| (orbit.mean_power_w - exact_w).abs() / exact_w.abs().max(f64::MIN_POSITIVE));
+        defect + state.max(power)
     }
 
     /// Mean power of all loads, W, over a period from a state, marched without its derivative.

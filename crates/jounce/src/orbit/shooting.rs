@@ -151,7 +151,7 @@ impl<H: Harvester> OrbitMethod for Shooting<'_, H> {
 
     fn orbit(&self, shot: &Shot, error: f64) -> Result<Orbit, Self::Error> {
         let mut orbit = self.answer(shot)?;
-        orbit.error_estimate = error + self.estimate(shot, &orbit)?;
+        orbit.error_estimate = error + self.estimate(shot, &orbit);
         Ok(orbit)
     }
 

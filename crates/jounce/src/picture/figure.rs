@@ -8,8 +8,7 @@ use super::legend::{self, Place};
 use super::marks::{markers, marks};
 use super::svg::{Anchor, Svg};
 use super::text::{LEADING, TITLE, width};
-use super::{Panel, PictureError, raster};
-use crate::store;
+use super::{Panel, PictureError, file, raster};
 
 /// A column of panels under one title. Panels over equal horizontal axes share one; if their vertical axes are equal too, they share its range.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,12 +67,7 @@ impl Figure {
     /// # Errors
     /// As for [`Figure::to_png`], another ending, a place that cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), PictureError> {
-        let content = match path.extension().and_then(|ending| ending.to_str()) {
-            Some("svg") => self.to_svg()?.into_bytes(),
-            Some("png") => self.to_png(2.0)?,
-            _ => return Err(PictureError::Format { path: path.to_owned() }),
-        };
-        Ok(store::write(path, &content)?)
+        file::write(path, || self.to_svg())
     }
 
     fn check(&self) -> Result<(), PictureError> {

@@ -15,6 +15,7 @@ mod curve;
 mod drawing;
 mod error;
 mod figure;
+mod file;
 mod frame;
 mod layout;
 mod legend;

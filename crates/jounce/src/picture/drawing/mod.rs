@@ -11,8 +11,7 @@ mod sheet;
 mod stop;
 mod symbols;
 
-use super::{PictureError, raster};
-use crate::store;
+use super::{PictureError, file, raster};
 use std::path::Path;
 
 /// What is drawn: plain lengths and words.
@@ -128,11 +127,6 @@ impl Drawing {
     /// # Errors
     /// As for [`Drawing::to_png`], another ending, a place that cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), PictureError> {
-        let content = match path.extension().and_then(|ending| ending.to_str()) {
-            Some("svg") => self.to_svg().into_bytes(),
-            Some("png") => self.to_png(2.0)?,
-            _ => return Err(PictureError::Format { path: path.to_owned() }),
-        };
-        Ok(store::write(path, &content)?)
+        file::write(path, || Ok(self.to_svg()))
     }
 }

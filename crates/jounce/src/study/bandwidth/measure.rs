@@ -17,6 +17,9 @@ use rayon::prelude::*;
 /// Pieces whose power is below this share of the largest hide no peak of their own.
 const NEAR_PEAK: f64 = 0.9;
 
+/// Ends of stability whose power is below this share of the largest lie outside every half-power range and are not located.
+const NEAR_HALF: f64 = 0.4;
+
 /// Error of a multiplier, beside the tolerance of the march.
 const MULTIPLIER: f64 = 1e3;
 
@@ -73,8 +76,10 @@ impl<'s> BandwidthSearch<'s> {
 
     fn stable<'b>(&self, branch: &'b Branch) -> Option<Stable<'b>> {
         let pairs: Vec<&[BranchPoint]> = branch.points.windows(2).collect();
+        let stable = branch.points.iter().filter(|point| point.orbit.is_stable());
+        let low_w = NEAR_HALF * stable.map(|point| point.orbit.mean_power_w).fold(0.0, f64::max);
         let segments: Vec<Segment> =
-            pairs.into_par_iter().filter_map(|pair| self.segment(branch.period_cycles, [&pair[0], &pair[1]])).collect();
+            pairs.into_par_iter().filter_map(|pair| self.segment(branch.period_cycles, [&pair[0], &pair[1]], low_w)).collect();
         let mut peak = self.peak(&segments)?;
         let outer = branch.points.first().into_iter().chain(branch.points.last());
         let closed = branch.endings.contains(&Ending::Closed);
@@ -90,8 +95,8 @@ impl<'s> BandwidthSearch<'s> {
         Piece::new(shooting, corrector, (self.range.1 - self.range.0) / 20.0, segment.points)
     }
 
-    /// The stable part between two neighbouring points.
-    fn segment<'b>(&self, cycles: u32, points: [&'b BranchPoint; 2]) -> Option<Segment<'b>> {
+    /// The stable part between two neighbouring points; nothing where it ends at less than `low_w`.
+    fn segment<'b>(&self, cycles: u32, points: [&'b BranchPoint; 2], low_w: f64) -> Option<Segment<'b>> {
         let end = |x: f64, point: &BranchPoint| Node {
             x,
             power_w: point.orbit.mean_power_w,
@@ -101,6 +106,7 @@ impl<'s> BandwidthSearch<'s> {
         match points.map(|point| point.orbit.is_stable()) {
             [true, true] => {}
             [false, false] => return None,
+            _ if points.iter().all(|point| point.orbit.mean_power_w < low_w) => return None,
             [first, _] => segment.ends[usize::from(first)] = self.stability_edge(&segment, if first { -SIDE } else { SIDE })?,
         }
         Some(segment)
