@@ -141,7 +141,7 @@ impl<H: Harvester> OrbitMethod for HarmonicBalance<'_, H> {
         Ok(real(&spectrum))
     }
 
-    /// Of the mean power beside the accuracy, or of the state beside [`STATE`] times that, the larger one.
+    /// Of the mean power beside the accuracy, or of the state beside `STATE` times that, the larger one.
     fn excess(&self, local: &Balance, parameter_scale: f64) -> Result<f64, Self::Error> {
         let shot = self.shot(local)?;
         let Some((across, length)) = shot.across(local.parameter, parameter_scale) else { return Ok(f64::INFINITY) };
