@@ -7,8 +7,8 @@ use crate::study::BranchPoint;
 /// Most trials for one zero.
 const TRIALS: u32 = 60;
 
-/// Length of a bracket, as a share of the piece, at which a zero counts as found.
-const BRACKET: f64 = 1e-11;
+/// Share of its values at the ends below which a value counts as zero.
+const ROUNDING: f64 = 1e-11;
 
 /// Half the width of the difference that gives the slope of power, as a share of the piece.
 const SLOPE: f64 = 0.02;
@@ -24,11 +24,11 @@ pub struct Place {
     pub orbit: Orbit,
 }
 
-/// A zero and how far it may lie off, as shares of the way.
+/// A zero, and the value that is left there.
 #[derive(Debug, Clone)]
 pub struct Zero {
     pub place: Place,
-    pub bracket: f64,
+    pub value: f64,
 }
 
 /// A piece of a branch.
@@ -78,14 +78,16 @@ impl<'h, H: Harvester> Piece<'h, H> {
         Some((self.at(x + SLOPE)?.parameter - self.at(x - SLOPE)?.parameter) / (2.0 * SLOPE))
     }
 
-    /// The place between two shares at which power has its maximum, where it rises into the stretch from both ends.
-    pub fn maximum(&self, (from, to): (f64, f64)) -> Option<Zero> {
+    /// The place between two shares at which power has its maximum, where it rises into the stretch from both ends; a slope below
+    /// `noise_w` counts as none.
+    pub fn maximum(&self, (from, to): (f64, f64), noise_w: f64) -> Option<Zero> {
         let rises = self.power_slope_w(from)? > 0.0 && self.power_slope_w(to)? < 0.0;
-        rises.then(|| self.zero((from, to), |piece, place| piece.power_slope_w(place.x))).flatten()
+        rises.then(|| self.zero((from, to), noise_w, |piece, place| piece.power_slope_w(place.x))).flatten()
     }
 
-    /// The place between two shares where `value` passes zero, by false position with halving; `None` without a change of sign.
-    pub fn zero(&self, (from, to): (f64, f64), value: impl Fn(&Self, &Place) -> Option<f64>) -> Option<Zero> {
+    /// The place between two shares where `value` passes zero, by false position with halving, to its own noise; `None` without a
+    /// change of sign.
+    pub fn zero(&self, (from, to): (f64, f64), noise: f64, value: impl Fn(&Self, &Place) -> Option<f64>) -> Option<Zero> {
         let look = |x: f64| {
             let place = self.at(x)?;
             let here = value(self, &place)?;
@@ -95,16 +97,20 @@ impl<'h, H: Harvester> Piece<'h, H> {
         if (at_low > 0.0) == (at_high > 0.0) {
             return None;
         }
-        let size = at_low.abs().max(at_high.abs());
+        let enough = noise.max(ROUNDING * at_low.abs().max(at_high.abs()));
         let (mut low, mut high) = (low_place.x, high_place.x);
-        let mut best = if at_low.abs() < at_high.abs() { low_place } else { high_place };
+        let mut best = if at_low.abs() < at_high.abs() {
+            Zero { place: low_place, value: at_low }
+        } else {
+            Zero { place: high_place, value: at_high }
+        };
         for _ in 0..TRIALS {
             let mut x = (low * at_high - high * at_low) / (at_high - at_low);
             if !(x > low && x < high) {
                 x = 0.5 * (low + high);
             }
             let (place, here) = look(x)?;
-            best = place;
+            best = Zero { place, value: here };
             if (here > 0.0) == (at_high > 0.0) {
                 (high, at_high) = (x, here);
                 at_low *= 0.5;
@@ -112,12 +118,10 @@ impl<'h, H: Harvester> Piece<'h, H> {
                 (low, at_low) = (x, here);
                 at_high *= 0.5;
             }
-            if high - low <= BRACKET || here.abs() <= BRACKET * size {
+            if here.abs() <= enough {
                 break;
             }
         }
-        // A value at the level of roundoff ends the search with a wide bracket that says nothing.
-        let bracket = if high - low > SLOPE { BRACKET } else { high - low };
-        Some(Zero { place: best, bracket })
+        Some(best)
     }
 }

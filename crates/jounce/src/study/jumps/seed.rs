@@ -5,6 +5,9 @@ use crate::orbit::{Condition, Harvester};
 use crate::study::bandwidth::{Piece, Zero};
 use crate::study::{Bifurcation, Branch, BranchKind, BranchPoint};
 
+/// Slope of power that a seed may keep, beside the power, per share of a piece: tracking mends it.
+const LEFT: f64 = 1e-7;
+
 /// A place on a branch, on or near a curve.
 #[derive(Debug, Clone)]
 pub struct Seed {
@@ -37,7 +40,11 @@ impl Seed {
         let power_w = |k: usize| branch.points[k].orbit.mean_power_w;
         let inner = 1..branch.points.len().saturating_sub(1);
         let highest = inner.filter(|k| power_w(*k) >= power_w(k - 1) && power_w(*k) > power_w(k + 1));
-        let around = |k: usize| [k - 1, k].into_iter().find_map(|k| piece([&branch.points[k], &branch.points[k + 1]])?.maximum((0.0, 1.0)));
+        let around = |k: usize| {
+            [k - 1, k].into_iter().find_map(|k| {
+                piece([&branch.points[k], &branch.points[k + 1]])?.maximum((0.0, 1.0), LEFT * branch.points[k].orbit.mean_power_w)
+            })
+        };
         let seed = |found: Zero| Self {
             kind: CurveKind::Peak,
             cycles: branch.period_cycles,
