@@ -30,6 +30,7 @@ fn menagerie() -> System {
                 ("first".into(), patch([0.0, 0.0, 2e-3, -1e-3, 0.0, 5e-3], 1e-7)),
                 ("second".into(), patch([0.0, 0.0, 0.0, 4e-4, 0.0, -3e-3], 3e-8)),
             ]),
+            participation_sqrt_kg: vec![0.0; n],
             discretisation_error: vec![0.0; n],
         },
         loads: vec![Load { name: "load".into(), patch: "first".into(), resistance_ohm: 2e6 }],

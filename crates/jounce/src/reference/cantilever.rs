@@ -57,6 +57,17 @@ impl Cantilever {
         sign * value / (self.mass_per_length_kg_m * self.length_m).sqrt()
     }
 
+    /// Mass times mass-normalised shape, integrated over the beam, kg^1/2: `2 s sqrt(m L) / l`, positive where the tip moves in the
+    /// positive direction and most of the beam with it.
+    pub fn participation_sqrt_kg(&self, mode: usize) -> f64 {
+        let l = Self::root(mode);
+        // s - 1 = (exp(-l) + cos l - sin l) / (sinh l + sin l), all terms divided by exp(l).
+        let divisor = 0.5 * (1.0 - (-2.0 * l).exp()) + l.sin() * (-l).exp();
+        let ratio = 1.0 + ((-l).exp() + l.cos() - l.sin()) * (-l).exp() / divisor;
+        let sign = if mode.is_multiple_of(2) { 1.0 } else { -1.0 };
+        sign * 2.0 * ratio / l * (self.mass_per_length_kg_m * self.length_m).sqrt()
+    }
+
     /// The first modes, undamped, with the point `tip`.
     pub fn modes(&self, count: usize) -> Modes {
         let tip = 2.0 / (self.mass_per_length_kg_m * self.length_m).sqrt();
@@ -65,6 +76,7 @@ impl Cantilever {
             damping_ratio: vec![0.0; count],
             shape: BTreeMap::from([("tip".to_owned(), vec![tip; count])]),
             patch: BTreeMap::new(),
+            participation_sqrt_kg: (0..count).map(|mode| self.participation_sqrt_kg(mode)).collect(),
             discretisation_error: vec![0.0; count],
         }
     }

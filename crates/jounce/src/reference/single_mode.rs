@@ -21,6 +21,7 @@ pub(super) fn oscillator(mass_kg: f64, frequency_rad_s: f64, damping_ratio: f64)
         damping_ratio: vec![damping_ratio],
         shape: BTreeMap::from([(MASS.to_owned(), shape(mass_kg))]),
         patch: BTreeMap::new(),
+        participation_sqrt_kg: vec![mass_kg.sqrt()],
         discretisation_error: vec![0.0],
     };
     System { modes, loads: Vec::new(), stops: Vec::new(), drives: Vec::new() }

@@ -99,6 +99,8 @@ pub struct Modal {
     pub frequency_hz: Vec<f64>,
     /// `damping_ratio`
     pub damping_ratio: Vec<f64>,
+    /// `participation_sqrt_kg`: mass times mass-normalised shape, summed over the structure, kg^1/2, one per mode; empty where not given.
+    pub participation_sqrt_kg: Vec<f64>,
     /// `[modal.NAME.point]`: mass-normalised shape at each point, kg^-1/2.
     pub point: BTreeMap<String, Vec<f64>>,
     /// `[modal.NAME.patch.PATCH]`

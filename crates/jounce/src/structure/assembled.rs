@@ -12,7 +12,7 @@ use crate::spec::{Patch, Spec};
 /// The kept modes of all assembled structures of a spec.
 ///
 /// # Errors
-/// `MissingDamping`.
+/// `MissingDamping`, `NotRepresentable`.
 pub(super) fn assembled_modes(
     spec: &Spec,
     held: &[String],
@@ -21,10 +21,13 @@ pub(super) fn assembled_modes(
 ) -> Result<Modes, StructureError> {
     let frequency_rad_s = solution.frequency_rad_s();
     let damping_ratio = damping_ratios(&frequency_rad_s, &mass_modes(solution), &spec.damping)?;
-    let mut modes = Modes { frequency_rad_s, damping_ratio, discretisation_error, ..Modes::default() };
+    let participation_sqrt_kg = vec![0.0; frequency_rad_s.len()];
+    let mut modes = Modes { frequency_rad_s, damping_ratio, discretisation_error, participation_sqrt_kg, ..Modes::default() };
     for (part, (assembly, reduced)) in solution.parts.iter().enumerate() {
         let needed = solution.order.needed(part);
         let modal = |row: &Row| solution.order.spread(part, &reduced.modal(row, needed));
+        let participation = modal(&assembly.translated_mass()?);
+        modes.participation_sqrt_kg.iter_mut().zip(participation).for_each(|(sum, part)| *sum += part);
         modes.shape.extend(point_rows(spec, assembly).iter().map(|(name, row)| (name.clone(), modal(row))));
         modes
             .patch

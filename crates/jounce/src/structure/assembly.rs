@@ -107,6 +107,26 @@ impl<'a> Assembly<'a> {
         if finite { Ok(factor) } else { Err(StructureError::NotRepresentable { body: self.body.name().into() }) }
     }
 
+    /// Mass that moves with each strain coordinate under a unit translation of everything: `G^T g`, with `g` the translation in the rows
+    /// of `G`. Its product with a mass-normalised mode is the participation of the mode in a uniform acceleration of the base.
+    ///
+    /// # Errors
+    /// As [`Assembly::mass_factor`].
+    pub fn translated_mass(&self) -> Result<Row, StructureError> {
+        let factor = self.mass_factor()?;
+        let mut translation = vec![0.0; factor.nrows()];
+        let support = usize::from(self.body.mass.is_some());
+        if let Some((_, mass)) = self.body.mass {
+            translation[0] = mass.mass_kg.sqrt();
+        }
+        let mut row = support;
+        for placed in self.beams.iter().flatten() {
+            translation[row] = placed.element.mass_weight(0);
+            row += placed.mass_rows();
+        }
+        Ok(factor.col_iter().map(|column| column.iter().zip(&translation).map(|(entry, unit)| entry * unit).sum()).collect())
+    }
+
     fn element_at(&self, beam: usize, place_m: f64) -> &Placed {
         let chain = &self.beams[beam];
         let after = chain.partition_point(|placed| placed.element.start_m <= place_m);

@@ -18,7 +18,12 @@ pub(super) fn given_modes(name: &str, modal: &Modal) -> Result<Modes, StructureE
     for frequency_hz in &modal.frequency_hz {
         StructureError::not_negative(format!("modal.{name}.frequency_hz"), *frequency_hz)?;
     }
+    let participation = match modal.participation_sqrt_kg.is_empty() {
+        true => vec![0.0; count],
+        false => full(format!("modal.{name}.participation_sqrt_kg"), &modal.participation_sqrt_kg)?,
+    };
     let mut modes = Modes {
+        participation_sqrt_kg: participation,
         frequency_rad_s: modal.frequency_hz.iter().map(|frequency_hz| TAU * frequency_hz).collect(),
         damping_ratio: full(format!("modal.{name}.damping_ratio"), &modal.damping_ratio)?,
         discretisation_error: vec![0.0; count],

@@ -8,6 +8,9 @@
 //! C V' + (current into the circuit) + sum_i coupling_i q_i' = 0
 //! ```
 //!
+//! Under an acceleration `a` of the base the right side gains `-participation_i a`, with `participation_i = integral of shape_i dm`,
+//! and displacements are relative to the base (Erturk and Inman, J. Vib. Acoust. 130 (2008) 041002).
+//!
 //! Source: impact-harvester paper (2019), eqs. (5) and (6), projected on undamped short-circuit modes.
 
 use std::collections::BTreeMap;
@@ -23,6 +26,10 @@ pub struct Modes {
     pub shape: BTreeMap<String, Vec<f64>>,
     /// Each patch by its name (`"mfc"`, `"harvester.mfc"`).
     pub patch: BTreeMap<String, PatchModes>,
+    /// Participation of each mode in a uniform acceleration of the base, kg^1/2: mass times shape, summed over everything that moves
+    /// relative to the base. With `a` the acceleration of the base (m/s^2), the modal force is `-participation a` and `q` is relative to
+    /// the base. The sum of squares over all modes is the moving mass. Zero where the modes were given without it.
+    pub participation_sqrt_kg: Vec<f64>,
     /// Estimated relative error of each frequency from the discretisation (0 where the modes were given).
     pub discretisation_error: Vec<f64>,
 }

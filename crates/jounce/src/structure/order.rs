@@ -55,6 +55,7 @@ pub(super) fn merged(parts: &[Modes]) -> (Order, Modes) {
     let mut modes = Modes {
         frequency_rad_s: order.gather(&frequencies),
         damping_ratio: order.gather(&lists(|part| &part.damping_ratio)),
+        participation_sqrt_kg: order.gather(&lists(|part| &part.participation_sqrt_kg)),
         discretisation_error: order.gather(&lists(|part| &part.discretisation_error)),
         ..Modes::default()
     };
@@ -82,6 +83,7 @@ mod tests {
             damping_ratio: vec![0.1; count],
             shape: BTreeMap::from([(name.to_owned(), shape.clone())]),
             patch: BTreeMap::from([(name.to_owned(), PatchModes { coupling_n_per_v: shape, capacitance_f: 1e-9 })]),
+            participation_sqrt_kg: vec![0.5; count],
             discretisation_error: vec![0.0; count],
         }
     }

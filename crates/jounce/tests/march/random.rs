@@ -35,6 +35,7 @@ fn modes() -> impl Strategy<Value = Modes> {
             "patch".into(),
             PatchModes { coupling_n_per_v: modes.iter().map(|mode| mode.4).collect(), capacitance_f: 10f64.powf(capacitance) },
         )]),
+        participation_sqrt_kg: vec![0.0; modes.len()],
         discretisation_error: vec![0.0; modes.len()],
     })
 }

@@ -62,10 +62,12 @@ fn modal() -> impl Strategy<Value = Modal> {
             list
         });
         let ratios = prop::collection::vec(0.0..1.0f64, modes);
+        let participation = prop_oneof![Just(Vec::new()), list()];
         let maps = (prop::collection::btree_map(name(), list(), 1..4), prop::collection::btree_map(name(), patch, 0..3));
-        (frequencies, ratios, maps).prop_map(|(frequency_hz, damping_ratio, (point, patch))| Modal {
+        (frequencies, ratios, participation, maps).prop_map(|(frequency_hz, damping_ratio, participation_sqrt_kg, (point, patch))| Modal {
             frequency_hz,
             damping_ratio,
+            participation_sqrt_kg,
             point,
             patch,
         })

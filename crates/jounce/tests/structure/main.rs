@@ -4,5 +4,6 @@
 mod exact;
 mod faults;
 mod paper;
+mod participation;
 mod published;
 mod several;

@@ -30,6 +30,7 @@ fn structures_side_by_side_keep_their_modes() {
         Modal {
             frequency_hz: vec![0.5, 100.0],
             damping_ratio: vec![0.01, 0.02],
+            participation_sqrt_kg: Vec::new(),
             point: BTreeMap::from([("tip".into(), vec![3.0, 4.0])]),
             patch: BTreeMap::new(),
         },
@@ -59,6 +60,7 @@ fn modal_structures_stand_alone() {
     let harvester = Modal {
         frequency_hz: vec![1.0, 8.0],
         damping_ratio: vec![0.05, 0.002],
+        participation_sqrt_kg: vec![1.5, -0.1],
         point: BTreeMap::from([("tip".into(), vec![0.3, -12.0])]),
         patch: BTreeMap::from([("mfc".into(), ModalPatch { coupling_n_per_v: vec![-1e-6, 2e-3], capacitance_f: 177e-9 })]),
     };
@@ -66,6 +68,7 @@ fn modal_structures_stand_alone() {
     let found = modes(&spec).unwrap();
     assert_eq!(found.frequency_rad_s, [TAU, TAU * 8.0]);
     assert_eq!(found.damping_ratio, [0.05, 0.002]);
+    assert_eq!(found.participation_sqrt_kg, [1.5, -0.1]);
     assert_eq!(found.shape["harvester.tip"], [0.3, -12.0]);
     assert_eq!(found.patch["harvester.mfc"].coupling_n_per_v, [-1e-6, 2e-3]);
     assert_eq!(found.patch["harvester.mfc"].capacitance_f, 177e-9);

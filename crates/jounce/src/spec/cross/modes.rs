@@ -34,6 +34,7 @@ fn check_lists(name: &str, modal: &Modal, broken: &mut Broken) {
         }
     };
     check(&|| format!("modal.{name}.damping_ratio"), &modal.damping_ratio);
+    check(&|| format!("modal.{name}.participation_sqrt_kg"), &modal.participation_sqrt_kg);
     for (point, shape) in &modal.point {
         check(&|| format!("modal.{name}.point.{point}"), shape);
     }

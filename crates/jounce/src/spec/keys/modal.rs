@@ -8,7 +8,7 @@ use crate::spec::{Modal, ModalPatch, Quantity};
 use super::FREQUENCY_LIMITS_HZ;
 
 pub(super) fn blank() -> Modal {
-    Modal { frequency_hz: Vec::new(), damping_ratio: Vec::new(), point: BTreeMap::new(), patch: BTreeMap::new() }
+    Modal { frequency_hz: Vec::new(), damping_ratio: Vec::new(), participation_sqrt_kg: Vec::new(), point: BTreeMap::new(), patch: BTreeMap::new() }
 }
 
 fn blank_patch() -> ModalPatch {
@@ -30,6 +30,13 @@ pub(super) static KEYS: &[Key<Modal>] = &[
         Slot::Numbers { get: |m: &Modal| &m.damping_ratio, open: |m| &mut m.damping_ratio },
     )
     .within(Range::from(0.0, 10.0)),
+    Key::with_slot(
+        "participation_sqrt_kg",
+        Kind::Numbers,
+        "mass times mass-normalised shape, summed over the structure, in kg^1/2, one per mode; needed where the base accelerates",
+        Slot::Numbers { get: |m: &Modal| &m.participation_sqrt_kg, open: |m| &mut m.participation_sqrt_kg },
+    )
+    .optional(),
     Key::with_slot(
         "point",
         Kind::NamedNumbers,
