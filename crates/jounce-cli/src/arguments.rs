@@ -1,6 +1,6 @@
 //! What can be typed.
 
-use crate::commands::{basins, branch, check, completions, diagram, frf, jumps, modes, reproduce, run, show, sweep};
+use crate::commands::{basins, branch, check, completions, diagram, frf, jumps, materials, modes, reproduce, run, show, sweep};
 use clap::{Parser, Subcommand};
 
 /// Simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
@@ -39,6 +39,8 @@ pub enum Command {
     Basins(basins::Basins),
     /// Computes the tables, figures and claims of the 2019 impact-harvester paper.
     Reproduce(reproduce::Reproduce),
+    /// Lists the materials that a spec can name, with their sources.
+    Materials(materials::Materials),
     /// Prints the JSON Schema (draft-07) of a spec, for editors.
     Schema,
     /// Prints the reference of all keys of a spec, in Markdown.
@@ -62,6 +64,7 @@ impl Command {
             Command::Diagram(command) => command.output.json,
             Command::Basins(command) => command.output.json,
             Command::Reproduce(command) => command.json,
+            Command::Materials(command) => command.json,
             Command::Schema | Command::Keys | Command::Completions(_) => false,
         }
     }

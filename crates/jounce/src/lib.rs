@@ -11,6 +11,7 @@ pub mod contact;
 pub mod continuation;
 pub mod linear;
 pub mod march;
+pub mod material;
 pub mod orbit;
 pub mod picture;
 pub mod plant;

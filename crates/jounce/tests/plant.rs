@@ -20,7 +20,8 @@ fn bench() -> System {
 fn menagerie() -> System {
     let frequency_rad_s = vec![0.0, 3.0, 10.0, 10.0, 40.0, 300.0];
     let n = frequency_rad_s.len();
-    let patch = |coupling: [f64; 6], capacitance_f: f64| PatchModes { coupling_n_per_v: coupling.to_vec(), capacitance_f };
+    let patch =
+        |coupling: [f64; 6], capacitance_f: f64| PatchModes { coupling_n_per_v: coupling.to_vec(), capacitance_f, strain: Vec::new() };
     System {
         modes: Modes {
             frequency_rad_s,
@@ -33,7 +34,7 @@ fn menagerie() -> System {
             participation_sqrt_kg: vec![0.0; n],
             discretisation_error: vec![0.0; n],
         },
-        loads: vec![Load { name: "load".into(), patch: "first".into(), resistance_ohm: 2e6 }],
+        loads: vec![Load::resistor("load", "first", 2e6)],
         stops: Vec::new(),
         drives: Vec::new(),
     }
@@ -55,7 +56,7 @@ fn physical_matrix(system: &System) -> (Mat<f64>, Vec<f64>) {
     for (k, (name, patch)) in modes.patch.iter().enumerate() {
         let row = 2 * n + k;
         scale[row] = patch.capacitance_f.sqrt();
-        for load in system.loads.iter().filter(|load| load.patch == *name) {
+        for load in system.loads.iter().filter(|load| load.connections[0].patch == *name) {
             a[(row, row)] = -1.0 / (load.resistance_ohm * patch.capacitance_f);
         }
         for i in 0..n {
@@ -297,7 +298,7 @@ fn assert_meters(name: &str, system: System, start: &[f64], duration_s: f64, all
     for (at, weight) in record.at(&kernel, &times).iter().zip(&weights) {
         let x = plant.to_physical(&at.state, at.time_s);
         for (sum, load) in loads.iter_mut().zip(&system.loads) {
-            let patch = modes.patch.keys().position(|name| *name == load.patch).unwrap();
+            let patch = modes.patch.keys().position(|name| *name == load.connections[0].patch).unwrap();
             *sum += weight * x[2 * n + patch].powi(2) / load.resistance_ohm;
         }
         damping += weight * (0..n).map(|i| 2.0 * modes.damping_ratio[i] * modes.frequency_rad_s[i] * x[n + i].powi(2)).sum::<f64>();

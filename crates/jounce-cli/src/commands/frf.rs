@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::linear::{self, Response};
+use jounce::linear::{self, Input, Response};
 use jounce::picture::{self, Scale};
 use jounce::plant::{Plant, System};
 use jounce::spec::{Quantity, Spec};
@@ -29,6 +29,9 @@ pub struct Frf {
     /// Point that is pushed; by default that of the first drive.
     #[arg(long, value_name = "POINT")]
     input: Option<String>,
+    /// Accelerates the base instead of pushing a point; displacements are then relative to the base.
+    #[arg(long, conflicts_with = "input")]
+    base: bool,
     /// Holds a body still, by its name; can be given several times.
     #[arg(long, value_name = "BODY")]
     hold: Vec<String>,
@@ -43,44 +46,57 @@ pub struct Frf {
 }
 
 impl Frf {
-    /// Prints the acceleration of every point and the voltage of every patch, per newton.
+    /// Prints the acceleration of every point and the voltage of every patch and circuit, per newton or per m/s^2 of the base.
     pub fn run(&self) -> Result<(), Failure> {
         let mut spec = self.spec.spec()?;
         let frequency_hz = self.frequencies()?;
         let held = held(&self.hold, self.fixed_table, &spec);
         let input = match (&self.input, spec.drive.values().next()) {
-            (Some(point), _) => point.clone(),
-            (None, Some(drive)) => drive.at.clone(),
-            (None, None) => return Err(Failure::usage("this spec has no drive: name the point to push with --input POINT".into())),
+            _ if self.base => Input::BaseAcceleration,
+            (Some(point), _) => Input::Force(point.clone()),
+            (None, Some(drive)) => Input::Force(drive.at.clone()),
+            (None, None) => {
+                let why = "this spec has no drive: name the point to push with --input POINT, or accelerate the base with --base";
+                return Err(Failure::usage(why.into()));
+            }
         };
+        if self.base
+            && let Some((name, _)) = spec.modal.iter().find(|(_, modal)| modal.participation_sqrt_kg.is_empty())
+        {
+            let why = "is missing: without it jounce cannot know how an acceleration of the base shakes this structure";
+            return Err(Failure::Input(format!("modal.{name}.participation_sqrt_kg {why}")));
+        }
         if self.open_circuit {
             spec.circuit.clear();
         }
         spec.drive.clear();
         spec.stop.clear();
         let modes = structure::modes_holding(&spec, &held)?;
-        let points = modes.shape.keys().map(|point| Response::Acceleration(point.clone()));
-        let responses: Vec<Response> = points.chain(modes.patch.keys().map(|patch| Response::Voltage(patch.clone()))).collect();
+        let motion = if self.base { Response::Displacement } else { Response::Acceleration };
+        let points = modes.shape.keys().map(|point| motion(point.clone()));
+        let patches = modes.patch.keys().map(|patch| Response::Voltage(patch.clone()));
+        let loads = spec.circuit.keys().map(|load| Response::LoadVoltage(load.clone()));
+        let responses: Vec<Response> = points.chain(patches).chain(loads).collect();
         let plant = Plant::new(System::assemble(&spec, modes)?)?;
         let answers = linear::frf(&plant, &input, &responses, &frequency_hz)?;
         if let Some(folder) = &self.output.out {
-            self.write(folder, &spec, &frequency_hz, &answers)?;
+            self.write(folder, &spec, &frequency_hz, &answers, &input)?;
         }
         if self.output.json {
             let listed: serde_json::Map<String, serde_json::Value> = (answers.iter())
                 .map(|frf| {
                     let re: Vec<f64> = frf.value.iter().map(|v| v.re).collect();
                     let im: Vec<f64> = frf.value.iter().map(|v| v.im).collect();
-                    (frf.response.name(), serde_json::json!({ "re": re, "im": im, "unit": frf.response.unit() }))
+                    (frf.response.name(), serde_json::json!({ "re": re, "im": im, "unit": frf.response.unit(&input) }))
                 })
                 .collect();
-            print(&serde_json::json!({ "input": input, "held": held, "frequency_hz": frequency_hz, "responses": listed }));
+            print(&serde_json::json!({ "input": shown(&input), "held": held, "frequency_hz": frequency_hz, "responses": listed }));
             return Ok(());
         }
         for frf in &answers {
             let highest = frf.value.iter().map(|v| v.norm()).enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
             if let Some((place, size)) = highest {
-                line(format!("{}: highest {size:.5e} {} at {:.4} Hz", frf.response.name(), frf.response.unit(), frequency_hz[place]));
+                line(format!("{}: highest {size:.5e} {} at {:.4} Hz", frf.response.name(), frf.response.unit(&input), frequency_hz[place]));
             }
         }
         Ok(())
@@ -100,10 +116,17 @@ impl Frf {
         Ok((0..self.points).map(|k| if k + 1 == self.points { to } else { from * (ratio * k as f64).exp() }).collect())
     }
 
-    fn write(&self, folder: &std::path::Path, spec: &Spec, frequency_hz: &[f64], answers: &[linear::Frf]) -> Result<(), Failure> {
+    fn write(
+        &self,
+        folder: &std::path::Path,
+        spec: &Spec,
+        frequency_hz: &[f64],
+        answers: &[linear::Frf],
+        input: &Input,
+    ) -> Result<(), Failure> {
         let mut table = Table::new(vec![Column::new("frequency_hz", "Hz", "frequency", frequency_hz.to_vec())])?;
         for frf in answers {
-            let (name, unit) = (frf.response.name(), frf.response.unit());
+            let (name, unit) = (frf.response.name(), frf.response.unit(input));
             let (re, im): (Vec<f64>, Vec<f64>) = frf.value.iter().map(|v| (v.re, v.im)).unzip();
             table.push(Column::new(&format!("{name}.re"), unit, "real part", re.clone()))?;
             table.push(Column::new(&format!("{name}.im"), unit, "imaginary part", im.clone()))?;
@@ -112,5 +135,12 @@ impl Frf {
             output::figure(folder, &format!("frf-{name}"), &figure)?;
         }
         output::table(folder, "frf", &table, &self.spec.manifest(spec, "frf"))
+    }
+}
+
+fn shown(input: &Input) -> &str {
+    match input {
+        Input::Force(point) => point,
+        Input::BaseAcceleration => "base",
     }
 }

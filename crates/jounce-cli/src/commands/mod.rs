@@ -8,6 +8,7 @@ pub mod completions;
 pub mod diagram;
 pub mod frf;
 pub mod jumps;
+pub mod materials;
 pub mod modes;
 pub mod reproduce;
 pub mod run;
@@ -32,6 +33,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Diagram(command) => command.run(),
         Command::Basins(command) => command.run(),
         Command::Reproduce(command) => command.run(),
+        Command::Materials(command) => command.run(),
         Command::Completions(command) => command.run(),
         Command::Schema => {
             line(format!("{:#}", jounce::spec::schema()));

@@ -6,7 +6,7 @@ use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
 use jounce::march::Kernel;
 use jounce::picture::{Scale, SpectrumLine, Trace, spectra, time_histories};
-use jounce::run::{RunAnswer, RunPlan, simulate};
+use jounce::run::{Exceeded, RunAnswer, RunPlan, exceeded, simulate};
 use jounce::signal::{Samples, Window};
 use jounce::study::Prepared;
 use jounce::table::{Column, Table};
@@ -64,11 +64,13 @@ impl Run {
         if let Some(folder) = &self.output.out {
             self.write(folder, &prepared, &kernel, &answer, &plan)?;
         }
-        self.tell(&kernel, &answer, &plan);
+        let warnings = exceeded(&prepared.spec, &kernel, &answer.trajectory);
+        warnings.iter().for_each(|warning| eprintln!("warning: {warning}"));
+        self.tell(&kernel, &answer, &plan, &warnings);
         Ok(())
     }
 
-    fn tell(&self, kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) {
+    fn tell(&self, kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[Exceeded]) {
         let residual = answer.energies.residual_relative();
         let settlement = &answer.settlement;
         if self.output.json {
@@ -93,6 +95,7 @@ impl Run {
                 "period_cycles": settlement.period_cycles,
                 "settle_change": settlement.change,
                 "settle_distance": finite(settlement.distance),
+                "warnings": warnings,
                 "work": answer.work,
                 "march_s": answer.march_s,
                 "tolerance": plan.tolerance,
@@ -131,12 +134,12 @@ impl Run {
         let begin = plan.duration_s - plan.average_over_s;
         let time_s: Vec<f64> = (0..count).map(|k| begin + k as f64 / SAMPLE_RATE_HZ).collect();
         let plant = &kernel.plant;
-        let (modes, n) = (&plant.system.modes, plant.system.modes.len());
         let instants = answer.trajectory.at(kernel, &time_s);
         let states: Vec<Vec<f64>> = instants.iter().map(|at| plant.to_physical(&at.state, at.time_s)).collect();
         let mut traces: Vec<Trace> = Vec::new();
-        for (patch, name) in modes.patch.keys().enumerate() {
-            let values = states.iter().map(|x| x[2 * n + patch]).collect();
+        let voltages: Vec<Vec<f64>> = states.iter().map(|x| plant.patch_voltages_v(x)).collect();
+        for (patch, name) in plant.system.modes.patch.keys().enumerate() {
+            let values = voltages.iter().map(|v| v[patch]).collect();
             traces.push(Trace { quantity: format!("Voltage of {name}"), unit: "V".into(), values });
         }
         for stop in &plant.system.stops {

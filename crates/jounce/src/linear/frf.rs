@@ -1,8 +1,17 @@
-//! Frequency response functions of any output to a force on any point.
+//! Frequency response functions of any output to a force on any point or to an acceleration of the base.
 
 use crate::plant::{Plant, PlantError};
 use faer::c64;
 use std::f64::consts::TAU;
+
+/// What shakes it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Input {
+    /// A force on a point, N.
+    Force(String),
+    /// An acceleration of the base, m/s^2; displacements, velocities and accelerations of points are then relative to the base.
+    BaseAcceleration,
+}
 
 /// What is looked at.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -15,6 +24,8 @@ pub enum Response {
     Acceleration(String),
     /// Voltage of a patch, V.
     Voltage(String),
+    /// Voltage across the resistor of a circuit, V.
+    LoadVoltage(String),
 }
 
 /// One frequency response function.
@@ -22,7 +33,7 @@ pub enum Response {
 pub struct Frf {
     /// What is looked at.
     pub response: Response,
-    /// Value per newton at each frequency.
+    /// Value per newton, or per m/s^2 of the base, at each frequency.
     pub value: Vec<c64>,
 }
 
@@ -34,26 +45,34 @@ impl Response {
             Response::Velocity(point) => format!("{point}.velocity"),
             Response::Acceleration(point) => format!("{point}.acceleration"),
             Response::Voltage(patch) => format!("{patch}.voltage"),
+            Response::LoadVoltage(load) => format!("{load}.load_voltage"),
         }
     }
 
-    /// Unit per newton of force.
-    pub fn unit(&self) -> &'static str {
-        match self {
-            Response::Displacement(_) => "m/N",
-            Response::Velocity(_) => "m/(s N)",
-            Response::Acceleration(_) => "m/(s^2 N)",
-            Response::Voltage(_) => "V/N",
+    /// Unit per unit of the input.
+    pub fn unit(&self, input: &Input) -> &'static str {
+        match (self, input) {
+            (Response::Displacement(_), Input::Force(_)) => "m/N",
+            (Response::Velocity(_), Input::Force(_)) => "m/(s N)",
+            (Response::Acceleration(_), Input::Force(_)) => "m/(s^2 N)",
+            (Response::Voltage(_) | Response::LoadVoltage(_), Input::Force(_)) => "V/N",
+            (Response::Displacement(_), Input::BaseAcceleration) => "m/(m/s^2)",
+            (Response::Velocity(_), Input::BaseAcceleration) => "(m/s)/(m/s^2)",
+            (Response::Acceleration(_), Input::BaseAcceleration) => "(m/s^2)/(m/s^2)",
+            (Response::Voltage(_) | Response::LoadVoltage(_), Input::BaseAcceleration) => "V/(m/s^2)",
         }
     }
 }
 
-/// Responses to a unit force on `input`, at each frequency.
+/// Responses to a unit amplitude of `input`, at each frequency.
 ///
 /// # Errors
-/// [`PlantError::UnknownName`] for a point or patch that is not there, [`PlantError::UndampedResonance`].
-pub fn frf(plant: &Plant, input: &str, responses: &[Response], frequencies_hz: &[f64]) -> Result<Vec<Frf>, PlantError> {
-    let force: Vec<c64> = shape(plant, input)?.iter().map(|s| c64::new(*s, 0.0)).collect();
+/// [`PlantError::UnknownName`] for a point, patch or circuit that is not there, [`PlantError::UndampedResonance`].
+pub fn frf(plant: &Plant, input: &Input, responses: &[Response], frequencies_hz: &[f64]) -> Result<Vec<Frf>, PlantError> {
+    let force: Vec<c64> = match input {
+        Input::Force(point) => shape(plant, point)?.iter().map(|s| c64::new(*s, 0.0)).collect(),
+        Input::BaseAcceleration => plant.system.modes.participation_sqrt_kg.iter().map(|p| c64::new(-p, 0.0)).collect(),
+    };
     let rows = responses.iter().map(|response| row(plant, response)).collect::<Result<Vec<_>, _>>()?;
     let mut answers: Vec<Frf> = responses.iter().map(|r| Frf { response: r.clone(), value: Vec::new() }).collect();
     for &frequency_hz in frequencies_hz {
@@ -76,6 +95,12 @@ fn row(plant: &Plant, response: &Response) -> Result<Vec<f64>, PlantError> {
             let patches: Vec<&String> = plant.system.modes.patch.keys().collect();
             let index = patches.iter().position(|name| *name == patch).ok_or_else(|| unknown("response", patch, &patches))?;
             plant.voltage_row(index)
+        }
+        Response::LoadVoltage(name) => {
+            let loads = &plant.system.loads;
+            let known: Vec<&String> = loads.iter().map(|load| &load.name).collect();
+            let index = loads.iter().position(|load| load.name == *name).ok_or_else(|| unknown("response", name, &known))?;
+            plant.load_voltage_row(index)
         }
     })
 }

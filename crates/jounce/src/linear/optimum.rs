@@ -13,11 +13,9 @@ pub struct Optimum {
 
 /// Mean power of all loads under the drives of a plant, without contact, W.
 pub fn steady_power_w(plant: &Plant) -> f64 {
-    let patches: Vec<&String> = plant.system.modes.patch.keys().collect();
     let mut power_w = 0.0;
-    for load in &plant.system.loads {
-        let Some(index) = patches.iter().position(|name| **name == load.patch) else { continue };
-        let row = plant.voltage_row(index);
+    for (index, load) in plant.system.loads.iter().enumerate() {
+        let row = plant.load_voltage_row(index);
         for tone in &plant.tones {
             power_w += 0.5 * crate::plant::dot(&row, &tone.steady).norm_sqr() / load.resistance_ohm;
         }
@@ -33,13 +31,11 @@ pub fn steady_power_w(plant: &Plant) -> f64 {
 /// # Errors
 /// [`PlantError`] of the plants at two trial resistances.
 pub fn optimal_resistance(plant: &Plant, load: usize) -> Result<Optimum, PlantError> {
-    let patches: Vec<&String> = plant.system.modes.patch.keys().collect();
-    let patch = patches.iter().position(|name| **name == plant.system.loads[load].patch).unwrap_or_default();
     let voltage = |resistance_ohm: f64| -> Result<faer::c64, PlantError> {
         let mut system = plant.system.clone();
         system.loads[load].resistance_ohm = resistance_ohm;
         let plant = Plant::new(system)?;
-        Ok(plant.tones.first().map_or(faer::c64::new(0.0, 0.0), |tone| crate::plant::dot(&plant.voltage_row(patch), &tone.steady)))
+        Ok(plant.tones.first().map_or(faer::c64::new(0.0, 0.0), |tone| crate::plant::dot(&plant.load_voltage_row(load), &tone.steady)))
     };
     // V (1/R + Y) = I at two resistances gives Y.
     let (r1, r2) = (plant.system.loads[load].resistance_ohm, 2.0 * plant.system.loads[load].resistance_ohm);

@@ -79,7 +79,7 @@ impl Marcher<'_> {
         let n = modes.len();
         let x = plant.to_physical(y, self.time_s);
         let mechanical: f64 = (0..n).map(|i| 0.5 * (x[n + i].powi(2) + (modes.frequency_rad_s[i] * x[i]).powi(2))).sum();
-        let electrical: f64 = modes.patch.values().zip(&x[2 * n..]).map(|(patch, v)| 0.5 * patch.capacitance_f * v * v).sum();
+        let electrical: f64 = plant.electrical.energy_scale().zip(&x[2 * n..]).map(|(scale, x)| 0.5 * (scale * x).powi(2)).sum();
         let compressed = match (self.regime, plant.system.stops.first()) {
             (Regime::Contact, Some(stop)) => stop.law.energy_j(self.penetration_m),
             _ => 0.0,

@@ -61,7 +61,7 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         let modes = &kernel.plant.system.modes;
         let drive = kernel.plant.tones.first().map_or(1.0, |tone| tone.angular_frequency_rad_s);
         let stiff = modes.frequency_rad_s.iter().map(|w| if *w > 0.0 { *w } else { drive });
-        let scale = stiff.chain(std::iter::repeat_n(1.0, modes.len())).chain(modes.patch.values().map(|p| p.capacitance_f.sqrt()));
+        let scale = stiff.chain(std::iter::repeat_n(1.0, modes.len())).chain(kernel.plant.electrical.energy_scale());
         Self { harvester, cycles, tolerance, scale: scale.collect() }
     }
 

@@ -1,6 +1,6 @@
 //! The linear plant with its ports, tones and outputs.
 
-use super::{Diagonal, PlantError, System};
+use super::{Across, Diagonal, Electrical, PlantError, System};
 use faer::c64;
 
 /// A coupled electromechanical system ready to be solved.
@@ -8,6 +8,8 @@ use faer::c64;
 pub struct Plant {
     /// What it was made from.
     pub system: System,
+    /// Its electrical states.
+    pub electrical: Electrical,
     /// The diagonal form.
     pub diagonal: Diagonal,
     /// One per distinct drive frequency.
@@ -48,8 +50,9 @@ impl Plant {
     /// # Errors
     /// Every variant of [`PlantError`] that concerns the linear system.
     pub fn new(system: System) -> Result<Self, PlantError> {
-        let diagonal = Diagonal::of(&system)?;
-        let mut plant = Self { system, diagonal, tones: Vec::new(), ports: Vec::new() };
+        let electrical = Electrical::of(&system);
+        let diagonal = Diagonal::of(&system, &electrical)?;
+        let mut plant = Self { system, electrical, diagonal, tones: Vec::new(), ports: Vec::new() };
         plant.tones = plant.make_tones()?;
         plant.ports = plant.system.stops.iter().map(|stop| plant.port(&stop.shape)).collect();
         Ok(plant)
@@ -103,7 +106,25 @@ impl Plant {
 
     /// Row in block coordinates of the voltage of patch number `patch` (in the order of `system.modes.patch`).
     pub fn voltage_row(&self, patch: usize) -> Vec<f64> {
-        self.row(&[1.0], 2 * self.system.modes.len() + patch)
+        let mut values = vec![0.0; self.electrical.nodes.len()];
+        self.electrical.patch[patch].iter().for_each(|(node, factor)| values[*node] += factor);
+        self.row(&values, 2 * self.system.modes.len())
+    }
+
+    /// Row in block coordinates of the voltage across the resistor of load number `load` (in the order of `system.loads`).
+    pub fn load_voltage_row(&self, load: usize) -> Vec<f64> {
+        let first = 2 * self.system.modes.len();
+        match self.electrical.load[load] {
+            None => vec![0.0; self.len()],
+            Some(Across::Node(node)) => self.row(&[1.0], first + node),
+            Some(Across::Inductor(inductor, resistance_ohm)) => self.row(&[resistance_ohm], first + self.electrical.nodes.len() + inductor),
+        }
+    }
+
+    /// Voltage of each patch in a physical state, V.
+    pub fn patch_voltages_v(&self, x: &[f64]) -> Vec<f64> {
+        let nodes = &x[2 * self.system.modes.len()..];
+        self.electrical.patch.iter().map(|parts| parts.iter().map(|(node, factor)| factor * nodes[*node]).sum()).collect()
     }
 
     /// Column in block coordinates of a modal force `shape`.
@@ -112,14 +133,20 @@ impl Plant {
         (0..self.len()).map(|i| shape.iter().enumerate().map(|(j, s)| inverse[(i, n + j)] * s).sum()).collect()
     }
 
-    /// Block coordinates of a physical state `(q, q', V)` at time `t`, the steady part taken away.
+    /// Column in block coordinates of a unit acceleration of the base, per m/s^2.
+    pub fn base_column(&self) -> Vec<f64> {
+        let against: Vec<f64> = self.system.modes.participation_sqrt_kg.iter().map(|participation| -participation).collect();
+        self.force_column(&against)
+    }
+
+    /// Block coordinates of a physical state `(q, q', V, i)` at time `t`, the steady part taken away.
     pub fn from_physical(&self, x: &[f64], time_s: f64) -> Vec<f64> {
         let steady = self.steady_at(time_s);
         let inverse = &self.diagonal.from_physical;
         (0..self.len()).map(|i| x.iter().enumerate().map(|(j, x)| inverse[(i, j)] * x).sum::<f64>() - steady[i]).collect()
     }
 
-    /// Physical state `(q, q', V)` at time `t` of block coordinates `y`.
+    /// Physical state `(q, q', V, i)` at time `t` of block coordinates `y`.
     pub fn to_physical(&self, y: &[f64], time_s: f64) -> Vec<f64> {
         let steady = self.steady_at(time_s);
         let full: Vec<f64> = y.iter().zip(&steady).map(|(y, s)| y + s).collect();

@@ -71,10 +71,8 @@ impl Meters {
 
     fn made(plant: &Plant, before: Option<&Self>) -> Result<Self, PlantError> {
         let modes = &plant.system.modes;
-        let patches: Vec<&String> = modes.patch.keys().collect();
         let loads = plant.system.loads.iter().enumerate().map(|(k, load)| {
-            let index = patches.iter().position(|name| **name == load.patch).unwrap_or_default();
-            let square = Square::new(plant, 1.0 / load.resistance_ohm, plant.voltage_row(index));
+            let square = Square::new(plant, 1.0 / load.resistance_ohm, plant.load_voltage_row(k));
             EnergyMeter::squares(plant, &format!("the energy of load `{}`", load.name), &[square], before.map(|meters| &meters.loads[k]))
         });
         let velocity = |i: usize| plant.velocity_row(&unit(modes.len(), i));
@@ -109,6 +107,12 @@ impl EnergyMeter {
             sum += (c64::cis(w * time_s) * value).re;
         }
         sum + self.steady_terms.iter().map(|(w, a)| (a * c64::cis(w * time_s)).re).sum::<f64>()
+    }
+
+    /// `b^T P b`: the energy, J, that the meter counts after an impulse that sets the block coordinates to `b`, without drives.
+    pub fn after_impulse_j(&self, b: &[f64]) -> f64 {
+        let product = |i: usize| (0..b.len()).map(|j| self.gramian[(i, j)] * b[j]).sum::<f64>();
+        (0..b.len()).map(|i| b[i] * product(i)).sum()
     }
 
     /// `P b` of a port: the row whose product with the force is integrated.

@@ -3,15 +3,17 @@
 //! Nothing from here on knows about beams: a [`System`] is modes, loads, stops and drives; a [`Plant`] is
 //!
 //! ```text
-//! y' = A y + sum_ports b_p f_p(t),   x(t) = T y(t) + Re(X e^{i w t}),   x = (q, q', V)
+//! y' = A y + sum_ports b_p f_p(t),   x(t) = T y(t) + Re(X e^{i w t}),   x = (q, q', V, i)
 //! ```
 //!
 //! with `A` made of 2 x 2 and 1 x 1 blocks, `y` the part of the state that the sinusoidal drive does not force, and `X` the
 //! steady state under the drive without contact. Between contacts the flow of `y` is therefore known exactly.
 
 mod block;
+mod component;
 mod coupled;
 mod diagonal;
+mod electrical;
 mod energy;
 mod error;
 mod system;
@@ -20,6 +22,7 @@ pub use block::{Block, Pair};
 pub(crate) use coupled::dot;
 pub use coupled::{Plant, Port, Tone};
 pub use diagonal::Diagonal;
+pub use electrical::{Across, Electrical, Inductor, Node};
 pub use energy::{EnergyMeter, Meters};
 pub use error::PlantError;
-pub use system::{Drive, Load, Stop, System};
+pub use system::{Connection, Drive, Load, Stop, System};

@@ -2,7 +2,7 @@
 
 use super::PlantError;
 use crate::contact::Law;
-use crate::spec::{Side, Spec};
+use crate::spec::{Side, Spec, Wiring};
 use crate::structure::Modes;
 
 /// A harvester after assembly.
@@ -18,15 +18,36 @@ pub struct System {
     pub drives: Vec<Drive>,
 }
 
-/// A resistor across a patch.
+/// A linear load across one patch or several: a resistor, perhaps with an inductor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Load {
     /// Name of the circuit.
     pub name: String,
-    /// Name of the patch.
-    pub patch: String,
+    /// The patches and how they are connected.
+    pub connections: Vec<Connection>,
+    /// How several patches stand to each other.
+    pub wiring: Wiring,
     /// Resistance, ohm.
     pub resistance_ohm: f64,
+    /// Inductance, H, and how the inductor stands to the resistor.
+    pub inductor: Option<(f64, Wiring)>,
+}
+
+/// A patch in a circuit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Connection {
+    /// Name of the patch.
+    pub patch: String,
+    /// `-1` where it is connected the other way round, else `1`.
+    pub sign: f64,
+}
+
+impl Load {
+    /// A resistor across one patch.
+    pub fn resistor(name: &str, patch: &str, resistance_ohm: f64) -> Self {
+        let connections = vec![Connection { patch: patch.to_owned(), sign: 1.0 }];
+        Self { name: name.to_owned(), connections, wiring: Wiring::Parallel, resistance_ohm, inductor: None }
+    }
 }
 
 /// A stop: penetration is `shape . q - gap`.
@@ -73,13 +94,23 @@ impl System {
 fn loads(spec: &Spec, modes: &Modes) -> Result<Vec<Load>, PlantError> {
     let mut loads: Vec<Load> = Vec::new();
     for (name, circuit) in &spec.circuit {
-        if !modes.patch.contains_key(&circuit.patch) {
-            return Err(unknown(format!("circuit.{name}.patch"), &circuit.patch, modes.patch.keys()));
+        let mut connections: Vec<Connection> = Vec::new();
+        for (patch, sign) in circuit.connections() {
+            if !modes.patch.contains_key(patch) {
+                return Err(unknown(format!("circuit.{name}.patch"), patch, modes.patch.keys()));
+            }
+            let carries = |connections: &[Connection]| connections.iter().any(|connection| connection.patch == patch);
+            let other = loads.iter().find(|load| carries(&load.connections)).map(|load| load.name.clone());
+            if let Some(first) = other.or_else(|| carries(&connections).then(|| name.clone())) {
+                return Err(PlantError::TwoCircuits { patch: patch.to_owned(), first, second: name.clone() });
+            }
+            connections.push(Connection { patch: patch.to_owned(), sign });
         }
-        if let Some(first) = loads.iter().find(|load| load.patch == circuit.patch) {
-            return Err(PlantError::TwoCircuits { patch: circuit.patch.clone(), first: first.name.clone(), second: name.clone() });
+        if connections.is_empty() {
+            return Err(unknown(format!("circuit.{name}.patch"), "", modes.patch.keys()));
         }
-        loads.push(Load { name: name.clone(), patch: circuit.patch.clone(), resistance_ohm: circuit.resistance_ohm });
+        let inductor = circuit.inductance_h.map(|inductance_h| (inductance_h, circuit.inductor));
+        loads.push(Load { name: name.clone(), connections, wiring: circuit.wiring, resistance_ohm: circuit.resistance_ohm, inductor });
     }
     Ok(loads)
 }

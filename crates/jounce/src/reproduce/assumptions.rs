@@ -57,9 +57,9 @@ pub(super) fn variants() -> Result<Vec<Variant>, ReproduceError> {
 fn mid_plane(spec: &Spec) -> Vec<(String, String)> {
     let (beam, patch) = (&spec.beam["beam"], &spec.patch["mfc"]);
     let middle_m = beam.thickness_m + patch.thickness_m / 2.0;
-    let lever_m = middle_m - CrossSection::patched(beam, patch).neutral_axis_m;
+    let lever_m = middle_m - CrossSection::covered(beam, std::iter::once(patch)).neutral_axis_m;
     let factor = (middle_m - beam.thickness_m / 2.0) / lever_m;
-    vec![("patch.mfc.d31".to_owned(), format!("{} pC/N", patch.d31_m_per_v * factor * 1e12))]
+    vec![("patch.mfc.d31".to_owned(), format!("{} pC/N", patch.d31_m_per_v.unwrap_or_default() * factor * 1e12))]
 }
 
 impl Variant {

@@ -2,7 +2,7 @@
 
 use super::harvester::Harvester;
 use super::{NamedFigure, NamedTable, ReproduceError};
-use crate::linear::{Response, frf};
+use crate::linear::{Input, Response, frf};
 use crate::picture::{Response as Curve, Scale, frequency_responses};
 use crate::plant::{Plant, System};
 use crate::structure::modes_holding;
@@ -29,7 +29,8 @@ impl HammerTest {
         let plant = Plant::new(system)?;
         let frequency_hz = frequencies_hz(&plant);
         let wanted = [Response::Acceleration("beam.tip".to_owned()), Response::Voltage("mfc".to_owned())];
-        let mut curves = frf(&plant, "beam.hammer", &wanted, &frequency_hz)?.into_iter().map(|answer| Curve {
+        let hammer = Input::Force("beam.hammer".to_owned());
+        let mut curves = frf(&plant, &hammer, &wanted, &frequency_hz)?.into_iter().map(|answer| Curve {
             label: answer.response.name(),
             re: answer.value.iter().map(|z| z.re).collect(),
             im: answer.value.iter().map(|z| z.im).collect(),

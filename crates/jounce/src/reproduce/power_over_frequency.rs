@@ -6,7 +6,7 @@ use super::harvester::{Case, Harvester, MEGOHM};
 use super::named::Stop;
 use super::stepped::{Branch, Level, stepped};
 use super::{NamedFigure, NamedTable, ReproduceError};
-use crate::linear::{Response, frf};
+use crate::linear::{Input, Response, frf};
 use crate::picture::{Direction, Scale, SweepLine, SweepLook, sweep};
 use crate::table::{Column, Table};
 use rayon::prelude::*;
@@ -78,7 +78,7 @@ fn linear(harvester: &Harvester) -> Result<Branch, ReproduceError> {
     let fine = (8600..=8800).map(|i| f64::from(i) / 1000.0);
     let mut frequency_hz: Vec<f64> = coarse.filter(|f| !(8.6..=8.8).contains(f)).chain(fine).collect();
     frequency_hz.sort_by(f64::total_cmp);
-    let answers = frf(&plant, "table", &[Response::Voltage("mfc".to_owned())], &frequency_hz)?;
+    let answers = frf(&plant, &Input::Force("table".to_owned()), &[Response::Voltage("mfc".to_owned())], &frequency_hz)?;
     let power_w_n2 = answers.iter().flat_map(|answer| &answer.value).map(|v| v.norm_sqr() / (2.0 * MEGOHM)).collect();
     Ok(Branch { frequency_hz, power_w_n2, ..Branch::default() })
 }

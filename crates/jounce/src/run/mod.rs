@@ -1,10 +1,12 @@
 //! A run: from a start to an end, with its averages, its energy balance and whether it has settled.
 
+mod limits;
 mod result;
 mod settle;
 mod simulate;
 mod start;
 
+pub use limits::{Exceeded, exceeded};
 pub use result::{LoadAnswer, RunAnswer};
 pub use settle::Settlement;
 pub use simulate::{RunError, RunPlan, simulate};

@@ -27,7 +27,7 @@ pub enum RunError {
     March(#[from] MarchError),
     /// A start state of another harvester.
     #[error(
-        "the start state has {modes} modes, {patches} patches and {drives} drives, or a value that is not finite; this harvester has {wanted_modes} modes, {wanted_patches} patches and {wanted_drives} drives"
+        "the start state has {modes} modes, {patches} electrical states and {drives} drives, or a value that is not finite; this harvester has {wanted_modes} modes, {wanted_patches} electrical states and {wanted_drives} drives"
     )]
     StateDoesNotFit {
         /// Modes of the state.
@@ -112,10 +112,10 @@ fn check(plant: &Plant, start: &StartState) -> Result<(), RunError> {
     }
     Err(RunError::StateDoesNotFit {
         modes: start.displacement.len(),
-        patches: start.voltage_v.len(),
+        patches: start.voltage_v.len() + start.current_a.len(),
         drives: start.drive_angle_rad.len(),
         wanted_modes: plant.system.modes.len(),
-        wanted_patches: plant.system.modes.patch.len(),
+        wanted_patches: plant.electrical.len(),
         wanted_drives: plant.system.drives.len(),
     })
 }
@@ -124,12 +124,10 @@ fn check(plant: &Plant, start: &StartState) -> Result<(), RunError> {
 fn settled(kernel: &Kernel, trajectory: &crate::march::Trajectory, end_s: f64, period_s: Option<f64>, noise: f64) -> Settlement {
     let Some(period_s) = period_s else { return settlement(&[], noise) };
     let times: Vec<f64> = (0..LOOKS).rev().map(|k| end_s - k as f64 * period_s).filter(|time_s| *time_s > -1e-9 * period_s).collect();
-    let modes = &kernel.plant.system.modes;
-    let n = modes.len();
-    let scales: Vec<f64> = (modes.frequency_rad_s.iter().copied())
-        .chain(std::iter::repeat_n(1.0, n))
-        .chain(modes.patch.values().map(|patch| patch.capacitance_f.sqrt()))
-        .collect();
+    let plant = &kernel.plant;
+    let frequencies = &plant.system.modes.frequency_rad_s;
+    let mechanical = frequencies.iter().copied().chain(std::iter::repeat_n(1.0, frequencies.len()));
+    let scales: Vec<f64> = mechanical.chain(plant.electrical.energy_scale()).collect();
     let states: Vec<Vec<f64>> = (trajectory.at(kernel, &times).iter())
         .map(|at| kernel.plant.to_physical(&at.state, at.time_s).iter().zip(&scales).map(|(x, s)| x * s).collect())
         .collect();

@@ -10,8 +10,11 @@ pub struct StartState {
     pub displacement: Vec<f64>,
     /// Modal velocities `q'`, kg^1/2 m/s.
     pub velocity: Vec<f64>,
-    /// Voltage of each patch, V.
+    /// Voltage of each electrical node, V: of each patch where none share a circuit.
     pub voltage_v: Vec<f64>,
+    /// Current of each inductor, A.
+    #[serde(default)]
+    pub current_a: Vec<f64>,
     /// Angle of each drive (argument of its sine), rad: a run that goes on from here keeps it continuous.
     pub drive_angle_rad: Vec<f64>,
 }
@@ -23,7 +26,8 @@ impl StartState {
         Self {
             displacement: vec![0.0; n],
             velocity: vec![0.0; n],
-            voltage_v: vec![0.0; plant.system.modes.patch.len()],
+            voltage_v: vec![0.0; plant.electrical.nodes.len()],
+            current_a: vec![0.0; plant.electrical.inductors.len()],
             drive_angle_rad: plant.system.drives.iter().map(|drive| drive.phase_rad).collect(),
         }
     }
@@ -43,14 +47,15 @@ impl StartState {
         Self {
             displacement: x[..n].to_vec(),
             velocity: x[n..2 * n].to_vec(),
-            voltage_v: x[2 * n..].to_vec(),
+            voltage_v: x[2 * n..2 * n + plant.electrical.nodes.len()].to_vec(),
+            current_a: x[2 * n + plant.electrical.nodes.len()..].to_vec(),
             drive_angle_rad: plant.system.drives.iter().map(angle).collect(),
         }
     }
 
-    /// `(q, q', V)` in one row.
+    /// `(q, q', V, i)` in one row.
     pub fn physical(&self) -> Vec<f64> {
-        [self.displacement.as_slice(), &self.velocity, &self.voltage_v].concat()
+        [self.displacement.as_slice(), &self.velocity, &self.voltage_v, &self.current_a].concat()
     }
 
     /// True when the state has the sizes of a plant.
@@ -58,7 +63,8 @@ impl StartState {
         let modes = &plant.system.modes;
         self.displacement.len() == modes.len()
             && self.velocity.len() == modes.len()
-            && self.voltage_v.len() == modes.patch.len()
+            && self.voltage_v.len() == plant.electrical.nodes.len()
+            && self.current_a.len() == plant.electrical.inductors.len()
             && self.drive_angle_rad.len() == plant.system.drives.len()
             && self.physical().iter().chain(&self.drive_angle_rad).all(|value| value.is_finite())
     }

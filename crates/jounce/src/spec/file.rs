@@ -19,7 +19,7 @@ use super::{KeyRange, Quantity, Spec, cross};
 /// use jounce::spec::SpecFile;
 /// let mut file = SpecFile::from_text("[mass.table]\nmass = \"12 kg\"\nfrequency = \"1 Hz\"\ndamping_ratio = 0.3");
 /// file.set("mass.table.damping_ratio", "0.05")?;
-/// assert_eq!(file.spec()?.mass["table"].damping_ratio, 0.05);
+/// assert_eq!(file.spec()?.mass["table"].damping_ratio, Some(0.05));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct SpecFile {

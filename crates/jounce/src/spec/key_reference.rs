@@ -36,14 +36,15 @@ fn line(row: &Row) -> String {
         let words: Vec<String> = when.is.iter().map(|word| format!("`{word}`")).collect();
         name.push_str(&format!(" with `{}` {}", when.key, words.join(", ")));
     }
+    let quoted = |names: &[&str]| names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
     let default = match (info.need, &row.default) {
         (Need::Required, _) => "required".to_owned(),
-        (Need::OneOf(names), _) => {
-            format!("exactly one of {}", names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "))
-        }
+        (Need::AtMostOne(names), _) => format!("none; at most one of {}", quoted(names)),
+        (Need::OneOf(names), _) => format!("exactly one of {}", quoted(names)),
         (Need::Default, Some(default)) => format!("`{default}`"),
         (Need::Default, None) => "none".to_owned(),
     };
+    let default = info.unless.map_or_else(|| default.clone(), |other| format!("{default}, unless `{other}` gives it"));
     format!("| {name} | {} | {} | {default} | {} |\n", holds(info.kind), allowed(info.kind, &info.range), info.doc)
 }
 
@@ -58,6 +59,7 @@ fn holds(kind: Kind) -> String {
         Kind::ChoiceOrPath(_) => "choice or path".to_owned(),
         Kind::Choice(_) => "choice".to_owned(),
         Kind::Reference { what } => format!("name of {what}"),
+        Kind::References { what } => format!("list of names of {what}"),
         Kind::Things | Kind::Table => "table".to_owned(),
     }
 }
@@ -65,7 +67,9 @@ fn holds(kind: Kind) -> String {
 fn allowed(kind: Kind, range: &Range) -> String {
     match kind {
         Kind::Choice(words) => words.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", "),
-        Kind::ChoiceOrPath(_) | Kind::Reference { .. } | Kind::Things | Kind::Table | Kind::NamedNumbers => String::new(),
+        Kind::ChoiceOrPath(_) | Kind::Reference { .. } | Kind::References { .. } | Kind::Things | Kind::Table | Kind::NamedNumbers => {
+            String::new()
+        }
         _ if *range == Range::ANY => "any".to_owned(),
         _ => range.rule(kind).trim_start_matches("must be ").to_owned(),
     }

@@ -27,9 +27,11 @@ pub struct Spec {
     pub run: Run,
 }
 
-/// A uniform cantilever; its root is clamped (no rotation) to the ground or to a mass.
+/// A uniform beam; its root is clamped to the ground, to a mass or to a point of another beam. A stepped beam is a chain of these.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Beam {
+    /// `material`: a name of the library, which gives modulus and density where they are not given; empty without.
+    pub material: String,
     /// `length`
     pub length_m: f64,
     /// `width`
@@ -40,7 +42,7 @@ pub struct Beam {
     pub youngs_modulus_pa: f64,
     /// `density`
     pub density_kg_m3: f64,
-    /// `root`: `"ground"` or the name of a mass; default `"ground"`.
+    /// `root`: `"ground"`, the name of a mass, or a point of another beam, `"arm.end"`; default `"ground"`.
     pub root: String,
     /// `[beam.NAME.point]`: named places along the beam, distance from the root, m. `NAME.root` and `NAME.end` always exist.
     pub point: BTreeMap<String, f64>,
@@ -51,6 +53,10 @@ pub struct Beam {
 pub struct Patch {
     /// `on`: name of the beam.
     pub on: String,
+    /// `face`: `"top"` (default) or `"bottom"`.
+    pub face: Face,
+    /// `material`: a name of the library, which gives what is not given here; empty without.
+    pub material: String,
     /// `start`: distance from the root, m.
     pub start_m: f64,
     /// `length`
@@ -63,12 +69,44 @@ pub struct Patch {
     pub youngs_modulus_pa: f64,
     /// `density`; required with `laminate`; not used by `thin-skin` (the paper neglects the mass of the patch), default 0 there.
     pub density_kg_m3: f64,
-    /// `d31`, m/V
-    pub d31_m_per_v: f64,
-    /// `capacitance`
-    pub capacitance_f: f64,
+    /// `d31`, m/V: strain along the beam per field through the thickness.
+    pub d31_m_per_v: Option<f64>,
+    /// `d33`, m/V: strain along the beam per field along it, between electrodes `electrode_spacing` apart; excludes `d31`.
+    pub d33_m_per_v: Option<f64>,
+    /// `electrode_spacing`, m; goes with `d33`.
+    pub electrode_spacing_m: Option<f64>,
+    /// `capacitance`, clamped, F; excludes `permittivity`.
+    pub capacitance_f: Option<f64>,
+    /// `permittivity` at constant strain of the layer as a plate capacitor, F/m.
+    pub permittivity_f_m: Option<f64>,
+    /// `strain_limit`: largest strain along the beam that it bears, dimensionless.
+    pub strain_limit: Option<f64>,
     /// `section`; default `laminate`.
     pub section: Section,
+}
+
+impl Patch {
+    /// Free strain along the beam per volt, 1/V: `d31 / thickness`, or `d33 / electrode_spacing`; NaN where neither is known.
+    pub fn free_strain_per_v(&self) -> f64 {
+        let along = self.d33_m_per_v.zip(self.electrode_spacing_m).map(|(d33, spacing)| d33 / spacing);
+        along.or(self.d31_m_per_v.map(|d31| d31 / self.thickness_m)).unwrap_or(f64::NAN)
+    }
+
+    /// Clamped capacitance, F: as given, or `permittivity * width * length / thickness`; NaN where neither is known.
+    pub fn clamped_capacitance_f(&self) -> f64 {
+        let plate = || self.permittivity_f_m.map(|permittivity| permittivity * self.width_m * self.length_m / self.thickness_m);
+        self.capacitance_f.or_else(plate).unwrap_or(f64::NAN)
+    }
+}
+
+/// The face of a beam that carries a patch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Face {
+    /// The face towards positive displacement.
+    #[default]
+    Top,
+    /// The face towards negative displacement.
+    Bottom,
 }
 
 /// How a patch changes the section of its beam.
@@ -81,15 +119,19 @@ pub enum Section {
     Laminate,
 }
 
-/// A rigid mass that moves along the drive direction on a grounded spring, and may carry beams.
+/// A rigid mass. On a spring it moves along the drive direction and may carry beams; without one it is part of what it stands on.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mass {
+    /// `on`: `"ground"` (default), a mass, a point of a beam, or `"nothing"` for a free mass.
+    pub on: String,
     /// `mass`
     pub mass_kg: f64,
-    /// `frequency` (of the mass alone on its spring) or `stiffness`, exactly one of them; stored as stiffness, N/m.
-    pub stiffness_n_m: f64,
-    /// `damping_ratio`: damping ratio of the coupled mode in which this mass moves most.
-    pub damping_ratio: f64,
+    /// `rotary_inertia` about the point that it is fixed to, kg m^2; default 0. For a mass without spring on a beam.
+    pub rotary_inertia_kg_m2: f64,
+    /// `frequency` (of the mass alone on its spring) or `stiffness`, at most one of them; stored as stiffness, N/m. `None`: no spring.
+    pub stiffness_n_m: Option<f64>,
+    /// `damping_ratio`: damping ratio of the coupled mode in which this mass moves most; with a spring only.
+    pub damping_ratio: Option<f64>,
 }
 
 /// A structure given by its modes.
@@ -187,13 +229,40 @@ pub enum StopLaw {
     },
 }
 
-/// An electrical load across one patch.
+/// A linear load across one patch or several.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Circuit {
-    /// `patch`: `"mfc"` or `"harvester.mfc"`.
+    /// `patch`: `"mfc"` or `"harvester.mfc"`; empty where `patches` is given.
     pub patch: String,
+    /// `patches`: several, `["top", "-bottom"]`; a minus connects a patch the other way round.
+    pub patches: Vec<String>,
+    /// `wiring` of several patches; default parallel.
+    pub wiring: Wiring,
     /// `resistance`, ohm, > 0.
     pub resistance_ohm: f64,
+    /// `inductance`, H; `None` without an inductor.
+    pub inductance_h: Option<f64>,
+    /// `inductor`: how it stands to the resistor; default parallel.
+    pub inductor: Wiring,
+}
+
+impl Circuit {
+    /// Every patch of the circuit with the sign of its connection.
+    pub fn connections(&self) -> impl Iterator<Item = (&str, f64)> {
+        let single = Some(self.patch.as_str()).filter(|patch| !patch.is_empty()).map(|patch| (patch, 1.0));
+        let several = self.patches.iter().map(|patch| patch.strip_prefix('-').map_or((patch.as_str(), 1.0), |name| (name, -1.0)));
+        single.into_iter().chain(several)
+    }
+}
+
+/// How two electrical things stand to each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Wiring {
+    /// `"parallel"`: the same voltage.
+    #[default]
+    Parallel,
+    /// `"series"`: the same current.
+    Series,
 }
 
 /// A sinusoidal drive `amplitude * sin(2 pi frequency t + phase)`.

@@ -12,7 +12,7 @@ use super::{Spec, cross};
 /// use jounce::spec::{NumericKey, Spec};
 /// let mut spec = Spec::from_toml("[mass.table]\nmass = \"12 kg\"\nfrequency = \"1 Hz\"\ndamping_ratio = 0.3")?;
 /// NumericKey::find(&spec, "mass.table.damping_ratio")?.set(&mut spec, 0.05)?;
-/// assert_eq!(spec.mass["table"].damping_ratio, 0.05);
+/// assert_eq!(spec.mass["table"].damping_ratio, Some(0.05));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]

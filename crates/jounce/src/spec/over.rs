@@ -4,7 +4,7 @@ use std::fmt;
 
 use toml_edit::{DocumentMut, Item, TableLike};
 
-use super::key::{KeyInfo, Kind, Need, Row, rows};
+use super::key::{KeyInfo, Kind, Row, rows};
 use super::keys::SPEC;
 use super::nearest::{clip, listed, nearest};
 use super::source::{Node, Place, Value, value_of};
@@ -31,7 +31,7 @@ impl Override {
             node.value = Value::Text(value.to_owned());
         }
         move_to(&mut node, Place::Set(index));
-        let excludes = if let Need::OneOf(names) = info.need { names } else { &[] };
+        let excludes = info.need.alternatives();
         Self { path: key.split('.').map(str::to_owned).collect(), value: value.to_owned(), node, excludes }
     }
 

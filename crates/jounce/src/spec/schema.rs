@@ -34,7 +34,7 @@ fn table(rows: &[Row]) -> Value {
         }
         properties.insert(row.info.name.to_owned(), property);
     }
-    let required = rows.iter().filter(|row| row.info.need == Need::Required && row.info.when.is_none());
+    let required = rows.iter().filter(|row| row.info.need == Need::Required && row.info.when.is_none() && row.info.unless.is_none());
     let required: Vec<&str> = required.map(|row| row.info.name).collect();
     let mut table = json!({ "type": "object", "properties": properties, "additionalProperties": false, "required": required });
     let rules = rules(rows);
@@ -64,6 +64,7 @@ fn property(row: &Row) -> Value {
         Kind::Numbers => numbers(row),
         Kind::NamedNumbers => by_name(numbers(row)),
         Kind::ChoiceOrPath(_) | Kind::Reference { .. } => json!({ "type": "string", "minLength": 1 }),
+        Kind::References { .. } => json!({ "type": "array", "items": { "type": "string", "minLength": 1 }, "minItems": 1 }),
         Kind::Choice(words) => json!({ "type": "string", "enum": words }),
         Kind::Things => by_name(table(&row.inner)),
         Kind::Table => table(&row.inner),
@@ -117,11 +118,20 @@ fn rules(rows: &[Row]) -> Vec<Value> {
         }
     }
     for row in rows {
-        if let Need::OneOf(names) = row.info.need
-            && names.first() == Some(&row.info.name)
-        {
+        let names = row.info.need.alternatives();
+        if names.first() == Some(&row.info.name) {
             let alternatives: Vec<Value> = names.iter().map(|name| json!({ "required": [name] })).collect();
-            rules.push(json!({ "oneOf": alternatives }));
+            rules.push(match (row.info.need, row.info.unless) {
+                (Need::AtMostOne(_), _) => json!({ "not": { "required": names } }),
+                (_, None) => json!({ "oneOf": alternatives }),
+                (_, Some(other)) => {
+                    let exactly = json!({ "oneOf": alternatives });
+                    json!({ "if": { "required": [other] }, "then": { "not": { "required": names } }, "else": exactly })
+                }
+            });
+        }
+        if let (Need::Required, None, Some(other)) = (row.info.need, row.info.when, row.info.unless) {
+            rules.push(json!({ "anyOf": [{ "required": [row.info.name] }, { "required": [other] }] }));
         }
     }
     rules
@@ -131,8 +141,12 @@ fn rule(choice: &Row, word: &str, dependent: &[&Row]) -> Value {
     let name = choice.info.name;
     let goes = |row: &&&Row| row.info.when.is_some_and(|when| when.is.contains(&word));
     let present: Vec<&str> = dependent.iter().filter(goes).map(|row| row.info.name).collect();
-    let required: Vec<&str> =
-        dependent.iter().filter(goes).filter(|row| row.info.need == Need::Required).map(|row| row.info.name).collect();
+    let required: Vec<&str> = dependent
+        .iter()
+        .filter(goes)
+        .filter(|row| row.info.need == Need::Required && row.info.unless.is_none())
+        .map(|row| row.info.name)
+        .collect();
     let absent = dependent.iter().map(|row| row.info.name).filter(|other| !present.contains(other));
     let absent: Map<String, Value> = absent.map(|other| (other.to_owned(), json!(false))).collect();
     let is_default = choice.default.as_deref() == Some(format!("\"{word}\"").as_str());

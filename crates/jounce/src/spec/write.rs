@@ -65,7 +65,8 @@ fn value<T>(key: &Key<T>, thing: &T) -> Option<String> {
         Slot::Number { get, .. } => Some(number(get(thing))),
         Slot::Optional { get, .. } => get(thing).map(number),
         Slot::Count { get, .. } => Some(get(thing).to_string()),
-        Slot::Text { get, .. } => Some(quoted(&get(thing))),
+        Slot::Text { get, .. } => Some(get(thing)).filter(|text| !text.is_empty()).map(|text| quoted(&text)),
+        Slot::Texts { get, .. } => (!get(thing).is_empty()).then(|| texts(get(thing))),
         Slot::Numbers { get, .. } => (!get(thing).is_empty()).then(|| list(get(thing))),
         Slot::Derived { .. } | Slot::NamedQuantities { .. } | Slot::NamedNumbers { .. } | Slot::Inner(_) => None,
     }
@@ -100,6 +101,10 @@ fn quoted(text: &str) -> String {
 /// The shortest digits that read back as the same bits.
 fn float(value: f64) -> String {
     format!("{value:?}")
+}
+
+fn texts(values: &[String]) -> String {
+    format!("[{}]", values.iter().map(|value| quoted(value)).collect::<Vec<_>>().join(", "))
 }
 
 fn list(values: &[f64]) -> String {

@@ -1,7 +1,6 @@
 //! Mode shapes along the beams, for pictures.
 
 use super::solution::Solution;
-use crate::spec::Spec;
 use std::collections::BTreeMap;
 
 /// The modes of one beam along its length.
@@ -21,17 +20,17 @@ impl BeamShape {
 }
 
 /// The kept modes of each beam at `samples` equidistant places (at least 2).
-pub(super) fn beam_shapes(spec: &Spec, solution: &Solution, samples: usize) -> BTreeMap<String, BeamShape> {
+pub(super) fn beam_shapes(solution: &Solution, samples: usize) -> BTreeMap<String, BeamShape> {
     let intervals = samples.max(2) - 1;
     let mut shapes = BTreeMap::new();
     for (part, (assembly, reduced)) in solution.parts.iter().enumerate() {
         let needed = solution.order.needed(part);
-        for (index, name) in assembly.body.beams.iter().enumerate() {
-            let length_m = spec.beam[*name].length_m;
+        for (index, name, beam) in assembly.body.beams() {
+            let length_m = beam.length_m;
             let place_m: Vec<f64> = (0..=intervals).map(|sample| length_m * sample as f64 / intervals as f64).collect();
             let at = |place_m: &f64| solution.order.spread(part, &reduced.modal(&assembly.displacement(index, *place_m), needed));
             let shape = place_m.iter().map(at).collect();
-            shapes.insert((*name).to_owned(), BeamShape { place_m, shape });
+            shapes.insert(name.to_owned(), BeamShape { place_m, shape });
         }
     }
     shapes

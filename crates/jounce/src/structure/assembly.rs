@@ -1,21 +1,23 @@
 //! A connected structure in coordinates of strain: stiffness is the identity, mass is `G^T G`.
 //!
-//! Every structure of a spec is statically determinate (cantilevers on the ground or on a sprung mass), so the map from its
-//! degrees of freedom to its strains is square and is inverted by integrating along the beam, with no solve:
+//! Every structure of a spec is a tree (beams and masses, each on one other), so the map from its degrees of freedom to its strains
+//! is square and is inverted by integrating from the support outwards, with no solve:
 //!
 //! ```text
-//! s        = (sqrt(k) u, sqrt(EI l / (2j+1)) c_j of every element)     coordinates, J^(1/2)
-//! U        = s^T s / 2                                                 strain energy
-//! T        = |G s'|^2 / 2                                              kinetic energy
-//! x(point) = row(point) s                                              displacement, m
+//! s        = (sqrt(k) (u - w), sqrt(EI l / (2j+1)) c_j of every element)     coordinates, J^(1/2)
+//! U        = s^T s / 2                                                       strain energy
+//! T        = |G s'|^2 / 2                                                    kinetic energy
+//! x(point) = row(point) s                                                    displacement, m
 //! ```
 //!
-//! A row holds the flexibility of its point: `row . row` is its static displacement per unit force, exact on any mesh that has a
-//! node there. A mass without a spring is its own coordinate 0 (`s_0 = u`) without strain energy.
+//! with `u` the displacement of a mass, `w` that of what its spring stands on. A row holds the flexibility of its point: `row . row` is
+//! its static displacement per unit force, exact on any mesh that has a node there. A free mass is its own coordinate 0 (`s_0 = u`)
+//! without strain energy. A mass fixed to a beam adds `sqrt(m) w` and `sqrt(J) w'` to the kinetic energy's sum of squares.
 
-use super::body::Body;
+use super::body::{Body, Support, Thing};
 use super::element::Element;
 use super::error::StructureError;
+use super::placed::{Motion, Placed, PlacedPart, chained, placed_mass};
 use faer::Mat;
 
 /// Displacement or slope per unit of each strain coordinate.
@@ -29,62 +31,76 @@ pub(super) struct Assembly<'a> {
     pub columns: usize,
     /// The first coordinate is a rigid-body motion.
     pub rigid: bool,
-    root: Row,
-    beams: Vec<Vec<Placed>>,
-}
-
-/// An element, its coordinates, and how its start moves.
-#[derive(Debug, Clone)]
-struct Placed {
-    element: Element,
-    first_column: usize,
-    start_displacement: Row,
-    start_slope: Row,
+    /// One per part of the body.
+    placed: Vec<PlacedPart>,
 }
 
 impl<'a> Assembly<'a> {
-    /// Chains the elements of each beam of the body, `elements` in the order of `body.beams`.
+    /// Places every part on its support, `elements` being those of each beam by its place among the parts.
     pub fn new(body: Body<'a>, elements: Vec<Vec<Element>>) -> Self {
-        let support = usize::from(body.mass.is_some());
-        let columns = support + elements.iter().flatten().map(|element| element.terms).sum::<usize>();
-        let stiffness_n_m = body.mass.map_or(0.0, |(_, mass)| mass.stiffness_n_m);
-        let rigid = body.mass.is_some() && stiffness_n_m == 0.0;
-        let mut root = vec![0.0; columns];
-        if body.mass.is_some() {
-            root[0] = if rigid { 1.0 } else { 1.0 / stiffness_n_m.sqrt() };
+        let has_coordinate = |thing: &Thing, on: &Support| match thing {
+            Thing::Mass(mass) => usize::from(mass.stiffness_n_m.is_some() || *on == Support::Nothing),
+            Thing::Beam(_) => 0,
+        };
+        let own: usize = body.parts.iter().map(|part| has_coordinate(&part.thing, &part.on)).sum();
+        let columns = own + elements.iter().flatten().map(|element| element.terms).sum::<usize>();
+        let rigid = body.parts.first().is_some_and(|part| part.on == Support::Nothing);
+        let mut assembly = Self { columns, rigid, placed: Vec::with_capacity(body.parts.len()), body };
+        let mut next_column = 0;
+        for (index, chain) in elements.into_iter().enumerate() {
+            let part = assembly.body.parts[index];
+            let support = assembly.motion_of(part.on);
+            let placed = match part.thing {
+                Thing::Mass(mass) => placed_mass(mass, part.on, support, &mut next_column),
+                Thing::Beam(_) => PlacedPart::Beam(chained(chain, support, &mut next_column)),
+            };
+            assembly.placed.push(placed);
         }
-        let mut next_column = support;
-        let beams = elements.into_iter().map(|chain| chained(chain, &root, &mut next_column)).collect();
-        Self { body, columns, rigid, root, beams }
+        assembly
     }
 
-    /// Displacement of the mass or of the clamped roots.
-    pub fn root_displacement(&self) -> &Row {
-        &self.root
+    /// Displacement of the mass or of the clamped root that is part `part`.
+    pub fn root_displacement(&self, part: usize) -> Row {
+        match &self.placed[part] {
+            PlacedPart::Mass { motion, .. } => motion.displacement.clone(),
+            PlacedPart::Beam(chain) => chain.first().map_or_else(|| vec![0.0; self.columns], |placed| placed.start.displacement.clone()),
+        }
     }
 
-    /// Displacement of beam `beam` (its place in `body.beams`) at `place_m` from the root.
-    pub fn displacement(&self, beam: usize, place_m: f64) -> Row {
-        let placed = self.element_at(beam, place_m);
+    /// Displacement of the beam that is part `part` at `place_m` from the root.
+    pub fn displacement(&self, part: usize, place_m: f64) -> Row {
+        let Some(placed) = self.element_at(part, place_m) else { return self.root_displacement(part) };
         let offset_m = place_m - placed.element.start_m;
-        let mut row: Row = placed.start_displacement.iter().zip(&placed.start_slope).map(|(w, slope)| w + offset_m * slope).collect();
+        let start = &placed.start;
+        let mut row: Row = start.displacement.iter().zip(&start.slope).map(|(w, slope)| w + offset_m * slope).collect();
         placed.add(&mut row, &placed.element.displacement(offset_m));
         row
     }
 
-    /// Slope of beam `beam` at `place_m` from the root.
-    pub fn slope(&self, beam: usize, place_m: f64) -> Row {
-        let placed = self.element_at(beam, place_m);
-        let mut row = placed.start_slope.clone();
+    /// Slope of the beam that is part `part` at `place_m` from the root; of a mass, that of what it is fixed to.
+    pub fn slope(&self, part: usize, place_m: f64) -> Row {
+        let Some(placed) = self.element_at(part, place_m) else {
+            return if let PlacedPart::Mass { motion, .. } = &self.placed[part] { motion.slope.clone() } else { vec![0.0; self.columns] };
+        };
+        let mut row = placed.start.slope.clone();
         placed.add(&mut row, &placed.element.slope(place_m - placed.element.start_m));
         row
     }
 
-    /// Displacement of the free end of each beam; of the mass where it carries none.
+    /// Curvature of the beam that is part `part` at `place_m` from the root, 1/m per coordinate.
+    pub fn curvature(&self, part: usize, place_m: f64) -> Row {
+        let mut row = vec![0.0; self.columns];
+        if let Some(placed) = self.element_at(part, place_m) {
+            placed.add(&mut row, &placed.element.curvature(place_m - placed.element.start_m));
+        }
+        row
+    }
+
+    /// Displacement of the end of each beam, in the order of their names; of each mass where there is no beam.
     pub fn free_ends(&self) -> Vec<Row> {
-        let end_m = |chain: &Vec<Placed>| chain.last().map_or(0.0, |placed| placed.element.start_m + placed.element.length_m);
-        let ends: Vec<Row> = self.beams.iter().enumerate().map(|(beam, chain)| self.displacement(beam, end_m(chain))).collect();
-        if ends.is_empty() { vec![self.root.clone()] } else { ends }
+        let beams = self.body.beams();
+        let ends: Vec<Row> = beams.iter().map(|(part, _, beam)| self.displacement(*part, beam.length_m)).collect();
+        if ends.is_empty() { self.body.masses().map(|(part, ..)| self.root_displacement(part)).collect() } else { ends }
     }
 
     /// The mass factor `G`.
@@ -92,14 +108,10 @@ impl<'a> Assembly<'a> {
     /// # Errors
     /// `NotRepresentable` where an entry is not finite.
     pub fn mass_factor(&self) -> Result<Mat<f64>, StructureError> {
-        let support = usize::from(self.body.mass.is_some());
-        let rows = support + self.beams.iter().flatten().map(Placed::mass_rows).sum::<usize>();
+        let rows = self.placed.iter().map(PlacedPart::mass_rows).sum::<usize>();
         let mut factor = Mat::zeros(rows, self.columns);
-        if let Some((_, mass)) = self.body.mass {
-            factor[(0, 0)] = mass.mass_kg.sqrt() * self.root[0];
-        }
-        let mut row = support;
-        for placed in self.beams.iter().flatten() {
+        let mut row = 0;
+        for placed in &self.placed {
             placed.add_mass(&mut factor, row);
             row += placed.mass_rows();
         }
@@ -114,70 +126,22 @@ impl<'a> Assembly<'a> {
     /// As [`Assembly::mass_factor`].
     pub fn translated_mass(&self) -> Result<Row, StructureError> {
         let factor = self.mass_factor()?;
-        let mut translation = vec![0.0; factor.nrows()];
-        let support = usize::from(self.body.mass.is_some());
-        if let Some((_, mass)) = self.body.mass {
-            translation[0] = mass.mass_kg.sqrt();
-        }
-        let mut row = support;
-        for placed in self.beams.iter().flatten() {
-            translation[row] = placed.element.mass_weight(0);
-            row += placed.mass_rows();
-        }
+        let translation: Vec<f64> = self.placed.iter().flat_map(PlacedPart::translation).collect();
         Ok(factor.col_iter().map(|column| column.iter().zip(&translation).map(|(entry, unit)| entry * unit).sum()).collect())
     }
 
-    fn element_at(&self, beam: usize, place_m: f64) -> &Placed {
-        let chain = &self.beams[beam];
+    fn motion_of(&self, support: Support) -> Motion {
+        match support {
+            Support::Ground | Support::Nothing => Motion { displacement: vec![0.0; self.columns], slope: vec![0.0; self.columns] },
+            Support::Mass(part) => Motion { displacement: self.root_displacement(part), slope: self.slope(part, 0.0) },
+            Support::Point(part, place_m) => Motion { displacement: self.displacement(part, place_m), slope: self.slope(part, place_m) },
+        }
+    }
+
+    fn element_at(&self, part: usize, place_m: f64) -> Option<&Placed> {
+        let PlacedPart::Beam(chain) = &self.placed[part] else { return None };
         let after = chain.partition_point(|placed| placed.element.start_m <= place_m);
-        &chain[after.saturating_sub(1)]
-    }
-}
-
-/// Places a chain of elements one after the other from a root that moves as `root` and does not turn.
-fn chained(elements: Vec<Element>, root: &Row, next_column: &mut usize) -> Vec<Placed> {
-    let (mut displacement, mut slope) = (root.clone(), vec![0.0; root.len()]);
-    let mut chain = Vec::with_capacity(elements.len());
-    for element in elements {
-        let first_column = *next_column;
-        chain.push(Placed { element, first_column, start_displacement: displacement.clone(), start_slope: slope.clone() });
-        for (w, turned) in displacement.iter_mut().zip(&slope) {
-            *w += element.length_m * turned;
-        }
-        let [by_mean, by_gradient] = element.end_displacement();
-        displacement[first_column] += by_mean;
-        displacement[first_column + 1] += by_gradient;
-        slope[first_column] += element.end_slope();
-        *next_column += element.terms;
-    }
-    chain
-}
-
-impl Placed {
-    fn mass_rows(&self) -> usize {
-        self.element.terms + 2
-    }
-
-    fn add(&self, row: &mut Row, own: &[f64]) {
-        for (entry, value) in row[self.first_column..].iter_mut().zip(own) {
-            *entry += value;
-        }
-    }
-
-    /// Writes the weighted Legendre coefficients of the displacement into `factor`, from `row` on.
-    fn add_mass(&self, factor: &mut Mat<f64>, row: usize) {
-        let weight: Vec<f64> = (0..self.mass_rows()).map(|order| self.element.mass_weight(order)).collect();
-        let half_m = self.element.length_m / 2.0;
-        for column in 0..self.first_column {
-            let by_slope_m = half_m * self.start_slope[column];
-            factor[(row, column)] = weight[0] * (self.start_displacement[column] + by_slope_m);
-            factor[(row + 1, column)] = weight[1] * by_slope_m;
-        }
-        for j in 0..self.element.terms {
-            for (order, coefficient) in self.element.displacement_orders(j) {
-                factor[(row + order, self.first_column + j)] += weight[order] * coefficient;
-            }
-        }
+        chain.get(after.saturating_sub(1))
     }
 }
 
@@ -185,7 +149,8 @@ impl Placed {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::spec::Mass;
+    use crate::spec::{Beam, Mass, Spec};
+    use crate::structure::body::bodies;
     use crate::structure::section::CrossSection;
 
     fn stepped(terms: usize) -> Vec<Element> {
@@ -198,35 +163,56 @@ mod tests {
         row.iter().map(|value| value * value).sum()
     }
 
+    fn table(on: &str, stiffness_n_m: Option<f64>) -> Mass {
+        Mass { on: on.into(), mass_kg: 2.0, rotary_inertia_kg_m2: 0.0, stiffness_n_m, damping_ratio: stiffness_n_m.map(|_| 0.0) }
+    }
+
+    /// A beam of 0.3 m, by its name, on a mass of 2 kg.
+    fn on_table(table: Mass) -> Spec {
+        let beam = Beam { length_m: 0.3, root: "table".into(), ..crate::structure::section::tests::paper_beam() };
+        Spec { beam: [("beam".into(), beam)].into(), mass: [("table".into(), table)].into(), ..Spec::default() }
+    }
+
     /// A unit force at the end: `1/k + integral of (L - x)^2 / EI`; measured 3e-16.
     #[test]
     fn rows_hold_the_static_flexibility() {
-        let mass = Mass { mass_kg: 2.0, stiffness_n_m: 400.0, damping_ratio: 0.0 };
+        let spec = on_table(table("ground", Some(400.0)));
         for terms in [2, 7] {
-            let body = Body { mass: Some(("table", &mass)), beams: vec!["beam"] };
-            let assembly = Assembly::new(body, vec![stepped(terms)]);
+            let assembly = Assembly::new(bodies(&spec, &[]).unwrap().remove(0), vec![Vec::new(), stepped(terms)]);
             let exact = 1.0 / 400.0 + (0.3_f64.powi(3) - 0.15_f64.powi(3)) / (3.0 * 0.2) + 0.15_f64.powi(3) / (3.0 * 0.1);
-            assert!((square(&assembly.displacement(0, 0.3)) / exact - 1.0).abs() < 1e-14);
+            assert!((square(&assembly.displacement(1, 0.3)) / exact - 1.0).abs() < 1e-14);
             let inside = 1.0 / 400.0 + 0.1_f64.powi(3) / (3.0 * 0.2);
-            assert!((square(&assembly.displacement(0, 0.1)) / inside - 1.0).abs() < 1e-14);
+            assert!((square(&assembly.displacement(1, 0.1)) / inside - 1.0).abs() < 1e-14);
             let turned = 0.15 / 0.2 + 0.15 / 0.1;
-            assert!((square(&assembly.slope(0, 0.3)) / turned - 1.0).abs() < 1e-14);
+            assert!((square(&assembly.slope(1, 0.3)) / turned - 1.0).abs() < 1e-14);
         }
+    }
+
+    /// A second beam on the end of the first turns with it: a force at its end bends the first by its moment too. Measured 4e-16.
+    #[test]
+    fn a_beam_on_a_beam_adds_its_flexibility() {
+        let mut spec = on_table(table("ground", Some(400.0)));
+        let arm = Beam { length_m: 0.3, root: "beam.end".into(), ..crate::structure::section::tests::paper_beam() };
+        spec.beam.insert("arm".into(), arm);
+        let uniform = |length_m: f64| {
+            let section = CrossSection { bending_stiffness_n_m2: 0.2, mass_per_length_kg_m: 0.08, neutral_axis_m: 0.0 };
+            vec![Element { start_m: 0.0, length_m, section, terms: 3 }]
+        };
+        let body = bodies(&spec, &[]).unwrap().remove(0);
+        assert_eq!(body.parts.iter().map(|part| part.name).collect::<Vec<_>>(), ["table", "beam", "arm"]);
+        let assembly = Assembly::new(body, vec![Vec::new(), uniform(0.3), uniform(0.3)]);
+        let exact = 1.0 / 400.0 + 0.6_f64.powi(3) / (3.0 * 0.2);
+        assert!((square(&assembly.displacement(2, 0.3)) / exact - 1.0).abs() < 1e-14);
+        assert!((square(&assembly.slope(2, 0.3)) / (0.6 / 0.2) - 1.0).abs() < 1e-14);
     }
 
     /// Rigid motion of a free mass: column 0 of `G` weighs all that moves.
     #[test]
     fn rigid_column_has_the_total_mass() {
-        let mass = Mass { mass_kg: 2.0, stiffness_n_m: 0.0, damping_ratio: 0.0 };
-        let body = Body { mass: Some(("table", &mass)), beams: vec!["beam"] };
-        let factor = Assembly::new(body, vec![stepped(4)]).mass_factor().unwrap();
-        assert!((factor.col(0).squared_norm_l2() - 2.0 - 0.08 * 0.3).abs() < 1e-14);
-    }
-
-    #[test]
-    fn free_ends_are_the_ends_of_the_beams() {
-        let assembly = Assembly::new(Body { mass: None, beams: vec!["beam"] }, vec![stepped(3)]);
-        assert_eq!(assembly.free_ends(), [assembly.displacement(0, 0.3)]);
-        assert!(assembly.root_displacement().iter().all(|value| *value == 0.0));
+        let spec = on_table(table("nothing", None));
+        let assembly = Assembly::new(bodies(&spec, &[]).unwrap().remove(0), vec![Vec::new(), stepped(4)]);
+        assert!(assembly.rigid);
+        assert!((assembly.mass_factor().unwrap().col(0).squared_norm_l2() - 2.0 - 0.08 * 0.3).abs() < 1e-14);
+        assert_eq!(assembly.free_ends(), [assembly.displacement(1, 0.3)]);
     }
 }

@@ -1,68 +1,181 @@
-//! What hangs together: a mass with the beams it carries, or a beam clamped to the ground.
+//! What hangs together: a tree of beams and masses on the ground, on a sprung mass, or free.
+//!
+//! Every part stands on one other, so that a body is statically determinate: its strains and the displacements of its free masses
+//! are coordinates, with no constraint between them.
 
 use super::error::StructureError;
-use crate::spec::{Mass, Spec};
+use crate::spec::{Beam, Mass, Spec};
+use std::collections::BTreeSet;
 
-/// The name of a beam's root that stands for the ground.
+/// The word of a support that stands for the ground.
 const GROUND: &str = "ground";
+/// The word of a support that is not there.
+const NOTHING: &str = "nothing";
 
 /// A connected structure; its modes are independent of those of every other.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Body<'a> {
-    /// The mass that carries the beams; none where a beam is clamped to the ground.
-    pub mass: Option<(&'a str, &'a Mass)>,
-    /// Names of the beams, ascending.
-    pub beams: Vec<&'a str>,
+    /// Beams and masses, each after the one that it stands on.
+    pub parts: Vec<Part<'a>>,
+}
+
+/// A beam or a mass and what it stands on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Part<'a> {
+    pub name: &'a str,
+    pub thing: Thing<'a>,
+    pub on: Support,
+}
+
+/// What a part is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Thing<'a> {
+    Beam(&'a Beam),
+    Mass(&'a Mass),
+}
+
+/// What a part stands on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Support {
+    /// The ground, or a mass that is held.
+    Ground,
+    /// Nothing: a free mass.
+    Nothing,
+    /// A mass, by its place among the parts.
+    Mass(usize),
+    /// A point of a beam, by its place among the parts, at this distance from its root, m.
+    Point(usize, f64),
 }
 
 impl<'a> Body<'a> {
-    /// The mass, or the only beam.
+    /// The name of the part that carries the others.
     pub fn name(&self) -> &'a str {
-        self.mass.map_or_else(|| self.beams.first().copied().unwrap_or_default(), |(name, _)| name)
+        self.parts.first().map_or("", |part| part.name)
+    }
+
+    /// The beams with their places among the parts, in the order of their names.
+    pub fn beams(&self) -> Vec<(usize, &'a str, &'a Beam)> {
+        let mut beams: Vec<_> = (self.parts.iter().enumerate())
+            .filter_map(|(part, it)| if let Thing::Beam(beam) = it.thing { Some((part, it.name, beam)) } else { None })
+            .collect();
+        beams.sort_by_key(|(_, name, _)| *name);
+        beams
+    }
+
+    /// The masses with their places among the parts.
+    pub fn masses(&self) -> impl Iterator<Item = (usize, &'a str, &'a Mass)> {
+        self.parts
+            .iter()
+            .enumerate()
+            .filter_map(|(part, it)| if let Thing::Mass(mass) = it.thing { Some((part, it.name, mass)) } else { None })
+    }
+
+    /// Adds a part, then all that stand on it: masses first, then beams, each in the order of their names.
+    fn grow(&mut self, spec: &'a Spec, name: &'a str, thing: Thing<'a>, on: Support) {
+        let place = self.parts.len();
+        self.parts.push(Part { name, thing, on });
+        let support = |text: &str| match (thing, text.split_once('.')) {
+            (Thing::Mass(_), None) if text == name => Some(Support::Mass(place)),
+            (Thing::Beam(beam), Some((of, point))) if of == name => Some(Support::Point(place, place_m(beam, point)?)),
+            _ => None,
+        };
+        let masses: Vec<_> = spec.mass.iter().filter_map(|(key, mass)| Some((key, mass, support(&mass.on)?))).collect();
+        let beams: Vec<_> = spec.beam.iter().filter_map(|(key, beam)| Some((key, beam, support(&beam.root)?))).collect();
+        masses.into_iter().for_each(|(key, mass, on)| self.grow(spec, key, Thing::Mass(mass), on));
+        beams.into_iter().for_each(|(key, beam, on)| self.grow(spec, key, Thing::Beam(beam), on));
     }
 }
 
 /// The connected structures of a spec with the masses `held` fixed.
 ///
 /// # Errors
-/// `UnknownRoot`, `UnknownBeam`, `CannotHold`, `CannotHoldGiven`, `OutOfRange`.
+/// `UnknownSupport`, `UnknownBeam`, `SupportCycle`, `CannotHold`, `CannotHoldGiven`, `OutOfRange`.
 pub(super) fn bodies<'a>(spec: &'a Spec, held: &[String]) -> Result<Vec<Body<'a>>, StructureError> {
     check_references(spec)?;
+    spec.mass.iter().try_for_each(|(name, mass)| check_mass(name, mass))?;
     held.iter().try_for_each(|name| check_held(spec, name))?;
     let mut bodies = Vec::new();
+    let mut rooted = |name: &'a str, thing, on| {
+        let mut body = Body { parts: Vec::new() };
+        body.grow(spec, name, thing, on);
+        bodies.push(body);
+    };
     for (name, mass) in spec.mass.iter().filter(|(name, _)| !held.contains(name)) {
-        StructureError::positive(format!("mass.{name}.mass"), mass.mass_kg)?;
-        StructureError::not_negative(format!("mass.{name}.stiffness"), mass.stiffness_n_m)?;
-        let beams = spec.beam.iter().filter(|(_, beam)| beam.root == *name).map(|(key, _)| key.as_str()).collect();
-        bodies.push(Body { mass: Some((name, mass)), beams });
+        match mass.on.as_str() {
+            NOTHING => rooted(name.as_str(), Thing::Mass(mass), Support::Nothing),
+            on if on == GROUND || held.iter().any(|held| held == on) => rooted(name.as_str(), Thing::Mass(mass), Support::Ground),
+            _ => {}
+        }
     }
-    let clamped = spec.beam.iter().filter(|(_, beam)| beam.root == GROUND || held.contains(&beam.root));
-    bodies.extend(clamped.map(|(name, _)| Body { mass: None, beams: vec![name.as_str()] }));
-    Ok(bodies)
+    for (name, beam) in spec.beam.iter().filter(|(_, beam)| beam.root == GROUND || held.contains(&beam.root)) {
+        rooted(name.as_str(), Thing::Beam(beam), Support::Ground);
+    }
+    let placed: BTreeSet<&str> = bodies.iter().flat_map(|body| body.parts.iter().map(|part| part.name)).collect();
+    let masses = spec.mass.keys().filter(|name| !held.contains(name));
+    match spec.beam.keys().chain(masses).find(|name| !placed.contains(name.as_str())) {
+        None => Ok(bodies),
+        Some(name) => Err(StructureError::SupportCycle { name: name.clone() }),
+    }
+}
+
+/// Distance of a point from the root of its beam, m.
+fn place_m(beam: &Beam, point: &str) -> Option<f64> {
+    match point {
+        "root" => Some(0.0),
+        "end" => Some(beam.length_m),
+        _ => beam.point.get(point).copied(),
+    }
 }
 
 fn check_references(spec: &Spec) -> Result<(), StructureError> {
-    if let Some((name, beam)) = spec.beam.iter().find(|(_, beam)| beam.root != GROUND && !spec.mass.contains_key(&beam.root)) {
-        return Err(StructureError::UnknownRoot { beam: name.clone(), root: beam.root.clone(), masses: listed(spec.mass.keys()) });
+    let stands = |support: &str, words: &[&str]| match support.split_once('.') {
+        None => words.contains(&support) || spec.mass.contains_key(support),
+        Some((name, point)) => spec.beam.get(name).is_some_and(|beam| place_m(beam, point).is_some()),
+    };
+    let roots = spec.beam.iter().map(|(name, beam)| (format!("beam.{name}.root"), &beam.root, &[GROUND][..]));
+    let feet = spec.mass.iter().map(|(name, mass)| (format!("mass.{name}.on"), &mass.on, &[GROUND, NOTHING][..]));
+    if let Some((place, found, words)) = roots.chain(feet).find(|(_, support, words)| !stands(support, words)) {
+        let known = listed(words.iter().copied().chain(spec.mass.keys().map(String::as_str)));
+        return Err(StructureError::UnknownSupport { place, found: found.clone(), known });
     }
     match spec.patch.iter().find(|(_, patch)| !spec.beam.contains_key(&patch.on)) {
         None => Ok(()),
         Some((name, patch)) => {
-            Err(StructureError::UnknownBeam { patch: name.clone(), beam: patch.on.clone(), beams: listed(spec.beam.keys()) })
+            let beams = listed(spec.beam.keys().map(String::as_str));
+            Err(StructureError::UnknownBeam { patch: name.clone(), beam: patch.on.clone(), beams })
         }
     }
 }
 
-fn check_held(spec: &Spec, name: &str) -> Result<(), StructureError> {
-    let given = name.split('.').next().is_some_and(|first| spec.modal.contains_key(first));
-    match (spec.mass.contains_key(name), given) {
-        (true, _) => Ok(()),
-        (false, true) => Err(StructureError::CannotHoldGiven { name: name.into() }),
-        (false, false) => Err(StructureError::CannotHold { name: name.into(), masses: listed(spec.mass.keys()) }),
+fn check_mass(name: &str, mass: &Mass) -> Result<(), StructureError> {
+    StructureError::positive(format!("mass.{name}.mass"), mass.mass_kg)?;
+    StructureError::not_negative(format!("mass.{name}.rotary_inertia"), mass.rotary_inertia_kg_m2)?;
+    match mass.stiffness_n_m {
+        None if mass.on == GROUND => Err(StructureError::MissingSpring { mass: name.into() }),
+        None => Ok(()),
+        Some(_) if mass.on == NOTHING => Err(StructureError::SpringToNothing { mass: name.into() }),
+        Some(stiffness_n_m) => {
+            StructureError::positive(format!("mass.{name}.stiffness"), stiffness_n_m)?;
+            StructureError::not_negative(format!("mass.{name}.damping_ratio"), mass.damping_ratio.unwrap_or(f64::NAN))
+        }
     }
 }
 
-fn listed<'a>(names: impl Iterator<Item = &'a String>) -> String {
-    let names: Vec<_> = names.map(String::as_str).collect();
+/// A mass on the ground or free can be held; one on a beam or on another mass would leave the structure statically indeterminate.
+fn check_held(spec: &Spec, name: &str) -> Result<(), StructureError> {
+    let given = name.split('.').next().is_some_and(|first| spec.modal.contains_key(first));
+    let can = |mass: &Mass| mass.on == GROUND || mass.on == NOTHING;
+    match (spec.mass.get(name).is_some_and(can), given) {
+        (true, _) => Ok(()),
+        (false, true) => Err(StructureError::CannotHoldGiven { name: name.into() }),
+        (false, false) => {
+            let masses = listed(spec.mass.iter().filter(|(_, mass)| can(mass)).map(|(name, _)| name.as_str()));
+            Err(StructureError::CannotHold { name: name.into(), masses })
+        }
+    }
+}
+
+fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let names: Vec<_> = names.collect();
     if names.is_empty() { "there is none".into() } else { names.join(", ") }
 }

@@ -70,6 +70,12 @@ impl Element {
         (0..self.terms).map(|j| self.half_m() * self.curvature_per_strain(j) * integral(j)).collect()
     }
 
+    /// Curvature at `offset_m` from the start per strain coordinate, 1/m.
+    pub fn curvature(&self, offset_m: f64) -> Vec<f64> {
+        let legendre = legendre(offset_m / self.half_m() - 1.0, self.terms);
+        (0..self.terms).map(|j| self.curvature_per_strain(j) * legendre[j]).collect()
+    }
+
     /// Factor that turns Legendre coefficient `order` of a displacement into the root of twice its kinetic energy at 1 rad/s.
     pub fn mass_weight(&self, order: usize) -> f64 {
         (self.section.mass_per_length_kg_m * self.length_m / order_weight(order)).sqrt()

@@ -13,15 +13,33 @@ pub enum StructureError {
         /// What is allowed.
         allowed: &'static str,
     },
-    /// The root of a beam is neither the ground nor a mass.
-    #[error("beam.{beam}.root is \"{root}\": it must be \"ground\" or the name of a mass ({masses})")]
-    UnknownRoot {
-        /// Name of the beam.
-        beam: String,
-        /// What its root says.
-        root: String,
-        /// The masses there are.
-        masses: String,
+    /// A beam or a mass stands on something that is not there.
+    #[error("{place} is \"{found}\": it must be the point of a beam or one of ({known})")]
+    UnknownSupport {
+        /// Key path, `"beam.arm.root"`.
+        place: String,
+        /// What it says.
+        found: String,
+        /// Masses and words that are known.
+        known: String,
+    },
+    /// Beams or masses that stand on each other and on nothing else.
+    #[error("nothing holds \"{name}\" up: follow what it stands on and let one of them stand on the ground")]
+    SupportCycle {
+        /// One of them.
+        name: String,
+    },
+    /// A mass on the ground that nothing lets move.
+    #[error("mass.{mass} stands on the ground without a spring: give it a stiffness, or on = \"nothing\" for a free mass")]
+    MissingSpring {
+        /// Name of the mass.
+        mass: String,
+    },
+    /// A free mass with a spring.
+    #[error("mass.{mass} stands on nothing and has a spring: leave out its stiffness, or name what the spring is fixed to")]
+    SpringToNothing {
+        /// Name of the mass.
+        mass: String,
     },
     /// A patch sits on a beam that is not there.
     #[error("patch.{patch}.on is \"{beam}\": it must be the name of a beam ({beams})")]
@@ -46,7 +64,7 @@ pub enum StructureError {
         length_m: f64,
     },
     /// Two patches cover the same place.
-    #[error("patch.{first} ends at {end_m} m and patch.{second} starts at {start_m} m of the same beam: patches must not overlap")]
+    #[error("patch.{first} ends at {end_m} m and patch.{second} starts at {start_m} m of the same face: patches must not overlap")]
     PatchesOverlap {
         /// The patch nearer the root.
         first: String,
@@ -56,6 +74,14 @@ pub enum StructureError {
         second: String,
         /// Where that one starts, m.
         start_m: f64,
+    },
+    /// Two patches on the two faces of one stretch with different rules of section.
+    #[error("patch.{first} and patch.{second} face each other: give both the same section")]
+    SectionsDiffer {
+        /// One patch.
+        first: String,
+        /// The other.
+        second: String,
     },
     /// A named point does not lie on its beam.
     #[error("beam.{beam}.point.{point} is {place_m} m: it must lie between 0 and {length_m} m")]
@@ -69,7 +95,7 @@ pub enum StructureError {
         /// Length of the beam, m.
         length_m: f64,
     },
-    /// Only masses can be held fixed.
+    /// Only masses on the ground, or free, can be held fixed.
     #[error("cannot hold \"{name}\" fixed: only a mass can be held ({masses})")]
     CannotHold {
         /// What was to be held.

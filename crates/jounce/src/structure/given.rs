@@ -35,7 +35,10 @@ pub(super) fn given_modes(name: &str, modal: &Modal) -> Result<Modes, StructureE
     for (patch, modal_patch) in &modal.patch {
         let place = format!("modal.{name}.patch.{patch}.coupling_n_per_v");
         let coupling_n_per_v = full(place, &modal_patch.coupling_n_per_v)?;
-        modes.patch.insert(format!("{name}.{patch}"), PatchModes { coupling_n_per_v, capacitance_f: modal_patch.capacitance_f });
+        modes.patch.insert(
+            format!("{name}.{patch}"),
+            PatchModes { coupling_n_per_v, capacitance_f: modal_patch.capacitance_f, strain: Vec::new() },
+        );
     }
     Ok(modes)
 }

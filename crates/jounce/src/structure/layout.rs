@@ -2,7 +2,7 @@
 
 use super::error::StructureError;
 use super::section::CrossSection;
-use crate::spec::{Beam, Patch, Spec};
+use crate::spec::{Beam, Face, Patch, Spec};
 
 /// Two cuts nearer than this part of the beam's length are one.
 const SAME_PLACE: f64 = 1e-9;
@@ -22,8 +22,30 @@ impl Segment {
     }
 }
 
+/// A stretch of beam with the patches that cover it, at most one on each face.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Stretch<'a> {
+    pub start_m: f64,
+    pub end_m: f64,
+    /// Names and patches, in the order of the names.
+    pub patches: Vec<(&'a str, &'a Patch)>,
+}
+
 /// The segments of the beam `name`, from root to end.
 pub(super) fn segments(spec: &Spec, name: &str, beam: &Beam) -> Result<Vec<Segment>, StructureError> {
+    let segment = |stretch: Stretch| Segment {
+        start_m: stretch.start_m,
+        length_m: stretch.end_m - stretch.start_m,
+        section: CrossSection::covered(beam, stretch.patches.iter().map(|(_, patch)| *patch)),
+    };
+    Ok(stretches(spec, name, beam)?.into_iter().map(segment).collect())
+}
+
+/// The beam `name` cut at its named points and at the ends of its patches, from root to end.
+///
+/// # Errors
+/// Every variant that names a beam or a patch.
+pub(super) fn stretches<'a>(spec: &'a Spec, name: &str, beam: &Beam) -> Result<Vec<Stretch<'a>>, StructureError> {
     check_beam(name, beam)?;
     let patches = patches_on(spec, name, beam)?;
     let mut cuts_m = vec![0.0, beam.length_m];
@@ -34,14 +56,19 @@ pub(super) fn segments(spec: &Spec, name: &str, beam: &Beam) -> Result<Vec<Segme
         }
     }
     cuts_m.sort_by(f64::total_cmp);
-    Ok(cuts_m.windows(2).map(|ends| segment(beam, &patches, ends[0], ends[1])).collect())
+    cuts_m.windows(2).map(|ends| stretch(&patches, ends[0], ends[1])).collect()
 }
 
-fn segment(beam: &Beam, patches: &[(&str, &Patch)], start_m: f64, end_m: f64) -> Segment {
+fn stretch<'a>(patches: &[(&'a str, &'a Patch)], start_m: f64, end_m: f64) -> Result<Stretch<'a>, StructureError> {
     let middle_m = (start_m + end_m) / 2.0;
-    let cover = patches.iter().find(|(_, patch)| patch.start_m < middle_m && middle_m < patch.start_m + patch.length_m);
-    let section = cover.map_or_else(|| CrossSection::bare(beam), |(_, patch)| CrossSection::patched(beam, patch));
-    Segment { start_m, length_m: end_m - start_m, section }
+    let covers = |patch: &Patch| patch.start_m < middle_m && middle_m < patch.start_m + patch.length_m;
+    let patches: Vec<_> = patches.iter().filter(|(_, patch)| covers(patch)).copied().collect();
+    match patches.as_slice() {
+        [(first, one), (second, other)] if one.section != other.section => {
+            Err(StructureError::SectionsDiffer { first: (*first).into(), second: (*second).into() })
+        }
+        _ => Ok(Stretch { start_m, end_m, patches }),
+    }
 }
 
 fn check_beam(name: &str, beam: &Beam) -> Result<(), StructureError> {
@@ -63,18 +90,26 @@ fn check_beam(name: &str, beam: &Beam) -> Result<(), StructureError> {
     }
 }
 
-/// The patches of a beam, from the root on.
+/// The patches of a beam, in the order of their names; those of one face do not overlap.
 fn patches_on<'a>(spec: &'a Spec, name: &str, beam: &Beam) -> Result<Vec<(&'a str, &'a Patch)>, StructureError> {
-    let mut patches: Vec<_> = spec.patch.iter().filter(|(_, patch)| patch.on == name).map(|(key, patch)| (key.as_str(), patch)).collect();
+    let patches: Vec<_> = spec.patch.iter().filter(|(_, patch)| patch.on == name).map(|(key, patch)| (key.as_str(), patch)).collect();
     for (key, patch) in &patches {
         check_patch(key, patch, beam)?;
     }
-    patches.sort_by(|(_, one), (_, other)| one.start_m.total_cmp(&other.start_m));
-    for pair in patches.windows(2) {
-        let ((first, near), (second, far)) = (pair[0], pair[1]);
-        let end_m = near.start_m + near.length_m;
-        if end_m > far.start_m + SAME_PLACE * beam.length_m {
-            return Err(StructureError::PatchesOverlap { first: first.into(), end_m, second: second.into(), start_m: far.start_m });
+    for face in [Face::Top, Face::Bottom] {
+        let mut row: Vec<_> = patches.iter().filter(|(_, patch)| patch.face == face).collect();
+        row.sort_by(|(_, one), (_, other)| one.start_m.total_cmp(&other.start_m));
+        for pair in row.windows(2) {
+            let ((first, near), (second, far)) = (pair[0], pair[1]);
+            let end_m = near.start_m + near.length_m;
+            if end_m > far.start_m + SAME_PLACE * beam.length_m {
+                return Err(StructureError::PatchesOverlap {
+                    first: (*first).into(),
+                    end_m,
+                    second: (*second).into(),
+                    start_m: far.start_m,
+                });
+            }
         }
     }
     Ok(patches)
@@ -86,13 +121,14 @@ fn check_patch(name: &str, patch: &Patch, beam: &Beam) -> Result<(), StructureEr
         ("width", patch.width_m),
         ("thickness", patch.thickness_m),
         ("youngs_modulus", patch.youngs_modulus_pa),
-        ("capacitance", patch.capacitance_f),
+        ("capacitance", patch.clamped_capacitance_f()),
     ];
     for (key, value) in quantities {
         StructureError::positive(format!("patch.{name}.{key}"), value)?;
     }
     StructureError::not_negative(format!("patch.{name}.density"), patch.density_kg_m3)?;
-    StructureError::finite(format!("patch.{name}.d31"), patch.d31_m_per_v)?;
+    let coefficient = if patch.d33_m_per_v.is_some() { "d33" } else { "d31" };
+    StructureError::finite(format!("patch.{name}.{coefficient}"), patch.free_strain_per_v())?;
     let (start_m, end_m, length_m) = (patch.start_m, patch.start_m + patch.length_m, beam.length_m);
     if start_m >= 0.0 && end_m <= length_m * (1.0 + SAME_PLACE) {
         Ok(())

@@ -1,13 +1,14 @@
 //! Beams, masses and supports to mass-normalised modes.
 //!
 //! The files, in the order of the work: [`section`] (layers to `EI`, mass and neutral axis), `layout` (a beam cut into segments),
-//! `mesh` and `element` (segments divided into polynomials), `body` and `assembly` (what hangs together, in coordinates of strain),
+//! `mesh` and `element` (segments divided into polynomials), `body`, `placed` and `assembly` (what hangs together, in coordinates of strain),
 //! `reduction` (the eigenproblem), `solution` and `refinement` (all bodies, until converged), then `damping`, `assembled`, `given` and
 //! `order` (one list of [`Modes`]) and `along` (pictures).
 //!
 //! ```text
 //! (EI w'')'' + m w_tt = 0    on each segment of constant EI (N m^2) and m (kg/m); w the displacement, m
-//! w' = 0 at the root, w = u the displacement of what carries it (0 on the ground);  M u_tt + k u = force of the beams on the mass
+//! w = u, w' = v at the root, u and v displacement and slope of what carries it (0 on the ground, v = 0 on a sprung mass)
+//! M u_tt + k (u - w) = force of the beams on a mass whose spring stands on a place of displacement w
 //! ```
 //!
 //! Validation (`tests/structure.rs`): the harvester of the paper against the transfer matrix of its segments in 40-digit arithmetic,
@@ -28,6 +29,7 @@ mod layout;
 mod mesh;
 mod modes;
 mod order;
+mod placed;
 mod reduction;
 mod refinement;
 pub mod section;
@@ -52,7 +54,7 @@ use std::collections::BTreeMap;
 /// [`StructureError`], with the place and the value in the spec.
 ///
 /// # Limits
-/// Slender beams (no shear, no rotary inertia), small deflections, at most 200 modes.
+/// Slender beams (no shear, no rotary inertia but that of fixed masses), small deflections, at most 200 modes.
 pub fn modes(spec: &Spec) -> Result<Modes, StructureError> {
     modes_holding(spec, &[])
 }
@@ -90,7 +92,7 @@ pub fn modes_on_cubic_mesh(spec: &Spec, held: &[String], longest_element_m: f64)
 pub fn shapes_along_beams(spec: &Spec, held: &[String], samples: usize) -> Result<BTreeMap<String, BeamShape>, StructureError> {
     let structures = Structures::new(spec, held)?;
     let (solution, error) = refined(&structures, spec.reduction.mesh_tolerance)?;
-    let mut shapes = along::beam_shapes(spec, &solution, samples);
+    let mut shapes = along::beam_shapes(&solution, samples);
     let assembled = assembled::assembled_modes(spec, held, &solution, error)?;
     let (order, _) = with_given(spec, assembled)?;
     for shape in shapes.values_mut() {

@@ -63,8 +63,8 @@ pub(super) fn merged(parts: &[Modes]) -> (Order, Modes) {
         let spread = |values: &Vec<f64>| order.spread(index, values);
         modes.shape.extend(part.shape.iter().map(|(name, values)| (name.clone(), spread(values))));
         modes.patch.extend(part.patch.iter().map(|(name, patch)| {
-            let coupling_n_per_v = spread(&patch.coupling_n_per_v);
-            (name.clone(), PatchModes { coupling_n_per_v, ..*patch })
+            let (coupling_n_per_v, strain) = (spread(&patch.coupling_n_per_v), patch.strain.iter().map(spread).collect());
+            (name.clone(), PatchModes { coupling_n_per_v, strain, capacitance_f: patch.capacitance_f })
         }));
     }
     (order, modes)
@@ -82,7 +82,7 @@ mod tests {
             frequency_rad_s: frequency_rad_s.to_vec(),
             damping_ratio: vec![0.1; count],
             shape: BTreeMap::from([(name.to_owned(), shape.clone())]),
-            patch: BTreeMap::from([(name.to_owned(), PatchModes { coupling_n_per_v: shape, capacitance_f: 1e-9 })]),
+            patch: BTreeMap::from([(name.to_owned(), PatchModes { coupling_n_per_v: shape, capacitance_f: 1e-9, strain: Vec::new() })]),
             participation_sqrt_kg: vec![0.5; count],
             discretisation_error: vec![0.0; count],
         }

@@ -108,23 +108,31 @@ fn right_singular(factor: MatRef<f64>) -> Option<(Vec<f64>, Mat<f64>)> {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::spec::Mass;
-    use crate::structure::body::Body;
+    use crate::spec::{Beam, Mass, Spec};
+    use crate::structure::body::bodies;
     use crate::structure::element::Element;
     use crate::structure::section::CrossSection;
 
-    fn assembly(mass: &Mass) -> Assembly<'_> {
+    fn spec(stiffness_n_m: Option<f64>) -> Spec {
+        let on = if stiffness_n_m.is_some() { "ground" } else { "nothing" }.to_owned();
+        let damping_ratio = stiffness_n_m.map(|_| 0.0);
+        let mass = Mass { on, mass_kg: 0.5, rotary_inertia_kg_m2: 0.0, stiffness_n_m, damping_ratio };
+        let beam = Beam { length_m: 0.3, root: "table".into(), ..crate::structure::section::tests::paper_beam() };
+        Spec { beam: [("beam".into(), beam)].into(), mass: [("table".into(), mass)].into(), ..Spec::default() }
+    }
+
+    fn assembly(spec: &Spec) -> Assembly<'_> {
         let section = CrossSection { bending_stiffness_n_m2: 0.15, mass_per_length_kg_m: 0.08, neutral_axis_m: 0.0 };
         let element = |start_m| Element { start_m, length_m: 0.15, section, terms: 9 };
-        Assembly::new(Body { mass: Some(("table", mass)), beams: vec!["beam"] }, vec![vec![element(0.0), element(0.15)]])
+        Assembly::new(bodies(spec, &[]).unwrap().remove(0), vec![Vec::new(), vec![element(0.0), element(0.15)]])
     }
 
     /// `S^T G^T G S = 1` and, without the rigid coordinate, `S^T S = diag(w^2)`; relative to `w_i w_j`, measured 2e-13.
     #[test]
     fn modes_are_orthogonal_in_mass_and_stiffness() {
-        for stiffness_n_m in [0.0, 50.0] {
-            let mass = Mass { mass_kg: 0.5, stiffness_n_m, damping_ratio: 0.0 };
-            let assembly = assembly(&mass);
+        for stiffness_n_m in [None, Some(50.0)] {
+            let spec = spec(stiffness_n_m);
+            let assembly = assembly(&spec);
             let reduced = Reduced::new(&assembly).unwrap();
             let moved = assembly.mass_factor().unwrap() * &reduced.coordinates;
             let strained = reduced.coordinates.get(usize::from(assembly.rigid).., ..);
@@ -143,8 +151,8 @@ mod tests {
 
     #[test]
     fn orientation_makes_the_free_end_positive() {
-        let mass = Mass { mass_kg: 0.5, stiffness_n_m: 50.0, damping_ratio: 0.0 };
-        let assembly = assembly(&mass);
+        let spec = spec(Some(50.0));
+        let assembly = assembly(&spec);
         let mut reduced = Reduced::new(&assembly).unwrap();
         reduced.coordinates.col_mut(2).iter_mut().for_each(|s| *s = -*s);
         reduced.orient(&assembly.free_ends());

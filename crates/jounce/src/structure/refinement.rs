@@ -50,6 +50,7 @@ mod tests {
 
     fn cantilever(modes: usize) -> Spec {
         let beam = Beam {
+            material: String::new(),
             length_m: 0.3,
             width_m: 0.03,
             thickness_m: 1e-3,

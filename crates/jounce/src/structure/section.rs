@@ -6,13 +6,16 @@
 //! zbar    = sum E_i A_i z_i / sum E_i A_i                            neutral axis, m
 //! EI      = sum E_i (b_i t_i^3 / 12 + A_i (z_i - zbar)^2)            laminate, N m^2
 //! EI      = E b h^3 / 12 + E_p b_p h_p (h/2)^2                       thin skin, N m^2
-//! gamma_p = E_p d31 b_p (z_p - zbar)                                 moment per volt of the patch, N m/V
+//! gamma_p = E_p b_p h_p e_V (z_p - zbar)                             moment per volt of the patch, N m/V
 //! ```
+//!
+//! `e_V` is the free strain per volt: `d31 / h_p` for a field through the thickness (so that `gamma_p = E_p d31 b_p (z_p - zbar)`),
+//! `d33 / s` for a field along the beam between electrodes `s` apart. A patch on the lower face has `z_p = -h_p / 2`.
 //!
 //! The thin skin is the section that reproduces Table 2 of the impact-harvester paper (2019): the stiffness of a skin at the
 //! surface of the beam, no shift of the axis, no mass. Its `gamma_p` (eq. 2) still uses the shifted axis `zbar`.
 
-use crate::spec::{Beam, Patch, Section};
+use crate::spec::{Beam, Face, Patch, Section};
 
 /// What bending knows about a cross-section.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,18 +34,20 @@ impl CrossSection {
         Self::of_layers(&[Layer::of_beam(beam)])
     }
 
-    /// The beam where the patch covers it.
-    pub fn patched(beam: &Beam, patch: &Patch) -> Self {
-        let laminate = Self::of_layers(&[Layer::of_beam(beam), Layer::of_patch(beam, patch)]);
-        match patch.section {
-            Section::Laminate => laminate,
-            Section::ThinSkin => {
-                let bare = Self::bare(beam);
-                let lever_m = beam.thickness_m / 2.0;
-                let skin_n_m2 = patch.youngs_modulus_pa * patch.width_m * patch.thickness_m * lever_m * lever_m;
-                Self { bending_stiffness_n_m2: bare.bending_stiffness_n_m2 + skin_n_m2, neutral_axis_m: laminate.neutral_axis_m, ..bare }
-            }
+    /// The beam where these patches cover it, at most one on each face, all of the same rule of section.
+    pub fn covered<'a>(beam: &Beam, patches: impl Iterator<Item = &'a Patch> + Clone) -> Self {
+        let layers: Vec<Layer> =
+            std::iter::once(Layer::of_beam(beam)).chain(patches.clone().map(|patch| Layer::of_patch(beam, patch))).collect();
+        let laminate = Self::of_layers(&layers);
+        let skins = patches.filter(|patch| patch.section == Section::ThinSkin);
+        let mut thin = skins.map(|patch| patch.youngs_modulus_pa * patch.width_m * patch.thickness_m).peekable();
+        if thin.peek().is_none() {
+            return laminate;
         }
+        let bare = Self::bare(beam);
+        let lever_m = beam.thickness_m / 2.0;
+        let skin_n_m2: f64 = thin.map(|skin_n| skin_n * lever_m * lever_m).sum();
+        Self { bending_stiffness_n_m2: bare.bending_stiffness_n_m2 + skin_n_m2, neutral_axis_m: laminate.neutral_axis_m, ..bare }
     }
 
     /// Phase of a bending wave of 1 rad/s per length of beam, `(m / EI)^(1/4)`, s^(1/2)/m.
@@ -62,12 +67,23 @@ impl CrossSection {
     }
 }
 
-/// `gamma_p`: the pair of end moments that one volt across the patch exerts on the beam, N m/V.
+/// `gamma_p`: the pair of end moments that one volt across the patch exerts on a beam of this section, N m/V.
 ///
 /// Validation: -8.6639e-5 N m/V for the paper's harvester; the curvature `gamma_p / EI` is Timoshenko's bimetal formula to 1e-14.
-pub fn patch_moment_n_m_per_v(beam: &Beam, patch: &Patch) -> f64 {
-    let lever_m = Layer::of_patch(beam, patch).middle_m - CrossSection::patched(beam, patch).neutral_axis_m;
-    patch.youngs_modulus_pa * patch.d31_m_per_v * patch.width_m * lever_m
+pub fn patch_moment_n_m_per_v(beam: &Beam, section: &CrossSection, patch: &Patch) -> f64 {
+    let layer = Layer::of_patch(beam, patch);
+    let lever_m = layer.middle_m - section.neutral_axis_m;
+    match (patch.d33_m_per_v, patch.d31_m_per_v) {
+        // The thickness cancels.
+        (None, Some(d31_m_per_v)) => patch.youngs_modulus_pa * d31_m_per_v * patch.width_m * lever_m,
+        _ => layer.axial_stiffness_n() * patch.free_strain_per_v() * lever_m,
+    }
+}
+
+/// Height of the outer face of the patch above the neutral axis of a section, m: its strain is minus this times the curvature.
+pub fn outer_lever_m(beam: &Beam, section: &CrossSection, patch: &Patch) -> f64 {
+    let outer_m = if patch.face == Face::Top { beam.thickness_m + patch.thickness_m } else { -patch.thickness_m };
+    outer_m - section.neutral_axis_m
 }
 
 /// One material of a section.
@@ -96,7 +112,7 @@ impl Layer {
             density_kg_m3: patch.density_kg_m3,
             width_m: patch.width_m,
             thickness_m: patch.thickness_m,
-            middle_m: beam.thickness_m + patch.thickness_m / 2.0,
+            middle_m: if patch.face == Face::Top { beam.thickness_m + patch.thickness_m / 2.0 } else { -patch.thickness_m / 2.0 },
         }
     }
 
@@ -111,12 +127,13 @@ impl Layer {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use std::collections::BTreeMap;
 
-    fn paper_beam() -> Beam {
+    pub fn paper_beam() -> Beam {
         Beam {
+            material: String::new(),
             length_m: 0.315,
             width_m: 0.03,
             thickness_m: 0.98e-3,
@@ -130,21 +147,35 @@ mod tests {
     fn paper_patch(section: Section) -> Patch {
         Patch {
             on: "beam".into(),
+            face: Face::Top,
+            material: String::new(),
             start_m: 0.009,
             length_m: 0.085,
             width_m: 0.03,
             thickness_m: 0.3e-3,
             youngs_modulus_pa: 30.336e9,
             density_kg_m3: 5440.0,
-            d31_m_per_v: -170e-12,
-            capacitance_f: 177e-9,
+            d31_m_per_v: Some(-170e-12),
+            d33_m_per_v: None,
+            electrode_spacing_m: None,
+            capacitance_f: Some(177e-9),
+            permittivity_f_m: None,
+            strain_limit: None,
             section,
         }
     }
 
+    fn patched(beam: &Beam, patch: &Patch) -> CrossSection {
+        CrossSection::covered(beam, std::iter::once(patch))
+    }
+
+    fn moment(beam: &Beam, patch: &Patch) -> f64 {
+        patch_moment_n_m_per_v(beam, &patched(beam, patch), patch)
+    }
+
     fn stiffness_ratio(section: Section) -> f64 {
         let beam = paper_beam();
-        CrossSection::patched(&beam, &paper_patch(section)).bending_stiffness_n_m2 / CrossSection::bare(&beam).bending_stiffness_n_m2
+        patched(&beam, &paper_patch(section)).bending_stiffness_n_m2 / CrossSection::bare(&beam).bending_stiffness_n_m2
     }
 
     #[test]
@@ -160,8 +191,8 @@ mod tests {
         let beam = paper_beam();
         let bare = CrossSection::bare(&beam).mass_per_length_kg_m;
         assert!((bare - 2750.0 * 0.03 * 0.98e-3).abs() < 1e-16);
-        assert_eq!(CrossSection::patched(&beam, &paper_patch(Section::ThinSkin)).mass_per_length_kg_m, bare);
-        let laminate = CrossSection::patched(&beam, &paper_patch(Section::Laminate)).mass_per_length_kg_m;
+        assert_eq!(patched(&beam, &paper_patch(Section::ThinSkin)).mass_per_length_kg_m, bare);
+        let laminate = patched(&beam, &paper_patch(Section::Laminate)).mass_per_length_kg_m;
         assert!((laminate - bare - 5440.0 * 0.03 * 0.3e-3).abs() < 1e-16);
     }
 
@@ -170,8 +201,8 @@ mod tests {
         let beam = paper_beam();
         for section in [Section::ThinSkin, Section::Laminate] {
             let patch = paper_patch(section);
-            assert!((CrossSection::patched(&beam, &patch).neutral_axis_m - 0.57001e-3).abs() < 5e-9);
-            assert!((patch_moment_n_m_per_v(&beam, &patch) + 8.6639e-5).abs() < 5e-10);
+            assert!((patched(&beam, &patch).neutral_axis_m - 0.57001e-3).abs() < 5e-9);
+            assert!((moment(&beam, &patch) + 8.6639e-5).abs() < 5e-10);
         }
     }
 
@@ -181,12 +212,30 @@ mod tests {
         for (patch_m, modulus_pa) in [(0.3e-3, 30.336e9), (0.98e-3, 65e9), (2e-3, 5e9), (0.05e-3, 200e9)] {
             let beam = paper_beam();
             let patch = Patch { thickness_m: patch_m, youngs_modulus_pa: modulus_pa, ..paper_patch(Section::Laminate) };
-            let curvature = patch_moment_n_m_per_v(&beam, &patch) / CrossSection::patched(&beam, &patch).bending_stiffness_n_m2;
+            let curvature = moment(&beam, &patch) / patched(&beam, &patch).bending_stiffness_n_m2;
             let (m, n) = (beam.thickness_m / patch_m, beam.youngs_modulus_pa / modulus_pa);
-            let strain = patch.d31_m_per_v / patch_m;
+            let strain = patch.free_strain_per_v();
             let stiffness = 3.0 * (1.0 + m).powi(2) + (1.0 + m * n) * (m * m + 1.0 / (m * n));
             let bimetal = 6.0 * strain * (1.0 + m).powi(2) / ((beam.thickness_m + patch_m) * stiffness);
             assert!((curvature / bimetal - 1.0).abs() < 1e-14, "{curvature} {bimetal}");
         }
+    }
+
+    /// Layers above and below make a bimorph: `YI = (2b/3) [Y_s h_s^3/8 + Y_p ((h_p + h_s/2)^3 - h_s^3/8)]`, no shift of the axis, and
+    /// opposite moments (Erturk and Inman, Smart Mater. Struct. 18 (2009) 025009).
+    #[test]
+    fn two_faces_make_a_bimorph() {
+        let beam = paper_beam();
+        let top = paper_patch(Section::Laminate);
+        let bottom = Patch { face: Face::Bottom, ..top.clone() };
+        let section = CrossSection::covered(&beam, [&top, &bottom].into_iter());
+        let (b, h, p) = (beam.width_m, beam.thickness_m, top.thickness_m);
+        let published = 2.0 * b / 3.0 * (65e9 * h.powi(3) / 8.0 + 30.336e9 * ((p + h / 2.0).powi(3) - h.powi(3) / 8.0));
+        assert!((section.bending_stiffness_n_m2 / published - 1.0).abs() < 1e-14);
+        assert!((section.neutral_axis_m / (h / 2.0) - 1.0).abs() < 1e-14);
+        let moment = patch_moment_n_m_per_v(&beam, &section, &top);
+        assert!((moment / (30.336e9 * -170e-12 * b * (h + p) / 2.0) - 1.0).abs() < 1e-14);
+        assert!((patch_moment_n_m_per_v(&beam, &section, &bottom) / -moment - 1.0).abs() < 1e-14);
+        assert!((outer_lever_m(&beam, &section, &bottom) / (h / 2.0 + p) + 1.0).abs() < 1e-14);
     }
 }

@@ -1,14 +1,14 @@
 //! Every connected structure of a spec, divided by one mesh rule and solved.
 
 use super::assembly::Assembly;
-use super::body::{Body, bodies};
+use super::body::{Body, Part, Thing, bodies};
 use super::element::Element;
 use super::error::StructureError;
 use super::layout::{Segment, segments};
 use super::mesh::Mesh;
 use super::order::Order;
 use super::reduction::Reduced;
-use crate::spec::Spec;
+use crate::spec::{Mass, Spec};
 use std::collections::BTreeMap;
 
 /// Most modes kept: beyond them a mode is far outside the reach of beam theory, and the dense solve is slow.
@@ -44,7 +44,11 @@ impl<'a> Structures<'a> {
         let segments = spec.beam.iter().map(cut).collect::<Result<BTreeMap<_, _>, StructureError>>()?;
         let held = spec.mass.keys().filter(|name| held.contains(name)).count();
         let modes = if bodies.is_empty() { 0 } else { spec.reduction.modes.saturating_sub(held) };
-        let available = if segments.is_empty() { bodies.len() } else { MOST_MODES };
+        let own = |mass: &Mass| usize::from(mass.stiffness_n_m.is_some() || mass.on == "nothing");
+        let available = match segments.is_empty() {
+            true => bodies.iter().flat_map(Body::masses).map(|(_, _, mass)| own(mass)).sum(),
+            false => MOST_MODES,
+        };
         if !bodies.is_empty() && modes == 0 {
             return Err(StructureError::NoModes { wanted: spec.reduction.modes, held });
         }
@@ -89,8 +93,12 @@ impl<'a> Structures<'a> {
     }
 
     fn assembled(&self, body: &Body<'a>, mesh: &Mesh) -> Assembly<'a> {
-        let elements = |beam: &&str| self.segments[beam].iter().flat_map(|segment| mesh.elements(segment)).collect::<Vec<Element>>();
-        Assembly::new(body.clone(), body.beams.iter().map(elements).collect())
+        let elements = |part: &Part| match part.thing {
+            Thing::Beam(_) => self.segments[part.name].iter().flat_map(|segment| mesh.elements(segment)).collect::<Vec<Element>>(),
+            Thing::Mass(_) => Vec::new(),
+        };
+        let elements = body.parts.iter().map(elements).collect();
+        Assembly::new(body.clone(), elements)
     }
 }
 

@@ -33,7 +33,11 @@ fn modes() -> impl Strategy<Value = Modes> {
         ]),
         patch: BTreeMap::from([(
             "patch".into(),
-            PatchModes { coupling_n_per_v: modes.iter().map(|mode| mode.4).collect(), capacitance_f: 10f64.powf(capacitance) },
+            PatchModes {
+                coupling_n_per_v: modes.iter().map(|mode| mode.4).collect(),
+                capacitance_f: 10f64.powf(capacitance),
+                strain: Vec::new(),
+            },
         )]),
         participation_sqrt_kg: vec![0.0; modes.len()],
         discretisation_error: vec![0.0; modes.len()],
@@ -44,7 +48,7 @@ prop_compose! {
     fn harvester()(modes in modes(), law in law(), resistance in 3.0..7.0f64, gap in -1e-3..5e-3f64, amplitude_n in 0.1..50.0f64,
         frequency_hz in 2.0..60.0f64) -> System {
         System {
-            loads: vec![Load { name: "load".into(), patch: "patch".into(), resistance_ohm: 10f64.powf(resistance) }],
+            loads: vec![Load::resistor("load", "patch", 10f64.powf(resistance))],
             stops: vec![Stop { name: "stop".into(), shape: modes.shape["tip"].clone(), gap_m: gap, law }],
             drives: vec![Drive { name: "drive".into(), shape: modes.shape["base"].clone(), amplitude_n, frequency_hz, phase_rad: 0.3 }],
             modes,

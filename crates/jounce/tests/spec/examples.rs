@@ -22,12 +22,12 @@ fn the_paper_reads_to_the_nearest_floats() {
     let patch = &spec.patch["mfc"];
     assert_eq!([patch.start_m, patch.length_m, patch.width_m, patch.thickness_m], [9e-3, 85e-3, 30e-3, 0.3e-3]);
     assert_eq!(
-        [patch.youngs_modulus_pa, patch.density_kg_m3, patch.d31_m_per_v, patch.capacitance_f],
+        [patch.youngs_modulus_pa, patch.density_kg_m3, patch.d31_m_per_v.unwrap(), patch.capacitance_f.unwrap()],
         [30.336e9, 5440.0, -170e-12, 177e-9]
     );
     assert_eq!((patch.on.as_str(), patch.section), ("beam", Section::ThinSkin));
     let mass = &spec.mass["table"];
-    assert_eq!([mass.mass_kg, mass.stiffness_n_m, mass.damping_ratio], [12.0, 12.0 * std::f64::consts::TAU.powi(2), 0.3]);
+    assert_eq!([mass.mass_kg, mass.stiffness_n_m.unwrap(), mass.damping_ratio.unwrap()], [12.0, 12.0 * std::f64::consts::TAU.powi(2), 0.3]);
     let stop = &spec.stop["tip"];
     assert_eq!((stop.at.as_str(), stop.frame.as_str(), stop.side, stop.gap_m), ("beam.tip", "ground", Side::Positive, 1e-3));
     assert_eq!(stop.law, StopLaw::Hertz { stiffness: 1000.0, exponent: 1.5 });

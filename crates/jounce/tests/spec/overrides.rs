@@ -19,7 +19,7 @@ fn values_come_bare_or_as_toml() {
     assert_eq!(with(&[("stop.tip.gap", "0.5 mm")]).unwrap().stop["tip"].gap_m, 0.5e-3);
     assert_eq!(with(&[("stop.tip.gap", "\"0.5 mm\"")]).unwrap().stop["tip"].gap_m, 0.5e-3);
     assert_eq!(with(&[("stop.tip.gap", "'0.5 mm'")]).unwrap().stop["tip"].gap_m, 0.5e-3);
-    assert_eq!(with(&[("mass.table.damping_ratio", "0.05")]).unwrap().mass["table"].damping_ratio, 0.05);
+    assert_eq!(with(&[("mass.table.damping_ratio", "0.05")]).unwrap().mass["table"].damping_ratio, Some(0.05));
     assert_eq!(with(&[("reduction.modes", "5")]).unwrap().reduction.modes, 5);
     assert_eq!(with(&[("stop.tip.frame", "table")]).unwrap().stop["tip"].frame, "table");
     assert_eq!(with(&[("damping.ratios", "[0.1, 0.2, 3e-3, 0, 0, 0, 1]")]).unwrap().damping.ratios[2], 3e-3);
@@ -43,7 +43,7 @@ fn optional_keys_may_be_new_and_later_overrides_win() {
 fn laws_and_springs_can_be_exchanged() {
     let law = [("stop.tip.law", "kelvin-voigt"), ("stop.tip.stiffness", "2 kN/mm"), ("stop.tip.damping", "10 N s/m")];
     assert_eq!(with(&law).unwrap().stop["tip"].law, StopLaw::KelvinVoigt { stiffness_n_m: 2e6, damping_n_s_m: 10.0 });
-    assert_eq!(with(&[("mass.table.stiffness", "500 N/m")]).unwrap().mass["table"].stiffness_n_m, 500.0);
+    assert_eq!(with(&[("mass.table.stiffness", "500 N/m")]).unwrap().mass["table"].stiffness_n_m, Some(500.0));
 }
 
 #[test]
@@ -114,7 +114,7 @@ fn inline_and_dotted_tables_are_overridden_too() {
         file.set(key, value).unwrap();
     }
     let spec = file.spec().unwrap();
-    assert_eq!((spec.mass["table"].damping_ratio, spec.run.tolerance, spec.damping.beyond), (0.2, 1e-9, Some(0.1)));
+    assert_eq!((spec.mass["table"].damping_ratio, spec.run.tolerance, spec.damping.beyond), (Some(0.2), 1e-9, Some(0.1)));
     assert_eq!(Spec::from_toml(&file.text()).unwrap(), spec, "{}", file.text());
 }
 

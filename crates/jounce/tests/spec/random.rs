@@ -14,7 +14,7 @@ fn any_number() -> impl Strategy<Value = f64> {
 }
 
 fn name() -> impl Strategy<Value = String> {
-    "[A-Za-z0-9_-]{1,8}".prop_filter("taken", |name| !["ground", "root", "end"].contains(&name.as_str()))
+    "[A-Za-z0-9_-]{1,8}".prop_filter("taken", |name| !["ground", "nothing", "root", "end"].contains(&name.as_str()))
 }
 
 fn law() -> impl Strategy<Value = StopLaw> {
@@ -35,13 +35,20 @@ fn law() -> impl Strategy<Value = StopLaw> {
 }
 
 fn mass() -> impl Strategy<Value = Mass> {
-    (positive(), positive(), 0.0..1.0f64).prop_map(|(mass_kg, stiffness_n_m, damping_ratio)| Mass { mass_kg, stiffness_n_m, damping_ratio })
+    (positive(), positive(), 0.0..1.0f64, any::<bool>()).prop_map(|(mass_kg, stiffness_n_m, damping_ratio, free)| Mass {
+        on: if free { "nothing" } else { "ground" }.to_owned(),
+        mass_kg,
+        rotary_inertia_kg_m2: 0.0,
+        stiffness_n_m: (!free).then_some(stiffness_n_m),
+        damping_ratio: (!free).then_some(damping_ratio),
+    })
 }
 
 fn beam() -> impl Strategy<Value = Beam> {
     let points = prop::collection::btree_map(name(), 0.0..1.0f64, 0..4);
     ((positive(), positive(), positive()), (positive(), positive()), points).prop_map(
         |((length_m, width_m, thickness_m), (e, density), parts)| Beam {
+            material: String::new(),
             length_m,
             width_m,
             thickness_m,
@@ -80,14 +87,20 @@ fn patch(beam: (String, Beam)) -> impl Strategy<Value = Patch> {
     (place, 0.01..=1.0f64, positive(), (positive(), positive(), any_number(), positive()), section).prop_map(
         move |((start, length), width, thickness_m, (e, density, d31, capacitance_f), section)| Patch {
             on: beam.0.clone(),
+            face: if start < 0.25 { Face::Top } else { Face::Bottom },
+            material: if start < 0.1 { "PZT-5A".to_owned() } else { String::new() },
             start_m: start * beam.1.length_m,
             length_m: length * beam.1.length_m,
             width_m: width * beam.1.width_m,
             thickness_m,
             youngs_modulus_pa: e,
             density_kg_m3: density,
-            d31_m_per_v: d31,
-            capacitance_f,
+            d31_m_per_v: (start < 0.3).then_some(d31),
+            d33_m_per_v: (start >= 0.3).then_some(d31),
+            electrode_spacing_m: (start >= 0.3).then_some(thickness_m),
+            capacitance_f: (width < 0.5).then_some(capacitance_f),
+            permittivity_f_m: (width >= 0.5).then_some(capacitance_f),
+            strain_limit: None,
             section,
         },
     )
@@ -155,6 +168,19 @@ pub fn spec() -> impl Strategy<Value = Spec> {
     })
 }
 
+/// A resistor; of a quarter of them, with an inductor, across a list of one.
+fn circuit(patch: String, resistance_ohm: f64) -> Circuit {
+    let many = resistance_ohm.to_bits().is_multiple_of(4);
+    Circuit {
+        patches: if many { vec![format!("-{patch}")] } else { Vec::new() },
+        patch: if many { String::new() } else { patch },
+        wiring: Wiring::Parallel,
+        resistance_ohm,
+        inductance_h: many.then_some(resistance_ohm),
+        inductor: if many { Wiring::Series } else { Wiring::Parallel },
+    }
+}
+
 type Things = (Spec, Vec<Patch>, BTreeMap<String, Stop>, BTreeMap<String, Drive>);
 type Settings = (Run, Vec<f64>, Reduction, f64, Vec<(String, f64)>);
 
@@ -162,7 +188,7 @@ fn assemble(((mut spec, patches, stop, drive), (run, ratios, reduction, beyond, 
     spec.patch = patches.into_iter().enumerate().map(|(index, patch)| (format!("p{index}"), patch)).collect();
     let modal = spec.modal.iter().flat_map(|(body, modal)| modal.patch.keys().map(move |patch| format!("{body}.{patch}")));
     let names: Vec<String> = spec.patch.keys().cloned().chain(modal).collect();
-    spec.circuit = names.into_iter().zip(loads).map(|(patch, (name, resistance_ohm))| (name, Circuit { patch, resistance_ohm })).collect();
+    spec.circuit = names.into_iter().zip(loads).map(|(patch, (name, resistance_ohm))| (name, circuit(patch, resistance_ohm))).collect();
     // A thin skin without mass prints and reads its unused density like any other.
     Spec { stop, drive, run, reduction, damping: Damping { ratios, beyond: Some(beyond) }, ..spec }
 }

@@ -7,3 +7,4 @@ mod paper;
 mod participation;
 mod published;
 mod several;
+mod trees;

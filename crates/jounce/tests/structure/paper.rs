@@ -1,6 +1,6 @@
 //! The harvester of the paper, its parts, and its frequencies by another method.
 
-use jounce::spec::{Beam, Damping, Mass, Patch, Reduction, Section, Spec};
+use jounce::spec::{Beam, Damping, Face, Mass, Patch, Reduction, Section, Spec};
 use jounce::structure::Modes;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -21,6 +21,7 @@ pub const CLAMPED_HZ: [f64; 7] =
 
 pub fn paper_beam(root: &str) -> Beam {
     Beam {
+        material: String::new(),
         length_m: 0.315,
         width_m: 0.03,
         thickness_m: 0.98e-3,
@@ -34,20 +35,34 @@ pub fn paper_beam(root: &str) -> Beam {
 pub fn paper_patch(section: Section) -> Patch {
     Patch {
         on: "beam".into(),
+        face: Face::Top,
+        material: String::new(),
         start_m: 0.009,
         length_m: 0.085,
         width_m: 0.03,
         thickness_m: 0.3e-3,
         youngs_modulus_pa: 30.336e9,
         density_kg_m3: 5440.0,
-        d31_m_per_v: -170e-12,
-        capacitance_f: 177e-9,
+        d31_m_per_v: Some(-170e-12),
+        d33_m_per_v: None,
+        electrode_spacing_m: None,
+        capacitance_f: Some(177e-9),
+        permittivity_f_m: None,
+        strain_limit: None,
         section,
     }
 }
 
 pub fn paper_table() -> Mass {
-    Mass { mass_kg: 12.0, stiffness_n_m: 12.0 * TAU * TAU, damping_ratio: 0.3 }
+    sprung("ground", 12.0, 12.0 * TAU * TAU, 0.3)
+}
+
+pub fn sprung(on: &str, mass_kg: f64, stiffness_n_m: f64, damping_ratio: f64) -> Mass {
+    Mass { on: on.into(), mass_kg, rotary_inertia_kg_m2: 0.0, stiffness_n_m: Some(stiffness_n_m), damping_ratio: Some(damping_ratio) }
+}
+
+pub fn fixed(on: &str, mass_kg: f64, rotary_inertia_kg_m2: f64) -> Mass {
+    Mass { on: on.into(), mass_kg, rotary_inertia_kg_m2, stiffness_n_m: None, damping_ratio: None }
 }
 
 /// `examples/impact-harvester-2019/harvester.toml`, as far as its structure goes.

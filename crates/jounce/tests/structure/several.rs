@@ -1,7 +1,7 @@
 //! Several structures in one spec, free masses, structures given by their modes, damping.
 
-use crate::paper::{bare_cantilever, greatest_relative_difference, paper, paper_beam, table};
-use jounce::spec::{Beam, Mass, Modal, ModalPatch, Section, Spec};
+use crate::paper::{bare_cantilever, fixed, greatest_relative_difference, paper, paper_beam, sprung, table};
+use jounce::spec::{Beam, Modal, ModalPatch, Section, Spec};
 use jounce::structure::{StructureError, modes, modes_holding};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -15,7 +15,7 @@ fn table_mode_takes_the_damping_of_the_table() {
     assert_eq!(clamped.shape["table"], [0.0; 7]);
     // A stiff spring puts the table's mode above all kept ones: its ratio is used by none of them.
     let mut stiff = paper(Section::ThinSkin);
-    stiff.mass.get_mut("table").unwrap().stiffness_n_m = 12.0 * (TAU * 20e3).powi(2);
+    stiff.mass.get_mut("table").unwrap().stiffness_n_m = Some(12.0 * (TAU * 20e3).powi(2));
     assert_eq!(modes(&stiff).unwrap_err(), StructureError::MissingDamping { flexible: 8, given: 7 });
 }
 
@@ -23,7 +23,7 @@ fn table_mode_takes_the_damping_of_the_table() {
 fn structures_side_by_side_keep_their_modes() {
     let alone = modes(&paper(Section::ThinSkin)).unwrap();
     let mut spec = paper(Section::ThinSkin);
-    spec.mass.insert("anvil".into(), Mass { mass_kg: 2.0, stiffness_n_m: 2.0 * (TAU * 20.0).powi(2), damping_ratio: 0.1 });
+    spec.mass.insert("anvil".into(), sprung("ground", 2.0, 2.0 * (TAU * 20.0).powi(2), 0.1));
     spec.beam.insert("clamped".into(), Beam { point: BTreeMap::new(), ..paper_beam("ground") });
     spec.modal.insert(
         "other".into(),
@@ -101,8 +101,7 @@ fn equal_beams_on_one_mass_split_into_even_and_odd() {
 #[test]
 fn free_mass_has_a_rigid_body_mode() {
     let mut spec = paper(Section::ThinSkin);
-    let table = spec.mass.get_mut("table").unwrap();
-    (table.mass_kg, table.stiffness_n_m) = (0.1, 0.0);
+    spec.mass.insert("table".into(), fixed("nothing", 0.1, 0.0));
     let free = modes(&spec).unwrap();
     let total_kg: f64 = 0.1 + 2750.0 * 0.03 * 0.98e-3 * 0.315;
     assert_eq!((free.frequency_rad_s[0], free.damping_ratio[0], free.discretisation_error[0]), (0.0, 0.0, 0.0));
@@ -110,7 +109,7 @@ fn free_mass_has_a_rigid_body_mode() {
         assert!((free.shape[point][0] * total_kg.sqrt() - 1.0).abs() < 1e-14);
     }
     assert!(free.patch["mfc"].coupling_n_per_v[0].abs() < 1e-18);
-    spec.mass.get_mut("table").unwrap().stiffness_n_m = 1e-6;
+    spec.mass.insert("table".into(), sprung("ground", 0.1, 1e-6, 0.0));
     let soft = modes(&spec).unwrap();
     assert!(greatest_relative_difference(&free.frequency_rad_s[1..], &soft.frequency_rad_s[1..]) < 1e-8);
     assert!(greatest_relative_difference(&free.shape["beam.tip"][1..], &soft.shape["beam.tip"][1..]) < 1e-6);

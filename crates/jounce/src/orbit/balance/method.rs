@@ -62,13 +62,12 @@ impl<'h, H: Harvester> HarmonicBalance<'h, H> {
     /// Mean power of each load, W: `sum_n |V_n|^2 / R` over all harmonics of the voltage.
     fn loads_w(&self, local: &Balance) -> Vec<f64> {
         let plant = &local.kernel.plant;
-        let names: Vec<&String> = plant.system.modes.patch.keys().collect();
         let force = complex(&local.force);
         let cycles = self.shooting.cycles;
         (plant.system.loads.iter())
-            .map(|load| {
-                let Some(patch) = names.iter().position(|name| **name == load.patch) else { return 0.0 };
-                let row = plant.voltage_row(patch);
+            .enumerate()
+            .map(|(index, load)| {
+                let row = plant.load_voltage_row(index);
                 let mut voltage: Vec<c64> =
                     Transfer::new(plant, &row, local.step_rad_s, self.harmonics).values.iter().zip(&force).map(|(g, f)| g * f).collect();
                 voltage[cycles as usize] += plant.steady_output(&row).iter().sum::<c64>();

@@ -120,7 +120,11 @@ impl Balance {
             (y[0], y[1]) = (((1.0 - d) * y[0] + b * y[1]) / det, (c * y[0] + (1.0 - a) * y[1]) / det);
         }
         let paired = 2 * block.pairs.len();
-        block.reals.iter().zip(&mut state[paired..]).for_each(|(rate, y)| *y /= -(rate * period_s).exp_m1());
+        block
+            .reals
+            .iter()
+            .zip(&mut state[paired..])
+            .for_each(|(rate, y)| *y = if *rate == 0.0 { 0.0 } else { *y / -(rate * period_s).exp_m1() });
         state
     }
 }

@@ -1,9 +1,9 @@
-//! Points and patches lie on their beams, patches beside each other.
+//! Points and patches lie on their beams, patches of one face beside each other.
 
 use std::collections::BTreeMap;
 
 use super::Broken;
-use crate::spec::{Patch, Quantity, Spec};
+use crate::spec::{Face, Patch, Quantity, Spec};
 
 /// Lengths that differ by less than this part of the beam are equal: sums of decimal lengths are not exact.
 const SLACK: f64 = 1e-9;
@@ -17,7 +17,7 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
             }
         }
     }
-    let mut on_beam: BTreeMap<&str, Vec<(&str, &Patch)>> = BTreeMap::new();
+    let mut on_face: BTreeMap<(&str, bool), Vec<(&str, &Patch)>> = BTreeMap::new();
     for (name, patch) in &spec.patch {
         let Some(beam) = spec.beam.get(&patch.on) else { continue };
         if end_m(patch) > beam.length_m * (1.0 + SLACK) {
@@ -28,12 +28,32 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
             let text = || format!("the patch is {} wide, but its beam is {}", metres(patch.width_m), metres(beam.width_m));
             broken.push(|| format!("patch.{name}.width"), text);
         }
+        if patch.d33_m_per_v.is_some() != patch.electrode_spacing_m.is_some() {
+            let text = || "`d33` and `electrode_spacing` go together; give both, or `d31` alone".to_owned();
+            broken.push(|| format!("patch.{name}"), text);
+        }
         if end_m(patch).is_finite() {
-            on_beam.entry(&patch.on).or_default().push((name, patch));
+            on_face.entry((patch.on.as_str(), patch.face == Face::Top)).or_default().push((name, patch));
         }
     }
-    for (beam, patches) in on_beam {
+    check_facing(&on_face, broken);
+    for ((beam, _), patches) in on_face {
         check_overlap(patches, SLACK * spec.beam[beam].length_m, broken);
+    }
+}
+
+/// Two patches on the two faces of one stretch take the same rule of section.
+fn check_facing(on_face: &BTreeMap<(&str, bool), Vec<(&str, &Patch)>>, broken: &mut Broken) {
+    for ((beam, _), tops) in on_face.iter().filter(|((_, top), _)| *top) {
+        let Some(bottoms) = on_face.get(&(*beam, false)) else { continue };
+        for (name, patch) in bottoms {
+            let facing =
+                |top: &&(&str, &Patch)| top.1.start_m < end_m(patch) && patch.start_m < end_m(top.1) && top.1.section != patch.section;
+            if let Some((other, _)) = tops.iter().find(facing) {
+                let text = || format!("differs from that of patch \"{other}\" on the other face; give both the same section");
+                broken.push(|| format!("patch.{name}.section"), text);
+            }
+        }
     }
 }
 
@@ -45,7 +65,7 @@ fn check_overlap(mut patches: Vec<(&str, &Patch)>, slack_m: f64, broken: &mut Br
         let ((other, before), (name, patch)) = (patches[furthest], patches[index]);
         if patch.start_m < end_m(before) - slack_m {
             let [start, reach] = [patch.start_m, end_m(before)].map(metres);
-            let text = || format!("the patch starts at {start}, but patch \"{other}\" on the same beam reaches to {reach}");
+            let text = || format!("the patch starts at {start}, but patch \"{other}\" on the same face reaches to {reach}");
             broken.push(|| format!("patch.{name}.start"), text);
         }
         if end_m(patch) > end_m(before) {

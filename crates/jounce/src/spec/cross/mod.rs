@@ -3,9 +3,11 @@
 //! Every rule looks at a typed spec that may have holes where values are missing or wrong: a hole (NaN, an empty text, an empty
 //! list) breaks no rule, because its own fault is told already.
 
+mod circuit;
 mod geometry;
 mod modes;
 mod reference;
+mod support;
 
 use super::Spec;
 use super::fault::Faults;
@@ -36,6 +38,8 @@ impl Broken {
 pub(super) fn broken(spec: &Spec) -> Vec<(String, String)> {
     let mut broken = Broken { found: Vec::new() };
     reference::check(spec, &mut broken);
+    support::check(spec, &mut broken);
+    circuit::check(spec, &mut broken);
     geometry::check(spec, &mut broken);
     modes::check(spec, &mut broken);
     broken.found

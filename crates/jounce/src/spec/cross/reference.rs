@@ -1,7 +1,6 @@
 //! References lead to things that exist, and to one thing only.
 
 use std::cell::LazyCell;
-use std::collections::BTreeMap;
 
 use super::Broken;
 use crate::spec::Spec;
@@ -11,12 +10,6 @@ const GROUND: &str = "ground";
 
 pub(super) fn check(spec: &Spec, broken: &mut Broken) {
     check_names(spec, broken);
-    for (name, beam) in &spec.beam {
-        if beam.root != GROUND && !beam.root.is_empty() && !spec.mass.contains_key(&beam.root) {
-            let masses = || [GROUND].into_iter().chain(spec.mass.keys().map(String::as_str));
-            broken.push(|| format!("beam.{name}.root"), || unknown("mass", &beam.root, "masses", masses));
-        }
-    }
     for (name, patch) in &spec.patch {
         if !patch.on.is_empty() && !spec.beam.contains_key(&patch.on) {
             let beams = || spec.beam.keys().map(String::as_str);
@@ -24,24 +17,7 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
         }
     }
     // Listed once, and only if something is wrong: a huge file may have many points and many wrong references.
-    let patches = LazyCell::new(|| patches(spec));
     let points = LazyCell::new(|| points(spec));
-    for (name, circuit) in &spec.circuit {
-        if !has_patch(spec, &circuit.patch) {
-            let words = || patches.iter().map(String::as_str);
-            broken.push(|| format!("circuit.{name}.patch"), || unknown("patch", &circuit.patch, "patches", words));
-        }
-    }
-    let mut carried: BTreeMap<&str, &str> = BTreeMap::new();
-    for (name, circuit) in spec.circuit.iter().filter(|(_, circuit)| !circuit.patch.is_empty()) {
-        if let Some(first) = carried.get(circuit.patch.as_str()) {
-            let text =
-                || format!("patch \"{}\" carries circuit \"{}\" already; give each patch one circuit", clip(&circuit.patch), clip(first));
-            broken.push(|| format!("circuit.{name}.patch"), text);
-        } else {
-            carried.insert(&circuit.patch, name);
-        }
-    }
     for (name, drive) in &spec.drive {
         check_point(spec, &points, || format!("drive.{name}.at"), &drive.at, false, broken);
     }
@@ -62,8 +38,9 @@ fn check_names(spec: &Spec, broken: &mut Broken) {
         let text = || format!("there is a beam of this name too, so that \"{}.end\" would be ambiguous; rename one", clip(name));
         broken.push(|| format!("modal.{name}"), text);
     }
-    if spec.mass.contains_key(GROUND) {
-        broken.push(|| format!("mass.{GROUND}"), || "the name \"ground\" is taken by the ground; choose another".to_owned());
+    for taken in [GROUND, "nothing"].into_iter().filter(|name| spec.mass.contains_key(*name)) {
+        let text = || format!("the name \"{taken}\" is taken{}; choose another", if taken == GROUND { " by the ground" } else { "" });
+        broken.push(|| format!("mass.{taken}"), text);
     }
     for (name, beam) in &spec.beam {
         for end in ["root", "end"].into_iter().filter(|end| beam.point.contains_key(*end)) {
@@ -94,11 +71,6 @@ fn has_point(spec: &Spec, name: &str) -> bool {
     on_beam || spec.modal.get(body).is_some_and(|modal| modal.point.contains_key(point))
 }
 
-fn has_patch(spec: &Spec, name: &str) -> bool {
-    let Some((body, patch)) = name.split_once('.') else { return name.is_empty() || spec.patch.contains_key(name) };
-    spec.modal.get(body).is_some_and(|modal| modal.patch.contains_key(patch))
-}
-
 fn points(spec: &Spec) -> Vec<String> {
     let on_beams = spec.beam.iter().flat_map(|(body, beam)| {
         let named = beam.point.keys().map(String::as_str).filter(|point| !["root", "end"].contains(point));
@@ -108,12 +80,12 @@ fn points(spec: &Spec) -> Vec<String> {
     on_beams.chain(on_modal).chain(spec.mass.keys().cloned()).collect()
 }
 
-fn patches(spec: &Spec) -> Vec<String> {
+pub(super) fn patches(spec: &Spec) -> Vec<String> {
     let modal = spec.modal.iter().flat_map(|(body, modal)| modal.patch.keys().map(move |patch| format!("{body}.{patch}")));
     spec.patch.keys().cloned().chain(modal).collect()
 }
 
-fn unknown<'n, I: Iterator<Item = &'n str>>(what: &str, name: &str, many: &str, known: impl Fn() -> I) -> String {
+pub(super) fn unknown<'n, I: Iterator<Item = &'n str>>(what: &str, name: &str, many: &str, known: impl Fn() -> I) -> String {
     let meant = did_you_mean(name, known());
     let there = listed(known());
     let there = if there.is_empty() { format!("this spec has no {many}") } else { format!("{many} here: {there}") };

@@ -22,6 +22,11 @@ pub(in crate::spec) enum Kind {
         /// what kind of thing, `"a beam"`
         what: &'static str,
     },
+    /// The names of other things.
+    References {
+        /// what kind of things, `"patches"`
+        what: &'static str,
+    },
     /// A table of quantities under the user's own names.
     NamedQuantities(Quantity),
     /// A table of lists of numbers under the user's own names.
@@ -45,6 +50,7 @@ impl Kind {
             Self::Choice(words) => format!("one of {} is due", quoted(words)),
             Self::ChoiceOrPath(words) => format!("one of {} is due, or the path of a file, as in \"./NAME\"", quoted(words)),
             Self::Reference { what } => format!("the name of {what} is due, in quotes"),
+            Self::References { what } => format!("a list of names of {what} is due, as in [\"one\", \"-other\"]"),
             Self::Things | Self::Table => "a table is due".to_owned(),
         }
     }

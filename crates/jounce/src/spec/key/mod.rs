@@ -38,6 +38,8 @@ pub(super) struct KeyInfo {
     pub(super) kind: Kind,
     pub(super) need: Need,
     pub(super) when: Option<When>,
+    /// A key of the same table that gives this one a value where it does not stand.
+    pub(super) unless: Option<&'static str>,
     pub(super) range: Range,
     /// One line for the key reference and for editors.
     pub(super) doc: &'static str,
@@ -52,6 +54,18 @@ pub(super) enum Need {
     Default,
     /// Exactly one of these must.
     OneOf(&'static [&'static str]),
+    /// One of these may, not two.
+    AtMostOne(&'static [&'static str]),
+}
+
+impl Need {
+    /// The keys that exclude each other.
+    pub(super) fn alternatives(self) -> &'static [&'static str] {
+        match self {
+            Self::OneOf(names) | Self::AtMostOne(names) => names,
+            Self::Required | Self::Default => &[],
+        }
+    }
 }
 
 /// A key that goes only with some words of an earlier choice.
@@ -63,7 +77,7 @@ pub(super) struct When {
 
 impl<T> Key<T> {
     const fn new(name: &'static str, kind: Kind, doc: &'static str, slot: Slot<T>) -> Self {
-        let info = KeyInfo { name, kind, need: Need::Required, when: None, range: Range::ANY, doc };
+        let info = KeyInfo { name, kind, need: Need::Required, when: None, unless: None, range: Range::ANY, doc };
         Self { info, slot, quantity: None }
     }
 
@@ -108,6 +122,18 @@ impl<T> Key<T> {
     /// Exactly one of these keys must stand.
     pub(super) const fn one_of(mut self, names: &'static [&'static str]) -> Self {
         self.info.need = Need::OneOf(names);
+        self
+    }
+
+    /// One of these keys may stand, not two.
+    pub(super) const fn at_most_one_of(mut self, names: &'static [&'static str]) -> Self {
+        self.info.need = Need::AtMostOne(names);
+        self
+    }
+
+    /// Another key gives it a value where it does not stand; that key stands before it in the table.
+    pub(super) const fn unless(mut self, key: &'static str) -> Self {
+        self.info.unless = Some(key);
         self
     }
 

@@ -30,7 +30,7 @@ fn default<T>(key: &Key<T>, blank: &T) -> Option<String> {
         Slot::Number { get, .. } | Slot::Derived { get, .. } => Some(number(get(blank))),
         Slot::Optional { get, .. } => get(blank).map(number),
         Slot::Count { get, .. } => Some(get(blank).to_string()),
-        Slot::Text { get, .. } => Some(format!("\"{}\"", get(blank))),
-        Slot::Numbers { .. } | Slot::NamedQuantities { .. } | Slot::NamedNumbers { .. } | Slot::Inner(_) => None,
+        Slot::Text { get, .. } => Some(get(blank)).filter(|text| !text.is_empty()).map(|text| format!("\"{text}\"")),
+        Slot::Texts { .. } | Slot::Numbers { .. } | Slot::NamedQuantities { .. } | Slot::NamedNumbers { .. } | Slot::Inner(_) => None,
     }
 }

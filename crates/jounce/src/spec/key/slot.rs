@@ -41,6 +41,13 @@ pub(in crate::spec) enum Slot<T: 'static> {
         /// writes it; a choice gets only its own words
         set: fn(&mut T, &str),
     },
+    /// A list of texts.
+    Texts {
+        /// reads it
+        get: fn(&T) -> &Vec<String>,
+        /// opens it
+        open: fn(&mut T) -> &mut Vec<String>,
+    },
     /// A list of numbers.
     Numbers {
         /// reads it

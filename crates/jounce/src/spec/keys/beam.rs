@@ -2,11 +2,13 @@
 
 use std::collections::BTreeMap;
 
+use crate::material;
 use crate::spec::key::{Key, Kind, Range, Slot};
 use crate::spec::{Beam, Quantity};
 
 pub(super) fn blank() -> Beam {
     Beam {
+        material: String::new(),
         length_m: f64::NAN,
         width_m: f64::NAN,
         thickness_m: f64::NAN,
@@ -18,6 +20,19 @@ pub(super) fn blank() -> Beam {
 }
 
 pub(super) static KEYS: &[Key<Beam>] = &[
+    Key::text(
+        "material",
+        Kind::Choice(material::STRUCTURAL),
+        "a material of the library (`jounce materials`): modulus and density where they are not given",
+        |b: &Beam| b.material.clone(),
+        |b, x| {
+            x.clone_into(&mut b.material);
+            if let Some(known) = material::named(x) {
+                (b.youngs_modulus_pa, b.density_kg_m3) = (known.youngs_modulus_pa, known.density_kg_m3);
+            }
+        },
+    )
+    .optional(),
     Key::quantity("length", Quantity::Length, "from the clamped root to the free end", |b: &Beam| b.length_m, |b, x| b.length_m = x)
         .within(Range::POSITIVE),
     Key::quantity("width", Quantity::Length, "width of the rectangular section", |b: &Beam| b.width_m, |b, x| b.width_m = x)
@@ -25,13 +40,15 @@ pub(super) static KEYS: &[Key<Beam>] = &[
     Key::quantity("thickness", Quantity::Length, "thickness in the bending direction", |b: &Beam| b.thickness_m, |b, x| b.thickness_m = x)
         .within(Range::POSITIVE),
     Key::quantity("youngs_modulus", Quantity::Pressure, "Young's modulus", |b: &Beam| b.youngs_modulus_pa, |b, x| b.youngs_modulus_pa = x)
-        .within(Range::POSITIVE),
+        .within(Range::POSITIVE)
+        .unless("material"),
     Key::quantity("density", Quantity::Density, "mass per volume", |b: &Beam| b.density_kg_m3, |b, x| b.density_kg_m3 = x)
-        .within(Range::POSITIVE),
+        .within(Range::POSITIVE)
+        .unless("material"),
     Key::text(
         "root",
-        Kind::Reference { what: "a mass, or \"ground\"" },
-        "what the root is clamped to: `\"ground\"` or the name of a mass",
+        Kind::Reference { what: "a mass or a point of another beam, or \"ground\"" },
+        "what the root is clamped to: `\"ground\"`, a mass, or a point of another beam, as in `\"arm.end\"`",
         |b: &Beam| b.root.clone(),
         |b, x| x.clone_into(&mut b.root),
     )

@@ -13,31 +13,54 @@ use crate::spec::key::Kind;
 const SPRING: &[&str] = &["frequency", "stiffness"];
 
 pub(super) fn blank() -> Mass {
-    Mass { mass_kg: f64::NAN, stiffness_n_m: f64::NAN, damping_ratio: f64::NAN }
+    Mass { on: "ground".to_owned(), mass_kg: f64::NAN, rotary_inertia_kg_m2: 0.0, stiffness_n_m: None, damping_ratio: None }
 }
 
 pub(super) static KEYS: &[Key<Mass>] = &[
+    Key::text(
+        "on",
+        Kind::Reference { what: "a mass or a point of a beam, or \"ground\" or \"nothing\"" },
+        "what it stands on: `\"ground\"`, a mass, a point of a beam, or `\"nothing\"` for a free mass",
+        |m: &Mass| m.on.clone(),
+        |m, x| x.clone_into(&mut m.on),
+    )
+    .optional(),
     Key::quantity("mass", Quantity::Mass, "its mass, without what it carries", |m: &Mass| m.mass_kg, |m, x| m.mass_kg = x)
         .within(Range::POSITIVE),
+    Key::quantity(
+        "rotary_inertia",
+        Quantity::RotaryInertia,
+        "moment of inertia about the point that it is fixed to; for a mass without spring on a beam",
+        |m: &Mass| m.rotary_inertia_kg_m2,
+        |m, x| m.rotary_inertia_kg_m2 = x,
+    )
+    .within(Range::NOT_NEGATIVE)
+    .optional(),
     Key::with_slot(
         "frequency",
         Kind::Quantity(Quantity::Frequency),
-        "natural frequency of the mass alone on its spring",
+        "natural frequency of the mass alone on its spring; without a spring the mass is fixed to what it stands on",
         Slot::Derived {
-            get: |m: &Mass| (m.stiffness_n_m / m.mass_kg).sqrt() / TAU,
-            set: |m, frequency_hz| m.stiffness_n_m = m.mass_kg * (TAU * frequency_hz).powi(2),
+            get: |m: &Mass| (m.stiffness_n_m.unwrap_or(f64::NAN) / m.mass_kg).sqrt() / TAU,
+            set: |m, frequency_hz| m.stiffness_n_m = Some(m.mass_kg * (TAU * frequency_hz).powi(2)),
         },
     )
     .within(Range::from(FREQUENCY_LIMITS_HZ.0, FREQUENCY_LIMITS_HZ.1))
-    .one_of(SPRING),
-    Key::quantity("stiffness", Quantity::Stiffness, "stiffness of its spring", |m: &Mass| m.stiffness_n_m, |m, x| m.stiffness_n_m = x)
-        .within(Range::POSITIVE)
-        .one_of(SPRING),
-    Key::number(
-        "damping_ratio",
-        "damping ratio of the coupled mode in which this mass moves most",
-        |m: &Mass| m.damping_ratio,
-        |m, x| m.damping_ratio = x,
+    .at_most_one_of(SPRING),
+    Key::with_slot(
+        "stiffness",
+        Kind::Quantity(Quantity::Stiffness),
+        "stiffness of its spring; without a spring the mass is fixed to what it stands on",
+        Slot::Optional { get: |m: &Mass| m.stiffness_n_m, set: |m, x| m.stiffness_n_m = Some(x) },
     )
-    .within(Range { low: 0.0, open: false, high: 10.0 }),
+    .within(Range::POSITIVE)
+    .at_most_one_of(SPRING),
+    Key::with_slot(
+        "damping_ratio",
+        Kind::Number,
+        "damping ratio of the coupled mode in which this mass moves most; needed with a spring",
+        Slot::Optional { get: |m: &Mass| m.damping_ratio, set: |m, x| m.damping_ratio = Some(x) },
+    )
+    .within(Range { low: 0.0, open: false, high: 10.0 })
+    .optional(),
 ];

@@ -17,7 +17,11 @@ pub(super) const FREQUENCY_LIMITS_HZ: (f64, f64) = (1e-6, 1e6);
 
 /// The tables of a spec.
 pub(super) static SPEC: &[Key<Spec>] = &[
-    things("beam", "uniform cantilevers", &Named { get: |s: &Spec| &s.beam, open: |s| &mut s.beam, blank: beam::blank, keys: beam::KEYS }),
+    things(
+        "beam",
+        "uniform beams, clamped at their root",
+        &Named { get: |s: &Spec| &s.beam, open: |s| &mut s.beam, blank: beam::blank, keys: beam::KEYS },
+    ),
     things(
         "patch",
         "piezoelectric patches bonded on beams",
@@ -25,7 +29,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
     things(
         "mass",
-        "rigid masses on grounded springs, which may carry beams",
+        "rigid masses: on a spring, fixed to a beam, or free; they may carry beams",
         &Named { get: |s: &Spec| &s.mass, open: |s| &mut s.mass, blank: mass::blank, keys: mass::KEYS },
     ),
     things(
@@ -40,7 +44,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
     things(
         "circuit",
-        "electrical loads, one across each patch; a patch without one is open-circuit",
+        "linear loads, each across one patch or several; a patch without one is open-circuit",
         &Named { get: |s: &Spec| &s.circuit, open: |s| &mut s.circuit, blank: circuit::blank, keys: circuit::KEYS },
     ),
     things(

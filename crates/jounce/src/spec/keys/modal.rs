@@ -8,7 +8,13 @@ use crate::spec::{Modal, ModalPatch, Quantity};
 use super::FREQUENCY_LIMITS_HZ;
 
 pub(super) fn blank() -> Modal {
-    Modal { frequency_hz: Vec::new(), damping_ratio: Vec::new(), participation_sqrt_kg: Vec::new(), point: BTreeMap::new(), patch: BTreeMap::new() }
+    Modal {
+        frequency_hz: Vec::new(),
+        damping_ratio: Vec::new(),
+        participation_sqrt_kg: Vec::new(),
+        point: BTreeMap::new(),
+        patch: BTreeMap::new(),
+    }
 }
 
 fn blank_patch() -> ModalPatch {

@@ -1,20 +1,44 @@
 //! `[patch.NAME]`
 
-use crate::spec::key::{Key, Kind, Range};
-use crate::spec::{Patch, Quantity, Section};
+use crate::material;
+use crate::spec::key::{Key, Kind, Range, Slot};
+use crate::spec::{Face, Patch, Quantity, Section};
+
+const COEFFICIENT: &[&str] = &["d31", "d33"];
+const CAPACITANCE: &[&str] = &["capacitance", "permittivity"];
 
 pub(super) fn blank() -> Patch {
     Patch {
         on: String::new(),
+        face: Face::default(),
+        material: String::new(),
         start_m: f64::NAN,
         length_m: f64::NAN,
         width_m: f64::NAN,
         thickness_m: f64::NAN,
         youngs_modulus_pa: f64::NAN,
         density_kg_m3: 0.0,
-        d31_m_per_v: f64::NAN,
-        capacitance_f: f64::NAN,
+        d31_m_per_v: None,
+        d33_m_per_v: None,
+        electrode_spacing_m: None,
+        capacitance_f: None,
+        permittivity_f_m: None,
+        strain_limit: None,
         section: Section::default(),
+    }
+}
+
+/// Takes from the library what it knows.
+fn fill(patch: &mut Patch, name: &str) {
+    name.clone_into(&mut patch.material);
+    let Some(known) = material::named(name) else { return };
+    (patch.youngs_modulus_pa, patch.density_kg_m3, patch.strain_limit) = (known.youngs_modulus_pa, known.density_kg_m3, known.strain_limit);
+    if let Some(active) = known.active {
+        patch.permittivity_f_m = Some(active.permittivity_f_m);
+        match active.electrode_spacing_m {
+            Some(spacing_m) => (patch.d33_m_per_v, patch.electrode_spacing_m) = (Some(active.charge_coefficient_m_per_v), Some(spacing_m)),
+            None => patch.d31_m_per_v = Some(active.charge_coefficient_m_per_v),
+        }
     }
 }
 
@@ -26,6 +50,22 @@ pub(super) static KEYS: &[Key<Patch>] = &[
         |p: &Patch| p.on.clone(),
         |p, x| x.clone_into(&mut p.on),
     ),
+    Key::text(
+        "face",
+        Kind::Choice(&["top", "bottom"]),
+        "the face of the beam that carries it; two patches on the two faces of one stretch make a bimorph",
+        |p: &Patch| if p.face == Face::Top { "top" } else { "bottom" }.to_owned(),
+        |p, x| p.face = if x == "top" { Face::Top } else { Face::Bottom },
+    )
+    .optional(),
+    Key::text(
+        "material",
+        Kind::Choice(material::PIEZOELECTRIC),
+        "a material of the library (`jounce materials`): modulus, density, coefficient, permittivity and limit where they are not given",
+        |p: &Patch| p.material.clone(),
+        fill,
+    )
+    .optional(),
     Key::text(
         "section",
         Kind::Choice(&["laminate", "thin-skin"]),
@@ -47,23 +87,69 @@ pub(super) static KEYS: &[Key<Patch>] = &[
         |p: &Patch| p.youngs_modulus_pa,
         |p, x| p.youngs_modulus_pa = x,
     )
-    .within(Range::POSITIVE),
+    .within(Range::POSITIVE)
+    .unless("material"),
     Key::quantity("density", Quantity::Density, "mass per volume", |p: &Patch| p.density_kg_m3, |p, x| p.density_kg_m3 = x)
         .within(Range::POSITIVE)
-        .when("section", &["laminate"]),
+        .when("section", &["laminate"])
+        .unless("material"),
     Key::quantity("density", Quantity::Density, "not used by this section", |p: &Patch| p.density_kg_m3, |p, x| p.density_kg_m3 = x)
         .within(Range::NOT_NEGATIVE)
         .when("section", &["thin-skin"])
         .optional(),
-    Key::quantity(
+    Key::with_slot(
         "d31",
-        Quantity::ChargePerForce,
-        "piezoelectric charge coefficient, with its sign",
-        |p: &Patch| p.d31_m_per_v,
-        |p, x| p.d31_m_per_v = x,
-    ),
-    Key::quantity("capacitance", Quantity::Capacitance, "clamped capacitance", |p: &Patch| p.capacitance_f, |p, x| p.capacitance_f = x)
-        .within(Range::POSITIVE),
+        Kind::Quantity(Quantity::ChargePerForce),
+        "piezoelectric charge coefficient with its sign, for a field through the thickness",
+        Slot::Optional {
+            get: |p: &Patch| p.d31_m_per_v,
+            set: |p, x| (p.d31_m_per_v, p.d33_m_per_v, p.electrode_spacing_m) = (Some(x), None, None),
+        },
+    )
+    .one_of(COEFFICIENT)
+    .unless("material"),
+    Key::with_slot(
+        "d33",
+        Kind::Quantity(Quantity::ChargePerForce),
+        "piezoelectric charge coefficient with its sign, for a field along the beam (interdigitated electrodes)",
+        Slot::Optional { get: |p: &Patch| p.d33_m_per_v, set: |p, x| (p.d33_m_per_v, p.d31_m_per_v) = (Some(x), None) },
+    )
+    .one_of(COEFFICIENT)
+    .unless("material"),
+    Key::with_slot(
+        "electrode_spacing",
+        Kind::Quantity(Quantity::Length),
+        "distance between electrodes along the beam; with `d33`",
+        Slot::Optional { get: |p: &Patch| p.electrode_spacing_m, set: |p, x| p.electrode_spacing_m = Some(x) },
+    )
+    .within(Range::POSITIVE)
+    .optional(),
+    Key::with_slot(
+        "capacitance",
+        Kind::Quantity(Quantity::Capacitance),
+        "clamped capacitance",
+        Slot::Optional { get: |p: &Patch| p.capacitance_f, set: |p, x| (p.capacitance_f, p.permittivity_f_m) = (Some(x), None) },
+    )
+    .within(Range::POSITIVE)
+    .one_of(CAPACITANCE)
+    .unless("material"),
+    Key::with_slot(
+        "permittivity",
+        Kind::Quantity(Quantity::Permittivity),
+        "permittivity at constant strain: the capacitance is `permittivity * width * length / thickness`",
+        Slot::Optional { get: |p: &Patch| p.permittivity_f_m, set: |p, x| (p.permittivity_f_m, p.capacitance_f) = (Some(x), None) },
+    )
+    .within(Range::POSITIVE)
+    .one_of(CAPACITANCE)
+    .unless("material"),
+    Key::with_slot(
+        "strain_limit",
+        Kind::Number,
+        "largest strain along the beam that it bears; `jounce run` warns beyond it",
+        Slot::Optional { get: |p: &Patch| p.strain_limit, set: |p, x| p.strain_limit = Some(x) },
+    )
+    .within(Range::POSITIVE)
+    .optional(),
 ];
 
 fn section_word(section: Section) -> &'static str {

@@ -48,8 +48,10 @@ fn missing<T>(keys: &[Key<T>], key: &Key<T>, path: &str, node: &Node, reading: &
         Need::OneOf(names) => format!("one of {} is missing", quoted(names)),
         _ => format!("`{}` is missing; {}", key.info.name, key.info.kind.due()),
     };
+    let given = key.info.unless.is_some_and(|other| stands(&other));
     let must = match key.info.need {
-        Need::Default => false,
+        _ if given => false,
+        Need::Default | Need::AtMostOne(_) => false,
         Need::Required => true,
         Need::OneOf(names) => names.first() == Some(&key.info.name) && !names.iter().any(stands),
     };
@@ -81,7 +83,7 @@ fn check_known<T>(keys: &[Key<T>], path: &str, entry: &Entry, thing: &T, doubtfu
 
 fn check_alternatives<T>(keys: &[Key<T>], path: &str, entries: &[Entry], reading: &mut Reading) {
     for key in keys {
-        let Need::OneOf(names) = key.info.need else { continue };
+        let names = key.info.need.alternatives();
         let mut standing = entries.iter().filter(|entry| names.contains(&entry.name.as_str()));
         if names.first() == Some(&key.info.name)
             && let (Some(first), Some(second)) = (standing.next(), standing.next())

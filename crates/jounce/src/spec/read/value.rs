@@ -25,6 +25,10 @@ pub(super) fn read_slot<T>(key: &Key<T>, path: &str, node: &Node, thing: &mut T,
             let text = text(&key.info, path, node, reading);
             text.map(|text| set(thing, text)).is_some()
         }
+        Slot::Texts { open, .. } => {
+            let list = texts(&key.info, path, node, reading);
+            list.map(|list| *open(thing) = list).is_some()
+        }
         Slot::Numbers { open, .. } => {
             let list = numbers(&key.info, path, node, reading);
             list.map(|list| *open(thing) = list).is_some()
@@ -97,6 +101,25 @@ fn text<'n>(info: &KeyInfo, path: &str, node: &'n Node, reading: &mut Reading) -
     };
     reading.fault(node.place, path, || wrong);
     None
+}
+
+fn texts(info: &KeyInfo, path: &str, node: &Node, reading: &mut Reading) -> Option<Vec<String>> {
+    let Value::List(items) = &node.value else {
+        reading.fault(node.place, path, || format!("{}; found {}", info.kind.due(), node.found()));
+        return None;
+    };
+    if items.is_empty() {
+        reading.fault(node.place, path, || format!("the list is empty; {}", info.kind.due()));
+        return None;
+    }
+    let mut list = Vec::with_capacity(items.len());
+    for (index, item) in items.iter().enumerate() {
+        match &item.value {
+            Value::Text(text) if !text.trim().is_empty() => list.push(text.clone()),
+            _ => reading.fault(item.place, path, || format!("name {} of the list: {}; found {}", index + 1, info.kind.due(), item.found())),
+        }
+    }
+    (list.len() == items.len()).then_some(list)
 }
 
 fn numbers(info: &KeyInfo, path: &str, node: &Node, reading: &mut Reading) -> Option<Vec<f64>> {

@@ -22,6 +22,10 @@ impl Quantity {
             Self::Damping => "a damping coefficient",
             Self::InverseSpeed => "an inverse speed",
             Self::Angle => "an angle",
+            Self::RotaryInertia => "a rotary inertia",
+            Self::Inductance => "an inductance",
+            Self::Permittivity => "a permittivity",
+            Self::Voltage => "a voltage",
         }
     }
 
@@ -43,6 +47,10 @@ impl Quantity {
             Self::Damping => &["N s/m", "kg/s"],
             Self::InverseSpeed => &["s/m", "s/mm"],
             Self::Angle => &["deg", "rad"],
+            Self::RotaryInertia => &["kg m^2", "g mm^2", "kg mm^2"],
+            Self::Inductance => &["H", "mH", "kH"],
+            Self::Permittivity => &["nF/m", "pF/m", "F/m"],
+            Self::Voltage => &["V", "mV", "kV"],
         };
         units.iter().map(|unit| (*unit).to_owned()).collect()
     }
@@ -56,6 +64,7 @@ impl Quantity {
             Self::ChargePerForce => "m/V".to_owned(),
             Self::Capacitance => "F".to_owned(),
             Self::Angle => "rad".to_owned(),
+            Self::Permittivity => "F/m".to_owned(),
             other => other.units().swap_remove(0),
         }
     }
@@ -85,6 +94,10 @@ impl Quantity {
             Self::Damping => [1, 0, -1, 0, 0],
             Self::InverseSpeed => [0, -1, 1, 0, 0],
             Self::Angle => [0, 0, 0, 0, 1],
+            Self::RotaryInertia => [1, 2, 0, 0, 0],
+            Self::Inductance => [1, 2, -2, -2, 0],
+            Self::Permittivity => [-1, -3, 4, 2, 0],
+            Self::Voltage => [1, 2, -3, -1, 0],
         })
     }
 
@@ -101,6 +114,10 @@ impl Quantity {
             Self::Capacitance => &[("pF", -12), ("nF", -9), ("uF", -6), ("mF", -3), ("F", 0)],
             Self::Resistance => &[("ohm", 0), ("kohm", 3), ("Mohm", 6), ("Gohm", 9)],
             Self::Stiffness => &[("N/m", 0), ("kN/m", 3), ("MN/m", 6)],
+            Self::RotaryInertia => &[("g mm^2", -9), ("kg mm^2", -6), ("kg m^2", 0)],
+            Self::Inductance => &[("uH", -6), ("mH", -3), ("H", 0), ("kH", 3)],
+            Self::Permittivity => &[("pF/m", -12), ("nF/m", -9), ("F/m", 0)],
+            Self::Voltage => &[("mV", -3), ("V", 0), ("kV", 3)],
             other => return vec![(other.si_unit(), 0)],
         };
         scales.iter().map(|(unit, power)| ((*unit).to_owned(), *power)).collect()

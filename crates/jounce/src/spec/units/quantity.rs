@@ -44,6 +44,14 @@ pub enum Quantity {
     InverseSpeed,
     /// rad
     Angle,
+    /// kg m^2
+    RotaryInertia,
+    /// H
+    Inductance,
+    /// F/m
+    Permittivity,
+    /// V
+    Voltage,
 }
 
 impl Quantity {

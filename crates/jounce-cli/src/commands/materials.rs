@@ -1,0 +1,48 @@
+//! `jounce materials`
+
+use crate::failure::Failure;
+use crate::output::{line, print};
+use clap::Args;
+use jounce::material::LIBRARY;
+
+/// Arguments of `materials`.
+#[derive(Debug, Args)]
+pub struct Materials {
+    /// Prints one JSON object on stdout.
+    #[arg(long)]
+    pub json: bool,
+}
+
+impl Materials {
+    /// Lists the library with its sources.
+    pub fn run(&self) -> Result<(), Failure> {
+        if self.json {
+            print(&serde_json::json!({ "materials": LIBRARY }));
+            return Ok(());
+        }
+        for material in LIBRARY {
+            line(format!("{}: {} GPa, {} kg/m^3", material.name, decimals(material.youngs_modulus_pa / 1e9), material.density_kg_m3));
+            if let Some(active) = material.active {
+                let which = if active.electrode_spacing_m.is_some() { "d33" } else { "d31" };
+                line(format!(
+                    "    {which} {} pC/N, permittivity at constant strain {} nF/m",
+                    decimals(active.charge_coefficient_m_per_v * 1e12),
+                    decimals(active.permittivity_f_m * 1e9)
+                ));
+            }
+            if let Some(strain) = material.strain_limit {
+                line(format!("    recommended strain at most {} ppm", decimals(strain * 1e6)));
+            }
+            if let Some([low, high]) = material.voltage_limits_v {
+                line(format!("    voltage from {low} V to {high} V"));
+            }
+            line(format!("    {}", material.source));
+        }
+        Ok(())
+    }
+}
+
+/// Five digits, without trailing zeros.
+fn decimals(value: f64) -> f64 {
+    format!("{value:.4e}").parse().unwrap_or(value)
+}

@@ -1,0 +1,101 @@
+//! The numbers: one entry for each material, with its source.
+
+use super::{Active, Ceramic, Material};
+
+/// Materials of patches, by the names of a spec.
+pub const PIEZOELECTRIC: &[&str] = &["PZT-5A", "PZT-5H", "PSI-5A4E", "PVDF", "MFC-P1", "MFC-P2"];
+
+/// Materials of beams, by the names of a spec.
+pub const STRUCTURAL: &[&str] = &["aluminium", "steel", "brass", "bronze", "silicon"];
+
+/// Thickness of a Macro Fiber Composite with its foils, m; its effective constants are those of this thickness.
+const MFC_THICKNESS_M: f64 = 0.3e-3;
+
+const MFC_SOURCE: &str = "Smart Material Corp., MFC engineering properties (E1, d31 and d33 at low field, capacitance per area, voltage range, \
+     600 ppm recommended for harvesting); constants are those of the whole 0.3 mm; electrode spacing 0.5 mm: Bilgen et al. (2010)";
+
+/// Every material.
+pub const LIBRARY: &[Material] = &[
+    ceramic(
+        "PZT-5A",
+        Ceramic { compliance_per_pa: 16.4e-12, d31_m_per_v: -171e-12, relative_permittivity: 1700.0 },
+        7750.0,
+        "Jaffe, Cook and Jaffe, Piezoelectric Ceramics (1971); Erturk and Inman, Piezoelectric Energy Harvesting (2011), table E.1",
+    ),
+    ceramic(
+        "PZT-5H",
+        Ceramic { compliance_per_pa: 16.5e-12, d31_m_per_v: -274e-12, relative_permittivity: 3400.0 },
+        7500.0,
+        "Jaffe, Cook and Jaffe, Piezoelectric Ceramics (1971); Erturk and Inman, Piezoelectric Energy Harvesting (2011), table E.1",
+    ),
+    Material {
+        name: "PSI-5A4E",
+        youngs_modulus_pa: 66e9,
+        density_kg_m3: 7800.0,
+        strain_limit: None,
+        voltage_limits_v: None,
+        active: Some(Active {
+            charge_coefficient_m_per_v: -190e-12,
+            permittivity_f_m: 1500.0 * super::VACUUM_PERMITTIVITY_F_M,
+            electrode_spacing_m: None,
+        }),
+        source: "Piezo Systems Inc. data sheet, as used by Erturk and Inman, Smart Mater. Struct. 18 (2009) 025009; permittivity at constant strain",
+    },
+    ceramic(
+        "PVDF",
+        Ceramic { compliance_per_pa: 1.0 / 3e9, d31_m_per_v: 23e-12, relative_permittivity: 12.5 },
+        1780.0,
+        "TE Connectivity (Measurement Specialties), Piezo Film Sensors Technical Manual: modulus 2 to 4 GPa, d31 23 pC/N, 110 pF/m",
+    ),
+    Material {
+        name: "MFC-P1",
+        youngs_modulus_pa: 30.336e9,
+        density_kg_m3: 5440.0,
+        strain_limit: Some(600e-6),
+        voltage_limits_v: Some([-500.0, 1500.0]),
+        active: Some(Active {
+            charge_coefficient_m_per_v: 400e-12,
+            permittivity_f_m: 0.30e-5 * MFC_THICKNESS_M,
+            electrode_spacing_m: Some(0.5e-3),
+        }),
+        source: MFC_SOURCE,
+    },
+    Material {
+        name: "MFC-P2",
+        youngs_modulus_pa: 30.336e9,
+        density_kg_m3: 5440.0,
+        strain_limit: Some(600e-6),
+        voltage_limits_v: Some([-60.0, 360.0]),
+        active: Some(Active {
+            charge_coefficient_m_per_v: -170e-12,
+            permittivity_f_m: 7.8e-5 * MFC_THICKNESS_M,
+            electrode_spacing_m: None,
+        }),
+        source: MFC_SOURCE,
+    },
+    structural("aluminium", 70e9, 2700.0, "nominal; ASM Handbook vol. 2 (6061: 69 GPa, 2700 kg/m^3)"),
+    structural("steel", 200e9, 7850.0, "nominal; ASM Handbook vol. 1 (carbon steel)"),
+    structural("brass", 110e9, 8530.0, "nominal; ASM Handbook vol. 2 (C26000)"),
+    structural("bronze", 110e9, 8860.0, "nominal; ASM Handbook vol. 2 (phosphor bronze C51000)"),
+    structural("silicon", 169e9, 2329.0, "beam along <110>; Hopcroft, Nix and Kenny, J. Microelectromech. Syst. 19 (2010) 229"),
+];
+
+const fn ceramic(name: &'static str, ceramic: Ceramic, density_kg_m3: f64, source: &'static str) -> Material {
+    Material {
+        name,
+        youngs_modulus_pa: ceramic.youngs_modulus_pa(),
+        density_kg_m3,
+        strain_limit: None,
+        voltage_limits_v: None,
+        active: Some(Active {
+            charge_coefficient_m_per_v: ceramic.d31_m_per_v,
+            permittivity_f_m: ceramic.clamped_permittivity_f_m(),
+            electrode_spacing_m: None,
+        }),
+        source,
+    }
+}
+
+const fn structural(name: &'static str, youngs_modulus_pa: f64, density_kg_m3: f64, source: &'static str) -> Material {
+    Material { name, youngs_modulus_pa, density_kg_m3, strain_limit: None, voltage_limits_v: None, active: None, source }
+}

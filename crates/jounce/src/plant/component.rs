@@ -1,0 +1,180 @@
+//! Components of the coupled system: what is coupled to each other, and its eigenvectors.
+//!
+//! Everything here is in energy coordinates, `(w q, q', sqrt(C) V, sqrt(L) i)`; see [`super::diagonal`](super::Diagonal).
+
+use super::{Electrical, Pair, PlantError, System};
+use faer::{Mat, c64};
+
+/// One block with its columns of `T`, and whether it is known in closed form.
+pub(super) struct Piece {
+    pub block: PieceBlock,
+    pub exact: bool,
+}
+
+/// A block and its columns, in energy coordinates.
+pub(super) enum PieceBlock {
+    Pair(Pair, [Vec<f64>; 2]),
+    Real(f64, Vec<f64>),
+}
+
+/// `A` on the physical states, with the scale of each state that makes its square an energy.
+pub(super) struct Assembly {
+    matrix: Mat<f64>,
+    pub scale: Vec<f64>,
+    /// Number of modes.
+    pub modes: usize,
+    /// Nodes that keep their charge.
+    open: Vec<usize>,
+}
+
+impl Assembly {
+    pub fn of(system: &System, electrical: &Electrical) -> Self {
+        let modes = &system.modes;
+        let (n, nodes) = (modes.len(), electrical.nodes.len());
+        let size = 2 * n + electrical.len();
+        let mut matrix = Mat::zeros(size, size);
+        let mut scale = vec![1.0; 2 * n];
+        scale.extend(electrical.energy_scale());
+        for i in 0..n {
+            let (w, zeta) = (modes.frequency_rad_s[i], modes.damping_ratio[i]);
+            matrix[(i, n + i)] = 1.0;
+            matrix[(n + i, i)] = -w * w;
+            matrix[(n + i, n + i)] = -2.0 * zeta * w;
+            scale[i] = if w > 0.0 { w } else { 1.0 };
+        }
+        for (k, node) in electrical.nodes.iter().enumerate() {
+            let row = 2 * n + k;
+            if let Some(resistance_ohm) = node.resistance_ohm {
+                matrix[(row, row)] = -1.0 / (resistance_ohm * node.capacitance_f);
+            }
+            for (i, coupling) in node.coupling_n_per_v.iter().enumerate() {
+                matrix[(n + i, row)] = *coupling;
+                matrix[(row, n + i)] = -coupling / node.capacitance_f;
+            }
+        }
+        for (k, inductor) in electrical.inductors.iter().enumerate() {
+            let (row, node) = (2 * n + nodes + k, 2 * n + inductor.node);
+            matrix[(row, row)] = -inductor.resistance_ohm / inductor.inductance_h;
+            matrix[(row, node)] = 1.0 / inductor.inductance_h;
+            matrix[(node, row)] = -1.0 / electrical.nodes[inductor.node].capacitance_f;
+        }
+        let open =
+            |k: &usize| electrical.nodes[*k].resistance_ohm.is_none() && electrical.inductors.iter().all(|inductor| inductor.node != *k);
+        let open = (0..nodes).filter(open).map(|k| 2 * n + k).collect();
+        Self { matrix, scale, modes: n, open }
+    }
+
+    /// `A` in energy coordinates.
+    pub fn scaled(&self) -> Mat<f64> {
+        Mat::from_fn(self.scale.len(), self.scale.len(), |i, j| self.matrix[(i, j)] * self.scale[i] / self.scale[j])
+    }
+}
+
+/// Groups of states that are coupled: each a list of modes (below `n`) and electrical states (from `2 n` on).
+pub(super) fn components(n: usize, electrical: &Electrical) -> Vec<Vec<usize>> {
+    let mut groups: Vec<Vec<usize>> = (0..n).map(|mode| vec![mode]).collect();
+    for (k, node) in electrical.nodes.iter().enumerate() {
+        let touches = |group: &Vec<usize>| group.iter().any(|&state| state < n && node.coupling_n_per_v[state] != 0.0);
+        let (mut joined, apart): (Vec<_>, Vec<_>) = groups.into_iter().partition(touches);
+        joined.push(vec![2 * n + k]);
+        let inductors = electrical.inductors.iter().enumerate().filter(|(_, inductor)| inductor.node == k);
+        joined.push(inductors.map(|(index, _)| 2 * n + electrical.nodes.len() + index).collect());
+        groups = apart;
+        groups.push(joined.concat());
+    }
+    groups.iter_mut().for_each(|group| group.sort_unstable());
+    groups.sort();
+    groups
+}
+
+/// Closed form of a mode that drives no patch, in energy coordinates `(w q, q')`.
+pub(super) fn single_mode(system: &System, mode: usize, assembly: &Assembly) -> Vec<PieceBlock> {
+    let (w, zeta) = (system.modes.frequency_rad_s[mode], system.modes.damping_ratio[mode]);
+    let column = |displacement: f64, velocity: f64| {
+        let mut column = vec![0.0; assembly.scale.len()];
+        column[mode] = displacement;
+        column[assembly.modes + mode] = velocity;
+        column
+    };
+    if w == 0.0 {
+        return vec![PieceBlock::Pair(Pair::Jordan { rate: 0.0 }, [column(1.0, 0.0), column(0.0, 1.0)])];
+    }
+    if zeta == 1.0 {
+        return vec![PieceBlock::Pair(Pair::Jordan { rate: -w }, [column(1.0, -1.0), column(0.0, 1.0 / w)])];
+    }
+    let decay = -zeta * w;
+    if zeta < 1.0 {
+        let frequency = w * ((1.0 - zeta) * (1.0 + zeta)).sqrt();
+        let pair = Pair::Oscillatory { decay, frequency };
+        return vec![PieceBlock::Pair(pair, [column(1.0, decay / w), column(0.0, -frequency / w)])];
+    }
+    let fast = decay - w * ((zeta - 1.0) * (zeta + 1.0)).sqrt();
+    // The product of the two rates is w^2: no cancellation in the slow one.
+    [fast, w * w / fast]
+        .into_iter()
+        .map(|rate| PieceBlock::Real(rate, column(1.0_f64.min(w / rate.abs()), rate / w * 1.0_f64.min(w / rate.abs()))))
+        .collect()
+}
+
+/// Eigenvectors of a component with patches, in energy coordinates.
+pub(super) fn coupled(states: &[usize], assembly: &Assembly) -> Result<Vec<Piece>, PlantError> {
+    let n = assembly.modes;
+    let all: Vec<usize> = states.iter().flat_map(|&s| if s < n { vec![s, n + s] } else { vec![s] }).collect();
+    let scaled = assembly.scaled();
+    let local = Mat::from_fn(all.len(), all.len(), |i, j| scaled[(all[i], all[j])]);
+    let charged = kept_charges(&all, &local, assembly);
+    let spread = |value: &dyn Fn(usize) -> f64| {
+        let mut column = vec![0.0; assembly.scale.len()];
+        all.iter().enumerate().for_each(|(i, &state)| column[state] = value(i));
+        column
+    };
+    let kept = charged.iter().map(|state| PieceBlock::Real(0.0, spread(&|i: usize| state[i])));
+    let kept: Vec<Piece> = kept.map(|block| Piece { block, exact: true }).collect();
+    if kept.len() == all.len() {
+        return Ok(kept);
+    }
+    let basis = complement(&charged, all.len());
+    let eigen = (basis.transpose() * &local * &basis).eigen().map_err(|_| PlantError::NoEigenvalues { states: all.len() })?;
+    let (values, within) = (eigen.S().column_vector(), eigen.U());
+    let column = |j: usize, part: fn(c64) -> f64| {
+        let entry = |i: usize| (0..within.nrows()).map(|k| basis[(i, k)] * part(within[(k, j)])).sum::<f64>();
+        spread(&entry)
+    };
+    let mut order: Vec<usize> = (0..values.nrows()).filter(|&j| values[j].im >= 0.0).collect();
+    order.sort_by(|&i, &j| values[i].im.total_cmp(&values[j].im).then(values[i].re.total_cmp(&values[j].re)));
+    let pieces = order.into_iter().map(|j| match values[j] {
+        c64 { re, im: 0.0 } => PieceBlock::Real(re, column(j, |x| x.re)),
+        c64 { re, im } => PieceBlock::Pair(Pair::Oscillatory { decay: re, frequency: im }, [column(j, |x| x.re), column(j, |x| -x.im)]),
+    });
+    Ok(pieces.map(|block| Piece { block, exact: false }).chain(kept).collect())
+}
+
+/// The states at rest that the charges of open nodes hold, `sqrt(C) V = 1` and `w q = theta V / w`, one per open node of a component;
+/// none where a rigid-body mode is coupled, whose rest they do not define.
+fn kept_charges(all: &[usize], local: &Mat<f64>, assembly: &Assembly) -> Vec<Vec<f64>> {
+    let n = assembly.modes;
+    let open = all.iter().enumerate().filter(|(_, state)| assembly.open.contains(state));
+    let at_rest = |(k, _): (usize, &usize)| -> Option<Vec<f64>> {
+        let mut state = vec![0.0; all.len()];
+        state[k] = 1.0;
+        for (i, mode) in all.iter().enumerate().filter(|(_, mode)| **mode < n) {
+            let velocity = all.iter().position(|state| *state == n + mode)?;
+            // local[(velocity, i)] = -w, local[(velocity, k)] = theta / sqrt(C)
+            state[i] = -local[(velocity, k)] / local[(velocity, i)];
+            if !state[i].is_finite() {
+                return None;
+            }
+        }
+        Some(state)
+    };
+    open.map(at_rest).collect::<Option<Vec<_>>>().unwrap_or_default()
+}
+
+/// Orthonormal columns that span what is orthogonal to some states; the identity where there are none.
+fn complement(states: &[Vec<f64>], size: usize) -> Mat<f64> {
+    if states.is_empty() {
+        return Mat::identity(size, size);
+    }
+    let full = Mat::from_fn(size, states.len(), |i, j| states[j][i]).qr().compute_Q();
+    Mat::from_fn(size, size - states.len(), |i, j| full[(i, states.len() + j)])
+}

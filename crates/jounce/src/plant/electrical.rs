@@ -1,0 +1,185 @@
+//! The electrical side as states: capacitive nodes and inductor currents.
+//!
+//! ```text
+//! C_n V_n' + V_n / R_n + sum_(inductors at n) i + sum_i theta_in q_i' = 0,      L i' = V_n - r i
+//! ```
+//!
+//! An open patch is a node. Patches in parallel share one: `C = sum C_p`, `theta = sum s_p theta_p` (`s_p` the sign of the connection).
+//! Patches in series carry one current; their voltages split into the terminal voltage `V = sum s_p V_p` with
+//!
+//! ```text
+//! 1 / C = sum 1 / C_p,      theta = C sum s_p theta_p / C_p,      V_p = s_p (C / C_p) V + ...
+//! ```
+//!
+//! and parts orthogonal to it in energy, which no current changes: each is an open node of its own. Where no motion drives such a part
+//! (the two equal layers of a bimorph) it is left out.
+
+use super::System;
+use super::system::Load;
+use crate::spec::Wiring;
+
+/// A part that no motion drives by more than this, relative to what its patches are driven by, is left out.
+const DRIVEN: f64 = 1e-12;
+
+/// The electrical states of a system.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Electrical {
+    /// Capacitive nodes.
+    pub nodes: Vec<Node>,
+    /// Inductors.
+    pub inductors: Vec<Inductor>,
+    /// Voltage of each patch (in the order of `modes.patch`) as a sum of node voltages: `(node, factor)`.
+    pub patch: Vec<Vec<(usize, f64)>>,
+    /// Where the voltage across the resistor of each load is read (in the order of `loads`); `None` for a load without a patch.
+    pub load: Vec<Option<Across>>,
+}
+
+/// One capacitive node.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Node {
+    /// Capacitance, F.
+    pub capacitance_f: f64,
+    /// Modal coupling, N/V per unit modal coordinate.
+    pub coupling_n_per_v: Vec<f64>,
+    /// Resistance across it, ohm; `None` without.
+    pub resistance_ohm: Option<f64>,
+}
+
+/// An inductor from a node back to it, with a resistor in series.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Inductor {
+    /// Number of the node.
+    pub node: usize,
+    /// Inductance, H.
+    pub inductance_h: f64,
+    /// Resistance in series, ohm.
+    pub resistance_ohm: f64,
+}
+
+/// Where the voltage across a resistor is read.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Across {
+    /// It is the voltage of a node.
+    Node(usize),
+    /// It is the current of an inductor times this resistance, ohm.
+    Inductor(usize, f64),
+}
+
+impl Electrical {
+    /// The nodes and inductors of a system, in the order of its patches.
+    pub fn of(system: &System) -> Self {
+        let patches = &system.modes.patch;
+        let mut electrical = Self { patch: vec![Vec::new(); patches.len()], ..Self::default() };
+        let mut placed: Vec<Option<Across>> = vec![None; system.loads.len()];
+        for (index, (name, patch)) in patches.iter().enumerate() {
+            match system.loads.iter().position(|load| load.connections.iter().any(|connection| connection.patch == *name)) {
+                None => {
+                    let node = electrical.add(patch.capacitance_f, patch.coupling_n_per_v.clone());
+                    electrical.patch[index].push((node, 1.0));
+                }
+                Some(load) if placed[load].is_none() => placed[load] = Some(electrical.connect(system, &system.loads[load])),
+                Some(_) => {}
+            }
+        }
+        electrical.load = placed;
+        electrical
+    }
+
+    /// Number of states.
+    pub fn len(&self) -> usize {
+        self.nodes.len() + self.inductors.len()
+    }
+
+    /// True without any patch.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Factor of each electrical state whose square is twice its energy: `sqrt(C)`, `sqrt(L)`.
+    pub fn energy_scale(&self) -> impl Iterator<Item = f64> {
+        let nodes = self.nodes.iter().map(|node| node.capacitance_f.sqrt());
+        nodes.chain(self.inductors.iter().map(|inductor| inductor.inductance_h.sqrt()))
+    }
+
+    fn add(&mut self, capacitance_f: f64, coupling_n_per_v: Vec<f64>) -> usize {
+        self.nodes.push(Node { capacitance_f, coupling_n_per_v, resistance_ohm: None });
+        self.nodes.len() - 1
+    }
+
+    /// Adds the nodes of a load and what stands across its terminals.
+    fn connect(&mut self, system: &System, load: &Load) -> Across {
+        let names: Vec<&String> = system.modes.patch.keys().collect();
+        // System::assemble has seen that every name is there.
+        let members: Vec<(usize, f64)> = (load.connections.iter())
+            .filter_map(|connection| Some((names.iter().position(|name| **name == connection.patch)?, connection.sign)))
+            .collect();
+        let patches: Vec<_> = members.iter().filter_map(|(index, _)| system.modes.patch.get(names[*index])).collect();
+        let coupling = |share: &[f64]| -> Vec<f64> {
+            let of_mode = |mode: usize| patches.iter().zip(share).map(|(patch, share)| share * patch.coupling_n_per_v[mode]).sum();
+            (0..system.modes.len()).map(of_mode).collect()
+        };
+        let signs: Vec<f64> = members.iter().map(|(_, sign)| *sign).collect();
+        let capacitances_f: Vec<f64> = patches.iter().map(|patch| patch.capacitance_f).collect();
+        let terminal = match load.wiring {
+            Wiring::Parallel => self.add(capacitances_f.iter().sum(), coupling(&signs)),
+            Wiring::Series => {
+                let capacitance_f = 1.0 / capacitances_f.iter().map(|c| 1.0 / c).sum::<f64>();
+                let share: Vec<f64> = signs.iter().zip(&capacitances_f).map(|(sign, c)| sign * capacitance_f / c).collect();
+                self.add(capacitance_f, coupling(&share))
+            }
+        };
+        let (nodes, mut shares) = (self.nodes.len(), vec![signs.clone()]);
+        if load.wiring == Wiring::Series {
+            shares[0] = signs.iter().zip(&capacitances_f).map(|(sign, c)| sign * self.nodes[terminal].capacitance_f / c).collect();
+            for share in internal_parts(&signs, &capacitances_f) {
+                let theta = coupling(&share);
+                let size = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+                let driven: f64 = patches.iter().map(|patch| size(&patch.coupling_n_per_v)).fold(0.0, f64::max);
+                if size(&theta) > DRIVEN * driven {
+                    let energy: f64 = share.iter().zip(&capacitances_f).map(|(u, c)| c * u * u).sum();
+                    self.add(energy, theta);
+                    shares.push(share);
+                }
+            }
+        }
+        for (k, (index, _)) in members.iter().enumerate() {
+            let parts = shares.iter().enumerate().map(|(part, share)| (if part == 0 { terminal } else { nodes + part - 1 }, share[k]));
+            self.patch[*index] = parts.filter(|(_, factor)| *factor != 0.0).collect();
+        }
+        self.across(terminal, load)
+    }
+
+    fn across(&mut self, node: usize, load: &Load) -> Across {
+        match load.inductor {
+            Some((inductance_h, Wiring::Series)) => {
+                self.inductors.push(Inductor { node, inductance_h, resistance_ohm: load.resistance_ohm });
+                Across::Inductor(self.inductors.len() - 1, load.resistance_ohm)
+            }
+            Some((inductance_h, Wiring::Parallel)) => {
+                self.inductors.push(Inductor { node, inductance_h, resistance_ohm: 0.0 });
+                self.nodes[node].resistance_ohm = Some(load.resistance_ohm);
+                Across::Node(node)
+            }
+            None => {
+                self.nodes[node].resistance_ohm = Some(load.resistance_ohm);
+                Across::Node(node)
+            }
+        }
+    }
+}
+
+/// Voltages of patches in series that sum to nothing at the terminals, orthogonal to each other in energy (Gram and Schmidt).
+fn internal_parts(signs: &[f64], capacitances_f: &[f64]) -> Vec<Vec<f64>> {
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).zip(capacitances_f).map(|((a, b), c)| a * b * c).sum::<f64>();
+    let mut parts: Vec<Vec<f64>> = Vec::new();
+    for k in 1..signs.len() {
+        let mut part = vec![0.0; signs.len()];
+        (part[k - 1], part[k]) = (signs[k - 1], -signs[k]);
+        for before in &parts {
+            let share = dot(&part, before) / dot(before, before);
+            part.iter_mut().zip(before).for_each(|(value, b)| *value -= share * b);
+        }
+        parts.push(part);
+    }
+    parts
+}

@@ -1,0 +1,71 @@
+//! The expected numbers of an example.
+
+use jounce::linear::{Input, Response, frf};
+use jounce::plant::{Plant, System};
+use jounce::spec::{Spec, SpecFile};
+use jounce::structure::modes;
+use std::path::{Path, PathBuf};
+
+/// Acceleration of gravity that the papers refer their answers to, m/s^2.
+pub const G_M_S2: f64 = 9.81;
+
+fn folder(example: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(example)
+}
+
+/// The spec of an example with some keys set.
+pub fn spec(example: &str, settings: &[(&str, &str)]) -> Spec {
+    let mut file = SpecFile::read(folder(example).join("harvester.toml")).unwrap();
+    for (key, value) in settings {
+        file.set(key, value).unwrap();
+    }
+    file.spec().unwrap_or_else(|faults| panic!("{faults}"))
+}
+
+pub fn plant(example: &str, settings: &[(&str, &str)]) -> Plant {
+    let spec = spec(example, settings);
+    Plant::new(System::assemble(&spec, modes(&spec).unwrap()).unwrap()).unwrap()
+}
+
+/// Every row of `expected.toml` must be among the computed ones and lie within what it allows; the other way round too.
+pub fn check(example: &str, computed: &[(&str, f64)]) {
+    let text = std::fs::read_to_string(folder(example).join("expected.toml")).unwrap();
+    let document: toml_edit::DocumentMut = text.parse().unwrap();
+    assert_eq!(document.len(), computed.len());
+    for (name, row) in document.iter() {
+        let number = |key: &str| row[key].as_float().unwrap();
+        let (_, found) = computed.iter().find(|(computed, _)| *computed == name).unwrap_or_else(|| panic!("{name} is not computed"));
+        let difference = (found / number("value") - 1.0).abs();
+        eprintln!("{example} {name}: {found} against {} ({difference:.1e})", number("value"));
+        assert!(difference <= number("allowed"), "{example} {name}: {found} against {}", number("value"));
+    }
+}
+
+/// Voltage of the load per g of the base, V zero to peak.
+pub fn voltage_per_g(plant: &Plant, frequency_hz: f64) -> f64 {
+    let answer = frf(plant, &Input::BaseAcceleration, &[Response::LoadVoltage("load".into())], &[frequency_hz]).unwrap();
+    answer[0].value[0].norm() * G_M_S2
+}
+
+/// Frequency and value of the highest voltage per g between two frequencies, by golden section.
+pub fn peak(plant: &Plant, mut low_hz: f64, mut high_hz: f64) -> (f64, f64) {
+    let golden = (5f64.sqrt() - 1.0) / 2.0;
+    while high_hz - low_hz > 1e-7 * high_hz {
+        let (one, two) = (high_hz - golden * (high_hz - low_hz), low_hz + golden * (high_hz - low_hz));
+        if voltage_per_g(plant, one) > voltage_per_g(plant, two) { high_hz = two } else { low_hz = one }
+    }
+    (low_hz, voltage_per_g(plant, low_hz))
+}
+
+/// Best resistance at a frequency and the peak voltage squared over it, from `V (1/R + Y) = I` at two resistances.
+pub fn best_resistance(make: impl Fn(&str) -> Plant, frequency_hz: f64) -> (f64, f64) {
+    let voltage = |ohm: f64| {
+        let plant = make(&format!("{ohm} ohm"));
+        frf(&plant, &Input::BaseAcceleration, &[Response::LoadVoltage("load".into())], &[frequency_hz]).unwrap()[0].value[0] * G_M_S2
+    };
+    let (r1, r2) = (1e4, 1e5);
+    let (v1, v2) = (voltage(r1), voltage(r2));
+    let admittance = (v2 / r2 - v1 / r1) / (v1 - v2);
+    let best = 1.0 / admittance.norm();
+    (best, voltage(best).norm_sqr() / best)
+}
