@@ -151,8 +151,13 @@ fn rule(choice: &Row, word: &str, dependent: &[&Row]) -> Value {
     let absent: Map<String, Value> = absent.map(|other| (other.to_owned(), json!(false))).collect();
     let is_default = choice.default.as_deref() == Some(format!("\"{word}\"").as_str());
     let needed = if is_default { json!([]) } else { json!([name]) };
-    json!({
-        "if": { "properties": { name: { "const": word } }, "required": needed },
-        "then": { "required": required, "properties": absent },
-    })
+    let elsewhere = dependent.iter().filter(goes).filter(|row| row.info.need == Need::Required);
+    let either =
+        elsewhere.filter_map(|row| Some(json!({ "anyOf": [{ "required": [row.info.name] }, { "required": [row.info.unless?] }] })));
+    let either: Vec<Value> = either.collect();
+    let mut then = json!({ "required": required, "properties": absent });
+    if !either.is_empty() {
+        then["allOf"] = Value::Array(either);
+    }
+    json!({ "if": { "properties": { name: { "const": word } }, "required": needed }, "then": then })
 }

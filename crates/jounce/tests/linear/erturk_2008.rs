@@ -20,7 +20,7 @@ fn every_expected_row_is_met() {
     let natural = modes(&spec).unwrap().frequency_rad_s;
     let section = CrossSection::covered(&spec.beam["beam"], spec.patch.values());
     let (short, open) = (with_load("100 ohm"), with_load("10 Mohm"));
-    let near = |plant, hz: f64| peak(plant, 0.98 * hz, 1.03 * hz);
+    let near = |plant: &jounce::plant::Plant, hz: f64| peak(plant, 0.98 * hz, 1.03 * hz);
     let highest = |resistance| near(&with_load(resistance), 48.0).1;
     let (best_low, power_low) = best_resistance(with_load, 47.8);
     let (best_high, power_high) = best_resistance(with_load, 48.8);
@@ -82,13 +82,13 @@ fn voltage_and_motion_are_the_closed_form() {
             let natural = closed.frequency_rad_s(mode);
             c64::new(natural * natural - w * w, 2.0 * spec.damping.ratios[mode] * natural * w)
         };
-        for mode in 0..5 {
+        for mode in 0..spec.damping.ratios.len() {
             let chi = moment * slope(mode);
             source += c64::new(0.0, w * chi * closed.participation_sqrt_kg(mode)) / dynamic(mode);
             mobility += c64::new(0.0, w * chi * chi) / dynamic(mode);
         }
         let voltage = source / (1.0 / 1e5 + c64::new(0.0, w * capacitance_f) + mobility);
-        let tip: c64 = (0..5)
+        let tip: c64 = (0..spec.damping.ratios.len())
             .map(|mode| {
                 let chi = moment * slope(mode);
                 (voltage * chi - closed.participation_sqrt_kg(mode)) * closed.shape(mode, closed.length_m) / dynamic(mode)

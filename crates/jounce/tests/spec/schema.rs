@@ -50,7 +50,7 @@ fn the_schema_refuses_what_the_reader_refuses() {
         ("gap = \"1 mm\"", "gap = true"),
         ("damping_ratio = 0.3", "damping_ratio = -0.3"),
         ("damping_ratio = 0.3", "damping_ratio = 0.3\nstiffness = \"1 N/m\""),
-        ("frequency = \"1 Hz\"", ""),
+        ("frequency = \"1 Hz\"", "frequency = 1"),
         ("modes = 8", "modes = 8.5"),
         ("modes = 8", "modes = 201"),
         ("[mass.table]", "[mass.\"my table\"]"),

@@ -29,7 +29,7 @@ fn faults_are_errors_with_numbers() {
     });
     assert!(thin.contains("outside the range of double precision"), "{thin}");
     let root = with(|spec| spec.beam.get_mut("beam").unwrap().root = "tabel".into());
-    assert!(root.contains("\"tabel\"") && root.contains("(table)"), "{root}");
+    assert!(root.contains("\"tabel\"") && root.contains("(ground, table)"), "{root}");
     let many = with(|spec| spec.reduction.modes = 5000);
     assert!(many.contains("at most 200"), "{many}");
     let tolerance = with(|spec| spec.reduction.mesh_tolerance = 1e-17);

@@ -62,7 +62,7 @@ fn a_chain_of_equal_beams_is_one_beam() {
 fn a_rigid_mass_passes_the_slope_on() {
     let build = |root: &str, with_mass: bool| {
         let mut spec = bare_cantilever(6);
-        spec.beam.insert("arm".into(), Beam { length_m: 0.1, ..paper_beam(root) });
+        spec.beam.insert("arm".into(), Beam { length_m: 0.1, point: BTreeMap::new(), ..paper_beam(root) });
         if with_mass {
             spec.mass.insert("joint".into(), fixed("beam.end", 1e-12, 0.0));
         }

@@ -76,7 +76,7 @@ fn check_count(spec: &Spec, broken: &mut Broken) {
 
 /// Modes whose damping ratios are given by masses and modal structures; a mass fixed to something has no mode of its own.
 fn damped_elsewhere(spec: &Spec) -> usize {
-    spec.mass.values().filter(|mass| mass.stiffness_n_m.is_some() || mass.on == "nothing").count()
+    spec.mass.values().filter(|mass| mass.stiffness_n_m.is_some() || ["ground", "nothing"].contains(&mass.on.as_str())).count()
         + spec.modal.values().map(|modal| modal.frequency_hz.len()).sum::<usize>()
 }
 

@@ -1,41 +1,53 @@
 //! What stands on what: supports exist, none holds itself up, springs and rotary inertias go where they mean something.
 
+use std::cell::LazyCell;
+use std::collections::BTreeSet;
+
 use super::Broken;
-use crate::spec::nearest::{clip, did_you_mean, listed};
-use crate::spec::{Mass, Spec};
+use super::reference::unknown;
+use crate::spec::nearest::clip;
+use crate::spec::{Beam, Mass, Spec};
 
 const GROUND: &str = "ground";
 const NOTHING: &str = "nothing";
 
 pub(super) fn check(spec: &Spec, broken: &mut Broken) {
+    // Listed once, and only if something is wrong.
+    let places = LazyCell::new(|| places(spec));
     for (name, beam) in &spec.beam {
-        check_support(spec, || format!("beam.{name}.root"), &beam.root, &[GROUND], broken);
+        check_support(spec, &places, || format!("beam.{name}.root"), &beam.root, &[GROUND], broken);
     }
     for (name, mass) in &spec.mass {
-        check_support(spec, || format!("mass.{name}.on"), &mass.on, &[GROUND, NOTHING], broken);
+        check_support(spec, &places, || format!("mass.{name}.on"), &mass.on, &[GROUND, NOTHING], broken);
         check_mass(spec, name, mass, broken);
     }
     check_cycles(spec, broken);
 }
 
-fn check_support(spec: &Spec, key: impl FnOnce() -> String, support: &str, words: &[&'static str], broken: &mut Broken) {
+fn check_support<F: FnOnce() -> Vec<String>>(
+    spec: &Spec,
+    places: &LazyCell<Vec<String>, F>,
+    key: impl FnOnce() -> String,
+    support: &str,
+    words: &[&'static str],
+    broken: &mut Broken,
+) {
     let there = match support.split_once('.') {
         None => support.is_empty() || words.contains(&support) || spec.mass.contains_key(support),
         Some((beam, point)) => spec.beam.get(beam).is_some_and(|beam| ["root", "end"].contains(&point) || beam.point.contains_key(point)),
     };
-    if there || broken.is_full() {
-        return;
+    if !there {
+        let names = || words.iter().copied().chain(places.iter().map(String::as_str));
+        broken.push(key, || unknown("mass or point", support, "what it can stand on", names));
     }
-    let points = spec.beam.iter().flat_map(|(name, beam)| {
-        let named = beam.point.keys().map(String::as_str);
-        named.chain(["end"]).map(move |point| format!("{name}.{point}"))
-    });
-    let known: Vec<String> = words.iter().map(|word| (*word).to_owned()).chain(spec.mass.keys().cloned()).chain(points).collect();
-    let names = || known.iter().map(String::as_str);
-    broken.push(key, || {
-        let (shown, meant, all) = (clip(support), did_you_mean(support, names()), listed(names()));
-        format!("there is no mass or point \"{shown}\"{meant}; it can stand on: {all}")
-    });
+}
+
+/// Masses, and points of beams but their roots.
+fn places(spec: &Spec) -> Vec<String> {
+    let of_beam = |(name, beam): (&String, &Beam)| -> Vec<String> {
+        beam.point.keys().map(String::as_str).chain(["end"]).map(|point| format!("{name}.{point}")).collect()
+    };
+    spec.mass.keys().cloned().chain(spec.beam.iter().flat_map(of_beam)).collect()
 }
 
 /// A mass on a spring has a damping ratio; one without is fixed to a mass or a beam, or free.
@@ -82,12 +94,13 @@ fn check_cycles(spec: &Spec, broken: &mut Broken) {
         let support = if is_beam { &spec.beam.get(name)?.root } else { &spec.mass.get(name)?.on };
         match support.split_once('.') {
             Some((beam, _)) => spec.beam.contains_key(beam).then(|| (true, beam.to_owned())),
+            None if [GROUND, NOTHING].contains(&support.as_str()) => None,
             None => spec.mass.contains_key(support).then(|| (false, support.clone())),
         }
     };
     let beams = spec.beam.keys().map(|name| (true, name.clone()));
     let masses = spec.mass.keys().map(|name| (false, name.clone()));
-    let mut settled: std::collections::BTreeSet<(bool, String)> = std::collections::BTreeSet::new();
+    let mut settled: BTreeSet<(bool, String)> = BTreeSet::new();
     for start in beams.chain(masses) {
         let mut chain = vec![start];
         while let Some(next) = chain.last().and_then(|(is_beam, name)| below((*is_beam, name.as_str()))) {
