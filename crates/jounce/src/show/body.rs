@@ -34,7 +34,7 @@ impl<'s> Place<'s> {
 pub fn bodies(spec: &Spec) -> Vec<DrawnBody> {
     let mut bodies: Vec<DrawnBody> = Vec::new();
     for (name, mass) in &spec.mass {
-        let carrier = || Carrier::Mass { label: name.clone(), words: words::mass(mass), sprung: mass.stiffness_n_m > 0.0 };
+        let carrier = || Carrier::Mass { label: name.clone(), words: words::mass(mass), sprung: mass.stiffness_n_m.is_some() };
         let beams: Vec<_> = spec.beam.iter().filter(|(_, beam)| beam.root == *name).collect();
         if beams.is_empty() {
             bodies.push(body(spec, Some(name), carrier(), None));
@@ -43,7 +43,12 @@ pub fn bodies(spec: &Spec) -> Vec<DrawnBody> {
         bodies.extend(beams.into_iter().enumerate().map(|(k, beam)| body(spec, Some(name).filter(|_| k == 0), carrier(), Some(beam))));
     }
     let clamped = spec.beam.iter().filter(|(_, beam)| !spec.mass.contains_key(&beam.root));
-    bodies.extend(clamped.map(|beam| body(spec, None, Carrier::Ground, Some(beam))));
+    // A beam on another is drawn on a block with the name of the point that carries it.
+    let carrier = |beam: &Beam| match beam.root.contains('.') {
+        true => Carrier::Mass { label: beam.root.clone(), words: Vec::new(), sprung: false },
+        false => Carrier::Ground,
+    };
+    bodies.extend(clamped.map(|beam| body(spec, None, carrier(beam.1), Some(beam))));
     for (name, modal) in &spec.modal {
         let words = vec![format!("{} modes", modal.frequency_hz.len())];
         bodies.push(body(spec, Some(name), Carrier::Given { label: name.clone(), words }, None));
@@ -87,7 +92,7 @@ fn drawn_beam(spec: &Spec, name: &str, beam: &Beam) -> DrawnBeam {
         start_m: patch.start_m,
         length_m: patch.length_m,
         thickness_m: patch.thickness_m,
-        load: (spec.circuit.iter().find(|(_, circuit)| circuit.patch == *label))
+        load: (spec.circuit.iter().find(|(_, circuit)| circuit.connections().any(|(patch, _)| patch == label)))
             .map(|(load, circuit)| format!("{load} {}", words::value(Quantity::Resistance, circuit.resistance_ohm))),
     });
     DrawnBeam {

@@ -30,10 +30,12 @@ pub fn law(law: &StopLaw) -> String {
 /// A mass and its spring.
 pub fn mass(mass: &Mass) -> Vec<String> {
     let own = value(Quantity::Mass, mass.mass_kg);
-    match mass.stiffness_n_m > 0.0 {
-        true => vec![format!("{own}, {}", value(Quantity::Frequency, (mass.stiffness_n_m / mass.mass_kg).sqrt() / TAU))],
-        false => vec![format!("{own}, free")],
-    }
+    let how = match mass.stiffness_n_m {
+        Some(stiffness_n_m) => value(Quantity::Frequency, (stiffness_n_m / mass.mass_kg).sqrt() / TAU),
+        None if mass.on == "nothing" => "free".to_owned(),
+        None => format!("fixed to {}", mass.on),
+    };
+    vec![format!("{own}, {how}")]
 }
 
 /// A drive.
