@@ -144,7 +144,7 @@ pub(super) mod tests {
         }
     }
 
-    fn paper_patch(section: Section) -> Patch {
+    pub(crate) fn paper_patch(section: Section) -> Patch {
         Patch {
             on: "beam".into(),
             face: Face::Top,
