@@ -1,6 +1,6 @@
 //! What can be typed.
 
-use crate::commands::{basins, branch, check, completions, diagram, frf, jumps, materials, modes, reproduce, run, show, sweep};
+use crate::commands::{basins, branch, check, completions, diagram, ensemble, frf, jumps, materials, modes, reproduce, run, show, sweep};
 use clap::{Parser, Subcommand};
 
 /// Simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
@@ -37,6 +37,8 @@ pub enum Command {
     Diagram(diagram::Diagram),
     /// Finds the attractors, the share of random starts that each takes, and the power to be expected.
     Basins(basins::Basins),
+    /// Marches realisations of noise and reports the mean power with its interval.
+    Ensemble(ensemble::Ensemble),
     /// Computes the tables, figures and claims of the 2019 impact-harvester paper.
     Reproduce(reproduce::Reproduce),
     /// Lists the materials that a spec can name, with their sources.
@@ -63,6 +65,7 @@ impl Command {
             Command::Jumps(command) => command.output.json,
             Command::Diagram(command) => command.output.json,
             Command::Basins(command) => command.output.json,
+            Command::Ensemble(command) => command.output.json,
             Command::Reproduce(command) => command.json,
             Command::Materials(command) => command.json,
             Command::Schema | Command::Keys | Command::Completions(_) => false,

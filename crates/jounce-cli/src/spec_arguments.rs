@@ -88,6 +88,9 @@ pub fn check_tolerance(tolerance: f64) -> Result<(), Failure> {
 
 /// A drive of one frequency that moves: without it nothing attracts but rest.
 pub fn check_drive(spec: &SpecArguments, plant: &Plant, what: &str) -> Result<(), Failure> {
+    if let Some(drive) = plant.system.aperiodic() {
+        return Err(StudyError::Aperiodic { drive: drive.to_owned() }.into());
+    }
     let moving = plant.system.drives.iter().any(|drive| drive.amplitude_n != 0.0);
     match (plant.tones.len(), moving) {
         (1, true) => Ok(()),

@@ -3,12 +3,13 @@
 //! Data flows one way, and a module uses only what stands before it in this list:
 //!
 //! `store` (files that appear whole or not at all), `wide` (vector arithmetic), `spec` (what the user says) -> `structure` (beams and masses to modes) ->
-//! `contact` (laws) -> `plant` (the coupled linear system in diagonal form, with its ports) -> `linear` (closed-form answers) ->
+//! `contact` (laws) -> `drive` (courses of drives in time) -> `plant` (the coupled linear system in diagonal form, with its ports) -> `linear` (closed-form answers) ->
 //! `march` (time) -> `continuation` (curves of solutions) -> `orbit` (periodic answers) -> `run` -> `signal` -> `study` (sweeps) -> `table` -> `picture` -> `show` (drawings) -> `report` -> `reproduce` (the paper);
 //! `reference` holds exact answers.
 
 pub mod contact;
 pub mod continuation;
+pub mod drive;
 pub mod linear;
 pub mod march;
 pub mod material;

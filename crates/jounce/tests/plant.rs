@@ -3,8 +3,9 @@
 
 use faer::{Mat, c64};
 use jounce::contact::{Hertz, HuntCrossley, Law};
+use jounce::drive::Wave;
 use jounce::march::{Kernel, Marcher};
-use jounce::plant::{Drive, Load, Meters, Plant, PlantError, Stop, System};
+use jounce::plant::{Drive, Load, Meters, Plant, PlantError, Signal, Stop, System};
 use jounce::reference::{Harmonic, Impulse, MASS, PiezoResistor, Reference};
 use jounce::spec::Spec;
 use jounce::structure::{Modes, PatchModes, modes};
@@ -37,6 +38,7 @@ fn menagerie() -> System {
         loads: vec![Load::resistor("load", "first", 2e6)],
         stops: Vec::new(),
         drives: Vec::new(),
+        signals: Vec::new(),
     }
 }
 
@@ -292,7 +294,7 @@ fn assert_meters(name: &str, system: System, start: &[f64], duration_s: f64, all
     let contacts = marcher.statistics().contacts;
     let record = marcher.take_record();
     let marks: Vec<f64> = record.segments().iter().map(|segment| segment.start_s).chain([duration_s]).collect();
-    let (times, weights) = quadrature(&marks, 0.5 / plant.fastest_rad_s());
+    let (times, weights) = quadrature(&marks, (0.5 / plant.fastest_rad_s()).min(0.02));
     let (system, modes, n) = (&plant.system, &plant.system.modes, plant.system.modes.len());
     let (mut loads, mut damping, mut input) = (vec![0.0; system.loads.len()], 0.0, 0.0);
     for (at, weight) in record.at(&kernel, &times).iter().zip(&weights) {
@@ -305,6 +307,10 @@ fn assert_meters(name: &str, system: System, start: &[f64], duration_s: f64, all
         for drive in &system.drives {
             let force_n = drive.amplitude_n * (TAU * drive.frequency_hz * at.time_s + drive.phase_rad).sin();
             input += weight * force_n * drive.shape.iter().zip(&x[n..]).map(|(s, v)| s * v).sum::<f64>();
+        }
+        for signal in &system.signals {
+            let size = signal.wave.piece(signal.wave.index_at(at.time_s)).size_at(at.time_s);
+            input += weight * size * signal.shape.iter().zip(&x[n..]).map(|(s, v)| s * v).sum::<f64>();
         }
     }
     let found: Vec<f64> = energies.loads_j.iter().copied().chain([energies.damping_j, energies.input_j]).collect();
@@ -346,4 +352,53 @@ fn meters_agree_with_quadrature_through_contacts() {
     system.drives = vec![drive(&[0.0, 0.5, -0.7, 0.3, 1.1, 2.0], 3.0, 1.3, 0.4), drive(&shape, 5.0, 7.0, 0.0)];
     let start = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
     assert_meters("menagerie with stop", system, &start, 3.0, 1e-9);
+}
+
+/// Gravity, a rough recording that starts late and ends early with a jump, and two tones, on every kind of mode.
+fn signals(shape: &[f64], rough: f64) -> Vec<Signal> {
+    let sizes: Vec<f64> = (0..40).map(|k: i32| rough * (1.7 * f64::from(k * k)).sin() + 0.3).collect();
+    let wave = Wave::Sampled { start_s: 0.113, step_s: 0.0217, sizes: sizes.into() };
+    vec![
+        Signal { name: "gravity".into(), shape: shape.iter().map(|s| 0.5 * s + 0.1).collect(), wave: Wave::Constant(-0.7) },
+        Signal { name: "rough".into(), shape: shape.to_vec(), wave },
+    ]
+}
+
+#[test]
+fn meters_agree_with_quadrature_under_signals_for_each_kind_of_mode() {
+    for mode in 0..6 {
+        let mut system = menagerie();
+        system.loads.clear();
+        system.modes.patch.clear();
+        system.modes.frequency_rad_s = vec![system.modes.frequency_rad_s[mode]];
+        system.modes.damping_ratio = vec![system.modes.damping_ratio[mode]];
+        system.modes.shape.clear();
+        for count in [1, 2] {
+            system.signals = signals(&[0.7], 2.0)[..count].to_vec();
+            assert_meters(&format!("mode {mode}, {count} signals"), system.clone(), &[0.0, 0.5], 1.5, 1e-10);
+        }
+        system.drives = vec![drive(&[0.7], 3.0, 1.3, 0.4)];
+        assert_meters(&format!("mode {mode}, signals and a tone"), system, &[0.0, 0.5], 1.5, 1e-10);
+    }
+}
+
+#[test]
+fn meters_agree_with_quadrature_under_signals_and_tones() {
+    let shape = [0.4, 0.5, -0.7, 0.3, 1.1, 2.0];
+    let start = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    for with_tones in [false, true] {
+        let mut system = menagerie();
+        system.signals = signals(&shape, 2.0);
+        if with_tones {
+            system.drives = vec![drive(&shape, 3.0, 1.3, 0.4), drive(&shape, 2.0, 7.0, 0.0)];
+        }
+        assert_meters("menagerie", system.clone(), &start, 1.5, 1e-10);
+        let shape = vec![1.0, 0.5, -0.7, 0.3, 1.1, 2.0];
+        system.stops = vec![Stop { name: "stop".into(), shape, gap_m: 0.05, law: Law::Hertz(Hertz { stiffness: 1e3, exponent: 1.5 }) }];
+        assert_meters("menagerie with stop", system, &start, 1.5, 1e-9);
+    }
+    let mut rough = bench();
+    let shape: Vec<f64> = rough.drives[0].shape.iter().map(|s| 30.0 * s).collect();
+    rough.signals = signals(&shape, 2.0);
+    assert_meters("bench", rough, &[0.0; 17], 1.0, 1e-9);
 }

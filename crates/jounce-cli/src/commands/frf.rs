@@ -8,7 +8,7 @@ use clap::Args;
 use jounce::linear::{self, Input, Response};
 use jounce::picture::{self, Scale};
 use jounce::plant::{Plant, System};
-use jounce::spec::{Quantity, Spec};
+use jounce::spec::{DriveKind, Gravity, Quantity, Spec};
 use jounce::structure;
 use jounce::table::{Column, Table};
 
@@ -51,12 +51,13 @@ impl Frf {
         let mut spec = self.spec.spec()?;
         let frequency_hz = self.frequencies()?;
         let held = held(&self.hold, self.fixed_table, &spec);
-        let input = match (&self.input, spec.drive.values().next()) {
+        let forced = spec.drive.values().find(|drive| drive.kind == DriveKind::Force);
+        let input = match (&self.input, forced) {
             _ if self.base => Input::BaseAcceleration,
             (Some(point), _) => Input::Force(point.clone()),
             (None, Some(drive)) => Input::Force(drive.at.clone()),
             (None, None) => {
-                let why = "this spec has no drive: name the point to push with --input POINT, or accelerate the base with --base";
+                let why = "this spec has no force: name the point to push with --input POINT, or accelerate the base with --base";
                 return Err(Failure::usage(why.into()));
             }
         };
@@ -70,6 +71,7 @@ impl Frf {
             spec.circuit.clear();
         }
         spec.drive.clear();
+        spec.gravity = Gravity::default();
         spec.stop.clear();
         let modes = structure::modes_holding(&spec, &held)?;
         let motion = if self.base { Response::Displacement } else { Response::Acceleration };

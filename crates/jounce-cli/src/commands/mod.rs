@@ -6,6 +6,7 @@ pub mod branch;
 pub mod check;
 pub mod completions;
 pub mod diagram;
+pub mod ensemble;
 pub mod frf;
 pub mod jumps;
 pub mod materials;
@@ -32,6 +33,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Jumps(command) => command.run(),
         Command::Diagram(command) => command.run(),
         Command::Basins(command) => command.run(),
+        Command::Ensemble(command) => command.run(),
         Command::Reproduce(command) => command.run(),
         Command::Materials(command) => command.run(),
         Command::Completions(command) => command.run(),

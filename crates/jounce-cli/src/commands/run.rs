@@ -72,7 +72,7 @@ impl Run {
 
     fn tell(&self, kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[Exceeded]) {
         let residual = answer.energies.residual_relative();
-        let settlement = &answer.settlement;
+        let settlement = answer.settlement;
         if self.output.json {
             print(&serde_json::json!({
                 "mean_power_w": answer.mean_power_w,
@@ -91,10 +91,10 @@ impl Run {
                     "contact_loss_j": answer.energies.contact_loss_j,
                     "stored_j": answer.energies.stored_j,
                 },
-                "settled": settlement.settled,
-                "period_cycles": settlement.period_cycles,
-                "settle_change": settlement.change,
-                "settle_distance": finite(settlement.distance),
+                "settled": settlement.map(|found| found.settled),
+                "period_cycles": settlement.map(|found| found.period_cycles),
+                "settle_change": settlement.and_then(|found| finite(found.change)),
+                "settle_distance": settlement.and_then(|found| finite(found.distance)),
                 "warnings": warnings,
                 "work": answer.work,
                 "march_s": answer.march_s,
@@ -114,10 +114,13 @@ impl Run {
         ));
         line(format!("penetration, peak  {:.6e} m, force {:.4e} N", answer.max_penetration_m, answer.max_contact_force_n));
         line(format!("energy residual    {residual:.1e} of the largest energy"));
-        match settlement.settled {
-            true => line(format!("settled            period {} drive cycles, change {:.1e}", settlement.period_cycles, settlement.change)),
-            false => {
-                line(format!("NOT settled        change over a period {:.1e}; a longer run.duration may settle it", settlement.change))
+        match settlement {
+            None => line("no period          the drives do not repeat themselves, so there is nothing to settle to"),
+            Some(found) if found.settled => {
+                line(format!("settled            period {} drive cycles, change {:.1e}", found.period_cycles, found.change));
+            }
+            Some(found) => {
+                line(format!("NOT settled        change over a period {:.1e}; a longer run.duration may settle it", found.change));
             }
         }
         line(format!(

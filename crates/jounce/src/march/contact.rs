@@ -10,7 +10,6 @@ use super::contact_step::{Solved, Step};
 use super::error::MarchError;
 use super::kernel::{Kernel, Shape};
 use super::marcher::{Marcher, Regime};
-use super::table::Table;
 use crate::contact::ContactLaw;
 use crate::wide::Wide;
 
@@ -74,12 +73,12 @@ impl Marcher<'_> {
         let safe = Kernel::level_within(1.0 / kernel.fastest_rad_s) + 3;
         let mut entering = !L::BOTH_SIDES && self.penetration_m <= 0.0;
         while self.time_s < end_s && self.regime == Regime::Contact {
-            let remaining_s = end_s - self.time_s;
+            let remaining_s = self.forced.remaining_s(self.time_s, end_s);
             let shape = if entering { kernel.first_shape(0) } else { Shape::Smooth };
             let landing = Kernel::length_s(level) >= remaining_s;
             let odd;
             let table = if landing {
-                odd = Table::new(kernel, 0, kernel.basis(0, shape), remaining_s);
+                odd = self.odd_tables.of(kernel, shape, remaining_s);
                 &odd
             } else {
                 kernel.table(0, shape, level)

@@ -68,6 +68,7 @@ impl<'k> Marcher<'k> {
                 drive_rate = tone.swing.real(w, z * c64::new(0.0, frequency), drive_rate);
             }
         }
+        [drive, drive_rate] = self.forced.motions(w, 0, &basis.places, table.length_s, [drive, drive_rate]);
         Step { table, basis, shape, drive: w.store(drive), drive_rate: w.store(drive_rate) }
     }
 
@@ -153,7 +154,8 @@ impl<'k> Marcher<'k> {
         add_push(w, &table.push, &force, &mut self.next);
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += table.length_s;
-        let mut speed = 0.0;
+        self.forced.pass(self.kernel, table.length_s, self.time_s, &mut self.y);
+        let [_, mut speed] = self.forced.motion_after(0, 0.0);
         for tone in &mut self.tones {
             tone.turn *= tone.swing.end();
             speed += tone.motion()[1];
@@ -216,6 +218,7 @@ impl<'k> Marcher<'k> {
             weighted.0[j] = table.length_s * basis.weights[j] * force.0[j];
         }
         self.statistics.impulse_n_s += w.sum(w.load(&weighted));
+        self.forced.push(0, &basis.places, table.length_s, &weighted);
         for (sum, tone) in self.integrals.tones_n_s.iter_mut().zip(&self.tones) {
             let lane = w.load(&weighted);
             let (cos, sin) = (w.mul(lane, w.load(&tone.swing.cos)), w.mul(lane, w.load(&tone.swing.sin)));

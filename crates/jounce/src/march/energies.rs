@@ -50,11 +50,17 @@ impl Marcher<'_> {
         let contact = |meter: &crate::plant::EnergyMeter, work_j: f64| {
             if self.kernel.plant.ports.is_empty() { 0.0 } else { meter.contact_j(0, work_j, tones) }
         };
-        let loads_j: Vec<f64> = (meters.loads.iter().zip(&self.integrals.loads_j).zip(now.loads_j.iter().zip(&open.loads_j)))
-            .map(|((meter, work), (now, open))| now - open + contact(meter, *work))
+        let (sums, works_j) = self.forced.ledger.until(self.kernel, &self.forced.sizes, &self.state(), self.time_s);
+        let count = meters.loads.len();
+        let loads_j: Vec<f64> = (0..count)
+            .map(|k| {
+                let (meter, work_j) = (&meters.loads[k], self.integrals.loads_j[k] + works_j[k]);
+                now.loads_j[k] - open.loads_j[k] + contact(meter, work_j) + meter.signals().energy_j(&sums)
+            })
             .collect();
-        let input_j = now.input_j - open.input_j + contact(&meters.input, 0.0);
-        let damping_j = now.damping_j - open.damping_j + contact(&meters.damping, self.integrals.damping_j);
+        let lost_j = contact(&meters.damping, self.integrals.damping_j + works_j[count]);
+        let damping_j = now.damping_j - open.damping_j + lost_j + meters.damping.signals().energy_j(&sums);
+        let input_j = now.input_j - open.input_j + contact(&meters.input, 0.0) + meters.input.signals().energy_j(&sums);
         let stored_j = now.stored_j - open.stored_j;
         let flows = input_j.abs().max(damping_j.abs()).max(loads_j.iter().map(|j| j.abs()).sum());
         let scale_j = flows.max(now.stored_j.abs()).max(open.stored_j.abs());

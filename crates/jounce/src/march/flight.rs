@@ -26,7 +26,7 @@ impl Marcher<'_> {
     #[inline(always)]
     pub(super) fn flight<W: Wide>(&mut self, w: W, end_s: f64) -> Result<(), MarchError> {
         if self.kernel.plant.ports.is_empty() {
-            let length_s = end_s - self.time_s;
+            let length_s = self.forced.remaining_s(self.time_s, end_s);
             let motion = self.look_ahead(w, length_s);
             self.move_on(length_s, end_s, motion);
             self.work.flight_steps += 1;
@@ -36,9 +36,11 @@ impl Marcher<'_> {
         while self.time_s < end_s {
             let level = self.flight_level;
             let length_s = Kernel::length_s(level);
-            let remaining_s = end_s - self.time_s;
+            let remaining_s = self.forced.remaining_s(self.time_s, end_s);
             let landing = length_s >= remaining_s;
-            let verdict = if landing { self.land(w, level, remaining_s, end_s) } else { self.attempt(w, level) };
+            // Of a step that ends early, the shortest level that bounds it from above.
+            let tight = if landing { level.max(Kernel::level_within(remaining_s) - 1) } else { level };
+            let verdict = if landing { self.land(w, tight, remaining_s, end_s) } else { self.attempt(w, level) };
             match verdict {
                 Verdict::Clear => {
                     self.work.flight_steps += 1;
@@ -53,7 +55,7 @@ impl Marcher<'_> {
                     self.work.flight_rejections += 1;
                     // The step after the next would fail as this one did.
                     grow = 0;
-                    self.flight_level = (level + down).min(Kernel::finest());
+                    self.flight_level = (tight + down).min(Kernel::finest());
                     if !self.penetration_m.is_finite() {
                         return Err(MarchError::NotFinite { time_s: self.time_s });
                     }
@@ -68,7 +70,7 @@ impl Marcher<'_> {
     fn attempt<W: Wide>(&mut self, w: W, level: i32) -> Verdict {
         let kernel = self.kernel;
         kernel.flow(level).apply(w, &self.y, &mut self.next);
-        let mut drive = [0.0; 2];
+        let mut drive = self.forced.motion_after(0, Kernel::length_s(level));
         for tone in &mut self.tones {
             let turn = tone.end(level);
             let [place, speed] = tone.motion_after(turn);
@@ -89,6 +91,7 @@ impl Marcher<'_> {
                 let turn = tone.end(level);
                 tone.turn *= turn;
             }
+            self.forced.pass(self.kernel, length_s, self.time_s, &mut self.y);
             [self.penetration_m, self.rate_m_s] = motion;
         }
         verdict
@@ -98,7 +101,7 @@ impl Marcher<'_> {
     #[inline(always)]
     fn land<W: Wide>(&mut self, w: W, level: i32, length_s: f64, end_s: f64) -> Verdict {
         let motion = self.look_ahead(w, length_s);
-        let mut drive = [0.0; 2];
+        let mut drive = self.forced.motion_after(0, length_s);
         for tone in &self.tones {
             let [place, speed] = tone.motion_after(faer::c64::cis(tone.angular_frequency_rad_s * length_s));
             drive = [drive[0] + place, drive[1] + speed];
@@ -112,7 +115,7 @@ impl Marcher<'_> {
         verdict
     }
 
-    /// The certificate's view of a step that ends in `next` with `motion` there, of which `drive` is the sinusoids' share.
+    /// The certificate's view of a step that ends in `next` with `motion` there, of which `drive` is the drives' share.
     #[inline(always)]
     fn step_of<W: Wide>(&self, w: W, level: i32, length_s: f64, motion: [f64; 2], drive: [f64; 2]) -> FlightStep {
         let flight = self.kernel.flight(0, level);
@@ -120,7 +123,7 @@ impl Marcher<'_> {
             length_s,
             distance_m: [self.penetration_m, motion[0]],
             speed_m_s: [self.rate_m_s, motion[1]],
-            fourth_bound: dot_abs(w, &flight.slow_fourth, &self.y) + self.rows.tone_fourth,
+            fourth_bound: dot_abs(w, &flight.slow_fourth, &self.y) + self.rows.tone_fourth + self.forced.fourth_bound(0, length_s),
             fast_m: 0.0,
             fast_bound_m: 0.0,
             fast_bound_m_s: 0.0,
@@ -167,7 +170,7 @@ impl Marcher<'_> {
     /// Displacement and velocity of the port under the drive at the present time.
     #[inline(always)]
     fn drive(&self) -> [f64; 2] {
-        self.tones.iter().map(|tone| tone.motion()).fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]])
+        self.tones.iter().map(|tone| tone.motion()).fold(self.forced.motion_after(0, 0.0), |a, b| [a[0] + b[0], a[1] + b[1]])
     }
 
     /// Moves onto the stop, by Newton on the exact flow inside the proved interval, and enters contact.
@@ -196,6 +199,8 @@ impl Marcher<'_> {
         self.penetration_m = 0.0;
         self.strike_m_s = self.strike_m_s.max(self.rate_m_s);
         self.statistics.contacts += 1;
+        self.statistics.strike_sum_m_s += self.rate_m_s;
+        self.statistics.max_strike_m_s = self.statistics.max_strike_m_s.max(self.rate_m_s);
         self.regime = Regime::Contact;
     }
 }

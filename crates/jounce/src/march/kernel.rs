@@ -8,7 +8,7 @@ use super::flow::Flow;
 use super::layout::Layout;
 use super::table::Table;
 use crate::contact::Law;
-use crate::plant::{Meters, Plant, PlantError, Stop};
+use crate::plant::{Meters, Plant, PlantError, Signal, Stop};
 use crate::wide::WIDTH;
 use std::sync::{Arc, OnceLock};
 
@@ -84,6 +84,23 @@ impl Kernel {
     /// [`PlantError::UndampedResonance`].
     pub fn with_drives(&self, drives: Vec<crate::plant::Drive>) -> Result<Self, PlantError> {
         let plant = self.plant.with_drives(drives)?;
+        Ok(Self {
+            meters: self.meters.with_drives(&plant)?,
+            plant,
+            layout: self.layout,
+            generator: self.generator.clone(),
+            fastest_rad_s: self.fastest_rad_s,
+            onset: Arc::clone(&self.onset),
+            levels: Arc::clone(&self.levels),
+        })
+    }
+
+    /// The same plant under other signals, the tables made so far kept.
+    ///
+    /// # Errors
+    /// None that the first plant did not have.
+    pub fn with_signals(&self, signals: Vec<Signal>) -> Result<Self, PlantError> {
+        let plant = self.plant.with_signals(signals);
         Ok(Self {
             meters: self.meters.with_drives(&plant)?,
             plant,

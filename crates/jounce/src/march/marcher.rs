@@ -6,8 +6,10 @@
 use super::basis::NODES;
 use super::energies::Opening;
 use super::error::MarchError;
+use super::forced::Forced;
 use super::kernel::{Kernel, Shape};
 use super::layout::Layout;
+use super::odd_tables::OddTables;
 use super::tone::Turning;
 use super::totals::{ContactIntegrals, ContactStatistics, WorkCount};
 use super::trajectory::{Segment, Trajectory};
@@ -31,7 +33,9 @@ pub struct Marcher<'k> {
     pub(super) y: Vec<Lane>,
     pub(super) next: Vec<Lane>,
     pub(super) scratch: Vec<Lane>,
+    pub(super) odd_tables: OddTables,
     pub(super) tones: Vec<Turning>,
+    pub(super) forced: Forced,
     /// Distance past the stop and its rate at the present time.
     pub(super) penetration_m: f64,
     pub(super) rate_m_s: f64,
@@ -87,14 +91,17 @@ impl<'k> Marcher<'k> {
             tone_scale_m: tones.iter().map(|tone| tone.displacement_m.norm()).sum(),
         };
         let start = Kernel::level_within(1.0 / kernel.fastest_rad_s);
+        let forced = Forced::new(kernel, time_s);
+        let free: Vec<f64> = y.iter().zip(plant.forced(&forced.sizes, 0.0)).map(|(y, forced)| y - forced).collect();
         let mut marcher = Self {
             kernel,
             layout,
             tolerance,
             time_s,
-            y: layout.pack(y),
+            y: layout.pack(&free),
             next: vec![Lane::ZERO; layout.lanes()],
             scratch: vec![Lane::ZERO; layout.lanes()],
+            odd_tables: OddTables::default(),
             regime: Regime::Flight,
             penetration_m: 0.0,
             rate_m_s: 0.0,
@@ -107,12 +114,14 @@ impl<'k> Marcher<'k> {
                 ..ContactIntegrals::default()
             },
             tones,
+            forced,
             rows,
             statistics: ContactStatistics::default(),
             work: WorkCount::default(),
             opening: Opening::default(),
             record: None,
         };
+        marcher.forced.open(&layout, &marcher.y);
         marcher.see(Portable::new());
         marcher.start_pressed();
         marcher.opening = marcher.readings();
@@ -138,7 +147,7 @@ impl<'k> Marcher<'k> {
 
     /// State in block coordinates.
     pub fn state(&self) -> Vec<f64> {
-        self.layout.unpack(&self.y)
+        self.forced.whole(&self.layout, &self.y)
     }
 
     /// Contact force of a compliant stop at the present time, N; 0 in flight and on a rigid stop.
@@ -176,7 +185,8 @@ impl<'k> Marcher<'k> {
     /// Keeps the step that is about to be taken.
     pub(super) fn note(&mut self, length_s: f64, force: Option<(Shape, [f64; NODES])>) {
         if let Some(record) = &mut self.record {
-            record.push(Segment { start_s: self.time_s, length_s, state: self.layout.unpack(&self.y), force });
+            let sizes = self.forced.sizes.clone();
+            record.push(Segment { start_s: self.time_s, length_s, state: self.layout.unpack(&self.y), sizes, force });
         }
     }
 
@@ -201,6 +211,15 @@ impl<'k> Marcher<'k> {
         }
     }
 
+    /// Passes the breakpoints of the signals that have been reached; returns the next one, or the end if that comes first.
+    #[inline(always)]
+    pub(super) fn next_breakpoint<W: Wide>(&mut self, w: W, end_s: f64) -> f64 {
+        if self.forced.is_due(self.time_s) && self.forced.cross(self.kernel, self.time_s, &mut self.y) {
+            self.see(w);
+        }
+        end_s.min(self.forced.until_s(self.time_s))
+    }
+
     fn dispatch<L: ContactLaw>(&mut self, law: L, end_s: f64) -> Result<(), MarchError> {
         widest(Advance { marcher: self, law, end_s })
     }
@@ -221,9 +240,10 @@ impl<L: ContactLaw> Task for Advance<'_, '_, L> {
     fn run<W: Wide>(self, w: W) -> Self::Output {
         let Advance { marcher, law, end_s } = self;
         while marcher.time_s < end_s {
+            let until_s = marcher.next_breakpoint(w, end_s);
             match marcher.regime {
-                Regime::Flight => marcher.flight(w, end_s)?,
-                Regime::Contact => marcher.contact(w, law, end_s)?,
+                Regime::Flight => marcher.flight(w, until_s)?,
+                Regime::Contact => marcher.contact(w, law, until_s)?,
             }
         }
         Ok(())

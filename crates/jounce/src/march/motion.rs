@@ -12,6 +12,8 @@ impl Marcher<'_> {
     #[inline(always)]
     pub(super) fn see<W: Wide>(&mut self, w: W) {
         let mut motion = [dot(w, &self.rows.displacement, &self.y) - self.rows.gap_m, dot(w, &self.rows.velocity, &self.y)];
+        let [place, speed] = self.forced.motion_after(0, 0.0);
+        motion = [motion[0] + place, motion[1] + speed];
         for tone in &self.tones {
             let [place, speed] = tone.motion();
             motion = [motion[0] + place, motion[1] + speed];
@@ -25,6 +27,10 @@ impl Marcher<'_> {
     #[inline(always)]
     pub(super) fn look_ahead<W: Wide>(&mut self, w: W, length_s: f64) -> [f64; 2] {
         let kernel = self.kernel;
+        if let Some(flow) = self.forced.flow_over(length_s) {
+            flow.apply(w, &self.y, &mut self.next);
+            return self.motion_in_next(w, length_s);
+        }
         self.next.copy_from_slice(&self.y);
         let mut rest_s = length_s;
         while rest_s * kernel.fastest_rad_s > SHORT {
@@ -40,7 +46,15 @@ impl Marcher<'_> {
     #[inline(always)]
     pub(super) fn look_on<W: Wide>(&mut self, w: W, short_s: f64, length_s: f64) -> [f64; 2] {
         self.kernel.generator.glide(w, short_s, &mut self.next);
+        self.motion_in_next(w, length_s)
+    }
+
+    /// Penetration and rate of the state in `next`, `length_s` after the present time.
+    #[inline(always)]
+    fn motion_in_next<W: Wide>(&self, w: W, length_s: f64) -> [f64; 2] {
         let mut motion = [dot(w, &self.rows.displacement, &self.next) - self.rows.gap_m, dot(w, &self.rows.velocity, &self.next)];
+        let [place, speed] = self.forced.motion_after(0, length_s);
+        motion = [motion[0] + place, motion[1] + speed];
         for tone in &self.tones {
             let [place, speed] = tone.motion_after(c64::cis(tone.angular_frequency_rad_s * length_s));
             motion = [motion[0] + place, motion[1] + speed];
@@ -55,6 +69,7 @@ impl Marcher<'_> {
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s = end_s;
         self.tones.iter_mut().for_each(|tone| tone.set(end_s));
+        self.forced.pass(self.kernel, length_s, end_s, &mut self.y);
         [self.penetration_m, self.rate_m_s] = motion;
     }
 }

@@ -30,10 +30,11 @@ impl Marcher<'_> {
     #[inline(always)]
     pub(super) fn advance_rigid<W: Wide>(&mut self, w: W, law: Rigid, end_s: f64) -> Result<(), MarchError> {
         while self.time_s < end_s {
+            let until_s = self.next_breakpoint(w, end_s);
             match self.regime {
-                Regime::Flight => self.flight(w, end_s)?,
+                Regime::Flight => self.flight(w, until_s)?,
                 Regime::Contact if self.rate_m_s > 0.0 => self.impact(law),
-                Regime::Contact => self.stick(end_s)?,
+                Regime::Contact => self.stick(until_s)?,
             }
         }
         Ok(())
@@ -67,6 +68,7 @@ impl Marcher<'_> {
         for (sum, tone) in self.integrals.tones_n_s.iter_mut().zip(&self.tones) {
             *sum += tone.turn * impulse_n_s;
         }
+        self.forced.strike_stop(0, impulse_n_s);
         self.statistics.impulse_n_s += impulse_n_s;
         self.y.iter_mut().zip(&column).for_each(|(y, b)| *y = y.add_scaled(impulse_n_s, b));
     }
@@ -75,7 +77,7 @@ impl Marcher<'_> {
     fn acceleration_m_s2(&self) -> f64 {
         let row = self.layout.pack(&self.kernel.acceleration_row());
         let drive: f64 = self.tones.iter().map(|tone| acceleration(tone.displacement_m * tone.turn, tone.angular_frequency_rad_s)).sum();
-        dot(Portable::new(), &row, &self.y) + drive
+        dot(Portable::new(), &row, &self.y) + drive + self.forced.acceleration_after(0, 0.0)
     }
 
     /// Rests on the stop until the force would have to pull, or until the end.
@@ -131,6 +133,9 @@ impl Marcher<'_> {
                 free.0[i] += acceleration(turned, tone.angular_frequency_rad_s);
             }
         }
+        for (free, place) in free.0.iter_mut().zip(SMOOTH.places) {
+            *free += self.forced.acceleration_after(0, place * table.length_s);
+        }
         let force: [f64; NODES] = std::array::from_fn(|i| (0..NODES).map(|j| sticking.inverse[i][j] * free.0[j]).sum());
         let end_by_nodes: f64 = (0..NODES).map(|j| SMOOTH.at_end[j] * force[j]).sum();
         let felt: f64 = free.0[NODES] + (0..NODES).map(|j| sticking.acceleration.push[j].0[NODES] * force[j]).sum::<f64>();
@@ -149,6 +154,7 @@ impl Marcher<'_> {
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += table.length_s;
         self.tones.iter_mut().for_each(|tone| tone.set(self.time_s));
+        self.forced.pass(self.kernel, table.length_s, self.time_s, &mut self.y);
         self.see(w);
         let sizes = force.iter().fold(0.0_f64, |max, f| max.max(*f));
         self.statistics.max_force_n = self.statistics.max_force_n.max(sizes);

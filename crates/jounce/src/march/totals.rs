@@ -30,6 +30,10 @@ pub struct ContactStatistics {
     pub max_force_n: f64,
     /// Time integral of the contact force, N s.
     pub impulse_n_s: f64,
+    /// Sum over contacts of the speed at which they began, m/s.
+    pub strike_sum_m_s: f64,
+    /// Largest of these speeds, m/s.
+    pub max_strike_m_s: f64,
     /// Time spent at rest on a rigid stop, s.
     pub sticking_s: f64,
 }

@@ -8,6 +8,7 @@ use super::basis::{NODES, legendre};
 use super::factors::factored;
 use super::kernel::{Kernel, Shape};
 use super::response::parts;
+use crate::plant::Size;
 use crate::wide::Portable;
 use std::collections::HashMap;
 
@@ -18,8 +19,10 @@ pub struct Segment {
     pub start_s: f64,
     /// Length, s.
     pub length_s: f64,
-    /// State at its start, block coordinates.
+    /// State at its start less what the signals force, block coordinates.
     pub state: Vec<f64>,
+    /// Size and slope of each signal at its start.
+    pub sizes: Vec<Size>,
     /// Basis of the contact force and its values at the seven nodes, N; `None` in flight.
     pub force: Option<(Shape, [f64; NODES])>,
 }
@@ -87,6 +90,10 @@ impl Segment {
         let after_s = time_s - self.start_s;
         let block = &kernel.plant.diagonal.block;
         let mut state = block.flow(after_s, &self.state);
+        if !self.sizes.is_empty() {
+            let forced = kernel.plant.forced(&self.sizes, after_s);
+            state.iter_mut().zip(forced).for_each(|(y, forced)| *y += forced);
+        }
         let mut force_n = 0.0;
         if let (Some((shape, force)), Some(answers)) = (self.force, answers) {
             let x = after_s / self.length_s;

@@ -2,6 +2,9 @@
 
 use faer::c64;
 
+/// A rate below this part of the fastest is roundoff of zero: eigenvalues of coupled states come with an error of some 1e-13 of it.
+const FREE: f64 = 1e-11;
+
 /// A 2 x 2 block acting on `(u, v)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Pair {
@@ -116,6 +119,30 @@ impl Block {
         }
         let paired = 2 * self.pairs.len();
         out.extend(self.reals.iter().zip(&c[paired..]).map(|(rate, r)| *r / (s - *rate)));
+        out
+    }
+
+    /// `|eigenvalue|` of the block of each state, rad/s.
+    pub fn speeds(&self) -> Vec<f64> {
+        let pairs = self.pairs.iter().flat_map(|pair| [pair.eigenvalue().norm(); 2]);
+        pairs.chain(self.reals.iter().map(|rate| rate.abs())).collect()
+    }
+
+    /// States that nothing brings back: their rate is zero but for roundoff. Free bodies, and the charge of an open patch.
+    pub fn free(&self) -> Vec<bool> {
+        let speeds = self.speeds();
+        let fastest = speeds.iter().fold(0.0_f64, |max, speed| max.max(*speed));
+        speeds.iter().map(|speed| *speed <= FREE * fastest).collect()
+    }
+
+    /// `A^-1 y`, with 0 in place of the states that are left out; free ones must be.
+    pub fn solve(&self, y: &[f64], left_out: &[bool]) -> Vec<f64> {
+        let inverse = |pair: &Pair| {
+            let [a, b, c, d] = pair.matrix();
+            [d, -b, -c, a].map(|entry| entry / (a * d - b * c))
+        };
+        let mut out = self.map(y, inverse, |rate| 1.0 / rate);
+        out.iter_mut().zip(left_out).filter(|(_, left_out)| **left_out).for_each(|(value, _)| *value = 0.0);
         out
     }
 

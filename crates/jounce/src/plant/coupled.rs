@@ -1,6 +1,6 @@
 //! The linear plant with its ports, tones and outputs.
 
-use super::{Across, Diagonal, Electrical, PlantError, System};
+use super::{Across, Diagonal, Electrical, Forcing, PlantError, Signal, System};
 use faer::c64;
 
 /// A coupled electromechanical system ready to be solved.
@@ -14,6 +14,10 @@ pub struct Plant {
     pub diagonal: Diagonal,
     /// One per distinct drive frequency.
     pub tones: Vec<Tone>,
+    /// One per signal, in the order of `system.signals`.
+    pub forcings: Vec<Forcing>,
+    /// States whose answer to signals is local (see [`Forcing`]).
+    pub local: Vec<bool>,
     /// One per stop, in the order of `system.stops`.
     pub ports: Vec<Port>,
 }
@@ -52,8 +56,11 @@ impl Plant {
     pub fn new(system: System) -> Result<Self, PlantError> {
         let electrical = Electrical::of(&system);
         let diagonal = Diagonal::of(&system, &electrical)?;
-        let mut plant = Self { system, electrical, diagonal, tones: Vec::new(), ports: Vec::new() };
+        let (tones, forcings, local, ports) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let mut plant = Self { system, electrical, diagonal, tones, forcings, local, ports };
         plant.tones = plant.make_tones()?;
+        plant.local = plant.local_states(&plant.system.signals);
+        plant.forcings = plant.system.signals.iter().map(|signal| Forcing::of(&plant, signal)).collect();
         plant.ports = plant.system.stops.iter().map(|stop| plant.port(&stop.shape)).collect();
         Ok(plant)
     }
@@ -68,6 +75,26 @@ impl Plant {
         plant.tones = plant.make_tones()?;
         plant.ports = plant.system.stops.iter().map(|stop| plant.port(&stop.shape)).collect();
         Ok(plant)
+    }
+
+    /// The same plant under other signals.
+    pub fn with_signals(&self, signals: Vec<Signal>) -> Self {
+        let mut plant = self.clone();
+        plant.local = self.local_states(&signals);
+        plant.forcings = signals.iter().map(|signal| Forcing::of(&plant, signal)).collect();
+        plant.system.signals = signals;
+        plant
+    }
+
+    /// Period of all drives together, s: that of the slowest where all others are its harmonics; `None` where there is none.
+    pub fn period_s(&self) -> Option<f64> {
+        let slowest = self.tones.iter().map(|tone| tone.angular_frequency_rad_s).reduce(f64::min)?;
+        let is_harmonic = |tone: &Tone| {
+            let ratio = tone.angular_frequency_rad_s / slowest;
+            (ratio - ratio.round()).abs() <= 1e-9 * ratio
+        };
+        let repeats = self.tones.iter().all(is_harmonic) && self.system.aperiodic().is_none();
+        repeats.then(|| std::f64::consts::TAU / slowest)
     }
 
     /// Size of the motion at the first port, m: its steady amplitude or the magnitude of its gap, whichever is larger; 0 without one.

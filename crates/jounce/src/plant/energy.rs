@@ -11,11 +11,11 @@
 //!
 //! because `d(y^T P y)/dt = -sum weight (c y)^2 + 2 f y^T P b` and `d(e^{i w t} r y)/dt = e^{i w t} (C y + r b f)`. Only the
 //! contact force `f` needs care; between contacts nothing is evaluated at all. A power that is linear in `y` (the drive's) has
-//! `P = 0`.
+//! `P = 0`. Drives that are linear in time between breakpoints add the terms of [`super::SignalMeter`].
 //!
 //! Validation: `tests/plant.rs` compares with Gauss quadrature along exact flows.
 
-use super::{Block, Plant, PlantError};
+use super::{Block, Plant, PlantError, SignalMeter};
 use faer::{Mat, c64};
 use std::f64::consts::TAU;
 
@@ -32,6 +32,8 @@ pub struct EnergyMeter {
     /// Per port: `P b`, and `r b` per tone.
     port_rows: Vec<Vec<f64>>,
     port_cross: Vec<Vec<c64>>,
+    /// The share of the signals.
+    signals: SignalMeter,
 }
 
 /// The three energies of every run.
@@ -115,6 +117,11 @@ impl EnergyMeter {
         (0..b.len()).map(|i| b[i] * product(i)).sum()
     }
 
+    /// The terms of the drives that are linear in time between breakpoints.
+    pub fn signals(&self) -> &SignalMeter {
+        &self.signals
+    }
+
     /// `P b` of a port: the row whose product with the force is integrated.
     pub fn port_row(&self, port: usize) -> &[f64] {
         &self.port_rows[port]
@@ -147,7 +154,10 @@ impl EnergyMeter {
                 }
             }
         }
-        Ok(Self::finish(plant, gramian, forcing, mean, terms))
+        // A square holds a signal through the state only.
+        let none =
+            (vec![vec![0.0; plant.len()]; plant.forcings.len()], vec![vec![c64::new(0.0, 0.0); frequencies.len()]; plant.forcings.len()]);
+        Ok(Self::finish(plant, gramian, forcing, (mean, terms), none))
     }
 
     /// `integral F(t) x_d'(t) dt`, summed over drives.
@@ -171,10 +181,19 @@ impl EnergyMeter {
                 }
             }
         }
-        Self::finish(plant, Mat::zeros(plant.len(), plant.len()), forcing, mean, terms)
+        // A signal is a force on the state and on the steady motion.
+        let speeds: Vec<Vec<f64>> = plant.system.signals.iter().map(|signal| plant.velocity_row(&signal.shape)).collect();
+        let steady = speeds.iter().map(|row| plant.steady_output(row)).collect();
+        Self::finish(plant, Mat::zeros(plant.len(), plant.len()), forcing, (mean, terms), (speeds, steady))
     }
 
-    fn finish(plant: &Plant, gramian: Mat<f64>, forcing: impl Fn(usize) -> Vec<c64>, mean: f64, terms: Vec<(f64, c64)>) -> Self {
+    fn finish(
+        plant: &Plant,
+        gramian: Mat<f64>,
+        forcing: impl Fn(usize) -> Vec<c64>,
+        (mean, terms): (f64, Vec<(f64, c64)>),
+        power: (Vec<Vec<f64>>, Vec<Vec<c64>>),
+    ) -> Self {
         let n = plant.len();
         let cross: Vec<(f64, Vec<c64>)> = (plant.tones.iter().enumerate())
             .map(|(k, tone)| {
@@ -184,12 +203,14 @@ impl EnergyMeter {
                 (w, row.into_iter().map(|r| -r).collect())
             })
             .collect();
-        let product = |b: &[f64]| (0..n).map(|i| (0..n).map(|j| gramian[(i, j)] * b[j]).sum()).collect();
+        let tone_rows: Vec<&[c64]> = cross.iter().map(|(_, row)| &row[..]).collect();
+        let product = |b: &[f64]| -> Vec<f64> { (0..n).map(|i| (0..n).map(|j| gramian[(i, j)] * b[j]).sum()).collect() };
         Self {
             port_rows: plant.ports.iter().map(|port| product(&port.force)).collect(),
             port_cross: (plant.ports.iter())
                 .map(|port| cross.iter().map(|(_, row)| super::coupled::dot(&port.force, row)).collect())
                 .collect(),
+            signals: SignalMeter::new(plant, power, product, &tone_rows),
             gramian,
             cross,
             steady_power_w: mean,

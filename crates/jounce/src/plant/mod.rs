@@ -7,7 +7,8 @@
 //! ```
 //!
 //! with `A` made of 2 x 2 and 1 x 1 blocks, `y` the part of the state that the sinusoidal drive does not force, and `X` the
-//! steady state under the drive without contact. Between contacts the flow of `y` is therefore known exactly.
+//! steady state under the drive without contact. Between contacts the flow of `y` is therefore known exactly. Drives that are
+//! not sinusoidal are [`Signal`]s, linear in time between breakpoints, whose answer is known exactly too ([`Forcing`]).
 
 mod block;
 mod component;
@@ -16,6 +17,9 @@ mod diagonal;
 mod electrical;
 mod energy;
 mod error;
+mod forcing;
+mod signal;
+mod signal_meter;
 mod system;
 
 pub use block::{Block, Pair};
@@ -25,4 +29,7 @@ pub use diagonal::Diagonal;
 pub use electrical::{Across, Electrical, Inductor, Node};
 pub use energy::{EnergyMeter, Meters};
 pub use error::PlantError;
+pub use forcing::{Forcing, LOCAL_TERMS, Size};
+pub use signal::Signal;
+pub use signal_meter::{SignalIntegrals, SignalMeter};
 pub use system::{Connection, Drive, Load, Stop, System};

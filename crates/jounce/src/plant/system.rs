@@ -1,9 +1,11 @@
 //! What the solvers work with: modes, loads, stops and drives, names resolved.
 
-use super::PlantError;
+use super::{PlantError, Signal};
 use crate::contact::Law;
-use crate::spec::{Side, Spec, Wiring};
+use crate::drive::{Wave, wave};
+use crate::spec::{DriveKind, DriveSignal, Side, Spec, Wiring};
 use crate::structure::Modes;
+use std::f64::consts::TAU;
 
 /// A harvester after assembly.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +18,8 @@ pub struct System {
     pub stops: Vec<Stop>,
     /// Sinusoidal drives.
     pub drives: Vec<Drive>,
+    /// Drives of any other course in time.
+    pub signals: Vec<Signal>,
 }
 
 /// A linear load across one patch or several: a resistor, perhaps with an inductor.
@@ -63,7 +67,8 @@ pub struct Stop {
     pub law: Law,
 }
 
-/// A force `amplitude sin(2 pi frequency t + phase)`.
+/// A force `amplitude sin(2 pi frequency t + phase)`. A base acceleration of 1 m/s^2 acts like a force of 1 N whose `shape` is the
+/// participation of the modes over 1 kg, with the other sign.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drive {
     /// Name of the drive.
@@ -87,7 +92,31 @@ impl System {
         let loads = loads(spec, &modes)?;
         let stops = stops(spec, &modes)?;
         let drives = drives(spec, &modes)?;
-        Ok(Self { modes, loads, stops, drives })
+        let signals = Self::signals(spec, &modes)?;
+        Ok(Self { modes, loads, stops, drives, signals })
+    }
+
+    /// The drives of a spec that are not sinusoidal, and its gravity. Noise is made for `run.duration`.
+    ///
+    /// # Errors
+    /// [`PlantError::UnknownName`].
+    pub fn signals(spec: &Spec, modes: &Modes) -> Result<Vec<Signal>, PlantError> {
+        let mut signals = Vec::new();
+        for (name, drive) in &spec.drive {
+            if let Some(wave) = wave(&drive.signal, spec.run.duration_s) {
+                signals.push(Signal { name: name.clone(), shape: driven(modes, name, drive)?, wave });
+            }
+        }
+        if let Some(acceleration) = spec.gravity.acceleration_m_s2.filter(|acceleration| *acceleration != 0.0) {
+            let wave = Wave::Constant(acceleration);
+            signals.push(Signal { name: "gravity".to_owned(), shape: modes.participation_sqrt_kg.clone(), wave });
+        }
+        Ok(signals)
+    }
+
+    /// The first drive that does not repeat itself, by name.
+    pub fn aperiodic(&self) -> Option<&str> {
+        self.signals.iter().find(|signal| !signal.wave.is_constant()).map(|signal| signal.name.as_str())
     }
 }
 
@@ -134,18 +163,25 @@ fn stops(spec: &Spec, modes: &Modes) -> Result<Vec<Stop>, PlantError> {
 }
 
 fn drives(spec: &Spec, modes: &Modes) -> Result<Vec<Drive>, PlantError> {
-    spec.drive
-        .iter()
-        .map(|(name, drive)| {
-            Ok(Drive {
-                name: name.clone(),
-                shape: shape(modes, format!("drive.{name}.at"), &drive.at)?,
-                amplitude_n: drive.amplitude_n,
-                frequency_hz: drive.frequency_hz,
-                phase_rad: drive.phase_rad,
-            })
-        })
-        .collect()
+    let mut drives = Vec::new();
+    for (name, drive) in &spec.drive {
+        let DriveSignal::Sine { amplitude, frequency_hz, phase_rad } = drive.signal else { continue };
+        // a = -w^2 x for a sinusoidal displacement of the base.
+        let amplitude_n = match drive.kind {
+            DriveKind::Force | DriveKind::BaseAcceleration => amplitude,
+            DriveKind::BaseDisplacement => -(TAU * frequency_hz).powi(2) * amplitude,
+        };
+        drives.push(Drive { name: name.clone(), shape: driven(modes, name, drive)?, amplitude_n, frequency_hz, phase_rad });
+    }
+    Ok(drives)
+}
+
+/// Modal force of a drive of size 1 N or 1 m/s^2.
+fn driven(modes: &Modes, name: &str, drive: &crate::spec::Drive) -> Result<Vec<f64>, PlantError> {
+    match drive.kind {
+        DriveKind::Force => shape(modes, format!("drive.{name}.at"), &drive.at),
+        DriveKind::BaseAcceleration | DriveKind::BaseDisplacement => Ok(modes.participation_sqrt_kg.iter().map(|p| -p).collect()),
+    }
 }
 
 fn shape(modes: &Modes, what: String, point: &str) -> Result<Vec<f64>, PlantError> {

@@ -72,7 +72,13 @@ impl Variant {
         let harvester = Harvester::with(settings)?;
         let (short, long) = (harvester.run(ABOVE_RESONANCE)?, long_run(&harvester)?);
         let power_w = [short.mean_power_w, long.mean_power_w];
-        Ok(Self { question, default, other, power_w, settled: [short.settlement.settled, long.settlement.settled] })
+        Ok(Self {
+            question,
+            default,
+            other,
+            power_w,
+            settled: [short, long].map(|answer| answer.settlement.is_some_and(|found| found.settled)),
+        })
     }
 }
 

@@ -44,7 +44,7 @@ impl PowerOverResistance {
         let impact_w: Vec<f64> = answers.iter().map(|answer| answer.mean_power_w).collect();
         Ok(Self {
             case,
-            settled: answers.iter().map(|answer| answer.settlement.settled).collect(),
+            settled: answers.iter().map(|answer| answer.settlement.is_some_and(|found| found.settled)).collect(),
             linear_best: optimal_resistance(&harvester.plant(case)?, 0)?,
             impact_best_ohm: best_ohm(&resistance_ohm, &impact_w),
             linear_line: (line_ohm, line_w),

@@ -31,7 +31,12 @@ pub(super) fn table(computed: &Impact) -> Result<NamedTable, ReproduceError> {
         Column::new("voltage_rms_v", "V", "Voltage, rms", of(|answer| answer.loads.iter().map(|load| load.voltage_rms_v).sum())),
         Column::new("max_penetration_m", "m", "Penetration, peak", of(|answer| answer.max_penetration_m)),
         Column::new("contacts", "", "Contacts in 10 s", rows.iter().map(|(.., answer)| answer.contacts).collect::<Vec<_>>()),
-        Column::new("settled", "", "Settled", rows.iter().map(|(.., answer)| answer.settlement.settled).collect::<Vec<_>>()),
+        Column::new(
+            "settled",
+            "",
+            "Settled",
+            rows.iter().map(|(.., answer)| answer.settlement.is_some_and(|found| found.settled)).collect::<Vec<_>>(),
+        ),
     ])?;
     Ok(NamedTable::new("runs", "Runs from rest at 1 MΩ, averaged over their last 10 s.", 4, table))
 }

@@ -45,8 +45,8 @@ pub(super) fn stepped(harvester: &Harvester, amplitude_n: f64, frequencies_hz: &
         let branch = if is_up { &mut up } else { &mut down };
         branch.frequency_hz.push(frequency_hz);
         branch.power_w_n2.push(first.normalised(answer.mean_power_w));
-        branch.settled.push(answer.settlement.settled);
-        branch.period_cycles.push(answer.settlement.period_cycles);
+        branch.settled.push(answer.settlement.is_some_and(|found| found.settled));
+        branch.period_cycles.push(answer.settlement.map_or(0, |found| found.period_cycles));
         branch.state.push(answer.end.clone());
         state = answer.end;
     }

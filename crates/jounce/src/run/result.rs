@@ -30,8 +30,8 @@ pub struct RunAnswer {
     pub contacts: u64,
     /// Share of the time in contact, 0 to 1.
     pub contact_duty: f64,
-    /// Has the run settled?
-    pub settlement: Settlement,
+    /// Has the run settled? `None` where the drives do not repeat themselves, so that there is no period to settle to.
+    pub settlement: Option<Settlement>,
     /// Energies of the whole run, J.
     pub energies: Energies,
     /// Steps and iterations of the whole run.

@@ -62,7 +62,7 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
     let mut marcher = Marcher::new(kernel, &y, 0.0, plan.tolerance)?;
     let end_s = plan.duration_s;
     let window_s = end_s - plan.average_over_s;
-    let period_s = plant.tones.first().map(|tone| std::f64::consts::TAU / tone.angular_frequency_rad_s);
+    let period_s = plant.period_s();
     let looks_s = period_s.map_or(0.0, |period_s| (LOOKS - 1) as f64 * period_s);
     let record_s = end_s - plan.record_s.max(looks_s).min(end_s);
     let mut opened = None;
@@ -81,7 +81,8 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
     let march_s = clock.elapsed().as_secs_f64();
     let opened = opened.unwrap_or_default();
     let trajectory = marcher.take_record();
-    let settlement = settled(kernel, &trajectory, end_s, period_s, 10.0 * plan.tolerance.max(1e-13));
+    let noise = 10.0 * plan.tolerance.max(1e-13);
+    let settlement = period_s.map(|period_s| settled(kernel, &trajectory, end_s, period_s, noise));
     let energies = marcher.energies();
     let statistics = marcher.statistics();
     let loads: Vec<LoadAnswer> = (plant.system.loads.iter().zip(energies.loads_j.iter().zip(&opened.loads_j)))
@@ -120,9 +121,8 @@ fn check(plant: &Plant, start: &StartState) -> Result<(), RunError> {
     })
 }
 
-/// Looks at the state once per drive period at the end of the run. Without a drive there is no period and nothing to settle to.
-fn settled(kernel: &Kernel, trajectory: &crate::march::Trajectory, end_s: f64, period_s: Option<f64>, noise: f64) -> Settlement {
-    let Some(period_s) = period_s else { return settlement(&[], noise) };
+/// Looks at the state once per period of the drives at the end of the run.
+fn settled(kernel: &Kernel, trajectory: &crate::march::Trajectory, end_s: f64, period_s: f64, noise: f64) -> Settlement {
     let times: Vec<f64> = (0..LOOKS).rev().map(|k| end_s - k as f64 * period_s).filter(|time_s| *time_s > -1e-9 * period_s).collect();
     let plant = &kernel.plant;
     let frequencies = &plant.system.modes.frequency_rad_s;

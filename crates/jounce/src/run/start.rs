@@ -32,9 +32,10 @@ impl StartState {
         }
     }
 
-    /// The steady state of the harvester without its stops.
+    /// The steady state of the harvester without its stops, under its sinusoidal drives and gravity. Free bodies, which have none, are
+    /// at rest.
     pub fn linear(plant: &Plant) -> Self {
-        Self::from_blocks(plant, &vec![0.0; plant.len()], 0.0)
+        Self::from_blocks(plant, &plant.resting(), 0.0)
     }
 
     /// A state in block coordinates at a time of a run whose drives started at their own angle at time 0.

@@ -1,6 +1,6 @@
 //! Quantities in words.
 
-use crate::spec::{Drive, Mass, Quantity, StopLaw};
+use crate::spec::{Drive, DriveKind, DriveSignal, Mass, Quantity, StopLaw};
 use std::f64::consts::TAU;
 
 /// A value in its unit with at most five digits.
@@ -40,5 +40,21 @@ pub fn mass(mass: &Mass) -> Vec<String> {
 
 /// A drive.
 pub fn drive(name: &str, drive: &Drive) -> String {
-    format!("{name}: {} peak, {}", value(Quantity::Force, drive.amplitude_n), value(Quantity::Frequency, drive.frequency_hz))
+    let unit = match drive.kind {
+        DriveKind::Force => Quantity::Force,
+        DriveKind::BaseAcceleration => Quantity::Acceleration,
+        DriveKind::BaseDisplacement => Quantity::Length,
+    };
+    let hertz = |frequency_hz: f64| value(Quantity::Frequency, frequency_hz);
+    let time = |time_s: f64| value(Quantity::Time, time_s);
+    match drive.signal {
+        DriveSignal::Sine { amplitude, frequency_hz, .. } => format!("{name}: {} peak, {}", value(unit, amplitude), hertz(frequency_hz)),
+        DriveSignal::Chirp { amplitude, from_hz, to_hz, .. } => {
+            format!("{name}: {} peak, {} to {}", value(unit, amplitude), hertz(from_hz), hertz(to_hz))
+        }
+        DriveSignal::HalfSine { amplitude, duration_s, .. } => format!("{name}: {} peak, {}", value(unit, amplitude), time(duration_s)),
+        DriveSignal::VelocityStep { velocity_m_s, .. } => format!("{name}: step of {}", value(Quantity::Speed, velocity_m_s)),
+        DriveSignal::Noise { low_hz, high_hz, .. } => format!("{name}: noise, {} to {}", hertz(low_hz), hertz(high_hz)),
+        DriveSignal::Recording { ref file, .. } => format!("{name}: {file}"),
+    }
 }

@@ -1,6 +1,6 @@
 //! A spec file: its text, the overrides on it, and the spec that both give.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::fault::{Fault, Faults};
 use super::key::Kind;
@@ -11,7 +11,8 @@ use super::over::{Override, resolve};
 use super::read::{Reading, read_keys, read_number};
 use super::read_error::{MOST_BYTES, ReadError};
 use super::source::{Lines, Place, Source, parse};
-use super::{KeyRange, Quantity, Spec, cross};
+use super::{DriveSignal, KeyRange, Quantity, Recording, Spec, cross};
+use std::sync::Arc;
 
 /// A spec as text, with overrides.
 ///
@@ -26,6 +27,8 @@ pub struct SpecFile {
     text: String,
     source: Source,
     overrides: Vec<Override>,
+    /// Where the paths in it begin.
+    folder: PathBuf,
 }
 
 impl SpecFile {
@@ -34,14 +37,16 @@ impl SpecFile {
     /// # Errors
     /// A path that is missing, a directory, not readable, larger than 16 MiB or no UTF-8 text.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, ReadError> {
-        super::read_error::read_text(path.as_ref()).map(Self::from_text)
+        let path = path.as_ref();
+        let file = super::read_error::read_text(path).map(Self::from_text)?;
+        Ok(Self { folder: path.parent().map_or_else(PathBuf::new, Path::to_path_buf), ..file })
     }
 
-    /// Takes the text of a spec; what is wrong inside is told by [`SpecFile::spec`].
+    /// Takes the text of a spec; what is wrong inside is told by [`SpecFile::spec`]. Paths in it begin at the present folder.
     pub fn from_text(text: impl Into<String>) -> Self {
         let text = text.into();
         let source = parse(if text.len() > MOST_BYTES { "" } else { &text });
-        Self { text, source, overrides: Vec::new() }
+        Self { text, source, overrides: Vec::new(), folder: PathBuf::new() }
     }
 
     /// Overrides one key; the value is as on a command line: `0.5 mm`, `"0.5 mm"`, `13`, `[0.1, 0.2]`, `table`.
@@ -76,8 +81,25 @@ impl SpecFile {
         read_keys(SPEC, "", &self.source.root, &mut spec, &mut reading);
         if self.source.complete {
             reading.add_broken(cross::broken(&spec));
+            reading.add_broken(self.read_recordings(&mut spec));
         }
         if reading.found.is_empty() && self.source.errors.is_empty() { Ok(spec) } else { Err(self.faults(reading)) }
+    }
+
+    /// Reads the recordings that the drives name; what is wrong with them, by key.
+    fn read_recordings(&self, spec: &mut Spec) -> Vec<(String, String)> {
+        let mut broken = Vec::new();
+        for (name, drive) in &mut spec.drive {
+            let DriveSignal::Recording { file, sample_rate_hz, record, .. } = &mut drive.signal else { continue };
+            if file.is_empty() {
+                continue;
+            }
+            match Recording::read(&self.folder.join(&*file), *sample_rate_hz) {
+                Ok(found) => *record = Some(Arc::new(found)),
+                Err(message) => broken.push((format!("drive.{name}.file"), format!("drive.{name}.file: {message}"))),
+            }
+        }
+        broken
     }
 
     fn faults(&self, reading: Reading) -> Faults {

@@ -57,6 +57,7 @@ fn holds(kind: Kind) -> String {
         Kind::Numbers => "list of numbers".to_owned(),
         Kind::NamedNumbers => "list of numbers by name".to_owned(),
         Kind::ChoiceOrPath(_) => "choice or path".to_owned(),
+        Kind::Path => "path".to_owned(),
         Kind::Choice(_) => "choice".to_owned(),
         Kind::Reference { what } => format!("name of {what}"),
         Kind::References { what } => format!("list of names of {what}"),
@@ -67,9 +68,13 @@ fn holds(kind: Kind) -> String {
 fn allowed(kind: Kind, range: &Range) -> String {
     match kind {
         Kind::Choice(words) => words.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", "),
-        Kind::ChoiceOrPath(_) | Kind::Reference { .. } | Kind::References { .. } | Kind::Things | Kind::Table | Kind::NamedNumbers => {
-            String::new()
-        }
+        Kind::ChoiceOrPath(_)
+        | Kind::Path
+        | Kind::Reference { .. }
+        | Kind::References { .. }
+        | Kind::Things
+        | Kind::Table
+        | Kind::NamedNumbers => String::new(),
         _ if *range == Range::ANY => "any".to_owned(),
         _ => range.rule(kind).trim_start_matches("must be ").to_owned(),
     }

@@ -4,9 +4,9 @@ use std::fmt::Write as _;
 
 use sha2::{Digest, Sha256};
 
-use super::Spec;
 use super::key::{Key, Kind, Slot, applies};
 use super::keys::SPEC;
+use super::{DriveSignal, Spec};
 
 impl Spec {
     /// Prints the spec as TOML. [`Spec::from_toml`] reads the very same spec back, bit for bit.
@@ -28,8 +28,14 @@ impl Spec {
     /// SHA-256 of [`Spec::to_toml`] as 64 hexadecimal digits: the same for two files that say the same, whatever their comments, order,
     /// units or written defaults.
     pub fn hash_hex(&self) -> String {
-        let digest = Sha256::digest(self.to_toml().as_bytes());
-        digest.iter().fold(String::new(), |mut hex, byte| {
+        let mut hasher = Sha256::new_with_prefix(self.to_toml().as_bytes());
+        // Recordings by what they hold: the file may change under its name.
+        for drive in self.drive.values() {
+            if let DriveSignal::Recording { record: Some(record), .. } = &drive.signal {
+                [record.step_s].iter().chain(record.values.iter()).for_each(|value| hasher.update(value.to_le_bytes()));
+            }
+        }
+        hasher.finalize().iter().fold(String::new(), |mut hex, byte| {
             write!(hex, "{byte:02x}").expect("writing to a string cannot fail");
             hex
         })

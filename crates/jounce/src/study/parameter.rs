@@ -11,7 +11,7 @@ use crate::contact::Law;
 use crate::march::{Drift, Kernel};
 use crate::orbit::{Change, Harvester, Setting};
 use crate::plant::Drive;
-use crate::spec::NumericKey;
+use crate::spec::{DriveKind, NumericKey};
 use faer::c64;
 use std::f64::consts::TAU;
 
@@ -41,10 +41,12 @@ impl<'s> Parameter<'s> {
         let segments: Vec<&str> = key.path().split('.').collect();
         let plain = matches!(base.kernel.plant.system.stops.first().map(|stop| stop.law), Some(Law::Hertz(_) | Law::HuntCrossley(_)));
         let one_drive = base.kernel.plant.system.drives.len() == 1;
+        // The force of a displaced base goes with the square of its frequency.
+        let moves_base = |name: &str| base.spec.drive.get(name).is_some_and(|drive| drive.kind == DriveKind::BaseDisplacement);
         let one_stop = base.kernel.plant.system.stops.len() == 1;
         let role = match segments[..] {
-            ["drive", _, "frequency"] if one_drive => Role::Frequency,
-            ["drive", _, "amplitude"] if one_drive => Role::Amplitude,
+            ["drive", name, "frequency"] if one_drive && !moves_base(name) => Role::Frequency,
+            ["drive", name, "amplitude"] if one_drive && !moves_base(name) => Role::Amplitude,
             ["stop", _, "gap"] if one_stop => Role::Gap,
             ["stop", _, "stiffness"] if one_stop && plain => Role::Stiffness,
             _ => Role::Other,
@@ -110,6 +112,13 @@ impl Harvester for Parameter<'_> {
             watch.count();
         }
         let kernel = self.kernel(parameter)?;
+        let system = &kernel.plant.system;
+        if let Some(drive) = system.aperiodic() {
+            return Err(StudyError::Aperiodic { drive: drive.to_owned() });
+        }
+        if !system.signals.is_empty() {
+            return Err(StudyError::Gravity);
+        }
         let change = self.change(&kernel, parameter);
         Ok(Setting { kernel, change })
     }

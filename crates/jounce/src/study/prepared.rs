@@ -1,9 +1,10 @@
 //! From a spec to something that can be marched, keeping what a changed key leaves as it was.
 
+use crate::drive::Stream;
 use crate::march::Kernel;
 use crate::plant::{Plant, PlantError, System};
 use crate::run::{RunError, StartState};
-use crate::spec::{Spec, Start};
+use crate::spec::{DriveSignal, Spec, Start};
 use crate::structure::{self, Modes, StructureError};
 use std::path::Path;
 
@@ -22,6 +23,20 @@ pub enum StudyError {
     /// A value of the swept key that the spec does not allow.
     #[error("{0}")]
     Value(#[from] crate::spec::Fault),
+    /// A drive that never repeats itself, where answers that do are asked for.
+    #[error(
+        "drive `{drive}` does not repeat itself, so that there is no periodic answer to look for; use `jounce run` for one march of it, or `jounce ensemble` for many realisations of noise"
+    )]
+    Aperiodic {
+        /// Name of the drive.
+        drive: String,
+    },
+    /// Gravity, where orbits are followed.
+    #[error("orbits under gravity are not followed; use `jounce run` or `jounce sweep`, or take [gravity] out")]
+    Gravity,
+    /// An ensemble without noise.
+    #[error("an ensemble needs noise: give a drive `signal = \"noise\"`; `jounce run` marches what is not random")]
+    NoNoise,
     /// The journal of finished points.
     #[error(transparent)]
     Journal(#[from] super::JournalError),
@@ -65,13 +80,34 @@ impl Prepared {
             return Self::new(spec);
         }
         let system = System::assemble(&spec, self.modes.clone())?;
+        let signals = system.signals.clone();
         let kernel = match (self.spec.circuit == spec.circuit, self.spec.stop == spec.stop) {
             (true, true) => self.kernel.with_drives(system.drives)?,
             (true, false) if self.spec.drive == spec.drive => self.kernel.with_stops(system.stops)?,
             (true, false) => self.kernel.with_stops(system.stops)?.with_drives(system.drives)?,
-            (false, _) => Kernel::new(Plant::new(system)?)?,
+            (false, _) => return Ok(Self { kernel: Kernel::new(Plant::new(system)?)?, spec, modes: self.modes.clone() }),
         };
+        let kernel = if kernel.plant.system.signals == signals { kernel } else { kernel.with_signals(signals)? };
         Ok(Self { spec, kernel, modes: self.modes.clone() })
+    }
+
+    /// The same with other realisations of its noise: number `member` of a seed.
+    ///
+    /// # Errors
+    /// [`StudyError::NoNoise`].
+    pub fn realised(&self, seed: u64, member: u64) -> Result<Kernel, StudyError> {
+        let (mut spec, mut stream) = (self.spec.clone(), Stream::new(seed, member));
+        let mut is_random = false;
+        for drive in spec.drive.values_mut() {
+            if let DriveSignal::Noise { seed, .. } = &mut drive.signal {
+                *seed = stream.seed();
+                is_random = true;
+            }
+        }
+        if !is_random {
+            return Err(StudyError::NoNoise);
+        }
+        Ok(self.kernel.with_signals(System::signals(&spec, &self.modes)?)?)
     }
 
     /// The start that the spec asks for; a state file is read relative to `folder`.

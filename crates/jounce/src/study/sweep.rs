@@ -69,6 +69,9 @@ impl Sweep<'_> {
         done: &(dyn Fn(&SweepPoint) + Sync),
     ) -> Result<Vec<SweepPoint>, StudyError> {
         let base = Prepared::new(self.spec.clone())?;
+        if let Some(drive) = base.kernel.plant.system.aperiodic() {
+            return Err(StudyError::Aperiodic { drive: drive.to_owned() });
+        }
         let mut points = match self.direction {
             Direction::Independent => self.independent(&base, journal, stop, done)?,
             _ => self.stepped(&base, journal, stop, done)?,
@@ -150,7 +153,7 @@ impl Sweep<'_> {
     /// Marches one point.
     fn point(&self, prepared: &Prepared, mut start: StartState, index: usize, value: f64, way: Way) -> Result<SweepPoint, StudyError> {
         let run = &prepared.spec.run;
-        let cycle_s = prepared.spec.drive.values().next().map_or(run.duration_s, |drive| 1.0 / drive.frequency_hz);
+        let cycle_s = prepared.kernel.plant.period_s().unwrap_or(run.duration_s);
         let plan = match self.fixed_duration {
             true => RunPlan { duration_s: run.duration_s, average_over_s: run.average_over_s, tolerance: run.tolerance, record_s: 0.0 },
             false => RunPlan {
@@ -165,7 +168,7 @@ impl Sweep<'_> {
             let answer = simulate(&prepared.from_state(&start)?, &start, &plan)?;
             marched_s += plan.duration_s;
             start = answer.end.clone();
-            if self.fixed_duration || answer.settlement.settled || marched_s >= MOST_DURATIONS * run.duration_s {
+            if self.fixed_duration || answer.settlement.is_some_and(|found| found.settled) || marched_s >= MOST_DURATIONS * run.duration_s {
                 return Ok(point_of(&answer, &plan, (index, value, way), marched_s));
             }
         }
@@ -181,8 +184,8 @@ fn point_of(answer: &RunAnswer, plan: &RunPlan, (index, parameter, direction): (
         voltage_rms_v: answer.loads.first().map_or(0.0, |load| load.voltage_rms_v),
         max_penetration_m: answer.max_penetration_m,
         contact_rate_hz: answer.contacts as f64 / plan.average_over_s,
-        settled: answer.settlement.settled,
-        period_cycles: answer.settlement.period_cycles,
+        settled: answer.settlement.is_some_and(|found| found.settled),
+        period_cycles: answer.settlement.map_or(0, |found| found.period_cycles),
         energy_residual_relative: answer.energies.residual_relative(),
         marched_s,
         end: answer.end.clone(),

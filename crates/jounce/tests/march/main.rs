@@ -2,11 +2,13 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod collisions;
+mod ensemble;
 mod grazing;
 mod harvester;
 mod plants;
 mod random;
 mod rigid;
+mod signals;
 mod swings;
 mod symmetry;
 mod variation;

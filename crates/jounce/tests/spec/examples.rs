@@ -1,6 +1,6 @@
 //! The example specs say what they are meant to say.
 
-use jounce::spec::{Section, Side, Spec, SpecFile, Start, StopLaw};
+use jounce::spec::{DriveKind, DriveSignal, Section, Side, Spec, SpecFile, Start, StopLaw};
 
 use crate::{MODAL, paper, root};
 
@@ -33,7 +33,8 @@ fn the_paper_reads_to_the_nearest_floats() {
     assert_eq!(stop.law, StopLaw::Hertz { stiffness: 1000.0, exponent: 1.5 });
     assert_eq!((spec.circuit["load"].patch.as_str(), spec.circuit["load"].resistance_ohm), ("mfc", 1e6));
     let drive = &spec.drive["shaker"];
-    assert_eq!((drive.at.as_str(), drive.amplitude_n, drive.frequency_hz, drive.phase_rad), ("table", 200.0, 13.0, 0.0));
+    assert_eq!((drive.at.as_str(), drive.kind), ("table", DriveKind::Force));
+    assert_eq!(drive.signal, DriveSignal::Sine { amplitude: 200.0, frequency_hz: 13.0, phase_rad: 0.0 });
     assert_eq!(spec.damping.ratios, [0.00194, 0.00925, 0.00864, 0.00359, 0.00126, 0.00274, 0.00160]);
     assert_eq!((spec.damping.beyond, spec.reduction.modes, spec.reduction.mesh_tolerance), (None, 8, 1e-9));
     assert_eq!((&spec.run.start, spec.run.duration_s, spec.run.average_over_s, spec.run.tolerance), (&Start::Rest, 20.0, 10.0, 1e-7));

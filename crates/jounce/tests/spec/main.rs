@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod corpus;
+mod drives;
 mod examples;
 mod fuzz;
 mod overrides;

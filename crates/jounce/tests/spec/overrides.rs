@@ -1,6 +1,6 @@
 //! `--set KEY=VALUE`
 
-use jounce::spec::{ReadError, Spec, SpecFile, Start, StopLaw};
+use jounce::spec::{DriveSignal, ReadError, Spec, SpecFile, Start, StopLaw};
 
 use crate::{MODAL, paper};
 
@@ -31,7 +31,8 @@ fn optional_keys_may_be_new_and_later_overrides_win() {
     assert_eq!(with(&[("run.tolerance", "1e-10")]).unwrap().run.tolerance, 1e-10);
     assert_eq!(with(&[("damping.beyond", "0.01")]).unwrap().damping.beyond, Some(0.01));
     assert_eq!(with(&[("beam.beam.point.sensor", "100 mm")]).unwrap().beam["beam"].point["sensor"], 0.1);
-    assert_eq!(with(&[("drive.shaker.phase", "180 deg")]).unwrap().drive["shaker"].phase_rad, std::f64::consts::PI);
+    let turned = with(&[("drive.shaker.phase", "180 deg")]).unwrap().drive["shaker"].signal.clone();
+    assert_eq!(turned, DriveSignal::Sine { amplitude: 200.0, frequency_hz: 13.0, phase_rad: std::f64::consts::PI });
     assert_eq!(with(&[("run.duration", "30 s"), ("run.duration", "40 s")]).unwrap().run.duration_s, 40.0);
     let mut modal = SpecFile::from_text(MODAL);
     modal.set("run.duration", "5 min").unwrap();

@@ -136,12 +136,10 @@ fn stop(points: Vec<String>) -> impl Strategy<Value = Stop> {
 }
 
 fn drive(points: Vec<String>) -> impl Strategy<Value = Drive> {
-    (prop::sample::select(points), positive(), 1e-6..1e6f64, any_number()).prop_map(|(at, amplitude_n, frequency_hz, phase_rad)| Drive {
+    (prop::sample::select(points), positive(), 1e-6..1e6f64, any_number()).prop_map(|(at, amplitude, frequency_hz, phase_rad)| Drive {
         at,
         kind: DriveKind::Force,
-        amplitude_n,
-        frequency_hz,
-        phase_rad,
+        signal: DriveSignal::Sine { amplitude, frequency_hz, phase_rad },
     })
 }
 

@@ -52,8 +52,10 @@ impl Basins {
         let Some((name, drive)) = base.spec.drive.iter().next() else {
             return Err(Failure::Input("a basin needs a drive: add [drive.NAME] to the spec".to_owned()));
         };
+        let Some(value) = drive.frequency_hz() else {
+            return Err(jounce::study::StudyError::Aperiodic { drive: name.clone() }.into());
+        };
         check_drive(&self.spec, &base.kernel.plant, "a basin")?;
-        let value = drive.frequency_hz;
         let key = self.spec.checked(file.numeric_key(&format!("drive.{name}.frequency")))?;
         let parameter = Parameter::new(&base, &key, value);
         let starts = match grid::read(&self.grid, base.spec.stop.len())? {

@@ -1,6 +1,7 @@
 //! Ready-made figures: plain data in, a [`super::Figure`] out, drawn the way the harvester paper (2019) draws its figures 4 to 9.
 mod branches;
 mod diagram;
+mod ensemble;
 mod frequency_response;
 mod jumps;
 mod mode_shapes;
@@ -11,6 +12,7 @@ mod time_history;
 
 pub use branches::{BranchLine, BranchMark, branches};
 pub use diagram::{DiagramDots, DiagramView, diagram};
+pub use ensemble::ensemble;
 pub use frequency_response::{Response, frequency_responses};
 pub use jumps::{JumpLine, jumps};
 pub use mode_shapes::{ModeShape, Patch, mode_shapes};

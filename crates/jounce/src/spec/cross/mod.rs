@@ -4,6 +4,7 @@
 //! list) breaks no rule, because its own fault is told already.
 
 mod circuit;
+mod drives;
 mod geometry;
 mod modes;
 mod reference;
@@ -42,6 +43,7 @@ pub(super) fn broken(spec: &Spec) -> Vec<(String, String)> {
     circuit::check(spec, &mut broken);
     geometry::check(spec, &mut broken);
     modes::check(spec, &mut broken);
+    drives::check(spec, &mut broken);
     broken.found
 }
 

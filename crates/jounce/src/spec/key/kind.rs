@@ -17,6 +17,8 @@ pub(in crate::spec) enum Kind {
     Choice(&'static [&'static str]),
     /// One of these words, or the path of a file, which has a dot or a slash in it.
     ChoiceOrPath(&'static [&'static str]),
+    /// The path of a file.
+    Path,
     /// The name of another thing; `what` names it in the docs.
     Reference {
         /// what kind of thing, `"a beam"`
@@ -49,6 +51,7 @@ impl Kind {
             Self::Numbers | Self::NamedNumbers => "a list of plain numbers is due, as in [0.01, 0.02]".to_owned(),
             Self::Choice(words) => format!("one of {} is due", quoted(words)),
             Self::ChoiceOrPath(words) => format!("one of {} is due, or the path of a file, as in \"./NAME\"", quoted(words)),
+            Self::Path => "the path of a file is due, in quotes".to_owned(),
             Self::Reference { what } => format!("the name of {what} is due, in quotes"),
             Self::References { what } => format!("a list of names of {what} is due, as in [\"one\", \"-other\"]"),
             Self::Things | Self::Table => "a table is due".to_owned(),

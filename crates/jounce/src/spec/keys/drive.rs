@@ -1,21 +1,213 @@
 //! `[drive.NAME]`
 
-use crate::spec::key::{Key, Kind, Range};
-use crate::spec::{Drive, DriveKind, Quantity};
+use crate::spec::key::{Key, Kind, Range, Slot};
+use crate::spec::{Drive, DriveKind, DriveSignal, Quantity};
 
 use super::FREQUENCY_LIMITS_HZ;
+use super::drive_signal::{
+    amplitude, band, blank_signal, duration, ends, phase, set_amplitude, set_band, set_duration, set_end, set_phase, set_start, set_sweep,
+    set_velocity, signal_word, start, sweep_word, velocity,
+};
+
+const KINDS: &[&str] = &["force", "base-acceleration", "base-displacement"];
+const SIGNALS: &[&str] = &["sine", "chirp", "half-sine", "velocity-step", "noise", "recording"];
+const AMPLITUDES: &[&str] = &["sine", "chirp", "half-sine"];
+const FREQUENCIES: Range = Range::from(FREQUENCY_LIMITS_HZ.0, FREQUENCY_LIMITS_HZ.1);
+
+/// The largest seed: whole numbers up to here are exact wherever they pass.
+const MOST_SEED: f64 = 9_007_199_254_740_991.0;
 
 pub(super) fn blank() -> Drive {
-    Drive { at: String::new(), kind: DriveKind::Force, amplitude_n: f64::NAN, frequency_hz: f64::NAN, phase_rad: 0.0 }
+    Drive { at: String::new(), kind: DriveKind::Force, signal: blank_signal("sine") }
 }
 
 pub(super) static KEYS: &[Key<Drive>] = &[
-    Key::text("at", Kind::Reference { what: "a point or mass" }, "where it acts", |d: &Drive| d.at.clone(), |d, x| x.clone_into(&mut d.at)),
-    Key::text("kind", Kind::Choice(&["force"]), "what it prescribes", |_: &Drive| "force".to_owned(), |d, _| d.kind = DriveKind::Force)
+    Key::text("kind", Kind::Choice(KINDS), "what it prescribes", |d: &Drive| kind_word(d.kind).to_owned(), |d, x| d.kind = kind(x))
         .optional(),
-    Key::quantity("amplitude", Quantity::Force, "amplitude, zero to peak", |d: &Drive| d.amplitude_n, |d, x| d.amplitude_n = x)
-        .within(Range::NOT_NEGATIVE),
-    Key::quantity("frequency", Quantity::Frequency, "frequency", |d: &Drive| d.frequency_hz, |d, x| d.frequency_hz = x)
-        .within(Range::from(FREQUENCY_LIMITS_HZ.0, FREQUENCY_LIMITS_HZ.1)),
-    Key::quantity("phase", Quantity::Angle, "phase at time zero", |d: &Drive| d.phase_rad, |d, x| d.phase_rad = x).optional(),
+    Key::text(
+        "signal",
+        Kind::Choice(SIGNALS),
+        "its course in time",
+        |d: &Drive| signal_word(&d.signal).to_owned(),
+        |d, x| d.signal = blank_signal(x),
+    )
+    .optional(),
+    Key::text("at", Kind::Reference { what: "a point or mass" }, "where it acts", |d: &Drive| d.at.clone(), |d, x| x.clone_into(&mut d.at))
+        .when("kind", &["force"]),
+    Key::quantity(
+        "amplitude",
+        Quantity::Force,
+        "amplitude, zero to peak; an acceleration (m/s^2, g) with `base-acceleration`, a length with `base-displacement`",
+        |d: &Drive| amplitude(&d.signal),
+        |d, x| set_amplitude(&mut d.signal, x),
+    )
+    .within(Range::NOT_NEGATIVE)
+    .when("signal", AMPLITUDES)
+    .measured_by("kind", |d: &Drive| size(d.kind)),
+    Key::quantity(
+        "frequency",
+        Quantity::Frequency,
+        "frequency",
+        |d: &Drive| d.frequency_hz().unwrap_or(f64::NAN),
+        |d, x| {
+            if let DriveSignal::Sine { frequency_hz, .. } = &mut d.signal {
+                *frequency_hz = x;
+            }
+        },
+    )
+    .within(FREQUENCIES)
+    .when("signal", &["sine"]),
+    Key::quantity(
+        "from",
+        Quantity::Frequency,
+        "frequency at the start",
+        |d: &Drive| ends(&d.signal)[0],
+        |d, x| set_end(&mut d.signal, 0, x),
+    )
+    .within(FREQUENCIES)
+    .when("signal", &["chirp"]),
+    Key::quantity("to", Quantity::Frequency, "frequency at the end", |d: &Drive| ends(&d.signal)[1], |d, x| set_end(&mut d.signal, 1, x))
+        .within(FREQUENCIES)
+        .when("signal", &["chirp"]),
+    Key::text(
+        "sweep",
+        Kind::Choice(&["linear", "logarithmic"]),
+        "how the frequency goes",
+        |d: &Drive| sweep_word(&d.signal).to_owned(),
+        |d, x| set_sweep(&mut d.signal, x),
+    )
+    .when("signal", &["chirp"])
+    .optional(),
+    Key::quantity("phase", Quantity::Angle, "phase at its start", |d: &Drive| phase(&d.signal), |d, x| set_phase(&mut d.signal, x))
+        .when("signal", &["sine", "chirp"])
+        .optional(),
+    Key::quantity(
+        "velocity",
+        Quantity::Speed,
+        "change of the velocity of the base",
+        |d: &Drive| velocity(&d.signal),
+        |d, x| set_velocity(&mut d.signal, x),
+    )
+    .when("signal", &["velocity-step"]),
+    Key::quantity("start", Quantity::Time, "time at which it starts", |d: &Drive| start(&d.signal), |d, x| set_start(&mut d.signal, x))
+        .within(Range::NOT_NEGATIVE)
+        .when("signal", &["chirp", "half-sine", "velocity-step", "recording"])
+        .optional(),
+    Key::quantity("duration", Quantity::Time, "how long it lasts", |d: &Drive| duration(&d.signal), |d, x| set_duration(&mut d.signal, x))
+        .within(Range::POSITIVE)
+        .when("signal", &["chirp", "half-sine"]),
+    Key::quantity(
+        "psd",
+        Quantity::ForcePsd,
+        "one-sided power spectral density; in (m/s^2)^2/Hz or g^2/Hz with `base-acceleration`",
+        |d: &Drive| if let DriveSignal::Noise { density, .. } = d.signal { density } else { f64::NAN },
+        |d, x| {
+            if let DriveSignal::Noise { density, .. } = &mut d.signal {
+                *density = x;
+            }
+        },
+    )
+    .within(Range::NOT_NEGATIVE)
+    .when("signal", &["noise"])
+    .measured_by("kind", |d: &Drive| if d.kind == DriveKind::Force { Quantity::ForcePsd } else { Quantity::AccelerationPsd }),
+    Key::quantity(
+        "low",
+        Quantity::Frequency,
+        "lower end of its band",
+        |d: &Drive| band(&d.signal)[0],
+        |d, x| set_band(&mut d.signal, 0, x),
+    )
+    .within(Range::from(0.0, FREQUENCY_LIMITS_HZ.1))
+    .when("signal", &["noise"])
+    .optional(),
+    Key::quantity(
+        "high",
+        Quantity::Frequency,
+        "upper end of its band",
+        |d: &Drive| band(&d.signal)[1],
+        |d, x| set_band(&mut d.signal, 1, x),
+    )
+    .within(FREQUENCIES)
+    .when("signal", &["noise"]),
+    Key::with_slot(
+        "seed",
+        Kind::Count,
+        "chooses the realisation",
+        Slot::Count {
+            get: |d: &Drive| if let DriveSignal::Noise { seed, .. } = d.signal { seed as usize } else { 0 },
+            set: |d, x| {
+                if let DriveSignal::Noise { seed, .. } = &mut d.signal {
+                    *seed = x as u64;
+                }
+            },
+        },
+    )
+    .within(Range::from(0.0, MOST_SEED))
+    .when("signal", &["noise"])
+    .optional(),
+    Key::text(
+        "file",
+        Kind::Path,
+        "CSV file of times in s and values, in its first two columns; relative to the spec",
+        |d: &Drive| if let DriveSignal::Recording { file, .. } = &d.signal { file.clone() } else { String::new() },
+        |d, x| {
+            if let DriveSignal::Recording { file, .. } = &mut d.signal {
+                x.clone_into(file);
+            }
+        },
+    )
+    .when("signal", &["recording"]),
+    Key::quantity(
+        "scale",
+        Quantity::Force,
+        "what the value 1 in the file stands for; an acceleration (m/s^2, g) with `base-acceleration`",
+        |d: &Drive| if let DriveSignal::Recording { scale, .. } = d.signal { scale } else { f64::NAN },
+        |d, x| {
+            if let DriveSignal::Recording { scale, .. } = &mut d.signal {
+                *scale = x;
+            }
+        },
+    )
+    .when("signal", &["recording"])
+    .measured_by("kind", |d: &Drive| size(d.kind))
+    .optional(),
+    Key::with_slot(
+        "sample_rate",
+        Kind::Quantity(Quantity::Frequency),
+        "samples of noise per second (10 times `high` where it is not given), or the rate that a recording must have",
+        Slot::Optional {
+            get: |d: &Drive| match d.signal {
+                DriveSignal::Noise { sample_rate_hz, .. } | DriveSignal::Recording { sample_rate_hz, .. } => sample_rate_hz,
+                _ => None,
+            },
+            set: |d, x| {
+                if let DriveSignal::Noise { sample_rate_hz, .. } | DriveSignal::Recording { sample_rate_hz, .. } = &mut d.signal {
+                    *sample_rate_hz = Some(x);
+                }
+            },
+        },
+    )
+    .within(Range::above(0.0, 1e9))
+    .when("signal", &["noise", "recording"])
+    .optional(),
 ];
+
+fn size(kind: DriveKind) -> Quantity {
+    match kind {
+        DriveKind::Force => Quantity::Force,
+        DriveKind::BaseAcceleration => Quantity::Acceleration,
+        DriveKind::BaseDisplacement => Quantity::Length,
+    }
+}
+
+fn kind_word(kind: DriveKind) -> &'static str {
+    KINDS[kind as usize]
+}
+
+fn kind(word: &str) -> DriveKind {
+    match word {
+        "base-acceleration" => DriveKind::BaseAcceleration,
+        "base-displacement" => DriveKind::BaseDisplacement,
+        _ => DriveKind::Force,
+    }
+}

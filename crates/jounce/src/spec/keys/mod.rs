@@ -3,6 +3,8 @@
 mod beam;
 mod circuit;
 mod drive;
+mod drive_signal;
+mod gravity;
 mod mass;
 mod modal;
 mod patch;
@@ -49,8 +51,13 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
     things(
         "drive",
-        "what shakes it: `amplitude * sin(2 pi frequency t + phase)`",
+        "what shakes it: forces, and motions of the base that carries the ground of the spec",
         &Named { get: |s: &Spec| &s.drive, open: |s| &mut s.drive, blank: drive::blank, keys: drive::KEYS },
+    ),
+    table(
+        "gravity",
+        "gravity on everything that moves; displacements are measured from where nothing is bent",
+        &Single { get: |s: &Spec| &s.gravity, open: |s| &mut s.gravity, keys: gravity::KEYS },
     ),
     table(
         "damping",

@@ -91,6 +91,8 @@ const KINDS: &[(&str, [i8; 5])] = &[
     ("a damping coefficient", [1, 0, -1, 0, 0]),
     ("a pressure", [1, -1, -2, 0, 0]),
     ("a density", [1, -3, 0, 0, 0]),
+    ("a power spectral density of acceleration", [0, 2, -3, 0, 0]),
+    ("a power spectral density of force", [2, 2, -3, 0, 0]),
     ("an energy", [1, 2, -2, 0, 0]),
     ("a power", [1, 2, -3, 0, 0]),
     ("a charge", [0, 0, 1, 1, 0]),

@@ -4,6 +4,7 @@ use super::decimal::Decimal;
 use super::error::QuantityError;
 use super::expression::{Refusal, Unit};
 use crate::spec::nearest::clip;
+use std::borrow::Cow;
 
 /// No quantity needs more characters than this.
 const MAX_CHARS: usize = 200;
@@ -42,6 +43,14 @@ pub enum Quantity {
     Damping,
     /// s/m
     InverseSpeed,
+    /// m/s
+    Speed,
+    /// m/s^2; `g` is 9.80665 of it
+    Acceleration,
+    /// (m/s^2)^2/Hz, one-sided; `g^2/Hz` is 9.80665^2 of it
+    AccelerationPsd,
+    /// N^2/Hz, one-sided
+    ForcePsd,
     /// rad
     Angle,
     /// kg m^2
@@ -102,7 +111,7 @@ impl Quantity {
         if rest.starts_with(',') {
             return Err(QuantityError::Malformed { text: shown, why: "decimals take a point, not a comma".to_owned(), due: due() });
         }
-        let unit = Unit::parse(rest).map_err(|refusal| match refusal {
+        let unit = Unit::parse(&self.spelled(rest)).map_err(|refusal| match refusal {
             Refusal::Unknown(unit) => QuantityError::UnknownUnit { text: shown.clone(), unit, due: due() },
             Refusal::Malformed(why) => QuantityError::Malformed { text: shown.clone(), why, due: due() },
         })?;
@@ -110,6 +119,23 @@ impl Quantity {
             return Err(QuantityError::WrongKind { text: shown, kind: unit.dimension.kind(), due: due() });
         }
         Ok((number, unit))
+    }
+
+    /// The unit with `g` as the acceleration of gravity where accelerations are due.
+    fn spelled(self, unit: &str) -> Cow<'_, str> {
+        if !matches!(self, Self::Acceleration | Self::AccelerationPsd) {
+            return Cow::Borrowed(unit);
+        }
+        let is_letter = |c: Option<char>| c.is_some_and(char::is_alphabetic);
+        let alone = |at: usize| !is_letter(unit[..at].chars().next_back()) && !is_letter(unit[at + 1..].chars().next());
+        let mut spelled = String::with_capacity(unit.len() + 1);
+        for (at, c) in unit.char_indices() {
+            spelled.push(c);
+            if c == 'g' && alone(at) {
+                spelled.push('n');
+            }
+        }
+        Cow::Owned(spelled)
     }
 
     /// Prints a value in SI with the unit that keeps the number short; [`Quantity::read`] gives the same bits back.
@@ -189,6 +215,12 @@ mod tests {
             (Quantity::Angle, "180 deg", std::f64::consts::PI),
             (Quantity::Mass, "12 g", 0.012),
             (Quantity::InverseSpeed, "0.3 s/m", 0.3),
+            (Quantity::Speed, "250 mm/s", 0.25),
+            (Quantity::Acceleration, "9.81 m/s^2", 9.81),
+            (Quantity::Acceleration, "2 g", 19.6133),
+            (Quantity::AccelerationPsd, "3 (m/s^2)^2/Hz", 3.0),
+            (Quantity::AccelerationPsd, "1 g^2/Hz", 9.80665 * 9.80665),
+            (Quantity::ForcePsd, "0.5 N^2/Hz", 0.5),
         ] {
             assert_eq!(quantity.read(text).unwrap().to_bits(), f64::to_bits(value), "{text}");
         }

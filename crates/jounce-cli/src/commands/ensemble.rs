@@ -1,0 +1,138 @@
+//! `jounce ensemble SPEC`
+
+use crate::failure::Failure;
+use crate::output::{self, line, print};
+use crate::progress;
+use crate::spec_arguments::{OutputArguments, SpecArguments};
+use crate::threads::ThreadsArgument;
+use clap::Args;
+use jounce::picture;
+use jounce::study::{Ensemble as Study, EnsembleAnswer, IntervalOver, Member, Prepared};
+use jounce::table::{Column, Table};
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Rounds of members after which a width that is not reached is reported as it is.
+const MOST_ROUNDS: usize = 100;
+
+/// Arguments of `ensemble`.
+#[derive(Debug, Args)]
+pub struct Ensemble {
+    #[command(flatten)]
+    spec: SpecArguments,
+    /// Number of realisations; with --relative-width, of each round of them.
+    #[arg(long, default_value_t = 16)]
+    members: usize,
+    /// Seed of the realisations.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Adds rounds of members until half the 95 % interval of the mean power is this share of it.
+    #[arg(long, value_name = "WIDTH")]
+    relative_width: Option<f64>,
+    #[command(flatten)]
+    threads: ThreadsArgument,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
+impl Ensemble {
+    /// Marches the members and reports.
+    pub fn run(&self) -> Result<(), Failure> {
+        if self.members == 0 || self.relative_width.is_some_and(|width| !(width > 0.0 && width < 1.0)) {
+            return Err(Failure::usage("--members must be greater than 0, --relative-width between 0 and 1".to_owned()));
+        }
+        let base = Prepared::new(self.spec.spec()?)?;
+        let study = Study {
+            start: base.start(&self.spec.folder())?,
+            base: &base,
+            members: self.members,
+            seed: self.seed,
+            relative_width: self.relative_width,
+            most_rounds: if self.relative_width.is_some() { MOST_ROUNDS } else { 1 },
+        };
+        let stop = Arc::new(AtomicBool::new(false));
+        let flag = Arc::clone(&stop);
+        // A second handler cannot be set where another already stands; then the default, to end at once, is kept.
+        let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
+        let bar = progress::counted(self.members, "members");
+        let done = |member: &Member| {
+            bar.set_length((member.index / self.members + 1) as u64 * self.members as u64);
+            bar.inc(1);
+        };
+        let answer = self.threads.run(|| study.run(&stop, &done))??;
+        bar.finish_and_clear();
+        if let Some(folder) = &self.output.out {
+            self.write(folder, &base, &answer)?;
+        }
+        self.tell(&answer);
+        Ok(())
+    }
+
+    fn tell(&self, answer: &EnsembleAnswer) {
+        let power = &answer.power_w;
+        let worst = answer.members.iter().fold(0.0_f64, |max, member| max.max(member.energy_residual_relative.abs()));
+        if self.output.json {
+            print(&serde_json::json!({
+                "mean_power_w": power.mean,
+                "mean_power_half_width_w": finite(power.half_width),
+                "relative_width": finite(power.relative_width()),
+                "interval_over": power.interval,
+                "reached": answer.reached,
+                "contact_rate_hz": answer.contact_rate_hz.mean,
+                "contact_rate_half_width_hz": finite(answer.contact_rate_hz.half_width),
+                "mean_strike_m_s": answer.mean_strike_m_s,
+                "max_strike_m_s": answer.max_strike_m_s,
+                "mean_dwell_s": answer.mean_dwell_s,
+                "energy_residual_relative": worst,
+                "members": answer.members,
+                "seed": self.seed,
+            }));
+            return;
+        }
+        let over = if power.interval == IntervalOver::Members { "over members" } else { "over batches of the members" };
+        line(format!("mean power         {:.6e} W +- {:.1e} W (95 %, {over})", power.mean, power.half_width));
+        line(format!("members            {}, seed {}", answer.members.len(), self.seed));
+        if !answer.reached {
+            line(format!("NOT reached        the relative width is {:.3}; give more --members", power.relative_width()));
+        }
+        let rate = &answer.contact_rate_hz;
+        line(format!("contacts           {:.4} per second +- {:.2}", rate.mean, rate.half_width));
+        line(format!(
+            "strikes            {:.4e} m/s in the mean, {:.4e} m/s at most, {:.4e} s each",
+            answer.mean_strike_m_s, answer.max_strike_m_s, answer.mean_dwell_s
+        ));
+        line(format!("energy residual    {worst:.1e} of the largest energy"));
+    }
+
+    fn write(&self, folder: &Path, base: &Prepared, answer: &EnsembleAnswer) -> Result<(), Failure> {
+        let manifest = self.spec.manifest(&base.spec, "ensemble").with("seed", self.seed).with("members", answer.members.len());
+        output::table(folder, "ensemble", &table(&answer.members)?, &manifest)?;
+        let powers: Vec<f64> = answer.members.iter().map(|member| member.mean_power_w).collect();
+        let (low, high) = (answer.power_w.mean - answer.power_w.half_width, answer.power_w.mean + answer.power_w.half_width);
+        output::figure(folder, "ensemble", &picture::ensemble("Mean power of realisations", &powers, low, high))
+    }
+}
+
+fn table(members: &[Member]) -> Result<Table, Failure> {
+    let number = |name: &str, unit: &str, about: &str, value: fn(&Member) -> f64| {
+        Column::new(name, unit, about, members.iter().map(value).collect::<Vec<f64>>())
+    };
+    let whole =
+        |name: &str, about: &str, value: fn(&Member) -> u64| Column::new(name, "", about, members.iter().map(value).collect::<Vec<u64>>());
+    Ok(Table::new(vec![
+        whole("member", "number of the realisation under its seed", |m| m.index as u64),
+        number("mean_power_w", "W", "mean power of all loads", |m| m.mean_power_w),
+        whole("contacts", "contacts that began", |m| m.contacts),
+        number("contact_rate_hz", "Hz", "contacts per second", |m| m.contact_rate_hz),
+        number("mean_strike_m_s", "m/s", "mean speed at which contacts began", |m| m.mean_strike_m_s),
+        number("max_strike_m_s", "m/s", "largest speed at which one began", |m| m.max_strike_m_s),
+        number("mean_dwell_s", "s", "mean time that a contact lasts", |m| m.mean_dwell_s),
+        number("max_penetration_m", "m", "largest penetration", |m| m.max_penetration_m),
+        number("energy_residual_relative", "", "energy residual over the largest energy", |m| m.energy_residual_relative),
+    ])?)
+}
+
+fn finite(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
+}

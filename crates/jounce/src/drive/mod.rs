@@ -1,0 +1,48 @@
+//! Courses of drives in time, from what the spec says to samples with straight lines between them.
+//!
+//! A sampled course is held to first order: linear between its samples. That is what a recording means. A smooth course `u` is
+//! sampled as `u - h^2 u'' / 12 + h^4 u'''' / 240`, so that the straight lines between the samples have the spectrum of `u`: the
+//! lines multiply it by `sinc^2(f h)`, the samples by one over that. What is left are images about multiples of the sampling
+//! rate `1 / h`, smaller than `u` by `(f h / (1 - f h))^2`.
+
+mod noise;
+mod pulse;
+mod random;
+mod sweep;
+mod wave;
+
+pub use noise::{Band, noise};
+pub use pulse::half_sine;
+pub use random::Stream;
+pub use sweep::{Chirp, chirp};
+pub use wave::{Piece, Wave};
+
+use crate::spec::DriveSignal;
+use std::f64::consts::TAU;
+
+/// The course of a drive that is no sinusoid, over the first `duration_s` of a run; `None` for a sinusoid.
+pub fn wave(signal: &DriveSignal, duration_s: f64) -> Option<Wave> {
+    match *signal {
+        DriveSignal::Sine { .. } => None,
+        DriveSignal::Chirp { amplitude, from_hz, to_hz, sweep, phase_rad, start_s, duration_s } => {
+            Some(chirp(&Chirp { amplitude, from_hz, to_hz, sweep, phase_rad, start_s, duration_s }))
+        }
+        DriveSignal::HalfSine { amplitude, start_s, duration_s } => Some(half_sine(amplitude, start_s, duration_s)),
+        DriveSignal::VelocityStep { velocity_m_s, start_s } => Some(Wave::Impulse { time_s: start_s, size_s: velocity_m_s }),
+        DriveSignal::Noise { density, low_hz, high_hz, sample_rate_hz, seed } => {
+            let sample_rate_hz = sample_rate_hz.unwrap_or(DriveSignal::SAMPLES_PER_CYCLE * high_hz);
+            Some(noise(&Band { density, low_hz, high_hz, sample_rate_hz }, duration_s, seed))
+        }
+        DriveSignal::Recording { scale, start_s, ref record, .. } => record.as_ref().map(|record| Wave::Sampled {
+            start_s,
+            step_s: record.step_s,
+            sizes: record.values.iter().map(|value| scale * value).collect(),
+        }),
+    }
+}
+
+/// `sin(x) / x` with `x = pi f h`, squared: what straight lines between samples leave of a sinusoid.
+fn hold(frequency_hz: f64, step_s: f64) -> f64 {
+    let x = 0.5 * TAU * frequency_hz * step_s;
+    if x == 0.0 { 1.0 } else { (x.sin() / x).powi(2) }
+}

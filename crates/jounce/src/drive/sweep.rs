@@ -1,0 +1,80 @@
+//! Chirps: sinusoids whose frequency sweeps.
+//!
+//! ```text
+//! u(t) = A sin(p(t)),   p' = 2 pi f(t)
+//! linear       f = f0 + (f1 - f0) t / T,        p = p0 + 2 pi (f0 t + (f1 - f0) t^2 / (2 T))
+//! logarithmic  f = f0 (f1 / f0)^(t / T),        p = p0 + 2 pi f0 T ((f1 / f0)^(t / T) - 1) / ln(f1 / f0)
+//! ```
+
+use super::Wave;
+use crate::spec::{DriveSignal, FrequencySweep};
+use std::f64::consts::TAU;
+
+/// What sweeps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Chirp {
+    /// `A`, zero to peak.
+    pub amplitude: f64,
+    /// `f0`, Hz.
+    pub from_hz: f64,
+    /// `f1`, Hz.
+    pub to_hz: f64,
+    /// How the frequency goes.
+    pub sweep: FrequencySweep,
+    /// `p0`, rad.
+    pub phase_rad: f64,
+    /// Start, s.
+    pub start_s: f64,
+    /// `T`, s.
+    pub duration_s: f64,
+}
+
+impl Chirp {
+    /// Angle, rad, angular frequency, rad/s, and its rate, rad/s^2, a time after the start.
+    fn angle(&self, after_s: f64) -> [f64; 3] {
+        let (f0, f1, length) = (self.from_hz, self.to_hz, self.duration_s);
+        let octaves = (f1 / f0).ln();
+        if self.sweep == FrequencySweep::Linear || octaves == 0.0 {
+            let rate = (f1 - f0) / length;
+            return [self.phase_rad + TAU * (f0 + 0.5 * rate * after_s) * after_s, TAU * (f0 + rate * after_s), TAU * rate];
+        }
+        let frequency_hz = f0 * (octaves * after_s / length).exp();
+        let turns = f0 * length / octaves * (octaves * after_s / length).exp_m1();
+        [self.phase_rad + TAU * turns, TAU * frequency_hz, TAU * frequency_hz * octaves / length]
+    }
+}
+
+/// The samples of a chirp, 0 outside of its duration.
+///
+/// # Limits
+/// The images of the straight lines are 1.5e-5 of the amplitude, at 255 times the highest frequency.
+pub fn chirp(chirp: &Chirp) -> Wave {
+    let lines = (chirp.duration_s * chirp.from_hz.max(chirp.to_hz) * DriveSignal::CHIRP_SAMPLES_PER_CYCLE).ceil().max(2.0) as usize;
+    let step_s = chirp.duration_s / lines as f64;
+    let sizes = (0..=lines).map(|k| {
+        let [angle, w, rate] = chirp.angle(k as f64 * step_s);
+        let (sin, cos) = angle.sin_cos();
+        let x = w * step_s;
+        chirp.amplitude * (sin - (rate * step_s * step_s * cos - x * x * sin) / 12.0 + x.powi(4) / 240.0 * sin)
+    });
+    Wave::Sampled { start_s: chirp.start_s, step_s, sizes: sizes.collect() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frequency_is_the_rate_of_the_angle_and_ends_where_it_should() {
+        for sweep in [FrequencySweep::Linear, FrequencySweep::Logarithmic] {
+            let chirp = Chirp { amplitude: 1.0, from_hz: 5.0, to_hz: 40.0, sweep, phase_rad: 0.3, start_s: 0.0, duration_s: 2.0 };
+            assert!((chirp.angle(0.0)[1] / TAU - 5.0).abs() < 1e-12 && (chirp.angle(2.0)[1] / TAU - 40.0).abs() < 1e-12);
+            for t in [0.3, 1.1, 1.9] {
+                let d = 1e-5;
+                let slope = (chirp.angle(t + d)[0] - chirp.angle(t - d)[0]) / (2.0 * d);
+                let rate = (chirp.angle(t + d)[1] - chirp.angle(t - d)[1]) / (2.0 * d);
+                assert!((slope / chirp.angle(t)[1] - 1.0).abs() < 1e-8 && (rate / chirp.angle(t)[2] - 1.0).abs() < 1e-8, "{sweep:?} {t}");
+            }
+        }
+    }
+}

@@ -1,0 +1,303 @@
+//! The share of signals (drives that are linear in time between breakpoints) in a march.
+//!
+//! The marcher carries `y`, the state less its forced part `P` (see [`crate::plant::Forcing`]). What local blocks are forced to do is put
+//! into `y` at the end of each step, so that their `P` begins anew and never grows. From the present time on the forced displacement
+//! of a port is a polynomial in time whose fourth derivative is bounded term by term; it adds to the bound of the certificate, and is
+//! zero where no block is slow beside the samples of the drive. No step crosses a breakpoint.
+
+use super::flow::Flow;
+use super::forced_reading::{Reading, Series};
+use super::kernel::Kernel;
+use super::layout::Layout;
+use super::ledger::Ledger;
+use crate::drive::{Piece, Wave};
+use crate::plant::{Forcing, LOCAL_TERMS, Signal, Size};
+use crate::wide::{Lane, Portable, WIDTH, Wide};
+
+/// Lengths of steps whose forced motion is kept.
+const KEPT: usize = 16;
+
+/// All signals at the present time of a march.
+#[derive(Debug, Clone)]
+pub(super) struct Forced {
+    players: Vec<Player>,
+    /// Size and slope of each signal at the present time.
+    pub sizes: Vec<Size>,
+    /// Earliest breakpoint, s.
+    next_s: f64,
+    /// Longest step under signals that are not silent, s.
+    limit_s: f64,
+    /// Per port: what it reads of the signals, and that from now on.
+    ports: Vec<(Reading, Series)>,
+    has_local: bool,
+    /// What local blocks are forced to do over steps of some lengths, the latest first.
+    moved: Vec<Moved>,
+    /// Flow over the pieces of a signal that is sampled evenly, and their length.
+    piece: Option<(f64, Flow)>,
+    pub ledger: Ledger,
+}
+
+/// One signal and where it stands.
+#[derive(Debug, Clone)]
+struct Player {
+    index: usize,
+    piece: Piece,
+    column: Vec<Lane>,
+    rest: Vec<Lane>,
+    lag: Vec<Lane>,
+    local: Vec<Lane>,
+}
+
+/// Motion of local blocks over a step by a unit size and by a unit slope, per signal.
+#[derive(Debug, Clone)]
+struct Moved {
+    length_s: f64,
+    by: Vec<[Vec<Lane>; 2]>,
+}
+
+impl Forced {
+    pub fn new(kernel: &Kernel, time_s: f64) -> Self {
+        let (plant, layout) = (&kernel.plant, &kernel.layout);
+        let player = |(signal, forcing): (&Signal, &Forcing)| {
+            let index = signal.wave.index_at(time_s);
+            let [column, rest, lag, local] = [&forcing.column, &forcing.rest, &forcing.lag, &forcing.local].map(|b| layout.pack(b));
+            Player { index, piece: signal.wave.piece(index), column, rest, lag, local }
+        };
+        let players: Vec<Player> = plant.system.signals.iter().zip(&plant.forcings).map(player).collect();
+        let sizes: Vec<Size> = players.iter().map(|player| [player.piece.size_at(time_s), player.piece.slope]).collect();
+        let ports = plant.ports.iter().filter(|_| !players.is_empty()).map(|port| (Reading::of(plant, &port.displacement), Series::ZERO));
+        let piece = match &plant.system.signals[..] {
+            [Signal { wave: Wave::Sampled { step_s, .. }, .. }] => Some((*step_s, Flow::over(&plant.diagonal.block, layout, *step_s))),
+            _ => None,
+        };
+        let mut forced = Self {
+            sizes,
+            next_s: 0.0,
+            limit_s: plant.local_limit_s(),
+            ports: ports.collect(),
+            has_local: !players.is_empty() && plant.local.contains(&true),
+            moved: Vec::new(),
+            piece,
+            ledger: Ledger::new(kernel, time_s),
+            players,
+        };
+        forced.find_next();
+        forced.aim();
+        forced
+    }
+
+    /// Begins to count energies: `y` is the state at the start of the march.
+    pub fn open(&mut self, layout: &Layout, y: &[Lane]) {
+        if !self.is_silent() {
+            self.ledger.open(&self.sizes, self.whole(layout, y));
+        }
+    }
+
+    /// True when there is no signal.
+    #[inline(always)]
+    pub fn is_silent(&self) -> bool {
+        self.players.is_empty()
+    }
+
+    /// The state with its forced part.
+    pub fn whole(&self, layout: &Layout, y: &[Lane]) -> Vec<f64> {
+        let mut whole = y.to_vec();
+        for (player, [size, slope]) in self.players.iter().zip(&self.sizes) {
+            for (i, lane) in whole.iter_mut().enumerate() {
+                *lane = lane.add_scaled(*size, &player.rest[i]).add_scaled(*slope, &player.lag[i]);
+            }
+        }
+        layout.unpack(&whole)
+    }
+
+    /// The time up to which steps may go from a time on, s: a breakpoint, or what the series of local blocks allows.
+    #[inline(always)]
+    pub fn until_s(&self, time_s: f64) -> f64 {
+        if self.limit_s.is_finite() && self.sizes.iter().any(|size| *size != [0.0; 2]) {
+            self.next_s.min(time_s + self.limit_s)
+        } else {
+            self.next_s
+        }
+    }
+
+    /// True at a breakpoint that has not been passed.
+    #[inline(always)]
+    pub fn is_due(&self, time_s: f64) -> bool {
+        self.next_s <= time_s
+    }
+
+    /// Time from now to a later one, s. A whole piece of a signal that is sampled evenly has the same length to the last bit
+    /// wherever it lies, so that its tables can be kept.
+    #[inline(always)]
+    pub fn remaining_s(&self, time_s: f64, end_s: f64) -> f64 {
+        match &self.players[..] {
+            [only] if end_s == self.next_s && time_s == only.piece.from_s => only.piece.length_s,
+            _ => end_s - time_s,
+        }
+    }
+
+    /// The flow over a whole piece of a signal that is sampled evenly.
+    #[inline(always)]
+    pub fn flow_over(&self, length_s: f64) -> Option<&Flow> {
+        self.piece.as_ref().filter(|(piece_s, _)| *piece_s == length_s).map(|(_, flow)| flow)
+    }
+
+    /// Forced displacement (m) and velocity (m/s) of a port a time after the present one.
+    #[inline(always)]
+    pub fn motion_after(&self, port: usize, after_s: f64) -> [f64; 2] {
+        self.ports.get(port).map_or([0.0; 2], |(_, series)| series.motion(after_s))
+    }
+
+    /// Forced acceleration of a port a time after the present one, m/s^2.
+    #[inline(always)]
+    pub fn acceleration_after(&self, port: usize, after_s: f64) -> f64 {
+        self.ports.get(port).map_or(0.0, |(_, series)| series.curvature(after_s))
+    }
+
+    /// Bound on the fourth derivative of the forced displacement of a port over a step, m/s^4.
+    #[inline(always)]
+    pub fn fourth_bound(&self, port: usize, length_s: f64) -> f64 {
+        self.ports.get(port).map_or(0.0, |(_, series)| series.fourth_bound(length_s))
+    }
+
+    /// Forced displacement and velocity of a port at the places of a step, added to registers.
+    #[inline(always)]
+    pub fn motions<W: Wide>(&self, w: W, port: usize, places: &[f64; WIDTH], length_s: f64, sums: [W::Register; 2]) -> [W::Register; 2] {
+        let Some((_, series)) = self.ports.get(port) else { return sums };
+        let (mut place, mut speed) = (Lane::ZERO, Lane::ZERO);
+        for i in 0..WIDTH {
+            [place.0[i], speed.0[i]] = series.motion(places[i] * length_s);
+        }
+        [w.add(sums[0], w.load(&place)), w.add(sums[1], w.load(&speed))]
+    }
+
+    /// Notes the nodal forces of a step that is about to be taken; `weighted` holds force times weight times length, N s.
+    #[inline(always)]
+    pub fn push(&mut self, port: usize, places: &[f64; WIDTH], length_s: f64, weighted: &Lane) {
+        if !self.players.is_empty() {
+            self.ledger.push(port, &self.sizes, places, length_s, weighted);
+        }
+    }
+
+    /// Notes an impulse of a rigid stop, N s.
+    pub fn strike_stop(&mut self, port: usize, impulse_n_s: f64) {
+        if !self.players.is_empty() {
+            self.ledger.strike_stop(port, &self.sizes, impulse_n_s);
+        }
+    }
+
+    /// Goes on to the end of a step; `y` is the state there, which takes what local blocks were forced to do.
+    #[inline(always)]
+    pub fn pass(&mut self, kernel: &Kernel, length_s: f64, time_s: f64, y: &mut [Lane]) {
+        if self.players.is_empty() {
+            return;
+        }
+        if self.has_local && self.sizes.iter().any(|size| *size != [0.0; 2]) {
+            self.find_moved(kernel, length_s);
+            for (by, [size, slope]) in self.moved[0].by.iter().zip(&self.sizes) {
+                for (i, y) in y.iter_mut().enumerate() {
+                    *y = y.add_scaled(*size, &by[0][i]).add_scaled(*slope, &by[1][i]);
+                }
+            }
+            self.ledger.pass_local(kernel, &self.sizes, length_s, y);
+        }
+        self.ledger.pass();
+        for (size, player) in self.sizes.iter_mut().zip(&self.players) {
+            size[0] = player.piece.size_at(time_s);
+        }
+        self.aim();
+    }
+
+    /// Puts the motion over a step of a length first.
+    fn find_moved(&mut self, kernel: &Kernel, length_s: f64) {
+        if self.moved.first().is_some_and(|moved| moved.length_s == length_s) {
+            return;
+        }
+        let found = self.moved.iter().position(|moved| moved.length_s == length_s);
+        let moved = match found {
+            Some(place) => self.moved.remove(place),
+            None => Moved { length_s, by: self.players.iter().map(|player| moved(kernel, &player.local, length_s)).collect() },
+        };
+        self.moved.truncate(KEPT - 1);
+        self.moved.insert(0, moved);
+    }
+
+    /// Passes the breakpoints that have been reached; true where an impulse has changed the velocities.
+    pub fn cross(&mut self, kernel: &Kernel, time_s: f64, y: &mut [Lane]) -> bool {
+        let mut struck = false;
+        let mut whole = self.whole(&kernel.layout, y);
+        self.ledger.close(kernel, &self.sizes, &whole, time_s, self.piece_s(time_s));
+        while self.next_s <= time_s {
+            for k in 0..self.players.len() {
+                if self.players[k].piece.until_s <= time_s {
+                    struck |= self.cross_one(kernel, k, time_s, y);
+                }
+            }
+            self.find_next();
+        }
+        if struck {
+            whole = self.whole(&kernel.layout, y);
+        }
+        self.ledger.open(&self.sizes, whole);
+        self.aim();
+        struck
+    }
+
+    /// Length of a whole piece of an only signal that ends now, s.
+    fn piece_s(&self, time_s: f64) -> Option<f64> {
+        match &self.players[..] {
+            [only] if self.ledger.since_s() == only.piece.from_s && time_s == only.piece.until_s => Some(only.piece.length_s),
+            _ => None,
+        }
+    }
+
+    fn cross_one(&mut self, kernel: &Kernel, k: usize, time_s: f64, y: &mut [Lane]) -> bool {
+        let player = &mut self.players[k];
+        player.index += 1;
+        let piece = kernel.plant.system.signals[k].wave.piece(player.index);
+        player.piece = piece;
+        let (before, after) = (self.sizes[k], [piece.size_at(time_s), piece.slope]);
+        self.sizes[k] = after;
+        for (i, y) in y.iter_mut().enumerate() {
+            *y = y.add_scaled(before[0] - after[0], &player.rest[i]).add_scaled(before[1] - after[1], &player.lag[i]);
+        }
+        if piece.impulse_s != 0.0 {
+            let before = kernel.layout.unpack(y);
+            y.iter_mut().zip(&player.column).for_each(|(y, b)| *y = y.add_scaled(piece.impulse_s, b));
+            let middle: Vec<f64> = before.iter().zip(kernel.layout.unpack(y)).map(|(a, b)| 0.5 * (a + b)).collect();
+            let forced = kernel.plant.forced(&self.sizes, 0.0);
+            self.ledger.strike(k, piece.impulse_s, middle.iter().zip(&forced).map(|(y, p)| y + p), time_s);
+        }
+        piece.impulse_s != 0.0
+    }
+
+    fn find_next(&mut self) {
+        self.next_s = self.players.iter().fold(f64::INFINITY, |least, player| least.min(player.piece.until_s));
+    }
+
+    /// Forced displacements of the ports from now on.
+    #[inline(always)]
+    fn aim(&mut self) {
+        for (reading, series) in &mut self.ports {
+            *series = reading.series(&self.sizes);
+        }
+    }
+}
+
+/// `sum_j A^(j-1) b t^j / j!` and `sum_j A^(j-1) b t^(j+1) / (j+1)!`.
+fn moved(kernel: &Kernel, local: &[Lane], t: f64) -> [Vec<Lane>; 2] {
+    let mut sums = [vec![Lane::ZERO; local.len()], vec![Lane::ZERO; local.len()]];
+    let (mut power, mut next) = (local.to_vec(), local.to_vec());
+    let mut factor = t;
+    for j in 1..=LOCAL_TERMS {
+        let later = factor * t / (j + 1) as f64;
+        for (i, lane) in power.iter().enumerate() {
+            sums[0][i] = sums[0][i].add_scaled(factor, lane);
+            sums[1][i] = sums[1][i].add_scaled(later, lane);
+        }
+        kernel.generator.apply(Portable::new(), &power, &mut next);
+        std::mem::swap(&mut power, &mut next);
+        factor = later;
+    }
+    sums
+}

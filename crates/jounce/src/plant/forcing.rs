@@ -1,0 +1,98 @@
+//! The exact answer of the plant to a drive that is linear in time.
+//!
+//! With `y' = A y + b (u + s t)`, two kinds of block are told apart:
+//!
+//! ```text
+//! following   P(t) = rest (u + s t) + lag s,                           rest = -A^-1 b,   lag = A^-1 rest
+//! local       P(t) = sum_j A^(j-1) b (u t^j / j! + s t^(j+1) / (j+1)!),  j = 1, 2, ...
+//! ```
+//!
+//! so that `y - P` moves on as if there were no drive. Where the slope changes by `ds` and the size jumps by `du`, the state goes on
+//! and `y - P` jumps by `-rest du - lag ds`. Blocks that are slow beside the samples of a drive (free bodies are the slowest) are
+//! local: their `lag` would be far larger than their motion, and its roundoff with it. Their `P` begins anew with each step.
+
+use super::{Plant, Signal};
+use crate::drive::Wave;
+
+/// Answer to a signal of unit size, in block coordinates.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Forcing {
+    /// `b`.
+    pub column: Vec<f64>,
+    /// Answer of following blocks to a size; 0 in local ones.
+    pub rest: Vec<f64>,
+    /// Answer of following blocks to a slope, s; 0 in local ones.
+    pub lag: Vec<f64>,
+    /// `b` in local blocks; 0 in following ones.
+    pub local: Vec<f64>,
+}
+
+/// Size and slope of a signal.
+pub type Size = [f64; 2];
+
+/// `|eigenvalue|` times the sampling step below which a block is local.
+const SLOW: f64 = 0.5;
+
+/// Terms of the series of local blocks: with `|eigenvalue| t` up to [`SLOW`] the first left out is below 1e-17 of their sum.
+pub const LOCAL_TERMS: usize = 16;
+
+impl Forcing {
+    pub(super) fn of(plant: &Plant, signal: &Signal) -> Self {
+        let block = &plant.diagonal.block;
+        let column = plant.force_column(&signal.shape);
+        let rest: Vec<f64> = block.solve(&column, &plant.local).into_iter().map(|x| -x).collect();
+        let local = column.iter().zip(&plant.local).map(|(b, local)| if *local { *b } else { 0.0 }).collect();
+        Self { lag: block.solve(&rest, &plant.local), rest, column, local }
+    }
+}
+
+impl Plant {
+    /// States of local blocks under signals: those that nothing brings back, and those that are slow beside the finest samples.
+    pub(super) fn local_states(&self, signals: &[Signal]) -> Vec<bool> {
+        let steps = signals.iter().filter_map(|signal| if let Wave::Sampled { step_s, .. } = signal.wave { Some(step_s) } else { None });
+        let fastest_rad_s = steps.reduce(f64::min).map_or(0.0, |step_s| SLOW / step_s);
+        let block = &self.diagonal.block;
+        block.free().into_iter().zip(block.speeds()).map(|(free, speed)| free || speed <= fastest_rad_s).collect()
+    }
+
+    /// Longest step that the series of local blocks allows, s.
+    pub fn local_limit_s(&self) -> f64 {
+        let speeds = self.diagonal.block.speeds().into_iter().zip(self.diagonal.block.free()).zip(&self.local);
+        let fastest = speeds.filter(|((_, free), local)| **local && !free).fold(0.0_f64, |max, ((speed, _), _)| max.max(speed));
+        if fastest > 0.0 { SLOW / fastest } else { f64::INFINITY }
+    }
+
+    /// `P`, the part of the state that signals force, a time after local blocks began anew.
+    pub fn forced(&self, sizes: &[Size], after_s: f64) -> Vec<f64> {
+        let mut state = vec![0.0; self.len()];
+        for (forcing, [size, slope]) in self.forcings.iter().zip(sizes) {
+            let now = size + slope * after_s;
+            for (sum, (rest, lag)) in state.iter_mut().zip(forcing.rest.iter().zip(&forcing.lag)) {
+                *sum += rest * now + lag * slope;
+            }
+            if after_s > 0.0 {
+                let (mut power, mut factor) = (forcing.local.clone(), after_s);
+                for j in 1..=LOCAL_TERMS {
+                    let weight = factor * (size + slope * after_s / (j + 1) as f64);
+                    state.iter_mut().zip(&power).for_each(|(sum, p)| *sum += weight * p);
+                    power = self.diagonal.block.apply(&power);
+                    factor *= after_s / (j + 1) as f64;
+                }
+            }
+        }
+        state
+    }
+
+    /// Where constant drives alone hold the plant at rest, in block coordinates; 0 in states that nothing brings back.
+    pub fn resting(&self) -> Vec<f64> {
+        let block = &self.diagonal.block;
+        let mut state = vec![0.0; self.len()];
+        for (signal, forcing) in self.system.signals.iter().zip(&self.forcings) {
+            if let Wave::Constant(size) = signal.wave {
+                let rest = block.solve(&forcing.column, &block.free());
+                state.iter_mut().zip(rest).for_each(|(sum, x)| *sum -= size * x);
+            }
+        }
+        state
+    }
+}

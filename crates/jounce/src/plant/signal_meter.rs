@@ -1,0 +1,59 @@
+//! What signals (drives that are linear in time between breakpoints) add to an energy meter.
+//!
+//! Under signals `u_s` with columns `b_s` the state obeys `y' = A y + b f + sum_s b_s u_s`, so that the boundary terms of the meter
+//! (see [`super::EnergyMeter`]) change by
+//!
+//! ```text
+//! d(-y^T P y) = power - 2 y^T P b_s u_s dt - ..,     d(e^{i w t} r y) = .. + e^{i w t} r b_s u_s dt
+//! ```
+//!
+//! and all that is needed of a signal is `integral u_s y dt` and `integral u_s e^{i w t} dt`, the same for all meters.
+
+use super::{Plant, dot};
+use faer::c64;
+
+/// Integrals of all signals since the start of a march.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct SignalIntegrals {
+    /// Per signal: `integral u y dt`, block coordinates.
+    pub states: Vec<Vec<f64>>,
+    /// Per signal and tone: `integral u e^{i w t} dt`.
+    pub tones: Vec<Vec<c64>>,
+}
+
+/// Factors of the integrals.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct SignalMeter {
+    /// Per signal: row on `integral u y dt`.
+    rows: Vec<Vec<f64>>,
+    /// Per signal and tone: factor of `integral u e^{i w t} dt`.
+    tones: Vec<Vec<c64>>,
+}
+
+impl SignalMeter {
+    /// `rows` and `tones` are what the power itself holds of a signal; `product` is that with the `P` of the meter, `tone_rows` are its
+    /// `r`.
+    pub(super) fn new(
+        plant: &Plant,
+        (rows, tones): (Vec<Vec<f64>>, Vec<Vec<c64>>),
+        product: impl Fn(&[f64]) -> Vec<f64>,
+        tone_rows: &[&[c64]],
+    ) -> Self {
+        let row = |(own, forcing): (Vec<f64>, &super::Forcing)| {
+            own.iter().zip(product(&forcing.column)).map(|(own, pb)| own + 2.0 * pb).collect()
+        };
+        let tone =
+            |(own, forcing): (Vec<c64>, &super::Forcing)| own.iter().zip(tone_rows).map(|(own, r)| own - dot(&forcing.column, r)).collect();
+        Self {
+            rows: rows.into_iter().zip(&plant.forcings).map(row).collect(),
+            tones: tones.into_iter().zip(&plant.forcings).map(tone).collect(),
+        }
+    }
+
+    /// Energy, J, that the signals add to the boundary terms and contact terms of the meter.
+    pub fn energy_j(&self, integrals: &SignalIntegrals) -> f64 {
+        let states = self.rows.iter().zip(&integrals.states).map(|(row, y)| row.iter().zip(y).map(|(r, y)| r * y).sum::<f64>());
+        let tones = self.tones.iter().flatten().zip(integrals.tones.iter().flatten()).map(|(factor, turned)| (factor * turned).re);
+        states.sum::<f64>() + tones.sum::<f64>()
+    }
+}

@@ -1,0 +1,80 @@
+//! Random answers: an ensemble without contact against the closed form, and the same bits for any number of threads.
+
+use jounce::spec::Spec;
+use jounce::study::{Ensemble, EnsembleAnswer, IntervalOver, Prepared, StudyError};
+use std::f64::consts::{PI, TAU};
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+
+/// Mass, stiffness, dashpot, coupling, capacitance and load of S. Adhikari, M. Friswell, D. Inman, Smart Mater. Struct. 18 (2009) 115005.
+const MASS_KG: f64 = 9.12e-3;
+const STIFFNESS_N_M: f64 = 4.1e3;
+const DASHPOT_N_S_M: f64 = 0.218;
+const COUPLING_N_V: f64 = 4.57e-3;
+const CAPACITANCE_F: f64 = 4.3e-8;
+const LOAD_OHM: f64 = 3e4;
+
+fn spec(more: &str) -> Prepared {
+    let w = (STIFFNESS_N_M / MASS_KG).sqrt();
+    let zeta = DASHPOT_N_S_M / (2.0 * MASS_KG * w);
+    let root = MASS_KG.sqrt();
+    let text = format!(
+        "[modal.cell]\nfrequency_hz = [{}]\ndamping_ratio = [{zeta}]\nparticipation_sqrt_kg = [{root}]\n\
+         [modal.cell.point]\nmass = [{}]\n[modal.cell.patch.pzt]\ncoupling_n_per_v = [{}]\ncapacitance = \"{CAPACITANCE_F} F\"\n\
+         [circuit.load]\npatch = \"cell.pzt\"\nresistance = \"{LOAD_OHM} ohm\"\n\
+         [drive.floor]\nkind = \"base-acceleration\"\nsignal = \"noise\"\npsd = \"0.5 (m/s^2)^2/Hz\"\nhigh = \"1 kHz\"\n\
+         [reduction]\nmodes = 1\n[run]\nduration = \"2.2 s\"\naverage_over = \"2 s\"\ntolerance = 1e-8\n{more}",
+        w / TAU,
+        1.0 / root,
+        COUPLING_N_V / root
+    );
+    Prepared::new(Spec::from_toml(&text).unwrap()).unwrap()
+}
+
+fn run(base: &Prepared, members: usize, relative_width: Option<f64>) -> Result<EnsembleAnswer, StudyError> {
+    let start = base.start(Path::new("")).unwrap();
+    let most_rounds = if relative_width.is_some() { 50 } else { 1 };
+    let study = Ensemble { base, start, members, seed: 5, relative_width, most_rounds };
+    study.run(&AtomicBool::new(false), &|_| {})
+}
+
+/// Mean power `pi m a k^2 S / ((2 z a^2 + a) k^2 + 4 z^2 a + 2 (a^2 + 1) z)`, `a = w C R`, `k^2 = theta^2 / (K C)`, `S` two-sided per
+/// rad/s (Adhikari, Friswell, Inman 2009). The band leaves out 0.3 % of it.
+#[test]
+fn mean_power_under_white_noise_is_that_of_the_closed_form() {
+    let answer = run(&spec(""), 24, None).unwrap();
+    let w = (STIFFNESS_N_M / MASS_KG).sqrt();
+    let (zeta, a) = (DASHPOT_N_S_M / (2.0 * MASS_KG * w), w * CAPACITANCE_F * LOAD_OHM);
+    let k2 = COUPLING_N_V.powi(2) / (STIFFNESS_N_M * CAPACITANCE_F);
+    let density = 0.5 / (4.0 * PI);
+    let exact = PI * MASS_KG * a * k2 * density / ((2.0 * zeta * a * a + a) * k2 + 4.0 * zeta * zeta * a + 2.0 * (a * a + 1.0) * zeta);
+    let power = answer.power_w;
+    let residual = answer.members.iter().fold(0.0_f64, |max, member| max.max(member.energy_residual_relative.abs()));
+    eprintln!("{:.4e} +- {:.1e} W, exact {exact:.4e} W, energy {residual:.1e}", power.mean, power.half_width);
+    assert_eq!((power.interval, answer.reached, answer.contact_rate_hz.mean), (IntervalOver::Members, true, 0.0));
+    // 2.07 is Student's quantile of 23 degrees of freedom: three standard deviations.
+    assert!((power.mean - exact).abs() < 3.0 * power.half_width / 2.07 + 0.005 * exact, "{} {exact}", power.mean);
+    assert!(power.half_width < 0.2 * exact && residual < 1e-11);
+}
+
+#[test]
+fn members_come_until_the_interval_is_narrow_and_threads_change_nothing() {
+    let base = spec("[stop.wall]\nat = \"cell.mass\"\nlaw = \"hertz\"\nstiffness = \"1e6 N/m^1.5\"\ngap = \"20 um\"\n");
+    let with = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| run(&base, 4, Some(0.15))).unwrap()
+    };
+    let (one, three) = (with(1), with(3));
+    assert_eq!(one, three);
+    assert!(one.reached && one.power_w.relative_width() <= 0.15 && one.members.len().is_multiple_of(4), "{:?}", one.power_w);
+    assert!(one.contact_rate_hz.mean > 1.0 && one.mean_dwell_s > 0.0 && one.max_strike_m_s >= one.mean_strike_m_s);
+    assert!(one.members.iter().all(|member| member.energy_residual_relative.abs() < 1e-6), "{:?}", one.members);
+}
+
+#[test]
+fn an_ensemble_needs_noise_and_orbits_refuse_it() {
+    let mut quiet = spec("").spec;
+    quiet.drive.clear();
+    let refusal = run(&Prepared::new(quiet).unwrap(), 2, None).unwrap_err();
+    assert!(refusal.to_string().contains("signal = \"noise\""), "{refusal}");
+}

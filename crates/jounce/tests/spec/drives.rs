@@ -1,0 +1,83 @@
+//! Drives: what goes together, and what is told where it does not.
+
+use jounce::spec::{DriveKind, DriveSignal, Spec, SpecFile};
+
+const BODY: &str = "[mass.m]\nmass = \"2 kg\"\nstiffness = \"7 kN/m\"\ndamping_ratio = 0.04\n";
+
+fn faults(text: &str) -> String {
+    Spec::from_toml(&format!("{BODY}{text}")).unwrap_err().to_string()
+}
+
+#[test]
+fn each_fault_of_a_drive_is_told_once() {
+    for (text, message) in [
+        ("[drive.d]\namplitude = \"1 N\"\nfrequency = \"7 Hz\"", "`at` is missing; the name of a point or mass is due"),
+        (
+            "[drive.d]\nkind = \"base-acceleration\"\namplitude = \"1 N\"\nfrequency = \"7 Hz\"",
+            "\"1 N\" is a force; an acceleration is due, in m/s^2, g",
+        ),
+        (
+            "[drive.d]\nkind = \"base-acceleration\"\nat = \"m\"\namplitude = \"1 g\"\nfrequency = \"7 Hz\"",
+            "does not go with kind = \"base-acceleration\"",
+        ),
+        (
+            "[drive.d]\nkind = \"base-displacement\"\nsignal = \"half-sine\"\namplitude = \"1 mm\"\nduration = \"1 s\"",
+            "goes with signal = \"sine\" only",
+        ),
+        ("[drive.d]\nat = \"m\"\nsignal = \"velocity-step\"\nvelocity = \"1 m/s\"", "a velocity step is one of the base"),
+        ("[drive.d]\nat = \"m\"\nsignal = \"noise\"\npsd = \"-1 N^2/Hz\"\nhigh = \"7 Hz\"", "must be at least 0"),
+        (
+            "[drive.d]\nat = \"m\"\nsignal = \"noise\"\npsd = \"1 N^2/Hz\"\nlow = \"9 Hz\"\nhigh = \"7 Hz\"",
+            "is 9 Hz, not below high = 7 Hz",
+        ),
+        (
+            "[drive.d]\nat = \"m\"\nsignal = \"noise\"\npsd = \"1 N^2/Hz\"\nhigh = \"7 Hz\"\nsample_rate = \"20 Hz\"",
+            "at least four times high = 7 Hz",
+        ),
+        ("[drive.d]\nat = \"m\"\nsignal = \"noise\"\npsd = \"1 N^2/Hz\"\nhigh = \"1 MHz\"", "would take 2.0e8 samples"),
+        ("[drive.d]\nat = \"m\"\nsignal = \"recording\"\nfile = \"not-there.csv\"", "not-there.csv cannot be read"),
+        ("[drive.d]\nat = \"m\"\nsignal = \"recordng\"", "did you mean \"recording\"?"),
+        ("[mass.ball]\nmass = \"1 g\"\nstiffness = \"0 N/m\"\ndamping_ratio = 0", "nothing holds this body"),
+        (
+            "[modal.x]\nfrequency_hz = [1]\ndamping_ratio = [0.1]\n[gravity]\nacceleration = \"9.81 m/s^2\"",
+            "gravity acts on the mass of each mode: give modal.x.participation_sqrt_kg",
+        ),
+    ] {
+        let found = faults(text);
+        assert!(found.contains(message) && found.lines().count() == 1, "{text}\n-> {found}");
+    }
+}
+
+#[test]
+fn drives_of_every_kind_come_back_from_their_print() {
+    let text = format!(
+        "{BODY}[drive.a]\nkind = \"base-acceleration\"\nsignal = \"chirp\"\namplitude = \"0.3 g\"\nfrom = \"4 Hz\"\nto = \"20 Hz\"\nduration = \"3 s\"\nsweep = \"logarithmic\"\n\
+         [drive.b]\nkind = \"base-displacement\"\namplitude = \"1 mm\"\nfrequency = \"9 Hz\"\nphase = \"0.3 rad\"\n\
+         [drive.c]\nkind = \"base-acceleration\"\nsignal = \"velocity-step\"\nvelocity = \"-1 m/s\"\nstart = \"1 s\"\n\
+         [drive.d]\nat = \"m\"\nsignal = \"noise\"\npsd = \"2 N^2/Hz\"\nhigh = \"40 Hz\"\nseed = 12\nsample_rate = \"1 kHz\"\n\
+         [drive.e]\nat = \"m\"\nsignal = \"half-sine\"\namplitude = \"9 N\"\nduration = \"11 ms\"\n[gravity]\nacceleration = \"1 g\"\n"
+    );
+    let spec = Spec::from_toml(&text).unwrap();
+    assert_eq!(spec.gravity.acceleration_m_s2, Some(9.80665));
+    assert_eq!((spec.drive["a"].kind, spec.drive["b"].kind), (DriveKind::BaseAcceleration, DriveKind::BaseDisplacement));
+    assert!(matches!(spec.drive["d"].signal, DriveSignal::Noise { seed: 12, sample_rate_hz: Some(1000.0), .. }));
+    assert_eq!(Spec::from_toml(&spec.to_toml()).unwrap(), spec);
+}
+
+#[test]
+fn a_recording_lies_beside_its_spec() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("road.csv"), "time_s,g\n0,0\n0.5,1\n1,-2\n").unwrap();
+    let text = format!("{BODY}[drive.road]\nkind = \"base-acceleration\"\nsignal = \"recording\"\nfile = \"road.csv\"\nscale = \"1 g\"\n");
+    std::fs::write(folder.path().join("spec.toml"), text).unwrap();
+    let read = || SpecFile::read(folder.path().join("spec.toml")).unwrap().spec();
+    let spec = read().unwrap();
+    let DriveSignal::Recording { record: Some(record), scale, .. } = &spec.drive["road"].signal else { panic!("no record") };
+    assert_eq!((record.step_s, &record.values[..], *scale), (0.5, &[0.0, 1.0, -2.0][..], 9.80665));
+    let before = spec.hash_hex();
+    std::fs::write(folder.path().join("road.csv"), "0,0\n0.5,1\n1,-3\n").unwrap();
+    assert_ne!(read().unwrap().hash_hex(), before, "the digest goes with what the file holds");
+    std::fs::write(folder.path().join("road.csv"), "0,0\n0.5,nan\n1,-3\n").unwrap();
+    let fault = read().unwrap_err().to_string();
+    assert!(fault.contains("road.csv, line 2: the value is nan") && fault.starts_with("line 8"), "{fault}");
+}
