@@ -7,7 +7,7 @@ use super::keys::SPEC;
 /// Every key of a spec as Markdown: one section and one table for each kind of thing.
 pub fn reference_markdown() -> String {
     let mut out = String::from("# Keys of a spec\n\nQuantities are texts with a unit, as in `\"0.98 mm\"`; the units here are examples.\n");
-    for row in rows(SPEC, &Spec::default()) {
+    for row in rows(SPEC, Spec::default) {
         section(&row, "", &mut out);
     }
     out

@@ -102,7 +102,7 @@ fn move_to(node: &mut Node, place: Place) {
 
 /// The key at a path, where the things on the way exist in the file; a message otherwise.
 pub(super) fn resolve(root: &Node, key: &str) -> Result<KeyInfo, String> {
-    let top = rows(SPEC, &Spec::default());
+    let top = rows(SPEC, Spec::default);
     let segments: Vec<&str> = key.split('.').collect();
     walk(&top, Some(root), &segments, "").map_err(|why| {
         let mut known = Vec::new();

@@ -14,7 +14,7 @@ const NAME: &str = "^[A-Za-z0-9_-]+$";
 /// It knows every key, kind, limit and choice. It cannot know references, units of the wrong kind and rules between things:
 /// [`Spec::from_toml`] checks those.
 pub fn schema() -> Value {
-    let top = rows(SPEC, &Spec::default());
+    let top = rows(SPEC, Spec::default);
     let mut schema = table(&top);
     schema["$schema"] = json!("http://json-schema.org/draft-07/schema#");
     schema["title"] = json!("jounce spec");

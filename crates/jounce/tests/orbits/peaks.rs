@@ -40,7 +40,7 @@ fn the_optimal_load_of_a_harvester_that_never_touches_is_the_closed_form() {
     let mut worst = 0.0_f64;
     for point in &curve.points {
         let mut spec = spec.clone();
-        spec.drive.values_mut().for_each(|drive| drive.frequency_hz = point.parameter_2);
+        spec.set_si("drive.shaker.frequency", point.parameter_2).unwrap();
         let exact = optimal_resistance(&Prepared::new(spec).unwrap().kernel.plant, 0).unwrap();
         worst = worst.max((point.parameter / exact.resistance_ohm - 1.0).abs());
         assert!((point.mean_power_w / exact.mean_power_w - 1.0).abs() < 2e-7 && point.stable == Some(true), "{point:?} {exact:?}");

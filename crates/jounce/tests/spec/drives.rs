@@ -36,8 +36,8 @@ fn each_fault_of_a_drive_is_told_once() {
         ),
         ("[drive.d]\nat = \"m\"\nsignal = \"noise\"\npsd = \"1 N^2/Hz\"\nhigh = \"1 MHz\"", "would take 2.0e8 samples"),
         ("[drive.d]\nat = \"m\"\nsignal = \"recording\"\nfile = \"not-there.csv\"", "not-there.csv cannot be read"),
-        ("[drive.d]\nat = \"m\"\nsignal = \"recordng\"", "did you mean \"recording\"?"),
-        ("[mass.ball]\nmass = \"1 g\"\nstiffness = \"0 N/m\"\ndamping_ratio = 0", "nothing holds this body"),
+        ("[drive.d]\nat = \"m\"\nsignal = \"recordng\"", "did you mean `recording`?"),
+        ("[mass.ball]\nmass = \"1 g\"\non = \"nothing\"", "the mass would drift for ever"),
         (
             "[modal.x]\nfrequency_hz = [1]\ndamping_ratio = [0.1]\n[gravity]\nacceleration = \"9.81 m/s^2\"",
             "gravity acts on the mass of each mode: give modal.x.participation_sqrt_kg",

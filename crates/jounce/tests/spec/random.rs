@@ -115,7 +115,12 @@ fn structure() -> impl Strategy<Value = Spec> {
         if carried {
             beam.values_mut().for_each(|beam| beam.root = mass.keys().next().unwrap().clone());
         }
-        Spec { beam, mass, modal, ..Spec::default() }
+        let mut gravity = Gravity::default();
+        if mass.values().any(|mass| mass.on == "nothing") {
+            gravity.acceleration_m_s2 = Some(9.81);
+            modal.values_mut().for_each(|modal| modal.participation_sqrt_kg.resize(modal.frequency_hz.len(), 0.5));
+        }
+        Spec { beam, mass, modal, gravity, ..Spec::default() }
     })
 }
 

@@ -18,7 +18,7 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
     if spec.gravity.acceleration_m_s2.is_some_and(|acceleration| acceleration != 0.0) {
         check_participation(spec, "gravity.acceleration", "gravity", broken);
     }
-    let pulled = spec.gravity.acceleration_m_s2.is_some();
+    let pulled = spec.gravity.acceleration_m_s2.is_some_and(|acceleration| acceleration != 0.0);
     let met = |name: &str| spec.stop.values().any(|stop| stands_on(spec, &stop.at, name) || stands_on(spec, &stop.frame, name));
     for (name, _) in spec.mass.iter().filter(|(name, mass)| mass.on == "nothing" && !pulled && !met(name)) {
         let text = || "is \"nothing\", so the mass would drift for ever: give [gravity] or a [stop.NAME] that it strikes".to_owned();

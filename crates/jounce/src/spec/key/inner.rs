@@ -48,7 +48,7 @@ impl<P, T> Inner<P> for Named<P, T> {
     }
 
     fn rows(&self) -> Vec<Row> {
-        rows(self.keys, &(self.blank)())
+        rows(self.keys, self.blank)
     }
 
     fn locate(&self, parent: &P, path: &[&str]) -> Option<Numeric> {
@@ -79,7 +79,7 @@ impl<P, T: Default> Inner<P> for Single<P, T> {
     }
 
     fn rows(&self) -> Vec<Row> {
-        rows(self.keys, &T::default())
+        rows(self.keys, T::default)
     }
 
     fn locate(&self, parent: &P, path: &[&str]) -> Option<Numeric> {

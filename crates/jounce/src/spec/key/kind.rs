@@ -63,7 +63,7 @@ impl Kind {
         match self {
             _ if value == 0.0 => "0".to_owned(),
             Self::Quantity(quantity) | Self::NamedQuantities(quantity) => quantity.write(value),
-            _ if value.fract() == 0.0 && value.abs() < 1e9 => format!("{value}"),
+            _ if value.fract() == 0.0 && (value.abs() < 1e9 || self == Self::Count) => format!("{value}"),
             _ => format!("{value:?}"),
         }
     }

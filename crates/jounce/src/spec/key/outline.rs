@@ -11,11 +11,19 @@ pub(in crate::spec) struct Row {
     pub(in crate::spec) inner: Vec<Row>,
 }
 
-/// The rows of a table of keys; defaults are what the blank thing holds.
-pub(in crate::spec) fn rows<T>(keys: &[Key<T>], blank: &T) -> Vec<Row> {
+/// The rows of a table of keys; defaults are what the blank thing holds, after the choice without which a key does not go.
+pub(in crate::spec) fn rows<T>(keys: &[Key<T>], blank: impl Fn() -> T) -> Vec<Row> {
+    let chosen = |key: &Key<T>| {
+        let mut thing = blank();
+        let choice = key.info.when.and_then(|when| Some((keys.iter().find(|key| key.info.name == when.key)?, when.is.first()?)));
+        if let Some((Key { slot: Slot::Text { set, .. }, .. }, word)) = choice {
+            set(&mut thing, word);
+        }
+        thing
+    };
     let row = |key: &Key<T>| Row {
         info: key.info,
-        default: if key.info.need == Need::Default { default(key, blank) } else { None },
+        default: if key.info.need == Need::Default { default(key, &chosen(key)) } else { None },
         inner: if let Slot::Inner(inner) = &key.slot { inner.rows() } else { Vec::new() },
     };
     keys.iter().map(row).collect()
