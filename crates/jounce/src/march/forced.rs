@@ -165,8 +165,8 @@ impl Forced {
     pub fn motions<W: Wide>(&self, w: W, port: usize, places: &[f64; WIDTH], length_s: f64, sums: [W::Register; 2]) -> [W::Register; 2] {
         let Some((_, series)) = self.ports.get(port) else { return sums };
         let (mut place, mut speed) = (Lane::ZERO, Lane::ZERO);
-        for i in 0..WIDTH {
-            [place.0[i], speed.0[i]] = series.motion(places[i] * length_s);
+        for ((part, place), speed) in places.iter().zip(&mut place.0).zip(&mut speed.0) {
+            [*place, *speed] = series.motion(part * length_s);
         }
         [w.add(sums[0], w.load(&place)), w.add(sums[1], w.load(&speed))]
     }

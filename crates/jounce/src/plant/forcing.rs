@@ -33,7 +33,7 @@ pub type Size = [f64; 2];
 /// `|eigenvalue|` times the sampling step below which a block is local.
 const SLOW: f64 = 0.5;
 
-/// Terms of the series of local blocks: with `|eigenvalue| t` up to [`SLOW`] the first left out is below 1e-17 of their sum.
+/// Terms of the series of local blocks: with `|eigenvalue| t` up to 0.5 (`SLOW`) the first left out is below 1e-17 of their sum.
 pub const LOCAL_TERMS: usize = 16;
 
 impl Forcing {
