@@ -141,6 +141,37 @@ fn basins_answer_with_every_key_and_shares_that_add_up() {
     assert!((sum - 1.0).abs() < 1e-12, "{json}");
 }
 
+/// The plant between its stop and another behind it.
+fn between_stops(folder: &tempfile::TempDir) -> String {
+    let behind = "[stop.behind]\nat = \"harvester.tip\"\nframe = \"ground\"\nside = \"negative\"\nlaw = \"hertz\"\ngap = \"1.5 mm\"\nstiffness = \"2000 N/m^1.5\"\n";
+    let path = folder.path().join("between.toml");
+    std::fs::write(&path, format!("{}\n{behind}", std::fs::read_to_string(PLANT).unwrap())).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+#[test]
+fn two_stops_are_marched_followed_and_told_apart() {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = between_stops(&folder);
+    let (code, json, text) = jounce(&["run", &spec, "--json", "--set", "run.duration=4 s", "--set", "run.average_over=2 s"]);
+    assert_eq!(code, 0, "{text}");
+    let stops = json["stops"].as_array().unwrap();
+    stops.iter().for_each(|stop| has(stop, &["name", "contacts", "contact_duty", "max_penetration_m", "max_contact_force_n"]));
+    assert_eq!((&stops[0]["name"], &stops[1]["name"]), (&Value::from("behind"), &Value::from("tip")));
+    let count = |value: &Value| value["contacts"].as_u64().unwrap();
+    assert!(count(&stops[0]) > 0 && count(&stops[1]) > 0 && count(&stops[0]) + count(&stops[1]) == count(&json), "{json}");
+    assert!(json["energy_residual_relative"].as_f64().unwrap().abs() < 1e-6, "{json}");
+    let branch = ["branch", &spec, "--over", "drive.shaker.frequency=11Hz:12Hz", "--seeds", "0", "--json"];
+    let (code, json, text) = jounce(&branch);
+    assert_eq!(code, 0, "{text}");
+    let points = json["branches"][0]["points"].as_array().unwrap();
+    assert!(points.iter().any(|point| point["contacts_per_period"].as_u64().unwrap() >= 2), "{json}");
+    let (code, _, text) = jounce(&[&branch[..], &["--method", "harmonic-balance"]].concat());
+    assert!(code == 4 && text.contains("shooting"), "{code}: {text}");
+    let (code, json, text) = jounce(&["basins", &spec, "--starts", "6", "--seed", "3", "--json"]);
+    assert!(code == 0 && !json["attractors"].as_array().unwrap().is_empty(), "{text}");
+}
+
 #[test]
 fn orbits_of_a_rigid_stop_by_harmonic_balance_are_refused() {
     let rigid = ["--set", "stop.tip.law=rigid", "--set", "stop.tip.restitution=0.8"];

@@ -83,6 +83,7 @@ impl Run {
                 "max_contact_force_n": answer.max_contact_force_n,
                 "contacts": answer.contacts,
                 "contact_duty": answer.contact_duty,
+                "stops": answer.stops,
                 "energy_residual_relative": residual,
                 "energies": {
                     "input_j": answer.energies.input_j,
@@ -113,6 +114,10 @@ impl Run {
             100.0 * answer.contact_duty
         ));
         line(format!("penetration, peak  {:.6e} m, force {:.4e} N", answer.max_penetration_m, answer.max_contact_force_n));
+        for stop in answer.stops.iter().filter(|_| answer.stops.len() > 1) {
+            let (contacts, depth, force) = (stop.contacts, stop.max_penetration_m, stop.max_contact_force_n);
+            line(format!("  stop {:<12}  {contacts} contacts, penetration {depth:.6e} m, force {force:.4e} N", stop.name));
+        }
         line(format!("energy residual    {residual:.1e} of the largest energy"));
         match settlement {
             None => line("no period          the drives do not repeat themselves, so there is nothing to settle to"),
@@ -153,7 +158,10 @@ impl Run {
                 values: states.iter().map(towards).collect(),
             });
         }
-        traces.push(Trace { quantity: "Contact force".into(), unit: "N".into(), values: instants.iter().map(|at| at.force_n).collect() });
+        for (p, stop) in plant.system.stops.iter().enumerate() {
+            let quantity = if plant.system.stops.len() > 1 { format!("Contact force of {}", stop.name) } else { "Contact force".into() };
+            traces.push(Trace { quantity, unit: "N".into(), values: instants.iter().map(|at| at.forces_n[p]).collect() });
+        }
         let mut table = Table::new(vec![Column::new("time_s", "s", "time", time_s.clone())])?;
         for trace in &traces {
             table.push(Column::new(

@@ -21,6 +21,18 @@ pub trait ContactLaw: Copy + Send + Sync {
     /// True for a law that acts on both sides of its surface: the point never leaves it.
     const BOTH_SIDES: bool = false;
 
+    /// [`ContactLaw::RATE_DEPENDENT`], also of a law that is known at run time only.
+    #[inline(always)]
+    fn is_rate_dependent(&self) -> bool {
+        Self::RATE_DEPENDENT
+    }
+
+    /// [`ContactLaw::BOTH_SIDES`], also of a law that is known at run time only.
+    #[inline(always)]
+    fn acts_on_both_sides(&self) -> bool {
+        Self::BOTH_SIDES
+    }
+
     /// Compressive force, N; negative only where the law acts on both sides.
     fn force_n(&self, penetration_m: f64, rate_m_s: f64) -> f64;
 
@@ -45,6 +57,69 @@ pub trait ContactLaw: Copy + Send + Sync {
 
     /// Elastic part of the force, N: the derivative of the stored energy.
     fn elastic_force_n(&self, penetration_m: f64) -> f64;
+}
+
+impl ContactLaw for Law {
+    const RATE_DEPENDENT: bool = true;
+
+    #[inline(always)]
+    fn is_rate_dependent(&self) -> bool {
+        match self {
+            Law::Hertz(law) => law.is_rate_dependent(),
+            Law::KelvinVoigt(law) => law.is_rate_dependent(),
+            Law::HuntCrossley(law) => law.is_rate_dependent(),
+            Law::Cubic(law) => law.is_rate_dependent(),
+            Law::Rigid(_) => false,
+        }
+    }
+
+    #[inline(always)]
+    fn acts_on_both_sides(&self) -> bool {
+        Law::acts_on_both_sides(self)
+    }
+
+    #[inline(always)]
+    fn force_n(&self, penetration_m: f64, rate_m_s: f64) -> f64 {
+        Law::force_n(self, penetration_m, rate_m_s)
+    }
+
+    #[inline(always)]
+    fn forces_n<W: Wide>(&self, wide: W, penetration_m: W::Register, rate_m_s: W::Register) -> W::Register {
+        match self {
+            Law::Hertz(law) => law.forces_n(wide, penetration_m, rate_m_s),
+            Law::KelvinVoigt(law) => law.forces_n(wide, penetration_m, rate_m_s),
+            Law::HuntCrossley(law) => law.forces_n(wide, penetration_m, rate_m_s),
+            Law::Cubic(law) => law.forces_n(wide, penetration_m, rate_m_s),
+            Law::Rigid(_) => wide.zero(),
+        }
+    }
+
+    #[inline(always)]
+    fn slopes(&self, penetration_m: f64, rate_m_s: f64) -> Slopes {
+        Law::slopes(self, penetration_m, rate_m_s)
+    }
+
+    #[inline(always)]
+    fn steepest(&self, reach_m: f64) -> Slopes {
+        match self {
+            Law::Cubic(law) => law.steepest(reach_m),
+            law => Law::slopes(law, reach_m, 0.0),
+        }
+    }
+
+    fn energy_j(&self, penetration_m: f64) -> f64 {
+        Law::energy_j(self, penetration_m)
+    }
+
+    fn elastic_force_n(&self, penetration_m: f64) -> f64 {
+        match self {
+            Law::Hertz(law) => law.elastic_force_n(penetration_m),
+            Law::KelvinVoigt(law) => law.elastic_force_n(penetration_m),
+            Law::HuntCrossley(law) => law.elastic_force_n(penetration_m),
+            Law::Cubic(law) => law.elastic_force_n(penetration_m),
+            Law::Rigid(_) => 0.0,
+        }
+    }
 }
 
 /// Any contact law, as a stop carries it.

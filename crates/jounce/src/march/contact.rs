@@ -9,12 +9,13 @@ use super::basis::NODES;
 use super::contact_step::{Solved, Step};
 use super::error::MarchError;
 use super::kernel::{Kernel, Shape};
-use super::marcher::{Marcher, Regime};
+use super::marcher::Marcher;
+use super::port_state::{PortState, Regime};
 use crate::contact::ContactLaw;
 use crate::wide::Wide;
 
 /// Share of the tolerance that one step may spend on the error of its impulse.
-const IMPULSE_SHARE: f64 = 0.1;
+pub(super) const IMPULSE_SHARE: f64 = 0.1;
 
 /// Factor on the error of a step for twice its length; its power of the length is 8 to 11.
 const ERROR_PER_LEVEL: f64 = 500.0;
@@ -37,7 +38,7 @@ impl Step<'_> {
 
 impl Solved {
     /// Can be trusted beside its error estimate.
-    fn is_sound(&self, shape: Shape, is_short: bool) -> bool {
+    pub(super) fn is_sound(&self, shape: Shape, is_short: bool) -> bool {
         match shape {
             Shape::Onset => self.rises(),
             Shape::Smooth => is_short || !self.mostly_free(),
@@ -65,14 +66,12 @@ impl Marcher<'_> {
     #[inline(always)]
     pub(super) fn contact<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, end_s: f64) -> Result<(), MarchError> {
         let kernel = self.kernel;
-        // Where the motion never leaves the law, no flight carries the fast modes: steps must resolve a disturbance of them, which the
-        // motion itself need not show but its derivative does.
-        let coarsest = if L::BOTH_SIDES { Kernel::level_within(1.0 / kernel.fastest_rad_s) } else { Kernel::coarsest() };
-        let mut level = self.entry_level.max(coarsest);
+        let both_sides = law.acts_on_both_sides();
+        let mut level = self.ports[0].entry_level.max(coarsest(law, kernel));
         // On steps this short no second contact can follow the first.
         let safe = Kernel::level_within(1.0 / kernel.fastest_rad_s) + 3;
-        let mut entering = !L::BOTH_SIDES && self.penetration_m <= 0.0;
-        while self.time_s < end_s && self.regime == Regime::Contact {
+        let mut entering = !both_sides && self.ports[0].penetration_m <= 0.0;
+        while self.time_s < end_s && self.ports[0].regime == Regime::Contact {
             let remaining_s = self.forced.remaining_s(self.time_s, end_s);
             let shape = if entering { kernel.first_shape(0) } else { Shape::Smooth };
             let landing = Kernel::length_s(level) >= remaining_s;
@@ -83,10 +82,10 @@ impl Marcher<'_> {
             } else {
                 kernel.table(0, shape, level)
             };
-            let step = self.step_in_contact::<W, L>(w, table, shape, level, landing);
+            let step = self.step_in_contact(w, law, (table, 0), shape, level, landing);
             let solved = self.solve(w, law, &step);
-            let allowed = self.allowed_n_s::<L>(&step, solved.as_ref());
-            let is_sound = |solved: &Solved| L::BOTH_SIDES || solved.is_sound(shape, level >= safe);
+            let allowed = self.allowed_n_s(law, &step, solved.as_ref());
+            let is_sound = |solved: &Solved| both_sides || solved.is_sound(shape, level >= safe);
             let accepted = solved.filter(|solved| solved.error_n_s <= allowed && is_sound(solved));
             match accepted {
                 Some(solved) => {
@@ -94,26 +93,16 @@ impl Marcher<'_> {
                     if landing {
                         self.time_s = end_s;
                     }
-                    let longer = level - levels_to_spare(solved.error_n_s, allowed);
-                    if entering {
-                        self.entry_level = longer;
-                        entering = false;
-                    }
-                    // The error of the onset basis says nothing about the next step.
-                    level = if shape == Shape::Onset { level } else { longer };
-                    if L::BOTH_SIDES {
-                        // Nothing is left or entered: the next call goes on where this one stopped.
-                        self.entry_level = if landing { self.entry_level } else { level };
-                    } else {
-                        level = self.before_leaving(level, &step, &solved, allowed);
-                    }
-                    level = level.max(coarsest);
+                    // Where nothing is left or entered, the next call goes on at the level at which this one stopped.
+                    let starts_next = entering || (both_sides && !landing);
+                    level = self.next_level(law, level, &step, &solved, (allowed, starts_next));
+                    entering = false;
                 }
                 None => {
                     self.work.contact_rejections += 1;
                     level = if landing { Kernel::level_within(remaining_s) + 1 } else { level + 1 };
                     if level > Kernel::finest() {
-                        return Err(self.diverged());
+                        return Err(self.diverged(0));
                     }
                 }
             }
@@ -121,21 +110,42 @@ impl Marcher<'_> {
         Ok(())
     }
 
-    /// Error of an impulse that one step may make, N s.
+    /// Error of the impulse of a port that one step may make, N s.
     #[inline(always)]
-    fn allowed_n_s<L: ContactLaw>(&self, step: &Step, solved: Option<&Solved>) -> f64 {
-        let mut speed_m_s = self.strike_m_s.max(self.rate_m_s.abs());
-        if let (true, Some(solved)) = (L::BOTH_SIDES, solved) {
+    pub(super) fn allowed_n_s<L: ContactLaw>(&self, law: L, step: &Step, solved: Option<&Solved>) -> f64 {
+        let port = &self.ports[step.port];
+        let mut speed_m_s = port.strike_m_s.max(port.rate_m_s.abs());
+        if let (true, Some(solved)) = (law.acts_on_both_sides(), solved) {
             // Nothing strikes: a march that starts at rest has no other scale than the speed that it takes up.
-            speed_m_s = speed_m_s.max((solved.penetration.0[NODES] - self.penetration_m).abs() / step.table.length_s);
+            speed_m_s = speed_m_s.max((solved.penetration.0[NODES] - port.penetration_m).abs() / step.table.length_s);
         }
-        self.tolerance * IMPULSE_SHARE * speed_m_s / self.rows.mobility_per_kg
+        self.tolerance * IMPULSE_SHARE * speed_m_s / port.rows.mobility_per_kg
+    }
+
+    /// Level wanted of the step after one of `level` that has been taken; `starts_next` says that the next contact starts at it too.
+    #[inline(always)]
+    pub(super) fn next_level<L: ContactLaw>(
+        &mut self,
+        law: L,
+        level: i32,
+        step: &Step,
+        solved: &Solved,
+        (allowed, starts_next): (f64, bool),
+    ) -> i32 {
+        let longer = level - levels_to_spare(solved.error_n_s, allowed);
+        if starts_next {
+            self.ports[step.port].entry_level = longer;
+        }
+        // The error of the onset basis says nothing about the next step.
+        let level = if step.shape == Shape::Onset { level } else { longer };
+        let level = if law.acts_on_both_sides() { level } else { self.before_leaving(level, step, solved, allowed) };
+        level.max(coarsest(law, self.kernel))
     }
 
     /// The level wanted, or a finer one that respects the end of the contact as it is foretold now.
     #[inline(always)]
     fn before_leaving(&self, wanted: i32, step: &Step, solved: &Solved, allowed: f64) -> i32 {
-        let Some(leaving_s) = self.foretold_leaving_s(step, solved) else { return wanted };
+        let Some(leaving_s) = foretold_leaving_s(&self.ports[step.port], step, solved) else { return wanted };
         if leaving_s >= FAR * Kernel::length_s(wanted) {
             return wanted;
         }
@@ -149,26 +159,33 @@ impl Marcher<'_> {
         wanted.max(if is_enough { level } else { level + 1 })
     }
 
-    /// Time until the penetration ends, by the parabola through the last speeds of a step.
-    #[inline(always)]
-    fn foretold_leaving_s(&self, step: &Step, solved: &Solved) -> Option<f64> {
-        if self.rate_m_s >= 0.0 || self.penetration_m <= 0.0 {
-            return None;
-        }
-        let curvature = (self.rate_m_s - solved.last_speed_m_s(step)) / step.last_gap_s();
-        let discriminant = self.rate_m_s * self.rate_m_s - 4.0 * curvature * self.penetration_m;
-        let leaving_s = 2.0 * self.penetration_m / (-self.rate_m_s + discriminant.max(0.0).sqrt());
-        (discriminant >= 0.0).then_some(leaving_s)
-    }
-
-    fn diverged(&self) -> MarchError {
+    pub(super) fn diverged(&self, p: usize) -> MarchError {
         MarchError::ContactDiverged {
             time_s: self.time_s,
-            stop: self.kernel.plant.system.stops[0].name.clone(),
+            stop: self.kernel.plant.system.stops[p].name.clone(),
             step_s: Kernel::length_s(Kernel::finest()),
-            penetration_m: self.penetration_m,
+            penetration_m: self.ports[p].penetration_m,
         }
     }
+}
+
+/// Coarsest level of a contact step. Where the motion never leaves the law, no flight carries the fast modes: steps must resolve a
+/// disturbance of them, which the motion itself need not show but its derivative does.
+#[inline(always)]
+fn coarsest<L: ContactLaw>(law: L, kernel: &Kernel) -> i32 {
+    if law.acts_on_both_sides() { Kernel::level_within(1.0 / kernel.fastest_rad_s) } else { Kernel::coarsest() }
+}
+
+/// Time until the penetration ends, by the parabola through the last speeds of a step.
+#[inline(always)]
+fn foretold_leaving_s(port: &PortState, step: &Step, solved: &Solved) -> Option<f64> {
+    if port.rate_m_s >= 0.0 || port.penetration_m <= 0.0 {
+        return None;
+    }
+    let curvature = (port.rate_m_s - solved.last_speed_m_s(step)) / step.last_gap_s();
+    let discriminant = port.rate_m_s * port.rate_m_s - 4.0 * curvature * port.penetration_m;
+    let leaving_s = 2.0 * port.penetration_m / (-port.rate_m_s + discriminant.max(0.0).sqrt());
+    (discriminant >= 0.0).then_some(leaving_s)
 }
 
 /// `rho^10.5` for a step whose length goes `ratio` times into the time to the end of the contact.

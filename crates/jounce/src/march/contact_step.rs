@@ -5,29 +5,39 @@
 //! starts like `t^1.5`: the first step has a basis that does so too (see [`super::basis`]). The error is seen at the two ends of the
 //! step, where the force in the basis is not made to meet the law.
 
-use super::basis::{Basis, NODES};
+use super::basis::{Basis, NODES, SMOOTH};
 use super::kernel::{Kernel, Shape};
-use super::marcher::{Marcher, Regime};
+use super::marcher::Marcher;
 use super::peak::interpolated_peak;
+use super::port_state::Regime;
 use super::state::{add_push, columns, dot, pushed};
 use super::table::Table;
 use super::tone::Swing;
+use super::trajectory::PortForce;
 use crate::contact::ContactLaw;
 use crate::wide::{Lane, Wide};
 use faer::c64;
 
 /// Most fixed-point iterations of a step; beyond, a shorter step is cheaper.
-const MOST_ITERATIONS: u32 = 24;
+pub(super) const MOST_ITERATIONS: u32 = 24;
 
-/// A step to be taken: its tables and the drive over it.
+/// A step of a port to be taken: its tables and the drive over it.
 pub(super) struct Step<'a> {
+    pub(super) port: usize,
     pub(super) table: &'a Table,
     pub(super) basis: &'a Basis,
     pub(super) shape: Shape,
     /// The drive's share of the free displacement at the nodes and the end, the gap taken away.
-    drive: Lane,
+    pub(super) drive: Lane,
     /// The same for the velocity.
-    drive_rate: Lane,
+    pub(super) drive_rate: Lane,
+}
+
+impl<'a> Step<'a> {
+    /// A step on which a force is given, not found.
+    pub(super) fn held(port: usize, table: &'a Table) -> Self {
+        Self { port, table, basis: &SMOOTH, shape: Shape::Smooth, drive: Lane::ZERO, drive_rate: Lane::ZERO }
+    }
 }
 
 /// A step as solved: nodal penetrations, rates and forces (last place: end of the step).
@@ -44,7 +54,8 @@ impl<'k> Marcher<'k> {
     pub(super) fn step_in_contact<'a, W: Wide, L: ContactLaw>(
         &mut self,
         w: W,
-        table: &'a Table,
+        law: L,
+        (table, port): (&'a Table, usize),
         shape: Shape,
         level: i32,
         landing: bool,
@@ -53,23 +64,23 @@ impl<'k> Marcher<'k> {
         'k: 'a,
     {
         let kernel: &'k Kernel = self.kernel;
-        let basis = kernel.basis(0, shape);
-        let (mut drive, mut drive_rate) = (w.splat(-self.rows.gap_m), w.zero());
+        let basis = kernel.basis(port, shape);
+        let (mut drive, mut drive_rate) = (w.splat(-self.ports[port].rows.gap_m), w.zero());
         for tone in &mut self.tones {
             let frequency = tone.angular_frequency_rad_s;
-            let z = tone.displacement_m * tone.turn;
+            let z = tone.displacement_m[port] * tone.turn;
             if landing {
-                tone.swing = Swing::over(frequency, basis, table.length_s);
+                tone.swing[port] = Swing::over(frequency, basis, table.length_s);
             } else {
-                tone.swing_over(kernel, shape, level);
+                tone.swing_over(kernel, port, shape, level);
             }
-            drive = tone.swing.real(w, z, drive);
-            if L::RATE_DEPENDENT {
-                drive_rate = tone.swing.real(w, z * c64::new(0.0, frequency), drive_rate);
+            drive = tone.swing[port].real(w, z, drive);
+            if law.is_rate_dependent() {
+                drive_rate = tone.swing[port].real(w, z * c64::new(0.0, frequency), drive_rate);
             }
         }
-        [drive, drive_rate] = self.forced.motions(w, 0, &basis.places, table.length_s, [drive, drive_rate]);
-        Step { table, basis, shape, drive: w.store(drive), drive_rate: w.store(drive_rate) }
+        [drive, drive_rate] = self.forced.motions(w, port, &basis.places, table.length_s, [drive, drive_rate]);
+        Step { port, table, basis, shape, drive: w.store(drive), drive_rate: w.store(drive_rate) }
     }
 
     /// Solves one step for its nodal forces; `None` when the fixed point does not converge.
@@ -78,31 +89,32 @@ impl<'k> Marcher<'k> {
         let table = step.table;
         let free = columns(w, &self.layout, &self.y, &table.displacement.columns, w.load(&step.drive));
         let mut free_rate = w.zero();
-        if L::RATE_DEPENDENT {
+        if law.is_rate_dependent() {
             free_rate = columns(w, &self.layout, &self.y, &table.velocity.columns, w.load(&step.drive_rate));
         }
-        let at_start = law.force_n(self.penetration_m, self.rate_m_s);
-        let slopes = law.slopes(self.penetration_m, self.rate_m_s);
+        let port = &self.ports[step.port];
+        let at_start = law.force_n(port.penetration_m, port.rate_m_s);
+        let slopes = law.slopes(port.penetration_m, port.rate_m_s);
         // First guess: the force goes on as it does now.
-        let rise = slopes.stiffness_n_m * self.rate_m_s * table.length_s;
+        let rise = slopes.stiffness_n_m * port.rate_m_s * table.length_s;
         let mut penetration = w.fma(w.splat(at_start), w.load(&table.constant), w.fma(w.splat(rise), w.load(&table.ramp), free));
         let mut rate = free_rate;
         let mut force = law.forces_n(w, penetration, rate);
         let goal = (0.1 * self.tolerance).clamp(4e-15, 1e-5);
         let mut last_change = f64::INFINITY;
-        let mut deepest = largest::<W, L>(w, penetration);
+        let mut deepest = largest(w, law, penetration);
         for iteration in 1..=MOST_ITERATIONS {
             self.work.iterations += 1;
             let nodal = w.store(force);
             penetration = pushed(w, free, &table.displacement.push, &nodal);
-            if L::RATE_DEPENDENT {
+            if law.is_rate_dependent() {
                 rate = pushed(w, free_rate, &table.velocity.push, &nodal);
             }
             let new = law.forces_n(w, penetration, rate);
-            let (change, size) = (w.largest(w.abs(w.sub(new, force))), largest::<W, L>(w, new));
+            let (change, size) = (w.largest(w.abs(w.sub(new, force))), largest(w, law, new));
             force = new;
             // What is still to come: at most the contraction seen so far, or foretold by the slope of the law.
-            deepest = deepest.max(largest::<W, L>(w, penetration));
+            deepest = deepest.max(largest(w, law, penetration));
             let slopes = law.steepest(deepest);
             let foretold = slopes.stiffness_n_m * table.reach_m_n + slopes.damping_n_s_m * table.reach_m_n_s;
             let seen = if iteration == 1 { 1.0 } else { (change / last_change).min(1.0) };
@@ -110,10 +122,10 @@ impl<'k> Marcher<'k> {
             if change * contraction <= goal * size {
                 let nodal = w.store(force);
                 penetration = pushed(w, free, &table.displacement.push, &nodal);
-                if L::RATE_DEPENDENT {
+                if law.is_rate_dependent() {
                     rate = pushed(w, free_rate, &table.velocity.push, &nodal);
                 }
-                return Some(self.judge(law, step, w.store(penetration), w.store(rate), nodal, at_start));
+                return Some(judge(law, step, w.store(penetration), w.store(rate), nodal, at_start));
             }
             if iteration > 4 && change > last_change {
                 return None;
@@ -123,23 +135,6 @@ impl<'k> Marcher<'k> {
         None
     }
 
-    /// Estimates the error of a converged step from the mismatch of its basis and the law at both of its ends.
-    #[inline(always)]
-    fn judge<L: ContactLaw>(&self, law: L, step: &Step, penetration: Lane, rate: Lane, force: Lane, at_start: f64) -> Solved {
-        let at_end = law.force_n(penetration.0[NODES], rate.0[NODES]);
-        let (mut start, mut end, mut size) = (0.0, 0.0, at_start.abs().max(at_end.abs()));
-        for j in 0..NODES {
-            start += step.basis.at_start[j] * force.0[j];
-            end += step.basis.at_end[j] * force.0[j];
-            size = size.max(force.0[j].abs());
-        }
-        let mismatch = (start - at_start).abs().max((end - at_end).abs());
-        // Gauss weights square the order of the interpolation for smooth forces and gain less at a kink: 3/2 lies between.
-        let ratio = if size > 0.0 { mismatch / size } else { 0.0 };
-        let error_n_s = step.table.length_s * mismatch * ratio.sqrt().min(1.0);
-        Solved { penetration, rate, force, error_n_s }
-    }
-
     /// Takes a solved step.
     #[inline(always)]
     pub(super) fn take<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, step: &Step, solved: &Solved) {
@@ -147,28 +142,35 @@ impl<'k> Marcher<'k> {
         let mut force = solved.force;
         force.0[NODES] = 0.0;
         if self.record.is_some() {
-            self.note(table.length_s, Some((step.shape, std::array::from_fn(|j| force.0[j]))));
+            self.note(table.length_s, &[PortForce::new(step, &force)]);
         }
-        self.integrate_force(w, table, step.basis, &force);
+        self.integrate_force(w, step, &force);
         table.flow.apply(w, &self.y, &mut self.next);
         add_push(w, &table.push, &force, &mut self.next);
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += table.length_s;
         self.forced.pass(self.kernel, table.length_s, self.time_s, &mut self.y);
-        let [_, mut speed] = self.forced.motion_after(0, 0.0);
         for tone in &mut self.tones {
-            tone.turn *= tone.swing.end();
-            speed += tone.motion()[1];
+            tone.turn *= tone.swing[step.port].end();
         }
-        let started = (self.penetration_m, self.rate_m_s);
-        self.penetration_m = solved.penetration.0[NODES];
-        self.rate_m_s = dot(w, &self.rows.velocity, &self.y) + speed;
-        self.observe::<W, L>(w, law, step, solved, started);
+        self.arrive(w, law, step, solved);
         self.work.contact_steps += 1;
-        if L::BOTH_SIDES {
-            self.strike_m_s = self.strike_m_s.max(self.rate_m_s.abs());
-        } else if self.penetration_m < 0.0 {
-            self.regime = Regime::Flight;
+    }
+
+    /// Sets a port to what it does at the end of a step that has been taken.
+    #[inline(always)]
+    pub(super) fn arrive<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, step: &Step, solved: &Solved) {
+        let p = step.port;
+        let speed = self.forced.motion_after(p, 0.0)[1] + self.tones.iter().map(|tone| tone.motion(p)[1]).sum::<f64>();
+        let started = (self.ports[p].penetration_m, self.ports[p].rate_m_s);
+        let rate_m_s = dot(w, &self.ports[p].rows.velocity, &self.y) + speed;
+        self.set_motion(p, [solved.penetration.0[NODES], rate_m_s]);
+        self.observe(w, law, step, solved, started);
+        let port = &mut self.ports[p];
+        if law.acts_on_both_sides() {
+            port.strike_m_s = port.strike_m_s.max(port.rate_m_s.abs());
+        } else if port.penetration_m < 0.0 {
+            port.regime = Regime::Flight;
         }
     }
 
@@ -176,8 +178,9 @@ impl<'k> Marcher<'k> {
     #[inline(always)]
     fn observe<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, step: &Step, solved: &Solved, started: (f64, f64)) {
         let (length_s, weights) = (step.table.length_s, &step.basis.weights);
-        let statistics = &mut self.statistics;
-        if L::BOTH_SIDES || self.penetration_m >= 0.0 {
+        let port = &mut self.ports[step.port];
+        let (end_m, end_m_s, statistics) = (port.penetration_m, port.rate_m_s, &mut port.statistics);
+        if law.acts_on_both_sides() || end_m >= 0.0 {
             statistics.time_s += length_s;
         } else {
             // A step on whose end the point has left the stop counts for the share of its nodes in contact.
@@ -185,30 +188,31 @@ impl<'k> Marcher<'k> {
             statistics.time_s += length_s * inside;
         }
         // Where there are two sides, the one that the step is on.
-        let side = if L::BOTH_SIDES { (started.0 + self.penetration_m).signum() } else { 1.0 };
+        let side = if law.acts_on_both_sides() { (started.0 + end_m).signum() } else { 1.0 };
         let depth = w.mul(w.splat(side), w.load(&solved.penetration));
         let highest = w.largest(depth).max(side * started.0);
         if highest > 0.98 * statistics.max_penetration_m {
-            let turns = step.shape == Shape::Smooth && side * started.1 > 0.0 && side * self.rate_m_s < 0.0;
+            let turns = step.shape == Shape::Smooth && side * started.1 > 0.0 && side * end_m_s < 0.0;
             let peak = if turns { interpolated_peak(side * started.0, &w.store(depth)) } else { highest };
             if peak > statistics.max_penetration_m {
                 statistics.max_penetration_m = peak;
-                if !L::RATE_DEPENDENT {
+                if !law.is_rate_dependent() {
                     statistics.max_force_n = statistics.max_force_n.max(law.force_n(side * peak, 0.0).abs());
                 }
             }
         }
-        if L::RATE_DEPENDENT {
+        if law.is_rate_dependent() {
             statistics.max_force_n = statistics.max_force_n.max(w.largest(w.load(&solved.force)));
             // Work done on the stop less what it stores: the elastic force itself has a kink where a spent contact is left.
             let work: f64 = (0..NODES).map(|j| length_s * weights[j] * solved.force.0[j] * solved.rate.0[j]).sum();
-            self.integrals.loss_j += work + law.energy_j(started.0) - law.energy_j(self.penetration_m);
+            self.integrals.loss_j += work + law.energy_j(started.0) - law.energy_j(end_m);
         }
     }
 
     /// Adds the nodal forces of a step, last place 0, to the integrals that the energy meters need.
     #[inline(always)]
-    pub(super) fn integrate_force<W: Wide>(&mut self, w: W, table: &Table, basis: &Basis, force: &Lane) {
+    pub(super) fn integrate_force<W: Wide>(&mut self, w: W, step: &Step, force: &Lane) {
+        let (table, basis, p) = (step.table, step.basis, step.port);
         for (sum, meter) in self.integrals.loads_j.iter_mut().zip(&table.loads) {
             *sum += meter.read(w, &self.y, force);
         }
@@ -217,18 +221,35 @@ impl<'k> Marcher<'k> {
         for j in 0..NODES {
             weighted.0[j] = table.length_s * basis.weights[j] * force.0[j];
         }
-        self.statistics.impulse_n_s += w.sum(w.load(&weighted));
-        self.forced.push(0, &basis.places, table.length_s, &weighted);
-        for (sum, tone) in self.integrals.tones_n_s.iter_mut().zip(&self.tones) {
+        self.ports[p].statistics.impulse_n_s += w.sum(w.load(&weighted));
+        self.forced.push(p, &basis.places, table.length_s, &weighted);
+        for (sum, tone) in self.integrals.tones_n_s[p].iter_mut().zip(&self.tones) {
             let lane = w.load(&weighted);
-            let (cos, sin) = (w.mul(lane, w.load(&tone.swing.cos)), w.mul(lane, w.load(&tone.swing.sin)));
+            let (cos, sin) = (w.mul(lane, w.load(&tone.swing[p].cos)), w.mul(lane, w.load(&tone.swing[p].sin)));
             *sum += tone.turn * c64::new(w.sum(cos), w.sum(sin));
         }
     }
 }
 
+/// Estimates the error of a converged step from the mismatch of its basis and the law at both of its ends.
+#[inline(always)]
+pub(super) fn judge<L: ContactLaw>(law: L, step: &Step, penetration: Lane, rate: Lane, force: Lane, at_start: f64) -> Solved {
+    let at_end = law.force_n(penetration.0[NODES], rate.0[NODES]);
+    let (mut start, mut end, mut size) = (0.0, 0.0, at_start.abs().max(at_end.abs()));
+    for j in 0..NODES {
+        start += step.basis.at_start[j] * force.0[j];
+        end += step.basis.at_end[j] * force.0[j];
+        size = size.max(force.0[j].abs());
+    }
+    let mismatch = (start - at_start).abs().max((end - at_end).abs());
+    // Gauss weights square the order of the interpolation for smooth forces and gain less at a kink: 3/2 lies between.
+    let ratio = if size > 0.0 { mismatch / size } else { 0.0 };
+    let error_n_s = step.table.length_s * mismatch * ratio.sqrt().min(1.0);
+    Solved { penetration, rate, force, error_n_s }
+}
+
 /// Largest of eight values; of their magnitudes where the law acts on both sides.
 #[inline(always)]
-fn largest<W: Wide, L: ContactLaw>(w: W, values: W::Register) -> f64 {
-    w.largest(if L::BOTH_SIDES { w.abs(values) } else { values })
+pub(super) fn largest<W: Wide, L: ContactLaw>(w: W, law: L, values: W::Register) -> f64 {
+    w.largest(if law.acts_on_both_sides() { w.abs(values) } else { values })
 }

@@ -1,6 +1,7 @@
 //! The energy balance of a march, from exact integrals (see [`crate::plant::EnergyMeter`]).
 
-use super::marcher::{Marcher, Regime};
+use super::marcher::Marcher;
+use super::port_state::Regime;
 
 /// Energies since the start of a march, J.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -46,9 +47,11 @@ impl Marcher<'_> {
         let now = self.readings();
         let open = &self.opening;
         let meters = &self.kernel.meters;
-        let tones = &self.integrals.tones_n_s;
-        let contact = |meter: &crate::plant::EnergyMeter, work_j: f64| {
-            if self.kernel.plant.ports.is_empty() { 0.0 } else { meter.contact_j(0, work_j, tones) }
+        let ports = self.kernel.plant.ports.len();
+        // The work is that of all ports together: it enters once.
+        let contact = |meter: &crate::plant::EnergyMeter, work_j: f64| -> f64 {
+            let impulses = self.integrals.tones_n_s.iter().enumerate().take(ports);
+            impulses.map(|(port, tones)| meter.contact_j(port, if port == 0 { work_j } else { 0.0 }, tones)).sum()
         };
         let (sums, works_j) = self.forced.ledger.until(self.kernel, &self.forced.sizes, &self.state(), self.time_s);
         let count = meters.loads.len();
@@ -86,10 +89,8 @@ impl Marcher<'_> {
         let x = plant.to_physical(y, self.time_s);
         let mechanical: f64 = (0..n).map(|i| 0.5 * (x[n + i].powi(2) + (modes.frequency_rad_s[i] * x[i]).powi(2))).sum();
         let electrical: f64 = plant.electrical.energy_scale().zip(&x[2 * n..]).map(|(scale, x)| 0.5 * (scale * x).powi(2)).sum();
-        let compressed = match (self.regime, plant.system.stops.first()) {
-            (Regime::Contact, Some(stop)) => stop.law.energy_j(self.penetration_m),
-            _ => 0.0,
-        };
+        let pressed = self.ports.iter().zip(&plant.system.stops).filter(|(port, _)| port.regime == Regime::Contact);
+        let compressed: f64 = pressed.map(|(port, stop)| stop.law.energy_j(port.penetration_m)).sum();
         mechanical + electrical + compressed
     }
 }

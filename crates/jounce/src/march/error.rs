@@ -23,10 +23,28 @@ pub enum MarchError {
         /// Time, s.
         time_s: f64,
     },
-    /// Several stops at once.
-    #[error("the harvester has {stops} stops; marching takes one stop today")]
-    SeveralStops {
-        /// Number of stops.
-        stops: usize,
+    /// Rest on rigid stops that hold the same motion: their forces have no unique share.
+    #[error(
+        "at t = {time_s} s the harvester rests on the rigid stops {} at once, which hold the same motion, so that their forces are not determined; give one of them a compliant law or another gap",
+        .stops.join(", ")
+    )]
+    RestsTwice {
+        /// Time, s.
+        time_s: f64,
+        /// Names of the stops.
+        stops: Vec<String>,
+    },
+    /// Rigid stops touched at once that hand an impact to and fro.
+    #[error(
+        "at t = {time_s} s the rigid stops {} are touched at once and {impacts} impacts between them did not end; give one of them a compliant law, another gap or a smaller restitution",
+        .stops.join(", ")
+    )]
+    ImpactsWithoutEnd {
+        /// Time, s.
+        time_s: f64,
+        /// Names of the stops.
+        stops: Vec<String>,
+        /// Impacts resolved.
+        impacts: usize,
     },
 }

@@ -5,16 +5,26 @@ use super::crossing::Crossing;
 use super::error::MarchError;
 use super::flow::SHORT;
 use super::kernel::Kernel;
-use super::marcher::{Marcher, Regime};
+use super::marcher::Marcher;
+use super::port_state::Regime;
 use super::state::{dot, dot_abs};
 use crate::wide::Wide;
 
 /// Certificate uncertainty, relative to the motion, below which a step that is neither clear nor a proved crossing is taken for
 /// what its interpolant says: a contact that could hide in it is shallower than this fraction of the motion.
-const LOCATED: f64 = 1e-12;
+pub(super) const LOCATED: f64 = 1e-12;
+
+/// Shallower than the resolution: nothing the force law could feel, unless the interpolant itself crosses.
+#[inline(always)]
+pub(super) fn by_interpolant(step: &FlightStep) -> Verdict {
+    match step.crossing_s() {
+        None => Verdict::Clear,
+        Some(guess_s) => Verdict::Strike(Crossing { from_s: 0.0, guess_s, to_s: step.length_s }),
+    }
+}
 
 /// What became of one attempted step.
-enum Verdict {
+pub(super) enum Verdict {
     Clear,
     Strike(Crossing),
     /// Levels to go down before the next attempt.
@@ -27,8 +37,8 @@ impl Marcher<'_> {
     pub(super) fn flight<W: Wide>(&mut self, w: W, end_s: f64) -> Result<(), MarchError> {
         if self.kernel.plant.ports.is_empty() {
             let length_s = self.forced.remaining_s(self.time_s, end_s);
-            let motion = self.look_ahead(w, length_s);
-            self.move_on(length_s, end_s, motion);
+            self.look_ahead(w, length_s);
+            self.move_on(length_s, end_s);
             self.work.flight_steps += 1;
             return Ok(());
         }
@@ -48,7 +58,10 @@ impl Marcher<'_> {
                     grow = 1;
                 }
                 Verdict::Strike(crossing) => {
-                    self.strike(w, crossing);
+                    let (after_s, motion) = self.locate(w, 0, crossing);
+                    self.move_on(after_s, self.time_s + after_s);
+                    self.set_motion(0, motion);
+                    self.struck(0);
                     return Ok(());
                 }
                 Verdict::Unclear(down) => {
@@ -56,7 +69,7 @@ impl Marcher<'_> {
                     // The step after the next would fail as this one did.
                     grow = 0;
                     self.flight_level = (tight + down).min(Kernel::finest());
-                    if !self.penetration_m.is_finite() {
+                    if !self.ports[0].penetration_m.is_finite() {
                         return Err(MarchError::NotFinite { time_s: self.time_s });
                     }
                 }
@@ -73,17 +86,17 @@ impl Marcher<'_> {
         let mut drive = self.forced.motion_after(0, Kernel::length_s(level));
         for tone in &mut self.tones {
             let turn = tone.end(level);
-            let [place, speed] = tone.motion_after(turn);
+            let [place, speed] = tone.motion_after(0, turn);
             drive = [drive[0] + place, drive[1] + speed];
         }
-        let motion =
-            [dot(w, &self.rows.displacement, &self.next) + drive[0] - self.rows.gap_m, dot(w, &self.rows.velocity, &self.next) + drive[1]];
-        let step = self.step_of(w, level, Kernel::length_s(level), motion, drive);
-        let verdict = self.judge_flight(&step, motion[0]);
+        let rows = &self.ports[0].rows;
+        let motion = [dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m, dot(w, &rows.velocity, &self.next) + drive[1]];
+        let step = self.step_of(w, 0, level, Kernel::length_s(level), motion, drive);
+        let verdict = self.judge_flight(0, &step, motion[0]);
         if let Verdict::Clear = verdict {
             let length_s = step.length_s;
             if self.record.is_some() {
-                self.note(length_s, None);
+                self.note(length_s, &[]);
             }
             std::mem::swap(&mut self.y, &mut self.next);
             self.time_s += length_s;
@@ -92,7 +105,7 @@ impl Marcher<'_> {
                 tone.turn *= turn;
             }
             self.forced.pass(self.kernel, length_s, self.time_s, &mut self.y);
-            [self.penetration_m, self.rate_m_s] = motion;
+            self.set_motion(0, motion);
         }
         verdict
     }
@@ -100,40 +113,37 @@ impl Marcher<'_> {
     /// A last step of any length, to the end.
     #[inline(always)]
     fn land<W: Wide>(&mut self, w: W, level: i32, length_s: f64, end_s: f64) -> Verdict {
-        let motion = self.look_ahead(w, length_s);
-        let mut drive = self.forced.motion_after(0, length_s);
-        for tone in &self.tones {
-            let [place, speed] = tone.motion_after(faer::c64::cis(tone.angular_frequency_rad_s * length_s));
-            drive = [drive[0] + place, drive[1] + speed];
-        }
+        self.look_ahead(w, length_s);
+        let motion = self.motion_ahead(w, 0, length_s);
         // The level bounds the length from above: its split into slow and fast serves.
-        let step = self.step_of(w, level, length_s, motion, drive);
-        let verdict = self.judge_flight(&step, motion[0]);
+        let step = self.step_of(w, 0, level, length_s, motion, self.drive_after(0, length_s));
+        let verdict = self.judge_flight(0, &step, motion[0]);
         if let Verdict::Clear = verdict {
-            self.move_on(length_s, end_s, motion);
+            self.move_on(length_s, end_s);
+            self.set_motion(0, motion);
         }
         verdict
     }
 
-    /// The certificate's view of a step that ends in `next` with `motion` there, of which `drive` is the drives' share.
+    /// The certificate's view of a step that ends in `next` with `motion` of a port there, of which `drive` is the drives' share.
     #[inline(always)]
-    fn step_of<W: Wide>(&self, w: W, level: i32, length_s: f64, motion: [f64; 2], drive: [f64; 2]) -> FlightStep {
-        let flight = self.kernel.flight(0, level);
+    pub(super) fn step_of<W: Wide>(&self, w: W, p: usize, level: i32, length_s: f64, motion: [f64; 2], drive: [f64; 2]) -> FlightStep {
+        let (flight, port) = (self.kernel.flight(p, level), &self.ports[p]);
         let mut step = FlightStep {
             length_s,
-            distance_m: [self.penetration_m, motion[0]],
-            speed_m_s: [self.rate_m_s, motion[1]],
-            fourth_bound: dot_abs(w, &flight.slow_fourth, &self.y) + self.rows.tone_fourth + self.forced.fourth_bound(0, length_s),
+            distance_m: [port.penetration_m, motion[0]],
+            speed_m_s: [port.rate_m_s, motion[1]],
+            fourth_bound: dot_abs(w, &flight.slow_fourth, &self.y) + port.rows.tone_fourth + self.forced.fourth_bound(p, length_s),
             fast_m: 0.0,
             fast_bound_m: 0.0,
             fast_bound_m_s: 0.0,
         };
         if let Some(fast) = &flight.fast {
-            let [place, speed] = self.drive();
-            let slow = dot(w, &fast.slow_displacement, &self.y) + place - self.rows.gap_m;
-            step.distance_m = [slow, dot(w, &fast.slow_displacement, &self.next) + drive[0] - self.rows.gap_m];
+            let [place, speed] = self.drive(p);
+            let slow = dot(w, &fast.slow_displacement, &self.y) + place - port.rows.gap_m;
+            step.distance_m = [slow, dot(w, &fast.slow_displacement, &self.next) + drive[0] - port.rows.gap_m];
             step.speed_m_s = [dot(w, &fast.slow_velocity, &self.y) + speed, dot(w, &fast.slow_velocity, &self.next) + drive[1]];
-            step.fast_m = self.penetration_m - slow;
+            step.fast_m = port.penetration_m - slow;
             step.fast_bound_m = dot_abs(w, &fast.displacement_bound, &self.y);
             step.fast_bound_m_s = dot_abs(w, &fast.velocity_bound, &self.y);
         }
@@ -141,7 +151,7 @@ impl Marcher<'_> {
     }
 
     #[inline(always)]
-    fn judge_flight(&self, step: &FlightStep, displacement_m: f64) -> Verdict {
+    pub(super) fn judge_flight(&self, p: usize, step: &FlightStep, displacement_m: f64) -> Verdict {
         if step.is_clear() {
             return Verdict::Clear;
         }
@@ -149,36 +159,42 @@ impl Marcher<'_> {
             return Verdict::Strike(crossing);
         }
         let uncertainty_m = step.uncertainty_m();
-        if uncertainty_m <= LOCATED * self.scale_m(displacement_m) {
-            // Shallower than the resolution: nothing the force law could feel, unless the interpolant itself crosses.
-            return match step.crossing_s() {
-                None => Verdict::Clear,
-                Some(guess_s) => Verdict::Strike(Crossing { from_s: 0.0, guess_s, to_s: step.length_s }),
-            };
+        if uncertainty_m <= LOCATED * self.scale_m(p, displacement_m) {
+            return by_interpolant(step);
         }
         // The uncertainty falls like the fourth power of the length: two levels where one is not enough.
-        let far = uncertainty_m > 16.0 * self.penetration_m.abs().max(LOCATED * self.scale_m(displacement_m));
+        let far = uncertainty_m > 16.0 * self.ports[p].penetration_m.abs().max(LOCATED * self.scale_m(p, displacement_m));
         Verdict::Unclear(if far { 2 } else { 1 })
     }
 
     /// Size of the motion against which the certificate's uncertainty is held.
-    fn scale_m(&self, displacement_m: f64) -> f64 {
-        let gap = if self.rows.gap_m.is_finite() { self.rows.gap_m.abs() } else { 0.0 };
-        gap.max(displacement_m.abs()).max(self.rows.tone_scale_m)
+    fn scale_m(&self, p: usize, displacement_m: f64) -> f64 {
+        let rows = &self.ports[p].rows;
+        let gap = if rows.gap_m.is_finite() { rows.gap_m.abs() } else { 0.0 };
+        gap.max(displacement_m.abs()).max(rows.tone_scale_m)
     }
 
-    /// Displacement and velocity of the port under the drive at the present time.
+    /// Displacement and velocity of a port under the drive at the present time.
     #[inline(always)]
-    fn drive(&self) -> [f64; 2] {
-        self.tones.iter().map(|tone| tone.motion()).fold(self.forced.motion_after(0, 0.0), |a, b| [a[0] + b[0], a[1] + b[1]])
+    fn drive(&self, p: usize) -> [f64; 2] {
+        self.tones.iter().map(|tone| tone.motion(p)).fold(self.forced.motion_after(p, 0.0), |a, b| [a[0] + b[0], a[1] + b[1]])
     }
 
-    /// Moves onto the stop, by Newton on the exact flow inside the proved interval, and enters contact.
+    /// The same after a time.
     #[inline(always)]
-    fn strike<W: Wide>(&mut self, w: W, crossing: Crossing) {
+    pub(super) fn drive_after(&self, p: usize, time_s: f64) -> [f64; 2] {
+        let motion = |tone: &super::tone::Turning| tone.motion_after(p, faer::c64::cis(tone.angular_frequency_rad_s * time_s));
+        self.tones.iter().map(motion).fold(self.forced.motion_after(p, time_s), |a, b| [a[0] + b[0], a[1] + b[1]])
+    }
+
+    /// Time until a port strikes, by Newton on the exact flow inside the proved interval, and its motion then; the state there is
+    /// in `next`.
+    #[inline(always)]
+    pub(super) fn locate<W: Wide>(&mut self, w: W, p: usize, crossing: Crossing) -> (f64, [f64; 2]) {
         let Crossing { mut from_s, mut guess_s, mut to_s } = crossing;
         let short_s = SHORT / self.kernel.fastest_rad_s;
-        let mut motion = self.look_ahead(w, guess_s);
+        self.look_ahead(w, guess_s);
+        let mut motion = self.motion_ahead(w, p, guess_s);
         for _ in 0..20 {
             if motion[0] > 0.0 {
                 to_s = guess_s
@@ -188,19 +204,30 @@ impl Marcher<'_> {
             let newton = guess_s - motion[0] / motion[1];
             let next = if newton >= from_s && newton <= to_s { newton } else { 0.5 * (from_s + to_s) };
             let change = (next - guess_s).abs();
-            motion = if change <= short_s { self.look_on(w, next - guess_s, next) } else { self.look_ahead(w, next) };
+            if change <= short_s {
+                self.look_on(w, next - guess_s)
+            } else {
+                self.look_ahead(w, next)
+            }
+            motion = self.motion_ahead(w, p, next);
             guess_s = next;
             // Newton squares the error: a change this small left one of roundoff, and the flow to `next` has been looked at.
             if change <= 1e-7 * guess_s.min(1.0 / self.kernel.fastest_rad_s) {
                 break;
             }
         }
-        self.move_on(guess_s, self.time_s + guess_s, motion);
-        self.penetration_m = 0.0;
-        self.strike_m_s = self.strike_m_s.max(self.rate_m_s);
-        self.statistics.contacts += 1;
-        self.statistics.strike_sum_m_s += self.rate_m_s;
-        self.statistics.max_strike_m_s = self.statistics.max_strike_m_s.max(self.rate_m_s);
-        self.regime = Regime::Contact;
+        (guess_s, motion)
+    }
+
+    /// A port enters contact at the present time.
+    #[inline(always)]
+    pub(super) fn struck(&mut self, p: usize) {
+        let port = &mut self.ports[p];
+        port.penetration_m = 0.0;
+        port.strike_m_s = port.strike_m_s.max(port.rate_m_s);
+        port.statistics.contacts += 1;
+        port.statistics.strike_sum_m_s += port.rate_m_s;
+        port.statistics.max_strike_m_s = port.statistics.max_strike_m_s.max(port.rate_m_s);
+        port.regime = Regime::Contact;
     }
 }

@@ -3,8 +3,10 @@
 //! Steps have lengths `2^-e` seconds, so that tables are shared by all runs of a plant, whatever its drive.
 
 use super::basis::{Basis, SMOOTH};
+use super::cross_table::CrossTable;
 use super::flight_table::FlightTable;
 use super::flow::Flow;
+use super::forced_flight::ForcedFlight;
 use super::layout::Layout;
 use super::table::Table;
 use crate::contact::Law;
@@ -24,6 +26,13 @@ pub enum Shape {
     Smooth,
     /// The first step of a contact.
     Onset,
+}
+
+impl Shape {
+    /// Place in lists of both.
+    pub(super) fn index(self) -> usize {
+        usize::from(self == Shape::Onset)
+    }
 }
 
 /// A plant with its step tables.
@@ -57,6 +66,15 @@ struct PortLevel {
     flight: OnceLock<FlightTable>,
     smooth: OnceLock<Box<Table>>,
     onset: OnceLock<Box<Table>>,
+    /// What its force does to each port; empty for the only port.
+    seen: Vec<SeenLevel>,
+}
+
+/// What the force of one port does to another, per basis of the force and of the other port, each smooth or onset.
+#[derive(Debug, Default)]
+struct SeenLevel {
+    crosses: [[OnceLock<Box<CrossTable>>; 2]; 2],
+    flights: [OnceLock<Box<ForcedFlight>>; 2],
 }
 
 impl Kernel {
@@ -132,10 +150,10 @@ impl Kernel {
         })
     }
 
-    /// Row of the relative acceleration of the first port, the contact force left out: `(A^T c_v)`.
-    pub fn acceleration_row(&self) -> Vec<f64> {
+    /// Row of the relative acceleration of a port, the contact forces left out: `(A^T c_v)`.
+    pub fn acceleration_row(&self, port: usize) -> Vec<f64> {
         let block = &self.plant.diagonal.block;
-        let velocity = &self.plant.ports[0].velocity;
+        let velocity = &self.plant.ports[port].velocity;
         let mut row = Vec::with_capacity(velocity.len());
         for (pair, c) in block.pairs.iter().zip(velocity.chunks_exact(2)) {
             let [a, b, d, e] = pair.matrix();
@@ -202,6 +220,19 @@ impl Kernel {
         slot.get_or_init(|| Box::new(Table::new(self, port, self.basis(port, shape), Self::length_s(level))))
     }
 
+    /// What the force of the first port does to the second on a level.
+    pub(super) fn cross(&self, [port, seen]: [(usize, Shape); 2], level: i32) -> &CrossTable {
+        let tables = &self.levels[Self::index(level)].ports[port.0].seen[seen.0];
+        let slot = &tables.crosses[port.1.index()][seen.1.index()];
+        slot.get_or_init(|| Box::new(CrossTable::new(self, [port, seen], Self::length_s(level))))
+    }
+
+    /// What the force of a port does to the flight of another on a level.
+    pub(super) fn forced_flight(&self, port: (usize, Shape), seen: usize, level: i32) -> &ForcedFlight {
+        let slot = &self.levels[Self::index(level)].ports[port.0].seen[seen].flights[port.1.index()];
+        slot.get_or_init(|| Box::new(ForcedFlight::new(self, port, seen, Self::length_s(level))))
+    }
+
     /// Basis of the force of a port.
     pub(super) fn basis(&self, port: usize, shape: Shape) -> &Basis {
         match (shape, &self.onset[port]) {
@@ -218,7 +249,10 @@ impl Kernel {
 }
 
 fn levels(plant: &Plant) -> Vec<Level> {
-    let level = |_| Level { flow: OnceLock::new(), ports: plant.ports.iter().map(|_| PortLevel::default()).collect() };
+    let count = plant.ports.len();
+    let others = if count > 1 { count } else { 0 };
+    let port = |_| PortLevel { seen: (0..others).map(|_| SeenLevel::default()).collect(), ..PortLevel::default() };
+    let level = |_| Level { flow: OnceLock::new(), ports: (0..count).map(port).collect() };
     (COARSEST..=FINEST).map(level).collect()
 }
 

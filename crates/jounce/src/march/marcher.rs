@@ -1,27 +1,24 @@
 //! The marcher: the state of a run and its advance to a given time.
 //!
 //! Between contacts the flow is exact and a step is as long as the certificate allows; in contact the scalar force on a step
-//! is a polynomial through seven Gauss nodes, found by fixed point. The loop alternates the two.
+//! is a polynomial through seven Gauss nodes, found by fixed point. The loop alternates the two. Several ports are marched by
+//! [`super::several`].
 
-use super::basis::NODES;
 use super::energies::Opening;
 use super::error::MarchError;
 use super::forced::Forced;
-use super::kernel::{Kernel, Shape};
+use super::kernel::Kernel;
 use super::layout::Layout;
 use super::odd_tables::OddTables;
+use super::per_port::PerPort;
+use super::port_state::{PortState, Regime};
+use super::several::AdvanceSeveral;
 use super::tone::Turning;
 use super::totals::{ContactIntegrals, ContactStatistics, WorkCount};
-use super::trajectory::{Segment, Trajectory};
+use super::trajectory::{PortForce, Segment, Trajectory};
 use crate::contact::{ContactLaw, Hertz, Law, Rigid};
+use crate::plant::Stop;
 use crate::wide::{Lane, Portable, Task, Wide, widest};
-
-/// Whether the point is on the stop.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Regime {
-    Flight,
-    Contact,
-}
 
 /// A run in progress.
 #[derive(Debug, Clone)]
@@ -36,32 +33,12 @@ pub struct Marcher<'k> {
     pub(super) odd_tables: OddTables,
     pub(super) tones: Vec<Turning>,
     pub(super) forced: Forced,
-    /// Distance past the stop and its rate at the present time.
-    pub(super) penetration_m: f64,
-    pub(super) rate_m_s: f64,
-    pub(super) regime: Regime,
+    pub(super) ports: PerPort<PortState>,
     pub(super) flight_level: i32,
-    pub(super) entry_level: i32,
-    /// Largest speed at which the stop was struck so far: the scale of contact impulses.
-    pub(super) strike_m_s: f64,
-    pub(super) rows: Rows,
-    pub(super) statistics: ContactStatistics,
     pub(super) integrals: ContactIntegrals,
     pub(super) work: WorkCount,
     pub(super) opening: Opening,
     pub(super) record: Option<Trajectory>,
-}
-
-/// Padded rows of the port.
-#[derive(Debug, Clone)]
-pub(super) struct Rows {
-    pub displacement: Vec<Lane>,
-    pub velocity: Vec<Lane>,
-    pub gap_m: f64,
-    pub mobility_per_kg: f64,
-    /// `sum |S| w^4` and `sum |S|` over tones: the drive's share of the flight bound and of the scale of motion.
-    pub tone_fourth: f64,
-    pub tone_scale_m: f64,
 }
 
 impl<'k> Marcher<'k> {
@@ -70,29 +47,17 @@ impl<'k> Marcher<'k> {
     /// `tolerance` is the wanted relative error of the response.
     ///
     /// # Errors
-    /// [`MarchError::SeveralStops`].
+    /// [`MarchError::NotFinite`] for a start that is not a number.
     pub fn new(kernel: &'k Kernel, y: &[f64], time_s: f64, tolerance: f64) -> Result<Self, MarchError> {
-        let plant = &kernel.plant;
-        if plant.ports.len() > 1 {
-            return Err(MarchError::SeveralStops { stops: plant.ports.len() });
+        if y.iter().any(|value| !value.is_finite()) {
+            return Err(MarchError::NotFinite { time_s });
         }
-        let layout = kernel.layout;
-        let port = plant.ports.first();
-        let steady = |k: usize| port.map_or_else(Default::default, |port| port.steady_m[k]);
-        let tones: Vec<Turning> =
-            (plant.tones.iter().enumerate()).map(|(k, tone)| Turning::new(tone.angular_frequency_rad_s, steady(k), time_s)).collect();
-        let none = vec![0.0; plant.len()];
-        let rows = Rows {
-            displacement: layout.pack(port.map_or(&none, |port| &port.displacement)),
-            velocity: layout.pack(port.map_or(&none, |port| &port.velocity)),
-            gap_m: plant.system.stops.first().map_or(f64::INFINITY, |stop| stop.gap_m),
-            mobility_per_kg: port.map_or(1.0, |port| port.mobility_per_kg),
-            tone_fourth: tones.iter().map(|tone| tone.displacement_m.norm() * tone.angular_frequency_rad_s.powi(4)).sum(),
-            tone_scale_m: tones.iter().map(|tone| tone.displacement_m.norm()).sum(),
-        };
+        let (plant, layout) = (&kernel.plant, kernel.layout);
+        let tones: Vec<Turning> = (0..plant.tones.len()).map(|index| Turning::new(plant, index, time_s)).collect();
         let start = Kernel::level_within(1.0 / kernel.fastest_rad_s);
         let forced = Forced::new(kernel, time_s);
         let free: Vec<f64> = y.iter().zip(plant.forced(&forced.sizes, 0.0)).map(|(y, forced)| y - forced).collect();
+        let count = plant.ports.len();
         let mut marcher = Self {
             kernel,
             layout,
@@ -102,42 +67,26 @@ impl<'k> Marcher<'k> {
             next: vec![Lane::ZERO; layout.lanes()],
             scratch: vec![Lane::ZERO; layout.lanes()],
             odd_tables: OddTables::default(),
-            regime: Regime::Flight,
-            penetration_m: 0.0,
-            rate_m_s: 0.0,
+            ports: PerPort::new(count, |port| PortState::new(plant, &layout, &tones, port, start + 3)),
             flight_level: start,
-            entry_level: start + 3,
-            strike_m_s: 0.0,
             integrals: ContactIntegrals {
                 loads_j: vec![0.0; kernel.meters.loads.len()],
-                tones_n_s: vec![Default::default(); tones.len()],
+                tones_n_s: PerPort::new(count, |_| vec![Default::default(); tones.len()]),
                 ..ContactIntegrals::default()
             },
             tones,
             forced,
-            rows,
-            statistics: ContactStatistics::default(),
             work: WorkCount::default(),
             opening: Opening::default(),
             record: None,
         };
         marcher.forced.open(&layout, &marcher.y);
-        marcher.see(Portable::new());
-        marcher.start_pressed();
+        for (p, stop) in plant.system.stops.iter().enumerate() {
+            marcher.see(Portable::new(), p);
+            marcher.ports[p].start_pressed(&stop.law);
+        }
         marcher.opening = marcher.readings();
         Ok(marcher)
-    }
-
-    /// Starts in contact where the point lies past the stop.
-    fn start_pressed(&mut self) {
-        let Some(law) = self.kernel.plant.system.stops.first().map(|stop| stop.law) else { return };
-        // A point that leaves a rigid stop is past it by roundoff only.
-        let leaves = matches!(law, Law::Rigid(_)) && self.rate_m_s < 0.0;
-        if law.acts_on_both_sides() || (self.penetration_m > 0.0 && !leaves) {
-            self.regime = Regime::Contact;
-            // The compressed stop would throw the point off at this speed: the scale of the impulse of a contact that starts at rest.
-            self.strike_m_s = (2.0 * law.energy_j(self.penetration_m).max(0.0) * self.rows.mobility_per_kg).sqrt();
-        }
     }
 
     /// Present time, s.
@@ -150,26 +99,28 @@ impl<'k> Marcher<'k> {
         self.forced.whole(&self.layout, &self.y)
     }
 
-    /// Contact force of a compliant stop at the present time, N; 0 in flight and on a rigid stop.
-    pub fn force_n(&self) -> f64 {
-        let law = self.kernel.plant.system.stops.first().map(|stop| stop.law);
-        match (self.regime, law) {
-            (Regime::Contact, Some(law)) => law.force_n(self.penetration_m, self.rate_m_s),
-            _ => 0.0,
-        }
+    /// Contact force of each stop at the present time, N; 0 in flight and on a rigid stop.
+    pub fn forces_n(&self) -> Vec<f64> {
+        let force = |(port, stop): (&PortState, &Stop)| match port.regime {
+            Regime::Contact => stop.law.force_n(port.penetration_m, port.rate_m_s),
+            Regime::Flight => 0.0,
+        };
+        self.ports.iter().zip(&self.kernel.plant.system.stops).map(force).collect()
     }
 
-    /// Contact statistics since the last [`Marcher::reset_statistics`].
-    pub fn statistics(&self) -> &ContactStatistics {
-        &self.statistics
+    /// Contact statistics of all stops together since the last [`Marcher::reset_statistics`]: sums, and the largest of the largest.
+    pub fn statistics(&self) -> ContactStatistics {
+        self.statistics_by_stop().iter().fold(ContactStatistics::default(), ContactStatistics::and)
+    }
+
+    /// The same for each stop, in the order of `system.stops`.
+    pub fn statistics_by_stop(&self) -> Vec<ContactStatistics> {
+        self.ports.iter().map(|port| port.statistics).take(self.kernel.plant.ports.len()).collect()
     }
 
     /// Forgets the contact statistics, not the energies.
     pub fn reset_statistics(&mut self) {
-        self.statistics = ContactStatistics::default();
-        if self.regime == Regime::Contact {
-            self.statistics.max_penetration_m = self.penetration_m.max(0.0);
-        }
+        self.ports.iter_mut().for_each(PortState::reset_statistics);
     }
 
     /// Starts to keep every step.
@@ -183,10 +134,10 @@ impl<'k> Marcher<'k> {
     }
 
     /// Keeps the step that is about to be taken.
-    pub(super) fn note(&mut self, length_s: f64, force: Option<(Shape, [f64; NODES])>) {
+    pub(super) fn note(&mut self, length_s: f64, forces: &[PortForce]) {
         if let Some(record) = &mut self.record {
             let sizes = self.forced.sizes.clone();
-            record.push(Segment { start_s: self.time_s, length_s, state: self.layout.unpack(&self.y), sizes, force });
+            record.push(Segment { start_s: self.time_s, length_s, state: self.layout.unpack(&self.y), sizes, forces: forces.to_vec() });
         }
     }
 
@@ -198,8 +149,11 @@ impl<'k> Marcher<'k> {
     /// Marches to a time, landing on it exactly.
     ///
     /// # Errors
-    /// [`MarchError::ContactDiverged`], [`MarchError::NotFinite`].
+    /// Every variant of [`MarchError`].
     pub fn advance_to(&mut self, end_s: f64) -> Result<(), MarchError> {
+        if self.kernel.plant.ports.len() > 1 {
+            return widest(AdvanceSeveral { marcher: self, end_s });
+        }
         let law = self.kernel.plant.system.stops.first().map(|stop| stop.law);
         match law {
             None => self.dispatch(Hertz { stiffness: 0.0, exponent: 1.0 }, end_s),
@@ -215,9 +169,20 @@ impl<'k> Marcher<'k> {
     #[inline(always)]
     pub(super) fn next_breakpoint<W: Wide>(&mut self, w: W, end_s: f64) -> f64 {
         if self.forced.is_due(self.time_s) && self.forced.cross(self.kernel, self.time_s, &mut self.y) {
-            self.see(w);
+            self.see_all(w);
         }
         end_s.min(self.forced.until_s(self.time_s))
+    }
+
+    /// Sees all ports after an impulse of a signal; what rested on a rigid stop and now moves away from it flies.
+    fn see_all<W: Wide>(&mut self, w: W) {
+        for (p, stop) in self.kernel.plant.system.stops.iter().enumerate() {
+            self.see(w, p);
+            let port = &mut self.ports[p];
+            if matches!(stop.law, Law::Rigid(_)) && port.rate_m_s < 0.0 {
+                port.regime = Regime::Flight;
+            }
+        }
     }
 
     fn dispatch<L: ContactLaw>(&mut self, law: L, end_s: f64) -> Result<(), MarchError> {
@@ -241,7 +206,7 @@ impl<L: ContactLaw> Task for Advance<'_, '_, L> {
         let Advance { marcher, law, end_s } = self;
         while marcher.time_s < end_s {
             let until_s = marcher.next_breakpoint(w, end_s);
-            match marcher.regime {
+            match marcher.ports[0].regime {
                 Regime::Flight => marcher.flight(w, until_s)?,
                 Regime::Contact => marcher.contact(w, law, until_s)?,
             }

@@ -1,4 +1,4 @@
-//! Flow over any time, and the motion of the port at its end.
+//! Flow over any time, and the motion of the ports at its end.
 
 use super::flow::SHORT;
 use super::kernel::Kernel;
@@ -8,28 +8,30 @@ use crate::wide::Wide;
 use faer::c64;
 
 impl Marcher<'_> {
-    /// Reads penetration and rate off the state.
+    /// Reads penetration and rate of a port off the state.
     #[inline(always)]
-    pub(super) fn see<W: Wide>(&mut self, w: W) {
-        let mut motion = [dot(w, &self.rows.displacement, &self.y) - self.rows.gap_m, dot(w, &self.rows.velocity, &self.y)];
-        let [place, speed] = self.forced.motion_after(0, 0.0);
+    pub(super) fn see<W: Wide>(&mut self, w: W, p: usize) {
+        let rows = &self.ports[p].rows;
+        let mut motion = [dot(w, &rows.displacement, &self.y) - rows.gap_m, dot(w, &rows.velocity, &self.y)];
+        let [place, speed] = self.forced.motion_after(p, 0.0);
         motion = [motion[0] + place, motion[1] + speed];
         for tone in &self.tones {
-            let [place, speed] = tone.motion();
+            let [place, speed] = tone.motion(p);
             motion = [motion[0] + place, motion[1] + speed];
         }
-        [self.penetration_m, self.rate_m_s] = motion;
+        let port = &mut self.ports[p];
+        [port.penetration_m, port.rate_m_s] = motion;
     }
 
-    /// Puts the state after an exact flow over any time into `next`; returns penetration and rate there.
+    /// Puts the state after an exact flow over any time into `next`.
     ///
     /// The time is cut into levels, longest first, and a rest so short that the power series of the flow is exact.
     #[inline(always)]
-    pub(super) fn look_ahead<W: Wide>(&mut self, w: W, length_s: f64) -> [f64; 2] {
+    pub(super) fn look_ahead<W: Wide>(&mut self, w: W, length_s: f64) {
         let kernel = self.kernel;
         if let Some(flow) = self.forced.flow_over(length_s) {
             flow.apply(w, &self.y, &mut self.next);
-            return self.motion_in_next(w, length_s);
+            return;
         }
         self.next.copy_from_slice(&self.y);
         let mut rest_s = length_s;
@@ -39,37 +41,43 @@ impl Marcher<'_> {
             std::mem::swap(&mut self.next, &mut self.scratch);
             rest_s -= Kernel::length_s(level);
         }
-        self.look_on(w, rest_s, length_s)
+        self.look_on(w, rest_s);
     }
 
-    /// Carries `next` on by a short time, to `length_s` after the present one; returns penetration and rate there.
+    /// Carries `next` on by a short time.
     #[inline(always)]
-    pub(super) fn look_on<W: Wide>(&mut self, w: W, short_s: f64, length_s: f64) -> [f64; 2] {
+    pub(super) fn look_on<W: Wide>(&mut self, w: W, short_s: f64) {
         self.kernel.generator.glide(w, short_s, &mut self.next);
-        self.motion_in_next(w, length_s)
     }
 
-    /// Penetration and rate of the state in `next`, `length_s` after the present time.
+    /// Penetration and rate of a port in `next`, `length_s` after the present time.
     #[inline(always)]
-    fn motion_in_next<W: Wide>(&self, w: W, length_s: f64) -> [f64; 2] {
-        let mut motion = [dot(w, &self.rows.displacement, &self.next) - self.rows.gap_m, dot(w, &self.rows.velocity, &self.next)];
-        let [place, speed] = self.forced.motion_after(0, length_s);
+    pub(super) fn motion_ahead<W: Wide>(&self, w: W, p: usize, length_s: f64) -> [f64; 2] {
+        let rows = &self.ports[p].rows;
+        let mut motion = [dot(w, &rows.displacement, &self.next) - rows.gap_m, dot(w, &rows.velocity, &self.next)];
+        let [place, speed] = self.forced.motion_after(p, length_s);
         motion = [motion[0] + place, motion[1] + speed];
         for tone in &self.tones {
-            let [place, speed] = tone.motion_after(c64::cis(tone.angular_frequency_rad_s * length_s));
+            let [place, speed] = tone.motion_after(p, c64::cis(tone.angular_frequency_rad_s * length_s));
             motion = [motion[0] + place, motion[1] + speed];
         }
         motion
     }
 
-    /// Moves to the state in `next`.
+    /// Moves to the state in `next`; the ports are left to be seen.
     #[inline(always)]
-    pub(super) fn move_on(&mut self, length_s: f64, end_s: f64, motion: [f64; 2]) {
-        self.note(length_s, None);
+    pub(super) fn move_on(&mut self, length_s: f64, end_s: f64) {
+        self.note(length_s, &[]);
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s = end_s;
         self.tones.iter_mut().for_each(|tone| tone.set(end_s));
         self.forced.pass(self.kernel, length_s, end_s, &mut self.y);
-        [self.penetration_m, self.rate_m_s] = motion;
+    }
+
+    /// Sets what a port does at the present time.
+    #[inline(always)]
+    pub(super) fn set_motion(&mut self, p: usize, motion: [f64; 2]) {
+        let port = &mut self.ports[p];
+        [port.penetration_m, port.rate_m_s] = motion;
     }
 }

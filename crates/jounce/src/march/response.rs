@@ -39,6 +39,8 @@ pub struct Row {
 pub struct Responses {
     /// In the order asked for.
     pub rows: Vec<Response>,
+    /// Their Legendre series in time under a unit force of each node, one lane per coefficient.
+    pub series: Vec<Vec<Lane>>,
     /// See above.
     pub push: Vec<[Lane; NODES]>,
 }
@@ -52,6 +54,8 @@ pub struct Making<'a> {
     pub layout: &'a Layout,
     /// The force on the step.
     pub basis: &'a Basis,
+    /// The basis at whose places, or against whose functions, the rows are read.
+    pub reader: &'a Basis,
     /// Column of a unit force, block coordinates.
     pub force: &'a [f64],
     /// Wanted rows.
@@ -72,16 +76,17 @@ impl Task for Making<'_> {
 
     #[inline(always)]
     fn run<W: Wide>(self, w: W) -> Responses {
-        let Making { block, layout, basis, force, rows, length_s: h } = self;
+        let Making { block, layout, basis, reader, force, rows, length_s: h } = self;
         let count = parts(block).map(|(_, part)| terms(&part, basis, h)).max().unwrap_or(basis.series.len());
-        let powers = legendre_lanes(w, basis, count);
+        let powers = legendre_lanes(w, reader, count);
         let moments: Vec<Lane> =
-            (basis.series.iter().enumerate()).map(|(a, lane)| w.store(w.mul(w.splat(h / (2 * a + 1) as f64), w.load(lane)))).collect();
+            (reader.series.iter().enumerate()).map(|(a, lane)| w.store(w.mul(w.splat(h / (2 * a + 1) as f64), w.load(lane)))).collect();
         let states = block.len();
         let mut series = vec![vec![Lane::ZERO; count]; rows.len()];
         let mut out = Responses {
             rows: rows.iter().map(|_| Response { columns: vec![Lane::ZERO; states], push: [Lane::ZERO; NODES] }).collect(),
             push: vec![[Lane::ZERO; NODES]; layout.lanes()],
+            series: Vec::new(),
         };
         let mut answers = Answers::default();
         let all: Vec<(usize, Part)> = parts(block).collect();
@@ -102,7 +107,7 @@ impl Task for Making<'_> {
                     response.columns[layout.column(state)] = w.store(w.fma(w.splat(f), source[0], w.mul(w.splat(g), source[1])));
                 }
                 let [f, g] = part.forced(row, &force[own.clone()], h);
-                let kept = if wanted.reading == Reading::Pointwise { answers.first.len() } else { basis.series.len() };
+                let kept = if wanted.reading == Reading::Pointwise { answers.first.len() } else { reader.series.len() };
                 for ((sum, first), second) in series.iter_mut().zip(&answers.first).zip(&answers.second).take(kept) {
                     *sum = w.store(w.fma(w.splat(f), w.load(first), w.fma(w.splat(g), w.load(second), w.load(sum))));
                 }
@@ -120,6 +125,7 @@ impl Task for Making<'_> {
             let at = if wanted.reading == Reading::Pointwise { &powers } else { &moments };
             response.push = summed(w, at, series);
         }
+        out.series = series;
         out
     }
 }

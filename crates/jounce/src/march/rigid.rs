@@ -12,12 +12,15 @@
 //! collocated at the nodes of a step as everywhere else; the point leaves when the force would have to pull.
 
 use super::basis::{NODES, SMOOTH};
+use super::contact_step::Step;
 use super::error::MarchError;
 use super::kernel::{Kernel, Shape};
-use super::marcher::{Marcher, Regime};
+use super::marcher::Marcher;
+use super::port_state::Regime;
 use super::state::{add_push, columns, dot};
 use super::table::{Sticking, Table};
 use super::tone::Swing;
+use super::trajectory::PortForce;
 use crate::contact::Rigid;
 use crate::wide::{Lane, Portable, WIDTH, Wide};
 use faer::c64;
@@ -31,9 +34,9 @@ impl Marcher<'_> {
     pub(super) fn advance_rigid<W: Wide>(&mut self, w: W, law: Rigid, end_s: f64) -> Result<(), MarchError> {
         while self.time_s < end_s {
             let until_s = self.next_breakpoint(w, end_s);
-            match self.regime {
+            match self.ports[0].regime {
                 Regime::Flight => self.flight(w, until_s)?,
-                Regime::Contact if self.rate_m_s > 0.0 => self.impact(law),
+                Regime::Contact if self.ports[0].rate_m_s > 0.0 => self.impact(0, law),
                 Regime::Contact => self.stick(until_s)?,
             }
         }
@@ -41,52 +44,55 @@ impl Marcher<'_> {
     }
 
     /// One impact; ends in flight, or at rest on the stop where chatter has died away.
-    fn impact(&mut self, law: Rigid) {
-        let (before, e) = (self.rate_m_s, law.restitution);
-        let presses = self.acceleration_m_s2() > 0.0;
-        let sticks = presses && e * before <= CHATTER_SHARE * self.tolerance * self.strike_m_s;
+    pub(super) fn impact(&mut self, p: usize, law: Rigid) {
+        let (before, mobility, e) = (self.ports[p].rate_m_s, self.ports[p].rows.mobility_per_kg, law.restitution);
+        let presses = self.acceleration_m_s2(p) > 0.0;
+        let sticks = presses && e * before <= CHATTER_SHARE * self.tolerance * self.ports[p].strike_m_s;
         let rebound = if sticks { 0.0 } else { e };
-        self.push_by((1.0 + rebound) * before / self.rows.mobility_per_kg);
-        self.integrals.loss_j += 0.5 * (1.0 - rebound * rebound) * before * before / self.rows.mobility_per_kg;
-        self.penetration_m = 0.0;
-        self.rate_m_s = -rebound * before;
+        let impulse_n_s = (1.0 + rebound) * before / mobility;
+        if let Some(record) = &mut self.record {
+            record.push_impact(p, impulse_n_s);
+        }
+        self.push_by(p, impulse_n_s);
+        self.integrals.loss_j += 0.5 * (1.0 - rebound * rebound) * before * before / mobility;
+        self.set_motion(p, [0.0, -rebound * before]);
         if !sticks {
-            self.regime = Regime::Flight;
+            self.ports[p].regime = Regime::Flight;
         }
     }
 
     /// Changes the velocity by an impulse towards the stop's outside, N s.
-    fn push_by(&mut self, impulse_n_s: f64) {
+    fn push_by(&mut self, p: usize, impulse_n_s: f64) {
         let kernel = self.kernel;
-        let column = self.layout.pack(&kernel.plant.ports[0].force);
+        let column = self.layout.pack(&kernel.plant.ports[p].force);
         let middle: Vec<Lane> = self.y.iter().zip(&column).map(|(y, b)| y.add_scaled(0.5 * impulse_n_s, b)).collect();
         // The meters' integral of a force that acts in no time: force times the mean of the state before and after.
         for (sum, meter) in self.integrals.loads_j.iter_mut().zip(&kernel.meters.loads) {
-            *sum += impulse_n_s * dot(Portable::new(), &self.layout.pack(meter.port_row(0)), &middle);
+            *sum += impulse_n_s * dot(Portable::new(), &self.layout.pack(meter.port_row(p)), &middle);
         }
-        self.integrals.damping_j += impulse_n_s * dot(Portable::new(), &self.layout.pack(kernel.meters.damping.port_row(0)), &middle);
-        for (sum, tone) in self.integrals.tones_n_s.iter_mut().zip(&self.tones) {
+        self.integrals.damping_j += impulse_n_s * dot(Portable::new(), &self.layout.pack(kernel.meters.damping.port_row(p)), &middle);
+        for (sum, tone) in self.integrals.tones_n_s[p].iter_mut().zip(&self.tones) {
             *sum += tone.turn * impulse_n_s;
         }
-        self.forced.strike_stop(0, impulse_n_s);
-        self.statistics.impulse_n_s += impulse_n_s;
+        self.forced.strike_stop(p, impulse_n_s);
+        self.ports[p].statistics.impulse_n_s += impulse_n_s;
         self.y.iter_mut().zip(&column).for_each(|(y, b)| *y = y.add_scaled(impulse_n_s, b));
     }
 
     /// Relative acceleration towards the stop without contact force, m/s^2.
-    fn acceleration_m_s2(&self) -> f64 {
-        let row = self.layout.pack(&self.kernel.acceleration_row());
-        let drive: f64 = self.tones.iter().map(|tone| acceleration(tone.displacement_m * tone.turn, tone.angular_frequency_rad_s)).sum();
-        dot(Portable::new(), &row, &self.y) + drive + self.forced.acceleration_after(0, 0.0)
+    pub(super) fn acceleration_m_s2(&self, p: usize) -> f64 {
+        let row = self.layout.pack(&self.kernel.acceleration_row(p));
+        let drive: f64 = self.tones.iter().map(|tone| acceleration(tone.displacement_m[p] * tone.turn, tone.angular_frequency_rad_s)).sum();
+        dot(Portable::new(), &row, &self.y) + drive + self.forced.acceleration_after(p, 0.0)
     }
 
     /// Rests on the stop until the force would have to pull, or until the end.
     fn stick(&mut self, end_s: f64) -> Result<(), MarchError> {
-        let mut level = self.entry_level;
+        let mut level = self.ports[0].entry_level;
         while self.time_s < end_s {
-            let force_now = self.acceleration_m_s2() / self.rows.mobility_per_kg;
+            let force_now = self.acceleration_m_s2(0) / self.ports[0].rows.mobility_per_kg;
             if force_now <= 0.0 {
-                self.regime = Regime::Flight;
+                self.ports[0].regime = Regime::Flight;
                 return Ok(());
             }
             let remaining = end_s - self.time_s;
@@ -98,10 +104,11 @@ impl Marcher<'_> {
             } else {
                 self.kernel.table(0, Shape::Smooth, level)
             };
-            let sticking = Sticking::new(self.kernel, &SMOOTH, table.length_s);
+            let sticking = Sticking::new(self.kernel, 0, &SMOOTH, table.length_s);
             let (force, error) = self.holding_force(table, &sticking);
             let pulls = force.iter().any(|f| *f < 0.0);
-            let negligible = force_now * table.length_s <= 1e-3 * self.tolerance * self.strike_m_s / self.rows.mobility_per_kg;
+            let negligible =
+                force_now * table.length_s <= 1e-3 * self.tolerance * self.ports[0].strike_m_s / self.ports[0].rows.mobility_per_kg;
             if (pulls && !negligible) || error > self.tolerance.max(1e-12) * 1e-2 {
                 level = if landing { Kernel::level_within(remaining) + 1 } else { level + 1 };
                 if level > Kernel::finest() {
@@ -114,7 +121,7 @@ impl Marcher<'_> {
                 self.time_s = end_s;
             }
             if pulls {
-                self.regime = Regime::Flight;
+                self.ports[0].regime = Regime::Flight;
                 return Ok(());
             }
             level = (level - 1).max(Kernel::coarsest());
@@ -127,9 +134,10 @@ impl Marcher<'_> {
         let w = Portable::new();
         let mut free = w.store(columns(w, &self.layout, &self.y, &sticking.acceleration.columns, w.zero()));
         for tone in &mut self.tones {
-            tone.swing = Swing::over(tone.angular_frequency_rad_s, &SMOOTH, table.length_s);
+            let swing = Swing::over(tone.angular_frequency_rad_s, &SMOOTH, table.length_s);
+            tone.swing[0] = swing;
             for i in 0..WIDTH {
-                let turned = tone.displacement_m * tone.turn * c64::new(tone.swing.cos.0[i], tone.swing.sin.0[i]);
+                let turned = tone.displacement_m[0] * tone.turn * c64::new(swing.cos.0[i], swing.sin.0[i]);
                 free.0[i] += acceleration(turned, tone.angular_frequency_rad_s);
             }
         }
@@ -140,47 +148,54 @@ impl Marcher<'_> {
         let end_by_nodes: f64 = (0..NODES).map(|j| SMOOTH.at_end[j] * force[j]).sum();
         let felt: f64 = free.0[NODES] + (0..NODES).map(|j| sticking.acceleration.push[j].0[NODES] * force[j]).sum::<f64>();
         let size = force.iter().fold(f64::MIN_POSITIVE, |max, f| max.max(f.abs()));
-        (force, (end_by_nodes - felt / self.rows.mobility_per_kg).abs() / size)
+        (force, (end_by_nodes - felt / self.ports[0].rows.mobility_per_kg).abs() / size)
     }
 
     /// Takes a step under given nodal forces and puts the point back onto the stop to roundoff.
     fn take_held(&mut self, table: &Table, force: &[f64; NODES]) {
-        self.note(table.length_s, Some((Shape::Smooth, *force)));
         let lane = Lane(std::array::from_fn(|i| if i < NODES { force[i] } else { 0.0 }));
         let w = Portable::new();
-        self.integrate_force(w, table, &SMOOTH, &lane);
+        let step = Step::held(0, table);
+        self.note(table.length_s, &[PortForce::new(&step, &lane)]);
+        self.integrate_force(w, &step, &lane);
         table.flow.apply(w, &self.y, &mut self.next);
         add_push(w, &table.push, &lane, &mut self.next);
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += table.length_s;
         self.tones.iter_mut().for_each(|tone| tone.set(self.time_s));
         self.forced.pass(self.kernel, table.length_s, self.time_s, &mut self.y);
-        self.see(w);
-        let sizes = force.iter().fold(0.0_f64, |max, f| max.max(*f));
-        self.statistics.max_force_n = self.statistics.max_force_n.max(sizes);
-        self.statistics.sticking_s += table.length_s;
-        self.statistics.time_s += table.length_s;
-        self.put_back();
+        self.see(w, 0);
+        self.observe_rest(0, table.length_s, &lane);
+        self.put_back(0);
+    }
+
+    /// Adds a step of rest to the statistics.
+    pub(super) fn observe_rest(&mut self, p: usize, length_s: f64, force: &Lane) {
+        let statistics = &mut self.ports[p].statistics;
+        statistics.max_force_n = force.0.iter().fold(statistics.max_force_n, |max, f| max.max(*f));
+        statistics.sticking_s += length_s;
+        statistics.time_s += length_s;
     }
 
     /// Removes the drift of collocation: the constraint is kept in acceleration, so position and speed wander by roundoff.
-    fn put_back(&mut self) {
-        let plant = &self.kernel.plant;
-        let shape = &plant.system.stops[0].shape;
-        let shift: Vec<f64> = shape.iter().map(|s| -s * self.penetration_m / self.rows.mobility_per_kg).collect();
+    pub(super) fn put_back(&mut self, p: usize) {
+        let (plant, port) = (&self.kernel.plant, &self.ports[p]);
+        let mobility = port.rows.mobility_per_kg;
+        let shape = &plant.system.stops[p].shape;
+        let shift: Vec<f64> = shape.iter().map(|s| -s * port.penetration_m / mobility).collect();
         let inverse = &plant.diagonal.from_physical;
         let moved: Vec<f64> = (0..plant.len()).map(|i| shift.iter().enumerate().map(|(j, q)| inverse[(i, j)] * q).sum()).collect();
         let moved = self.layout.pack(&moved);
-        let column = self.layout.pack(&plant.ports[0].force);
-        let impulse = self.rate_m_s / self.rows.mobility_per_kg;
+        let column = self.layout.pack(&plant.ports[p].force);
+        let impulse = port.rate_m_s / mobility;
         for ((y, moved), b) in self.y.iter_mut().zip(&moved).zip(&column) {
             *y = y.add_scaled(1.0, moved).add_scaled(impulse, b);
         }
-        (self.penetration_m, self.rate_m_s) = (0.0, 0.0);
+        self.set_motion(p, [0.0, 0.0]);
     }
 }
 
 /// Acceleration of a turning displacement, m/s^2.
-fn acceleration(displacement_m: c64, angular_frequency_rad_s: f64) -> f64 {
+pub(super) fn acceleration(displacement_m: c64, angular_frequency_rad_s: f64) -> f64 {
     -(displacement_m * angular_frequency_rad_s * angular_frequency_rad_s).re
 }

@@ -46,7 +46,7 @@ impl Table {
         let mut rows = vec![pointwise(&port_of.displacement), pointwise(&port_of.velocity), meter(&kernel.meters.damping)];
         rows.extend(kernel.meters.loads.iter().map(meter));
         let block = &plant.diagonal.block;
-        let made = widest(Making { block, layout, basis, force: &port_of.force, rows: &rows, length_s });
+        let made = widest(Making { block, layout, basis, reader: basis, force: &port_of.force, rows: &rows, length_s });
         let mut responses = made.rows.into_iter();
         let mut next = || responses.next().unwrap_or_default();
         let (displacement, velocity, damping) = (next(), next(), next());
@@ -59,8 +59,8 @@ impl Table {
             push: made.push,
             constant: weighted(&|_| 1.0),
             ramp: weighted(&|j| basis.places[j]),
-            reach_m_n: reach(&displacement),
-            reach_m_n_s: reach(&velocity),
+            reach_m_n: reach(&displacement.push),
+            reach_m_n_s: reach(&velocity.push),
             loads: responses.map(|response| Meter::new(layout, &response)).collect(),
             displacement,
             velocity,
@@ -69,8 +69,9 @@ impl Table {
     }
 }
 
-fn reach(response: &Response) -> f64 {
-    (0..=NODES).map(|i| response.push.iter().map(|lane| lane.0[i].abs()).sum()).fold(0.0, f64::max)
+/// Largest answer at the nodes and the end to nodal forces of magnitude 1.
+pub(super) fn reach(push: &[Lane; NODES]) -> f64 {
+    (0..=NODES).map(|i| push.iter().map(|lane| lane.0[i].abs()).sum()).fold(0.0, f64::max)
 }
 
 /// What rest on a rigid stop needs on a step, made when it happens.
@@ -84,14 +85,14 @@ pub struct Sticking {
 
 impl Sticking {
     /// For a step of one length.
-    pub fn new(kernel: &Kernel, basis: &Basis, length_s: f64) -> Self {
+    pub fn new(kernel: &Kernel, port: usize, basis: &Basis, length_s: f64) -> Self {
         use faer::linalg::solvers::DenseSolveCore;
         let plant = &kernel.plant;
-        let rows = [Row { row: kernel.acceleration_row(), reading: Reading::Pointwise }];
-        let (block, force) = (&plant.diagonal.block, &plant.ports[0].force);
-        let made = widest(Making { block, layout: &kernel.layout, basis, force, rows: &rows, length_s });
+        let rows = [Row { row: kernel.acceleration_row(port), reading: Reading::Pointwise }];
+        let (block, force) = (&plant.diagonal.block, &plant.ports[port].force);
+        let made = widest(Making { block, layout: &kernel.layout, basis, reader: basis, force, rows: &rows, length_s });
         let acceleration = made.rows.into_iter().next().unwrap_or_default();
-        let mobility = plant.ports[0].mobility_per_kg;
+        let mobility = plant.ports[port].mobility_per_kg;
         let system = faer::Mat::from_fn(NODES, NODES, |i, j| (if i == j { mobility } else { 0.0 }) - acceleration.push[j].0[i]);
         let inverse = system.partial_piv_lu().inverse();
         Self { acceleration, inverse: std::array::from_fn(|i| std::array::from_fn(|j| inverse[(i, j)])) }

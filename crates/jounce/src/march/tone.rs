@@ -2,6 +2,8 @@
 
 use super::basis::{Basis, NODES};
 use super::kernel::{Kernel, Shape};
+use super::per_port::PerPort;
+use crate::plant::Plant;
 use crate::wide::{Lane, WIDTH, Wide};
 use faer::c64;
 
@@ -12,14 +14,14 @@ pub struct Turning {
     pub angular_frequency_rad_s: f64,
     /// `e^{i w t}` at the present time.
     pub turn: c64,
-    /// Complex amplitude of the port displacement, m.
-    pub displacement_m: c64,
-    /// Its swing over the step in hand.
-    pub swing: Swing,
+    /// Complex amplitude of the displacement of each port, m.
+    pub displacement_m: PerPort<c64>,
+    /// Its swing over the step in hand, at the places of each port.
+    pub swing: PerPort<Swing>,
     /// `e^{i w h}` per level.
     ends: Vec<Option<c64>>,
-    /// `cos` and `sin` of `w tau` at the places of a basis, per level: smooth, then onset.
-    levels: [Vec<Option<Box<Swing>>>; 2],
+    /// `cos` and `sin` of `w tau` at the places of a basis, per port and level: smooth, then onset.
+    levels: PerPort<[Vec<Option<Box<Swing>>>; 2]>,
 }
 
 /// `cos` and `sin` of `w tau` over a step: at the seven nodes and at its end.
@@ -52,15 +54,16 @@ impl Swing {
 }
 
 impl Turning {
-    /// A tone at a time.
-    pub fn new(angular_frequency_rad_s: f64, displacement_m: c64, time_s: f64) -> Self {
+    /// Tone number `index` of a plant at a time.
+    pub fn new(plant: &Plant, index: usize, time_s: f64) -> Self {
+        let (angular_frequency_rad_s, ports) = (plant.tones[index].angular_frequency_rad_s, plant.ports.len());
         Self {
             angular_frequency_rad_s,
             turn: c64::cis(angular_frequency_rad_s * time_s),
-            displacement_m,
-            swing: Swing { cos: Lane::ZERO, sin: Lane::ZERO },
+            displacement_m: PerPort::new(ports, |port| plant.ports.get(port).map_or_else(c64::default, |port| port.steady_m[index])),
+            swing: PerPort::new(ports, |_| Swing { cos: Lane::ZERO, sin: Lane::ZERO }),
             ends: vec![None; Kernel::count()],
-            levels: [vec![None; Kernel::count()], vec![None; Kernel::count()]],
+            levels: PerPort::new(ports, |_| [vec![None; Kernel::count()], vec![None; Kernel::count()]]),
         }
     }
 
@@ -71,24 +74,24 @@ impl Turning {
         *self.ends[Kernel::index(level)].get_or_insert_with(|| c64::cis(angle))
     }
 
-    /// Makes `swing` that over a level.
+    /// Makes the `swing` of a port that over a level.
     #[inline(always)]
-    pub fn swing_over(&mut self, kernel: &Kernel, shape: Shape, level: i32) {
+    pub fn swing_over(&mut self, kernel: &Kernel, port: usize, shape: Shape, level: i32) {
         let frequency = self.angular_frequency_rad_s;
-        let make = || Box::new(Swing::over(frequency, kernel.basis(0, shape), Kernel::length_s(level)));
-        self.swing = **self.levels[usize::from(shape == Shape::Onset)][Kernel::index(level)].get_or_insert_with(make);
+        let make = || Box::new(Swing::over(frequency, kernel.basis(port, shape), Kernel::length_s(level)));
+        self.swing[port] = **self.levels[port][shape.index()][Kernel::index(level)].get_or_insert_with(make);
     }
 
-    /// Displacement and velocity of the port at the present time, m and m/s.
+    /// Displacement and velocity of a port at the present time, m and m/s.
     #[inline(always)]
-    pub fn motion(&self) -> [f64; 2] {
-        self.motion_after(c64::new(1.0, 0.0))
+    pub fn motion(&self, port: usize) -> [f64; 2] {
+        self.motion_after(port, c64::new(1.0, 0.0))
     }
 
     /// The same after a turn.
     #[inline(always)]
-    pub fn motion_after(&self, turn: c64) -> [f64; 2] {
-        let z = self.displacement_m * self.turn * turn;
+    pub fn motion_after(&self, port: usize, turn: c64) -> [f64; 2] {
+        let z = self.displacement_m[port] * self.turn * turn;
         [z.re, -self.angular_frequency_rad_s * z.im]
     }
 

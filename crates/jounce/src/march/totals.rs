@@ -1,5 +1,6 @@
 //! What a march has seen so far: contacts, and the contact integrals that the energy meters need.
 
+use super::per_port::PerPort;
 use faer::c64;
 
 /// Work done by the marcher, for snapshots: it must not grow unnoticed.
@@ -38,15 +39,31 @@ pub struct ContactStatistics {
     pub sticking_s: f64,
 }
 
+impl ContactStatistics {
+    /// Those of two ports together: largest of the largest, sum of the others.
+    pub(super) fn and(self, other: &Self) -> Self {
+        Self {
+            contacts: self.contacts + other.contacts,
+            time_s: self.time_s + other.time_s,
+            max_penetration_m: self.max_penetration_m.max(other.max_penetration_m),
+            max_force_n: self.max_force_n.max(other.max_force_n),
+            impulse_n_s: self.impulse_n_s + other.impulse_n_s,
+            strike_sum_m_s: self.strike_sum_m_s + other.strike_sum_m_s,
+            max_strike_m_s: self.max_strike_m_s.max(other.max_strike_m_s),
+            sticking_s: self.sticking_s + other.sticking_s,
+        }
+    }
+}
+
 /// Contact integrals since the start of the march.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ContactIntegrals {
-    /// `integral f (P b) . y dt` per load, J.
+    /// `sum over ports of integral f (P b) . y dt` per load, J.
     pub loads_j: Vec<f64>,
     /// The same for damping, J.
     pub damping_j: f64,
-    /// `integral f e^{i w t} dt` per tone, N s.
-    pub tones_n_s: Vec<c64>,
+    /// `integral f e^{i w t} dt` per port and tone, N s.
+    pub tones_n_s: PerPort<Vec<c64>>,
     /// Energy lost in the contact law, J.
     pub loss_j: f64,
 }

@@ -5,11 +5,12 @@
 
 use super::answers::Answers;
 use super::basis::{NODES, legendre};
+use super::contact_step::Step;
 use super::factors::factored;
 use super::kernel::{Kernel, Shape};
 use super::response::parts;
 use crate::plant::Size;
-use crate::wide::Portable;
+use crate::wide::{Lane, Portable};
 use std::collections::HashMap;
 
 /// One step as it was taken.
@@ -23,14 +24,44 @@ pub struct Segment {
     pub state: Vec<f64>,
     /// Size and slope of each signal at its start.
     pub sizes: Vec<Size>,
-    /// Basis of the contact force and its values at the seven nodes, N; `None` in flight.
-    pub force: Option<(Shape, [f64; NODES])>,
+    /// The contact forces; empty in flight.
+    pub forces: Vec<PortForce>,
+}
+
+/// The contact force of one port on a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PortForce {
+    /// Number of the port.
+    pub port: usize,
+    /// Its basis.
+    pub shape: Shape,
+    /// Its values at the seven nodes, N.
+    pub nodal_n: [f64; NODES],
+}
+
+impl PortForce {
+    /// Of a step, the last place left out.
+    pub(super) fn new(step: &Step, force: &Lane) -> Self {
+        Self { port: step.port, shape: step.shape, nodal_n: std::array::from_fn(|j| force.0[j]) }
+    }
 }
 
 /// Consecutive segments.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Trajectory {
     segments: Vec<Segment>,
+    impacts: Vec<Impact>,
+}
+
+/// An impulse of a rigid stop.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Impact {
+    /// Segments before it.
+    pub after: usize,
+    /// Number of the port.
+    pub port: usize,
+    /// The impulse, N s.
+    pub impulse_n_s: f64,
 }
 
 /// A state of a trajectory.
@@ -40,13 +71,22 @@ pub struct Instant {
     pub time_s: f64,
     /// Block coordinates.
     pub state: Vec<f64>,
-    /// Contact force, N.
-    pub force_n: f64,
+    /// Contact force of each stop, N.
+    pub forces_n: Vec<f64>,
 }
 
 impl Trajectory {
     pub(super) fn push(&mut self, segment: Segment) {
         self.segments.push(segment);
+    }
+
+    pub(super) fn push_impact(&mut self, port: usize, impulse_n_s: f64) {
+        self.impacts.push(Impact { after: self.segments.len(), port, impulse_n_s });
+    }
+
+    /// Impacts on rigid stops.
+    pub fn impacts(&self) -> &[Impact] {
+        &self.impacts
     }
 
     /// The steps.
@@ -56,7 +96,7 @@ impl Trajectory {
 
     /// States at ascending times; times outside the record are taken from its nearest segment.
     pub fn at(&self, kernel: &Kernel, times_s: &[f64]) -> Vec<Instant> {
-        let mut made: HashMap<(u64, Shape), Vec<Answers>> = HashMap::new();
+        let mut made: HashMap<(u64, usize, Shape), Vec<Answers>> = HashMap::new();
         let mut instants = Vec::with_capacity(times_s.len());
         let mut index = 0;
         for &time_s in times_s {
@@ -64,19 +104,21 @@ impl Trajectory {
                 index += 1;
             }
             let Some(segment) = self.segments.get(index) else { break };
-            let answers = segment.force.map(|(shape, _)| {
-                let length_s = segment.length_s;
-                &*made.entry((length_s.to_bits(), shape)).or_insert_with(|| answers(kernel, shape, length_s))
-            });
-            instants.push(segment.at(kernel, time_s, answers.map(Vec::as_slice)));
+            let mut instant = segment.free_at(kernel, time_s);
+            for force in &segment.forces {
+                let (length_s, port, shape) = (segment.length_s, force.port, force.shape);
+                let make = || answers(kernel, port, shape, length_s);
+                segment.add(kernel, force, made.entry((length_s.to_bits(), port, shape)).or_insert_with(make), &mut instant);
+            }
+            instants.push(instant);
         }
         instants
     }
 }
 
 /// Answers of all blocks on a step of one length.
-fn answers(kernel: &Kernel, shape: Shape, length_s: f64) -> Vec<Answers> {
-    let (w, basis) = (Portable::new(), kernel.basis(0, shape));
+fn answers(kernel: &Kernel, port: usize, shape: Shape, length_s: f64) -> Vec<Answers> {
+    let (w, basis) = (Portable::new(), kernel.basis(port, shape));
     let solved = |(_, part)| {
         let mut answers = Answers::default();
         answers.solve(w, &part, basis, length_s, (&factored(w, &[part], basis, length_s), 0));
@@ -86,33 +128,35 @@ fn answers(kernel: &Kernel, shape: Shape, length_s: f64) -> Vec<Answers> {
 }
 
 impl Segment {
-    fn at(&self, kernel: &Kernel, time_s: f64, answers: Option<&[Answers]>) -> Instant {
+    /// The free motion.
+    fn free_at(&self, kernel: &Kernel, time_s: f64) -> Instant {
         let after_s = time_s - self.start_s;
-        let block = &kernel.plant.diagonal.block;
-        let mut state = block.flow(after_s, &self.state);
+        let mut state = kernel.plant.diagonal.block.flow(after_s, &self.state);
         if !self.sizes.is_empty() {
             let forced = kernel.plant.forced(&self.sizes, after_s);
             state.iter_mut().zip(forced).for_each(|(y, forced)| *y += forced);
         }
-        let mut force_n = 0.0;
-        if let (Some((shape, force)), Some(answers)) = (self.force, answers) {
-            let x = after_s / self.length_s;
-            let functions = kernel.basis(0, shape).at(x.clamp(0.0, 1.0));
-            force_n = functions.iter().zip(&force).map(|(b, f)| b * f).sum::<f64>().max(0.0);
-            let column = &kernel.plant.ports[0].force;
-            let powers = legendre(x, answers.iter().map(|answers| answers.first.len()).max().unwrap_or(0));
-            for ((first, part), answers) in parts(block).zip(answers) {
-                let sum = |series: &[crate::wide::Lane]| -> f64 {
-                    series.iter().zip(&powers).map(|(lane, p)| p * (0..NODES).map(|j| force[j] * lane.0[j]).sum::<f64>()).sum()
-                };
-                let (one, two) = (sum(&answers.first), sum(&answers.second));
-                for s in 0..part.states() {
-                    let unit: [f64; 2] = std::array::from_fn(|i| if i == s { 1.0 } else { 0.0 });
-                    let [f, g] = part.forced(&unit, &column[first..first + part.states()], self.length_s);
-                    state[first + s] += f * one + g * two;
-                }
+        Instant { time_s, state, forces_n: vec![0.0; kernel.plant.ports.len()] }
+    }
+
+    /// Adds what a force does.
+    fn add(&self, kernel: &Kernel, force: &PortForce, answers: &[Answers], instant: &mut Instant) {
+        let x = (instant.time_s - self.start_s) / self.length_s;
+        let functions = kernel.basis(force.port, force.shape).at(x.clamp(0.0, 1.0));
+        let nodal_n = &force.nodal_n;
+        instant.forces_n[force.port] = functions.iter().zip(nodal_n).map(|(b, f)| b * f).sum::<f64>().max(0.0);
+        let column = &kernel.plant.ports[force.port].force;
+        let powers = legendre(x, answers.iter().map(|answers| answers.first.len()).max().unwrap_or(0));
+        for ((first, part), answers) in parts(&kernel.plant.diagonal.block).zip(answers) {
+            let sum = |series: &[Lane]| -> f64 {
+                series.iter().zip(&powers).map(|(lane, p)| p * (0..NODES).map(|j| nodal_n[j] * lane.0[j]).sum::<f64>()).sum()
+            };
+            let (one, two) = (sum(&answers.first), sum(&answers.second));
+            for s in 0..part.states() {
+                let unit: [f64; 2] = std::array::from_fn(|i| if i == s { 1.0 } else { 0.0 });
+                let [f, g] = part.forced(&unit, &column[first..first + part.states()], self.length_s);
+                instant.state[first + s] += f * one + g * two;
             }
         }
-        Instant { time_s, state, force_n }
     }
 }

@@ -25,6 +25,12 @@ pub enum OrbitError<H: std::error::Error> {
         /// Name of the stop.
         stop: String,
     },
+    /// Harmonic balance of several contact forces.
+    #[error("harmonic balance takes one stop; this harvester has {stops}: use the method shooting, which takes any number")]
+    SeveralStops {
+        /// How many there are.
+        stops: usize,
+    },
     /// The eigenvalues of the period map did not converge.
     #[error("the Floquet multipliers could not be computed at drive frequency {frequency_hz} Hz")]
     Multipliers {

@@ -1,4 +1,4 @@
-//! How near an orbit comes to grazing: the turning point of the port displacement that lies nearest to the surface of the stop.
+//! How near an orbit comes to grazing: the turning point of the port displacements that lies nearest to the surface of its stop.
 
 use super::Shot;
 use crate::march::{Kernel, Trajectory};
@@ -12,9 +12,11 @@ const CLOSER: usize = 24;
 /// Turning points worth a closer look.
 const NEAREST: usize = 3;
 
-/// A turning point of the port.
+/// A turning point of a port.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turn {
+    /// Number of the port.
+    pub port: usize,
     /// Drive cycle of the period, from 0.
     pub cycle: usize,
     /// Time in it, s.
@@ -23,15 +25,17 @@ pub struct Turn {
     pub past_m: f64,
 }
 
-/// The turning point (maximum or minimum) nearest to the surface; `None` without one, or where the law acts on both sides of it.
+/// The turning point (maximum or minimum) of any port nearest to the surface of its stop; `None` without one. Laws that act on both
+/// sides of their surface have none.
 pub fn nearest_turn(shot: &Shot) -> Option<Turn> {
-    if shot.kernel.plant.system.stops.first().is_some_and(|stop| stop.law.acts_on_both_sides()) {
-        return None;
-    }
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
-    let turning = shot.trajectories.iter().enumerate().flat_map(|(cycle, trajectory)| {
-        let found = turning_points(&shot.kernel, trajectory, cycle_s);
-        found.into_iter().map(move |(time_s, past_m)| Turn { cycle, time_s, past_m })
+    let stops = &shot.kernel.plant.system.stops;
+    let ports = (0..stops.len()).filter(|port| !stops[*port].law.acts_on_both_sides());
+    let turning = ports.flat_map(|port| {
+        shot.trajectories.iter().enumerate().flat_map(move |(cycle, trajectory)| {
+            let found = turning_points(&shot.kernel, port, trajectory, cycle_s);
+            found.into_iter().map(move |(time_s, past_m)| Turn { port, cycle, time_s, past_m })
+        })
     });
     turning.min_by(|a, b| a.past_m.abs().total_cmp(&b.past_m.abs()))
 }
@@ -44,24 +48,24 @@ pub fn nearest_extremum_m(shot: &Shot) -> Option<f64> {
 /// Time, distance past the stop and its rate.
 type Motion = (f64, f64, f64);
 
-fn turning_points(kernel: &Kernel, trajectory: &Trajectory, cycle_s: f64) -> Vec<(f64, f64)> {
-    let looks = looks(kernel, trajectory, cycle_s);
+fn turning_points(kernel: &Kernel, port: usize, trajectory: &Trajectory, cycle_s: f64) -> Vec<(f64, f64)> {
+    let looks = looks(kernel, port, trajectory, cycle_s);
     let mut turns: Vec<(Motion, Motion)> = looks.windows(2).map(|pair| (pair[0], pair[1])).filter(|(a, b)| a.2 * b.2 <= 0.0).collect();
     turns.sort_by(|a, b| a.0.1.abs().total_cmp(&b.0.1.abs()));
     turns.truncate(NEAREST);
-    turns.into_iter().filter_map(|(from, to)| closer(kernel, trajectory, from.0, to.0)).collect()
+    turns.into_iter().filter_map(|(from, to)| closer(kernel, port, trajectory, from.0, to.0)).collect()
 }
 
 /// Motion at the start of every step, and between those of a flight: contact steps are short beside the motion.
-fn looks(kernel: &Kernel, trajectory: &Trajectory, cycle_s: f64) -> Vec<Motion> {
+fn looks(kernel: &Kernel, port: usize, trajectory: &Trajectory, cycle_s: f64) -> Vec<Motion> {
     let block = &kernel.plant.diagonal.block;
     let mut looks = Vec::new();
     for segment in trajectory.segments() {
-        let inner = if segment.force.is_some() { 1 } else { (LOOKS * segment.length_s / cycle_s).ceil().max(1.0) as usize };
+        let inner = if !segment.forces.is_empty() { 1 } else { (LOOKS * segment.length_s / cycle_s).ceil().max(1.0) as usize };
         for k in 0..inner {
             let after_s = segment.length_s * k as f64 / inner as f64;
             let state = if k == 0 { segment.state.clone() } else { block.flow(after_s, &segment.state) };
-            looks.extend(motion(kernel, segment.start_s + after_s, &state));
+            looks.extend(motion(kernel, port, segment.start_s + after_s, &state));
         }
     }
     looks
@@ -69,10 +73,10 @@ fn looks(kernel: &Kernel, trajectory: &Trajectory, cycle_s: f64) -> Vec<Motion> 
 
 /// Time and distance of the turning point between two times: the speed is taken as linear between close looks, which leaves an error of
 /// second order in a place where the distance does not depend on time.
-fn closer(kernel: &Kernel, trajectory: &Trajectory, from_s: f64, to_s: f64) -> Option<(f64, f64)> {
+fn closer(kernel: &Kernel, port: usize, trajectory: &Trajectory, from_s: f64, to_s: f64) -> Option<(f64, f64)> {
     let times: Vec<f64> = (0..=CLOSER).map(|k| from_s + (to_s - from_s) * k as f64 / CLOSER as f64).collect();
     let states = trajectory.at(kernel, &times);
-    let motions: Vec<Motion> = states.iter().filter_map(|at| motion(kernel, at.time_s, &at.state)).collect();
+    let motions: Vec<Motion> = states.iter().filter_map(|at| motion(kernel, port, at.time_s, &at.state)).collect();
     let (a, b) = motions.windows(2).map(|pair| (pair[0], pair[1])).find(|(a, b)| a.2 * b.2 <= 0.0)?;
     let share = if a.2 == b.2 { 0.5 } else { a.2 / (a.2 - b.2) };
     // From the nearer look with half the speed on the way.
@@ -81,9 +85,9 @@ fn closer(kernel: &Kernel, trajectory: &Trajectory, from_s: f64, to_s: f64) -> O
 }
 
 /// Distance past the stop and its rate.
-fn motion(kernel: &Kernel, time_s: f64, state: &[f64]) -> Option<Motion> {
+fn motion(kernel: &Kernel, port: usize, time_s: f64, state: &[f64]) -> Option<Motion> {
     let plant = &kernel.plant;
-    let (port, stop) = plant.ports.first().zip(plant.system.stops.first())?;
+    let (port, stop) = plant.ports.get(port).zip(plant.system.stops.get(port))?;
     let dot = |row: &[f64]| row.iter().zip(state).map(|(r, y)| r * y).sum::<f64>();
     let driven = plant.driven(port, time_s);
     Some((time_s, dot(&port.displacement) + driven[0] - stop.gap_m, dot(&port.velocity) + driven[1]))

@@ -97,10 +97,10 @@ impl Plant {
         repeats.then(|| std::f64::consts::TAU / slowest)
     }
 
-    /// Size of the motion at the first port, m: its steady amplitude or the magnitude of its gap, whichever is larger; 0 without one.
+    /// Size of the motion at the ports, m: the largest steady amplitude or magnitude of a gap of any; 0 without one.
     pub fn scale_m(&self) -> f64 {
-        let port = self.ports.first().zip(self.system.stops.first());
-        port.map_or(0.0, |(port, stop)| port.steady_m.iter().fold(stop.gap_m.abs(), |max, s| max.max(s.norm())))
+        let size = |(port, stop): (&Port, &super::Stop)| port.steady_m.iter().fold(stop.gap_m.abs(), |max, s| max.max(s.norm()));
+        self.ports.iter().zip(&self.system.stops).map(size).fold(0.0, f64::max)
     }
 
     /// The same plant against other stops.

@@ -15,6 +15,23 @@ pub struct LoadAnswer {
     pub voltage_rms_v: f64,
 }
 
+/// One stop over the averaging window.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct StopAnswer {
+    /// Name of the stop.
+    pub name: String,
+    /// Contacts that began.
+    pub contacts: u64,
+    /// Share of the time in contact, 0 to 1.
+    pub contact_duty: f64,
+    /// Largest penetration, m.
+    pub max_penetration_m: f64,
+    /// Largest contact force, N; 0 for impacts on a rigid stop.
+    pub max_contact_force_n: f64,
+    /// Time integral of the contact force, N s.
+    pub impulse_n_s: f64,
+}
+
 /// Answers over the averaging window, and the audit of the whole run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunAnswer {
@@ -22,13 +39,15 @@ pub struct RunAnswer {
     pub mean_power_w: f64,
     /// Each load.
     pub loads: Vec<LoadAnswer>,
-    /// Largest penetration of the stop, m.
+    /// Each stop.
+    pub stops: Vec<StopAnswer>,
+    /// Largest penetration of any stop, m.
     pub max_penetration_m: f64,
-    /// Largest contact force, N.
+    /// Largest contact force of any stop, N.
     pub max_contact_force_n: f64,
-    /// Contacts that began.
+    /// Contacts that began, of all stops.
     pub contacts: u64,
-    /// Share of the time in contact, 0 to 1.
+    /// Share of the time in contact, 0 to 1, summed over the stops.
     pub contact_duty: f64,
     /// Has the run settled? `None` where the drives do not repeat themselves, so that there is no period to settle to.
     pub settlement: Option<Settlement>,

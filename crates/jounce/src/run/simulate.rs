@@ -1,8 +1,8 @@
 //! Marches a plan and reads its answers.
 
 use super::settle::{LOOKS, settlement};
-use super::{LoadAnswer, RunAnswer, Settlement, StartState};
-use crate::march::{Kernel, MarchError, Marcher};
+use super::{LoadAnswer, RunAnswer, Settlement, StartState, StopAnswer};
+use crate::march::{ContactStatistics, Kernel, MarchError, Marcher};
 use crate::plant::Plant;
 use std::time::Instant;
 
@@ -94,6 +94,7 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
     Ok(RunAnswer {
         mean_power_w: loads.iter().map(|load| load.mean_power_w).sum(),
         loads,
+        stops: stops(plant, &marcher, plan.average_over_s),
         max_penetration_m: statistics.max_penetration_m,
         max_contact_force_n: statistics.max_force_n,
         contacts: statistics.contacts,
@@ -105,6 +106,18 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
         march_s,
         trajectory,
     })
+}
+
+fn stops(plant: &Plant, marcher: &Marcher, average_over_s: f64) -> Vec<StopAnswer> {
+    let answer = |(stop, own): (&crate::plant::Stop, ContactStatistics)| StopAnswer {
+        name: stop.name.clone(),
+        contacts: own.contacts,
+        contact_duty: own.time_s / average_over_s,
+        max_penetration_m: own.max_penetration_m,
+        max_contact_force_n: own.max_force_n,
+        impulse_n_s: own.impulse_n_s,
+    };
+    plant.system.stops.iter().zip(marcher.statistics_by_stop()).map(answer).collect()
 }
 
 fn check(plant: &Plant, start: &StartState) -> Result<(), RunError> {

@@ -87,8 +87,8 @@ impl<'s> Parameter<'s> {
         let still = |drift: Drift| Change { drift, steady: zero.clone(), period_relative: 0.0 };
         let tone = plant.tones.first()?;
         let moved = |by: Vec<c64>, frequency: f64, period_relative: f64| {
-            let port = plant.ports.first().map(|port| port.displacement.iter().zip(&by).map(|(c, y)| *y * *c).sum());
-            let drift = Drift { tones: vec![(port.unwrap_or_default(), frequency)], ..Drift::default() };
+            let ports = plant.ports.iter().map(|port| port.displacement.iter().zip(&by).map(|(c, y)| *y * *c).sum()).collect();
+            let drift = Drift { tones: vec![(ports, frequency)], ..Drift::default() };
             Change { drift, steady: by.iter().map(|y| y.re).collect(), period_relative }
         };
         match self.role {
@@ -97,8 +97,8 @@ impl<'s> Parameter<'s> {
                 Some(moved(resolved.into_iter().map(|y| y * c64::new(0.0, -TAU)).collect(), TAU, -1.0 / parameter))
             }
             Role::Amplitude if parameter != 0.0 => Some(moved(tone.steady.iter().map(|y| *y / parameter).collect(), 0.0, 0.0)),
-            Role::Gap => Some(still(Drift { gap_m: 1.0, ..Drift::default() })),
-            Role::Stiffness => Some(still(Drift { force_relative: 1.0 / parameter, ..Drift::default() })),
+            Role::Gap => Some(still(Drift { gap_m: vec![1.0], ..Drift::default() })),
+            Role::Stiffness => Some(still(Drift { force_relative: vec![1.0 / parameter], ..Drift::default() })),
             Role::Amplitude | Role::Other => None,
         }
     }

@@ -2,11 +2,14 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod collisions;
+mod cradle;
 mod ensemble;
 mod grazing;
 mod harvester;
 mod plants;
+mod ports;
 mod random;
+mod rest;
 mod rigid;
 mod signals;
 mod swings;

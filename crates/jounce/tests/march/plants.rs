@@ -34,6 +34,20 @@ pub fn kernel(system: System) -> Kernel {
     Kernel::new(Plant::new(system).unwrap()).unwrap()
 }
 
+/// Modes of unit mass, each its own coordinate; frequency 0 is a free mass.
+pub fn springs(frequencies_hz: &[f64], damping_ratio: f64) -> System {
+    let count = frequencies_hz.len();
+    let modes = jounce::structure::Modes {
+        frequency_rad_s: frequencies_hz.iter().map(|f| std::f64::consts::TAU * f).collect(),
+        damping_ratio: vec![damping_ratio; count],
+        shape: std::collections::BTreeMap::new(),
+        patch: std::collections::BTreeMap::new(),
+        participation_sqrt_kg: vec![1.0; count],
+        discretisation_error: vec![0.0; count],
+    };
+    System { modes, loads: Vec::new(), stops: Vec::new(), drives: Vec::new(), signals: Vec::new() }
+}
+
 /// A run from rest, averaged over its second half.
 pub fn from_rest(kernel: &Kernel, duration_s: f64, tolerance: f64) -> RunAnswer {
     let plan = RunPlan { duration_s, average_over_s: 0.5 * duration_s, tolerance, record_s: 0.0 };

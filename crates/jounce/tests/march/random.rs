@@ -64,6 +64,8 @@ proptest! {
     fn energy_is_balanced(system in harvester()) {
         let answer = from_rest(&kernel(system), 1.0, 1e-8);
         let residual = answer.energies.residual_relative();
-        prop_assert!(residual.abs() < 1e-7, "residual {:e} after {} contacts", residual, answer.contacts);
+        // A step may spend a tenth of the tolerance: in a contact that never ends those of a damped law add up.
+        let promised = 1e-9 * (answer.work.contact_steps as f64).max(100.0);
+        prop_assert!(residual.abs() < promised, "residual {:e} after {} contacts", residual, answer.contacts);
     }
 }

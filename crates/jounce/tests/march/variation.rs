@@ -1,7 +1,8 @@
 //! The derivative of the flow against differences of the flow, its determinant and the closed form of the impact oscillator.
 
 use crate::plants::{bench, kernel};
-use jounce::contact::{Cubic, Hertz, HuntCrossley, KelvinVoigt, Law};
+use crate::ports::{between_stops, coupled};
+use jounce::contact::{Cubic, Hertz, HuntCrossley, KelvinVoigt, Law, Rigid};
 use jounce::march::{Drift, Kernel, Marcher, Variation};
 use jounce::plant::System;
 use jounce::reference::ImpactOscillator;
@@ -70,6 +71,24 @@ fn jacobian_is_the_difference_of_flows_for_every_law() {
     }
 }
 
+#[test]
+fn jacobian_is_the_difference_of_flows_for_two_stops() {
+    let mut mixed = coupled();
+    mixed.stops[0].law = Law::KelvinVoigt(KelvinVoigt { stiffness_n_m: 2e4, damping_n_s_m: 3.0 });
+    mixed.stops[1].law = Law::HuntCrossley(HuntCrossley { elastic: Hertz { stiffness: 2e5, exponent: 1.5 }, damping_s_m: 0.4 });
+    let mut rigid = coupled();
+    rigid.stops[1].law = Law::Rigid(Rigid { restitution: 0.8 });
+    for (name, system, allowed) in
+        [("both sides", between_stops(100.0, 11.0), 1e-5), ("overlapping", coupled(), 1e-5), ("mixed", mixed, 1e-4), ("rigid", rigid, 1e-4)]
+    {
+        let kernel = kernel(system);
+        let (y, period_s) = settled(&kernel);
+        let found = error(&kernel, &y, period_s);
+        eprintln!("{name}: {found:.1e}");
+        assert!(found < allowed, "{name}: {found:e}");
+    }
+}
+
 /// One mode bounces cleanly off a rigid stop, where many chatter.
 #[test]
 fn jacobian_is_the_difference_of_flows_for_a_rigid_stop() {
@@ -135,24 +154,24 @@ fn drift_is_the_difference_of_flows_of_changed_systems() {
     let by_frequency = (shaken(1e-6) - shaken(-1e-6)) / 2e-6;
     type Change = Box<dyn Fn(&mut System, f64)>;
     let cases: [(&str, Change, f64, Drift); 4] = [
-        ("gap", Box::new(|system, d| system.stops[0].gap_m += d), 1e-8, Drift { gap_m: 1.0, ..Drift::default() }),
+        ("gap", Box::new(|system, d| system.stops[0].gap_m += d), 1e-8, Drift { gap_m: vec![1.0], ..Drift::default() }),
         (
             "stiffness",
             Box::new(|system, d| system.stops[0].law = Law::Hertz(Hertz { stiffness: 1000.0 + d, exponent: 1.5 })),
             1e-2,
-            Drift { force_relative: 1e-3, ..Drift::default() },
+            Drift { force_relative: vec![1e-3], ..Drift::default() },
         ),
         (
             "amplitude",
             Box::new(|system, d| system.drives[0].amplitude_n += d),
             1e-3,
-            Drift { tones: vec![(steady / 50.0, 0.0)], ..Drift::default() },
+            Drift { tones: vec![(vec![steady / 50.0], 0.0)], ..Drift::default() },
         ),
         (
             "frequency",
             Box::new(|system, d| system.drives[0].frequency_hz += d),
             1e-6,
-            Drift { tones: vec![(by_frequency, w / 11.0)], ..Drift::default() },
+            Drift { tones: vec![(vec![by_frequency], w / 11.0)], ..Drift::default() },
         ),
     ];
     for (name, change, step, drift) in cases {

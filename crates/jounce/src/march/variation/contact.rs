@@ -1,17 +1,18 @@
-//! One contact step, linearised.
+//! One contact step, linearised, for all ports in contact at once.
 
 use super::drift::DrivenNodes;
+use super::elimination::NodeSystem;
 use super::linearisation::Linearisation;
 use super::tangents::add_scaled;
 use crate::contact::{ContactLaw, Slopes};
 use crate::march::basis::NODES;
+use crate::march::joint_tables::{JointTables, Length};
 use crate::march::kernel::{Kernel, Shape};
 use crate::march::state::{columns, pushed};
-use crate::march::table::Table;
 use crate::march::trajectory::Segment;
 use crate::wide::{Lane, WIDTH, Wide};
 
-/// The law along a step.
+/// The law of a port along a step.
 struct Nodes {
     driven: DrivenNodes,
     /// `J` and `J'` at the nodes, last place 0.
@@ -24,88 +25,106 @@ struct Nodes {
 impl Linearisation<'_> {
     /// Passes one step in contact; `after` is the state at its end.
     #[inline(always)]
-    pub(super) fn contact<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, segment: &Segment, force: (Shape, [f64; NODES]), after: &[f64]) {
-        let (kernel, shape) = (self.kernel, force.0);
+    pub(super) fn contact<W: Wide>(&mut self, w: W, segment: &Segment, after: &[f64]) {
+        let kernel = self.kernel;
+        let ports: Vec<(usize, Shape)> = segment.forces.iter().map(|force| (force.port, force.shape)).collect();
         let level = Kernel::level_within(segment.length_s);
-        let odd;
-        let (table, level) = if Kernel::length_s(level) == segment.length_s {
-            (kernel.table(0, shape, level), Some(level))
-        } else {
-            odd = Table::new(kernel, 0, kernel.basis(0, shape), segment.length_s);
-            (&odd, None)
-        };
-        let driven = self.driven(w, (shape, level), segment);
-        let nodes = self.nodes(w, law, table, segment, driven, force.1);
-        let shift_s = if shape == Shape::Onset { self.onset_shift(w, segment) } else { None };
-        self.right_sides::<W, L>(w, table, &nodes);
+        let is_level = Kernel::length_s(level) == segment.length_s;
+        let odd = Length::Odd { length_s: segment.length_s, level };
+        let tables = JointTables::new(kernel, &ports, if is_level { Length::Level(level) } else { odd });
+        if self.system.ports() != ports.len() {
+            self.system = NodeSystem::new(ports.len(), self.tangents.width);
+        }
+        kernel.layout.pack_into(&segment.state, &mut self.packed);
+        let mut nodes: Vec<Nodes> = Vec::with_capacity(ports.len());
+        for place in 0..ports.len() {
+            nodes.push(self.nodes(w, &tables, segment, place));
+        }
+        // Contacts that start at the same instant share the shift of the first: see the limits of the module.
+        let entering = ports.iter().find(|(_, shape)| *shape == Shape::Onset);
+        let shift_s = entering.and_then(|(port, _)| self.onset_shift(w, segment, *port));
+        for (place, own) in nodes.iter().enumerate() {
+            self.right_sides(w, &tables, place, own);
+            self.rows(w, &tables, (place, ports[place].0), own, shift_s.as_deref());
+        }
+        self.system.solve(w);
+        self.advance(w, &tables);
+        if let Some(shift_s) = &shift_s {
+            let rate = self.rate(segment.start_s + segment.length_s, after, &segment.forces);
+            self.tangents.add_product(w, &rate, -1.0, shift_s);
+        }
+    }
+
+    /// The equations of the nodes of a place.
+    #[inline(always)]
+    fn rows<W: Wide>(&mut self, w: W, tables: &JointTables, (place, port): (usize, usize), nodes: &Nodes, shift_s: Option<&[Lane]>) {
         let (stiffness, damping, driven) = (w.load(&nodes.stiffness_n_m), w.load(&nodes.damping_n_s_m), &nodes.driven);
-        let by_force = w.mul(w.splat(self.drift.force_relative), w.load(&nodes.force_n));
+        let force_relative = self.drift.force_relative_of(port);
+        let by_force = w.mul(w.splat(force_relative), w.load(&nodes.force_n));
         let moved = w.fma(stiffness, w.load(&driven.penetration_drift_m), by_force);
         let own = w.store(w.fma(damping, w.load(&driven.rate_drift_m_s), moved));
         let passed = w.fma(stiffness, w.load(&driven.velocity_m_s), w.mul(damping, w.load(&driven.acceleration_m_s2)));
         let passed = w.store(passed);
         for i in 0..NODES {
-            let right = self.system.right(i);
+            let right = self.system.right(place * NODES + i);
             self.tangents.drift(right, own.0[i]);
-            if let Some(shift_s) = &shift_s {
+            if let Some(shift_s) = shift_s {
                 add_scaled(w, right, passed.0[i], shift_s);
             }
-            *self.system.matrix(i) = row(table, i, nodes.stiffness_n_m.0[i], nodes.damping_n_s_m.0[i]);
-        }
-        self.system.solve(w);
-        self.advance(w, table);
-        if let Some(shift_s) = &shift_s {
-            let (block, port) = (&kernel.plant.diagonal.block, &kernel.plant.ports[0]);
-            let end_n = nodes.force_n.0[NODES];
-            let rate: Vec<f64> = block.apply(after).iter().zip(&port.force).map(|(rate, b)| rate + b * end_n).collect();
-            self.tangents.add_product(w, &rate, -1.0, shift_s);
+            for from in 0..tables.ports.len() {
+                let mut row = row(tables.answers(from, place), i, nodes.stiffness_n_m.0[i], nodes.damping_n_s_m.0[i]);
+                row.0[i] += if from == place { 1.0 } else { 0.0 };
+                *self.system.matrix(place * NODES + i, from) = row;
+            }
         }
     }
 
-    /// The law at the nodes of a step.
+    /// The law at the nodes of a step of a place.
     #[inline(always)]
-    fn nodes<W: Wide, L: ContactLaw>(
-        &mut self,
-        w: W,
-        law: L,
-        table: &Table,
-        segment: &Segment,
-        driven: DrivenNodes,
-        force: [f64; NODES],
-    ) -> Nodes {
+    fn nodes<W: Wide>(&mut self, w: W, tables: &JointTables, segment: &Segment, place: usize) -> Nodes {
         let (kernel, layout) = (self.kernel, self.kernel.layout);
-        layout.pack_into(&segment.state, &mut self.packed);
-        let mut force_n = Lane::ZERO;
-        force_n.0[..NODES].copy_from_slice(&force);
-        let start = w.sub(w.load(&driven.displacement_m), w.splat(kernel.plant.system.stops[0].gap_m));
-        let free = columns(w, &layout, &self.packed, &table.displacement.columns, start);
-        let depth = w.store(pushed(w, free, &table.displacement.push, &force_n));
-        let mut rate = Lane::ZERO;
-        if L::RATE_DEPENDENT {
-            let free = columns(w, &layout, &self.packed, &table.velocity.columns, w.load(&driven.velocity_m_s));
-            rate = w.store(pushed(w, free, &table.velocity.push, &force_n));
+        let port = tables.ports[place].0;
+        let (law, table) = (self.law(port), tables.own(place));
+        let driven = self.driven(w, tables.ports[place], tables.length, segment);
+        let start = w.sub(w.load(&driven.displacement_m), w.splat(kernel.plant.system.stops[port].gap_m));
+        let mut depth = columns(w, &layout, &self.packed, &table.displacement.columns, start);
+        let mut rate = w.zero();
+        if law.is_rate_dependent() {
+            rate = columns(w, &layout, &self.packed, &table.velocity.columns, w.load(&driven.velocity_m_s));
         }
+        let mut force_n = Lane::ZERO;
+        for (from, force) in segment.forces.iter().enumerate() {
+            let mut nodal_n = Lane::ZERO;
+            nodal_n.0[..NODES].copy_from_slice(&force.nodal_n);
+            let [displacement, velocity] = tables.answers(from, place);
+            depth = pushed(w, depth, displacement, &nodal_n);
+            if law.is_rate_dependent() {
+                rate = pushed(w, rate, velocity, &nodal_n);
+            }
+            force_n = if from == place { nodal_n } else { force_n };
+        }
+        let (depth, rate) = (w.store(depth), w.store(rate));
         let mut nodes = Nodes { driven, stiffness_n_m: Lane::ZERO, damping_n_s_m: Lane::ZERO, force_n };
         for i in 0..NODES {
             // Past the surface the force is zero whatever the state.
-            if L::BOTH_SIDES || depth.0[i] > 0.0 {
+            if law.acts_on_both_sides() || depth.0[i] > 0.0 {
                 let Slopes { stiffness_n_m, damping_n_s_m } = law.slopes(depth.0[i], rate.0[i]);
                 (nodes.stiffness_n_m.0[i], nodes.damping_n_s_m.0[i]) = (stiffness_n_m, damping_n_s_m);
             }
         }
-        nodes.force_n.0[NODES] = law.force_n(depth.0[NODES], rate.0[NODES]);
         nodes
     }
 
-    /// `J C dy + J' C' dy`.
+    /// `J C dy + J' C' dy` of a place.
     #[inline(always)]
-    fn right_sides<W: Wide, L: ContactLaw>(&mut self, w: W, table: &Table, nodes: &Nodes) {
+    fn right_sides<W: Wide>(&mut self, w: W, tables: &JointTables, place: usize, nodes: &Nodes) {
         let layout = self.kernel.layout;
+        let (table, needs_rate) = (tables.own(place), self.law(tables.ports[place].0).is_rate_dependent());
         let (stiffness, damping) = (w.load(&nodes.stiffness_n_m), w.load(&nodes.damping_n_s_m));
         for (state, factor) in self.factors.iter_mut().enumerate() {
             let column = layout.column(state);
             let mut sum = w.mul(stiffness, w.load(&table.displacement.columns[column]));
-            if L::RATE_DEPENDENT {
+            if needs_rate {
                 sum = w.fma(damping, w.load(&table.velocity.columns[column]), sum);
             }
             *factor = w.store(sum);
@@ -119,17 +138,17 @@ impl Linearisation<'_> {
                 }
             }
             for (i, sum) in sums.into_iter().enumerate() {
-                self.system.right(i)[lane] = w.store(sum);
+                self.system.right(place * NODES + i)[lane] = w.store(sum);
             }
         }
     }
 
-    /// `dy = e^{A h} dy + B X`.
+    /// `dy = e^{A h} dy + B X` of the first place, and `B X` of the others.
     #[inline(always)]
-    fn advance<W: Wide>(&mut self, w: W, table: &Table) {
-        let layout = self.kernel.layout;
+    fn advance<W: Wide>(&mut self, w: W, tables: &JointTables) {
+        let (layout, table) = (self.kernel.layout, tables.own(0));
         for (lane, group) in self.tangents.groups_mut().enumerate() {
-            let solution = self.system.column(w, lane);
+            let solution = self.system.column(w, 0, lane);
             let (paired, reals) = group.split_at_mut(2 * layout.pairs);
             for (k, pair) in paired.chunks_exact_mut(2).enumerate() {
                 let ([a, b, c, d], place) = (table.flow.pair(k), k % WIDTH);
@@ -151,17 +170,27 @@ impl Linearisation<'_> {
                 }
                 *row = w.store(next);
             }
+            for other in 1..tables.ports.len() {
+                let (table, solution) = (tables.own(other), self.system.column(w, other, lane));
+                for (state, row) in group.iter_mut().enumerate() {
+                    let (at, place) = layout.place(state);
+                    let mut next = w.load(row);
+                    for (by, x) in table.push[at].iter().zip(solution) {
+                        next = w.fma(w.splat(by.0[place]), x, next);
+                    }
+                    *row = w.store(next);
+                }
+            }
         }
     }
 }
 
-/// A row of `I - J D - J' D'`.
+/// A row of `-J D - J' D'`.
 #[inline(always)]
-fn row(table: &Table, i: usize, stiffness_n_m: f64, damping_n_s_m: f64) -> Lane {
+fn row([displacement, velocity]: [&[Lane; NODES]; 2], i: usize, stiffness_n_m: f64, damping_n_s_m: f64) -> Lane {
     let mut row = Lane::ZERO;
     for j in 0..NODES {
-        row.0[j] = -stiffness_n_m * table.displacement.push[j].0[i] - damping_n_s_m * table.velocity.push[j].0[i];
+        row.0[j] = -stiffness_n_m * displacement[j].0[i] - damping_n_s_m * velocity[j].0[i];
     }
-    row.0[i] += 1.0;
     row
 }

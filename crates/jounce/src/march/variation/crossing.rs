@@ -1,67 +1,73 @@
-//! What happens at the surface of the stop.
+//! What happens at the surface of a stop.
 
 use super::linearisation::Linearisation;
 use super::tangents::scale;
-use crate::contact::ContactLaw;
-use crate::march::trajectory::Segment;
+use crate::contact::Law;
+use crate::march::trajectory::{Impact, PortForce, Segment};
 use crate::wide::{Lane, Wide};
 
-/// An impulse below this share of the speed is the roundoff of a state that was handed on.
-const NO_IMPULSE: f64 = 1e-9;
-
 impl Linearisation<'_> {
-    /// Counts the time of the tangents from the start of a contact: `Dy = dy + y' s`. Returns `s`; `None` where the point does not
-    /// move into the stop.
+    /// Counts the time of the tangents from the start of a contact of a port: `Dy = dy + y' s`. Returns `s`; `None` where the point
+    /// does not move into the stop.
     #[inline(always)]
-    pub(super) fn onset_shift<W: Wide>(&mut self, w: W, segment: &Segment) -> Option<Vec<Lane>> {
+    pub(super) fn onset_shift<W: Wide>(&mut self, w: W, segment: &Segment, port: usize) -> Option<Vec<Lane>> {
         let plant = &self.kernel.plant;
-        let port = &plant.ports[0];
-        let driven = self.drift.driven(plant, segment.start_s);
-        let speed = dot(&port.velocity, &segment.state) + driven.velocity_m_s;
+        let row = &plant.ports[port];
+        let driven = self.drift.driven(plant, port, segment.start_s);
+        let speed = dot(&row.velocity, &segment.state) + driven.velocity_m_s;
         if speed <= 0.0 {
             return None;
         }
-        let mut shift_s = self.tangents.along(w, &port.displacement, driven.penetration_drift_m);
+        let mut shift_s = self.tangents.along(w, &row.displacement, driven.penetration_drift_m);
         scale(w, &mut shift_s, -1.0 / speed);
-        self.tangents.add_product(w, &plant.diagonal.block.apply(&segment.state), 1.0, &shift_s);
+        let rate = self.rate(segment.start_s, &segment.state, &segment.forces);
+        self.tangents.add_product(w, &rate, 1.0, &shift_s);
         Some(shift_s)
     }
 
-    /// A contact whose force starts with a jump, at the end of a flight.
-    #[inline(always)]
-    pub(super) fn strike<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, segment: &Segment) {
-        self.fly(w);
+    /// `y'` at a state under the forces of some ports.
+    pub(super) fn rate(&self, time_s: f64, state: &[f64], forces: &[PortForce]) -> Vec<f64> {
         let plant = &self.kernel.plant;
-        let port = &plant.ports[0];
-        let time_s = segment.start_s + segment.length_s;
-        let before = plant.diagonal.block.flow(segment.length_s, &segment.state);
-        let driven = self.drift.driven(plant, time_s);
-        let rate = dot(&port.velocity, &before) + driven.velocity_m_s;
-        let struck = self.tangents.along(w, &port.displacement, driven.penetration_drift_m);
-        self.tangents.add_product(w, &port.force, law.force_n(0.0, rate) / rate, &struck);
+        let mut rate = plant.diagonal.block.apply(state);
+        for force in forces {
+            let (port, driven) = (&plant.ports[force.port], self.drift.driven(plant, force.port, time_s));
+            let depth_m = dot(&port.displacement, state) + driven.displacement_m - plant.system.stops[force.port].gap_m;
+            let force_n = self.law(force.port).force_n(depth_m, dot(&port.velocity, state) + driven.velocity_m_s);
+            rate.iter_mut().zip(&port.force).for_each(|(rate, b)| *rate += b * force_n);
+        }
+        rate
     }
 
-    /// An impact on a rigid stop, if there was one between the end of a flight and the state that followed.
+    /// A contact whose force starts with a jump, at the end of a step.
     #[inline(always)]
-    pub(super) fn impact<W: Wide>(&mut self, w: W, segment: &Segment, after: &[f64]) {
+    pub(super) fn strike<W: Wide>(&mut self, w: W, law: Law, port: usize, (time_s, before): (f64, &[f64])) {
         let plant = &self.kernel.plant;
-        let (block, port) = (&plant.diagonal.block, &plant.ports[0]);
-        let before = block.flow(segment.length_s, &segment.state);
-        let time_s = segment.start_s + segment.length_s;
-        let driven = self.drift.driven(plant, time_s);
-        let speed = |state: &[f64]| dot(&port.velocity, state) + driven.velocity_m_s;
-        let (fast, slow) = (speed(&before), speed(after));
-        if fast <= 0.0 || fast - slow <= NO_IMPULSE * fast {
-            return;
-        }
-        self.fly(w);
-        let impulse = (fast - slow) / port.mobility_per_kg;
+        let row = &plant.ports[port];
+        let driven = self.drift.driven(plant, port, time_s);
+        let rate = dot(&row.velocity, before) + driven.velocity_m_s;
+        let struck = self.tangents.along(w, &row.displacement, driven.penetration_drift_m);
+        self.tangents.add_product(w, &row.force, law.force_n(0.0, rate) / rate, &struck);
+    }
+
+    /// An impact on a rigid stop after a step, given the state that follows.
+    #[inline(always)]
+    pub(super) fn impact<W: Wide>(&mut self, w: W, impact: &Impact, earlier: Option<&Segment>, (time_s, after): (f64, &[f64])) {
+        let plant = &self.kernel.plant;
+        let port = &plant.ports[impact.port];
+        let impulse = impact.impulse_n_s;
+        let before: Vec<f64> = after.iter().zip(&port.force).map(|(y, b)| y - b * impulse).collect();
+        let driven = self.drift.driven(plant, impact.port, time_s);
+        let fast = dot(&port.velocity, &before) + driven.velocity_m_s;
         let gain = impulse / fast;
-        let acceleration = dot(&self.kernel.acceleration_row(), &before) + driven.acceleration_m_s2;
+        // Forces of compliant contacts act on both sides of the impact; those that feel the rate differ.
+        let forces = earlier.map_or(&[][..], |earlier| &earlier.forces);
+        let (rate_before, rate_after) = (self.rate(time_s, &before, forces), self.rate(time_s, after, forces));
+        let pushed = dot(&port.velocity, &rate_before);
+        let acceleration = pushed + driven.acceleration_m_s2;
         let struck = self.tangents.along(w, &port.displacement, driven.penetration_drift_m);
         let hastened = self.tangents.along(w, &port.velocity, driven.rate_drift_m_s);
-        let kick = block.apply(&port.force);
-        let late: Vec<f64> = port.force.iter().zip(&kick).map(|(b, ab)| -(b * gain * acceleration - ab * impulse) / fast).collect();
+        let kicked = rate_after.iter().zip(&rate_before).map(|(after, before)| after - before);
+        let late: Vec<f64> = port.force.iter().zip(kicked).map(|(b, kick)| -(b * gain * acceleration - kick) / fast).collect();
         self.tangents.add_product(w, &port.force, gain, &hastened);
         self.tangents.add_product(w, &late, 1.0, &struck);
     }

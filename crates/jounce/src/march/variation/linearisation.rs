@@ -33,38 +33,38 @@ impl<'a> Linearisation<'a> {
     /// From the start of a record; `end` is the state at its end.
     pub fn new(kernel: &'a Kernel, drift: &'a Drift, trajectory: &'a Trajectory, end: &'a [f64]) -> Self {
         let tangents = Tangents::identity(kernel.plant.len());
-        let (system, factors) = (NodeSystem::new(tangents.width), vec![Lane::ZERO; kernel.plant.len()]);
-        let port = kernel.plant.ports.first();
-        let tones = (kernel.plant.tones.iter().enumerate())
-            .filter_map(|(k, tone)| Some(Turning::new(tone.angular_frequency_rad_s, port?.steady_m[k], 0.0)))
-            .collect();
+        let (system, factors) = (NodeSystem::new(1, tangents.width), vec![Lane::ZERO; kernel.plant.len()]);
+        let tones = (0..kernel.plant.tones.len()).map(|index| Turning::new(&kernel.plant, index, 0.0)).collect();
         let packed = vec![Lane::ZERO; kernel.layout.lanes()];
         Self { kernel, drift, trajectory, end, tangents, system, factors, packed, tones, pending_s: 0.0 }
     }
 
-    /// Passes one step; `after` is the state at its end, `strikes` says that a contact follows.
+    /// Passes one step; `after` is the state at its end, `next` the step that follows.
     #[inline(always)]
-    fn segment<W: Wide>(&mut self, w: W, segment: &Segment, after: &[f64], strikes: bool) -> Result<(), VariationError> {
-        let law = self.kernel.plant.system.stops.first().map(|stop| stop.law);
-        if segment.force.is_some() {
+    fn segment<W: Wide>(&mut self, w: W, segment: &Segment, after: &[f64], next: Option<&Segment>) -> Result<(), VariationError> {
+        if segment.forces.is_empty() {
+            self.pending_s += segment.length_s;
+        } else {
+            if segment.forces.iter().any(|force| matches!(self.law(force.port), Law::Rigid(_))) {
+                return Err(VariationError::Rests { time_s: segment.start_s });
+            }
             self.fly(w);
+            self.contact(w, segment, after);
         }
-        match (segment.force, law) {
-            (Some(_), Some(Law::Rigid(_))) => return Err(VariationError::Rests { time_s: segment.start_s }),
-            (Some(force), Some(Law::Hertz(law))) => self.contact(w, law, segment, force, after),
-            (Some(force), Some(Law::KelvinVoigt(law))) => self.contact(w, law, segment, force, after),
-            (Some(force), Some(Law::HuntCrossley(law))) => self.contact(w, law, segment, force, after),
-            (Some(force), Some(Law::Cubic(law))) => self.contact(w, law, segment, force, after),
-            (_, law) => {
-                self.pending_s += segment.length_s;
-                match law {
-                    Some(Law::KelvinVoigt(law)) if strikes => self.strike(w, law, segment),
-                    Some(Law::Rigid(_)) => self.impact(w, segment, after),
-                    _ => {}
-                }
+        let starts = next.map_or(&[][..], |next| &next.forces);
+        for force in starts.iter().filter(|force| !segment.forces.iter().any(|before| before.port == force.port)) {
+            if let law @ Law::KelvinVoigt(_) = self.law(force.port) {
+                self.fly(w);
+                self.strike(w, law, force.port, (segment.start_s + segment.length_s, after));
             }
         }
         Ok(())
+    }
+
+    /// Law of the stop of a port.
+    #[inline(always)]
+    pub(super) fn law(&self, port: usize) -> Law {
+        self.kernel.plant.system.stops[port].law
     }
 
     /// Applies the flight that has gathered.
@@ -82,6 +82,20 @@ impl<'a> Linearisation<'a> {
         }
         self.pending_s = 0.0;
     }
+
+    /// Passes the impacts between two steps, given the state after them.
+    #[inline(always)]
+    fn impacts<W: Wide>(&mut self, w: W, index: usize, time_s: f64, after: &[f64]) -> Result<(), VariationError> {
+        let mut own = self.trajectory.impacts().iter().filter(|impact| impact.after == index);
+        let Some(impact) = own.next() else { return Ok(()) };
+        if own.next().is_some() {
+            return Err(VariationError::StruckTogether { time_s });
+        }
+        self.fly(w);
+        let earlier = index.checked_sub(1).and_then(|before| self.trajectory.segments().get(before));
+        self.impact(w, impact, earlier, (time_s, after));
+        Ok(())
+    }
 }
 
 impl Task for Linearisation<'_> {
@@ -91,9 +105,13 @@ impl Task for Linearisation<'_> {
     fn run<W: Wide>(mut self, w: W) -> Self::Output {
         let segments = self.trajectory.segments();
         for (index, segment) in segments.iter().enumerate() {
+            self.impacts(w, index, segment.start_s, &segment.state)?;
             let next = segments.get(index + 1);
             let after = next.map_or(self.end, |next| &next.state);
-            self.segment(w, segment, after, next.is_some_and(|next| next.force.is_some()))?;
+            self.segment(w, segment, after, next)?;
+        }
+        if let Some(last) = segments.last() {
+            self.impacts(w, segments.len(), last.start_s + last.length_s, self.end)?;
         }
         self.fly(w);
         Ok(self.tangents)

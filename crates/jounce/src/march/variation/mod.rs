@@ -10,12 +10,15 @@
 //!
 //! `J`, `J'` are the slopes of the law at the nodes of the step (N/m, N s/m), `D`, `D'` the Duhamel weights of displacement and
 //! velocity, `C`, `C'` their columns, `B` the push to the end of the step: the linearisation of the very equations that the
-//! march has solved. `b`, `c`, `c'` are the force column and the rows of the port, `v` the speed at which the stop is struck, `a`
+//! march has solved; with several ports in contact it is one system for all their nodes. `b`, `c`, `c'` are the force column and the rows of the port, `v` the speed at which the stop is struck, `a`
 //! the acceleration before it, `p` the impulse. `dw`, `dv` (m, m/s per unit of the parameter) is what a parameter does to the
 //! port at a fixed state, `k` what it does to the force, relative to it (see [`Drift`]).
 //!
 //! A contact that starts like `t^1.5` varies like `t^0.5` at a fixed time, which its basis cannot follow, but like `t^1.5` again
 //! when the time is counted from its own start: hence the shift `s` (s) of the time of the first step.
+//!
+//! Limits: of contacts that start at the same instant the first gives the shift, and the basis of the others follows their variation
+//! only roughly. Impacts on several rigid stops at the same instant are refused.
 //!
 //! Validation: `tests/march/variation.rs` compares with differences of the flow, with its determinant and with closed forms.
 
@@ -70,6 +73,14 @@ pub enum VariationError {
         /// Time, s.
         time_s: f64,
     },
+    /// Several impacts on rigid stops at one instant.
+    #[error(
+        "at t = {time_s} s several rigid stops are struck at the same instant, where the derivative of the flow depends on the direction; use a compliant law or different gaps"
+    )]
+    StruckTogether {
+        /// Time, s.
+        time_s: f64,
+    },
 }
 
 impl Variation {
@@ -88,12 +99,12 @@ impl Variation {
         let mut marcher = Marcher::new(kernel, start, start_s, tolerance)?;
         marcher.start_record();
         marcher.advance_to(start_s + duration_s)?;
-        let (end, force_n) = (marcher.state(), marcher.force_n());
-        let (statistics, loads_j) = (*marcher.statistics(), marcher.energies().loads_j);
+        let (end, forces_n) = (marcher.state(), marcher.forces_n());
+        let (statistics, loads_j) = (marcher.statistics(), marcher.energies().loads_j);
         let trajectory = marcher.take_record();
         let tangents = widest(Linearisation::new(kernel, drift, &trajectory, &end))?;
         let mut rate = kernel.plant.diagonal.block.apply(&end);
-        if let Some(port) = kernel.plant.ports.first() {
+        for (port, force_n) in kernel.plant.ports.iter().zip(forces_n) {
             rate.iter_mut().zip(&port.force).for_each(|(rate, b)| *rate += b * force_n);
         }
         let n = end.len();

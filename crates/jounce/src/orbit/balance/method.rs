@@ -35,11 +35,13 @@ impl<'h, H: Harvester> HarmonicBalance<'h, H> {
     /// With `harmonics` of the period to begin with.
     ///
     /// # Errors
-    /// [`OrbitError::Impulsive`] for a rigid stop.
+    /// [`OrbitError::Impulsive`] for a rigid stop, [`OrbitError::SeveralStops`].
     pub fn new(shooting: Shooting<'h, H>, kernel: &Kernel, harmonics: usize, accuracy: f64) -> Result<Self, OrbitError<H::Error>> {
-        match kernel.plant.system.stops.first() {
-            Some(stop) if matches!(stop.law, Law::Rigid(_)) => Err(OrbitError::Impulsive { stop: stop.name.clone() }),
-            _ => Ok(Self { shooting, harmonics, accuracy, grid: grid(harmonics), rules: Arc::default() }),
+        let stops = &kernel.plant.system.stops;
+        match stops.iter().find(|stop| matches!(stop.law, Law::Rigid(_))) {
+            Some(stop) => Err(OrbitError::Impulsive { stop: stop.name.clone() }),
+            None if stops.len() > 1 => Err(OrbitError::SeveralStops { stops: stops.len() }),
+            None => Ok(Self { shooting, harmonics, accuracy, grid: grid(harmonics), rules: Arc::default() }),
         }
     }
 

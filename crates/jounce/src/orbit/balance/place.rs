@@ -73,11 +73,12 @@ impl Balance {
     /// frequency, and of the force at each node.
     pub(super) fn changed(&mut self, change: &Change, cycles: u32) {
         let drift = &change.drift;
-        let (displaced_m, frequency_rad_s) = drift.tones.first().copied().unwrap_or_default();
+        let (displaced_m, frequency_rad_s) = drift.tone_of(0, 0).unwrap_or_default();
         let hastened = frequency_rad_s / (self.step_rad_s * f64::from(cycles));
         let own = gathered(&self.nodes, &self.shapes, |node| {
             let slopes = node.slopes;
-            slopes.damping_n_s_m * node.rate_m_s * hastened - slopes.stiffness_n_m * drift.gap_m + drift.force_relative * node.force_n
+            slopes.damping_n_s_m * node.rate_m_s * hastened - slopes.stiffness_n_m * drift.gap_of(0)
+                + drift.force_relative_of(0) * node.force_n
         });
         let slide = frequency_rad_s / f64::from(cycles);
         let slid: Vec<c64> = self.compliance.slopes.iter().enumerate().map(|(n, slope)| slope * c64::new(0.0, n as f64 * slide)).collect();

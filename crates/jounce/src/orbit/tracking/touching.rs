@@ -41,6 +41,6 @@ fn past_by_unknown(shot: &Shot, turn: Turn, scale: &[f64], tolerance: f64) -> Re
         let start = plant.from_physical(&physical, 0.0);
         flow = &Variation::march(&shot.kernel, &start, 0.0, until_s, tolerance, &Drift::default())?.jacobian * &flow;
     }
-    let row: &[f64] = plant.ports.first().map_or(&[], |port| &port.displacement);
+    let row: &[f64] = &plant.ports[turn.port].displacement;
     Ok((0..n).map(|j| row.iter().enumerate().map(|(i, c)| c * flow[(i, j)]).sum()).collect())
 }

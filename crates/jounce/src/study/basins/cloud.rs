@@ -23,7 +23,7 @@ impl Cloud {
         let modes = &plant.system.modes;
         let n = modes.len();
         let drive = plant.tones.first().map_or(1.0, |tone| tone.angular_frequency_rad_s);
-        let shape = plant.ports.first().map_or(1.0, |port| port.mobility_per_kg.sqrt());
+        let shape = plant.ports.iter().map(|port| port.mobility_per_kg.sqrt()).reduce(f64::max).unwrap_or(1.0);
         let size = self.spread * drive * plant.scale_m() / shape;
         let mut state = vec![0.0; plant.len()];
         // Starts do not share a stream: each has its own, from the seed and its number.

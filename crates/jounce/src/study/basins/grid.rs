@@ -13,7 +13,7 @@ use crate::plant::Plant;
 /// What a side of a grid is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum GridAxis {
-    /// Displacement towards the stop, m.
+    /// Displacement towards the stop, m; the first of the spec where there are several.
     Displacement,
     /// Its velocity, m/s.
     Velocity,

@@ -145,12 +145,14 @@ impl BranchSearch<'_> {
             Start::Rest => {}
             Start::Steady => state = plant.to_physical(&state, 0.0),
             Start::Kicked => {
-                let stop = plant.system.stops.first()?;
                 let w = plant.tones.first()?.angular_frequency_rad_s;
                 let n = plant.system.modes.len();
-                let square: f64 = stop.shape.iter().map(|s| s * s).sum();
                 let speed = KICK * w * plant.scale_m();
-                stop.shape.iter().enumerate().for_each(|(i, s)| state[n + i] = s / square * speed);
+                // Towards every stop at once.
+                for stop in &plant.system.stops {
+                    let square: f64 = stop.shape.iter().map(|s| s * s).sum();
+                    stop.shape.iter().enumerate().for_each(|(i, s)| state[n + i] += s / square * speed);
+                }
             }
         }
         Some(state)

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// A point of the Poincare section.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SectionPoint {
-    /// Displacement of the port towards the stop, m.
+    /// Displacement of the port towards the stop, m; the first of the spec where there are several.
     pub displacement_m: f64,
     /// Its velocity, m/s.
     pub velocity_m_per_s: f64,

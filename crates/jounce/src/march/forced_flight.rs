@@ -1,0 +1,100 @@
+//! What the contact force of one port does to another port that is in flight, on a step of one length.
+//!
+//! The displacement `z` that the force causes at the other port starts at rest. Its cubic Hermite interpolant over the step is
+//!
+//! ```text
+//! H(x) = z(h) (3 x^2 - 2 x^3) + h z'(h) (x^3 - x^2),   x = t / h,
+//! ```
+//!
+//! and `z - H` is known as a Legendre series in `x`. As no Legendre polynomial passes 1 in magnitude, the sum of the magnitudes of
+//! its coefficients bounds `|z - H|` on the whole step, and the same holds for `|z' - H'|`. Both are linear in the nodal forces,
+//! so that the bound keeps what the forces of all nodes cancel. It holds to the accuracy of the series (see [`super::answers`]).
+//! The certificate takes this rest for a fast part that starts at zero (see [`super::certificate`]).
+
+use super::basis::NODES;
+use super::kernel::{Kernel, Shape};
+use super::response::{Making, Reading, Row};
+use super::state::pushed;
+use crate::wide::{Lane, WIDTH, Wide, widest};
+
+/// Legendre coefficients of `3 x^2 - 2 x^3` and of `x^3 - x^2` ...
+const INTERPOLANT: [[f64; 4]; 2] = [[0.5, 0.6, 0.0, -0.1], [-1.0 / 12.0, -0.05, 1.0 / 12.0, 0.05]];
+
+/// ... and of their slopes.
+const SLOPE: [[f64; 3]; 2] = [[1.0, 0.0, -1.0], [0.0, 0.5, 0.5]];
+
+/// One lane per nodal force.
+#[derive(Debug, Clone)]
+pub struct ForcedFlight {
+    /// Displacement (first place, m) and velocity (second place, m/s) at the end of the step.
+    pub end: [Lane; NODES],
+    /// Coefficients of `z - H`, m, eight to a lane.
+    rest: Vec<[Lane; NODES]>,
+    /// Coefficients of `z' - H'`, m/s.
+    rest_rate: Vec<[Lane; NODES]>,
+}
+
+impl ForcedFlight {
+    /// For the force of a port, in a basis, as felt by the port `seen`.
+    pub fn new(kernel: &Kernel, (port, shape): (usize, Shape), seen: usize, length_s: f64) -> Self {
+        let (plant, basis) = (&kernel.plant, kernel.basis(port, shape));
+        let pointwise = |row: &[f64]| Row { row: row.to_vec(), reading: Reading::Pointwise };
+        let felt = &plant.ports[seen];
+        let made = widest(Making {
+            block: &plant.diagonal.block,
+            layout: &kernel.layout,
+            basis,
+            reader: basis,
+            force: &plant.ports[port].force,
+            rows: &[pointwise(&felt.displacement), pointwise(&felt.velocity)],
+            length_s,
+        });
+        let mut series = made.series.into_iter();
+        let (mut place, mut speed) = (series.next().unwrap_or_default(), series.next().unwrap_or_default());
+        let end: [Lane; NODES] = std::array::from_fn(|j| {
+            let [place, speed] = [0, 1].map(|row: usize| made.rows[row].push[j].0[NODES]);
+            Lane(std::array::from_fn(|i| {
+                if i == 0 {
+                    place
+                } else if i == 1 {
+                    speed
+                } else {
+                    0.0
+                }
+            }))
+        });
+        for (j, end) in end.iter().enumerate() {
+            let ends = [end.0[0], length_s * end.0[1]];
+            for (ends, (interpolant, slope)) in ends.iter().zip(INTERPOLANT.iter().zip(&SLOPE)) {
+                place.iter_mut().zip(interpolant).for_each(|(lane, c)| lane.0[j] -= ends * c);
+                speed.iter_mut().zip(slope).for_each(|(lane, c)| lane.0[j] -= ends / length_s * c);
+            }
+        }
+        Self { end, rest: by_force(&place), rest_rate: by_force(&speed) }
+    }
+}
+
+/// From one lane per coefficient to one lane per nodal force, eight coefficients at a time.
+fn by_force(series: &[Lane]) -> Vec<[Lane; NODES]> {
+    let of = |rows: &[Lane]| std::array::from_fn(|j| Lane(std::array::from_fn(|i| rows.get(i).map_or(0.0, |row| row.0[j]))));
+    series.chunks(WIDTH).map(of).collect()
+}
+
+/// Bounds on `|z - H|` (m) and `|z' - H'|` (m/s) under the nodal forces of several ports: the sums of the magnitudes of their
+/// common coefficients.
+#[inline(always)]
+pub fn rest_bounds<W: Wide>(w: W, flights: &[&ForcedFlight], forces: &[Lane]) -> [f64; 2] {
+    let longest = flights.iter().map(|flight| flight.rest.len()).max().unwrap_or(0);
+    let (mut place, mut speed) = (w.zero(), w.zero());
+    for chunk in 0..longest {
+        let (mut own_place, mut own_speed) = (w.zero(), w.zero());
+        for (flight, force) in flights.iter().zip(forces) {
+            if chunk < flight.rest.len() {
+                own_place = pushed(w, own_place, &flight.rest[chunk], force);
+                own_speed = pushed(w, own_speed, &flight.rest_rate[chunk], force);
+            }
+        }
+        (place, speed) = (w.add(place, w.abs(own_place)), w.add(speed, w.abs(own_speed)));
+    }
+    [w.sum(place), w.sum(speed)]
+}

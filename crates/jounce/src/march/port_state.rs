@@ -1,0 +1,112 @@
+//! What a march knows of one port.
+
+use super::layout::Layout;
+use super::tone::Turning;
+use super::totals::ContactStatistics;
+use crate::contact::Law;
+use crate::plant::Plant;
+use crate::wide::Lane;
+
+/// Whether the point is on the stop.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Regime {
+    /// Off the stop.
+    Flight,
+    /// On it.
+    Contact,
+}
+
+/// A port at the present time of a march.
+#[derive(Debug, Clone)]
+pub struct PortState {
+    /// Distance past the stop, m.
+    pub penetration_m: f64,
+    /// Its rate, m/s.
+    pub rate_m_s: f64,
+    /// Where it is.
+    pub regime: Regime,
+    /// Motion at the end of the flight step in hand: distance past the stop, m, and its rate, m/s.
+    pub ahead: [f64; 2],
+    /// With several ports: level wanted of the next step in contact ...
+    pub level: i32,
+    /// ... and whether a contact begins with it.
+    pub entering: bool,
+    /// Level at which the next contact starts.
+    pub entry_level: i32,
+    /// Largest speed at which the stop was struck so far: the scale of contact impulses.
+    pub strike_m_s: f64,
+    /// Its rows.
+    pub rows: Rows,
+    /// Since the last reset.
+    pub statistics: ContactStatistics,
+}
+
+/// Padded rows of a port.
+#[derive(Debug, Clone)]
+pub struct Rows {
+    /// Displacement towards the stop.
+    pub displacement: Vec<Lane>,
+    /// Its velocity.
+    pub velocity: Vec<Lane>,
+    /// Gap, m; infinite without a stop.
+    pub gap_m: f64,
+    /// Velocity lost per unit impulse, 1/kg.
+    pub mobility_per_kg: f64,
+    /// `sum |S| w^4` over tones: the drive's share of the flight bound.
+    pub tone_fourth: f64,
+    /// `sum |S|`: its share of the scale of motion.
+    pub tone_scale_m: f64,
+}
+
+impl PortState {
+    /// In flight at a place yet to be seen; contacts start at a level.
+    pub fn new(plant: &Plant, layout: &Layout, tones: &[Turning], port: usize, entry_level: i32) -> Self {
+        Self {
+            penetration_m: 0.0,
+            rate_m_s: 0.0,
+            regime: Regime::Flight,
+            ahead: [0.0; 2],
+            level: entry_level,
+            entering: false,
+            entry_level,
+            strike_m_s: 0.0,
+            rows: Rows::new(plant, layout, tones, port),
+            statistics: ContactStatistics::default(),
+        }
+    }
+
+    /// Starts in contact where the point lies past the stop, or where the law acts on both sides.
+    pub fn start_pressed(&mut self, law: &Law) {
+        // A point that leaves a rigid stop is past it by roundoff only.
+        let leaves = matches!(law, Law::Rigid(_)) && self.rate_m_s < 0.0;
+        if law.acts_on_both_sides() || (self.penetration_m > 0.0 && !leaves) {
+            self.regime = Regime::Contact;
+            // The compressed stop would throw the point off at this speed: the scale of the impulse of a contact that starts at rest.
+            self.strike_m_s = (2.0 * law.energy_j(self.penetration_m).max(0.0) * self.rows.mobility_per_kg).sqrt();
+        }
+    }
+
+    /// Forgets the statistics.
+    pub fn reset_statistics(&mut self) {
+        self.statistics = ContactStatistics::default();
+        if self.regime == Regime::Contact {
+            self.statistics.max_penetration_m = self.penetration_m.max(0.0);
+        }
+    }
+}
+
+impl Rows {
+    fn new(plant: &Plant, layout: &Layout, tones: &[Turning], index: usize) -> Self {
+        let none = vec![0.0; plant.len()];
+        let port = plant.ports.get(index);
+        let size = |tone: &Turning| tone.displacement_m[index].norm();
+        Self {
+            displacement: layout.pack(port.map_or(&none, |port| &port.displacement)),
+            velocity: layout.pack(port.map_or(&none, |port| &port.velocity)),
+            gap_m: plant.system.stops.get(index).map_or(f64::INFINITY, |stop| stop.gap_m),
+            mobility_per_kg: port.map_or(1.0, |port| port.mobility_per_kg),
+            tone_fourth: tones.iter().map(|tone| size(tone) * tone.angular_frequency_rad_s.powi(4)).sum(),
+            tone_scale_m: tones.iter().map(size).sum(),
+        }
+    }
+}

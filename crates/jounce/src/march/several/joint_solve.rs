@@ -1,0 +1,160 @@
+//! The nodal forces of all ports in contact, found together.
+
+use super::rest::Resting;
+use crate::contact::{ContactLaw, Law};
+use crate::march::contact_step::{MOST_ITERATIONS, Solved, Step, judge, largest};
+use crate::march::joint_tables::{JointTables, Length};
+use crate::march::marcher::Marcher;
+use crate::march::state::{columns, pushed};
+use crate::wide::{Lane, Wide};
+
+/// A step of all ports in contact.
+pub struct JointStep<'t> {
+    /// Its tables.
+    pub tables: &'t JointTables<'t>,
+    /// Each port on it, in the order of the tables.
+    pub steps: Vec<Step<'t>>,
+}
+
+/// One port on the way to its forces. Lanes hold the nodes and the end of the step.
+pub struct Iterate {
+    law: Law,
+    /// Motion without any contact force on the step.
+    free: Lane,
+    free_rate: Lane,
+    penetration: Lane,
+    rate: Lane,
+    /// Nodal forces, N.
+    pub force: Lane,
+    at_start_n: f64,
+    deepest_m: f64,
+    last_change_n: f64,
+}
+
+/// What an iteration says of all ports.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Progress {
+    Converged,
+    GoesOn,
+    Diverges,
+}
+
+impl<'k> Marcher<'k> {
+    /// The step laid out.
+    #[inline(always)]
+    pub(super) fn joint_step<'t, W: Wide>(&mut self, w: W, tables: &'t JointTables<'k>) -> JointStep<'t>
+    where
+        'k: 't,
+    {
+        let (level, odd) = (tables.length.level(), matches!(tables.length, Length::Odd { .. }));
+        let mut steps = Vec::with_capacity(tables.ports.len());
+        for (place, (port, shape)) in tables.ports.iter().enumerate() {
+            steps.push(self.step_in_contact(w, self.law(*port), (tables.own(place), *port), *shape, level, odd));
+        }
+        JointStep { tables, steps }
+    }
+
+    /// Solves a step for the nodal forces of all its ports; `None` when the fixed point does not converge.
+    #[inline(always)]
+    pub(super) fn solve_joint<W: Wide>(&mut self, w: W, joint: &JointStep, resting: &Resting) -> Option<Vec<Solved>> {
+        let mut iterates = self.first_guess(w, joint);
+        let goal = (0.1 * self.tolerance).clamp(4e-15, 1e-5);
+        for iteration in 1..=MOST_ITERATIONS {
+            self.work.iterations += 1;
+            resting.hold(&mut iterates);
+            move_under_forces(w, joint, &mut iterates);
+            let mut progress = Progress::Converged;
+            for (place, iterate) in iterates.iter_mut().enumerate() {
+                progress = progress.max(iterate.renew(w, joint.tables, (place, iteration), goal));
+            }
+            match progress {
+                Progress::GoesOn => {}
+                Progress::Diverges => return None,
+                Progress::Converged => {
+                    resting.hold(&mut iterates);
+                    move_under_forces(w, joint, &mut iterates);
+                    let judged = |(step, own): (_, &Iterate)| judge(own.law, step, own.penetration, own.rate, own.force, own.at_start_n);
+                    let mut solved: Vec<Solved> = joint.steps.iter().zip(&iterates).map(judged).collect();
+                    resting.judge(self, joint, &mut solved);
+                    return Some(solved);
+                }
+            }
+        }
+        None
+    }
+
+    /// Forces go on as they do now.
+    #[inline(always)]
+    fn first_guess<W: Wide>(&self, w: W, joint: &JointStep) -> Vec<Iterate> {
+        let mut iterates = Vec::with_capacity(joint.steps.len());
+        for step in &joint.steps {
+            let (law, port, table) = (self.law(step.port), &self.ports[step.port], step.table);
+            let free = columns(w, &self.layout, &self.y, &table.displacement.columns, w.load(&step.drive));
+            let mut free_rate = w.zero();
+            if law.is_rate_dependent() {
+                free_rate = columns(w, &self.layout, &self.y, &table.velocity.columns, w.load(&step.drive_rate));
+            }
+            let at_start_n = law.force_n(port.penetration_m, port.rate_m_s);
+            let rise = law.slopes(port.penetration_m, port.rate_m_s).stiffness_n_m * port.rate_m_s * table.length_s;
+            let penetration = w.fma(w.splat(at_start_n), w.load(&table.constant), w.fma(w.splat(rise), w.load(&table.ramp), free));
+            iterates.push(Iterate {
+                law,
+                free: w.store(free),
+                free_rate: w.store(free_rate),
+                penetration: w.store(penetration),
+                rate: w.store(free_rate),
+                force: w.store(law.forces_n(w, penetration, free_rate)),
+                at_start_n,
+                deepest_m: f64::MIN,
+                last_change_n: f64::INFINITY,
+            });
+        }
+        iterates
+    }
+}
+
+/// Motion of each port under the nodal forces of all.
+#[inline(always)]
+fn move_under_forces<W: Wide>(w: W, joint: &JointStep, iterates: &mut [Iterate]) {
+    for place in 0..iterates.len() {
+        let own = &iterates[place];
+        let needs_rate = own.law.is_rate_dependent();
+        let (mut penetration, mut rate) = (w.load(&own.free), w.load(&own.free_rate));
+        for (from, other) in iterates.iter().enumerate() {
+            let [displacement, velocity] = joint.tables.answers(from, place);
+            penetration = pushed(w, penetration, displacement, &other.force);
+            if needs_rate {
+                rate = pushed(w, rate, velocity, &other.force);
+            }
+        }
+        (iterates[place].penetration, iterates[place].rate) = (w.store(penetration), w.store(rate));
+    }
+}
+
+impl Iterate {
+    /// New forces by the law; a resting port has its forces from elsewhere.
+    #[inline(always)]
+    fn renew<W: Wide>(&mut self, w: W, tables: &JointTables, (place, iteration): (usize, u32), goal: f64) -> Progress {
+        if matches!(self.law, Law::Rigid(_)) {
+            return Progress::Converged;
+        }
+        let penetration = w.load(&self.penetration);
+        let new = self.law.forces_n(w, penetration, w.load(&self.rate));
+        let (change, size) = (w.largest(w.abs(w.sub(new, w.load(&self.force)))), largest(w, self.law, new));
+        self.force = w.store(new);
+        self.deepest_m = self.deepest_m.max(largest(w, self.law, penetration));
+        // What is still to come: at most the contraction seen so far, or foretold by the slope of the law.
+        let slopes = self.law.steepest(self.deepest_m);
+        let foretold = slopes.stiffness_n_m * tables.reach_m_n(place) + slopes.damping_n_s_m * tables.reach_m_n_s(place);
+        let seen = if iteration == 1 { 1.0 } else { (change / self.last_change_n).min(1.0) };
+        let diverges = iteration > 4 && change > self.last_change_n;
+        self.last_change_n = change;
+        if change * foretold.min(seen) <= goal * size {
+            Progress::Converged
+        } else if diverges || !change.is_finite() {
+            Progress::Diverges
+        } else {
+            Progress::GoesOn
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! Marching with several ports.
+//!
+//! A port is in flight or in contact by itself; what one does to the others goes through the plant alone.
+//!
+//! - *All in flight*: one exact flow, one certificate per port. The step is taken when it is clear for all of them; the port
+//!   that is proved to cross first strikes.
+//! - *Some in contact*: one step for all of these, each with its own basis, the nodal forces found together. With the Duhamel
+//!   weights `D_pq` of the displacement of port `p` under the force of port `q`,
+//!
+//!   ```text
+//!   delta_p = free_p + sum_q D_pq f_q,   f_p = F_p(delta_p, delta_p'),
+//!   ```
+//!
+//!   a fixed point that converges as that of one port does. The ports in flight are watched by the same certificate, to which the
+//!   forces add a known cubic and a bounded rest (see [`super::forced_flight`]). Where that proves neither flight nor a first crossing,
+//!   the step is shortened, down to a length on which the rest is below the resolution of the certificate.
+//! - *A strike during a contact* ends the step there, by Newton on its length, so that the new contact starts on its own onset.
+//! - *Rigid stops*: see [`impacts`] and [`rest`].
+
+mod flight;
+mod impacts;
+mod joint_solve;
+mod rest;
+mod take;
+mod together;
+mod watch;
+
+use super::contact::IMPULSE_SHARE;
+use super::contact_step::Solved;
+use super::error::MarchError;
+use super::kernel::Kernel;
+use super::marcher::Marcher;
+use super::port_state::{PortState, Regime};
+use crate::contact::Law;
+use crate::wide::{Task, Wide};
+use joint_solve::JointStep;
+
+/// Share of the first step of a contact that is no time at all: a port that would strike within it strikes now.
+const AT_ONCE: f64 = 1e-13;
+
+/// Carries the loop into code compiled for the vector instructions of this machine.
+pub struct AdvanceSeveral<'m, 'k> {
+    /// The march.
+    pub marcher: &'m mut Marcher<'k>,
+    /// Its end, s.
+    pub end_s: f64,
+}
+
+impl Task for AdvanceSeveral<'_, '_> {
+    type Output = Result<(), MarchError>;
+
+    /// Alternates impacts, flight and contact until the end.
+    #[inline(always)]
+    fn run<W: Wide>(self, w: W) -> Self::Output {
+        let AdvanceSeveral { marcher, end_s } = self;
+        while marcher.time_s < end_s {
+            let until_s = marcher.next_breakpoint(w, end_s);
+            if marcher.hits_rigid_stop() {
+                marcher.collide(w)?;
+            } else if marcher.in_regime(Regime::Contact).next().is_some() {
+                marcher.together(w, until_s)?;
+            } else {
+                marcher.fly(w, until_s)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Marcher<'_> {
+    /// Ports in a regime, ascending.
+    fn in_regime(&self, regime: Regime) -> impl Iterator<Item = usize> {
+        (0..self.kernel.plant.ports.len()).filter(move |p| self.ports[*p].regime == regime)
+    }
+
+    /// Law of the stop of a port.
+    #[inline(always)]
+    fn law(&self, p: usize) -> Law {
+        self.kernel.plant.system.stops[p].law
+    }
+
+    fn is_rigid(&self, p: usize) -> bool {
+        matches!(self.law(p), Law::Rigid(_))
+    }
+
+    /// Distance at which a point touches, m: what the fastest striker goes in no time at all.
+    fn touch_m(&self, p: usize) -> f64 {
+        self.ports.iter().fold(0.0_f64, |max, port| max.max(port.strike_m_s)) * AT_ONCE * Kernel::length_s(self.ports[p].entry_level)
+    }
+
+    /// Error of an impulse that one step may make at any port, N s: a weak contact need not be better than a strong one.
+    fn allowed_beside_n_s(&self, joint: &JointStep, solved: &[Solved]) -> f64 {
+        let fastest = |port: &PortState| port.strike_m_s / port.rows.mobility_per_kg;
+        let struck = self.tolerance * IMPULSE_SHARE * self.ports.iter().map(fastest).fold(0.0, f64::max);
+        let own = joint.steps.iter().zip(solved).map(|(step, own)| self.allowed_n_s(self.law(step.port), step, Some(own)));
+        own.fold(struck, f64::max)
+    }
+
+    /// A port enters contact at the present time, and with it every other one that touches and moves in.
+    fn join<W: Wide>(&mut self, w: W, p: usize) {
+        self.see(w, p);
+        self.enter(p);
+        for q in 0..self.kernel.plant.ports.len() {
+            if self.ports[q].regime == Regime::Flight {
+                self.see(w, q);
+                if self.ports[q].rate_m_s > 0.0 && self.ports[q].penetration_m.abs() <= self.touch_m(q) {
+                    self.enter(q);
+                }
+            }
+        }
+    }
+
+    fn enter(&mut self, p: usize) {
+        self.struck(p);
+        let port = &mut self.ports[p];
+        (port.level, port.entering) = (port.entry_level, true);
+    }
+}

@@ -1,0 +1,189 @@
+//! Points at rest on rigid stops while other ports fly or are in contact.
+//!
+//! The forces `f_a` of the ports at rest keep their relative accelerations at zero,
+//!
+//! ```text
+//! a_a . y(t) + a_drive(t) - sum_b M_ab f_b(t) = 0   for every port a at rest,
+//! ```
+//!
+//! the sum over all ports in contact, with the mobilities `M_ab` (1/kg) between ports. At the nodes of a step this is one linear
+//! system for all ports at rest, given the forces of the others.
+
+use super::joint_solve::{Iterate, JointStep};
+use crate::march::basis::{NODES, SMOOTH};
+use crate::march::contact_step::Solved;
+use crate::march::error::MarchError;
+use crate::march::joint_tables::JointTables;
+use crate::march::marcher::Marcher;
+use crate::march::port_state::Regime;
+use crate::march::rigid::acceleration;
+use crate::march::state::columns;
+use crate::march::table::Sticking;
+use crate::wide::{Lane, Portable, WIDTH, Wide};
+use faer::linalg::solvers::DenseSolveCore;
+use faer::{Mat, c64};
+
+/// Relative mismatch of a holding force at the end of a step that is still good, times the tolerance.
+const HOLDING_SHARE: f64 = 1e-2;
+
+/// Mobility left to a second port at rest, relative to its own, below which both hold the same motion.
+const INDEPENDENT: f64 = 1e-10;
+
+/// The ports at rest on a step.
+pub struct Resting {
+    /// Their places among the ports of the step.
+    places: Vec<usize>,
+    /// Free acceleration of each at the nodes and the end, m/s^2.
+    free: Vec<Lane>,
+    /// Answer of each to the force of each place, the direct share taken away at the nodes: `[rest][place][node of force]`.
+    answers: Vec<Vec<[Lane; NODES]>>,
+    /// Mobility between each and each place, 1/kg.
+    mobility: Vec<Vec<f64>>,
+    /// From accelerations at the nodes of all to their nodal forces, kg.
+    inverse: Mat<f64>,
+    /// Relative mismatch allowed.
+    allowed: f64,
+}
+
+impl Resting {
+    /// For the ports at rest among those of a step.
+    pub fn new(marcher: &Marcher, tables: &JointTables) -> Self {
+        let places: Vec<usize> = (0..tables.ports.len()).filter(|place| marcher.is_rigid(tables.ports[*place].0)).collect();
+        let mut resting = Self {
+            free: Vec::new(),
+            answers: Vec::new(),
+            mobility: Vec::new(),
+            inverse: Mat::zeros(0, 0),
+            allowed: marcher.tolerance.max(1e-12) * HOLDING_SHARE,
+            places,
+        };
+        for place in resting.places.clone() {
+            let port = tables.ports[place].0;
+            let sticking = Sticking::new(marcher.kernel, port, &SMOOTH, tables.length.seconds());
+            resting.free.push(marcher.free_acceleration(&sticking, port, tables.length.seconds()));
+            let answer = |from: usize| if from == place { sticking.acceleration.push } else { tables.cross(from, place).acceleration };
+            resting.answers.push((0..tables.ports.len()).map(answer).collect());
+            resting.mobility.push(tables.ports.iter().map(|(other, _)| marcher.mobility_per_kg(port, *other)).collect());
+        }
+        resting.invert();
+        resting
+    }
+
+    fn invert(&mut self) {
+        let count = self.places.len() * NODES;
+        if count == 0 {
+            return;
+        }
+        let entry = |row: usize, column: usize| {
+            let ((a, i), (b, j)) = ((row / NODES, row % NODES), (column / NODES, column % NODES));
+            let place = self.places[b];
+            (if i == j { self.mobility[a][place] } else { 0.0 }) - self.answers[a][place][j].0[i]
+        };
+        self.inverse = Mat::from_fn(count, count, entry).partial_piv_lu().inverse();
+    }
+
+    /// Sets the forces of the ports at rest, given those of the others.
+    pub fn hold(&self, iterates: &mut [Iterate]) {
+        let mut right = Vec::with_capacity(self.places.len() * NODES);
+        for (a, free) in self.free.iter().enumerate() {
+            for i in 0..NODES {
+                let mut sum = free.0[i];
+                for (place, other) in iterates.iter().enumerate().filter(|(place, _)| !self.places.contains(place)) {
+                    sum -= self.mobility[a][place] * other.force.0[i];
+                    sum += (0..NODES).map(|j| self.answers[a][place][j].0[i] * other.force.0[j]).sum::<f64>();
+                }
+                right.push(sum);
+            }
+        }
+        for (a, place) in self.places.iter().enumerate() {
+            let force = |i: usize| right.iter().enumerate().map(|(k, right)| self.inverse[(a * NODES + i, k)] * right).sum();
+            iterates[*place].force = Lane(std::array::from_fn(|i| if i < NODES { force(i) } else { 0.0 }));
+        }
+    }
+
+    /// Marks a step as bad on which a holding force misses the end of the step, or would have to pull for a time that matters.
+    pub fn judge(&self, marcher: &Marcher, joint: &JointStep, solved: &mut [Solved]) {
+        let at_end: Vec<f64> = solved.iter().map(|own| (0..NODES).map(|j| SMOOTH.at_end[j] * own.force.0[j]).sum()).collect();
+        let allowed_n_s = marcher.allowed_beside_n_s(joint, solved);
+        for (a, place) in self.places.iter().enumerate() {
+            let mut mismatch = self.free[a].0[NODES];
+            for (from, other) in solved.iter().enumerate() {
+                mismatch -= self.mobility[a][from] * at_end[from];
+                mismatch += (0..NODES).map(|j| self.answers[a][from][j].0[NODES] * other.force.0[j]).sum::<f64>();
+            }
+            let (size, mobility) = (marcher.largest(&solved[*place].force), self.mobility[a][*place]);
+            let length_s = joint.tables.length.seconds();
+            let negligible = size * length_s <= HOLDING_SHARE * allowed_n_s;
+            let pulls = solved[*place].force.0.iter().any(|force| *force < 0.0);
+            let is_good = mismatch.abs() <= self.allowed * mobility * size && !pulls;
+            solved[*place].error_n_s = if is_good || negligible { 0.0 } else { f64::INFINITY };
+            solved[*place].force = Lane(solved[*place].force.0.map(|force| force.max(0.0)));
+        }
+    }
+}
+
+impl Marcher<'_> {
+    /// Velocity that one port loses per unit impulse at another, 1/kg.
+    fn mobility_per_kg(&self, port: usize, other: usize) -> f64 {
+        let stops = &self.kernel.plant.system.stops;
+        stops[port].shape.iter().zip(&stops[other].shape).map(|(a, b)| a * b).sum()
+    }
+
+    fn largest(&self, force: &Lane) -> f64 {
+        force.0[..NODES].iter().fold(0.0, |max, force| max.max(force.abs()))
+    }
+
+    /// Relative acceleration of a port without any contact force on the step, at its nodes and its end, m/s^2.
+    fn free_acceleration(&self, sticking: &Sticking, port: usize, length_s: f64) -> Lane {
+        let w = Portable::new();
+        let mut free = w.store(columns(w, &self.layout, &self.y, &sticking.acceleration.columns, w.zero()));
+        for tone in &self.tones {
+            let swing = &tone.swing[port];
+            for i in 0..WIDTH {
+                let turned = tone.displacement_m[port] * tone.turn * c64::new(swing.cos.0[i], swing.sin.0[i]);
+                free.0[i] += acceleration(turned, tone.angular_frequency_rad_s);
+            }
+        }
+        for (free, place) in free.0.iter_mut().zip(SMOOTH.places) {
+            *free += self.forced.acceleration_after(port, place * length_s);
+        }
+        free
+    }
+
+    /// Ports at rest whose stop would have to pull go to flight, the one that pulls most first.
+    ///
+    /// # Errors
+    /// [`MarchError::RestsTwice`] where two stops hold the same motion.
+    pub(super) fn let_go(&mut self) -> Result<(), MarchError> {
+        loop {
+            let resting: Vec<usize> = self.in_regime(Regime::Contact).filter(|p| self.is_rigid(*p)).collect();
+            let Some(forces) = self.holding_forces(&resting)? else { return Ok(()) };
+            let weakest = (0..resting.len()).min_by(|a, b| forces[*a].total_cmp(&forces[*b]));
+            match weakest.filter(|place| forces[*place] <= 0.0) {
+                Some(place) => self.ports[resting[place]].regime = Regime::Flight,
+                None => return Ok(()),
+            }
+        }
+    }
+
+    /// Forces that hold the ports at rest now, N; `None` without one.
+    fn holding_forces(&self, resting: &[usize]) -> Result<Option<Vec<f64>>, MarchError> {
+        if resting.is_empty() {
+            return Ok(None);
+        }
+        let pressed = self.forces_n();
+        let count = resting.len();
+        let matrix = Mat::from_fn(count, count, |a, b| self.mobility_per_kg(resting[a], resting[b]));
+        let lu = matrix.full_piv_lu();
+        let (largest, smallest) = (lu.U()[(0, 0)].abs(), lu.U()[(count - 1, count - 1)].abs());
+        if smallest <= INDEPENDENT * largest {
+            let stops = resting.iter().map(|p| self.kernel.plant.system.stops[*p].name.clone()).collect();
+            return Err(MarchError::RestsTwice { time_s: self.time_s, stops });
+        }
+        let inverse = lu.inverse();
+        let right: Vec<f64> = (resting.iter())
+            .map(|a| self.acceleration_m_s2(*a) - pressed.iter().enumerate().map(|(c, f)| self.mobility_per_kg(*a, c) * f).sum::<f64>())
+            .collect();
+        Ok(Some((0..count).map(|a| (0..count).map(|b| inverse[(a, b)] * right[b]).sum()).collect()))
+    }
+}

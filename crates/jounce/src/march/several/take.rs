@@ -1,0 +1,85 @@
+//! A joint step is taken: state, statistics, energies, record.
+
+use super::joint_solve::JointStep;
+use super::watch::nodal;
+use crate::contact::Law;
+use crate::march::basis::NODES;
+use crate::march::contact_step::Solved;
+use crate::march::marcher::Marcher;
+use crate::march::port_state::Regime;
+use crate::march::state::{add_push, pushed};
+use crate::march::trajectory::PortForce;
+use crate::wide::{Lane, Wide};
+
+impl Marcher<'_> {
+    /// Takes a solved step whose free motion stands in `next`.
+    #[inline(always)]
+    pub(super) fn take_joint<W: Wide>(&mut self, w: W, joint: &JointStep, solved: &[Solved]) {
+        let forces: Vec<Lane> = solved.iter().map(|own| nodal(&own.force)).collect();
+        if self.record.is_some() {
+            let noted: Vec<PortForce> = joint.steps.iter().zip(&forces).map(|(step, force)| PortForce::new(step, force)).collect();
+            self.note(joint.tables.length.seconds(), &noted);
+        }
+        for (step, force) in joint.steps.iter().zip(&forces) {
+            self.integrate_force(w, step, force);
+            add_push(w, &step.table.push, force, &mut self.next);
+        }
+        self.integrate_crossed(w, joint, &forces);
+        std::mem::swap(&mut self.y, &mut self.next);
+        self.time_s += joint.tables.length.seconds();
+        self.forced.pass(self.kernel, joint.tables.length.seconds(), self.time_s, &mut self.y);
+        let first = joint.steps[0].port;
+        for tone in &mut self.tones {
+            tone.turn *= tone.swing[first].end();
+        }
+        for p in 0..self.kernel.plant.ports.len() {
+            if self.ports[p].regime == Regime::Flight {
+                self.see(w, p);
+            }
+        }
+        self.arrive_all(w, joint, solved);
+        self.work.contact_steps += 1;
+    }
+
+    /// Every port in contact comes to the end of the step.
+    #[inline(always)]
+    fn arrive_all<W: Wide>(&mut self, w: W, joint: &JointStep, solved: &[Solved]) {
+        let (level, allowed) = (joint.tables.length.level(), self.allowed_beside_n_s(joint, solved));
+        for (step, own) in joint.steps.iter().zip(solved) {
+            let p = step.port;
+            if let Law::Rigid(_) = self.law(p) {
+                self.see(w, p);
+                self.observe_rest(p, step.table.length_s, &own.force);
+                self.put_back(p);
+                self.ports[p].level = (level - 1).max(crate::march::kernel::Kernel::coarsest());
+                continue;
+            }
+            self.arrive(w, self.law(p), step, own);
+            let entering = std::mem::take(&mut self.ports[p].entering);
+            self.ports[p].level = self.next_level(self.law(p), level, step, own, (allowed, entering));
+        }
+    }
+
+    /// Work of the force of each port on what the forces of the others have moved.
+    #[inline(always)]
+    fn integrate_crossed<W: Wide>(&mut self, w: W, joint: &JointStep, forces: &[Lane]) {
+        for (from, force) in forces.iter().enumerate() {
+            for (to, felt) in forces.iter().enumerate() {
+                if from == to {
+                    continue;
+                }
+                let cross = joint.tables.cross(from, to);
+                for (sum, load) in self.integrals.loads_j.iter_mut().zip(&cross.loads) {
+                    *sum += work(w, load, force, felt);
+                }
+                self.integrals.damping_j += work(w, &cross.damping, force, felt);
+            }
+        }
+    }
+}
+
+/// `felt . (push force)`.
+#[inline(always)]
+fn work<W: Wide>(w: W, push: &[Lane; NODES], force: &Lane, felt: &Lane) -> f64 {
+    w.sum(w.mul(pushed(w, w.zero(), push, force), w.load(felt)))
+}

@@ -1,0 +1,121 @@
+//! The way through contacts of several ports: which step comes next, and whether it is good enough.
+
+use super::flight::Outcome;
+use super::joint_solve::JointStep;
+use super::rest::Resting;
+use crate::march::contact_step::Solved;
+use crate::march::crossing::Crossing;
+use crate::march::error::MarchError;
+use crate::march::joint_tables::{JointTables, Length};
+use crate::march::kernel::{Kernel, Shape};
+use crate::march::marcher::Marcher;
+use crate::march::port_state::Regime;
+use crate::wide::Wide;
+
+/// Most Newton iterations for the length of a step that ends in a strike.
+const MOST_LANDINGS: u32 = 12;
+
+/// Lengths, relative to the first step of the contact that follows, at which a strike counts as met.
+const MET: f64 = 1e-14;
+
+impl Marcher<'_> {
+    /// Goes on until all ports fly, a rigid stop is struck, or the end is reached.
+    #[inline(always)]
+    pub(super) fn together<W: Wide>(&mut self, w: W, end_s: f64) -> Result<(), MarchError> {
+        // On steps this short no second contact can follow the first.
+        let safe = Kernel::level_within(1.0 / self.kernel.fastest_rad_s) + 3;
+        while self.time_s < end_s && !self.hits_rigid_stop() {
+            self.let_go()?;
+            let ports = self.ports_with_bases();
+            let Some(mut level) = ports.iter().map(|(p, _)| self.ports[*p].level).max() else { return Ok(()) };
+            loop {
+                let remaining_s = self.forced.remaining_s(self.time_s, end_s);
+                let landing = Kernel::length_s(level) >= remaining_s;
+                let length = if landing { Length::Odd { length_s: remaining_s, level } } else { Length::Level(level) };
+                match self.joint_attempt(w, &ports, length, level >= safe) {
+                    Outcome::Clear => {
+                        if landing {
+                            self.time_s = end_s;
+                        }
+                        break;
+                    }
+                    Outcome::Strikes(strikes) if self.land_on_first(w, &ports, &strikes, level) => break,
+                    Outcome::Strikes(_) => level += 1,
+                    Outcome::Unclear(down) => level = if landing { Kernel::level_within(remaining_s) + down } else { level + down },
+                }
+                self.work.contact_rejections += 1;
+                if level > Kernel::finest() {
+                    return Err(self.diverged(ports[0].0));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The ports in contact, each with the basis of its next step.
+    fn ports_with_bases(&self) -> Vec<(usize, Shape)> {
+        // The force of a port at rest follows the others at once: their onset would have to be in its basis too.
+        let rests = self.in_regime(Regime::Contact).any(|p| self.is_rigid(p));
+        let strikes = |p: usize| self.ports[p].entering && self.ports[p].rate_m_s > 0.0 && !rests;
+        let shape = |p: usize| if strikes(p) { self.kernel.first_shape(p) } else { Shape::Smooth };
+        self.in_regime(Regime::Contact).map(|p| (p, shape(p))).collect()
+    }
+
+    /// Tries a step; taken when it is accurate for all ports in contact and clear for all in flight.
+    #[inline(always)]
+    fn joint_attempt<W: Wide>(&mut self, w: W, ports: &[(usize, Shape)], length: Length, is_short: bool) -> Outcome {
+        let tables = JointTables::new(self.kernel, ports, length);
+        let joint = self.joint_step(w, &tables);
+        let resting = Resting::new(self, &tables);
+        let solved = self.solve_joint(w, &joint, &resting);
+        let Some(solved) = solved.filter(|all| self.is_fine(&joint, all, is_short)) else {
+            return Outcome::Unclear(1);
+        };
+        let outcome = self.watch(w, &joint, &solved);
+        if let Outcome::Clear = outcome {
+            self.take_joint(w, &joint, &solved);
+        }
+        outcome
+    }
+
+    /// Accurate and sound at every port.
+    #[inline(always)]
+    fn is_fine(&self, joint: &JointStep, solved: &[Solved], is_short: bool) -> bool {
+        let allowed_n_s = self.allowed_beside_n_s(joint, solved);
+        joint.steps.iter().zip(solved).all(|(step, own)| {
+            let needs_no_look = self.is_rigid(step.port) || self.law(step.port).acts_on_both_sides();
+            own.error_n_s <= allowed_n_s && (needs_no_look || own.is_sound(step.shape, is_short))
+        })
+    }
+
+    /// Ends the step at the first of several strikes; false when it cannot be met.
+    fn land_on_first<W: Wide>(&mut self, w: W, ports: &[(usize, Shape)], strikes: &[(usize, Crossing)], level: i32) -> bool {
+        let first = strikes.iter().min_by(|a, b| a.1.guess_s.total_cmp(&b.1.guess_s));
+        let Some((striker, crossing)) = first else { return false };
+        let scale_s = Kernel::length_s(self.ports[*striker].entry_level);
+        let mut length_s = crossing.guess_s;
+        for _ in 0..MOST_LANDINGS {
+            if length_s <= super::AT_ONCE * scale_s {
+                self.join(w, *striker);
+                return true;
+            }
+            let tables = JointTables::new(self.kernel, ports, Length::Odd { length_s, level });
+            let joint = self.joint_step(w, &tables);
+            let resting = Resting::new(self, &tables);
+            let Some(solved) = self.solve_joint(w, &joint, &resting) else { return false };
+            let [distance_m, speed_m_s] = self.flown(w, &joint, &solved, *striker);
+            let change_s = -distance_m / speed_m_s;
+            if change_s.abs() <= MET * scale_s.max(length_s) {
+                self.watch(w, &joint, &solved);
+                self.take_joint(w, &joint, &solved);
+                self.join(w, *striker);
+                return true;
+            }
+            length_s += change_s;
+            if !(length_s >= 0.0 && length_s <= 2.0 * crossing.to_s) {
+                return false;
+            }
+        }
+        false
+    }
+}

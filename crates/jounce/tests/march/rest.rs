@@ -1,0 +1,78 @@
+//! Rest on rigid stops while other ports strike and press.
+
+use crate::plants::{distance, kernel, march, physical, springs};
+use jounce::contact::{Hertz, Law, Rigid};
+use jounce::march::{MarchError, Marcher};
+use jounce::plant::{Stop, System};
+
+const PRESSED_M: f64 = 5e-3;
+
+fn stop(name: &str, shape: &[f64], gap_m: f64, law: Law) -> Stop {
+    Stop { name: name.to_owned(), shape: shape.to_vec(), gap_m, law }
+}
+
+/// A mass pressed by its own spring onto a rigid stop, and a second one that strikes it from behind.
+fn anvil(restitution: f64) -> System {
+    let mut system = springs(&[5.0, 12.0], 0.01);
+    system.stops.push(stop("anvil", &[1.0, 0.0], -PRESSED_M, Law::Rigid(Rigid { restitution })));
+    system.stops.push(stop("hammer", &[-1.0, 1.0], 6e-3, Law::Hertz(Hertz { stiffness: 1e5, exponent: 1.5 })));
+    system
+}
+
+/// The second mass against an anvil that cannot move.
+fn fixed() -> System {
+    let mut system = springs(&[12.0], 0.01);
+    system.stops.push(stop("hammer", &[1.0], 6e-3 - PRESSED_M, Law::Hertz(Hertz { stiffness: 1e5, exponent: 1.5 })));
+    system
+}
+
+/// Measured: the hammer is off by 1e-12 of its motion, the anvil by roundoff.
+#[test]
+fn a_mass_at_rest_is_a_fixed_anvil() {
+    let (two, one) = (kernel(anvil(0.0)), kernel(fixed()));
+    let marcher = march(&two, &[-PRESSED_M, 0.0, 0.0, 1.0], 0.0, 1.0, 1e-12);
+    let alone = march(&one, &[0.0, 1.0], 0.0, 1.0, 1e-12);
+    let state = physical(&marcher, &two);
+    let error = distance(&one, &[state[1], state[3]], &physical(&alone, &one));
+    let statistics = marcher.statistics_by_stop();
+    let residual = marcher.energies().residual_relative();
+    eprintln!("hammer {error:.1e}, anvil {:.1e} m, residual {residual:.1e}, {statistics:?}", state[0] + PRESSED_M);
+    assert!(statistics[1].contacts > 5 && statistics[1].contacts == alone.statistics().contacts);
+    assert!((statistics[0].sticking_s - 1.0).abs() < 1e-9);
+    assert!((state[0] + PRESSED_M).abs() < 1e-15 && state[2].abs() < 1e-13);
+    assert!(error < 1e-9 && residual.abs() < 1e-9, "{error:e}, {residual:e}");
+}
+
+/// The mass comes to rest by chatter and is then struck: what is lost and what is left add up.
+#[test]
+fn a_mass_that_chatters_to_rest_is_struck() {
+    let kernel = kernel(anvil(0.5));
+    let marcher = march(&kernel, &[-PRESSED_M - 1e-3, -0.02, 0.0, 0.6], 0.0, 1.0, 1e-9);
+    let (statistics, energies) = (marcher.statistics_by_stop(), marcher.energies());
+    eprintln!("residual {:.1e}, {statistics:?}", energies.residual_relative());
+    assert!(statistics[0].contacts > 10 && statistics[0].sticking_s > 0.3 && statistics[1].contacts > 3);
+    assert!(energies.residual_relative().abs() < 1e-8 && energies.contact_loss_j > 0.0);
+}
+
+/// Two masses on a stop each rest side by side; two stops under one mass cannot share its force.
+#[test]
+fn rest_on_two_stops_is_held_or_refused() {
+    let rigid = Law::Rigid(Rigid { restitution: 0.0 });
+    let mut system = springs(&[5.0, 12.0], 0.01);
+    system.stops = vec![stop("left", &[1.0, 0.2], -PRESSED_M, rigid), stop("right", &[0.1, 1.0], -PRESSED_M, rigid)];
+    // Both points on their stops: [1 0.2; 0.1 1] q = -pressed.
+    let start = [-PRESSED_M * 0.8 / 0.98, -PRESSED_M * 0.9 / 0.98, 0.0, 0.0];
+    let held = kernel(system.clone());
+    let marcher = march(&held, &start, 0.0, 0.5, 1e-10);
+    let state = physical(&marcher, &held);
+    let error = (0..4).map(|i| (state[i] - start[i]).abs()).fold(0.0, f64::max);
+    // Roundoff starts them 1e-17 m above their stops, from where they fall for some nanoseconds.
+    let falling_s = marcher.statistics_by_stop().iter().map(|own| 0.5 - own.sticking_s).fold(0.0, f64::max);
+    eprintln!("moved by {error:.1e}, off the stops for {falling_s:.1e} s");
+    assert!(error < 1e-12 && falling_s < 1e-8);
+    system.stops[1] = stop("right", &[1.0, 0.2], -PRESSED_M, rigid);
+    let refused = kernel(system);
+    let mut marcher = Marcher::new(&refused, &refused.plant.from_physical(&start, 0.0), 0.0, 1e-10).unwrap();
+    let error = marcher.advance_to(0.5).unwrap_err();
+    assert!(matches!(&error, MarchError::RestsTwice { stops, .. } if stops == &["left", "right"]), "{error}");
+}
