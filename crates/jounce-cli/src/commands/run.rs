@@ -14,6 +14,8 @@ use std::path::{Path, PathBuf};
 
 /// Samples per second of the tables and pictures of a run.
 const SAMPLE_RATE_HZ: f64 = 4096.0;
+/// Fewest samples of them, however short the averaging window is.
+const FEWEST_SAMPLES: f64 = 1024.0;
 
 /// Arguments of `run`.
 #[derive(Debug, Args)]
@@ -138,9 +140,10 @@ impl Run {
 
     /// Time histories, spectrum and table of the averaging window.
     fn write(&self, folder: &Path, prepared: &Prepared, kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) -> Result<(), Failure> {
-        let count = ((plan.average_over_s * SAMPLE_RATE_HZ) as usize).max(2);
+        let rate_hz = SAMPLE_RATE_HZ.max(FEWEST_SAMPLES / plan.average_over_s);
+        let count = ((plan.average_over_s * rate_hz).round() as usize).max(2);
         let begin = plan.duration_s - plan.average_over_s;
-        let time_s: Vec<f64> = (0..count).map(|k| begin + k as f64 / SAMPLE_RATE_HZ).collect();
+        let time_s: Vec<f64> = (0..count).map(|k| begin + k as f64 / rate_hz).collect();
         let plant = &kernel.plant;
         let instants = answer.trajectory.at(kernel, &time_s);
         let states: Vec<Vec<f64>> = instants.iter().map(|at| plant.to_physical(&at.state, at.time_s)).collect();
@@ -174,11 +177,11 @@ impl Run {
         output::table(folder, "run", &table, &self.spec.manifest(&prepared.spec, "run").with("tolerance", plan.tolerance))?;
         let shown = count.min(SAMPLE_RATE_HZ as usize);
         let last: Vec<Trace> = traces.iter().map(|t| Trace { values: t.values[count - shown..].to_vec(), ..t.clone() }).collect();
-        output::figure(folder, "run-time", &time_histories("Last second of the run", &time_s[count - shown..], &last))?;
+        output::figure(folder, "run-time", &time_histories("End of the run", &time_s[count - shown..], &last))?;
         if let Some(voltage) = traces.first() {
-            let spectrum = Samples::new(&voltage.values, SAMPLE_RATE_HZ)?.spectrum(Window::Hann);
+            let spectrum = Samples::new(&voltage.values, rate_hz)?.spectrum(Window::Hann);
             let drive_hz = plant.system.drives.first().map(|drive| drive.frequency_hz);
-            let highest = 12.0 * drive_hz.unwrap_or(SAMPLE_RATE_HZ / 24.0);
+            let highest = 12.0 * drive_hz.unwrap_or(rate_hz / 24.0);
             let kept = spectrum.frequency_hz.iter().take_while(|f| **f <= highest).count();
             let shown = SpectrumLine {
                 label: voltage.quantity.clone(),

@@ -83,7 +83,7 @@ impl<'k> Marcher<'k> {
         marcher.forced.open(&layout, &marcher.y);
         for (p, stop) in plant.system.stops.iter().enumerate() {
             marcher.see(Portable::new(), p);
-            marcher.ports[p].start_pressed(&stop.law);
+            marcher.ports[p].start_pressed(&stop.law, kernel.fastest_rad_s);
         }
         marcher.opening = marcher.readings();
         Ok(marcher)

@@ -7,6 +7,9 @@ use crate::contact::Law;
 use crate::plant::Plant;
 use crate::wide::Lane;
 
+/// Share of the gap, and of the gap times the highest frequency, within which a start lies at rest on a rigid stop.
+const ROUNDOFF: f64 = 1e-12;
+
 /// Whether the point is on the stop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Regime {
@@ -75,10 +78,18 @@ impl PortState {
         }
     }
 
-    /// Starts in contact where the point lies past the stop, or where the law acts on both sides.
-    pub fn start_pressed(&mut self, law: &Law) {
+    /// Starts in contact where the point lies past the stop, where the law acts on both sides, and at rest on a rigid stop, from
+    /// which it flies at once if nothing presses it. `fastest_rad_s` is the highest frequency of the plant.
+    pub fn start_pressed(&mut self, law: &Law, fastest_rad_s: f64) {
+        let is_rigid = matches!(law, Law::Rigid(_));
+        let roundoff_m = ROUNDOFF * self.rows.gap_m.abs();
+        if is_rigid && self.penetration_m.abs() <= roundoff_m && self.rate_m_s.abs() <= roundoff_m * fastest_rad_s {
+            self.regime = Regime::Contact;
+            self.rate_m_s = 0.0;
+            return;
+        }
         // A point that leaves a rigid stop is past it by roundoff only.
-        let leaves = matches!(law, Law::Rigid(_)) && self.rate_m_s < 0.0;
+        let leaves = is_rigid && self.rate_m_s < 0.0;
         if law.acts_on_both_sides() || (self.penetration_m > 0.0 && !leaves) {
             self.regime = Regime::Contact;
             // The compressed stop would throw the point off at this speed: the scale of the impulse of a contact that starts at rest.

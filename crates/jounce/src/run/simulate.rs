@@ -2,9 +2,13 @@
 
 use super::settle::{LOOKS, settlement};
 use super::{LoadAnswer, RunAnswer, Settlement, StartState, StopAnswer};
+use crate::contact::Law;
 use crate::march::{ContactStatistics, Kernel, MarchError, Marcher};
 use crate::plant::Plant;
 use std::time::Instant;
+
+/// Share of the displacements of a start by which a point may lie past a rigid stop: states that other runs saved are rounded.
+const ROUNDOFF: f64 = 1e-9;
 
 /// What to march.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,6 +47,16 @@ pub enum RunError {
         /// Drives of the harvester.
         wanted_drives: usize,
     },
+    /// A start inside a rigid stop.
+    #[error(
+        "stop.{stop}.gap: the run starts {depth_m:e} m inside this stop, and nothing enters a rigid one; give a larger gap, a run.start outside it, or a law that yields"
+    )]
+    StartsInside {
+        /// Name of the stop.
+        stop: String,
+        /// How far, m.
+        depth_m: f64,
+    },
     /// The plant cannot be made with the drive angles of the state.
     #[error(transparent)]
     Plant(#[from] crate::plant::PlantError),
@@ -57,6 +71,7 @@ pub enum RunError {
 pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<RunAnswer, RunError> {
     let plant = &kernel.plant;
     check(plant, start)?;
+    check_outside(plant, start)?;
     let clock = Instant::now();
     let y = plant.from_physical(&start.physical(), 0.0);
     let mut marcher = Marcher::new(kernel, &y, 0.0, plan.tolerance)?;
@@ -132,6 +147,18 @@ fn check(plant: &Plant, start: &StartState) -> Result<(), RunError> {
         wanted_patches: plant.electrical.len(),
         wanted_drives: plant.system.drives.len(),
     })
+}
+
+/// A point on a rigid stop lies past it by roundoff at most.
+fn check_outside(plant: &Plant, start: &StartState) -> Result<(), RunError> {
+    for stop in plant.system.stops.iter().filter(|stop| matches!(stop.law, Law::Rigid(_))) {
+        let along = stop.shape.iter().zip(&start.displacement);
+        let (place_m, reach_m) = along.fold((0.0, stop.gap_m.abs()), |(sum, size), (s, q)| (sum + s * q, size + (s * q).abs()));
+        if place_m - stop.gap_m > ROUNDOFF * reach_m {
+            return Err(RunError::StartsInside { stop: stop.name.clone(), depth_m: place_m - stop.gap_m });
+        }
+    }
+    Ok(())
 }
 
 /// Looks at the state once per period of the drives at the end of the run.

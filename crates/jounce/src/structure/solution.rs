@@ -8,7 +8,7 @@ use super::layout::{Segment, segments};
 use super::mesh::Mesh;
 use super::order::Order;
 use super::reduction::Reduced;
-use crate::spec::{Mass, Spec};
+use crate::spec::{Mass, Reduction, Spec};
 use std::collections::BTreeMap;
 
 /// Most modes kept: beyond them a mode is far outside the reach of beam theory, and the dense solve is slow.
@@ -43,11 +43,17 @@ impl<'a> Structures<'a> {
         let cut = |(name, beam): (&'a String, _)| Ok((name.as_str(), segments(spec, name, beam)?));
         let segments = spec.beam.iter().map(cut).collect::<Result<BTreeMap<_, _>, StructureError>>()?;
         let held = spec.mass.keys().filter(|name| held.contains(name)).count();
-        let modes = if bodies.is_empty() { 0 } else { spec.reduction.modes.saturating_sub(held) };
         let own = |mass: &Mass| usize::from(mass.stiffness_n_m.is_some() || mass.on == "nothing");
         let available = match segments.is_empty() {
             true => bodies.iter().flat_map(Body::masses).map(|(_, _, mass)| own(mass)).sum(),
             false => MOST_MODES,
+        };
+        // The default asks for no more than there are.
+        let is_default = spec.reduction.modes == Reduction::default().modes;
+        let modes = match spec.reduction.modes.saturating_sub(held) {
+            _ if bodies.is_empty() => 0,
+            wanted if is_default && segments.is_empty() => wanted.min(available),
+            wanted => wanted,
         };
         if !bodies.is_empty() && modes == 0 {
             return Err(StructureError::NoModes { wanted: spec.reduction.modes, held });

@@ -2,7 +2,7 @@
 
 use super::Broken;
 use crate::spec::nearest::clip;
-use crate::spec::{Drive, DriveKind, DriveSignal, Quantity, Spec};
+use crate::spec::{Drive, DriveKind, DriveSignal, Quantity, Spec, Stop, StopLaw};
 
 /// Most samples of one drive: 0.8 GB.
 const MOST_SAMPLES: f64 = 1e8;
@@ -23,6 +23,22 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
     for (name, _) in spec.mass.iter().filter(|(name, mass)| mass.on == "nothing" && !pulled && !met(name)) {
         let text = || "is \"nothing\", so the mass would drift for ever: give [gravity] or a [stop.NAME] that it strikes".to_owned();
         broken.push(|| format!("mass.{name}.on"), text);
+    }
+    if !pulled {
+        check_overlap(spec, broken);
+    }
+}
+
+/// Without gravity nothing presses a free body into what it strikes, so that at rest they do not overlap.
+fn check_overlap(spec: &Spec, broken: &mut Broken) {
+    let one_sided = |stop: &Stop| !matches!(stop.law, StopLaw::Cubic { .. });
+    for (name, stop) in spec.stop.iter().filter(|(_, stop)| stop.gap_m < 0.0 && one_sided(stop)) {
+        let free = |mass: &str| spec.mass[mass].on == "nothing" && (stands_on(spec, &stop.at, mass) || stands_on(spec, &stop.frame, mass));
+        if let Some(mass) = spec.mass.keys().find(|mass| free(mass)) {
+            let gap = Quantity::Length.write(stop.gap_m);
+            let text = || format!("is {gap}: at rest the free mass \"{}\" would lie inside what it strikes; give at least 0", clip(mass));
+            broken.push(|| format!("stop.{name}.gap"), text);
+        }
     }
 }
 
