@@ -4,14 +4,12 @@ use jounce::linear::{Input, Response, frf};
 use jounce::plant::{Plant, System};
 use jounce::spec::{Spec, SpecFile};
 use jounce::structure::modes;
-use std::path::{Path, PathBuf};
+
+pub use crate::rows::check;
+use crate::rows::folder;
 
 /// Acceleration of gravity that the papers refer their answers to, m/s^2.
 pub const G_M_S2: f64 = 9.81;
-
-fn folder(example: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(example)
-}
 
 /// The spec of an example with some keys set.
 pub fn spec(example: &str, settings: &[(&str, &str)]) -> Spec {
@@ -25,20 +23,6 @@ pub fn spec(example: &str, settings: &[(&str, &str)]) -> Spec {
 pub fn plant(example: &str, settings: &[(&str, &str)]) -> Plant {
     let spec = spec(example, settings);
     Plant::new(System::assemble(&spec, modes(&spec).unwrap()).unwrap()).unwrap()
-}
-
-/// Every row of `expected.toml` must be among the computed ones and lie within what it allows; the other way round too.
-pub fn check(example: &str, computed: &[(&str, f64)]) {
-    let text = std::fs::read_to_string(folder(example).join("expected.toml")).unwrap();
-    let document: toml_edit::DocumentMut = text.parse().unwrap();
-    assert_eq!(document.len(), computed.len());
-    for (name, row) in document.iter() {
-        let number = |key: &str| row[key].as_float().unwrap();
-        let (_, found) = computed.iter().find(|(computed, _)| *computed == name).unwrap_or_else(|| panic!("{name} is not computed"));
-        let difference = (found / number("value") - 1.0).abs();
-        eprintln!("{example} {name}: {found} against {} ({difference:.1e})", number("value"));
-        assert!(difference <= number("allowed"), "{example} {name}: {found} against {}", number("value"));
-    }
 }
 
 /// Voltage of the load per g of the base, V zero to peak.

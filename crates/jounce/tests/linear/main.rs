@@ -8,3 +8,4 @@ mod erturk_2008;
 mod erturk_2009;
 mod expected;
 mod martinez_ayuso;
+mod rows;

@@ -1,0 +1,70 @@
+//! Runs of the examples.
+
+use crate::rows::folder;
+use jounce::march::{Kernel, Marcher};
+use jounce::plant::{Plant, System};
+use jounce::run::{RunAnswer, RunPlan, simulate};
+use jounce::spec::{Spec, SpecFile};
+use jounce::structure::modes;
+use jounce::study::Prepared;
+
+/// A spec of an example with some keys set.
+pub fn spec(example: &str, file: &str, settings: &[(&str, &str)]) -> Spec {
+    let mut file = SpecFile::read(folder(example).join(file)).unwrap();
+    for (key, value) in settings {
+        file.set(key, value).unwrap();
+    }
+    file.spec().unwrap_or_else(|faults| panic!("{faults}"))
+}
+
+pub fn system(example: &str, file: &str, settings: &[(&str, &str)]) -> System {
+    let spec = spec(example, file, settings);
+    System::assemble(&spec, modes(&spec).unwrap()).unwrap()
+}
+
+pub fn kernel(system: System) -> Kernel {
+    Kernel::new(Plant::new(system).unwrap()).unwrap()
+}
+
+/// The run that a spec asks for.
+pub fn run(example: &str, file: &str, settings: &[(&str, &str)]) -> (Kernel, RunAnswer) {
+    let spec = spec(example, file, settings);
+    let run = spec.run.clone();
+    let prepared = Prepared::new(spec).unwrap();
+    let start = prepared.start(&folder(example)).unwrap();
+    let plan =
+        RunPlan { duration_s: run.duration_s, average_over_s: run.average_over_s, tolerance: run.tolerance, record_s: run.duration_s };
+    let answer = simulate(&prepared.kernel, &start, &plan).unwrap();
+    (prepared.kernel, answer)
+}
+
+/// Sets the velocity of a point that one mode moves, m/s, in a physical state `(q, q', V)`.
+pub fn throw(system: &System, state: &mut [f64], point: &str, velocity_m_s: f64) {
+    let n = system.modes.len();
+    state[n + own_mode(system, point)] = velocity_m_s / system.modes.shape[point][own_mode(system, point)];
+}
+
+/// The one mode that moves a point.
+pub fn own_mode(system: &System, point: &str) -> usize {
+    let shape = &system.modes.shape[point];
+    let moving: Vec<usize> = (0..shape.len()).filter(|i| shape[*i] != 0.0).collect();
+    assert_eq!(moving.len(), 1, "{point}: {shape:?}");
+    moving[0]
+}
+
+/// A march from a physical state at time 0.
+pub fn marcher<'k>(kernel: &'k Kernel, state: &[f64], tolerance: f64) -> Marcher<'k> {
+    Marcher::new(kernel, &kernel.plant.from_physical(state, 0.0), 0.0, tolerance).unwrap()
+}
+
+/// Displacement and velocity of a point where a march has come to.
+pub fn motion(marcher: &Marcher, kernel: &Kernel, point: &str) -> [f64; 2] {
+    let state = kernel.plant.to_physical(&marcher.state(), marcher.time_s());
+    let shape = &kernel.plant.system.modes.shape[point];
+    let n = shape.len();
+    [0, n].map(|from| shape.iter().zip(&state[from..]).map(|(s, q)| s * q).sum())
+}
+
+pub fn relative(found: f64, expected: f64) -> f64 {
+    (found / expected - 1.0).abs()
+}

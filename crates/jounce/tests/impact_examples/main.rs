@@ -1,0 +1,14 @@
+//! Impact harvesters of the literature: every spec of `examples/` that strikes something, against closed forms.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod ball_umeda;
+mod driving_beam_gu;
+mod example;
+mod faults;
+mod missile_renaud;
+mod reduced_basis;
+#[path = "../linear/rows.rs"]
+mod rows;
+mod seismic_mass_jacquelin;
+mod shock_cavallier;
+mod two_beams_vijayan;
