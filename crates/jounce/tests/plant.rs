@@ -36,6 +36,7 @@ fn menagerie() -> System {
             discretisation_error: vec![0.0; n],
         },
         loads: vec![Load::resistor("load", "first", 2e6)],
+        bridges: Vec::new(),
         stops: Vec::new(),
         drives: Vec::new(),
         signals: Vec::new(),

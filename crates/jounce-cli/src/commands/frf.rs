@@ -8,7 +8,7 @@ use clap::Args;
 use jounce::linear::{self, Input, Response};
 use jounce::picture::{self, Scale};
 use jounce::plant::{Plant, System};
-use jounce::spec::{DriveKind, Gravity, Quantity, Spec};
+use jounce::spec::{DriveKind, Gravity, Interface, Quantity, Spec};
 use jounce::structure;
 use jounce::table::{Column, Table};
 
@@ -69,6 +69,10 @@ impl Frf {
         }
         if self.open_circuit {
             spec.circuit.clear();
+        }
+        if let Some((name, _)) = spec.circuit.iter().find(|(_, circuit)| circuit.interface != Interface::Resistor) {
+            let why = "is not linear, so that it has no frequency response; give interface = \"resistor\", or --open-circuit";
+            return Err(Failure::Input(format!("circuit.{name}.interface {why}")));
         }
         spec.drive.clear();
         spec.gravity = Gravity::default();

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::march::Kernel;
+use jounce::march::{Instant, Kernel};
 use jounce::picture::{Scale, SpectrumLine, Trace, spectra, time_histories};
 use jounce::run::{Exceeded, RunAnswer, RunPlan, exceeded, simulate};
 use jounce::signal::{Samples, Window};
@@ -81,6 +81,7 @@ impl Run {
                 "voltage_rms_v": answer.loads.first().map(|load| load.voltage_rms_v),
                 "voltage_peak_v": peak_voltage_v(kernel, answer, plan),
                 "loads": answer.loads,
+                "rectified": answer.rectified,
                 "max_penetration_m": answer.max_penetration_m,
                 "max_contact_force_n": answer.max_contact_force_n,
                 "contacts": answer.contacts,
@@ -90,6 +91,7 @@ impl Run {
                 "energies": {
                     "input_j": answer.energies.input_j,
                     "loads_j": answer.energies.loads_j,
+                    "rectified": answer.energies.rectified,
                     "damping_j": answer.energies.damping_j,
                     "contact_loss_j": answer.energies.contact_loss_j,
                     "stored_j": answer.energies.stored_j,
@@ -108,6 +110,14 @@ impl Run {
         line(format!("mean power         {:.6e} W", answer.mean_power_w));
         for load in &answer.loads {
             line(format!("voltage, rms       {:.6} V  (load {})", load.voltage_rms_v, load.name));
+        }
+        for circuit in &answer.rectified {
+            line(format!(
+                "storage            {:.6} V, {:.4e} A  (circuit {})",
+                circuit.voltage_rms_v, circuit.mean_current_a, circuit.name
+            ));
+            let (diodes, switch, leakage) = (circuit.diode_loss_w, circuit.switch_loss_w, circuit.leakage_w);
+            line(format!("  lost             diodes {diodes:.4e} W, switch {switch:.4e} W, leakage {leakage:.4e} W"));
         }
         line(format!(
             "contacts           {} in {} s, {:.2} % of the time",
@@ -204,18 +214,8 @@ fn peak_voltage_v(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) -> Option
     let first = answer.trajectory.segments().first()?.start_s;
     let samples = 4096;
     let times: Vec<f64> = (0..=samples).map(|k| first + (plan.duration_s - first) * f64::from(k) / f64::from(samples)).collect();
-    let row = (!plant.system.modes.patch.is_empty()).then(|| plant.voltage_row(0))?;
-    let steady = plant.steady_output(&row);
-    let voltage = |state: &[f64], time_s: f64| {
-        let forced: f64 = (plant.tones.iter().zip(&steady))
-            .map(|(tone, s)| {
-                let (sin, cos) = (tone.angular_frequency_rad_s * time_s).sin_cos();
-                s.re * cos - s.im * sin
-            })
-            .sum();
-        (row.iter().zip(state).map(|(r, y)| r * y).sum::<f64>() + forced).abs()
-    };
-    Some(answer.trajectory.at(kernel, &times).iter().map(|at| voltage(&at.state, at.time_s)).fold(0.0, f64::max))
+    let first = |at: &Instant| plant.patch_voltages_v(&plant.to_physical(&at.state, at.time_s)).first().map(|voltage| voltage.abs());
+    answer.trajectory.at(kernel, &times).iter().map(first).try_fold(0.0_f64, |most, voltage| Some(most.max(voltage?)))
 }
 
 fn finite(value: f64) -> Option<f64> {

@@ -2,6 +2,7 @@
 
 use super::marcher::Marcher;
 use super::port_state::Regime;
+use super::switching::RectifiedEnergies;
 
 /// Energies since the start of a march, J.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -14,6 +15,8 @@ pub struct Energies {
     pub damping_j: f64,
     /// Lost in contact.
     pub contact_loss_j: f64,
+    /// What became of the energy of each rectified circuit, in the order of `system.bridges`.
+    pub rectified: Vec<RectifiedEnergies>,
     /// Stored in the structure, the patches and the compressed contact, less what was stored at the start.
     pub stored_j: f64,
     /// Largest energy that was stored or had flowed at any time it was looked at: the scale of the residual.
@@ -21,9 +24,10 @@ pub struct Energies {
 }
 
 impl Energies {
-    /// `input - loads - damping - contact loss - stored`, J: zero but for the error of the contact integration and roundoff.
+    /// `input - loads - rectified - damping - contact loss - stored`, J: zero but for the error of the contact integration and roundoff.
     pub fn residual_j(&self) -> f64 {
-        self.input_j - self.loads_j.iter().sum::<f64>() - self.damping_j - self.contact_loss_j - self.stored_j
+        let circuits = self.loads_j.iter().sum::<f64>() + self.rectified.iter().map(RectifiedEnergies::sum_j).sum::<f64>();
+        self.input_j - circuits - self.damping_j - self.contact_loss_j - self.stored_j
     }
 
     /// The residual over the largest energy of the run.
@@ -44,6 +48,11 @@ pub(super) struct Opening {
 impl Marcher<'_> {
     /// Energies from the start of the march to the present time.
     pub fn energies(&self) -> Energies {
+        if self.kernel.plant.system.bridges.is_empty() { self.energies_in_regime() } else { self.energies_of_all() }
+    }
+
+    /// Energies since the present regime was entered; the outlets of bridges stand behind the loads.
+    pub(super) fn energies_in_regime(&self) -> Energies {
         let now = self.readings();
         let open = &self.opening;
         let meters = &self.kernel.meters;
@@ -53,7 +62,7 @@ impl Marcher<'_> {
             let impulses = self.integrals.tones_n_s.iter().enumerate().take(ports);
             impulses.map(|(port, tones)| meter.contact_j(port, if port == 0 { work_j } else { 0.0 }, tones)).sum()
         };
-        let (sums, works_j) = self.forced.ledger.until(self.kernel, &self.forced.sizes, &self.state(), self.time_s);
+        let (sums, works_j) = self.forced.ledger.until(self.kernel, &self.forced.sizes, &self.own_state(), self.time_s);
         let count = meters.loads.len();
         let loads_j: Vec<f64> = (0..count)
             .map(|k| {
@@ -67,11 +76,11 @@ impl Marcher<'_> {
         let stored_j = now.stored_j - open.stored_j;
         let flows = input_j.abs().max(damping_j.abs()).max(loads_j.iter().map(|j| j.abs()).sum());
         let scale_j = flows.max(now.stored_j.abs()).max(open.stored_j.abs());
-        Energies { input_j, loads_j, damping_j, contact_loss_j: self.integrals.loss_j, stored_j, scale_j }
+        Energies { input_j, loads_j, damping_j, contact_loss_j: self.integrals.loss_j, rectified: Vec::new(), stored_j, scale_j }
     }
 
     pub(super) fn readings(&self) -> Opening {
-        let (y, t) = (self.state(), self.time_s);
+        let (y, t) = (self.own_state(), self.time_s);
         let meters = &self.kernel.meters;
         Opening {
             input_j: meters.input.boundary_j(&y, t),

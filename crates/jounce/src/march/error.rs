@@ -17,6 +17,19 @@ pub enum MarchError {
         /// Penetration at its start, m.
         penetration_m: f64,
     },
+    /// The plant in another regime of its rectifiers.
+    #[error(transparent)]
+    Regime(#[from] crate::plant::PlantError),
+    /// A rectifier whose diodes or switch change without time going on.
+    #[error("at t = {time_s} s circuit `{circuit}` changed {changes} times at one instant; check its diodes, its storage and its drive")]
+    ChangesWithoutEnd {
+        /// Time, s.
+        time_s: f64,
+        /// Name of the circuit.
+        circuit: String,
+        /// How often.
+        changes: usize,
+    },
     /// The state is no longer a number.
     #[error("at t = {time_s} s the state is not finite; check the amplitude of the drive and the contact law")]
     NotFinite {

@@ -63,6 +63,9 @@ impl ForcedFlight {
                 }
             }))
         });
+        // Where the force acts on the rate at once there is no slope to interpolate with: the whole is left to the bound.
+        let is_whole = kernel.directly(port, seen) != 0.0;
+        let end = if is_whole { [Lane::ZERO; NODES] } else { end };
         for (j, end) in end.iter().enumerate() {
             let ends = [end.0[0], length_s * end.0[1]];
             for (ends, (interpolant, slope)) in ends.iter().zip(INTERPOLANT.iter().zip(&SLOPE)) {

@@ -10,7 +10,7 @@ use super::forced_flight::ForcedFlight;
 use super::layout::Layout;
 use super::table::Table;
 use crate::contact::Law;
-use crate::plant::{Meters, Plant, PlantError, Signal, Stop};
+use crate::plant::{BridgeState, Change, Meters, Plant, PlantError, Signal, Stop};
 use crate::wide::WIDTH;
 use std::sync::{Arc, OnceLock};
 
@@ -52,6 +52,8 @@ pub struct Kernel {
     onset: Arc<Vec<Option<Basis>>>,
     /// They depend on the plant without its drives only, so that plants that differ in drives share them.
     levels: Arc<Vec<Level>>,
+    /// The same plant in each other regime of its bridges, made when first entered; the first stays empty.
+    regimes: Arc<Vec<OnceLock<Result<Kernel, PlantError>>>>,
 }
 
 /// The tables of one step length.
@@ -91,6 +93,7 @@ impl Kernel {
             fastest_rad_s: plant.fastest_rad_s().max(f64::MIN_POSITIVE),
             onset: Arc::new(onsets(&plant)),
             levels: Arc::new(levels(&plant)),
+            regimes: regimes(&plant),
             meters,
             plant,
         })
@@ -104,6 +107,7 @@ impl Kernel {
         let plant = self.plant.with_drives(drives)?;
         Ok(Self {
             meters: self.meters.with_drives(&plant)?,
+            regimes: regimes(&plant),
             plant,
             layout: self.layout,
             generator: self.generator.clone(),
@@ -121,6 +125,7 @@ impl Kernel {
         let plant = self.plant.with_signals(signals);
         Ok(Self {
             meters: self.meters.with_drives(&plant)?,
+            regimes: regimes(&plant),
             plant,
             layout: self.layout,
             generator: self.generator.clone(),
@@ -146,21 +151,37 @@ impl Kernel {
             meters: if fit { self.meters.clone() } else { self.meters.with_drives(&plant)? },
             onset: if fit { Arc::clone(&self.onset) } else { Arc::new(onsets(&plant)) },
             levels: if fit { Arc::clone(&self.levels) } else { Arc::new(levels(&plant)) },
+            regimes: regimes(&plant),
             plant,
         })
     }
 
+    /// The plant in a regime of its bridges.
+    ///
+    /// # Errors
+    /// Those of [`Plant::new`] and [`Kernel::new`].
+    pub(super) fn in_regime(&self, regime: usize) -> Result<&Self, PlantError> {
+        if regime == 0 {
+            return Ok(self);
+        }
+        let make = || Self::new(Plant::new(self.plant.system.in_regime(regime, &self.plant.electrical))?);
+        self.regimes[regime].get_or_init(make).as_ref().map_err(Clone::clone)
+    }
+
+    /// Rate of change of what one port sees per unit force of another, 1/kg of a velocity; 0 for displacements.
+    pub(super) fn directly(&self, port: usize, seen: usize) -> f64 {
+        let plant = &self.plant;
+        match plant.guards.get(seen.wrapping_sub(plant.system.stops.len())) {
+            Some(guard) if guard.change == Change::Switches => {
+                plant.ports[seen].displacement.iter().zip(&plant.ports[port].force).map(|(row, b)| row * b).sum()
+            }
+            _ => 0.0,
+        }
+    }
+
     /// Row of the relative acceleration of a port, the contact forces left out: `(A^T c_v)`.
     pub fn acceleration_row(&self, port: usize) -> Vec<f64> {
-        let block = &self.plant.diagonal.block;
-        let velocity = &self.plant.ports[port].velocity;
-        let mut row = Vec::with_capacity(velocity.len());
-        for (pair, c) in block.pairs.iter().zip(velocity.chunks_exact(2)) {
-            let [a, b, d, e] = pair.matrix();
-            row.extend([c[0] * a + c[1] * d, c[0] * b + c[1] * e]);
-        }
-        row.extend(block.reals.iter().zip(&velocity[2 * block.pairs.len()..]).map(|(rate, c)| rate * c));
-        row
+        self.plant.diagonal.block.rate_row(&self.plant.ports[port].velocity)
     }
 
     /// Length of a level, s.
@@ -246,6 +267,13 @@ impl Kernel {
     pub(super) fn first_shape(&self, port: usize) -> Shape {
         if self.onset[port].is_some() { Shape::Onset } else { Shape::Smooth }
     }
+}
+
+/// Places for all regimes of a plant whose bridges are blocked.
+fn regimes(plant: &Plant) -> Arc<Vec<OnceLock<Result<Kernel, PlantError>>>> {
+    let is_first = plant.system.bridges.iter().all(|bridge| bridge.state == BridgeState::default());
+    let count = if is_first && !plant.system.bridges.is_empty() { plant.system.regimes() } else { 0 };
+    Arc::new((0..count).map(|_| OnceLock::new()).collect())
 }
 
 fn levels(plant: &Plant) -> Vec<Level> {

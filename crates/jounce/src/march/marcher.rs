@@ -13,6 +13,7 @@ use super::odd_tables::OddTables;
 use super::per_port::PerPort;
 use super::port_state::{PortState, Regime};
 use super::several::AdvanceSeveral;
+use super::switching::Switching;
 use super::tone::Turning;
 use super::totals::{ContactIntegrals, ContactStatistics, WorkCount};
 use super::trajectory::{PortForce, Segment, Trajectory};
@@ -24,6 +25,9 @@ use crate::wide::{Lane, Portable, Task, Wide, widest};
 #[derive(Debug, Clone)]
 pub struct Marcher<'k> {
     pub(super) kernel: &'k Kernel,
+    /// The kernel with all bridges blocked, in whose coordinates states come and go.
+    pub(super) base: &'k Kernel,
+    pub(super) switching: Switching,
     pub(super) layout: Layout,
     pub(super) tolerance: f64,
     pub(super) time_s: f64,
@@ -52,6 +56,13 @@ impl<'k> Marcher<'k> {
         if y.iter().any(|value| !value.is_finite()) {
             return Err(MarchError::NotFinite { time_s });
         }
+        let mut marcher = Self::in_one_regime(kernel, y, time_s, tolerance);
+        marcher.open_switching()?;
+        Ok(marcher)
+    }
+
+    /// A march in the regime of a kernel.
+    pub(super) fn in_one_regime(kernel: &'k Kernel, y: &[f64], time_s: f64, tolerance: f64) -> Self {
         let (plant, layout) = (&kernel.plant, kernel.layout);
         let tones: Vec<Turning> = (0..plant.tones.len()).map(|index| Turning::new(plant, index, time_s)).collect();
         let start = Kernel::level_within(1.0 / kernel.fastest_rad_s);
@@ -60,6 +71,8 @@ impl<'k> Marcher<'k> {
         let count = plant.ports.len();
         let mut marcher = Self {
             kernel,
+            base: kernel,
+            switching: Switching::default(),
             layout,
             tolerance,
             time_s,
@@ -85,8 +98,11 @@ impl<'k> Marcher<'k> {
             marcher.see(Portable::new(), p);
             marcher.ports[p].start_pressed(&stop.law, kernel.fastest_rad_s);
         }
+        for p in plant.system.stops.len()..count {
+            marcher.see(Portable::new(), p);
+        }
         marcher.opening = marcher.readings();
-        Ok(marcher)
+        marcher
     }
 
     /// Present time, s.
@@ -96,7 +112,17 @@ impl<'k> Marcher<'k> {
 
     /// State in block coordinates.
     pub fn state(&self) -> Vec<f64> {
+        if self.switching.regime == 0 { self.own_state() } else { self.base.plant.from_physical(&self.physical(), self.time_s) }
+    }
+
+    /// State in the block coordinates of the present regime.
+    pub(super) fn own_state(&self) -> Vec<f64> {
         self.forced.whole(&self.layout, &self.y)
+    }
+
+    /// Physical state `(q, q', V, i)`.
+    pub fn physical(&self) -> Vec<f64> {
+        self.kernel.plant.to_physical(&self.own_state(), self.time_s)
     }
 
     /// Contact force of each stop at the present time, N; 0 in flight and on a rigid stop.
@@ -115,7 +141,7 @@ impl<'k> Marcher<'k> {
 
     /// The same for each stop, in the order of `system.stops`.
     pub fn statistics_by_stop(&self) -> Vec<ContactStatistics> {
-        self.ports.iter().map(|port| port.statistics).take(self.kernel.plant.ports.len()).collect()
+        self.ports.iter().map(|port| port.statistics).take(self.kernel.plant.system.stops.len()).collect()
     }
 
     /// Forgets the contact statistics, not the energies.
@@ -137,7 +163,8 @@ impl<'k> Marcher<'k> {
     pub(super) fn note(&mut self, length_s: f64, forces: &[PortForce]) {
         if let Some(record) = &mut self.record {
             let sizes = self.forced.sizes.clone();
-            record.push(Segment { start_s: self.time_s, length_s, state: self.layout.unpack(&self.y), sizes, forces: forces.to_vec() });
+            let (state, regime) = (self.layout.unpack(&self.y), self.switching.regime);
+            record.push(Segment { start_s: self.time_s, length_s, state, sizes, forces: forces.to_vec(), regime });
         }
     }
 
@@ -151,7 +178,19 @@ impl<'k> Marcher<'k> {
     /// # Errors
     /// Every variant of [`MarchError`].
     pub fn advance_to(&mut self, end_s: f64) -> Result<(), MarchError> {
-        if self.kernel.plant.ports.len() > 1 {
+        if self.kernel.plant.system.bridges.is_empty() {
+            return self.advance_in_regime(end_s);
+        }
+        while self.time_s < end_s {
+            self.advance_in_regime(end_s)?;
+            self.change_if_met()?;
+        }
+        Ok(())
+    }
+
+    /// Marches on until the end, or until a guard is met.
+    fn advance_in_regime(&mut self, end_s: f64) -> Result<(), MarchError> {
+        if self.kernel.plant.ports.len() > 1 || !self.kernel.plant.guards.is_empty() {
             return widest(AdvanceSeveral { marcher: self, end_s });
         }
         let law = self.kernel.plant.system.stops.first().map(|stop| stop.law);

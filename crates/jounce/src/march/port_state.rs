@@ -114,7 +114,7 @@ impl Rows {
         Self {
             displacement: layout.pack(port.map_or(&none, |port| &port.displacement)),
             velocity: layout.pack(port.map_or(&none, |port| &port.velocity)),
-            gap_m: plant.system.stops.get(index).map_or(f64::INFINITY, |stop| stop.gap_m),
+            gap_m: port.map_or(f64::INFINITY, |port| port.gap_m),
             mobility_per_kg: port.map_or(1.0, |port| port.mobility_per_kg),
             tone_fourth: tones.iter().map(|tone| size(tone) * tone.angular_frequency_rad_s.powi(4)).sum(),
             tone_scale_m: tones.iter().map(size).sum(),

@@ -26,6 +26,8 @@ pub struct Segment {
     pub sizes: Vec<Size>,
     /// The contact forces; empty in flight.
     pub forces: Vec<PortForce>,
+    /// Regime of the bridges, in whose block coordinates the state is.
+    pub regime: usize,
 }
 
 /// The contact force of one port on a step.
@@ -96,7 +98,7 @@ impl Trajectory {
 
     /// States at ascending times; times outside the record are taken from its nearest segment.
     pub fn at(&self, kernel: &Kernel, times_s: &[f64]) -> Vec<Instant> {
-        let mut made: HashMap<(u64, usize, Shape), Vec<Answers>> = HashMap::new();
+        let mut made: HashMap<(u64, usize, Shape, usize), Vec<Answers>> = HashMap::new();
         let mut instants = Vec::with_capacity(times_s.len());
         let mut index = 0;
         for &time_s in times_s {
@@ -104,11 +106,17 @@ impl Trajectory {
                 index += 1;
             }
             let Some(segment) = self.segments.get(index) else { break };
-            let mut instant = segment.free_at(kernel, time_s);
+            // A regime that was marched in has been made.
+            let Ok(own) = kernel.in_regime(segment.regime) else { continue };
+            let mut instant = segment.free_at(own, time_s);
             for force in &segment.forces {
                 let (length_s, port, shape) = (segment.length_s, force.port, force.shape);
-                let make = || answers(kernel, port, shape, length_s);
-                segment.add(kernel, force, made.entry((length_s.to_bits(), port, shape)).or_insert_with(make), &mut instant);
+                let make = || answers(own, port, shape, length_s);
+                let key = (length_s.to_bits(), port, shape, segment.regime);
+                segment.add(own, force, made.entry(key).or_insert_with(make), &mut instant);
+            }
+            if segment.regime != 0 {
+                instant.state = kernel.plant.from_physical(&own.plant.to_physical(&instant.state, time_s), time_s);
             }
             instants.push(instant);
         }
@@ -136,7 +144,7 @@ impl Segment {
             let forced = kernel.plant.forced(&self.sizes, after_s);
             state.iter_mut().zip(forced).for_each(|(y, forced)| *y += forced);
         }
-        Instant { time_s, state, forces_n: vec![0.0; kernel.plant.ports.len()] }
+        Instant { time_s, state, forces_n: vec![0.0; kernel.plant.system.stops.len()] }
     }
 
     /// Adds what a force does.

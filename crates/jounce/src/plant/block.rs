@@ -122,6 +122,17 @@ impl Block {
         out
     }
 
+    /// Row `c A`: the rate of what the row reads.
+    pub fn rate_row(&self, row: &[f64]) -> Vec<f64> {
+        let mut out = Vec::with_capacity(row.len());
+        for (pair, c) in self.pairs.iter().zip(row.chunks_exact(2)) {
+            let [a, b, d, e] = pair.matrix();
+            out.extend([c[0] * a + c[1] * d, c[0] * b + c[1] * e]);
+        }
+        out.extend(self.reals.iter().zip(&row[2 * self.pairs.len()..]).map(|(rate, c)| rate * c));
+        out
+    }
+
     /// `|eigenvalue|` of the block of each state, rad/s.
     pub fn speeds(&self) -> Vec<f64> {
         let pairs = self.pairs.iter().flat_map(|pair| [pair.eigenvalue().norm(); 2]);

@@ -58,8 +58,22 @@ impl Assembly {
             matrix[(row, node)] = 1.0 / inductor.inductance_h;
             matrix[(node, row)] = -1.0 / electrical.nodes[inductor.node].capacitance_f;
         }
-        let open =
-            |k: &usize| electrical.nodes[*k].resistance_ohm.is_none() && electrical.inductors.iter().all(|inductor| inductor.node != *k);
+        for link in &electrical.links {
+            let (row, g) = (2 * n + link.node, link.conductance_per_ohm);
+            let own_f = electrical.nodes[link.node].capacitance_f;
+            matrix[(row, row)] -= g / own_f;
+            if let Some((other, sign)) = link.to {
+                let (column, other_f) = (2 * n + other, electrical.nodes[other].capacitance_f);
+                matrix[(row, column)] += sign * g / own_f;
+                matrix[(column, row)] += sign * g / other_f;
+                matrix[(column, column)] -= g / other_f;
+            }
+        }
+        let open = |k: &usize| {
+            electrical.nodes[*k].resistance_ohm.is_none()
+                && electrical.inductors.iter().all(|inductor| inductor.node != *k)
+                && electrical.links.iter().all(|link| link.node != *k)
+        };
         let open = (0..nodes).filter(open).map(|k| 2 * n + k).collect();
         Self { matrix, scale, modes: n, open }
     }
@@ -80,6 +94,13 @@ pub(super) fn components(n: usize, electrical: &Electrical) -> Vec<Vec<usize>> {
         let inductors = electrical.inductors.iter().enumerate().filter(|(_, inductor)| inductor.node == k);
         joined.push(inductors.map(|(index, _)| 2 * n + electrical.nodes.len() + index).collect());
         groups = apart;
+        groups.push(joined.concat());
+    }
+    for (node, other) in electrical.links.iter().filter_map(|link| Some((link.node, link.to?.0))) {
+        let (joined, apart) =
+            groups.into_iter().partition(|group: &Vec<usize>| group.contains(&(2 * n + node)) || group.contains(&(2 * n + other)));
+        groups = apart;
+        let joined: Vec<Vec<usize>> = joined;
         groups.push(joined.concat());
     }
     groups.iter_mut().for_each(|group| group.sort_unstable());

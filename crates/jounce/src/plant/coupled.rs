@@ -1,6 +1,6 @@
 //! The linear plant with its ports, tones and outputs.
 
-use super::{Across, Diagonal, Electrical, Forcing, PlantError, Signal, System};
+use super::{Across, Change, Diagonal, Electrical, Forcing, Guard, PlantError, Signal, Storage, System};
 use faer::c64;
 
 /// A coupled electromechanical system ready to be solved.
@@ -18,8 +18,10 @@ pub struct Plant {
     pub forcings: Vec<Forcing>,
     /// States whose answer to signals is local (see [`Forcing`]).
     pub local: Vec<bool>,
-    /// One per stop, in the order of `system.stops`.
+    /// One per stop, in the order of `system.stops`, then one per guard.
     pub ports: Vec<Port>,
+    /// What changes the bridges.
+    pub guards: Vec<Guard>,
 }
 
 /// A sinusoid that all drives of one frequency make together.
@@ -46,6 +48,19 @@ pub struct Port {
     pub steady_m: Vec<c64>,
     /// Velocity lost towards the stop per unit impulse, 1/kg.
     pub mobility_per_kg: f64,
+    /// What the displacement must pass, m.
+    pub gap_m: f64,
+}
+
+/// Where a bridge gives energy to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outlet {
+    /// The load across the storage capacitor.
+    Load,
+    /// The leakage across it.
+    Leakage,
+    /// The resistance of the diodes.
+    Diodes,
 }
 
 impl Plant {
@@ -57,11 +72,12 @@ impl Plant {
         let electrical = Electrical::of(&system);
         let diagonal = Diagonal::of(&system, &electrical)?;
         let (tones, forcings, local, ports) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let mut plant = Self { system, electrical, diagonal, tones, forcings, local, ports };
+        let guards = system.guards();
+        let mut plant = Self { system, electrical, diagonal, tones, forcings, local, ports, guards };
         plant.tones = plant.make_tones()?;
         plant.local = plant.local_states(&plant.system.signals);
         plant.forcings = plant.system.signals.iter().map(|signal| Forcing::of(&plant, signal)).collect();
-        plant.ports = plant.system.stops.iter().map(|stop| plant.port(&stop.shape)).collect();
+        plant.ports = plant.make_ports();
         Ok(plant)
     }
 
@@ -73,7 +89,7 @@ impl Plant {
         let mut plant = self.clone();
         plant.system.drives = drives;
         plant.tones = plant.make_tones()?;
-        plant.ports = plant.system.stops.iter().map(|stop| plant.port(&stop.shape)).collect();
+        plant.ports = plant.make_ports();
         Ok(plant)
     }
 
@@ -107,7 +123,7 @@ impl Plant {
     pub fn with_stops(&self, stops: Vec<super::Stop>) -> Self {
         let mut plant = self.clone();
         plant.system.stops = stops;
-        plant.ports = plant.system.stops.iter().map(|stop| plant.port(&stop.shape)).collect();
+        plant.ports = plant.make_ports();
         plant
     }
 
@@ -170,7 +186,8 @@ impl Plant {
     pub fn from_physical(&self, x: &[f64], time_s: f64) -> Vec<f64> {
         let steady = self.steady_at(time_s);
         let inverse = &self.diagonal.from_physical;
-        (0..self.len()).map(|i| x.iter().enumerate().map(|(j, x)| inverse[(i, j)] * x).sum::<f64>() - steady[i]).collect()
+        let counted = self.counted(x);
+        (0..self.len()).map(|i| counted.iter().enumerate().map(|(j, x)| inverse[(i, j)] * x).sum::<f64>() - steady[i]).collect()
     }
 
     /// Physical state `(q, q', V, i)` at time `t` of block coordinates `y`.
@@ -178,7 +195,16 @@ impl Plant {
         let steady = self.steady_at(time_s);
         let full: Vec<f64> = y.iter().zip(&steady).map(|(y, s)| y + s).collect();
         let matrix = &self.diagonal.to_physical;
-        (0..self.len()).map(|i| full.iter().enumerate().map(|(j, y)| matrix[(i, j)] * y).sum()).collect()
+        let mut x: Vec<f64> = (0..self.len()).map(|i| full.iter().enumerate().map(|(j, y)| matrix[(i, j)] * y).sum()).collect();
+        x[2 * self.system.modes.len()..].iter_mut().zip(&self.electrical.zero_v).for_each(|(v, zero)| *v += zero);
+        x
+    }
+
+    /// A physical state with each voltage counted from the zero of its node.
+    fn counted(&self, x: &[f64]) -> Vec<f64> {
+        let mut counted = x.to_vec();
+        counted[2 * self.system.modes.len()..].iter_mut().zip(&self.electrical.zero_v).for_each(|(v, zero)| *v -= zero);
+        counted
     }
 
     /// Complex amplitude of an output row under each tone.
@@ -214,6 +240,65 @@ impl Plant {
         (0..self.len()).map(|j| values.iter().enumerate().map(|(i, v)| v * matrix[(first + i, j)]).sum()).collect()
     }
 
+    fn make_ports(&self) -> Vec<Port> {
+        let stops = self.system.stops.iter().map(|stop| Port { gap_m: stop.gap_m, ..self.port(&stop.shape) });
+        stops.chain(self.guards.iter().map(|guard| self.guard_port(guard))).collect()
+    }
+
+    /// A port that no force acts on; its displacement is what the guard watches, in V or kg^1/2 m/s times N/V.
+    fn guard_port(&self, guard: &Guard) -> Port {
+        let (bridge, nodes) = (&self.system.bridges[guard.bridge], self.electrical.bridges[guard.bridge]);
+        let (first, n) = (2 * self.system.modes.len(), self.system.modes.len());
+        let mut physical = vec![0.0; self.len()];
+        let mut across = |sign: f64, factor: f64| {
+            physical[first + nodes.terminal] = factor * sign;
+            if let Some(storage) = nodes.storage {
+                physical[first + storage] = -factor;
+            }
+            // The voltage of the patches is counted from its threshold while they conduct.
+            factor * bridge.threshold_v() - factor * sign * self.electrical.zero_v[nodes.terminal]
+        };
+        let gap_m = match guard.change {
+            Change::Conducts(to) => across(to.sign(), 1.0),
+            Change::Blocks => across(bridge.state.conduction.sign(), -1.0),
+            Change::Switches => {
+                let sign = if bridge.state.rising { -1.0 } else { 1.0 };
+                let coupling = &self.electrical.nodes[nodes.terminal].coupling_n_per_v;
+                coupling.iter().enumerate().for_each(|(i, theta)| physical[n + i] = sign * theta);
+                0.0
+            }
+        };
+        let displacement = self.row(&physical, 0);
+        Port {
+            steady_m: self.steady_output(&displacement),
+            velocity: self.diagonal.block.rate_row(&displacement),
+            force: vec![0.0; self.len()],
+            mobility_per_kg: 1.0,
+            displacement,
+            gap_m,
+        }
+    }
+
+    /// Outputs of the bridges whose squares are powers: bridge, kind, conductance (1/ohm), row.
+    pub fn bridge_outputs(&self) -> Vec<(usize, Outlet, f64, Vec<f64>)> {
+        let first = 2 * self.system.modes.len();
+        let mut outputs = Vec::new();
+        for (k, (bridge, nodes)) in self.system.bridges.iter().zip(&self.electrical.bridges).enumerate() {
+            if let (Some(storage), Storage::Capacitor { load_ohm, .. }) = (nodes.storage, bridge.storage) {
+                let row = self.row(&[1.0], first + storage);
+                outputs.push((k, Outlet::Load, 1.0 / load_ohm, row.clone()));
+                outputs.extend(bridge.leakage_ohm.map(|leakage_ohm| (k, Outlet::Leakage, 1.0 / leakage_ohm, row)));
+            }
+        }
+        for link in &self.electrical.links {
+            let mut physical = vec![0.0; self.len()];
+            physical[first + link.node] = 1.0;
+            link.to.iter().for_each(|(other, sign)| physical[first + other] = -sign);
+            outputs.push((link.bridge, Outlet::Diodes, link.conductance_per_ohm, self.row(&physical, 0)));
+        }
+        outputs
+    }
+
     fn port(&self, shape: &[f64]) -> Port {
         let displacement = self.displacement_row(shape);
         let pushed_back: Vec<f64> = shape.iter().map(|s| -s).collect();
@@ -223,6 +308,7 @@ impl Plant {
             velocity: self.velocity_row(shape),
             force: self.force_column(&pushed_back),
             mobility_per_kg: shape.iter().map(|s| s * s).sum(),
+            gap_m: f64::INFINITY,
         }
     }
 

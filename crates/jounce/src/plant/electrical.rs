@@ -14,8 +14,8 @@
 //! and parts orthogonal to it in energy, which no current changes: each is an open node of its own. Where no motion drives such a part
 //! (the two equal layers of a bimorph) it is left out.
 
-use super::System;
-use super::system::Load;
+use super::system::{Connection, Load};
+use super::{Bridge, Storage, System};
 use crate::spec::Wiring;
 
 /// A part that no motion drives by more than this, relative to what its patches are driven by, is left out.
@@ -32,6 +32,34 @@ pub struct Electrical {
     pub patch: Vec<Vec<(usize, f64)>>,
     /// Where the voltage across the resistor of each load is read (in the order of `loads`); `None` for a load without a patch.
     pub load: Vec<Option<Across>>,
+    /// Conducting diodes.
+    pub links: Vec<Link>,
+    /// The nodes of each bridge, in the order of `bridges`.
+    pub bridges: Vec<BridgeNodes>,
+    /// Voltage from which each node is counted, V.
+    pub zero_v: Vec<f64>,
+}
+
+/// A conductance from one node to another, or to the zero of its own.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Link {
+    /// Number of the bridge.
+    pub bridge: usize,
+    /// From here ...
+    pub node: usize,
+    /// ... to this node times this sign.
+    pub to: Option<(usize, f64)>,
+    /// Conductance, 1/ohm.
+    pub conductance_per_ohm: f64,
+}
+
+/// The nodes of a bridge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BridgeNodes {
+    /// Patches.
+    pub terminal: usize,
+    /// Storage capacitor.
+    pub storage: Option<usize>,
 }
 
 /// One capacitive node.
@@ -71,18 +99,55 @@ impl Electrical {
         let patches = &system.modes.patch;
         let mut electrical = Self { patch: vec![Vec::new(); patches.len()], ..Self::default() };
         let mut placed: Vec<Option<Across>> = vec![None; system.loads.len()];
+        let mut terminals: Vec<Option<usize>> = vec![None; system.bridges.len()];
+        let carries = |connections: &[Connection], name: &str| connections.iter().any(|connection| connection.patch == name);
         for (index, (name, patch)) in patches.iter().enumerate() {
-            match system.loads.iter().position(|load| load.connections.iter().any(|connection| connection.patch == *name)) {
-                None => {
+            let load = system.loads.iter().position(|load| carries(&load.connections, name));
+            let bridge = system.bridges.iter().position(|bridge| carries(&bridge.connections, name));
+            match (load, bridge) {
+                (None, None) => {
                     let node = electrical.add(patch.capacitance_f, patch.coupling_n_per_v.clone());
                     electrical.patch[index].push((node, 1.0));
                 }
-                Some(load) if placed[load].is_none() => placed[load] = Some(electrical.connect(system, &system.loads[load])),
-                Some(_) => {}
+                (Some(load), _) if placed[load].is_none() => {
+                    let own = &system.loads[load];
+                    let terminal = electrical.connect(system, &own.connections, own.wiring);
+                    placed[load] = Some(electrical.across(terminal, own));
+                }
+                (None, Some(bridge)) if terminals[bridge].is_none() => {
+                    let own = &system.bridges[bridge];
+                    terminals[bridge] = Some(electrical.connect(system, &own.connections, own.wiring));
+                }
+                _ => {}
             }
         }
         electrical.load = placed;
+        for (number, (bridge, terminal)) in system.bridges.iter().zip(terminals).enumerate() {
+            // System::assemble has seen that every bridge has a patch.
+            electrical.rectify(number, bridge, terminal.unwrap_or(0), system.modes.len());
+        }
+        electrical.zero_v.resize(electrical.nodes.len(), 0.0);
         electrical
+    }
+
+    /// Adds the storage of a bridge, and the path that conducts.
+    fn rectify(&mut self, number: usize, bridge: &Bridge, terminal: usize, modes: usize) {
+        let storage = match bridge.storage {
+            Storage::Battery { .. } => None,
+            Storage::Capacitor { capacitance_f, load_ohm } => {
+                let node = self.add(capacitance_f, vec![0.0; modes]);
+                self.nodes[node].resistance_ohm = Some(1.0 / (1.0 / load_ohm + bridge.leakage_ohm.map_or(0.0, |leakage| 1.0 / leakage)));
+                Some(node)
+            }
+        };
+        self.bridges.push(BridgeNodes { terminal, storage });
+        self.zero_v.resize(self.nodes.len(), 0.0);
+        let sign = bridge.state.conduction.sign();
+        if sign != 0.0 {
+            let to = storage.map(|node| (node, sign));
+            self.links.push(Link { bridge: number, node: terminal, to, conductance_per_ohm: 1.0 / bridge.diode_ohm });
+            self.zero_v[terminal] = sign * bridge.threshold_v();
+        }
     }
 
     /// Number of states.
@@ -106,11 +171,11 @@ impl Electrical {
         self.nodes.len() - 1
     }
 
-    /// Adds the nodes of a load and what stands across its terminals.
-    fn connect(&mut self, system: &System, load: &Load) -> Across {
+    /// Adds the nodes of patches; the first is that of their terminals.
+    fn connect(&mut self, system: &System, connections: &[Connection], wiring: Wiring) -> usize {
         let names: Vec<&String> = system.modes.patch.keys().collect();
         // System::assemble has seen that every name is there.
-        let members: Vec<(usize, f64)> = (load.connections.iter())
+        let members: Vec<(usize, f64)> = (connections.iter())
             .filter_map(|connection| Some((names.iter().position(|name| **name == connection.patch)?, connection.sign)))
             .collect();
         let patches: Vec<_> = members.iter().filter_map(|(index, _)| system.modes.patch.get(names[*index])).collect();
@@ -120,7 +185,7 @@ impl Electrical {
         };
         let signs: Vec<f64> = members.iter().map(|(_, sign)| *sign).collect();
         let capacitances_f: Vec<f64> = patches.iter().map(|patch| patch.capacitance_f).collect();
-        let terminal = match load.wiring {
+        let terminal = match wiring {
             Wiring::Parallel => self.add(capacitances_f.iter().sum(), coupling(&signs)),
             Wiring::Series => {
                 let capacitance_f = 1.0 / capacitances_f.iter().map(|c| 1.0 / c).sum::<f64>();
@@ -129,7 +194,7 @@ impl Electrical {
             }
         };
         let (nodes, mut shares) = (self.nodes.len(), vec![signs.clone()]);
-        if load.wiring == Wiring::Series {
+        if wiring == Wiring::Series {
             shares[0] = signs.iter().zip(&capacitances_f).map(|(sign, c)| sign * self.nodes[terminal].capacitance_f / c).collect();
             for share in internal_parts(&signs, &capacitances_f) {
                 let theta = coupling(&share);
@@ -146,7 +211,7 @@ impl Electrical {
             let parts = shares.iter().enumerate().map(|(part, share)| (if part == 0 { terminal } else { nodes + part - 1 }, share[k]));
             self.patch[*index] = parts.filter(|(_, factor)| *factor != 0.0).collect();
         }
-        self.across(terminal, load)
+        terminal
     }
 
     fn across(&mut self, node: usize, load: &Load) -> Across {

@@ -39,7 +39,7 @@ pub struct EnergyMeter {
 /// The three energies of every run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Meters {
-    /// Energy delivered to each load, J.
+    /// Energy delivered to each load, J, then to each of [`Plant::bridge_outputs`].
     pub loads: Vec<EnergyMeter>,
     /// Energy lost in modal damping, J.
     pub damping: EnergyMeter,
@@ -77,13 +77,18 @@ impl Meters {
             let square = Square::new(plant, 1.0 / load.resistance_ohm, plant.load_voltage_row(k));
             EnergyMeter::squares(plant, &format!("the energy of load `{}`", load.name), &[square], before.map(|meters| &meters.loads[k]))
         });
+        let outputs = plant.bridge_outputs().into_iter().enumerate().map(|(k, (bridge, _, weight, row))| {
+            let what = format!("the energy of circuit `{}`", plant.system.bridges[bridge].name);
+            let before = before.map(|meters| &meters.loads[plant.system.loads.len() + k]);
+            EnergyMeter::squares(plant, &what, &[Square::new(plant, weight, row)], before)
+        });
         let velocity = |i: usize| plant.velocity_row(&unit(modes.len(), i));
         let losses: Vec<Square> = (0..modes.len())
             .map(|i| Square::new(plant, 2.0 * modes.damping_ratio[i] * modes.frequency_rad_s[i], velocity(i)))
             .filter(|square| square.weight > 0.0)
             .collect();
         Ok(Self {
-            loads: loads.collect::<Result<_, _>>()?,
+            loads: loads.chain(outputs).collect::<Result<_, _>>()?,
             damping: EnergyMeter::squares(plant, "the energy lost in damping", &losses, before.map(|meters| &meters.damping))?,
             input: EnergyMeter::drive(plant),
         })

@@ -11,6 +11,7 @@
 //! not sinusoidal are [`Signal`]s, linear in time between breakpoints, whose answer is known exactly too ([`Forcing`]).
 
 mod block;
+mod bridge;
 mod component;
 mod coupled;
 mod diagonal;
@@ -23,10 +24,11 @@ mod signal_meter;
 mod system;
 
 pub use block::{Block, Pair};
+pub use bridge::{Bridge, BridgeState, Change, Conduction, Guard, Scheme, Storage};
 pub(crate) use coupled::dot;
-pub use coupled::{Plant, Port, Tone};
+pub use coupled::{Outlet, Plant, Port, Tone};
 pub use diagonal::Diagonal;
-pub use electrical::{Across, Electrical, Inductor, Node};
+pub use electrical::{Across, BridgeNodes, Electrical, Inductor, Link, Node};
 pub use energy::{EnergyMeter, Meters};
 pub use error::PlantError;
 pub use forcing::{Forcing, LOCAL_TERMS, Size};

@@ -1,19 +1,21 @@
 //! What the solvers work with: modes, loads, stops and drives, names resolved.
 
-use super::{PlantError, Signal};
+use super::{Bridge, BridgeState, PlantError, Scheme, Signal, Storage};
 use crate::contact::Law;
 use crate::drive::{Wave, wave};
-use crate::spec::{DriveKind, DriveSignal, Side, Spec, Wiring};
+use crate::spec::{Circuit, DriveKind, DriveSignal, Interface, Side, Spec, Wiring};
 use crate::structure::Modes;
 use std::f64::consts::TAU;
 
 /// A harvester after assembly.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct System {
     /// Modes of the structure.
     pub modes: Modes,
     /// Electrical loads. A patch without one is left open.
     pub loads: Vec<Load>,
+    /// Rectified circuits.
+    pub bridges: Vec<Bridge>,
     /// Stops.
     pub stops: Vec<Stop>,
     /// Sinusoidal drives.
@@ -89,11 +91,11 @@ impl System {
     /// # Errors
     /// [`PlantError::UnknownName`], [`PlantError::TwoCircuits`], [`PlantError::ImmobilePort`].
     pub fn assemble(spec: &Spec, modes: Modes) -> Result<Self, PlantError> {
-        let loads = loads(spec, &modes)?;
+        let (loads, bridges) = circuits(spec, &modes)?;
         let stops = stops(spec, &modes)?;
         let drives = drives(spec, &modes)?;
         let signals = Self::signals(spec, &modes)?;
-        Ok(Self { modes, loads, stops, drives, signals })
+        Ok(Self { modes, loads, bridges, stops, drives, signals })
     }
 
     /// The drives of a spec that are not sinusoidal, and its gravity. Noise is made for `run.duration`.
@@ -120,28 +122,62 @@ impl System {
     }
 }
 
-fn loads(spec: &Spec, modes: &Modes) -> Result<Vec<Load>, PlantError> {
-    let mut loads: Vec<Load> = Vec::new();
+fn circuits(spec: &Spec, modes: &Modes) -> Result<(Vec<Load>, Vec<Bridge>), PlantError> {
+    let (mut loads, mut bridges) = (Vec::new(), Vec::new());
+    let mut carried: Vec<(String, String)> = Vec::new();
     for (name, circuit) in &spec.circuit {
         let mut connections: Vec<Connection> = Vec::new();
         for (patch, sign) in circuit.connections() {
             if !modes.patch.contains_key(patch) {
                 return Err(unknown(format!("circuit.{name}.patch"), patch, modes.patch.keys()));
             }
-            let carries = |connections: &[Connection]| connections.iter().any(|connection| connection.patch == patch);
-            let other = loads.iter().find(|load| carries(&load.connections)).map(|load| load.name.clone());
-            if let Some(first) = other.or_else(|| carries(&connections).then(|| name.clone())) {
-                return Err(PlantError::TwoCircuits { patch: patch.to_owned(), first, second: name.clone() });
+            if let Some((_, first)) = carried.iter().find(|(carried, _)| carried == patch) {
+                return Err(PlantError::TwoCircuits { patch: patch.to_owned(), first: first.clone(), second: name.clone() });
             }
+            carried.push((patch.to_owned(), name.clone()));
             connections.push(Connection { patch: patch.to_owned(), sign });
         }
         if connections.is_empty() {
             return Err(unknown(format!("circuit.{name}.patch"), "", modes.patch.keys()));
         }
+        if let Some(scheme) = scheme(circuit) {
+            bridges.push(bridge(name, circuit, connections, scheme));
+            continue;
+        }
         let inductor = circuit.inductance_h.map(|inductance_h| (inductance_h, circuit.inductor));
         loads.push(Load { name: name.clone(), connections, wiring: circuit.wiring, resistance_ohm: circuit.resistance_ohm, inductor });
     }
-    Ok(loads)
+    Ok((loads, bridges))
+}
+
+/// `None` for a circuit without diodes. The voltage that an inductor turns over keeps `q = exp(-pi / (2 Q))` of itself.
+fn scheme(circuit: &Circuit) -> Option<Scheme> {
+    let inversion = circuit.quality_factor.map_or(0.0, |quality| (-std::f64::consts::PI / (2.0 * quality)).exp());
+    match circuit.interface {
+        Interface::Resistor => None,
+        Interface::Bridge => Some(Scheme::Standard),
+        Interface::ParallelSshi => Some(Scheme::ParallelSshi { inversion }),
+        Interface::SeriesSshi => Some(Scheme::SeriesSshi { inversion }),
+        Interface::Sece => Some(Scheme::Extraction { efficiency: circuit.efficiency }),
+    }
+}
+
+fn bridge(name: &str, circuit: &Circuit, connections: Vec<Connection>, scheme: Scheme) -> Bridge {
+    let storage = match circuit.battery_v {
+        Some(voltage_v) => Storage::Battery { voltage_v },
+        None => Storage::Capacitor { capacitance_f: circuit.storage_f.unwrap_or(f64::NAN), load_ohm: circuit.resistance_ohm },
+    };
+    Bridge {
+        name: name.to_owned(),
+        connections,
+        wiring: circuit.wiring,
+        scheme,
+        storage,
+        drop_v: 2.0 * circuit.diode_drop_v,
+        diode_ohm: 2.0 * circuit.diode_resistance_ohm,
+        leakage_ohm: circuit.leakage_ohm,
+        state: BridgeState::default(),
+    }
 }
 
 fn stops(spec: &Spec, modes: &Modes) -> Result<Vec<Stop>, PlantError> {

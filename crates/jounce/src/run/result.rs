@@ -15,6 +15,25 @@ pub struct LoadAnswer {
     pub voltage_rms_v: f64,
 }
 
+/// One rectified circuit over the averaging window.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RectifiedAnswer {
+    /// Name of the circuit.
+    pub name: String,
+    /// Mean power into the load or the battery, W.
+    pub mean_power_w: f64,
+    /// Voltage of the storage, rms, V.
+    pub voltage_rms_v: f64,
+    /// Mean current that the diodes pass, A.
+    pub mean_current_a: f64,
+    /// Mean power lost in diodes, W.
+    pub diode_loss_w: f64,
+    /// Mean power lost in the switch and its inductor, W.
+    pub switch_loss_w: f64,
+    /// Mean power lost by leakage of the storage, W.
+    pub leakage_w: f64,
+}
+
 /// One stop over the averaging window.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct StopAnswer {
@@ -35,10 +54,12 @@ pub struct StopAnswer {
 /// Answers over the averaging window, and the audit of the whole run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunAnswer {
-    /// Mean power of all loads together, W.
+    /// Mean power of all loads and rectified circuits together, W.
     pub mean_power_w: f64,
     /// Each load.
     pub loads: Vec<LoadAnswer>,
+    /// Each rectified circuit.
+    pub rectified: Vec<RectifiedAnswer>,
     /// Each stop.
     pub stops: Vec<StopAnswer>,
     /// Largest penetration of any stop, m.

@@ -1,10 +1,10 @@
 //! Marches a plan and reads its answers.
 
 use super::settle::{LOOKS, settlement};
-use super::{LoadAnswer, RunAnswer, Settlement, StartState, StopAnswer};
+use super::{LoadAnswer, RectifiedAnswer, RunAnswer, Settlement, StartState, StopAnswer};
 use crate::contact::Law;
-use crate::march::{ContactStatistics, Kernel, MarchError, Marcher};
-use crate::plant::Plant;
+use crate::march::{ContactStatistics, Energies, Kernel, MarchError, Marcher, RectifiedEnergies};
+use crate::plant::{Bridge, Plant, Storage};
 use std::time::Instant;
 
 /// Share of the displacements of a start by which a point may lie past a rigid stop: states that other runs saved are rounded.
@@ -106,9 +106,11 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
             LoadAnswer { name: load.name.clone(), mean_power_w, voltage_rms_v: (mean_power_w * load.resistance_ohm).max(0.0).sqrt() }
         })
         .collect();
+    let rectified = rectified(plant, [&opened, &energies], plan.average_over_s);
     Ok(RunAnswer {
-        mean_power_w: loads.iter().map(|load| load.mean_power_w).sum(),
+        mean_power_w: loads.iter().map(|load| load.mean_power_w).sum::<f64>() + rectified.iter().map(|own| own.mean_power_w).sum::<f64>(),
         loads,
+        rectified,
         stops: stops(plant, &marcher, plan.average_over_s),
         max_penetration_m: statistics.max_penetration_m,
         max_contact_force_n: statistics.max_force_n,
@@ -121,6 +123,27 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
         march_s,
         trajectory,
     })
+}
+
+fn rectified(plant: &Plant, [start, end]: [&Energies; 2], average_over_s: f64) -> Vec<RectifiedAnswer> {
+    let answer = |((bridge, start), end): ((&Bridge, &RectifiedEnergies), &RectifiedEnergies)| {
+        let mean = |of: fn(&RectifiedEnergies) -> f64| (of(end) - of(start)) / average_over_s;
+        let mean_power_w = mean(|own| own.load_j + own.battery_j);
+        let voltage_rms_v = match bridge.storage {
+            Storage::Battery { voltage_v } => voltage_v,
+            Storage::Capacitor { load_ohm, .. } => (mean_power_w * load_ohm).max(0.0).sqrt(),
+        };
+        RectifiedAnswer {
+            name: bridge.name.clone(),
+            mean_power_w,
+            voltage_rms_v,
+            mean_current_a: mean(|own| own.charge_c),
+            diode_loss_w: mean(|own| own.diodes_j),
+            switch_loss_w: mean(|own| own.switch_j),
+            leakage_w: mean(|own| own.leakage_j),
+        }
+    };
+    plant.system.bridges.iter().zip(&start.rectified).zip(&end.rectified).map(answer).collect()
 }
 
 fn stops(plant: &Plant, marcher: &Marcher, average_over_s: f64) -> Vec<StopAnswer> {

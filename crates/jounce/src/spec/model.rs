@@ -248,6 +248,38 @@ pub struct Circuit {
     pub inductance_h: Option<f64>,
     /// `inductor`: how it stands to the resistor; default parallel.
     pub inductor: Wiring,
+    /// `interface`; default resistor.
+    pub interface: Interface,
+    /// `storage`: smoothing capacitor behind the diodes, F.
+    pub storage_f: Option<f64>,
+    /// `battery` instead of it, V.
+    pub battery_v: Option<f64>,
+    /// `diode_drop` of each of the two diodes of a path, V.
+    pub diode_drop_v: f64,
+    /// `diode_resistance` of each while it conducts, ohm.
+    pub diode_resistance_ohm: f64,
+    /// `leakage_resistance` across the storage capacitor, ohm; `None` without.
+    pub leakage_ohm: Option<f64>,
+    /// `quality_factor` of the inductor and its switch.
+    pub quality_factor: Option<f64>,
+    /// `efficiency` of an extraction, 0 to 1.
+    pub efficiency: f64,
+}
+
+/// What stands between the patches and what takes their energy.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Interface {
+    /// `"resistor"`: nothing.
+    #[default]
+    Resistor,
+    /// `"bridge"`: a full bridge of diodes.
+    Bridge,
+    /// `"parallel-sshi"`: a bridge, and an inductor with a switch across the patches.
+    ParallelSshi,
+    /// `"series-sshi"`: a bridge behind an inductor with a switch.
+    SeriesSshi,
+    /// `"sece"`: synchronous electric charge extraction.
+    Sece,
 }
 
 impl Circuit {

@@ -119,6 +119,9 @@ impl Harvester for Parameter<'_> {
         if !system.signals.is_empty() {
             return Err(StudyError::Gravity);
         }
+        if let Some(bridge) = system.bridges.first() {
+            return Err(StudyError::Rectified { circuit: bridge.name.clone() });
+        }
         let change = self.change(&kernel, parameter);
         Ok(Setting { kernel, change })
     }

@@ -34,6 +34,14 @@ pub enum StudyError {
     /// Gravity, where orbits are followed.
     #[error("orbits under gravity are not followed; use `jounce run` or `jounce sweep`, or take [gravity] out")]
     Gravity,
+    /// Diodes or switches, where orbits are followed.
+    #[error(
+        "orbits of the rectified circuit `{circuit}` are not followed; use `jounce run`, `jounce sweep` or `jounce ensemble`, or give it interface = \"resistor\""
+    )]
+    Rectified {
+        /// Name of the circuit.
+        circuit: String,
+    },
     /// An ensemble without noise.
     #[error("an ensemble needs noise: give a drive `signal = \"noise\"`; `jounce run` marches what is not random")]
     NoNoise,

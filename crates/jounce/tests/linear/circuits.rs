@@ -34,7 +34,15 @@ fn load(patches: &[(&str, f64)], wiring: Wiring, inductor: Option<(f64, Wiring)>
 }
 
 fn plant(load: &Load) -> Plant {
-    Plant::new(System { modes: modes(), loads: vec![load.clone()], stops: Vec::new(), signals: Vec::new(), drives: Vec::new() }).unwrap()
+    Plant::new(System {
+        modes: modes(),
+        loads: vec![load.clone()],
+        stops: Vec::new(),
+        bridges: Vec::new(),
+        signals: Vec::new(),
+        drives: Vec::new(),
+    })
+    .unwrap()
 }
 
 /// Linear equations on `(V_a, V_b, V_c, i)`, `i` the current into the load: coefficients and right side.

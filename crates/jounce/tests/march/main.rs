@@ -9,6 +9,7 @@ mod harvester;
 mod plants;
 mod ports;
 mod random;
+mod rectified;
 mod rest;
 mod rigid;
 mod signals;

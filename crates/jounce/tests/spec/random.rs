@@ -181,6 +181,14 @@ fn circuit(patch: String, resistance_ohm: f64) -> Circuit {
         resistance_ohm,
         inductance_h: many.then_some(resistance_ohm),
         inductor: if many { Wiring::Series } else { Wiring::Parallel },
+        interface: Interface::Resistor,
+        storage_f: None,
+        battery_v: None,
+        diode_drop_v: 0.0,
+        diode_resistance_ohm: 1.0,
+        leakage_ohm: None,
+        quality_factor: None,
+        efficiency: 1.0,
     }
 }
 

@@ -53,7 +53,7 @@ impl Task for AdvanceSeveral<'_, '_> {
     #[inline(always)]
     fn run<W: Wide>(self, w: W) -> Self::Output {
         let AdvanceSeveral { marcher, end_s } = self;
-        while marcher.time_s < end_s {
+        while marcher.time_s < end_s && marcher.switching.met.is_none() {
             let until_s = marcher.next_breakpoint(w, end_s);
             if marcher.hits_rigid_stop() {
                 marcher.collide(w)?;
@@ -80,7 +80,12 @@ impl Marcher<'_> {
     }
 
     fn is_rigid(&self, p: usize) -> bool {
-        matches!(self.law(p), Law::Rigid(_))
+        !self.is_guard(p) && matches!(self.law(p), Law::Rigid(_))
+    }
+
+    /// True for an output that is only watched.
+    fn is_guard(&self, p: usize) -> bool {
+        p >= self.kernel.plant.system.stops.len()
     }
 
     /// Distance at which a point touches, m: what the fastest striker goes in no time at all.
@@ -98,9 +103,13 @@ impl Marcher<'_> {
 
     /// A port enters contact at the present time, and with it every other one that touches and moves in.
     fn join<W: Wide>(&mut self, w: W, p: usize) {
+        if self.is_guard(p) {
+            self.switching.met = Some(p);
+            return;
+        }
         self.see(w, p);
         self.enter(p);
-        for q in 0..self.kernel.plant.ports.len() {
+        for q in 0..self.kernel.plant.system.stops.len() {
             if self.ports[q].regime == Regime::Flight {
                 self.see(w, q);
                 if self.ports[q].rate_m_s > 0.0 && self.ports[q].penetration_m.abs() <= self.touch_m(q) {

@@ -24,7 +24,7 @@ impl Marcher<'_> {
     pub(super) fn together<W: Wide>(&mut self, w: W, end_s: f64) -> Result<(), MarchError> {
         // On steps this short no second contact can follow the first.
         let safe = Kernel::level_within(1.0 / self.kernel.fastest_rad_s) + 3;
-        while self.time_s < end_s && !self.hits_rigid_stop() {
+        while self.time_s < end_s && self.switching.met.is_none() && !self.hits_rigid_stop() {
             self.let_go()?;
             let ports = self.ports_with_bases();
             let Some(mut level) = ports.iter().map(|(p, _)| self.ports[*p].level).max() else { return Ok(()) };

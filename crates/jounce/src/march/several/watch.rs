@@ -45,10 +45,11 @@ impl Marcher<'_> {
         step.distance_m[1] += forced[0];
         step.speed_m_s[1] += forced[1];
         step.fast_bound_m += rest_m;
-        step.fast_bound_m_s += rest_m_s;
+        // The rate of an output that forces act on at once is not that of its row: only the bound on the output itself serves.
+        step.fast_bound_m_s += if self.acts_at_once(p, joint) { f64::INFINITY } else { rest_m_s };
         let end_m = free[0] + forced[0];
         // A point that touches and is pushed in strikes now: in contact the law itself decides.
-        let touches = end_m > 0.0 && self.ports[p].penetration_m.abs() <= self.touch_m(p) && !self.is_rigid(p);
+        let touches = end_m > 0.0 && self.ports[p].penetration_m.abs() <= self.touch_m(p) && !self.is_rigid(p) && !self.is_guard(p);
         let now = Crossing { from_s: 0.0, guess_s: 0.0, to_s: step.length_s };
         outcome.and(p, if touches { Verdict::Strike(now) } else { self.judge_beside(w, p, &step, end_m) })
     }
@@ -61,7 +62,12 @@ impl Marcher<'_> {
             crate::march::state::add_push(w, &step.table.push, &nodal(&own.force), &mut self.next);
         }
         let (rows, drive) = (&self.ports[p].rows, self.drive_at_end(p, joint));
-        [dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m, dot(w, &rows.velocity, &self.next) + drive[1]]
+        let at_once: f64 = joint.steps.iter().zip(solved).map(|(step, own)| self.kernel.directly(step.port, p) * own.force.0[NODES]).sum();
+        [dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m, dot(w, &rows.velocity, &self.next) + drive[1] + at_once]
+    }
+
+    fn acts_at_once(&self, p: usize, joint: &JointStep) -> bool {
+        self.is_guard(p) && joint.steps.iter().any(|step| self.kernel.directly(step.port, p) != 0.0)
     }
 
     /// Displacement and velocity of a port under the drive at the end of a step.

@@ -31,6 +31,11 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
             let text = || "says how an inductor stands, but there is none; give `inductance` or leave it out".to_owned();
             broken.push(|| format!("circuit.{name}.inductor"), text);
         }
+        if circuit.leakage_ohm.is_some() && circuit.battery_v.is_some() {
+            let text =
+                || "has no effect: the voltage of a battery is fixed; leave it out, or give `storage` instead of `battery`".to_owned();
+            broken.push(|| format!("circuit.{name}.leakage_resistance"), text);
+        }
         if circuit.wiring == Wiring::Series && circuit.connections().count() == 1 {
             let text = || "says how several patches are connected, but there is one; name them in `patches` or leave it out".to_owned();
             broken.push(|| format!("circuit.{name}.wiring"), text);

@@ -1,0 +1,266 @@
+//! Rectifiers in a march: where a guard is met the plant changes and the march goes on in the new regime.
+//!
+//! Diodes change what the circuit is, not the state, whose voltages and velocities are continuous: current and forward voltage are both
+//! zero there. A switch turns a voltage over within an instant; the energies that this takes are counted in closed form.
+//!
+//! The charge `Q` that diodes pass is what the patches displaced and did not keep, `-[C V + theta . q]`, exact to roundoff.
+
+use super::energies::Energies;
+use super::error::MarchError;
+use super::marcher::Marcher;
+use super::port_state::{PortState, Regime};
+use crate::plant::{Bridge, BridgeNodes, BridgeState, Change, Conduction, Outlet, Scheme, Storage};
+
+/// Most changes of bridges at one instant.
+const MOST_CHANGES: usize = 100;
+
+/// A guard that is past zero by less than this part of what it is summed from has just been met.
+const ROUNDOFF: f64 = 1e-13;
+
+/// Energies that left through one rectified circuit, J, and the charge that its diodes passed.
+#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
+pub struct RectifiedEnergies {
+    /// To the load across the storage capacitor.
+    pub load_j: f64,
+    /// To the battery.
+    pub battery_j: f64,
+    /// Lost in diodes.
+    pub diodes_j: f64,
+    /// Lost in the switch and its inductor.
+    pub switch_j: f64,
+    /// Lost by leakage of the storage.
+    pub leakage_j: f64,
+    /// Charge passed to the storage, C.
+    pub charge_c: f64,
+}
+
+/// What a march knows of its bridges.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Switching {
+    /// Number of the present regime.
+    pub regime: usize,
+    /// The guard that has been met.
+    pub met: Option<usize>,
+    /// Energies up to the last change.
+    earlier: Energies,
+    /// Physical state at the last change.
+    since: Vec<f64>,
+    /// Time of the last change, and how many there were at it.
+    changed: (f64, usize),
+}
+
+impl RectifiedEnergies {
+    /// All together, J.
+    pub fn sum_j(&self) -> f64 {
+        self.load_j + self.battery_j + self.diodes_j + self.switch_j + self.leakage_j
+    }
+
+    fn add(&mut self, other: &Self) {
+        self.load_j += other.load_j;
+        self.battery_j += other.battery_j;
+        self.diodes_j += other.diodes_j;
+        self.switch_j += other.switch_j;
+        self.leakage_j += other.leakage_j;
+        self.charge_c += other.charge_c;
+    }
+}
+
+impl Marcher<'_> {
+    /// Enters the regime in which the present state lies.
+    pub(super) fn open_switching(&mut self) -> Result<(), MarchError> {
+        let system = &self.base.plant.system;
+        if system.bridges.is_empty() {
+            return Ok(());
+        }
+        self.switching.earlier.rectified = vec![RectifiedEnergies::default(); system.bridges.len()];
+        self.switching.earlier.loads_j = vec![0.0; system.loads.len()];
+        let x = self.physical();
+        let current = |nodes: &BridgeNodes| -> f64 {
+            let coupling = &self.base.plant.electrical.nodes[nodes.terminal].coupling_n_per_v;
+            coupling.iter().enumerate().map(|(i, theta)| theta * x[coupling.len() + i]).sum()
+        };
+        let states: Vec<BridgeState> = (self.base.plant.electrical.bridges.iter().zip(&system.bridges))
+            .map(|(nodes, bridge)| BridgeState { rising: bridge.has_switch() && current(nodes) > 0.0, ..BridgeState::default() })
+            .collect();
+        self.switching.since = x.clone();
+        self.change_to(&states, &x)?;
+        self.change_if_met()
+    }
+
+    /// Changes the bridges for as long as a guard is past zero.
+    pub(super) fn change_if_met(&mut self) -> Result<(), MarchError> {
+        while let Some(p) = self.switching.met.take().or_else(|| self.passed()) {
+            let guard = self.kernel.plant.guards[p - self.kernel.plant.system.stops.len()].clone();
+            self.count_change(guard.bridge)?;
+            let mut x = self.physical();
+            self.close_regime();
+            let mut states: Vec<BridgeState> = self.kernel.plant.system.bridges.iter().map(|bridge| bridge.state).collect();
+            match guard.change {
+                Change::Conducts(conduction) => states[guard.bridge].conduction = conduction,
+                Change::Blocks => states[guard.bridge].conduction = Conduction::Blocked,
+                Change::Switches => {
+                    self.switch(guard.bridge, &mut x);
+                    states[guard.bridge] = BridgeState { conduction: Conduction::Blocked, rising: !states[guard.bridge].rising };
+                }
+            }
+            self.change_to(&states, &x)?;
+        }
+        Ok(())
+    }
+
+    fn count_change(&mut self, bridge: usize) -> Result<(), MarchError> {
+        let (time_s, changes) = &mut self.switching.changed;
+        *changes = if *time_s == self.time_s { *changes + 1 } else { 1 };
+        *time_s = self.time_s;
+        if *changes > MOST_CHANGES {
+            let circuit = self.kernel.plant.system.bridges[bridge].name.clone();
+            return Err(MarchError::ChangesWithoutEnd { time_s: self.time_s, circuit, changes: *changes });
+        }
+        Ok(())
+    }
+
+    /// A guard that is past zero by more than roundoff.
+    fn passed(&self) -> Option<usize> {
+        let stops = self.kernel.plant.system.stops.len();
+        (stops..self.kernel.plant.ports.len()).find(|p| self.ports[*p].penetration_m > self.roundoff(*p))
+    }
+
+    /// Size below which a guard cannot be told from zero.
+    fn roundoff(&self, p: usize) -> f64 {
+        let (rows, port) = (&self.ports[p].rows, &self.kernel.plant.ports[p]);
+        let terms = port.displacement.iter().zip(self.own_state()).map(|(row, y)| (row * y).abs()).sum::<f64>();
+        let guard = &self.kernel.plant.guards[p - self.kernel.plant.system.stops.len()];
+        let against_v = if guard.change == Change::Switches { 0.0 } else { self.kernel.plant.system.bridges[guard.bridge].threshold_v() };
+        // A time is not told better than to its own roundoff.
+        ROUNDOFF * (terms + rows.tone_scale_m + against_v) + 4.0 * f64::EPSILON * self.time_s * self.ports[p].rate_m_s.abs()
+    }
+
+    /// Goes on from a physical state with the bridges in some states.
+    fn change_to(&mut self, states: &[BridgeState], x: &[f64]) -> Result<(), MarchError> {
+        let regime = self.base.plant.system.regime(states);
+        let kernel = self.base.in_regime(regime)?;
+        let mut next = Marcher::in_one_regime(kernel, &kernel.plant.from_physical(x, self.time_s), self.time_s, self.tolerance);
+        next.base = self.base;
+        next.flight_level = self.flight_level;
+        next.work = self.work;
+        next.record = self.record.take();
+        next.switching = std::mem::take(&mut self.switching);
+        (next.switching.regime, next.switching.since) = (regime, x.to_vec());
+        // Contacts go on as they are; only what reads them belongs to the regime.
+        let stops = kernel.plant.system.stops.len();
+        for p in 0..stops {
+            let seen = next.ports[p].clone();
+            let [penetration_m, rate_m_s] = match self.ports[p].regime {
+                Regime::Flight => [seen.penetration_m, seen.rate_m_s],
+                Regime::Contact => [self.ports[p].penetration_m, self.ports[p].rate_m_s],
+            };
+            next.ports[p] = PortState { rows: seen.rows, penetration_m, rate_m_s, ..self.ports[p].clone() };
+        }
+        for p in stops..kernel.plant.ports.len() {
+            if next.ports[p].penetration_m.abs() <= next.roundoff(p) {
+                next.ports[p].penetration_m = next.ports[p].penetration_m.min(0.0);
+            }
+        }
+        *self = next;
+        Ok(())
+    }
+
+    /// An extremum: what the switch does to the state and where the energy goes.
+    fn switch(&mut self, k: usize, x: &mut [f64]) {
+        let plant = &self.base.plant;
+        let (bridge, nodes) = (&plant.system.bridges[k], plant.electrical.bridges[k]);
+        let first = 2 * plant.system.modes.len();
+        let capacitance_f = plant.electrical.nodes[nodes.terminal].capacitance_f;
+        let stored = |x: &[f64]| -> f64 {
+            let of = |node: usize| 0.5 * plant.electrical.nodes[node].capacitance_f * x[first + node].powi(2);
+            of(nodes.terminal) + nodes.storage.map_or(0.0, of)
+        };
+        let (before_j, voltage_v) = (stored(x), x[first + nodes.terminal]);
+        let mut taken = RectifiedEnergies::default();
+        match bridge.scheme {
+            Scheme::Standard => {}
+            Scheme::ParallelSshi { inversion } => x[first + nodes.terminal] = -inversion * voltage_v,
+            Scheme::SeriesSshi { inversion } => swing(bridge, inversion, capacitance_f, nodes, &mut x[first..], &mut taken),
+            Scheme::Extraction { efficiency } => {
+                let arrives_j = efficiency * 0.5 * capacitance_f * voltage_v * voltage_v;
+                x[first + nodes.terminal] = 0.0;
+                match (bridge.storage, nodes.storage) {
+                    (Storage::Capacitor { capacitance_f, .. }, Some(storage)) => {
+                        let held_v = x[first + storage];
+                        x[first + storage] = (held_v * held_v + 2.0 * arrives_j / capacitance_f).sqrt();
+                    }
+                    _ => taken.battery_j = arrives_j,
+                }
+            }
+        }
+        let change_j = stored(x) - before_j;
+        taken.switch_j = -change_j - taken.battery_j - taken.diodes_j;
+        self.switching.earlier.stored_j += change_j;
+        self.switching.earlier.rectified[k].add(&taken);
+    }
+
+    /// Adds the regime that ends to what came before.
+    fn close_regime(&mut self) {
+        let all = self.energies_of_all();
+        self.switching.earlier = all;
+    }
+
+    /// Energies since the start of the march.
+    pub(super) fn energies_of_all(&self) -> Energies {
+        let (own, plant) = (self.energies_in_regime(), &self.kernel.plant);
+        let mut all = self.switching.earlier.clone();
+        let moved: Vec<f64> = self.physical().iter().zip(&self.switching.since).map(|(x, since)| x - since).collect();
+        let loads = plant.system.loads.len();
+        all.loads_j.iter_mut().zip(&own.loads_j).for_each(|(sum, own)| *sum += own);
+        for ((bridge, outlet, ..), energy_j) in plant.bridge_outputs().into_iter().zip(&own.loads_j[loads..]) {
+            let taken = &mut all.rectified[bridge];
+            match outlet {
+                Outlet::Load => taken.load_j += energy_j,
+                Outlet::Leakage => taken.leakage_j += energy_j,
+                Outlet::Diodes => taken.diodes_j += energy_j,
+            }
+        }
+        let mut pushed_j = 0.0;
+        for ((bridge, nodes), taken) in plant.system.bridges.iter().zip(&plant.electrical.bridges).zip(&mut all.rectified) {
+            let sign = bridge.state.conduction.sign();
+            if sign == 0.0 {
+                continue;
+            }
+            let node = &plant.electrical.nodes[nodes.terminal];
+            let displaced_c: f64 = node.coupling_n_per_v.iter().zip(&moved).map(|(theta, q)| theta * q).sum();
+            let charge_c = -sign * (node.capacitance_f * moved[2 * plant.system.modes.len() + nodes.terminal] + displaced_c);
+            taken.charge_c += charge_c;
+            taken.diodes_j += bridge.drop_v * charge_c;
+            taken.battery_j += (bridge.threshold_v() - bridge.drop_v) * charge_c;
+            // The force by which a threshold enters is none of the drives.
+            pushed_j += sign * bridge.threshold_v() * displaced_c;
+        }
+        all.input_j += own.input_j - pushed_j;
+        all.damping_j += own.damping_j;
+        all.contact_loss_j += own.contact_loss_j;
+        all.stored_j += own.stored_j;
+        all.scale_j = all.scale_j.max(own.scale_j).max(all.input_j.abs());
+        all
+    }
+}
+
+/// A swing through an inductor into the storage: the voltage turns over about that against which it conducts.
+fn swing(bridge: &Bridge, inversion: f64, capacitance_f: f64, nodes: BridgeNodes, volts: &mut [f64], taken: &mut RectifiedEnergies) {
+    let voltage_v = volts[nodes.terminal];
+    let over_v = voltage_v.abs() - nodes.storage.map_or(0.0, |storage| volts[storage]) - bridge.threshold_v();
+    if over_v <= 0.0 {
+        return;
+    }
+    let together_f = match bridge.storage {
+        Storage::Capacitor { capacitance_f: storage_f, .. } => capacitance_f * storage_f / (capacitance_f + storage_f),
+        Storage::Battery { .. } => capacitance_f,
+    };
+    let charge_c = together_f * (1.0 + inversion) * over_v;
+    volts[nodes.terminal] -= voltage_v.signum() * charge_c / capacitance_f;
+    if let (Some(storage), Storage::Capacitor { capacitance_f, .. }) = (nodes.storage, bridge.storage) {
+        volts[storage] += charge_c / capacitance_f;
+    }
+    taken.charge_c = charge_c;
+    taken.diodes_j = bridge.drop_v * charge_c;
+    taken.battery_j = (bridge.threshold_v() - bridge.drop_v) * charge_c;
+}
