@@ -119,8 +119,9 @@ fn rules(rows: &[Row]) -> Vec<Value> {
     }
     for row in rows {
         let names = row.info.need.alternatives();
-        if names.first() == Some(&row.info.name) {
-            let alternatives: Vec<Value> = names.iter().map(|name| json!({ "required": [name] })).collect();
+        // Alternatives that go with a choice stand with its words.
+        if names.first() == Some(&row.info.name) && row.info.when.is_none() {
+            let alternatives = alternatives(names);
             rules.push(match (row.info.need, row.info.unless) {
                 (Need::AtMostOne(_), _) => json!({ "not": { "required": names } }),
                 (_, None) => json!({ "oneOf": alternatives }),
@@ -135,6 +136,10 @@ fn rules(rows: &[Row]) -> Vec<Value> {
         }
     }
     rules
+}
+
+fn alternatives(names: &[&str]) -> Vec<Value> {
+    names.iter().map(|name| json!({ "required": [name] })).collect()
 }
 
 fn rule(choice: &Row, word: &str, dependent: &[&Row]) -> Value {
@@ -154,7 +159,11 @@ fn rule(choice: &Row, word: &str, dependent: &[&Row]) -> Value {
     let elsewhere = dependent.iter().filter(goes).filter(|row| row.info.need == Need::Required);
     let either =
         elsewhere.filter_map(|row| Some(json!({ "anyOf": [{ "required": [row.info.name] }, { "required": [row.info.unless?] }] })));
-    let either: Vec<Value> = either.collect();
+    let exactly = dependent.iter().filter(goes).filter_map(|row| match row.info.need {
+        Need::OneOf(names) if names.first() == Some(&row.info.name) => Some(json!({ "oneOf": alternatives(names) })),
+        _ => None,
+    });
+    let either: Vec<Value> = either.chain(exactly).collect();
     let mut then = json!({ "required": required, "properties": absent });
     if !either.is_empty() {
         then["allOf"] = Value::Array(either);
