@@ -14,7 +14,7 @@ use crate::plant::{Bridge, BridgeNodes, BridgeState, Change, Conduction, Outlet,
 /// Most changes of bridges at one instant.
 const MOST_CHANGES: usize = 100;
 
-/// A guard that is past zero by less than this part of what it is summed from has just been met.
+/// Part of what a guard is summed from by which it must pass zero: what lies below is roundoff, and would change a bridge to and fro.
 const ROUNDOFF: f64 = 1e-13;
 
 /// Energies that left through one rectified circuit, J, and the charge that its diodes passed.
@@ -119,20 +119,28 @@ impl Marcher<'_> {
         Ok(())
     }
 
-    /// A guard that is past zero by more than roundoff.
+    /// A guard that has been passed.
     fn passed(&self) -> Option<usize> {
         let stops = self.kernel.plant.system.stops.len();
-        (stops..self.kernel.plant.ports.len()).find(|p| self.ports[*p].penetration_m > self.roundoff(*p))
+        (stops..self.kernel.plant.ports.len()).find(|p| self.ports[*p].penetration_m > 0.0)
     }
 
-    /// Size below which a guard cannot be told from zero.
-    fn roundoff(&self, p: usize) -> f64 {
-        let (rows, port) = (&self.ports[p].rows, &self.kernel.plant.ports[p]);
-        let terms = port.displacement.iter().zip(self.own_state()).map(|(row, y)| (row * y).abs()).sum::<f64>();
-        let guard = &self.kernel.plant.guards[p - self.kernel.plant.system.stops.len()];
-        let against_v = if guard.change == Change::Switches { 0.0 } else { self.kernel.plant.system.bridges[guard.bridge].threshold_v() };
+    /// Size below which a guard cannot be told from zero, at the present state `x`.
+    fn roundoff(&self, p: usize, x: &[f64]) -> f64 {
+        let (plant, port) = (&self.kernel.plant, &self.ports[p]);
+        let guard = &plant.guards[p - plant.system.stops.len()];
+        let row = &plant.ports[p].displacement;
+        let terms = row.iter().zip(self.own_state()).map(|(row, y)| (row * y).abs()).sum::<f64>();
+        let mut size = terms + port.rows.tone_scale_m;
+        if guard.change != Change::Switches {
+            let (nodes, first) = (plant.electrical.bridges[guard.bridge], 2 * plant.system.modes.len());
+            let node = &plant.electrical.nodes[nodes.terminal];
+            let displaced_c: f64 = node.coupling_n_per_v.iter().zip(x).map(|(theta, q)| (theta * q).abs()).sum();
+            size += x[first + nodes.terminal].abs() + nodes.storage.map_or(0.0, |storage| x[first + storage].abs());
+            size += plant.system.bridges[guard.bridge].threshold_v() + displaced_c / node.capacitance_f;
+        }
         // A time is not told better than to its own roundoff.
-        ROUNDOFF * (terms + rows.tone_scale_m + against_v) + 4.0 * f64::EPSILON * self.time_s * self.ports[p].rate_m_s.abs()
+        ROUNDOFF * size + 4.0 * f64::EPSILON * self.time_s * port.rate_m_s.abs()
     }
 
     /// Goes on from a physical state with the bridges in some states.
@@ -157,9 +165,9 @@ impl Marcher<'_> {
             next.ports[p] = PortState { rows: seen.rows, penetration_m, rate_m_s, ..self.ports[p].clone() };
         }
         for p in stops..kernel.plant.ports.len() {
-            if next.ports[p].penetration_m.abs() <= next.roundoff(p) {
-                next.ports[p].penetration_m = next.ports[p].penetration_m.min(0.0);
-            }
+            let roundoff = next.roundoff(p, x);
+            next.ports[p].rows.gap_m += roundoff;
+            next.ports[p].penetration_m -= roundoff;
         }
         *self = next;
         Ok(())
