@@ -73,79 +73,10 @@ impl Run {
     }
 
     fn tell(&self, kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[Exceeded]) {
-        let residual = answer.energies.residual_relative();
-        let settlement = answer.settlement;
-        if self.output.json {
-            print(&serde_json::json!({
-                "mean_power_w": answer.mean_power_w,
-                "voltage_rms_v": answer.loads.first().map(|load| load.voltage_rms_v),
-                "voltage_peak_v": peak_voltage_v(kernel, answer, plan),
-                "loads": answer.loads,
-                "rectified": answer.rectified,
-                "max_penetration_m": answer.max_penetration_m,
-                "max_contact_force_n": answer.max_contact_force_n,
-                "contacts": answer.contacts,
-                "contact_duty": answer.contact_duty,
-                "stops": answer.stops,
-                "energy_residual_relative": residual,
-                "energies": {
-                    "input_j": answer.energies.input_j,
-                    "loads_j": answer.energies.loads_j,
-                    "rectified": answer.energies.rectified,
-                    "damping_j": answer.energies.damping_j,
-                    "contact_loss_j": answer.energies.contact_loss_j,
-                    "stored_j": answer.energies.stored_j,
-                },
-                "settled": settlement.map(|found| found.settled),
-                "period_cycles": settlement.map(|found| found.period_cycles),
-                "settle_change": settlement.and_then(|found| finite(found.change)),
-                "settle_distance": settlement.and_then(|found| finite(found.distance)),
-                "warnings": warnings,
-                "work": answer.work,
-                "march_s": answer.march_s,
-                "tolerance": plan.tolerance,
-            }));
-            return;
+        match self.output.json {
+            true => print_json(kernel, answer, plan, warnings),
+            false => print_lines(answer, plan),
         }
-        line(format!("mean power         {:.6e} W", answer.mean_power_w));
-        for load in &answer.loads {
-            line(format!("voltage, rms       {:.6} V  (load {})", load.voltage_rms_v, load.name));
-        }
-        for circuit in &answer.rectified {
-            line(format!(
-                "storage            {:.6} V, {:.4e} A  (circuit {})",
-                circuit.voltage_rms_v, circuit.mean_current_a, circuit.name
-            ));
-            let (diodes, switch, leakage) = (circuit.diode_loss_w, circuit.switch_loss_w, circuit.leakage_w);
-            line(format!("  lost             diodes {diodes:.4e} W, switch {switch:.4e} W, leakage {leakage:.4e} W"));
-        }
-        line(format!(
-            "contacts           {} in {} s, {:.2} % of the time",
-            answer.contacts,
-            plan.average_over_s,
-            100.0 * answer.contact_duty
-        ));
-        line(format!("penetration, peak  {:.6e} m, force {:.4e} N", answer.max_penetration_m, answer.max_contact_force_n));
-        for stop in answer.stops.iter().filter(|_| answer.stops.len() > 1) {
-            let (contacts, depth, force) = (stop.contacts, stop.max_penetration_m, stop.max_contact_force_n);
-            line(format!("  stop {:<12}  {contacts} contacts, penetration {depth:.6e} m, force {force:.4e} N", stop.name));
-        }
-        line(format!("energy residual    {residual:.1e} of the largest energy"));
-        match settlement {
-            None => line("no period          the drives do not repeat themselves, so there is nothing to settle to"),
-            Some(found) if found.settled => {
-                line(format!("settled            period {} drive cycles, change {:.1e}", found.period_cycles, found.change));
-            }
-            Some(found) => {
-                line(format!("NOT settled        change over a period {:.1e}; a longer run.duration may settle it", found.change));
-            }
-        }
-        line(format!(
-            "marched in         {:.3} ms, {} flight and {} contact steps",
-            1e3 * answer.march_s,
-            answer.work.flight_steps,
-            answer.work.contact_steps
-        ));
     }
 
     /// Time histories, spectrum and table of the averaging window.
@@ -206,6 +137,76 @@ impl Run {
         }
         Ok(())
     }
+}
+
+/// The answer as one JSON object.
+fn print_json(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[Exceeded]) {
+    let settlement = answer.settlement;
+    print(&serde_json::json!({
+        "mean_power_w": answer.mean_power_w,
+        "voltage_rms_v": answer.loads.first().map(|load| load.voltage_rms_v),
+        "voltage_peak_v": peak_voltage_v(kernel, answer, plan),
+        "loads": answer.loads,
+        "rectified": answer.rectified,
+        "max_penetration_m": answer.max_penetration_m,
+        "max_contact_force_n": answer.max_contact_force_n,
+        "contacts": answer.contacts,
+        "contact_duty": answer.contact_duty,
+        "stops": answer.stops,
+        "energy_residual_relative": answer.energies.residual_relative(),
+        "energies": {
+            "input_j": answer.energies.input_j,
+            "loads_j": answer.energies.loads_j,
+            "rectified": answer.energies.rectified,
+            "damping_j": answer.energies.damping_j,
+            "contact_loss_j": answer.energies.contact_loss_j,
+            "stored_j": answer.energies.stored_j,
+        },
+        "settled": settlement.map(|found| found.settled),
+        "period_cycles": settlement.map(|found| found.period_cycles),
+        "settle_change": settlement.and_then(|found| finite(found.change)),
+        "settle_distance": settlement.and_then(|found| finite(found.distance)),
+        "warnings": warnings,
+        "work": answer.work,
+        "march_s": answer.march_s,
+        "tolerance": plan.tolerance,
+    }));
+}
+
+/// The answer as lines to read.
+fn print_lines(answer: &RunAnswer, plan: &RunPlan) {
+    let residual = answer.energies.residual_relative();
+    line(format!("mean power         {:.6e} W", answer.mean_power_w));
+    for load in &answer.loads {
+        line(format!("voltage, rms       {:.6} V  (load {})", load.voltage_rms_v, load.name));
+    }
+    for circuit in &answer.rectified {
+        line(format!("storage            {:.6} V, {:.4e} A  (circuit {})", circuit.voltage_rms_v, circuit.mean_current_a, circuit.name));
+        let (diodes, switch, leakage) = (circuit.diode_loss_w, circuit.switch_loss_w, circuit.leakage_w);
+        line(format!("  lost             diodes {diodes:.4e} W, switch {switch:.4e} W, leakage {leakage:.4e} W"));
+    }
+    line(format!("contacts           {} in {} s, {:.2} % of the time", answer.contacts, plan.average_over_s, 100.0 * answer.contact_duty));
+    line(format!("penetration, peak  {:.6e} m, force {:.4e} N", answer.max_penetration_m, answer.max_contact_force_n));
+    for stop in answer.stops.iter().filter(|_| answer.stops.len() > 1) {
+        let (contacts, depth, force) = (stop.contacts, stop.max_penetration_m, stop.max_contact_force_n);
+        line(format!("  stop {:<12}  {contacts} contacts, penetration {depth:.6e} m, force {force:.4e} N", stop.name));
+    }
+    line(format!("energy residual    {residual:.1e} of the largest energy"));
+    match answer.settlement {
+        None => line("no period          the drives do not repeat themselves, so there is nothing to settle to"),
+        Some(found) if found.settled => {
+            line(format!("settled            period {} drive cycles, change {:.1e}", found.period_cycles, found.change));
+        }
+        Some(found) => {
+            line(format!("NOT settled        change over a period {:.1e}; a longer run.duration may settle it", found.change));
+        }
+    }
+    line(format!(
+        "marched in         {:.3} ms, {} flight and {} contact steps",
+        1e3 * answer.march_s,
+        answer.work.flight_steps,
+        answer.work.contact_steps
+    ));
 }
 
 /// Largest voltage of the first patch over the last drive cycles that the run keeps, V.

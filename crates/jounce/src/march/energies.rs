@@ -2,7 +2,7 @@
 
 use super::marcher::Marcher;
 use super::port_state::Regime;
-use super::switching::RectifiedEnergies;
+use super::rectified::RectifiedEnergies;
 
 /// Energies since the start of a march, J.
 #[derive(Debug, Clone, PartialEq, Default)]

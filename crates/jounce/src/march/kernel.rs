@@ -104,17 +104,7 @@ impl Kernel {
     /// # Errors
     /// [`PlantError::UndampedResonance`].
     pub fn with_drives(&self, drives: Vec<crate::plant::Drive>) -> Result<Self, PlantError> {
-        let plant = self.plant.with_drives(drives)?;
-        Ok(Self {
-            meters: self.meters.with_drives(&plant)?,
-            regimes: regimes(&plant),
-            plant,
-            layout: self.layout,
-            generator: self.generator.clone(),
-            fastest_rad_s: self.fastest_rad_s,
-            onset: Arc::clone(&self.onset),
-            levels: Arc::clone(&self.levels),
-        })
+        self.with_plant(self.plant.with_drives(drives)?)
     }
 
     /// The same plant under other signals, the tables made so far kept.
@@ -122,7 +112,11 @@ impl Kernel {
     /// # Errors
     /// None that the first plant did not have.
     pub fn with_signals(&self, signals: Vec<Signal>) -> Result<Self, PlantError> {
-        let plant = self.plant.with_signals(signals);
+        self.with_plant(self.plant.with_signals(signals))
+    }
+
+    /// A plant that differs in its drives and signals only.
+    fn with_plant(&self, plant: Plant) -> Result<Self, PlantError> {
         Ok(Self {
             meters: self.meters.with_drives(&plant)?,
             regimes: regimes(&plant),

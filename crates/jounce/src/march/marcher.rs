@@ -214,6 +214,7 @@ impl<'k> Marcher<'k> {
     }
 
     /// Sees all ports after an impulse of a signal; what rested on a rigid stop and now moves away from it flies.
+    #[inline(always)]
     fn see_all<W: Wide>(&mut self, w: W) {
         for (p, stop) in self.kernel.plant.system.stops.iter().enumerate() {
             self.see(w, p);

@@ -9,6 +9,7 @@ use super::energies::Energies;
 use super::error::MarchError;
 use super::marcher::Marcher;
 use super::port_state::{PortState, Regime};
+use super::rectified::RectifiedEnergies;
 use crate::plant::{Bridge, BridgeNodes, BridgeState, Change, Conduction, Outlet, Scheme, Storage};
 
 /// Most changes of bridges at one instant.
@@ -16,23 +17,6 @@ const MOST_CHANGES: usize = 100;
 
 /// Part of what a guard is summed from by which it must pass zero: what lies below is roundoff, and would change a bridge to and fro.
 const ROUNDOFF: f64 = 1e-13;
-
-/// Energies that left through one rectified circuit, J, and the charge that its diodes passed.
-#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
-pub struct RectifiedEnergies {
-    /// To the load across the storage capacitor.
-    pub load_j: f64,
-    /// To the battery.
-    pub battery_j: f64,
-    /// Lost in diodes.
-    pub diodes_j: f64,
-    /// Lost in the switch and its inductor.
-    pub switch_j: f64,
-    /// Lost by leakage of the storage.
-    pub leakage_j: f64,
-    /// Charge passed to the storage, C.
-    pub charge_c: f64,
-}
 
 /// What a march knows of its bridges.
 #[derive(Debug, Clone, Default)]
@@ -47,22 +31,6 @@ pub(super) struct Switching {
     since: Vec<f64>,
     /// Time of the last change, and how many there were at it.
     changed: (f64, usize),
-}
-
-impl RectifiedEnergies {
-    /// All together, J.
-    pub fn sum_j(&self) -> f64 {
-        self.load_j + self.battery_j + self.diodes_j + self.switch_j + self.leakage_j
-    }
-
-    fn add(&mut self, other: &Self) {
-        self.load_j += other.load_j;
-        self.battery_j += other.battery_j;
-        self.diodes_j += other.diodes_j;
-        self.switch_j += other.switch_j;
-        self.leakage_j += other.leakage_j;
-        self.charge_c += other.charge_c;
-    }
 }
 
 impl Marcher<'_> {

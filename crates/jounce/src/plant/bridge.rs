@@ -96,26 +96,6 @@ pub struct BridgeState {
     pub rising: bool,
 }
 
-/// What changes a bridge.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Change {
-    /// Diodes begin to conduct.
-    Conducts(Conduction),
-    /// They end.
-    Blocks,
-    /// The switch closes for an instant.
-    Switches,
-}
-
-/// An output of the plant whose way up through zero changes a bridge.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Guard {
-    /// Number of the bridge.
-    pub bridge: usize,
-    /// What it changes.
-    pub change: Change,
-}
-
 impl Conduction {
     /// 1, -1 or 0.
     pub fn sign(self) -> f64 {
@@ -141,20 +121,6 @@ impl Bridge {
         !matches!(self.scheme, Scheme::Standard)
     }
 
-    /// What may change it next.
-    pub fn changes(&self) -> Vec<Change> {
-        let diodes = matches!(self.scheme, Scheme::Standard | Scheme::ParallelSshi { .. });
-        let mut changes = match self.state.conduction {
-            Conduction::Blocked if diodes => vec![Change::Conducts(Conduction::Positive), Change::Conducts(Conduction::Negative)],
-            Conduction::Blocked => Vec::new(),
-            Conduction::Positive | Conduction::Negative => vec![Change::Blocks],
-        };
-        if self.has_switch() {
-            changes.push(Change::Switches);
-        }
-        changes
-    }
-
     /// Number of states, and the place of one among them.
     pub fn states(&self) -> usize {
         if self.has_switch() { 6 } else { 3 }
@@ -167,13 +133,6 @@ impl Bridge {
 }
 
 impl System {
-    /// What may change its bridges next.
-    pub(super) fn guards(&self) -> Vec<Guard> {
-        let of =
-            |(bridge, own): (usize, &Bridge)| own.changes().into_iter().map(move |change| Guard { bridge, change }).collect::<Vec<_>>();
-        self.bridges.iter().enumerate().flat_map(of).collect()
-    }
-
     /// Number of regimes: of all states of all bridges.
     pub fn regimes(&self) -> usize {
         self.bridges.iter().map(Bridge::states).product()

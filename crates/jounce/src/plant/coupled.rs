@@ -1,6 +1,6 @@
 //! The linear plant with its ports, tones and outputs.
 
-use super::{Across, Change, Diagonal, Electrical, Forcing, Guard, PlantError, Signal, Storage, System};
+use super::{Across, Diagonal, Electrical, Forcing, Guard, PlantError, Signal, System};
 use faer::c64;
 
 /// A coupled electromechanical system ready to be solved.
@@ -50,17 +50,6 @@ pub struct Port {
     pub mobility_per_kg: f64,
     /// What the displacement must pass, m.
     pub gap_m: f64,
-}
-
-/// Where a bridge gives energy to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Outlet {
-    /// The load across the storage capacitor.
-    Load,
-    /// The leakage across it.
-    Leakage,
-    /// The resistance of the diodes.
-    Diodes,
 }
 
 impl Plant {
@@ -235,7 +224,7 @@ impl Plant {
         self.diagonal.block.eigenvalues().iter().fold(0.0, |max, l| max.max(l.norm()))
     }
 
-    fn row(&self, values: &[f64], first: usize) -> Vec<f64> {
+    pub(super) fn row(&self, values: &[f64], first: usize) -> Vec<f64> {
         let matrix = &self.diagonal.to_physical;
         (0..self.len()).map(|j| values.iter().enumerate().map(|(i, v)| v * matrix[(first + i, j)]).sum()).collect()
     }
@@ -243,60 +232,6 @@ impl Plant {
     fn make_ports(&self) -> Vec<Port> {
         let stops = self.system.stops.iter().map(|stop| Port { gap_m: stop.gap_m, ..self.port(&stop.shape) });
         stops.chain(self.guards.iter().map(|guard| self.guard_port(guard))).collect()
-    }
-
-    /// A port that no force acts on; its displacement is what the guard watches, in V or kg^1/2 m/s times N/V.
-    fn guard_port(&self, guard: &Guard) -> Port {
-        let (bridge, nodes) = (&self.system.bridges[guard.bridge], self.electrical.bridges[guard.bridge]);
-        let (first, n) = (2 * self.system.modes.len(), self.system.modes.len());
-        let mut physical = vec![0.0; self.len()];
-        let mut across = |sign: f64, factor: f64| {
-            physical[first + nodes.terminal] = factor * sign;
-            if let Some(storage) = nodes.storage {
-                physical[first + storage] = -factor;
-            }
-            // The voltage of the patches is counted from its threshold while they conduct.
-            factor * bridge.threshold_v() - factor * sign * self.electrical.zero_v[nodes.terminal]
-        };
-        let gap_m = match guard.change {
-            Change::Conducts(to) => across(to.sign(), 1.0),
-            Change::Blocks => across(bridge.state.conduction.sign(), -1.0),
-            Change::Switches => {
-                let sign = if bridge.state.rising { -1.0 } else { 1.0 };
-                let coupling = &self.electrical.nodes[nodes.terminal].coupling_n_per_v;
-                coupling.iter().enumerate().for_each(|(i, theta)| physical[n + i] = sign * theta);
-                0.0
-            }
-        };
-        let displacement = self.row(&physical, 0);
-        Port {
-            steady_m: self.steady_output(&displacement),
-            velocity: self.diagonal.block.rate_row(&displacement),
-            force: vec![0.0; self.len()],
-            mobility_per_kg: 1.0,
-            displacement,
-            gap_m,
-        }
-    }
-
-    /// Outputs of the bridges whose squares are powers: bridge, kind, conductance (1/ohm), row.
-    pub fn bridge_outputs(&self) -> Vec<(usize, Outlet, f64, Vec<f64>)> {
-        let first = 2 * self.system.modes.len();
-        let mut outputs = Vec::new();
-        for (k, (bridge, nodes)) in self.system.bridges.iter().zip(&self.electrical.bridges).enumerate() {
-            if let (Some(storage), Storage::Capacitor { load_ohm, .. }) = (nodes.storage, bridge.storage) {
-                let row = self.row(&[1.0], first + storage);
-                outputs.push((k, Outlet::Load, 1.0 / load_ohm, row.clone()));
-                outputs.extend(bridge.leakage_ohm.map(|leakage_ohm| (k, Outlet::Leakage, 1.0 / leakage_ohm, row)));
-            }
-        }
-        for link in &self.electrical.links {
-            let mut physical = vec![0.0; self.len()];
-            physical[first + link.node] = 1.0;
-            link.to.iter().for_each(|(other, sign)| physical[first + other] = -sign);
-            outputs.push((link.bridge, Outlet::Diodes, link.conductance_per_ohm, self.row(&physical, 0)));
-        }
-        outputs
     }
 
     fn port(&self, shape: &[f64]) -> Port {

@@ -12,7 +12,7 @@
 //! An open node keeps its charge, `C V + sum theta q`. In energy coordinates that row is also the state at rest that the charge holds,
 //! so it is taken out as an exact eigenvector of rate 0 and the rest is solved orthogonally to it.
 //!
-//! Validation: `tests/plant.rs` checks the residual of `A T = T J` and the eigenvalues against the secular equation.
+//! Validation: `tests/plant` checks the residual of `A T = T J` and the eigenvalues against the secular equation.
 
 use super::component::{Assembly, Piece, PieceBlock, components, coupled, single_mode};
 use super::{Block, Electrical, Pair, PlantError, System};

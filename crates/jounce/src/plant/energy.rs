@@ -13,7 +13,7 @@
 //! contact force `f` needs care; between contacts nothing is evaluated at all. A power that is linear in `y` (the drive's) has
 //! `P = 0`. Drives that are linear in time between breakpoints add the terms of [`super::SignalMeter`].
 //!
-//! Validation: `tests/plant.rs` compares with Gauss quadrature along exact flows.
+//! Validation: `tests/plant` compares with Gauss quadrature along exact flows.
 
 use super::{Block, Plant, PlantError, SignalMeter};
 use faer::{Mat, c64};

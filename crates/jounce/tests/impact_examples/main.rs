@@ -1,4 +1,4 @@
-//! Impact harvesters of the literature: every spec of `examples/` that strikes something, against closed forms.
+//! Impact harvesters of the literature: every spec of `examples/` that strikes something or rectifies, against closed forms.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod ball_umeda;
@@ -6,6 +6,7 @@ mod driving_beam_gu;
 mod example;
 mod faults;
 mod missile_renaud;
+mod rectified_shu_lien;
 mod reduced_basis;
 #[path = "../linear/rows.rs"]
 mod rows;

@@ -168,32 +168,6 @@ fn a_bridge_beside_a_stop_meets_a_plain_integrator() {
     assert!(error < 1e-8 && answer.contacts > 1);
 }
 
-/// `P / (F^2 / (w M))` by the formula of Shu and Lien (2006), with `r = C w R` and the frequency ratio.
-fn shu_lien(squared_coupling: f64, damping_ratio: f64, ratio: f64, r: f64) -> f64 {
-    let shared = r * ratio + PI / 2.0;
-    let damping = (2.0 * damping_ratio + 2.0 * squared_coupling * r / shared.powi(2)) * ratio;
-    let stiffness = 1.0 - ratio * ratio + ratio * squared_coupling * r / shared;
-    squared_coupling * ratio * ratio * r / shared.powi(2) / (damping * damping + stiffness * stiffness)
-}
-
-#[test]
-fn the_example_gives_its_expected_power() {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/rectified-shu-lien-2006");
-    let spec = jounce::spec::SpecFile::read(folder.join("harvester.toml")).unwrap().spec().unwrap();
-    let expected: toml_edit::DocumentMut = std::fs::read_to_string(folder.join("expected.toml")).unwrap().parse().unwrap();
-    let run = spec.run.clone();
-    let kernel = jounce::study::Prepared::new(spec).unwrap().kernel;
-    let plan = RunPlan { duration_s: run.duration_s, average_over_s: run.average_over_s, tolerance: 1e-8, record_s: 0.0 };
-    let answer = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
-    let computed = [("power_w", answer.mean_power_w), ("formula_w", shu_lien(0.3, 0.02, 1.05, 0.420236))];
-    assert_eq!(expected.len(), computed.len());
-    for (name, found) in computed {
-        let number = |key: &str| expected[name][key].as_float().unwrap();
-        eprintln!("{name}: {found} against {}", number("value"));
-        assert!((found / number("value") - 1.0).abs() <= number("allowed"));
-    }
-}
-
 /// With nothing but diodes of no resistance and no storage to speak of, a battery above the open voltage takes nothing.
 #[test]
 fn a_battery_above_the_open_voltage_takes_nothing() {

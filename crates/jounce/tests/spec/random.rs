@@ -174,21 +174,12 @@ pub fn spec() -> impl Strategy<Value = Spec> {
 /// A resistor; of a quarter of them, with an inductor, across a list of one.
 fn circuit(patch: String, resistance_ohm: f64) -> Circuit {
     let many = resistance_ohm.to_bits().is_multiple_of(4);
+    let own = Circuit::resistor(if many { String::new() } else { patch.clone() }, resistance_ohm);
     Circuit {
         patches: if many { vec![format!("-{patch}")] } else { Vec::new() },
-        patch: if many { String::new() } else { patch },
-        wiring: Wiring::Parallel,
-        resistance_ohm,
         inductance_h: many.then_some(resistance_ohm),
         inductor: if many { Wiring::Series } else { Wiring::Parallel },
-        interface: Interface::Resistor,
-        storage_f: None,
-        battery_v: None,
-        diode_drop_v: 0.0,
-        diode_resistance_ohm: 1.0,
-        leakage_ohm: None,
-        quality_factor: None,
-        efficiency: 1.0,
+        ..own
     }
 }
 

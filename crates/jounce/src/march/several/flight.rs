@@ -106,6 +106,7 @@ impl Marcher<'_> {
     }
 
     /// Sum of the magnitudes of what a displacement is summed from, m.
+    #[inline(always)]
     fn terms_m<W: Wide>(&self, w: W, p: usize) -> f64 {
         let magnitudes: Vec<Lane> = self.ports[p].rows.displacement.iter().map(|lane| Lane(lane.0.map(f64::abs))).collect();
         dot_abs(w, &magnitudes, &self.y)
@@ -124,6 +125,7 @@ impl Marcher<'_> {
     }
 
     /// Moves to the first of several crossings.
+    #[inline(always)]
     fn strike_first<W: Wide>(&mut self, w: W, strikes: &[(usize, Crossing)]) {
         let mut first = (0, f64::INFINITY);
         for (p, crossing) in strikes {

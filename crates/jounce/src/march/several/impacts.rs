@@ -37,6 +37,7 @@ impl Marcher<'_> {
     ///
     /// # Errors
     /// [`MarchError::ImpactsWithoutEnd`].
+    #[inline(always)]
     pub(super) fn collide<W: Wide>(&mut self, w: W) -> Result<(), MarchError> {
         let touching: Vec<usize> = self.in_regime(Regime::Contact).filter(|p| self.is_rigid(*p)).collect();
         for _ in 0..MOST_IMPACTS {

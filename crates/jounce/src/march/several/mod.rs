@@ -102,6 +102,7 @@ impl Marcher<'_> {
     }
 
     /// A port enters contact at the present time, and with it every other one that touches and moves in.
+    #[inline(always)]
     fn join<W: Wide>(&mut self, w: W, p: usize) {
         if self.is_guard(p) {
             self.switching.met = Some(p);

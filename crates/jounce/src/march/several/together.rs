@@ -89,6 +89,7 @@ impl Marcher<'_> {
     }
 
     /// Ends the step at the first of several strikes; false when it cannot be met.
+    #[inline(always)]
     fn land_on_first<W: Wide>(&mut self, w: W, ports: &[(usize, Shape)], strikes: &[(usize, Crossing)], level: i32) -> bool {
         let first = strikes.iter().min_by(|a, b| a.1.guess_s.total_cmp(&b.1.guess_s));
         let Some((striker, crossing)) = first else { return false };

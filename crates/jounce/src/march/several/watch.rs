@@ -55,6 +55,7 @@ impl Marcher<'_> {
     }
 
     /// Motion of a port in flight at the end of a solved step: distance past the stop, m, and its rate, m/s.
+    #[inline(always)]
     pub(super) fn flown<W: Wide>(&mut self, w: W, joint: &JointStep, solved: &[Solved], p: usize) -> [f64; 2] {
         let table = joint.steps[0].table;
         table.flow.apply(w, &self.y, &mut self.next);

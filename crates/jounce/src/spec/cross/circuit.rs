@@ -31,6 +31,10 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
             let text = || "says how an inductor stands, but there is none; give `inductance` or leave it out".to_owned();
             broken.push(|| format!("circuit.{name}.inductor"), text);
         }
+        if circuit.resistance_ohm.is_finite() && circuit.battery_v.is_some() {
+            let text = || "has no effect: a battery takes the charge; leave it out, or give `storage` instead of `battery`".to_owned();
+            broken.push(|| format!("circuit.{name}.resistance"), text);
+        }
         if circuit.leakage_ohm.is_some() && circuit.battery_v.is_some() {
             let text =
                 || "has no effect: the voltage of a battery is fixed; leave it out, or give `storage` instead of `battery`".to_owned();

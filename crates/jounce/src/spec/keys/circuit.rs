@@ -10,22 +10,7 @@ const RECTIFIED: &[&str] = &["bridge", "parallel-sshi", "series-sshi", "sece"];
 const WIRING: &[&str] = &["parallel", "series"];
 
 pub(super) fn blank() -> Circuit {
-    Circuit {
-        patch: String::new(),
-        patches: Vec::new(),
-        wiring: Wiring::default(),
-        resistance_ohm: f64::NAN,
-        inductance_h: None,
-        inductor: Wiring::default(),
-        interface: Interface::default(),
-        storage_f: None,
-        battery_v: None,
-        diode_drop_v: 0.0,
-        diode_resistance_ohm: 1.0,
-        leakage_ohm: None,
-        quality_factor: None,
-        efficiency: 1.0,
-    }
+    Circuit::resistor(String::new(), f64::NAN)
 }
 
 pub(super) static KEYS: &[Key<Circuit>] = &[

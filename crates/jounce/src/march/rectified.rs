@@ -1,0 +1,35 @@
+//! Where the energy of a rectified circuit goes.
+
+/// Energies that left through one rectified circuit, J, and the charge that its diodes passed.
+#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
+pub struct RectifiedEnergies {
+    /// To the load across the storage capacitor.
+    pub load_j: f64,
+    /// To the battery.
+    pub battery_j: f64,
+    /// Lost in diodes.
+    pub diodes_j: f64,
+    /// Lost in the switch and its inductor.
+    pub switch_j: f64,
+    /// Lost by leakage of the storage.
+    pub leakage_j: f64,
+    /// Charge passed to the storage, C.
+    pub charge_c: f64,
+}
+
+impl RectifiedEnergies {
+    /// All together, J.
+    pub fn sum_j(&self) -> f64 {
+        self.load_j + self.battery_j + self.diodes_j + self.switch_j + self.leakage_j
+    }
+
+    /// Adds another count.
+    pub(super) fn add(&mut self, other: &Self) {
+        self.load_j += other.load_j;
+        self.battery_j += other.battery_j;
+        self.diodes_j += other.diodes_j;
+        self.switch_j += other.switch_j;
+        self.leakage_j += other.leakage_j;
+        self.charge_c += other.charge_c;
+    }
+}

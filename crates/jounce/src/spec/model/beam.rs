@@ -1,0 +1,24 @@
+//! `[beam.NAME]`
+
+use std::collections::BTreeMap;
+
+/// A uniform beam; its root is clamped to the ground, to a mass or to a point of another beam. A stepped beam is a chain of these.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Beam {
+    /// `material`: a name of the library, which gives modulus and density where they are not given; empty without.
+    pub material: String,
+    /// `length`
+    pub length_m: f64,
+    /// `width`
+    pub width_m: f64,
+    /// `thickness`
+    pub thickness_m: f64,
+    /// `youngs_modulus`
+    pub youngs_modulus_pa: f64,
+    /// `density`
+    pub density_kg_m3: f64,
+    /// `root`: `"ground"`, the name of a mass, or a point of another beam, `"arm.end"`; default `"ground"`.
+    pub root: String,
+    /// `[beam.NAME.point]`: named places along the beam, distance from the root, m. `NAME.root` and `NAME.end` always exist.
+    pub point: BTreeMap<String, f64>,
+}

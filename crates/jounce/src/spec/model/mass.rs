@@ -1,0 +1,16 @@
+//! `[mass.NAME]`
+
+/// A rigid mass. On a spring it moves along the drive direction and may carry beams; without one it is part of what it stands on.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mass {
+    /// `on`: `"ground"` (default), a mass, a point of a beam, or `"nothing"` for a free mass.
+    pub on: String,
+    /// `mass`
+    pub mass_kg: f64,
+    /// `rotary_inertia` about the point that it is fixed to, kg m^2; default 0. For a mass without spring on a beam.
+    pub rotary_inertia_kg_m2: f64,
+    /// `frequency` (of the mass alone on its spring) or `stiffness`, at most one of them; stored as stiffness, N/m. `None`: no spring.
+    pub stiffness_n_m: Option<f64>,
+    /// `damping_ratio`: damping ratio of the coupled mode in which this mass moves most; with a spring only.
+    pub damping_ratio: Option<f64>,
+}

@@ -1,0 +1,56 @@
+//! What the user says, checked and in SI units. One struct per kind of thing; names are the user's own.
+
+mod beam;
+mod circuit;
+mod damping;
+mod drive;
+mod gravity;
+mod mass;
+mod modal;
+mod patch;
+mod reduction;
+mod run;
+mod signal;
+mod stop;
+
+pub use beam::Beam;
+pub use circuit::{Circuit, Interface, Wiring};
+pub use damping::Damping;
+pub use drive::{Drive, DriveKind};
+pub use gravity::Gravity;
+pub use mass::Mass;
+pub use modal::{Modal, ModalPatch};
+pub use patch::{Face, Patch, Section};
+pub use reduction::Reduction;
+pub use run::{Run, Start};
+pub use signal::{DriveSignal, FrequencySweep};
+pub use stop::{Side, Stop, StopLaw};
+
+use std::collections::BTreeMap;
+
+/// A whole spec: every thing by its own name, every quantity in SI units, every reference resolved.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Spec {
+    /// `[beam.NAME]`
+    pub beam: BTreeMap<String, Beam>,
+    /// `[patch.NAME]`
+    pub patch: BTreeMap<String, Patch>,
+    /// `[mass.NAME]`
+    pub mass: BTreeMap<String, Mass>,
+    /// `[modal.NAME]`
+    pub modal: BTreeMap<String, Modal>,
+    /// `[stop.NAME]`
+    pub stop: BTreeMap<String, Stop>,
+    /// `[circuit.NAME]`
+    pub circuit: BTreeMap<String, Circuit>,
+    /// `[drive.NAME]`
+    pub drive: BTreeMap<String, Drive>,
+    /// `[gravity]`
+    pub gravity: Gravity,
+    /// `[damping]`
+    pub damping: Damping,
+    /// `[reduction]`
+    pub reduction: Reduction,
+    /// `[run]`
+    pub run: Run,
+}

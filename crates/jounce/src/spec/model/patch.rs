@@ -1,0 +1,72 @@
+//! `[patch.NAME]`
+
+/// A piezoelectric patch bonded on one face of a beam.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Patch {
+    /// `on`: name of the beam.
+    pub on: String,
+    /// `face`: `"top"` (default) or `"bottom"`.
+    pub face: Face,
+    /// `material`: a name of the library, which gives what is not given here; empty without.
+    pub material: String,
+    /// `start`: distance from the root, m.
+    pub start_m: f64,
+    /// `length`
+    pub length_m: f64,
+    /// `width`
+    pub width_m: f64,
+    /// `thickness`
+    pub thickness_m: f64,
+    /// `youngs_modulus`
+    pub youngs_modulus_pa: f64,
+    /// `density`; required with `laminate`; not used by `thin-skin` (the paper neglects the mass of the patch), default 0 there.
+    pub density_kg_m3: f64,
+    /// `d31`, m/V: strain along the beam per field through the thickness.
+    pub d31_m_per_v: Option<f64>,
+    /// `d33`, m/V: strain along the beam per field along it, between electrodes `electrode_spacing` apart; excludes `d31`.
+    pub d33_m_per_v: Option<f64>,
+    /// `electrode_spacing`, m; goes with `d33`.
+    pub electrode_spacing_m: Option<f64>,
+    /// `capacitance`, clamped, F; excludes `permittivity`.
+    pub capacitance_f: Option<f64>,
+    /// `permittivity` at constant strain of the layer as a plate capacitor, F/m.
+    pub permittivity_f_m: Option<f64>,
+    /// `strain_limit`: largest strain along the beam that it bears, dimensionless.
+    pub strain_limit: Option<f64>,
+    /// `section`; default `laminate`.
+    pub section: Section,
+}
+
+impl Patch {
+    /// Free strain along the beam per volt, 1/V: `d31 / thickness`, or `d33 / electrode_spacing`; NaN where neither is known.
+    pub fn free_strain_per_v(&self) -> f64 {
+        let along = self.d33_m_per_v.zip(self.electrode_spacing_m).map(|(d33, spacing)| d33 / spacing);
+        along.or(self.d31_m_per_v.map(|d31| d31 / self.thickness_m)).unwrap_or(f64::NAN)
+    }
+
+    /// Clamped capacitance, F: as given, or `permittivity * width * length / thickness`; NaN where neither is known.
+    pub fn clamped_capacitance_f(&self) -> f64 {
+        let plate = || self.permittivity_f_m.map(|permittivity| permittivity * self.width_m * self.length_m / self.thickness_m);
+        self.capacitance_f.or_else(plate).unwrap_or(f64::NAN)
+    }
+}
+
+/// The face of a beam that carries a patch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Face {
+    /// The face towards positive displacement.
+    #[default]
+    Top,
+    /// The face towards negative displacement.
+    Bottom,
+}
+
+/// How a patch changes the section of its beam.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Section {
+    /// `"thin-skin"`: `EI_b + E_p b_p h_p (h/2)^2` about the beam's mid-plane, no patch mass (the paper's own).
+    ThinSkin,
+    /// `"laminate"`: full section about the shifted neutral axis, with the patch's mass.
+    #[default]
+    Laminate,
+}

@@ -1,0 +1,72 @@
+//! `[stop.NAME]`
+
+/// What a point strikes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stop {
+    /// `at`: the striking point, `"beam.tip"`, `"table"`, `"harvester.tip"`.
+    pub at: String,
+    /// `frame`: `"ground"` (default) or the body or point that carries the stop; the reaction acts there.
+    pub frame: String,
+    /// `side`: `"positive"` (default) or `"negative"`: the direction in which the point must move to strike.
+    pub side: Side,
+    /// `gap`, m; may be negative (preloaded contact).
+    pub gap_m: f64,
+    /// `law` and its numbers.
+    pub law: StopLaw,
+}
+
+/// On which side of the point at rest a stop stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Side {
+    /// Struck by moving in the positive direction.
+    #[default]
+    Positive,
+    /// Struck by moving in the negative direction.
+    Negative,
+}
+
+/// The contact law of a stop. `delta` is the penetration, m; `delta'` its rate, m/s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StopLaw {
+    /// `law = "hertz"`: `F = stiffness * delta^exponent`; keys `stiffness` (N/m^exponent), `exponent` (default 1.5, at least 1).
+    Hertz {
+        /// N/m^exponent
+        stiffness: f64,
+        /// dimensionless
+        exponent: f64,
+    },
+    /// `law = "spring"`: `F = stiffness * delta`; key `stiffness` (N/m).
+    Spring {
+        /// N/m
+        stiffness_n_m: f64,
+    },
+    /// `law = "kelvin-voigt"`: `F = max(0, stiffness * delta + damping * delta')`; keys `stiffness` (N/m), `damping` (N s/m).
+    KelvinVoigt {
+        /// N/m
+        stiffness_n_m: f64,
+        /// N s/m
+        damping_n_s_m: f64,
+    },
+    /// `law = "hunt-crossley"`: `F = stiffness * delta^exponent * max(0, 1 + damping * delta')`; keys `stiffness`, `exponent`, `damping` (s/m).
+    HuntCrossley {
+        /// N/m^exponent
+        stiffness: f64,
+        /// dimensionless
+        exponent: f64,
+        /// s/m
+        damping_s_m: f64,
+    },
+    /// `law = "cubic"`: `F = stiffness * delta + cubic_stiffness * delta^3` on both sides of the rest place, of either sign; keys
+    /// `stiffness` (N/m, default 0), `cubic_stiffness` (N/m^3).
+    Cubic {
+        /// N/m
+        stiffness_n_m: f64,
+        /// N/m^3
+        cubic_stiffness_n_m3: f64,
+    },
+    /// `law = "rigid"`: instantaneous rebound with a coefficient of restitution; key `restitution` (0 to 1).
+    Rigid {
+        /// dimensionless
+        restitution: f64,
+    },
+}

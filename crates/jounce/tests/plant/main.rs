@@ -1,0 +1,8 @@
+//! The diagonalised plant against its physical matrices, its secular equation, closed forms and quadrature.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod diagonal;
+mod meters;
+mod refused;
+mod steady;
+mod systems;
