@@ -9,6 +9,7 @@ mod crossing;
 mod energies;
 mod error;
 mod factors;
+mod few;
 mod flight;
 mod flight_table;
 mod flow;

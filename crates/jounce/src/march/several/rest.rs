@@ -103,8 +103,11 @@ impl Resting {
 
     /// Marks a step as bad on which a holding force misses the end of the step, or would have to pull for a time that matters.
     pub fn judge(&self, marcher: &Marcher, joint: &JointStep, solved: &mut [Solved]) {
+        if self.places.is_empty() {
+            return;
+        }
         let at_end: Vec<f64> = solved.iter().map(|own| (0..NODES).map(|j| SMOOTH.at_end[j] * own.force.0[j]).sum()).collect();
-        let allowed_n_s = marcher.allowed_beside_n_s(joint, solved);
+        let allowed_n_s = marcher.allowed_beside_n_s(&joint.steps, solved);
         for (a, place) in self.places.iter().enumerate() {
             let mut mismatch = self.free[a].0[NODES];
             for (from, other) in solved.iter().enumerate() {
