@@ -1,6 +1,8 @@
 //! What can be typed.
 
-use crate::commands::{basins, branch, check, completions, diagram, ensemble, frf, jumps, materials, modes, reproduce, run, show, sweep};
+use crate::commands::{
+    basins, branch, check, completions, diagram, ensemble, frf, jumps, materials, modes, reproduce, run, show, study, sweep,
+};
 use clap::{Parser, Subcommand};
 
 /// Simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
@@ -39,6 +41,8 @@ pub enum Command {
     Basins(basins::Basins),
     /// Marches realisations of noise and reports the mean power with its interval.
     Ensemble(ensemble::Ensemble),
+    /// Computes one quantity at many points over the keys of a spec, in parts that any number of processes share.
+    Study(study::Study),
     /// Computes the tables, figures and claims of the 2019 impact-harvester paper.
     Reproduce(reproduce::Reproduce),
     /// Lists the materials that a spec can name, with their sources.
@@ -66,6 +70,7 @@ impl Command {
             Command::Diagram(command) => command.output.json,
             Command::Basins(command) => command.output.json,
             Command::Ensemble(command) => command.output.json,
+            Command::Study(command) => command.wants_json(),
             Command::Reproduce(command) => command.json,
             Command::Materials(command) => command.json,
             Command::Schema | Command::Keys | Command::Completions(_) => false,

@@ -322,3 +322,31 @@ average_over = "1 s"
         assert!(code == 4 && error.contains("undamped mode at 10 Hz") && error.contains("damping"), "{error}");
     }
 }
+
+/// Killed at five moments and taken up again, a study has the bytes of one that ran through.
+#[cfg(unix)]
+#[test]
+fn a_study_that_is_killed_goes_on() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = format!(
+        "spec = {SPEC:?}\npoints_per_part = 3\n[set]\n\"run.duration\" = \"1 s\"\n\"run.average_over\" = \"0.5 s\"\n\
+         [vary]\n\"stop.tip.gap\" = \"0.5mm:1.5mm:30x\"\n\"drive.shaker.frequency\" = \"10Hz:14Hz:10x\"\n"
+    );
+    let file = folder.path().join("study.toml");
+    std::fs::write(&file, text).unwrap();
+    let out = |name: &str| folder.path().join(name);
+    let arguments = |name: &str| ["study".into(), "run".into(), file.clone(), "--out".into(), out(name)];
+    Command::cargo_bin("jounce").unwrap().args(arguments("whole")).assert().success();
+    for wait_ms in [40, 90, 150, 70, 200] {
+        let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_jounce")).args(arguments("killed")).spawn().unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(wait_ms));
+        child.kill().unwrap();
+        child.wait().unwrap();
+    }
+    let (code, json, errors) = jounce(&["study", "run", file.to_str().unwrap(), "--out", out("killed").to_str().unwrap(), "--json"]);
+    assert_eq!((code, &json["finished"], &json["merged"]), (0, &serde_json::json!(100), &serde_json::json!(true)), "{errors}");
+    let read = |name: &str| std::fs::read(out(name).join("study.parquet")).unwrap();
+    assert!(read("whole") == read("killed"));
+    let (code, json, _) = jounce(&["study", "status", folder.path().to_str().unwrap(), "--json"]);
+    assert!(code == 4 && json["error"].as_str().unwrap().contains("holds no study"), "{json}");
+}

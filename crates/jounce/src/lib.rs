@@ -4,7 +4,7 @@
 //!
 //! `store` (files that appear whole or not at all), `wide` (vector arithmetic), `spec` (what the user says) -> `structure` (beams and masses to modes) ->
 //! `contact` (laws) -> `drive` (courses of drives in time) -> `plant` (the coupled linear system in diagonal form, with its ports) -> `linear` (closed-form answers) ->
-//! `march` (time) -> `continuation` (curves of solutions) -> `orbit` (periodic answers) -> `run` -> `signal` -> `study` (sweeps) -> `table` -> `picture` -> `show` (drawings) -> `report` -> `reproduce` (the paper);
+//! `march` (time) -> `continuation` (curves of solutions) -> `orbit` (periodic answers) -> `run` -> `signal` -> `study` (sweeps) -> `table` -> `survey` (studies in parts) -> `picture` -> `show` (drawings) -> `report` -> `reproduce` (the paper);
 //! `reference` holds exact answers.
 
 pub mod contact;
@@ -26,6 +26,7 @@ pub mod spec;
 pub mod store;
 pub mod structure;
 pub mod study;
+pub mod survey;
 pub mod table;
 pub mod wide;
 

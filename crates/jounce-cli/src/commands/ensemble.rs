@@ -10,8 +10,6 @@ use jounce::picture;
 use jounce::study::{Ensemble as Study, EnsembleAnswer, IntervalOver, Member, Prepared};
 use jounce::table::{Column, Table};
 use std::path::Path;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Rounds of members after which a width that is not reached is reported as it is.
 const MOST_ROUNDS: usize = 100;
@@ -51,17 +49,22 @@ impl Ensemble {
             relative_width: self.relative_width,
             most_rounds: if self.relative_width.is_some() { MOST_ROUNDS } else { 1 },
         };
-        let stop = Arc::new(AtomicBool::new(false));
-        let flag = Arc::clone(&stop);
+        let asked = base.kernel.watch.clone();
         // A second handler cannot be set where another already stands; then the default, to end at once, is kept.
-        let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
+        let _ = ctrlc::set_handler(move || asked.stop());
         let bar = progress::counted(self.members, "members");
         let done = |member: &Member| {
             bar.set_length((member.index / self.members + 1) as u64 * self.members as u64);
             bar.inc(1);
         };
-        let answer = self.threads.run(|| study.run(&stop, &done))??;
+        let answer = self.threads.run(|| study.run(&done))??;
         bar.finish_and_clear();
+        if answer.members.is_empty() {
+            return Err(Failure::Interrupted("stopped before the first member was finished".to_owned()));
+        }
+        if base.kernel.watch.is_stopped() {
+            eprintln!("stopped: the answer is that of the {} members that were finished", answer.members.len());
+        }
         if let Some(folder) = &self.output.out {
             self.write(folder, &base, &answer)?;
         }

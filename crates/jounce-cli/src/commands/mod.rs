@@ -14,6 +14,7 @@ pub mod modes;
 pub mod reproduce;
 pub mod run;
 pub mod show;
+pub mod study;
 pub mod sweep;
 
 use crate::arguments::Command;
@@ -34,6 +35,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Diagram(command) => command.run(),
         Command::Basins(command) => command.run(),
         Command::Ensemble(command) => command.run(),
+        Command::Study(command) => command.run(),
         Command::Reproduce(command) => command.run(),
         Command::Materials(command) => command.run(),
         Command::Completions(command) => command.run(),

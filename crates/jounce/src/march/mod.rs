@@ -38,6 +38,7 @@ mod tone;
 mod totals;
 mod trajectory;
 mod variation;
+mod watch;
 
 pub use energies::Energies;
 pub use error::MarchError;
@@ -47,3 +48,4 @@ pub use rectified::RectifiedEnergies;
 pub use totals::{ContactIntegrals, ContactStatistics, WorkCount};
 pub use trajectory::{Impact, Instant, PortForce, Segment, Trajectory};
 pub use variation::{Drift, Variation, VariationError};
+pub use watch::Watch;

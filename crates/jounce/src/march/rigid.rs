@@ -33,6 +33,7 @@ impl Marcher<'_> {
     #[inline(always)]
     pub(super) fn advance_rigid<W: Wide>(&mut self, w: W, law: Rigid, end_s: f64) -> Result<(), MarchError> {
         while self.time_s < end_s {
+            self.check_watch()?;
             let until_s = self.next_breakpoint(w, end_s);
             match self.ports[0].regime {
                 Regime::Flight => self.flight(w, until_s)?,

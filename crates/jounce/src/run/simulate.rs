@@ -24,7 +24,8 @@ pub struct RunPlan {
 }
 
 /// A run that could not be made.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
+#[serde(untagged)]
 pub enum RunError {
     /// See [`MarchError`].
     #[error(transparent)]

@@ -25,6 +25,14 @@ impl StoreError {
 /// # Errors
 /// The folder is missing or not writable, the target is a folder, a device or read-only, or the disk is full.
 pub fn write(path: &Path, content: &[u8]) -> Result<(), StoreError> {
+    write_from(path, |file| file.write_all(content))
+}
+
+/// The same for content that is made as it is written.
+///
+/// # Errors
+/// As [`write()`], and whatever `fill` says.
+pub fn write_from(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> Result<(), StoreError> {
     let target = target_of(path)?;
     let folder = match target.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
@@ -33,7 +41,7 @@ pub fn write(path: &Path, content: &[u8]) -> Result<(), StoreError> {
     if !folder.is_dir() {
         return Err(StoreError::new(path, format!("\"{}\" is not a folder; create it first", folder.display())));
     }
-    replace(&target, folder, content).map_err(|fault| StoreError::new(path, fault))
+    replace(&target, folder, fill).map_err(|fault| StoreError::new(path, fault))
 }
 
 /// The regular file to replace: the end of a chain of links, or the path itself where nothing is yet.
@@ -54,9 +62,9 @@ fn target_of(path: &Path) -> Result<PathBuf, StoreError> {
     fs::canonicalize(path).map_err(|fault| StoreError::new(path, fault))
 }
 
-fn replace(target: &Path, folder: &Path, content: &[u8]) -> io::Result<()> {
+fn replace(target: &Path, folder: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
     let mut beside = beside(folder)?;
-    beside.write_all(content)?;
+    fill(beside.as_file_mut())?;
     beside.as_file().sync_all()?;
     beside.persist(target).map_err(|fault| fault.error)?;
     // The new name itself must reach the disk; a file system that cannot flush a folder has done all it can.

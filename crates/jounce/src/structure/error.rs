@@ -1,7 +1,8 @@
 //! What can go wrong between a spec and its modes; each error names the place, the value and what is allowed.
 
 /// Why a spec has no modes.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
+#[serde(untagged)]
 pub enum StructureError {
     /// A quantity is not what it must be.
     #[error("{place} is {value}: it must be {allowed}")]

@@ -11,10 +11,9 @@ mod parameter;
 mod prepared;
 mod sweep;
 mod sweep_point;
-mod watch;
 
 pub use bandwidth::{Bandwidth, BandwidthSearch, Bandwidths, Edge, Interval, Limit, Peak};
-pub use basins::{Attractor, Basins, BasinsAnswer, Cloud, Fate, Grid, GridAxis, GridSide, Lyapunov, Share, Starts, Wandering};
+pub use basins::{Attractor, Basins, BasinsAnswer, Cloud, Fate, Grid, GridAxis, GridError, GridSide, Lyapunov, Share, Starts, Wandering};
 pub use basins::{largest_exponent, wilson};
 pub use branches::{Bifurcation, Branch, BranchKind, BranchPoint, BranchSearch, Ending, Method, settled_orbit};
 pub use diagram::{Diagram, History, Lineage, Motion, Order, SectionPoint, Seen, Turn, Visit};
@@ -25,4 +24,3 @@ pub use parameter::Parameter;
 pub use prepared::{Prepared, StudyError};
 pub use sweep::{Direction, Sweep};
 pub use sweep_point::{SweepPoint, Way};
-pub use watch::Watch;

@@ -4,7 +4,6 @@ use jounce::spec::Spec;
 use jounce::study::{Ensemble, EnsembleAnswer, IntervalOver, Prepared, StudyError};
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
-use std::sync::atomic::AtomicBool;
 
 /// Mass, stiffness, dashpot, coupling, capacitance and load of S. Adhikari, M. Friswell, D. Inman, Smart Mater. Struct. 18 (2009) 115005.
 const MASS_KG: f64 = 9.12e-3;
@@ -35,7 +34,7 @@ fn run(base: &Prepared, members: usize, relative_width: Option<f64>) -> Result<E
     let start = base.start(Path::new("")).unwrap();
     let most_rounds = if relative_width.is_some() { 50 } else { 1 };
     let study = Ensemble { base, start, members, seed: 5, relative_width, most_rounds };
-    study.run(&AtomicBool::new(false), &|_| {})
+    study.run(&|_| {})
 }
 
 /// Mean power `pi m a k^2 S / ((2 z a^2 + a) k^2 + 4 z^2 a + 2 (a^2 + 1) z)`, `a = w C R`, `k^2 = theta^2 / (K C)`, `S` two-sided per

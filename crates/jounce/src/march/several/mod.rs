@@ -55,6 +55,7 @@ impl Task for AdvanceSeveral<'_, '_> {
     fn run<W: Wide>(self, w: W) -> Self::Output {
         let AdvanceSeveral { marcher, end_s } = self;
         while marcher.time_s < end_s && marcher.switching.met.is_none() {
+            marcher.check_watch()?;
             let until_s = marcher.next_breakpoint(w, end_s);
             if marcher.hits_rigid_stop() {
                 marcher.collide(w)?;

@@ -3,10 +3,10 @@
 //! Members come in rounds of a fixed size, and each has its own seed, so that the answer has the same bits for any number of threads.
 
 use super::{Estimate, IntervalOver, Member};
-use crate::run::{RunPlan, StartState};
+use crate::march::MarchError;
+use crate::run::{RunError, RunPlan, StartState};
 use crate::study::{Prepared, StudyError};
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// An ensemble to be marched.
 #[derive(Debug)]
@@ -40,36 +40,49 @@ pub struct EnsembleAnswer {
     pub max_strike_m_s: f64,
     /// Mean time that a contact lasts, s, over all contacts.
     pub mean_dwell_s: f64,
-    /// True when the wanted width was reached, or none was wanted.
+    /// True when the wanted width was reached, or none was wanted; false where the work was stopped.
     pub reached: bool,
 }
 
 impl Ensemble<'_> {
-    /// Marches the members; `done` hears of each, `stop` ends the work after the round in hand.
+    /// Marches the members; `done` hears of each. Stopped by the watch of its harvester it answers from the members that are finished,
+    /// of which there may be none.
     ///
     /// # Errors
     /// [`StudyError::NoNoise`], or the first march that failed.
-    pub fn run(&self, stop: &AtomicBool, done: &(dyn Fn(&Member) + Sync)) -> Result<EnsembleAnswer, StudyError> {
+    pub fn run(&self, done: &(dyn Fn(&Member) + Sync)) -> Result<EnsembleAnswer, StudyError> {
+        let watch = &self.base.kernel.watch;
         let mut members: Vec<Member> = Vec::new();
         loop {
             let first = members.len();
-            let round: Result<Vec<Member>, StudyError> =
+            watch.expect(self.members);
+            let round: Result<Vec<Option<Member>>, StudyError> =
                 (first..first + self.members).into_par_iter().map(|index| self.member(index, done)).collect();
-            members.extend(round?);
+            members.extend(round?.into_iter().flatten());
             let answer = self.answer(&members);
-            if answer.reached || members.len() >= self.members * self.most_rounds || stop.load(Ordering::Relaxed) {
+            if watch.is_stopped() {
+                return Ok(EnsembleAnswer { members, reached: false, ..answer });
+            }
+            if answer.reached || members.len() >= self.members * self.most_rounds {
                 return Ok(EnsembleAnswer { members, ..answer });
             }
         }
     }
 
-    fn member(&self, index: usize, done: &(dyn Fn(&Member) + Sync)) -> Result<Member, StudyError> {
+    /// `None` for a member that was stopped on its way.
+    fn member(&self, index: usize, done: &(dyn Fn(&Member) + Sync)) -> Result<Option<Member>, StudyError> {
         let kernel = self.base.realised(self.seed, index as u64)?;
         let run = &self.base.spec.run;
         let plan = RunPlan { duration_s: run.duration_s, average_over_s: run.average_over_s, tolerance: run.tolerance, record_s: 0.0 };
-        let member = Member::march(&kernel, &self.start, &plan, index).map_err(crate::run::RunError::from)?;
-        done(&member);
-        Ok(member)
+        match Member::march(&kernel, &self.start, &plan, index) {
+            Err(MarchError::Stopped { .. }) => Ok(None),
+            Err(error) => Err(RunError::from(error).into()),
+            Ok(member) => {
+                kernel.watch.count();
+                done(&member);
+                Ok(Some(member))
+            }
+        }
     }
 
     fn answer(&self, members: &[Member]) -> EnsembleAnswer {
