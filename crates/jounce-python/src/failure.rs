@@ -99,7 +99,7 @@ impl From<RunError> for Failure {
         match error {
             RunError::March(error) => Self::of("MarchError", &error),
             RunError::Plant(error) => error.into(),
-            RunError::StateDoesNotFit { .. } => Self::of("StartError", &error),
+            RunError::StateDoesNotFit { .. } | RunError::StartsInside { .. } => Self::of("StartError", &error),
         }
     }
 }
@@ -113,7 +113,7 @@ impl From<StudyError> for Failure {
             StudyError::Value(fault) => fault.into(),
             StudyError::StartFile { .. } => Self::new("StartError", error),
             StudyError::Journal(error) => Self::new("FileError", error),
-            StudyError::Aperiodic { .. } | StudyError::Gravity => Self::new("OrbitError", error),
+            StudyError::Aperiodic { .. } | StudyError::Gravity | StudyError::Rectified { .. } => Self::new("OrbitError", error),
             StudyError::NoNoise => Self::new("ArgumentError", error),
         }
     }
