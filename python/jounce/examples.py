@@ -10,14 +10,11 @@ from .spec import Spec
 
 
 class Examples(Mapping[str, Spec]):
-    """Specs by name: the name of the system, and of the file where a system has several."""
+    """Specs by name: that of the system for its ``harvester.toml``, ``SYSTEM/FILE`` for others, as ``random-base/ball``."""
 
     def __init__(self) -> None:
-        files = _core.examples()
-        counts: dict[str, int] = {}
-        for system, _, _ in files:
-            counts[system] = counts.get(system, 0) + 1
-        self._texts = {system if counts[system] == 1 else f"{system}/{file}": text for system, file, text in files}
+        named = ((system if file == "harvester" else f"{system}/{file}", text) for system, file, text in _core.examples())
+        self._texts = dict(named)
 
     def __getitem__(self, name: str) -> Spec:
         if name not in self._texts:

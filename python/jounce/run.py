@@ -41,12 +41,21 @@ class State:
 class RunResult(Result):
     """Means over the averaging window at the end of a run, and the audit of the whole run."""
 
-    #: Mean power of all loads together, W.
+    #: Mean power of all loads and rectified circuits together, W.
     mean_power_w: float
     #: Names of the loads; mean power, W, and rms voltage, V, of each.
     load: list[str]
     load_power_w: Floats
     load_voltage_rms_v: Floats
+    #: Names of the rectified circuits; of each the mean power into its load or battery, W, the voltage of its storage, rms, V, the mean
+    #: current of its diodes, A, and the mean power lost in diodes, in the switch and by leakage, W.
+    rectified: list[str]
+    rectified_power_w: Floats
+    rectified_voltage_rms_v: Floats
+    rectified_current_a: Floats
+    rectified_diode_loss_w: Floats
+    rectified_switch_loss_w: Floats
+    rectified_leakage_w: Floats
     #: Names of the stops; of each the contacts that began, the share of the time in contact, the largest penetration, m, the largest
     #: contact force, N, and its time integral, N s.
     stop: list[str]
@@ -71,7 +80,8 @@ class RunResult(Result):
     warnings: list[str]
     #: Input less all outputs and what is stored, over the largest energy of the run.
     energy_residual_relative: float
-    #: Energies of the whole run, J: ``input_j``, ``loads_j``, ``damping_j``, ``contact_loss_j``, ``stored_j``.
+    #: Energies of the whole run, J: ``input_j``, ``loads_j``, ``rectified_j`` (into loads and batteries behind rectifiers),
+    #: ``rectified_loss_j`` (in their diodes and switches, and by leakage), ``damping_j``, ``contact_loss_j``, ``stored_j``.
     energies_j: dict[str, float]
     duration_s: float
     average_over_s: float
@@ -104,6 +114,7 @@ class RunResult(Result):
         return [
             ("mean power", f"{self.mean_power_w:.6e} W"),
             *((f"voltage, rms ({name})", f"{volts:.6g} V") for name, volts in zip(self.load, self.load_voltage_rms_v)),
+            *((f"storage, rms ({name})", f"{volts:.6g} V") for name, volts in zip(self.rectified, self.rectified_voltage_rms_v)),
             ("contacts", f"{self.contacts} in {self.average_over_s:g} s, {100 * self.contact_duty:.2f} % of the time"),
             ("penetration, peak", f"{self.max_penetration_m:.4e} m, force {self.max_contact_force_n:.4e} N"),
             ("energy residual", f"{self.energy_residual_relative:.1e} of the largest energy"),
@@ -117,9 +128,9 @@ class RunResult(Result):
         return {field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.name not in left}
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` of the means, over ``load`` and ``stop``; the record has its own, ``run.history.to_xarray()``."""
+        """An ``xarray.Dataset`` of the means, over ``load``, ``rectified`` and ``stop``; the record has one in ``run.history``."""
         scalars = {
-            "mean_power": (self.mean_power_w, "W", "mean power of all loads"),
+            "mean_power": (self.mean_power_w, "W", "mean power of all loads and rectified circuits"),
             "max_penetration": (self.max_penetration_m, "m", "largest penetration of the stop"),
             "max_contact_force": (self.max_contact_force_n, "N", "largest contact force"),
             "contacts": (self.contacts, "1", "contacts that began"),
@@ -131,12 +142,18 @@ class RunResult(Result):
         variables = {name: Variable((), value, units, about) for name, (value, units, about) in scalars.items()}
         variables["load_power"] = Variable(("load",), self.load_power_w, "W", "mean power")
         variables["load_voltage_rms"] = Variable(("load",), self.load_voltage_rms_v, "V", "voltage, rms")
+        variables["rectified_power"] = Variable(("rectified",), self.rectified_power_w, "W", "mean power")
+        variables["rectified_voltage_rms"] = Variable(("rectified",), self.rectified_voltage_rms_v, "V", "voltage of the storage, rms")
+        variables["rectified_current"] = Variable(("rectified",), self.rectified_current_a, "A", "mean current of the diodes")
+        variables["rectified_diode_loss"] = Variable(("rectified",), self.rectified_diode_loss_w, "W", "mean power lost in diodes")
+        variables["rectified_switch_loss"] = Variable(("rectified",), self.rectified_switch_loss_w, "W", "mean power lost in the switch")
+        variables["rectified_leakage"] = Variable(("rectified",), self.rectified_leakage_w, "W", "mean power lost by leakage")
         variables["stop_contacts"] = Variable(("stop",), self.stop_contacts, "1", "contacts that began")
         variables["stop_contact_duty"] = Variable(("stop",), self.stop_contact_duty, "1", "share of the time in contact")
         variables["stop_max_penetration"] = Variable(("stop",), self.stop_max_penetration_m, "m", "largest penetration")
         variables["stop_max_contact_force"] = Variable(("stop",), self.stop_max_contact_force_n, "N", "largest contact force")
         variables["stop_impulse"] = Variable(("stop",), self.stop_impulse_n_s, "N s", "time integral of the contact force")
-        coords = {name: Variable((name,), getattr(self, name), "", name) for name in ("load", "stop")}
+        coords = {name: Variable((name,), getattr(self, name), "", name) for name in ("load", "rectified", "stop")}
         return self._dataset(variables, coords)
 
     def to_pandas(self) -> Any:

@@ -246,3 +246,25 @@ def test_history_in_the_form_of_sep005(short):
     voltage = next(channel for channel in channels if channel["name"] == "mfc.voltage")
     assert voltage["unit_str"] == "V" and voltage["fs"] == 4096.0 and len(voltage["data"]) == len(voltage["time"])
     assert jounce.spectrum(voltage).name == "mfc.voltage"
+
+
+def test_a_rectified_circuit_is_that_of_the_command_line(command_line):
+    spec = ROOT / "examples/rectified-shu-lien-2006/harvester.toml"
+    keys = {"run.duration": "600 s", "run.average_over": "300 s"}
+    answer = jounce.read(spec).changed(keys).run()
+    told = command_line("run", keys=keys, spec=spec)
+    (circuit,) = told["rectified"]
+    assert answer.rectified == [circuit["name"]] and answer.load == []
+    for name in ("mean_power_w", "voltage_rms_v", "mean_current_a", "diode_loss_w", "switch_loss_w", "leakage_w"):
+        field = {"mean_power_w": "power_w", "mean_current_a": "current_a"}.get(name, name)
+        assert getattr(answer, f"rectified_{field}")[0] == circuit[name], name
+    assert answer.mean_power_w == told["mean_power_w"] > 0.0 and answer.rectified_diode_loss_w[0] > 0.0
+    (flows,) = told["energies"]["rectified"]
+    assert answer.energies_j["rectified_j"] == flows["load_j"] + flows["battery_j"]
+    # What goes in comes out, is lost or stays.
+    left = answer.energies_j["input_j"] - sum(value for name, value in answer.energies_j.items() if name != "input_j")
+    assert abs(left) < 1e-9 * answer.energies_j["input_j"]
+    dataset = answer.to_xarray()
+    assert dataset.rectified_voltage_rms.sel(rectified="rectifier") == circuit["voltage_rms_v"]
+    assert pickle.loads(pickle.dumps(answer)) == answer and "storage" in repr(answer)
+    assert len(jounce.plot.plot_energy(answer).patches) == 6

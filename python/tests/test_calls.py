@@ -44,9 +44,16 @@ TWO_STOPS = {
     "run": {"duration": "100000 s"},
 }
 
+#: The patch behind a bridge of diodes, so that the march goes from one regime to another, and a run without end.
+RECTIFIED = {
+    "circuit": {"load": {"patch": "mfc", "interface": "bridge", "storage": "1 uF", "resistance": "1 Mohm", "diode_resistance": "1 ohm"}},
+    "run": {"duration": "100000 s"},
+}
+
 CALLS = {
     "run": ('changed({"run.duration": "100000 s"}).run()', 0.5, "0"),
     "run against two stops": (f"__class__({{**harvester.to_dict(), **{TWO_STOPS}}}).run()", 0.5, "0"),
+    "run behind a rectifier": (f"__class__({{**harvester.to_dict(), **{RECTIFIED}}}).run()", 0.5, "0"),
     "sweep": ('sweep("drive.shaker.frequency", "4 Hz:20 Hz:0.001 Hz", direction="both")', 3.0, "len(stopped.result)"),
     "independent sweep": (
         'sweep("drive.shaker.frequency", "4 Hz:20 Hz:0.001 Hz", direction="independent")',

@@ -102,3 +102,12 @@ def test_odd_names_survive_the_way_through_toml_and_wrong_ones_are_told():
     for name in ("my table", 'a"b', "a.b", "", "tischplättchen"):
         with pytest.raises(jounce.SpecError, match="names are letters"):
             jounce.Spec({"mass": {name: keys}})
+
+
+def test_every_example_is_a_spec_under_a_name_that_stays():
+    examples = jounce.examples()
+    for name in examples:
+        assert examples[name].sha256
+    # The system's own spec has the system's name, however many others lie beside it.
+    assert examples["random-base"] == jounce.read(ROOT / "examples/random-base/harvester.toml")
+    assert examples["random-base/ball"] == jounce.read(ROOT / "examples/random-base/ball.toml")

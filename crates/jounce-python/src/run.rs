@@ -5,10 +5,8 @@ use crate::failure::Failure;
 use crate::history::History;
 use crate::spec::Spec;
 use crate::watched::{handed, watched};
-use jounce::march::{Kernel, Trajectory, Watch};
-use jounce::material::named;
+use jounce::march::{Energies, RectifiedEnergies, Watch};
 use jounce::run::{RunAnswer, RunPlan, Settlement, StartState, exceeded, simulate};
-use jounce::spec::Patch;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -76,39 +74,31 @@ fn marched(spec: &Spec, options: &Options, watch: &Watch) -> Result<Marched, Fai
     }
     let answer = simulate(&kernel, &start, &plan)?;
     let history = (options.record_s > 0.0).then(|| History::new(&kernel, &answer, &plan, options.sample_rate_hz));
-    let warnings = warnings(&prepared.spec, &kernel, &answer.trajectory);
+    let warnings = exceeded(&prepared.spec, &kernel, &answer.trajectory).iter().map(ToString::to_string).collect();
     Ok(Marched { plan, answer, history, warnings })
-}
-
-/// Limits that the record passes. It is looked at thousands of times, so that patches that bear anything are left alone.
-fn warnings(spec: &jounce::spec::Spec, kernel: &Kernel, trajectory: &Trajectory) -> Vec<String> {
-    let bears_all = |patch: &Patch| patch.strain_limit.is_none() && named(&patch.material).is_none_or(|own| own.voltage_limits_v.is_none());
-    match spec.patch.values().all(bears_all) {
-        true => Vec::new(),
-        false => exceeded(spec, kernel, trajectory).iter().map(ToString::to_string).collect(),
-    }
 }
 
 fn told<'py>(py: Python<'py>, spec: &Spec, marched: Marched) -> PyResult<Bound<'py, PyDict>> {
     let Marched { plan, answer, history, warnings } = marched;
     let settlement = answer.settlement;
     let settled = |value: fn(Settlement) -> f64| settlement.map_or(f64::NAN, value);
-    let energies = &answer.energies;
+    let residual = answer.energies.residual_relative();
     let state = serde_json::to_string(&answer.end).map_err(|error| Failure::new("JounceError", error))?;
     let work = serde_json::to_string(&answer.work).map_err(|error| Failure::new("JounceError", error))?;
     let (loads, stops) = (&answer.loads, &answer.stops);
-    let flows = Answer::new(py)
-        .with("input_j", energies.input_j)?
-        .with("loads_j", energies.loads_j.iter().sum::<f64>())?
-        .with("damping_j", energies.damping_j)?
-        .with("contact_loss_j", energies.contact_loss_j)?
-        .with("stored_j", energies.stored_j)?
-        .dict();
+    let (flows, rectified) = (flows(py, &answer.energies)?, &answer.rectified);
     let answer = Answer::new(py)
         .with("mean_power_w", answer.mean_power_w)?
         .with("load", loads.iter().map(|load| load.name.clone()).collect::<Vec<_>>())?
         .each("load_power_w", loads, |load| load.mean_power_w)?
         .each("load_voltage_rms_v", loads, |load| load.voltage_rms_v)?
+        .with("rectified", rectified.iter().map(|circuit| circuit.name.clone()).collect::<Vec<_>>())?
+        .each("rectified_power_w", rectified, |circuit| circuit.mean_power_w)?
+        .each("rectified_voltage_rms_v", rectified, |circuit| circuit.voltage_rms_v)?
+        .each("rectified_current_a", rectified, |circuit| circuit.mean_current_a)?
+        .each("rectified_diode_loss_w", rectified, |circuit| circuit.diode_loss_w)?
+        .each("rectified_switch_loss_w", rectified, |circuit| circuit.switch_loss_w)?
+        .each("rectified_leakage_w", rectified, |circuit| circuit.leakage_w)?
         .with("stop", stops.iter().map(|stop| stop.name.clone()).collect::<Vec<_>>())?
         .each("stop_contacts", stops, |stop| stop.contacts as i64)?
         .each("stop_contact_duty", stops, |stop| stop.contact_duty)?
@@ -124,7 +114,7 @@ fn told<'py>(py: Python<'py>, spec: &Spec, marched: Marched) -> PyResult<Bound<'
         .with("settle_change", settled(|found| found.change))?
         .with("settle_distance", settled(|found| found.distance))?
         .with("warnings", warnings)?
-        .with("energy_residual_relative", energies.residual_relative())?
+        .with("energy_residual_relative", residual)?
         .with("energies_j", flows)?
         .with("duration_s", plan.duration_s)?
         .with("average_over_s", plan.average_over_s)?
@@ -135,4 +125,18 @@ fn told<'py>(py: Python<'py>, spec: &Spec, marched: Marched) -> PyResult<Bound<'
         .with("history", history.map(|history| history.dict(py)).transpose()?)?
         .with("manifest", spec.manifest("run", &[]))?;
     Ok(answer.dict())
+}
+
+/// Where the energy of the whole run went, J.
+fn flows<'py>(py: Python<'py>, energies: &Energies) -> PyResult<Bound<'py, PyDict>> {
+    let rectified = |of: fn(&RectifiedEnergies) -> f64| energies.rectified.iter().map(of).sum::<f64>();
+    let flows = Answer::new(py)
+        .with("input_j", energies.input_j)?
+        .with("loads_j", energies.loads_j.iter().sum::<f64>())?
+        .with("rectified_j", rectified(|own| own.load_j + own.battery_j))?
+        .with("rectified_loss_j", rectified(|own| own.diodes_j + own.switch_j + own.leakage_j))?
+        .with("damping_j", energies.damping_j)?
+        .with("contact_loss_j", energies.contact_loss_j)?
+        .with("stored_j", energies.stored_j)?;
+    Ok(flows.dict())
 }

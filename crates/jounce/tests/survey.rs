@@ -2,10 +2,11 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+use jounce::linear::{Input, Response, frf};
 use jounce::march::Watch;
 use jounce::run::{RunPlan, StartState, simulate};
 use jounce::spec::SpecFile;
-use jounce::study::Prepared;
+use jounce::study::{Direction, Prepared, Sweep};
 use jounce::survey::{Folder, Shard, Study, SurveyError};
 use jounce::table::{Table, Values};
 use std::path::{Path, PathBuf};
@@ -160,17 +161,66 @@ fn a_point_that_has_no_answer_says_why() {
     assert!(why[0].is_empty() && power[0] > 0.0 && why[1].contains("patch.mfc") && power[1].is_nan(), "{why:?} {power:?}");
 }
 
+/// First number of a column.
+fn first(table: &Table, column: &str) -> f64 {
+    match &table.column(column).unwrap().values {
+        Values::Count(counts) => counts[0] as f64,
+        _ => table.floats(column).unwrap()[0],
+    }
+}
+
+/// The only row of a study of one point of the paper's harvester.
+fn row(quantity: &str) -> Table {
+    let set = "[set]\n\"run.duration\" = \"2 s\"\n\"run.average_over\" = \"1 s\"\n";
+    let text = format!("spec = \"harvester.toml\"\n{set}[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\n{quantity}\n");
+    study(&text).part(0, &Watch::default()).unwrap().unwrap()
+}
+
+#[test]
+fn a_frequency_response_has_the_peak_of_the_linear_harvester() {
+    let found = row("command = \"frf\"\nfrom = \"2 Hz\"\nto = \"20 Hz\"\npoints = 2001");
+    let mut spec = SpecFile::read(beside().join("harvester.toml")).unwrap().spec().unwrap();
+    spec.stop.clear();
+    let modes = jounce::structure::modes(&spec).unwrap();
+    let plant = jounce::plant::Plant::new(jounce::plant::System::assemble(&spec, modes).unwrap()).unwrap();
+    let (input, response) = (Input::Force("table".to_owned()), Response::LoadVoltage("load".to_owned()));
+    let hz = first(&found, "peak_frequency_hz");
+    let at = |hz: f64| frf(&plant, &input, std::slice::from_ref(&response), &[hz]).unwrap()[0].value[0].norm();
+    assert_eq!(first(&found, "peak_voltage"), at(hz));
+    // The neighbours on the grid of frequencies are lower.
+    assert!(at(hz * 1.0012) < at(hz) && at(hz / 1.0012) < at(hz), "{hz} Hz");
+}
+
+#[test]
+fn a_sweep_as_a_quantity_is_the_sweep() {
+    let found = row("command = \"sweep\"\nover = \"drive.shaker.frequency=11Hz:13Hz:1Hz\"\nfixed_duration = true");
+    let mut file = SpecFile::read(beside().join("harvester.toml")).unwrap();
+    for (key, value) in [("stop.tip.gap", "1 mm"), ("run.duration", "2 s"), ("run.average_over", "1 s")] {
+        file.set(key, value).unwrap();
+    }
+    let (spec, range) = (file.spec().unwrap(), file.range("drive.shaker.frequency=11Hz:13Hz:1Hz").unwrap());
+    let sweep = Sweep { spec: &spec, range: &range, direction: Direction::Up, fixed_duration: true, folder: beside() };
+    let points = sweep.run(None, &Watch::default(), &|_| ()).unwrap();
+    let highest = points.iter().max_by(|a, b| a.mean_power_w.total_cmp(&b.mean_power_w)).unwrap();
+    assert_eq!((first(&found, "peak_power_w"), first(&found, "peak_parameter")), (highest.mean_power_w, highest.parameter));
+    let unsettled = points.iter().filter(|point| !point.settled).count();
+    assert_eq!(first(&found, "unsettled"), unsettled as f64);
+}
+
 #[test]
 fn every_quantity_fills_its_columns() {
     let quantities = [
         ("command = \"modes\"\ncount = 2", "frequency_2_hz"),
+        ("command = \"frf\"\nfrom = \"2 Hz\"\nto = \"20 Hz\"\npoints = 50", "peak_voltage"),
+        ("command = \"sweep\"\nover = \"drive.shaker.frequency=12Hz,12.2Hz\"\nfixed_duration = true", "average_power_w"),
+        ("command = \"diagram\"\nover = \"drive.shaker.frequency=12Hz,12.2Hz\"\ndirection = \"up\"", "longest_period_cycles"),
         ("command = \"basins\"\nstarts = 2", "expected_power_w"),
         ("command = \"branch\"\nover = \"drive.shaker.frequency=12Hz:12.5Hz\"\nseeds = 0", "peak_power_w"),
     ];
     for (quantity, column) in quantities {
         let text = format!("spec = \"harvester.toml\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\n{quantity}\n");
         let table = study(&text).part(0, &Watch::default()).unwrap().unwrap();
-        assert!(table.floats(column).unwrap()[0] > 0.0, "{quantity}: {:?}", table.column("failure"));
+        assert!(first(&table, column) > 0.0, "{quantity}: {:?}", table.column("failure"));
     }
     let noisy = beside().join("../random-base");
     let text = "spec = \"harvester.toml\"\n[set]\n\"run.duration\" = \"1 s\"\n\"run.average_over\" = \"0.5 s\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\ncommand = \"ensemble\"\nmembers = 2\n";
@@ -200,6 +250,19 @@ fn all_faults_of_a_text_come_at_once_with_their_lines() {
         ("spec = \"harvester.toml\"\n[set]\n\"stop.tip.gap\" = \"1kg\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"", "kg"),
         ("spec = \"harvester.toml\"\n[vary.stop]\ntip = 3", "whole path"),
         ("spec = \"harvester.toml\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\ncommand = \"branch\"", "over is missing"),
+        ("spec = \"harvester.toml\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\ncommand = \"frf\"\nfrom = \"9 kg\"", "quantity.from"),
+        (
+            "spec = \"harvester.toml\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\ncommand = \"diagram\"\nover = \"drive.shaker.frequency=14Hz,10Hz\"",
+            "must rise",
+        ),
+        (
+            "spec = \"harvester.toml\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\ncommand = \"sweep\"\nover = \"drive.shaker.frequency=10Hz:14Hz:1Hz\"\ndirection = \"left\"",
+            "up, down, both, independent",
+        ),
+        (
+            "spec = \"harvester.toml\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\ncommand = \"jumps\"\nover = \"drive.shaker.frequency=4Hz:20Hz\"",
+            "against is missing",
+        ),
         ("spec = \"harvester.toml\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\ncommand = \"run\"\nstarts = 3", "no such key"),
     ];
     for (text, expected) in wrong {

@@ -10,7 +10,16 @@ from .style import COLOURS, axes, label
 if TYPE_CHECKING:
     from ..run import RunResult
 
-_NAMES = {"loads_j": "electrical loads", "damping_j": "damping", "contact_loss_j": "contact", "stored_j": "still stored"}
+_NAMES = {
+    "loads_j": "electrical loads",
+    "rectified_j": "rectified storage",
+    "rectified_loss_j": "rectifiers",
+    "damping_j": "damping",
+    "contact_loss_j": "contact",
+    "stored_j": "still stored",
+}
+#: Those that are left out where the harvester has no such thing.
+_RECTIFIED = ("rectified_j", "rectified_loss_j")
 
 
 def plot_energy(result: RunResult, ax: Any = None) -> Any:
@@ -18,9 +27,10 @@ def plot_energy(result: RunResult, ax: Any = None) -> Any:
     input_j = result.energies_j["input_j"]
     if input_j <= 0.0:
         raise ArgumentError(f"the drives put in {input_j:g} J, so that there is no share to draw")
-    shares = [100.0 * result.energies_j[key] / input_j for key in _NAMES]
+    names = {key: name for key, name in _NAMES.items() if result.rectified or key not in _RECTIFIED}
+    shares = [100.0 * result.energies_j[key] / input_j for key in names]
     with axes(ax) as ax:
-        bars = ax.barh(list(_NAMES.values()), shares, color=COLOURS[: len(shares)])
+        bars = ax.barh(list(names.values()), shares, color=COLOURS[: len(shares)])
         ax.bar_label(bars, [f"{share:.3g} %" for share in shares], padding=3, fontsize=8)
         ax.invert_yaxis()
         ax.grid(axis="y", visible=False)

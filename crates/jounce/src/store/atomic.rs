@@ -20,6 +20,9 @@ impl StoreError {
     }
 }
 
+/// How the name of a file begins that is not whole yet.
+pub(super) const PREFIX: &str = ".jounce-";
+
 /// Writes `content` to `path`, replacing an older file in one step. A symbolic link is followed.
 ///
 /// # Errors
@@ -64,6 +67,8 @@ fn target_of(path: &Path) -> Result<PathBuf, StoreError> {
 
 fn replace(target: &Path, folder: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
     let mut beside = beside(folder)?;
+    // Tells `clean` that somebody writes it. Where the file system knows no locks, nothing is cleaned either.
+    let _ = beside.as_file().try_lock();
     fill(beside.as_file_mut())?;
     beside.as_file().sync_all()?;
     beside.persist(target).map_err(|fault| fault.error)?;
@@ -77,7 +82,7 @@ fn replace(target: &Path, folder: &Path, fill: impl FnOnce(&mut File) -> io::Res
 /// A temporary neighbour with the permissions of an ordinary new file (the process's mask applies).
 fn beside(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".jounce-");
+    builder.prefix(PREFIX);
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt as _;

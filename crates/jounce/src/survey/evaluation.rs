@@ -1,8 +1,10 @@
 //! One quantity at one point.
 
+use super::over_keys::{diagram, jumps, sweep};
 use super::{Quantity, SurveyError};
+use crate::linear::{self, Input, Response};
 use crate::run::{RunPlan, simulate};
-use crate::spec::NumericKey;
+use crate::spec::{DriveKind, NumericKey, Spec};
 use crate::study::{BandwidthSearch, Basins, BranchSearch, Cloud, Ensemble, Method, Parameter, Prepared, Starts, StudyError};
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -15,6 +17,14 @@ pub(super) fn evaluate(quantity: &Quantity, prepared: &Prepared, folder: &Path) 
     match quantity {
         Quantity::Run => run(prepared, folder).map_err(|error| error.to_string()),
         Quantity::Modes { count } => Ok(modes(prepared, *count)),
+        Quantity::Frf { range_hz, points, .. } => frf(prepared, *range_hz, *points),
+        Quantity::Sweep { over, values, direction, fixed_duration } => {
+            sweep(prepared, (over, values), (*direction, *fixed_duration), folder)
+        }
+        Quantity::Diagram { over, values, order, tolerance } => diagram(prepared, (over, values), *order, *tolerance),
+        Quantity::Jumps { keys, ranges, seeds, longest_period, tolerance } => {
+            jumps(prepared, keys, *ranges, (*seeds, *longest_period, *tolerance))
+        }
         Quantity::Basins { starts, seed, spread, tolerance } => {
             let cloud = Cloud { starts: *starts, seed: *seed, spread: *spread };
             basins(prepared, cloud, *tolerance).map_err(|error| error.to_string())
@@ -33,6 +43,30 @@ pub(super) fn drive_key(prepared: &Prepared) -> Result<(NumericKey, f64), Survey
     let aperiodic = || StudyError::Aperiodic { drive: prepared.spec.drive.keys().next().cloned().unwrap_or_default() };
     let (name, value) = found.ok_or_else(aperiodic)?;
     Ok((NumericKey::find(&prepared.spec, &format!("drive.{name}.frequency")).map_err(StudyError::from)?, value))
+}
+
+/// What shakes a harvester: its first force, or else its base.
+pub(super) fn shaken(spec: &Spec) -> Option<Input> {
+    let force = spec.drive.values().find(|drive| drive.kind == DriveKind::Force).map(|drive| Input::Force(drive.at.clone()));
+    force.or_else(|| spec.drive.values().next().map(|_| Input::BaseAcceleration))
+}
+
+/// Largest voltage of the frequency response, and where.
+fn frf(prepared: &Prepared, (low_hz, high_hz): (f64, f64), points: usize) -> Result<Vec<f64>, String> {
+    let plant = &prepared.kernel.plant;
+    if let Some(bridge) = plant.system.bridges.first() {
+        return Err(format!("circuit.{}.interface is not linear, so that it has no frequency response", bridge.name));
+    }
+    let load = plant.system.loads.first().map(|load| Response::LoadVoltage(load.name.clone()));
+    let patch = || plant.system.modes.patch.keys().next().map(|patch| Response::Voltage(patch.clone()));
+    let response = load.or_else(patch).ok_or("the harvester has no patch, so that there is no voltage")?;
+    let input = shaken(&prepared.spec).ok_or("the harvester has no drive, so that nothing shakes it")?;
+    let ratio = (high_hz / low_hz).ln() / (points - 1) as f64;
+    let frequency_hz: Vec<f64> = (0..points).map(|k| (low_hz * (ratio * k as f64).exp()).min(high_hz)).collect();
+    let found = linear::frf(plant, &input, &[response], &frequency_hz).map_err(|error| error.to_string())?;
+    let sizes = found[0].value.iter().map(|value| value.norm());
+    let highest = sizes.zip(&frequency_hz).max_by(|a, b| a.0.total_cmp(&b.0));
+    Ok(highest.map_or_else(Vec::new, |(size, place_hz)| vec![size, *place_hz]))
 }
 
 fn run(prepared: &Prepared, folder: &Path) -> Result<Vec<f64>, StudyError> {

@@ -98,6 +98,7 @@ impl Folder {
     /// A folder that cannot be written, another process at the same shard.
     pub fn run(&self, study: &Study, shard: Shard, watch: &Watch, done: &(dyn Fn(usize) + Sync)) -> Result<(), SurveyError> {
         let _lock = Lock::take(&self.path, shard)?;
+        self.clean();
         let own: Vec<usize> = (0..self.card.parts).filter(|part| shard.takes(*part)).collect();
         let missing: Vec<usize> = own.iter().copied().filter(|part| self.part(*part).is_err()).collect();
         let points = |parts: &[usize]| parts.iter().map(|part| study.points(*part).len()).sum::<usize>();
@@ -161,11 +162,18 @@ impl Folder {
         if let Some(first) = missing.first() {
             return Err(SurveyError::Missing { missing: missing.len(), parts: self.card.parts, first: *first });
         }
+        self.clean();
         let (_, mut manifest) = Table::read(&self.file(0))?;
         manifest.options.remove("part");
         let parts = (0..self.card.parts).map(|part| self.part(part));
         Table::write_joined(&self.table(), &manifest, parts)?;
         Ok(self.table())
+    }
+
+    /// Removes what killed processes left.
+    fn clean(&self) {
+        store::clean(&self.path);
+        store::clean(&self.path.join("parts"));
     }
 
     /// A part that is there.

@@ -1,5 +1,6 @@
 //! What is computed at each point.
 
+use crate::study::{Direction, Order};
 use crate::table::{Column, Values};
 
 /// A command and its options.
@@ -11,6 +12,50 @@ pub enum Quantity {
     Modes {
         /// How many.
         count: usize,
+    },
+    /// Highest voltage of the frequency response without contact.
+    Frf {
+        /// Lowest and highest frequency, Hz.
+        range_hz: (f64, f64),
+        /// Frequencies, evenly spaced in their logarithm.
+        points: usize,
+        /// Unit of the voltage per unit of what shakes the harvester.
+        unit: &'static str,
+    },
+    /// Marches over a key, each until it has settled.
+    Sweep {
+        /// The key.
+        over: String,
+        /// Its values, as they were written.
+        values: String,
+        /// Order of visit.
+        direction: Direction,
+        /// True: each for `run.duration`.
+        fixed_duration: bool,
+    },
+    /// Motions over a key, each from the end of the one before.
+    Diagram {
+        /// The key.
+        over: String,
+        /// Its values, SI, rising.
+        values: Vec<f64>,
+        /// Order of visit.
+        order: Order,
+        /// Relative tolerance of the marches.
+        tolerance: f64,
+    },
+    /// Curves over two keys along which the answer jumps.
+    Jumps {
+        /// The keys.
+        keys: [String; 2],
+        /// Ends of their ranges, SI.
+        ranges: [(f64, f64); 2],
+        /// Values at which branches are sought by marching.
+        seeds: usize,
+        /// Longest period, in drive cycles.
+        longest_period: u32,
+        /// Relative tolerance of the marches.
+        tolerance: f64,
     },
     /// Attractors from a cloud of starts, and the power to be expected.
     Basins {
@@ -67,6 +112,10 @@ impl Quantity {
         match self {
             Self::Run => "run",
             Self::Modes { .. } => "modes",
+            Self::Frf { .. } => "frf",
+            Self::Sweep { .. } => "sweep",
+            Self::Diagram { .. } => "diagram",
+            Self::Jumps { .. } => "jumps",
             Self::Basins { .. } => "basins",
             Self::Branch { .. } => "branch",
             Self::Ensemble { .. } => "ensemble",
@@ -97,6 +146,29 @@ impl Quantity {
                     [frequency, number(&format!("damping_ratio_{mode}"), "", "damping ratio")]
                 })
                 .collect(),
+            Self::Frf { unit, .. } => vec![
+                number("peak_voltage", unit, "largest voltage of the first load, or of the first patch where there is none"),
+                number("peak_frequency_hz", "Hz", "frequency of it"),
+            ],
+            Self::Sweep { .. } => vec![
+                number("peak_power_w", "W", "highest mean power"),
+                number("peak_parameter", "", "value of the key there, SI"),
+                number("average_power_w", "W", "average of the mean powers"),
+                count("unsettled", "points that had not settled"),
+            ],
+            Self::Diagram { .. } => vec![
+                number("peak_power_w", "W", "highest mean power"),
+                number("peak_parameter", "", "value of the key there, SI"),
+                count("longest_period_cycles", "longest period that was found, in drive cycles"),
+                number("aperiodic_fraction", "", "share of the motions without a period"),
+                count("lost", "marches that failed"),
+            ],
+            Self::Jumps { .. } => vec![
+                count("curves", "curves that were found"),
+                count("folds", "those of them that are folds"),
+                number("fold_low", "", "lowest value of the first key on a fold, SI"),
+                number("fold_high", "", "highest value of the first key on a fold, SI"),
+            ],
             Self::Basins { .. } => vec![
                 number("expected_power_w", "W", "power to be expected from a start of the cloud"),
                 number("expected_power_low_w", "W", "lower end of its 95 % interval"),

@@ -14,6 +14,7 @@
 
 use super::design::{Design, Varied};
 use super::faults::Reader;
+use super::read_quantity::quantity;
 use super::sampling::Sampling;
 use super::sobol::MOST_DIMENSIONS;
 use super::{Quantity, SurveyError};
@@ -166,74 +167,4 @@ fn check_sides(reader: &mut Reader, item: Option<&Item>, sampling: Sampling, var
     if sampling == Sampling::Sobol && varied.len() > MOST_DIMENSIONS {
         reader.fault("vary", span, format!("sampling = \"sobol\" takes at most {MOST_DIMENSIONS} keys; use \"latin-hypercube\""));
     }
-}
-
-/// What is computed, with its options.
-fn quantity(reader: &mut Reader, item: Option<&Item>, file: &SpecFile) -> Quantity {
-    let empty = Table::new();
-    let table = reader.table("quantity", item).unwrap_or(&empty);
-    let (get, path) = (|key: &str| table.get(key), "quantity.");
-    let whole = |reader: &mut Reader, key: &str, most, default| reader.whole(&format!("{path}{key}"), get(key), (1, most), default);
-    match reader.text("quantity.command", get("command")).unwrap_or("run") {
-        "run" => {
-            reader.known(path, table, &["command"]);
-            Quantity::Run
-        }
-        "modes" => {
-            reader.known(path, table, &["command", "count"]);
-            Quantity::Modes { count: whole(reader, "count", 200, 3) as usize }
-        }
-        "basins" => {
-            reader.known(path, table, &["command", "starts", "seed", "spread", "tolerance"]);
-            Quantity::Basins {
-                starts: whole(reader, "starts", 1_000_000, 50) as usize,
-                seed: whole(reader, "seed", 1 << 53, 1),
-                spread: reader.positive("quantity.spread", get("spread"), 10.0),
-                tolerance: reader.positive("quantity.tolerance", get("tolerance"), 1e-8),
-            }
-        }
-        "branch" => {
-            reader.known(path, table, &["command", "over", "seeds", "longest_period", "tolerance"]);
-            let (over, range) = over(reader, get("over"), file);
-            Quantity::Branch {
-                over,
-                range,
-                seeds: reader.whole("quantity.seeds", get("seeds"), (0, 100_000), 4) as usize,
-                longest_period: whole(reader, "longest_period", 1000, 4) as u32,
-                tolerance: reader.positive("quantity.tolerance", get("tolerance"), 1e-9),
-            }
-        }
-        "ensemble" => {
-            reader.known(path, table, &["command", "members", "seed"]);
-            Quantity::Ensemble { members: whole(reader, "members", 1_000_000, 16) as usize, seed: whole(reader, "seed", 1 << 53, 1) }
-        }
-        other => {
-            let why = format!("quantity.command is \"{other}\"; it must be one of run, modes, basins, branch, ensemble");
-            reader.fault("quantity.command", get("command").and_then(Item::span), why);
-            Quantity::Run
-        }
-    }
-}
-
-/// The key and range of branches.
-fn over(reader: &mut Reader, item: Option<&Item>, file: &SpecFile) -> (String, (f64, f64)) {
-    let nothing = (String::new(), (0.0, 1.0));
-    let Some(text) = reader.text("quantity.over", item) else {
-        if item.is_none() {
-            reader.fault("quantity.over", None, "quantity.over is missing; write over = \"drive.shaker.frequency=4Hz:20Hz\"");
-        }
-        return nothing;
-    };
-    match file.range(&text.replacen(':', ",", 1)) {
-        Ok(range) => match range.values() {
-            [low, high] if low < high => return (range.key().path().to_owned(), (*low, *high)),
-            _ => reader.fault(
-                "quantity.over",
-                item.and_then(Item::span),
-                format!("{text}: write KEY=FROM:TO, from a smaller to a larger value"),
-            ),
-        },
-        Err(faults) => faults.as_slice().iter().for_each(|fault| reader.fault("quantity.over", item.and_then(Item::span), &fault.message)),
-    }
-    nothing
 }
