@@ -267,4 +267,4 @@ def test_a_rectified_circuit_is_that_of_the_command_line(command_line):
     dataset = answer.to_xarray()
     assert dataset.rectified_voltage_rms.sel(rectified="rectifier") == circuit["voltage_rms_v"]
     assert pickle.loads(pickle.dumps(answer)) == answer and "storage" in repr(answer)
-    assert len(jounce.plot.plot_energy(answer).patches) == 6
+    assert len(answer.plot_energy().patches) == 6

@@ -104,10 +104,7 @@ def test_odd_names_survive_the_way_through_toml_and_wrong_ones_are_told():
             jounce.Spec({"mass": {name: keys}})
 
 
-def test_every_example_is_a_spec_under_a_name_that_stays():
+def test_the_spec_of_a_system_has_its_name_however_many_lie_beside_it():
     examples = jounce.examples()
-    for name in examples:
-        assert examples[name].sha256
-    # The system's own spec has the system's name, however many others lie beside it.
     assert examples["random-base"] == jounce.read(ROOT / "examples/random-base/harvester.toml")
     assert examples["random-base/ball"] == jounce.read(ROOT / "examples/random-base/ball.toml")
