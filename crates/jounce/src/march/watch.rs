@@ -8,50 +8,58 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// A handle; its clones are the same watch.
 #[derive(Debug, Clone, Default)]
-pub struct Watch(Arc<State>);
+pub struct Watch {
+    stopped: Arc<AtomicBool>,
+    counts: Arc<Counts>,
+}
 
 #[derive(Debug, Default)]
-struct State {
-    stopped: AtomicBool,
+struct Counts {
     done: AtomicU64,
     expected: AtomicU64,
     harvesters: AtomicU64,
 }
 
 impl Watch {
+    /// The same wish to stop, for a part of the work that counts its own parts.
+    #[must_use]
+    pub fn apart(&self) -> Self {
+        Self { stopped: Arc::clone(&self.stopped), counts: Arc::default() }
+    }
+
     /// Wishes that the computation stops. It keeps what is finished.
     pub fn stop(&self) {
-        self.0.stopped.store(true, Ordering::Relaxed);
+        self.stopped.store(true, Ordering::Relaxed);
     }
 
     /// True once somebody wished so.
     #[inline(always)]
     pub fn is_stopped(&self) -> bool {
-        self.0.stopped.load(Ordering::Relaxed)
+        self.stopped.load(Ordering::Relaxed)
     }
 
     /// Tells how many more parts of the work there will be.
     pub fn expect(&self, parts: usize) {
-        self.0.expected.fetch_add(parts as u64, Ordering::Relaxed);
+        self.counts.expected.fetch_add(parts as u64, Ordering::Relaxed);
     }
 
     /// Counts a finished part.
     pub fn count(&self) {
-        self.0.done.fetch_add(1, Ordering::Relaxed);
+        self.counts.done.fetch_add(1, Ordering::Relaxed);
     }
 
     /// Counts a harvester that was made: one for each trial of an orbit.
     pub fn count_harvester(&self) {
-        self.0.harvesters.fetch_add(1, Ordering::Relaxed);
+        self.counts.harvesters.fetch_add(1, Ordering::Relaxed);
     }
 
     /// Harvesters made so far, for work whose end is not known.
     pub fn harvesters(&self) -> u64 {
-        self.0.harvesters.load(Ordering::Relaxed)
+        self.counts.harvesters.load(Ordering::Relaxed)
     }
 
     /// Finished and expected parts.
     pub fn progress(&self) -> (u64, u64) {
-        (self.0.done.load(Ordering::Relaxed), self.0.expected.load(Ordering::Relaxed))
+        (self.counts.done.load(Ordering::Relaxed), self.counts.expected.load(Ordering::Relaxed))
     }
 }

@@ -117,7 +117,7 @@ impl Study {
         let mut rows: Vec<Result<Vec<f64>, String>> = Vec::with_capacity(points.len());
         let mut last: Option<Prepared> = None;
         for (_, values) in &points {
-            rows.push(self.answer(values, &mut last, watch));
+            rows.push(self.answer(values, &mut last, &watch.apart()));
             if watch.is_stopped() {
                 return Ok(None);
             }

@@ -13,8 +13,7 @@ use crate::march::trajectory::PortForce;
 use crate::wide::{Lane, Wide};
 
 impl Marcher<'_> {
-    /// Takes a solved step whose free motion stands in `next`, and that of the ports in flight in their `ahead`; the tables tell what
-    /// several ports do to each other.
+    /// Takes a solved step whose free motion stands in `next`; the tables tell what several ports do to each other.
     #[inline(always)]
     pub(super) fn take_joint<W: Wide>(&mut self, w: W, length: Length, steps: &[Step], solved: &[Solved], tables: Option<&JointTables>) {
         let forces: Few<Lane> = solved.iter().map(|own| nodal(&own.force)).collect();
@@ -38,12 +37,7 @@ impl Marcher<'_> {
         }
         for p in 0..self.kernel.plant.ports.len() {
             if self.ports[p].regime == Regime::Flight {
-                if self.acts_at_once(p, steps) {
-                    self.see(w, p);
-                } else {
-                    let port = &mut self.ports[p];
-                    [port.penetration_m, port.rate_m_s] = port.ahead;
-                }
+                self.see(w, p);
             }
         }
         self.arrive_all(w, length.level(), steps, solved);

@@ -15,8 +15,7 @@ use crate::march::state::{dot, pushed};
 use crate::wide::{Lane, Wide};
 
 impl Marcher<'_> {
-    /// Judges the flight of every other port over a solved step and leaves its motion at the end in `ahead`; the free motion to the
-    /// end is left in `next`.
+    /// Judges the flight of every other port over a solved step; the free motion to its end is left in `next`.
     #[inline(always)]
     pub(super) fn watch<W: Wide>(&mut self, w: W, length: Length, steps: &[Step], solved: &[Solved]) -> Outcome {
         steps[0].table.flow.apply(w, &self.y, &mut self.next);
@@ -32,7 +31,7 @@ impl Marcher<'_> {
 
     /// The verdict on one port.
     #[inline(always)]
-    fn watch_one<W: Wide>(&mut self, w: W, length: Length, steps: &[Step], forces: &[Lane], p: usize) -> Verdict {
+    fn watch_one<W: Wide>(&self, w: W, length: Length, steps: &[Step], forces: &[Lane], p: usize) -> Verdict {
         let flight = |step: &Step| length.flight(self.kernel, (step.port, step.shape), p);
         let flights: Few<_> = steps.iter().map(flight).collect();
         let mut forced = w.zero();
@@ -51,7 +50,6 @@ impl Marcher<'_> {
         // The rate of an output that forces act on at once is not that of its row: only the bound on the output itself serves.
         step.fast_bound_m_s += if self.acts_at_once(p, steps) { f64::INFINITY } else { rest_m_s };
         let end_m = free[0] + forced[0];
-        self.ports[p].ahead = [end_m, free[1] + forced[1]];
         // A point that touches and is pushed in strikes now: in contact the law itself decides.
         let touches = end_m > 0.0 && self.ports[p].penetration_m.abs() <= self.touch_m(p) && !self.is_rigid(p) && !self.is_guard(p);
         let now = Crossing { from_s: 0.0, guess_s: 0.0, to_s: step.length_s };
@@ -73,7 +71,7 @@ impl Marcher<'_> {
 
     /// True for an output whose rate the force of a step changes at once.
     #[inline(always)]
-    pub(super) fn acts_at_once(&self, p: usize, steps: &[Step]) -> bool {
+    fn acts_at_once(&self, p: usize, steps: &[Step]) -> bool {
         self.is_guard(p) && steps.iter().any(|step| self.kernel.directly(step.port, p) != 0.0)
     }
 
