@@ -1,6 +1,8 @@
 //! What can be typed.
 
-use crate::commands::{basins, branch, check, completions, diagram, ensemble, frf, jumps, materials, modes, reproduce, run, show, sweep};
+use crate::commands::{
+    basins, branch, check, completions, diagram, ensemble, frf, jumps, materials, modes, noise, reproduce, run, show, sweep,
+};
 use clap::{Parser, Subcommand};
 
 /// Simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
@@ -25,6 +27,8 @@ pub enum Command {
     Modes(modes::Modes),
     /// Frequency response functions without contact, in closed form.
     Frf(frf::Frf),
+    /// Exact answer to stationary noise without contact: mean powers, rms values, bandwidths, how often a gap would be reached.
+    Noise(noise::Noise),
     /// Marches one run and reports its mean power and its energy balance.
     Run(run::Run),
     /// Marches a run at every value of a key.
@@ -59,6 +63,7 @@ impl Command {
             Command::Show(command) => command.json,
             Command::Modes(command) => command.output.json,
             Command::Frf(command) => command.output.json,
+            Command::Noise(command) => command.output.json,
             Command::Run(command) => command.output.json,
             Command::Sweep(command) => command.output.json,
             Command::Branch(command) => command.output.json,

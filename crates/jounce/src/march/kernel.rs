@@ -158,7 +158,7 @@ impl Kernel {
         if regime == 0 {
             return Ok(self);
         }
-        let make = || Self::new(Plant::new(self.plant.system.in_regime(regime, &self.plant.electrical))?);
+        let make = || Self::new(Plant::new(self.plant.system.in_regime(regime))?);
         self.regimes[regime].get_or_init(make).as_ref().map_err(Clone::clone)
     }
 
