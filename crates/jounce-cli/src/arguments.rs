@@ -1,7 +1,7 @@
 //! What can be typed.
 
 use crate::commands::{
-    basins, branch, check, completions, diagram, ensemble, frf, jumps, materials, modes, reproduce, run, show, study, sweep,
+    basins, branch, check, completions, diagram, ensemble, frf, jumps, materials, modes, noise, reproduce, run, show, study, sweep,
 };
 use clap::{Parser, Subcommand};
 
@@ -27,6 +27,8 @@ pub enum Command {
     Modes(modes::Modes),
     /// Frequency response functions without contact, in closed form.
     Frf(frf::Frf),
+    /// Exact answer to stationary noise without contact: mean powers, rms values, bandwidths, how often a gap would be reached.
+    Noise(noise::Noise),
     /// Marches one run and reports its mean power and its energy balance.
     Run(run::Run),
     /// Marches a run at every value of a key.
@@ -63,6 +65,7 @@ impl Command {
             Command::Show(command) => command.json,
             Command::Modes(command) => command.output.json,
             Command::Frf(command) => command.output.json,
+            Command::Noise(command) => command.output.json,
             Command::Run(command) => command.output.json,
             Command::Sweep(command) => command.output.json,
             Command::Branch(command) => command.output.json,

@@ -41,7 +41,7 @@ pub fn ensemble<'py>(
         let base = spec.prepared(watch)?;
         let start = base.start(&spec.folder())?;
         let most_rounds = if relative_width.is_some() { MOST_ROUNDS } else { 1 };
-        let study = Ensemble { base: &base, start, members, seed, relative_width, most_rounds };
+        let study = Ensemble { base: &base, start, members, seed, relative_width, most_rounds, with_spectrum: false };
         on_threads(threads, || Ok(study.run(&|_| ())?))
     });
     let options = [("members", members.to_string()), ("seed", seed.to_string())];

@@ -11,6 +11,7 @@ pub mod frf;
 pub mod jumps;
 pub mod materials;
 pub mod modes;
+pub mod noise;
 pub mod reproduce;
 pub mod run;
 pub mod show;
@@ -28,6 +29,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Show(command) => command.run(),
         Command::Modes(command) => command.run(),
         Command::Frf(command) => command.run(),
+        Command::Noise(command) => command.run(),
         Command::Run(command) => command.run(),
         Command::Sweep(command) => command.run(),
         Command::Branch(command) => command.run(),

@@ -170,7 +170,7 @@ impl Kernel {
         if regime == 0 {
             return Ok(self);
         }
-        let make = || Ok(Self::new(Plant::new(self.plant.system.in_regime(regime, &self.plant.electrical))?)?.watched_by(&self.watch));
+        let make = || Ok(Self::new(Plant::new(self.plant.system.in_regime(regime))?)?.watched_by(&self.watch));
         self.regimes[regime].get_or_init(make).as_ref().map_err(Clone::clone)
     }
 

@@ -16,6 +16,7 @@ mod flow;
 mod forced;
 mod forced_flight;
 mod forced_reading;
+mod gains;
 mod joint_tables;
 mod kernel;
 mod layout;

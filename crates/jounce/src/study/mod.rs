@@ -17,7 +17,7 @@ pub use basins::{Attractor, Basins, BasinsAnswer, Cloud, Fate, Grid, GridAxis, G
 pub use basins::{largest_exponent, wilson};
 pub use branches::{Bifurcation, Branch, BranchKind, BranchPoint, BranchSearch, Ending, Method, settled_orbit};
 pub use diagram::{Diagram, History, Lineage, Motion, Order, SectionPoint, Seen, Turn, Visit};
-pub use ensemble::{Ensemble, EnsembleAnswer, Estimate, IntervalOver, Member};
+pub use ensemble::{ContactCount, Ensemble, EnsembleAnswer, Estimate, IntervalOver, Member, MemberStop, StopEstimates, VoltageSpectrum};
 pub use journal::{Journal, JournalError};
 pub use jumps::{CurveKind, JumpCurve, JumpPoint, JumpSearch, KeyPlane};
 pub use parameter::Parameter;

@@ -170,5 +170,11 @@ impl Prepared {
 }
 
 fn same_bodies(a: &Spec, b: &Spec) -> bool {
-    a.beam == b.beam && a.patch == b.patch && a.mass == b.mass && a.modal == b.modal && a.damping == b.damping && a.reduction == b.reduction
+    a.beam == b.beam
+        && a.patch == b.patch
+        && a.layer == b.layer
+        && a.mass == b.mass
+        && a.modal == b.modal
+        && a.damping == b.damping
+        && a.reduction == b.reduction
 }

@@ -162,11 +162,17 @@ impl Marcher<'_> {
             let resting: Vec<usize> = self.in_regime(Regime::Contact).filter(|p| self.is_rigid(*p)).collect();
             let Some(forces) = self.holding_forces(&resting)? else { return Ok(()) };
             let weakest = (0..resting.len()).min_by(|a, b| forces[*a].total_cmp(&forces[*b]));
-            match weakest.filter(|place| forces[*place] <= 0.0) {
+            match weakest.filter(|place| self.pulls(resting[*place], forces[*place])) {
                 Some(place) => self.ports[resting[place]].regime = Regime::Flight,
                 None => return Ok(()),
             }
         }
+    }
+
+    /// A holding force would have to pull: now, or, where it is roundoff, from now on.
+    fn pulls(&self, p: usize, force_n: f64) -> bool {
+        let roundoff_n = self.acceleration_roundoff_m_s2(p) / self.ports[p].rows.mobility_per_kg;
+        force_n < -roundoff_n || force_n <= roundoff_n && self.jerk_m_s3(p) <= 0.0
     }
 
     /// Forces that hold the ports at rest now, N; `None` without one.
