@@ -101,6 +101,7 @@ fn beam(canvas: &mut Canvas, beam: &DrawnBeam, way: f64, (x, y): (f64, f64), px_
     for (name, along_m) in &beam.points {
         let (place, low) = (at(*along_m), y + half);
         canvas.svg.path(&format!("M{x0} {}L{x0} {}", number(low), number(low + 8.0), x0 = number(place)), THIN);
+        canvas.cover(Rect::between((place - 1.0, low), (place + 1.0, low + 8.0)));
         canvas.label((place, low + 8.0), (0.0, 1.0), vec![format!("{name} {}", dimension::length(*along_m))]);
     }
 }

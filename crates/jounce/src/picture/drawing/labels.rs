@@ -34,13 +34,15 @@ const APART: f64 = 15.0;
 /// Cost of a label on the far side of what it names, against one on the wanted side, px of distance; half of it.
 const TURNED: f64 = 60.0;
 
-/// Gives every label the cheapest free place between two edges of the page.
+/// Gives every label the cheapest free place between two edges of the page; those that have an easy one take it first.
 pub fn placed(wanted: &[Wanted], obstacles: &[Rect], (left, right): (f64, f64)) -> Vec<Label> {
+    let page = Rect { left, right, top: f64::NEG_INFINITY, bottom: f64::INFINITY };
+    let alone = |want: &Wanted| cost(want, &cheapest(want, obstacles, &[], page), obstacles, &[]);
+    let mut order: Vec<(f64, &Wanted)> = wanted.iter().map(|want| (alone(want), want)).collect();
+    order.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut labels: Vec<Label> = Vec::new();
-    for want in wanted {
-        let size = size_of(&want.lines);
-        let page = Rect { left, right, top: f64::NEG_INFINITY, bottom: f64::INFINITY };
-        let room = cheapest(want, size, obstacles, &labels, page);
+    for (_, want) in order {
+        let room = cheapest(want, obstacles, &labels, page);
         let leader = leader(want.anchor, &room);
         labels.push(Label { lines: want.lines.clone(), room, leader });
     }
@@ -61,7 +63,8 @@ fn distance(a: (f64, f64), b: (f64, f64)) -> f64 {
     (a.0 - b.0).hypot(a.1 - b.1)
 }
 
-fn cheapest(want: &Wanted, size: (f64, f64), obstacles: &[Rect], labels: &[Label], page: Rect) -> Rect {
+fn cheapest(want: &Wanted, obstacles: &[Rect], labels: &[Label], page: Rect) -> Rect {
+    let size = size_of(&want.lines);
     let free = |room: &Rect| {
         let wide = room.grown(3.0);
         // Side by side, two names read as one unless a wide space parts them.
