@@ -43,5 +43,5 @@ pub fn spaced(low: f64, high: f64, count: usize) -> Vec<f64> {
 /// A line over resistances, each in words for a spec.
 pub fn over_resistance(label: &str, resistance_ohm: &[f64], power: impl Fn(f64, &str) -> f64) -> SweepLine {
     let value = resistance_ohm.iter().map(|ohm| power(*ohm, &format!("{ohm:e} ohm"))).collect();
-    SweepLine { label: label.into(), direction: Direction::Linear, parameter: resistance_ohm.to_vec(), value, settled: Vec::new() }
+    SweepLine { label: label.into(), direction: Direction::Independent, parameter: resistance_ohm.to_vec(), value, settled: Vec::new() }
 }
