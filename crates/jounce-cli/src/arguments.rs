@@ -1,7 +1,7 @@
 //! What can be typed.
 
 use crate::commands::{
-    basins, branch, check, completions, diagram, ensemble, frf, jumps, materials, modes, noise, reproduce, run, show, study, sweep,
+    basins, branch, check, completions, diagram, ensemble, frf, jumps, materials, modes, new, noise, reproduce, run, show, study, sweep,
 };
 use clap::{Parser, Subcommand};
 
@@ -19,6 +19,8 @@ pub struct Arguments {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
+    /// Writes a commented spec to start from, one per kind of harvester.
+    New(new::New),
     /// Reads a spec and reports every fault in it.
     Check(check::Check),
     /// Draws the harvester to scale, so that a wrong number is seen.
@@ -61,6 +63,7 @@ impl Command {
     /// True when answers and faults go to stdout as JSON.
     pub fn wants_json(&self) -> bool {
         match self {
+            Command::New(command) => command.json,
             Command::Check(command) => command.output.json,
             Command::Show(command) => command.json,
             Command::Modes(command) => command.output.json,

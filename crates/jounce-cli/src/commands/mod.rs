@@ -11,6 +11,7 @@ pub mod frf;
 pub mod jumps;
 pub mod materials;
 pub mod modes;
+pub mod new;
 pub mod noise;
 pub mod reproduce;
 pub mod run;
@@ -25,6 +26,7 @@ use crate::output::line;
 /// Runs a command.
 pub fn run(command: Command) -> Result<(), Failure> {
     match command {
+        Command::New(command) => command.run(),
         Command::Check(command) => command.run(),
         Command::Show(command) => command.run(),
         Command::Modes(command) => command.run(),

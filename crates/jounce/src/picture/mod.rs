@@ -32,7 +32,9 @@ mod unit;
 
 pub use axis::{Axis, Scale};
 pub use colour::Colour;
-pub use drawing::{Carrier, Drawing, DrawnBeam, DrawnBody, DrawnPatch, DrawnStop};
+pub use drawing::{
+    Drawing, DrawnBeam, DrawnBody, DrawnCircuit, DrawnContact, DrawnDrive, DrawnElement, DrawnPatch, DrawnPlace, DrawnShape, Seat,
+};
 pub use error::PictureError;
 pub use figure::Figure;
 pub use panel::{Along, Band, Note, Panel, Reference};

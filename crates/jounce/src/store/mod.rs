@@ -4,5 +4,5 @@
 //! within one folder is atomic, so a reader (or a run that resumes) sees the old file or the new one, never a part.
 mod atomic;
 mod clean;
-pub use atomic::{StoreError, write, write_from};
+pub use atomic::{StoreError, create, write, write_from};
 pub use clean::clean;
