@@ -67,7 +67,7 @@ fn beside(drawing: &Drawing, body: usize, place: DrawnPlace, on: Spot, rank: usi
             Spot { x, y: on.y - if amid { STEP } else { 0.0 }, way: on.way }
         }
         (DrawnShape::Beam(_), _) => {
-            let way = if rank % 2 == 0 { 1.0 } else { -1.0 };
+            let way = if rank.is_multiple_of(2) { 1.0 } else { -1.0 };
             Spot { x: on.x + way * 0.5 * size(drawing, place.body).0, y: on.y - STEP * (rank / 2) as f64, way }
         }
         (_, DrawnShape::Beam(_)) if sprung => Spot { x, y: on.y - SPRING - own, way: 1.0 },
