@@ -35,7 +35,9 @@ pub fn covariance(plant: &Plant, noises: &[Noise]) -> Result<Mat<f64>, (String, 
         let mut column = plant.force_column(&noise.shape);
         let largest = column.iter().fold(0.0_f64, |max, b| max.max(b.abs()));
         for (b, free) in column.iter_mut().zip(block.free()) {
-            if free && b.abs() <= ROUNDOFF * largest {
+            if free && b.abs() > ROUNDOFF * largest {
+                return Err((noise.name.clone(), 0.0));
+            } else if free {
                 *b = 0.0;
             }
         }
