@@ -28,7 +28,7 @@ mod tests {
     use crate::drive::Stream;
 
     /// White numbers of variance 1 at 50 Hz have the density 2 / 50 on average: over 8000 lines within 3 / sqrt(8000), 3 %. Parseval with
-    /// the rectangular window: measured 2e-15.
+    /// the rectangular window.
     #[test]
     fn white_numbers_have_a_flat_density() {
         let mut stream = Stream::new(1, 2);

@@ -106,7 +106,8 @@ fn a_stop_that_is_not_felt_is_struck_as_rice_says() {
         assert!(found.half_width < 0.2 * exact, "{name}");
     }
     let (found, width) = (answer.spectra[0].bandwidth_hz, exact.loads[0].statistical_bandwidth_hz);
-    let sum: f64 = answer.spectra[0].density.iter().map(|bin| bin.mean).sum::<f64>() * answer.spectra[0].frequency_hz[1];
+    let spectrum = &answer.spectra[0];
+    let sum = spectrum.density.iter().map(|bin| bin.mean).sum::<f64>() * (spectrum.frequency_hz[1] - spectrum.frequency_hz[0]);
     eprintln!("bandwidth {:.3} +- {:.2} Hz, exact {width:.3} Hz; mean square {sum:.4e}", found.mean, found.half_width);
     assert!((found.mean - width).abs() < 3.0 * found.half_width / 2.13 + 0.03 * width && found.half_width < 0.3 * width);
     assert!((sum / (LOAD_OHM * answer.power_w.mean) - 1.0).abs() < 0.05, "{sum}");

@@ -134,7 +134,12 @@ mod tests {
         for path in paths {
             match path.is_dir() {
                 true => found.extend(specs(&path)),
-                false if path.extension().is_some_and(|ending| ending == "toml") && !path.ends_with("expected.toml") => found.push(path),
+                false
+                    if path.extension().is_some_and(|ending| ending == "toml")
+                        && !["expected.toml", "study.toml"].iter().any(|name| path.ends_with(name)) =>
+                {
+                    found.push(path)
+                }
                 false => (),
             }
         }

@@ -115,7 +115,7 @@ mod tests {
         }
     }
 
-    /// Pairs with the same second number: the ratio is a mean, and the jackknife its plain interval. Measured 1e-15.
+    /// Pairs with the same second number: the ratio is a mean, and the jackknife its plain interval.
     #[test]
     fn a_ratio_over_equal_numbers_is_a_mean() {
         let values = [1.0, 3.0, 2.0, 2.5];
