@@ -32,8 +32,7 @@ fn relative(found: f64, exact: f64) -> f64 {
 }
 
 /// Mean squares `S pi f / (4 zeta w^4)` and `S pi f / (4 zeta w^2)`, bandwidths `pi zeta (1 - zeta^2) f`, `pi zeta f` and
-/// `2 pi zeta f / (1 + 4 zeta^2)`, upcrossings of the mean `f`. Measured: 4e-16 by the covariance, 1e-12 by quadrature, 1e-15 for the
-/// noise bandwidths.
+/// `2 pi zeta f / (1 + 4 zeta^2)`, upcrossings of the mean `f`. Measured: 5.3e-13.
 #[test]
 fn an_oscillator_under_white_noise_is_its_closed_form() {
     let w = TAU * FREQUENCY_HZ;
@@ -68,7 +67,7 @@ fn an_oscillator_under_white_noise_is_its_closed_form() {
 }
 
 /// Any band, of oscillators under, at and above critical damping, against quadrature; bands add up to white noise.
-/// Measured: 3e-12 of the white answer.
+/// Measured: 7.3e-16 of the white answer.
 #[test]
 fn a_band_is_the_integral_over_it() {
     let mut worst = 0.0_f64;
@@ -92,7 +91,7 @@ fn a_band_is_the_integral_over_it() {
     eprintln!("largest error {worst:.1e}");
 }
 
-/// Two patches on circuits, one open, eight modes, three noises at once. Measured: 5e-11.
+/// Two patches on circuits, one open, eight modes, three noises at once. Measured: 1.0e-15.
 #[test]
 fn both_methods_agree_on_harvesters() {
     for (example, settings) in [
