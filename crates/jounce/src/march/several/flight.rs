@@ -107,7 +107,7 @@ impl Marcher<'_> {
 
     /// Sum of the magnitudes of what a displacement is summed from, m.
     #[inline(always)]
-    fn terms_m<W: Wide>(&self, w: W, p: usize) -> f64 {
+    pub(super) fn terms_m<W: Wide>(&self, w: W, p: usize) -> f64 {
         dot_of_magnitudes(w, &self.ports[p].rows.displacement, &self.y)
     }
 

@@ -18,6 +18,9 @@ const MOST_LANDINGS: u32 = 12;
 /// Lengths, relative to the first step of the contact that follows, at which a strike counts as met.
 const MET: f64 = 1e-14;
 
+/// Distances, relative to what they are summed from, that cannot be told from zero.
+const RESOLVED: f64 = 4.0 * f64::EPSILON;
+
 impl Marcher<'_> {
     /// Goes on until all ports fly, a rigid stop is struck, or the end is reached.
     #[inline(always)]
@@ -107,7 +110,9 @@ impl Marcher<'_> {
             let Some(solved) = self.solve_joint(w, &joint, &resting) else { return false };
             let [distance_m, speed_m_s] = self.flown(w, &joint, &solved, *striker);
             let change_s = -distance_m / speed_m_s;
-            if change_s.abs() <= MET * scale_s.max(length_s) {
+            // No time is told better than the roundoff of the distance allows.
+            let roundoff_s = RESOLVED * self.terms_m(w, *striker) / speed_m_s.abs();
+            if change_s.abs() <= roundoff_s.max(MET * scale_s.max(length_s)) {
                 self.watch(w, length, &joint.steps, &solved);
                 self.take_joint(w, length, &joint.steps, &solved, Some(&tables));
                 self.join(w, *striker);
