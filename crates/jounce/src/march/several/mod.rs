@@ -14,9 +14,11 @@
 //!   a fixed point that converges as that of one port does. The ports in flight are watched by the same certificate, to which the
 //!   forces add a known cubic and a bounded rest (see [`super::forced_flight`]). Where that proves neither flight nor a first crossing,
 //!   the step is shortened, down to a length on which the rest is below the resolution of the certificate.
+//!   One compliant port in contact by itself is solved as in [`super::contact_step`]; the others are watched.
 //! - *A strike during a contact* ends the step there, by Newton on its length, so that the new contact starts on its own onset.
 //! - *Rigid stops*: see [`impacts`] and [`rest`].
 
+mod alone;
 mod flight;
 mod impacts;
 mod joint_solve;

@@ -35,7 +35,11 @@ impl Marcher<'_> {
                 let remaining_s = self.forced.remaining_s(self.time_s, end_s);
                 let landing = Kernel::length_s(level) >= remaining_s;
                 let length = if landing { Length::Odd { length_s: remaining_s, level } } else { Length::Level(level) };
-                match self.joint_attempt(w, &ports, length, level >= safe) {
+                let outcome = match ports.as_slice() {
+                    [(p, shape)] if !self.is_rigid(*p) => self.attempt_alone(w, (*p, *shape), length, level >= safe),
+                    several => self.joint_attempt(w, several, length, level >= safe),
+                };
+                match outcome {
                     Outcome::Clear => {
                         if landing {
                             self.time_s = end_s;
@@ -83,7 +87,7 @@ impl Marcher<'_> {
 
     /// Accurate and sound at every port.
     #[inline(always)]
-    fn is_fine(&self, steps: &[Step], solved: &[Solved], is_short: bool) -> bool {
+    pub(super) fn is_fine(&self, steps: &[Step], solved: &[Solved], is_short: bool) -> bool {
         let allowed_n_s = self.allowed_beside_n_s(steps, solved);
         steps.iter().zip(solved).all(|(step, own)| {
             let needs_no_look = self.is_rigid(step.port) || self.law(step.port).acts_on_both_sides();
