@@ -35,6 +35,14 @@ impl Marcher<'_> {
     /// Flies until contact or until the end.
     #[inline(always)]
     pub(super) fn flight<W: Wide>(&mut self, w: W, end_s: f64) -> Result<(), MarchError> {
+        w.apart(
+            #[inline(always)]
+            || self.fly_alone(w, end_s),
+        )
+    }
+
+    #[inline(always)]
+    fn fly_alone<W: Wide>(&mut self, w: W, end_s: f64) -> Result<(), MarchError> {
         if self.kernel.plant.ports.is_empty() {
             let length_s = self.forced.remaining_s(self.time_s, end_s);
             self.look_ahead(w, length_s);

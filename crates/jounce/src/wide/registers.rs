@@ -45,6 +45,10 @@ pub trait Wide: Copy {
     /// Largest of the eight numbers.
     fn largest(self, a: Self::Register) -> f64;
 
+    /// Calls a function, itself `#[inline(always)]`, as code of its own with the same instructions: what several places call is
+    /// compiled once.
+    fn apart<R>(self, function: impl FnOnce() -> R) -> R;
+
     /// Eight zeros.
     #[inline(always)]
     fn zero(self) -> Self::Register {
@@ -118,6 +122,11 @@ where
     [S::f64s; N]: Pod,
 {
     type Register = [S::f64s; N];
+
+    #[inline(always)]
+    fn apart<R>(self, function: impl FnOnce() -> R) -> R {
+        self.0.vectorize(function)
+    }
 
     #[inline(always)]
     fn load(self, lane: &Lane) -> Self::Register {

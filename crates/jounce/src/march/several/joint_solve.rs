@@ -47,6 +47,17 @@ impl<'k> Marcher<'k> {
     where
         'k: 't,
     {
+        w.apart(
+            #[inline(always)]
+            || self.lay_out(w, tables),
+        )
+    }
+
+    #[inline(always)]
+    fn lay_out<'t, W: Wide>(&mut self, w: W, tables: &'t JointTables<'k>) -> JointStep<'t, 'k>
+    where
+        'k: 't,
+    {
         let (level, odd) = (tables.length.level(), matches!(tables.length, Length::Odd { .. }));
         let mut steps = Few::new();
         for (place, (port, shape)) in tables.ports.iter().enumerate() {
@@ -58,6 +69,14 @@ impl<'k> Marcher<'k> {
     /// Solves a step for the nodal forces of all its ports; `None` when the fixed point does not converge.
     #[inline(always)]
     pub(super) fn solve_joint<W: Wide>(&mut self, w: W, joint: &JointStep, resting: &Resting) -> Option<Few<Solved>> {
+        w.apart(
+            #[inline(always)]
+            || self.iterate(w, joint, resting),
+        )
+    }
+
+    #[inline(always)]
+    fn iterate<W: Wide>(&mut self, w: W, joint: &JointStep, resting: &Resting) -> Option<Few<Solved>> {
         let mut iterates = self.first_guess(w, joint);
         let goal = (0.1 * self.tolerance).clamp(4e-15, 1e-5);
         for iteration in 1..=MOST_ITERATIONS {

@@ -16,6 +16,14 @@ impl Marcher<'_> {
     /// Takes a solved step whose free motion stands in `next`; the tables tell what several ports do to each other.
     #[inline(always)]
     pub(super) fn take_joint<W: Wide>(&mut self, w: W, length: Length, steps: &[Step], solved: &[Solved], tables: Option<&JointTables>) {
+        w.apart(
+            #[inline(always)]
+            || self.take_all(w, length, steps, solved, tables),
+        );
+    }
+
+    #[inline(always)]
+    fn take_all<W: Wide>(&mut self, w: W, length: Length, steps: &[Step], solved: &[Solved], tables: Option<&JointTables>) {
         let forces: Few<Lane> = solved.iter().map(|own| nodal(&own.force)).collect();
         if self.record.is_some() {
             let noted: Vec<PortForce> = steps.iter().zip(&forces).map(|(step, force)| PortForce::new(step, force)).collect();

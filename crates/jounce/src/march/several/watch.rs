@@ -18,6 +18,14 @@ impl Marcher<'_> {
     /// Judges the flight of every other port over a solved step; the free motion to its end is left in `next`.
     #[inline(always)]
     pub(super) fn watch<W: Wide>(&mut self, w: W, length: Length, steps: &[Step], solved: &[Solved]) -> Outcome {
+        w.apart(
+            #[inline(always)]
+            || self.watch_all(w, length, steps, solved),
+        )
+    }
+
+    #[inline(always)]
+    fn watch_all<W: Wide>(&mut self, w: W, length: Length, steps: &[Step], solved: &[Solved]) -> Outcome {
         steps[0].table.flow.apply(w, &self.y, &mut self.next);
         let forces: Few<Lane> = solved.iter().map(|own| nodal(&own.force)).collect();
         let mut outcome = Outcome::Clear;
