@@ -1,4 +1,4 @@
-"""Writes the reference of the Python package from its docstrings: ``python python/reference.py > book/src/python-reference.md``."""
+"""Writes the reference of the Python package from its docstrings: ``python -P python/reference.py > book/src/python-reference.md``."""
 
 import dataclasses
 import inspect

@@ -43,7 +43,7 @@ from .spec import Spec
 from .study import Study
 from .study_result import StudyResult, StudyStatus, StudyTable
 from .sweep import SweepResult
-from .things import Beam, Circuit, Damping, Drive, Gravity, Mass, Modal, Patch, Reduction, Run, Stop
+from .things import Beam, Circuit, Damping, Drive, Gravity, Layer, Mass, Modal, Patch, Reduction, Run, Stop
 
 __all__ = [
     "ArgumentError",
@@ -67,6 +67,7 @@ __all__ = [
     "JounceError",
     "JumpCurve",
     "JumpsResult",
+    "Layer",
     "MarchError",
     "Mass",
     "Material",

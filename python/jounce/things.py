@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-__all__ = ["Beam", "Circuit", "Damping", "Drive", "Gravity", "Mass", "Modal", "Patch", "Reduction", "Run", "Stop"]
+__all__ = ["Beam", "Circuit", "Damping", "Drive", "Gravity", "Layer", "Mass", "Modal", "Patch", "Reduction", "Run", "Stop"]
 
 
 class Thing(dict[str, Any]):
@@ -34,6 +34,10 @@ class Beam(Thing):
 
 class Patch(Thing):
     """A piezoelectric patch: ``on``, ``start``, ``length``, ``width``, ``thickness``, ``material`` or ``d31`` and ``capacitance``."""
+
+
+class Layer(Thing):
+    """A passive layer on a face of a beam: ``on``, ``face``, ``start``, ``length``, ``width``, ``thickness``, ``material``."""
 
 
 class Mass(Thing):

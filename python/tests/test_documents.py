@@ -54,6 +54,6 @@ def test_readme_works_in_an_empty_environment(tmp_path):
 
 
 def test_the_reference_is_that_of_the_docstrings():
-    made = subprocess.run([sys.executable, ROOT / "python/reference.py"], capture_output=True, text=True, check=True).stdout
+    made = subprocess.run([sys.executable, "-P", ROOT / "python/reference.py"], capture_output=True, text=True, check=True).stdout
     written = (ROOT / "book/src/python-reference.md").read_text(encoding="utf-8")
-    assert written == made, "make it again: python python/reference.py > book/src/python-reference.md"
+    assert written == made, "make it again: python -P python/reference.py > book/src/python-reference.md"

@@ -1,27 +1,9 @@
-//! Plants of examples with some keys set, and lines over the load resistance.
+//! Lines over the load resistance.
 
-use crate::rows::folder;
+use crate::example::{G_M_S2, plant};
 use jounce::linear::{Input, Response, frf};
 use jounce::picture::{Direction, SweepLine};
-use jounce::plant::{Plant, System};
-use jounce::spec::{Spec, SpecFile};
-use jounce::structure::modes;
-
-/// Acceleration of gravity that the papers refer their answers to, m/s^2.
-pub const G_M_S2: f64 = 9.81;
-
-pub fn spec(example: &str, settings: &[(&str, &str)]) -> Spec {
-    let mut file = SpecFile::read(folder(example).join("harvester.toml")).unwrap();
-    for (key, value) in settings {
-        file.set(key, value).unwrap();
-    }
-    file.spec().unwrap_or_else(|faults| panic!("{faults}"))
-}
-
-pub fn plant(example: &str, settings: &[(&str, &str)]) -> Plant {
-    let spec = spec(example, settings);
-    Plant::new(System::assemble(&spec, modes(&spec).unwrap()).unwrap()).unwrap()
-}
+use jounce::plant::Plant;
 
 /// Size of a response per g of the base.
 pub fn per_g(plant: &Plant, response: Response, frequency_hz: &[f64]) -> Vec<f64> {

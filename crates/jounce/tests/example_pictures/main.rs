@@ -3,6 +3,8 @@
 //! `JOUNCE_DRAW=1 cargo test --test example_pictures` draws them again.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
+#[path = "../linear/example.rs"]
+mod example;
 mod kept;
 mod loads;
 mod noise;

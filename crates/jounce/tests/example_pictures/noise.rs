@@ -1,7 +1,8 @@
 //! `white-noise-adhikari-2009`: mean power against the load, with and without an inductor.
 
+use crate::example::plant;
 use crate::kept::check;
-use crate::loads::{over_resistance, plant, spaced};
+use crate::loads::{over_resistance, spaced};
 use jounce::linear::white_noise_powers_w;
 use jounce::picture::power_against_resistance;
 use std::f64::consts::PI;

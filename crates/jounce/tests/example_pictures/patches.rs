@@ -1,7 +1,8 @@
 //! `mfc-bender-bilgen-2010`, `porous-patch-martinez-ayuso`: what another patch changes.
 
+use crate::example::plant;
 use crate::kept::check;
-use crate::loads::{over_resistance, per_g, plant, power_per_g2, spaced};
+use crate::loads::{over_resistance, per_g, power_per_g2, spaced};
 use jounce::linear::Response;
 use jounce::picture::{Axis, Colour, Figure, Panel, Series, power_against_resistance};
 

@@ -1,7 +1,8 @@
 //! `unimorph-erturk-2008`, `bimorph-erturk-2009`: responses to a shaken base at several loads.
 
+use crate::example::plant;
 use crate::kept::check;
-use crate::loads::{over_resistance, per_g, plant, power_per_g2, spaced};
+use crate::loads::{over_resistance, per_g, power_per_g2, spaced};
 use jounce::linear::Response;
 use jounce::picture::{Axis, Figure, Panel, Series, power_against_resistance};
 

@@ -1,29 +1,10 @@
 //! The expected numbers of an example.
 
-use jounce::linear::{Input, Response, frf};
-use jounce::plant::{Plant, System};
-use jounce::spec::{Spec, SpecFile};
-use jounce::structure::modes;
-
+use crate::example::G_M_S2;
+pub use crate::example::{plant, spec};
 pub use crate::rows::check;
-use crate::rows::folder;
-
-/// Acceleration of gravity that the papers refer their answers to, m/s^2.
-pub const G_M_S2: f64 = 9.81;
-
-/// The spec of an example with some keys set.
-pub fn spec(example: &str, settings: &[(&str, &str)]) -> Spec {
-    let mut file = SpecFile::read(folder(example).join("harvester.toml")).unwrap();
-    for (key, value) in settings {
-        file.set(key, value).unwrap();
-    }
-    file.spec().unwrap_or_else(|faults| panic!("{faults}"))
-}
-
-pub fn plant(example: &str, settings: &[(&str, &str)]) -> Plant {
-    let spec = spec(example, settings);
-    Plant::new(System::assemble(&spec, modes(&spec).unwrap()).unwrap()).unwrap()
-}
+use jounce::linear::{Input, Response, frf};
+use jounce::plant::Plant;
 
 /// Voltage of the load per g of the base, V zero to peak.
 pub fn voltage_per_g(plant: &Plant, frequency_hz: f64) -> f64 {

@@ -6,6 +6,7 @@ mod bilgen;
 mod circuits;
 mod erturk_2008;
 mod erturk_2009;
+mod example;
 mod expected;
 mod martinez_ayuso;
 mod noise;

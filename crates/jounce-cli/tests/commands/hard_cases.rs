@@ -1,0 +1,80 @@
+//! Hard cases of orbits: each ends soon, with an answer or with one clear error.
+
+use crate::{PLANT, jounce};
+
+/// Hard cases of orbits from the outside: each ends soon, with an answer or with one clear error.
+#[test]
+fn hard_cases_end_with_an_answer_or_a_clear_error() {
+    let over = |range: &str| format!("drive.shaker.frequency={range}");
+    let branch = |range: &str, set: &str| {
+        let over = over(range);
+        let mut arguments = vec!["branch", PLANT, "--over", &over, "--seeds", "0", "--longest-period", "1", "--json"];
+        arguments.extend(["--set", set].iter().filter(|_| !set.is_empty()));
+        jounce(&arguments)
+    };
+    // Gaps that are closed and preloaded, contact never, a start exactly at the grazing, a stop like rock: answers.
+    for (range, set) in [
+        ("13Hz:13.2Hz", "stop.tip.gap=0 mm"),
+        ("13Hz:13.2Hz", "stop.tip.gap=-0.2 mm"),
+        ("13Hz:13.2Hz", "stop.tip.gap=500 mm"),
+        ("13.3401238Hz:13.5Hz", ""),
+        ("13.2Hz:13.5Hz", "stop.tip.stiffness=1e10 N/m^1.5"),
+    ] {
+        let (code, json, told) = branch(range, set);
+        assert!(code == 0 && !json["branches"][0]["points"].as_array().unwrap().is_empty(), "{set}: {told}");
+        let contacts = json["branches"][0]["points"][0]["contacts_per_period"].as_u64().unwrap();
+        if set.contains("gap") {
+            assert_eq!(contacts > 0, !set.contains("500"), "{set}: {contacts}");
+        }
+    }
+    // Beyond what a key allows, and a tolerance out of reach: refused with the limit.
+    let (code, json, _) = branch("0Hz:10Hz", "");
+    assert!(code == 4 && json["error"].as_str().unwrap().contains("1 uHz"), "{json}");
+    let too_fine = ["branch", PLANT, "--over", "drive.shaker.frequency=13Hz:13.2Hz", "--tolerance", "1e-17", "--json"];
+    let (code, json, _) = jounce(&too_fine);
+    assert!(code == 2 && json["error"].as_str().unwrap().contains("1e-14"), "{json}");
+    // A drive that does not move attracts to nothing but rest.
+    for command in [&["basins", PLANT][..], &["diagram", PLANT, "--over", "drive.shaker.frequency=13Hz:14Hz:1Hz"]] {
+        let (code, json, _) = jounce(&[command, &["--json", "--set", "drive.shaker.amplitude=0 N"]].concat());
+        assert!(code == 4 && json["error"].as_str().unwrap().contains("amplitude"), "{json}");
+    }
+}
+
+/// One mode without damping, driven at its own frequency.
+#[test]
+fn resonance_without_damping_is_refused_with_the_frequency() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("undamped.toml");
+    let text = r#"
+[modal.o]
+frequency_hz = [10.0]
+damping_ratio = [0.0]
+[modal.o.point]
+tip = [1.0]
+[stop.tip]
+at = "o.tip"
+frame = "ground"
+law = "hertz"
+gap = "1 mm"
+stiffness = "1000 N/m^1.5"
+[drive.shaker]
+at = "o.tip"
+kind = "force"
+amplitude = "1 N"
+frequency = "10 Hz"
+[run]
+start = "rest"
+duration = "2 s"
+average_over = "1 s"
+"#;
+    std::fs::write(&path, text).unwrap();
+    let spec = path.to_str().unwrap();
+    let over = "drive.shaker.frequency=10Hz:11Hz";
+    for command in
+        [&["branch", spec, "--over", over][..], &["basins", spec], &["diagram", spec, "--over", "drive.shaker.frequency=10Hz:11Hz:1Hz"]]
+    {
+        let (code, json, _) = jounce(&[command, &["--json"]].concat());
+        let error = json["error"].as_str().unwrap();
+        assert!(code == 4 && error.contains("undamped mode at 10 Hz") && error.contains("damping"), "{error}");
+    }
+}

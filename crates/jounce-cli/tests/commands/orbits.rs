@@ -1,0 +1,105 @@
+//! Branches and jumps.
+
+use crate::{PLANT, has, jounce};
+use serde_json::Value;
+
+#[test]
+fn branch_answers_with_every_key_by_both_methods() {
+    for method in ["shooting", "harmonic-balance"] {
+        let over = "drive.shaker.frequency=11Hz:13Hz";
+        let (code, json, _) = jounce(&["branch", PLANT, "--over", over, "--method", method, "--seeds", "0", "--json"]);
+        assert_eq!(code, 0);
+        let branch = &json["branches"][0];
+        has(branch, &["period_cycles", "points", "bifurcations"]);
+        let keys = ["parameter", "mean_power_w", "voltage_rms_v", "stable", "floquet_max_abs", "contacts_per_period", "error_estimate"];
+        has(&branch["points"][0], &keys);
+        let all: Vec<&Value> = json["branches"].as_array().unwrap().iter().flat_map(|b| b["bifurcations"].as_array().unwrap()).collect();
+        let fold = all.iter().find(|found| found["kind"] == "fold").unwrap();
+        has(fold, &["kind", "parameter", "mean_power_w"]);
+        assert!((fold["parameter"].as_f64().unwrap() - 12.3218).abs() < 1e-3, "{method}: {fold}");
+    }
+}
+
+#[test]
+fn jumps_answers_with_every_key() {
+    let (over, against) = ("drive.shaker.frequency=11Hz:13Hz", "stop.tip.gap=0.9mm:1.1mm");
+    let (code, json, _) = jounce(&["jumps", PLANT, "--over", over, "--against", against, "--seeds", "0", "--json"]);
+    assert_eq!(code, 0);
+    let folds = json["curves"].as_array().unwrap().iter().filter(|curve| curve["kind"] == "fold");
+    let points: Vec<&Value> = folds.flat_map(|fold| fold["points"].as_array().unwrap()).collect();
+    has(points[0], &["parameter", "parameter_2", "mean_power_w"]);
+    let own = points.iter().filter(|point| (point["parameter_2"].as_f64().unwrap() - 1e-3).abs() < 1e-12);
+    assert!(own.clone().any(|point| (point["parameter"].as_f64().unwrap() - 12.3218).abs() < 1e-3), "{json}");
+}
+
+/// The plant between its stop and another behind it.
+fn between_stops(folder: &tempfile::TempDir) -> String {
+    let behind = "[stop.behind]\nat = \"harvester.tip\"\nframe = \"ground\"\nside = \"negative\"\nlaw = \"hertz\"\ngap = \"1.5 mm\"\nstiffness = \"2000 N/m^1.5\"\n";
+    let path = folder.path().join("between.toml");
+    std::fs::write(&path, format!("{}\n{behind}", std::fs::read_to_string(PLANT).unwrap())).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+#[test]
+fn two_stops_are_marched_followed_and_told_apart() {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = between_stops(&folder);
+    let (code, json, text) = jounce(&["run", &spec, "--json", "--set", "run.duration=4 s", "--set", "run.average_over=2 s"]);
+    assert_eq!(code, 0, "{text}");
+    let stops = json["stops"].as_array().unwrap();
+    stops.iter().for_each(|stop| has(stop, &["name", "contacts", "contact_duty", "max_penetration_m", "max_contact_force_n"]));
+    assert_eq!((&stops[0]["name"], &stops[1]["name"]), (&Value::from("behind"), &Value::from("tip")));
+    let count = |value: &Value| value["contacts"].as_u64().unwrap();
+    assert!(count(&stops[0]) > 0 && count(&stops[1]) > 0 && count(&stops[0]) + count(&stops[1]) == count(&json), "{json}");
+    assert!(json["energy_residual_relative"].as_f64().unwrap().abs() < 1e-6, "{json}");
+    let branch = ["branch", &spec, "--over", "drive.shaker.frequency=11Hz:12Hz", "--seeds", "0", "--json"];
+    let (code, json, text) = jounce(&branch);
+    assert_eq!(code, 0, "{text}");
+    let points = json["branches"][0]["points"].as_array().unwrap();
+    assert!(points.iter().any(|point| point["contacts_per_period"].as_u64().unwrap() >= 2), "{json}");
+    let (code, _, text) = jounce(&[&branch[..], &["--method", "harmonic-balance"]].concat());
+    assert!(code == 4 && text.contains("shooting"), "{code}: {text}");
+    let (code, json, text) = jounce(&["basins", &spec, "--starts", "6", "--seed", "3", "--json"]);
+    assert!(code == 0 && !json["attractors"].as_array().unwrap().is_empty(), "{text}");
+}
+
+#[test]
+fn orbits_of_a_rigid_stop_by_harmonic_balance_are_refused() {
+    let rigid = ["--set", "stop.tip.law=rigid", "--set", "stop.tip.restitution=0.8"];
+    let arguments = ["branch", PLANT, "--over", "drive.shaker.frequency=12Hz:13Hz", "--method", "harmonic-balance"];
+    let (code, _, text) = jounce(&[&arguments[..], &rigid].concat());
+    assert!(code == 4 && !text.is_empty(), "{code}: {text}");
+}
+
+#[test]
+fn a_branch_tells_its_peak_and_its_bandwidth() {
+    let folder = tempfile::tempdir().unwrap();
+    let over = "drive.shaker.frequency=11.5Hz:12.5Hz";
+    let arguments = ["branch", PLANT, "--over", over, "--seeds", "0", "--longest-period", "1", "--json", "--threads"];
+    let out = folder.path().to_str().unwrap();
+    let (code, one, _) = jounce(&[&arguments[..], &["1", "--out", out]].concat());
+    assert_eq!(code, 0);
+    let branch = &one["branches"][0];
+    assert!((branch["peak"]["parameter"].as_f64().unwrap() - 12.3119).abs() < 1e-3, "{}", branch["peak"]);
+    let width = &branch["half_power_bandwidth"];
+    for key in ["width", "width_error", "intervals"] {
+        assert!(!width[key].is_null(), "{key} is missing in {width}");
+    }
+    assert_eq!(width["intervals"][0]["to"]["at"], "stability");
+    assert_eq!(one["half_power_bandwidth"], *width);
+    assert!(folder.path().join("bandwidths.csv").exists());
+    assert_eq!(one, jounce(&[&arguments[..], &["3"]].concat()).1);
+}
+
+#[test]
+fn jumps_give_the_curve_of_peaks() {
+    let keys = ["--over", "drive.shaker.frequency=11.9Hz:12.5Hz", "--against", "drive.shaker.amplitude=48N:50N"];
+    let (code, json, _) = jounce(&[&["jumps", PLANT, "--seeds", "0", "--longest-period", "1", "--json"][..], &keys].concat());
+    assert_eq!(code, 0);
+    let curves = json["curves"].as_array().unwrap();
+    let of = |kind: &str| curves.iter().filter(|curve| curve["kind"] == kind).count();
+    assert!(of("peak") >= 1 && of("fold") >= 1, "{:?}", curves.iter().map(|curve| &curve["kind"]).collect::<Vec<_>>());
+    let peak = curves.iter().find(|curve| curve["kind"] == "peak").unwrap();
+    let at_50 = peak["points"].as_array().unwrap().iter().find(|point| point["parameter_2"] == 50.0).unwrap();
+    assert!((at_50["parameter"].as_f64().unwrap() - 12.311_867).abs() < 1e-5 && at_50["stable"] == true, "{at_50}");
+}

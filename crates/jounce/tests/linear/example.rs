@@ -1,0 +1,23 @@
+//! An example: its spec with some keys set, its plant.
+
+use crate::rows::folder;
+use jounce::plant::{Plant, System};
+use jounce::spec::{Spec, SpecFile};
+use jounce::structure::modes;
+
+/// Acceleration of gravity that the papers refer their answers to, m/s^2.
+pub const G_M_S2: f64 = 9.81;
+
+/// The spec of an example with some keys set.
+pub fn spec(example: &str, settings: &[(&str, &str)]) -> Spec {
+    let mut file = SpecFile::read(folder(example).join("harvester.toml")).unwrap();
+    for (key, value) in settings {
+        file.set(key, value).unwrap();
+    }
+    file.spec().unwrap_or_else(|faults| panic!("{faults}"))
+}
+
+pub fn plant(example: &str, settings: &[(&str, &str)]) -> Plant {
+    let spec = spec(example, settings);
+    Plant::new(System::assemble(&spec, modes(&spec).unwrap()).unwrap()).unwrap()
+}
