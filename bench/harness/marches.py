@@ -9,12 +9,15 @@ import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 from statistics import median
+from typing import Any
 
 from .build import say
 from .process import finish
+from .report import span
 
 TOLERANCE = ("--tolerance", "1e-8")
 FREQUENCIES_HZ = (11, 6)
+SECOND_GAPS = {"never reached": "1 m", "struck too": "1 mm"}
 NOISE_S = 60
 RECORDING_HZ = 3000
 
@@ -23,7 +26,7 @@ SECOND_STOP = """
 at = "harvester.tip"
 frame = "ground"
 law = "hertz"
-gap = "1 mm"
+gap = "{gap}"
 stiffness = "1000 N/m^1.5"
 side = "negative"
 """
@@ -49,10 +52,11 @@ scale = "5 m/s^2"
 
 @dataclass
 class March:
-    """Times of marching, s, and the contacts in its averaging window; `failed` says why there are none."""
+    """Times of marching, s, the steps of the march and the contacts in its averaging window; `failed` says why there are none."""
 
     task: str
     march_s: list[float] = field(default_factory=list)
+    steps: int = 0
     contacts: int = 0
     failed: str | None = None
 
@@ -82,7 +86,9 @@ def tasks(plant: str, harvester: str) -> list[tuple[str, str, tuple[str, ...]]]:
     found = []
     for hertz in FREQUENCIES_HZ:
         options = (*TOLERANCE, "--set", f"drive.shaker.frequency={hertz} Hz")
-        found += [(f"one stop, {hertz} Hz, 20 s", plant, options), (f"two stops, {hertz} Hz, 20 s", plant + SECOND_STOP, options)]
+        found.append((f"one stop, {hertz} Hz, 20 s", plant, options))
+        for kind, gap in SECOND_GAPS.items():
+            found.append((f"a second stop that is {kind}, {hertz} Hz, 20 s", plant + SECOND_STOP.format(gap=gap), options))
     found.append((f"noise, one stop, 8 modes, {NOISE_S} s", with_drive(plant, NOISE, NOISE_S), ()))
     found.append((f"recording of {RECORDING_HZ} Hz, one stop, 8 modes, {NOISE_S} s", with_drive(harvester, RECORDING, NOISE_S), ()))
     return found
@@ -108,14 +114,33 @@ def marches(binary: Path, plant: Path, spec: Path, repeats: int, cap_s: float) -
     return found
 
 
-def record(march: March, answer: dict[str, float]) -> None:
+def record(march: March, answer: dict[str, Any]) -> None:
     """Adds one repetition."""
     march.march_s.append(float(answer["march_s"]))
+    march.steps = int(answer["work"]["flight_steps"] + answer["work"]["contact_steps"])
     march.contacts = int(answer["contacts"])
 
 
 def ratio_of_stops(found: list[March]) -> list[str]:
-    """What a second stop costs, per frequency."""
-    times = {march.task: median(march.march_s) for march in found if march.march_s}
-    pairs = [(f"{hertz} Hz", times.get(f"one stop, {hertz} Hz, 20 s"), times.get(f"two stops, {hertz} Hz, 20 s")) for hertz in FREQUENCIES_HZ]
-    return [f"The second stop costs {two / one:.2g} times one at {name}." for name, one, two in pairs if one and two]
+    """What a second stop costs per frequency: in all, and per step."""
+    done = {march.task: march for march in found if march.march_s}
+    lines = []
+    for hertz in FREQUENCIES_HZ:
+        one = done.get(f"one stop, {hertz} Hz, 20 s")
+        for kind in SECOND_GAPS:
+            two = done.get(f"a second stop that is {kind}, {hertz} Hz, 20 s")
+            if one and two:
+                times = median(two.march_s) / median(one.march_s)
+                steps = two.steps / one.steps
+                lines.append(f"- At {hertz} Hz a second stop that is {kind} costs {times:.2g} times one for {steps:.2g} times the steps.")
+    return lines
+
+
+def report(described: list[str], found: list[March]) -> str:
+    """The whole file."""
+    head = ["# Marching alone", "", "Written by `bench/marches.py`; how to read it is in `bench/README.md`.", "", *(f"- {line}" for line in described)]
+    rows = ["", "| task | march ms, median [min .. max] | steps | contacts |", "|---|---|---|---|"]
+    for march in found:
+        cells = f"{march.failed} | | " if march.failed else f"{span(march.march_s)} | {march.steps} | {march.contacts}"
+        rows.append(f"| {march.task} | {cells} |")
+    return "\n".join([*head, *rows, "", *ratio_of_stops(found)]) + "\n"

@@ -52,10 +52,10 @@ class Specs(unittest.TestCase):
         self.assertEqual(without(spec, "a.d"), "[a.b]\nx = [1, 2]\n\n[c]\ny = 1\n")
 
     def test_another_drive_leaves_the_rest(self) -> None:
-        made = with_drive("[drive.shaker]\nat = \"p\"\n[run]\nstart = \"rest\"\n[damping]\nr = 1\n" + SECOND_STOP, "[drive.x]\nk = 1\n", 60)
+        made = with_drive("[drive.shaker]\nat = \"p\"\n[run]\nstart = \"rest\"\n[damping]\nr = 1\n" + SECOND_STOP.format(gap="1 mm"), "[drive.x]\nk = 1\n", 60)
         self.assertNotIn("drive.shaker", made)
         self.assertEqual(made.count("[run]"), 1)
-        for part in ("[damping]\nr = 1\n", SECOND_STOP.strip(), "[drive.x]\nk = 1\n", 'duration = "60 s"'):
+        for part in ("[damping]\nr = 1\n", SECOND_STOP.format(gap="1 mm").strip(), "[drive.x]\nk = 1\n", 'duration = "60 s"'):
             self.assertIn(part, made)
 
 

@@ -118,6 +118,18 @@ impl Marcher<'_> {
         dot(Portable::new(), &row, &self.y) + drive + self.forced.acceleration_after(p, 0.0)
     }
 
+    /// Speed against which errors of a port at rest are held: the fastest strike, or what its velocity is summed from, where bodies that
+    /// push each other from rest have never struck.
+    pub(super) fn speed_m_s(&self, p: usize) -> f64 {
+        self.ports[p].strike_m_s.max(self.velocity_terms_m_s(p))
+    }
+
+    /// Sum of the magnitudes that the velocity of a port is summed from, m/s.
+    pub(super) fn velocity_terms_m_s(&self, p: usize) -> f64 {
+        let terms = |(row, y): (&Lane, &Lane)| row.0.iter().zip(y.0).map(|(row, y)| (row * y).abs()).sum::<f64>();
+        self.ports[p].rows.velocity.iter().zip(&self.y).map(terms).sum()
+    }
+
     /// Rests on the stop until the force would have to pull, or until the end.
     fn stick(&mut self, end_s: f64) -> Result<(), MarchError> {
         let mut level = self.ports[0].entry_level;
@@ -139,8 +151,7 @@ impl Marcher<'_> {
             let sticking = Sticking::new(self.kernel, 0, &SMOOTH, table.length_s);
             let (force, error) = self.holding_force(table, &sticking);
             let pulls = force.iter().any(|f| *f < 0.0);
-            let negligible =
-                force_now * table.length_s <= 1e-3 * self.tolerance * self.ports[0].strike_m_s / self.ports[0].rows.mobility_per_kg;
+            let negligible = force_now * table.length_s <= 1e-3 * self.tolerance * self.speed_m_s(0) / self.ports[0].rows.mobility_per_kg;
             if (pulls && !negligible) || error > self.tolerance.max(1e-12) * 1e-2 {
                 level = if landing { Kernel::level_within(remaining) + 1 } else { level + 1 };
                 if level > Kernel::finest() {

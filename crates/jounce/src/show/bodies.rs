@@ -71,18 +71,18 @@ fn drawn_mass(spec: &Spec, index: &Index, name: &str, mass: &Mass) -> DrawnBody 
     DrawnBody { words: words::mass(name, mass), shape, seat }
 }
 
+fn cover(label: &str, [start_m, length_m, thickness_m]: [f64; 3], face: Face) -> DrawnPatch {
+    DrawnPatch { label: label.to_owned(), start_m, length_m, thickness_m, top: face == Face::Top }
+}
+
 fn drawn_beam(spec: &Spec, name: &str, beam: &Beam) -> DrawnBeam {
-    let patches = spec.patch.iter().filter(|(_, patch)| patch.on == name).map(|(label, patch)| DrawnPatch {
-        label: label.clone(),
-        start_m: patch.start_m,
-        length_m: patch.length_m,
-        thickness_m: patch.thickness_m,
-        top: patch.face == Face::Top,
-    });
+    let layers = spec.layer.iter().filter(|(_, layer)| layer.on == name);
+    let patches = spec.patch.iter().filter(|(_, patch)| patch.on == name);
     DrawnBeam {
         length_m: beam.length_m,
         thickness_m: beam.thickness_m,
-        patches: patches.collect(),
+        layers: layers.map(|(label, l)| cover(label, [l.start_m, l.length_m, l.thickness_m], l.face)).collect(),
+        patches: patches.map(|(label, p)| cover(label, [p.start_m, p.length_m, p.thickness_m], p.face)).collect(),
         points: beam.point.iter().map(|(point, along_m)| (point.clone(), *along_m)).collect(),
     }
 }

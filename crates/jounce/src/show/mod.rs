@@ -71,6 +71,33 @@ mod tests {
         assert!(stop.on.is_some_and(|on| on.body == 0) && !stop.above);
     }
 
+    /// A bond line under the patch: the patch is lifted by its thickness, and the stop begins above both.
+    #[test]
+    fn a_layer_lies_between_the_beam_and_its_patch() {
+        let mut file = example("impact-harvester-2019");
+        for (key, value) in [
+            ("on", "beam"),
+            ("start", "9 mm"),
+            ("length", "85 mm"),
+            ("width", "30 mm"),
+            ("thickness", "2 mm"),
+            ("youngs_modulus", "3 GPa"),
+            ("section", "thin-skin"),
+        ] {
+            file.set(&format!("layer.bond.{key}"), value).unwrap();
+        }
+        let svg = drawing("", &file.spec().unwrap()).to_svg();
+        let edges = |class: &str| {
+            let element = svg.split("<rect").find(|element| element.contains(class)).unwrap_or_else(|| panic!("{svg}"));
+            let number =
+                |name: &str| element.split(&format!(" {name}=\"")).nth(1).unwrap().split('"').next().unwrap().parse::<f64>().unwrap();
+            (number("y"), number("y") + number("height"))
+        };
+        let (beam, bond, patch) = (edges("jounce-beam"), edges("jounce-layer"), edges("jounce-patch"));
+        assert!((bond.1 - beam.0).abs() < 0.02 && (patch.1 - bond.0).abs() < 0.02, "{beam:?} {bond:?} {patch:?}");
+        assert!(svg.contains("bond: 85 mm"), "{svg}");
+    }
+
     #[test]
     fn both_faces_and_their_circuit_are_drawn() {
         let drawn = drawn("bimorph-erturk-2009");

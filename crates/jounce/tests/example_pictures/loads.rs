@@ -1,6 +1,6 @@
 //! Lines over the load resistance.
 
-use crate::example::{G_M_S2, plant};
+use crate::example::G_M_S2;
 use jounce::linear::{Input, Response, frf};
 use jounce::picture::{Direction, SweepLine};
 use jounce::plant::Plant;

@@ -76,3 +76,39 @@ fn rest_on_two_stops_is_held_or_refused() {
     let error = marcher.advance_to(0.5).unwrap_err();
     assert!(matches!(&error, MarchError::RestsTwice { stops, .. } if stops == &["left", "right"]), "{error}");
 }
+
+/// A mass on a compressed spring pushes a free one of the same mass from rest, nothing ever strikes: until the spring would pull they
+/// are one mass of two, then the free one keeps its speed. Alone and beside a second stop, which another law of rest serves.
+/// Measured: 8e-10 and 8e-10 at the tolerance 1e-10.
+#[test]
+fn a_mass_pushes_another_from_rest_and_lets_it_go() {
+    let (zeta, frequency_hz, start_m) = (0.01, 3.0, 4e-3);
+    for beside in [false, true] {
+        let mut system = springs(&[frequency_hz, 0.0], zeta);
+        system.stops.push(stop("hand", &[1.0, -1.0], -start_m, Law::Rigid(Rigid { restitution: 0.5 })));
+        if beside {
+            system.stops.push(stop("far", &[0.0, 1.0], 1.0, Law::Rigid(Rigid { restitution: 0.5 })));
+        }
+        let kernel = kernel(system);
+        let end_s = 0.4;
+        let marcher = march(&kernel, &[-start_m, 0.0, 0.0, 0.0], 0.0, end_s, 1e-10);
+        let found = physical(&marcher, &kernel);
+        let natural = std::f64::consts::TAU * frequency_hz / 2f64.sqrt();
+        let decay = zeta * std::f64::consts::TAU * frequency_hz / 2.0;
+        let damped = (natural * natural - decay * decay).sqrt();
+        let leaves_s = (damped / decay).atan() / damped;
+        let (sin, cos) = (damped * leaves_s).sin_cos();
+        let envelope = start_m * (-decay * leaves_s).exp();
+        let speed = envelope * natural * natural / damped * sin;
+        let place = start_m - envelope * (cos + decay / damped * sin) + speed * (end_s - leaves_s);
+        let errors = [found[1] / place - 1.0, found[3] / speed - 1.0];
+        let statistics = marcher.statistics_by_stop()[0];
+        eprintln!(
+            "beside {beside}: {errors:?}, {:.3e} s at rest, residual {:.1e}",
+            statistics.sticking_s,
+            marcher.energies().residual_relative()
+        );
+        assert!(errors.iter().all(|error| error.abs() < 1e-8) && (statistics.sticking_s / leaves_s - 1.0).abs() < 1e-4);
+        assert!(marcher.energies().residual_relative().abs() < 1e-9);
+    }
+}

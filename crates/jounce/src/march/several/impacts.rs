@@ -9,7 +9,7 @@ use crate::contact::Law;
 use crate::march::error::MarchError;
 use crate::march::marcher::Marcher;
 use crate::march::port_state::Regime;
-use crate::wide::{Lane, Wide};
+use crate::wide::Wide;
 
 /// Speed into a stop that is roundoff, relative to the fastest strike and to the terms that it is summed from.
 const STILL: f64 = 1e-14;
@@ -28,9 +28,7 @@ impl Marcher<'_> {
     }
 
     fn still_m_s(&self, p: usize) -> f64 {
-        let terms = |(row, y): (&Lane, &Lane)| row.0.iter().zip(y.0).map(|(row, y)| (row * y).abs()).sum::<f64>();
-        let terms_m_s: f64 = self.ports[p].rows.velocity.iter().zip(&self.y).map(terms).sum();
-        STILL * self.ports[p].strike_m_s.max(terms_m_s)
+        STILL * self.speed_m_s(p)
     }
 
     /// Resolves all impacts of the present instant.

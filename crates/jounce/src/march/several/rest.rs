@@ -11,6 +11,7 @@
 
 use super::joint_solve::{Iterate, JointStep};
 use crate::march::basis::{NODES, SMOOTH};
+use crate::march::contact::IMPULSE_SHARE;
 use crate::march::contact_step::Solved;
 use crate::march::error::MarchError;
 use crate::march::joint_tables::JointTables;
@@ -116,7 +117,8 @@ impl Resting {
             }
             let (size, mobility) = (marcher.largest(&solved[*place].force), self.mobility[a][*place]);
             let length_s = joint.tables.length.seconds();
-            let negligible = size * length_s <= HOLDING_SHARE * allowed_n_s;
+            let own_n_s = marcher.tolerance * IMPULSE_SHARE * marcher.speed_m_s(joint.tables.ports[*place].0) / mobility;
+            let negligible = size * length_s <= HOLDING_SHARE * allowed_n_s.max(own_n_s);
             let pulls = solved[*place].force.0.iter().any(|force| *force < 0.0);
             let is_good = mismatch.abs() <= self.allowed * mobility * size && !pulls;
             solved[*place].error_n_s = if is_good || negligible { 0.0 } else { f64::INFINITY };

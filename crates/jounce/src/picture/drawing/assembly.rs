@@ -1,7 +1,7 @@
 //! What is fixed together: bodies on bodies, each at its place beside the one that carries it.
 
 use super::rect::Rect;
-use super::{Drawing, DrawnBeam, DrawnPlace, DrawnShape, Seat};
+use super::{Drawing, DrawnBeam, DrawnPatch, DrawnPlace, DrawnShape, Seat};
 
 /// Height of a mass, px.
 pub const BLOCK: (f64, f64) = (86.0, 44.0);
@@ -105,10 +105,20 @@ pub fn room(drawing: &Drawing, body: usize, spot: Spot, px_per_m: f64) -> Rect {
 
 /// Distance of a face of a beam from its mid-plane with the patches on it, at a place or where it is largest, px.
 fn thickness(beam: &DrawnBeam, along_m: Option<f64>, top: bool, px_per_m: f64) -> f64 {
-    let there = |start: f64, length: f64| along_m.is_none_or(|x| (start..=start + length * (1.0 + 1e-9)).contains(&x));
-    let patches = beam.patches.iter().filter(|patch| patch.top == top && there(patch.start_m, patch.length_m));
-    let patch = patches.map(|patch| thick(patch.thickness_m, px_per_m)).fold(0.0, f64::max);
-    0.5 * thick(beam.thickness_m, px_per_m) + patch
+    let there = |cover: &&DrawnPatch| cover.top == top && along_m.is_none_or(|x| covers(cover, x));
+    let layers = beam.layers.iter().filter(there).map(|layer| thick(layer.thickness_m, px_per_m));
+    let patches = beam.patches.iter().filter(there).map(|patch| under(beam, patch, px_per_m) + thick(patch.thickness_m, px_per_m));
+    0.5 * thick(beam.thickness_m, px_per_m) + layers.chain(patches).fold(0.0, f64::max)
+}
+
+/// Thickness of the layer under a patch, px.
+pub fn under(beam: &DrawnBeam, patch: &DrawnPatch, px_per_m: f64) -> f64 {
+    let carries = |layer: &&DrawnPatch| layer.top == patch.top && covers(layer, patch.start_m + 0.5 * patch.length_m);
+    beam.layers.iter().filter(carries).map(|layer| thick(layer.thickness_m, px_per_m)).fold(0.0, f64::max)
+}
+
+fn covers(cover: &DrawnPatch, along_m: f64) -> bool {
+    (cover.start_m..=cover.start_m + cover.length_m * (1.0 + 1e-9)).contains(&along_m)
 }
 
 /// A thickness in pixels, at least one.

@@ -1,6 +1,6 @@
 //! The bodies of a group.
 
-use super::assembly::{SPRING, carrier, room, sides, thick};
+use super::assembly::{SPRING, carrier, room, sides, thick, under};
 use super::canvas::{Canvas, INK, THIN};
 use super::dimension;
 use super::hatch::{Far, HATCH, ground};
@@ -11,6 +11,8 @@ use super::{Drawing, DrawnBeam, DrawnShape, Seat};
 use crate::picture::svg::number;
 
 const BODY: &str = "class=\"jounce-body\" fill=\"#dfe3e8\" stroke=\"#1a1a1a\" stroke-width=\"1.2\"";
+const PATCH: &str = "class=\"jounce-patch\" fill=\"#e69f00\"";
+const LAYER: &str = "class=\"jounce-layer\" fill=\"#56b4e9\"";
 /// Half the height of the wall that a beam is clamped to, px.
 pub const WALL: f64 = 20.0;
 
@@ -50,11 +52,11 @@ pub fn body(canvas: &mut Canvas, drawing: &Drawing, layout: &Layout, body: usize
     canvas.label((covered.right, middle.1), (1.0, 0.0), drawn.words.clone());
 }
 
-/// Where the name of a beam goes: over a face without patches, else at its right end.
+/// Where the name of a beam goes: over a bare face, else at its right end.
 fn named_at(beam: &DrawnBeam, (x, y): (f64, f64), way: f64, px_per_m: f64) -> ((f64, f64), (f64, f64)) {
     let length = way * beam.length_m * px_per_m;
     let half = 0.5 * thick(beam.thickness_m, px_per_m);
-    let bare = |top: bool| beam.patches.iter().all(|patch| patch.top != top);
+    let bare = |top: bool| beam.patches.iter().chain(&beam.layers).all(|cover| cover.top != top);
     match (bare(true), bare(false)) {
         (true, _) => ((x + 0.5 * length, y - half), (0.0, -1.0)),
         (_, true) if way < 0.0 => ((x + 0.5 * length, y + half), (0.0, 1.0)),
@@ -85,18 +87,23 @@ fn wall(canvas: &mut Canvas, (x, y): (f64, f64), way: f64) {
     canvas.cover(Rect::between((x, y - WALL), (x - way * HATCH, y + WALL + HATCH)));
 }
 
-/// A beam with its patches and its places, its root at `(x, y)`.
+/// A beam with its layers, its patches and its places, its root at `(x, y)`.
 fn beam(canvas: &mut Canvas, beam: &DrawnBeam, way: f64, (x, y): (f64, f64), px_per_m: f64) {
     let half = 0.5 * thick(beam.thickness_m, px_per_m);
     let at = |along_m: f64| x + way * along_m * px_per_m;
     canvas.solid(Rect::between((x, y - half), (at(beam.length_m), y + half)), "class=\"jounce-beam\" fill=\"#4a5560\"");
-    for patch in &beam.patches {
-        let side = if patch.top { -1.0 } else { 1.0 };
-        let (near, far) = (y + side * half, y + side * (half + thick(patch.thickness_m, px_per_m)));
-        let (from, to) = (at(patch.start_m), at(patch.start_m + patch.length_m));
-        canvas.solid(Rect::between((from, near), (to, far)), "class=\"jounce-patch\" fill=\"#e69f00\"");
-        let words = format!("{}: {} × {}", patch.label, dimension::length(patch.length_m), dimension::length(patch.thickness_m));
-        canvas.label((0.5 * (from + to), far), (0.0, side), vec![words]);
+    let layers = beam.layers.iter().map(|layer| (layer, 0.0, LAYER));
+    let patches = beam.patches.iter().map(|patch| (patch, under(beam, patch, px_per_m), PATCH));
+    for (cover, lifted, style) in layers.chain(patches) {
+        let side = if cover.top { -1.0 } else { 1.0 };
+        let (near, far) = (y + side * (half + lifted), y + side * (half + lifted + thick(cover.thickness_m, px_per_m)));
+        let (from, to) = (at(cover.start_m), at(cover.start_m + cover.length_m));
+        canvas.solid(Rect::between((from, near), (to, far)), style);
+        let words = format!("{}: {} × {}", cover.label, dimension::length(cover.length_m), dimension::length(cover.thickness_m));
+        // Of what lies under something else only the end is seen.
+        let (anchor, toward) =
+            if style == LAYER { ((to, 0.5 * (near + far)), (0.5 * way, side)) } else { ((0.5 * (from + to), far), (0.0, side)) };
+        canvas.label(anchor, toward, vec![words]);
     }
     for (name, along_m) in &beam.points {
         let (place, low) = (at(*along_m), y + half);

@@ -70,13 +70,15 @@ pub struct DrawnBeam {
     pub length_m: f64,
     /// Thickness, m.
     pub thickness_m: f64,
+    /// Its passive layers, under what patches lie there.
+    pub layers: Vec<DrawnPatch>,
     /// Its patches.
     pub patches: Vec<DrawnPatch>,
     /// Named places: name and distance from the root, m.
     pub points: Vec<(String, f64)>,
 }
 
-/// A patch on a face of a beam.
+/// A patch or a layer on a face of a beam.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DrawnPatch {
     /// Its name.

@@ -1,6 +1,7 @@
 //! Power against load resistance, with and without impact, as in the paper's figures 8 and 9.
 
 use super::sweep::{Direction, SweepLine, SweepLook, sweep};
+use crate::picture::unit::prefix;
 use crate::picture::{Along, Axis, Figure, Line, Reference};
 
 /// Lines over resistance (ohm, logarithmic axis); `unit` is that of the power: `W`, or `W/N^2` where it is divided by the force squared.
@@ -29,7 +30,13 @@ fn label(line: &SweepLine, best: Option<f64>) -> String {
     match best {
         // Both directions of a level keep one name, or the legend would list them twice.
         Some(best) if !matches!(line.direction, Direction::Up | Direction::Down) => {
-            format!("{}, best at {} kΩ", line.label, three_digits(best / 1e3))
+            let thousands = (best.log10() / 3.0).floor().clamp(-1.0, 3.0) as i32;
+            format!(
+                "{}, best at {} {}Ω",
+                line.label,
+                three_digits(best / 1000f64.powi(thousands)),
+                prefix(3 * thousands).unwrap_or_default()
+            )
         }
         _ => line.label.clone(),
     }
@@ -69,6 +76,12 @@ mod tests {
             let found = best_ohm(&line(ohm, power)).unwrap();
             assert!((found / best - 1.0).abs() < 0.002, "{found} {best}");
         }
+    }
+
+    #[test]
+    fn the_best_resistance_is_told_in_its_own_unit() {
+        let told = |ohm: f64| label(&line(vec![], vec![]), Some(ohm));
+        assert_eq!([told(95.2), told(4.7e3), told(1.25e6)], ["a, best at 95.2 Ω", "a, best at 4.70 kΩ", "a, best at 1.25 MΩ"]);
     }
 
     #[test]
