@@ -37,9 +37,11 @@ from .history import History
 from .jumps import JumpCurve, JumpsResult
 from .materials import Material, Materials, materials
 from .modes import ModesResult
+from .noise import NoiseResult
 from .run import RunResult, State
 from .signal import Spectrum, spectrum, write_recording
 from .spec import Spec
+from .starters import new, starters
 from .study import Study
 from .study_result import StudyResult, StudyStatus, StudyTable
 from .sweep import SweepResult
@@ -74,6 +76,7 @@ __all__ = [
     "Materials",
     "Modal",
     "ModesResult",
+    "NoiseResult",
     "OrbitError",
     "Patch",
     "PlantError",
@@ -96,8 +99,10 @@ __all__ = [
     "__version__",
     "examples",
     "materials",
+    "new",
     "read",
     "spectrum",
+    "starters",
     "write_recording",
 ]
 

@@ -21,9 +21,12 @@ __all__ = [
     "jumps",
     "materials",
     "modes",
+    "noise",
     "quantity_si",
     "run",
     "spectrum",
+    "starter",
+    "starters",
     "study_merge",
     "study_status",
     "sweep",
@@ -70,11 +73,14 @@ def table_read(path: str | PathLike[str]) -> tuple[dict[str, Any], dict[str, tup
 def quantity_si(kind: str, text: str) -> float: ...
 def materials() -> str: ...
 def examples() -> list[tuple[str, str, str]]: ...
+def starter(kind: str) -> str: ...
+def starters() -> list[tuple[str, str]]: ...
 def spectrum(values: NDArray[np.float64], sample_rate_hz: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
 def modes(spec: Spec, hold: list[str]) -> dict[str, Any]: ...
 def frf(
     spec: Spec, frequency_hz: NDArray[np.float64], input: str | None, base: bool, hold: list[str], open_circuit: bool
 ) -> dict[str, Any]: ...
+def noise(spec: Spec, low_hz: float | None, high_hz: float | None, points: int) -> dict[str, Any]: ...
 def run(spec: Spec, tolerance: float | None, start: str | None, record_s: float, sample_rate_hz: float) -> _Handed: ...
 def sweep(
     spec: Spec,
@@ -140,6 +146,7 @@ def ensemble(
     members: int,
     seed: int,
     relative_width: float | None,
+    spectrum: bool,
     tolerance: float | None,
     threads: int | None,
     progress: _Progress,

@@ -20,6 +20,7 @@ from .errors import ArgumentError
 from .frf import FrfResult
 from .jumps import JumpsResult
 from .modes import ModesResult
+from .noise import NoiseResult
 from .progress import Progress, told
 from .quantity import setting, sides, span, values
 from .result import html_table
@@ -176,6 +177,16 @@ class Spec:
         """
         return FrfResult._made(_core.frf(self._spec, frequencies(frequency), input, base, names(hold), open_circuit))
 
+    def noise(self, *, low: Any = None, high: Any = None, points: int = 1000) -> NoiseResult:
+        """What the noises of the spec do without contact, exact: means, mean squares, bandwidths, how often each gap would be reached.
+
+        Densities are told at ``points`` frequencies from ``low`` to ``high``, by default over the band of the noise, and at more about each
+        resonance.
+        """
+        low_hz = None if low is None else in_si("frequency", low, "low")
+        high_hz = None if high is None else in_si("frequency", high, "high")
+        return NoiseResult._made(_core.noise(self._spec, low_hz, high_hz, points))
+
     def run(
         self, *, tolerance: float | None = None, start: State | None = None, record: Any = None, sample_rate: Any = "4096 Hz"
     ) -> RunResult:
@@ -306,6 +317,7 @@ class Spec:
         members: int = 16,
         seed: int = 1,
         relative_width: float | None = None,
+        spectrum: bool = False,
         tolerance: float | None = None,
         threads: int | None = None,
         progress: bool | Progress | None = None,
@@ -313,9 +325,11 @@ class Spec:
         """Marches realisations of the noise and answers with 95 % intervals.
 
         With ``relative_width``, rounds of so many ``members`` are added until half the interval of the mean power is this share of it.
+        With ``spectrum``, of two members at least, the power spectral density of every voltage and its bandwidth are estimated as well.
         """
         with told(progress) as tell:
-            return EnsembleResult._handed(_core.ensemble(self._spec, members, seed, relative_width, tolerance, threads, tell))
+            found = _core.ensemble(self._spec, members, seed, relative_width, spectrum, tolerance, threads, tell)
+            return EnsembleResult._handed(found)
 
 
 def _again(kind: type[Spec], text: str, folder: str) -> Spec:

@@ -39,8 +39,9 @@ class Study:
     points, seed
         Number of drawn points, and their seed.
     quantity
-        ``"run"``, ``"modes"``, ``"frf"``, ``"basins"``, ``"ensemble"``, or a dict of ``command`` and its options, as ``"sweep"``,
-        ``"diagram"``, ``"branch"`` and ``"jumps"`` need: ``{"command": "sweep", "over": "drive.shaker.frequency=10Hz:14Hz:0.1Hz"}``.
+        ``"run"``, ``"modes"``, ``"frf"``, ``"basins"``, ``"ensemble"``, ``"noise"``, or a dict of ``command`` and its options, as
+        ``"sweep"``, ``"diagram"``, ``"branch"`` and ``"jumps"`` need:
+        ``{"command": "sweep", "over": "drive.shaker.frequency=10Hz:14Hz:0.1Hz"}``.
     points_per_part
         Points of a part, which is computed by one process and written whole.
 

@@ -31,11 +31,12 @@ def results():
         "jumps": harvester.jumps(FREQUENCY, "12 Hz:13 Hz", "stop.tip.gap", "0.99 mm:1.01 mm", seeds=0),
         "basins": harvester.basins(starts=3),
         "diagram": harvester.diagram(FREQUENCY, "12.9 Hz:13 Hz:2x", direction="starts", starts=2, branches=False),
-        "ensemble": noisy().ensemble(members=3),
+        "ensemble": noisy().ensemble(members=3, spectrum=True),
+        "noise": noisy().noise(points=20),
     }
 
 
-NAMES = ["modes", "frf", "run", "history", "spectrum", "sweep", "branch", "jumps", "basins", "diagram", "ensemble"]
+NAMES = ["modes", "frf", "run", "history", "spectrum", "sweep", "branch", "jumps", "basins", "diagram", "ensemble", "noise"]
 
 
 @pytest.mark.parametrize("name", NAMES)

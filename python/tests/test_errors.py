@@ -69,7 +69,7 @@ def test_values_of_wrong_types_are_refused(harvester, value):
 
 
 def test_arguments_are_checked(harvester):
-    frequency = "drive.shaker.frequency"
+    frequency, noisy = "drive.shaker.frequency", jounce.examples()["random-base"]
     wrong = [
         lambda: jounce.Spec(3),
         lambda: jounce.Spec("harvester.toml"),
@@ -106,6 +106,13 @@ def test_arguments_are_checked(harvester):
         lambda: harvester.ensemble(),
         lambda: harvester.ensemble(members=0),
         lambda: harvester.ensemble(relative_width=2.0),
+        lambda: noisy.ensemble(members=1, spectrum=True),
+        lambda: harvester.noise(),
+        lambda: noisy.noise(points=1),
+        lambda: noisy.noise(low="40 Hz"),
+        lambda: noisy.noise(low="0 Hz"),
+        lambda: noisy.noise(high="1 mm"),
+        lambda: jounce.new("violin"),
         lambda: harvester.diagram(frequency, "12 Hz:13 Hz:3x", direction="sideways"),
         lambda: harvester.diagram(frequency, ["13 Hz", "12 Hz"]),
         lambda: harvester.diagram(frequency, "12 Hz:13 Hz:3x", direction="starts", starts=0),
@@ -147,6 +154,12 @@ def test_errors_carry_their_numbers(harvester):
     with pytest.raises(jounce.PlantError) as caught:
         harvester.frf(["10 Hz"], input="beam.nowhere")
     assert caught.value.details["name"] == "beam.nowhere"
+    with pytest.raises(jounce.ArgumentError, match='did you mean "two-beams"') as caught:
+        jounce.new("two-beam")
+    assert caught.value.details == {"kind": "two-beam", "nearest": "two-beams"}
+    with pytest.raises(jounce.PlantError, match="not linear") as caught:
+        jounce.examples()["rectified-shu-lien-2006"].noise()
+    assert caught.value.details == {"circuit": "rectifier"}
     noisy = jounce.examples()["random-base"]
     for orbits in (noisy.basins, lambda: noisy.diagram("stop.tip.gap", "1 mm:2 mm:3x")):
         with pytest.raises(jounce.OrbitError, match="does not repeat itself"):

@@ -33,6 +33,8 @@ def drawn():
         "basins": harvester.basins(starts=3).plot_basins,
         "diagram": harvester.diagram(FREQUENCY, "12 Hz:13 Hz:3x", branches=False).plot_diagram,
         "ensemble": noisy.ensemble(members=8).plot_ensemble,
+        "spectra": noisy.ensemble(members=8, spectrum=True).plot_spectra,
+        "noise": noisy.noise().plot_noise,
     }
 
 
@@ -50,6 +52,8 @@ NAMES = [
     "basins",
     "diagram",
     "ensemble",
+    "spectra",
+    "noise",
 ]
 
 
@@ -94,5 +98,10 @@ def test_what_cannot_be_drawn_is_told(drawn):
     run = jounce.examples()["impact-harvester-2019"].changed({"run.duration": "0.2 s", "run.average_over": "0.1 s"}).run()
     with pytest.raises(jounce.ArgumentError, match="record"):
         run.plot_time_history()
+    noisy = jounce.examples()["random-base"].changed({"run.duration": "2 s", "run.average_over": "1 s"})
+    with pytest.raises(jounce.ArgumentError, match="spectrum=True"):
+        noisy.ensemble(members=2).plot_spectra()
+    with pytest.raises(jounce.ArgumentError, match="no such density"):
+        drawn["noise"](density="mfc.heat")
     with pytest.raises(jounce.ArgumentError, match="no such channel"):
         drawn["time history"](channel="temperature")

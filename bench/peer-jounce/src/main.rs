@@ -3,7 +3,8 @@
 //! Keys of the spec are set as with `--set` on the command line, as in `"drive.shaker.frequency=11 Hz"`.
 //! `cpu_s` is CPU time of the whole process during `simulate`, from a fresh state at rest to the answer. With `warm` the first second
 //! of the same run was marched before on the same kernel, as all compiled peers do: what it has made of the step tables is kept, and
-//! tables that only a later part of the run needs are made within `cpu_s`. With `first` nothing was marched before.
+//! tables that only a later part of the run needs are made within `cpu_s`. With `first` nothing was marched before. `wall_s` is the wall time
+//! of the same, `march_s` that of the march alone.
 
 use jounce::march::Kernel;
 use jounce::plant::{Plant, System};
@@ -13,6 +14,7 @@ use jounce::structure;
 use rustix::time::{ClockId, clock_gettime};
 use std::error::Error;
 use std::process::ExitCode;
+use std::time::Instant;
 
 /// Part of the run that the peers warm up on.
 const WARM_UP: f64 = 0.05;
@@ -43,10 +45,10 @@ fn measure(path: &str, start: &str, changes: &[String]) -> Result<String, Box<dy
         "first" => {}
         other => return Err(format!("'{other}' is neither warm nor first").into()),
     }
-    let before_s = cpu_s();
-    let RunAnswer { mean_power_w, .. } = simulate(&kernel, &rest, &whole)?;
-    let taken_s = cpu_s() - before_s;
-    Ok(format!(r#"{{"mean_power_w": {mean_power_w:e}, "cpu_s": {taken_s:e}}}"#))
+    let (begun, before_s) = (Instant::now(), cpu_s());
+    let RunAnswer { mean_power_w, march_s, .. } = simulate(&kernel, &rest, &whole)?;
+    let (taken_s, wall_s) = (cpu_s() - before_s, begun.elapsed().as_secs_f64());
+    Ok(format!(r#"{{"mean_power_w": {mean_power_w:e}, "cpu_s": {taken_s:e}, "wall_s": {wall_s:e}, "march_s": {march_s:e}}}"#))
 }
 
 fn main() -> ExitCode {

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::run::Handed;
 use crate::spec::Spec;
 use crate::watched::{handed, on_threads, watched};
-use jounce::study::{Ensemble, EnsembleAnswer, IntervalOver, Member};
+use jounce::study::{Ensemble, EnsembleAnswer, Estimate, IntervalOver, Member, StopEstimates, VoltageSpectrum};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -24,6 +24,7 @@ pub fn ensemble<'py>(
     members: usize,
     seed: u64,
     relative_width: Option<f64>,
+    spectrum: bool,
     tolerance: Option<f64>,
     threads: Option<usize>,
     progress: Option<Bound<'py, PyAny>>,
@@ -35,16 +36,20 @@ pub fn ensemble<'py>(
         );
         return Err(Failure::new("ArgumentError", why).raised(py));
     }
+    if spectrum && members < 2 {
+        let why = "spectrum needs two members at least: one alone tells no density from its scatter";
+        return Err(Failure::new("ArgumentError", why).raised(py));
+    }
     let own = spec.with_tolerance(tolerance)?;
     let spec = own.as_ref().unwrap_or(spec);
     let found = watched(py, progress.as_ref(), |watch| {
         let base = spec.prepared(watch)?;
         let start = base.start(&spec.folder())?;
         let most_rounds = if relative_width.is_some() { MOST_ROUNDS } else { 1 };
-        let study = Ensemble { base: &base, start, members, seed, relative_width, most_rounds, with_spectrum: false };
+        let study = Ensemble { base: &base, start, members, seed, relative_width, most_rounds, with_spectrum: spectrum };
         on_threads(threads, || Ok(study.run(&|_| ())?))
     });
-    let options = [("members", members.to_string()), ("seed", seed.to_string())];
+    let options = [("members", members.to_string()), ("seed", seed.to_string()), ("spectrum", spectrum.to_string())];
     let manifest = spec.manifest("ensemble", &options);
     handed(py, found, |answer| told(py, &answer, manifest))
 }
@@ -72,5 +77,38 @@ fn told<'py>(py: Python<'py>, found: &EnsembleAnswer, manifest: String) -> PyRes
         .each("member_max_penetration_m", all, |m| m.max_penetration_m)?
         .each("member_energy_residual_relative", all, |m| m.energy_residual_relative)?
         .with("manifest", manifest)?;
-    Ok(answer.dict())
+    spectra(stops(answer, &found.stops)?, &found.spectra).map(Answer::dict)
+}
+
+/// Contacts of each stop.
+fn stops<'py>(answer: Answer<'py>, stops: &[StopEstimates]) -> PyResult<Answer<'py>> {
+    let estimates: [(&str, &str, fn(&StopEstimates) -> &Estimate); 4] = [
+        ("stop_contact_rate_hz", "stop_contact_rate_half_width_hz", |stop| &stop.contact_rate_hz),
+        ("stop_mean_strike_m_s", "stop_mean_strike_half_width_m_s", |stop| &stop.mean_strike_m_s),
+        ("stop_mean_dwell_s", "stop_mean_dwell_half_width_s", |stop| &stop.mean_dwell_s),
+        ("stop_contact_duty", "stop_contact_duty_half_width", |stop| &stop.contact_duty),
+    ];
+    let answer = estimates.into_iter().try_fold(answer, |answer, (mean, half_width, of)| {
+        answer.each(mean, stops, |stop| of(stop).mean)?.each(half_width, stops, |stop| of(stop).half_width)
+    })?;
+    answer
+        .with("stop", stops.iter().map(|stop| stop.name.as_str()).collect::<Vec<_>>())?
+        .each("stop_max_strike_m_s", stops, |stop| stop.max_strike_m_s)?
+        .each("stop_max_dwell_s", stops, |stop| stop.max_dwell_s)?
+        .each("stop_max_contact_force_n", stops, |stop| stop.max_contact_force_n)?
+        .each("stop_max_penetration_m", stops, |stop| stop.max_penetration_m)
+}
+
+/// Densities of the voltages, a row for each patch.
+fn spectra<'py>(answer: Answer<'py>, spectra: &[VoltageSpectrum]) -> PyResult<Answer<'py>> {
+    let frequency_hz = spectra.first().map_or_else(Vec::new, |first| first.frequency_hz.clone());
+    let rows = |of: fn(&Estimate) -> f64| spectra.iter().map(|own| own.density.iter().map(of).collect()).collect::<Vec<Vec<f64>>>();
+    let bins = frequency_hz.len();
+    answer
+        .with("patch", spectra.iter().map(|own| own.patch.as_str()).collect::<Vec<_>>())?
+        .array("frequency_hz", frequency_hz)?
+        .rows("voltage_psd_v2_hz", &rows(|bin| bin.mean), bins)?
+        .rows("voltage_psd_half_width_v2_hz", &rows(|bin| bin.half_width), bins)?
+        .each("bandwidth_hz", spectra, |own| own.bandwidth_hz.mean)?
+        .each("bandwidth_half_width_hz", spectra, |own| own.bandwidth_hz.half_width)
 }

@@ -1,10 +1,12 @@
 //! Errors of the library as exceptions of `jounce.errors`, with their numbers.
 
+use jounce::linear::RandomError;
 use jounce::march::VariationError;
 use jounce::orbit::OrbitError;
 use jounce::plant::PlantError;
 use jounce::run::RunError;
 use jounce::spec::{Fault, Faults, ReadError};
+use jounce::starter::UnknownKind;
 use jounce::structure::StructureError;
 use jounce::study::StudyError;
 use jounce::survey::SurveyError;
@@ -91,6 +93,23 @@ impl From<StructureError> for Failure {
 impl From<PlantError> for Failure {
     fn from(error: PlantError) -> Self {
         Self::of("PlantError", &error)
+    }
+}
+
+impl From<RandomError> for Failure {
+    fn from(error: RandomError) -> Self {
+        match error {
+            RandomError::Structure(error) => error.into(),
+            RandomError::Plant(error) => error.into(),
+            RandomError::NoNoise => Self::new("ArgumentError", error),
+            RandomError::Rectified { .. } | RandomError::Unsteady { .. } => Self::of("PlantError", &error),
+        }
+    }
+}
+
+impl From<UnknownKind> for Failure {
+    fn from(error: UnknownKind) -> Self {
+        Self::of("ArgumentError", &error)
     }
 }
 

@@ -13,9 +13,11 @@ mod history;
 mod jumps;
 mod materials;
 mod modes;
+mod noise;
 mod run;
 mod signal;
 mod spec;
+mod starters;
 mod study;
 mod sweep;
 mod watched;
@@ -42,11 +44,15 @@ mod _core {
     #[pymodule_export]
     use super::modes::modes;
     #[pymodule_export]
+    use super::noise::noise;
+    #[pymodule_export]
     use super::run::run;
     #[pymodule_export]
     use super::signal::spectrum;
     #[pymodule_export]
     use super::spec::{Spec, quantity_si};
+    #[pymodule_export]
+    use super::starters::{starter, starters};
     #[pymodule_export]
     use super::study::{Study, study_merge, study_status, table_read};
     #[pymodule_export]

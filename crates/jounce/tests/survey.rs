@@ -223,9 +223,12 @@ fn every_quantity_fills_its_columns() {
         assert!(first(&table, column) > 0.0, "{quantity}: {:?}", table.column("failure"));
     }
     let noisy = beside().join("../random-base");
-    let text = "spec = \"harvester.toml\"\n[set]\n\"run.duration\" = \"1 s\"\n\"run.average_over\" = \"0.5 s\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\ncommand = \"ensemble\"\nmembers = 2\n";
-    let table = Study::parse(text, &noisy).unwrap().part(0, &Watch::default()).unwrap().unwrap();
-    assert!(table.floats("mean_power_w").unwrap()[0] > 0.0, "{:?}", table.column("failure"));
+    for quantity in ["command = \"ensemble\"\nmembers = 2", "command = \"noise\""] {
+        let short = "[set]\n\"run.duration\" = \"1 s\"\n\"run.average_over\" = \"0.5 s\"\n";
+        let text = format!("spec = \"harvester.toml\"\n{short}[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\n{quantity}\n");
+        let table = Study::parse(&text, &noisy).unwrap().part(0, &Watch::default()).unwrap().unwrap();
+        assert!(table.floats("mean_power_w").unwrap()[0] > 0.0, "{quantity}: {:?}", table.column("failure"));
+    }
 }
 
 #[test]
@@ -264,6 +267,7 @@ fn all_faults_of_a_text_come_at_once_with_their_lines() {
             "against is missing",
         ),
         ("spec = \"harvester.toml\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\ncommand = \"run\"\nstarts = 3", "no such key"),
+        ("spec = \"harvester.toml\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\ncommand = \"noise\"", "noise needs a drive"),
     ];
     for (text, expected) in wrong {
         let error = Study::parse(text, &beside()).unwrap_err().to_string();

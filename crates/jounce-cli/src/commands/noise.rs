@@ -10,9 +10,6 @@ use jounce::spec::Spec;
 use jounce::table::{Column, Table};
 use std::path::Path;
 
-/// Share of the highest frequency of the noise at which densities begin where the noise begins at 0.
-const LOWEST_SHARE: f64 = 1e-3;
-
 /// Arguments of `noise`.
 #[derive(Debug, Args)]
 pub struct Noise {
@@ -50,9 +47,9 @@ impl Noise {
     }
 
     fn frequencies(&self, random: &Random) -> Result<Vec<f64>, Failure> {
-        let [low, high] = random.band_hz();
+        let [low, high] = random.usual_band_hz();
         let read = |option: &str, text: &Option<String>, default: f64| text.as_ref().map_or(Ok(default), |text| frequency_hz(option, text));
-        let (from, to) = (read("from", &self.from, low.max(LOWEST_SHARE * high))?, read("to", &self.to, high)?);
+        let (from, to) = (read("from", &self.from, low)?, read("to", &self.to, high)?);
         if from >= to || !(2..=1_000_000).contains(&self.points) {
             return Err(Failure::usage("noise needs --from below --to, and 2 to 1000000 --points".into()));
         }

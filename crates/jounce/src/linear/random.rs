@@ -14,8 +14,12 @@ use crate::spec::{Interface, Spec};
 use crate::structure::{self, StructureError};
 use faer::Mat;
 
+/// Share of the highest frequency of the noises at which densities begin where the noises begin at 0.
+const LOWEST_SHARE: f64 = 1e-3;
+
 /// Why a spec has no linear answer to noise.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
+#[serde(untagged)]
 pub enum RandomError {
     /// The structure.
     #[error(transparent)]
@@ -152,10 +156,12 @@ impl Random {
         self.plant.system.stops.iter().zip(&self.plant.ports).map(stop).collect()
     }
 
-    /// Lowest and highest frequency of the noises, Hz.
-    pub fn band_hz(&self) -> [f64; 2] {
+    /// Band over which densities are told where no other is asked for, Hz: that of the noises, from a thousandth of its end where it begins
+    /// at 0.
+    pub fn usual_band_hz(&self) -> [f64; 2] {
         let ends = self.noises.iter().map(|noise| noise.band_hz);
-        ends.fold([f64::INFINITY, 0.0], |[low, high], [from, to]| [low.min(from), high.max(to)])
+        let [low, high] = ends.fold([f64::INFINITY, 0.0_f64], |[low, high], [from, to]| [low.min(from), high.max(to)]);
+        [low.max(LOWEST_SHARE * high), high]
     }
 
     /// Frequencies from one to another, Hz, ascending: evenly spaced, and closer about each resonance.

@@ -37,7 +37,7 @@ pub const STARTERS: &[Starter] = &[
 ];
 
 /// A kind that does not exist.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error, serde::Serialize)]
 #[error("there is no starter of the kind \"{kind}\"{}; the kinds are {}", meant(.nearest), kinds())]
 pub struct UnknownKind {
     /// What was asked for.

@@ -2,7 +2,7 @@
 
 use super::over_keys::{diagram, jumps, sweep};
 use super::{Quantity, SurveyError};
-use crate::linear::{self, Input, Response};
+use crate::linear::{self, Input, Random, RandomError, RandomLoad, RandomStop, Response};
 use crate::run::{RunPlan, simulate};
 use crate::spec::{DriveKind, NumericKey, Spec};
 use crate::study::{BandwidthSearch, Basins, BranchSearch, Cloud, Ensemble, Method, Parameter, Prepared, Starts, StudyError};
@@ -34,6 +34,7 @@ pub(super) fn evaluate(quantity: &Quantity, prepared: &Prepared, folder: &Path) 
             branch(prepared, &key, (*range, *seeds, *longest_period, *tolerance))
         }
         Quantity::Ensemble { members, seed } => ensemble(prepared, (*members, *seed), folder).map_err(|error| error.to_string()),
+        Quantity::Noise => noise(prepared).map_err(|error| error.to_string()),
     }
 }
 
@@ -140,4 +141,18 @@ fn ensemble(prepared: &Prepared, (members, seed): (usize, u64), folder: &Path) -
         Ensemble { base: prepared, start, members, seed, relative_width: None, most_rounds: 1, with_spectrum: false }.run(&|_| ())?;
     let residual = found.members.iter().fold(0.0_f64, |worst, member| worst.max(member.energy_residual_relative.abs()));
     Ok(vec![found.power_w.mean, found.power_w.half_width, found.contact_rate_hz.mean, found.max_strike_m_s, residual])
+}
+
+/// Of the first load and the first stop, NaN where there is none.
+fn noise(prepared: &Prepared) -> Result<Vec<f64>, RandomError> {
+    let found = Random::new(&prepared.spec)?.answer()?;
+    let of_load = |value: fn(&RandomLoad) -> f64| found.loads.first().map_or(f64::NAN, value);
+    let of_stop = |value: fn(&RandomStop) -> f64| found.stops.first().map_or(f64::NAN, value);
+    Ok(vec![
+        found.mean_power_w,
+        of_load(|load| load.voltage_rms_v),
+        of_load(|load| load.statistical_bandwidth_hz),
+        of_stop(|stop| stop.reached_hz),
+        of_stop(|stop| stop.share_beyond),
+    ])
 }

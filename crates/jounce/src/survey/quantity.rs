@@ -88,6 +88,8 @@ pub enum Quantity {
         /// Their seed.
         seed: u64,
     },
+    /// Exact answer to noise without contact.
+    Noise,
 }
 
 /// One number that a quantity gives.
@@ -119,6 +121,7 @@ impl Quantity {
             Self::Basins { .. } => "basins",
             Self::Branch { .. } => "branch",
             Self::Ensemble { .. } => "ensemble",
+            Self::Noise => "noise",
         }
     }
 
@@ -191,6 +194,13 @@ impl Quantity {
                 number("contact_rate_hz", "Hz", "contacts per second"),
                 number("max_strike_m_s", "m/s", "largest speed at which a contact began"),
                 residual,
+            ],
+            Self::Noise => vec![
+                power,
+                number("voltage_rms_v", "V", "voltage of the first load, rms"),
+                number("statistical_bandwidth_hz", "Hz", "statistical bandwidth of that voltage"),
+                number("reached_hz", "Hz", "how often the gap of the first stop would be reached"),
+                number("share_beyond", "", "share of the time that would be spent beyond it"),
             ],
         }
     }

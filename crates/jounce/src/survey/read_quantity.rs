@@ -4,12 +4,12 @@ use super::Quantity;
 use super::evaluation::shaken;
 use super::faults::Reader;
 use crate::linear::Response;
-use crate::spec::{KeyRange, Quantity as Kind, SpecFile};
+use crate::spec::{Drive, DriveSignal, KeyRange, Quantity as Kind, SpecFile};
 use crate::study::{Direction, Order};
 use toml_edit::{Item, Table};
 
 /// Commands that answer a study.
-const COMMANDS: &[&str] = &["run", "modes", "frf", "sweep", "diagram", "branch", "jumps", "basins", "ensemble"];
+const COMMANDS: &[&str] = &["run", "modes", "frf", "sweep", "diagram", "branch", "jumps", "basins", "ensemble", "noise"];
 
 /// The table, and the spec that it is about.
 struct Asked<'a> {
@@ -55,6 +55,7 @@ pub(super) fn quantity(reader: &mut Reader, item: Option<&Item>, file: &SpecFile
             members: asked.whole(reader, "members", 1_000_000, 16) as usize,
             seed: asked.whole(reader, "seed", 1 << 53, 1),
         },
+        "noise" => asked.noise(reader),
         other => {
             let why = format!("quantity.command is \"{other}\"; it must be one of {}", COMMANDS.join(", "));
             reader.fault("quantity.command", asked.span("command"), why);
@@ -81,6 +82,16 @@ impl Asked<'_> {
         }
         let unit = input.map_or("", |input| Response::LoadVoltage(String::new()).unit(&input));
         Quantity::Frf { range_hz, points, unit }
+    }
+
+    fn noise(&self, reader: &mut Reader) -> Quantity {
+        let noisy = |drive: &Drive| matches!(drive.signal, DriveSignal::Noise { .. });
+        // A spec that has faults of its own is told of elsewhere.
+        if self.file.spec().is_ok_and(|spec| !spec.drive.values().any(noisy)) {
+            let why = "noise needs a drive with signal = \"noise\"; \"run\" and \"frf\" tell what other drives do";
+            reader.fault("quantity.command", self.span("command"), why);
+        }
+        Quantity::Noise
     }
 
     fn sweep(&self, reader: &mut Reader) -> Quantity {

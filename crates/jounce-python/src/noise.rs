@@ -1,0 +1,78 @@
+//! The exact answer to noise without contact.
+
+use crate::arrays::Answer;
+use crate::failure::Failure;
+use crate::spec::Spec;
+use jounce::linear::{Density, Random, RandomAnswer};
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::ops::RangeInclusive;
+
+/// Numbers of frequencies that densities are told at.
+const POINTS: RangeInclusive<usize> = 2..=1_000_000;
+
+/// What a spec answers to its noises.
+struct Answered {
+    answer: RandomAnswer,
+    frequency_hz: Vec<f64>,
+    densities: Vec<Density>,
+}
+
+/// Means and mean squares, and densities at so many frequencies from one to another, Hz; by default over the band of the noises.
+#[pyfunction]
+pub fn noise<'py>(py: Python<'py>, spec: &Spec, low_hz: Option<f64>, high_hz: Option<f64>, points: usize) -> PyResult<Bound<'py, PyDict>> {
+    let found = py.detach(|| answered(spec, low_hz, high_hz, points)).map_err(|failure| failure.raised(py))?;
+    told(py, found, spec.manifest("noise", &[("points", points.to_string())]))
+}
+
+fn answered(spec: &Spec, low_hz: Option<f64>, high_hz: Option<f64>, points: usize) -> Result<Answered, Failure> {
+    let random = Random::new(&spec.spec)?;
+    let [low, high] = random.usual_band_hz();
+    let (low, high) = (low_hz.unwrap_or(low), high_hz.unwrap_or(high));
+    if !(low > 0.0 && low < high && high.is_finite() && POINTS.contains(&points)) {
+        let (least, most) = POINTS.into_inner();
+        let why = format!(
+            "low is {low} Hz, high {high} Hz and points {points}; low must be above 0 Hz and below high, points from {least} to {most}"
+        );
+        return Err(Failure::new("ArgumentError", why));
+    }
+    let frequency_hz = random.frequencies_hz(low, high, points);
+    Ok(Answered { answer: random.answer()?, densities: random.densities(&frequency_hz)?, frequency_hz })
+}
+
+fn told<'py>(py: Python<'py>, found: Answered, manifest: String) -> PyResult<Bound<'py, PyDict>> {
+    let Answered { answer, frequency_hz, densities } = found;
+    let all = PyDict::new(py);
+    for density in densities {
+        all.set_item(density.name, (PyArray1::from_vec(py, density.value), density.unit))?;
+    }
+    let RandomAnswer { loads, patches, points, stops, .. } = &answer;
+    let bandwidths: Vec<Vec<f64>> = loads.iter().map(|load| load.noise_bandwidth_hz.clone()).collect();
+    let told = Answer::new(py)
+        .rows("load_noise_bandwidth_hz", &bandwidths, answer.drives.len())?
+        .with("drive", &answer.drives)?
+        .with("left_out", &answer.left_out)?
+        .with("mean_power_w", answer.mean_power_w)?
+        .with("load", loads.iter().map(|load| load.name.as_str()).collect::<Vec<_>>())?
+        .each("load_power_w", loads, |load| load.mean_power_w)?
+        .each("load_spectral_power_w", loads, |load| load.spectral_power_w)?
+        .each("load_power_difference_relative", loads, |load| load.difference_relative)?
+        .each("load_voltage_rms_v", loads, |load| load.voltage_rms_v)?
+        .each("load_statistical_bandwidth_hz", loads, |load| load.statistical_bandwidth_hz)?
+        .with("patch", patches.iter().map(|patch| patch.name.as_str()).collect::<Vec<_>>())?
+        .each("patch_voltage_rms_v", patches, |patch| patch.voltage_rms_v)?
+        .with("point", points.iter().map(|point| point.name.as_str()).collect::<Vec<_>>())?
+        .each("point_displacement_rms_m", points, |point| point.displacement_rms_m)?
+        .each("point_velocity_rms_m_s", points, |point| point.velocity_rms_m_s)?
+        .with("stop", stops.iter().map(|stop| stop.name.as_str()).collect::<Vec<_>>())?
+        .each("stop_gap_m", stops, |stop| stop.gap_m)?
+        .each("stop_mean_m", stops, |stop| stop.mean_m)?
+        .each("stop_displacement_rms_m", stops, |stop| stop.displacement_rms_m)?
+        .each("stop_reached_hz", stops, |stop| stop.reached_hz)?
+        .each("stop_share_beyond", stops, |stop| stop.share_beyond)?
+        .array("frequency_hz", frequency_hz)?
+        .with("densities", all)?
+        .with("manifest", manifest)?;
+    Ok(told.dict())
+}

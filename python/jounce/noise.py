@@ -1,0 +1,127 @@
+"""The exact answer to noise without contact."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any, Self
+
+from .errors import ArgumentError
+from .result import Floats, Result, Variable
+
+#: Fields with a value for each load, patch, point or stop: what they are over, name in a dataset, unit, what it is.
+_EACH = {
+    "load_power_w": ("load", "load_power", "W", "mean power, by the Lyapunov equation"),
+    "load_spectral_power_w": ("load", "load_spectral_power", "W", "mean power, by the integral over frequency"),
+    "load_power_difference_relative": ("load", "load_power_difference_relative", "1", "difference of the two over the first"),
+    "load_voltage_rms_v": ("load", "load_voltage_rms", "V", "voltage, rms"),
+    "load_statistical_bandwidth_hz": ("load", "load_statistical_bandwidth", "Hz", "statistical bandwidth of the voltage"),
+    "patch_voltage_rms_v": ("patch", "patch_voltage_rms", "V", "voltage, rms"),
+    "point_displacement_rms_m": ("point", "point_displacement_rms", "m", "displacement, rms about its mean"),
+    "point_velocity_rms_m_s": ("point", "point_velocity_rms", "m/s", "velocity, rms"),
+    "stop_gap_m": ("stop", "stop_gap", "m", "gap"),
+    "stop_mean_m": ("stop", "stop_mean", "m", "mean displacement towards the stop"),
+    "stop_displacement_rms_m": ("stop", "stop_displacement_rms", "m", "displacement towards the stop, rms about its mean"),
+    "stop_reached_hz": ("stop", "stop_reached", "1/s", "how often the gap would be reached"),
+    "stop_share_beyond": ("stop", "stop_share_beyond", "1", "share of the time beyond the gap"),
+}
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class NoiseResult(Result):
+    """Means, mean squares and one-sided power spectral densities of what noise does without contact.
+
+    Stops are left out: ``stop_`` tells how often their gap would be reached. So are drives that are no noise, ``left_out``.
+    """
+
+    #: Names of the drives of noise, and of those that are left out.
+    drive: list[str]
+    left_out: list[str]
+    #: Mean power of all loads, W.
+    mean_power_w: float
+    #: Names of the circuits; arrays of shape ``(load,)``.
+    load: list[str]
+    #: Mean power by the Lyapunov equation and by the integral over frequency, W, and their difference over the first.
+    load_power_w: Floats
+    load_spectral_power_w: Floats
+    load_power_difference_relative: Floats
+    #: Voltage, rms, V.
+    load_voltage_rms_v: Floats
+    #: Noise bandwidth of the voltage per unit of each drive, Hz; of shape ``(load, drive)``.
+    load_noise_bandwidth_hz: Floats
+    #: Statistical bandwidth of the voltage, Hz.
+    load_statistical_bandwidth_hz: Floats
+    #: Names of the patches, and their voltages, rms, V; of shape ``(patch,)``.
+    patch: list[str]
+    patch_voltage_rms_v: Floats
+    #: Names of the points; displacement about its mean, rms, m, relative to the base where that moves, and velocity, rms, m/s.
+    point: list[str]
+    point_displacement_rms_m: Floats
+    point_velocity_rms_m_s: Floats
+    #: Names of the stops; their gap, and displacement towards them without them: its mean, and rms about that, m; of shape ``(stop,)``.
+    stop: list[str]
+    stop_gap_m: Floats
+    stop_mean_m: Floats
+    stop_displacement_rms_m: Floats
+    #: How often the gap would be reached, 1/s, and the share of the time beyond it.
+    stop_reached_hz: Floats
+    stop_share_beyond: Floats
+    #: Frequencies of the densities, Hz, closer about each resonance.
+    frequency_hz: Floats
+    #: Density of each output by its name, ``"mfc.voltage"``, ``"beam.tip.displacement"``; of shape ``(frequency,)``.
+    densities: dict[str, Floats]
+    #: Units of the densities, ``"V^2/Hz"``.
+    units: dict[str, str]
+
+    @classmethod
+    def _made(cls, answer: dict[str, Any]) -> Self:
+        densities = answer["densities"]
+        split = {"densities": {k: v for k, (v, _) in densities.items()}, "units": {k: unit for k, (_, unit) in densities.items()}}
+        return super()._made({**answer, **split})
+
+    def __getitem__(self, name: str) -> Floats:
+        if name not in self.densities:
+            raise ArgumentError(f"{name}: no such density; there are {', '.join(self.densities)}")
+        return self.densities[name]
+
+    def _summary(self) -> list[tuple[str, str]]:
+        loads = zip(self.load, self.load_voltage_rms_v, self.load_power_difference_relative, self.load_statistical_bandwidth_hz)
+        points = zip(self.point, self.point_displacement_rms_m, self.point_velocity_rms_m_s)
+        stops = zip(self.stop, self.stop_gap_m, self.stop_reached_hz, self.stop_share_beyond)
+        return [
+            ("mean power", f"{self.mean_power_w:.6e} W"),
+            *(
+                (f"load {name}", f"{volts:.6g} V rms, {width:.4g} Hz wide; powers by two methods differ by {apart:.1e}")
+                for name, volts, apart, width in loads
+            ),
+            *((f"patch {name}", f"{volts:.6g} V rms") for name, volts in zip(self.patch, self.patch_voltage_rms_v)),
+            *((f"point {name}", f"{place:.4e} m rms, {speed:.4e} m/s rms") for name, place, speed in points),
+            *((f"drive {name}", "LEFT OUT: it is no stationary noise") for name in self.left_out),
+            *(
+                (f"stop {name}", f"LEFT OUT: gap of {gap:.4g} m reached {rate:.4g} times per second, passed for {100 * share:.3g} %")
+                for name, gap, rate, share in stops
+            ),
+        ]
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset``: densities over ``frequency``, the rest over ``load``, ``drive``, ``patch``, ``point`` and ``stop``."""
+        variables = {"mean_power": Variable((), self.mean_power_w, "W", "mean power of all loads")}
+        for field, (over, name, units, about) in _EACH.items():
+            variables[name] = Variable((over,), getattr(self, field), units, about)
+        bandwidth = (("load", "drive"), self.load_noise_bandwidth_hz, "Hz", "noise bandwidth of the voltage per unit of a drive")
+        variables["load_noise_bandwidth"] = Variable(*bandwidth)
+        for name, values in self.densities.items():
+            about = f"{name}, one-sided power spectral density"
+            variables[f"{name}_psd"] = Variable(("frequency",), values, self.units[name], about)
+        coords = {name: Variable((name,), getattr(self, name), "", name) for name in ("load", "drive", "patch", "point", "stop")}
+        return self._dataset(variables, {**coords, "frequency": Variable(("frequency",), self.frequency_hz, "Hz", "frequency")})
+
+    def to_pandas(self) -> Any:
+        """A ``pandas.DataFrame`` of the densities, with a row for each frequency."""
+        return self._frame({"frequency_hz": self.frequency_hz, **self.densities})
+
+    def plot_noise(self, ax: Any = None, density: str | None = None) -> Any:
+        """Draws a power spectral density, by default of the first voltage (else of the first output)."""
+        from .plot.noise import plot_noise
+
+        first = next((name for name in self.densities if name.endswith("voltage")), next(iter(self.densities)))
+        return plot_noise(self, ax, first if density is None else density)

@@ -1,0 +1,19 @@
+"""Commented specs to start from."""
+
+from __future__ import annotations
+
+from . import _core
+from .spec import Spec
+
+
+def starters() -> dict[str, str]:
+    """The kinds of harvester that there is a commented spec for, and what each is in one line."""
+    return dict(_core.starters())
+
+
+def new(kind: str) -> Spec:
+    """The commented spec of a kind of harvester to start from, ``jounce.new("cantilever-with-stop")``.
+
+    :func:`jounce.starters` lists the kinds. The numbers are plausible, not those of a device; ``spec.to_toml()`` tells what each key is.
+    """
+    return Spec(_core.starter(kind))
