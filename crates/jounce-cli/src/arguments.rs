@@ -1,6 +1,6 @@
 //! What can be typed.
 
-use crate::commands::{basins, branch, check, completions, diagram, ensemble, frf, jumps, materials, modes, reproduce, run, show, sweep};
+use crate::commands::{basins, branch, check, completions, diagram, ensemble, explore, frf, jumps, materials, modes, reproduce, run, show, sweep};
 use clap::{Parser, Subcommand};
 
 /// Simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
@@ -39,6 +39,8 @@ pub enum Command {
     Basins(basins::Basins),
     /// Marches realisations of noise and reports the mean power with its interval.
     Ensemble(ensemble::Ensemble),
+    /// Opens a page in the browser whose drawing and curves follow every slider.
+    Explore(explore::Explore),
     /// Computes the tables, figures and claims of the 2019 impact-harvester paper.
     Reproduce(reproduce::Reproduce),
     /// Lists the materials that a spec can name, with their sources.
@@ -66,6 +68,7 @@ impl Command {
             Command::Diagram(command) => command.output.json,
             Command::Basins(command) => command.output.json,
             Command::Ensemble(command) => command.output.json,
+            Command::Explore(command) => command.json,
             Command::Reproduce(command) => command.json,
             Command::Materials(command) => command.json,
             Command::Schema | Command::Keys | Command::Completions(_) => false,

@@ -16,7 +16,7 @@ mod watch;
 pub use bandwidth::{Bandwidth, BandwidthSearch, Bandwidths, Edge, Interval, Limit, Peak};
 pub use basins::{Attractor, Basins, BasinsAnswer, Cloud, Fate, Grid, GridAxis, GridSide, Lyapunov, Share, Starts, Wandering};
 pub use basins::{largest_exponent, wilson};
-pub use branches::{Bifurcation, Branch, BranchKind, BranchPoint, BranchSearch, Ending, Method, settled_orbit};
+pub use branches::{Bifurcation, Branch, BranchChase, BranchKind, BranchPoint, BranchSearch, Ending, KnownOrbit, Method, settled_orbit};
 pub use diagram::{Diagram, History, Lineage, Motion, Order, SectionPoint, Seen, Turn, Visit};
 pub use ensemble::{Ensemble, EnsembleAnswer, Estimate, IntervalOver, Member};
 pub use journal::{Journal, JournalError};

@@ -6,16 +6,16 @@ use super::lyapunov::{Lyapunov, Wandering};
 use super::share::{QUANTILE_95, Share, wilson};
 use super::signature::{Signature, letters};
 use crate::orbit::{Harvester, Orbit};
-use crate::study::{Parameter, Prepared, StudyError};
+use crate::study::{Parameter, Prepared};
 use rayon::prelude::*;
 
 /// A cloud to be marched.
 #[derive(Debug)]
-pub struct Basins<'s> {
+pub struct Basins<'s, H = Parameter<'s>> {
     /// The spec.
     pub base: &'s Prepared,
     /// Its harvester, as one value of any key.
-    pub parameter: &'s Parameter<'s>,
+    pub parameter: &'s H,
     /// That value.
     pub value: f64,
     /// From where it starts.
@@ -60,12 +60,12 @@ pub struct BasinsAnswer {
     pub lost: Vec<(usize, String)>,
 }
 
-impl Basins<'_> {
+impl<H: Harvester> Basins<'_, H> {
     /// Marches all starts, in parallel; `done` hears of each that is finished.
     ///
     /// # Errors
     /// A harvester that cannot be made.
-    pub fn run(&self, done: &(dyn Fn() + Sync)) -> Result<BasinsAnswer, StudyError> {
+    pub fn run(&self, done: &(dyn Fn() + Sync)) -> Result<BasinsAnswer, H::Error> {
         let kernel = self.parameter.at(self.value)?.kernel;
         let fate = |index: usize| {
             let start = self.starts.start(&kernel.plant, index);

@@ -4,12 +4,12 @@
 //! the stop and from a hard kick settle on, at values across the range, unless it lies on a branch already known. Doubled branches are entered where a branch
 //! doubles. Marches run in parallel; everything after them is in a fixed order.
 
-use super::branch::{Branch, BranchKind, BranchPoint, Ending};
+use super::branch::{Branch, BranchKind, BranchPoint};
 use super::follow::Following;
 use super::settled_orbit::settled_orbit;
-use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, correct, settle, tangent};
+use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, correct, tangent};
 use crate::orbit::{HarmonicBalance, Harvester, Orbit, OrbitError, OrbitMethod, Shooting, null_vector};
-use crate::study::{Parameter, Prepared, StudyError};
+use crate::study::{Parameter, Prepared};
 use faer::Mat;
 use rayon::prelude::*;
 
@@ -27,11 +27,11 @@ pub enum Method {
 
 /// A search to be made.
 #[derive(Debug)]
-pub struct BranchSearch<'s> {
+pub struct BranchSearch<'s, H = Parameter<'s>> {
     /// The spec at its own values.
     pub base: &'s Prepared,
     /// The harvesters.
-    pub parameter: &'s Parameter<'s>,
+    pub parameter: &'s H,
     /// Ends of the range.
     pub range: (f64, f64),
     /// How orbits are computed.
@@ -64,9 +64,7 @@ const GOAL: f64 = 50.0;
 /// Error of the mean power that is allowed in harmonic balance, beside the tolerance of a march.
 const ACCURACY: f64 = 300.0;
 
-type Failure = OrbitError<StudyError>;
-
-impl BranchSearch<'_> {
+impl<H: Harvester> BranchSearch<'_, H> {
     fn following(&self) -> Following {
         Following {
             range: self.range,
@@ -76,7 +74,7 @@ impl BranchSearch<'_> {
         }
     }
 
-    fn shooting(&self, cycles: u32) -> Shooting<'_, Parameter<'_>> {
+    fn shooting(&self, cycles: u32) -> Shooting<'_, H> {
         Shooting::new(self.parameter, &self.base.kernel, cycles, self.tolerance)
     }
 
@@ -84,7 +82,7 @@ impl BranchSearch<'_> {
     ///
     /// # Errors
     /// [`OrbitError`].
-    pub fn run(&self) -> Result<Vec<Branch>, Failure> {
+    pub fn run(&self) -> Result<Vec<Branch>, OrbitError<H::Error>> {
         match self.method {
             Method::Shooting => self.run_by(|cycles| Ok(self.shooting(cycles))),
             Method::HarmonicBalance { harmonics } => self.run_by(|cycles| {
@@ -94,7 +92,7 @@ impl BranchSearch<'_> {
         }
     }
 
-    fn run_by<M: OrbitMethod<Fault = StudyError>>(&self, make: impl Fn(u32) -> Result<M, Failure>) -> Result<Vec<Branch>, Failure> {
+    fn run_by<M: OrbitMethod<Fault = H::Error>>(&self, make: impl Fn(u32) -> Result<M, OrbitError<H::Error>>) -> Result<Vec<Branch>, OrbitError<H::Error>> {
         let following = self.following();
         self.check_ends()?;
         make(1)?;
@@ -104,14 +102,14 @@ impl BranchSearch<'_> {
                 continue;
             }
             let method = make(orbit.period_cycles)?;
-            branches.extend(self.both_ways(&following, &method, orbit.start(), parameter)?);
+            branches.extend(following.both_ways(&method, orbit.start(), parameter)?);
             self.doubled(&following, &make, &mut branches)?;
         }
         Ok(branches)
     }
 
     /// Harvesters exist at both ends of the range, with one drive frequency.
-    fn check_ends(&self) -> Result<(), Failure> {
+    fn check_ends(&self) -> Result<(), OrbitError<H::Error>> {
         for value in [self.range.0, self.range.1] {
             let frequencies = self.parameter.at(value).map_err(OrbitError::Harvester)?.kernel.plant.tones.len();
             if frequencies != 1 {
@@ -158,42 +156,13 @@ impl BranchSearch<'_> {
         Some(state)
     }
 
-    fn both_ways<M: OrbitMethod<Fault = StudyError>>(
-        &self,
-        following: &Following,
-        method: &M,
-        state: &[f64],
-        parameter: f64,
-    ) -> Result<Option<Branch>, Failure> {
-        let position = Position { unknown: method.unknown_of(state, parameter)?, parameter };
-        let metric = Metric::at(&position, following.parameter_scale());
-        let up = Direction { unknown: vec![0.0; position.unknown.len()], parameter: 1.0 };
-        let mut ways = Vec::new();
-        for sign in [-1.0, 1.0] {
-            let at_edge = parameter == if sign < 0.0 { self.range.0 } else { self.range.1 };
-            let Ok(first) = settle(method, &following.corrector, &metric, position.clone()) else { return Ok(None) };
-            let Some(mut ahead) = tangent(&first.local, &metric, &up) else { return Ok(None) };
-            ahead.unknown.iter_mut().for_each(|d| *d *= sign);
-            ahead.parameter *= sign;
-            let closed = ways.last().is_some_and(|way: &Branch| way.endings.contains(&Ending::Closed));
-            if !at_edge && !closed {
-                ways.push(following.walk(method, first, ahead)?);
-            }
-        }
-        let mut ways = ways.into_iter();
-        Ok(match (ways.next(), ways.next()) {
-            (Some(down), Some(up)) => Some(down.joined(up)),
-            (one, _) => one,
-        })
-    }
-
     /// Enters doubled branches until none is left.
-    fn doubled<M: OrbitMethod<Fault = StudyError>>(
+    fn doubled<M: OrbitMethod<Fault = H::Error>>(
         &self,
         following: &Following,
-        make: &impl Fn(u32) -> Result<M, Failure>,
+        make: &impl Fn(u32) -> Result<M, OrbitError<H::Error>>,
         branches: &mut Vec<Branch>,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), OrbitError<H::Error>> {
         let mut next = 0;
         while next < branches.len() {
             let cycles = 2 * branches[next].period_cycles;
@@ -219,7 +188,7 @@ impl BranchSearch<'_> {
     }
 
     /// A first orbit on the doubled branch, off the doubling along the eigenvector of the multiplier -1.
-    fn off<M: OrbitMethod<Fault = StudyError>>(
+    fn off<M: OrbitMethod<Fault = H::Error>>(
         &self,
         following: &Following,
         method: &M,
