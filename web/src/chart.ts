@@ -62,7 +62,7 @@ export class Chart {
 
     show(x: Axis, y: Axis, curves: Curve[], marks: Mark[] = [], rules: Rule[] = [], round = false): void {
         [this.x, this.y, this.curves, this.marks, this.rules, this.round] = [x, y, curves, marks, rules, round];
-        this.ends = [x.ends ?? this.span("x", x.log), y.ends ?? this.span("y", y.log)];
+        this.ends = [drawable(x.ends ?? this.span("x", x.log), x.log), drawable(y.ends ?? this.span("y", y.log), y.log)];
         const shape = JSON.stringify([x.words, x.log, y.words, y.log, document.documentElement.dataset.theme, axisUnit(this.ends[0][1], x.unit), axisUnit(this.ends[1][1], y.unit)]);
         if (!this.plot || shape !== this.shape) {
             this.shape = shape;
@@ -138,6 +138,8 @@ export class Chart {
             stroke: colour("ink"),
             grid: { stroke: colour("grid"), width: 1 },
             ticks: { show: false },
+            // uPlot 1.6.32 counts for ever where a logarithmic axis begins just below a power of ten.
+            ...(axis.log ? { splits: (_: uPlot, __: number, low: number, high: number) => decades(low, high) } : {}),
             values: (_, splits) => splits.map((value) => (value === null || !told(value, axis) ? "" : digits(value / step, 5))),
         };
     }
@@ -252,6 +254,30 @@ export class Chart {
         if (before !== undefined) ctx.stroke();
         ctx.setLineDash([]);
     }
+}
+
+/** Places of the lines of a logarithmic grid: 1 to 9 in each decade, only 1 where decades are many. */
+function decades(low: number, high: number): number[] {
+    const factors = high / low > 1e4 ? [1] : [1, 2, 3, 4, 5, 6, 7, 8, 9];
+    const found: number[] = [];
+    for (let power = Math.floor(Math.log10(low)); power <= Math.ceil(Math.log10(high)); power++) {
+        for (const factor of factors) {
+            const place = Number(`${factor}e${power}`);
+            if (place >= low && place <= high) found.push(place);
+        }
+    }
+    return found;
+}
+
+/** Ends between which an axis can be divided: finite, apart by more than roundoff, and not too many decades. */
+function drawable([low, high]: [number, number], log = false): [number, number] {
+    if (!Number.isFinite(low) || !Number.isFinite(high)) return log ? [0.1, 1] : [0, 1];
+    if (log) {
+        if (!(high > 0)) return [0.1, 1];
+        return [Math.min(Math.max(low, 1e-9 * high), high / 1.5), high];
+    }
+    const least = 1e-7 * Math.max(Math.abs(low), Math.abs(high), 1e-12);
+    return high - low > least ? [low, high] : [low - 1e3 * least, low + 1e3 * least];
 }
 
 /** On a logarithmic axis 1, 2 and 5 have a label, and only 1 where decades are many. */

@@ -15,15 +15,20 @@ interface Hears {
 
 /** After this long without an answer the page says that it computes. */
 const PATIENCE_MS = 333;
+/** After this long a newer position stops the computation of an older one. */
+const STALE_MS = 1500;
 const SWEEP_POINTS = 61;
 
 export class Requests {
+    /** Times of changes that wait to be asked. */
+    private designWaits: number | undefined;
     private waiting: number | undefined;
     private designAsked = false;
     private coarseAsked = false;
     private asked = 0;
     private since = 0;
     private orbitAsked = false;
+    private clicked = 0;
     private orbitWaiting: Place | undefined;
     private sweeping = false;
     private readonly busy = document.getElementById("busy")!;
@@ -36,7 +41,7 @@ export class Requests {
 
     /** The design changed at a time of `performance.now()`. */
     change(time: number): void {
-        this.waiting = time;
+        this.waiting = this.designWaits = time;
         this.pump();
     }
 
@@ -47,13 +52,17 @@ export class Requests {
     }
 
     private pump(): void {
-        if (this.waiting === undefined || this.designAsked || this.coarseAsked) return;
         const set = this.design.pairs;
+        if (this.designWaits !== undefined && !this.designAsked) {
+            this.designWaits = undefined;
+            this.designAsked = this.wire.ask("design", { set }) !== 0;
+        }
+        // A computation that takes long makes way; a short one is let to its end, so that the curve follows a moving slider.
+        const late = performance.now() - this.asked > STALE_MS;
+        if (this.waiting === undefined || !this.axes.view || (this.coarseAsked && !late)) return;
         this.since = this.waiting;
         this.waiting = undefined;
-        this.designAsked = this.wire.ask("design", { set }) !== 0;
-        const { view } = this.axes;
-        if (view) this.askResponse();
+        this.askResponse();
     }
 
     private askResponse(): void {
@@ -65,7 +74,6 @@ export class Requests {
         this.designAsked = false;
         this.hears.fault([]);
         // The first design tells what the response goes over.
-        if (!this.coarseAsked && !this.response.answer && this.axes.view) this.askResponse();
         this.pump();
     }
 
@@ -108,16 +116,14 @@ export class Requests {
         const { answer } = this.response;
         if (!answer) return;
         this.orbitAsked = this.wire.ask("orbit", { answer: answer.id, branch: place.branch, point: place.point }) !== 0;
-        this.since2 = performance.now();
+        this.clicked = performance.now();
     }
-
-    private since2 = 0;
 
     private takeOrbit(frame: Frame): void {
         this.orbitAsked = false;
         if (frame.head.stage === "done") {
             this.hears.orbit(frame);
-            const since = this.since2;
+            const since = this.clicked;
             requestAnimationFrame(() => performance.measure("click-to-orbit", { start: since }));
         }
         const next = this.orbitWaiting;
@@ -150,6 +156,7 @@ export class Requests {
     }
 
     private patience(): void {
+        this.pump();
         if (this.coarseAsked && performance.now() - this.asked > PATIENCE_MS) {
             this.busy.textContent = `computing, ${((performance.now() - this.asked) / 1000).toFixed(1)} s`;
         }

@@ -17,7 +17,7 @@ async fn a_design_has_a_drawing_and_controls() {
     assert_eq!(heard.head["drawing"]["stops"][0]["place"], "beam.beam.point.tip");
     assert_eq!(heard.head["drawing"]["patches"][0]["start"], "patch.mfc.start");
     let gap = heard.head["controls"].as_array().unwrap().iter().find(|control| control["key"] == "stop.tip.gap").unwrap();
-    assert_eq!((gap["value"].as_f64(), gap["shown"].as_str()), (Some(0.5e-3), Some("0.5 mm")));
+    assert_eq!((gap["value"].as_f64(), gap["unit"].as_str(), gap["factor"].as_f64()), (Some(0.5e-3), Some("mm"), Some(1e-3)));
 }
 
 /// The words of a fault are those of the command line.
@@ -105,7 +105,7 @@ async fn the_page_follows_the_file() {
     page.until("file", "done").await;
     page.ask("design", json!({})).await;
     let heard = page.until("design", "fault").await;
-    assert_eq!((&heard.head["faults"][0]["key"], heard.head["faults"][0]["line"].as_u64()), (&json!("stop.tip.gap"), Some(37)));
+    assert_eq!((&heard.head["faults"][0]["key"], heard.head["faults"][0]["line"].as_u64()), (&json!("stop.tip.gap"), Some(36)));
     std::fs::write(&path, text).unwrap();
     page.until("file", "done").await;
     page.ask("design", json!({})).await;
