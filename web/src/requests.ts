@@ -16,7 +16,7 @@ interface Hears {
 /** After this long without an answer the page says that it computes. */
 const PATIENCE_MS = 333;
 /** After this long a newer position stops the computation of an older one. */
-const STALE_MS = 1500;
+const STALE_MS = 4000;
 const SWEEP_POINTS = 61;
 
 export class Requests {

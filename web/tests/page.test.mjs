@@ -33,6 +33,8 @@ test("the page shows the harvester, its response and an orbit", async () => {
     assert.ok((await inked(page, "#motion")) > 0.01);
     assert.match(await page.locator("#readout").textContent(), /fold|period|grazing/);
     assert.deepEqual(page.faults, []);
+    // The picture of the book: `PICTURE=book/src/pictures/explore.png node web/tests/all.mjs`.
+    if (process.env.PICTURE) await page.screenshot({ path: process.env.PICTURE });
 });
 
 test("a slider moves the curve and undo takes it back", async () => {

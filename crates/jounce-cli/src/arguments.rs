@@ -1,6 +1,8 @@
 //! What can be typed.
 
-use crate::commands::{basins, branch, check, completions, diagram, ensemble, explore, frf, jumps, materials, modes, reproduce, run, show, sweep};
+use crate::commands::{
+    basins, branch, check, completions, diagram, ensemble, explore, frf, jumps, materials, modes, reproduce, run, show, sweep,
+};
 use clap::{Parser, Subcommand};
 
 /// Simulates, analyses and designs vibro-impact piezoelectric energy harvesters.

@@ -57,11 +57,7 @@ impl Answers {
             places.dedup();
             let orbit = |place: usize| {
                 let point = branch.points.get(place)?;
-                Some(KnownOrbit {
-                    period_cycles: branch.period_cycles,
-                    state: point.orbit.start().to_vec(),
-                    parameter: point.parameter,
-                })
+                Some(KnownOrbit { period_cycles: branch.period_cycles, state: point.orbit.start().to_vec(), parameter: point.parameter })
             };
             places.into_iter().filter_map(orbit).collect::<Vec<_>>()
         };

@@ -122,11 +122,8 @@ impl Explorer {
 
     /// Address of the page, with its token.
     pub fn page(&self) -> String {
-        let shown = if self.address.ip().is_unspecified() {
-            SocketAddr::from((Ipv4Addr::LOCALHOST, self.address.port()))
-        } else {
-            self.address
-        };
+        let shown =
+            if self.address.ip().is_unspecified() { SocketAddr::from((Ipv4Addr::LOCALHOST, self.address.port())) } else { self.address };
         format!("http://{shown}/{}/", self.guard.token())
     }
 

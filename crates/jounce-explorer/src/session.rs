@@ -147,7 +147,8 @@ impl Session {
         let sets: String = set.iter().map(|(key, value)| format!(" --set {}", quoted(&format!("{key}={value}")))).collect();
         let shell = format!("jounce branch {} --over {}{sets}", quoted(&path), quoted(&format!("{}={range}", key.path())));
         let changes: String = set.iter().map(|(key, value)| format!("harvester[{key:?}] = {value:?}\n")).collect();
-        let python = format!("import jounce\n\nharvester = jounce.read({path:?})\n{changes}print(harvester.branch({:?}, {range:?}))\n", key.path());
+        let python =
+            format!("import jounce\n\nharvester = jounce.read({path:?})\n{changes}print(harvester.branch({:?}, {range:?}))\n", key.path());
         let mut frame = Frame::new(id, "export", "done");
         frame.put("spec", design.file.text()).put("shell", shell).put("python", python);
         Ok(frame)

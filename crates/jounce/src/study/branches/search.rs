@@ -92,7 +92,10 @@ impl<H: Harvester> BranchSearch<'_, H> {
         }
     }
 
-    fn run_by<M: OrbitMethod<Fault = H::Error>>(&self, make: impl Fn(u32) -> Result<M, OrbitError<H::Error>>) -> Result<Vec<Branch>, OrbitError<H::Error>> {
+    fn run_by<M: OrbitMethod<Fault = H::Error>>(
+        &self,
+        make: impl Fn(u32) -> Result<M, OrbitError<H::Error>>,
+    ) -> Result<Vec<Branch>, OrbitError<H::Error>> {
         let following = self.following();
         self.check_ends()?;
         make(1)?;
