@@ -3,22 +3,42 @@
 import type { Controls } from "./controls";
 import type { Design } from "./design";
 
-interface Drawn {
-    svg: string;
-    beams: { name: string; length: number }[];
-    patches: { name: string; beam: number; start: string; length: string }[];
-    stops: { name: string; beam: number | null; gap: string; gap_m: number; place: string | null; above: boolean }[];
+/** Left and upper edge, width, height on the sheet. */
+type Box = [number, number, number, number];
+
+interface Grip {
+    kind: "start" | "end" | "place" | "gap";
+    name: string;
+    /** The key that the grip moves; a start moves the length of its patch too, so that the far end stays. */
+    key: string;
+    length?: string;
+    at: [number, number];
+    px_per_m: [number, number];
 }
 
+interface Drawn {
+    svg: string;
+    side: Box;
+    cells: Box[];
+    grips: Grip[];
+}
+
+type Move = (metres: number, moving: boolean) => void;
+
 const SVG = "http://www.w3.org/2000/svg";
-/** Width of what can be caught, drawing units. */
-const CATCH = 14;
-/** Height of the first side view with its title, and of a closer look. */
-const [SIDE_TOP, LOOK_TOP] = [40, 12];
+/** Free edge around what is shown of the sheet. */
+const EDGE = 8;
+/** Width and height of what can be caught, drawing units. */
+const CATCH = { start: [14, 44], end: [14, 44], place: [20, 26], gap: [60, 40] };
+/** The same for a gap in the side view, where the place of the stop is near. */
+const CATCH_BESIDE = [40, 12];
+const WORDS = { start: "Start of patch", end: "End of patch", place: "Place of stop", gap: "Gap of stop" };
+/** Step of an arrow key, drawing units. */
+const STEP = 2;
 
 export class Drawing {
     svg = "";
-    private held: { move: (dx: number, dy: number, moving: boolean) => void; x: number; y: number; scale: number } | undefined;
+    private held: { move: Move; x: number; y: number; metres: [number, number] } | undefined;
 
     constructor(private readonly side: HTMLElement, private readonly close: HTMLElement, private readonly controls: Controls, private readonly design: Design) {
         addEventListener("pointermove", (event) => this.drag(event, true));
@@ -31,145 +51,99 @@ export class Drawing {
     take(drawn: Drawn): void {
         this.svg = drawn.svg;
         const focused = document.activeElement?.getAttribute("data-handle");
-        const parsed = new DOMParser().parseFromString(drawn.svg, "image/svg+xml").documentElement;
-        const whole = document.importNode(parsed, true) as unknown as SVGSVGElement;
-        const [width, height] = ["width", "height"].map((name) => Number(whole.getAttribute(name)));
-        // Closer looks begin below the bar that tells the scale; the side views stand above it.
-        const windows = [...whole.children].filter((child) => child.tagName === "svg");
-        const split = windows.length > 0 ? Number(windows[0].getAttribute("y")) - 26 : height;
-        const near = whole.cloneNode(true) as SVGSVGElement;
-        prune(whole, (y) => y < split);
-        prune(near, (y) => y >= split);
-        this.crop(whole, 0, SIDE_TOP, width, split - SIDE_TOP);
-        this.crop(near, LOOK_TOP, split, Math.min(width, 10 + 285 * Math.max(1, windows.length)), height - split);
-        near.setAttribute("aria-label", "Closer look at the stops");
-        whole.setAttribute("aria-label", "Side view to scale");
-        for (const svg of [whole, near]) svg.setAttribute("role", "group");
-        this.handles(whole, near, drawn);
-        this.side.replaceChildren(whole);
-        this.close.replaceChildren(...(windows.length > 0 ? [near] : []));
-        this.close.hidden = windows.length === 0;
+        const whole = new DOMParser().parseFromString(drawn.svg, "image/svg+xml").documentElement;
+        const sheets = [drawn.side, ...drawn.cells].map((box) => sheet(whole, box));
+        sheets[0].view.setAttribute("aria-label", "Side view to scale");
+        sheets.slice(1).forEach(({ view }) => view.setAttribute("aria-label", "Circuit or closer look"));
+        for (const grip of drawn.grips) {
+            const inside = sheets.find((_, k) => holds([drawn.side, ...drawn.cells][k], grip.at)) ?? sheets[0];
+            this.offer(inside.page, grip, inside === sheets[0]);
+        }
+        this.side.replaceChildren(sheets[0].view);
+        this.close.replaceChildren(...sheets.slice(1).map(({ view }) => view));
+        this.close.hidden = drawn.cells.length === 0;
         if (focused) document.querySelector<SVGElement>(`[data-handle="${focused}"]`)?.focus();
     }
 
-    private crop(svg: SVGSVGElement, x: number, y: number, width: number, height: number): void {
-        svg.setAttribute("viewBox", `${x} ${y} ${width} ${height}`);
-        svg.removeAttribute("width");
-        svg.removeAttribute("height");
+    /** Gives a grip its handle, where its key has a control. */
+    private offer(page: SVGSVGElement, grip: Grip, beside: boolean): void {
+        const { kind, key } = grip;
+        const value = this.controls.find(key)?.value;
+        const length = grip.length === undefined ? undefined : this.controls.find(grip.length)?.value;
+        const words = (name: string, si: number): [string, string] => [name, this.controls.words(name, si)];
+        const set = (si: number, moving: boolean) => this.design.setAll([words(key, si)], moving);
+        if (value === undefined) return;
+        const moves: Record<Grip["kind"], Move | undefined> = {
+            start: length === undefined ? undefined : (metres, moving) => {
+                const moved = Math.min(Math.max(metres, -value), 0.98 * length);
+                this.design.setAll([words(key, value + moved), words(grip.length!, length - moved)], moving);
+            },
+            end: (metres, moving) => set(Math.max(0.02 * value, value + metres), moving),
+            place: (metres, moving) => set(Math.max(0, value + metres), moving),
+            gap: value > 0 ? (metres, moving) => set(Math.max(0.01 * value, value + metres), moving) : undefined,
+        };
+        const move = moves[kind];
+        if (move) this.handle(page, grip, kind === "gap" && beside ? CATCH_BESIDE : CATCH[kind], value, move);
     }
 
-    private handles(side: SVGSVGElement, near: SVGSVGElement, drawn: Drawn): void {
-        const beams = [...side.querySelectorAll(":scope > .jounce-beam")].map((beam, k) => {
-            const [x, y, width, height] = ["x", "y", "width", "height"].map((name) => Number(beam.getAttribute(name)));
-            return { x, y, height, scale: width / (drawn.beams[k]?.length ?? 1) };
-        });
-        const patches = [...side.querySelectorAll(":scope > .jounce-patch")];
-        drawn.patches.forEach((patch, k) => {
-            const beam = beams[patch.beam];
-            const rect = patches[k];
-            if (!beam || !rect) return;
-            const [x, y, width] = ["x", "y", "width"].map((name) => Number(rect.getAttribute(name)));
-            this.patch(side, patch, [x, x + width], y, beam.scale);
-        });
-        const tips = [...side.querySelectorAll(":scope > path.jounce-stop")] as SVGPathElement[];
-        const windows = [...near.children].filter((child) => child.tagName === "svg") as SVGSVGElement[];
-        drawn.stops.forEach((stop, k) => {
-            const beam = stop.beam === null ? undefined : beams[stop.beam];
-            const [x, y] = firstPoint(tips[k]);
-            if (stop.place && beam) this.stop(side, stop.name, stop.place, x + 5, y, beam.scale);
-            if (windows[k]) this.gap(windows[k], stop);
-        });
-    }
-
-    private patch(svg: SVGSVGElement, patch: Drawn["patches"][0], [from, to]: [number, number], y: number, scale: number): void {
-        const [start, length] = [this.controls.find(patch.start)?.value, this.controls.find(patch.length)?.value];
-        if (start === undefined || length === undefined) return;
-        const words = (key: string, si: number): [string, string] => [key, this.controls.words(key, Math.max(0, si))];
-        // The far end stays where it is when the near one moves.
-        this.handle(svg, `${patch.start}`, from, y, "left", `Start of patch ${patch.name}`, start, (dx, _, moving) => {
-            const moved = Math.min(Math.max(dx / scale, -start), 0.98 * length);
-            this.design.setAll([words(patch.start, start + moved), words(patch.length, length - moved)], moving);
-        });
-        this.handle(svg, `${patch.length}`, to, y, "right", `End of patch ${patch.name}`, start + length, (dx, _, moving) => {
-            this.design.setAll([words(patch.length, Math.max(0.02 * length, length + dx / scale))], moving);
-        });
-    }
-
-    private stop(svg: SVGSVGElement, name: string, key: string, x: number, y: number, scale: number): void {
-        const place = this.controls.find(key)?.value;
-        if (place === undefined) return;
-        this.handle(svg, key, x, y, "stop", `Place of stop ${name}`, place, (dx, _, moving) => {
-            this.design.set(key, this.controls.words(key, Math.max(0, place + dx / scale)), moving);
-        });
-    }
-
-    private gap(view: SVGSVGElement, stop: Drawn["stops"][0]): void {
-        const tip = view.querySelector<SVGPathElement>("path.jounce-stop");
-        const beam = view.querySelector(".jounce-beam");
-        const gap = this.controls.find(stop.gap)?.value;
-        if (!tip || !beam || gap === undefined || gap <= 0) return;
-        const [top, high] = [Number(beam.getAttribute("y")), Number(beam.getAttribute("height"))];
-        const numbers = (tip.getAttribute("d") ?? "").match(/-?[\d.]+/g)!.map(Number);
-        const heights = numbers.filter((_, k) => k % 2 === 1);
-        const face = stop.above ? Math.max(...heights) : Math.min(...heights);
-        const scale = (stop.above ? top - face : face - top - high) / gap;
-        if (!(scale > 0)) return;
-        const middle = (numbers[0] + Math.max(...numbers.filter((_, k) => k % 2 === 0))) / 2;
-        this.handle(view, stop.gap, middle, face, "gap", `Gap of stop ${stop.name}`, gap, (_, dy, moving) => {
-            const si = gap + ((stop.above ? -dy : dy) / scale);
-            this.design.set(stop.gap, this.controls.words(stop.gap, Math.max(0.01 * gap, si)), moving);
-        });
-    }
-
-    private handle(svg: SVGSVGElement, key: string, x: number, y: number, kind: string, words: string, value: number, move: (dx: number, dy: number, moving: boolean) => void): void {
+    private handle(page: SVGSVGElement, grip: Grip, [width, height]: number[], value: number, move: Move): void {
         const group = document.createElementNS(SVG, "g");
         const area = document.createElementNS(SVG, "rect");
-        const vertical = kind === "gap";
-        const size = vertical ? [60, 40] : [CATCH, 44];
-        for (const [name, number] of Object.entries({ x: x - size[0] / 2, y: y - size[1] / 2, width: size[0], height: size[1], rx: 4 })) area.setAttribute(name, String(number));
-        group.setAttribute("class", `handle ${vertical ? "vertical" : "horizontal"}`);
-        group.setAttribute("data-handle", key);
-        group.setAttribute("tabindex", "0");
-        group.setAttribute("role", "slider");
-        group.setAttribute("aria-label", words);
-        group.setAttribute("aria-orientation", vertical ? "vertical" : "horizontal");
-        group.setAttribute("aria-valuenow", String(value));
-        group.setAttribute("aria-valuetext", this.controls.words(key, value));
+        const vertical = grip.kind === "gap";
+        for (const [name, number] of Object.entries({ x: grip.at[0] - width / 2, y: grip.at[1] - height / 2, width, height, rx: 4 })) {
+            area.setAttribute(name, String(number));
+        }
+        const words = `${WORDS[grip.kind]} ${grip.name}`;
+        const said = {
+            class: `handle ${vertical ? "vertical" : "horizontal"}`, "data-handle": grip.key, tabindex: "0", role: "slider", "aria-label": words,
+            "aria-orientation": vertical ? "vertical" : "horizontal", "aria-valuenow": String(value),
+            "aria-valuetext": this.controls.words(grip.key, value),
+        };
+        for (const [name, text] of Object.entries(said)) group.setAttribute(name, text);
         const tip = document.createElementNS(SVG, "title");
         tip.textContent = `${words}: drag, or use the arrow keys`;
         group.append(tip, area);
+        // Metres for a drawing unit in each direction.
+        const [x, y] = grip.px_per_m;
+        const metres: [number, number] = [x / (x * x + y * y), y / (x * x + y * y)];
         group.addEventListener("pointerdown", (event) => {
-            const matrix = svg.getScreenCTM();
-            this.held = { move, x: event.clientX, y: event.clientY, scale: matrix?.a ?? 1 };
+            const scale = page.getScreenCTM()?.a ?? 1;
+            this.held = { move, x: event.clientX, y: event.clientY, metres: [metres[0] / scale, metres[1] / scale] };
             group.focus();
             event.preventDefault();
         });
         group.addEventListener("keydown", (event) => {
-            const step = ({ ArrowRight: [2, 0], ArrowLeft: [-2, 0], ArrowUp: [0, -2], ArrowDown: [0, 2] } as Record<string, [number, number]>)[event.key];
+            const step = ({ ArrowRight: [STEP, 0], ArrowLeft: [-STEP, 0], ArrowUp: [0, -STEP], ArrowDown: [0, STEP] } as Record<string, [number, number]>)[event.key];
             if (!step) return;
             event.preventDefault();
-            move(step[0], step[1], false);
+            move(step[0] * metres[0] + step[1] * metres[1], false);
         });
-        svg.append(group);
+        page.append(group);
     }
 
     private drag(event: PointerEvent, moving: boolean): void {
         if (!this.held) return;
-        const { move, x, y, scale } = this.held;
-        move((event.clientX - x) / scale, (event.clientY - y) / scale, moving);
+        const { move, x, y, metres } = this.held;
+        move((event.clientX - x) * metres[0] + (event.clientY - y) * metres[1], moving);
     }
 }
 
-/** Keeps the children of a drawing whose first place passes; its title and paper go. */
-function prune(svg: SVGSVGElement, keep: (y: number) => boolean): void {
-    for (const child of [...svg.children]) {
-        const y = child.getAttribute("y") ?? (child.tagName === "path" ? String(firstPoint(child as SVGPathElement)[1]) : null);
-        if (y === null || !keep(Number(y))) child.remove();
+/** A part of the sheet by itself: `page` has the coordinates of the sheet. */
+function sheet(whole: Element, [left, top, wide, high]: Box): { view: SVGSVGElement; page: SVGSVGElement } {
+    const view = document.createElementNS(SVG, "svg");
+    const page = document.importNode(whole, true) as unknown as SVGSVGElement;
+    const [x, y, width, height] = [left - EDGE, top - EDGE, wide + 2 * EDGE, high + 2 * EDGE];
+    view.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    view.setAttribute("role", "group");
+    for (const [name, value] of Object.entries({ x: 0, y: 0, width, height, viewBox: `${x} ${y} ${width} ${height}`, overflow: "hidden" })) {
+        page.setAttribute(name, String(value));
     }
+    page.removeAttribute("role");
+    page.querySelector(":scope > title")?.remove();
+    view.append(page);
+    return { view, page };
 }
 
-/** The first place of a path. */
-function firstPoint(path: SVGPathElement | undefined): [number, number] {
-    const [x, y] = (path?.getAttribute("d") ?? "").match(/-?[\d.]+/g) ?? ["0", "0"];
-    return [Number(x), Number(y)];
+function holds([left, top, wide, high]: Box, [x, y]: [number, number]): boolean {
+    return x >= left && x <= left + wide && y >= top && y <= top + high;
 }

@@ -13,6 +13,7 @@ import { Orbit } from "./orbit";
 import { Pins } from "./pins";
 import { Requests } from "./requests";
 import { Response } from "./response";
+import { Shake } from "./shake";
 import { Tabs } from "./tabs";
 import { Theme } from "./theme";
 import { Wire } from "./wire";
@@ -28,6 +29,7 @@ const orbit = new Orbit();
 const axes = new Axes(controls);
 const load = new Load(wire, controls, design);
 const basins = new Basins(wire, design);
+const shake = new Shake(wire, controls, design, () => find("tab-shake").click());
 const exports = new Exports(response, drawing);
 const pins = new Pins(find("pins"), response, design);
 const status = find("status");
@@ -85,6 +87,7 @@ wire.on("design", (frame) => {
     drawing.take(head.drawing);
     axes.offer();
     load.offer();
+    shake.offer();
     requests.designTaken();
     remember();
 });
@@ -129,6 +132,7 @@ const theme = new Theme(find("theme"), () => {
     orbit.redraw();
     load.redraw();
     basins.redraw();
+    shake.redraw();
 });
 
 find<HTMLSelectElement>("quantity").onchange = (event) => {
@@ -144,6 +148,7 @@ new Tabs(document.querySelector<HTMLElement>("[role=tablist]")!, (id) => {
     if (id === "tab-response") response.chart.redraw();
     if (id === "tab-load") load.run();
     if (id === "tab-basins") basins.redraw();
+    if (id === "tab-shake") shake.redraw();
 });
 
 addEventListener("keydown", (event) => {

@@ -20,7 +20,9 @@ export async function serve(options = {}) {
     const spec = join(folder, "harvester.toml");
     await cp(`${root}examples/impact-harvester-2019/harvester.toml`, spec);
     const begin = async (listen) => {
-        const child = spawn(program, ["explore", spec, "--no-browser", "--json", ...(listen ? ["--listen", listen] : [])], { stdio: ["ignore", "pipe", "inherit"] });
+        const child = spawn(program, ["explore", spec, "--no-browser", "--json", ...(listen ? ["--listen", listen] : [])], {
+            stdio: ["ignore", "pipe", "inherit"], env: { ...process.env, XDG_STATE_HOME: join(folder, "state") },
+        });
         const line = await new Promise((resolve, reject) => {
             createInterface({ input: child.stdout }).once("line", resolve);
             child.once("exit", (code) => reject(new Error(`jounce explore ended with ${code}`)));
@@ -36,6 +38,11 @@ export async function serve(options = {}) {
     const server = {
         folder, spec, address: first.page, child: first.child,
         stop: () => end(server.child),
+        start: async () => {
+            const again = await begin(options.listen);
+            server.child = again.child;
+            return again.page;
+        },
         close: async () => {
             await end(server.child);
             await rm(folder, { recursive: true, force: true });

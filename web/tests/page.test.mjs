@@ -151,6 +151,25 @@ test("the page follows the file and says what is wrong in it", async () => {
     await writeFile(server.spec, text);
 });
 
+test("a recording that is dropped shakes the harvester, and a file of another kind is refused", async () => {
+    const words = page.locator("#shake-words");
+    const drop = (name, text) => page.evaluate(([file, content]) => {
+        const data = new DataTransfer();
+        data.items.add(new File([content], file, { type: "text/csv" }));
+        document.body.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+    }, [name, text]);
+    const sine = Array.from({ length: 3001 }, (_, k) => `${k / 1000},${(200 * Math.sin(2 * Math.PI * 13 * k / 1000)).toFixed(6)}`);
+    await drop("shaker.csv", sine.join("\n"));
+    await page.waitForFunction(() => /shaker\.csv: .* W on average over 3 s/.test(document.getElementById("shake-words").textContent), undefined, { timeout: 30000 });
+    assert.ok((await inked(page, "#chart-shake-voltage canvas")) > 0.01);
+    await drop("picture.png", "\u0089PNG\r\n");
+    await page.waitForFunction(() => /picture\.png/.test(document.getElementById("shake-words").textContent));
+    await page.locator("#shake-run").click();
+    await page.waitForFunction(() => /noise: .* W on average over 45 s/.test(document.getElementById("shake-words").textContent), undefined, { timeout: 60000 });
+    assert.doesNotMatch(await words.textContent(), /NaN|undefined/);
+    await page.locator("#tab-response").click();
+});
+
 test("no serious finding of axe in light and dark", async () => {
     await ready(page);
     for (const look of ["light", "dark"]) {
@@ -188,8 +207,14 @@ test("a page of another origin cannot open the socket", async () => {
     await stranger.close();
 });
 
-test("a server that stops is told", async () => {
+test("a server that stops is told, and the page comes back with it", async () => {
     await server.stop();
     await page.locator("#lost").waitFor({ state: "visible" });
     assert.match(await page.locator("#status").textContent(), /stopped/);
+    assert.equal(await server.start(), server.address);
+    await page.locator("#lost").waitFor({ state: "hidden", timeout: 10000 });
+    await ready(page);
+    await gap().fill("0.9");
+    await gap().press("Enter");
+    await page.waitForFunction(() => /gap 0\.9 mm/.test(document.getElementById("close").textContent));
 });

@@ -1,7 +1,8 @@
 //! What can be typed.
 
 use crate::commands::{
-    basins, branch, check, completions, diagram, ensemble, explore, frf, jumps, materials, modes, reproduce, run, show, sweep,
+    basins, branch, check, completions, diagram, ensemble, explore, frf, jumps, materials, modes, new, noise, reproduce, run, show, study,
+    sweep,
 };
 use clap::{Parser, Subcommand};
 
@@ -19,6 +20,8 @@ pub struct Arguments {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
+    /// Writes a commented spec to start from, one per kind of harvester.
+    New(new::New),
     /// Reads a spec and reports every fault in it.
     Check(check::Check),
     /// Draws the harvester to scale, so that a wrong number is seen.
@@ -27,6 +30,8 @@ pub enum Command {
     Modes(modes::Modes),
     /// Frequency response functions without contact, in closed form.
     Frf(frf::Frf),
+    /// Exact answer to stationary noise without contact: mean powers, rms values, bandwidths, how often a gap would be reached.
+    Noise(noise::Noise),
     /// Marches one run and reports its mean power and its energy balance.
     Run(run::Run),
     /// Marches a run at every value of a key.
@@ -43,6 +48,8 @@ pub enum Command {
     Ensemble(ensemble::Ensemble),
     /// Opens a page in the browser whose drawing and curves follow every slider.
     Explore(explore::Explore),
+    /// Computes one quantity at many points over the keys of a spec, in parts that any number of processes share.
+    Study(study::Study),
     /// Computes the tables, figures and claims of the 2019 impact-harvester paper.
     Reproduce(reproduce::Reproduce),
     /// Lists the materials that a spec can name, with their sources.
@@ -59,10 +66,12 @@ impl Command {
     /// True when answers and faults go to stdout as JSON.
     pub fn wants_json(&self) -> bool {
         match self {
+            Command::New(command) => command.json,
             Command::Check(command) => command.output.json,
             Command::Show(command) => command.json,
             Command::Modes(command) => command.output.json,
             Command::Frf(command) => command.output.json,
+            Command::Noise(command) => command.output.json,
             Command::Run(command) => command.output.json,
             Command::Sweep(command) => command.output.json,
             Command::Branch(command) => command.output.json,
@@ -71,6 +80,7 @@ impl Command {
             Command::Basins(command) => command.output.json,
             Command::Ensemble(command) => command.output.json,
             Command::Explore(command) => command.json,
+            Command::Study(command) => command.wants_json(),
             Command::Reproduce(command) => command.json,
             Command::Materials(command) => command.json,
             Command::Schema | Command::Keys | Command::Completions(_) => false,

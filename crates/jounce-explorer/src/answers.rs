@@ -47,10 +47,15 @@ impl Answers {
         self.open().iter().find(|known| known.id == id).cloned()
     }
 
-    /// Orbits of the last response over the same key: both ends and the middle of each branch.
-    pub fn known(&self, key: &str) -> Vec<KnownOrbit> {
-        let last = self.open().iter().rev().find(|known| known.key.path() == key && !known.branches.is_empty()).cloned();
-        let Some(last) = last else { return Vec::new() };
+    /// The last response over a key.
+    pub fn last(&self, key: &str) -> Option<Arc<Answered>> {
+        self.open().iter().rev().find(|known| known.key.path() == key && !known.branches.is_empty()).cloned()
+    }
+}
+
+impl Answered {
+    /// Orbits on its branches: both ends and the middle of each.
+    pub fn orbits(&self) -> Vec<KnownOrbit> {
         let known = |branch: &Branch| {
             let count = branch.points.len();
             let mut places = vec![0, count.saturating_sub(1), count / 2];
@@ -61,6 +66,6 @@ impl Answers {
             };
             places.into_iter().filter_map(orbit).collect::<Vec<_>>()
         };
-        last.branches.iter().flat_map(known).collect()
+        self.branches.iter().flat_map(known).collect()
     }
 }

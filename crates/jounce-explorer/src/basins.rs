@@ -2,7 +2,7 @@
 
 use crate::design::{Design, Wrong};
 use crate::frame::Frame;
-use crate::halt::{Halt, Haltable};
+use crate::halt::Halt;
 use crate::session::Session;
 use jounce::orbit::Harvester;
 use jounce::study::{Basins, Grid, GridAxis, GridSide, Parameter, SectionPoint, Starts};
@@ -22,7 +22,7 @@ const TOLERANCE: f64 = 1e-6;
 /// # Errors
 /// [`Wrong`].
 pub fn respond(session: &Session, id: u64, design: &Design, side: usize, halt: &Halt) -> Result<(), Wrong> {
-    let base = session.prepared(&design.spec)?;
+    let base = session.prepared(&design.spec, halt)?;
     let sine = design.spec.drive.iter().find_map(|(name, drive)| Some((name, drive.frequency_hz()?)));
     let Some((name, value)) = sine else {
         return Err(Wrong::Text("a basin needs a drive of one frequency: give a drive a frequency".to_owned()));
@@ -40,8 +40,7 @@ pub fn respond(session: &Session, id: u64, design: &Design, side: usize, halt: &
     let count = side.clamp(2, MOST_VALUES);
     let axis = |axis, reach: f64| GridSide { axis, from: -reach, to: reach, count };
     let starts = Starts::Grid(Grid { sides: vec![axis(GridAxis::Displacement, reach_m), axis(GridAxis::Velocity, reach_m_s)] });
-    let family = Haltable { inner: &parameter, halt: halt.clone() };
-    let study = Basins { base: &base, parameter: &family, value, starts, tolerance: TOLERANCE };
+    let study = Basins { base: &base, parameter: &parameter, value, starts, tolerance: TOLERANCE };
     let (of, finished, began) = (study.starts.len(), AtomicUsize::new(0), Instant::now());
     let answer = study.run(&|| {
         let done = 1 + finished.fetch_add(1, Ordering::Relaxed);

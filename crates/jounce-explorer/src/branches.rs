@@ -3,27 +3,27 @@
 use crate::answers::Answered;
 use crate::design::{Design, Wrong};
 use crate::frame::Frame;
-use crate::halt::{Halt, Haltable};
+use crate::halt::Halt;
 use crate::request::Over;
 use crate::session::Session;
 use jounce::continuation::StepControl;
-use jounce::linear::steady_power_w;
-use jounce::orbit::Harvester;
-use jounce::study::{BandwidthSearch, Bifurcation, Branch, BranchChase, BranchPoint, BranchSearch, KnownOrbit, Method};
+use jounce::study::{BandwidthSearch, Bifurcation, Branch, BranchCarry, BranchChase, BranchPoint, BranchSearch, KnownOrbit, Method};
 use jounce::study::{Parameter, Prepared, settled_orbit};
 use serde_json::{Value, json};
 use std::time::{Duration, Instant};
 
 /// Tolerance of the marches of the first answer: curves are right to a thousandth of their height.
 const COARSE: f64 = 1e-6;
+/// Length to which its bifurcations are located: a thousandth of the range.
+const SEEN: f64 = 0.02;
+/// Share of points that may be lost in carrying branches over.
+const MOST_LOST: f64 = 0.02;
 /// Tolerance of the second.
 const FINE: f64 = 1e-8;
 /// Values across the range at which the second one looks for branches that stand alone.
 const SEEDS: usize = 6;
 /// Longest period that it follows, drive cycles.
 const LONGEST_PERIOD: u32 = 8;
-/// Points of the linear curve.
-const LINEAR_POINTS: usize = 161;
 /// A slider must rest that long before the second answer begins.
 const REST: Duration = Duration::from_millis(120);
 
@@ -37,13 +37,15 @@ const LONG_STEPS: StepControl = StepControl { first: 0.1, longest: 1.2, shortest
 pub fn respond(session: &Session, id: u64, design: Design, over: &Over, halt: &Halt) -> Result<(), Wrong> {
     let key = design.range(&over.over, over.from, over.to)?;
     let range = (over.from, over.to);
-    let base = session.prepared(&design.spec)?;
+    let base = session.prepared(&design.spec, halt)?;
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
-    let family = Haltable { inner: &parameter, halt: halt.clone() };
+    let began = Instant::now();
+    let (found, linear) =
+        rayon::join(|| coarse(session, &base, &parameter, range), || session.linear.curve(&design.spec, &parameter, range));
     let send = |stage: &str, branches: Vec<Branch>, began: Instant| {
         let mut frame = Frame::new(id, "response", stage);
         frame.put("over", key.path()).put("unit", key.unit()).put("ms", 1e3 * began.elapsed().as_secs_f64());
-        put_linear(&mut frame, &parameter, range);
+        linear.put(&mut frame);
         put_branches(&mut frame, &branches);
         if !halt.is_stopped() {
             let answered = Answered { id, spec: design.spec.clone(), key: key.clone(), range, branches };
@@ -51,13 +53,6 @@ pub fn respond(session: &Session, id: u64, design: Design, over: &Over, halt: &H
         }
         session.send(halt, frame);
     };
-
-    let began = Instant::now();
-    let chase = BranchChase { harvester: &family, kernel: &base.kernel, range, tolerance: COARSE, control: LONG_STEPS };
-    let mut found = chase.run(&session.answers.known(key.path())).unwrap_or_default();
-    if found.is_empty() && !halt.is_stopped() {
-        found = chase.run(&settled(&family, &base, range)).unwrap_or_default();
-    }
     send("coarse", found, began);
 
     let (rested, look) = (Instant::now(), Duration::from_millis(5));
@@ -69,7 +64,7 @@ pub fn respond(session: &Session, id: u64, design: Design, over: &Over, halt: &H
     }
     let began = Instant::now();
     let (method, seeds, longest_period) = (Method::Shooting, SEEDS, LONGEST_PERIOD);
-    let search = BranchSearch { base: &base, parameter: &family, range, method, tolerance: FINE, seeds, longest_period };
+    let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance: FINE, seeds, longest_period };
     let branches = search.run()?;
     send("fine", branches.clone(), began);
     if !halt.is_stopped() && !branches.is_empty() {
@@ -84,8 +79,29 @@ pub fn respond(session: &Session, id: u64, design: Design, over: &Over, halt: &H
     Ok(())
 }
 
+/// The branches near those of the design before: carried over point by point, walked again where that loses points or the range is
+/// another one, and walked from settled orbits where nothing is known.
+fn coarse(session: &Session, base: &Prepared, parameter: &Parameter, range: (f64, f64)) -> Vec<Branch> {
+    let kernel = &base.kernel;
+    let last = session.answers.last(parameter.key().path());
+    if let Some(last) = last.as_ref().filter(|last| last.range == range) {
+        let carry = BranchCarry { harvester: parameter, kernel, range, tolerance: COARSE, resolution: SEEN };
+        let carried = carry.run(&last.branches);
+        let points: usize = last.branches.iter().map(|branch| branch.points.len()).sum();
+        if (carried.lost as f64) <= MOST_LOST * points as f64 {
+            return carried.branches;
+        }
+    }
+    let chase = BranchChase { harvester: parameter, kernel, range, tolerance: COARSE, control: LONG_STEPS, resolution: SEEN };
+    let found = last.map(|last| chase.run(&last.orbits()).unwrap_or_default()).unwrap_or_default();
+    if !found.is_empty() || kernel.watch.is_stopped() {
+        return found;
+    }
+    chase.run(&settled(parameter, base, range)).unwrap_or_default()
+}
+
 /// Orbits on which a march from rest and from the steady state settles at both ends of the range.
-fn settled<H: Harvester>(family: &H, base: &Prepared, range: (f64, f64)) -> Vec<KnownOrbit> {
+fn settled(family: &Parameter, base: &Prepared, range: (f64, f64)) -> Vec<KnownOrbit> {
     let plant = &base.kernel.plant;
     let rest = vec![0.0; plant.len()];
     let steady = plant.to_physical(&rest, 0.0);
@@ -99,13 +115,6 @@ fn settled<H: Harvester>(family: &H, base: &Prepared, range: (f64, f64)) -> Vec<
     let pair = |one, two| rayon::join(|| known(one), || known(two));
     let (first, second) = (pair(a, b), pair(c, d));
     [first.0, first.1, second.0, second.1].into_iter().flatten().collect()
-}
-
-/// The harvester that never touches its stop.
-fn put_linear(frame: &mut Frame, parameter: &Parameter, (low, high): (f64, f64)) {
-    let value = |k: usize| low + (high - low) * k as f64 / (LINEAR_POINTS - 1) as f64;
-    let power = |k: usize| parameter.at(value(k)).map_or(f64::NAN, |setting| steady_power_w(&setting.kernel.plant));
-    frame.array("linear.x", (0..LINEAR_POINTS).map(value)).array("linear.power", (0..LINEAR_POINTS).map(power));
 }
 
 fn put_branches(frame: &mut Frame, branches: &[Branch]) {

@@ -32,17 +32,12 @@ pub enum Refusal {
 }
 
 impl Guard {
-    /// A guard with a fresh token for a server at an address.
+    /// A guard for a server at an address, with the token of the server before it or a fresh one.
     ///
     /// # Errors
     /// No random numbers from the system.
-    pub fn new(address: SocketAddr) -> Result<Self, getrandom::Error> {
-        let mut bytes = [0; TOKEN_BYTES];
-        getrandom::fill(&mut bytes)?;
-        let token = bytes.iter().fold(String::new(), |mut text, byte| {
-            let _ = write!(text, "{byte:02x}");
-            text
-        });
+    pub fn new(address: SocketAddr, before: Option<String>) -> Result<Self, getrandom::Error> {
+        let token = before.map_or_else(fresh, Ok)?;
         let port = address.port();
         let mut hosts = vec![address.to_string()];
         if address.ip().is_loopback() || address.ip().is_unspecified() {
@@ -78,6 +73,16 @@ impl Guard {
     }
 }
 
+/// A random token.
+fn fresh() -> Result<String, getrandom::Error> {
+    let mut bytes = [0; TOKEN_BYTES];
+    getrandom::fill(&mut bytes)?;
+    Ok(bytes.iter().fold(String::new(), |mut text, byte| {
+        let _ = write!(text, "{byte:02x}");
+        text
+    }))
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
@@ -93,10 +98,10 @@ mod tests {
 
     #[test]
     fn only_the_own_page_with_the_token_is_let_in() {
-        let guard = Guard::new("127.0.0.1:4321".parse().unwrap()).unwrap();
+        let guard = Guard::new("127.0.0.1:4321".parse().unwrap(), None).unwrap();
         let token = guard.token().to_owned();
         assert_eq!(token.len(), 32);
-        assert_ne!(token, Guard::new("127.0.0.1:4321".parse().unwrap()).unwrap().token());
+        assert_ne!(token, Guard::new("127.0.0.1:4321".parse().unwrap(), None).unwrap().token());
         let check = |token: &str, host: &str, origin, socket| guard.check(token, &asked(host, origin), socket);
         assert_eq!(check(&token, "localhost:4321", Some("http://localhost:4321"), true), Ok(()));
         assert_eq!(check(&token, "127.0.0.1:4321", None, false), Ok(()));
@@ -107,7 +112,7 @@ mod tests {
         assert_eq!(check(&token, "127.0.0.1:9", None, false), Err(Refusal::Host));
         assert_eq!(check(&token[1..], "127.0.0.1:4321", None, false), Err(Refusal::Token));
         assert_eq!(check("", "127.0.0.1:4321", None, false), Err(Refusal::Token));
-        let open = Guard::new("0.0.0.0:4321".parse().unwrap()).unwrap();
+        let open = Guard::new("0.0.0.0:4321".parse().unwrap(), None).unwrap();
         let check = |host: &str| open.check(open.token(), &asked(host, None), false);
         assert_eq!(check("192.168.1.7:4321"), Ok(()));
         assert_eq!(check("evil.example:4321"), Err(Refusal::Host));

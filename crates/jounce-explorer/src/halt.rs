@@ -1,83 +1,57 @@
-//! Stopping a computation from outside.
-//!
-//! Every orbit that is tried asks its family for a harvester first. [`Haltable`] stands between the two and refuses once the wish to stop
-//! is there, so that a computation ends within one march of a period.
+//! Stopping a computation from outside, and whether it was its time that was over.
 
-use jounce::orbit::{Harvester, Setting};
+use jounce::march::Watch;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The wish that a computation stops; its clones are the same wish.
+/// The wish that a computation stops; its clones are the same wish. Every march under its watch ends before its next step.
 #[derive(Debug, Clone, Default)]
-pub struct Halt(Arc<Wishes>);
-
-#[derive(Debug, Default)]
-struct Wishes {
-    stop: AtomicBool,
-    late: AtomicBool,
+pub struct Halt {
+    watch: Watch,
+    late: Arc<AtomicBool>,
 }
 
 impl Halt {
     /// Wishes it.
     pub fn stop(&self) {
-        self.0.stop.store(true, Ordering::Relaxed);
+        self.watch.stop();
     }
 
     /// Wishes it because the time is over.
     pub fn stop_late(&self) {
         if !self.is_stopped() {
-            self.0.late.store(true, Ordering::Relaxed);
+            self.late.store(true, Ordering::Relaxed);
             self.stop();
         }
     }
 
     /// True where it was stopped because its time was over.
     pub fn is_late(&self) -> bool {
-        self.0.late.load(Ordering::Relaxed)
+        self.late.load(Ordering::Relaxed)
     }
 
     /// True once somebody wished it.
     pub fn is_stopped(&self) -> bool {
-        self.0.stop.load(Ordering::Relaxed)
+        self.watch.is_stopped()
     }
 
-    /// The flag itself, for studies that look at one.
-    pub fn flag(&self) -> &AtomicBool {
-        &self.0.stop
+    /// The watch of its marches.
+    pub fn watch(&self) -> &Watch {
+        &self.watch
     }
 }
 
-/// Why there is no harvester.
-#[derive(Debug, thiserror::Error)]
-pub enum Halted<E: std::error::Error> {
-    /// Somebody wished that the computation stops.
-    #[error("the computation was stopped")]
-    Stopped,
-    /// The harvester itself.
-    #[error(transparent)]
-    Harvester(E),
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// A family of harvesters that can be refused.
-#[derive(Debug)]
-pub struct Haltable<'h, H> {
-    /// The family.
-    pub inner: &'h H,
-    /// The wish.
-    pub halt: Halt,
-}
-
-impl<H: Harvester> Harvester for Haltable<'_, H> {
-    type Error = Halted<H::Error>;
-
-    fn at(&self, parameter: f64) -> Result<Setting, Self::Error> {
-        if self.halt.is_stopped() {
-            return Err(Halted::Stopped);
-        }
-        self.inner.at(parameter).map_err(Halted::Harvester)
-    }
-
-    fn difference(&self) -> f64 {
-        self.inner.difference()
+    #[test]
+    fn a_computation_that_was_stopped_is_not_late() {
+        let (stopped, late) = (Halt::default(), Halt::default());
+        stopped.stop();
+        stopped.clone().stop_late();
+        late.clone().stop_late();
+        assert!(stopped.is_stopped() && stopped.watch().is_stopped() && !stopped.is_late());
+        assert!(late.is_stopped() && late.watch().is_stopped() && late.is_late());
     }
 }

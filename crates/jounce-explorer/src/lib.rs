@@ -24,6 +24,9 @@
 //! runs under a content-security policy that allows nothing from elsewhere. Overrides may set numbers only, never the path of a file.
 //! Bodies, frames, sockets and computation time are limited.
 //!
+//! *Return.* Port and token are kept in a file that only its owner may read, and taken again by the next server of the same spec: a page
+//! that has lost its server comes back with it.
+//!
 //! *Failure.* What is wrong with a design comes back as faults in the words of the command line, by key. The spec may change on disk: the
 //! page is told and asks again.
 
@@ -38,15 +41,19 @@ mod file_watch;
 mod frame;
 mod guard;
 mod halt;
+mod kept;
 mod lanes;
 mod launch;
+mod linear;
 mod load;
 mod orbit;
 mod request;
 mod server;
 mod session;
+mod shake;
 mod socket;
 mod sweep;
 
+pub use kept::state_folder;
 pub use launch::open_in_browser;
 pub use server::{ExploreError, Explorer, Limits, Options};

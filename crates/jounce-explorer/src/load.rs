@@ -26,7 +26,7 @@ pub fn respond(session: &Session, id: u64, design: &Design, over: &str, points: 
     let (from, to) = ((value / RATIO).max(low), (value * RATIO).min(high));
     let text = format!("{}:{}:{}log", key.show(from), key.show(to), points.clamp(2, MOST_POINTS));
     let range = KeyRange::parse(key.clone(), &text).map_err(|fault| Wrong::Faults(vec![fault]))?;
-    let base = session.prepared(&design.spec)?;
+    let base = session.prepared(&design.spec, halt)?;
     let parameter = Parameter::new(&base, &key, to - from);
     let at = |k: usize| from * (to / from).powf(k as f64 / (LINEAR_POINTS - 1) as f64);
     let power = |k: usize| parameter.at(at(k)).map_or(f64::NAN, |setting| steady_power_w(&setting.kernel.plant));

@@ -2,7 +2,7 @@
 
 use crate::design::Wrong;
 use crate::frame::Frame;
-use crate::halt::{Halt, Haltable};
+use crate::halt::Halt;
 use crate::session::{Session, Shapes};
 use jounce::continuation::{Corrector, Metric, Position, settle};
 use jounce::march::Instant;
@@ -31,10 +31,9 @@ pub fn respond(session: &Session, id: u64, (answer, branch, point): (u64, usize,
     let answered = session.answered(answer)?;
     let curve = answered.branches.get(branch).and_then(|branch| Some((branch.period_cycles, branch.points.get(point)?)));
     let Some((cycles, point)) = curve else { return Err(Wrong::Text("this response has no such point".to_owned())) };
-    let base = session.prepared(&answered.spec)?;
+    let base = session.prepared(&answered.spec, halt)?;
     let parameter = Parameter::new(&base, &answered.key, answered.range.1 - answered.range.0);
-    let family = Haltable { inner: &parameter, halt: halt.clone() };
-    let shooting = Shooting::new(&family, &base.kernel, cycles, TOLERANCE);
+    let shooting = Shooting::new(&parameter, &base.kernel, cycles, TOLERANCE);
     let position = Position { unknown: point.orbit.start().to_vec(), parameter: point.parameter };
     let metric = Metric::at(&position, 1.0);
     let found = settle(&shooting, &Corrector { goal: 50.0 * TOLERANCE, most: 10 }, &metric, position)?;

@@ -29,6 +29,30 @@ pub struct Over {
     pub to: f64,
 }
 
+/// What takes the place of the first drive.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Shaking {
+    /// Noise of a flat one-sided density.
+    Noise {
+        /// In the square of the unit of the drive per Hz.
+        density: f64,
+        /// Lower end of the band.
+        low_hz: f64,
+        /// Upper end.
+        high_hz: f64,
+    },
+    /// A recording as the library reads it: times and values, separated by commas.
+    Recording {
+        /// What faults call it.
+        name: String,
+        /// What the file holds.
+        text: String,
+        /// What 1 in the file stands for, in SI.
+        scale: f64,
+    },
+}
+
 /// What is asked.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(tag = "ask", rename_all = "kebab-case")]
@@ -66,6 +90,11 @@ pub enum Ask {
         /// Values on each side of the plane of starts.
         side: usize,
     },
+    /// The harvester under noise or a recording.
+    Shake {
+        /// What shakes it.
+        by: Shaking,
+    },
     /// The spec as text, with the overrides written into it, and the lines that give the same response.
     Export(Over),
     /// Stops the work on one kind of request.
@@ -85,6 +114,7 @@ impl Ask {
             Ask::Sweep { .. } => "sweep",
             Ask::Load { .. } => "load",
             Ask::Basins { .. } => "basins",
+            Ask::Shake { .. } => "shake",
             Ask::Export(_) => "export",
             Ask::Stop { .. } => "stop",
         }

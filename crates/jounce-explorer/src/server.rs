@@ -2,6 +2,7 @@
 
 use crate::assets::{refused, serve};
 use crate::guard::{Guard, Refusal};
+use crate::kept::Kept;
 use crate::{file_watch, socket};
 use axum::Router;
 use axum::extract::State;
@@ -24,6 +25,8 @@ pub struct Options {
     pub set: Vec<(String, String)>,
     /// Where to listen; by default a free port of the loopback interface.
     pub listen: Option<SocketAddr>,
+    /// The folder in which the address is kept, so that the next server of this spec has the same one; nothing is kept without it.
+    pub keep: Option<PathBuf>,
     /// Limits.
     pub limits: Limits,
 }
@@ -41,7 +44,7 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { sockets: 64, message_bytes: 256 * 1024, longest: Duration::from_secs(120) }
+        Self { sockets: 64, message_bytes: 16 << 20, longest: Duration::from_secs(120) }
     }
 }
 
@@ -111,12 +114,15 @@ impl Explorer {
     /// [`ExploreError`].
     pub fn bind(options: Options) -> Result<Self, ExploreError> {
         jounce::spec::SpecFile::read(&options.spec)?;
-        let wanted = options.listen.unwrap_or_else(|| SocketAddr::from((Ipv4Addr::LOCALHOST, 0)));
-        let fault = |why| ExploreError::Address { address: wanted, why };
-        let listener = std::net::TcpListener::bind(wanted).map_err(fault)?;
-        listener.set_nonblocking(true).map_err(fault)?;
-        let address = listener.local_addr().map_err(fault)?;
-        let guard = Guard::new(address).map_err(|error| ExploreError::System(error.to_string()))?;
+        let kept = options.keep.as_ref().and_then(|folder| Kept::read(folder, &options.spec));
+        let listener = listen(&options, kept.as_ref().map(|kept| kept.port))?;
+        let address = listener.local_addr().map_err(|error| ExploreError::System(error.to_string()))?;
+        let before = kept.filter(|kept| kept.port == address.port()).map(|kept| kept.token);
+        let guard = Guard::new(address, before).map_err(|error| ExploreError::System(error.to_string()))?;
+        if let Some(folder) = &options.keep {
+            // Without it the page works all the same, until the server ends.
+            let _ = Kept { port: address.port(), token: guard.token().to_owned() }.write(folder, &options.spec);
+        }
         Ok(Self { listener, address, guard, options, stop: watch::Sender::new(false) })
     }
 
@@ -168,6 +174,16 @@ impl Explorer {
             }
         }
     }
+}
+
+/// Takes the address that is wanted; without a wish the port of the server before, or a free one.
+fn listen(options: &Options, before: Option<u16>) -> Result<std::net::TcpListener, ExploreError> {
+    let local = |port| SocketAddr::from((Ipv4Addr::LOCALHOST, port));
+    let wanted = options.listen.unwrap_or_else(|| local(0));
+    let again = before.filter(|_| options.listen.is_none()).and_then(|port| std::net::TcpListener::bind(local(port)).ok());
+    let listener = again.map_or_else(|| std::net::TcpListener::bind(wanted), Ok);
+    let ready = listener.and_then(|listener| listener.set_nonblocking(true).map(|()| listener));
+    ready.map_err(|why| ExploreError::Address { address: wanted, why })
 }
 
 /// Every request comes through here; the path is compared with known names and opens no file.

@@ -7,14 +7,16 @@ use crate::drawing::drawing;
 use crate::frame::Frame;
 use crate::halt::Halt;
 use crate::lanes::Lanes;
+use crate::linear::LastLinear;
 use crate::request::{Ask, Over, Request};
 use crate::server::Host;
-use crate::{basins, branches, load, orbit, sweep};
+use crate::{basins, branches, load, orbit, shake, sweep};
 use jounce::spec::Spec;
 use jounce::structure::{BeamShape, shapes_along_beams};
 use jounce::study::{Prepared, StudyError};
 use serde_json::json;
 use std::collections::BTreeMap;
+use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 use tokio::sync::mpsc;
 
@@ -33,13 +35,15 @@ pub struct Session {
     shapes: Mutex<Option<(Spec, Shapes)>>,
     /// Responses given so far.
     pub answers: Answers,
+    /// The last curve of the harvester that never strikes.
+    pub linear: LastLinear,
 }
 
 impl Session {
     /// A page that has asked nothing.
     pub fn new(host: Arc<Host>, out: mpsc::Sender<Vec<u8>>) -> Self {
         let (base, shapes) = (Mutex::new(None), Mutex::new(None));
-        Self { host, out, lanes: Lanes::default(), base, shapes, answers: Answers::default() }
+        Self { host, out, lanes: Lanes::default(), base, shapes, answers: Answers::default(), linear: LastLinear::default() }
     }
 
     /// Sends a frame.
@@ -82,7 +86,7 @@ impl Session {
         let halt = self.lanes.enter(request.ask.name());
         let session = Arc::clone(self);
         tokio::spawn(async move {
-            let is_long = matches!(request.ask, Ask::Sweep { .. } | Ask::Load { .. } | Ask::Basins { .. });
+            let is_long = matches!(request.ask, Ask::Sweep { .. } | Ask::Load { .. } | Ask::Basins { .. } | Ask::Shake { .. });
             let permits = if is_long { &session.host.long } else { &session.host.quick };
             let Ok(_permit) = Arc::clone(permits).acquire_owned().await else { return };
             if halt.is_stopped() {
@@ -131,6 +135,10 @@ impl Session {
             Ask::Sweep { range, points } => sweep::respond(self, id, &design, range, *points, halt),
             Ask::Load { over, points } => load::respond(self, id, &design, over, *points, halt),
             Ask::Basins { side } => basins::respond(self, id, &design, *side, halt),
+            Ask::Shake { by } => {
+                let folder = self.host.options.spec.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+                shake::respond(self, id, &design, by, folder, halt)
+            }
             Ask::Export(over) => {
                 self.send(halt, self.export(id, &design, over, &request.set)?);
                 Ok(())
@@ -154,20 +162,24 @@ impl Session {
         Ok(frame)
     }
 
-    /// A design ready to be computed; what the one before shares with it is kept.
+    /// A design ready to be computed under a watch; what the one before shares with it is kept.
     ///
     /// # Errors
     /// [`StudyError`].
-    pub fn prepared(&self, spec: &Spec) -> Result<Arc<Prepared>, StudyError> {
+    pub fn prepared(&self, spec: &Spec, halt: &Halt) -> Result<Prepared, StudyError> {
         let before = self.base.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let prepared = match before {
-            Some(before) if before.spec == *spec => return Ok(before),
-            Some(before) => before.changed(spec.clone())?,
-            None => Prepared::new(spec.clone())?,
+            Some(before) if before.spec == *spec => before,
+            before => {
+                let prepared = Arc::new(match before {
+                    Some(before) => before.changed(spec.clone())?,
+                    None => Prepared::new(spec.clone())?,
+                });
+                *self.base.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&prepared));
+                prepared
+            }
         };
-        let prepared = Arc::new(prepared);
-        *self.base.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&prepared));
-        Ok(prepared)
+        prepared.watched_by(halt.watch())
     }
 
     /// Shapes of the modes along the beams of a design.

@@ -42,7 +42,7 @@ pub fn march(
         frame.put("settled", point.settled).put("up", point.direction != Way::Down);
         session.send(halt, frame);
     };
-    sweep.run(None, halt.flag(), &done)?;
+    sweep.run(None, halt.watch(), &done)?;
     let mut frame = Frame::new(id, ask, "done");
     frame.put("of", of);
     session.send(halt, frame);

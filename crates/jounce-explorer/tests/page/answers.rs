@@ -14,8 +14,10 @@ async fn a_design_has_a_drawing_and_controls() {
     page.ask("design", json!({ "set": [["stop.tip.gap", "0.5 mm"]] })).await;
     let heard = page.until("design", "done").await;
     assert!(heard.head["drawing"]["svg"].as_str().unwrap().contains("gap 0.5 mm"));
-    assert_eq!(heard.head["drawing"]["stops"][0]["place"], "beam.beam.point.tip");
-    assert_eq!(heard.head["drawing"]["patches"][0]["start"], "patch.mfc.start");
+    let grips = heard.head["drawing"]["grips"].as_array().unwrap();
+    let keys: Vec<_> = grips.iter().map(|grip| (grip["kind"].as_str().unwrap(), grip["key"].as_str().unwrap())).collect();
+    let due = [("start", "patch.mfc.start"), ("end", "patch.mfc.length"), ("place", "beam.beam.point.tip"), ("gap", "stop.tip.gap")];
+    assert_eq!(keys, due);
     let gap = heard.head["controls"].as_array().unwrap().iter().find(|control| control["key"] == "stop.tip.gap").unwrap();
     assert_eq!((gap["value"].as_f64(), gap["unit"].as_str(), gap["factor"].as_f64()), (Some(0.5e-3), Some("mm"), Some(1e-3)));
 }
@@ -123,4 +125,22 @@ async fn exported_text_is_the_design() {
     assert_eq!(spec.stop["tip"].gap_m, 0.5e-3);
     let shell = heard.head["shell"].as_str().unwrap();
     assert!(shell.ends_with("--over 'drive.shaker.frequency=12 Hz:13 Hz' --set 'stop.tip.gap=0.5 mm'"), "{shell}");
+}
+
+/// The next server of a spec has the address of the one before; one beside it has another.
+#[tokio::test]
+async fn a_page_comes_back_with_its_server() {
+    let folder = tempfile::tempdir().unwrap();
+    let serve = || Served::kept(&paper(), Limits::default(), Some(folder.path().to_path_buf()));
+    let first = serve();
+    let (host, token) = (first.host.clone(), first.token.clone());
+    let beside = serve();
+    assert!(beside.host != host && beside.token != token);
+    drop((beside, first));
+    let latest = serve();
+    let (host, token) = (latest.host.clone(), latest.token.clone());
+    drop(latest);
+    let again = serve();
+    assert_eq!((&again.host, &again.token), (&host, &token));
+    again.page().await;
 }

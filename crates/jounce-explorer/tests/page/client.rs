@@ -24,7 +24,12 @@ pub struct Served {
 impl Served {
     /// Serves a spec with some limits.
     pub fn new(spec: &Path, limits: Limits) -> Self {
-        let explorer = Explorer::bind(Options { spec: spec.to_path_buf(), set: Vec::new(), listen: None, limits }).unwrap();
+        Self::kept(spec, limits, None)
+    }
+
+    /// The same, its address kept in a folder.
+    pub fn kept(spec: &Path, limits: Limits, keep: Option<PathBuf>) -> Self {
+        let explorer = Explorer::bind(Options { spec: spec.to_path_buf(), set: Vec::new(), listen: None, keep, limits }).unwrap();
         let page = explorer.page();
         let (host, token) = page.strip_prefix("http://").unwrap().trim_end_matches('/').split_once('/').unwrap();
         let (host, token) = (host.to_owned(), token.to_owned());

@@ -40,10 +40,6 @@ impl Fate {
             if let Some(orbit) = settled_orbit(harvester, value, &state, tolerance, 10.0 * tolerance) {
                 return Fate::Orbit(orbit);
             }
-            // A family that refuses its harvesters has been stopped from outside: no long march then.
-            if let Err(error) = harvester.at(value) {
-                return Fate::Lost(error.to_string());
-            }
             round += 1;
             match wander(kernel, &state, tolerance) {
                 // Still on its way to something: it gets more time.

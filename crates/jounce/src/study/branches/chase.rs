@@ -7,7 +7,8 @@ use super::branch::Branch;
 use super::follow::Following;
 use crate::continuation::{Corrector, Metric, Position, StepControl, settle};
 use crate::march::Kernel;
-use crate::orbit::{Harvester, OrbitError, OrbitMethod, Shooting};
+use crate::orbit::{OrbitError, OrbitMethod, Shooting};
+use crate::study::{Parameter, StudyError};
 
 /// An orbit of a neighbouring harvester.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,9 +23,9 @@ pub struct KnownOrbit {
 
 /// Branches to be followed from known orbits.
 #[derive(Debug)]
-pub struct BranchChase<'s, H> {
+pub struct BranchChase<'s> {
     /// The harvesters.
-    pub harvester: &'s H,
+    pub harvester: &'s Parameter<'s>,
     /// One of them.
     pub kernel: &'s Kernel,
     /// Ends of the range of the key.
@@ -33,16 +34,24 @@ pub struct BranchChase<'s, H> {
     pub tolerance: f64,
     /// The law of the step.
     pub control: StepControl,
+    /// Length in the metric (a twentieth of the range counts as one) to which bifurcations are located.
+    pub resolution: f64,
 }
 
-impl<H: Harvester> BranchChase<'_, H> {
+impl BranchChase<'_> {
     /// Follows the branches; a known orbit that Newton does not find again is left out.
     ///
     /// # Errors
     /// [`OrbitError`].
-    pub fn run(&self, known: &[KnownOrbit]) -> Result<Vec<Branch>, OrbitError<H::Error>> {
+    pub fn run(&self, known: &[KnownOrbit]) -> Result<Vec<Branch>, OrbitError<StudyError>> {
         let goal = (50.0 * self.tolerance).clamp(1e-11, 1e-6);
-        let following = Following { range: self.range, corrector: Corrector { goal, most: 8 }, control: self.control, most_points: 2000 };
+        let following = Following {
+            range: self.range,
+            corrector: Corrector { goal, most: 8 },
+            control: self.control,
+            most_points: 2000,
+            resolution: self.resolution,
+        };
         let mut branches: Vec<Branch> = Vec::new();
         for orbit in known {
             let parameter = orbit.parameter.clamp(self.range.0, self.range.1);

@@ -7,8 +7,8 @@ use crate::orbit::{Orbit, OrbitMethod, determinant_at, multipliers, nearest_pair
 /// Distance from the stop, beside the size of the motion, below which an orbit touches it.
 const GRAZES: f64 = 1e-6;
 
-/// Length in the metric to which a bifurcation is located.
-const RESOLUTION: f64 = 1e-8;
+/// Length in the metric to which a bifurcation is located, where nothing else is asked.
+pub(super) const RESOLUTION: f64 = 1e-8;
 
 /// How branches are followed.
 #[derive(Debug, Clone, Copy)]
@@ -21,6 +21,8 @@ pub struct Following {
     pub control: StepControl,
     /// Most points.
     pub most_points: usize,
+    /// Length in the metric to which bifurcations are located.
+    pub resolution: f64,
 }
 
 /// A walked point with its orbit.
@@ -190,7 +192,7 @@ impl Following {
     }
 
     /// Everything that happens between two points.
-    fn between<M: OrbitMethod>(&self, method: &M, a: &Place<M>, b: &Place<M>) -> Result<Vec<Bifurcation>, M::Error> {
+    pub(super) fn between<M: OrbitMethod>(&self, method: &M, a: &Place<M>, b: &Place<M>) -> Result<Vec<Bifurcation>, M::Error> {
         let mut kinds = Vec::new();
         let (one, two) = (&a.point.orbit, &b.point.orbit);
         let turns = a.step.tangent.parameter * b.step.tangent.parameter < 0.0;
@@ -212,7 +214,7 @@ impl Following {
         let mut found = Vec::new();
         for kind in kinds {
             let value = |step: &Step<M::Local>| test(method, kind, step, one, two);
-            let place = locate(method, &self.corrector, self.parameter_scale(), (&a.step, &b.step), RESOLUTION, value);
+            let place = locate(method, &self.corrector, self.parameter_scale(), (&a.step, &b.step), self.resolution, value);
             let Some(place) = place else { continue };
             let at = point(method, &place)?;
             // Two real multipliers that meet outside the circle are no torus.

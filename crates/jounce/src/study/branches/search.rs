@@ -5,11 +5,11 @@
 //! doubles. Marches run in parallel; everything after them is in a fixed order.
 
 use super::branch::{Branch, BranchKind, BranchPoint};
-use super::follow::Following;
+use super::follow::{Following, RESOLUTION};
 use super::settled_orbit::settled_orbit;
 use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, correct, tangent};
 use crate::orbit::{HarmonicBalance, Harvester, Orbit, OrbitError, OrbitMethod, Shooting, null_vector};
-use crate::study::{Parameter, Prepared};
+use crate::study::{Parameter, Prepared, StudyError};
 use faer::Mat;
 use rayon::prelude::*;
 
@@ -27,11 +27,11 @@ pub enum Method {
 
 /// A search to be made.
 #[derive(Debug)]
-pub struct BranchSearch<'s, H = Parameter<'s>> {
+pub struct BranchSearch<'s> {
     /// The spec at its own values.
     pub base: &'s Prepared,
     /// The harvesters.
-    pub parameter: &'s H,
+    pub parameter: &'s Parameter<'s>,
     /// Ends of the range.
     pub range: (f64, f64),
     /// How orbits are computed.
@@ -64,25 +64,28 @@ const GOAL: f64 = 50.0;
 /// Error of the mean power that is allowed in harmonic balance, beside the tolerance of a march.
 const ACCURACY: f64 = 300.0;
 
-impl<H: Harvester> BranchSearch<'_, H> {
+type Failure = OrbitError<StudyError>;
+
+impl BranchSearch<'_> {
     fn following(&self) -> Following {
         Following {
             range: self.range,
             corrector: Corrector { goal: (GOAL * self.tolerance).clamp(1e-11, 1e-6), most: 8 },
             control: StepControl::default(),
             most_points: 4000,
+            resolution: RESOLUTION,
         }
     }
 
-    fn shooting(&self, cycles: u32) -> Shooting<'_, H> {
+    fn shooting(&self, cycles: u32) -> Shooting<'_, Parameter<'_>> {
         Shooting::new(self.parameter, &self.base.kernel, cycles, self.tolerance)
     }
 
-    /// Finds and follows the branches.
+    /// Finds and follows the branches; stopped by its watch it gives what is finished.
     ///
     /// # Errors
     /// [`OrbitError`].
-    pub fn run(&self) -> Result<Vec<Branch>, OrbitError<H::Error>> {
+    pub fn run(&self) -> Result<Vec<Branch>, Failure> {
         match self.method {
             Method::Shooting => self.run_by(|cycles| Ok(self.shooting(cycles))),
             Method::HarmonicBalance { harmonics } => self.run_by(|cycles| {
@@ -92,27 +95,35 @@ impl<H: Harvester> BranchSearch<'_, H> {
         }
     }
 
-    fn run_by<M: OrbitMethod<Fault = H::Error>>(
-        &self,
-        make: impl Fn(u32) -> Result<M, OrbitError<H::Error>>,
-    ) -> Result<Vec<Branch>, OrbitError<H::Error>> {
+    fn run_by<M: OrbitMethod<Fault = StudyError>>(&self, make: impl Fn(u32) -> Result<M, Failure>) -> Result<Vec<Branch>, Failure> {
         let following = self.following();
         self.check_ends()?;
         make(1)?;
+        let watch = &self.base.kernel.watch;
         let mut branches: Vec<Branch> = Vec::new();
-        for (orbit, parameter) in self.starts() {
+        let starts = self.starts();
+        watch.expect(starts.len());
+        for (orbit, parameter) in starts {
             if orbit.period_cycles > self.longest_period || branches.iter().any(|branch| branch.holds(&orbit, parameter)) {
+                watch.count();
                 continue;
             }
             let method = make(orbit.period_cycles)?;
-            branches.extend(following.both_ways(&method, orbit.start(), parameter)?);
-            self.doubled(&following, &make, &mut branches)?;
+            let found = following.both_ways(&method, orbit.start(), parameter);
+            let found = found.and_then(|branch| {
+                branches.extend(branch);
+                self.doubled(&following, &make, &mut branches)
+            });
+            if !watch.is_stopped() {
+                found?;
+            }
+            watch.count();
         }
         Ok(branches)
     }
 
     /// Harvesters exist at both ends of the range, with one drive frequency.
-    fn check_ends(&self) -> Result<(), OrbitError<H::Error>> {
+    fn check_ends(&self) -> Result<(), Failure> {
         for value in [self.range.0, self.range.1] {
             let frequencies = self.parameter.at(value).map_err(OrbitError::Harvester)?.kernel.plant.tones.len();
             if frequencies != 1 {
@@ -130,10 +141,13 @@ impl<H: Harvester> BranchSearch<'_, H> {
         let jobs: Vec<(f64, Start)> =
             values.iter().flat_map(|value| [Start::Rest, Start::Steady, Start::Kicked].map(|start| (*value, start))).collect();
         let goal = self.following().corrector.goal;
+        let watch = &self.base.kernel.watch;
+        watch.expect(jobs.len());
         (jobs.into_par_iter())
             .filter_map(|(value, start)| {
-                let start = self.start(value, start)?;
-                Some((settled_orbit(self.parameter, value, &start, self.tolerance, goal)?, value))
+                let found = self.start(value, start).and_then(|start| settled_orbit(self.parameter, value, &start, self.tolerance, goal));
+                watch.count();
+                Some((found?, value))
             })
             .collect()
     }
@@ -160,12 +174,12 @@ impl<H: Harvester> BranchSearch<'_, H> {
     }
 
     /// Enters doubled branches until none is left.
-    fn doubled<M: OrbitMethod<Fault = H::Error>>(
+    fn doubled<M: OrbitMethod<Fault = StudyError>>(
         &self,
         following: &Following,
-        make: &impl Fn(u32) -> Result<M, OrbitError<H::Error>>,
+        make: &impl Fn(u32) -> Result<M, Failure>,
         branches: &mut Vec<Branch>,
-    ) -> Result<(), OrbitError<H::Error>> {
+    ) -> Result<(), Failure> {
         let mut next = 0;
         while next < branches.len() {
             let cycles = 2 * branches[next].period_cycles;
@@ -191,7 +205,7 @@ impl<H: Harvester> BranchSearch<'_, H> {
     }
 
     /// A first orbit on the doubled branch, off the doubling along the eigenvector of the multiplier -1.
-    fn off<M: OrbitMethod<Fault = H::Error>>(
+    fn off<M: OrbitMethod<Fault = StudyError>>(
         &self,
         following: &Following,
         method: &M,
