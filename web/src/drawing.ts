@@ -139,9 +139,19 @@ function sheet(whole: Element, [left, top, wide, high]: Box): { view: SVGSVGElem
         page.setAttribute(name, String(value));
     }
     page.removeAttribute("role");
-    page.querySelector(":scope > title")?.remove();
+    // What begins elsewhere on the sheet is not seen here, and must not be read either.
+    for (const part of [...page.children]) {
+        const place = beginning(part);
+        if (!place || !holds([x, y, width, height], place)) part.remove();
+    }
     view.append(page);
     return { view, page };
+}
+
+/** Where an element begins on the sheet; nothing for the title and the paper. */
+function beginning(part: Element): [number, number] | undefined {
+    const words = part.getAttribute("d")?.match(/-?[\d.]+/g) ?? [part.getAttribute("x"), part.getAttribute("y")];
+    return words[0] === null || part.classList.contains("jounce-paper") && !part.hasAttribute("stroke") ? undefined : [Number(words[0]), Number(words[1])];
 }
 
 function holds([left, top, wide, high]: Box, [x, y]: [number, number]): boolean {

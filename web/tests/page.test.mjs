@@ -31,6 +31,7 @@ test("the page shows the harvester, its response and an orbit", async () => {
     assert.ok((await page.locator("#side svg .jounce-beam").count()) === 1);
     assert.ok((await inked(page, "#chart-response canvas")) > 0.005);
     assert.ok((await inked(page, "#motion")) > 0.01);
+    assert.equal(await page.locator("#close svg .jounce-beam").count(), 1);
     assert.match(await page.locator("#readout").textContent(), /fold|period|grazing/);
     assert.deepEqual(page.faults, []);
     // The picture of the book: `PICTURE=book/src/pictures/explore.png node web/tests/all.mjs`.

@@ -17,7 +17,7 @@ const COARSE: f64 = 1e-6;
 /// Length to which its bifurcations are located: a thousandth of the range.
 const SEEN: f64 = 0.02;
 /// Share of points that may be lost in carrying branches over.
-const MOST_LOST: f64 = 0.02;
+const MOST_LOST: f64 = 0.3;
 /// Tolerance of the second.
 const FINE: f64 = 1e-8;
 /// Values across the range at which the second one looks for branches that stand alone.

@@ -35,7 +35,7 @@ const BANDS: usize = 300;
 /// # Errors
 /// [`Wrong`]: no drive to replace, noise or a recording that the spec does not allow.
 pub fn respond(session: &Session, id: u64, design: &Design, by: &Shaking, folder: &Path, halt: &Halt) -> Result<(), Wrong> {
-    let spec = shaken(design, by, folder)?;
+    let mut spec = shaken(design, by, folder)?;
     let recorded_s = spec.drive.values().find_map(|drive| match &drive.signal {
         DriveSignal::Recording { record: Some(record), .. } => Some(record.step_s * (record.values.len() - 1) as f64),
         _ => None,
@@ -44,10 +44,12 @@ pub fn respond(session: &Session, id: u64, design: &Design, by: &Shaking, folder
     if duration_s > LONGEST_S {
         return Err(Wrong::Text(format!("the recording is {duration_s:.0} s long; drop one of at most {LONGEST_S:.0} s")));
     }
+    let average_over_s = if recorded_s.is_some() { duration_s } else { AVERAGED * duration_s };
+    // Noise is made for the length of the run.
+    (spec.run.duration_s, spec.run.average_over_s) = (duration_s, average_over_s);
     let base = session.prepared(&spec, halt)?;
     let start = base.start(folder)?;
     let kernel = base.from_state(&start)?;
-    let average_over_s = if recorded_s.is_some() { duration_s } else { AVERAGED * duration_s };
     let plan = RunPlan { duration_s, average_over_s, tolerance: TOLERANCE, record_s: duration_s };
     let answer = simulate(&kernel, &start, &plan).map_err(StudyError::from)?;
     let mut frame = Frame::new(id, "shake", "done");

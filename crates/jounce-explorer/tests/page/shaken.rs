@@ -35,7 +35,7 @@ async fn a_recorded_sinusoid_gives_the_power_of_the_sinusoid() {
     assert!(time.len() == voltage.len() && time.windows(2).all(|pair| pair[0] <= pair[1]) && time[time.len() - 1] > 4.9);
 }
 
-/// Without contacts the marched power scatters about the one of the Lyapunov equation.
+/// Without contacts the marched power scatters about the one of the Lyapunov equation: 1 % off in this realisation, a quarter in others.
 #[tokio::test]
 async fn noise_gives_the_power_of_its_closed_form() {
     let served = Served::new(&paper(), Limits::default());
@@ -44,8 +44,7 @@ async fn noise_gives_the_power_of_its_closed_form() {
     page.ask("shake", json!({ "set": FAR, "by": by })).await;
     let heard = page.until("shake", "done").await;
     let (found, due) = (heard.head["mean_power_w"].as_f64().unwrap(), heard.head["linear_power_w"].as_f64().unwrap());
-    assert!(due > 0.0 && (found / due).ln().abs() < 0.7, "{found} {due}");
-    // The density of the voltage sums to its mean square; every band is one of them.
+    assert!(due > 0.0 && (found / due - 1.0).abs() < 0.1, "{found} {due}");
     let density = heard.array("density.value");
     assert!(density.iter().all(|value| *value >= 0.0) && density.iter().any(|value| *value > 0.0));
 }
