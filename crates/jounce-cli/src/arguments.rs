@@ -1,7 +1,8 @@
 //! What can be typed.
 
 use crate::commands::{
-    basins, branch, check, completions, diagram, ensemble, frf, jumps, materials, modes, new, noise, reproduce, run, show, study, sweep,
+    basins, branch, check, completions, diagram, ensemble, explore, frf, jumps, materials, modes, new, noise, reproduce, run, show, study,
+    sweep,
 };
 use clap::{Parser, Subcommand};
 
@@ -45,6 +46,8 @@ pub enum Command {
     Basins(basins::Basins),
     /// Marches realisations of noise and reports the mean power with its interval.
     Ensemble(ensemble::Ensemble),
+    /// Opens a page in the browser whose drawing and curves follow every slider.
+    Explore(explore::Explore),
     /// Computes one quantity at many points over the keys of a spec, in parts that any number of processes share.
     Study(study::Study),
     /// Computes the tables, figures and claims of the 2019 impact-harvester paper.
@@ -76,6 +79,7 @@ impl Command {
             Command::Diagram(command) => command.output.json,
             Command::Basins(command) => command.output.json,
             Command::Ensemble(command) => command.output.json,
+            Command::Explore(command) => command.json,
             Command::Study(command) => command.wants_json(),
             Command::Reproduce(command) => command.json,
             Command::Materials(command) => command.json,

@@ -7,6 +7,7 @@ pub mod check;
 pub mod completions;
 pub mod diagram;
 pub mod ensemble;
+pub mod explore;
 pub mod frf;
 pub mod jumps;
 pub mod materials;
@@ -40,6 +41,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Basins(command) => command.run(),
         Command::Ensemble(command) => command.run(),
         Command::Study(command) => command.run(),
+        Command::Explore(command) => command.run(),
         Command::Reproduce(command) => command.run(),
         Command::Materials(command) => command.run(),
         Command::Completions(command) => command.run(),
