@@ -1,6 +1,7 @@
 //! What can be typed.
 
-use crate::commands::{basins, branch, check, completions, diagram, ensemble, frf, jumps, materials, modes, reproduce, run, show, sweep};
+use crate::commands::{basins, branch, check, completions, contact, diagram, ensemble, frf, jumps, materials, modes};
+use crate::commands::{power, read, regimes, reproduce, run, show, sweep};
 use clap::{Parser, Subcommand};
 
 /// Simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
@@ -41,6 +42,14 @@ pub enum Command {
     Ensemble(ensemble::Ensemble),
     /// Computes the tables, figures and claims of the 2019 impact-harvester paper.
     Reproduce(reproduce::Reproduce),
+    /// Reads a recording of any format and tells what is in it and what is odd about it.
+    Read(read::Read),
+    /// Mean power of a recorded voltage, with an interval that respects correlation.
+    Power(power::Power),
+    /// Contact time, exponent, restitution and stiffness from the force pulses of a hammer.
+    Contact(contact::Contact),
+    /// Cuts a long recording into stretches of one solution each.
+    Regimes(regimes::RegimesOf),
     /// Lists the materials that a spec can name, with their sources.
     Materials(materials::Materials),
     /// Prints the JSON Schema (draft-07) of a spec, for editors.
@@ -67,6 +76,10 @@ impl Command {
             Command::Basins(command) => command.output.json,
             Command::Ensemble(command) => command.output.json,
             Command::Reproduce(command) => command.json,
+            Command::Read(command) => command.file.json,
+            Command::Power(command) => command.file.json,
+            Command::Contact(command) => command.file.json,
+            Command::Regimes(command) => command.file.json,
             Command::Materials(command) => command.json,
             Command::Schema | Command::Keys | Command::Completions(_) => false,
         }

@@ -5,12 +5,16 @@ pub mod basins;
 pub mod branch;
 pub mod check;
 pub mod completions;
+pub mod contact;
 pub mod diagram;
 pub mod ensemble;
 pub mod frf;
 pub mod jumps;
 pub mod materials;
 pub mod modes;
+pub mod power;
+pub mod read;
+pub mod regimes;
 pub mod reproduce;
 pub mod run;
 pub mod show;
@@ -35,6 +39,10 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Basins(command) => command.run(),
         Command::Ensemble(command) => command.run(),
         Command::Reproduce(command) => command.run(),
+        Command::Read(command) => command.run(),
+        Command::Power(command) => command.run(),
+        Command::Contact(command) => command.run(),
+        Command::Regimes(command) => command.run(),
         Command::Materials(command) => command.run(),
         Command::Completions(command) => command.run(),
         Command::Schema => {
