@@ -97,7 +97,7 @@ fn modes_are_those_of_an_independent_package() {
     let Some(records) = records() else { return };
     let found = averaged(&records, Estimator::H1);
     let deviation: Vec<f64> = (0..found.value.len()).map(|k| found.relative_deviation(k)).collect();
-    let band = Band::new(&found.frequency_hz, &[found.value.clone()], &[deviation], 1, Motion::Acceleration, (500.0, 4300.0));
+    let band = Band::new(&found.frequency_hz, std::slice::from_ref(&found.value), &[deviation], 1, Motion::Acceleration, (500.0, 4300.0));
     let identified = identify(&band.expect("a band"), Settings::default()).unwrap_or_else(|fault| panic!("{fault}"));
     for expected in [900.020, 2640.196, 3668.706, 4128.050] {
         let near = identified.modes.iter().any(|mode| (mode.frequency_hz / expected - 1.0).abs() < 1e-3);

@@ -31,7 +31,7 @@ pub fn real(file: &str) -> Option<PathBuf> {
     if path.exists() {
         return Some(path);
     }
-    println!("SKIPPED: the recording {file} is not beside the repository");
+    eprintln!("SKIPPED: the recording {file} is not beside the repository");
     None
 }
 
