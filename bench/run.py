@@ -51,7 +51,7 @@ def options() -> argparse.Namespace:
 
 def main() -> None:
     """Builds, measures, compares, writes."""
-    from harness import build, compare, machine, measure, peers, picture, plant, product, report
+    from harness import build, compare, machine, marches, measure, peers, picture, plant, product, report
 
     chosen = options()
     build.BUILD.mkdir(exist_ok=True)
@@ -77,8 +77,9 @@ def main() -> None:
         compare.set_errors(found, {case: reference[0] for case, reference in references[name].items()})
         results[name], modes[name] = found, model.modes
     wholes = product.whole_tasks(binary, chosen.spec.resolve(), chosen.repeats, chosen.cap) if binary else []
-    text = report.report(described, results, references, wholes, chosen.cap)
-    write(text, results, wholes)
+    alone = marches.marches(binary, HERE / "plant.toml", chosen.spec.resolve(), 2 * chosen.repeats, chosen.cap) if binary else []
+    text = report.report(described, results, references, wholes, alone, chosen.cap)
+    write(text, results, [*wholes, *alone])
     if not chosen.keep:
         (HERE / "RESULTS.md").write_text(text)
         pictures = HERE.parent / "book" / "src" / "pictures"

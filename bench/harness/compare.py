@@ -32,10 +32,14 @@ def reference_w(plant: Plant, case: Case, rk4: Path, dop853: Path, steps_per_s: 
 
 
 def set_errors(results: list[Result], references_w: dict[str, float]) -> None:
-    """Relative error of the mean power in every result that has one."""
+    """Relative error of the mean power in every result that has one; a step beyond the stability limit gives none."""
     for result in results:
-        if result.mean_power_w is not None:
+        if result.mean_power_w is None:
+            continue
+        if math.isfinite(result.mean_power_w):
             result.error = abs(result.mean_power_w / references_w[result.case] - 1.0)
+        else:
+            result.failed = f"mean power {result.mean_power_w}: unstable at this step"
 
 
 def curve(results: list[Result], case: str, peer: str) -> list[tuple[float, float]]:

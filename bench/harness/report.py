@@ -5,6 +5,7 @@ from __future__ import annotations
 from statistics import median
 
 from .compare import curve, time_at
+from .marches import March, ratio_of_stops
 from .measure import Result
 from .product import Whole
 
@@ -86,11 +87,23 @@ def whole_section(wholes: list[Whole]) -> list[str]:
     return [*lines, ""]
 
 
+def march_section(found: list[March]) -> list[str]:
+    """The marching of jounce where it has no peer."""
+    if not found:
+        return []
+    lines = ["## Marching alone, each in a fresh process on one thread", "", "| task | march ms, median [min .. max] | contacts |", "|---|---|---|"]
+    for march in found:
+        cells = f"{march.failed} | " if march.failed else f"{span(march.march_s)} | {march.contacts}"
+        lines.append(f"| {march.task} | {cells} |")
+    return [*lines, "", *ratio_of_stops(found), ""]
+
+
 def report(
     machine: list[str],
     results: dict[str, list[Result]],
     references: dict[str, dict[str, tuple[float, float]]],
     wholes: list[Whole],
+    found_marches: list[March],
     cap_s: float,
 ) -> str:
     """The whole file."""
@@ -100,4 +113,4 @@ def report(
         lines += [f"## {plant}", ""]
         for case, reference in references[plant].items():
             lines += case_section(found, case, reference, base_of(found))
-    return "\n".join([*lines, *whole_section(wholes)]).rstrip() + "\n"
+    return "\n".join([*lines, *whole_section(wholes), *march_section(found_marches)]).rstrip() + "\n"

@@ -6,7 +6,8 @@ import sys
 import unittest
 from pathlib import Path
 
-from harness.compare import curve, time_at
+from harness.compare import curve, set_errors, time_at
+from harness.marches import SECOND_STOP, with_drive, without
 from harness.measure import Result, in_turn
 from harness.peers import Peer
 from harness.plant import Case, SpecError, quantity
@@ -31,6 +32,31 @@ class Curve(unittest.TestCase):
         self.assertAlmostEqual(time_at(points, 1e-6) or 0.0, 10.0)
         self.assertEqual(time_at(points, 1e-2), 1.0)
         self.assertIsNone(time_at(points, 1e-9))
+
+
+    def test_a_power_that_is_no_number_is_a_failure_and_no_point_of_a_curve(self) -> None:
+        results = ladder([0.0, 0.0, 0.0], [1.0, 2.0, 4.0])
+        for result, power_w in zip(results, (float("inf"), float("nan"), 2.0), strict=True):
+            result.mean_power_w, result.error = power_w, None
+        set_errors(results, {"case": 1.0})
+        self.assertEqual(curve(results, "case", "peer"), [(1.0, 4.0)])
+        self.assertEqual([result.failed is None for result in results], [False, False, True])
+
+
+class Specs(unittest.TestCase):
+    """Specs made from others."""
+
+    def test_a_table_is_taken_out_with_its_keys_and_nothing_else(self) -> None:
+        spec = "[a.b]\nx = [1, 2]\n\n[c]\ny = 1\n[a.d]\nz = 2\n"
+        self.assertEqual(without(spec, "c"), "[a.b]\nx = [1, 2]\n\n[a.d]\nz = 2\n")
+        self.assertEqual(without(spec, "a.d"), "[a.b]\nx = [1, 2]\n\n[c]\ny = 1\n")
+
+    def test_another_drive_leaves_the_rest(self) -> None:
+        made = with_drive("[drive.shaker]\nat = \"p\"\n[run]\nstart = \"rest\"\n[damping]\nr = 1\n" + SECOND_STOP, "[drive.x]\nk = 1\n", 60)
+        self.assertNotIn("drive.shaker", made)
+        self.assertEqual(made.count("[run]"), 1)
+        for part in ("[damping]\nr = 1\n", SECOND_STOP.strip(), "[drive.x]\nk = 1\n", 'duration = "60 s"'):
+            self.assertIn(part, made)
 
 
 class Order(unittest.TestCase):

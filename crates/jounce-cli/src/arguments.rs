@@ -1,7 +1,9 @@
 //! What can be typed.
 
-use crate::commands::{basins, branch, check, completions, contact, diagram, ensemble, frf, jumps, materials, modes};
-use crate::commands::{power, read, regimes, reproduce, run, show, sweep};
+use crate::commands::{
+    basins, branch, check, completions, contact, diagram, ensemble, frf, jumps, materials, modes, new, noise, power, read, regimes, reproduce,
+    run, show, study, sweep,
+};
 use clap::{Parser, Subcommand};
 
 /// Simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
@@ -18,6 +20,8 @@ pub struct Arguments {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
+    /// Writes a commented spec to start from, one per kind of harvester.
+    New(new::New),
     /// Reads a spec and reports every fault in it.
     Check(check::Check),
     /// Draws the harvester to scale, so that a wrong number is seen.
@@ -26,6 +30,8 @@ pub enum Command {
     Modes(modes::Modes),
     /// Frequency response functions without contact, in closed form.
     Frf(frf::Frf),
+    /// Exact answer to stationary noise without contact: mean powers, rms values, bandwidths, how often a gap would be reached.
+    Noise(noise::Noise),
     /// Marches one run and reports its mean power and its energy balance.
     Run(run::Run),
     /// Marches a run at every value of a key.
@@ -40,6 +46,8 @@ pub enum Command {
     Basins(basins::Basins),
     /// Marches realisations of noise and reports the mean power with its interval.
     Ensemble(ensemble::Ensemble),
+    /// Computes one quantity at many points over the keys of a spec, in parts that any number of processes share.
+    Study(study::Study),
     /// Computes the tables, figures and claims of the 2019 impact-harvester paper.
     Reproduce(reproduce::Reproduce),
     /// Reads a recording of any format and tells what is in it and what is odd about it.
@@ -64,10 +72,12 @@ impl Command {
     /// True when answers and faults go to stdout as JSON.
     pub fn wants_json(&self) -> bool {
         match self {
+            Command::New(command) => command.json,
             Command::Check(command) => command.output.json,
             Command::Show(command) => command.json,
             Command::Modes(command) => command.output.json,
             Command::Frf(command) => command.output.json,
+            Command::Noise(command) => command.output.json,
             Command::Run(command) => command.output.json,
             Command::Sweep(command) => command.output.json,
             Command::Branch(command) => command.output.json,
@@ -75,6 +85,7 @@ impl Command {
             Command::Diagram(command) => command.output.json,
             Command::Basins(command) => command.output.json,
             Command::Ensemble(command) => command.output.json,
+            Command::Study(command) => command.wants_json(),
             Command::Reproduce(command) => command.json,
             Command::Read(command) => command.file.json,
             Command::Power(command) => command.file.json,

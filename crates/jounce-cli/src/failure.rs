@@ -101,6 +101,7 @@ macro_rules! input_failure {
 input_failure!(
     jounce::structure::StructureError,
     jounce::plant::PlantError,
+    jounce::linear::RandomError,
     jounce::table::TableError,
     jounce::picture::PictureError,
     jounce::signal::SignalError,

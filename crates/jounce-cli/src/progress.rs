@@ -1,7 +1,7 @@
 //! Progress of long work on stderr: rate and time left, only where stderr is a terminal.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use jounce::study::Watch;
+use jounce::march::Watch;
 use std::time::Duration;
 
 /// Time between two looks at a counter.

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use clap::Args;
 use jounce::orbit::OrbitError;
 use jounce::plant::Plant;
-use jounce::spec::{Faults, KeyRange, NumericKey, Spec, SpecFile};
+use jounce::spec::{Faults, KeyRange, NumericKey, Quantity, Spec, SpecFile};
 use jounce::study::StudyError;
 use jounce::table::Manifest;
 use std::path::{Path, PathBuf};
@@ -78,6 +78,13 @@ impl SpecArguments {
     pub fn manifest(&self, spec: &Spec, command: &str) -> Manifest {
         Manifest::new(&spec.hash_hex()).with("command", command).with("set", self.set.join(" "))
     }
+}
+
+/// A frequency above 0 given with an option.
+pub fn frequency_hz(option: &str, text: &str) -> Result<f64, Failure> {
+    let fault = |reason: String| Failure::usage(format!("--{option} {text}: {reason}"));
+    let value = Quantity::Frequency.read(text).map_err(|error| fault(error.to_string()))?;
+    if value > 0.0 && value.is_finite() { Ok(value) } else { Err(fault("a frequency must be above 0 Hz".into())) }
 }
 
 /// A tolerance for orbits: double precision carries no march below its smallest.

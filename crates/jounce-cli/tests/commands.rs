@@ -322,3 +322,59 @@ average_over = "1 s"
         assert!(code == 4 && error.contains("undamped mode at 10 Hz") && error.contains("damping"), "{error}");
     }
 }
+
+/// Killed at five moments and taken up again, a study has the bytes of one that ran through.
+#[cfg(unix)]
+#[test]
+fn a_study_that_is_killed_goes_on() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = format!(
+        "spec = {SPEC:?}\npoints_per_part = 3\n[set]\n\"run.duration\" = \"1 s\"\n\"run.average_over\" = \"0.5 s\"\n\
+         [vary]\n\"stop.tip.gap\" = \"0.5mm:1.5mm:30x\"\n\"drive.shaker.frequency\" = \"10Hz:14Hz:10x\"\n"
+    );
+    let file = folder.path().join("study.toml");
+    std::fs::write(&file, text).unwrap();
+    let out = |name: &str| folder.path().join(name);
+    let arguments = |name: &str| ["study".into(), "run".into(), file.clone(), "--out".into(), out(name)];
+    Command::cargo_bin("jounce").unwrap().args(arguments("whole")).assert().success();
+    for wait_ms in [40, 90, 150, 70, 200] {
+        let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_jounce")).args(arguments("killed")).spawn().unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(wait_ms));
+        child.kill().unwrap();
+        child.wait().unwrap();
+    }
+    let (code, json, errors) = jounce(&["study", "run", file.to_str().unwrap(), "--out", out("killed").to_str().unwrap(), "--json"]);
+    assert_eq!((code, &json["finished"], &json["merged"]), (0, &serde_json::json!(100), &serde_json::json!(true)), "{errors}");
+    let read = |name: &str| std::fs::read(out(name).join("study.parquet")).unwrap();
+    assert!(read("whole") == read("killed"));
+    let (code, json, _) = jounce(&["study", "status", folder.path().to_str().unwrap(), "--json"]);
+    assert!(code == 4 && json["error"].as_str().unwrap().contains("holds no study"), "{json}");
+}
+
+#[test]
+fn noise_and_ensembles_answer_with_every_key() {
+    const SHAKER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/random-base/shaker.toml");
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let (code, json, stderr) = jounce(&["noise", SHAKER, "--json", "--out", out]);
+    assert_eq!(code, 0, "{stderr}");
+    has(&json, &["mean_power_w", "loads", "patches", "points", "stops", "left_out"]);
+    has(&json["loads"][0], &["spectral_power_w", "difference_relative", "noise_bandwidth_hz", "statistical_bandwidth_hz"]);
+    has(&json["stops"][0], &["reached_hz", "share_beyond", "displacement_rms_m"]);
+    assert!(["noise.csv", "noise.parquet", "noise.svg", "noise.png"].iter().all(|name| folder.path().join(name).exists()));
+    let short = ["--set", "run.duration=0.6 s", "--set", "run.average_over=0.5 s"];
+    let members = ["ensemble", SHAKER, "--members", "2", "--spectrum", "--json", "--out", out];
+    let (code, json, stderr) = jounce(&[&members[..], &short].concat());
+    assert_eq!(code, 0, "{stderr}");
+    has(&json["stops"][0], &["contact_rate_hz", "mean_strike_m_s", "max_dwell_s", "contact_duty"]);
+    has(&json["bandwidths_hz"]["mfc"], &["mean", "interval"]);
+    assert!(["ensemble-spectrum.csv", "ensemble-spectrum.svg"].iter().all(|name| folder.path().join(name).exists()));
+    for (arguments, words) in [
+        (vec!["noise", SPEC], "no drive has signal"),
+        (vec!["ensemble", SHAKER, "--members", "1", "--spectrum"], "two --members"),
+        (vec!["noise", SHAKER, "--from", "40Hz"], "--from below --to"),
+    ] {
+        let (code, _, stderr) = jounce(&arguments);
+        assert!(code != 0 && stderr.contains(words), "{arguments:?}: {stderr}");
+    }
+}

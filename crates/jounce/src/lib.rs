@@ -2,9 +2,9 @@
 //!
 //! Data flows one way, and a module uses only what stands before it in this list:
 //!
-//! `store` (files that appear whole or not at all), `wide` (vector arithmetic), `spec` (what the user says) -> `structure` (beams and masses to modes) ->
+//! `store` (files that appear whole or not at all), `wide` (vector arithmetic), `spec` (what the user says) -> `starter` (specs to start from) -> `structure` (beams and masses to modes) ->
 //! `contact` (laws) -> `drive` (courses of drives in time) -> `plant` (the coupled linear system in diagonal form, with its ports) -> `linear` (closed-form answers) ->
-//! `march` (time) -> `continuation` (curves of solutions) -> `orbit` (periodic answers) -> `run` -> `signal` -> `study` (sweeps) -> `table` -> `picture` -> `show` (drawings) -> `report` -> `reproduce` (the paper);
+//! `march` (time) -> `continuation` (curves of solutions) -> `orbit` (periodic answers) -> `run` -> `signal` -> `study` (sweeps) -> `table` -> `survey` (studies in parts) -> `picture` -> `show` (drawings) -> `report` -> `reproduce` (the paper);
 //! `reference` holds exact answers.
 
 pub mod contact;
@@ -23,9 +23,11 @@ pub mod run;
 pub mod show;
 pub mod signal;
 pub mod spec;
+pub mod starter;
 pub mod store;
 pub mod structure;
 pub mod study;
+pub mod survey;
 pub mod table;
 pub mod wide;
 

@@ -10,7 +10,7 @@ use clap::{Args, ValueEnum};
 use jounce::picture::{self, Axis, BranchLine, BranchMark};
 use jounce::spec::{NumericKey, Spec};
 use jounce::study::{Bandwidth, BandwidthSearch, Bandwidths, Bifurcation, Branch as Curve, BranchPoint};
-use jounce::study::{BranchSearch, Ending, Method, Parameter, Prepared, Watch};
+use jounce::study::{BranchSearch, Ending, Method, Parameter, Prepared};
 use jounce::table::{Column, Table};
 use std::path::Path;
 
@@ -63,8 +63,7 @@ impl Branch {
         let spec = self.spec.checked(file.spec())?;
         let (key, range) = self.spec.key_and_ends(&file, &self.over)?;
         let base = Prepared::new(spec)?;
-        let watch = Watch::default();
-        let parameter = Parameter::new(&base, &key, range.1 - range.0).watched(Some(&watch));
+        let parameter = Parameter::new(&base, &key, range.1 - range.0);
         let search = BranchSearch {
             base: &base,
             parameter: &parameter,
@@ -79,7 +78,7 @@ impl Branch {
         };
         let width = BandwidthSearch { base: &base, parameter: &parameter, range, tolerance: self.tolerance };
         let work = || search.run().map(|branches| (width.run(&branches), branches));
-        let (widths, branches) = progress::watched(&watch, || self.threads.run(work))??;
+        let (widths, branches) = progress::watched(&base.kernel.watch, || self.threads.run(work))??;
         if branches.is_empty() {
             let text = format!(
                 "no periodic orbit was found over {}: every march stayed away from the orbits that were looked for; try more --seeds, a longer --longest-period, more damping or another range",

@@ -6,12 +6,10 @@ use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use crate::threads::ThreadsArgument;
 use clap::Args;
-use jounce::picture;
-use jounce::study::{Ensemble as Study, EnsembleAnswer, IntervalOver, Member, Prepared};
+use jounce::picture::{self, DensityLine};
+use jounce::study::{Ensemble as Study, EnsembleAnswer, Estimate, IntervalOver, Member, Prepared, StopEstimates, VoltageSpectrum};
 use jounce::table::{Column, Table};
 use std::path::Path;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Rounds of members after which a width that is not reached is reported as it is.
 const MOST_ROUNDS: usize = 100;
@@ -30,6 +28,9 @@ pub struct Ensemble {
     /// Adds rounds of members until half the 95 % interval of the mean power is this share of it.
     #[arg(long, value_name = "WIDTH")]
     relative_width: Option<f64>,
+    /// Estimates the power spectral density of every voltage and its bandwidth; takes time and two members at least.
+    #[arg(long)]
+    spectrum: bool,
     #[command(flatten)]
     threads: ThreadsArgument,
     #[command(flatten)]
@@ -42,6 +43,9 @@ impl Ensemble {
         if self.members == 0 || self.relative_width.is_some_and(|width| !(width > 0.0 && width < 1.0)) {
             return Err(Failure::usage("--members must be greater than 0, --relative-width between 0 and 1".to_owned()));
         }
+        if self.spectrum && self.members < 2 {
+            return Err(Failure::usage("--spectrum needs two --members at least: one alone tells no density from its scatter".to_owned()));
+        }
         let base = Prepared::new(self.spec.spec()?)?;
         let study = Study {
             start: base.start(&self.spec.folder())?,
@@ -50,18 +54,24 @@ impl Ensemble {
             seed: self.seed,
             relative_width: self.relative_width,
             most_rounds: if self.relative_width.is_some() { MOST_ROUNDS } else { 1 },
+            with_spectrum: self.spectrum,
         };
-        let stop = Arc::new(AtomicBool::new(false));
-        let flag = Arc::clone(&stop);
+        let asked = base.kernel.watch.clone();
         // A second handler cannot be set where another already stands; then the default, to end at once, is kept.
-        let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
+        let _ = ctrlc::set_handler(move || asked.stop());
         let bar = progress::counted(self.members, "members");
         let done = |member: &Member| {
             bar.set_length((member.index / self.members + 1) as u64 * self.members as u64);
             bar.inc(1);
         };
-        let answer = self.threads.run(|| study.run(&stop, &done))??;
+        let answer = self.threads.run(|| study.run(&done))??;
         bar.finish_and_clear();
+        if answer.members.is_empty() {
+            return Err(Failure::Interrupted("stopped before the first member was finished".to_owned()));
+        }
+        if base.kernel.watch.is_stopped() {
+            eprintln!("stopped: the answer is that of the {} members that were finished", answer.members.len());
+        }
         if let Some(folder) = &self.output.out {
             self.write(folder, &base, &answer)?;
         }
@@ -84,6 +94,8 @@ impl Ensemble {
                 "mean_strike_m_s": answer.mean_strike_m_s,
                 "max_strike_m_s": answer.max_strike_m_s,
                 "mean_dwell_s": answer.mean_dwell_s,
+                "stops": answer.stops.iter().map(stop_json).collect::<Vec<_>>(),
+                "bandwidths_hz": answer.spectra.iter().map(bandwidth_json).collect::<serde_json::Map<_, _>>(),
                 "energy_residual_relative": worst,
                 "members": answer.members,
                 "seed": self.seed,
@@ -102,16 +114,78 @@ impl Ensemble {
             "strikes            {:.4e} m/s in the mean, {:.4e} m/s at most, {:.4e} s each",
             answer.mean_strike_m_s, answer.max_strike_m_s, answer.mean_dwell_s
         ));
+        for stop in &answer.stops {
+            tell_stop(stop);
+        }
+        for spectrum in &answer.spectra {
+            let (mean, width) = (spectrum.bandwidth_hz.mean, spectrum.bandwidth_hz.half_width);
+            line(format!("bandwidth of V     {mean:.4e} Hz +- {width:.1e} Hz (statistical, patch {})", spectrum.patch));
+        }
         line(format!("energy residual    {worst:.1e} of the largest energy"));
     }
 
     fn write(&self, folder: &Path, base: &Prepared, answer: &EnsembleAnswer) -> Result<(), Failure> {
         let manifest = self.spec.manifest(&base.spec, "ensemble").with("seed", self.seed).with("members", answer.members.len());
         output::table(folder, "ensemble", &table(&answer.members)?, &manifest)?;
+        self.write_spectra(folder, base, answer)?;
         let powers: Vec<f64> = answer.members.iter().map(|member| member.mean_power_w).collect();
         let (low, high) = (answer.power_w.mean - answer.power_w.half_width, answer.power_w.mean + answer.power_w.half_width);
         output::figure(folder, "ensemble", &picture::ensemble("Mean power of realisations", &powers, low, high))
     }
+}
+
+impl Ensemble {
+    fn write_spectra(&self, folder: &Path, base: &Prepared, answer: &EnsembleAnswer) -> Result<(), Failure> {
+        let Some(first) = answer.spectra.first() else { return Ok(()) };
+        let mut table = Table::new(vec![Column::new("frequency_hz", "Hz", "middle of the bin", first.frequency_hz.clone())])?;
+        let mut lines = Vec::new();
+        for spectrum in &answer.spectra {
+            let column = |of: fn(&Estimate) -> f64| spectrum.density.iter().map(of).collect::<Vec<f64>>();
+            let (mean, width) = (column(|own| own.mean), column(|own| own.half_width));
+            let name = |what: &str| format!("{}.{what}", spectrum.patch);
+            table.push(Column::new(&name("voltage.psd"), "V^2/Hz", "power spectral density, one-sided", mean.clone()))?;
+            table.push(Column::new(&name("voltage.psd_half_width"), "V^2/Hz", "half of its 95 % interval", width))?;
+            let ends = [column(|own| own.mean - own.half_width), column(|own| own.mean + own.half_width)];
+            lines.push(DensityLine { quantity: name("voltage"), unit: "V^2/Hz".to_owned(), density: mean, interval: ends });
+        }
+        let manifest = self.spec.manifest(&base.spec, "ensemble").with("seed", self.seed).with("members", answer.members.len());
+        output::figure(folder, "ensemble-spectrum", &picture::densities("Spectra of realisations", &first.frequency_hz, &lines))?;
+        output::table(folder, "ensemble-spectrum", &table, &manifest)
+    }
+}
+
+/// A mean with its interval for reading.
+fn told(estimate: &Estimate, unit: &str) -> String {
+    format!("{:.4e} +- {:.1e} {unit}", estimate.mean, estimate.half_width)
+}
+
+fn tell_stop(stop: &StopEstimates) {
+    line(format!("stop {:<12}  {}", stop.name, told(&stop.contact_rate_hz, "contacts per second")));
+    line(format!("  approach speed   {}, {:.4e} m/s at most", told(&stop.mean_strike_m_s, "m/s"), stop.max_strike_m_s));
+    line(format!("  dwell            {}, {:.4e} s at most", told(&stop.mean_dwell_s, "s"), stop.max_dwell_s));
+    line(format!("  duty             {}, force {:.4e} N at most", told(&stop.contact_duty, "of the time"), stop.max_contact_force_n));
+}
+
+fn estimate_json(estimate: &Estimate) -> serde_json::Value {
+    serde_json::json!({ "mean": finite(estimate.mean), "half_width": finite(estimate.half_width), "interval": estimate.interval })
+}
+
+fn stop_json(stop: &StopEstimates) -> serde_json::Value {
+    serde_json::json!({
+        "name": stop.name,
+        "contact_rate_hz": estimate_json(&stop.contact_rate_hz),
+        "mean_strike_m_s": estimate_json(&stop.mean_strike_m_s),
+        "max_strike_m_s": stop.max_strike_m_s,
+        "mean_dwell_s": estimate_json(&stop.mean_dwell_s),
+        "max_dwell_s": stop.max_dwell_s,
+        "contact_duty": estimate_json(&stop.contact_duty),
+        "max_contact_force_n": stop.max_contact_force_n,
+        "max_penetration_m": stop.max_penetration_m,
+    })
+}
+
+fn bandwidth_json(spectrum: &VoltageSpectrum) -> (String, serde_json::Value) {
+    (spectrum.patch.clone(), estimate_json(&spectrum.bandwidth_hz))
 }
 
 fn table(members: &[Member]) -> Result<Table, Failure> {

@@ -3,12 +3,12 @@
 use super::modes::held;
 use crate::failure::Failure;
 use crate::output::{self, line, print};
-use crate::spec_arguments::{OutputArguments, SpecArguments};
+use crate::spec_arguments::{OutputArguments, SpecArguments, frequency_hz};
 use clap::Args;
 use jounce::linear::{self, Input, Response};
 use jounce::picture::{self, Scale};
 use jounce::plant::{Plant, System};
-use jounce::spec::{DriveKind, Gravity, Interface, Quantity, Spec};
+use jounce::spec::{DriveKind, Gravity, Interface, Spec};
 use jounce::structure;
 use jounce::table::{Column, Table};
 
@@ -109,12 +109,7 @@ impl Frf {
     }
 
     fn frequencies(&self) -> Result<Vec<f64>, Failure> {
-        let read = |name: &str, text: &str| {
-            let fault = |reason: String| Failure::usage(format!("--{name} {text}: {reason}"));
-            let value = Quantity::Frequency.read(text).map_err(|error| fault(error.to_string()))?;
-            if value > 0.0 && value.is_finite() { Ok(value) } else { Err(fault("a frequency must be above 0 Hz".into())) }
-        };
-        let (from, to) = (read("from", &self.from)?, read("to", &self.to)?);
+        let (from, to) = (frequency_hz("from", &self.from)?, frequency_hz("to", &self.to)?);
         if from >= to || !(2..=1_000_000).contains(&self.points) {
             return Err(Failure::usage("frf needs --from below --to, and 2 to 1000000 --points".into()));
         }

@@ -8,7 +8,7 @@ use crate::threads::ThreadsArgument;
 use clap::Args;
 use jounce::picture::{self, Axis, JumpLine};
 use jounce::spec::{NumericKey, Spec};
-use jounce::study::{JumpCurve, JumpPoint, JumpSearch, Prepared, Watch};
+use jounce::study::{JumpCurve, JumpPoint, JumpSearch, Prepared};
 use jounce::table::{Column, Table};
 
 /// Arguments of `jumps`.
@@ -51,7 +51,6 @@ impl Jumps {
         if key.path() == key_2.path() {
             return Err(Failure::usage(format!("--over and --against are both {}: give two different keys", key.path())));
         }
-        let watch = Watch::default();
         let search = JumpSearch {
             base: &base,
             keys: [&key, &key_2],
@@ -60,9 +59,8 @@ impl Jumps {
             seeds: self.seeds,
             longest_period: self.longest_period,
             peaks: !self.no_peaks,
-            watch: Some(&watch),
         };
-        let curves = progress::watched(&watch, || self.threads.run(|| search.run()))??;
+        let curves = progress::watched(&base.kernel.watch, || self.threads.run(|| search.run()))??;
         for (curve, why) in curves.iter().flat_map(|curve| curve.failures.iter().map(move |why| (curve, why))) {
             eprintln!("a curve of kind {} ends early in {}: {why}", curve.kind.name(), key_2.path());
         }

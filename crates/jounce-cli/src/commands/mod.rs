@@ -12,12 +12,15 @@ pub mod frf;
 pub mod jumps;
 pub mod materials;
 pub mod modes;
+pub mod new;
+pub mod noise;
 pub mod power;
 pub mod read;
 pub mod regimes;
 pub mod reproduce;
 pub mod run;
 pub mod show;
+pub mod study;
 pub mod sweep;
 
 use crate::arguments::Command;
@@ -27,10 +30,12 @@ use crate::output::line;
 /// Runs a command.
 pub fn run(command: Command) -> Result<(), Failure> {
     match command {
+        Command::New(command) => command.run(),
         Command::Check(command) => command.run(),
         Command::Show(command) => command.run(),
         Command::Modes(command) => command.run(),
         Command::Frf(command) => command.run(),
+        Command::Noise(command) => command.run(),
         Command::Run(command) => command.run(),
         Command::Sweep(command) => command.run(),
         Command::Branch(command) => command.run(),
@@ -38,6 +43,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Diagram(command) => command.run(),
         Command::Basins(command) => command.run(),
         Command::Ensemble(command) => command.run(),
+        Command::Study(command) => command.run(),
         Command::Reproduce(command) => command.run(),
         Command::Read(command) => command.run(),
         Command::Power(command) => command.run(),

@@ -6,7 +6,7 @@ use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
 use jounce::march::{Instant, Kernel};
 use jounce::picture::{Scale, SpectrumLine, Trace, spectra, time_histories};
-use jounce::run::{Exceeded, RunAnswer, RunPlan, exceeded, simulate};
+use jounce::run::{Exceeded, RunAnswer, RunPlan, StopAnswer, exceeded, simulate};
 use jounce::signal::{Samples, Window};
 use jounce::study::Prepared;
 use jounce::table::{Column, Table};
@@ -148,16 +148,19 @@ fn print_json(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[E
         "voltage_peak_v": peak_voltage_v(kernel, answer, plan),
         "loads": answer.loads,
         "rectified": answer.rectified,
+        "leaks": answer.leaks,
         "max_penetration_m": answer.max_penetration_m,
         "max_contact_force_n": answer.max_contact_force_n,
         "contacts": answer.contacts,
         "contact_duty": answer.contact_duty,
         "stops": answer.stops,
         "energy_residual_relative": answer.energies.residual_relative(),
+        "nothing_happened": answer.energies.are_still(),
         "energies": {
             "input_j": answer.energies.input_j,
             "loads_j": answer.energies.loads_j,
             "rectified": answer.energies.rectified,
+            "leaks_j": answer.energies.leaks_j,
             "damping_j": answer.energies.damping_j,
             "contact_loss_j": answer.energies.contact_loss_j,
             "stored_j": answer.energies.stored_j,
@@ -185,13 +188,18 @@ fn print_lines(answer: &RunAnswer, plan: &RunPlan) {
         let (diodes, switch, leakage) = (circuit.diode_loss_w, circuit.switch_loss_w, circuit.leakage_w);
         line(format!("  lost             diodes {diodes:.4e} W, switch {switch:.4e} W, leakage {leakage:.4e} W"));
     }
+    for leak in &answer.leaks {
+        line(format!("leakage            {:.6e} W  (patch {})", leak.mean_power_w, leak.patch));
+    }
     line(format!("contacts           {} in {} s, {:.2} % of the time", answer.contacts, plan.average_over_s, 100.0 * answer.contact_duty));
     line(format!("penetration, peak  {:.6e} m, force {:.4e} N", answer.max_penetration_m, answer.max_contact_force_n));
-    for stop in answer.stops.iter().filter(|_| answer.stops.len() > 1) {
-        let (contacts, depth, force) = (stop.contacts, stop.max_penetration_m, stop.max_contact_force_n);
-        line(format!("  stop {:<12}  {contacts} contacts, penetration {depth:.6e} m, force {force:.4e} N", stop.name));
+    for stop in &answer.stops {
+        tell_stop(stop, answer.stops.len() > 1);
     }
-    line(format!("energy residual    {residual:.1e} of the largest energy"));
+    match answer.energies.are_still() {
+        true => line("energy             nothing happened: no energy flowed or changed by more than roundoff"),
+        false => line(format!("energy residual    {residual:.1e} of the largest energy")),
+    }
     match answer.settlement {
         None => line("no period          the drives do not repeat themselves, so there is nothing to settle to"),
         Some(found) if found.settled => {
@@ -207,6 +215,18 @@ fn print_lines(answer: &RunAnswer, plan: &RunPlan) {
         answer.work.flight_steps,
         answer.work.contact_steps
     ));
+}
+
+/// Contacts of one stop; `beside` others also what `print_lines` tells of all together.
+fn tell_stop(stop: &StopAnswer, beside: bool) {
+    if beside {
+        let (contacts, depth, force) = (stop.contacts, stop.max_penetration_m, stop.max_contact_force_n);
+        line(format!("  stop {:<12}  {contacts} contacts, penetration {depth:.6e} m, force {force:.4e} N", stop.name));
+    }
+    if stop.contacts > 0 {
+        line(format!("  approach speed   {:.4e} m/s in the mean, {:.4e} m/s at most", stop.mean_strike_m_s, stop.max_strike_m_s));
+        line(format!("  dwell            {:.4e} s in the mean, {:.4e} s at most", stop.mean_dwell_s, stop.max_dwell_s));
+    }
 }
 
 /// Largest voltage of the first patch over the last drive cycles that the run keeps, V.

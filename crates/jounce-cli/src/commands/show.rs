@@ -25,11 +25,19 @@ impl Show {
         let spec = self.spec.spec()?;
         let stem = self.spec.spec.file_stem().unwrap_or_default();
         let path = self.out.clone().unwrap_or_else(|| Path::new(stem).with_extension("svg"));
-        jounce::show::drawing(&stem.to_string_lossy(), &spec).write(&path)?;
+        jounce::show::drawing(&self.title(), &spec).write(&path)?;
         match self.json {
             true => print(&serde_json::json!({ "drawing": path })),
             false => line(path.display()),
         }
         Ok(())
+    }
+
+    /// The name of the spec, after that of its folder where the path says it.
+    fn title(&self) -> String {
+        let path = &self.spec.spec;
+        let folder = path.parent().and_then(Path::file_name);
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        folder.map_or_else(|| stem.to_string(), |folder| format!("{}, {stem}", folder.to_string_lossy()))
     }
 }

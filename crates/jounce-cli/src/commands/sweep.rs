@@ -7,12 +7,11 @@ use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
+use jounce::march::Watch;
 use jounce::picture::{self, Axis, SweepLine, SweepLook};
 use jounce::spec::{KeyRange, Spec};
 use jounce::study::{Direction, Journal, Sweep as Study, SweepPoint, Way};
 use jounce::table::{Column, Table};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Order of visit.
 #[derive(Debug, Clone, Copy, ValueEnum)]
@@ -73,10 +72,10 @@ impl Sweep {
         if !journal.found().is_empty() {
             eprintln!("going on after {} finished points", journal.found().len());
         }
-        let stop = Arc::new(AtomicBool::new(false));
-        let asked = Arc::clone(&stop);
-        let _ = ctrlc::set_handler(move || asked.store(true, Ordering::Relaxed));
-        let points = self.threads.run(|| study.run(Some(&journal), &stop, &|_| bar.inc(1)))??;
+        let watch = Watch::default();
+        let asked = watch.clone();
+        let _ = ctrlc::set_handler(move || asked.stop());
+        let points = self.threads.run(|| study.run(Some(&journal), &watch, &|_| bar.inc(1)))??;
         bar.finish_and_clear();
         if points.len() < study.len() {
             let text = format!("stopped after {} of {} points; the same command goes on from there", points.len(), study.len());

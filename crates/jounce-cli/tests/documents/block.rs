@@ -14,7 +14,7 @@ pub struct Block {
 }
 
 /// What a block may say that it is.
-const KNOWN: [&str; 7] = ["console", "sh", "rust", "rust,no_run", "text", "toml spec", "toml part"];
+const KNOWN: [&str; 9] = ["console", "python", "sh", "rust", "rust,no_run", "text", "toml spec", "toml part", "toml study"];
 
 impl Block {
     /// `document:line`.

@@ -15,6 +15,8 @@ pub enum Asked {
     Jounce(String),
     /// The script of the repository that runs this very test: only looked at.
     Test,
+    /// The installation of the Python package from here, which the tests of that package do: only looked at.
+    Install,
     /// Anything else.
     Other(String),
 }
@@ -35,6 +37,7 @@ fn kind(line: String) -> Asked {
     match PREFIXES.iter().find_map(|prefix| line.strip_prefix(prefix)) {
         Some(arguments) => Asked::Jounce(arguments.to_owned()),
         None if line == "./test" => Asked::Test,
+        None if line.starts_with("pip install \".[") => Asked::Install,
         None => Asked::Other(line),
     }
 }
@@ -45,6 +48,7 @@ pub fn faults(block: &Block, folder: &Path) -> Vec<String> {
     let fault = |asked| match asked {
         Asked::Jounce(arguments) => run(&arguments, folder).err().map(told),
         Asked::Test => (!root().join("test").is_file()).then(|| told("there is no script `test`".to_owned())),
+        Asked::Install => (!root().join("pyproject.toml").is_file()).then(|| told("there is no Python package to install".to_owned())),
         Asked::Other(line) => Some(told(format!("`{line}` cannot be run here; mark the block `text`"))),
     };
     asked(block).into_iter().filter_map(fault).collect()
@@ -89,8 +93,8 @@ mod tests {
     fn reads_commands_and_leaves_output_and_comments() {
         let jounce = |arguments: &str| Asked::Jounce(arguments.to_owned());
         assert_eq!(
-            commands("```sh\n# look\ncargo run --release -- run a.toml \\\n    --json\n\n./test\nmake it\n```\n"),
-            [jounce("run a.toml --json"), Asked::Test, Asked::Other("make it".to_owned())]
+            commands("```sh\n# look\ncargo run --release -- run a.toml \\\n    --json\n\n./test\npip install \".[all]\"\nmake it\n```\n"),
+            [jounce("run a.toml --json"), Asked::Test, Asked::Install, Asked::Other("make it".to_owned())]
         );
         assert_eq!(
             commands("```console\n$ jounce check \\\n  a.toml\nvalid\n$ jounce --version\n```\n"),

@@ -5,7 +5,9 @@
 //! | `sh`, `console` | its commands run in order in a folder with a copy of `examples/`; each must succeed |
 //! | `toml spec` | `jounce check` must accept it |
 //! | `toml part` | the same, its tables put in place of those of the paper's spec |
+//! | `toml study` | it must be a study of the paper's spec |
 //! | `rust`, `rust,no_run` | the document must be among the doctests of the library |
+//! | `python` | `python/tests/test_documents.py` runs it |
 //! | `text` | nothing |
 
 mod block;
@@ -87,6 +89,18 @@ fn every_spec_is_valid() {
     let base = root().join("examples/impact-harvester-2019/harvester.toml");
     let base = std::fs::read_to_string(base).expect("the paper's spec is there");
     assert_none(found.iter().filter_map(|block| specs::fault(block, &base, &folder)).collect());
+}
+
+#[test]
+fn every_study_is_valid() {
+    let beside = root().join("examples/impact-harvester-2019");
+    let refused = |block: Block| {
+        let error = jounce::survey::Study::parse(&block.text, &beside).err()?;
+        Some(format!("{}: this study is refused\n{error}", block.place()))
+    };
+    let found = all_blocks(|block| block.info == "toml study");
+    assert!(!found.is_empty(), "no document shows a study");
+    assert_none(found.into_iter().filter_map(refused).collect());
 }
 
 #[test]

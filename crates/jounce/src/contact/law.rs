@@ -159,6 +159,7 @@ impl Law {
     }
 
     /// Compressive force, N; a rigid stop has none that is finite.
+    #[inline]
     pub fn force_n(&self, penetration_m: f64, rate_m_s: f64) -> f64 {
         match self {
             Law::Hertz(law) => law.force_n(penetration_m, rate_m_s),
@@ -170,6 +171,7 @@ impl Law {
     }
 
     /// Both slopes of the force; a rigid stop has none.
+    #[inline]
     pub fn slopes(&self, penetration_m: f64, rate_m_s: f64) -> Slopes {
         match self {
             Law::Hertz(law) => law.slopes(penetration_m, rate_m_s),

@@ -3,13 +3,23 @@
 //! With a force `Re(F e^{i w t})` on a point the response is `x = T (i w I - A)^-1 T^-1 b F`, exact at any frequency. Sign
 //! convention `e^{+i w t}`.
 
+mod bandwidth;
 mod coupling;
+mod covariance;
+mod crossing;
 mod frf;
 mod noise;
 mod optimum;
 mod quadrature;
+mod random;
+mod random_answer;
 
+pub use bandwidth::{noise_bandwidth_hz, statistical_bandwidth_hz};
 pub use coupling::{Coupling, couplings};
+pub use covariance::{covariance, product};
+pub use crossing::Crossing;
 pub use frf::{Frf, Input, Response, frf};
-pub use noise::{noise_powers_between_w, white_noise_powers_w};
+pub use noise::{Noise, density, noise_powers_between_w, spectral_moment, white_noise_powers_w};
 pub use optimum::{Optimum, optimal_resistance, steady_power_w};
+pub use random::{Random, RandomError};
+pub use random_answer::{Density, RandomAnswer, RandomLoad, RandomPatch, RandomPoint, RandomStop};

@@ -179,14 +179,12 @@ impl<'k> Marcher<'k> {
     fn observe<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, step: &Step, solved: &Solved, started: (f64, f64)) {
         let (length_s, weights) = (step.table.length_s, &step.basis.weights);
         let port = &mut self.ports[step.port];
-        let (end_m, end_m_s, statistics) = (port.penetration_m, port.rate_m_s, &mut port.statistics);
-        if law.acts_on_both_sides() || end_m >= 0.0 {
-            statistics.time_s += length_s;
-        } else {
-            // A step on whose end the point has left the stop counts for the share of its nodes in contact.
-            let inside = (0..NODES).filter(|j| solved.penetration.0[*j] > 0.0).map(|j| weights[j]).sum::<f64>();
-            statistics.time_s += length_s * inside;
-        }
+        let (end_m, end_m_s) = (port.penetration_m, port.rate_m_s);
+        let has_left = !law.acts_on_both_sides() && end_m < 0.0;
+        // A point that has left the stop went on at its last speed since then.
+        let since_s = if has_left && end_m_s < 0.0 { (end_m / end_m_s).min(length_s) } else { 0.0 };
+        port.stay(length_s - since_s);
+        let statistics = &mut port.statistics;
         // Where there are two sides, the one that the step is on.
         let side = if law.acts_on_both_sides() { (started.0 + end_m).signum() } else { 1.0 };
         let depth = w.mul(w.splat(side), w.load(&solved.penetration));

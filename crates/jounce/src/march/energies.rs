@@ -3,6 +3,7 @@
 use super::marcher::Marcher;
 use super::port_state::Regime;
 use super::rectified::RectifiedEnergies;
+use crate::drive::Wave;
 
 /// Energies since the start of a march, J.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -17,16 +18,35 @@ pub struct Energies {
     pub contact_loss_j: f64,
     /// What became of the energy of each rectified circuit, in the order of `system.bridges`.
     pub rectified: Vec<RectifiedEnergies>,
+    /// Lost by leakage of each patch that leaks, in the order of `electrical.leaks`.
+    pub leaks_j: Vec<f64>,
     /// Stored in the structure, the patches and the compressed contact, less what was stored at the start.
     pub stored_j: f64,
-    /// Largest energy that was stored or had flowed at any time it was looked at: the scale of the residual.
+    /// Largest energy that was stored or had flowed at any time it was looked at, the potential energy of constant drives included: the
+    /// scale of the residual.
     pub scale_j: f64,
 }
 
+/// Part of the largest energy below which an energy is roundoff.
+const ROUNDOFF: f64 = 1e-13;
+
 impl Energies {
-    /// `input - loads - rectified - damping - contact loss - stored`, J: zero but for the error of the contact integration and roundoff.
+    /// Delivered to all loads, batteries and loads behind rectifiers, J.
+    pub fn delivered_j(&self) -> f64 {
+        self.loads_j.iter().sum::<f64>() + self.rectified.iter().map(|own| own.load_j + own.battery_j).sum::<f64>()
+    }
+
+    /// True where nothing happened: no energy flowed or changed by more than roundoff, so that the residual says nothing.
+    pub fn are_still(&self) -> bool {
+        let loads = self.loads_j.iter().chain(&self.leaks_j).copied().chain(self.rectified.iter().map(RectifiedEnergies::sum_j));
+        let flows = loads.chain([self.input_j, self.damping_j, self.contact_loss_j, self.stored_j]);
+        flows.fold(0.0_f64, |max, flow| max.max(flow.abs())) <= ROUNDOFF * self.scale_j
+    }
+
+    /// `input - loads - rectified - leaks - damping - contact loss - stored`, J: zero but for the error of the contact integration and roundoff.
     pub fn residual_j(&self) -> f64 {
-        let circuits = self.loads_j.iter().sum::<f64>() + self.rectified.iter().map(RectifiedEnergies::sum_j).sum::<f64>();
+        let delivered = self.loads_j.iter().chain(&self.leaks_j).sum::<f64>();
+        let circuits = delivered + self.rectified.iter().map(RectifiedEnergies::sum_j).sum::<f64>();
         self.input_j - circuits - self.damping_j - self.contact_loss_j - self.stored_j
     }
 
@@ -48,10 +68,16 @@ pub(super) struct Opening {
 impl Marcher<'_> {
     /// Energies from the start of the march to the present time.
     pub fn energies(&self) -> Energies {
-        if self.kernel.plant.system.bridges.is_empty() { self.energies_in_regime() } else { self.energies_of_all() }
+        let system = &self.kernel.plant.system;
+        if !system.bridges.is_empty() {
+            return self.energies_of_all();
+        }
+        let mut energies = self.energies_in_regime();
+        energies.leaks_j = energies.loads_j.split_off(system.loads.len());
+        energies
     }
 
-    /// Energies since the present regime was entered; the outlets of bridges stand behind the loads.
+    /// Energies since the present regime was entered; the outlets of bridges and then the leaks of patches stand behind the loads.
     pub(super) fn energies_in_regime(&self) -> Energies {
         let now = self.readings();
         let open = &self.opening;
@@ -75,8 +101,8 @@ impl Marcher<'_> {
         let input_j = now.input_j - open.input_j + contact(&meters.input, 0.0) + meters.input.signals().energy_j(&sums);
         let stored_j = now.stored_j - open.stored_j;
         let flows = input_j.abs().max(damping_j.abs()).max(loads_j.iter().map(|j| j.abs()).sum());
-        let scale_j = flows.max(now.stored_j.abs()).max(open.stored_j.abs());
-        Energies { input_j, loads_j, damping_j, contact_loss_j: self.integrals.loss_j, rectified: Vec::new(), stored_j, scale_j }
+        let scale_j = flows.max(now.stored_j.abs()).max(open.stored_j.abs()).max(self.potential_j());
+        Energies { input_j, loads_j, damping_j, contact_loss_j: self.integrals.loss_j, stored_j, scale_j, ..Energies::default() }
     }
 
     pub(super) fn readings(&self) -> Opening {
@@ -88,6 +114,16 @@ impl Marcher<'_> {
             damping_j: meters.damping.boundary_j(&y, t),
             stored_j: self.stored_j(&y),
         }
+    }
+
+    /// Magnitude of the potential energy of constant drives, J.
+    fn potential_j(&self) -> f64 {
+        let (plant, x) = (&self.kernel.plant, self.physical());
+        let of = |signal: &crate::plant::Signal| match signal.wave {
+            Wave::Constant(size) => size.abs() * signal.shape.iter().zip(&x).map(|(s, q)| (s * q).abs()).sum::<f64>(),
+            _ => 0.0,
+        };
+        plant.system.signals.iter().map(of).sum()
     }
 
     /// `sum (q'^2 + w^2 q^2) / 2 + sum C V^2 / 2 + energy of the compressed contact`, J.

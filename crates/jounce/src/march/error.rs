@@ -1,7 +1,8 @@
 //! What ends a march before its time.
 
 /// A march that could not go on.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
+#[serde(untagged)]
 pub enum MarchError {
     /// The contact force did not converge on any step length.
     #[error(
@@ -33,6 +34,12 @@ pub enum MarchError {
     /// The state is no longer a number.
     #[error("at t = {time_s} s the state is not finite; check the amplitude of the drive and the contact law")]
     NotFinite {
+        /// Time, s.
+        time_s: f64,
+    },
+    /// Somebody asked for it, see [`super::Watch::stop`].
+    #[error("the march was stopped at t = {time_s} s")]
+    Stopped {
         /// Time, s.
         time_s: f64,
     },

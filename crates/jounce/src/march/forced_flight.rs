@@ -12,6 +12,7 @@
 //! The certificate takes this rest for a fast part that starts at zero (see [`super::certificate`]).
 
 use super::basis::NODES;
+use super::few::Held;
 use super::kernel::{Kernel, Shape};
 use super::response::{Making, Reading, Row};
 use super::state::pushed;
@@ -86,7 +87,7 @@ fn by_force(series: &[Lane]) -> Vec<[Lane; NODES]> {
 /// Bounds on `|z - H|` (m) and `|z' - H'|` (m/s) under the nodal forces of several ports: the sums of the magnitudes of their
 /// common coefficients.
 #[inline(always)]
-pub fn rest_bounds<W: Wide>(w: W, flights: &[&ForcedFlight], forces: &[Lane]) -> [f64; 2] {
+pub fn rest_bounds<W: Wide>(w: W, flights: &[Held<ForcedFlight>], forces: &[Lane]) -> [f64; 2] {
     let longest = flights.iter().map(|flight| flight.rest.len()).max().unwrap_or(0);
     let (mut place, mut speed) = (w.zero(), w.zero());
     for chunk in 0..longest {

@@ -2,11 +2,11 @@
 
 use super::basis::NODES;
 use super::cross_table::CrossTable;
+use super::few::{Few, Held};
 use super::forced_flight::ForcedFlight;
 use super::kernel::{Kernel, Shape};
 use super::table::Table;
 use crate::wide::Lane;
-use std::borrow::Cow;
 
 /// Length of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,39 +37,49 @@ impl Length {
             Length::Level(level) | Length::Odd { level, .. } => level,
         }
     }
+
+    /// Table of a port on a step of this length.
+    pub fn table(self, kernel: &Kernel, (port, shape): (usize, Shape)) -> Held<'_, Table> {
+        match self {
+            Length::Level(level) => Held::Shared(kernel.table(port, shape, level)),
+            Length::Odd { length_s, .. } => Held::Own(Box::new(Table::new(kernel, port, kernel.basis(port, shape), length_s))),
+        }
+    }
+
+    /// What the force of a port does to the flight of another.
+    pub fn flight(self, kernel: &Kernel, port: (usize, Shape), seen: usize) -> Held<'_, ForcedFlight> {
+        match self {
+            Length::Level(level) => Held::Shared(kernel.forced_flight(port, seen, level)),
+            Length::Odd { length_s, .. } => Held::Own(Box::new(ForcedFlight::new(kernel, port, seen, length_s))),
+        }
+    }
 }
 
 /// Tables of a step for several ports, each in its basis.
 #[derive(Debug, Clone)]
 pub struct JointTables<'a> {
     /// The ports with their bases.
-    pub ports: Vec<(usize, Shape)>,
+    pub ports: Few<(usize, Shape)>,
     /// The length.
     pub length: Length,
-    own: Vec<Cow<'a, Table>>,
-    /// From the force of the first index to the port of the second, row by row; empty for one port.
-    cross: Vec<Cow<'a, CrossTable>>,
+    own: Few<Held<'a, Table>>,
+    /// From the force of the first index to the port of the second, row by row, the port itself left out.
+    cross: Few<Held<'a, CrossTable>>,
 }
 
 impl<'a> JointTables<'a> {
     /// Of ports on a step.
     pub fn new(kernel: &'a Kernel, ports: &[(usize, Shape)], length: Length) -> Self {
-        let own = |(port, shape): &(usize, Shape)| match length {
-            Length::Level(level) => Cow::Borrowed(kernel.table(*port, *shape, level)),
-            Length::Odd { length_s, .. } => Cow::Owned(Table::new(kernel, *port, kernel.basis(*port, *shape), length_s)),
-        };
         let cross = |from: (usize, Shape), to: (usize, Shape)| match length {
-            _ if from == to => Cow::Owned(CrossTable::default()),
-            Length::Level(level) => Cow::Borrowed(kernel.cross([from, to], level)),
-            Length::Odd { length_s, .. } => Cow::Owned(CrossTable::new(kernel, [from, to], length_s)),
+            Length::Level(level) => Held::Shared(kernel.cross([from, to], level)),
+            Length::Odd { length_s, .. } => Held::Own(Box::new(CrossTable::new(kernel, [from, to], length_s))),
         };
-        let pairs = ports.iter().flat_map(|from| ports.iter().map(move |to| (*from, *to)));
-        let several = ports.len() > 1;
+        let pairs = ports.iter().flat_map(|from| ports.iter().filter(move |to| to.0 != from.0).map(move |to| (*from, *to)));
         Self {
-            ports: ports.to_vec(),
+            ports: Few::from_slice(ports),
             length,
-            own: ports.iter().map(own).collect(),
-            cross: pairs.filter(|_| several).map(|(from, to)| cross(from, to)).collect(),
+            own: ports.iter().map(|port| length.table(kernel, *port)).collect(),
+            cross: pairs.map(|(from, to)| cross(from, to)).collect(),
         }
     }
 
@@ -79,10 +89,10 @@ impl<'a> JointTables<'a> {
         &self.own[place]
     }
 
-    /// What the force of one place does to another.
+    /// What the force of one place does to another one.
     #[inline(always)]
     pub fn cross(&self, from: usize, to: usize) -> &CrossTable {
-        &self.cross[from * self.ports.len() + to]
+        &self.cross[from * (self.ports.len() - 1) + to - usize::from(to > from)]
     }
 
     /// Displacement and velocity of one place under the nodal forces of another, or of its own.
@@ -108,14 +118,5 @@ impl<'a> JointTables<'a> {
     pub fn reach_m_n_s(&self, place: usize) -> f64 {
         let others = (0..self.ports.len()).filter(|from| *from != place).map(|from| self.cross(from, place).reach_m_n_s);
         self.own(place).reach_m_n_s + others.sum::<f64>()
-    }
-
-    /// What the forces do to the flight of another port, in the order of the places.
-    pub fn flights(&self, kernel: &'a Kernel, seen: usize) -> Vec<Cow<'a, ForcedFlight>> {
-        let flight = |port: &(usize, Shape)| match self.length {
-            Length::Level(level) => Cow::Borrowed(kernel.forced_flight(*port, seen, level)),
-            Length::Odd { length_s, .. } => Cow::Owned(ForcedFlight::new(kernel, *port, seen, length_s)),
-        };
-        self.ports.iter().map(flight).collect()
     }
 }

@@ -9,6 +9,7 @@ use super::flow::Flow;
 use super::forced_flight::ForcedFlight;
 use super::layout::Layout;
 use super::table::Table;
+use super::watch::Watch;
 use crate::contact::Law;
 use crate::plant::{BridgeState, Change, Meters, Plant, PlantError, Signal, Stop};
 use crate::wide::WIDTH;
@@ -48,6 +49,8 @@ pub struct Kernel {
     pub(super) generator: Flow,
     /// Largest `|eigenvalue|`, rad/s.
     pub(super) fastest_rad_s: f64,
+    /// Who watches the marches of this kernel.
+    pub watch: Watch,
     /// Per port: the basis of the first step of a contact, where it is not smooth.
     onset: Arc<Vec<Option<Basis>>>,
     /// They depend on the plant without its drives only, so that plants that differ in drives share them.
@@ -94,9 +97,16 @@ impl Kernel {
             onset: Arc::new(onsets(&plant)),
             levels: Arc::new(levels(&plant)),
             regimes: regimes(&plant),
+            watch: Watch::default(),
             meters,
             plant,
         })
+    }
+
+    /// The same, its marches watched: they end with [`super::MarchError::Stopped`] when the watch says so.
+    #[must_use]
+    pub fn watched_by(self, watch: &Watch) -> Self {
+        Self { watch: watch.clone(), regimes: regimes(&self.plant), ..self }
     }
 
     /// The same plant under other drives, the tables made so far kept.
@@ -126,6 +136,7 @@ impl Kernel {
             fastest_rad_s: self.fastest_rad_s,
             onset: Arc::clone(&self.onset),
             levels: Arc::clone(&self.levels),
+            watch: self.watch.clone(),
         })
     }
 
@@ -146,6 +157,7 @@ impl Kernel {
             onset: if fit { Arc::clone(&self.onset) } else { Arc::new(onsets(&plant)) },
             levels: if fit { Arc::clone(&self.levels) } else { Arc::new(levels(&plant)) },
             regimes: regimes(&plant),
+            watch: self.watch.clone(),
             plant,
         })
     }
@@ -158,7 +170,7 @@ impl Kernel {
         if regime == 0 {
             return Ok(self);
         }
-        let make = || Self::new(Plant::new(self.plant.system.in_regime(regime, &self.plant.electrical))?);
+        let make = || Ok(Self::new(Plant::new(self.plant.system.in_regime(regime))?)?.watched_by(&self.watch));
         self.regimes[regime].get_or_init(make).as_ref().map_err(Clone::clone)
     }
 

@@ -225,6 +225,12 @@ impl<'k> Marcher<'k> {
         }
     }
 
+    /// Ends the march where somebody wishes so.
+    #[inline(always)]
+    pub(super) fn check_watch(&self) -> Result<(), MarchError> {
+        if self.kernel.watch.is_stopped() { Err(MarchError::Stopped { time_s: self.time_s }) } else { Ok(()) }
+    }
+
     fn dispatch<L: ContactLaw>(&mut self, law: L, end_s: f64) -> Result<(), MarchError> {
         widest(Advance { marcher: self, law, end_s })
     }
@@ -245,6 +251,7 @@ impl<L: ContactLaw> Task for Advance<'_, '_, L> {
     fn run<W: Wide>(self, w: W) -> Self::Output {
         let Advance { marcher, law, end_s } = self;
         while marcher.time_s < end_s {
+            marcher.check_watch()?;
             let until_s = marcher.next_breakpoint(w, end_s);
             match marcher.ports[0].regime {
                 Regime::Flight => marcher.flight(w, until_s)?,

@@ -38,6 +38,8 @@ pub struct PortState {
     pub entry_level: i32,
     /// Largest speed at which the stop was struck so far: the scale of contact impulses.
     pub strike_m_s: f64,
+    /// Time that the contact in hand has lasted since it began, or since the last reset, s.
+    pub dwell_s: f64,
     /// Its rows.
     pub rows: Rows,
     /// Since the last reset.
@@ -73,6 +75,7 @@ impl PortState {
             entering: false,
             entry_level,
             strike_m_s: 0.0,
+            dwell_s: 0.0,
             rows: Rows::new(plant, layout, tones, port),
             statistics: ContactStatistics::default(),
         }
@@ -97,8 +100,17 @@ impl PortState {
         }
     }
 
+    /// Adds time in contact.
+    #[inline(always)]
+    pub fn stay(&mut self, length_s: f64) {
+        self.dwell_s += length_s;
+        self.statistics.time_s += length_s;
+        self.statistics.max_dwell_s = self.statistics.max_dwell_s.max(self.dwell_s);
+    }
+
     /// Forgets the statistics.
     pub fn reset_statistics(&mut self) {
+        self.dwell_s = 0.0;
         self.statistics = ContactStatistics::default();
         if self.regime == Regime::Contact {
             self.statistics.max_penetration_m = self.penetration_m.max(0.0);

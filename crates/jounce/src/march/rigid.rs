@@ -25,6 +25,9 @@ use crate::contact::Rigid;
 use crate::wide::{Lane, Portable, WIDTH, Wide};
 use faer::c64;
 
+/// Part of the terms of an acceleration that is roundoff.
+const ROUNDOFF: f64 = 1e-12;
+
 /// Speed after an impact, relative to the fastest strike and the tolerance, below which chatter ends.
 const CHATTER_SHARE: f64 = 1e-2;
 
@@ -33,6 +36,7 @@ impl Marcher<'_> {
     #[inline(always)]
     pub(super) fn advance_rigid<W: Wide>(&mut self, w: W, law: Rigid, end_s: f64) -> Result<(), MarchError> {
         while self.time_s < end_s {
+            self.check_watch()?;
             let until_s = self.next_breakpoint(w, end_s);
             match self.ports[0].regime {
                 Regime::Flight => self.flight(w, until_s)?,
@@ -46,9 +50,9 @@ impl Marcher<'_> {
     /// One impact; ends in flight, or at rest on the stop where chatter has died away.
     pub(super) fn impact(&mut self, p: usize, law: Rigid) {
         let (before, mobility, e) = (self.ports[p].rate_m_s, self.ports[p].rows.mobility_per_kg, law.restitution);
-        let presses = self.acceleration_m_s2(p) > 0.0;
-        let sticks = presses && e * before <= CHATTER_SHARE * self.tolerance * self.ports[p].strike_m_s;
-        let rebound = if sticks { 0.0 } else { e };
+        // A rebound this slow is none.
+        let is_slow = e * before <= CHATTER_SHARE * self.tolerance * self.ports[p].strike_m_s;
+        let rebound = if is_slow { 0.0 } else { e };
         let impulse_n_s = (1.0 + rebound) * before / mobility;
         if let Some(record) = &mut self.record {
             record.push_impact(p, impulse_n_s);
@@ -56,9 +60,37 @@ impl Marcher<'_> {
         self.push_by(p, impulse_n_s);
         self.integrals.loss_j += 0.5 * (1.0 - rebound * rebound) * before * before / mobility;
         self.set_motion(p, [0.0, -rebound * before]);
-        if !sticks {
+        if !(is_slow && self.is_pressed(p)) {
             self.ports[p].regime = Regime::Flight;
         }
+    }
+
+    /// The motion presses a touching point onto its stop: now, or, where its acceleration is roundoff, from now on.
+    pub(super) fn is_pressed(&self, p: usize) -> bool {
+        let (acceleration, roundoff) = (self.acceleration_m_s2(p), self.acceleration_roundoff_m_s2(p));
+        acceleration > roundoff || acceleration >= -roundoff && self.jerk_m_s3(p) > 0.0
+    }
+
+    /// What of the acceleration towards the stop cannot be told from zero, m/s^2.
+    pub(super) fn acceleration_roundoff_m_s2(&self, p: usize) -> f64 {
+        let row = self.layout.pack(&self.kernel.acceleration_row(p));
+        let terms = |(row, y): (&Lane, &Lane)| row.0.iter().zip(y.0).map(|(row, y)| (row * y).abs()).sum::<f64>();
+        let free: f64 = row.iter().zip(&self.y).map(terms).sum();
+        let size = |tone: &super::tone::Turning| tone.displacement_m[p].norm() * tone.angular_frequency_rad_s.powi(2);
+        ROUNDOFF * (free + self.tones.iter().map(size).sum::<f64>() + self.forced.acceleration_after(p, 0.0).abs())
+    }
+
+    /// Rate of the acceleration towards the stop without contact force, m/s^3.
+    pub(super) fn jerk_m_s3(&self, p: usize) -> f64 {
+        let row = self.layout.pack(&self.kernel.plant.diagonal.block.rate_row(&self.kernel.acceleration_row(p)));
+        let of = |tone: &super::tone::Turning| {
+            let w = tone.angular_frequency_rad_s;
+            acceleration(tone.displacement_m[p] * tone.turn * c64::new(0.0, w), w)
+        };
+        // The displacement that signals force is a cubic: a difference is its exact rate.
+        let after_s = 1.0 / self.kernel.fastest_rad_s;
+        let forced = (self.forced.acceleration_after(p, after_s) - self.forced.acceleration_after(p, 0.0)) / after_s;
+        dot(Portable::new(), &row, &self.y) + self.tones.iter().map(of).sum::<f64>() + forced
     }
 
     /// Changes the velocity by an impulse towards the stop's outside, N s.
@@ -91,7 +123,7 @@ impl Marcher<'_> {
         let mut level = self.ports[0].entry_level;
         while self.time_s < end_s {
             let force_now = self.acceleration_m_s2(0) / self.ports[0].rows.mobility_per_kg;
-            if force_now <= 0.0 {
+            if !self.is_pressed(0) {
                 self.ports[0].regime = Regime::Flight;
                 return Ok(());
             }
@@ -171,10 +203,10 @@ impl Marcher<'_> {
 
     /// Adds a step of rest to the statistics.
     pub(super) fn observe_rest(&mut self, p: usize, length_s: f64, force: &Lane) {
-        let statistics = &mut self.ports[p].statistics;
-        statistics.max_force_n = force.0.iter().fold(statistics.max_force_n, |max, f| max.max(*f));
-        statistics.sticking_s += length_s;
-        statistics.time_s += length_s;
+        let port = &mut self.ports[p];
+        port.statistics.max_force_n = force.0.iter().fold(port.statistics.max_force_n, |max, f| max.max(*f));
+        port.statistics.sticking_s += length_s;
+        port.stay(length_s);
     }
 
     /// Removes the drift of collocation: the constraint is kept in acceleration, so position and speed wander by roundoff.

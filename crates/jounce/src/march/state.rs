@@ -67,6 +67,16 @@ pub fn dot_abs<W: Wide>(w: W, row: &[Lane], y: &[Lane]) -> f64 {
     w.sum(sum)
 }
 
+/// Magnitudes of a row times those of a state, both padded.
+#[inline(always)]
+pub fn dot_of_magnitudes<W: Wide>(w: W, row: &[Lane], y: &[Lane]) -> f64 {
+    let mut sum = w.zero();
+    for (row, y) in row.iter().zip(y) {
+        sum = w.fma(w.abs(w.load(row)), w.abs(w.load(y)), sum);
+    }
+    w.sum(sum)
+}
+
 /// Adds the effect of the nodal forces at the end of a step.
 #[inline(always)]
 pub fn add_push<W: Wide>(w: W, push: &[[Lane; NODES]], force: &Lane, out: &mut [Lane]) {

@@ -3,14 +3,16 @@
 //! Diodes change what the circuit is, not the state, whose voltages and velocities are continuous: current and forward voltage are both
 //! zero there. A switch turns a voltage over within an instant; the energies that this takes are counted in closed form.
 //!
-//! The charge `Q` that diodes pass is what the patches displaced and did not keep, `-[C V + theta . q]`, exact to roundoff.
+//! The charge `Q` that diodes pass is what the patches displaced and did not keep or leak, `-[C V + theta . q]` without leakage, exact to
+//! roundoff (see [`super::gains`]).
 
 use super::energies::Energies;
 use super::error::MarchError;
+use super::gains::Gains;
 use super::marcher::Marcher;
 use super::port_state::{PortState, Regime};
 use super::rectified::RectifiedEnergies;
-use crate::plant::{Bridge, BridgeNodes, BridgeState, Change, Conduction, Outlet, Scheme, Storage};
+use crate::plant::{Bridge, BridgeNodes, BridgeState, Change, Conduction, Outlet, Output, Scheme, Storage};
 
 /// Most changes of bridges at one instant.
 const MOST_CHANGES: usize = 100;
@@ -27,8 +29,8 @@ pub(super) struct Switching {
     pub met: Option<usize>,
     /// Energies up to the last change.
     earlier: Energies,
-    /// Physical state at the last change.
-    since: Vec<f64>,
+    /// Time and physical state at the last change.
+    pub since: (f64, Vec<f64>),
     /// Time of the last change, and how many there were at it.
     changed: (f64, usize),
 }
@@ -42,6 +44,7 @@ impl Marcher<'_> {
         }
         self.switching.earlier.rectified = vec![RectifiedEnergies::default(); system.bridges.len()];
         self.switching.earlier.loads_j = vec![0.0; system.loads.len()];
+        self.switching.earlier.leaks_j = vec![0.0; self.base.plant.electrical.leaks.len()];
         let x = self.physical();
         let current = |nodes: &BridgeNodes| -> f64 {
             let coupling = &self.base.plant.electrical.nodes[nodes.terminal].coupling_n_per_v;
@@ -50,7 +53,6 @@ impl Marcher<'_> {
         let states: Vec<BridgeState> = (self.base.plant.electrical.bridges.iter().zip(&system.bridges))
             .map(|(nodes, bridge)| BridgeState { rising: bridge.has_switch() && current(nodes) > 0.0, ..BridgeState::default() })
             .collect();
-        self.switching.since = x.clone();
         self.change_to(&states, &x)?;
         self.change_if_met()
     }
@@ -121,7 +123,7 @@ impl Marcher<'_> {
         next.work = self.work;
         next.record = self.record.take();
         next.switching = std::mem::take(&mut self.switching);
-        (next.switching.regime, next.switching.since) = (regime, x.to_vec());
+        (next.switching.regime, next.switching.since) = (regime, (self.time_s, x.to_vec()));
         // Contacts go on as they are; only what reads them belongs to the regime.
         let stops = kernel.plant.system.stops.len();
         for p in 0..stops {
@@ -185,31 +187,33 @@ impl Marcher<'_> {
     pub(super) fn energies_of_all(&self) -> Energies {
         let (own, plant) = (self.energies_in_regime(), &self.kernel.plant);
         let mut all = self.switching.earlier.clone();
-        let moved: Vec<f64> = self.physical().iter().zip(&self.switching.since).map(|(x, since)| x - since).collect();
+        let moved: Vec<f64> = self.physical().iter().zip(&self.switching.since.1).map(|(x, since)| x - since).collect();
+        let gains = Gains { plant, moved: &moved, length_s: self.time_s - self.switching.since.0 };
         let loads = plant.system.loads.len();
         all.loads_j.iter_mut().zip(&own.loads_j).for_each(|(sum, own)| *sum += own);
-        for ((bridge, outlet, ..), energy_j) in plant.bridge_outputs().into_iter().zip(&own.loads_j[loads..]) {
-            let taken = &mut all.rectified[bridge];
-            match outlet {
-                Outlet::Load => taken.load_j += energy_j,
-                Outlet::Leakage => taken.leakage_j += energy_j,
-                Outlet::Diodes => taken.diodes_j += energy_j,
+        let outputs: Vec<Output> = plant.bridge_outputs().into_iter().chain(plant.leak_outputs()).collect();
+        let mut leaks = all.leaks_j.iter_mut();
+        for (output, energy_j) in outputs.iter().zip(&own.loads_j[loads..]) {
+            let energy_j = energy_j + gains.standing_j(output);
+            match output.outlet {
+                Outlet::Load => all.rectified[output.bridge].load_j += energy_j,
+                Outlet::Leakage => all.rectified[output.bridge].leakage_j += energy_j,
+                Outlet::Diodes => all.rectified[output.bridge].diodes_j += energy_j,
+                Outlet::Patch => leaks.by_ref().take(1).for_each(|sum| *sum += energy_j),
             }
         }
         let mut pushed_j = 0.0;
-        for ((bridge, nodes), taken) in plant.system.bridges.iter().zip(&plant.electrical.bridges).zip(&mut all.rectified) {
+        for ((k, bridge), taken) in plant.system.bridges.iter().enumerate().zip(&mut all.rectified) {
             let sign = bridge.state.conduction.sign();
             if sign == 0.0 {
                 continue;
             }
-            let node = &plant.electrical.nodes[nodes.terminal];
-            let displaced_c: f64 = node.coupling_n_per_v.iter().zip(&moved).map(|(theta, q)| theta * q).sum();
-            let charge_c = -sign * (node.capacitance_f * moved[2 * plant.system.modes.len() + nodes.terminal] + displaced_c);
+            let charge_c = -sign * (gains.charge_c(plant.electrical.bridges[k].terminal) + gains.leaked_c(k));
             taken.charge_c += charge_c;
             taken.diodes_j += bridge.drop_v * charge_c;
             taken.battery_j += (bridge.threshold_v() - bridge.drop_v) * charge_c;
             // The force by which a threshold enters is none of the drives.
-            pushed_j += sign * bridge.threshold_v() * displaced_c;
+            pushed_j += gains.pushed_j(k);
         }
         all.input_j += own.input_j - pushed_j;
         all.damping_j += own.damping_j;

@@ -35,11 +35,23 @@ pub struct ContactStatistics {
     pub strike_sum_m_s: f64,
     /// Largest of these speeds, m/s.
     pub max_strike_m_s: f64,
+    /// Longest time that one contact lasted, s; of one that was under way at the last reset, the time since.
+    pub max_dwell_s: f64,
     /// Time spent at rest on a rigid stop, s.
     pub sticking_s: f64,
 }
 
 impl ContactStatistics {
+    /// Mean speed at which contacts began, m/s; 0 without one.
+    pub fn mean_strike_m_s(&self) -> f64 {
+        self.strike_sum_m_s / self.contacts.max(1) as f64
+    }
+
+    /// Time in contact over the contacts that began, s; 0 without one.
+    pub fn mean_dwell_s(&self) -> f64 {
+        if self.contacts > 0 { self.time_s / self.contacts as f64 } else { 0.0 }
+    }
+
     /// Those of two ports together: largest of the largest, sum of the others.
     pub(super) fn and(self, other: &Self) -> Self {
         Self {
@@ -50,6 +62,7 @@ impl ContactStatistics {
             impulse_n_s: self.impulse_n_s + other.impulse_n_s,
             strike_sum_m_s: self.strike_sum_m_s + other.strike_sum_m_s,
             max_strike_m_s: self.max_strike_m_s.max(other.max_strike_m_s),
+            max_dwell_s: self.max_dwell_s.max(other.max_dwell_s),
             sticking_s: self.sticking_s + other.sticking_s,
         }
     }

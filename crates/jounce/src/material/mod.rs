@@ -10,6 +10,7 @@
 //! with the modulus at short circuit `Y` (Pa), the charge per strain `e31bar` (C/m^2) and the permittivity at constant strain
 //! `eps33bar` (F/m). Source: Erturk and Inman, Piezoelectric Energy Harvesting (2011), appendix A.
 
+mod electroelastic;
 mod hill;
 mod library;
 pub mod porous;

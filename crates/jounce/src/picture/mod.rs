@@ -32,13 +32,16 @@ mod unit;
 
 pub use axis::{Axis, Scale};
 pub use colour::Colour;
-pub use drawing::{Carrier, Drawing, DrawnBeam, DrawnBody, DrawnPatch, DrawnStop};
+pub use drawing::{
+    Drawing, DrawnBeam, DrawnBody, DrawnCircuit, DrawnContact, DrawnDrive, DrawnElement, DrawnPatch, DrawnPlace, DrawnShape, Seat,
+};
 pub use error::PictureError;
 pub use figure::Figure;
 pub use panel::{Along, Band, Note, Panel, Reference};
 pub use ready::{
-    BranchLine, BranchMark, DiagramDots, DiagramView, Direction, JumpLine, ModeShape, Patch, Response, SpectrumLine, SweepLine, SweepLook,
-    Trace, branches, diagram, ensemble, frequency_responses, jumps, mode_shapes, power_against_resistance, spectra, sweep, time_histories,
+    BranchLine, BranchMark, DensityLine, DiagramDots, DiagramView, Direction, JumpLine, ModeShape, Patch, Response, SpectrumLine,
+    SweepLine, SweepLook, Trace, branches, densities, diagram, ensemble, frequency_responses, jumps, mode_shapes, power_against_resistance,
+    spectra, sweep, time_histories,
 };
 pub use series::{Line, Marker, Series};
 pub(crate) use svg::escape;

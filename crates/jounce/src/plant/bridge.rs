@@ -159,16 +159,18 @@ impl System {
         states
     }
 
-    /// The system in a regime. While diodes conduct, the voltage of their patches is counted from the threshold, which pushes the structure
-    /// as a constant force.
-    pub fn in_regime(&self, regime: usize, electrical: &Electrical) -> Self {
+    /// The system in a regime. While diodes conduct, the voltage of their patches is counted from where the threshold would hold it, which
+    /// pushes the structure as a constant force.
+    pub fn in_regime(&self, regime: usize) -> Self {
         let mut system = self.clone();
-        for ((bridge, state), nodes) in system.bridges.iter_mut().zip(self.bridge_states(regime)).zip(&electrical.bridges) {
-            bridge.state = state;
-            let pushed_v = state.conduction.sign() * bridge.threshold_v();
-            if pushed_v != 0.0 {
-                let shape = electrical.nodes[nodes.terminal].coupling_n_per_v.clone();
-                system.signals.push(Signal { name: bridge.name.clone(), shape, wave: Wave::Constant(pushed_v) });
+        system.bridges.iter_mut().zip(self.bridge_states(regime)).for_each(|(bridge, state)| bridge.state = state);
+        let electrical = Electrical::of(&system);
+        for (number, bridge) in self.bridges.iter().enumerate() {
+            for node in electrical.nodes_of(number) {
+                let (pushed_v, shape) = (electrical.zero_v[node], &electrical.nodes[node].coupling_n_per_v);
+                if pushed_v != 0.0 && shape.iter().any(|theta| *theta != 0.0) {
+                    system.signals.push(Signal { name: bridge.name.clone(), shape: shape.clone(), wave: Wave::Constant(pushed_v) });
+                }
             }
         }
         system

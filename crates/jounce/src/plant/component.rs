@@ -69,8 +69,18 @@ impl Assembly {
                 matrix[(column, column)] -= g / other_f;
             }
         }
+        for leak in &electrical.leaks {
+            let parts = &electrical.patch[leak.patch];
+            for (node, own) in parts {
+                for (other, factor) in parts {
+                    let taken = leak.conductance_per_ohm * own * factor / electrical.nodes[*node].capacitance_f;
+                    matrix[(2 * n + node, 2 * n + other)] -= taken;
+                }
+            }
+        }
         let open = |k: &usize| {
             electrical.nodes[*k].resistance_ohm.is_none()
+                && !electrical.leaks_at(*k)
                 && electrical.inductors.iter().all(|inductor| inductor.node != *k)
                 && electrical.links.iter().all(|link| link.node != *k)
         };
@@ -96,7 +106,8 @@ pub(super) fn components(n: usize, electrical: &Electrical) -> Vec<Vec<usize>> {
         groups = apart;
         groups.push(joined.concat());
     }
-    for (node, other) in electrical.links.iter().filter_map(|link| Some((link.node, link.to?.0))) {
+    let linked = electrical.links.iter().filter_map(|link| Some((link.node, link.to?.0)));
+    for (node, other) in linked.chain(electrical.leaking_pairs()) {
         let (joined, apart) =
             groups.into_iter().partition(|group: &Vec<usize>| group.contains(&(2 * n + node)) || group.contains(&(2 * n + other)));
         groups = apart;

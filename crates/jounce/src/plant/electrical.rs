@@ -12,14 +12,12 @@
 //! ```
 //!
 //! and parts orthogonal to it in energy, which no current changes: each is an open node of its own. Where no motion drives such a part
-//! (the two equal layers of a bimorph) it is left out.
+//! (the two equal layers of a bimorph) it is left out, unless a patch leaks ([`Leak`]).
 
+use super::leak::Leak;
 use super::system::{Connection, Load};
 use super::{Bridge, Storage, System};
 use crate::spec::Wiring;
-
-/// A part that no motion drives by more than this, relative to what its patches are driven by, is left out.
-const DRIVEN: f64 = 1e-12;
 
 /// The electrical states of a system.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -34,6 +32,8 @@ pub struct Electrical {
     pub load: Vec<Option<Across>>,
     /// Conducting diodes.
     pub links: Vec<Link>,
+    /// Leaking patches, in the order of `modes.patch`.
+    pub leaks: Vec<Leak>,
     /// The nodes of each bridge, in the order of `bridges`.
     pub bridges: Vec<BridgeNodes>,
     /// Voltage from which each node is counted, V.
@@ -122,11 +122,16 @@ impl Electrical {
             }
         }
         electrical.load = placed;
+        electrical.leak(system);
         for (number, (bridge, terminal)) in system.bridges.iter().zip(terminals).enumerate() {
             // System::assemble has seen that every bridge has a patch.
             electrical.rectify(number, bridge, terminal.unwrap_or(0), system.modes.len());
         }
         electrical.zero_v.resize(electrical.nodes.len(), 0.0);
+        for (number, bridge) in system.bridges.iter().enumerate() {
+            let threshold_v = bridge.state.conduction.sign() * bridge.threshold_v();
+            electrical.standing_v(number, threshold_v).into_iter().for_each(|(node, voltage)| electrical.zero_v[node] = voltage);
+        }
         electrical
     }
 
@@ -141,12 +146,10 @@ impl Electrical {
             }
         };
         self.bridges.push(BridgeNodes { terminal, storage });
-        self.zero_v.resize(self.nodes.len(), 0.0);
         let sign = bridge.state.conduction.sign();
         if sign != 0.0 {
             let to = storage.map(|node| (node, sign));
             self.links.push(Link { bridge: number, node: terminal, to, conductance_per_ohm: 1.0 / bridge.diode_ohm });
-            self.zero_v[terminal] = sign * bridge.threshold_v();
         }
     }
 
@@ -166,52 +169,9 @@ impl Electrical {
         nodes.chain(self.inductors.iter().map(|inductor| inductor.inductance_h.sqrt()))
     }
 
-    fn add(&mut self, capacitance_f: f64, coupling_n_per_v: Vec<f64>) -> usize {
+    pub(super) fn add(&mut self, capacitance_f: f64, coupling_n_per_v: Vec<f64>) -> usize {
         self.nodes.push(Node { capacitance_f, coupling_n_per_v, resistance_ohm: None });
         self.nodes.len() - 1
-    }
-
-    /// Adds the nodes of patches; the first is that of their terminals.
-    fn connect(&mut self, system: &System, connections: &[Connection], wiring: Wiring) -> usize {
-        let names: Vec<&String> = system.modes.patch.keys().collect();
-        // System::assemble has seen that every name is there.
-        let members: Vec<(usize, f64)> = (connections.iter())
-            .filter_map(|connection| Some((names.iter().position(|name| **name == connection.patch)?, connection.sign)))
-            .collect();
-        let patches: Vec<_> = members.iter().filter_map(|(index, _)| system.modes.patch.get(names[*index])).collect();
-        let coupling = |share: &[f64]| -> Vec<f64> {
-            let of_mode = |mode: usize| patches.iter().zip(share).map(|(patch, share)| share * patch.coupling_n_per_v[mode]).sum();
-            (0..system.modes.len()).map(of_mode).collect()
-        };
-        let signs: Vec<f64> = members.iter().map(|(_, sign)| *sign).collect();
-        let capacitances_f: Vec<f64> = patches.iter().map(|patch| patch.capacitance_f).collect();
-        let terminal = match wiring {
-            Wiring::Parallel => self.add(capacitances_f.iter().sum(), coupling(&signs)),
-            Wiring::Series => {
-                let capacitance_f = 1.0 / capacitances_f.iter().map(|c| 1.0 / c).sum::<f64>();
-                let share: Vec<f64> = signs.iter().zip(&capacitances_f).map(|(sign, c)| sign * capacitance_f / c).collect();
-                self.add(capacitance_f, coupling(&share))
-            }
-        };
-        let (nodes, mut shares) = (self.nodes.len(), vec![signs.clone()]);
-        if wiring == Wiring::Series {
-            shares[0] = signs.iter().zip(&capacitances_f).map(|(sign, c)| sign * self.nodes[terminal].capacitance_f / c).collect();
-            for share in internal_parts(&signs, &capacitances_f) {
-                let theta = coupling(&share);
-                let size = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-                let driven: f64 = patches.iter().map(|patch| size(&patch.coupling_n_per_v)).fold(0.0, f64::max);
-                if size(&theta) > DRIVEN * driven {
-                    let energy: f64 = share.iter().zip(&capacitances_f).map(|(u, c)| c * u * u).sum();
-                    self.add(energy, theta);
-                    shares.push(share);
-                }
-            }
-        }
-        for (k, (index, _)) in members.iter().enumerate() {
-            let parts = shares.iter().enumerate().map(|(part, share)| (if part == 0 { terminal } else { nodes + part - 1 }, share[k]));
-            self.patch[*index] = parts.filter(|(_, factor)| *factor != 0.0).collect();
-        }
-        terminal
     }
 
     fn across(&mut self, node: usize, load: &Load) -> Across {
@@ -231,20 +191,4 @@ impl Electrical {
             }
         }
     }
-}
-
-/// Voltages of patches in series that sum to nothing at the terminals, orthogonal to each other in energy (Gram and Schmidt).
-fn internal_parts(signs: &[f64], capacitances_f: &[f64]) -> Vec<Vec<f64>> {
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).zip(capacitances_f).map(|((a, b), c)| a * b * c).sum::<f64>();
-    let mut parts: Vec<Vec<f64>> = Vec::new();
-    for k in 1..signs.len() {
-        let mut part = vec![0.0; signs.len()];
-        (part[k - 1], part[k]) = (signs[k - 1], -signs[k]);
-        for before in &parts {
-            let share = dot(&part, before) / dot(before, before);
-            part.iter_mut().zip(before).for_each(|(value, b)| *value -= share * b);
-        }
-        parts.push(part);
-    }
-    parts
 }

@@ -15,9 +15,9 @@
 //!
 //! Validation: `tests/plant` compares with Gauss quadrature along exact flows.
 
+use super::lyapunov::{Side, lyapunov};
 use super::{Block, Plant, PlantError, SignalMeter};
 use faer::{Mat, c64};
-use std::f64::consts::TAU;
 
 /// One exactly integrated power.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,7 +39,8 @@ pub struct EnergyMeter {
 /// The three energies of every run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Meters {
-    /// Energy delivered to each load, J, then to each of [`Plant::bridge_outputs`].
+    /// Energy delivered to each load, J, then to each of [`Plant::bridge_outputs`] and of [`Plant::leak_outputs`]; of the voltages counted
+    /// from their zeros.
     pub loads: Vec<EnergyMeter>,
     /// Energy lost in modal damping, J.
     pub damping: EnergyMeter,
@@ -77,10 +78,13 @@ impl Meters {
             let square = Square::new(plant, 1.0 / load.resistance_ohm, plant.load_voltage_row(k));
             EnergyMeter::squares(plant, &format!("the energy of load `{}`", load.name), &[square], before.map(|meters| &meters.loads[k]))
         });
-        let outputs = plant.bridge_outputs().into_iter().enumerate().map(|(k, (bridge, _, weight, row))| {
-            let what = format!("the energy of circuit `{}`", plant.system.bridges[bridge].name);
+        let outputs = plant.bridge_outputs().into_iter().chain(plant.leak_outputs()).enumerate().map(|(k, output)| {
+            let what = match plant.system.bridges.get(output.bridge) {
+                Some(bridge) => format!("the energy of circuit `{}`", bridge.name),
+                None => "the leakage of a patch".to_owned(),
+            };
             let before = before.map(|meters| &meters.loads[plant.system.loads.len() + k]);
-            EnergyMeter::squares(plant, &what, &[Square::new(plant, weight, row)], before)
+            EnergyMeter::squares(plant, &what, &[Square::new(plant, output.conductance_per_ohm, output.row)], before)
         });
         let velocity = |i: usize| plant.velocity_row(&unit(modes.len(), i));
         let losses: Vec<Square> = (0..modes.len())
@@ -224,61 +228,10 @@ impl EnergyMeter {
     }
 }
 
-/// Solves `A^T P + P A = -sum weight c c^T` blockwise, in the eigenvectors of each pair of blocks.
+/// `P` of a sum of squares.
 fn gramian(block: &Block, what: &str, squares: &[Square]) -> Result<Mat<f64>, PlantError> {
-    let spans = spans(block);
-    let mut gramian = Mat::zeros(block.len(), block.len());
-    for first in &spans {
-        for second in &spans {
-            let source = Mat::from_fn(first.size, second.size, |i, j| {
-                -squares.iter().map(|s| s.weight * s.row[first.start + i] * s.row[second.start + j]).sum::<f64>()
-            });
-            if source.norm_max() == 0.0 {
-                continue;
-            }
-            let local = sylvester(first, second, &source);
-            let rate = (first.decay + second.decay).abs();
-            if !local.norm_max().is_finite() || rate <= 1e-14 * (first.speed + second.speed) && first.start == second.start {
-                return Err(PlantError::Undamped { what: what.to_owned(), mode_hz: first.speed / TAU });
-            }
-            (0..first.size).for_each(|i| (0..second.size).for_each(|j| gramian[(first.start + i, second.start + j)] = local[(i, j)]));
-        }
-    }
-    Ok(gramian)
-}
-
-/// One block: where it stands and its matrix.
-struct Span {
-    start: usize,
-    size: usize,
-    matrix: [f64; 4],
-    decay: f64,
-    speed: f64,
-}
-
-fn spans(block: &Block) -> Vec<Span> {
-    let pairs = block.pairs.iter().enumerate().map(|(k, pair)| {
-        let value = pair.eigenvalue();
-        Span { start: 2 * k, size: 2, matrix: pair.matrix(), decay: value.re, speed: value.norm() }
-    });
-    let first = 2 * block.pairs.len();
-    let reals = block.reals.iter().enumerate();
-    pairs.chain(reals.map(|(k, r)| Span { start: first + k, size: 1, matrix: [*r, 0.0, 0.0, 0.0], decay: *r, speed: r.abs() })).collect()
-}
-
-/// Solves `A1^T P + P A2 = source` for blocks of size 1 or 2 as a dense system of at most four unknowns.
-fn sylvester(first: &Span, second: &Span, source: &Mat<f64>) -> Mat<f64> {
-    use faer::linalg::solvers::Solve;
-    let (m, n) = (first.size, second.size);
-    let a1 = |i: usize, j: usize| first.matrix[2 * i + j];
-    let a2 = |i: usize, j: usize| second.matrix[2 * i + j];
-    let system = Mat::from_fn(m * n, m * n, |row, column| {
-        let ((i, j), (k, l)) = ((row / n, row % n), (column / n, column % n));
-        (if j == l { a1(k, i) } else { 0.0 }) + (if i == k { a2(l, j) } else { 0.0 })
-    });
-    let right = Mat::from_fn(m * n, 1, |row, _| source[(row / n, row % n)]);
-    let solution = system.full_piv_lu().solve(&right);
-    Mat::from_fn(m, n, |i, j| solution[(i * n + j, 0)])
+    let source = |i: usize, j: usize| squares.iter().map(|s| s.weight * s.row[i] * s.row[j]).sum::<f64>();
+    lyapunov(block, Side::Rows, source).map_err(|mode_hz| PlantError::Undamped { what: what.to_owned(), mode_hz })
 }
 
 fn unit(n: usize, i: usize) -> Vec<f64> {

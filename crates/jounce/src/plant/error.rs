@@ -1,7 +1,8 @@
 //! What can be wrong with a system before anything is computed.
 
 /// A system that has no usable linear plant. Each carries its numbers.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
+#[serde(untagged)]
 pub enum PlantError {
     /// A name in the spec leads nowhere.
     #[error("{what} refers to `{name}`, which is not there; there are: {known}")]

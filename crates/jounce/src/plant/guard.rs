@@ -1,6 +1,6 @@
 //! What is watched and metered of a bridge: outputs of the plant.
 
-use super::{Bridge, Conduction, Plant, Port, Scheme, Storage, System};
+use super::{Bridge, Conduction, Leak, Plant, Port, Scheme, Storage, System};
 
 /// What changes a bridge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,6 +31,25 @@ pub enum Outlet {
     Leakage,
     /// The resistance of the diodes.
     Diodes,
+    /// The leakage across a patch.
+    Patch,
+}
+
+/// A voltage whose square times a conductance is a power.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Output {
+    /// Number of the bridge that it belongs to; none is that large where it belongs to none.
+    pub bridge: usize,
+    /// What takes it.
+    pub outlet: Outlet,
+    /// Conductance, 1/ohm.
+    pub conductance_per_ohm: f64,
+    /// Row of the voltage less `standing_v`, block coordinates.
+    pub row: Vec<f64>,
+    /// The same as a sum of node voltages: `(node, factor)`.
+    pub parts: Vec<(usize, f64)>,
+    /// The voltage where every node is at the zero of its own, V.
+    pub standing_v: f64,
 }
 
 impl Bridge {
@@ -69,8 +88,10 @@ impl Plant {
             if let Some(storage) = nodes.storage {
                 physical[first + storage] = -factor;
             }
-            // The voltage of the patches is counted from its threshold while they conduct.
-            factor * bridge.threshold_v() - factor * sign * self.electrical.zero_v[nodes.terminal]
+            // Voltages are counted from where the threshold of conducting diodes would hold them.
+            let zero_v = &self.electrical.zero_v;
+            factor * bridge.threshold_v() - factor * sign * zero_v[nodes.terminal]
+                + nodes.storage.map_or(0.0, |storage| factor * zero_v[storage])
         };
         let gap_m = match guard.change {
             Change::Conducts(to) => across(to.sign(), 1.0),
@@ -93,23 +114,40 @@ impl Plant {
         }
     }
 
-    /// Outputs of the bridges whose squares are powers: bridge, kind, conductance (1/ohm), row.
-    pub fn bridge_outputs(&self) -> Vec<(usize, Outlet, f64, Vec<f64>)> {
-        let first = 2 * self.system.modes.len();
+    /// Outputs of the bridges whose squares are powers.
+    pub fn bridge_outputs(&self) -> Vec<Output> {
         let mut outputs = Vec::new();
         for (k, (bridge, nodes)) in self.system.bridges.iter().zip(&self.electrical.bridges).enumerate() {
             if let (Some(storage), Storage::Capacitor { load_ohm, .. }) = (nodes.storage, bridge.storage) {
-                let row = self.row(&[1.0], first + storage);
-                outputs.push((k, Outlet::Load, 1.0 / load_ohm, row.clone()));
-                outputs.extend(bridge.leakage_ohm.map(|leakage_ohm| (k, Outlet::Leakage, 1.0 / leakage_ohm, row)));
+                let output = |outlet, conductance| self.output((k, outlet), conductance, vec![(storage, 1.0)], 0.0);
+                outputs.push(output(Outlet::Load, 1.0 / load_ohm));
+                outputs.extend(bridge.leakage_ohm.map(|leakage_ohm| output(Outlet::Leakage, 1.0 / leakage_ohm)));
             }
         }
         for link in &self.electrical.links {
-            let mut physical = vec![0.0; self.len()];
-            physical[first + link.node] = 1.0;
-            link.to.iter().for_each(|(other, sign)| physical[first + other] = -sign);
-            outputs.push((link.bridge, Outlet::Diodes, link.conductance_per_ohm, self.row(&physical, 0)));
+            let bridge = &self.system.bridges[link.bridge];
+            let parts = std::iter::once((link.node, 1.0)).chain(link.to.map(|(other, sign)| (other, -sign))).collect();
+            let against_v = bridge.state.conduction.sign() * bridge.threshold_v();
+            outputs.push(self.output((link.bridge, Outlet::Diodes), link.conductance_per_ohm, parts, against_v));
         }
         outputs
+    }
+
+    /// Outputs whose squares are the powers that leaking patches lose, in the order of `electrical.leaks`.
+    pub fn leak_outputs(&self) -> Vec<Output> {
+        let bridge_of = |node: usize| (0..self.system.bridges.len()).find(|bridge| self.electrical.nodes_of(*bridge).contains(&node));
+        let output = |leak: &Leak| {
+            let parts = self.electrical.patch[leak.patch].clone();
+            let bridge = parts.first().and_then(|(node, _)| bridge_of(*node)).unwrap_or(usize::MAX);
+            self.output((bridge, Outlet::Patch), leak.conductance_per_ohm, parts, 0.0)
+        };
+        self.electrical.leaks.iter().map(output).collect()
+    }
+
+    fn output(&self, (bridge, outlet): (usize, Outlet), conductance_per_ohm: f64, parts: Vec<(usize, f64)>, against_v: f64) -> Output {
+        let mut physical = vec![0.0; self.len()];
+        parts.iter().for_each(|(node, factor)| physical[2 * self.system.modes.len() + node] += factor);
+        let standing_v = parts.iter().map(|(node, factor)| factor * self.electrical.zero_v[*node]).sum::<f64>() - against_v;
+        Output { bridge, outlet, conductance_per_ohm, row: self.row(&physical, 0), parts, standing_v }
     }
 }

@@ -213,7 +213,7 @@ fn drives(spec: &Spec, modes: &Modes) -> Result<Vec<Drive>, PlantError> {
 }
 
 /// Modal force of a drive of size 1 N or 1 m/s^2.
-fn driven(modes: &Modes, name: &str, drive: &crate::spec::Drive) -> Result<Vec<f64>, PlantError> {
+pub(crate) fn driven(modes: &Modes, name: &str, drive: &crate::spec::Drive) -> Result<Vec<f64>, PlantError> {
     match drive.kind {
         DriveKind::Force => shape(modes, format!("drive.{name}.at"), &drive.at),
         DriveKind::BaseAcceleration | DriveKind::BaseDisplacement => Ok(modes.participation_sqrt_kg.iter().map(|p| -p).collect()),

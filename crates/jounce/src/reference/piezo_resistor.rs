@@ -48,7 +48,10 @@ impl PiezoResistor {
     pub fn system(&self, amplitude_n: f64, drive_hz: f64) -> System {
         let mut system = oscillator(self.mass_kg, self.frequency_rad_s, self.damping_ratio);
         let coupling_n_per_v = vec![self.coupling_n_per_v / self.mass_kg.sqrt()];
-        system.modes.patch.insert(PATCH.to_owned(), PatchModes { coupling_n_per_v, capacitance_f: self.capacitance_f, strain: Vec::new() });
+        system.modes.patch.insert(
+            PATCH.to_owned(),
+            PatchModes { coupling_n_per_v, capacitance_f: self.capacitance_f, leakage_ohm: None, strain: Vec::new() },
+        );
         system.loads.push(Load::resistor("load", PATCH, self.resistance_ohm));
         system.drives.push(Drive {
             name: "drive".to_owned(),

@@ -143,6 +143,6 @@ fn map_of_jumps() -> Result<Vec<JumpCurve>, ReproduceError> {
     let (base, key) = prepared(MAP_LEVEL_N)?;
     let gap = NumericKey::find(&base.spec, "stop.tip.gap")?;
     let (keys, ranges) = ([&key, &gap], [MAP_HZ, GAPS_M]);
-    let search = JumpSearch { base: &base, keys, ranges, tolerance: TOLERANCE, seeds: 0, longest_period: 1, peaks: false, watch: None };
+    let search = JumpSearch { base: &base, keys, ranges, tolerance: TOLERANCE, seeds: 0, longest_period: 1, peaks: false };
     Ok(search.run()?.into_iter().filter(|curve| curve.period_cycles == 1).collect())
 }

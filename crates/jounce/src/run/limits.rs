@@ -5,6 +5,7 @@
 
 use crate::march::{Kernel, Trajectory};
 use crate::material;
+use crate::plant::Plant;
 use crate::spec::Spec;
 use serde::Serialize;
 use std::fmt;
@@ -37,26 +38,50 @@ impl fmt::Display for Exceeded {
     }
 }
 
-/// The limits that the recorded part of a run passes: `strain_limit` of each patch, and the voltages of its material.
+/// The limits that the recorded part of a run passes: `strain_limit` of each patch, and the voltages of its material. The record is looked
+/// at only where a patch has a limit.
 pub fn exceeded(spec: &Spec, kernel: &Kernel, trajectory: &Trajectory) -> Vec<Exceeded> {
     let (Some(first), Some(last)) = (trajectory.segments().first(), trajectory.segments().last()) else { return Vec::new() };
+    let plant = &kernel.plant;
+    let limited: Vec<Limited> =
+        plant.system.modes.patch.keys().enumerate().filter_map(|(index, name)| Limited::of(spec, index, name)).collect();
+    if limited.is_empty() {
+        return Vec::new();
+    }
     let (begin_s, end_s) = (first.start_s, last.start_s + last.length_s);
     let times: Vec<f64> = (0..=LOOKS).map(|k| begin_s + (end_s - begin_s) * k as f64 / LOOKS as f64).collect();
-    let plant = &kernel.plant;
     let states: Vec<Vec<f64>> = trajectory.at(kernel, &times).iter().map(|at| plant.to_physical(&at.state, at.time_s)).collect();
-    let mut found = Vec::new();
-    for (index, (name, modes)) in plant.system.modes.patch.iter().enumerate() {
-        let Some(patch) = spec.patch.get(name) else { continue };
-        if let Some(limit) = patch.strain_limit {
-            let strain = |x: &Vec<f64>, shape: &Vec<f64>| shape.iter().zip(x).map(|(s, q)| s * q).sum::<f64>();
-            let strains = states.iter().flat_map(|x| modes.strain.iter().map(move |shape| strain(x, shape)));
-            found.extend(beyond(name, "strain", strains, [-limit, limit]));
-        }
-        if let Some(limits) = material::named(&patch.material).and_then(|material| material.voltage_limits_v) {
-            found.extend(beyond(name, "voltage", states.iter().map(|x| plant.patch_voltages_v(x)[index]), limits));
-        }
+    limited.iter().flat_map(|patch| patch.exceeded(plant, &states)).collect()
+}
+
+/// A patch that does not bear everything.
+struct Limited<'a> {
+    name: &'a str,
+    /// Its place among the patches of the plant.
+    index: usize,
+    strain: Option<f64>,
+    voltages_v: Option<[f64; 2]>,
+}
+
+impl<'a> Limited<'a> {
+    fn of(spec: &Spec, index: usize, name: &'a str) -> Option<Self> {
+        let patch = spec.patch.get(name)?;
+        let voltages_v = material::named(&patch.material).and_then(|material| material.voltage_limits_v);
+        (patch.strain_limit.is_some() || voltages_v.is_some()).then_some(Self { name, index, strain: patch.strain_limit, voltages_v })
     }
-    found
+
+    /// What the states do beyond its limits.
+    fn exceeded(&self, plant: &Plant, states: &[Vec<f64>]) -> Vec<Exceeded> {
+        let strained = self.strain.and_then(|limit| {
+            let strain = |x: &Vec<f64>, shape: &Vec<f64>| shape.iter().zip(x).map(|(s, q)| s * q).sum::<f64>();
+            let shapes = &plant.system.modes.patch[self.name].strain;
+            let strains = states.iter().flat_map(|x| shapes.iter().map(move |shape| strain(x, shape)));
+            beyond(self.name, "strain", strains, [-limit, limit])
+        });
+        let voltages = || states.iter().map(|x| plant.patch_voltages_v(x)[self.index]);
+        let charged = self.voltages_v.and_then(|limits| beyond(self.name, "voltage", voltages(), limits));
+        strained.into_iter().chain(charged).collect()
+    }
 }
 
 fn beyond(patch: &str, quantity: &'static str, values: impl Iterator<Item = f64>, limits: [f64; 2]) -> Option<Exceeded> {
@@ -69,7 +94,7 @@ fn beyond(patch: &str, quantity: &'static str, values: impl Iterator<Item = f64>
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::plant::{Plant, System};
+    use crate::plant::System;
     use crate::run::{RunPlan, StartState, simulate};
     use crate::structure::modes;
 

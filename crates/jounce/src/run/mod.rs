@@ -7,7 +7,7 @@ mod simulate;
 mod start;
 
 pub use limits::{Exceeded, exceeded};
-pub use result::{LoadAnswer, RectifiedAnswer, RunAnswer, StopAnswer};
+pub use result::{LeakAnswer, LoadAnswer, RectifiedAnswer, RunAnswer, StopAnswer};
 pub use settle::Settlement;
 pub use simulate::{RunError, RunPlan, simulate};
 pub use start::StartState;

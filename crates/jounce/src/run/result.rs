@@ -34,6 +34,15 @@ pub struct RectifiedAnswer {
     pub leakage_w: f64,
 }
 
+/// One patch that leaks over the averaging window.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LeakAnswer {
+    /// Name of the patch.
+    pub patch: String,
+    /// Mean power that its leakage takes, W.
+    pub mean_power_w: f64,
+}
+
 /// One stop over the averaging window.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct StopAnswer {
@@ -41,6 +50,16 @@ pub struct StopAnswer {
     pub name: String,
     /// Contacts that began.
     pub contacts: u64,
+    /// Contacts per second, Hz.
+    pub contact_rate_hz: f64,
+    /// Mean speed at which they began, m/s.
+    pub mean_strike_m_s: f64,
+    /// Largest of these speeds, m/s.
+    pub max_strike_m_s: f64,
+    /// Mean time that one lasts, s: time in contact over contacts that began.
+    pub mean_dwell_s: f64,
+    /// Longest time that one lasted within the window, s.
+    pub max_dwell_s: f64,
     /// Share of the time in contact, 0 to 1.
     pub contact_duty: f64,
     /// Largest penetration, m.
@@ -60,6 +79,8 @@ pub struct RunAnswer {
     pub loads: Vec<LoadAnswer>,
     /// Each rectified circuit.
     pub rectified: Vec<RectifiedAnswer>,
+    /// Each patch that leaks.
+    pub leaks: Vec<LeakAnswer>,
     /// Each stop.
     pub stops: Vec<StopAnswer>,
     /// Largest penetration of any stop, m.

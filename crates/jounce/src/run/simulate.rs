@@ -1,10 +1,10 @@
 //! Marches a plan and reads its answers.
 
 use super::settle::{LOOKS, settlement};
-use super::{LoadAnswer, RectifiedAnswer, RunAnswer, Settlement, StartState, StopAnswer};
+use super::{LeakAnswer, LoadAnswer, RectifiedAnswer, RunAnswer, Settlement, StartState, StopAnswer};
 use crate::contact::Law;
 use crate::march::{ContactStatistics, Energies, Kernel, MarchError, Marcher, RectifiedEnergies};
-use crate::plant::{Bridge, Plant, Storage};
+use crate::plant::{Bridge, Leak, Plant, Storage};
 use std::time::Instant;
 
 /// Share of the displacements of a start by which a point may lie past a rigid stop: states that other runs saved are rounded.
@@ -24,7 +24,8 @@ pub struct RunPlan {
 }
 
 /// A run that could not be made.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
+#[serde(untagged)]
 pub enum RunError {
     /// See [`MarchError`].
     #[error(transparent)]
@@ -111,6 +112,7 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
         mean_power_w: loads.iter().map(|load| load.mean_power_w).sum::<f64>() + rectified.iter().map(|own| own.mean_power_w).sum::<f64>(),
         loads,
         rectified,
+        leaks: leaks(plant, [&opened, &energies], plan.average_over_s),
         stops: stops(plant, &marcher, plan.average_over_s),
         max_penetration_m: statistics.max_penetration_m,
         max_contact_force_n: statistics.max_force_n,
@@ -146,10 +148,22 @@ fn rectified(plant: &Plant, [start, end]: [&Energies; 2], average_over_s: f64) -
     plant.system.bridges.iter().zip(&start.rectified).zip(&end.rectified).map(answer).collect()
 }
 
+fn leaks(plant: &Plant, [start, end]: [&Energies; 2], average_over_s: f64) -> Vec<LeakAnswer> {
+    let names: Vec<&String> = plant.system.modes.patch.keys().collect();
+    let lost = start.leaks_j.iter().zip(&end.leaks_j).map(|(start, end)| (end - start) / average_over_s);
+    let answer = |(leak, mean_power_w): (&Leak, f64)| LeakAnswer { patch: names[leak.patch].clone(), mean_power_w };
+    plant.electrical.leaks.iter().zip(lost).map(answer).collect()
+}
+
 fn stops(plant: &Plant, marcher: &Marcher, average_over_s: f64) -> Vec<StopAnswer> {
     let answer = |(stop, own): (&crate::plant::Stop, ContactStatistics)| StopAnswer {
         name: stop.name.clone(),
         contacts: own.contacts,
+        contact_rate_hz: own.contacts as f64 / average_over_s,
+        mean_strike_m_s: own.mean_strike_m_s(),
+        max_strike_m_s: own.max_strike_m_s,
+        mean_dwell_s: own.mean_dwell_s(),
+        max_dwell_s: own.max_dwell_s,
         contact_duty: own.time_s / average_over_s,
         max_penetration_m: own.max_penetration_m,
         max_contact_force_n: own.max_force_n,

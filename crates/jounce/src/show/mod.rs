@@ -1,47 +1,82 @@
 //! The harvester of a spec as a drawing to scale, so that a wrong number is seen.
-mod body;
+mod bodies;
+mod circuits;
 mod words;
 
-use crate::picture::Drawing;
-use crate::spec::Spec;
+use crate::picture::{Drawing, DrawnContact, DrawnDrive};
+use crate::spec::{Side, Spec};
 
 /// Draws the harvester of a spec.
 ///
-/// Every beam, mass and structure given by its modes has a side view of its own; a stop between two of them is drawn where it is struck.
+/// What strikes stands opposite to what it strikes; circuits stand apart from the bodies.
 /// The spec need not be solvable: faults that only the solver finds (a patch beyond its beam, a stop inside another) are drawn as they are.
 #[must_use]
 pub fn drawing(title: &str, spec: &Spec) -> Drawing {
-    Drawing { title: title.to_owned(), bodies: body::bodies(spec) }
+    let index = bodies::Index::of(spec);
+    let contacts = spec.stop.iter().filter_map(|(name, stop)| {
+        Some(DrawnContact {
+            label: name.clone(),
+            at: index.place(spec, &stop.at)?,
+            on: index.place(spec, &stop.frame),
+            above: stop.side == Side::Positive,
+            gap_m: stop.gap_m,
+            law: words::law(&stop.law),
+        })
+    });
+    let drives = spec.drive.iter().map(|(name, drive)| DrawnDrive { words: words::drive(name, drive), at: index.place(spec, &drive.at) });
+    Drawing {
+        title: title.to_owned(),
+        bodies: bodies::bodies(spec, &index),
+        contacts: contacts.collect(),
+        drives: drives.collect(),
+        gravity: words::gravity(&spec.gravity),
+        circuits: circuits::circuits(spec),
+    }
 }
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::picture::Carrier;
+    use crate::picture::{DrawnElement, DrawnShape, Seat};
     use crate::spec::SpecFile;
 
-    fn paper() -> SpecFile {
-        SpecFile::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/impact-harvester-2019/harvester.toml")).unwrap()
+    fn example(name: &str) -> SpecFile {
+        SpecFile::read(format!("{}/../../examples/{name}/harvester.toml", env!("CARGO_MANIFEST_DIR"))).unwrap()
+    }
+
+    fn drawn(name: &str) -> Drawing {
+        drawing("", &example(name).spec().unwrap())
     }
 
     #[test]
     fn a_harvester_has_its_own_lengths() {
-        let drawn = drawing("", &paper().spec().unwrap());
-        let [body] = drawn.bodies.as_slice() else { panic!("one body: {drawn:?}") };
-        let beam = body.beam.as_ref().unwrap();
-        assert!(matches!(&body.carrier, Carrier::Mass { label, sprung: true, .. } if label == "table"));
-        assert_eq!((beam.length_m, beam.thickness_m), (0.315, 0.98e-3));
-        assert_eq!((body.stops[0].place_m, body.stops[0].gap_m, body.stops[0].rides), (Some(0.305), 1e-3, false));
-        assert!(beam.patches[0].load.as_ref().unwrap().contains("1 Mohm"), "{:?}", beam.patches);
+        let drawn = drawn("impact-harvester-2019");
+        let [table, beam] = drawn.bodies.as_slice() else { panic!("two bodies: {drawn:?}") };
+        let DrawnShape::Beam(shape) = &beam.shape else { panic!("{beam:?}") };
+        assert_eq!((table.seat, &table.shape), (Seat::Spring(None), &DrawnShape::Block));
+        assert!(matches!(beam.seat, Seat::On(place) if place.body == 0));
+        assert_eq!((shape.length_m, shape.thickness_m, shape.patches[0].top), (0.315, 0.98e-3, true));
+        let stop = &drawn.contacts[0];
+        assert_eq!((stop.at.along_m, stop.gap_m, stop.on), (0.305, 1e-3, None));
+        assert!(drawn.circuits[0].elements.contains(&DrawnElement::Resistor(vec!["1 MΩ".into()])), "{:?}", drawn.circuits);
     }
 
     #[test]
     fn a_stop_on_the_table_rides_on_it() {
-        let mut file = paper();
+        let mut file = example("impact-harvester-2019");
         file.set("stop.tip.frame", "table").unwrap();
         file.set("stop.tip.side", "negative").unwrap();
-        let stop = drawing("", &file.spec().unwrap()).bodies[0].stops[0].clone();
-        assert!(stop.rides && !stop.above);
+        let stop = drawing("", &file.spec().unwrap()).contacts[0].clone();
+        assert!(stop.on.is_some_and(|on| on.body == 0) && !stop.above);
+    }
+
+    #[test]
+    fn both_faces_and_their_circuit_are_drawn() {
+        let drawn = drawn("bimorph-erturk-2009");
+        let shape = drawn.bodies.iter().find_map(|body| if let DrawnShape::Beam(beam) = &body.shape { Some(beam) } else { None }).unwrap();
+        assert_eq!(shape.patches.iter().filter(|patch| patch.top).count(), 1);
+        let series = DrawnElement::Patches(vec![("top".into(), false), ("bottom".into(), true)]);
+        assert_eq!(drawn.circuits[0].elements[0], series);
     }
 }

@@ -1,11 +1,38 @@
 //! Quantities in words.
 
-use crate::spec::{Drive, DriveKind, DriveSignal, Mass, Quantity, StopLaw};
+use crate::spec::{Beam, Drive, DriveKind, DriveSignal, Gravity, Mass, Modal, Quantity, StopLaw};
 use std::f64::consts::TAU;
 
-/// A value in its unit with at most five digits.
+/// A value in its unit with at most five digits; many digits before the point are written with an exponent.
 pub fn value(quantity: Quantity, value: f64) -> String {
-    quantity.write(format!("{value:.4e}").parse().unwrap_or(value))
+    let text = quantity.write(format!("{value:.4e}").parse().unwrap_or(value));
+    let (number, unit) = text.split_once(' ').unwrap_or((&text, ""));
+    let long = number.parse::<f64>().ok().filter(|number| number.abs() >= 1e5);
+    let number = long.map_or_else(|| number.to_owned(), |number| format!("{number:e}"));
+    let unit = unit.strip_prefix('u').map_or_else(|| unit.to_owned(), |unit| format!("µ{unit}"));
+    format!("{number} {}", unit.replace("ohm", "Ω").replace("^2", "²").replace("^3", "³"))
+}
+
+/// A beam: its name and its material.
+pub fn beam(name: &str, beam: &Beam) -> Vec<String> {
+    vec![if beam.material.is_empty() { name.to_owned() } else { format!("{name}, {}", beam.material) }]
+}
+
+/// A structure given by its modes.
+pub fn modal(name: &str, modal: &Modal) -> Vec<String> {
+    let first = modal.frequency_hz.first().map(|first| value(Quantity::Frequency, *first));
+    let modes = match (modal.frequency_hz.len(), first) {
+        (1, Some(first)) => format!("one mode, {first}"),
+        (count, Some(first)) => format!("{count} modes from {first}"),
+        (_, None) => "no modes".to_owned(),
+    };
+    vec![name.to_owned(), modes]
+}
+
+/// Gravity, and whether it points up.
+pub fn gravity(gravity: &Gravity) -> Option<(String, bool)> {
+    let along = gravity.acceleration_m_s2.filter(|along| *along != 0.0)?;
+    Some((format!("gravity {}", value(Quantity::Acceleration, along.abs())), along > 0.0))
 }
 
 /// A contact law with its numbers.
@@ -28,14 +55,14 @@ pub fn law(law: &StopLaw) -> String {
 }
 
 /// A mass and its spring.
-pub fn mass(mass: &Mass) -> Vec<String> {
+pub fn mass(name: &str, mass: &Mass) -> Vec<String> {
     let own = value(Quantity::Mass, mass.mass_kg);
     let how = match mass.stiffness_n_m {
-        Some(stiffness_n_m) => value(Quantity::Frequency, (stiffness_n_m / mass.mass_kg).sqrt() / TAU),
-        None if mass.on == "nothing" => "free".to_owned(),
-        None => format!("fixed to {}", mass.on),
+        Some(stiffness_n_m) => format!(", {}", value(Quantity::Frequency, (stiffness_n_m / mass.mass_kg).sqrt() / TAU)),
+        None if mass.on == "nothing" => ", free".to_owned(),
+        None => String::new(),
     };
-    vec![format!("{own}, {how}")]
+    vec![name.to_owned(), format!("{own}{how}")]
 }
 
 /// A drive.

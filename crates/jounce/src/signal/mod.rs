@@ -20,6 +20,7 @@
 //! exact for such a signal even when the record holds no whole number of periods and no line falls on a bin.
 //!
 //! Source: G. Heinzel, A. Rüdiger, R. Schilling, Spectrum and spectral density estimation by the DFT (2002).
+mod density;
 mod error;
 mod orders;
 mod samples;

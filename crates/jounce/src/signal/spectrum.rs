@@ -38,7 +38,7 @@ impl Samples<'_> {
     }
 }
 
-fn transform(mut values: Vec<f64>) -> Vec<Complex<f64>> {
+pub(super) fn transform(mut values: Vec<f64>) -> Vec<Complex<f64>> {
     let plan = RealFftPlanner::new().plan_fft_forward(values.len());
     let mut bins = plan.make_output_vec();
     plan.process(&mut values, &mut bins).expect("the plan made both buffers' lengths");

@@ -49,6 +49,12 @@ impl SpecFile {
         Self { text, source, overrides: Vec::new(), folder: PathBuf::new() }
     }
 
+    /// The same, paths in it beginning at a folder.
+    #[must_use]
+    pub fn in_folder(self, folder: &Path) -> Self {
+        Self { folder: folder.to_path_buf(), ..self }
+    }
+
     /// Overrides one key; the value is as on a command line: `0.5 mm`, `"0.5 mm"`, `13`, `[0.1, 0.2]`, `table`.
     ///
     /// The thing must exist in the file; an optional key of it may be new. Of two keys that exclude each other the one set wins.

@@ -27,6 +27,7 @@ pub use file::SpecFile;
 pub use key_range::KeyRange;
 pub use key_reference::reference_markdown;
 pub use model::*;
+pub(crate) use nearest::nearest;
 pub use numeric_key::NumericKey;
 pub use read_error::ReadError;
 pub use recording::Recording;

@@ -10,7 +10,7 @@ const COMPARED: usize = 2000;
 const LISTED: usize = 12;
 
 /// The candidate nearest to `word`, if it is near enough to be meant: at most one edit in three characters, one at least.
-pub(super) fn nearest<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
+pub(crate) fn nearest<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
     let length = word.chars().count();
     if length > LONGEST {
         return None;

@@ -20,20 +20,55 @@ impl StoreError {
     }
 }
 
+/// How the name of a file begins that is not whole yet.
+pub(super) const PREFIX: &str = ".jounce-";
+
 /// Writes `content` to `path`, replacing an older file in one step. A symbolic link is followed.
 ///
 /// # Errors
 /// The folder is missing or not writable, the target is a folder, a device or read-only, or the disk is full.
 pub fn write(path: &Path, content: &[u8]) -> Result<(), StoreError> {
+    write_from(path, |file| file.write_all(content))
+}
+
+/// The same for content that is made as it is written.
+///
+/// # Errors
+/// As [`write()`], and whatever `fill` says.
+pub fn write_from(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> Result<(), StoreError> {
     let target = target_of(path)?;
-    let folder = match target.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
-    if !folder.is_dir() {
-        return Err(StoreError::new(path, format!("\"{}\" is not a folder; create it first", folder.display())));
+    filled(path, folder_of(&target)?, fill)?.persist(&target).map_err(|fault| StoreError::new(path, fault.error))?;
+    flush_name(&target);
+    Ok(())
+}
+
+/// Writes `content` to `path` where nothing is yet: whatever stands there, a link too, is left alone, even if it appears meanwhile.
+///
+/// # Errors
+/// Something stands there, the folder is missing or not writable, or the disk is full.
+pub fn create(path: &Path, content: &[u8]) -> Result<(), StoreError> {
+    const TAKEN: &str = "it is there already; choose another name or ask for it to be replaced";
+    if path.file_name().is_none() {
+        return Err(StoreError::new(path, "it names no file"));
     }
-    replace(&target, folder, content).map_err(|fault| StoreError::new(path, fault))
+    if fs::symlink_metadata(path).is_ok() {
+        return Err(StoreError::new(path, TAKEN));
+    }
+    filled(path, folder_of(path)?, |file| file.write_all(content))?.persist_noclobber(path).map_err(|fault| match fault.error.kind() {
+        io::ErrorKind::AlreadyExists => StoreError::new(path, TAKEN),
+        _ => StoreError::new(path, fault.error),
+    })?;
+    flush_name(path);
+    Ok(())
+}
+
+/// The folder of a file, where there is one.
+fn folder_of(path: &Path) -> Result<&Path, StoreError> {
+    let folder = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    match folder.is_dir() {
+        true => Ok(folder),
+        false => Err(StoreError::new(path, format!("\"{}\" is not a folder; create it first", folder.display()))),
+    }
 }
 
 /// The regular file to replace: the end of a chain of links, or the path itself where nothing is yet.
@@ -54,22 +89,30 @@ fn target_of(path: &Path) -> Result<PathBuf, StoreError> {
     fs::canonicalize(path).map_err(|fault| StoreError::new(path, fault))
 }
 
-fn replace(target: &Path, folder: &Path, content: &[u8]) -> io::Result<()> {
-    let mut beside = beside(folder)?;
-    beside.write_all(content)?;
-    beside.as_file().sync_all()?;
-    beside.persist(target).map_err(|fault| fault.error)?;
-    // The new name itself must reach the disk; a file system that cannot flush a folder has done all it can.
-    if let Ok(folder) = File::open(folder) {
+/// A temporary neighbour of the target with the content, flushed to the disk.
+fn filled(path: &Path, folder: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> Result<tempfile::NamedTempFile, StoreError> {
+    let written = || -> io::Result<_> {
+        let mut beside = beside(folder)?;
+        // Tells `clean` that somebody writes it. Where the file system knows no locks, nothing is cleaned either.
+        let _ = beside.as_file().try_lock();
+        fill(beside.as_file_mut())?;
+        beside.as_file().sync_all()?;
+        Ok(beside)
+    };
+    written().map_err(|fault| StoreError::new(path, fault))
+}
+
+/// The new name itself must reach the disk; a file system that cannot flush a folder has done all it can.
+fn flush_name(target: &Path) {
+    if let Ok(folder) = folder_of(target).and_then(|folder| File::open(folder).map_err(|fault| StoreError::new(target, fault))) {
         let _ = folder.sync_all();
     }
-    Ok(())
 }
 
 /// A temporary neighbour with the permissions of an ordinary new file (the process's mask applies).
 fn beside(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".jounce-");
+    builder.prefix(PREFIX);
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt as _;
@@ -120,6 +163,19 @@ mod tests {
         fs::set_permissions(&path, permissions).unwrap();
         assert!(write(&path, b"new").unwrap_err().reason.contains("read-only"));
         assert_eq!(fs::read(&path).unwrap(), b"old");
+    }
+
+    #[test]
+    fn what_is_there_is_not_created_again() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.toml");
+        create(&path, b"one").unwrap();
+        let told = create(&path, b"two").unwrap_err().to_string();
+        assert!(told.contains("a.toml") && told.contains("it is there already"), "{told}");
+        assert_eq!((fs::read(&path).unwrap(), names(folder.path())), (b"one".to_vec(), vec!["a.toml".to_owned()]));
+        assert!(create(folder.path(), b"x").unwrap_err().reason.contains("there already"));
+        assert!(create(&folder.path().join("no/such"), b"x").unwrap_err().reason.contains("is not a folder"));
+        assert!(create(Path::new("/"), b"x").unwrap_err().reason.contains("names no file"));
     }
 
     #[cfg(unix)]

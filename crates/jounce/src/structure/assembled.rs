@@ -5,7 +5,7 @@ use super::damping::{MassMode, damping_ratios};
 use super::error::StructureError;
 use super::layout::{Stretch, stretches};
 use super::modes::{Modes, PatchModes};
-use super::section::{CrossSection, outer_lever_m, patch_moment_n_m_per_v};
+use super::section::{outer_lever_m, patch_moment_n_m_per_v};
 use super::solution::Solution;
 use crate::spec::{Patch, Spec};
 
@@ -36,6 +36,7 @@ pub(super) fn assembled_modes(
             let patch = PatchModes {
                 coupling_n_per_v: modal(&rows.coupling),
                 capacitance_f: rows.patch.clamped_capacitance_f(),
+                leakage_ohm: rows.patch.leakage_ohm,
                 strain: rows.strain.iter().map(modal).collect(),
             };
             modes.patch.insert(rows.name.to_owned(), patch);
@@ -79,13 +80,13 @@ fn patch_rows<'a>(spec: &'a Spec, assembly: &Assembly) -> Result<Vec<PatchRows<'
         // Stretches that differ by a named point only are one.
         let mut runs: Vec<Stretch<'a>> = Vec::new();
         for stretch in stretches(spec, beam_name, beam)? {
-            match runs.last_mut().filter(|run| run.patches == stretch.patches) {
+            match runs.last_mut().filter(|run| run.patches == stretch.patches && run.layers == stretch.layers) {
                 Some(run) => run.end_m = stretch.end_m,
                 None => runs.push(stretch),
             }
         }
         for run in &runs {
-            let section = CrossSection::covered(beam, run.patches.iter().map(|(_, patch)| *patch));
+            let section = run.section(beam);
             for &(name, patch) in &run.patches {
                 let moment_n_m_per_v = patch_moment_n_m_per_v(beam, &section, patch);
                 let lever_m = outer_lever_m(beam, &section, patch);
@@ -139,6 +140,7 @@ fn mass_modes(solution: &Solution) -> Vec<MassMode> {
 mod tests {
     use super::*;
     use crate::spec::{Face, Section};
+    use crate::structure::section::CrossSection;
     use crate::structure::section::tests::{paper_beam, paper_patch};
     use crate::structure::solution::Structures;
 

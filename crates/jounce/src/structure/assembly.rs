@@ -154,7 +154,12 @@ mod tests {
     use crate::structure::section::CrossSection;
 
     fn stepped(terms: usize) -> Vec<Element> {
-        let section = |bending_stiffness_n_m2| CrossSection { bending_stiffness_n_m2, mass_per_length_kg_m: 0.08, neutral_axis_m: 0.0 };
+        let section = |bending_stiffness_n_m2| CrossSection {
+            bending_stiffness_n_m2,
+            mass_per_length_kg_m: 0.08,
+            neutral_axis_m: 0.0,
+            coated_m: [0.0; 2],
+        };
         let element = |start_m, length_m, stiffness| Element { start_m, length_m, section: section(stiffness), terms };
         vec![element(0.0, 0.1, 0.2), element(0.1, 0.05, 0.2), element(0.15, 0.15, 0.1)]
     }
@@ -195,7 +200,7 @@ mod tests {
         let arm = Beam { length_m: 0.3, root: "beam.end".into(), ..crate::structure::section::tests::paper_beam() };
         spec.beam.insert("arm".into(), arm);
         let uniform = |length_m: f64| {
-            let section = CrossSection { bending_stiffness_n_m2: 0.2, mass_per_length_kg_m: 0.08, neutral_axis_m: 0.0 };
+            let section = CrossSection { bending_stiffness_n_m2: 0.2, mass_per_length_kg_m: 0.08, neutral_axis_m: 0.0, coated_m: [0.0; 2] };
             vec![Element { start_m: 0.0, length_m, section, terms: 3 }]
         };
         let body = bodies(&spec, &[]).unwrap().remove(0);

@@ -138,11 +138,13 @@ fn check_references(spec: &Spec) -> Result<(), StructureError> {
         let known = listed(words.iter().copied().chain(spec.mass.keys().map(String::as_str)));
         return Err(StructureError::UnknownSupport { place, found: found.clone(), known });
     }
-    match spec.patch.iter().find(|(_, patch)| !spec.beam.contains_key(&patch.on)) {
+    let patches = spec.patch.iter().map(|(name, patch)| (format!("patch.{name}"), &patch.on));
+    let layers = spec.layer.iter().map(|(name, layer)| (format!("layer.{name}"), &layer.on));
+    match patches.chain(layers).find(|(_, on)| !spec.beam.contains_key(*on)) {
         None => Ok(()),
-        Some((name, patch)) => {
+        Some((place, on)) => {
             let beams = listed(spec.beam.keys().map(String::as_str));
-            Err(StructureError::UnknownBeam { patch: name.clone(), beam: patch.on.clone(), beams })
+            Err(StructureError::UnknownBeam { place, beam: on.clone(), beams })
         }
     }
 }

@@ -121,7 +121,7 @@ mod tests {
     use super::*;
 
     fn element(terms: usize) -> Element {
-        let section = CrossSection { bending_stiffness_n_m2: 0.15, mass_per_length_kg_m: 0.08, neutral_axis_m: 0.0 };
+        let section = CrossSection { bending_stiffness_n_m2: 0.15, mass_per_length_kg_m: 0.08, neutral_axis_m: 0.0, coated_m: [0.0; 2] };
         Element { start_m: 0.0, length_m: 0.2, section, terms }
     }
 

@@ -1,7 +1,8 @@
 //! What can go wrong between a spec and its modes; each error names the place, the value and what is allowed.
 
 /// Why a spec has no modes.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
+#[serde(untagged)]
 pub enum StructureError {
     /// A quantity is not what it must be.
     #[error("{place} is {value}: it must be {allowed}")]
@@ -42,19 +43,19 @@ pub enum StructureError {
         mass: String,
     },
     /// A patch sits on a beam that is not there.
-    #[error("patch.{patch}.on is \"{beam}\": it must be the name of a beam ({beams})")]
+    #[error("{place}.on is \"{beam}\": it must be the name of a beam ({beams})")]
     UnknownBeam {
-        /// Name of the patch.
-        patch: String,
+        /// Key path of the patch or layer.
+        place: String,
         /// What it sits on.
         beam: String,
         /// The beams there are.
         beams: String,
     },
     /// A patch does not lie within its beam.
-    #[error("patch.{patch} covers {start_m} m to {end_m} m of a beam that is {length_m} m long: it must lie within the beam")]
+    #[error("{patch} covers {start_m} m to {end_m} m of a beam that is {length_m} m long: it must lie within the beam")]
     PatchOutside {
-        /// Name of the patch.
+        /// Key path of the patch or layer.
         patch: String,
         /// Start, from the root, m.
         start_m: f64,
@@ -64,24 +65,36 @@ pub enum StructureError {
         length_m: f64,
     },
     /// Two patches cover the same place.
-    #[error("patch.{first} ends at {end_m} m and patch.{second} starts at {start_m} m of the same face: patches must not overlap")]
+    #[error("{first} ends at {end_m} m and {second} starts at {start_m} m of the same face: patches must not overlap, nor layers")]
     PatchesOverlap {
-        /// The patch nearer the root.
+        /// Key path of the patch or layer nearer the root.
         first: String,
         /// Where it ends, m.
         end_m: f64,
-        /// The other patch.
+        /// Key path of the other.
         second: String,
         /// Where that one starts, m.
         start_m: f64,
     },
     /// Two patches on the two faces of one stretch with different rules of section.
-    #[error("patch.{first} and patch.{second} face each other: give both the same section")]
+    #[error("{first} and {second} cover the same stretch: give both the same section")]
     SectionsDiffer {
-        /// One patch.
+        /// Key path of one.
         first: String,
-        /// The other.
+        /// Key path of the other.
         second: String,
+    },
+    /// A layer that lies under part of a patch.
+    #[error("{layer} covers {start_m} m to {end_m} m, under a part of {patch}: let it reach under the whole patch or end beside it")]
+    LayerUnderPart {
+        /// Key path of the layer.
+        layer: String,
+        /// Its start, from the root, m.
+        start_m: f64,
+        /// Its end, m.
+        end_m: f64,
+        /// Key path of the patch.
+        patch: String,
     },
     /// A named point does not lie on its beam.
     #[error("beam.{beam}.point.{point} is {place_m} m: it must lie between 0 and {length_m} m")]

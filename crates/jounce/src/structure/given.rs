@@ -37,7 +37,12 @@ pub(super) fn given_modes(name: &str, modal: &Modal) -> Result<Modes, StructureE
         let coupling_n_per_v = full(place, &modal_patch.coupling_n_per_v)?;
         modes.patch.insert(
             format!("{name}.{patch}"),
-            PatchModes { coupling_n_per_v, capacitance_f: modal_patch.capacitance_f, strain: Vec::new() },
+            PatchModes {
+                coupling_n_per_v,
+                capacitance_f: modal_patch.capacitance_f,
+                leakage_ohm: modal_patch.leakage_ohm,
+                strain: Vec::new(),
+            },
         );
     }
     Ok(modes)

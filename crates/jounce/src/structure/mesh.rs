@@ -74,7 +74,7 @@ mod tests {
     use crate::structure::section::CrossSection;
 
     fn segment(length_m: f64) -> Segment {
-        let section = CrossSection { bending_stiffness_n_m2: 1.0, mass_per_length_kg_m: 1.0, neutral_axis_m: 0.0 };
+        let section = CrossSection { bending_stiffness_n_m2: 1.0, mass_per_length_kg_m: 1.0, neutral_axis_m: 0.0, coated_m: [0.0; 2] };
         Segment { start_m: 0.1, length_m, section }
     }
 

@@ -41,6 +41,8 @@ pub struct PatchModes {
     pub coupling_n_per_v: Vec<f64>,
     /// Clamped capacitance, F.
     pub capacitance_f: f64,
+    /// Resistance across it through which it leaks, ohm; `None` without.
+    pub leakage_ohm: Option<f64>,
     /// Strain of the outer face along the beam at several places of the patch, per unit modal coordinate (kg^-1/2): one list of modes per
     /// place. Empty where the modes were given.
     pub strain: Vec<Vec<f64>>,

@@ -64,7 +64,7 @@ pub(super) fn merged(parts: &[Modes]) -> (Order, Modes) {
         modes.shape.extend(part.shape.iter().map(|(name, values)| (name.clone(), spread(values))));
         modes.patch.extend(part.patch.iter().map(|(name, patch)| {
             let (coupling_n_per_v, strain) = (spread(&patch.coupling_n_per_v), patch.strain.iter().map(spread).collect());
-            (name.clone(), PatchModes { coupling_n_per_v, strain, capacitance_f: patch.capacitance_f })
+            (name.clone(), PatchModes { coupling_n_per_v, strain, capacitance_f: patch.capacitance_f, leakage_ohm: patch.leakage_ohm })
         }));
     }
     (order, modes)
@@ -82,7 +82,10 @@ mod tests {
             frequency_rad_s: frequency_rad_s.to_vec(),
             damping_ratio: vec![0.1; count],
             shape: BTreeMap::from([(name.to_owned(), shape.clone())]),
-            patch: BTreeMap::from([(name.to_owned(), PatchModes { coupling_n_per_v: shape, capacitance_f: 1e-9, strain: Vec::new() })]),
+            patch: BTreeMap::from([(
+                name.to_owned(),
+                PatchModes { coupling_n_per_v: shape, capacitance_f: 1e-9, leakage_ohm: None, strain: Vec::new() },
+            )]),
             participation_sqrt_kg: vec![0.5; count],
             discretisation_error: vec![0.0; count],
         }

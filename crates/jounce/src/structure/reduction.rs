@@ -122,7 +122,7 @@ mod tests {
     }
 
     fn assembly(spec: &Spec) -> Assembly<'_> {
-        let section = CrossSection { bending_stiffness_n_m2: 0.15, mass_per_length_kg_m: 0.08, neutral_axis_m: 0.0 };
+        let section = CrossSection { bending_stiffness_n_m2: 0.15, mass_per_length_kg_m: 0.08, neutral_axis_m: 0.0, coated_m: [0.0; 2] };
         let element = |start_m| Element { start_m, length_m: 0.15, section, terms: 9 };
         Assembly::new(bodies(spec, &[]).unwrap().remove(0), vec![Vec::new(), vec![element(0.0), element(0.15)]])
     }

@@ -1,4 +1,4 @@
-//! Cross-section of a beam, bare or with a patch: layers to bending stiffness, mass per length and neutral axis.
+//! Cross-section of a beam, bare or with layers and patches: layers to bending stiffness, mass per length and neutral axis.
 //!
 //! With layers `i` of modulus `E_i` (Pa), area `A_i = b_i t_i` (m^2), mid-height `z_i` (m, from the bottom of the beam):
 //!
@@ -10,12 +10,14 @@
 //! ```
 //!
 //! `e_V` is the free strain per volt: `d31 / h_p` for a field through the thickness (so that `gamma_p = E_p d31 b_p (z_p - zbar)`),
-//! `d33 / s` for a field along the beam between electrodes `s` apart. A patch on the lower face has `z_p = -h_p / 2`.
+//! `d33 / s` for a field along the beam between electrodes `s` apart. A patch on the lower face has `z_p = -h_p / 2`; a passive layer
+//! under a patch lifts it by its own thickness.
 //!
 //! The thin skin is the section that reproduces Table 2 of the impact-harvester paper (2019): the stiffness of a skin at the
 //! surface of the beam, no shift of the axis, no mass. Its `gamma_p` (eq. 2) still uses the shifted axis `zbar`.
 
-use crate::spec::{Beam, Face, Patch, Section};
+use super::ply::{Ply, above_m};
+use crate::spec::{Beam, Face, Layer, Patch, Section};
 
 /// What bending knows about a cross-section.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,28 +28,46 @@ pub struct CrossSection {
     pub mass_per_length_kg_m: f64,
     /// Height of the neutral axis of the layers above the bottom of the beam, m.
     pub neutral_axis_m: f64,
+    /// Thickness of the passive layers on the bottom and on the top, on which patches lie, m.
+    pub coated_m: [f64; 2],
 }
 
 impl CrossSection {
     /// The beam alone.
     pub fn bare(beam: &Beam) -> Self {
-        Self::of_layers(&[Layer::of_beam(beam)])
+        Self::of_plies(&[Ply::of_beam(beam)])
     }
 
     /// The beam where these patches cover it, at most one on each face, all of the same rule of section.
     pub fn covered<'a>(beam: &Beam, patches: impl Iterator<Item = &'a Patch> + Clone) -> Self {
-        let layers: Vec<Layer> =
-            std::iter::once(Layer::of_beam(beam)).chain(patches.clone().map(|patch| Layer::of_patch(beam, patch))).collect();
-        let laminate = Self::of_layers(&layers);
-        let skins = patches.filter(|patch| patch.section == Section::ThinSkin);
-        let mut thin = skins.map(|patch| patch.youngs_modulus_pa * patch.width_m * patch.thickness_m).peekable();
-        if thin.peek().is_none() {
+        Self::laminated(beam, std::iter::empty(), patches)
+    }
+
+    /// The beam where these layers and, on top of them, these patches cover it, at most one of each on each face.
+    pub fn laminated<'a, 'l>(
+        beam: &Beam,
+        layers: impl Iterator<Item = &'l Layer> + Clone,
+        patches: impl Iterator<Item = &'a Patch> + Clone,
+    ) -> Self {
+        let coat = |face: Face| layers.clone().filter(|layer| layer.face == face).map(|layer| layer.thickness_m).sum::<f64>();
+        let coated_m = [coat(Face::Bottom), coat(Face::Top)];
+        let plies: Vec<Ply> = std::iter::once(Ply::of_beam(beam))
+            .chain(layers.clone().map(|layer| Ply::of_layer(beam, layer)))
+            .chain(patches.clone().map(|patch| Ply::of_patch(beam, patch, coat(patch.face))))
+            .collect();
+        let laminate = Self { coated_m, ..Self::of_plies(&plies) };
+        let thin = layers.map(|layer| layer.section).chain(patches.map(|patch| patch.section)).any(|section| section == Section::ThinSkin);
+        if !thin {
             return laminate;
         }
         let bare = Self::bare(beam);
         let lever_m = beam.thickness_m / 2.0;
-        let skin_n_m2: f64 = thin.map(|skin_n| skin_n * lever_m * lever_m).sum();
-        Self { bending_stiffness_n_m2: bare.bending_stiffness_n_m2 + skin_n_m2, neutral_axis_m: laminate.neutral_axis_m, ..bare }
+        let skin_n_m2: f64 = plies[1..].iter().map(|ply| ply.axial_stiffness_n() * lever_m * lever_m).sum();
+        Self {
+            bending_stiffness_n_m2: bare.bending_stiffness_n_m2 + skin_n_m2,
+            mass_per_length_kg_m: bare.mass_per_length_kg_m,
+            ..laminate
+        }
     }
 
     /// Phase of a bending wave of 1 rad/s per length of beam, `(m / EI)^(1/4)`, s^(1/2)/m.
@@ -55,14 +75,20 @@ impl CrossSection {
         (self.mass_per_length_kg_m / self.bending_stiffness_n_m2).sqrt().sqrt()
     }
 
-    fn of_layers(layers: &[Layer]) -> Self {
-        let axial_n: f64 = layers.iter().map(Layer::axial_stiffness_n).sum();
-        let moment_n_m: f64 = layers.iter().map(|layer| layer.axial_stiffness_n() * layer.middle_m).sum();
+    /// Thickness of the layer under a patch of a face, m.
+    fn coat_m(&self, face: Face) -> f64 {
+        self.coated_m[usize::from(face == Face::Top)]
+    }
+
+    fn of_plies(plies: &[Ply]) -> Self {
+        let axial_n: f64 = plies.iter().map(Ply::axial_stiffness_n).sum();
+        let moment_n_m: f64 = plies.iter().map(|ply| ply.axial_stiffness_n() * ply.middle_m).sum();
         let neutral_axis_m = moment_n_m / axial_n;
         Self {
-            bending_stiffness_n_m2: layers.iter().map(|layer| layer.bending_stiffness_n_m2(neutral_axis_m)).sum(),
-            mass_per_length_kg_m: layers.iter().map(|layer| layer.density_kg_m3 * layer.width_m * layer.thickness_m).sum(),
+            bending_stiffness_n_m2: plies.iter().map(|ply| ply.bending_stiffness_n_m2(neutral_axis_m)).sum(),
+            mass_per_length_kg_m: plies.iter().map(|ply| ply.density_kg_m3 * ply.width_m * ply.thickness_m).sum(),
             neutral_axis_m,
+            coated_m: [0.0; 2],
         }
     }
 }
@@ -71,59 +97,18 @@ impl CrossSection {
 ///
 /// Validation: -8.6639e-5 N m/V for the paper's harvester; the curvature `gamma_p / EI` is Timoshenko's bimetal formula to 1e-14.
 pub fn patch_moment_n_m_per_v(beam: &Beam, section: &CrossSection, patch: &Patch) -> f64 {
-    let layer = Layer::of_patch(beam, patch);
-    let lever_m = layer.middle_m - section.neutral_axis_m;
+    let ply = Ply::of_patch(beam, patch, section.coat_m(patch.face));
+    let lever_m = ply.middle_m - section.neutral_axis_m;
     match (patch.d33_m_per_v, patch.d31_m_per_v) {
         // The thickness cancels.
         (None, Some(d31_m_per_v)) => patch.youngs_modulus_pa * d31_m_per_v * patch.width_m * lever_m,
-        _ => layer.axial_stiffness_n() * patch.free_strain_per_v() * lever_m,
+        _ => ply.axial_stiffness_n() * patch.free_strain_per_v() * lever_m,
     }
 }
 
 /// Height of the outer face of the patch above the neutral axis of a section, m: its strain is minus this times the curvature.
 pub fn outer_lever_m(beam: &Beam, section: &CrossSection, patch: &Patch) -> f64 {
-    let outer_m = if patch.face == Face::Top { beam.thickness_m + patch.thickness_m } else { -patch.thickness_m };
-    outer_m - section.neutral_axis_m
-}
-
-/// One material of a section.
-struct Layer {
-    youngs_modulus_pa: f64,
-    density_kg_m3: f64,
-    width_m: f64,
-    thickness_m: f64,
-    middle_m: f64,
-}
-
-impl Layer {
-    fn of_beam(beam: &Beam) -> Self {
-        Self {
-            youngs_modulus_pa: beam.youngs_modulus_pa,
-            density_kg_m3: beam.density_kg_m3,
-            width_m: beam.width_m,
-            thickness_m: beam.thickness_m,
-            middle_m: beam.thickness_m / 2.0,
-        }
-    }
-
-    fn of_patch(beam: &Beam, patch: &Patch) -> Self {
-        Self {
-            youngs_modulus_pa: patch.youngs_modulus_pa,
-            density_kg_m3: patch.density_kg_m3,
-            width_m: patch.width_m,
-            thickness_m: patch.thickness_m,
-            middle_m: if patch.face == Face::Top { beam.thickness_m + patch.thickness_m / 2.0 } else { -patch.thickness_m / 2.0 },
-        }
-    }
-
-    fn axial_stiffness_n(&self) -> f64 {
-        self.youngs_modulus_pa * self.width_m * self.thickness_m
-    }
-
-    fn bending_stiffness_n_m2(&self, axis_m: f64) -> f64 {
-        let lever_m = self.middle_m - axis_m;
-        self.axial_stiffness_n() * (self.thickness_m * self.thickness_m / 12.0 + lever_m * lever_m)
-    }
+    above_m(beam, patch.face, section.coat_m(patch.face), patch.thickness_m) - section.neutral_axis_m
 }
 
 #[cfg(test)]
@@ -161,6 +146,7 @@ pub(super) mod tests {
             capacitance_f: Some(177e-9),
             permittivity_f_m: None,
             strain_limit: None,
+            leakage_ohm: None,
             section,
         }
     }

@@ -6,7 +6,7 @@
 //! dY / df = -2 pi i (i w I - A)^-1 Y,   dY / dF = Y / F,   d(penetration) / d(gap) = -1,   d(force) / dk = force / k
 //! ```
 
-use super::{Prepared, StudyError, Watch};
+use super::{Prepared, StudyError};
 use crate::contact::Law;
 use crate::march::{Drift, Kernel};
 use crate::orbit::{Change, Harvester, Setting};
@@ -22,7 +22,6 @@ pub struct Parameter<'s> {
     key: &'s NumericKey,
     role: Role,
     difference: f64,
-    watch: Option<&'s Watch>,
 }
 
 /// What the key is to the equations.
@@ -51,12 +50,7 @@ impl<'s> Parameter<'s> {
             ["stop", _, "stiffness"] if one_stop && plain => Role::Stiffness,
             _ => Role::Other,
         };
-        Self { base, key, role, difference: 1e-7 * width, watch: None }
-    }
-
-    /// The same, counted.
-    pub fn watched(self, watch: Option<&'s Watch>) -> Self {
-        Self { watch, ..self }
+        Self { base, key, role, difference: 1e-7 * width }
     }
 
     /// The key.
@@ -108,9 +102,7 @@ impl Harvester for Parameter<'_> {
     type Error = StudyError;
 
     fn at(&self, parameter: f64) -> Result<Setting, StudyError> {
-        if let Some(watch) = self.watch {
-            watch.count();
-        }
+        self.base.kernel.watch.count_harvester();
         let kernel = self.kernel(parameter)?;
         let system = &kernel.plant.system;
         if let Some(drive) = system.aperiodic() {

@@ -1,7 +1,7 @@
 //! From a spec to something that can be marched, keeping what a changed key leaves as it was.
 
 use crate::drive::Stream;
-use crate::march::Kernel;
+use crate::march::{Kernel, Watch};
 use crate::plant::{Plant, PlantError, System};
 use crate::run::{RunError, StartState};
 use crate::spec::{DriveSignal, Spec, Start};
@@ -74,9 +74,26 @@ impl Prepared {
     /// # Errors
     /// [`StudyError::Structure`], [`StudyError::Plant`].
     pub fn new(spec: Spec) -> Result<Self, StudyError> {
+        Self::watched(spec, &Watch::default())
+    }
+
+    /// The same, all marches made from it watched.
+    ///
+    /// # Errors
+    /// As [`Prepared::new`].
+    pub fn watched(spec: Spec, watch: &Watch) -> Result<Self, StudyError> {
         let modes = structure::modes(&spec)?;
-        let kernel = Kernel::new(Plant::new(System::assemble(&spec, modes.clone())?)?)?;
+        let kernel = Kernel::new(Plant::new(System::assemble(&spec, modes.clone())?)?)?.watched_by(watch);
         Ok(Self { spec, kernel, modes })
+    }
+
+    /// The same harvester and tables under another watch.
+    ///
+    /// # Errors
+    /// [`StudyError::Plant`].
+    pub fn watched_by(&self, watch: &Watch) -> Result<Self, StudyError> {
+        let kernel = self.kernel.with_drives(self.kernel.plant.system.drives.clone())?.watched_by(watch);
+        Ok(Self { spec: self.spec.clone(), kernel, modes: self.modes.clone() })
     }
 
     /// The same for a changed spec: modes are kept when no body changed, step tables when no circuit did.
@@ -85,7 +102,7 @@ impl Prepared {
     /// As [`Prepared::new`].
     pub fn changed(&self, spec: Spec) -> Result<Self, StudyError> {
         if !same_bodies(&self.spec, &spec) {
-            return Self::new(spec);
+            return Self::watched(spec, &self.kernel.watch);
         }
         let system = System::assemble(&spec, self.modes.clone())?;
         let signals = system.signals.clone();
@@ -93,7 +110,13 @@ impl Prepared {
             (true, true) => self.kernel.with_drives(system.drives)?,
             (true, false) if self.spec.drive == spec.drive => self.kernel.with_stops(system.stops)?,
             (true, false) => self.kernel.with_stops(system.stops)?.with_drives(system.drives)?,
-            (false, _) => return Ok(Self { kernel: Kernel::new(Plant::new(system)?)?, spec, modes: self.modes.clone() }),
+            (false, _) => {
+                return Ok(Self {
+                    kernel: Kernel::new(Plant::new(system)?)?.watched_by(&self.kernel.watch),
+                    spec,
+                    modes: self.modes.clone(),
+                });
+            }
         };
         let kernel = if kernel.plant.system.signals == signals { kernel } else { kernel.with_signals(signals)? };
         Ok(Self { spec, kernel, modes: self.modes.clone() })
@@ -147,5 +170,11 @@ impl Prepared {
 }
 
 fn same_bodies(a: &Spec, b: &Spec) -> bool {
-    a.beam == b.beam && a.patch == b.patch && a.mass == b.mass && a.modal == b.modal && a.damping == b.damping && a.reduction == b.reduction
+    a.beam == b.beam
+        && a.patch == b.patch
+        && a.layer == b.layer
+        && a.mass == b.mass
+        && a.modal == b.modal
+        && a.damping == b.damping
+        && a.reduction == b.reduction
 }

@@ -5,11 +5,11 @@
 //! whatever the number of threads, so the bits are the same.
 
 use super::{Journal, Prepared, StudyError, SweepPoint, Way};
-use crate::run::{RunAnswer, RunPlan, StartState, simulate};
+use crate::march::{MarchError, Watch};
+use crate::run::{RunAnswer, RunError, RunPlan, StartState, simulate};
 use crate::spec::{KeyRange, Spec};
 use rayon::prelude::*;
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Order in which the points are visited.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,24 +57,25 @@ impl Sweep<'_> {
         self.len() == 0
     }
 
-    /// Makes the sweep. `done` hears of each finished point; `stop` ends it early, with the points finished so far kept in the
-    /// journal. Points come back in order of visit.
+    /// Makes the sweep. `done` hears of each finished point; `watch` ends it early, with the points finished so far given back and kept
+    /// in the journal. Points come back in order of visit.
     ///
     /// # Errors
     /// [`StudyError`].
     pub fn run(
         &self,
         journal: Option<&Journal>,
-        stop: &AtomicBool,
+        watch: &Watch,
         done: &(dyn Fn(&SweepPoint) + Sync),
     ) -> Result<Vec<SweepPoint>, StudyError> {
-        let base = Prepared::new(self.spec.clone())?;
+        let base = Prepared::watched(self.spec.clone(), watch)?;
         if let Some(drive) = base.kernel.plant.system.aperiodic() {
             return Err(StudyError::Aperiodic { drive: drive.to_owned() });
         }
+        watch.expect(self.len());
         let mut points = match self.direction {
-            Direction::Independent => self.independent(&base, journal, stop, done)?,
-            _ => self.stepped(&base, journal, stop, done)?,
+            Direction::Independent => self.independent(&base, journal, done)?,
+            _ => self.stepped(&base, journal, done)?,
         };
         points.sort_by_key(|point| point.index);
         Ok(points)
@@ -96,20 +97,23 @@ impl Sweep<'_> {
         &self,
         base: &Prepared,
         journal: Option<&Journal>,
-        stop: &AtomicBool,
         done: &(dyn Fn(&SweepPoint) + Sync),
     ) -> Result<Vec<SweepPoint>, StudyError> {
         let found = journal.map(Journal::found).unwrap_or_default();
         let points = (self.visits().into_par_iter().enumerate())
-            .filter(|_| !stop.load(Ordering::Relaxed))
             .map(|(index, (value, way))| {
                 if let Some(point) = found.iter().find(|point| point.index == index) {
-                    return Ok(point.clone());
+                    return Ok(Some(point.clone()));
+                }
+                if base.kernel.watch.is_stopped() {
+                    return Ok(None);
                 }
                 let prepared = base.changed(self.at(value)?)?;
                 let start = prepared.start(&self.folder)?;
-                self.finish(journal, done, self.point(&prepared, start, index, value, way)?)
+                let point = unless_stopped(self.point(&prepared, start, index, value, way))?;
+                point.map(|point| self.finish(base, journal, done, point)).transpose()
             })
+            .filter_map(Result::transpose)
             .collect::<Result<Vec<_>, StudyError>>()?;
         Ok(points)
     }
@@ -118,20 +122,17 @@ impl Sweep<'_> {
         &self,
         base: &Prepared,
         journal: Option<&Journal>,
-        stop: &AtomicBool,
         done: &(dyn Fn(&SweepPoint) + Sync),
     ) -> Result<Vec<SweepPoint>, StudyError> {
         let mut points: Vec<SweepPoint> = journal.map(Journal::found).unwrap_or_default().to_vec();
         for (index, (value, way)) in self.visits().into_iter().enumerate().skip(points.len()) {
-            if stop.load(Ordering::Relaxed) {
-                break;
-            }
             let prepared = base.changed(self.at(value)?)?;
             let start = match points.last() {
                 Some(last) => last.end.clone(),
                 None => prepared.start(&self.folder)?,
             };
-            points.push(self.finish(journal, done, self.point(&prepared, start, index, value, way)?)?);
+            let Some(point) = unless_stopped(self.point(&prepared, start, index, value, way))? else { break };
+            points.push(self.finish(base, journal, done, point)?);
         }
         Ok(points)
     }
@@ -142,10 +143,17 @@ impl Sweep<'_> {
         Ok(spec)
     }
 
-    fn finish(&self, journal: Option<&Journal>, done: &(dyn Fn(&SweepPoint) + Sync), point: SweepPoint) -> Result<SweepPoint, StudyError> {
+    fn finish(
+        &self,
+        base: &Prepared,
+        journal: Option<&Journal>,
+        done: &(dyn Fn(&SweepPoint) + Sync),
+        point: SweepPoint,
+    ) -> Result<SweepPoint, StudyError> {
         if let Some(journal) = journal {
             journal.keep(&point)?;
         }
+        base.kernel.watch.count();
         done(&point);
         Ok(point)
     }
@@ -172,6 +180,14 @@ impl Sweep<'_> {
                 return Ok(point_of(&answer, &plan, (index, value, way), marched_s));
             }
         }
+    }
+}
+
+/// `None` for a point that was stopped on its way.
+fn unless_stopped(point: Result<SweepPoint, StudyError>) -> Result<Option<SweepPoint>, StudyError> {
+    match point {
+        Err(StudyError::Run(RunError::March(MarchError::Stopped { .. }))) => Ok(None),
+        point => point.map(Some),
     }
 }
 

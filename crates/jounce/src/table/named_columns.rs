@@ -80,6 +80,37 @@ impl Table {
         Ok(())
     }
 
+    /// The bytes of the table as a Parquet file.
+    ///
+    /// # Errors
+    /// Content that Parquet refuses.
+    pub fn to_parquet(&self, manifest: &Manifest) -> Result<Vec<u8>, TableError> {
+        parquet::encode(self, manifest).map_err(|reason| encode_error(Path::new("table.parquet"), reason))
+    }
+
+    /// Writes tables of the same columns one after the other to a Parquet file, each as it comes.
+    ///
+    /// # Errors
+    /// The first table that is none, tables that do not go together, a place that cannot be written; no partial file is left.
+    pub fn write_joined<E: From<TableError>>(
+        path: &Path,
+        manifest: &Manifest,
+        tables: impl IntoIterator<Item = Result<Self, E>>,
+    ) -> Result<(), E> {
+        let mut failure = None;
+        let stored = store::write_from(path, |file| {
+            let refused = |reason: String| E::from(encode_error(path, reason));
+            parquet::join(file, manifest, tables, refused).map_err(|error| {
+                failure = Some(error);
+                std::io::Error::other("the tables could not be joined")
+            })
+        });
+        match failure {
+            Some(error) => Err(error),
+            None => stored.map_err(|error| E::from(error.into())),
+        }
+    }
+
     /// Reads a table that jounce wrote as CSV (with its sidecar) or Parquet, with its manifest.
     ///
     /// # Errors

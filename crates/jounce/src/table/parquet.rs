@@ -1,6 +1,7 @@
 //! Apache Parquet: typed columns, snappy; the notes under the metadata key `jounce`.
 
 use std::fs::File;
+use std::io::Write;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -36,15 +37,50 @@ pub(super) fn decode(path: &Path) -> Result<(Table, Manifest), String> {
     notes.join(values)
 }
 
+/// Tables of the same columns, one after the other, to one file; only one of them is in memory at a time.
+pub(super) fn join<W: Write + Send, E>(
+    target: W,
+    manifest: &Manifest,
+    tables: impl IntoIterator<Item = Result<Table, E>>,
+    failed: impl Fn(String) -> E,
+) -> Result<(), E> {
+    let (mut target, mut writer) = (Some(target), None);
+    for table in tables {
+        let table = table?;
+        if let Some(target) = target.take() {
+            writer = Some(begin(target, &table, manifest).map_err(|fault| failed(fault.to_string()))?);
+        }
+        if let Some(writer) = &mut writer {
+            append(writer, &table).map_err(|fault| failed(fault.to_string()))?;
+        }
+    }
+    match writer {
+        Some(writer) => writer.close().map(|_| ()).map_err(|fault| failed(fault.to_string())),
+        None => Err(failed("there is no table to write".to_owned())),
+    }
+}
+
 fn write(table: &Table, manifest: &Manifest) -> Result<Vec<u8>, ParquetError> {
+    let mut bytes = Vec::new();
+    let mut writer = begin(&mut bytes, table, manifest)?;
+    append(&mut writer, table)?;
+    writer.close()?;
+    Ok(bytes)
+}
+
+/// A file for tables like this one.
+fn begin<W: Write + Send>(target: W, table: &Table, manifest: &Manifest) -> Result<SerializedFileWriter<W>, ParquetError> {
     let notes = KeyValue::new(KEY.to_owned(), Notes::of(table, manifest).to_json());
     let properties = WriterProperties::builder()
         .set_compression(Compression::SNAPPY)
         .set_created_by(format!("{} version {}", manifest.created_by, manifest.version))
         .set_key_value_metadata(Some(vec![notes]))
         .build();
-    let mut bytes = Vec::new();
-    let mut writer = SerializedFileWriter::new(&mut bytes, Arc::new(schema(table)?), Arc::new(properties))?;
+    SerializedFileWriter::new(target, Arc::new(schema(table)?), Arc::new(properties))
+}
+
+/// The rows of a table as one group.
+fn append<W: Write + Send>(writer: &mut SerializedFileWriter<W>, table: &Table) -> Result<(), ParquetError> {
     let mut rows = writer.next_row_group()?;
     for column in table.columns() {
         let Some(mut target) = rows.next_column()? else { break };
@@ -52,8 +88,7 @@ fn write(table: &Table, manifest: &Manifest) -> Result<Vec<u8>, ParquetError> {
         target.close()?;
     }
     rows.close()?;
-    writer.close()?;
-    Ok(bytes)
+    Ok(())
 }
 
 fn schema(table: &Table) -> Result<Type, ParquetError> {

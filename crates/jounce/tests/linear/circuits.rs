@@ -12,8 +12,12 @@ const NAMES: [&str; 3] = ["a", "b", "c"];
 
 /// Three modes and three unlike patches.
 fn modes() -> Modes {
-    let patch =
-        |coupling: [f64; 3], capacitance_f: f64| PatchModes { coupling_n_per_v: coupling.to_vec(), capacitance_f, strain: Vec::new() };
+    let patch = |coupling: [f64; 3], capacitance_f: f64| PatchModes {
+        coupling_n_per_v: coupling.to_vec(),
+        capacitance_f,
+        leakage_ohm: None,
+        strain: Vec::new(),
+    };
     Modes {
         frequency_rad_s: vec![60.0, 300.0, 900.0],
         damping_ratio: vec![0.01, 0.02, 0.005],

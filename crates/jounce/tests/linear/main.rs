@@ -8,4 +8,5 @@ mod erturk_2008;
 mod erturk_2009;
 mod expected;
 mod martinez_ayuso;
+mod noise;
 mod rows;

@@ -1,10 +1,10 @@
 //! Random answers: an ensemble without contact against the closed form, and the same bits for any number of threads.
 
+use jounce::linear::Random;
 use jounce::spec::Spec;
 use jounce::study::{Ensemble, EnsembleAnswer, IntervalOver, Prepared, StudyError};
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
-use std::sync::atomic::AtomicBool;
 
 /// Mass, stiffness, dashpot, coupling, capacitance and load of S. Adhikari, M. Friswell, D. Inman, Smart Mater. Struct. 18 (2009) 115005.
 const MASS_KG: f64 = 9.12e-3;
@@ -32,10 +32,14 @@ fn spec(more: &str) -> Prepared {
 }
 
 fn run(base: &Prepared, members: usize, relative_width: Option<f64>) -> Result<EnsembleAnswer, StudyError> {
+    marched(base, members, relative_width, false)
+}
+
+fn marched(base: &Prepared, members: usize, relative_width: Option<f64>, with_spectrum: bool) -> Result<EnsembleAnswer, StudyError> {
     let start = base.start(Path::new("")).unwrap();
     let most_rounds = if relative_width.is_some() { 50 } else { 1 };
-    let study = Ensemble { base, start, members, seed: 5, relative_width, most_rounds };
-    study.run(&AtomicBool::new(false), &|_| {})
+    let study = Ensemble { base, start, members, seed: 5, relative_width, most_rounds, with_spectrum };
+    study.run(&|_| {})
 }
 
 /// Mean power `pi m a k^2 S / ((2 z a^2 + a) k^2 + 4 z^2 a + 2 (a^2 + 1) z)`, `a = w C R`, `k^2 = theta^2 / (K C)`, `S` two-sided per
@@ -77,4 +81,48 @@ fn an_ensemble_needs_noise_and_orbits_refuse_it() {
     quiet.drive.clear();
     let refusal = run(&Prepared::new(quiet).unwrap(), 2, None).unwrap_err();
     assert!(refusal.to_string().contains("signal = \"noise\""), "{refusal}");
+}
+
+/// A stop too soft to be felt counts what Rice's formula says of the linear answer: rate, share of the time, and with `s_v` the rms of the
+/// velocity the mean approach speed `sqrt(pi / 2) s_v`. The voltage has the statistical bandwidth of its exact density, but for the resolution.
+/// Allowed are three standard deviations; 24 members bring them to 2 %.
+#[test]
+fn a_stop_that_is_not_felt_is_struck_as_rice_says() {
+    let base = spec("[stop.wall]\nat = \"cell.mass\"\nlaw = \"spring\"\nstiffness = \"1e-6 N/m\"\ngap = \"120 um\"\n");
+    let exact = Random::new(&base.spec).unwrap().answer().unwrap();
+    let answer = marched(&base, 24, None, true).unwrap();
+    let (stop, rice) = (&answer.stops[0], &exact.stops[0]);
+    let speed = (PI / 2.0).sqrt() * exact.points.iter().find(|point| point.name == "cell.mass").unwrap().velocity_rms_m_s;
+    let rows = [
+        ("rate", stop.contact_rate_hz, rice.reached_hz),
+        ("speed", stop.mean_strike_m_s, speed),
+        ("duty", stop.contact_duty, rice.share_beyond),
+        ("dwell", stop.mean_dwell_s, rice.share_beyond / rice.reached_hz),
+        ("power", answer.power_w, exact.mean_power_w),
+    ];
+    for (name, found, exact) in rows {
+        eprintln!("{name}: {:.4e} +- {:.1e}, exact {exact:.4e}", found.mean, found.half_width);
+        assert!((found.mean - exact).abs() < 3.0 * found.half_width / 2.07, "{name}: {found:?} {exact}");
+        assert!(found.half_width < 0.2 * exact, "{name}");
+    }
+    let (found, width) = (answer.spectra[0].bandwidth_hz, exact.loads[0].statistical_bandwidth_hz);
+    let spectrum = &answer.spectra[0];
+    let sum = spectrum.density.iter().map(|bin| bin.mean).sum::<f64>() * (spectrum.frequency_hz[1] - spectrum.frequency_hz[0]);
+    eprintln!("bandwidth {:.3} +- {:.2} Hz, exact {width:.3} Hz; mean square {sum:.4e}", found.mean, found.half_width);
+    assert!((found.mean - width).abs() < 3.0 * found.half_width / 2.13 + 0.03 * width && found.half_width < 0.3 * width);
+    assert!((sum / (LOAD_OHM * answer.power_w.mean) - 1.0).abs() < 0.05, "{sum}");
+}
+
+/// Longest dwell and largest speed are no smaller than their means, and the members' counts add up to those of the stops.
+#[test]
+fn counts_of_stops_add_up() {
+    let base = spec("[stop.wall]\nat = \"cell.mass\"\nlaw = \"hertz\"\nstiffness = \"1e6 N/m^1.5\"\ngap = \"20 um\"\n");
+    let answer = run(&base, 3, None).unwrap();
+    let stop = &answer.stops[0];
+    let contacts: u64 = answer.members.iter().map(|member| member.contacts).sum();
+    assert_eq!(stop.contact_rate_hz.interval, IntervalOver::Batches);
+    assert!((stop.contact_rate_hz.mean / (contacts as f64 / 6.0) - 1.0).abs() < 1e-12);
+    assert!((stop.mean_strike_m_s.mean / answer.mean_strike_m_s - 1.0).abs() < 1e-12);
+    assert!(stop.max_strike_m_s >= stop.mean_strike_m_s.mean && stop.max_dwell_s >= stop.mean_dwell_s.mean);
+    assert!(stop.max_contact_force_n > 0.0 && answer.spectra.is_empty());
 }

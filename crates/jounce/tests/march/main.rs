@@ -2,10 +2,12 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod collisions;
+mod contacts;
 mod cradle;
 mod ensemble;
 mod grazing;
 mod harvester;
+mod leaks;
 mod plants;
 mod ports;
 mod random;

@@ -36,6 +36,7 @@ fn modes() -> impl Strategy<Value = Modes> {
             PatchModes {
                 coupling_n_per_v: modes.iter().map(|mode| mode.4).collect(),
                 capacitance_f: 10f64.powf(capacitance),
+                leakage_ohm: None,
                 strain: Vec::new(),
             },
         )]),

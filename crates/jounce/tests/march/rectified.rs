@@ -12,7 +12,7 @@ use std::f64::consts::{PI, TAU};
 
 /// Mass, stiffness and capacitance 1; force of amplitude 1.
 fn cell(coupling: f64, damping_ratio: f64, angular_frequency: f64, scheme: Scheme, storage: Storage) -> System {
-    let patch = PatchModes { coupling_n_per_v: vec![coupling], capacitance_f: 1.0, strain: Vec::new() };
+    let patch = PatchModes { coupling_n_per_v: vec![coupling], capacitance_f: 1.0, leakage_ohm: None, strain: Vec::new() };
     let modes = Modes {
         frequency_rad_s: vec![1.0],
         damping_ratio: vec![damping_ratio],

@@ -2,7 +2,6 @@
 
 use crate::harvesters::{bench, branches};
 use jounce::study::{Branch, BranchKind, Cloud, Diagram, History, Method, Motion, Order, Parameter, Prepared, Visit};
-use std::sync::atomic::AtomicBool;
 
 fn visits(values: &[f64], order: Order) -> (Vec<Visit>, Option<History>) {
     let file = bench();
@@ -10,7 +9,7 @@ fn visits(values: &[f64], order: Order) -> (Vec<Visit>, Option<History>) {
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
     let study = Diagram { base: &base, parameter: &parameter, values, order, cycles: 32, tolerance: 1e-8 };
-    let visits = study.run(None, &AtomicBool::new(false), &|_| ()).unwrap();
+    let visits = study.run(None, &|_| ()).unwrap();
     let history = matches!(order, Order::Starts(_)).then(|| study.history(&visits).unwrap());
     (visits, history)
 }

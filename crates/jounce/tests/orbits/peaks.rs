@@ -14,16 +14,7 @@ fn untouched() -> SpecFile {
 fn peaks(file: &SpecFile, keys: [&str; 2], ranges: [(f64, f64); 2]) -> Vec<JumpCurve> {
     let base = Prepared::new(file.spec().unwrap()).unwrap();
     let keys = keys.map(|key| file.numeric_key(key).unwrap());
-    let search = JumpSearch {
-        base: &base,
-        keys: [&keys[0], &keys[1]],
-        ranges,
-        tolerance: 1e-10,
-        seeds: 0,
-        longest_period: 1,
-        peaks: true,
-        watch: None,
-    };
+    let search = JumpSearch { base: &base, keys: [&keys[0], &keys[1]], ranges, tolerance: 1e-10, seeds: 0, longest_period: 1, peaks: true };
     let found: Vec<JumpCurve> = search.run().unwrap().into_iter().filter(|curve| curve.kind == CurveKind::Peak).collect();
     found.iter().for_each(|curve| eprintln!("{} points, {:?}", curve.points.len(), curve.failures));
     found

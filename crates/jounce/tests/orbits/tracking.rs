@@ -94,7 +94,6 @@ fn folds_tori_and_grazings_over_the_amplitude_are_those_along_the_frequency() {
         seeds: 0,
         longest_period: 1,
         peaks: false,
-        watch: None,
     };
     let curves = search.run().unwrap();
     for curve in &curves {

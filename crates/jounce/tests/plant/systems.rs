@@ -14,8 +14,12 @@ pub fn bench() -> System {
 pub fn menagerie() -> System {
     let frequency_rad_s = vec![0.0, 3.0, 10.0, 10.0, 40.0, 300.0];
     let n = frequency_rad_s.len();
-    let patch =
-        |coupling: [f64; 6], capacitance_f: f64| PatchModes { coupling_n_per_v: coupling.to_vec(), capacitance_f, strain: Vec::new() };
+    let patch = |coupling: [f64; 6], capacitance_f: f64| PatchModes {
+        coupling_n_per_v: coupling.to_vec(),
+        capacitance_f,
+        leakage_ohm: None,
+        strain: Vec::new(),
+    };
     System {
         modes: Modes {
             frequency_rad_s,

@@ -61,7 +61,7 @@ fn faults_name_the_override_as_their_place() {
             "--set stop.tpi.gap=1 mm: stop.tpi.gap: this file has no [stop.tpi]; it has: tip; the nearest key here is `stop.tip.gap`",
         ),
         ("stop.tip", "1 mm", "--set stop.tip=1 mm: stop.tip: stop.tip is a table; its keys: "),
-        ("", "1", "--set =1: : unknown key; keys here: beam, patch, mass, "),
+        ("", "1", "--set =1: : unknown key; keys here: beam, patch, layer, mass, "),
         ("stop.tip.gap", "1 Hz", "--set stop.tip.gap=1 Hz: stop.tip.gap: \"1 Hz\" is a frequency; a length is due, in mm, um, cm, m"),
         ("stop.tip.gap", "1", "--set stop.tip.gap=1: stop.tip.gap: 1 has no unit; a length is due"),
         (

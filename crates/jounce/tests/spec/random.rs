@@ -63,7 +63,11 @@ fn beam() -> impl Strategy<Value = Beam> {
 fn modal() -> impl Strategy<Value = Modal> {
     (1..6usize).prop_flat_map(|modes| {
         let list = || prop::collection::vec(any_number(), modes);
-        let patch = (list(), positive()).prop_map(|(coupling_n_per_v, capacitance_f)| ModalPatch { coupling_n_per_v, capacitance_f });
+        let patch = (list(), positive()).prop_map(|(coupling_n_per_v, capacitance_f)| ModalPatch {
+            leakage_ohm: (capacitance_f > 1.0).then_some(capacitance_f),
+            coupling_n_per_v,
+            capacitance_f,
+        });
         let frequencies = prop::collection::vec(0.0..1e5f64, modes).prop_map(|mut list| {
             list.sort_by(f64::total_cmp);
             list
@@ -101,6 +105,7 @@ fn patch(beam: (String, Beam)) -> impl Strategy<Value = Patch> {
             capacitance_f: (width < 0.5).then_some(capacitance_f),
             permittivity_f_m: (width >= 0.5).then_some(capacitance_f),
             strain_limit: None,
+            leakage_ohm: (start < 0.2).then_some(capacitance_f),
             section,
         },
     )

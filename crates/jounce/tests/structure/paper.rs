@@ -49,6 +49,7 @@ pub fn paper_patch(section: Section) -> Patch {
         capacitance_f: Some(177e-9),
         permittivity_f_m: None,
         strain_limit: None,
+        leakage_ohm: None,
         section,
     }
 }

@@ -62,7 +62,10 @@ fn modal_structures_stand_alone() {
         damping_ratio: vec![0.05, 0.002],
         participation_sqrt_kg: vec![1.5, -0.1],
         point: BTreeMap::from([("tip".into(), vec![0.3, -12.0])]),
-        patch: BTreeMap::from([("mfc".into(), ModalPatch { coupling_n_per_v: vec![-1e-6, 2e-3], capacitance_f: 177e-9 })]),
+        patch: BTreeMap::from([(
+            "mfc".into(),
+            ModalPatch { coupling_n_per_v: vec![-1e-6, 2e-3], capacitance_f: 177e-9, leakage_ohm: None },
+        )]),
     };
     let mut spec = Spec { modal: BTreeMap::from([("harvester".into(), harvester)]), ..Spec::default() };
     let found = modes(&spec).unwrap();

@@ -11,10 +11,8 @@ use crate::spec_arguments::{OutputArguments, SpecArguments, check_drive, check_t
 use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
 use jounce::spec::{KeyRange, Spec};
+use jounce::study::Visit;
 use jounce::study::{Branch, BranchSearch, Cloud, Diagram as Study, History, Journal, Method, Motion, Order, Parameter, Prepared};
-use jounce::study::{Visit, Watch};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Order of visit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -91,14 +89,13 @@ impl Diagram {
         let (low, high) = (values[0], values[values.len() - 1]);
         let base = Prepared::new(spec.clone())?;
         check_drive(&self.spec, &base.kernel.plant, "a diagram")?;
-        let watch = Watch::default();
         let width = if high > low { high - low } else { high.abs().max(1e-12) };
-        let parameter = Parameter::new(&base, range.key(), width).watched(Some(&watch));
+        let parameter = Parameter::new(&base, range.key(), width);
         let order = self.order();
         let study = Study { base: &base, parameter: &parameter, values, order, cycles: self.cycles, tolerance: self.tolerance };
         let visits = self.marched(&study, &spec)?;
         let history = match order {
-            Order::Starts(_) => Some(progress::watched(&watch, || self.threads.run(|| study.history(&visits)))??),
+            Order::Starts(_) => Some(progress::watched(&base.kernel.watch, || self.threads.run(|| study.history(&visits)))??),
             Order::Up | Order::Down | Order::Both => None,
         };
         let search = BranchSearch {
@@ -111,7 +108,7 @@ impl Diagram {
             longest_period: self.longest_period,
         };
         let wanted = !self.no_branches && high > low;
-        let branches = if wanted { progress::watched(&watch, || self.threads.run(|| search.run()))?? } else { Vec::new() };
+        let branches = if wanted { progress::watched(&base.kernel.watch, || self.threads.run(|| search.run()))?? } else { Vec::new() };
         self.tell(&spec, (&base, &parameter, &range), &Answer { visits, history, branches })
     }
 
@@ -133,10 +130,9 @@ impl Diagram {
         if !journal.found().is_empty() {
             eprintln!("going on after {} finished marches", journal.found().len());
         }
-        let stop = Arc::new(AtomicBool::new(false));
-        let asked = Arc::clone(&stop);
-        let _ = ctrlc::set_handler(move || asked.store(true, Ordering::Relaxed));
-        let visits = self.threads.run(|| study.run(Some(&journal), &stop, &|_| bar.inc(1)))??;
+        let asked = study.base.kernel.watch.clone();
+        let _ = ctrlc::set_handler(move || asked.stop());
+        let visits = self.threads.run(|| study.run(Some(&journal), &|_| bar.inc(1)))??;
         bar.finish_and_clear();
         if visits.len() < study.len() {
             let text = format!("stopped after {} of {} marches; the same command goes on from there", visits.len(), study.len());

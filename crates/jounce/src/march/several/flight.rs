@@ -6,8 +6,8 @@ use crate::march::error::MarchError;
 use crate::march::flight::{LOCATED, Verdict, by_interpolant};
 use crate::march::kernel::Kernel;
 use crate::march::marcher::Marcher;
-use crate::march::state::{dot, dot_abs};
-use crate::wide::{Lane, Wide};
+use crate::march::state::{dot, dot_of_magnitudes};
+use crate::wide::Wide;
 
 /// What became of a step for all ports together.
 pub enum Outcome {
@@ -107,9 +107,8 @@ impl Marcher<'_> {
 
     /// Sum of the magnitudes of what a displacement is summed from, m.
     #[inline(always)]
-    fn terms_m<W: Wide>(&self, w: W, p: usize) -> f64 {
-        let magnitudes: Vec<Lane> = self.ports[p].rows.displacement.iter().map(|lane| Lane(lane.0.map(f64::abs))).collect();
-        dot_abs(w, &magnitudes, &self.y)
+    pub(super) fn terms_m<W: Wide>(&self, w: W, p: usize) -> f64 {
+        dot_of_magnitudes(w, &self.ports[p].rows.displacement, &self.y)
     }
 
     /// Displacement and velocity of a port under the drive after a level.

@@ -3,17 +3,18 @@
 use super::rest::Resting;
 use crate::contact::{ContactLaw, Law};
 use crate::march::contact_step::{MOST_ITERATIONS, Solved, Step, judge, largest};
+use crate::march::few::Few;
 use crate::march::joint_tables::{JointTables, Length};
 use crate::march::marcher::Marcher;
 use crate::march::state::{columns, pushed};
 use crate::wide::{Lane, Wide};
 
 /// A step of all ports in contact.
-pub struct JointStep<'t> {
+pub struct JointStep<'t, 'k> {
     /// Its tables.
-    pub tables: &'t JointTables<'t>,
+    pub tables: &'t JointTables<'k>,
     /// Each port on it, in the order of the tables.
-    pub steps: Vec<Step<'t>>,
+    pub steps: Few<Step<'t>>,
 }
 
 /// One port on the way to its forces. Lanes hold the nodes and the end of the step.
@@ -42,12 +43,12 @@ enum Progress {
 impl<'k> Marcher<'k> {
     /// The step laid out.
     #[inline(always)]
-    pub(super) fn joint_step<'t, W: Wide>(&mut self, w: W, tables: &'t JointTables<'k>) -> JointStep<'t>
+    pub(super) fn joint_step<'t, W: Wide>(&mut self, w: W, tables: &'t JointTables<'k>) -> JointStep<'t, 'k>
     where
         'k: 't,
     {
         let (level, odd) = (tables.length.level(), matches!(tables.length, Length::Odd { .. }));
-        let mut steps = Vec::with_capacity(tables.ports.len());
+        let mut steps = Few::new();
         for (place, (port, shape)) in tables.ports.iter().enumerate() {
             steps.push(self.step_in_contact(w, self.law(*port), (tables.own(place), *port), *shape, level, odd));
         }
@@ -56,7 +57,7 @@ impl<'k> Marcher<'k> {
 
     /// Solves a step for the nodal forces of all its ports; `None` when the fixed point does not converge.
     #[inline(always)]
-    pub(super) fn solve_joint<W: Wide>(&mut self, w: W, joint: &JointStep, resting: &Resting) -> Option<Vec<Solved>> {
+    pub(super) fn solve_joint<W: Wide>(&mut self, w: W, joint: &JointStep, resting: &Resting) -> Option<Few<Solved>> {
         let mut iterates = self.first_guess(w, joint);
         let goal = (0.1 * self.tolerance).clamp(4e-15, 1e-5);
         for iteration in 1..=MOST_ITERATIONS {
@@ -74,7 +75,7 @@ impl<'k> Marcher<'k> {
                     resting.hold(&mut iterates);
                     move_under_forces(w, joint, &mut iterates);
                     let judged = |(step, own): (_, &Iterate)| judge(own.law, step, own.penetration, own.rate, own.force, own.at_start_n);
-                    let mut solved: Vec<Solved> = joint.steps.iter().zip(&iterates).map(judged).collect();
+                    let mut solved: Few<Solved> = joint.steps.iter().zip(&iterates).map(judged).collect();
                     resting.judge(self, joint, &mut solved);
                     return Some(solved);
                 }
@@ -85,8 +86,8 @@ impl<'k> Marcher<'k> {
 
     /// Forces go on as they do now.
     #[inline(always)]
-    fn first_guess<W: Wide>(&self, w: W, joint: &JointStep) -> Vec<Iterate> {
-        let mut iterates = Vec::with_capacity(joint.steps.len());
+    fn first_guess<W: Wide>(&self, w: W, joint: &JointStep) -> Few<Iterate> {
+        let mut iterates = Few::new();
         for step in &joint.steps {
             let (law, port, table) = (self.law(step.port), &self.ports[step.port], step.table);
             let free = columns(w, &self.layout, &self.y, &table.displacement.columns, w.load(&step.drive));

@@ -14,9 +14,11 @@
 //!   a fixed point that converges as that of one port does. The ports in flight are watched by the same certificate, to which the
 //!   forces add a known cubic and a bounded rest (see [`super::forced_flight`]). Where that proves neither flight nor a first crossing,
 //!   the step is shortened, down to a length on which the rest is below the resolution of the certificate.
+//!   One compliant port in contact by itself is solved as in [`super::contact_step`]; the others are watched.
 //! - *A strike during a contact* ends the step there, by Newton on its length, so that the new contact starts on its own onset.
 //! - *Rigid stops*: see [`impacts`] and [`rest`].
 
+mod alone;
 mod flight;
 mod impacts;
 mod joint_solve;
@@ -26,14 +28,13 @@ mod together;
 mod watch;
 
 use super::contact::IMPULSE_SHARE;
-use super::contact_step::Solved;
+use super::contact_step::{Solved, Step};
 use super::error::MarchError;
 use super::kernel::Kernel;
 use super::marcher::Marcher;
 use super::port_state::{PortState, Regime};
 use crate::contact::Law;
 use crate::wide::{Task, Wide};
-use joint_solve::JointStep;
 
 /// Share of the first step of a contact that is no time at all: a port that would strike within it strikes now.
 const AT_ONCE: f64 = 1e-13;
@@ -54,6 +55,7 @@ impl Task for AdvanceSeveral<'_, '_> {
     fn run<W: Wide>(self, w: W) -> Self::Output {
         let AdvanceSeveral { marcher, end_s } = self;
         while marcher.time_s < end_s && marcher.switching.met.is_none() {
+            marcher.check_watch()?;
             let until_s = marcher.next_breakpoint(w, end_s);
             if marcher.hits_rigid_stop() {
                 marcher.collide(w)?;
@@ -94,10 +96,11 @@ impl Marcher<'_> {
     }
 
     /// Error of an impulse that one step may make at any port, N s: a weak contact need not be better than a strong one.
-    fn allowed_beside_n_s(&self, joint: &JointStep, solved: &[Solved]) -> f64 {
+    #[inline(always)]
+    fn allowed_beside_n_s(&self, steps: &[Step], solved: &[Solved]) -> f64 {
         let fastest = |port: &PortState| port.strike_m_s / port.rows.mobility_per_kg;
         let struck = self.tolerance * IMPULSE_SHARE * self.ports.iter().map(fastest).fold(0.0, f64::max);
-        let own = joint.steps.iter().zip(solved).map(|(step, own)| self.allowed_n_s(self.law(step.port), step, Some(own)));
+        let own = steps.iter().zip(solved).map(|(step, own)| self.allowed_n_s(self.law(step.port), step, Some(own)));
         own.fold(struck, f64::max)
     }
 

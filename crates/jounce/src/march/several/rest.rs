@@ -103,8 +103,11 @@ impl Resting {
 
     /// Marks a step as bad on which a holding force misses the end of the step, or would have to pull for a time that matters.
     pub fn judge(&self, marcher: &Marcher, joint: &JointStep, solved: &mut [Solved]) {
+        if self.places.is_empty() {
+            return;
+        }
         let at_end: Vec<f64> = solved.iter().map(|own| (0..NODES).map(|j| SMOOTH.at_end[j] * own.force.0[j]).sum()).collect();
-        let allowed_n_s = marcher.allowed_beside_n_s(joint, solved);
+        let allowed_n_s = marcher.allowed_beside_n_s(&joint.steps, solved);
         for (a, place) in self.places.iter().enumerate() {
             let mut mismatch = self.free[a].0[NODES];
             for (from, other) in solved.iter().enumerate() {
@@ -159,11 +162,17 @@ impl Marcher<'_> {
             let resting: Vec<usize> = self.in_regime(Regime::Contact).filter(|p| self.is_rigid(*p)).collect();
             let Some(forces) = self.holding_forces(&resting)? else { return Ok(()) };
             let weakest = (0..resting.len()).min_by(|a, b| forces[*a].total_cmp(&forces[*b]));
-            match weakest.filter(|place| forces[*place] <= 0.0) {
+            match weakest.filter(|place| self.pulls(resting[*place], forces[*place])) {
                 Some(place) => self.ports[resting[place]].regime = Regime::Flight,
                 None => return Ok(()),
             }
         }
+    }
+
+    /// A holding force would have to pull: now, or, where it is roundoff, from now on.
+    fn pulls(&self, p: usize, force_n: f64) -> bool {
+        let roundoff_n = self.acceleration_roundoff_m_s2(p) / self.ports[p].rows.mobility_per_kg;
+        force_n < -roundoff_n || force_n <= roundoff_n && self.jerk_m_s3(p) <= 0.0
     }
 
     /// Forces that hold the ports at rest now, N; `None` without one.

@@ -1,10 +1,11 @@
 //! A joint step is taken: state, statistics, energies, record.
 
-use super::joint_solve::JointStep;
 use super::watch::nodal;
 use crate::contact::Law;
 use crate::march::basis::NODES;
-use crate::march::contact_step::Solved;
+use crate::march::contact_step::{Solved, Step};
+use crate::march::few::Few;
+use crate::march::joint_tables::{JointTables, Length};
 use crate::march::marcher::Marcher;
 use crate::march::port_state::Regime;
 use crate::march::state::{add_push, pushed};
@@ -12,23 +13,25 @@ use crate::march::trajectory::PortForce;
 use crate::wide::{Lane, Wide};
 
 impl Marcher<'_> {
-    /// Takes a solved step whose free motion stands in `next`.
+    /// Takes a solved step whose free motion stands in `next`; the tables tell what several ports do to each other.
     #[inline(always)]
-    pub(super) fn take_joint<W: Wide>(&mut self, w: W, joint: &JointStep, solved: &[Solved]) {
-        let forces: Vec<Lane> = solved.iter().map(|own| nodal(&own.force)).collect();
+    pub(super) fn take_joint<W: Wide>(&mut self, w: W, length: Length, steps: &[Step], solved: &[Solved], tables: Option<&JointTables>) {
+        let forces: Few<Lane> = solved.iter().map(|own| nodal(&own.force)).collect();
         if self.record.is_some() {
-            let noted: Vec<PortForce> = joint.steps.iter().zip(&forces).map(|(step, force)| PortForce::new(step, force)).collect();
-            self.note(joint.tables.length.seconds(), &noted);
+            let noted: Vec<PortForce> = steps.iter().zip(&forces).map(|(step, force)| PortForce::new(step, force)).collect();
+            self.note(length.seconds(), &noted);
         }
-        for (step, force) in joint.steps.iter().zip(&forces) {
+        for (step, force) in steps.iter().zip(&forces) {
             self.integrate_force(w, step, force);
             add_push(w, &step.table.push, force, &mut self.next);
         }
-        self.integrate_crossed(w, joint, &forces);
+        if let Some(tables) = tables {
+            self.integrate_crossed(w, tables, &forces);
+        }
         std::mem::swap(&mut self.y, &mut self.next);
-        self.time_s += joint.tables.length.seconds();
-        self.forced.pass(self.kernel, joint.tables.length.seconds(), self.time_s, &mut self.y);
-        let first = joint.steps[0].port;
+        self.time_s += length.seconds();
+        self.forced.pass(self.kernel, length.seconds(), self.time_s, &mut self.y);
+        let first = steps[0].port;
         for tone in &mut self.tones {
             tone.turn *= tone.swing[first].end();
         }
@@ -37,15 +40,15 @@ impl Marcher<'_> {
                 self.see(w, p);
             }
         }
-        self.arrive_all(w, joint, solved);
+        self.arrive_all(w, length.level(), steps, solved);
         self.work.contact_steps += 1;
     }
 
     /// Every port in contact comes to the end of the step.
     #[inline(always)]
-    fn arrive_all<W: Wide>(&mut self, w: W, joint: &JointStep, solved: &[Solved]) {
-        let (level, allowed) = (joint.tables.length.level(), self.allowed_beside_n_s(joint, solved));
-        for (step, own) in joint.steps.iter().zip(solved) {
+    fn arrive_all<W: Wide>(&mut self, w: W, level: i32, steps: &[Step], solved: &[Solved]) {
+        let allowed = self.allowed_beside_n_s(steps, solved);
+        for (step, own) in steps.iter().zip(solved) {
             let p = step.port;
             if let Law::Rigid(_) = self.law(p) {
                 self.see(w, p);
@@ -62,13 +65,13 @@ impl Marcher<'_> {
 
     /// Work of the force of each port on what the forces of the others have moved.
     #[inline(always)]
-    fn integrate_crossed<W: Wide>(&mut self, w: W, joint: &JointStep, forces: &[Lane]) {
+    fn integrate_crossed<W: Wide>(&mut self, w: W, tables: &JointTables, forces: &[Lane]) {
         for (from, force) in forces.iter().enumerate() {
             for (to, felt) in forces.iter().enumerate() {
                 if from == to {
                     continue;
                 }
-                let cross = joint.tables.cross(from, to);
+                let cross = tables.cross(from, to);
                 for (sum, load) in self.integrals.loads_j.iter_mut().zip(&cross.loads) {
                     *sum += work(w, load, force, felt);
                 }

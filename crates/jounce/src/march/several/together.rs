@@ -1,11 +1,11 @@
 //! The way through contacts of several ports: which step comes next, and whether it is good enough.
 
 use super::flight::Outcome;
-use super::joint_solve::JointStep;
 use super::rest::Resting;
-use crate::march::contact_step::Solved;
+use crate::march::contact_step::{Solved, Step};
 use crate::march::crossing::Crossing;
 use crate::march::error::MarchError;
+use crate::march::few::Few;
 use crate::march::joint_tables::{JointTables, Length};
 use crate::march::kernel::{Kernel, Shape};
 use crate::march::marcher::Marcher;
@@ -17,6 +17,9 @@ const MOST_LANDINGS: u32 = 12;
 
 /// Lengths, relative to the first step of the contact that follows, at which a strike counts as met.
 const MET: f64 = 1e-14;
+
+/// Distances, relative to what they are summed from, that cannot be told from zero.
+const RESOLVED: f64 = 4.0 * f64::EPSILON;
 
 impl Marcher<'_> {
     /// Goes on until all ports fly, a rigid stop is struck, or the end is reached.
@@ -32,7 +35,11 @@ impl Marcher<'_> {
                 let remaining_s = self.forced.remaining_s(self.time_s, end_s);
                 let landing = Kernel::length_s(level) >= remaining_s;
                 let length = if landing { Length::Odd { length_s: remaining_s, level } } else { Length::Level(level) };
-                match self.joint_attempt(w, &ports, length, level >= safe) {
+                let outcome = match ports.as_slice() {
+                    [(p, shape)] if !self.is_rigid(*p) => self.attempt_alone(w, (*p, *shape), length, level >= safe),
+                    several => self.joint_attempt(w, several, length, level >= safe),
+                };
+                match outcome {
                     Outcome::Clear => {
                         if landing {
                             self.time_s = end_s;
@@ -53,7 +60,7 @@ impl Marcher<'_> {
     }
 
     /// The ports in contact, each with the basis of its next step.
-    fn ports_with_bases(&self) -> Vec<(usize, Shape)> {
+    fn ports_with_bases(&self) -> Few<(usize, Shape)> {
         // The force of a port at rest follows the others at once: their onset would have to be in its basis too.
         let rests = self.in_regime(Regime::Contact).any(|p| self.is_rigid(p));
         let strikes = |p: usize| self.ports[p].entering && self.ports[p].rate_m_s > 0.0 && !rests;
@@ -68,21 +75,21 @@ impl Marcher<'_> {
         let joint = self.joint_step(w, &tables);
         let resting = Resting::new(self, &tables);
         let solved = self.solve_joint(w, &joint, &resting);
-        let Some(solved) = solved.filter(|all| self.is_fine(&joint, all, is_short)) else {
+        let Some(solved) = solved.filter(|all| self.is_fine(&joint.steps, all, is_short)) else {
             return Outcome::Unclear(1);
         };
-        let outcome = self.watch(w, &joint, &solved);
+        let outcome = self.watch(w, length, &joint.steps, &solved);
         if let Outcome::Clear = outcome {
-            self.take_joint(w, &joint, &solved);
+            self.take_joint(w, length, &joint.steps, &solved, Some(&tables));
         }
         outcome
     }
 
     /// Accurate and sound at every port.
     #[inline(always)]
-    fn is_fine(&self, joint: &JointStep, solved: &[Solved], is_short: bool) -> bool {
-        let allowed_n_s = self.allowed_beside_n_s(joint, solved);
-        joint.steps.iter().zip(solved).all(|(step, own)| {
+    pub(super) fn is_fine(&self, steps: &[Step], solved: &[Solved], is_short: bool) -> bool {
+        let allowed_n_s = self.allowed_beside_n_s(steps, solved);
+        steps.iter().zip(solved).all(|(step, own)| {
             let needs_no_look = self.is_rigid(step.port) || self.law(step.port).acts_on_both_sides();
             own.error_n_s <= allowed_n_s && (needs_no_look || own.is_sound(step.shape, is_short))
         })
@@ -100,15 +107,18 @@ impl Marcher<'_> {
                 self.join(w, *striker);
                 return true;
             }
-            let tables = JointTables::new(self.kernel, ports, Length::Odd { length_s, level });
+            let length = Length::Odd { length_s, level };
+            let tables = JointTables::new(self.kernel, ports, length);
             let joint = self.joint_step(w, &tables);
             let resting = Resting::new(self, &tables);
             let Some(solved) = self.solve_joint(w, &joint, &resting) else { return false };
             let [distance_m, speed_m_s] = self.flown(w, &joint, &solved, *striker);
             let change_s = -distance_m / speed_m_s;
-            if change_s.abs() <= MET * scale_s.max(length_s) {
-                self.watch(w, &joint, &solved);
-                self.take_joint(w, &joint, &solved);
+            // No time is told better than the roundoff of the distance allows.
+            let roundoff_s = RESOLVED * self.terms_m(w, *striker) / speed_m_s.abs();
+            if change_s.abs() <= roundoff_s.max(MET * scale_s.max(length_s)) {
+                self.watch(w, length, &joint.steps, &solved);
+                self.take_joint(w, length, &joint.steps, &solved, Some(&tables));
                 self.join(w, *striker);
                 return true;
             }

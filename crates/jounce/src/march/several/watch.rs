@@ -3,10 +3,12 @@
 use super::flight::Outcome;
 use super::joint_solve::JointStep;
 use crate::march::basis::NODES;
-use crate::march::contact_step::Solved;
+use crate::march::contact_step::{Solved, Step};
 use crate::march::crossing::Crossing;
+use crate::march::few::Few;
 use crate::march::flight::Verdict;
 use crate::march::forced_flight::rest_bounds;
+use crate::march::joint_tables::Length;
 use crate::march::marcher::Marcher;
 use crate::march::port_state::Regime;
 use crate::march::state::{dot, pushed};
@@ -15,43 +17,43 @@ use crate::wide::{Lane, Wide};
 impl Marcher<'_> {
     /// Judges the flight of every other port over a solved step; the free motion to its end is left in `next`.
     #[inline(always)]
-    pub(super) fn watch<W: Wide>(&mut self, w: W, joint: &JointStep, solved: &[Solved]) -> Outcome {
-        joint.steps[0].table.flow.apply(w, &self.y, &mut self.next);
+    pub(super) fn watch<W: Wide>(&mut self, w: W, length: Length, steps: &[Step], solved: &[Solved]) -> Outcome {
+        steps[0].table.flow.apply(w, &self.y, &mut self.next);
+        let forces: Few<Lane> = solved.iter().map(|own| nodal(&own.force)).collect();
         let mut outcome = Outcome::Clear;
         for p in 0..self.kernel.plant.ports.len() {
             if self.ports[p].regime == Regime::Flight {
-                outcome = self.watch_one(w, joint, solved, p, outcome);
+                outcome = outcome.and(p, self.watch_one(w, length, steps, &forces, p));
             }
         }
         outcome
     }
 
-    /// Adds the verdict on one port.
+    /// The verdict on one port.
     #[inline(always)]
-    fn watch_one<W: Wide>(&self, w: W, joint: &JointStep, solved: &[Solved], p: usize, outcome: Outcome) -> Outcome {
-        let flights = joint.tables.flights(self.kernel, p);
-        let flights: Vec<_> = flights.iter().map(|flight| &**flight).collect();
-        let forces: Vec<Lane> = solved.iter().map(|own| nodal(&own.force)).collect();
+    fn watch_one<W: Wide>(&self, w: W, length: Length, steps: &[Step], forces: &[Lane], p: usize) -> Verdict {
+        let flight = |step: &Step| length.flight(self.kernel, (step.port, step.shape), p);
+        let flights: Few<_> = steps.iter().map(flight).collect();
         let mut forced = w.zero();
-        for (flight, force) in flights.iter().zip(&forces) {
+        for (flight, force) in flights.iter().zip(forces) {
             forced = pushed(w, forced, &flight.end, force);
         }
         let forced = w.store(forced).0;
-        let [rest_m, rest_m_s] = rest_bounds(w, &flights, &forces);
-        let drive = self.drive_at_end(p, joint);
+        let [rest_m, rest_m_s] = rest_bounds(w, &flights, forces);
+        let drive = self.drive_at_end(p, steps[0].port, length);
         let rows = &self.ports[p].rows;
         let free = [dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m, dot(w, &rows.velocity, &self.next) + drive[1]];
-        let mut step = self.step_of(w, p, joint.tables.length.level(), joint.tables.length.seconds(), free, drive);
+        let mut step = self.step_of(w, p, length.level(), length.seconds(), free, drive);
         step.distance_m[1] += forced[0];
         step.speed_m_s[1] += forced[1];
         step.fast_bound_m += rest_m;
         // The rate of an output that forces act on at once is not that of its row: only the bound on the output itself serves.
-        step.fast_bound_m_s += if self.acts_at_once(p, joint) { f64::INFINITY } else { rest_m_s };
+        step.fast_bound_m_s += if self.acts_at_once(p, steps) { f64::INFINITY } else { rest_m_s };
         let end_m = free[0] + forced[0];
         // A point that touches and is pushed in strikes now: in contact the law itself decides.
         let touches = end_m > 0.0 && self.ports[p].penetration_m.abs() <= self.touch_m(p) && !self.is_rigid(p) && !self.is_guard(p);
         let now = Crossing { from_s: 0.0, guess_s: 0.0, to_s: step.length_s };
-        outcome.and(p, if touches { Verdict::Strike(now) } else { self.judge_beside(w, p, &step, end_m) })
+        if touches { Verdict::Strike(now) } else { self.judge_beside(w, p, &step, end_m) }
     }
 
     /// Motion of a port in flight at the end of a solved step: distance past the stop, m, and its rate, m/s.
@@ -62,21 +64,23 @@ impl Marcher<'_> {
         for (step, own) in joint.steps.iter().zip(solved) {
             crate::march::state::add_push(w, &step.table.push, &nodal(&own.force), &mut self.next);
         }
-        let (rows, drive) = (&self.ports[p].rows, self.drive_at_end(p, joint));
+        let (rows, drive) = (&self.ports[p].rows, self.drive_at_end(p, joint.steps[0].port, joint.tables.length));
         let at_once: f64 = joint.steps.iter().zip(solved).map(|(step, own)| self.kernel.directly(step.port, p) * own.force.0[NODES]).sum();
         [dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m, dot(w, &rows.velocity, &self.next) + drive[1] + at_once]
     }
 
-    fn acts_at_once(&self, p: usize, joint: &JointStep) -> bool {
-        self.is_guard(p) && joint.steps.iter().any(|step| self.kernel.directly(step.port, p) != 0.0)
+    /// True for an output whose rate the force of a step changes at once.
+    #[inline(always)]
+    fn acts_at_once(&self, p: usize, steps: &[Step]) -> bool {
+        self.is_guard(p) && steps.iter().any(|step| self.kernel.directly(step.port, p) != 0.0)
     }
 
-    /// Displacement and velocity of a port under the drive at the end of a step.
+    /// Displacement and velocity of a port under the drive at the end of a step of another one in contact.
     #[inline(always)]
-    fn drive_at_end(&self, p: usize, joint: &JointStep) -> [f64; 2] {
-        let mut drive = self.forced.motion_after(p, joint.tables.length.seconds());
+    fn drive_at_end(&self, p: usize, in_contact: usize, length: Length) -> [f64; 2] {
+        let mut drive = self.forced.motion_after(p, length.seconds());
         for tone in &self.tones {
-            let [place, speed] = tone.motion_after(p, tone.swing[joint.steps[0].port].end());
+            let [place, speed] = tone.motion_after(p, tone.swing[in_contact].end());
             drive = [drive[0] + place, drive[1] + speed];
         }
         drive

@@ -6,7 +6,7 @@ use super::place::Balance;
 use super::rule::Rules;
 use crate::contact::Law;
 use crate::continuation::{Family, Linear, Position};
-use crate::march::Kernel;
+use crate::march::{Kernel, MarchError, VariationError};
 use crate::orbit::compliance::{Grid, Transfer};
 use crate::orbit::{Harvester, Orbit, OrbitError, OrbitMethod, Setting, Shooting, Shot, nearest_extremum_m};
 use faer::{Mat, c64};
@@ -46,6 +46,9 @@ impl<'h, H: Harvester> HarmonicBalance<'h, H> {
     }
 
     fn balance(&self, setting: Setting, unknown: &[f64], parameter: f64) -> Result<Balance, OrbitError<H::Error>> {
+        if setting.kernel.watch.is_stopped() {
+            return Err(OrbitError::March(VariationError::March(MarchError::Stopped { time_s: 0.0 })));
+        }
         match setting.kernel.plant.tones.len() {
             1 => Ok(Balance::new(setting.kernel, parameter, unknown, self.shooting.cycles, &self.grid, &self.rules)),
             frequencies => Err(OrbitError::Frequencies { frequencies }),

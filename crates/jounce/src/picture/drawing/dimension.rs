@@ -4,6 +4,9 @@ use crate::picture::svg::{Svg, number};
 
 const LOOK: &str = "class=\"jounce-rule\" stroke=\"#1a1a1a\" stroke-width=\"1\" fill=\"none\"";
 
+/// Two arrow heads have no room between closer ends, px.
+const SHORT: f64 = 18.0;
+
 /// A length in the unit that reads best.
 pub fn length(length_m: f64) -> String {
     let (value, unit) = match length_m.abs() {
@@ -28,8 +31,13 @@ pub fn bar(svg: &mut Svg, x: f64, y: f64, length: f64) {
     svg.path(&format!("M{left} {low}L{left} {high}M{left} {y0}L{right} {y0}M{right} {low}L{right} {high}"), LOOK);
 }
 
-/// An upright line with an arrow head at each end that is asked for.
+/// An upright line with an arrow head at each end that is asked for; about a short length the two stand outside.
 pub fn arrow(svg: &mut Svg, x: f64, (from, to): (f64, f64), both: bool) {
+    if both && (from - to).abs() < SHORT {
+        let way = (to - from).signum();
+        arrow(svg, x, (from - way * SHORT, from), false);
+        return arrow(svg, x, (to + way * SHORT, to), false);
+    }
     let head = |y: f64, way: f64| {
         format!("M{} {}L{} {}L{} {}", number(x - 4.0), number(y + 8.0 * way), number(x), number(y), number(x + 4.0), number(y + 8.0 * way))
     };

@@ -1,116 +1,188 @@
-//! The sheet: side views one below the other, then the closer looks.
+//! The sheet: the groups one below the other, then circuits and closer looks.
 
-use super::{Drawing, DrawnBody, body, close_up, dimension};
+use super::canvas::Canvas;
+use super::layout::Layout;
+use super::rect::Rect;
+use super::{Drawing, DrawnCircuit, DrawnContact, bodies, circuit, close_up, contacts, dimension, drives, scale};
 use crate::picture::svg::{Anchor, Svg};
-use crate::picture::text::{SMALL, TITLE};
+use crate::picture::text::{SMALL, TITLE, wrap};
 
 /// Width of the sheet, px.
 const WIDTH: f64 = 900.0;
+/// Free edge, px.
+const EDGE: f64 = 14.0;
+/// Distance of two things on the sheet, px.
+const SPACE: f64 = 26.0;
 
-/// Room for carriers at the left, px.
-const LEFT: f64 = 190.0;
-
-/// Room for labels at the right, px.
-const RIGHT: f64 = 110.0;
-
-/// Height of a side view, px.
-const BODY: f64 = 225.0;
-
-/// Width of a closer look, px.
-const LOOK: f64 = 285.0;
-
-/// Height of a closer look, px.
-const LOOK_HIGH: f64 = 230.0;
-
-/// Where lengths of a side view stand on the sheet.
-#[derive(Debug, Clone, Copy)]
-pub struct View {
-    /// Pixels per metre.
-    pub px_per_m: f64,
-    /// Abscissa of the roots.
-    pub root_x: f64,
-    /// Height of the mid-plane.
-    pub y: f64,
+/// Something under the side view that has a size of its own.
+enum Cell<'d> {
+    Circuit(&'d DrawnCircuit),
+    Look(&'d DrawnContact),
 }
 
-impl View {
-    /// Abscissa of a place along the beam.
-    pub fn x(&self, place_m: f64) -> f64 {
-        self.root_x + place_m * self.px_per_m
-    }
-
-    /// A length in pixels, at least one.
-    pub fn thick(&self, length_m: f64) -> f64 {
-        (length_m * self.px_per_m).max(1.0)
+impl Cell<'_> {
+    fn size(&self) -> (f64, f64) {
+        match self {
+            Cell::Circuit(drawn) => (circuit::wide(drawn), circuit::HIGH),
+            Cell::Look(_) => close_up::SIZE,
+        }
     }
 }
 
 /// The drawing as SVG.
 pub fn drawn(drawing: &Drawing) -> String {
-    let longest_m = drawing.bodies.iter().filter_map(|body| body.beam.as_ref()).map(|beam| beam.length_m).fold(0.0, f64::max);
-    let px_per_m = if longest_m > 0.0 { (WIDTH - LEFT - RIGHT) / longest_m } else { 0.0 };
-    let looks: Vec<_> = drawing.bodies.iter().flat_map(|body| body.stops.iter().map(move |stop| (body.beam.as_ref(), stop))).collect();
-    let per_line = (WIDTH / LOOK) as usize;
-    let looks_from = 40.0 + BODY * drawing.bodies.len() as f64 + if longest_m > 0.0 { 40.0 } else { 0.0 };
-    let height = looks_from + LOOK_HIGH * looks.len().div_ceil(per_line) as f64 + 10.0;
+    let layout = scale::fitted(drawing);
+    // Once to see how high it becomes, once for good.
+    let height = content(&mut Svg::new(WIDTH, 1.0, ""), drawing, &layout);
     let mut svg = Svg::new(WIDTH, height, &drawing.title);
-    svg.text(12.0, 12.0 + TITLE, TITLE, Anchor::Start, &drawing.title);
-    for (index, body) in drawing.bodies.iter().enumerate() {
-        let view = View { px_per_m, root_x: LEFT, y: 130.0 + BODY * index as f64 };
-        side_view(&mut svg, body, view);
-    }
-    if longest_m > 0.0 {
-        let bar_m = dimension::round_below(0.25 * longest_m);
-        let bar_px = bar_m * px_per_m;
-        let y = looks_from - 18.0;
-        dimension::bar(&mut svg, LEFT, y, bar_px);
-        let words = format!("{}, the same in both directions", dimension::length(bar_m));
-        svg.text(LEFT + bar_px + 10.0, y + 4.0, SMALL, Anchor::Start, &words);
-    }
-    for (index, (beam, stop)) in looks.into_iter().enumerate() {
-        let (x, y) = ((index % per_line) as f64 * LOOK + 20.0, looks_from + (index / per_line) as f64 * LOOK_HIGH);
-        close_up::close_up(&mut svg, (x, y, LOOK - 25.0, LOOK_HIGH - 20.0), beam, stop, px_per_m);
-    }
+    content(&mut svg, drawing, &layout);
     svg.finish()
 }
 
-fn side_view(svg: &mut Svg, body: &DrawnBody, view: View) {
-    body::carrier(svg, body, view);
-    if let Some(beam) = &body.beam {
-        body::beam(svg, beam, view);
+/// Draws everything; gives the height of the sheet.
+fn content(svg: &mut Svg, drawing: &Drawing, layout: &Layout) -> f64 {
+    let mut y = 12.0;
+    for line in wrap(&drawing.title, TITLE, WIDTH - 2.0 * EDGE) {
+        y += TITLE + 4.0;
+        svg.text(EDGE, y, TITLE, Anchor::Start, &line);
     }
-    body::stops(svg, body, view);
-    body::drives(svg, body, view);
+    y += SPACE;
+    for number in 0..layout.groups() {
+        y = group(svg, drawing, layout, number, y) + SPACE;
+    }
+    if layout.px_per_m > 0.0 {
+        let bar_m = dimension::round_below(200.0 / layout.px_per_m);
+        dimension::bar(svg, EDGE, y, bar_m * layout.px_per_m);
+        let words = format!("{}, the same in both directions", dimension::length(bar_m));
+        svg.text(EDGE + bar_m * layout.px_per_m + 10.0, y + 4.0, SMALL, Anchor::Start, &words);
+        y += SPACE;
+    }
+    let looks = drawing.contacts.iter().filter(|contact| close_up::needed(contact, layout.px_per_m)).map(Cell::Look);
+    cells(svg, drawing, layout, drawing.circuits.iter().map(Cell::Circuit).chain(looks), y)
+}
+
+/// Draws a group with its upper edge at `y`; gives its lower edge.
+fn group(svg: &mut Svg, drawing: &Drawing, layout: &Layout, number: usize, y: f64) -> f64 {
+    let room = layout.extent(drawing, number);
+    let x = 0.5 * (WIDTH - room.width()) - room.left;
+    // Labels may stand above the bodies: how far shows the first attempt.
+    let attempt = scene(&mut Svg::new(WIDTH, 1.0, ""), drawing, layout, number, (x, 0.0));
+    scene(svg, drawing, layout, number, (x, y - attempt.top)).bottom
+}
+
+fn scene(svg: &mut Svg, drawing: &Drawing, layout: &Layout, number: usize, shift: (f64, f64)) -> Rect {
+    let mut canvas = Canvas::new(svg, (EDGE, WIDTH - EDGE));
+    layout.members(number).for_each(|body| bodies::body(&mut canvas, drawing, layout, body, shift));
+    for (index, contact) in drawing.contacts.iter().enumerate() {
+        if layout.group[contact.at.body] == number {
+            contacts::contact(&mut canvas, drawing, layout, index, shift);
+        }
+    }
+    drives::forces(&mut canvas, drawing, layout, number, shift);
+    drives::base(&mut canvas, drawing, layout, number, shift);
+    if number == 0 {
+        drives::gravity(&mut canvas, drawing, (WIDTH - EDGE - 20.0, layout.extent(drawing, number).top + shift.1));
+    }
+    canvas.finish()
+}
+
+/// Sets cells in lines; gives their lower edge.
+fn cells<'d>(svg: &mut Svg, drawing: &Drawing, layout: &Layout, cells: impl Iterator<Item = Cell<'d>>, mut y: f64) -> f64 {
+    let (mut x, mut high) = (EDGE, 0.0_f64);
+    for cell in cells {
+        let (width, height) = cell.size();
+        if x > EDGE && x + width > WIDTH - EDGE {
+            (x, y, high) = (EDGE, y + high + SPACE, 0.0);
+        }
+        match cell {
+            Cell::Circuit(drawn) => circuit::draw(svg, drawn, (x, y)),
+            Cell::Look(contact) => close_up::draw(svg, drawing, contact, (x, y), layout.px_per_m),
+        }
+        (x, high) = (x + width + SPACE, high.max(height));
+    }
+    if high > 0.0 { y + high + SPACE } else { y }
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::picture::{Carrier, DrawnBeam, DrawnStop};
+    use crate::picture::text::width;
+    use crate::spec::SpecFile;
+    use std::path::{Path, PathBuf};
 
-    /// Width and height of the first rectangle of a class.
-    fn rectangle(svg: &str, class: &str) -> Option<(f64, f64)> {
-        let element = svg.split(&format!("class=\"{class}\"")).next()?.rsplit("<rect").next()?;
-        let read = |name: &str| element.split(&format!(" {name}=\"")).nth(1)?.split('"').next()?.parse().ok();
-        Some((read("width")?, read("height")?))
+    /// The value of an attribute of an element.
+    fn number(element: &str, name: &str) -> f64 {
+        element.split(&format!(" {name}=\"")).nth(1).unwrap().split('"').next().unwrap().parse().unwrap()
+    }
+
+    /// What every text covers, and the text.
+    fn texts(svg: &str) -> Vec<(Rect, String)> {
+        let found = svg.split("<text").skip(1).map(|element| {
+            let text = element.split('>').nth(1).unwrap().trim_end_matches("</text").replace("&quot;", "\"");
+            let (x, y, size) = (number(element, "x"), number(element, "y"), number(element, "font-size"));
+            let wide = width(&text, size);
+            let left = if element.contains("\"middle\"") { x - 0.5 * wide } else { x };
+            (Rect { left, right: left + wide, top: y - 0.75 * size, bottom: y + 0.2 * size }, text)
+        });
+        found.collect()
+    }
+
+    fn specs(folder: &Path) -> Vec<PathBuf> {
+        let paths = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+        let mut found: Vec<PathBuf> = Vec::new();
+        for path in paths {
+            match path.is_dir() {
+                true => found.extend(specs(&path)),
+                false
+                    if path.extension().is_some_and(|ending| ending == "toml")
+                        && !["expected.toml", "study.toml"].iter().any(|name| path.ends_with(name)) =>
+                {
+                    found.push(path)
+                }
+                false => (),
+            }
+        }
+        found.sort();
+        found
     }
 
     #[test]
-    fn length_and_thickness_have_one_scale() {
-        let beam = DrawnBeam { label: "beam".into(), length_m: 0.3, thickness_m: 6e-3, patches: Vec::new(), points: Vec::new() };
-        let stop = DrawnStop {
-            label: "stop".into(),
-            place_m: Some(0.3),
-            above: true,
-            gap_m: 2e-3,
-            frame: "ground".into(),
-            rides: false,
-            law: "spring".into(),
-        };
-        let body = DrawnBody { carrier: Carrier::Ground, beam: Some(beam), stops: vec![stop], drives: Vec::new() };
-        let svg = drawn(&Drawing { title: "two".into(), bodies: vec![body] });
-        let (length, thickness) = rectangle(&svg, "jounce-beam").unwrap_or_default();
-        assert!((thickness / length - 6e-3 / 0.3).abs() < 1e-4, "{length} {thickness}");
+    fn no_label_of_any_example_or_starter_lies_over_another_or_leaves_the_page() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let all = [specs(&root.join("../../examples")), specs(&root.join("src/starter"))].concat();
+        assert!(all.len() > 20, "{all:?}");
+        for path in all {
+            let spec = SpecFile::read(&path).unwrap().spec().unwrap_or_else(|faults| panic!("{}: {faults}", path.display()));
+            let svg = crate::show::drawing("title", &spec).to_svg();
+            let page = Rect::between((0.0, 0.0), (number(&svg, "width"), number(&svg, "height")));
+            let texts = texts(&svg);
+            for (k, (room, text)) in texts.iter().enumerate() {
+                assert!(page.joined(room) == page, "{}: \"{text}\" leaves the page: {room:?}", path.display());
+                let over = texts[..k].iter().find(|(other, _)| other.meets(room));
+                assert!(over.is_none(), "{}: \"{text}\" lies over {over:?}", path.display());
+            }
+        }
+    }
+
+    /// Width and height of the first rectangle of a class.
+    fn rectangle(svg: &str, class: &str) -> (f64, f64) {
+        let element = svg.split("<rect").find(|element| element.contains(&format!("class=\"{class}\""))).unwrap();
+        (number(element, "width"), number(element, "height"))
+    }
+
+    #[test]
+    fn length_thickness_and_gap_have_one_scale() {
+        let beams = "[beam.a]\nmaterial = \"steel\"\nlength = \"300 mm\"\nwidth = \"10 mm\"\nthickness = \"6 mm\"\n\
+            [stop.tip]\nat = \"a.end\"\nlaw = \"rigid\"\nrestitution = 1\ngap = \"2 mm\"\n[damping]\nbeyond = 0.01\n";
+        let svg = crate::show::drawing("", &SpecFile::from_text(beams).spec().unwrap()).to_svg();
+        let (length, thickness) = rectangle(&svg, "jounce-beam");
+        assert!((thickness / length - 0.02).abs() < 1e-4, "{length} {thickness}");
+        // The tip starts where the gap above the beam ends.
+        let beam = svg.split("<rect").find(|element| element.contains("jounce-beam")).unwrap();
+        let tip = svg.split("<path").find(|element| element.contains("jounce-stop")).unwrap();
+        let struck: f64 = tip.split('Q').nth(1).unwrap().split(' ').nth(1).unwrap().parse().unwrap();
+        assert!(((number(beam, "y") - struck) / length - 2.0 / 300.0).abs() < 1e-4, "{svg}");
         assert!(svg.contains("gap 2 mm") && svg.contains("drawn 4 times larger than above"), "{svg}");
     }
 }

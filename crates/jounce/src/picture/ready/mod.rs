@@ -1,5 +1,6 @@
 //! Ready-made figures: plain data in, a [`super::Figure`] out, drawn the way the harvester paper (2019) draws its figures 4 to 9.
 mod branches;
+mod density;
 mod diagram;
 mod ensemble;
 mod frequency_response;
@@ -11,6 +12,7 @@ mod sweep;
 mod time_history;
 
 pub use branches::{BranchLine, BranchMark, branches};
+pub use density::{DensityLine, densities};
 pub use diagram::{DiagramDots, DiagramView, diagram};
 pub use ensemble::ensemble;
 pub use frequency_response::{Response, frequency_responses};

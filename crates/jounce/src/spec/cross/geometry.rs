@@ -6,7 +6,7 @@ use super::Broken;
 use crate::spec::{Face, Patch, Quantity, Spec};
 
 /// Lengths that differ by less than this part of the beam are equal: sums of decimal lengths are not exact.
-const SLACK: f64 = 1e-9;
+pub(super) const SLACK: f64 = 1e-9;
 
 pub(super) fn check(spec: &Spec, broken: &mut Broken) {
     for (name, beam) in &spec.beam {
@@ -79,7 +79,7 @@ fn end_m(patch: &Patch) -> f64 {
 }
 
 /// A length for a message: sums are rounded to what decimals were meant.
-fn metres(length_m: f64) -> String {
+pub(super) fn metres(length_m: f64) -> String {
     let rounded = format!("{length_m:.12e}").parse().unwrap_or(length_m);
     Quantity::Length.write(rounded)
 }

@@ -6,6 +6,7 @@
 mod circuit;
 mod drives;
 mod geometry;
+mod layers;
 mod modes;
 mod reference;
 mod support;
@@ -42,6 +43,7 @@ pub(super) fn broken(spec: &Spec) -> Vec<(String, String)> {
     support::check(spec, &mut broken);
     circuit::check(spec, &mut broken);
     geometry::check(spec, &mut broken);
+    layers::check(spec, &mut broken);
     modes::check(spec, &mut broken);
     drives::check(spec, &mut broken);
     broken.found

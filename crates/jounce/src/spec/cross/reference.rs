@@ -16,6 +16,12 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
             broken.push(|| format!("patch.{name}.on"), || unknown("beam", &patch.on, "beams", beams));
         }
     }
+    for (name, layer) in &spec.layer {
+        if !layer.on.is_empty() && !spec.beam.contains_key(&layer.on) {
+            let beams = || spec.beam.keys().map(String::as_str);
+            broken.push(|| format!("layer.{name}.on"), || unknown("beam", &layer.on, "beams", beams));
+        }
+    }
     // Listed once, and only if something is wrong: a huge file may have many points and many wrong references.
     let points = LazyCell::new(|| points(spec));
     for (name, drive) in &spec.drive {

@@ -5,6 +5,7 @@ mod circuit;
 mod drive;
 mod drive_signal;
 mod gravity;
+mod layer;
 mod mass;
 mod modal;
 mod patch;
@@ -28,6 +29,11 @@ pub(super) static SPEC: &[Key<Spec>] = &[
         "patch",
         "piezoelectric patches bonded on beams",
         &Named { get: |s: &Spec| &s.patch, open: |s| &mut s.patch, blank: patch::blank, keys: patch::KEYS },
+    ),
+    things(
+        "layer",
+        "passive layers on the faces of beams, under the patches: bond lines, shims, coatings",
+        &Named { get: |s: &Spec| &s.layer, open: |s| &mut s.layer, blank: layer::blank, keys: layer::KEYS },
     ),
     things(
         "mass",

@@ -18,7 +18,7 @@ pub(super) fn blank() -> Modal {
 }
 
 fn blank_patch() -> ModalPatch {
-    ModalPatch { coupling_n_per_v: Vec::new(), capacitance_f: f64::NAN }
+    ModalPatch { coupling_n_per_v: Vec::new(), capacitance_f: f64::NAN, leakage_ohm: None }
 }
 
 pub(super) static KEYS: &[Key<Modal>] = &[
@@ -74,4 +74,12 @@ static PATCH_KEYS: &[Key<ModalPatch>] = &[
         |p, x| p.capacitance_f = x,
     )
     .within(Range::POSITIVE),
+    Key::with_slot(
+        "leakage_resistance",
+        Kind::Quantity(Quantity::Resistance),
+        "resistance across the capacitance through which the charge of the patch leaks",
+        Slot::Optional { get: |p: &ModalPatch| p.leakage_ohm, set: |p, x| p.leakage_ohm = Some(x) },
+    )
+    .within(Range::POSITIVE)
+    .optional(),
 ];

@@ -24,6 +24,7 @@ pub(super) fn blank() -> Patch {
         capacitance_f: None,
         permittivity_f_m: None,
         strain_limit: None,
+        leakage_ohm: None,
         section: Section::default(),
     }
 }
@@ -143,6 +144,14 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     .one_of(CAPACITANCE)
     .unless("material"),
     Key::with_slot(
+        "leakage_resistance",
+        Kind::Quantity(Quantity::Resistance),
+        "resistance across the capacitance through which the charge of the patch leaks",
+        Slot::Optional { get: |p: &Patch| p.leakage_ohm, set: |p, x| p.leakage_ohm = Some(x) },
+    )
+    .within(Range::POSITIVE)
+    .optional(),
+    Key::with_slot(
         "strain_limit",
         Kind::Number,
         "largest strain along the beam that it bears; `jounce run` warns beyond it",
@@ -152,7 +161,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     .optional(),
 ];
 
-fn section_word(section: Section) -> &'static str {
+pub(super) fn section_word(section: Section) -> &'static str {
     match section {
         Section::ThinSkin => "thin-skin",
         Section::Laminate => "laminate",

@@ -5,6 +5,7 @@ mod circuit;
 mod damping;
 mod drive;
 mod gravity;
+mod layer;
 mod mass;
 mod modal;
 mod patch;
@@ -18,6 +19,7 @@ pub use circuit::{Circuit, Interface, Wiring};
 pub use damping::Damping;
 pub use drive::{Drive, DriveKind};
 pub use gravity::Gravity;
+pub use layer::Layer;
 pub use mass::Mass;
 pub use modal::{Modal, ModalPatch};
 pub use patch::{Face, Patch, Section};
@@ -35,6 +37,8 @@ pub struct Spec {
     pub beam: BTreeMap<String, Beam>,
     /// `[patch.NAME]`
     pub patch: BTreeMap<String, Patch>,
+    /// `[layer.NAME]`
+    pub layer: BTreeMap<String, Layer>,
     /// `[mass.NAME]`
     pub mass: BTreeMap<String, Mass>,
     /// `[modal.NAME]`

@@ -24,4 +24,6 @@ pub struct ModalPatch {
     pub coupling_n_per_v: Vec<f64>,
     /// `capacitance`
     pub capacitance_f: f64,
+    /// `leakage_resistance` across it, ohm; `None` without.
+    pub leakage_ohm: Option<f64>,
 }

@@ -31,6 +31,8 @@ pub struct Patch {
     pub capacitance_f: Option<f64>,
     /// `permittivity` at constant strain of the layer as a plate capacitor, F/m.
     pub permittivity_f_m: Option<f64>,
+    /// `leakage_resistance` across the capacitance, ohm; `None` without.
+    pub leakage_ohm: Option<f64>,
     /// `strain_limit`: largest strain along the beam that it bears, dimensionless.
     pub strain_limit: Option<f64>,
     /// `section`; default `laminate`.

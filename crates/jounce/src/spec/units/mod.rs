@@ -18,6 +18,7 @@ mod dimension;
 mod error;
 mod expression;
 mod facts;
+mod printed;
 mod quantity;
 mod symbol;
 

@@ -61,28 +61,35 @@ pub struct BasinsAnswer {
 }
 
 impl Basins<'_> {
-    /// Marches all starts, in parallel; `done` hears of each that is finished.
+    /// Marches all starts, in parallel; `done` hears of each that is finished. Stopped by its watch it answers from those that are.
     ///
     /// # Errors
     /// A harvester that cannot be made.
     pub fn run(&self, done: &(dyn Fn() + Sync)) -> Result<BasinsAnswer, StudyError> {
         let kernel = self.parameter.at(self.value)?.kernel;
-        let fate = |index: usize| {
+        let watch = &self.base.kernel.watch;
+        watch.expect(self.starts.len());
+        let finished = |index: usize| {
+            if watch.is_stopped() {
+                return None;
+            }
             let start = self.starts.start(&kernel.plant, index);
             let fate = Fate::of(self.parameter, (&kernel, self.value), &start, self.tolerance);
+            watch.count();
             done();
-            fate
+            (!watch.is_stopped()).then_some((index, fate))
         };
-        let fates: Vec<Fate> = (0..self.starts.len()).into_par_iter().map(fate).collect();
+        let fates: Vec<(usize, Fate)> = (0..self.starts.len()).into_par_iter().filter_map(finished).collect();
         Ok(answer(&fates))
     }
 }
 
-fn answer(fates: &[Fate]) -> BasinsAnswer {
+fn answer(fates: &[(usize, Fate)]) -> BasinsAnswer {
     let mut orbits: Vec<(&Orbit, Vec<usize>)> = Vec::new();
     let mut wanderers: Vec<(usize, Lyapunov)> = Vec::new();
     let mut lost: Vec<(usize, String)> = Vec::new();
-    for (index, fate) in fates.iter().enumerate() {
+    for (index, fate) in fates {
+        let index = *index;
         match fate {
             Fate::Orbit(orbit) => match orbits.iter_mut().find(|(known, _)| Signature::of(known).is(&Signature::of(orbit))) {
                 Some((_, starts)) => starts.push(index),
@@ -160,7 +167,7 @@ mod tests {
     #[test]
     fn shares_and_expected_power_are_counted() {
         let fates = [orbit(1, 2.0), orbit(1, 1.0), orbit(2, 4.0), orbit(1, 1.0 + 1e-9)];
-        let found = answer(&fates);
+        let found = answer(&fates.into_iter().enumerate().collect::<Vec<_>>());
         let ids: Vec<&str> = found.attractors.iter().map(|a| a.id.as_str()).collect();
         assert_eq!(ids, ["1a", "1b", "2a"]);
         assert_eq!(found.attractors[1].starts, [1, 3]);

@@ -80,7 +80,7 @@ impl BranchSearch<'_> {
         Shooting::new(self.parameter, &self.base.kernel, cycles, self.tolerance)
     }
 
-    /// Finds and follows the branches.
+    /// Finds and follows the branches; stopped by its watch it gives what is finished.
     ///
     /// # Errors
     /// [`OrbitError`].
@@ -98,14 +98,25 @@ impl BranchSearch<'_> {
         let following = self.following();
         self.check_ends()?;
         make(1)?;
+        let watch = &self.base.kernel.watch;
         let mut branches: Vec<Branch> = Vec::new();
-        for (orbit, parameter) in self.starts() {
+        let starts = self.starts();
+        watch.expect(starts.len());
+        for (orbit, parameter) in starts {
             if orbit.period_cycles > self.longest_period || branches.iter().any(|branch| branch.holds(&orbit, parameter)) {
+                watch.count();
                 continue;
             }
             let method = make(orbit.period_cycles)?;
-            branches.extend(self.both_ways(&following, &method, orbit.start(), parameter)?);
-            self.doubled(&following, &make, &mut branches)?;
+            let found = self.both_ways(&following, &method, orbit.start(), parameter);
+            let found = found.and_then(|branch| {
+                branches.extend(branch);
+                self.doubled(&following, &make, &mut branches)
+            });
+            if !watch.is_stopped() {
+                found?;
+            }
+            watch.count();
         }
         Ok(branches)
     }
@@ -129,10 +140,13 @@ impl BranchSearch<'_> {
         let jobs: Vec<(f64, Start)> =
             values.iter().flat_map(|value| [Start::Rest, Start::Steady, Start::Kicked].map(|start| (*value, start))).collect();
         let goal = self.following().corrector.goal;
+        let watch = &self.base.kernel.watch;
+        watch.expect(jobs.len());
         (jobs.into_par_iter())
             .filter_map(|(value, start)| {
-                let start = self.start(value, start)?;
-                Some((settled_orbit(self.parameter, value, &start, self.tolerance, goal)?, value))
+                let found = self.start(value, start).and_then(|start| settled_orbit(self.parameter, value, &start, self.tolerance, goal));
+                watch.count();
+                Some((found?, value))
             })
             .collect()
     }

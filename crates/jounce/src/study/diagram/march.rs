@@ -4,7 +4,6 @@ use super::visit::{Motion, Place, Visit};
 use crate::orbit::Harvester;
 use crate::study::{Cloud, Journal, Parameter, Prepared, StudyError, Way};
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Order of visit.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,31 +46,39 @@ impl Diagram<'_> {
         self.len() == 0
     }
 
-    /// Makes the diagram. `done` hears of each finished march; `stop` ends it early, with what is finished kept in the journal.
-    /// Visits come back in order.
+    /// Makes the diagram. `done` hears of each finished march; the watch of its harvester ends it early, with what is finished given back
+    /// and kept in the journal. Visits come back in order.
     ///
     /// # Errors
     /// [`StudyError`].
-    pub fn run(
-        &self,
-        journal: Option<&Journal<Visit>>,
-        stop: &AtomicBool,
-        done: &(dyn Fn(&Visit) + Sync),
-    ) -> Result<Vec<Visit>, StudyError> {
+    pub fn run(&self, journal: Option<&Journal<Visit>>, done: &(dyn Fn(&Visit) + Sync)) -> Result<Vec<Visit>, StudyError> {
         let found = journal.map(Journal::found).unwrap_or_default();
+        let watch = &self.base.kernel.watch;
+        watch.expect(self.len() - found.len());
         let finish = |visit: Visit| {
             if let Some(journal) = journal {
                 journal.keep(&visit)?;
             }
+            watch.count();
             done(&visit);
             Ok(visit)
         };
         let mut visits = match self.order {
-            Order::Starts(cloud) => self.scattered(cloud, found, stop, &finish)?,
-            Order::Up | Order::Down | Order::Both => self.stepped(found, stop, &finish)?,
+            Order::Starts(cloud) => self.scattered(cloud, found, &finish)?,
+            Order::Up | Order::Down | Order::Both => self.stepped(found, &finish)?,
         };
         visits.sort_by_key(|visit| visit.index);
         Ok(visits)
+    }
+
+    /// A march that is finished; `None` where it was stopped on its way.
+    fn finished(&self, place: Place, start: &[f64]) -> Result<Option<Visit>, StudyError> {
+        let stopped = || self.base.kernel.watch.is_stopped();
+        if stopped() {
+            return Ok(None);
+        }
+        let visit = self.visit(place, start)?;
+        Ok((!stopped()).then_some(visit))
     }
 
     /// A march at a value from a physical start.
@@ -99,35 +106,27 @@ impl Diagram<'_> {
         &self,
         cloud: Cloud,
         found: &[Visit],
-        stop: &AtomicBool,
         finish: &(dyn Fn(Visit) -> Result<Visit, StudyError> + Sync),
     ) -> Result<Vec<Visit>, StudyError> {
         (self.places().into_par_iter())
-            .filter(|_| !stop.load(Ordering::Relaxed))
             .map(|place| {
                 if let Some(visit) = found.iter().find(|visit| visit.index == place.index) {
-                    return Ok(visit.clone());
+                    return Ok(Some(visit.clone()));
                 }
                 let kernel = self.parameter.at(place.parameter)?.kernel;
-                finish(self.visit(place, &cloud.start(&kernel.plant, place.start))?)
+                self.finished(place, &cloud.start(&kernel.plant, place.start))?.map(finish).transpose()
             })
+            .filter_map(Result::transpose)
             .collect()
     }
 
-    fn stepped(
-        &self,
-        found: &[Visit],
-        stop: &AtomicBool,
-        finish: &(dyn Fn(Visit) -> Result<Visit, StudyError> + Sync),
-    ) -> Result<Vec<Visit>, StudyError> {
+    fn stepped(&self, found: &[Visit], finish: &(dyn Fn(Visit) -> Result<Visit, StudyError> + Sync)) -> Result<Vec<Visit>, StudyError> {
         let rest = vec![0.0; self.base.kernel.plant.len()];
         let mut visits = found.to_vec();
         for place in self.places().into_iter().skip(found.len()) {
-            if stop.load(Ordering::Relaxed) {
-                break;
-            }
             let start = visits.last().filter(|last| last.motion != Motion::Lost).map_or(&rest, |last| &last.end).clone();
-            visits.push(finish(self.visit(place, &start)?)?);
+            let Some(visit) = self.finished(place, &start)? else { break };
+            visits.push(finish(visit)?);
         }
         Ok(visits)
     }

@@ -26,6 +26,13 @@ pub enum IntervalOver {
     Batches,
 }
 
+impl IntervalOver {
+    /// What an interval is taken over with a number of members.
+    pub(super) fn of(members: usize) -> Self {
+        if members >= ENOUGH_MEMBERS { Self::Members } else { Self::Batches }
+    }
+}
+
 /// A mean and half the width of its 95 % interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Estimate {
@@ -40,13 +47,12 @@ pub struct Estimate {
 impl Estimate {
     /// Of the mean power of all loads, W.
     pub(super) fn of_power(members: &[Member]) -> Self {
-        if members.len() >= ENOUGH_MEMBERS {
-            let means: Vec<f64> = members.iter().map(|member| member.mean_power_w).collect();
-            Self::of(&means, IntervalOver::Members)
-        } else {
-            let batches: Vec<f64> = members.iter().flat_map(|member| member.batches_w.iter().copied()).collect();
-            Self::of(&batches, IntervalOver::Batches)
-        }
+        let interval = IntervalOver::of(members.len());
+        let values: Vec<f64> = match interval {
+            IntervalOver::Members => members.iter().map(|member| member.mean_power_w).collect(),
+            IntervalOver::Batches => members.iter().flat_map(|member| member.batches_w.iter().copied()).collect(),
+        };
+        Self::of(&values, interval)
     }
 
     /// Of independent values.
@@ -55,6 +61,29 @@ impl Estimate {
         let mean = values.iter().sum::<f64>() / count;
         let variance = values.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / (count - 1.0);
         let half_width = if values.len() < 2 { f64::INFINITY } else { student_95(count - 1.0) * (variance / count).sqrt() };
+        Self { mean, half_width, interval }
+    }
+
+    /// Of independent values, by their number, sum and sum of squares.
+    pub(super) fn of_sums(count: usize, [sum, squares]: [f64; 2]) -> Self {
+        let number = count as f64;
+        let mean = sum / number;
+        let variance = ((squares - number * mean * mean) / (number - 1.0)).max(0.0);
+        let half_width = if count < 2 { f64::INFINITY } else { student_95(number - 1.0) * (variance / number).sqrt() };
+        Self { mean, half_width, interval: IntervalOver::Members }
+    }
+
+    /// Sum of the first over sum of the second numbers of independent pairs, with the interval of the jackknife; 0, with an infinite
+    /// interval, where the second are all 0. Source: B. Efron, C. Stein, Ann. Stat. 9 (1981) 586.
+    pub(super) fn of_ratio(pairs: &[[f64; 2]], interval: IntervalOver) -> Self {
+        let [above, below] = pairs.iter().fold([0.0; 2], |[a, b], pair| [a + pair[0], b + pair[1]]);
+        if below == 0.0 {
+            return Self { mean: 0.0, half_width: f64::INFINITY, interval };
+        }
+        let (count, mean) = (pairs.len() as f64, above / below);
+        let left_out: Vec<f64> = pairs.iter().map(|pair| count * mean - (count - 1.0) * (above - pair[0]) / (below - pair[1])).collect();
+        let spread = Self::of(&left_out, interval);
+        let half_width = if spread.half_width.is_finite() { spread.half_width } else { f64::INFINITY };
         Self { mean, half_width, interval }
     }
 
@@ -84,6 +113,20 @@ mod tests {
         for (freedom, quantile) in [(7.0, 2.364_624), (15.0, 2.131_450), (31.0, 2.039_513), (120.0, 1.979_930)] {
             assert!((student_95(freedom) - quantile).abs() < 1e-4, "{freedom}: {}", student_95(freedom));
         }
+    }
+
+    /// Pairs with the same second number: the ratio is a mean, and the jackknife its plain interval.
+    #[test]
+    fn a_ratio_over_equal_numbers_is_a_mean() {
+        let values = [1.0, 3.0, 2.0, 2.5];
+        let [ratio, mean] = [
+            Estimate::of_ratio(&values.map(|value| [value, 0.5]), IntervalOver::Members),
+            Estimate::of(&values.map(|value| 2.0 * value), IntervalOver::Members),
+        ];
+        assert!((ratio.mean - mean.mean).abs() < 1e-12 && (ratio.half_width - mean.half_width).abs() < 1e-12, "{ratio:?} {mean:?}");
+        let sums = Estimate::of_sums(4, [2.0 * 8.5, 4.0 * (1.0 + 9.0 + 4.0 + 6.25)]);
+        assert!((sums.half_width - mean.half_width).abs() < 1e-12);
+        assert_eq!(Estimate::of_ratio(&[[0.0, 0.0]; 3], IntervalOver::Members).half_width, f64::INFINITY);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! One march of an ensemble.
 
-use crate::march::{Kernel, MarchError, Marcher};
+use super::contacts::{ContactCount, MemberStop};
+use crate::march::{ContactStatistics, Energies, Kernel, MarchError, Marcher};
 use crate::run::{RunPlan, StartState};
 use serde::Serialize;
 
@@ -12,9 +13,9 @@ pub(super) const BATCHES: usize = 16;
 pub struct Member {
     /// Number of the realisation under its seed.
     pub index: usize,
-    /// Mean power of all loads together, W.
+    /// Mean power of all loads and rectified circuits together, W.
     pub mean_power_w: f64,
-    /// Mean power of each load, W.
+    /// Mean power of each load, then of each rectified circuit, W.
     pub loads_w: Vec<f64>,
     /// Mean power in each batch of the window, W.
     pub batches_w: Vec<f64>,
@@ -30,43 +31,106 @@ pub struct Member {
     pub mean_dwell_s: f64,
     /// Largest penetration, m.
     pub max_penetration_m: f64,
+    /// Each stop.
+    pub stops: Vec<MemberStop>,
     /// Energy residual of the whole march over its largest energy.
     pub energy_residual_relative: f64,
 }
 
+/// Voltages of the patches of a member, sampled over its averaging window.
+#[derive(Debug, Clone)]
+pub(super) struct Sampling {
+    /// Samples in each batch.
+    pub per_batch: usize,
+    /// Of each patch.
+    pub voltages_v: Vec<Vec<f64>>,
+}
+
 impl Member {
-    /// Marches a realisation.
-    pub(super) fn march(kernel: &Kernel, start: &StartState, plan: &RunPlan, index: usize) -> Result<Self, MarchError> {
+    /// Marches a realisation; `sampling` is filled where it is given.
+    pub(super) fn march(
+        kernel: &Kernel,
+        start: &StartState,
+        plan: &RunPlan,
+        index: usize,
+        mut sampling: Option<&mut Sampling>,
+    ) -> Result<Self, MarchError> {
         let mut marcher = Marcher::new(kernel, &kernel.plant.from_physical(&start.physical(), 0.0), 0.0, plan.tolerance)?;
         let (begin_s, window_s) = (plan.duration_s - plan.average_over_s, plan.average_over_s);
         marcher.advance_to(begin_s)?;
         marcher.reset_statistics();
-        let opened = marcher.energies().loads_j;
-        let total = |loads_j: &[f64]| loads_j.iter().sum::<f64>();
-        let (mut batches_w, mut before_j) = (Vec::with_capacity(BATCHES), total(&opened));
+        let opened = marcher.energies();
+        let mut stops = vec![(ContactCount::default(), Vec::with_capacity(BATCHES)); kernel.plant.system.stops.len()];
+        let (mut batches_w, mut before_j) = (Vec::with_capacity(BATCHES), opened.delivered_j());
         for batch in 1..=BATCHES {
-            let share = batch as f64 / BATCHES as f64;
-            marcher.advance_to(if batch == BATCHES { plan.duration_s } else { begin_s + window_s * share })?;
-            let now_j = total(&marcher.energies().loads_j);
+            let end = |batch: usize| if batch == BATCHES { plan.duration_s } else { begin_s + window_s * batch as f64 / BATCHES as f64 };
+            if sampling.is_some() {
+                marcher.start_record();
+            }
+            marcher.advance_to(end(batch))?;
+            if let Some(sampling) = sampling.as_deref_mut() {
+                sampling.read(kernel, &mut marcher, [end(batch - 1), end(batch)]);
+            }
+            let now_j = marcher.energies().delivered_j();
             batches_w.push((now_j - before_j) * BATCHES as f64 / window_s);
             before_j = now_j;
+            for ((before, counts), now) in stops.iter_mut().zip(marcher.statistics_by_stop()) {
+                let count = ContactCount::since(&now, before);
+                *before = before.and(&count);
+                counts.push(count);
+            }
         }
-        let energies = marcher.energies();
-        let loads_w: Vec<f64> = energies.loads_j.iter().zip(&opened).map(|(end, start)| (end - start) / window_s).collect();
-        let statistics = marcher.statistics();
-        let each = |sum: f64| if statistics.contacts > 0 { sum / statistics.contacts as f64 } else { 0.0 };
-        Ok(Self {
+        let counts = stops.into_iter().map(|(_, counts)| counts);
+        let stops = counts.zip(marcher.statistics_by_stop()).map(|(batches, own)| member_stop(batches, &own)).collect();
+        Ok(Self::told(index, window_s, [&opened, &marcher.energies()], (batches_w, stops), &marcher.statistics()))
+    }
+
+    fn told(
+        index: usize,
+        window_s: f64,
+        [opened, energies]: [&Energies; 2],
+        (batches_w, stops): (Vec<f64>, Vec<MemberStop>),
+        statistics: &ContactStatistics,
+    ) -> Self {
+        let delivered = |energies: &Energies| {
+            let rectified = energies.rectified.iter().map(|own| own.load_j + own.battery_j);
+            energies.loads_j.iter().copied().chain(rectified).collect::<Vec<f64>>()
+        };
+        let loads_w: Vec<f64> = delivered(energies).iter().zip(delivered(opened)).map(|(end, start)| (end - start) / window_s).collect();
+        Self {
             index,
             mean_power_w: loads_w.iter().sum(),
             loads_w,
             batches_w,
             contacts: statistics.contacts,
             contact_rate_hz: statistics.contacts as f64 / window_s,
-            mean_strike_m_s: each(statistics.strike_sum_m_s),
+            mean_strike_m_s: statistics.mean_strike_m_s(),
             max_strike_m_s: statistics.max_strike_m_s,
-            mean_dwell_s: each(statistics.time_s),
+            mean_dwell_s: statistics.mean_dwell_s(),
             max_penetration_m: statistics.max_penetration_m,
+            stops,
             energy_residual_relative: energies.residual_relative(),
-        })
+        }
+    }
+}
+
+fn member_stop(batches: Vec<ContactCount>, own: &ContactStatistics) -> MemberStop {
+    MemberStop {
+        batches,
+        max_strike_m_s: own.max_strike_m_s,
+        max_dwell_s: own.max_dwell_s,
+        max_contact_force_n: own.max_force_n,
+        max_penetration_m: own.max_penetration_m,
+    }
+}
+
+impl Sampling {
+    /// Reads the batch that a march has just recorded.
+    fn read(&mut self, kernel: &Kernel, marcher: &mut Marcher, [from_s, to_s]: [f64; 2]) {
+        let times_s: Vec<f64> = (0..self.per_batch).map(|k| from_s + (to_s - from_s) * k as f64 / self.per_batch as f64).collect();
+        for at in marcher.take_record().at(kernel, &times_s) {
+            let voltages = kernel.plant.patch_voltages_v(&kernel.plant.to_physical(&at.state, at.time_s));
+            self.voltages_v.iter_mut().zip(voltages).for_each(|(own, voltage)| own.push(voltage));
+        }
     }
 }

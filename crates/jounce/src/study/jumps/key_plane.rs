@@ -2,7 +2,7 @@
 
 use crate::orbit::{Harvester, Plane, Setting};
 use crate::spec::NumericKey;
-use crate::study::{Parameter, Prepared, StudyError, Watch};
+use crate::study::{Parameter, Prepared, StudyError};
 
 /// Length of a difference, beside the range of a key.
 const DIFFERENCE: f64 = 1e-6;
@@ -16,8 +16,6 @@ pub struct KeyPlane<'s> {
     pub keys: [&'s NumericKey; 2],
     /// Widths of their ranges.
     pub widths: [f64; 2],
-    /// Counts what is done.
-    pub watch: Option<&'s Watch>,
 }
 
 /// Harvesters over the first key, at one value of the second.
@@ -27,7 +25,6 @@ pub struct KeyLine<'s> {
     pub prepared: Prepared,
     key: &'s NumericKey,
     width: f64,
-    watch: Option<&'s Watch>,
 }
 
 impl<'s> Plane for KeyPlane<'s> {
@@ -36,7 +33,7 @@ impl<'s> Plane for KeyPlane<'s> {
     fn line(&self, parameter_2: f64) -> Result<KeyLine<'s>, StudyError> {
         let mut spec = self.base.spec.clone();
         self.keys[1].set(&mut spec, parameter_2)?;
-        Ok(KeyLine { prepared: self.base.changed(spec)?, key: self.keys[0], width: self.widths[0], watch: self.watch })
+        Ok(KeyLine { prepared: self.base.changed(spec)?, key: self.keys[0], width: self.widths[0] })
     }
 
     fn differences(&self) -> [f64; 2] {
@@ -48,7 +45,7 @@ impl Harvester for KeyLine<'_> {
     type Error = StudyError;
 
     fn at(&self, parameter: f64) -> Result<Setting, StudyError> {
-        Parameter::new(&self.prepared, self.key, self.width).watched(self.watch).at(parameter)
+        Parameter::new(&self.prepared, self.key, self.width).at(parameter)
     }
 
     fn difference(&self) -> f64 {

@@ -7,7 +7,7 @@ use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Posit
 use crate::orbit::{OrbitError, Plane, Shooting, Tracked, Tracking, multipliers};
 use crate::spec::NumericKey;
 use crate::study::bandwidth::Piece;
-use crate::study::{BranchSearch, Method, Parameter, Prepared, StudyError, Watch};
+use crate::study::{BranchSearch, Method, Parameter, Prepared, StudyError};
 use faer::ColRef;
 
 /// A search to be made.
@@ -27,8 +27,6 @@ pub struct JumpSearch<'s> {
     pub longest_period: u32,
     /// Whether peaks of power are followed too.
     pub peaks: bool,
-    /// Counts what is done.
-    pub watch: Option<&'s Watch>,
 }
 
 type Failure = OrbitError<StudyError>;
@@ -41,30 +39,40 @@ const RESOLUTION: f64 = 1e3;
 const MOST_POINTS: usize = 400;
 
 impl JumpSearch<'_> {
-    /// Finds and follows the curves.
+    /// Finds and follows the curves; stopped by its watch it gives what is finished.
     ///
     /// # Errors
     /// [`OrbitError`].
     pub fn run(&self) -> Result<Vec<JumpCurve>, Failure> {
-        let plane = KeyPlane { base: self.base, keys: self.keys, widths: self.ranges.map(|(low, high)| high - low), watch: self.watch };
+        let plane = KeyPlane { base: self.base, keys: self.keys, widths: self.ranges.map(|(low, high)| high - low) };
         let (low, high) = self.ranges[1];
         let own = self.keys[1].get(&self.base.spec).ok().filter(|own| *own > low && *own < high);
         let mut curves: Vec<JumpCurve> = Vec::new();
         for parameter_2 in own.into_iter().chain([low, high]) {
-            for seed in self.seeds(&plane, parameter_2)? {
-                if !curves.iter().any(|curve| self.holds(curve, &seed, parameter_2)) {
-                    curves.extend(self.both_ways(&plane, &seed, parameter_2)?);
-                }
+            let found = self.through(&plane, parameter_2, &mut curves);
+            if self.base.kernel.watch.is_stopped() {
+                break;
             }
+            found?;
         }
         Ok(curves)
+    }
+
+    /// Adds the curves through one line.
+    fn through(&self, plane: &KeyPlane, parameter_2: f64, curves: &mut Vec<JumpCurve>) -> Result<(), Failure> {
+        for seed in self.seeds(plane, parameter_2)? {
+            if !curves.iter().any(|curve| self.holds(curve, &seed, parameter_2)) {
+                curves.extend(self.both_ways(plane, &seed, parameter_2)?);
+            }
+        }
+        Ok(())
     }
 
     /// Places on one line from which curves may start.
     fn seeds(&self, plane: &KeyPlane, parameter_2: f64) -> Result<Vec<Seed>, Failure> {
         let line = plane.line(parameter_2).map_err(OrbitError::Harvester)?;
         let range = self.ranges[0];
-        let parameter = Parameter::new(&line.prepared, self.keys[0], range.1 - range.0).watched(self.watch);
+        let parameter = Parameter::new(&line.prepared, self.keys[0], range.1 - range.0);
         let search = BranchSearch {
             base: &line.prepared,
             parameter: &parameter,

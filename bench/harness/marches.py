@@ -1,0 +1,121 @@
+"""Time of the marching alone, as jounce states it, for what has no peer: a second stop, noise, a recording."""
+
+from __future__ import annotations
+
+import json
+import random
+import re
+import tempfile
+from dataclasses import dataclass, field
+from pathlib import Path
+from statistics import median
+
+from .build import say
+from .process import finish
+
+TOLERANCE = ("--tolerance", "1e-8")
+FREQUENCIES_HZ = (11, 6)
+NOISE_S = 60
+RECORDING_HZ = 3000
+
+SECOND_STOP = """
+[stop.other]
+at = "harvester.tip"
+frame = "ground"
+law = "hertz"
+gap = "1 mm"
+stiffness = "1000 N/m^1.5"
+side = "negative"
+"""
+
+NOISE = """
+[drive.shaker]
+at = "harvester.table"
+signal = "noise"
+psd = "100 N^2/Hz"
+low = "2 Hz"
+high = "30 Hz"
+seed = 1
+"""
+
+RECORDING = """
+[drive.floor]
+kind = "base-acceleration"
+signal = "recording"
+file = "recording.csv"
+scale = "5 m/s^2"
+"""
+
+
+@dataclass
+class March:
+    """Times of marching, s, and the contacts in its averaging window; `failed` says why there are none."""
+
+    task: str
+    march_s: list[float] = field(default_factory=list)
+    contacts: int = 0
+    failed: str | None = None
+
+
+def without(spec: str, table: str) -> str:
+    """The spec without one of its tables."""
+    return re.sub(rf"^\[{re.escape(table)}\]\n(?:(?!\[).*\n?)*", "", spec, flags=re.MULTILINE)
+
+
+def with_drive(spec: str, drive: str, duration_s: int) -> str:
+    """The spec with another drive and another duration; everything else stays."""
+    run = f'[run]\nstart = "rest"\nduration = "{duration_s} s"\naverage_over = "{duration_s - 10} s"\n'
+    return f"{without(without(spec, 'drive.shaker'), 'run')}{drive}\n{run}"
+
+
+def recording(duration_s: int, rate_hz: int) -> str:
+    """Filtered noise as a file of two columns, the same at every call."""
+    drawn, value, lines = random.Random(1), 0.0, ["time_s,value"]
+    for k in range(duration_s * rate_hz + 1):
+        value += 0.02 * (drawn.gauss(0.0, 5.0) - value)
+        lines.append(f"{k / rate_hz:.9f},{value:.9e}")
+    return "\n".join(lines) + "\n"
+
+
+def tasks(plant: str, harvester: str) -> list[tuple[str, str, tuple[str, ...]]]:
+    """Name, text of the spec and options of every task: of the plant given by modes, and of the paper's harvester on a moving base."""
+    found = []
+    for hertz in FREQUENCIES_HZ:
+        options = (*TOLERANCE, "--set", f"drive.shaker.frequency={hertz} Hz")
+        found += [(f"one stop, {hertz} Hz, 20 s", plant, options), (f"two stops, {hertz} Hz, 20 s", plant + SECOND_STOP, options)]
+    found.append((f"noise, one stop, 8 modes, {NOISE_S} s", with_drive(plant, NOISE, NOISE_S), ()))
+    found.append((f"recording of {RECORDING_HZ} Hz, one stop, 8 modes, {NOISE_S} s", with_drive(harvester, RECORDING, NOISE_S), ()))
+    return found
+
+
+def marches(binary: Path, plant: Path, spec: Path, repeats: int, cap_s: float) -> list[March]:
+    """Every task, interleaved, each in a process of its own on one thread."""
+    wanted = tasks(plant.read_text(), spec.read_text())
+    found = [March(name) for name, _, _ in wanted]
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        (folder / "recording.csv").write_text(recording(NOISE_S, RECORDING_HZ))
+        for place, (_, text, _) in enumerate(wanted):
+            (folder / f"{place}.toml").write_text(text)
+        for _ in range(repeats):
+            for place, (task, _, options) in enumerate(wanted):
+                done = finish([str(binary), "run", f"{place}.toml", *options, "--json"], folder, cap_s)
+                if done.failed:
+                    say(f"failed: {task}: {done.failed}")
+                    found[place].failed = done.failed
+                    continue
+                record(found[place], json.loads(done.stdout))
+    return found
+
+
+def record(march: March, answer: dict[str, float]) -> None:
+    """Adds one repetition."""
+    march.march_s.append(float(answer["march_s"]))
+    march.contacts = int(answer["contacts"])
+
+
+def ratio_of_stops(found: list[March]) -> list[str]:
+    """What a second stop costs, per frequency."""
+    times = {march.task: median(march.march_s) for march in found if march.march_s}
+    pairs = [(f"{hertz} Hz", times.get(f"one stop, {hertz} Hz, 20 s"), times.get(f"two stops, {hertz} Hz, 20 s")) for hertz in FREQUENCIES_HZ]
+    return [f"The second stop costs {two / one:.2g} times one at {name}." for name, one, two in pairs if one and two]

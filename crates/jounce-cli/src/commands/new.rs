@@ -1,0 +1,62 @@
+//! `jounce new [KIND]`
+
+use crate::failure::Failure;
+use crate::output::{line, print, text};
+use clap::Args;
+use jounce::starter::{STARTERS, Starter};
+use std::path::PathBuf;
+
+/// Arguments of `new`.
+#[derive(Debug, Args)]
+pub struct New {
+    /// The kind of harvester; without it, the kinds are listed.
+    #[arg(value_name = "KIND")]
+    kind: Option<String>,
+    /// Writes the spec into this file, which must not be there yet; by default it goes to stdout.
+    #[arg(long, value_name = "FILE", requires = "kind")]
+    out: Option<PathBuf>,
+    /// Replaces the file if it is there.
+    #[arg(long, requires = "out")]
+    force: bool,
+    /// Prints one JSON object on stdout.
+    #[arg(long)]
+    pub json: bool,
+}
+
+impl New {
+    /// Lists the kinds, or writes the spec of one.
+    pub fn run(&self) -> Result<(), Failure> {
+        let Some(kind) = &self.kind else {
+            self.list();
+            return Ok(());
+        };
+        let starter = Starter::of(kind).map_err(|unknown| Failure::usage(unknown.to_string()))?;
+        match &self.out {
+            Some(path) => {
+                if !self.force && path.symlink_metadata().is_ok() {
+                    let told = format!("{} is there already; choose another name, or replace it with --force", path.display());
+                    return Err(Failure::Input(told));
+                }
+                starter.write(path, self.force)?;
+                match self.json {
+                    true => print(&serde_json::json!({ "kind": starter.kind, "file": path })),
+                    false => line(path.display()),
+                }
+            }
+            None if self.json => print(&serde_json::json!(starter)),
+            None => text(starter.spec),
+        }
+        Ok(())
+    }
+
+    fn list(&self) {
+        if self.json {
+            let kinds: Vec<_> =
+                STARTERS.iter().map(|starter| serde_json::json!({ "kind": starter.kind, "summary": starter.summary })).collect();
+            print(&serde_json::json!({ "kinds": kinds }));
+            return;
+        }
+        let room = STARTERS.iter().map(|starter| starter.kind.len()).max().unwrap_or(0);
+        STARTERS.iter().for_each(|starter| line(format!("{:room$}  {}", starter.kind, starter.summary)));
+    }
+}

@@ -1,0 +1,128 @@
+//! `jounce study run|merge|status`
+
+use crate::failure::Failure;
+use crate::output::{line, print};
+use crate::progress;
+use crate::threads::ThreadsArgument;
+use clap::{Args, Subcommand};
+use jounce::march::Watch;
+use jounce::survey::{Folder, Shard, Status, Study as Survey, SurveyError};
+use std::path::PathBuf;
+
+/// Arguments of `study`.
+#[derive(Debug, Args)]
+pub struct Study {
+    #[command(subcommand)]
+    action: Action,
+}
+
+/// What to do with a study.
+#[derive(Debug, Subcommand)]
+enum Action {
+    /// Computes what is not finished yet, and merges the table when nothing is left.
+    Run(Run),
+    /// Joins all parts to one table, study.parquet.
+    Merge(Existing),
+    /// Tells how far a study is.
+    Status(Existing),
+}
+
+/// Arguments of `study run`.
+#[derive(Debug, Args)]
+struct Run {
+    /// The study: a spec, the keys to vary, the quantity to compute.
+    study: PathBuf,
+    /// Folder of its parts and its table.
+    #[arg(long, value_name = "FOLDER")]
+    out: PathBuf,
+    /// One of several processes that share the study: I/N, I from 1 to N.
+    #[arg(long, value_name = "I/N", default_value_t = Shard::WHOLE)]
+    shard: Shard,
+    #[command(flatten)]
+    threads: ThreadsArgument,
+    /// Prints one JSON object on stdout.
+    #[arg(long)]
+    json: bool,
+}
+
+/// Arguments of `study merge` and `study status`.
+#[derive(Debug, Args)]
+struct Existing {
+    /// Folder of the study.
+    folder: PathBuf,
+    /// Prints one JSON object on stdout.
+    #[arg(long)]
+    json: bool,
+}
+
+impl Study {
+    /// True when the answer is wanted as JSON.
+    pub fn wants_json(&self) -> bool {
+        match &self.action {
+            Action::Run(run) => run.json,
+            Action::Merge(existing) | Action::Status(existing) => existing.json,
+        }
+    }
+
+    /// Does it.
+    pub fn run(&self) -> Result<(), Failure> {
+        match &self.action {
+            Action::Run(run) => run.run(),
+            Action::Merge(existing) => {
+                let path = Folder::open(&existing.folder)?.merge()?;
+                match existing.json {
+                    true => print(&serde_json::json!({ "table": path })),
+                    false => line(path.display()),
+                }
+                Ok(())
+            }
+            Action::Status(existing) => {
+                tell(&Folder::open(&existing.folder)?.status(), existing.json);
+                Ok(())
+            }
+        }
+    }
+}
+
+impl Run {
+    fn run(&self) -> Result<(), Failure> {
+        let study = Survey::read(&self.study)?;
+        let folder = Folder::of(&self.out, &study)?;
+        let watch = Watch::default();
+        let asked = watch.clone();
+        let _ = ctrlc::set_handler(move || asked.stop());
+        let own = (0..study.parts()).filter(|part| self.shard.takes(*part)).map(|part| study.points(part).len()).sum();
+        let bar = progress::bar(own);
+        self.threads.run(|| folder.run(&study, self.shard, &watch, &|points| bar.inc(points as u64)))??;
+        bar.finish_and_clear();
+        if watch.is_stopped() {
+            return Err(Failure::Interrupted("stopped; finished parts are kept, the same command goes on from there".to_owned()));
+        }
+        let status = folder.status();
+        if status.finished == status.parts {
+            folder.merge()?;
+        }
+        tell(&folder.status(), self.json);
+        Ok(())
+    }
+}
+
+fn tell(status: &Status, json: bool) {
+    if json {
+        print(&serde_json::json!(status));
+        return;
+    }
+    line(format!("parts      {} of {} finished", status.finished, status.parts));
+    line(format!("points     {}, {} of the finished without an answer", status.points, status.failed_points));
+    status.damaged.iter().for_each(|path| line(format!("damaged    {}", path.display())));
+    line(format!("merged     {}", if status.merged { "yes" } else { "no" }));
+}
+
+impl From<SurveyError> for Failure {
+    fn from(error: SurveyError) -> Self {
+        match error {
+            SurveyError::Study(error) => error.into(),
+            error => Failure::Input(error.to_string()),
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! Attractors and how likely each is.
+
+use crate::arrays::Answer;
+use crate::branch::checked_tolerance;
+use crate::driven;
+use crate::failure::Failure;
+use crate::run::Handed;
+use crate::spec::Spec;
+use crate::watched::{handed, on_threads, watched};
+use jounce::plant::Plant;
+use jounce::study::{Attractor, Basins, BasinsAnswer, Cloud, Grid, Parameter, SectionPoint, Starts};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// Most starts of a cloud.
+const MOST_STARTS: usize = 100_000_000;
+
+/// Number of the attractor of a start that has none.
+const NOWHERE: i64 = -1;
+
+/// Marches a cloud or a grid of starts until each is recognised.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "one argument per option of the Python method, which calls by name")]
+pub fn basins<'py>(
+    py: Python<'py>,
+    spec: &Spec,
+    starts: usize,
+    seed: u64,
+    spread: f64,
+    grid: Vec<String>,
+    tolerance: f64,
+    threads: Option<usize>,
+    progress: Option<Bound<'py, PyAny>>,
+) -> Handed<'py> {
+    let tolerance = checked_tolerance(tolerance)?;
+    if !((1..=MOST_STARTS).contains(&starts) && spread > 0.0 && spread.is_finite()) {
+        let why =
+            format!("starts is {starts} and spread {spread}; starts must be from 1 to {MOST_STARTS}, spread greater than 0 and finite");
+        return Err(Failure::new("ArgumentError", why).raised(py));
+    }
+    let starts_text = starts.to_string();
+    let (key, value) = driven::frequency(spec, "a basin")?;
+    let starts = match grid.is_empty() {
+        true => Starts::Cloud(Cloud { starts, seed, spread }),
+        false => Starts::Grid(Grid::read(&grid, spec.spec.stop.len()).map_err(|error| Failure::new("ArgumentError", error))?),
+    };
+    let found = watched(py, progress.as_ref(), |watch| {
+        let base = spec.prepared(watch)?;
+        driven::check(&base.kernel.plant, "a basin")?;
+        let parameter = Parameter::new(&base, &key, value);
+        let study = Basins { base: &base, parameter: &parameter, value, starts, tolerance };
+        // Before the marches, so that nothing is left to do for a call that is stopped.
+        let places = places(&base.kernel.plant, &study.starts);
+        Ok((on_threads(threads, || Ok(study.run(&|| ())?))?, places))
+    });
+    let options = match grid.is_empty() {
+        true => [("starts", starts_text), ("seed", seed.to_string()), ("spread", spread.to_string())].to_vec(),
+        false => vec![("grid", grid.join(" "))],
+    };
+    let manifest = spec.manifest("basins", &options);
+    handed(py, found, |(answer, places)| told(py, &answer, &places, manifest))
+}
+
+/// Where every start is.
+fn places(plant: &Plant, starts: &Starts) -> Vec<SectionPoint> {
+    (0..starts.len()).map(|index| SectionPoint::of(&plant.system, &starts.start(plant, index))).collect()
+}
+
+fn told<'py>(py: Python<'py>, found: &BasinsAnswer, places: &[SectionPoint], manifest: String) -> PyResult<Bound<'py, PyDict>> {
+    let mut ends_in = vec![NOWHERE; places.len()];
+    for (number, attractor) in found.attractors.iter().enumerate() {
+        attractor.starts.iter().for_each(|start| ends_in[*start] = number as i64);
+    }
+    let all: &[Attractor] = &found.attractors;
+    let answer = Answer::new(py)
+        .with("attractor", all.iter().map(|a| a.id.clone()).collect::<Vec<_>>())?
+        .each("period_cycles", all, |a| i64::from(a.period_cycles))?
+        .each("chaotic", all, |a| a.chaotic)?
+        .each("mean_power_w", all, |a| a.mean_power_w)?
+        .each("contacts_per_period", all, |a| a.contacts_per_period as i64)?
+        .each("fraction", all, |a| a.share.fraction)?
+        .each("fraction_low", all, |a| a.share.low)?
+        .each("fraction_high", all, |a| a.share.high)?
+        .each("lyapunov_per_s", all, |a| a.lyapunov.map_or(f64::NAN, |(exponent, _)| exponent))?
+        .each("lyapunov_error_per_s", all, |a| a.lyapunov.map_or(f64::NAN, |(_, error)| error))?
+        .with("expected_power_w", found.expected_power_w)?
+        .with("expected_power_low_w", found.expected_power_low_w)?
+        .with("expected_power_high_w", found.expected_power_high_w)?
+        .with("lost", &found.lost)?
+        .array("ends_in", ends_in)?
+        .each("start_displacement_m", places, |place| place.displacement_m)?
+        .each("start_velocity_m_s", places, |place| place.velocity_m_per_s)?
+        .each("start_voltage_v", places, |place| place.voltage_v)?
+        .with("manifest", manifest)?;
+    Ok(answer.dict())
+}

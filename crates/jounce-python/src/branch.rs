@@ -1,0 +1,108 @@
+//! Branches of periodic orbits.
+
+use crate::arrays::Answer;
+use crate::failure::Failure;
+use crate::run::Handed;
+use crate::spec::Spec;
+use crate::watched::{handed, on_threads, watched};
+use jounce::study::{Bandwidth, BandwidthSearch, Bifurcation, Branch, BranchPoint, BranchSearch, Method, Parameter};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// How orbits are computed, by name.
+fn method_of(name: &str, harmonics: usize) -> Result<Method, Failure> {
+    if !(4..=2048).contains(&harmonics) {
+        return Err(Failure::new("ArgumentError", format!("harmonics is {harmonics}; it must be from 4 to 2048")));
+    }
+    match name {
+        "shooting" => Ok(Method::Shooting),
+        "harmonic-balance" => Ok(Method::HarmonicBalance { harmonics }),
+        _ => Err(Failure::new("ArgumentError", format!("method is \"{name}\"; it must be \"shooting\" or \"harmonic-balance\""))),
+    }
+}
+
+/// A tolerance for orbits.
+pub fn checked_tolerance(tolerance: f64) -> Result<f64, Failure> {
+    let fits = (1e-14..1e-2).contains(&tolerance);
+    if fits {
+        Ok(tolerance)
+    } else {
+        Err(Failure::new("ArgumentError", format!("tolerance is {tolerance}; it must be from 1e-14 to 0.01")))
+    }
+}
+
+/// Most values at which orbits are sought by marching.
+const MOST_SEEDS: usize = 100_000;
+
+/// A number of seeds.
+pub fn checked_seeds(seeds: usize) -> Result<usize, Failure> {
+    let fits = seeds <= MOST_SEEDS;
+    if fits { Ok(seeds) } else { Err(Failure::new("ArgumentError", format!("seeds is {seeds}; it must be at most {MOST_SEEDS}"))) }
+}
+
+/// Follows every branch over a range of a key.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "one argument per option of the Python method, which calls by name")]
+pub fn branch<'py>(
+    py: Python<'py>,
+    spec: &Spec,
+    key: &str,
+    range: (String, String),
+    method: &str,
+    harmonics: usize,
+    tolerance: f64,
+    seeds: usize,
+    longest_period: u32,
+    threads: Option<usize>,
+    progress: Option<Bound<'py, PyAny>>,
+) -> Handed<'py> {
+    let (way, tolerance, seeds) = (method_of(method, harmonics)?, checked_tolerance(tolerance)?, checked_seeds(seeds)?);
+    let over = format!("{key}={}:{}", range.0, range.1);
+    let (found_key, range) = spec.ends(key, range)?;
+    let found = watched(py, progress.as_ref(), |watch| {
+        let base = spec.prepared(watch)?;
+        let parameter = Parameter::new(&base, &found_key, range.1 - range.0);
+        let search = BranchSearch { base: &base, parameter: &parameter, range, method: way, tolerance, seeds, longest_period };
+        let width = BandwidthSearch { base: &base, parameter: &parameter, range, tolerance };
+        on_threads(threads, || {
+            let branches = search.run()?;
+            Ok((width.run(&branches), branches))
+        })
+    });
+    let options = [("over", over), ("method", method.to_owned()), ("tolerance", tolerance.to_string()), ("seeds", seeds.to_string())];
+    let manifest = spec.manifest("branch", &options);
+    handed(py, found, |(widths, branches)| {
+        let each = branches.iter().zip(&widths.branches);
+        let listed = each.map(|(branch, width)| one(py, branch, width.as_ref())).collect::<PyResult<Vec<_>>>()?;
+        let answer = Answer::new(py).with("key", key)?.with("unit", found_key.unit())?.with("branches", listed)?;
+        let answer = answer.with("half_power", json(&widths.together.as_ref())?)?;
+        Ok(answer.with("manifest", manifest)?.dict())
+    })
+}
+
+/// A value as JSON.
+pub fn json(value: &impl serde::Serialize) -> PyResult<String> {
+    Ok(serde_json::to_string(value).map_err(|error| Failure::new("JounceError", error))?)
+}
+
+/// One branch as a dictionary.
+pub fn one<'py>(py: Python<'py>, branch: &Branch, width: Option<&Bandwidth>) -> PyResult<Bound<'py, PyDict>> {
+    let points: &[BranchPoint] = &branch.points;
+    let bifurcations: &[Bifurcation] = &branch.bifurcations;
+    let answer = Answer::new(py)
+        .with("period_cycles", branch.period_cycles)?
+        .each("parameter", points, |p| p.parameter)?
+        .each("mean_power_w", points, |p| p.orbit.mean_power_w)?
+        .each("voltage_rms_v", points, |p| p.orbit.voltage_rms_v)?
+        .each("stable", points, |p| p.orbit.is_stable())?
+        .each("floquet_max_abs", points, |p| p.orbit.floquet_max_abs())?
+        .each("contacts_per_period", points, |p| p.orbit.contacts as i64)?
+        .each("max_penetration_m", points, |p| p.orbit.max_penetration_m)?
+        .each("error_estimate", points, |p| p.orbit.error_estimate)?
+        .with("bifurcation_kind", bifurcations.iter().map(|found| found.kind.name()).collect::<Vec<_>>())?
+        .each("bifurcation_parameter", bifurcations, |found| found.at.parameter)?
+        .each("bifurcation_power_w", bifurcations, |found| found.at.orbit.mean_power_w)?
+        .with("endings", json(&branch.endings)?)?
+        .with("half_power", json(&width)?)?;
+    Ok(answer.dict())
+}

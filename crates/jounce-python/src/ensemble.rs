@@ -1,0 +1,76 @@
+//! Many realisations of noise.
+
+use crate::arrays::Answer;
+use crate::failure::Failure;
+use crate::run::Handed;
+use crate::spec::Spec;
+use crate::watched::{handed, on_threads, watched};
+use jounce::study::{Ensemble, EnsembleAnswer, IntervalOver, Member};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// Most members of a round.
+const MOST_MEMBERS: usize = 1_000_000;
+
+/// Rounds of members after which a width that is not reached is reported as it is.
+const MOST_ROUNDS: usize = 100;
+
+/// Marches realisations of the noise, by rounds until the interval is narrow enough where a width is wanted.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "one argument per option of the Python method, which calls by name")]
+pub fn ensemble<'py>(
+    py: Python<'py>,
+    spec: &Spec,
+    members: usize,
+    seed: u64,
+    relative_width: Option<f64>,
+    tolerance: Option<f64>,
+    threads: Option<usize>,
+    progress: Option<Bound<'py, PyAny>>,
+) -> Handed<'py> {
+    if !(1..=MOST_MEMBERS).contains(&members) || relative_width.is_some_and(|width| !(width > 0.0 && width < 1.0)) {
+        let width = relative_width.map_or_else(|| "None".to_owned(), |width| width.to_string());
+        let why = format!(
+            "members is {members} and relative_width {width}; members must be from 1 to {MOST_MEMBERS}, relative_width between 0 and 1"
+        );
+        return Err(Failure::new("ArgumentError", why).raised(py));
+    }
+    let own = spec.with_tolerance(tolerance)?;
+    let spec = own.as_ref().unwrap_or(spec);
+    let found = watched(py, progress.as_ref(), |watch| {
+        let base = spec.prepared(watch)?;
+        let start = base.start(&spec.folder())?;
+        let most_rounds = if relative_width.is_some() { MOST_ROUNDS } else { 1 };
+        let study = Ensemble { base: &base, start, members, seed, relative_width, most_rounds, with_spectrum: false };
+        on_threads(threads, || Ok(study.run(&|_| ())?))
+    });
+    let options = [("members", members.to_string()), ("seed", seed.to_string())];
+    let manifest = spec.manifest("ensemble", &options);
+    handed(py, found, |answer| told(py, &answer, manifest))
+}
+
+fn told<'py>(py: Python<'py>, found: &EnsembleAnswer, manifest: String) -> PyResult<Bound<'py, PyDict>> {
+    let all: &[Member] = &found.members;
+    let over = if found.power_w.interval == IntervalOver::Members { "members" } else { "batches" };
+    let answer = Answer::new(py)
+        .with("mean_power_w", found.power_w.mean)?
+        .with("mean_power_half_width_w", found.power_w.half_width)?
+        .with("interval_over", over)?
+        .with("reached", found.reached)?
+        .with("contact_rate_hz", found.contact_rate_hz.mean)?
+        .with("contact_rate_half_width_hz", found.contact_rate_hz.half_width)?
+        .with("mean_strike_m_s", found.mean_strike_m_s)?
+        .with("max_strike_m_s", found.max_strike_m_s)?
+        .with("mean_dwell_s", found.mean_dwell_s)?
+        .each("member", all, |m| m.index as i64)?
+        .each("member_power_w", all, |m| m.mean_power_w)?
+        .each("member_contacts", all, |m| m.contacts as i64)?
+        .each("member_contact_rate_hz", all, |m| m.contact_rate_hz)?
+        .each("member_mean_strike_m_s", all, |m| m.mean_strike_m_s)?
+        .each("member_max_strike_m_s", all, |m| m.max_strike_m_s)?
+        .each("member_mean_dwell_s", all, |m| m.mean_dwell_s)?
+        .each("member_max_penetration_m", all, |m| m.max_penetration_m)?
+        .each("member_energy_residual_relative", all, |m| m.energy_residual_relative)?
+        .with("manifest", manifest)?;
+    Ok(answer.dict())
+}

@@ -1,0 +1,82 @@
+//! Frequency response functions without contact.
+
+use crate::arrays::Answer;
+use crate::failure::Failure;
+use crate::spec::Spec;
+use jounce::linear::{self, Frf, Input, Response};
+use jounce::plant::{Plant, System};
+use jounce::spec::{DriveKind, Gravity};
+use jounce::structure::modes_holding;
+use numpy::{Complex64, PyReadonlyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// Acceleration of every point and voltage of every patch and circuit per newton on `input`; or, for an acceleration of the base,
+/// displacement and voltages per m/s^2 of it.
+#[pyfunction]
+pub fn frf<'py>(
+    py: Python<'py>,
+    spec: &Spec,
+    frequency_hz: PyReadonlyArray1<'py, f64>,
+    input: Option<String>,
+    base: bool,
+    hold: Vec<String>,
+    open_circuit: bool,
+) -> PyResult<Bound<'py, PyDict>> {
+    let frequency_hz = frequency_hz.as_array().to_vec();
+    let input = input_of(spec, input, base)?;
+    let answers = py.detach(|| responses(spec, &frequency_hz, &input, &hold, open_circuit)).map_err(|failure| failure.raised(py))?;
+    let all = PyDict::new(py);
+    for frf in answers {
+        let values: Vec<Complex64> = frf.value.iter().map(|value| Complex64::new(value.re, value.im)).collect();
+        all.set_item(frf.response.name(), (numpy::PyArray1::from_vec(py, values), frf.response.unit(&input)))?;
+    }
+    let input = match input {
+        Input::Force(point) => point,
+        Input::BaseAcceleration => "base".to_owned(),
+    };
+    let manifest = spec.manifest("frf", &[("input", input.clone()), ("hold", hold.join(" ")), ("open_circuit", open_circuit.to_string())]);
+    let answer = Answer::new(py).with("input", input)?.with("held", hold)?.with("responses", all)?.with("manifest", manifest)?;
+    Ok(answer.array("frequency_hz", frequency_hz)?.dict())
+}
+
+/// What shakes it: by default the point of the first force.
+fn input_of(spec: &Spec, named: Option<String>, base: bool) -> Result<Input, Failure> {
+    let wrong = |why: String| Err(Failure::new("ArgumentError", why));
+    if base {
+        if named.is_some() {
+            return wrong("input and base are both given; give one of them".to_owned());
+        }
+        return match spec.spec.modal.iter().find(|(_, modal)| modal.participation_sqrt_kg.is_empty()) {
+            None => Ok(Input::BaseAcceleration),
+            Some((name, _)) => wrong(format!(
+                "modal.{name}.participation_sqrt_kg is missing: without it jounce cannot know how an acceleration of the base shakes this structure"
+            )),
+        };
+    }
+    let forced = spec.spec.drive.values().find(|drive| drive.kind == DriveKind::Force);
+    match named.or_else(|| forced.map(|drive| drive.at.clone())) {
+        Some(point) => Ok(Input::Force(point)),
+        None => {
+            wrong("this spec has no force: name the point to push with input=\"POINT\", or accelerate the base with base=True".to_owned())
+        }
+    }
+}
+
+fn responses(spec: &Spec, frequency_hz: &[f64], input: &Input, hold: &[String], open_circuit: bool) -> Result<Vec<Frf>, Failure> {
+    let mut spec = spec.spec.clone();
+    if open_circuit {
+        spec.circuit.clear();
+    }
+    spec.drive.clear();
+    spec.gravity = Gravity::default();
+    spec.stop.clear();
+    let modes = modes_holding(&spec, hold)?;
+    let motion = if *input == Input::BaseAcceleration { Response::Displacement } else { Response::Acceleration };
+    let points = modes.shape.keys().map(|point| motion(point.clone()));
+    let patches = modes.patch.keys().map(|patch| Response::Voltage(patch.clone()));
+    let loads = spec.circuit.keys().map(|load| Response::LoadVoltage(load.clone()));
+    let wanted: Vec<Response> = points.chain(patches).chain(loads).collect();
+    let plant = Plant::new(System::assemble(&spec, modes)?)?;
+    Ok(linear::frf(&plant, input, &wanted, frequency_hz)?)
+}

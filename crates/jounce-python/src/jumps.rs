@@ -1,0 +1,63 @@
+//! Curves over two keys where the answer jumps.
+
+use crate::arrays::Answer;
+use crate::branch::{checked_seeds, checked_tolerance};
+use crate::failure::Failure;
+use crate::run::Handed;
+use crate::spec::Spec;
+use crate::watched::{handed, on_threads, watched};
+use jounce::study::{JumpCurve, JumpPoint, JumpSearch};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// Follows folds, doublings and grazings over two keys.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "one argument per option of the Python method, which calls by name")]
+pub fn jumps<'py>(
+    py: Python<'py>,
+    spec: &Spec,
+    keys: (String, String),
+    over: (String, String),
+    against: (String, String),
+    tolerance: f64,
+    seeds: usize,
+    longest_period: u32,
+    peaks: bool,
+    threads: Option<usize>,
+    progress: Option<Bound<'py, PyAny>>,
+) -> Handed<'py> {
+    let (tolerance, seeds) = (checked_tolerance(tolerance)?, checked_seeds(seeds)?);
+    if keys.0 == keys.1 {
+        return Err(Failure::new("ArgumentError", format!("both keys are {}; give two different ones", keys.0)).raised(py));
+    }
+    let named = |key: &str, (from, to): &(String, String)| format!("{key}={from}:{to}");
+    let options = [("over", named(&keys.0, &over)), ("against", named(&keys.1, &against)), ("tolerance", tolerance.to_string())];
+    let manifest = spec.manifest("jumps", &options);
+    let ((key, range), (key_2, range_2)) = (spec.ends(&keys.0, over)?, spec.ends(&keys.1, against)?);
+    let found = watched(py, progress.as_ref(), |watch| {
+        let base = spec.prepared(watch)?;
+        let search = JumpSearch { base: &base, keys: [&key, &key_2], ranges: [range, range_2], tolerance, seeds, longest_period, peaks };
+        on_threads(threads, || Ok(search.run()?))
+    });
+    handed(py, found, |curves| {
+        let listed = curves.iter().map(|curve| one(py, curve)).collect::<PyResult<Vec<_>>>()?;
+        let answer = Answer::new(py).with("keys", keys)?.with("units", (key.unit(), key_2.unit()))?.with("curves", listed)?;
+        Ok(answer.with("manifest", manifest)?.dict())
+    })
+}
+
+/// Stability where it is not asked for: on every curve but those of peaks.
+const UNKNOWN: i64 = -1;
+
+fn one<'py>(py: Python<'py>, curve: &JumpCurve) -> PyResult<Bound<'py, PyDict>> {
+    let points: &[JumpPoint] = &curve.points;
+    let answer = Answer::new(py)
+        .with("kind", curve.kind.name())?
+        .with("period_cycles", curve.period_cycles)?
+        .each("parameter", points, |p| p.parameter)?
+        .each("parameter_2", points, |p| p.parameter_2)?
+        .each("mean_power_w", points, |p| p.mean_power_w)?
+        .each("stable", points, |p| p.stable.map_or(UNKNOWN, i64::from))?
+        .with("failures", curve.failures.clone())?;
+    Ok(answer.dict())
+}

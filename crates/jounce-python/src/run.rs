@@ -1,0 +1,142 @@
+//! One run.
+
+use crate::arrays::Answer;
+use crate::failure::Failure;
+use crate::history::History;
+use crate::spec::Spec;
+use crate::watched::{handed, watched};
+use jounce::march::{Energies, RectifiedEnergies, Watch};
+use jounce::run::{RunAnswer, RunPlan, Settlement, StartState, exceeded, simulate};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// What a call answers: the answer, if there is one, and what ended it early.
+pub type Handed<'py> = PyResult<(Option<Bound<'py, PyDict>>, Option<PyErr>)>;
+
+/// Most samples of a record.
+const MOST_SAMPLES: f64 = 1e8;
+
+/// Options of a run.
+struct Options {
+    tolerance: Option<f64>,
+    start: Option<String>,
+    record_s: f64,
+    sample_rate_hz: f64,
+}
+
+/// What was marched.
+struct Marched {
+    plan: RunPlan,
+    answer: RunAnswer,
+    history: Option<History>,
+    /// Limits of patches that the run has passed, in words.
+    warnings: Vec<String>,
+}
+
+/// Marches one run; `start` is a state as JSON.
+#[pyfunction]
+pub fn run<'py>(
+    py: Python<'py>,
+    spec: &Spec,
+    tolerance: Option<f64>,
+    start: Option<String>,
+    record_s: f64,
+    sample_rate_hz: f64,
+) -> Handed<'py> {
+    let own = spec.with_tolerance(tolerance)?;
+    let options = Options { tolerance, start, record_s, sample_rate_hz };
+    let found = watched(py, None, |watch| marched(spec, &options, watch));
+    handed(py, found, |marched| told(py, own.as_ref().unwrap_or(spec), marched))
+}
+
+fn marched(spec: &Spec, options: &Options, watch: &Watch) -> Result<Marched, Failure> {
+    let prepared = spec.prepared(watch)?;
+    let start = match &options.start {
+        Some(json) => serde_json::from_str::<StartState>(json).map_err(|error| Failure::new("StartError", error))?,
+        None => prepared.start(&spec.folder())?,
+    };
+    let kernel = prepared.from_state(&start)?;
+    let run = &prepared.spec.run;
+    let plan = RunPlan {
+        duration_s: run.duration_s,
+        average_over_s: run.average_over_s,
+        tolerance: options.tolerance.unwrap_or(run.tolerance),
+        record_s: options.record_s,
+    };
+    if options.record_s > run.duration_s {
+        let why = format!("record is {} s; it must not be longer than run.duration = {} s", options.record_s, run.duration_s);
+        return Err(Failure::new("ArgumentError", why));
+    }
+    let samples = options.record_s * options.sample_rate_hz;
+    if samples > MOST_SAMPLES {
+        let why = format!("record times sample_rate makes {samples:e} samples; at most {MOST_SAMPLES:e} are kept");
+        return Err(Failure::new("ArgumentError", why));
+    }
+    let answer = simulate(&kernel, &start, &plan)?;
+    let history = (options.record_s > 0.0).then(|| History::new(&kernel, &answer, &plan, options.sample_rate_hz));
+    let warnings = exceeded(&prepared.spec, &kernel, &answer.trajectory).iter().map(ToString::to_string).collect();
+    Ok(Marched { plan, answer, history, warnings })
+}
+
+fn told<'py>(py: Python<'py>, spec: &Spec, marched: Marched) -> PyResult<Bound<'py, PyDict>> {
+    let Marched { plan, answer, history, warnings } = marched;
+    let settlement = answer.settlement;
+    let settled = |value: fn(Settlement) -> f64| settlement.map_or(f64::NAN, value);
+    let residual = answer.energies.residual_relative();
+    let state = serde_json::to_string(&answer.end).map_err(|error| Failure::new("JounceError", error))?;
+    let work = serde_json::to_string(&answer.work).map_err(|error| Failure::new("JounceError", error))?;
+    let (loads, stops) = (&answer.loads, &answer.stops);
+    let (flows, rectified) = (flows(py, &answer.energies)?, &answer.rectified);
+    let answer = Answer::new(py)
+        .with("mean_power_w", answer.mean_power_w)?
+        .with("load", loads.iter().map(|load| load.name.clone()).collect::<Vec<_>>())?
+        .each("load_power_w", loads, |load| load.mean_power_w)?
+        .each("load_voltage_rms_v", loads, |load| load.voltage_rms_v)?
+        .with("rectified", rectified.iter().map(|circuit| circuit.name.clone()).collect::<Vec<_>>())?
+        .each("rectified_power_w", rectified, |circuit| circuit.mean_power_w)?
+        .each("rectified_voltage_rms_v", rectified, |circuit| circuit.voltage_rms_v)?
+        .each("rectified_current_a", rectified, |circuit| circuit.mean_current_a)?
+        .each("rectified_diode_loss_w", rectified, |circuit| circuit.diode_loss_w)?
+        .each("rectified_switch_loss_w", rectified, |circuit| circuit.switch_loss_w)?
+        .each("rectified_leakage_w", rectified, |circuit| circuit.leakage_w)?
+        .with("stop", stops.iter().map(|stop| stop.name.clone()).collect::<Vec<_>>())?
+        .each("stop_contacts", stops, |stop| stop.contacts as i64)?
+        .each("stop_contact_duty", stops, |stop| stop.contact_duty)?
+        .each("stop_max_penetration_m", stops, |stop| stop.max_penetration_m)?
+        .each("stop_max_contact_force_n", stops, |stop| stop.max_contact_force_n)?
+        .each("stop_impulse_n_s", stops, |stop| stop.impulse_n_s)?
+        .with("max_penetration_m", answer.max_penetration_m)?
+        .with("max_contact_force_n", answer.max_contact_force_n)?
+        .with("contacts", answer.contacts)?
+        .with("contact_duty", answer.contact_duty)?
+        .with("settled", settlement.map(|found| found.settled))?
+        .with("period_cycles", settlement.map(|found| found.period_cycles))?
+        .with("settle_change", settled(|found| found.change))?
+        .with("settle_distance", settled(|found| found.distance))?
+        .with("warnings", warnings)?
+        .with("energy_residual_relative", residual)?
+        .with("energies_j", flows)?
+        .with("duration_s", plan.duration_s)?
+        .with("average_over_s", plan.average_over_s)?
+        .with("tolerance", plan.tolerance)?
+        .with("march_s", answer.march_s)?
+        .with("end", state)?
+        .with("work", work)?
+        .with("history", history.map(|history| history.dict(py)).transpose()?)?
+        .with("manifest", spec.manifest("run", &[]))?;
+    Ok(answer.dict())
+}
+
+/// Where the energy of the whole run went, J.
+fn flows<'py>(py: Python<'py>, energies: &Energies) -> PyResult<Bound<'py, PyDict>> {
+    let rectified = |of: fn(&RectifiedEnergies) -> f64| energies.rectified.iter().map(of).sum::<f64>();
+    let flows = Answer::new(py)
+        .with("input_j", energies.input_j)?
+        .with("loads_j", energies.loads_j.iter().sum::<f64>())?
+        .with("rectified_j", rectified(|own| own.load_j + own.battery_j))?
+        .with("rectified_loss_j", rectified(|own| own.diodes_j + own.switch_j + own.leakage_j))?
+        .with("damping_j", energies.damping_j)?
+        .with("contact_loss_j", energies.contact_loss_j)?
+        .with("stored_j", energies.stored_j)?;
+    Ok(flows.dict())
+}

@@ -1,0 +1,155 @@
+//! A spec: its text, and what the text says.
+
+use crate::failure::Failure;
+use jounce::march::Watch;
+use jounce::spec::{KeyRange, NumericKey, Quantity, SpecFile};
+use jounce::study::Prepared;
+use jounce::table::Manifest;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use std::path::PathBuf;
+use std::sync::OnceLock;
+
+/// A spec, read and checked. It never changes; a change makes a new one.
+#[pyclass(frozen, module = "jounce._core")]
+pub struct Spec {
+    text: String,
+    folder: PathBuf,
+    /// What the text says.
+    pub spec: jounce::spec::Spec,
+    prepared: OnceLock<Prepared>,
+}
+
+#[pymethods]
+impl Spec {
+    /// Reads a text; state files and recordings are looked for in `folder`.
+    #[new]
+    fn new(text: String, folder: PathBuf) -> Result<Self, Failure> {
+        let spec = SpecFile::from_text(text.as_str()).in_folder(&folder).spec()?;
+        Ok(Self { text, folder, spec, prepared: OnceLock::new() })
+    }
+
+    /// Reads a file.
+    #[staticmethod]
+    fn read(path: PathBuf) -> Result<Self, Failure> {
+        let text = SpecFile::read(&path)?.text();
+        Self::new(text, path.parent().map(PathBuf::from).unwrap_or_default())
+    }
+
+    /// The same with keys set, all at once.
+    fn with_keys(&self, keys: Vec<(String, String)>) -> Result<Self, Failure> {
+        let mut file = self.file();
+        let faults: Vec<_> = keys.iter().filter_map(|(key, value)| file.set(key, value).err()).collect();
+        if !faults.is_empty() {
+            return Err(Failure::faults(&faults));
+        }
+        let spec = file.spec()?;
+        Ok(Self { text: file.text(), folder: self.folder.clone(), spec, prepared: OnceLock::new() })
+    }
+
+    /// The text, comments and layout kept.
+    #[getter]
+    fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Where state files and recordings are looked for.
+    #[getter]
+    pub fn folder(&self) -> PathBuf {
+        self.folder.clone()
+    }
+
+    /// The text in canonical form: every key that applies, with its default.
+    fn to_toml(&self) -> String {
+        self.spec.to_toml()
+    }
+
+    /// SHA-256 of the canonical form.
+    fn hash_hex(&self) -> String {
+        self.spec.hash_hex()
+    }
+
+    /// Value of a key with a number, SI, and its unit.
+    fn number(&self, key: &str) -> Result<(f64, String), Failure> {
+        let found = NumericKey::find(&self.spec, key)?;
+        Ok((found.get(&self.spec)?, found.unit()))
+    }
+
+    /// The harvester to scale: as SVG, and as PNG at twice its size.
+    fn drawing<'py>(&self, py: Python<'py>, title: &str) -> PyResult<(String, Bound<'py, PyBytes>)> {
+        let drawing = jounce::show::drawing(title, &self.spec);
+        let png = py.detach(|| drawing.to_png(2.0)).map_err(|error| Failure::new("ArgumentError", error).raised(py))?;
+        Ok((drawing.to_svg(), PyBytes::new(py, &png)))
+    }
+
+    /// Writes the text to a file, whole or not at all.
+    fn write(&self, path: PathBuf) -> Result<(), Failure> {
+        jounce::store::write(&path, self.text.as_bytes()).map_err(|error| Failure::new("FileError", error))
+    }
+}
+
+impl Spec {
+    /// The harvester, made once and shared by every call, under the watch of one call.
+    pub fn prepared(&self, watch: &Watch) -> Result<Prepared, Failure> {
+        let known = match self.prepared.get() {
+            Some(known) => known,
+            None => {
+                let made = Prepared::new(self.spec.clone())?;
+                self.prepared.get_or_init(|| made)
+            }
+        };
+        Ok(known.watched_by(watch)?)
+    }
+
+    /// The text, ready to be changed.
+    pub fn file(&self) -> SpecFile {
+        SpecFile::from_text(self.text.as_str()).in_folder(&self.folder)
+    }
+
+    /// A key with a number.
+    pub fn key(&self, key: &str) -> Result<NumericKey, Failure> {
+        Ok(self.file().numeric_key(key)?)
+    }
+
+    /// A key and its values.
+    pub fn range(&self, key: &str, values: &str) -> Result<KeyRange, Failure> {
+        Ok(KeyRange::parse(self.key(key)?, values)?)
+    }
+
+    /// A key and the two ends of its range.
+    pub fn ends(&self, key: &str, range: (String, String)) -> Result<(NumericKey, (f64, f64)), Failure> {
+        let found = KeyRange::parse(self.key(key)?, &format!("{},{}", range.0, range.1))?;
+        match found.values() {
+            [low, high] if low < high => Ok((found.key().clone(), (*low, *high))),
+            _ => Err(Failure::new(
+                "ArgumentError",
+                format!("{key}: the range {} to {} must go from a smaller to a larger value", range.0, range.1),
+            )),
+        }
+    }
+
+    /// The spec with another tolerance of the march.
+    pub fn with_tolerance(&self, tolerance: Option<f64>) -> Result<Option<Self>, Failure> {
+        tolerance.map(|tolerance| self.with_keys(vec![("run.tolerance".to_owned(), format!("{tolerance:e}"))])).transpose()
+    }
+
+    /// Where an answer comes from, as JSON.
+    pub fn manifest(&self, command: &str, options: &[(&str, String)]) -> String {
+        let manifest = Manifest::new(&self.spec.hash_hex()).with("command", command);
+        let manifest = options.iter().fold(manifest, |manifest, (name, value)| manifest.with(name, value));
+        serde_json::to_string(&manifest).unwrap_or_default()
+    }
+}
+
+/// A quantity as text, in SI: kind is `time`, `frequency` or `length`.
+#[pyfunction]
+pub fn quantity_si(kind: &str, text: &str) -> PyResult<f64> {
+    let quantity = match kind {
+        "time" => Quantity::Time,
+        "frequency" => Quantity::Frequency,
+        "length" => Quantity::Length,
+        _ => return Err(PyValueError::new_err(format!("{kind}: no kind of quantity"))),
+    };
+    quantity.read(text).map_err(|error| Failure::new("ArgumentError", error).into())
+}

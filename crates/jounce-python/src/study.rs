@@ -1,0 +1,130 @@
+//! Studies in parts.
+
+use crate::failure::Failure;
+use crate::run::Handed;
+use crate::spec::Spec;
+use crate::watched::{handed, on_threads, watched};
+use jounce::survey::{Folder, Shard, SurveyError};
+use jounce::table::{Table, Values};
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+use std::path::PathBuf;
+
+/// A study, read and checked.
+#[pyclass(frozen, module = "jounce._core")]
+pub struct Study(jounce::survey::Study);
+
+#[pymethods]
+impl Study {
+    /// A study of a spec from the text of what varies.
+    #[new]
+    fn new(spec: &Spec, text: &str) -> Result<Self, Failure> {
+        Ok(Self(jounce::survey::Study::with_spec(spec.file(), &spec.folder(), text)?))
+    }
+
+    /// SHA-256 of all that its table depends on.
+    fn hash_hex(&self) -> &str {
+        self.0.hash_hex()
+    }
+
+    /// Number of points.
+    fn points(&self) -> usize {
+        self.0.design.len()
+    }
+
+    /// Number of parts.
+    fn parts(&self) -> usize {
+        self.0.parts()
+    }
+
+    /// Number of points of a part.
+    fn points_of(&self, part: usize) -> usize {
+        self.0.points(part).len()
+    }
+
+    /// Values of the keys at a point, SI.
+    fn point(&self, index: usize) -> Result<Vec<f64>, Failure> {
+        match index < self.0.design.len() {
+            true => Ok(self.0.design.point(index)),
+            false => Err(Failure::new("ArgumentError", format!("there is no point {index}; the study has {}", self.0.design.len()))),
+        }
+    }
+
+    /// A part as the bytes of its file, computed on one thread.
+    fn part<'py>(&self, py: Python<'py>, part: usize) -> Handed<'py> {
+        if part >= self.0.parts() {
+            return Err(Failure::new("ArgumentError", format!("there is no part {part}; the study has {}", self.0.parts())).raised(py));
+        }
+        let found = watched(py, None, |watch| {
+            let table = self.0.part(part, watch)?;
+            let bytes = table.map(|table| table.to_parquet(&self.0.part_manifest(part))).transpose().map_err(SurveyError::from)?;
+            bytes.ok_or_else(|| Failure::new("JounceError", "stopped"))
+        });
+        handed(py, found, |bytes| {
+            let answer = PyDict::new(py);
+            answer.set_item("bytes", PyBytes::new(py, &bytes))?;
+            Ok(answer)
+        })
+    }
+
+    /// Computes what is missing of a shard of the study in a folder, on all threads.
+    fn run<'py>(
+        &self,
+        py: Python<'py>,
+        folder: PathBuf,
+        shard: &str,
+        threads: Option<usize>,
+        progress: Option<Bound<'py, PyAny>>,
+    ) -> Handed<'py> {
+        let shard: Shard = shard.parse().map_err(|error: String| Failure::new("ArgumentError", error).raised(py))?;
+        let found = watched(py, progress.as_ref(), |watch| {
+            let folder = Folder::of(&folder, &self.0)?;
+            on_threads(threads, || Ok(folder.run(&self.0, shard, watch, &|_| ())?))
+        });
+        handed(py, found, |()| Ok(PyDict::new(py)))
+    }
+
+    /// Numbers of the parts that a folder lacks; the folder is made where there is none.
+    fn missing(&self, py: Python<'_>, folder: PathBuf) -> PyResult<Vec<usize>> {
+        py.detach(|| Ok::<_, Failure>(Folder::of(&folder, &self.0)?.missing())).map_err(|failure| failure.raised(py))
+    }
+
+    /// Keeps a part that was computed elsewhere.
+    fn keep(&self, py: Python<'_>, folder: PathBuf, part: usize, bytes: &[u8]) -> PyResult<()> {
+        let kept = py.detach(|| Ok::<_, Failure>(Folder::of(&folder, &self.0)?.keep(part, bytes)?));
+        kept.map_err(|failure| failure.raised(py))
+    }
+}
+
+/// Joins the parts of a folder to one table; its path.
+#[pyfunction]
+pub fn study_merge(py: Python<'_>, folder: PathBuf) -> PyResult<PathBuf> {
+    py.detach(|| Ok::<_, Failure>(Folder::open(&folder)?.merge()?)).map_err(|failure| failure.raised(py))
+}
+
+/// How far the study of a folder is, as JSON.
+#[pyfunction]
+pub fn study_status(py: Python<'_>, folder: PathBuf) -> PyResult<String> {
+    let status = py.detach(|| Ok::<_, Failure>(Folder::open(&folder)?.status())).map_err(|failure| failure.raised(py))?;
+    Ok(serde_json::to_string(&status).map_err(|error| Failure::new("JounceError", error))?)
+}
+
+/// A table that jounce wrote: columns by name, their units and meanings, the manifest as JSON.
+#[pyfunction]
+pub fn table_read<'py>(py: Python<'py>, path: PathBuf) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>, String)> {
+    let read = py.detach(|| Table::read(&path)).map_err(|error| Failure::new("FileError", error).raised(py))?;
+    let (columns, notes) = (PyDict::new(py), PyDict::new(py));
+    for column in read.0.columns() {
+        notes.set_item(&column.name, (&column.unit, &column.about))?;
+        match &column.values {
+            Values::Float(values) => columns.set_item(&column.name, PyArray1::from_slice(py, values))?,
+            Values::Integer(values) => columns.set_item(&column.name, PyArray1::from_slice(py, values))?,
+            Values::Count(values) => columns.set_item(&column.name, PyArray1::from_iter(py, values.iter().map(|value| *value as i64)))?,
+            Values::Flag(values) => columns.set_item(&column.name, PyArray1::from_slice(py, values))?,
+            Values::Text(values) => columns.set_item(&column.name, values)?,
+        }
+    }
+    let manifest = serde_json::to_string(&read.1).map_err(|error| Failure::new("JounceError", error))?;
+    Ok((columns, notes, manifest))
+}

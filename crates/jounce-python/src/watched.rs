@@ -1,0 +1,94 @@
+//! A computation on a thread of its own, while Python's own thread looks for Ctrl-C and tells how far it is.
+
+use jounce::march::Watch;
+use pyo3::prelude::*;
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::{Duration, Instant};
+
+use crate::failure::Failure;
+
+/// Time between two looks for Ctrl-C.
+const LOOK: Duration = Duration::from_millis(20);
+
+/// Time between two calls of `progress`.
+const TELL: Duration = Duration::from_millis(100);
+
+/// Runs `work` with the interpreter's lock released. The second value is what ended it early: `KeyboardInterrupt`, or the exception of
+/// `progress`, which is called with parts done, parts in all and seconds left.
+pub fn watched<T: Send>(py: Python<'_>, progress: Option<&Bound<'_, PyAny>>, work: impl FnOnce(&Watch) -> T + Send) -> (T, Option<PyErr>) {
+    let watch = Watch::default();
+    let (sender, mut receiver) = channel::<()>();
+    let mut teller = Teller { progress, begun: Instant::now(), told: Instant::now(), last: (0, 0) };
+    std::thread::scope(|scope| {
+        let inside = watch.clone();
+        let worker = scope.spawn(move || {
+            let answer = work(&inside);
+            let _ = sender.send(());
+            answer
+        });
+        let mut ended = None;
+        loop {
+            let heard;
+            (receiver, heard) = py.detach(move || {
+                let heard = receiver.recv_timeout(LOOK);
+                (receiver, heard)
+            });
+            let waits = heard == Err(RecvTimeoutError::Timeout);
+            if ended.is_none() {
+                ended = py.check_signals().and_then(|()| teller.tell(&watch, !waits)).err();
+            }
+            if !waits {
+                break;
+            }
+            if ended.is_some() {
+                watch.stop();
+            }
+        }
+        match worker.join() {
+            Ok(answer) => (answer, ended),
+            Err(panic) => std::panic::resume_unwind(panic),
+        }
+    })
+}
+
+/// Tells Python how far the work is.
+struct Teller<'a, 'py> {
+    progress: Option<&'a Bound<'py, PyAny>>,
+    begun: Instant,
+    told: Instant,
+    last: (u64, u64),
+}
+
+impl Teller<'_, '_> {
+    fn tell(&mut self, watch: &Watch, at_the_end: bool) -> PyResult<()> {
+        let Some(progress) = self.progress else { return Ok(()) };
+        let now = watch.progress();
+        let due = at_the_end || self.told.elapsed() >= TELL;
+        if now == self.last || !due {
+            return Ok(());
+        }
+        (self.last, self.told) = (now, Instant::now());
+        let (done, expected) = now;
+        let left_s = (done > 0).then(|| self.begun.elapsed().as_secs_f64() * expected.saturating_sub(done) as f64 / done as f64);
+        progress.call1((done, expected, left_s)).map(|_| ())
+    }
+}
+
+/// Runs `work` on a pool of its own: the shared one does not survive a `fork`.
+pub fn on_threads<T: Send>(threads: Option<usize>, work: impl FnOnce() -> Result<T, Failure> + Send) -> Result<T, Failure> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).build();
+    pool.map_err(|error| Failure::new("JounceError", format!("the threads cannot be started: {error}")))?.install(work)
+}
+
+/// An answer for Python, and what ended it early. Where that left no answer at all, only the latter counts.
+pub fn handed<'py, T>(
+    py: Python<'py>,
+    (answer, ended): (Result<T, Failure>, Option<PyErr>),
+    told: impl FnOnce(T) -> PyResult<Bound<'py, pyo3::types::PyDict>>,
+) -> PyResult<(Option<Bound<'py, pyo3::types::PyDict>>, Option<PyErr>)> {
+    match (answer, ended) {
+        (Ok(answer), ended) => Ok((Some(told(answer)?), ended)),
+        (Err(_), Some(ended)) => Ok((None, Some(ended))),
+        (Err(failure), None) => Err(failure.raised(py)),
+    }
+}

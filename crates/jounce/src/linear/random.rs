@@ -1,0 +1,188 @@
+//! The linear answer of a spec to its stationary noises, exact.
+//!
+//! Mean squares come from [`super::covariance()`], mean powers from that and from a quadrature over frequency, whose difference is given with
+//! them. Stops are left out: how often their gap would be reached is told by Rice's formula ([`super::Crossing`]). So are drives that are no
+//! noise; gravity shifts the mean.
+
+use super::bandwidth::{noise_bandwidth_hz, statistical_bandwidth_hz, telling_frequencies_hz};
+use super::covariance::{covariance, product};
+use super::crossing::Crossing;
+use super::noise::{Noise, density, spectral_moment};
+use super::random_answer::{Density, RandomAnswer, RandomLoad, RandomPatch, RandomPoint, RandomStop};
+use crate::plant::{Plant, PlantError, System};
+use crate::spec::{Interface, Spec};
+use crate::structure::{self, StructureError};
+use faer::Mat;
+
+/// Why a spec has no linear answer to noise.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum RandomError {
+    /// The structure.
+    #[error(transparent)]
+    Structure(#[from] StructureError),
+    /// The plant.
+    #[error(transparent)]
+    Plant(#[from] PlantError),
+    /// No noise.
+    #[error("no drive has signal = \"noise\", so that there is no random answer; `jounce frf` tells what a sinusoid does")]
+    NoNoise,
+    /// A circuit that is not linear.
+    #[error(
+        "circuit.{circuit}.interface is not linear, so that no formula gives its answer to noise; march it with `jounce ensemble`, or give interface = \"resistor\""
+    )]
+    Rectified {
+        /// Name of the circuit.
+        circuit: String,
+    },
+    /// An answer that never becomes stationary.
+    #[error(
+        "drive.{drive} excites a mode at {mode_hz} Hz that nothing damps or brings back, so that its answer never becomes stationary; give the mode a damping ratio, or march it with `jounce ensemble`"
+    )]
+    Unsteady {
+        /// Name of the drive.
+        drive: String,
+        /// Frequency of the mode, Hz.
+        mode_hz: f64,
+    },
+}
+
+impl RandomError {
+    pub(super) fn unsteady((drive, mode_hz): (String, f64)) -> Self {
+        Self::Unsteady { drive, mode_hz }
+    }
+}
+
+/// A linear plant under noise.
+#[derive(Debug)]
+pub struct Random {
+    plant: Plant,
+    noises: Vec<Noise>,
+    covariance: Mat<f64>,
+    left_out: Vec<String>,
+}
+
+impl Random {
+    /// The harvester of a spec under its noises and gravity, its stops and its other drives left out.
+    ///
+    /// # Errors
+    /// Every variant of [`RandomError`].
+    pub fn new(spec: &Spec) -> Result<Self, RandomError> {
+        if let Some((name, _)) = spec.circuit.iter().find(|(_, circuit)| circuit.interface != Interface::Resistor) {
+            return Err(RandomError::Rectified { circuit: name.clone() });
+        }
+        let modes = structure::modes(spec)?;
+        let noises = Noise::of_spec(spec, &modes)?;
+        if noises.is_empty() {
+            return Err(RandomError::NoNoise);
+        }
+        let left_out = spec.drive.keys().filter(|name| noises.iter().all(|noise| noise.name != **name)).cloned().collect();
+        let mut still = spec.clone();
+        still.drive.clear();
+        let plant = Plant::new(System::assemble(&still, modes)?)?;
+        let covariance = covariance(&plant, &noises).map_err(RandomError::unsteady)?;
+        Ok(Self { plant, noises, covariance, left_out })
+    }
+
+    /// Means and mean squares.
+    ///
+    /// # Errors
+    /// [`RandomError::Plant`] where a quadrature meets an undamped mode.
+    pub fn answer(&self) -> Result<RandomAnswer, RandomError> {
+        let modes = &self.plant.system.modes;
+        let loads = (0..self.plant.system.loads.len()).map(|load| self.load(load)).collect::<Result<Vec<_>, _>>()?;
+        let patches = modes.patch.keys().enumerate();
+        let point = |(name, shape): (&String, &Vec<f64>)| RandomPoint {
+            name: name.clone(),
+            displacement_rms_m: self.rms(&self.plant.displacement_row(shape)),
+            velocity_rms_m_s: self.rms(&self.plant.velocity_row(shape)),
+        };
+        Ok(RandomAnswer {
+            drives: self.noises.iter().map(|noise| noise.name.clone()).collect(),
+            left_out: self.left_out.clone(),
+            mean_power_w: loads.iter().map(|load| load.mean_power_w).sum(),
+            loads,
+            patches: patches
+                .map(|(index, name)| RandomPatch { name: name.clone(), voltage_rms_v: self.rms(&self.plant.voltage_row(index)) })
+                .collect(),
+            points: modes.shape.iter().map(point).collect(),
+            stops: self.stops(),
+        })
+    }
+
+    fn rms(&self, row: &[f64]) -> f64 {
+        product(&self.covariance, row, row).max(0.0).sqrt()
+    }
+
+    fn load(&self, index: usize) -> Result<RandomLoad, RandomError> {
+        let (plant, load) = (&self.plant, &self.plant.system.loads[index]);
+        let row = plant.load_voltage_row(index);
+        let voltage_rms_v = self.rms(&row);
+        let mean_power_w = voltage_rms_v * voltage_rms_v / load.resistance_ohm;
+        let spectral_power_w = spectral_moment(plant, &self.noises, &row, 1)? / load.resistance_ohm;
+        let difference = spectral_power_w - mean_power_w;
+        Ok(RandomLoad {
+            name: load.name.clone(),
+            mean_power_w,
+            spectral_power_w,
+            difference_relative: if difference == 0.0 { 0.0 } else { difference / mean_power_w },
+            voltage_rms_v,
+            noise_bandwidth_hz: self.noises.iter().map(|noise| noise_bandwidth_hz(plant, noise, &row)).collect::<Result<_, _>>()?,
+            statistical_bandwidth_hz: statistical_bandwidth_hz(plant, &self.noises, &row)?,
+        })
+    }
+
+    fn stops(&self) -> Vec<RandomStop> {
+        let rest = self.plant.resting();
+        let stop = |(stop, port): (&crate::plant::Stop, &crate::plant::Port)| {
+            let crossing = Crossing {
+                mean_m: port.displacement.iter().zip(&rest).map(|(row, y)| row * y).sum(),
+                deviation_m: self.rms(&port.displacement),
+                velocity_m_s: self.rms(&port.velocity),
+                level_m: stop.gap_m,
+            };
+            RandomStop {
+                name: stop.name.clone(),
+                gap_m: stop.gap_m,
+                mean_m: crossing.mean_m,
+                displacement_rms_m: crossing.deviation_m,
+                reached_hz: crossing.rate_hz(),
+                share_beyond: crossing.share_beyond(),
+            }
+        };
+        self.plant.system.stops.iter().zip(&self.plant.ports).map(stop).collect()
+    }
+
+    /// Lowest and highest frequency of the noises, Hz.
+    pub fn band_hz(&self) -> [f64; 2] {
+        let ends = self.noises.iter().map(|noise| noise.band_hz);
+        ends.fold([f64::INFINITY, 0.0], |[low, high], [from, to]| [low.min(from), high.max(to)])
+    }
+
+    /// Frequencies from one to another, Hz, ascending: evenly spaced, and closer about each resonance.
+    pub fn frequencies_hz(&self, from_hz: f64, to_hz: f64, points: usize) -> Vec<f64> {
+        let mut all: Vec<f64> = (0..points).map(|k| from_hz + (to_hz - from_hz) * k as f64 / (points - 1) as f64).collect();
+        all.extend(telling_frequencies_hz(&self.plant).into_iter().filter(|place| (from_hz..=to_hz).contains(place)));
+        all.sort_by(f64::total_cmp);
+        all.dedup();
+        all
+    }
+
+    /// Power spectral densities of the voltages and displacements, at each frequency.
+    ///
+    /// # Errors
+    /// [`RandomError::Plant`] at an undamped mode.
+    pub fn densities(&self, frequency_hz: &[f64]) -> Result<Vec<Density>, RandomError> {
+        let (plant, modes) = (&self.plant, &self.plant.system.modes);
+        let loads = plant.system.loads.iter().enumerate();
+        let loads = loads.map(|(index, load)| (format!("{}.load_voltage", load.name), "V^2/Hz", plant.load_voltage_row(index)));
+        let patches = modes.patch.keys().enumerate();
+        let patches = patches.map(|(index, name)| (format!("{name}.voltage"), "V^2/Hz", plant.voltage_row(index)));
+        let points = modes.shape.iter().map(|(name, shape)| (format!("{name}.displacement"), "m^2/Hz", plant.displacement_row(shape)));
+        (loads.chain(patches).chain(points))
+            .map(|(name, unit, row)| {
+                let value = frequency_hz.iter().map(|place| density(plant, &self.noises, &row, *place)).collect::<Result<_, _>>()?;
+                Ok(Density { name, unit, value })
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,139 @@
+//! What is fixed together: bodies on bodies, each at its place beside the one that carries it.
+
+use super::rect::Rect;
+use super::{Drawing, DrawnBeam, DrawnPlace, DrawnShape, Seat};
+
+/// Height of a mass, px.
+pub const BLOCK: (f64, f64) = (86.0, 44.0);
+/// A mass fixed to a beam, px.
+const TIP: (f64, f64) = (30.0, 30.0);
+/// Diameter of a free mass, px.
+pub const BALL: f64 = 28.0;
+/// A structure given by its modes, px.
+const GIVEN: (f64, f64) = (150.0, 50.0);
+/// Length of a spring, px.
+pub const SPRING: f64 = 38.0;
+/// Distance of two beams on one mass, and of a beam from one that carries it amid its length, px.
+const STEP: f64 = 40.0;
+
+/// Where a body stands: the root of a beam on its mid-plane, the middle of anything else.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Spot {
+    /// Abscissa, px.
+    pub x: f64,
+    /// Height, px, growing downwards.
+    pub y: f64,
+    /// 1 where a beam extends to the right, -1 to the left.
+    pub way: f64,
+}
+
+/// Every body relative to the one at the foot of its assembly, and that one's index.
+pub fn assemblies(drawing: &Drawing, px_per_m: f64) -> Vec<(usize, Spot)> {
+    let count = drawing.bodies.len();
+    let mut found: Vec<Option<(usize, Spot)>> =
+        (0..count).map(|k| carrier(drawing, k).is_none().then_some((k, Spot { way: 1.0, ..Spot::default() }))).collect();
+    let mut carried = vec![0_usize; count];
+    for _ in 0..count {
+        for k in 0..count {
+            let Some(place) = carrier(drawing, k).filter(|_| found[k].is_none()) else { continue };
+            if let Some((foot, spot)) = found[place.body] {
+                let rank = carried[place.body];
+                carried[place.body] += 1;
+                found[k] = Some((foot, beside(drawing, k, place, spot, rank, px_per_m)));
+            }
+        }
+    }
+    // A spec with supports in a circle is refused elsewhere; here each of them stands alone.
+    found.into_iter().enumerate().map(|(k, spot)| spot.unwrap_or((k, Spot { way: 1.0, ..Spot::default() }))).collect()
+}
+
+/// The place that carries a body.
+pub fn carrier(drawing: &Drawing, body: usize) -> Option<DrawnPlace> {
+    match drawing.bodies[body].seat {
+        Seat::On(place) | Seat::Spring(Some(place)) => Some(place).filter(|place| place.body < drawing.bodies.len()),
+        Seat::Ground | Seat::Spring(None) | Seat::Nothing => None,
+    }
+}
+
+/// Where a body stands on a place of another that has its spot; `rank` others are on it already.
+fn beside(drawing: &Drawing, body: usize, place: DrawnPlace, on: Spot, rank: usize, px_per_m: f64) -> Spot {
+    let x = on.x + on.way * place.along_m * px_per_m;
+    let half = 0.5 * size(drawing, place.body).1;
+    let own = 0.5 * size(drawing, body).1;
+    let sprung = matches!(drawing.bodies[body].seat, Seat::Spring(_));
+    match (&drawing.bodies[body].shape, &drawing.bodies[place.body].shape) {
+        (DrawnShape::Beam(_), DrawnShape::Beam(beam)) => {
+            let amid = place.along_m < 0.999 * beam.length_m;
+            Spot { x, y: on.y - if amid { STEP } else { 0.0 }, way: on.way }
+        }
+        (DrawnShape::Beam(_), _) => {
+            let way = if rank.is_multiple_of(2) { 1.0 } else { -1.0 };
+            Spot { x: on.x + way * 0.5 * size(drawing, place.body).0, y: on.y - STEP * (rank / 2) as f64, way }
+        }
+        (_, DrawnShape::Beam(_)) if sprung => Spot { x, y: on.y - SPRING - own, way: 1.0 },
+        (_, DrawnShape::Beam(_)) => Spot { x, y: on.y, way: 1.0 },
+        _ => Spot { x: on.x, y: on.y - half - own - if sprung { SPRING } else { 0.0 }, way: 1.0 },
+    }
+}
+
+/// Width and height of a body that is a symbol; nothing for a beam.
+pub fn size(drawing: &Drawing, body: usize) -> (f64, f64) {
+    let on_beam = || carrier(drawing, body).is_some_and(|place| matches!(drawing.bodies[place.body].shape, DrawnShape::Beam(_)));
+    match drawing.bodies[body].shape {
+        DrawnShape::Beam(_) => (0.0, 0.0),
+        DrawnShape::Block if on_beam() && matches!(drawing.bodies[body].seat, Seat::On(_)) => TIP,
+        DrawnShape::Block => BLOCK,
+        DrawnShape::Ball => (BALL, BALL),
+        DrawnShape::Given => GIVEN,
+    }
+}
+
+/// What a body covers; a mass with contacts on both sides stands beside them, so that its spring is clear of what it strikes.
+pub fn room(drawing: &Drawing, body: usize, spot: Spot, px_per_m: f64) -> Rect {
+    match &drawing.bodies[body].shape {
+        DrawnShape::Beam(beam) => {
+            let (above, below) = (thickness(beam, None, true, px_per_m), thickness(beam, None, false, px_per_m));
+            let end = spot.x + spot.way * beam.length_m * px_per_m;
+            Rect::between((spot.x, spot.y - above), (end, spot.y + below))
+        }
+        _ => {
+            let aside = if sides(drawing, body) == (true, true) && drawing.bodies[body].seat == Seat::Spring(None) { 22.0 } else { 0.0 };
+            Rect::around((spot.x + aside, spot.y), size(drawing, body))
+        }
+    }
+}
+
+/// Distance of a face of a beam from its mid-plane with the patches on it, at a place or where it is largest, px.
+fn thickness(beam: &DrawnBeam, along_m: Option<f64>, top: bool, px_per_m: f64) -> f64 {
+    let there = |start: f64, length: f64| along_m.is_none_or(|x| (start..=start + length * (1.0 + 1e-9)).contains(&x));
+    let patches = beam.patches.iter().filter(|patch| patch.top == top && there(patch.start_m, patch.length_m));
+    let patch = patches.map(|patch| thick(patch.thickness_m, px_per_m)).fold(0.0, f64::max);
+    0.5 * thick(beam.thickness_m, px_per_m) + patch
+}
+
+/// A thickness in pixels, at least one.
+pub fn thick(length_m: f64, px_per_m: f64) -> f64 {
+    (length_m * px_per_m).max(1.0)
+}
+
+/// Distance of the upper or lower face at a place from the body's middle; a mass fixed there is part of it.
+pub fn face(drawing: &Drawing, place: DrawnPlace, above: bool, px_per_m: f64) -> f64 {
+    let DrawnShape::Beam(beam) = &drawing.bodies[place.body].shape else { return 0.5 * size(drawing, place.body).1 };
+    let here = |other: &usize| drawing.bodies[*other].seat == Seat::On(place) && drawing.bodies[*other].shape == DrawnShape::Block;
+    let fixed = (0..drawing.bodies.len()).filter(here).map(|other| 0.5 * size(drawing, other).1);
+    fixed.fold(thickness(beam, Some(place.along_m), above, px_per_m), f64::max)
+}
+
+/// Whether a body is struck or strikes above, and below.
+pub fn sides(drawing: &Drawing, body: usize) -> (bool, bool) {
+    let mut sides = (false, false);
+    for contact in &drawing.contacts {
+        let other_above = match contact.on {
+            _ if contact.at.body == body => contact.above,
+            Some(on) if on.body == body => !contact.above,
+            _ => continue,
+        };
+        if other_above { sides.0 = true } else { sides.1 = true }
+    }
+    sides
+}

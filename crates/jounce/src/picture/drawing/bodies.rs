@@ -1,0 +1,116 @@
+//! The bodies of a group.
+
+use super::assembly::{SPRING, carrier, room, sides, thick};
+use super::canvas::{Canvas, INK, THIN};
+use super::dimension;
+use super::hatch::{Far, HATCH, ground};
+use super::layout::Layout;
+use super::rect::Rect;
+use super::symbols::spring;
+use super::{Drawing, DrawnBeam, DrawnShape, Seat};
+use crate::picture::svg::number;
+
+const BODY: &str = "class=\"jounce-body\" fill=\"#dfe3e8\" stroke=\"#1a1a1a\" stroke-width=\"1.2\"";
+/// Half the height of the wall that a beam is clamped to, px.
+pub const WALL: f64 = 20.0;
+
+/// A body, with `shift` from the layout to the sheet.
+pub fn body(canvas: &mut Canvas, drawing: &Drawing, layout: &Layout, body: usize, shift: (f64, f64)) {
+    let drawn = &drawing.bodies[body];
+    let mut spot = layout.spots[body];
+    (spot.x, spot.y) = (spot.x + shift.0, spot.y + shift.1);
+    let covered = room(drawing, body, spot, layout.px_per_m);
+    let middle = (0.5 * (covered.left + covered.right), 0.5 * (covered.top + covered.bottom));
+    match &drawn.shape {
+        DrawnShape::Beam(shape) => {
+            let foot = carrier(drawing, body).map(|place| layout.point(drawing, place).1 + shift.1).filter(|y| (y - spot.y).abs() > 1.0);
+            if let Some(y) =
+                foot.filter(|_| matches!(drawing.bodies[carrier(drawing, body).map_or(0, |p| p.body)].shape, DrawnShape::Beam(_)))
+            {
+                canvas.solid(Rect::between((spot.x - 4.0, spot.y), (spot.x + 4.0, y)), BODY);
+            }
+            beam(canvas, shape, spot.way, (spot.x, spot.y), layout.px_per_m);
+            if drawn.seat == Seat::Ground {
+                wall(canvas, (spot.x, spot.y), spot.way);
+            }
+            let (anchor, toward) = named_at(shape, (spot.x, spot.y), spot.way, layout.px_per_m);
+            let mut words = drawn.words.clone();
+            words.push(format!("{} × {}", dimension::length(shape.length_m), dimension::length(shape.thickness_m)));
+            canvas.label(anchor, toward, words);
+            return;
+        }
+        DrawnShape::Ball => {
+            let (left, right, y, r) = (number(covered.left), number(covered.right), number(middle.1), number(0.5 * covered.width()));
+            canvas.svg.path(&format!("M{left} {y}A{r} {r} 0 0 1 {right} {y}A{r} {r} 0 0 1 {left} {y}Z"), BODY);
+            canvas.cover(covered);
+        }
+        DrawnShape::Block | DrawnShape::Given => canvas.solid(covered, BODY),
+    }
+    seat(canvas, drawing, body, covered);
+    canvas.label((covered.right, middle.1), (1.0, 0.0), drawn.words.clone());
+}
+
+/// Where the name of a beam goes: over a face without patches, else at its right end.
+fn named_at(beam: &DrawnBeam, (x, y): (f64, f64), way: f64, px_per_m: f64) -> ((f64, f64), (f64, f64)) {
+    let length = way * beam.length_m * px_per_m;
+    let half = 0.5 * thick(beam.thickness_m, px_per_m);
+    let bare = |top: bool| beam.patches.iter().all(|patch| patch.top != top);
+    match (bare(true), bare(false)) {
+        (true, _) => ((x + 0.5 * length, y - half), (0.0, -1.0)),
+        (_, true) if way < 0.0 => ((x + 0.5 * length, y + half), (0.0, 1.0)),
+        _ if way > 0.0 => ((x + length, y), (1.0, 0.0)),
+        _ => ((x + HATCH, y), (1.0, 0.0)),
+    }
+}
+
+/// The spring or the wall of a mass.
+fn seat(canvas: &mut Canvas, drawing: &Drawing, body: usize, covered: Rect) {
+    let Seat::Spring(on) = drawing.bodies[body].seat else { return };
+    let (above, below) = sides(drawing, body);
+    // Away from what it strikes; beside it where it strikes on both sides.
+    let x = if above && below { covered.right - 16.0 } else { 0.5 * (covered.left + covered.right) };
+    let up = on.is_none() && below && !above;
+    let (from, to) = if up { (covered.top, covered.top - SPRING) } else { (covered.bottom, covered.bottom + SPRING) };
+    spring(canvas.svg, x, from, to);
+    let end = if up { to - HATCH } else { to + HATCH };
+    canvas.cover(Rect::between((x - 10.0, from), (x + 10.0, to)));
+    if on.is_none() {
+        ground(canvas.svg, (x - 25.0, to), 50.0, if up { Far::Above } else { Far::Below });
+        canvas.cover(Rect::between((x - 31.0, to), (x + 31.0, end)));
+    }
+}
+
+fn wall(canvas: &mut Canvas, (x, y): (f64, f64), way: f64) {
+    ground(canvas.svg, (x, y - WALL), 2.0 * WALL, if way > 0.0 { Far::Left } else { Far::Right });
+    canvas.cover(Rect::between((x, y - WALL), (x - way * HATCH, y + WALL + HATCH)));
+}
+
+/// A beam with its patches and its places, its root at `(x, y)`.
+fn beam(canvas: &mut Canvas, beam: &DrawnBeam, way: f64, (x, y): (f64, f64), px_per_m: f64) {
+    let half = 0.5 * thick(beam.thickness_m, px_per_m);
+    let at = |along_m: f64| x + way * along_m * px_per_m;
+    canvas.solid(Rect::between((x, y - half), (at(beam.length_m), y + half)), "class=\"jounce-beam\" fill=\"#4a5560\"");
+    for patch in &beam.patches {
+        let side = if patch.top { -1.0 } else { 1.0 };
+        let (near, far) = (y + side * half, y + side * (half + thick(patch.thickness_m, px_per_m)));
+        let (from, to) = (at(patch.start_m), at(patch.start_m + patch.length_m));
+        canvas.solid(Rect::between((from, near), (to, far)), "class=\"jounce-patch\" fill=\"#e69f00\"");
+        let words = format!("{}: {} × {}", patch.label, dimension::length(patch.length_m), dimension::length(patch.thickness_m));
+        canvas.label((0.5 * (from + to), far), (0.0, side), vec![words]);
+    }
+    for (name, along_m) in &beam.points {
+        let (place, low) = (at(*along_m), y + half);
+        canvas.svg.path(&format!("M{x0} {}L{x0} {}", number(low), number(low + 8.0), x0 = number(place)), THIN);
+        canvas.cover(Rect::between((place - 1.0, low), (place + 1.0, low + 8.0)));
+        canvas.label((place, low + 8.0), (0.0, 1.0), vec![format!("{name} {}", dimension::length(*along_m))]);
+    }
+}
+
+/// The arm of a stop that rides on a body: from the stop at `tip` over its own height to the side of what carries it.
+pub fn arm(canvas: &mut Canvas, tip: (f64, f64), carrier: Rect) {
+    let x = 0.5 * (carrier.left + carrier.right);
+    let edge = if tip.1 < carrier.top { carrier.top } else { carrier.bottom };
+    let steps = format!("M{} {y}L{c} {y}L{c} {}", number(tip.0), number(edge), y = number(tip.1), c = number(x));
+    canvas.svg.path(&steps, INK);
+    canvas.cover(Rect::between((tip.0, tip.1 - 2.0), (x, tip.1 + 2.0)));
+}

@@ -1,0 +1,128 @@
+//! Where names go: near what they name, over nothing else and not over each other.
+
+use super::rect::Rect;
+use crate::picture::text::{SMALL, width};
+
+/// Distance of two lines of text, px.
+pub const LINE: f64 = 15.0;
+
+/// A label that looks for its place.
+#[derive(Debug, Clone)]
+pub struct Wanted {
+    /// What it names.
+    pub anchor: (f64, f64),
+    /// Where it stands best, as a direction from there.
+    pub toward: (f64, f64),
+    /// Its lines.
+    pub lines: Vec<String>,
+}
+
+/// A label that has its place.
+#[derive(Debug, Clone)]
+pub struct Label {
+    /// Its lines.
+    pub lines: Vec<String>,
+    /// What they fill.
+    pub room: Rect,
+    /// The line from what it names to it, where it stands apart.
+    pub leader: Option<[(f64, f64); 2]>,
+}
+
+/// A leader is drawn to a label farther away than this, px.
+const APART: f64 = 15.0;
+
+/// Cost of a label on the far side of what it names, against one on the wanted side, px of distance; half of it.
+const TURNED: f64 = 60.0;
+
+/// Gives every label the cheapest free place between two edges of the page; those that have an easy one take it first.
+pub fn placed(wanted: &[Wanted], obstacles: &[Rect], (left, right): (f64, f64)) -> Vec<Label> {
+    let page = Rect { left, right, top: f64::NEG_INFINITY, bottom: f64::INFINITY };
+    let alone = |want: &Wanted| cost(want, &cheapest(want, obstacles, &[], page), obstacles, &[]);
+    let mut order: Vec<(f64, &Wanted)> = wanted.iter().map(|want| (alone(want), want)).collect();
+    order.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut labels: Vec<Label> = Vec::new();
+    for (_, want) in order {
+        let room = cheapest(want, obstacles, &labels, page);
+        let leader = leader(want.anchor, &room);
+        labels.push(Label { lines: want.lines.clone(), room, leader });
+    }
+    labels
+}
+
+/// Width and height of a label.
+pub fn size_of(lines: &[String]) -> (f64, f64) {
+    (lines.iter().map(|line| width(line, SMALL)).fold(0.0, f64::max), LINE * lines.len() as f64)
+}
+
+fn leader(anchor: (f64, f64), room: &Rect) -> Option<[(f64, f64); 2]> {
+    let near = room.nearest(anchor);
+    (distance(anchor, near) > APART).then_some([anchor, near])
+}
+
+fn distance(a: (f64, f64), b: (f64, f64)) -> f64 {
+    (a.0 - b.0).hypot(a.1 - b.1)
+}
+
+fn cheapest(want: &Wanted, obstacles: &[Rect], labels: &[Label], page: Rect) -> Rect {
+    let size = size_of(&want.lines);
+    let free = |room: &Rect| {
+        let wide = room.grown(3.0);
+        // Side by side, two names read as one unless a wide space parts them.
+        let apart = Rect { left: room.left - 12.0, right: room.right + 12.0, ..*room };
+        let inside = room.left >= page.left && room.right <= page.right;
+        inside
+            && !obstacles.iter().any(|other| wide.meets(other))
+            && !labels.iter().any(|label| wide.meets(&label.room) || apart.meets(&label.room) || pierced(label, &wide))
+    };
+    // Centred about the anchor, or with an edge near it, on either side.
+    let sides = (0..24).flat_map(|i| [-1.0, 1.0].map(|side| side * (0.5 * size.0 + 8.0 * f64::from(i))));
+    let across: Vec<f64> = (-16..=16).map(|i| 8.0 * f64::from(i)).chain(sides).collect();
+    let candidates = across.iter().flat_map(|dx| (-45..=45).map(move |j| (*dx, 5.0 * f64::from(j))));
+    let candidates = candidates.map(|(dx, dy)| Rect::around((want.anchor.0 + dx, want.anchor.1 + dy), size));
+    let best = candidates.filter(free).map(|room| (cost(want, &room, obstacles, labels), room)).min_by(|a, b| a.0.total_cmp(&b.0));
+    let below = || {
+        let lowest = obstacles.iter().chain(labels.iter().map(|label| &label.room)).map(|rect| rect.bottom).fold(want.anchor.1, f64::max);
+        let x = want.anchor.0.clamp(page.left + 0.5 * size.0, (page.right - 0.5 * size.0).max(page.left + 0.5 * size.0));
+        Rect::around((x, lowest + 8.0 + 0.5 * size.1), size)
+    };
+    best.map_or_else(below, |(_, room)| room)
+}
+
+fn pierced(label: &Label, room: &Rect) -> bool {
+    label.leader.is_some_and(|[from, to]| room.crossed(from, to))
+}
+
+/// Distance, turned away from the wanted direction, and what its leader crosses.
+fn cost(want: &Wanted, room: &Rect, obstacles: &[Rect], labels: &[Label]) -> f64 {
+    let near = room.nearest(want.anchor);
+    let middle = (0.5 * (room.left + room.right) - want.anchor.0, 0.5 * (room.top + room.bottom) - want.anchor.1);
+    let length = middle.0.hypot(middle.1).max(1.0);
+    let along = (middle.0 * want.toward.0 + middle.1 * want.toward.1) / (length * want.toward.0.hypot(want.toward.1).max(1e-9));
+    let apart = distance(want.anchor, near);
+    let crossed = match apart > APART {
+        true => {
+            let bodies = obstacles.iter().filter(|other| other.grown(-1.0).crossed(want.anchor, near)).count();
+            let names = labels.iter().filter(|label| label.room.crossed(want.anchor, near)).count();
+            10.0 + 40.0 * bodies as f64 + 1000.0 * names as f64
+        }
+        false => 0.0,
+    };
+    apart + 0.1 * length + TURNED * (1.0 - along) + crossed
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn many_labels_at_one_place_stand_apart() {
+        let want = Wanted { anchor: (200.0, 100.0), toward: (0.0, -1.0), lines: vec!["one of many".into(), "two lines".into()] };
+        let obstacle = Rect::between((0.0, 95.0), (400.0, 105.0));
+        let labels = placed(&vec![want; 40], &[obstacle], (10.0, 390.0));
+        for (k, label) in labels.iter().enumerate() {
+            assert!(!label.room.meets(&obstacle) && label.room.left >= 10.0 && label.room.right <= 390.0);
+            assert!(labels[..k].iter().all(|other| !other.room.meets(&label.room)), "{k}");
+        }
+        assert!(labels[0].leader.is_none() && labels[0].room.bottom <= 95.0);
+    }
+}

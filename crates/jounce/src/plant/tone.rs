@@ -1,0 +1,89 @@
+//! Sinusoidal drives: what each frequency does to the plant without contact.
+
+use super::{Plant, PlantError, Port, dot};
+use faer::c64;
+
+/// A sinusoid that all drives of one frequency make together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tone {
+    /// Angular frequency, rad/s.
+    pub angular_frequency_rad_s: f64,
+    /// Complex modal force `G` (N kg^-1/2 per mode): the modal force is `Re(G e^{i w t})`.
+    pub force: Vec<c64>,
+    /// Steady state `Y` in block coordinates: without contact `x = T Re(Y e^{i w t})`.
+    pub steady: Vec<c64>,
+}
+
+impl Plant {
+    /// Period of all drives together, s: that of the slowest where all others are its harmonics; `None` where there is none.
+    pub fn period_s(&self) -> Option<f64> {
+        let slowest = self.tones.iter().map(|tone| tone.angular_frequency_rad_s).reduce(f64::min)?;
+        let is_harmonic = |tone: &Tone| {
+            let ratio = tone.angular_frequency_rad_s / slowest;
+            (ratio - ratio.round()).abs() <= 1e-9 * ratio
+        };
+        let repeats = self.tones.iter().all(is_harmonic) && self.system.aperiodic().is_none();
+        repeats.then(|| std::f64::consts::TAU / slowest)
+    }
+
+    /// Complex amplitude of an output row under each tone.
+    pub fn steady_output(&self, row: &[f64]) -> Vec<c64> {
+        self.tones.iter().map(|tone| dot(row, &tone.steady)).collect()
+    }
+
+    /// The steady state in block coordinates at a time.
+    pub fn steady_at(&self, time_s: f64) -> Vec<f64> {
+        let mut steady = vec![0.0; self.len()];
+        for tone in &self.tones {
+            let turn = c64::cis(tone.angular_frequency_rad_s * time_s);
+            steady.iter_mut().zip(&tone.steady).for_each(|(s, y)| *s += (turn * y).re);
+        }
+        steady
+    }
+
+    /// Displacement (m) and velocity (m/s) of a port in the steady state at a time.
+    pub fn driven(&self, port: &Port, time_s: f64) -> [f64; 2] {
+        self.tones.iter().zip(&port.steady_m).fold([0.0; 2], |[place, speed], (tone, s)| {
+            let turned = s * c64::cis(tone.angular_frequency_rad_s * time_s);
+            [place + turned.re, speed - tone.angular_frequency_rad_s * turned.im]
+        })
+    }
+
+    pub(super) fn make_tones(&self) -> Result<Vec<Tone>, PlantError> {
+        let mut tones: Vec<Tone> = Vec::new();
+        for drive in &self.system.drives {
+            let w = std::f64::consts::TAU * drive.frequency_hz;
+            // F sin(w t + a) = Re(-i F e^{i a} e^{i w t})
+            let amplitude = c64::new(0.0, -drive.amplitude_n) * c64::cis(drive.phase_rad);
+            let force = drive.shape.iter().map(|s| amplitude * s);
+            match tones.iter_mut().find(|tone| tone.angular_frequency_rad_s == w) {
+                Some(tone) => tone.force.iter_mut().zip(force).for_each(|(sum, f)| *sum += f),
+                None => tones.push(Tone { angular_frequency_rad_s: w, force: force.collect(), steady: Vec::new() }),
+            }
+        }
+        for tone in &mut tones {
+            tone.steady = self.steady_state(tone.angular_frequency_rad_s, &tone.force)?;
+        }
+        Ok(tones)
+    }
+
+    /// `(i w I - A)^-1` of a complex modal force, in block coordinates.
+    ///
+    /// # Errors
+    /// [`PlantError::UndampedResonance`] where an eigenvalue lies at `i w` to roundoff.
+    pub fn steady_state(&self, angular_frequency_rad_s: f64, modal_force: &[c64]) -> Result<Vec<c64>, PlantError> {
+        let s = c64::new(0.0, angular_frequency_rad_s);
+        for value in self.diagonal.block.eigenvalues() {
+            if (s - value).norm() <= 1e-12 * angular_frequency_rad_s.max(value.norm()) || s == value {
+                return Err(PlantError::UndampedResonance {
+                    frequency_hz: angular_frequency_rad_s / std::f64::consts::TAU,
+                    mode_hz: value.norm() / std::f64::consts::TAU,
+                });
+            }
+        }
+        let (n, inverse) = (self.system.modes.len(), &self.diagonal.from_physical);
+        let column: Vec<c64> =
+            (0..self.len()).map(|i| modal_force.iter().enumerate().map(|(j, g)| *g * inverse[(i, n + j)]).sum()).collect();
+        Ok(self.diagonal.block.resolve(s, &column))
+    }
+}

@@ -1,0 +1,88 @@
+//! The bodies of a spec, and which of them a reference names.
+
+use super::words;
+use crate::picture::{DrawnBeam, DrawnBody, DrawnPatch, DrawnPlace, DrawnShape, Seat};
+use crate::spec::{Beam, Face, Mass, Spec};
+
+/// The place of every body in the drawing: masses, then beams, then structures given by their modes.
+pub struct Index<'s> {
+    masses: Vec<&'s str>,
+    beams: Vec<&'s str>,
+    modal: Vec<&'s str>,
+}
+
+impl<'s> Index<'s> {
+    /// The bodies of a spec.
+    pub fn of(spec: &'s Spec) -> Self {
+        Self {
+            masses: spec.mass.keys().map(String::as_str).collect(),
+            beams: spec.beam.keys().map(String::as_str).collect(),
+            modal: spec.modal.keys().map(String::as_str).collect(),
+        }
+    }
+
+    /// What a reference names: a mass, or a point of a beam or of a structure given by its modes; nothing for the ground.
+    pub fn place(&self, spec: &Spec, reference: &str) -> Option<DrawnPlace> {
+        let find = |names: &[&str], name: &str| names.iter().position(|known| *known == name);
+        let Some((body, point)) = reference.split_once('.') else {
+            return Some(DrawnPlace { body: find(&self.masses, reference)?, along_m: 0.0 });
+        };
+        if let Some(index) = find(&self.beams, body) {
+            return Some(DrawnPlace { body: self.masses.len() + index, along_m: along(&spec.beam[body], point)? });
+        }
+        let index = find(&self.modal, body)?;
+        Some(DrawnPlace { body: self.masses.len() + self.beams.len() + index, along_m: 0.0 })
+    }
+}
+
+/// Distance of a point of a beam from its root, m.
+fn along(beam: &Beam, point: &str) -> Option<f64> {
+    match point {
+        "root" => Some(0.0),
+        "end" => Some(beam.length_m),
+        _ => beam.point.get(point).copied(),
+    }
+}
+
+/// All bodies, in the order of their index.
+pub fn bodies(spec: &Spec, index: &Index) -> Vec<DrawnBody> {
+    let masses = spec.mass.iter().map(|(name, mass)| drawn_mass(spec, index, name, mass));
+    let beams = spec.beam.iter().map(|(name, beam)| DrawnBody {
+        words: words::beam(name, beam),
+        shape: DrawnShape::Beam(drawn_beam(spec, name, beam)),
+        seat: index.place(spec, &beam.root).map_or(Seat::Ground, Seat::On),
+    });
+    let modal = spec.modal.iter().map(|(name, modal)| DrawnBody {
+        words: words::modal(name, modal),
+        shape: DrawnShape::Given,
+        seat: Seat::Nothing,
+    });
+    masses.chain(beams).chain(modal).collect()
+}
+
+fn drawn_mass(spec: &Spec, index: &Index, name: &str, mass: &Mass) -> DrawnBody {
+    let on = index.place(spec, &mass.on);
+    let seat = match (mass.stiffness_n_m, on) {
+        (Some(_), on) => Seat::Spring(on),
+        (None, Some(on)) => Seat::On(on),
+        (None, None) => Seat::Nothing,
+    };
+    let shape = if seat == Seat::Nothing { DrawnShape::Ball } else { DrawnShape::Block };
+    DrawnBody { words: words::mass(name, mass), shape, seat }
+}
+
+fn drawn_beam(spec: &Spec, name: &str, beam: &Beam) -> DrawnBeam {
+    let patches = spec.patch.iter().filter(|(_, patch)| patch.on == name).map(|(label, patch)| DrawnPatch {
+        label: label.clone(),
+        start_m: patch.start_m,
+        length_m: patch.length_m,
+        thickness_m: patch.thickness_m,
+        top: patch.face == Face::Top,
+    });
+    DrawnBeam {
+        length_m: beam.length_m,
+        thickness_m: beam.thickness_m,
+        patches: patches.collect(),
+        points: beam.point.iter().map(|(point, along_m)| (point.clone(), *along_m)).collect(),
+    }
+}

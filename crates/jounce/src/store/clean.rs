@@ -1,0 +1,49 @@
+//! What a process left that was killed while it wrote.
+
+use super::atomic::PREFIX;
+use std::fs::{self, DirEntry, File};
+use std::path::Path;
+use std::time::Duration;
+
+/// A file is locked by its writer within this time of its making.
+const YOUNG: Duration = Duration::from_secs(5);
+
+/// Removes the files of a folder that nobody will finish. Those that somebody writes now stay, and so does what cannot be removed: such
+/// files are hidden and nothing reads them.
+pub fn clean(folder: &Path) {
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    for entry in entries.flatten().filter(is_left) {
+        let _ = fs::remove_file(entry.path());
+    }
+}
+
+fn is_left(entry: &DirEntry) -> bool {
+    let is_ours = entry.file_name().to_string_lossy().starts_with(PREFIX);
+    let age = || entry.metadata().ok()?.modified().ok()?.elapsed().ok();
+    let is_free = || File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok());
+    is_ours && age().is_some_and(|age| age > YOUNG) && is_free()
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use std::time::SystemTime;
+
+    #[test]
+    fn only_what_nobody_writes_is_removed() {
+        let folder = tempfile::tempdir().unwrap();
+        let made = |name: &str, age_s: u64| {
+            let file = File::create(folder.path().join(name)).unwrap();
+            file.set_modified(SystemTime::now() - Duration::from_secs(age_s)).unwrap();
+            file
+        };
+        drop((made(".jounce-left", 60), made(".jounce-young", 0), made("part.parquet", 60)));
+        let written = made(".jounce-written", 60);
+        written.lock().unwrap();
+        clean(folder.path());
+        let mut names: Vec<_> = fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        names.sort();
+        assert_eq!(names, [".jounce-written", ".jounce-young", "part.parquet"]);
+    }
+}

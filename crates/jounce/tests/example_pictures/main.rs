@@ -1,0 +1,14 @@
+//! The pictures of the examples that strike nothing: drawn from their specs, held to what stands in the folder of each.
+//!
+//! `JOUNCE_DRAW=1 cargo test --test example_pictures` draws them again.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod kept;
+mod loads;
+mod noise;
+mod patches;
+mod rectified;
+mod responses;
+#[path = "../linear/rows.rs"]
+#[expect(dead_code, reason = "of the rows only the folder is used here")]
+mod rows;

@@ -1,0 +1,48 @@
+"""Arguments of the calls on a spec, as the compiled module takes them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from . import _core
+from .errors import ArgumentError, Fault, SpecError
+from .quantity import is_quantity, plain, texts_of, toml
+from .result import Floats
+
+
+def of_tables(tables: Mapping[str, Any]) -> _core.Spec:
+    """A spec of Python objects: its faults have no place in a text."""
+    try:
+        return _core.Spec(toml(tables), "")
+    except SpecError as error:
+        faults = [Fault(0, 0, fault.key, fault.message) for fault in error.faults]
+        listed = [vars(fault) for fault in faults]
+        raise SpecError("\n".join(map(str, faults)), {"faults": listed}) from None
+
+
+def names(hold: Sequence[str]) -> list[str]:
+    """The masses to hold; one of them may be given by its name alone."""
+    return [hold] if isinstance(hold, str) else list(hold)
+
+
+def si(kind: str, value: Any, what: str) -> float:
+    """A quantity in SI units."""
+    made = plain(value, what)
+    return _core.quantity_si(kind, made if isinstance(made, str) else repr(made))
+
+
+def frequencies(given: Any) -> Floats:
+    """Frequencies, Hz."""
+    if given is None:
+        return np.geomspace(1.0, 1000.0, 2000)
+    texts = texts_of(given, "frequency") if is_quantity(given) else plain(given, "frequency")
+    items = texts if isinstance(texts, list) else [texts]
+    if not items:
+        raise ArgumentError("frequency is an empty list; give at least one frequency")
+    found = np.array([si("frequency", item, "frequency") for item in items])
+    if not (np.isfinite(found).all() and (found > 0.0).all()):
+        raise ArgumentError("every frequency must be above 0 Hz and finite")
+    return found

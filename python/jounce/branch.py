@@ -1,0 +1,150 @@
+"""Branches of periodic answers over one key."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Iterator
+from typing import Any, Self
+
+import numpy as np
+
+from .result import Data, Floats, Integers, Result, Truths, Variable, html_table
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Branch(Data):
+    """One curve of periodic answers; arrays of shape ``(point,)`` along it."""
+
+    period_cycles: int
+    #: Value of the key, SI.
+    parameter: Floats
+    mean_power_w: Floats
+    voltage_rms_v: Floats
+    stable: Truths
+    #: Largest modulus of a Floquet multiplier.
+    floquet_max_abs: Floats
+    contacts_per_period: Integers
+    max_penetration_m: Floats
+    #: Estimated relative error of the state.
+    error_estimate: Floats
+    #: ``"fold"``, ``"period-doubling"``, ``"neimark-sacker"``, ``"branch-point"``, ``"grazing"``.
+    bifurcation_kind: list[str]
+    bifurcation_parameter: Floats
+    bifurcation_power_w: Floats
+    #: How its two ends came about.
+    endings: list[dict[str, Any]]
+    #: Peak and half-power bandwidth of its stable part; ``None`` without one.
+    half_power: dict[str, Any] | None
+
+    @classmethod
+    def made(cls, one: dict[str, Any]) -> Self:
+        """From what the compiled module answers."""
+        return cls(**{**one, "endings": json.loads(one["endings"]), "half_power": json.loads(one["half_power"])})
+
+    def __len__(self) -> int:
+        return len(self.parameter)
+
+
+#: Fields of a branch with a value for each point: name in a dataset, unit, what it is.
+_ALONG = {
+    "parameter": ("parameter", None, None),
+    "mean_power_w": ("mean_power", "W", "mean power of all loads"),
+    "voltage_rms_v": ("voltage_rms", "V", "voltage of the first load, rms"),
+    "stable": ("stable", "1", "attracts"),
+    "floquet_max_abs": ("floquet_max_abs", "1", "largest modulus of a Floquet multiplier"),
+    "contacts_per_period": ("contacts_per_period", "1", "contacts that begin in a period"),
+    "max_penetration_m": ("max_penetration", "m", "largest penetration of the stop"),
+    "error_estimate": ("error_estimate", "1", "estimated relative error of the state"),
+}
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class BranchResult(Result):
+    """All branches that were found; iterate over it, or take one by its number."""
+
+    key: str
+    unit: str
+    branches: list[Branch]
+    #: Peak of all together, and where any stable orbit has at least half of it: ``peak``, ``width``, ``width_error``, ``intervals``.
+    half_power: dict[str, Any] | None
+
+    @classmethod
+    def _made(cls, answer: dict[str, Any]) -> Self:
+        made = [Branch.made(one) for one in answer["branches"]]
+        return super()._made({**answer, "branches": made, "half_power": json.loads(answer["half_power"])})
+
+    def __len__(self) -> int:
+        return len(self.branches)
+
+    def __getitem__(self, number: int) -> Branch:
+        return self.branches[number]
+
+    def __iter__(self) -> Iterator[Branch]:
+        return iter(self.branches)
+
+    def _summary(self) -> list[tuple[str, str]]:
+        lines = [("over", f"{self.key} [{self.unit}]")]
+        for number, one in enumerate(self.branches):
+            lines.append((f"branch {number}", f"period {one.period_cycles}: {len(one)} points, {int(one.stable.sum())} of them stable"))
+            for kind, at in zip(one.bifurcation_kind, one.bifurcation_parameter):
+                lines.append(("", f"{kind} at {at:.6g} {self.unit}"))
+        if self.half_power is not None:
+            peak, width = self.half_power["peak"], self.half_power["width"]
+            lines.append(("highest stable power", f"{peak['mean_power_w']:.6e} W at {peak['parameter']:.6g} {self.unit}"))
+            lines.append(("half-power bandwidth", f"{width:.6g} {self.unit}"))
+        return lines
+
+    def _repr_html_(self) -> str:
+        rows = [
+            [number, one.period_cycles, kind, f"{at:.6g}", f"{power:.5e}"]
+            for number, one in enumerate(self.branches)
+            for kind, at, power in zip(one.bifurcation_kind, one.bifurcation_parameter, one.bifurcation_power_w)
+        ]
+        title = f"{len(self)} branches over {self.key}"
+        return html_table(title, ["branch", "period", "bifurcation", f"at [{self.unit}]", "mean power [W]"], rows)
+
+    def _joined(self, field: str) -> Any:
+        return np.concatenate([getattr(one, field) for one in self.branches]) if self.branches else np.empty(0)
+
+    def _numbers(self) -> Integers:
+        return np.repeat(np.arange(len(self), dtype=np.int64), [len(one) for one in self.branches])
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` over ``point`` (all branches one after the other, ``branch`` tells them apart) and ``bifurcation``."""
+        variables = {}
+        for field, (name, units, about) in _ALONG.items():
+            variables[name] = Variable(("point",), self._joined(field), units or self.unit, about or self.key)
+        periods = np.repeat(np.array([one.period_cycles for one in self.branches], dtype=np.int64), [len(one) for one in self.branches])
+        owners = [number for number, one in enumerate(self.branches) for _ in one.bifurcation_kind]
+        variables |= {
+            "branch": Variable(("point",), self._numbers(), "1", "number of the branch"),
+            "period_cycles": Variable(("point",), periods, "1", "period in drive cycles"),
+            "bifurcation_parameter": Variable(("bifurcation",), self._joined("bifurcation_parameter"), self.unit, self.key),
+            "bifurcation_power": Variable(("bifurcation",), self._joined("bifurcation_power_w"), "W", "mean power of all loads"),
+            "bifurcation_branch": Variable(("bifurcation",), np.array(owners, dtype=np.int64), "1", "number of the branch"),
+        }
+        kinds = [kind for one in self.branches for kind in one.bifurcation_kind]
+        coords = {"bifurcation": Variable(("bifurcation",), kinds, "", "what happens")}
+        return self._dataset(variables, coords)
+
+    def to_pandas(self) -> Any:
+        """A ``pandas.DataFrame`` with a row for each point of each branch."""
+        periods = np.repeat([one.period_cycles for one in self.branches], [len(one) for one in self.branches])
+        return self._frame({"branch": self._numbers(), "period_cycles": periods, **{field: self._joined(field) for field in _ALONG}})
+
+    def bifurcations_to_pandas(self) -> Any:
+        """A ``pandas.DataFrame`` with a row for each bifurcation."""
+        rows = [
+            (number, kind, at, power)
+            for number, one in enumerate(self.branches)
+            for kind, at, power in zip(one.bifurcation_kind, one.bifurcation_parameter, one.bifurcation_power_w)
+        ]
+        names = ("branch", "kind", "parameter", "mean_power_w")
+        return self._frame({name: [row[k] for row in rows] for k, name in enumerate(names)})
+
+    def plot_branch(self, ax: Any = None) -> Any:
+        """Draws mean power over the key: stable solid, unstable dashed, bifurcations marked."""
+        from .plot.branch import plot_branch
+
+        return plot_branch(self, ax)

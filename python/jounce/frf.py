@@ -1,0 +1,65 @@
+"""Frequency response functions."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .errors import ArgumentError
+from .result import Floats, Result, Variable
+
+Complexes = NDArray[np.complex128]
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class FrfResult(Result):
+    """Responses without contact, per newton on one point or per m/s^2 of the base; sign convention ``e^{+i w t}``."""
+
+    #: Frequencies, Hz.
+    frequency_hz: Floats
+    #: The point that is pushed, or ``"base"``.
+    input: str
+    #: Each response by its name, ``"beam.tip.acceleration"``, ``"mfc.voltage"``.
+    responses: dict[str, Complexes]
+    #: Units of the responses.
+    units: dict[str, str]
+    #: Masses that were held still.
+    held: list[str]
+
+    @classmethod
+    def _made(cls, answer: dict[str, Any]) -> Self:
+        responses = answer["responses"]
+        split = {"responses": {k: v for k, (v, _) in responses.items()}, "units": {k: unit for k, (_, unit) in responses.items()}}
+        return super()._made({**answer, **split})
+
+    def __getitem__(self, name: str) -> Complexes:
+        if name not in self.responses:
+            raise ArgumentError(f"{name}: no such response; there are {', '.join(self.responses)}")
+        return self.responses[name]
+
+    def _summary(self) -> list[tuple[str, str]]:
+        span = [("frequencies", f"{len(self.frequency_hz)} from {self.frequency_hz.min():g} to {self.frequency_hz.max():g} Hz")]
+        peaks = []
+        for name, values in self.responses.items():
+            highest = int(np.argmax(np.abs(values)))
+            peaks.append((name, f"highest {abs(values[highest]):.5g} {self.units[name]} at {self.frequency_hz[highest]:.5g} Hz"))
+        return [*span, ("input", self.input), *peaks]
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` over ``frequency``; each response as its real (``_re``) and imaginary (``_im``) part."""
+        variables = {name: Variable(("frequency",), values, self.units[name], name) for name, values in self.responses.items()}
+        return self._dataset(variables, {"frequency": Variable(("frequency",), self.frequency_hz, "Hz", "frequency")})
+
+    def to_pandas(self) -> Any:
+        """A ``pandas.DataFrame`` with a row for each frequency."""
+        return self._frame({"frequency_hz": self.frequency_hz, **self.responses})
+
+    def plot_frf(self, ax: Any = None, response: str | None = None) -> Any:
+        """Draws the magnitude of a response, by default of the first voltage (else of the first response)."""
+        from .plot.frf import plot_frf
+
+        first = next((name for name in self.responses if name.endswith(".voltage")), next(iter(self.responses)))
+        return plot_frf(self, ax, first if response is None else response)

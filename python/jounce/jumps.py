@@ -1,0 +1,102 @@
+"""Where the answer jumps, over two keys."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterator
+from typing import Any, Self
+
+import numpy as np
+
+from .result import Data, Floats, Integers, Result, Variable
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class JumpCurve(Data):
+    """A curve of one kind of bifurcation; arrays of shape ``(point,)`` along it."""
+
+    #: ``"fold"``, ``"period-doubling"``, ``"neimark-sacker"``, ``"grazing"``, or ``"peak"``: the largest mean power along a branch.
+    kind: str
+    period_cycles: int
+    #: Values of the two keys, SI.
+    parameter: Floats
+    parameter_2: Floats
+    mean_power_w: Floats
+    #: On a curve of peaks, whether the orbit attracts (1 or 0); -1 on the others.
+    stable: Integers
+    #: Where it could not be followed, and why.
+    failures: list[str]
+
+    def __len__(self) -> int:
+        return len(self.parameter)
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class JumpsResult(Result):
+    """All curves that were found; iterate over it, or take one by its number."""
+
+    keys: tuple[str, str]
+    units: tuple[str, str]
+    curves: list[JumpCurve]
+
+    @classmethod
+    def _made(cls, answer: dict[str, Any]) -> Self:
+        return super()._made({**answer, "curves": [JumpCurve(**one) for one in answer["curves"]]})
+
+    def __len__(self) -> int:
+        return len(self.curves)
+
+    def __getitem__(self, number: int) -> JumpCurve:
+        return self.curves[number]
+
+    def __iter__(self) -> Iterator[JumpCurve]:
+        return iter(self.curves)
+
+    def _summary(self) -> list[tuple[str, str]]:
+        plane = " against ".join(f"{key} [{unit}]" for key, unit in zip(self.keys, self.units))
+        return [
+            ("over", plane),
+            *((f"curve {k}", f"{one.kind} of period {one.period_cycles}, {len(one)} points") for k, one in enumerate(self.curves)),
+        ]
+
+    def _columns(self) -> dict[str, Any]:
+        def joined(field: str) -> Any:
+            return np.concatenate([getattr(one, field) for one in self.curves]) if self.curves else np.empty(0)
+
+        lengths = [len(one) for one in self.curves]
+        numbers: Integers = np.repeat(np.arange(len(self), dtype=np.int64), lengths)
+        return {
+            "curve": numbers,
+            "kind": [one.kind for one in self.curves for _ in range(len(one))],
+            "period_cycles": np.repeat(np.array([one.period_cycles for one in self.curves], dtype=np.int64), lengths),
+            "parameter": joined("parameter"),
+            "parameter_2": joined("parameter_2"),
+            "mean_power_w": joined("mean_power_w"),
+            "stable": joined("stable"),
+        }
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` over ``point``: all curves one after the other, told apart by ``curve``."""
+        columns = self._columns()
+        about = {
+            "curve": ("curve", "1", "number of the curve"),
+            "kind": ("kind", "", "what happens"),
+            "period_cycles": ("period_cycles", "1", "period in drive cycles"),
+            "parameter": ("parameter", self.units[0], self.keys[0]),
+            "parameter_2": ("parameter_2", self.units[1], self.keys[1]),
+            "mean_power_w": ("mean_power", "W", "mean power of all loads"),
+            "stable": ("stable", "1", "whether a peak attracts; -1 elsewhere"),
+        }
+        return self._dataset(
+            {name: Variable(("point",), columns[column], units, text) for column, (name, units, text) in about.items()}, {}
+        )
+
+    def to_pandas(self) -> Any:
+        """A ``pandas.DataFrame`` with a row for each point of each curve."""
+        return self._frame(self._columns())
+
+    def plot_jumps(self, ax: Any = None) -> Any:
+        """Draws the curves over the plane of the two keys."""
+        from .plot.jumps import plot_jumps
+
+        return plot_jumps(self, ax)

@@ -1,0 +1,73 @@
+"""The library of materials."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from . import _core
+from .errors import ArgumentError
+from .result import html_table
+
+
+@dataclasses.dataclass(frozen=True)
+class Material:
+    """A material of the library; what a spec means by ``material = "NAME"``."""
+
+    name: str
+    #: Young's modulus along the beam, at short circuit, Pa.
+    youngs_modulus_pa: float
+    density_kg_m3: float
+    #: Largest strain that is recommended; ``None`` where none is known.
+    strain_limit: float | None
+    #: Lowest and highest voltage that it bears, V.
+    voltage_limits_v: tuple[float, float] | None
+    #: Strain along the beam per field, m/V; ``None`` for a material that is not piezoelectric.
+    charge_coefficient_m_per_v: float | None
+    #: Permittivity at constant strain, F/m.
+    permittivity_f_m: float | None
+    #: Distance between interdigitated electrodes, m; ``None`` for electrodes on the two faces.
+    electrode_spacing_m: float | None
+    #: Where the numbers come from.
+    source: str
+
+
+class Materials(Mapping[str, Material]):
+    """Materials by name."""
+
+    def __init__(self) -> None:
+        self._found = {one["name"]: _made(one) for one in json.loads(_core.materials())}
+
+    def __getitem__(self, name: str) -> Material:
+        if name not in self._found:
+            raise ArgumentError(f"{name}: no such material; there are {', '.join(self._found)}")
+        return self._found[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._found)
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._found
+
+    def __repr__(self) -> str:
+        return f"<jounce.materials: {', '.join(self._found)}>"
+
+    def _repr_html_(self) -> str:
+        rows = [[one.name, f"{one.youngs_modulus_pa / 1e9:.4g}", f"{one.density_kg_m3:.4g}", one.source] for one in self._found.values()]
+        return html_table("Materials", ["name", "Young's modulus [GPa]", "density [kg/m³]", "source"], rows)
+
+
+def _made(one: dict[str, Any]) -> Material:
+    active = one.pop("active") or dict.fromkeys(("charge_coefficient_m_per_v", "permittivity_f_m", "electrode_spacing_m"))
+    limits = one.pop("voltage_limits_v")
+    return Material(**one, **active, voltage_limits_v=None if limits is None else (limits[0], limits[1]))
+
+
+def materials() -> Materials:
+    """The materials that a spec can name, with their sources: ``jounce.materials()["PZT-5A"]``."""
+    return Materials()

@@ -1,0 +1,26 @@
+"""Where starts end."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .style import axes, label
+
+if TYPE_CHECKING:
+    from ..basins import BasinsResult
+
+
+def plot_basins(result: BasinsResult, ax: Any = None) -> Any:
+    """Draws the starts by displacement and velocity towards the stop, coloured by the attractor that they end on."""
+    with axes(ax) as ax:
+        for number, name in enumerate(result.attractor):
+            own = result.ends_in == number
+            text = f"{name}: {100 * result.fraction[number]:.0f} %"
+            ax.plot(result.start_displacement_m[own], result.start_velocity_m_s[own], "o", alpha=0.8, label=text)
+        left = result.ends_in < 0
+        if left.any():
+            ax.plot(result.start_displacement_m[left], result.start_velocity_m_s[left], "x", color="#888888", label="not recognised")
+        label(ax.xaxis, "Displacement towards the stop", "m")
+        label(ax.yaxis, "Velocity", "m/s")
+        ax.legend()
+    return ax

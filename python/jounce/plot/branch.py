@@ -1,0 +1,52 @@
+"""Branches with their bifurcations."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .style import COLOURS, axes, label
+
+if TYPE_CHECKING:
+    from ..branch import BranchResult
+
+#: Marker of each kind of bifurcation.
+MARKS = {"fold": "s", "period-doubling": "^", "neimark-sacker": "D", "branch-point": "P", "grazing": "o"}
+
+
+def plot_branch(result: BranchResult, ax: Any = None) -> Any:
+    """Draws mean power over the key: stable solid, unstable dashed, a colour for each period, bifurcations marked."""
+    periods = sorted({one.period_cycles for one in result})
+    named: set[str] = set()
+
+    def once(text: str) -> str | None:
+        fresh = text not in named
+        named.add(text)
+        return text if fresh else None
+
+    with axes(ax) as ax:
+        for one in result:
+            colour = COLOURS[periods.index(one.period_cycles) % len(COLOURS)]
+            for stable in (True, False):
+                power = np.where(_stretch(one.stable, stable), one.mean_power_w, np.nan)
+                text = once(f"period {one.period_cycles}{'' if stable else ', unstable'}") if (one.stable == stable).any() else None
+                ax.plot(one.parameter, power, "-" if stable else "--", color=colour, label=text)
+        for one in result:
+            for kind, at, power in zip(one.bifurcation_kind, one.bifurcation_parameter, one.bifurcation_power_w):
+                ax.plot([at], [power], MARKS.get(kind, "x"), color="black", markerfacecolor="white", label=once(kind), zorder=3)
+        label(ax.xaxis, result.key, result.unit)
+        label(ax.yaxis, "Mean power", "W", log=True)
+        ax.legend()
+    return ax
+
+
+def _stretch(stable: Any, wanted: bool) -> Any:
+    """The points of one stability; the unstable ones with their neighbours, so that no gap is left where stability changes."""
+    inside = stable == wanted
+    if wanted:
+        return inside
+    joined = inside.copy()
+    joined[1:] |= inside[:-1]
+    joined[:-1] |= inside[1:]
+    return joined

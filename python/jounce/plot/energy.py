@@ -1,0 +1,39 @@
+"""Where the energy of the drive went."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from ..errors import ArgumentError
+from .style import COLOURS, axes, label
+
+if TYPE_CHECKING:
+    from ..run import RunResult
+
+_NAMES = {
+    "loads_j": "electrical loads",
+    "rectified_j": "rectified storage",
+    "rectified_loss_j": "rectifiers",
+    "damping_j": "damping",
+    "contact_loss_j": "contact",
+    "stored_j": "still stored",
+}
+#: Those that are left out where the harvester has no such thing.
+_RECTIFIED = ("rectified_j", "rectified_loss_j")
+
+
+def plot_energy(result: RunResult, ax: Any = None) -> Any:
+    """Draws a bar for each place where the energy went, in percent of the input."""
+    input_j = result.energies_j["input_j"]
+    if input_j <= 0.0:
+        raise ArgumentError(f"the drives put in {input_j:g} J, so that there is no share to draw")
+    names = {key: name for key, name in _NAMES.items() if result.rectified or key not in _RECTIFIED}
+    shares = [100.0 * result.energies_j[key] / input_j for key in names]
+    with axes(ax) as ax:
+        bars = ax.barh(list(names.values()), shares, color=COLOURS[: len(shares)])
+        ax.bar_label(bars, [f"{share:.3g} %" for share in shares], padding=3, fontsize=8)
+        ax.invert_yaxis()
+        ax.grid(axis="y", visible=False)
+        ax.margins(x=0.15)
+        label(ax.xaxis, f"Share of the input of {input_j:.3g} J", "")
+    return ax

@@ -1,0 +1,23 @@
+"""The harvester to scale."""
+
+from __future__ import annotations
+
+import io
+from typing import Any
+
+from ..optional import needed
+from .style import axes
+
+#: Width of the picture, inches: that of two columns of a journal.
+WIDTH_IN = 7.2
+
+
+def plot_harvester(drawing: tuple[str, bytes], ax: Any = None) -> Any:
+    """Puts the drawing of a harvester, as SVG and PNG, into axes without ticks."""
+    _, png = drawing
+    picture = needed("matplotlib.image", "plot").imread(io.BytesIO(png))
+    high, wide = picture.shape[:2]
+    with axes(ax, figsize=(WIDTH_IN, WIDTH_IN * high / wide)) as ax:
+        ax.imshow(picture, interpolation="lanczos")
+        ax.set_axis_off()
+    return ax

@@ -1,0 +1,48 @@
+"""Records, spectra and Poincaré sections."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from ..errors import ArgumentError
+from .style import axes, label
+
+if TYPE_CHECKING:
+    from ..history import History
+    from ..signal import Spectrum
+
+
+def plot_time_history(history: History, ax: Any, channel: str | None) -> Any:
+    """Draws a channel over time."""
+    name, values, unit = history.channel(channel)
+    with axes(ax) as ax:
+        ax.plot(history.time_s, values, label=name)
+        label(ax.xaxis, "Time", "s")
+        label(ax.yaxis, name, unit)
+    return ax
+
+
+def plot_spectrum(found: Spectrum, ax: Any) -> Any:
+    """Draws a spectrum, its zero line left out."""
+    with axes(ax) as ax:
+        ax.plot(found.frequency_hz[1:], found.amplitude_peak[1:], label=found.name)
+        label(ax.xaxis, "Frequency", "Hz", log=True)
+        label(ax.yaxis, f"{found.name}, amplitude (zero to peak)", found.unit, log=True)
+    return ax
+
+
+def plot_poincare(history: History, ax: Any, point: str | None) -> Any:
+    """Draws velocity over displacement once per drive cycle."""
+    if len(history.strobed_time_s) == 0:
+        raise ArgumentError("this harvester has no drive, so there is no drive cycle to look at once")
+    struck = next((name for name in history.point if name.endswith(".tip")), history.point[-1])
+    point = struck if point is None else point
+    if point not in history.point:
+        raise ArgumentError(f"{point}: no such point; there are {', '.join(history.point)}")
+    row = history.point.index(point)
+    with axes(ax) as ax:
+        ax.plot(history.strobed_displacement_m[row], history.strobed_velocity_m_s[row], "o", alpha=0.7, label=point)
+        label(ax.xaxis, f"Displacement of {point}", "m")
+        label(ax.yaxis, "Velocity", "m/s")
+        ax.margins(0.15)
+    return ax

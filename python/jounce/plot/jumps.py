@@ -1,0 +1,27 @@
+"""Where the answer jumps."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .style import COLOURS, axes, label
+
+if TYPE_CHECKING:
+    from ..jumps import JumpsResult
+
+
+def plot_jumps(result: JumpsResult, ax: Any = None) -> Any:
+    """Draws the curves over the plane of the two keys, a colour for each kind."""
+    kinds = sorted({(one.kind, one.period_cycles) for one in result})
+    named: set[tuple[str, int]] = set()
+    with axes(ax) as ax:
+        for one in result:
+            kind = (one.kind, one.period_cycles)
+            text = None if kind in named else f"{one.kind}, period {one.period_cycles}"
+            named.add(kind)
+            ax.plot(one.parameter, one.parameter_2, color=COLOURS[kinds.index(kind) % len(COLOURS)], label=text)
+        label(ax.xaxis, result.keys[0], result.units[0])
+        label(ax.yaxis, result.keys[1], result.units[1])
+        if kinds:
+            ax.legend()
+    return ax

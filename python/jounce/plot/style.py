@@ -1,0 +1,56 @@
+"""The look of the pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from ..optional import needed
+
+#: Colours that people who see few colours tell apart (Okabe and Ito, 2008), black first left out.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
+
+_LOOK: dict[str, Any] = {
+    "figure.figsize": (4.8, 3.2),
+    "figure.dpi": 150,
+    "figure.constrained_layout.use": True,
+    "font.size": 9,
+    "axes.labelsize": 9,
+    "axes.titlesize": 9,
+    "axes.linewidth": 0.7,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.color": "#dddddd",
+    "grid.linewidth": 0.5,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "lines.linewidth": 1.2,
+    "lines.markersize": 4,
+    "legend.fontsize": 8,
+    "legend.frameon": False,
+    "xtick.labelsize": 8,
+    "ytick.labelsize": 8,
+    "svg.fonttype": "none",
+    "pdf.fonttype": 42,
+}
+
+
+@contextmanager
+def axes(ax: Any, **figure: Any) -> Iterator[Any]:
+    """The axes to draw into, under the look of jounce."""
+    matplotlib = needed("matplotlib", "plot")
+    with matplotlib.rc_context({**_LOOK, "axes.prop_cycle": matplotlib.cycler(color=COLOURS)}):
+        yield needed("matplotlib.pyplot", "plot").subplots(**figure)[1] if ax is None else ax
+
+
+def label(axis: Any, what: str, unit: str, log: bool = False) -> None:
+    """Names an axis with its unit. Ticks of a linear axis carry the unit themselves, with a prefix, ``2 mW``; the data stay in SI."""
+    ticker = needed("matplotlib.ticker", "plot")
+    if log:
+        axis.axes.set(**{f"{axis.axis_name}scale": "log"})
+    elif unit and unit not in ("Hz", "s"):
+        axis.set_major_formatter(ticker.EngFormatter(unit=unit))
+        axis.set_major_locator(ticker.MaxNLocator(nbins=6 if axis.axis_name == "y" else 5))
+        unit = ""
+    axis.set_label_text(f"{what} [{unit}]" if unit else what)

@@ -1,0 +1,36 @@
+"""Progress of long calls."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from .errors import ArgumentError
+from .optional import needed
+
+#: Called with the parts done, the parts in all (as far as known) and the seconds left (``None`` at first).
+Progress = Callable[[int, int, float | None], object]
+
+
+@contextmanager
+def told(progress: bool | Progress | None) -> Iterator[Progress | None]:
+    """What is called while the work goes on: nothing, the callable itself, or a tqdm bar for ``True``."""
+    if progress is None or progress is False:
+        yield None
+    elif progress is True:
+        bar: Any = needed("tqdm.auto", "progress").tqdm(total=0)
+
+        def tell(done: int, total: int, seconds_left: float | None) -> None:
+            del seconds_left  # tqdm has its own estimate
+            bar.total = total
+            bar.update(done - bar.n)
+
+        try:
+            yield tell
+        finally:
+            bar.close()
+    elif callable(progress):
+        yield progress
+    else:
+        raise ArgumentError(f"progress is {progress!r}; give True, or a function of (done, total, seconds_left)")

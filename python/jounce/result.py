@@ -1,0 +1,120 @@
+"""What every result has in common: equality, printing, tables, and where it comes from."""
+
+from __future__ import annotations
+
+import dataclasses
+import html
+import json
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .errors import Interrupted
+from .optional import needed
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Truths = NDArray[np.bool_]
+
+
+class Variable(NamedTuple):
+    """A variable of a dataset."""
+
+    dims: tuple[str, ...]
+    values: Any
+    units: str
+    long_name: str
+
+
+class Data:
+    """Plain data that compares by its values, arrays included."""
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self):
+            return NotImplemented
+        fields = (field.name for field in dataclasses.fields(self) if field.compare)  # type: ignore[arg-type]
+        return all(_same(getattr(self, name), getattr(other, name)) for name in fields)
+
+    __hash__ = None  # type: ignore[assignment]
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Result(Data):
+    """A result: plain data, which pickles, compares and prints itself."""
+
+    #: Where it comes from: program, version, SHA-256 of the spec, command and options.
+    manifest: dict[str, Any]
+
+    @classmethod
+    def _made(cls, answer: dict[str, Any]) -> Self:
+        """From what the library answers."""
+        return cls(**{**answer, "manifest": json.loads(answer["manifest"])})
+
+    @classmethod
+    def _handed(cls, handed: tuple[dict[str, Any] | None, BaseException | None]) -> Self:
+        """From what a long call answers; raises what ended it early, with what was finished."""
+        answer, ended = handed
+        result = None if answer is None else cls._made(answer)
+        if isinstance(ended, KeyboardInterrupt):
+            raise Interrupted(result) from None
+        if ended is not None:
+            raise ended
+        assert result is not None, "a call that nothing ended has an answer"
+        return result
+
+    def _summary(self) -> list[tuple[str, str]]:
+        """Lines of name and value for people."""
+        raise NotImplementedError
+
+    def __repr__(self) -> str:
+        lines = self._summary()
+        width = max((len(name) for name, _ in lines), default=0)
+        return "\n".join([f"<jounce.{type(self).__name__}>", *(f"  {name:<{width}}  {value}" for name, value in lines)])
+
+    def _repr_html_(self) -> str:
+        return html_table(type(self).__name__, ["", ""], self._summary())
+
+    def _dataset(self, variables: Mapping[str, Variable], coords: Mapping[str, Variable]) -> Any:
+        """An xarray.Dataset with units, long names and the manifest in its attributes."""
+        xarray = needed("xarray", "xarray")
+
+        def described(found: Mapping[str, Variable]) -> dict[str, Any]:
+            made = {}
+            for name, variable in found.items():
+                values = np.asarray(variable.values)
+                attrs = {"units": variable.units, "long_name": variable.long_name}
+                if np.iscomplexobj(values):
+                    made[f"{name}_re"] = (variable.dims, values.real, {**attrs, "long_name": f"{variable.long_name}, real part"})
+                    made[f"{name}_im"] = (variable.dims, values.imag, {**attrs, "long_name": f"{variable.long_name}, imaginary part"})
+                else:
+                    made[name] = (variable.dims, values.astype(object) if values.dtype.kind == "U" else values, attrs)
+            return made
+
+        attrs = {"manifest": json.dumps(self.manifest, sort_keys=True), "created_by": "jounce", "version": self.manifest["version"]}
+        return xarray.Dataset(described(variables), described(coords), attrs)
+
+    def _frame(self, columns: Mapping[str, Any]) -> Any:
+        """A pandas.DataFrame with the manifest in its attributes."""
+        frame = needed("pandas", "pandas").DataFrame(dict(columns))
+        frame.attrs["manifest"] = self.manifest
+        return frame
+
+
+def _same(a: Any, b: Any) -> bool:
+    if isinstance(a, np.ndarray) and isinstance(b, np.ndarray):
+        return a.shape == b.shape and a.dtype == b.dtype and bool(np.array_equal(a, b, equal_nan=a.dtype.kind in "fc"))
+    if isinstance(a, dict) and isinstance(b, dict):
+        return a.keys() == b.keys() and all(_same(a[key], b[key]) for key in a)
+    if isinstance(a, (list, tuple)) and isinstance(b, (list, tuple)):
+        return len(a) == len(b) and all(map(_same, a, b))
+    return bool(a == b or (a != a and b != b))
+
+
+def html_table(title: str, header: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
+    """A table of HTML."""
+    head = "".join(f"<th>{html.escape(cell)}</th>" for cell in header)
+    body = "".join("<tr>" + "".join(f"<td>{html.escape(str(cell))}</td>" for cell in row) + "</tr>" for row in rows)
+    heading = f"<thead><tr>{head}</tr></thead>" if any(header) else ""
+    return f"<table><caption><b>{html.escape(title)}</b></caption>{heading}<tbody>{body}</tbody></table>"

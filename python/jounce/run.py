@@ -1,0 +1,186 @@
+"""One run."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from os import PathLike
+from pathlib import Path
+from typing import Any, Self
+
+from .errors import ArgumentError, StartError
+from .history import History
+from .result import Floats, Integers, Result, Variable
+
+
+@dataclasses.dataclass(frozen=True)
+class State:
+    """A state that another run can start from; the same file as that of ``jounce run --save-state``."""
+
+    json: str
+
+    @classmethod
+    def read(cls, path: str | PathLike[str]) -> Self:
+        """Reads a state file."""
+        try:
+            return cls(Path(path).read_text(encoding="utf-8"))
+        except (OSError, UnicodeDecodeError) as error:
+            raise StartError(f"the start state {path} cannot be read: {error}") from error
+
+    def write(self, path: str | PathLike[str]) -> None:
+        """Writes a state file."""
+        Path(path).write_text(self.json, encoding="utf-8")
+
+    def to_dict(self) -> dict[str, Any]:
+        """Modal displacements and velocities, voltages and drive angles, SI."""
+        found: dict[str, Any] = json.loads(self.json)
+        return found
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class RunResult(Result):
+    """Means over the averaging window at the end of a run, and the audit of the whole run."""
+
+    #: Mean power of all loads and rectified circuits together, W.
+    mean_power_w: float
+    #: Names of the loads; mean power, W, and rms voltage, V, of each.
+    load: list[str]
+    load_power_w: Floats
+    load_voltage_rms_v: Floats
+    #: Names of the rectified circuits; of each the mean power into its load or battery, W, the voltage of its storage, rms, V, the mean
+    #: current of its diodes, A, and the mean power lost in diodes, in the switch and by leakage, W.
+    rectified: list[str]
+    rectified_power_w: Floats
+    rectified_voltage_rms_v: Floats
+    rectified_current_a: Floats
+    rectified_diode_loss_w: Floats
+    rectified_switch_loss_w: Floats
+    rectified_leakage_w: Floats
+    #: Names of the stops; of each the contacts that began, the share of the time in contact, the largest penetration, m, the largest
+    #: contact force, N, and its time integral, N s.
+    stop: list[str]
+    stop_contacts: Integers
+    stop_contact_duty: Floats
+    stop_max_penetration_m: Floats
+    stop_max_contact_force_n: Floats
+    stop_impulse_n_s: Floats
+    #: Largest penetration of any stop, m, and largest contact force, N.
+    max_penetration_m: float
+    max_contact_force_n: float
+    #: Contacts that began, and the share of the time in contact, summed over the stops.
+    contacts: int
+    contact_duty: float
+    #: Has the run settled, on what period in drive cycles, with what relative change over it, how far from the orbit? ``None`` and NaN
+    #: where the drives do not repeat themselves, so that there is nothing to settle to.
+    settled: bool | None
+    period_cycles: int | None
+    settle_change: float
+    settle_distance: float
+    #: Limits of patches that the recorded end of the run has passed, in words.
+    warnings: list[str]
+    #: Input less all outputs and what is stored, over the largest energy of the run.
+    energy_residual_relative: float
+    #: Energies of the whole run, J: ``input_j``, ``loads_j``, ``rectified_j`` (into loads and batteries behind rectifiers),
+    #: ``rectified_loss_j`` (in their diodes and switches, and by leakage), ``damping_j``, ``contact_loss_j``, ``stored_j``.
+    energies_j: dict[str, float]
+    duration_s: float
+    average_over_s: float
+    tolerance: float
+    #: The state at the end.
+    end: State
+    #: Steps and iterations.
+    work: dict[str, int]
+    #: The recorded end of the run; ``None`` unless it was asked for.
+    history: History | None
+    #: Wall time of the marching, s; it does not count when results are compared.
+    march_s: float = dataclasses.field(compare=False)
+
+    @classmethod
+    def _made(cls, answer: dict[str, Any]) -> Self:
+        history = answer["history"]
+        if history is not None:
+            history = History._made({**history, "manifest": answer["manifest"], "sample_rate_hz": answer["sample_rate_hz"]})
+        made = {key: value for key, value in answer.items() if key != "sample_rate_hz"}
+        return super()._made({**made, "history": history, "end": State(answer["end"]), "work": json.loads(answer["work"])})
+
+    @property
+    def voltage_rms_v(self) -> float | None:
+        """Voltage of the first load, rms, V."""
+        return float(self.load_voltage_rms_v[0]) if self.load else None
+
+    def _summary(self) -> list[tuple[str, str]]:
+        settled = f"period {self.period_cycles} drive cycles" if self.settled else f"NOT settled, change {self.settle_change:.1e}"
+        settled = "no period: the drives do not repeat themselves" if self.settled is None else settled
+        return [
+            ("mean power", f"{self.mean_power_w:.6e} W"),
+            *((f"voltage, rms ({name})", f"{volts:.6g} V") for name, volts in zip(self.load, self.load_voltage_rms_v)),
+            *((f"storage, rms ({name})", f"{volts:.6g} V") for name, volts in zip(self.rectified, self.rectified_voltage_rms_v)),
+            ("contacts", f"{self.contacts} in {self.average_over_s:g} s, {100 * self.contact_duty:.2f} % of the time"),
+            ("penetration, peak", f"{self.max_penetration_m:.4e} m, force {self.max_contact_force_n:.4e} N"),
+            ("energy residual", f"{self.energy_residual_relative:.1e} of the largest energy"),
+            ("settled", settled),
+            *(("warning", text) for text in self.warnings),
+        ]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Every number and name but the record."""
+        left = ("history", "end", "manifest")
+        return {field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.name not in left}
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` of the means, over ``load``, ``rectified`` and ``stop``; the record has one in ``run.history``."""
+        scalars = {
+            "mean_power": (self.mean_power_w, "W", "mean power of all loads and rectified circuits"),
+            "max_penetration": (self.max_penetration_m, "m", "largest penetration of the stop"),
+            "max_contact_force": (self.max_contact_force_n, "N", "largest contact force"),
+            "contacts": (self.contacts, "1", "contacts that began"),
+            "contact_duty": (self.contact_duty, "1", "share of the time in contact"),
+            "settled": (bool(self.settled), "1", "settled when it was averaged"),
+            "period_cycles": (self.period_cycles or 0, "1", "period in drive cycles, 0 for none"),
+            "energy_residual_relative": (self.energy_residual_relative, "1", "energy residual of the march"),
+        }
+        variables = {name: Variable((), value, units, about) for name, (value, units, about) in scalars.items()}
+        variables["load_power"] = Variable(("load",), self.load_power_w, "W", "mean power")
+        variables["load_voltage_rms"] = Variable(("load",), self.load_voltage_rms_v, "V", "voltage, rms")
+        variables["rectified_power"] = Variable(("rectified",), self.rectified_power_w, "W", "mean power")
+        variables["rectified_voltage_rms"] = Variable(("rectified",), self.rectified_voltage_rms_v, "V", "voltage of the storage, rms")
+        variables["rectified_current"] = Variable(("rectified",), self.rectified_current_a, "A", "mean current of the diodes")
+        variables["rectified_diode_loss"] = Variable(("rectified",), self.rectified_diode_loss_w, "W", "mean power lost in diodes")
+        variables["rectified_switch_loss"] = Variable(("rectified",), self.rectified_switch_loss_w, "W", "mean power lost in the switch")
+        variables["rectified_leakage"] = Variable(("rectified",), self.rectified_leakage_w, "W", "mean power lost by leakage")
+        variables["stop_contacts"] = Variable(("stop",), self.stop_contacts, "1", "contacts that began")
+        variables["stop_contact_duty"] = Variable(("stop",), self.stop_contact_duty, "1", "share of the time in contact")
+        variables["stop_max_penetration"] = Variable(("stop",), self.stop_max_penetration_m, "m", "largest penetration")
+        variables["stop_max_contact_force"] = Variable(("stop",), self.stop_max_contact_force_n, "N", "largest contact force")
+        variables["stop_impulse"] = Variable(("stop",), self.stop_impulse_n_s, "N s", "time integral of the contact force")
+        coords = {name: Variable((name,), getattr(self, name), "", name) for name in ("load", "rectified", "stop")}
+        return self._dataset(variables, coords)
+
+    def to_pandas(self) -> Any:
+        """A ``pandas.DataFrame`` with one row."""
+        flat = {key: [value] for key, value in self.to_dict().items() if isinstance(value, (bool, int, float))}
+        return self._frame(flat)
+
+    def recorded(self) -> History:
+        """The record, or an error that says how to get one."""
+        if self.history is None:
+            raise ArgumentError('this run kept no record; make it with run(record="1 s")')
+        return self.history
+
+    def plot_time_history(self, ax: Any = None, channel: str | None = None) -> Any:
+        """Draws a channel of the record over time, see :meth:`History.channels`."""
+        return self.recorded().plot_time_history(ax, channel)
+
+    def plot_spectrum(self, ax: Any = None, channel: str | None = None) -> Any:
+        """Draws the amplitude spectrum of a channel of the record."""
+        return self.recorded().plot_spectrum(ax, channel)
+
+    def plot_poincare(self, ax: Any = None, point: str | None = None) -> Any:
+        """Draws velocity over displacement of a point once per drive cycle."""
+        return self.recorded().plot_poincare(ax, point)
+
+    def plot_energy(self, ax: Any = None) -> Any:
+        """Draws where the energy of the drive went, as a share of it."""
+        from .plot.energy import plot_energy
+
+        return plot_energy(self, ax)

@@ -1,0 +1,104 @@
+"""Measures of sampled signals."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+from os import PathLike
+from typing import Any
+
+import numpy as np
+
+from . import _core
+from .errors import ArgumentError, FileError
+from .result import Floats, Result, Variable
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Spectrum(Result):
+    """Amplitudes (zero to peak) over frequency, Hann window."""
+
+    name: str
+    unit: str
+    frequency_hz: Floats
+    amplitude_peak: Floats
+
+    def _summary(self) -> list[tuple[str, str]]:
+        highest = int(np.argmax(self.amplitude_peak))
+        return [
+            ("signal", self.name),
+            ("highest line", f"{self.amplitude_peak[highest]:.5g} {self.unit} at {self.frequency_hz[highest]:.5g} Hz"),
+            ("resolution", f"{self.frequency_hz[1] - self.frequency_hz[0]:g} Hz"),
+        ]
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` over ``frequency``."""
+        amplitude = Variable(("frequency",), self.amplitude_peak, self.unit, f"{self.name}, amplitude zero to peak")
+        return self._dataset({"amplitude": amplitude}, {"frequency": Variable(("frequency",), self.frequency_hz, "Hz", "frequency")})
+
+    def to_pandas(self) -> Any:
+        """A ``pandas.DataFrame`` with a row for each line."""
+        return self._frame({"frequency_hz": self.frequency_hz, "amplitude_peak": self.amplitude_peak})
+
+    def plot_spectrum(self, ax: Any = None) -> Any:
+        """Draws the spectrum."""
+        from .plot.history import plot_spectrum
+
+        return plot_spectrum(self, ax)
+
+
+def spectrum(values: Any, sample_rate_hz: float | None = None, *, name: str = "signal", unit: str = "") -> Spectrum:
+    """The amplitude spectrum of evenly spaced samples, or of a time series in the form of SEP005."""
+    row, rate_hz = _samples(values, sample_rate_hz)
+    if isinstance(values, Mapping):
+        name, unit = values["name"], values["unit_str"]
+    frequency_hz, amplitude_peak = _core.spectrum(row, rate_hz)
+    manifest = {"created_by": "jounce", "version": _core.VERSION, "options": {"command": "spectrum"}}
+    return Spectrum(manifest, name, unit, frequency_hz, amplitude_peak)
+
+
+def write_recording(path: str | PathLike[str], values: Any, sample_rate_hz: float | None = None) -> None:
+    """Writes evenly spaced samples, or a time series in the form of SEP005, as the CSV file that a drive reads.
+
+    ``jounce.Drive(kind="base-acceleration", signal="recording", file=PATH, scale="1 m/s^2")``; ``scale`` says what the value 1 stands for.
+    """
+    row, rate_hz = _samples(values, sample_rate_hz)
+    if not np.isfinite(row).all() or len(row) < 2:
+        raise ArgumentError("a recording needs two samples at least, all of them finite")
+    times = np.arange(len(row)) / rate_hz
+    try:
+        with open(path, "w", encoding="utf-8", newline="\n") as file:
+            file.write("time_s,value\n")
+            file.writelines(f"{time!r},{value!r}\n" for time, value in zip(times.tolist(), row.tolist()))
+    except OSError as error:
+        raise FileError(f"the recording {path} cannot be written: {error}") from error
+
+
+def _samples(values: Any, sample_rate_hz: float | None) -> tuple[Floats, float]:
+    """Samples and their rate, Hz."""
+    if isinstance(values, Mapping):
+        missing = [key for key in ("data", "name", "unit_str") if key not in values]
+        if missing:
+            raise ArgumentError(f"a SEP005 time series has data, name and unit_str; missing: {', '.join(missing)}")
+        values, sample_rate_hz = values["data"], _rate(values)
+    if sample_rate_hz is None:
+        raise ArgumentError("give the samples per second, in Hz")
+    if not 0.0 < float(sample_rate_hz) < np.inf:
+        raise ArgumentError(f"there are {sample_rate_hz} samples per second; give a number greater than 0")
+    try:
+        row = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise ArgumentError(f"the samples are no numbers: {error}") from error
+    if row.ndim != 1:
+        raise ArgumentError(f"the samples have {row.ndim} axes; give one", {"axes": row.ndim})
+    return row, float(sample_rate_hz)
+
+
+def _rate(series: Mapping[str, Any]) -> float:
+    if "fs" in series:
+        return float(series["fs"])
+    time = np.asarray(series.get("time", ()), dtype=np.float64)
+    steps = np.diff(time)
+    if len(steps) == 0 or not np.allclose(steps, steps[0], rtol=1e-6):
+        raise ArgumentError("a SEP005 time series needs its sample rate `fs`, or evenly spaced `time`")
+    return float(1.0 / steps.mean())

@@ -1,0 +1,326 @@
+"""A harvester: what is said of it, and what can be asked of it."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from os import PathLike, fspath
+from typing import Any, Literal, Self
+
+import numpy as np
+
+from . import _core
+from .arguments import frequencies, names, of_tables
+from .arguments import si as in_si
+from .basins import BasinsResult
+from .branch import BranchResult
+from .diagram import DiagramResult
+from .ensemble import EnsembleResult
+from .errors import ArgumentError
+from .frf import FrfResult
+from .jumps import JumpsResult
+from .modes import ModesResult
+from .progress import Progress, told
+from .quantity import setting, sides, span, values
+from .result import html_table
+from .run import RunResult, State
+from .sweep import SweepResult
+
+
+class Spec:
+    """A harvester, always valid: a change that would make it wrong raises :class:`jounce.SpecError` with every fault, and changes nothing.
+
+    Parameters
+    ----------
+    source
+        The text of a spec in TOML, or a dict of its tables. Files are read with :meth:`Spec.read`.
+    tables
+        Tables by keyword, ``stop={"tip": jounce.Stop(at="beam.tip", ...)}``; they take the place of those of a dict.
+
+    Quantities are text with a unit, ``"0.5 mm"``, or quantities of pint. A number without a unit is refused.
+    """
+
+    __slots__ = ("_spec",)
+    _spec: _core.Spec
+
+    def __init__(self, source: str | Mapping[str, Any] | None = None, /, **tables: Any) -> None:
+        if isinstance(source, str) and not tables:
+            if "\n" not in source and source.endswith(".toml"):
+                raise ArgumentError(f"{source} is the name of a file: read it with jounce.read({source!r})")
+            self._spec = _core.Spec(source, "")
+        elif source is None or isinstance(source, Mapping):
+            self._spec = of_tables({**(source or {}), **tables})
+        else:
+            raise ArgumentError(f"a spec is made of TOML text or of a dict, not of {type(source).__name__}")
+
+    @classmethod
+    def _of(cls, core: _core.Spec) -> Self:
+        spec = cls.__new__(cls)
+        spec._spec = core
+        return spec
+
+    @classmethod
+    def read(cls, path: str | PathLike[str]) -> Self:
+        """Reads a TOML file; a state file that it names is looked for beside it."""
+        return cls._of(_core.Spec.read(fspath(path)))
+
+    def write(self, path: str | PathLike[str]) -> None:
+        """Writes the text to a file, comments and layout kept; the file appears whole or not at all."""
+        self._spec.write(fspath(path))
+
+    def to_toml(self, canonical: bool = False) -> str:
+        """The text, comments and layout kept; or in canonical form: every key that applies, with its default."""
+        return self._spec.to_toml() if canonical else self._spec.text
+
+    def to_dict(self, canonical: bool = False) -> dict[str, Any]:
+        """The tables; ``Spec(spec.to_dict()) == spec``."""
+        return tomllib.loads(self.to_toml(canonical))
+
+    def set(self, key: str | Mapping[str, Any], value: Any = None) -> None:
+        """Sets a key, ``spec.set("stop.tip.gap", "0.5 mm")``, or several at once with a dict."""
+        pairs = key if isinstance(key, Mapping) else {key: value}
+        self._spec = self._spec.with_keys([(str(name), setting(item, str(name))) for name, item in pairs.items()])
+
+    def changed(self, keys: Mapping[str, Any]) -> Self:
+        """A copy with keys set."""
+        spec = self.copy()
+        spec.set(keys)
+        return spec
+
+    def copy(self) -> Self:
+        """A copy that can be changed on its own."""
+        return self._of(self._spec)
+
+    __copy__ = copy
+
+    def __deepcopy__(self, memo: object) -> Self:
+        return self.copy()
+
+    def __setitem__(self, key: str, value: Any) -> None:
+        self.set(key, value)
+
+    def __getitem__(self, key: str) -> Any:
+        """What the text says of a key, or its default; a table as a dict."""
+        for canonical in (False, True):
+            found: Any = self.to_dict(canonical)
+            for part in key.split("."):
+                found = found.get(part) if isinstance(found, dict) else None
+            if found is not None:
+                return found
+        raise KeyError(key)
+
+    def si(self, key: str) -> float:
+        """The number of a key in SI units."""
+        return self._spec.number(key)[0]
+
+    def unit(self, key: str) -> str:
+        """The SI unit of a key; empty for a plain number."""
+        return self._spec.number(key)[1]
+
+    @property
+    def sha256(self) -> str:
+        """Digest of the canonical form: the same for two specs that say the same."""
+        return self._spec.hash_hex()
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Spec):
+            return NotImplemented
+        return self.to_toml(canonical=True) == other.to_toml(canonical=True)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_again, (type(self), self._spec.text, str(self._spec.folder)))
+
+    def _lines(self) -> Iterator[tuple[str, str]]:
+        for kind, things in self.to_dict().items():
+            if all(isinstance(thing, dict) for thing in things.values()):
+                for name, keys in things.items():
+                    yield f"{kind}.{name}", _shown(keys)
+            else:
+                yield kind, _shown(things)
+
+    def __repr__(self) -> str:
+        lines = list(self._lines())
+        width = max(len(name) for name, _ in lines)
+        return "\n".join(["<jounce.Spec>", *(f"  {name:<{width}}  {keys}" for name, keys in lines)])
+
+    def _repr_html_(self) -> str:
+        drawing, _ = self._spec.drawing("")
+        return drawing + html_table("Spec", ["", ""], list(self._lines()))
+
+    def plot_harvester(self, ax: Any = None, title: str = "Harvester") -> Any:
+        """Draws the harvester to scale, the drawing of ``jounce show``."""
+        from .plot.harvester import plot_harvester
+
+        return plot_harvester(self._spec.drawing(title), ax)
+
+    def modes(self, hold: Sequence[str] = ()) -> ModesResult:
+        """Natural frequencies, damping ratios, couplings and shapes, with some masses held still."""
+        return ModesResult._made(_core.modes(self._spec, names(hold)))
+
+    def frf(
+        self,
+        frequency: Any = None,
+        *,
+        input: str | None = None,
+        base: bool = False,
+        hold: Sequence[str] = (),
+        open_circuit: bool = False,
+    ) -> FrfResult:
+        """Frequency responses without contact, per newton on ``input`` (by default the point of the first force).
+
+        With ``base`` the base is accelerated instead: displacements relative to it and voltages, per m/s^2.
+
+        ``frequency``: text or quantities, ``["1 Hz", "2 Hz"]``, or a pint array; by default 2000 from 1 to 1000 Hz.
+        """
+        return FrfResult._made(_core.frf(self._spec, frequencies(frequency), input, base, names(hold), open_circuit))
+
+    def run(
+        self, *, tolerance: float | None = None, start: State | None = None, record: Any = None, sample_rate: Any = "4096 Hz"
+    ) -> RunResult:
+        """Marches one run.
+
+        ``tolerance`` overrides ``run.tolerance``; ``start`` is the ``end`` of another run; ``record`` is how much of the end of the run is
+        kept as samples, ``"1 s"``.
+        """
+        record_s = 0.0 if record is None else in_si("time", record, "record")
+        rate_hz = in_si("frequency", sample_rate, "sample_rate")
+        if record_s < 0.0 or not 0.0 < rate_hz < np.inf:
+            raise ArgumentError(f"record is {record_s} s and sample_rate {rate_hz} Hz; they must be at least 0 and greater than 0")
+        if start is not None and not isinstance(start, State):
+            raise ArgumentError(f"start is of type {type(start).__name__}; give the `end` of another run, or jounce.State.read(PATH)")
+        answer, ended = _core.run(self._spec, tolerance, start.json if start else None, record_s, rate_hz)
+        return RunResult._handed((answer and {**answer, "sample_rate_hz": rate_hz}, ended))
+
+    def sweep(
+        self,
+        key: str,
+        range: Any,
+        *,
+        unit: str | None = None,
+        direction: Literal["up", "down", "both", "independent"] = "up",
+        fixed_duration: bool = False,
+        tolerance: float | None = None,
+        threads: int | None = None,
+        progress: bool | Progress | None = None,
+    ) -> SweepResult:
+        """Marches a run at every value of a key, the state carried over unless the points are ``"independent"``.
+
+        ``range``: ``"10 Hz:14 Hz:0.5 Hz"`` (step), ``"10 Hz:14 Hz:9x"`` (number), ``"1 kohm:1 Mohm:9log"``, a list of quantities, or
+        numbers with their ``unit``. Each point marches until it has settled, or for ``run.duration`` with ``fixed_duration``.
+        """
+        text = values(range, unit, key)
+        with told(progress) as tell:
+            return SweepResult._handed(_core.sweep(self._spec, key, text, direction, fixed_duration, tolerance, threads, tell))
+
+    def branch(
+        self,
+        key: str,
+        range: Any,
+        *,
+        method: Literal["shooting", "harmonic-balance"] = "shooting",
+        harmonics: int = 64,
+        tolerance: float = 1e-9,
+        seeds: int = 12,
+        longest_period: int = 12,
+        threads: int | None = None,
+        progress: bool | Progress | None = None,
+    ) -> BranchResult:
+        """Follows every branch of periodic answers over ``range = "12 Hz:13 Hz"`` of a key, stable or not."""
+        ends = span(range, key)
+        with told(progress) as tell:
+            found = _core.branch(self._spec, key, ends, method, harmonics, tolerance, seeds, longest_period, threads, tell)
+            return BranchResult._handed(found)
+
+    def jumps(
+        self,
+        key: str,
+        range: Any,
+        key_2: str,
+        range_2: Any,
+        *,
+        tolerance: float = 1e-9,
+        seeds: int = 4,
+        longest_period: int = 2,
+        peaks: bool = True,
+        threads: int | None = None,
+        progress: bool | Progress | None = None,
+    ) -> JumpsResult:
+        """Follows the places where the answer jumps (folds, doublings, tori, grazings) over two keys, and the ``peaks`` of power."""
+        ends = (span(range, key), span(range_2, key_2))
+        with told(progress) as tell:
+            found = _core.jumps(self._spec, (key, key_2), *ends, tolerance, seeds, longest_period, peaks, threads, tell)
+            return JumpsResult._handed(found)
+
+    def basins(
+        self,
+        *,
+        starts: int = 200,
+        seed: int = 1,
+        spread: float = 10.0,
+        grid: Mapping[str, Any] | None = None,
+        tolerance: float = 1e-8,
+        threads: int | None = None,
+        progress: bool | Progress | None = None,
+    ) -> BasinsResult:
+        """Finds the attractors, the share of the starts that each takes, and the power to be expected.
+
+        The starts are a seeded cloud, ``spread`` gaps wide, or every combination of the sides of a ``grid``:
+        ``{"displacement": "-5 mm:5 mm:21x", "velocity": ("-1 m/s", "1 m/s", 21)}``, and ``"voltage"``.
+        """
+        with told(progress) as tell:
+            return BasinsResult._handed(_core.basins(self._spec, starts, seed, spread, sides(grid), tolerance, threads, tell))
+
+    def diagram(
+        self,
+        key: str,
+        range: Any,
+        *,
+        unit: str | None = None,
+        direction: Literal["up", "down", "both", "starts"] = "both",
+        starts: int = 20,
+        seed: int = 1,
+        spread: float = 10.0,
+        cycles: int = 64,
+        tolerance: float = 1e-8,
+        branches: bool = True,
+        longest_period: int = 4,
+        threads: int | None = None,
+        progress: bool | Progress | None = None,
+    ) -> DiagramResult:
+        """Marches to where the motion is at the start of each drive cycle, over rising values of a key.
+
+        ``"starts"`` marches at each value from a cloud of starts and follows the attractors from value to value; the other directions carry
+        the state over. ``range`` is as in :meth:`sweep`; ``cycles`` is how many points a motion without a period shows.
+        """
+        text = values(range, unit, key)
+        cloud = (starts, seed, spread)
+        with told(progress) as tell:
+            found = _core.diagram(self._spec, key, text, direction, *cloud, cycles, tolerance, branches, longest_period, threads, tell)
+            return DiagramResult._handed(found)
+
+    def ensemble(
+        self,
+        *,
+        members: int = 16,
+        seed: int = 1,
+        relative_width: float | None = None,
+        tolerance: float | None = None,
+        threads: int | None = None,
+        progress: bool | Progress | None = None,
+    ) -> EnsembleResult:
+        """Marches realisations of the noise and answers with 95 % intervals.
+
+        With ``relative_width``, rounds of so many ``members`` are added until half the interval of the mean power is this share of it.
+        """
+        with told(progress) as tell:
+            return EnsembleResult._handed(_core.ensemble(self._spec, members, seed, relative_width, tolerance, threads, tell))
+
+
+def _again(kind: type[Spec], text: str, folder: str) -> Spec:
+    return kind._of(_core.Spec(text, folder))
+
+
+def _shown(keys: Mapping[str, Any]) -> str:
+    return ", ".join(f"{key} = {value}" if not isinstance(value, dict) else f"{key}: {_shown(value)}" for key, value in keys.items())

@@ -1,0 +1,97 @@
+"""Sweeps over one key."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any, Self
+
+import numpy as np
+
+from .result import Floats, Integers, Result, Truths, Variable, html_table
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class SweepResult(Result):
+    """A run at every value of a key, in the order of visit; arrays of shape ``(point,)``."""
+
+    #: The key and its SI unit.
+    key: str
+    unit: str
+    #: Value of the key, SI.
+    parameter: Floats
+    #: How each point was reached: ``"up"``, ``"down"``, ``"independent"``.
+    direction: list[str]
+    #: Mean power of all loads, W.
+    mean_power_w: Floats
+    #: Voltage of the first load, rms, V.
+    voltage_rms_v: Floats
+    max_penetration_m: Floats
+    #: Contacts per second.
+    contact_rate_hz: Floats
+    #: Had it settled when it was averaged?
+    settled: Truths
+    period_cycles: Integers
+    energy_residual_relative: Floats
+    #: Time marched, s.
+    marched_s: Floats
+
+    def __len__(self) -> int:
+        return len(self.parameter)
+
+    def _summary(self) -> list[tuple[str, str]]:
+        lines = [("over", f"{self.key} [{self.unit}]"), ("points", f"{len(self)}, {int(self.settled.sum())} of them settled")]
+        if len(self):
+            best = int(np.argmax(self.mean_power_w))
+            lines.append(("highest power", f"{self.mean_power_w[best]:.6e} W at {self.parameter[best]:g} {self.unit}"))
+        return lines
+
+    def _repr_html_(self) -> str:
+        rows: list[list[object]] = [
+            [f"{p:g}", way, f"{w:.5e}", f"{v:.5g}", bool(s)]
+            for p, way, w, v, s in zip(self.parameter, self.direction, self.mean_power_w, self.voltage_rms_v, self.settled)
+        ]
+        shown: list[list[object]] = rows if len(rows) <= 20 else [*rows[:10], list("…" * 5), *rows[-10:]]
+        return html_table(f"Sweep over {self.key}", [f"[{self.unit}]", "direction", "mean power [W]", "voltage, rms [V]", "settled"], shown)
+
+    def _variables(self, dims: tuple[str, ...]) -> dict[str, Variable]:
+        return {
+            "mean_power": Variable(dims, self.mean_power_w, "W", "mean power of all loads"),
+            "voltage_rms": Variable(dims, self.voltage_rms_v, "V", "voltage of the first load, rms"),
+            "max_penetration": Variable(dims, self.max_penetration_m, "m", "largest penetration of the stop"),
+            "contact_rate": Variable(dims, self.contact_rate_hz, "1/s", "contacts per second"),
+            "settled": Variable(dims, self.settled, "1", "settled when it was averaged"),
+            "period_cycles": Variable(dims, self.period_cycles, "1", "period in drive cycles"),
+            "energy_residual_relative": Variable(dims, self.energy_residual_relative, "1", "energy residual of the march"),
+            "marched": Variable(dims, self.marched_s, "s", "time marched"),
+        }
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` over ``visit``, with ``parameter`` and ``direction`` as further coordinates."""
+        coords = {
+            "visit": Variable(("visit",), np.arange(len(self)), "1", "order of visit"),
+            "parameter": Variable(("visit",), self.parameter, self.unit, self.key),
+            "direction": Variable(("visit",), self.direction, "", "how the point was reached"),
+        }
+        return self._dataset(self._variables(("visit",)), coords)
+
+    def to_pandas(self) -> Any:
+        """A ``pandas.DataFrame`` with a row for each point."""
+        skipped = ("manifest", "key", "unit")
+        return self._frame({field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.name not in skipped})
+
+    def going(self, direction: str) -> Self:
+        """The points of one direction, by ascending value of the key."""
+        own = np.array([way == direction for way in self.direction], dtype=bool)
+        order = np.flatnonzero(own)[np.argsort(self.parameter[own], kind="stable")]
+        arrays = {
+            field.name: getattr(self, field.name)[order]
+            for field in dataclasses.fields(self)
+            if isinstance(getattr(self, field.name), np.ndarray)
+        }
+        return dataclasses.replace(self, direction=[direction] * len(order), **arrays)
+
+    def plot_sweep(self, ax: Any = None, label: str | None = None) -> Any:
+        """Draws mean power over the key: up solid, down dashed, single points as dots; what had not settled has a ring."""
+        from .plot.sweep import plot_sweep
+
+        return plot_sweep(self, ax, label)

@@ -1,0 +1,72 @@
+"""The things that a spec is made of, by their keywords: ``Stop(at="beam.tip", law="hertz", gap="1 mm", stiffness="1000 N/m^1.5")``.
+
+Each is a dict of its keys, as in TOML; the keys, their units and their limits are those of the key reference, and are checked when the
+:class:`jounce.Spec` is made.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+__all__ = ["Beam", "Circuit", "Damping", "Drive", "Gravity", "Mass", "Modal", "Patch", "Reduction", "Run", "Stop"]
+
+
+class Thing(dict[str, Any]):
+    """A table of a spec."""
+
+    def __init__(self, **keys: Any) -> None:
+        super().__init__(keys)
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{key}={value!r}' for key, value in self.items())})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_again, (type(self), dict(self)))
+
+
+def _again(kind: type[Thing], keys: dict[str, Any]) -> Thing:
+    return kind(**keys)
+
+
+class Beam(Thing):
+    """A uniform beam: ``length``, ``width``, ``thickness``, ``material`` or ``youngs_modulus``, ``density``; ``root``, ``point={...}``."""
+
+
+class Patch(Thing):
+    """A piezoelectric patch: ``on``, ``start``, ``length``, ``width``, ``thickness``, ``material`` or ``d31`` and ``capacitance``."""
+
+
+class Mass(Thing):
+    """A rigid mass: ``mass``, ``on``; on a spring also ``frequency`` or ``stiffness``, and ``damping_ratio``."""
+
+
+class Modal(Thing):
+    """A structure given by its modes: ``frequency_hz``, ``damping_ratio``, ``point={name: shape}``, ``patch={name: {...}}``."""
+
+
+class Stop(Thing):
+    """What a point strikes: ``at``, ``frame``, ``side``, ``gap``, ``law`` and the keys of the law."""
+
+
+class Circuit(Thing):
+    """An electrical load: ``patch`` or ``patches`` with their ``wiring``, ``resistance``, ``inductance``."""
+
+
+class Drive(Thing):
+    """What shakes it: ``kind``, ``at``, ``signal`` and the keys of the signal, by default ``amplitude`` (zero to peak), ``frequency``."""
+
+
+class Gravity(Thing):
+    """Gravity on everything that moves: ``acceleration``."""
+
+
+class Damping(Thing):
+    """Damping ratios of the flexible modes: ``ratios``, ``beyond``."""
+
+
+class Reduction(Thing):
+    """How many modes are kept: ``modes``, ``mesh_tolerance``."""
+
+
+class Run(Thing):
+    """How a run is made: ``start``, ``duration``, ``average_over``, ``tolerance``."""

@@ -1,0 +1,59 @@
+"""Every Python block of README and book runs; the one of README in an empty environment after the command that it gives."""
+
+import os
+import re
+import shlex
+import subprocess
+import sys
+import venv
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+
+BLOCK = re.compile(r"^```python\n(.*?)^```", re.MULTILINE | re.DOTALL)
+DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "book/src").rglob("*.md"))]
+
+
+def blocks(document):
+    return BLOCK.findall(document.read_text(encoding="utf-8"))
+
+
+def run(python, code, folder):
+    environment = {**os.environ, "MPLBACKEND": "agg"}
+    environment.pop("PYTHONPATH", None)
+    (folder / "block.py").write_text(code, encoding="utf-8")
+    return subprocess.run([python, "block.py"], cwd=folder, env=environment, capture_output=True, text=True, check=False)
+
+
+@pytest.mark.parametrize("document", [d for d in DOCUMENTS if blocks(d)], ids=lambda d: d.relative_to(ROOT).as_posix())
+def test_the_blocks_of_a_document_run_one_after_the_other(document, tmp_path):
+    (tmp_path / "examples").symlink_to(ROOT / "examples")
+    done = run(sys.executable, "\n".join(blocks(document)), tmp_path)
+    assert done.returncode == 0, done.stderr
+
+
+def test_readme_works_in_an_empty_environment(tmp_path):
+    """The install command of README, run with the wheel that the tests were given in place of the sources where there is one."""
+    command = re.search(r"^(pip install .*)$", (ROOT / "README.md").read_text(encoding="utf-8"), re.MULTILINE)
+    assert command, "README gives no install command"
+    *_, target = shlex.split(command.group(1))
+    wheel = os.environ.get("JOUNCE_WHEEL")
+    if wheel is None:
+        pytest.skip("./test builds the wheel and names it in JOUNCE_WHEEL")
+    assert target.startswith(".["), "README installs this folder with an extra"
+    venv.create(tmp_path / "venv", with_pip=True)
+    python = tmp_path / "venv" / ("Scripts" if os.name == "nt" else "bin") / "python"
+    installed = [str(python), "-m", "pip", "install", "--quiet", str(Path(wheel).resolve()) + target.removeprefix(".")]
+    subprocess.run(installed, check=True)
+    (block,) = blocks(ROOT / "README.md")
+    done = run(str(python), block, tmp_path)
+    assert done.returncode == 0, done.stderr
+    (picture,) = tmp_path.glob("*.png")
+    assert picture.read_bytes().startswith(b"\x89PNG") and picture.stat().st_size > 5000 and done.stdout
+
+
+def test_the_reference_is_that_of_the_docstrings():
+    made = subprocess.run([sys.executable, ROOT / "python/reference.py"], capture_output=True, text=True, check=True).stdout
+    written = (ROOT / "book/src/python-reference.md").read_text(encoding="utf-8")
+    assert written == made, "make it again: python python/reference.py > book/src/python-reference.md"

@@ -1,0 +1,173 @@
+"""Bad input: each a clear exception, nothing changed."""
+
+import pickle
+
+import numpy as np
+import pint
+import pytest
+from conftest import SPEC
+
+import jounce
+
+
+def test_every_fault_of_a_text_is_told_with_its_place():
+    text = SPEC.read_text().replace('length = "315 mm"', "length = 315").replace('gap = "1 mm"', 'gap = "1 kg"')
+    with pytest.raises(jounce.SpecError) as caught:
+        jounce.Spec(text)
+    first, second = caught.value.faults
+    lines = text.splitlines()
+    assert (lines[first.line - 1], first.key) == ("length = 315", "beam.beam.length")
+    assert (lines[second.line - 1], second.key) == ('gap = "1 kg"', "stop.tip.gap")
+    assert str(first) in str(caught.value) and first.column == 10
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert again.faults == caught.value.faults and str(again) == str(caught.value)
+
+
+def test_a_bare_number_is_refused_with_the_words_of_toml(harvester):
+    with pytest.raises(jounce.SpecError) as from_toml:
+        jounce.Spec(SPEC.read_text().replace('gap = "1 mm"', "gap = 0.5"))
+    with pytest.raises(jounce.SpecError) as from_set:
+        harvester["stop.tip.gap"] = 0.5
+    with pytest.raises(jounce.SpecError) as from_dict:
+        jounce.Spec({**harvester.to_dict(), "stop": {"tip": {**harvester.to_dict()["stop"]["tip"], "gap": 0.5}}})
+    words = from_toml.value.faults[0].message
+    assert from_set.value.faults[0].message == words == from_dict.value.faults[0].message
+    assert from_dict.value.faults[0].line == 0 and harvester.si("stop.tip.gap") == 1e-3
+
+
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [
+        ("stop.tip.gapp", "1 mm"),
+        ("stop.tip.gap", "1 s"),
+        ("stop.tip.gap", pint.UnitRegistry()("1 kg")),
+        ("drive.shaker.frequency", "-1 Hz"),
+        ("damping.ratios", [0.1, "a"]),
+        ("damping.ratios", float("nan")),
+        ("stop.tip.law", "rubber"),
+        ("stop.other.gap", "1 mm"),
+        ("run.duration", "1 s"),
+    ],
+)
+def test_wrong_settings_change_nothing(harvester, key, value):
+    before = harvester.to_toml()
+    with pytest.raises(jounce.SpecError):
+        harvester.set(key, value)
+    assert harvester.to_toml() == before
+
+
+def test_all_faults_of_several_settings_come_at_once(harvester):
+    with pytest.raises(jounce.SpecError) as caught:
+        harvester.set({"stop.tip.gapp": "1 mm", "no.such.key": 1})
+    assert len(caught.value.faults) == 2 and "stop.tip.gap`" in str(caught.value)
+
+
+@pytest.mark.parametrize("value", [object(), {1, 2}, None, b"1 mm", 1 + 2j, {"a": 1}])
+def test_values_of_wrong_types_are_refused(harvester, value):
+    with pytest.raises(jounce.ArgumentError):
+        harvester.set("stop.tip.gap", value)
+
+
+def test_arguments_are_checked(harvester):
+    frequency = "drive.shaker.frequency"
+    wrong = [
+        lambda: jounce.Spec(3),
+        lambda: jounce.Spec("harvester.toml"),
+        lambda: harvester.sweep(frequency, "10 Hz:14 Hz:1 Hz", direction="sideways"),
+        lambda: harvester.sweep(frequency, [["10 Hz"]]),
+        lambda: harvester.branch(frequency, "13 Hz:12 Hz"),
+        lambda: harvester.branch(frequency, "12 Hz"),
+        lambda: harvester.branch(frequency, "12 Hz:13 Hz", method="guessing"),
+        lambda: harvester.branch(frequency, "12 Hz:13 Hz", harmonics=1),
+        lambda: harvester.branch(frequency, "12 Hz:13 Hz", tolerance=0.0),
+        lambda: harvester.jumps(frequency, "12 Hz:13 Hz", frequency, "12 Hz:13 Hz"),
+        lambda: harvester.basins(starts=0),
+        lambda: harvester.basins(starts=10**12),
+        lambda: harvester.branch(frequency, "12 Hz:13 Hz", seeds=10**12),
+        lambda: harvester.run(record="1 s", sample_rate="1 THz"),
+        lambda: harvester.basins(spread=float("inf")),
+        lambda: harvester.run(record="-1 s"),
+        lambda: harvester.run(record="1 m"),
+        lambda: harvester.run(record="100 s"),
+        lambda: harvester.run(sample_rate="0 Hz"),
+        lambda: harvester.run(start="state.json"),
+        lambda: harvester.frf(["0 Hz"]),
+        lambda: harvester.frf([]),
+        lambda: harvester.basins(starts=1, progress=3),
+        lambda: jounce.spectrum(np.zeros((2, 2)), 1.0),
+        lambda: jounce.spectrum(["a"], 1.0),
+        lambda: jounce.spectrum([1.0, np.nan], 1.0),
+        lambda: jounce.write_recording("a.csv", [1.0, np.nan], 1.0),
+        lambda: jounce.write_recording("a.csv", [1.0, 2.0]),
+        lambda: jounce.write_recording("a.csv", [1.0, 2.0], 0.0),
+        lambda: jounce.spectrum({"data": [1.0, 2.0], "name": "a", "unit_str": "V", "time": [0.0, 1.0, 3.0]}),
+        lambda: jounce.examples()["no-such-system"],
+        lambda: jounce.materials()["unobtainium"],
+        lambda: harvester.ensemble(),
+        lambda: harvester.ensemble(members=0),
+        lambda: harvester.ensemble(relative_width=2.0),
+        lambda: harvester.diagram(frequency, "12 Hz:13 Hz:3x", direction="sideways"),
+        lambda: harvester.diagram(frequency, ["13 Hz", "12 Hz"]),
+        lambda: harvester.diagram(frequency, "12 Hz:13 Hz:3x", direction="starts", starts=0),
+        lambda: harvester.diagram(frequency, "12 Hz:13 Hz:3x", cycles=0),
+        lambda: harvester.basins(grid={"heat": "1 K:2 K:3x"}),
+        lambda: harvester.basins(grid={"velocity": ("1 m/s", "2 m/s")}),
+        lambda: harvester.basins(grid={"velocity": ("2 m/s", "1 m/s", 3)}),
+        lambda: harvester.basins(grid="displacement=-1mm:1mm:2x"),
+        lambda: harvester.frf(["1 Hz"], input="table", base=True),
+    ]
+    for call in wrong:
+        with pytest.raises(jounce.ArgumentError):
+            call()
+    with pytest.raises(jounce.SpecError, match="unit"):
+        harvester.sweep(frequency, np.linspace(10.0, 14.0, 3))
+    with pytest.raises(jounce.SpecError, match="reversed"):
+        harvester.sweep(frequency, "14 Hz:10 Hz:1 Hz")
+
+
+def test_wrong_python_types_are_type_errors(harvester):
+    for call in (
+        lambda: harvester.run(tolerance="small"),
+        lambda: harvester.basins(starts=1.5),
+        lambda: harvester.modes(hold=[1]),
+        lambda: harvester.run("1 s"),
+    ):
+        with pytest.raises(TypeError):
+            call()
+
+
+def test_errors_carry_their_numbers(harvester):
+    with pytest.raises(jounce.StructureError) as caught:
+        harvester.modes(hold=["beam"])
+    assert caught.value.details["name"] == "beam"
+    state = harvester.changed({"run.duration": "0.2 s", "run.average_over": "0.1 s"}).run().end
+    with pytest.raises(jounce.StartError) as caught:
+        harvester.changed({"reduction.modes": 5}).run(start=state)
+    assert (caught.value.details["modes"], caught.value.details["wanted_modes"]) == (8, 5)
+    with pytest.raises(jounce.PlantError) as caught:
+        harvester.frf(["10 Hz"], input="beam.nowhere")
+    assert caught.value.details["name"] == "beam.nowhere"
+    noisy = jounce.examples()["random-base"]
+    for orbits in (noisy.basins, lambda: noisy.diagram("stop.tip.gap", "1 mm:2 mm:3x")):
+        with pytest.raises(jounce.OrbitError, match="does not repeat itself"):
+            orbits()
+
+
+def test_files_that_cannot_be_read_or_written(harvester, tmp_path):
+    with pytest.raises(jounce.FileError, match="does not exist"):
+        jounce.read(tmp_path / "no-such-file.toml")
+    with pytest.raises(jounce.FileError, match="not a folder"):
+        harvester.write(tmp_path / "no" / "such" / "folder.toml")
+    with pytest.raises(jounce.FileError):
+        jounce.write_recording(tmp_path / "no/a.csv", [1.0, 2.0], 1.0)
+    with pytest.raises(jounce.StartError):
+        jounce.State.read(tmp_path / "none.json")
+    with pytest.raises(jounce.StartError):
+        harvester.run(start=jounce.State("{"))
+
+
+def test_the_tree_of_exceptions():
+    for kind in (jounce.ArgumentError, jounce.SpecError, jounce.MarchError, jounce.ConvergenceError, jounce.FileError):
+        assert issubclass(kind, jounce.JounceError)
+    assert issubclass(jounce.SpecError, ValueError) and issubclass(jounce.FileError, OSError)
+    assert issubclass(jounce.Interrupted, KeyboardInterrupt) and not issubclass(jounce.Interrupted, Exception)

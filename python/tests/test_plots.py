@@ -1,0 +1,98 @@
+"""Pictures: drawn into what is given, with units, and with something to see; the settings of matplotlib stay as they were."""
+
+import io
+
+import matplotlib
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+
+import jounce
+
+FREQUENCY = "drive.shaker.frequency"
+
+
+@pytest.fixture(scope="module")
+def drawn():
+    harvester = jounce.examples()["impact-harvester-2019"]
+    short = harvester.changed({"run.duration": "1 s", "run.average_over": "0.5 s"})
+    run = short.run(record="0.5 s")
+    noisy = jounce.examples()["random-base"].changed({"run.duration": "2 s", "run.average_over": "1 s"})
+    branch = harvester.branch(FREQUENCY, "12 Hz:13 Hz", seeds=0)
+    return {
+        "harvester": harvester.plot_harvester,
+        "modes": harvester.modes().plot_modes,
+        "frf": harvester.frf().plot_frf,
+        "time history": run.plot_time_history,
+        "spectrum": run.plot_spectrum,
+        "poincare": run.plot_poincare,
+        "energy": run.plot_energy,
+        "sweep": short.sweep(FREQUENCY, "10 Hz:12 Hz:5x", direction="both", fixed_duration=True).plot_sweep,
+        "branch": branch.plot_branch,
+        "jumps": harvester.jumps(FREQUENCY, "12 Hz:13 Hz", "stop.tip.gap", "0.99 mm:1.01 mm", seeds=0).plot_jumps,
+        "basins": harvester.basins(starts=3).plot_basins,
+        "diagram": harvester.diagram(FREQUENCY, "12 Hz:13 Hz:3x", branches=False).plot_diagram,
+        "ensemble": noisy.ensemble(members=8).plot_ensemble,
+    }
+
+
+NAMES = [
+    "harvester",
+    "modes",
+    "frf",
+    "time history",
+    "spectrum",
+    "poincare",
+    "energy",
+    "sweep",
+    "branch",
+    "jumps",
+    "basins",
+    "diagram",
+    "ensemble",
+]
+
+
+def pixels(figure):
+    buffer = io.BytesIO()
+    figure.savefig(buffer, format="rgba", dpi=100)
+    return np.frombuffer(buffer.getvalue(), np.uint8).reshape(-1, 4)[:, :3]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_picture_shows_something_and_changes_no_setting(drawn, name):
+    before = dict(matplotlib.rcParams)
+    ax = drawn[name]()
+    assert dict(matplotlib.rcParams) == before
+    seen = pixels(ax.figure)
+    lightness = seen.max(axis=1).astype(int) - seen.min(axis=1)
+    assert (seen.min(axis=1) < 250).mean() > 0.005, "next to nothing is drawn"
+    assert (lightness > 60).sum() > 20, "no coloured mark is drawn"
+    assert ax.get_xlabel() or name == "harvester"
+    plt.close("all")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_picture_goes_where_it_is_told(drawn, name):
+    figure, (left, right) = plt.subplots(1, 2)
+    assert drawn[name](ax=right) is right
+    assert not left.has_data() and right.has_data()
+    plt.close(figure)
+
+
+def test_axes_name_their_units(drawn):
+    ax = drawn["branch"]()
+    assert ax.get_xlabel() == f"{FREQUENCY} [Hz]" and ax.get_ylabel() == "Mean power [W]" and ax.get_yscale() == "log"
+    labels = [text.get_text() for text in ax.get_legend().get_texts()]
+    assert "fold" in labels and any("unstable" in label for label in labels)
+    dashed = [line for line in ax.lines if line.get_linestyle() == "--" and np.isfinite(line.get_ydata()).any()]
+    assert dashed
+    plt.close("all")
+
+
+def test_what_cannot_be_drawn_is_told(drawn):
+    run = jounce.examples()["impact-harvester-2019"].changed({"run.duration": "0.2 s", "run.average_over": "0.1 s"}).run()
+    with pytest.raises(jounce.ArgumentError, match="record"):
+        run.plot_time_history()
+    with pytest.raises(jounce.ArgumentError, match="no such channel"):
+        drawn["time history"](channel="temperature")

@@ -1,0 +1,180 @@
+"""Studies: the same table whoever computes it, on disk as it grows, and clear words where something is wrong."""
+
+import multiprocessing
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import textwrap
+import time
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+
+import numpy as np
+import pytest
+from conftest import ROOT
+
+import jounce
+
+VARY = {"stop.tip.gap": "0.5mm:1.5mm:4x", "drive.shaker.frequency": "11Hz:13Hz:4x", "circuit.load.resistance": "100kohm:1Mohm:2log"}
+
+
+@pytest.fixture
+def study(short):
+    return jounce.Study(short.changed({"run.duration": "0.5 s", "run.average_over": "0.25 s"}), VARY, points_per_part=4)
+
+
+@pytest.fixture
+def table(study, tmp_path):
+    return study.run(tmp_path / "alone").path.read_bytes()
+
+
+def test_a_study_is_a_table(study, tmp_path):
+    result = study.run(tmp_path, progress=lambda done, total, left: None)
+    found = result.table()
+    assert len(found) == 32 == len(study) and study.parts == 8 and found.keys == list(VARY)
+    assert list(found["stop.tip.gap"][:4]) == [0.5e-3, *np.linspace(0.5e-3, 1.5e-3, 4)[1:]]
+    # A row is the run of the changed spec, bit by bit.
+    gap, frequency, load = study.point(13)
+    single = study.spec
+    single.set({"stop.tip.gap": f"{gap!r} m", "drive.shaker.frequency": f"{frequency!r} Hz", "circuit.load.resistance": f"{load!r} ohm"})
+    assert single.run().mean_power_w == found["mean_power_w"][13]
+    frame, dataset = result.to_pandas(), result.to_xarray()
+    assert len(frame) == 32 and dataset.mean_power_w.attrs["units"] == "W" and dataset["stop.tip.gap"].attrs["units"] == "m"
+    assert result.status.finished == 8 and result.status.failed_points == 0 and found.manifest["options"]["study_sha256"] == study.sha256
+    again = pickle.loads(pickle.dumps(study))
+    assert again == study and again.sha256 == study.sha256 and pickle.loads(pickle.dumps(found)) == found
+    assert "32 points" in repr(study) and found._repr_html_().startswith("<table>") and "32" in repr(found)
+
+
+def test_the_command_line_computes_the_same_table(study, table, tmp_path):
+    (tmp_path / "harvester.toml").write_text(study.spec.to_toml(), encoding="utf-8")
+    (tmp_path / "study.toml").write_text(study.to_toml("harvester.toml"), encoding="utf-8")
+    program = os.environ.get("JOUNCE_BIN") or next(p for p in (ROOT / "target/release/jounce", ROOT / "target/debug/jounce") if p.exists())
+    for shard in ("2/2", "1/2"):
+        subprocess.run([program, "study", "run", tmp_path / "study.toml", "--out", tmp_path / "out", "--shard", shard], check=True)
+    assert (tmp_path / "out/study.parquet").read_bytes() == table
+
+
+@pytest.mark.parametrize("executor", [lambda: ThreadPoolExecutor(2), lambda: pool()], ids=["threads", "processes"])
+def test_an_executor_computes_the_same_table(study, table, tmp_path, executor):
+    told = []
+    with executor() as workers:
+        result = study.run(tmp_path, executor=workers, progress=lambda *each: told.append(each))
+    assert result.path.read_bytes() == table and told[-1][:2] == (32, 32)
+
+
+def pool():
+    return ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn"))
+
+
+def test_a_killed_worker_of_a_pool_loses_nothing(study, table, tmp_path):
+    with pool() as workers:
+        victims = [workers.submit(os.getpid).result()]
+
+        def kill(done, total, left):
+            while victims:
+                os.kill(victims.pop(), signal.SIGKILL)
+
+        with pytest.raises(BrokenProcessPool):
+            study.run(tmp_path, executor=workers, progress=kill)
+    assert 0 < jounce.StudyStatus.read(tmp_path).finished < 8
+    with pool() as workers:
+        assert study.run(tmp_path, executor=workers).path.read_bytes() == table
+
+
+def test_dask_computes_the_same_table_and_survives_a_killed_worker(study, table, tmp_path):
+    distributed = pytest.importorskip("distributed")
+    import dask
+
+    with (
+        dask.config.set({"distributed.scheduler.allowed-failures": 100, "distributed.worker.memory.terminate": False}),
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        workers = list(client.run(os.getpid).values())
+        killed = []
+
+        def kill(done, total, left):
+            if not killed:
+                killed.append(workers[0])
+                os.kill(workers[0], signal.SIGKILL)
+
+        result = study.run(tmp_path, executor=client.get_executor(), progress=kill)
+        assert killed and result.path.read_bytes() == table
+
+
+def test_killed_five_times_and_resumed_it_is_the_same_table(study, table, tmp_path):
+    spec = tmp_path / "spec.pickle"
+    spec.write_bytes(pickle.dumps(study))
+    code = textwrap.dedent(f"""
+        import pickle, pathlib
+        study = pickle.loads(pathlib.Path({str(spec)!r}).read_bytes())
+        study.run({str(tmp_path / "out")!r}, threads=1)
+    """)
+    for after in np.random.default_rng(5).uniform(0.2, 1.0, 5):
+        child = subprocess.Popen([sys.executable, "-c", code])
+        time.sleep(after)
+        child.kill()
+        child.wait()
+    assert study.run(tmp_path / "out").path.read_bytes() == table
+
+
+def test_drawn_points_and_other_quantities(harvester, tmp_path):
+    vary = {"stop.tip.gap": "0.5 mm:1.5 mm", "circuit.load.resistance": "1 kohm:1 Mohm:log"}
+    for sampling in ("random", "latin-hypercube", "sobol"):
+        drawn = jounce.Study(harvester, vary, sampling=sampling, points=16, seed=3, quantity={"command": "modes", "count": 2})
+        found = drawn.run(tmp_path / sampling).table()
+        assert len(found) == 16 and ((found["stop.tip.gap"] >= 0.5e-3) & (found["stop.tip.gap"] <= 1.5e-3)).all()
+        assert found["frequency_2_hz"] == pytest.approx(harvester.modes().frequency_hz[1])
+        assert drawn != jounce.Study(harvester, vary, sampling=sampling, points=16, seed=4, quantity={"command": "modes", "count": 2})
+
+
+def test_what_is_wrong_is_told(study, harvester, tmp_path):
+    with pytest.raises(jounce.SpecError) as caught:
+        jounce.Study(harvester, {"stop.tip.gapp": "1mm", "stop.tip.gap": "1kg"})
+    assert len(caught.value.faults) == 2
+    for wrong in (lambda: jounce.Study("harvester.toml", VARY), lambda: jounce.Study(harvester, "stop.tip.gap"), lambda: study.point(99)):
+        with pytest.raises(jounce.ArgumentError):
+            wrong()
+    with pytest.raises(jounce.ArgumentError, match="write I/N"):
+        study.run(tmp_path / "a", shard="9/8")
+    partly = study.run(tmp_path / "b", shard="1/8")
+    with pytest.raises(jounce.ArgumentError, match="7 parts missing"):
+        partly.to_pandas()
+    other = jounce.Study(harvester, VARY)
+    with pytest.raises(jounce.StudyError, match="another study"):
+        other.run(tmp_path / "b")
+    with pytest.raises(jounce.StudyError, match="holds no study"):
+        jounce.StudyStatus.read(tmp_path / "none")
+    (tmp_path / "file").write_text("")
+    with pytest.raises(jounce.StudyError):
+        study.run(tmp_path / "file/below")
+    part = tmp_path / "b/parts/part-000000.parquet"
+    part.write_bytes(part.read_bytes()[:100])
+    assert partly.status.damaged == [str(part)]
+    whole = study.run(tmp_path / "b")
+    assert whole.status.finished == 8 and not whole.status.damaged
+
+
+def test_ctrl_c_keeps_what_is_finished(study, tmp_path):
+    code = textwrap.dedent(f"""
+        import os, signal, threading, time, jounce
+        spec = jounce.Spec.read({str(ROOT / "examples/impact-harvester-2019/harvester.toml")!r})
+        study = jounce.Study(spec, {{"stop.tip.gap": "0.5mm:1.5mm:2000x"}}, points_per_part=2)
+        sent = []
+        def interrupt():
+            time.sleep(2.0)
+            sent.append(time.perf_counter())
+            os.kill(os.getpid(), signal.SIGINT)
+        threading.Thread(target=interrupt, daemon=True).start()
+        try:
+            study.run({str(tmp_path)!r})
+        except jounce.Interrupted as stopped:
+            print(time.perf_counter() - sent[0], stopped.result.finished)
+    """)
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False)
+    seconds, finished = done.stdout.split()
+    # The status of what is finished is read before the call returns.
+    assert float(seconds) < 1.0 and int(finished) > 0

@@ -1,0 +1,32 @@
+"""A program as a user would write it, for the type checker alone."""
+
+from typing import assert_type
+
+import numpy as np
+from numpy.typing import NDArray
+
+import jounce
+
+
+def best_gap(harvester: jounce.Spec, gaps: list[str]) -> tuple[str, float]:
+    powers = {gap: harvester.changed({"stop.tip.gap": gap}).run().mean_power_w for gap in gaps}
+    best = max(powers, key=lambda gap: powers[gap])
+    return best, powers[best]
+
+
+def sweep(harvester: jounce.Spec) -> NDArray[np.float64]:
+    found = harvester.sweep("drive.shaker.frequency", "10 Hz:14 Hz:0.5 Hz", direction="both", progress=lambda done, total, left: None)
+    assert_type(found, jounce.SweepResult)
+    return found.mean_power_w
+
+
+def stable_points(harvester: jounce.Spec) -> int:
+    return sum(int(branch.stable.sum()) for branch in harvester.branch("drive.shaker.frequency", ("12 Hz", "13 Hz")))
+
+
+def faults(text: str) -> list[tuple[int, int, str]]:
+    try:
+        jounce.Spec(text)
+    except jounce.SpecError as error:
+        return [(fault.line, fault.column, fault.message) for fault in error.faults]
+    return []
