@@ -1,8 +1,8 @@
 //! What can be typed.
 
 use crate::commands::{
-    basins, branch, check, completions, contact, diagram, ensemble, frf, jumps, materials, modes, new, noise, power, read, regimes, reproduce,
-    run, show, study, sweep,
+    basins, branch, check, completions, contact, diagram, ensemble, frf, jumps, materials, modes, new, noise, power, read, regimes,
+    reproduce, run, show, study, sweep,
 };
 use clap::{Parser, Subcommand};
 
@@ -87,10 +87,10 @@ impl Command {
             Command::Ensemble(command) => command.output.json,
             Command::Study(command) => command.wants_json(),
             Command::Reproduce(command) => command.json,
-            Command::Read(command) => command.file.json,
-            Command::Power(command) => command.file.json,
-            Command::Contact(command) => command.file.json,
-            Command::Regimes(command) => command.file.json,
+            Command::Read(command) => command.file.output.json,
+            Command::Power(command) => command.output.json,
+            Command::Contact(command) => command.file.output.json,
+            Command::Regimes(command) => command.file.output.json,
             Command::Materials(command) => command.json,
             Command::Schema | Command::Keys | Command::Completions(_) => false,
         }

@@ -113,5 +113,7 @@ input_failure!(
     jounce_measure::recording::GridError,
     jounce_measure::write::WriteError,
     jounce_measure::spectral::SpectralError,
+    jounce_measure::response::ResponseError,
+    jounce_measure::modal::ModalError,
     jounce_measure::regime::RegimeError
 );

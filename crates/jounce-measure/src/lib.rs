@@ -6,9 +6,11 @@
 //! The layers of this crate stand in ARCHITECTURE.md; a folder uses only what stands before it there.
 
 pub mod contact;
+pub mod draw;
 pub mod modal;
 pub mod read;
 pub mod recording;
 pub mod regime;
+pub mod response;
 pub mod spectral;
 pub mod write;

@@ -2,13 +2,21 @@
 
 use crate::failure::Failure;
 use crate::measured_file::{MeasuredFile, channel, positive, tell_findings};
-use crate::output::{line, print};
+use crate::output::{self, line, print};
 use clap::Args;
 use jounce::signal::Samples;
 use jounce::spec::Quantity as Unit;
+use jounce::table::{Column, Table};
 use jounce_measure::contact::{ContactFit, Told, fit};
+use jounce_measure::draw::{Pulse, pulses};
 use jounce_measure::recording::Quantity;
 use jounce_measure::spectral::{Hit, HitSearch, hits};
+use std::path::Path;
+
+/// Pulses in the picture: more cannot be told apart.
+const SHOWN: usize = 6;
+/// Points of a law in the picture, for each sample of the pulse.
+const FINER: usize = 20;
 
 /// Arguments of `contact`.
 #[derive(Debug, Args)]
@@ -34,7 +42,10 @@ impl Contact {
         let found = hits(&samples, HitSearch::default())?;
         let fits: Vec<Result<ContactFit, String>> =
             found.iter().map(|hit| fit(&samples, hit, mass_kg).map_err(|fault| fault.to_string())).collect();
-        if self.file.json {
+        if let Some(folder) = &self.file.output.out {
+            self.write(folder, &samples, &found, &fits)?;
+        }
+        if self.file.output.json {
             let one = |(hit, fitted): (&Hit, &Result<ContactFit, String>)| match fitted {
                 Ok(law) => serde_json::json!({ "hit": hit, "law": law }),
                 Err(why) => serde_json::json!({ "hit": hit, "law": null, "why": why }),
@@ -47,6 +58,45 @@ impl Contact {
             tell(hit, fitted, record.rate());
         }
         Ok(())
+    }
+
+    fn write(&self, folder: &Path, force: &Samples<'_>, found: &[Hit], fits: &[Result<ContactFit, String>]) -> Result<(), Failure> {
+        let hit = |of: &dyn Fn(&Hit) -> f64| found.iter().map(of).collect::<Vec<f64>>();
+        let law = |of: &dyn Fn(&ContactFit) -> f64| fits.iter().map(|law| law.as_ref().map_or(f64::NAN, of)).collect::<Vec<f64>>();
+        let mut table = Table::new(vec![
+            Column::new("time_s", "s", "time of the largest force", hit(&|hit| hit.peak as f64 / force.rate_hz())),
+            Column::new("peak_force_n", "N", "largest force", hit(&|hit| hit.peak_force_n)),
+            Column::new("contact_time_s", "s", "time above a tenth of the largest force", hit(&|hit| hit.contact_time_s)),
+            Column::new("impulse_n_s", "N s", "integral of the force", hit(&|hit| hit.impulse_n_s)),
+            Column::new("warnings", "", "number of warnings", found.iter().map(|hit| hit.warnings.len() as u64).collect::<Vec<_>>()),
+            Column::new("exponent", "", "exponent of the law", law(&|law| law.exponent)),
+            Column::new("exponent_deviation", "", "its standard deviation", law(&|law| law.exponent_deviation)),
+            Column::new("restitution", "", "speed after over speed before", law(&|law| law.restitution)),
+            Column::new("restitution_deviation", "", "its standard deviation", law(&|law| law.restitution_deviation)),
+        ])?;
+        if self.mass.is_some() {
+            let about = "N/m^exponent, for the mass of the hammer";
+            table.push(Column::new("stiffness", "", about, law(&|law| law.stiffness.unwrap_or(f64::NAN))))?;
+            table.push(Column::new("speed_m_s", "m/s", "speed of the hammer", law(&|law| law.speed_m_s.unwrap_or(f64::NAN))))?;
+        }
+        output::table(folder, "contact", &table, &self.file.manifest("contact")?)?;
+        let drawn: Vec<Pulse> = found.iter().zip(fits).take(SHOWN).map(|(hit, law)| pulse(force, hit, law.as_ref().ok())).collect();
+        output::figure(folder, "contact-pulses", &pulses("Force pulses and the laws fitted to them", &drawn))
+    }
+}
+
+/// The samples of a hit, half its length on both sides too, and the law between them.
+fn pulse(force: &Samples<'_>, hit: &Hit, law: Option<&ContactFit>) -> Pulse {
+    let beside = (hit.end - hit.start) / 2 + 1;
+    let (first, last) = (hit.start.saturating_sub(beside), (hit.end + beside).min(force.values().len()));
+    let at = |k: f64| k / force.rate_hz();
+    let peak_s = at(hit.peak as f64);
+    let finer: Vec<f64> = (first * FINER..=(last - 1) * FINER).map(|k| at(k as f64 / FINER as f64)).collect();
+    Pulse {
+        label: format!("{peak_s:.4} s"),
+        time_s: (first..last).map(|k| at(k as f64) - peak_s).collect(),
+        force_n: force.values()[first..last].to_vec(),
+        law: law.map_or_else(Default::default, |law| (finer.iter().map(|t| t - peak_s).collect(), law.force_n(&finer))),
     }
 }
 

@@ -11,6 +11,8 @@ pub mod ensemble;
 pub mod frf;
 pub mod jumps;
 pub mod materials;
+mod measured_frf;
+pub mod measured_modes;
 pub mod modes;
 pub mod new;
 pub mod noise;

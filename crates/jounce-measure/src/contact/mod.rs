@@ -18,5 +18,5 @@ mod pulse;
 mod shape;
 
 pub use error::ContactError;
-pub use pulse::{ContactFit, Told, fit};
+pub use pulse::{ContactFit, PulseUnits, Told, fit};
 pub use shape::Shape;

@@ -21,7 +21,8 @@ pub(super) struct Problem<'a> {
 /// Share of an unknown's size by which it is moved for a derivative.
 const MOVED: f64 = 1e-4;
 const EXPONENTS: (f64, f64) = (0.5, 5.0);
-const DAMPINGS: (f64, f64) = (0.0, 20.0);
+/// Below 0 the body would gain speed: noise around a lossless contact must be free to go there, or the fit would end on an edge.
+const DAMPINGS: (f64, f64) = (-0.5, 20.0);
 
 impl Problem<'_> {
     /// Start, unit of time, unit of force, exponent, damping.

@@ -30,6 +30,30 @@ pub struct ContactFit {
     pub relative_error: f64,
     /// What the pulse tells about the law.
     pub told: Told,
+    /// Where the fitted pulse lies and how large its units are.
+    #[serde(skip)]
+    pub units: PulseUnits,
+}
+
+/// A fitted pulse in time and force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PulseUnits {
+    /// Its begin, s from the first sample of the record.
+    pub start_s: f64,
+    /// Unit of time, s.
+    pub unit_s: f64,
+    /// Unit of force, N.
+    pub unit_n: f64,
+    /// Damping of the law in these units.
+    pub damping: f64,
+}
+
+impl ContactFit {
+    /// The force of the law at times of the record, N.
+    pub fn force_n(&self, time_s: &[f64]) -> Vec<f64> {
+        let shape = Shape::new(self.exponent, self.units.damping);
+        time_s.iter().map(|t| self.units.unit_n * shape.at((t - self.units.start_s) / self.units.unit_s)).collect()
+    }
 }
 
 /// Which laws a pulse allows, at 95 %.
@@ -68,7 +92,7 @@ pub fn fit(force: &Samples<'_>, hit: &Hit, hammer_mass_kg: Option<f64>) -> Resul
     let time_s: Vec<f64> = (first..last).map(|k| k as f64 / force.rate_hz()).collect();
     let force_n = &force.values()[first..last];
     let (problem, squared) = minimised(&time_s, force_n, hit, None)?;
-    let [_, unit_s, unit_n, exponent, damping] = problem.parameters(&problem.unknowns);
+    let [start_s, unit_s, unit_n, exponent, damping] = problem.parameters(&problem.unknowns);
     let shape = Shape::new(exponent, damping);
     let j = problem.derivatives();
     let freedom = (time_s.len() - problem.unknowns.len()) as f64;
@@ -87,6 +111,7 @@ pub fn fit(force: &Samples<'_>, hit: &Hit, hammer_mass_kg: Option<f64>) -> Resul
         speed_m_s: hammer_mass_kg.map(|mass| of_mass(mass).1),
         relative_error: (squared / time_s.len() as f64).sqrt() / hit.peak_force_n,
         told,
+        units: PulseUnits { start_s, unit_s, unit_n, damping },
     })
 }
 
@@ -159,21 +184,21 @@ mod tests {
         fit(&samples, &found[0], Some(0.1)).unwrap()
     }
 
-    /// Without noise the parameters come back; measured: exponent 1e-3, restitution 1e-3, stiffness 2 %, since k goes with the power of lengths
-    /// of 50 um.
+    /// With hardly any noise (1e-6 N beside a peak of hundreds) the parameters come back; measured: exponent 4e-9, restitution 1e-9,
+    /// stiffness 4e-8, speed 4e-10.
     #[test]
     fn a_pulse_of_a_known_law_gives_the_law_back() {
-        for (exponent, damping) in [(1.5, 0.3), (1.0, 0.2), (2.2, 0.5)] {
+        for (exponent, damping) in [(1.5, 0.3), (1.0, 0.2), (2.2, 0.5), (1.0, 0.0), (1.5, 0.0)] {
             let (values, stiffness) = record(exponent, damping, 1e-6, 1);
             let found = fitted(&values);
-            assert!((found.exponent - exponent).abs() < 0.01, "{exponent}: {found:?}");
-            assert!((found.restitution - Shape::new(exponent, damping).restitution).abs() < 0.01, "{found:?}");
-            assert!((found.stiffness.unwrap() / stiffness - 1.0).abs() < 0.15, "{} {stiffness}", found.stiffness.unwrap());
-            assert!((found.speed_m_s.unwrap() / 0.5 - 1.0).abs() < 0.01);
+            assert!((found.exponent - exponent).abs() < 1e-7, "{exponent}: {found:?}");
+            assert!((found.restitution - Shape::new(exponent, damping).restitution).abs() < 1e-7, "{found:?}");
+            assert!((found.stiffness.unwrap() / stiffness - 1.0).abs() < 1e-6, "{} {stiffness}", found.stiffness.unwrap());
+            assert!((found.speed_m_s.unwrap() / 0.5 - 1.0).abs() < 1e-7);
         }
     }
 
-    /// With noise the truth lies within 1.96 deviations as often as it should: 95 +- 4 % of 150 trials.
+    /// With noise the truth lies within 1.96 deviations as often as it should: 95 +- 4 % of 150 trials; measured 96 %.
     #[test]
     fn stated_deviations_hold_the_truth() {
         let inside = (0..150).filter(|seed| {

@@ -3,6 +3,9 @@
 use faer::c64;
 
 use super::ModalError;
+use crate::recording::Quantity;
+use crate::response::Responses;
+use crate::spectral::FrequencyResponse;
 
 /// What the responses measure, per force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -80,6 +83,26 @@ impl Band {
             inputs,
             power,
         })
+    }
+
+    /// The lines between two frequencies of measured responses to one force. What measures a voltage is taken for a displacement, since that of
+    /// a patch follows its strain; what tells no unit for an acceleration. Coherence of several blocks weighs the lines.
+    ///
+    /// # Errors
+    /// As [`Band::new`].
+    pub fn of(responses: &Responses, between_hz: (f64, f64)) -> Result<Self, ModalError> {
+        let motion = match responses.quantity {
+            Quantity::Displacement | Quantity::Voltage => Motion::Displacement,
+            Quantity::Velocity => Motion::Velocity,
+            _ => Motion::Acceleration,
+        };
+        let first = responses.functions.first();
+        let frequency_hz = first.map_or(&[][..], |function| &function.frequency_hz);
+        let value: Vec<Vec<c64>> = responses.functions.iter().map(|function| function.value.clone()).collect();
+        let several = first.is_some_and(|function| function.blocks > 1);
+        let deviation = |function: &FrequencyResponse| (0..function.value.len()).map(|k| function.relative_deviation(k)).collect();
+        let deviation: Vec<Vec<f64>> = responses.functions.iter().filter(|_| several).map(deviation).collect();
+        Self::new(frequency_hz, &value, &deviation, 1, motion, between_hz)
     }
 
     /// A response as it was measured.

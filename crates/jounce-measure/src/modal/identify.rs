@@ -2,6 +2,7 @@
 
 use faer::c64;
 use serde::Serialize;
+use std::f64::consts::TAU;
 
 use super::likelihood::{Fit, fit};
 use super::stabilisation::modes;
@@ -34,6 +35,25 @@ pub struct Mode {
     /// Residue of each response, in displacement per force times rad/s.
     #[serde(skip)]
     pub residue: Vec<c64>,
+}
+
+impl Mode {
+    /// An interval of 95 % reaches this many deviations to both sides.
+    pub const QUANTILE_95: f64 = 1.959_963_984_540_054;
+
+    /// The residues over the largest of them, so that it is 1: the shape seen by the responses.
+    pub fn shape(&self) -> Vec<c64> {
+        let largest = self.residue.iter().copied().max_by(|a, b| a.norm().total_cmp(&b.norm())).unwrap_or(c64::new(1.0, 0.0));
+        self.residue.iter().map(|residue| residue / largest).collect()
+    }
+
+    /// Takes off the damping that an exponential window added, in 1/s. The window moves the pole by its decay, along the real axis.
+    pub fn without_decay(&mut self, decay_per_s: f64) {
+        let w = TAU * self.frequency_hz;
+        let (re, im) = (-self.damping_ratio * w + decay_per_s, w * (1.0 - self.damping_ratio.powi(2)).max(0.0).sqrt());
+        let size = re.hypot(im);
+        (self.frequency_hz, self.damping_ratio) = (size / TAU, -re / size);
+    }
 }
 
 /// Modes, and what they rest on.
@@ -85,13 +105,12 @@ mod tests {
     use super::super::{Motion, Pole, mac};
     use super::*;
     use jounce::drive::Stream;
-    use std::f64::consts::TAU;
 
     fn lines() -> Vec<f64> {
         (1..1200).map(|k| f64::from(k) * 0.1).collect()
     }
 
-    /// Measured on exact responses: frequencies 1e-13, damping ratios 1e-11, MAC 1 - 1e-12 (two modes 1 Hz apart among them).
+    /// Measured on exact responses: frequencies 3e-16, damping ratios 9e-16, MAC 1 - 5e-16 (two modes 1 Hz apart among them).
     #[test]
     fn exact_responses_give_back_frequencies_damping_and_shapes() {
         let response = exact(&lines(), &POLES, shape, 4, 1);
@@ -99,10 +118,10 @@ mod tests {
         let found = identify(&band, Settings::default()).unwrap();
         assert_eq!(found.modes.len(), 4, "{:?}", found.modes);
         for (r, (mode, pole)) in found.modes.iter().zip(POLES).enumerate() {
-            assert!((mode.frequency_hz / pole.frequency_hz - 1.0).abs() < 1e-8, "{mode:?}");
-            assert!((mode.damping_ratio / pole.damping_ratio - 1.0).abs() < 1e-6, "{mode:?}");
+            assert!((mode.frequency_hz / pole.frequency_hz - 1.0).abs() < 1e-12, "{mode:?}");
+            assert!((mode.damping_ratio / pole.damping_ratio - 1.0).abs() < 1e-11, "{mode:?}");
             let truth: Vec<c64> = (0..4).map(|o| c64::new(shape(r, o), 0.0)).collect();
-            assert!(mac(&mode.residue, &truth) > 1.0 - 1e-8);
+            assert!(mac(&mode.residue, &truth) > 1.0 - 1e-12);
             // Mass 1: the residue is phi_o phi_i / (2 j w_d).
             let w = TAU * pole.frequency_hz * (1.0 - pole.damping_ratio.powi(2)).sqrt();
             let residue = c64::new(0.0, -shape(r, 1) * shape(r, 0) / (2.0 * w));
@@ -110,8 +129,8 @@ mod tests {
         }
     }
 
-    /// With noise of a known variance the truth lies within 1.96 stated deviations as often as it should: 95 +- 3 % of 100 trials of four
-    /// frequencies and four damping ratios each.
+    /// With noise of a known variance the truth lies within 1.96 stated deviations as often as it should: 95 +- 3 % of 100 trials of two
+    /// frequencies and damping ratios; measured 96.25 %.
     #[test]
     fn stated_deviations_hold_the_truth_as_often_as_they_say() {
         let frequency_hz: Vec<f64> = (50..300).map(|k| f64::from(k) * 0.2).collect();

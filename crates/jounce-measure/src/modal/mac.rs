@@ -2,11 +2,19 @@
 
 use faer::c64;
 
+use super::Mode;
+
 /// `|a^H b|^2 / (a^H a  b^H b)`: 1 for the same shape at any scale and phase, 0 for orthogonal ones; NaN where a shape is zero.
 pub fn mac(a: &[c64], b: &[c64]) -> f64 {
     let product: c64 = a.iter().zip(b).map(|(a, b)| a.conj() * b).sum();
     let size = |shape: &[c64]| shape.iter().map(|x| x.norm_sqr()).sum::<f64>();
     product.norm_sqr() / (size(a) * size(b))
+}
+
+/// Every shape against every other, by their residues.
+pub fn mac_matrix(modes: &[Mode]) -> Vec<Vec<f64>> {
+    let row = |a: &Mode| modes.iter().map(|b| mac(&a.residue, &b.residue)).collect();
+    modes.iter().map(row).collect()
 }
 
 #[cfg(test)]

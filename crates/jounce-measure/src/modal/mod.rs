@@ -25,7 +25,7 @@ mod stabilisation;
 pub use band::{Band, Motion};
 pub use error::ModalError;
 pub use identify::{Identification, Mode, Settings, identify};
-pub use mac::mac;
+pub use mac::{mac, mac_matrix};
 pub use plscf::poles;
 pub use pole::Pole;
 pub use stabilisation::{Stable, StablePole, diagram};

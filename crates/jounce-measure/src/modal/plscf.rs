@@ -165,7 +165,7 @@ pub(super) mod tests {
         (0.7 * (mode + 1) as f64 * (point + 1) as f64).sin() + 0.1 * point as f64
     }
 
-    /// Two close modes among them. Measured at order 20, one input: frequencies 2e-8, damping ratios 8e-7 relative; two inputs alike.
+    /// Two close modes among them. Measured at order 20: frequencies 3e-8, damping ratios 2e-6 relative, with one input and with two.
     #[test]
     fn exact_responses_give_back_their_poles_from_one_and_two_inputs() {
         let frequency_hz: Vec<f64> = (1..1200).map(|k| f64::from(k) * 0.1).collect();
@@ -176,8 +176,8 @@ pub(super) mod tests {
             for pole in POLES {
                 let distance = |p: &&Pole| (p.frequency_hz / pole.frequency_hz - 1.0).abs() + (p.damping_ratio - pole.damping_ratio).abs();
                 let nearest = found.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap();
-                assert!((nearest.frequency_hz / pole.frequency_hz - 1.0).abs() < 1e-5, "{inputs}: {pole:?} {nearest:?}");
-                assert!((nearest.damping_ratio / pole.damping_ratio - 1.0).abs() < 1e-3, "{inputs}: {pole:?} {nearest:?}");
+                assert!((nearest.frequency_hz / pole.frequency_hz - 1.0).abs() < 1e-6, "{inputs}: {pole:?} {nearest:?}");
+                assert!((nearest.damping_ratio / pole.damping_ratio - 1.0).abs() < 2e-5, "{inputs}: {pole:?} {nearest:?}");
             }
         }
     }

@@ -30,6 +30,14 @@ pub enum SpectralError {
         /// Samples of the output.
         response: usize,
     },
+    /// Records of unequal rate.
+    #[error("one record was sampled at {first_hz} Hz and another at {other_hz} Hz; all must have one rate")]
+    Rates {
+        /// Rate of the first, Hz.
+        first_hz: f64,
+        /// Rate of the other, Hz.
+        other_hz: f64,
+    },
     /// Nothing was averaged.
     #[error("no block was averaged; at least one is needed, two for a coherence")]
     Nothing,

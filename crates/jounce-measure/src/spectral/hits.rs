@@ -182,7 +182,7 @@ mod tests {
     }
 
     /// A half sine of length T is above a tenth of its peak for T (1 - 2 asin(0.1) / pi); measured 2e-5 relative. Its impulse is
-    /// 2 F T / pi but for the two ends below the edge (0.5 %).
+    /// 2 F T / pi; measured 8e-5 relative.
     #[test]
     fn half_sines_have_their_known_time_and_impulse() {
         let values = with_pulses(&[(5_000, 80.0), (20_000, 60.0)]);
@@ -190,9 +190,9 @@ mod tests {
         assert_eq!(found.len(), 2);
         let time = 1e-3 * (1.0 - 2.0 * 0.1_f64.asin() / PI);
         for (hit, peak) in found.iter().zip([80.0, 60.0]) {
-            assert!((hit.contact_time_s / time - 1.0).abs() < 1e-3, "{}", hit.contact_time_s / time);
+            assert!((hit.contact_time_s / time - 1.0).abs() < 1e-4, "{}", hit.contact_time_s / time);
             assert!((hit.peak_force_n / peak - 1.0).abs() < 1e-3);
-            assert!((hit.impulse_n_s / (2.0 * peak * 1e-3 / PI) - 1.0).abs() < 0.01, "{hit:?}");
+            assert!((hit.impulse_n_s / (2.0 * peak * 1e-3 / PI) - 1.0).abs() < 1e-3, "{hit:?}");
             assert!(hit.warnings.is_empty(), "{hit:?}");
         }
     }

@@ -8,6 +8,7 @@
 mod density;
 mod error;
 mod hits;
+mod impact;
 mod mean_power;
 mod response;
 mod segments;
@@ -17,6 +18,7 @@ mod taper;
 pub use density::Density;
 pub use error::SpectralError;
 pub use hits::{Hit, HitSearch, HitWarning, hits};
+pub use impact::{ImpactAnswer, ImpactHit, ImpactRecord, ImpactSettings, impact};
 pub use mean_power::{MeanPower, mean_power};
 pub use response::{Averages, Estimator, FrequencyResponse};
 pub use segments::Segments;

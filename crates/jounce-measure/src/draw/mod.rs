@@ -1,0 +1,10 @@
+//! Figures of what was measured, from plain numbers.
+mod loads;
+mod pulses;
+mod responses;
+mod stretches;
+
+pub use loads::{LoadPoint, power_over_load};
+pub use pulses::{Pulse, pulses};
+pub use responses::{measured_responses, modal_fit, stabilisation};
+pub use stretches::{stretch_spectra, stretches};
