@@ -1,8 +1,8 @@
 //! What can be typed.
 
 use crate::commands::{
-    basins, branch, check, completions, contact, diagram, ensemble, frf, jumps, materials, modes, new, noise, power, read, regimes,
-    reproduce, run, show, study, sweep,
+    basins, branch, check, completions, contact, diagram, ensemble, fit, frf, jumps, materials, modes, new, noise, power, read, regimes,
+    reproduce, rig, run, show, study, sweep,
 };
 use clap::{Parser, Subcommand};
 
@@ -26,9 +26,9 @@ pub enum Command {
     Check(check::Check),
     /// Draws the harvester to scale, so that a wrong number is seen.
     Show(show::Show),
-    /// Natural frequencies, damping ratios and coupling factors.
+    /// Natural frequencies, damping ratios and coupling factors of a spec, or the modes of a hammer test.
     Modes(modes::Modes),
-    /// Frequency response functions without contact, in closed form.
+    /// Frequency response functions without contact, in closed form, or those of a hammer test.
     Frf(frf::Frf),
     /// Exact answer to stationary noise without contact: mean powers, rms values, bandwidths, how often a gap would be reached.
     Noise(noise::Noise),
@@ -58,6 +58,10 @@ pub enum Command {
     Contact(contact::Contact),
     /// Cuts a long recording into stretches of one solution each.
     Regimes(regimes::RegimesOf),
+    /// Fits keys of a spec to measured natural frequencies and damping ratios, with intervals.
+    Fit(fit::Fit),
+    /// Records a model as the sensors of a rig would, hammer test or run, so that the truth is known.
+    Rig(rig::Rig),
     /// Lists the materials that a spec can name, with their sources.
     Materials(materials::Materials),
     /// Prints the JSON Schema (draft-07) of a spec, for editors.
@@ -76,6 +80,8 @@ impl Command {
             Command::Check(command) => command.output.json,
             Command::Show(command) => command.json,
             Command::Modes(command) => command.output.json,
+            Command::Fit(command) => command.output.json,
+            Command::Rig(command) => command.json,
             Command::Frf(command) => command.output.json,
             Command::Noise(command) => command.output.json,
             Command::Run(command) => command.output.json,

@@ -115,5 +115,7 @@ input_failure!(
     jounce_measure::spectral::SpectralError,
     jounce_measure::response::ResponseError,
     jounce_measure::modal::ModalError,
+    jounce_measure::fit::FitError,
+    jounce_measure::rig::RigError,
     jounce_measure::regime::RegimeError
 );

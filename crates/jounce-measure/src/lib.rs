@@ -7,10 +7,12 @@
 
 pub mod contact;
 pub mod draw;
+pub mod fit;
 pub mod modal;
 pub mod read;
 pub mod recording;
 pub mod regime;
 pub mod response;
+pub mod rig;
 pub mod spectral;
 pub mod write;

@@ -8,6 +8,7 @@ pub mod completions;
 pub mod contact;
 pub mod diagram;
 pub mod ensemble;
+pub mod fit;
 pub mod frf;
 pub mod jumps;
 pub mod materials;
@@ -20,6 +21,7 @@ pub mod power;
 pub mod read;
 pub mod regimes;
 pub mod reproduce;
+pub mod rig;
 pub mod run;
 pub mod show;
 pub mod study;
@@ -36,6 +38,8 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Check(command) => command.run(),
         Command::Show(command) => command.run(),
         Command::Modes(command) => command.run(),
+        Command::Fit(command) => command.run(),
+        Command::Rig(command) => command.run(),
         Command::Frf(command) => command.run(),
         Command::Noise(command) => command.run(),
         Command::Run(command) => command.run(),
