@@ -6,6 +6,7 @@ import subprocess
 from pathlib import Path
 
 import matplotlib
+import numpy as np
 import pytest
 
 import jounce
@@ -18,6 +19,11 @@ SPEC = ROOT / "examples" / SYSTEM / "harvester.toml"
 
 #: The paper's harvester at 50 N and 11 Hz, for short.
 SHORT = {"drive.shaker.amplitude": "50 N", "drive.shaker.frequency": "11 Hz", "run.duration": "2 s", "run.average_over": "1 s"}
+
+
+def same(found, wanted):
+    """The same numbers, bit by bit."""
+    np.testing.assert_array_equal(np.asarray(found), np.asarray(wanted))
 
 
 @pytest.fixture

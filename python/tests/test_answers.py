@@ -5,16 +5,11 @@ import pickle
 import numpy as np
 import pint
 import pytest
-from conftest import ROOT, SHORT
+from conftest import ROOT, SHORT, same
 
 import jounce
 
 FREQUENCY = "drive.shaker.frequency"
-SHAKER = ROOT / "examples/random-base/shaker.toml"
-
-
-def same(found, wanted):
-    np.testing.assert_array_equal(np.asarray(found), np.asarray(wanted))
 
 
 def test_a_run_is_that_of_the_command_line(short, command_line):
@@ -147,91 +142,6 @@ def test_diagrams_from_starts_name_their_attractors(harvester, command_line):
     assert [found.attractors[k]["id"] for k in found.attractor_number] == [point["attractor"] for point in told["points"]]
 
 
-def test_ensembles_are_those_of_the_command_line(command_line):
-    keys = {"run.duration": "2 s", "run.average_over": "1 s"}
-    spec = ROOT / "examples/random-base/harvester.toml"
-    told = command_line("ensemble", "--members=4", "--seed=3", keys=keys, spec=spec)
-    found = jounce.read(spec).changed(keys).ensemble(members=4, seed=3)
-    assert found.mean_power_w == told["mean_power_w"] and found.interval_over == told["interval_over"]
-    same(found.member_power_w, [member["mean_power_w"] for member in told["members"]])
-    assert found == jounce.read(spec).changed(keys).ensemble(members=4, seed=3, threads=1)
-    assert found.patch == [] and found.voltage_psd_v2_hz.shape == (0, 0)
-
-
-def test_spectra_and_stops_of_an_ensemble_are_those_of_the_command_line(command_line):
-    keys = {"run.duration": "2 s", "run.average_over": "1 s"}
-    told = command_line("ensemble", "--members=8", "--seed=3", "--spectrum", keys=keys, spec=SHAKER)
-    found = jounce.read(SHAKER).changed(keys).ensemble(members=8, seed=3, spectrum=True)
-    assert found.interval_over == "members" and found.stop == [one["name"] for one in told["stops"]]
-    for name, unit in (("contact_rate", "_hz"), ("mean_strike", "_m_s"), ("mean_dwell", "_s"), ("contact_duty", "")):
-        same(getattr(found, f"stop_{name}{unit}"), [one[name + unit]["mean"] for one in told["stops"]])
-        same(getattr(found, f"stop_{name}_half_width{unit}"), [one[name + unit]["half_width"] or np.inf for one in told["stops"]])
-    for name in ("max_strike_m_s", "max_dwell_s", "max_contact_force_n", "max_penetration_m"):
-        same(getattr(found, f"stop_{name}"), [one[name] for one in told["stops"]])
-    assert found.stop_contact_rate_hz[0] > 0.0
-    (width,) = told["bandwidths_hz"].values()
-    assert found.patch == list(told["bandwidths_hz"]) and found.bandwidth_hz[0] == width["mean"] > 0.0
-    assert found.bandwidth_half_width_hz[0] == width["half_width"] and found.voltage_psd_v2_hz.shape == (1, len(found.frequency_hz))
-    # The density sums to the mean square of the voltage on the load of 1 Mohm, but for the Hann window: off by 2.2e-2.
-    square = found.voltage_psd_v2_hz[0].sum() * np.diff(found.frequency_hz)[0]
-    assert square / 1e6 == pytest.approx(found.mean_power_w, rel=0.05)
-    dataset = found.to_xarray()
-    assert dataset.voltage_psd.dims == ("patch", "frequency") and dataset.stop_contact_rate.attrs["units"] == "1/s"
-    assert pickle.loads(pickle.dumps(found)) == found and "bandwidth of mfc" in repr(found) and "stop tip" in found._repr_html_()
-
-
-def test_the_answer_to_noise_is_that_of_the_command_line(command_line, tmp_path):
-    told = command_line("noise", "--from=4Hz", "--to=20Hz", "--points=50", f"--out={tmp_path}", spec=SHAKER)
-    found = jounce.read(SHAKER).noise(low="4 Hz", high=pint.UnitRegistry()("20 Hz"), points=50)
-    assert found.mean_power_w == told["mean_power_w"] and (found.drive, found.left_out) == (told["drives"], told["left_out"])
-    listed = {"load": "loads", "patch": "patches", "point": "points", "stop": "stops"}
-    for thing, many in listed.items():
-        assert getattr(found, thing) == [one["name"] for one in told[many]]
-    fields = {
-        "load_power_w": ("loads", "mean_power_w"),
-        "load_spectral_power_w": ("loads", "spectral_power_w"),
-        "load_power_difference_relative": ("loads", "difference_relative"),
-        "load_voltage_rms_v": ("loads", "voltage_rms_v"),
-        "load_noise_bandwidth_hz": ("loads", "noise_bandwidth_hz"),
-        "load_statistical_bandwidth_hz": ("loads", "statistical_bandwidth_hz"),
-        "patch_voltage_rms_v": ("patches", "voltage_rms_v"),
-        "point_displacement_rms_m": ("points", "displacement_rms_m"),
-        "point_velocity_rms_m_s": ("points", "velocity_rms_m_s"),
-        **{f"stop_{name}": ("stops", name) for name in ("gap_m", "mean_m", "displacement_rms_m", "reached_hz", "share_beyond")},
-    }
-    for field, (many, name) in fields.items():
-        same(getattr(found, field), [one[name] for one in told[many]])
-    table, _, _ = jounce._core.table_read(tmp_path / "noise.parquet")
-    same(found.frequency_hz, table["frequency_hz"])
-    for name, values in found.densities.items():
-        same(values, table[f"{name}.psd"])
-    # Fifty and those about each resonance, over the band that was asked for.
-    assert len(found.frequency_hz) > 50 and (found.frequency_hz[0], found.frequency_hz[-1]) == (4.0, 20.0)
-    assert found["mfc.voltage"] is found.densities["mfc.voltage"] and found.units["mfc.voltage"] == "V^2/Hz"
-    assert found.manifest["options"]["command"] == "noise" and "LEFT OUT" in repr(found)
-    assert found._repr_html_().startswith("<table>") and pickle.loads(pickle.dumps(found)) == found
-
-
-def test_an_oscillator_in_noise_is_its_closed_form():
-    # Mean squares S pi f / (4 zeta w^4) and S pi f / (4 zeta w^2) of white noise, of which 3e-12 and 2e-5 lie above 10 kHz. The rms
-    # values are off by 1.5e-12 and 8.9e-6.
-    zeta, frequency_hz, density = 0.02, 7.0, 0.3
-    spec = jounce.Spec(
-        mass={"ball": jounce.Mass(mass="1 kg", frequency=f"{frequency_hz} Hz", damping_ratio=zeta)},
-        drive={"floor": {"kind": "base-acceleration", "signal": "noise", "psd": f"{density} (m/s^2)^2/Hz", "high": "10 kHz"}},
-        run={"duration": "1 s", "average_over": "1 s"},
-    )
-    found = spec.noise(low="10 mHz", high="100 Hz", points=20_000)
-    square = density * np.pi * frequency_hz / (4.0 * zeta)
-    w = 2.0 * np.pi * frequency_hz
-    assert found.point_displacement_rms_m == pytest.approx([square**0.5 / w**2], rel=1e-10)
-    assert found.point_velocity_rms_m_s == pytest.approx([square**0.5 / w], rel=1e-5)
-    # The density sums to the mean square, by straight lines between the frequencies from 10 mHz: off by 3.5e-5.
-    summed = np.trapezoid(found["ball.displacement"], found.frequency_hz)
-    assert summed == pytest.approx(square / w**4, rel=1e-4)
-    assert found.load == [] and found.load_noise_bandwidth_hz.shape == (0, 1) and found.mean_power_w == 0.0
-
-
 def test_starters_are_those_of_the_command_line(command_line):
     told = command_line("new", spec=None)["kinds"]
     assert jounce.starters() == {one["kind"]: one["summary"] for one in told}
@@ -239,11 +149,6 @@ def test_starters_are_those_of_the_command_line(command_line):
         spec = jounce.new(kind)
         assert spec.to_toml() == command_line("new", kind, spec=None)["spec"]
         assert spec.modes().frequency_hz.size > 0, kind
-
-
-def test_a_run_under_noise_has_no_period_to_settle_to():
-    answer = jounce.examples()["random-base"].changed({"run.duration": "2 s", "run.average_over": "1 s"}).run()
-    assert answer.settled is None and answer.period_cycles is None and "do not repeat" in repr(answer)
 
 
 def test_responses_to_the_base_are_those_of_the_command_line(command_line):
