@@ -1,7 +1,8 @@
 //! What can be typed.
 
 use crate::commands::{
-    basins, branch, check, completions, diagram, ensemble, frf, jumps, materials, modes, new, noise, reproduce, run, show, study, sweep,
+    basins, branch, check, completions, contact, diagram, ensemble, explore, fit, frf, jumps, materials, modes, new, noise, power, read,
+    regimes, reproduce, rig, run, show, study, sweep,
 };
 use clap::{Parser, Subcommand};
 
@@ -25,9 +26,9 @@ pub enum Command {
     Check(check::Check),
     /// Draws the harvester to scale, so that a wrong number is seen.
     Show(show::Show),
-    /// Natural frequencies, damping ratios and coupling factors.
+    /// Natural frequencies, damping ratios and coupling factors of a spec, or the modes of a hammer test.
     Modes(modes::Modes),
-    /// Frequency response functions without contact, in closed form.
+    /// Frequency response functions without contact, in closed form, or those of a hammer test.
     Frf(frf::Frf),
     /// Exact answer to stationary noise without contact: mean powers, rms values, bandwidths, how often a gap would be reached.
     Noise(noise::Noise),
@@ -45,10 +46,24 @@ pub enum Command {
     Basins(basins::Basins),
     /// Marches realisations of noise and reports the mean power with its interval.
     Ensemble(ensemble::Ensemble),
+    /// Opens a page in the browser whose drawing and curves follow every slider.
+    Explore(explore::Explore),
     /// Computes one quantity at many points over the keys of a spec, in parts that any number of processes share.
     Study(study::Study),
     /// Computes the tables, figures and claims of the 2019 impact-harvester paper.
     Reproduce(reproduce::Reproduce),
+    /// Reads a recording of any format and tells what is in it and what is odd about it.
+    Read(read::Read),
+    /// Mean power of a recorded voltage, with an interval that respects correlation.
+    Power(power::Power),
+    /// Contact time, exponent, restitution and stiffness from the force pulses of a hammer.
+    Contact(contact::Contact),
+    /// Cuts a long recording into stretches of one solution each.
+    Regimes(regimes::RegimesOf),
+    /// Fits keys of a spec to measured natural frequencies and damping ratios, with intervals.
+    Fit(fit::Fit),
+    /// Records a model as the sensors of a rig would, hammer test or run, so that the truth is known.
+    Rig(rig::Rig),
     /// Lists the materials that a spec can name, with their sources.
     Materials(materials::Materials),
     /// Prints the JSON Schema (draft-07) of a spec, for editors.
@@ -67,6 +82,8 @@ impl Command {
             Command::Check(command) => command.output.json,
             Command::Show(command) => command.json,
             Command::Modes(command) => command.output.json,
+            Command::Fit(command) => command.output.json,
+            Command::Rig(command) => command.json,
             Command::Frf(command) => command.output.json,
             Command::Noise(command) => command.output.json,
             Command::Run(command) => command.output.json,
@@ -76,8 +93,13 @@ impl Command {
             Command::Diagram(command) => command.output.json,
             Command::Basins(command) => command.output.json,
             Command::Ensemble(command) => command.output.json,
+            Command::Explore(command) => command.json,
             Command::Study(command) => command.wants_json(),
             Command::Reproduce(command) => command.json,
+            Command::Read(command) => command.file.output.json,
+            Command::Power(command) => command.output.json,
+            Command::Contact(command) => command.file.output.json,
+            Command::Regimes(command) => command.file.output.json,
             Command::Materials(command) => command.json,
             Command::Schema | Command::Keys | Command::Completions(_) => false,
         }

@@ -107,5 +107,15 @@ input_failure!(
     jounce::signal::SignalError,
     jounce::study::JournalError,
     jounce::reproduce::ReproduceError,
-    jounce::store::StoreError
+    jounce::store::StoreError,
+    jounce_measure::read::ReadError,
+    jounce_measure::recording::NoChannel,
+    jounce_measure::recording::GridError,
+    jounce_measure::write::WriteError,
+    jounce_measure::spectral::SpectralError,
+    jounce_measure::response::ResponseError,
+    jounce_measure::modal::ModalError,
+    jounce_measure::fit::FitError,
+    jounce_measure::rig::RigError,
+    jounce_measure::regime::RegimeError
 );

@@ -4,6 +4,8 @@ mod arguments;
 mod cache;
 mod commands;
 mod failure;
+mod hammer_arguments;
+mod measured_file;
 mod output;
 mod progress;
 mod spec_arguments;

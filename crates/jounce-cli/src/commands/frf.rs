@@ -1,22 +1,28 @@
 //! `jounce frf SPEC`
 
+use super::measured_frf;
 use super::modes::held;
 use crate::failure::Failure;
+use crate::hammer_arguments::HammerArguments;
 use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments, frequency_hz};
 use clap::Args;
 use jounce::linear::{self, Input, Response};
 use jounce::picture::{self, Scale};
 use jounce::plant::{Plant, System};
-use jounce::spec::{DriveKind, Gravity, Interface, Spec};
+use jounce::spec::{DriveKind, Gravity, Interface};
 use jounce::structure;
-use jounce::table::{Column, Table};
+use jounce::table::{Column, Manifest, Table};
+use std::path::Path;
 
 /// Arguments of `frf`.
 #[derive(Debug, Args)]
+#[command(mut_arg("spec", |spec| spec.required(false).required_unless_present("measured")))]
 pub struct Frf {
     #[command(flatten)]
-    spec: SpecArguments,
+    spec: Option<SpecArguments>,
+    #[command(flatten)]
+    hammer: HammerArguments,
     /// Lowest frequency, as in 1Hz.
     #[arg(long, default_value = "1Hz")]
     from: String,
@@ -48,7 +54,11 @@ pub struct Frf {
 impl Frf {
     /// Prints the acceleration of every point and the voltage of every patch and circuit, per newton or per m/s^2 of the base.
     pub fn run(&self) -> Result<(), Failure> {
-        let mut spec = self.spec.spec()?;
+        if !self.hammer.measured.is_empty() {
+            return measured_frf::run(&self.hammer, &self.output);
+        }
+        let arguments = self.spec.as_ref().ok_or_else(neither)?;
+        let mut spec = arguments.spec()?;
         let frequency_hz = self.frequencies()?;
         let held = held(&self.hold, self.fixed_table, &spec);
         let forced = spec.drive.values().find(|drive| drive.kind == DriveKind::Force);
@@ -86,7 +96,7 @@ impl Frf {
         let plant = Plant::new(System::assemble(&spec, modes)?)?;
         let answers = linear::frf(&plant, &input, &responses, &frequency_hz)?;
         if let Some(folder) = &self.output.out {
-            self.write(folder, &spec, &frequency_hz, &answers, &input)?;
+            write(folder, &arguments.manifest(&spec, "frf"), &frequency_hz, &answers, &input)?;
         }
         if self.output.json {
             let listed: serde_json::Map<String, serde_json::Value> = (answers.iter())
@@ -116,27 +126,25 @@ impl Frf {
         let ratio = (to / from).ln() / (self.points - 1) as f64;
         Ok((0..self.points).map(|k| if k + 1 == self.points { to } else { from * (ratio * k as f64).exp() }).collect())
     }
+}
 
-    fn write(
-        &self,
-        folder: &std::path::Path,
-        spec: &Spec,
-        frequency_hz: &[f64],
-        answers: &[linear::Frf],
-        input: &Input,
-    ) -> Result<(), Failure> {
-        let mut table = Table::new(vec![Column::new("frequency_hz", "Hz", "frequency", frequency_hz.to_vec())])?;
-        for frf in answers {
-            let (name, unit) = (frf.response.name(), frf.response.unit(input));
-            let (re, im): (Vec<f64>, Vec<f64>) = frf.value.iter().map(|v| (v.re, v.im)).unzip();
-            table.push(Column::new(&format!("{name}.re"), unit, "real part", re.clone()))?;
-            table.push(Column::new(&format!("{name}.im"), unit, "imaginary part", im.clone()))?;
-            let response = picture::Response { label: name.clone(), re, im };
-            let figure = picture::frequency_responses(&name, &name, unit, Scale::Log, frequency_hz, &[response]);
-            output::figure(folder, &format!("frf-{name}"), &figure)?;
-        }
-        output::table(folder, "frf", &table, &self.spec.manifest(spec, "frf"))
+fn write(folder: &Path, manifest: &Manifest, frequency_hz: &[f64], answers: &[linear::Frf], input: &Input) -> Result<(), Failure> {
+    let mut table = Table::new(vec![Column::new("frequency_hz", "Hz", "frequency", frequency_hz.to_vec())])?;
+    for frf in answers {
+        let (name, unit) = (frf.response.name(), frf.response.unit(input));
+        let (re, im): (Vec<f64>, Vec<f64>) = frf.value.iter().map(|v| (v.re, v.im)).unzip();
+        table.push(Column::new(&format!("{name}.re"), unit, "real part", re.clone()))?;
+        table.push(Column::new(&format!("{name}.im"), unit, "imaginary part", im.clone()))?;
+        let response = picture::Response { label: name.clone(), re, im };
+        let figure = picture::frequency_responses(&name, &name, unit, Scale::Log, frequency_hz, &[response]);
+        output::figure(folder, &format!("frf-{name}"), &figure)?;
     }
+    output::table(folder, "frf", &table, manifest)
+}
+
+/// Neither a spec nor recordings.
+pub fn neither() -> Failure {
+    Failure::usage("give a SPEC, or recordings of a hammer test with --measured FILE...".to_owned())
 }
 
 fn shown(input: &Input) -> &str {

@@ -5,15 +5,24 @@ pub mod basins;
 pub mod branch;
 pub mod check;
 pub mod completions;
+pub mod contact;
 pub mod diagram;
 pub mod ensemble;
+pub mod explore;
+pub mod fit;
 pub mod frf;
 pub mod jumps;
 pub mod materials;
+mod measured_frf;
+pub mod measured_modes;
 pub mod modes;
 pub mod new;
 pub mod noise;
+pub mod power;
+pub mod read;
+pub mod regimes;
 pub mod reproduce;
+pub mod rig;
 pub mod run;
 pub mod show;
 pub mod study;
@@ -30,6 +39,8 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Check(command) => command.run(),
         Command::Show(command) => command.run(),
         Command::Modes(command) => command.run(),
+        Command::Fit(command) => command.run(),
+        Command::Rig(command) => command.run(),
         Command::Frf(command) => command.run(),
         Command::Noise(command) => command.run(),
         Command::Run(command) => command.run(),
@@ -40,7 +51,12 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Basins(command) => command.run(),
         Command::Ensemble(command) => command.run(),
         Command::Study(command) => command.run(),
+        Command::Explore(command) => command.run(),
         Command::Reproduce(command) => command.run(),
+        Command::Read(command) => command.run(),
+        Command::Power(command) => command.run(),
+        Command::Contact(command) => command.run(),
+        Command::Regimes(command) => command.run(),
         Command::Materials(command) => command.run(),
         Command::Completions(command) => command.run(),
         Command::Schema => {

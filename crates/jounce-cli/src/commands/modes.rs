@@ -1,6 +1,9 @@
 //! `jounce modes SPEC`
 
+use super::frf::neither;
+use super::measured_modes::{self, BandArguments};
 use crate::failure::Failure;
+use crate::hammer_arguments::HammerArguments;
 use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
@@ -13,9 +16,14 @@ use std::f64::consts::TAU;
 
 /// Arguments of `modes`.
 #[derive(Debug, Args)]
+#[command(mut_arg("spec", |spec| spec.required(false).required_unless_present("measured")))]
 pub struct Modes {
     #[command(flatten)]
-    spec: SpecArguments,
+    spec: Option<SpecArguments>,
+    #[command(flatten)]
+    hammer: HammerArguments,
+    #[command(flatten)]
+    band: BandArguments,
     /// Holds a body still, by its name; can be given several times.
     #[arg(long, value_name = "BODY")]
     hold: Vec<String>,
@@ -35,7 +43,11 @@ pub fn held(hold: &[String], fixed_table: bool, spec: &Spec) -> Vec<String> {
 impl Modes {
     /// Prints modes and couplings.
     pub fn run(&self) -> Result<(), Failure> {
-        let spec = self.spec.spec()?;
+        if !self.hammer.measured.is_empty() {
+            return measured_modes::run(&self.hammer, &self.band, &self.output);
+        }
+        let arguments = self.spec.as_ref().ok_or_else(neither)?;
+        let spec = arguments.spec()?;
         let held = held(&self.hold, self.fixed_table, &spec);
         let modes = structure::modes_holding(&spec, &held)?;
         let frequency_hz: Vec<f64> = modes.frequency_rad_s.iter().map(|w| w / TAU).collect();
@@ -46,7 +58,7 @@ impl Modes {
                 Column::new("damping_ratio", "", "damping ratio", modes.damping_ratio.clone()),
                 Column::new("discretisation_error", "", "estimated relative error of the frequency", modes.discretisation_error.clone()),
             ])?;
-            output::table(folder, "modes", &table, &self.spec.manifest(&spec, "modes"))?;
+            output::table(folder, "modes", &table, &arguments.manifest(&spec, "modes"))?;
             self.draw(folder, &spec, &held, &frequency_hz)?;
         }
         if self.output.json {

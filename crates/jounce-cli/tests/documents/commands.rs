@@ -2,8 +2,9 @@
 
 use super::block::Block;
 use super::root;
+use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 /// How a document may call the program.
 const PREFIXES: [&str; 2] = ["cargo run --release -- ", "jounce "];
@@ -54,8 +55,26 @@ pub fn faults(block: &Block, folder: &Path) -> Vec<String> {
     asked(block).into_iter().filter_map(fault).collect()
 }
 
+/// Starts a server, waits until it says where its page is, and ends it.
+fn serve(arguments: &str, folder: &Path) -> Result<(), String> {
+    let line = format!("exec \"$JOUNCE\" {arguments} --no-browser");
+    let mut command = Command::new("sh");
+    command.args(["-c", &line]).env("JOUNCE", env!("CARGO_BIN_EXE_jounce")).env("XDG_STATE_HOME", folder);
+    command.current_dir(folder).stdout(Stdio::piped());
+    let mut child = command.spawn().map_err(|error| format!("the shell does not start: {error}"))?;
+    let mut told = String::new();
+    let read = child.stdout.take().map(|out| BufReader::new(out).read_line(&mut told));
+    let _ = child.kill();
+    let _ = child.wait();
+    let served = matches!(read, Some(Ok(_))) && told.starts_with("http://");
+    if served { Ok(()) } else { Err(format!("`jounce {arguments}` told no address, but {told:?}")) }
+}
+
 /// Runs the program through the shell, so that quotes, pipes and redirections mean what the reader expects.
 fn run(arguments: &str, folder: &Path) -> Result<(), String> {
+    if arguments.starts_with("explore ") {
+        return serve(arguments, folder);
+    }
     let line = format!("\"$JOUNCE\" {arguments}");
     let done = Command::new("sh").args(["-c", &line]).env("JOUNCE", env!("CARGO_BIN_EXE_jounce")).current_dir(folder).output();
     let done = done.map_err(|error| format!("the shell does not start: {error}"))?;

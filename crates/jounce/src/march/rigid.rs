@@ -149,10 +149,14 @@ impl Marcher<'_> {
                 self.kernel.table(0, Shape::Smooth, level)
             };
             let sticking = Sticking::new(self.kernel, 0, &SMOOTH, table.length_s);
-            let (force, error) = self.holding_force(table, &sticking);
+            let (force, mismatch_n) = self.holding_force(table, &sticking);
+            let size_n = force.iter().fold(f64::MIN_POSITIVE, |max, f| max.max(f.abs()));
+            // Just before the point leaves, its force is no larger than the roundoff of what it is summed from.
+            let roundoff_n = self.acceleration_roundoff_m_s2(0) / self.ports[0].rows.mobility_per_kg;
+            let allowed_n = (self.tolerance.max(1e-12) * 1e-2 * size_n).max(roundoff_n);
             let pulls = force.iter().any(|f| *f < 0.0);
             let negligible = force_now * table.length_s <= 1e-3 * self.tolerance * self.speed_m_s(0) / self.ports[0].rows.mobility_per_kg;
-            if (pulls && !negligible) || error > self.tolerance.max(1e-12) * 1e-2 {
+            if (pulls && !negligible) || mismatch_n > allowed_n {
                 level = if landing { Kernel::level_within(remaining) + 1 } else { level + 1 };
                 if level > Kernel::finest() {
                     return Err(MarchError::NotFinite { time_s: self.time_s });
@@ -172,7 +176,7 @@ impl Marcher<'_> {
         Ok(())
     }
 
-    /// Nodal forces that hold the point, N, and their relative mismatch at the end of the step.
+    /// Nodal forces that hold the point, and their mismatch at the end of the step, N.
     fn holding_force(&mut self, table: &Table, sticking: &Sticking) -> ([f64; NODES], f64) {
         let w = Portable::new();
         let mut free = w.store(columns(w, &self.layout, &self.y, &sticking.acceleration.columns, w.zero()));
@@ -190,8 +194,7 @@ impl Marcher<'_> {
         let force: [f64; NODES] = std::array::from_fn(|i| (0..NODES).map(|j| sticking.inverse[i][j] * free.0[j]).sum());
         let end_by_nodes: f64 = (0..NODES).map(|j| SMOOTH.at_end[j] * force[j]).sum();
         let felt: f64 = free.0[NODES] + (0..NODES).map(|j| sticking.acceleration.push[j].0[NODES] * force[j]).sum::<f64>();
-        let size = force.iter().fold(f64::MIN_POSITIVE, |max, f| max.max(f.abs()));
-        (force, (end_by_nodes - felt / self.ports[0].rows.mobility_per_kg).abs() / size)
+        (force, (end_by_nodes - felt / self.ports[0].rows.mobility_per_kg).abs())
     }
 
     /// Takes a step under given nodal forces and puts the point back onto the stop to roundoff.

@@ -33,7 +33,8 @@ mod unit;
 pub use axis::{Axis, Scale};
 pub use colour::Colour;
 pub use drawing::{
-    Drawing, DrawnBeam, DrawnBody, DrawnCircuit, DrawnContact, DrawnDrive, DrawnElement, DrawnPatch, DrawnPlace, DrawnShape, Seat,
+    Drawing, DrawnBeam, DrawnBody, DrawnCircuit, DrawnContact, DrawnDrive, DrawnElement, DrawnPatch, DrawnPlace, DrawnShape, Grip,
+    GripPart, Rect, Seat, Sheet,
 };
 pub use error::PictureError;
 pub use figure::Figure;

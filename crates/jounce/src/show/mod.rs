@@ -74,18 +74,10 @@ mod tests {
     /// A bond line under the patch: the patch is lifted by its thickness, and the stop begins above both.
     #[test]
     fn a_layer_lies_between_the_beam_and_its_patch() {
-        let mut file = example("impact-harvester-2019");
-        for (key, value) in [
-            ("on", "beam"),
-            ("start", "9 mm"),
-            ("length", "85 mm"),
-            ("width", "30 mm"),
-            ("thickness", "2 mm"),
-            ("youngs_modulus", "3 GPa"),
-            ("section", "thin-skin"),
-        ] {
-            file.set(&format!("layer.bond.{key}"), value).unwrap();
-        }
+        let path = format!("{}/../../examples/impact-harvester-2019/harvester.toml", env!("CARGO_MANIFEST_DIR"));
+        let bond = "[layer.bond]\non = \"beam\"\nstart = \"9 mm\"\nlength = \"85 mm\"\nwidth = \"30 mm\"\nthickness = \"2 mm\"\n\
+            youngs_modulus = \"3 GPa\"\nsection = \"thin-skin\"\n";
+        let file = SpecFile::from_text(&format!("{}\n{bond}", std::fs::read_to_string(path).unwrap()));
         let svg = drawing("", &file.spec().unwrap()).to_svg();
         let edges = |class: &str| {
             let element = svg.split("<rect").find(|element| element.contains(class)).unwrap_or_else(|| panic!("{svg}"));

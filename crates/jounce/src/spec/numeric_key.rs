@@ -64,6 +64,26 @@ impl NumericKey {
         if let Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) = self.kind { quantity.si_unit() } else { String::new() }
     }
 
+    /// Smallest and largest value that the key alone allows, SI; infinite where there is no limit.
+    pub fn limits(&self) -> (f64, f64) {
+        (self.info.range.low, self.info.range.high)
+    }
+
+    /// A value in words as the spec has it, `"0.5 mm"`.
+    pub fn show(&self, value_si: f64) -> String {
+        self.kind.show(value_si)
+    }
+
+    /// What the key says, one sentence.
+    pub fn about(&self) -> &'static str {
+        self.info.doc
+    }
+
+    /// True for a whole number.
+    pub fn is_count(&self) -> bool {
+        self.info.kind == Kind::Count
+    }
+
     /// The value in a spec, SI.
     ///
     /// # Errors

@@ -15,13 +15,14 @@ pub struct Source {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Layering(Vec<String>);
 
-/// How the layer list of a document begins.
-const OPENING: &str = "```text layers";
+/// How the layer list of a crate begins in a document; the crate's name follows.
+const OPENING: &str = "```text layers of ";
 
 impl Layering {
-    /// Reads the list from the block "```text layers": one layer per line, its name first.
-    pub fn from_markdown(text: &str) -> Option<Self> {
-        let lines = text.lines().skip_while(|line| line.trim_end() != OPENING).skip(1).take_while(|line| !line.starts_with("```"));
+    /// Reads the list of a crate from the block "```text layers of CRATE": one layer per line, its name first.
+    pub fn from_markdown(text: &str, name: &str) -> Option<Self> {
+        let opens = |line: &str| line.trim_end().strip_prefix(OPENING) == Some(name);
+        let lines = text.lines().skip_while(|line| !opens(line)).skip(1).take_while(|line| !line.starts_with("```"));
         let names: Vec<String> = lines.filter_map(|line| line.split_whitespace().next().map(str::to_owned)).collect();
         (!names.is_empty()).then_some(Self(names))
     }
@@ -34,7 +35,7 @@ impl Layering {
         let unlisted = folders.iter().filter(|folder| self.place(folder).is_none());
         let absent = self.0.iter().filter(|layer| !folders.contains(&layer.as_str()));
         let mut faults: Vec<String> = unlisted.map(|folder| format!("`{folder}` is not in the layer list of ARCHITECTURE.md")).collect();
-        faults.extend(absent.map(|layer| format!("ARCHITECTURE.md lists `{layer}`, but crates/jounce/src has no such module")));
+        faults.extend(absent.map(|layer| format!("ARCHITECTURE.md lists `{layer}`, but the crate has no such module")));
         faults.extend(sources.iter().flat_map(|source| self.faults_of(source)));
         faults
     }
@@ -77,11 +78,11 @@ fn depth_of(path: &str) -> usize {
 mod tests {
     use super::{Layering, Source, depth_of};
 
-    const LIST: &str = "# A\n\n```text layers\nspec    says\nplant   linear\nmarch   time\n```\n\n```text\nother\n```\n";
+    const LIST: &str = "# A\n\n```text layers of a\nother   crate\n```\n\n```text layers of jounce\nspec    says\nplant   linear\nmarch   time\n```\n\n```text\nother\n```\n";
 
     fn faults(files: &[(&str, &str)]) -> Vec<String> {
         let source = |(path, text): &(&str, &str)| Source { path: (*path).to_owned(), text: (*text).to_owned() };
-        let layering = Layering::from_markdown(LIST).expect("the list is there");
+        let layering = Layering::from_markdown(LIST, "jounce").expect("the list is there");
         layering.faults(&files.iter().map(source).collect::<Vec<_>>())
     }
 
@@ -128,7 +129,7 @@ mod tests {
 
     #[test]
     fn a_document_without_the_list_has_none() {
-        assert_eq!(Layering::from_markdown("```text\nspec\n```"), None);
+        assert_eq!(Layering::from_markdown("```text\nspec\n```", "jounce"), None);
     }
 
     #[test]

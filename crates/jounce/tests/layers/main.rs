@@ -32,8 +32,11 @@ fn sources(folder: &Path, inside: &Path) -> Vec<Source> {
 #[test]
 fn every_arrow_points_to_the_left() {
     let architecture = std::fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md is there");
-    let layering = Layering::from_markdown(&architecture).expect("ARCHITECTURE.md has a layer list");
-    let sources = sources(&root().join("crates/jounce/src"), Path::new(""));
-    let faults = layering.faults(&sources);
+    let mut faults = Vec::new();
+    for name in ["jounce", "jounce-measure"] {
+        let layering = Layering::from_markdown(&architecture, name).expect("ARCHITECTURE.md has a layer list for each library");
+        let sources = sources(&root().join("crates").join(name).join("src"), Path::new(""));
+        faults.extend(layering.faults(&sources).into_iter().map(|fault| format!("{name}: {fault}")));
+    }
     assert!(faults.is_empty(), "\n{}", faults.join("\n"));
 }

@@ -79,7 +79,7 @@ fn rest_on_two_stops_is_held_or_refused() {
 
 /// A mass on a compressed spring pushes a free one of the same mass from rest, nothing ever strikes: until the spring would pull they
 /// are one mass of two, then the free one keeps its speed. Alone and beside a second stop, which another law of rest serves.
-/// Measured: 8e-10 and 8e-10 at the tolerance 1e-10.
+/// Measured at the tolerance 1e-10: 2.8e-14, with the second stop 1.7e-15.
 #[test]
 fn a_mass_pushes_another_from_rest_and_lets_it_go() {
     let (zeta, frequency_hz, start_m) = (0.01, 3.0, 4e-3);

@@ -120,7 +120,8 @@ impl Resting {
             let own_n_s = marcher.tolerance * IMPULSE_SHARE * marcher.speed_m_s(joint.tables.ports[*place].0) / mobility;
             let negligible = size * length_s <= HOLDING_SHARE * allowed_n_s.max(own_n_s);
             let pulls = solved[*place].force.0.iter().any(|force| *force < 0.0);
-            let is_good = mismatch.abs() <= self.allowed * mobility * size && !pulls;
+            let allowed = (self.allowed * mobility * size).max(marcher.acceleration_roundoff_m_s2(joint.tables.ports[*place].0));
+            let is_good = mismatch.abs() <= allowed && !pulls;
             solved[*place].error_n_s = if is_good || negligible { 0.0 } else { f64::INFINITY };
             solved[*place].force = Lane(solved[*place].force.0.map(|force| force.max(0.0)));
         }

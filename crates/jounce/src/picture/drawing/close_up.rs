@@ -17,23 +17,49 @@ pub fn needed(contact: &DrawnContact, px_per_m: f64) -> bool {
     px_per_m > 0.0 && contact.gap_m != 0.0 && contact.gap_m * px_per_m < contacts::SEEN
 }
 
+/// The sizes of a closer look.
+pub struct Closeness {
+    /// Pixels per metre.
+    scale: f64,
+    /// -1 where what is struck stands above.
+    way: f64,
+    /// Height of the face that strikes, px under the upper edge of the window.
+    face: f64,
+    /// Height of the face that is struck.
+    struck: f64,
+}
+
+/// Upper edge of the window under that of the whole, and its height, px.
+const WINDOW: (f64, f64) = (26.0, SIZE.1 - 54.0);
+
+impl Closeness {
+    /// How close a contact is looked at.
+    pub fn of(drawing: &Drawing, contact: &DrawnContact) -> Self {
+        let own = thickness(drawing, contact.at).unwrap_or(0.0);
+        let scale = FILLED / (contact.gap_m.abs() + own);
+        let way = if contact.above { -1.0 } else { 1.0 };
+        let face = 0.5 * WINDOW.1 - way * (0.5 * FILLED - own * scale);
+        Self { scale, way, face, struck: face + way * contact.gap_m * scale }
+    }
+
+    /// Where the struck face is in a look with its upper left corner at `(x, y)`, and how it moves with the gap, px/m.
+    pub fn grip(&self, (x, y): (f64, f64)) -> ((f64, f64), f64) {
+        ((x + 0.5 * SIZE.0, y + WINDOW.0 + self.struck), self.way * self.scale)
+    }
+}
+
+fn thickness(drawing: &Drawing, place: DrawnPlace) -> Option<f64> {
+    if let DrawnShape::Beam(beam) = &drawing.bodies[place.body].shape { Some(beam.thickness_m) } else { None }
+}
+
 /// Draws it with its upper left corner at `(x, y)`; `px_per_m` is the scale of the side view.
 pub fn draw(svg: &mut Svg, drawing: &Drawing, contact: &DrawnContact, (x, y): (f64, f64), px_per_m: f64) {
     svg.rect(x, y, SIZE.0, SIZE.1, THIN);
-    let thickness = |place: DrawnPlace| match &drawing.bodies[place.body].shape {
-        DrawnShape::Beam(beam) => Some(beam.thickness_m),
-        _ => None,
-    };
-    let own = thickness(contact.at).unwrap_or(0.0);
-    let scale = FILLED / (contact.gap_m.abs() + own);
+    let Closeness { scale, way, face, struck } = Closeness::of(drawing, contact);
     svg.text(x + 8.0, y + 18.0, SMALL, Anchor::Start, &format!("stop {}, {}", contact.label, contacts::gap(contact.gap_m)));
-    let high = SIZE.1 - 54.0;
-    svg.open_window(x, y + 26.0, SIZE.0, high);
-    let (middle, way) = (0.5 * SIZE.0, if contact.above { -1.0 } else { 1.0 });
-    // The face that strikes, and the one that is struck.
-    let face = 0.5 * high - way * (0.5 * FILLED - own * scale);
-    let struck = face + way * contact.gap_m * scale;
-    side(svg, (face, -way), thickness(contact.at).map(|t| t * scale));
+    svg.open_window(x, y + WINDOW.0, SIZE.0, WINDOW.1);
+    let middle = 0.5 * SIZE.0;
+    side(svg, (face, -way), thickness(drawing, contact.at).map(|t| t * scale));
     match contact.on {
         None => {
             svg.path(
@@ -42,7 +68,7 @@ pub fn draw(svg: &mut Svg, drawing: &Drawing, contact: &DrawnContact, (x, y): (f
             );
             ground(svg, (middle - 50.0, struck + way * 28.0), 100.0, if contact.above { Far::Above } else { Far::Below });
         }
-        Some(on) => side(svg, (struck, way), thickness(on).map(|t| t * scale)),
+        Some(on) => side(svg, (struck, way), thickness(drawing, on).map(|t| t * scale)),
     }
     let at = middle + 42.0;
     dimension::arrow(svg, at, (face, struck), true);

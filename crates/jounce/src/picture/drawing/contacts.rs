@@ -13,7 +13,7 @@ use crate::picture::svg::number;
 /// Half the width of a tip, px.
 const TIP: f64 = 5.0;
 /// Height of tip and pin, px.
-const PIN: f64 = 26.0;
+pub const PIN: f64 = 26.0;
 /// A gap that the side view shows by itself, px.
 pub const SEEN: f64 = 14.0;
 

@@ -12,6 +12,7 @@ mod contacts;
 mod dimension;
 mod drives;
 mod electric;
+mod grips;
 mod hatch;
 mod labels;
 mod layout;
@@ -21,9 +22,11 @@ mod scale;
 mod sheet;
 mod symbols;
 
+pub use grips::{Grip, GripPart, Sheet};
 pub use model::{
     Drawing, DrawnBeam, DrawnBody, DrawnCircuit, DrawnContact, DrawnDrive, DrawnElement, DrawnPatch, DrawnPlace, DrawnShape, Seat,
 };
+pub use rect::Rect;
 
 use super::{PictureError, file, raster};
 use std::path::Path;
@@ -31,6 +34,11 @@ use std::path::Path;
 impl Drawing {
     /// The drawing as an SVG document without ids, scripts or links.
     pub fn to_svg(&self) -> String {
+        self.sheet().svg
+    }
+
+    /// The drawing with the places of what is on it, for a page that lets its parts be moved.
+    pub fn sheet(&self) -> Sheet {
         sheet::drawn(self)
     }
 

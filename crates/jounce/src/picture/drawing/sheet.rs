@@ -1,9 +1,10 @@
 //! The sheet: the groups one below the other, then circuits and closer looks.
 
 use super::canvas::Canvas;
+use super::grips::grips;
 use super::layout::Layout;
 use super::rect::Rect;
-use super::{Drawing, DrawnCircuit, DrawnContact, bodies, circuit, close_up, contacts, dimension, drives, scale};
+use super::{Drawing, DrawnCircuit, DrawnContact, Sheet, bodies, circuit, close_up, contacts, dimension, drives, scale};
 use crate::picture::svg::{Anchor, Svg};
 use crate::picture::text::{SMALL, TITLE, wrap};
 
@@ -29,45 +30,66 @@ impl Cell<'_> {
     }
 }
 
-/// The drawing as SVG.
-pub fn drawn(drawing: &Drawing) -> String {
-    let layout = scale::fitted(drawing);
-    // Once to see how high it becomes, once for good.
-    let height = content(&mut Svg::new(WIDTH, 1.0, ""), drawing, &layout);
-    let mut svg = Svg::new(WIDTH, height, &drawing.title);
-    content(&mut svg, drawing, &layout);
-    svg.finish()
+/// What stands where.
+struct Content {
+    /// Height of the sheet, px.
+    height: f64,
+    /// The side view.
+    side: Rect,
+    /// From the layout to the sheet, for each group.
+    shifts: Vec<(f64, f64)>,
+    /// Circuits, then closer looks.
+    cells: Vec<Rect>,
 }
 
-/// Draws everything; gives the height of the sheet.
-fn content(svg: &mut Svg, drawing: &Drawing, layout: &Layout) -> f64 {
+/// The drawing with the places of its parts.
+pub fn drawn(drawing: &Drawing) -> Sheet {
+    let layout = scale::fitted(drawing);
+    // Once to see how high it becomes, once for good.
+    let height = content(&mut Svg::new(WIDTH, 1.0, ""), drawing, &layout).height;
+    let mut svg = Svg::new(WIDTH, height, &drawing.title);
+    let found = content(&mut svg, drawing, &layout);
+    let (circuits, looks) = found.cells.split_at(drawing.circuits.len());
+    let grips = grips(drawing, &layout, &found.shifts, looks);
+    Sheet { svg: svg.finish(), side: found.side, circuits: circuits.to_vec(), looks: looks.to_vec(), grips }
+}
+
+/// Draws everything.
+fn content(svg: &mut Svg, drawing: &Drawing, layout: &Layout) -> Content {
     let mut y = 12.0;
     for line in wrap(&drawing.title, TITLE, WIDTH - 2.0 * EDGE) {
         y += TITLE + 4.0;
         svg.text(EDGE, y, TITLE, Anchor::Start, &line);
     }
     y += SPACE;
+    let (mut side, mut shifts) = (Rect::EMPTY, Vec::new());
     for number in 0..layout.groups() {
-        y = group(svg, drawing, layout, number, y) + SPACE;
+        let (covered, shift) = group(svg, drawing, layout, number, y);
+        y = covered.bottom + SPACE;
+        side = side.joined(&covered);
+        shifts.push(shift);
     }
     if layout.px_per_m > 0.0 {
         let bar_m = dimension::round_below(200.0 / layout.px_per_m);
         dimension::bar(svg, EDGE, y, bar_m * layout.px_per_m);
         let words = format!("{}, the same in both directions", dimension::length(bar_m));
         svg.text(EDGE + bar_m * layout.px_per_m + 10.0, y + 4.0, SMALL, Anchor::Start, &words);
+        side = side.joined(&Rect::between((EDGE, y), (EDGE + bar_m * layout.px_per_m, y + 5.0)));
         y += SPACE;
     }
     let looks = drawing.contacts.iter().filter(|contact| close_up::needed(contact, layout.px_per_m)).map(Cell::Look);
-    cells(svg, drawing, layout, drawing.circuits.iter().map(Cell::Circuit).chain(looks), y)
+    let (height, cells) = cells(svg, drawing, layout, drawing.circuits.iter().map(Cell::Circuit).chain(looks), y);
+    Content { height, side, shifts, cells }
 }
 
-/// Draws a group with its upper edge at `y`; gives its lower edge.
-fn group(svg: &mut Svg, drawing: &Drawing, layout: &Layout, number: usize, y: f64) -> f64 {
+/// Draws a group with its upper edge at `y`; gives what it covers and its shift from the layout to the sheet.
+fn group(svg: &mut Svg, drawing: &Drawing, layout: &Layout, number: usize, y: f64) -> (Rect, (f64, f64)) {
     let room = layout.extent(drawing, number);
     let x = 0.5 * (WIDTH - room.width()) - room.left;
     // Labels may stand above the bodies: how far shows the first attempt.
     let attempt = scene(&mut Svg::new(WIDTH, 1.0, ""), drawing, layout, number, (x, 0.0));
-    scene(svg, drawing, layout, number, (x, y - attempt.top)).bottom
+    let shift = (x, y - attempt.top);
+    (scene(svg, drawing, layout, number, shift), shift)
 }
 
 fn scene(svg: &mut Svg, drawing: &Drawing, layout: &Layout, number: usize, shift: (f64, f64)) -> Rect {
@@ -86,9 +108,9 @@ fn scene(svg: &mut Svg, drawing: &Drawing, layout: &Layout, number: usize, shift
     canvas.finish()
 }
 
-/// Sets cells in lines; gives their lower edge.
-fn cells<'d>(svg: &mut Svg, drawing: &Drawing, layout: &Layout, cells: impl Iterator<Item = Cell<'d>>, mut y: f64) -> f64 {
-    let (mut x, mut high) = (EDGE, 0.0_f64);
+/// Sets cells in lines; gives their lower edge and what each covers.
+fn cells<'d>(svg: &mut Svg, drawing: &Drawing, layout: &Layout, cells: impl Iterator<Item = Cell<'d>>, mut y: f64) -> (f64, Vec<Rect>) {
+    let (mut x, mut high, mut covered) = (EDGE, 0.0_f64, Vec::new());
     for cell in cells {
         let (width, height) = cell.size();
         if x > EDGE && x + width > WIDTH - EDGE {
@@ -98,9 +120,10 @@ fn cells<'d>(svg: &mut Svg, drawing: &Drawing, layout: &Layout, cells: impl Iter
             Cell::Circuit(drawn) => circuit::draw(svg, drawn, (x, y)),
             Cell::Look(contact) => close_up::draw(svg, drawing, contact, (x, y), layout.px_per_m),
         }
+        covered.push(Rect::between((x, y), (x + width, y + height)));
         (x, high) = (x + width + SPACE, high.max(height));
     }
-    if high > 0.0 { y + high + SPACE } else { y }
+    (if high > 0.0 { y + high + SPACE } else { y }, covered)
 }
 
 #[cfg(test)]

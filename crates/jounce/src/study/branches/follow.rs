@@ -1,14 +1,14 @@
 //! Follows one branch from one of its orbits, and names what it passes.
 
 use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
-use crate::continuation::{Corrected, Corrector, Direction, Metric, Position, Step, StepControl, Walk, locate, passes};
+use crate::continuation::{Corrected, Corrector, Direction, Metric, Position, Step, StepControl, Walk, locate, passes, settle, tangent};
 use crate::orbit::{Orbit, OrbitMethod, determinant_at, multipliers, nearest_pair_to_circle, pairs_outside};
 
 /// Distance from the stop, beside the size of the motion, below which an orbit touches it.
 const GRAZES: f64 = 1e-6;
 
-/// Length in the metric to which a bifurcation is located.
-const RESOLUTION: f64 = 1e-8;
+/// Length in the metric to which a bifurcation is located, where nothing else is asked.
+pub(super) const RESOLUTION: f64 = 1e-8;
 
 /// How branches are followed.
 #[derive(Debug, Clone, Copy)]
@@ -21,6 +21,8 @@ pub struct Following {
     pub control: StepControl,
     /// Most points.
     pub most_points: usize,
+    /// Length in the metric to which bifurcations are located.
+    pub resolution: f64,
 }
 
 /// A walked point with its orbit.
@@ -40,6 +42,33 @@ impl Following {
     /// Scale of the parameter in the metric.
     pub fn parameter_scale(&self) -> f64 {
         (self.range.1 - self.range.0) / 20.0
+    }
+
+    /// Walks both ways from the orbit that Newton finds near a state in energy coordinates; nothing where it finds none.
+    ///
+    /// # Errors
+    /// As [`Following::walk`].
+    pub(super) fn both_ways<M: OrbitMethod>(&self, method: &M, state: &[f64], parameter: f64) -> Result<Option<Branch>, M::Error> {
+        let position = Position { unknown: method.unknown_of(state, parameter)?, parameter };
+        let metric = Metric::at(&position, self.parameter_scale());
+        let up = Direction { unknown: vec![0.0; position.unknown.len()], parameter: 1.0 };
+        let mut ways = Vec::new();
+        for sign in [-1.0, 1.0] {
+            let at_edge = parameter == if sign < 0.0 { self.range.0 } else { self.range.1 };
+            let Ok(first) = settle(method, &self.corrector, &metric, position.clone()) else { return Ok(None) };
+            let Some(mut ahead) = tangent(&first.local, &metric, &up) else { return Ok(None) };
+            ahead.unknown.iter_mut().for_each(|d| *d *= sign);
+            ahead.parameter *= sign;
+            let closed = ways.last().is_some_and(|way: &Branch| way.endings.contains(&Ending::Closed));
+            if !at_edge && !closed {
+                ways.push(self.walk(method, first, ahead)?);
+            }
+        }
+        let mut ways = ways.into_iter();
+        Ok(match (ways.next(), ways.next()) {
+            (Some(down), Some(up)) => Some(down.joined(up)),
+            (one, _) => one,
+        })
     }
 
     /// Walks from an orbit in a direction until the branch ends.
@@ -129,7 +158,7 @@ impl Following {
         let unknown = from.unknown.iter().zip(&outside.position.unknown).map(|(a, b)| a + t * (b - a)).collect();
         let guess = Position { unknown, parameter: edge };
         let metric = Metric::at(&guess, self.parameter_scale());
-        if let Ok(found) = crate::continuation::settle(method, &self.corrector, &metric, guess) {
+        if let Ok(found) = settle(method, &self.corrector, &metric, guess) {
             let step = Step { position: found.position, tangent: outside.tangent.clone(), local: found.local, error: found.error };
             let after = Place::new(method, step)?;
             branch.bifurcations.extend(self.between(method, before, &after)?);
@@ -163,7 +192,7 @@ impl Following {
     }
 
     /// Everything that happens between two points.
-    fn between<M: OrbitMethod>(&self, method: &M, a: &Place<M>, b: &Place<M>) -> Result<Vec<Bifurcation>, M::Error> {
+    pub(super) fn between<M: OrbitMethod>(&self, method: &M, a: &Place<M>, b: &Place<M>) -> Result<Vec<Bifurcation>, M::Error> {
         let mut kinds = Vec::new();
         let (one, two) = (&a.point.orbit, &b.point.orbit);
         let turns = a.step.tangent.parameter * b.step.tangent.parameter < 0.0;
@@ -185,7 +214,7 @@ impl Following {
         let mut found = Vec::new();
         for kind in kinds {
             let value = |step: &Step<M::Local>| test(method, kind, step, one, two);
-            let place = locate(method, &self.corrector, self.parameter_scale(), (&a.step, &b.step), RESOLUTION, value);
+            let place = locate(method, &self.corrector, self.parameter_scale(), (&a.step, &b.step), self.resolution, value);
             let Some(place) = place else { continue };
             let at = point(method, &place)?;
             // Two real multipliers that meet outside the circle are no torus.

@@ -1,6 +1,8 @@
 //! Branches of periodic orbits over one key of a spec.
 
 mod branch;
+mod carry;
+mod chase;
 mod finer;
 mod follow;
 mod refine;
@@ -8,5 +10,7 @@ mod search;
 mod settled_orbit;
 
 pub use branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
+pub use carry::{BranchCarry, Carried};
+pub use chase::{BranchChase, KnownOrbit};
 pub use search::{BranchSearch, Method};
 pub use settled_orbit::settled_orbit;

@@ -4,10 +4,10 @@
 //! the stop and from a hard kick settle on, at values across the range, unless it lies on a branch already known. Doubled branches are entered where a branch
 //! doubles. Marches run in parallel; everything after them is in a fixed order.
 
-use super::branch::{Branch, BranchKind, BranchPoint, Ending};
-use super::follow::Following;
+use super::branch::{Branch, BranchKind, BranchPoint};
+use super::follow::{Following, RESOLUTION};
 use super::settled_orbit::settled_orbit;
-use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, correct, settle, tangent};
+use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, correct, tangent};
 use crate::orbit::{HarmonicBalance, Harvester, Orbit, OrbitError, OrbitMethod, Shooting, null_vector};
 use crate::study::{Parameter, Prepared, StudyError};
 use faer::Mat;
@@ -73,6 +73,7 @@ impl BranchSearch<'_> {
             corrector: Corrector { goal: (GOAL * self.tolerance).clamp(1e-11, 1e-6), most: 8 },
             control: StepControl::default(),
             most_points: 4000,
+            resolution: RESOLUTION,
         }
     }
 
@@ -108,7 +109,7 @@ impl BranchSearch<'_> {
                 continue;
             }
             let method = make(orbit.period_cycles)?;
-            let found = self.both_ways(&following, &method, orbit.start(), parameter);
+            let found = following.both_ways(&method, orbit.start(), parameter);
             let found = found.and_then(|branch| {
                 branches.extend(branch);
                 self.doubled(&following, &make, &mut branches)
@@ -170,35 +171,6 @@ impl BranchSearch<'_> {
             }
         }
         Some(state)
-    }
-
-    fn both_ways<M: OrbitMethod<Fault = StudyError>>(
-        &self,
-        following: &Following,
-        method: &M,
-        state: &[f64],
-        parameter: f64,
-    ) -> Result<Option<Branch>, Failure> {
-        let position = Position { unknown: method.unknown_of(state, parameter)?, parameter };
-        let metric = Metric::at(&position, following.parameter_scale());
-        let up = Direction { unknown: vec![0.0; position.unknown.len()], parameter: 1.0 };
-        let mut ways = Vec::new();
-        for sign in [-1.0, 1.0] {
-            let at_edge = parameter == if sign < 0.0 { self.range.0 } else { self.range.1 };
-            let Ok(first) = settle(method, &following.corrector, &metric, position.clone()) else { return Ok(None) };
-            let Some(mut ahead) = tangent(&first.local, &metric, &up) else { return Ok(None) };
-            ahead.unknown.iter_mut().for_each(|d| *d *= sign);
-            ahead.parameter *= sign;
-            let closed = ways.last().is_some_and(|way: &Branch| way.endings.contains(&Ending::Closed));
-            if !at_edge && !closed {
-                ways.push(following.walk(method, first, ahead)?);
-            }
-        }
-        let mut ways = ways.into_iter();
-        Ok(match (ways.next(), ways.next()) {
-            (Some(down), Some(up)) => Some(down.joined(up)),
-            (one, _) => one,
-        })
     }
 
     /// Enters doubled branches until none is left.

@@ -1,0 +1,128 @@
+//! `jounce contact FILE`
+
+use crate::failure::Failure;
+use crate::measured_file::{MeasuredFile, channel, positive, tell_findings};
+use crate::output::{self, line, print};
+use clap::Args;
+use jounce::signal::Samples;
+use jounce::spec::Quantity as Unit;
+use jounce::table::{Column, Table};
+use jounce_measure::contact::{ContactFit, Told, fit};
+use jounce_measure::draw::{Pulse, pulses};
+use jounce_measure::recording::Quantity;
+use jounce_measure::spectral::{Hit, HitSearch, hits};
+use std::path::Path;
+
+/// Pulses in the picture: more cannot be told apart.
+const SHOWN: usize = 6;
+/// Points of a law in the picture, for each sample of the pulse.
+const FINER: usize = 20;
+
+/// Arguments of `contact`.
+#[derive(Debug, Args)]
+pub struct Contact {
+    #[command(flatten)]
+    pub file: MeasuredFile,
+    /// Channel of the force; by default the first one in newtons.
+    #[arg(long, value_name = "CHANNEL")]
+    force: Option<String>,
+    /// Mass of the hammer, as in 0.1kg: with it stiffness and speed are told.
+    #[arg(long)]
+    mass: Option<String>,
+}
+
+impl Contact {
+    /// Finds the hits, fits each and tells.
+    pub fn run(&self) -> Result<(), Failure> {
+        let mass_kg = self.mass.as_ref().map(|text| positive("--mass", text, Unit::Mass)).transpose()?;
+        let record = self.file.record()?;
+        tell_findings(&record);
+        let force = channel(&record, self.force.as_deref(), Quantity::Force, "--force")?;
+        let samples = Samples::new(&force.values, record.rate())?;
+        let found = hits(&samples, HitSearch::default())?;
+        let fits: Vec<Result<ContactFit, String>> =
+            found.iter().map(|hit| fit(&samples, hit, mass_kg).map_err(|fault| fault.to_string())).collect();
+        if let Some(folder) = &self.file.output.out {
+            self.write(folder, &samples, &found, &fits)?;
+        }
+        if self.file.output.json {
+            let one = |(hit, fitted): (&Hit, &Result<ContactFit, String>)| match fitted {
+                Ok(law) => serde_json::json!({ "hit": hit, "law": law }),
+                Err(why) => serde_json::json!({ "hit": hit, "law": null, "why": why }),
+            };
+            let listed: Vec<_> = found.iter().zip(&fits).map(one).collect();
+            print(&serde_json::json!({ "channel": force.name, "hits": listed, "findings": record.findings }));
+            return Ok(());
+        }
+        for (hit, fitted) in found.iter().zip(&fits) {
+            tell(hit, fitted, record.rate());
+        }
+        Ok(())
+    }
+
+    fn write(&self, folder: &Path, force: &Samples<'_>, found: &[Hit], fits: &[Result<ContactFit, String>]) -> Result<(), Failure> {
+        let hit = |of: &dyn Fn(&Hit) -> f64| found.iter().map(of).collect::<Vec<f64>>();
+        let law = |of: &dyn Fn(&ContactFit) -> f64| fits.iter().map(|law| law.as_ref().map_or(f64::NAN, of)).collect::<Vec<f64>>();
+        let mut table = Table::new(vec![
+            Column::new("time_s", "s", "time of the largest force", hit(&|hit| hit.peak as f64 / force.rate_hz())),
+            Column::new("peak_force_n", "N", "largest force", hit(&|hit| hit.peak_force_n)),
+            Column::new("contact_time_s", "s", "time above a tenth of the largest force", hit(&|hit| hit.contact_time_s)),
+            Column::new("impulse_n_s", "N s", "integral of the force", hit(&|hit| hit.impulse_n_s)),
+            Column::new("warnings", "", "number of warnings", found.iter().map(|hit| hit.warnings.len() as u64).collect::<Vec<_>>()),
+            Column::new("exponent", "", "exponent of the law", law(&|law| law.exponent)),
+            Column::new("exponent_deviation", "", "its standard deviation", law(&|law| law.exponent_deviation)),
+            Column::new("restitution", "", "speed after over speed before", law(&|law| law.restitution)),
+            Column::new("restitution_deviation", "", "its standard deviation", law(&|law| law.restitution_deviation)),
+        ])?;
+        if self.mass.is_some() {
+            let about = "N/m^exponent, for the mass of the hammer";
+            table.push(Column::new("stiffness", "", about, law(&|law| law.stiffness.unwrap_or(f64::NAN))))?;
+            table.push(Column::new("speed_m_s", "m/s", "speed of the hammer", law(&|law| law.speed_m_s.unwrap_or(f64::NAN))))?;
+        }
+        output::table(folder, "contact", &table, &self.file.manifest("contact")?)?;
+        let drawn: Vec<Pulse> = found.iter().zip(fits).take(SHOWN).map(|(hit, law)| pulse(force, hit, law.as_ref().ok())).collect();
+        output::figure(folder, "contact-pulses", &pulses("Force pulses and the laws fitted to them", &drawn))
+    }
+}
+
+/// The samples of a hit, half its length on both sides too, and the law between them.
+fn pulse(force: &Samples<'_>, hit: &Hit, law: Option<&ContactFit>) -> Pulse {
+    let beside = (hit.end - hit.start) / 2 + 1;
+    let (first, last) = (hit.start.saturating_sub(beside), (hit.end + beside).min(force.values().len()));
+    let at = |k: f64| k / force.rate_hz();
+    let peak_s = at(hit.peak as f64);
+    let finer: Vec<f64> = (first * FINER..=(last - 1) * FINER).map(|k| at(k as f64 / FINER as f64)).collect();
+    Pulse {
+        label: format!("{peak_s:.4} s"),
+        time_s: (first..last).map(|k| at(k as f64) - peak_s).collect(),
+        force_n: force.values()[first..last].to_vec(),
+        law: law.map_or_else(Default::default, |law| (finer.iter().map(|t| t - peak_s).collect(), law.force_n(&finer))),
+    }
+}
+
+fn tell(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
+    let at = hit.peak as f64 / rate_hz;
+    line(format!(
+        "hit at {at:.6} s: peak {:.4} N, contact {:.4e} s, impulse {:.4e} N s",
+        hit.peak_force_n, hit.contact_time_s, hit.impulse_n_s
+    ));
+    hit.warnings.iter().for_each(|warning| line(format!("  warning: {warning:?}")));
+    match fitted {
+        Err(why) => line(format!("  no law: {why}")),
+        Ok(law) => {
+            line(format!(
+                "  exponent {:.3} +- {:.3}, restitution {:.3} +- {:.3}",
+                law.exponent, law.exponent_deviation, law.restitution, law.restitution_deviation
+            ));
+            if let (Some(stiffness), Some(speed)) = (law.stiffness, law.speed_m_s) {
+                line(format!("  stiffness {stiffness:.4e} N/m^{:.3}, speed {speed:.4} m/s", law.exponent));
+            }
+            line(match law.told {
+                Told::Neither => "  neither a linear spring nor Hertz's law fits",
+                Told::Linear => "  a linear spring fits, Hertz's law does not",
+                Told::Hertz => "  Hertz's law fits, a linear spring does not",
+                Told::Both => "  the data cannot tell a linear spring from Hertz's law",
+            });
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! `jounce modes --measured FILE...`
+
+use crate::failure::Failure;
+use crate::hammer_arguments::{HammerArguments, tell_hits};
+use crate::output::{self, line, print};
+use crate::spec_arguments::{OutputArguments, frequency_hz};
+use clap::Args;
+use jounce::table::{Column, Table};
+use jounce_measure::draw::{modal_fit, stabilisation};
+use jounce_measure::modal::{Band, Identification, Mode, Settings, Stable, identify, mac_matrix};
+use jounce_measure::response::Responses;
+use std::path::Path;
+
+/// How modes are sought in measured responses.
+#[derive(Debug, Args)]
+pub struct BandArguments {
+    /// Band in which modes are sought, as in 500Hz:4300Hz; by default all lines above 0.
+    #[arg(long, value_name = "FROM:TO", requires = "measured")]
+    between: Option<String>,
+    /// Largest order of the stabilisation diagram.
+    #[arg(long, default_value_t = 40, requires = "measured")]
+    order: usize,
+}
+
+impl BandArguments {
+    fn between_hz(&self, found: &Responses) -> Result<(f64, f64), Failure> {
+        let highest = found.functions[0].frequency_hz.last().copied().unwrap_or(0.0);
+        let Some(text) = &self.between else { return Ok((f64::MIN_POSITIVE, highest)) };
+        let wrong = || Failure::usage(format!("--between {text}: write FROM:TO, as in 500Hz:4300Hz, the smaller one first"));
+        let (from, to) = text.split_once(':').ok_or_else(wrong)?;
+        let (from, to) = (frequency_hz("between", from)?, frequency_hz("between", to)?);
+        if from < to { Ok((from, to)) } else { Err(wrong()) }
+    }
+}
+
+/// Prints the modes of a hammer test.
+pub fn run(hammer: &HammerArguments, band: &BandArguments, output: &OutputArguments) -> Result<(), Failure> {
+    if !(2..=400).contains(&band.order) {
+        return Err(Failure::usage(format!("--order {}: give 2 to 400", band.order)));
+    }
+    let responses = hammer.responses()?;
+    let between_hz = band.between_hz(&responses)?;
+    let mut found = identify(&Band::of(&responses, between_hz)?, Settings { order: band.order })?;
+    found.modes.iter_mut().for_each(|mode| mode.without_decay(responses.window_decay_per_s));
+    if let Some(folder) = &output.out {
+        write(folder, hammer, &responses, &found)?;
+    }
+    if output.json {
+        print(&answer(&responses, &found));
+        return Ok(());
+    }
+    tell_hits(&responses);
+    line("mode  frequency_hz  +- 95 %      damping_ratio  +- 95 %");
+    for (k, mode) in found.modes.iter().enumerate() {
+        let (f, df) = (mode.frequency_hz, Mode::QUANTILE_95 * mode.frequency_deviation_hz);
+        let (zeta, dzeta) = (mode.damping_ratio, Mode::QUANTILE_95 * mode.damping_deviation);
+        line(format!("{:>4}  {f:>12.5}  {df:<11.3e}  {zeta:>13.6}  {dzeta:.3e}", k + 1));
+    }
+    if responses.window_decay_per_s > 0.0 {
+        line(format!("damping of the exponential window, {:.5} 1/s, was taken off", responses.window_decay_per_s));
+    }
+    if found.misfit > 1.0 && responses.block_s.is_some() {
+        line(format!(
+            "the modes miss the responses by {:.1} times what the coherence allows; the intervals are widened by it",
+            found.misfit.sqrt()
+        ));
+    }
+    Ok(())
+}
+
+/// Modes with their shapes, of size 1 at the largest response.
+fn answer(responses: &Responses, found: &Identification) -> serde_json::Value {
+    let mode = |mode: &Mode| {
+        let shape = mode.shape();
+        serde_json::json!({
+            "frequency_hz": mode.frequency_hz,
+            "frequency_deviation_hz": mode.frequency_deviation_hz,
+            "damping_ratio": mode.damping_ratio,
+            "damping_deviation": mode.damping_deviation,
+            "shape": { "re": shape.iter().map(|s| s.re).collect::<Vec<_>>(), "im": shape.iter().map(|s| s.im).collect::<Vec<_>>() },
+        })
+    };
+    serde_json::json!({
+        "modes": found.modes.iter().map(mode).collect::<Vec<_>>(),
+        "responses": responses.names,
+        "mac": mac_matrix(&found.modes),
+        "misfit": found.misfit,
+        "stabilisation": found.diagram,
+        "hits": responses.hits,
+        "block_s": responses.block_s,
+        "window_decay_per_s": responses.window_decay_per_s,
+        "findings": responses.findings,
+    })
+}
+
+fn write(folder: &Path, hammer: &HammerArguments, responses: &Responses, found: &Identification) -> Result<(), Failure> {
+    let manifest = hammer.manifest("modes")?;
+    let number = |of: &dyn Fn(&Mode) -> f64| found.modes.iter().map(of).collect::<Vec<f64>>();
+    let mut table = Table::new(vec![
+        Column::new("frequency_hz", "Hz", "undamped natural frequency", number(&|mode| mode.frequency_hz)),
+        Column::new("frequency_deviation_hz", "Hz", "its standard deviation", number(&|mode| mode.frequency_deviation_hz)),
+        Column::new("damping_ratio", "", "damping ratio", number(&|mode| mode.damping_ratio)),
+        Column::new("damping_deviation", "", "its standard deviation", number(&|mode| mode.damping_deviation)),
+    ])?;
+    for (k, name) in responses.names.iter().enumerate() {
+        let about = "shape, of size 1 at the largest response";
+        table.push(Column::new(&format!("{name}.shape.re"), "", about, number(&|mode| mode.shape()[k].re)))?;
+        table.push(Column::new(&format!("{name}.shape.im"), "", about, number(&|mode| mode.shape()[k].im)))?;
+    }
+    output::table(folder, "modes", &table, &manifest)?;
+    let stable = |stable: Stable| match stable {
+        Stable::New => "new",
+        Stable::Frequency => "frequency",
+        Stable::Pole => "pole",
+    };
+    let diagram = &found.diagram;
+    let table = Table::new(vec![
+        Column::new("order", "", "order of the denominator", diagram.iter().map(|pole| pole.order as u64).collect::<Vec<_>>()),
+        Column::new("frequency_hz", "Hz", "frequency of the pole", diagram.iter().map(|p| p.pole.frequency_hz).collect::<Vec<_>>()),
+        Column::new("damping_ratio", "", "its damping ratio", diagram.iter().map(|p| p.pole.damping_ratio).collect::<Vec<_>>()),
+        Column::new(
+            "stable",
+            "",
+            "what stays from the order below",
+            diagram.iter().map(|p| stable(p.stable).to_owned()).collect::<Vec<_>>(),
+        ),
+    ])?;
+    output::table(folder, "modes-stabilisation", &table, &manifest)?;
+    output::figure(folder, "modes-stabilisation", &stabilisation("Stabilisation diagram", found))?;
+    output::figure(folder, "modes-fit", &modal_fit("Displacement per force: measured, and what the modes give", &responses.names, found))
+}

@@ -1,0 +1,172 @@
+//! `jounce power FILE... --resistance R...`
+
+use crate::failure::Failure;
+use crate::measured_file::{channel, manifest, positive, record, tell_findings};
+use crate::output::{self, line, print};
+use crate::spec_arguments::OutputArguments;
+use clap::Args;
+use jounce::picture::{Scale, SpectrumLine, spectra};
+use jounce::signal::{OrderLine, Samples, Window};
+use jounce::spec::Quantity as Unit;
+use jounce::table::{Column, Table};
+use jounce_measure::draw::{LoadPoint, power_over_load};
+use jounce_measure::recording::{Finding, Quantity};
+use jounce_measure::spectral::{MeanPower, mean_power};
+use std::path::{Path, PathBuf};
+
+/// Multiples of the drive whose amplitudes are told.
+const ORDERS: [f64; 8] = [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0];
+
+/// Arguments of `power`.
+#[derive(Debug, Args)]
+pub struct Power {
+    /// The recordings, one for each load: CSV or text, Parquet, NPY, MAT v5, UFF or LVM; notes beside each in FILE.channels.toml.
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// Resistance of the load, as in 100kohm: one for all recordings, or one for each in their order.
+    #[arg(long, required = true)]
+    resistance: Vec<String>,
+    /// Channel of the voltage over the load; by default the first one in volts.
+    #[arg(long, value_name = "CHANNEL")]
+    voltage: Option<String>,
+    /// Channel of the acceleration of the base: power is told per its mean square too.
+    #[arg(long, value_name = "CHANNEL")]
+    base: Option<String>,
+    /// Frequency of the drive, as in 13Hz: amplitudes at its multiples are told too.
+    #[arg(long)]
+    drive: Option<String>,
+    /// Takes the mean of the voltage away first: that of an amplifier is no power.
+    #[arg(long)]
+    remove_mean: bool,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
+/// What one recording tells.
+struct Answer {
+    name: String,
+    channel: String,
+    resistance_ohm: f64,
+    power: MeanPower,
+    /// Of the base's acceleration about its mean, m^2/s^4.
+    mean_square: Option<f64>,
+    orders: Vec<OrderLine>,
+    spectrum: SpectrumLine,
+    findings: Vec<Finding>,
+}
+
+impl Power {
+    /// Computes and tells.
+    pub fn run(&self) -> Result<(), Failure> {
+        let read = |text: &String| positive("--resistance", text, Unit::Resistance);
+        let mut resistances = self.resistance.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+        if resistances.len() == 1 {
+            resistances.resize(self.files.len(), resistances[0]);
+        }
+        if resistances.len() != self.files.len() {
+            let (given, files) = (resistances.len(), self.files.len());
+            return Err(Failure::usage(format!("{given} times --resistance for {files} recordings: give one for all, or one for each")));
+        }
+        let drive_hz = self.drive.as_ref().map(|text| positive("--drive", text, Unit::Frequency)).transpose()?;
+        let answers = self.files.iter().zip(resistances).map(|(file, ohm)| self.answer(file, ohm, drive_hz));
+        let answers = answers.collect::<Result<Vec<_>, _>>()?;
+        if let Some(folder) = &self.output.out {
+            self.write(folder, &answers, drive_hz)?;
+        }
+        if self.output.json {
+            print(&serde_json::json!({ "records": answers.iter().map(listed).collect::<Vec<_>>() }));
+        } else {
+            answers.iter().for_each(|answer| self.tell(answer));
+        }
+        Ok(())
+    }
+
+    fn answer(&self, file: &Path, resistance_ohm: f64, drive_hz: Option<f64>) -> Result<Answer, Failure> {
+        let record = record(file)?;
+        tell_findings(&record);
+        let voltage = channel(&record, self.voltage.as_deref(), Quantity::Voltage, "--voltage")?;
+        let samples = Samples::new(&voltage.values, record.rate())?;
+        let power = mean_power(&samples, resistance_ohm, self.remove_mean)?;
+        let mean_square = match &self.base {
+            None => None,
+            Some(name) => {
+                let base = channel(&record, Some(name), Quantity::Acceleration, "--base")?;
+                let base = Samples::new(&base.values, record.rate())?;
+                Some(base.rms().powi(2) - base.mean().powi(2))
+            }
+        };
+        let orders = match drive_hz {
+            None => Vec::new(),
+            Some(drive_hz) => {
+                let inside: Vec<f64> = ORDERS.into_iter().filter(|order| order * drive_hz < 0.5 * record.rate()).collect();
+                samples.orders(drive_hz, &inside)?.lines
+            }
+        };
+        let spectrum = samples.spectrum(Window::Hann);
+        let label = format!("{}: {resistance_ohm} ohm", record.name);
+        let spectrum = SpectrumLine { label, frequency_hz: spectrum.frequency_hz, amplitude_peak: spectrum.amplitude_peak };
+        let (name, channel) = (record.name.clone(), voltage.name.clone());
+        Ok(Answer { name, channel, resistance_ohm, power, mean_square, orders, spectrum, findings: record.findings })
+    }
+
+    fn tell(&self, answer: &Answer) {
+        let power = answer.power;
+        if self.files.len() > 1 {
+            line(format!("{}, {} ohm", answer.name, answer.resistance_ohm));
+        }
+        line(format!("mean power {:.6e} W +- {:.1e} W (95 %, {} batches)", power.mean_power_w, power.half_width_w, power.batches));
+        line(format!("mean voltage {:.4e} V, {}", power.mean_voltage_v, if self.remove_mean { "taken away" } else { "kept" }));
+        if let Some(square) = answer.mean_square {
+            line(format!("per mean square of the base's acceleration: {:.6e} W/(m/s^2)^2", power.mean_power_w / square));
+        }
+        for order in &answer.orders {
+            line(format!("order {:>4}, {:>10.4} Hz: {:.5e} V peak", order.order, order.frequency_hz, order.amplitude_peak));
+        }
+        if power.correlated {
+            line("the batches are correlated: the record is too short, and the interval too narrow");
+        }
+    }
+
+    fn write(&self, folder: &Path, answers: &[Answer], drive_hz: Option<f64>) -> Result<(), Failure> {
+        let numbers = |of: &dyn Fn(&Answer) -> f64| answers.iter().map(of).collect::<Vec<f64>>();
+        let mut table = Table::new(vec![
+            Column::new("recording", "", "name of the recording", answers.iter().map(|a| a.name.clone()).collect::<Vec<_>>()),
+            Column::new("resistance_ohm", "ohm", "resistance of the load", numbers(&|a| a.resistance_ohm)),
+            Column::new("mean_power_w", "W", "mean power", numbers(&|a| a.power.mean_power_w)),
+            Column::new("half_width_w", "W", "half the width of its interval of 95 %", numbers(&|a| a.power.half_width_w)),
+            Column::new("mean_voltage_v", "V", "mean of the voltage", numbers(&|a| a.power.mean_voltage_v)),
+        ])?;
+        let squares: Option<Vec<f64>> = answers.iter().map(|answer| answer.mean_square).collect();
+        if let Some(squares) = &squares {
+            let about = "mean square of the base's acceleration about its mean";
+            table.push(Column::new("mean_square_base_acceleration_m2_s4", "m^2/s^4", about, squares.clone()))?;
+        }
+        let manifest = manifest("power", &self.files)?.with("remove_mean", self.remove_mean);
+        output::table(folder, "power", &table, &manifest)?;
+        let point = |(k, answer): (usize, &Answer)| {
+            let per = squares.as_ref().map_or(1.0, |squares| squares[k]);
+            let (power, half_width) = (answer.power.mean_power_w / per, answer.power.half_width_w / per);
+            LoadPoint { resistance_ohm: answer.resistance_ohm, power, half_width }
+        };
+        let points: Vec<LoadPoint> = answers.iter().enumerate().map(point).collect();
+        let unit = if squares.is_some() { "W/(m/s^2)^2" } else { "W" };
+        output::figure(folder, "power-load", &power_over_load("Measured mean power", unit, &points))?;
+        let lines: Vec<SpectrumLine> = answers.iter().map(|answer| answer.spectrum.clone()).collect();
+        let figure = spectra("Voltage spectrum, Hann window", "Voltage", "V", Scale::Log, &lines, drive_hz);
+        output::figure(folder, "power-spectrum", &figure)
+    }
+}
+
+fn listed(answer: &Answer) -> serde_json::Value {
+    let order = |order: &OrderLine| serde_json::json!({ "order": order.order, "frequency_hz": order.frequency_hz, "amplitude_peak_v": order.amplitude_peak });
+    serde_json::json!({
+        "recording": answer.name,
+        "channel": answer.channel,
+        "resistance_ohm": answer.resistance_ohm,
+        "power": answer.power,
+        "mean_square_base_acceleration_m2_s4": answer.mean_square,
+        "mean_power_per_mean_square_base_acceleration": answer.mean_square.map(|square| answer.power.mean_power_w / square),
+        "orders": answer.orders.iter().map(order).collect::<Vec<_>>(),
+        "findings": answer.findings,
+    })
+}

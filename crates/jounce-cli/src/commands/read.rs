@@ -1,0 +1,145 @@
+//! `jounce read FILE`
+
+use crate::failure::Failure;
+use crate::measured_file::MeasuredFile;
+use crate::output::{self, line, print};
+use clap::Args;
+use jounce::picture::{Axis, Figure, Line, Panel, Series, Trace, time_histories};
+use jounce::table::{Column, Table};
+use jounce_measure::read::Contents;
+use jounce_measure::recording::{Channel, Finding, Over, Recording};
+use jounce_measure::write::write;
+use std::path::{Path, PathBuf};
+
+/// Channels in the picture of a recording.
+const SHOWN: usize = 8;
+
+/// Arguments of `read`.
+#[derive(Debug, Args)]
+pub struct Read {
+    #[command(flatten)]
+    pub file: MeasuredFile,
+    /// Writes the first recording in SI to this file: .uff (UFF 58 in ASCII), .parquet or .csv.
+    #[arg(long, value_name = "FILE")]
+    to: Option<PathBuf>,
+}
+
+impl Read {
+    /// Reads and tells.
+    pub fn run(&self) -> Result<(), Failure> {
+        let contents = self.file.contents()?;
+        if let (Some(path), Some(recording)) = (&self.to, contents.recordings.first()) {
+            write(recording, path)?;
+        }
+        if let Some(folder) = &self.file.output.out {
+            self.write(folder, &contents)?;
+        }
+        if self.file.output.json {
+            let recordings: Vec<_> = contents.recordings.iter().map(listed).collect();
+            let shapes: Vec<_> = contents.shapes.iter().map(|shape| shape.frequency_hz).collect();
+            print(&serde_json::json!({ "recordings": recordings, "shape_frequencies_hz": shapes, "findings": contents.findings }));
+            return Ok(());
+        }
+        for recording in &contents.recordings {
+            tell(recording);
+        }
+        for shape in &contents.shapes {
+            line(format!("shape at {} Hz, {} nodes", shape.frequency_hz, shape.nodes.len()));
+        }
+        contents.findings.iter().for_each(line);
+        Ok(())
+    }
+
+    /// The list of channels, the list of findings, and a picture of each recording.
+    fn write(&self, folder: &Path, contents: &Contents) -> Result<(), Failure> {
+        let manifest = self.file.manifest("read")?;
+        let channels: Vec<(&Recording, &Channel)> =
+            contents.recordings.iter().flat_map(|recording| recording.channels.iter().map(move |channel| (recording, channel))).collect();
+        let text = |of: &dyn Fn(&Recording, &Channel) -> String| channels.iter().map(|(r, c)| of(r, c)).collect::<Vec<String>>();
+        let number = |of: &dyn Fn(&Recording, &Channel) -> f64| channels.iter().map(|(r, c)| of(r, c)).collect::<Vec<f64>>();
+        let table = Table::new(vec![
+            Column::new("recording", "", "name of the recording", text(&|r, _| r.name.clone())),
+            Column::new("channel", "", "name of the channel", text(&|_, c| c.name.clone())),
+            Column::new("unit", "", "unit of the next columns", text(&|_, c| c.unit.clone())),
+            Column::new("rms", "", "rms of the samples that are numbers", number(&|_, c| sizes(c).0)),
+            Column::new("peak", "", "largest size", number(&|_, c| sizes(c).1)),
+            Column::new("rate", "", "samples per second, or per hertz", number(&|r, _| r.rate())),
+        ])?;
+        output::table(folder, "read", &table, &manifest)?;
+        let findings: Vec<&Finding> = contents.recordings.iter().flat_map(|r| &r.findings).chain(&contents.findings).collect();
+        let told = |of: &dyn Fn(&Finding) -> String| findings.iter().map(|finding| of(finding)).collect::<Vec<String>>();
+        let counts: Vec<u64> = findings.iter().map(|finding| finding.count as u64).collect();
+        let table = Table::new(vec![
+            Column::new("channel", "", "the channel; empty where it concerns all", told(&|f| f.channel.clone().unwrap_or_default())),
+            Column::new("count", "", "how many samples, stamps or lines", counts),
+            Column::new("about", "", "what it is", told(&ToString::to_string)),
+        ])?;
+        output::table(folder, "read-findings", &table, &manifest)?;
+        for (k, recording) in contents.recordings.iter().enumerate() {
+            output::figure(folder, &format!("read-{}", k + 1), &drawn(recording))?;
+        }
+        Ok(())
+    }
+}
+
+/// The first channels over time, or their sizes over frequency.
+fn drawn(recording: &Recording) -> Figure {
+    let (places, shown) = (recording.grid.places(), recording.channels.iter().take(SHOWN));
+    let quantity = |channel: &Channel| channel.name.clone();
+    if recording.over == Over::Time {
+        let trace = |channel: &Channel| Trace { quantity: quantity(channel), unit: channel.unit.clone(), values: channel.values.clone() };
+        return time_histories(&recording.name, &places, &shown.map(trace).collect::<Vec<_>>());
+    }
+    let panel = |channel: &Channel| {
+        let zeros = vec![0.0; channel.values.len()];
+        let imaginary = channel.imaginary.as_ref().unwrap_or(&zeros);
+        let size = channel.values.iter().zip(imaginary).map(|(re, im)| re.hypot(*im)).collect();
+        let axes = Panel::new(Axis::linear("Frequency", "Hz"), Axis::log(&quantity(channel), &channel.unit)).high(200.0);
+        axes.with(Series::line(places.clone(), size).style(Line::Thin))
+    };
+    Figure { panels: shown.map(panel).collect(), ..Figure::new(&recording.name) }
+}
+
+/// Rms and largest size of the samples that are numbers.
+fn sizes(channel: &Channel) -> (f64, f64) {
+    let finite = || channel.values.iter().filter(|x| x.is_finite());
+    let (sum, count) = finite().fold((0.0, 0.0), |(sum, count), x| (sum + x * x, count + 1.0));
+    (f64::sqrt(sum / f64::max(count, 1.0)), finite().fold(0.0, |peak: f64, x| peak.max(x.abs())))
+}
+
+fn tell(recording: &Recording) {
+    let (rate, over) = if recording.over == Over::Time { ("Hz", "over time") } else { ("lines per Hz", "over frequency") };
+    line(format!("{}: {} samples {over}, {:.6} {rate}", recording.name, recording.grid.len(), recording.rate()));
+    for (k, channel) in recording.channels.iter().enumerate() {
+        let (rms, peak) = sizes(channel);
+        let unit = if channel.unit.is_empty() { "(no unit)" } else { &channel.unit };
+        let kind = if channel.imaginary.is_some() { ", complex" } else { "" };
+        let place = format!("{} {}", channel.place, channel.direction);
+        line(format!("  {:>3}  {}  rms {rms:.5e}, peak {peak:.5e} {unit}{kind}  {}", k + 1, channel.name, place.trim()));
+    }
+    recording.findings.iter().for_each(|finding| line(format!("  ! {finding}")));
+}
+
+fn listed(recording: &Recording) -> serde_json::Value {
+    let channel = |channel: &Channel| {
+        let (rms, peak) = sizes(channel);
+        serde_json::json!({
+            "name": channel.name,
+            "quantity": channel.quantity,
+            "unit": channel.unit,
+            "place": channel.place,
+            "direction": channel.direction,
+            "complex": channel.imaginary.is_some(),
+            "rms": rms,
+            "peak": peak,
+        })
+    };
+    serde_json::json!({
+        "name": recording.name,
+        "over": if recording.over == Over::Time { "time" } else { "frequency" },
+        "samples": recording.grid.len(),
+        "rate": recording.rate(),
+        "channels": recording.channels.iter().map(channel).collect::<Vec<_>>(),
+        "findings": recording.findings,
+    })
+}

@@ -1,0 +1,101 @@
+//! `jounce regimes FILE --drive F`
+
+use crate::failure::Failure;
+use crate::measured_file::{MeasuredFile, channel, positive, tell_findings};
+use crate::output::{self, line, print};
+use clap::Args;
+use jounce::signal::Samples;
+use jounce::spec::Quantity as Unit;
+use jounce::table::{Column, Table};
+use jounce_measure::draw::{stretch_spectra, stretches};
+use jounce_measure::recording::{Channel, Quantity};
+use jounce_measure::regime::{Regimes, Stretch, regimes};
+use jounce_measure::spectral::{MeanPower, mean_power};
+use std::path::Path;
+
+/// Arguments of `regimes`.
+#[derive(Debug, Args)]
+pub struct RegimesOf {
+    #[command(flatten)]
+    pub file: MeasuredFile,
+    /// Frequency of the drive, as in 13Hz.
+    #[arg(long)]
+    drive: String,
+    /// Channel to cut; by default the first one in volts.
+    #[arg(long, value_name = "CHANNEL")]
+    channel: Option<String>,
+    /// Resistance of the load, where the channel is its voltage: power is told for each stretch.
+    #[arg(long)]
+    resistance: Option<String>,
+}
+
+impl RegimesOf {
+    /// Cuts and tells.
+    pub fn run(&self) -> Result<(), Failure> {
+        let drive_hz = positive("--drive", &self.drive, Unit::Frequency)?;
+        let resistance = self.resistance.as_ref().map(|text| positive("--resistance", text, Unit::Resistance)).transpose()?;
+        let record = self.file.record()?;
+        tell_findings(&record);
+        let channel = match &self.channel {
+            // Any quantity can be cut; only a voltage has a power.
+            Some(name) if resistance.is_none() => record.channel(name)?,
+            wanted => channel(&record, wanted.as_deref(), Quantity::Voltage, "--channel")?,
+        };
+        let found = regimes(&Samples::new(&channel.values, record.rate())?, drive_hz)?;
+        let power = |stretch: &Stretch| -> Result<Option<MeanPower>, Failure> {
+            let Some(ohm) = resistance else { return Ok(None) };
+            let part = Samples::new(&channel.values[stretch.start..stretch.end], record.rate())?;
+            Ok(Some(mean_power(&part, ohm, false)?))
+        };
+        let powers = found.stretches.iter().map(power).collect::<Result<Vec<_>, _>>()?;
+        if let Some(folder) = &self.file.output.out {
+            self.write(folder, channel, record.rate(), &found, &powers, drive_hz)?;
+        }
+        if self.file.output.json {
+            print(&serde_json::json!({ "channel": channel.name, "regimes": found, "powers": powers, "findings": record.findings }));
+            return Ok(());
+        }
+        line(format!("{} stretches; a change lies within {:.3} s of its place", found.stretches.len(), found.uncertainty_s));
+        for (stretch, power) in found.stretches.iter().zip(powers) {
+            let period = stretch.period.cycles.map_or("does not repeat".to_owned(), |cycles| format!("period {cycles} cycles"));
+            let told = power.map_or(String::new(), |power| format!(", {:.5e} +- {:.1e} W", power.mean_power_w, power.half_width_w));
+            let (start, end, rms) = (stretch.start_s, stretch.end_s, stretch.rms);
+            line(format!(
+                "{start:>10.3} s to {end:>10.3} s  rms {rms:.5e} {}, {period} (mismatch {:.3}){told}",
+                channel.unit, stretch.period.mismatch
+            ));
+        }
+        Ok(())
+    }
+    fn write(
+        &self,
+        folder: &Path,
+        channel: &Channel,
+        rate_hz: f64,
+        found: &Regimes,
+        powers: &[Option<MeanPower>],
+        drive_hz: f64,
+    ) -> Result<(), Failure> {
+        let numbers = |of: &dyn Fn(&Stretch) -> f64| found.stretches.iter().map(of).collect::<Vec<f64>>();
+        let cycles: Vec<u64> = found.stretches.iter().map(|s| s.period.cycles.map_or(0, |cycles| cycles as u64)).collect();
+        let mut table = Table::new(vec![
+            Column::new("start_s", "s", "begin of the stretch", numbers(&|s| s.start_s)),
+            Column::new("end_s", "s", "end of the stretch", numbers(&|s| s.end_s)),
+            Column::new("rms", &channel.unit, "rms about the mean", numbers(&|s| s.rms)),
+            Column::new("period_cycles", "", "drive cycles of the period; 0 where it does not repeat", cycles),
+            Column::new("mismatch", "", "what the repetition misses, over the rms", numbers(&|s| s.period.mismatch)),
+        ])?;
+        if let Some(powers) = powers.iter().copied().collect::<Option<Vec<MeanPower>>>() {
+            let (mean, half): (Vec<f64>, Vec<f64>) = powers.iter().map(|power| (power.mean_power_w, power.half_width_w)).unzip();
+            table.push(Column::new("mean_power_w", "W", "mean power", mean))?;
+            table.push(Column::new("half_width_w", "W", "half the width of its interval of 95 %", half))?;
+        }
+        output::table(folder, "regimes", &table, &self.file.manifest("regimes")?.with("drive_hz", drive_hz))?;
+        let samples = Samples::new(&channel.values, rate_hz)?;
+        let figure = stretches("Stretches of one solution each", &channel.name, &channel.unit, &samples, found);
+        output::figure(folder, "regimes-time", &figure)?;
+        let title = "Spectrum of each stretch, Hann window";
+        let figure = stretch_spectra(title, &channel.name, &channel.unit, &samples, found, drive_hz)?;
+        output::figure(folder, "regimes-spectra", &figure)
+    }
+}

@@ -1,0 +1,118 @@
+//! Arguments of a hammer test, which `frf --measured` and `modes --measured` share.
+
+use crate::failure::Failure;
+use crate::measured_file::{manifest, positive, record, tell_findings};
+use crate::output::line;
+use clap::{Args, ValueEnum};
+use jounce::spec::Quantity as Unit;
+use jounce::table::Manifest;
+use jounce_measure::read;
+use jounce_measure::recording::Over;
+use jounce_measure::response::{Chosen, Responses};
+use jounce_measure::spectral::{Estimator, HitWarning, ImpactHit, ImpactSettings};
+use std::path::PathBuf;
+
+/// Which noise is thought of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Noise {
+    /// On the responses only.
+    H1,
+    /// On the force only.
+    H2,
+    /// On both.
+    Hv,
+}
+
+/// Arguments of a hammer test.
+#[derive(Debug, Args)]
+pub struct HammerArguments {
+    /// Recordings of a hammer test instead of a spec: force and responses over time, one or more hits in each; or one file of response
+    /// functions over frequency.
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    pub measured: Vec<PathBuf>,
+    /// Channel of the hammer's force; by default the first one in newtons.
+    #[arg(long, value_name = "CHANNEL", requires = "measured")]
+    force: Option<String>,
+    /// Channel of a response; can be given several times; by default all but the force.
+    #[arg(long, value_name = "CHANNEL", requires = "measured")]
+    response: Vec<String>,
+    /// Where the noise is: h1 on the responses, h2 on the force, hv on both.
+    #[arg(long, value_enum, default_value = "h1", requires = "measured")]
+    estimator: Noise,
+    /// For hv: density of the responses' noise over that of the force's, in squares of their SI units.
+    #[arg(long, default_value_t = 1.0, requires = "measured")]
+    noise_ratio: f64,
+    /// Length of a block, as in 2s; by default a record with one hit is a block, else the shortest distance of two hits.
+    #[arg(long, value_name = "TIME", requires = "measured")]
+    block: Option<String>,
+    /// Takes away the force after each hit, which is noise.
+    #[arg(long, requires = "measured")]
+    force_window: bool,
+    /// Exponential window on force and responses that ends at this ratio, as in 0.01; its damping is taken off the modes.
+    #[arg(long, value_name = "RATIO", requires = "measured")]
+    end_ratio: Option<f64>,
+}
+
+impl HammerArguments {
+    /// The responses; those of a file over frequency as they stand there.
+    pub fn responses(&self) -> Result<Responses, Failure> {
+        let settings = self.settings()?;
+        if let [file] = &self.measured[..] {
+            let recordings = read::file(file)?.recordings;
+            if recordings.iter().all(|recording| recording.over == Over::Frequency) {
+                return Ok(Responses::given(&recordings)?);
+            }
+        }
+        let records = self.measured.iter().map(|file| record(file)).collect::<Result<Vec<_>, _>>()?;
+        records.iter().for_each(tell_findings);
+        let chosen = Chosen { force: self.force.clone(), responses: self.response.clone() };
+        Ok(Responses::of_hits(&records, &chosen, &settings)?)
+    }
+
+    /// Manifest of an answer.
+    pub fn manifest(&self, command: &str) -> Result<Manifest, Failure> {
+        let manifest = manifest(command, &self.measured)?.with("estimator", format!("{:?}", self.estimator));
+        Ok(manifest.with("force_window", self.force_window).with("end_ratio", self.end_ratio.unwrap_or(1.0)))
+    }
+
+    fn settings(&self) -> Result<ImpactSettings, Failure> {
+        if !(self.noise_ratio > 0.0 && self.noise_ratio.is_finite()) {
+            return Err(Failure::usage(format!("--noise-ratio {}: it must be above 0", self.noise_ratio)));
+        }
+        if let Some(ratio) = self.end_ratio.filter(|ratio| !(*ratio > 0.0 && *ratio < 1.0)) {
+            return Err(Failure::usage(format!("--end-ratio {ratio}: it must lie between 0 and 1; 0.01 is usual")));
+        }
+        let estimator = match self.estimator {
+            Noise::H1 => Estimator::H1,
+            Noise::H2 => Estimator::H2,
+            Noise::Hv => Estimator::Hv { noise_ratio: self.noise_ratio },
+        };
+        let block_s = self.block.as_ref().map(|text| positive("--block", text, Unit::Time)).transpose()?;
+        Ok(ImpactSettings { estimator, block_s, force_window: self.force_window, end_ratio: self.end_ratio })
+    }
+}
+
+/// Tells the hits, and what is wrong with them.
+pub fn tell_hits(responses: &Responses) {
+    if let Some(block_s) = responses.block_s {
+        let used = responses.hits.iter().filter(|hit| hit.used).count();
+        line(format!("{used} hits of {} averaged, blocks of {block_s:.6} s", responses.hits.len()));
+    }
+    for (number, ImpactHit { hit, used, .. }) in responses.hits.iter().enumerate() {
+        for warning in &hit.warnings {
+            line(format!("warning: hit {} of {:.4} N {}", number + 1, hit.peak_force_n, told(*warning)));
+        }
+        if !used {
+            line(format!("left out: hit {}, its block would reach beyond the record", number + 1));
+        }
+    }
+}
+
+fn told(warning: HitWarning) -> String {
+    match warning {
+        HitWarning::Double { after_s, force_n } => format!("is double: {force_n:.4} N again after {after_s:.4e} s"),
+        HitWarning::Clipped { samples } => format!("is clipped: {samples} equal samples at the top"),
+        HitWarning::Coarse { samples } => format!("is coarse: {samples} samples only"),
+        HitWarning::Cut => "is cut by the record's end".to_owned(),
+    }
+}

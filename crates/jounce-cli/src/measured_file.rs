@@ -1,0 +1,103 @@
+//! Arguments of commands that take a recording.
+
+use crate::failure::Failure;
+use crate::spec_arguments::OutputArguments;
+use clap::Args;
+use jounce::spec::Quantity as Unit;
+use jounce::table::Manifest;
+use jounce_measure::read::{self, Contents};
+use jounce_measure::recording::{Channel, Over, Quantity, Recording};
+use sha2::{Digest, Sha256};
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+/// A recording and the form of the answer.
+#[derive(Debug, Args)]
+pub struct MeasuredFile {
+    /// The recording: CSV or text, Parquet, NPY, MAT v5, UFF or LVM; notes beside it in FILE.channels.toml.
+    pub file: PathBuf,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
+impl MeasuredFile {
+    /// Everything in the file.
+    pub fn contents(&self) -> Result<Contents, Failure> {
+        Ok(read::file(&self.file)?)
+    }
+
+    /// The first recording over time, at even times and without missing samples.
+    pub fn record(&self) -> Result<Recording, Failure> {
+        record(&self.file)
+    }
+
+    /// Manifest of an answer.
+    pub fn manifest(&self, command: &str) -> Result<Manifest, Failure> {
+        manifest(command, std::slice::from_ref(&self.file))
+    }
+}
+
+/// The first recording over time in a file, at even times and without missing samples.
+pub fn record(file: &Path) -> Result<Recording, Failure> {
+    let record = read::file(file)?.recordings.into_iter().find(|recording| recording.over == Over::Time);
+    let none = || Failure::Input(format!("{} holds no recording over time", file.display()));
+    Ok(record.ok_or_else(none)?.even()?)
+}
+
+/// Manifest of an answer that rests on recordings: their names and the SHA-256 of their bytes, in order.
+pub fn manifest(command: &str, files: &[PathBuf]) -> Result<Manifest, Failure> {
+    let name = |file: &PathBuf| file.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let names: Vec<String> = files.iter().map(name).collect();
+    let hashes = files.iter().map(|file| hash_hex(file)).collect::<Result<Vec<_>, _>>()?;
+    let manifest = Manifest::new("").with("command", command);
+    Ok(manifest.with("recording", names.join(" ")).with("recording_sha256", hashes.join(" ")))
+}
+
+/// SHA-256 of a file, read piece by piece.
+fn hash_hex(file: &Path) -> Result<String, Failure> {
+    let fault = |reason: std::io::Error| Failure::Input(format!("{}: {reason}", file.display()));
+    let mut from = std::fs::File::open(file).map_err(fault)?;
+    let (mut hash, mut piece) = (Sha256::new(), vec![0; 1 << 16]);
+    loop {
+        let count = from.read(&mut piece).map_err(fault)?;
+        if count == 0 {
+            return Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect());
+        }
+        hash.update(&piece[..count]);
+    }
+}
+
+/// The channel of a name or number; without one, the only channel or the first of a quantity.
+pub fn channel<'a>(recording: &'a Recording, wanted: Option<&str>, quantity: Quantity, option: &str) -> Result<&'a Channel, Failure> {
+    let channel = match wanted {
+        Some(wanted) => recording.channel(wanted)?,
+        None => {
+            let of_quantity = recording.channels.iter().find(|channel| channel.quantity == quantity);
+            let only = recording.channels.first().filter(|_| recording.channels.len() == 1);
+            of_quantity.or(only).ok_or_else(|| {
+                let names: Vec<&str> = recording.channels.iter().map(|channel| channel.name.as_str()).collect();
+                Failure::usage(format!("name the channel with {option}; there are {}", names.join(", ")))
+            })?
+        }
+    };
+    // A channel that tells no unit may be what it is asked for; one that tells another is not.
+    if channel.quantity != quantity && channel.quantity != Quantity::Unknown {
+        let why = format!("{option}: channel {} is in {}, which is not the unit wanted here", channel.name, channel.unit);
+        return Err(Failure::Input(format!("{why}; choose another one, or correct its unit in the notes beside {}", recording.name)));
+    }
+    Ok(channel)
+}
+
+/// A positive quantity of an option.
+pub fn positive(option: &str, text: &str, quantity: Unit) -> Result<f64, Failure> {
+    let fault = |reason: String| Failure::usage(format!("{option} {text}: {reason}"));
+    let value = quantity.read(text).map_err(|error| fault(error.to_string()))?;
+    if value > 0.0 && value.is_finite() { Ok(value) } else { Err(fault("it must be above 0".to_owned())) }
+}
+
+/// Tells on stderr what was noticed and done.
+pub fn tell_findings(recording: &Recording) {
+    for finding in &recording.findings {
+        eprintln!("{finding}");
+    }
+}

@@ -1,0 +1,71 @@
+//! The responses that a page has been given, for the orbits behind their points and for the next response.
+
+use jounce::spec::{NumericKey, Spec};
+use jounce::study::{Branch, KnownOrbit};
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// Responses that are kept.
+const KEPT: usize = 8;
+
+/// A response.
+#[derive(Debug)]
+pub struct Answered {
+    /// Number of the request.
+    pub id: u64,
+    /// The design.
+    pub spec: Spec,
+    /// The key.
+    pub key: NumericKey,
+    /// Ends of its range, SI.
+    pub range: (f64, f64),
+    /// The branches.
+    pub branches: Vec<Branch>,
+}
+
+/// The last ones.
+#[derive(Debug, Default)]
+pub struct Answers(Mutex<VecDeque<Arc<Answered>>>);
+
+impl Answers {
+    fn open(&self) -> MutexGuard<'_, VecDeque<Arc<Answered>>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Keeps a response; a finer one of the same request takes the place of the coarse one.
+    pub fn keep(&self, answered: Answered) {
+        let mut kept = self.open();
+        kept.retain(|known| known.id != answered.id);
+        kept.push_back(Arc::new(answered));
+        if kept.len() > KEPT {
+            kept.pop_front();
+        }
+    }
+
+    /// The response to a request.
+    pub fn find(&self, id: u64) -> Option<Arc<Answered>> {
+        self.open().iter().find(|known| known.id == id).cloned()
+    }
+
+    /// The last response over a key.
+    pub fn last(&self, key: &str) -> Option<Arc<Answered>> {
+        self.open().iter().rev().find(|known| known.key.path() == key && !known.branches.is_empty()).cloned()
+    }
+}
+
+impl Answered {
+    /// Orbits on its branches: both ends and the middle of each.
+    pub fn orbits(&self) -> Vec<KnownOrbit> {
+        let known = |branch: &Branch| {
+            let count = branch.points.len();
+            let mut places = vec![0, count.saturating_sub(1), count / 2];
+            places.dedup();
+            let orbit = |place: usize| {
+                let point = branch.points.get(place)?;
+                Some(KnownOrbit { period_cycles: branch.period_cycles, state: point.orbit.start().to_vec(), parameter: point.parameter })
+            };
+            places.into_iter().filter_map(orbit).collect::<Vec<_>>()
+        };
+        self.branches.iter().flat_map(known).collect()
+    }
+}

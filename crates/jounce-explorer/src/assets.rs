@@ -1,0 +1,45 @@
+//! The page and its files, which live inside the program, and the headers that they are served with.
+
+use axum::http::header::{self, HeaderName};
+use axum::http::{HeaderValue, StatusCode};
+use axum::response::{IntoResponse, Response};
+
+/// What the page may do: nothing that does not come from this server.
+const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self'; \
+                      base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+/// One file: name, type, content.
+const FILES: [(&str, &str, &[u8]); 4] = [
+    ("", "text/html; charset=utf-8", include_bytes!("../page/index.html")),
+    ("app.js", "text/javascript; charset=utf-8", include_bytes!("../page/app.js")),
+    ("app.css", "text/css; charset=utf-8", include_bytes!("../page/app.css")),
+    ("icon.svg", "image/svg+xml", include_bytes!("../page/icon.svg")),
+];
+
+/// The file of a name; nothing but the list above can be had.
+pub fn serve(name: &str) -> Response {
+    match FILES.iter().find(|(known, ..)| *known == name) {
+        Some((_, kind, content)) => guarded(([(header::CONTENT_TYPE, HeaderValue::from_static(kind))], *content).into_response()),
+        None => refused(StatusCode::NOT_FOUND, "there is no such file"),
+    }
+}
+
+/// A refusal in one line.
+pub fn refused(status: StatusCode, why: &'static str) -> Response {
+    guarded((status, why).into_response())
+}
+
+/// An answer with the headers that every answer has.
+fn guarded(mut response: Response) -> Response {
+    let fixed: [(HeaderName, &'static str); 7] = [
+        (header::CONTENT_SECURITY_POLICY, POLICY),
+        (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
+        (header::X_FRAME_OPTIONS, "DENY"),
+        (header::REFERRER_POLICY, "no-referrer"),
+        (header::CACHE_CONTROL, "no-store"),
+        (HeaderName::from_static("cross-origin-opener-policy"), "same-origin"),
+        (HeaderName::from_static("cross-origin-resource-policy"), "same-origin"),
+    ];
+    response.headers_mut().extend(fixed.map(|(name, value)| (name, HeaderValue::from_static(value))));
+    response
+}

@@ -1,0 +1,145 @@
+//! The response over a key: first the branches near those of the design before, then all that `jounce branch` finds.
+
+use crate::answers::Answered;
+use crate::design::{Design, Wrong};
+use crate::frame::Frame;
+use crate::halt::Halt;
+use crate::request::Over;
+use crate::session::Session;
+use jounce::continuation::StepControl;
+use jounce::study::{BandwidthSearch, Bifurcation, Branch, BranchCarry, BranchChase, BranchPoint, BranchSearch, KnownOrbit, Method};
+use jounce::study::{Parameter, Prepared, settled_orbit};
+use serde_json::{Value, json};
+use std::time::{Duration, Instant};
+
+/// Tolerance of the marches of the first answer: curves are right to a thousandth of their height.
+const COARSE: f64 = 1e-6;
+/// Length to which its bifurcations are located: a thousandth of the range.
+const SEEN: f64 = 0.02;
+/// Share of points that may be lost in carrying branches over.
+const MOST_LOST: f64 = 0.3;
+/// Tolerance of the second.
+const FINE: f64 = 1e-8;
+/// Values across the range at which the second one looks for branches that stand alone.
+const SEEDS: usize = 6;
+/// Longest period that it follows, drive cycles.
+const LONGEST_PERIOD: u32 = 8;
+/// A slider must rest that long before the second answer begins.
+const REST: Duration = Duration::from_millis(120);
+
+/// Long steps for the first answer.
+const LONG_STEPS: StepControl = StepControl { first: 0.1, longest: 1.2, shortest: 1e-6, turn: 0.45, stray: 0.25, most_evaluations: 6 };
+
+/// Answers twice; a third time with peaks and widths.
+///
+/// # Errors
+/// [`Wrong`]: faults of the design, of the range, or of the harvester.
+pub fn respond(session: &Session, id: u64, design: Design, over: &Over, halt: &Halt) -> Result<(), Wrong> {
+    let key = design.range(&over.over, over.from, over.to)?;
+    let range = (over.from, over.to);
+    let base = session.prepared(&design.spec, halt)?;
+    let parameter = Parameter::new(&base, &key, range.1 - range.0);
+    let began = Instant::now();
+    let (found, linear) =
+        rayon::join(|| coarse(session, &base, &parameter, range), || session.linear.curve(&design.spec, &parameter, range));
+    let send = |stage: &str, branches: Vec<Branch>, began: Instant| {
+        let mut frame = Frame::new(id, "response", stage);
+        frame.put("over", key.path()).put("unit", key.unit()).put("ms", 1e3 * began.elapsed().as_secs_f64());
+        linear.put(&mut frame);
+        put_branches(&mut frame, &branches);
+        if !halt.is_stopped() {
+            let answered = Answered { id, spec: design.spec.clone(), key: key.clone(), range, branches };
+            session.answers.keep(answered);
+        }
+        session.send(halt, frame);
+    };
+    send("coarse", found, began);
+
+    let (rested, look) = (Instant::now(), Duration::from_millis(5));
+    while rested.elapsed() < REST && !halt.is_stopped() {
+        std::thread::sleep(look);
+    }
+    if halt.is_stopped() {
+        return Ok(());
+    }
+    let began = Instant::now();
+    let (method, seeds, longest_period) = (Method::Shooting, SEEDS, LONGEST_PERIOD);
+    let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance: FINE, seeds, longest_period };
+    let branches = search.run()?;
+    send("fine", branches.clone(), began);
+    if !halt.is_stopped() && !branches.is_empty() {
+        let width = BandwidthSearch { base: &base, parameter: &parameter, range, tolerance: FINE };
+        let widths = width.run(&branches);
+        let mut frame = Frame::new(id, "response", "widths");
+        if let Some(together) = &widths.together {
+            frame.put("peak", json!(together.peak)).put("intervals", json!(together.intervals)).put("width", together.width);
+        }
+        session.send(halt, frame);
+    }
+    Ok(())
+}
+
+/// The branches near those of the design before: carried over point by point, walked again where that loses points or the range is
+/// another one, and walked from settled orbits where nothing is known.
+fn coarse(session: &Session, base: &Prepared, parameter: &Parameter, range: (f64, f64)) -> Vec<Branch> {
+    let kernel = &base.kernel;
+    let last = session.answers.last(parameter.key().path());
+    if let Some(last) = last.as_ref().filter(|last| last.range == range) {
+        let carry = BranchCarry { harvester: parameter, kernel, range, tolerance: COARSE, resolution: SEEN };
+        let carried = carry.run(&last.branches);
+        let points: usize = last.branches.iter().map(|branch| branch.points.len()).sum();
+        if (carried.lost as f64) <= MOST_LOST * points as f64 {
+            return carried.branches;
+        }
+    }
+    let chase = BranchChase { harvester: parameter, kernel, range, tolerance: COARSE, control: LONG_STEPS, resolution: SEEN };
+    let found = last.map(|last| chase.run(&last.orbits()).unwrap_or_default()).unwrap_or_default();
+    if !found.is_empty() || kernel.watch.is_stopped() {
+        return found;
+    }
+    chase.run(&settled(parameter, base, range)).unwrap_or_default()
+}
+
+/// Orbits on which a march from rest and from the steady state settles at both ends of the range.
+fn settled(family: &Parameter, base: &Prepared, range: (f64, f64)) -> Vec<KnownOrbit> {
+    let plant = &base.kernel.plant;
+    let rest = vec![0.0; plant.len()];
+    let steady = plant.to_physical(&rest, 0.0);
+    let (low, high) = range;
+    let jobs = [(low, &steady), (high, &steady), (low, &rest), (high, &rest)];
+    let known = |(parameter, start): (f64, &Vec<f64>)| {
+        let orbit = settled_orbit(family, parameter, start, COARSE, 1e-6)?;
+        Some(KnownOrbit { period_cycles: orbit.period_cycles, state: orbit.start().to_vec(), parameter })
+    };
+    let ([a, b], [c, d]) = ([jobs[0], jobs[1]], [jobs[2], jobs[3]]);
+    let pair = |one, two| rayon::join(|| known(one), || known(two));
+    let (first, second) = (pair(a, b), pair(c, d));
+    [first.0, first.1, second.0, second.1].into_iter().flatten().collect()
+}
+
+fn put_branches(frame: &mut Frame, branches: &[Branch]) {
+    let (mut listed, mut marks) = (Vec::new(), Vec::new());
+    for (index, branch) in branches.iter().enumerate() {
+        listed.push(json!({ "period": branch.period_cycles, "endings": branch.endings }));
+        let mut array = |name: &str, value: fn(&BranchPoint) -> f64| {
+            frame.array(&format!("{index}.{name}"), branch.points.iter().map(value));
+        };
+        array("x", |point| point.parameter);
+        array("power", |point| point.orbit.mean_power_w);
+        array("voltage", |point| point.orbit.voltage_rms_v);
+        array("penetration", |point| point.orbit.max_penetration_m);
+        array("floquet", |point| point.orbit.floquet_max_abs());
+        array("contacts", |point| point.orbit.contacts as f64);
+        marks.extend(branch.bifurcations.iter().map(|found| mark(index, found)));
+    }
+    frame.put("branches", listed).put("bifurcations", marks);
+}
+
+fn mark(branch: usize, found: &Bifurcation) -> Value {
+    let orbit = &found.at.orbit;
+    json!({
+        "branch": branch, "kind": found.kind.name(), "x": found.at.parameter, "power": orbit.mean_power_w,
+        "voltage": orbit.voltage_rms_v, "penetration": orbit.max_penetration_m, "floquet": orbit.floquet_max_abs(),
+        "contacts": orbit.contacts,
+    })
+}

@@ -1,0 +1,109 @@
+//! The controls of a page: every number of the spec, with its unit and a sensible range.
+
+use crate::design::Design;
+use jounce::spec::NumericKey;
+use serde_json::{Value, json};
+use toml_edit::{DocumentMut, Item};
+
+/// A slider goes from the value divided by this to the value times this where it is logarithmic.
+const DECADE: f64 = 10.0;
+/// And up to the value times this where it is linear.
+const LINEAR: f64 = 3.0;
+
+/// All controls: first the keys of the file in its order, then those that have defaults.
+pub fn controls(design: &Design) -> Vec<Value> {
+    let written = leaves(&design.file.text());
+    let mut all: Vec<(String, Option<String>)> = written.into_iter().map(|(path, text)| (path, Some(text))).collect();
+    for (path, _) in leaves(&design.spec.to_toml()) {
+        let is_spring = path.starts_with("mass.") && path.ends_with(".stiffness");
+        if !all.iter().any(|(known, _)| *known == path) && !is_spring {
+            all.push((path, None));
+        }
+    }
+    let find = |(path, text): &(String, Option<String>)| control(design, &NumericKey::find(&design.spec, path).ok()?, text.as_deref());
+    all.iter().filter_map(find).collect()
+}
+
+/// Dotted paths of all leaves of a document, with what stands there.
+fn leaves(text: &str) -> Vec<(String, String)> {
+    let mut found = Vec::new();
+    if let Ok(document) = text.parse::<DocumentMut>() {
+        for (name, item) in document.iter() {
+            gather(name.to_owned(), item, &mut found);
+        }
+    }
+    found
+}
+
+fn gather(path: String, item: &Item, found: &mut Vec<(String, String)>) {
+    match item.as_table_like() {
+        Some(table) => table.iter().for_each(|(name, item)| gather(format!("{path}.{name}"), item, found)),
+        None => found.push((path, item.as_str().unwrap_or_default().to_owned())),
+    }
+}
+
+/// One control. Numbers are shown in the unit that the file has: `factor` is its size in SI.
+fn control(design: &Design, key: &NumericKey, written: Option<&str>) -> Option<Value> {
+    let value = key.get(&design.spec).ok()?;
+    let shown = key.show(value);
+    let own = [written.unwrap_or_default(), &shown].into_iter().find_map(split);
+    let (unit, factor) = match own {
+        Some((number, unit)) if number != 0.0 => (unit, value / number),
+        _ => (key.unit(), 1.0),
+    };
+    let (low, high) = key.limits();
+    let scale = scale(key, value, low);
+    let (from, to) = ends(&scale, value, (low, high));
+    Some(json!({
+        "key": key.path(), "value": value, "shown": shown, "unit": unit, "factor": factor, "about": key.about(),
+        "scale": scale, "from": from, "to": to, "count": key.is_count(), "written": written.is_some(),
+    }))
+}
+
+/// Number and unit of a text.
+fn split(text: &str) -> Option<(f64, String)> {
+    let end = text.find(|letter: char| !letter.is_ascii_digit() && !"+-.eE".contains(letter)).unwrap_or(text.len());
+    Some((text[..end].parse().ok()?, text[end..].trim().to_owned()))
+}
+
+/// Lengths, frequencies, angles and plain numbers go in equal steps, what spans decades goes by ratios.
+fn scale(key: &NumericKey, value: f64, low: f64) -> String {
+    let linear = matches!(key.unit().as_str(), "m" | "Hz" | "s" | "rad" | "") || key.is_count();
+    if linear || value <= 0.0 || low < 0.0 && key.path().ends_with(".d31") { "linear" } else { "log" }.to_owned()
+}
+
+fn ends(scale: &str, value: f64, (low, high): (f64, f64)) -> (f64, f64) {
+    let (from, to) = match scale {
+        "log" => (value / DECADE, value * DECADE),
+        _ if value == 0.0 => (if low < 0.0 { -1.0 } else { 0.0 }, 1.0),
+        _ if value < 0.0 => (LINEAR * value, 0.0),
+        _ => (0.02 * value, LINEAR * value),
+    };
+    (from.max(low), to.min(high))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    #[test]
+    fn every_number_of_the_paper_has_a_control() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/impact-harvester-2019/harvester.toml");
+        let design = Design::read(Path::new(path), &[]).unwrap();
+        let all = controls(&design);
+        let find = |key: &str| all.iter().find(|control| control["key"] == key).cloned().unwrap_or_default();
+        let gap = find("stop.tip.gap");
+        assert_eq!((&gap["unit"], &gap["scale"]), (&json!("mm"), &json!("linear")));
+        assert_eq!(split("0.5 mm"), Some((0.5, "mm".to_owned())));
+        assert_eq!(split("1e-3m"), Some((1e-3, "m".to_owned())));
+        assert_eq!(split("table"), None);
+        assert!((gap["factor"].as_f64().unwrap() - 1e-3).abs() < 1e-15);
+        let load = find("circuit.load.resistance");
+        assert_eq!((&load["scale"], load["from"].as_f64(), load["to"].as_f64()), (&json!("log"), Some(1e5), Some(1e7)));
+        assert_eq!(find("beam.beam.point.tip")["written"], json!(true));
+        assert!(find("drive.shaker.phase")["written"] == json!(false) || find("drive.shaker.phase").is_null());
+        assert!(find("run.start").is_null() && find("drive.shaker.at").is_null());
+    }
+}

@@ -1,0 +1,97 @@
+//! The spec file with the overrides of a page.
+
+use jounce::spec::{Fault, NumericKey, Spec, SpecFile};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// A design without faults.
+pub struct Design {
+    /// The file with its overrides.
+    pub file: SpecFile,
+    /// The spec that both give.
+    pub spec: Spec,
+}
+
+/// What is wrong with a design.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Wrong {
+    /// By key, in the words of the command line.
+    Faults(Vec<Fault>),
+    /// As a whole.
+    Text(String),
+}
+
+impl<E: std::error::Error> From<E> for Wrong {
+    fn from(error: E) -> Self {
+        Wrong::Text(error.to_string())
+    }
+}
+
+impl Wrong {
+    /// A list of faults for the page: key, place, words.
+    pub fn listed(&self, path: &Path) -> Value {
+        let words = |fault: &Fault| match fault.set {
+            Some(_) => fault.to_string(),
+            None if fault.line == 0 => fault.message.clone(),
+            None => format!("{}:{fault}", path.display()),
+        };
+        match self {
+            Wrong::Text(text) => json!([{ "key": "", "line": 0, "message": text }]),
+            Wrong::Faults(faults) => {
+                let listed = |fault: &Fault| {
+                    let set = fault.set.as_ref().and_then(|set| set.strip_prefix("--set ")?.split_once('='));
+                    let key = set.map_or(fault.key.as_str(), |(key, _)| key);
+                    json!({ "key": key, "line": fault.line, "message": words(fault) })
+                };
+                faults.iter().map(listed).collect()
+            }
+        }
+    }
+}
+
+impl Design {
+    /// Reads the file as it is now and applies overrides of numbers.
+    ///
+    /// # Errors
+    /// [`Wrong`]: a file that cannot be read, faults in it, an override of something that is no number, a value that is not allowed.
+    pub fn read(path: &Path, set: &[(String, String)]) -> Result<Self, Wrong> {
+        let mut file = SpecFile::read(path)?;
+        if !set.is_empty() {
+            // A page may change numbers only: no path of a file comes from it.
+            let base = file.spec().map_err(|faults| Wrong::Faults(faults.as_slice().to_vec()))?;
+            let mut faults = Vec::new();
+            for (key, value) in set {
+                let put = NumericKey::find(&base, key).and_then(|_| file.set(key, value));
+                faults.extend(put.err());
+            }
+            if !faults.is_empty() {
+                return Err(Wrong::Faults(faults));
+            }
+        }
+        let spec = file.spec().map_err(|faults| Wrong::Faults(faults.as_slice().to_vec()))?;
+        Ok(Self { file, spec })
+    }
+
+    /// A key with a number.
+    ///
+    /// # Errors
+    /// [`Wrong::Faults`] for a key that is none.
+    pub fn key(&self, path: &str) -> Result<NumericKey, Wrong> {
+        self.file.numeric_key(path).map_err(|faults| Wrong::Faults(faults.as_slice().to_vec()))
+    }
+
+    /// A key and its range, both ends allowed.
+    ///
+    /// # Errors
+    /// [`Wrong`] as on the command line.
+    pub fn range(&self, path: &str, from: f64, to: f64) -> Result<NumericKey, Wrong> {
+        let key = self.key(path)?;
+        if !(from < to && from.is_finite() && to.is_finite()) {
+            return Err(Wrong::Text(format!("{path}: the range must go from a smaller to a larger value")));
+        }
+        for value in [from, to] {
+            key.set(&mut self.spec.clone(), value).map_err(|fault| Wrong::Faults(vec![fault]))?;
+        }
+        Ok(key)
+    }
+}

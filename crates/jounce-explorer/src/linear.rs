@@ -1,0 +1,56 @@
+//! The harvester that never touches its stop, kept as long as only stops change.
+
+use crate::frame::Frame;
+use jounce::linear::steady_power_w;
+use jounce::orbit::Harvester;
+use jounce::spec::Spec;
+use jounce::study::Parameter;
+use rayon::prelude::*;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// Points of the curve.
+const POINTS: usize = 161;
+
+/// Mean power over a key.
+#[derive(Debug)]
+pub struct Linear {
+    /// The design but for its stops.
+    spec: Spec,
+    key: String,
+    range: (f64, f64),
+    power_w: Vec<f64>,
+}
+
+/// The last curve.
+#[derive(Debug, Default)]
+pub struct LastLinear(Mutex<Option<Arc<Linear>>>);
+
+impl LastLinear {
+    /// The curve of a design over a key.
+    pub fn curve(&self, design: &Spec, parameter: &Parameter, range: (f64, f64)) -> Arc<Linear> {
+        let mut spec = design.clone();
+        spec.stop.clear();
+        let key = parameter.key().path().to_owned();
+        // Nothing is locked while threads compute: one of them might be about to ask for the same.
+        let last = self.0.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        if let Some(known) = last.filter(|known| known.range == range && known.key == key && known.spec == spec) {
+            return known;
+        }
+        let power = |k: usize| parameter.at(value(range, k)).map_or(f64::NAN, |setting| steady_power_w(&setting.kernel.plant));
+        let power_w = (0..POINTS).into_par_iter().map(power).collect();
+        let found = Arc::new(Linear { spec, key, range, power_w });
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&found));
+        found
+    }
+}
+
+fn value((low, high): (f64, f64), k: usize) -> f64 {
+    low + (high - low) * k as f64 / (POINTS - 1) as f64
+}
+
+impl Linear {
+    /// Puts it into an answer.
+    pub fn put(&self, frame: &mut Frame) {
+        frame.array("linear.x", (0..POINTS).map(|k| value(self.range, k))).array("linear.power", self.power_w.iter().copied());
+    }
+}

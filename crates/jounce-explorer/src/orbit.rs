@@ -1,0 +1,130 @@
+//! The orbit behind a point of a response, sampled over its period.
+
+use crate::design::Wrong;
+use crate::frame::Frame;
+use crate::halt::Halt;
+use crate::session::{Session, Shapes};
+use jounce::continuation::{Corrector, Metric, Position, settle};
+use jounce::march::Instant;
+use jounce::orbit::{OrbitMethod, Shooting, Shot};
+use jounce::plant::Plant;
+use jounce::signal::{Samples, Window};
+use jounce::study::Parameter;
+use serde_json::json;
+
+/// Samples of a drive cycle.
+const SAMPLES: usize = 480;
+/// Most samples of a period.
+const MOST_SAMPLES: usize = 1920;
+/// Pictures of the beam in a period.
+const PICTURES: usize = 240;
+/// Orders of the drive in the spectrum.
+const ORDERS: f64 = 12.0;
+/// Tolerance of the march.
+const TOLERANCE: f64 = 1e-9;
+
+/// Answers with the orbit of a point: number of the response, of the branch, of the point.
+///
+/// # Errors
+/// [`Wrong`]: a response that is no longer kept, a point that it does not have, an orbit that cannot be computed.
+pub fn respond(session: &Session, id: u64, (answer, branch, point): (u64, usize, usize), halt: &Halt) -> Result<(), Wrong> {
+    let answered = session.answered(answer)?;
+    let curve = answered.branches.get(branch).and_then(|branch| Some((branch.period_cycles, branch.points.get(point)?)));
+    let Some((cycles, point)) = curve else { return Err(Wrong::Text("this response has no such point".to_owned())) };
+    let base = session.prepared(&answered.spec, halt)?;
+    let parameter = Parameter::new(&base, &answered.key, answered.range.1 - answered.range.0);
+    let shooting = Shooting::new(&parameter, &base.kernel, cycles, TOLERANCE);
+    let position = Position { unknown: point.orbit.start().to_vec(), parameter: point.parameter };
+    let metric = Metric::at(&position, 1.0);
+    let found = settle(&shooting, &Corrector { goal: 50.0 * TOLERANCE, most: 10 }, &metric, position)?;
+    let orbit = shooting.orbit(&found.local, found.error)?;
+
+    let mut frame = Frame::new(id, "orbit", "done");
+    frame.put("parameter", point.parameter).put("over", answered.key.path()).put("unit", answered.key.unit());
+    frame.put("period_cycles", cycles).put("period_s", found.local.period_s);
+    frame.put("mean_power_w", orbit.mean_power_w).put("voltage_rms_v", orbit.voltage_rms_v).put("contacts", orbit.contacts);
+    frame.put("max_penetration_m", orbit.max_penetration_m).put("stable", orbit.is_stable());
+    frame.put("floquet_max_abs", orbit.floquet_max_abs()).put("error_estimate", orbit.error_estimate);
+    frame.array("multiplier.re", orbit.multipliers.iter().map(|value| value.re));
+    frame.array("multiplier.im", orbit.multipliers.iter().map(|value| value.im));
+    put_histories(&mut frame, &found.local)?;
+    put_pictures(&mut frame, &found.local, &session.shapes(&answered.spec)?);
+    put_stops(&mut frame, &answered.spec, &found.local.kernel.plant);
+    session.send(halt, frame);
+    Ok(())
+}
+
+/// States at `samples` equal times of the period.
+fn sampled(shot: &Shot, samples: usize) -> Vec<Instant> {
+    let cycle_s = shot.period_s / shot.trajectories.len() as f64;
+    let per_cycle = samples / shot.trajectories.len();
+    let times: Vec<f64> = (0..per_cycle).map(|k| cycle_s * k as f64 / per_cycle as f64).collect();
+    shot.trajectories.iter().flat_map(|trajectory| trajectory.at(&shot.kernel, &times)).collect()
+}
+
+/// Times, displacements towards the stops, velocities, forces, voltage and its spectrum.
+fn put_histories(frame: &mut Frame, shot: &Shot) -> Result<(), Wrong> {
+    let plant = &shot.kernel.plant;
+    let cycles = shot.trajectories.len();
+    let per_cycle = SAMPLES.min(MOST_SAMPLES / cycles).max(60);
+    let instants = sampled(shot, per_cycle * cycles);
+    let states: Vec<Vec<f64>> = instants.iter().map(|at| plant.to_physical(&at.state, at.time_s)).collect();
+    let step_s = shot.period_s / instants.len() as f64;
+    let n = plant.system.modes.len();
+    frame.array("time", (0..instants.len()).map(|k| step_s * k as f64));
+    for (p, stop) in plant.system.stops.iter().enumerate() {
+        let along = |state: &Vec<f64>, from: usize| stop.shape.iter().zip(&state[from..]).map(|(s, x)| s * x).sum::<f64>();
+        frame.array(&format!("displacement.{p}"), states.iter().map(|state| along(state, 0)));
+        frame.array(&format!("velocity.{p}"), states.iter().map(|state| along(state, n)));
+        frame.array(&format!("force.{p}"), instants.iter().map(|at| at.forces_n[p]));
+    }
+    let voltage: Vec<f64> = states.iter().map(|state| plant.patch_voltages_v(state).first().copied().unwrap_or(0.0)).collect();
+    if voltage.len() > 1 {
+        let spectrum = Samples::new(&voltage, 1.0 / step_s)?.spectrum(Window::Rectangular);
+        let highest = ORDERS * cycles as f64 / shot.period_s * 1.0001;
+        let kept = spectrum.frequency_hz.iter().take_while(|f| **f <= highest).count();
+        frame.array("spectrum.frequency", spectrum.frequency_hz[..kept].iter().copied());
+        frame.array("spectrum.amplitude", spectrum.amplitude_peak[..kept].iter().copied());
+    }
+    frame.array("voltage", voltage);
+    Ok(())
+}
+
+/// The beams in motion: displacement at each place, picture by picture.
+fn put_pictures(frame: &mut Frame, shot: &Shot, shapes: &Shapes) {
+    let plant = &shot.kernel.plant;
+    let instants = sampled(shot, PICTURES);
+    let modes = plant.system.modes.len();
+    let mut beams = Vec::new();
+    for (name, beam) in shapes.iter() {
+        beams.push(json!({ "name": name, "places": beam.place_m.len() }));
+        frame.array(&format!("place.{name}"), beam.place_m.iter().copied());
+        let picture = |at: &Instant| {
+            let state = plant.to_physical(&at.state, at.time_s);
+            let bent = |shape: &Vec<f64>| shape.iter().zip(&state[..modes]).map(|(s, q)| s * q).sum::<f64>();
+            beam.shape.iter().map(bent).collect::<Vec<f64>>()
+        };
+        frame.array(&format!("motion.{name}"), instants.iter().flat_map(picture));
+    }
+    frame.put("beams", beams).put("pictures", instants.len());
+}
+
+/// Where the stops stand.
+fn put_stops(frame: &mut Frame, spec: &jounce::spec::Spec, plant: &Plant) {
+    let listed = plant.system.stops.iter().map(|stop| {
+        let own = spec.stop.get(&stop.name);
+        let place = own.and_then(|own| {
+            let (beam, point) = own.at.split_once('.')?;
+            let length_m = spec.beam.get(beam)?.length_m;
+            let place_m = match point {
+                "root" => 0.0,
+                "end" => length_m,
+                _ => *spec.beam.get(beam)?.point.get(point)?,
+            };
+            Some(json!({ "beam": beam, "place": place_m }))
+        });
+        let above = own.is_none_or(|own| own.side == jounce::spec::Side::Positive);
+        json!({ "name": stop.name, "gap": stop.gap_m, "at": place, "above": above, "frame": own.map(|own| own.frame.clone()) })
+    });
+    frame.put("stops", listed.collect::<Vec<_>>());
+}

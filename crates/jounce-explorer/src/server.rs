@@ -1,0 +1,220 @@
+//! The server: one address, one spec file.
+
+use crate::assets::{refused, serve};
+use crate::guard::{Guard, Refusal};
+use crate::kept::Kept;
+use crate::{file_watch, socket};
+use axum::Router;
+use axum::extract::State;
+use axum::extract::ws::WebSocketUpgrade;
+use axum::extract::ws::rejection::WebSocketUpgradeRejection;
+use axum::http::{HeaderMap, Method, StatusCode, Uri};
+use axum::response::Response;
+use std::net::{Ipv4Addr, SocketAddr};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::sync::{Semaphore, watch};
+
+/// What a server is to do.
+#[derive(Debug, Clone)]
+pub struct Options {
+    /// The spec file.
+    pub spec: PathBuf,
+    /// Overrides with which the page begins, as in `--set`.
+    pub set: Vec<(String, String)>,
+    /// Where to listen; by default a free port of the loopback interface.
+    pub listen: Option<SocketAddr>,
+    /// The folder in which the address is kept, so that the next server of this spec has the same one; nothing is kept without it.
+    pub keep: Option<PathBuf>,
+    /// Limits.
+    pub limits: Limits,
+}
+
+/// Limits of a server.
+#[derive(Debug, Clone)]
+pub struct Limits {
+    /// Pages at once.
+    pub sockets: usize,
+    /// Bytes of a message from a page.
+    pub message_bytes: usize,
+    /// Longest time of one computation.
+    pub longest: Duration,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self { sockets: 64, message_bytes: 16 << 20, longest: Duration::from_secs(120) }
+    }
+}
+
+/// Why there is no page.
+#[derive(Debug, thiserror::Error)]
+pub enum ExploreError {
+    /// The spec cannot be read at all.
+    #[error(transparent)]
+    Spec(#[from] jounce::spec::ReadError),
+    /// The address is taken or not ours.
+    #[error("{address} cannot be listened on: {why}; give another --listen ADDRESS:PORT, or none for a free port of this machine")]
+    Address {
+        /// The address.
+        address: SocketAddr,
+        /// Why.
+        why: std::io::Error,
+    },
+    /// The system gives no random numbers or no threads.
+    #[error("the server cannot be started: {0}")]
+    System(String),
+}
+
+/// A server that is ready to run.
+#[derive(Debug)]
+pub struct Explorer {
+    listener: std::net::TcpListener,
+    address: SocketAddr,
+    guard: Guard,
+    options: Options,
+    stop: watch::Sender<bool>,
+}
+
+/// Ends a running server from any thread.
+#[derive(Debug, Clone)]
+pub struct Stopper(watch::Sender<bool>);
+
+impl Stopper {
+    /// Ends it: pages are told, computations stopped.
+    pub fn stop(&self) {
+        self.0.send_replace(true);
+    }
+}
+
+/// What all connections share.
+#[derive(Debug)]
+pub struct Host {
+    /// The checks.
+    pub guard: Guard,
+    /// What the server is to do.
+    pub options: Options,
+    /// One permit for each further page.
+    pub sockets: Arc<Semaphore>,
+    /// One permit for each further computation that a page waits for.
+    pub quick: Arc<Semaphore>,
+    /// One permit for each further computation of many marches, which take all cores.
+    pub long: Arc<Semaphore>,
+    /// States of the file so far.
+    pub versions: watch::Receiver<u64>,
+    /// True when the server is to end.
+    pub stopped: watch::Receiver<bool>,
+}
+
+impl Explorer {
+    /// Reads the spec once, so that a missing file is told at once, and takes the address.
+    ///
+    /// # Errors
+    /// [`ExploreError`].
+    pub fn bind(options: Options) -> Result<Self, ExploreError> {
+        jounce::spec::SpecFile::read(&options.spec)?;
+        let kept = options.keep.as_ref().and_then(|folder| Kept::read(folder, &options.spec));
+        let listener = listen(&options, kept.as_ref().map(|kept| kept.port))?;
+        let address = listener.local_addr().map_err(|error| ExploreError::System(error.to_string()))?;
+        let before = kept.filter(|kept| kept.port == address.port()).map(|kept| kept.token);
+        let guard = Guard::new(address, before).map_err(|error| ExploreError::System(error.to_string()))?;
+        if let Some(folder) = &options.keep {
+            // Without it the page works all the same, until the server ends.
+            let _ = Kept { port: address.port(), token: guard.token().to_owned() }.write(folder, &options.spec);
+        }
+        Ok(Self { listener, address, guard, options, stop: watch::Sender::new(false) })
+    }
+
+    /// Address of the page, with its token.
+    pub fn page(&self) -> String {
+        let shown =
+            if self.address.ip().is_unspecified() { SocketAddr::from((Ipv4Addr::LOCALHOST, self.address.port())) } else { self.address };
+        format!("http://{shown}/{}/", self.guard.token())
+    }
+
+    /// A handle that ends the server.
+    pub fn stopper(&self) -> Stopper {
+        Stopper(self.stop.clone())
+    }
+
+    /// Serves until it is stopped.
+    ///
+    /// # Errors
+    /// [`ExploreError::System`].
+    pub fn run(self) -> Result<(), ExploreError> {
+        let system = |error: std::io::Error| ExploreError::System(error.to_string());
+        let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build().map_err(system)?;
+        let served = runtime.block_on(self.serve()).map_err(system);
+        runtime.shutdown_timeout(Duration::from_secs(2));
+        served
+    }
+
+    async fn serve(self) -> std::io::Result<()> {
+        let cores = std::thread::available_parallelism().map_or(2, usize::from);
+        let mut stopped = self.stop.subscribe();
+        let host = Host {
+            guard: self.guard,
+            sockets: Arc::new(Semaphore::new(self.options.limits.sockets)),
+            quick: Arc::new(Semaphore::new(cores.max(2))),
+            long: Arc::new(Semaphore::new(1)),
+            versions: file_watch::follow(self.options.spec.clone()),
+            stopped: self.stop.subscribe(),
+            options: self.options,
+        };
+        let router = Router::new().fallback(answer).with_state(Arc::new(host));
+        let listener = tokio::net::TcpListener::from_std(self.listener)?;
+        let serving = axum::serve(listener, router);
+        // Connections that a browser keeps open would hold up a graceful end.
+        tokio::select! {
+            result = serving.into_future() => result,
+            _ = stopped.wait_for(|stopped| *stopped) => {
+                tokio::time::sleep(Duration::from_millis(100)).await;
+                Ok(())
+            }
+        }
+    }
+}
+
+/// Takes the address that is wanted; without a wish the port of the server before, or a free one.
+fn listen(options: &Options, before: Option<u16>) -> Result<std::net::TcpListener, ExploreError> {
+    let local = |port| SocketAddr::from((Ipv4Addr::LOCALHOST, port));
+    let wanted = options.listen.unwrap_or_else(|| local(0));
+    let again = before.filter(|_| options.listen.is_none()).and_then(|port| std::net::TcpListener::bind(local(port)).ok());
+    let listener = again.map_or_else(|| std::net::TcpListener::bind(wanted), Ok);
+    let ready = listener.and_then(|listener| listener.set_nonblocking(true).map(|()| listener));
+    ready.map_err(|why| ExploreError::Address { address: wanted, why })
+}
+
+/// Every request comes through here; the path is compared with known names and opens no file.
+async fn answer(
+    State(host): State<Arc<Host>>,
+    method: Method,
+    uri: Uri,
+    headers: HeaderMap,
+    upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
+) -> Response {
+    let path = uri.path().strip_prefix('/').unwrap_or_default();
+    let (token, name) = path.split_once('/').unwrap_or((path, "socket"));
+    match host.guard.check(token, &headers, name == "socket") {
+        Err(Refusal::Host) => return refused(StatusCode::MISDIRECTED_REQUEST, "this server is not asked by that name"),
+        Err(Refusal::Origin) => return refused(StatusCode::FORBIDDEN, "this server answers its own page only"),
+        Err(Refusal::Token) => return refused(StatusCode::FORBIDDEN, "use the address that `jounce explore` printed, with its token"),
+        Ok(()) => {}
+    }
+    if method != Method::GET {
+        return refused(StatusCode::METHOD_NOT_ALLOWED, "only GET is answered");
+    }
+    if name != "socket" {
+        return serve(name);
+    }
+    let Ok(upgrade) = upgrade else { return refused(StatusCode::BAD_REQUEST, "a websocket is expected here") };
+    let Ok(permit) = Arc::clone(&host.sockets).try_acquire_owned() else {
+        return refused(StatusCode::SERVICE_UNAVAILABLE, "too many pages are open; close one");
+    };
+    let most = host.options.limits.message_bytes;
+    upgrade.max_message_size(most).max_frame_size(most).on_upgrade(move |socket| async move {
+        socket::converse(socket, host).await;
+        drop(permit);
+    })
+}

@@ -1,0 +1,128 @@
+//! The harvester under noise or under a recording that was dropped onto the page, in place of its first drive.
+
+use crate::design::{Design, Wrong};
+use crate::frame::Frame;
+use crate::halt::Halt;
+use crate::request::Shaking;
+use crate::session::Session;
+use jounce::linear::Random;
+use jounce::march::Kernel;
+use jounce::run::{RunAnswer, RunPlan, simulate};
+use jounce::signal::{Samples, Window};
+use jounce::spec::{DriveSignal, Spec, SpecFile};
+use jounce::study::StudyError;
+use std::path::Path;
+
+/// Length of a march under noise, s.
+const NOISE_S: f64 = 60.0;
+/// Share of it that is averaged.
+const AVERAGED: f64 = 0.75;
+/// Longest recording that is marched, s.
+const LONGEST_S: f64 = 3600.0;
+/// Tolerance of the march.
+const TOLERANCE: f64 = 1e-6;
+/// Samples per second of histories and densities, where the march is not too long for them.
+const RATE_HZ: f64 = 1000.0;
+/// Most samples.
+const MOST_SAMPLES: f64 = 120_000.0;
+/// Pairs of the smallest and the largest value that a history is shown by.
+const PAIRS: usize = 900;
+/// Bands of a density.
+const BANDS: usize = 300;
+
+/// Marches and answers with powers, histories and the density of the voltage.
+///
+/// # Errors
+/// [`Wrong`]: no drive to replace, noise or a recording that the spec does not allow.
+pub fn respond(session: &Session, id: u64, design: &Design, by: &Shaking, folder: &Path, halt: &Halt) -> Result<(), Wrong> {
+    let mut spec = shaken(design, by, folder)?;
+    let recorded_s = spec.drive.values().find_map(|drive| match &drive.signal {
+        DriveSignal::Recording { record: Some(record), .. } => Some(record.step_s * (record.values.len() - 1) as f64),
+        _ => None,
+    });
+    let duration_s = recorded_s.unwrap_or(NOISE_S);
+    if duration_s > LONGEST_S {
+        return Err(Wrong::Text(format!("the recording is {duration_s:.0} s long; drop one of at most {LONGEST_S:.0} s")));
+    }
+    let average_over_s = if recorded_s.is_some() { duration_s } else { AVERAGED * duration_s };
+    // Noise is made for the length of the run.
+    (spec.run.duration_s, spec.run.average_over_s) = (duration_s, average_over_s);
+    let base = session.prepared(&spec, halt)?;
+    let start = base.start(folder)?;
+    let kernel = base.from_state(&start)?;
+    let plan = RunPlan { duration_s, average_over_s, tolerance: TOLERANCE, record_s: duration_s };
+    let answer = simulate(&kernel, &start, &plan).map_err(StudyError::from)?;
+    let mut frame = Frame::new(id, "shake", "done");
+    frame.put("mean_power_w", answer.mean_power_w).put("contacts", answer.contacts).put("average_over_s", average_over_s);
+    frame.put("max_penetration_m", answer.max_penetration_m).put("duration_s", duration_s);
+    if matches!(by, Shaking::Noise { .. }) {
+        let linear = Random::new(&spec).and_then(|random| random.answer());
+        frame.put("linear_power_w", linear.map_or(f64::NAN, |answer| answer.mean_power_w));
+    }
+    put_histories(&mut frame, &kernel, &answer, duration_s)?;
+    session.send(halt, frame);
+    Ok(())
+}
+
+/// The spec with noise or the recording in place of its first drive, checked like any other.
+fn shaken(design: &Design, by: &Shaking, folder: &Path) -> Result<Spec, Wrong> {
+    let mut spec = design.spec.clone();
+    let temporary = tempfile::tempdir()?;
+    let recording = temporary.path().join("recording.csv");
+    for drive in spec.drive.values_mut() {
+        if let DriveSignal::Recording { file, .. } = &mut drive.signal {
+            *file = folder.canonicalize()?.join(&*file).display().to_string();
+        }
+    }
+    let Some(drive) = spec.drive.values_mut().next() else {
+        return Err(Wrong::Text("this design has no drive; give it one in the file".to_owned()));
+    };
+    drive.signal = match *by {
+        Shaking::Noise { density, low_hz, high_hz } => DriveSignal::Noise { density, low_hz, high_hz, sample_rate_hz: None, seed: 1 },
+        Shaking::Recording { ref text, scale, .. } => {
+            std::fs::write(&recording, text)?;
+            let file = recording.display().to_string();
+            DriveSignal::Recording { file, scale, start_s: 0.0, sample_rate_hz: None, record: None }
+        }
+    };
+    let found = SpecFile::from_text(&spec.to_toml()).spec();
+    found.map_err(|faults| {
+        // The page knows the recording by its own name, and nothing of the text that was checked here.
+        let shown = recording.display().to_string();
+        let name = if let Shaking::Recording { name, .. } = by { name.as_str() } else { "" };
+        let told: Vec<String> = faults.as_slice().iter().map(|fault| fault.message.replace(&shown, name)).collect();
+        Wrong::Text(told.join("; "))
+    })
+}
+
+/// Voltage and displacement in pairs of extremes, and the density of the voltage in bands.
+fn put_histories(frame: &mut Frame, kernel: &Kernel, answer: &RunAnswer, duration_s: f64) -> Result<(), Wrong> {
+    let plant = &kernel.plant;
+    let rate_hz = RATE_HZ.min(MOST_SAMPLES / duration_s);
+    let count = (duration_s * rate_hz) as usize;
+    let time_s: Vec<f64> = (0..count).map(|k| k as f64 / rate_hz).collect();
+    let instants = answer.trajectory.at(kernel, &time_s);
+    let states: Vec<Vec<f64>> = instants.iter().map(|at| plant.to_physical(&at.state, at.time_s)).collect();
+    let voltage: Vec<f64> = states.iter().map(|state| plant.patch_voltages_v(state).first().copied().unwrap_or(0.0)).collect();
+    put_history(frame, "voltage", &time_s, &voltage);
+    if let Some(stop) = plant.system.stops.first() {
+        let along: Vec<f64> = states.iter().map(|state| stop.shape.iter().zip(state).map(|(s, x)| s * x).sum()).collect();
+        put_history(frame, "displacement", &time_s, &along);
+        frame.put("gap_m", stop.gap_m);
+    }
+    if count > 2 * BANDS {
+        let density = Samples::new(&voltage, rate_hz)?.density(Window::Hann);
+        let wide = density.len() / BANDS;
+        let bands = density.chunks_exact(wide).map(|band| band.iter().sum::<f64>() / wide as f64);
+        frame.array("density.value", bands);
+        frame.array("density.frequency", (0..density.len() / wide).map(|k| (k as f64 + 0.5) * wide as f64 / duration_s));
+    }
+    Ok(())
+}
+
+fn put_history(frame: &mut Frame, name: &str, time_s: &[f64], values: &[f64]) {
+    let wide = values.len().div_ceil(PAIRS).max(1);
+    let ends = |part: &[f64]| part.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(*v), high.max(*v)));
+    frame.array(&format!("{name}.time"), time_s.chunks(wide).flat_map(|part| [part[0], part[0]]));
+    frame.array(&format!("{name}.value"), values.chunks(wide).map(ends).flat_map(|(low, high)| [low, high]));
+}

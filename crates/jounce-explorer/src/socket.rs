@@ -1,0 +1,74 @@
+//! One page: its socket from opening to close.
+
+use crate::frame::Frame;
+use crate::request::{MOST_OVERRIDES, Request};
+use crate::server::Host;
+use crate::session::Session;
+use axum::extract::ws::{Message, WebSocket};
+use futures_util::{SinkExt, StreamExt};
+use std::sync::Arc;
+use tokio::sync::{mpsc, watch};
+
+/// Answers that wait for a slow page.
+const WAITING: usize = 64;
+
+/// Talks with a page until it goes away or the server ends; then stops all that it asked for.
+pub async fn converse(socket: WebSocket, host: Arc<Host>) {
+    let (mut sink, mut stream) = socket.split();
+    let (out, mut queue) = mpsc::channel::<Vec<u8>>(WAITING);
+    let writer = tokio::spawn(async move {
+        while let Some(bytes) = queue.recv().await {
+            if sink.send(Message::Binary(bytes.into())).await.is_err() {
+                return;
+            }
+        }
+        let _ = sink.close().await;
+    });
+    let (mut versions, mut stopped) = (host.versions.clone(), host.stopped.clone());
+    let session = Arc::new(Session::new(Arc::clone(&host), out));
+    session.greet().await;
+    loop {
+        tokio::select! {
+            message = stream.next() => match message {
+                Some(Ok(Message::Text(text))) => hear(&session, text.as_str()).await,
+                Some(Ok(Message::Ping(_) | Message::Pong(_))) => {}
+                Some(Ok(Message::Binary(_) | Message::Close(_)) | Err(_)) | None => break,
+            },
+            changed = versions.changed() => match changed {
+                Ok(()) => {
+                    let version = *versions.borrow_and_update();
+                    let mut frame = Frame::new(0, "file", "done");
+                    frame.put("version", version);
+                    session.tell(frame).await;
+                }
+                Err(_) => break,
+            },
+            () = ended(&mut stopped) => break,
+        }
+    }
+    session.end();
+    drop(session);
+    // Computations that are ending still hold a sender each.
+    let _ = tokio::time::timeout(std::time::Duration::from_secs(1), writer).await;
+}
+
+/// Waits for the end of the server.
+async fn ended(stopped: &mut watch::Receiver<bool>) {
+    let _ = stopped.wait_for(|stopped| *stopped).await;
+}
+
+async fn hear(session: &Arc<Session>, text: &str) {
+    match serde_json::from_str::<Request>(text) {
+        Ok(request) if request.set.len() <= MOST_OVERRIDES => session.ask(request),
+        Ok(request) => {
+            let mut frame = Frame::new(request.id, request.ask.name(), "fault");
+            frame.put("message", format!("{} overrides are too many; {MOST_OVERRIDES} are allowed", request.set.len()));
+            session.tell(frame).await;
+        }
+        Err(error) => {
+            let mut frame = Frame::new(0, "request", "fault");
+            frame.put("message", format!("the request cannot be read: {error}"));
+            session.tell(frame).await;
+        }
+    }
+}

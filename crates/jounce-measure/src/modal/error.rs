@@ -1,0 +1,54 @@
+//! Why no modes are found.
+
+/// Responses that give no modes.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ModalError {
+    /// Responses of unequal length, or none.
+    #[error("response {response} has {lines} lines and the frequencies are {expected}; at least one response of as many lines is needed")]
+    Lengths {
+        /// Number of the response, from 1.
+        response: usize,
+        /// Its lines.
+        lines: usize,
+        /// Number of frequencies.
+        expected: usize,
+    },
+    /// A band with too few lines for the order.
+    #[error(
+        "between {low_hz} and {high_hz} Hz lie {lines} lines; order {order} needs at least {needed}: widen the band, refine the lines or lower the order"
+    )]
+    Few {
+        /// Lower end, Hz.
+        low_hz: f64,
+        /// Upper end, Hz.
+        high_hz: f64,
+        /// Lines in the band.
+        lines: usize,
+        /// Largest order.
+        order: usize,
+        /// Lines that it needs.
+        needed: usize,
+    },
+    /// A line that is not a number.
+    #[error("response {response} is not a number at {frequency_hz} Hz; does the force vanish there?")]
+    NotFinite {
+        /// Number of the response, from 1.
+        response: usize,
+        /// Frequency of the line, Hz.
+        frequency_hz: f64,
+    },
+    /// Equations without a solution.
+    #[error("the equations of order {order} are singular; are all responses zero?")]
+    Singular {
+        /// The order.
+        order: usize,
+    },
+    /// No pole stays where it is.
+    #[error("no pole is stable from order to order between {low_hz} and {high_hz} Hz: there is no clear mode, or the coherence is too low")]
+    NoMode {
+        /// Lower end, Hz.
+        low_hz: f64,
+        /// Upper end, Hz.
+        high_hz: f64,
+    },
+}

@@ -1,0 +1,31 @@
+//! The modal assurance criterion.
+
+use faer::c64;
+
+use super::Mode;
+
+/// `|a^H b|^2 / (a^H a  b^H b)`: 1 for the same shape at any scale and phase, 0 for orthogonal ones; NaN where a shape is zero.
+pub fn mac(a: &[c64], b: &[c64]) -> f64 {
+    let product: c64 = a.iter().zip(b).map(|(a, b)| a.conj() * b).sum();
+    let size = |shape: &[c64]| shape.iter().map(|x| x.norm_sqr()).sum::<f64>();
+    product.norm_sqr() / (size(a) * size(b))
+}
+
+/// Every shape against every other, by their residues.
+pub fn mac_matrix(modes: &[Mode]) -> Vec<Vec<f64>> {
+    let row = |a: &Mode| modes.iter().map(|b| mac(&a.residue, &b.residue)).collect();
+    modes.iter().map(row).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shapes_are_compared_at_any_scale_and_phase() {
+        let a = [c64::new(1.0, 0.0), c64::new(2.0, 1.0)];
+        let turned: Vec<c64> = a.iter().map(|x| x * c64::new(0.3, -4.0)).collect();
+        assert!((mac(&a, &turned) - 1.0).abs() < 1e-15);
+        assert!(mac(&[c64::new(1.0, 0.0), c64::new(0.0, 0.0)], &[c64::new(0.0, 0.0), c64::new(0.0, 2.0)]) < 1e-30);
+    }
+}

@@ -1,0 +1,31 @@
+//! Modes from frequency responses.
+//!
+//! Poles come from the poly-reference least-squares complex frequency-domain method (pLSCF) over a range of orders; those that stay where they
+//! are from order to order make the stabilisation diagram and the first guess. A maximum-likelihood refinement then fits
+//!
+//! ```text
+//! H(w) = (j w)^m [ sum_r R_r / (j w - p_r) + conj(R_r) / (j w - conj(p_r)) - L / w^2 + U ],   p = -zeta w_r + j w_r sqrt(1 - zeta^2)
+//! ```
+//!
+//! (`m` = 0, 1, 2 for displacement, velocity and acceleration per force) to all responses at once, each line with the variance that its
+//! coherence tells, and its covariance gives the uncertainty of frequencies and damping ratios.
+//!
+//! Source: P. Guillaume et al., A poly-reference implementation of the least-squares complex frequency-domain estimator, IMAC 21 (2003);
+//! M. El-Kafafy et al., Fast maximum-likelihood identification of modal parameters with uncertainty intervals, Mech. Syst. Signal Process. 37
+//! (2013) 422.
+mod band;
+mod error;
+mod identify;
+mod likelihood;
+mod mac;
+mod plscf;
+mod pole;
+mod stabilisation;
+
+pub use band::{Band, Motion};
+pub use error::ModalError;
+pub use identify::{Identification, Mode, Settings, identify};
+pub use mac::{mac, mac_matrix};
+pub use plscf::poles;
+pub use pole::Pole;
+pub use stabilisation::{Stable, StablePole, diagram};

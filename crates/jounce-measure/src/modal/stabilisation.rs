@@ -1,0 +1,95 @@
+//! The stabilisation diagram: which poles stay where they are as the order grows.
+
+use serde::Serialize;
+
+use super::Pole;
+
+/// How a pole compares with those of the order below.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Stable {
+    /// No pole near it.
+    New,
+    /// One within 1 % in frequency.
+    Frequency,
+    /// One within 1 % in frequency and 5 % in damping.
+    Pole,
+}
+
+/// A pole of the diagram.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct StablePole {
+    /// The order.
+    pub order: usize,
+    /// The pole.
+    pub pole: Pole,
+    /// How it compares.
+    pub stable: Stable,
+}
+
+/// Limits of the usual diagram.
+const FREQUENCY: f64 = 0.01;
+const DAMPING: f64 = 0.05;
+/// A structure's damping ratio is below this: what is above stands for no mode.
+const LARGEST_DAMPING: f64 = 0.2;
+/// Stable poles closer than this, relative, belong to one mode.
+const ONE_MODE: f64 = 2e-3;
+/// A mode is stable in frequency in at least this share of the orders above its first, and in damping too in the second share of those.
+const SHARE: f64 = 0.6;
+const DAMPED_ALIKE: f64 = 0.3;
+
+/// The diagram of the poles of each order from 1.
+pub fn diagram(poles: &[Vec<Pole>]) -> Vec<StablePole> {
+    let mut found = Vec::new();
+    for (k, order) in poles.iter().enumerate() {
+        let before: &[Pole] = k.checked_sub(1).map_or(&[], |before| &poles[before]);
+        for pole in order.iter().filter(|pole| pole.damping_ratio < LARGEST_DAMPING) {
+            let near = |other: &&Pole| (other.frequency_hz / pole.frequency_hz - 1.0).abs() <= FREQUENCY;
+            let alike = |other: &Pole| (other.damping_ratio / pole.damping_ratio - 1.0).abs() <= DAMPING;
+            let stable = match () {
+                () if before.iter().filter(near).any(alike) => Stable::Pole,
+                () if before.iter().any(|other| near(&other)) => Stable::Frequency,
+                () => Stable::New,
+            };
+            found.push(StablePole { order: k + 1, pole: *pole, stable });
+        }
+    }
+    found
+}
+
+/// The poles that stay, one for each mode: of every cluster of stable poles the middle one of its upper orders. A cluster must be stable in
+/// most of the orders from its first on, and in five of them.
+pub(super) fn modes(diagram: &[StablePole], low_hz: f64, high_hz: f64) -> Vec<Pole> {
+    let inside = |p: &&StablePole| p.stable != Stable::New && (low_hz..=high_hz).contains(&p.pole.frequency_hz);
+    let mut stable: Vec<&StablePole> = diagram.iter().filter(inside).collect();
+    stable.sort_by(|a, b| a.pole.frequency_hz.total_cmp(&b.pole.frequency_hz));
+    let last = diagram.iter().map(|p| p.order).max().unwrap_or(0);
+    let mut clusters: Vec<Vec<&StablePole>> = Vec::new();
+    for pole in stable {
+        let joins =
+            |cluster: &Vec<&StablePole>| cluster.last().is_some_and(|p| pole.pole.frequency_hz / p.pole.frequency_hz - 1.0 <= ONE_MODE);
+        match clusters.last_mut().filter(|cluster| joins(cluster)) {
+            Some(cluster) => cluster.push(pole),
+            None => clusters.push(vec![pole]),
+        }
+    }
+    clusters.iter().filter_map(|cluster| middle(cluster, last)).collect()
+}
+
+fn middle(cluster: &[&StablePole], last: usize) -> Option<Pole> {
+    let first = cluster.iter().map(|p| p.order).min()?;
+    let mut orders: Vec<usize> = cluster.iter().map(|p| p.order).collect();
+    orders.sort_unstable();
+    orders.dedup();
+    if orders.len() < 5 || (orders.len() as f64) < SHARE * (last + 1 - first) as f64 {
+        return None;
+    }
+    let alike = cluster.iter().filter(|p| p.stable == Stable::Pole).count() as f64;
+    if alike < DAMPED_ALIKE * cluster.len() as f64 {
+        return None;
+    }
+    let from = orders[orders.len() / 2];
+    let mut upper: Vec<Pole> = cluster.iter().filter(|p| p.order >= from).map(|p| p.pole).collect();
+    upper.sort_by(|a, b| a.damping_ratio.total_cmp(&b.damping_ratio));
+    Some(upper[upper.len() / 2])
+}

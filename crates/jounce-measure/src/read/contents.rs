@@ -1,0 +1,99 @@
+//! A file to everything that is in it.
+
+use std::io::Read as _;
+use std::path::Path;
+
+use super::error::Damage;
+use super::raw::Raw;
+use super::{Notes, ReadError, assemble, lvm, mat, npy, parquet, text, uff};
+use crate::recording::{Finding, Recording};
+
+/// What a file holds.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Contents {
+    /// Its recordings, one for each set of channels with a grid of their own.
+    pub recordings: Vec<Recording>,
+    /// Its mode shapes (UFF 55).
+    pub shapes: Vec<ModeShape>,
+    /// What concerns the file as a whole.
+    pub findings: Vec<Finding>,
+}
+
+/// A mode shape, or another set of numbers at nodes, of UFF 55.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModeShape {
+    /// Natural frequency, Hz; NaN where the set tells none.
+    pub frequency_hz: f64,
+    /// Viscous damping ratio; NaN where the set tells none.
+    pub damping_ratio: f64,
+    /// Numbers of the nodes.
+    pub nodes: Vec<i64>,
+    /// Real part of each component at each node.
+    pub real: Vec<Vec<f64>>,
+    /// Imaginary parts of a complex shape.
+    pub imaginary: Option<Vec<Vec<f64>>>,
+}
+
+/// What a reader of a format returns.
+pub(super) struct Found {
+    pub sets: Vec<Raw>,
+    pub shapes: Vec<ModeShape>,
+    pub findings: Vec<Finding>,
+}
+
+impl From<Raw> for Found {
+    fn from(set: Raw) -> Self {
+        Self { sets: vec![set], shapes: Vec::new(), findings: Vec::new() }
+    }
+}
+
+type Reader = fn(&Path) -> Result<Found, Damage>;
+
+/// Reads a file of any known format, with the notes beside it.
+///
+/// # Errors
+/// A file that cannot be opened, that is none of the formats or damaged, that tells no time, or whose notes are wrong.
+pub fn file(path: &Path) -> Result<Contents, ReadError> {
+    let (format, reader) = format_of(path)?;
+    let notes = Notes::beside(path)?;
+    let found = reader(path).map_err(|Damage { place, why }| ReadError::Damaged { path: path.to_owned(), format, place, why })?;
+    let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    let several = found.sets.len() > 1;
+    let mut contents = Contents { recordings: Vec::new(), shapes: found.shapes, findings: found.findings };
+    for (k, set) in found.sets.into_iter().enumerate() {
+        let name = match (several, set.title.is_empty()) {
+            (false, _) => stem.clone(),
+            (true, true) => format!("{stem} {}", k + 1),
+            (true, false) => format!("{stem} {}: {}", k + 1, set.title),
+        };
+        contents.recordings.push(assemble::recording(path, name, set, &notes)?);
+    }
+    Ok(contents)
+}
+
+/// The format, by what the file begins with.
+fn format_of(path: &Path) -> Result<(&'static str, Reader), ReadError> {
+    let open = |reason| ReadError::Open { path: path.to_owned(), reason };
+    let mut head = Vec::new();
+    let file = std::fs::File::open(path).map_err(open)?;
+    if !file.metadata().map_err(open)?.is_file() {
+        return Err(ReadError::Format { path: path.to_owned(), why: "it is no file".to_owned() });
+    }
+    file.take(4096).read_to_end(&mut head).map_err(open)?;
+    let refused = |why: &str| Err(ReadError::Format { path: path.to_owned(), why: why.to_owned() });
+    let first_line = head.split(|b| *b == b'\n').map(<[u8]>::trim_ascii).find(|line| !line.is_empty()).unwrap_or_default();
+    match () {
+        () if head.trim_ascii().is_empty() => refused("it is empty"),
+        () if head.starts_with(b"PAR1") => Ok(("Parquet", parquet::read as Reader)),
+        () if head.starts_with(b"\x93NUMPY") => Ok(("NPY", npy::read)),
+        () if head.starts_with(b"MATLAB 7.3") || head.starts_with(b"\x89HDF") => {
+            refused("it is HDF5 (MAT v7.3): save it with `-v7`, or read it with h5py in Python")
+        }
+        () if head.starts_with(b"MATLAB 5.0") => Ok(("MAT v5", mat::read)),
+        () if first_line == b"-1" => Ok(("UFF", uff::read)),
+        () if head.starts_with(b"LabVIEW Measurement") => Ok(("LVM", lvm::read)),
+        () if head.starts_with(b"\xff\xfe") || head.starts_with(b"\xfe\xff") => refused("it is UTF-16 text: save it as UTF-8"),
+        () if head.contains(&0) => refused("it is binary and begins like no known format"),
+        () => Ok(("text", text::read)),
+    }
+}

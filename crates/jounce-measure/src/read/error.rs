@@ -1,0 +1,88 @@
+//! Why a file gives no recording.
+
+use std::path::PathBuf;
+
+use crate::recording::{GridError, Place};
+
+/// A file that cannot be read.
+#[derive(Debug, thiserror::Error)]
+pub enum ReadError {
+    /// It cannot be opened.
+    #[error("{}: {reason}", path.display())]
+    Open {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        reason: std::io::Error,
+    },
+    /// It is none of the formats.
+    #[error("{}: {why}; CSV and text, Parquet, NPY, MAT v5, UFF and LVM can be read", path.display())]
+    Format {
+        /// The file.
+        path: PathBuf,
+        /// What it is instead.
+        why: String,
+    },
+    /// It is damaged, cut, or of a kind that its format allows and jounce does not read.
+    #[error("{}: as {format}, {}{why}", path.display(), at(*place))]
+    Damaged {
+        /// The file.
+        path: PathBuf,
+        /// The format.
+        format: &'static str,
+        /// Where.
+        place: Option<Place>,
+        /// What is wrong, and what to do.
+        why: String,
+    },
+    /// Nothing tells when the samples were taken.
+    #[error(
+        "{}: no column ascends like time (columns: {}); name one with `time = \"...\"`, or give `rate = \"... Hz\"`, in {}",
+        path.display(), columns.join(", "), notes.display()
+    )]
+    NoTime {
+        /// The file.
+        path: PathBuf,
+        /// Its columns.
+        columns: Vec<String>,
+        /// Where the notes belong.
+        notes: PathBuf,
+    },
+    /// Its time stamps are no times.
+    #[error("{}: {fault}", path.display())]
+    Grid {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        fault: GridError,
+    },
+    /// The notes beside it are wrong; all faults.
+    #[error("{}: {}", path.display(), faults.join("; "))]
+    Notes {
+        /// The notes.
+        path: PathBuf,
+        /// One sentence each.
+        faults: Vec<String>,
+    },
+}
+
+fn at(place: Option<Place>) -> String {
+    place.map(|place| format!("{place}: ")).unwrap_or_default()
+}
+
+/// What is wrong inside a file, before its name is known.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Damage {
+    pub place: Option<Place>,
+    pub why: String,
+}
+
+impl Damage {
+    pub(super) fn new(why: impl Into<String>) -> Self {
+        Self { place: None, why: why.into() }
+    }
+
+    pub(super) fn at(place: Place, why: impl Into<String>) -> Self {
+        Self { place: Some(place), why: why.into() }
+    }
+}

@@ -1,0 +1,78 @@
+//! MATLAB files of version 5: every numeric array; vectors and the columns of matrices are channels.
+
+use std::fs::File;
+use std::io::BufReader;
+use std::path::Path;
+
+use matfile::{MatFile, NumericData};
+
+use super::contents::Found;
+use super::error::Damage;
+use super::raw::{Raw, RawChannel};
+use crate::recording::{Finding, FindingKind};
+
+pub(super) fn read(path: &Path) -> Result<Found, Damage> {
+    let file = File::open(path).map_err(|fault| Damage::new(fault.to_string()))?;
+    let parsed = MatFile::parse(BufReader::new(file)).map_err(|fault| Damage::new(format!("{fault}; was the file cut?")))?;
+    let mut findings = Vec::new();
+    let mut channels = Vec::new();
+    for array in parsed.arrays() {
+        match matrix(array) {
+            Some(columns) => channels.extend(columns),
+            None => {
+                let about = format!("the array {} of size {:?} is no series of numbers", array.name(), array.size());
+                findings.push(Finding::new(FindingKind::Skipped, 1, None, about));
+            }
+        }
+    }
+    let longest = channels.iter().map(|channel: &RawChannel| channel.values.len()).max();
+    let Some(longest) = longest.filter(|longest| *longest > 1) else {
+        return Err(Damage::new("it holds no numeric array that could be a record (cells, structs and text are not read)"));
+    };
+    for short in channels.iter().filter(|channel| channel.values.len() != longest) {
+        let about = format!("{} has {} samples where the record has {longest}", short.name, short.values.len());
+        findings.push(Finding::new(FindingKind::Skipped, 1, None, about));
+    }
+    channels.retain(|channel| channel.values.len() == longest);
+    Ok(Raw::columns(channels, findings).into())
+}
+
+/// The longer side of a matrix is time; a matrix of several columns has them numbered from 1.
+fn matrix(array: &matfile::Array) -> Option<Vec<RawChannel>> {
+    let [rows, columns] = array.size()[..] else { return None };
+    let (real, imaginary) = numbers(array.data());
+    if rows.checked_mul(columns)? != real.len() || imaginary.as_ref().is_some_and(|imaginary| imaginary.len() != real.len()) {
+        return None;
+    }
+    let (series, length, tall) = if rows >= columns { (columns, rows, true) } else { (rows, columns, false) };
+    let pick = |values: &[f64], k: usize| -> Vec<f64> {
+        // Columns follow each other in the file.
+        (0..length).map(|i| if tall { values[k * rows + i] } else { values[i * rows + k] }).collect()
+    };
+    let channel = |k: usize| {
+        let name = if series == 1 { array.name().to_owned() } else { format!("{}({})", array.name(), k + 1) };
+        let imaginary = imaginary.as_ref().map(|imaginary| pick(imaginary, k));
+        RawChannel { imaginary, ..RawChannel::new(&name, "", pick(&real, k)) }
+    };
+    Some((0..series).map(channel).collect())
+}
+
+fn numbers(data: &NumericData) -> (Vec<f64>, Option<Vec<f64>>) {
+    macro_rules! widened {
+        ($real:expr, $imag:expr) => {
+            ($real.iter().map(|x| *x as f64).collect(), $imag.as_ref().map(|imag| imag.iter().map(|x| *x as f64).collect()))
+        };
+    }
+    match data {
+        NumericData::Int8 { real, imag } => widened!(real, imag),
+        NumericData::UInt8 { real, imag } => widened!(real, imag),
+        NumericData::Int16 { real, imag } => widened!(real, imag),
+        NumericData::UInt16 { real, imag } => widened!(real, imag),
+        NumericData::Int32 { real, imag } => widened!(real, imag),
+        NumericData::UInt32 { real, imag } => widened!(real, imag),
+        NumericData::Int64 { real, imag } => widened!(real, imag),
+        NumericData::UInt64 { real, imag } => widened!(real, imag),
+        NumericData::Single { real, imag } => widened!(real, imag),
+        NumericData::Double { real, imag } => (real.clone(), imag.clone()),
+    }
+}

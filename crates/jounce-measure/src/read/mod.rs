@@ -1,0 +1,29 @@
+//! Files of instruments to recordings.
+//!
+//! | format | read by |
+//! |---|---|
+//! | CSV and text with any header | the crate `csv` for the fields; which lines and columns hold numbers is found here |
+//! | Parquet | the crate `parquet` |
+//! | NPY | the crate `npyz` |
+//! | MAT v5 | the crate `matfile`; v7.3 is HDF5: save it as v5 or read it in Python |
+//! | UFF 55, 58, 58b | here: no kept library reads it |
+//! | LVM | here: no kept library reads it |
+//!
+//! A file of notes beside it, `FILE.channels.toml`, names what the file does not: see [`Notes`].
+mod assemble;
+mod contents;
+mod error;
+mod lvm;
+mod mat;
+mod name;
+mod notes;
+mod npy;
+mod number;
+mod parquet;
+mod raw;
+mod text;
+mod uff;
+
+pub use contents::{Contents, ModeShape, file};
+pub use error::ReadError;
+pub use notes::{ChannelNotes, Notes};

@@ -1,0 +1,181 @@
+//! Notes beside a file: what it does not tell itself.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use jounce::spec::Quantity as Spec;
+use toml_edit::{DocumentMut, Item, Table};
+
+use super::ReadError;
+use crate::recording::Unit;
+
+/// What a file of notes says. `measurement.npy` has its notes in `measurement.npy.channels.toml`:
+///
+/// ```toml
+/// rate = "25600 Hz"         # where no column holds the time
+/// time = "1"                # the column of the time, by name or by number from 1
+/// over = "frequency"        # where the samples are a spectrum
+///
+/// [channel."2"]             # by name or by number from 1
+/// name = "hammer"
+/// unit = "N"
+/// scale = 1.0               # times the number in the file is the value in the unit
+/// place = "free end"
+/// direction = "-z"
+///
+/// [channel.temp_c]
+/// use = false
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Notes {
+    /// Samples per second, Hz.
+    pub rate_hz: Option<f64>,
+    /// The column of the time.
+    pub time: Option<String>,
+    /// True where the samples are taken over frequency.
+    pub over_frequency: bool,
+    /// What is said of channels, by name or number.
+    pub channels: BTreeMap<String, ChannelNotes>,
+}
+
+/// What notes say of a channel.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ChannelNotes {
+    /// Its name from now on.
+    pub name: Option<String>,
+    /// The unit of its numbers times `scale`.
+    pub unit: Option<String>,
+    /// Factor to the unit.
+    pub scale: Option<f64>,
+    /// Where the sensor sits.
+    pub place: Option<String>,
+    /// Which way it points.
+    pub direction: Option<String>,
+    /// True where the channel is left out.
+    pub left_out: bool,
+}
+
+const KEYS: [&str; 4] = ["rate", "time", "over", "channel"];
+const CHANNEL_KEYS: [&str; 6] = ["name", "unit", "scale", "place", "direction", "use"];
+
+impl Notes {
+    /// Where the notes of a file lie.
+    pub fn path_of(file: &Path) -> PathBuf {
+        let mut name = file.as_os_str().to_owned();
+        name.push(".channels.toml");
+        PathBuf::from(name)
+    }
+
+    /// The notes beside a file; empty ones where there are none.
+    ///
+    /// # Errors
+    /// Notes that cannot be read or hold a fault; all faults at once.
+    pub fn beside(file: &Path) -> Result<Self, ReadError> {
+        let path = Self::path_of(file);
+        match std::fs::read_to_string(&path) {
+            Ok(text) => Self::from_toml(&text).map_err(|faults| ReadError::Notes { path, faults }),
+            Err(reason) if reason.kind() == std::io::ErrorKind::NotFound => Ok(Self::default()),
+            Err(reason) => Err(ReadError::Open { path, reason }),
+        }
+    }
+
+    /// The notes of a text.
+    ///
+    /// # Errors
+    /// One sentence for each fault.
+    pub fn from_toml(text: &str) -> Result<Self, Vec<String>> {
+        let document = text.parse::<DocumentMut>().map_err(|fault| vec![fault.to_string().trim_end().to_owned()])?;
+        let (mut notes, mut faults) = (Self::default(), unknown(document.as_table(), &KEYS, ""));
+        if let Some(rate) = text_of(document.as_table(), "rate", "", &mut faults) {
+            match Spec::Frequency.read(&rate) {
+                Ok(rate_hz) if rate_hz > 0.0 => notes.rate_hz = Some(rate_hz),
+                Ok(_) => faults.push(format!("rate = {rate:?} must be above 0 Hz")),
+                Err(fault) => faults.push(format!("rate: {fault}")),
+            }
+        }
+        notes.time = text_of(document.as_table(), "time", "", &mut faults);
+        match text_of(document.as_table(), "over", "", &mut faults).as_deref() {
+            None | Some("time") => {}
+            Some("frequency") => notes.over_frequency = true,
+            Some(other) => faults.push(format!("over = {other:?} must be \"time\" or \"frequency\"")),
+        }
+        match document.get("channel") {
+            None => {}
+            Some(Item::Table(channels)) => {
+                for (key, item) in channels {
+                    match item.as_table() {
+                        Some(table) => drop(notes.channels.insert(key.to_owned(), channel(key, table, &mut faults))),
+                        None => faults.push(format!("channel.{key} must be a table: [channel.{key}]")),
+                    }
+                }
+            }
+            Some(_) => faults.push("channel must be tables: [channel.NAME]".to_owned()),
+        }
+        if faults.is_empty() { Ok(notes) } else { Err(faults) }
+    }
+
+    /// What is said of a channel by its name or its number from 1.
+    pub(super) fn of(&self, name: &str, number: usize) -> ChannelNotes {
+        self.channels.get(name).or_else(|| self.channels.get(&number.to_string())).cloned().unwrap_or_default()
+    }
+}
+
+fn channel(name: &str, table: &Table, faults: &mut Vec<String>) -> ChannelNotes {
+    let place = format!("channel.{name}.");
+    faults.extend(unknown(table, &CHANNEL_KEYS, &place));
+    let unit = text_of(table, "unit", &place, faults);
+    if let Some(unit) = unit.as_ref().filter(|unit| Unit::read(unit).is_none()) {
+        faults.push(format!("{place}unit = {unit:?} is no known unit; m/s^2, g, N, lbf, V, m, Pa, s, Hz and more will do"));
+    }
+    let scale = table.get("scale").and_then(|item| item.as_float().or_else(|| item.as_integer().map(|whole| whole as f64)));
+    if table.contains_key("scale") && !scale.is_some_and(|scale| scale.is_finite() && scale != 0.0) {
+        faults.push(format!("{place}scale must be a number other than 0"));
+    }
+    let left_out = match table.get("use").map(Item::as_bool) {
+        Some(None) => {
+            faults.push(format!("{place}use must be true or false"));
+            false
+        }
+        Some(Some(used)) => !used,
+        None => false,
+    };
+    ChannelNotes {
+        name: text_of(table, "name", &place, faults),
+        unit,
+        scale,
+        place: text_of(table, "place", &place, faults),
+        direction: text_of(table, "direction", &place, faults),
+        left_out,
+    }
+}
+
+fn text_of(table: &Table, key: &str, place: &str, faults: &mut Vec<String>) -> Option<String> {
+    let item = table.get(key)?;
+    if item.as_str().is_none() {
+        faults.push(format!("{place}{key} must be a text in quotes"));
+    }
+    item.as_str().map(str::to_owned)
+}
+
+fn unknown(table: &Table, keys: &[&str], place: &str) -> Vec<String> {
+    let strange = table.iter().map(|(key, _)| key).filter(|key| !keys.contains(key));
+    strange.map(|key| format!("{place}{key} is no key of notes; there are {}", keys.join(", "))).collect()
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn notes_are_read_and_all_faults_told_at_once() {
+        let notes = Notes::from_toml("rate = \"25.6 kHz\"\n[channel.2]\nunit = \"N\"\nscale = 2\n[channel.b]\nuse = false\n").unwrap();
+        assert_eq!(notes.rate_hz, Some(25_600.0));
+        assert_eq!(notes.of("x", 2).scale, Some(2.0));
+        assert!(notes.of("b", 3).left_out);
+        let wrong = "rate = 5\nspeed = 1\n[channel.a]\nunit = \"furlong\"\nscale = 0\nuse = 1\ncolour = \"red\"\n";
+        let faults = Notes::from_toml(wrong).unwrap_err();
+        assert_eq!(faults.len(), 6, "{faults:?}");
+        assert!(Notes::from_toml("[channel").is_err());
+    }
+}

@@ -1,0 +1,84 @@
+//! Numbers as files spell them.
+
+/// What a field of a text holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Field {
+    /// A number.
+    Real(f64),
+    /// A complex number.
+    Complex(f64, f64),
+    /// Nothing, or a word for nothing.
+    Missing,
+    /// Something else.
+    Text,
+}
+
+/// Words for a sample that is missing, in small letters.
+const MISSING: [&str; 8] = ["", "nan", "na", "n/a", "null", "none", "-", "--"];
+
+impl Field {
+    /// Reads a field; Fortran's `D` is an exponent too, and a comma is the decimal mark where asked for.
+    pub(super) fn read(text: &str, decimal_comma: bool) -> Self {
+        let text = text.trim().trim_matches('"').trim();
+        if let Ok(value) = text.parse::<f64>() {
+            // `inf` and `nan` are words that parse as numbers.
+            return if value.is_finite() { Self::Real(value) } else { Self::Missing };
+        }
+        if MISSING.contains(&text.to_ascii_lowercase().as_str()) {
+            return Self::Missing;
+        }
+        let begins = text.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | ',' | '('));
+        if !begins {
+            return Self::Text;
+        }
+        if decimal_comma && text.matches(',').count() == 1 && !text.contains('.') {
+            return Self::read(&text.replace(',', "."), false);
+        }
+        if let Some(value) = fortran(text) {
+            return Self::Real(value);
+        }
+        complex(text).map_or(Self::Text, |(re, im)| Self::Complex(re, im))
+    }
+
+    /// True for what may stand in a column of numbers.
+    pub(super) fn is_sample(self) -> bool {
+        self != Self::Text
+    }
+}
+
+fn fortran(text: &str) -> Option<f64> {
+    let marked = text.bytes().filter(|b| matches!(b, b'D' | b'd')).count() == 1;
+    if marked { text.replace(['D', 'd'], "E").parse().ok() } else { None }
+}
+
+/// `(re+imj)` as Python writes it, with or without brackets, `i` or `j`.
+fn complex(text: &str) -> Option<(f64, f64)> {
+    let bare = text.trim_start_matches('(').trim_end_matches(')');
+    let bare = bare.strip_suffix(['j', 'i'])?;
+    let bytes = bare.as_bytes();
+    let sign = |k: &usize| matches!(bytes[*k], b'+' | b'-') && !matches!(bytes[*k - 1], b'e' | b'E');
+    let split = (1..bytes.len()).rev().find(sign)?;
+    Some((bare.get(..split)?.parse().ok()?, bare.get(split..)?.parse().ok()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Field;
+
+    #[test]
+    fn numbers_of_every_spelling_are_read() {
+        for (text, value) in [("1.5", 1.5), (" -2e-3 ", -2e-3), ("1.25D+01", 12.5), ("\"7\"", 7.0), (".5", 0.5), ("+3", 3.0)] {
+            assert_eq!(Field::read(text, false), Field::Real(value), "{text}");
+        }
+        assert_eq!(Field::read("0,25", true), Field::Real(0.25));
+        assert_eq!(Field::read("0,25", false), Field::Text);
+        assert_eq!(Field::read("(-0.5+2.5e-08j)", false), Field::Complex(-0.5, 2.5e-8));
+        assert_eq!(Field::read("1-2i", false), Field::Complex(1.0, -2.0));
+        for text in ["", "NaN", "N/A", "inf", "null"] {
+            assert_eq!(Field::read(text, false), Field::Missing, "{text}");
+        }
+        for text in ["x", "1.2.3", "12:00", "2020/08/06", "(", "()", "1 2", "\u{b5}"] {
+            assert_eq!(Field::read(text, true), Field::Text, "{text}");
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! Apache Parquet: every column of numbers; unit and meaning from the notes of jounce where it wrote the file.
+
+use std::fs::File;
+use std::path::Path;
+
+use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
+use parquet::data_type::DataType;
+use parquet::file::reader::{FileReader, SerializedFileReader};
+
+use super::contents::Found;
+use super::error::Damage;
+use super::name;
+use super::raw::{Raw, RawChannel};
+use crate::recording::{Finding, FindingKind};
+
+pub(super) fn read(path: &Path) -> Result<Found, Damage> {
+    let told = |fault: &dyn std::fmt::Display| Damage::new(format!("{fault}; was the file cut?"));
+    let file = File::open(path).map_err(|fault| told(&fault))?;
+    let reader = SerializedFileReader::new(file).map_err(|fault| told(&fault))?;
+    let units = units(path);
+    let (mut channels, mut findings) = (Vec::new(), Vec::new());
+    let schema = reader.metadata().file_metadata().schema_descr_ptr();
+    for (index, column) in schema.columns().iter().enumerate() {
+        let head = column.path().string();
+        match values(&reader, index, column.max_def_level()).map_err(|why| Damage::new(format!("column {head}: {why}")))? {
+            Some(values) => {
+                let (name, guessed) = name::split(&head);
+                let unit = units.iter().find(|(column, _)| *column == head).map_or(guessed, |(_, unit)| unit.clone());
+                channels.push(RawChannel::new(&name, &unit, values));
+            }
+            None => findings.push(Finding::new(FindingKind::Skipped, 1, None, format!("column {head} holds no numbers"))),
+        }
+    }
+    if channels.is_empty() {
+        return Err(Damage::new("it holds no column of numbers"));
+    }
+    Ok(Raw::columns(channels, findings).into())
+}
+
+/// Units that jounce noted; none in a file of another program.
+fn units(path: &Path) -> Vec<(String, String)> {
+    let table = jounce::table::Table::read(path).map(|(table, _)| table).unwrap_or_default();
+    table.columns().iter().map(|column| (column.name.clone(), column.unit.clone())).collect()
+}
+
+/// The numbers of a column, NaN where one is absent; none where it holds something else.
+fn values(reader: &SerializedFileReader<File>, index: usize, optional: i16) -> Result<Option<Vec<f64>>, String> {
+    let mut values = Vec::new();
+    for group in 0..reader.num_row_groups() {
+        let rows = reader.get_row_group(group).map_err(|fault| fault.to_string())?;
+        let count = usize::try_from(rows.metadata().num_rows()).map_err(|fault| fault.to_string())?;
+        let target = values.len() + count;
+        match rows.get_column_reader(index).map_err(|fault| fault.to_string())? {
+            ColumnReader::DoubleColumnReader(r) => typed(r, count, optional, |x| x, &mut values)?,
+            ColumnReader::FloatColumnReader(r) => typed(r, count, optional, f64::from, &mut values)?,
+            ColumnReader::Int32ColumnReader(r) => typed(r, count, optional, f64::from, &mut values)?,
+            ColumnReader::Int64ColumnReader(r) => typed(r, count, optional, |x| x as f64, &mut values)?,
+            _ => return Ok(None),
+        }
+        if values.len() != target {
+            return Err(format!("row group {} holds {} of {count} values", group + 1, values.len() + count - target));
+        }
+    }
+    Ok(Some(values))
+}
+
+fn typed<T: DataType>(
+    mut reader: ColumnReaderImpl<T>,
+    count: usize,
+    optional: i16,
+    number: impl Fn(T::T) -> f64,
+    values: &mut Vec<f64>,
+) -> Result<(), String> {
+    let (mut present, mut levels, mut read) = (Vec::new(), Vec::new(), 0);
+    while read < count {
+        let definition = (optional > 0).then_some(&mut levels);
+        let (records, ..) = reader.read_records(count - read, definition, None, &mut present).map_err(|fault| fault.to_string())?;
+        if records == 0 {
+            break;
+        }
+        read += records;
+    }
+    let mut present = present.into_iter().map(number);
+    if optional == 0 {
+        values.extend(present);
+    } else {
+        values.extend(levels.into_iter().map(|level| if level == optional { present.next().unwrap_or(f64::NAN) } else { f64::NAN }));
+    }
+    Ok(())
+}

@@ -1,0 +1,94 @@
+//! The rows of a text to columns.
+
+use std::io::BufRead;
+
+use super::super::error::Damage;
+use super::super::number::Field;
+use super::super::raw::RawChannel;
+use super::{Delimiter, Layout};
+use crate::recording::{Finding, FindingKind, Place};
+
+/// Columns and what was noticed on the way.
+pub(crate) struct Rows {
+    pub channels: Vec<RawChannel>,
+    pub findings: Vec<Finding>,
+}
+
+/// Counts what happens to lines: how often, and where first.
+#[derive(Default)]
+struct Tally(Option<(usize, usize)>);
+
+impl Tally {
+    fn add(&mut self, line: usize) {
+        let (count, first) = self.0.unwrap_or((0, line));
+        self.0 = Some((count + 1, first));
+    }
+
+    fn finding(self, kind: FindingKind, about: &str) -> Option<Finding> {
+        self.0.map(|(count, first)| Finding::new(kind, count, Some(Place::Line(first)), about.to_owned()))
+    }
+}
+
+/// Reads the rows below the header line by line.
+pub(crate) fn columns(mut source: impl BufRead, layout: &Layout) -> Result<Rows, Damage> {
+    let width = layout.heads.len();
+    let mut columns: Vec<Vec<f64>> = vec![Vec::new(); width];
+    let mut imaginary: Vec<Option<Vec<f64>>> = vec![None; width];
+    let (mut ragged, mut text, mut number) = (Tally::default(), Tally::default(), 0);
+    let mut bytes = Vec::new();
+    loop {
+        bytes.clear();
+        if source.read_until(b'\n', &mut bytes).map_err(|fault| Damage::at(Place::Line(number + 1), fault.to_string()))? == 0 {
+            break;
+        }
+        number += 1;
+        let line = String::from_utf8_lossy(bytes.trim_ascii_end());
+        if number <= layout.skip || line.trim().is_empty() {
+            continue;
+        }
+        let fields = fields(&line, layout);
+        let has_text = fields.contains(&Field::Text);
+        if has_text && fields.iter().all(|field| matches!(field, Field::Text | Field::Missing)) {
+            text.add(number);
+            continue;
+        }
+        // A delimiter at the end of a line is harmless.
+        let trailing = fields.len() == width + 1 && fields[width] == Field::Missing;
+        if fields.len() != width && !trailing {
+            ragged.add(number);
+        } else if has_text {
+            text.add(number);
+        }
+        for k in 0..width {
+            let (re, im) = match fields.get(k) {
+                Some(Field::Real(value)) => (*value, 0.0),
+                Some(Field::Complex(re, im)) => (*re, *im),
+                _ => (f64::NAN, f64::NAN),
+            };
+            if matches!(fields.get(k), Some(Field::Complex(..))) && imaginary[k].is_none() {
+                imaginary[k] = Some(vec![0.0; columns[k].len()]);
+            }
+            columns[k].push(re);
+            if let Some(imaginary) = &mut imaginary[k] {
+                imaginary.push(im);
+            }
+        }
+    }
+    let ragged =
+        ragged.finding(FindingKind::Ragged, "lines with another number of fields than the first row: what is missing is no number");
+    let text = text.finding(FindingKind::Skipped, "lines with text among the numbers: the text was left out");
+    let channel =
+        |((head, values), imaginary): ((&(String, String), _), _)| RawChannel { imaginary, ..RawChannel::new(&head.0, &head.1, values) };
+    let channels = layout.heads.iter().zip(columns).zip(imaginary).map(channel).collect();
+    Ok(Rows { channels, findings: ragged.into_iter().chain(text).collect() })
+}
+
+fn fields(line: &str, layout: &Layout) -> Vec<Field> {
+    let read = |field: &str| Field::read(field, layout.decimal_comma);
+    match layout.delimiter {
+        Delimiter::Blanks => line.split_whitespace().map(read).collect(),
+        // Quoted fields are rare among numbers; where there are none a plain split is the same and quicker.
+        Delimiter::Byte(delimiter) if !line.contains('"') => line.split(char::from(delimiter)).map(read).collect(),
+        Delimiter::Byte(_) => layout.delimiter.fields(line).iter().map(|field| read(field)).collect(),
+    }
+}

@@ -1,0 +1,36 @@
+//! Universal files: data sets 55 (data at nodes), 58 and 58b (functions at nodal degrees of freedom), 164 (units).
+//!
+//! Source: Structural Dynamics Research Laboratory, University of Cincinnati, "Universal file formats for modal analysis testing"; the binary
+//! form 58b as in the same collection. Other data sets are named in the findings and left out.
+mod blocks;
+mod function;
+mod header;
+mod nodes;
+mod numbers;
+
+use std::path::Path;
+
+use super::contents::Found;
+use super::error::Damage;
+use crate::recording::{Finding, FindingKind, Place};
+
+pub(super) fn read(path: &Path) -> Result<Found, Damage> {
+    let bytes = std::fs::read(path).map_err(|fault| Damage::new(fault.to_string()))?;
+    let mut found = Found { sets: Vec::new(), shapes: Vec::new(), findings: Vec::new() };
+    for block in blocks::blocks(&bytes)? {
+        match block.number {
+            58 => found.sets.push(function::read(&block)?),
+            55 => found.shapes.push(nodes::read(&block)?),
+            other => {
+                let about = format!("data set {other} holds no samples (geometry, units or headers) and was left out");
+                found.findings.push(Finding::new(FindingKind::Skipped, 1, Some(Place::Byte(block.start)), about));
+            }
+        }
+    }
+    found.sets = function::grouped(found.sets);
+    if found.sets.is_empty() && found.shapes.is_empty() {
+        let kinds: Vec<&str> = found.findings.iter().map(|finding| finding.about.as_str()).collect();
+        return Err(Damage::new(format!("it holds no data set 55 or 58: {}", kinds.join("; "))));
+    }
+    Ok(found)
+}

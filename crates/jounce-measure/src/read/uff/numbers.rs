@@ -1,0 +1,38 @@
+//! Numbers of universal files: fixed columns that may touch each other, `1.0-2.0E+00-3.0E+00`, and Fortran's `D`.
+
+/// The numbers of a line; `Err` holds what is none.
+pub(super) fn numbers(line: &str, into: &mut Vec<f64>) -> Result<(), String> {
+    for word in line.split_whitespace() {
+        let mut rest = word;
+        while !rest.is_empty() {
+            let end = end_of_number(rest);
+            let (number, behind) = rest.split_at(end);
+            let value = number.replace(['D', 'd'], "E").parse::<f64>().map_err(|_| number.to_owned())?;
+            into.push(value);
+            rest = behind;
+        }
+    }
+    Ok(())
+}
+
+/// Where a number ends that another one may touch: at a sign that follows no exponent letter.
+fn end_of_number(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let begins = |k: &usize| matches!(bytes[*k], b'+' | b'-') && !matches!(bytes[*k - 1], b'E' | b'e' | b'D' | b'd');
+    (1..bytes.len()).find(begins).unwrap_or(text.len())
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::numbers;
+
+    #[test]
+    fn touching_numbers_are_told_apart() {
+        let mut found = Vec::new();
+        numbers(" 1.00000E+00-2.50000E-01 3.0D+02-4", &mut found).unwrap();
+        assert_eq!(found, [1.0, -0.25, 300.0, -4.0]);
+        assert_eq!(numbers("1.0 x", &mut found), Err("x".to_owned()));
+        assert_eq!(numbers("--", &mut found), Err("-".to_owned()));
+    }
+}

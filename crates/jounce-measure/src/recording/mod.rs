@@ -1,0 +1,19 @@
+//! Recordings: channels in SI units over time or frequency, with everything that is odd about them.
+//!
+//! Nothing is repaired in silence: what was converted, missing, clipped or resampled is a [`Finding`] with its count and its first place.
+mod channel;
+mod even;
+mod finding;
+mod grid;
+mod inspect;
+mod quantity;
+mod recorded;
+mod unit;
+
+pub use channel::Channel;
+pub use finding::{Finding, FindingKind, Place};
+pub use grid::{Grid, GridError, Over};
+pub use inspect::inspect;
+pub use quantity::Quantity;
+pub use recorded::{NoChannel, Recording};
+pub use unit::Unit;

@@ -1,0 +1,143 @@
+//! Units as instruments write them, to SI.
+//!
+//! The grammar of units is that of the specs ([`jounce::spec::Quantity`]); this file adds the spellings and the customary units that
+//! recordings bring.
+
+use jounce::spec::Quantity as Spec;
+
+use super::Quantity;
+
+/// A unit that was understood.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit {
+    /// What it measures.
+    pub quantity: Quantity,
+    /// The SI unit that values get.
+    pub si: &'static str,
+    /// A value times this is in SI.
+    pub factor: f64,
+}
+
+/// Quantities in the order in which a unit is tried: `g` alone is an acceleration, never a gram.
+const KNOWN: [(Quantity, Spec, &str); 11] = [
+    (Quantity::Acceleration, Spec::Acceleration, "m/s^2"),
+    (Quantity::AccelerationPsd, Spec::AccelerationPsd, "(m/s^2)^2/Hz"),
+    (Quantity::Velocity, Spec::Speed, "m/s"),
+    (Quantity::Displacement, Spec::Length, "m"),
+    (Quantity::Force, Spec::Force, "N"),
+    (Quantity::ForcePsd, Spec::ForcePsd, "N^2/Hz"),
+    (Quantity::Voltage, Spec::Voltage, "V"),
+    (Quantity::Pressure, Spec::Pressure, "Pa"),
+    // Seconds and hertz are told apart by dimension.
+    (Quantity::Time, Spec::Time, "s"),
+    (Quantity::Frequency, Spec::Frequency, "Hz"),
+    (Quantity::Response, Spec::Stiffness, "N/m"),
+];
+
+/// Units that are no SI: spelling in small letters, quantity, SI unit, factor (NIST SP 811, appendix B.8).
+const CUSTOMARY: [(&[&str], Quantity, &str, f64); 6] = [
+    (&["lbf", "lb", "lbs", "pound", "pounds", "pound-force"], Quantity::Force, "N", 4.448_221_615_260_5),
+    (&["kgf", "kp"], Quantity::Force, "N", 9.806_65),
+    (&["in", "inch", "inches"], Quantity::Displacement, "m", 0.0254),
+    (&["in/s", "ips"], Quantity::Velocity, "m/s", 0.0254),
+    (&["psi"], Quantity::Pressure, "Pa", 6_894.757_293_168),
+    (&["gal", "gals"], Quantity::Acceleration, "m/s^2", 0.01),
+];
+
+/// Whole words for symbols, in small letters.
+const WORDS: [(&str, &str); 12] = [
+    ("volts", "V"),
+    ("volt", "V"),
+    ("newton", "N"),
+    ("newtons", "N"),
+    ("seconds", "s"),
+    ("sec", "s"),
+    ("hertz", "Hz"),
+    ("pascal", "Pa"),
+    ("gs", "g"),
+    ("g's", "g"),
+    ("m/s/s", "m/s^2"),
+    ("m/sec^2", "m/s^2"),
+];
+
+impl Unit {
+    /// The unit of a text as instruments write it (`m/s2`, `m/s²`, `Pounds`, `[g]`, `cm/s/s`); none where it is not known.
+    pub fn read(text: &str) -> Option<Self> {
+        let plain = spelled(text);
+        let small = plain.to_lowercase();
+        if let Some((_, quantity, si, factor)) = CUSTOMARY.iter().find(|(names, ..)| names.contains(&small.as_str())) {
+            return Some(Self { quantity: *quantity, si, factor: *factor });
+        }
+        let known = |(quantity, spec, si): &(Quantity, Spec, &'static str)| {
+            let factor = spec.read(&format!("1 {plain}")).ok()?;
+            Some(Self { quantity: *quantity, si, factor })
+        };
+        KNOWN.iter().find_map(known)
+    }
+
+    /// True where values change by the conversion, or the unit is no SI.
+    pub fn converts(&self) -> bool {
+        self.factor != 1.0
+    }
+}
+
+/// The text without brackets and with plain powers.
+fn spelled(text: &str) -> String {
+    let bare = text.trim().trim_matches(|c| matches!(c, '[' | ']' | '(' | ')')).trim();
+    let mut plain = bare.replace('\u{b2}', "^2").replace("**", "^").replace('\u{b7}', " ");
+    if let Some((_, symbol)) = WORDS.iter().find(|(word, _)| *word == plain.to_lowercase()) {
+        return (*symbol).to_owned();
+    }
+    for (written, meant) in [("/s/s", "/s^2"), ("/sec/sec", "/s^2"), ("s2", "s^2")] {
+        if plain.ends_with(written) {
+            plain.truncate(plain.len() - written.len());
+            plain.push_str(meant);
+            break;
+        }
+    }
+    plain
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    /// Factors from NIST SP 811, appendix B.8.
+    #[test]
+    fn units_of_instruments_are_understood() {
+        let cases = [
+            ("g", Quantity::Acceleration, 9.80665),
+            ("G's", Quantity::Acceleration, 9.80665),
+            ("m/s2", Quantity::Acceleration, 1.0),
+            ("[m/s\u{b2}]", Quantity::Acceleration, 1.0),
+            ("m/s/s", Quantity::Acceleration, 1.0),
+            ("cm/s/s", Quantity::Acceleration, 0.01),
+            ("gal", Quantity::Acceleration, 0.01),
+            ("g^2/Hz", Quantity::AccelerationPsd, 9.80665 * 9.80665),
+            ("Pounds", Quantity::Force, 4.448_221_615_260_5),
+            ("lbf", Quantity::Force, 4.448_221_615_260_5),
+            ("kN", Quantity::Force, 1000.0),
+            ("Volts", Quantity::Voltage, 1.0),
+            ("mV", Quantity::Voltage, 1e-3),
+            ("ms", Quantity::Time, 1e-3),
+            ("Sec", Quantity::Time, 1.0),
+            ("kHz", Quantity::Frequency, 1000.0),
+            ("um", Quantity::Displacement, 1e-6),
+            ("inch", Quantity::Displacement, 0.0254),
+            ("psi", Quantity::Pressure, 6_894.757_293_168),
+        ];
+        for (text, quantity, factor) in cases {
+            let unit = Unit::read(text).unwrap_or_else(|| panic!("{text} is not understood"));
+            assert_eq!(unit.quantity, quantity, "{text}");
+            assert!((unit.factor / factor - 1.0).abs() < 1e-15, "{text}: {}", unit.factor);
+        }
+    }
+
+    #[test]
+    fn what_is_no_unit_is_none() {
+        for text in ["", "counts", "LSB", "NONE", "-1", "1e5", "\u{fffd}"] {
+            assert_eq!(Unit::read(text), None, "{text}");
+        }
+    }
+}

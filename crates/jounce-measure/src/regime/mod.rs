@@ -1,0 +1,22 @@
+//! A long record under a harmonic drive, cut into stretches of one solution each.
+//!
+//! The record is cut into blocks of six drive cycles. The features of a block are its rms and its amplitudes at the orders 1/3, 1/2, 1, 2
+//! and 3 of the drive. The stretches are the partition of the blocks that minimises
+//!
+//! ```text
+//! sum over stretches of sum |y_b - mean|^2 / s^2  +  c ln(B) per stretch
+//! ```
+//!
+//! with `s` the noise of each feature, from the median difference of neighbouring blocks: a change counts only where it is larger than the
+//! noise, and larger than 5 % of the record's largest feature. The optimum is found exactly, by dynamic programming.
+//!
+//! The period of a stretch is the smallest `n` with which the record repeats: `x(t + n T) = x(t)` as well as with any other.
+//!
+//! Source: B. Jackson et al., An algorithm for optimal partitioning of data on an interval, IEEE Signal Process. Lett. 12 (2005) 105.
+mod features;
+mod partition;
+mod period;
+mod stretches;
+
+pub use period::{Period, period};
+pub use stretches::{RegimeError, Regimes, Stretch, regimes};

@@ -1,0 +1,80 @@
+//! After how many drive cycles a record repeats.
+
+use jounce::signal::Samples;
+use serde::Serialize;
+
+/// How a stretch repeats.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Period {
+    /// Drive cycles of the period; none where it does not repeat within twelve cycles.
+    pub cycles: Option<usize>,
+    /// Rms of `x(t + n T) - x(t)` over `sqrt 2` times the rms of `x`, for that `n`, or for the best one: 0 for a perfect repetition, about 1
+    /// for none. Noise of a share `s` of the rms gives `s`.
+    pub mismatch: f64,
+}
+
+/// Longest period sought.
+const LONGEST: usize = 12;
+/// A shorter period is the period where its mismatch is at most this many times the smallest one, or below the second number.
+const AS_WELL: f64 = 1.5;
+const EXACT: f64 = 0.01;
+/// Beyond this there is no repetition.
+const NONE: f64 = 0.5;
+
+/// The period of samples under a drive of a known frequency; samples between those of the record by cubic interpolation.
+pub fn period(samples: &Samples<'_>, drive_hz: f64) -> Period {
+    let values = samples.values();
+    let mean = samples.mean();
+    let rms = (values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / values.len() as f64).sqrt();
+    let mismatch = |cycles: usize| {
+        let shift = cycles as f64 * samples.rate_hz() / drive_hz;
+        let (whole, share) = (shift.floor() as usize, shift.fract());
+        let end = values.len().saturating_sub(whole + 2);
+        if end < 2 || end * 3 < values.len() {
+            return f64::INFINITY;
+        }
+        let square: f64 = (1..end).map(|k| (cubic(&values[k + whole - 1..k + whole + 3], share) - values[k]).powi(2)).sum();
+        (square / (end - 1) as f64 / 2.0).sqrt() / rms
+    };
+    let found: Vec<f64> = (1..=LONGEST).map(mismatch).collect();
+    let least = found.iter().copied().fold(f64::INFINITY, f64::min);
+    let best = found.iter().position(|m| *m <= (AS_WELL * least).max(EXACT));
+    match best.filter(|_| least < NONE) {
+        Some(k) => Period { cycles: Some(k + 1), mismatch: found[k] },
+        None => Period { cycles: None, mismatch: least },
+    }
+}
+
+/// Lagrange's cubic through four samples, between the middle two.
+fn cubic(y: &[f64], t: f64) -> f64 {
+    let [a, b, c, d] = [
+        -t * (t - 1.0) * (t - 2.0) / 6.0,
+        (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,
+        -(t + 1.0) * t * (t - 2.0) / 2.0,
+        (t + 1.0) * t * (t - 1.0) / 6.0,
+    ];
+    a * y[0] + b * y[1] + c * y[2] + d * y[3]
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use jounce::drive::Stream;
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn subharmonics_are_found_in_noise_and_noise_has_no_period() {
+        let mut stream = Stream::new(4, 0);
+        let noise: Vec<f64> = (0..20_000).map(|_| stream.normal_pair()[0]).collect();
+        for (cycles, level) in [(1, 0.0), (2, 0.1), (3, 0.1), (5, 0.02)] {
+            let value = |k: usize| {
+                let t = k as f64 / 1536.0 * 13.0;
+                (TAU * t).sin() + 0.4 * (TAU * t / cycles as f64).cos() + level * noise[k]
+            };
+            let values: Vec<f64> = (0..20_000).map(value).collect();
+            assert_eq!(period(&Samples::new(&values, 1536.0).unwrap(), 13.0).cycles, Some(cycles), "{cycles}");
+        }
+        assert_eq!(period(&Samples::new(&noise, 1536.0).unwrap(), 13.0).cycles, None);
+    }
+}

@@ -1,0 +1,60 @@
+//! Why recordings give no frequency response.
+
+use crate::recording::{NoChannel, Quantity};
+use crate::spectral::SpectralError;
+
+/// Recordings that give no frequency response.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ResponseError {
+    /// No such channel.
+    #[error(transparent)]
+    Channel(#[from] NoChannel),
+    /// No channel that is a force.
+    #[error("{recording} has no channel in newtons: name that of the force; there are {}", channels.join(", "))]
+    NoForce {
+        /// The recording.
+        recording: String,
+        /// Its channels.
+        channels: Vec<String>,
+    },
+    /// A force in another unit.
+    #[error(
+        "channel {channel} of {recording} is a {quantity:?}, not a force; choose another one, or correct its unit in the notes beside it"
+    )]
+    NotForce {
+        /// The recording.
+        recording: String,
+        /// The channel.
+        channel: String,
+        /// What it measures.
+        quantity: Quantity,
+    },
+    /// Nothing beside the force.
+    #[error("{recording} holds no channel beside the force {force}")]
+    NoResponse {
+        /// The recording.
+        recording: String,
+        /// The force.
+        force: String,
+    },
+    /// Spectra without phase.
+    #[error("{recording} is over frequency and holds no complex channel: a response function has a real and an imaginary part")]
+    NotComplex {
+        /// The recording.
+        recording: String,
+    },
+    /// Response functions over unequal frequencies.
+    #[error("{first} and {other} lie at unequal frequencies; give response functions of one test")]
+    Frequencies {
+        /// The first recording.
+        first: String,
+        /// Another one.
+        other: String,
+    },
+    /// No recording at all.
+    #[error("there is no recording to take responses from")]
+    Nothing,
+    /// What the samples cannot answer.
+    #[error(transparent)]
+    Spectral(#[from] SpectralError),
+}

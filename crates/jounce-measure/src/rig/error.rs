@@ -1,0 +1,42 @@
+//! What a virtual rig cannot do.
+
+use jounce::plant::PlantError;
+
+use crate::recording::GridError;
+
+/// A test that cannot be simulated.
+#[derive(Debug, thiserror::Error)]
+pub enum RigError {
+    /// A number out of its range.
+    #[error("{name} is {value}; it must be {allowed}")]
+    Setting {
+        /// What it is.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// A mode that never dies.
+    #[error(
+        "the mode at {frequency_hz} Hz has no damping: its answer to a hit never ends; give it a damping ratio, or hold the body that moves"
+    )]
+    Undamped {
+        /// Its frequency, Hz.
+        frequency_hz: f64,
+    },
+    /// A record with its padding that is too long.
+    #[error("{samples} samples are needed until the slowest mode has died, more than {most}; lower the rate or raise the damping")]
+    Long {
+        /// Samples needed.
+        samples: f64,
+        /// The most that are allowed.
+        most: usize,
+    },
+    /// What the model refuses.
+    #[error(transparent)]
+    Plant(#[from] PlantError),
+    /// Times that make no sense.
+    #[error(transparent)]
+    Grid(#[from] GridError),
+}

@@ -1,0 +1,136 @@
+//! A hammer test of a model.
+
+use std::f64::consts::PI;
+
+use jounce::drive::Stream;
+use jounce::linear::{Input, Response, frf};
+use jounce::plant::Plant;
+use realfft::RealFftPlanner;
+
+use super::{RigError, Sensor};
+use crate::recording::{Channel, Grid, Over, Quantity, Recording};
+
+/// A hammer test.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HammerTest {
+    /// The point that is struck.
+    pub point: String,
+    /// What is recorded beside the force.
+    pub responses: Vec<Response>,
+    /// Number of hits.
+    pub hits: usize,
+    /// Time from hit to hit, s.
+    pub block_s: f64,
+    /// Largest force, N; each hit differs from it by up to 20 %.
+    pub peak_force_n: f64,
+    /// Time in contact, s; each hit differs from it by up to 10 %.
+    pub contact_time_s: f64,
+    /// Samples per second.
+    pub rate_hz: f64,
+    /// The sensors.
+    pub sensor: Sensor,
+    /// Seed of hits and noise.
+    pub seed: u64,
+}
+
+/// A mode has died when its answer has fallen by `exp(-18)`, to 1.5e-8.
+const DEAD: f64 = 18.0;
+/// The most samples of a record with its padding.
+const MOST: usize = 1 << 23;
+/// Share of a block before its hit.
+const BEFORE: f64 = 0.02;
+const PEAKS: f64 = 0.2;
+const TIMES: f64 = 0.1;
+
+/// The recording of a hammer test on a linear plant: `force`, then the responses under their names.
+///
+/// # Errors
+/// A setting out of its range, a point that is not there, a mode without damping.
+pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigError> {
+    check(test)?;
+    let count = (test.hits as f64 * test.block_s * test.rate_hz).round() as usize;
+    let padded = padded(plant, count, test.rate_hz)?;
+    let mut stream = Stream::new(test.seed, 0);
+    let force = force(test, count, &mut stream);
+    let mut planner = RealFftPlanner::new();
+    let forward = planner.plan_fft_forward(padded);
+    let mut spectrum = forward.make_output_vec();
+    let mut input = force.clone();
+    input.resize(padded, 0.0);
+    forward.process(&mut input, &mut spectrum).expect("the plan made the length");
+    let frequency_hz: Vec<f64> = (0..spectrum.len()).map(|k| k as f64 * test.rate_hz / padded as f64).collect();
+    let functions = frf(plant, &Input::Force(test.point.clone()), &test.responses, &frequency_hz)?;
+    let backward = planner.plan_fft_inverse(padded);
+    let sensed = |truth: &[f64], stream: &mut Stream| test.sensor.read(truth, stream);
+    let mut channels = vec![Channel::new("force", Quantity::Force, "N", sensed(&force, &mut stream))];
+    for function in functions {
+        let mut bins: Vec<_> = spectrum.iter().zip(&function.value).map(|(f, h)| f * h).collect();
+        // A real signal has real bins at both ends.
+        let last = bins.len() - 1;
+        (bins[0].im, bins[last].im) = (0.0, 0.0);
+        let mut values = backward.make_output_vec();
+        backward.process(&mut bins, &mut values).expect("the plan made the length");
+        let truth: Vec<f64> = values[..count].iter().map(|x| x / padded as f64).collect();
+        let (quantity, unit) = measured(&function.response);
+        channels.push(Channel::new(&function.response.name(), quantity, unit, sensed(&truth, &mut stream)));
+    }
+    let grid = Grid::even(0.0, 1.0 / test.rate_hz, count)?;
+    Ok(Recording { name: format!("hammer at {}", test.point), over: Over::Time, grid, channels, findings: Vec::new() })
+}
+
+fn check(test: &HammerTest) -> Result<(), RigError> {
+    let settings = [
+        ("the number of hits", test.hits as f64, 1.0, 1000.0, "from 1 to 1000"),
+        ("the time from hit to hit in samples", test.block_s * test.rate_hz, 64.0, 4e6, "from 64 to 4000000"),
+        ("the contact time in samples", test.contact_time_s * test.rate_hz, 3.0, 1e5, "at least 3: raise the rate or soften the tip"),
+        ("the largest force", test.peak_force_n, f64::MIN_POSITIVE, 1e6, "above 0"),
+        ("the noise ratio", test.sensor.noise_ratio, 0.0, 10.0, "from 0 to 10"),
+        ("the number of bits", f64::from(test.sensor.bits.unwrap_or(16)), 2.0, 32.0, "from 2 to 32"),
+    ];
+    match settings.into_iter().find(|(_, value, low, high, _)| !(*low..=*high).contains(value)) {
+        Some((name, value, _, _, allowed)) => Err(RigError::Setting { name, value, allowed }),
+        None => Ok(()),
+    }
+}
+
+/// Length of the transforms: the record, and the time until the slowest mode has died.
+fn padded(plant: &Plant, count: usize, rate_hz: f64) -> Result<usize, RigError> {
+    let modes = &plant.system.modes;
+    let mut slowest = f64::INFINITY;
+    for (w, zeta) in modes.frequency_rad_s.iter().zip(&modes.damping_ratio) {
+        if w * zeta <= 0.0 {
+            return Err(RigError::Undamped { frequency_hz: w / std::f64::consts::TAU });
+        }
+        slowest = slowest.min(w * zeta);
+    }
+    let samples = count as f64 + DEAD / slowest * rate_hz;
+    if samples > MOST as f64 {
+        return Err(RigError::Long { samples, most: MOST });
+    }
+    Ok((samples.ceil() as usize).next_power_of_two())
+}
+
+fn force(test: &HammerTest, count: usize, stream: &mut Stream) -> Vec<f64> {
+    let mut force = vec![0.0; count];
+    for hit in 0..test.hits {
+        let peak = test.peak_force_n * (1.0 + PEAKS * stream.symmetric());
+        let length_s = test.contact_time_s * (1.0 + TIMES * stream.symmetric());
+        let start_s = (hit as f64 + BEFORE) * test.block_s;
+        for (k, value) in force.iter_mut().enumerate() {
+            let share = (k as f64 / test.rate_hz - start_s) / length_s;
+            if (0.0..1.0).contains(&share) {
+                *value += peak * (PI * share).sin();
+            }
+        }
+    }
+    force
+}
+
+fn measured(response: &Response) -> (Quantity, &'static str) {
+    match response {
+        Response::Displacement(_) => (Quantity::Displacement, "m"),
+        Response::Velocity(_) => (Quantity::Velocity, "m/s"),
+        Response::Acceleration(_) => (Quantity::Acceleration, "m/s^2"),
+        Response::Voltage(_) | Response::LoadVoltage(_) => (Quantity::Voltage, "V"),
+    }
+}

@@ -1,0 +1,141 @@
+//! Mean power with an interval that respects correlation.
+//!
+//! The record of power is cut into 16 batches; the interval is Student's over their means (batch means, Law and Kelton). It is right where
+//! a batch is much longer than the memory of the power: where neighbouring batches are still correlated, 8 longer ones are taken, and where
+//! those are too, that is told.
+//!
+//! A mean of the voltage is no power that the source delivers through a coupling capacitor, so that what is done with it is an option: kept,
+//! or taken away.
+
+use jounce::signal::Samples;
+use serde::Serialize;
+
+use super::SpectralError;
+
+/// A mean power with its interval of 95 %.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct MeanPower {
+    /// Mean power, W.
+    pub mean_power_w: f64,
+    /// Half the width of its interval of 95 %, W.
+    pub half_width_w: f64,
+    /// Batches that the interval rests on.
+    pub batches: usize,
+    /// Correlation of a batch with the next one: near 0 where the interval is right.
+    pub batch_correlation: f64,
+    /// True where the batches are correlated: the record is too short and the interval too narrow.
+    pub correlated: bool,
+    /// Mean of the voltage over the record, V.
+    pub mean_voltage_v: f64,
+}
+
+/// Numbers of batches, each with the quantile of Student's distribution for a two-sided interval of 95 % (Abramowitz and Stegun, table 26.10).
+const BATCHES: [(usize, f64); 2] = [(16, 2.131_450), (8, 2.364_624)];
+const ROUNDOFF: f64 = 1e-9;
+/// Samples of a batch at least.
+const BATCH_SAMPLES: usize = 4;
+/// A correlation of neighbours beyond this many standard deviations (1/sqrt of their number) is one: 5 % on one side.
+const SIGNIFICANT: f64 = 1.645;
+
+/// Mean power of a voltage over a resistance: `mean(v^2) / R`, the voltage's mean taken away first where `remove_mean`.
+///
+/// # Errors
+/// A record too short for batches.
+pub fn mean_power(voltage: &Samples<'_>, resistance_ohm: f64, remove_mean: bool) -> Result<MeanPower, SpectralError> {
+    let mean_voltage_v = voltage.mean();
+    let offset = if remove_mean { mean_voltage_v } else { 0.0 };
+    let power: Vec<f64> = voltage.values().iter().map(|v| (v - offset).powi(2) / resistance_ohm).collect();
+    batched(&power).map(|found| MeanPower { mean_voltage_v, ..found })
+}
+
+/// The mean of a record of power with its interval.
+fn batched(power_w: &[f64]) -> Result<MeanPower, SpectralError> {
+    let short = SpectralError::Short { samples: power_w.len(), needed: BATCHES[0].0 * BATCH_SAMPLES };
+    if power_w.len() < BATCHES[0].0 * BATCH_SAMPLES {
+        return Err(short);
+    }
+    let of = |(batches, quantile): (usize, f64)| {
+        let edge = |k: usize| k * power_w.len() / batches;
+        let means: Vec<f64> = (0..batches).map(|k| mean(&power_w[edge(k)..edge(k + 1)])).collect();
+        let (middle, count) = (mean(&means), batches as f64);
+        let variance = means.iter().map(|x| (x - middle).powi(2)).sum::<f64>() / (count - 1.0);
+        let batch_correlation = correlation(&means);
+        MeanPower {
+            mean_power_w: mean(power_w),
+            half_width_w: quantile * (variance / count).sqrt(),
+            batches,
+            batch_correlation,
+            // Means that differ by roundoff only are those of a periodic record: their correlation says nothing.
+            correlated: batch_correlation > SIGNIFICANT / count.sqrt() && variance > (ROUNDOFF * middle).powi(2),
+            mean_voltage_v: 0.0,
+        }
+    };
+    let tried = BATCHES.map(of);
+    tried.into_iter().find(|found| !found.correlated).or(tried.last().copied()).ok_or(short)
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+/// Correlation of each value with the next one.
+fn correlation(values: &[f64]) -> f64 {
+    let mean = mean(values);
+    let variance: f64 = values.iter().map(|x| (x - mean).powi(2)).sum();
+    let both: f64 = values.windows(2).map(|pair| (pair[0] - mean) * (pair[1] - mean)).sum();
+    if variance > 0.0 { both / variance } else { 0.0 }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use jounce::drive::Stream;
+    use std::f64::consts::TAU;
+
+    /// A voltage that remembers about 20 samples, of variance 1 / (1 - 0.9^2).
+    fn voltage(seed: u64, count: usize) -> Vec<f64> {
+        let mut stream = Stream::new(seed, 1);
+        let mut state = 0.0;
+        let start = 200;
+        let noise: Vec<f64> = (0..(count + start) / 2).flat_map(|_| stream.normal_pair()).collect();
+        noise
+            .iter()
+            .map(|x| {
+                state = 0.9 * state + x;
+                state
+            })
+            .skip(start)
+            .collect()
+    }
+
+    /// The truth lies in the interval in 95 +- 3 % of 400 trials; measured 94 %.
+    #[test]
+    fn the_interval_of_correlated_noise_holds_the_truth_as_often_as_it_says() {
+        let truth = 1.0 / (1.0 - 0.81) / 50.0;
+        let inside = (0..400).filter(|seed| {
+            let values = voltage(*seed, 8_000);
+            let found = mean_power(&Samples::new(&values, 100.0).unwrap(), 50.0, false).unwrap();
+            (found.mean_power_w - truth).abs() <= found.half_width_w
+        });
+        let share = inside.count() as f64 / 400.0;
+        assert!((0.92..=0.98).contains(&share), "{share}");
+    }
+
+    #[test]
+    fn a_sine_has_its_mean_power_and_an_offset_is_kept_or_not() {
+        let values: Vec<f64> = (0..16_000).map(|k| 1.0 + 3.0 * (TAU * f64::from(k) * 13.0 / 1000.0).sin()).collect();
+        let samples = Samples::new(&values, 1000.0).unwrap();
+        let kept = mean_power(&samples, 2.0, false).unwrap();
+        let removed = mean_power(&samples, 2.0, true).unwrap();
+        assert!((kept.mean_power_w - 2.75).abs() < 1e-9 && (removed.mean_power_w - 2.25).abs() < 1e-9, "{kept:?}");
+        assert!(kept.half_width_w < 1e-3 * kept.mean_power_w && !kept.correlated);
+    }
+
+    #[test]
+    fn a_drift_longer_than_the_batches_is_told() {
+        let values: Vec<f64> = (0..10_000).map(|k| 1.0 + (TAU * f64::from(k) / 10_000.0).sin()).collect();
+        assert!(mean_power(&Samples::new(&values, 100.0).unwrap(), 1.0, false).unwrap().correlated);
+        assert!(matches!(mean_power(&Samples::new(&values[..20], 100.0).unwrap(), 1.0, false), Err(SpectralError::Short { .. })));
+    }
+}

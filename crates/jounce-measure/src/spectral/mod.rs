@@ -1,0 +1,26 @@
+//! Powers, spectra and frequency responses of sampled signals.
+//!
+//! Transforms are `X(f) = sum x_n exp(-2 pi j f n / r)`, so that a linear system answers `exp(+j w t)` with `H(w) exp(+j w t)`,
+//! `H = Y / X`: the phase of a displacement per force falls from 0 through -90 degrees at a resonance. Cross spectra are
+//! `S_xy = conj(X) Y`. Densities are one-sided, per hertz.
+//!
+//! Source: J. Bendat, A. Piersol, Random Data, 4th ed. (2010), chapters 9 and 11; P. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70.
+mod density;
+mod error;
+mod hits;
+mod impact;
+mod mean_power;
+mod response;
+mod segments;
+mod spectrogram;
+mod taper;
+
+pub use density::Density;
+pub use error::SpectralError;
+pub use hits::{Hit, HitSearch, HitWarning, hits};
+pub use impact::{ImpactAnswer, ImpactHit, ImpactRecord, ImpactSettings, impact};
+pub use mean_power::{MeanPower, mean_power};
+pub use response::{Averages, Estimator, FrequencyResponse};
+pub use segments::Segments;
+pub use spectrogram::{Spectrogram, spectrogram};
+pub use taper::{exponential_window, force_window};

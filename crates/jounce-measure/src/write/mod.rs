@@ -1,0 +1,6 @@
+//! Recordings to files: UFF 58 (ASCII), Parquet and CSV.
+mod columns;
+mod file;
+mod uff58;
+
+pub use file::{WriteError, write};

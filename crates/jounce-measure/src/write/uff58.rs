@@ -1,0 +1,141 @@
+//! UFF 58 in ASCII, double precision, that pyuff and the modal packages read.
+//!
+//! Real samples are type 4, complex ones type 6; even grids tell start and step, stamped ones each abscissa. The abscissa of an uneven grid has
+//! the 13 columns of its format: seven digits, and so has the step of an even one (relative error 5e-7 at most).
+
+use std::fmt::Write as _;
+
+use super::WriteError;
+use crate::recording::{Channel, Grid, Over, Quantity, Recording};
+
+pub(super) fn encoded(recording: &Recording) -> Result<String, WriteError> {
+    let mut text = String::new();
+    for (k, channel) in recording.channels.iter().enumerate() {
+        let numbers = channel.values.iter().chain(channel.imaginary.iter().flatten());
+        if let Some((sample, value)) = numbers.enumerate().find(|(_, x)| !x.is_finite()) {
+            let sample = sample % channel.values.len();
+            return Err(WriteError::NotFinite { channel: channel.name.clone(), sample, value: *value });
+        }
+        text.push_str("    -1\n    58\n");
+        header(&mut text, recording, channel, k + 1);
+        data(&mut text, recording, channel);
+        text.push_str("    -1\n");
+    }
+    Ok(text)
+}
+
+fn header(text: &mut String, recording: &Recording, channel: &Channel, number: usize) {
+    let over_time = recording.over == Over::Time;
+    let function = match (over_time, channel.quantity) {
+        (true, _) => 1,
+        (false, Quantity::AccelerationPsd | Quantity::ForcePsd) => 9,
+        (false, _) if channel.imaginary.is_some() => 4,
+        (false, _) => 12,
+    };
+    let kind = if channel.imaginary.is_some() { 6 } else { 4 };
+    let (start, step, even) = match recording.grid {
+        Grid::Even { start, step, .. } => (start, step, 1),
+        Grid::Stamped(_) => (0.0, 0.0, 0),
+    };
+    let place = if channel.place.is_empty() { "NONE" } else { &channel.place };
+    let _ = writeln!(
+        text,
+        "{:<80}\n{:<80}\n{:<80}\n{:<80}\n{:<80}",
+        ascii(&recording.name, 80),
+        "NONE",
+        "NONE",
+        ascii(&channel.name, 80),
+        "NONE"
+    );
+    let direction = direction(&channel.direction);
+    let _ = writeln!(
+        text,
+        "{function:>5}{number:>10}{:>5}{:>10} {:<10}{number:>10}{direction:>4} {:<10}{:>10}{:>4}",
+        0,
+        0,
+        ascii(place, 10),
+        "NONE",
+        0,
+        0
+    );
+    let _ = writeln!(text, "{kind:>10}{:>10}{even:>10} {} {} {}", channel.values.len(), e12(start), e12(step), e12(0.0));
+    let (abscissa, label, unit) = if over_time { (17, "Time", "s") } else { (18, "Frequency", "Hz") };
+    axis(text, abscissa, label, unit);
+    axis(text, specific(channel.quantity), &channel.name, &channel.unit);
+    axis(text, 0, "NONE", "NONE");
+    axis(text, 0, "NONE", "NONE");
+}
+
+fn axis(text: &mut String, kind: u32, label: &str, unit: &str) {
+    let unit = if unit.is_empty() { "NONE" } else { unit };
+    let _ = writeln!(text, "{kind:>10}{:>5}{:>5}{:>5} {:<20} {:<20}", 0, 0, 0, ascii(label, 20), ascii(unit, 20));
+}
+
+fn data(text: &mut String, recording: &Recording, channel: &Channel) {
+    let stamped = matches!(recording.grid, Grid::Stamped(_));
+    let points_in_line = match (stamped, channel.imaginary.is_some()) {
+        (false, false) => 4,
+        (true, true) => 1,
+        _ => 2,
+    };
+    for (k, value) in channel.values.iter().enumerate() {
+        if stamped {
+            let _ = write!(text, " {}", e12(recording.grid.at(k)));
+        }
+        let _ = write!(text, "{}", e20(*value));
+        if let Some(imaginary) = channel.imaginary.as_ref().and_then(|imaginary| imaginary.get(k)) {
+            let _ = write!(text, "{}", e20(*imaginary));
+        }
+        if (k + 1) % points_in_line == 0 || k + 1 == channel.values.len() {
+            text.push('\n');
+        }
+    }
+}
+
+/// `E20.11E3`-like with two digits of exponent where they do: 20 columns.
+fn e20(value: f64) -> String {
+    format!("{:>20}", fortran(value, 12))
+}
+
+/// 12 columns: as many digits as fit beside the sign.
+fn e12(value: f64) -> String {
+    format!("{:>12}", fortran(value, if value.is_sign_negative() { 5 } else { 6 }))
+}
+
+/// `1.23400E+01` from Rust's `1.23400e1`.
+fn fortran(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$e}");
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    format!("{mantissa}E{}{:02}", if exponent < 0 { '-' } else { '+' }, exponent.abs())
+}
+
+fn ascii(text: &str, most: usize) -> String {
+    text.chars().map(|c| if c.is_ascii_graphic() || c == ' ' { c } else { '?' }).take(most).collect()
+}
+
+/// The code of what is measured.
+fn specific(quantity: Quantity) -> u32 {
+    match quantity {
+        Quantity::Acceleration | Quantity::AccelerationPsd => 12,
+        Quantity::Velocity => 11,
+        Quantity::Displacement => 8,
+        Quantity::Force | Quantity::ForcePsd => 13,
+        Quantity::Pressure => 15,
+        Quantity::Time => 17,
+        Quantity::Frequency => 18,
+        Quantity::Voltage | Quantity::Response | Quantity::Number | Quantity::Unknown => 0,
+    }
+}
+
+/// `+x` as 1 to `-z` as -3; 0 for what is no such word.
+fn direction(text: &str) -> i32 {
+    let sign = if text.starts_with('-') { -1 } else { 1 };
+    let axis = match text.trim_start_matches(['+', '-']) {
+        "x" => 1,
+        "y" => 2,
+        "z" => 3,
+        _ => 0,
+    };
+    sign * axis
+}

@@ -1,0 +1,72 @@
+//! Files cut and damaged at every kind of place: an answer or one clear error, never a panic.
+
+use super::samples::{lvm, mat, npy, record, response, uff58b};
+use jounce_measure::read;
+use jounce_measure::write::write;
+use proptest::prelude::*;
+use std::path::Path;
+
+/// A whole file of each format.
+fn whole() -> Vec<(&'static str, Vec<u8>)> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let written = |recording, name: &str| {
+        let path = folder.path().join(name);
+        write(recording, &path).unwrap_or_else(|fault| panic!("{fault}"));
+        std::fs::read(&path).expect("it was written")
+    };
+    let rows = vec![(0..50).map(|k| f64::from(k) * 1e-3).collect(), (0..50).map(|k| f64::from(k).sin()).collect::<Vec<f64>>()];
+    let shapes = b"    -1\n    55\nNONE\nNONE\nNONE\nNONE\nNONE\n         1         2         2         8         2         3\n         2         4         1         1\n  1.0e+01  0.0e+00  1.0e-02  0.0e+00\n         1\n -1.4e+00 -1.4e+00 -1.4e+00\n    -1\n";
+    vec![
+        ("a.csv", written(&record(), "a.csv")),
+        ("a.parquet", written(&record(), "a.parquet")),
+        ("a.uff", written(&record(), "a.uff")),
+        ("b.uff", written(&response(), "b.uff")),
+        ("c.uff", uff58b(false, true)),
+        ("d.uff", shapes.to_vec()),
+        ("a.npy", npy(&rows)),
+        ("a.mat", mat("m", &rows)),
+        ("a.lvm", lvm().into_bytes()),
+    ]
+}
+
+/// Reads damaged bytes; an error must name the file.
+fn survives(folder: &Path, name: &str, bytes: &[u8]) {
+    let path = folder.join(name);
+    std::fs::write(&path, bytes).expect("a file");
+    if let Err(fault) = read::file(&path) {
+        assert!(fault.to_string().contains(name), "{fault}");
+    }
+}
+
+#[test]
+fn every_cut_is_survived() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, bytes) in whole() {
+        read::file(&{
+            let path = folder.path().join(name);
+            std::fs::write(&path, &bytes).expect("a file");
+            path
+        })
+        .unwrap_or_else(|fault| panic!("the whole file: {fault}"));
+        // Every place in the head, where lengths stand, then places all over.
+        let step = (bytes.len() / 150).max(1);
+        for length in (0..bytes.len().min(250)).chain((250..bytes.len()).step_by(step)) {
+            survives(folder.path(), name, &bytes[..length]);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_damage_is_survived(which in 0usize..9, place in 0.0f64..1.0, bytes in proptest::collection::vec(any::<u8>(), 1..9), cut in 0.0f64..1.5) {
+        let (name, mut whole) = whole().swap_remove(which);
+        // Damage in the head does more than damage among the samples.
+        let at = ((whole.len() - 1) as f64 * place.powi(3)) as usize;
+        whole[at..].iter_mut().zip(&bytes).for_each(|(byte, damaged)| *byte = *damaged);
+        whole.truncate((whole.len() as f64 * cut) as usize);
+        let folder = tempfile::tempdir().expect("a folder");
+        survives(folder.path(), name, &whole);
+    }
+}

@@ -1,0 +1,108 @@
+//! Five hammer hits on a real structure: against an independent package and against the values noted with the data.
+
+use super::samples::real;
+use jounce::signal::{Samples, Window};
+use jounce_measure::contact;
+use jounce_measure::modal::{Band, Motion, Settings, identify};
+use jounce_measure::read;
+use jounce_measure::recording::Recording;
+use jounce_measure::spectral::{Averages, Estimator, FrequencyResponse, HitSearch, Segments, hits};
+
+fn records() -> Option<Vec<Recording>> {
+    let paths: Option<Vec<_>> = (1..=5).map(|k| real(&format!("pyfrf_hammer/measurements_{k}.npy"))).collect();
+    let first = |path| read::file(path).unwrap_or_else(|fault| panic!("{fault}")).recordings.remove(0);
+    Some(paths?.iter().map(|path| first(path)).collect())
+}
+
+fn averaged(records: &[Recording], estimator: Estimator) -> FrequencyResponse {
+    let segments = Segments::new(25_600, 0.0, Window::Rectangular).expect("segments");
+    let mut averages = Averages::new(12_801);
+    for record in records {
+        let transform =
+            |channel: usize| segments.transform(&Samples::new(&record.channels[channel].values, 25_600.0).expect("samples"), 0, 0.0);
+        averages.add(&transform(0), &transform(1)).expect("lines");
+    }
+    averages.response(segments.frequency_hz(25_600.0), estimator).expect("five blocks")
+}
+
+/// Values of pyFRF 1.5.0 (`FRF(25600, exc, resp, window="none", fft_len=25600)`, `get_FRF(estimator, "accelerance")`, `get_coherence()`), lines
+/// 900, 2640, 3669 and 4128 Hz. Measured here: equal within 7e-16.
+#[test]
+fn responses_and_coherence_are_those_of_an_independent_package() {
+    let Some(records) = records() else { return };
+    let expected = [
+        (
+            Estimator::H1,
+            [
+                (900, 13.906155214158728, 455.7567454751131),
+                (2640, 107.85660937874253, -302.42749185890216),
+                (3669, 670.8860200167446, 2945.097328904028),
+                (4128, -491.2940803047045, -2579.944139575573),
+            ],
+        ),
+        (
+            Estimator::H2,
+            [
+                (900, 13.908802743797352, 455.8435149288597),
+                (2640, 107.8703446304775, -302.46600519393274),
+                (3669, 671.8543856237653, 2949.348320693317),
+                (4128, -492.14370676259597, -2584.405802943277),
+            ],
+        ),
+        (
+            Estimator::Hv { noise_ratio: 1.0 },
+            [
+                (900, 13.908802731065673, 455.843514511595),
+                (2640, 107.87034449726725, -302.4660048204142),
+                (3669, 671.8543855177808, 2949.3483202280595),
+                (4128, -492.14370663962933, -2584.40580229754),
+            ],
+        ),
+    ];
+    for (estimator, lines) in expected {
+        let found = averaged(&records, estimator);
+        for (line, re, im) in lines {
+            let error = (found.value[line].re - re).hypot(found.value[line].im - im) / re.hypot(im);
+            assert!(error < 1e-12, "{estimator:?} {line}: {error:e}");
+        }
+    }
+    let coherence = averaged(&records, Estimator::H1).coherence;
+    for (line, expected) in [(900, 0.9998096507882533), (2640, 0.9998726688805711), (3669, 0.9985586674318991), (4128, 0.9982736212081619)]
+    {
+        assert!((coherence[line] - expected).abs() < 1e-9 && coherence[line] >= 0.998, "{line}: {}", coherence[line]);
+    }
+}
+
+#[test]
+fn hits_have_their_noted_peaks_and_contact_times() {
+    let Some(records) = records() else { return };
+    for (record, peak) in records.iter().zip([68.6, 83.7, 85.4, 88.9, 76.5]) {
+        let force = Samples::new(&record.channels[0].values, 25_600.0).expect("samples");
+        let found = hits(&force, HitSearch::default()).expect("a hit");
+        assert_eq!(found.len(), 1);
+        assert!((found[0].peak_force_n - peak).abs() < 0.06, "{peak}: {:?}", found[0]);
+        assert!((0.26e-3..0.32e-3).contains(&found[0].contact_time_s), "{:?}", found[0]);
+        // Seven samples of a pulse: Hertz's law is not what they show (exponents 0.64 to 0.97, deviation 0.11 to 0.22), but they are few, and the
+        // filter of the amplifier is in them. Restitution 0.66 to 0.71 by the asymmetry.
+        let law = contact::fit(&force, &found[0], None).unwrap_or_else(|fault| panic!("{fault}"));
+        assert!(law.exponent < 1.2 && law.exponent_deviation > 0.1 && (0.6..0.8).contains(&law.restitution), "{law:?}");
+    }
+}
+
+/// Natural frequencies of sdypy-EMA 0.31 (least-squares complex frequency, order 40, 500 to 5000 Hz, poles nearest to the noted resonances).
+/// Measured: 900.147, 2640.255, 3668.794 and 4127.524 Hz, within 0.0141 %. With the band up to 5000 Hz the mode at 4128 Hz, which has neighbours at
+/// 4093 and 4163 Hz, is not stable, and is not found.
+#[test]
+fn modes_are_those_of_an_independent_package() {
+    let Some(records) = records() else { return };
+    let found = averaged(&records, Estimator::H1);
+    let deviation: Vec<f64> = (0..found.value.len()).map(|k| found.relative_deviation(k)).collect();
+    let band = Band::new(&found.frequency_hz, std::slice::from_ref(&found.value), &[deviation], 1, Motion::Acceleration, (500.0, 4300.0));
+    let identified = identify(&band.expect("a band"), Settings::default()).unwrap_or_else(|fault| panic!("{fault}"));
+    for expected in [900.020, 2640.196, 3668.706, 4128.050] {
+        let near = identified.modes.iter().any(|mode| (mode.frequency_hz / expected - 1.0).abs() < 1e-3);
+        assert!(near, "no mode at {expected} Hz: {:?}", identified.modes);
+    }
+    // One sensor, hits that are not all alike: the model's misfit is far above the coherence's variance, and the deviations are widened by it.
+    assert!(identified.misfit > 1.0 && identified.modes.iter().all(|mode| mode.frequency_deviation_hz > 0.01));
+}

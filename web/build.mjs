@@ -1,0 +1,43 @@
+// Bundles the page into crates/jounce-explorer/page, where the program takes it from. The same sources give the same bytes.
+// `node build.mjs --check` says whether what lies there is what the sources give.
+import { build } from "esbuild";
+import { readFile, writeFile } from "node:fs/promises";
+import { gzipSync } from "node:zlib";
+
+const out = new URL("../crates/jounce-explorer/page/", import.meta.url);
+const here = new URL("./", import.meta.url);
+const result = await build({
+    absWorkingDir: here.pathname,
+    entryPoints: { app: "src/main.ts", style: "page/app.css" },
+    bundle: true,
+    minify: true,
+    write: false,
+    outdir: "out",
+    format: "esm",
+    target: ["es2022"],
+    legalComments: "none",
+    charset: "utf8",
+});
+const text = (ending) => result.outputFiles.find((file) => file.path.endsWith(ending)).text;
+const licence = "/*! uPlot: MIT, Copyright (c) Leon Sorokin. The rest: MIT OR Apache-2.0, jounce. */\n";
+const files = {
+    "app.js": licence + text("app.js"),
+    "app.css": text("style.css"),
+    "index.html": await readFile(new URL("page/index.html", here), "utf8"),
+    "icon.svg": await readFile(new URL("page/icon.svg", here), "utf8"),
+};
+let stale = [];
+let weight = 0;
+for (const [name, content] of Object.entries(files)) {
+    weight += gzipSync(content).length;
+    const before = await readFile(new URL(name, out), "utf8").catch(() => "");
+    if (before !== content) {
+        stale.push(name);
+        if (!process.argv.includes("--check")) await writeFile(new URL(name, out), content);
+    }
+}
+console.log(`page: ${(weight / 1024).toFixed(1)} KiB compressed`);
+if (process.argv.includes("--check") && stale.length > 0) {
+    console.error(`crates/jounce-explorer/page is older than web/: ${stale.join(", ")}; run \`npm run build\` in web/`);
+    process.exit(1);
+}

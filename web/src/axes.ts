@@ -1,0 +1,70 @@
+// What the response goes over: a key and its range, in the unit of its control.
+
+import type { Control, Controls } from "./controls";
+import type { View } from "./design";
+import { digits } from "./units";
+
+const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
+
+export class Axes {
+    private readonly over = find<HTMLSelectElement>("over");
+    private readonly from = find<HTMLInputElement>("from");
+    private readonly to = find<HTMLInputElement>("to");
+    private readonly unit = find("over-unit");
+    view: View | undefined;
+    onChange: () => void = () => {};
+
+    constructor(private readonly controls: Controls) {
+        this.over.onchange = () => this.pick(this.over.value);
+        this.from.onchange = this.to.onchange = () => this.read();
+    }
+
+    /** Offers the keys of a design; the first sinusoidal drive's frequency at the beginning. */
+    offer(): void {
+        const keys = this.controls.all.filter((control) => !control.count).map((control) => control.key);
+        if (keys.join() !== [...this.over.options].map((option) => option.value).join()) {
+            this.over.replaceChildren(...keys.map((key) => new Option(key, key)));
+        }
+        const view = this.view && keys.includes(this.view.over) ? this.view : undefined;
+        if (view) this.show(view);
+        else {
+            const first = keys.find((key) => /^drive\..*\.frequency$/.test(key)) ?? keys[0];
+            if (first) this.view = this.around(this.controls.find(first)!);
+            if (this.view) this.show(this.view);
+        }
+    }
+
+    set(view: View): void {
+        this.view = view;
+    }
+
+    private around(control: Control): View {
+        const wide = /frequency$/.test(control.key) ? [0.88, 1.14] : [0.5, 1.5];
+        return { over: control.key, from: wide[0] * control.value, to: wide[1] * control.value };
+    }
+
+    private pick(key: string): void {
+        this.view = this.around(this.controls.find(key)!);
+        this.show(this.view);
+        this.onChange();
+    }
+
+    private show(view: View): void {
+        const control = this.controls.find(view.over)!;
+        this.over.value = view.over;
+        this.from.value = digits(view.from / control.factor, 5);
+        this.to.value = digits(view.to / control.factor, 5);
+        this.unit.textContent = control.unit;
+    }
+
+    private read(): void {
+        const control = this.controls.find(this.over.value);
+        if (!control) return;
+        const [from, to] = [Number(this.from.value) * control.factor, Number(this.to.value) * control.factor];
+        const right = from < to;
+        for (const field of [this.from, this.to]) field.setAttribute("aria-invalid", String(!right));
+        if (!right) return;
+        this.view = { over: control.key, from, to };
+        this.onChange();
+    }
+}

@@ -1,0 +1,315 @@
+// A picture of curves on axes: uPlot lays out axes, grid and scales; the curves, which may turn back in x, are drawn here.
+
+import uPlot from "uplot";
+import { colour } from "./theme";
+import { axisUnit, digits } from "./units";
+
+export interface Curve {
+    x: ArrayLike<number>;
+    y: ArrayLike<number>;
+    colour: string;
+    width?: number;
+    alpha?: number;
+    /** Pieces from point to point that are dashed. */
+    dashed?: (from: number) => boolean;
+    /** Points instead of a line. */
+    dots?: number;
+    /** Stems down to the lowest value. */
+    stems?: boolean;
+}
+
+export interface Mark {
+    x: number;
+    y: number;
+    colour: string;
+    shape: "circle" | "square" | "diamond" | "triangle" | "cross" | "ring";
+    size?: number;
+}
+
+export interface Axis {
+    words: string;
+    unit: string;
+    log?: boolean;
+    /** Fixed ends; otherwise those of the curves. */
+    ends?: [number, number];
+}
+
+export interface Rule {
+    at: number;
+    along: "x" | "y";
+    words?: string;
+}
+
+const DASH = [6, 5];
+
+export class Chart {
+    private plot: uPlot | undefined;
+    private shape = "";
+    private curves: Curve[] = [];
+    private marks: Mark[] = [];
+    private rules: Rule[] = [];
+    private x: Axis = { words: "", unit: "" };
+    private y: Axis = { words: "", unit: "" };
+    private ends: [[number, number], [number, number]] = [[0, 1], [0, 1]];
+    private round = false;
+    /** Draws more, in device pixels. */
+    extra: ((plot: uPlot) => void) | undefined;
+
+    constructor(readonly host: HTMLElement, private readonly compact = false) {
+        host.setAttribute("role", "img");
+        new ResizeObserver(() => this.resize()).observe(host);
+    }
+
+    show(x: Axis, y: Axis, curves: Curve[], marks: Mark[] = [], rules: Rule[] = [], round = false): void {
+        [this.x, this.y, this.curves, this.marks, this.rules, this.round] = [x, y, curves, marks, rules, round];
+        this.ends = [drawable(x.ends ?? this.span("x", x.log), x.log), drawable(y.ends ?? this.span("y", y.log), y.log)];
+        const shape = JSON.stringify([x.words, x.log, y.words, y.log, document.documentElement.dataset.theme, axisUnit(this.ends[0][1], x.unit), axisUnit(this.ends[1][1], y.unit)]);
+        if (!this.plot || shape !== this.shape) {
+            this.shape = shape;
+            this.build();
+        } else {
+            this.plot.setData(this.dummy());
+        }
+    }
+
+    private dummy(): uPlot.AlignedData {
+        return [this.ends[0], this.ends[1]];
+    }
+
+    redraw(): void {
+        if (this.curves.length + this.marks.length > 0) this.show(this.x, this.y, this.curves, this.marks, this.rules, this.round);
+    }
+
+    /** Place of a point in CSS pixels of the plotting area. */
+    place(x: number, y: number): [number, number] {
+        if (!this.plot) return [Number.NaN, Number.NaN];
+        return [this.plot.valToPos(x, "x"), this.plot.valToPos(y, "y")];
+    }
+
+    /** The area over the curves, for the mouse. */
+    get over(): HTMLElement | undefined {
+        return this.plot?.over;
+    }
+
+    get canvas(): HTMLCanvasElement | undefined {
+        return this.plot?.ctx.canvas;
+    }
+
+    private span(which: "x" | "y", log = false): [number, number] {
+        let [low, high] = [Infinity, -Infinity];
+        for (const curve of this.curves) {
+            const values = curve[which];
+            for (let k = 0; k < values.length; k++) {
+                const value = values[k];
+                if (Number.isFinite(value) && (!log || value > 0)) {
+                    if (value < low) low = value;
+                    if (value > high) high = value;
+                }
+            }
+        }
+        if (low > high) return log ? [0.1, 1] : [0, 1];
+        if (log) return [low / 1.3, high * 1.5];
+        const room = which === "x" ? 0 : 0.06 * (high - low || Math.abs(high) || 1);
+        return [low - room, high + room || 1];
+    }
+
+    private size(): { width: number; height: number } {
+        return { width: Math.max(60, this.host.clientWidth), height: Math.max(50, this.host.clientHeight) };
+    }
+
+    private resize(): void {
+        this.plot?.setSize(this.size());
+    }
+
+    private axis(axis: Axis, most: number, side: number): uPlot.Axis {
+        const [step, unit] = axisUnit(most, axis.unit);
+        const words = unit ? `${axis.words} (${unit})` : axis.words;
+        const small = this.compact ? "10px" : "12px";
+        return {
+            side,
+            label: words,
+            labelSize: this.compact ? 14 : 20,
+            labelGap: 0,
+            labelFont: `${small} system-ui, sans-serif`,
+            font: `${small} system-ui, sans-serif`,
+            size: side === 2 ? (this.compact ? 18 : 26) : this.compact ? 34 : 48,
+            gap: 3,
+            space: side === 2 ? (this.compact ? 45 : 60) : this.compact ? 22 : 30,
+            stroke: colour("ink"),
+            grid: { stroke: colour("grid"), width: 1 },
+            ticks: { show: false },
+            // uPlot 1.6.32 counts for ever where a logarithmic axis begins just below a power of ten.
+            ...(axis.log ? { splits: (_: uPlot, __: number, low: number, high: number) => decades(low, high) } : {}),
+            values: (_, splits) => splits.map((value) => (value === null || !told(value, axis) ? "" : digits(value / step, 5))),
+        };
+    }
+
+    private build(): void {
+        this.plot?.destroy();
+        const scale = (index: 0 | 1, log?: boolean): uPlot.Scale => ({
+            time: false,
+            distr: log ? 3 : 1,
+            range: () => this.ends[index],
+        });
+        const plot = new uPlot(
+            {
+                ...this.size(),
+                padding: [this.compact ? 6 : 10, this.compact ? 8 : 14, 0, 0],
+                legend: { show: false },
+                cursor: { show: false },
+                scales: { x: scale(0, this.x.log), y: scale(1, this.y.log) },
+                axes: [this.axis({ ...this.x, ends: this.ends[0] }, this.ends[0][1], 2), this.axis({ ...this.y, ends: this.ends[1] }, Math.max(Math.abs(this.ends[1][0]) * Number(!this.y.log), this.ends[1][1]), 3)],
+                series: [{}, { paths: () => null, points: { show: false } }],
+                hooks: { draw: [(made) => this.draw(made)] },
+            },
+            this.dummy(),
+            this.host,
+        );
+        this.plot = plot;
+    }
+
+    private draw(plot: uPlot): void {
+        const { ctx, bbox } = plot;
+        ctx.save();
+        ctx.beginPath();
+        ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+        ctx.clip();
+        const ratio = devicePixelRatio || 1;
+        if (this.round) this.circle(plot);
+        for (const rule of this.rules) this.rule(plot, rule, ratio);
+        for (const curve of this.curves) this.curve(plot, curve, ratio);
+        for (const mark of this.marks) drawMark(ctx, plot.valToPos(mark.x, "x", true), plot.valToPos(mark.y, "y", true), mark, ratio);
+        this.extra?.(plot);
+        ctx.restore();
+    }
+
+    private circle(plot: uPlot): void {
+        const { ctx } = plot;
+        ctx.strokeStyle = colour("grey");
+        ctx.lineWidth = devicePixelRatio || 1;
+        ctx.beginPath();
+        for (let k = 0; k <= 90; k++) {
+            const angle = (k * Math.PI) / 45;
+            ctx.lineTo(plot.valToPos(Math.cos(angle), "x", true), plot.valToPos(Math.sin(angle), "y", true));
+        }
+        ctx.stroke();
+    }
+
+    private rule(plot: uPlot, rule: Rule, ratio: number): void {
+        const { ctx, bbox } = plot;
+        const at = plot.valToPos(rule.at, rule.along === "x" ? "x" : "y", true);
+        ctx.strokeStyle = colour("grey");
+        ctx.lineWidth = ratio;
+        ctx.setLineDash([3 * ratio, 3 * ratio]);
+        ctx.beginPath();
+        if (rule.along === "x") {
+            ctx.moveTo(at, bbox.top);
+            ctx.lineTo(at, bbox.top + bbox.height);
+        } else {
+            ctx.moveTo(bbox.left, at);
+            ctx.lineTo(bbox.left + bbox.width, at);
+        }
+        ctx.stroke();
+        ctx.setLineDash([]);
+        if (rule.words) {
+            ctx.fillStyle = colour("quiet");
+            ctx.font = `${10 * ratio}px system-ui, sans-serif`;
+            ctx.fillText(rule.words, rule.along === "x" ? at + 3 * ratio : bbox.left + 4 * ratio, rule.along === "x" ? bbox.top + 11 * ratio : at - 3 * ratio);
+        }
+    }
+
+    private curve(plot: uPlot, curve: Curve, ratio: number): void {
+        const { ctx, bbox } = plot;
+        ctx.globalAlpha = curve.alpha ?? 1;
+        ctx.strokeStyle = ctx.fillStyle = curve.colour;
+        ctx.lineWidth = (curve.width ?? 1.6) * ratio;
+        ctx.lineJoin = "round";
+        const at = (k: number): [number, number] => [plot.valToPos(curve.x[k], "x", true), plot.valToPos(curve.y[k], "y", true)];
+        if (curve.dots || curve.stems) {
+            for (let k = 0; k < curve.x.length; k++) {
+                const [x, y] = at(k);
+                if (curve.stems) ctx.fillRect(x - ratio, y, 2 * ratio, bbox.top + bbox.height - y);
+                else ctx.fillRect(x - curve.dots! * ratio, y - curve.dots! * ratio, 2 * curve.dots! * ratio, 2 * curve.dots! * ratio);
+            }
+        } else {
+            this.line(ctx, curve, at, ratio);
+        }
+        ctx.globalAlpha = 1;
+    }
+
+    /** One path for each run of pieces of one kind. */
+    private line(ctx: CanvasRenderingContext2D, curve: Curve, at: (k: number) => [number, number], ratio: number): void {
+        let before: boolean | undefined;
+        for (let k = 0; k + 1 < curve.x.length; k++) {
+            const dashed = curve.dashed?.(k) ?? false;
+            if (dashed !== before) {
+                if (before !== undefined) ctx.stroke();
+                ctx.setLineDash(dashed ? DASH.map((length) => length * ratio) : []);
+                ctx.beginPath();
+                ctx.moveTo(...at(k));
+                before = dashed;
+            }
+            ctx.lineTo(...at(k + 1));
+        }
+        if (before !== undefined) ctx.stroke();
+        ctx.setLineDash([]);
+    }
+}
+
+/** Places of the lines of a logarithmic grid: 1 to 9 in each decade, only 1 where decades are many. */
+function decades(low: number, high: number): number[] {
+    const factors = high / low > 1e4 ? [1] : [1, 2, 3, 4, 5, 6, 7, 8, 9];
+    const found: number[] = [];
+    for (let power = Math.floor(Math.log10(low)); power <= Math.ceil(Math.log10(high)); power++) {
+        for (const factor of factors) {
+            const place = Number(`${factor}e${power}`);
+            if (place >= low && place <= high) found.push(place);
+        }
+    }
+    return found;
+}
+
+/** Ends between which an axis can be divided: finite, apart by more than roundoff, and not too many decades. */
+function drawable([low, high]: [number, number], log = false): [number, number] {
+    if (!Number.isFinite(low) || !Number.isFinite(high)) return log ? [0.1, 1] : [0, 1];
+    if (log) {
+        if (!(high > 0)) return [0.1, 1];
+        return [Math.min(Math.max(low, 1e-9 * high), high / 1.5), high];
+    }
+    const least = 1e-7 * Math.max(Math.abs(low), Math.abs(high), 1e-12);
+    return high - low > least ? [low, high] : [low - 1e3 * least, low + 1e3 * least];
+}
+
+/** On a logarithmic axis 1, 2 and 5 have a label, and only 1 where decades are many. */
+function told(value: number, { log, ends }: Axis): boolean {
+    if (!log) return true;
+    const mantissa = Math.round((1e6 * value) / 10 ** Math.floor(Math.log10(value) + 1e-9)) / 1e6;
+    const many = (ends ? Math.log10(ends[1] / ends[0]) : 0) > 2.5;
+    return mantissa === 1 || (!many && (mantissa === 2 || mantissa === 5));
+}
+
+function drawMark(ctx: CanvasRenderingContext2D, x: number, y: number, mark: Mark, ratio: number): void {
+    const r = (mark.size ?? 4.5) * ratio;
+    ctx.strokeStyle = ctx.fillStyle = mark.colour;
+    ctx.lineWidth = 1.8 * ratio;
+    ctx.beginPath();
+    if (mark.shape === "circle" || mark.shape === "ring") ctx.arc(x, y, r, 0, 2 * Math.PI);
+    else if (mark.shape === "square") ctx.rect(x - 0.85 * r, y - 0.85 * r, 1.7 * r, 1.7 * r);
+    else if (mark.shape === "diamond") polygon(ctx, [[x, y - 1.2 * r], [x + 1.2 * r, y], [x, y + 1.2 * r], [x - 1.2 * r, y]]);
+    else if (mark.shape === "triangle") polygon(ctx, [[x, y - 1.2 * r], [x + 1.1 * r, y + r], [x - 1.1 * r, y + r]]);
+    else {
+        ctx.moveTo(x - r, y - r);
+        ctx.lineTo(x + r, y + r);
+        ctx.moveTo(x + r, y - r);
+        ctx.lineTo(x - r, y + r);
+        ctx.stroke();
+        return;
+    }
+    if (mark.shape === "ring") ctx.stroke();
+    else ctx.fill();
+}
+
+function polygon(ctx: CanvasRenderingContext2D, corners: [number, number][]): void {
+    corners.forEach(([x, y], k) => (k === 0 ? ctx.moveTo(x, y) : ctx.lineTo(x, y)));
+    ctx.closePath();
+}

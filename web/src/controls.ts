@@ -1,0 +1,192 @@
+// Sliders and fields for every number of the spec; a fault stands beside its control.
+
+import type { Design } from "./design";
+import type { Fault } from "./frame";
+import { digits } from "./units";
+
+export interface Control {
+    key: string;
+    value: number;
+    shown: string;
+    unit: string;
+    factor: number;
+    about: string;
+    scale: "linear" | "log";
+    from: number;
+    to: number;
+    count: boolean;
+    written: boolean;
+}
+
+const STEPS = 1000;
+/** Groups that are open at first. */
+const OPEN = /^(stop|circuit|drive)\./;
+
+interface Row {
+    control: Control;
+    slider: HTMLInputElement;
+    field: HTMLInputElement;
+    fault: HTMLElement;
+    row: HTMLElement;
+}
+
+export class Controls {
+    private readonly rows = new Map<string, Row>();
+    private readonly opened = new Map<string, boolean>();
+    private list: Control[] = [];
+
+    constructor(private readonly host: HTMLElement, private readonly general: HTMLElement, private readonly design: Design) {}
+
+    get all(): Control[] {
+        return this.list;
+    }
+
+    find(key: string): Control | undefined {
+        return this.rows.get(key)?.control;
+    }
+
+    /** Takes the controls of a design: rows are kept where the keys are the same, so that a held slider stays held. */
+    take(list: Control[]): void {
+        const same = list.length === this.list.length && list.every((control, k) => control.key === this.list[k].key);
+        this.list = list;
+        if (!same) this.build();
+        for (const control of list) this.put(control);
+    }
+
+    /** A value in SI as the words that the spec would have. */
+    words(key: string, si: number): string {
+        const control = this.find(key);
+        if (!control) return String(si);
+        const number = digits(si / control.factor, 6);
+        return control.count ? String(Math.round(si)) : control.unit ? `${number} ${control.unit}` : number;
+    }
+
+    /** Faults beside their controls; those without one above all. */
+    tell(faults: Fault[]): void {
+        const beside = new Map<string, string>();
+        const rest: string[] = [];
+        for (const { key, message } of faults) {
+            if (this.rows.has(key)) beside.set(key, beside.has(key) ? `${beside.get(key)} ${message}` : message);
+            else rest.push(message);
+        }
+        for (const [key, { fault, field, row }] of this.rows) {
+            const message = beside.get(key) ?? "";
+            if (fault.textContent !== message) fault.textContent = message;
+            fault.hidden = message === "";
+            field.setAttribute("aria-invalid", String(message !== ""));
+            if (message) (row.closest("details") as HTMLDetailsElement).open = true;
+        }
+        const text = rest.join("\n");
+        if (this.general.textContent !== text) this.general.textContent = text;
+    }
+
+    private build(): void {
+        this.rows.clear();
+        const groups = new Map<string, Control[]>();
+        for (const control of this.list) {
+            const parts = control.key.split(".");
+            const name = parts.length > 2 ? `${parts[0]}.${parts[1]}` : parts[0];
+            groups.set(name, [...(groups.get(name) ?? []), control]);
+        }
+        const order = [...groups].sort(([a], [b]) => Number(OPEN.test(`${b}.`)) - Number(OPEN.test(`${a}.`)));
+        this.host.replaceChildren(...order.map(([name, controls]) => this.group(name, controls)));
+    }
+
+    private group(name: string, controls: Control[]): HTMLElement {
+        const details = document.createElement("details");
+        details.open = this.opened.get(name) ?? OPEN.test(`${name}.`);
+        details.ontoggle = () => this.opened.set(name, details.open);
+        const summary = document.createElement("summary");
+        summary.textContent = name.replace(".", " ");
+        const written = controls.filter((control) => control.written);
+        const others = controls.filter((control) => !control.written);
+        details.append(summary, ...written.map((control) => this.row(control, name)));
+        if (others.length > 0) {
+            const more = document.createElement("details");
+            more.className = "more";
+            const words = document.createElement("summary");
+            words.textContent = `${others.length} with defaults`;
+            more.append(words, ...others.map((control) => this.row(control, name)));
+            if (written.length === 0) more.open = true;
+            details.append(more);
+        }
+        return details;
+    }
+
+    private row(control: Control, group: string): HTMLElement {
+        const row = document.createElement("div");
+        row.className = "control";
+        const id = `control-${control.key.replaceAll(".", "-")}`;
+        const label = document.createElement("label");
+        label.htmlFor = id;
+        label.textContent = control.key.slice(group.length + 1).replaceAll(".", " ").replaceAll("_", " ") || control.key;
+        label.title = control.about;
+        const slider = document.createElement("input");
+        slider.type = "range";
+        slider.min = "0";
+        slider.max = String(STEPS);
+        slider.step = "1";
+        slider.id = id;
+        slider.setAttribute("aria-label", control.key);
+        const field = document.createElement("input");
+        field.inputMode = "decimal";
+        field.className = "field";
+        field.setAttribute("aria-label", `${control.key}, value`);
+        field.setAttribute("aria-describedby", `${id}-fault`);
+        const unit = document.createElement("span");
+        unit.className = "unit";
+        unit.textContent = control.unit;
+        const fault = document.createElement("p");
+        fault.className = "fault";
+        fault.id = `${id}-fault`;
+        fault.hidden = true;
+        slider.oninput = () => this.slide(control.key, true);
+        slider.onchange = () => this.slide(control.key, false);
+        field.onchange = () => this.type(control.key);
+        row.append(label, field, unit, slider, fault);
+        this.rows.set(control.key, { control, slider, field, fault, row });
+        return row;
+    }
+
+    /** Shows a value; the range of a slider stays while the value is inside it. */
+    private put(control: Control): void {
+        const row = this.rows.get(control.key)!;
+        const { from, to, scale, unit, factor } = row.control;
+        const inside = control.value >= from && control.value <= to;
+        row.control = inside ? { ...control, from, to, scale, unit, factor } : control;
+        if (!inside || control.value === 0) row.row.querySelector(".unit")!.textContent = row.control.unit;
+        const text = this.number(row.control);
+        if (document.activeElement !== row.field || row.field.getAttribute("aria-invalid") !== "true") row.field.value = text;
+        row.slider.value = String(this.toStep(row.control, control.value));
+        row.slider.setAttribute("aria-valuetext", `${text} ${row.control.unit}`);
+    }
+
+    private number(control: Control): string {
+        return digits(control.value / control.factor, 6);
+    }
+
+    private toStep({ from, to, scale }: Control, value: number): number {
+        const share = scale === "log" ? Math.log(value / from) / Math.log(to / from) : (value - from) / (to - from);
+        return Math.round(STEPS * share);
+    }
+
+    private fromStep({ from, to, scale, count }: Control, step: number): number {
+        const share = step / STEPS;
+        const value = scale === "log" ? from * (to / from) ** share : from + (to - from) * share;
+        return count ? Math.max(1, Math.round(value)) : value;
+    }
+
+    private slide(key: string, moving: boolean): void {
+        const { control, slider, field } = this.rows.get(key)!;
+        const text = digits(this.fromStep(control, Number(slider.value)) / control.factor, 4);
+        field.value = text;
+        this.design.set(key, control.unit ? `${text} ${control.unit}` : text, moving);
+    }
+
+    private type(key: string): void {
+        const { control, field } = this.rows.get(key)!;
+        const text = field.value.trim();
+        const bare = /^[-+.\deE]+$/.test(text);
+        this.design.set(key, bare && control.unit ? `${text} ${control.unit}` : text);
+    }
+}

@@ -1,0 +1,111 @@
+// The design: overrides of the file, with undo, redo and a link that holds them all.
+
+export type Overrides = ReadonlyMap<string, string>;
+
+export interface View {
+    over: string;
+    from: number;
+    to: number;
+}
+
+export class Design {
+    private present: Map<string, string> = new Map();
+    private settled: Map<string, string> = new Map();
+    private readonly past: Map<string, string>[] = [];
+    private readonly future: Map<string, string>[] = [];
+    /** Called after every change; `moving` while a slider or handle is held. */
+    onChange: (moving: boolean) => void = () => {};
+
+    get overrides(): Overrides {
+        return this.present;
+    }
+
+    get pairs(): [string, string][] {
+        return [...this.present];
+    }
+
+    get canUndo(): boolean {
+        return this.past.length > 0;
+    }
+
+    get canRedo(): boolean {
+        return this.future.length > 0;
+    }
+
+    /** Begins anew, without a past. */
+    begin(pairs: [string, string][]): void {
+        this.present = new Map(pairs);
+        this.settled = new Map(pairs);
+        this.past.length = this.future.length = 0;
+    }
+
+    /** Sets a key; while `moving` nothing is kept for undo. */
+    set(key: string, value: string, moving = false): void {
+        this.setAll([[key, value]], moving);
+    }
+
+    setAll(pairs: [string, string][], moving = false): void {
+        const before = pairs.every(([key, value]) => this.present.get(key) === value);
+        if (before && moving) return;
+        this.present = new Map(this.present);
+        for (const [key, value] of pairs) this.present.set(key, value);
+        if (!moving) this.settle();
+        this.onChange(moving);
+    }
+
+    reset(): void {
+        this.present = new Map();
+        this.settle();
+        this.onChange(false);
+    }
+
+    undo(): void {
+        this.travel(this.past, this.future);
+    }
+
+    redo(): void {
+        this.travel(this.future, this.past);
+    }
+
+    private travel(from: Map<string, string>[], to: Map<string, string>[]): void {
+        const found = from.pop();
+        if (!found) return;
+        to.push(this.settled);
+        this.present = new Map(found);
+        this.settled = found;
+        this.onChange(false);
+    }
+
+    private settle(): void {
+        const same = this.settled.size === this.present.size && this.pairs.every(([key, value]) => this.settled.get(key) === value);
+        if (same) return;
+        this.past.push(this.settled);
+        this.future.length = 0;
+        this.settled = new Map(this.present);
+    }
+}
+
+/** The fragment that holds a design and what is shown of it. */
+export function toFragment(pairs: [string, string][], view: View | undefined): string {
+    const words = new URLSearchParams();
+    for (const [key, value] of pairs) words.append("set", `${key}=${value}`);
+    if (view) {
+        words.set("over", view.over);
+        words.set("from", String(view.from));
+        words.set("to", String(view.to));
+    }
+    return words.toString();
+}
+
+/** The design in a fragment, if there is one. */
+export function fromFragment(fragment: string): { pairs: [string, string][]; view: View | undefined } | undefined {
+    const words = new URLSearchParams(fragment.replace(/^#/, ""));
+    const pairs = words.getAll("set").filter((text) => text.includes("=")).map((text): [string, string] => {
+        const split = text.indexOf("=");
+        return [text.slice(0, split), text.slice(split + 1)];
+    });
+    const over = words.get("over");
+    const [from, to] = [Number(words.get("from")), Number(words.get("to"))];
+    const view = over && from < to ? { over, from, to } : undefined;
+    return pairs.length > 0 || view ? { pairs, view } : undefined;
+}

@@ -1,0 +1,85 @@
+// Mean power against the load: marched points as they come, beside the harvester that never strikes.
+
+import { Chart } from "./chart";
+import type { Controls } from "./controls";
+import type { Design } from "./design";
+import type { Frame } from "./frame";
+import { colour } from "./theme";
+import { quantity } from "./units";
+import type { Wire } from "./wire";
+
+const POINTS = 25;
+const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
+
+export class Load {
+    private readonly chart = new Chart(find("chart-load"));
+    private readonly over = find<HTMLSelectElement>("load-over");
+    private readonly words = find("load-words");
+    private linear: [Float64Array, Float64Array] = [new Float64Array(0), new Float64Array(0)];
+    private points: [number, number][] = [];
+    private running = false;
+
+    constructor(private readonly wire: Wire, private readonly controls: Controls, private readonly design: Design) {
+        wire.on("load", (frame) => this.take(frame));
+        find("load-run").onclick = () => (this.running ? this.stop() : this.run());
+    }
+
+    /** Offers the resistances of the design. */
+    offer(): void {
+        const keys = this.controls.all.map((control) => control.key).filter((key) => /^circuit\..*resistance$/.test(key));
+        if (keys.join() === [...this.over.options].map((option) => option.value).join()) return;
+        this.over.replaceChildren(...keys.map((key) => new Option(key, key)));
+    }
+
+    run(): void {
+        if (!this.over.value) {
+            this.words.textContent = "this design has no load resistance";
+            return;
+        }
+        this.points = [];
+        this.set(this.wire.ask("load", { set: this.design.pairs, over: this.over.value, points: POINTS }) !== 0);
+        this.words.textContent = "marching";
+    }
+
+    private stop(): void {
+        this.wire.ask("stop", { what: "load" });
+        this.set(false);
+        this.words.textContent = "stopped";
+    }
+
+    private set(running: boolean): void {
+        this.running = running;
+        find("load-run").textContent = running ? "Stop" : "March";
+    }
+
+    private take(frame: Frame): void {
+        const { head } = frame;
+        if (head.stage === "fault") {
+            this.set(false);
+            this.words.textContent = head.faults[0]?.message ?? "";
+        } else if (head.stage === "linear") {
+            this.linear = [frame.array("linear.x"), frame.array("linear.power")];
+        } else if (head.stage === "point") {
+            this.points.push([head.x, head.power]);
+            this.words.textContent = `${this.points.length} of ${head.of} values marched`;
+        } else {
+            this.set(false);
+            const [ohm, watt] = this.points.reduce((most, point) => (point[1] > most[1] ? point : most), [0, 0]);
+            this.words.textContent = `most power: ${quantity(watt, "W")} at ${quantity(ohm, "ohm")}`;
+        }
+        this.redraw();
+    }
+
+    redraw(): void {
+        const [x, y] = this.linear;
+        if (x.length === 0) return;
+        const sorted = [...this.points].sort((a, b) => a[0] - b[0]);
+        const [px, py] = [sorted.map((point) => point[0]), sorted.map((point) => point[1])];
+        this.chart.host.setAttribute("aria-label", `Mean power over ${this.over.value}. ${this.words.textContent}`);
+        this.chart.show(
+            { words: this.over.value, unit: "ohm", log: true, ends: [x[0], x[x.length - 1]] },
+            { words: "Mean power", unit: "W", log: true },
+            [{ x, y, colour: colour("grey") }, { x: px, y: py, colour: colour("blue"), width: 1.5 }, { x: px, y: py, colour: colour("blue"), dots: 2.5 }],
+        );
+    }
+}

@@ -1,0 +1,149 @@
+// The beam in slow motion, striking its stop.
+
+import { colour } from "./theme";
+import type { Frame } from "./frame";
+
+interface Beam {
+    name: string;
+    places: Float64Array;
+    motion: Float64Array;
+    lowest: number;
+    highest: number;
+}
+
+interface Stop {
+    name: string;
+    gap: number;
+    at: { beam: string; place: number } | null;
+    above: boolean;
+}
+
+export class Motion {
+    private beams: Beam[] = [];
+    private stops: Stop[] = [];
+    private pictures = 0;
+    private periodS = 1;
+    private phase = 0;
+    private last = 0;
+    private held = false;
+    private largest = 1;
+    /** How much slower than life. */
+    slower = 40;
+    /** Hears the share of the period that is shown. */
+    onPhase: (phase: number) => void = () => {};
+    readonly frames: number[] = [];
+
+    constructor(private readonly canvas: HTMLCanvasElement) {
+        this.held = matchMedia("(prefers-reduced-motion: reduce)").matches;
+        requestAnimationFrame((time) => this.tick(time));
+    }
+
+    get playing(): boolean {
+        return !this.held;
+    }
+
+    toggle(): boolean {
+        this.held = !this.held;
+        return this.playing;
+    }
+
+    take(frame: Frame): void {
+        const { head } = frame;
+        this.pictures = head.pictures;
+        this.periodS = head.period_s;
+        this.stops = head.stops;
+        this.beams = (head.beams as { name: string }[]).map(({ name }) => {
+            const motion = frame.array(`motion.${name}`);
+            let [lowest, highest] = [0, 0];
+            for (const value of motion) [lowest, highest] = [Math.min(lowest, value), Math.max(highest, value)];
+            return { name, places: frame.array(`place.${name}`), motion, lowest, highest };
+        });
+        this.largest = Math.max(1e-12, ...this.beams.map((beam) => Math.max(beam.highest, -beam.lowest)));
+        this.draw();
+    }
+
+    private tick(time: number): void {
+        requestAnimationFrame((next) => this.tick(next));
+        const passed = Math.min(0.1, (time - this.last) / 1000);
+        this.last = time;
+        if (this.held || this.pictures === 0 || document.hidden) return;
+        this.frames.push(time);
+        if (this.frames.length > 240) this.frames.shift();
+        this.phase = (this.phase + passed / this.slower / this.periodS) % 1;
+        this.draw();
+        this.onPhase(this.phase);
+    }
+
+    draw(): void {
+        const { canvas } = this;
+        const ratio = devicePixelRatio || 1;
+        const [width, height] = [canvas.clientWidth * ratio, canvas.clientHeight * ratio];
+        if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
+        const ctx = canvas.getContext("2d");
+        if (!ctx) return;
+        ctx.clearRect(0, 0, width, height);
+        const strip = height / Math.max(1, this.beams.length);
+        this.beams.forEach((beam, k) => this.beam(ctx, beam, k * strip, strip, width, ratio));
+    }
+
+    private beam(ctx: CanvasRenderingContext2D, beam: Beam, top: number, high: number, width: number, ratio: number): void {
+        const own = this.stops.filter((stop) => stop.at?.beam === beam.name);
+        const room = Math.max(beam.highest, ...own.map((stop) => (stop.above ? stop.gap : 0)), 0.3 * this.largest);
+        const below = Math.max(-beam.lowest, ...own.map((stop) => (stop.above ? 0 : stop.gap)), 0.3 * this.largest);
+        const scale = (high - 34 * ratio) / (room + below);
+        const zero = top + 20 * ratio + room * scale;
+        const [left, right] = [26 * ratio, width - 20 * ratio];
+        const length = beam.places[beam.places.length - 1] || 1;
+        const x = (place: number) => left + ((right - left) * place) / length;
+        const first = Math.floor(this.phase * this.pictures) % this.pictures;
+        const share = this.phase * this.pictures - Math.floor(this.phase * this.pictures);
+        const next = (first + 1) % this.pictures;
+        const count = beam.places.length;
+        const bend = (k: number) => (1 - share) * beam.motion[first * count + k] + share * beam.motion[next * count + k];
+        ctx.strokeStyle = colour("grid");
+        ctx.lineWidth = ratio;
+        line(ctx, left, zero, right, zero);
+        // Where the beam has been.
+        ctx.strokeStyle = colour("blue");
+        ctx.globalAlpha = 0.12;
+        for (let picture = 0; picture < this.pictures; picture += 12) this.bent(ctx, (k) => [x(beam.places[k]), zero - scale * beam.motion[picture * count + k]], count);
+        ctx.globalAlpha = 1;
+        let struck = false;
+        for (const stop of own) {
+            const place = stop.at!.place;
+            const k = Math.min(count - 1, Math.round((place / length) * (count - 1)));
+            const pressed = stop.above ? bend(k) - stop.gap : -bend(k) - stop.gap;
+            struck ||= pressed > -0.004 * this.largest;
+            this.stop(ctx, x(place), zero - scale * (stop.above ? stop.gap : -stop.gap), stop, pressed > -0.004 * this.largest, ratio);
+        }
+        ctx.strokeStyle = colour(struck ? "vermilion" : "beam");
+        ctx.lineWidth = 4 * ratio;
+        ctx.lineCap = "round";
+        this.bent(ctx, (k) => [x(beam.places[k]), zero - scale * bend(k)], count);
+        ctx.fillStyle = colour("grey");
+        ctx.fillRect(left - 9 * ratio, zero - scale * bend(0) - 13 * ratio, 8 * ratio, 26 * ratio);
+    }
+
+    private bent(ctx: CanvasRenderingContext2D, at: (k: number) => [number, number], count: number): void {
+        ctx.beginPath();
+        for (let k = 0; k < count; k++) ctx.lineTo(...at(k));
+        ctx.stroke();
+    }
+
+    private stop(ctx: CanvasRenderingContext2D, x: number, y: number, stop: Stop, struck: boolean, ratio: number): void {
+        const way = (stop.above ? -1 : 1) * ratio;
+        ctx.fillStyle = colour(struck ? "vermilion" : "grey");
+        ctx.beginPath();
+        ctx.arc(x, y + 5 * way, 5 * ratio, 0, 2 * Math.PI);
+        ctx.fill();
+        ctx.fillRect(x - 5 * ratio, Math.min(y + 5 * way, y + 14 * way), 10 * ratio, 9 * ratio);
+        ctx.fillRect(x - 15 * ratio, Math.min(y + 14 * way, y + 17 * way), 30 * ratio, 3 * ratio);
+    }
+}
+
+function line(ctx: CanvasRenderingContext2D, x0: number, y0: number, x1: number, y1: number): void {
+    ctx.beginPath();
+    ctx.moveTo(x0, y0);
+    ctx.lineTo(x1, y1);
+    ctx.stroke();
+}

@@ -1,0 +1,164 @@
+// What is asked when: one coarse response is under way at a time, the newest position waits for it, and nothing older is asked again.
+
+import type { Answer, Place } from "./branches";
+import type { Axes } from "./axes";
+import type { Design } from "./design";
+import type { Fault, Frame, Head } from "./frame";
+import type { Response } from "./response";
+import type { Wire } from "./wire";
+
+interface Hears {
+    say: (words: string) => void;
+    orbit: (frame: Frame) => void;
+    fault: (faults: Fault[]) => void;
+}
+
+/** After this long without an answer the page says that it computes. */
+const PATIENCE_MS = 333;
+/** After this long a newer position stops the computation of an older one. */
+const STALE_MS = 4000;
+const SWEEP_POINTS = 61;
+
+export class Requests {
+    /** Times of changes that wait to be asked. */
+    private designWaits: number | undefined;
+    private waiting: number | undefined;
+    private designAsked = false;
+    private coarseAsked = false;
+    private asked = 0;
+    private since = 0;
+    private orbitAsked = false;
+    private clicked = 0;
+    private orbitWaiting: Place | undefined;
+    private sweeping = false;
+    private readonly busy = document.getElementById("busy")!;
+
+    constructor(private readonly wire: Wire, private readonly design: Design, private readonly axes: Axes, private readonly response: Response, private readonly hears: Hears) {
+        wire.on("orbit", (frame) => this.takeOrbit(frame));
+        wire.on("sweep", (frame) => this.takeSwept(frame.head));
+        setInterval(() => this.patience(), 100);
+    }
+
+    /** The design changed at a time of `performance.now()`. */
+    change(time: number): void {
+        this.waiting = this.designWaits = time;
+        this.pump();
+    }
+
+    /** The connection is gone, and with it all that was asked. */
+    forget(): void {
+        this.designAsked = this.coarseAsked = this.orbitAsked = this.sweeping = false;
+        this.busy.textContent = "";
+    }
+
+    private pump(): void {
+        const set = this.design.pairs;
+        if (this.designWaits !== undefined && !this.designAsked) {
+            this.designWaits = undefined;
+            this.designAsked = this.wire.ask("design", { set }) !== 0;
+        }
+        // A computation that takes long makes way; a short one is let to its end, so that the curve follows a moving slider.
+        const late = performance.now() - this.asked > STALE_MS;
+        if (this.waiting === undefined || !this.axes.view || (this.coarseAsked && !late)) return;
+        this.since = this.waiting;
+        this.waiting = undefined;
+        this.askResponse();
+    }
+
+    private askResponse(): void {
+        this.asked = performance.now();
+        this.coarseAsked = this.wire.ask("response", { set: this.design.pairs, ...this.axes.view }) !== 0;
+    }
+
+    designTaken(): void {
+        this.designAsked = false;
+        this.hears.fault([]);
+        // The first design tells what the response goes over.
+        this.pump();
+    }
+
+    designFault(head: Head): void {
+        this.designAsked = false;
+        this.hears.fault(head.faults);
+        this.pump();
+    }
+
+    responseFault(head: Head): void {
+        this.coarseAsked = false;
+        this.busy.textContent = "";
+        this.hears.fault(head.faults);
+        this.pump();
+    }
+
+    responseTaken(head: Head, answer: Answer): void {
+        this.response.take(answer);
+        const { chosen } = this.response;
+        if (chosen) this.orbit(chosen);
+        if (head.stage === "coarse") {
+            const since = this.since;
+            // Measured to the frame in which the branch is seen.
+            requestAnimationFrame(() => performance.measure("slider-to-branch", { start: since }));
+            this.coarseAsked = false;
+            this.busy.textContent = this.waiting === undefined ? "refining" : "";
+            this.pump();
+        } else {
+            this.busy.textContent = "";
+            this.hears.say(`${answer.branches.length} ${answer.branches.length === 1 ? "branch" : "branches"}, ${Math.round(head.ms)} ms`);
+        }
+    }
+
+    /** The orbit of a point; the newest one waits for the one under way. */
+    orbit(place: Place): void {
+        if (this.orbitAsked) {
+            this.orbitWaiting = place;
+            return;
+        }
+        const { answer } = this.response;
+        if (!answer) return;
+        this.orbitAsked = this.wire.ask("orbit", { answer: answer.id, branch: place.branch, point: place.point }) !== 0;
+        this.clicked = performance.now();
+    }
+
+    private takeOrbit(frame: Frame): void {
+        this.orbitAsked = false;
+        if (frame.head.stage === "done") {
+            this.hears.orbit(frame);
+            const since = this.clicked;
+            requestAnimationFrame(() => performance.measure("click-to-orbit", { start: since }));
+        }
+        const next = this.orbitWaiting;
+        this.orbitWaiting = undefined;
+        if (next) this.orbit(next);
+    }
+
+    /** Starts or stops a sweep. */
+    sweep(button: HTMLElement): void {
+        const { view } = this.axes;
+        if (this.sweeping) this.wire.ask("stop", { what: "sweep" });
+        else if (view) {
+            this.response.swept = [];
+            this.wire.ask("sweep", { set: this.design.pairs, ...view, points: SWEEP_POINTS });
+        }
+        this.sweeping = !this.sweeping;
+        button.textContent = this.sweeping ? "Stop" : "Sweep";
+    }
+
+    private takeSwept(head: Head): void {
+        if (head.stage === "point") {
+            this.response.swept.push({ x: head.x, up: head.up, values: { power: head.power, voltage: head.voltage, penetration: head.penetration } });
+            this.response.draw();
+            this.hears.say(`${head.index + 1} of ${head.of} values marched`);
+            return;
+        }
+        this.sweeping = false;
+        document.getElementById("sweep")!.textContent = "Sweep";
+        this.hears.say(head.stage === "fault" ? head.faults[0]?.message : "sweep done");
+    }
+
+    private patience(): void {
+        this.pump();
+        if (this.coarseAsked && performance.now() - this.asked > PATIENCE_MS) {
+            this.busy.textContent = `computing, ${((performance.now() - this.asked) / 1000).toFixed(1)} s`;
+        }
+    }
+}

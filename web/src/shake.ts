@@ -1,0 +1,120 @@
+// The harvester under noise, or under a recording that was dropped onto the page.
+
+import { Chart } from "./chart";
+import type { Controls } from "./controls";
+import type { Design } from "./design";
+import type { Frame } from "./frame";
+import { colour } from "./theme";
+import { quantity } from "./units";
+import type { Wire } from "./wire";
+
+/** Largest file that is sent. */
+const MOST_BYTES = 12 << 20;
+
+const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
+const number = (id: string) => Number(find<HTMLInputElement>(id).value);
+
+export class Shake {
+    private readonly voltage = new Chart(find("chart-shake-voltage"), true);
+    private readonly displacement = new Chart(find("chart-shake-displacement"), true);
+    private readonly density = new Chart(find("chart-shake-density"), true);
+    private readonly words = find("shake-words");
+    private last: Frame | undefined;
+    private running = false;
+    private name = "";
+    private offered = false;
+
+    constructor(private readonly wire: Wire, private readonly controls: Controls, private readonly design: Design, private readonly show: () => void) {
+        wire.on("shake", (frame) => this.take(frame));
+        find("shake-run").onclick = () => (this.running ? this.stop() : this.noise());
+        const chosen = find<HTMLInputElement>("shake-file");
+        chosen.onchange = () => chosen.files?.[0] && void this.recording(chosen.files[0]);
+        addEventListener("dragover", (event) => {
+            event.preventDefault();
+            document.body.classList.add("dropping");
+        });
+        addEventListener("dragleave", () => document.body.classList.remove("dropping"));
+        addEventListener("drop", (event) => {
+            event.preventDefault();
+            document.body.classList.remove("dropping");
+            const file = event.dataTransfer?.files[0];
+            if (!file) return;
+            this.show();
+            void this.recording(file);
+        });
+    }
+
+    /** Offers noise of the power of the first sinusoid in the octave and a half about it. */
+    offer(): void {
+        const value = (name: string) => this.controls.all.find(({ key }) => new RegExp(`^drive\\.[^.]+\\.${name}$`).test(key))?.value;
+        const [amplitude, hertz] = [value("amplitude"), value("frequency")];
+        if (this.offered || !amplitude || !hertz) return;
+        this.offered = true;
+        const put = (id: string, si: number) => (find<HTMLInputElement>(id).value = String(Number(si.toPrecision(2))));
+        put("shake-density", amplitude ** 2 / 2 / hertz);
+        put("shake-low", 0.5 * hertz);
+        put("shake-high", 1.5 * hertz);
+    }
+
+    private noise(): void {
+        const [density, low_hz, high_hz] = ["shake-density", "shake-low", "shake-high"].map(number);
+        if (![density, low_hz, high_hz].every(Number.isFinite)) return this.say("noise needs three numbers: its density and the ends of its band");
+        this.name = "noise";
+        this.ask({ noise: { density, low_hz, high_hz } });
+    }
+
+    private async recording(file: File): Promise<void> {
+        if (file.size > MOST_BYTES) return this.say(`${file.name} is larger than ${MOST_BYTES >> 20} MiB; cut it into pieces`);
+        const scale = number("shake-scale");
+        if (!Number.isFinite(scale)) return this.say("the scale of a recording is a number");
+        this.name = file.name;
+        this.ask({ recording: { name: file.name, text: await file.text(), scale } });
+    }
+
+    private ask(by: object): void {
+        this.set(this.wire.ask("shake", { set: this.design.pairs, by }) !== 0);
+        this.say(`marching under ${this.name}`);
+    }
+
+    private stop(): void {
+        this.wire.ask("stop", { what: "shake" });
+        this.set(false);
+        this.say("stopped");
+    }
+
+    private set(running: boolean): void {
+        this.running = running;
+        find("shake-run").textContent = running ? "Stop" : "March";
+    }
+
+    private say(words: string): void {
+        this.words.textContent = words;
+    }
+
+    private take(frame: Frame): void {
+        const { head } = frame;
+        this.set(false);
+        if (head.stage === "fault") return this.say(head.faults[0]?.message ?? "");
+        const linear = head.linear_power_w > 0 ? `, ${quantity(head.linear_power_w, "W")} if it never struck` : "";
+        const rate = head.contacts / head.average_over_s;
+        this.say(`${this.name}: ${quantity(head.mean_power_w, "W")} on average over ${quantity(head.average_over_s, "s")}${linear}; ${rate.toFixed(1)} contacts per second`);
+        this.last = frame;
+        this.redraw();
+    }
+
+    redraw(): void {
+        const { last } = this;
+        if (!last) return;
+        const time = { words: "Time", unit: "s" };
+        this.voltage.host.setAttribute("aria-label", `Voltage over time. ${this.words.textContent}`);
+        this.voltage.show(time, { words: "Voltage", unit: "V" }, [{ x: last.array("voltage.time"), y: last.array("voltage.value"), colour: colour("blue"), width: 1 }]);
+        if (last.has("displacement.time")) {
+            const curve = { x: last.array("displacement.time"), y: last.array("displacement.value"), colour: colour("green"), width: 1 };
+            this.displacement.show(time, { words: "Towards the stop", unit: "m" }, [curve], [], [{ at: last.head.gap_m, along: "y", words: "stop" }]);
+        }
+        if (last.has("density.value")) {
+            const curve = { x: last.array("density.frequency"), y: last.array("density.value"), colour: colour("blue"), width: 1 };
+            this.density.show({ words: "Frequency", unit: "Hz" }, { words: "Voltage density", unit: "V²/Hz", log: true }, [curve]);
+        }
+    }
+}

@@ -1,0 +1,40 @@
+// Colours: those of the library's pictures (Okabe and Ito), told apart by colour-blind readers.
+
+const SERIES = ["blue", "vermilion", "green", "purple", "orange", "sky"];
+
+/** A colour of the page's style by its name. */
+export function colour(name: string): string {
+    return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+}
+
+/** Colour of curve number `index`. */
+export function nth(index: number): string {
+    return colour(SERIES[index % SERIES.length]);
+}
+
+/** Light or dark: as the system says, until the user says otherwise. */
+export class Theme {
+    private readonly system = matchMedia("(prefers-color-scheme: dark)");
+
+    constructor(private readonly button: HTMLButtonElement, private readonly changed: () => void) {
+        const kept = new URLSearchParams(location.hash.slice(1)).get("theme");
+        this.put(kept ?? (this.system.matches ? "dark" : "light"));
+        button.onclick = () => this.toggle();
+        this.system.addEventListener("change", () => this.set(this.system.matches ? "dark" : "light"));
+    }
+
+    toggle(): void {
+        this.set(document.documentElement.dataset.theme === "dark" ? "light" : "dark");
+    }
+
+    private set(name: string): void {
+        this.put(name);
+        this.changed();
+    }
+
+    private put(name: string): void {
+        document.documentElement.dataset.theme = name;
+        this.button.setAttribute("aria-pressed", String(name === "dark"));
+        this.button.textContent = name === "dark" ? "Light" : "Dark";
+    }
+}

@@ -1,0 +1,55 @@
+// The socket: sends requests, hands out answers, comes back when the server does.
+
+import { Frame } from "./frame";
+
+type Hear = (frame: Frame) => void;
+
+const RETRY_MS = 700;
+
+export class Wire {
+    private socket: WebSocket | undefined;
+    private next = 1;
+    private readonly heard = new Map<string, Hear>();
+    /** Number of the last request of each kind: older answers are left aside. */
+    private readonly last = new Map<string, number>();
+    onOpen: () => void = () => {};
+    onLost: () => void = () => {};
+
+    connect(): void {
+        const address = new URL("socket", location.href);
+        address.protocol = "ws:";
+        address.hash = "";
+        const socket = new WebSocket(address);
+        socket.binaryType = "arraybuffer";
+        socket.onopen = () => {
+            this.socket = socket;
+            this.onOpen();
+        };
+        socket.onmessage = (event) => this.take(new Frame(event.data as ArrayBuffer));
+        socket.onclose = () => {
+            this.socket = undefined;
+            this.onLost();
+            setTimeout(() => this.connect(), RETRY_MS);
+        };
+    }
+
+    /** Answers of one kind, the faults of that kind among them. */
+    on(ask: string, hear: Hear): void {
+        this.heard.set(ask, hear);
+    }
+
+    /** Sends a request; its number, or 0 without a connection. */
+    ask(ask: string, body: object): number {
+        if (this.socket?.readyState !== WebSocket.OPEN) return 0;
+        const id = this.next++;
+        this.last.set(ask, id);
+        this.socket.send(JSON.stringify({ id, ask, ...body }));
+        return id;
+    }
+
+    private take(frame: Frame): void {
+        const { id, ask } = frame.head;
+        if (id !== 0 && id !== this.last.get(ask)) return;
+        this.heard.get(ask)?.(frame);
+    }
+}

@@ -1,0 +1,21 @@
+// Runs the tests in the browser, or says why it cannot.
+import { spawnSync } from "node:child_process";
+import { browserPath, program } from "./browser.mjs";
+
+/** Far more than the tests take, also on a busy machine: one that hangs ends all the same. */
+const LONGEST_MS = 900_000;
+
+const missing = [
+    program ? "" : "the program: run `cargo build --release --workspace` first",
+    browserPath ? "" : "Chromium: install the package chromium, or name a browser in CHROMIUM",
+].filter(Boolean);
+if (missing.length > 0) {
+    console.error(`the page cannot be tested in a browser; missing is ${missing.join("; ")}`);
+    process.exit(1);
+}
+const began = performance.now();
+const tests = new URL("page.test.mjs", import.meta.url).pathname;
+const { status } = spawnSync(process.execPath, ["--test", tests], { stdio: "inherit", timeout: LONGEST_MS });
+console.log(`page in a browser: ${((performance.now() - began) / 1000).toFixed(0)} s`);
+if (status === null) console.error(`the tests of the page took longer than ${LONGEST_MS / 1000} s`);
+process.exit(status ?? 1);

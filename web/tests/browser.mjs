@@ -1,0 +1,93 @@
+// A server on a copy of a spec, and a real browser on its page.
+import { spawn } from "node:child_process";
+import { cp, mkdtemp, rm } from "node:fs/promises";
+import { existsSync } from "node:fs";
+import { createInterface } from "node:readline";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { chromium } from "playwright-core";
+
+const root = new URL("../../", import.meta.url).pathname;
+const programs = [process.env.JOUNCE, `${root}target/release/jounce`, `${root}target/debug/jounce`];
+export const program = programs.find((path) => path && existsSync(path));
+const browsers = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
+export const browserPath = browsers.find((path) => path && existsSync(path));
+const FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
+
+/** Starts a server on a copy of the paper's spec. */
+export async function serve(options = {}) {
+    const folder = await mkdtemp(join(tmpdir(), "explore-"));
+    const spec = join(folder, "harvester.toml");
+    await cp(`${root}examples/impact-harvester-2019/harvester.toml`, spec);
+    const begin = async (listen) => {
+        const child = spawn(program, ["explore", spec, "--no-browser", "--json", ...(listen ? ["--listen", listen] : [])], {
+            stdio: ["ignore", "pipe", "inherit"], env: { ...process.env, XDG_STATE_HOME: join(folder, "state") },
+        });
+        const line = await new Promise((resolve, reject) => {
+            createInterface({ input: child.stdout }).once("line", resolve);
+            child.once("exit", (code) => reject(new Error(`jounce explore ended with ${code}`)));
+        });
+        return { child, page: JSON.parse(line).page };
+    };
+    const first = await begin(options.listen);
+    const end = (child) => new Promise((resolve) => {
+        if (child.exitCode !== null) return resolve();
+        child.once("exit", resolve);
+        child.kill("SIGINT");
+    });
+    const server = {
+        folder, spec, address: first.page, child: first.child,
+        stop: () => end(server.child),
+        start: async () => {
+            const again = await begin(options.listen);
+            server.child = again.child;
+            return again.page;
+        },
+        close: async () => {
+            await end(server.child);
+            await rm(folder, { recursive: true, force: true });
+        },
+    };
+    return server;
+}
+
+/** A browser with a fresh profile. */
+export async function browse() {
+    const profile = await mkdtemp(join(tmpdir(), "profile-"));
+    const context = await chromium.launchPersistentContext(profile, {
+        executablePath: browserPath, headless: true, args: FLAGS, viewport: { width: 1280, height: 800 }, acceptDownloads: true,
+    });
+    return {
+        context,
+        close: async () => {
+            await context.close();
+            await rm(profile, { recursive: true, force: true }).catch(() => {});
+        },
+    };
+}
+
+/** Opens the page and waits for its first fine response and orbit. */
+export async function open(context, address) {
+    const page = await context.newPage();
+    page.faults = [];
+    page.on("pageerror", (error) => page.faults.push(String(error)));
+    page.on("console", (message) => message.type() === "error" && page.faults.push(message.text()));
+    await page.goto(address);
+    await ready(page);
+    return page;
+}
+
+/** Waits until the response is fine and its orbit is there. */
+export async function ready(page) {
+    await page.waitForFunction(() => /branch/.test(document.getElementById("status").textContent) && /period/.test(document.getElementById("orbit-title").textContent), undefined, { timeout: 120000 });
+}
+
+/** Share of pixels of an element that are not its most frequent colour. */
+export async function inked(page, selector) {
+    return page.locator(selector).evaluate((canvas) => {
+        const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+        let drawn = 0;
+        for (let k = 3; k < data.length; k += 4) drawn += data[k] > 40 ? 1 : 0;
+        return drawn / (data.length / 4);
+    });
+}

@@ -1,0 +1,46 @@
+// Times of the page in a real browser: `node web/tests/measure.mjs [moves]`, with the release build.
+import { browse, open, program, serve } from "./browser.mjs";
+
+const moves = Number(process.argv[2] ?? 500);
+const began = performance.now();
+const server = await serve();
+const browser = await browse();
+const page = await browser.context.newPage();
+const told = performance.now();
+await page.goto(server.address);
+await page.locator("#side svg").waitFor();
+const painted = await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0]?.startTime);
+await page.close();
+const ready = await open(browser.context, server.address);
+await ready.waitForTimeout(3000);
+const statistics = (values) => {
+    const sorted = [...values].sort((a, b) => a - b);
+    const at = (share) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))]?.toFixed(1);
+    return `median ${at(0.5)} ms, 95th percentile ${at(0.95)} ms, ${sorted.length} values`;
+};
+const times = (name) => ready.evaluate((wanted) => performance.getEntriesByName(wanted).map((entry) => entry.duration), name);
+const slider = ready.getByRole("slider", { name: "stop.tip.gap", exact: true });
+await ready.evaluate(() => performance.clearMeasures());
+for (let move = 0; move < moves; move++) {
+    await slider.evaluate((element, step) => {
+        element.value = String(step);
+        element.dispatchEvent(new Event("input"));
+    }, 300 + Math.round(60 * Math.sin(move / 25)));
+    await ready.waitForTimeout(60);
+}
+await ready.waitForTimeout(1500);
+const branch = await times("slider-to-branch");
+const orbit = await times("click-to-orbit");
+const frames = await ready.evaluate(() => new Promise((resolve) => {
+    let count = 0;
+    const start = performance.now();
+    const tick = () => (performance.now() - start < 2000 ? (count++, requestAnimationFrame(tick)) : resolve(count / 2));
+    requestAnimationFrame(tick);
+}));
+console.log(`program: ${program}`);
+console.log(`address told after ${(told - began).toFixed(0)} ms with the browser's own start; first contentful paint ${painted?.toFixed(0)} ms`);
+console.log(`slider to branch over ${moves} moves: ${statistics(branch)}`);
+console.log(`orbit after a choice: ${statistics(orbit)}`);
+console.log(`frames per second: ${frames}`);
+await browser.close();
+await server.close();
