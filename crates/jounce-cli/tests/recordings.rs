@@ -205,7 +205,8 @@ fn bad_hits_are_told() {
 const SPEC: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/impact-harvester-2019/harvester.toml");
 const MEASURED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/impact-harvester-2019/measured.toml");
 
-/// The paper's own model is up to 6.1 % off; the laminate with four keys fitted meets all seven measured frequencies.
+/// The paper's own model is up to 6.1 % off, the laminate before the fit 0.86 %. Measured with four keys fitted: at most 0.464 % (the seventh).
+/// That is more than the digits of the paper allow, and the answer must say so.
 #[test]
 fn fit_brings_every_measured_frequency_of_the_paper_within_half_a_percent() {
     let folder = tempfile::tempdir().unwrap();
@@ -221,6 +222,7 @@ fn fit_brings_every_measured_frequency_of_the_paper_within_half_a_percent() {
         let error = feature["after"].as_f64().unwrap() / feature["measured"].as_f64().unwrap() - 1.0;
         assert!(error.abs() < 5e-3, "{feature}");
     }
+    assert!(json["warnings"].to_string().contains("chi square"), "{}", json["warnings"]);
     let (code, modes, _) =
         jounce(folder.path(), &["modes", "fit/fitted.toml", "--set", "patch.mfc.section=laminate", "--fixed-table", "--json"]);
     let fitted = |k: usize| modes["modes"][k]["frequency_hz"].as_f64().unwrap() / features[k]["after"].as_f64().unwrap() - 1.0;
