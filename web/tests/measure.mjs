@@ -8,7 +8,7 @@ const browser = await browse();
 const page = await browser.context.newPage();
 const told = performance.now();
 await page.goto(server.address);
-await page.locator("#side svg").waitFor();
+await page.locator("#side > svg").waitFor();
 const painted = await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0]?.startTime);
 await page.close();
 const ready = await open(browser.context, server.address);
