@@ -1,4 +1,5 @@
 // Times of the page in a real browser: `node web/tests/measure.mjs [moves]`, with the release build.
+import { readFile } from "node:fs/promises";
 import { browse, open, program, serve } from "./browser.mjs";
 
 const moves = Number(process.argv[2] ?? 500);
@@ -8,7 +9,7 @@ const browser = await browse();
 const page = await browser.context.newPage();
 const told = performance.now();
 await page.goto(server.address);
-await page.locator("#side svg").waitFor();
+await page.locator("#side > svg").waitFor();
 const painted = await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0]?.startTime);
 await page.close();
 const ready = await open(browser.context, server.address);
@@ -21,13 +22,20 @@ const statistics = (values) => {
 const times = (name) => ready.evaluate((wanted) => performance.getEntriesByName(wanted).map((entry) => entry.duration), name);
 const slider = ready.getByRole("slider", { name: "stop.tip.gap", exact: true });
 await ready.evaluate(() => performance.clearMeasures());
-for (let move = 0; move < moves; move++) {
-    await slider.evaluate((element, step) => {
-        element.value = String(step);
+// Moves are made in the page itself, so that nothing but the page and its server is measured.
+const cpuMs = async () => {
+    const words = (await readFile(`/proc/${server.child.pid}/stat`, "utf8")).split(") ")[1].split(" ");
+    return 10 * (Number(words[11]) + Number(words[12]));
+};
+const before = await cpuMs();
+await slider.evaluate(async (element, count) => {
+    for (let move = 0; move < count; move++) {
+        element.value = String(300 + Math.round(60 * Math.sin(move / 25)));
         element.dispatchEvent(new Event("input"));
-    }, 300 + Math.round(60 * Math.sin(move / 25)));
-    await ready.waitForTimeout(60);
-}
+        await new Promise((resolve) => setTimeout(resolve, 60));
+    }
+}, moves);
+const spent = await cpuMs();
 await ready.waitForTimeout(1500);
 const branch = await times("slider-to-branch");
 const orbit = await times("click-to-orbit");
@@ -40,6 +48,7 @@ const frames = await ready.evaluate(() => new Promise((resolve) => {
 console.log(`program: ${program}`);
 console.log(`address told after ${(told - began).toFixed(0)} ms with the browser's own start; first contentful paint ${painted?.toFixed(0)} ms`);
 console.log(`slider to branch over ${moves} moves: ${statistics(branch)}`);
+console.log(`time of cores that the server took: ${((spent - before) / branch.length).toFixed(0)} ms for each branch with its drawing and orbit`);
 console.log(`orbit after a choice: ${statistics(orbit)}`);
 console.log(`frames per second: ${frames}`);
 await browser.close();

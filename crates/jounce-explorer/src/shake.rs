@@ -85,7 +85,7 @@ fn shaken(design: &Design, by: &Shaking, folder: &Path) -> Result<Spec, Wrong> {
             DriveSignal::Recording { file, scale, start_s: 0.0, sample_rate_hz: None, record: None }
         }
     };
-    let found = SpecFile::from_text(&spec.to_toml()).spec();
+    let found = SpecFile::from_text(spec.to_toml()).spec();
     found.map_err(|faults| {
         // The page knows the recording by its own name, and nothing of the text that was checked here.
         let shown = recording.display().to_string();
