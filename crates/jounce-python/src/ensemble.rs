@@ -80,9 +80,12 @@ fn told<'py>(py: Python<'py>, found: &EnsembleAnswer, manifest: String) -> PyRes
     spectra(stops(answer, &found.stops)?, &found.spectra).map(Answer::dict)
 }
 
+/// Names of a mean and of half its interval, and the estimate.
+type Named = (&'static str, &'static str, fn(&StopEstimates) -> &Estimate);
+
 /// Contacts of each stop.
 fn stops<'py>(answer: Answer<'py>, stops: &[StopEstimates]) -> PyResult<Answer<'py>> {
-    let estimates: [(&str, &str, fn(&StopEstimates) -> &Estimate); 4] = [
+    let estimates: [Named; 4] = [
         ("stop_contact_rate_hz", "stop_contact_rate_half_width_hz", |stop| &stop.contact_rate_hz),
         ("stop_mean_strike_m_s", "stop_mean_strike_half_width_m_s", |stop| &stop.mean_strike_m_s),
         ("stop_mean_dwell_s", "stop_mean_dwell_half_width_s", |stop| &stop.mean_dwell_s),

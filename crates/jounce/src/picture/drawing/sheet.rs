@@ -159,7 +159,7 @@ mod tests {
                 true => found.extend(specs(&path)),
                 false
                     if path.extension().is_some_and(|ending| ending == "toml")
-                        && !["expected.toml", "study.toml"].iter().any(|name| path.ends_with(name)) =>
+                        && !["expected.toml", "measured.toml", "study.toml"].iter().any(|name| path.ends_with(name)) =>
                 {
                     found.push(path)
                 }
