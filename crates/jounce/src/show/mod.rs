@@ -77,7 +77,7 @@ mod tests {
         let path = format!("{}/../../examples/impact-harvester-2019/harvester.toml", env!("CARGO_MANIFEST_DIR"));
         let bond = "[layer.bond]\non = \"beam\"\nstart = \"9 mm\"\nlength = \"85 mm\"\nwidth = \"30 mm\"\nthickness = \"2 mm\"\n\
             youngs_modulus = \"3 GPa\"\nsection = \"thin-skin\"\n";
-        let file = SpecFile::from_text(&format!("{}\n{bond}", std::fs::read_to_string(path).unwrap()));
+        let file = SpecFile::from_text(format!("{}\n{bond}", std::fs::read_to_string(path).unwrap()));
         let svg = drawing("", &file.spec().unwrap()).to_svg();
         let edges = |class: &str| {
             let element = svg.split("<rect").find(|element| element.contains(class)).unwrap_or_else(|| panic!("{svg}"));
