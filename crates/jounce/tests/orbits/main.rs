@@ -5,6 +5,7 @@ mod backbones;
 mod balance;
 mod basins;
 mod bouncing_table;
+mod carried;
 mod closed_forms;
 mod diagrams;
 mod duffing;

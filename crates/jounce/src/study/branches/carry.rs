@@ -2,8 +2,9 @@
 //!
 //! Where a design changes a little, each of its orbits does. Newton takes every known point onto the curve of the new design, across the
 //! chord between its neighbours; points at the edges of the range keep their parameter. No point waits for another, so that all cores work
-//! on them and no step is tried in vain. Branches that appear are not found, nor are multipliers that pass a critical value and come back
-//! between two points: [`BranchSearch`](super::BranchSearch) finds both.
+//! on them and no step is tried in vain. A quick look, not an answer: branches that appear are not found, nor are multipliers that pass a
+//! critical value and come back between two points, nor a fold about which points overtake each other. [`BranchSearch`](super::BranchSearch)
+//! finds them all.
 
 use super::branch::{Bifurcation, Branch, BranchPoint};
 use super::follow::{Following, Place};
@@ -62,8 +63,22 @@ impl BranchCarry<'_> {
             carried.lost += branch.points.len();
             return;
         }
-        let place = |index| self.place(following, &shooting, &branch.points, index);
-        let found: Vec<_> = (0..branch.points.len()).into_par_iter().map(place).collect();
+        let place = |index: usize, like: Option<(usize, &Position)>| self.place(following, &shooting, &branch.points, (index, like));
+        let count = branch.points.len();
+        let mut found: Vec<_> = (0..count).into_par_iter().map(|index| place(index, None)).collect();
+        // What was too far away, as it is about a fold, moves as its neighbours did.
+        loop {
+            let again = |index: usize| {
+                let beside = [index.wrapping_sub(1), index + 1].into_iter().filter(|other| *other < count);
+                let like = beside.filter(|_| found[index].is_none()).find_map(|other| Some((other, found[other].as_ref()?)))?;
+                Some((index, place(index, Some((like.0, &like.1.step.position)))?))
+            };
+            let more: Vec<_> = (0..count).into_par_iter().filter_map(again).collect();
+            if more.is_empty() {
+                break;
+            }
+            more.into_iter().for_each(|(index, place)| found[index] = Some(place));
+        }
         carried.lost += found.iter().filter(|place| place.is_none()).count();
         let is_inside = |value: f64| (self.range.0..=self.range.1).contains(&value);
         let ends = |place: &Option<_>| !place.as_ref().is_some_and(|place: &Place<_>| is_inside(place.step.position.parameter));
@@ -80,14 +95,22 @@ impl BranchCarry<'_> {
         }
     }
 
-    fn place<M: OrbitMethod>(&self, following: &Following, method: &M, points: &[BranchPoint], index: usize) -> Option<Place<M>> {
+    /// The new place of a point; `like` is a neighbour with its own new place.
+    fn place<M: OrbitMethod>(
+        &self,
+        following: &Following,
+        method: &M,
+        points: &[BranchPoint],
+        (index, like): (usize, Option<(usize, &Position)>),
+    ) -> Option<Place<M>> {
         let position = |index: usize| Position { unknown: points[index].orbit.start().to_vec(), parameter: points[index].parameter };
         let here = position(index);
         let metric = Metric::at(&here, following.parameter_scale());
         let chord = metric.unit(position(index.saturating_sub(1)).to(&position((index + 1).min(points.len() - 1))));
         let at_edge = here.parameter == self.range.0 || here.parameter == self.range.1;
         let upright = Direction { unknown: vec![0.0; here.unknown.len()], parameter: metric.parameter };
-        let found = correct(method, &following.corrector, &metric, if at_edge { &upright } else { &chord }, here).ok()?;
+        let guess = like.map_or_else(|| here.clone(), |(other, moved)| here.moved(&position(other).to(moved), 1.0));
+        let found = correct(method, &following.corrector, &metric, if at_edge { &upright } else { &chord }, guess).ok()?;
         let tangent = tangent(&found.local, &metric, &chord)?;
         let step = Step { position: found.position, tangent, local: found.local, error: found.error };
         Place::new(method, step).ok()
