@@ -20,12 +20,13 @@ fn main() {
     std::fs::write(out, table).expect("the folder of the build can be written");
 }
 
-/// `expected.toml` holds the numbers that a system is published with, `study.toml` what is varied of it. A spec that reads a recording
+/// `expected.toml` holds the numbers that a system is published with, `measured.toml` what was measured on it,
+/// `study.toml` what is varied of it. A spec that reads a recording
 /// needs its file beside it, which the module does not carry.
 fn is_spec(path: &Path) -> bool {
     let reads_none = || std::fs::read_to_string(path).is_ok_and(|text| !text.lines().any(|line| line.starts_with("file = ")));
     path.extension().is_some_and(|extension| extension == "toml")
-        && path.file_name().is_some_and(|name| name != "expected.toml" && name != "study.toml")
+        && path.file_name().is_some_and(|name| !["expected.toml", "measured.toml", "study.toml"].iter().any(|other| name == *other))
         && reads_none()
 }
 

@@ -62,9 +62,9 @@ CALLS = {
         3.0,
         "len(stopped.result)",
     ),
-    "branch": ('branch("drive.shaker.frequency", "4 Hz:20 Hz", threads=2)', 2.0, "0"),
-    "harmonic balance": ('branch("drive.shaker.frequency", "4 Hz:20 Hz", method="harmonic-balance", seeds=0, threads=2)', 2.0, "0"),
-    "jumps": ('jumps("drive.shaker.frequency", "4 Hz:20 Hz", "stop.tip.gap", "0.5 mm:2 mm", threads=2)', 2.0, "0"),
+    "branch": ('branch("drive.shaker.frequency", "4 Hz:20 Hz", threads=2)', 0.4, "0"),
+    "harmonic balance": ('branch("drive.shaker.frequency", "4 Hz:20 Hz", method="harmonic-balance", seeds=0, threads=2)', 0.4, "0"),
+    "jumps": ('jumps("drive.shaker.frequency", "4 Hz:20 Hz", "stop.tip.gap", "0.5 mm:2 mm", threads=2)', 0.8, "0"),
     "diagram": ('diagram("drive.shaker.frequency", "4 Hz:20 Hz:0.001 Hz", threads=2)', 3.0, "len(stopped.result)"),
     "basins": ("basins(starts=100000, threads=2)", 3.0, "(stopped.result.ends_in >= 0).sum()"),
 }
