@@ -1,4 +1,5 @@
-// Bundles the page into crates/jounce-explorer/page, where the program takes it from. The same sources give the same bytes.
+// Bundles code and looks of the page into crates/jounce-explorer/page, where the program takes it from and where `index.html` and the icon
+// stand as they are. The same sources give the same bytes.
 // `node build.mjs --check` says whether what lies there is what the sources give.
 import { build } from "esbuild";
 import { readFile, writeFile } from "node:fs/promises";
@@ -23,11 +24,10 @@ const licence = "/*! uPlot: MIT, Copyright (c) Leon Sorokin. The rest: MIT OR Ap
 const files = {
     "app.js": licence + text("app.js"),
     "app.css": text("style.css"),
-    "index.html": await readFile(new URL("page/index.html", here), "utf8"),
-    "icon.svg": await readFile(new URL("page/icon.svg", here), "utf8"),
 };
 let stale = [];
 let weight = 0;
+for (const name of ["index.html", "icon.svg"]) weight += gzipSync(await readFile(new URL(name, out))).length;
 for (const [name, content] of Object.entries(files)) {
     weight += gzipSync(content).length;
     const before = await readFile(new URL(name, out), "utf8").catch(() => "");

@@ -57,12 +57,7 @@ fn marched(spec: &Spec, options: &Options, watch: &Watch) -> Result<Marched, Fai
     };
     let kernel = prepared.from_state(&start)?;
     let run = &prepared.spec.run;
-    let plan = RunPlan {
-        duration_s: run.duration_s,
-        average_over_s: run.average_over_s,
-        tolerance: options.tolerance.unwrap_or(run.tolerance),
-        record_s: options.record_s,
-    };
+    let plan = RunPlan { tolerance: options.tolerance.unwrap_or(run.tolerance), ..RunPlan::of(run, options.record_s) };
     if options.record_s > run.duration_s {
         let why = format!("record is {} s; it must not be longer than run.duration = {} s", options.record_s, run.duration_s);
         return Err(Failure::new("ArgumentError", why));

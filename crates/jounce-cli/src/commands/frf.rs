@@ -98,24 +98,28 @@ impl Frf {
         if let Some(folder) = &self.output.out {
             write(folder, &arguments.manifest(&spec, "frf"), &frequency_hz, &answers, &input)?;
         }
+        self.tell(&input, &held, &frequency_hz, &answers);
+        Ok(())
+    }
+
+    fn tell(&self, input: &Input, held: &[String], frequency_hz: &[f64], answers: &[linear::Frf]) {
         if self.output.json {
             let listed: serde_json::Map<String, serde_json::Value> = (answers.iter())
                 .map(|frf| {
                     let re: Vec<f64> = frf.value.iter().map(|v| v.re).collect();
                     let im: Vec<f64> = frf.value.iter().map(|v| v.im).collect();
-                    (frf.response.name(), serde_json::json!({ "re": re, "im": im, "unit": frf.response.unit(&input) }))
+                    (frf.response.name(), serde_json::json!({ "re": re, "im": im, "unit": frf.response.unit(input) }))
                 })
                 .collect();
-            print(&serde_json::json!({ "input": shown(&input), "held": held, "frequency_hz": frequency_hz, "responses": listed }));
-            return Ok(());
+            print(&serde_json::json!({ "input": shown(input), "held": held, "frequency_hz": frequency_hz, "responses": listed }));
+            return;
         }
-        for frf in &answers {
+        for frf in answers {
             let highest = frf.value.iter().map(|v| v.norm()).enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
             if let Some((place, size)) = highest {
-                line(format!("{}: highest {size:.5e} {} at {:.4} Hz", frf.response.name(), frf.response.unit(&input), frequency_hz[place]));
+                line(format!("{}: highest {size:.5e} {} at {:.4} Hz", frf.response.name(), frf.response.unit(input), frequency_hz[place]));
             }
         }
-        Ok(())
     }
 
     fn frequencies(&self) -> Result<Vec<f64>, Failure> {

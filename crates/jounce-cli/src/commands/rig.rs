@@ -115,12 +115,7 @@ impl Rig {
         let start = prepared.start(&self.spec.folder())?;
         let kernel = prepared.from_state(&start)?;
         let run = &prepared.spec.run;
-        let plan = RunPlan {
-            duration_s: run.duration_s,
-            average_over_s: run.average_over_s,
-            tolerance: run.tolerance,
-            record_s: run.average_over_s,
-        };
+        let plan = RunPlan::of(run, run.average_over_s);
         let answer = simulate(&kernel, &start, &plan).map_err(jounce::study::StudyError::from)?;
         let between_s = (plan.duration_s - plan.average_over_s, plan.duration_s);
         Ok(shaken(&kernel, &answer.trajectory, between_s, rate_hz, sensor, self.seed)?)

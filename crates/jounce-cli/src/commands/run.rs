@@ -52,12 +52,7 @@ impl Run {
         let start = prepared.start(&folder)?;
         let kernel = prepared.from_state(&start)?;
         let run = &prepared.spec.run;
-        let plan = RunPlan {
-            duration_s: run.duration_s,
-            average_over_s: run.average_over_s,
-            tolerance: run.tolerance,
-            record_s: if self.output.out.is_some() { run.average_over_s } else { 0.0 },
-        };
+        let plan = RunPlan::of(run, if self.output.out.is_some() { run.average_over_s } else { 0.0 });
         let answer = simulate(&kernel, &start, &plan).map_err(jounce::study::StudyError::from)?;
         if let Some(path) = &self.save_state {
             let text = serde_json::to_string_pretty(&answer.end).map_err(|error| Failure::Input(error.to_string()))?;

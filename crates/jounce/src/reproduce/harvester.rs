@@ -69,8 +69,7 @@ impl Harvester {
 
     /// The paper's run: 20 s, the last 10 s averaged.
     pub fn plan(&self) -> RunPlan {
-        let run = &self.spec.run;
-        RunPlan { duration_s: run.duration_s, average_over_s: run.average_over_s, tolerance: run.tolerance, record_s: 0.0 }
+        RunPlan::of(&self.spec.run, 0.0)
     }
 
     /// The paper's run of one case from rest.

@@ -23,6 +23,14 @@ pub struct RunPlan {
     pub record_s: f64,
 }
 
+impl RunPlan {
+    /// What `[run]` of a spec asks for, with a record of its last `record_s` seconds.
+    #[must_use]
+    pub fn of(run: &crate::spec::Run, record_s: f64) -> Self {
+        Self { duration_s: run.duration_s, average_over_s: run.average_over_s, tolerance: run.tolerance, record_s }
+    }
+}
+
 /// A run that could not be made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]

@@ -163,7 +163,7 @@ impl Sweep<'_> {
         let run = &prepared.spec.run;
         let cycle_s = prepared.kernel.plant.period_s().unwrap_or(run.duration_s);
         let plan = match self.fixed_duration {
-            true => RunPlan { duration_s: run.duration_s, average_over_s: run.average_over_s, tolerance: run.tolerance, record_s: 0.0 },
+            true => RunPlan::of(run, 0.0),
             false => RunPlan {
                 duration_s: CYCLES_PER_LOOK * cycle_s,
                 average_over_s: CYCLES_AVERAGED * cycle_s,

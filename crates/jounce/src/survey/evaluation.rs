@@ -73,7 +73,7 @@ fn frf(prepared: &Prepared, (low_hz, high_hz): (f64, f64), points: usize) -> Res
 fn run(prepared: &Prepared, folder: &Path) -> Result<Vec<f64>, StudyError> {
     let run = &prepared.spec.run;
     let start = prepared.start(folder)?;
-    let plan = RunPlan { duration_s: run.duration_s, average_over_s: run.average_over_s, tolerance: run.tolerance, record_s: 0.0 };
+    let plan = RunPlan::of(run, 0.0);
     let answer = simulate(&prepared.from_state(&start)?, &start, &plan)?;
     Ok(vec![
         answer.mean_power_w,

@@ -108,6 +108,14 @@ enum Kind {
     Flag,
 }
 
+fn number(name: &str, unit: &'static str, about: &'static str) -> Measure {
+    Measure { name: name.to_owned(), unit, about, kind: Kind::Number }
+}
+
+fn count(name: &str, about: &'static str) -> Measure {
+    Measure { name: name.to_owned(), unit: "", about, kind: Kind::Count }
+}
+
 impl Quantity {
     /// The command that computes it.
     pub fn command(&self) -> &'static str {
@@ -127,8 +135,6 @@ impl Quantity {
 
     /// The numbers that it gives, in order.
     pub(super) fn measures(&self) -> Vec<Measure> {
-        let number = |name: &str, unit, about| Measure { name: name.to_owned(), unit, about, kind: Kind::Number };
-        let count = |name: &str, about| Measure { name: name.to_owned(), unit: "", about, kind: Kind::Count };
         let power = number("mean_power_w", "W", "mean power of all loads");
         let residual = number("energy_residual_relative", "", "energy residual over the largest energy");
         match self {
@@ -159,35 +165,10 @@ impl Quantity {
                 number("average_power_w", "W", "average of the mean powers"),
                 count("unsettled", "points that had not settled"),
             ],
-            Self::Diagram { .. } => vec![
-                number("peak_power_w", "W", "highest mean power"),
-                number("peak_parameter", "", "value of the key there, SI"),
-                count("longest_period_cycles", "longest period that was found, in drive cycles"),
-                number("aperiodic_fraction", "", "share of the motions without a period"),
-                count("lost", "marches that failed"),
-            ],
-            Self::Jumps { .. } => vec![
-                count("curves", "curves that were found"),
-                count("folds", "those of them that are folds"),
-                number("fold_low", "", "lowest value of the first key on a fold, SI"),
-                number("fold_high", "", "highest value of the first key on a fold, SI"),
-            ],
-            Self::Basins { .. } => vec![
-                number("expected_power_w", "W", "power to be expected from a start of the cloud"),
-                number("expected_power_low_w", "W", "lower end of its 95 % interval"),
-                number("expected_power_high_w", "W", "upper end of its 95 % interval"),
-                count("attractors", "attractors that were found"),
-                number("highest_power_w", "W", "mean power of the attractor that gives most"),
-                number("highest_fraction", "", "share of the starts that end on it"),
-                count("lost", "marches that failed"),
-            ],
-            Self::Branch { .. } => vec![
-                number("peak_power_w", "W", "highest stable mean power"),
-                number("peak_parameter", "", "value of the key there, SI"),
-                number("half_power_bandwidth", "", "width over which a stable orbit has half of it, SI"),
-                count("branches", "branches that were found"),
-                count("bifurcations", "bifurcations on them"),
-            ],
+            Self::Diagram { .. } => diagram(),
+            Self::Jumps { .. } => jumps(),
+            Self::Basins { .. } => basins(),
+            Self::Branch { .. } => branch(),
             Self::Ensemble { .. } => vec![
                 power,
                 number("mean_power_half_width_w", "W", "half the width of its 95 % interval"),
@@ -204,6 +185,47 @@ impl Quantity {
             ],
         }
     }
+}
+
+fn diagram() -> Vec<Measure> {
+    vec![
+        number("peak_power_w", "W", "highest mean power"),
+        number("peak_parameter", "", "value of the key there, SI"),
+        count("longest_period_cycles", "longest period that was found, in drive cycles"),
+        number("aperiodic_fraction", "", "share of the motions without a period"),
+        count("lost", "marches that failed"),
+    ]
+}
+
+fn jumps() -> Vec<Measure> {
+    vec![
+        count("curves", "curves that were found"),
+        count("folds", "those of them that are folds"),
+        number("fold_low", "", "lowest value of the first key on a fold, SI"),
+        number("fold_high", "", "highest value of the first key on a fold, SI"),
+    ]
+}
+
+fn basins() -> Vec<Measure> {
+    vec![
+        number("expected_power_w", "W", "power to be expected from a start of the cloud"),
+        number("expected_power_low_w", "W", "lower end of its 95 % interval"),
+        number("expected_power_high_w", "W", "upper end of its 95 % interval"),
+        count("attractors", "attractors that were found"),
+        number("highest_power_w", "W", "mean power of the attractor that gives most"),
+        number("highest_fraction", "", "share of the starts that end on it"),
+        count("lost", "marches that failed"),
+    ]
+}
+
+fn branch() -> Vec<Measure> {
+    vec![
+        number("peak_power_w", "W", "highest stable mean power"),
+        number("peak_parameter", "", "value of the key there, SI"),
+        number("half_power_bandwidth", "", "width over which a stable orbit has half of it, SI"),
+        count("branches", "branches that were found"),
+        count("bifurcations", "bifurcations on them"),
+    ]
 }
 
 impl Measure {

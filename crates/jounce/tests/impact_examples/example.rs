@@ -32,8 +32,7 @@ pub fn run(example: &str, file: &str, settings: &[(&str, &str)]) -> (Kernel, Run
     let run = spec.run.clone();
     let prepared = Prepared::new(spec).unwrap();
     let start = prepared.start(&folder(example)).unwrap();
-    let plan =
-        RunPlan { duration_s: run.duration_s, average_over_s: run.average_over_s, tolerance: run.tolerance, record_s: run.duration_s };
+    let plan = RunPlan::of(&run, run.duration_s);
     let answer = simulate(&prepared.kernel, &start, &plan).unwrap();
     (prepared.kernel, answer)
 }

@@ -94,7 +94,7 @@ impl Ensemble<'_> {
     fn member(&self, index: usize, done: &(dyn Fn(&Member) + Sync)) -> Result<Option<(Member, Densities)>, StudyError> {
         let kernel = self.base.realised(self.seed, index as u64)?;
         let run = &self.base.spec.run;
-        let plan = RunPlan { duration_s: run.duration_s, average_over_s: run.average_over_s, tolerance: run.tolerance, record_s: 0.0 };
+        let plan = RunPlan::of(run, 0.0);
         let per_batch = self.samples_per_batch();
         let voltages_v = vec![Vec::with_capacity(per_batch * BATCHES); kernel.plant.system.modes.patch.len()];
         let mut sampling = self.with_spectrum.then_some(Sampling { per_batch, voltages_v });
