@@ -10,7 +10,7 @@ use clap::Args;
 use jounce::linear::{self, Input, Response};
 use jounce::picture::{self, Scale};
 use jounce::plant::{Plant, System};
-use jounce::spec::{DriveKind, Gravity, Interface};
+use jounce::spec::{DriveKind, Gravity};
 use jounce::structure;
 use jounce::table::{Column, Manifest, Table};
 use std::path::Path;
@@ -79,10 +79,6 @@ impl Frf {
         }
         if self.open_circuit {
             spec.circuit.clear();
-        }
-        if let Some((name, _)) = spec.circuit.iter().find(|(_, circuit)| circuit.interface != Interface::Resistor) {
-            let why = "is not linear, so that it has no frequency response; give interface = \"resistor\", or --open-circuit";
-            return Err(Failure::Input(format!("circuit.{name}.interface {why}")));
         }
         spec.drive.clear();
         spec.gravity = Gravity::default();

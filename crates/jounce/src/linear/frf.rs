@@ -67,8 +67,11 @@ impl Response {
 /// Responses to a unit amplitude of `input`, at each frequency.
 ///
 /// # Errors
-/// [`PlantError::UnknownName`] for a point, patch or circuit that is not there, [`PlantError::UndampedResonance`].
+/// [`PlantError::UnknownName`] for a point, patch or circuit that is not there, [`PlantError::UndampedResonance`], [`PlantError::Switches`].
 pub fn frf(plant: &Plant, input: &Input, responses: &[Response], frequencies_hz: &[f64]) -> Result<Vec<Frf>, PlantError> {
+    if let Some(bridge) = plant.system.bridges.first() {
+        return Err(PlantError::Switches { circuit: bridge.name.clone() });
+    }
     let force: Vec<c64> = match input {
         Input::Force(point) => shape(plant, point)?.iter().map(|s| c64::new(*s, 0.0)).collect(),
         Input::BaseAcceleration => plant.system.modes.participation_sqrt_kg.iter().map(|p| c64::new(-p, 0.0)).collect(),

@@ -34,6 +34,14 @@ pub enum PlantError {
         /// Largest condition number allowed.
         allowed: f64,
     },
+    /// A circuit that switches has no frequency response.
+    #[error(
+        "circuit.{circuit}.interface is not linear, so that there is no frequency response; give interface = \"resistor\", or ask for the open circuit"
+    )]
+    Switches {
+        /// The circuit.
+        circuit: String,
+    },
     /// The eigenvalue solver did not converge.
     #[error("the eigenvalues of the coupled system of {states} states could not be computed")]
     NoEigenvalues {

@@ -1,6 +1,8 @@
 //! `rectified-shu-lien-2006`: an oscillator behind a full bridge.
 
 use crate::{example, rows};
+use jounce::linear::Input;
+use jounce::plant::{Plant, PlantError, System};
 use std::f64::consts::PI;
 
 const EXAMPLE: &str = "rectified-shu-lien-2006";
@@ -32,4 +34,12 @@ fn what_does_not_go_together_is_told() {
         let found = file.set(key, value).map_or_else(|fault| fault.to_string(), |_| file.spec().unwrap_err().to_string());
         assert!(found.contains(told), "{key} = {value}: {found}");
     }
+}
+
+#[test]
+fn a_rectifier_has_no_frequency_response() {
+    let spec = jounce::spec::SpecFile::read(rows::folder(EXAMPLE).join("harvester.toml")).unwrap().spec().unwrap();
+    let plant = Plant::new(System::assemble(&spec, jounce::structure::modes(&spec).unwrap()).unwrap()).unwrap();
+    let refused = jounce::linear::frf(&plant, &Input::BaseAcceleration, &[], &[1.0]).unwrap_err();
+    assert_eq!(refused, PlantError::Switches { circuit: "rectifier".to_owned() });
 }
