@@ -31,6 +31,8 @@ export class Requests {
     private clicked = 0;
     private orbitWaiting: Place | undefined;
     private sweeping = false;
+    /** A fine response is still to come. */
+    private refining = false;
     private readonly busy = document.getElementById("busy")!;
 
     constructor(private readonly wire: Wire, private readonly design: Design, private readonly axes: Axes, private readonly response: Response, private readonly hears: Hears) {
@@ -47,8 +49,9 @@ export class Requests {
 
     /** The connection is gone, and with it all that was asked. */
     forget(): void {
-        this.designAsked = this.coarseAsked = this.orbitAsked = this.sweeping = false;
+        this.designAsked = this.coarseAsked = this.refining = this.orbitAsked = this.sweeping = false;
         this.busy.textContent = "";
+        this.mark();
     }
 
     private pump(): void {
@@ -59,15 +62,27 @@ export class Requests {
         }
         // A computation that takes long makes way; a short one is let to its end, so that the curve follows a moving slider.
         const late = performance.now() - this.asked > STALE_MS;
-        if (this.waiting === undefined || !this.axes.view || (this.coarseAsked && !late)) return;
-        this.since = this.waiting;
-        this.waiting = undefined;
-        this.askResponse();
+        if (this.waiting !== undefined && this.axes.view && (!this.coarseAsked || late)) {
+            this.since = this.waiting;
+            this.waiting = undefined;
+            this.askResponse();
+        }
+        this.mark();
     }
 
     private askResponse(): void {
         this.asked = performance.now();
-        this.coarseAsked = this.wire.ask("response", { set: this.design.pairs, ...this.axes.view }) !== 0;
+        this.refining = this.coarseAsked = this.wire.ask("response", { set: this.design.pairs, ...this.axes.view }) !== 0;
+    }
+
+    /** Says what is still to come, to who cannot see it change. */
+    private mark(): void {
+        const due = {
+            drawing: this.designAsked || this.designWaits !== undefined,
+            "chart-response": this.refining || this.coarseAsked || this.waiting !== undefined,
+            orbit: this.orbitAsked || this.orbitWaiting !== undefined,
+        };
+        for (const [id, isDue] of Object.entries(due)) document.getElementById(id)!.ariaBusy = String(isDue);
     }
 
     designTaken(): void {
@@ -84,7 +99,7 @@ export class Requests {
     }
 
     responseFault(head: Head): void {
-        this.coarseAsked = false;
+        this.coarseAsked = this.refining = false;
         this.busy.textContent = "";
         this.hears.fault(head.faults);
         this.pump();
@@ -103,6 +118,8 @@ export class Requests {
             this.pump();
         } else {
             this.busy.textContent = "";
+            this.refining = false;
+            this.mark();
             this.hears.say(`${answer.branches.length} ${answer.branches.length === 1 ? "branch" : "branches"}, ${Math.round(head.ms)} ms`);
         }
     }
@@ -117,6 +134,7 @@ export class Requests {
         if (!answer) return;
         this.orbitAsked = this.wire.ask("orbit", { answer: answer.id, branch: place.branch, point: place.point }) !== 0;
         this.clicked = performance.now();
+        this.mark();
     }
 
     private takeOrbit(frame: Frame): void {
@@ -129,6 +147,7 @@ export class Requests {
         const next = this.orbitWaiting;
         this.orbitWaiting = undefined;
         if (next) this.orbit(next);
+        this.mark();
     }
 
     /** Starts or stops a sweep. */

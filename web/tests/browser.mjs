@@ -77,9 +77,12 @@ export async function open(context, address) {
     return page;
 }
 
-/** Waits until the response is fine and its orbit is there. */
+/** Waits until the response is fine, its orbit is there, and nothing that was asked is still to come. */
 export async function ready(page) {
-    await page.waitForFunction(() => /branch/.test(document.getElementById("status").textContent) && /period/.test(document.getElementById("orbit-title").textContent), undefined, { timeout: 120000 });
+    await page.waitForFunction(() => {
+        const words = (id) => document.getElementById(id).textContent;
+        return /branch/.test(words("status")) && /period/.test(words("orbit-title")) && !document.querySelector("[aria-busy=true]");
+    }, undefined, { timeout: 120000 });
 }
 
 /** Share of pixels of an element that are not its most frequent colour. */

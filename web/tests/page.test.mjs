@@ -71,8 +71,8 @@ test("a wrong value is told beside its control in the words of the command line"
 
 test("the stop, the gap and a patch end can be dragged", async () => {
     for (const [key, dx, dy] of [["beam.beam.point.tip", -40, 0], ["stop.tip.gap", 0, -8], ["patch.mfc.length", 30, 0]]) {
-        // The drawing of the drag before may still come and take the place of what is held.
-        await page.waitForFunction(() => document.getElementById("busy").textContent === "", undefined, { timeout: 120000 });
+        // The handle moves with the drawing of the change before.
+        await ready(page);
         const handle = page.locator(`[data-handle="${key}"]`);
         const before = Number(await handle.getAttribute("aria-valuenow"));
         const box = await handle.boundingBox();
