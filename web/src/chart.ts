@@ -1,30 +1,9 @@
-// A picture of curves on axes: uPlot lays out axes, grid and scales; the curves, which may turn back in x, are drawn here.
+// A picture of curves on axes: uPlot lays out axes, grid and scales.
 
 import uPlot from "uplot";
+import { type Curve, type Mark, type Rule, unitCircle, drawCurve, drawMark, drawRule } from "./paint";
 import { colour } from "./theme";
 import { axisUnit, digits } from "./units";
-
-export interface Curve {
-    x: ArrayLike<number>;
-    y: ArrayLike<number>;
-    colour: string;
-    width?: number;
-    alpha?: number;
-    /** Pieces from point to point that are dashed. */
-    dashed?: (from: number) => boolean;
-    /** Points instead of a line. */
-    dots?: number;
-    /** Stems down to the lowest value. */
-    stems?: boolean;
-}
-
-export interface Mark {
-    x: number;
-    y: number;
-    colour: string;
-    shape: "circle" | "square" | "diamond" | "triangle" | "cross" | "ring";
-    size?: number;
-}
 
 export interface Axis {
     words: string;
@@ -34,13 +13,8 @@ export interface Axis {
     ends?: [number, number];
 }
 
-export interface Rule {
-    at: number;
-    along: "x" | "y";
-    words?: string;
-}
-
-const DASH = [6, 5];
+/** Pixels of a small picture that its axes and edges take, across and up. */
+export const AROUND = [56, 38];
 
 export class Chart {
     private plot: uPlot | undefined;
@@ -175,84 +149,12 @@ export class Chart {
         ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
         ctx.clip();
         const ratio = devicePixelRatio || 1;
-        if (this.round) this.circle(plot);
-        for (const rule of this.rules) this.rule(plot, rule, ratio);
-        for (const curve of this.curves) this.curve(plot, curve, ratio);
-        for (const mark of this.marks) drawMark(ctx, plot.valToPos(mark.x, "x", true), plot.valToPos(mark.y, "y", true), mark, ratio);
+        if (this.round) unitCircle(plot, ratio);
+        for (const rule of this.rules) drawRule(plot, rule, ratio);
+        for (const curve of this.curves) drawCurve(plot, curve, ratio);
+        for (const mark of this.marks) drawMark(plot, mark, ratio);
         this.extra?.(plot);
         ctx.restore();
-    }
-
-    private circle(plot: uPlot): void {
-        const { ctx } = plot;
-        ctx.strokeStyle = colour("grey");
-        ctx.lineWidth = devicePixelRatio || 1;
-        ctx.beginPath();
-        for (let k = 0; k <= 90; k++) {
-            const angle = (k * Math.PI) / 45;
-            ctx.lineTo(plot.valToPos(Math.cos(angle), "x", true), plot.valToPos(Math.sin(angle), "y", true));
-        }
-        ctx.stroke();
-    }
-
-    private rule(plot: uPlot, rule: Rule, ratio: number): void {
-        const { ctx, bbox } = plot;
-        const at = plot.valToPos(rule.at, rule.along === "x" ? "x" : "y", true);
-        ctx.strokeStyle = colour("grey");
-        ctx.lineWidth = ratio;
-        ctx.setLineDash([3 * ratio, 3 * ratio]);
-        ctx.beginPath();
-        if (rule.along === "x") {
-            ctx.moveTo(at, bbox.top);
-            ctx.lineTo(at, bbox.top + bbox.height);
-        } else {
-            ctx.moveTo(bbox.left, at);
-            ctx.lineTo(bbox.left + bbox.width, at);
-        }
-        ctx.stroke();
-        ctx.setLineDash([]);
-        if (rule.words) {
-            ctx.fillStyle = colour("quiet");
-            ctx.font = `${10 * ratio}px system-ui, sans-serif`;
-            ctx.fillText(rule.words, rule.along === "x" ? at + 3 * ratio : bbox.left + 4 * ratio, rule.along === "x" ? bbox.top + 11 * ratio : at - 3 * ratio);
-        }
-    }
-
-    private curve(plot: uPlot, curve: Curve, ratio: number): void {
-        const { ctx, bbox } = plot;
-        ctx.globalAlpha = curve.alpha ?? 1;
-        ctx.strokeStyle = ctx.fillStyle = curve.colour;
-        ctx.lineWidth = (curve.width ?? 1.6) * ratio;
-        ctx.lineJoin = "round";
-        const at = (k: number): [number, number] => [plot.valToPos(curve.x[k], "x", true), plot.valToPos(curve.y[k], "y", true)];
-        if (curve.dots || curve.stems) {
-            for (let k = 0; k < curve.x.length; k++) {
-                const [x, y] = at(k);
-                if (curve.stems) ctx.fillRect(x - ratio, y, 2 * ratio, bbox.top + bbox.height - y);
-                else ctx.fillRect(x - curve.dots! * ratio, y - curve.dots! * ratio, 2 * curve.dots! * ratio, 2 * curve.dots! * ratio);
-            }
-        } else {
-            this.line(ctx, curve, at, ratio);
-        }
-        ctx.globalAlpha = 1;
-    }
-
-    /** One path for each run of pieces of one kind. */
-    private line(ctx: CanvasRenderingContext2D, curve: Curve, at: (k: number) => [number, number], ratio: number): void {
-        let before: boolean | undefined;
-        for (let k = 0; k + 1 < curve.x.length; k++) {
-            const dashed = curve.dashed?.(k) ?? false;
-            if (dashed !== before) {
-                if (before !== undefined) ctx.stroke();
-                ctx.setLineDash(dashed ? DASH.map((length) => length * ratio) : []);
-                ctx.beginPath();
-                ctx.moveTo(...at(k));
-                before = dashed;
-            }
-            ctx.lineTo(...at(k + 1));
-        }
-        if (before !== undefined) ctx.stroke();
-        ctx.setLineDash([]);
     }
 }
 
@@ -286,30 +188,4 @@ function told(value: number, { log, ends }: Axis): boolean {
     const mantissa = Math.round((1e6 * value) / 10 ** Math.floor(Math.log10(value) + 1e-9)) / 1e6;
     const many = (ends ? Math.log10(ends[1] / ends[0]) : 0) > 2.5;
     return mantissa === 1 || (!many && (mantissa === 2 || mantissa === 5));
-}
-
-function drawMark(ctx: CanvasRenderingContext2D, x: number, y: number, mark: Mark, ratio: number): void {
-    const r = (mark.size ?? 4.5) * ratio;
-    ctx.strokeStyle = ctx.fillStyle = mark.colour;
-    ctx.lineWidth = 1.8 * ratio;
-    ctx.beginPath();
-    if (mark.shape === "circle" || mark.shape === "ring") ctx.arc(x, y, r, 0, 2 * Math.PI);
-    else if (mark.shape === "square") ctx.rect(x - 0.85 * r, y - 0.85 * r, 1.7 * r, 1.7 * r);
-    else if (mark.shape === "diamond") polygon(ctx, [[x, y - 1.2 * r], [x + 1.2 * r, y], [x, y + 1.2 * r], [x - 1.2 * r, y]]);
-    else if (mark.shape === "triangle") polygon(ctx, [[x, y - 1.2 * r], [x + 1.1 * r, y + r], [x - 1.1 * r, y + r]]);
-    else {
-        ctx.moveTo(x - r, y - r);
-        ctx.lineTo(x + r, y + r);
-        ctx.moveTo(x + r, y - r);
-        ctx.lineTo(x - r, y + r);
-        ctx.stroke();
-        return;
-    }
-    if (mark.shape === "ring") ctx.stroke();
-    else ctx.fill();
-}
-
-function polygon(ctx: CanvasRenderingContext2D, corners: [number, number][]): void {
-    corners.forEach(([x, y], k) => (k === 0 ? ctx.moveTo(x, y) : ctx.lineTo(x, y)));
-    ctx.closePath();
 }

@@ -20,6 +20,9 @@ import { Wire } from "./wire";
 
 const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 
+/** The address follows a design that has rested so long. */
+const ADDRESS_RESTS_MS = 250;
+
 const wire = new Wire();
 const design = new Design();
 const controls = new Controls(find("groups"), find("faults"), design);
@@ -49,9 +52,17 @@ const requests = new Requests(wire, design, axes, response, {
     },
 });
 
+// A browser takes long for a new address, and allows few of them in a while: one when the design rests.
+let resting = 0;
+const address = () => {
+    clearTimeout(resting);
+    if (!begun) return;
+    history.replaceState(null, "", `#${toFragment(design.pairs, axes.view)}`);
+};
+addEventListener("pagehide", address);
 const remember = () => {
-    const words = toFragment(design.pairs, axes.view);
-    history.replaceState(null, "", `#${words}`);
+    clearTimeout(resting);
+    resting = setTimeout(address, ADDRESS_RESTS_MS);
     find<HTMLButtonElement>("undo").disabled = !design.canUndo;
     find<HTMLButtonElement>("redo").disabled = !design.canRedo;
     find<HTMLButtonElement>("reset").disabled = design.overrides.size === 0;
@@ -121,7 +132,7 @@ const act: Record<string, () => void> = {
     reset: () => design.reset(),
     pin: () => pins.add(),
     share: () => {
-        remember();
+        address();
         navigator.clipboard?.writeText(location.href).then(() => say("the link is on the clipboard"), () => say("the address bar holds the link"));
     },
     export: () => axes.view && wire.ask("export", { set: design.pairs, ...axes.view }),

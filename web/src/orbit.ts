@@ -1,6 +1,6 @@
 // The orbit behind the chosen point: histories, phase portrait, spectrum, force, multipliers, and the beam in motion.
 
-import { Chart } from "./chart";
+import { AROUND, Chart } from "./chart";
 import type { Frame } from "./frame";
 import { Motion } from "./motion";
 import { colour, nth } from "./theme";
@@ -55,7 +55,7 @@ export class Orbit {
         const gaps = stops.map((stop) => stop.gap);
         this.title.textContent = `Orbit at ${quantity(head.parameter, head.unit, 5)}: ${quantity(head.mean_power_w, "W")}, period ${head.period_cycles}, ${head.stable ? "stable" : "unstable"}`;
         const contacts = `${head.contacts} ${head.contacts === 1 ? "contact" : "contacts"} per period`;
-        this.displacement.show(seconds, { words: "Displacement", unit: "m" }, own("displacement").map((curve) => ({ x: time, ...curve })), [], gaps.map((at) => ({ at, along: "y", words: "stop" })));
+        this.displacement.show(seconds, { words: "Position", unit: "m" }, own("displacement").map((curve) => ({ x: time, ...curve })), [], gaps.map((at) => ({ at, along: "y", words: "stop" })));
         this.phase.show(
             { words: "Displacement", unit: "m" },
             { words: "Velocity", unit: "m/s" },
@@ -81,8 +81,8 @@ export class Orbit {
         const [re, im] = [frame.array("multiplier.re"), frame.array("multiplier.im")];
         const host = this.multipliers.host;
         const reach = Math.max(1.15, 1.1 * frame.head.floquet_max_abs);
-        // The circle is to be round: the picture's own axes take some pixels.
-        const wide = (reach * Math.max(20, host.clientWidth - 56)) / Math.max(20, host.clientHeight - 46);
+        // The circle is to be round.
+        const wide = (reach * Math.max(20, host.clientWidth - AROUND[0])) / Math.max(20, host.clientHeight - AROUND[1]);
         const marks = Array.from(re, (x, k) => ({ x, y: im[k], colour: colour(Math.hypot(x, im[k]) < 1 ? "blue" : "vermilion"), shape: "circle" as const, size: 3 }));
         this.multipliers.show({ words: "Multipliers, real", unit: "", ends: [-wide, wide] }, { words: "imaginary", unit: "", ends: [-reach, reach] }, [], marks, [], true);
     }

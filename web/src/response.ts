@@ -1,7 +1,8 @@
 // The response over a key: branches, bifurcations, swept points, pins; a click or the arrow keys choose a point.
 
 import { type Answer, type Place, QUANTITIES, type Quantity, best, isStable, nearest } from "./branches";
-import { Chart, type Curve, type Mark } from "./chart";
+import { Chart } from "./chart";
+import type { Curve, Mark } from "./paint";
 import type { Head } from "./frame";
 import { colour, nth } from "./theme";
 import { digits, quantity } from "./units";

@@ -9,7 +9,7 @@ import { quantity } from "./units";
 import type { Wire } from "./wire";
 
 /** Largest file that is sent. */
-const MOST_BYTES = 12 << 20;
+const MOST_BYTES = 11 << 20;
 
 const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 const number = (id: string) => Number(find<HTMLInputElement>(id).value);
@@ -68,7 +68,8 @@ export class Shake {
         const scale = number("shake-scale");
         if (!Number.isFinite(scale)) return this.say("the scale of a recording is a number");
         this.name = file.name;
-        this.ask({ recording: { name: file.name, text: await file.text(), scale } });
+        const channel = find<HTMLInputElement>("shake-channel").value.trim();
+        this.ask({ recording: { name: file.name, bytes: await base64(file), channel: channel === "" ? null : channel, scale } });
     }
 
     private ask(by: object): void {
@@ -97,7 +98,9 @@ export class Shake {
         if (head.stage === "fault") return this.say(head.faults[0]?.message ?? "");
         const linear = head.linear_power_w > 0 ? `, ${quantity(head.linear_power_w, "W")} if it never struck` : "";
         const rate = head.contacts / head.average_over_s;
-        this.say(`${this.name}: ${quantity(head.mean_power_w, "W")} on average over ${quantity(head.average_over_s, "s")}${linear}; ${rate.toFixed(1)} contacts per second`);
+        const name = head.channel ? `${this.name} (${head.channel})` : this.name;
+        const noticed = head.findings?.length > 0 ? `. Noticed: ${head.findings.join("; ")}` : "";
+        this.say(`${name}: ${quantity(head.mean_power_w, "W")} on average over ${quantity(head.average_over_s, "s")}${linear}; ${rate.toFixed(1)} contacts per second${noticed}`);
         this.last = frame;
         this.redraw();
     }
@@ -117,4 +120,14 @@ export class Shake {
             this.density.show({ words: "Frequency", unit: "Hz" }, { words: "Voltage density", unit: "V²/Hz", log: true }, [curve]);
         }
     }
+}
+
+function base64(file: File): Promise<string> {
+    return new Promise((resolve, reject) => {
+        const reader = new FileReader();
+        // What stands before the comma tells the kind of the file.
+        reader.onload = () => resolve((reader.result as string).split(",")[1] ?? "");
+        reader.onerror = () => reject(reader.error);
+        reader.readAsDataURL(file);
+    });
 }

@@ -20,8 +20,13 @@ pub struct Answered {
     /// Ends of its range, SI.
     pub range: (f64, f64),
     /// The branches.
-    pub branches: Vec<Branch>,
+    pub branches: Arc<Vec<Branch>>,
+    /// The design and the branches from which these were carried over, point by point.
+    pub origin: Option<Origin>,
 }
+
+/// Where branches came from.
+pub type Origin = (Spec, Arc<Vec<Branch>>);
 
 /// The last ones.
 #[derive(Debug, Default)]

@@ -1,6 +1,6 @@
 //! The response over a key: first the branches near those of the design before, then all that `jounce branch` finds.
 
-use crate::answers::Answered;
+use crate::answers::{Answered, Origin};
 use crate::design::{Design, Wrong};
 use crate::frame::Frame;
 use crate::halt::Halt;
@@ -8,12 +8,17 @@ use crate::request::Over;
 use crate::session::Session;
 use jounce::continuation::StepControl;
 use jounce::study::{BandwidthSearch, Bifurcation, Branch, BranchCarry, BranchChase, BranchPoint, BranchSearch, KnownOrbit, Method};
-use jounce::study::{Parameter, Prepared, settled_orbit};
+use jounce::study::{Parameter, Prepared, Trend, settled_orbit};
 use serde_json::{Value, json};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// Tolerance of the marches of the first answer: curves are right to a thousandth of their height.
+/// Tolerance of the marches of the first answer.
 const COARSE: f64 = 1e-6;
+/// Corrections of carried points below this share of them are left out: curves are right to a thousandth of their height.
+const UNSEEN: f64 = 5e-4;
+/// Points are carried without which a curve would be off by more than this share of the height of its picture.
+const THIN: f64 = 1e-3;
 /// Length to which its bifurcations are located: a thousandth of the range.
 const SEEN: f64 = 0.02;
 /// Share of points that may be lost in carrying branches over.
@@ -41,19 +46,21 @@ pub fn respond(session: &Session, id: u64, design: Design, over: &Over, halt: &H
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
     let began = Instant::now();
     let (found, linear) =
-        rayon::join(|| coarse(session, &base, &parameter, range), || session.linear.curve(&design.spec, &parameter, range));
-    let send = |stage: &str, branches: Vec<Branch>, began: Instant| {
+        rayon::join(|| coarse(session, &design, &base, &parameter, range), || session.linear.curve(&design.spec, &parameter, range));
+    let send = |stage: &str, branches: Vec<Branch>, origin: Option<Origin>, began: Instant| {
         let mut frame = Frame::new(id, "response", stage);
         frame.put("over", key.path()).put("unit", key.unit()).put("ms", 1e3 * began.elapsed().as_secs_f64());
         linear.put(&mut frame);
         put_branches(&mut frame, &branches);
         if !halt.is_stopped() {
-            let answered = Answered { id, spec: design.spec.clone(), key: key.clone(), range, branches };
+            let (spec, branches) = (design.spec.clone(), Arc::new(branches));
+            let answered = Answered { id, spec, key: key.clone(), range, branches, origin };
             session.answers.keep(answered);
         }
         session.send(halt, frame);
     };
-    send("coarse", found, began);
+    let (branches, origin) = found;
+    send("coarse", branches, origin, began);
 
     let (rested, look) = (Instant::now(), Duration::from_millis(5));
     while rested.elapsed() < REST && !halt.is_stopped() {
@@ -66,7 +73,7 @@ pub fn respond(session: &Session, id: u64, design: Design, over: &Over, halt: &H
     let (method, seeds, longest_period) = (Method::Shooting, SEEDS, LONGEST_PERIOD);
     let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance: FINE, seeds, longest_period };
     let branches = search.run()?;
-    send("fine", branches.clone(), began);
+    send("fine", branches.clone(), None, began);
     if !halt.is_stopped() && !branches.is_empty() {
         let width = BandwidthSearch { base: &base, parameter: &parameter, range, tolerance: FINE };
         let widths = width.run(&branches);
@@ -81,23 +88,30 @@ pub fn respond(session: &Session, id: u64, design: Design, over: &Over, halt: &H
 
 /// The branches near those of the design before: carried over point by point, walked again where that loses points or the range is
 /// another one, and walked from settled orbits where nothing is known.
-fn coarse(session: &Session, base: &Prepared, parameter: &Parameter, range: (f64, f64)) -> Vec<Branch> {
+fn coarse(session: &Session, design: &Design, base: &Prepared, parameter: &Parameter, range: (f64, f64)) -> (Vec<Branch>, Option<Origin>) {
     let kernel = &base.kernel;
     let last = session.answers.last(parameter.key().path());
     if let Some(last) = last.as_ref().filter(|last| last.range == range) {
-        let carry = BranchCarry { harvester: parameter, kernel, range, tolerance: COARSE, resolution: SEEN };
-        let carried = carry.run(&last.branches);
-        let points: usize = last.branches.iter().map(|branch| branch.points.len()).sum();
+        // A fine answer has more points than a curve needs; what was carried over keeps its points, so that they go on as they went.
+        let known = match last.origin {
+            Some(_) => Arc::clone(&last.branches),
+            None => Arc::new(last.branches.iter().map(|branch| branch.thinned(THIN)).collect()),
+        };
+        let trend =
+            last.origin.as_ref().and_then(|(spec, branches)| Some(Trend { before: branches, reach: design.reach(spec, &last.spec)? }));
+        let carry = BranchCarry { harvester: parameter, kernel, range, tolerance: COARSE, accuracy: UNSEEN, resolution: SEEN, trend };
+        let carried = carry.run(&known);
+        let points: usize = known.iter().map(|branch| branch.points.len()).sum();
         if (carried.lost as f64) <= MOST_LOST * points as f64 {
-            return carried.branches;
+            return (carried.branches, Some((last.spec.clone(), known)));
         }
     }
     let chase = BranchChase { harvester: parameter, kernel, range, tolerance: COARSE, control: LONG_STEPS, resolution: SEEN };
     let found = last.map(|last| chase.run(&last.orbits()).unwrap_or_default()).unwrap_or_default();
     if !found.is_empty() || kernel.watch.is_stopped() {
-        return found;
+        return (found, None);
     }
-    chase.run(&settled(parameter, base, range)).unwrap_or_default()
+    (chase.run(&settled(parameter, base, range)).unwrap_or_default(), None)
 }
 
 /// Orbits on which a march from rest and from the steady state settles at both ends of the range.

@@ -4,12 +4,17 @@ use jounce::spec::{Fault, NumericKey, Spec, SpecFile};
 use serde_json::{Value, json};
 use std::path::Path;
 
+/// A change more than so many times the one before says nothing from it.
+const FARTHEST: f64 = 4.0;
+
 /// A design without faults.
 pub struct Design {
     /// The file with its overrides.
     pub file: SpecFile,
     /// The spec that both give.
     pub spec: Spec,
+    /// The keys that are overridden.
+    pub overridden: Vec<String>,
 }
 
 /// What is wrong with a design.
@@ -69,7 +74,7 @@ impl Design {
             }
         }
         let spec = file.spec().map_err(|faults| Wrong::Faults(faults.as_slice().to_vec()))?;
-        Ok(Self { file, spec })
+        Ok(Self { file, spec, overridden: set.iter().map(|(key, _)| key.clone()).collect() })
     }
 
     /// A key with a number.
@@ -78,6 +83,24 @@ impl Design {
     /// [`Wrong::Faults`] for a key that is none.
     pub fn key(&self, path: &str) -> Result<NumericKey, Wrong> {
         self.file.numeric_key(path).map_err(|faults| Wrong::Faults(faults.as_slice().to_vec()))
+    }
+
+    /// The change from one spec to this design, in units of the change that led to that spec; nothing where the two changes are of
+    /// different kinds.
+    pub fn reach(&self, before: &Spec, last: &Spec) -> Option<f64> {
+        let (mut along, mut square, mut all) = (0.0, 0.0, 0.0);
+        for path in &self.overridden {
+            let key = NumericKey::find(&self.spec, path).ok()?;
+            let [a, b, c] = [before, last, &self.spec].map(|spec| key.get(spec));
+            let (a, b, c) = (a.ok()?, b.ok()?, c.ok()?);
+            let size = b.abs().max(f64::MIN_POSITIVE);
+            let (first, second) = ((b - a) / size, (c - b) / size);
+            (along, square, all) = (along + first * second, square + first * first, all + second * second);
+        }
+        let reach = along / square;
+        // Of two keys that move, each must go on as it went.
+        let strays = all - reach * along > 0.01 * all;
+        (square > 0.0 && reach.abs() < FARTHEST && !strays).then_some(reach)
     }
 
     /// A key and its range, both ends allowed.

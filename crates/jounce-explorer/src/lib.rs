@@ -37,6 +37,7 @@ mod branches;
 mod controls;
 mod design;
 mod drawing;
+mod dropped;
 mod file_watch;
 mod frame;
 mod guard;

@@ -42,13 +42,15 @@ pub enum Shaking {
         /// Upper end.
         high_hz: f64,
     },
-    /// A recording as the library reads it: times and values, separated by commas.
+    /// A recording in any format that `jounce read` takes.
     Recording {
-        /// What faults call it.
+        /// The name of the file: its ending tells the format.
         name: String,
-        /// What the file holds.
-        text: String,
-        /// What 1 in the file stands for, in SI.
+        /// What the file holds, in base64.
+        bytes: String,
+        /// Name or number of the channel.
+        channel: Option<String>,
+        /// What 1 in SI in the file stands for, in the SI unit of the drive.
         scale: f64,
     },
 }

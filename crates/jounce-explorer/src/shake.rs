@@ -1,6 +1,7 @@
 //! The harvester under noise or under a recording that was dropped onto the page, in place of its first drive.
 
 use crate::design::{Design, Wrong};
+use crate::dropped::{Dropped, dropped};
 use crate::frame::Frame;
 use crate::halt::Halt;
 use crate::request::Shaking;
@@ -35,7 +36,12 @@ const BANDS: usize = 300;
 /// # Errors
 /// [`Wrong`]: no drive to replace, noise or a recording that the spec does not allow.
 pub fn respond(session: &Session, id: u64, design: &Design, by: &Shaking, folder: &Path, halt: &Halt) -> Result<(), Wrong> {
-    let mut spec = shaken(design, by, folder)?;
+    let temporary = tempfile::tempdir()?;
+    let record = match by {
+        Shaking::Recording { name, bytes, channel, .. } => Some(dropped(name, bytes, channel.as_deref(), temporary.path())?),
+        Shaking::Noise { .. } => None,
+    };
+    let mut spec = shaken(design, by, record.as_ref(), folder)?;
     let recorded_s = spec.drive.values().find_map(|drive| match &drive.signal {
         DriveSignal::Recording { record: Some(record), .. } => Some(record.step_s * (record.values.len() - 1) as f64),
         _ => None,
@@ -55,6 +61,9 @@ pub fn respond(session: &Session, id: u64, design: &Design, by: &Shaking, folder
     let mut frame = Frame::new(id, "shake", "done");
     frame.put("mean_power_w", answer.mean_power_w).put("contacts", answer.contacts).put("average_over_s", average_over_s);
     frame.put("max_penetration_m", answer.max_penetration_m).put("duration_s", duration_s);
+    if let Some(record) = record {
+        frame.put("channel", record.channel).put("findings", record.findings);
+    }
     if matches!(by, Shaking::Noise { .. }) {
         let linear = Random::new(&spec).and_then(|random| random.answer());
         frame.put("linear_power_w", linear.map_or(f64::NAN, |answer| answer.mean_power_w));
@@ -65,10 +74,9 @@ pub fn respond(session: &Session, id: u64, design: &Design, by: &Shaking, folder
 }
 
 /// The spec with noise or the recording in place of its first drive, checked like any other.
-fn shaken(design: &Design, by: &Shaking, folder: &Path) -> Result<Spec, Wrong> {
+fn shaken(design: &Design, by: &Shaking, record: Option<&Dropped>, folder: &Path) -> Result<Spec, Wrong> {
     let mut spec = design.spec.clone();
-    let temporary = tempfile::tempdir()?;
-    let recording = temporary.path().join("recording.csv");
+    let recording = record.map_or_else(String::new, |record| record.file.display().to_string());
     for drive in spec.drive.values_mut() {
         if let DriveSignal::Recording { file, .. } = &mut drive.signal {
             *file = folder.canonicalize()?.join(&*file).display().to_string();
@@ -79,19 +87,18 @@ fn shaken(design: &Design, by: &Shaking, folder: &Path) -> Result<Spec, Wrong> {
     };
     drive.signal = match *by {
         Shaking::Noise { density, low_hz, high_hz } => DriveSignal::Noise { density, low_hz, high_hz, sample_rate_hz: None, seed: 1 },
-        Shaking::Recording { ref text, scale, .. } => {
-            std::fs::write(&recording, text)?;
-            let file = recording.display().to_string();
-            DriveSignal::Recording { file, scale, start_s: 0.0, sample_rate_hz: None, record: None }
+        Shaking::Recording { scale, .. } => {
+            DriveSignal::Recording { file: recording.clone(), scale, start_s: 0.0, sample_rate_hz: None, record: None }
         }
     };
     let found = SpecFile::from_text(spec.to_toml()).spec();
     found.map_err(|faults| {
         // The page knows the recording by its own name, and nothing of the text that was checked here.
-        let shown = recording.display().to_string();
-        let name = if let Shaking::Recording { name, .. } = by { name.as_str() } else { "" };
-        let told: Vec<String> = faults.as_slice().iter().map(|fault| fault.message.replace(&shown, name)).collect();
-        Wrong::Text(told.join("; "))
+        let told = faults.as_slice().iter().map(|fault| match by {
+            Shaking::Recording { name, .. } => fault.message.replace(&recording, name),
+            Shaking::Noise { .. } => fault.message.clone(),
+        });
+        Wrong::Text(told.collect::<Vec<_>>().join("; "))
     })
 }
 

@@ -61,11 +61,16 @@ fn looks(kernel: &Kernel, port: usize, trajectory: &Trajectory, cycle_s: f64) ->
     let block = &kernel.plant.diagonal.block;
     let mut looks = Vec::new();
     for segment in trajectory.segments() {
-        let inner = if !segment.forces.is_empty() { 1 } else { (LOOKS * segment.length_s / cycle_s).ceil().max(1.0) as usize };
-        for k in 0..inner {
-            let after_s = segment.length_s * k as f64 / inner as f64;
-            let state = if k == 0 { segment.state.clone() } else { block.flow(after_s, &segment.state) };
-            looks.extend(motion(kernel, port, segment.start_s + after_s, &state));
+        looks.extend(motion(kernel, port, segment.start_s, &segment.state));
+        if !segment.forces.is_empty() {
+            continue;
+        }
+        // The flow of many equal steps is made once: its roundoff adds up, which a search for the place of a turn does not feel.
+        let inner = (LOOKS * segment.length_s / cycle_s).ceil().max(1.0);
+        let (flow, mut state) = (block.over(segment.length_s / inner), segment.state.clone());
+        for k in 1..inner as usize {
+            flow.advance(&mut state);
+            looks.extend(motion(kernel, port, segment.start_s + segment.length_s * k as f64 / inner, &state));
         }
     }
     looks

@@ -85,7 +85,7 @@ impl Figure {
     }
 
     fn draw(&self, layout: &Layout<'_>, places: &[Place]) -> String {
-        let mut svg = Svg::new(self.width_px, layout.height, &self.title);
+        let mut svg = Svg::new(self.width_px, &self.title);
         let left = layout.plots.first().map_or(12.0, |plot| plot.left);
         let widest = layout.title.iter().map(|line| width(line, TITLE)).fold(0.0, f64::max);
         // Flush with the frame where the title fits there, else from the edge of the picture.
@@ -100,6 +100,6 @@ impl Figure {
             markers(&mut svg, plot);
             legend::legend(&mut svg, plot, *place);
         }
-        svg.finish()
+        svg.finish(layout.height)
     }
 }

@@ -6,6 +6,8 @@ use super::text::FAMILY;
 
 /// A document under construction.
 pub(super) struct Svg {
+    width: f64,
+    title: String,
     body: String,
 }
 
@@ -19,22 +21,18 @@ pub(super) enum Anchor {
 
 impl Svg {
     /// An empty page of white paper with an accessible title.
-    pub fn new(width: f64, height: f64, title: &str) -> Self {
-        let (w, h, name) = (number(width), number(height), escape(title));
-        let mut body = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" viewBox=\"0 0 {w} {h}\" role=\"img\" font-family=\"{FAMILY}\">\n"
-        );
-        if !name.is_empty() {
-            let _ = writeln!(body, "<title>{name}</title>");
-        }
-        let _ = writeln!(body, "<rect class=\"jounce-paper\" width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>");
-        Self { body }
+    pub fn new(width: f64, title: &str) -> Self {
+        Self { width, title: escape(title), body: String::new() }
     }
 
-    /// The finished document.
-    pub fn finish(mut self) -> String {
-        self.body.push_str("</svg>\n");
-        self.body
+    /// The finished document: how high it is shows when all is drawn.
+    pub fn finish(self, height: f64) -> String {
+        let (w, h, body) = (number(self.width), number(height), self.body);
+        let title = if self.title.is_empty() { String::new() } else { format!("<title>{}</title>\n", self.title) };
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" viewBox=\"0 0 {w} {h}\" role=\"img\" font-family=\"{FAMILY}\">\n\
+             {title}<rect class=\"jounce-paper\" width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n{body}</svg>\n"
+        )
     }
 
     /// Opens a window: what follows is clipped to it, with coordinates from its upper left corner.

@@ -64,6 +64,24 @@ pub struct Block {
     pub reals: Vec<f64>,
 }
 
+/// The exact flow of blocks over some time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Flow {
+    pairs: Vec<[f64; 4]>,
+    reals: Vec<f64>,
+}
+
+impl Flow {
+    /// Takes a state along.
+    pub fn advance(&self, y: &mut [f64]) {
+        let (paired, single) = y.split_at_mut(2 * self.pairs.len());
+        for ([a, b, c, d], uv) in self.pairs.iter().zip(paired.chunks_exact_mut(2)) {
+            (uv[0], uv[1]) = (a * uv[0] + b * uv[1], c * uv[0] + d * uv[1]);
+        }
+        single.iter_mut().zip(&self.reals).for_each(|(r, decay)| *r *= decay);
+    }
+}
+
 impl Block {
     /// Number of states.
     pub fn len(&self) -> usize {
@@ -83,6 +101,12 @@ impl Block {
     /// `e^{A t} y`.
     pub fn flow(&self, time_s: f64, y: &[f64]) -> Vec<f64> {
         self.map(y, |pair| pair.flow(time_s), |rate| (rate * time_s).exp())
+    }
+
+    /// `e^{A t}`, to be applied many times.
+    pub fn over(&self, time_s: f64) -> Flow {
+        let pairs = self.pairs.iter().map(|pair| pair.flow(time_s)).collect();
+        Flow { pairs, reals: self.reals.iter().map(|rate| (rate * time_s).exp()).collect() }
     }
 
     fn map(&self, y: &[f64], pair: impl Fn(&Pair) -> [f64; 4], real: impl Fn(f64) -> f64) -> Vec<f64> {

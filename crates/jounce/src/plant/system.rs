@@ -6,12 +6,13 @@ use crate::drive::{Wave, wave};
 use crate::spec::{Circuit, DriveKind, DriveSignal, Interface, Side, Spec, Wiring};
 use crate::structure::Modes;
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// A harvester after assembly.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct System {
-    /// Modes of the structure.
-    pub modes: Modes,
+    /// Modes of the structure; copies of a system share them.
+    pub modes: Arc<Modes>,
     /// Electrical loads. A patch without one is left open.
     pub loads: Vec<Load>,
     /// Rectified circuits.
@@ -90,7 +91,8 @@ impl System {
     ///
     /// # Errors
     /// [`PlantError::UnknownName`], [`PlantError::TwoCircuits`], [`PlantError::ImmobilePort`].
-    pub fn assemble(spec: &Spec, modes: Modes) -> Result<Self, PlantError> {
+    pub fn assemble(spec: &Spec, modes: impl Into<Arc<Modes>>) -> Result<Self, PlantError> {
+        let modes = modes.into();
         let (loads, bridges) = circuits(spec, &modes)?;
         let stops = stops(spec, &modes)?;
         let drives = drives(spec, &modes)?;

@@ -19,6 +19,7 @@ use crate::plant::{Drive, Load, System};
 use crate::structure::PatchModes;
 use faer::c64;
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 /// One mode, one patch, one resistor.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,7 +49,7 @@ impl PiezoResistor {
     pub fn system(&self, amplitude_n: f64, drive_hz: f64) -> System {
         let mut system = oscillator(self.mass_kg, self.frequency_rad_s, self.damping_ratio);
         let coupling_n_per_v = vec![self.coupling_n_per_v / self.mass_kg.sqrt()];
-        system.modes.patch.insert(
+        Arc::make_mut(&mut system.modes).patch.insert(
             PATCH.to_owned(),
             PatchModes { coupling_n_per_v, capacitance_f: self.capacitance_f, leakage_ohm: None, strain: Vec::new() },
         );

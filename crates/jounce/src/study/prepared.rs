@@ -7,6 +7,7 @@ use crate::run::{RunError, StartState};
 use crate::spec::{DriveSignal, Spec, Start};
 use crate::structure::{self, Modes, StructureError};
 use std::path::Path;
+use std::sync::Arc;
 
 /// Why a study, or one of its points, cannot be made.
 #[derive(Debug, thiserror::Error)]
@@ -65,7 +66,7 @@ pub struct Prepared {
     pub spec: Spec,
     /// Its kernel.
     pub kernel: Kernel,
-    modes: Modes,
+    modes: Arc<Modes>,
 }
 
 impl Prepared {
@@ -82,8 +83,8 @@ impl Prepared {
     /// # Errors
     /// As [`Prepared::new`].
     pub fn watched(spec: Spec, watch: &Watch) -> Result<Self, StudyError> {
-        let modes = structure::modes(&spec)?;
-        let kernel = Kernel::new(Plant::new(System::assemble(&spec, modes.clone())?)?)?.watched_by(watch);
+        let modes = Arc::new(structure::modes(&spec)?);
+        let kernel = Kernel::new(Plant::new(System::assemble(&spec, Arc::clone(&modes))?)?)?.watched_by(watch);
         Ok(Self { spec, kernel, modes })
     }
 
@@ -93,7 +94,7 @@ impl Prepared {
     /// [`StudyError::Plant`].
     pub fn watched_by(&self, watch: &Watch) -> Result<Self, StudyError> {
         let kernel = self.kernel.with_drives(self.kernel.plant.system.drives.clone())?.watched_by(watch);
-        Ok(Self { spec: self.spec.clone(), kernel, modes: self.modes.clone() })
+        Ok(Self { spec: self.spec.clone(), kernel, modes: Arc::clone(&self.modes) })
     }
 
     /// The same for a changed spec: modes are kept when no body changed, step tables when no circuit did.
@@ -104,7 +105,7 @@ impl Prepared {
         if !same_bodies(&self.spec, &spec) {
             return Self::watched(spec, &self.kernel.watch);
         }
-        let system = System::assemble(&spec, self.modes.clone())?;
+        let system = System::assemble(&spec, Arc::clone(&self.modes))?;
         let signals = system.signals.clone();
         let kernel = match (self.spec.circuit == spec.circuit, self.spec.stop == spec.stop) {
             (true, true) => self.kernel.with_drives(system.drives)?,
@@ -114,12 +115,12 @@ impl Prepared {
                 return Ok(Self {
                     kernel: Kernel::new(Plant::new(system)?)?.watched_by(&self.kernel.watch),
                     spec,
-                    modes: self.modes.clone(),
+                    modes: Arc::clone(&self.modes),
                 });
             }
         };
         let kernel = if kernel.plant.system.signals == signals { kernel } else { kernel.with_signals(signals)? };
-        Ok(Self { spec, kernel, modes: self.modes.clone() })
+        Ok(Self { spec, kernel, modes: Arc::clone(&self.modes) })
     }
 
     /// The same with other realisations of its noise: number `member` of a seed.

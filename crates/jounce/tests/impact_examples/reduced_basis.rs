@@ -6,6 +6,7 @@
 
 use faer::{Mat, Side};
 use jounce::plant::System;
+use std::sync::Arc;
 
 /// The system with only the lowest modes of its beam kept; the free mass (mode 0) stays.
 pub fn free_interface(system: &System, kept: usize) -> System {
@@ -50,12 +51,13 @@ fn in_coordinates(system: &System, basis: &Mat<f64>) -> System {
     };
     let mut reduced = system.clone();
     let squares = solved.S().column_vector();
-    reduced.modes.frequency_rad_s = std::iter::once(0.0).chain((0..shapes.ncols()).map(|k| squares[k].sqrt())).collect();
-    reduced.modes.damping_ratio = vec![0.0; shapes.ncols() + 1];
-    reduced.modes.discretisation_error = vec![0.0; shapes.ncols() + 1];
-    reduced.modes.participation_sqrt_kg = onto(&modes.participation_sqrt_kg);
-    reduced.modes.shape.values_mut().for_each(|row| *row = onto(row));
-    reduced.modes.patch.values_mut().for_each(|patch| {
+    let own = Arc::make_mut(&mut reduced.modes);
+    own.frequency_rad_s = std::iter::once(0.0).chain((0..shapes.ncols()).map(|k| squares[k].sqrt())).collect();
+    own.damping_ratio = vec![0.0; shapes.ncols() + 1];
+    own.discretisation_error = vec![0.0; shapes.ncols() + 1];
+    own.participation_sqrt_kg = onto(&modes.participation_sqrt_kg);
+    own.shape.values_mut().for_each(|row| *row = onto(row));
+    own.patch.values_mut().for_each(|patch| {
         patch.coupling_n_per_v = onto(&patch.coupling_n_per_v);
         patch.strain.clear();
     });

@@ -7,6 +7,7 @@ use jounce::contact::{Hertz, Law};
 use jounce::march::Kernel;
 use jounce::plant::System;
 use jounce::reference::HertzCollision;
+use std::sync::Arc;
 
 const EXAMPLE: &str = "seismic-mass-jacquelin-2011";
 const SPEC: &str = "harvester.toml";
@@ -28,7 +29,7 @@ fn detached(modes: usize, settings: &[(&str, &str)]) -> System {
     let upper = (0..system.modes.len()).filter(|i| system.modes.shape["upper.end"][*i] != 0.0);
     let order: Vec<usize> = std::iter::once(seismic).chain(upper.take(modes)).collect();
     let pick = |row: &mut Vec<f64>| *row = order.iter().map(|i| row[*i]).collect();
-    let own = &mut system.modes;
+    let own = Arc::make_mut(&mut system.modes);
     own.frequency_rad_s[seismic] = 0.0;
     own.patch.retain(|name, _| !names(name));
     own.shape.retain(|name, _| !names(name));

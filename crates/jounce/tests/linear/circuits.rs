@@ -39,7 +39,7 @@ fn load(patches: &[(&str, f64)], wiring: Wiring, inductor: Option<(f64, Wiring)>
 
 fn plant(load: &Load) -> Plant {
     Plant::new(System {
-        modes: modes(),
+        modes: modes().into(),
         loads: vec![load.clone()],
         stops: Vec::new(),
         bridges: Vec::new(),

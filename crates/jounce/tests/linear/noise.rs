@@ -24,7 +24,7 @@ fn oscillator(damping_ratio: f64) -> Plant {
         discretisation_error: vec![0.0],
         ..Modes::default()
     };
-    Plant::new(System { modes, ..System::default() }).unwrap()
+    Plant::new(System { modes: modes.into(), ..System::default() }).unwrap()
 }
 
 fn relative(found: f64, exact: f64) -> f64 {

@@ -36,7 +36,7 @@ fn cell(leaks: &[Option<f64>]) -> System {
     let law = Law::Hertz(Hertz { stiffness: 20.0, exponent: 1.5 });
     let stop = Stop { name: "stop".into(), shape: vec![1.0], gap_m: 0.5, law };
     let drive = Drive { name: "force".into(), shape: vec![1.0], amplitude_n: 1.0, frequency_hz: 1.1 / TAU, phase_rad: 0.4 };
-    System { modes, stops: vec![stop], drives: vec![drive], ..System::default() }
+    System { modes: modes.into(), stops: vec![stop], drives: vec![drive], ..System::default() }
 }
 
 fn connections(count: usize) -> Vec<Connection> {

@@ -53,7 +53,7 @@ prop_compose! {
             stops: vec![Stop { name: "stop".into(), shape: modes.shape["tip"].clone(), gap_m: gap, law }],
             drives: vec![Drive { name: "drive".into(), shape: modes.shape["base"].clone(), amplitude_n, frequency_hz, phase_rad: 0.3 }],
             signals: Vec::new(), bridges: Vec::new(),
-            modes,
+            modes: modes.into(),
         }
     }
 }

@@ -34,7 +34,7 @@ fn cell(coupling: f64, damping_ratio: f64, angular_frequency: f64, scheme: Schem
     };
     let frequency_hz = angular_frequency / TAU;
     let drive = Drive { name: "force".into(), shape: vec![1.0], amplitude_n: 1.0, frequency_hz, phase_rad: 0.4 };
-    System { modes, bridges: vec![bridge], drives: vec![drive], ..System::default() }
+    System { modes: modes.into(), bridges: vec![bridge], drives: vec![drive], ..System::default() }
 }
 
 /// Mean power into the battery or the load over the last of `cycles`, and the residual of the energy balance.

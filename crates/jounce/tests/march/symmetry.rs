@@ -5,6 +5,7 @@ use jounce::contact::{Hertz, Law};
 use jounce::march::Marcher;
 use jounce::run::{RunPlan, StartState, simulate};
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 const TOLERANCE: f64 = 1e-10;
 
@@ -59,9 +60,9 @@ fn lengths_scale_with_the_force() {
 fn time_scales_with_the_frequencies() {
     let rate = 2.0;
     let mut fast = bench(50.0, 22.0);
-    fast.modes.frequency_rad_s.iter_mut().for_each(|w| *w *= rate);
+    Arc::make_mut(&mut fast.modes).frequency_rad_s.iter_mut().for_each(|w| *w *= rate);
     // q'' scales by rate^2, so do forces; theta V against q'' and C V against theta q: V kept in proportion by theta -> rate theta.
-    fast.modes.patch.values_mut().for_each(|patch| patch.coupling_n_per_v.iter_mut().for_each(|theta| *theta *= rate));
+    Arc::make_mut(&mut fast.modes).patch.values_mut().for_each(|patch| patch.coupling_n_per_v.iter_mut().for_each(|theta| *theta *= rate));
     fast.loads[0].resistance_ohm /= rate;
     fast.drives[0].amplitude_n *= rate * rate;
     fast.stops[0].law = Law::Hertz(Hertz { stiffness: 1000.0 * rate * rate, exponent: 1.5 });

@@ -1,10 +1,27 @@
 //! Branches carried over to a neighbouring harvester, beside those that a search finds there.
 
 use crate::harvesters::{bench, branches};
-use jounce::study::{Bifurcation, Branch, BranchCarry, BranchKind, Method, Parameter, Prepared};
+use jounce::march::Watch;
+use jounce::spec::SpecFile;
+use jounce::study::{Bifurcation, Branch, BranchCarry, BranchKind, BranchPoint, Carried, Method, Parameter, Prepared, Trend};
 
 const RANGE: (f64, f64) = (11.5, 12.8);
 const GAP: &str = "stop.tip.gap";
+
+/// Carries branches over to a spec; gives the evaluations that it took too.
+fn carry(file: &SpecFile, known: &[Branch], trend: Option<Trend>, accuracy: f64) -> (Carried, u64) {
+    let watch = Watch::default();
+    let base = Prepared::watched(file.spec().unwrap(), &watch).unwrap();
+    let key = file.numeric_key("drive.shaker.frequency").unwrap();
+    let harvester = Parameter::new(&base, &key, RANGE.1 - RANGE.0);
+    let (kernel, tolerance, resolution) = (&base.kernel, 1e-9, 1e-7);
+    let carry = BranchCarry { harvester: &harvester, kernel, range: RANGE, tolerance, accuracy, resolution, trend };
+    (carry.run(known), watch.harvesters())
+}
+
+fn points(branches: &[Branch]) -> usize {
+    branches.iter().map(|branch| branch.points.len()).sum()
+}
 
 /// Bifurcations of a kind, by their parameter.
 fn places(branches: &[Branch], kind: BranchKind) -> Vec<&Bifurcation> {
@@ -21,11 +38,7 @@ fn a_carried_branch_has_the_folds_of_a_search() {
     let known = branches(&file, RANGE, Method::Shooting, 0);
     file.set(GAP, "1.02 mm").unwrap();
     let searched = branches(&file, RANGE, Method::Shooting, 0);
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
-    let key = file.numeric_key("drive.shaker.frequency").unwrap();
-    let harvester = Parameter::new(&base, &key, RANGE.1 - RANGE.0);
-    let carried = BranchCarry { harvester: &harvester, kernel: &base.kernel, range: RANGE, tolerance: 1e-9, resolution: 1e-7 }.run(&known);
-    let points = |branches: &[Branch]| branches.iter().map(|branch| branch.points.len()).sum::<usize>();
+    let (carried, _) = carry(&file, &known, None, 5e-8);
     eprintln!("{} lost of {}, {} carried", carried.lost, points(&known), points(&carried.branches));
     let [found, wanted] = [&carried.branches, &searched].map(|branches| places(branches, BranchKind::Fold));
     eprintln!("{} folds of {}", found.len(), wanted.len());
@@ -36,5 +49,59 @@ fn a_carried_branch_has_the_folds_of_a_search() {
         let power = fold.at.orbit.mean_power_w / nearest.at.orbit.mean_power_w - 1.0;
         eprintln!("fold at {} Hz: {:.1e}, power {power:.1e} off", fold.at.parameter, near(&nearest));
         assert!(near(&nearest) < 1e-8 && power.abs() < 1e-4);
+    }
+}
+
+/// From 1 over 1.01 to 1.02 mm, twice: where the change before tells where points go, fewer evaluations find the same orbits.
+#[test]
+fn the_change_before_tells_where_points_go() {
+    let mut file = bench();
+    let known: Vec<Branch> = branches(&file, RANGE, Method::Shooting, 0).iter().map(|branch| branch.thinned(1e-3)).collect();
+    file.set(GAP, "1.01 mm").unwrap();
+    let (first, _) = carry(&file, &known, None, 5e-4);
+    file.set(GAP, "1.02 mm").unwrap();
+    let (plain, evaluations) = carry(&file, &first.branches, None, 5e-4);
+    let (told, fewer) = carry(&file, &first.branches, Some(Trend { before: &known, reach: 1.0 }), 5e-4);
+    let (exact, _) = carry(&file, &first.branches, None, 1e-9);
+    let counts = [&plain, &told, &exact].map(|carried| points(&carried.branches));
+    eprintln!("{counts:?} points, {evaluations} evaluations without the change before, {fewer} with it");
+    assert!(fewer < evaluations && plain.lost + told.lost + exact.lost == 0 && counts[0] == counts[1] && counts[0] == counts[2]);
+    let all = |carried: &Carried| -> Vec<BranchPoint> { carried.branches.iter().flat_map(|branch| branch.points.clone()).collect() };
+    let state = |point: &BranchPoint| point.orbit.start().to_vec();
+    for carried in [&plain, &told] {
+        let off = |(a, b): (&BranchPoint, &BranchPoint)| {
+            let apart: f64 = state(a).iter().zip(state(b)).map(|(a, b)| (a - b) * (a - b)).sum();
+            apart.sqrt() / b.orbit.size()
+        };
+        let worst = all(carried).iter().zip(&all(&exact)).map(off).fold(0.0, f64::max);
+        eprintln!("states at most {worst:.1e} of their size off");
+        assert!(worst < 2e-3);
+    }
+}
+
+/// What is left out of a curve is not missed: between the points that are kept a straight line is nowhere more than the share off that was
+/// asked for.
+#[test]
+fn a_thinned_branch_draws_the_same_curve() {
+    let share = 1e-3;
+    let known = branches(&bench(), RANGE, Method::Shooting, 0);
+    for branch in &known {
+        let thin = branch.thinned(share);
+        let power = |point: &BranchPoint| point.orbit.mean_power_w;
+        let highest = branch.points.iter().map(power).fold(0.0, f64::max);
+        let mut worst = 0.0_f64;
+        for point in &branch.points {
+            let scaled = |at: &BranchPoint| ((at.parameter - point.parameter) / (RANGE.1 - RANGE.0), (power(at) - power(point)) / highest);
+            let nearest = thin.points.windows(2).map(|pair| {
+                let (a, b) = (scaled(&pair[0]), scaled(&pair[1]));
+                let chord = (b.0 - a.0, b.1 - a.1);
+                let along = (-(a.0 * chord.0 + a.1 * chord.1) / (chord.0 * chord.0 + chord.1 * chord.1)).clamp(0.0, 1.0);
+                (a.0 + along * chord.0).hypot(a.1 + along * chord.1)
+            });
+            worst = worst.max(nearest.fold(f64::INFINITY, f64::min));
+        }
+        eprintln!("{} of {} points, at most {worst:.1e} off", thin.points.len(), branch.points.len());
+        assert!(worst <= share && thin.points.len() < branch.points.len() && thin.bifurcations == branch.bifurcations);
+        assert_eq!((thin.points.first(), thin.points.last()), (branch.points.first(), branch.points.last()));
     }
 }

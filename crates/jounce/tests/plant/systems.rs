@@ -4,6 +4,7 @@ use jounce::plant::{Load, System};
 use jounce::spec::Spec;
 use jounce::structure::{Modes, PatchModes, modes};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 pub fn bench() -> System {
     let spec = Spec::from_toml(include_str!("../../../../bench/plant.toml")).unwrap();
@@ -21,7 +22,7 @@ pub fn menagerie() -> System {
         strain: Vec::new(),
     };
     System {
-        modes: Modes {
+        modes: Arc::new(Modes {
             frequency_rad_s,
             damping_ratio: vec![0.0, 1.0, 0.02, 0.05, 2.5, 0.01],
             shape: BTreeMap::from([("tip".into(), vec![1.0, 0.5, -0.7, 0.3, 1.1, 2.0])]),
@@ -31,7 +32,7 @@ pub fn menagerie() -> System {
             ]),
             participation_sqrt_kg: vec![0.0; n],
             discretisation_error: vec![0.0; n],
-        },
+        }),
         loads: vec![Load::resistor("load", "first", 2e6)],
         bridges: Vec::new(),
         stops: Vec::new(),

@@ -37,8 +37,8 @@ const TURNED: f64 = 60.0;
 /// Gives every label the cheapest free place between two edges of the page; those that have an easy one take it first.
 pub fn placed(wanted: &[Wanted], obstacles: &[Rect], (left, right): (f64, f64)) -> Vec<Label> {
     let page = Rect { left, right, top: f64::NEG_INFINITY, bottom: f64::INFINITY };
-    let alone = |want: &Wanted| cost(want, &cheapest(want, obstacles, &[], page), obstacles, &[]);
-    let mut order: Vec<(f64, &Wanted)> = wanted.iter().map(|want| (alone(want), want)).collect();
+    let first = |want: &Wanted| cost(want, &cheapest(want, obstacles, &[], page), obstacles, &[]);
+    let mut order: Vec<(f64, &Wanted)> = wanted.iter().map(|want| (first(want), want)).collect();
     order.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut labels: Vec<Label> = Vec::new();
     for (_, want) in order {
@@ -79,7 +79,15 @@ fn cheapest(want: &Wanted, obstacles: &[Rect], labels: &[Label], page: Rect) -> 
     let across: Vec<f64> = (-16..=16).map(|i| 8.0 * f64::from(i)).chain(sides).collect();
     let candidates = across.iter().flat_map(|dx| (-45..=45).map(move |j| (*dx, 5.0 * f64::from(j))));
     let candidates = candidates.map(|(dx, dy)| Rect::around((want.anchor.0 + dx, want.anchor.1 + dy), size));
-    let best = candidates.filter(free).map(|room| (cost(want, &room, obstacles, labels), room)).min_by(|a, b| a.0.total_cmp(&b.0));
+    let best = candidates.fold(None, |best: Option<(f64, Rect)>, room| {
+        // What is beaten by its place alone needs no look at what stands in the way; most places are.
+        let beaten = |cost: f64| best.as_ref().is_some_and(|(least, _)| cost >= *least);
+        if beaten(least(want, &room)) || beaten(alone(want, &room)) || !free(&room) {
+            return best;
+        }
+        let cost = cost(want, &room, obstacles, labels);
+        if beaten(cost) { best } else { Some((cost, room)) }
+    });
     let below = || {
         let lowest = obstacles.iter().chain(labels.iter().map(|label| &label.room)).map(|rect| rect.bottom).fold(want.anchor.1, f64::max);
         let x = want.anchor.0.clamp(page.left + 0.5 * size.0, (page.right - 0.5 * size.0).max(page.left + 0.5 * size.0));
@@ -92,14 +100,29 @@ fn pierced(label: &Label, room: &Rect) -> bool {
     label.leader.is_some_and(|[from, to]| room.crossed(from, to))
 }
 
-/// Distance, turned away from the wanted direction, and what its leader crosses.
-fn cost(want: &Wanted, room: &Rect, obstacles: &[Rect], labels: &[Label]) -> f64 {
-    let near = room.nearest(want.anchor);
-    let middle = (0.5 * (room.left + room.right) - want.anchor.0, 0.5 * (room.top + room.bottom) - want.anchor.1);
+/// Less than [`alone`] gives, at a glance.
+fn least(want: &Wanted, room: &Rect) -> f64 {
+    let middle = middle(want, room);
+    let (across, up) = (middle.0.abs(), middle.1.abs());
+    (across - 0.5 * room.width()).max(up - 0.5 * room.height()).max(0.0) + 0.1 * across.max(up)
+}
+
+fn middle(want: &Wanted, room: &Rect) -> (f64, f64) {
+    (0.5 * (room.left + room.right) - want.anchor.0, 0.5 * (room.top + room.bottom) - want.anchor.1)
+}
+
+/// Distance, and turned away from the wanted direction.
+fn alone(want: &Wanted, room: &Rect) -> f64 {
+    let middle = middle(want, room);
     let length = middle.0.hypot(middle.1).max(1.0);
     let along = (middle.0 * want.toward.0 + middle.1 * want.toward.1) / (length * want.toward.0.hypot(want.toward.1).max(1e-9));
-    let apart = distance(want.anchor, near);
-    let crossed = match apart > APART {
+    distance(want.anchor, room.nearest(want.anchor)) + 0.1 * length + TURNED * (1.0 - along)
+}
+
+/// The same, and what its leader crosses.
+fn cost(want: &Wanted, room: &Rect, obstacles: &[Rect], labels: &[Label]) -> f64 {
+    let near = room.nearest(want.anchor);
+    let crossed = match distance(want.anchor, near) > APART {
         true => {
             let bodies = obstacles.iter().filter(|other| other.grown(-1.0).crossed(want.anchor, near)).count();
             let names = labels.iter().filter(|label| label.room.crossed(want.anchor, near)).count();
@@ -107,7 +130,7 @@ fn cost(want: &Wanted, room: &Rect, obstacles: &[Rect], labels: &[Label]) -> f64
         }
         false => 0.0,
     };
-    apart + 0.1 * length + TURNED * (1.0 - along) + crossed
+    alone(want, room) + crossed
 }
 
 #[cfg(test)]

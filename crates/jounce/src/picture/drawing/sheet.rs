@@ -45,13 +45,11 @@ struct Content {
 /// The drawing with the places of its parts.
 pub fn drawn(drawing: &Drawing) -> Sheet {
     let layout = scale::fitted(drawing);
-    // Once to see how high it becomes, once for good.
-    let height = content(&mut Svg::new(WIDTH, 1.0, ""), drawing, &layout).height;
-    let mut svg = Svg::new(WIDTH, height, &drawing.title);
+    let mut svg = Svg::new(WIDTH, &drawing.title);
     let found = content(&mut svg, drawing, &layout);
     let (circuits, looks) = found.cells.split_at(drawing.circuits.len());
     let grips = grips(drawing, &layout, &found.shifts, looks);
-    Sheet { svg: svg.finish(), side: found.side, circuits: circuits.to_vec(), looks: looks.to_vec(), grips }
+    Sheet { svg: svg.finish(found.height), side: found.side, circuits: circuits.to_vec(), looks: looks.to_vec(), grips }
 }
 
 /// Draws everything.
@@ -87,7 +85,7 @@ fn group(svg: &mut Svg, drawing: &Drawing, layout: &Layout, number: usize, y: f6
     let room = layout.extent(drawing, number);
     let x = 0.5 * (WIDTH - room.width()) - room.left;
     // Labels may stand above the bodies: how far shows the first attempt.
-    let attempt = scene(&mut Svg::new(WIDTH, 1.0, ""), drawing, layout, number, (x, 0.0));
+    let attempt = scene(&mut Svg::new(WIDTH, ""), drawing, layout, number, (x, 0.0));
     let shift = (x, y - attempt.top);
     (scene(svg, drawing, layout, number, shift), shift)
 }

@@ -25,8 +25,21 @@ pub struct BranchCarry<'s> {
     pub range: (f64, f64),
     /// Relative tolerance of the marches.
     pub tolerance: f64,
-    /// Length in the metric (a twentieth of the range counts as one) to which bifurcations are located.
+    /// Length in the metric (a state counts by its own size, the parameter by a twentieth of the range) of a correction that is left out.
+    pub accuracy: f64,
+    /// Length in the metric to which bifurcations are located.
     pub resolution: f64,
+    /// The change of the design before, which tells where points are likely to go.
+    pub trend: Option<Trend<'s>>,
+}
+
+/// How the known branches came about.
+#[derive(Debug, Clone, Copy)]
+pub struct Trend<'s> {
+    /// The branches that they were carried over from, point by point.
+    pub before: &'s [Branch],
+    /// The new change of the design in units of that one.
+    pub reach: f64,
 }
 
 /// What came of it.
@@ -41,8 +54,7 @@ pub struct Carried {
 impl BranchCarry<'_> {
     /// Carries them over.
     pub fn run(&self, known: &[Branch]) -> Carried {
-        let goal = (50.0 * self.tolerance).clamp(1e-11, 1e-3);
-        let corrector = Corrector { goal, most: 6 };
+        let corrector = Corrector { goal: self.accuracy, most: 6 };
         let following = Following {
             range: self.range,
             corrector,
@@ -51,27 +63,30 @@ impl BranchCarry<'_> {
             resolution: self.resolution,
         };
         let mut carried = Carried::default();
-        for branch in known {
-            self.carry(&following, branch, &mut carried);
+        for (index, branch) in known.iter().enumerate() {
+            let likely = self.trend.and_then(|trend| trend.likely(index, branch));
+            self.carry(&following, branch, likely.as_deref(), &mut carried);
         }
         carried
     }
 
-    fn carry(&self, following: &Following, branch: &Branch, carried: &mut Carried) {
+    fn carry(&self, following: &Following, branch: &Branch, likely: Option<&[Position]>, carried: &mut Carried) {
         let shooting = Shooting::new(self.harvester, self.kernel, branch.period_cycles, self.tolerance);
         if branch.points.iter().any(|point| point.orbit.start().len() != shooting.scale.len()) {
             carried.lost += branch.points.len();
             return;
         }
-        let place = |index: usize, like: Option<(usize, &Position)>| self.place(following, &shooting, &branch.points, (index, like));
+        let place = |index: usize, guess: Option<Position>| self.place(following, &shooting, &branch.points, (index, guess));
         let count = branch.points.len();
-        let mut found: Vec<_> = (0..count).into_par_iter().map(|index| place(index, None)).collect();
+        let first = |index: usize| likely.and_then(|likely| place(index, Some(likely[index].clone()))).or_else(|| place(index, None));
+        let mut found: Vec<_> = (0..count).into_par_iter().map(first).collect();
         // What was too far away, as it is about a fold, moves as its neighbours did.
         loop {
             let again = |index: usize| {
                 let beside = [index.wrapping_sub(1), index + 1].into_iter().filter(|other| *other < count);
-                let like = beside.filter(|_| found[index].is_none()).find_map(|other| Some((other, found[other].as_ref()?)))?;
-                Some((index, place(index, Some((like.0, &like.1.step.position)))?))
+                let (other, moved) = beside.filter(|_| found[index].is_none()).find_map(|other| Some((other, found[other].as_ref()?)))?;
+                let guess = at(&branch.points[index]).moved(&at(&branch.points[other]).to(&moved.step.position), 1.0);
+                Some((index, place(index, Some(guess))?))
             };
             let more: Vec<_> = (0..count).into_par_iter().filter_map(again).collect();
             if more.is_empty() {
@@ -95,24 +110,40 @@ impl BranchCarry<'_> {
         }
     }
 
-    /// The new place of a point; `like` is a neighbour with its own new place.
+    /// The new place of a point, from a guess or from where it was.
     fn place<M: OrbitMethod>(
         &self,
         following: &Following,
         method: &M,
         points: &[BranchPoint],
-        (index, like): (usize, Option<(usize, &Position)>),
+        (index, guess): (usize, Option<Position>),
     ) -> Option<Place<M>> {
-        let position = |index: usize| Position { unknown: points[index].orbit.start().to_vec(), parameter: points[index].parameter };
-        let here = position(index);
+        let here = at(&points[index]);
         let metric = Metric::at(&here, following.parameter_scale());
-        let chord = metric.unit(position(index.saturating_sub(1)).to(&position((index + 1).min(points.len() - 1))));
+        let chord = metric.unit(at(&points[index.saturating_sub(1)]).to(&at(&points[(index + 1).min(points.len() - 1)])));
         let at_edge = here.parameter == self.range.0 || here.parameter == self.range.1;
         let upright = Direction { unknown: vec![0.0; here.unknown.len()], parameter: metric.parameter };
-        let guess = like.map_or_else(|| here.clone(), |(other, moved)| here.moved(&position(other).to(moved), 1.0));
+        let mut guess = guess.unwrap_or_else(|| here.clone());
+        if at_edge {
+            guess.parameter = here.parameter;
+        }
         let found = correct(method, &following.corrector, &metric, if at_edge { &upright } else { &chord }, guess).ok()?;
         let tangent = tangent(&found.local, &metric, &chord)?;
         let step = Step { position: found.position, tangent, local: found.local, error: found.error };
         Place::new(method, step).ok()
     }
+}
+
+impl Trend<'_> {
+    /// Where the points of a branch are likely to go, where each of them is known to have come from one.
+    fn likely(&self, index: usize, branch: &Branch) -> Option<Vec<Position>> {
+        let before = self.before.get(index).filter(|before| before.points.len() == branch.points.len())?;
+        let pairs = before.points.iter().zip(&branch.points);
+        Some(pairs.map(|(before, point)| at(point).moved(&at(before).to(&at(point)), self.reach)).collect())
+    }
+}
+
+/// The position of a point.
+fn at(point: &BranchPoint) -> Position {
+    Position { unknown: point.orbit.start().to_vec(), parameter: point.parameter }
 }

@@ -8,9 +8,10 @@ mod follow;
 mod refine;
 mod search;
 mod settled_orbit;
+mod thinned;
 
 pub use branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
-pub use carry::{BranchCarry, Carried};
+pub use carry::{BranchCarry, Carried, Trend};
 pub use chase::{BranchChase, KnownOrbit};
 pub use search::{BranchSearch, Method};
 pub use settled_orbit::settled_orbit;
