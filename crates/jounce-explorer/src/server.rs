@@ -10,11 +10,15 @@ use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::ws::rejection::WebSocketUpgradeRejection;
 use axum::http::{HeaderMap, Method, StatusCode, Uri};
 use axum::response::Response;
+use axum::serve::ListenerExt as _;
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{Semaphore, watch};
+
+/// Short computations at once for each core: some of them only wait for a slider to rest.
+const QUICK_PER_CORE: usize = 3;
 
 /// What a server is to do.
 #[derive(Debug, Clone)]
@@ -156,14 +160,18 @@ impl Explorer {
         let host = Host {
             guard: self.guard,
             sockets: Arc::new(Semaphore::new(self.options.limits.sockets)),
-            quick: Arc::new(Semaphore::new(cores.max(2))),
+            quick: Arc::new(Semaphore::new(QUICK_PER_CORE * cores.max(2))),
             long: Arc::new(Semaphore::new(1)),
             versions: file_watch::follow(self.options.spec.clone()),
             stopped: self.stop.subscribe(),
             options: self.options,
         };
         let router = Router::new().fallback(answer).with_state(Arc::new(host));
-        let listener = tokio::net::TcpListener::from_std(self.listener)?;
+        // An answer that waits for the receipt of the one before would come some 40 ms late.
+        let at_once = |stream: &mut tokio::net::TcpStream| {
+            let _ = stream.set_nodelay(true);
+        };
+        let listener = tokio::net::TcpListener::from_std(self.listener)?.tap_io(at_once);
         let serving = axum::serve(listener, router);
         // Connections that a browser keeps open would hold up a graceful end.
         tokio::select! {

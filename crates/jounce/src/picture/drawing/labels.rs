@@ -77,17 +77,31 @@ fn cheapest(want: &Wanted, obstacles: &[Rect], labels: &[Label], page: Rect) -> 
     // Centred about the anchor, or with an edge near it, on either side.
     let sides = (0..24).flat_map(|i| [-1.0, 1.0].map(|side| side * (0.5 * size.0 + 8.0 * f64::from(i))));
     let across: Vec<f64> = (-16..=16).map(|i| 8.0 * f64::from(i)).chain(sides).collect();
-    let candidates = across.iter().flat_map(|dx| (-45..=45).map(move |j| (*dx, 5.0 * f64::from(j))));
-    let candidates = candidates.map(|(dx, dy)| Rect::around((want.anchor.0 + dx, want.anchor.1 + dy), size));
-    let best = candidates.fold(None, |best: Option<(f64, Rect)>, room| {
+    // The cheapest of some columns of places, as far as it costs no more than another place does.
+    let search = |columns: &[f64], bound: f64| {
+        let mut best: Option<(f64, Rect)> = None;
         // What is beaten by its place alone needs no look at what stands in the way; most places are.
-        let beaten = |cost: f64| best.as_ref().is_some_and(|(least, _)| cost >= *least);
-        if beaten(least(want, &room)) || beaten(alone(want, &room)) || !free(&room) {
-            return best;
+        let beaten = |best: &Option<(f64, Rect)>, cost: f64| cost > bound || best.as_ref().is_some_and(|(least, _)| cost >= *least);
+        for dx in columns {
+            if beaten(&best, least((*dx, 0.0), size)) {
+                continue;
+            }
+            for dy in (-45..=45).map(|j| 5.0 * f64::from(j)) {
+                let room = Rect::around((want.anchor.0 + dx, want.anchor.1 + dy), size);
+                if beaten(&best, least((*dx, dy), size)) || beaten(&best, alone(want, &room)) || !free(&room) {
+                    continue;
+                }
+                let cost = cost(want, &room, obstacles, labels);
+                if !beaten(&best, cost) {
+                    best = Some((cost, room));
+                }
+            }
         }
-        let cost = cost(want, &room, obstacles, labels);
-        if beaten(cost) { best } else { Some((cost, room)) }
-    });
+        best
+    };
+    // Straight above and below there is nearly always a place that leaves few others to be tried.
+    let above = search(&[0.0], f64::INFINITY);
+    let best = search(&across, above.map_or(f64::INFINITY, |(cost, _)| cost));
     let below = || {
         let lowest = obstacles.iter().chain(labels.iter().map(|label| &label.room)).map(|rect| rect.bottom).fold(want.anchor.1, f64::max);
         let x = want.anchor.0.clamp(page.left + 0.5 * size.0, (page.right - 0.5 * size.0).max(page.left + 0.5 * size.0));
@@ -100,20 +114,15 @@ fn pierced(label: &Label, room: &Rect) -> bool {
     label.leader.is_some_and(|[from, to]| room.crossed(from, to))
 }
 
-/// Less than [`alone`] gives, at a glance.
-fn least(want: &Wanted, room: &Rect) -> f64 {
-    let middle = middle(want, room);
-    let (across, up) = (middle.0.abs(), middle.1.abs());
-    (across - 0.5 * room.width()).max(up - 0.5 * room.height()).max(0.0) + 0.1 * across.max(up)
-}
-
-fn middle(want: &Wanted, room: &Rect) -> (f64, f64) {
-    (0.5 * (room.left + room.right) - want.anchor.0, 0.5 * (room.top + room.bottom) - want.anchor.1)
+/// No more than [`alone`] gives for a label of a size at a distance from its anchor, roundoff included, at a glance.
+fn least((dx, dy): (f64, f64), (width, height): (f64, f64)) -> f64 {
+    let (across, up) = (dx.abs(), dy.abs());
+    (1.0 - 1e-9) * ((across - 0.5 * width).max(up - 0.5 * height).max(0.0) + 0.1 * across.max(up))
 }
 
 /// Distance, and turned away from the wanted direction.
 fn alone(want: &Wanted, room: &Rect) -> f64 {
-    let middle = middle(want, room);
+    let middle = (0.5 * (room.left + room.right) - want.anchor.0, 0.5 * (room.top + room.bottom) - want.anchor.1);
     let length = middle.0.hypot(middle.1).max(1.0);
     let along = (middle.0 * want.toward.0 + middle.1 * want.toward.1) / (length * want.toward.0.hypot(want.toward.1).max(1e-9));
     distance(want.anchor, room.nearest(want.anchor)) + 0.1 * length + TURNED * (1.0 - along)
