@@ -111,8 +111,8 @@ export class Requests {
         if (chosen) this.orbit(chosen);
         if (head.stage === "coarse") {
             const since = this.since;
-            // Measured to the frame in which the branch is seen.
-            requestAnimationFrame(() => performance.measure("slider-to-branch", { start: since }));
+            // Measured to the frame in which the branch is seen; the server's own time beside it.
+            requestAnimationFrame(() => performance.measure("slider-to-branch", { start: since, detail: head.ms }));
             this.coarseAsked = false;
             this.busy.textContent = this.waiting === undefined ? "refining" : "";
             this.pump();

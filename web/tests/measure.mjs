@@ -38,6 +38,7 @@ await slider.evaluate(async (element, count) => {
 const spent = await cpuMs();
 await ready.waitForTimeout(1500);
 const branch = await times("slider-to-branch");
+const served = await ready.evaluate(() => performance.getEntriesByName("slider-to-branch").map((entry) => entry.detail));
 const orbit = await times("click-to-orbit");
 const frames = await ready.evaluate(() => new Promise((resolve) => {
     let count = 0;
@@ -48,6 +49,7 @@ const frames = await ready.evaluate(() => new Promise((resolve) => {
 console.log(`program: ${program}`);
 console.log(`address told after ${(told - began).toFixed(0)} ms with the browser's own start; first contentful paint ${painted?.toFixed(0)} ms`);
 console.log(`slider to branch over ${moves} moves: ${statistics(branch)}`);
+console.log(`of that on the server: ${statistics(served)}`);
 console.log(`time of cores that the server took: ${((spent - before) / branch.length).toFixed(0)} ms for each branch with its drawing and orbit`);
 console.log(`orbit after a choice: ${statistics(orbit)}`);
 console.log(`frames per second: ${frames}`);

@@ -19,8 +19,8 @@ const COARSE: f64 = 1e-6;
 const UNSEEN: f64 = 5e-4;
 /// Points are carried without which a curve would be off by more than this share of the height of its picture.
 const THIN: f64 = 1e-3;
-/// Length to which its bifurcations are located: a thousandth of the range.
-const SEEN: f64 = 0.02;
+/// Longest last move in the search for its bifurcations, a two-hundredth of the range: what is left is of second order in it.
+const SEEN: f64 = 0.1;
 /// Share of points that may be lost in carrying branches over.
 const MOST_LOST: f64 = 0.3;
 /// Tolerance of the second.
