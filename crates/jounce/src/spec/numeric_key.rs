@@ -115,7 +115,7 @@ impl NumericKey {
         if self.info.range.holds(value_si) && whole {
             return Ok(());
         }
-        let rule = if whole { self.info.range.rule(self.kind) } else { "must be a whole number".to_owned() };
+        let rule = if whole { self.info.range.broken(value_si, self.kind) } else { "must be a whole number".to_owned() };
         Err(Fault::without_place(&self.path, format!("{} is {}; it {rule}", self.path, self.kind.show(value_si))))
     }
 

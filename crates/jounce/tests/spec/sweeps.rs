@@ -97,6 +97,8 @@ fn a_refused_number_leaves_the_spec_alone() {
             "damping.ratios has 7 numbers, but 9 modes are kept, 1 of them damped by [mass] or [modal], so that 8 are needed",
         ),
         ("reduction.modes", 1e300, "it must be from 1 to 200"),
+        ("stop.tip.gap", 1e300, "it must be 0 or of a size from 1e-30 to 1e30 in SI units"),
+        ("circuit.load.resistance", 1e-300, "it must be 0 or of a size from 1e-30 to 1e30 in SI units"),
         ("stop.tip.damping", 1.0, "no key with a number"),
     ] {
         let fault = spec.set_si(key, value).unwrap_err().to_string();

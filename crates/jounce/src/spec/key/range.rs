@@ -31,13 +31,25 @@ impl Range {
         Self { low, open: true, high }
     }
 
-    /// True when the value is finite and within the limits.
+    /// True when the value is within the limits and of a size that can be computed with.
     pub(in crate::spec) fn holds(&self, value: f64) -> bool {
+        self.limits_hold(value) && is_of_this_world(value)
+    }
+
+    fn limits_hold(&self, value: f64) -> bool {
         let above = if self.open { value > self.low } else { value >= self.low };
         value.is_finite() && above && value <= self.high
     }
 
-    /// The rule in words, `"must be from 1 uHz to 1 MHz"`, in units of the kind.
+    /// The rule that a value breaks, in words.
+    pub(in crate::spec) fn broken(&self, value: f64, kind: Kind) -> String {
+        if self.limits_hold(value) {
+            return format!("must be 0 or of a size from {:e} to {LARGEST:e} in SI units", 1.0 / LARGEST);
+        }
+        self.rule(kind)
+    }
+
+    /// The limits in words, `"must be from 1 uHz to 1 MHz"`, in units of the kind.
     pub(in crate::spec) fn rule(&self, kind: Kind) -> String {
         let low = match (self.low.is_finite(), self.open) {
             (false, _) => None,
@@ -52,4 +64,12 @@ impl Range {
             (None, None) => "must be a finite number".to_owned(),
         }
     }
+}
+
+/// Largest number of a spec, SI, and the inverse of the smallest that is not zero: their products and squares stay far from overflow.
+const LARGEST: f64 = 1e30;
+
+fn is_of_this_world(value: f64) -> bool {
+    let size = value.abs();
+    size == 0.0 || (1.0 / LARGEST..=LARGEST).contains(&size)
 }

@@ -82,7 +82,7 @@ pub(in crate::spec) fn read_number(kind: Kind, range: Range, node: &Node) -> Res
         (Kind::Numbers | Kind::NamedNumbers, _) => return Err(format!("a plain number is due; found {}", node.found())),
         _ => return Err(format!("{}; found {}", kind.due(), node.found())),
     };
-    if range.holds(value) { Ok(value) } else { Err(format!("is {shown}; it {}", range.rule(kind))) }
+    if range.holds(value) { Ok(value) } else { Err(format!("is {shown}; it {}", range.broken(value, kind))) }
 }
 
 fn text<'n>(info: &KeyInfo, path: &str, node: &'n Node, reading: &mut Reading) -> Option<&'n str> {
