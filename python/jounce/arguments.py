@@ -34,6 +34,39 @@ def si(kind: str, value: Any, what: str) -> float:
     return _core.quantity_si(kind, made if isinstance(made, str) else repr(made))
 
 
+def optional_si(kind: str, value: Any, what: str) -> float | None:
+    """A positive quantity in SI units, where it is given."""
+    if value is None:
+        return None
+    found = si(kind, value, what)
+    if not 0.0 < found < np.inf:
+        raise ArgumentError(f"{what} is {value}; it must be above 0")
+    return found
+
+
+def positive_si(kind: str, value: Any, what: str) -> float:
+    """A positive quantity in SI units."""
+    found = optional_si(kind, value, what)
+    if found is None:
+        raise ArgumentError(f"{what} is missing")
+    return found
+
+
+def rate_hz(given: Any) -> float:
+    """Samples per second: a number, or a frequency with its unit."""
+    if given is None:
+        raise ArgumentError("give the samples per second, in Hz")
+    if is_quantity(given) or isinstance(given, str):
+        return positive_si("frequency", given, "the sample rate")
+    try:
+        found = float(given)
+    except (TypeError, ValueError) as error:
+        raise ArgumentError(f"{given!r} is no sample rate; give the samples per second, in Hz") from error
+    if not 0.0 < found < np.inf:
+        raise ArgumentError(f"there are {given} samples per second; give a number greater than 0")
+    return found
+
+
 def frequencies(given: Any) -> Floats:
     """Frequencies, Hz."""
     if given is None:

@@ -142,13 +142,16 @@ impl Spec {
     }
 }
 
-/// A quantity as text, in SI: kind is `time`, `frequency` or `length`.
+/// A quantity as text, in SI: kind is `time`, `frequency`, `length`, `resistance`, `mass` or `force`.
 #[pyfunction]
 pub fn quantity_si(kind: &str, text: &str) -> PyResult<f64> {
     let quantity = match kind {
         "time" => Quantity::Time,
         "frequency" => Quantity::Frequency,
         "length" => Quantity::Length,
+        "resistance" => Quantity::Resistance,
+        "mass" => Quantity::Mass,
+        "force" => Quantity::Force,
         _ => return Err(PyValueError::new_err(format!("{kind}: no kind of quantity"))),
     };
     quantity.read(text).map_err(|error| Failure::new("ArgumentError", error).into())
