@@ -12,6 +12,9 @@ from .errors import ArgumentError, Fault, SpecError
 from .quantity import is_quantity, plain, texts_of, toml
 from .result import Floats
 
+#: The largest number that a count or a seed may be.
+MOST_WHOLE = 2**32 - 1
+
 
 def of_tables(tables: Mapping[str, Any]) -> _core.Spec:
     """A spec of Python objects: its faults have no place in a text."""
@@ -50,6 +53,13 @@ def positive_si(kind: str, value: Any, what: str) -> float:
     if found is None:
         raise ArgumentError(f"{what} is missing")
     return found
+
+
+def check_wholes(**numbers: int | None) -> None:
+    """Refuses numbers that nothing can be counted by; what is no whole number at all is a TypeError of the call itself."""
+    wrong = [f"{name} is {value}" for name, value in numbers.items() if isinstance(value, int) and not 0 <= value <= MOST_WHOLE]
+    if wrong:
+        raise ArgumentError(f"{', '.join(wrong)}; give a whole number from 0 to {MOST_WHOLE}")
 
 
 def rate_hz(given: Any) -> float:

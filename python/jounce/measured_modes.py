@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 
 from . import _core
-from .arguments import si
+from .arguments import check_wholes, si
 from .errors import ArgumentError
 from .given import Measured, responses
 from .measured_frf import MeasuredFrf, hammer_options, made_frf
@@ -115,6 +115,7 @@ def measured_modes(
     They are sought ``between = "500 Hz:4300 Hz"``, by default over all lines, with denominators up to an ``order``. ``records`` and the
     other options are those of :func:`measured_frf`; damping that an exponential window adds is taken off.
     """
+    check_wholes(order=order)
     given = responses(records, sample_rate_hz)
     options = hammer_options(force, response, estimator, noise_ratio, block, force_window, end_ratio)
     band = None

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from . import _core
-from .arguments import names, positive_si
+from .arguments import check_wholes, names, positive_si
 from .errors import ArgumentError, Interrupted
 from .fit import FitResult, made_fit
 from .quantity import toml
@@ -48,6 +48,7 @@ class SpecOnRig(SpecText):
         ``contact``. ``rate`` is the sample rate, ``noise`` that of every sensor, rms over that of its signal, ``bits`` those of the
         converters.
         """
+        check_wholes(bits=bits, seed=seed, hits=hits)
         sensors = {"rate_hz": positive_si("frequency", rate, "rate"), "noise": noise, "bits": bits, "seed": seed}
         manifest = {**made_manifest("rig", **sensors, hammer=hammer), "spec_sha256": self.sha256}
         if hammer is not None:

@@ -8,7 +8,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Annotated, Any, Self
 
-from .errors import ArgumentError, StartError
+from .errors import ArgumentError, FileError, StartError
 from .history import History
 from .result import Along, Floats, Integers, Result, Variable
 
@@ -29,7 +29,10 @@ class State:
 
     def write(self, path: str | PathLike[str]) -> None:
         """Writes a state file."""
-        Path(path).write_text(self.json, encoding="utf-8")
+        try:
+            Path(path).write_text(self.json, encoding="utf-8")
+        except OSError as error:
+            raise FileError(f"the state {path} cannot be written: {error}") from error
 
     def to_dict(self) -> dict[str, Any]:
         """Modal displacements and velocities, voltages and drive angles, SI."""

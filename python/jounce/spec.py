@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 
 from . import _core
-from .arguments import frequencies, names
+from .arguments import check_wholes, frequencies, names
 from .arguments import si as in_si
 from .basins import BasinsResult
 from .branch import BranchResult
@@ -68,6 +68,7 @@ class Spec(SpecOnRig):
         Densities are told at ``points`` frequencies from ``low`` to ``high``, by default over the band of the noise, and at more about each
         resonance.
         """
+        check_wholes(points=points)
         low_hz = None if low is None else in_si("frequency", low, "low")
         high_hz = None if high is None else in_si("frequency", high, "high")
         return NoiseResult._made(_core.noise(self._spec, low_hz, high_hz, points))
@@ -106,6 +107,7 @@ class Spec(SpecOnRig):
         ``range``: ``"10 Hz:14 Hz:0.5 Hz"`` (step), ``"10 Hz:14 Hz:9x"`` (number), ``"1 kohm:1 Mohm:9log"``, a list of quantities, or
         numbers with their ``unit``. Each point marches until it has settled, or for ``run.duration`` with ``fixed_duration``.
         """
+        check_wholes(threads=threads)
         text = values(range, unit, key)
         with told(progress) as tell:
             return SweepResult._handed(_core.sweep(self._spec, key, text, direction, fixed_duration, tolerance, threads, tell))
@@ -124,6 +126,7 @@ class Spec(SpecOnRig):
         progress: bool | Progress | None = None,
     ) -> BranchResult:
         """Follows every branch of periodic answers over ``range = "12 Hz:13 Hz"`` of a key, stable or not."""
+        check_wholes(harmonics=harmonics, seeds=seeds, longest_period=longest_period, threads=threads)
         ends = span(range, key)
         with told(progress) as tell:
             found = _core.branch(self._spec, key, ends, method, harmonics, tolerance, seeds, longest_period, threads, tell)
@@ -144,6 +147,7 @@ class Spec(SpecOnRig):
         progress: bool | Progress | None = None,
     ) -> JumpsResult:
         """Follows the places where the answer jumps (folds, doublings, tori, grazings) over two keys, and the ``peaks`` of power."""
+        check_wholes(seeds=seeds, longest_period=longest_period, threads=threads)
         ends = (span(range, key), span(range_2, key_2))
         with told(progress) as tell:
             found = _core.jumps(self._spec, (key, key_2), *ends, tolerance, seeds, longest_period, peaks, threads, tell)
@@ -165,6 +169,7 @@ class Spec(SpecOnRig):
         The starts are a seeded cloud, ``spread`` gaps wide, or every combination of the sides of a ``grid``:
         ``{"displacement": "-5 mm:5 mm:21x", "velocity": ("-1 m/s", "1 m/s", 21)}``, and ``"voltage"``.
         """
+        check_wholes(starts=starts, seed=seed, threads=threads)
         with told(progress) as tell:
             return BasinsResult._handed(_core.basins(self._spec, starts, seed, spread, sides(grid), tolerance, threads, tell))
 
@@ -190,6 +195,7 @@ class Spec(SpecOnRig):
         ``"starts"`` marches at each value from a cloud of starts and follows the attractors from value to value; the other directions carry
         the state over. ``range`` is as in :meth:`sweep`; ``cycles`` is how many points a motion without a period shows.
         """
+        check_wholes(starts=starts, seed=seed, cycles=cycles, longest_period=longest_period, threads=threads)
         text = values(range, unit, key)
         cloud = (starts, seed, spread)
         with told(progress) as tell:
@@ -212,6 +218,7 @@ class Spec(SpecOnRig):
         With ``relative_width``, rounds of so many ``members`` are added until half the interval of the mean power is this share of it.
         With ``spectrum``, of two members at least, the power spectral density of every voltage and its bandwidth are estimated as well.
         """
+        check_wholes(members=members, seed=seed, threads=threads)
         with told(progress) as tell:
             found = _core.ensemble(self._spec, members, seed, relative_width, spectrum, tolerance, threads, tell)
             return EnsembleResult._handed(found)
