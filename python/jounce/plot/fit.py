@@ -21,7 +21,8 @@ def plot_fit(result: FitResult, ax: Any = None) -> Any:
         ax.plot(place, 100.0 * result.error_before, "o", fillstyle="none", label="before")
         ax.plot(place, 100.0 * result.error_after, "o", label="after")
         ax.set_xticks(place, result.feature, rotation=90)
+        ax.set_xlim(-1.0, len(place))
         ax.set_xlabel("Feature")
-        ax.set_ylabel("Model over measurement - 1 [%]")
+        ax.set_ylabel("Error of the model [%]")
         ax.legend()
     return ax
