@@ -48,7 +48,10 @@ class RegimesResult(Result):
         return [f"period {cycles}" if cycles else "no period" for cycles in self.period_cycles]
 
     def _summary(self) -> list[tuple[str, str]]:
-        lines = [("channel", f"{self.channel} [{self.unit}]"), ("changes", f"lie within {self.uncertainty_s:.3g} s of their places")]
+        lines = [
+            ("channel", f"{self.channel} [{self.unit or 'no unit'}]"),
+            ("changes", f"lie within {self.uncertainty_s:.3g} s of their places"),
+        ]
         for k, name in enumerate(self.names()):
             power = f", {self.mean_power_w[k]:.5e} W +- {self.half_width_w[k]:.1e} W" if np.isfinite(self.mean_power_w[k]) else ""
             lines.append((f"{self.start_s[k]:.3f} s to {self.end_s[k]:.3f} s", f"rms {self.rms[k]:.5e} {self.unit}, {name}{power}"))
