@@ -1,8 +1,8 @@
 """Measures a study of many short runs over gap, frequency and load: its time beside that of its marches, its memory, what kills lose.
 
 `python bench/python_study.py --help` lists the options. Needs the package with its extra `dask`; load on the machine falls on all
-figures, so leave it alone meanwhile. The table must come out bit by bit the same on threads, after the kills and through Dask: where it does
-not, this ends with an error.
+figures, so leave it alone meanwhile. The table must come out bit by bit the same on threads, after the kills and through Dask: where
+it does not, this ends with an error.
 """
 
 from __future__ import annotations

@@ -54,7 +54,7 @@ from .regimes import RegimesResult, regimes
 from .run import RunResult, State
 from .signal import Spectrum, spectrum, write_recording
 from .spec import Spec
-from .starters import new, starters
+from .starters import new, schema, starters
 from .study import Study
 from .study_result import StudyResult, StudyStatus, StudyTable
 from .sweep import SweepResult
@@ -138,6 +138,7 @@ __all__ = [
     "read",
     "read_recordings",
     "regimes",
+    "schema",
     "spectrum",
     "starters",
     "write_recording",

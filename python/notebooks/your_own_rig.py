@@ -44,8 +44,8 @@ modes
 # %% [markdown]
 # ## The model follows
 #
-# The thickness was known to 5 %, the three frequencies are good to 0.1 %. The fit is to modes at short circuit; the load of 1 Mohm lifts the
-# measured ones by up to 0.08 %.
+# The thickness was known to 5 %, the three frequencies are good to 0.1 %. The fit is to modes at short circuit; the load of 1 Mohm
+# lifts the measured ones by up to 0.08 %.
 
 # %%
 measured = [{"number": number, "frequency": f"{hz} Hz"} for number, hz in enumerate(modes.frequency_hz, start=2)]

@@ -70,7 +70,7 @@ mod _core {
     #[pymodule_export]
     use super::signal::spectrum;
     #[pymodule_export]
-    use super::spec::{Spec, quantity_si};
+    use super::spec::{Spec, quantity_si, schema};
     #[pymodule_export]
     use super::starters::{starter, starters};
     #[pymodule_export]

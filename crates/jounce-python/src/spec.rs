@@ -1,5 +1,6 @@
 //! A spec: its text, and what the text says.
 
+use crate::branch::json;
 use crate::failure::Failure;
 use jounce::march::Watch;
 use jounce::spec::{KeyRange, NumericKey, Quantity, SpecFile};
@@ -140,6 +141,12 @@ impl Spec {
         let manifest = options.iter().fold(manifest, |manifest, (name, value)| manifest.with(name, value));
         serde_json::to_string(&manifest).unwrap_or_default()
     }
+}
+
+/// The JSON Schema of a spec.
+#[pyfunction]
+pub fn schema() -> PyResult<String> {
+    json(&jounce::spec::schema())
 }
 
 /// A quantity as text, in SI: kind is `time`, `frequency`, `length`, `resistance`, `mass` or `force`.
