@@ -33,7 +33,8 @@ def recordings(given: Measured, sample_rate_hz: Any = None) -> list[Recording]:
     """One recording or several in a list; a list of SEP005 time series, or of numbers, is one."""
     if isinstance(given, (list, tuple)) and not given:
         raise ArgumentError("there is no recording; give at least one")
-    several = isinstance(given, (list, tuple)) and any(isinstance(one, (Recording, RecordedFile, str, PathLike, list)) for one in given)
+    kinds = (Recording, RecordedFile, str, PathLike, list, np.ndarray)
+    several = isinstance(given, (list, tuple)) and any(isinstance(one, kinds) for one in given)
     return [recording(one, sample_rate_hz) for one in given] if several else [recording(given, sample_rate_hz)]
 
 

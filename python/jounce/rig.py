@@ -55,6 +55,8 @@ class SpecOnRig(SpecText):
             test = {"point": hammer, "at": names(at), "hold": names(hold), "hits": hits, "block_s": positive_si("time", block, "block")}
             test |= {"peak_force_n": positive_si("force", peak, "peak"), "contact_time_s": positive_si("time", contact, "contact")}
             return Recording._of(_core.rig_struck(self._spec, sensors, test), manifest)
+        if at or hold:
+            raise ArgumentError("at and hold are those of a hammer test; name the point to strike with hammer=")
         answer, ended = _core.rig_shaken(self._spec, sensors)
         if ended is not None:
             raise Interrupted(None) if isinstance(ended, KeyboardInterrupt) else ended

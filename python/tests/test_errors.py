@@ -237,6 +237,7 @@ def test_rigs_and_fits_that_cannot_be_had_are_told(harvester, tmp_path):
         (lambda: harvester.rig(hammer="beam.tip", hold=["beam"]), jounce.StructureError, "only a mass"),
         (lambda: harvester.rig(hammer="beam.tip", noise=-1.0), jounce.ArgumentError, "noise"),
         (lambda: harvester.rig(hammer="beam.tip", hits=-1), jounce.ArgumentError, "hits is -1"),
+        (lambda: harvester.rig(at=["beam.tip"]), jounce.ArgumentError, "hammer="),
         (lambda: harvester.rig(rate="1 kg"), jounce.ArgumentError, "a frequency is due"),
         (lambda: harvester.fit(3), jounce.ArgumentError, "of type int"),
         (lambda: harvester.fit({}), jounce.FitError, "no key is free: .*; no mode is given"),

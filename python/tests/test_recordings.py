@@ -91,6 +91,7 @@ def test_every_form_of_a_recording_gives_the_same():
         ([other, series], None),
         ({**series, "fs": 2000.0, "time": np.arange(len(volts)) / 2000.0}, None),
         (jounce.Recording.of(volts, 2000.0, units="V"), None),
+        (jounce.Recording.of(series).to_sep005(), None),
         (jounce.Recording.of({"a": other["data"], "u": 1e3 * volts}, 2000.0, units={"a": "g", "u": "mV"}), None),
         (jounce.Recording.of(pint.UnitRegistry().Quantity(1e3 * volts, "mV"), 2000.0), None),
     ]
@@ -101,6 +102,8 @@ def test_every_form_of_a_recording_gives_the_same():
         assert found.order_amplitude_peak_v[0, list(found.order).index(1.0)] == pytest.approx(2.0, rel=1e-9)
         # Its batches of 16.25 cycles differ a little.
         assert 0.0 < found.half_width_w[0] < 1e-3 * found.mean_power_w[0]
+    two = jounce.power([volts, 2.0 * volts], ["100 kohm", "400 kohm"], sample_rate_hz=2000.0)
+    assert two.mean_power_w[0] == two.mean_power_w[1] and len(two.to_pandas()) == 2
 
 
 def test_power_against_the_load_is_that_of_the_command_line(shaken, command_line, tmp_path):
