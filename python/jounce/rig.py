@@ -81,9 +81,12 @@ class SpecOnRig(SpecText):
 
 
 def features(tables: Mapping[str, Any]) -> str:
-    """Features as TOML, their modes as an array of tables."""
-    modes = tables.get("mode", [])
-    if isinstance(modes, Mapping) or not isinstance(modes, Sequence) or not all(isinstance(one, Mapping) for one in modes):
-        raise ArgumentError('mode is no list of dicts; give [{"number": 1, "frequency": "9.01 Hz"}]')
-    text = toml({key: value for key, value in tables.items() if key != "mode"})
-    return text + "".join(f"\n[[mode]]\n{toml(one)}" for one in modes)
+    """Features as TOML; a list of dicts is an array of tables, ``[[mode]]``."""
+    lists = {key: value for key, value in tables.items() if _is_list_of_tables(value)}
+    text = toml({key: value for key, value in tables.items() if key not in lists})
+    return text + "".join(f"\n[[{key}]]\n{toml(one)}" for key, each in lists.items() for one in each)
+
+
+def _is_list_of_tables(value: Any) -> bool:
+    is_list = isinstance(value, Sequence) and not isinstance(value, str) and len(value) > 0
+    return is_list and all(isinstance(one, Mapping) for one in value)
