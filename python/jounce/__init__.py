@@ -14,34 +14,47 @@ from os import PathLike
 from ._core import VERSION as __version__
 from .basins import BasinsResult
 from .branch import Branch, BranchResult
+from .contact import ContactResult, Pulse, contact
 from .diagram import DiagramResult
 from .ensemble import EnsembleResult
 from .errors import (
     ArgumentError,
     ConvergenceError,
+    ExploreError,
     Fault,
     FileError,
+    FitError,
     Interrupted,
     JounceError,
     MarchError,
     OrbitError,
     PlantError,
+    RecordingError,
     SpecError,
     StartError,
     StructureError,
     StudyError,
 )
 from .examples import Examples, examples
+from .explore import Explorer, explore
+from .finding import Finding
+from .fit import FitResult
 from .frf import FrfResult
 from .history import History
 from .jumps import JumpCurve, JumpsResult
 from .materials import Material, Materials, materials
+from .measured_frf import ImpactHit, MeasuredFrf, measured_frf
+from .measured_modes import MeasuredModes, measured_modes
 from .modes import ModesResult
 from .noise import NoiseResult
+from .power import PowerResult, power
+from .recorded_file import ModeShape, RecordedFile, read_recordings
+from .recording import Channel, Recording
+from .regimes import RegimesResult, regimes
 from .run import RunResult, State
 from .signal import Spectrum, spectrum, write_recording
 from .spec import Spec
-from .starters import new, starters
+from .starters import new, schema, starters
 from .study import Study
 from .study_result import StudyResult, StudyStatus, StudyTable
 from .sweep import SweepResult
@@ -53,18 +66,26 @@ __all__ = [
     "Beam",
     "Branch",
     "BranchResult",
+    "Channel",
     "Circuit",
+    "ContactResult",
     "ConvergenceError",
     "Damping",
     "DiagramResult",
     "Drive",
     "EnsembleResult",
     "Examples",
+    "ExploreError",
+    "Explorer",
     "Fault",
     "FileError",
+    "Finding",
+    "FitError",
+    "FitResult",
     "FrfResult",
     "Gravity",
     "History",
+    "ImpactHit",
     "Interrupted",
     "JounceError",
     "JumpCurve",
@@ -74,13 +95,22 @@ __all__ = [
     "Mass",
     "Material",
     "Materials",
+    "MeasuredFrf",
+    "MeasuredModes",
     "Modal",
+    "ModeShape",
     "ModesResult",
     "NoiseResult",
     "OrbitError",
     "Patch",
     "PlantError",
+    "PowerResult",
+    "Pulse",
+    "RecordedFile",
+    "Recording",
+    "RecordingError",
     "Reduction",
+    "RegimesResult",
     "Run",
     "RunResult",
     "Spec",
@@ -97,10 +127,18 @@ __all__ = [
     "StudyTable",
     "SweepResult",
     "__version__",
+    "contact",
     "examples",
+    "explore",
     "materials",
+    "measured_frf",
+    "measured_modes",
     "new",
+    "power",
     "read",
+    "read_recordings",
+    "regimes",
+    "schema",
     "spectrum",
     "starters",
     "write_recording",

@@ -12,6 +12,9 @@ from .errors import ArgumentError, Fault, SpecError
 from .quantity import is_quantity, plain, texts_of, toml
 from .result import Floats
 
+#: The largest number that a count or a seed may be.
+MOST_WHOLE = 2**32 - 1
+
 
 def of_tables(tables: Mapping[str, Any]) -> _core.Spec:
     """A spec of Python objects: its faults have no place in a text."""
@@ -32,6 +35,46 @@ def si(kind: str, value: Any, what: str) -> float:
     """A quantity in SI units."""
     made = plain(value, what)
     return _core.quantity_si(kind, made if isinstance(made, str) else repr(made))
+
+
+def optional_si(kind: str, value: Any, what: str) -> float | None:
+    """A positive quantity in SI units, where it is given."""
+    if value is None:
+        return None
+    found = si(kind, value, what)
+    if not 0.0 < found < np.inf:
+        raise ArgumentError(f"{what} is {value}; it must be above 0")
+    return found
+
+
+def positive_si(kind: str, value: Any, what: str) -> float:
+    """A positive quantity in SI units."""
+    found = optional_si(kind, value, what)
+    if found is None:
+        raise ArgumentError(f"{what} is missing")
+    return found
+
+
+def check_wholes(**numbers: int | None) -> None:
+    """Refuses numbers that nothing can be counted by; what is no whole number at all is a TypeError of the call itself."""
+    wrong = [f"{name} is {value}" for name, value in numbers.items() if isinstance(value, int) and not 0 <= value <= MOST_WHOLE]
+    if wrong:
+        raise ArgumentError(f"{', '.join(wrong)}; give a whole number from 0 to {MOST_WHOLE}")
+
+
+def rate_hz(given: Any) -> float:
+    """Samples per second: a number, or a frequency with its unit."""
+    if given is None:
+        raise ArgumentError("give the samples per second, in Hz")
+    if is_quantity(given) or isinstance(given, str):
+        return positive_si("frequency", given, "the sample rate")
+    try:
+        found = float(given)
+    except (TypeError, ValueError) as error:
+        raise ArgumentError(f"{given!r} is no sample rate; give the samples per second, in Hz") from error
+    if not 0.0 < found < np.inf:
+        raise ArgumentError(f"there are {given} samples per second; give a number greater than 0")
+    return found
 
 
 def frequencies(given: Any) -> Floats:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import dataclasses
 import json
 from collections.abc import Iterator
-from typing import Any, Self
+from typing import Annotated, Any, Self
 
 import numpy as np
 
-from .result import Data, Floats, Integers, Result, Truths, Variable, html_table
+from .result import Along, Data, Floats, Integers, Result, Truths, Variable, described, html_table
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -19,15 +19,15 @@ class Branch(Data):
     period_cycles: int
     #: Value of the key, SI.
     parameter: Floats
-    mean_power_w: Floats
-    voltage_rms_v: Floats
-    stable: Truths
+    mean_power_w: Annotated[Floats, Along("point", "W", "mean power of all loads")]
+    voltage_rms_v: Annotated[Floats, Along("point", "V", "voltage of the first load, rms")]
+    stable: Annotated[Truths, Along("point", "1", "attracts")]
     #: Largest modulus of a Floquet multiplier.
-    floquet_max_abs: Floats
-    contacts_per_period: Integers
-    max_penetration_m: Floats
+    floquet_max_abs: Annotated[Floats, Along("point", "1", "largest modulus of a Floquet multiplier")]
+    contacts_per_period: Annotated[Integers, Along("point", "1", "contacts that begin in a period")]
+    max_penetration_m: Annotated[Floats, Along("point", "m", "largest penetration of the stop")]
     #: Estimated relative error of the state.
-    error_estimate: Floats
+    error_estimate: Annotated[Floats, Along("point", "1", "estimated relative error of the state")]
     #: ``"fold"``, ``"period-doubling"``, ``"neimark-sacker"``, ``"branch-point"``, ``"grazing"``.
     bifurcation_kind: list[str]
     bifurcation_parameter: Floats
@@ -44,19 +44,6 @@ class Branch(Data):
 
     def __len__(self) -> int:
         return len(self.parameter)
-
-
-#: Fields of a branch with a value for each point: name in a dataset, unit, what it is.
-_ALONG = {
-    "parameter": ("parameter", None, None),
-    "mean_power_w": ("mean_power", "W", "mean power of all loads"),
-    "voltage_rms_v": ("voltage_rms", "V", "voltage of the first load, rms"),
-    "stable": ("stable", "1", "attracts"),
-    "floquet_max_abs": ("floquet_max_abs", "1", "largest modulus of a Floquet multiplier"),
-    "contacts_per_period": ("contacts_per_period", "1", "contacts that begin in a period"),
-    "max_penetration_m": ("max_penetration", "m", "largest penetration of the stop"),
-    "error_estimate": ("error_estimate", "1", "estimated relative error of the state"),
-}
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -112,9 +99,8 @@ class BranchResult(Result):
 
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset`` over ``point`` (all branches one after the other, ``branch`` tells them apart) and ``bifurcation``."""
-        variables = {}
-        for field, (name, units, about) in _ALONG.items():
-            variables[name] = Variable(("point",), self._joined(field), units or self.unit, about or self.key)
+        variables = {"parameter": Variable(("point",), self._joined("parameter"), self.unit, self.key)}
+        variables |= {along.name(field): along.of(self._joined(field)) for field, along in described(Branch).items()}
         periods = np.repeat(np.array([one.period_cycles for one in self.branches], dtype=np.int64), [len(one) for one in self.branches])
         owners = [number for number, one in enumerate(self.branches) for _ in one.bifurcation_kind]
         variables |= {
@@ -131,7 +117,8 @@ class BranchResult(Result):
     def to_pandas(self) -> Any:
         """A ``pandas.DataFrame`` with a row for each point of each branch."""
         periods = np.repeat([one.period_cycles for one in self.branches], [len(one) for one in self.branches])
-        return self._frame({"branch": self._numbers(), "period_cycles": periods, **{field: self._joined(field) for field in _ALONG}})
+        along = {field: self._joined(field) for field in ("parameter", *described(Branch))}
+        return self._frame({"branch": self._numbers(), "period_cycles": periods, **along})
 
     def bifurcations_to_pandas(self) -> Any:
         """A ``pandas.DataFrame`` with a row for each bifurcation."""

@@ -8,13 +8,16 @@ from typing import Any
 __all__ = [
     "ArgumentError",
     "ConvergenceError",
+    "ExploreError",
     "Fault",
     "FileError",
+    "FitError",
     "Interrupted",
     "JounceError",
     "MarchError",
     "OrbitError",
     "PlantError",
+    "RecordingError",
     "SpecError",
     "StartError",
     "StructureError",
@@ -81,6 +84,18 @@ class MarchError(JounceError):
 
 class StudyError(JounceError):
     """A folder that does not fit a study, parts that are missing or damaged, another process at work."""
+
+
+class RecordingError(JounceError, ValueError):
+    """A recording that cannot give what is asked of it: too short, without a signal, without a hit, its samples not where they could be."""
+
+
+class FitError(JounceError, ValueError):
+    """Features that say nothing clear, a key or a mode that the harvester has not, or a fit that does not converge."""
+
+
+class ExploreError(JounceError):
+    """A live page that cannot be served."""
 
 
 class OrbitError(JounceError):

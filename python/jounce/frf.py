@@ -6,12 +6,9 @@ import dataclasses
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .errors import ArgumentError
-from .result import Floats, Result, Variable
-
-Complexes = NDArray[np.complex128]
+from .result import Complexes, Floats, Result, Variable
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)

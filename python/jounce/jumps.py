@@ -59,7 +59,7 @@ class JumpsResult(Result):
             *((f"curve {k}", f"{one.kind} of period {one.period_cycles}, {len(one)} points") for k, one in enumerate(self.curves)),
         ]
 
-    def _columns(self) -> dict[str, Any]:
+    def _table(self) -> dict[str, Any]:
         def joined(field: str) -> Any:
             return np.concatenate([getattr(one, field) for one in self.curves]) if self.curves else np.empty(0)
 
@@ -77,7 +77,7 @@ class JumpsResult(Result):
 
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset`` over ``point``: all curves one after the other, told apart by ``curve``."""
-        columns = self._columns()
+        columns = self._table()
         about = {
             "curve": ("curve", "1", "number of the curve"),
             "kind": ("kind", "", "what happens"),
@@ -93,7 +93,7 @@ class JumpsResult(Result):
 
     def to_pandas(self) -> Any:
         """A ``pandas.DataFrame`` with a row for each point of each curve."""
-        return self._frame(self._columns())
+        return self._frame(self._table())
 
     def plot_jumps(self, ax: Any = None) -> Any:
         """Draws the curves over the plane of the two keys."""

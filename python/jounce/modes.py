@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any
+from typing import Annotated, Any
 
-from .result import Floats, Result, Variable, html_table
+from .result import Along, Floats, Result, Variable, html_table
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -13,23 +13,23 @@ class ModesResult(Result):
     """Undamped short-circuit modes, in ascending frequency."""
 
     #: Natural frequencies, Hz; 0 for a rigid-body mode. Shape ``(mode,)``.
-    frequency_hz: Floats
+    frequency_hz: Annotated[Floats, Along("mode", "Hz", "natural frequency, short circuit")]
     #: Damping ratios (1 = critical). Shape ``(mode,)``.
-    damping_ratio: Floats
+    damping_ratio: Annotated[Floats, Along("mode", "1", "damping ratio")]
     #: Estimated relative error of each frequency. Shape ``(mode,)``.
-    discretisation_error: Floats
+    discretisation_error: Annotated[Floats, Along("mode", "1", "estimated relative error of the frequency")]
     #: Names of the points.
     point: list[str]
     #: Mass-normalised shapes, kg^-1/2. Shape ``(point, mode)``.
-    shape: Floats
+    shape: Annotated[Floats, Along("point mode", "kg^-0.5", "mass-normalised shape")]
     #: Names of the patches.
     patch: list[str]
     #: Frequencies with a patch open, that mode alone, Hz; NaN for a rigid-body mode. Shape ``(patch, mode)``.
-    open_circuit_hz: Floats
+    open_circuit_hz: Annotated[Floats, Along("patch mode", "Hz", "frequency with the patch open")]
     #: Modal coupling ``theta^2 / (C w^2)``. Shape ``(patch, mode)``.
-    coupling_squared: Floats
+    coupling_squared: Annotated[Floats, Along("patch mode", "1", "modal coupling, squared")]
     #: Modal coupling ``theta``, force per voltage along each mass-normalised mode, N/V per kg^1/2. Shape ``(patch, mode)``.
-    coupling_n_per_v: Floats
+    coupling_n_per_v: Annotated[Floats, Along("patch mode", "N V^-1 kg^-0.5", "modal coupling", "coupling")]
     #: Per beam: places along it, m, and the shapes there, kg^-1/2, shape ``(mode, place)``.
     beams: dict[str, tuple[Floats, Floats]]
     #: Masses that were held still.
@@ -53,15 +53,7 @@ class ModesResult(Result):
 
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset`` over ``mode``, ``point`` and ``patch``; shapes along a beam over ``place_BEAM``."""
-        variables = {
-            "frequency": Variable(("mode",), self.frequency_hz, "Hz", "natural frequency, short circuit"),
-            "damping_ratio": Variable(("mode",), self.damping_ratio, "1", "damping ratio"),
-            "discretisation_error": Variable(("mode",), self.discretisation_error, "1", "estimated relative error of the frequency"),
-            "shape": Variable(("point", "mode"), self.shape, "kg^-0.5", "mass-normalised shape"),
-            "open_circuit": Variable(("patch", "mode"), self.open_circuit_hz, "Hz", "frequency with the patch open"),
-            "coupling_squared": Variable(("patch", "mode"), self.coupling_squared, "1", "modal coupling, squared"),
-            "coupling": Variable(("patch", "mode"), self.coupling_n_per_v, "N V^-1 kg^-0.5", "modal coupling"),
-        }
+        variables = self._variables()
         coords = {
             "mode": Variable(("mode",), range(1, len(self) + 1), "1", "number of the mode"),
             "point": Variable(("point",), self.point, "", "point"),
@@ -74,13 +66,8 @@ class ModesResult(Result):
 
     def to_pandas(self) -> Any:
         """A ``pandas.DataFrame`` with a row for each mode."""
-        columns = {
-            "frequency_hz": self.frequency_hz,
-            "damping_ratio": self.damping_ratio,
-            "discretisation_error": self.discretisation_error,
-        }
         couplings = {f"coupling_squared_{name}": self.coupling_squared[k] for k, name in enumerate(self.patch)}
-        return self._frame({**columns, **couplings})
+        return self._frame({**self._columns("mode"), **couplings})
 
     def plot_modes(self, ax: Any = None, modes: int = 4) -> Any:
         """Draws the shapes of the first modes along the beams, each scaled to 1."""

@@ -3,27 +3,10 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Self
+from typing import Annotated, Any, Self
 
 from .errors import ArgumentError
-from .result import Floats, Result, Variable
-
-#: Fields with a value for each load, patch, point or stop: what they are over, name in a dataset, unit, what it is.
-_EACH = {
-    "load_power_w": ("load", "load_power", "W", "mean power, by the Lyapunov equation"),
-    "load_spectral_power_w": ("load", "load_spectral_power", "W", "mean power, by the integral over frequency"),
-    "load_power_difference_relative": ("load", "load_power_difference_relative", "1", "difference of the two over the first"),
-    "load_voltage_rms_v": ("load", "load_voltage_rms", "V", "voltage, rms"),
-    "load_statistical_bandwidth_hz": ("load", "load_statistical_bandwidth", "Hz", "statistical bandwidth of the voltage"),
-    "patch_voltage_rms_v": ("patch", "patch_voltage_rms", "V", "voltage, rms"),
-    "point_displacement_rms_m": ("point", "point_displacement_rms", "m", "displacement, rms about its mean"),
-    "point_velocity_rms_m_s": ("point", "point_velocity_rms", "m/s", "velocity, rms"),
-    "stop_gap_m": ("stop", "stop_gap", "m", "gap"),
-    "stop_mean_m": ("stop", "stop_mean", "m", "mean displacement towards the stop"),
-    "stop_displacement_rms_m": ("stop", "stop_displacement_rms", "m", "displacement towards the stop, rms about its mean"),
-    "stop_reached_hz": ("stop", "stop_reached", "1/s", "how often the gap would be reached"),
-    "stop_share_beyond": ("stop", "stop_share_beyond", "1", "share of the time beyond the gap"),
-}
+from .result import Along, Floats, Result, Variable
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -37,34 +20,34 @@ class NoiseResult(Result):
     drive: list[str]
     left_out: list[str]
     #: Mean power of all loads, W.
-    mean_power_w: float
+    mean_power_w: Annotated[float, Along("", "W", "mean power of all loads")]
     #: Names of the circuits; arrays of shape ``(load,)``.
     load: list[str]
     #: Mean power by the Lyapunov equation and by the integral over frequency, W, and their difference over the first.
-    load_power_w: Floats
-    load_spectral_power_w: Floats
-    load_power_difference_relative: Floats
+    load_power_w: Annotated[Floats, Along("load", "W", "mean power, by the Lyapunov equation")]
+    load_spectral_power_w: Annotated[Floats, Along("load", "W", "mean power, by the integral over frequency")]
+    load_power_difference_relative: Annotated[Floats, Along("load", "1", "difference of the two over the first")]
     #: Voltage, rms, V.
-    load_voltage_rms_v: Floats
+    load_voltage_rms_v: Annotated[Floats, Along("load", "V", "voltage, rms")]
     #: Noise bandwidth of the voltage per unit of each drive, Hz; of shape ``(load, drive)``.
-    load_noise_bandwidth_hz: Floats
+    load_noise_bandwidth_hz: Annotated[Floats, Along("load drive", "Hz", "noise bandwidth of the voltage per unit of a drive")]
     #: Statistical bandwidth of the voltage, Hz.
-    load_statistical_bandwidth_hz: Floats
+    load_statistical_bandwidth_hz: Annotated[Floats, Along("load", "Hz", "statistical bandwidth of the voltage")]
     #: Names of the patches, and their voltages, rms, V; of shape ``(patch,)``.
     patch: list[str]
-    patch_voltage_rms_v: Floats
+    patch_voltage_rms_v: Annotated[Floats, Along("patch", "V", "voltage, rms")]
     #: Names of the points; displacement about its mean, rms, m, relative to the base where that moves, and velocity, rms, m/s.
     point: list[str]
-    point_displacement_rms_m: Floats
-    point_velocity_rms_m_s: Floats
+    point_displacement_rms_m: Annotated[Floats, Along("point", "m", "displacement, rms about its mean")]
+    point_velocity_rms_m_s: Annotated[Floats, Along("point", "m/s", "velocity, rms")]
     #: Names of the stops; their gap, and displacement towards them without them: its mean, and rms about that, m; of shape ``(stop,)``.
     stop: list[str]
-    stop_gap_m: Floats
-    stop_mean_m: Floats
-    stop_displacement_rms_m: Floats
+    stop_gap_m: Annotated[Floats, Along("stop", "m", "gap")]
+    stop_mean_m: Annotated[Floats, Along("stop", "m", "mean displacement towards the stop")]
+    stop_displacement_rms_m: Annotated[Floats, Along("stop", "m", "displacement towards the stop, rms about its mean")]
     #: How often the gap would be reached, 1/s, and the share of the time beyond it.
-    stop_reached_hz: Floats
-    stop_share_beyond: Floats
+    stop_reached_hz: Annotated[Floats, Along("stop", "1/s", "how often the gap would be reached")]
+    stop_share_beyond: Annotated[Floats, Along("stop", "1", "share of the time beyond the gap")]
     #: Frequencies of the densities, Hz, closer about each resonance.
     frequency_hz: Floats
     #: Density of each output by its name, ``"mfc.voltage"``, ``"beam.tip.displacement"``; of shape ``(frequency,)``.
@@ -104,11 +87,7 @@ class NoiseResult(Result):
 
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset``: densities over ``frequency``, the rest over ``load``, ``drive``, ``patch``, ``point`` and ``stop``."""
-        variables = {"mean_power": Variable((), self.mean_power_w, "W", "mean power of all loads")}
-        for field, (over, name, units, about) in _EACH.items():
-            variables[name] = Variable((over,), getattr(self, field), units, about)
-        bandwidth = (("load", "drive"), self.load_noise_bandwidth_hz, "Hz", "noise bandwidth of the voltage per unit of a drive")
-        variables["load_noise_bandwidth"] = Variable(*bandwidth)
+        variables = self._variables()
         for name, values in self.densities.items():
             about = f"{name}, one-sided power spectral density"
             variables[f"{name}_psd"] = Variable(("frequency",), values, self.units[name], about)

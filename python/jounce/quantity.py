@@ -19,10 +19,14 @@ def is_quantity(value: Any) -> bool:
     return hasattr(value, "to_base_units") and hasattr(value, "magnitude")
 
 
+def unit_of(value: Any) -> str:
+    """The SI unit of a quantity."""
+    return format(value.to_base_units().units, "~C")
+
+
 def texts_of(value: Any, what: str) -> list[str]:
     """Each number of an array with a unit as text, ``["10.0 1/s", "11.0 1/s"]``."""
-    base = value.to_base_units()
-    unit = format(base.units, "~C")
+    base, unit = value.to_base_units(), unit_of(value)
     numbers = np.atleast_1d(np.asarray(base.magnitude, dtype=float))
     if numbers.ndim != 1:
         raise ArgumentError(f"{what} has {numbers.ndim} axes; give one number or a list of numbers", {"axes": int(numbers.ndim)})

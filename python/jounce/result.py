@@ -6,17 +6,19 @@ import dataclasses
 import html
 import json
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple, Self
+from typing import Any, NamedTuple, Self, get_args, get_type_hints
 
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _core
 from .errors import Interrupted
 from .optional import needed
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Truths = NDArray[np.bool_]
+Complexes = NDArray[np.complex128]
 
 
 class Variable(NamedTuple):
@@ -26,6 +28,32 @@ class Variable(NamedTuple):
     values: Any
     units: str
     long_name: str
+
+
+class Along(NamedTuple):
+    """What a field of a result is in a dataset, said where the field is: ``power_w: Annotated[Floats, Along("record", "W", "power")]``."""
+
+    #: Names of its axes, with blanks between; empty for a number.
+    axes: str
+    unit: str
+    about: str
+    #: Name in a dataset, which tells the unit apart; by default that of the field without its unit.
+    called: str = ""
+
+    def name(self, field: str) -> str:
+        """Name in a dataset."""
+        written = {"1/s": "hz"}.get(self.unit, self.unit.lower().replace("^", "").replace("/", "_").replace(" ", "_"))
+        return self.called or field.removesuffix(f"_{written}")
+
+    def of(self, values: Any) -> Variable:
+        """The variable of these values."""
+        return Variable(tuple(self.axes.split()), values, self.unit, self.about)
+
+
+def described(kind: type) -> dict[str, Along]:
+    """Fields of a class that are part of its dataset."""
+    hints = get_type_hints(kind, include_extras=True)
+    return {field: found for field, hint in hints.items() for found in get_args(hint)[1:] if isinstance(found, Along)}
 
 
 class Data:
@@ -76,6 +104,14 @@ class Result(Data):
     def _repr_html_(self) -> str:
         return html_table(type(self).__name__, ["", ""], self._summary())
 
+    def _variables(self) -> dict[str, Variable]:
+        """The fields that say what they are in a dataset."""
+        return {along.name(field): along.of(getattr(self, field)) for field, along in described(type(self)).items()}
+
+    def _columns(self, axis: str) -> dict[str, Any]:
+        """The fields along one axis, by their own names."""
+        return {field: getattr(self, field) for field, along in described(type(self)).items() if along.axes == axis}
+
     def _dataset(self, variables: Mapping[str, Variable], coords: Mapping[str, Variable]) -> Any:
         """An xarray.Dataset with units, long names and the manifest in its attributes."""
         xarray = needed("xarray", "xarray")
@@ -110,6 +146,17 @@ def _same(a: Any, b: Any) -> bool:
     if isinstance(a, (list, tuple)) and isinstance(b, (list, tuple)):
         return len(a) == len(b) and all(map(_same, a, b))
     return bool(a == b or (a != a and b != b))
+
+
+def column(rows: Sequence[Mapping[str, Any]], name: str) -> Floats:
+    """Numbers of a name in each of the rows; NaN where there is none."""
+    return np.array([np.nan if row.get(name) is None else row[name] for row in rows], dtype=np.float64)
+
+
+def made_manifest(command: str, **options: Any) -> dict[str, Any]:
+    """Where an answer comes from that needs no spec; options of ``None`` are those that were not given."""
+    given = {name: str(value) for name, value in options.items() if value is not None}
+    return {"created_by": "jounce", "version": _core.VERSION, "spec_sha256": "", "options": {"command": command, **given}}
 
 
 def html_table(title: str, header: Sequence[str], rows: Sequence[Sequence[object]]) -> str:

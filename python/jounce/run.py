@@ -6,11 +6,11 @@ import dataclasses
 import json
 from os import PathLike
 from pathlib import Path
-from typing import Any, Self
+from typing import Annotated, Any, Self
 
-from .errors import ArgumentError, StartError
+from .errors import ArgumentError, FileError, StartError
 from .history import History
-from .result import Floats, Integers, Result, Variable
+from .result import Along, Floats, Integers, Result, Variable
 
 
 @dataclasses.dataclass(frozen=True)
@@ -29,7 +29,10 @@ class State:
 
     def write(self, path: str | PathLike[str]) -> None:
         """Writes a state file."""
-        Path(path).write_text(self.json, encoding="utf-8")
+        try:
+            Path(path).write_text(self.json, encoding="utf-8")
+        except OSError as error:
+            raise FileError(f"the state {path} cannot be written: {error}") from error
 
     def to_dict(self) -> dict[str, Any]:
         """Modal displacements and velocities, voltages and drive angles, SI."""
@@ -42,34 +45,34 @@ class RunResult(Result):
     """Means over the averaging window at the end of a run, and the audit of the whole run."""
 
     #: Mean power of all loads and rectified circuits together, W.
-    mean_power_w: float
+    mean_power_w: Annotated[float, Along("", "W", "mean power of all loads and rectified circuits")]
     #: Names of the loads; mean power, W, and rms voltage, V, of each.
     load: list[str]
-    load_power_w: Floats
-    load_voltage_rms_v: Floats
+    load_power_w: Annotated[Floats, Along("load", "W", "mean power")]
+    load_voltage_rms_v: Annotated[Floats, Along("load", "V", "voltage, rms")]
     #: Names of the rectified circuits; of each the mean power into its load or battery, W, the voltage of its storage, rms, V, the mean
     #: current of its diodes, A, and the mean power lost in diodes, in the switch and by leakage, W.
     rectified: list[str]
-    rectified_power_w: Floats
-    rectified_voltage_rms_v: Floats
-    rectified_current_a: Floats
-    rectified_diode_loss_w: Floats
-    rectified_switch_loss_w: Floats
-    rectified_leakage_w: Floats
+    rectified_power_w: Annotated[Floats, Along("rectified", "W", "mean power")]
+    rectified_voltage_rms_v: Annotated[Floats, Along("rectified", "V", "voltage of the storage, rms")]
+    rectified_current_a: Annotated[Floats, Along("rectified", "A", "mean current of the diodes")]
+    rectified_diode_loss_w: Annotated[Floats, Along("rectified", "W", "mean power lost in diodes")]
+    rectified_switch_loss_w: Annotated[Floats, Along("rectified", "W", "mean power lost in the switch")]
+    rectified_leakage_w: Annotated[Floats, Along("rectified", "W", "mean power lost by leakage")]
     #: Names of the stops; of each the contacts that began, the share of the time in contact, the largest penetration, m, the largest
     #: contact force, N, and its time integral, N s.
     stop: list[str]
-    stop_contacts: Integers
-    stop_contact_duty: Floats
-    stop_max_penetration_m: Floats
-    stop_max_contact_force_n: Floats
-    stop_impulse_n_s: Floats
+    stop_contacts: Annotated[Integers, Along("stop", "1", "contacts that began")]
+    stop_contact_duty: Annotated[Floats, Along("stop", "1", "share of the time in contact")]
+    stop_max_penetration_m: Annotated[Floats, Along("stop", "m", "largest penetration")]
+    stop_max_contact_force_n: Annotated[Floats, Along("stop", "N", "largest contact force")]
+    stop_impulse_n_s: Annotated[Floats, Along("stop", "N s", "time integral of the contact force")]
     #: Largest penetration of any stop, m, and largest contact force, N.
-    max_penetration_m: float
-    max_contact_force_n: float
+    max_penetration_m: Annotated[float, Along("", "m", "largest penetration of the stop")]
+    max_contact_force_n: Annotated[float, Along("", "N", "largest contact force")]
     #: Contacts that began, and the share of the time in contact, summed over the stops.
-    contacts: int
-    contact_duty: float
+    contacts: Annotated[int, Along("", "1", "contacts that began")]
+    contact_duty: Annotated[float, Along("", "1", "share of the time in contact")]
     #: Has the run settled, on what period in drive cycles, with what relative change over it, how far from the orbit? ``None`` and NaN
     #: where the drives do not repeat themselves, so that there is nothing to settle to.
     settled: bool | None
@@ -79,7 +82,7 @@ class RunResult(Result):
     #: Limits of patches that the recorded end of the run has passed, in words.
     warnings: list[str]
     #: Input less all outputs and what is stored, over the largest energy of the run.
-    energy_residual_relative: float
+    energy_residual_relative: Annotated[float, Along("", "1", "energy residual of the march")]
     #: Energies of the whole run, J: ``input_j``, ``loads_j``, ``rectified_j`` (into loads and batteries behind rectifiers),
     #: ``rectified_loss_j`` (in their diodes and switches, and by leakage), ``damping_j``, ``contact_loss_j``, ``stored_j``.
     energies_j: dict[str, float]
@@ -129,32 +132,12 @@ class RunResult(Result):
 
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset`` of the means, over ``load``, ``rectified`` and ``stop``; the record has one in ``run.history``."""
-        scalars = {
-            "mean_power": (self.mean_power_w, "W", "mean power of all loads and rectified circuits"),
-            "max_penetration": (self.max_penetration_m, "m", "largest penetration of the stop"),
-            "max_contact_force": (self.max_contact_force_n, "N", "largest contact force"),
-            "contacts": (self.contacts, "1", "contacts that began"),
-            "contact_duty": (self.contact_duty, "1", "share of the time in contact"),
-            "settled": (bool(self.settled), "1", "settled when it was averaged"),
-            "period_cycles": (self.period_cycles or 0, "1", "period in drive cycles, 0 for none"),
-            "energy_residual_relative": (self.energy_residual_relative, "1", "energy residual of the march"),
+        told = {
+            "settled": Variable((), bool(self.settled), "1", "settled when it was averaged"),
+            "period_cycles": Variable((), self.period_cycles or 0, "1", "period in drive cycles, 0 for none"),
         }
-        variables = {name: Variable((), value, units, about) for name, (value, units, about) in scalars.items()}
-        variables["load_power"] = Variable(("load",), self.load_power_w, "W", "mean power")
-        variables["load_voltage_rms"] = Variable(("load",), self.load_voltage_rms_v, "V", "voltage, rms")
-        variables["rectified_power"] = Variable(("rectified",), self.rectified_power_w, "W", "mean power")
-        variables["rectified_voltage_rms"] = Variable(("rectified",), self.rectified_voltage_rms_v, "V", "voltage of the storage, rms")
-        variables["rectified_current"] = Variable(("rectified",), self.rectified_current_a, "A", "mean current of the diodes")
-        variables["rectified_diode_loss"] = Variable(("rectified",), self.rectified_diode_loss_w, "W", "mean power lost in diodes")
-        variables["rectified_switch_loss"] = Variable(("rectified",), self.rectified_switch_loss_w, "W", "mean power lost in the switch")
-        variables["rectified_leakage"] = Variable(("rectified",), self.rectified_leakage_w, "W", "mean power lost by leakage")
-        variables["stop_contacts"] = Variable(("stop",), self.stop_contacts, "1", "contacts that began")
-        variables["stop_contact_duty"] = Variable(("stop",), self.stop_contact_duty, "1", "share of the time in contact")
-        variables["stop_max_penetration"] = Variable(("stop",), self.stop_max_penetration_m, "m", "largest penetration")
-        variables["stop_max_contact_force"] = Variable(("stop",), self.stop_max_contact_force_n, "N", "largest contact force")
-        variables["stop_impulse"] = Variable(("stop",), self.stop_impulse_n_s, "N s", "time integral of the contact force")
         coords = {name: Variable((name,), getattr(self, name), "", name) for name in ("load", "rectified", "stop")}
-        return self._dataset(variables, coords)
+        return self._dataset({**self._variables(), **told}, coords)
 
     def to_pandas(self) -> Any:
         """A ``pandas.DataFrame`` with one row."""

@@ -10,8 +10,11 @@ from typing import Any
 import numpy as np
 
 from . import _core
+from .arguments import rate_hz
 from .errors import ArgumentError, FileError
-from .result import Floats, Result, Variable
+from .quantity import is_quantity, unit_of
+from .result import Floats, Result, Variable, made_manifest
+from .sep005 import checked, even_rate_hz, numbers
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -49,12 +52,13 @@ class Spectrum(Result):
 
 def spectrum(values: Any, sample_rate_hz: float | None = None, *, name: str = "signal", unit: str = "") -> Spectrum:
     """The amplitude spectrum of evenly spaced samples, or of a time series in the form of SEP005."""
-    row, rate_hz = _samples(values, sample_rate_hz)
+    row, row_rate_hz = _samples(values, sample_rate_hz)
     if isinstance(values, Mapping):
         name, unit = values["name"], values["unit_str"]
-    frequency_hz, amplitude_peak = _core.spectrum(row, rate_hz)
-    manifest = {"created_by": "jounce", "version": _core.VERSION, "options": {"command": "spectrum"}}
-    return Spectrum(manifest, name, unit, frequency_hz, amplitude_peak)
+    elif is_quantity(values):
+        unit = unit_of(values)
+    frequency_hz, amplitude_peak = _core.spectrum(row, row_rate_hz)
+    return Spectrum(made_manifest("spectrum"), name, unit, frequency_hz, amplitude_peak)
 
 
 def write_recording(path: str | PathLike[str], values: Any, sample_rate_hz: float | None = None) -> None:
@@ -62,10 +66,10 @@ def write_recording(path: str | PathLike[str], values: Any, sample_rate_hz: floa
 
     ``jounce.Drive(kind="base-acceleration", signal="recording", file=PATH, scale="1 m/s^2")``; ``scale`` says what the value 1 stands for.
     """
-    row, rate_hz = _samples(values, sample_rate_hz)
+    row, row_rate_hz = _samples(values, sample_rate_hz)
     if not np.isfinite(row).all() or len(row) < 2:
         raise ArgumentError("a recording needs two samples at least, all of them finite")
-    times = np.arange(len(row)) / rate_hz
+    times = np.arange(len(row)) / row_rate_hz
     try:
         with open(path, "w", encoding="utf-8", newline="\n") as file:
             file.write("time_s,value\n")
@@ -77,28 +81,5 @@ def write_recording(path: str | PathLike[str], values: Any, sample_rate_hz: floa
 def _samples(values: Any, sample_rate_hz: float | None) -> tuple[Floats, float]:
     """Samples and their rate, Hz."""
     if isinstance(values, Mapping):
-        missing = [key for key in ("data", "name", "unit_str") if key not in values]
-        if missing:
-            raise ArgumentError(f"a SEP005 time series has data, name and unit_str; missing: {', '.join(missing)}")
-        values, sample_rate_hz = values["data"], _rate(values)
-    if sample_rate_hz is None:
-        raise ArgumentError("give the samples per second, in Hz")
-    if not 0.0 < float(sample_rate_hz) < np.inf:
-        raise ArgumentError(f"there are {sample_rate_hz} samples per second; give a number greater than 0")
-    try:
-        row = np.asarray(values, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise ArgumentError(f"the samples are no numbers: {error}") from error
-    if row.ndim != 1:
-        raise ArgumentError(f"the samples have {row.ndim} axes; give one", {"axes": row.ndim})
-    return row, float(sample_rate_hz)
-
-
-def _rate(series: Mapping[str, Any]) -> float:
-    if "fs" in series:
-        return float(series["fs"])
-    time = np.asarray(series.get("time", ()), dtype=np.float64)
-    steps = np.diff(time)
-    if len(steps) == 0 or not np.allclose(steps, steps[0], rtol=1e-6):
-        raise ArgumentError("a SEP005 time series needs its sample rate `fs`, or evenly spaced `time`")
-    return float(1.0 / steps.mean())
+        values, sample_rate_hz = checked(values)["data"], even_rate_hz(values)
+    return numbers(values, "the samples"), rate_hz(sample_rate_hz)

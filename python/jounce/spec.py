@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import tomllib
-from collections.abc import Iterator, Mapping, Sequence
-from os import PathLike, fspath
-from typing import Any, Literal, Self
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal
 
 import numpy as np
 
 from . import _core
-from .arguments import frequencies, names, of_tables
+from .arguments import check_wholes, frequencies, names
 from .arguments import si as in_si
 from .basins import BasinsResult
 from .branch import BranchResult
@@ -22,13 +20,13 @@ from .jumps import JumpsResult
 from .modes import ModesResult
 from .noise import NoiseResult
 from .progress import Progress, told
-from .quantity import setting, sides, span, values
-from .result import html_table
+from .quantity import sides, span, values
+from .rig import SpecOnRig
 from .run import RunResult, State
 from .sweep import SweepResult
 
 
-class Spec:
+class Spec(SpecOnRig):
     """A harvester, always valid: a change that would make it wrong raises :class:`jounce.SpecError` with every fault, and changes nothing.
 
     Parameters
@@ -41,120 +39,7 @@ class Spec:
     Quantities are text with a unit, ``"0.5 mm"``, or quantities of pint. A number without a unit is refused.
     """
 
-    __slots__ = ("_spec",)
-    _spec: _core.Spec
-
-    def __init__(self, source: str | Mapping[str, Any] | None = None, /, **tables: Any) -> None:
-        if isinstance(source, str) and not tables:
-            if "\n" not in source and source.endswith(".toml"):
-                raise ArgumentError(f"{source} is the name of a file: read it with jounce.read({source!r})")
-            self._spec = _core.Spec(source, "")
-        elif source is None or isinstance(source, Mapping):
-            self._spec = of_tables({**(source or {}), **tables})
-        else:
-            raise ArgumentError(f"a spec is made of TOML text or of a dict, not of {type(source).__name__}")
-
-    @classmethod
-    def _of(cls, core: _core.Spec) -> Self:
-        spec = cls.__new__(cls)
-        spec._spec = core
-        return spec
-
-    @classmethod
-    def read(cls, path: str | PathLike[str]) -> Self:
-        """Reads a TOML file; a state file that it names is looked for beside it."""
-        return cls._of(_core.Spec.read(fspath(path)))
-
-    def write(self, path: str | PathLike[str]) -> None:
-        """Writes the text to a file, comments and layout kept; the file appears whole or not at all."""
-        self._spec.write(fspath(path))
-
-    def to_toml(self, canonical: bool = False) -> str:
-        """The text, comments and layout kept; or in canonical form: every key that applies, with its default."""
-        return self._spec.to_toml() if canonical else self._spec.text
-
-    def to_dict(self, canonical: bool = False) -> dict[str, Any]:
-        """The tables; ``Spec(spec.to_dict()) == spec``."""
-        return tomllib.loads(self.to_toml(canonical))
-
-    def set(self, key: str | Mapping[str, Any], value: Any = None) -> None:
-        """Sets a key, ``spec.set("stop.tip.gap", "0.5 mm")``, or several at once with a dict."""
-        pairs = key if isinstance(key, Mapping) else {key: value}
-        self._spec = self._spec.with_keys([(str(name), setting(item, str(name))) for name, item in pairs.items()])
-
-    def changed(self, keys: Mapping[str, Any]) -> Self:
-        """A copy with keys set."""
-        spec = self.copy()
-        spec.set(keys)
-        return spec
-
-    def copy(self) -> Self:
-        """A copy that can be changed on its own."""
-        return self._of(self._spec)
-
-    __copy__ = copy
-
-    def __deepcopy__(self, memo: object) -> Self:
-        return self.copy()
-
-    def __setitem__(self, key: str, value: Any) -> None:
-        self.set(key, value)
-
-    def __getitem__(self, key: str) -> Any:
-        """What the text says of a key, or its default; a table as a dict."""
-        for canonical in (False, True):
-            found: Any = self.to_dict(canonical)
-            for part in key.split("."):
-                found = found.get(part) if isinstance(found, dict) else None
-            if found is not None:
-                return found
-        raise KeyError(key)
-
-    def si(self, key: str) -> float:
-        """The number of a key in SI units."""
-        return self._spec.number(key)[0]
-
-    def unit(self, key: str) -> str:
-        """The SI unit of a key; empty for a plain number."""
-        return self._spec.number(key)[1]
-
-    @property
-    def sha256(self) -> str:
-        """Digest of the canonical form: the same for two specs that say the same."""
-        return self._spec.hash_hex()
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Spec):
-            return NotImplemented
-        return self.to_toml(canonical=True) == other.to_toml(canonical=True)
-
-    __hash__ = None  # type: ignore[assignment]
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return (_again, (type(self), self._spec.text, str(self._spec.folder)))
-
-    def _lines(self) -> Iterator[tuple[str, str]]:
-        for kind, things in self.to_dict().items():
-            if all(isinstance(thing, dict) for thing in things.values()):
-                for name, keys in things.items():
-                    yield f"{kind}.{name}", _shown(keys)
-            else:
-                yield kind, _shown(things)
-
-    def __repr__(self) -> str:
-        lines = list(self._lines())
-        width = max(len(name) for name, _ in lines)
-        return "\n".join(["<jounce.Spec>", *(f"  {name:<{width}}  {keys}" for name, keys in lines)])
-
-    def _repr_html_(self) -> str:
-        drawing, _ = self._spec.drawing("")
-        return drawing + html_table("Spec", ["", ""], list(self._lines()))
-
-    def plot_harvester(self, ax: Any = None, title: str = "Harvester") -> Any:
-        """Draws the harvester to scale, the drawing of ``jounce show``."""
-        from .plot.harvester import plot_harvester
-
-        return plot_harvester(self._spec.drawing(title), ax)
+    __slots__ = ()
 
     def modes(self, hold: Sequence[str] = ()) -> ModesResult:
         """Natural frequencies, damping ratios, couplings and shapes, with some masses held still."""
@@ -183,6 +68,7 @@ class Spec:
         Densities are told at ``points`` frequencies from ``low`` to ``high``, by default over the band of the noise, and at more about each
         resonance.
         """
+        check_wholes(points=points)
         low_hz = None if low is None else in_si("frequency", low, "low")
         high_hz = None if high is None else in_si("frequency", high, "high")
         return NoiseResult._made(_core.noise(self._spec, low_hz, high_hz, points))
@@ -221,6 +107,7 @@ class Spec:
         ``range``: ``"10 Hz:14 Hz:0.5 Hz"`` (step), ``"10 Hz:14 Hz:9x"`` (number), ``"1 kohm:1 Mohm:9log"``, a list of quantities, or
         numbers with their ``unit``. Each point marches until it has settled, or for ``run.duration`` with ``fixed_duration``.
         """
+        check_wholes(threads=threads)
         text = values(range, unit, key)
         with told(progress) as tell:
             return SweepResult._handed(_core.sweep(self._spec, key, text, direction, fixed_duration, tolerance, threads, tell))
@@ -239,6 +126,7 @@ class Spec:
         progress: bool | Progress | None = None,
     ) -> BranchResult:
         """Follows every branch of periodic answers over ``range = "12 Hz:13 Hz"`` of a key, stable or not."""
+        check_wholes(harmonics=harmonics, seeds=seeds, longest_period=longest_period, threads=threads)
         ends = span(range, key)
         with told(progress) as tell:
             found = _core.branch(self._spec, key, ends, method, harmonics, tolerance, seeds, longest_period, threads, tell)
@@ -259,6 +147,7 @@ class Spec:
         progress: bool | Progress | None = None,
     ) -> JumpsResult:
         """Follows the places where the answer jumps (folds, doublings, tori, grazings) over two keys, and the ``peaks`` of power."""
+        check_wholes(seeds=seeds, longest_period=longest_period, threads=threads)
         ends = (span(range, key), span(range_2, key_2))
         with told(progress) as tell:
             found = _core.jumps(self._spec, (key, key_2), *ends, tolerance, seeds, longest_period, peaks, threads, tell)
@@ -280,6 +169,7 @@ class Spec:
         The starts are a seeded cloud, ``spread`` gaps wide, or every combination of the sides of a ``grid``:
         ``{"displacement": "-5 mm:5 mm:21x", "velocity": ("-1 m/s", "1 m/s", 21)}``, and ``"voltage"``.
         """
+        check_wholes(starts=starts, seed=seed, threads=threads)
         with told(progress) as tell:
             return BasinsResult._handed(_core.basins(self._spec, starts, seed, spread, sides(grid), tolerance, threads, tell))
 
@@ -305,6 +195,7 @@ class Spec:
         ``"starts"`` marches at each value from a cloud of starts and follows the attractors from value to value; the other directions carry
         the state over. ``range`` is as in :meth:`sweep`; ``cycles`` is how many points a motion without a period shows.
         """
+        check_wholes(starts=starts, seed=seed, cycles=cycles, longest_period=longest_period, threads=threads)
         text = values(range, unit, key)
         cloud = (starts, seed, spread)
         with told(progress) as tell:
@@ -327,14 +218,7 @@ class Spec:
         With ``relative_width``, rounds of so many ``members`` are added until half the interval of the mean power is this share of it.
         With ``spectrum``, of two members at least, the power spectral density of every voltage and its bandwidth are estimated as well.
         """
+        check_wholes(members=members, seed=seed, threads=threads)
         with told(progress) as tell:
             found = _core.ensemble(self._spec, members, seed, relative_width, spectrum, tolerance, threads, tell)
             return EnsembleResult._handed(found)
-
-
-def _again(kind: type[Spec], text: str, folder: str) -> Spec:
-    return kind._of(_core.Spec(text, folder))
-
-
-def _shown(keys: Mapping[str, Any]) -> str:
-    return ", ".join(f"{key} = {value}" if not isinstance(value, dict) else f"{key}: {_shown(value)}" for key, value in keys.items())

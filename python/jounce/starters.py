@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import json
+from typing import Any
+
 from . import _core
 from .spec import Spec
 
@@ -17,3 +20,9 @@ def new(kind: str) -> Spec:
     :func:`jounce.starters` lists the kinds. The numbers are plausible, not those of a device; ``spec.to_toml()`` tells what each key is.
     """
     return Spec(_core.starter(kind))
+
+
+def schema() -> dict[str, Any]:
+    """The JSON Schema (draft-07) of a spec, for editors: what ``jounce schema`` prints."""
+    found: dict[str, Any] = json.loads(_core.schema())
+    return found

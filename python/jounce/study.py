@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from . import _core
+from .arguments import check_wholes
 from .errors import ArgumentError, Interrupted
 from .progress import Progress, told
 from .quantity import plain, toml
@@ -94,6 +95,7 @@ class Study:
 
     def point(self, index: int) -> list[float]:
         """Values of the keys at a point, SI."""
+        check_wholes(index=index)
         return self._study.point(index)
 
     def to_toml(self, spec: str | PathLike[str] | None = None) -> str:
@@ -127,6 +129,10 @@ class Study:
         ``Client.get_executor()``. Parts are written as they are finished, whole or not at all: a call that was stopped or killed goes on
         from there. ``shard="3/8"`` takes every eighth part; the table is there once no part is missing.
         """
+        check_wholes(threads=threads)
+        if executor is not None and not callable(getattr(executor, "submit", None)):
+            kind = type(executor).__name__
+            raise ArgumentError(f"executor is of type {kind}; give one of concurrent.futures, or Dask's client.get_executor()")
         folder = fspath(out)
         with told(progress) as tell:
             if executor is None:

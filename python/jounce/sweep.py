@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Self
+from typing import Annotated, Any, Self
 
 import numpy as np
 
-from .result import Floats, Integers, Result, Truths, Variable, html_table
+from .result import Along, Floats, Integers, Result, Truths, Variable, html_table
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -21,19 +21,14 @@ class SweepResult(Result):
     parameter: Floats
     #: How each point was reached: ``"up"``, ``"down"``, ``"independent"``.
     direction: list[str]
-    #: Mean power of all loads, W.
-    mean_power_w: Floats
-    #: Voltage of the first load, rms, V.
-    voltage_rms_v: Floats
-    max_penetration_m: Floats
-    #: Contacts per second.
-    contact_rate_hz: Floats
-    #: Had it settled when it was averaged?
-    settled: Truths
-    period_cycles: Integers
-    energy_residual_relative: Floats
-    #: Time marched, s.
-    marched_s: Floats
+    mean_power_w: Annotated[Floats, Along("visit", "W", "mean power of all loads")]
+    voltage_rms_v: Annotated[Floats, Along("visit", "V", "voltage of the first load, rms")]
+    max_penetration_m: Annotated[Floats, Along("visit", "m", "largest penetration of the stop")]
+    contact_rate_hz: Annotated[Floats, Along("visit", "1/s", "contacts per second")]
+    settled: Annotated[Truths, Along("visit", "1", "settled when it was averaged")]
+    period_cycles: Annotated[Integers, Along("visit", "1", "period in drive cycles")]
+    energy_residual_relative: Annotated[Floats, Along("visit", "1", "energy residual of the march")]
+    marched_s: Annotated[Floats, Along("visit", "s", "time marched")]
 
     def __len__(self) -> int:
         return len(self.parameter)
@@ -53,18 +48,6 @@ class SweepResult(Result):
         shown: list[list[object]] = rows if len(rows) <= 20 else [*rows[:10], list("…" * 5), *rows[-10:]]
         return html_table(f"Sweep over {self.key}", [f"[{self.unit}]", "direction", "mean power [W]", "voltage, rms [V]", "settled"], shown)
 
-    def _variables(self, dims: tuple[str, ...]) -> dict[str, Variable]:
-        return {
-            "mean_power": Variable(dims, self.mean_power_w, "W", "mean power of all loads"),
-            "voltage_rms": Variable(dims, self.voltage_rms_v, "V", "voltage of the first load, rms"),
-            "max_penetration": Variable(dims, self.max_penetration_m, "m", "largest penetration of the stop"),
-            "contact_rate": Variable(dims, self.contact_rate_hz, "1/s", "contacts per second"),
-            "settled": Variable(dims, self.settled, "1", "settled when it was averaged"),
-            "period_cycles": Variable(dims, self.period_cycles, "1", "period in drive cycles"),
-            "energy_residual_relative": Variable(dims, self.energy_residual_relative, "1", "energy residual of the march"),
-            "marched": Variable(dims, self.marched_s, "s", "time marched"),
-        }
-
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset`` over ``visit``, with ``parameter`` and ``direction`` as further coordinates."""
         coords = {
@@ -72,12 +55,11 @@ class SweepResult(Result):
             "parameter": Variable(("visit",), self.parameter, self.unit, self.key),
             "direction": Variable(("visit",), self.direction, "", "how the point was reached"),
         }
-        return self._dataset(self._variables(("visit",)), coords)
+        return self._dataset(self._variables(), coords)
 
     def to_pandas(self) -> Any:
         """A ``pandas.DataFrame`` with a row for each point."""
-        skipped = ("manifest", "key", "unit")
-        return self._frame({field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.name not in skipped})
+        return self._frame({"parameter": self.parameter, "direction": self.direction, **self._columns("visit")})
 
     def going(self, direction: str) -> Self:
         """The points of one direction, by ascending value of the key."""

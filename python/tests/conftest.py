@@ -26,6 +26,15 @@ def same(found, wanted):
     np.testing.assert_array_equal(np.asarray(found), np.asarray(wanted))
 
 
+def recordings(harvester):
+    """A hammer test of the clamped beam, a tone that grows, and two pulses of force."""
+    struck = {"hammer": "beam.hammer", "at": ["beam.tip"], "hold": ["table"], "hits": 2, "block": "4 s", "contact": "8 ms"}
+    time_s = np.arange(0.0, 8.0, 1e-3)
+    tones = np.sin(20.0 * np.pi * time_s) * np.where(time_s < 4.0, 1.0, 3.0)
+    pulses = np.tile(np.concatenate([np.zeros(2000), np.sin(np.pi * np.arange(1, 20) / 20.0), np.zeros(2000)]), 2)
+    return harvester.rig(**struck, rate="512 Hz", noise=0.001), jounce.Recording.of(tones, 1000.0, units="V"), pulses
+
+
 @pytest.fixture
 def harvester():
     return jounce.read(SPEC)

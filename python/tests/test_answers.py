@@ -1,6 +1,9 @@
 """Answers are those of the command line, bit by bit, and behave as data."""
 
+import json
+import os
 import pickle
+import subprocess
 
 import numpy as np
 import pint
@@ -149,6 +152,12 @@ def test_starters_are_those_of_the_command_line(command_line):
         spec = jounce.new(kind)
         assert spec.to_toml() == command_line("new", kind, spec=None)["spec"]
         assert spec.modes().frequency_hz.size > 0, kind
+
+
+def test_the_schema_is_that_of_the_command_line():
+    program = os.environ.get("JOUNCE_BIN") or next(p for p in (ROOT / "target/release/jounce", ROOT / "target/debug/jounce") if p.exists())
+    told = subprocess.run([program, "schema"], capture_output=True, check=True).stdout
+    assert jounce.schema() == json.loads(told) and "stop" in jounce.schema()["properties"]
 
 
 def test_responses_to_the_base_are_those_of_the_command_line(command_line):

@@ -4,6 +4,7 @@ import json
 
 import numpy as np
 import pytest
+from conftest import recordings
 
 import jounce
 
@@ -33,10 +34,33 @@ def results():
         "diagram": harvester.diagram(FREQUENCY, "12.9 Hz:13 Hz:2x", direction="starts", starts=2, branches=False),
         "ensemble": noisy().ensemble(members=3, spectrum=True),
         "noise": noisy().noise(points=20),
+        **measured(harvester),
+    }
+
+
+def measured(harvester):
+    """What recordings give."""
+    hits, tones, pulses = recordings(harvester)
+    return {
+        "recording": tones,
+        "power": jounce.power([tones, tones], ["1 kohm", "2 kohm"], drive="10 Hz"),
+        "regimes": jounce.regimes(tones, "10 Hz", resistance="1 kohm"),
+        "contact": jounce.contact(pulses, sample_rate_hz=1e4, mass="0.1 kg"),
+        "measured frf": jounce.measured_frf(hits, end_ratio=0.01),
+        "measured modes": jounce.measured_modes(hits, end_ratio=0.01, between="20 Hz:200 Hz"),
+        "fit": harvester.fit(
+            {
+                "hold": ["table"],
+                "frequency_deviation": 0.01,
+                "free": {"beam.beam.thickness": 0.05, "beam.beam.density": 0.01},
+                "mode": [{"number": 1, "frequency": "8.8 Hz"}, {"number": 2, "frequency": "51 Hz"}],
+            }
+        ),
     }
 
 
 NAMES = ["modes", "frf", "run", "history", "spectrum", "sweep", "branch", "jumps", "basins", "diagram", "ensemble", "noise"]
+NAMES += ["recording", "power", "regimes", "contact", "measured frf", "measured modes", "fit"]
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -94,10 +118,11 @@ def test_data_frames_hold_the_same_numbers(results, name):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_every_result_pickles(results, name):
+def test_every_result_pickles_and_prints(results, name):
     import pickle
 
     assert pickle.loads(pickle.dumps(results[name])) == results[name]
+    assert repr(results[name]).startswith("<jounce.") and "<table>" in results[name]._repr_html_()
 
 
 def test_jumps_pass_through_the_bifurcations_and_peaks_of_a_branch(results):

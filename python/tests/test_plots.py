@@ -6,6 +6,7 @@ import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from conftest import recordings
 
 import jounce
 
@@ -35,6 +36,26 @@ def drawn():
         "ensemble": noisy.ensemble(members=8).plot_ensemble,
         "spectra": noisy.ensemble(members=8, spectrum=True).plot_spectra,
         "noise": noisy.noise().plot_noise,
+        **measured(harvester),
+    }
+
+
+def measured(harvester):
+    hits, tones, pulses = recordings(harvester)
+    power = jounce.power([tones, tones], ["1 kohm", "2 kohm"])
+    modes = jounce.measured_modes(hits, end_ratio=0.01, between="20 Hz:200 Hz")
+    fit = {"frequency_deviation": 0.01, "free": {"beam.beam.thickness": 0.05}, "mode": [{"number": 1, "frequency": "9 Hz"}]}
+    return {
+        "recording": tones.plot_recording,
+        "power": power.plot_power,
+        "power spectra": power.plot_spectra,
+        "regimes": jounce.regimes(tones, "10 Hz").plot_regimes,
+        "contact": jounce.contact(pulses, sample_rate_hz=1e4).plot_contact,
+        "measured frf": modes.frf.plot_frf,
+        "coherence": modes.frf.plot_coherence,
+        "stabilisation": modes.plot_stabilisation,
+        "modal fit": modes.plot_fit,
+        "fit": harvester.fit({"hold": ["table"], **fit}).plot_fit,
     }
 
 
@@ -54,6 +75,16 @@ NAMES = [
     "ensemble",
     "spectra",
     "noise",
+    "recording",
+    "power",
+    "power spectra",
+    "regimes",
+    "contact",
+    "measured frf",
+    "coherence",
+    "stabilisation",
+    "modal fit",
+    "fit",
 ]
 
 

@@ -162,6 +162,11 @@ def test_what_is_wrong_is_told(study, harvester, tmp_path):
     for wrong in (lambda: jounce.Study("harvester.toml", VARY), lambda: jounce.Study(harvester, "stop.tip.gap"), lambda: study.point(99)):
         with pytest.raises(jounce.ArgumentError):
             wrong()
+    for wrong in (lambda: study.run(tmp_path / "a", executor=3), lambda: study.run(tmp_path / "a", threads=-1), lambda: study.point(-1)):
+        with pytest.raises(jounce.ArgumentError):
+            wrong()
+    with pytest.raises(jounce.SpecError, match='"0.5mm:1.5mm:4x" cannot be drawn from; drawn values need a range FROM:TO'):
+        jounce.Study(harvester, {"stop.tip.gap": "0.5mm:1.5mm:4x"}, sampling="random", points=4)
     with pytest.raises(jounce.SpecError, match="noise needs a drive"):
         jounce.Study(harvester, {"stop.tip.gap": "1mm"}, quantity="noise")
     with pytest.raises(jounce.ArgumentError, match="write I/N"):
@@ -182,6 +187,38 @@ def test_what_is_wrong_is_told(study, harvester, tmp_path):
     assert partly.status.damaged == [str(part)]
     whole = study.run(tmp_path / "b")
     assert whole.status.finished == 8 and not whole.status.damaged
+
+
+def test_two_processes_at_one_study_lose_nothing(study, table, tmp_path):
+    code = textwrap.dedent("""
+        import pickle, sys, jounce
+        study, out, shard = pickle.loads(sys.stdin.buffer.read())
+        try:
+            study.run(out, shard=shard, threads=1)
+        except jounce.StudyError as error:
+            print(error)
+    """)
+
+    def said(shard):
+        given = pickle.dumps((study, str(tmp_path / "out"), shard))
+        return subprocess.run([sys.executable, "-c", code], input=given, stdout=subprocess.PIPE, check=True).stdout.decode()
+
+    with ThreadPoolExecutor(2) as pool:
+        # Two at the whole of it: the second is told of the first, or comes when that is done.
+        both = list(pool.map(said, ["1/1", "1/1"]))
+        assert all(text == "" or "another process works on shard 1/1" in text for text in both) and "" in both
+        assert (tmp_path / "out/study.parquet").read_bytes() == table
+        # Two halves share it.
+        (tmp_path / "out/parts/part-000003.parquet").unlink()
+        assert list(pool.map(said, ["1/2", "2/2"])) == ["", ""]
+        assert (tmp_path / "out/study.parquet").read_bytes() == table
+
+
+@pytest.mark.skipif(os.name == "nt" or os.getuid() == 0, reason="whoever may write everywhere is refused nowhere")
+def test_a_folder_that_cannot_be_written_is_told(study, tmp_path):
+    tmp_path.chmod(0o500)
+    with pytest.raises(jounce.StudyError):
+        study.run(tmp_path / "out")
 
 
 def test_ctrl_c_keeps_what_is_finished(study, tmp_path):

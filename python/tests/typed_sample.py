@@ -30,3 +30,10 @@ def faults(text: str) -> list[tuple[int, int, str]]:
     except jounce.SpecError as error:
         return [(fault.line, fault.column, fault.message) for fault in error.faults]
     return []
+
+
+def measured(path: str, harvester: jounce.Spec) -> tuple[float, jounce.Spec]:
+    modes = jounce.measured_modes(path, between="20 Hz:350 Hz")
+    assert_type(modes, jounce.MeasuredModes)
+    fit = harvester.fit({"free": {"beam.beam.thickness": 0.05}, "mode": [{"number": 1, "frequency": f"{modes.frequency_hz[0]} Hz"}]})
+    return float(jounce.power(path, "1 kohm").mean_power_w[0]), fit.spec

@@ -6,7 +6,7 @@ use clap::Args;
 use jounce::spec::Quantity as Unit;
 use jounce::table::Manifest;
 use jounce_measure::read::{self, Contents};
-use jounce_measure::recording::{Channel, Over, Quantity, Recording};
+use jounce_measure::recording::{Channel, ChannelError, Over, Quantity, Recording};
 use sha2::{Digest, Sha256};
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -69,23 +69,11 @@ fn hash_hex(file: &Path) -> Result<String, Failure> {
 
 /// The channel of a name or number; without one, the only channel or the first of a quantity.
 pub fn channel<'a>(recording: &'a Recording, wanted: Option<&str>, quantity: Quantity, option: &str) -> Result<&'a Channel, Failure> {
-    let channel = match wanted {
-        Some(wanted) => recording.channel(wanted)?,
-        None => {
-            let of_quantity = recording.channels.iter().find(|channel| channel.quantity == quantity);
-            let only = recording.channels.first().filter(|_| recording.channels.len() == 1);
-            of_quantity.or(only).ok_or_else(|| {
-                let names: Vec<&str> = recording.channels.iter().map(|channel| channel.name.as_str()).collect();
-                Failure::usage(format!("name the channel with {option}; there are {}", names.join(", ")))
-            })?
-        }
-    };
-    // A channel that tells no unit may be what it is asked for; one that tells another is not.
-    if channel.quantity != quantity && channel.quantity != Quantity::Unknown {
-        let why = format!("{option}: channel {} is in {}, which is not the unit wanted here", channel.name, channel.unit);
-        return Err(Failure::Input(format!("{why}; choose another one, or correct its unit in the notes beside {}", recording.name)));
-    }
-    Ok(channel)
+    recording.choose(wanted, quantity).map_err(|error| match error {
+        ChannelError::Missing(error) => error.into(),
+        error @ ChannelError::Unnamed { .. } => Failure::usage(format!("{option}: {error}")),
+        error @ ChannelError::Unit { .. } => Failure::Input(format!("{option}: {error}")),
+    })
 }
 
 /// A positive quantity of an option.

@@ -86,12 +86,12 @@ fn ends(scale: &str, value: f64, (low, high): (f64, f64)) -> (f64, f64) {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use std::path::Path;
+    use crate::source::Source;
 
     #[test]
     fn every_number_of_the_paper_has_a_control() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/impact-harvester-2019/harvester.toml");
-        let design = Design::read(Path::new(path), &[]).unwrap();
+        let design = Design::read(&Source::File(path.into()), &[]).unwrap();
         let all = controls(&design);
         let find = |key: &str| all.iter().find(|control| control["key"] == key).cloned().unwrap_or_default();
         let gap = find("stop.tip.gap");

@@ -1,5 +1,6 @@
 //! The spec file with the overrides of a page.
 
+use crate::source::Source;
 use jounce::spec::{Fault, NumericKey, Spec, SpecFile};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -55,12 +56,12 @@ impl Wrong {
 }
 
 impl Design {
-    /// Reads the file as it is now and applies overrides of numbers.
+    /// Reads the spec as it is now and applies overrides of numbers.
     ///
     /// # Errors
     /// [`Wrong`]: a file that cannot be read, faults in it, an override of something that is no number, a value that is not allowed.
-    pub fn read(path: &Path, set: &[(String, String)]) -> Result<Self, Wrong> {
-        let mut file = SpecFile::read(path)?;
+    pub fn read(source: &Source, set: &[(String, String)]) -> Result<Self, Wrong> {
+        let mut file = source.read()?;
         if !set.is_empty() {
             // A page may change numbers only: no path of a file comes from it.
             let base = file.spec().map_err(|faults| Wrong::Faults(faults.as_slice().to_vec()))?;

@@ -19,10 +19,11 @@ fn look(path: &Path) -> Option<Look> {
     Some(Look { length: about.len(), changed: about.modified().ok()? })
 }
 
-/// Looks at a file for ever; what is returned counts its states.
-pub fn follow(path: PathBuf) -> watch::Receiver<u64> {
+/// Looks at a file for ever; what is returned counts its states. Without a file there is one state.
+pub fn follow(path: Option<PathBuf>) -> watch::Receiver<u64> {
     let (told, hears) = watch::channel(0);
     tokio::spawn(async move {
+        let Some(path) = path else { return told.closed().await };
         let mut before = look(&path);
         let mut pace = tokio::time::interval(LOOK);
         loop {

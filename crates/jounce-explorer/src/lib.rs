@@ -2,7 +2,7 @@
 //!
 //! # Contract
 //!
-//! One server belongs to one spec file. Its page holds the design as a list of overrides (`key`, `value`, as in `--set`); the server
+//! One server belongs to one spec: a file, or a text that no file holds ([`Source`]). Its page holds the design as a list of overrides (`key`, `value`, as in `--set`); the server
 //! keeps nothing between requests but what makes the next answer faster, and computes everything with the library.
 //!
 //! ```text
@@ -27,8 +27,8 @@
 //! *Return.* Port and token are kept in a file that only its owner may read, and taken again by the next server of the same spec: a page
 //! that has lost its server comes back with it.
 //!
-//! *Failure.* What is wrong with a design comes back as faults in the words of the command line, by key. The spec may change on disk: the
-//! page is told and asks again.
+//! *Failure.* What is wrong with a design comes back as faults in the words of the command line, by key. The file may change: the page is
+//! told and asks again.
 
 mod answers;
 mod assets;
@@ -53,8 +53,10 @@ mod server;
 mod session;
 mod shake;
 mod socket;
+mod source;
 mod sweep;
 
 pub use kept::state_folder;
 pub use launch::open_in_browser;
-pub use server::{ExploreError, Explorer, Limits, Options};
+pub use server::{ExploreError, Explorer, Limits, Options, Stopper};
+pub use source::Source;

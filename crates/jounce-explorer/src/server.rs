@@ -1,8 +1,9 @@
-//! The server: one address, one spec file.
+//! The server: one address, one spec.
 
 use crate::assets::{refused, serve};
 use crate::guard::{Guard, Refusal};
 use crate::kept::Kept;
+use crate::source::Source;
 use crate::{file_watch, socket};
 use axum::Router;
 use axum::extract::State;
@@ -12,7 +13,7 @@ use axum::http::{HeaderMap, Method, StatusCode, Uri};
 use axum::response::Response;
 use axum::serve::ListenerExt as _;
 use std::net::{Ipv4Addr, SocketAddr};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{Semaphore, watch};
@@ -23,13 +24,14 @@ const QUICK_PER_CORE: usize = 3;
 /// What a server is to do.
 #[derive(Debug, Clone)]
 pub struct Options {
-    /// The spec file.
-    pub spec: PathBuf,
+    /// The spec.
+    pub spec: Source,
     /// Overrides with which the page begins, as in `--set`.
     pub set: Vec<(String, String)>,
     /// Where to listen; by default a free port of the loopback interface.
     pub listen: Option<SocketAddr>,
-    /// The folder in which the address is kept, so that the next server of this spec has the same one; nothing is kept without it.
+    /// The folder in which the address is kept, so that the next server of this file has the same one; nothing is kept without it, or
+    /// of a spec that no file holds.
     pub keep: Option<PathBuf>,
     /// Limits.
     pub limits: Limits,
@@ -117,15 +119,16 @@ impl Explorer {
     /// # Errors
     /// [`ExploreError`].
     pub fn bind(options: Options) -> Result<Self, ExploreError> {
-        jounce::spec::SpecFile::read(&options.spec)?;
-        let kept = options.keep.as_ref().and_then(|folder| Kept::read(folder, &options.spec));
+        options.spec.read()?;
+        let keep = options.keep.as_deref().zip(options.spec.file());
+        let kept = keep.and_then(|(folder, spec)| Kept::read(folder, spec));
         let listener = listen(&options, kept.as_ref().map(|kept| kept.port))?;
         let address = listener.local_addr().map_err(|error| ExploreError::System(error.to_string()))?;
         let before = kept.filter(|kept| kept.port == address.port()).map(|kept| kept.token);
         let guard = Guard::new(address, before).map_err(|error| ExploreError::System(error.to_string()))?;
-        if let Some(folder) = &options.keep {
+        if let Some((folder, spec)) = keep {
             // Without it the page works all the same, until the server ends.
-            let _ = Kept { port: address.port(), token: guard.token().to_owned() }.write(folder, &options.spec);
+            let _ = Kept { port: address.port(), token: guard.token().to_owned() }.write(folder, spec);
         }
         Ok(Self { listener, address, guard, options, stop: watch::Sender::new(false) })
     }
@@ -162,7 +165,7 @@ impl Explorer {
             sockets: Arc::new(Semaphore::new(self.options.limits.sockets)),
             quick: Arc::new(Semaphore::new(QUICK_PER_CORE * cores.max(2))),
             long: Arc::new(Semaphore::new(1)),
-            versions: file_watch::follow(self.options.spec.clone()),
+            versions: file_watch::follow(self.options.spec.file().map(Path::to_path_buf)),
             stopped: self.stop.subscribe(),
             options: self.options,
         };

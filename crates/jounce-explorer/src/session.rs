@@ -16,7 +16,6 @@ use jounce::structure::{BeamShape, shapes_along_beams};
 use jounce::study::{Prepared, StudyError};
 use serde_json::json;
 use std::collections::BTreeMap;
-use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 use tokio::sync::mpsc;
 
@@ -69,7 +68,10 @@ impl Session {
     pub async fn greet(&self) {
         let mut frame = Frame::new(0, "hello", "done");
         let options = &self.host.options;
-        frame.put("file", options.spec.display().to_string()).put("set", json!(options.set)).put("jounce", env!("CARGO_PKG_VERSION"));
+        frame
+            .put("file", options.spec.name().display().to_string())
+            .put("set", json!(options.set))
+            .put("jounce", env!("CARGO_PKG_VERSION"));
         self.tell(frame).await;
     }
 
@@ -112,7 +114,7 @@ impl Session {
             };
             if let Some(wrong) = wrong.filter(|_| !halt.is_stopped() || halt.is_late()) {
                 let mut frame = Frame::new(id, name, "fault");
-                frame.put("faults", wrong.listed(&session.host.options.spec));
+                frame.put("faults", wrong.listed(session.host.options.spec.name()));
                 session.tell(frame).await;
             }
         });
@@ -124,7 +126,7 @@ impl Session {
         match &request.ask {
             Ask::Design => {
                 let mut frame = Frame::new(id, "design", "done");
-                let title = self.host.options.spec.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+                let title = self.host.options.spec.name().file_stem().unwrap_or_default().to_string_lossy().into_owned();
                 frame.put("drawing", drawing(&title, &design)).put("controls", controls(&design));
                 frame.put("drives", design.spec.drive.keys().cloned().collect::<Vec<_>>());
                 self.send(halt, frame);
@@ -135,10 +137,7 @@ impl Session {
             Ask::Sweep { range, points } => sweep::respond(self, id, &design, range, *points, halt),
             Ask::Load { over, points } => load::respond(self, id, &design, over, *points, halt),
             Ask::Basins { side } => basins::respond(self, id, &design, *side, halt),
-            Ask::Shake { by } => {
-                let folder = self.host.options.spec.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-                shake::respond(self, id, &design, by, folder, halt)
-            }
+            Ask::Shake { by } => shake::respond(self, id, &design, by, self.host.options.spec.folder(), halt),
             Ask::Export(over) => {
                 self.send(halt, self.export(id, &design, over, &request.set)?);
                 Ok(())
@@ -150,7 +149,7 @@ impl Session {
     /// The spec as text, and the lines that give the response on the screen.
     fn export(&self, id: u64, design: &Design, over: &Over, set: &[(String, String)]) -> Result<Frame, Wrong> {
         let key = design.range(&over.over, over.from, over.to)?;
-        let path = self.host.options.spec.display().to_string();
+        let path = self.host.options.spec.name().display().to_string();
         let range = format!("{}:{}", key.show(over.from), key.show(over.to));
         let sets: String = set.iter().map(|(key, value)| format!(" --set {}", quoted(&format!("{key}={value}")))).collect();
         let shell = format!("jounce branch {} --over {}{sets}", quoted(&path), quoted(&format!("{}={range}", key.path())));

@@ -7,13 +7,17 @@ mod diagram;
 mod driven;
 mod ensemble;
 mod examples;
+mod explore;
 mod failure;
+mod fit;
 mod frf;
 mod history;
 mod jumps;
 mod materials;
+mod measured;
 mod modes;
 mod noise;
+mod rig;
 mod run;
 mod signal;
 mod spec;
@@ -36,21 +40,37 @@ mod _core {
     #[pymodule_export]
     use super::examples::examples;
     #[pymodule_export]
+    use super::explore::Explorer;
+    #[pymodule_export]
+    use super::fit::fit;
+    #[pymodule_export]
     use super::frf::frf;
     #[pymodule_export]
     use super::jumps::jumps;
     #[pymodule_export]
     use super::materials::materials;
     #[pymodule_export]
+    use super::measured::contact::measured_contact;
+    #[pymodule_export]
+    use super::measured::hammer::{measured_frf, measured_modes};
+    #[pymodule_export]
+    use super::measured::power::measured_power;
+    #[pymodule_export]
+    use super::measured::recording::{recording_even, recording_given, recording_read, recording_write};
+    #[pymodule_export]
+    use super::measured::regimes::measured_regimes;
+    #[pymodule_export]
     use super::modes::modes;
     #[pymodule_export]
     use super::noise::noise;
+    #[pymodule_export]
+    use super::rig::{rig_shaken, rig_struck};
     #[pymodule_export]
     use super::run::run;
     #[pymodule_export]
     use super::signal::spectrum;
     #[pymodule_export]
-    use super::spec::{Spec, quantity_si};
+    use super::spec::{Spec, quantity_si, schema};
     #[pymodule_export]
     use super::starters::{starter, starters};
     #[pymodule_export]

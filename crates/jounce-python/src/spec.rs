@@ -1,5 +1,6 @@
 //! A spec: its text, and what the text says.
 
+use crate::branch::json;
 use crate::failure::Failure;
 use jounce::march::Watch;
 use jounce::spec::{KeyRange, NumericKey, Quantity, SpecFile};
@@ -142,13 +143,22 @@ impl Spec {
     }
 }
 
-/// A quantity as text, in SI: kind is `time`, `frequency` or `length`.
+/// The JSON Schema of a spec.
+#[pyfunction]
+pub fn schema() -> PyResult<String> {
+    json(&jounce::spec::schema())
+}
+
+/// A quantity as text, in SI: kind is `time`, `frequency`, `length`, `resistance`, `mass` or `force`.
 #[pyfunction]
 pub fn quantity_si(kind: &str, text: &str) -> PyResult<f64> {
     let quantity = match kind {
         "time" => Quantity::Time,
         "frequency" => Quantity::Frequency,
         "length" => Quantity::Length,
+        "resistance" => Quantity::Resistance,
+        "mass" => Quantity::Mass,
+        "force" => Quantity::Force,
         _ => return Err(PyValueError::new_err(format!("{kind}: no kind of quantity"))),
     };
     quantity.read(text).map_err(|error| Failure::new("ArgumentError", error).into())

@@ -17,6 +17,8 @@ def plot_modes(result: ModesResult, ax: Any = None, modes: int = 4) -> Any:
     """Draws the shapes of the first modes along the beams, each scaled to 1."""
     if not result.beams:
         raise ArgumentError("this harvester is given by its modes: there is no beam to draw them along")
+    if modes < 1:
+        raise ArgumentError(f"modes is {modes}; draw one at least")
     with axes(ax) as ax:
         for mode in range(min(modes, len(result))):
             scale = max(np.abs(shape[mode]).max() for _, shape in result.beams.values()) or 1.0

@@ -15,8 +15,6 @@ use std::path::Path;
 
 /// Pulses in the picture: more cannot be told apart.
 const SHOWN: usize = 6;
-/// Points of a law in the picture, for each sample of the pulse.
-const FINER: usize = 20;
 
 /// Arguments of `contact`.
 #[derive(Debug, Args)]
@@ -80,23 +78,8 @@ impl Contact {
             table.push(Column::new("speed_m_s", "m/s", "speed of the hammer", law(&|law| law.speed_m_s.unwrap_or(f64::NAN))))?;
         }
         output::table(folder, "contact", &table, &self.file.manifest("contact")?)?;
-        let drawn: Vec<Pulse> = found.iter().zip(fits).take(SHOWN).map(|(hit, law)| pulse(force, hit, law.as_ref().ok())).collect();
+        let drawn: Vec<Pulse> = found.iter().zip(fits).take(SHOWN).map(|(hit, law)| Pulse::of(force, hit, law.as_ref().ok())).collect();
         output::figure(folder, "contact-pulses", &pulses("Force pulses and the laws fitted to them", &drawn))
-    }
-}
-
-/// The samples of a hit, half its length on both sides too, and the law between them.
-fn pulse(force: &Samples<'_>, hit: &Hit, law: Option<&ContactFit>) -> Pulse {
-    let beside = (hit.end - hit.start) / 2 + 1;
-    let (first, last) = (hit.start.saturating_sub(beside), (hit.end + beside).min(force.values().len()));
-    let at = |k: f64| k / force.rate_hz();
-    let peak_s = at(hit.peak as f64);
-    let finer: Vec<f64> = (first * FINER..=(last - 1) * FINER).map(|k| at(k as f64 / FINER as f64)).collect();
-    Pulse {
-        label: format!("{peak_s:.4} s"),
-        time_s: (first..last).map(|k| at(k as f64) - peak_s).collect(),
-        force_n: force.values()[first..last].to_vec(),
-        law: law.map_or_else(Default::default, |law| (finer.iter().map(|t| t - peak_s).collect(), law.force_n(&finer))),
     }
 }
 

@@ -3,8 +3,9 @@
 use crate::client::{Served, paper};
 use jounce::spec::SpecFile;
 use jounce::study::{BranchSearch, Method, Parameter, Prepared};
-use jounce_explorer::Limits;
+use jounce_explorer::{Limits, Source};
 use serde_json::json;
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 #[tokio::test]
@@ -125,6 +126,24 @@ async fn exported_text_is_the_design() {
     assert_eq!(spec.stop["tip"].gap_m, 0.5e-3);
     let shell = heard.head["shell"].as_str().unwrap();
     assert!(shell.ends_with("--over 'drive.shaker.frequency=12 Hz:13 Hz' --set 'stop.tip.gap=0.5 mm'"), "{shell}");
+}
+
+/// A spec that no file holds is named after the file that the page would save it to, and leaves nothing behind.
+#[tokio::test]
+async fn a_spec_without_a_file_is_served() {
+    let keep = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(paper()).unwrap().replace("gap = \"1 mm\"", "gap = \"2 mm\"");
+    let source = Source::Text { text: text.clone(), folder: PathBuf::new() };
+    let served = Served::of(source, Limits::default(), Some(keep.path().to_path_buf()));
+    let mut page = served.page().await;
+    page.ask("design", json!({})).await;
+    page.until("design", "done").await;
+    page.ask("export", json!({ "over": "drive.shaker.frequency", "from": 12.0, "to": 13.0 })).await;
+    let heard = page.until("export", "done").await;
+    assert_eq!(heard.head["spec"].as_str(), Some(text.as_str()));
+    assert!(heard.head["python"].as_str().unwrap().contains("jounce.read(\"harvester.toml\")"));
+    assert!(heard.head["shell"].as_str().unwrap().starts_with("jounce branch harvester.toml "));
+    assert_eq!(std::fs::read_dir(keep.path()).unwrap().count(), 0);
 }
 
 /// The next server of a spec has the address of the one before; one beside it has another.

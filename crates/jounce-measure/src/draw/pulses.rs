@@ -1,6 +1,13 @@
 //! Force pulses of contacts and the laws fitted to them.
 
 use jounce::picture::{Axis, Colour, Figure, Marker, Panel, Series};
+use jounce::signal::Samples;
+
+use crate::contact::ContactFit;
+use crate::spectral::Hit;
+
+/// Points of a law for each sample of the pulse.
+const FINER: usize = 20;
 
 /// The samples of one pulse, and the law fitted to it.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,6 +20,23 @@ pub struct Pulse {
     pub force_n: Vec<f64>,
     /// Times and forces of the law; empty where none was fitted.
     pub law: (Vec<f64>, Vec<f64>),
+}
+
+impl Pulse {
+    /// The samples of a hit, half its length on both sides too, and the law between them.
+    pub fn of(force: &Samples<'_>, hit: &Hit, law: Option<&ContactFit>) -> Self {
+        let beside = (hit.end - hit.start) / 2 + 1;
+        let (first, last) = (hit.start.saturating_sub(beside), (hit.end + beside).min(force.values().len()));
+        let at = |k: f64| k / force.rate_hz();
+        let peak_s = at(hit.peak as f64);
+        let finer: Vec<f64> = (first * FINER..=(last - 1) * FINER).map(|k| at(k as f64 / FINER as f64)).collect();
+        Self {
+            label: format!("{peak_s:.4} s"),
+            time_s: (first..last).map(|k| at(k as f64) - peak_s).collect(),
+            force_n: force.values()[first..last].to_vec(),
+            law: law.map_or_else(Default::default, |law| (finer.iter().map(|t| t - peak_s).collect(), law.force_n(&finer))),
+        }
+    }
 }
 
 /// Pulses in one panel: rings for samples, lines for laws.

@@ -110,7 +110,8 @@ fn seconds(column: &RawChannel, over: Over, findings: &mut Vec<Finding>) -> Vec<
     column.values.iter().map(|t| t * factor).collect()
 }
 
-fn channel(mut column: RawChannel, said: ChannelNotes, findings: &mut Vec<Finding>) -> Channel {
+/// A column in SI.
+pub(super) fn channel(mut column: RawChannel, said: ChannelNotes, findings: &mut Vec<Finding>) -> Channel {
     if column.unit.get(..2).is_some_and(|start| start.eq_ignore_ascii_case("dB")) {
         findings.extend(column.made_linear());
     }

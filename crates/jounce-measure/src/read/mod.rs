@@ -13,6 +13,7 @@
 mod assemble;
 mod contents;
 mod error;
+mod given;
 mod lvm;
 mod mat;
 mod name;
@@ -26,4 +27,6 @@ mod uff;
 
 pub use contents::{Contents, ModeShape, file};
 pub use error::ReadError;
+pub use given::{GivenError, given};
 pub use notes::{ChannelNotes, Notes};
+pub use raw::RawChannel;

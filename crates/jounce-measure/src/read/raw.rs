@@ -24,19 +24,26 @@ pub(super) enum Stamps {
     Column,
 }
 
-/// A column.
+/// A column as it stands in a file.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct RawChannel {
+pub struct RawChannel {
+    /// Its name.
     pub name: String,
+    /// Its unit as an instrument writes it; empty where nothing is told.
     pub unit: String,
+    /// Where the sensor sits; empty where nothing is told.
     pub place: String,
+    /// Which way it points; empty where nothing is told.
     pub direction: String,
+    /// The samples, real parts of complex ones.
     pub values: Vec<f64>,
+    /// Imaginary parts of a complex column, as many.
     pub imaginary: Option<Vec<f64>>,
 }
 
 impl RawChannel {
-    pub(super) fn new(name: &str, unit: &str, values: Vec<f64>) -> Self {
+    /// A real column without place and direction.
+    pub fn new(name: &str, unit: &str, values: Vec<f64>) -> Self {
         Self { name: name.to_owned(), unit: unit.to_owned(), values, ..Self::default() }
     }
 

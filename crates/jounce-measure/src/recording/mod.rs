@@ -2,6 +2,7 @@
 //!
 //! Nothing is repaired in silence: what was converted, missing, clipped or resampled is a [`Finding`] with its count and its first place.
 mod channel;
+mod choose;
 mod even;
 mod finding;
 mod grid;
@@ -11,6 +12,7 @@ mod recorded;
 mod unit;
 
 pub use channel::Channel;
+pub use choose::ChannelError;
 pub use finding::{Finding, FindingKind, Place};
 pub use grid::{Grid, GridError, Over};
 pub use inspect::inspect;

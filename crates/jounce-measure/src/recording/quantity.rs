@@ -1,9 +1,9 @@
 //! What a channel measures.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A measured quantity.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Quantity {
     /// m/s^2

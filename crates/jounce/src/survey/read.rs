@@ -107,6 +107,9 @@ fn drawn(reader: &mut Reader, root: &Table, sampling: Sampling) -> usize {
     reader.whole("points", item, (1, MOST_DRAWN), 1) as usize
 }
 
+/// What is said where the ends of a drawn key are not told.
+const DRAWN: &str = "drawn values need a range FROM:TO, or FROM:TO:log above 0, from a smaller to a larger value";
+
 /// The keys that are varied, with their values.
 fn varied(reader: &mut Reader, item: Option<&Item>, file: &SpecFile, sampling: Sampling) -> Vec<Varied> {
     let table = reader.table("vary", item);
@@ -128,6 +131,10 @@ fn varied(reader: &mut Reader, item: Option<&Item>, file: &SpecFile, sampling: S
             Some(range) => (range, true),
             None => (text, false),
         };
+        if sampling.draws() && range.split([':', ',']).count() != 2 {
+            reader.fault(key, item.span(), format!("{key}: {text:?} cannot be drawn from; {DRAWN}"));
+            continue;
+        }
         // A drawn key has the two ends of its range as values.
         let range = if sampling.draws() { range.replacen(':', ",", 1) } else { range.to_owned() };
         let faults = match file.numeric_key(key) {
@@ -152,8 +159,7 @@ fn check_sides(reader: &mut Reader, item: Option<&Item>, sampling: Sampling, var
     for one in varied {
         let ends = matches!(one.values[..], [low, high] if low < high && (!one.logarithmic || low > 0.0));
         if sampling.draws() && !ends {
-            let why = "drawn values need a range FROM:TO, or FROM:TO:log above 0, from a smaller to a larger value";
-            reader.fault(one.key.path(), span.clone(), format!("{}: {why}", one.key.path()));
+            reader.fault(one.key.path(), span.clone(), format!("{}: {DRAWN}", one.key.path()));
         }
         if sampling == Sampling::List && one.values.len() != count {
             let why = format!("has {} values where {} has {count}; a list takes them side by side", one.values.len(), varied[0].key.path());

@@ -1,0 +1,89 @@
+//! The live page of a harvester, served from a thread of this process.
+
+use crate::failure::Failure;
+use crate::spec::Spec;
+use jounce_explorer::{ExploreError, Explorer as Server, Limits, Options, Source, Stopper, open_in_browser, state_folder};
+use pyo3::prelude::*;
+use std::any::Any;
+use std::net::SocketAddr;
+use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+/// Time between two looks for Ctrl-C.
+const LOOK: Duration = Duration::from_millis(20);
+
+/// A running server.
+#[pyclass(frozen, module = "jounce._core")]
+pub struct Explorer {
+    address: String,
+    stopper: Stopper,
+    running: Mutex<Option<JoinHandle<Result<(), ExploreError>>>>,
+    /// The file that leads the browser to the page; it goes with this.
+    opened: Mutex<Option<Box<dyn Any + Send>>>,
+}
+
+#[pymethods]
+impl Explorer {
+    /// Serves a spec as it is, or a file and what becomes of it.
+    #[new]
+    #[pyo3(signature = (*, spec = None, path = None, listen = None))]
+    fn new(spec: Option<&Spec>, path: Option<PathBuf>, listen: Option<&str>) -> Result<Self, Failure> {
+        let source = match (spec, path) {
+            (Some(spec), None) => Source::Text { text: spec.file().text(), folder: spec.folder() },
+            (None, Some(path)) => Source::File(path),
+            _ => return Err(Failure::new("ArgumentError", "give either a spec or the path of one")),
+        };
+        let wrong = |text: &str| format!("listen is \"{text}\"; write ADDRESS:PORT, as in 127.0.0.1:8080");
+        let parsed = |text: &str| text.parse::<SocketAddr>().map_err(|_| Failure::new("ArgumentError", wrong(text)));
+        let listen = listen.map(parsed).transpose()?;
+        let server = Server::bind(Options { spec: source, set: Vec::new(), listen, keep: state_folder(), limits: Limits::default() })?;
+        let (address, stopper) = (server.page(), server.stopper());
+        let running = Mutex::new(Some(std::thread::spawn(move || server.run())));
+        Ok(Self { address, stopper, running, opened: Mutex::new(None) })
+    }
+
+    /// The address of the page, with its token.
+    #[getter]
+    fn address(&self) -> &str {
+        &self.address
+    }
+
+    /// Is it still there?
+    #[getter]
+    fn running(&self) -> bool {
+        self.running.lock().unwrap_or_else(PoisonError::into_inner).as_ref().is_some_and(|thread| !thread.is_finished())
+    }
+
+    /// Opens the page in the browser.
+    fn open(&self, py: Python<'_>) -> PyResult<()> {
+        let file = py.detach(|| open_in_browser(&self.address))?;
+        *self.opened.lock().unwrap_or_else(PoisonError::into_inner) = Some(Box::new(file));
+        Ok(())
+    }
+
+    /// Ends it; it may have ended before.
+    fn stop(&self, py: Python<'_>) -> PyResult<()> {
+        self.stopper.stop();
+        let ended = py.detach(|| {
+            self.opened.lock().unwrap_or_else(PoisonError::into_inner).take();
+            let thread = self.running.lock().unwrap_or_else(PoisonError::into_inner).take();
+            thread.map(JoinHandle::join)
+        });
+        match ended {
+            Some(Ok(Err(error))) => Err(Failure::from(error).raised(py)),
+            Some(Err(panic)) => std::panic::resume_unwind(panic),
+            Some(Ok(Ok(()))) | None => Ok(()),
+        }
+    }
+
+    /// Waits until it has ended; raises what a signal raises.
+    fn wait(&self, py: Python<'_>) -> PyResult<()> {
+        while self.running() {
+            py.detach(|| std::thread::sleep(LOOK));
+            py.check_signals()?;
+        }
+        self.stop(py)
+    }
+}

@@ -1,0 +1,128 @@
+//! Frequency responses and modes of a hammer test.
+
+use super::recording::{Given, findings};
+use crate::arrays::Answer;
+use crate::branch::json;
+use crate::failure::Failure;
+use jounce_measure::modal::{Band, Identification, Mode, Settings, identify, mac_matrix};
+use jounce_measure::recording::Over;
+use jounce_measure::response::{Chosen, Responses};
+use jounce_measure::spectral::{Estimator, ImpactSettings};
+use numpy::{Complex64, PyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// How a hammer test is taken to responses.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Hammer {
+    force: Option<String>,
+    responses: Vec<String>,
+    estimator: String,
+    noise_ratio: f64,
+    block_s: Option<f64>,
+    force_window: bool,
+    end_ratio: Option<f64>,
+}
+
+impl Hammer {
+    fn settings(&self) -> Result<ImpactSettings, Failure> {
+        let wrong = |why: String| Err(Failure::new("ArgumentError", why));
+        if !(self.noise_ratio > 0.0 && self.noise_ratio.is_finite()) {
+            return wrong(format!("noise_ratio is {}; it must be above 0", self.noise_ratio));
+        }
+        if let Some(ratio) = self.end_ratio.filter(|ratio| !(*ratio > 0.0 && *ratio < 1.0)) {
+            return wrong(format!("end_ratio is {ratio}; it must lie between 0 and 1; 0.01 is usual"));
+        }
+        let estimator = match self.estimator.as_str() {
+            "h1" => Estimator::H1,
+            "h2" => Estimator::H2,
+            "hv" => Estimator::Hv { noise_ratio: self.noise_ratio },
+            other => return wrong(format!("estimator is \"{other}\"; it must be \"h1\", \"h2\" or \"hv\"")),
+        };
+        Ok(ImpactSettings { estimator, block_s: self.block_s, force_window: self.force_window, end_ratio: self.end_ratio })
+    }
+
+    /// The responses of recordings over time; those over frequency as they stand there.
+    fn responses(&self, py: Python<'_>, given: &[Given<'_>]) -> Result<Responses, Failure> {
+        let settings = self.settings()?;
+        let recordings = given.iter().map(Given::recording).collect::<Result<Vec<_>, _>>()?;
+        if recordings.iter().all(|recording| recording.over == Over::Frequency) {
+            return Ok(Responses::given(&recordings)?);
+        }
+        let records = given.iter().map(Given::even).collect::<Result<Vec<_>, _>>()?;
+        let chosen = Chosen { force: self.force.clone(), responses: self.responses.clone() };
+        py.detach(|| Ok(Responses::of_hits(&records, &chosen, &settings)?))
+    }
+}
+
+/// The frequency responses of a hammer test.
+#[pyfunction]
+pub fn measured_frf<'py>(py: Python<'py>, given: Vec<Given<'py>>, hammer: Hammer) -> PyResult<Bound<'py, PyDict>> {
+    let found = hammer.responses(py, &given)?;
+    Ok(told(py, &found)?.dict())
+}
+
+/// The modes of a hammer test between two frequencies; the whole band without them.
+#[pyfunction]
+pub fn measured_modes<'py>(
+    py: Python<'py>,
+    given: Vec<Given<'py>>,
+    hammer: Hammer,
+    between_hz: Option<(f64, f64)>,
+    order: usize,
+) -> PyResult<Bound<'py, PyDict>> {
+    if !(2..=400).contains(&order) {
+        return Err(Failure::new("ArgumentError", format!("order is {order}; it must be from 2 to 400")).raised(py));
+    }
+    let responses = hammer.responses(py, &given)?;
+    let highest = responses.functions[0].frequency_hz.last().copied().unwrap_or(0.0);
+    let between_hz = between_hz.unwrap_or((f64::MIN_POSITIVE, highest));
+    let found = py.detach(|| {
+        let mut found = identify(&Band::of(&responses, between_hz)?, Settings { order })?;
+        found.modes.iter_mut().for_each(|mode| mode.without_decay(responses.window_decay_per_s));
+        Ok::<_, Failure>(found)
+    });
+    let found = found.map_err(|failure| failure.raised(py))?;
+    identified(py, &responses, &found)
+}
+
+fn identified<'py>(py: Python<'py>, responses: &Responses, found: &Identification) -> PyResult<Bound<'py, PyDict>> {
+    let (modes, diagram) = (&found.modes, &found.diagram);
+    let rows = |rows: &[Vec<Complex64>]| rows.iter().map(|row| PyArray1::from_slice(py, row)).collect::<Vec<_>>();
+    let stable: Vec<String> = diagram.iter().map(|pole| Ok(json(&pole.stable)?.trim_matches('"').to_owned())).collect::<PyResult<_>>()?;
+    let answer = Answer::new(py)
+        .each("frequency_hz", modes, |mode| mode.frequency_hz)?
+        .each("frequency_deviation_hz", modes, |mode| mode.frequency_deviation_hz)?
+        .each("damping_ratio", modes, |mode| mode.damping_ratio)?
+        .each("damping_deviation", modes, |mode| mode.damping_deviation)?
+        .with("quantile_95", Mode::QUANTILE_95)?
+        .with("response", responses.names.clone())?
+        .with("shape", modes.iter().map(|mode| PyArray1::from_vec(py, mode.shape())).collect::<Vec<_>>())?
+        .rows("mac", &mac_matrix(modes), modes.len())?
+        .with("misfit", found.misfit)?
+        .each("pole_order", diagram, |pole| pole.order as i64)?
+        .each("pole_frequency_hz", diagram, |pole| pole.pole.frequency_hz)?
+        .each("pole_damping_ratio", diagram, |pole| pole.pole.damping_ratio)?
+        .with("pole_stable", stable)?
+        .array("line_hz", found.frequency_hz.clone())?
+        .with("measured", rows(&found.measured))?
+        .with("model", rows(&found.model))?
+        .with("frf", told(py, responses)?.dict())?;
+    Ok(answer.dict())
+}
+
+/// Responses for Python.
+fn told<'py>(py: Python<'py>, found: &Responses) -> PyResult<Answer<'py>> {
+    let all = PyDict::new(py);
+    for ((name, unit), function) in found.names.iter().zip(&found.units).zip(&found.functions) {
+        all.set_item(name, (PyArray1::from_slice(py, &function.value), unit, PyArray1::from_slice(py, &function.coherence)))?;
+    }
+    Answer::new(py)
+        .array("frequency_hz", found.functions.first().map_or_else(Vec::new, |function| function.frequency_hz.clone()))?
+        .with("responses", all)?
+        .with("hits", json(&found.hits)?)?
+        .with("block_s", found.block_s)?
+        .with("window_decay_per_s", found.window_decay_per_s)?
+        .with("findings", findings(&found.findings)?)
+}

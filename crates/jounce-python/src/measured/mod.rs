@@ -1,0 +1,7 @@
+//! What a test rig has recorded: arrays to recordings of `jounce-measure`, and its answers to arrays.
+
+pub mod contact;
+pub mod hammer;
+pub mod power;
+pub mod recording;
+pub mod regimes;

@@ -1,0 +1,69 @@
+//! Mean power of a recorded voltage.
+
+use super::recording::{Given, findings};
+use crate::arrays::Answer;
+use crate::branch::json;
+use crate::failure::Failure;
+use jounce::signal::{OrderLine, Samples, Window};
+use jounce_measure::recording::{Finding, Quantity};
+use jounce_measure::spectral::{MeanPower, mean_power};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// What one recording tells.
+struct Told {
+    channel: String,
+    power: MeanPower,
+    /// Of the base's acceleration about its mean, m^2/s^4; NaN where it is not asked for.
+    mean_square: f64,
+    orders: Vec<OrderLine>,
+    spectrum: jounce::signal::Spectrum,
+    findings: Vec<Finding>,
+}
+
+/// Mean power over a resistance with its interval, amplitudes at the given multiples of a drive, and the spectrum of the voltage.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "one argument per option of the Python function, which calls by name")]
+pub fn measured_power<'py>(
+    py: Python<'py>,
+    given: Given<'py>,
+    resistance_ohm: f64,
+    voltage: Option<String>,
+    base: Option<String>,
+    drive_hz: Option<f64>,
+    orders: Vec<f64>,
+    remove_mean: bool,
+) -> PyResult<Bound<'py, PyDict>> {
+    let record = given.even()?;
+    let found = py.detach(|| {
+        let voltage = record.choose(voltage.as_deref(), Quantity::Voltage)?;
+        let samples = Samples::new(&voltage.values, record.rate())?;
+        let mean_square = match &base {
+            None => f64::NAN,
+            Some(name) => {
+                let base = Samples::new(&record.choose(Some(name), Quantity::Acceleration)?.values, record.rate())?;
+                base.rms().powi(2) - base.mean().powi(2)
+            }
+        };
+        let inside = |drive_hz: f64| orders.iter().copied().filter(|order| order * drive_hz < 0.5 * record.rate()).collect::<Vec<_>>();
+        let orders = match drive_hz {
+            None => Vec::new(),
+            Some(drive_hz) => samples.orders(drive_hz, &inside(drive_hz))?.lines,
+        };
+        let power = mean_power(&samples, resistance_ohm, remove_mean)?;
+        let spectrum = samples.spectrum(Window::Hann);
+        Ok::<_, Failure>(Told { channel: voltage.name.clone(), power, mean_square, orders, spectrum, findings: record.findings.clone() })
+    });
+    let found = found.map_err(|failure| failure.raised(py))?;
+    let answer = Answer::new(py)
+        .with("channel", found.channel)?
+        .with("power", json(&found.power)?)?
+        .with("mean_square_base_acceleration_m2_s4", found.mean_square)?
+        .each("order", &found.orders, |line| line.order)?
+        .each("order_frequency_hz", &found.orders, |line| line.frequency_hz)?
+        .each("order_amplitude_peak_v", &found.orders, |line| line.amplitude_peak)?
+        .array("frequency_hz", found.spectrum.frequency_hz)?
+        .array("amplitude_peak", found.spectrum.amplitude_peak)?
+        .with("findings", findings(&found.findings)?)?;
+    Ok(answer.dict())
+}

@@ -1,0 +1,188 @@
+//! Recordings from Python and back.
+
+use crate::arrays::Answer;
+use crate::branch::json;
+use crate::failure::Failure;
+use jounce_measure::read::{self, ModeShape, RawChannel};
+use jounce_measure::recording::{Channel, Finding, Grid, Over, Quantity, Recording};
+use jounce_measure::write::write;
+use numpy::{PyArray1, PyReadonlyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::path::PathBuf;
+
+/// A row of numbers, read-only or strided as it may be.
+type Row<'py> = PyReadonlyArray1<'py, f64>;
+
+/// A recording as Python hands it over.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Given<'py> {
+    name: String,
+    over: String,
+    /// The places of the samples, s or Hz.
+    places: Row<'py>,
+    /// Their distance; none where each sample has a stamp of its own.
+    step: Option<f64>,
+    channels: Vec<GivenChannel<'py>>,
+}
+
+/// One channel of it.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+struct GivenChannel<'py> {
+    name: String,
+    /// Name of the quantity; none for samples whose unit is still that of an instrument.
+    quantity: Option<String>,
+    unit: String,
+    place: String,
+    direction: String,
+    values: Row<'py>,
+    imaginary: Option<Row<'py>>,
+}
+
+impl Given<'_> {
+    /// As the library knows it, the values in SI.
+    pub fn recording(&self) -> Result<Recording, Failure> {
+        let channels = self.channels.iter().map(GivenChannel::channel).collect::<Result<_, Failure>>()?;
+        Ok(Recording { name: self.name.clone(), over: self.over()?, grid: self.grid()?, channels, findings: Vec::new() })
+    }
+
+    /// The same at even times and without missing samples.
+    pub fn even(&self) -> Result<Recording, Failure> {
+        let recording = self.recording()?;
+        match recording.over {
+            Over::Time => Ok(recording.even()?),
+            Over::Frequency => Err(Failure::new("RecordingError", format!("{} is no recording over time", self.name))),
+        }
+    }
+
+    fn over(&self) -> Result<Over, Failure> {
+        match self.over.as_str() {
+            "time" => Ok(Over::Time),
+            "frequency" => Ok(Over::Frequency),
+            other => Err(Failure::new("ArgumentError", format!("over is \"{other}\"; it must be \"time\" or \"frequency\""))),
+        }
+    }
+
+    fn grid(&self) -> Result<Grid, Failure> {
+        let places = self.places.as_array();
+        match self.step {
+            Some(step) => Ok(Grid::even(places.first().copied().unwrap_or_default(), step, places.len())?),
+            None => Ok(Grid::Stamped(places.to_vec())),
+        }
+    }
+}
+
+impl GivenChannel<'_> {
+    fn raw(&self) -> RawChannel {
+        RawChannel {
+            name: self.name.clone(),
+            unit: self.unit.clone(),
+            place: self.place.clone(),
+            direction: self.direction.clone(),
+            values: self.values.as_array().to_vec(),
+            imaginary: self.imaginary.as_ref().map(|row| row.as_array().to_vec()),
+        }
+    }
+
+    fn channel(&self) -> Result<Channel, Failure> {
+        let named = serde_json::Value::from(self.quantity.as_deref().unwrap_or("unknown"));
+        let quantity: Quantity = serde_json::from_value(named).map_err(|error| Failure::new("ArgumentError", error))?;
+        let RawChannel { name, unit, place, direction, values, imaginary } = self.raw();
+        Ok(Channel { name, quantity, unit, place, direction, values, imaginary })
+    }
+}
+
+/// Everything in a file.
+#[pyfunction]
+pub fn recording_read(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> {
+    let contents = py.detach(|| read::file(&path)).map_err(|error| Failure::from(error).raised(py))?;
+    let recordings = contents.recordings.into_iter().map(|one| told(py, one)).collect::<PyResult<Vec<_>>>()?;
+    let shapes = contents.shapes.iter().map(|one| shape(py, one)).collect::<PyResult<Vec<_>>>()?;
+    let answer = Answer::new(py).with("recordings", recordings)?.with("shapes", shapes)?;
+    Ok(answer.with("findings", findings(&contents.findings)?)?.dict())
+}
+
+/// Samples with units as instruments write them, to a recording in SI.
+#[pyfunction]
+pub fn recording_given<'py>(py: Python<'py>, given: Given<'py>) -> PyResult<Bound<'py, PyDict>> {
+    let (over, stamps) = (given.over()?, given.places.as_array().to_vec());
+    let (grid, odd) = match given.step {
+        Some(_) => (given.grid()?, Vec::new()),
+        None => Grid::from_stamps(stamps).map_err(Failure::from)?,
+    };
+    let channels = given.channels.iter().map(GivenChannel::raw).collect();
+    let mut recording = read::given(&given.name, over, grid, channels).map_err(Failure::from)?;
+    recording.findings.splice(0..0, odd);
+    told(py, recording)
+}
+
+/// A recording at even places, without missing samples.
+#[pyfunction]
+pub fn recording_even<'py>(py: Python<'py>, given: Given<'py>) -> PyResult<Bound<'py, PyDict>> {
+    let recording = given.recording()?;
+    let even = py.detach(|| recording.even()).map_err(|error| Failure::from(error).raised(py))?;
+    told(py, even)
+}
+
+/// Writes a recording in the format that the ending of the path tells.
+#[pyfunction]
+pub fn recording_write(py: Python<'_>, given: Given<'_>, path: PathBuf) -> PyResult<()> {
+    let recording = given.recording()?;
+    py.detach(|| write(&recording, &path)).map_err(|error| Failure::from(error).raised(py))
+}
+
+/// A recording for Python.
+pub fn told(py: Python<'_>, recording: Recording) -> PyResult<Bound<'_, PyDict>> {
+    let step = match &recording.grid {
+        Grid::Even { step, .. } => Some(*step),
+        Grid::Stamped(_) => None,
+    };
+    let answer = Answer::new(py)
+        .with("over", if recording.over == Over::Time { "time" } else { "frequency" })?
+        .with("findings", findings(&recording.findings)?)?
+        .with("rate", recording.rate())?
+        .with("step", step)?
+        .array("places", recording.grid.places())?
+        .with("name", recording.name)?;
+    let channels = recording.channels.into_iter().map(|one| channel(py, one)).collect::<PyResult<Vec<_>>>()?;
+    Ok(answer.with("channels", channels)?.dict())
+}
+
+fn channel(py: Python<'_>, channel: Channel) -> PyResult<Bound<'_, PyDict>> {
+    let answer = Answer::new(py)
+        .with("quantity", json(&channel.quantity)?.trim_matches('"'))?
+        .with("name", channel.name)?
+        .with("unit", channel.unit)?
+        .with("place", channel.place)?
+        .with("direction", channel.direction)?
+        .with("imaginary", channel.imaginary.map(|imaginary| PyArray1::from_vec(py, imaginary)))?
+        .array("values", channel.values)?;
+    Ok(answer.dict())
+}
+
+fn shape<'py>(py: Python<'py>, shape: &ModeShape) -> PyResult<Bound<'py, PyDict>> {
+    let width = shape.real.first().map_or(0, Vec::len);
+    let answer = Answer::new(py)
+        .with("frequency_hz", shape.frequency_hz)?
+        .with("damping_ratio", shape.damping_ratio)?
+        .array("node", shape.nodes.clone())?
+        .rows("real", &shape.real, width)?;
+    let zeros = vec![vec![0.0; width]; shape.real.len()];
+    Ok(answer.rows("imaginary", shape.imaginary.as_ref().unwrap_or(&zeros), width)?.dict())
+}
+
+/// Findings as JSON, each with the sentence that tells it.
+pub fn findings(found: &[Finding]) -> PyResult<String> {
+    let one = |finding: &Finding| {
+        serde_json::json!({
+            "kind": finding.kind,
+            "channel": finding.channel,
+            "count": finding.count,
+            "first": finding.first.map(|first| first.to_string()),
+            "text": finding.to_string(),
+        })
+    };
+    json(&found.iter().map(one).collect::<Vec<_>>())
+}

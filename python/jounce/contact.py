@@ -1,0 +1,128 @@
+"""Force pulses of a hammer and the laws of contact fitted to them."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from typing import Annotated, Any
+
+import numpy as np
+
+from . import _core
+from .arguments import optional_si
+from .finding import Finding, found, told
+from .given import Measured, recording
+from .recording import names_of
+from .result import Along, Data, Floats, Result, Variable, column, html_table, made_manifest
+
+#: What a pulse tells about the law, in words.
+TOLD = {
+    "neither": "neither a linear spring nor Hertz's law fits",
+    "linear": "a linear spring fits, Hertz's law does not",
+    "hertz": "Hertz's law fits, a linear spring does not",
+    "both": "the data cannot tell a linear spring from Hertz's law",
+}
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Pulse(Data):
+    """The samples of one pulse, time from the largest force, s, and the law between them; without a law those two are empty."""
+
+    time_s: Floats
+    force_n: Floats
+    law_time_s: Floats
+    law_force_n: Floats
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class ContactResult(Result):
+    """Every hit of a record and the law of contact fitted to it; arrays of shape ``(hit,)``, NaN where no law could be fitted."""
+
+    channel: str
+    time_s: Annotated[Floats, Along("hit", "s", "time of the largest force, from the first sample")]
+    peak_force_n: Annotated[Floats, Along("hit", "N", "largest force")]
+    contact_time_s: Annotated[Floats, Along("hit", "s", "time above a tenth of the largest force")]
+    impulse_n_s: Annotated[Floats, Along("hit", "N s", "integral of the force")]
+    exponent: Annotated[Floats, Along("hit", "1", "exponent of the law: 1 for a linear spring, 1.5 for Hertz")]
+    exponent_deviation: Annotated[Floats, Along("hit", "1", "standard deviation of the exponent")]
+    restitution: Annotated[Floats, Along("hit", "1", "speed after over speed before")]
+    restitution_deviation: Annotated[Floats, Along("hit", "1", "standard deviation of the restitution")]
+    #: NaN where the mass of the hammer was not given; stiffness in N/m^exponent.
+    stiffness: Annotated[Floats, Along("hit", "N m^-exponent", "stiffness of the law")]
+    speed_m_s: Annotated[Floats, Along("hit", "m/s", "speed of the hammer")]
+    relative_error: Annotated[Floats, Along("hit", "1", "rms of what the law leaves over the largest force")]
+    #: Which laws a pulse allows, at 95 %: ``"neither"``, ``"linear"``, ``"hertz"``, ``"both"``; empty where none could be fitted.
+    told: list[str]
+    #: Why no law could be fitted; empty where one was.
+    why: list[str]
+    #: What is wrong with each hit: ``"double"``, ``"clipped"``, ``"coarse"``, ``"cut"``.
+    warnings: list[list[str]]
+    pulses: list[Pulse]
+    findings: list[Finding]
+
+    def __len__(self) -> int:
+        return len(self.time_s)
+
+    def _summary(self) -> list[tuple[str, str]]:
+        lines = [("channel", self.channel)]
+        for k, kind in enumerate(self.told):
+            hit = f"{self.peak_force_n[k]:.4f} N, contact {self.contact_time_s[k]:.4e} s, impulse {self.impulse_n_s[k]:.4e} N s"
+            lines.append((f"hit at {self.time_s[k]:.6f} s", ", ".join([hit, *self.warnings[k]])))
+            if kind:
+                law = f"exponent {self.exponent[k]:.3f} +- {self.exponent_deviation[k]:.3f}"
+                back = f"restitution {self.restitution[k]:.3f} +- {self.restitution_deviation[k]:.3f}"
+                lines.append(("", f"{law}, {back}; {TOLD[kind]}"))
+            else:
+                lines.append(("", f"no law: {self.why[k]}"))
+        return lines + told(self.findings)
+
+    def _repr_html_(self) -> str:
+        shown = (self.time_s, self.peak_force_n, self.contact_time_s, self.exponent, self.restitution)
+        rows = [[*(f"{one[k]:.5g}" for one in shown), TOLD.get(kind, self.why[k])] for k, kind in enumerate(self.told)]
+        return html_table("Hits", ["time [s]", "peak force [N]", "contact [s]", "exponent", "restitution", ""], rows)
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` over ``hit``."""
+        variables = {**self._variables(), "told": Variable(("hit",), self.told, "", "laws that the pulse allows")}
+        return self._dataset(variables, {"hit": Variable(("hit",), np.arange(len(self)), "1", "number of the hit")})
+
+    def to_pandas(self) -> Any:
+        """A ``pandas.DataFrame`` with a row for each hit."""
+        return self._frame({**self._columns("hit"), "told": self.told, "why": self.why})
+
+    def plot_contact(self, ax: Any = None, hits: int = 6) -> Any:
+        """Draws the first pulses with the laws fitted to them."""
+        from .plot.contact import plot_contact
+
+        return plot_contact(self, ax, hits)
+
+
+def contact(record: Measured, *, sample_rate_hz: Any = None, force: str | None = None, mass: Any = None) -> ContactResult:
+    """Contact time, exponent and restitution of every hit in a record of force, and with the ``mass`` of the hammer the stiffness.
+
+    ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``; ``force`` the channel, by
+    default the first in newtons. The body that is struck is taken to stand still during a contact.
+    """
+    given = recording(record, sample_rate_hz)
+    mass_kg = optional_si("mass", mass, "mass")
+    answer = _core.measured_contact(given._core(), force, mass_kg)
+    hits = json.loads(answer["hits"])
+    laws = [law or {} for law in json.loads(answer["laws"])]
+    of_law = ("exponent", "exponent_deviation", "restitution", "restitution_deviation", "stiffness", "speed_m_s", "relative_error")
+    return ContactResult(
+        manifest=made_manifest("contact", **names_of([given]), mass_kg=mass_kg),
+        channel=answer["channel"],
+        **{name: column(laws, name) for name in of_law},
+        time_s=column(hits, "peak") / answer["rate_hz"],
+        **{name: column(hits, name) for name in ("peak_force_n", "contact_time_s", "impulse_n_s")},
+        told=[law.get("told", "") for law in laws],
+        why=answer["why"],
+        warnings=[[kind_of(one) for one in hit["warnings"]] for hit in hits],
+        pulses=[Pulse(*one) for one in answer["pulses"]],
+        findings=[*given.findings, *found(answer["findings"])],
+    )
+
+
+def kind_of(warning: Any) -> str:
+    """The kind of a warning of a hit, which may carry numbers."""
+    return warning if isinstance(warning, str) else next(iter(warning))

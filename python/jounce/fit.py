@@ -1,0 +1,136 @@
+"""Keys of a spec fitted to what was measured."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from typing import TYPE_CHECKING, Annotated, Any
+
+import numpy as np
+
+from .result import Along, Floats, Result, Variable, column, html_table
+
+if TYPE_CHECKING:
+    from .spec import Spec
+else:
+    # A spec can be fitted, so that its module imports this one; the name is looked up when a dataset is made.
+    Spec = Any
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class FitResult(Result):
+    """Keys and features before and after a fit, and how far to trust them; arrays of shape ``(key,)`` and ``(feature,)``."""
+
+    #: The keys and their SI units; values before and after, and the ends of the 95 % interval, in these units.
+    key: list[str]
+    key_unit: list[str]
+    before: Floats
+    after: Floats
+    low: Floats
+    high: Floats
+    prior_deviation: Annotated[Floats, Along("key", "1", "relative standard deviation of the prior")]
+    deviation: Annotated[Floats, Along("key", "1", "relative standard deviation after the fit")]
+    correlation: Annotated[Floats, Along("key other_key", "1", "correlation of two keys")]
+    #: The features, ``"mode 1 frequency"``, and their units; as measured, and of the model before and after.
+    feature: list[str]
+    feature_unit: list[str]
+    feature_measured: Floats
+    feature_before: Floats
+    feature_after: Floats
+    feature_deviation: Annotated[Floats, Along("feature", "1", "relative standard deviation of the measurement")]
+    feature_predicted_deviation: Annotated[Floats, Along("feature", "1", "relative standard deviation of the model after the fit")]
+    #: Sum of the squared errors of the features over their variances; the same plus that of the keys about their priors.
+    chi_square: float
+    objective: float
+    #: What the data cannot tell, one sentence each.
+    warnings: list[str]
+    #: Evaluations of the model.
+    evaluations: int
+    #: The harvester with the fitted values.
+    spec: Spec
+
+    def __len__(self) -> int:
+        return len(self.key)
+
+    @property
+    def error_before(self) -> Floats:
+        """Relative error of each feature before the fit."""
+        return self.feature_before / self.feature_measured - 1.0
+
+    @property
+    def error_after(self) -> Floats:
+        """Relative error of each feature after the fit."""
+        return self.feature_after / self.feature_measured - 1.0
+
+    def _summary(self) -> list[tuple[str, str]]:
+        keys = [
+            (key, f"{self.before[k]:.6e} -> {self.after[k]:.6e} {unit}, 95 % from {self.low[k]:.6e} to {self.high[k]:.6e}")
+            for k, (key, unit) in enumerate(zip(self.key, self.key_unit))
+        ]
+        features = [
+            (name, f"{self.feature_measured[k]:.6g} measured, off by {100 * before:.3f} % before and {100 * after:.3f} % after")
+            for k, (name, before, after) in enumerate(zip(self.feature, self.error_before, self.error_after))
+        ]
+        return [*keys, *features, *(("warning", text) for text in self.warnings)]
+
+    def _repr_html_(self) -> str:
+        numbers = (self.before, self.after, self.low, self.high)
+        rows = [[key, unit, *(f"{one[k]:.6g}" for one in numbers)] for k, (key, unit) in enumerate(zip(self.key, self.key_unit))]
+        errors = zip(self.feature, self.feature_measured, 100 * self.error_before, 100 * self.error_after)
+        listed = [[name, f"{measured:.6g}", f"{before:.3f}", f"{after:.3f}"] for name, measured, before, after in errors]
+        head = ["feature", "measured", "error before [%]", "error after [%]"]
+        return html_table("Keys", ["key", "unit", "before", "after", "95 % from", "to"], rows) + html_table("Features", head, listed)
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` over ``key`` and ``feature``; values are in the units of ``key_unit`` and ``feature_unit``."""
+        variables = self._variables()
+        for axis, names in (("key", ("before", "after", "low", "high")), ("feature", ("measured", "before", "after"))):
+            for name in names:
+                field = name if axis == "key" else f"feature_{name}"
+                variables[field] = Variable((axis,), getattr(self, field), "", f"{axis}, {name}, in {axis}_unit")
+        coords = {
+            "key": Variable(("key",), self.key, "", "key"),
+            "other_key": Variable(("other_key",), self.key, "", "another key"),
+            "key_unit": Variable(("key",), self.key_unit, "", "unit of the key"),
+            "feature": Variable(("feature",), self.feature, "", "feature"),
+            "feature_unit": Variable(("feature",), self.feature_unit, "", "unit of the feature"),
+        }
+        return self._dataset(variables, coords)
+
+    def to_pandas(self) -> Any:
+        """A ``pandas.DataFrame`` with a row for each key."""
+        values = {name: getattr(self, name) for name in ("before", "after", "low", "high")}
+        return self._frame({"key": self.key, "unit": self.key_unit, **values, **self._columns("key")})
+
+    def features_to_pandas(self) -> Any:
+        """A ``pandas.DataFrame`` with a row for each feature."""
+        values = {name: getattr(self, f"feature_{name}") for name in ("measured", "before", "after", "deviation", "predicted_deviation")}
+        return self._frame({"feature": self.feature, "unit": self.feature_unit, **values})
+
+    def plot_fit(self, ax: Any = None) -> Any:
+        """Draws the relative error of every feature before and after, over the 95 % interval of its measurement."""
+        from .plot.fit import plot_fit
+
+        return plot_fit(self, ax)
+
+
+def made_fit(spec: Spec, answer: str, manifest: dict[str, Any]) -> FitResult:
+    """From what the compiled module answers."""
+    told = json.loads(answer)
+    keys, features = told["keys"], told["features"]
+    after = {one["key"]: f"{one['after']!r} {one['unit']}".strip() for one in keys}
+    of_keys = ("before", "after", "low", "high", "prior_deviation", "deviation")
+    of_features = ("measured", "deviation", "before", "after", "predicted_deviation")
+    numbers: dict[str, Any] = {name: column(keys, name) for name in of_keys}
+    numbers |= {f"feature_{name}": column(features, name) for name in of_features}
+    return FitResult(
+        manifest=manifest,
+        key=[one["key"] for one in keys],
+        key_unit=[one["unit"] for one in keys],
+        **numbers,
+        feature=[one["name"] for one in features],
+        feature_unit=[one["unit"] for one in features],
+        correlation=np.array(told["correlation"], dtype=np.float64),
+        spec=spec.changed(after),
+        **{name: told[name] for name in ("chi_square", "objective", "warnings", "evaluations")},
+    )

@@ -1,0 +1,70 @@
+"""What a hammer test gives: responses, coherence, stabilisation, and what the modes give beside the responses."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .style import COLOURS, axes, label
+
+if TYPE_CHECKING:
+    from ..measured_frf import MeasuredFrf
+    from ..measured_modes import MeasuredModes
+
+
+def plot_measured_frf(result: MeasuredFrf, ax: Any, response: str) -> Any:
+    """Draws the magnitude of a response over frequency; the line at 0 Hz, that of the sensor's offset, is left out."""
+    values = result[response]
+    with axes(ax) as ax:
+        ax.plot(result.frequency_hz[1:], np.abs(values[1:]), label=response)
+        label(ax.xaxis, "Frequency", "Hz")
+        label(ax.yaxis, f"|{response}|", result.units[response], log=True)
+    return ax
+
+
+def plot_coherence(result: MeasuredFrf, ax: Any = None) -> Any:
+    """Draws the coherence of every response."""
+    with axes(ax) as ax:
+        for name, values in result.coherence.items():
+            ax.plot(result.frequency_hz[1:], values[1:], label=name)
+        ax.set_ylim(0.0, 1.05)
+        label(ax.xaxis, "Frequency", "Hz")
+        label(ax.yaxis, "Coherence", "")
+        ax.legend()
+    return ax
+
+
+_POLES = {
+    "pole": ("o", COLOURS[0], "full", "frequency and damping stay"),
+    "frequency": ("o", COLOURS[1], "none", "frequency stays"),
+    "new": ("s", "#999999", "full", "new"),
+}
+
+
+def plot_stabilisation(result: MeasuredModes, ax: Any = None) -> Any:
+    """Draws the poles by order; the modes that were chosen are upright lines."""
+    inside = (result.pole_frequency_hz >= result.line_hz[0]) & (result.pole_frequency_hz <= result.line_hz[-1])
+    kinds = np.array(result.pole_stable)
+    with axes(ax) as ax:
+        for hz in result.frequency_hz:
+            ax.axvline(hz, color="#888888", linewidth=0.6)
+        for kind, (marker, colour, fill, text) in _POLES.items():
+            own = inside & (kinds == kind)
+            look = {"linestyle": "none", "marker": marker, "fillstyle": fill, "markersize": 3 if kind != "new" else 1.5}
+            ax.plot(result.pole_frequency_hz[own], result.pole_order[own], color=colour, label=text, **look)
+        label(ax.xaxis, "Frequency", "Hz")
+        label(ax.yaxis, "Order", "")
+        ax.legend()
+    return ax
+
+
+def plot_modal_fit(result: MeasuredModes, ax: Any, row: int) -> Any:
+    """Draws a response of the band as displacement per force, measured and as the modes give it."""
+    with axes(ax) as ax:
+        ax.plot(result.line_hz, np.abs(result.measured[row]), label=f"{result.response[row]}, measured")
+        ax.plot(result.line_hz, np.abs(result.model[row]), "--", label="modes")
+        label(ax.xaxis, "Frequency", "Hz")
+        label(ax.yaxis, "Displacement per force", "", log=True)
+        ax.legend()
+    return ax

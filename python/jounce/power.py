@@ -1,0 +1,150 @@
+"""Mean power of recorded voltages."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Sequence
+from typing import Annotated, Any
+
+import numpy as np
+
+from . import _core
+from .arguments import optional_si, positive_si
+from .errors import ArgumentError
+from .finding import Finding, found, told
+from .given import Measured, recordings
+from .recording import Recording, names_of
+from .result import Along, Floats, Integers, Result, Truths, Variable, column, html_table, made_manifest
+from .signal import Spectrum
+
+#: Multiples of the drive whose amplitudes are told.
+ORDERS = [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0]
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class PowerResult(Result):
+    """Mean power of each record with its interval; arrays of shape ``(record,)`` and, of amplitudes at orders, ``(record, order)``."""
+
+    #: Names of the recordings, and of the channels of their voltage.
+    record: list[str]
+    channel: list[str]
+    resistance_ohm: Annotated[Floats, Along("record", "ohm", "resistance of the load")]
+    mean_power_w: Annotated[Floats, Along("record", "W", "mean power")]
+    half_width_w: Annotated[Floats, Along("record", "W", "half the width of its 95 % interval")]
+    #: Batches that the interval rests on, the correlation of neighbouring ones, and whether that makes it too narrow.
+    batches: Annotated[Integers, Along("record", "1", "batches that the interval rests on")]
+    batch_correlation: Annotated[Floats, Along("record", "1", "correlation of neighbouring batches")]
+    correlated: Annotated[Truths, Along("record", "1", "the record is too short and its interval too narrow")]
+    mean_voltage_v: Annotated[Floats, Along("record", "V", "mean of the voltage")]
+    #: NaN where no base was named.
+    mean_square_base_acceleration_m2_s4: Annotated[Floats, Along("record", "m^2/s^4", "mean square of the base's acceleration")]
+    #: Multiples of the drive, and amplitudes there, zero to peak; NaN above half the sample rate, and empty without a drive.
+    order: Floats
+    order_amplitude_peak_v: Annotated[Floats, Along("record order", "V", "amplitude zero to peak at a multiple of the drive")]
+    #: Spectra of the voltages, Hann window.
+    spectra: list[Spectrum]
+    findings: list[Finding]
+
+    def __len__(self) -> int:
+        return len(self.record)
+
+    @property
+    def mean_power_per_mean_square_w_s4_m2(self) -> Floats:
+        """Mean power over the mean square of the base's acceleration, W/(m/s^2)^2."""
+        return self.mean_power_w / self.mean_square_base_acceleration_m2_s4
+
+    def _summary(self) -> list[tuple[str, str]]:
+        lines = []
+        for k, name in enumerate(self.record):
+            power = f"{self.mean_power_w[k]:.6e} W +- {self.half_width_w[k]:.1e} W (95 %) in {self.resistance_ohm[k]:g} ohm"
+            lines.append((name, power + (", interval too narrow: the record is too short" if self.correlated[k] else "")))
+        return lines + told(self.findings)
+
+    def _repr_html_(self) -> str:
+        rows = [
+            [name, f"{self.resistance_ohm[k]:g}", f"{self.mean_power_w[k]:.5e}", f"{self.half_width_w[k]:.1e}"]
+            for k, name in enumerate(self.record)
+        ]
+        return html_table("Measured power", ["record", "load [ohm]", "mean power [W]", "± 95 % [W]"], rows)
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` over ``record`` and ``order``."""
+        coords = {
+            "record": Variable(("record",), self.record, "", "recording"),
+            "order": Variable(("order",), self.order, "1", "multiple of the drive"),
+        }
+        return self._dataset(self._variables(), coords)
+
+    def to_pandas(self) -> Any:
+        """A ``pandas.DataFrame`` with a row for each record."""
+        return self._frame({"record": self.record, "channel": self.channel, **self._columns("record")})
+
+    def plot_power(self, ax: Any = None) -> Any:
+        """Draws mean power over the load with its intervals, per mean square of the base's acceleration where that is known."""
+        from .plot.power import plot_power
+
+        return plot_power(self, ax)
+
+    def plot_spectra(self, ax: Any = None) -> Any:
+        """Draws the spectra of the voltages."""
+        from .plot.power import plot_spectra
+
+        return plot_spectra(self, ax)
+
+
+def power(
+    records: Measured,
+    resistance: Any,
+    *,
+    sample_rate_hz: Any = None,
+    voltage: str | None = None,
+    base: str | None = None,
+    drive: Any = None,
+    remove_mean: bool = False,
+) -> PowerResult:
+    """Mean power of a voltage over a ``resistance``, with an interval that respects correlation.
+
+    ``records``: one recording or a list of them, each a :class:`Recording`, a file, a SEP005 time series (a list of these is the channels
+    of one recording), or an array with its ``sample_rate_hz``. ``resistance``: one for all, ``"100 kohm"``, or a list. ``voltage`` and
+    ``base`` name channels; by default the first one in volts, and none. With a ``drive``, ``"13 Hz"``, amplitudes at its multiples are
+    told. ``remove_mean`` takes the mean of the voltage away first: that of an amplifier is no power.
+    """
+    given = recordings(records, sample_rate_hz)
+    several = isinstance(resistance, Sequence) and not isinstance(resistance, str)
+    ohms = [positive_si("resistance", one, "resistance") for one in (resistance if several else [resistance] * len(given))]
+    if len(ohms) != len(given):
+        raise ArgumentError(f"there are {len(ohms)} resistances for {len(given)} recordings; give one for all, or one for each")
+    drive_hz = optional_si("frequency", drive, "drive")
+    answers = [_core.measured_power(one._core(), ohm, voltage, base, drive_hz, ORDERS, remove_mean) for one, ohm in zip(given, ohms)]
+    manifest = made_manifest("power", **names_of(given), resistance_ohm=ohms, drive_hz=drive_hz, remove_mean=remove_mean)
+    return _told(given, np.array(ohms), answers, manifest)
+
+
+def _told(given: list[Recording], ohms: Floats, answers: list[dict[str, Any]], manifest: dict[str, Any]) -> PowerResult:
+    powers = [json.loads(one["power"]) for one in answers]
+    order = max((one["order"] for one in answers), key=len)
+    peaks = np.full((len(given), len(order)), np.nan)
+    for row, one in zip(peaks, answers):
+        row[: len(one["order"])] = one["order_amplitude_peak_v"]
+    spectra = [
+        Spectrum(manifest, f"{record.name}, {one['channel']}", "V", one["frequency_hz"], one["amplitude_peak"])
+        for record, one in zip(given, answers)
+    ]
+    return PowerResult(
+        manifest=manifest,
+        record=[one.name for one in given],
+        channel=[one["channel"] for one in answers],
+        resistance_ohm=ohms,
+        mean_power_w=column(powers, "mean_power_w"),
+        half_width_w=column(powers, "half_width_w"),
+        batches=column(powers, "batches").astype(np.int64),
+        batch_correlation=column(powers, "batch_correlation"),
+        correlated=column(powers, "correlated").astype(np.bool_),
+        mean_voltage_v=column(powers, "mean_voltage_v"),
+        mean_square_base_acceleration_m2_s4=column(answers, "mean_square_base_acceleration_m2_s4"),
+        order=order,
+        order_amplitude_peak_v=peaks,
+        spectra=spectra,
+        findings=[finding for record, one in zip(given, answers) for finding in [*record.findings, *found(one["findings"])]],
+    )

@@ -1,0 +1,104 @@
+"""Files of instruments."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterator
+from os import PathLike, fspath
+from pathlib import Path
+from typing import Any
+
+from . import _core
+from .errors import ArgumentError
+from .finding import Finding, found, told
+from .recording import Recording, digest_of
+from .result import Complexes, Data, Floats, Integers, Result, Variable, html_table, made_manifest
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class ModeShape(Data):
+    """A mode shape of a UFF file: natural frequency, Hz, damping ratio, NaN where none is told, and the shape at each node."""
+
+    frequency_hz: float
+    damping_ratio: float
+    #: Numbers of the nodes, and components at each, of shape ``(node, component)``.
+    node: Integers
+    shape: Complexes
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class RecordedFile(Result):
+    """Everything in a file: its recordings, one for each grid of time or frequency, and its mode shapes; iterate over it."""
+
+    name: str
+    recordings: list[Recording]
+    shapes: list[ModeShape]
+    #: What concerns the file as a whole.
+    findings: list[Finding]
+
+    def __len__(self) -> int:
+        return len(self.recordings)
+
+    def __iter__(self) -> Iterator[Recording]:
+        return iter(self.recordings)
+
+    def __getitem__(self, number: int) -> Recording:
+        return self.recordings[number]
+
+    @property
+    def over_time(self) -> Recording:
+        """The first recording over time."""
+        for one in self.recordings:
+            if one.over == "time":
+                return one
+        raise ArgumentError(f"{self.name} holds no recording over time")
+
+    def _summary(self) -> list[tuple[str, str]]:
+        lines = [("file", self.name)]
+        lines += [(one.name, f"{len(one)} samples over {one.over} of {', '.join(c.name for c in one)}") for one in self.recordings]
+        lines += [("shape", f"at {one.frequency_hz:g} Hz, {len(one.node)} nodes") for one in self.shapes]
+        return lines + told([*self.findings, *(finding for one in self.recordings for finding in one.findings)])
+
+    def _table(self) -> dict[str, list[Any]]:
+        each = [(one, channel) for one in self.recordings for channel in one]
+        return {
+            "recording": [one.name for one, _ in each],
+            "channel": [channel.name for _, channel in each],
+            "quantity": [channel.quantity for _, channel in each],
+            "unit": [channel.unit for _, channel in each],
+            "rms": [channel.rms for _, channel in each],
+            "peak": [channel.peak for _, channel in each],
+            "rate": [one.rate for one, _ in each],
+        }
+
+    def _repr_html_(self) -> str:
+        table = self._table()
+        return html_table(self.name, list(table), list(zip(*table.values())))
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` over ``channel`` that lists them; each recording has a dataset of its samples."""
+        of = ("channel",)
+        variables = {name: Variable(of, values, "", name) for name, values in self._table().items() if name != "channel"}
+        return self._dataset(variables, {"channel": Variable(of, self._table()["channel"], "", "channel")})
+
+    def to_pandas(self) -> Any:
+        """A ``pandas.DataFrame`` with a row for each channel; each recording has a frame of its samples."""
+        return self._frame(self._table())
+
+
+def read_recordings(path: str | PathLike[str]) -> RecordedFile:
+    """Reads a file of an instrument: CSV and text with any header, Parquet, NPY, MAT v5, UFF 55, 58 and 58b, LVM.
+
+    Notes beside it in ``FILE.channels.toml`` name what the file does not. Everything odd is a :class:`Finding`.
+    """
+    told = _core.recording_read(fspath(path))
+    name = Path(path).name
+    manifest = made_manifest("read", recording=name, recording_sha256=digest_of(path))
+    recordings = [Recording._of(one, manifest) for one in told["recordings"]]
+    shapes = [_shape(one) for one in told["shapes"]]
+    return RecordedFile(manifest, name, recordings, shapes, found(told["findings"]))
+
+
+def _shape(told: dict[str, Any]) -> ModeShape:
+    real: Floats = told["real"]
+    return ModeShape(told["frequency_hz"], told["damping_ratio"], told["node"], real + 1j * told["imaginary"])

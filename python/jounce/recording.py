@@ -1,0 +1,193 @@
+"""Recordings: channels in SI units over time or frequency."""
+
+from __future__ import annotations
+
+import dataclasses
+import hashlib
+from collections.abc import Iterator, Mapping, Sequence
+from os import PathLike, fspath
+from typing import Any, Literal, Self
+
+import numpy as np
+
+from . import _core
+from .errors import ArgumentError
+from .finding import Finding, found, told
+from .result import Complexes, Data, Floats, Result, Variable, html_table, made_manifest
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Channel(Data):
+    """Samples of one quantity at one place."""
+
+    name: str
+    #: ``"acceleration"``, ``"voltage"``, ``"force"``, ..., ``"unknown"`` where nothing is told.
+    quantity: str
+    #: SI unit; as it was given where the quantity is unknown.
+    unit: str
+    #: Where the sensor sits and which way it points; empty where nothing is told.
+    place: str
+    direction: str
+    #: The samples; NaN where one is missing.
+    values: Floats | Complexes
+
+    @property
+    def rms(self) -> float:
+        """Rms of the samples that are numbers."""
+        finite = self.values[np.isfinite(self.values)]
+        return float(np.sqrt(np.mean(np.abs(finite) ** 2))) if len(finite) else 0.0
+
+    @property
+    def peak(self) -> float:
+        """Largest size of the samples that are numbers."""
+        return float(np.max(np.abs(self.values[np.isfinite(self.values)]), initial=0.0))
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Recording(Result):
+    """Channels of equal length over one grid of time or frequency, and what is odd about them.
+
+    Made by :func:`jounce.read_recordings`, by ``harvester.rig()``, and from arrays or SEP005 time series by :meth:`Recording.of`.
+    """
+
+    name: str
+    over: Literal["time", "frequency"]
+    #: Where the samples lie, s or Hz.
+    places: Floats
+    #: Their distance; ``None`` where each sample has a stamp of its own.
+    step: float | None
+    #: Samples per second, or per hertz.
+    rate: float
+    channels: list[Channel]
+    findings: list[Finding]
+
+    @classmethod
+    def _of(cls, told: Mapping[str, Any], manifest: Mapping[str, Any]) -> Self:
+        """From what the compiled module answers; the manifest gets the digest of the samples where it has none of a file."""
+        channels = [_channel(one) for one in told["channels"]]
+        made = cls(**{**told, "manifest": dict(manifest), "channels": channels, "findings": found(told["findings"])})
+        options = {"recording": made.name, "recording_sha256": made._sha256(), **manifest["options"]}
+        return dataclasses.replace(made, manifest={**manifest, "options": options})
+
+    @classmethod
+    def of(
+        cls,
+        values: Any,
+        sample_rate_hz: Any = None,
+        *,
+        time_s: Any = None,
+        frequency_hz: Any = None,
+        units: str | Mapping[str, str] | None = None,
+        name: str = "recording",
+    ) -> Self:
+        """A recording of arrays: one, a dict of them by channel, a SEP005 time series, or a list of these.
+
+        ``units`` is the unit of one array, or that of each channel, as an instrument writes it (``"g"``, ``"m/s2"``, ``"lbf"``): values
+        become SI. There are ``sample_rate_hz`` samples per second, or they lie at ``time_s``, whose jitter and gaps are found; NaN are
+        missing samples. With ``frequency_hz`` they are accelerations per force, complex and for ``e^{+i w t}``.
+        """
+        from .given import of_arrays
+
+        grid = {"sample_rate_hz": sample_rate_hz, "time_s": time_s, "frequency_hz": frequency_hz}
+        return cls._of(_core.recording_given(of_arrays(values, grid, units, name)), made_manifest("read"))
+
+    def __len__(self) -> int:
+        return len(self.places)
+
+    def __iter__(self) -> Iterator[Channel]:
+        return iter(self.channels)
+
+    def __getitem__(self, name: str) -> Floats | Complexes:
+        return self.channel(name).values
+
+    def channel(self, name: str) -> Channel:
+        """The channel of a name, or of a number from 1."""
+        numbered = {str(number): one for number, one in enumerate(self.channels, 1)}
+        one = {**numbered, **{one.name: one for one in self.channels}}.get(str(name))
+        if one is None:
+            raise ArgumentError(f"{name}: no such channel; there are {', '.join(one.name for one in self.channels)}")
+        return one
+
+    def _core(self) -> dict[str, Any]:
+        """As the compiled module takes it."""
+
+        def plain(one: Channel) -> dict[str, Any]:
+            values = np.asarray(one.values)
+            imaginary = values.imag if np.iscomplexobj(values) else None
+            fields = ("name", "quantity", "unit", "place", "direction")
+            return {**{field: getattr(one, field) for field in fields}, "values": values.real, "imaginary": imaginary}
+
+        channels = [plain(one) for one in self.channels]
+        return {"name": self.name, "over": self.over, "places": self.places, "step": self.step, "channels": channels}
+
+    def _sha256(self) -> str:
+        digest = hashlib.sha256(self.places.tobytes())
+        for one in self.channels:
+            digest.update(f"{one.name}\0{one.unit}\0".encode())
+            digest.update(one.values.tobytes())
+        return digest.hexdigest()
+
+    def even(self) -> Self:
+        """At even places and without missing samples, both by straight lines; what was done is among the findings."""
+        even = type(self)._of(_core.recording_even(self._core()), self.manifest)
+        return dataclasses.replace(even, findings=[*self.findings, *even.findings])
+
+    def write(self, path: str | PathLike[str]) -> None:
+        """Writes it in SI, in the format that the ending tells: ``.uff`` (UFF 58 in ASCII), ``.parquet`` or ``.csv``."""
+        _core.recording_write(self._core(), fspath(path))
+
+    def to_sep005(self) -> list[dict[str, Any]]:
+        """Every channel as a time series in the form of SEP005."""
+        if self.over != "time":
+            raise ArgumentError(f"{self.name} is over {self.over}; a SEP005 time series is over time")
+        common = {"time": self.places, "fs": self.rate}
+        return [{"name": one.name, "data": one.values, "unit_str": one.unit, **common} for one in self.channels]
+
+    def _grid(self) -> tuple[str, str, str]:
+        return ("time", "time_s", "s") if self.over == "time" else ("frequency", "frequency_hz", "Hz")
+
+    def _summary(self) -> list[tuple[str, str]]:
+        _, _, unit = self._grid()
+        lines = [("name", self.name), ("samples", f"{len(self)} over {self.over}, {self.rate:.6g} per {unit}")]
+        lines += [(one.name, f"rms {one.rms:.5e}, peak {one.peak:.5e} {one.unit or '(no unit)'}") for one in self.channels]
+        return lines + told(self.findings)
+
+    def _repr_html_(self) -> str:
+        rows = [[one.name, one.quantity, one.unit, f"{one.rms:.5e}", f"{one.peak:.5e}"] for one in self.channels]
+        listed = html_table("", [], [[one.text] for one in self.findings]) if self.findings else ""
+        title = f"{self.name}: {len(self)} samples, {self.rate:.6g} per {self._grid()[2]}"
+        return html_table(title, ["channel", "quantity", "unit", "rms", "peak"], rows) + listed
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` over ``time`` or ``frequency`` with a variable for each channel."""
+        axis, _, unit = self._grid()
+        variables = {one.name: Variable((axis,), one.values, one.unit, " ".join([one.name, one.place]).strip()) for one in self.channels}
+        return self._dataset(variables, {axis: Variable((axis,), self.places, unit, axis)})
+
+    def to_pandas(self) -> Any:
+        """A ``pandas.DataFrame`` with a row for each sample and a column for each channel."""
+        return self._frame({self._grid()[1]: self.places, **{one.name: one.values for one in self.channels}})
+
+    def plot_recording(self, ax: Any = None, channel: str | None = None) -> Any:
+        """Draws a channel, by default the first; a complex one by its size."""
+        from .plot.recording import plot_recording
+
+        return plot_recording(self, ax, self.channels[0] if channel is None else self.channel(channel))
+
+
+def _channel(told: Mapping[str, Any]) -> Channel:
+    real, imaginary = told["values"], told["imaginary"]
+    rest = {key: value for key, value in told.items() if key not in ("values", "imaginary")}
+    return Channel(**rest, values=real if imaginary is None else real + 1j * imaginary)
+
+
+def digest_of(path: str | PathLike[str]) -> str:
+    """SHA-256 of a file, read piece by piece."""
+    with open(path, "rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def names_of(recordings: Sequence[Recording]) -> dict[str, str]:
+    """Options of a manifest that say which recordings an answer rests on."""
+    options = [one.manifest["options"] for one in recordings]
+    return {name: " ".join(each[name] for each in options) for name in ("recording", "recording_sha256")}

@@ -1,0 +1,45 @@
+"""Time series in the form of SEP005: dicts of ``data``, ``name``, ``unit_str``, and ``fs`` or ``time``."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from .errors import ArgumentError
+from .quantity import is_quantity
+from .result import Floats
+
+
+def checked(series: Mapping[str, Any]) -> Mapping[str, Any]:
+    """The series, if it has what every series has."""
+    missing = [key for key in ("data", "name", "unit_str") if key not in series]
+    if missing:
+        raise ArgumentError(f"a SEP005 time series has data, name and unit_str; missing: {', '.join(missing)}")
+    return series
+
+
+def numbers(values: Any, what: str) -> Floats:
+    """Real numbers along one axis, read-only or strided as they may be."""
+    if is_quantity(values):
+        values = values.to_base_units().magnitude
+    if np.iscomplexobj(values):
+        raise ArgumentError(f"{what} are complex; a series in time is real")
+    try:
+        row = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise ArgumentError(f"{what} are no numbers: {error}") from error
+    if row.ndim != 1:
+        raise ArgumentError(f"{what} have {row.ndim} axes; give one", {"axes": row.ndim})
+    return row
+
+
+def even_rate_hz(series: Mapping[str, Any]) -> float:
+    """Samples per second of a series that is evenly spaced."""
+    if "fs" in series:
+        return float(series["fs"])
+    steps = np.diff(numbers(series.get("time", ()), "the times"))
+    if len(steps) == 0 or not np.allclose(steps, steps[0], rtol=1e-6):
+        raise ArgumentError("a SEP005 time series needs its sample rate `fs`, or evenly spaced `time`")
+    return float(1.0 / steps.mean())

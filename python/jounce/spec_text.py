@@ -1,0 +1,141 @@
+"""What is said of a harvester: its text and its keys."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterator, Mapping
+from os import PathLike, fspath
+from typing import Any, Self
+
+from . import _core
+from .arguments import of_tables
+from .errors import ArgumentError
+from .quantity import setting
+from .result import html_table
+
+
+class SpecText:
+    """The text of a spec and what can be done with it without computing anything."""
+
+    __slots__ = ("_spec",)
+    _spec: _core.Spec
+
+    def __init__(self, source: str | Mapping[str, Any] | None = None, /, **tables: Any) -> None:
+        if isinstance(source, str) and not tables:
+            if "\n" not in source and source.endswith(".toml"):
+                raise ArgumentError(f"{source} is the name of a file: read it with jounce.read({source!r})")
+            self._spec = _core.Spec(source, "")
+        elif source is None or isinstance(source, Mapping):
+            self._spec = of_tables({**(source or {}), **tables})
+        else:
+            raise ArgumentError(f"a spec is made of TOML text or of a dict, not of {type(source).__name__}")
+
+    @classmethod
+    def _of(cls, core: _core.Spec) -> Self:
+        spec = cls.__new__(cls)
+        spec._spec = core
+        return spec
+
+    @classmethod
+    def read(cls, path: str | PathLike[str]) -> Self:
+        """Reads a TOML file; a state file that it names is looked for beside it."""
+        return cls._of(_core.Spec.read(fspath(path)))
+
+    def write(self, path: str | PathLike[str]) -> None:
+        """Writes the text to a file, comments and layout kept; the file appears whole or not at all."""
+        self._spec.write(fspath(path))
+
+    def to_toml(self, canonical: bool = False) -> str:
+        """The text, comments and layout kept; or in canonical form: every key that applies, with its default."""
+        return self._spec.to_toml() if canonical else self._spec.text
+
+    def to_dict(self, canonical: bool = False) -> dict[str, Any]:
+        """The tables; ``Spec(spec.to_dict()) == spec``."""
+        return tomllib.loads(self.to_toml(canonical))
+
+    def set(self, key: str | Mapping[str, Any], value: Any = None) -> None:
+        """Sets a key, ``spec.set("stop.tip.gap", "0.5 mm")``, or several at once with a dict."""
+        pairs = key if isinstance(key, Mapping) else {key: value}
+        self._spec = self._spec.with_keys([(str(name), setting(item, str(name))) for name, item in pairs.items()])
+
+    def changed(self, keys: Mapping[str, Any]) -> Self:
+        """A copy with keys set."""
+        spec = self.copy()
+        spec.set(keys)
+        return spec
+
+    def copy(self) -> Self:
+        """A copy that can be changed on its own."""
+        return self._of(self._spec)
+
+    __copy__ = copy
+
+    def __deepcopy__(self, memo: object) -> Self:
+        return self.copy()
+
+    def __setitem__(self, key: str, value: Any) -> None:
+        self.set(key, value)
+
+    def __getitem__(self, key: str) -> Any:
+        """What the text says of a key, or its default; a table as a dict."""
+        for canonical in (False, True):
+            found: Any = self.to_dict(canonical)
+            for part in key.split("."):
+                found = found.get(part) if isinstance(found, dict) else None
+            if found is not None:
+                return found
+        raise KeyError(key)
+
+    def si(self, key: str) -> float:
+        """The number of a key in SI units."""
+        return self._spec.number(key)[0]
+
+    def unit(self, key: str) -> str:
+        """The SI unit of a key; empty for a plain number."""
+        return self._spec.number(key)[1]
+
+    @property
+    def sha256(self) -> str:
+        """Digest of the canonical form: the same for two specs that say the same."""
+        return self._spec.hash_hex()
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, SpecText):
+            return NotImplemented
+        return self.to_toml(canonical=True) == other.to_toml(canonical=True)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_again, (type(self), self._spec.text, str(self._spec.folder)))
+
+    def _lines(self) -> Iterator[tuple[str, str]]:
+        for kind, things in self.to_dict().items():
+            if all(isinstance(thing, dict) for thing in things.values()):
+                for name, keys in things.items():
+                    yield f"{kind}.{name}", _shown(keys)
+            else:
+                yield kind, _shown(things)
+
+    def __repr__(self) -> str:
+        lines = list(self._lines())
+        width = max(len(name) for name, _ in lines)
+        return "\n".join(["<jounce.Spec>", *(f"  {name:<{width}}  {keys}" for name, keys in lines)])
+
+    def _repr_html_(self) -> str:
+        drawing, _ = self._spec.drawing("")
+        return drawing + html_table("Spec", ["", ""], list(self._lines()))
+
+    def plot_harvester(self, ax: Any = None, title: str = "Harvester") -> Any:
+        """Draws the harvester to scale, the drawing of ``jounce show``."""
+        from .plot.harvester import plot_harvester
+
+        return plot_harvester(self._spec.drawing(title), ax)
+
+
+def _again(kind: type[SpecText], text: str, folder: str) -> SpecText:
+    return kind._of(_core.Spec(text, folder))
+
+
+def _shown(keys: Mapping[str, Any]) -> str:
+    return ", ".join(f"{key} = {value}" if not isinstance(value, dict) else f"{key}: {_shown(value)}" for key, value in keys.items())

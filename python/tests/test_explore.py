@@ -1,0 +1,111 @@
+"""The live page from Python: served beside the interpreter, ended by hand, by Ctrl-C, and leaving nothing behind."""
+
+import os
+import pickle
+import re
+import socket
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+import urllib.error
+import urllib.request
+
+import pytest
+from conftest import SPEC
+
+import jounce
+
+
+def page(address):
+    """The page, without a proxy between."""
+    with urllib.request.build_opener(urllib.request.ProxyHandler({})).open(address, timeout=20) as answer:
+        return answer.read().decode()
+
+
+@pytest.fixture(autouse=True)
+def home(tmp_path, monkeypatch):
+    """A folder of its own for the state of programs."""
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+    return tmp_path / "state"
+
+
+def test_a_harvester_without_a_file_is_served_and_leaves_nothing_behind(harvester, home):
+    harvester["stop.tip.gap"] = "0.5 mm"
+    with jounce.explore(harvester, browser=False) as explorer:
+        assert explorer.running and "jounce" in page(explorer.address)
+        token = explorer.address.rstrip("/").rsplit("/", 1)[1]
+        with pytest.raises(urllib.error.HTTPError) as refused:
+            page(explorer.address.replace(token, "0" * 32))
+        assert refused.value.code == 403
+        refused.value.close()
+        assert f'href="{explorer.address}"' in explorer._repr_html_() and explorer.address in repr(explorer)
+    assert not explorer.running and "ended" in repr(explorer) and "ended" in explorer._repr_html_()
+    explorer.stop()
+    with pytest.raises(urllib.error.URLError):
+        page(explorer.address)
+    assert not home.exists()
+
+
+def test_the_page_of_a_file_comes_back_at_its_address(home):
+    with jounce.explore(SPEC, browser=False) as explorer:
+        address = explorer.address
+    with jounce.explore(str(SPEC), browser=False) as again:
+        assert again.address == address and "jounce" in page(address)
+    assert len(list(home.rglob("explore-*"))) == 1
+
+
+def test_the_interpreter_goes_on_and_waiting_ends_with_the_page(harvester):
+    explorer = jounce.explore(harvester, browser=False)
+    threading.Timer(0.3, explorer.stop).start()
+    begun = time.monotonic()
+    explorer.wait()
+    assert 0.2 < time.monotonic() - begun < 30.0 and not explorer.running
+
+
+def test_ctrl_c_ends_the_page():
+    code = textwrap.dedent(f"""
+        import jounce, os, signal, threading, urllib.request
+        explorer = jounce.explore({str(SPEC)!r}, browser=False)
+        threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+        explorer.wait()
+        print("ended", explorer.running)
+    """)
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False)
+    assert done.stdout.split() == ["ended", "False"], done.stderr
+
+
+@pytest.mark.skipif(os.name == "nt", reason="a browser is named in another way")
+def test_the_browser_is_opened_by_a_file_that_only_its_owner_may_read(tmp_path, harvester):
+    seen = tmp_path / "seen"
+    folder = tmp_path / "bin"
+    folder.mkdir()
+    opener = folder / "xdg-open"
+    opener.write_text(f'#!/bin/sh\nls -l "$1" > "{seen}.part"; cat "$1" >> "{seen}.part"; mv "{seen}.part" "{seen}"\n')
+    opener.chmod(0o755)
+    code = textwrap.dedent(f"""
+        import jounce, pathlib, time
+        with jounce.explore({str(SPEC)!r}) as explorer:
+            until = time.monotonic() + 20.0
+            while not pathlib.Path({str(seen)!r}).exists() and time.monotonic() < until:
+                time.sleep(0.02)
+            print(explorer.address)
+    """)
+    environment = {**os.environ, "PATH": f"{folder}:{os.environ['PATH']}", "TMPDIR": str(tmp_path)}
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, env=environment, check=False)
+    told = seen.read_text()
+    assert done.stdout.strip() in told and re.match(r"-rw------- ", told), told
+    assert not list(tmp_path.glob("jounce-*.html"))
+
+
+def test_what_cannot_be_served_is_told(harvester, tmp_path):
+    for wrong in (lambda: jounce.explore(3), lambda: jounce.explore(harvester, browser=False, listen="somewhere")):
+        with pytest.raises(jounce.ArgumentError):
+            wrong()
+    with pytest.raises(jounce.FileError, match="does not exist"):
+        jounce.explore(tmp_path / "none.toml", browser=False)
+    with socket.create_server(("127.0.0.1", 0)) as taken, pytest.raises(jounce.ExploreError, match="cannot be listened on"):
+        jounce.explore(harvester, browser=False, listen=f"127.0.0.1:{taken.getsockname()[1]}")
+    with jounce.explore(harvester, browser=False) as explorer, pytest.raises(TypeError):
+        pickle.dumps(explorer)

@@ -1,0 +1,223 @@
+"""Recordings of a rig: the answers of the command line, closed forms, and the same from files, arrays and SEP005 time series."""
+
+import pickle
+
+import numpy as np
+import pint
+import pytest
+from conftest import ROOT, SHORT, same
+
+import jounce
+
+#: A hammer test of the clamped beam.
+HITS = {"hammer": "beam.hammer", "at": ["beam.tip"], "hold": ["table"], "hits": 4, "block": "8 s", "rate": "1024 Hz", "noise": 0.001}
+HITS_OPTIONS = ["--hammer=beam.hammer", "--at=beam.tip", "--hold=table", "--hits=4", "--block=8s", "--rate=1024Hz", "--noise=0.001"]
+
+#: The run that the rig records.
+SHORTER = {**SHORT, "run.duration": "1 s", "run.average_over": "0.5 s"}
+
+
+@pytest.fixture(scope="module")
+def hits():
+    return jounce.examples()["impact-harvester-2019"].rig(**HITS)
+
+
+@pytest.fixture(scope="module")
+def shaken():
+    return jounce.examples()["impact-harvester-2019"].changed(SHORTER).rig(rate="2 kHz", noise=0.01, bits=16, seed=3)
+
+
+def sine(peak, frequency_hz, rate_hz, seconds):
+    return peak * np.sin(2.0 * np.pi * frequency_hz * np.arange(int(rate_hz * seconds)) / rate_hz)
+
+
+def test_the_rig_is_that_of_the_command_line(hits, shaken, command_line, tmp_path):
+    hits.write(tmp_path / "own.parquet")
+    command_line("rig", *HITS_OPTIONS, f"--to={tmp_path / 'told.parquet'}")
+    own, told = (jounce.read_recordings(tmp_path / name)[0] for name in ("own.parquet", "told.parquet"))
+    same(own.places, told.places)
+    for name in ("force", "beam.tip.acceleration"):
+        same(own[name], told[name])
+    options = ["--rate=2kHz", "--noise=0.01", "--bits=16", "--seed=3", f"--to={tmp_path / 'run.parquet'}"]
+    command_line("rig", *options, keys=SHORTER)
+    same(shaken["mfc.voltage"], jounce.read_recordings(tmp_path / "run.parquet")[0]["mfc.voltage"])
+    assert shaken.channel("1").quantity == "voltage" and shaken.rate == 2000.0 and len(shaken) == 1000
+    assert shaken.manifest["spec_sha256"] and shaken.manifest["options"]["seed"] == "3"
+
+
+def test_reading_is_that_of_the_command_line(hits, command_line, tmp_path):
+    hits.write(tmp_path / "hits.csv")
+    (told,) = command_line("read", spec=tmp_path / "hits.csv")["recordings"]
+    file = jounce.read_recordings(tmp_path / "hits.csv")
+    (found,) = file
+    assert (found.name, found.over, len(found), found.rate) == (told["name"], told["over"], told["samples"], told["rate"])
+    for one, listed in zip(found, told["channels"]):
+        assert (one.name, one.quantity, one.unit) == (listed["name"], listed["quantity"], listed["unit"])
+        # Sums in another order: off by 1e-16.
+        assert [one.rms, one.peak] == pytest.approx([listed["rms"], listed["peak"]], rel=1e-12)
+    same(found["force"], hits["force"])
+    assert file.over_time is found and "force" in repr(file) and file._repr_html_().startswith("<table>")
+    assert pickle.loads(pickle.dumps(file)) == file and len(file.to_pandas()) == 2
+
+
+def test_what_is_odd_is_found_and_told():
+    samples = np.round(sine(0.8, 5.0, 1000.0, 1.0), 12)
+    samples[[40, 41, 900]] = np.nan
+    stamps = np.arange(1000) / 1000.0
+    stamps[500:] += 0.0123
+    found = jounce.Recording.of({"a": samples}, time_s=stamps, units={"a": "g"}, name="floor")
+    assert {one.kind for one in found.findings} == {"jitter", "gap", "not-a-number", "converted"}
+    (missing,) = [one for one in found.findings if one.kind == "not-a-number"]
+    assert (missing.channel, missing.count, missing.first) == ("a", 3, "sample 40") and str(missing) in repr(found)
+    assert found.channel("a").unit == "m/s^2" and found.channel("a").peak == pytest.approx(0.8 * 9.80665)
+    even = found.even()
+    assert even.step is not None and np.isfinite(even["a"]).all() and found.step is None
+    assert {"bridged", "resampled"} < {one.kind for one in even.findings}
+    assert "<table>" in found._repr_html_() and pickle.loads(pickle.dumps(found)) == found
+
+
+def test_every_form_of_a_recording_gives_the_same():
+    volts = sine(2.0, 13.0, 2000.0, 20.0)
+    frozen = volts.copy()
+    frozen.flags.writeable = False
+    series = {"name": "u", "unit_str": "V", "fs": 2000.0, "data": volts}
+    other = {"name": "a", "unit_str": "m/s2", "fs": 2000.0, "data": volts}
+    forms = [
+        (volts, 2000.0),
+        (frozen, "2 kHz"),
+        (np.repeat(volts, 3)[::3], pint.UnitRegistry()("2 kHz")),
+        (list(volts), 2000),
+        (series, None),
+        ([other, series], None),
+        ({**series, "fs": 2000.0, "time": np.arange(len(volts)) / 2000.0}, None),
+        (jounce.Recording.of(volts, 2000.0, units="V"), None),
+        (jounce.Recording.of(series).to_sep005(), None),
+        (jounce.Recording.of({"a": other["data"], "u": 1e3 * volts}, 2000.0, units={"a": "g", "u": "mV"}), None),
+        (jounce.Recording.of(pint.UnitRegistry().Quantity(1e3 * volts, "mV"), 2000.0), None),
+    ]
+    for values, rate in forms:
+        found = jounce.power(values, "100 kohm", sample_rate_hz=rate, drive="13 Hz")
+        # Whole cycles of a sine: its mean square is half the square of its peak, off by 1e-15.
+        assert found.mean_power_w == pytest.approx([2.0**2 / 2.0 / 1e5], rel=1e-12)
+        assert found.order_amplitude_peak_v[0, list(found.order).index(1.0)] == pytest.approx(2.0, rel=1e-9)
+        # Its batches of 16.25 cycles differ a little.
+        assert 0.0 < found.half_width_w[0] < 1e-3 * found.mean_power_w[0]
+    two = jounce.power([volts, 2.0 * volts], ["100 kohm", "400 kohm"], sample_rate_hz=2000.0)
+    assert two.mean_power_w[0] == two.mean_power_w[1] and len(two.to_pandas()) == 2
+
+
+def test_power_against_the_load_is_that_of_the_command_line(shaken, command_line, tmp_path):
+    paths = [tmp_path / name for name in ("a.csv", "b.csv")]
+    for path in paths:
+        shaken.write(path)
+    told = command_line("power", *map(str, paths), "--resistance=1Mohm", "--resistance=2Mohm", "--drive=11Hz", spec=None)["records"]
+    found = jounce.power(paths, ["1 Mohm", "2 Mohm"], drive="11 Hz")
+    same(found.resistance_ohm, [one["resistance_ohm"] for one in told])
+    for name in ("mean_power_w", "half_width_w", "batches", "batch_correlation", "correlated", "mean_voltage_v"):
+        same(getattr(found, name), [one["power"][name] for one in told])
+    same(found.order_amplitude_peak_v, [[line["amplitude_peak_v"] for line in one["orders"]] for one in told])
+    assert found.record == ["a", "b"] and len(found.manifest["options"]["recording_sha256"].split()) == 2
+    assert found.mean_power_w[0] == 2.0 * found.mean_power_w[1] > 0.0
+    assert jounce.power([shaken, shaken], ["1 Mohm", "2 Mohm"]).mean_power_w.tolist() == found.mean_power_w.tolist()
+
+
+def test_power_per_base_acceleration():
+    recording = jounce.Recording.of(
+        {"u": sine(2.0, 10.0, 1000.0, 10.0), "floor": 0.5 + sine(3.0, 10.0, 1000.0, 10.0)}, 1000.0, units={"u": "V", "floor": "m/s2"}
+    )
+    found = jounce.power(recording, "1 kohm", base="floor", remove_mean=True)
+    assert found.mean_square_base_acceleration_m2_s4 == pytest.approx([3.0**2 / 2.0], rel=1e-12)
+    assert found.mean_power_per_mean_square_w_s4_m2 == pytest.approx([2e-3 / 4.5], rel=1e-12)
+
+
+def test_regimes_are_those_of_the_command_line_and_find_a_made_change(command_line, tmp_path):
+    quiet, loud = sine(1.0, 10.0, 1000.0, 20.0), sine(4.0, 5.0, 1000.0, 20.0) + sine(2.0, 10.0, 1000.0, 20.0)
+    recording = jounce.Recording.of({"u": np.concatenate([quiet, loud])}, 1000.0, units="V", name="made")
+    recording.write(tmp_path / "made.csv")
+    told = command_line("regimes", "--drive=10Hz", "--resistance=1kohm", spec=tmp_path / "made.csv")
+    found = jounce.regimes(recording, "10 Hz", resistance="1 kohm")
+    stretches = told["regimes"]["stretches"]
+    for name in ("start_s", "end_s", "rms"):
+        same(getattr(found, name), [one[name] for one in stretches])
+    same(found.mean_power_w, [one["mean_power_w"] for one in told["powers"]])
+    # The change is found within a block, and the second stretch repeats after two cycles.
+    assert abs(found.end_s[0] - 20.0) <= found.uncertainty_s and found.period_cycles.tolist() == [1, 2]
+    assert found.names() == ["period 1", "period 2"] and found.channel == "u"
+
+
+def test_contacts_are_those_of_the_command_line(command_line, tmp_path):
+    # Half sines: the pulses of a linear spring without loss.
+    pulse = 50.0 * np.sin(np.pi * np.arange(1, 60) / 60.0)
+    force = np.concatenate([np.zeros(500), pulse, np.zeros(2000), 0.5 * pulse, np.zeros(500)])
+    recording = jounce.Recording.of({"hammer": force}, 20_000.0, units="N", name="pulses")
+    recording.write(tmp_path / "pulses.csv")
+    told = command_line("contact", "--mass=0.1kg", spec=tmp_path / "pulses.csv")
+    found = jounce.contact(recording, mass="100 g")
+    for name in ("exponent", "exponent_deviation", "restitution", "stiffness", "speed_m_s", "relative_error", "told"):
+        same(getattr(found, name), [one["law"][name] for one in told["hits"]])
+    same(found.peak_force_n, [one["hit"]["peak_force_n"] for one in told["hits"]])
+    # The law is linear, gives all of the speed back, and its stiffness is m w^2: off by 9e-8, 3e-10 and 7e-7.
+    assert found.exponent == pytest.approx([1.0, 1.0], abs=1e-6) and found.restitution == pytest.approx([1.0, 1.0], abs=1e-8)
+    assert found.stiffness == pytest.approx([0.1 * (np.pi / 3e-3) ** 2] * 2, rel=1e-5) and found.told == ["linear", "linear"]
+    pulse = found.pulses[0]
+    # Off by 2.3e-4 N of 50 N.
+    assert np.interp(pulse.time_s, pulse.law_time_s, pulse.law_force_n) == pytest.approx(pulse.force_n, abs=1e-3)
+
+
+def test_responses_of_a_hammer_test_are_those_of_the_model_and_of_the_command_line(harvester, hits, command_line, tmp_path):
+    hits.write(tmp_path / "hits.csv")
+    told = command_line("frf", f"--measured={tmp_path / 'hits.csv'}", "--end-ratio=0.01", spec=None)
+    found = jounce.measured_frf(hits, end_ratio=0.01)
+    (name,) = found.responses
+    same(found.frequency_hz, told["frequency_hz"])
+    same(found[name].real, told["responses"][name]["re"])
+    same(found.coherence[name], told["responses"][name]["coherence"])
+    assert found.units[name] == "m/s^2/N" and found.block_s == told["block_s"] and len(found.hits) == 4
+    # Between the resonances, where the window changes little, the response is that of the model: off by 0.58 % at most.
+    clear = (found.frequency_hz > 80.0) & (found.frequency_hz < 110.0)
+    model = harvester.frf([f"{hz} Hz" for hz in found.frequency_hz[clear]], input="beam.hammer", hold=["table"])[name]
+    assert np.abs(found[name][clear] / model - 1.0).max() < 0.01
+
+
+def test_modes_of_a_hammer_test_are_those_of_the_model_and_of_the_command_line(harvester, hits, command_line, tmp_path):
+    hits.write(tmp_path / "hits.csv")
+    told = command_line("modes", f"--measured={tmp_path / 'hits.csv'}", "--end-ratio=0.01", "--between=20Hz:350Hz", spec=None)
+    found = jounce.measured_modes(hits, end_ratio=0.01, between="20 Hz:350 Hz")
+    for name in ("frequency_hz", "frequency_deviation_hz", "damping_ratio", "damping_deviation"):
+        same(getattr(found, name), [mode[name] for mode in told["modes"]])
+    same(found.mac, told["mac"])
+    assert found.shape.shape == (1, len(found)) and found.pole_stable[0] == told["stabilisation"][0]["stable"]
+    # The truth is known: with 1 Mohm the frequencies are nearly those of the open patch, which are off by 8e-5, 3e-5 and 3e-6.
+    truth = harvester.modes(hold=["table"]).open_circuit_hz[0]
+    assert found.frequency_hz == pytest.approx(truth[(truth > 20.0) & (truth < 350.0)], rel=2e-4)
+    # The responses as arrays go the same way, without what the coherence told: off by 6.6e-5.
+    frf = found.frf
+    given = jounce.Recording.of(frf.responses, frequency_hz=frf.frequency_hz)
+    again = jounce.measured_modes(given, between=("20 Hz", "350 Hz"))
+    assert again.frequency_hz == pytest.approx(found.frequency_hz, rel=2e-4)
+
+
+def test_a_fit_is_that_of_the_command_line(command_line):
+    folder = ROOT / "examples/impact-harvester-2019"
+    told = command_line("fit", f"--to={folder / 'measured.toml'}", keys={"patch.mfc.section": "laminate"})
+    harvester = jounce.read(folder / "harvester.toml").changed({"patch.mfc.section": "laminate"})
+    found = harvester.fit(folder / "measured.toml")
+    assert found.key == [one["key"] for one in told["keys"]] and found.feature == [one["name"] for one in told["features"]]
+    for name in ("before", "after", "low", "high", "deviation"):
+        same(getattr(found, name), [one[name] for one in told["keys"]])
+    same(found.feature_after, [one["after"] for one in told["features"]])
+    assert found.chi_square == told["chi_square"] and found.warnings == told["warnings"]
+    # Each key is set, and the fitted harvester has the predicted frequencies.
+    assert [found.spec.si(key) for key in found.key] == pytest.approx(found.after, rel=1e-15)
+    assert np.abs(found.error_after).max() < np.abs(found.error_before).max()
+    assert len(found.features_to_pandas()) == len(found.feature) and pickle.loads(pickle.dumps(found)) == found
+
+
+def test_a_key_comes_back_from_the_modes_of_a_changed_harvester(harvester):
+    truth = 1.01 * harvester.si("beam.beam.thickness")
+    modes = harvester.changed({"beam.beam.thickness": f"{truth!r} m"}).modes(hold=["table"])
+    features = [{"number": number, "frequency": f"{modes.frequency_hz[number - 1]} Hz"} for number in (1, 2, 3)]
+    free = {"beam.beam.thickness": 0.05}
+    found = harvester.fit({"hold": ["table"], "frequency_deviation": 1e-3, "free": free, "mode": features})
+    # Noiseless, but held towards where it began by a prior of 5 %: off by 1.5e-6 of itself.
+    assert found.after == pytest.approx([truth], rel=1e-5) and found.low[0] < truth < found.high[0]
