@@ -117,5 +117,6 @@ input_failure!(
     jounce_measure::modal::ModalError,
     jounce_measure::fit::FitError,
     jounce_measure::rig::RigError,
+    jounce_measure::solution::SolutionError,
     jounce_measure::regime::RegimeError
 );

@@ -14,5 +14,6 @@ pub mod recording;
 pub mod regime;
 pub mod response;
 pub mod rig;
+pub mod solution;
 pub mod spectral;
 pub mod write;

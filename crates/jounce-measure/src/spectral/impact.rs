@@ -4,7 +4,7 @@ use jounce::signal::{Samples, Window};
 use realfft::num_complex::Complex;
 use serde::Serialize;
 
-use super::{Averages, Estimator, FrequencyResponse, Hit, HitSearch, Segments, SpectralError, exponential_window, force_window, hits};
+use super::{Averages, Estimator, FrequencyResponse, Hit, HitSearch, HitWarning, Segments, SpectralError, exponential_window, force_window, hits};
 
 /// How the blocks are cut and weighed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,6 +63,13 @@ pub struct ImpactAnswer {
 const BEFORE: f64 = 0.01;
 /// Length of the slope of the force window over that of the pulse.
 const SLOPE: f64 = 1.0;
+/// Samples before a hit that may belong to it, samples that tell whether the structure is quiet, and from which share of the block's rms on
+/// it is not. That share is small because a slow mode has small accelerations.
+const QUIET_BEFORE: usize = 4;
+const QUIET: usize = 16;
+const RINGING: f64 = 1e-3;
+/// How far above the noise a motion must be.
+const ABOVE_NOISE: f64 = 2.0;
 
 /// Averages the blocks of all hits of all records.
 ///
@@ -101,10 +108,11 @@ pub fn impact(records: &[ImpactRecord<'_>], settings: &ImpactSettings) -> Result
     let mut listed = Vec::new();
     for (number, (record, found)) in records.iter().zip(found).enumerate() {
         let whole = found.len() == 1 && record.force.values().len() == length;
-        for hit in found {
+        for mut hit in found {
             let start = if whole { 0 } else { hit.start.saturating_sub((BEFORE * length as f64) as usize) };
             let used = start + length <= record.force.values().len();
             if used {
+                hit.warnings.extend(ringing(record, start, hit.start, length));
                 let weights = force_weights(settings, &hit, start, &decay);
                 let force = transform(&segments, &record.force, start, &weights)?;
                 for (average, response) in averages.iter_mut().zip(&record.responses) {
@@ -117,6 +125,29 @@ pub fn impact(records: &[ImpactRecord<'_>], settings: &ImpactSettings) -> Result
     let frequency_hz = segments.frequency_hz(rate_hz);
     let responses = averages.iter().map(|average| average.response(frequency_hz.clone(), settings.estimator)).collect::<Result<_, _>>()?;
     Ok(ImpactAnswer { responses, hits: listed, block_s: length as f64 / rate_hz, window_decay_per_s })
+}
+
+/// A response that moves before its hit, the one that moves most. The pulse may begin some samples before its edge; noise, known from the
+/// third differences, is no motion.
+fn ringing(record: &ImpactRecord<'_>, start: usize, hit: usize, length: usize) -> Option<HitWarning> {
+    let end = hit.saturating_sub(QUIET_BEFORE);
+    if end < start + QUIET {
+        return None;
+    }
+    // About their own mean: an offset is no motion.
+    let rms = |values: &[f64]| {
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        (values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / values.len() as f64).sqrt()
+    };
+    let share = |response: &Samples<'_>| {
+        let before = &response.values()[start..end];
+        let thirds = before.windows(4).map(|x| (x[3] - 3.0 * x[2] + 3.0 * x[1] - x[0]).powi(2)).sum::<f64>();
+        let noise = (thirds / 20.0 / (before.len() - 3) as f64).sqrt();
+        let (motion, block) = (rms(before), rms(&response.values()[start..start + length]));
+        if motion > ABOVE_NOISE * noise { motion / block } else { 0.0 }
+    };
+    let largest = record.responses.iter().map(share).fold(0.0, f64::max);
+    (largest > RINGING).then_some(HitWarning::Ringing { share: largest })
 }
 
 /// A whole record where each holds one hit, else the shortest distance of two hits or of the last one to the end.
@@ -177,6 +208,23 @@ mod tests {
         let error = error.map(|(f, h)| (h - oscillator.exact(f / RATE)).norm() / peak).fold(0.0, f64::max);
         assert!(error < 1e-10, "{error:e}");
         assert!(answer.coherence[100] > 1.0 - 1e-9);
+    }
+
+    /// Two hits before the structure is quiet: told for the second one, whether or not there is noise; noise alone is not told.
+    #[test]
+    fn a_structure_that_still_rings_is_told() {
+        let mut stream = jounce::drive::Stream::new(5, 0);
+        let noise: Vec<f64> = (0..8000).map(|_| stream.normal_pair()[0]).collect();
+        for (damping_ratio, level, ringing) in [(0.002, 0.0, true), (0.002, 1e-2, true), (0.05, 1e-2, false), (0.05, 0.0, false)] {
+            let force = struck(&[200, 4200], 8000);
+            let clean = Oscillator::new(40.0, damping_ratio, RATE).answer(&force);
+            let rms = (clean.iter().map(|x| x * x).sum::<f64>() / 8000.0).sqrt();
+            let response: Vec<f64> = clean.iter().zip(&noise).map(|(x, n)| x + level * rms * n).collect();
+            let record = ImpactRecord { force: Samples::new(&force, RATE).unwrap(), responses: vec![Samples::new(&response, RATE).unwrap()] };
+            let found = impact(&[record], &ImpactSettings { block_s: Some(3.5), ..ImpactSettings::default() }).unwrap();
+            let told = |k: usize| found.hits[k].hit.warnings.iter().any(|w| matches!(w, HitWarning::Ringing { .. }));
+            assert_eq!((told(0), told(1)), (false, ringing), "{damping_ratio} {level}: {:?}", found.hits);
+        }
     }
 
     /// A response that outlives its block: the exponential window adds its decay to the damping, and says so. Measured 1.1 %: the line
