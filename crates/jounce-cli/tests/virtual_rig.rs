@@ -99,7 +99,7 @@ fn what_cannot_be_recorded_is_told() {
         (vec!["--solution", "9z", "--starts", "2"], 2, "the model's solutions are"),
         (vec!["--solution", "1a", "--solution", "1a", "--starts", "2"], 2, "@42s"),
         (vec!["--amplitude-wander", "2"], 4, "from 0 to 0.3"),
-        (vec!["--cable", "-1nF"], 2, "--cable"),
+        (vec!["--cable", "0nF"], 2, "--cable"),
         (vec!["--base", "missing.csv"], 4, "missing.csv"),
         (vec!["--hammer", "beam.hammer", "--solution", "1a"], 2, "cannot be used with"),
         (vec!["--sensor-mass", "1g"], 2, "--at"),

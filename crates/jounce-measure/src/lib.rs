@@ -7,6 +7,7 @@
 
 pub mod contact;
 pub mod draw;
+pub mod experiment;
 pub mod fit;
 pub mod modal;
 pub mod read;
