@@ -77,9 +77,11 @@ impl ModalTest {
     pub fn worst(&self) -> (f64, f64) {
         let off = |found: Option<f64>, truth: f64| found.map_or(f64::INFINITY, |found| (found / truth - 1.0).abs());
         let pairs = self.pairs();
-        let both = self.truth.iter().zip(&pairs).map(|((hz, zeta), mode)| {
-            (off(mode.map(|mode| mode.frequency_hz), *hz), off(mode.map(|mode| mode.damping_ratio), *zeta))
-        });
+        let both = self
+            .truth
+            .iter()
+            .zip(&pairs)
+            .map(|((hz, zeta), mode)| (off(mode.map(|mode| mode.frequency_hz), *hz), off(mode.map(|mode| mode.damping_ratio), *zeta)));
         both.fold((0.0, 0.0), |worst, one| (worst.0.max(one.0), worst.1.max(one.1)))
     }
 

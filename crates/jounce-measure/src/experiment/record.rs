@@ -23,8 +23,7 @@ const SHOWN: [(&str, f64); 3] = [("1a", 0.0), ("3a", 31.0), ("1a", 63.0)];
 /// Mean powers of the paper's two stretches, W.
 const PAPER_W: [f64; 2] = [31.1e-6, 48.1e-6];
 /// The shaker wanders: a guess, the paper does not tell.
-const WANDER: Wander =
-    Wander { amplitude_ratio: 2e-3, frequency_ratio: 5e-5, memory_s: 5.0, amplitude_drift: 0.0, frequency_drift: 0.0 };
+const WANDER: Wander = Wander { amplitude_ratio: 2e-3, frequency_ratio: 5e-5, memory_s: 5.0, amplitude_drift: 0.0, frequency_drift: 0.0 };
 /// Largest distance at which a solution fits.
 const WITHIN: f64 = 0.2;
 /// Cycles of the drive in a segment of the spectrogram, and how much the next one overlaps.

@@ -135,8 +135,7 @@ fn compare(values: &[f64], rate_hz: f64, drive_hz: f64, stretch: &Stretch, wavef
     for piece in 0..pieces as usize {
         let part = &values[piece * length..(piece + 1) * length];
         let mean = part.iter().sum::<f64>() / length as f64;
-        let lines: Vec<c64> =
-            orders.iter().map(|j| line(part, mean, f64::from(*j) / f64::from(common) * drive_hz / rate_hz)).collect();
+        let lines: Vec<c64> = orders.iter().map(|j| line(part, mean, f64::from(*j) / f64::from(common) * drive_hz / rate_hz)).collect();
         let size = lines.iter().map(|x| x.norm_sqr()).sum::<f64>();
         same += nearest(&lines, &model, &orders, common, 1.0) / size;
         other += nearest(&lines, &model, &orders, common, -1.0) / size;
@@ -189,7 +188,15 @@ mod tests {
         let mut lines_v = vec![c64::new(0.0, 0.0); (ORDERS * period_cycles) as usize];
         lines.iter().for_each(|(k, size, angle)| lines_v[k - 1] = c64::cis(*angle) * *size);
         let waveform = Some(Waveform { period_cycles, lines_v });
-        Solution { id: id.to_owned(), period_cycles: Some(period_cycles), mean_power_w: 1.0, contacts: 0, share: 0.5, start: None, waveform }
+        Solution {
+            id: id.to_owned(),
+            period_cycles: Some(period_cycles),
+            mean_power_w: 1.0,
+            contacts: 0,
+            share: 0.5,
+            start: None,
+            waveform,
+        }
     }
 
     fn known() -> Vec<Solution> {

@@ -11,6 +11,7 @@ mod base;
 mod error;
 mod fitting;
 mod hammer;
+mod sensed;
 mod sensor;
 mod shaken;
 mod wander;

@@ -4,12 +4,13 @@ use jounce::drive::Stream;
 use jounce::march::{Kernel, Trajectory};
 use jounce::plant::{Plant, System};
 use jounce::run::{RunPlan, StartState, simulate};
-use jounce::spec::{DriveKind, Spec};
+use jounce::spec::Spec;
 use jounce::structure::Modes;
 
+use super::sensed::{SensedAs, sensors};
 use super::wander::{courses, disturbed};
 use super::{RigError, Sensor, Wander};
-use crate::recording::{Channel, Finding, FindingKind, Grid, Over, Quantity, Recording};
+use crate::recording::{Channel, Finding, FindingKind, Grid, Over, Recording};
 use crate::solution::{Output, outputs};
 
 /// A shaker test.
@@ -41,7 +42,7 @@ pub struct ShakerTest {
 /// A setting out of its range, a name that is not there, a march that fails.
 pub fn shaker_test(spec: &Spec, modes: &Modes, test: &ShakerTest) -> Result<Recording, RigError> {
     let count = check(test)?;
-    let sensors = sensors(spec, modes, test)?;
+    let sensors = sensors(spec, modes, &test.accelerometers)?;
     let mut stream = Stream::new(test.seed, 0);
     let total_s = test.before_s + test.duration_s;
     let wanders = test.wander != Wander::NONE;
@@ -66,7 +67,10 @@ pub fn shaker_test(spec: &Spec, modes: &Modes, test: &ShakerTest) -> Result<Reco
     let channels = sensors.into_iter().zip(values).map(channel).collect();
     let grid = Grid::even(0.0, 1.0 / test.rate_hz, count)?;
     let about = |at_s: f64| {
-        let about = format!("the motion goes on from another solution at {:.6} s: simulated, what would push it is not modelled", at_s - test.before_s);
+        let about = format!(
+            "the motion goes on from another solution at {:.6} s: simulated, what would push it is not modelled",
+            at_s - test.before_s
+        );
         Finding::new(FindingKind::Simulated, 1, None, about)
     };
     let findings = jumps.iter().skip(1).map(|(at_s, _)| about(*at_s)).collect();
@@ -90,39 +94,6 @@ fn check(test: &ShakerTest) -> Result<usize, RigError> {
     }
 }
 
-/// A channel to be.
-struct SensedAs {
-    name: String,
-    quantity: Quantity,
-    unit: &'static str,
-    output: Output,
-}
-
-fn sensors(spec: &Spec, modes: &Modes, test: &ShakerTest) -> Result<Vec<SensedAs>, RigError> {
-    let patches = modes.patch.keys().enumerate().map(|(k, name)| (format!("{name}.voltage"), Output::PatchVoltage(k)));
-    let stops = spec.stop.keys().enumerate().map(|(k, name)| (format!("{name}.force"), Output::StopForce(k)));
-    let mut all: Vec<(String, Output)> = patches.chain(stops).collect();
-    let ground = spec.drive.values().any(|drive| drive.kind != DriveKind::Force);
-    let pushed = spec.drive.values().find(|drive| drive.kind == DriveKind::Force).map(|drive| Output::Acceleration(drive.at.clone()));
-    all.extend(if ground { Some(Output::Ground) } else { pushed }.map(|output| ("base.acceleration".to_owned(), output)));
-    for point in &test.accelerometers {
-        if !modes.shape.contains_key(point) {
-            let known = modes.shape.keys().cloned().collect::<Vec<_>>().join(", ");
-            return Err(RigError::UnknownPoint { point: point.clone(), known });
-        }
-        all.push((format!("{point}.acceleration"), Output::Acceleration(point.clone())));
-    }
-    let sensed = |(name, output): (String, Output)| {
-        let (quantity, unit) = match output {
-            Output::PatchVoltage(_) | Output::LoadVoltage(_) => (Quantity::Voltage, "V"),
-            Output::StopForce(_) => (Quantity::Force, "N"),
-            Output::Acceleration(_) | Output::Ground => (Quantity::Acceleration, "m/s^2"),
-        };
-        SensedAs { name, quantity, unit, output }
-    };
-    Ok(all.into_iter().map(sensed).collect())
-}
-
 /// When each start is taken, s of the march: the first at once, the others where a cycle of the first drive begins.
 fn jumps<'a>(spec: &Spec, test: &'a ShakerTest, courses: &[(String, super::wander::Course)]) -> Vec<(f64, &'a StartState)> {
     let cycle = |at_s: f64| match courses.first() {
@@ -139,9 +110,7 @@ fn jumps<'a>(spec: &Spec, test: &'a ShakerTest, courses: &[(String, super::wande
             if period_s > 0.0 { (at_s / period_s - 1e-9).ceil() * period_s } else { at_s }
         }
     };
-    let at = |(number, (at_s, start)): (usize, &'a (f64, StartState))| {
-        (if number == 0 { 0.0 } else { cycle(test.before_s + at_s) }, start)
-    };
+    let at = |(number, (at_s, start)): (usize, &'a (f64, StartState))| (if number == 0 { 0.0 } else { cycle(test.before_s + at_s) }, start);
     test.starts.iter().enumerate().map(at).collect()
 }
 
@@ -161,6 +130,7 @@ fn marched(spec: &Spec, modes: &Modes, start: &StartState, duration_s: f64) -> R
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
+    use crate::recording::Quantity;
     use crate::rig::on_recorded_base;
     use jounce::linear::{Input, Response, frf};
     use jounce::reproduce::paper_spec;

@@ -50,8 +50,7 @@ pub struct Course {
 
 impl Wander {
     /// A shaker that holds what it is set to.
-    pub const NONE: Self =
-        Self { amplitude_ratio: 0.0, frequency_ratio: 0.0, memory_s: 1.0, amplitude_drift: 0.0, frequency_drift: 0.0 };
+    pub const NONE: Self = Self { amplitude_ratio: 0.0, frequency_ratio: 0.0, memory_s: 1.0, amplitude_drift: 0.0, frequency_drift: 0.0 };
 
     pub(super) fn check(&self) -> Result<(), RigError> {
         let settings = [

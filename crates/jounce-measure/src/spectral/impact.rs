@@ -4,7 +4,8 @@ use jounce::signal::{Samples, Window};
 use realfft::num_complex::Complex;
 use serde::Serialize;
 
-use super::{Averages, Estimator, FrequencyResponse, Hit, HitSearch, HitWarning, Segments, SpectralError, exponential_window, force_window, hits};
+use super::quiet::ringing;
+use super::{Averages, Estimator, FrequencyResponse, Hit, HitSearch, Segments, SpectralError, exponential_window, force_window, hits};
 
 /// How the blocks are cut and weighed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,14 +64,6 @@ pub struct ImpactAnswer {
 const BEFORE: f64 = 0.01;
 /// Length of the slope of the force window over that of the pulse.
 const SLOPE: f64 = 1.0;
-/// Samples before a hit that may belong to it, samples that tell whether the structure is quiet, and from which share of the block's rms on
-/// it is not. That share is small because a slow mode has small accelerations.
-const QUIET_BEFORE: usize = 4;
-const QUIET: usize = 16;
-const RINGING: f64 = 1e-3;
-/// How far above the noise a motion must be.
-const ABOVE_NOISE: f64 = 2.0;
-
 /// Averages the blocks of all hits of all records.
 ///
 /// # Errors
@@ -112,7 +105,7 @@ pub fn impact(records: &[ImpactRecord<'_>], settings: &ImpactSettings) -> Result
             let start = if whole { 0 } else { hit.start.saturating_sub((BEFORE * length as f64) as usize) };
             let used = start + length <= record.force.values().len();
             if used {
-                hit.warnings.extend(ringing(record, start, hit.start, length));
+                hit.warnings.extend(ringing(&record.responses, (start, hit.start), length));
                 let weights = force_weights(settings, &hit, start, &decay);
                 let force = transform(&segments, &record.force, start, &weights)?;
                 for (average, response) in averages.iter_mut().zip(&record.responses) {
@@ -125,29 +118,6 @@ pub fn impact(records: &[ImpactRecord<'_>], settings: &ImpactSettings) -> Result
     let frequency_hz = segments.frequency_hz(rate_hz);
     let responses = averages.iter().map(|average| average.response(frequency_hz.clone(), settings.estimator)).collect::<Result<_, _>>()?;
     Ok(ImpactAnswer { responses, hits: listed, block_s: length as f64 / rate_hz, window_decay_per_s })
-}
-
-/// A response that moves before its hit, the one that moves most. The pulse may begin some samples before its edge; noise, known from the
-/// third differences, is no motion.
-fn ringing(record: &ImpactRecord<'_>, start: usize, hit: usize, length: usize) -> Option<HitWarning> {
-    let end = hit.saturating_sub(QUIET_BEFORE);
-    if end < start + QUIET {
-        return None;
-    }
-    // About their own mean: an offset is no motion.
-    let rms = |values: &[f64]| {
-        let mean = values.iter().sum::<f64>() / values.len() as f64;
-        (values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / values.len() as f64).sqrt()
-    };
-    let share = |response: &Samples<'_>| {
-        let before = &response.values()[start..end];
-        let thirds = before.windows(4).map(|x| (x[3] - 3.0 * x[2] + 3.0 * x[1] - x[0]).powi(2)).sum::<f64>();
-        let noise = (thirds / 20.0 / (before.len() - 3) as f64).sqrt();
-        let (motion, block) = (rms(before), rms(&response.values()[start..start + length]));
-        if motion > ABOVE_NOISE * noise { motion / block } else { 0.0 }
-    };
-    let largest = record.responses.iter().map(share).fold(0.0, f64::max);
-    (largest > RINGING).then_some(HitWarning::Ringing { share: largest })
 }
 
 /// A whole record where each holds one hit, else the shortest distance of two hits or of the last one to the end.
@@ -180,6 +150,7 @@ fn transform(segments: &Segments, samples: &Samples<'_>, start: usize, weights: 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
+    use super::super::HitWarning;
     use super::super::response::tests::Oscillator;
     use super::*;
 
@@ -220,7 +191,8 @@ mod tests {
             let clean = Oscillator::new(40.0, damping_ratio, RATE).answer(&force);
             let rms = (clean.iter().map(|x| x * x).sum::<f64>() / 8000.0).sqrt();
             let response: Vec<f64> = clean.iter().zip(&noise).map(|(x, n)| x + level * rms * n).collect();
-            let record = ImpactRecord { force: Samples::new(&force, RATE).unwrap(), responses: vec![Samples::new(&response, RATE).unwrap()] };
+            let record =
+                ImpactRecord { force: Samples::new(&force, RATE).unwrap(), responses: vec![Samples::new(&response, RATE).unwrap()] };
             let found = impact(&[record], &ImpactSettings { block_s: Some(3.5), ..ImpactSettings::default() }).unwrap();
             let told = |k: usize| found.hits[k].hit.warnings.iter().any(|w| matches!(w, HitWarning::Ringing { .. }));
             assert_eq!((told(0), told(1)), (false, ringing), "{damping_ratio} {level}: {:?}", found.hits);

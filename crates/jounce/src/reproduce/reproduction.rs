@@ -50,7 +50,14 @@ pub fn reproduce(progress: &dyn Fn(&str)) -> Result<Reproduction, ReproduceError
     let (ground, on_table) = (claims::judged(&computed.ground), claims::judged(&computed.table));
     let manifest = Manifest::new(&computed.ground.harvester.spec.hash_hex()).with("command", "reproduce");
     let tables = tables(&computed, claims::table(&ground, &on_table)?)?;
-    Ok(Reproduction { tables, figures, claims: claims::claims(&ground, &on_table), summary: page::summary(&computed), chapters: Vec::new(), manifest })
+    Ok(Reproduction {
+        tables,
+        figures,
+        claims: claims::claims(&ground, &on_table),
+        summary: page::summary(&computed),
+        chapters: Vec::new(),
+        manifest,
+    })
 }
 
 fn tables(computed: &Computed, claims: NamedTable) -> Result<Vec<NamedTable>, ReproduceError> {
