@@ -32,7 +32,7 @@ const NOISE: f64 = 0.01;
 /// None is expected: the inputs are built in. See [`ExperimentError`].
 pub fn chapters(paper: &Reproduction) -> Result<Vec<Chapter>, ExperimentError> {
     let (modal, (loads, record)) = rayon::join(
-        || ModalTest::compute(paper),
+        || ModalTest::compute(paper.table("table-2").and_then(|named| named.table.floats("measured_hz")).unwrap_or_default()),
         || rayon::join(|| [ABOVE, BELOW].into_par_iter().map(PowerOverLoad::compute).collect::<Result<Vec<_>, _>>(), Alternating::compute),
     );
     let (modal, loads, record) = (modal?, loads?, record?);

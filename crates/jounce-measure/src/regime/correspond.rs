@@ -15,10 +15,10 @@
 use faer::c64;
 use jounce::signal::Samples;
 use serde::Serialize;
-use std::f64::consts::TAU;
 
 use super::Stretch;
 use super::features::line;
+use super::shift::nearest;
 use crate::solution::{ORDERS, Solution, Waveform};
 
 /// What a solution has in common with a stretch.
@@ -74,8 +74,6 @@ const CYCLES: f64 = 24.0;
 const AS_WELL: f64 = 1.5;
 /// How much nearer the other polarity must be, in squares.
 const CLEARLY: f64 = 0.5;
-/// Steps of a drive cycle in which the phase is sought before it is refined.
-const STEPS: usize = 48;
 /// Longest common period.
 const LONGEST: u32 = 24;
 
@@ -146,26 +144,6 @@ fn compare(values: &[f64], rate_hz: f64, drive_hz: f64, stretch: &Stretch, wavef
     Some(Beside { waveform: (same.min(other) / pieces).sqrt(), spectrum: (spectra / pieces).sqrt(), inverted })
 }
 
-/// The smallest sum of squares over all shifts in time: steps, then the parabola through the best one.
-fn nearest(lines: &[c64], model: &[c64], orders: &[u32], common: u32, sign: f64) -> f64 {
-    let sum = |shift: f64| {
-        let term = |((x, c), j): ((&c64, &c64), &u32)| {
-            let turn = c64::cis(TAU * f64::from(*j) * shift / f64::from(common));
-            (*x - *c * turn * sign).norm_sqr()
-        };
-        lines.iter().zip(model).zip(orders).map(term).sum::<f64>()
-    };
-    let count = STEPS * common as usize;
-    let at = |k: usize| k as f64 / STEPS as f64;
-    let best = (0..count).map(|k| (sum(at(k)), at(k))).min_by(|a, b| a.0.total_cmp(&b.0)).map_or(0.0, |found| found.1);
-    let (mut low, mut high) = (best - 1.0 / STEPS as f64, best + 1.0 / STEPS as f64);
-    for _ in 0..30 {
-        let (one, two) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
-        if sum(one) < sum(two) { high = two } else { low = one }
-    }
-    sum(0.5 * (low + high))
-}
-
 fn least_common(a: u32, b: u32) -> u32 {
     let (mut x, mut y) = (a.max(1), b.max(1));
     while y > 0 {
@@ -180,6 +158,7 @@ mod tests {
     use super::super::regimes;
     use super::*;
     use jounce::drive::Stream;
+    use std::f64::consts::TAU;
 
     const HZ: f64 = 13.5;
     const RATE: f64 = 1536.0;

@@ -20,6 +20,7 @@ mod features;
 mod partition;
 mod period;
 mod section;
+mod shift;
 mod stretches;
 
 pub use correspond::{Candidate, Correspondence, Fits, correspond};
