@@ -26,7 +26,7 @@ pub(super) const ABOVE: Case = Case { number: 10, frequency: "13.5 Hz", amplitud
 /// Figure 11.
 pub(super) const BELOW: Case = Case { number: 11, frequency: "6 Hz", amplitude: "50 N" };
 
-const LOADS_OHM: [f64; 9] = [1e4, 1.8e4, 3.2e4, 5.6e4, 1e5, 1.8e5, 3.2e5, 5.6e5, 1e6];
+const LOADS_OHM: [f64; 6] = [1e4, 3e4, 6e4, 1e5, 2e5, 1e6];
 /// A stop so far away that it is never reached.
 const GAPS: [&str; 2] = ["1 mm", "1 m"];
 /// Marched before the record: without contact the first mode decays to 1 % in 44 s.
@@ -158,4 +158,28 @@ fn recorded(case: Case, gap: &str, resistance_ohm: f64) -> Result<Point, Experim
         half_width_w: power.half_width_w,
         mean_square_m2_s4: base.rms().powi(2) - base.mean().powi(2),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use jounce::linear::{Input, Response, frf, steady_power_w};
+
+    /// Without contact the power of a record and the mean square of its base are the closed forms; noise of 1 % adds 1e-4 to both.
+    #[test]
+    fn a_record_without_contact_has_the_power_of_the_closed_form() -> Result<(), ExperimentError> {
+        let settings = [("drive.shaker.frequency", "13.5 Hz"), ("drive.shaker.amplitude", "200 N")];
+        let spec = paper_spec(&[&settings[..], &[("stop.tip.gap", "1 m"), ("circuit.load.resistance", "100 kohm")]].concat())?;
+        let plant = Plant::new(System::assemble(&spec, structure::modes(&spec)?)?)?;
+        let table = [Response::Acceleration("table".to_owned())];
+        let base = frf(&plant, &Input::Force("table".to_owned()), &table, &[13.5])?[0].value[0].norm() * 200.0;
+        let found = recorded(ABOVE, "1 m", 1e5)?;
+        let (power, square) = (found.power_w / steady_power_w(&plant) - 1.0, found.mean_square_m2_s4 / (0.5 * base * base) - 1.0);
+        eprintln!("power {power:.1e}, mean square {square:.1e} off");
+        assert!(power.abs() < 2e-3 && square.abs() < 1e-3, "{power:e} {square:e}");
+        let one = PowerOverLoad { case: ABOVE, impact: vec![found], linear: vec![found] };
+        assert!(one.gains() == (1.0, 1.0) && one.table()?.table.rows() == 2 && one.figure().figure.to_svg().is_ok());
+        assert!(words(&[one])[1].contains("1.00 to 1.00 times"));
+        Ok(())
+    }
 }

@@ -18,7 +18,7 @@ use crate::spectral::ImpactSettings;
 
 /// Recordings of one hit each, so that the beam is at rest before each: its first mode needs 45 s to fall to 1 %.
 const HITS: u64 = 4;
-const BLOCK_S: f64 = 40.0;
+const BLOCK_S: f64 = 20.0;
 const RATE_HZ: f64 = 2560.0;
 /// A metal tip: its force reaches the seventh mode.
 const CONTACT_S: f64 = 1.2e-3;
