@@ -4,18 +4,18 @@ use jounce::signal::Samples;
 
 use super::HitWarning;
 
-/// Samples before a hit that may belong to it, samples that tell whether the structure is quiet, and from which share of the block's rms on
-/// it is not. That share is small because a slow mode has small accelerations.
-const QUIET_BEFORE: usize = 4;
+/// Share of what lies before a hit that is left out: filters that keep a converter from aliasing let a pulse begin early.
+const EARLY: f64 = 1.0 / 3.0;
+/// Samples that tell whether the structure is quiet, and from which share of the block's rms on it is not. That share is small because a
+/// slow mode has small accelerations.
 const QUIET: usize = 16;
 const RINGING: f64 = 1e-3;
 /// How far above the noise a motion must be.
 const ABOVE_NOISE: f64 = 2.0;
 
-/// A response that moves before its hit, the one that moves most. The pulse may begin some samples before its edge; noise, known from the
-/// third differences, is no motion.
+/// A response that moves before its hit, the one that moves most. Noise, known from the third differences, is no motion.
 pub(super) fn ringing(responses: &[Samples<'_>], (start, hit): (usize, usize), length: usize) -> Option<HitWarning> {
-    let end = hit.saturating_sub(QUIET_BEFORE);
+    let end = hit.saturating_sub((EARLY * hit.saturating_sub(start) as f64).ceil() as usize);
     if end < start + QUIET {
         return None;
     }
