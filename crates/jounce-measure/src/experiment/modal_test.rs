@@ -87,19 +87,29 @@ impl ModalTest {
         both.fold((0.0, 0.0), |worst, one| (worst.0.max(one.0), worst.1.max(one.1)))
     }
 
+    /// How many frequencies lie within their intervals.
+    fn inside(&self) -> usize {
+        let off = |(truth, mode): (&(f64, f64), &Option<&Mode>)| {
+            mode.is_some_and(|mode| (mode.frequency_hz - truth.0).abs() <= Mode::QUANTILE_95 * mode.frequency_deviation_hz)
+        };
+        self.truth.iter().zip(&self.pairs()).filter(|pair| off(*pair)).count()
+    }
+
     pub fn words(&self) -> Vec<String> {
         let (frequency, damping) = self.worst();
         vec![format!(
             "Simulated. The virtual rig is the laminate model with the damping ratios of Table 2, clamped, its patch over 1 MΩ; its {HITS} \
              recordings hold one hit each (1.2 ms, about 20 N, {BLOCK_S} s at {RATE_HZ} Hz), with noise of {} % on every channel. Identified as a \
              laboratory's recordings are, {} of {} modes come back, frequencies within {:.1e} and damping ratios within {:.2} % of what was put \
-             in. The patch stiffens the beam: what was put in is the beam with its load, which for the first mode lies {:.1} % above the \
+             in. {} of the frequencies lie within their intervals of 95 %: these hold the noise, and not what the end of the window leaks. \
+             The patch stiffens the beam: what was put in is the beam with its load, which for the first mode lies {:.1} % above the \
              short-circuited laminate.",
             100.0 * NOISE,
             self.pairs().iter().flatten().count(),
             self.truth.len(),
             frequency,
             100.0 * damping,
+            self.inside(),
             100.0 * (self.truth.first().map_or(1.0, |first| first.0) / self.short_circuit_hz - 1.0)
         )]
     }
@@ -167,7 +177,8 @@ fn eigenvalues(plant: &Plant) -> Vec<(f64, f64)> {
 mod tests {
     use super::*;
 
-    /// All seven modes come back.
+    /// All seven modes come back. Measured: frequencies within 6.7e-5 and damping ratios within 4 %, both of the first mode; the others within 5e-6
+    /// and 1.1e-4.
     #[test]
     fn what_was_put_in_is_found_again() {
         let found = ModalTest::compute(&[]).unwrap_or_else(|fault| panic!("{fault}"));
@@ -176,6 +187,6 @@ mod tests {
         }
         let (frequency, damping) = found.worst();
         eprintln!("frequencies within {frequency:.1e}, damping ratios within {damping:.1e}");
-        assert!(found.truth.len() == 7 && frequency < 1e-3 && damping < 0.1, "{frequency:e} {damping:e}");
+        assert!(found.truth.len() == 7 && frequency < 2e-4 && damping < 0.08, "{frequency:e} {damping:e}");
     }
 }
