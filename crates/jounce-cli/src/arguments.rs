@@ -2,7 +2,7 @@
 
 use crate::commands::{
     basins, branch, check, completions, contact, diagram, ensemble, explore, fit, frf, jumps, materials, modes, new, noise, power, read,
-    regimes, reproduce, rig, run, show, study, sweep,
+    regimes, reproduce, rig, run, show, spectra, study, sweep,
 };
 use clap::{Parser, Subcommand};
 
@@ -58,8 +58,10 @@ pub enum Command {
     Power(power::Power),
     /// Contact time, exponent, restitution and stiffness from the force pulses of a hammer.
     Contact(contact::Contact),
-    /// Cuts a long recording into stretches of one solution each.
+    /// Cuts a long recording into stretches of one solution each, and names the solution of a model that each shows.
     Regimes(regimes::RegimesOf),
+    /// Power spectral density, order lines and spectrogram of a recorded channel.
+    Spectra(spectra::Spectra),
     /// Fits keys of a spec to measured natural frequencies and damping ratios, with intervals.
     Fit(fit::Fit),
     /// Records a model as the sensors of a rig would, hammer test or run, so that the truth is known.
@@ -100,6 +102,7 @@ impl Command {
             Command::Power(command) => command.output.json,
             Command::Contact(command) => command.file.output.json,
             Command::Regimes(command) => command.file.output.json,
+            Command::Spectra(command) => command.file.output.json,
             Command::Materials(command) => command.json,
             Command::Schema | Command::Keys | Command::Completions(_) => false,
         }

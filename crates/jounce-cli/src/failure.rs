@@ -117,5 +117,7 @@ input_failure!(
     jounce_measure::modal::ModalError,
     jounce_measure::fit::FitError,
     jounce_measure::rig::RigError,
+    jounce_measure::experiment::ExperimentError,
+    jounce_measure::solution::SolutionError,
     jounce_measure::regime::RegimeError
 );

@@ -114,5 +114,8 @@ fn told(warning: HitWarning) -> String {
         HitWarning::Clipped { samples } => format!("is clipped: {samples} equal samples at the top"),
         HitWarning::Coarse { samples } => format!("is coarse: {samples} samples only"),
         HitWarning::Cut => "is cut by the record's end".to_owned(),
+        HitWarning::Ringing { share } => format!(
+            "comes while a response still moves, with {share:.4} of its rms in the block: wait longer between hits, or strike once in each recording"
+        ),
     }
 }

@@ -41,7 +41,7 @@ impl MeasuredFile {
 pub fn record(file: &Path) -> Result<Recording, Failure> {
     let record = read::file(file)?.recordings.into_iter().find(|recording| recording.over == Over::Time);
     let none = || Failure::Input(format!("{} holds no recording over time", file.display()));
-    Ok(record.ok_or_else(none)?.even()?)
+    Ok(record.ok_or_else(none)?.into_even()?)
 }
 
 /// Manifest of an answer that rests on recordings: their names and the SHA-256 of their bytes, in order.

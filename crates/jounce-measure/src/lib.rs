@@ -7,6 +7,7 @@
 
 pub mod contact;
 pub mod draw;
+pub mod experiment;
 pub mod fit;
 pub mod modal;
 pub mod read;
@@ -14,5 +15,6 @@ pub mod recording;
 pub mod regime;
 pub mod response;
 pub mod rig;
+pub mod solution;
 pub mod spectral;
 pub mod write;

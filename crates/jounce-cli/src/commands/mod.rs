@@ -20,11 +20,13 @@ pub mod new;
 pub mod noise;
 pub mod power;
 pub mod read;
+mod regime_model;
 pub mod regimes;
 pub mod reproduce;
 pub mod rig;
 pub mod run;
 pub mod show;
+pub mod spectra;
 pub mod study;
 pub mod sweep;
 
@@ -57,6 +59,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Power(command) => command.run(),
         Command::Contact(command) => command.run(),
         Command::Regimes(command) => command.run(),
+        Command::Spectra(command) => command.run(),
         Command::Materials(command) => command.run(),
         Command::Completions(command) => command.run(),
         Command::Schema => {

@@ -1,5 +1,6 @@
 //! `jounce regimes FILE --drive F`
 
+use super::regime_model::{self, ModelArguments};
 use crate::failure::Failure;
 use crate::measured_file::{MeasuredFile, channel, positive, tell_findings};
 use crate::output::{self, line, print};
@@ -7,9 +8,9 @@ use clap::Args;
 use jounce::signal::Samples;
 use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
-use jounce_measure::draw::{stretch_spectra, stretches};
+use jounce_measure::draw::{stretch_section, stretch_spectra, stretches};
 use jounce_measure::recording::{Channel, Quantity};
-use jounce_measure::regime::{Regimes, Stretch, regimes};
+use jounce_measure::regime::{Correspondence, Regimes, Stretch, regimes};
 use jounce_measure::spectral::{MeanPower, mean_power};
 use std::path::Path;
 
@@ -27,6 +28,8 @@ pub struct RegimesOf {
     /// Resistance of the load, where the channel is its voltage: power is told for each stretch.
     #[arg(long)]
     resistance: Option<String>,
+    #[command(flatten)]
+    model: ModelArguments,
 }
 
 impl RegimesOf {
@@ -48,15 +51,23 @@ impl RegimesOf {
             Ok(Some(mean_power(&part, ohm, false)?))
         };
         let powers = found.stretches.iter().map(power).collect::<Result<Vec<_>, _>>()?;
+        let samples = Samples::new(&channel.values, record.rate())?;
+        let shown = self.model.correspondences(&samples, drive_hz, resistance, &found.stretches)?;
         if let Some(folder) = &self.file.output.out {
-            self.write(folder, channel, record.rate(), &found, &powers, drive_hz)?;
+            self.write(folder, (channel, &samples), &found, &powers, &shown, drive_hz)?;
         }
         if self.file.output.json {
-            print(&serde_json::json!({ "channel": channel.name, "regimes": found, "powers": powers, "findings": record.findings }));
+            print(&serde_json::json!({
+                "channel": channel.name,
+                "regimes": found,
+                "powers": powers,
+                "correspondences": shown,
+                "findings": record.findings,
+            }));
             return Ok(());
         }
         line(format!("{} stretches; a change lies within {:.3} s of its place", found.stretches.len(), found.uncertainty_s));
-        for (stretch, power) in found.stretches.iter().zip(powers) {
+        for (k, (stretch, power)) in found.stretches.iter().zip(powers).enumerate() {
             let period = stretch.period.cycles.map_or("does not repeat".to_owned(), |cycles| format!("period {cycles} cycles"));
             let told = power.map_or(String::new(), |power| format!(", {:.5e} +- {:.1e} W", power.mean_power_w, power.half_width_w));
             let (start, end, rms) = (stretch.start_s, stretch.end_s, stretch.rms);
@@ -64,16 +75,20 @@ impl RegimesOf {
                 "{start:>10.3} s to {end:>10.3} s  rms {rms:.5e} {}, {period} (mismatch {:.3}){told}",
                 channel.unit, stretch.period.mismatch
             ));
+            if let Some(shown) = shown.get(k) {
+                regime_model::tell(shown);
+            }
         }
         Ok(())
     }
+
     fn write(
         &self,
         folder: &Path,
-        channel: &Channel,
-        rate_hz: f64,
+        (channel, samples): (&Channel, &Samples<'_>),
         found: &Regimes,
         powers: &[Option<MeanPower>],
+        shown: &[Correspondence],
         drive_hz: f64,
     ) -> Result<(), Failure> {
         let numbers = |of: &dyn Fn(&Stretch) -> f64| found.stretches.iter().map(of).collect::<Vec<f64>>();
@@ -90,12 +105,14 @@ impl RegimesOf {
             table.push(Column::new("mean_power_w", "W", "mean power", mean))?;
             table.push(Column::new("half_width_w", "W", "half the width of its interval of 95 %", half))?;
         }
+        regime_model::columns(&mut table, shown)?;
         output::table(folder, "regimes", &table, &self.file.manifest("regimes")?.with("drive_hz", drive_hz))?;
-        let samples = Samples::new(&channel.values, rate_hz)?;
-        let figure = stretches("Stretches of one solution each", &channel.name, &channel.unit, &samples, found);
+        let figure = stretches("Stretches of one solution each", &channel.name, &channel.unit, samples, found);
         output::figure(folder, "regimes-time", &figure)?;
+        let figure = stretch_section("One value for each drive cycle", &channel.name, &channel.unit, samples, found, drive_hz);
+        output::figure(folder, "regimes-section", &figure)?;
         let title = "Spectrum of each stretch, Hann window";
-        let figure = stretch_spectra(title, &channel.name, &channel.unit, &samples, found, drive_hz)?;
+        let figure = stretch_spectra(title, &channel.name, &channel.unit, samples, found, drive_hz)?;
         output::figure(folder, "regimes-spectra", &figure)
     }
 }

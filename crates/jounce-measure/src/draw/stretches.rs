@@ -1,9 +1,9 @@
 //! A long record with the stretches that it was cut into, and their spectra.
 
-use jounce::picture::{Along, Axis, Colour, Figure, Line, Panel, Scale, Series, SpectrumLine, spectra};
+use jounce::picture::{Along, Axis, Colour, Figure, Line, Marker, Panel, Scale, Series, SpectrumLine, spectra};
 use jounce::signal::{Samples, Window};
 
-use crate::regime::{RegimeError, Regimes, Stretch};
+use crate::regime::{RegimeError, Regimes, Stretch, section};
 
 /// Multiples of the drive that a spectrum shows.
 const ORDERS: f64 = 8.0;
@@ -22,6 +22,18 @@ pub fn stretches(title: &str, quantity: &str, unit: &str, samples: &Samples<'_>,
         size = size.with(level.colour(Colour::nth(k)));
     }
     Figure::new(title).with(record).with(size)
+}
+
+/// One value for each drive cycle over time, coloured by stretches: a solution of `n` drive cycles shows `n` rows of points.
+pub fn stretch_section(title: &str, quantity: &str, unit: &str, samples: &Samples<'_>, found: &Regimes, drive_hz: f64) -> Figure {
+    let points = section(samples, drive_hz);
+    let axes = Panel::new(Axis::linear("Time", "s"), Axis::linear(&format!("{quantity} at one phase of the drive"), unit)).high(260.0);
+    let add = |panel: Panel, (k, stretch): (usize, &Stretch)| {
+        let own = points.time_s.iter().zip(&points.value).filter(|(t, _)| (stretch.start_s..stretch.end_s).contains(t));
+        let (x, y) = own.unzip();
+        panel.with(Series::points(x, y, Marker::Circle).colour(Colour::nth(k)).label(&named(stretch)))
+    };
+    Figure::new(title).with(found.stretches.iter().enumerate().fold(axes, add))
 }
 
 /// The spectrum of each stretch (Hann window, peak amplitudes), up to eight times the drive.

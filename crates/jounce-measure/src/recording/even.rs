@@ -11,24 +11,35 @@ impl Recording {
     /// # Errors
     /// A grid that has no rate.
     pub fn even(&self) -> Result<Self, GridError> {
-        let mut even = self.clone();
+        self.clone().into_even()
+    }
+
+    /// The same without a second copy of a long recording.
+    ///
+    /// # Errors
+    /// As [`Recording::even`].
+    pub fn into_even(mut self) -> Result<Self, GridError> {
+        let even = &mut self;
         for channel in &mut even.channels {
             let finding = bridged(channel);
             even.findings.extend(finding);
         }
-        let Grid::Stamped(stamps) = &self.grid else { return Ok(even) };
-        let (start, end, rate) = (self.grid.at(0), self.grid.at(self.grid.len().saturating_sub(1)), self.grid.rate());
+        if matches!(even.grid, Grid::Even { .. }) {
+            return Ok(self);
+        }
+        let (start, end, rate) = (even.grid.at(0), even.grid.at(even.grid.len().saturating_sub(1)), even.grid.rate());
         let step = 1.0 / rate;
         let count = ((end - start) / step + 1.0 + 1e-9).floor();
-        even.grid = Grid::even(start, step, count as usize)?;
+        let places = Grid::even(start, step, count as usize)?;
+        let Grid::Stamped(stamps) = std::mem::replace(&mut even.grid, places) else { return Ok(self) };
         for channel in &mut even.channels {
-            channel.values = interpolated(stamps, &channel.values, &even.grid);
-            channel.imaginary = channel.imaginary.as_ref().map(|imaginary| interpolated(stamps, imaginary, &even.grid));
+            channel.values = interpolated(&stamps, &channel.values, &even.grid);
+            channel.imaginary = channel.imaginary.as_ref().map(|imaginary| interpolated(&stamps, imaginary, &even.grid));
         }
         let about =
             format!("{} stamped samples were interpolated by straight lines at {} even places, {:.6} Hz", stamps.len(), count, 1.0 / step);
         even.findings.push(Finding::new(FindingKind::Resampled, count as usize, None, about));
-        Ok(even)
+        Ok(self)
     }
 }
 

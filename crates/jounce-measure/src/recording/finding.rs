@@ -71,6 +71,8 @@ pub enum FindingKind {
     Bridged,
     /// Samples interpolated at even times.
     Resampled,
+    /// Made by a model, and how.
+    Simulated,
     /// Assumed, since nothing is told.
     Assumed,
 }

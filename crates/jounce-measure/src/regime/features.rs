@@ -1,5 +1,6 @@
 //! What a block of the record looks like.
 
+use faer::c64;
 use jounce::signal::Samples;
 use std::f64::consts::TAU;
 
@@ -13,15 +14,20 @@ pub(super) fn of_block(samples: &Samples<'_>, drive_hz: f64, start: usize, count
     let mean = values.iter().sum::<f64>() / count as f64;
     let mut features = vec![(values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / count as f64).sqrt()];
     for order in ORDERS.into_iter().filter(|order| order * drive_hz < samples.rate_hz() / 2.0) {
-        // A rotation by recurrence: exact enough over one block, and quick.
-        let (sin, cos) = (TAU * order * drive_hz / samples.rate_hz()).sin_cos();
-        let (mut c, mut s, mut re, mut im) = (1.0, 0.0, 0.0, 0.0);
-        for x in values {
-            re += (x - mean) * c;
-            im += (x - mean) * s;
-            (c, s) = (c * cos - s * sin, s * cos + c * sin);
-        }
-        features.push(2.0 * f64::hypot(re, im) / count as f64);
+        features.push(line(values, mean, order * drive_hz / samples.rate_hz()).norm());
     }
     features
+}
+
+/// `2 / N sum (x_n - mean) exp(-2 pi i n turns)`: the line of a block of nearly whole periods, peak.
+pub(super) fn line(values: &[f64], mean: f64, turns: f64) -> c64 {
+    // A rotation by recurrence: exact enough over one block, and quick.
+    let (sin, cos) = (TAU * turns).sin_cos();
+    let (mut c, mut s, mut re, mut im) = (1.0, 0.0, 0.0, 0.0);
+    for x in values {
+        re += (x - mean) * c;
+        im += (x - mean) * s;
+        (c, s) = (c * cos - s * sin, s * cos + c * sin);
+    }
+    c64::new(re, -im) * (2.0 / values.len() as f64)
 }

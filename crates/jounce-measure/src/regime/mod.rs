@@ -12,11 +12,18 @@
 //!
 //! The period of a stretch is the smallest `n` with which the record repeats: `x(t + n T) = x(t)` as well as with any other.
 //!
+//! [`correspond`] names, for a stretch, the solution of a model whose voltage it shows.
+//!
 //! Source: B. Jackson et al., An algorithm for optimal partitioning of data on an interval, IEEE Signal Process. Lett. 12 (2005) 105.
+mod correspond;
 mod features;
 mod partition;
 mod period;
+mod section;
+mod shift;
 mod stretches;
 
+pub use correspond::{Candidate, Correspondence, Fits, correspond};
 pub use period::{Period, period};
+pub use section::{Section, section};
 pub use stretches::{RegimeError, Regimes, Stretch, regimes};

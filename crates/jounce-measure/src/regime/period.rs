@@ -46,7 +46,7 @@ pub fn period(samples: &Samples<'_>, drive_hz: f64) -> Period {
 }
 
 /// Lagrange's cubic through four samples, between the middle two.
-fn cubic(y: &[f64], t: f64) -> f64 {
+pub(super) fn cubic(y: &[f64], t: f64) -> f64 {
     let [a, b, c, d] = [
         -t * (t - 1.0) * (t - 2.0) / 6.0,
         (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,

@@ -18,6 +18,9 @@ pub struct Stretch {
     pub start: usize,
     /// Sample after the last.
     pub end: usize,
+    /// The samples without the blocks beside a change, which may hold both solutions.
+    #[serde(skip)]
+    pub inner: (usize, usize),
     /// Rms about the mean, in the unit of the record; like the period without the blocks beside a change.
     pub rms: f64,
     /// How it repeats.
@@ -109,7 +112,7 @@ fn stretch(samples: &Samples<'_>, drive_hz: f64, (start, end): (usize, usize), i
     let mean = part.mean();
     let rms = (part.values().iter().map(|x| (x - mean).powi(2)).sum::<f64>() / part.values().len() as f64).sqrt();
     let at = |k: usize| k as f64 / samples.rate_hz();
-    Ok(Stretch { start_s: at(start), end_s: at(end), start, end, rms, period: period(&part, drive_hz) })
+    Ok(Stretch { start_s: at(start), end_s: at(end), start, end, inner, rms, period: period(&part, drive_hz) })
 }
 
 #[cfg(test)]

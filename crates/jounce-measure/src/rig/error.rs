@@ -1,8 +1,9 @@
 //! What a virtual rig cannot do.
 
 use jounce::plant::PlantError;
+use jounce::run::RunError;
 
-use crate::recording::GridError;
+use crate::recording::{GridError, NoChannel};
 
 /// A test that cannot be simulated.
 #[derive(Debug, thiserror::Error)]
@@ -33,6 +34,34 @@ pub enum RigError {
         /// The most that are allowed.
         most: usize,
     },
+    /// A point that is not there.
+    #[error("there is no point `{point}` for an accelerometer; there are {known}")]
+    UnknownPoint {
+        /// What was asked for.
+        point: String,
+        /// What there is.
+        known: String,
+    },
+    /// A base that is moved by no acceleration.
+    #[error("channel {channel} is in {unit}, which is no acceleration; name another one, or correct its unit in the notes beside the file")]
+    NotAcceleration {
+        /// The channel.
+        channel: String,
+        /// Its unit.
+        unit: String,
+    },
+    /// A recording without even times.
+    #[error("{recording} has no even times: interpolate it before it moves a base")]
+    NotEven {
+        /// Its name.
+        recording: String,
+    },
+    /// A channel that is not there.
+    #[error(transparent)]
+    Channel(#[from] NoChannel),
+    /// A march that fails.
+    #[error(transparent)]
+    Run(#[from] RunError),
     /// What the model refuses.
     #[error(transparent)]
     Plant(#[from] PlantError),

@@ -42,6 +42,26 @@ const BEFORE: f64 = 0.02;
 const PEAKS: f64 = 0.2;
 const TIMES: f64 = 0.1;
 
+/// What is left of a mode when the next hit comes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ringing {
+    /// Frequency of the slowest mode, Hz.
+    pub frequency_hz: f64,
+    /// Share of its motion that is left after a block, `exp(-zeta w T)`.
+    pub left: f64,
+    /// Block after which 1 % is left, s.
+    pub block_s: f64,
+}
+
+/// The mode that rings longest between the hits of a test. What is left of it at the next hit is taken for an answer to that hit: with
+/// blocks of equal length it does not average out, and the coherence does not show it.
+pub fn ringing(plant: &Plant, block_s: f64) -> Option<Ringing> {
+    let modes = &plant.system.modes;
+    let rates = modes.frequency_rad_s.iter().zip(&modes.damping_ratio).map(|(w, zeta)| (*w, w * zeta)).filter(|(_, rate)| *rate > 0.0);
+    let (w, rate) = rates.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    Some(Ringing { frequency_hz: w / std::f64::consts::TAU, left: (-rate * block_s).exp(), block_s: 100f64.ln() / rate })
+}
+
 /// The recording of a hammer test on a linear plant: `force`, then the responses under their names.
 ///
 /// # Errors

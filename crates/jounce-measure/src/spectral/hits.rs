@@ -66,6 +66,11 @@ pub enum HitWarning {
     },
     /// The record begins or ends within the pulse.
     Cut,
+    /// A response moves before the hit: the structure still rings from the hit before, or a hum is on the line.
+    Ringing {
+        /// Rms before the hit over that of the block.
+        share: f64,
+    },
 }
 
 /// Fewer samples than this do not tell the shape of a pulse.

@@ -4,6 +4,7 @@ use jounce::signal::{Samples, Window};
 use realfft::num_complex::Complex;
 use serde::Serialize;
 
+use super::quiet::ringing;
 use super::{Averages, Estimator, FrequencyResponse, Hit, HitSearch, Segments, SpectralError, exponential_window, force_window, hits};
 
 /// How the blocks are cut and weighed.
@@ -63,7 +64,6 @@ pub struct ImpactAnswer {
 const BEFORE: f64 = 0.01;
 /// Length of the slope of the force window over that of the pulse.
 const SLOPE: f64 = 1.0;
-
 /// Averages the blocks of all hits of all records.
 ///
 /// # Errors
@@ -101,10 +101,11 @@ pub fn impact(records: &[ImpactRecord<'_>], settings: &ImpactSettings) -> Result
     let mut listed = Vec::new();
     for (number, (record, found)) in records.iter().zip(found).enumerate() {
         let whole = found.len() == 1 && record.force.values().len() == length;
-        for hit in found {
+        for mut hit in found {
             let start = if whole { 0 } else { hit.start.saturating_sub((BEFORE * length as f64) as usize) };
             let used = start + length <= record.force.values().len();
             if used {
+                hit.warnings.extend(ringing(&record.responses, (start, hit.start), length));
                 let weights = force_weights(settings, &hit, start, &decay);
                 let force = transform(&segments, &record.force, start, &weights)?;
                 for (average, response) in averages.iter_mut().zip(&record.responses) {
@@ -149,6 +150,7 @@ fn transform(segments: &Segments, samples: &Samples<'_>, start: usize, weights: 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
+    use super::super::HitWarning;
     use super::super::response::tests::Oscillator;
     use super::*;
 
@@ -177,6 +179,24 @@ mod tests {
         let error = error.map(|(f, h)| (h - oscillator.exact(f / RATE)).norm() / peak).fold(0.0, f64::max);
         assert!(error < 1e-10, "{error:e}");
         assert!(answer.coherence[100] > 1.0 - 1e-9);
+    }
+
+    /// Two hits before the structure is quiet: told for the second one, whether or not there is noise; noise alone is not told.
+    #[test]
+    fn a_structure_that_still_rings_is_told() {
+        let mut stream = jounce::drive::Stream::new(5, 0);
+        let noise: Vec<f64> = (0..8000).map(|_| stream.normal_pair()[0]).collect();
+        for (damping_ratio, level, ringing) in [(0.002, 0.0, true), (0.002, 1e-2, true), (0.05, 1e-2, false), (0.05, 0.0, false)] {
+            let force = struck(&[200, 4200], 8000);
+            let clean = Oscillator::new(40.0, damping_ratio, RATE).answer(&force);
+            let rms = (clean.iter().map(|x| x * x).sum::<f64>() / 8000.0).sqrt();
+            let response: Vec<f64> = clean.iter().zip(&noise).map(|(x, n)| x + level * rms * n).collect();
+            let record =
+                ImpactRecord { force: Samples::new(&force, RATE).unwrap(), responses: vec![Samples::new(&response, RATE).unwrap()] };
+            let found = impact(&[record], &ImpactSettings { block_s: Some(3.5), ..ImpactSettings::default() }).unwrap();
+            let told = |k: usize| found.hits[k].hit.warnings.iter().any(|w| matches!(w, HitWarning::Ringing { .. }));
+            assert_eq!((told(0), told(1)), (false, ringing), "{damping_ratio} {level}: {:?}", found.hits);
+        }
     }
 
     /// A response that outlives its block: the exponential window adds its decay to the damping, and says so. Measured 1.1 %: the line

@@ -10,6 +10,7 @@ mod error;
 mod hits;
 mod impact;
 mod mean_power;
+mod quiet;
 mod response;
 mod segments;
 mod spectrogram;

@@ -1,4 +1,12 @@
 //! Amplitude spectra over time.
+//!
+//! ```text
+//! a_k(t_m) = c_k / sum w  |sum_n w_n x_{m s + n} exp(-2 pi i k n / L)|,   c_k = 2, but 1 at zero and half the rate
+//! ```
+//!
+//! for segments of `L` samples, `s` samples apart: a sinusoid of a steady frequency on a line has its peak amplitude there, whatever the
+//! window; beside a line a Hann window shows up to 15 % less, a flat top up to 0.1 %. A segment resolves `r / L` times the width of the
+//! window (4 lines for Hann, 10 for a flat top), and sees nothing shorter than itself.
 
 use jounce::signal::Samples;
 
@@ -13,6 +21,12 @@ pub struct Spectrogram {
     pub frequency_hz: Vec<f64>,
     /// Peak amplitude of each line for each segment.
     pub amplitude_peak: Vec<Vec<f64>>,
+    /// Length of a segment, s.
+    pub segment_s: f64,
+    /// Time from segment to segment, s.
+    pub step_s: f64,
+    /// Distance of the lines, Hz.
+    pub resolution_hz: f64,
 }
 
 /// The spectrogram of a record; the mean stays, at 0 Hz.
@@ -31,6 +45,9 @@ pub fn spectrogram(samples: &Samples<'_>, segments: &Segments) -> Result<Spectro
         time_s: starts.iter().map(middle).collect(),
         frequency_hz: segments.frequency_hz(samples.rate_hz()),
         amplitude_peak: starts.iter().map(spectrum).collect(),
+        segment_s: segments.length() as f64 / samples.rate_hz(),
+        step_s: segments.step() as f64 / samples.rate_hz(),
+        resolution_hz: samples.rate_hz() / segments.length() as f64,
     })
 }
 
@@ -40,6 +57,32 @@ mod tests {
     use super::*;
     use jounce::signal::Window;
     use std::f64::consts::TAU;
+
+    /// A chirp of 2 V from 10 to 60 Hz within 100 s, segments of 1 s: the highest line is that of the frequency in the middle of the segment, and
+    /// shows 2 V. Measured: never off by more than half a line; amplitude within 0.10 % with a flat top and 15.2 % with Hann, which is what the windows show of
+    /// a frequency between two lines.
+    #[test]
+    fn a_chirp_is_seen_at_its_frequency_with_its_amplitude() {
+        let rate = 512.0;
+        let value = |k: usize| {
+            let t = k as f64 / rate;
+            2.0 * (TAU * (10.0 * t + 0.25 * t * t)).sin()
+        };
+        let values: Vec<f64> = (0..51_200).map(value).collect();
+        let samples = Samples::new(&values, rate).unwrap();
+        for (window, most) in [(Window::FlatTop, 0.01), (Window::Hann, 0.17)] {
+            let found = spectrogram(&samples, &Segments::new(512, 0.75, window).unwrap()).unwrap();
+            assert_eq!((found.segment_s, found.step_s, found.resolution_hz), (1.0, 0.25, 1.0));
+            let (mut off_hz, mut low): (f64, f64) = (0.0, 0.0);
+            for (time_s, spectrum) in found.time_s.iter().zip(&found.amplitude_peak) {
+                let line = (0..spectrum.len()).max_by(|a, b| spectrum[*a].total_cmp(&spectrum[*b])).unwrap();
+                off_hz = off_hz.max((found.frequency_hz[line] - (10.0 + 0.5 * time_s)).abs());
+                low = low.max((spectrum[line] / 2.0 - 1.0).abs());
+            }
+            eprintln!("{window:?}: frequency off by at most {off_hz:.3} Hz, amplitude by {:.2} %", 100.0 * low);
+            assert!(off_hz < 0.55 && low < most, "{window:?} {off_hz} {low}");
+        }
+    }
 
     /// A tone that changes its frequency in the middle is seen at each, with its amplitude.
     #[test]

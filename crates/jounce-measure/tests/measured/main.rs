@@ -1,6 +1,7 @@
 //! Recordings: files of every format, cut files, and real recordings where they lie beside the repository.
 
 mod cut;
+mod driven;
 mod formats;
 mod hammer;
 mod real;

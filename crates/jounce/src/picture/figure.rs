@@ -76,6 +76,7 @@ impl Figure {
             let (x, y) = (series.x.len(), series.y.len());
             return Err(PictureError::Lengths { series: series.label.clone().unwrap_or_default(), x, y });
         }
+        self.panels.iter().filter_map(|panel| panel.field.as_ref()).try_for_each(|field| field.check())?;
         let possible = |length: f64| (1.0..=raster::LARGEST_SIDE).contains(&length);
         match self.panels.iter().map(|panel| panel.height_px).find(|height| !possible(*height)) {
             Some(height) => Err(PictureError::Size { width: self.width_px, height }),

@@ -42,10 +42,11 @@ impl Plot<'_> {
         Some((self.x.place(x)? * self.width, (1.0 - self.y.place(y)?) * self.height))
     }
 
-    /// Whether any series has a point inside the frame.
+    /// Whether there are coloured cells, or any series has a point inside the frame.
     pub fn has_data(&self) -> bool {
         let inside = |(x, y): (&f64, &f64)| self.x.holds(*x) && self.y.holds(*y);
-        self.panel.series.iter().any(|series| series.x.iter().zip(&series.y).any(inside))
+        let cells = self.panel.field.as_ref().is_some_and(|field| !field.columns.is_empty());
+        cells || self.panel.series.iter().any(|series| series.x.iter().zip(&series.y).any(inside))
     }
 }
 
@@ -88,7 +89,8 @@ fn shares_x(figure: &Figure) -> bool {
 fn spans(figure: &Figure) -> Result<Vec<(Span, Span)>, PictureError> {
     let marked = figure.panels.iter().flat_map(|panel| &panel.series).any(|series| series.marker.is_some());
     let x_margin = if marked { 0.015 } else { 0.0 };
-    let x_of = |panel: &Panel| panel.series.iter().flat_map(|series| series.x.clone()).collect::<Vec<_>>();
+    let cells = |panel: &Panel| panel.field.as_ref().map_or_else(Vec::new, |field| field.x.clone());
+    let x_of = |panel: &Panel| panel.series.iter().flat_map(|series| series.x.clone()).chain(cells(panel)).collect::<Vec<_>>();
     let shares_y = shares_x(figure) && figure.panels.windows(2).all(|pair| pair[0].y == pair[1].y);
     let common: Vec<f64> = figure.panels.iter().flat_map(x_of).collect();
     let span = |panel: &Panel| {
@@ -105,7 +107,8 @@ fn spans(figure: &Figure) -> Result<Vec<(Span, Span)>, PictureError> {
 /// The values in what the horizontal axis shows: the vertical axis spans these.
 fn shown(panel: &Panel, x: Span) -> impl Iterator<Item = f64> {
     let points = panel.series.iter().flat_map(|series| series.x.iter().zip(&series.y));
-    points.filter_map(move |(place, value)| x.holds(*place).then_some(*value))
+    let cells = panel.field.iter().flat_map(|field| field.y.iter().copied());
+    points.filter_map(move |(place, value)| x.holds(*place).then_some(*value)).chain(cells)
 }
 
 /// As many ticks as have room for their labels side by side.

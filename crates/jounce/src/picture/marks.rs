@@ -15,6 +15,9 @@ const MARKER_DISTANCE: f64 = 14.0;
 /// Everything inside the frame but the markers, or the words "no data".
 pub(super) fn marks(svg: &mut Svg, plot: &Plot<'_>) {
     svg.open_window(plot.left, plot.top, plot.width, plot.height);
+    if let Some(field) = &plot.panel.field {
+        field.draw(svg, plot);
+    }
     bands(svg, plot);
     references(svg, plot);
     for series in &plot.panel.series {

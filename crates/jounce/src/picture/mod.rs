@@ -14,6 +14,7 @@ mod colour;
 mod curve;
 mod drawing;
 mod error;
+mod field;
 mod figure;
 mod file;
 mod frame;
@@ -37,12 +38,13 @@ pub use drawing::{
     GripPart, Rect, Seat, Sheet,
 };
 pub use error::PictureError;
+pub use field::Field;
 pub use figure::Figure;
 pub use panel::{Along, Band, Note, Panel, Reference};
 pub use ready::{
     BranchLine, BranchMark, DensityLine, DiagramDots, DiagramView, Direction, JumpLine, ModeShape, Patch, Response, SpectrumLine,
-    SweepLine, SweepLook, Trace, branches, densities, diagram, ensemble, frequency_responses, jumps, mode_shapes, power_against_resistance,
-    spectra, sweep, time_histories,
+    SweepLine, SweepLook, TimeSpectrum, Trace, branches, densities, diagram, ensemble, frequency_responses, jumps, mode_shapes,
+    power_against_resistance, spectra, spectrogram, sweep, time_histories,
 };
 pub use series::{Line, Marker, Series};
 pub(crate) use svg::escape;

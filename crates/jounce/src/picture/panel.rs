@@ -1,6 +1,6 @@
 //! One pair of axes and all that is drawn between them.
 
-use super::{Axis, Colour, Series};
+use super::{Axis, Colour, Field, Series};
 
 /// A pair of axes with series, bands, reference lines and notes.
 #[derive(Debug, Clone, PartialEq)]
@@ -9,6 +9,8 @@ pub struct Panel {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
+    /// Coloured cells behind everything else.
+    pub field: Option<Field>,
     /// Data, drawn in this order.
     pub series: Vec<Series>,
     /// Shaded ranges behind the data.
@@ -70,13 +72,20 @@ pub struct Note {
 impl Panel {
     /// Empty axes, 300 pixels high.
     pub fn new(x: Axis, y: Axis) -> Self {
-        Self { x, y, series: Vec::new(), bands: Vec::new(), references: Vec::new(), notes: Vec::new(), height_px: 300.0 }
+        Self { x, y, field: None, series: Vec::new(), bands: Vec::new(), references: Vec::new(), notes: Vec::new(), height_px: 300.0 }
     }
 
     /// The same with one more series.
     #[must_use]
     pub fn with(mut self, series: Series) -> Self {
         self.series.push(series);
+        self
+    }
+
+    /// The same over coloured cells.
+    #[must_use]
+    pub fn field(mut self, field: Field) -> Self {
+        self.field = Some(field);
         self
     }
 

@@ -9,6 +9,15 @@ use crate::structure::modes;
 
 const PAPER: &str = include_str!("../../../../examples/impact-harvester-2019/harvester.toml");
 
+/// The spec of the paper's harvester with some keys set.
+///
+/// # Errors
+/// A key or value that the spec does not allow.
+pub fn paper_spec(settings: &[(&str, &str)]) -> Result<Spec, ReproduceError> {
+    let own: Vec<_> = settings.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
+    Harvester::spec(&own)
+}
+
 /// A harvester with its modes: cases of drive and load are made from it without solving the structure again.
 pub(super) struct Harvester {
     pub spec: Spec,

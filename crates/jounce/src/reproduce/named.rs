@@ -40,13 +40,15 @@ pub(super) const ON_GROUND: Stop = Stop { suffix: "", words: "" };
 pub(super) const ON_TABLE: Stop = Stop { suffix: "-stop-on-table", words: " Here the stop rides on the shaker table." };
 
 impl NamedTable {
-    pub(super) fn new(name: &str, caption: &str, digits: usize, table: Table) -> Self {
+    /// A table under the name of its files.
+    pub fn new(name: &str, caption: &str, digits: usize, table: Table) -> Self {
         Self { name: name.to_owned(), caption: caption.to_owned(), digits, table }
     }
 }
 
 impl NamedFigure {
-    pub(super) fn new(name: &str, caption: &str, figure: Figure) -> Self {
+    /// A figure under the name of its files.
+    pub fn new(name: &str, caption: &str, figure: Figure) -> Self {
         Self { name: name.to_owned(), caption: caption.to_owned(), figure }
     }
 }

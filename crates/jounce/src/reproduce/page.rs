@@ -77,6 +77,9 @@ pub(super) fn page(of: &Reproduction) -> Result<Document, ReproduceError> {
     );
     table(&mut page, of, "claims");
     figures(&mut page, of, &["figure-6-stop-on-table", "figure-8-stop-on-table", "figure-9-stop-on-table"])?;
+    for chapter in of.chapters() {
+        chapter.write(&mut page)?;
+    }
     assumptions(&mut page, of);
     page.section("Data");
     page.paragraph("The folder `tables` holds the data of every table and figure as CSV and JSON, `figures` every picture as SVG and PNG.");

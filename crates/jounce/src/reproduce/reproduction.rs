@@ -2,7 +2,7 @@
 
 use super::computed::Computed;
 use super::named::{ON_GROUND, ON_TABLE};
-use super::{Claim, NamedFigure, NamedTable, ReproduceError, assumptions, claims, page, runs};
+use super::{Chapter, Claim, NamedFigure, NamedTable, ReproduceError, assumptions, claims, page, runs};
 use crate::table::Manifest;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
@@ -17,6 +17,7 @@ pub struct Reproduction {
     /// S2 to S9.
     pub claims: Vec<Claim>,
     summary: String,
+    chapters: Vec<Chapter>,
     manifest: Manifest,
 }
 
@@ -49,7 +50,14 @@ pub fn reproduce(progress: &dyn Fn(&str)) -> Result<Reproduction, ReproduceError
     let (ground, on_table) = (claims::judged(&computed.ground), claims::judged(&computed.table));
     let manifest = Manifest::new(&computed.ground.harvester.spec.hash_hex()).with("command", "reproduce");
     let tables = tables(&computed, claims::table(&ground, &on_table)?)?;
-    Ok(Reproduction { tables, figures, claims: claims::claims(&ground, &on_table), summary: page::summary(&computed), manifest })
+    Ok(Reproduction {
+        tables,
+        figures,
+        claims: claims::claims(&ground, &on_table),
+        summary: page::summary(&computed),
+        chapters: Vec::new(),
+        manifest,
+    })
 }
 
 fn tables(computed: &Computed, claims: NamedTable) -> Result<Vec<NamedTable>, ReproduceError> {
@@ -64,6 +72,15 @@ fn tables(computed: &Computed, claims: NamedTable) -> Result<Vec<NamedTable>, Re
 }
 
 impl Reproduction {
+    /// The same with a chapter more, its tables and figures among the others.
+    #[must_use]
+    pub fn with(mut self, chapter: Chapter) -> Self {
+        self.tables.extend(chapter.tables.iter().cloned());
+        self.figures.extend(chapter.figures.iter().cloned());
+        self.chapters.push(chapter);
+        self
+    }
+
     /// The table of that name.
     pub fn table(&self, name: &str) -> Option<&NamedTable> {
         self.tables.iter().find(|table| table.name == name)
@@ -72,6 +89,10 @@ impl Reproduction {
     /// The figure of that name.
     pub fn figure(&self, name: &str) -> Option<&NamedFigure> {
         self.figures.iter().find(|figure| figure.name == name)
+    }
+
+    pub(super) fn chapters(&self) -> &[Chapter] {
+        &self.chapters
     }
 
     /// What Table 2 shows, in a sentence or two.

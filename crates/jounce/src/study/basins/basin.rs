@@ -37,6 +37,8 @@ pub struct Attractor {
     pub mean_power_w: f64,
     /// Contacts per period; 0 for none.
     pub contacts_per_period: u64,
+    /// The orbit, where there is one.
+    pub orbit: Option<Orbit>,
     /// Largest Lyapunov exponent and its error, 1/s, where there is no orbit.
     pub lyapunov: Option<(f64, f64)>,
     /// Share of the cloud, 95 %.
@@ -110,6 +112,7 @@ fn answer(fates: &[(usize, Fate)]) -> BasinsAnswer {
             chaotic: false,
             mean_power_w: orbit.mean_power_w,
             contacts_per_period: orbit.contacts,
+            orbit: Some(orbit.clone()),
             lyapunov: None,
             share: wilson(starts.len(), of),
             starts,
@@ -141,6 +144,7 @@ fn wandering(kind: Wandering, found: &[(usize, Lyapunov)], of: usize) -> Option<
         chaotic: kind == Wandering::Chaos,
         mean_power_w: mean(|found| found.mean_power_w),
         contacts_per_period: 0,
+        orbit: None,
         lyapunov: Some((mean(|found| found.exponent_per_s), mean(|found| found.error_per_s) / count.sqrt())),
         share: wilson(found.len(), of),
         starts: found.iter().map(|(index, _)| *index).collect(),

@@ -1,0 +1,75 @@
+//! A hammer test of the rig.
+
+use super::SensingArguments;
+use crate::failure::Failure;
+use crate::measured_file::positive;
+use clap::Args;
+use jounce::linear::Response;
+use jounce::plant::{Plant, System};
+use jounce::spec::{Gravity, Quantity as Unit, Spec};
+use jounce::structure;
+use jounce_measure::recording::Recording;
+use jounce_measure::rig::{HammerTest, hammer_test, ringing};
+
+/// Share of a mode's motion at the next hit from which on it is told.
+const RINGING: f64 = 0.01;
+
+/// How a hammer strikes.
+#[derive(Debug, Args)]
+pub struct HammerTestArguments {
+    /// Strikes this point with a hammer, stops and drives taken away, instead of marching the run.
+    #[arg(long, value_name = "POINT")]
+    hammer: Option<String>,
+    /// Number of hits.
+    #[arg(long, default_value_t = 5, requires = "hammer")]
+    hits: usize,
+    /// Time from hit to hit.
+    #[arg(long, default_value = "4s", value_name = "TIME", requires = "hammer")]
+    block: String,
+    /// Largest force; each hit differs from it by up to 20 %.
+    #[arg(long, default_value = "20N", value_name = "FORCE", requires = "hammer")]
+    peak: String,
+    /// Time in contact; each hit differs from it by up to 10 %.
+    #[arg(long, default_value = "3ms", value_name = "TIME", requires = "hammer")]
+    contact: String,
+}
+
+impl HammerTestArguments {
+    /// The point that is struck.
+    pub fn point(&self) -> Option<&str> {
+        self.hammer.as_deref()
+    }
+
+    /// The recording of the test.
+    pub fn struck(&self, mut spec: Spec, point: &str, held: &[String], sensing: &SensingArguments) -> Result<Recording, Failure> {
+        spec.drive.clear();
+        spec.stop.clear();
+        spec.gravity = Gravity::default();
+        let modes = structure::modes_holding(&spec, held)?;
+        let points: Vec<String> = if sensing.at.is_empty() { modes.shape.keys().cloned().collect() } else { sensing.at.clone() };
+        let patches = modes.patch.keys().filter(|_| sensing.at.is_empty()).map(|patch| Response::Voltage(patch.clone()));
+        let responses = points.into_iter().map(Response::Acceleration).chain(patches).collect();
+        let test = HammerTest {
+            point: point.to_owned(),
+            responses,
+            hits: self.hits,
+            block_s: positive("--block", &self.block, Unit::Time)?,
+            peak_force_n: positive("--peak", &self.peak, Unit::Force)?,
+            contact_time_s: positive("--contact", &self.contact, Unit::Time)?,
+            rate_hz: sensing.rate_hz()?,
+            sensor: sensing.sensor(),
+            seed: sensing.seed,
+        };
+        let plant = Plant::new(System::assemble(&spec, modes)?)?;
+        if let Some(slowest) = ringing(&plant, test.block_s).filter(|slowest| self.hits > 1 && slowest.left > RINGING) {
+            eprintln!(
+                "the mode at {:.4} Hz still has {:.1} % of its motion when the next hit comes, and what it does then is taken for an answer to \
+                 that hit: give --block {:.0}s, or one hit to a recording",
+                slowest.frequency_hz,
+                100.0 * slowest.left,
+                slowest.block_s.ceil()
+            );
+        }
+        Ok(hammer_test(&plant, &test)?)
+    }
+}

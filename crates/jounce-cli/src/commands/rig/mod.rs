@@ -1,0 +1,132 @@
+//! `jounce rig SPEC --to FILE`
+
+mod hammer;
+mod shaker;
+
+use super::modes::held;
+use crate::failure::Failure;
+use crate::measured_file::positive;
+use crate::output::{line, print};
+use crate::spec_arguments::{SpecArguments, frequency_hz};
+use clap::Args;
+use hammer::HammerTestArguments;
+use jounce::spec::{Quantity as Unit, Spec};
+use jounce_measure::rig::{Cable, Sensor, carry};
+use jounce_measure::write::write;
+use shaker::ShakerArguments;
+use std::path::PathBuf;
+
+/// Arguments of `rig`.
+#[derive(Debug, Args)]
+pub struct Rig {
+    #[command(flatten)]
+    spec: SpecArguments,
+    /// The recording to write: .uff, .parquet or .csv.
+    #[arg(long, value_name = "FILE")]
+    to: PathBuf,
+    #[command(flatten)]
+    sensing: SensingArguments,
+    #[command(flatten)]
+    hammer: HammerTestArguments,
+    #[command(flatten)]
+    shaker: ShakerArguments,
+    /// Prints one JSON object on stdout.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What every test has.
+#[derive(Debug, Args)]
+pub struct SensingArguments {
+    /// Samples per second.
+    #[arg(long, default_value = "2048Hz")]
+    rate: String,
+    /// White noise of every sensor, rms over that of its signal.
+    #[arg(long, default_value_t = 0.0)]
+    noise: f64,
+    /// Bits of the converters; without, nothing is rounded.
+    #[arg(long)]
+    bits: Option<u32>,
+    /// Seed of hits, wander and noise.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Point with an accelerometer; can be given several times; by default every point and patch records in a hammer test, no point else.
+    #[arg(long, value_name = "POINT")]
+    at: Vec<String>,
+    /// Mass of each accelerometer of --at, as in 2g: it loads the structure.
+    #[arg(long, value_name = "MASS", requires = "at")]
+    sensor_mass: Option<String>,
+    /// Capacitance of the cable of each patch with its amplifier, as in 1nF: it lowers the voltage.
+    #[arg(long, value_name = "CAPACITANCE")]
+    cable: Option<String>,
+    /// Resistance of the cable of each patch with its amplifier, as in 10Mohm.
+    #[arg(long, value_name = "RESISTANCE")]
+    cable_leakage: Option<String>,
+    /// Holds a body still; can be given several times.
+    #[arg(long, value_name = "BODY")]
+    hold: Vec<String>,
+    /// Holds every mass still.
+    #[arg(long)]
+    fixed_table: bool,
+}
+
+impl SensingArguments {
+    /// Samples per second.
+    pub fn rate_hz(&self) -> Result<f64, Failure> {
+        frequency_hz("rate", &self.rate)
+    }
+
+    /// The sensors.
+    pub fn sensor(&self) -> Sensor {
+        Sensor { noise_ratio: self.noise, bits: self.bits }
+    }
+
+    /// Names of the bodies to hold.
+    pub fn held(&self, spec: &Spec) -> Vec<String> {
+        held(&self.hold, self.fixed_table, spec)
+    }
+
+    /// Cables and accelerometers are part of what is measured.
+    fn fit(&self, spec: &mut Spec) -> Result<(), Failure> {
+        if self.cable.is_some() || self.cable_leakage.is_some() {
+            let capacitance_f = self.cable.as_ref().map_or(Ok(0.0), |text| positive("--cable", text, Unit::Capacitance))?;
+            let leakage_ohm = self.cable_leakage.as_ref().map(|text| positive("--cable-leakage", text, Unit::Resistance)).transpose()?;
+            Cable { capacitance_f, leakage_ohm }.wire(spec)?;
+        }
+        if let Some(text) = &self.sensor_mass {
+            carry(spec, &self.at, positive("--sensor-mass", text, Unit::Mass)?)?;
+        }
+        Ok(())
+    }
+}
+
+impl Rig {
+    /// Simulates the test and writes what its sensors record.
+    pub fn run(&self) -> Result<(), Failure> {
+        let mut spec = self.spec.spec()?;
+        // Masses of the model are held, those of the instruments move.
+        let held = self.sensing.held(&spec);
+        self.sensing.fit(&mut spec)?;
+        let recording = match self.hammer.point() {
+            Some(point) => self.hammer.struck(spec, point, &held, &self.sensing)?,
+            None => self.shaker.shaken(spec, &held, &self.sensing, &self.spec.folder())?,
+        };
+        write(&recording, &self.to)?;
+        let names: Vec<&str> = recording.channels.iter().map(|channel| channel.name.as_str()).collect();
+        let (samples, rate_hz, seed) = (recording.grid.len(), recording.rate(), self.sensing.seed);
+        recording.findings.iter().for_each(|finding| eprintln!("{finding}"));
+        if self.json {
+            print(&serde_json::json!({
+                "file": self.to,
+                "samples": samples,
+                "rate_hz": rate_hz,
+                "channels": names,
+                "seed": seed,
+                "findings": recording.findings,
+            }));
+        } else {
+            line(format!("{}: {samples} samples at {rate_hz} Hz of {} (simulated)", self.to.display(), names.join(", ")));
+        }
+        Ok(())
+    }
+}

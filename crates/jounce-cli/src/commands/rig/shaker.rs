@@ -1,0 +1,127 @@
+//! A shaker test of the rig.
+
+use super::SensingArguments;
+use crate::failure::Failure;
+use crate::measured_file::{channel, positive, record, tell_findings};
+use clap::Args;
+use jounce::plant::{Plant, System};
+use jounce::run::StartState;
+use jounce::spec::{Quantity as Unit, Spec, Start};
+use jounce::structure;
+use jounce::study::Prepared;
+use jounce_measure::recording::{Quantity, Recording};
+use jounce_measure::rig::{ShakerTest, Wander, on_recorded_base, shaker_test};
+use jounce_measure::solution::{Search, solutions};
+use std::path::{Path, PathBuf};
+
+/// What the shaker does.
+#[derive(Debug, Args)]
+pub struct ShakerArguments {
+    /// Starts on a solution of the model, by its id in `basins`, as in 1a, and goes on from another one at a time of the record, as in 3a@42s;
+    /// can be given several times. By default the run of the spec.
+    #[arg(long, value_name = "ID[@TIME]", conflicts_with_all = ["hammer", "hold", "fixed_table", "base"])]
+    solution: Vec<String>,
+    /// Random starts from which those solutions are sought, as `basins --starts`.
+    #[arg(long, default_value_t = 40, requires = "solution")]
+    starts: usize,
+    /// Their seed, as `basins --seed`.
+    #[arg(long, default_value_t = 1, requires = "solution")]
+    starts_seed: u64,
+    /// Standard deviation of the drive's amplitude over itself.
+    #[arg(long, value_name = "RATIO", default_value_t = 0.0, conflicts_with = "hammer")]
+    amplitude_wander: f64,
+    /// Standard deviation of the drive's frequency over itself.
+    #[arg(long, value_name = "RATIO", default_value_t = 0.0, conflicts_with = "hammer")]
+    frequency_wander: f64,
+    /// Time in which both wander.
+    #[arg(long, value_name = "TIME", default_value = "5s")]
+    wander_time: String,
+    /// Change of the drive's amplitude from begin to end, over itself.
+    #[arg(long, value_name = "RATIO", default_value_t = 0.0, allow_hyphen_values = true, conflicts_with = "hammer")]
+    amplitude_drift: f64,
+    /// Change of the drive's frequency from begin to end, over itself.
+    #[arg(long, value_name = "RATIO", default_value_t = 0.0, allow_hyphen_values = true, conflicts_with = "hammer")]
+    frequency_drift: f64,
+    /// Moves the base as this recording says, for as long as it lasts, instead of the drives of the spec.
+    #[arg(long, value_name = "FILE", conflicts_with = "hammer")]
+    base: Option<PathBuf>,
+    /// Channel of that recording; by default the first acceleration.
+    #[arg(long, value_name = "CHANNEL", requires = "base")]
+    base_channel: Option<String>,
+    /// Keeps the mean of that channel: by default it is taken away, being gravity and offset.
+    #[arg(long, requires = "base")]
+    keep_mean: bool,
+}
+
+impl ShakerArguments {
+    /// The recording of the test.
+    pub fn shaken(&self, mut spec: Spec, held: &[String], sensing: &SensingArguments, folder: &Path) -> Result<Recording, Failure> {
+        if let Some(file) = &self.base {
+            self.move_base(&mut spec, file)?;
+        }
+        let (duration_s, average_over_s) = (spec.run.duration_s, spec.run.average_over_s);
+        let modes = structure::modes_holding(&spec, held)?;
+        let starts = match &self.solution[..] {
+            [] => vec![(0.0, start(&spec, &modes, folder)?)],
+            wanted => self.solutions(&spec, wanted)?,
+        };
+        let wander = Wander {
+            amplitude_ratio: self.amplitude_wander,
+            frequency_ratio: self.frequency_wander,
+            memory_s: positive("--wander-time", &self.wander_time, Unit::Time)?,
+            amplitude_drift: self.amplitude_drift,
+            frequency_drift: self.frequency_drift,
+        };
+        let still = Wander { memory_s: wander.memory_s, ..Wander::NONE } == wander;
+        let test = ShakerTest {
+            rate_hz: sensing.rate_hz()?,
+            duration_s: average_over_s,
+            before_s: if self.solution.is_empty() { duration_s - average_over_s } else { 0.0 },
+            starts,
+            wander: if still { Wander::NONE } else { wander },
+            accelerometers: sensing.at.clone(),
+            sensor: sensing.sensor(),
+            seed: sensing.seed,
+        };
+        Ok(shaker_test(&spec, &modes, &test)?)
+    }
+
+    fn move_base(&self, spec: &mut Spec, file: &Path) -> Result<(), Failure> {
+        let recording = record(file)?;
+        tell_findings(&recording);
+        let name = &channel(&recording, self.base_channel.as_deref(), Quantity::Acceleration, "--base-channel")?.name;
+        let mean = on_recorded_base(spec, &recording, name, self.keep_mean)?;
+        let words = if self.keep_mean { "kept" } else { "taken away" };
+        eprintln!("the base moves as {name} of {}; its mean of {mean:.5} m/s^2 is {words}", recording.name);
+        Ok(())
+    }
+
+    /// Times and states of the solutions that are asked for.
+    fn solutions(&self, spec: &Spec, wanted: &[String]) -> Result<Vec<(f64, StartState)>, Failure> {
+        let found = solutions(spec, &Search { starts: self.starts, seed: self.starts_seed, ..Search::default() })?;
+        let one = |(number, text): (usize, &String)| {
+            let (id, at) = text.split_once('@').map_or((text.as_str(), None), |(id, at)| (id, Some(at)));
+            let at_s = match at {
+                Some(at) => positive("--solution", at, Unit::Time)?,
+                None if number == 0 => 0.0,
+                None => return Err(Failure::usage(format!("--solution {text}: give the time from which on it is shown, as in {id}@42s"))),
+            };
+            let at_s = if number == 0 { 0.0 } else { at_s };
+            let known = || found.iter().map(|solution| solution.id.clone()).collect::<Vec<_>>().join(", ");
+            let start = found.iter().find(|solution| solution.id == id).and_then(|solution| solution.start.clone());
+            let start = start.ok_or_else(|| Failure::usage(format!("--solution {text}: the model's solutions are {}", known())))?;
+            Ok((at_s, start))
+        };
+        wanted.iter().enumerate().map(one).collect()
+    }
+}
+
+/// Where the run of a spec starts.
+fn start(spec: &Spec, modes: &structure::Modes, folder: &Path) -> Result<StartState, Failure> {
+    let plant = || -> Result<Plant, Failure> { Ok(Plant::new(System::assemble(spec, modes.clone())?)?) };
+    Ok(match spec.run.start {
+        Start::Rest => StartState::rest(&plant()?),
+        Start::Linear => StartState::linear(&plant()?),
+        Start::State(_) => Prepared::new(spec.clone())?.start(folder)?,
+    })
+}

@@ -1,0 +1,182 @@
+//! `jounce spectra FILE`
+
+use crate::failure::Failure;
+use crate::measured_file::{MeasuredFile, positive, tell_findings};
+use crate::output::{self, line, print};
+use clap::{Args, ValueEnum};
+use jounce::signal::{OrderLine, Samples, Window};
+use jounce::spec::Quantity as Unit;
+use jounce::table::{Column, Table};
+use jounce_measure::draw::{densities_of, spectrogram_of};
+use jounce_measure::recording::{Channel, Quantity};
+use jounce_measure::spectral::{Density, Segments, Spectrogram, spectrogram};
+use std::path::Path;
+
+/// Multiples of the drive whose amplitudes are told.
+const ORDERS: [f64; 10] = [1.0 / 3.0, 0.5, 2.0 / 3.0, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0];
+/// Segments of a record by default, were they side by side.
+const SEGMENTS: usize = 32;
+/// Cycles of the drive in a segment by default: its third is then eight lines away from the next multiple.
+const CYCLES: f64 = 24.0;
+/// Samples of the shortest segment by default.
+const SHORTEST: usize = 256;
+
+/// How segments are weighed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum WindowName {
+    /// Finest frequencies: a line is four wide, a sinusoid between two lines shows up to 15 % less.
+    Hann,
+    /// Right amplitudes: a line is ten wide, a sinusoid between two lines shows at most 0.1 % less.
+    FlatTop,
+    /// No weights: for whole periods only.
+    Rectangular,
+}
+
+/// Arguments of `spectra`.
+#[derive(Debug, Args)]
+pub struct Spectra {
+    #[command(flatten)]
+    pub file: MeasuredFile,
+    /// Channel to transform; by default the first one in volts, else the first.
+    #[arg(long, value_name = "CHANNEL")]
+    channel: Option<String>,
+    /// Frequency of the drive, as in 13Hz: amplitudes at its multiples are told and marked.
+    #[arg(long)]
+    drive: Option<String>,
+    /// Length of a segment, as in 2s; by default 24 cycles of the drive, or without one a thirty-second of the record.
+    #[arg(long, value_name = "TIME")]
+    segment: Option<String>,
+    /// Share of a segment that the next one overlaps.
+    #[arg(long, default_value_t = 0.5)]
+    overlap: f64,
+    /// Weights of a segment.
+    #[arg(long, value_enum, default_value = "hann")]
+    window: WindowName,
+}
+
+/// What the record tells.
+struct Answer<'a> {
+    channel: &'a Channel,
+    density: Density,
+    spectrogram: Spectrogram,
+    orders: Vec<OrderLine>,
+}
+
+impl Spectra {
+    /// Transforms and tells.
+    pub fn run(&self) -> Result<(), Failure> {
+        let drive_hz = self.drive.as_ref().map(|text| positive("--drive", text, Unit::Frequency)).transpose()?;
+        let segment_s = self.segment.as_ref().map(|text| positive("--segment", text, Unit::Time)).transpose()?;
+        let record = self.file.record()?;
+        tell_findings(&record);
+        let volts = || record.channels.iter().find(|channel| channel.quantity == Quantity::Voltage).or(record.channels.first());
+        let channel = match &self.channel {
+            Some(name) => record.channel(name)?,
+            None => volts().ok_or_else(|| Failure::Input(format!("{} has no channel", record.name)))?,
+        };
+        let samples = Samples::new(&channel.values, record.rate())?;
+        let count = samples.values().len();
+        let usual = || (count / SEGMENTS).max(SHORTEST).min(count);
+        let cycles_s = drive_hz.map(|f| CYCLES / f).filter(|s| s * record.rate() <= count as f64);
+        let length = segment_s.or(cycles_s).map_or_else(usual, |s| (s * record.rate()).round() as usize) / 2 * 2;
+        let window = match self.window {
+            WindowName::Hann => Window::Hann,
+            WindowName::FlatTop => Window::FlatTop,
+            WindowName::Rectangular => Window::Rectangular,
+        };
+        let segments = Segments::new(length, self.overlap, window)?;
+        let orders = match drive_hz {
+            None => Vec::new(),
+            Some(drive_hz) => {
+                let inside: Vec<f64> = ORDERS.into_iter().filter(|order| order * drive_hz < 0.5 * record.rate()).collect();
+                samples.orders(drive_hz, &inside)?.lines
+            }
+        };
+        let answer =
+            Answer { channel, density: Density::welch(&samples, &segments)?, spectrogram: spectrogram(&samples, &segments)?, orders };
+        if let Some(folder) = &self.file.output.out {
+            self.write(folder, &answer, drive_hz)?;
+        }
+        if self.file.output.json {
+            print(&self.listed(&answer, &record.findings));
+        } else {
+            self.tell(&answer);
+        }
+        Ok(())
+    }
+
+    /// Window, overlap and amplitude in words.
+    fn convention(&self, answer: &Answer<'_>) -> String {
+        let found = &answer.spectrogram;
+        let window = format!("{:?}", self.window).to_lowercase().replace("flattop", "flat-top");
+        format!(
+            "{} segments of {:.4} s, {} window, overlap {}: lines {:.4} Hz apart; amplitudes are zero to peak, densities one-sided, per Hz",
+            found.time_s.len(),
+            found.segment_s,
+            window,
+            self.overlap,
+            found.resolution_hz
+        )
+    }
+
+    fn tell(&self, answer: &Answer<'_>) {
+        let unit = &answer.channel.unit;
+        line(format!("{}: {}", answer.channel.name, self.convention(answer)));
+        line(format!("mean {:.5e} {unit}, taken away from the density", answer.density.mean));
+        for (frequency_hz, density) in peaks(&answer.density) {
+            line(format!("peak at {frequency_hz:>10.4} Hz: {density:.4e} ({unit})^2/Hz"));
+        }
+        for order in &answer.orders {
+            line(format!("order {:>6.4}, {:>10.4} Hz: {:.5e} {unit} peak", order.order, order.frequency_hz, order.amplitude_peak));
+        }
+    }
+
+    fn listed(&self, answer: &Answer<'_>, findings: &[jounce_measure::recording::Finding]) -> serde_json::Value {
+        let order = |order: &OrderLine| serde_json::json!({ "order": order.order, "frequency_hz": order.frequency_hz, "amplitude_peak": order.amplitude_peak });
+        let found = &answer.spectrogram;
+        serde_json::json!({
+            "channel": answer.channel.name,
+            "unit": answer.channel.unit,
+            "convention": self.convention(answer),
+            "segment_s": found.segment_s,
+            "step_s": found.step_s,
+            "segments": found.time_s.len(),
+            "resolution_hz": found.resolution_hz,
+            "mean": answer.density.mean,
+            "frequency_hz": answer.density.frequency_hz,
+            "density": answer.density.density,
+            "orders": answer.orders.iter().map(order).collect::<Vec<_>>(),
+            "findings": findings,
+        })
+    }
+
+    fn write(&self, folder: &Path, answer: &Answer<'_>, drive_hz: Option<f64>) -> Result<(), Failure> {
+        let (channel, density, found) = (answer.channel, &answer.density, &answer.spectrogram);
+        let manifest = self.file.manifest("spectra")?.with("convention", self.convention(answer)).with("channel", channel.name.clone());
+        let squared = format!("({})^2/Hz", channel.unit);
+        let table = Table::new(vec![
+            Column::new("frequency_hz", "Hz", "frequency of the line", density.frequency_hz.clone()),
+            Column::new("density", &squared, "one-sided power spectral density (Welch)", density.density.clone()),
+        ])?;
+        output::table(folder, "spectra", &table, &manifest)?;
+        let cells = || found.time_s.iter().flat_map(|t| found.frequency_hz.iter().map(move |f| (*t, *f)));
+        let table = Table::new(vec![
+            Column::new("time_s", "s", "middle of the segment, from the first sample", cells().map(|cell| cell.0).collect::<Vec<_>>()),
+            Column::new("frequency_hz", "Hz", "frequency of the line", cells().map(|cell| cell.1).collect::<Vec<_>>()),
+            Column::new("amplitude_peak", &channel.unit, "peak amplitude", found.amplitude_peak.concat()),
+        ])?;
+        output::table(folder, "spectrogram", &table, &manifest)?;
+        output::figure(folder, "spectra", &densities_of("Power spectral density", &channel.name, &channel.unit, density))?;
+        output::figure(folder, "spectrogram", &spectrogram_of(&self.convention(answer), &channel.name, &channel.unit, found, drive_hz))
+    }
+}
+
+/// The five highest lines above both neighbours, by frequency.
+fn peaks(density: &Density) -> Vec<(f64, f64)> {
+    let s = &density.density;
+    let mut found: Vec<usize> = (1..s.len().saturating_sub(1)).filter(|k| s[*k] > s[k - 1] && s[*k] >= s[k + 1]).collect();
+    found.sort_by(|a, b| s[*b].total_cmp(&s[*a]));
+    found.truncate(5);
+    found.sort_unstable();
+    found.into_iter().map(|k| (density.frequency_hz[k], s[k])).collect()
+}

@@ -1,0 +1,64 @@
+//! What can stop the experimental half; its inputs are built in, so that each would be a fault of jounce.
+
+use jounce::plant::PlantError;
+use jounce::reproduce::ReproduceError;
+use jounce::signal::SignalError;
+use jounce::structure::StructureError;
+use jounce::table::TableError;
+
+use crate::modal::ModalError;
+use crate::recording::NoChannel;
+use crate::regime::RegimeError;
+use crate::response::ResponseError;
+use crate::rig::RigError;
+use crate::solution::SolutionError;
+use crate::spectral::SpectralError;
+
+/// Why the experimental half could not be computed.
+#[derive(Debug, thiserror::Error)]
+pub enum ExperimentError {
+    /// The paper's spec.
+    #[error(transparent)]
+    Reproduce(#[from] ReproduceError),
+    /// The structure.
+    #[error(transparent)]
+    Structure(#[from] StructureError),
+    /// The plant.
+    #[error(transparent)]
+    Plant(#[from] PlantError),
+    /// The rig.
+    #[error(transparent)]
+    Rig(#[from] RigError),
+    /// The model's solutions.
+    #[error(transparent)]
+    Solution(#[from] SolutionError),
+    /// A solution that the model had.
+    #[error("the model has no solution `{id}` any more; its solutions are {known}")]
+    NoSolution {
+        /// Its id.
+        id: String,
+        /// What there is.
+        known: String,
+    },
+    /// A channel.
+    #[error(transparent)]
+    Channel(#[from] NoChannel),
+    /// A signal.
+    #[error(transparent)]
+    Signal(#[from] SignalError),
+    /// A spectrum.
+    #[error(transparent)]
+    Spectral(#[from] SpectralError),
+    /// The responses of the hammer test.
+    #[error(transparent)]
+    Response(#[from] ResponseError),
+    /// Its modes.
+    #[error(transparent)]
+    Modal(#[from] ModalError),
+    /// The stretches of the record.
+    #[error(transparent)]
+    Regime(#[from] RegimeError),
+    /// A table.
+    #[error(transparent)]
+    Table(#[from] TableError),
+}

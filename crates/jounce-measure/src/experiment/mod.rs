@@ -1,0 +1,58 @@
+//! The experimental half of the 2019 paper on the virtual rig: Table 2 measured, and figures 10 to 13.
+//!
+//! The paper prints its records as pictures only, so nothing here is measured in a laboratory: a model is recorded as the paper's sensors would
+//! have recorded it (1536 Hz, 85 s), noise and a wandering shaker with it, and the commands for recordings analyse it. What was put in is
+//! known, and stands beside what comes out.
+//!
+//! Source: "Experimental validation of an impact off-resonance energy harvester" (2019), section 5.
+mod error;
+mod load;
+mod modal_test;
+mod record;
+
+use jounce::reproduce::{Chapter, NamedFigure, NamedTable, Reproduction};
+use rayon::prelude::*;
+
+pub use error::ExperimentError;
+
+use load::{ABOVE, BELOW, PowerOverLoad};
+use modal_test::ModalTest;
+use record::Alternating;
+
+/// Samples per second of the paper's records.
+const RATE_HZ: f64 = 1536.0;
+/// Their length, s.
+const RECORD_S: f64 = 85.0;
+/// White noise of every sensor, over the rms of its signal: a guess, the paper does not tell.
+const NOISE: f64 = 0.01;
+
+/// Table 2 and figures 10 to 13 from the virtual rig; `paper` has the printed numbers beside them.
+///
+/// # Errors
+/// None is expected: the inputs are built in. See [`ExperimentError`].
+pub fn chapters(paper: &Reproduction) -> Result<Vec<Chapter>, ExperimentError> {
+    let (modal, (loads, record)) = rayon::join(
+        || ModalTest::compute(paper.table("table-2").and_then(|named| named.table.floats("measured_hz")).unwrap_or_default()),
+        || rayon::join(|| [ABOVE, BELOW].into_par_iter().map(PowerOverLoad::compute).collect::<Result<Vec<_>, _>>(), Alternating::compute),
+    );
+    let (modal, loads, record) = (modal?, loads?, record?);
+    let table_2 = Chapter {
+        heading: "Table 2 measured (simulated): modal test of the virtual rig".to_owned(),
+        paragraphs: modal.words(),
+        tables: vec![modal.table()?],
+        figures: modal.figures(),
+    };
+    let power = Chapter {
+        heading: "Figures 10 and 11 (simulated): power over load from records".to_owned(),
+        paragraphs: load::words(&loads),
+        tables: loads.iter().map(PowerOverLoad::table).collect::<Result<Vec<NamedTable>, _>>()?,
+        figures: loads.iter().map(PowerOverLoad::figure).collect::<Vec<NamedFigure>>(),
+    };
+    let jumping = Chapter {
+        heading: "Figures 12 and 13 (simulated): a record of two solutions".to_owned(),
+        paragraphs: record.words(),
+        tables: vec![record.table()?],
+        figures: record.figures()?,
+    };
+    Ok(vec![table_2, power, jumping])
+}

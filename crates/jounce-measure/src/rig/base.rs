@@ -1,0 +1,44 @@
+//! A harvester whose base moves as it was recorded.
+
+use std::sync::Arc;
+
+use jounce::spec::{self, Drive, DriveKind, DriveSignal, Spec};
+
+use super::RigError;
+use crate::recording::{Grid, Over, Quantity, Recording};
+
+/// Takes every drive away and moves the base by a channel of a recording at even times, for as long as the recording lasts; the mean of
+/// that time is averaged over. Gives the mean of the channel, m/s^2: where `keep_mean` is false it is taken away, because that of an
+/// accelerometer is gravity and offset.
+///
+/// # Errors
+/// A channel that is not there or no acceleration, a recording over frequency or of fewer than two samples.
+pub fn on_recorded_base(spec: &mut Spec, recording: &Recording, channel: &str, keep_mean: bool) -> Result<f64, RigError> {
+    let values = &recording.channel(channel)?.values;
+    let found = recording.channel(channel)?;
+    if found.quantity != Quantity::Acceleration && found.quantity != Quantity::Unknown {
+        return Err(RigError::NotAcceleration { channel: found.name.clone(), unit: found.unit.clone() });
+    }
+    let (Grid::Even { step, count, .. }, Over::Time) = (&recording.grid, recording.over) else {
+        return Err(RigError::NotEven { recording: recording.name.clone() });
+    };
+    if *count < 2 {
+        return Err(RigError::Setting { name: "the number of samples of the base", value: *count as f64, allowed: "at least 2" });
+    }
+    let mean = values.iter().sum::<f64>() / values.len() as f64;
+    let offset = if keep_mean { 0.0 } else { mean };
+    let record = spec::Recording { step_s: *step, values: values.iter().map(|x| x - offset).collect() };
+    let signal = DriveSignal::Recording {
+        file: recording.name.clone(),
+        scale: 1.0,
+        start_s: 0.0,
+        sample_rate_hz: None,
+        record: Some(Arc::new(record)),
+    };
+    spec.drive.clear();
+    spec.drive.insert("base".to_owned(), Drive { at: String::new(), kind: DriveKind::BaseAcceleration, signal });
+    spec.run.duration_s = step * (count - 1) as f64;
+    spec.run.average_over_s = spec.run.duration_s;
+    spec.run.start = spec::Start::Rest;
+    Ok(mean)
+}

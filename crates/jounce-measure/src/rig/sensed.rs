@@ -1,0 +1,42 @@
+//! What a shaker test records.
+
+use jounce::spec::{DriveKind, Spec};
+use jounce::structure::Modes;
+
+use super::RigError;
+use crate::recording::Quantity;
+use crate::solution::Output;
+
+/// A channel to be.
+pub(super) struct SensedAs {
+    pub name: String,
+    pub quantity: Quantity,
+    pub unit: &'static str,
+    pub output: Output,
+}
+
+/// Voltages of patches, forces of stops, the acceleration of the base, and accelerometers.
+pub(super) fn sensors(spec: &Spec, modes: &Modes, accelerometers: &[String]) -> Result<Vec<SensedAs>, RigError> {
+    let patches = modes.patch.keys().enumerate().map(|(k, name)| (format!("{name}.voltage"), Output::PatchVoltage(k)));
+    let stops = spec.stop.keys().enumerate().map(|(k, name)| (format!("{name}.force"), Output::StopForce(k)));
+    let mut all: Vec<(String, Output)> = patches.chain(stops).collect();
+    let ground = spec.drive.values().any(|drive| drive.kind != DriveKind::Force);
+    let pushed = spec.drive.values().find(|drive| drive.kind == DriveKind::Force).map(|drive| Output::Acceleration(drive.at.clone()));
+    all.extend(if ground { Some(Output::Ground) } else { pushed }.map(|output| ("base.acceleration".to_owned(), output)));
+    for point in accelerometers {
+        if !modes.shape.contains_key(point) {
+            let known = modes.shape.keys().cloned().collect::<Vec<_>>().join(", ");
+            return Err(RigError::UnknownPoint { point: point.clone(), known });
+        }
+        all.push((format!("{point}.acceleration"), Output::Acceleration(point.clone())));
+    }
+    let sensed = |(name, output): (String, Output)| {
+        let (quantity, unit) = match output {
+            Output::PatchVoltage(_) | Output::LoadVoltage(_) => (Quantity::Voltage, "V"),
+            Output::StopForce(_) => (Quantity::Force, "N"),
+            Output::Acceleration(_) | Output::Ground => (Quantity::Acceleration, "m/s^2"),
+        };
+        SensedAs { name, quantity, unit, output }
+    };
+    Ok(all.into_iter().map(sensed).collect())
+}

@@ -1,0 +1,98 @@
+//! The attractors of a model with what is needed to march them again.
+
+use jounce::orbit::{Orbit, Shooting};
+use jounce::plant::Plant;
+use jounce::run::StartState;
+use jounce::spec::{NumericKey, Spec};
+use jounce::study::{Basins, Cloud, Parameter, Prepared, Starts};
+
+use super::{SolutionError, Waveform};
+
+/// How solutions are sought.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Search {
+    /// Random starts.
+    pub starts: usize,
+    /// Their seed.
+    pub seed: u64,
+    /// Size of the cloud, in gaps (or steady amplitudes, where those are larger).
+    pub spread: f64,
+    /// Relative tolerance of the marches.
+    pub tolerance: f64,
+    /// Circuit whose voltage is looked at; none for the first one.
+    pub load: Option<String>,
+}
+
+impl Default for Search {
+    fn default() -> Self {
+        Self { starts: 40, seed: 1, spread: 10.0, tolerance: 1e-8, load: None }
+    }
+}
+
+/// A solution of a model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solution {
+    /// Drive cycles of its period and a letter by falling power, as [`jounce::study::Attractor`]: `1a`, `3a`; `chaos`; `torus`.
+    pub id: String,
+    /// Drive cycles of its period; none where there is no orbit.
+    pub period_cycles: Option<u32>,
+    /// Mean power of all loads, W.
+    pub mean_power_w: f64,
+    /// Contacts per period.
+    pub contacts: u64,
+    /// Share of the starts that end here.
+    pub share: f64,
+    /// A state on the orbit at the angles at which the drives start; none where there is no orbit.
+    pub start: Option<StartState>,
+    /// Voltage over the load; none where there is no orbit.
+    pub waveform: Option<Waveform>,
+}
+
+/// The solutions of a spec under its one sinusoidal drive; a solution whose share is below about `3 / starts` may be missed.
+///
+/// # Errors
+/// [`SolutionError`].
+pub fn solutions(spec: &Spec, search: &Search) -> Result<Vec<Solution>, SolutionError> {
+    let base = Prepared::new(spec.clone())?;
+    let drives: Vec<(&String, f64)> = base.spec.drive.iter().filter_map(|(name, drive)| Some((name, drive.frequency_hz()?))).collect();
+    let [(name, drive_hz)] = drives[..] else { return Err(SolutionError::Drives { found: drives.len() }) };
+    let load = load(&base.kernel.plant, search.load.as_deref())?;
+    let key = NumericKey::find(&base.spec, &format!("drive.{name}.frequency"))?;
+    let parameter = Parameter::new(&base, &key, drive_hz);
+    let starts = Starts::Cloud(Cloud { starts: search.starts, seed: search.seed, spread: search.spread });
+    let study = Basins { base: &base, parameter: &parameter, value: drive_hz, starts, tolerance: search.tolerance };
+    let answer = study.run(&|| ())?;
+    if let (true, Some((_, first))) = (answer.attractors.is_empty(), answer.lost.first()) {
+        return Err(SolutionError::Lost { starts: search.starts, first: first.clone() });
+    }
+    let solution = |attractor: jounce::study::Attractor| -> Result<Solution, SolutionError> {
+        let of = |orbit: &Orbit| -> Result<(StartState, Waveform), SolutionError> {
+            let physical = Shooting::new(&parameter, &base.kernel, orbit.period_cycles, search.tolerance).physical(orbit.start());
+            let plant = &base.kernel.plant;
+            let start = StartState::from_blocks(plant, &plant.from_physical(&physical, 0.0), 0.0);
+            let waveform = Waveform::of(&base.kernel, &start, orbit.period_cycles, drive_hz, load, search.tolerance)?;
+            Ok((start, waveform))
+        };
+        let (start, waveform) = attractor.orbit.as_ref().map(of).transpose()?.unzip();
+        Ok(Solution {
+            id: attractor.id,
+            period_cycles: attractor.orbit.as_ref().map(|orbit| orbit.period_cycles),
+            mean_power_w: attractor.mean_power_w,
+            contacts: attractor.contacts_per_period,
+            share: attractor.share.fraction,
+            start,
+            waveform,
+        })
+    };
+    answer.attractors.into_iter().map(solution).collect()
+}
+
+/// Number of the load whose voltage is looked at.
+fn load(plant: &Plant, wanted: Option<&str>) -> Result<usize, SolutionError> {
+    let loads = &plant.system.loads;
+    let Some(wanted) = wanted else { return if loads.is_empty() { Err(SolutionError::NoLoad) } else { Ok(0) } };
+    loads.iter().position(|load| load.name == wanted).ok_or_else(|| SolutionError::UnknownLoad {
+        wanted: wanted.to_owned(),
+        known: loads.iter().map(|load| load.name.clone()).collect::<Vec<_>>().join(", "),
+    })
+}

@@ -1,0 +1,127 @@
+//! What a sensor on a marched harvester would see, sample by sample.
+//!
+//! With the block coordinates `y' = A y + sum_s b_s u_s(t) + sum_p b_p F_p` beside the steady state `Y` of the tones, a row `c` reads
+//! `c (y + Re Y e^{i w t})`, and its rate is
+//!
+//! ```text
+//! c A y + sum_s c b_s u_s(t) + sum_p c b_p F_p + Re(i w c Y e^{i w t})
+//! ```
+//!
+//! An acceleration is the rate of a velocity. Points move relative to the ground: the acceleration of the ground comes on top.
+
+use faer::c64;
+use jounce::march::{Instant, Kernel, Trajectory};
+use jounce::plant::Plant;
+use jounce::spec::{DriveKind, DriveSignal, Spec};
+use std::f64::consts::TAU;
+
+/// What is seen.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Output {
+    /// Voltage of patch number so many, V.
+    PatchVoltage(usize),
+    /// Voltage over the resistor of load number so many, V.
+    LoadVoltage(usize),
+    /// Force of stop number so many, N.
+    StopForce(usize),
+    /// Acceleration of a point in space, m/s^2.
+    Acceleration(String),
+    /// Acceleration of the ground, m/s^2.
+    Ground,
+}
+
+/// How one output is read from a state.
+enum Reader {
+    State { row: Vec<f64>, steady: Vec<c64> },
+    Force(usize),
+    Rate { row: Vec<f64>, signals: Vec<f64>, ports: Vec<f64>, steady: Vec<c64> },
+    Ground,
+}
+
+/// Each output at ascending times of a record of a march of `spec`, one row for each output.
+///
+/// A point that is not there reads 0: names are checked where they are given.
+pub fn outputs(spec: &Spec, kernel: &Kernel, trajectory: &Trajectory, times_s: &[f64], wanted: &[Output]) -> Vec<Vec<f64>> {
+    let plant = &kernel.plant;
+    let readers: Vec<Reader> = wanted.iter().map(|output| reader(plant, output)).collect();
+    let grounds = Ground::of(spec, plant);
+    let mut rows = vec![Vec::with_capacity(times_s.len()); wanted.len()];
+    for instant in trajectory.at(kernel, times_s) {
+        let turns: Vec<c64> = plant.tones.iter().map(|tone| c64::cis(tone.angular_frequency_rad_s * instant.time_s)).collect();
+        let sizes: Vec<f64> = plant.system.signals.iter().map(|signal| size(&signal.wave, instant.time_s)).collect();
+        let ground = grounds.at(instant.time_s, &sizes);
+        for ((row, reader), output) in rows.iter_mut().zip(&readers).zip(wanted) {
+            let moving = if matches!(output, Output::Acceleration(_) | Output::Ground) { ground } else { 0.0 };
+            row.push(moving + read(reader, &instant, &turns, &sizes));
+        }
+    }
+    rows
+}
+
+fn reader(plant: &Plant, output: &Output) -> Reader {
+    let state = |row: Vec<f64>| Reader::State { steady: plant.steady_output(&row), row };
+    match output {
+        Output::PatchVoltage(patch) => state(plant.voltage_row(*patch)),
+        Output::LoadVoltage(load) => state(plant.load_voltage_row(*load)),
+        Output::StopForce(stop) => Reader::Force(*stop),
+        Output::Ground => Reader::Ground,
+        Output::Acceleration(point) => {
+            let still = vec![0.0; plant.system.modes.len()];
+            let velocity = plant.velocity_row(plant.system.modes.shape.get(point).unwrap_or(&still));
+            let along = |column: &[f64]| velocity.iter().zip(column).map(|(c, b)| c * b).sum::<f64>();
+            let speeded = |(y, tone): (c64, &jounce::plant::Tone)| y * c64::new(0.0, tone.angular_frequency_rad_s);
+            Reader::Rate {
+                row: plant.diagonal.block.rate_row(&velocity),
+                signals: plant.system.signals.iter().map(|signal| along(&plant.force_column(&signal.shape))).collect(),
+                ports: plant.ports.iter().map(|port| along(&port.force)).collect(),
+                steady: plant.steady_output(&velocity).into_iter().zip(&plant.tones).map(speeded).collect(),
+            }
+        }
+    }
+}
+
+fn read(reader: &Reader, instant: &Instant, turns: &[c64], sizes: &[f64]) -> f64 {
+    let dot = |row: &[f64], of: &[f64]| row.iter().zip(of).map(|(c, y)| c * y).sum::<f64>();
+    let turned = |steady: &[c64]| steady.iter().zip(turns).map(|(y, turn)| (*y * *turn).re).sum::<f64>();
+    match reader {
+        Reader::State { row, steady } => dot(row, &instant.state) + turned(steady),
+        Reader::Force(stop) => instant.forces_n[*stop],
+        Reader::Rate { row, signals, ports, steady } => {
+            dot(row, &instant.state) + dot(signals, sizes) + dot(ports, &instant.forces_n) + turned(steady)
+        }
+        Reader::Ground => 0.0,
+    }
+}
+
+fn size(wave: &jounce::drive::Wave, time_s: f64) -> f64 {
+    wave.piece(wave.index_at(time_s)).size_at(time_s)
+}
+
+/// What moves the ground: sinusoids, and numbers of signals.
+struct Ground {
+    /// Acceleration (m/s^2, peak), frequency (Hz), angle at time 0.
+    tones: Vec<(f64, f64, f64)>,
+    signals: Vec<usize>,
+}
+
+impl Ground {
+    fn of(spec: &Spec, plant: &Plant) -> Self {
+        let (mut tones, mut signals) = (Vec::new(), Vec::new());
+        for (name, drive) in spec.drive.iter().filter(|(_, drive)| drive.kind != DriveKind::Force) {
+            match drive.signal {
+                // The plant knows at which angle its march begins.
+                DriveSignal::Sine { .. } => {
+                    let own = plant.system.drives.iter().filter(|own| own.name == *name);
+                    tones.extend(own.map(|own| (own.amplitude_n, own.frequency_hz, own.phase_rad)));
+                }
+                _ => signals.extend(plant.system.signals.iter().position(|signal| signal.name == *name)),
+            }
+        }
+        Self { tones, signals }
+    }
+
+    fn at(&self, time_s: f64, sizes: &[f64]) -> f64 {
+        let tone = |(peak, hz, angle): &(f64, f64, f64)| peak * (TAU * (hz * time_s).fract() + angle).sin();
+        self.tones.iter().map(tone).sum::<f64>() + self.signals.iter().map(|k| sizes[*k]).sum::<f64>()
+    }
+}

@@ -1,0 +1,62 @@
+//! The voltage of an orbit as a Fourier series.
+
+use faer::c64;
+use jounce::march::Kernel;
+use jounce::run::{RunError, RunPlan, StartState, simulate};
+use jounce::spec::Spec;
+use std::f64::consts::TAU;
+
+use super::{Output, outputs};
+
+/// Highest order of the drive that is looked at.
+pub const ORDERS: u32 = 8;
+/// Samples of a drive cycle: what lies beyond order 56 is folded back.
+const SAMPLES: u32 = 64;
+
+/// A periodic voltage.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Waveform {
+    /// Drive cycles of its period.
+    pub period_cycles: u32,
+    /// Line `k` is that of order `(k + 1) / period_cycles`, V peak, up to order [`ORDERS`].
+    pub lines_v: Vec<c64>,
+}
+
+impl Waveform {
+    /// Marches one period from a state on the orbit and transforms the voltage over a load.
+    ///
+    /// # Errors
+    /// [`RunError`].
+    pub fn of(
+        kernel: &Kernel,
+        start: &StartState,
+        period_cycles: u32,
+        drive_hz: f64,
+        load: usize,
+        tolerance: f64,
+    ) -> Result<Self, RunError> {
+        let period_s = f64::from(period_cycles) / drive_hz;
+        let plan = RunPlan { duration_s: period_s, average_over_s: period_s, tolerance, record_s: period_s };
+        let answer = simulate(kernel, start, &plan)?;
+        let count = (SAMPLES * period_cycles) as usize;
+        let times_s: Vec<f64> = (0..count).map(|k| period_s * k as f64 / count as f64).collect();
+        // No output of the ground is read: an empty spec has nothing that moves it.
+        let voltage = outputs(&Spec::default(), kernel, &answer.trajectory, &times_s, &[Output::LoadVoltage(load)]).swap_remove(0);
+        Ok(Self { period_cycles, lines_v: (1..=(ORDERS * period_cycles) as usize).map(|k| line(&voltage, k)).collect() })
+    }
+
+    /// The line of an order `of / cycles`; 0 where the waveform has none there.
+    pub fn at(&self, of: u32, cycles: u32) -> c64 {
+        let place = of * self.period_cycles;
+        if !place.is_multiple_of(cycles) || place == 0 {
+            return c64::new(0.0, 0.0);
+        }
+        self.lines_v.get((place / cycles) as usize - 1).copied().unwrap_or(c64::new(0.0, 0.0))
+    }
+}
+
+/// Line number `k` of a whole period.
+fn line(samples: &[f64], k: usize) -> c64 {
+    let turn = |(n, x): (usize, &f64)| c64::cis(-TAU * ((k * n) % samples.len()) as f64 / samples.len() as f64) * *x;
+    samples.iter().enumerate().map(turn).sum::<c64>() * (2.0 / samples.len() as f64)
+}
