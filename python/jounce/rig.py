@@ -42,7 +42,8 @@ class SpecOnRig(SpecText):
     ) -> Recording:
         """What the sensors of a virtual rig would record, so that the truth behind a recording is known.
 
-        By default the run is marched and its averaging window recorded: voltages and contact forces. With ``hammer``, the point that is
+        By default the run is marched and its averaging window recorded: voltages, contact forces, the acceleration of the base, and
+        those of accelerometers ``at`` some points. With ``hammer``, the point that is
         struck, stops and drives are taken away, masses in ``hold`` held still, and the force and the accelerations ``at`` some points
         recorded, by default at all and of the voltages too: so many ``hits``, one every ``block``, with a force of ``peak`` for a time of
         ``contact``. ``rate`` is the sample rate, ``noise`` that of every sensor, rms over that of its signal, ``bits`` those of the
@@ -55,9 +56,9 @@ class SpecOnRig(SpecText):
             test = {"point": hammer, "at": names(at), "hold": names(hold), "hits": hits, "block_s": positive_si("time", block, "block")}
             test |= {"peak_force_n": positive_si("force", peak, "peak"), "contact_time_s": positive_si("time", contact, "contact")}
             return Recording._of(_core.rig_struck(self._spec, sensors, test), manifest)
-        if at or hold:
-            raise ArgumentError("at and hold are those of a hammer test; name the point to strike with hammer=")
-        answer, ended = _core.rig_shaken(self._spec, sensors)
+        if hold:
+            raise ArgumentError("hold is that of a hammer test; name the point to strike with hammer=")
+        answer, ended = _core.rig_shaken(self._spec, sensors, names(at))
         if ended is not None:
             raise Interrupted(None) if isinstance(ended, KeyboardInterrupt) else ended
         assert answer is not None, "a call that nothing ended has an answer"

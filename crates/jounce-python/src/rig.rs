@@ -7,11 +7,10 @@ use crate::spec::Spec;
 use crate::watched::{handed, watched};
 use jounce::linear::Response;
 use jounce::plant::{Plant, System};
-use jounce::run::{RunPlan, simulate};
 use jounce::spec::Gravity;
 use jounce::structure::modes_holding;
 use jounce_measure::recording::Recording;
-use jounce_measure::rig::{HammerTest, Sensor, hammer_test, shaken};
+use jounce_measure::rig::{HammerTest, Sensor, ShakerTest, Wander, hammer_test, shaker_test};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -44,18 +43,23 @@ impl Sensors {
     }
 }
 
-/// Marches the run; what the sensors record over its averaging window.
+/// Marches the run; what the sensors record over its averaging window, accelerometers at some points among them.
 #[pyfunction]
-pub fn rig_shaken<'py>(py: Python<'py>, spec: &Spec, sensors: Sensors) -> Handed<'py> {
+pub fn rig_shaken<'py>(py: Python<'py>, spec: &Spec, sensors: Sensors, at: Vec<String>) -> Handed<'py> {
     let found = watched(py, None, |watch| {
         let prepared = spec.prepared(watch)?;
-        let start = prepared.start(&spec.folder())?;
-        let kernel = prepared.from_state(&start)?;
-        let run = &prepared.spec.run;
-        let plan = RunPlan::of(run, run.average_over_s);
-        let answer = simulate(&kernel, &start, &plan)?;
-        let between_s = (plan.duration_s - plan.average_over_s, plan.duration_s);
-        Ok::<_, Failure>(shaken(&kernel, &answer.trajectory, between_s, sensors.rate_hz, sensors.sensor(), sensors.seed)?)
+        let (run, start) = (&prepared.spec.run, prepared.start(&spec.folder())?);
+        let test = ShakerTest {
+            rate_hz: sensors.rate_hz,
+            duration_s: run.average_over_s,
+            before_s: run.duration_s - run.average_over_s,
+            starts: vec![(0.0, start)],
+            wander: Wander::NONE,
+            accelerometers: at.clone(),
+            sensor: sensors.sensor(),
+            seed: sensors.seed,
+        };
+        Ok::<_, Failure>(shaker_test(&prepared.spec, &prepared.kernel.plant.system.modes, &test, watch)?)
     });
     handed(py, found, |recording| told(py, recording))
 }

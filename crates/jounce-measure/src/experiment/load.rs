@@ -1,5 +1,6 @@
 //! Figures 10 and 11: mean power over the load from records, normalised by the mean square of the base's acceleration.
 
+use jounce::march::Watch;
 use jounce::picture::{Direction, SweepLine, power_against_resistance};
 use jounce::plant::{Plant, System};
 use jounce::reproduce::{NamedFigure, NamedTable, paper_spec};
@@ -148,7 +149,7 @@ fn recorded(case: Case, gap: &str, resistance_ohm: f64) -> Result<Point, Experim
         sensor: Sensor { noise_ratio: NOISE, bits: Some(16) },
         seed: resistance_ohm as u64,
     };
-    let record = shaker_test(&spec, &modes, &test)?;
+    let record = shaker_test(&spec, &modes, &test, &Watch::default())?;
     let voltage = Samples::new(&record.channel("mfc.voltage")?.values, RATE_HZ)?;
     let base = Samples::new(&record.channel("base.acceleration")?.values, RATE_HZ)?;
     let power = mean_power(&voltage, resistance_ohm, false)?;

@@ -1,5 +1,6 @@
 //! Figures 12 and 13: a record that goes from one solution to another, cut into its stretches.
 
+use jounce::march::Watch;
 use jounce::reproduce::{NamedFigure, NamedTable, paper_spec};
 use jounce::run::StartState;
 use jounce::signal::{Samples, Window};
@@ -59,7 +60,7 @@ impl Alternating {
             sensor: Sensor { noise_ratio: NOISE, bits: Some(16) },
             seed: 1,
         };
-        let record = shaker_test(&spec, &structure::modes(&spec)?, &test)?;
+        let record = shaker_test(&spec, &structure::modes(&spec)?, &test, &Watch::default())?;
         let voltage_v = record.channel("mfc.voltage")?.values.clone();
         let samples = Samples::new(&voltage_v, RATE_HZ)?;
         let found = regimes(&samples, DRIVE_HZ)?;

@@ -1,7 +1,7 @@
 //! A shaker test of a model as its sensors record it.
 
 use jounce::drive::Stream;
-use jounce::march::{Kernel, Trajectory};
+use jounce::march::{Kernel, Trajectory, Watch};
 use jounce::plant::{Plant, System};
 use jounce::run::{RunPlan, StartState, simulate};
 use jounce::spec::Spec;
@@ -35,12 +35,12 @@ pub struct ShakerTest {
     pub seed: u64,
 }
 
-/// The record: voltages of all patches, forces of all stops, the acceleration of the base (of the ground where it moves, else of what the
+/// The record, unless a watch stops its marches: voltages of all patches, forces of all stops, the acceleration of the base (of the ground where it moves, else of what the
 /// first force shakes) as `base.acceleration`, and that of each accelerometer. The first sample is at 0 s.
 ///
 /// # Errors
 /// A setting out of its range, a name that is not there, a march that fails.
-pub fn shaker_test(spec: &Spec, modes: &Modes, test: &ShakerTest) -> Result<Recording, RigError> {
+pub fn shaker_test(spec: &Spec, modes: &Modes, test: &ShakerTest, watch: &Watch) -> Result<Recording, RigError> {
     let count = check(test)?;
     let sensors = sensors(spec, modes, &test.accelerometers)?;
     let mut stream = Stream::new(test.seed, 0);
@@ -55,7 +55,7 @@ pub fn shaker_test(spec: &Spec, modes: &Modes, test: &ShakerTest) -> Result<Reco
         let own = disturbed(spec, &courses, *at_s);
         let end = (from..count).find(|k| number + 1 < jumps.len() && time_s(*k) >= until_s).unwrap_or(count);
         let times_s: Vec<f64> = (from..end).map(|k| time_s(k) - at_s).collect();
-        let (kernel, trajectory) = marched(&own, modes, start, until_s - at_s)?;
+        let (kernel, trajectory) = marched(&own, modes, (start, until_s - at_s), watch)?;
         let wanted: Vec<Output> = sensors.iter().map(|sensor| sensor.output.clone()).collect();
         let read = outputs(&own, &kernel, &trajectory, &times_s, &wanted);
         values.iter_mut().zip(read).for_each(|(all, part)| all.extend(part));
@@ -114,13 +114,13 @@ fn jumps<'a>(spec: &Spec, test: &'a ShakerTest, courses: &[(String, super::wande
     test.starts.iter().enumerate().map(at).collect()
 }
 
-fn marched(spec: &Spec, modes: &Modes, start: &StartState, duration_s: f64) -> Result<(Kernel, Trajectory), RigError> {
+fn marched(spec: &Spec, modes: &Modes, (start, duration_s): (&StartState, f64), watch: &Watch) -> Result<(Kernel, Trajectory), RigError> {
     let mut system = System::assemble(spec, modes.clone())?;
     let mut start = start.clone();
     // Drives that wander are no sinusoids any more.
     start.drive_angle_rad.truncate(system.drives.len());
     system.drives.iter_mut().zip(&start.drive_angle_rad).for_each(|(drive, angle)| drive.phase_rad = *angle);
-    let kernel = Kernel::new(Plant::new(system)?)?;
+    let kernel = Kernel::new(Plant::new(system)?)?.watched_by(watch);
     let plan = RunPlan { duration_s, average_over_s: duration_s, tolerance: spec.run.tolerance, record_s: duration_s };
     let answer = simulate(&kernel, &start, &plan)?;
     Ok((kernel, answer.trajectory))
@@ -172,7 +172,7 @@ mod tests {
         let still = test(StartState::linear(&bare), 2.0);
         let course = ShakerTest { wander: Wander { amplitude_ratio: 1e-13, ..Wander::NONE }, ..still.clone() };
         for (test, allowed) in [(still, 1e-11), (course, 2e-4)] {
-            let found = shaker_test(&spec, &modes, &test).unwrap();
+            let found = shaker_test(&spec, &modes, &test, &Watch::default()).unwrap();
             for (channel, exact) in ["base.acceleration", "beam.tip.acceleration", "mfc.voltage"].into_iter().zip(&exact) {
                 let off = peak(&found, channel, 6.0) / (20.0 * exact.value[0].norm()) - 1.0;
                 eprintln!("{channel}: {off:.1e}");
@@ -187,7 +187,7 @@ mod tests {
     fn an_acceleration_in_contact_is_the_rate_of_the_velocity() {
         let spec = paper_spec(&[("run.tolerance", "1e-9")]).unwrap();
         let modes = modes(&spec).unwrap();
-        let (kernel, trajectory) = marched(&spec, &modes, &StartState::rest(&plant(&spec, &modes)), 1.0).unwrap();
+        let (kernel, trajectory) = marched(&spec, &modes, (&StartState::rest(&plant(&spec, &modes)), 1.0), &Watch::default()).unwrap();
         let times_s: Vec<f64> = (0..900).map(|k| 0.05 + 1e-3 * f64::from(k)).collect();
         let wanted = [Output::Acceleration("beam.tip".to_owned()), Output::StopForce(0)];
         let found = outputs(&spec, &kernel, &trajectory, &times_s, &wanted);
@@ -220,7 +220,7 @@ mod tests {
         let mean = on_recorded_base(&mut spec, &recorded, "a", false).unwrap();
         assert!((mean - 9.81).abs() < 1e-9 && (spec.run.duration_s - 5.999).abs() < 1e-12);
         let own = plant(&spec, &modes);
-        let found = shaker_test(&spec, &modes, &test(StartState::rest(&own), 5.999)).unwrap();
+        let found = shaker_test(&spec, &modes, &test(StartState::rest(&own), 5.999), &Watch::default()).unwrap();
         let last = |channel: &str| {
             let values = &found.channel(channel).unwrap().values;
             Samples::new(&values[values.len() - 3072..], 1536.0).unwrap().orders(20.0, &[1.0]).unwrap().lines[0].amplitude_peak
@@ -241,12 +241,12 @@ mod tests {
         let with = |change: fn(&mut ShakerTest)| {
             let mut test = good.clone();
             change(&mut test);
-            shaker_test(&spec, &modes, &test).unwrap_err().to_string()
+            shaker_test(&spec, &modes, &test, &Watch::default()).unwrap_err().to_string()
         };
         assert!(with(|t| t.duration_s = 0.01).contains("samples"));
         assert!(with(|t| t.accelerometers = vec!["beam.tpi".to_owned()]).contains("beam.tip"));
         assert!(with(|t| t.wander.amplitude_ratio = f64::NAN).contains("amplitude"));
         let late = ShakerTest { starts: vec![(0.0, start.clone()), (3.0, start)], ..good.clone() };
-        assert!(shaker_test(&spec, &modes, &late).unwrap_err().to_string().contains("within the record"));
+        assert!(shaker_test(&spec, &modes, &late, &Watch::default()).unwrap_err().to_string().contains("within the record"));
     }
 }

@@ -6,6 +6,7 @@
 
 use super::samples::real;
 use jounce::linear::{Input, Response, frf};
+use jounce::march::Watch;
 use jounce::plant::{Plant, System};
 use jounce::reproduce::paper_spec;
 use jounce::run::StartState;
@@ -60,7 +61,7 @@ fn driven(motion: &Recording, gap: &str) -> (Plant, Recording, MeanPower) {
         sensor: Sensor { noise_ratio: 0.0, bits: None },
         seed: 1,
     };
-    let record = shaker_test(&spec, &modes, &test).unwrap_or_else(|fault| panic!("{fault}"));
+    let record = shaker_test(&spec, &modes, &test, &Watch::default()).unwrap_or_else(|fault| panic!("{fault}"));
     let power = mean_power(&Samples::new(&record.channels[0].values, RATE_HZ).expect("samples"), LOAD_OHM, false).expect("power");
     (plant, record, power)
 }

@@ -4,6 +4,7 @@ use super::SensingArguments;
 use crate::failure::Failure;
 use crate::measured_file::{channel, positive, record, tell_findings};
 use clap::Args;
+use jounce::march::Watch;
 use jounce::plant::{Plant, System};
 use jounce::run::StartState;
 use jounce::spec::{Quantity as Unit, Spec, Start};
@@ -83,7 +84,7 @@ impl ShakerArguments {
             sensor: sensing.sensor(),
             seed: sensing.seed,
         };
-        Ok(shaker_test(&spec, &modes, &test)?)
+        Ok(shaker_test(&spec, &modes, &test, &Watch::default())?)
     }
 
     fn move_base(&self, spec: &mut Spec, file: &Path) -> Result<(), Failure> {
