@@ -15,6 +15,7 @@
 //! (2013) 422.
 mod band;
 mod error;
+mod half_spectrum;
 mod identify;
 mod likelihood;
 mod mac;
@@ -24,6 +25,7 @@ mod stabilisation;
 
 pub use band::{Band, Motion};
 pub use error::ModalError;
+pub use half_spectrum::identify_decays;
 pub use identify::{Identification, Mode, Settings, identify};
 pub use mac::{mac, mac_matrix};
 pub use plscf::poles;

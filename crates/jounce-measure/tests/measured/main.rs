@@ -1,5 +1,6 @@
 //! Recordings: files of every format, cut files, and real recordings where they lie beside the repository.
 
+mod cantilever;
 mod cut;
 mod formats;
 mod hammer;
