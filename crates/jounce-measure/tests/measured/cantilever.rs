@@ -6,7 +6,7 @@ use jounce_measure::read;
 use jounce_measure::response::Decays;
 
 /// Highest lines of the spectrum, Hz; noted with the data.
-pub const NOTED_HZ: [f64; 3] = [6.57, 41.47, 117.93];
+const NOTED_HZ: [f64; 3] = [6.57, 41.47, 117.93];
 
 /// Natural frequencies of the recording.
 fn found_hz() -> Option<Vec<f64>> {
