@@ -25,7 +25,7 @@ pub struct DecayArguments {
     /// Channel that the others are correlated with; can be given several times; by default all.
     #[arg(long, value_name = "CHANNEL", requires = "output_only")]
     reference: Vec<String>,
-    /// Longest lag of the correlations; by default a sixteenth of the record.
+    /// Longest lag of the correlations; by default a sixty-fourth of the record, 512 samples at least.
     #[arg(long, value_name = "TIME", requires = "output_only")]
     lags: Option<String>,
 }

@@ -113,7 +113,13 @@ fn tell(answer: &FitAnswer) {
     }
     for curve in &answer.curves {
         let (before, after) = curve.errors();
-        line(format!("{}, {} points: off by {:.3} % before and {:.3} % after, rms", curve.name, curve.at.len(), 100.0 * before, 100.0 * after));
+        line(format!(
+            "{}, {} points: off by {:.3} % before and {:.3} % after, rms",
+            curve.name,
+            curve.at.len(),
+            100.0 * before,
+            100.0 * after
+        ));
     }
     for found in &answer.deviations {
         if let Some(freedom) = found.degrees_of_freedom {

@@ -57,7 +57,7 @@ fn errors(json: &serde_json::Value) -> [f64; 3] {
     worst
 }
 
-/// Measured with noise of 1 % of the release: FREE.
+/// Measured with noise of 1 % of the release: frequencies within 1.1e-5, damping ratios 6.2e-3, shapes 2.5e-3.
 #[test]
 fn modes_come_from_free_decays() {
     let folder = tempfile::tempdir().unwrap();
@@ -77,14 +77,13 @@ fn modes_come_from_free_decays() {
 fn modes_come_from_outputs_alone() {
     let folder = tempfile::tempdir().unwrap();
     shaken_by_noise(folder.path(), "ambient.csv");
-    let arguments = ["modes", "--measured", "ambient.csv", "--output-only", "--reference", "tip", "--lags", "4s", "--order", "20", "--json"];
+    let arguments =
+        ["modes", "--measured", "ambient.csv", "--output-only", "--reference", "tip", "--lags", "2s", "--order", "20", "--json"];
     let (code, json, stderr) = jounce(folder.path(), &arguments);
     assert_eq!(code, 0, "{stderr}");
     let [frequency, damping, shape] = errors(&json);
     eprintln!("outputs alone: frequencies {frequency:.1e}, damping ratios {damping:.1e}, shapes {shape:.1e} off");
     assert!(frequency < 3e-3 && damping < 0.3 && shape < 0.05, "{json}");
-    let fit = ["modes", "--measured", "ambient.csv", "--output-only", "--between", "5Hz:60Hz", "--lags", "2s", "--order", "12"];
-    assert_eq!(jounce(folder.path(), &fit).0, 0);
 }
 
 #[test]

@@ -164,7 +164,7 @@ fn hammer_test(folder: &Path, name: &str, change: impl Fn(usize, f64) -> f64) {
     csv(&folder.join(name), "time [s],hammer [N],tip [m],middle [m]", (0..6000).map(row));
 }
 
-/// Measured: frequencies within 5e-6, damping ratios within 3e-4 relative.
+/// Measured: frequencies within 5.4e-6, damping ratios within 1.7e-4 relative.
 #[test]
 fn frf_and_modes_of_a_hammer_test_are_those_of_the_structure() {
     let folder = tempfile::tempdir().unwrap();

@@ -62,7 +62,8 @@ mod tests {
     /// Table 26.10 of Abramowitz and Stegun, and `tan(0.475 pi)`; equal to all digits that are given.
     #[test]
     fn quantiles_are_those_of_the_table() {
-        let table = [(1.0, 12.706_204_7), (2.0, 4.302_652_7), (3.0, 3.182_446_3), (5.0, 2.570_581_8), (15.0, 2.131_449_5), (1e6, 1.959_966_4)];
+        let table =
+            [(1.0, 12.706_204_7), (2.0, 4.302_652_7), (3.0, 3.182_446_3), (5.0, 2.570_581_8), (15.0, 2.131_449_5), (1e6, 1.959_966_4)];
         for (freedom, exact) in table {
             let off = student_95(freedom) / exact - 1.0;
             eprintln!("{freedom}: {off:.1e}");

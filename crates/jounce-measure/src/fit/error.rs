@@ -89,7 +89,9 @@ pub enum FitError {
         mean_power_w: f64,
     },
     /// No fold where a jump was measured.
-    #[error("no branch through {key} = {low} or {high} turns back between them; widen `between`, or correct the start values of the free keys")]
+    #[error(
+        "no branch through {key} = {low} or {high} turns back between them; widen `between`, or correct the start values of the free keys"
+    )]
     NoJump {
         /// The key.
         key: String,
@@ -99,7 +101,9 @@ pub enum FitError {
         high: String,
     },
     /// Deviations that the residuals cannot tell.
-    #[error("{features} of {name} cannot tell their own deviation, since the fit takes up {taken:.1} of them; give the deviation, or free fewer keys")]
+    #[error(
+        "{features} of {name} cannot tell their own deviation, since the fit takes up {taken:.1} of them; give the deviation, or free fewer keys"
+    )]
     NoResiduals {
         /// The features.
         name: String,

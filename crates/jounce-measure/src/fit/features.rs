@@ -66,7 +66,10 @@ impl Features {
         };
         let kinds = ["mode", "response", "power", "jump", "history"];
         if !kinds.iter().any(|kind| root.contains_key(kind)) {
-            faults.push("nothing is measured: write [[mode]] with number and frequency, [[response]], [[power]], [[jump]] or [[history]]".to_owned());
+            faults.push(
+                "nothing is measured: write [[mode]] with number and frequency, [[response]], [[power]], [[jump]] or [[history]]"
+                    .to_owned(),
+            );
         }
         if faults.is_empty() { Ok(found) } else { Err(faults) }
     }
@@ -79,7 +82,8 @@ fn each<T>(root: &dyn TableLike, kind: &str, faults: &mut Vec<String>, read: imp
         faults.push(format!("{kind} must be tables: write [[{kind}]] before each"));
         return Vec::new();
     };
-    let one = |(k, table): (usize, &toml_edit::Table)| read(&mut Reader { table, place: format!("{kind} {}, ", k + 1), faults: &mut *faults });
+    let one =
+        |(k, table): (usize, &toml_edit::Table)| read(&mut Reader { table, place: format!("{kind} {}, ", k + 1), faults: &mut *faults });
     tables.iter().enumerate().filter_map(one).collect()
 }
 

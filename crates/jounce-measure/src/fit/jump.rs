@@ -62,7 +62,8 @@ impl Question for AskedJump {
         let branches = search.run().map_err(|fault| FitError::Orbit(fault.to_string()))?;
         let folds = branches.iter().flat_map(|branch| &branch.bifurcations).filter(|found| found.kind == BranchKind::Fold);
         let nearest = folds.map(|fold| fold.at.parameter).min_by(|a, b| (a - self.at).abs().total_cmp(&(b - self.at).abs()));
-        let none = FitError::NoJump { key: self.key.path().to_owned(), low: self.key.show(self.range.0), high: self.key.show(self.range.1) };
+        let none =
+            FitError::NoJump { key: self.key.path().to_owned(), low: self.key.show(self.range.0), high: self.key.show(self.range.1) };
         Ok(vec![nearest.ok_or(none)?])
     }
 }

@@ -47,8 +47,7 @@ pub struct ResponseFeature {
     pub set: Vec<(String, String)>,
 }
 
-const KEYS: [&str; 11] =
-    ["input", "output", "frequency", "magnitude", "re", "im", "file", "channel", "between", "deviation", "set"];
+const KEYS: [&str; 11] = ["input", "output", "frequency", "magnitude", "re", "im", "file", "channel", "between", "deviation", "set"];
 
 impl ResponseFeature {
     pub(super) fn read(reader: &mut Reader<'_>) -> Option<Self> {
@@ -86,7 +85,11 @@ pub(super) fn output(text: &str, reader: &mut Reader<'_>) -> Option<Response> {
 fn lines(reader: &mut Reader<'_>) -> Option<Lines> {
     if let Some(file) = reader.text_if_any("file", "frf.uff") {
         let channel = reader.text("channel", "tip")?;
-        let between = if reader.table.contains_key("between") { reader.quantities("between", Quantity::Frequency, "5 Hz") } else { vec![0.0, f64::INFINITY] };
+        let between = if reader.table.contains_key("between") {
+            reader.quantities("between", Quantity::Frequency, "5 Hz")
+        } else {
+            vec![0.0, f64::INFINITY]
+        };
         let [low, high] = between[..] else {
             reader.fault("between must be two frequencies");
             return None;
@@ -111,11 +114,13 @@ impl Lines {
         let Self::File { path, channel, between_hz } = self else { return Ok(self.clone()) };
         let told = |reason: String| FitError::File { place: place.to_owned(), path: path.clone(), reason };
         let contents = read::file(&folder.join(path)).map_err(|fault| told(fault.to_string()))?;
-        let over = contents.recordings.into_iter().find(|recording| recording.over == Over::Frequency && recording.channel(channel).is_ok());
+        let over =
+            contents.recordings.into_iter().find(|recording| recording.over == Over::Frequency && recording.channel(channel).is_ok());
         let recording = over.ok_or_else(|| told(format!("it holds no channel {channel} over frequency")))?;
         let found = recording.channel(channel).map_err(|fault| told(fault.to_string()))?;
         let places = recording.grid.places();
-        let inside: Vec<usize> = (0..places.len()).filter(|k| places[*k] > 0.0 && (between_hz.0..=between_hz.1).contains(&places[*k])).collect();
+        let inside: Vec<usize> =
+            (0..places.len()).filter(|k| places[*k] > 0.0 && (between_hz.0..=between_hz.1).contains(&places[*k])).collect();
         if inside.is_empty() {
             return Err(told("no line lies in the band".to_owned()));
         }

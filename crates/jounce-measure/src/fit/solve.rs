@@ -122,7 +122,11 @@ fn minimum(problem: &Problem<'_>) -> Result<Minimum, FitError> {
         let taken: f64 = of_group().map(|i| (derivatives.row(i) * &covariance * derivatives.row(i).transpose())[(0, 0)]).sum();
         let features = of_group().count();
         let left = features as f64 - taken;
-        if left < 1.0 - ROUNDOFF { Err(FitError::NoResiduals { name: group.name.clone(), features, taken }) } else { Ok(Some(left.max(1.0))) }
+        if left < 1.0 - ROUNDOFF {
+            Err(FitError::NoResiduals { name: group.name.clone(), features, taken })
+        } else {
+            Ok(Some(left.max(1.0)))
+        }
     };
     let freedom = (0..problem.asked.groups.len()).map(freedom).collect::<Result<_, FitError>>()?;
     Ok(Minimum { derivatives, covariance, freedom })

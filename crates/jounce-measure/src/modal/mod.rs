@@ -17,11 +17,13 @@ mod band;
 mod error;
 mod half_spectrum;
 mod identify;
+mod jackknife;
 mod likelihood;
 mod mac;
 mod plscf;
 mod pole;
 mod stabilisation;
+mod warp;
 
 pub use band::{Band, Motion};
 pub use error::ModalError;

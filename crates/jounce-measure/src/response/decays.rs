@@ -42,7 +42,7 @@ pub struct AmbientSettings {
     pub responses: Vec<String>,
     /// The references; empty for all responses.
     pub references: Vec<String>,
-    /// Longest lag, s; by default a sixteenth of the record.
+    /// Longest lag, s; by default a sixty-fourth of the record, 512 samples at least.
     pub lags_s: Option<f64>,
 }
 
@@ -98,12 +98,16 @@ impl Decays {
         let outputs = named(record, &settings.responses)?;
         let references = if settings.references.is_empty() { outputs.clone() } else { named(record, &settings.references)? };
         let (samples, rate_hz) = (record.grid.len(), record.rate());
-        let lags = settings.lags_s.map_or(samples / 16, |lags_s| (lags_s * rate_hz).round() as usize);
+        let lags = settings.lags_s.map_or_else(|| usual_lags(samples), |lags_s| (lags_s * rate_hz).round() as usize);
         if lags < FEWEST {
             return Err(ResponseError::Short { recording: record.name.clone(), samples: lags, needed: FEWEST });
         }
         if lags > samples / 4 {
-            return Err(ResponseError::Lags { recording: record.name.clone(), lags_s: lags as f64 / rate_hz, most_s: (samples / 4) as f64 / rate_hz });
+            return Err(ResponseError::Lags {
+                recording: record.name.clone(),
+                lags_s: lags as f64 / rate_hz,
+                most_s: (samples / 4) as f64 / rate_hz,
+            });
         }
         let centred = |values: &[f64]| {
             let mean = values.iter().sum::<f64>() / values.len() as f64;
@@ -191,6 +195,11 @@ fn channels<'r>(recording: &'r Recording, names: &[String]) -> Result<Vec<&'r [f
 
 fn findings(records: &[Recording]) -> Vec<Finding> {
     records.iter().flat_map(|record| record.findings.clone()).collect()
+}
+
+/// Long lags add more noise than they tell: a short part of the record, but enough lines.
+fn usual_lags(samples: usize) -> usize {
+    (samples / 64).max(512).min(samples / 4)
 }
 
 fn largest(values: &[f64]) -> usize {

@@ -52,7 +52,9 @@ pub enum ResponseError {
         other: String,
     },
     /// A decay of too few samples.
-    #[error("{recording} leaves {samples} samples for a decay; at least {needed} are needed: give a longer span, longer lags or a finer record")]
+    #[error(
+        "{recording} leaves {samples} samples for a decay; at least {needed} are needed: give a longer span, longer lags or a finer record"
+    )]
     Short {
         /// The recording.
         recording: String,

@@ -67,7 +67,9 @@ fn a_real_cantilever_is_met_within_half_a_percent() {
         let found = identify_decays(&decays, (2.0, 160.0), Settings { order: 20 }).expect("modes");
         cases.push((found.modes.iter().map(|mode| mode.frequency_hz).collect(), 0.7));
     } else {
-        eprintln!("SKIPPED: the recording hrshm_cantilever/impulse_FFT_data.lvm is not beside the repository; its noted frequencies are used");
+        eprintln!(
+            "SKIPPED: the recording hrshm_cantilever/impulse_FFT_data.lvm is not beside the repository; its noted frequencies are used"
+        );
     }
     for (measured, most) in cases {
         let (answer, model_hz) = fitted(&measured);

@@ -37,7 +37,8 @@ fn gap_and_stiffness_of_a_stop_come_back_from_a_voltage() {
     let answer = simulate(&kernel, &start, &RunPlan::of(&prepared.spec.run, 0.16)).expect("a run");
     eprintln!("{} contacts", answer.contacts);
     assert!(answer.contacts >= 3);
-    let record = shaken(&kernel, &answer.trajectory, (0.0, 0.16), 1000.0, Sensor { noise_ratio: 0.03, bits: Some(14) }, 2).expect("a record");
+    let record =
+        shaken(&kernel, &answer.trajectory, (0.0, 0.16), 1000.0, Sensor { noise_ratio: 0.03, bits: Some(14) }, 2).expect("a record");
     let folder = tempfile::tempdir().expect("a folder");
     write(&record, &folder.path().join("run.csv")).expect("a file");
     let feature = HistoryFeature {

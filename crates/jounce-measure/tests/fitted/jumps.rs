@@ -30,10 +30,22 @@ fn the_stiffness_of_a_stop_comes_back_from_a_jump() {
     let key = NumericKey::find(&prepared.spec, "drive.shaker.frequency").expect("a key");
     let range = (60.0, 95.0);
     let parameter = Parameter::new(&prepared, &key, range.1 - range.0);
-    let search = BranchSearch { base: &prepared, parameter: &parameter, range, method: Method::Shooting, tolerance: 1e-6, seeds: 0, longest_period: 1 };
+    let search = BranchSearch {
+        base: &prepared,
+        parameter: &parameter,
+        range,
+        method: Method::Shooting,
+        tolerance: 1e-6,
+        seeds: 0,
+        longest_period: 1,
+    };
     let branches = search.run().unwrap_or_else(|fault| panic!("{fault}"));
-    let folds: Vec<f64> =
-        branches.iter().flat_map(|branch| &branch.bifurcations).filter(|found| found.kind == BranchKind::Fold).map(|fold| fold.at.parameter).collect();
+    let folds: Vec<f64> = branches
+        .iter()
+        .flat_map(|branch| &branch.bifurcations)
+        .filter(|found| found.kind == BranchKind::Fold)
+        .map(|fold| fold.at.parameter)
+        .collect();
     eprintln!("folds at {folds:.4?} Hz");
     let highest = folds.iter().copied().fold(0.0, f64::max);
     let feature = JumpFeature {

@@ -22,7 +22,8 @@ fn voltage() -> (Vec<f64>, Vec<c64>) {
 }
 
 fn features(lines: Lines, deviation: Deviation) -> Features {
-    let feature = ResponseFeature { input: Input::BaseAcceleration, output: Response::Voltage("mfc".to_owned()), lines, deviation, set: Vec::new() };
+    let feature =
+        ResponseFeature { input: Input::BaseAcceleration, output: Response::Voltage("mfc".to_owned()), lines, deviation, set: Vec::new() };
     Features { free: free(&KEYS), responses: vec![feature], ..Features::default() }
 }
 
@@ -31,7 +32,8 @@ fn features(lines: Lines, deviation: Deviation) -> Features {
 fn keys_come_back_from_sizes_and_their_deviation_from_residuals() {
     let (frequency_hz, value) = voltage();
     let sizes: Vec<f64> = value.iter().map(|h| h.norm()).collect();
-    let answer = recovered(HARVESTER, &features(Lines::Magnitude(frequency_hz, noisy(&sizes, 0.02, 1)), Deviation::Residuals), &TRUTH, 0.05);
+    let answer =
+        recovered(HARVESTER, &features(Lines::Magnitude(frequency_hz, noisy(&sizes, 0.02, 1)), Deviation::Residuals), &TRUTH, 0.05);
     let found = &answer.deviations[0];
     eprintln!("deviation {:.2e} with {:.1?} degrees of freedom", found.deviation, found.degrees_of_freedom);
     assert!((found.deviation / 0.02 - 1.0).abs() < 0.3 && found.degrees_of_freedom.is_some_and(|freedom| (freedom - 37.0).abs() < 1.0));

@@ -6,3 +6,4 @@ mod formats;
 mod hammer;
 mod real;
 mod samples;
+mod seven;
