@@ -72,7 +72,7 @@ fn modes_come_from_free_decays() {
     written(&folder.path().join("out"), &["modes", "modes-stabilisation"], &["modes-stabilisation", "modes-fit"]);
 }
 
-/// Measured over 300 s: AMBIENT.
+/// Measured over 300 s: frequencies within 5.2e-4, damping ratios 0.21 (7 % is the best that 300 s allow on average), shapes 1.5e-3.
 #[test]
 fn modes_come_from_outputs_alone() {
     let folder = tempfile::tempdir().unwrap();

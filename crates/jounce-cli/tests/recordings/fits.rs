@@ -100,7 +100,7 @@ average_over = "0.1 s"
 "#;
 
 /// Powers and a response of the harvester itself, of another capacitance, as a user writes them down: it comes back, and tables and pictures of
-/// curves are written. Measured: RECOVERED relative.
+/// curves are written. Measured: 4.4e-9, relative.
 #[test]
 fn powers_and_responses_are_fitted_from_a_readable_file() {
     let folder = tempfile::tempdir().unwrap();

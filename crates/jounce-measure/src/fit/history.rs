@@ -86,9 +86,12 @@ impl Question for AskedHistory {
     }
 }
 
+/// An output of a physical state.
+type Reading<'p> = Box<dyn Fn(&[f64]) -> f64 + 'p>;
+
 impl AskedHistory {
     /// What a physical state has of the output.
-    fn reader<'p>(&self, prepared: &'p Prepared) -> Result<Box<dyn Fn(&[f64]) -> f64 + 'p>, FitError> {
+    fn reader<'p>(&self, prepared: &'p Prepared) -> Result<Reading<'p>, FitError> {
         let plant = &prepared.kernel.plant;
         let modes = &plant.system.modes;
         let unknown = |name: &str, known: Vec<&String>| FitError::NoPlace {
@@ -96,7 +99,7 @@ impl AskedHistory {
             known: known.into_iter().cloned().collect::<Vec<_>>().join(", "),
         };
         let shape = |point: &String| modes.shape.get(point).ok_or_else(|| unknown(point, modes.shape.keys().collect()));
-        let along = |shape: &'p Vec<f64>, first: usize| -> Box<dyn Fn(&[f64]) -> f64 + 'p> {
+        let along = |shape: &'p Vec<f64>, first: usize| -> Reading<'p> {
             Box::new(move |x: &[f64]| shape.iter().zip(&x[first..]).map(|(s, q)| s * q).sum())
         };
         match &self.output {

@@ -212,7 +212,7 @@ mod tests {
         let mut stream = Stream::new(seed, 1);
         let turn: Vec<c64> = poles.iter().map(|pole| (pole.complex() / RATE).exp()).collect();
         let mut q = vec![c64::new(0.0, 0.0); poles.len()];
-        let mut values = vec![Vec::with_capacity(count); 2];
+        let mut values = vec![Vec::new(); 2];
         for k in 0..count + 5000 {
             for (q, turn) in q.iter_mut().zip(&turn) {
                 let [re, im] = stream.normal_pair();

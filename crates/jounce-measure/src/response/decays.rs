@@ -145,7 +145,7 @@ impl Decays {
         let step_hz = (places[places.len() - 1] - places[0]) / (places.len().max(2) - 1) as f64;
         let before = (places[0] / step_hz).round();
         let off = |(k, place): (usize, &f64)| ((place - step_hz * (before + k as f64)) / step_hz).abs() > 0.05;
-        if !(step_hz > 0.0) || !(0.0..1e6).contains(&before) || places.iter().enumerate().any(off) {
+        if step_hz.is_nan() || step_hz <= 0.0 || !(0.0..1e6).contains(&before) || places.iter().enumerate().any(off) {
             return Err(told("its lines must be evenly spaced, multiples of their distance"));
         }
         let lines = before as usize + places.len();
