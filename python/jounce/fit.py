@@ -39,6 +39,9 @@ class FitResult(Result):
     feature_after: Floats
     feature_deviation: Annotated[Floats, Along("feature", "1", "relative standard deviation of the measurement")]
     feature_predicted_deviation: Annotated[Floats, Along("feature", "1", "relative standard deviation of the model after the fit")]
+    #: The interval in which 95 % of further measurements are expected, in the units of the features.
+    feature_low: Floats
+    feature_high: Floats
     #: Sum of the squared errors of the features over their variances; the same plus that of the keys about their priors.
     chi_square: float
     objective: float
@@ -84,7 +87,7 @@ class FitResult(Result):
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset`` over ``key`` and ``feature``; values are in the units of ``key_unit`` and ``feature_unit``."""
         variables = self._variables()
-        for axis, names in (("key", ("before", "after", "low", "high")), ("feature", ("measured", "before", "after"))):
+        for axis, names in (("key", ("before", "after", "low", "high")), ("feature", ("measured", "before", "after", "low", "high"))):
             for name in names:
                 field = name if axis == "key" else f"feature_{name}"
                 variables[field] = Variable((axis,), getattr(self, field), "", f"{axis}, {name}, in {axis}_unit")
@@ -104,7 +107,7 @@ class FitResult(Result):
 
     def features_to_pandas(self) -> Any:
         """A ``pandas.DataFrame`` with a row for each feature."""
-        values = {name: getattr(self, f"feature_{name}") for name in ("measured", "before", "after", "deviation", "predicted_deviation")}
+        values = {name: getattr(self, f"feature_{name}") for name in ("measured", "before", "after", "low", "high", "deviation", "predicted_deviation")}
         return self._frame({"feature": self.feature, "unit": self.feature_unit, **values})
 
     def plot_fit(self, ax: Any = None) -> Any:
@@ -120,7 +123,7 @@ def made_fit(spec: Spec, answer: str, manifest: dict[str, Any]) -> FitResult:
     keys, features = told["keys"], told["features"]
     after = {one["key"]: f"{one['after']!r} {one['unit']}".strip() for one in keys}
     of_keys = ("before", "after", "low", "high", "prior_deviation", "deviation")
-    of_features = ("measured", "deviation", "before", "after", "predicted_deviation")
+    of_features = ("measured", "deviation", "before", "after", "predicted_deviation", "low", "high")
     numbers: dict[str, Any] = {name: column(keys, name) for name in of_keys}
     numbers |= {f"feature_{name}": column(features, name) for name in of_features}
     return FitResult(

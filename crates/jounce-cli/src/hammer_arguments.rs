@@ -35,7 +35,7 @@ pub struct HammerArguments {
     force: Option<String>,
     /// Channel of a response; can be given several times; by default all but the force.
     #[arg(long, value_name = "CHANNEL", requires = "measured")]
-    response: Vec<String>,
+    pub response: Vec<String>,
     /// Where the noise is: h1 on the responses, h2 on the force, hv on both.
     #[arg(long, value_enum, default_value = "h1", requires = "measured")]
     estimator: Noise,

@@ -3,6 +3,7 @@
 mod arguments;
 mod cache;
 mod commands;
+mod decay_arguments;
 mod failure;
 mod hammer_arguments;
 mod measured_file;

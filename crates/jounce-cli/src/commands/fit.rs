@@ -7,7 +7,7 @@ use clap::Args;
 use jounce::spec::{Spec, SpecFile};
 use jounce::table::{Column, Table};
 use jounce_measure::draw::fitted;
-use jounce_measure::fit::{Features, FitAnswer, FittedFeature, FittedKey, fit};
+use jounce_measure::fit::{Features, FitAnswer, FittedCurve, FittedFeature, FittedKey, fit};
 use std::path::{Path, PathBuf};
 
 /// Arguments of `fit`.
@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 pub struct Fit {
     #[command(flatten)]
     spec: SpecArguments,
-    /// The measured modes and the free keys (TOML).
+    /// What was measured and the free keys (TOML).
     #[arg(long, value_name = "FEATURES")]
     to: PathBuf,
     #[command(flatten)]
@@ -28,7 +28,7 @@ impl Fit {
         let features = Features::read(&self.to)?;
         let file = self.spec.file()?;
         let spec = self.spec.checked(file.spec())?;
-        let (answer, _) = fit(&file, &spec, &features)?;
+        let (answer, _) = fit(&file, &spec, &features, &self.spec.folder())?;
         if let Some(folder) = &self.output.out {
             self.write(folder, file, &spec, &answer)?;
         }
@@ -60,8 +60,14 @@ impl Fit {
             Column::new("before", "", "of the model before", feature(&|feature| feature.before)),
             Column::new("after", "", "of the model after", feature(&|feature| feature.after)),
             Column::new("predicted_deviation", "", "relative deviation of the model after", feature(&|f| f.predicted_deviation)),
+            Column::new("low", "", "lower end of the interval of 95 % for a further measurement", feature(&|f| f.low)),
+            Column::new("high", "", "its upper end", feature(&|f| f.high)),
         ])?;
         output::table(folder, "fit-features", &table, &manifest)?;
+        for (number, curve) in answer.curves.iter().enumerate() {
+            let name = format!("fit-curve-{}", number + 1);
+            output::table(folder, &name, &curve_table(curve)?, &manifest.clone().with("curve", &curve.name))?;
+        }
         output::figure(folder, "fit", &fitted("Model against measurement, before and after the fit", answer))?;
         for key in &answer.keys {
             let value = format!("{:?} {}", key.after, key.unit);
@@ -71,24 +77,54 @@ impl Fit {
     }
 }
 
+fn curve_table(curve: &FittedCurve) -> Result<Table, Failure> {
+    let unit = if curve.over == "time_s" { "s" } else { "Hz" };
+    let column = |name: &str, about: &str, values: &[f64]| Column::new(name, &curve.unit, about, values.to_vec());
+    Ok(Table::new(vec![
+        Column::new(&curve.over, unit, "place", curve.at.clone()),
+        column("measured", "as measured", &curve.measured),
+        column("before", "of the model before", &curve.before),
+        column("after", "of the model after", &curve.after),
+        column("low", "lower end of the interval of 95 % for a further measurement", &curve.low),
+        column("high", "its upper end", &curve.high),
+    ])?)
+}
+
 fn tell(answer: &FitAnswer) {
     for key in &answer.keys {
         let (path, unit) = (&key.key, &key.unit);
         line(format!("{path}: {:.6e} {unit} -> {:.6e} {unit}, 95 % from {:.6e} to {:.6e}", key.before, key.after, key.low, key.high));
     }
-    line("feature                    measured        before   error %         after   error %   +- 95 %");
+    if !answer.features.is_empty() {
+        line("feature                    measured        before   error %         after   error %   +- 95 %");
+    }
     for feature in &answer.features {
         let (before, after) = feature.errors();
         line(format!(
-            "{:<22} {:>12.6} {:>13.6} {:>9.3} {:>13.6} {:>9.3} {:>9.3}",
+            "{:<22} {:>12.6e} {:>13.6e} {:>9.3} {:>13.6e} {:>9.3} {:>9.3}",
             feature.name,
             feature.measured,
             feature.before,
             100.0 * before,
             feature.after,
             100.0 * after,
-            196.0 * feature.predicted_deviation
+            100.0 * answer.quantile * feature.predicted_deviation
         ));
+    }
+    for curve in &answer.curves {
+        let (before, after) = curve.errors();
+        line(format!(
+            "{}, {} points: off by {:.3} % before and {:.3} % after, rms",
+            curve.name,
+            curve.at.len(),
+            100.0 * before,
+            100.0 * after
+        ));
+    }
+    for found in &answer.deviations {
+        if let Some(freedom) = found.degrees_of_freedom {
+            line(format!("deviation of {} from residuals: {:.3e}, {freedom:.1} degrees of freedom", found.name, found.deviation));
+        }
     }
     answer.warnings.iter().for_each(|warning| line(format!("warning: {warning}")));
 }

@@ -1,5 +1,6 @@
 //! `jounce modes --measured FILE...`
 
+use crate::decay_arguments::DecayArguments;
 use crate::failure::Failure;
 use crate::hammer_arguments::{HammerArguments, tell_hits};
 use crate::output::{self, line, print};
@@ -7,7 +8,8 @@ use crate::spec_arguments::{OutputArguments, frequency_hz};
 use clap::Args;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::{modal_fit, stabilisation};
-use jounce_measure::modal::{Band, Identification, Mode, Settings, Stable, identify, mac_matrix};
+use jounce_measure::modal::{Band, Identification, Mode, Settings, Stable, identify, identify_decays, mac_matrix};
+use jounce_measure::recording::Finding;
 use jounce_measure::response::Responses;
 use std::path::Path;
 
@@ -23,8 +25,7 @@ pub struct BandArguments {
 }
 
 impl BandArguments {
-    fn between_hz(&self, found: &Responses) -> Result<(f64, f64), Failure> {
-        let highest = found.functions[0].frequency_hz.last().copied().unwrap_or(0.0);
+    fn between_hz(&self, highest: f64) -> Result<(f64, f64), Failure> {
         let Some(text) = &self.between else { return Ok((f64::MIN_POSITIVE, highest)) };
         let wrong = || Failure::usage(format!("--between {text}: write FROM:TO, as in 500Hz:4300Hz, the smaller one first"));
         let (from, to) = text.split_once(':').ok_or_else(wrong)?;
@@ -33,29 +34,56 @@ impl BandArguments {
     }
 }
 
-/// Prints the modes of a hammer test.
-pub fn run(hammer: &HammerArguments, band: &BandArguments, output: &OutputArguments) -> Result<(), Failure> {
+/// What the modes were taken from.
+struct Taken {
+    /// Places that shapes are known at.
+    outputs: Vec<String>,
+    /// Responses or decays, one or more for each of them.
+    functions: Vec<String>,
+    /// The responses of a hammer test.
+    responses: Option<Responses>,
+    findings: Vec<Finding>,
+}
+
+/// Prints the modes of a hammer test, of free decays or of outputs alone.
+pub fn run(hammer: &HammerArguments, decay: &DecayArguments, band: &BandArguments, output: &OutputArguments) -> Result<(), Failure> {
     if !(2..=400).contains(&band.order) {
         return Err(Failure::usage(format!("--order {}: give 2 to 400", band.order)));
     }
-    let responses = hammer.responses()?;
-    let between_hz = band.between_hz(&responses)?;
-    let mut found = identify(&Band::of(&responses, between_hz)?, Settings { order: band.order })?;
-    found.modes.iter_mut().for_each(|mode| mode.without_decay(responses.window_decay_per_s));
+    let settings = Settings { order: band.order };
+    let (taken, found) = if decay.are_given() {
+        let decays = decay.decays(&hammer.measured, &hammer.response)?;
+        let found = identify_decays(&decays, band.between_hz(0.5 * decays.rate_hz)?, settings)?;
+        (Taken { functions: decays.names(), outputs: decays.outputs, responses: None, findings: decays.findings }, found)
+    } else {
+        let responses = hammer.responses()?;
+        let highest = responses.functions[0].frequency_hz.last().copied().unwrap_or(0.0);
+        let mut found = identify(&Band::of(&responses, band.between_hz(highest)?)?, settings)?;
+        found.modes.iter_mut().for_each(|mode| mode.without_decay(responses.window_decay_per_s));
+        let (names, findings) = (responses.names.clone(), responses.findings.clone());
+        (Taken { outputs: names.clone(), functions: names, responses: Some(responses), findings }, found)
+    };
     if let Some(folder) = &output.out {
-        write(folder, hammer, &responses, &found)?;
+        write(folder, hammer, decay, &taken, &found)?;
     }
     if output.json {
-        print(&answer(&responses, &found));
+        print(&answer(&taken, &found));
         return Ok(());
     }
-    tell_hits(&responses);
+    taken.responses.iter().for_each(tell_hits);
     line("mode  frequency_hz  +- 95 %      damping_ratio  +- 95 %");
     for (k, mode) in found.modes.iter().enumerate() {
         let (f, df) = (mode.frequency_hz, Mode::QUANTILE_95 * mode.frequency_deviation_hz);
         let (zeta, dzeta) = (mode.damping_ratio, Mode::QUANTILE_95 * mode.damping_deviation);
         line(format!("{:>4}  {f:>12.5}  {df:<11.3e}  {zeta:>13.6}  {dzeta:.3e}", k + 1));
     }
+    if let Some(responses) = &taken.responses {
+        tell_trust(responses, &found);
+    }
+    Ok(())
+}
+
+fn tell_trust(responses: &Responses, found: &Identification) {
     if responses.window_decay_per_s > 0.0 {
         line(format!("damping of the exponential window, {:.5} 1/s, was taken off", responses.window_decay_per_s));
     }
@@ -65,11 +93,10 @@ pub fn run(hammer: &HammerArguments, band: &BandArguments, output: &OutputArgume
             found.misfit.sqrt()
         ));
     }
-    Ok(())
 }
 
 /// Modes with their shapes, of size 1 at the largest response.
-fn answer(responses: &Responses, found: &Identification) -> serde_json::Value {
+fn answer(taken: &Taken, found: &Identification) -> serde_json::Value {
     let mode = |mode: &Mode| {
         let shape = mode.shape();
         serde_json::json!({
@@ -82,19 +109,19 @@ fn answer(responses: &Responses, found: &Identification) -> serde_json::Value {
     };
     serde_json::json!({
         "modes": found.modes.iter().map(mode).collect::<Vec<_>>(),
-        "responses": responses.names,
+        "responses": taken.outputs,
         "mac": mac_matrix(&found.modes),
         "misfit": found.misfit,
         "stabilisation": found.diagram,
-        "hits": responses.hits,
-        "block_s": responses.block_s,
-        "window_decay_per_s": responses.window_decay_per_s,
-        "findings": responses.findings,
+        "hits": taken.responses.as_ref().map_or(&[][..], |responses| &responses.hits),
+        "block_s": taken.responses.as_ref().and_then(|responses| responses.block_s),
+        "window_decay_per_s": taken.responses.as_ref().map_or(0.0, |responses| responses.window_decay_per_s),
+        "findings": taken.findings,
     })
 }
 
-fn write(folder: &Path, hammer: &HammerArguments, responses: &Responses, found: &Identification) -> Result<(), Failure> {
-    let manifest = hammer.manifest("modes")?;
+fn write(folder: &Path, hammer: &HammerArguments, decay: &DecayArguments, taken: &Taken, found: &Identification) -> Result<(), Failure> {
+    let manifest = if decay.are_given() { decay.manifest(&hammer.measured)? } else { hammer.manifest("modes")? };
     let number = |of: &dyn Fn(&Mode) -> f64| found.modes.iter().map(of).collect::<Vec<f64>>();
     let mut table = Table::new(vec![
         Column::new("frequency_hz", "Hz", "undamped natural frequency", number(&|mode| mode.frequency_hz)),
@@ -102,7 +129,7 @@ fn write(folder: &Path, hammer: &HammerArguments, responses: &Responses, found: 
         Column::new("damping_ratio", "", "damping ratio", number(&|mode| mode.damping_ratio)),
         Column::new("damping_deviation", "", "its standard deviation", number(&|mode| mode.damping_deviation)),
     ])?;
-    for (k, name) in responses.names.iter().enumerate() {
+    for (k, name) in taken.outputs.iter().enumerate() {
         let about = "shape, of size 1 at the largest response";
         table.push(Column::new(&format!("{name}.shape.re"), "", about, number(&|mode| mode.shape()[k].re)))?;
         table.push(Column::new(&format!("{name}.shape.im"), "", about, number(&|mode| mode.shape()[k].im)))?;
@@ -127,5 +154,6 @@ fn write(folder: &Path, hammer: &HammerArguments, responses: &Responses, found: 
     ])?;
     output::table(folder, "modes-stabilisation", &table, &manifest)?;
     output::figure(folder, "modes-stabilisation", &stabilisation("Stabilisation diagram", found))?;
-    output::figure(folder, "modes-fit", &modal_fit("Displacement per force: measured, and what the modes give", &responses.names, found))
+    let title = if decay.are_given() { "One-sided spectra" } else { "Displacement per force" };
+    output::figure(folder, "modes-fit", &modal_fit(&format!("{title}: measured, and what the modes give"), &taken.functions, found))
 }

@@ -2,6 +2,7 @@
 
 use super::frf::neither;
 use super::measured_modes::{self, BandArguments};
+use crate::decay_arguments::DecayArguments;
 use crate::failure::Failure;
 use crate::hammer_arguments::HammerArguments;
 use crate::output::{self, line, print};
@@ -22,6 +23,8 @@ pub struct Modes {
     spec: Option<SpecArguments>,
     #[command(flatten)]
     hammer: HammerArguments,
+    #[command(flatten)]
+    decay: DecayArguments,
     #[command(flatten)]
     band: BandArguments,
     /// Holds a body still, by its name; can be given several times.
@@ -44,7 +47,7 @@ impl Modes {
     /// Prints modes and couplings.
     pub fn run(&self) -> Result<(), Failure> {
         if !self.hammer.measured.is_empty() {
-            return measured_modes::run(&self.hammer, &self.band, &self.output);
+            return measured_modes::run(&self.hammer, &self.decay, &self.band, &self.output);
         }
         let arguments = self.spec.as_ref().ok_or_else(neither)?;
         let spec = arguments.spec()?;

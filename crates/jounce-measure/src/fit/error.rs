@@ -54,6 +54,73 @@ pub enum FitError {
         /// Its damping ratio.
         damping_ratio: f64,
     },
+    /// A condition of a test that the spec refuses.
+    #[error("{place}, set.{key}: {reason}")]
+    Condition {
+        /// The test.
+        place: String,
+        /// The key.
+        key: String,
+        /// What is wrong.
+        reason: String,
+    },
+    /// A recording of a test that cannot be used.
+    #[error("{place}, {}: {reason}", path.display())]
+    File {
+        /// The test.
+        place: String,
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        reason: String,
+    },
+    /// A point or patch that the model does not have.
+    #[error("there is no point or patch {name:?} in the model; there are {known}")]
+    NoPlace {
+        /// What was asked for.
+        name: String,
+        /// What there is.
+        known: String,
+    },
+    /// A model without power.
+    #[error("the model gives a mean power of {mean_power_w} W where one was measured; has it a load, a drive, and long enough a run?")]
+    NoPower {
+        /// Its mean power, W.
+        mean_power_w: f64,
+    },
+    /// No fold where a jump was measured.
+    #[error(
+        "no branch through {key} = {low} or {high} turns back between them; widen `between`, or correct the start values of the free keys"
+    )]
+    NoJump {
+        /// The key.
+        key: String,
+        /// Lower end.
+        low: String,
+        /// Upper end.
+        high: String,
+    },
+    /// Deviations that the residuals cannot tell.
+    #[error(
+        "{features} of {name} cannot tell their own deviation, since the fit takes up {taken:.1} of them; give the deviation, or free fewer keys"
+    )]
+    NoResiduals {
+        /// The features.
+        name: String,
+        /// Their number.
+        features: usize,
+        /// Keys that they determine.
+        taken: f64,
+    },
+    /// Branches that cannot be followed.
+    #[error("{0}")]
+    Orbit(String),
+    /// What the plant refuses.
+    #[error(transparent)]
+    Plant(#[from] jounce::plant::PlantError),
+    /// What a march or a study refuses.
+    #[error(transparent)]
+    Study(#[from] jounce::study::StudyError),
     /// A value that the spec refuses.
     #[error(transparent)]
     Value(#[from] Fault),

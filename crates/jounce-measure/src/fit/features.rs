@@ -1,36 +1,34 @@
 //! What was measured, and which keys may move: a TOML file.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use jounce::spec::Quantity;
-use toml_edit::{DocumentMut, Item, Table};
+use toml_edit::{DocumentMut, Item, TableLike};
 
-use super::FitError;
+use super::reading::{Reader, positive};
+use super::{FitError, HistoryFeature, JumpFeature, ModeFeature, PowerFeature, ResponseFeature};
 
-/// A measured mode.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ModeFeature {
-    /// Its number in the model, from 1.
-    pub number: usize,
-    /// Frequency, Hz, and its relative standard deviation.
-    pub frequency: Option<(f64, f64)>,
-    /// Damping ratio and its relative standard deviation.
-    pub damping_ratio: Option<(f64, f64)>,
-}
-
-/// Measured modes and free keys.
+/// Free keys and everything that was measured.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Features {
-    /// Bodies that were held in the test.
+    /// Bodies that were held in the tests of modes and responses.
     pub hold: Vec<String>,
     /// Free keys, each with the relative standard deviation of its prior.
     pub free: Vec<(String, f64)>,
-    /// The modes.
+    /// Modes.
     pub modes: Vec<ModeFeature>,
+    /// Frequency responses.
+    pub responses: Vec<ResponseFeature>,
+    /// Mean powers.
+    pub powers: Vec<PowerFeature>,
+    /// Jumps.
+    pub jumps: Vec<JumpFeature>,
+    /// Time histories.
+    pub histories: Vec<HistoryFeature>,
+    /// Folder that files of the features are relative to.
+    pub folder: PathBuf,
 }
 
-const KEYS: [&str; 5] = ["hold", "free", "mode", "frequency_deviation", "damping_deviation"];
-const MODE_KEYS: [&str; 5] = ["number", "frequency", "frequency_deviation", "damping_ratio", "damping_deviation"];
+const KEYS: [&str; 9] = ["hold", "free", "mode", "response", "power", "jump", "history", "frequency_deviation", "damping_deviation"];
 
 impl Features {
     /// Reads a file.
@@ -39,7 +37,8 @@ impl Features {
     /// A file that cannot be read; every fault in it.
     pub fn read(path: &Path) -> Result<Self, FitError> {
         let text = std::fs::read_to_string(path).map_err(|reason| FitError::Open { path: path.to_owned(), reason })?;
-        Self::from_toml(&text).map_err(|faults| FitError::Features {
+        let folder = path.parent().map_or_else(PathBuf::new, Path::to_path_buf);
+        Self::from_toml(&text).map(|features| Self { folder, ..features }).map_err(|faults| FitError::Features {
             faults: faults.into_iter().map(|fault| format!("{}: {fault}", path.display())).collect(),
         })
     }
@@ -50,91 +49,71 @@ impl Features {
     /// One sentence for each fault.
     pub fn from_toml(text: &str) -> Result<Self, Vec<String>> {
         let document = text.parse::<DocumentMut>().map_err(|fault| vec![fault.to_string().trim_end().to_owned()])?;
-        let (root, mut faults) = (document.as_table(), unknown(document.as_table(), &KEYS, ""));
-        let hold = match root.get("hold").map(|item| item.as_array().map(|list| list.iter().map(|name| name.as_str()).collect())) {
-            None => Some(Vec::new()),
-            Some(Some(names)) => names,
-            Some(None) => None,
+        let (root, mut faults) = (document.as_table(), Vec::new());
+        let mut reader = Reader { table: root, place: String::new(), faults: &mut faults };
+        reader.refuse_all_but(&KEYS);
+        let usual = [reader.deviation("frequency_deviation"), reader.deviation("damping_deviation")];
+        let (hold, free) = (hold(&mut reader), free(&mut reader));
+        let found = Self {
+            hold,
+            free,
+            modes: each(root, "mode", &mut faults, |reader| ModeFeature::read(reader, usual)),
+            responses: each(root, "response", &mut faults, ResponseFeature::read),
+            powers: each(root, "power", &mut faults, PowerFeature::read),
+            jumps: each(root, "jump", &mut faults, JumpFeature::read),
+            histories: each(root, "history", &mut faults, HistoryFeature::read),
+            folder: PathBuf::new(),
         };
-        if hold.is_none() {
-            faults.push("hold must be a list of names, as in hold = [\"table\"]".to_owned());
+        let kinds = ["mode", "response", "power", "jump", "history"];
+        if !kinds.iter().any(|kind| root.contains_key(kind)) {
+            faults.push(
+                "nothing is measured: write [[mode]] with number and frequency, [[response]], [[power]], [[jump]] or [[history]]"
+                    .to_owned(),
+            );
         }
-        let mut free = Vec::new();
-        for (key, item) in root.get("free").and_then(Item::as_table_like).into_iter().flat_map(|table| table.iter()) {
-            match positive(item) {
-                Some(deviation) => free.push((key.to_owned(), deviation)),
-                None => faults.push(format!("free.{key:?} must be its relative standard deviation, a number above 0, as in 0.05")),
-            }
-        }
-        if free.is_empty() && faults.is_empty() {
-            faults.push("no key is free: give [free] with lines as \"beam.NAME.thickness\" = 0.01".to_owned());
-        }
-        let usual = [deviation(root, "frequency_deviation", "", &mut faults), deviation(root, "damping_deviation", "", &mut faults)];
-        let tables: Vec<&Table> = root.get("mode").and_then(Item::as_array_of_tables).into_iter().flat_map(|modes| modes.iter()).collect();
-        if tables.is_empty() {
-            faults.push("no mode is given: write [[mode]] with number and frequency".to_owned());
-        }
-        let modes = tables.iter().enumerate().filter_map(|(k, table)| mode(table, k + 1, usual, &mut faults)).collect();
-        let hold = hold.unwrap_or_default().into_iter().map(str::to_owned).collect();
-        if faults.is_empty() { Ok(Self { hold, free, modes }) } else { Err(faults) }
+        if faults.is_empty() { Ok(found) } else { Err(faults) }
     }
 }
 
-fn mode(table: &Table, place: usize, usual: [Option<f64>; 2], faults: &mut Vec<String>) -> Option<ModeFeature> {
-    let place = format!("mode {place}, ");
-    faults.extend(unknown(table, &MODE_KEYS, &place));
-    let number =
-        table.get("number").and_then(Item::as_integer).and_then(|number| usize::try_from(number).ok()).filter(|number| *number > 0);
-    if number.is_none() {
-        faults.push(format!("{place}number must be a whole number from 1"));
-    }
-    let own = [deviation(table, "frequency_deviation", &place, faults), deviation(table, "damping_deviation", &place, faults)];
-    let frequency_hz = table.get("frequency").map(|item| item.as_str().and_then(|text| Quantity::Frequency.read(text).ok()));
-    let damping = table.get("damping_ratio").map(positive);
-    if frequency_hz.flatten().is_none_or(|hz| hz <= 0.0) && table.contains_key("frequency") {
-        faults.push(format!("{place}frequency must be above 0, with its unit, as in \"9.01 Hz\""));
-    }
-    if damping == Some(None) {
-        faults.push(format!("{place}damping_ratio must be a number above 0"));
-    }
-    if frequency_hz.is_none() && damping.is_none() {
-        faults.push(format!("{place}there is neither frequency nor damping_ratio"));
-    }
-    let mut with = |value: Option<Option<f64>>, k: usize, name: &str| {
-        let value = value.flatten()?;
-        let deviation = own[k].or(usual[k]);
-        if deviation.is_none() {
-            faults.push(format!("{place}{name} is missing: the relative standard deviation, as in 0.002, here or at the top of the file"));
-        }
-        Some((value, deviation?))
+/// Every table of a kind, with its number in front of its faults.
+fn each<T>(root: &dyn TableLike, kind: &str, faults: &mut Vec<String>, read: impl Fn(&mut Reader<'_>) -> Option<T>) -> Vec<T> {
+    let Some(item) = root.get(kind) else { return Vec::new() };
+    let Some(tables) = item.as_array_of_tables() else {
+        faults.push(format!("{kind} must be tables: write [[{kind}]] before each"));
+        return Vec::new();
     };
-    let (frequency, damping_ratio) = (with(frequency_hz, 0, "frequency_deviation"), with(damping, 1, "damping_deviation"));
-    Some(ModeFeature { number: number?, frequency, damping_ratio })
+    let one =
+        |(k, table): (usize, &toml_edit::Table)| read(&mut Reader { table, place: format!("{kind} {}, ", k + 1), faults: &mut *faults });
+    tables.iter().enumerate().filter_map(one).collect()
 }
 
-/// A relative deviation; a fault where it is there and no number above 0.
-fn deviation(table: &Table, key: &str, place: &str, faults: &mut Vec<String>) -> Option<f64> {
-    let item = table.get(key)?;
-    let found = positive(item);
-    if found.is_none() {
-        faults.push(format!("{place}{key} must be a relative standard deviation, a number above 0, as in 0.002"));
+fn hold(reader: &mut Reader<'_>) -> Vec<String> {
+    let Some(item) = reader.table.get("hold") else { return Vec::new() };
+    let names = item.as_array().and_then(|list| list.iter().map(|name| name.as_str().map(str::to_owned)).collect());
+    if names.is_none() {
+        reader.fault("hold must be a list of names, as in hold = [\"table\"]");
     }
-    found
+    names.unwrap_or_default()
 }
 
-fn positive(item: &Item) -> Option<f64> {
-    let number = item.as_float().or_else(|| item.as_integer().map(|whole| whole as f64));
-    number.filter(|x| *x > 0.0 && x.is_finite())
-}
-
-fn unknown(table: &Table, keys: &[&str], place: &str) -> Vec<String> {
-    let strange = table.iter().map(|(key, _)| key).filter(|key| !keys.contains(key));
-    strange.map(|key| format!("{place}{key} is no key of features; there are {}", keys.join(", "))).collect()
+fn free(reader: &mut Reader<'_>) -> Vec<(String, f64)> {
+    let (mut free, before) = (Vec::new(), reader.faults.len());
+    for (key, item) in reader.table.get("free").and_then(Item::as_table_like).into_iter().flat_map(|table| table.iter()) {
+        match positive(item) {
+            Some(deviation) => free.push((key.to_owned(), deviation)),
+            None => reader.fault(format!("free.{key:?} must be its relative standard deviation, a number above 0, as in 0.05")),
+        }
+    }
+    if free.is_empty() && reader.faults.len() == before {
+        reader.fault("no key is free: give [free] with lines as \"beam.NAME.thickness\" = 0.01");
+    }
+    free
 }
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
+    use super::super::Deviation;
     use super::*;
 
     #[test]
@@ -142,11 +121,47 @@ mod tests {
         let text = "hold = [\"table\"]\nfrequency_deviation = 0.002\n[free]\n\"beam.b.length\" = 0.01\n[[mode]]\nnumber = 2\nfrequency = \"1.5 kHz\"\n";
         let found = Features::from_toml(text).unwrap();
         assert_eq!((found.hold[0].as_str(), &found.free[0]), ("table", &("beam.b.length".to_owned(), 0.01)));
-        assert_eq!(found.modes, [ModeFeature { number: 2, frequency: Some((1500.0, 0.002)), damping_ratio: None }]);
+        assert_eq!(found.modes, [ModeFeature { number: 2, frequency: Some((1500.0, Deviation::Given(0.002))), damping_ratio: None }]);
         let wrong = "hold = 3\nhodl = 1\n[free]\n\"a.b\" = -1\n[[mode]]\nnumber = 0\nfrequency = \"3 mm\"\n[[mode]]\nnumber = 1\ndamping_ratio = 0.01\n";
         let faults = Features::from_toml(wrong).unwrap_err();
         assert_eq!(faults.len(), 6, "{faults:#?}");
         assert_eq!(Features::from_toml("").unwrap_err().len(), 2);
         assert!(Features::from_toml("[free").is_err());
+    }
+
+    #[test]
+    fn every_kind_of_feature_is_read() {
+        let text = r#"
+            [free]
+            "stop.tip.stiffness" = 0.3
+            [[response]]
+            input = "beam.tip"
+            output = "mfc.voltage"
+            frequency = ["8 Hz", "9 Hz"]
+            magnitude = [1.0, 2]
+            deviation = "residuals"
+            [[power]]
+            over = "circuit.load.resistance"
+            values = ["10 kohm", "1 Mohm"]
+            mean_power_w = [1e-4, 2e-4]
+            deviation = 0.02
+            set = { "run.duration" = "5 s", "drive.shaker.amplitude" = "100 N" }
+            [[jump]]
+            over = "drive.shaker.frequency"
+            at = "12.6 Hz"
+            between = ["12 Hz", "13 Hz"]
+            deviation = 0.002
+            [[history]]
+            file = "run.csv"
+            channel = "mfc.voltage"
+            output = "mfc.voltage"
+            deviation = 0.05
+        "#;
+        let found = Features::from_toml(text).unwrap();
+        assert_eq!((found.responses.len(), found.powers.len(), found.jumps.len(), found.histories.len()), (1, 1, 1, 1));
+        assert_eq!(found.powers[0].set[1], ("drive.shaker.amplitude".to_owned(), "100 N".to_owned()));
+        let wrong = "[free]\n\"a.b\" = 1\n[[power]]\nover = 3\nvalues = []\n[[jump]]\nat = 3\n[[response]]\ninput = \"a\"\noutput = \"tip\"\n[history]\n";
+        let faults = Features::from_toml(wrong).unwrap_err();
+        assert!(faults.len() >= 9 && faults.iter().any(|fault| fault.contains("[[history]]")), "{faults:#?}");
     }
 }

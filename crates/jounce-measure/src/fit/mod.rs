@@ -1,22 +1,44 @@
-//! Keys of a spec fitted to measured natural frequencies and damping ratios.
+//! Keys of a spec fitted to what was measured: modes, frequency responses, powers, jumps, time histories.
 //!
-//! With the keys `p_k = p0_k exp(x_k)` and the modes `f_i(p)` of the structure the fit minimises
+//! With the keys `p_k = p0_k exp(x_k)` and the model's answers `m_i(p)` the fit minimises
 //!
 //! ```text
-//! sum_i [(ln f_i(p) - ln f_i,measured) / s_i]^2 + sum_k (x_k / t_k)^2
+//! sum_i (e_i / s_i)^2 + sum_k (x_k / t_k)^2
+//! e_i = ln m_i(p) - ln m_i,measured                frequencies, damping ratios, sizes of responses, powers, jumps
+//! e_i = (m_i(p) - m_i,measured) / |H_i|            real and imaginary parts of a response H
+//! e_i = (m_i(p) - m_i,measured) / rms              samples of a time history
 //! ```
 //!
 //! `s` the relative standard deviations of the features and `t` those of the keys before the test (their priors), so that the minimum is the
-//! most probable set of keys. Covariance is that of the linearised model, `(J^T J)^-1`; intervals are of 95 %.
+//! most probable set of keys. Covariance is that of the linearised model, `C = (J^T J)^-1`; intervals are of 95 %. A further measurement is
+//! expected within the deviation of the model, from `C`, and that of the measurement together.
 //!
 //! Source: M. Friswell, J. Mottershead, Finite Element Model Updating in Structural Dynamics (1995), chapter 8; levenberg-marquardt after MINPACK.
 mod answer;
+mod asked;
+mod deviation;
 mod error;
 mod features;
+mod history;
+mod jump;
+mod mode;
+mod model;
+mod power;
 mod problem;
+mod reading;
+mod response;
 mod solve;
+mod warnings;
 
-pub use answer::{FitAnswer, FittedFeature, FittedKey};
+pub use answer::{FitAnswer, FittedCurve, FittedDeviation, FittedFeature, FittedKey};
+pub use deviation::Deviation;
 pub use error::FitError;
-pub use features::{Features, ModeFeature};
+pub use features::Features;
+pub use history::HistoryFeature;
+pub use jump::JumpFeature;
+pub use mode::ModeFeature;
+pub use power::PowerFeature;
+pub use response::{Lines, ResponseFeature};
 pub use solve::fit;
+
+use model::{Model, Question};

@@ -1,32 +1,27 @@
 //! The fit as a least-squares problem.
 
-use std::cell::{Cell, RefCell};
+use std::cell::{Cell, OnceCell, RefCell};
+use std::path::Path;
 
 use jounce::spec::{NumericKey, Spec};
-use jounce::structure;
 use levenberg_marquardt::LeastSquaresProblem;
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
-use std::f64::consts::TAU;
 
-use super::{Features, FitError};
-
-/// A measured number: the mode's index, whether it is a frequency, its value and its relative deviation.
-pub(super) struct Measured {
-    pub mode: usize,
-    pub is_frequency: bool,
-    pub value: f64,
-    pub deviation: f64,
-}
+use super::asked::{Asked, Measured};
+use super::{FitError, Model};
 
 /// Keys as `p0 exp(x)`; residuals of the features, then of the priors.
 pub(super) struct Problem<'a> {
     pub spec: &'a Spec,
+    pub folder: &'a Path,
     pub hold: &'a [String],
     pub keys: Vec<NumericKey>,
     pub start: Vec<f64>,
     pub prior: Vec<f64>,
-    pub measured: Vec<Measured>,
+    pub asked: &'a Asked,
+    /// Deviation of each group.
+    pub deviation: Vec<f64>,
     pub unknowns: DVector<f64>,
     pub evaluations: Cell<usize>,
     /// Why the model could not be evaluated last.
@@ -35,17 +30,6 @@ pub(super) struct Problem<'a> {
 
 /// By how much the logarithm of a key is moved for a derivative: errors of the frequencies (1e-9) and of the quotient (1e-8) are alike.
 const MOVED: f64 = 1e-4;
-
-/// Every measured number of the features.
-pub(super) fn measured(features: &Features) -> Vec<Measured> {
-    let of = |mode: &super::ModeFeature| {
-        let one = |is_frequency: bool, told: Option<(f64, f64)>| {
-            told.map(|(value, deviation)| Measured { mode: mode.number - 1, is_frequency, value, deviation })
-        };
-        [one(true, mode.frequency), one(false, mode.damping_ratio)]
-    };
-    features.modes.iter().flat_map(of).flatten().collect()
-}
 
 impl Problem<'_> {
     /// The spec with these unknowns.
@@ -60,25 +44,20 @@ impl Problem<'_> {
     /// What the model has for every measured number.
     pub fn model(&self, unknowns: &DVector<f64>) -> Result<Vec<f64>, FitError> {
         self.evaluations.set(self.evaluations.get() + 1);
-        let modes = structure::modes_holding(&self.changed(unknowns)?, self.hold)?;
-        let value = |measured: &Measured| {
-            if measured.mode >= modes.len() {
-                return Err(FitError::NoMode { number: measured.mode + 1, modes: modes.len() });
-            }
-            let damping_ratio = modes.damping_ratio[measured.mode];
-            match (measured.is_frequency, damping_ratio > 0.0) {
-                (true, _) => Ok(modes.frequency_rad_s[measured.mode] / TAU),
-                (false, true) => Ok(damping_ratio),
-                (false, false) => Err(FitError::Undamped { number: measured.mode + 1, damping_ratio }),
-            }
-        };
-        self.measured.iter().map(value).collect()
+        let model = Model { spec: self.changed(unknowns)?, hold: self.hold, folder: self.folder, prepared: OnceCell::new() };
+        let answers = self.asked.questions.iter().map(|question| question.ask(&model)).collect::<Result<Vec<_>, _>>()?;
+        Ok(answers.concat())
+    }
+
+    /// Deviation of a measured number.
+    pub fn deviation_of(&self, measured: &Measured) -> f64 {
+        self.deviation[measured.group]
     }
 
     /// Errors over deviations: features first, then priors.
     pub fn errors(&self, unknowns: &DVector<f64>) -> Result<DVector<f64>, FitError> {
         let model = self.model(unknowns)?;
-        let features = self.measured.iter().zip(&model).map(|(measured, model)| (model / measured.value).ln() / measured.deviation);
+        let features = self.asked.measured.iter().zip(&model).map(|(measured, model)| measured.error(*model) / self.deviation_of(measured));
         let priors = unknowns.iter().zip(&self.prior).map(|(x, prior)| x / prior);
         Ok(DVector::from_iterator(model.len() + self.prior.len(), features.chain(priors)))
     }
@@ -98,6 +77,24 @@ impl Problem<'_> {
 
     fn kept<T>(&self, result: Result<T, FitError>) -> Option<T> {
         result.map_err(|fault| self.fault.replace(Some(fault))).ok()
+    }
+}
+
+impl Measured {
+    /// Error of the model before its deviation is looked at.
+    pub fn error(&self, model: f64) -> f64 {
+        match self.scale {
+            None => (model / self.value).ln(),
+            Some(scale) => (model - self.value) / scale,
+        }
+    }
+
+    /// A number that lies an error away from another one.
+    pub fn moved(&self, from: f64, error: f64) -> f64 {
+        match self.scale {
+            None => from * error.exp(),
+            Some(scale) => from + scale * error,
+        }
     }
 }
 

@@ -5,8 +5,8 @@ use serde::Serialize;
 use std::f64::consts::TAU;
 
 use super::likelihood::{Fit, fit};
-use super::stabilisation::modes;
-use super::{Band, ModalError, StablePole, diagram, poles};
+use super::stabilisation::{LARGEST_DAMPING, modes};
+use super::{Band, ModalError, Pole, StablePole, diagram, poles};
 
 /// How modes are sought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -79,13 +79,24 @@ pub struct Identification {
 /// # Errors
 /// Too few lines, responses that are zero, no stable pole.
 pub fn identify(band: &Band, settings: Settings) -> Result<Identification, ModalError> {
+    let (diagram, start) = candidates(band, settings)?;
+    refined(band, diagram, &start)
+}
+
+/// The stabilisation diagram of a band and the poles that stay.
+pub(super) fn candidates(band: &Band, settings: Settings) -> Result<(Vec<StablePole>, Vec<Pole>), ModalError> {
     let diagram = diagram(&poles(band, settings.order)?);
     let start = modes(&diagram, band.low_hz, band.high_hz);
-    let none = ModalError::NoMode { low_hz: band.low_hz, high_hz: band.high_hz };
-    if start.is_empty() {
-        return Err(none);
-    }
-    let Fit { poles, deviation, residue, model, misfit } = fit(band, &start).ok_or(none)?;
+    if start.is_empty() { Err(none(band)) } else { Ok((diagram, start)) }
+}
+
+fn none(band: &Band) -> ModalError {
+    ModalError::NoMode { low_hz: band.low_hz, high_hz: band.high_hz }
+}
+
+/// The modes of maximum likelihood that begin at some poles.
+pub(super) fn refined(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> Result<Identification, ModalError> {
+    let Fit { poles, deviation, residue, model, misfit } = fit(band, start).ok_or(none(band))?;
     let mode = |r: usize| Mode {
         frequency_hz: poles[r].frequency_hz,
         frequency_deviation_hz: deviation[r].0,
@@ -93,7 +104,12 @@ pub fn identify(band: &Band, settings: Settings) -> Result<Identification, Modal
         damping_deviation: deviation[r].1,
         residue: residue.iter().map(|response| response[r]).collect(),
     };
-    let mut modes: Vec<Mode> = (0..poles.len()).map(mode).collect();
+    // A pole that the refinement sends out of the band, or damps like none of a structure, takes up what is no mode.
+    let is_mode = |mode: &Mode| (band.low_hz..=band.high_hz).contains(&mode.frequency_hz) && mode.damping_ratio < LARGEST_DAMPING;
+    let mut modes: Vec<Mode> = (0..poles.len()).map(mode).filter(is_mode).collect();
+    if modes.is_empty() {
+        return Err(none(band));
+    }
     modes.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
     Ok(Identification { modes, diagram, frequency_hz: band.frequency_hz.clone(), measured: band.response.clone(), model, misfit })
 }
@@ -102,7 +118,7 @@ pub fn identify(band: &Band, settings: Settings) -> Result<Identification, Modal
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::super::plscf::tests::{POLES, exact, shape};
-    use super::super::{Motion, Pole, mac};
+    use super::super::{Motion, mac};
     use super::*;
     use jounce::drive::Stream;
 

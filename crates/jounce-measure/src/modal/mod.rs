@@ -15,15 +15,19 @@
 //! (2013) 422.
 mod band;
 mod error;
+mod half_spectrum;
 mod identify;
+mod jackknife;
 mod likelihood;
 mod mac;
 mod plscf;
 mod pole;
 mod stabilisation;
+mod warp;
 
 pub use band::{Band, Motion};
 pub use error::ModalError;
+pub use half_spectrum::identify_decays;
 pub use identify::{Identification, Mode, Settings, identify};
 pub use mac::{mac, mac_matrix};
 pub use plscf::poles;

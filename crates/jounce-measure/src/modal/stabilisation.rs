@@ -31,7 +31,7 @@ pub struct StablePole {
 const FREQUENCY: f64 = 0.01;
 const DAMPING: f64 = 0.05;
 /// A structure's damping ratio is below this: what is above stands for no mode.
-const LARGEST_DAMPING: f64 = 0.2;
+pub(super) const LARGEST_DAMPING: f64 = 0.2;
 /// Stable poles closer than this, relative, belong to one mode.
 const ONE_MODE: f64 = 2e-3;
 /// A mode is stable in frequency in at least this share of the orders above its first, and in damping too in the second share of those.

@@ -51,6 +51,36 @@ pub enum ResponseError {
         /// Another one.
         other: String,
     },
+    /// A decay of too few samples.
+    #[error(
+        "{recording} leaves {samples} samples for a decay; at least {needed} are needed: give a longer span, longer lags or a finer record"
+    )]
+    Short {
+        /// The recording.
+        recording: String,
+        /// What is left.
+        samples: usize,
+        /// What is needed.
+        needed: usize,
+    },
+    /// Lags too long for their record.
+    #[error("lags of {lags_s} s are too long for {recording}; at most a quarter of it will do, {most_s} s")]
+    Lags {
+        /// The recording.
+        recording: String,
+        /// Longest lag asked for, s.
+        lags_s: f64,
+        /// The most, s.
+        most_s: f64,
+    },
+    /// No amplitude spectrum.
+    #[error("{recording} is no amplitude spectrum to take a correlation from: {reason}")]
+    NotAmplitude {
+        /// The recording.
+        recording: String,
+        /// What is wrong.
+        reason: &'static str,
+    },
     /// No recording at all.
     #[error("there is no recording to take responses from")]
     Nothing,

@@ -1,8 +1,10 @@
 //! Recordings: files of every format, cut files, and real recordings where they lie beside the repository.
 
+mod cantilever;
 mod cut;
 mod driven;
 mod formats;
 mod hammer;
 mod real;
 mod samples;
+mod seven;

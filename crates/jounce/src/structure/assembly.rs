@@ -5,19 +5,20 @@
 //!
 //! ```text
 //! s        = (sqrt(k) (u - w), sqrt(EI l / (2j+1)) c_j of every element)     coordinates, J^(1/2)
+//!            and sqrt(k_r) (w' - v) of every clamp that is not rigid, k_r its rotary stiffness (N m/rad)
 //! U        = s^T s / 2                                                       strain energy
 //! T        = |G s'|^2 / 2                                                    kinetic energy
 //! x(point) = row(point) s                                                    displacement, m
 //! ```
 //!
-//! with `u` the displacement of a mass, `w` that of what its spring stands on. A row holds the flexibility of its point: `row . row` is
+//! with `u` the displacement of a mass, `w` that of what its spring stands on, `w'` the slope of a root and `v` that of what carries it. A row holds the flexibility of its point: `row . row` is
 //! its static displacement per unit force, exact on any mesh that has a node there. A free mass is its own coordinate 0 (`s_0 = u`)
 //! without strain energy. A mass fixed to a beam adds `sqrt(m) w` and `sqrt(J) w'` to the kinetic energy's sum of squares.
 
 use super::body::{Body, Support, Thing};
 use super::element::Element;
 use super::error::StructureError;
-use super::placed::{Motion, Placed, PlacedPart, chained, placed_mass};
+use super::placed::{Motion, Placed, PlacedPart, chained, clamped, placed_mass};
 use faer::Mat;
 
 /// Displacement or slope per unit of each strain coordinate.
@@ -40,7 +41,7 @@ impl<'a> Assembly<'a> {
     pub fn new(body: Body<'a>, elements: Vec<Vec<Element>>) -> Self {
         let has_coordinate = |thing: &Thing, on: &Support| match thing {
             Thing::Mass(mass) => usize::from(mass.stiffness_n_m.is_some() || *on == Support::Nothing),
-            Thing::Beam(_) => 0,
+            Thing::Beam(beam) => usize::from(beam.root_stiffness_n_m_rad.is_some()),
         };
         let own: usize = body.parts.iter().map(|part| has_coordinate(&part.thing, &part.on)).sum();
         let columns = own + elements.iter().flatten().map(|element| element.terms).sum::<usize>();
@@ -52,7 +53,7 @@ impl<'a> Assembly<'a> {
             let support = assembly.motion_of(part.on);
             let placed = match part.thing {
                 Thing::Mass(mass) => placed_mass(mass, part.on, support, &mut next_column),
-                Thing::Beam(_) => PlacedPart::Beam(chained(chain, support, &mut next_column)),
+                Thing::Beam(beam) => PlacedPart::Beam(chained(chain, clamped(beam, support, &mut next_column), &mut next_column)),
             };
             assembly.placed.push(placed);
         }

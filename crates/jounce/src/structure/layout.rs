@@ -89,7 +89,8 @@ fn check_beam(name: &str, beam: &Beam) -> Result<(), StructureError> {
         ("youngs_modulus", beam.youngs_modulus_pa),
         ("density", beam.density_kg_m3),
     ];
-    for (key, value) in quantities {
+    let clamp = beam.root_stiffness_n_m_rad.map(|stiffness_n_m_rad| ("root_stiffness", stiffness_n_m_rad));
+    for (key, value) in quantities.into_iter().chain(clamp) {
         StructureError::positive(format!("beam.{name}.{key}"), value)?;
     }
     match beam.point.iter().find(|(_, place_m)| !(0.0..=beam.length_m).contains(*place_m)) {

@@ -7,7 +7,7 @@
 //!
 //! ```text
 //! (EI w'')'' + m w_tt = 0    on each segment of constant EI (N m^2) and m (kg/m); w the displacement, m
-//! w = u, w' = v at the root, u and v displacement and slope of what carries it (0 on the ground, v = 0 on a sprung mass)
+//! w = u, w' = v (k_r (w' - v) = EI w'' on a clamp of rotary stiffness k_r, N m/rad) at the root, u and v displacement and slope of what carries it (0 on the ground, v = 0 on a sprung mass)
 //! M u_tt + k (u - w) = force of the beams on a mass whose spring stands on a place of displacement w
 //! ```
 //!

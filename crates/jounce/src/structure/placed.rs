@@ -3,7 +3,7 @@
 use super::assembly::Row;
 use super::body::Support;
 use super::element::Element;
-use crate::spec::Mass;
+use crate::spec::{Beam, Mass};
 use faer::Mat;
 
 /// A part with its coordinates.
@@ -87,6 +87,16 @@ pub(super) fn placed_mass(mass: &Mass, on: Support, support: Motion, next_column
         *next_column += 1;
     }
     PlacedPart::Mass { motion, mass_kg: mass.mass_kg, rotary_inertia_kg_m2: mass.rotary_inertia_kg_m2 }
+}
+
+/// How the root of a beam moves on its support: a clamp that is not rigid turns by a coordinate of its own.
+pub(super) fn clamped(beam: &Beam, support: Motion, next_column: &mut usize) -> Motion {
+    let mut motion = support;
+    if let Some(stiffness_n_m_rad) = beam.root_stiffness_n_m_rad {
+        motion.slope[*next_column] += 1.0 / stiffness_n_m_rad.sqrt();
+        *next_column += 1;
+    }
+    motion
 }
 
 /// Places a chain of elements one after the other from a root that moves as `root`.

@@ -57,6 +57,7 @@ mod tests {
             youngs_modulus_pa: 65e9,
             density_kg_m3: 2750.0,
             root: "ground".into(),
+            root_stiffness_n_m_rad: None,
             point: BTreeMap::from([("tip".into(), 0.28)]),
         };
         let reduction = Reduction { modes, mesh_tolerance: 1e-9 };

@@ -124,6 +124,7 @@ pub(super) mod tests {
             thickness_m: 0.98e-3,
             youngs_modulus_pa: 65e9,
             density_kg_m3: 2750.0,
+            root_stiffness_n_m_rad: None,
             root: "ground".into(),
             point: BTreeMap::new(),
         }

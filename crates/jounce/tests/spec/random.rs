@@ -55,6 +55,7 @@ fn beam() -> impl Strategy<Value = Beam> {
             youngs_modulus_pa: e,
             density_kg_m3: density,
             root: "ground".to_owned(),
+            root_stiffness_n_m_rad: (e > 1.0).then_some(density),
             point: parts.into_iter().map(|(name, part)| (name, part * length_m)).collect(),
         },
     )

@@ -28,6 +28,7 @@ pub fn paper_beam(root: &str) -> Beam {
         youngs_modulus_pa: 65e9,
         density_kg_m3: 2750.0,
         root: root.into(),
+        root_stiffness_n_m_rad: None,
         point: BTreeMap::from([("tip".into(), 0.305), ("hammer".into(), 0.015)]),
     }
 }

@@ -42,6 +42,36 @@ fn a_tip_mass_with_rotary_inertia_solves_its_characteristic_equation() {
     }
 }
 
+/// Characteristic equation of a beam of phase `l` on a clamp that turns, `c = EI / (k_r L)`, with a tip mass ratio `a`, over `cosh`: from
+/// `w = A (cosh - cos) + B sinh + C sin` with `B + C = 2 c l A`, `w'' = 0` and `w''' = -a l w` at the end.
+fn characteristic_on_clamp(l: f64, a: f64, c: f64) -> f64 {
+    let (sin, cos, tanh, part) = (l.sin(), l.cos(), l.tanh(), 1.0 / l.cosh());
+    cos + part - (c + a) * l * (sin - cos * tanh) - 2.0 * a * c * l * l * sin * tanh
+}
+
+/// Measured: the residual over its slope, relative to the root, is below 2.1e-15.
+#[test]
+fn a_clamp_that_turns_solves_its_characteristic_equation() {
+    let beam_kg = MASS_PER_LENGTH_KG_M * LENGTH_M;
+    for (a, c) in [(0.0, 0.05), (0.01, 0.05), (0.5, 3.0), (1.4, 1e-3)] {
+        let mut spec = if a > 0.0 { with_tip(a * beam_kg, 0.0) } else { bare_cantilever(6) };
+        let rigid = modes(&spec).unwrap();
+        spec.beam.get_mut("beam").unwrap().root_stiffness_n_m_rad = Some(STIFFNESS_N_M2 / (c * LENGTH_M));
+        let found = modes(&spec).unwrap();
+        assert_eq!(found.len(), 6);
+        for (frequency, clamped) in found.frequency_rad_s.iter().zip(&rigid.frequency_rad_s) {
+            let root = (frequency * (MASS_PER_LENGTH_KG_M / STIFFNESS_N_M2).sqrt()).sqrt() * LENGTH_M;
+            let at = |l: f64| characteristic_on_clamp(l, a, c);
+            let slope = (at(root * (1.0 + 1e-5)) - at(root * (1.0 - 1e-5))) / 2e-5;
+            let error = (at(root) / slope).abs();
+            assert!(error < 1e-13, "{a} {c}: {root} {error:e}");
+            assert!(frequency < clamped, "{a} {c}: {frequency} {clamped}");
+        }
+        // The root stays where it is, and what the beam carries turns with it.
+        assert!(found.shape["beam.root"].iter().all(|value| *value == 0.0));
+    }
+}
+
 /// Two halves chained end to end are one beam; measured 3e-14.
 #[test]
 fn a_chain_of_equal_beams_is_one_beam() {

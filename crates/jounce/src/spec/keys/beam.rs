@@ -15,6 +15,7 @@ pub(super) fn blank() -> Beam {
         youngs_modulus_pa: f64::NAN,
         density_kg_m3: f64::NAN,
         root: "ground".to_owned(),
+        root_stiffness_n_m_rad: None,
         point: BTreeMap::new(),
     }
 }
@@ -52,6 +53,14 @@ pub(super) static KEYS: &[Key<Beam>] = &[
         |b: &Beam| b.root.clone(),
         |b, x| x.clone_into(&mut b.root),
     )
+    .optional(),
+    Key::with_slot(
+        "root_stiffness",
+        Kind::Quantity(Quantity::RotaryStiffness),
+        "rotary stiffness of the clamp at the root; without it the clamp is rigid",
+        Slot::Optional { get: |b: &Beam| b.root_stiffness_n_m_rad, set: |b, x| b.root_stiffness_n_m_rad = Some(x) },
+    )
+    .within(Range::POSITIVE)
     .optional(),
     Key::with_slot(
         "point",

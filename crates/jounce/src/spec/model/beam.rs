@@ -19,6 +19,8 @@ pub struct Beam {
     pub density_kg_m3: f64,
     /// `root`: `"ground"`, the name of a mass, or a point of another beam, `"arm.end"`; default `"ground"`.
     pub root: String,
+    /// `root_stiffness`: rotary stiffness of the clamp at the root, N m/rad. `None`: rigid.
+    pub root_stiffness_n_m_rad: Option<f64>,
     /// `[beam.NAME.point]`: named places along the beam, distance from the root, m. `NAME.root` and `NAME.end` always exist.
     pub point: BTreeMap<String, f64>,
 }

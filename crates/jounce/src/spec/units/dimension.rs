@@ -102,6 +102,7 @@ const KINDS: &[(&str, [i8; 5])] = &[
     ("a capacitance", [-1, -2, 4, 2, 0]),
     ("an inductance", [1, 2, -2, -2, 0]),
     ("a rotary inertia", [1, 2, 0, 0, 0]),
+    ("a rotary stiffness", [1, 2, -2, 0, -1]),
     ("a permittivity", [-1, -3, 4, 2, 0]),
     ("a piezoelectric charge coefficient", [-1, -1, 3, 1, 0]),
 ];

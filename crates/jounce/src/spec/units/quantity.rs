@@ -55,6 +55,8 @@ pub enum Quantity {
     Angle,
     /// kg m^2
     RotaryInertia,
+    /// N m/rad
+    RotaryStiffness,
     /// H
     Inductance,
     /// F/m

@@ -1,0 +1,74 @@
+//! Arguments of tests without a measured force: free decays, and outputs alone.
+
+use crate::failure::Failure;
+use crate::measured_file::{manifest, positive, record, tell_findings};
+use clap::Args;
+use jounce::spec::Quantity as Unit;
+use jounce::table::Manifest;
+use jounce_measure::read;
+use jounce_measure::recording::Over;
+use jounce_measure::response::{AmbientSettings, Decays};
+use std::path::PathBuf;
+
+/// How recordings without a measured force are taken.
+#[derive(Debug, Args)]
+pub struct DecayArguments {
+    /// The recordings are free decays, one after each release or hit; by default each from its largest size on.
+    #[arg(long, requires = "measured", conflicts_with_all = ["output_only", "force"])]
+    pub free_decay: bool,
+    /// The recording is that of a structure under noise that nobody measured; or one amplitude spectrum over frequency.
+    #[arg(long, requires = "measured", conflicts_with = "force")]
+    pub output_only: bool,
+    /// Part of each free decay that is used, in times after its first sample, as in 0.2s:3s.
+    #[arg(long, value_name = "FROM:TO", requires = "free_decay")]
+    span: Option<String>,
+    /// Channel that the others are correlated with; can be given several times; by default all.
+    #[arg(long, value_name = "CHANNEL", requires = "output_only")]
+    reference: Vec<String>,
+    /// Longest lag of the correlations; by default a sixty-fourth of the record, 512 samples at least.
+    #[arg(long, value_name = "TIME", requires = "output_only")]
+    lags: Option<String>,
+}
+
+impl DecayArguments {
+    /// True where the recordings hold no force.
+    pub fn are_given(&self) -> bool {
+        self.free_decay || self.output_only
+    }
+
+    /// The decays of the recordings.
+    pub fn decays(&self, files: &[PathBuf], responses: &[String]) -> Result<Decays, Failure> {
+        if self.free_decay {
+            let records = files.iter().map(|file| record(file)).collect::<Result<Vec<_>, _>>()?;
+            records.iter().for_each(tell_findings);
+            return Ok(Decays::free(&records, responses, self.span_s()?)?);
+        }
+        let [file] = files else {
+            return Err(Failure::usage(format!("--output-only takes one recording, and {} are given", files.len())));
+        };
+        if let Some(spectrum) = read::file(file)?.recordings.first().filter(|recording| recording.over == Over::Frequency) {
+            tell_findings(spectrum);
+            return Ok(Decays::of_spectrum(spectrum, responses)?);
+        }
+        let record = record(file)?;
+        tell_findings(&record);
+        let lags_s = self.lags.as_ref().map(|text| positive("--lags", text, Unit::Time)).transpose()?;
+        Ok(Decays::ambient(&record, &AmbientSettings { responses: responses.to_vec(), references: self.reference.clone(), lags_s })?)
+    }
+
+    /// Manifest of an answer.
+    pub fn manifest(&self, files: &[PathBuf]) -> Result<Manifest, Failure> {
+        let manifest = manifest("modes", files)?.with("test", if self.free_decay { "free decay" } else { "output only" });
+        let told = |given: &Option<String>| given.clone().unwrap_or_default();
+        Ok(manifest.with("span", told(&self.span)).with("reference", self.reference.join(" ")).with("lags", told(&self.lags)))
+    }
+
+    fn span_s(&self) -> Result<Option<(f64, f64)>, Failure> {
+        let Some(text) = &self.span else { return Ok(None) };
+        let wrong = || Failure::usage(format!("--span {text}: write FROM:TO, as in 0.2s:3s, the smaller one first"));
+        let (from, to) = text.split_once(':').ok_or_else(wrong)?;
+        let read = |text: &str| Unit::Time.read(text).map_err(|error| Failure::usage(format!("--span {text}: {error}")));
+        let (from_s, to_s) = (read(from)?, read(to)?);
+        if from_s >= 0.0 && from_s < to_s { Ok(Some((from_s, to_s))) } else { Err(wrong()) }
+    }
+}

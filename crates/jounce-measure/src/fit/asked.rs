@@ -1,0 +1,177 @@
+//! Everything that was measured, as numbers, and the questions whose answers they are.
+
+use jounce::spec::NumericKey;
+
+use super::deviation::Group;
+use super::history::AskedHistory;
+use super::jump::AskedJump;
+use super::mode::AskedModes;
+use super::model::{Conditions, Source};
+use super::power::AskedPowers;
+use super::response::{AskedResponse, Lines};
+use super::{Deviation, Features, FitError, HistoryFeature, JumpFeature, PowerFeature, Question, ResponseFeature};
+
+/// A measured number.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Measured {
+    pub name: String,
+    pub unit: String,
+    pub value: f64,
+    /// What its deviation is relative to; its own size, by logarithms, without.
+    pub scale: Option<f64>,
+    /// Number of its group.
+    pub group: usize,
+    /// Number of the curve that it lies on, and where on it.
+    pub on: Option<(usize, f64)>,
+}
+
+/// A curve of measured numbers.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Curve {
+    pub name: String,
+    pub unit: String,
+    /// `frequency_hz` or `time_s`
+    pub over: &'static str,
+}
+
+/// All questions with all measured numbers, in the same order.
+#[derive(Default)]
+pub(super) struct Asked {
+    pub questions: Vec<Box<dyn Question>>,
+    pub measured: Vec<Measured>,
+    pub groups: Vec<Group>,
+    pub curves: Vec<Curve>,
+}
+
+impl Asked {
+    /// Reads what lies in files, and checks every key.
+    pub fn of(source: Source<'_>, features: &Features) -> Result<Self, FitError> {
+        let mut asked = Self::default();
+        asked.modes(features);
+        for (k, feature) in features.responses.iter().enumerate() {
+            asked.response(source, features, feature, &format!("response {}", k + 1))?;
+        }
+        for (k, feature) in features.powers.iter().enumerate() {
+            asked.powers(source, feature, &format!("power {}", k + 1))?;
+        }
+        for (k, feature) in features.jumps.iter().enumerate() {
+            asked.jump(source, feature, &format!("jump {}", k + 1))?;
+        }
+        for (k, feature) in features.histories.iter().enumerate() {
+            asked.history(source, features, feature, &format!("history {}", k + 1))?;
+        }
+        Ok(asked)
+    }
+
+    fn group(&mut self, name: &str, deviation: Deviation) -> usize {
+        let group = Group { name: name.to_owned(), deviation };
+        self.groups.iter().position(|known| *known == group).unwrap_or_else(|| {
+            self.groups.push(group);
+            self.groups.len() - 1
+        })
+    }
+
+    fn number(&mut self, name: String, unit: &str, value: f64, group: usize) {
+        self.measured.push(Measured { name, unit: unit.to_owned(), value, scale: None, group, on: None });
+    }
+
+    fn modes(&mut self, features: &Features) {
+        let mut asked = Vec::new();
+        for mode in &features.modes {
+            if let Some((hz, deviation)) = mode.frequency {
+                let group = self.group("frequencies", deviation);
+                self.number(format!("mode {} frequency", mode.number), "Hz", hz, group);
+                asked.push((mode.number - 1, true));
+            }
+            if let Some((ratio, deviation)) = mode.damping_ratio {
+                let group = self.group("damping ratios", deviation);
+                self.number(format!("mode {} damping ratio", mode.number), "", ratio, group);
+                asked.push((mode.number - 1, false));
+            }
+        }
+        if !asked.is_empty() {
+            self.questions.push(Box::new(AskedModes(asked)));
+        }
+    }
+
+    fn response(&mut self, source: Source<'_>, features: &Features, feature: &ResponseFeature, place: &str) -> Result<(), FitError> {
+        let conditions = Conditions::new(source, &feature.set, place)?;
+        let group = self.group(place, feature.deviation);
+        let (name, unit) = (feature.output.name(), feature.output.unit(&feature.input).to_owned());
+        let curve = |part: &str| Curve { name: format!("{name} {part}"), unit: unit.clone(), over: "frequency_hz" };
+        let (complex, frequency_hz) = match feature.lines.read(&features.folder, place)? {
+            Lines::Magnitude(frequency_hz, sizes) => {
+                self.curve(curve("size"), (&frequency_hz, &sizes), |_| None, group);
+                (false, frequency_hz)
+            }
+            Lines::Complex(frequency_hz, values) => {
+                let (re, im): (Vec<f64>, Vec<f64>) = values.iter().map(|h| (h.re, h.im)).unzip();
+                self.curve(curve("real part"), (&frequency_hz, &re), |k| Some(values[k].norm()), group);
+                self.curve(curve("imaginary part"), (&frequency_hz, &im), |k| Some(values[k].norm()), group);
+                (true, frequency_hz)
+            }
+            Lines::File { .. } => (false, Vec::new()),
+        };
+        let (input, output) = (feature.input.clone(), feature.output.clone());
+        self.questions.push(Box::new(AskedResponse { input, output, frequency_hz, complex, conditions }));
+        Ok(())
+    }
+
+    fn curve(&mut self, curve: Curve, (at, values): (&[f64], &[f64]), scale: impl Fn(usize) -> Option<f64>, group: usize) {
+        let number = self.curves.len();
+        let point = |(k, (at, value)): (usize, (&f64, &f64))| Measured {
+            name: curve.name.clone(),
+            unit: curve.unit.clone(),
+            value: *value,
+            scale: scale(k),
+            group,
+            on: Some((number, *at)),
+        };
+        self.measured.extend(at.iter().zip(values).enumerate().map(point));
+        self.curves.push(curve);
+    }
+
+    fn powers(&mut self, source: Source<'_>, feature: &PowerFeature, place: &str) -> Result<(), FitError> {
+        let conditions = Conditions::new(source, &feature.set, place)?;
+        let group = self.group(place, feature.deviation);
+        let mut each = Vec::new();
+        for (value, power) in feature.values.iter().zip(&feature.mean_power_w) {
+            let (key, value) = key_and_value(source, &feature.over, value, place)?;
+            self.number(format!("mean power at {} = {}", feature.over, key.show(value)), "W", *power, group);
+            each.push(conditions.with(&key, value));
+        }
+        self.questions.push(Box::new(AskedPowers(each)));
+        Ok(())
+    }
+
+    fn jump(&mut self, source: Source<'_>, feature: &JumpFeature, place: &str) -> Result<(), FitError> {
+        let conditions = Conditions::new(source, &feature.set, place)?;
+        let of = |text: &str| key_and_value(source, &feature.over, text, place);
+        let ((key, at), (_, low), (_, high)) = (of(&feature.at)?, of(&feature.between[0])?, of(&feature.between[1])?);
+        if !(low < at && at < high && at > 0.0) {
+            let reason = format!("{} does not lie between {} and {}, above 0", key.show(at), key.show(low), key.show(high));
+            return Err(FitError::Condition { place: place.to_owned(), key: feature.over.clone(), reason });
+        }
+        let group = self.group(place, feature.deviation);
+        self.number(format!("jump of {}", feature.over), &key.unit(), at, group);
+        self.questions.push(Box::new(AskedJump { key, at, range: (low, high), conditions }));
+        Ok(())
+    }
+
+    fn history(&mut self, source: Source<'_>, features: &Features, feature: &HistoryFeature, place: &str) -> Result<(), FitError> {
+        let conditions = Conditions::new(source, &feature.set, place)?;
+        let (time_s, values, unit) = feature.samples(&features.folder, place)?;
+        let rms = (values.iter().map(|x| x * x).sum::<f64>() / values.len() as f64).sqrt();
+        let group = self.group(place, feature.deviation);
+        let curve = Curve { name: feature.output.name(), unit, over: "time_s" };
+        self.curve(curve, (&time_s, &values), |_| Some(rms), group);
+        self.questions.push(Box::new(AskedHistory { output: feature.output.clone(), time_s, conditions }));
+        Ok(())
+    }
+}
+
+/// A key and a value of it as on a command line.
+fn key_and_value(source: Source<'_>, key: &str, value: &str, place: &str) -> Result<(NumericKey, f64), FitError> {
+    let found = Conditions::new(source, &[(key.to_owned(), value.to_owned())], place)?;
+    Ok(found.first().cloned().expect("one key makes one condition"))
+}

@@ -1,0 +1,69 @@
+//! Jumps as features: the value of a key at which a branch of periodic answers turns back.
+
+use jounce::spec::NumericKey;
+use jounce::study::{BranchKind, BranchSearch, Method, Parameter};
+
+use super::model::Conditions;
+use super::reading::Reader;
+use super::{Deviation, FitError, Model, Question};
+
+/// A measured jump.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JumpFeature {
+    /// The key that was swept.
+    pub over: String,
+    /// Its value at the jump, as on a command line.
+    pub at: String,
+    /// Range in which branches are followed; both ends must lie beside the jump.
+    pub between: [String; 2],
+    /// Relative deviation of the value.
+    pub deviation: Deviation,
+    /// Keys that hold during the test.
+    pub set: Vec<(String, String)>,
+}
+
+const KEYS: [&str; 5] = ["over", "at", "between", "deviation", "set"];
+
+impl JumpFeature {
+    pub(super) fn read(reader: &mut Reader<'_>) -> Option<Self> {
+        reader.refuse_all_but(&KEYS);
+        let (over, at) = (reader.text("over", "drive.shaker.frequency"), reader.text("at", "12.6 Hz"));
+        let between = reader.texts("between", "12 Hz");
+        let between: Result<[String; 2], _> = between.try_into();
+        if between.is_err() {
+            reader.fault("between must be two values beside the jump, as in between = [\"12 Hz\", \"13 Hz\"]");
+        }
+        let (deviation, set) = (reader.own_deviation(), reader.conditions());
+        Some(Self { over: over?, at: at?, between: between.ok()?, deviation, set })
+    }
+}
+
+/// The fold nearest to where the jump was measured, on the branches through both ends of a range.
+pub(super) struct AskedJump {
+    pub key: NumericKey,
+    pub at: f64,
+    pub range: (f64, f64),
+    pub conditions: Conditions,
+}
+
+impl Question for AskedJump {
+    fn ask(&self, model: &Model<'_>) -> Result<Vec<f64>, FitError> {
+        let prepared = model.prepared_at(&self.conditions)?;
+        let parameter = Parameter::new(&prepared, &self.key, self.range.1 - self.range.0);
+        let search = BranchSearch {
+            base: &prepared,
+            parameter: &parameter,
+            range: self.range,
+            method: Method::Shooting,
+            tolerance: prepared.spec.run.tolerance,
+            seeds: 0,
+            longest_period: 1,
+        };
+        let branches = search.run().map_err(|fault| FitError::Orbit(fault.to_string()))?;
+        let folds = branches.iter().flat_map(|branch| &branch.bifurcations).filter(|found| found.kind == BranchKind::Fold);
+        let nearest = folds.map(|fold| fold.at.parameter).min_by(|a, b| (a - self.at).abs().total_cmp(&(b - self.at).abs()));
+        let none =
+            FitError::NoJump { key: self.key.path().to_owned(), low: self.key.show(self.range.0), high: self.key.show(self.range.1) };
+        Ok(vec![nearest.ok_or(none)?])
+    }
+}

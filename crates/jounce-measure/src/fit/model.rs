@@ -1,0 +1,84 @@
+//! The model that a fit asks, at one set of its keys.
+
+use std::cell::OnceCell;
+use std::path::Path;
+
+use jounce::spec::{NumericKey, Spec, SpecFile};
+use jounce::study::Prepared;
+
+use super::FitError;
+
+/// The spec of a fit, and the folder in which its files lie.
+#[derive(Clone, Copy)]
+pub(super) struct Source<'a> {
+    pub file: &'a SpecFile,
+    pub folder: &'a Path,
+}
+
+/// The model at one set of keys.
+pub(super) struct Model<'a> {
+    pub spec: Spec,
+    pub hold: &'a [String],
+    /// Folder of the spec, where its files lie.
+    pub folder: &'a Path,
+    /// The harvester without conditions, made when first asked for.
+    pub prepared: OnceCell<Prepared>,
+}
+
+/// Something that was measured, to be asked of the model too.
+pub(super) trait Question {
+    /// What the model has for every measured number of this test.
+    fn ask(&self, model: &Model<'_>) -> Result<Vec<f64>, FitError>;
+}
+
+/// Values of keys that hold during a test.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Conditions(Vec<(NumericKey, f64)>);
+
+impl Conditions {
+    /// Keys and values as on a command line.
+    pub fn new(source: Source<'_>, set: &[(String, String)], place: &str) -> Result<Self, FitError> {
+        let one = |(key, value): &(String, String)| {
+            let told = |reason: String| FitError::Condition { place: place.to_owned(), key: key.clone(), reason };
+            let found = source.file.numeric_key(key).map_err(|faults| told(faults.to_string()))?;
+            let mut changed = SpecFile::from_text(source.file.text()).in_folder(source.folder);
+            changed.set(key, value).map_err(|fault| told(fault.to_string()))?;
+            let value = found.get(&changed.spec().map_err(|faults| told(faults.to_string()))?)?;
+            Ok((found, value))
+        };
+        set.iter().map(one).collect::<Result<_, FitError>>().map(Self)
+    }
+
+    /// The first of them.
+    pub fn first(&self) -> Option<&(NumericKey, f64)> {
+        self.0.first()
+    }
+
+    /// The same and one more.
+    pub fn with(&self, key: &NumericKey, value: f64) -> Self {
+        Self(self.0.iter().cloned().chain([(key.clone(), value)]).collect())
+    }
+}
+
+impl Model<'_> {
+    /// The spec under conditions.
+    pub fn spec_at(&self, conditions: &Conditions) -> Result<Spec, FitError> {
+        let mut spec = self.spec.clone();
+        for (key, value) in &conditions.0 {
+            key.set(&mut spec, *value)?;
+        }
+        Ok(spec)
+    }
+
+    /// The harvester under conditions.
+    pub fn prepared_at(&self, conditions: &Conditions) -> Result<Prepared, FitError> {
+        let base = match self.prepared.get() {
+            Some(base) => base,
+            None => {
+                let made = Prepared::new(self.spec.clone())?;
+                self.prepared.get_or_init(|| made)
+            }
+        };
+        Ok(base.changed(self.spec_at(conditions)?)?)
+    }
+}

@@ -1,0 +1,55 @@
+//! Mean powers over a key, such as the load, as features.
+
+use jounce::run::{RunPlan, simulate};
+use jounce::study::StudyError;
+
+use super::model::Conditions;
+use super::reading::Reader;
+use super::{Deviation, FitError, Model, Question};
+
+/// Measured mean powers of all loads over one key.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PowerFeature {
+    /// The key.
+    pub over: String,
+    /// Its values, as on a command line.
+    pub values: Vec<String>,
+    /// Mean power at each, W.
+    pub mean_power_w: Vec<f64>,
+    /// Relative deviation of each.
+    pub deviation: Deviation,
+    /// Keys that hold during the test.
+    pub set: Vec<(String, String)>,
+}
+
+const KEYS: [&str; 5] = ["over", "values", "mean_power_w", "deviation", "set"];
+
+impl PowerFeature {
+    pub(super) fn read(reader: &mut Reader<'_>) -> Option<Self> {
+        reader.refuse_all_but(&KEYS);
+        let over = reader.text("over", "circuit.load.resistance");
+        let values = reader.texts("values", "100 kohm");
+        let mean_power_w = reader.numbers("mean_power_w", values.len());
+        if mean_power_w.iter().any(|power| *power <= 0.0) {
+            reader.fault("mean_power_w must hold numbers above 0, in watts");
+        }
+        let (deviation, set) = (reader.own_deviation(), reader.conditions());
+        Some(Self { over: over?, values, mean_power_w, deviation, set })
+    }
+}
+
+/// One run of `run.duration` for each condition; its mean power.
+pub(super) struct AskedPowers(pub Vec<Conditions>);
+
+impl Question for AskedPowers {
+    fn ask(&self, model: &Model<'_>) -> Result<Vec<f64>, FitError> {
+        let power = |conditions: &Conditions| {
+            let prepared = model.prepared_at(conditions)?;
+            let start = prepared.start(model.folder)?;
+            let plan = RunPlan::of(&prepared.spec.run, 0.0);
+            let answer = simulate(&prepared.from_state(&start)?, &start, &plan).map_err(StudyError::from)?;
+            if answer.mean_power_w > 0.0 { Ok(answer.mean_power_w) } else { Err(FitError::NoPower { mean_power_w: answer.mean_power_w }) }
+        };
+        self.0.iter().map(power).collect()
+    }
+}

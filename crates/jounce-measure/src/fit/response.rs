@@ -1,0 +1,159 @@
+//! Frequency responses as features.
+
+use std::path::{Path, PathBuf};
+
+use faer::c64;
+use jounce::linear::{Input, Response, frf};
+use jounce::plant::{Plant, System};
+use jounce::spec::{Gravity, Quantity};
+use jounce::structure;
+
+use super::model::Conditions;
+use super::reading::Reader;
+use super::{Deviation, FitError, Model, Question};
+use crate::read;
+use crate::recording::Over;
+
+/// What was measured of a response.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Lines {
+    /// Its size at frequencies, Hz, per newton or per m/s^2 of the base.
+    Magnitude(Vec<f64>, Vec<f64>),
+    /// Its complex value there.
+    Complex(Vec<f64>, Vec<c64>),
+    /// A channel of a file of responses over frequency, between two frequencies; relative to the features.
+    File {
+        /// The file.
+        path: PathBuf,
+        /// Its channel.
+        channel: String,
+        /// Lines between these frequencies, Hz.
+        between_hz: (f64, f64),
+    },
+}
+
+/// A measured frequency response.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ResponseFeature {
+    /// What shakes it.
+    pub input: Input,
+    /// What is looked at.
+    pub output: Response,
+    /// What was measured.
+    pub lines: Lines,
+    /// Relative deviation of the size at each line.
+    pub deviation: Deviation,
+    /// Keys that hold during the test.
+    pub set: Vec<(String, String)>,
+}
+
+const KEYS: [&str; 11] = ["input", "output", "frequency", "magnitude", "re", "im", "file", "channel", "between", "deviation", "set"];
+
+impl ResponseFeature {
+    pub(super) fn read(reader: &mut Reader<'_>) -> Option<Self> {
+        reader.refuse_all_but(&KEYS);
+        let input = reader.text("input", "beam.hammer");
+        let output = reader.text("output", "beam.tip.acceleration").and_then(|text| output(&text, reader));
+        let (deviation, set, lines) = (reader.own_deviation(), reader.conditions(), lines(reader));
+        let input = input?;
+        let input = if input == "base" { Input::BaseAcceleration } else { Input::Force(input) };
+        Some(Self { input, output: output?, lines: lines?, deviation, set })
+    }
+}
+
+/// What is looked at, by the name that `frf` gives it.
+pub(super) fn output(text: &str, reader: &mut Reader<'_>) -> Option<Response> {
+    let found = text.rsplit_once('.').and_then(|(name, kind)| {
+        let name = name.to_owned();
+        Some(match kind {
+            "displacement" => Response::Displacement(name),
+            "velocity" => Response::Velocity(name),
+            "acceleration" => Response::Acceleration(name),
+            "voltage" => Response::Voltage(name),
+            "load_voltage" => Response::LoadVoltage(name),
+            _ => return None,
+        })
+    });
+    if found.is_none() {
+        reader.fault(format!(
+            "output is \"{text}\"; it must be a point with .displacement, .velocity or .acceleration, a patch with .voltage, or a circuit with .load_voltage"
+        ));
+    }
+    found
+}
+
+fn lines(reader: &mut Reader<'_>) -> Option<Lines> {
+    if let Some(file) = reader.text_if_any("file", "frf.uff") {
+        let channel = reader.text("channel", "tip")?;
+        let between = if reader.table.contains_key("between") {
+            reader.quantities("between", Quantity::Frequency, "5 Hz")
+        } else {
+            vec![0.0, f64::INFINITY]
+        };
+        let [low, high] = between[..] else {
+            reader.fault("between must be two frequencies");
+            return None;
+        };
+        return Some(Lines::File { path: file.into(), channel, between_hz: (low, high) });
+    }
+    let frequency_hz = reader.quantities("frequency", Quantity::Frequency, "9 Hz");
+    if reader.table.contains_key("re") || reader.table.contains_key("im") {
+        let (re, im) = (reader.numbers("re", frequency_hz.len()), reader.numbers("im", frequency_hz.len()));
+        return Some(Lines::Complex(frequency_hz, re.into_iter().zip(im).map(|(re, im)| c64::new(re, im)).collect()));
+    }
+    let magnitude = reader.numbers("magnitude", frequency_hz.len());
+    if magnitude.iter().any(|size| *size <= 0.0) {
+        reader.fault("magnitude must hold numbers above 0");
+    }
+    Some(Lines::Magnitude(frequency_hz, magnitude))
+}
+
+impl Lines {
+    /// The lines themselves; a file is read.
+    pub(super) fn read(&self, folder: &Path, place: &str) -> Result<Self, FitError> {
+        let Self::File { path, channel, between_hz } = self else { return Ok(self.clone()) };
+        let told = |reason: String| FitError::File { place: place.to_owned(), path: path.clone(), reason };
+        let contents = read::file(&folder.join(path)).map_err(|fault| told(fault.to_string()))?;
+        let over =
+            contents.recordings.into_iter().find(|recording| recording.over == Over::Frequency && recording.channel(channel).is_ok());
+        let recording = over.ok_or_else(|| told(format!("it holds no channel {channel} over frequency")))?;
+        let found = recording.channel(channel).map_err(|fault| told(fault.to_string()))?;
+        let places = recording.grid.places();
+        let inside: Vec<usize> =
+            (0..places.len()).filter(|k| places[*k] > 0.0 && (between_hz.0..=between_hz.1).contains(&places[*k])).collect();
+        if inside.is_empty() {
+            return Err(told("no line lies in the band".to_owned()));
+        }
+        let frequency_hz = inside.iter().map(|k| places[*k]).collect();
+        Ok(match &found.imaginary {
+            Some(imaginary) => Self::Complex(frequency_hz, inside.iter().map(|k| c64::new(found.values[*k], imaginary[*k])).collect()),
+            None => Self::Magnitude(frequency_hz, inside.iter().map(|k| found.values[*k]).collect()),
+        })
+    }
+}
+
+/// A response to be asked for: sizes, or real parts and then imaginary parts.
+pub(super) struct AskedResponse {
+    pub input: Input,
+    pub output: Response,
+    pub frequency_hz: Vec<f64>,
+    pub complex: bool,
+    pub conditions: Conditions,
+}
+
+impl Question for AskedResponse {
+    fn ask(&self, model: &Model<'_>) -> Result<Vec<f64>, FitError> {
+        let mut spec = model.spec_at(&self.conditions)?;
+        spec.drive.clear();
+        spec.stop.clear();
+        spec.gravity = Gravity::default();
+        let modes = structure::modes_holding(&spec, model.hold)?;
+        let plant = Plant::new(System::assemble(&spec, modes)?)?;
+        let found = frf(&plant, &self.input, std::slice::from_ref(&self.output), &self.frequency_hz)?;
+        let value = &found[0].value;
+        Ok(match self.complex {
+            true => value.iter().map(|h| h.re).chain(value.iter().map(|h| h.im)).collect(),
+            false => value.iter().map(|h| h.norm()).collect(),
+        })
+    }
+}

@@ -1,0 +1,277 @@
+//! Modes of decays, through their one-sided spectra.
+//!
+//! With samples `x_0 .. x_K` at the rate `r`, `T = 1/r`, the trapezoidal sum over the bins `w = 2 pi m r / K`
+//!
+//! ```text
+//! S(w) = T [ x_0 / 2 + x_1 z + ... + x_K z^K / 2 ],   z = exp(-j w T),  z^K = 1
+//! ```
+//!
+//! of `x_k = sum_r a_r exp(p_r k T)` is, however short the record, exactly
+//!
+//! ```text
+//! S = sum_r R_r / (j W - P_r) + U,   W = 2/T tan(w T / 2),   P = 2/T tanh(p T / 2)
+//! ```
+//!
+//! with a constant `U`: the form of a frequency response, at warped frequencies. So the poles of decays come from the same equations as those of
+//! responses, without leakage and without bias, and are turned back by `w = 2/T atan(W T / 2)`.
+//!
+//! Source: the identity is that of the bilinear transform, `coth(a - b) = (1 - tanh a tanh b) / (tanh a - tanh b)`; one-sided spectra for modes
+//! after B. Cauberghe, Applied frequency-domain system identification in the field of experimental and operational modal analysis (2004).
+
+use faer::c64;
+use realfft::RealFftPlanner;
+
+use super::identify::{Identification, Settings, candidates, refined};
+use super::jackknife::leave_out;
+use super::warp::{Warp, without_decay};
+use super::{Band, ModalError, Motion, Pole};
+use crate::response::Decays;
+
+/// Highest frequency over the rate: warped frequencies grow beyond bounds towards a half.
+const HIGHEST: f64 = 0.45;
+/// Where the window of the decays ends in which poles are sought.
+const END_RATIO: f64 = 0.03;
+/// Lines on both sides of a line over which the variance that blocks tell is averaged.
+const BESIDE: usize = 4;
+
+/// Finds the modes of decays between two frequencies, as [`super::identify`] does those of responses. Where the decays are correlations in blocks,
+/// each line is weighed by the variance over the blocks, and the deviations come from leaving out one block after the other.
+///
+/// # Errors
+/// Too few lines, decays that are zero, no stable pole.
+///
+/// # Validation
+/// `tests`: exact decays that have fallen by 45 % only give back their frequencies within 2e-16 and damping ratios within 2e-14, relative; with
+/// noise the truth lies within the stated intervals of 95 % in 93 % of 200 cases. The modes of 400 s under white noise: frequencies within
+/// 0.18 %, damping ratios within 8.6 %, 17 of 18 within their intervals.
+pub fn identify_decays(decays: &Decays, between_hz: (f64, f64), settings: Settings) -> Result<Identification, ModalError> {
+    let warp = Warp { rate_hz: decays.rate_hz };
+    let between_hz = (between_hz.0, between_hz.1.min(HIGHEST * decays.rate_hz));
+    let length_s = (decays.values[0].len() - 1) as f64 / decays.rate_hz;
+    let frequency_hz: Vec<f64> = (0..decays.values[0].len() / 2).map(|m| m as f64 / length_s).collect();
+    let warped_hz: Vec<f64> = frequency_hz.iter().map(|f| warp.there(*f)).collect();
+    let (lines, references) = (frequency_hz.len(), decays.references.len());
+    let spectra = |values: &[Vec<f64>]| values.iter().map(|values| half_spectrum(values, decays.rate_hz)).collect::<Vec<_>>();
+    // Poles are sought in decays that are weighed to die within the record: broad peaks make clear diagrams.
+    let decay_per_s = -END_RATIO.ln() / length_s;
+    let dying = |values: &Vec<f64>| {
+        values.iter().enumerate().map(|(k, x)| x * (-decay_per_s * k as f64 / decays.rate_hz).exp()).collect::<Vec<f64>>()
+    };
+    let dying = cut(&spectra(&decays.values.iter().map(dying).collect::<Vec<_>>()), lines);
+    let sought = Band::new(&frequency_hz, &dying, &[], references, Motion::Displacement, between_hz)?;
+    let (mut diagram, mut start) = candidates(&sought, settings)?;
+    diagram.iter_mut().map(|stable| &mut stable.pole).chain(&mut start).for_each(|pole| *pole = without_decay(*pole, decay_per_s));
+    let start: Vec<Pole> = start.into_iter().map(|pole| warp.warped(pole)).collect();
+    let blocks: Vec<Vec<Vec<c64>>> = decays.blocks.iter().map(|block| spectra(block)).collect();
+    let mean = spectra(&decays.values);
+    let deviation = cut(&deviations(&mean, &blocks), lines);
+    let between = (warp.there(between_hz.0), warp.there(between_hz.1));
+    let band = |response: &[Vec<c64>]| Band::new(&warped_hz, &cut(response, lines), &deviation, references, Motion::Displacement, between);
+    let mut found = refined(&band(&mean)?, diagram, &start)?;
+    if !blocks.is_empty() {
+        leave_out(&mut found.modes, &mean, &blocks, band)?;
+    }
+    warp.back(&mut found);
+    found.modes.iter_mut().for_each(|mode| mode.residue = strongest(&mode.residue, decays.references.len()));
+    Ok(found)
+}
+
+/// The residues of all outputs for the reference that sees most of a mode: its shape.
+fn strongest(residue: &[c64], references: usize) -> Vec<c64> {
+    let of = |i: usize| residue.iter().skip(i).step_by(references).copied();
+    let size = |i: &usize| of(*i).map(|r| r.norm_sqr()).sum::<f64>();
+    (0..references).max_by(|a, b| size(a).total_cmp(&size(b))).map_or_else(Vec::new, |i| of(i).collect())
+}
+
+fn cut<T: Clone>(of: &[Vec<T>], lines: usize) -> Vec<Vec<T>> {
+    of.iter().map(|values| values[..lines].to_vec()).collect()
+}
+
+/// The trapezoidal one-sided spectrum of samples.
+fn half_spectrum(values: &[f64], rate_hz: f64) -> Vec<c64> {
+    let last = values.len() - 1;
+    let mut samples = values[..last].to_vec();
+    // z^K = 1: the last sample falls on the first.
+    samples[0] = (values[0] + values[last]) / 2.0;
+    let plan = RealFftPlanner::new().plan_fft_forward(last);
+    let mut bins = plan.make_output_vec();
+    plan.process(&mut samples, &mut bins).expect("the plan made the length");
+    bins.iter().map(|bin| c64::new(bin.re, bin.im) / rate_hz).collect()
+}
+
+/// Relative deviation of the size of each line of the mean over blocks; empty without blocks.
+fn deviations(mean: &[Vec<c64>], blocks: &[Vec<Vec<c64>>]) -> Vec<Vec<f64>> {
+    if blocks.len() < 2 {
+        return Vec::new();
+    }
+    let count = blocks.len() as f64;
+    let of = |(f, mean): (usize, &Vec<c64>)| {
+        let spread = |k: usize| blocks.iter().map(|block| (block[f][k] - mean[k]).norm_sqr()).sum::<f64>() / (count * (count - 1.0));
+        let variance: Vec<f64> = (0..mean.len()).map(spread).collect();
+        let around = |k: usize| {
+            let near = &variance[k.saturating_sub(BESIDE)..(k + BESIDE + 1).min(variance.len())];
+            near.iter().sum::<f64>() / near.len() as f64
+        };
+        // Half of the variance lies along the line, as for a response.
+        (0..mean.len()).map(|k| (around(k) / 2.0).sqrt() / mean[k].norm().max(f64::MIN_POSITIVE)).collect()
+    };
+    mean.iter().enumerate().map(of).collect()
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::super::Mode;
+    use super::super::plscf::tests::{POLES, shape};
+    use super::*;
+    use crate::recording::{Channel, Grid, Over, Quantity, Recording};
+    use crate::response::AmbientSettings;
+    use jounce::drive::Stream;
+
+    const RATE: f64 = 250.0;
+
+    fn recording(values: Vec<Vec<f64>>) -> Recording {
+        let count = values[0].len();
+        let channel = |(o, values)| Channel::new(&format!("a{o}"), Quantity::Acceleration, "m/s^2", values);
+        let channels = values.into_iter().enumerate().map(channel).collect();
+        Recording {
+            name: "test".to_owned(),
+            over: Over::Time,
+            grid: Grid::even(0.0, 1.0 / RATE, count).unwrap(),
+            channels,
+            findings: Vec::new(),
+        }
+    }
+
+    /// Samples of free decays at three places, each mode with a size and phase of its own.
+    fn decay(poles: &[Pole], count: usize) -> Vec<Vec<f64>> {
+        let at = |o: usize, k: usize| {
+            let mode = |(r, pole): (usize, &Pole)| {
+                let turned = c64::from_polar(shape(r, o), 0.4 * (r + 1) as f64) * (pole.complex() * (k as f64 / RATE)).exp();
+                turned.re
+            };
+            poles.iter().enumerate().map(mode).sum::<f64>()
+        };
+        (0..3).map(|o| (0..count).map(|k| at(o, k)).collect()).collect()
+    }
+
+    fn worst(found: &[Mode], poles: &[Pole]) -> (f64, f64) {
+        assert_eq!(found.len(), poles.len(), "{found:?}");
+        let off = |(mode, pole): (&Mode, &Pole)| {
+            ((mode.frequency_hz / pole.frequency_hz - 1.0).abs(), (mode.damping_ratio / pole.damping_ratio - 1.0).abs())
+        };
+        found.iter().zip(poles).map(off).fold((0.0, 0.0), |a, b| (f64::max(a.0, b.0), f64::max(a.1, b.1)))
+    }
+
+    /// Records that end long before their decays do (the slowest mode has fallen by 45 % only), two modes 1 Hz apart. Measured: 2.2e-16 and 1.7e-14.
+    #[test]
+    fn cut_decays_give_back_their_poles_without_leakage() {
+        let record = recording(decay(&POLES, 500));
+        let decays = Decays::free(&[record], &[], Some((0.2, 1.0))).unwrap();
+        let found = identify_decays(&decays, (5.0, 105.0), Settings { order: 20 }).unwrap();
+        let (frequency, damping) = worst(&found.modes, &POLES);
+        eprintln!("frequencies {frequency:.1e}, damping ratios {damping:.1e} off");
+        assert!(frequency < 1e-11 && damping < 1e-9, "{frequency:e} {damping:e}");
+        assert!((found.frequency_hz[1] - found.frequency_hz[0] - 1.25).abs() < 1e-9);
+    }
+
+    /// White noise of 5 % of the first sample: the truth lies within 1.96 stated deviations in 93 % of two frequencies and two damping ratios in 50
+    /// trials; the share itself is known to 1.8 %.
+    #[test]
+    fn deviations_of_free_decays_hold_the_truth_as_often_as_they_say() {
+        let poles = [POLES[0], POLES[3]];
+        let clean = decay(&poles, 500);
+        let (mut inside, mut all) = (0, 0);
+        for seed in 0..50 {
+            let mut stream = Stream::new(seed, 9);
+            let noisy = |values: &Vec<f64>| values.iter().map(|x| x + 0.05 * values[0].abs() * stream.normal_pair()[0]).collect();
+            let record = recording(clean.iter().map(noisy).collect());
+            let decays = Decays::free(&[record], &[], Some((0.0, 1.9))).unwrap();
+            let found = identify_decays(&decays, (5.0, 105.0), Settings { order: 12 }).unwrap();
+            for pole in &poles {
+                let mode = found
+                    .modes
+                    .iter()
+                    .min_by(|a, b| (a.frequency_hz - pole.frequency_hz).abs().total_cmp(&(b.frequency_hz - pole.frequency_hz).abs()))
+                    .unwrap();
+                let off = [
+                    (mode.frequency_hz - pole.frequency_hz) / mode.frequency_deviation_hz,
+                    (mode.damping_ratio - pole.damping_ratio) / mode.damping_deviation,
+                ];
+                inside += off.iter().filter(|off| off.abs() <= Mode::QUANTILE_95).count();
+                all += 2;
+            }
+        }
+        let share = inside as f64 / f64::from(all);
+        eprintln!("{share} inside");
+        assert!((0.90..=0.99).contains(&share), "{share}");
+    }
+
+    /// Three modes under white noise forces, exact at the samples: `q_k+1 = exp(p T) q_k + (complex white noise)`.
+    fn ambient(seed: u64, poles: &[Pole], count: usize) -> Recording {
+        let mut stream = Stream::new(seed, 1);
+        let turn: Vec<c64> = poles.iter().map(|pole| (pole.complex() / RATE).exp()).collect();
+        let mut q = vec![c64::new(0.0, 0.0); poles.len()];
+        let mut values = vec![Vec::new(); 2];
+        for k in 0..count + 5000 {
+            for (q, turn) in q.iter_mut().zip(&turn) {
+                let [re, im] = stream.normal_pair();
+                *q = *q * turn + c64::new(re, im);
+            }
+            if k >= 5000 {
+                for (o, values) in values.iter_mut().enumerate() {
+                    let noise = 0.5 * stream.normal_pair()[0];
+                    values.push(q.iter().enumerate().map(|(r, q)| shape(r, o) * q.re).sum::<f64>() + noise);
+                }
+            }
+        }
+        recording(values)
+    }
+
+    /// Noise of sensors of a few percent, 400 s at 250 Hz. Measured: frequencies within 1.8e-3, damping ratios within 8.6e-2.
+    #[test]
+    fn modes_under_noise_are_found_from_outputs_alone() {
+        let poles = [POLES[0], POLES[1], POLES[3]];
+        let (mut inside, mut all, mut worst_hz, mut worst_ratio) = (0, 0, 0.0_f64, 0.0_f64);
+        for seed in 0..3 {
+            let record = ambient(seed, &poles, 100_000);
+            let settings = AmbientSettings { references: vec!["a0".to_owned()], lags_s: Some(2.0), ..AmbientSettings::default() };
+            let decays = Decays::ambient(&record, &settings).unwrap();
+            assert_eq!((decays.values.len(), decays.blocks.len()), (2, 16));
+            let found = identify_decays(&decays, (5.0, 100.0), Settings { order: 20 }).unwrap();
+            let (frequency, damping) = worst(&found.modes, &poles);
+            (worst_hz, worst_ratio) = (worst_hz.max(frequency), worst_ratio.max(damping));
+            for (mode, pole) in found.modes.iter().zip(&poles) {
+                let off = [
+                    (mode.frequency_hz - pole.frequency_hz) / mode.frequency_deviation_hz,
+                    (mode.damping_ratio - pole.damping_ratio) / mode.damping_deviation,
+                ];
+                inside += off.iter().filter(|off| off.abs() <= Mode::QUANTILE_95).count();
+                all += 2;
+            }
+        }
+        eprintln!("frequencies {worst_hz:.1e}, damping ratios {worst_ratio:.1e} off at most; {inside} of {all} inside");
+        assert!(worst_hz < 3e-3 && worst_ratio < 0.3 && inside * 10 >= all * 8, "{worst_hz:e} {worst_ratio:e} {inside}");
+    }
+
+    /// The amplitude spectrum of a decay, all phases lost. Measured: frequencies within 7.3e-7, damping ratios within 9.9e-5.
+    #[test]
+    fn an_amplitude_spectrum_is_enough_for_the_poles() {
+        let poles = [POLES[0], POLES[1], POLES[3]];
+        let mut values = decay(&poles, 4096);
+        let samples = values.swap_remove(0);
+        let plan = RealFftPlanner::new().plan_fft_forward(4096);
+        let (mut input, mut bins) = (samples, plan.make_output_vec());
+        plan.process(&mut input, &mut bins).unwrap();
+        let amplitude = bins.iter().map(|bin| bin.norm()).collect();
+        let grid = Grid::even(0.0, RATE / 4096.0, bins.len()).unwrap();
+        let channels = vec![Channel::new("a", Quantity::Acceleration, "m/s^2", amplitude)];
+        let spectrum = Recording { name: "spectrum".to_owned(), over: Over::Frequency, grid, channels, findings: Vec::new() };
+        let decays = Decays::of_spectrum(&spectrum, &[]).unwrap();
+        assert!((decays.rate_hz - RATE).abs() < 1e-9);
+        let found = identify_decays(&decays, (5.0, 100.0), Settings { order: 20 }).unwrap();
+        let (frequency, damping) = worst(&found.modes, &poles);
+        eprintln!("frequencies {frequency:.1e}, damping ratios {damping:.1e} off");
+        assert!(frequency < 1e-4 && damping < 1e-2, "{frequency:e} {damping:e}");
+    }
+}

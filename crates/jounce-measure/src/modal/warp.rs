@@ -1,0 +1,54 @@
+//! Warped frequencies, at which one-sided spectra of samples have the form of responses: `W = 2/T tan(w T / 2)`.
+
+use std::f64::consts::{PI, TAU};
+
+use faer::c64;
+
+use super::{Identification, Pole};
+
+/// A pole to begin with is damped at least so.
+const LEAST_DAMPING: f64 = 1e-4;
+
+/// The pole of a decay before a window made it die faster.
+pub(super) fn without_decay(pole: Pole, decay_per_s: f64) -> Pole {
+    let p = pole.complex();
+    Pole::of(c64::new((p.re + decay_per_s).min(-LEAST_DAMPING * p.im), p.im))
+}
+
+/// Between frequencies and warped ones.
+pub(super) struct Warp {
+    pub rate_hz: f64,
+}
+
+impl Warp {
+    pub fn there(&self, frequency_hz: f64) -> f64 {
+        self.rate_hz / PI * (PI * frequency_hz / self.rate_hz).tan()
+    }
+
+    fn back_hz(&self, warped_hz: f64) -> f64 {
+        self.rate_hz / PI * (PI * warped_hz / self.rate_hz).atan()
+    }
+
+    fn pole(&self, pole: Pole) -> Pole {
+        // atanh(x) = ln((1 + x) / (1 - x)) / 2
+        let x = pole.complex() / (2.0 * self.rate_hz);
+        Pole::of(((1.0 + x) / (1.0 - x)).ln() * self.rate_hz)
+    }
+
+    pub fn warped(&self, pole: Pole) -> Pole {
+        Pole::of((pole.complex() / (2.0 * self.rate_hz)).tanh() * (2.0 * self.rate_hz))
+    }
+
+    pub fn back(&self, found: &mut Identification) {
+        for mode in &mut found.modes {
+            let warped_hz = mode.frequency_hz;
+            let pole = self.pole(Pole { frequency_hz: warped_hz, damping_ratio: mode.damping_ratio });
+            // d(w)/d(W) = cos^2(w T / 2), to the order of the damping.
+            let slope = (TAU * pole.frequency_hz / (2.0 * self.rate_hz)).cos().powi(2);
+            mode.frequency_deviation_hz *= slope;
+            mode.damping_deviation *= slope * warped_hz / pole.frequency_hz;
+            (mode.frequency_hz, mode.damping_ratio) = (pole.frequency_hz, pole.damping_ratio);
+        }
+        found.frequency_hz.iter_mut().for_each(|frequency_hz| *frequency_hz = self.back_hz(*frequency_hz));
+    }
+}

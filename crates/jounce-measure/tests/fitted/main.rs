@@ -1,0 +1,90 @@
+//! Fits that must give back the keys that data were made with.
+
+mod cantilever;
+mod coverage;
+mod histories;
+mod jumps;
+mod powers;
+mod responses;
+
+use jounce::drive::Stream;
+use jounce::spec::{Spec, SpecFile};
+use jounce_measure::fit::{Deviation, Features, FitAnswer, fit};
+use std::path::Path;
+
+/// A small harvester with a patch, a load, a stop and a shaken base.
+pub const HARVESTER: &str = r#"
+[beam.beam]
+length = "120 mm"
+width = "20 mm"
+thickness = "1 mm"
+youngs_modulus = "70 GPa"
+density = "2700 kg/m^3"
+
+[patch.mfc]
+on = "beam"
+start = "2 mm"
+length = "40 mm"
+width = "18 mm"
+thickness = "0.3 mm"
+youngs_modulus = "30 GPa"
+density = "5440 kg/m^3"
+d31 = "-170 pC/N"
+capacitance = "60 nF"
+section = "laminate"
+
+[circuit.load]
+patch = "mfc"
+resistance = "50 kohm"
+
+[damping]
+beyond = 0.02
+
+[reduction]
+modes = 2
+mesh_tolerance = 1e-7
+"#;
+
+/// A spec file with keys set.
+pub fn spec(text: &str, set: &[(&str, &str)]) -> (SpecFile, Spec) {
+    let mut file = SpecFile::from_text(text);
+    set.iter().for_each(|(key, value)| file.set(key, value).unwrap_or_else(|fault| panic!("{fault}")));
+    let spec = file.spec().unwrap_or_else(|faults| panic!("{faults}"));
+    (file, spec)
+}
+
+/// Fits the harvester to features, and holds every free key against the truth: the error is told in stated deviations and must be within four of
+/// them, and within `most`, relative.
+pub fn recovered(text: &str, features: &Features, truth: &[f64], most: f64) -> FitAnswer {
+    let (file, spec) = spec(text, &[]);
+    let (answer, _) = fit(&file, &spec, features, Path::new(".")).unwrap_or_else(|fault| panic!("{fault}"));
+    for (key, truth) in answer.keys.iter().zip(truth) {
+        let off = key.after / truth - 1.0;
+        eprintln!(
+            "{}: {:.2e} off before, {off:.2e} after, {:.2} of its deviations; {} evaluations",
+            key.key,
+            key.before / truth - 1.0,
+            off / key.deviation,
+            answer.evaluations
+        );
+        assert!(off.abs() < most && off.abs() < 4.0 * key.deviation, "{key:?} {truth}");
+        assert!(key.deviation < 0.5 * key.prior_deviation, "{key:?}");
+    }
+    answer
+}
+
+/// Numbers with noise of a relative deviation.
+pub fn noisy(values: &[f64], deviation: f64, seed: u64) -> Vec<f64> {
+    let mut stream = Stream::new(seed, 0);
+    values.iter().map(|value| value * (deviation * stream.normal_pair()[0]).exp()).collect()
+}
+
+/// Free keys.
+pub fn free(keys: &[(&str, f64)]) -> Vec<(String, f64)> {
+    keys.iter().map(|(key, deviation)| ((*key).to_owned(), *deviation)).collect()
+}
+
+/// A deviation that is known.
+pub const fn given(deviation: f64) -> Deviation {
+    Deviation::Given(deviation)
+}

@@ -1,0 +1,50 @@
+//! Mean powers over the load.
+
+use super::{HARVESTER, free, given, noisy, recovered, spec};
+use jounce::run::{RunPlan, simulate};
+use jounce::study::Prepared;
+use jounce_measure::fit::{Features, PowerFeature};
+use std::path::Path;
+
+const RUN: &str = "
+[drive.shaker]
+kind = \"base-acceleration\"
+amplitude = \"2 m/s^2\"
+frequency = \"60 Hz\"
+
+[run]
+start = \"linear\"
+duration = \"0.1 s\"
+average_over = \"0.1 s\"
+";
+const LOADS: [&str; 5] = ["5 kohm", "20 kohm", "50 kohm", "150 kohm", "600 kohm"];
+
+/// Noise of 2 %: what a patch gives over the load tells its coupling and its capacitance.
+#[test]
+fn coupling_and_capacitance_come_back_from_powers_over_the_load() {
+    let text = format!("{HARVESTER}{RUN}");
+    let power = |load: &&str| {
+        let (_, spec) =
+            spec(&text, &[("patch.mfc.d31", "-190 pC/N"), ("patch.mfc.capacitance", "50 nF"), ("circuit.load.resistance", load)]);
+        let prepared = Prepared::new(spec).expect("a harvester");
+        let start = prepared.start(Path::new(".")).expect("a start");
+        let kernel = prepared.from_state(&start).expect("a kernel");
+        simulate(&kernel, &start, &RunPlan::of(&prepared.spec.run, 0.0)).expect("a run").mean_power_w
+    };
+    let truth: Vec<f64> = LOADS.iter().map(power).collect();
+    let feature = PowerFeature {
+        over: "circuit.load.resistance".to_owned(),
+        values: LOADS.iter().map(|load| (*load).to_owned()).collect(),
+        mean_power_w: noisy(&truth, 0.02, 3),
+        deviation: given(0.02),
+        set: vec![("drive.shaker.frequency".to_owned(), "60 Hz".to_owned())],
+    };
+    let features =
+        Features { free: free(&[("patch.mfc.d31", 0.3), ("patch.mfc.capacitance", 0.3)]), powers: vec![feature], ..Features::default() };
+    let answer = recovered(&text, &features, &[-190e-12, 50e-9], 0.05);
+    assert_eq!(answer.features.len(), 5);
+    assert!(
+        answer.features[2].name.contains("50 kohm") && answer.features.iter().all(|feature| feature.errors().1.abs() < 0.06),
+        "{answer:?}"
+    );
+}

@@ -1,0 +1,29 @@
+//! A steel cantilever of which only the amplitude spectrum of its answer to a hit was kept.
+
+use super::samples::real;
+use jounce_measure::modal::{Settings, identify_decays};
+use jounce_measure::read;
+use jounce_measure::response::Decays;
+
+/// Highest lines of the spectrum, Hz; noted with the data.
+const NOTED_HZ: [f64; 3] = [6.57, 41.47, 117.93];
+
+/// Natural frequencies of the recording.
+fn found_hz() -> Option<Vec<f64>> {
+    let spectrum =
+        read::file(&real("hrshm_cantilever/impulse_FFT_data.lvm")?).unwrap_or_else(|fault| panic!("{fault}")).recordings.remove(0);
+    let decays = Decays::of_spectrum(&spectrum, &[]).expect("amplitudes over even lines");
+    let found = identify_decays(&decays, (2.0, 160.0), Settings { order: 20 }).expect("modes");
+    Some(found.modes.iter().map(|mode| mode.frequency_hz).collect())
+}
+
+/// Lines are 0.0853 Hz apart, so that a line may be 0.043 Hz from its mode. Measured: 6.603, 41.451 and 117.941 Hz.
+#[test]
+fn the_modes_of_a_cantilever_come_from_its_amplitude_spectrum() {
+    let Some(found) = found_hz() else { return };
+    eprintln!("{found:.4?} Hz");
+    assert_eq!(found.len(), 3, "{found:?}");
+    for (found, noted) in found.iter().zip(NOTED_HZ) {
+        assert!((found - noted).abs() < 0.0427, "{found} {noted}");
+    }
+}
