@@ -2,10 +2,11 @@
 
 use super::{HARVESTER, free, given, recovered, spec};
 use jounce::linear::Response;
+use jounce::march::Watch;
 use jounce::run::{RunPlan, simulate};
 use jounce::study::Prepared;
 use jounce_measure::fit::{Features, HistoryFeature};
-use jounce_measure::rig::{Sensor, shaken};
+use jounce_measure::rig::{Sensor, ShakerTest, Wander, shaker_test};
 use jounce_measure::write::write;
 use std::path::Path;
 
@@ -37,8 +38,17 @@ fn gap_and_stiffness_of_a_stop_come_back_from_a_voltage() {
     let answer = simulate(&kernel, &start, &RunPlan::of(&prepared.spec.run, 0.16)).expect("a run");
     eprintln!("{} contacts", answer.contacts);
     assert!(answer.contacts >= 3);
-    let record =
-        shaken(&kernel, &answer.trajectory, (0.0, 0.16), 1000.0, Sensor { noise_ratio: 0.03, bits: Some(14) }, 2).expect("a record");
+    let test = ShakerTest {
+        rate_hz: 1000.0,
+        duration_s: 0.16,
+        before_s: 0.0,
+        starts: vec![(0.0, start)],
+        wander: Wander::NONE,
+        accelerometers: Vec::new(),
+        sensor: Sensor { noise_ratio: 0.03, bits: Some(14) },
+        seed: 2,
+    };
+    let record = shaker_test(&prepared.spec, &kernel.plant.system.modes, &test, &Watch::default()).expect("a record");
     let folder = tempfile::tempdir().expect("a folder");
     write(&record, &folder.path().join("run.csv")).expect("a file");
     let feature = HistoryFeature {
