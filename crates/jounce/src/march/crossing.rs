@@ -51,8 +51,9 @@ impl FlightStep {
     #[inline(always)]
     pub fn crossing_s(&self) -> Option<f64> {
         let [p0, p1, p2, p3] = self.cubic().map(|p| p + self.fast_m);
-        // Between its turning points the cubic is monotone: look at each stretch in order.
-        let mut stretch = (0.0, p0.min(0.0));
+        // Between its turning points the cubic is monotone: look at each stretch in order. A point past its stop by roundoff strikes at
+        // once if it moves in, and not before it has left if it moves out.
+        let mut stretch = (0.0, if p1 < p0 { p0 } else { p0.min(0.0) });
         for x in self.turning_points().into_iter().flatten().chain([1.0]) {
             let at = bezier([p0, p1, p2, p3], x);
             if at > 0.0 && stretch.1 <= 0.0 {

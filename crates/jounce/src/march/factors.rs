@@ -50,9 +50,15 @@ fn reciprocal<W: Wide>(w: W, [a, b]: [W::Register; 2]) -> [W::Register; 2] {
     [w.mul(a, scale), w.sub(w.zero(), w.mul(b, scale))]
 }
 
-/// Coefficients that a block needs on a step.
+/// Decay over a step above which a real rate needs fewer coefficients than a turning one.
+const STIFF: f64 = 300.0;
+
+/// Coefficients that a block needs on a step. Those of a decay `e^{-z x}` fall off like `e^{-n^2 / z}`, those of a turning block only
+/// beyond `|z| / 2`.
 pub fn terms(part: &Part, basis: &Basis, h: f64) -> usize {
-    (18 + (0.75 * h * part.rate().norm()).ceil() as usize) + basis.series.len()
+    let z = h * part.rate().norm();
+    let own = if z > STIFF && part.rate().im == 0.0 { 8.0 * z.sqrt() } else { 0.75 * z };
+    (18 + own.ceil() as usize) + basis.series.len()
 }
 
 /// Entry of `S` in row `n + 1`, column `n`; the entry in row `n - 1` is its negative.

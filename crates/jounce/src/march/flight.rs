@@ -8,6 +8,7 @@ use super::kernel::Kernel;
 use super::marcher::Marcher;
 use super::port_state::Regime;
 use super::state::{dot, dot_abs};
+use crate::contact::Law;
 use crate::wide::Wide;
 
 /// Certificate uncertainty, relative to the motion, below which a step that is neither clear nor a proved crossing is taken for
@@ -69,6 +70,10 @@ impl Marcher<'_> {
                     let (after_s, motion) = self.locate(w, 0, crossing);
                     self.move_on(after_s, self.time_s + after_s);
                     self.set_motion(0, motion);
+                    // What is past a rigid stop by roundoff and moves out has left it.
+                    if motion[1] < 0.0 && matches!(self.kernel.plant.system.stops[0].law, Law::Rigid(_)) {
+                        continue;
+                    }
                     self.struck(0);
                     return Ok(());
                 }
@@ -200,7 +205,7 @@ impl Marcher<'_> {
     #[inline(always)]
     pub(super) fn locate<W: Wide>(&mut self, w: W, p: usize, crossing: Crossing) -> (f64, [f64; 2]) {
         let Crossing { mut from_s, mut guess_s, mut to_s } = crossing;
-        let short_s = SHORT / self.kernel.fastest_rad_s;
+        let short_s = SHORT / self.kernel.stiffest_rad_s;
         self.look_ahead(w, guess_s);
         let mut motion = self.motion_ahead(w, p, guess_s);
         for _ in 0..20 {

@@ -3,10 +3,11 @@
 //! The displacement `z` that the force causes at the other port starts at rest. Its cubic Hermite interpolant over the step is
 //!
 //! ```text
-//! H(x) = z(h) (3 x^2 - 2 x^3) + h z'(h) (x^3 - x^2),   x = t / h,
+//! H(x) = z(h) (3 x^2 - 2 x^3) + h z'(h) (x^3 - x^2) + h z'(0) (x^3 - 2 x^2 + x),   x = t / h,
 //! ```
 //!
-//! and `z - H` is known as a Legendre series in `x`. As no Legendre polynomial passes 1 in magnitude, the sum of the magnitudes of
+//! where `z'(0)` is not zero only for an output whose rate the force changes at once: the current of a patch, at which a switch
+//! looks. `z - H` is known as a Legendre series in `x`. As no Legendre polynomial passes 1 in magnitude, the sum of the magnitudes of
 //! its coefficients bounds `|z - H|` on the whole step, and the same holds for `|z' - H'|`. Both are linear in the nodal forces,
 //! so that the bound keeps what the forces of all nodes cancel. It holds to the accuracy of the series (see [`super::answers`]).
 //! The certificate takes this rest for a fast part that starts at zero (see [`super::certificate`]).
@@ -18,16 +19,16 @@ use super::response::{Making, Reading, Row};
 use super::state::pushed;
 use crate::wide::{Lane, WIDTH, Wide, widest};
 
-/// Legendre coefficients of `3 x^2 - 2 x^3` and of `x^3 - x^2` ...
-const INTERPOLANT: [[f64; 4]; 2] = [[0.5, 0.6, 0.0, -0.1], [-1.0 / 12.0, -0.05, 1.0 / 12.0, 0.05]];
+/// Legendre coefficients of `3 x^2 - 2 x^3`, of `x^3 - x^2` and of `x^3 - 2 x^2 + x` ...
+const INTERPOLANT: [[f64; 4]; 3] = [[0.5, 0.6, 0.0, -0.1], [-1.0 / 12.0, -0.05, 1.0 / 12.0, 0.05], [1.0 / 12.0, -0.05, -1.0 / 12.0, 0.05]];
 
 /// ... and of their slopes.
-const SLOPE: [[f64; 3]; 2] = [[1.0, 0.0, -1.0], [0.0, 0.5, 0.5]];
+const SLOPE: [[f64; 3]; 3] = [[1.0, 0.0, -1.0], [0.0, 0.5, 0.5], [0.0, -0.5, 0.5]];
 
 /// One lane per nodal force.
 #[derive(Debug, Clone)]
 pub struct ForcedFlight {
-    /// Displacement (first place, m) and velocity (second place, m/s) at the end of the step.
+    /// Displacement (first place, m) and velocity (second place, m/s) at the end of the step, and velocity at its start (third place).
     pub end: [Lane; NODES],
     /// Coefficients of `z - H`, m, eight to a lane.
     rest: Vec<[Lane; NODES]>,
@@ -52,23 +53,19 @@ impl ForcedFlight {
         });
         let mut series = made.series.into_iter();
         let (mut place, mut speed) = (series.next().unwrap_or_default(), series.next().unwrap_or_default());
+        // A force that acts on the rate at once does so as it is, beside what the states make of it.
+        let direct = kernel.directly(port, seen);
+        if direct != 0.0 {
+            speed.resize(speed.len().max(basis.series.len()), Lane::ZERO);
+            speed.iter_mut().zip(&basis.series).for_each(|(lane, force)| *lane = lane.add_scaled(direct, force));
+        }
         let end: [Lane; NODES] = std::array::from_fn(|j| {
             let [place, speed] = [0, 1].map(|row: usize| made.rows[row].push[j].0[NODES]);
-            Lane(std::array::from_fn(|i| {
-                if i == 0 {
-                    place
-                } else if i == 1 {
-                    speed
-                } else {
-                    0.0
-                }
-            }))
+            let ends = [place, speed + direct * basis.at_end[j], direct * basis.at_start[j]];
+            Lane(std::array::from_fn(|i| ends.get(i).copied().unwrap_or(0.0)))
         });
-        // Where the force acts on the rate at once there is no slope to interpolate with: the whole is left to the bound.
-        let is_whole = kernel.directly(port, seen) != 0.0;
-        let end = if is_whole { [Lane::ZERO; NODES] } else { end };
         for (j, end) in end.iter().enumerate() {
-            let ends = [end.0[0], length_s * end.0[1]];
+            let ends = [end.0[0], length_s * end.0[1], length_s * end.0[2]];
             for (ends, (interpolant, slope)) in ends.iter().zip(INTERPOLANT.iter().zip(&SLOPE)) {
                 place.iter_mut().zip(interpolant).for_each(|(lane, c)| lane.0[j] -= ends * c);
                 speed.iter_mut().zip(slope).for_each(|(lane, c)| lane.0[j] -= ends / length_s * c);

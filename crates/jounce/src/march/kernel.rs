@@ -47,8 +47,10 @@ pub struct Kernel {
     pub(super) layout: Layout,
     /// `A` in lanes.
     pub(super) generator: Flow,
-    /// Largest `|eigenvalue|`, rad/s.
+    /// Largest `|eigenvalue|` of what steps resolve, rad/s.
     pub(super) fastest_rad_s: f64,
+    /// Largest `|eigenvalue|` of all, rad/s.
+    pub(super) stiffest_rad_s: f64,
     /// Who watches the marches of this kernel.
     pub watch: Watch,
     /// Per port: the basis of the first step of a contact, where it is not smooth.
@@ -93,7 +95,8 @@ impl Kernel {
         Ok(Self {
             layout,
             generator: Flow::generator(&plant.diagonal.block, &layout),
-            fastest_rad_s: plant.fastest_rad_s().max(f64::MIN_POSITIVE),
+            fastest_rad_s: plant.diagonal.block.fastest_resolved_rad_s().max(f64::MIN_POSITIVE),
+            stiffest_rad_s: plant.fastest_rad_s().max(f64::MIN_POSITIVE),
             onset: Arc::new(onsets(&plant)),
             levels: Arc::new(levels(&plant)),
             regimes: regimes(&plant),
@@ -134,6 +137,7 @@ impl Kernel {
             layout: self.layout,
             generator: self.generator.clone(),
             fastest_rad_s: self.fastest_rad_s,
+            stiffest_rad_s: self.stiffest_rad_s,
             onset: Arc::clone(&self.onset),
             levels: Arc::clone(&self.levels),
             watch: self.watch.clone(),
@@ -153,6 +157,7 @@ impl Kernel {
             layout: self.layout,
             generator: self.generator.clone(),
             fastest_rad_s: self.fastest_rad_s,
+            stiffest_rad_s: self.stiffest_rad_s,
             meters: if fit { self.meters.clone() } else { self.meters.with_drives(&plant)? },
             onset: if fit { Arc::clone(&self.onset) } else { Arc::new(onsets(&plant)) },
             levels: if fit { Arc::clone(&self.levels) } else { Arc::new(levels(&plant)) },

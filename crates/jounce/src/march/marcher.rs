@@ -80,7 +80,7 @@ impl<'k> Marcher<'k> {
             next: vec![Lane::ZERO; layout.lanes()],
             scratch: vec![Lane::ZERO; layout.lanes()],
             odd_tables: OddTables::default(),
-            ports: PerPort::new(count, |port| PortState::new(plant, &layout, &tones, port, start + 3)),
+            ports: PerPort::new(count, |port| PortState::new(plant, &layout, &tones, port, (start + 3).min(Kernel::finest()))),
             flight_level: start,
             integrals: ContactIntegrals {
                 loads_j: vec![0.0; kernel.meters.loads.len()],
@@ -146,7 +146,8 @@ impl<'k> Marcher<'k> {
 
     /// Forgets the contact statistics, not the energies.
     pub fn reset_statistics(&mut self) {
-        self.ports.iter_mut().for_each(PortState::reset_statistics);
+        let stops = &self.kernel.plant.system.stops;
+        self.ports.iter_mut().zip(stops).for_each(|(port, stop)| port.reset_statistics(&stop.law));
     }
 
     /// Starts to keep every step.

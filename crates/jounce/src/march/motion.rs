@@ -35,7 +35,7 @@ impl Marcher<'_> {
         }
         self.next.copy_from_slice(&self.y);
         let mut rest_s = length_s;
-        while rest_s * kernel.fastest_rad_s > SHORT {
+        while rest_s * kernel.stiffest_rad_s > SHORT {
             let level = Kernel::level_within(rest_s);
             kernel.flow(level).apply(w, &self.next, &mut self.scratch);
             std::mem::swap(&mut self.next, &mut self.scratch);

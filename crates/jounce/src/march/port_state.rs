@@ -108,12 +108,14 @@ impl PortState {
         self.statistics.max_dwell_s = self.statistics.max_dwell_s.max(self.dwell_s);
     }
 
-    /// Forgets the statistics.
-    pub fn reset_statistics(&mut self) {
+    /// Forgets the statistics. What a contact under way is like now counts already: it may never be as deep again.
+    pub fn reset_statistics(&mut self, law: &Law) {
         self.dwell_s = 0.0;
         self.statistics = ContactStatistics::default();
         if self.regime == Regime::Contact {
-            self.statistics.max_penetration_m = self.penetration_m.max(0.0);
+            let depth_m = if law.acts_on_both_sides() { self.penetration_m.abs() } else { self.penetration_m.max(0.0) };
+            self.statistics.max_penetration_m = depth_m;
+            self.statistics.max_force_n = law.force_n(self.penetration_m, self.rate_m_s).abs();
         }
     }
 }

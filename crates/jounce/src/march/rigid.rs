@@ -28,6 +28,12 @@ use faer::c64;
 /// Part of the terms of an acceleration that is roundoff.
 const ROUNDOFF: f64 = 1e-12;
 
+/// Height of a hop, in units of the roundoff of the distance, below which it is none: where it ends cannot be told.
+const LEAST_HOP: f64 = 64.0;
+
+/// Speed after an impact, relative to the scale of speeds, above which a hop is never that low.
+const FAST_HOP: f64 = 1e-3;
+
 /// Speed after an impact, relative to the fastest strike and the tolerance, below which chatter ends.
 const CHATTER_SHARE: f64 = 1e-2;
 
@@ -49,18 +55,36 @@ impl Marcher<'_> {
 
     /// One impact; ends in flight, or at rest on the stop where chatter has died away.
     pub(super) fn impact(&mut self, p: usize, law: Rigid) {
-        let (before, mobility, e) = (self.ports[p].rate_m_s, self.ports[p].rows.mobility_per_kg, law.restitution);
-        // A rebound this slow is none.
-        let is_slow = e * before <= CHATTER_SHARE * self.tolerance * self.ports[p].strike_m_s;
-        let rebound = if is_slow { 0.0 } else { e };
-        let impulse_n_s = (1.0 + rebound) * before / mobility;
-        if let Some(record) = &mut self.record {
-            record.push_impact(p, impulse_n_s);
-        }
-        self.push_by(p, impulse_n_s);
+        let (before, mobility, rebound) = (self.ports[p].rate_m_s, self.ports[p].rows.mobility_per_kg, self.rebound(p, law));
+        self.push_by(p, (1.0 + rebound) * before / mobility);
         self.integrals.loss_j += 0.5 * (1.0 - rebound * rebound) * before * before / mobility;
-        self.set_motion(p, [0.0, -rebound * before]);
-        if !(is_slow && self.is_pressed(p)) {
+        self.rebounds(p, -rebound * before);
+        if rebound == 0.0 && self.ports[p].regime == Regime::Contact {
+            // The bounces left out, a geometric series, are no rest.
+            let left_s = 2.0 * law.restitution * before / ((1.0 - law.restitution) * self.acceleration_m_s2(p));
+            self.ports[p].statistics.sticking_s -= if left_s.is_finite() { left_s } else { 0.0 };
+        }
+    }
+
+    /// Speed after an impact relative to that before it: the restitution, but a rebound too slow to matter, or to be told from
+    /// roundoff, is none.
+    pub(super) fn rebound(&self, p: usize, law: Rigid) -> f64 {
+        let (after, strike_m_s) = (law.restitution * self.ports[p].rate_m_s, self.ports[p].strike_m_s);
+        let is_slow = after <= CHATTER_SHARE * self.tolerance * strike_m_s;
+        if is_slow || (after <= FAST_HOP * self.speed_m_s(p) && self.is_lost(p, after)) { 0.0 } else { law.restitution }
+    }
+
+    /// A hop that starts at a speed is pressed back before it leaves the roundoff of the distance.
+    fn is_lost(&self, p: usize, rate_m_s: f64) -> bool {
+        let rows = &self.ports[p].rows;
+        let roundoff_m = f64::EPSILON * self.terms_of(&rows.displacement).max(rows.tone_scale_m).max(rows.gap_m.abs());
+        rate_m_s * rate_m_s <= 2.0 * self.acceleration_m_s2(p) * LEAST_HOP * roundoff_m
+    }
+
+    /// A point goes on from its stop at a speed: it flies, or where it has none and is pressed, rests.
+    pub(super) fn rebounds(&mut self, p: usize, rate_m_s: f64) {
+        self.set_motion(p, [0.0, rate_m_s]);
+        if rate_m_s != 0.0 || !self.is_pressed(p) {
             self.ports[p].regime = Regime::Flight;
         }
     }
@@ -74,8 +98,7 @@ impl Marcher<'_> {
     /// What of the acceleration towards the stop cannot be told from zero, m/s^2.
     pub(super) fn acceleration_roundoff_m_s2(&self, p: usize) -> f64 {
         let row = self.layout.pack(&self.kernel.acceleration_row(p));
-        let terms = |(row, y): (&Lane, &Lane)| row.0.iter().zip(y.0).map(|(row, y)| (row * y).abs()).sum::<f64>();
-        let free: f64 = row.iter().zip(&self.y).map(terms).sum();
+        let free = self.terms_of(&row);
         let size = |tone: &super::tone::Turning| tone.displacement_m[p].norm() * tone.angular_frequency_rad_s.powi(2);
         ROUNDOFF * (free + self.tones.iter().map(size).sum::<f64>() + self.forced.acceleration_after(p, 0.0).abs())
     }
@@ -94,7 +117,10 @@ impl Marcher<'_> {
     }
 
     /// Changes the velocity by an impulse towards the stop's outside, N s.
-    fn push_by(&mut self, p: usize, impulse_n_s: f64) {
+    pub(super) fn push_by(&mut self, p: usize, impulse_n_s: f64) {
+        if let Some(record) = &mut self.record {
+            record.push_impact(p, impulse_n_s);
+        }
         let kernel = self.kernel;
         let column = self.layout.pack(&kernel.plant.ports[p].force);
         let middle: Vec<Lane> = self.y.iter().zip(&column).map(|(y, b)| y.add_scaled(0.5 * impulse_n_s, b)).collect();
@@ -126,8 +152,13 @@ impl Marcher<'_> {
 
     /// Sum of the magnitudes that the velocity of a port is summed from, m/s.
     pub(super) fn velocity_terms_m_s(&self, p: usize) -> f64 {
+        self.terms_of(&self.ports[p].rows.velocity)
+    }
+
+    /// Sum of the magnitudes that an output is summed from.
+    fn terms_of(&self, row: &[Lane]) -> f64 {
         let terms = |(row, y): (&Lane, &Lane)| row.0.iter().zip(y.0).map(|(row, y)| (row * y).abs()).sum::<f64>();
-        self.ports[p].rows.velocity.iter().zip(&self.y).map(terms).sum()
+        row.iter().zip(&self.y).map(terms).sum()
     }
 
     /// Rests on the stop until the force would have to pull, or until the end.

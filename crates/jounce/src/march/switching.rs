@@ -14,8 +14,12 @@ use super::port_state::{PortState, Regime};
 use super::rectified::RectifiedEnergies;
 use crate::plant::{Bridge, BridgeNodes, BridgeState, Change, Conduction, Outlet, Output, Scheme, Storage};
 
-/// Most changes of bridges at one instant.
-const MOST_CHANGES: usize = 100;
+/// Most changes of bridges at one instant. A switch may close many times there: where the voltage that it turns over holds the current
+/// at zero from either side, it closes until too little of the voltage is left.
+const MOST_CHANGES: usize = 1000;
+
+/// Time from one change to the next that is no time at all, in units of the fastest motion of the plant with all bridges blocked.
+const AT_ONCE: f64 = 1e-8;
 
 /// Part of what a guard is summed from by which it must pass zero: what lies below is roundoff, and would change a bridge to and fro.
 const ROUNDOFF: f64 = 1e-13;
@@ -79,8 +83,10 @@ impl Marcher<'_> {
     }
 
     fn count_change(&mut self, bridge: usize) -> Result<(), MarchError> {
+        // An instant is found to the roundoff of its time and of what is watched, and no two changes lie at exactly the same one.
+        let instant_s = AT_ONCE / self.base.fastest_rad_s + 64.0 * f64::EPSILON * self.time_s;
         let (time_s, changes) = &mut self.switching.changed;
-        *changes = if *time_s == self.time_s { *changes + 1 } else { 1 };
+        *changes = if self.time_s - *time_s <= instant_s { *changes + 1 } else { 1 };
         *time_s = self.time_s;
         if *changes > MOST_CHANGES {
             let circuit = self.kernel.plant.system.bridges[bridge].name.clone();

@@ -5,6 +5,9 @@ use faer::c64;
 /// A rate below this part of the fastest is roundoff of zero: eigenvalues of coupled states come with an error of some 1e-13 of it.
 const FREE: f64 = 1e-11;
 
+/// A decay this many times faster than every pair needs no resolving: it follows at once.
+const STIFF: f64 = 1e3;
+
 /// A 2 x 2 block acting on `(u, v)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Pair {
@@ -161,6 +164,13 @@ impl Block {
     pub fn speeds(&self) -> Vec<f64> {
         let pairs = self.pairs.iter().flat_map(|pair| [pair.eigenvalue().norm(); 2]);
         pairs.chain(self.reals.iter().map(|rate| rate.abs())).collect()
+    }
+
+    /// Largest `|eigenvalue|` of the blocks that steps in time resolve, rad/s: all but the decays that are far faster than the pairs.
+    pub fn fastest_resolved_rad_s(&self) -> f64 {
+        let pairs = self.pairs.iter().fold(0.0, |max: f64, pair| max.max(pair.eigenvalue().norm()));
+        let resolved = |rate: &&f64| pairs == 0.0 || rate.abs() <= STIFF * pairs;
+        self.reals.iter().filter(resolved).fold(pairs, |max, rate| max.max(rate.abs()))
     }
 
     /// States that nothing brings back: their rate is zero but for roundoff. Free bodies, and the charge of an open patch.

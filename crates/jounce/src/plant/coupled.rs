@@ -1,5 +1,6 @@
 //! The linear plant with its ports, tones and outputs.
 
+use super::stiff::check_speeds;
 use super::{Across, Diagonal, Electrical, Forcing, Guard, PlantError, Signal, System, Tone};
 use faer::c64;
 
@@ -48,6 +49,7 @@ impl Plant {
     /// Every variant of [`PlantError`] that concerns the linear system.
     pub fn new(system: System) -> Result<Self, PlantError> {
         let electrical = Electrical::of(&system);
+        check_speeds(&system, &electrical)?;
         let diagonal = Diagonal::of(&system, &electrical)?;
         let (tones, forcings, local, ports) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let guards = system.guards();

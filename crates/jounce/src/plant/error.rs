@@ -48,6 +48,30 @@ pub enum PlantError {
         /// Number of states.
         states: usize,
     },
+    /// A circuit that settles or swings too far beyond the modes.
+    #[error(
+        "circuit.{circuit}.{key}: with {value:e} {unit} across {capacitance_f:e} F this circuit follows its voltage within {time_s:.1e} s, beyond {most:.0e} times faster than the fastest mode kept, {mode_hz:.4} Hz, where the eigenvalues drown in roundoff; give at least {least:.1e} {unit}, or a larger capacitance"
+    )]
+    TooFast {
+        /// The circuit.
+        circuit: String,
+        /// Its key.
+        key: &'static str,
+        /// What the key says.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+        /// Capacitance that it acts on, F.
+        capacitance_f: f64,
+        /// Time constant, s.
+        time_s: f64,
+        /// Largest ratio to the fastest mode that can be computed.
+        most: f64,
+        /// Frequency of the fastest mode kept, Hz.
+        mode_hz: f64,
+        /// Least value of the key that can be computed.
+        least: f64,
+    },
     /// The drive hits an undamped eigenvalue, so there is no steady state.
     #[error(
         "the drive at {frequency_hz} Hz is in resonance with an undamped mode at {mode_hz} Hz, so no steady state exists; give the mode some damping or move the drive"

@@ -24,6 +24,7 @@ mod leak;
 mod lyapunov;
 mod signal;
 mod signal_meter;
+mod stiff;
 mod system;
 mod tone;
 mod wiring;

@@ -3,6 +3,12 @@
 use super::{Plant, PlantError, Port, dot};
 use faer::c64;
 
+/// Most cycles of the slowest drive that a common period may take.
+const MOST_CYCLES: usize = 100;
+
+/// Part of a number of cycles by which it may miss a whole one.
+const WHOLE: f64 = 1e-9;
+
 /// A sinusoid that all drives of one frequency make together.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tone {
@@ -15,15 +21,21 @@ pub struct Tone {
 }
 
 impl Plant {
-    /// Period of all drives together, s: that of the slowest where all others are its harmonics; `None` where there is none.
+    /// Period of all drives together, s: a whole number of cycles of each; `None` where they do not repeat themselves, or not within
+    /// 100 cycles of the slowest.
     pub fn period_s(&self) -> Option<f64> {
         let slowest = self.tones.iter().map(|tone| tone.angular_frequency_rad_s).reduce(f64::min)?;
-        let is_harmonic = |tone: &Tone| {
+        if self.system.aperiodic().is_some() {
+            return None;
+        }
+        let mut cycles = 1;
+        for tone in &self.tones {
+            // The least multiple of the cycles so far that is whole for this tone too.
             let ratio = tone.angular_frequency_rad_s / slowest;
-            (ratio - ratio.round()).abs() <= 1e-9 * ratio
-        };
-        let repeats = self.tones.iter().all(is_harmonic) && self.system.aperiodic().is_none();
-        repeats.then(|| std::f64::consts::TAU / slowest)
+            let is_whole = |count: usize| (ratio * count as f64 - (ratio * count as f64).round()).abs() <= WHOLE * ratio * count as f64;
+            cycles = (1..=MOST_CYCLES / cycles).map(|times| times * cycles).find(|count| is_whole(*count))?;
+        }
+        Some(cycles as f64 * std::f64::consts::TAU / slowest)
     }
 
     /// Complex amplitude of an output row under each tone.

@@ -161,7 +161,7 @@ impl Sweep<'_> {
     /// Marches one point.
     fn point(&self, prepared: &Prepared, mut start: StartState, index: usize, value: f64, way: Way) -> Result<SweepPoint, StudyError> {
         let run = &prepared.spec.run;
-        let cycle_s = prepared.kernel.plant.period_s().unwrap_or(run.duration_s);
+        let cycle_s = prepared.kernel.plant.period_s().unwrap_or(run.duration_s).min(run.duration_s);
         let plan = match self.fixed_duration {
             true => RunPlan::of(run, 0.0),
             false => RunPlan {

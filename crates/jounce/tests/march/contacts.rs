@@ -1,8 +1,9 @@
 //! Contact statistics: number, speed and dwell of contacts against closed forms.
 
 use crate::plants::{kernel, march, physical, relative, springs};
-use jounce::contact::{Hertz, Law, Rigid};
+use jounce::contact::{Cubic, Hertz, HuntCrossley, Law, Rigid};
 use jounce::drive::Wave;
+use jounce::march::Marcher;
 use jounce::plant::{Signal, Stop, System};
 use jounce::reference::BouncingBall;
 use jounce::run::{RunPlan, StartState, simulate};
@@ -100,4 +101,32 @@ fn nothing_happens_to_a_ball_at_rest() {
     assert!(energies.are_still() && energies.residual_relative().abs() < 1e-12 && marcher.statistics().contacts == 0);
     let falls = march(&kernel, &[0.0, 0.0], 0.0, 0.04, 1e-7).energies();
     assert!(!falls.are_still() && falls.residual_relative().abs() < 1e-12);
+}
+
+/// A window that opens inside a contact, at its deepest: the force there is the largest of the window. Closed form `k d^1.5`, on a mass
+/// that a stop 2 mm deep throws off, with a law that also damps, and on a spring on both sides. Measured: exact to roundoff.
+#[test]
+fn a_window_that_opens_at_the_deepest_point_tells_its_force() {
+    let hertz = Hertz { stiffness: 1e6, exponent: 1.5 };
+    let laws = [
+        (Law::Hertz(hertz), 1e6 * 2e-3_f64.powf(1.5)),
+        (Law::HuntCrossley(HuntCrossley { elastic: hertz, damping_s_m: 0.3 }), 1e6 * 2e-3_f64.powf(1.5)),
+        (Law::Cubic(Cubic { stiffness_n_m: 1e3, cubic_stiffness_n_m3: 1e8 }), 1e3 * 2e-3 + 1e8 * 2e-3_f64.powi(3)),
+    ];
+    for (law, force_n) in laws {
+        let mut system = springs(&[0.0], 0.0);
+        system.stops.push(stop(&[1.0], 0.0, law));
+        let kernel = kernel(system);
+        let mut marcher = Marcher::new(&kernel, &kernel.plant.from_physical(&[2e-3, 0.0], 0.0), 0.0, 1e-9).unwrap();
+        marcher.reset_statistics();
+        marcher.advance_to(1e-3).unwrap();
+        let statistics = marcher.statistics();
+        eprintln!("{law:?}: {:e} N, {:e} m", statistics.max_force_n, statistics.max_penetration_m);
+        assert!(relative(statistics.max_force_n, force_n) < 1e-14 && relative(statistics.max_penetration_m, 2e-3) < 1e-14);
+        // Past its deepest point a contact tells where the window opens.
+        let [depth_m, rate_m_s] = [physical(&marcher, &kernel)[0], physical(&marcher, &kernel)[1]];
+        marcher.reset_statistics();
+        let opened = marcher.statistics();
+        assert!(depth_m <= 0.0 || (opened.max_force_n - law.force_n(depth_m, rate_m_s)).abs() < 1e-10 * force_n);
+    }
 }

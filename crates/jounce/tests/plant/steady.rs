@@ -69,3 +69,28 @@ fn voltage_and_power_of_one_mode_are_the_closed_form() {
         assert!(error < 1e-9, "{error:e}");
     }
 }
+
+/// The period of all drives is the least time that is whole for each of them.
+#[test]
+fn drives_have_their_least_common_period() {
+    let period_s = |frequencies_hz: &[f64]| {
+        let mut system = bench();
+        let drive = system.drives[0].clone();
+        system.drives = frequencies_hz.iter().map(|f| jounce::plant::Drive { frequency_hz: *f, ..drive.clone() }).collect();
+        Plant::new(system).unwrap().period_s()
+    };
+    let cases: [(&[f64], Option<f64>); 7] = [
+        (&[20.0], Some(0.05)),
+        (&[20.0, 60.0], Some(0.05)),
+        (&[20.0, 30.0], Some(0.1)),
+        (&[30.0, 20.0, 50.0], Some(0.1)),
+        (&[42.0, 43.0], Some(1.0)),
+        (&[12.5, 17.5, 30.0], Some(0.4)),
+        (&[20.0, 20.0 * std::f64::consts::SQRT_2], None),
+    ];
+    for (frequencies_hz, expected_s) in cases {
+        let found_s = period_s(frequencies_hz);
+        let error = found_s.zip(expected_s).map_or(0.0, |(found, expected)| (found / expected - 1.0).abs());
+        assert!(found_s.is_some() == expected_s.is_some() && error < 1e-12, "{frequencies_hz:?}: {found_s:?}, not {expected_s:?}");
+    }
+}

@@ -1,9 +1,9 @@
 //! Impacts on rigid stops of a plant with several ports.
 //!
-//! An impact is one impulse (see [`crate::march::rigid`]), which moves the other ports too. Several stops struck at the same
-//! instant, or a stop at rest that another one's impulse strikes, are resolved one after another in the order of the stops of the
-//! spec, each by Newton's law with its own restitution, until no touching point moves into its stop. Every impulse acts through
-//! the plant, so that momentum is conserved exactly whatever the order; the order is a choice where several are touched at once.
+//! An impact is one impulse (see [`crate::march::rigid`]), which moves the other ports too. Stops struck at the same instant take
+//! their impulses together (see [`super::joint_impact`]). What these strike in turn, a stop at rest or one struck again, follows after
+//! them, until no touching point moves into its stop. Where Newton's law has no joint answer, stops are struck one after another in the
+//! order of the spec. Every impulse acts through the plant, so that momentum is conserved exactly whatever the order.
 
 use crate::contact::Law;
 use crate::march::error::MarchError;
@@ -39,23 +39,29 @@ impl Marcher<'_> {
     pub(super) fn collide<W: Wide>(&mut self, w: W) -> Result<(), MarchError> {
         let touching: Vec<usize> = self.in_regime(Regime::Contact).filter(|p| self.is_rigid(*p)).collect();
         for _ in 0..MOST_IMPACTS {
-            let struck = touching.iter().find(|p| self.moves_in(**p));
-            let (Some(&p), Some(Law::Rigid(law))) = (struck, struck.map(|p| self.law(*p))) else {
+            let struck: Vec<usize> = touching.iter().copied().filter(|p| self.moves_in(*p)).collect();
+            let Some(first) = struck.first() else {
                 self.settle(&touching);
                 return Ok(());
             };
-            self.impact(p, law);
-            for q in 0..self.kernel.plant.ports.len() {
-                let kept_m =
-                    if self.ports[q].regime == Regime::Contact || touching.contains(&q) { Some(self.ports[q].penetration_m) } else { None };
-                if q != p {
-                    self.see(w, q);
-                    self.ports[q].penetration_m = kept_m.unwrap_or(self.ports[q].penetration_m);
-                }
+            let pushed = self.impact_together(&struck).unwrap_or_else(|| self.impact_alone(*first));
+            for q in (0..self.kernel.plant.ports.len()).filter(|q| !pushed.contains(q)) {
+                let touches = self.ports[q].regime == Regime::Contact || touching.contains(&q);
+                let kept_m = touches.then_some(self.ports[q].penetration_m);
+                self.see(w, q);
+                self.ports[q].penetration_m = kept_m.unwrap_or(self.ports[q].penetration_m);
             }
         }
         let stops = touching.iter().map(|p| self.kernel.plant.system.stops[*p].name.clone()).collect();
         Err(MarchError::ImpactsWithoutEnd { time_s: self.time_s, stops, impacts: MOST_IMPACTS })
+    }
+
+    /// One stop by itself; the ports pushed.
+    fn impact_alone(&mut self, p: usize) -> Vec<usize> {
+        if let Law::Rigid(law) = self.law(p) {
+            self.impact(p, law);
+        }
+        vec![p]
     }
 
     /// Points that leave fly, the others rest.

@@ -16,11 +16,12 @@
 //!   the step is shortened, down to a length on which the rest is below the resolution of the certificate.
 //!   One compliant port in contact by itself is solved as in [`super::contact_step`]; the others are watched.
 //! - *A strike during a contact* ends the step there, by Newton on its length, so that the new contact starts on its own onset.
-//! - *Rigid stops*: see [`impacts`] and [`rest`].
+//! - *Rigid stops*: see [`impacts`], [`joint_impact`] and [`rest`].
 
 mod alone;
 mod flight;
 mod impacts;
+mod joint_impact;
 mod joint_solve;
 mod rest;
 mod take;
@@ -38,6 +39,9 @@ use crate::wide::{Task, Wide};
 
 /// Share of the first step of a contact that is no time at all: a port that would strike within it strikes now.
 const AT_ONCE: f64 = 1e-13;
+
+/// Distances, relative to what they are summed from, that cannot be told from zero.
+const RESOLVED: f64 = 4.0 * f64::EPSILON;
 
 /// Carries the loop into code compiled for the vector instructions of this machine.
 pub struct AdvanceSeveral<'m, 'k> {
@@ -112,11 +116,17 @@ impl Marcher<'_> {
             return;
         }
         self.see(w, p);
+        // What is past a rigid stop by roundoff and moves out has left it.
+        if self.is_rigid(p) && self.ports[p].rate_m_s < 0.0 {
+            return;
+        }
         self.enter(p);
         for q in 0..self.kernel.plant.system.stops.len() {
             if self.ports[q].regime == Regime::Flight {
                 self.see(w, q);
-                if self.ports[q].rate_m_s > 0.0 && self.ports[q].penetration_m.abs() <= self.touch_m(q) {
+                // Rigid stops struck together share one instant, as well as their distances tell it.
+                let roundoff_m = if self.is_rigid(q) { RESOLVED * self.terms_m(w, q) } else { 0.0 };
+                if self.ports[q].rate_m_s > 0.0 && self.ports[q].penetration_m.abs() <= self.touch_m(q).max(roundoff_m) {
                     self.enter(q);
                 }
             }

@@ -28,7 +28,7 @@ use faer::{Mat, c64};
 const HOLDING_SHARE: f64 = 1e-2;
 
 /// Mobility left to a second port at rest, relative to its own, below which both hold the same motion.
-const INDEPENDENT: f64 = 1e-10;
+pub(super) const INDEPENDENT: f64 = 1e-10;
 
 /// The ports at rest on a step.
 pub struct Resting {
@@ -130,7 +130,7 @@ impl Resting {
 
 impl Marcher<'_> {
     /// Velocity that one port loses per unit impulse at another, 1/kg.
-    fn mobility_per_kg(&self, port: usize, other: usize) -> f64 {
+    pub(super) fn mobility_per_kg(&self, port: usize, other: usize) -> f64 {
         let stops = &self.kernel.plant.system.stops;
         stops[port].shape.iter().zip(&stops[other].shape).map(|(a, b)| a * b).sum()
     }

@@ -1,5 +1,6 @@
 //! The way through contacts of several ports: which step comes next, and whether it is good enough.
 
+use super::RESOLVED;
 use super::flight::Outcome;
 use super::rest::Resting;
 use crate::march::contact_step::{Solved, Step};
@@ -17,9 +18,6 @@ const MOST_LANDINGS: u32 = 12;
 
 /// Lengths, relative to the first step of the contact that follows, at which a strike counts as met.
 const MET: f64 = 1e-14;
-
-/// Distances, relative to what they are summed from, that cannot be told from zero.
-const RESOLVED: f64 = 4.0 * f64::EPSILON;
 
 impl Marcher<'_> {
     /// Goes on until all ports fly, a rigid stop is struck, or the end is reached.

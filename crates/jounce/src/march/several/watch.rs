@@ -53,10 +53,10 @@ impl Marcher<'_> {
         let free = [dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m, dot(w, &rows.velocity, &self.next) + drive[1]];
         let mut step = self.step_of(w, p, length.level(), length.seconds(), free, drive);
         step.distance_m[1] += forced[0];
+        step.speed_m_s[0] += forced[2];
         step.speed_m_s[1] += forced[1];
         step.fast_bound_m += rest_m;
-        // The rate of an output that forces act on at once is not that of its row: only the bound on the output itself serves.
-        step.fast_bound_m_s += if self.acts_at_once(p, steps) { f64::INFINITY } else { rest_m_s };
+        step.fast_bound_m_s += rest_m_s;
         let end_m = free[0] + forced[0];
         // A point that touches and is pushed in strikes now: in contact the law itself decides.
         let touches = end_m > 0.0 && self.ports[p].penetration_m.abs() <= self.touch_m(p) && !self.is_rigid(p) && !self.is_guard(p);
@@ -75,12 +75,6 @@ impl Marcher<'_> {
         let (rows, drive) = (&self.ports[p].rows, self.drive_at_end(p, joint.steps[0].port, joint.tables.length));
         let at_once: f64 = joint.steps.iter().zip(solved).map(|(step, own)| self.kernel.directly(step.port, p) * own.force.0[NODES]).sum();
         [dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m, dot(w, &rows.velocity, &self.next) + drive[1] + at_once]
-    }
-
-    /// True for an output whose rate the force of a step changes at once.
-    #[inline(always)]
-    fn acts_at_once(&self, p: usize, steps: &[Step]) -> bool {
-        self.is_guard(p) && steps.iter().any(|step| self.kernel.directly(step.port, p) != 0.0)
     }
 
     /// Displacement and velocity of a port under the drive at the end of a step of another one in contact.

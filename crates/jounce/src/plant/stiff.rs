@@ -1,0 +1,74 @@
+//! Circuits that are too fast to be computed beside the modes.
+//!
+//! Eigenvectors come with a relative error of the roundoff times the spread of the eigenvalues. A circuit `MOST` times faster than the
+//! fastest mode leaves about eight digits, and long before that it does what it would do at any higher speed.
+
+use super::{Across, Electrical, PlantError, System};
+
+/// Most that a circuit may be faster than the fastest mode.
+const MOST: f64 = 1e8;
+
+/// A key of a circuit that makes it fast where it is small.
+struct Key<'a> {
+    circuit: &'a str,
+    key: &'static str,
+    value: f64,
+    unit: &'static str,
+    capacitance_f: f64,
+    /// The rate is one over the product of value and capacitance, or the root of that.
+    swings: bool,
+}
+
+impl Key<'_> {
+    fn check(&self, fastest_rad_s: f64) -> Result<(), PlantError> {
+        let power = if self.swings { 2.0 } else { 1.0 };
+        let time_s = (self.value * self.capacitance_f).powf(1.0 / power);
+        let shortest_s = 1.0 / (MOST * fastest_rad_s);
+        if time_s >= shortest_s {
+            return Ok(());
+        }
+        Err(PlantError::TooFast {
+            circuit: self.circuit.to_string(),
+            key: self.key,
+            value: self.value,
+            unit: self.unit,
+            capacitance_f: self.capacitance_f,
+            time_s,
+            most: MOST,
+            mode_hz: fastest_rad_s / std::f64::consts::TAU,
+            least: shortest_s.powf(power) / self.capacitance_f,
+        })
+    }
+}
+
+/// Compares each circuit with the fastest mode that is kept.
+///
+/// # Errors
+/// [`PlantError::TooFast`].
+pub(super) fn check_speeds(system: &System, electrical: &Electrical) -> Result<(), PlantError> {
+    let fastest_rad_s = system.modes.frequency_rad_s.iter().fold(0.0, |max: f64, w| max.max(*w));
+    if fastest_rad_s == 0.0 {
+        return Ok(());
+    }
+    for (load, across) in system.loads.iter().zip(&electrical.load) {
+        let Some(across) = across else { continue };
+        let (node, is_across) = match across {
+            Across::Node(node) => (*node, true),
+            Across::Inductor(inductor, _) => (electrical.inductors[*inductor].node, false),
+        };
+        let (circuit, capacitance_f) = (load.name.as_str(), electrical.nodes[node].capacitance_f);
+        if is_across {
+            let value = load.resistance_ohm;
+            Key { circuit, key: "resistance", value, unit: "ohm", capacitance_f, swings: false }.check(fastest_rad_s)?;
+        }
+        if let Some((value, _)) = load.inductor {
+            Key { circuit, key: "inductance", value, unit: "H", capacitance_f, swings: true }.check(fastest_rad_s)?;
+        }
+    }
+    for link in &electrical.links {
+        let (bridge, capacitance_f) = (&system.bridges[link.bridge], electrical.nodes[link.node].capacitance_f);
+        let (circuit, value) = (bridge.name.as_str(), bridge.diode_ohm);
+        Key { circuit, key: "diode_resistance", value, unit: "ohm", capacitance_f, swings: false }.check(fastest_rad_s)?;
+    }
+    Ok(())
+}
