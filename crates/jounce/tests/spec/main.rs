@@ -5,6 +5,7 @@ mod corpus;
 mod drives;
 mod examples;
 mod fuzz;
+mod overlap;
 mod overrides;
 mod random;
 mod round_trip;

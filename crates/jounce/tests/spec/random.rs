@@ -188,6 +188,22 @@ fn circuit(patch: String, resistance_ohm: f64) -> Circuit {
     }
 }
 
+/// Nothing lies inside a rigid stop, nor a free mass inside anything: gaps are positive there.
+fn apart(spec: &mut Spec) {
+    let free = |point: &str| spec.mass.get(point.split('.').next().unwrap()).is_some_and(|mass| mass.on == "nothing");
+    let carried = |point: &str| spec.beam.get(point.split('.').next().unwrap()).is_some_and(|beam| beam.root != "ground");
+    let touching: Vec<String> = (spec.stop.iter())
+        .filter(|(_, stop)| {
+            matches!(stop.law, StopLaw::Rigid { .. }) || [&stop.at, &stop.frame].iter().any(|point| free(point) || carried(point))
+        })
+        .map(|(name, _)| name.clone())
+        .collect();
+    touching.iter().for_each(|name| {
+        let stop = spec.stop.get_mut(name).unwrap();
+        stop.gap_m = stop.gap_m.abs();
+    });
+}
+
 type Things = (Spec, Vec<Patch>, BTreeMap<String, Stop>, BTreeMap<String, Drive>);
 type Settings = (Run, Vec<f64>, Reduction, f64, Vec<(String, f64)>);
 
@@ -197,5 +213,7 @@ fn assemble(((mut spec, patches, stop, drive), (run, ratios, reduction, beyond, 
     let names: Vec<String> = spec.patch.keys().cloned().chain(modal).collect();
     spec.circuit = names.into_iter().zip(loads).map(|(patch, (name, resistance_ohm))| (name, circuit(patch, resistance_ohm))).collect();
     // A thin skin without mass prints and reads its unused density like any other.
-    Spec { stop, drive, run, reduction, damping: Damping { ratios, beyond: Some(beyond) }, ..spec }
+    let mut spec = Spec { stop, drive, run, reduction, damping: Damping { ratios, beyond: Some(beyond) }, ..spec };
+    apart(&mut spec);
+    spec
 }

@@ -8,6 +8,7 @@ mod drives;
 mod geometry;
 mod layers;
 mod modes;
+mod overlap;
 mod reference;
 mod support;
 
@@ -46,6 +47,7 @@ pub(super) fn broken(spec: &Spec) -> Vec<(String, String)> {
     layers::check(spec, &mut broken);
     modes::check(spec, &mut broken);
     drives::check(spec, &mut broken);
+    overlap::check(spec, &mut broken);
     broken.found
 }
 
