@@ -5,6 +5,7 @@ mod cache;
 mod commands;
 mod failure;
 mod hammer_arguments;
+mod limit_warnings;
 mod measured_file;
 mod output;
 mod progress;

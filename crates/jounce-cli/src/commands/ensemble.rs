@@ -1,12 +1,14 @@
 //! `jounce ensemble SPEC`
 
 use crate::failure::Failure;
+use crate::limit_warnings;
 use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use crate::threads::ThreadsArgument;
 use clap::Args;
 use jounce::picture::{self, DensityLine};
+use jounce::run::{Exceeded, RunPlan, Warning};
 use jounce::study::{Ensemble as Study, EnsembleAnswer, Estimate, IntervalOver, Member, Prepared, StopEstimates, VoltageSpectrum};
 use jounce::table::{Column, Table};
 use std::path::Path;
@@ -72,6 +74,11 @@ impl Ensemble {
         if base.kernel.watch.is_stopped() {
             eprintln!("stopped: the answer is that of the {} members that were finished", answer.members.len());
         }
+        for warning in Warning::of_recordings(&base.spec, &RunPlan::of(&base.spec.run, 0.0)) {
+            eprintln!("warning: {warning}");
+        }
+        let passed: Vec<&[Exceeded]> = answer.members.iter().map(|member| member.exceeded.as_slice()).collect();
+        limit_warnings::warn(&passed, "members", |place| format!("member {}", answer.members[place].index));
         if let Some(folder) = &self.output.out {
             self.write(folder, &base, &answer)?;
         }

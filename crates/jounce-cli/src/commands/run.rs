@@ -6,7 +6,7 @@ use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
 use jounce::march::{Instant, Kernel};
 use jounce::picture::{Scale, SpectrumLine, Trace, spectra, time_histories};
-use jounce::run::{Exceeded, RunAnswer, RunPlan, StopAnswer, exceeded, simulate};
+use jounce::run::{RunAnswer, RunPlan, StopAnswer, Warning, simulate};
 use jounce::signal::{Samples, Window};
 use jounce::study::Prepared;
 use jounce::table::{Column, Table};
@@ -53,6 +53,7 @@ impl Run {
         let kernel = prepared.from_state(&start)?;
         let run = &prepared.spec.run;
         let plan = RunPlan::of(run, if self.output.out.is_some() { run.average_over_s } else { 0.0 });
+        let plan = plan.watching(&prepared.spec, &kernel.plant);
         let answer = simulate(&kernel, &start, &plan).map_err(jounce::study::StudyError::from)?;
         if let Some(path) = &self.save_state {
             let text = serde_json::to_string_pretty(&answer.end).map_err(|error| Failure::Input(error.to_string()))?;
@@ -61,13 +62,13 @@ impl Run {
         if let Some(folder) = &self.output.out {
             self.write(folder, &prepared, &kernel, &answer, &plan)?;
         }
-        let warnings = exceeded(&prepared.spec, &kernel, &answer.trajectory);
+        let warnings = Warning::of(&prepared.spec, &kernel, &plan, &answer);
         warnings.iter().for_each(|warning| eprintln!("warning: {warning}"));
         self.tell(&kernel, &answer, &plan, &warnings);
         Ok(())
     }
 
-    fn tell(&self, kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[Exceeded]) {
+    fn tell(&self, kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[Warning]) {
         match self.output.json {
             true => print_json(kernel, answer, plan, warnings),
             false => print_lines(answer, plan),
@@ -135,7 +136,7 @@ impl Run {
 }
 
 /// The answer as one JSON object.
-fn print_json(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[Exceeded]) {
+fn print_json(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[Warning]) {
     let settlement = answer.settlement;
     print(&serde_json::json!({
         "mean_power_w": answer.mean_power_w,

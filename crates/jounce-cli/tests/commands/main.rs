@@ -6,6 +6,7 @@ mod hard_cases;
 mod orbits;
 mod runs;
 mod studies;
+mod warnings;
 
 use assert_cmd::Command;
 use serde_json::Value;
