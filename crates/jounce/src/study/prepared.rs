@@ -32,9 +32,6 @@ pub enum StudyError {
         /// Name of the drive.
         drive: String,
     },
-    /// Gravity, where orbits are followed.
-    #[error("orbits under gravity are not followed; use `jounce run` or `jounce sweep`, or take [gravity] out")]
-    Gravity,
     /// Diodes or switches, where orbits are followed.
     #[error(
         "orbits of the rectified circuit `{circuit}` are not followed; use `jounce run`, `jounce sweep` or `jounce ensemble`, or give it interface = \"resistor\""
