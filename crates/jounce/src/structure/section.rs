@@ -148,6 +148,7 @@ pub(super) mod tests {
             strain_limit: None,
             leakage_ohm: None,
             section,
+            pores: Default::default(),
         }
     }
 

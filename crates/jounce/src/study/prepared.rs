@@ -145,8 +145,8 @@ impl Prepared {
     /// [`StudyError::StartFile`].
     pub fn start(&self, folder: &Path) -> Result<StartState, StudyError> {
         match &self.spec.run.start {
-            Start::Rest => Ok(StartState::rest(&self.kernel.plant)),
-            Start::Linear => Ok(StartState::linear(&self.kernel.plant)),
+            Start::Rest => Ok(StartState::rest(&self.kernel.plant).with_velocities(&self.spec, &self.modes)),
+            Start::Linear => Ok(StartState::linear(&self.kernel.plant).with_velocities(&self.spec, &self.modes)),
             Start::State(path) => {
                 let path = folder.join(path);
                 let fault = |reason: String| StudyError::StartFile { path: path.display().to_string(), reason };

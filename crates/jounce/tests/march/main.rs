@@ -17,5 +17,6 @@ mod rigid;
 mod signals;
 mod swings;
 mod symmetry;
+mod thrown;
 mod variation;
 mod work;

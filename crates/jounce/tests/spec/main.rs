@@ -7,10 +7,12 @@ mod examples;
 mod fuzz;
 mod overlap;
 mod overrides;
+mod pores;
 mod random;
 mod round_trip;
 mod schema;
 mod sweeps;
+mod velocities;
 
 use std::path::{Path, PathBuf};
 

@@ -9,6 +9,7 @@ mod geometry;
 mod layers;
 mod modes;
 mod overlap;
+mod pores;
 mod reference;
 mod support;
 
@@ -45,6 +46,7 @@ pub(super) fn broken(spec: &Spec) -> Vec<(String, String)> {
     circuit::check(spec, &mut broken);
     geometry::check(spec, &mut broken);
     layers::check(spec, &mut broken);
+    pores::check(spec, &mut broken);
     modes::check(spec, &mut broken);
     drives::check(spec, &mut broken);
     overlap::check(spec, &mut broken);
