@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 mod attractors;
+mod gravity;
 mod hard_cases;
 mod orbits;
 mod runs;
