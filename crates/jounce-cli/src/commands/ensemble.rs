@@ -116,11 +116,13 @@ impl Ensemble {
             line(format!("NOT reached        the relative width is {:.3}; give more --members", power.relative_width()));
         }
         let rate = &answer.contact_rate_hz;
-        line(format!("contacts           {:.4} per second +- {:.2}", rate.mean, rate.half_width));
-        line(format!(
-            "strikes            {:.4e} m/s in the mean, {:.4e} m/s at most, {:.4e} s each",
-            answer.mean_strike_m_s, answer.max_strike_m_s, answer.mean_dwell_s
-        ));
+        if rate.mean > 0.0 {
+            line(format!("contacts           {:.4} per second +- {:.2}", rate.mean, rate.half_width));
+            line(format!(
+                "strikes            {:.4e} m/s in the mean, {:.4e} m/s at most, {:.4e} s each",
+                answer.mean_strike_m_s, answer.max_strike_m_s, answer.mean_dwell_s
+            ));
+        }
         for stop in &answer.stops {
             tell_stop(stop);
         }
@@ -163,10 +165,16 @@ impl Ensemble {
 
 /// A mean with its interval for reading.
 fn told(estimate: &Estimate, unit: &str) -> String {
-    format!("{:.4e} +- {:.1e} {unit}", estimate.mean, estimate.half_width)
+    match finite(estimate.half_width) {
+        Some(half_width) => format!("{:.4e} +- {half_width:.1e} {unit}", estimate.mean),
+        None => format!("{:.4e} {unit}, too few for an interval", estimate.mean),
+    }
 }
 
 fn tell_stop(stop: &StopEstimates) {
+    if stop.contact_rate_hz.mean == 0.0 {
+        return line(format!("stop {:<12}  no contacts", stop.name));
+    }
     line(format!("stop {:<12}  {}", stop.name, told(&stop.contact_rate_hz, "contacts per second")));
     line(format!("  approach speed   {}, {:.4e} m/s at most", told(&stop.mean_strike_m_s, "m/s"), stop.max_strike_m_s));
     line(format!("  dwell            {}, {:.4e} s at most", told(&stop.mean_dwell_s, "s"), stop.max_dwell_s));
