@@ -6,7 +6,7 @@ use crate::history::History;
 use crate::spec::Spec;
 use crate::watched::{handed, watched};
 use jounce::march::{Energies, RectifiedEnergies, Watch};
-use jounce::run::{RunAnswer, RunPlan, Settlement, StartState, exceeded, simulate};
+use jounce::run::{RunAnswer, RunPlan, Settlement, StartState, Warning, simulate};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -29,7 +29,7 @@ struct Marched {
     plan: RunPlan,
     answer: RunAnswer,
     history: Option<History>,
-    /// Limits of patches that the run has passed, in words.
+    /// What the answer should not be believed without, in words.
     warnings: Vec<String>,
 }
 
@@ -67,9 +67,10 @@ fn marched(spec: &Spec, options: &Options, watch: &Watch) -> Result<Marched, Fai
         let why = format!("record times sample_rate makes {samples:e} samples; at most {MOST_SAMPLES:e} are kept");
         return Err(Failure::new("ArgumentError", why));
     }
-    let answer = simulate(&kernel, &start, &plan)?;
+    let watching = plan.clone().watching(&prepared.spec, &kernel.plant);
+    let answer = simulate(&kernel, &start, &watching)?;
     let history = (options.record_s > 0.0).then(|| History::new(&kernel, &answer, &plan, options.sample_rate_hz));
-    let warnings = exceeded(&prepared.spec, &kernel, &answer.trajectory).iter().map(ToString::to_string).collect();
+    let warnings = Warning::of(&prepared.spec, &kernel, &watching, &answer).iter().map(ToString::to_string).collect();
     Ok(Marched { plan, answer, history, warnings })
 }
 

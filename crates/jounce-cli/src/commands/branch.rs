@@ -2,15 +2,18 @@
 
 use super::bandwidth;
 use crate::failure::Failure;
+use crate::limit_warnings;
 use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments, check_tolerance};
 use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
+use jounce::orbit::OrbitError;
 use jounce::picture::{self, Axis, BranchLine, BranchMark};
+use jounce::run::{Exceeded, Limits};
 use jounce::spec::{NumericKey, Spec};
 use jounce::study::{Bandwidth, BandwidthSearch, Bandwidths, Bifurcation, Branch as Curve, BranchPoint};
-use jounce::study::{BranchSearch, Ending, Method, Parameter, Prepared};
+use jounce::study::{BranchSearch, Ending, Method, Parameter, Prepared, StudyError};
 use jounce::table::{Column, Table};
 use std::path::Path;
 
@@ -77,8 +80,15 @@ impl Branch {
             longest_period: self.longest_period,
         };
         let width = BandwidthSearch { base: &base, parameter: &parameter, range, tolerance: self.tolerance };
-        let work = || search.run().map(|branches| (width.run(&branches), branches));
-        let (widths, branches) = progress::watched(&base.kernel.watch, || self.threads.run(work))??;
+        let limits = Limits::of(&base.spec, &base.kernel.plant);
+        let work = || -> Result<_, OrbitError<StudyError>> {
+            let branches = search.run()?;
+            let passed: Result<Vec<_>, StudyError> =
+                branches.iter().map(|branch| branch.exceeded(&parameter, &limits, self.tolerance)).collect();
+            let passed = passed.map_err(OrbitError::Harvester)?;
+            Ok((width.run(&branches), passed, branches))
+        };
+        let (widths, passed, branches) = progress::watched(&base.kernel.watch, || self.threads.run(work))??;
         if branches.is_empty() {
             let text = format!(
                 "no periodic orbit was found over {}: every march stayed away from the orbits that were looked for; try more --seeds, a longer --longest-period, more damping or another range",
@@ -101,15 +111,26 @@ impl Branch {
                 key.unit()
             );
         }
-        self.tell(&base.spec, &key, &branches, &widths)
+        let values: Vec<f64> = branches.iter().flat_map(|branch| &branch.points).map(|point| point.parameter).collect();
+        let all: Vec<&[Exceeded]> = passed.iter().flatten().map(Vec::as_slice).collect();
+        limit_warnings::warn(&all, "points", |place| format!("{} = {:.6} {}", key.path(), values[place], key.unit()));
+        self.tell(&base.spec, &key, (&branches, &passed), &widths)
     }
 
-    fn tell(&self, spec: &Spec, key: &NumericKey, branches: &[Curve], widths: &Bandwidths) -> Result<(), Failure> {
+    fn tell(
+        &self,
+        spec: &Spec,
+        key: &NumericKey,
+        (branches, passed): (&[Curve], &[Vec<Vec<Exceeded>>]),
+        widths: &Bandwidths,
+    ) -> Result<(), Failure> {
         if let Some(folder) = &self.output.out {
             self.write(folder, spec, key, branches, widths)?;
         }
         if self.output.json {
-            let listed: Vec<_> = branches.iter().zip(&widths.branches).map(|(branch, width)| listed(branch, width.as_ref())).collect();
+            let listed: Vec<_> = (branches.iter().zip(passed).zip(&widths.branches))
+                .map(|((branch, passed), width)| listed(branch, passed, width.as_ref()))
+                .collect();
             let together = widths.together.as_ref();
             print(&serde_json::json!({
                 "over": key.path(),
@@ -149,8 +170,8 @@ impl Branch {
     }
 }
 
-fn listed(branch: &Curve, width: Option<&Bandwidth>) -> serde_json::Value {
-    let points: Vec<_> = branch.points.iter().map(listed_point).collect();
+fn listed(branch: &Curve, passed: &[Vec<Exceeded>], width: Option<&Bandwidth>) -> serde_json::Value {
+    let points: Vec<_> = branch.points.iter().zip(passed).map(|(point, passed)| listed_point(point, passed)).collect();
     let bifurcations: Vec<_> = branch.bifurcations.iter().map(listed_bifurcation).collect();
     serde_json::json!({
         "period_cycles": branch.period_cycles,
@@ -162,7 +183,7 @@ fn listed(branch: &Curve, width: Option<&Bandwidth>) -> serde_json::Value {
     })
 }
 
-fn listed_point(point: &BranchPoint) -> serde_json::Value {
+fn listed_point(point: &BranchPoint, passed: &[Exceeded]) -> serde_json::Value {
     let orbit = &point.orbit;
     serde_json::json!({
         "parameter": point.parameter,
@@ -173,6 +194,7 @@ fn listed_point(point: &BranchPoint) -> serde_json::Value {
         "contacts_per_period": orbit.contacts,
         "max_penetration_m": orbit.max_penetration_m,
         "error_estimate": orbit.error_estimate,
+        "warnings": passed,
     })
 }
 

@@ -1,12 +1,14 @@
 //! `jounce ensemble SPEC`
 
 use crate::failure::Failure;
+use crate::limit_warnings;
 use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use crate::threads::ThreadsArgument;
 use clap::Args;
 use jounce::picture::{self, DensityLine};
+use jounce::run::{Exceeded, RunPlan, Warning};
 use jounce::study::{Ensemble as Study, EnsembleAnswer, Estimate, IntervalOver, Member, Prepared, StopEstimates, VoltageSpectrum};
 use jounce::table::{Column, Table};
 use std::path::Path;
@@ -72,6 +74,11 @@ impl Ensemble {
         if base.kernel.watch.is_stopped() {
             eprintln!("stopped: the answer is that of the {} members that were finished", answer.members.len());
         }
+        for warning in Warning::of_recordings(&base.spec, &RunPlan::of(&base.spec.run, 0.0)) {
+            eprintln!("warning: {warning}");
+        }
+        let passed: Vec<&[Exceeded]> = answer.members.iter().map(|member| member.exceeded.as_slice()).collect();
+        limit_warnings::warn(&passed, "members", |place| format!("member {}", answer.members[place].index));
         if let Some(folder) = &self.output.out {
             self.write(folder, &base, &answer)?;
         }
@@ -109,11 +116,13 @@ impl Ensemble {
             line(format!("NOT reached        the relative width is {:.3}; give more --members", power.relative_width()));
         }
         let rate = &answer.contact_rate_hz;
-        line(format!("contacts           {:.4} per second +- {:.2}", rate.mean, rate.half_width));
-        line(format!(
-            "strikes            {:.4e} m/s in the mean, {:.4e} m/s at most, {:.4e} s each",
-            answer.mean_strike_m_s, answer.max_strike_m_s, answer.mean_dwell_s
-        ));
+        if rate.mean > 0.0 {
+            line(format!("contacts           {:.4} per second +- {:.2}", rate.mean, rate.half_width));
+            line(format!(
+                "strikes            {:.4e} m/s in the mean, {:.4e} m/s at most, {:.4e} s each",
+                answer.mean_strike_m_s, answer.max_strike_m_s, answer.mean_dwell_s
+            ));
+        }
         for stop in &answer.stops {
             tell_stop(stop);
         }
@@ -156,10 +165,16 @@ impl Ensemble {
 
 /// A mean with its interval for reading.
 fn told(estimate: &Estimate, unit: &str) -> String {
-    format!("{:.4e} +- {:.1e} {unit}", estimate.mean, estimate.half_width)
+    match finite(estimate.half_width) {
+        Some(half_width) => format!("{:.4e} +- {half_width:.1e} {unit}", estimate.mean),
+        None => format!("{:.4e} {unit}, too few for an interval", estimate.mean),
+    }
 }
 
 fn tell_stop(stop: &StopEstimates) {
+    if stop.contact_rate_hz.mean == 0.0 {
+        return line(format!("stop {:<12}  no contacts", stop.name));
+    }
     line(format!("stop {:<12}  {}", stop.name, told(&stop.contact_rate_hz, "contacts per second")));
     line(format!("  approach speed   {}, {:.4e} m/s at most", told(&stop.mean_strike_m_s, "m/s"), stop.max_strike_m_s));
     line(format!("  dwell            {}, {:.4e} s at most", told(&stop.mean_dwell_s, "s"), stop.max_dwell_s));

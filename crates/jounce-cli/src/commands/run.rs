@@ -6,7 +6,7 @@ use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
 use jounce::march::{Instant, Kernel};
 use jounce::picture::{Scale, SpectrumLine, Trace, spectra, time_histories};
-use jounce::run::{Exceeded, RunAnswer, RunPlan, StopAnswer, exceeded, simulate};
+use jounce::run::{RunAnswer, RunPlan, StopAnswer, Warning, simulate};
 use jounce::signal::{Samples, Window};
 use jounce::study::Prepared;
 use jounce::table::{Column, Table};
@@ -53,6 +53,7 @@ impl Run {
         let kernel = prepared.from_state(&start)?;
         let run = &prepared.spec.run;
         let plan = RunPlan::of(run, if self.output.out.is_some() { run.average_over_s } else { 0.0 });
+        let plan = plan.watching(&prepared.spec, &kernel.plant);
         let answer = simulate(&kernel, &start, &plan).map_err(jounce::study::StudyError::from)?;
         if let Some(path) = &self.save_state {
             let text = serde_json::to_string_pretty(&answer.end).map_err(|error| Failure::Input(error.to_string()))?;
@@ -61,13 +62,13 @@ impl Run {
         if let Some(folder) = &self.output.out {
             self.write(folder, &prepared, &kernel, &answer, &plan)?;
         }
-        let warnings = exceeded(&prepared.spec, &kernel, &answer.trajectory);
+        let warnings = Warning::of(&prepared.spec, &kernel, &plan, &answer);
         warnings.iter().for_each(|warning| eprintln!("warning: {warning}"));
         self.tell(&kernel, &answer, &plan, &warnings);
         Ok(())
     }
 
-    fn tell(&self, kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[Exceeded]) {
+    fn tell(&self, kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[Warning]) {
         match self.output.json {
             true => print_json(kernel, answer, plan, warnings),
             false => print_lines(answer, plan),
@@ -135,7 +136,7 @@ impl Run {
 }
 
 /// The answer as one JSON object.
-fn print_json(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[Exceeded]) {
+fn print_json(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[Warning]) {
     let settlement = answer.settlement;
     print(&serde_json::json!({
         "mean_power_w": answer.mean_power_w,
@@ -174,20 +175,28 @@ fn print_json(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[E
 /// The answer as lines to read.
 fn print_lines(answer: &RunAnswer, plan: &RunPlan) {
     let residual = answer.energies.residual_relative();
-    line(format!("mean power         {:.6e} W", answer.mean_power_w));
+    // A sum of nothing may be -0.
+    line(format!("mean power         {:.6e} W", answer.mean_power_w + 0.0));
     for load in &answer.loads {
         line(format!("voltage, rms       {:.6} V  (load {})", load.voltage_rms_v, load.name));
     }
     for circuit in &answer.rectified {
-        line(format!("storage            {:.6} V, {:.4e} A  (circuit {})", circuit.voltage_rms_v, circuit.mean_current_a, circuit.name));
-        let (diodes, switch, leakage) = (circuit.diode_loss_w, circuit.switch_loss_w, circuit.leakage_w);
+        // Synchronous extraction hands over energy, no charge that diodes pass.
+        let current = if circuit.mean_current_a == 0.0 { String::new() } else { format!(", {:.4e} A", circuit.mean_current_a) };
+        line(format!("storage            {:.6} V{current}  (circuit {})", circuit.voltage_rms_v, circuit.name));
+        // What nothing was lost in is 0 but for roundoff of either sign.
+        let [diodes, switch, leakage] = [circuit.diode_loss_w, circuit.switch_loss_w, circuit.leakage_w].map(|loss_w| loss_w.max(0.0));
         line(format!("  lost             diodes {diodes:.4e} W, switch {switch:.4e} W, leakage {leakage:.4e} W"));
     }
     for leak in &answer.leaks {
         line(format!("leakage            {:.6e} W  (patch {})", leak.mean_power_w, leak.patch));
     }
-    line(format!("contacts           {} in {} s, {:.2} % of the time", answer.contacts, plan.average_over_s, 100.0 * answer.contact_duty));
-    line(format!("penetration, peak  {:.6e} m, force {:.4e} N", answer.max_penetration_m, answer.max_contact_force_n));
+    if !answer.stops.is_empty() {
+        // Shares of the time of several stops do not add up to one.
+        let share = if answer.stops.len() == 1 { format!(", {:.2} % of the time", 100.0 * answer.contact_duty) } else { String::new() };
+        line(format!("contacts           {} in {} s{share}", answer.contacts, plan.average_over_s));
+        line(format!("penetration, peak  {:.6e} m, force {:.4e} N", answer.max_penetration_m, answer.max_contact_force_n));
+    }
     for stop in &answer.stops {
         tell_stop(stop, answer.stops.len() > 1);
     }
@@ -216,7 +225,11 @@ fn print_lines(answer: &RunAnswer, plan: &RunPlan) {
 fn tell_stop(stop: &StopAnswer, beside: bool) {
     if beside {
         let (contacts, depth, force) = (stop.contacts, stop.max_penetration_m, stop.max_contact_force_n);
-        line(format!("  stop {:<12}  {contacts} contacts, penetration {depth:.6e} m, force {force:.4e} N", stop.name));
+        let share = 100.0 * stop.contact_duty;
+        line(format!(
+            "  stop {:<12}  {contacts} contacts, {share:.2} % of the time, penetration {depth:.6e} m, force {force:.4e} N",
+            stop.name
+        ));
     }
     if stop.contacts > 0 {
         line(format!("  approach speed   {:.4e} m/s in the mean, {:.4e} m/s at most", stop.mean_strike_m_s, stop.max_strike_m_s));

@@ -2,6 +2,7 @@
 
 use crate::cache;
 use crate::failure::Failure;
+use crate::limit_warnings;
 use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
@@ -9,6 +10,7 @@ use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
 use jounce::march::Watch;
 use jounce::picture::{self, Axis, SweepLine, SweepLook};
+use jounce::run::Exceeded;
 use jounce::spec::{KeyRange, Spec};
 use jounce::study::{Direction, Journal, Sweep as Study, SweepPoint, Way};
 use jounce::table::{Column, Table};
@@ -91,6 +93,9 @@ impl Sweep {
         if unsettled > 0 {
             eprintln!("{unsettled} of {} points had not settled when they were averaged; they are marked settled = false", points.len());
         }
+        let passed: Vec<&[Exceeded]> = points.iter().map(|point| point.exceeded.as_slice()).collect();
+        let key = range.key();
+        limit_warnings::warn(&passed, "points", |place| format!("{} = {:.6} {}", key.path(), points[place].parameter, key.unit()));
         if let Some(folder) = &self.output.out {
             self.write(folder, spec, range, points)?;
         }
@@ -158,6 +163,7 @@ fn listed(point: &SweepPoint) -> serde_json::Value {
         "period_cycles": point.period_cycles,
         "energy_residual_relative": point.energy_residual_relative,
         "marched_s": point.marched_s,
+        "warnings": point.exceeded,
     })
 }
 

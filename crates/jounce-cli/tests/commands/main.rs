@@ -2,10 +2,12 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 mod attractors;
+mod gravity;
 mod hard_cases;
 mod orbits;
 mod runs;
 mod studies;
+mod warnings;
 
 use assert_cmd::Command;
 use serde_json::Value;

@@ -83,6 +83,12 @@ pub fn named(name: &str) -> Option<&'static Material> {
     LIBRARY.iter().find(|material| material.name == name)
 }
 
+/// All electroelastic constants of a material of the library, where they are known: what a porous material is made from. Along the beam
+/// they are nearly, not exactly, those of [`named`], which come from another source.
+pub fn full_constants(name: &str) -> Option<electroelastic::Electroelastic> {
+    (name == "PZT-5A").then_some(electroelastic::PZT_5A)
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {

@@ -31,6 +31,9 @@ pub enum OrbitError<H: std::error::Error> {
         /// How many there are.
         stops: usize,
     },
+    /// Harmonic balance under gravity.
+    #[error("harmonic balance does not know the constant force of gravity; use the method shooting, or take [gravity] out")]
+    Gravity,
     /// The eigenvalues of the period map did not converge.
     #[error("the Floquet multipliers could not be computed at drive frequency {frequency_hz} Hz")]
     Multipliers {

@@ -17,7 +17,8 @@ impl<H: Harvester> Shooting<'_, H> {
         Ok(Orbit {
             period_cycles: self.cycles,
             looks: shot.looks.clone(),
-            mean_power_w: shot.loads_w.iter().sum(),
+            // A sum of nothing is -0.
+            mean_power_w: shot.loads_w.iter().sum::<f64>() + 0.0,
             voltage_rms_v: first.map_or(0.0, |(power_w, load)| (power_w * load.resistance_ohm).max(0.0).sqrt()),
             contacts: shot.contacts,
             max_penetration_m: shot.max_penetration_m,

@@ -61,7 +61,15 @@ fn looks(kernel: &Kernel, port: usize, trajectory: &Trajectory, cycle_s: f64) ->
     let block = &kernel.plant.diagonal.block;
     let mut looks = Vec::new();
     for segment in trajectory.segments() {
-        looks.extend(motion(kernel, port, segment.start_s, &segment.state));
+        let motion = |after_s: f64, state: &[f64]| match segment.sizes.is_empty() {
+            true => motion(kernel, port, segment.start_s + after_s, state),
+            false => {
+                let forced = kernel.plant.forced(&segment.sizes, after_s);
+                let whole: Vec<f64> = state.iter().zip(forced).map(|(y, forced)| y + forced).collect();
+                motion(kernel, port, segment.start_s + after_s, &whole)
+            }
+        };
+        looks.extend(motion(0.0, &segment.state));
         if !segment.forces.is_empty() {
             continue;
         }
@@ -70,7 +78,7 @@ fn looks(kernel: &Kernel, port: usize, trajectory: &Trajectory, cycle_s: f64) ->
         let (flow, mut state) = (block.over(segment.length_s / inner), segment.state.clone());
         for k in 1..inner as usize {
             flow.advance(&mut state);
-            looks.extend(motion(kernel, port, segment.start_s + segment.length_s * k as f64 / inner, &state));
+            looks.extend(motion(segment.length_s * k as f64 / inner, &state));
         }
     }
     looks

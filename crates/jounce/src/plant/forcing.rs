@@ -95,4 +95,10 @@ impl Plant {
         }
         state
     }
+
+    /// The same as a physical state `(q, q', V, i)`.
+    pub fn resting_physical(&self) -> Vec<f64> {
+        let steady = self.steady_at(0.0);
+        self.to_physical(&self.resting().iter().zip(steady).map(|(y, steady)| y - steady).collect::<Vec<f64>>(), 0.0)
+    }
 }

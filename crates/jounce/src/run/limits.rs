@@ -7,19 +7,29 @@ use crate::march::{Kernel, Trajectory};
 use crate::material;
 use crate::plant::Plant;
 use crate::spec::Spec;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// How many times the record is looked at.
 const LOOKS: usize = 2048;
 
+/// What of a patch has limits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Limited {
+    /// Strain along the beam, dimensionless.
+    Strain,
+    /// Voltage, V.
+    Voltage,
+}
+
 /// A limit of a patch that a run has passed.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Exceeded {
     /// Name of the patch.
     pub patch: String,
-    /// `"strain"` (dimensionless) or `"voltage"` (V).
-    pub quantity: &'static str,
+    /// What of it.
+    pub quantity: Limited,
     /// The value furthest beyond.
     pub reached: f64,
     /// Lowest and highest value that it bears.
@@ -30,64 +40,131 @@ impl fmt::Display for Exceeded {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [low, high] = self.limits;
         match self.quantity {
-            "strain" => {
+            Limited::Strain => {
                 write!(out, "patch {}: its strain reaches {:.0} ppm; {:.0} ppm are recommended", self.patch, 1e6 * self.reached, 1e6 * high)
             }
-            _ => write!(out, "patch {}: its voltage reaches {:.3} V; it bears {low} V to {high} V", self.patch, self.reached),
+            Limited::Voltage => {
+                write!(out, "patch {}: its voltage reaches {:.3} V; it bears {low} V to {high} V", self.patch, self.reached)
+            }
         }
     }
 }
 
-/// The limits that the recorded part of a run passes: `strain_limit` of each patch, and the voltages of its material. The record is looked
-/// at only where a patch has a limit.
-pub fn exceeded(spec: &Spec, kernel: &Kernel, trajectory: &Trajectory) -> Vec<Exceeded> {
-    let (Some(first), Some(last)) = (trajectory.segments().first(), trajectory.segments().last()) else { return Vec::new() };
-    let plant = &kernel.plant;
-    let limited: Vec<Limited> =
-        plant.system.modes.patch.keys().enumerate().filter_map(|(index, name)| Limited::of(spec, index, name)).collect();
-    if limited.is_empty() {
-        return Vec::new();
+impl Exceeded {
+    /// How far beyond its limits it is, in its unit.
+    fn excess(&self) -> f64 {
+        excess(self.reached, self.limits)
     }
-    let (begin_s, end_s) = (first.start_s, last.start_s + last.length_s);
-    let times: Vec<f64> = (0..=LOOKS).map(|k| begin_s + (end_s - begin_s) * k as f64 / LOOKS as f64).collect();
-    let states: Vec<Vec<f64>> = trajectory.at(kernel, &times).iter().map(|at| plant.to_physical(&at.state, at.time_s)).collect();
-    limited.iter().flat_map(|patch| patch.exceeded(plant, &states)).collect()
+}
+
+/// One limit over many answers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Worst {
+    /// Where it is passed furthest.
+    pub exceeded: Exceeded,
+    /// Place of that answer among all.
+    pub place: usize,
+    /// How many answers pass it.
+    pub answers: usize,
+}
+
+impl Worst {
+    /// Each limit that some of many answers pass.
+    pub fn of<'e>(answers: impl IntoIterator<Item = &'e [Exceeded]>) -> Vec<Self> {
+        let mut found: Vec<Self> = Vec::new();
+        for (place, exceeded) in answers.into_iter().enumerate().flat_map(|(place, own)| own.iter().map(move |exceeded| (place, exceeded)))
+        {
+            match found.iter_mut().find(|known| (&known.exceeded.patch, known.exceeded.quantity) == (&exceeded.patch, exceeded.quantity)) {
+                Some(known) => {
+                    known.answers += 1;
+                    if exceeded.excess() > known.exceeded.excess() {
+                        (known.exceeded, known.place) = (exceeded.clone(), place);
+                    }
+                }
+                None => found.push(Self { exceeded: exceeded.clone(), place, answers: 1 }),
+            }
+        }
+        found
+    }
+}
+
+/// What the patches of a harvester bear: `strain_limit` of each, and the voltages of its material.
+#[derive(Debug, Clone)]
+pub struct Limits {
+    patches: Vec<PatchLimits>,
+}
+
+impl Limits {
+    /// Of the patches of a plant.
+    pub fn of(spec: &Spec, plant: &Plant) -> Self {
+        let names = plant.system.modes.patch.keys().enumerate();
+        Self { patches: names.filter_map(|(index, name)| PatchLimits::of(spec, index, name)).collect() }
+    }
+
+    /// True where every patch bears everything.
+    pub fn is_empty(&self) -> bool {
+        self.patches.is_empty()
+    }
+
+    /// The limits that a record passes.
+    pub fn exceeded(&self, kernel: &Kernel, trajectory: &Trajectory) -> Vec<Exceeded> {
+        let (Some(first), Some(last)) = (trajectory.segments().first(), trajectory.segments().last()) else { return Vec::new() };
+        if self.is_empty() {
+            return Vec::new();
+        }
+        let plant = &kernel.plant;
+        let (begin_s, end_s) = (first.start_s, last.start_s + last.length_s);
+        let times: Vec<f64> = (0..=LOOKS).map(|k| begin_s + (end_s - begin_s) * k as f64 / LOOKS as f64).collect();
+        let states: Vec<Vec<f64>> = trajectory.at(kernel, &times).iter().map(|at| plant.to_physical(&at.state, at.time_s)).collect();
+        self.patches.iter().flat_map(|patch| patch.exceeded(plant, &states)).collect()
+    }
+}
+
+/// The limits that the recorded part of a run passes. The record is looked at only where a patch has a limit.
+pub fn exceeded(spec: &Spec, kernel: &Kernel, trajectory: &Trajectory) -> Vec<Exceeded> {
+    Limits::of(spec, &kernel.plant).exceeded(kernel, trajectory)
 }
 
 /// A patch that does not bear everything.
-struct Limited<'a> {
-    name: &'a str,
+#[derive(Debug, Clone)]
+struct PatchLimits {
+    name: String,
     /// Its place among the patches of the plant.
     index: usize,
     strain: Option<f64>,
     voltages_v: Option<[f64; 2]>,
 }
 
-impl<'a> Limited<'a> {
-    fn of(spec: &Spec, index: usize, name: &'a str) -> Option<Self> {
+impl PatchLimits {
+    fn of(spec: &Spec, index: usize, name: &str) -> Option<Self> {
         let patch = spec.patch.get(name)?;
         let voltages_v = material::named(&patch.material).and_then(|material| material.voltage_limits_v);
-        (patch.strain_limit.is_some() || voltages_v.is_some()).then_some(Self { name, index, strain: patch.strain_limit, voltages_v })
+        let strain = patch.strain_limit;
+        (strain.is_some() || voltages_v.is_some()).then(|| Self { name: name.to_owned(), index, strain, voltages_v })
     }
 
     /// What the states do beyond its limits.
     fn exceeded(&self, plant: &Plant, states: &[Vec<f64>]) -> Vec<Exceeded> {
         let strained = self.strain.and_then(|limit| {
             let strain = |x: &Vec<f64>, shape: &Vec<f64>| shape.iter().zip(x).map(|(s, q)| s * q).sum::<f64>();
-            let shapes = &plant.system.modes.patch[self.name].strain;
+            let shapes = &plant.system.modes.patch[&self.name].strain;
             let strains = states.iter().flat_map(|x| shapes.iter().map(move |shape| strain(x, shape)));
-            beyond(self.name, "strain", strains, [-limit, limit])
+            beyond(&self.name, Limited::Strain, strains, [-limit, limit])
         });
         let voltages = || states.iter().map(|x| plant.patch_voltages_v(x)[self.index]);
-        let charged = self.voltages_v.and_then(|limits| beyond(self.name, "voltage", voltages(), limits));
+        let charged = self.voltages_v.and_then(|limits| beyond(&self.name, Limited::Voltage, voltages(), limits));
         strained.into_iter().chain(charged).collect()
     }
 }
 
-fn beyond(patch: &str, quantity: &'static str, values: impl Iterator<Item = f64>, limits: [f64; 2]) -> Option<Exceeded> {
-    let excess = |value: &f64| (limits[0] - value).max(value - limits[1]);
-    let reached = values.max_by(|one, other| excess(one).total_cmp(&excess(other)))?;
-    (excess(&reached) > 0.0).then(|| Exceeded { patch: patch.to_owned(), quantity, reached, limits })
+fn beyond(patch: &str, quantity: Limited, values: impl Iterator<Item = f64>, limits: [f64; 2]) -> Option<Exceeded> {
+    let reached = values.max_by(|one, other| excess(*one, limits).total_cmp(&excess(*other, limits)))?;
+    (excess(reached, limits) > 0.0).then(|| Exceeded { patch: patch.to_owned(), quantity, reached, limits })
+}
+
+/// How far a value lies beyond its limits; negative within them.
+fn excess(value: f64, [low, high]: [f64; 2]) -> f64 {
+    (low - value).max(value - high)
 }
 
 #[cfg(test)]
@@ -114,9 +191,12 @@ mod tests {
         let warned = exceeded(&spec, &kernel, &answer.trajectory);
         let section = crate::structure::section::CrossSection::covered(&spec.beam["b"], spec.patch.values());
         let strain = 6.0 * 0.1 / section.bending_stiffness_n_m2 * (1.3e-3 - section.neutral_axis_m);
-        assert_eq!((warned.len(), warned[0].quantity), (1, "strain"));
+        assert_eq!((warned.len(), warned[0].quantity), (1, Limited::Strain));
         // Twelve modes give the curvature at the root within 5 %.
         assert!((warned[0].reached.abs() / strain - 1.0).abs() < 0.05, "{} {strain}", warned[0].reached);
         assert!(warned[0].to_string().contains("600 ppm are recommended"), "{}", warned[0]);
+        let worse = Exceeded { reached: 2.0 * warned[0].reached, ..warned[0].clone() };
+        let worst = Worst::of([&warned[..], &[], &[worse.clone()]]);
+        assert_eq!(worst, [Worst { exceeded: worse, place: 2, answers: 2 }]);
     }
 }

@@ -5,9 +5,11 @@ mod result;
 mod settle;
 mod simulate;
 mod start;
+mod warning;
 
-pub use limits::{Exceeded, exceeded};
+pub use limits::{Exceeded, Limited, Limits, Worst, exceeded};
 pub use result::{LeakAnswer, LoadAnswer, RectifiedAnswer, RunAnswer, StopAnswer};
 pub use settle::Settlement;
 pub use simulate::{RunError, RunPlan, simulate};
 pub use start::StartState;
+pub use warning::Warning;

@@ -24,7 +24,7 @@ pub struct RectifiedAnswer {
     pub mean_power_w: f64,
     /// Voltage of the storage, rms, V.
     pub voltage_rms_v: f64,
-    /// Mean current that the diodes pass, A.
+    /// Mean current that the diodes pass, A; 0 for SECE, which hands over energy instead.
     pub mean_current_a: f64,
     /// Mean power lost in diodes, W.
     pub diode_loss_w: f64,

@@ -1,10 +1,11 @@
 //! Marches a plan and reads its answers.
 
 use super::settle::{LOOKS, settlement};
-use super::{LeakAnswer, LoadAnswer, RectifiedAnswer, RunAnswer, Settlement, StartState, StopAnswer};
+use super::{LeakAnswer, Limits, LoadAnswer, RectifiedAnswer, RunAnswer, Settlement, StartState, StopAnswer};
 use crate::contact::Law;
 use crate::march::{ContactStatistics, Energies, Kernel, MarchError, Marcher, RectifiedEnergies};
 use crate::plant::{Bridge, Leak, Plant, Storage};
+use crate::spec::{Run, Spec};
 use std::time::Instant;
 
 /// Share of the displacements of a start by which a point may lie past a rigid stop: states that other runs saved are rounded.
@@ -26,8 +27,15 @@ pub struct RunPlan {
 impl RunPlan {
     /// What `[run]` of a spec asks for, with a record of its last `record_s` seconds.
     #[must_use]
-    pub fn of(run: &crate::spec::Run, record_s: f64) -> Self {
+    pub fn of(run: &Run, record_s: f64) -> Self {
         Self { duration_s: run.duration_s, average_over_s: run.average_over_s, tolerance: run.tolerance, record_s }
+    }
+
+    /// The same with a record of the averaging window where a patch has limits and no period says where to look for them.
+    #[must_use]
+    pub fn watching(self, spec: &Spec, plant: &Plant) -> Self {
+        let looks = plant.period_s().is_none() && !Limits::of(spec, plant).is_empty();
+        Self { record_s: if looks { self.record_s.max(self.average_over_s) } else { self.record_s }, ..self }
     }
 }
 

@@ -1,6 +1,8 @@
 //! Where a run starts.
 
 use crate::plant::Plant;
+use crate::spec::Spec;
+use crate::structure::Modes;
 use serde::{Deserialize, Serialize};
 
 /// The state of a harvester at one time, in coordinates that outlive a change of load, stop or drive.
@@ -52,6 +54,19 @@ impl StartState {
             current_a: x[2 * n + plant.electrical.nodes.len()..].to_vec(),
             drive_angle_rad: plant.system.drives.iter().map(angle).collect(),
         }
+    }
+
+    /// The same with the velocities that a spec gives to its masses: `q' += m shape v`, with the mass `m` of each and of what is fixed to
+    /// it.
+    #[must_use]
+    pub fn with_velocities(mut self, spec: &Spec, modes: &Modes) -> Self {
+        for (name, mass) in &spec.mass {
+            let (Some(velocity_m_s), Some(shape)) = (mass.velocity_m_s, modes.shape.get(name)) else { continue };
+            let fixed = spec.mass.values().filter(|other| other.stiffness_n_m.is_none() && spec.is_fixed_to(&other.on, name));
+            let mass_kg = mass.mass_kg + fixed.map(|other| other.mass_kg).sum::<f64>();
+            self.velocity.iter_mut().zip(shape).for_each(|(velocity, shape)| *velocity += mass_kg * shape * velocity_m_s);
+        }
+        self
     }
 
     /// `(q, q', V, i)` in one row.

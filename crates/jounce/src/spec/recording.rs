@@ -29,7 +29,7 @@ impl Recording {
     /// Reads a file; where a rate is given it must be that of the file.
     ///
     /// # Errors
-    /// One sentence with the file, the line and what to do.
+    /// One sentence with the file, the lines and what to do.
     pub(super) fn read(path: &Path, sample_rate_hz: Option<f64>) -> Result<Self, String> {
         let shown = path.display();
         let metadata = std::fs::metadata(path).map_err(|error| format!("{shown} cannot be read: {error}"))?;
@@ -69,6 +69,13 @@ impl Recording {
         let step_s = (last_s - first_s) / (times_s.len() - 1) as f64;
         let off = |k: usize| (times_s[k] - first_s) / step_s - k as f64;
         if let Some(k) = (0..times_s.len()).find(|k| off(*k).abs() > JITTER) {
+            if let Some(k) = change(&times_s) {
+                let [before_s, after_s] = [k - 1, k].map(|k| times_s[k + 1] - times_s[k]);
+                return Err(format!(
+                    "line {}: samples are {before_s:.6e} s apart before it and {after_s:.6e} s after it; sample the recording anew at one rate",
+                    lines[k]
+                ));
+            }
             return Err(format!(
                 "line {}: the time {} s is {:.2} of a sample away from its place at an even {:.6} Hz; sample the recording anew at one rate",
                 lines[k],
@@ -84,6 +91,18 @@ impl Recording {
     }
 }
 
+/// Where even samples change their step for good, which fits the mean step nowhere.
+fn change(times_s: &[f64]) -> Option<usize> {
+    let step_s = |k: usize| times_s[k + 1] - times_s[k];
+    let same = |a: usize, b: usize| (step_s(a) - step_s(b)).abs() <= 0.1 * JITTER * (step_s(a) + step_s(b));
+    let last = times_s.len() - 2;
+    let from = (1..=last).find(|k| !same(k - 1, *k))?;
+    ((1..from).all(|k| same(0, k)) && (from..=last).all(|k| same(from, k)) && from > 1 && from < last).then_some(from)
+}
+
+/// Faults of single lines that are told at most.
+const MOST_FAULTS: usize = 8;
+
 /// Line, time and value of each sample.
 type Samples = (Vec<u64>, Vec<f64>, Vec<f64>);
 
@@ -95,6 +114,7 @@ fn samples(text: &str) -> Result<Samples, String> {
         .trim(csv::Trim::All)
         .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
     let (mut lines, mut times_s, mut values) = (Vec::new(), Vec::new(), Vec::new());
+    let mut faults: Vec<String> = Vec::new();
     for (index, record) in reader.records().enumerate() {
         let record = record.map_err(|error| format!("which is no CSV: {error}"))?;
         let line = record.position().map_or(index as u64 + 1, csv::Position::line);
@@ -113,18 +133,31 @@ fn samples(text: &str) -> Result<Samples, String> {
         if is_header {
             continue;
         }
-        let (time_s, value) = (field(0, "time")?, field(1, "value")?);
-        lines.push(line);
-        times_s.push(time_s);
-        values.push(value);
+        match (field(0, "time"), field(1, "value")) {
+            (Ok(time_s), Ok(value)) => {
+                lines.push(line);
+                times_s.push(time_s);
+                values.push(value);
+            }
+            (time, value) => faults.extend([time.err(), value.err()].into_iter().flatten()),
+        }
+        if faults.len() >= MOST_FAULTS {
+            faults.push("and perhaps more".to_owned());
+            break;
+        }
     }
-    Ok((lines, times_s, values))
+    if faults.is_empty() { Ok((lines, times_s, values)) } else { Err(faults.join("; ")) }
 }
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
+
+    /// Twenty samples, the steps of which grow by a tenth after a line.
+    fn slower_from(line: u32) -> String {
+        (1..=20_u32).map(|k| format!("{:.6},{k}\n", 1e-3 * f64::from(k) + 1e-4 * f64::from(k.saturating_sub(line)))).collect()
+    }
 
     fn even(count: u32) -> String {
         (0..count).map(|k| format!("{:.6},{}\n", f64::from(k) / 3000.0, k * k)).collect()
@@ -149,6 +182,12 @@ mod tests {
             (even(20).replace("0.001667", "0.001567"), None, "line 6: the time 0.001567 s is 0.30 of a sample away"),
             (even(20).replace("0.001667", "0.001333"), None, "line 6: the time 0.001333 s is not after 0.001333 s; times must ascend"),
             (even(20), Some(2000.0), "which is sampled at 3000"),
+            (
+                even(20).replace(",25\n", ",x\n").replace(",49\n", "\n"),
+                None,
+                "no number; line 8: the value is missing; two columns are due",
+            ),
+            (slower_from(12), None, "line 12: samples are 1.000000e-3 s apart before it and 1.100000e-3 s after it"),
             ("1,2\n".to_owned(), None, "which holds one sample"),
             ("t,a\n".to_owned(), None, "which holds no samples"),
         ] {

@@ -170,7 +170,14 @@ mod tests {
     }
 
     fn table(on: &str, stiffness_n_m: Option<f64>) -> Mass {
-        Mass { on: on.into(), mass_kg: 2.0, rotary_inertia_kg_m2: 0.0, stiffness_n_m, damping_ratio: stiffness_n_m.map(|_| 0.0) }
+        Mass {
+            on: on.into(),
+            mass_kg: 2.0,
+            rotary_inertia_kg_m2: 0.0,
+            stiffness_n_m,
+            damping_ratio: stiffness_n_m.map(|_| 0.0),
+            velocity_m_s: None,
+        }
     }
 
     /// A beam of 0.3 m, by its name, on a mass of 2 kg.

@@ -149,6 +149,7 @@ pub(super) mod tests {
             strain_limit: None,
             leakage_ohm: None,
             section,
+            pores: Default::default(),
         }
     }
 

@@ -7,6 +7,7 @@ mod diagram;
 mod ensemble;
 mod journal;
 mod jumps;
+mod orbit_limits;
 mod parameter;
 mod prepared;
 mod sweep;

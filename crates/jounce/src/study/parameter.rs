@@ -108,9 +108,6 @@ impl Harvester for Parameter<'_> {
         if let Some(drive) = system.aperiodic() {
             return Err(StudyError::Aperiodic { drive: drive.to_owned() });
         }
-        if !system.signals.is_empty() {
-            return Err(StudyError::Gravity);
-        }
         if let Some(bridge) = system.bridges.first() {
             return Err(StudyError::Rectified { circuit: bridge.name.clone() });
         }

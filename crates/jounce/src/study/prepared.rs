@@ -32,9 +32,6 @@ pub enum StudyError {
         /// Name of the drive.
         drive: String,
     },
-    /// Gravity, where orbits are followed.
-    #[error("orbits under gravity are not followed; use `jounce run` or `jounce sweep`, or take [gravity] out")]
-    Gravity,
     /// Diodes or switches, where orbits are followed.
     #[error(
         "orbits of the rectified circuit `{circuit}` are not followed; use `jounce run`, `jounce sweep` or `jounce ensemble`, or give it interface = \"resistor\""
@@ -148,8 +145,8 @@ impl Prepared {
     /// [`StudyError::StartFile`].
     pub fn start(&self, folder: &Path) -> Result<StartState, StudyError> {
         match &self.spec.run.start {
-            Start::Rest => Ok(StartState::rest(&self.kernel.plant)),
-            Start::Linear => Ok(StartState::linear(&self.kernel.plant)),
+            Start::Rest => Ok(StartState::rest(&self.kernel.plant).with_velocities(&self.spec, &self.modes)),
+            Start::Linear => Ok(StartState::linear(&self.kernel.plant).with_velocities(&self.spec, &self.modes)),
             Start::State(path) => {
                 let path = folder.join(path);
                 let fault = |reason: String| StudyError::StartFile { path: path.display().to_string(), reason };

@@ -6,7 +6,7 @@
 
 use super::{Journal, Prepared, StudyError, SweepPoint, Way};
 use crate::march::{MarchError, Watch};
-use crate::run::{RunAnswer, RunError, RunPlan, StartState, simulate};
+use crate::run::{RunAnswer, RunError, RunPlan, StartState, exceeded, simulate};
 use crate::spec::{KeyRange, Spec};
 use rayon::prelude::*;
 use std::path::PathBuf;
@@ -171,13 +171,16 @@ impl Sweep<'_> {
                 record_s: 0.0,
             },
         };
+        let plan = plan.watching(&prepared.spec, &prepared.kernel.plant);
         let mut marched_s = 0.0;
         loop {
-            let answer = simulate(&prepared.from_state(&start)?, &start, &plan)?;
+            let kernel = prepared.from_state(&start)?;
+            let answer = simulate(&kernel, &start, &plan)?;
             marched_s += plan.duration_s;
             start = answer.end.clone();
             if self.fixed_duration || answer.settlement.is_some_and(|found| found.settled) || marched_s >= MOST_DURATIONS * run.duration_s {
-                return Ok(point_of(&answer, &plan, (index, value, way), marched_s));
+                let exceeded = exceeded(&prepared.spec, &kernel, &answer.trajectory);
+                return Ok(SweepPoint { exceeded, ..point_of(&answer, &plan, (index, value, way), marched_s) });
             }
         }
     }
@@ -204,6 +207,7 @@ fn point_of(answer: &RunAnswer, plan: &RunPlan, (index, parameter, direction): (
         period_cycles: answer.settlement.map_or(0, |found| found.period_cycles),
         energy_residual_relative: answer.energies.residual_relative(),
         marched_s,
+        exceeded: Vec::new(),
         end: answer.end.clone(),
     }
 }

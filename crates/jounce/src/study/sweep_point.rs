@@ -1,6 +1,6 @@
 //! One point of a sweep.
 
-use crate::run::StartState;
+use crate::run::{Exceeded, StartState};
 use serde::{Deserialize, Serialize};
 
 /// How a point was reached.
@@ -51,6 +51,9 @@ pub struct SweepPoint {
     pub energy_residual_relative: f64,
     /// Time marched, s.
     pub marched_s: f64,
+    /// Limits of patches that it passes.
+    #[serde(default)]
+    pub exceeded: Vec<Exceeded>,
     /// State at the end.
     pub end: StartState,
 }

@@ -1,6 +1,6 @@
 //! `examples/mfc-bender-bilgen-2010`: patch moments of both kinds of Macro Fiber Composite against static beam theory.
 
-use crate::expected::spec;
+use crate::expected::{check, spec};
 use jounce::structure::modes;
 use jounce::structure::section::CrossSection;
 
@@ -38,4 +38,18 @@ fn capacitances_are_those_of_the_manufacturer() {
         let spec = spec(EXAMPLE, &[("patch.mfc.material", material)]);
         assert!((spec.patch["mfc"].clamped_capacitance_f() * 1e9 / (per_area * 8.5 * 2.8) - 1.0).abs() < 1e-12);
     }
+}
+
+/// The same numbers as rows: the motion of the end as the sum of the modes, the capacitance of the patch.
+#[test]
+fn every_expected_row_is_met() {
+    let of = |material: &str| {
+        let spec = spec(EXAMPLE, &[("patch.mfc.material", material)]);
+        let found = modes(&spec).unwrap();
+        let (shape, coupling) = (&found.shape["substrate.end"], &found.patch["mfc"].coupling_n_per_v);
+        let end_m: f64 = (0..found.len()).map(|mode| shape[mode] * coupling[mode] / found.frequency_rad_s[mode].powi(2)).sum();
+        [1e6 * end_m, 1e9 * spec.patch["mfc"].clamped_capacitance_f()]
+    };
+    let [[end_p2, nf_p2], [end_p1, nf_p1]] = ["MFC-P2", "MFC-P1"].map(of);
+    check(EXAMPLE, &[("end_um_per_v_p2", end_p2), ("end_um_per_v_p1", end_p1), ("capacitance_nf_p2", nf_p2), ("capacitance_nf_p1", nf_p1)]);
 }

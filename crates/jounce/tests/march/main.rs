@@ -19,5 +19,6 @@ mod signals;
 mod stiff;
 mod swings;
 mod symmetry;
+mod thrown;
 mod variation;
 mod work;

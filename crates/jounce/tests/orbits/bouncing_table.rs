@@ -1,6 +1,6 @@
-//! A ball on a vibrating table: multipliers and doubling in closed form.
+//! A ball on a vibrating table: multipliers and doubling in closed form, under gravity and without it.
 //!
-//! The ball hangs on a spring of stiffness `s` that is stretched far, instead of falling: errors are of order `s`, and two values of `s`
+//! Without gravity the ball hangs on a spring of stiffness `s` that is stretched far, instead of falling: errors are of order `s`, and two values of `s`
 //! carried to zero leave those of the method.
 
 use crate::harvesters::Systems;
@@ -8,7 +8,9 @@ use jounce::continuation::{Corrector, Metric, Position, settle};
 use jounce::march::Marcher;
 use jounce::orbit::{Harvester, OrbitMethod, Shooting};
 use jounce::reference::BouncingTable;
-use std::f64::consts::TAU;
+use jounce::spec::{NumericKey, Spec};
+use jounce::study::{Parameter, Prepared};
+use std::f64::consts::{PI, TAU};
 
 const CORRECTOR: Corrector = Corrector { goal: 1e-11, most: 20 };
 
@@ -80,5 +82,66 @@ fn doubling_is_where_the_closed_form_has_it() {
         let found = without_spring(doubling);
         eprintln!("e {restitution}: doubles at {found:.9}, off by {:.1e}", found - exact);
         assert!((found - exact).abs() < 1e-6, "{found}");
+    }
+}
+
+/// The ball under gravity, as a spec says it: acceleration of gravity and frequency of the table.
+const GRAVITY_M_S2: f64 = 9.81;
+const TABLE_HZ: f64 = 10.0;
+
+/// Trace and determinant of the orbit of `cycles` of a free mass under gravity.
+fn under_gravity(table: BouncingTable, cycles: u32) -> [f64; 2] {
+    let exact = table.orbit(cycles).unwrap();
+    let later = TAU / 3.0;
+    // The acceleration of a table at `A sin th` is `-w^2 A sin th`.
+    let phase_rad = exact.angle_rad + later + PI;
+    let text = format!(
+        "[mass.ball]\non = \"nothing\"\nmass = \"1 g\"\n[stop.t]\nat = \"ball\"\nside = \"negative\"\nlaw = \"rigid\"\ngap = \"0 mm\"\nrestitution = {}\n\
+         [gravity]\nacceleration = \"-{GRAVITY_M_S2} m/s^2\"\n[drive.b]\nkind = \"base-acceleration\"\namplitude = \"{} m/s^2\"\nfrequency = \"{TABLE_HZ} Hz\"\nphase = \"{phase_rad} rad\"\n",
+        table.restitution,
+        table.acceleration_ratio * GRAVITY_M_S2
+    );
+    let base = Prepared::new(Spec::from_toml(&text).unwrap()).unwrap();
+    let key = NumericKey::find(&base.spec, "drive.b.amplitude").unwrap();
+    let amplitude = key.get(&base.spec).unwrap();
+    let harvester = Parameter::new(&base, &key, 1.0);
+    // A third of a cycle after the bounce, above the table; lengths in g / w^2, speeds in g / w.
+    let (g, w) = (table.acceleration_ratio, TAU * TABLE_HZ);
+    let height = exact.speed * later - 0.5 * later * later - g * ((exact.angle_rad + later).sin() - exact.angle_rad.sin());
+    let speed = exact.speed - later - g * (exact.angle_rad + later).cos();
+    let shape = base.kernel.plant.system.modes.shape["ball"][0];
+    let physical = [height * GRAVITY_M_S2 / (w * w) / shape, speed * GRAVITY_M_S2 / w / shape];
+    let shooting = Shooting::new(&harvester, &base.kernel, cycles, 1e-12);
+    let position = Position { unknown: shooting.unknown(&physical), parameter: amplitude };
+    let metric = Metric::at(&position, 1.0);
+    let found = settle(&shooting, &CORRECTOR, &metric, position.clone()).unwrap();
+    // The start is that of the closed form.
+    assert!(metric.length(&position.to(&found.position)) < 1e-9);
+    let orbit = shooting.orbit(&found.local, found.error).unwrap();
+    assert_eq!(orbit.contacts, 1);
+    let [a, b] = [orbit.multipliers[0], orbit.multipliers[1]];
+    [(a + b).re, (a * b).re]
+}
+
+#[test]
+fn multipliers_under_gravity_are_those_of_the_exact_map() {
+    for (restitution, acceleration_ratio, cycles) in [(0.5, 1.3, 1), (0.5, 1.6, 1), (0.8, 0.9, 1), (0.8, 1.2, 2)] {
+        let table = BouncingTable { restitution, acceleration_ratio };
+        let (exact, found) = (table.orbit(cycles).unwrap().trace_determinant, under_gravity(table, cycles));
+        let errors = [found[0] - exact[0], found[1] - exact[1]];
+        eprintln!("e {restitution}, G {acceleration_ratio}, {cycles} cycles under gravity: {errors:?}");
+        assert!(errors.iter().all(|error| error.abs() < 1e-9), "{errors:?}");
+    }
+}
+
+#[test]
+fn doubling_under_gravity_is_where_the_closed_form_has_it() {
+    for (restitution, exact) in [(0.5, 1.526823701), (0.8, 1.070836468)] {
+        let past = |acceleration_ratio: f64| {
+            let [trace, determinant] = under_gravity(BouncingTable { restitution, acceleration_ratio }, 1);
+            1.0 + trace + determinant
+        };
+        let (below, above) = (past(exact - 1e-8), past(exact + 1e-8));
+        assert!(below > 0.0 && above < 0.0, "{below:e} {above:e}");
     }
 }

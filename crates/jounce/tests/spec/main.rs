@@ -5,11 +5,14 @@ mod corpus;
 mod drives;
 mod examples;
 mod fuzz;
+mod overlap;
 mod overrides;
+mod pores;
 mod random;
 mod round_trip;
 mod schema;
 mod sweeps;
+mod velocities;
 
 use std::path::{Path, PathBuf};
 

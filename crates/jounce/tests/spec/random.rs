@@ -41,6 +41,7 @@ fn mass() -> impl Strategy<Value = Mass> {
         rotary_inertia_kg_m2: 0.0,
         stiffness_n_m: (!free).then_some(stiffness_n_m),
         damping_ratio: (!free).then_some(damping_ratio),
+        velocity_m_s: free.then_some(stiffness_n_m),
     })
 }
 
@@ -108,6 +109,7 @@ fn patch(beam: (String, Beam)) -> impl Strategy<Value = Patch> {
             strain_limit: None,
             leakage_ohm: (start < 0.2).then_some(capacitance_f),
             section,
+            pores: Default::default(),
         },
     )
 }
@@ -189,6 +191,29 @@ fn circuit(patch: String, resistance_ohm: f64) -> Circuit {
     }
 }
 
+/// Nothing lies inside a rigid stop, nor a free mass inside anything: gaps are positive there. A mass has a velocity of its own where no
+/// beam is clamped to it and no file holds those of a start.
+fn apart(spec: &mut Spec) {
+    let free = |point: &str| spec.mass.get(point.split('.').next().unwrap()).is_some_and(|mass| mass.on == "nothing");
+    let carried = |point: &str| spec.beam.get(point.split('.').next().unwrap()).is_some_and(|beam| beam.root != "ground");
+    let touching: Vec<String> = (spec.stop.iter())
+        .filter(|(_, stop)| {
+            matches!(stop.law, StopLaw::Rigid { .. }) || [&stop.at, &stop.frame].iter().any(|point| free(point) || carried(point))
+        })
+        .map(|(name, _)| name.clone())
+        .collect();
+    touching.iter().for_each(|name| {
+        let stop = spec.stop.get_mut(name).unwrap();
+        stop.gap_m = stop.gap_m.abs();
+    });
+    let from_file = matches!(spec.run.start, Start::State(_));
+    for (name, mass) in &mut spec.mass {
+        if from_file || spec.beam.values().any(|beam| beam.root == *name) {
+            mass.velocity_m_s = None;
+        }
+    }
+}
+
 type Things = (Spec, Vec<Patch>, BTreeMap<String, Stop>, BTreeMap<String, Drive>);
 type Settings = (Run, Vec<f64>, Reduction, f64, Vec<(String, f64)>);
 
@@ -198,5 +223,7 @@ fn assemble(((mut spec, patches, stop, drive), (run, ratios, reduction, beyond, 
     let names: Vec<String> = spec.patch.keys().cloned().chain(modal).collect();
     spec.circuit = names.into_iter().zip(loads).map(|(patch, (name, resistance_ohm))| (name, circuit(patch, resistance_ohm))).collect();
     // A thin skin without mass prints and reads its unused density like any other.
-    Spec { stop, drive, run, reduction, damping: Damping { ratios, beyond: Some(beyond) }, ..spec }
+    let mut spec = Spec { stop, drive, run, reduction, damping: Damping { ratios, beyond: Some(beyond) }, ..spec };
+    apart(&mut spec);
+    spec
 }

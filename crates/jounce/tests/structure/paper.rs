@@ -52,6 +52,7 @@ pub fn paper_patch(section: Section) -> Patch {
         strain_limit: None,
         leakage_ohm: None,
         section,
+        pores: Default::default(),
     }
 }
 
@@ -60,11 +61,18 @@ pub fn paper_table() -> Mass {
 }
 
 pub fn sprung(on: &str, mass_kg: f64, stiffness_n_m: f64, damping_ratio: f64) -> Mass {
-    Mass { on: on.into(), mass_kg, rotary_inertia_kg_m2: 0.0, stiffness_n_m: Some(stiffness_n_m), damping_ratio: Some(damping_ratio) }
+    Mass {
+        on: on.into(),
+        mass_kg,
+        rotary_inertia_kg_m2: 0.0,
+        stiffness_n_m: Some(stiffness_n_m),
+        damping_ratio: Some(damping_ratio),
+        velocity_m_s: None,
+    }
 }
 
 pub fn fixed(on: &str, mass_kg: f64, rotary_inertia_kg_m2: f64) -> Mass {
-    Mass { on: on.into(), mass_kg, rotary_inertia_kg_m2, stiffness_n_m: None, damping_ratio: None }
+    Mass { on: on.into(), mass_kg, rotary_inertia_kg_m2, stiffness_n_m: None, damping_ratio: None, velocity_m_s: None }
 }
 
 /// `examples/impact-harvester-2019/harvester.toml`, as far as its structure goes.

@@ -3,6 +3,7 @@
 mod grid;
 
 use crate::failure::Failure;
+use crate::limit_warnings;
 use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments, check_drive, check_tolerance};
@@ -10,6 +11,7 @@ use crate::threads::ThreadsArgument;
 use clap::Args;
 use jounce::picture::{Colour, Figure, Marker, Panel, Series};
 use jounce::plant::Plant;
+use jounce::run::Exceeded;
 use jounce::study::{Attractor, Basins as Study, BasinsAnswer, Cloud, GridAxis, Parameter, Prepared, SectionPoint, Starts};
 use jounce::table::{Column, Table};
 
@@ -77,6 +79,8 @@ impl Basins {
     }
 
     fn tell(&self, base: &Prepared, starts: &Starts, answer: &BasinsAnswer) -> Result<(), Failure> {
+        let passed: Vec<&[Exceeded]> = answer.attractors.iter().map(|a| a.exceeded.as_slice()).collect();
+        limit_warnings::warn(&passed, "attractors", |place| format!("attractor {}", answer.attractors[place].id));
         if let Some(folder) = &self.output.out {
             let manifest = self.spec.manifest(&base.spec, "basins").with("seed", self.seed).with("spread", self.spread);
             output::table(folder, "attractors", &table(answer)?, &manifest)?;
@@ -123,6 +127,7 @@ fn listed(a: &Attractor) -> serde_json::Value {
         "fraction": a.share.fraction,
         "fraction_low": a.share.low,
         "fraction_high": a.share.high,
+        "warnings": a.exceeded,
     })
 }
 

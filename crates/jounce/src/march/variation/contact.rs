@@ -86,11 +86,13 @@ impl Linearisation<'_> {
         let port = tables.ports[place].0;
         let (law, table) = (self.law(port), tables.own(place));
         let driven = self.driven(w, tables.ports[place], tables.length, segment);
-        let start = w.sub(w.load(&driven.displacement_m), w.splat(kernel.plant.system.stops[port].gap_m));
+        let [held, carried] = self.held(tables.ports[place], segment.length_s);
+        let driven_m = w.add(w.load(&driven.displacement_m), w.load(&held));
+        let start = w.sub(driven_m, w.splat(kernel.plant.system.stops[port].gap_m));
         let mut depth = columns(w, &layout, &self.packed, &table.displacement.columns, start);
         let mut rate = w.zero();
         if law.is_rate_dependent() {
-            rate = columns(w, &layout, &self.packed, &table.velocity.columns, w.load(&driven.velocity_m_s));
+            rate = columns(w, &layout, &self.packed, &table.velocity.columns, w.add(w.load(&driven.velocity_m_s), w.load(&carried)));
         }
         let mut force_n = Lane::ZERO;
         for (from, force) in segment.forces.iter().enumerate() {
@@ -113,6 +115,18 @@ impl Linearisation<'_> {
             }
         }
         nodes
+    }
+
+    /// Displacement (m) and velocity (m/s) by constant signals at the places of a step. They go with the time from its start, so that a
+    /// shift of that start leaves them as they are.
+    #[inline(always)]
+    fn held(&self, (port, shape): (usize, Shape), length_s: f64) -> [Lane; 2] {
+        let mut held = [Lane::ZERO; 2];
+        let Some(series) = self.forced.get(port) else { return held };
+        for (i, place) in self.kernel.basis(port, shape).places.iter().enumerate() {
+            [held[0].0[i], held[1].0[i]] = series.motion(place * length_s);
+        }
+        held
     }
 
     /// `J C dy + J' C' dy` of a place.

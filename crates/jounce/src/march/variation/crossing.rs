@@ -25,13 +25,17 @@ impl Linearisation<'_> {
         Some(shift_s)
     }
 
-    /// `y'` at a state under the forces of some ports.
+    /// `y'` at a state, less what constant signals hold, under those signals and the forces of some ports.
     pub(super) fn rate(&self, time_s: f64, state: &[f64], forces: &[PortForce]) -> Vec<f64> {
         let plant = &self.kernel.plant;
         let mut rate = plant.diagonal.block.apply(state);
+        for (forcing, [size, _]) in plant.forcings.iter().zip(&self.sizes) {
+            rate.iter_mut().zip(&forcing.local).for_each(|(rate, b)| *rate += b * size);
+        }
         for force in forces {
             let (port, driven) = (&plant.ports[force.port], self.drift.driven(plant, force.port, time_s));
-            let depth_m = dot(&port.displacement, state) + driven.displacement_m - plant.system.stops[force.port].gap_m;
+            let held_m = self.forced.get(force.port).map_or(0.0, |series| series.value(0.0));
+            let depth_m = dot(&port.displacement, state) + driven.displacement_m + held_m - plant.system.stops[force.port].gap_m;
             let force_n = self.law(force.port).force_n(depth_m, dot(&port.velocity, state) + driven.velocity_m_s);
             rate.iter_mut().zip(&port.force).for_each(|(rate, b)| *rate += b * force_n);
         }

@@ -5,9 +5,11 @@ use super::drift::Drift;
 use super::elimination::NodeSystem;
 use super::tangents::Tangents;
 use crate::contact::Law;
+use crate::march::forced_reading::{Reading, Series};
 use crate::march::kernel::Kernel;
 use crate::march::tone::Turning;
 use crate::march::trajectory::{Segment, Trajectory};
+use crate::plant::{Port, Size};
 use crate::wide::{Lane, Task, Wide};
 
 /// A march to be linearised.
@@ -25,18 +27,25 @@ pub struct Linearisation<'a> {
     pub(super) packed: Vec<Lane>,
     /// The drives.
     pub(super) tones: Vec<Turning>,
+    /// Size of each signal: they are constant.
+    pub(super) sizes: Vec<Size>,
+    /// Per port: what it reads of the signals, from the start of a step on.
+    pub(super) forced: Vec<Series>,
     /// Flight not yet applied, s.
     pending_s: f64,
 }
 
 impl<'a> Linearisation<'a> {
-    /// From the start of a record; `end` is the state at its end.
+    /// From the start of a record; `end` is the state at its end, less what signals hold.
     pub fn new(kernel: &'a Kernel, drift: &'a Drift, trajectory: &'a Trajectory, end: &'a [f64]) -> Self {
         let tangents = Tangents::identity(kernel.plant.len());
         let (system, factors) = (NodeSystem::new(1, tangents.width), vec![Lane::ZERO; kernel.plant.len()]);
         let tones = (0..kernel.plant.tones.len()).map(|index| Turning::new(&kernel.plant, index, 0.0)).collect();
         let packed = vec![Lane::ZERO; kernel.layout.lanes()];
-        Self { kernel, drift, trajectory, end, tangents, system, factors, packed, tones, pending_s: 0.0 }
+        let sizes = sizes(kernel, trajectory);
+        let series = |port: &Port| Reading::of(&kernel.plant, &port.displacement).series(&sizes);
+        let forced = kernel.plant.ports.iter().filter(|_| !sizes.is_empty()).map(series).collect();
+        Self { kernel, drift, trajectory, end, tangents, system, factors, packed, tones, sizes, forced, pending_s: 0.0 }
     }
 
     /// Passes one step; `after` is the state at its end, `next` the step that follows.
@@ -96,6 +105,12 @@ impl<'a> Linearisation<'a> {
         self.impact(w, impact, earlier, (time_s, after));
         Ok(())
     }
+}
+
+/// Size of each signal on a record.
+pub(super) fn sizes(kernel: &Kernel, trajectory: &Trajectory) -> Vec<Size> {
+    let first = trajectory.segments().first();
+    first.map_or_else(|| vec![[0.0; 2]; kernel.plant.forcings.len()], |first| first.sizes.clone())
 }
 
 impl Task for Linearisation<'_> {

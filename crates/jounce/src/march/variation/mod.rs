@@ -17,7 +17,7 @@
 //! A contact that starts like `t^1.5` varies like `t^0.5` at a fixed time, which its basis cannot follow, but like `t^1.5` again
 //! when the time is counted from its own start: hence the shift `s` (s) of the time of the first step.
 //!
-//! Limits: of contacts that start at the same instant the first gives the shift, and the basis of the others follows their variation
+//! Limits: signals are constant, as gravity is. Of contacts that start at the same instant the first gives the shift, and the basis of the others follows their variation
 //! only roughly. Impacts on several rigid stops at the same instant are refused.
 //!
 //! Validation: `tests/march/variation.rs` compares with differences of the flow, with its determinant and with closed forms.
@@ -102,8 +102,14 @@ impl Variation {
         let (end, forces_n) = (marcher.state(), marcher.forces_n());
         let (statistics, loads_j) = (marcher.statistics(), marcher.energies().loads_j);
         let trajectory = marcher.take_record();
-        let tangents = widest(Linearisation::new(kernel, drift, &trajectory, &end))?;
+        let sizes = linearisation::sizes(kernel, &trajectory);
+        let held = kernel.plant.forced(&sizes, 0.0);
+        let less: Vec<f64> = end.iter().zip(held).map(|(y, held)| y - held).collect();
+        let tangents = widest(Linearisation::new(kernel, drift, &trajectory, &less))?;
         let mut rate = kernel.plant.diagonal.block.apply(&end);
+        for (forcing, [size, _]) in kernel.plant.forcings.iter().zip(&sizes) {
+            rate.iter_mut().zip(&forcing.column).for_each(|(rate, b)| *rate += b * size);
+        }
         for (port, force_n) in kernel.plant.ports.iter().zip(forces_n) {
             rate.iter_mut().zip(&port.force).for_each(|(rate, b)| *rate += b * force_n);
         }

@@ -35,11 +35,12 @@ impl<'h, H: Harvester> HarmonicBalance<'h, H> {
     /// With `harmonics` of the period to begin with.
     ///
     /// # Errors
-    /// [`OrbitError::Impulsive`] for a rigid stop, [`OrbitError::SeveralStops`].
+    /// [`OrbitError::Impulsive`] for a rigid stop, [`OrbitError::SeveralStops`], [`OrbitError::Gravity`].
     pub fn new(shooting: Shooting<'h, H>, kernel: &Kernel, harmonics: usize, accuracy: f64) -> Result<Self, OrbitError<H::Error>> {
         let stops = &kernel.plant.system.stops;
         match stops.iter().find(|stop| matches!(stop.law, Law::Rigid(_))) {
             Some(stop) => Err(OrbitError::Impulsive { stop: stop.name.clone() }),
+            None if !kernel.plant.system.signals.is_empty() => Err(OrbitError::Gravity),
             None if stops.len() > 1 => Err(OrbitError::SeveralStops { stops: stops.len() }),
             None => Ok(Self { shooting, harmonics, accuracy, grid: grid(harmonics), rules: Arc::default() }),
         }

@@ -1,8 +1,9 @@
 //! Drives, gravity and free bodies go together.
 
 use super::Broken;
+use super::overlap::free_below;
 use crate::spec::nearest::clip;
-use crate::spec::{Drive, DriveKind, DriveSignal, Quantity, Spec, Stop, StopLaw};
+use crate::spec::{Drive, DriveKind, DriveSignal, Quantity, Spec};
 
 /// Most samples of one drive: 0.8 GB.
 const MOST_SAMPLES: f64 = 1e8;
@@ -19,42 +20,11 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
         check_participation(spec, "gravity.acceleration", "gravity", broken);
     }
     let pulled = spec.gravity.acceleration_m_s2.is_some_and(|acceleration| acceleration != 0.0);
-    let met = |name: &str| spec.stop.values().any(|stop| stands_on(spec, &stop.at, name) || stands_on(spec, &stop.frame, name));
+    let met = |name: &str| spec.stop.values().any(|stop| [&stop.at, &stop.frame].iter().any(|point| free_below(spec, point) == Some(name)));
     for (name, _) in spec.mass.iter().filter(|(name, mass)| mass.on == "nothing" && !pulled && !met(name)) {
         let text = || "is \"nothing\", so the mass would drift for ever: give [gravity] or a [stop.NAME] that it strikes".to_owned();
         broken.push(|| format!("mass.{name}.on"), text);
     }
-    if !pulled {
-        check_overlap(spec, broken);
-    }
-}
-
-/// Without gravity nothing presses a free body into what it strikes, so that at rest they do not overlap.
-fn check_overlap(spec: &Spec, broken: &mut Broken) {
-    let one_sided = |stop: &Stop| !matches!(stop.law, StopLaw::Cubic { .. });
-    for (name, stop) in spec.stop.iter().filter(|(_, stop)| stop.gap_m < 0.0 && one_sided(stop)) {
-        let free = |mass: &str| spec.mass[mass].on == "nothing" && (stands_on(spec, &stop.at, mass) || stands_on(spec, &stop.frame, mass));
-        if let Some(mass) = spec.mass.keys().find(|mass| free(mass)) {
-            let gap = Quantity::Length.write(stop.gap_m);
-            let text = || format!("is {gap}: at rest the free mass \"{}\" would lie inside what it strikes; give at least 0", clip(mass));
-            broken.push(|| format!("stop.{name}.gap"), text);
-        }
-    }
-}
-
-/// True where a point belongs to a mass or to what stands on it.
-fn stands_on(spec: &Spec, point: &str, mass: &str) -> bool {
-    let mut body = point.split('.').next().unwrap_or_default();
-    for _ in 0..=spec.mass.len() + spec.beam.len() {
-        let below = match (spec.mass.get(body), spec.beam.get(body)) {
-            _ if body == mass => return true,
-            (Some(mass), _) => &mass.on,
-            (None, Some(beam)) => &beam.root,
-            (None, None) => return false,
-        };
-        body = below.split('.').next().unwrap_or_default();
-    }
-    false
 }
 
 fn check_kind(name: &str, drive: &Drive, broken: &mut Broken) {

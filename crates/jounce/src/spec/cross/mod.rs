@@ -8,6 +8,8 @@ mod drives;
 mod geometry;
 mod layers;
 mod modes;
+mod overlap;
+mod pores;
 mod reference;
 mod support;
 
@@ -44,8 +46,10 @@ pub(super) fn broken(spec: &Spec) -> Vec<(String, String)> {
     circuit::check(spec, &mut broken);
     geometry::check(spec, &mut broken);
     layers::check(spec, &mut broken);
+    pores::check(spec, &mut broken);
     modes::check(spec, &mut broken);
     drives::check(spec, &mut broken);
+    overlap::check(spec, &mut broken);
     broken.found
 }
 

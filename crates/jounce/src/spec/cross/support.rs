@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use super::Broken;
 use super::reference::unknown;
 use crate::spec::nearest::clip;
-use crate::spec::{Beam, Mass, Spec};
+use crate::spec::{Beam, Mass, Spec, Start};
 
 const GROUND: &str = "ground";
 const NOTHING: &str = "nothing";
@@ -70,12 +70,38 @@ fn check_mass(spec: &Spec, name: &str, mass: &Mass, broken: &mut Broken) {
         ),
         _ => {}
     }
+    check_velocity(spec, name, mass, broken);
     let turns = mass.stiffness_n_m.is_none() && turns_with(spec, on, spec.mass.len());
     if mass.rotary_inertia_kg_m2 > 0.0 && !turns {
         broken.push(
             || format!("mass.{name}.rotary_inertia"),
             || "has no effect: only a mass without spring on a point of a beam turns; leave it out".into(),
         );
+    }
+}
+
+/// A mass that moves by itself, and carries no beam, may have a velocity of its own.
+fn check_velocity(spec: &Spec, name: &str, mass: &Mass, broken: &mut Broken) {
+    if mass.velocity_m_s.is_none_or(|velocity_m_s| velocity_m_s == 0.0) {
+        return;
+    }
+    let key = || format!("mass.{name}.velocity");
+    if mass.stiffness_n_m.is_none() && mass.on != NOTHING {
+        broken.push(key, || {
+            "does not go with a mass that is fixed to what it stands on; give it to a mass that is free or on a spring".into()
+        });
+    }
+    if let Some((beam, _)) = spec.beam.iter().find(|(_, beam)| spec.is_fixed_to(&beam.root, name)) {
+        let text = || {
+            format!(
+                "is that of the mass alone, which would tear the root of beam \"{}\" off the rest of it; give a [drive.NAME] with signal = \"velocity-step\" instead",
+                clip(beam)
+            )
+        };
+        broken.push(key, text);
+    }
+    if matches!(spec.run.start, Start::State(_)) {
+        broken.push(key, || "has no effect: the file of run.start has the velocities of its run; leave one of them out".into());
     }
 }
 

@@ -13,7 +13,14 @@ use crate::spec::key::Kind;
 const SPRING: &[&str] = &["frequency", "stiffness"];
 
 pub(super) fn blank() -> Mass {
-    Mass { on: "ground".to_owned(), mass_kg: f64::NAN, rotary_inertia_kg_m2: 0.0, stiffness_n_m: None, damping_ratio: None }
+    Mass {
+        on: "ground".to_owned(),
+        mass_kg: f64::NAN,
+        rotary_inertia_kg_m2: 0.0,
+        stiffness_n_m: None,
+        damping_ratio: None,
+        velocity_m_s: None,
+    }
 }
 
 pub(super) static KEYS: &[Key<Mass>] = &[
@@ -62,5 +69,12 @@ pub(super) static KEYS: &[Key<Mass>] = &[
         Slot::Optional { get: |m: &Mass| m.damping_ratio, set: |m, x| m.damping_ratio = Some(x) },
     )
     .within(Range { low: 0.0, open: false, high: 10.0 })
+    .optional(),
+    Key::with_slot(
+        "velocity",
+        Kind::Quantity(Quantity::Speed),
+        "velocity at the start of a run, beside what `run.start` gives it; for a free mass or one on a spring",
+        Slot::Optional { get: |m: &Mass| m.velocity_m_s, set: |m, x| m.velocity_m_s = Some(x) },
+    )
     .optional(),
 ];

@@ -9,6 +9,7 @@ mod layer;
 mod mass;
 mod modal;
 mod patch;
+mod pores;
 mod settings;
 mod stop;
 

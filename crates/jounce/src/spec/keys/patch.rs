@@ -2,7 +2,9 @@
 
 use crate::material;
 use crate::spec::key::{Key, Kind, Range, Slot};
-use crate::spec::{Face, Patch, Quantity, Section};
+use crate::spec::{Face, Patch, PatchPores, Quantity, Section};
+
+use super::pores;
 
 const COEFFICIENT: &[&str] = &["d31", "d33"];
 const CAPACITANCE: &[&str] = &["capacitance", "permittivity"];
@@ -26,6 +28,7 @@ pub(super) fn blank() -> Patch {
         strain_limit: None,
         leakage_ohm: None,
         section: Section::default(),
+        pores: PatchPores::default(),
     }
 }
 
@@ -66,6 +69,38 @@ pub(super) static KEYS: &[Key<Patch>] = &[
         |p: &Patch| p.material.clone(),
         fill,
     )
+    .optional(),
+    Key::text(
+        "pore_shape",
+        Kind::Choice(pores::SHAPES),
+        "shape of the pores, which lie along the pole; with `porosity`",
+        |p: &Patch| pores::shape_word(p.pores.shape).to_owned(),
+        |p, x| pores::set(p, |p| p.pores.shape = pores::shape_of(x)),
+    )
+    .optional(),
+    Key::with_slot(
+        "pore_aspect_ratio",
+        Kind::Number,
+        "length of the pores along the pole over their width",
+        Slot::Optional { get: |p: &Patch| p.pores.aspect_ratio, set: |p, x| pores::set(p, |p| p.pores.aspect_ratio = Some(x)) },
+    )
+    .within(Range { low: 1e-3, open: false, high: 1e3 })
+    .when("pore_shape", &["spheroids"]),
+    Key::text(
+        "porosity_scheme",
+        Kind::Choice(pores::SCHEMES),
+        "how pores act on each other: each in the mean field of the matrix, or each in the composite",
+        |p: &Patch| pores::scheme_word(p.pores.scheme).to_owned(),
+        |p, x| pores::set(p, |p| p.pores.scheme = pores::scheme_of(x)),
+    )
+    .optional(),
+    Key::with_slot(
+        "porosity",
+        Kind::Number,
+        "part of the volume of the material that is pores: modulus, density, coefficient and permittivity follow from it",
+        Slot::Optional { get: |p: &Patch| p.pores.porosity, set: |p, x| pores::set(p, |p| p.pores.porosity = Some(x)) },
+    )
+    .within(Range { low: 0.0, open: false, high: 0.95 })
     .optional(),
     Key::text(
         "section",
@@ -154,7 +189,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::with_slot(
         "strain_limit",
         Kind::Number,
-        "largest strain along the beam that it bears; `jounce run` warns beyond it",
+        "largest strain along the beam that it bears; marches and orbits warn beyond it",
         Slot::Optional { get: |p: &Patch| p.strain_limit, set: |p, x| p.strain_limit = Some(x) },
     )
     .within(Range::POSITIVE)

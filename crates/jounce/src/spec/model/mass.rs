@@ -13,4 +13,6 @@ pub struct Mass {
     pub stiffness_n_m: Option<f64>,
     /// `damping_ratio`: damping ratio of the coupled mode in which this mass moves most; with a spring only.
     pub damping_ratio: Option<f64>,
+    /// `velocity` at the start of a run, m/s, beside what `run.start` gives it; `None` without.
+    pub velocity_m_s: Option<f64>,
 }

@@ -9,6 +9,7 @@ mod layer;
 mod mass;
 mod modal;
 mod patch;
+mod pores;
 mod reduction;
 mod run;
 mod signal;
@@ -23,6 +24,7 @@ pub use layer::Layer;
 pub use mass::Mass;
 pub use modal::{Modal, ModalPatch};
 pub use patch::{Face, Patch, Section};
+pub use pores::{Composite, PatchPores, PoreShape, PorosityScheme};
 pub use reduction::Reduction;
 pub use run::{Run, Start};
 pub use signal::{DriveSignal, FrequencySweep};
@@ -57,4 +59,19 @@ pub struct Spec {
     pub reduction: Reduction,
     /// `[run]`
     pub run: Run,
+}
+
+impl Spec {
+    /// True where a support is a mass, or one without spring that is fixed to it.
+    pub fn is_fixed_to(&self, support: &str, mass: &str) -> bool {
+        let mut support = support;
+        for _ in 0..=self.mass.len() {
+            match self.mass.get(support) {
+                _ if support == mass => return true,
+                Some(own) if own.stiffness_n_m.is_none() => support = &own.on,
+                _ => return false,
+            }
+        }
+        false
+    }
 }

@@ -1,5 +1,7 @@
 //! `[patch.NAME]`
 
+use super::PatchPores;
+
 /// A piezoelectric patch bonded on one face of a beam.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Patch {
@@ -37,6 +39,8 @@ pub struct Patch {
     pub strain_limit: Option<f64>,
     /// `section`; default `laminate`.
     pub section: Section,
+    /// `porosity`, `pore_shape`, `pore_aspect_ratio`, `porosity_scheme`: the pores of the material.
+    pub pores: PatchPores,
 }
 
 impl Patch {

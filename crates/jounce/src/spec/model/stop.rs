@@ -70,3 +70,18 @@ pub enum StopLaw {
         restitution: f64,
     },
 }
+
+impl StopLaw {
+    /// Depth at which a one-sided stop bears a steady force, m: `(F / stiffness)^(1 / exponent)`, 0 for a rigid one; `None` for one that
+    /// acts on both sides.
+    pub fn static_penetration_m(&self, force_n: f64) -> Option<f64> {
+        match *self {
+            StopLaw::Hertz { stiffness, exponent } | StopLaw::HuntCrossley { stiffness, exponent, .. } => {
+                Some((force_n / stiffness).powf(exponent.recip()))
+            }
+            StopLaw::Spring { stiffness_n_m } | StopLaw::KelvinVoigt { stiffness_n_m, .. } => Some(force_n / stiffness_n_m),
+            StopLaw::Cubic { .. } => None,
+            StopLaw::Rigid { .. } => Some(0.0),
+        }
+    }
+}

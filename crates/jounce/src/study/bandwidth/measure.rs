@@ -77,7 +77,12 @@ impl<'s> BandwidthSearch<'s> {
     fn stable<'b>(&self, branch: &'b Branch) -> Option<Stable<'b>> {
         let pairs: Vec<&[BranchPoint]> = branch.points.windows(2).collect();
         let stable = branch.points.iter().filter(|point| point.orbit.is_stable());
-        let low_w = NEAR_HALF * stable.map(|point| point.orbit.mean_power_w).fold(0.0, f64::max);
+        let largest_w = stable.map(|point| point.orbit.mean_power_w).fold(0.0, f64::max);
+        if largest_w == 0.0 {
+            // Without power there is no half of it.
+            return None;
+        }
+        let low_w = NEAR_HALF * largest_w;
         let segments: Vec<Segment> =
             pairs.into_par_iter().filter_map(|pair| self.segment(branch.period_cycles, [&pair[0], &pair[1]], low_w)).collect();
         let mut peak = self.peak(&segments)?;

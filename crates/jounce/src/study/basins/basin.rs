@@ -1,13 +1,19 @@
 //! Marches a cloud until every start is recognised, and counts.
 
 use super::Starts;
-use super::fate::Fate;
+use super::fate::{Fate, late_state};
 use super::lyapunov::{Lyapunov, Wandering};
 use super::share::{QUANTILE_95, Share, wilson};
 use super::signature::{Signature, letters};
+use crate::march::{Kernel, MarchError};
 use crate::orbit::{Harvester, Orbit};
+use crate::run::{Exceeded, Limits, RunError};
+use crate::study::orbit_limits::{passed_by_orbit, passed_over};
 use crate::study::{Parameter, Prepared, StudyError};
 use rayon::prelude::*;
+
+/// Drive cycles over which a motion without a period is held against limits.
+const LATE_CYCLES: u32 = 64;
 
 /// A cloud to be marched.
 #[derive(Debug)]
@@ -45,6 +51,8 @@ pub struct Attractor {
     pub share: Share,
     /// Numbers of the starts that end here.
     pub starts: Vec<usize>,
+    /// Limits of patches that it passes.
+    pub exceeded: Vec<Exceeded>,
 }
 
 /// What a cloud answers.
@@ -82,7 +90,26 @@ impl Basins<'_> {
             (!watch.is_stopped()).then_some((index, fate))
         };
         let fates: Vec<(usize, Fate)> = (0..self.starts.len()).into_par_iter().filter_map(finished).collect();
-        Ok(answer(&fates))
+        let mut answer = answer(&fates);
+        let limits = Limits::of(&self.base.spec, &kernel.plant);
+        for attractor in answer.attractors.iter_mut().filter(|_| !limits.is_empty() && !watch.is_stopped()) {
+            let fate = fates.iter().find(|(index, _)| attractor.starts.first() == Some(index)).map(|(_, fate)| fate);
+            attractor.exceeded = self.passed(&limits, &kernel, fate, &attractor.starts).map_err(RunError::from)?;
+        }
+        Ok(answer)
+    }
+
+    /// The limits that an attractor passes: over its period, or over some cycles late on the way of its first start.
+    fn passed(&self, limits: &Limits, kernel: &Kernel, fate: Option<&Fate>, starts: &[usize]) -> Result<Vec<Exceeded>, MarchError> {
+        match (fate, starts.first()) {
+            (Some(Fate::Orbit(orbit)), _) => passed_by_orbit(limits, (self.parameter, kernel), orbit, self.tolerance),
+            (_, Some(start)) => {
+                let start = self.starts.start(&kernel.plant, *start);
+                let state = late_state(kernel, &start, self.tolerance)?;
+                passed_over(limits, kernel, &state, LATE_CYCLES, self.tolerance)
+            }
+            (_, None) => Ok(Vec::new()),
+        }
     }
 }
 
@@ -116,6 +143,7 @@ fn answer(fates: &[(usize, Fate)]) -> BasinsAnswer {
             lyapunov: None,
             share: wilson(starts.len(), of),
             starts,
+            exceeded: Vec::new(),
         });
     }
     for kind in [Wandering::Chaos, Wandering::Torus, Wandering::Unsettled] {
@@ -148,6 +176,7 @@ fn wandering(kind: Wandering, found: &[(usize, Lyapunov)], of: usize) -> Option<
         lyapunov: Some((mean(|found| found.exponent_per_s), mean(|found| found.error_per_s) / count.sqrt())),
         share: wilson(found.len(), of),
         starts: found.iter().map(|(index, _)| *index).collect(),
+        exceeded: Vec::new(),
     })
 }
 

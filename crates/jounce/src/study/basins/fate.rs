@@ -1,7 +1,7 @@
 //! Where one start ends.
 
 use super::lyapunov::{Lyapunov, Wandering, largest_exponent};
-use crate::march::{Kernel, Marcher, VariationError};
+use crate::march::{Kernel, MarchError, Marcher, VariationError};
 use crate::orbit::{Harvester, Orbit};
 use crate::study::branches::settled_orbit;
 
@@ -53,9 +53,7 @@ impl Fate {
 
 /// The exponent of a motion without a period, and its physical state much later.
 fn wander(kernel: &Kernel, start: &[f64], tolerance: f64) -> Result<(Lyapunov, Vec<f64>), VariationError> {
-    let cycle_s = kernel.plant.tones.first().map_or(1.0, |tone| std::f64::consts::TAU / tone.angular_frequency_rad_s);
-    let mut marcher = Marcher::new(kernel, &kernel.plant.from_physical(start, 0.0), 0.0, tolerance)?;
-    marcher.advance_to(TRANSIENT_CYCLES * cycle_s)?;
+    let (mut marcher, cycle_s) = settled(kernel, start, tolerance)?;
     let state = marcher.state();
     let mut found = largest_exponent(kernel, &state, EXPONENT_CYCLES, tolerance)?;
     match found.wandering() {
@@ -64,4 +62,17 @@ fn wander(kernel: &Kernel, start: &[f64], tolerance: f64) -> Result<(Lyapunov, V
         Wandering::Torus => {}
     }
     Ok((found, kernel.plant.to_physical(&marcher.state(), 0.0)))
+}
+
+/// The physical state of a motion that its transient has left.
+pub(super) fn late_state(kernel: &Kernel, start: &[f64], tolerance: f64) -> Result<Vec<f64>, MarchError> {
+    Ok(kernel.plant.to_physical(&settled(kernel, start, tolerance)?.0.state(), 0.0))
+}
+
+/// A march from a physical start past its transient, and the length of a drive cycle, s.
+fn settled<'k>(kernel: &'k Kernel, start: &[f64], tolerance: f64) -> Result<(Marcher<'k>, f64), MarchError> {
+    let cycle_s = kernel.plant.tones.first().map_or(1.0, |tone| std::f64::consts::TAU / tone.angular_frequency_rad_s);
+    let mut marcher = Marcher::new(kernel, &kernel.plant.from_physical(start, 0.0), 0.0, tolerance)?;
+    marcher.advance_to(TRANSIENT_CYCLES * cycle_s)?;
+    Ok((marcher, cycle_s))
 }

@@ -19,6 +19,9 @@ const NEARER: u32 = 2;
 /// Distance from the orbit, beside the size of the state, that needs no such proof.
 const THERE: f64 = 1e-6;
 
+/// Change over a period, beside the size of the state, that is roundoff of a motion that repeats itself.
+const REPEATS: f64 = 1e-9;
+
 /// Farthest that an orbit may be, beside the size of the state, to be looked at.
 const NEAR: f64 = 0.1;
 
@@ -35,8 +38,9 @@ struct Candidate {
 impl Candidate {
     /// The next one found, after the one before.
     fn after(before: Option<Candidate>, orbit: Orbit, distance: f64) -> Self {
-        let same =
-            |known: &Orbit| known.period_cycles == orbit.period_cycles && (known.mean_power_w / orbit.mean_power_w - 1.0).abs() < 1e-5;
+        let same = |known: &Orbit| {
+            known.period_cycles == orbit.period_cycles && (known.mean_power_w - orbit.mean_power_w).abs() <= 1e-5 * orbit.mean_power_w.abs()
+        };
         let nearer = before.filter(|before| same(&before.orbit) && distance < before.distance).map_or(0, |before| before.nearer + 1);
         Self { orbit, distance, nearer }
     }
@@ -77,6 +81,10 @@ pub fn settled_orbit<H: Harvester>(harvester: &H, parameter: f64, start: &[f64],
         let state = kernel.plant.to_physical(&looks[0], 0.0);
         let near = |cycles: u32| orbit_near(harvester, kernel, parameter, &state, (cycles, tolerance, goal));
         let found: Vec<(Orbit, f64)> = periods.filter_map(near).collect();
+        if found.is_empty() && closest < REPEATS {
+            // It repeats itself and is no orbit that shooting can have: a ball that comes to rest on its table in each cycle.
+            return None;
+        }
         let nearest = found.into_iter().reduce(|short, long| if long.1 < CLEARLY * short.1 { long } else { short });
         candidate = nearest.map(|(orbit, distance)| Candidate::after(before, orbit, distance));
         if candidate.as_ref().is_some_and(Candidate::is_certain) {

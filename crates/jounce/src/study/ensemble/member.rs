@@ -1,8 +1,8 @@
 //! One march of an ensemble.
 
 use super::contacts::{ContactCount, MemberStop};
-use crate::march::{ContactStatistics, Energies, Kernel, MarchError, Marcher};
-use crate::run::{RunPlan, StartState};
+use crate::march::{ContactStatistics, Energies, Kernel, MarchError, Marcher, Trajectory};
+use crate::run::{Exceeded, Limits, RunPlan, StartState, Worst};
 use serde::Serialize;
 
 /// Parts into which the averaging window of a member is cut.
@@ -35,6 +35,8 @@ pub struct Member {
     pub stops: Vec<MemberStop>,
     /// Energy residual of the whole march over its largest energy.
     pub energy_residual_relative: f64,
+    /// Limits of patches that it passes.
+    pub exceeded: Vec<Exceeded>,
 }
 
 /// Voltages of the patches of a member, sampled over its averaging window.
@@ -50,6 +52,7 @@ impl Member {
     /// Marches a realisation; `sampling` is filled where it is given.
     pub(super) fn march(
         kernel: &Kernel,
+        limits: &Limits,
         start: &StartState,
         plan: &RunPlan,
         index: usize,
@@ -62,14 +65,20 @@ impl Member {
         let opened = marcher.energies();
         let mut stops = vec![(ContactCount::default(), Vec::with_capacity(BATCHES)); kernel.plant.system.stops.len()];
         let (mut batches_w, mut before_j) = (Vec::with_capacity(BATCHES), opened.delivered_j());
+        let mut passed: Vec<Vec<Exceeded>> = Vec::new();
         for batch in 1..=BATCHES {
             let end = |batch: usize| if batch == BATCHES { plan.duration_s } else { begin_s + window_s * batch as f64 / BATCHES as f64 };
-            if sampling.is_some() {
+            let records = sampling.is_some() || !limits.is_empty();
+            if records {
                 marcher.start_record();
             }
             marcher.advance_to(end(batch))?;
-            if let Some(sampling) = sampling.as_deref_mut() {
-                sampling.read(kernel, &mut marcher, [end(batch - 1), end(batch)]);
+            if records {
+                let record = marcher.take_record();
+                passed.push(limits.exceeded(kernel, &record));
+                if let Some(sampling) = sampling.as_deref_mut() {
+                    sampling.read(kernel, &record, [end(batch - 1), end(batch)]);
+                }
             }
             let now_j = marcher.energies().delivered_j();
             batches_w.push((now_j - before_j) * BATCHES as f64 / window_s);
@@ -82,7 +91,9 @@ impl Member {
         }
         let counts = stops.into_iter().map(|(_, counts)| counts);
         let stops = counts.zip(marcher.statistics_by_stop()).map(|(batches, own)| member_stop(batches, &own)).collect();
-        Ok(Self::told(index, window_s, [&opened, &marcher.energies()], (batches_w, stops), &marcher.statistics()))
+        let exceeded = Worst::of(passed.iter().map(Vec::as_slice)).into_iter().map(|worst| worst.exceeded).collect();
+        let told = Self::told(index, window_s, [&opened, &marcher.energies()], (batches_w, stops), &marcher.statistics());
+        Ok(Self { exceeded, ..told })
     }
 
     fn told(
@@ -110,6 +121,7 @@ impl Member {
             max_penetration_m: statistics.max_penetration_m,
             stops,
             energy_residual_relative: energies.residual_relative(),
+            exceeded: Vec::new(),
         }
     }
 }
@@ -125,10 +137,10 @@ fn member_stop(batches: Vec<ContactCount>, own: &ContactStatistics) -> MemberSto
 }
 
 impl Sampling {
-    /// Reads the batch that a march has just recorded.
-    fn read(&mut self, kernel: &Kernel, marcher: &mut Marcher, [from_s, to_s]: [f64; 2]) {
+    /// Reads a recorded batch.
+    fn read(&mut self, kernel: &Kernel, record: &Trajectory, [from_s, to_s]: [f64; 2]) {
         let times_s: Vec<f64> = (0..self.per_batch).map(|k| from_s + (to_s - from_s) * k as f64 / self.per_batch as f64).collect();
-        for at in marcher.take_record().at(kernel, &times_s) {
+        for at in record.at(kernel, &times_s) {
             let voltages = kernel.plant.patch_voltages_v(&kernel.plant.to_physical(&at.state, at.time_s));
             self.voltages_v.iter_mut().zip(voltages).for_each(|(own, voltage)| own.push(voltage));
         }

@@ -6,7 +6,7 @@ use super::member::{BATCHES, Sampling};
 use super::spectrum::Spectra;
 use super::{Estimate, IntervalOver, Member, StopEstimates, VoltageSpectrum};
 use crate::march::MarchError;
-use crate::run::{RunError, RunPlan, StartState};
+use crate::run::{Limits, RunError, RunPlan, StartState};
 use crate::signal::{Samples, Window};
 use crate::spec::DriveSignal;
 use crate::study::{Prepared, StudyError};
@@ -94,11 +94,11 @@ impl Ensemble<'_> {
     fn member(&self, index: usize, done: &(dyn Fn(&Member) + Sync)) -> Result<Option<(Member, Densities)>, StudyError> {
         let kernel = self.base.realised(self.seed, index as u64)?;
         let run = &self.base.spec.run;
-        let plan = RunPlan::of(run, 0.0);
+        let (plan, limits) = (RunPlan::of(run, 0.0), Limits::of(&self.base.spec, &kernel.plant));
         let per_batch = self.samples_per_batch();
         let voltages_v = vec![Vec::with_capacity(per_batch * BATCHES); kernel.plant.system.modes.patch.len()];
         let mut sampling = self.with_spectrum.then_some(Sampling { per_batch, voltages_v });
-        let member = match Member::march(&kernel, &self.start, &plan, index, sampling.as_mut()) {
+        let member = match Member::march(&kernel, &limits, &self.start, &plan, index, sampling.as_mut()) {
             Err(MarchError::Stopped { .. }) => return Ok(None),
             marched => marched.map_err(RunError::from)?,
         };

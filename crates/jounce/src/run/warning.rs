@@ -1,0 +1,72 @@
+//! What a run should not be believed without.
+
+use super::{Exceeded, Limits, RunAnswer, RunPlan};
+use crate::march::Kernel;
+use crate::spec::{DriveSignal, Spec};
+use serde::Serialize;
+
+/// Share of the averaging window that may lie after the end of a recording.
+const UNRECORDED: f64 = 0.01;
+
+/// Energy residual, relative to the largest energy, above which the answers are those of roundoff.
+const UNBALANCED: f64 = 1e-3;
+
+/// A warning of a run.
+#[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
+#[serde(tag = "warning", rename_all = "kebab-case")]
+pub enum Warning {
+    /// A patch is driven beyond what it bears.
+    #[error("{0}")]
+    Limit(Exceeded),
+    /// A recording ends before the averaging window does.
+    #[error(
+        "drive {drive}: its recording ends at {ends_s} s, but the averaging window goes from {from_s} s to {to_s} s, and after its end the drive is 0; shorten run.duration, or give a longer recording"
+    )]
+    RecordingEnds {
+        /// Name of the drive.
+        drive: String,
+        /// Time of its last sample, s.
+        ends_s: f64,
+        /// Start of the averaging window, s.
+        from_s: f64,
+        /// End of the averaging window, s.
+        to_s: f64,
+    },
+    /// The energy balance does not close.
+    #[error(
+        "the energy residual is {residual_relative:.1e} of the largest energy: roundoff rules these answers; look for a dimension or a number that is far from the others (`jounce show` draws the harvester to scale)"
+    )]
+    Unbalanced {
+        /// Energy residual over the largest energy.
+        residual_relative: f64,
+    },
+}
+
+impl Warning {
+    /// The recordings of a spec that end before the averaging window of a plan does.
+    pub fn of_recordings(spec: &Spec, plan: &RunPlan) -> Vec<Self> {
+        let (from_s, to_s) = (plan.duration_s - plan.average_over_s, plan.duration_s);
+        let ends = spec.drive.iter().filter_map(|(name, drive)| match &drive.signal {
+            DriveSignal::Recording { start_s, record: Some(record), .. } => {
+                Some((name.clone(), start_s + record.step_s * (record.values.len() - 1) as f64))
+            }
+            _ => None,
+        });
+        let early = ends.filter(|(_, ends_s)| to_s - ends_s > UNRECORDED * plan.average_over_s);
+        early.map(|(drive, ends_s)| Self::RecordingEnds { drive, ends_s: printed(ends_s), from_s: printed(from_s), to_s }).collect()
+    }
+
+    /// All of a run.
+    pub fn of(spec: &Spec, kernel: &Kernel, plan: &RunPlan, answer: &RunAnswer) -> Vec<Self> {
+        let limits = Limits::of(spec, &kernel.plant).exceeded(kernel, &answer.trajectory).into_iter().map(Self::Limit);
+        let residual_relative = answer.energies.residual_relative();
+        let is_unbalanced = !(residual_relative.abs() <= UNBALANCED || answer.energies.are_still());
+        let unbalanced = is_unbalanced.then_some(Self::Unbalanced { residual_relative });
+        limits.chain(Self::of_recordings(spec, plan)).chain(unbalanced).collect()
+    }
+}
+
+/// Sums of decimal times are rounded to what was meant.
+fn printed(time_s: f64) -> f64 {
+    format!("{time_s:.9e}").parse().unwrap_or(time_s)
+}
