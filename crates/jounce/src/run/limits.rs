@@ -196,7 +196,7 @@ mod tests {
         assert!((warned[0].reached.abs() / strain - 1.0).abs() < 0.05, "{} {strain}", warned[0].reached);
         assert!(warned[0].to_string().contains("600 ppm are recommended"), "{}", warned[0]);
         let worse = Exceeded { reached: 2.0 * warned[0].reached, ..warned[0].clone() };
-        let worst = Worst::of([&warned[..], &[], &[worse.clone()]]);
+        let worst = Worst::of([&warned[..], &[], std::slice::from_ref(&worse)]);
         assert_eq!(worst, [Worst { exceeded: worse, place: 2, answers: 2 }]);
     }
 }
