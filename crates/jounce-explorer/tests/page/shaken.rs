@@ -1,6 +1,8 @@
 //! The harvester under noise and under recordings.
 
 use crate::client::{Served, paper};
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use jounce::run::{RunPlan, StartState, simulate};
 use jounce::spec::SpecFile;
 use jounce::study::Prepared;
@@ -25,7 +27,7 @@ async fn a_recorded_sinusoid_gives_the_power_of_the_sinusoid() {
     let text: String = (0..=5000).map(|k| format!("{},{:e}\n", f64::from(k) / 1000.0, value(k))).collect();
     let served = Served::new(&paper(), Limits::default());
     let mut page = served.page().await;
-    let by = json!({ "recording": { "name": "sine.csv", "text": text, "scale": 1.0 } });
+    let by = json!({ "recording": { "name": "sine.csv", "bytes": STANDARD.encode(text), "scale": 1.0 } });
     page.ask("shake", json!({ "set": FAR, "by": by })).await;
     let heard = page.until("shake", "done").await;
     let found = heard.head["mean_power_w"].as_f64().unwrap();
@@ -54,8 +56,8 @@ async fn noise_gives_the_power_of_its_closed_form() {
 async fn a_wrong_recording_is_told_by_its_name() {
     let served = Served::new(&paper(), Limits::default());
     let mut page = served.page().await;
-    for text in ["", "hello", "0,1\n1,NaN\n", "\u{89}PNG\r\n\u{1a}\n\0\0", "0,1\n0,2\n"] {
-        let by = json!({ "recording": { "name": "road.csv", "text": text, "scale": 1.0 } });
+    for text in ["", "hello", "\u{89}PNG\r\n\u{1a}\n\0\0", "0,1\n0,2\n"] {
+        let by = json!({ "recording": { "name": "road.csv", "bytes": STANDARD.encode(text), "scale": 1.0 } });
         page.ask("shake", json!({ "by": by })).await;
         let heard = page.until("shake", "fault").await;
         let told = heard.head["faults"][0]["message"].as_str().unwrap();

@@ -19,8 +19,9 @@ fn contact(gap: &str, more: &str) -> String {
 fn each_fault_is_told_once() {
     let gravity = "[gravity]\nacceleration = \"-9.81 m/s^2\"\n";
     assert!(Spec::from_toml(&format!("{BALL}{}", contact("20 mm", gravity))).is_ok());
-    // A ball may rest on a plate, a little inside it.
-    assert!(Spec::from_toml(&format!("{BALL}{}", contact("-1 um", gravity))).is_ok());
+    // A ball may rest on a plate, as deep in it as its weight presses: (0.049 N / 1e8 N/m^1.5)^(2/3) = 0.62 um.
+    assert!(Spec::from_toml(&format!("{BALL}{}", contact("-0.6 um", gravity))).is_ok());
+    assert!(Spec::from_toml(&format!("{BALL}{}", contact("-0.7 um", gravity))).is_err());
     for (text, message) in [
         (BALL.to_owned(), "mass.ball.on is \"nothing\", so the mass would drift for ever: give [gravity] or a [stop.NAME] that it strikes"),
         (
