@@ -107,7 +107,8 @@ class FitResult(Result):
 
     def features_to_pandas(self) -> Any:
         """A ``pandas.DataFrame`` with a row for each feature."""
-        values = {name: getattr(self, f"feature_{name}") for name in ("measured", "before", "after", "low", "high", "deviation", "predicted_deviation")}
+        names = ("measured", "before", "after", "low", "high", "deviation", "predicted_deviation")
+        values = {name: getattr(self, f"feature_{name}") for name in names}
         return self._frame({"feature": self.feature, "unit": self.feature_unit, **values})
 
     def plot_fit(self, ax: Any = None) -> Any:
