@@ -13,6 +13,8 @@ export class Axes {
     private readonly unit = find("over-unit");
     view: View | undefined;
     onChange: () => void = () => {};
+    /** Hears what is wrong with a range. */
+    onWrong: (words: string) => void = () => {};
 
     constructor(private readonly controls: Controls) {
         this.over.onchange = () => this.pick(this.over.value);
@@ -63,7 +65,7 @@ export class Axes {
         const [from, to] = [Number(this.from.value) * control.factor, Number(this.to.value) * control.factor];
         const right = from < to;
         for (const field of [this.from, this.to]) field.setAttribute("aria-invalid", String(!right));
-        if (!right) return;
+        if (!right) return this.onWrong(`${control.key}: the range must go from a smaller to a larger number`);
         this.view = { over: control.key, from, to };
         this.onChange();
     }

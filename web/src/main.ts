@@ -77,6 +77,7 @@ axes.onChange = () => {
     requests.change(performance.now());
     remember();
 };
+axes.onWrong = (message) => controls.tell([{ key: "", line: 0, message }]);
 response.onChoose = (place) => requests.orbit(place);
 
 wire.on("hello", ({ head }) => {
