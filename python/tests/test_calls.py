@@ -22,6 +22,8 @@ CHILD = """
 import os, signal, threading, time
 import jounce
 
+# A process that a shell has started in the background ignores the signal, and so would what it starts.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 harvester = jounce.read({spec!r})
 sent = []
 
