@@ -120,7 +120,7 @@ export class Requests {
             this.busy.textContent = "";
             this.refining = false;
             this.mark();
-            this.hears.say(`${answer.branches.length} ${answer.branches.length === 1 ? "branch" : "branches"}, ${Math.round(head.ms)} ms`);
+            this.hears.say(found(answer.branches.length, head.ms));
         }
     }
 
@@ -180,4 +180,9 @@ export class Requests {
             this.busy.textContent = `computing, ${((performance.now() - this.asked) / 1000).toFixed(1)} s`;
         }
     }
+}
+
+function found(branches: number, ms: number): string {
+    if (branches === 0) return "no branch of periodic answers was found in this range; Sweep shows what the harvester does there";
+    return `${branches} ${branches === 1 ? "branch" : "branches"}, ${Math.round(ms)} ms`;
 }
