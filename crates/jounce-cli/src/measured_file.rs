@@ -6,7 +6,7 @@ use clap::Args;
 use jounce::spec::Quantity as Unit;
 use jounce::table::Manifest;
 use jounce_measure::read::{self, Contents};
-use jounce_measure::recording::{Channel, ChannelError, Over, Quantity, Recording};
+use jounce_measure::recording::{Channel, ChannelError, Quantity, Recording};
 use sha2::{Digest, Sha256};
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -39,9 +39,7 @@ impl MeasuredFile {
 
 /// The first recording over time in a file, at even times and without missing samples.
 pub fn record(file: &Path) -> Result<Recording, Failure> {
-    let record = read::file(file)?.recordings.into_iter().find(|recording| recording.over == Over::Time);
-    let none = || Failure::Input(format!("{} holds no recording over time", file.display()));
-    Ok(record.ok_or_else(none)?.into_even()?)
+    Ok(read::record(file)?.into_even()?)
 }
 
 /// Manifest of an answer that rests on recordings: their names and the SHA-256 of their bytes, in order.

@@ -4,12 +4,9 @@ use crate::design::Wrong;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use jounce_measure::read;
-use jounce_measure::recording::{Channel, Over, Recording};
+use jounce_measure::recording::{Channel, ChannelError, Finding, Recording};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-
-/// Longest ending of a name that is kept.
-const ENDING: usize = 8;
 
 /// A recording with one channel chosen.
 pub struct Dropped {
@@ -26,35 +23,31 @@ pub struct Dropped {
 /// # Errors
 /// [`Wrong::Text`]: what is no recording over time, or a channel that must be named.
 pub fn dropped(name: &str, bytes: &str, wanted: Option<&str>, folder: &Path) -> Result<Dropped, Wrong> {
-    let ending: String = Path::new(name).extension().unwrap_or_default().to_string_lossy().chars().take(ENDING).collect();
-    let plain = if ending.chars().all(|letter| letter.is_ascii_alphanumeric()) { ending } else { String::new() };
-    let (received, file) = (folder.join("received").with_extension(plain), folder.join("recording.csv"));
-    std::fs::write(&received, STANDARD.decode(bytes)?)?;
-    let own = |words: &str| Wrong::Text(words.replace(&received.display().to_string(), name).replace("received", name));
-    let contents = read::file(&received).map_err(|error| own(&error.to_string()))?;
-    let over_time = contents.recordings.into_iter().find(|recording| recording.over == Over::Time);
-    let recording = over_time.ok_or_else(|| own(&format!("{name} holds no recording over time")))?.even()?;
-    let channel = chosen(&recording, wanted).map_err(|words| own(&format!("{name}: {words}")))?;
+    // Under its own name, so that faults call it by that; a name from a page is no path.
+    let own = Path::new(name).file_name().ok_or_else(|| Wrong::Text(format!("{name:?} is no name of a file")))?;
+    let (received, file) = (folder.join("dropped"), folder.join("recording.csv"));
+    std::fs::create_dir(&received)?;
+    std::fs::write(received.join(own), STANDARD.decode(bytes)?)?;
+    let here = received.join("").display().to_string();
+    let recording = read::record(&received.join(own)).map_err(|error| Wrong::Text(error.to_string().replace(&here, "")))?.into_even()?;
+    let channel = chosen(&recording, wanted).map_err(|error| Wrong::Text(format!("{name}: {error}")))?;
     let mut text = String::new();
     for (place, value) in recording.grid.places().iter().zip(&channel.values) {
         let _ = writeln!(text, "{place:?},{value:?}");
     }
     std::fs::write(&file, text)?;
-    let of_this = |finding: &&jounce_measure::recording::Finding| finding.channel.as_ref().is_none_or(|own| *own == channel.name);
+    let of_this = |finding: &&Finding| finding.channel.as_ref().is_none_or(|own| *own == channel.name);
     let findings = recording.findings.iter().filter(of_this).map(|finding| finding.about.clone()).collect();
     let unit = if channel.unit.is_empty() { String::new() } else { format!(" in {}", channel.unit) };
     Ok(Dropped { file, channel: format!("{}{unit}", channel.name), findings })
 }
 
-/// The wanted channel, or the only one.
-fn chosen<'r>(recording: &'r Recording, wanted: Option<&str>) -> Result<&'r Channel, String> {
+/// The wanted channel, or the only one: with a scale any quantity will do.
+fn chosen<'r>(recording: &'r Recording, wanted: Option<&str>) -> Result<&'r Channel, ChannelError> {
     match (wanted, &recording.channels[..]) {
-        (Some(wanted), _) => recording.channel(wanted).map_err(|error| error.to_string()),
+        (Some(wanted), _) => Ok(recording.channel(wanted)?),
         (None, [only]) => Ok(only),
-        (None, all) => {
-            let names: Vec<&str> = all.iter().map(|channel| channel.name.as_str()).collect();
-            Err(format!("which of its channels? Name one of {}, or its number from 1", names.join(", ")))
-        }
+        (None, _) => Err(recording.unnamed()),
     }
 }
 
@@ -78,7 +71,7 @@ mod tests {
         let two: String = (0..50).map(|k| format!("{},{},{}\n", 0.01 * f64::from(k), k % 7, k % 5)).collect();
         let two = format!("time (s),left (g),right (m/s^2)\n{two}");
         let words = drop(&two, None).unwrap_err();
-        assert!(words.starts_with("bridge.csv: which of its channels?") && words.contains("left"), "{words}");
+        assert!(words.starts_with("bridge.csv: name the channel; bridge has left, right"), "{words}");
         let (text, channel) = drop(&two, Some("2")).unwrap();
         assert!(text.lines().nth(9).unwrap().ends_with(",4.0") && channel == "right in m/s^2", "{text} {channel}");
         assert!(drop(&two, Some("middle")).unwrap_err().contains("no channel \"middle\""));
@@ -87,6 +80,6 @@ mod tests {
     #[test]
     fn what_is_no_recording_is_refused_by_its_own_name() {
         let words = drop("\u{89}PNG\r\n\u{1a}\n", None).unwrap_err();
-        assert!(words.contains("bridge.csv") && !words.contains("received"), "{words}");
+        assert!(words.starts_with("bridge.csv: "), "{words}");
     }
 }

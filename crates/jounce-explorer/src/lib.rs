@@ -2,8 +2,9 @@
 //!
 //! # Contract
 //!
-//! One server belongs to one spec: a file, or a text that no file holds ([`Source`]). Its page holds the design as a list of overrides (`key`, `value`, as in `--set`); the server
-//! keeps nothing between requests but what makes the next answer faster, and computes everything with the library.
+//! One server belongs to one spec: a file, or a text that no file holds ([`Source`]). Its page holds the design as a list of overrides
+//! (`key`, `value`, as in `--set`); the server keeps nothing between requests but what makes the next answer faster, and computes
+//! everything with the library.
 //!
 //! ```text
 //! GET /TOKEN/            the page; /TOKEN/app.js, /TOKEN/app.css, /TOKEN/icon.svg      nothing else is served

@@ -11,7 +11,6 @@ use super::reading::Reader;
 use super::response::output;
 use super::{Deviation, FitError, Model, Question};
 use crate::read;
-use crate::recording::{Over, Recording};
 
 /// A record whose first sample is that of the start of the run.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,9 +48,7 @@ impl HistoryFeature {
     /// Times from the first sample on, s, samples and their unit.
     pub(super) fn samples(&self, folder: &Path, place: &str) -> Result<(Vec<f64>, Vec<f64>, String), FitError> {
         let told = |reason: String| FitError::File { place: place.to_owned(), path: self.file.clone(), reason };
-        let contents = read::file(&folder.join(&self.file)).map_err(|fault| told(fault.to_string()))?;
-        let over = |recording: &Recording| recording.over == Over::Time;
-        let record = contents.recordings.into_iter().find(over).ok_or_else(|| told("it holds no recording over time".to_owned()))?;
+        let record = read::record(&folder.join(&self.file)).map_err(|fault| told(fault.to_string()))?;
         let channel = record.channel(&self.channel).map_err(|fault| told(fault.to_string()))?;
         let places = record.grid.places();
         if places.len() < FEWEST || channel.values.iter().any(|x| !x.is_finite()) {

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::error::Damage;
 use super::raw::Raw;
 use super::{Notes, ReadError, assemble, lvm, mat, npy, parquet, text, uff};
-use crate::recording::{Finding, Recording};
+use crate::recording::{Finding, Over, Recording};
 
 /// What a file holds.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -69,6 +69,15 @@ pub fn file(path: &Path) -> Result<Contents, ReadError> {
         contents.recordings.push(assemble::recording(path, name, set, &notes)?);
     }
     Ok(contents)
+}
+
+/// The first recording over time in a file.
+///
+/// # Errors
+/// As [`file`], and a file without one.
+pub fn record(path: &Path) -> Result<Recording, ReadError> {
+    let found = file(path)?.recordings.into_iter().find(|recording| recording.over == Over::Time);
+    found.ok_or_else(|| ReadError::NoRecord { path: path.to_owned() })
 }
 
 /// The format, by what the file begins with.

@@ -48,6 +48,12 @@ pub enum ReadError {
         /// Where the notes belong.
         notes: PathBuf,
     },
+    /// It holds nothing over time, only over frequency or mode shapes.
+    #[error("{} holds no recording over time", path.display())]
+    NoRecord {
+        /// The file.
+        path: PathBuf,
+    },
     /// Its time stamps are no times.
     #[error("{}: {fault}", path.display())]
     Grid {

@@ -25,7 +25,7 @@ mod raw;
 mod text;
 mod uff;
 
-pub use contents::{Contents, ModeShape, file};
+pub use contents::{Contents, ModeShape, file, record};
 pub use error::ReadError;
 pub use given::{GivenError, given};
 pub use notes::{ChannelNotes, Notes};

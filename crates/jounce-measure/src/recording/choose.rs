@@ -41,16 +41,19 @@ impl Recording {
         let only = || self.channels.first().filter(|_| self.channels.len() == 1);
         let channel = match wanted {
             Some(wanted) => self.channel(wanted)?,
-            None => of_quantity().or_else(only).ok_or_else(|| ChannelError::Unnamed {
-                recording: self.name.clone(),
-                channels: self.channels.iter().map(|channel| channel.name.clone()).collect(),
-            })?,
+            None => of_quantity().or_else(only).ok_or_else(|| self.unnamed())?,
         };
         if channel.quantity == quantity || channel.quantity == Quantity::Unknown {
             return Ok(channel);
         }
         let (channel, unit) = (channel.name.clone(), channel.unit.clone());
         Err(ChannelError::Unit { channel, unit, recording: self.name.clone() })
+    }
+
+    /// The error of a question that does not name its channel.
+    pub fn unnamed(&self) -> ChannelError {
+        let channels = self.channels.iter().map(|channel| channel.name.clone()).collect();
+        ChannelError::Unnamed { recording: self.name.clone(), channels }
     }
 }
 

@@ -64,7 +64,9 @@ impl BranchCarry<'_> {
         };
         let mut carried = Carried::default();
         for (index, branch) in known.iter().enumerate() {
-            let likely = self.trend.and_then(|trend| trend.likely(index, branch));
+            // Where a branch was cut or lost on the way, numbers no longer tell which came from which.
+            let trend = self.trend.filter(|trend| trend.before.len() == known.len());
+            let likely = trend.and_then(|trend| trend.likely(index, branch));
             self.carry(&following, branch, likely.as_deref(), &mut carried);
         }
         carried
