@@ -168,7 +168,7 @@ mod tests {
             for i in 0..NODES {
                 let r = (f64::from(p) + gauss.places[i]) / f64::from(panels);
                 let s = x * r * r;
-                sum += (z * (x - s)).exp() * (basis.at(s)[j] * gauss.weights[i] * 2.0 * r * x / f64::from(panels));
+                sum += (z * (x - s)).exp() * (basis.at(s)[j] * gauss.weights.0[i] * 2.0 * r * x / f64::from(panels));
             }
         }
         sum

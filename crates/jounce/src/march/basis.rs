@@ -24,12 +24,12 @@ const SINGULAR_TERMS: usize = 64;
 pub struct Basis {
     /// The nodes, then 1.
     pub places: [f64; WIDTH],
-    /// Integral of each function.
-    pub weights: [f64; NODES],
-    /// Value of each function at 0.
-    pub at_start: [f64; NODES],
-    /// Value of each function at 1.
-    pub at_end: [f64; NODES],
+    /// Integral of each function; the last place is 0.
+    pub weights: Lane,
+    /// Value of each function at 0; the last place is 0.
+    pub at_start: Lane,
+    /// Value of each function at 1; the last place is 0.
+    pub at_end: Lane,
     /// Legendre coefficients, row by row: place `j` is function `j`, the last place is 0.
     pub series: Vec<Lane>,
     /// `n` and `q`; both of no account for the smooth basis.
@@ -71,17 +71,17 @@ impl Basis {
             std::array::from_fn(|i| (0..NODES).filter(|j| *j != i).map(|j| 1.0 / (nodes[i] - nodes[j])).product());
         let mut basis = Self {
             places: std::array::from_fn(|i| if i < NODES { nodes[i].powf(1.0 / q) } else { 1.0 }),
-            weights: [0.0; NODES],
-            at_start: [0.0; NODES],
-            at_end: [0.0; NODES],
+            weights: Lane::ZERO,
+            at_start: Lane::ZERO,
+            at_end: Lane::ZERO,
             series: Vec::new(),
             powers,
             barycentric,
         };
         basis.series = if powers.is_some() { singular_series(&nodes, n, q) } else { smooth_series(&nodes) };
-        basis.weights = std::array::from_fn(|j| basis.series[0].0[j]);
-        basis.at_start = basis.at(0.0);
-        basis.at_end = basis.at(1.0);
+        basis.weights = basis.series[0];
+        basis.at_start = padded(basis.at(0.0));
+        basis.at_end = padded(basis.at(1.0));
         basis
     }
 
@@ -95,6 +95,11 @@ impl Basis {
         let product: f64 = (0..NODES).map(|j| u - node(j)).product();
         std::array::from_fn(|j| product * self.barycentric[j] / (u - node(j)) * (x / self.places[j]).powf(n))
     }
+}
+
+/// The last place 0.
+fn padded(values: [f64; NODES]) -> Lane {
+    Lane(std::array::from_fn(|j| values.get(j).copied().unwrap_or(0.0)))
 }
 
 /// Legendre coefficients by the quadrature of the nodes itself, which is exact to degree 13.
@@ -187,7 +192,7 @@ mod tests {
     use super::*;
 
     fn quadrature(basis: &Basis, f: impl Fn(f64) -> f64) -> f64 {
-        (0..NODES).map(|j| basis.weights[j] * f(basis.places[j])).sum()
+        (0..NODES).map(|j| basis.weights.0[j] * f(basis.places[j])).sum()
     }
 
     #[test]
@@ -198,8 +203,8 @@ mod tests {
             assert!((sum - 1.0 / f64::from(degree + 1)).abs() < 4e-15, "degree {degree}: {sum}");
         }
         for degree in 0..=6 {
-            let at = |values: &[f64; NODES]| -> f64 { (0..NODES).map(|j| values[j] * b.places[j].powi(degree)).sum() };
-            let (start, middle, end) = (at(&b.at_start), at(&b.at(0.3)), at(&b.at_end));
+            let at = |values: &[f64]| -> f64 { (0..NODES).map(|j| values[j] * b.places[j].powi(degree)).sum() };
+            let (start, middle, end) = (at(&b.at_start.0), at(&b.at(0.3)), at(&b.at_end.0));
             assert!((start - 0.0_f64.powi(degree)).abs() < 1e-12 && (end - 1.0).abs() < 1e-12, "degree {degree}");
             assert!((middle - 0.3_f64.powi(degree)).abs() < 1e-13, "degree {degree}");
         }

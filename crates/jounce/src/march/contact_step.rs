@@ -10,7 +10,7 @@ use super::kernel::{Kernel, Shape};
 use super::marcher::Marcher;
 use super::peak::interpolated_peak;
 use super::port_state::Regime;
-use super::state::{add_push, columns, dot, pushed};
+use super::state::{add_push, columns, dot, pushed, spread};
 use super::table::Table;
 use super::tone::Swing;
 use super::trajectory::PortForce;
@@ -100,38 +100,43 @@ impl<'k> Marcher<'k> {
         let mut penetration = w.fma(w.splat(at_start), w.load(&table.constant), w.fma(w.splat(rise), w.load(&table.ramp), free));
         let mut rate = free_rate;
         let mut force = law.forces_n(w, penetration, rate);
+        let mut last = force;
         let goal = (0.1 * self.tolerance).clamp(4e-15, 1e-5);
-        let mut last_change = f64::INFINITY;
-        let mut deepest = largest(w, law, penetration);
-        for iteration in 1..=MOST_ITERATIONS {
-            self.work.iterations += 1;
+        let deepest_at_start = largest(w, law, penetration);
+        // Neighbouring steps need the same number of iterations: before that one nothing is asked.
+        let expected = self.ports[step.port].iterations;
+        let mut iteration = 0;
+        while iteration < MOST_ITERATIONS {
+            iteration += 1;
+            let last_but_one = std::mem::replace(&mut last, force);
             let nodal = w.store(force);
             penetration = pushed(w, free, &table.displacement.push, &nodal);
             if law.is_rate_dependent() {
                 rate = pushed(w, free_rate, &table.velocity.push, &nodal);
             }
-            let new = law.forces_n(w, penetration, rate);
-            let (change, size) = (w.largest(w.abs(w.sub(new, force))), largest(w, law, new));
-            force = new;
+            force = law.forces_n(w, penetration, rate);
+            if iteration < expected {
+                continue;
+            }
+            let (change, size) = (w.largest(w.abs(w.sub(force, last))), largest(w, law, force));
+            let last_change = w.largest(w.abs(w.sub(last, last_but_one)));
             // What is still to come: at most the contraction seen so far, or foretold by the slope of the law.
-            deepest = deepest.max(largest(w, law, penetration));
-            let slopes = law.steepest(deepest);
+            let slopes = law.steepest(deepest_at_start.max(largest(w, law, penetration)));
             let foretold = slopes.stiffness_n_m * table.reach_m_n + slopes.damping_n_s_m * table.reach_m_n_s;
             let seen = if iteration == 1 { 1.0 } else { (change / last_change).min(1.0) };
-            let contraction = foretold.min(seen);
-            if change * contraction <= goal * size {
-                let nodal = w.store(force);
-                penetration = pushed(w, free, &table.displacement.push, &nodal);
-                if law.is_rate_dependent() {
-                    rate = pushed(w, free_rate, &table.velocity.push, &nodal);
-                }
-                return Some(judge(law, step, w.store(penetration), w.store(rate), nodal, at_start));
+            if change * foretold.min(seen) <= goal * size {
+                // What has changed so little need not have been asked for.
+                let spare = u32::from(change <= goal * size);
+                self.ports[step.port].iterations = (iteration - spare).max(1);
+                self.work.iterations += u64::from(iteration);
+                return Some(judge(w, step, [penetration, rate, force], at_start));
             }
             if iteration > 4 && change > last_change {
-                return None;
+                break;
             }
-            last_change = change;
         }
+        self.ports[step.port].iterations = 1;
+        self.work.iterations += u64::from(iteration);
         None
     }
 
@@ -144,9 +149,10 @@ impl<'k> Marcher<'k> {
         if self.record.is_some() {
             self.note(table.length_s, &[PortForce::new(step, &force)]);
         }
-        self.integrate_force(w, step, &force);
+        let spread = spread(w, &force);
+        self.integrate_force(w, step, &force, &spread);
         table.flow.apply(w, &self.y, &mut self.next);
-        add_push(w, &table.push, &force, &mut self.next);
+        add_push(w, &table.push, &spread, &mut self.next);
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += table.length_s;
         self.forced.pass(self.kernel, table.length_s, self.time_s, &mut self.y);
@@ -202,44 +208,39 @@ impl<'k> Marcher<'k> {
         if law.is_rate_dependent() {
             statistics.max_force_n = statistics.max_force_n.max(w.largest(w.load(&solved.force)));
             // Work done on the stop less what it stores: the elastic force itself has a kink where a spent contact is left.
-            let work: f64 = (0..NODES).map(|j| length_s * weights[j] * solved.force.0[j] * solved.rate.0[j]).sum();
+            let work: f64 = (0..NODES).map(|j| length_s * weights.0[j] * solved.force.0[j] * solved.rate.0[j]).sum();
             self.integrals.loss_j += work + law.energy_j(started.0) - law.energy_j(end_m);
         }
     }
 
     /// Adds the nodal forces of a step, last place 0, to the integrals that the energy meters need.
     #[inline(always)]
-    pub(super) fn integrate_force<W: Wide>(&mut self, w: W, step: &Step, force: &Lane) {
+    pub(super) fn integrate_force<W: Wide>(&mut self, w: W, step: &Step, force: &Lane, spread: &[W::Register; NODES]) {
         let (table, basis, p) = (step.table, step.basis, step.port);
         for (sum, meter) in self.integrals.loads_j.iter_mut().zip(&table.loads) {
-            *sum += meter.read(w, &self.y, force);
+            *sum += meter.read(w, &self.y, force, spread);
         }
-        self.integrals.damping_j += table.damping.read(w, &self.y, force);
-        let mut weighted = Lane::ZERO;
-        for j in 0..NODES {
-            weighted.0[j] = table.length_s * basis.weights[j] * force.0[j];
-        }
-        self.ports[p].statistics.impulse_n_s += w.sum(w.load(&weighted));
-        self.forced.push(p, &basis.places, table.length_s, &weighted);
+        self.integrals.damping_j += table.damping.read(w, &self.y, force, spread);
+        let weighted = w.mul(w.mul(w.splat(table.length_s), w.load(&basis.weights)), w.load(force));
+        self.ports[p].statistics.impulse_n_s += w.sum(weighted);
+        self.forced.push(p, &basis.places, table.length_s, &w.store(weighted));
         for (sum, tone) in self.integrals.tones_n_s[p].iter_mut().zip(&self.tones) {
-            let lane = w.load(&weighted);
-            let (cos, sin) = (w.mul(lane, w.load(&tone.swing[p].cos)), w.mul(lane, w.load(&tone.swing[p].sin)));
+            let (cos, sin) = (w.mul(weighted, w.load(&tone.swing[p].cos)), w.mul(weighted, w.load(&tone.swing[p].sin)));
             *sum += tone.turn * c64::new(w.sum(cos), w.sum(sin));
         }
     }
 }
 
 /// Estimates the error of a converged step from the mismatch of its basis and the law at both of its ends.
+///
+/// Penetration, rate and force hold the nodes and the end, the force of the law last; `at_start` is its force at the start, N.
 #[inline(always)]
-pub(super) fn judge<L: ContactLaw>(law: L, step: &Step, penetration: Lane, rate: Lane, force: Lane, at_start: f64) -> Solved {
-    let at_end = law.force_n(penetration.0[NODES], rate.0[NODES]);
-    let (mut start, mut end, mut size) = (0.0, 0.0, at_start.abs().max(at_end.abs()));
-    for j in 0..NODES {
-        start += step.basis.at_start[j] * force.0[j];
-        end += step.basis.at_end[j] * force.0[j];
-        size = size.max(force.0[j].abs());
-    }
-    let mismatch = (start - at_start).abs().max((end - at_end).abs());
+pub(super) fn judge<W: Wide>(w: W, step: &Step, [penetration, rate, force]: [W::Register; 3], at_start: f64) -> Solved {
+    let by_basis = |at: &Lane| w.sum(w.mul(w.load(at), force));
+    let (start, end) = (by_basis(&step.basis.at_start), by_basis(&step.basis.at_end));
+    let size = at_start.abs().max(w.largest(w.abs(force)));
+    let (penetration, rate, force) = (w.store(penetration), w.store(rate), w.store(force));
+    let mismatch = (start - at_start).abs().max((end - force.0[NODES]).abs());
     // Gauss weights square the order of the interpolation for smooth forces and gain less at a kink: 3/2 lies between.
     let ratio = if size > 0.0 { mismatch / size } else { 0.0 };
     let error_n_s = step.table.length_s * mismatch * ratio.sqrt().min(1.0);

@@ -222,10 +222,13 @@ impl Marcher<'_> {
             } else {
                 self.look_ahead(w, next)
             }
+            let before = motion;
             motion = self.motion_ahead(w, p, next);
             guess_s = next;
-            // Newton squares the error: a change this small left one of roundoff, and the flow to `next` has been looked at.
-            if change <= 1e-7 * guess_s.min(1.0 / self.kernel.fastest_rad_s) {
+            // Newton leaves the change times half the relative change of the rate: here roundoff, and the flow to `next` has been
+            // looked at.
+            let left = 0.5 * change * ((motion[1] - before[1]) / motion[1]).abs();
+            if left <= 1e-15 * guess_s.min(1.0 / self.kernel.fastest_rad_s) {
                 break;
             }
         }
@@ -236,7 +239,7 @@ impl Marcher<'_> {
     #[inline(always)]
     pub(super) fn struck(&mut self, p: usize) {
         let port = &mut self.ports[p];
-        (port.penetration_m, port.dwell_s) = (0.0, 0.0);
+        (port.penetration_m, port.dwell_s, port.leaves) = (0.0, 0.0, false);
         port.strike_m_s = port.strike_m_s.max(port.rate_m_s);
         port.statistics.contacts += 1;
         port.statistics.strike_sum_m_s += port.rate_m_s;

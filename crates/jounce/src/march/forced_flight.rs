@@ -61,7 +61,7 @@ impl ForcedFlight {
         }
         let end: [Lane; NODES] = std::array::from_fn(|j| {
             let [place, speed] = [0, 1].map(|row: usize| made.rows[row].push[j].0[NODES]);
-            let ends = [place, speed + direct * basis.at_end[j], direct * basis.at_start[j]];
+            let ends = [place, speed + direct * basis.at_end.0[j], direct * basis.at_start.0[j]];
             Lane(std::array::from_fn(|i| ends.get(i).copied().unwrap_or(0.0)))
         });
         for (j, end) in end.iter().enumerate() {

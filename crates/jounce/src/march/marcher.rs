@@ -165,7 +165,7 @@ impl<'k> Marcher<'k> {
         if let Some(record) = &mut self.record {
             let sizes = self.forced.sizes.clone();
             let (state, regime) = (self.layout.unpack(&self.y), self.switching.regime);
-            record.push(Segment { start_s: self.time_s, length_s, state, sizes, forces: forces.to_vec(), regime });
+            record.push(Segment { start_s: self.time_s, length_s, state, sizes, forces: forces.into(), regime });
         }
     }
 

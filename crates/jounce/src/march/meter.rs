@@ -3,7 +3,7 @@
 use super::basis::NODES;
 use super::layout::Layout;
 use super::response::Response;
-use super::state::pushed;
+use super::state::pushed_by;
 use crate::wide::{Lane, Wide};
 
 /// `integral f (row . y) dt` over a step, for the state `y` at its start and the nodal forces `f`.
@@ -27,12 +27,12 @@ impl Meter {
         Self { free, push: integrated.push }
     }
 
-    /// The integral; the last place of `force` is 0.
+    /// The integral; `force` in a lane, its last place 0, and spread.
     #[inline(always)]
-    pub fn read<W: Wide>(&self, w: W, y: &[Lane], force: &Lane) -> f64 {
-        let mut sum = w.mul(pushed(w, w.zero(), &self.push, force), w.load(force));
+    pub fn read<W: Wide>(&self, w: W, y: &[Lane], force: &Lane, spread: &[W::Register; NODES]) -> f64 {
+        let mut sum = w.mul(pushed_by(w, w.zero(), &self.push, spread), w.load(force));
         for (y, free) in y.iter().zip(&self.free) {
-            sum = w.fma(pushed(w, w.zero(), free, force), w.load(y), sum);
+            sum = w.fma(pushed_by(w, w.zero(), free, spread), w.load(y), sum);
         }
         w.sum(sum)
     }

@@ -1,6 +1,7 @@
 //! What a march knows of one port.
 
 use super::layout::Layout;
+use super::several::{Clearance, SpeedBound};
 use super::tone::Turning;
 use super::totals::ContactStatistics;
 use crate::contact::Law;
@@ -34,12 +35,18 @@ pub struct PortState {
     pub level: i32,
     /// ... and whether a contact begins with it.
     pub entering: bool,
+    /// The next step is short because the contact ends soon.
+    pub leaves: bool,
+    /// Iterations that the last step needed.
+    pub iterations: u32,
     /// Level at which the next contact starts.
     pub entry_level: i32,
     /// Largest speed at which the stop was struck so far: the scale of contact impulses.
     pub strike_m_s: f64,
     /// Time that the contact in hand has lasted since it began, or since the last reset, s.
     pub dwell_s: f64,
+    /// What is known of it since it was last seen.
+    pub clearance: Clearance,
     /// Its rows.
     pub rows: Rows,
     /// Since the last reset.
@@ -61,6 +68,8 @@ pub struct Rows {
     pub tone_fourth: f64,
     /// `sum |S|`: its share of the scale of motion.
     pub tone_scale_m: f64,
+    /// What bounds its speed beside other ports.
+    pub speed_bound: Option<SpeedBound>,
 }
 
 impl PortState {
@@ -73,9 +82,12 @@ impl PortState {
             ahead: [0.0; 2],
             level: entry_level,
             entering: false,
+            leaves: false,
+            iterations: 1,
             entry_level,
             strike_m_s: 0.0,
             dwell_s: 0.0,
+            clearance: Clearance::default(),
             rows: Rows::new(plant, layout, tones, port),
             statistics: ContactStatistics::default(),
         }
@@ -132,6 +144,7 @@ impl Rows {
             mobility_per_kg: port.map_or(1.0, |port| port.mobility_per_kg),
             tone_fourth: tones.iter().map(|tone| size(tone) * tone.angular_frequency_rad_s.powi(4)).sum(),
             tone_scale_m: tones.iter().map(size).sum(),
+            speed_bound: SpeedBound::of(plant, layout, tones, index),
         }
     }
 }

@@ -17,7 +17,7 @@ use super::error::MarchError;
 use super::kernel::{Kernel, Shape};
 use super::marcher::Marcher;
 use super::port_state::Regime;
-use super::state::{add_push, columns, dot};
+use super::state::{add_push, columns, dot, spread};
 use super::table::{Sticking, Table};
 use super::tone::Swing;
 use super::trajectory::PortForce;
@@ -223,7 +223,7 @@ impl Marcher<'_> {
             *free += self.forced.acceleration_after(0, place * table.length_s);
         }
         let force: [f64; NODES] = std::array::from_fn(|i| (0..NODES).map(|j| sticking.inverse[i][j] * free.0[j]).sum());
-        let end_by_nodes: f64 = (0..NODES).map(|j| SMOOTH.at_end[j] * force[j]).sum();
+        let end_by_nodes: f64 = (0..NODES).map(|j| SMOOTH.at_end.0[j] * force[j]).sum();
         let felt: f64 = free.0[NODES] + (0..NODES).map(|j| sticking.acceleration.push[j].0[NODES] * force[j]).sum::<f64>();
         (force, (end_by_nodes - felt / self.ports[0].rows.mobility_per_kg).abs())
     }
@@ -234,9 +234,10 @@ impl Marcher<'_> {
         let w = Portable::new();
         let step = Step::held(0, table);
         self.note(table.length_s, &[PortForce::new(&step, &lane)]);
-        self.integrate_force(w, &step, &lane);
+        let spread = spread(w, &lane);
+        self.integrate_force(w, &step, &lane, &spread);
         table.flow.apply(w, &self.y, &mut self.next);
-        add_push(w, &table.push, &lane, &mut self.next);
+        add_push(w, &table.push, &spread, &mut self.next);
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += table.length_s;
         self.tones.iter_mut().for_each(|tone| tone.set(self.time_s));

@@ -35,15 +35,31 @@ fn weighted<W: Wide>(w: W, y: &[Lane], columns: &[Lane], start: W::Register) -> 
     w.add(even, odd)
 }
 
+/// Nodal forces, each in all places of a register.
+#[inline(always)]
+pub fn spread<W: Wide>(w: W, force: &Lane) -> [W::Register; NODES] {
+    let mut spread = [w.zero(); NODES];
+    for j in 0..NODES {
+        spread[j] = w.splat(force.0[j]);
+    }
+    spread
+}
+
 /// `start + sum_j push_j f_j`.
 #[inline(always)]
 pub fn pushed<W: Wide>(w: W, start: W::Register, push: &[Lane; NODES], force: &Lane) -> W::Register {
+    pushed_by(w, start, push, &spread(w, force))
+}
+
+/// The same for forces that push more than once.
+#[inline(always)]
+pub fn pushed_by<W: Wide>(w: W, start: W::Register, push: &[Lane; NODES], force: &[W::Register; NODES]) -> W::Register {
     let (mut even, mut odd) = (start, w.zero());
     for i in 0..NODES / 2 {
-        even = w.fma(w.splat(force.0[2 * i]), w.load(&push[2 * i]), even);
-        odd = w.fma(w.splat(force.0[2 * i + 1]), w.load(&push[2 * i + 1]), odd);
+        even = w.fma(force[2 * i], w.load(&push[2 * i]), even);
+        odd = w.fma(force[2 * i + 1], w.load(&push[2 * i + 1]), odd);
     }
-    even = w.fma(w.splat(force.0[NODES - 1]), w.load(&push[NODES - 1]), even);
+    even = w.fma(force[NODES - 1], w.load(&push[NODES - 1]), even);
     w.add(even, odd)
 }
 
@@ -79,8 +95,8 @@ pub fn dot_of_magnitudes<W: Wide>(w: W, row: &[Lane], y: &[Lane]) -> f64 {
 
 /// Adds the effect of the nodal forces at the end of a step.
 #[inline(always)]
-pub fn add_push<W: Wide>(w: W, push: &[[Lane; NODES]], force: &Lane, out: &mut [Lane]) {
+pub fn add_push<W: Wide>(w: W, push: &[[Lane; NODES]], force: &[W::Register; NODES], out: &mut [Lane]) {
     for (out, push) in out.iter_mut().zip(push) {
-        *out = w.store(pushed(w, w.load(out), push, force));
+        *out = w.store(pushed_by(w, w.load(out), push, force));
     }
 }

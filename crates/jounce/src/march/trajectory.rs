@@ -7,6 +7,7 @@ use super::answers::Answers;
 use super::basis::{NODES, legendre};
 use super::contact_step::Step;
 use super::factors::factored;
+use super::few::Few;
 use super::kernel::{Kernel, Shape};
 use super::response::parts;
 use crate::plant::Size;
@@ -25,7 +26,7 @@ pub struct Segment {
     /// Size and slope of each signal at its start.
     pub sizes: Vec<Size>,
     /// The contact forces; empty in flight.
-    pub forces: Vec<PortForce>,
+    pub forces: Few<PortForce>,
     /// Regime of the bridges, in whose block coordinates the state is.
     pub regime: usize,
 }

@@ -18,8 +18,14 @@ impl Marcher<'_> {
         if !self.is_fine(&step, &solved, is_short) {
             return Outcome::Unclear(1);
         }
+        if self.all_stay_clear(w, length.seconds(), Some((&step[0], &solved[0]))) {
+            table.flow.apply(w, &self.y, &mut self.next);
+            self.take_joint(w, length, &step, &solved, None);
+            return Outcome::Clear;
+        }
         let outcome = self.watch(w, length, &step, &solved);
         if let Outcome::Clear = outcome {
+            self.forget_clearances();
             self.take_joint(w, length, &step, &solved, None);
         }
         outcome

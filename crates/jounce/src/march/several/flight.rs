@@ -50,7 +50,7 @@ impl Marcher<'_> {
                 Outcome::Clear => {
                     let start_s = self.time_s;
                     self.move_on(length_s, if landing { end_s } else { start_s + length_s });
-                    for port in self.ports.iter_mut() {
+                    for port in self.ports.iter_mut().filter(|port| !port.clearance.is_unseen) {
                         [port.penetration_m, port.rate_m_s] = port.ahead;
                     }
                     self.work.flight_steps += 1;
@@ -85,6 +85,10 @@ impl Marcher<'_> {
         }
         let mut outcome = Outcome::Clear;
         for p in 0..self.kernel.plant.ports.len() {
+            if self.stays_clear(w, p, length_s, None) {
+                continue;
+            }
+            self.look_again(w, p);
             let drive = if landing { self.drive_after(p, length_s) } else { self.drive_after_level(p, level) };
             let rows = &self.ports[p].rows;
             let motion = [dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m, dot(w, &rows.velocity, &self.next) + drive[1]];

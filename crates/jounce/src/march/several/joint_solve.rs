@@ -2,6 +2,7 @@
 
 use super::rest::Resting;
 use crate::contact::{ContactLaw, Law};
+use crate::march::basis::NODES;
 use crate::march::contact_step::{MOST_ITERATIONS, Solved, Step, judge, largest};
 use crate::march::few::Few;
 use crate::march::joint_tables::{JointTables, Length};
@@ -93,8 +94,10 @@ impl<'k> Marcher<'k> {
                 Progress::Converged => {
                     resting.hold(&mut iterates);
                     move_under_forces(w, joint, &mut iterates);
-                    let judged = |(step, own): (_, &Iterate)| judge(own.law, step, own.penetration, own.rate, own.force, own.at_start_n);
-                    let mut solved: Few<Solved> = joint.steps.iter().zip(&iterates).map(judged).collect();
+                    let mut solved = Few::<Solved>::new();
+                    for (step, own) in joint.steps.iter().zip(&iterates) {
+                        solved.push(judge(w, step, own.at_end(w), own.at_start_n));
+                    }
                     resting.judge(self, joint, &mut solved);
                     return Some(solved);
                 }
@@ -152,6 +155,14 @@ fn move_under_forces<W: Wide>(w: W, joint: &JointStep, iterates: &mut [Iterate])
 }
 
 impl Iterate {
+    /// Penetration, rate and force as they stand, the force at the end by the law.
+    #[inline(always)]
+    fn at_end<W: Wide>(&self, w: W) -> [W::Register; 3] {
+        let mut force = self.force;
+        force.0[NODES] = self.law.force_n(self.penetration.0[NODES], self.rate.0[NODES]);
+        [w.load(&self.penetration), w.load(&self.rate), w.load(&force)]
+    }
+
     /// New forces by the law; a resting port has its forces from elsewhere.
     #[inline(always)]
     fn renew<W: Wide>(&mut self, w: W, tables: &JointTables, (place, iteration): (usize, u32), goal: f64) -> Progress {

@@ -15,10 +15,12 @@
 //!   forces add a known cubic and a bounded rest (see [`super::forced_flight`]). Where that proves neither flight nor a first crossing,
 //!   the step is shortened, down to a length on which the rest is below the resolution of the certificate.
 //!   One compliant port in contact by itself is solved as in [`super::contact_step`]; the others are watched.
+//! - *A port that is too far off* to strike within a step is not watched at all (see [`clearance`]).
 //! - *A strike during a contact* ends the step there, by Newton on its length, so that the new contact starts on its own onset.
 //! - *Rigid stops*: see [`impacts`], [`joint_impact`] and [`rest`].
 
 mod alone;
+mod clearance;
 mod flight;
 mod impacts;
 mod joint_impact;
@@ -27,6 +29,8 @@ mod rest;
 mod take;
 mod together;
 mod watch;
+
+pub(super) use clearance::{Clearance, SpeedBound};
 
 use super::contact::IMPULSE_SHARE;
 use super::contact_step::{Solved, Step};

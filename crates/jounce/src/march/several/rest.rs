@@ -107,7 +107,7 @@ impl Resting {
         if self.places.is_empty() {
             return;
         }
-        let at_end: Vec<f64> = solved.iter().map(|own| (0..NODES).map(|j| SMOOTH.at_end[j] * own.force.0[j]).sum()).collect();
+        let at_end: Vec<f64> = solved.iter().map(|own| (0..NODES).map(|j| SMOOTH.at_end.0[j] * own.force.0[j]).sum()).collect();
         let allowed_n_s = marcher.allowed_beside_n_s(&joint.steps, solved);
         for (a, place) in self.places.iter().enumerate() {
             let mut mismatch = self.free[a].0[NODES];

@@ -8,7 +8,7 @@ use crate::march::few::Few;
 use crate::march::joint_tables::{JointTables, Length};
 use crate::march::marcher::Marcher;
 use crate::march::port_state::Regime;
-use crate::march::state::{add_push, pushed};
+use crate::march::state::{add_push, pushed, spread};
 use crate::march::trajectory::PortForce;
 use crate::wide::{Lane, Wide};
 
@@ -30,8 +30,9 @@ impl Marcher<'_> {
             self.note(length.seconds(), &noted);
         }
         for (step, force) in steps.iter().zip(&forces) {
-            self.integrate_force(w, step, force);
-            add_push(w, &step.table.push, force, &mut self.next);
+            let spread = spread(w, force);
+            self.integrate_force(w, step, force, &spread);
+            add_push(w, &step.table.push, &spread, &mut self.next);
         }
         if let Some(tables) = tables {
             self.integrate_crossed(w, tables, &forces);
@@ -44,7 +45,7 @@ impl Marcher<'_> {
             tone.turn *= tone.swing[first].end();
         }
         for p in 0..self.kernel.plant.ports.len() {
-            if self.ports[p].regime == Regime::Flight {
+            if self.ports[p].regime == Regime::Flight && !self.ports[p].clearance.is_unseen {
                 self.see(w, p);
             }
         }

@@ -78,6 +78,7 @@ impl Marcher<'_> {
         };
         let outcome = self.watch(w, length, &joint.steps, &solved);
         if let Outcome::Clear = outcome {
+            self.forget_clearances();
             self.take_joint(w, length, &joint.steps, &solved, Some(&tables));
         }
         outcome
@@ -89,7 +90,7 @@ impl Marcher<'_> {
         let allowed_n_s = self.allowed_beside_n_s(steps, solved);
         steps.iter().zip(solved).all(|(step, own)| {
             let needs_no_look = self.is_rigid(step.port) || self.law(step.port).acts_on_both_sides();
-            own.error_n_s <= allowed_n_s && (needs_no_look || own.is_sound(step.shape, is_short))
+            own.error_n_s <= self.share(step) * allowed_n_s && (needs_no_look || own.is_sound(step.shape, is_short))
         })
     }
 
@@ -116,6 +117,7 @@ impl Marcher<'_> {
             let roundoff_s = RESOLVED * self.terms_m(w, *striker) / speed_m_s.abs();
             if change_s.abs() <= roundoff_s.max(MET * scale_s.max(length_s)) {
                 self.watch(w, length, &joint.steps, &solved);
+                self.forget_clearances();
                 self.take_joint(w, length, &joint.steps, &solved, Some(&tables));
                 self.join(w, *striker);
                 return true;

@@ -11,7 +11,7 @@ use crate::march::forced_flight::rest_bounds;
 use crate::march::joint_tables::Length;
 use crate::march::marcher::Marcher;
 use crate::march::port_state::Regime;
-use crate::march::state::{dot, pushed};
+use crate::march::state::{add_push, dot, pushed, spread};
 use crate::wide::{Lane, Wide};
 
 impl Marcher<'_> {
@@ -31,6 +31,7 @@ impl Marcher<'_> {
         let mut outcome = Outcome::Clear;
         for p in 0..self.kernel.plant.ports.len() {
             if self.ports[p].regime == Regime::Flight {
+                self.look_again(w, p);
                 outcome = outcome.and(p, self.watch_one(w, length, steps, &forces, p));
             }
         }
@@ -70,7 +71,7 @@ impl Marcher<'_> {
         let table = joint.steps[0].table;
         table.flow.apply(w, &self.y, &mut self.next);
         for (step, own) in joint.steps.iter().zip(solved) {
-            crate::march::state::add_push(w, &step.table.push, &nodal(&own.force), &mut self.next);
+            add_push(w, &step.table.push, &spread(w, &own.force), &mut self.next);
         }
         let (rows, drive) = (&self.ports[p].rows, self.drive_at_end(p, joint.steps[0].port, joint.tables.length));
         let at_once: f64 = joint.steps.iter().zip(solved).map(|(step, own)| self.kernel.directly(step.port, p) * own.force.0[NODES]).sum();
