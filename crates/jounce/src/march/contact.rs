@@ -70,33 +70,55 @@ impl Solved {
 }
 
 impl Marcher<'_> {
-    /// Stays in contact until the point leaves the stop or the end is reached.
+    /// The only port stays in contact until it leaves its stop or the end is reached.
     #[inline(always)]
     pub(super) fn contact<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, end_s: f64) -> Result<(), MarchError> {
+        let port = &self.ports[0];
+        let start = (port.entry_level, !law.acts_on_both_sides() && port.penetration_m <= 0.0);
+        self.stay(w, law, (0, false), start, end_s)?;
+        Ok(())
+    }
+
+    /// A port stays in contact until it leaves its stop or the end is reached; beside others, also until one of these has to be watched
+    /// or the end is near. Starts with a step of a level, which enters the contact or does not, and says the same of the next one.
+    #[inline(always)]
+    pub(super) fn stay<W: Wide, L: ContactLaw>(
+        &mut self,
+        w: W,
+        law: L,
+        (p, beside_others): (usize, bool),
+        (level, mut entering): (i32, bool),
+        end_s: f64,
+    ) -> Result<(i32, bool), MarchError> {
         let kernel = self.kernel;
         let both_sides = law.acts_on_both_sides();
-        let mut level = self.ports[0].entry_level.max(coarsest(law, kernel));
+        let mut level = level.max(coarsest(law, kernel));
         // On steps this short no second contact can follow the first.
         let safe = Kernel::level_within(1.0 / kernel.fastest_rad_s) + 3;
-        let mut entering = !both_sides && self.ports[0].penetration_m <= 0.0;
-        while self.time_s < end_s && self.ports[0].regime == Regime::Contact {
+        while self.time_s < end_s && self.ports[p].regime == Regime::Contact {
             let remaining_s = self.forced.remaining_s(self.time_s, end_s);
-            let shape = if entering { kernel.first_shape(0) } else { Shape::Smooth };
+            let shape = if entering { kernel.first_shape(p) } else { Shape::Smooth };
             let landing = Kernel::length_s(level) >= remaining_s;
+            if beside_others && landing {
+                break;
+            }
             let odd;
             let table = if landing {
                 odd = self.odd_tables.of(kernel, shape, remaining_s);
                 &odd
             } else {
-                kernel.table(0, shape, level)
+                kernel.table(p, shape, level)
             };
-            let step = self.step_in_contact(w, law, (table, 0), shape, level, landing);
+            let step = self.step_in_contact(w, law, (table, p), shape, level, landing);
             let solved = self.solve(w, law, &step);
             let allowed = self.allowed_n_s(law, &step, solved.as_ref());
             let is_sound = |solved: &Solved| both_sides || solved.is_sound(shape, level >= safe);
             let accepted = solved.filter(|solved| solved.error_n_s <= self.share(&step) * allowed && is_sound(solved));
             match accepted {
                 Some(solved) => {
+                    if beside_others && !self.all_stay_clear(w, table.length_s, (&step, &solved)) {
+                        break;
+                    }
                     self.take(w, law, &step, &solved);
                     if landing {
                         self.time_s = end_s;
@@ -110,12 +132,12 @@ impl Marcher<'_> {
                     self.work.contact_rejections += 1;
                     level = if landing { Kernel::level_within(remaining_s) + 1 } else { level + 1 };
                     if level > Kernel::finest() {
-                        return Err(self.diverged(0));
+                        return Err(self.diverged(p));
                     }
                 }
             }
         }
-        Ok(())
+        Ok((level, entering))
     }
 
     /// Error of the impulse of a port that one step may make, N s.

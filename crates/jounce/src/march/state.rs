@@ -39,8 +39,8 @@ fn weighted<W: Wide>(w: W, y: &[Lane], columns: &[Lane], start: W::Register) -> 
 #[inline(always)]
 pub fn spread<W: Wide>(w: W, force: &Lane) -> [W::Register; NODES] {
     let mut spread = [w.zero(); NODES];
-    for j in 0..NODES {
-        spread[j] = w.splat(force.0[j]);
+    for (everywhere, force) in spread.iter_mut().zip(&force.0) {
+        *everywhere = w.splat(*force);
     }
     spread
 }

@@ -69,17 +69,14 @@ fn magnitudes(block: &Block, row: &[f64]) -> Vec<f64> {
 }
 
 impl Marcher<'_> {
-    /// True when no port in flight can touch within a time; they are left unseen.
+    /// True when no port in flight can touch on a step of the only one in contact; they are left unseen.
     #[inline(always)]
-    pub(super) fn all_stay_clear<W: Wide>(&mut self, w: W, length_s: f64, push: Option<(&Step, &Solved)>) -> bool {
-        let impulse = push.map(
-            #[inline(always)]
-            |(step, solved)| (step.port, step.table.length_s * IMPULSE_MARGIN * size(w, &step.basis.weights, &solved.force)),
-        );
+    pub(in crate::march) fn all_stay_clear<W: Wide>(&mut self, w: W, length_s: f64, (step, solved): (&Step, &Solved)) -> bool {
+        let impulse_n_s = IMPULSE_MARGIN * length_s * size(w, &step.basis.weights, &solved.force);
         let mut all = true;
         for q in 0..self.kernel.plant.ports.len() {
             if self.ports[q].regime == Regime::Flight {
-                all &= self.stays_clear(w, q, length_s, impulse);
+                all &= self.stays_clear(w, q, length_s, Some((step.port, impulse_n_s)));
             }
         }
         all

@@ -28,6 +28,12 @@ impl Marcher<'_> {
         while self.time_s < end_s && self.switching.met.is_none() && !self.hits_rigid_stop() {
             self.let_go()?;
             let ports = self.ports_with_bases();
+            if let [(p, _)] = ports.as_slice()
+                && !self.is_rigid(*p)
+                && self.stay_alone(w, *p, end_s)?
+            {
+                continue;
+            }
             let Some(mut level) = ports.iter().map(|(p, _)| self.ports[*p].level).max() else { return Ok(()) };
             loop {
                 let remaining_s = self.forced.remaining_s(self.time_s, end_s);
