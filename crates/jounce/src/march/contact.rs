@@ -21,10 +21,6 @@ pub(super) const IMPULSE_SHARE: f64 = 0.1;
 /// all that follows. With this share the mean power of a run is ten times nearer to its limit for 5 % more steps.
 const ONSET_SHARE: f64 = 0.01;
 
-/// How much more the steps that shorten towards the end of a contact may spend: their estimate counts the force at their start, of
-/// which little is left. A hundred times as much moves the mean power of a run by less than a tenth of its error.
-const LEAVING_SHARE: f64 = 100.0;
-
 /// Factor on the error of a step for twice its length; its power of the length is 8 to 11.
 const ERROR_PER_LEVEL: f64 = 500.0;
 
@@ -45,6 +41,12 @@ impl Step<'_> {
 }
 
 impl Solved {
+    /// Time integral of the magnitude of the force, N s.
+    #[inline(always)]
+    fn size_n_s<W: Wide>(&self, w: W, step: &Step) -> f64 {
+        step.table.length_s * w.sum(w.mul(w.load(&step.basis.weights), w.abs(w.load(&self.force))))
+    }
+
     /// Can be trusted beside its error estimate.
     pub(super) fn is_sound(&self, shape: Shape, is_short: bool) -> bool {
         match shape {
@@ -99,7 +101,7 @@ impl Marcher<'_> {
             let remaining_s = self.forced.remaining_s(self.time_s, end_s);
             let shape = if entering { kernel.first_shape(p) } else { Shape::Smooth };
             let landing = Kernel::length_s(level) >= remaining_s;
-            if beside_others && landing {
+            if beside_others && (landing || !self.all_stay_clear(w, Kernel::length_s(level), (p, 0.0))) {
                 break;
             }
             let odd;
@@ -113,10 +115,10 @@ impl Marcher<'_> {
             let solved = self.solve(w, law, &step);
             let allowed = self.allowed_n_s(law, &step, solved.as_ref());
             let is_sound = |solved: &Solved| both_sides || solved.is_sound(shape, level >= safe);
-            let accepted = solved.filter(|solved| solved.error_n_s <= self.share(&step) * allowed && is_sound(solved));
+            let accepted = solved.filter(|solved| solved.error_n_s <= share(shape) * allowed && is_sound(solved));
             match accepted {
                 Some(solved) => {
-                    if beside_others && !self.all_stay_clear(w, table.length_s, (&step, &solved)) {
+                    if beside_others && !self.all_stay_clear(w, table.length_s, (p, solved.size_n_s(w, &step))) {
                         break;
                     }
                     self.take(w, law, &step, &solved);
@@ -152,16 +154,6 @@ impl Marcher<'_> {
         self.tolerance * IMPULSE_SHARE * speed_m_s / port.rows.mobility_per_kg
     }
 
-    /// Share of it that a step may spend.
-    #[inline(always)]
-    pub(super) fn share(&self, step: &Step) -> f64 {
-        match step.shape {
-            Shape::Onset => ONSET_SHARE,
-            Shape::Smooth if self.ports[step.port].leaves => LEAVING_SHARE,
-            Shape::Smooth => 1.0,
-        }
-    }
-
     /// Level wanted of the step after one of `level` that has been taken; `starts_next` says that the next contact starts at it too.
     #[inline(always)]
     pub(super) fn next_level<L: ContactLaw>(
@@ -172,33 +164,31 @@ impl Marcher<'_> {
         solved: &Solved,
         (allowed, starts_next): (f64, bool),
     ) -> i32 {
-        let longer = level - levels_to_spare(solved.error_n_s, self.share(step) * allowed);
+        let longer = level - levels_to_spare(solved.error_n_s, share(step.shape) * allowed);
         if starts_next {
             self.ports[step.port].entry_level = longer;
         }
         // The error of the onset basis says nothing about the next step.
         let level = if step.shape == Shape::Onset { level } else { longer };
-        let before_leaving =
-            if law.acts_on_both_sides() { None } else { self.before_leaving(level, step, solved, LEAVING_SHARE * allowed) };
-        self.ports[step.port].leaves = before_leaving.is_some();
-        before_leaving.unwrap_or(level).max(coarsest(law, self.kernel))
+        let level = if law.acts_on_both_sides() { level } else { self.before_leaving(level, step, solved, allowed) };
+        level.max(coarsest(law, self.kernel))
     }
 
-    /// Near the end of the contact as it is foretold now: the level wanted, or a finer one that respects the end.
+    /// The level wanted, or a finer one that respects the end of the contact as it is foretold now.
     #[inline(always)]
-    fn before_leaving(&self, wanted: i32, step: &Step, solved: &Solved, allowed: f64) -> Option<i32> {
-        let leaving_s = foretold_leaving_s(&self.ports[step.port], step, solved)?;
+    fn before_leaving(&self, wanted: i32, step: &Step, solved: &Solved, allowed: f64) -> i32 {
+        let Some(leaving_s) = foretold_leaving_s(&self.ports[step.port], step, solved) else { return wanted };
         if leaving_s >= FAR * Kernel::length_s(wanted) {
-            return None;
+            return wanted;
         }
         let left_n_s = leaving_s * solved.force.0[NODES - 1];
         // What is left of the impulse may be too small to matter: then one step carries the point past the surface.
         if 2.0 * left_n_s <= allowed {
-            return Some(wanted.max(Kernel::level_within(2.0 * leaving_s)));
+            return wanted.max(Kernel::level_within(2.0 * leaving_s));
         }
         let level = Kernel::level_within(leaving_s);
         let is_enough = ellipse_power(leaving_s / Kernel::length_s(level)) * END_GAIN * allowed >= left_n_s;
-        Some(wanted.max(if is_enough { level } else { level + 1 }))
+        wanted.max(if is_enough { level } else { level + 1 })
     }
 
     pub(super) fn diverged(&self, p: usize) -> MarchError {
@@ -208,6 +198,15 @@ impl Marcher<'_> {
             step_s: Kernel::length_s(Kernel::finest()),
             penetration_m: self.ports[p].penetration_m,
         }
+    }
+}
+
+/// Share of the allowed error that a step may spend.
+#[inline(always)]
+pub(super) fn share(shape: Shape) -> f64 {
+    match shape {
+        Shape::Onset => ONSET_SHARE,
+        Shape::Smooth => 1.0,
     }
 }
 

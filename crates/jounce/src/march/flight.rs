@@ -239,7 +239,7 @@ impl Marcher<'_> {
     #[inline(always)]
     pub(super) fn struck(&mut self, p: usize) {
         let port = &mut self.ports[p];
-        (port.penetration_m, port.dwell_s, port.leaves) = (0.0, 0.0, false);
+        (port.penetration_m, port.dwell_s) = (0.0, 0.0);
         port.strike_m_s = port.strike_m_s.max(port.rate_m_s);
         port.statistics.contacts += 1;
         port.statistics.strike_sum_m_s += port.rate_m_s;

@@ -35,8 +35,6 @@ pub struct PortState {
     pub level: i32,
     /// ... and whether a contact begins with it.
     pub entering: bool,
-    /// The next step is short because the contact ends soon.
-    pub leaves: bool,
     /// Iterations that the last step needed.
     pub iterations: u32,
     /// Level at which the next contact starts.
@@ -82,7 +80,6 @@ impl PortState {
             ahead: [0.0; 2],
             level: entry_level,
             entering: false,
-            leaves: false,
             iterations: 1,
             entry_level,
             strike_m_s: 0.0,

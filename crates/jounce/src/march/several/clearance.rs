@@ -5,7 +5,6 @@
 //! impulse `J`. A port that was last seen at a distance `d` is clear for as long as `(V + G J) t < d`: nothing else is asked of it.
 
 use crate::contact::Law;
-use crate::march::contact_step::{Solved, Step};
 use crate::march::layout::Layout;
 use crate::march::marcher::Marcher;
 use crate::march::port_state::Regime;
@@ -69,14 +68,13 @@ fn magnitudes(block: &Block, row: &[f64]) -> Vec<f64> {
 }
 
 impl Marcher<'_> {
-    /// True when no port in flight can touch on a step of the only one in contact; they are left unseen.
+    /// True when no port in flight can touch within a time, under an impulse of another port; they are left unseen.
     #[inline(always)]
-    pub(in crate::march) fn all_stay_clear<W: Wide>(&mut self, w: W, length_s: f64, (step, solved): (&Step, &Solved)) -> bool {
-        let impulse_n_s = IMPULSE_MARGIN * length_s * size(w, &step.basis.weights, &solved.force);
+    pub(in crate::march) fn all_stay_clear<W: Wide>(&mut self, w: W, length_s: f64, push: (usize, f64)) -> bool {
         let mut all = true;
         for q in 0..self.kernel.plant.ports.len() {
             if self.ports[q].regime == Regime::Flight {
-                all &= self.stays_clear(w, q, length_s, Some((step.port, impulse_n_s)));
+                all &= self.stays_clear(w, q, length_s, Some(push));
             }
         }
         all
@@ -86,7 +84,7 @@ impl Marcher<'_> {
     #[inline(always)]
     pub(super) fn stays_clear<W: Wide>(&mut self, w: W, q: usize, length_s: f64, push: Option<(usize, f64)>) -> bool {
         let Some(bound) = &self.ports[q].rows.speed_bound else { return false };
-        let gain_m_s = push.map_or(0.0, |(p, impulse_n_s)| bound.per_impulse[p] * impulse_n_s);
+        let gain_m_s = push.map_or(0.0, |(p, impulse_n_s)| IMPULSE_MARGIN * bound.per_impulse[p] * impulse_n_s);
         let end_s = self.time_s + length_s;
         let holds = |known: &Clearance| (known.speed_m_s + gain_m_s) * (end_s - known.since_s) < known.distance_m;
         if !holds(&self.ports[q].clearance) {
@@ -117,12 +115,6 @@ impl Marcher<'_> {
     pub(super) fn forget_clearances(&mut self) {
         self.ports.iter_mut().for_each(|port| port.clearance.distance_m = 0.0);
     }
-}
-
-/// `sum_j w_j |f_j|`.
-#[inline(always)]
-fn size<W: Wide>(w: W, weights: &Lane, force: &Lane) -> f64 {
-    w.sum(w.mul(w.load(weights), w.abs(w.load(force))))
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use super::RESOLVED;
 use super::flight::Outcome;
 use super::rest::Resting;
+use crate::march::contact::share;
 use crate::march::contact_step::{Solved, Step};
 use crate::march::crossing::Crossing;
 use crate::march::error::MarchError;
@@ -96,7 +97,7 @@ impl Marcher<'_> {
         let allowed_n_s = self.allowed_beside_n_s(steps, solved);
         steps.iter().zip(solved).all(|(step, own)| {
             let needs_no_look = self.is_rigid(step.port) || self.law(step.port).acts_on_both_sides();
-            own.error_n_s <= self.share(step) * allowed_n_s && (needs_no_look || own.is_sound(step.shape, is_short))
+            own.error_n_s <= share(step.shape) * allowed_n_s && (needs_no_look || own.is_sound(step.shape, is_short))
         })
     }
 
