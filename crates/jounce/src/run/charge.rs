@@ -8,7 +8,7 @@
 //! storage (capacitance `C`, F, voltage `V`) makes of it, from the voltage along the record by quadrature. So the two sides share nothing
 //! but the motion.
 //!
-//! Validation: `tests/march/rectified.rs`, 1e-11 behind a bridge and both kinds of SSHI, beside a stop.
+//! Validation: `tests/march/rectified.rs`, 6e-15 behind a bridge and both kinds of SSHI, beside a stop.
 
 use super::{RunAnswer, RunPlan};
 use crate::march::Kernel;

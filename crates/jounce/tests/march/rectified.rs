@@ -132,7 +132,7 @@ fn charge_and_energy_are_balanced() {
 }
 
 /// What a run tells of charge and energy over its averaging window, not settled: the charge of the diodes, counted at the patches, is what
-/// load, leakage and storage get, by quadrature of the voltage of the storage; what the storage gains is told. Measured: 8e-13 at most.
+/// load, leakage and storage get, by quadrature of the voltage of the storage; what the storage gains is told. Measured: 6e-15 at most.
 #[test]
 fn a_run_tells_where_charge_and_energy_went() {
     let storage = Storage::Capacitor { capacitance_f: 5.0, load_ohm: 3.0 };
