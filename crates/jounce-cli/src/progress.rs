@@ -1,11 +1,15 @@
-//! Progress of long work on stderr: rate and time left, only where stderr is a terminal.
+//! Progress of long work on stderr, rate and time left: a bar where stderr is a terminal, else a plain line every ten seconds.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use jounce::march::Watch;
-use std::time::Duration;
+use std::io::{IsTerminal, Write};
+use std::time::{Duration, Instant};
 
 /// Time between two looks at a counter.
 const LOOK: Duration = Duration::from_millis(100);
+
+/// Time between two plain lines.
+const LINE: Duration = Duration::from_secs(10);
 
 /// A bar for a number of points.
 pub fn bar(points: usize) -> ProgressBar {
@@ -13,22 +17,30 @@ pub fn bar(points: usize) -> ProgressBar {
 }
 
 /// A bar for a number of things of one name.
-pub fn counted(things: usize, name: &str) -> ProgressBar {
+pub fn counted(things: usize, name: &'static str) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(things as u64), ProgressDrawTarget::stderr());
     let style = ProgressStyle::with_template(&format!("{{bar:30}} {{pos}}/{{len}} {name}  {{per_sec}}  {{eta}} left  {{msg}}"));
-    bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+    let bar = bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    lines_without_terminal(&bar, name);
+    bar
 }
 
-/// Shows what a watch counts while `work` runs: curves have no length that is known before their end, so there is no time left.
+/// Shows the orbits that a watch counts while `work` runs: curves have no length that is known before their end, so there is no time left.
 pub fn watched<T>(watch: &Watch, work: impl FnOnce() -> T) -> T {
+    counting("orbits tried", &|| watch.harvesters(), work)
+}
+
+/// Shows a count of things of one name, whose end is not known, while `work` runs.
+pub fn counting<T>(name: &'static str, count: &(dyn Fn() -> u64 + Sync), work: impl FnOnce() -> T) -> T {
     let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
-    let style = ProgressStyle::with_template("{spinner} {pos} orbits tried  {per_sec}  {elapsed} so far");
+    let style = ProgressStyle::with_template(&format!("{{spinner}} {{pos}} {name}  {{per_sec}}  {{elapsed}} so far"));
     let bar = bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
+    lines_without_terminal(&bar, name);
     let (end, ended) = std::sync::mpsc::channel::<()>();
     std::thread::scope(|scope| {
         scope.spawn(move || {
             while ended.recv_timeout(LOOK) == Err(std::sync::mpsc::RecvTimeoutError::Timeout) {
-                bar.set_position(watch.harvesters());
+                bar.set_position(count());
             }
             bar.finish_and_clear();
         });
@@ -36,4 +48,76 @@ pub fn watched<T>(watch: &Watch, work: impl FnOnce() -> T) -> T {
         drop(end);
         answer
     })
+}
+
+fn lines_without_terminal(bar: &ProgressBar, name: &'static str) {
+    if !std::io::stderr().is_terminal() {
+        // A closed stderr is no reason to end the work.
+        tell(bar, name, LINE, |line| drop(writeln!(std::io::stderr(), "{line}")));
+    }
+}
+
+/// Says a line about a bar now and then, from a thread that ends with the bar.
+fn tell(bar: &ProgressBar, name: &'static str, every: Duration, say: impl Fn(String) + Send + 'static) {
+    let bar = bar.downgrade();
+    std::thread::spawn(move || {
+        let clock = Instant::now();
+        let (mut next, mut before) = (every, None);
+        loop {
+            std::thread::sleep(LOOK.min(every));
+            let Some(bar) = bar.upgrade().filter(|bar| !bar.is_finished()) else { return };
+            // What an earlier run has finished is none of this one's rate.
+            let before = *before.get_or_insert(bar.position());
+            if clock.elapsed() >= next {
+                next += every;
+                say(line(name, bar.position(), before, bar.length(), clock.elapsed()));
+            }
+        }
+    });
+}
+
+/// `"120 of 400 points, 12 per s, 23 s left"`; without an end `"120 orbits tried, 12 per s, 10 s so far"`.
+fn line(name: &str, position: u64, before: u64, end: Option<u64>, elapsed: Duration) -> String {
+    let seconds = elapsed.as_secs_f64();
+    let rate = position.saturating_sub(before) as f64 / seconds;
+    let per_s = if rate >= 1.0 || rate == 0.0 { format!("{rate:.0} per s") } else { format!("{:.0} s each", 1.0 / rate) };
+    match end {
+        None => format!("{position} {name}, {per_s}, {seconds:.0} s so far"),
+        Some(end) if rate == 0.0 => format!("{position} of {end} {name}, {seconds:.0} s so far"),
+        Some(end) => format!("{position} of {end} {name}, {per_s}, {:.0} s left", end.saturating_sub(position) as f64 / rate),
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_tells_rate_and_time_left() {
+        let at = |position, before, end, seconds| line("points", position, before, end, Duration::from_secs(seconds));
+        assert_eq!(at(220, 100, Some(400), 10), "220 of 400 points, 12 per s, 15 s left");
+        assert_eq!(at(5, 0, Some(6), 20), "5 of 6 points, 4 s each, 4 s left");
+        assert_eq!(at(3, 3, Some(400), 10), "3 of 400 points, 10 s so far");
+        assert_eq!(at(50, 0, None, 10), "50 points, 5 per s, 10 s so far");
+    }
+
+    /// Lines come for as long as the bar is not finished, and hold no control characters.
+    #[test]
+    fn lines_come_until_the_bar_is_finished() {
+        let (said, heard) = std::sync::mpsc::channel();
+        let bar = ProgressBar::with_draw_target(Some(10), ProgressDrawTarget::hidden());
+        tell(&bar, "points", Duration::from_millis(20), move |line| drop(said.send(line)));
+        let first = heard.recv_timeout(Duration::from_secs(5)).unwrap();
+        bar.inc(4);
+        let later: Vec<String> = (0..3).map(|_| heard.recv_timeout(Duration::from_secs(5)).unwrap()).collect();
+        assert!(first.starts_with("0 of 10 points") && later[2].starts_with("4 of 10 points"), "{first} {later:?}");
+        assert!(later.iter().all(|line| line.chars().all(|c| !c.is_control())));
+        bar.finish_and_clear();
+        // The channel closes when the thread ends.
+        while let Ok(line) = heard.recv_timeout(Duration::from_secs(5)) {
+            assert!(line.contains("points"));
+        }
+        assert_eq!(heard.recv_timeout(Duration::from_millis(1)), Err(std::sync::mpsc::RecvTimeoutError::Disconnected));
+    }
 }

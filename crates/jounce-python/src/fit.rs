@@ -16,7 +16,7 @@ pub fn fit(py: Python<'_>, spec: &Spec, text: Option<&str>, path: Option<PathBuf
             Some(path) => Features::read(path)?,
             None => Features::from_toml(text.unwrap_or_default()).map_err(|faults| FitError::Features { faults })?,
         };
-        Ok::<_, Failure>(jounce_measure::fit::fit(&spec.file(), &spec.spec, &features, &spec.folder())?.0)
+        Ok::<_, Failure>(jounce_measure::fit::fit(&spec.file(), &spec.spec, &features, &spec.folder(), &|| ())?.0)
     });
     json(&found.map_err(|failure| failure.raised(py))?)
 }

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::output::{self, line, print};
+use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
 use jounce::spec::{Spec, SpecFile};
@@ -9,6 +10,7 @@ use jounce::table::{Column, Table};
 use jounce_measure::draw::fitted;
 use jounce_measure::fit::{Features, FitAnswer, FittedCurve, FittedFeature, FittedKey, fit};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Arguments of `fit`.
 #[derive(Debug, Args)]
@@ -28,7 +30,13 @@ impl Fit {
         let features = Features::read(&self.to)?;
         let file = self.spec.file()?;
         let spec = self.spec.checked(file.spec())?;
-        let (answer, _) = fit(&file, &spec, &features, &self.spec.folder())?;
+        let made = AtomicU64::new(0);
+        let seen = || {
+            made.fetch_add(1, Ordering::Relaxed);
+        };
+        let (answer, _) = progress::counting("models tried", &|| made.load(Ordering::Relaxed), || {
+            fit(&file, &spec, &features, &self.spec.folder(), &seen)
+        })?;
         if let Some(folder) = &self.output.out {
             self.write(folder, file, &spec, &answer)?;
         }

@@ -6,7 +6,7 @@ use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
 use jounce::march::{Instant, Kernel};
 use jounce::picture::{Scale, SpectrumLine, Trace, spectra, time_histories};
-use jounce::run::{RunAnswer, RunPlan, StopAnswer, Warning, simulate};
+use jounce::run::{ChargeAnswer, RunAnswer, RunPlan, StopAnswer, Warning, charges, simulate};
 use jounce::signal::{Samples, Window};
 use jounce::study::Prepared;
 use jounce::table::{Column, Table};
@@ -53,7 +53,7 @@ impl Run {
         let kernel = prepared.from_state(&start)?;
         let run = &prepared.spec.run;
         let plan = RunPlan::of(run, if self.output.out.is_some() { run.average_over_s } else { 0.0 });
-        let plan = plan.watching(&prepared.spec, &kernel.plant);
+        let plan = plan.watching(&prepared.spec, &kernel.plant).balancing(&kernel.plant);
         let answer = simulate(&kernel, &start, &plan).map_err(jounce::study::StudyError::from)?;
         if let Some(path) = &self.save_state {
             let text = serde_json::to_string_pretty(&answer.end).map_err(|error| Failure::Input(error.to_string()))?;
@@ -71,7 +71,7 @@ impl Run {
     fn tell(&self, kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[Warning]) {
         match self.output.json {
             true => print_json(kernel, answer, plan, warnings),
-            false => print_lines(answer, plan),
+            false => print_lines(kernel, answer, plan),
         }
     }
 
@@ -144,6 +144,7 @@ fn print_json(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[W
         "voltage_peak_v": peak_voltage_v(kernel, answer, plan),
         "loads": answer.loads,
         "rectified": answer.rectified,
+        "charges": charges(kernel, answer, plan),
         "leaks": answer.leaks,
         "max_penetration_m": answer.max_penetration_m,
         "max_contact_force_n": answer.max_contact_force_n,
@@ -173,20 +174,23 @@ fn print_json(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[W
 }
 
 /// The answer as lines to read.
-fn print_lines(answer: &RunAnswer, plan: &RunPlan) {
+fn print_lines(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) {
     let residual = answer.energies.residual_relative();
     // A sum of nothing may be -0.
     line(format!("mean power         {:.6e} W", answer.mean_power_w + 0.0));
     for load in &answer.loads {
         line(format!("voltage, rms       {:.6} V  (load {})", load.voltage_rms_v, load.name));
     }
+    let charges = charges(kernel, answer, plan);
     for circuit in &answer.rectified {
         // Synchronous extraction hands over energy, no charge that diodes pass.
         let current = if circuit.mean_current_a == 0.0 { String::new() } else { format!(", {:.4e} A", circuit.mean_current_a) };
         line(format!("storage            {:.6} V{current}  (circuit {})", circuit.voltage_rms_v, circuit.name));
         // What nothing was lost in is 0 but for roundoff of either sign.
         let [diodes, switch, leakage] = [circuit.diode_loss_w, circuit.switch_loss_w, circuit.leakage_w].map(|loss_w| loss_w.max(0.0));
+        line(format!("  delivered        {:.4e} W, filling the storage {:.4e} W", circuit.mean_power_w, circuit.storage_w));
         line(format!("  lost             diodes {diodes:.4e} W, switch {switch:.4e} W, leakage {leakage:.4e} W"));
+        charges.iter().filter(|charge| charge.name == circuit.name).for_each(tell_charge);
     }
     for leak in &answer.leaks {
         line(format!("leakage            {:.6e} W  (patch {})", leak.mean_power_w, leak.patch));
@@ -221,6 +225,13 @@ fn print_lines(answer: &RunAnswer, plan: &RunPlan) {
     ));
 }
 
+/// Where the charge of a circuit went, and whether that is all of it.
+fn tell_charge(charge: &ChargeAnswer) {
+    let ChargeAnswer { passed_c, load_c, leakage_c, storage_c, residual_relative, .. } = charge;
+    line(format!("  charge           diodes {passed_c:.4e} C = load {load_c:.4e} + leakage {leakage_c:.4e} + storage {storage_c:.4e} C"));
+    line(format!("  charge residual  {residual_relative:.1e} of the largest charge"));
+}
+
 /// Contacts of one stop; `beside` others also what `print_lines` tells of all together.
 fn tell_stop(stop: &StopAnswer, beside: bool) {
     if beside {
@@ -237,10 +248,14 @@ fn tell_stop(stop: &StopAnswer, beside: bool) {
     }
 }
 
-/// Largest voltage of the first patch over the last drive cycles that the run keeps, V.
+/// Drive cycles over which the largest voltage is looked for.
+const CYCLES: f64 = 8.0;
+
+/// Largest voltage of the first patch over the last drive cycles, or over what the run keeps where drives do not repeat themselves, V.
 fn peak_voltage_v(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) -> Option<f64> {
     let plant = &kernel.plant;
-    let first = answer.trajectory.segments().first()?.start_s;
+    let kept_s = answer.trajectory.segments().first()?.start_s;
+    let first = plant.period_s().map_or(kept_s, |period_s| kept_s.max(plan.duration_s - CYCLES * period_s));
     let samples = 4096;
     let times: Vec<f64> = (0..=samples).map(|k| first + (plan.duration_s - first) * f64::from(k) / f64::from(samples)).collect();
     let first = |at: &Instant| plant.patch_voltages_v(&plant.to_physical(&at.state, at.time_s)).first().map(|voltage| voltage.abs());

@@ -24,6 +24,8 @@ pub(super) struct Problem<'a> {
     pub deviation: Vec<f64>,
     pub unknowns: DVector<f64>,
     pub evaluations: Cell<usize>,
+    /// Called at each of them.
+    pub seen: &'a dyn Fn(),
     /// Why the model could not be evaluated last.
     pub fault: RefCell<Option<FitError>>,
 }
@@ -44,6 +46,7 @@ impl Problem<'_> {
     /// What the model has for every measured number.
     pub fn model(&self, unknowns: &DVector<f64>) -> Result<Vec<f64>, FitError> {
         self.evaluations.set(self.evaluations.get() + 1);
+        (self.seen)();
         let model = Model { spec: self.changed(unknowns)?, hold: self.hold, folder: self.folder, prepared: OnceCell::new() };
         let answers = self.asked.questions.iter().map(|question| question.ask(&model)).collect::<Result<Vec<_>, _>>()?;
         Ok(answers.concat())

@@ -29,7 +29,8 @@ pub(super) struct Minimum {
     pub freedom: Vec<Option<f64>>,
 }
 
-/// Fits the free keys of a spec, and gives the spec as fitted. Files that the spec names lie in `folder`.
+/// Fits the free keys of a spec, and gives the spec as fitted. Files that the spec names lie in `folder`; `seen` is called at each evaluation of
+/// the model.
 ///
 /// A deviation `"residuals"` is that at which the residuals of its group have the size that is expected of them,
 /// `s^2 = sum e^2 / (n - g)`, with `e` the errors of its `n` features and `g` the number of keys that they determine (the trace of their part of
@@ -44,7 +45,7 @@ pub(super) struct Minimum {
 ///
 /// # Source
 /// D. MacKay, Bayesian interpolation, Neural Computation 4 (1992) 415, for deviations from residuals.
-pub fn fit(file: &SpecFile, spec: &Spec, features: &Features, folder: &Path) -> Result<(FitAnswer, Spec), FitError> {
+pub fn fit(file: &SpecFile, spec: &Spec, features: &Features, folder: &Path, seen: &dyn Fn()) -> Result<(FitAnswer, Spec), FitError> {
     let (mut keys, mut start) = (Vec::new(), Vec::new());
     for (path, _) in &features.free {
         let key = file.numeric_key(path).map_err(|faults| FitError::Key { key: path.clone(), faults })?;
@@ -67,6 +68,7 @@ pub fn fit(file: &SpecFile, spec: &Spec, features: &Features, folder: &Path) -> 
         deviation: asked.groups.iter().map(|group| group.deviation.first()).collect(),
         asked: &asked,
         evaluations: Cell::new(0),
+        seen,
         fault: RefCell::new(None),
     };
     let before = problem.model(&problem.unknowns)?;

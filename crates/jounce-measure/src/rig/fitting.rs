@@ -57,8 +57,15 @@ pub fn carry(spec: &mut Spec, points: &[String], mass_kg: f64) -> Result<(), Rig
     }
     for point in points {
         let name = (1..).map(|k| format!("accelerometer_{k}")).find(|name| !spec.mass.contains_key(name)).unwrap_or_default();
-        let mass =
-            Mass { on: point.clone(), mass_kg, rotary_inertia_kg_m2: 0.0, stiffness_n_m: None, damping_ratio: None, velocity_m_s: None };
+        let mass = Mass {
+            on: point.clone(),
+            mass_kg,
+            rotary_inertia_kg_m2: 0.0,
+            stiffness_n_m: None,
+            damping_ratio: None,
+            velocity_m_s: None,
+            friction_n_s_m: None,
+        };
         spec.mass.insert(name, mass);
     }
     Ok(())

@@ -58,7 +58,7 @@ fn shares(trials: u64) -> [f64; 2] {
         };
         let measured = true_modes.iter().enumerate().map(mode).collect();
         let features = Features { free: free(&KEYS), modes: measured, ..Features::default() };
-        let (answer, _) = fit(&file, &spec, &features, Path::new(".")).unwrap_or_else(|fault| panic!("{seed}: {fault}"));
+        let (answer, _) = fit(&file, &spec, &features, Path::new("."), &|| ()).unwrap_or_else(|fault| panic!("{seed}: {fault}"));
         for (inside, (key, truth)) in inside.iter_mut().zip(answer.keys.iter().zip(&truth)) {
             *inside += u32::from((key.low..=key.high).contains(truth));
         }

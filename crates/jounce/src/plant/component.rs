@@ -42,6 +42,11 @@ impl Assembly {
             matrix[(n + i, n + i)] = -2.0 * zeta * w;
             scale[i] = if w > 0.0 { w } else { 1.0 };
         }
+        for dashpot in &system.dashpots {
+            for i in 0..n {
+                (0..n).for_each(|j| matrix[(n + i, n + j)] -= dashpot.damping_per_s(i, j));
+            }
+        }
         for (k, node) in electrical.nodes.iter().enumerate() {
             let row = 2 * n + k;
             if let Some(resistance_ohm) = node.resistance_ohm {
@@ -95,8 +100,15 @@ impl Assembly {
 }
 
 /// Groups of states that are coupled: each a list of modes (below `n`) and electrical states (from `2 n` on).
-pub(super) fn components(n: usize, electrical: &Electrical) -> Vec<Vec<usize>> {
+pub(super) fn components(system: &System, electrical: &Electrical) -> Vec<Vec<usize>> {
+    let n = system.modes.len();
     let mut groups: Vec<Vec<usize>> = (0..n).map(|mode| vec![mode]).collect();
+    for dashpot in &system.dashpots {
+        let (joined, apart): (Vec<_>, Vec<_>) =
+            groups.into_iter().partition(|group: &Vec<usize>| group.iter().any(|&mode| dashpot.shape[mode] != 0.0));
+        groups = apart;
+        groups.extend(Some(joined.concat()).filter(|modes| !modes.is_empty()));
+    }
     for (k, node) in electrical.nodes.iter().enumerate() {
         let touches = |group: &Vec<usize>| group.iter().any(|&state| state < n && node.coupling_n_per_v[state] != 0.0);
         let (mut joined, apart): (Vec<_>, Vec<_>) = groups.into_iter().partition(touches);
@@ -119,18 +131,26 @@ pub(super) fn components(n: usize, electrical: &Electrical) -> Vec<Vec<usize>> {
     groups
 }
 
-/// Closed form of a mode that drives no patch, in energy coordinates `(w q, q')`.
+/// Closed form of a mode that drives no patch, in energy coordinates `(w q, q')`; `(q, q')` of a free body.
 pub(super) fn single_mode(system: &System, mode: usize, assembly: &Assembly) -> Vec<PieceBlock> {
-    let (w, zeta) = (system.modes.frequency_rad_s[mode], system.modes.damping_ratio[mode]);
+    let w = system.modes.frequency_rad_s[mode];
+    let friction_per_s: f64 = system.dashpots.iter().map(|dashpot| dashpot.damping_per_s(mode, mode)).sum();
     let column = |displacement: f64, velocity: f64| {
         let mut column = vec![0.0; assembly.scale.len()];
         column[mode] = displacement;
         column[assembly.modes + mode] = velocity;
         column
     };
+    if w == 0.0 && friction_per_s > 0.0 {
+        // Where it is stays; its velocity decays, and with it the way that is left, q'/a.
+        let length = 1.0_f64.hypot(friction_per_s);
+        let slowing = column(1.0 / length, -friction_per_s / length);
+        return vec![PieceBlock::Real(0.0, column(1.0, 0.0)), PieceBlock::Real(-friction_per_s, slowing)];
+    }
     if w == 0.0 {
         return vec![PieceBlock::Pair(Pair::Jordan { rate: 0.0 }, [column(1.0, 0.0), column(0.0, 1.0)])];
     }
+    let zeta = system.modes.damping_ratio[mode] + 0.5 * friction_per_s / w;
     if zeta == 1.0 {
         return vec![PieceBlock::Pair(Pair::Jordan { rate: -w }, [column(1.0, -1.0), column(0.0, 1.0 / w)])];
     }

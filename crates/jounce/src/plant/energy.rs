@@ -42,7 +42,7 @@ pub struct Meters {
     /// Energy delivered to each load, J, then to each of [`Plant::bridge_outputs`] and of [`Plant::leak_outputs`]; of the voltages counted
     /// from their zeros.
     pub loads: Vec<EnergyMeter>,
-    /// Energy lost in modal damping, J.
+    /// Energy lost in modal damping and friction, J.
     pub damping: EnergyMeter,
     /// Energy put in by the drives, J.
     pub input: EnergyMeter,
@@ -90,6 +90,7 @@ impl Meters {
         let losses: Vec<Square> = (0..modes.len())
             .map(|i| Square::new(plant, 2.0 * modes.damping_ratio[i] * modes.frequency_rad_s[i], velocity(i)))
             .filter(|square| square.weight > 0.0)
+            .chain(plant.system.dashpots.iter().map(|dashpot| Square::new(plant, dashpot.n_s_m, plant.velocity_row(&dashpot.shape))))
             .collect();
         Ok(Self {
             loads: loads.chain(outputs).collect::<Result<_, _>>()?,

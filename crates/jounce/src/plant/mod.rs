@@ -44,5 +44,5 @@ pub use lyapunov::{Side, lyapunov};
 pub use signal::Signal;
 pub use signal_meter::{SignalIntegrals, SignalMeter};
 pub(crate) use system::driven;
-pub use system::{Connection, Drive, Load, Stop, System};
+pub use system::{Connection, Dashpot, Drive, Load, Stop, System};
 pub use tone::Tone;

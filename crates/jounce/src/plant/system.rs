@@ -17,6 +17,8 @@ pub struct System {
     pub loads: Vec<Load>,
     /// Rectified circuits.
     pub bridges: Vec<Bridge>,
+    /// Viscous friction of points.
+    pub dashpots: Vec<Dashpot>,
     /// Stops.
     pub stops: Vec<Stop>,
     /// Sinusoidal drives.
@@ -57,6 +59,24 @@ impl Load {
     }
 }
 
+/// Viscous friction of a point on the ground: the force `-n_s_m` times its velocity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Dashpot {
+    /// Name of what it brakes.
+    pub name: String,
+    /// Displacement of the point per unit modal coordinate, kg^-1/2.
+    pub shape: Vec<f64>,
+    /// Force over velocity, N s/m.
+    pub n_s_m: f64,
+}
+
+impl Dashpot {
+    /// What it adds to the damping of two modes, `c s_i s_j`, 1/s.
+    pub fn damping_per_s(&self, i: usize, j: usize) -> f64 {
+        self.n_s_m * self.shape[i] * self.shape[j]
+    }
+}
+
 /// A stop: penetration is `shape . q - gap`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stop {
@@ -94,10 +114,11 @@ impl System {
     pub fn assemble(spec: &Spec, modes: impl Into<Arc<Modes>>) -> Result<Self, PlantError> {
         let modes = modes.into();
         let (loads, bridges) = circuits(spec, &modes)?;
+        let dashpots = dashpots(spec, &modes)?;
         let stops = stops(spec, &modes)?;
         let drives = drives(spec, &modes)?;
         let signals = Self::signals(spec, &modes)?;
-        Ok(Self { modes, loads, bridges, stops, drives, signals })
+        Ok(Self { modes, loads, bridges, dashpots, stops, drives, signals })
     }
 
     /// The drives of a spec that are not sinusoidal, and its gravity. Noise is made for `run.duration`.
@@ -180,6 +201,11 @@ fn bridge(name: &str, circuit: &Circuit, connections: Vec<Connection>, scheme: S
         leakage_ohm: circuit.leakage_ohm,
         state: BridgeState::default(),
     }
+}
+
+fn dashpots(spec: &Spec, modes: &Modes) -> Result<Vec<Dashpot>, PlantError> {
+    let braked = spec.mass.iter().filter_map(|(name, mass)| Some((name, mass.friction_n_s_m.filter(|n_s_m| *n_s_m > 0.0)?)));
+    braked.map(|(name, n_s_m)| Ok(Dashpot { name: name.clone(), shape: shape(modes, format!("mass.{name}"), name)?, n_s_m })).collect()
 }
 
 fn stops(spec: &Spec, modes: &Modes) -> Result<Vec<Stop>, PlantError> {

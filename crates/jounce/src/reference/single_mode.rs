@@ -24,7 +24,7 @@ pub(super) fn oscillator(mass_kg: f64, frequency_rad_s: f64, damping_ratio: f64)
         participation_sqrt_kg: vec![mass_kg.sqrt()],
         discretisation_error: vec![0.0],
     };
-    System { modes: modes.into(), loads: Vec::new(), bridges: Vec::new(), stops: Vec::new(), drives: Vec::new(), signals: Vec::new() }
+    System { modes: modes.into(), ..System::default() }
 }
 
 /// The same with a stop in the positive direction.

@@ -1,5 +1,6 @@
 //! A run: from a start to an end, with its averages, its energy balance and whether it has settled.
 
+mod charge;
 mod limits;
 mod result;
 mod settle;
@@ -7,6 +8,7 @@ mod simulate;
 mod start;
 mod warning;
 
+pub use charge::{ChargeAnswer, charges};
 pub use limits::{Exceeded, Limited, Limits, Worst, exceeded};
 pub use result::{LeakAnswer, LoadAnswer, RectifiedAnswer, RunAnswer, StopAnswer};
 pub use settle::Settlement;

@@ -26,6 +26,8 @@ pub struct RectifiedAnswer {
     pub voltage_rms_v: f64,
     /// Mean current that the diodes pass, A; 0 for SECE, which hands over energy instead.
     pub mean_current_a: f64,
+    /// Mean power that fills the storage capacitor, W: what is delivered besides, 0 once its voltage has settled.
+    pub storage_w: f64,
     /// Mean power lost in diodes, W.
     pub diode_loss_w: f64,
     /// Mean power lost in the switch and its inductor, W.

@@ -37,6 +37,13 @@ impl RunPlan {
         let looks = plant.period_s().is_none() && !Limits::of(spec, plant).is_empty();
         Self { record_s: if looks { self.record_s.max(self.average_over_s) } else { self.record_s }, ..self }
     }
+
+    /// The same with a record of the averaging window where a rectifier feeds a capacitor, for [`super::charges`].
+    #[must_use]
+    pub fn balancing(self, plant: &Plant) -> Self {
+        let fed = plant.system.bridges.iter().any(|bridge| matches!(bridge.storage, Storage::Capacitor { .. }));
+        Self { record_s: if fed { self.record_s.max(self.average_over_s) } else { self.record_s }, ..self }
+    }
 }
 
 /// A run that could not be made.
@@ -104,14 +111,14 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
         marcher.advance_to(time_s)?;
         if is_window {
             marcher.reset_statistics();
-            opened = Some(marcher.energies());
+            opened = Some((marcher.energies(), StartState::from_blocks(plant, &marcher.state(), time_s)));
         } else {
             marcher.start_record();
         }
     }
     marcher.advance_to(end_s)?;
     let march_s = clock.elapsed().as_secs_f64();
-    let opened = opened.unwrap_or_default();
+    let (opened, before) = opened.unwrap_or_else(|| (Energies::default(), start.clone()));
     let trajectory = marcher.take_record();
     let noise = 10.0 * plan.tolerance.max(1e-13);
     let settlement = period_s.map(|period_s| settled(kernel, &trajectory, end_s, period_s, noise));
@@ -123,7 +130,8 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
             LoadAnswer { name: load.name.clone(), mean_power_w, voltage_rms_v: (mean_power_w * load.resistance_ohm).max(0.0).sqrt() }
         })
         .collect();
-    let rectified = rectified(plant, [&opened, &energies], plan.average_over_s);
+    let end = StartState::from_blocks(plant, &marcher.state(), end_s);
+    let rectified = rectified(plant, [(&opened, &before), (&energies, &end)], plan.average_over_s);
     Ok(RunAnswer {
         mean_power_w: loads.iter().map(|load| load.mean_power_w).sum::<f64>() + rectified.iter().map(|own| own.mean_power_w).sum::<f64>(),
         loads,
@@ -137,31 +145,37 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
         settlement,
         energies,
         work: marcher.work(),
-        end: StartState::from_blocks(plant, &marcher.state(), end_s),
+        end,
         march_s,
         trajectory,
     })
 }
 
-fn rectified(plant: &Plant, [start, end]: [&Energies; 2], average_over_s: f64) -> Vec<RectifiedAnswer> {
-    let answer = |((bridge, start), end): ((&Bridge, &RectifiedEnergies), &RectifiedEnergies)| {
-        let mean = |of: fn(&RectifiedEnergies) -> f64| (of(end) - of(start)) / average_over_s;
+fn rectified(plant: &Plant, ends: [(&Energies, &StartState); 2], average_over_s: f64) -> Vec<RectifiedAnswer> {
+    let answer = |(k, bridge): (usize, &Bridge)| {
+        let change = |of: &dyn Fn(&Energies, &StartState) -> f64| of(ends[1].0, ends[1].1) - of(ends[0].0, ends[0].1);
+        let mean = |of: fn(&RectifiedEnergies) -> f64| change(&|energies, _| energies.rectified.get(k).map_or(0.0, of)) / average_over_s;
         let mean_power_w = mean(|own| own.load_j + own.battery_j);
-        let voltage_rms_v = match bridge.storage {
-            Storage::Battery { voltage_v } => voltage_v,
-            Storage::Capacitor { load_ohm, .. } => (mean_power_w * load_ohm).max(0.0).sqrt(),
+        let (voltage_rms_v, storage_w) = match (bridge.storage, plant.electrical.bridges[k].storage) {
+            (Storage::Capacitor { capacitance_f, load_ohm }, Some(node)) => {
+                let stored_j = change(&|_, state| 0.5 * capacitance_f * state.voltage_v[node].powi(2));
+                ((mean_power_w * load_ohm).max(0.0).sqrt(), stored_j / average_over_s)
+            }
+            (Storage::Battery { voltage_v }, _) => (voltage_v, 0.0),
+            (Storage::Capacitor { .. }, None) => (f64::NAN, f64::NAN),
         };
         RectifiedAnswer {
             name: bridge.name.clone(),
             mean_power_w,
             voltage_rms_v,
             mean_current_a: mean(|own| own.charge_c),
+            storage_w,
             diode_loss_w: mean(|own| own.diodes_j),
             switch_loss_w: mean(|own| own.switch_j),
             leakage_w: mean(|own| own.leakage_j),
         }
     };
-    plant.system.bridges.iter().zip(&start.rectified).zip(&end.rectified).map(answer).collect()
+    plant.system.bridges.iter().enumerate().map(answer).collect()
 }
 
 fn leaks(plant: &Plant, [start, end]: [&Energies; 2], average_over_s: f64) -> Vec<LeakAnswer> {

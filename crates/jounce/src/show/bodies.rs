@@ -82,7 +82,7 @@ fn drawn_beam(spec: &Spec, name: &str, beam: &Beam) -> DrawnBeam {
         length_m: beam.length_m,
         thickness_m: beam.thickness_m,
         layers: layers.map(|(label, l)| cover(label, [l.start_m, l.length_m, l.thickness_m], l.face)).collect(),
-        patches: patches.map(|(label, p)| cover(label, [p.start_m, p.length_m, p.thickness_m], p.face)).collect(),
+        patches: patches.map(|(label, p)| cover(label, [p.start_m, p.length_m, p.whole_thickness_m()], p.face)).collect(),
         points: beam.point.iter().map(|(point, along_m)| (point.clone(), *along_m)).collect(),
     }
 }

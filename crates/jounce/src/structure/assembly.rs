@@ -177,6 +177,7 @@ mod tests {
             stiffness_n_m,
             damping_ratio: stiffness_n_m.map(|_| 0.0),
             velocity_m_s: None,
+            friction_n_s_m: None,
         }
     }
 

@@ -33,15 +33,28 @@ impl Ply {
         }
     }
 
-    /// On a layer of the thickness `coat_m`.
+    /// The active layer, on a layer of the thickness `coat_m`.
     pub fn of_patch(beam: &Beam, patch: &Patch, coat_m: f64) -> Self {
         Self {
             youngs_modulus_pa: patch.youngs_modulus_pa,
             density_kg_m3: patch.density_kg_m3,
             width_m: patch.width_m,
             thickness_m: patch.thickness_m,
-            middle_m: above_m(beam, patch.face, coat_m, patch.thickness_m / 2.0),
+            middle_m: above_m(beam, patch.face, coat_m + patch.foils.each_m(), patch.thickness_m / 2.0),
         }
+    }
+
+    /// The foils below and above the active layer; none where it has none.
+    pub fn of_foils(beam: &Beam, patch: &Patch, coat_m: f64) -> impl Iterator<Item = Self> {
+        let each_m = patch.foils.each_m();
+        let under_m = [coat_m, coat_m + each_m + patch.thickness_m].into_iter().filter(move |_| each_m > 0.0);
+        under_m.map(move |under_m| Self {
+            youngs_modulus_pa: patch.foils.modulus_pa(),
+            density_kg_m3: patch.foils.mass_per_volume_kg_m3(),
+            width_m: patch.width_m,
+            thickness_m: each_m,
+            middle_m: above_m(beam, patch.face, under_m, each_m / 2.0),
+        })
     }
 
     pub fn axial_stiffness_n(&self) -> f64 {

@@ -116,7 +116,8 @@ mod tests {
     fn spec(stiffness_n_m: Option<f64>) -> Spec {
         let on = if stiffness_n_m.is_some() { "ground" } else { "nothing" }.to_owned();
         let damping_ratio = stiffness_n_m.map(|_| 0.0);
-        let mass = Mass { on, mass_kg: 0.5, rotary_inertia_kg_m2: 0.0, stiffness_n_m, damping_ratio, velocity_m_s: None };
+        let mass =
+            Mass { on, mass_kg: 0.5, rotary_inertia_kg_m2: 0.0, stiffness_n_m, damping_ratio, velocity_m_s: None, friction_n_s_m: None };
         let beam = Beam { length_m: 0.3, root: "table".into(), ..crate::structure::section::tests::paper_beam() };
         Spec { beam: [("beam".into(), beam)].into(), mass: [("table".into(), mass)].into(), ..Spec::default() }
     }

@@ -11,7 +11,7 @@
 //!
 //! `e_V` is the free strain per volt: `d31 / h_p` for a field through the thickness (so that `gamma_p = E_p d31 b_p (z_p - zbar)`),
 //! `d33 / s` for a field along the beam between electrodes `s` apart. A patch on the lower face has `z_p = -h_p / 2`; a passive layer
-//! under a patch lifts it by its own thickness.
+//! under a patch lifts it by its own thickness, as a foil of a Macro Fiber Composite lifts its active layer; foils are layers too.
 //!
 //! The thin skin is the section that reproduces Table 2 of the impact-harvester paper (2019): the stiffness of a skin at the
 //! surface of the beam, no shift of the axis, no mass. Its `gamma_p` (eq. 2) still uses the shifted axis `zbar`.
@@ -54,6 +54,7 @@ impl CrossSection {
         let plies: Vec<Ply> = std::iter::once(Ply::of_beam(beam))
             .chain(layers.clone().map(|layer| Ply::of_layer(beam, layer)))
             .chain(patches.clone().map(|patch| Ply::of_patch(beam, patch, coat(patch.face))))
+            .chain(patches.clone().flat_map(|patch| Ply::of_foils(beam, patch, coat(patch.face))))
             .collect();
         let laminate = Self { coated_m, ..Self::of_plies(&plies) };
         let thin = layers.map(|layer| layer.section).chain(patches.map(|patch| patch.section)).any(|section| section == Section::ThinSkin);
@@ -106,9 +107,9 @@ pub fn patch_moment_n_m_per_v(beam: &Beam, section: &CrossSection, patch: &Patch
     }
 }
 
-/// Height of the outer face of the patch above the neutral axis of a section, m: its strain is minus this times the curvature.
+/// Height of the outer face of the active layer above the neutral axis of a section, m: its strain is minus this times the curvature.
 pub fn outer_lever_m(beam: &Beam, section: &CrossSection, patch: &Patch) -> f64 {
-    above_m(beam, patch.face, section.coat_m(patch.face), patch.thickness_m) - section.neutral_axis_m
+    above_m(beam, patch.face, section.coat_m(patch.face) + patch.foils.each_m(), patch.thickness_m) - section.neutral_axis_m
 }
 
 #[cfg(test)]
@@ -150,6 +151,7 @@ pub(super) mod tests {
             leakage_ohm: None,
             section,
             pores: Default::default(),
+            foils: Default::default(),
         }
     }
 

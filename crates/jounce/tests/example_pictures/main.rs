@@ -1,4 +1,4 @@
-//! The pictures of the examples that strike nothing: drawn from their specs, held to what stands in the folder of each.
+//! The pictures of the examples that no command draws: drawn from their specs, held to what stands in the folder of each.
 //!
 //! `JOUNCE_DRAW=1 cargo test --test example_pictures` draws them again.
 #![allow(clippy::unwrap_used, reason = "tests")]
@@ -8,6 +8,7 @@ mod example;
 mod kept;
 mod loads;
 mod noise;
+mod oscillators;
 mod patches;
 mod rectified;
 mod responses;

@@ -2,10 +2,13 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod ball_umeda;
+mod complete;
 mod driving_beam_gu;
 mod example;
 mod faults;
+mod impact_harvester_2019;
 mod missile_renaud;
+mod random_base;
 mod rectified_shu_lien;
 mod reduced_basis;
 #[path = "../linear/rows.rs"]

@@ -43,6 +43,7 @@ fn plant(load: &Load) -> Plant {
         loads: vec![load.clone()],
         stops: Vec::new(),
         bridges: Vec::new(),
+        dashpots: Vec::new(),
         signals: Vec::new(),
         drives: Vec::new(),
     })

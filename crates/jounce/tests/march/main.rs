@@ -5,6 +5,7 @@ mod collisions;
 mod contacts;
 mod cradle;
 mod ensemble;
+mod friction;
 mod grazing;
 mod harvester;
 mod instants;

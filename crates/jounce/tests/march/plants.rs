@@ -45,7 +45,7 @@ pub fn springs(frequencies_hz: &[f64], damping_ratio: f64) -> System {
         participation_sqrt_kg: vec![1.0; count],
         discretisation_error: vec![0.0; count],
     };
-    System { modes: modes.into(), loads: Vec::new(), bridges: Vec::new(), stops: Vec::new(), drives: Vec::new(), signals: Vec::new() }
+    System { modes: modes.into(), ..System::default() }
 }
 
 /// A run from rest, averaged over its second half.

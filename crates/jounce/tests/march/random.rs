@@ -52,7 +52,7 @@ prop_compose! {
             loads: vec![Load::resistor("load", "patch", 10f64.powf(resistance))],
             stops: vec![Stop { name: "stop".into(), shape: modes.shape["tip"].clone(), gap_m: gap, law }],
             drives: vec![Drive { name: "drive".into(), shape: modes.shape["base"].clone(), amplitude_n, frequency_hz, phase_rad: 0.3 }],
-            signals: Vec::new(), bridges: Vec::new(),
+            signals: Vec::new(), bridges: Vec::new(), dashpots: Vec::new(),
             modes: modes.into(),
         }
     }

@@ -15,6 +15,9 @@ mod isolated;
 mod oscillators;
 mod paper;
 mod peaks;
+#[path = "../linear/rows.rs"]
+#[expect(dead_code, reason = "rows are checked one by one here")]
+mod rows;
 mod square_root;
 mod sweeps;
 mod tracking;

@@ -1,25 +1,16 @@
-//! `examples/bouncing-and-impact-oscillators`: every number of its page.
+//! `examples/bouncing-and-impact-oscillators`: every row of its `expected.toml`.
 
 use crate::backbones::phase_resonance;
+use crate::rows;
 use jounce::plant::System;
 use jounce::spec::SpecFile;
 use jounce::study::{BranchKind, BranchSearch, Method, Parameter, Prepared, settled_orbit};
 
-const PAGE: &str = include_str!("../../../../examples/bouncing-and-impact-oscillators/README.md");
+/// The folder of the specs.
+const EXAMPLE: &str = "bouncing-and-impact-oscillators";
 
-/// The value of a row of the page, and half a unit of its last place.
-fn published(spec: &str, quantity: &str) -> (f64, f64) {
-    let start = format!("| `{spec}` | {quantity} | ");
-    let row = PAGE.lines().find_map(|line| line.strip_prefix(&start)).unwrap_or_else(|| panic!("no row {start:?}"));
-    let value = row.split_whitespace().next().unwrap();
-    let places = value.split_once('.').map_or(0, |(_, places)| places.len());
-    (value.parse().unwrap(), 0.5 * 10_f64.powi(-(places as i32)))
-}
-
-fn meets(found: f64, spec: &str, quantity: &str) {
-    let (value, within) = published(spec, quantity);
-    eprintln!("{spec}, {quantity}: {found:.9}, page {value}");
-    assert!((found - value).abs() <= 1.01 * within, "{spec}, {quantity}: {found}, not {value}");
+fn meets(found: f64, row: &str) {
+    rows::check_row(EXAMPLE, row, found);
 }
 
 fn impact() -> SpecFile {
@@ -44,10 +35,10 @@ fn impact_oscillator() {
     let key = file.numeric_key("stop.wall.gap").unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
     let orbit = settled_orbit(&parameter, 1.0, &[0.0, 0.0], 1e-11, 1e-10).unwrap();
-    meets(orbit.floquet_max_abs(), "impact.toml", "largest multiplier");
+    meets(orbit.floquet_max_abs(), "impact_largest_multiplier");
     let doublings = bifurcations(&file, "stop.wall.gap", (1.5, 2.2), BranchKind::PeriodDoubling);
     eprintln!("doublings {doublings:?}");
-    meets(doublings[0], "impact.toml", "gap of the doubling (m)");
+    meets(doublings[0], "impact_doubling_gap_m");
 }
 
 #[test]
@@ -63,7 +54,7 @@ fn bilinear() {
     };
     let (resonance_hz, away_m) = phase_resonance(driven, &[-1.0, 0.0], 1.5, 1.0);
     eprintln!("swings {away_m} m to the free side");
-    meets(resonance_hz, "bilinear.toml", "resonance (Hz)");
+    meets(resonance_hz, "bilinear_resonance_hz");
 }
 
 #[test]
@@ -72,6 +63,6 @@ fn duffing() {
     let mut folds = bifurcations(&file, "drive.shaker.frequency", (0.95, 1.4), BranchKind::Fold);
     folds.sort_by(f64::total_cmp);
     assert_eq!(folds.len(), 2, "{folds:?}");
-    meets(folds[1], "duffing.toml", "upper fold (Hz)");
-    meets(folds[0], "duffing.toml", "lower fold (Hz)");
+    meets(folds[1], "duffing_upper_fold_hz");
+    meets(folds[0], "duffing_lower_fold_hz");
 }

@@ -35,6 +35,7 @@ pub fn menagerie() -> System {
         }),
         loads: vec![Load::resistor("load", "first", 2e6)],
         bridges: Vec::new(),
+        dashpots: Vec::new(),
         stops: Vec::new(),
         drives: Vec::new(),
         signals: Vec::new(),

@@ -42,6 +42,7 @@ fn mass() -> impl Strategy<Value = Mass> {
         stiffness_n_m: (!free).then_some(stiffness_n_m),
         damping_ratio: (!free).then_some(damping_ratio),
         velocity_m_s: free.then_some(stiffness_n_m),
+        friction_n_s_m: (free && damping_ratio < 0.5).then_some(damping_ratio),
     })
 }
 
@@ -110,6 +111,7 @@ fn patch(beam: (String, Beam)) -> impl Strategy<Value = Patch> {
             leakage_ohm: (start < 0.2).then_some(capacitance_f),
             section,
             pores: Default::default(),
+            foils: PatchFoils { thickness_m: (start >= 0.2).then_some(thickness_m), ..PatchFoils::default() },
         },
     )
 }
@@ -118,10 +120,11 @@ fn structure() -> impl Strategy<Value = Spec> {
     let beams = prop::collection::btree_map(name(), beam(), 0..3);
     let masses = prop::collection::btree_map(name(), mass(), 1..3);
     let modals = prop::collection::btree_map(name(), modal(), 0..3);
-    (beams, masses, modals, any::<bool>()).prop_map(|(mut beam, mass, mut modal, carried)| {
+    (beams, masses, modals, any::<bool>()).prop_map(|(mut beam, mut mass, mut modal, carried)| {
         modal.retain(|name, _| !beam.contains_key(name));
         if carried {
             beam.values_mut().for_each(|beam| beam.root = mass.keys().next().unwrap().clone());
+            mass.values_mut().for_each(|mass| mass.friction_n_s_m = None);
         }
         let mut gravity = Gravity::default();
         if mass.values().any(|mass| mass.on == "nothing") {

@@ -53,6 +53,7 @@ pub fn paper_patch(section: Section) -> Patch {
         leakage_ohm: None,
         section,
         pores: Default::default(),
+        foils: Default::default(),
     }
 }
 
@@ -68,11 +69,20 @@ pub fn sprung(on: &str, mass_kg: f64, stiffness_n_m: f64, damping_ratio: f64) ->
         stiffness_n_m: Some(stiffness_n_m),
         damping_ratio: Some(damping_ratio),
         velocity_m_s: None,
+        friction_n_s_m: None,
     }
 }
 
 pub fn fixed(on: &str, mass_kg: f64, rotary_inertia_kg_m2: f64) -> Mass {
-    Mass { on: on.into(), mass_kg, rotary_inertia_kg_m2, stiffness_n_m: None, damping_ratio: None, velocity_m_s: None }
+    Mass {
+        on: on.into(),
+        mass_kg,
+        rotary_inertia_kg_m2,
+        stiffness_n_m: None,
+        damping_ratio: None,
+        velocity_m_s: None,
+        friction_n_s_m: None,
+    }
 }
 
 /// `examples/impact-harvester-2019/harvester.toml`, as far as its structure goes.

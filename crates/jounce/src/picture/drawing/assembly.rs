@@ -117,7 +117,8 @@ pub fn under(beam: &DrawnBeam, patch: &DrawnPatch, px_per_m: f64) -> f64 {
     beam.layers.iter().filter(carries).map(|layer| thick(layer.thickness_m, px_per_m)).fold(0.0, f64::max)
 }
 
-fn covers(cover: &DrawnPatch, along_m: f64) -> bool {
+/// Whether a patch or a layer lies at a place.
+pub fn covers(cover: &DrawnPatch, along_m: f64) -> bool {
     (cover.start_m..=cover.start_m + cover.length_m * (1.0 + 1e-9)).contains(&along_m)
 }
 

@@ -10,9 +10,12 @@ use super::symbols::spring;
 use super::{Drawing, DrawnBeam, DrawnShape, Seat};
 use crate::picture::svg::number;
 
-const BODY: &str = "class=\"jounce-body\" fill=\"#dfe3e8\" stroke=\"#1a1a1a\" stroke-width=\"1.2\"";
-const PATCH: &str = "class=\"jounce-patch\" fill=\"#e69f00\"";
-const LAYER: &str = "class=\"jounce-layer\" fill=\"#56b4e9\"";
+/// The look of a mass, of a patch and of a layer.
+pub const BODY: &str = "class=\"jounce-body\" fill=\"#dfe3e8\" stroke=\"#1a1a1a\" stroke-width=\"1.2\"";
+pub const PATCH: &str = "class=\"jounce-patch\" fill=\"#e69f00\"";
+pub const LAYER: &str = "class=\"jounce-layer\" fill=\"#56b4e9\"";
+/// Where the line of a patch's name may start, as parts of its length.
+const STARTS: [f64; 4] = [0.0, 0.25, 0.75, 1.0];
 /// Half the height of the wall that a beam is clamped to, px.
 pub const WALL: f64 = 20.0;
 
@@ -36,9 +39,11 @@ pub fn body(canvas: &mut Canvas, drawing: &Drawing, layout: &Layout, body: usize
                 wall(canvas, (spot.x, spot.y), spot.way);
             }
             let (anchor, toward) = named_at(shape, (spot.x, spot.y), spot.way, layout.px_per_m);
+            // Where another beam lies close to this face, the name goes to the other one.
+            let other = (toward.1 != 0.0).then_some((anchor.0, 2.0 * spot.y - anchor.1));
             let mut words = drawn.words.clone();
             words.push(format!("{} × {}", dimension::length(shape.length_m), dimension::length(shape.thickness_m)));
-            canvas.label(anchor, toward, words);
+            canvas.label_along(anchor, other.into_iter().collect(), toward, words);
             return;
         }
         DrawnShape::Ball => {
@@ -49,7 +54,10 @@ pub fn body(canvas: &mut Canvas, drawing: &Drawing, layout: &Layout, body: usize
         DrawnShape::Block | DrawnShape::Given => canvas.solid(covered, BODY),
     }
     seat(canvas, drawing, body, covered);
-    canvas.label((covered.right, middle.1), (1.0, 0.0), drawn.words.clone());
+    // Off the middle of its side, where a beam may stand on it.
+    let quarters = [-0.25, 0.25].map(|part| (covered.right, middle.1 + part * covered.height()));
+    let others = if drawn.shape == DrawnShape::Ball { Vec::new() } else { quarters.to_vec() };
+    canvas.label_along((covered.right, middle.1), others, (1.0, 0.0), drawn.words.clone());
 }
 
 /// Where the name of a beam goes: over a bare face, else at its right end.
@@ -103,7 +111,8 @@ fn beam(canvas: &mut Canvas, beam: &DrawnBeam, way: f64, (x, y): (f64, f64), px_
         // Of what lies under something else only the end is seen.
         let (anchor, toward) =
             if style == LAYER { ((to, 0.5 * (near + far)), (0.5 * way, side)) } else { ((0.5 * (from + to), far), (0.0, side)) };
-        canvas.label(anchor, toward, vec![words]);
+        let others = if style == LAYER { Vec::new() } else { STARTS.map(|part| (from + part * (to - from), far)).to_vec() };
+        canvas.label_along(anchor, others, toward, vec![words]);
     }
     for (name, along_m) in &beam.points {
         let (place, low) = (at(*along_m), y + half);

@@ -40,7 +40,12 @@ impl<'s> Canvas<'s> {
 
     /// Asks for a label.
     pub fn label(&mut self, anchor: (f64, f64), toward: (f64, f64), lines: Vec<String>) {
-        self.wanted.push(Wanted { anchor, toward, lines });
+        self.label_along(anchor, Vec::new(), toward, lines);
+    }
+
+    /// Asks for a label of something long, whose line may start at other points of it.
+    pub fn label_along(&mut self, anchor: (f64, f64), others: Vec<(f64, f64)>, toward: (f64, f64), lines: Vec<String>) {
+        self.wanted.push(Wanted { anchor, others, toward, lines });
     }
 
     /// Sets all labels; gives what everything together covers.

@@ -1,13 +1,21 @@
 //! A closer look at a stop: the gap and what it lies between, at a scale that shows both.
 
+use super::assembly::covers;
+use super::bodies::{BODY, LAYER, PATCH};
 use super::canvas::THIN;
 use super::hatch::{Far, ground};
-use super::{Drawing, DrawnContact, DrawnPlace, DrawnShape, contacts, dimension, symbols};
+use super::{Drawing, DrawnContact, DrawnPatch, DrawnPlace, DrawnShape, contacts, dimension, symbols};
 use crate::picture::svg::{Anchor, Svg, number};
 use crate::picture::text::SMALL;
 
 /// Size of a closer look, px.
 pub const SIZE: (f64, f64) = (260.0, 190.0);
+
+/// Height of a mass, px.
+const MASS: f64 = 34.0;
+
+/// The look of a beam.
+const BEAM: &str = "class=\"jounce-beam\" fill=\"#4a5560\" fill-opacity=\"0.9\"";
 
 /// Height that gap and what strikes fill together, px.
 const FILLED: f64 = 60.0;
@@ -35,7 +43,7 @@ const WINDOW: (f64, f64) = (26.0, SIZE.1 - 54.0);
 impl Closeness {
     /// How close a contact is looked at.
     pub fn of(drawing: &Drawing, contact: &DrawnContact) -> Self {
-        let own = thickness(drawing, contact.at).unwrap_or(0.0);
+        let own: f64 = plies(drawing, contact.at, contact.above).iter().map(|(thickness_m, _)| thickness_m).sum();
         let scale = FILLED / (contact.gap_m.abs() + own);
         let way = if contact.above { -1.0 } else { 1.0 };
         let face = 0.5 * WINDOW.1 - way * (0.5 * FILLED - own * scale);
@@ -48,8 +56,16 @@ impl Closeness {
     }
 }
 
-fn thickness(drawing: &Drawing, place: DrawnPlace) -> Option<f64> {
-    if let DrawnShape::Beam(beam) = &drawing.bodies[place.body].shape { Some(beam.thickness_m) } else { None }
+/// What a beam is made of at a place, from its upper or lower face on: thickness, m, and look. Nothing for a mass.
+fn plies(drawing: &Drawing, place: DrawnPlace, top: bool) -> Vec<(f64, &'static str)> {
+    let DrawnShape::Beam(beam) = &drawing.bodies[place.body].shape else { return Vec::new() };
+    let at = |covering: &'static str, there: &[DrawnPatch], side: bool| {
+        let found = there.iter().find(|cover| cover.top == side && covers(cover, place.along_m));
+        found.map(|cover| (cover.thickness_m, covering))
+    };
+    let near = [at(PATCH, &beam.patches, top), at(LAYER, &beam.layers, top)];
+    let far = [at(LAYER, &beam.layers, !top), at(PATCH, &beam.patches, !top)];
+    near.into_iter().flatten().chain([(beam.thickness_m, BEAM)]).chain(far.into_iter().flatten()).collect()
 }
 
 /// Draws it with its upper left corner at `(x, y)`; `px_per_m` is the scale of the side view.
@@ -59,7 +75,7 @@ pub fn draw(svg: &mut Svg, drawing: &Drawing, contact: &DrawnContact, (x, y): (f
     svg.text(x + 8.0, y + 18.0, SMALL, Anchor::Start, &format!("stop {}, {}", contact.label, contacts::gap(contact.gap_m)));
     svg.open_window(x, y + WINDOW.0, SIZE.0, WINDOW.1);
     let middle = 0.5 * SIZE.0;
-    side(svg, (face, -way), thickness(drawing, contact.at).map(|t| t * scale));
+    side(svg, (face, -way), &plies(drawing, contact.at, contact.above), scale);
     match contact.on {
         None => {
             svg.path(
@@ -68,7 +84,7 @@ pub fn draw(svg: &mut Svg, drawing: &Drawing, contact: &DrawnContact, (x, y): (f
             );
             ground(svg, (middle - 50.0, struck + way * 28.0), 100.0, if contact.above { Far::Above } else { Far::Below });
         }
-        Some(on) => side(svg, (struck, way), thickness(drawing, on).map(|t| t * scale)),
+        Some(on) => side(svg, (struck, way), &plies(drawing, on, !contact.above), scale),
     }
     let at = middle + 42.0;
     dimension::arrow(svg, at, (face, struck), true);
@@ -78,13 +94,15 @@ pub fn draw(svg: &mut Svg, drawing: &Drawing, contact: &DrawnContact, (x, y): (f
     svg.text(x + 8.0, y + SIZE.1 - 10.0, SMALL, Anchor::Start, &times(scale / px_per_m));
 }
 
-/// One side of a gap: a beam of a thickness, or a mass.
-fn side(svg: &mut Svg, (face, way): (f64, f64), thick: Option<f64>) {
-    let (height, look) = match thick {
-        Some(thick) => (thick.max(2.0), "class=\"jounce-beam\" fill=\"#4a5560\" fill-opacity=\"0.9\""),
-        None => (34.0, "class=\"jounce-body\" fill=\"#dfe3e8\" fill-opacity=\"0.9\" stroke=\"#1a1a1a\" stroke-width=\"1.2\""),
-    };
-    svg.rect(-2.0, if way < 0.0 { face - height } else { face }, SIZE.0 + 4.0, height, look);
+/// One side of a gap, from its face away from the gap: a beam with what covers it, or a mass.
+fn side(svg: &mut Svg, (face, way): (f64, f64), plies: &[(f64, &'static str)], scale: f64) {
+    let sizes = plies.iter().map(|(thickness_m, look)| ((thickness_m * scale).max(2.0), *look));
+    let sizes: Vec<(f64, &str)> = if plies.is_empty() { vec![(MASS, BODY)] } else { sizes.collect() };
+    let mut near = face;
+    for (height, look) in sizes {
+        svg.rect(-2.0, if way < 0.0 { near - height } else { near }, SIZE.0 + 4.0, height, look);
+        near += way * height;
+    }
 }
 
 /// How much larger than the side view, to two digits.

@@ -11,6 +11,8 @@ pub const LINE: f64 = 15.0;
 pub struct Wanted {
     /// What it names.
     pub anchor: (f64, f64),
+    /// Other points of what it names, from which its line may start.
+    pub others: Vec<(f64, f64)>,
     /// Where it stands best, as a direction from there.
     pub toward: (f64, f64),
     /// Its lines.
@@ -31,6 +33,9 @@ pub struct Label {
 /// A leader is drawn to a label farther away than this, px.
 const APART: f64 = 15.0;
 
+/// Cost of a body between a label and what it names, px of distance.
+const CROSSED: f64 = 200.0;
+
 /// Cost of a label on the far side of what it names, against one on the wanted side, px of distance; half of it.
 const TURNED: f64 = 60.0;
 
@@ -43,7 +48,7 @@ pub fn placed(wanted: &[Wanted], obstacles: &[Rect], (left, right): (f64, f64)) 
     let mut labels: Vec<Label> = Vec::new();
     for (_, want) in order {
         let room = cheapest(want, obstacles, &labels, page);
-        let leader = leader(want.anchor, &room);
+        let leader = leader(want, &room, obstacles, &labels).map(|(line, _)| line);
         labels.push(Label { lines: want.lines.clone(), room, leader });
     }
     labels
@@ -54,9 +59,21 @@ pub fn size_of(lines: &[String]) -> (f64, f64) {
     (lines.iter().map(|line| width(line, SMALL)).fold(0.0, f64::max), LINE * lines.len() as f64)
 }
 
-fn leader(anchor: (f64, f64), room: &Rect) -> Option<[(f64, f64); 2]> {
-    let near = room.nearest(anchor);
-    (distance(anchor, near) > APART).then_some([anchor, near])
+/// The line to a label that stands apart, from where it crosses least, and what that costs. What is next to its anchor has none, unless
+/// something lies between.
+fn leader(want: &Wanted, room: &Rect, obstacles: &[Rect], labels: &[Label]) -> Option<([(f64, f64); 2], f64)> {
+    let lines = std::iter::once(want.anchor).chain(want.others.iter().copied()).map(|from| {
+        let to = room.nearest(from);
+        let length = distance(from, to);
+        // What it names is where it starts.
+        let other = |body: &&Rect| distance(from, body.nearest(from)) > 1e-6 && body.grown(0.05).crossed(from, to);
+        let bodies = obstacles.iter().filter(other).count();
+        let names = labels.iter().filter(|label| label.room.crossed(from, to)).count();
+        ([from, to], CROSSED * bodies as f64 + 1000.0 * names as f64, length)
+    });
+    let (line, crossed, _) = lines.min_by(|one, other| one.1.total_cmp(&other.1).then(one.2.total_cmp(&other.2)))?;
+    let near = distance(want.anchor, room.nearest(want.anchor)) <= APART;
+    (!near || crossed > 0.0).then_some((line, crossed))
 }
 
 fn distance(a: (f64, f64), b: (f64, f64)) -> f64 {
@@ -130,16 +147,7 @@ fn alone(want: &Wanted, room: &Rect) -> f64 {
 
 /// The same, and what its leader crosses.
 fn cost(want: &Wanted, room: &Rect, obstacles: &[Rect], labels: &[Label]) -> f64 {
-    let near = room.nearest(want.anchor);
-    let crossed = match distance(want.anchor, near) > APART {
-        true => {
-            let bodies = obstacles.iter().filter(|other| other.grown(-1.0).crossed(want.anchor, near)).count();
-            let names = labels.iter().filter(|label| label.room.crossed(want.anchor, near)).count();
-            10.0 + 40.0 * bodies as f64 + 1000.0 * names as f64
-        }
-        false => 0.0,
-    };
-    alone(want, room) + crossed
+    alone(want, room) + leader(want, room, obstacles, labels).map_or(0.0, |(_, crossed)| 10.0 + crossed)
 }
 
 #[cfg(test)]
@@ -148,7 +156,12 @@ mod tests {
 
     #[test]
     fn many_labels_at_one_place_stand_apart() {
-        let want = Wanted { anchor: (200.0, 100.0), toward: (0.0, -1.0), lines: vec!["one of many".into(), "two lines".into()] };
+        let want = Wanted {
+            anchor: (200.0, 100.0),
+            others: Vec::new(),
+            toward: (0.0, -1.0),
+            lines: vec!["one of many".into(), "two lines".into()],
+        };
         let obstacle = Rect::between((0.0, 95.0), (400.0, 105.0));
         let labels = placed(&vec![want; 40], &[obstacle], (10.0, 390.0));
         for (k, label) in labels.iter().enumerate() {

@@ -186,6 +186,36 @@ mod tests {
         }
     }
 
+    /// The ends of every thin straight line.
+    fn thin_lines(svg: &str) -> Vec<[(f64, f64); 2]> {
+        let paths = svg.split("<path").filter_map(|element| element.split_once('>')).filter(|(element, _)| element.contains("jounce-grid"));
+        let ends = paths.filter_map(|(element, _)| {
+            let steps = element.split("d=\"M").nth(1)?.split('"').next()?;
+            let points: Vec<f64> = steps.split(['L', ' ']).filter_map(|number| number.parse().ok()).collect();
+            if let [a, b, c, d] = points[..] { Some([(a, b), (c, d)]) } else { None }
+        });
+        ends.collect()
+    }
+
+    /// No line from a name crosses a beam, its own or another.
+    #[test]
+    fn no_leader_of_any_example_or_starter_crosses_a_beam() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let mut seen = 0;
+        for path in [specs(&root.join("../../examples")), specs(&root.join("src/starter"))].concat() {
+            let sheet = crate::show::drawing("title", &SpecFile::read(&path).unwrap().spec().unwrap()).sheet();
+            let leaders: Vec<_> = thin_lines(&sheet.svg).into_iter().filter(|[from, _]| from.1 < sheet.side.bottom).collect();
+            seen += leaders.len();
+            for element in sheet.svg.split("<rect").filter(|element| element.contains("jounce-beam")) {
+                let (x, y) = (number(element, "x"), number(element, "y"));
+                let beam = Rect::between((x, y), (x + number(element, "width"), y + number(element, "height"))).grown(-0.05);
+                let crossing = leaders.iter().find(|[from, to]| beam.crossed(*from, *to));
+                assert!(crossing.is_none(), "{}: {crossing:?} crosses {beam:?}", path.display());
+            }
+        }
+        assert!(seen > 20, "{seen} lines");
+    }
+
     /// Width and height of the first rectangle of a class.
     fn rectangle(svg: &str, class: &str) -> (f64, f64) {
         let element = svg.split("<rect").find(|element| element.contains(&format!("class=\"{class}\""))).unwrap();

@@ -5,6 +5,7 @@
 
 mod circuit;
 mod drives;
+mod foils;
 mod geometry;
 mod layers;
 mod modes;
@@ -47,6 +48,7 @@ pub(super) fn broken(spec: &Spec) -> Vec<(String, String)> {
     geometry::check(spec, &mut broken);
     layers::check(spec, &mut broken);
     pores::check(spec, &mut broken);
+    foils::check(spec, &mut broken);
     modes::check(spec, &mut broken);
     drives::check(spec, &mut broken);
     overlap::check(spec, &mut broken);

@@ -100,7 +100,10 @@ fn free_mass_kg(spec: &Spec) -> f64 {
     let beams = spec.beam.iter().filter(|(name, _)| free(name));
     let beams = beams.map(|(_, beam)| beam.density_kg_m3 * beam.length_m * beam.width_m * beam.thickness_m);
     let patches = spec.patch.values().filter(|patch| free(&patch.on));
-    let patches = patches.map(|patch| patch.density_kg_m3 * patch.length_m * patch.width_m * patch.thickness_m);
+    let patches = patches.map(|patch| {
+        let foils_kg_m2 = 2.0 * patch.foils.each_m() * patch.foils.mass_per_volume_kg_m3();
+        (patch.density_kg_m3 * patch.thickness_m + foils_kg_m2) * patch.length_m * patch.width_m
+    });
     let layers = spec.layer.values().filter(|layer| free(&layer.on));
     let layers = layers.map(|layer| layer.density_kg_m3 * layer.length_m * layer.width_m * layer.thickness_m);
     masses.chain(beams).chain(patches).chain(layers).sum()

@@ -71,6 +71,7 @@ fn check_mass(spec: &Spec, name: &str, mass: &Mass, broken: &mut Broken) {
         _ => {}
     }
     check_velocity(spec, name, mass, broken);
+    check_friction(spec, name, mass, broken);
     let turns = mass.stiffness_n_m.is_none() && turns_with(spec, on, spec.mass.len());
     if mass.rotary_inertia_kg_m2 > 0.0 && !turns {
         broken.push(
@@ -102,6 +103,26 @@ fn check_velocity(spec: &Spec, name: &str, mass: &Mass, broken: &mut Broken) {
     }
     if matches!(spec.run.start, Start::State(_)) {
         broken.push(key, || "has no effect: the file of run.start has the velocities of its run; leave one of them out".into());
+    }
+}
+
+/// Friction is that of a free mass which carries nothing that moves by itself.
+fn check_friction(spec: &Spec, name: &str, mass: &Mass, broken: &mut Broken) {
+    if mass.friction_n_s_m.is_none() {
+        return;
+    }
+    let key = || format!("mass.{name}.friction");
+    if mass.stiffness_n_m.is_some() {
+        broken
+            .push(key, || "does not go with a mass on a spring: what it loses is told by its `damping_ratio`; leave `friction` out".into());
+    } else if mass.on != NOTHING && !mass.on.is_empty() {
+        broken.push(key, || "is for a free mass that moves in a channel; give on = \"nothing\", or leave `friction` out".into());
+    }
+    let beams = spec.beam.iter().map(|(other, beam)| (format!("beam.{other}"), &beam.root));
+    let sprung = spec.mass.iter().filter(|(_, other)| other.stiffness_n_m.is_some()).map(|(other, own)| (format!("mass.{other}"), &own.on));
+    if let Some((other, _)) = beams.chain(sprung).find(|(_, support)| spec.is_fixed_to(support, name)) {
+        let text = || format!("does not go with a mass that carries what moves by itself, here {}; leave one of them out", clip(&other));
+        broken.push(key, text);
     }
 }
 

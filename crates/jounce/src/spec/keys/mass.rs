@@ -20,6 +20,7 @@ pub(super) fn blank() -> Mass {
         stiffness_n_m: None,
         damping_ratio: None,
         velocity_m_s: None,
+        friction_n_s_m: None,
     }
 }
 
@@ -76,5 +77,13 @@ pub(super) static KEYS: &[Key<Mass>] = &[
         "velocity at the start of a run, beside what `run.start` gives it; for a free mass or one on a spring",
         Slot::Optional { get: |m: &Mass| m.velocity_m_s, set: |m, x| m.velocity_m_s = Some(x) },
     )
+    .optional(),
+    Key::with_slot(
+        "friction",
+        Kind::Quantity(Quantity::Damping),
+        "viscous friction of a free mass on the channel that it moves in, which moves with the ground: force over velocity",
+        Slot::Optional { get: |m: &Mass| m.friction_n_s_m, set: |m, x| m.friction_n_s_m = Some(x) },
+    )
+    .within(Range::NOT_NEGATIVE)
     .optional(),
 ];

@@ -2,7 +2,7 @@
 
 use crate::material;
 use crate::spec::key::{Key, Kind, Range, Slot};
-use crate::spec::{Face, Patch, PatchPores, Quantity, Section};
+use crate::spec::{Face, Patch, PatchFoils, PatchPores, Quantity, Section};
 
 use super::pores;
 
@@ -29,6 +29,7 @@ pub(super) fn blank() -> Patch {
         leakage_ohm: None,
         section: Section::default(),
         pores: PatchPores::default(),
+        foils: PatchFoils::default(),
     }
 }
 
@@ -115,7 +116,38 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::quantity("length", Quantity::Length, "length along the beam", |p: &Patch| p.length_m, |p, x| p.length_m = x)
         .within(Range::POSITIVE),
     Key::quantity("width", Quantity::Length, "active width", |p: &Patch| p.width_m, |p, x| p.width_m = x).within(Range::POSITIVE),
-    Key::quantity("thickness", Quantity::Length, "thickness", |p: &Patch| p.thickness_m, |p, x| p.thickness_m = x).within(Range::POSITIVE),
+    Key::quantity(
+        "thickness",
+        Quantity::Length,
+        "thickness; of the active layer alone with `foil_thickness`",
+        |p: &Patch| p.thickness_m,
+        |p, x| p.thickness_m = x,
+    )
+    .within(Range::POSITIVE),
+    Key::with_slot(
+        "foil_thickness",
+        Kind::Quantity(Quantity::Length),
+        "thickness of each of the two foils between which the active layer of a Macro Fiber Composite lies",
+        Slot::Optional { get: |p: &Patch| p.foils.thickness_m, set: |p, x| p.foils.thickness_m = Some(x) },
+    )
+    .within(Range::POSITIVE)
+    .optional(),
+    Key::with_slot(
+        "foil_youngs_modulus",
+        Kind::Quantity(Quantity::Pressure),
+        "Young's modulus of the foils, electrodes included; 2.5 GPa (Kapton) without it",
+        Slot::Optional { get: |p: &Patch| p.foils.youngs_modulus_pa, set: |p, x| p.foils.youngs_modulus_pa = Some(x) },
+    )
+    .within(Range::POSITIVE)
+    .optional(),
+    Key::with_slot(
+        "foil_density",
+        Kind::Quantity(Quantity::Density),
+        "mass per volume of the foils; 1420 kg/m^3 (Kapton) without it",
+        Slot::Optional { get: |p: &Patch| p.foils.density_kg_m3, set: |p, x| p.foils.density_kg_m3 = Some(x) },
+    )
+    .within(Range::POSITIVE)
+    .optional(),
     Key::quantity(
         "youngs_modulus",
         Quantity::Pressure,

@@ -15,4 +15,6 @@ pub struct Mass {
     pub damping_ratio: Option<f64>,
     /// `velocity` at the start of a run, m/s, beside what `run.start` gives it; `None` without.
     pub velocity_m_s: Option<f64>,
+    /// `friction`, viscous, of a free mass on the channel that it moves in, which moves with the ground, N s/m; `None` without.
+    pub friction_n_s_m: Option<f64>,
 }

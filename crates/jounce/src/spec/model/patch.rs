@@ -1,6 +1,6 @@
 //! `[patch.NAME]`
 
-use super::PatchPores;
+use super::{PatchFoils, PatchPores};
 
 /// A piezoelectric patch bonded on one face of a beam.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,7 +17,7 @@ pub struct Patch {
     pub length_m: f64,
     /// `width`
     pub width_m: f64,
-    /// `thickness`
+    /// `thickness`, of the active layer alone where there are foils.
     pub thickness_m: f64,
     /// `youngs_modulus`
     pub youngs_modulus_pa: f64,
@@ -41,6 +41,8 @@ pub struct Patch {
     pub section: Section,
     /// `porosity`, `pore_shape`, `pore_aspect_ratio`, `porosity_scheme`: the pores of the material.
     pub pores: PatchPores,
+    /// `foil_thickness`, `foil_youngs_modulus`, `foil_density`: the foils between which the active layer lies.
+    pub foils: PatchFoils,
 }
 
 impl Patch {
@@ -48,6 +50,11 @@ impl Patch {
     pub fn free_strain_per_v(&self) -> f64 {
         let along = self.d33_m_per_v.zip(self.electrode_spacing_m).map(|(d33, spacing)| d33 / spacing);
         along.or(self.d31_m_per_v.map(|d31| d31 / self.thickness_m)).unwrap_or(f64::NAN)
+    }
+
+    /// Thickness with its foils, m.
+    pub fn whole_thickness_m(&self) -> f64 {
+        self.thickness_m + 2.0 * self.foils.each_m()
     }
 
     /// Clamped capacitance, F: as given, or `permittivity * width * length / thickness`; NaN where neither is known.
