@@ -5,8 +5,12 @@ use serde::Serialize;
 use std::f64::consts::TAU;
 
 use super::likelihood::{Fit, fit};
-use super::stabilisation::{LARGEST_DAMPING, modes};
-use super::{Band, ModalError, Pole, StablePole, diagram, poles};
+use super::nested::stable;
+use super::stabilisation::LARGEST_DAMPING;
+use super::{Band, ModalError, Pole, StablePole};
+
+/// A pole whose frequency is known to no better than this share stands for no mode.
+const LARGEST_DEVIATION: f64 = 0.05;
 
 /// How modes are sought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,7 +65,7 @@ impl Mode {
 pub struct Identification {
     /// The modes in ascending frequency.
     pub modes: Vec<Mode>,
-    /// The stabilisation diagram.
+    /// The stabilisation diagram: at each frequency the poles of the narrowest part of the band that was searched there.
     pub diagram: Vec<StablePole>,
     /// Frequencies of the band, Hz.
     pub frequency_hz: Vec<f64>,
@@ -74,7 +78,7 @@ pub struct Identification {
     pub misfit: f64,
 }
 
-/// Finds the modes of a band: pLSCF poles, those that are stable, their maximum-likelihood refinement.
+/// Finds the modes of a band: pLSCF poles in it and in its lower parts, those that are stable, their maximum-likelihood refinement.
 ///
 /// # Errors
 /// Too few lines, responses that are zero, no stable pole.
@@ -85,8 +89,7 @@ pub fn identify(band: &Band, settings: Settings) -> Result<Identification, Modal
 
 /// The stabilisation diagram of a band and the poles that stay.
 pub(super) fn candidates(band: &Band, settings: Settings) -> Result<(Vec<StablePole>, Vec<Pole>), ModalError> {
-    let diagram = diagram(&poles(band, settings.order)?);
-    let start = modes(&diagram, band.low_hz, band.high_hz);
+    let (diagram, start) = stable(band, settings)?;
     if start.is_empty() { Err(none(band)) } else { Ok((diagram, start)) }
 }
 
@@ -104,8 +107,12 @@ pub(super) fn refined(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> 
         damping_deviation: deviation[r].1,
         residue: residue.iter().map(|response| response[r]).collect(),
     };
-    // A pole that the refinement sends out of the band, or damps like none of a structure, takes up what is no mode.
-    let is_mode = |mode: &Mode| (band.low_hz..=band.high_hz).contains(&mode.frequency_hz) && mode.damping_ratio < LARGEST_DAMPING;
+    // A pole that the refinement sends out of the band, damps like none of a structure, or leaves anywhere takes up what is no mode.
+    let is_mode = |mode: &Mode| {
+        (band.low_hz..=band.high_hz).contains(&mode.frequency_hz)
+            && mode.damping_ratio < LARGEST_DAMPING
+            && mode.frequency_deviation_hz < LARGEST_DEVIATION * mode.frequency_hz
+    };
     let mut modes: Vec<Mode> = (0..poles.len()).map(mode).filter(is_mode).collect();
     if modes.is_empty() {
         return Err(none(band));
