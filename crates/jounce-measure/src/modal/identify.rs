@@ -9,8 +9,8 @@ use super::nested::stable;
 use super::stabilisation::LARGEST_DAMPING;
 use super::{Band, ModalError, Pole, StablePole};
 
-/// A pole whose frequency is known to no better than this share stands for no mode.
-const LARGEST_DEVIATION: f64 = 0.05;
+/// A pole whose frequency has a standard deviation above this share stands for no mode: the diagram asks as much from order to order.
+const LARGEST_DEVIATION: f64 = 0.01;
 
 /// How modes are sought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -97,9 +97,21 @@ fn none(band: &Band) -> ModalError {
     ModalError::NoMode { low_hz: band.low_hz, high_hz: band.high_hz }
 }
 
-/// The modes of maximum likelihood that begin at some poles.
+/// The modes of maximum likelihood that begin at some poles; those that turn out to be known to nothing are left out, and the rest fitted anew.
 pub(super) fn refined(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> Result<Identification, ModalError> {
-    let Fit { poles, deviation, residue, model, misfit } = fit(band, start).ok_or(none(band))?;
+    let mut found = fit(band, start).ok_or(none(band))?;
+    loop {
+        let known = |r: &usize| found.deviation[*r].0 < LARGEST_DEVIATION * found.poles[*r].frequency_hz;
+        let left: Vec<Pole> = (0..found.poles.len()).filter(known).map(|r| found.poles[r]).collect();
+        if left.is_empty() {
+            return Err(none(band));
+        }
+        if left.len() == found.poles.len() {
+            break;
+        }
+        found = fit(band, &left).ok_or(none(band))?;
+    }
+    let Fit { poles, deviation, residue, model, misfit } = found;
     let mode = |r: usize| Mode {
         frequency_hz: poles[r].frequency_hz,
         frequency_deviation_hz: deviation[r].0,
@@ -107,12 +119,8 @@ pub(super) fn refined(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> 
         damping_deviation: deviation[r].1,
         residue: residue.iter().map(|response| response[r]).collect(),
     };
-    // A pole that the refinement sends out of the band, damps like none of a structure, or leaves anywhere takes up what is no mode.
-    let is_mode = |mode: &Mode| {
-        (band.low_hz..=band.high_hz).contains(&mode.frequency_hz)
-            && mode.damping_ratio < LARGEST_DAMPING
-            && mode.frequency_deviation_hz < LARGEST_DEVIATION * mode.frequency_hz
-    };
+    // A pole that the refinement sends out of the band, or damps like none of a structure, takes up what is no mode.
+    let is_mode = |mode: &Mode| (band.low_hz..=band.high_hz).contains(&mode.frequency_hz) && mode.damping_ratio < LARGEST_DAMPING;
     let mut modes: Vec<Mode> = (0..poles.len()).map(mode).filter(is_mode).collect();
     if modes.is_empty() {
         return Err(none(band));

@@ -28,7 +28,9 @@ pub(super) fn read(path: &Path) -> Result<Found, Damage> {
     }
     let longest = channels.iter().map(|channel: &RawChannel| channel.values.len()).max();
     let Some(longest) = longest.filter(|longest| *longest > 1) else {
-        return Err(Damage::new("it holds no numeric array that could be a record (cells, structs and text are not read)"));
+        return Err(Damage::new(
+            "it holds no numeric array that could be a record (cells, structs and text are not read); was the file cut?",
+        ));
     };
     for short in channels.iter().filter(|channel| channel.values.len() != longest) {
         let about = format!("{} has {} samples where the record has {longest}", short.name, short.values.len());

@@ -94,7 +94,8 @@ fn typed<T: DataType>(
 ) -> Result<(), String> {
     let (mut present, mut levels, mut read) = (Vec::new(), Vec::new(), 0);
     while read < count {
-        (present.clear(), levels.clear());
+        present.clear();
+        levels.clear();
         let definition = (optional > 0).then_some(&mut levels);
         let most = (count - read).min(BATCH);
         let (records, ..) = reader.read_records(most, definition, None, &mut present).map_err(|fault| fault.to_string())?;

@@ -66,6 +66,7 @@ fn block(cursor: &mut Cursor<impl BufRead>, opening: usize) -> Result<Option<Blo
         }
         match &mut block.data {
             Data::Binary { .. } if cursor.trimmed().is_empty() => {}
+            Data::Binary { .. } if !cursor.line.ends_with(b"\n") => return Err(cut(start)),
             Data::Binary { .. } => return Err(Damage::at(Place::Byte(at), "more follows the binary data than its header says")),
             Data::Numbers(found, wrong) if number == 58 && block.lines.len() == LINES => {
                 if wrong.is_none() {
