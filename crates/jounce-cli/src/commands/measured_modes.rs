@@ -26,7 +26,7 @@ pub struct BandArguments {
 
 impl BandArguments {
     fn between_hz(&self, highest: f64) -> Result<(f64, f64), Failure> {
-        let Some(text) = &self.between else { return Ok((f64::MIN_POSITIVE, highest)) };
+        let Some(text) = &self.between else { return Ok((0.0, highest)) };
         let wrong = || Failure::usage(format!("--between {text}: write FROM:TO, as in 500Hz:4300Hz, the smaller one first"));
         let (from, to) = text.split_once(':').ok_or_else(wrong)?;
         let (from, to) = (frequency_hz("between", from)?, frequency_hz("between", to)?);

@@ -31,8 +31,15 @@ pub struct Band {
     /// Variance of each line of each response, real and imaginary part together; empty where nothing is told.
     pub(super) variance: Vec<Vec<f64>>,
     pub(super) inputs: usize,
-    /// Power of `j w` from displacement to what was measured.
-    power: i32,
+    /// Power of `j w` from displacement to what each response measures.
+    power: Vec<i32>,
+}
+
+/// What one response measures, at each line.
+struct Measured<'a> {
+    value: &'a [c64],
+    relative_deviation: Option<&'a [f64]>,
+    motion: Motion,
 }
 
 impl Band {
@@ -49,66 +56,110 @@ impl Band {
         motion: Motion,
         between_hz: (f64, f64),
     ) -> Result<Self, ModalError> {
+        let deviation = |k: usize| relative_deviation.get(k).map(Vec::as_slice);
+        let measured: Vec<Measured<'_>> =
+            response.iter().enumerate().map(|(k, value)| Measured { value, relative_deviation: deviation(k), motion }).collect();
+        Self::of_measured(frequency_hz, &measured, inputs, between_hz)
+    }
+
+    fn of_measured(
+        frequency_hz: &[f64],
+        measured: &[Measured<'_>],
+        inputs: usize,
+        (low_hz, high_hz): (f64, f64),
+    ) -> Result<Self, ModalError> {
         let expected = frequency_hz.len();
-        if response.is_empty() || inputs == 0 || !response.len().is_multiple_of(inputs.max(1)) {
-            return Err(ModalError::Lengths { response: response.len(), lines: 0, expected });
+        if measured.is_empty() || inputs == 0 || !measured.len().is_multiple_of(inputs.max(1)) {
+            return Err(ModalError::Lengths { response: measured.len(), lines: 0, expected });
         }
-        let unequal = |lengths: Vec<usize>| lengths.into_iter().enumerate().find(|(_, lines)| *lines != expected);
-        let lengths = response.iter().map(Vec::len).collect();
-        let deviations = relative_deviation.iter().map(Vec::len).collect();
-        if let Some((k, lines)) = unequal(lengths).or_else(|| unequal(deviations)) {
-            return Err(ModalError::Lengths { response: k + 1, lines, expected });
+        for (k, one) in measured.iter().enumerate() {
+            let lengths = [one.value.len(), one.relative_deviation.map_or(expected, <[f64]>::len)];
+            if let Some(lines) = lengths.into_iter().find(|lines| *lines != expected) {
+                return Err(ModalError::Lengths { response: k + 1, lines, expected });
+            }
         }
-        let (low_hz, high_hz) = between_hz;
         let inside: Vec<usize> =
             (0..expected).filter(|k| frequency_hz[*k] > 0.0 && (low_hz..=high_hz).contains(&frequency_hz[*k])).collect();
-        for (o, response) in response.iter().enumerate() {
-            if let Some(k) = inside.iter().find(|k| !(response[**k].re.is_finite() && response[**k].im.is_finite())) {
+        for (o, one) in measured.iter().enumerate() {
+            if let Some(k) = inside.iter().find(|k| !(one.value[**k].re.is_finite() && one.value[**k].im.is_finite())) {
                 return Err(ModalError::NotFinite { response: o + 1, frequency_hz: frequency_hz[*k] });
             }
         }
-        let power = motion as i32;
-        let factor = |k: usize| c64::new(0.0, std::f64::consts::TAU * frequency_hz[k]).powi(-power);
-        let displacement = |h: &Vec<c64>| inside.iter().map(|k| h[*k] * factor(*k)).collect::<Vec<c64>>();
-        let variance = |(h, deviation): (&Vec<c64>, &Vec<f64>)| -> Vec<f64> {
+        let at =
+            |one: &Measured<'_>, k: usize| one.value[k] * c64::new(0.0, std::f64::consts::TAU * frequency_hz[k]).powi(-(one.motion as i32));
+        let displacement = |one: &Measured<'_>| inside.iter().map(|k| at(one, *k)).collect::<Vec<c64>>();
+        let variance = |one: &Measured<'_>| -> Option<Vec<f64>> {
+            let deviation = one.relative_deviation?;
             // |H| takes half of the variance, the phase the other half.
-            inside.iter().map(|k| 2.0 * (deviation[*k].max(1e-6) * (h[*k] * factor(*k)).norm()).powi(2)).collect()
+            Some(inside.iter().map(|k| 2.0 * (deviation[*k].max(1e-6) * at(one, *k).norm()).powi(2)).collect())
         };
         Ok(Self {
             low_hz,
             high_hz,
             frequency_hz: inside.iter().map(|k| frequency_hz[*k]).collect(),
-            response: response.iter().map(displacement).collect(),
-            variance: response.iter().zip(relative_deviation).map(variance).collect(),
+            response: measured.iter().map(displacement).collect(),
+            variance: measured.iter().filter_map(variance).collect(),
             inputs,
-            power,
+            power: measured.iter().map(|one| one.motion as i32).collect(),
         })
     }
 
     /// The lines between two frequencies of measured responses to one force. What measures a voltage is taken for a displacement, since that of
-    /// a patch follows its strain; what tells no unit for an acceleration. Coherence of several blocks weighs the lines.
+    /// a patch follows its strain; what tells no unit for an acceleration. Responses of several kinds may stand together. Coherence of several
+    /// blocks weighs the lines.
     ///
     /// # Errors
     /// As [`Band::new`].
     pub fn of(responses: &Responses, between_hz: (f64, f64)) -> Result<Self, ModalError> {
-        let motion = match responses.quantity {
+        let motion = |quantity: Quantity| match quantity {
             Quantity::Displacement | Quantity::Voltage => Motion::Displacement,
             Quantity::Velocity => Motion::Velocity,
             _ => Motion::Acceleration,
         };
         let first = responses.functions.first();
         let frequency_hz = first.map_or(&[][..], |function| &function.frequency_hz);
-        let value: Vec<Vec<c64>> = responses.functions.iter().map(|function| function.value.clone()).collect();
         let several = first.is_some_and(|function| function.blocks > 1);
         let deviation = |function: &FrequencyResponse| (0..function.value.len()).map(|k| function.relative_deviation(k)).collect();
         let deviation: Vec<Vec<f64>> = responses.functions.iter().filter(|_| several).map(deviation).collect();
-        Self::new(frequency_hz, &value, &deviation, 1, motion, between_hz)
+        let mut measured = Vec::new();
+        for (k, (function, quantity)) in responses.functions.iter().zip(&responses.quantities).enumerate() {
+            let relative_deviation = deviation.get(k).map(Vec::as_slice);
+            measured.push(Measured { value: &function.value, relative_deviation, motion: motion(*quantity) });
+        }
+        Self::of_measured(frequency_hz, &measured, 1, between_hz)
+    }
+
+    /// The lines up to a frequency.
+    pub(super) fn below(&self, high_hz: f64) -> Self {
+        let lines = self.frequency_hz.partition_point(|hz| *hz <= high_hz);
+        let cut = |of: &Vec<c64>| of[..lines].to_vec();
+        Self {
+            low_hz: self.low_hz,
+            high_hz,
+            frequency_hz: self.frequency_hz[..lines].to_vec(),
+            response: self.response.iter().map(cut).collect(),
+            variance: self.variance.iter().map(|of| of[..lines].to_vec()).collect(),
+            inputs: self.inputs,
+            power: self.power.clone(),
+        }
     }
 
     /// A response as it was measured.
     pub(super) fn measured(&self, response: usize) -> Vec<c64> {
-        let line = |(h, f): (&c64, &f64)| h * c64::new(0.0, std::f64::consts::TAU * f).powi(self.power);
-        self.response[response].iter().zip(&self.frequency_hz).map(line).collect()
+        self.response[response].iter().enumerate().map(|(k, h)| h * self.as_measured(response, k)).collect()
+    }
+
+    /// Factor from displacement to what a response measures, at a line.
+    pub(super) fn as_measured(&self, response: usize, line: usize) -> c64 {
+        c64::new(0.0, std::f64::consts::TAU * self.frequency_hz[line]).powi(self.power[response])
+    }
+
+    /// Mean distance of two lines, Hz.
+    pub(super) fn line_hz(&self) -> f64 {
+        match self.frequency_hz[..] {
+            [first, .., last] => (last - first) / (self.frequency_hz.len() - 1) as f64,
+            _ => 0.0,
+        }
     }
 
     /// Number of outputs.

@@ -5,8 +5,12 @@ use serde::Serialize;
 use std::f64::consts::TAU;
 
 use super::likelihood::{Fit, fit};
-use super::stabilisation::{LARGEST_DAMPING, modes};
-use super::{Band, ModalError, Pole, StablePole, diagram, poles};
+use super::nested::stable;
+use super::stabilisation::LARGEST_DAMPING;
+use super::{Band, ModalError, Pole, StablePole};
+
+/// A pole whose frequency has a standard deviation above this share stands for no mode: the diagram asks as much from order to order.
+const LARGEST_DEVIATION: f64 = 0.01;
 
 /// How modes are sought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,7 +65,7 @@ impl Mode {
 pub struct Identification {
     /// The modes in ascending frequency.
     pub modes: Vec<Mode>,
-    /// The stabilisation diagram.
+    /// The stabilisation diagram: at each frequency the poles of the narrowest part of the band that was searched there.
     pub diagram: Vec<StablePole>,
     /// Frequencies of the band, Hz.
     pub frequency_hz: Vec<f64>,
@@ -74,7 +78,7 @@ pub struct Identification {
     pub misfit: f64,
 }
 
-/// Finds the modes of a band: pLSCF poles, those that are stable, their maximum-likelihood refinement.
+/// Finds the modes of a band: pLSCF poles in it and in its lower parts, those that are stable, their maximum-likelihood refinement.
 ///
 /// # Errors
 /// Too few lines, responses that are zero, no stable pole.
@@ -85,8 +89,7 @@ pub fn identify(band: &Band, settings: Settings) -> Result<Identification, Modal
 
 /// The stabilisation diagram of a band and the poles that stay.
 pub(super) fn candidates(band: &Band, settings: Settings) -> Result<(Vec<StablePole>, Vec<Pole>), ModalError> {
-    let diagram = diagram(&poles(band, settings.order)?);
-    let start = modes(&diagram, band.low_hz, band.high_hz);
+    let (diagram, start) = stable(band, settings)?;
     if start.is_empty() { Err(none(band)) } else { Ok((diagram, start)) }
 }
 
@@ -94,9 +97,21 @@ fn none(band: &Band) -> ModalError {
     ModalError::NoMode { low_hz: band.low_hz, high_hz: band.high_hz }
 }
 
-/// The modes of maximum likelihood that begin at some poles.
+/// The modes of maximum likelihood that begin at some poles; those that turn out to be known to nothing are left out, and the rest fitted anew.
 pub(super) fn refined(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> Result<Identification, ModalError> {
-    let Fit { poles, deviation, residue, model, misfit } = fit(band, start).ok_or(none(band))?;
+    let mut found = fit(band, start).ok_or(none(band))?;
+    loop {
+        let known = |r: &usize| found.deviation[*r].0 < LARGEST_DEVIATION * found.poles[*r].frequency_hz;
+        let left: Vec<Pole> = (0..found.poles.len()).filter(known).map(|r| found.poles[r]).collect();
+        if left.is_empty() {
+            return Err(none(band));
+        }
+        if left.len() == found.poles.len() {
+            break;
+        }
+        found = fit(band, &left).ok_or(none(band))?;
+    }
+    let Fit { poles, deviation, residue, model, misfit } = found;
     let mode = |r: usize| Mode {
         frequency_hz: poles[r].frequency_hz,
         frequency_deviation_hz: deviation[r].0,

@@ -20,9 +20,11 @@ mod identify;
 mod jackknife;
 mod likelihood;
 mod mac;
+mod nested;
 mod plscf;
 mod pole;
 mod stabilisation;
+mod thinned;
 mod warp;
 
 pub use band::{Band, Motion};

@@ -13,6 +13,7 @@
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side, c64};
+use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 use super::{Band, ModalError, Pole};
@@ -41,7 +42,7 @@ pub fn poles(band: &Band, most: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
         return Err(ModalError::Few { low_hz: band.low_hz, high_hz: band.high_hz, lines, order: most, needed });
     }
     let moments = Moments::of(band, most);
-    (1..=most).map(|order| moments.poles(order)).collect()
+    (1..=most).into_par_iter().map(|order| moments.poles(order)).collect()
 }
 
 impl Moments {
@@ -60,7 +61,7 @@ impl Moments {
         let measured = (0..band.response.len()).map(|k| band.measured(k));
         let response: Vec<Vec<c64>> = if inputs == 1 { measured.map(scaled).collect() } else { measured.collect() };
         let at = |o: usize, i: usize| &response[o * inputs + i];
-        let s = (0..outputs).map(|o| (0..inputs).map(|i| both_ways(&turn, at(o, i), most)).collect()).collect();
+        let s = (0..outputs).into_par_iter().map(|o| (0..inputs).map(|i| both_ways(&turn, at(o, i), most)).collect()).collect();
         let product = |i: usize, j: usize| -> Vec<c64> {
             (0..turn.len()).map(|k| (0..outputs).map(|o| at(o, i)[k].conj() * at(o, j)[k]).sum()).collect()
         };

@@ -12,7 +12,7 @@ pub enum Stable {
     New,
     /// One within 1 % in frequency.
     Frequency,
-    /// One within 1 % in frequency and 5 % in damping.
+    /// One within 1 % in frequency and 5 % in damping; where the lines are too coarse to tell that, within a tenth of a line, up to 20 %.
     Pole,
 }
 
@@ -30,22 +30,27 @@ pub struct StablePole {
 /// Limits of the usual diagram.
 const FREQUENCY: f64 = 0.01;
 const DAMPING: f64 = 0.05;
+/// Half widths `zeta f` that differ by less than this share of a line are alike too, up to this share of the damping.
+const OF_A_LINE: f64 = 0.1;
+const COARSE_DAMPING: f64 = 0.2;
 /// A structure's damping ratio is below this: what is above stands for no mode.
 pub(super) const LARGEST_DAMPING: f64 = 0.2;
 /// Stable poles closer than this, relative, belong to one mode.
-const ONE_MODE: f64 = 2e-3;
+pub(super) const ONE_MODE: f64 = 2e-3;
 /// A mode is stable in frequency in at least this share of the orders above its first, and in damping too in the second share of those.
 const SHARE: f64 = 0.6;
 const DAMPED_ALIKE: f64 = 0.3;
 
-/// The diagram of the poles of each order from 1.
-pub fn diagram(poles: &[Vec<Pole>]) -> Vec<StablePole> {
+/// The diagram of the poles of each order from 1, found from lines `line_hz` apart.
+pub fn diagram(poles: &[Vec<Pole>], line_hz: f64) -> Vec<StablePole> {
     let mut found = Vec::new();
     for (k, order) in poles.iter().enumerate() {
         let before: &[Pole] = k.checked_sub(1).map_or(&[], |before| &poles[before]);
         for pole in order.iter().filter(|pole| pole.damping_ratio < LARGEST_DAMPING) {
             let near = |other: &&Pole| (other.frequency_hz / pole.frequency_hz - 1.0).abs() <= FREQUENCY;
-            let alike = |other: &Pole| (other.damping_ratio / pole.damping_ratio - 1.0).abs() <= DAMPING;
+            let width_hz = pole.damping_ratio * pole.frequency_hz;
+            let limit = (OF_A_LINE * line_hz / width_hz).clamp(DAMPING, COARSE_DAMPING);
+            let alike = |other: &Pole| (other.damping_ratio / pole.damping_ratio - 1.0).abs() <= limit;
             let stable = match () {
                 () if before.iter().filter(near).any(alike) => Stable::Pole,
                 () if before.iter().any(|other| near(&other)) => Stable::Frequency,

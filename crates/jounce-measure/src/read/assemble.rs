@@ -20,7 +20,7 @@ pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) 
         raw.over = Over::Frequency;
     }
     let time = if raw.stamps == Stamps::Column { time_column(&mut raw, &said, notes) } else { None };
-    let grid = grid(path, &raw, time, notes, columns, &mut findings)?;
+    let grid = grid(path, &mut raw, time, notes, columns, &mut findings)?;
     let mut channels = Vec::new();
     for (k, (column, said)) in raw.channels.into_iter().zip(said).enumerate() {
         if Some(k) != time && !said.left_out {
@@ -67,7 +67,7 @@ fn ascends_evenly(values: &[f64]) -> bool {
 
 fn grid(
     path: &Path,
-    raw: &Raw,
+    raw: &mut Raw,
     time: Option<usize>,
     notes: &Notes,
     columns: Vec<String>,
@@ -75,10 +75,11 @@ fn grid(
 ) -> Result<Grid, ReadError> {
     let fault = |fault| ReadError::Grid { path: path.to_owned(), fault };
     let count = raw.channels.first().map_or(0, |channel| channel.values.len());
-    let stamps = match (&raw.stamps, time, notes.rate_hz) {
-        (Stamps::Even { start, step }, ..) => return Grid::even(*start, *step, count).map_err(fault),
-        (Stamps::Given(stamps), ..) => stamps.clone(),
-        (Stamps::Column, Some(k), _) => seconds(&raw.channels[k], raw.over, findings),
+    let stamps = match (std::mem::replace(&mut raw.stamps, Stamps::Column), time, notes.rate_hz) {
+        (Stamps::Even { start, step }, ..) => return Grid::even(start, step, count).map_err(fault),
+        (Stamps::Given(stamps), ..) => stamps,
+        // A time column is no channel: its numbers may be taken.
+        (Stamps::Column, Some(k), _) => seconds(&mut raw.channels[k], raw.over, findings),
         (Stamps::Column, None, Some(rate_hz)) => return Grid::even(0.0, 1.0 / rate_hz, count).map_err(fault),
         (Stamps::Column, None, None) => {
             return Err(ReadError::NoTime { path: path.to_owned(), columns, notes: Notes::path_of(path) });
@@ -94,7 +95,7 @@ fn grid(
 }
 
 /// The stamps of a column in s or Hz.
-fn seconds(column: &RawChannel, over: Over, findings: &mut Vec<Finding>) -> Vec<f64> {
+fn seconds(column: &mut RawChannel, over: Over, findings: &mut Vec<Finding>) -> Vec<f64> {
     let due = if over == Over::Time { Quantity::Time } else { Quantity::Frequency };
     let unit = Unit::read(&column.unit).filter(|unit| unit.quantity == due);
     let factor = unit.map_or(1.0, |unit| unit.factor);
@@ -107,7 +108,7 @@ fn seconds(column: &RawChannel, over: Over, findings: &mut Vec<Finding>) -> Vec<
             Finding::new(FindingKind::Converted, 1, None, format!("stamps in {} times {factor} are {si}", column.unit)).of(&column.name),
         );
     }
-    column.values.iter().map(|t| t * factor).collect()
+    std::mem::take(&mut column.values).into_iter().map(|t| t * factor).collect()
 }
 
 /// A column in SI.

@@ -23,8 +23,9 @@ pub(super) fn read(path: &Path) -> Result<Found, Damage> {
     File::open(path).map_err(told)?.take(HEAD_BYTES).read_to_end(&mut head).map_err(told)?;
     let (head, _) = decoded(&head);
     let header = Header::read(&head)?;
-    let file = BufReader::with_capacity(1 << 20, File::open(path).map_err(told)?);
-    let Rows { channels, findings } = columns(file, &header.layout)?;
+    let file = File::open(path).map_err(told)?;
+    let size = file.metadata().map_err(told)?.len();
+    let Rows { channels, findings } = columns(BufReader::with_capacity(1 << 20, file), size, &header.layout)?;
     header.segment(channels, findings).map(Found::from)
 }
 
@@ -75,8 +76,8 @@ impl Header {
     fn segment(&self, columns: Vec<RawChannel>, mut findings: Vec<Finding>) -> Result<Raw, Damage> {
         let rows = columns.first().map_or(0, |column| column.values.len());
         let is_x = |column: &RawChannel| column.name == "X_Value";
-        let x = columns.iter().find(|column| is_x(column)).map(|column| column.values.clone()).unwrap_or_default();
-        let mut channels: Vec<RawChannel> = columns.into_iter().filter(|column| !is_x(column)).collect();
+        let (x, mut channels): (Vec<RawChannel>, Vec<RawChannel>) = columns.into_iter().partition(is_x);
+        let x = x.into_iter().next().map(|column| column.values).unwrap_or_default();
         if channels.is_empty() || rows < 2 {
             return Err(Damage::at(
                 Place::Line(self.layout.skip),
@@ -106,7 +107,7 @@ impl Header {
                 findings.extend(channel.made_linear());
             }
         }
-        Ok(Raw { title: String::new(), over, stamps: stamps.clone(), channels, findings })
+        Ok(Raw { title: String::new(), over, stamps, channels, findings })
     }
 
     /// A step of the header that is not that of the stamps.

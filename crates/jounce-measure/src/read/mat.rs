@@ -1,5 +1,6 @@
 //! MATLAB files of version 5: every numeric array; vectors and the columns of matrices are channels.
 
+use std::borrow::Cow;
 use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
@@ -27,7 +28,9 @@ pub(super) fn read(path: &Path) -> Result<Found, Damage> {
     }
     let longest = channels.iter().map(|channel: &RawChannel| channel.values.len()).max();
     let Some(longest) = longest.filter(|longest| *longest > 1) else {
-        return Err(Damage::new("it holds no numeric array that could be a record (cells, structs and text are not read)"));
+        return Err(Damage::new(
+            "it holds no numeric array that could be a record (cells, structs and text are not read); was the file cut?",
+        ));
     };
     for short in channels.iter().filter(|channel| channel.values.len() != longest) {
         let about = format!("{} has {} samples where the record has {longest}", short.name, short.values.len());
@@ -51,13 +54,13 @@ fn matrix(array: &matfile::Array) -> Option<Vec<RawChannel>> {
     };
     let channel = |k: usize| {
         let name = if series == 1 { array.name().to_owned() } else { format!("{}({})", array.name(), k + 1) };
-        let imaginary = imaginary.as_ref().map(|imaginary| pick(imaginary, k));
+        let imaginary = imaginary.as_deref().map(|imaginary| pick(imaginary, k));
         RawChannel { imaginary, ..RawChannel::new(&name, "", pick(&real, k)) }
     };
     Some((0..series).map(channel).collect())
 }
 
-fn numbers(data: &NumericData) -> (Vec<f64>, Option<Vec<f64>>) {
+fn numbers(data: &NumericData) -> (Cow<'_, [f64]>, Option<Cow<'_, [f64]>>) {
     macro_rules! widened {
         ($real:expr, $imag:expr) => {
             ($real.iter().map(|x| *x as f64).collect(), $imag.as_ref().map(|imag| imag.iter().map(|x| *x as f64).collect()))
@@ -73,6 +76,6 @@ fn numbers(data: &NumericData) -> (Vec<f64>, Option<Vec<f64>>) {
         NumericData::Int64 { real, imag } => widened!(real, imag),
         NumericData::UInt64 { real, imag } => widened!(real, imag),
         NumericData::Single { real, imag } => widened!(real, imag),
-        NumericData::Double { real, imag } => (real.clone(), imag.clone()),
+        NumericData::Double { real, imag } => (real.into(), imag.as_deref().map(Cow::from)),
     }
 }

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
-use npyz::{DType, NpyFile, Order};
+use npyz::{DType, Deserialize, NpyFile, Order};
 
 use super::contents::Found;
 use super::error::Damage;
@@ -29,41 +29,48 @@ pub(super) fn read(path: &Path) -> Result<Found, Damage> {
             "an array of {rows} x {columns} numbers is more than the {bytes} bytes of the file hold; was it cut?"
         )));
     }
-    let values = values(array)?;
-    let (rows, columns) = (rows as usize, columns as usize);
-    let at = |row: usize, column: usize| if order == Order::C { values[row * columns + column] } else { values[column * rows + row] };
-    let series: Vec<Vec<f64>> = if columns >= rows {
-        (0..rows).map(|row| (0..columns).map(|column| at(row, column)).collect()).collect()
-    } else {
-        (0..columns).map(|column| (0..rows).map(|row| at(row, column)).collect()).collect()
-    };
+    // The longer side is time; numbers of a row (C) or of a column (Fortran) follow each other in the file.
+    let (inner, outer_is_row) = if order == Order::C { (columns, true) } else { (rows, false) };
+    let series_are_rows = columns >= rows;
+    let (count, length) = (rows.min(columns) as usize, rows.max(columns) as usize);
+    let mut series: Vec<Vec<f64>> = (0..count).map(|_| Vec::with_capacity(length)).collect();
+    let mut place = 0;
+    each(array, |value| {
+        let (outer, inside) = (place / inner, place % inner);
+        let of = if series_are_rows == outer_is_row { outer } else { inside };
+        series[of as usize].push(value);
+        place += 1;
+    })?;
     let channels = series.into_iter().enumerate().map(|(k, values)| RawChannel::new(&format!("channel {}", k + 1), "", values)).collect();
     let about = format!("an array of {rows} x {columns} without names: its longer side is taken as time");
     Ok(Raw::columns(channels, vec![Finding::new(FindingKind::Assumed, 1, None, about)]).into())
 }
 
-/// The numbers in the order of the file.
-fn values(array: NpyFile<BufReader<File>>) -> Result<Vec<f64>, Damage> {
+/// Every number in the order of the file.
+fn each(array: NpyFile<BufReader<File>>, take: impl FnMut(f64)) -> Result<(), Damage> {
     let dtype = match array.dtype() {
         DType::Plain(kind) => kind.to_string(),
         other => return Err(Damage::new(format!("its numbers are records ({}); save each as an array of its own", other.descr()))),
     };
-    let told = |fault: std::io::Error| Damage::new(format!("{fault}; was the file cut?"));
     match dtype.get(1..).unwrap_or_default() {
-        "f8" => array.into_vec::<f64>().map_err(told),
-        "f4" => widened(array.into_vec::<f32>().map_err(told)?),
-        "i4" => widened(array.into_vec::<i32>().map_err(told)?),
-        "i2" => widened(array.into_vec::<i16>().map_err(told)?),
-        "i1" => widened(array.into_vec::<i8>().map_err(told)?),
-        "u4" => widened(array.into_vec::<u32>().map_err(told)?),
-        "u2" => widened(array.into_vec::<u16>().map_err(told)?),
-        "u1" => widened(array.into_vec::<u8>().map_err(told)?),
-        "i8" => Ok(array.into_vec::<i64>().map_err(told)?.into_iter().map(|x| x as f64).collect()),
-        "u8" => Ok(array.into_vec::<u64>().map_err(told)?.into_iter().map(|x| x as f64).collect()),
+        "f8" => typed(array, |x: f64| x, take),
+        "f4" => typed(array, |x: f32| x.into(), take),
+        "i8" => typed(array, |x: i64| x as f64, take),
+        "i4" => typed(array, |x: i32| x.into(), take),
+        "i2" => typed(array, |x: i16| x.into(), take),
+        "i1" => typed(array, |x: i8| x.into(), take),
+        "u8" => typed(array, |x: u64| x as f64, take),
+        "u4" => typed(array, |x: u32| x.into(), take),
+        "u2" => typed(array, |x: u16| x.into(), take),
+        "u1" => typed(array, |x: u8| x.into(), take),
         _ => Err(Damage::new(format!("its numbers are of type {dtype}; real numbers are due (save real and imaginary parts apart)"))),
     }
 }
 
-fn widened<T: Into<f64>>(values: Vec<T>) -> Result<Vec<f64>, Damage> {
-    Ok(values.into_iter().map(Into::into).collect())
+fn typed<T: Deserialize>(array: NpyFile<BufReader<File>>, number: impl Fn(T) -> f64, mut take: impl FnMut(f64)) -> Result<(), Damage> {
+    let told = |fault: std::io::Error| Damage::new(format!("{fault}; was the file cut?"));
+    for value in array.data::<T>().map_err(|fault| Damage::new(fault.to_string()))? {
+        take(number(value.map_err(told)?));
+    }
+    Ok(())
 }

@@ -13,11 +13,16 @@ use super::name;
 use super::raw::{Raw, RawChannel};
 use crate::recording::{Finding, FindingKind};
 
+/// Key of the notes of jounce in the metadata.
+const NOTES: &str = "jounce";
+/// Numbers that are decoded at once.
+const BATCH: usize = 1 << 16;
+
 pub(super) fn read(path: &Path) -> Result<Found, Damage> {
     let told = |fault: &dyn std::fmt::Display| Damage::new(format!("{fault}; was the file cut?"));
     let file = File::open(path).map_err(|fault| told(&fault))?;
     let reader = SerializedFileReader::new(file).map_err(|fault| told(&fault))?;
-    let units = units(path);
+    let units = units(&reader);
     let (mut channels, mut findings) = (Vec::new(), Vec::new());
     let schema = reader.metadata().file_metadata().schema_descr_ptr();
     for (index, column) in schema.columns().iter().enumerate() {
@@ -37,15 +42,31 @@ pub(super) fn read(path: &Path) -> Result<Found, Damage> {
     Ok(Raw::columns(channels, findings).into())
 }
 
+/// What jounce noted of the columns.
+#[derive(serde::Deserialize)]
+struct Notes {
+    columns: Vec<Note>,
+}
+
+#[derive(serde::Deserialize)]
+struct Note {
+    name: String,
+    unit: String,
+}
+
 /// Units that jounce noted; none in a file of another program.
-fn units(path: &Path) -> Vec<(String, String)> {
-    let table = jounce::table::Table::read(path).map(|(table, _)| table).unwrap_or_default();
-    table.columns().iter().map(|column| (column.name.clone(), column.unit.clone())).collect()
+fn units(reader: &SerializedFileReader<File>) -> Vec<(String, String)> {
+    let noted = reader.metadata().file_metadata().key_value_metadata();
+    let text = noted.and_then(|pairs| pairs.iter().find(|pair| pair.key == NOTES)?.value.as_deref());
+    let notes = text.and_then(|text| serde_json::from_str::<Notes>(text).ok());
+    notes.map_or_else(Vec::new, |notes| notes.columns.into_iter().map(|note| (note.name, note.unit)).collect())
 }
 
 /// The numbers of a column, NaN where one is absent; none where it holds something else.
 fn values(reader: &SerializedFileReader<File>, index: usize, optional: i16) -> Result<Option<Vec<f64>>, String> {
     let mut values = Vec::new();
+    let rows = usize::try_from(reader.metadata().file_metadata().num_rows()).map_err(|fault| fault.to_string())?;
+    values.try_reserve_exact(rows).map_err(|_| format!("{rows} rows do not fit into memory"))?;
     for group in 0..reader.num_row_groups() {
         let rows = reader.get_row_group(group).map_err(|fault| fault.to_string())?;
         let count = usize::try_from(rows.metadata().num_rows()).map_err(|fault| fault.to_string())?;
@@ -73,18 +94,21 @@ fn typed<T: DataType>(
 ) -> Result<(), String> {
     let (mut present, mut levels, mut read) = (Vec::new(), Vec::new(), 0);
     while read < count {
+        present.clear();
+        levels.clear();
         let definition = (optional > 0).then_some(&mut levels);
-        let (records, ..) = reader.read_records(count - read, definition, None, &mut present).map_err(|fault| fault.to_string())?;
+        let most = (count - read).min(BATCH);
+        let (records, ..) = reader.read_records(most, definition, None, &mut present).map_err(|fault| fault.to_string())?;
         if records == 0 {
             break;
         }
         read += records;
-    }
-    let mut present = present.into_iter().map(number);
-    if optional == 0 {
-        values.extend(present);
-    } else {
-        values.extend(levels.into_iter().map(|level| if level == optional { present.next().unwrap_or(f64::NAN) } else { f64::NAN }));
+        let mut numbers = present.drain(..).map(&number);
+        if optional == 0 {
+            values.extend(numbers);
+        } else {
+            values.extend(levels.iter().map(|level| if *level == optional { numbers.next().unwrap_or(f64::NAN) } else { f64::NAN }));
+        }
     }
     Ok(())
 }

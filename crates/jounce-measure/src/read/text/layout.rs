@@ -33,6 +33,8 @@ impl Delimiter {
     pub(crate) fn fields(self, line: &str) -> Vec<String> {
         match self {
             Self::Blanks => line.split_whitespace().map(str::to_owned).collect(),
+            // Quotes are rare; where there are none a plain split is the same and quicker.
+            Self::Byte(delimiter) if !line.contains('"') => line.split(char::from(delimiter)).map(str::to_owned).collect(),
             Self::Byte(delimiter) => {
                 let mut reader =
                     csv::ReaderBuilder::new().delimiter(delimiter).has_headers(false).flexible(true).from_reader(line.as_bytes());

@@ -26,7 +26,8 @@ pub(super) fn read(path: &Path) -> Result<Found, Damage> {
     let (text, latin) = decoded(&head);
     let layout = Layout::find(&text)?;
     file.rewind().map_err(told)?;
-    let Rows { channels, mut findings } = columns(BufReader::with_capacity(1 << 20, file), &layout)?;
+    let size = file.metadata().map_err(told)?.len();
+    let Rows { channels, mut findings } = columns(BufReader::with_capacity(1 << 20, file), size, &layout)?;
     if latin {
         let line = head.split(|b| *b == b'\n').position(|line| !line.is_ascii()).map_or(1, |line| line + 1);
         let about = "the header is not UTF-8; it was read as Latin-1".to_owned();

@@ -1,73 +1,87 @@
 //! A universal file to its data sets: each stands between two lines that hold `-1`.
 
+use std::io::{BufRead, Read as _};
+
 use super::super::error::Damage;
+use super::header::LINES;
+use super::numbers::numbers;
 use crate::recording::Place;
 
 /// One data set.
-pub(super) struct Block<'a> {
+pub(super) struct Block {
     /// Its number.
     pub number: u32,
     /// Where its content begins in the file, byte.
     pub start: usize,
-    /// Its text lines: header and, where it is not binary, data.
+    /// Its text lines; of data set 58 the header only.
     pub lines: Vec<String>,
-    /// The binary data of 58b.
-    pub binary: Option<Binary<'a>>,
+    /// What follows the header of data set 58.
+    pub data: Data,
 }
 
-/// Binary data and how to read them.
-pub(super) struct Binary<'a> {
-    pub little_endian: bool,
-    pub bytes: &'a [u8],
+/// The data of a data set 58.
+pub(super) enum Data {
+    /// Numbers of text lines; the first word that is none ends them.
+    Numbers(Vec<f64>, Option<String>),
+    /// Bytes, and how to read them.
+    Binary { little_endian: bool, bytes: Vec<u8> },
 }
 
-/// Cuts a file into its data sets.
-pub(super) fn blocks(bytes: &[u8]) -> Result<Vec<Block<'_>>, Damage> {
-    let mut cursor = Cursor { bytes, at: 0 };
-    let mut found = Vec::new();
-    while let Some((start, line)) = cursor.line() {
-        if line.trim_ascii().is_empty() {
+/// Hands every data set of a file to `take`, one after the other, so that memory holds one.
+pub(super) fn blocks(source: impl BufRead, mut take: impl FnMut(Block) -> Result<(), Damage>) -> Result<(), Damage> {
+    let mut cursor = Cursor { source, at: 0, line: Vec::new() };
+    while let Some(start) = cursor.next()? {
+        if cursor.trimmed().is_empty() {
             continue;
         }
-        if line.trim_ascii() != b"-1" {
-            return Err(Damage::at(Place::Byte(start), format!("a line with -1 is due before a data set, not {:?}", shown(line))));
+        if cursor.trimmed() != b"-1" {
+            return Err(Damage::at(Place::Byte(start), format!("a line with -1 is due before a data set, not {:?}", shown(&cursor.line))));
         }
-        found.extend(block(&mut cursor, start)?);
+        if let Some(block) = block(&mut cursor, start)? {
+            take(block)?;
+        }
     }
-    Ok(found)
+    Ok(())
 }
 
-fn block<'a>(cursor: &mut Cursor<'a>, opening: usize) -> Result<Option<Block<'a>>, Damage> {
+fn block(cursor: &mut Cursor<impl BufRead>, opening: usize) -> Result<Option<Block>, Damage> {
     let cut = |at: usize| Damage::at(Place::Byte(at), "the data set does not end with a line -1: was the file cut?");
-    let Some((start, head)) = cursor.line() else {
+    let Some(start) = cursor.next()? else {
         // A stray -1 at the end opens nothing.
         return if opening == 0 { Err(cut(opening)) } else { Ok(None) };
     };
-    let head = shown(head);
+    let head = shown(&cursor.line);
     let word = head.split_whitespace().next().unwrap_or_default();
     let binary = word.ends_with(['b', 'B']);
     let number = word.trim_end_matches(['b', 'B']).parse::<u32>();
     let number = number.map_err(|_| Damage::at(Place::Byte(start), format!("the number of a data set is due, not {:?}", head.trim())))?;
-    let mut block = Block { number, start, lines: Vec::new(), binary: None };
+    let mut block = Block { number, start, lines: Vec::new(), data: Data::Numbers(Vec::new(), None) };
     if binary {
         binary_part(cursor, &head, &mut block)?;
     }
     loop {
-        let Some((_, line)) = cursor.line() else { return Err(cut(start)) };
-        if line.trim_ascii() == b"-1" {
+        let Some(at) = cursor.next()? else { return Err(cut(start)) };
+        if cursor.trimmed() == b"-1" {
             return Ok(Some(block));
         }
-        if block.binary.is_none() {
-            block.lines.push(shown(line));
-        } else if !line.trim_ascii().is_empty() {
-            return Err(Damage::at(Place::Byte(cursor.at), "more follows the binary data than its header says"));
+        match &mut block.data {
+            Data::Binary { .. } if cursor.trimmed().is_empty() => {}
+            Data::Binary { .. } if !cursor.line.ends_with(b"\n") => return Err(cut(start)),
+            Data::Binary { .. } => return Err(Damage::at(Place::Byte(at), "more follows the binary data than its header says")),
+            Data::Numbers(found, wrong) if number == 58 && block.lines.len() == LINES => {
+                if wrong.is_none() {
+                    *wrong = numbers(&shown(&cursor.line), found).err();
+                }
+            }
+            Data::Numbers(..) => block.lines.push(shown(&cursor.line)),
         }
     }
 }
 
 /// The header lines and the bytes of 58b, whose first line tells their numbers.
-fn binary_part<'a>(cursor: &mut Cursor<'a>, head: &str, block: &mut Block<'a>) -> Result<(), Damage> {
-    let wrong = |why: String| Damage::at(Place::Byte(block.start), why);
+fn binary_part(cursor: &mut Cursor<impl BufRead>, head: &str, block: &mut Block) -> Result<(), Damage> {
+    let start = block.start;
+    let wrong = |why: String| Damage::at(Place::Byte(start), why);
     let fields: Vec<usize> = head.split_whitespace().skip(1).map_while(|field| field.parse().ok()).collect();
     let [order, format, lines, length, ..] = fields[..] else {
         return Err(wrong(format!("byte order, number format, header lines and length are due behind 58b, not {:?}", head.trim())));
@@ -76,14 +90,14 @@ fn binary_part<'a>(cursor: &mut Cursor<'a>, head: &str, block: &mut Block<'a>) -
         return Err(wrong(format!("byte order {order} and number format {format}: only IEEE 754 (2) in order 1 or 2 can be read")));
     }
     for _ in 0..lines {
-        let (_, line) = cursor.line().ok_or_else(|| wrong(format!("its {lines} header lines are not whole: was the file cut?")))?;
-        block.lines.push(shown(line));
+        cursor.next()?.ok_or_else(|| wrong(format!("its {lines} header lines are not whole: was the file cut?")))?;
+        block.lines.push(shown(&cursor.line));
     }
-    let rest = cursor.bytes.len() - cursor.at;
-    let bytes = cursor.bytes.get(cursor.at..cursor.at.saturating_add(length));
-    let bytes = bytes.ok_or_else(|| wrong(format!("{length} bytes of data are due, {rest} follow: was the file cut?")))?;
-    cursor.at += length;
-    block.binary = Some(Binary { little_endian: order == 1, bytes });
+    let bytes = cursor.bytes(length)?;
+    if bytes.len() < length {
+        return Err(wrong(format!("{length} bytes of data are due, {} follow: was the file cut?", bytes.len())));
+    }
+    block.data = Data::Binary { little_endian: order == 1, bytes };
     Ok(())
 }
 
@@ -92,20 +106,33 @@ fn shown(line: &[u8]) -> String {
     line.iter().map(|b| char::from(*b)).collect::<String>().trim_end().to_owned()
 }
 
-struct Cursor<'a> {
-    bytes: &'a [u8],
+struct Cursor<S> {
+    source: S,
+    /// Bytes read.
     at: usize,
+    /// The last line.
+    line: Vec<u8>,
 }
 
-impl<'a> Cursor<'a> {
-    /// The next line with the place where it begins.
-    fn line(&mut self) -> Option<(usize, &'a [u8])> {
-        let (start, rest) = (self.at, self.bytes.get(self.at..)?);
-        if rest.is_empty() {
-            return None;
-        }
-        let length = rest.iter().position(|b| *b == b'\n');
-        self.at += length.map_or(rest.len(), |length| length + 1);
-        Some((start, &rest[..length.unwrap_or(rest.len())]))
+impl<S: BufRead> Cursor<S> {
+    /// Reads the next line and gives the place where it begins; none at the end.
+    fn next(&mut self) -> Result<Option<usize>, Damage> {
+        let start = self.at;
+        self.line.clear();
+        let told = |fault: std::io::Error| Damage::at(Place::Byte(start), fault.to_string());
+        self.at += self.source.read_until(b'\n', &mut self.line).map_err(told)?;
+        Ok((self.at > start).then_some(start))
+    }
+
+    fn trimmed(&self) -> &[u8] {
+        self.line.trim_ascii()
+    }
+
+    /// So many bytes, or fewer at the end.
+    fn bytes(&mut self, count: usize) -> Result<Vec<u8>, Damage> {
+        let (at, mut bytes) = (self.at, Vec::new());
+        let told = |fault: std::io::Error| Damage::at(Place::Byte(at), fault.to_string());
+        self.at += self.source.by_ref().take(count as u64).read_to_end(&mut bytes).map_err(told)?;
+        Ok(bytes)
     }
 }

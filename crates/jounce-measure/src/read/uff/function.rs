@@ -2,20 +2,20 @@
 
 use super::super::error::Damage;
 use super::super::raw::{Raw, RawChannel, Stamps};
-use super::blocks::{Binary, Block};
-use super::header::{Dof, Header, LINES};
-use super::numbers::numbers;
+use super::blocks::{Block, Data};
+use super::header::{Dof, Header};
 use crate::recording::{Over, Place};
 
 /// Function types over time: time response, auto- and cross-correlation, shock.
 const OVER_TIME: [u32; 4] = [1, 5, 7, 24];
 
-pub(super) fn read(block: &Block<'_>) -> Result<Raw, Damage> {
-    let header = Header::read(block)?;
-    let numbers = match &block.binary {
-        Some(binary) => from_bytes(&header, binary).map_err(|why| Damage::at(Place::Byte(block.start), why))?,
-        None => from_lines(block, &header)?,
+pub(super) fn read(block: Block) -> Result<Raw, Damage> {
+    let header = Header::read(&block)?;
+    let numbers = match block.data {
+        Data::Binary { little_endian, bytes } => from_bytes(&header, &bytes, little_endian),
+        Data::Numbers(found, wrong) => from_lines(found, wrong, &header),
     };
+    let mut numbers = numbers.map_err(|why| Damage::at(Place::Byte(block.start), why))?;
     let over = match header.abscissa.kind {
         17 => Over::Time,
         18 => Over::Frequency,
@@ -24,7 +24,9 @@ pub(super) fn read(block: &Block<'_>) -> Result<Raw, Damage> {
         _ => Over::Frequency,
     };
     let width = header.width();
-    let column = |k: usize| -> Vec<f64> { numbers.chunks_exact(width).map(|point| point[k]).collect() };
+    let mut column = |k: usize| -> Vec<f64> {
+        if width == 1 { std::mem::take(&mut numbers) } else { numbers.chunks_exact(width).map(|point| point[k]).collect() }
+    };
     let first = usize::from(!header.even);
     let stamps = if header.even { Stamps::Even { start: header.start, step: header.step } } else { Stamps::Given(column(0)) };
     let channel = RawChannel {
@@ -65,15 +67,13 @@ fn rename(channels: &mut [RawChannel], new: impl Fn(&RawChannel, usize) -> Strin
     }
 }
 
-fn from_lines(block: &Block<'_>, header: &Header) -> Result<Vec<f64>, Damage> {
-    let mut found = Vec::new();
-    for line in &block.lines[LINES..] {
-        numbers(line, &mut found).map_err(|word| Damage::at(Place::Byte(block.start), format!("{word:?} among the data is no number")))?;
+fn from_lines(mut found: Vec<f64>, wrong: Option<String>, header: &Header) -> Result<Vec<f64>, String> {
+    if let Some(word) = wrong {
+        return Err(format!("{word:?} among the data is no number"));
     }
     let due = header.points.saturating_mul(header.width());
     if found.len() < due {
-        let why = format!("{due} numbers are due, {} follow: was the file cut?", found.len());
-        return Err(Damage::at(Place::Byte(block.start), why));
+        return Err(format!("{due} numbers are due, {} follow: was the file cut?", found.len()));
     }
     // A last line may be filled up.
     found.truncate(due);
@@ -81,22 +81,22 @@ fn from_lines(block: &Block<'_>, header: &Header) -> Result<Vec<f64>, Damage> {
 }
 
 /// Binary numbers: all of one size, or an uneven abscissa in single precision beside double ordinates; the length tells which.
-fn from_bytes(header: &Header, binary: &Binary<'_>) -> Result<Vec<f64>, String> {
+fn from_bytes(header: &Header, bytes: &[u8], little_endian: bool) -> Result<Vec<f64>, String> {
     let (points, width) = (header.points, header.width());
     let size = if header.double { 8 } else { 4 };
     let whole = points.checked_mul(width * size);
     let mixed = points.checked_mul(4 + (width - 1) * size);
-    let length = binary.bytes.len();
+    let length = bytes.len();
     let single_abscissa = header.double && !header.even && Some(length) == mixed;
     if Some(length) != whole && !single_abscissa {
         return Err(format!("{points} points of {width} numbers of {size} bytes are due, {length} bytes follow"));
     }
     let mut found = Vec::with_capacity(points * width);
-    let mut rest = binary.bytes;
+    let mut rest = bytes;
     while !rest.is_empty() {
         let wide = header.double && !(single_abscissa && found.len() % width == 0);
         let (number, behind) = rest.split_at_checked(if wide { 8 } else { 4 }).ok_or("the data end inside a number")?;
-        found.push(number_of(number, binary.little_endian));
+        found.push(number_of(number, little_endian));
         rest = behind;
     }
     Ok(found)

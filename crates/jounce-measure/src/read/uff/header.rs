@@ -42,7 +42,7 @@ pub(super) struct Axis {
 pub(super) const LINES: usize = 11;
 
 impl Header {
-    pub(super) fn read(block: &Block<'_>) -> Result<Self, Damage> {
+    pub(super) fn read(block: &Block) -> Result<Self, Damage> {
         let wrong = |line: usize, why: String| Damage::at(Place::Byte(block.start), format!("line {} of the data set: {why}", line + 1));
         if block.lines.len() < LINES {
             return Err(wrong(block.lines.len(), format!("its header has {LINES} lines; was the file cut?")));

@@ -8,6 +8,8 @@ mod header;
 mod nodes;
 mod numbers;
 
+use std::fs::File;
+use std::io::BufReader;
 use std::path::Path;
 
 use super::contents::Found;
@@ -15,18 +17,19 @@ use super::error::Damage;
 use crate::recording::{Finding, FindingKind, Place};
 
 pub(super) fn read(path: &Path) -> Result<Found, Damage> {
-    let bytes = std::fs::read(path).map_err(|fault| Damage::new(fault.to_string()))?;
+    let file = File::open(path).map_err(|fault| Damage::new(fault.to_string()))?;
     let mut found = Found { sets: Vec::new(), shapes: Vec::new(), findings: Vec::new() };
-    for block in blocks::blocks(&bytes)? {
+    blocks::blocks(BufReader::with_capacity(1 << 20, file), |block| {
         match block.number {
-            58 => found.sets.push(function::read(&block)?),
+            58 => found.sets.push(function::read(block)?),
             55 => found.shapes.push(nodes::read(&block)?),
             other => {
                 let about = format!("data set {other} holds no samples (geometry, units or headers) and was left out");
                 found.findings.push(Finding::new(FindingKind::Skipped, 1, Some(Place::Byte(block.start)), about));
             }
         }
-    }
+        Ok(())
+    })?;
     found.sets = function::grouped(found.sets);
     if found.sets.is_empty() && found.shapes.is_empty() {
         let kinds: Vec<&str> = found.findings.iter().map(|finding| finding.about.as_str()).collect();

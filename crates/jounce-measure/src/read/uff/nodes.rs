@@ -9,7 +9,7 @@ use crate::recording::Place;
 /// Header lines of data set 55.
 const LINES: usize = 8;
 
-pub(super) fn read(block: &Block<'_>) -> Result<ModeShape, Damage> {
+pub(super) fn read(block: &Block) -> Result<ModeShape, Damage> {
     let wrong = |line: usize, why: String| Damage::at(Place::Byte(block.start), format!("line {} of the data set: {why}", line + 1));
     let row = |line: usize| {
         let mut found = Vec::new();

@@ -1,0 +1,43 @@
+//! Stable poles from nested bands.
+//!
+//! A mode far below the upper end of a band turns the angle `pi f / f_high` of the denominator's plane by little, and its acceleration is small beside
+//! that of the modes above it: it is lost. So poles are sought in the whole band, in its lower half, in the lower half of that, and so on while
+//! there are lines enough, and each frequency is left to the narrowest band that holds it well inside.
+
+use super::stabilisation::{ONE_MODE, modes};
+use super::{Band, ModalError, Pole, Settings, StablePole, diagram, poles};
+
+/// Upper end of a band over that of the one around it.
+const NARROWER: f64 = 0.5;
+/// A band is asked for poles below this share of its upper end.
+const INSIDE: f64 = 0.8;
+
+/// The diagram of the poles of all bands and those that stay, in ascending frequency.
+///
+/// # Errors
+/// Too few lines in the whole band, responses that are zero.
+pub(super) fn stable(band: &Band, settings: Settings) -> Result<(Vec<StablePole>, Vec<Pole>), ModalError> {
+    let mut bands = vec![(f64::INFINITY, band.high_hz, poles(band, settings.order)?)];
+    let mut high_hz = band.frequency_hz.last().copied().unwrap_or(band.high_hz);
+    loop {
+        high_hz *= NARROWER;
+        // A band without lines enough, or with nothing in it, leaves its frequencies to the one around it.
+        let Ok(found) = poles(&band.below(high_hz), settings.order) else { break };
+        bands.push((INSIDE * high_hz, high_hz, found));
+    }
+    let (mut found, mut stay) = (Vec::new(), Vec::<Pole>::new());
+    let mut from_hz = 0.0;
+    for (to_hz, high_hz, poles) in bands.iter().rev() {
+        let own = |pole: &Pole| pole.frequency_hz > from_hz && pole.frequency_hz <= *to_hz;
+        let diagram = diagram(poles, band.line_hz());
+        for pole in modes(&diagram, band.low_hz, *high_hz).into_iter().filter(own) {
+            // At the border both bands may have found it.
+            if stay.last().is_none_or(|last| pole.frequency_hz / last.frequency_hz - 1.0 > ONE_MODE) {
+                stay.push(pole);
+            }
+        }
+        found.extend(diagram.into_iter().filter(|stable| own(&stable.pole)));
+        from_hz = *to_hz;
+    }
+    Ok((found, stay))
+}
