@@ -129,7 +129,13 @@ impl<'k> Marcher<'k> {
                 let spare = u32::from(change <= goal * size);
                 self.ports[step.port].iterations = (iteration - spare).max(1);
                 self.work.iterations += u64::from(iteration);
-                return Some(judge(w, step, [penetration, rate, force], at_start));
+                // Motion and force belong together: the energy balance would feel what one iteration leaves.
+                let nodal = w.store(force);
+                penetration = pushed(w, free, &table.displacement.push, &nodal);
+                if law.is_rate_dependent() {
+                    rate = pushed(w, free_rate, &table.velocity.push, &nodal);
+                }
+                return Some(judge(w, law, step, [penetration, rate, force], at_start));
             }
             if iteration > 4 && change > last_change {
                 break;
@@ -233,14 +239,21 @@ impl<'k> Marcher<'k> {
 
 /// Estimates the error of a converged step from the mismatch of its basis and the law at both of its ends.
 ///
-/// Penetration, rate and force hold the nodes and the end, the force of the law last; `at_start` is its force at the start, N.
+/// Penetration, rate and force hold the nodes and the end; `at_start` is the force of the law at the start, N.
 #[inline(always)]
-pub(super) fn judge<W: Wide>(w: W, step: &Step, [penetration, rate, force]: [W::Register; 3], at_start: f64) -> Solved {
+pub(super) fn judge<W: Wide, L: ContactLaw>(
+    w: W,
+    law: L,
+    step: &Step,
+    [penetration, rate, force]: [W::Register; 3],
+    at_start: f64,
+) -> Solved {
     let by_basis = |at: &Lane| w.sum(w.mul(w.load(at), force));
     let (start, end) = (by_basis(&step.basis.at_start), by_basis(&step.basis.at_end));
     let size = at_start.abs().max(w.largest(w.abs(force)));
     let (penetration, rate, force) = (w.store(penetration), w.store(rate), w.store(force));
-    let mismatch = (start - at_start).abs().max((end - force.0[NODES]).abs());
+    let at_end = law.force_n(penetration.0[NODES], rate.0[NODES]);
+    let mismatch = (start - at_start).abs().max((end - at_end).abs());
     // Gauss weights square the order of the interpolation for smooth forces and gain less at a kink: 3/2 lies between.
     let ratio = if size > 0.0 { mismatch / size } else { 0.0 };
     let error_n_s = step.table.length_s * mismatch * ratio.sqrt().min(1.0);

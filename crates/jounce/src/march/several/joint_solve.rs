@@ -2,7 +2,6 @@
 
 use super::rest::Resting;
 use crate::contact::{ContactLaw, Law};
-use crate::march::basis::NODES;
 use crate::march::contact_step::{MOST_ITERATIONS, Solved, Step, judge, largest};
 use crate::march::few::Few;
 use crate::march::joint_tables::{JointTables, Length};
@@ -96,7 +95,7 @@ impl<'k> Marcher<'k> {
                     move_under_forces(w, joint, &mut iterates);
                     let mut solved = Few::<Solved>::new();
                     for (step, own) in joint.steps.iter().zip(&iterates) {
-                        solved.push(judge(w, step, own.at_end(w), own.at_start_n));
+                        solved.push(judge(w, own.law, step, own.registers(w), own.at_start_n));
                     }
                     resting.judge(self, joint, &mut solved);
                     return Some(solved);
@@ -155,12 +154,10 @@ fn move_under_forces<W: Wide>(w: W, joint: &JointStep, iterates: &mut [Iterate])
 }
 
 impl Iterate {
-    /// Penetration, rate and force as they stand, the force at the end by the law.
+    /// Penetration, rate and force as they stand.
     #[inline(always)]
-    fn at_end<W: Wide>(&self, w: W) -> [W::Register; 3] {
-        let mut force = self.force;
-        force.0[NODES] = self.law.force_n(self.penetration.0[NODES], self.rate.0[NODES]);
-        [w.load(&self.penetration), w.load(&self.rate), w.load(&force)]
+    fn registers<W: Wide>(&self, w: W) -> [W::Register; 3] {
+        [w.load(&self.penetration), w.load(&self.rate), w.load(&self.force)]
     }
 
     /// New forces by the law; a resting port has its forces from elsewhere.
