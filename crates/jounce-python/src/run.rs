@@ -67,7 +67,8 @@ fn marched(spec: &Spec, options: &Options, watch: &Watch) -> Result<Marched, Fai
         let why = format!("record times sample_rate makes {samples:e} samples; at most {MOST_SAMPLES:e} are kept");
         return Err(Failure::new("ArgumentError", why));
     }
-    let watching = plan.clone().watching(&prepared.spec, &kernel.plant);
+    // As the command line does, so that both tell the same bits.
+    let watching = plan.clone().watching(&prepared.spec, &kernel.plant).balancing(&kernel.plant);
     let answer = simulate(&kernel, &start, &watching)?;
     let history = (options.record_s > 0.0).then(|| History::new(&kernel, &answer, &plan, options.sample_rate_hz));
     let warnings = Warning::of(&prepared.spec, &kernel, &watching, &answer).iter().map(ToString::to_string).collect();

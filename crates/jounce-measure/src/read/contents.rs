@@ -74,7 +74,7 @@ pub fn file(path: &Path) -> Result<Contents, ReadError> {
 /// The first recording over time in a file.
 ///
 /// # Errors
-/// As [`file`], and a file without one.
+/// As [`file()`], and a file without one.
 pub fn record(path: &Path) -> Result<Recording, ReadError> {
     let found = file(path)?.recordings.into_iter().find(|recording| recording.over == Over::Time);
     found.ok_or_else(|| ReadError::NoRecord { path: path.to_owned() })
