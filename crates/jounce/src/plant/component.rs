@@ -29,24 +29,12 @@ pub(super) struct Assembly {
 
 impl Assembly {
     pub fn of(system: &System, electrical: &Electrical) -> Self {
-        let modes = &system.modes;
-        let (n, nodes) = (modes.len(), electrical.nodes.len());
+        let (n, nodes) = (system.modes.len(), electrical.nodes.len());
         let size = 2 * n + electrical.len();
         let mut matrix = Mat::zeros(size, size);
         let mut scale = vec![1.0; 2 * n];
         scale.extend(electrical.energy_scale());
-        for i in 0..n {
-            let (w, zeta) = (modes.frequency_rad_s[i], modes.damping_ratio[i]);
-            matrix[(i, n + i)] = 1.0;
-            matrix[(n + i, i)] = -w * w;
-            matrix[(n + i, n + i)] = -2.0 * zeta * w;
-            scale[i] = if w > 0.0 { w } else { 1.0 };
-        }
-        for dashpot in &system.dashpots {
-            for i in 0..n {
-                (0..n).for_each(|j| matrix[(n + i, n + j)] -= dashpot.damping_per_s(i, j));
-            }
-        }
+        mechanics(system, &mut matrix, &mut scale);
         for (k, node) in electrical.nodes.iter().enumerate() {
             let row = 2 * n + k;
             if let Some(resistance_ohm) = node.resistance_ohm {
@@ -96,6 +84,23 @@ impl Assembly {
     /// `A` in energy coordinates.
     pub fn scaled(&self) -> Mat<f64> {
         Mat::from_fn(self.scale.len(), self.scale.len(), |i, j| self.matrix[(i, j)] * self.scale[i] / self.scale[j])
+    }
+}
+
+/// Rows and columns of the modes alone, and what turns their coordinates into roots of energies.
+fn mechanics(system: &System, matrix: &mut Mat<f64>, scale: &mut [f64]) {
+    let (modes, n) = (&system.modes, system.modes.len());
+    for i in 0..n {
+        let (w, zeta) = (modes.frequency_rad_s[i], modes.damping_ratio[i]);
+        matrix[(i, n + i)] = 1.0;
+        matrix[(n + i, i)] = -w * w;
+        matrix[(n + i, n + i)] = -2.0 * zeta * w;
+        scale[i] = if w > 0.0 { w } else { 1.0 };
+    }
+    for dashpot in &system.dashpots {
+        for i in 0..n {
+            (0..n).for_each(|j| matrix[(n + i, n + j)] -= dashpot.damping_per_s(i, j));
+        }
     }
 }
 

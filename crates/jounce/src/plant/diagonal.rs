@@ -1,10 +1,12 @@
 //! Diagonalisation of the coupled electromechanical system without drive and contact.
 //!
 //! ```text
-//! q_i'' + 2 zeta_i w_i q_i' + sum_jd c_d s_id s_jd q_j' + w_i^2 q_i = sum_k theta_ik V_k,     C_k V_k' + V_k / R_k + i_k + sum_i theta_ik q_i' = 0,     L i' = V - r i
+//! q_i'' + 2 zeta_i w_i q_i' + sum_jd c_d s_id s_jd q_j' + w_i^2 q_i = sum_k theta_ik V_k
+//! C_k V_k' + V_k / R_k + i_k + sum_i theta_ik q_i' = 0,     L i' = V - r i
 //! ```
 //!
-//! with the friction `c_d` (N s/m) of points of shape `s_d` (kg^-1/2). Modes, nodes and inductors that are coupled to each other form a component. A mode without a patch is its own component and is
+//! with the friction `c_d` (N s/m) of points of shape `s_d` (kg^-1/2). Modes, nodes and inductors that are coupled to each other form a
+//! component. A mode without a patch is its own component and is
 //! solved in closed form (free, critically damped and overdamped modes included); a component with patches is solved as a
 //! real eigenproblem in the coordinates `(w q, q', sqrt(C) V, sqrt(L) i)`, whose squares are energies, so that its matrix is
 //! skew-symmetric but for the losses and its eigenvectors are well conditioned.

@@ -92,15 +92,7 @@ fn charge_and_energy_are_balanced() {
         Scheme::SeriesSshi { inversion: 0.6 },
         Scheme::Extraction { efficiency: 0.9 },
     ] {
-        let mut system = cell(0.5, 0.02, 0.9, scheme, storage);
-        (system.bridges[0].drop_v, system.bridges[0].leakage_ohm, system.bridges[0].diode_ohm) = (0.2, Some(40.0), 0.02);
-        system.stops.push(Stop {
-            name: "stop".into(),
-            shape: vec![1.0],
-            gap_m: 0.8,
-            law: Law::Hertz(Hertz { stiffness: 50.0, exponent: 1.5 }),
-        });
-        let kernel = kernel(system);
+        let kernel = kernel(lossy_beside_a_stop(scheme, storage));
         let start = kernel.plant.from_physical(&StartState::rest(&kernel.plant).physical(), 0.0);
         let mut marcher = Marcher::new(&kernel, &start, 0.0, 1e-10).unwrap();
         marcher.start_record();
@@ -131,21 +123,26 @@ fn charge_and_energy_are_balanced() {
     }
 }
 
+/// A cell whose diodes drop, resist and feed a leaking storage, and whose mass strikes a stop.
+fn lossy_beside_a_stop(scheme: Scheme, storage: Storage) -> System {
+    let mut system = cell(0.5, 0.02, 0.9, scheme, storage);
+    (system.bridges[0].drop_v, system.bridges[0].leakage_ohm, system.bridges[0].diode_ohm) = (0.2, Some(40.0), 0.02);
+    system.stops.push(Stop {
+        name: "stop".into(),
+        shape: vec![1.0],
+        gap_m: 0.8,
+        law: Law::Hertz(Hertz { stiffness: 50.0, exponent: 1.5 }),
+    });
+    system
+}
+
 /// What a run tells of charge and energy over its averaging window, not settled: the charge of the diodes, counted at the patches, is what
 /// load, leakage and storage get, by quadrature of the voltage of the storage; what the storage gains is told. Measured: 6e-15 at most.
 #[test]
 fn a_run_tells_where_charge_and_energy_went() {
     let storage = Storage::Capacitor { capacitance_f: 5.0, load_ohm: 3.0 };
     for scheme in [Scheme::Standard, Scheme::ParallelSshi { inversion: 0.6 }, Scheme::SeriesSshi { inversion: 0.6 }] {
-        let mut system = cell(0.5, 0.02, 0.9, scheme, storage);
-        (system.bridges[0].drop_v, system.bridges[0].leakage_ohm, system.bridges[0].diode_ohm) = (0.2, Some(40.0), 0.02);
-        system.stops.push(Stop {
-            name: "stop".into(),
-            shape: vec![1.0],
-            gap_m: 0.8,
-            law: Law::Hertz(Hertz { stiffness: 50.0, exponent: 1.5 }),
-        });
-        let kernel = kernel(system);
+        let kernel = kernel(lossy_beside_a_stop(scheme, storage));
         let plan = RunPlan { duration_s: 100.0, average_over_s: 60.0, tolerance: 1e-9, record_s: 0.0 };
         let answer = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
         assert!(charges(&kernel, &answer, &plan).is_empty(), "there is no record to balance");

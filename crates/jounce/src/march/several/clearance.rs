@@ -10,7 +10,7 @@ use crate::march::marcher::Marcher;
 use crate::march::port_state::Regime;
 use crate::march::state::dot_abs;
 use crate::march::tone::Turning;
-use crate::plant::{Block, Pair, Plant};
+use crate::plant::{Block, Pair, Plant, Port};
 use crate::wide::{Lane, Wide};
 
 /// Factor on the impulse of a step as its nodes tell it: their rule is far better than a tenth on any step that is taken.
@@ -51,7 +51,7 @@ impl SpeedBound {
             return None;
         }
         let sizes = magnitudes(block, &plant.ports[port].velocity);
-        let pushed = |other: &crate::plant::Port| sizes.iter().zip(&other.force).map(|(c, b)| c * b.abs()).sum();
+        let pushed = |other: &Port| sizes.iter().zip(&other.force).map(|(c, b)| c * b.abs()).sum();
         Some(Self {
             row: layout.pack(&sizes),
             tones_m_s: tones.iter().map(|tone| tone.displacement_m[port].norm() * tone.angular_frequency_rad_s).sum(),
@@ -118,7 +118,6 @@ impl Marcher<'_> {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
 
