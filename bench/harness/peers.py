@@ -78,7 +78,7 @@ def interpreted(python: str) -> list[Peer]:
 
 
 def jounce(plant: Plant, repeats: int) -> list[Peer]:
-    """jounce on the spec itself: warmed up on one second of the same run like the compiled peers, and without."""
+    """jounce on the spec itself: with the tables that the same run has made before, and without."""
     program = build.compile_jounce()
     return [jounce_peer(program, plant, name, start, repeats) for name, start in JOUNCE_STARTS.items()] if program else []
 

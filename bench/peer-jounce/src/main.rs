@@ -1,10 +1,9 @@
 //! One run of jounce as a library: `peer-jounce SPEC warm|first KEY=VALUE...` prints one JSON line.
 //!
 //! Keys of the spec are set as with `--set` on the command line, as in `"drive.shaker.frequency=11 Hz"`.
-//! `cpu_s` is CPU time of the whole process during `simulate`, from a fresh state at rest to the answer. With `warm` the first second
-//! of the same run was marched before on the same kernel, as all compiled peers do: what it has made of the step tables is kept, and
-//! tables that only a later part of the run needs are made within `cpu_s`. With `first` nothing was marched before. `wall_s` is the wall time
-//! of the same, `march_s` that of the march alone.
+//! `cpu_s` is CPU time of the whole process during `simulate`, from a fresh state at rest to the answer. With `warm` the same
+//! run was marched before on the same kernel, so that its step tables are there, as for every run of a sweep but its first. With `first`
+//! nothing was marched before. `wall_s` is the wall time of the same, `march_s` that of the march alone.
 
 use jounce::march::Kernel;
 use jounce::plant::{Plant, System};
@@ -15,9 +14,6 @@ use rustix::time::{ClockId, clock_gettime};
 use std::error::Error;
 use std::process::ExitCode;
 use std::time::Instant;
-
-/// Part of the run that the peers warm up on.
-const WARM_UP: f64 = 0.05;
 
 fn cpu_s() -> f64 {
     let now = clock_gettime(ClockId::ProcessCPUTime);
@@ -39,9 +35,8 @@ fn measure(path: &str, start: &str, changes: &[String]) -> Result<String, Box<dy
         tolerance: spec.run.tolerance,
         record_s: 0.0,
     };
-    let begin = RunPlan { duration_s: WARM_UP * whole.duration_s, average_over_s: WARM_UP * whole.duration_s, ..whole };
     match start {
-        "warm" => drop(simulate(&kernel, &rest, &begin)?),
+        "warm" => drop(simulate(&kernel, &rest, &whole)?),
         "first" => {}
         other => return Err(format!("'{other}' is neither warm nor first").into()),
     }

@@ -8,7 +8,7 @@
 use super::basis::NODES;
 use super::contact_step::{Solved, Step};
 use super::error::MarchError;
-use super::kernel::{Kernel, Shape};
+use super::kernel::{Kernel, PER_OCTAVE, Shape};
 use super::marcher::Marcher;
 use super::port_state::{PortState, Regime};
 use crate::contact::ContactLaw;
@@ -21,11 +21,11 @@ pub(super) const IMPULSE_SHARE: f64 = 0.1;
 /// all that follows. With this share the mean power of a run is ten times nearer to its limit for 5 % more steps.
 const ONSET_SHARE: f64 = 0.01;
 
-/// Factor on the error of a step for twice its length; its power of the length is 8 to 11.
-const ERROR_PER_LEVEL: f64 = 500.0;
+/// Factors on the error of a step for 1.5 times its length, and from there to twice its length; its power of the length is 8 to 11.
+const ERROR_PER_LEVEL: [f64; 2] = [38.0, 13.0];
 
 /// Most levels to go up at once.
-const MOST_SPARE: i32 = 3;
+const MOST_SPARE: i32 = 3 * PER_OCTAVE;
 
 /// How much smaller the error is than the power of `rho` says, for an end like `t^1.5`.
 const END_GAIN: f64 = 1000.0;
@@ -96,7 +96,7 @@ impl Marcher<'_> {
         let both_sides = law.acts_on_both_sides();
         let mut level = level.max(coarsest(law, kernel));
         // On steps this short no second contact can follow the first.
-        let safe = Kernel::level_within(1.0 / kernel.fastest_rad_s) + 3;
+        let safe = Kernel::level_within(1.0 / kernel.fastest_rad_s) + 3 * PER_OCTAVE;
         while self.time_s < end_s && self.ports[p].regime == Regime::Contact {
             let remaining_s = self.forced.remaining_s(self.time_s, end_s);
             let shape = if entering { kernel.first_shape(p) } else { Shape::Smooth };
@@ -132,7 +132,7 @@ impl Marcher<'_> {
                 }
                 None => {
                     self.work.contact_rejections += 1;
-                    level = if landing { Kernel::level_within(remaining_s) + 1 } else { level + 1 };
+                    level = if landing { Kernel::level_within(remaining_s) + 1 } else { level + PER_OCTAVE };
                     if level > Kernel::finest() {
                         return Err(self.diverged(p));
                     }
@@ -164,7 +164,7 @@ impl Marcher<'_> {
         solved: &Solved,
         (allowed, starts_next): (f64, bool),
     ) -> i32 {
-        let longer = level - levels_to_spare(solved.error_n_s, share(step.shape) * allowed);
+        let longer = level - levels_to_spare(level, solved.error_n_s, share(step.shape) * allowed);
         if starts_next {
             self.ports[step.port].entry_level = longer;
         }
@@ -186,9 +186,9 @@ impl Marcher<'_> {
         if 2.0 * left_n_s <= allowed {
             return wanted.max(Kernel::level_within(2.0 * leaving_s));
         }
-        let level = Kernel::level_within(leaving_s);
-        let is_enough = ellipse_power(leaving_s / Kernel::length_s(level)) * END_GAIN * allowed >= left_n_s;
-        wanted.max(if is_enough { level } else { level + 1 })
+        let whole = Kernel::level_within(leaving_s);
+        let is_enough = |level: &i32| ellipse_power(leaving_s / Kernel::length_s(*level)) * END_GAIN * allowed >= left_n_s;
+        wanted.max((whole..whole + PER_OCTAVE).find(is_enough).unwrap_or(whole + PER_OCTAVE))
     }
 
     pub(super) fn diverged(&self, p: usize) -> MarchError {
@@ -240,10 +240,13 @@ fn ellipse_power(ratio: f64) -> f64 {
 
 /// Levels by which a step might have been longer.
 #[inline(always)]
-fn levels_to_spare(error: f64, allowed: f64) -> i32 {
-    let (mut error, mut spare) = (error.max(f64::MIN_POSITIVE) * ERROR_PER_LEVEL, 0);
-    while error < allowed && spare < MOST_SPARE {
-        (error, spare) = (error * ERROR_PER_LEVEL, spare + 1);
+fn levels_to_spare(level: i32, error: f64, allowed: f64) -> i32 {
+    let mut spare = 0;
+    let factor = |spare: i32| ERROR_PER_LEVEL[((level - spare) & 1) as usize];
+    let mut longer = error.max(f64::MIN_POSITIVE) * factor(0);
+    while longer < allowed && spare < MOST_SPARE {
+        spare += 1;
+        longer *= factor(spare);
     }
     spare
 }

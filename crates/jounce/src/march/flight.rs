@@ -4,7 +4,7 @@ use super::certificate::FlightStep;
 use super::crossing::Crossing;
 use super::error::MarchError;
 use super::flow::SHORT;
-use super::kernel::Kernel;
+use super::kernel::{Kernel, PER_OCTAVE};
 use super::marcher::Marcher;
 use super::port_state::Regime;
 use super::state::{dot, dot_abs};
@@ -51,7 +51,7 @@ impl Marcher<'_> {
             self.work.flight_steps += 1;
             return Ok(());
         }
-        let mut grow = 1;
+        let mut grow = PER_OCTAVE;
         while self.time_s < end_s {
             let level = self.flight_level;
             let length_s = Kernel::length_s(level);
@@ -64,7 +64,7 @@ impl Marcher<'_> {
                 Verdict::Clear => {
                     self.work.flight_steps += 1;
                     self.flight_level = (level - grow).max(Kernel::coarsest());
-                    grow = 1;
+                    grow = PER_OCTAVE;
                 }
                 Verdict::Strike(crossing) => {
                     let (after_s, motion) = self.locate(w, 0, crossing);
@@ -177,7 +177,7 @@ impl Marcher<'_> {
         }
         // The uncertainty falls like the fourth power of the length: two levels where one is not enough.
         let far = uncertainty_m > 16.0 * self.ports[p].penetration_m.abs().max(LOCATED * self.scale_m(p, displacement_m));
-        Verdict::Unclear(if far { 2 } else { 1 })
+        Verdict::Unclear(if far { 2 * PER_OCTAVE } else { PER_OCTAVE })
     }
 
     /// Size of the motion against which the certificate's uncertainty is held.

@@ -1,6 +1,6 @@
 //! A plant laid out for marching, and the tables of its step lengths, each made when first used.
 //!
-//! Steps have lengths `2^-e` seconds, so that tables are shared by all runs of a plant, whatever its drive.
+//! Steps have lengths `2^-e` and `1.5 2^-e` seconds, so that tables are shared by all runs of a plant, whatever its drive.
 
 use super::basis::{Basis, SMOOTH};
 use super::cross_table::CrossTable;
@@ -15,10 +15,12 @@ use crate::plant::{BridgeState, Change, Meters, Plant, PlantError, Signal, Stop}
 use crate::wide::WIDTH;
 use std::sync::{Arc, OnceLock};
 
-/// Exponents `e` of the level lengths run from here ...
-const COARSEST: i32 = -12;
+/// Levels on which the length of a step falls by half.
+pub(super) const PER_OCTAVE: i32 = 2;
+/// Levels run from here ...
+const COARSEST: i32 = -12 * PER_OCTAVE;
 /// ... to here.
-const FINEST: i32 = 60;
+const FINEST: i32 = 60 * PER_OCTAVE;
 
 /// The basis of the force on a contact step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -198,8 +200,8 @@ impl Kernel {
     /// Length of a level, s.
     #[inline(always)]
     pub fn length_s(level: i32) -> f64 {
-        // 2^-level by its exponent bits: levels lie far inside the normal numbers.
-        f64::from_bits(((1023 - i64::from(level)) as u64) << 52)
+        // By exponent and first bit of the mantissa: levels lie far inside the normal numbers.
+        f64::from_bits(((2046 - i64::from(level)) as u64) << 51)
     }
 
     /// Finest level there is.
@@ -215,8 +217,8 @@ impl Kernel {
     /// Coarsest level not longer than a time.
     #[inline(always)]
     pub fn level_within(time_s: f64) -> i32 {
-        // floor(log2) of a positive normal number is its exponent.
-        (1023 - (time_s.to_bits() >> 52) as i32).clamp(COARSEST, FINEST)
+        // Of a positive normal number.
+        (2046 - (time_s.to_bits() >> 51) as i32).clamp(COARSEST, FINEST)
     }
 
     /// Index of a level in lists of all levels.

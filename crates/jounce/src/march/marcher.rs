@@ -7,7 +7,7 @@
 use super::energies::Opening;
 use super::error::MarchError;
 use super::forced::Forced;
-use super::kernel::Kernel;
+use super::kernel::{Kernel, PER_OCTAVE};
 use super::layout::Layout;
 use super::odd_tables::OddTables;
 use super::per_port::PerPort;
@@ -80,7 +80,7 @@ impl<'k> Marcher<'k> {
             next: vec![Lane::ZERO; layout.lanes()],
             scratch: vec![Lane::ZERO; layout.lanes()],
             odd_tables: OddTables::default(),
-            ports: PerPort::new(count, |port| PortState::new(plant, &layout, &tones, port, (start + 3).min(Kernel::finest()))),
+            ports: PerPort::new(count, |port| PortState::new(plant, &layout, &tones, port, (start + 3 * PER_OCTAVE).min(Kernel::finest()))),
             flight_level: start,
             integrals: ContactIntegrals {
                 loads_j: vec![0.0; kernel.meters.loads.len()],

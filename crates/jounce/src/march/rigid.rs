@@ -14,7 +14,7 @@
 use super::basis::{NODES, SMOOTH};
 use super::contact_step::Step;
 use super::error::MarchError;
-use super::kernel::{Kernel, Shape};
+use super::kernel::{Kernel, PER_OCTAVE, Shape};
 use super::marcher::Marcher;
 use super::port_state::Regime;
 use super::state::{add_push, columns, dot, spread};
@@ -188,7 +188,7 @@ impl Marcher<'_> {
             let pulls = force.iter().any(|f| *f < 0.0);
             let negligible = force_now * table.length_s <= 1e-3 * self.tolerance * self.speed_m_s(0) / self.ports[0].rows.mobility_per_kg;
             if (pulls && !negligible) || mismatch_n > allowed_n {
-                level = if landing { Kernel::level_within(remaining) + 1 } else { level + 1 };
+                level = if landing { Kernel::level_within(remaining) + 1 } else { level + PER_OCTAVE };
                 if level > Kernel::finest() {
                     return Err(MarchError::NotFinite { time_s: self.time_s });
                 }
@@ -202,7 +202,7 @@ impl Marcher<'_> {
                 self.ports[0].regime = Regime::Flight;
                 return Ok(());
             }
-            level = (level - 1).max(Kernel::coarsest());
+            level = (level - PER_OCTAVE).max(Kernel::coarsest());
         }
         Ok(())
     }

@@ -3,7 +3,7 @@
 use super::flight::Outcome;
 use crate::march::error::MarchError;
 use crate::march::joint_tables::Length;
-use crate::march::kernel::Shape;
+use crate::march::kernel::{PER_OCTAVE, Shape};
 use crate::march::marcher::Marcher;
 use crate::wide::Wide;
 
@@ -31,10 +31,10 @@ impl Marcher<'_> {
         let (law, table) = (self.law(p), length.table(self.kernel, (p, shape)));
         let is_odd = matches!(length, Length::Odd { .. });
         let step = [self.step_in_contact(w, law, (&table, p), shape, length.level(), is_odd)];
-        let Some(solved) = self.solve(w, law, &step[0]) else { return Outcome::Unclear(1) };
+        let Some(solved) = self.solve(w, law, &step[0]) else { return Outcome::Unclear(PER_OCTAVE) };
         let solved = [solved];
         if !self.is_fine(&step, &solved, is_short) {
-            return Outcome::Unclear(1);
+            return Outcome::Unclear(PER_OCTAVE);
         }
         let outcome = self.watch(w, length, &step, &solved);
         if let Outcome::Clear = outcome {

@@ -4,7 +4,7 @@ use crate::march::certificate::FlightStep;
 use crate::march::crossing::Crossing;
 use crate::march::error::MarchError;
 use crate::march::flight::{LOCATED, Verdict, by_interpolant};
-use crate::march::kernel::Kernel;
+use crate::march::kernel::{Kernel, PER_OCTAVE};
 use crate::march::marcher::Marcher;
 use crate::march::state::{dot, dot_of_magnitudes};
 use crate::wide::Wide;
@@ -39,7 +39,7 @@ impl Marcher<'_> {
     /// Flies until a port strikes or until the end.
     #[inline(always)]
     pub(super) fn fly<W: Wide>(&mut self, w: W, end_s: f64) -> Result<(), MarchError> {
-        let mut grow = 1;
+        let mut grow = PER_OCTAVE;
         while self.time_s < end_s {
             let (level, remaining_s) = (self.flight_level, self.forced.remaining_s(self.time_s, end_s));
             let landing = Kernel::length_s(level) >= remaining_s;
@@ -55,7 +55,7 @@ impl Marcher<'_> {
                     }
                     self.work.flight_steps += 1;
                     self.flight_level = (level - grow).max(Kernel::coarsest());
-                    grow = 1;
+                    grow = PER_OCTAVE;
                 }
                 Outcome::Strikes(strikes) => {
                     self.strike_first(w, &strikes);

@@ -6,6 +6,7 @@ use crate::march::basis::NODES;
 use crate::march::contact_step::{Solved, Step};
 use crate::march::few::Few;
 use crate::march::joint_tables::{JointTables, Length};
+use crate::march::kernel::{Kernel, PER_OCTAVE};
 use crate::march::marcher::Marcher;
 use crate::march::port_state::Regime;
 use crate::march::state::{add_push, pushed, spread};
@@ -63,7 +64,7 @@ impl Marcher<'_> {
                 self.see(w, p);
                 self.observe_rest(p, step.table.length_s, &own.force);
                 self.put_back(p);
-                self.ports[p].level = (level - 1).max(crate::march::kernel::Kernel::coarsest());
+                self.ports[p].level = (level - PER_OCTAVE).max(Kernel::coarsest());
                 continue;
             }
             self.arrive(w, self.law(p), step, own);

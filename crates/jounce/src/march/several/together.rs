@@ -9,7 +9,7 @@ use crate::march::crossing::Crossing;
 use crate::march::error::MarchError;
 use crate::march::few::Few;
 use crate::march::joint_tables::{JointTables, Length};
-use crate::march::kernel::{Kernel, Shape};
+use crate::march::kernel::{Kernel, PER_OCTAVE, Shape};
 use crate::march::marcher::Marcher;
 use crate::march::port_state::Regime;
 use crate::wide::Wide;
@@ -25,7 +25,7 @@ impl Marcher<'_> {
     #[inline(always)]
     pub(super) fn together<W: Wide>(&mut self, w: W, end_s: f64) -> Result<(), MarchError> {
         // On steps this short no second contact can follow the first.
-        let safe = Kernel::level_within(1.0 / self.kernel.fastest_rad_s) + 3;
+        let safe = Kernel::level_within(1.0 / self.kernel.fastest_rad_s) + 3 * PER_OCTAVE;
         while self.time_s < end_s && self.switching.met.is_none() && !self.hits_rigid_stop() {
             self.let_go()?;
             let ports = self.ports_with_bases();
@@ -52,7 +52,7 @@ impl Marcher<'_> {
                         break;
                     }
                     Outcome::Strikes(strikes) if self.land_on_first(w, &ports, &strikes, level) => break,
-                    Outcome::Strikes(_) => level += 1,
+                    Outcome::Strikes(_) => level += PER_OCTAVE,
                     Outcome::Unclear(down) => level = if landing { Kernel::level_within(remaining_s) + down } else { level + down },
                 }
                 self.work.contact_rejections += 1;
@@ -81,7 +81,7 @@ impl Marcher<'_> {
         let resting = Resting::new(self, &tables);
         let solved = self.solve_joint(w, &joint, &resting);
         let Some(solved) = solved.filter(|all| self.is_fine(&joint.steps, all, is_short)) else {
-            return Outcome::Unclear(1);
+            return Outcome::Unclear(PER_OCTAVE);
         };
         let outcome = self.watch(w, length, &joint.steps, &solved);
         if let Outcome::Clear = outcome {
