@@ -98,7 +98,7 @@ impl<'f, F: Family> Walk<'f, F> {
             match correct(self.family, &self.corrector, &metric, &ahead, guess.clone()) {
                 Ok(found) => {
                     let way = metric.length(&guess.to(&found.position));
-                    if self.behind.is_some() && self.control.strayed(way, self.length, found.evaluations) {
+                    if self.behind.is_some() && self.control.strayed(way, self.length, found.evaluations, self.corrector.goal) {
                         last = found.error;
                     } else if let Some(step) = self.take(found, &ahead) {
                         return Ok(step);
