@@ -9,6 +9,7 @@
 //! parameter it is exact for drive, gap and stiffness, and a difference otherwise.
 
 use super::border::solve_bordered;
+use super::charges::{kept_charges, without};
 use super::{Change, Harvester, Orbit, OrbitError, OrbitMethod, nearest_extremum_m};
 use crate::continuation::{Direction, Family, Linear, Metric, Position, tangent};
 use crate::march::{Drift, Kernel, Trajectory, Variation};
@@ -37,7 +38,7 @@ pub struct Shot {
     pub looks: Vec<Vec<f64>>,
     /// `R`.
     pub(super) residual: Vec<f64>,
-    /// `d u(n T) / d u(0)`.
+    /// `d u(n T) / d u(0)` at the charges that the period keeps (see [`kept_charges`]).
     pub map: Mat<f64>,
     /// `dR / dp`.
     pub(super) by_parameter: Vec<f64>,
@@ -49,7 +50,7 @@ pub struct Shot {
     pub contacts: u64,
     /// Largest penetration, m.
     pub max_penetration_m: f64,
-    /// Mean power of each load, W.
+    /// Mean power of each load and then of each rectified circuit, W.
     pub loads_w: Vec<f64>,
     /// Tolerance of the march.
     pub(super) tolerance: f64,
@@ -94,7 +95,7 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         // d y / dp: the state is held, so that its part without the steady one moves against it.
         let mut by_parameter: Vec<f64> = change.steady.iter().map(|s| -s).collect();
         let (mut trajectories, mut contacts, mut max_penetration_m, mut loads_w) =
-            (Vec::new(), 0, 0.0_f64, vec![0.0; plant.system.loads.len()]);
+            (Vec::new(), 0, 0.0_f64, vec![0.0; plant.system.loads.len() + plant.system.bridges.len()]);
         for _ in 0..self.cycles {
             let cycle = Variation::march(&kernel, &y, 0.0, cycle_s, self.tolerance, &change.drift)?;
             by_parameter = (0..n)
@@ -109,7 +110,7 @@ impl<'h, H: Harvester> Shooting<'h, H> {
             looks.push(self.unknown(&apply(plant.diagonal.to_physical.as_ref(), &full)));
             contacts += cycle.statistics.contacts;
             max_penetration_m = max_penetration_m.max(cycle.statistics.max_penetration_m);
-            loads_w.iter_mut().zip(&cycle.loads_j).for_each(|(sum, j)| *sum += j / (cycle_s * f64::from(self.cycles)));
+            loads_w.iter_mut().zip(&cycle.delivered_j).for_each(|(sum, j)| *sum += j / (cycle_s * f64::from(self.cycles)));
             trajectories.push(cycle.trajectory);
         }
         by_parameter.iter_mut().zip(&change.steady).for_each(|(y, s)| *y += s);
@@ -117,7 +118,7 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         let (into, out) = (&plant.diagonal.from_physical, &plant.diagonal.to_physical);
         let left = Mat::from_fn(n, n, |i, j| self.scale[i] * out[(i, j)]);
         let right = Mat::from_fn(n, n, |i, j| into[(i, j)] / self.scale[j]);
-        let map = &left * &map * &right;
+        let map = without(&left * &map * &right, &kept_charges(plant, &self.scale, &trajectories));
         let residual = looks[looks.len() - 1].iter().zip(unknown).map(|(end, start)| end - start).collect();
         let period_s = cycle_s * f64::from(self.cycles);
         let tolerance = self.tolerance;

@@ -15,6 +15,7 @@ mod isolated;
 mod oscillators;
 mod paper;
 mod peaks;
+mod rectified;
 #[path = "../linear/rows.rs"]
 #[expect(dead_code, reason = "rows are checked one by one here")]
 mod rows;
