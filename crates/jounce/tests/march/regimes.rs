@@ -50,6 +50,20 @@ fn diodes_and_switches() {
     }
 }
 
+/// A voltage turned over beyond that of the storage: the diodes conduct at the very instant of the switch, and their current jumps.
+#[test]
+fn diodes_that_conduct_at_once_after_a_switch() {
+    let mut system = without_stop(Scheme::ParallelSshi { inversion: 0.9 }, CAPACITOR);
+    system.bridges[0].diode_ohm = 1.0;
+    let kernel = kernel(system);
+    let (error, rate, changes, _) = checked(&kernel);
+    let (y, period_s) = settled(&kernel);
+    let found = Variation::march(&kernel, &y, 0.0, period_s, 1e-12, &Drift::default()).unwrap();
+    let at_once = found.trajectory.changes().windows(2).filter(|pair| pair[0].flipped.is_some() && pair[0].after == pair[1].after).count();
+    eprintln!("{error:.1e}, rate {rate:.1e}, {changes} changes, {at_once} at once");
+    assert!(error < 1e-6 && rate < 1e-6 && at_once > 0, "{error:e} {rate:e}");
+}
+
 /// Diodes that change and switches that close while the point is pressed into its stop, or while it flies.
 #[test]
 fn diodes_and_switches_beside_a_stop() {

@@ -8,11 +8,16 @@ use jounce::spec::SpecFile;
 use jounce::study::{BranchSearch, Method, Parameter, Prepared, StudyError};
 use std::f64::consts::{PI, TAU};
 
-/// The example, with some keys changed, its diodes left at their default where the interface has none.
-fn file(settings: &[(&str, &str)]) -> SpecFile {
+/// The example without the lines of some keys.
+fn without(keys: &[&str]) -> SpecFile {
     let text = std::fs::read_to_string(folder("rectified-shu-lien-2006").join("harvester.toml")).unwrap();
-    let text: String = text.lines().filter(|line| !line.starts_with("diode_resistance")).map(|line| format!("{line}\n")).collect();
-    let mut file = SpecFile::from_text(text);
+    let stays = |line: &&str| !keys.iter().any(|key| line.split_whitespace().next() == Some(key));
+    SpecFile::from_text(text.lines().filter(stays).map(|line| format!("{line}\n")).collect::<String>())
+}
+
+/// The example, with some keys changed, its diodes left at their default: not every interface has them.
+fn file(settings: &[(&str, &str)]) -> SpecFile {
+    let mut file = without(&["diode_resistance"]);
     settings.iter().for_each(|(key, value)| file.set(key, value).unwrap());
     file
 }
@@ -36,15 +41,20 @@ fn orbit(file: &SpecFile, storage_v: f64) -> (Prepared, Orbit) {
     (base, orbit)
 }
 
-/// Power of the strongly coupled cell with 2000 F of smoothing, by direct integration at a fixed voltage: the orbit gives in a few Newton steps
-/// what a march gives after thousands of cycles, in which the storage charges.
+/// Power of the strongly coupled cell by direct integration at a fixed voltage of 1 V, 2.37962. A battery gives that to 2.1e-5, as in the march; 2000 F
+/// of smoothing ripple, which makes 1.8e-4. The orbit gives in a few Newton steps what a march gives after thousands of cycles, in which the
+/// storage charges.
 #[test]
 fn the_orbit_has_the_power_of_direct_integration() {
-    let (base, orbit) = orbit(&file(&[("circuit.rectifier.diode_resistance", "1 uohm")]), 1.0);
-    let slowest = (-TAU / base.kernel.plant.tones[0].angular_frequency_rad_s / (2000.0 * 0.420236)).exp();
-    eprintln!("{:.6} W, multiplier {:.6} of {slowest:.6} without a source", orbit.mean_power_w, orbit.floquet_max_abs());
-    assert!((orbit.mean_power_w / 2.37962 - 1.0).abs() < 1e-4 && orbit.is_stable());
-    assert!(orbit.error_estimate < 1e-6, "{}", orbit.error_estimate);
+    for (settings, allowed) in [(&[][..], 3e-4), (&[("circuit.rectifier.battery", "1 V")][..], 6e-5)] {
+        let mut file = without(&["storage", "resistance", "diode_resistance"][..2 * settings.len()]);
+        file.set("circuit.rectifier.diode_resistance", "1 uohm").unwrap();
+        settings.iter().for_each(|(key, value)| file.set(key, value).unwrap());
+        let (_, orbit) = orbit(&file, 1.0);
+        let error = orbit.mean_power_w / 2.37962 - 1.0;
+        eprintln!("{settings:?}: {error:.1e}, multiplier {:.6}, error estimate {:.1e}", orbit.floquet_max_abs(), orbit.error_estimate);
+        assert!(error.abs() < allowed && orbit.is_stable() && orbit.error_estimate < 1e-6);
+    }
 }
 
 /// Weak coupling, `theta = 1e-5`: the powers of the interfaces are in closed form (Guyomar et al. 2005, Lefeuvre et al. 2006). A storage of
@@ -72,36 +82,50 @@ fn weakly_coupled_interfaces_have_their_closed_forms() {
         );
         let (_, orbit) = orbit(&SpecFile::from_text(text), 0.0);
         let modulus = (-zeta * TAU / w).exp();
+        // Both switches of a cycle leave of a voltage what the swing does.
+        let electrical = if interface == "series-sshi" { q * q } else { 0.0 };
         eprintln!("{interface}: {:.2e} off, multipliers {:?}", orbit.mean_power_w / power - 1.0, orbit.multipliers);
         assert!((orbit.mean_power_w / power - 1.0).abs() < 1e-8, "{interface}: {:e} against {power:e}", orbit.mean_power_w);
         // The motion does not feel the circuit.
-        assert!(orbit.multipliers.iter().any(|value| (value.norm() - modulus).abs() < 1e-8), "{interface}: {:?}", orbit.multipliers);
+        let near = |size: f64| orbit.multipliers.iter().any(|value| (value.norm() - size).abs() < 1e-8);
+        assert!(near(modulus) && near(electrical), "{interface}: {:?}", orbit.multipliers);
     }
 }
 
-/// A disturbance of the orbit, marched, shrinks from cycle to cycle by the largest multiplier.
+/// A marched disturbance obeys the polynomial of the multipliers from cycle to cycle: `sum_k c_k d_k = 0`, `prod (x - m) = sum_k c_k x^k`.
 #[test]
-fn a_disturbance_decays_by_the_largest_multiplier() {
+fn a_disturbance_decays_by_the_multipliers() {
     for (interface, quality) in [("bridge", None), ("parallel-sshi", Some("5")), ("series-sshi", Some("5")), ("sece", None)] {
         let mut settings = vec![("circuit.rectifier.interface", interface), ("circuit.rectifier.storage", "20 F")];
         settings.extend(quality.map(|quality| ("circuit.rectifier.quality_factor", quality)));
         let (base, orbit) = orbit(&file(&settings), 1.0);
         let kernel = &base.kernel;
-        let scale: Vec<f64> = (1..3).map(|_| 1.0).chain(kernel.plant.electrical.energy_scale()).collect();
-        let physical: Vec<f64> = orbit.start().iter().zip(&scale).map(|(u, w)| u / w).collect();
-        let mut away = physical.clone();
-        away[3] += 1e-4;
-        let cycle_s = TAU / kernel.plant.tones[0].angular_frequency_rad_s;
-        let mut distances = Vec::new();
-        for _ in 0..60 {
-            let mut marcher = Marcher::new(kernel, &kernel.plant.from_physical(&away, 0.0), 0.0, 1e-12).unwrap();
-            marcher.advance_to(cycle_s).unwrap();
-            away = kernel.plant.to_physical(&marcher.state(), 0.0);
-            distances.push(away.iter().zip(&physical).zip(&scale).map(|((a, b), w)| (w * (a - b)).powi(2)).sum::<f64>().sqrt());
+        let scale: Vec<f64> = [1.0, 1.0].into_iter().chain(kernel.plant.electrical.energy_scale()).collect();
+        let mut on: Vec<f64> = orbit.start().iter().zip(&scale).map(|(u, w)| u / w).collect();
+        let mut polynomial = vec![faer::c64::new(1.0, 0.0)];
+        for value in &orbit.multipliers {
+            let higher = std::iter::once(faer::c64::new(0.0, 0.0)).chain(polynomial.iter().copied());
+            let lower = polynomial.iter().map(|c| -*c * *value).chain([faer::c64::new(0.0, 0.0)]);
+            polynomial = higher.zip(lower).map(|(a, b)| a + b).collect();
         }
-        let rate = (distances[59] / distances[39]).powf(1.0 / 20.0);
-        eprintln!("{interface}: {:.6e} W, {rate:.6} a cycle, multiplier {:.6}", orbit.mean_power_w, orbit.floquet_max_abs());
-        assert!((rate / orbit.floquet_max_abs() - 1.0).abs() < 1e-3, "{interface}: {rate} {:?}", orbit.multipliers);
+        let cycle_s = TAU / kernel.plant.tones[0].angular_frequency_rad_s;
+        let mut away: Vec<f64> = on.iter().enumerate().map(|(i, x)| x + [2e-7, -1e-7, 3e-7, 1e-7][i]).collect();
+        let (mut sum, mut largest) = (vec![0.0; 4], 0.0_f64);
+        for c in &polynomial {
+            for i in 0..4 {
+                let term = c.re * scale[i] * (away[i] - on[i]);
+                sum[i] += term;
+                largest = largest.max(term.abs());
+            }
+            for state in [&mut on, &mut away] {
+                let mut marcher = Marcher::new(kernel, &kernel.plant.from_physical(state, 0.0), 0.0, 1e-12).unwrap();
+                marcher.advance_to(cycle_s).unwrap();
+                *state = kernel.plant.to_physical(&marcher.state(), 0.0);
+            }
+        }
+        let error = sum.iter().fold(0.0_f64, |max, s| max.max(s.abs())) / largest;
+        eprintln!("{interface}: {:.6e} W, {error:.1e}, {:?}", orbit.mean_power_w, orbit.multipliers);
+        assert!(error < 1e-4 && orbit.is_stable(), "{interface}: {error:e}");
     }
 }
 
@@ -133,10 +157,7 @@ fn a_branch_over_the_load_has_the_power_of_settled_marches() {
 /// A battery above the open voltage takes nothing, and the charge of the patch is anybody's: the orbit at the charge of the start.
 #[test]
 fn diodes_that_never_conduct_leave_a_charge_alone() {
-    let mut file = file(&[("circuit.rectifier.battery", "50 V")]);
-    for key in ["storage", "resistance"] {
-        file = SpecFile::from_text(file.text().lines().filter(|line| !line.starts_with(key)).map(|line| format!("{line}\n")).collect::<String>());
-    }
+    let mut file = without(&["storage", "resistance"]);
     file.set("circuit.rectifier.battery", "50 V").unwrap();
     let (base, orbit) = orbit(&file, 0.0);
     let steady = base.kernel.plant.to_physical(&vec![0.0; base.kernel.plant.len()], 0.0);

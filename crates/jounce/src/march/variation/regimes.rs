@@ -8,7 +8,7 @@
 //! in physical states `x = (q, q', V, i)`, which all regimes share. Where diodes change the current through them is zero, so that the rate
 //! `x'` is the same on both sides and the derivative passes as it is. A switch acts at an extremum of the charge `theta . q`; `R` is what
 //! it does to the state and `s` (s) how much later it falls. Where an impact on a rigid stop turns the current over, `s` is that of the
-//! impact.
+//! impact; diodes that conduct at once after a switch go with it, `dx+ = dx- + (x'- - x'+) s`, for then their current jumps.
 
 use super::linearisation::{Linearisation, Passed, Stretch};
 use super::tangents::{Tangents, scale};
@@ -18,7 +18,7 @@ use crate::march::kernel::Kernel;
 use crate::march::trajectory::{Impact, Switched, Trajectory};
 use crate::plant::Size;
 use crate::wide::{Lane, Portable, widest};
-use faer::{MatRef, c64};
+use faer::{Mat, MatRef, c64};
 
 /// A recorded march, and how it ended.
 pub struct Route<'a> {
@@ -41,13 +41,15 @@ impl Route<'_> {
         let mut tangents = Tangents::identity(self.base.plant.len());
         let first = changes.first().map_or(self.end_regime, |change| change.regime);
         self.into_regime(&mut tangents, 0, first)?;
-        let mut from = 0;
+        let (mut from, mut cause) = (0, None);
         for (k, change) in changes.iter().enumerate() {
             let own = self.kernel(change.regime)?;
             let end = own.plant.from_physical(&change.state, change.time_s);
             let passed = self.stretch(own, (from, change.after), (change.time_s, &end), tangents)?;
+            // What an impact or a switch brings about falls with it.
+            let cause_s = passed.delay_s.or(cause.filter(|_| change.after == from));
             let next = changes.get(k + 1).map_or(self.end_regime, |next| next.regime);
-            tangents = self.change(passed, change, next)?;
+            (tangents, cause) = self.change(passed.tangents, cause_s, change, next)?;
             from = change.after;
         }
         let own = self.kernel(self.end_regime)?;
@@ -88,27 +90,35 @@ impl Route<'_> {
         widest(Linearisation::new(own, self.drift, stretch, sizes, tangents))
     }
 
-    /// Through a change into the next regime.
-    fn change(&self, passed: Passed, change: &Switched, next: usize) -> Result<Tangents, VariationError> {
-        let Passed { mut tangents, delay_s } = passed;
-        let Some(bridge) = change.flipped else {
+    /// Through a change into the next regime; `cause_s` is how much later its cause falls, where it has one but itself. With how much later
+    /// the change falls, s, where it makes the rate jump.
+    fn change(
+        &self,
+        mut tangents: Tangents,
+        cause_s: Option<Vec<Lane>>,
+        change: &Switched,
+        next: usize,
+    ) -> Result<(Tangents, Option<Vec<Lane>>), VariationError> {
+        if change.flipped.is_none() && cause_s.is_none() {
             self.into_regime(&mut tangents, change.regime, next)?;
-            return Ok(tangents);
-        };
+            return Ok((tangents, None));
+        }
         let (own, other) = (self.kernel(change.regime)?, self.kernel(next)?);
         let before = rate(own, &change.state, change.time_s, &change.forces_n);
-        let flip = Flip::of(&self.base.plant, bridge, &change.state);
-        let mut state = change.state.clone();
-        flip.enter(&self.base.plant, bridge, &mut state);
-        let after = rate(other, &state, change.time_s, &change.forces_n);
+        let (mut state, mut slopes) = (change.state.clone(), Mat::identity(change.state.len(), change.state.len()));
         tangents.transform(own.plant.diagonal.to_physical.as_ref());
-        let delay_s = delay_s.unwrap_or_else(|| self.delay_s(&tangents, bridge, &before));
-        let slopes = self.slopes(bridge, &flip);
-        tangents.transform(slopes.as_ref());
+        let delay_s = cause_s.unwrap_or_else(|| change.flipped.map_or_else(Vec::new, |bridge| self.delay_s(&tangents, bridge, &before)));
+        if let Some(bridge) = change.flipped {
+            let flip = Flip::of(&self.base.plant, bridge, &change.state);
+            flip.enter(&self.base.plant, bridge, &mut state);
+            slopes = self.slopes(bridge, &flip);
+            tangents.transform(slopes.as_ref());
+        }
+        let after = rate(other, &state, change.time_s, &change.forces_n);
         let jump: Vec<f64> = product(slopes.as_ref(), &before).iter().zip(after).map(|(carried, after)| carried - after).collect();
         tangents.add_product(Portable::new(), &jump, 1.0, &delay_s);
         tangents.transform(other.plant.diagonal.from_physical.as_ref());
-        Ok(tangents)
+        Ok((tangents, Some(delay_s)))
     }
 
     /// How much later the current of a bridge passes zero, s; `rate` is that of the physical state.
@@ -125,11 +135,11 @@ impl Route<'_> {
     }
 
     /// `R'`.
-    fn slopes(&self, bridge: usize, flip: &Flip) -> faer::Mat<f64> {
+    fn slopes(&self, bridge: usize, flip: &Flip) -> Mat<f64> {
         let (plant, nodes) = (&self.base.plant, self.base.plant.electrical.bridges[bridge]);
         let first = 2 * plant.system.modes.len();
         let places = [Some(nodes.terminal), nodes.storage].map(|node| node.map(|node| first + node));
-        let mut slopes = faer::Mat::identity(plant.len(), plant.len());
+        let mut slopes = Mat::identity(plant.len(), plant.len());
         for (i, row) in places.iter().enumerate() {
             for (j, column) in places.iter().enumerate() {
                 if let (Some(row), Some(column)) = (row, column) {
