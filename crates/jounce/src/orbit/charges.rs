@@ -4,8 +4,8 @@
 //! Q = C V + theta . q,   l M = l,   l = dQ/du
 //! ```
 //!
-//! Each orbit is one of a family over `Q`, so that `M - I` is singular. The orbit at the charge from which Newton started is meant, and its
-//! stability at that charge: `M - l' l` has 0 in place of the multiplier 1, all others as they are, and Newton keeps the charge.
+//! Each orbit is one of a family over `Q`, so that `M - I` is singular. The orbit at one charge is meant, and its stability at that charge:
+//! `R + l' (Q - l u)` takes the place of the residual, and `M - l' l`, with 0 for the multiplier 1 and all others as they are, that of `M`.
 
 use crate::march::Trajectory;
 use crate::plant::{Conduction, Plant};

@@ -7,6 +7,9 @@ use crate::plant::{Storage, System};
 use faer::ColRef;
 use std::f64::consts::TAU;
 
+/// Part of the energy of the motion in a period from which on the power of rectified circuits is told by its own size.
+const LEAST: f64 = 1e-6;
+
 impl<H: Harvester> Shooting<'_, H> {
     /// What a shot says, but for its error.
     pub(super) fn answer(&self, shot: &Shot) -> Result<Orbit, OrbitError<H::Error>> {
@@ -42,9 +45,15 @@ impl<H: Harvester> Shooting<'_, H> {
         let state = size(&correction) / size(&shot.looks[0]).max(f64::MIN_POSITIVE);
         let there: Vec<f64> = shot.looks[0].iter().zip(&correction).map(|(u, d)| u + d).collect();
         // Beside a fold the correction can lead so far that nothing can be marched there: its own length is then all that is known.
+        // Diodes may pass as little as they like: power counts from a small part of what the motion holds.
+        let least_w = if shot.kernel.plant.system.bridges.is_empty() {
+            f64::MIN_POSITIVE
+        } else {
+            LEAST * 0.5 * size(&shot.looks[0]).powi(2) / shot.period_s
+        };
         let power = self
             .marched_power_w(&shot.kernel, &there)
-            .map_or(state, |exact_w| (orbit.mean_power_w - exact_w).abs() / exact_w.abs().max(f64::MIN_POSITIVE));
+            .map_or(state, |exact_w| (orbit.mean_power_w - exact_w).abs() / exact_w.abs().max(least_w));
         defect + state.max(power)
     }
 

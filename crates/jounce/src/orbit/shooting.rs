@@ -27,6 +27,8 @@ pub struct Shooting<'h, H> {
     pub tolerance: f64,
     /// `W`.
     pub scale: Vec<f64>,
+    /// `u` whose charges are meant where nothing lets them go in a period; nothing was ever charged where it is empty.
+    pub charged: Vec<f64>,
 }
 
 /// A period as marched, with its derivative.
@@ -63,7 +65,14 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         let drive = kernel.plant.tones.first().map_or(1.0, |tone| tone.angular_frequency_rad_s);
         let stiff = modes.frequency_rad_s.iter().map(|w| if *w > 0.0 { *w } else { drive });
         let scale = stiff.chain(std::iter::repeat_n(1.0, modes.len())).chain(kernel.plant.electrical.energy_scale());
-        Self { harvester, cycles, tolerance, scale: scale.collect() }
+        Self { harvester, cycles, tolerance, scale: scale.collect(), charged: Vec::new() }
+    }
+
+    /// The same at the charges of a physical state.
+    #[must_use]
+    pub fn charged_as(mut self, physical: &[f64]) -> Self {
+        self.charged = self.unknown(physical);
+        self
     }
 
     /// `u` of a physical state.
@@ -118,8 +127,13 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         let (into, out) = (&plant.diagonal.from_physical, &plant.diagonal.to_physical);
         let left = Mat::from_fn(n, n, |i, j| self.scale[i] * out[(i, j)]);
         let right = Mat::from_fn(n, n, |i, j| into[(i, j)] / self.scale[j]);
-        let map = without(&left * &map * &right, &kept_charges(plant, &self.scale, &trajectories));
-        let residual = looks[looks.len() - 1].iter().zip(unknown).map(|(end, start)| end - start).collect();
+        let kept = kept_charges(plant, &self.scale, &trajectories);
+        let map = without(&left * &map * &right, &kept);
+        let mut residual: Vec<f64> = looks[looks.len() - 1].iter().zip(unknown).map(|(end, start)| end - start).collect();
+        for row in &kept {
+            let missing: f64 = row.iter().enumerate().map(|(i, l)| l * (self.charged.get(i).copied().unwrap_or(0.0) - unknown[i])).sum();
+            residual.iter_mut().zip(row).for_each(|(r, l)| *r += l * missing);
+        }
         let period_s = cycle_s * f64::from(self.cycles);
         let tolerance = self.tolerance;
         let shot =

@@ -164,8 +164,8 @@ impl<H: Harvester> OrbitMethod for HarmonicBalance<'_, H> {
     }
 
     fn finer(&self) -> Option<Self> {
-        let Shooting { harvester, cycles, tolerance, ref scale } = self.shooting;
-        let shooting = Shooting { harvester, cycles, tolerance, scale: scale.clone() };
+        let Shooting { harvester, cycles, tolerance, ref scale, ref charged } = self.shooting;
+        let shooting = Shooting { harvester, cycles, tolerance, scale: scale.clone(), charged: charged.clone() };
         let (harmonics, accuracy, rules) = (self.harmonics + self.harmonics / 2, self.accuracy, Arc::clone(&self.rules));
         (harmonics <= MOST * cycles as usize).then(|| Self { shooting, harmonics, accuracy, grid: grid(harmonics), rules })
     }
