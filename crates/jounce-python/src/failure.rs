@@ -144,7 +144,7 @@ impl From<StudyError> for Failure {
             StudyError::Value(fault) => fault.into(),
             StudyError::StartFile { .. } => Self::new("StartError", error),
             StudyError::Journal(error) => Self::new("FileError", error),
-            StudyError::Aperiodic { .. } | StudyError::Rectified { .. } => Self::new("OrbitError", error),
+            StudyError::Aperiodic { .. } => Self::new("OrbitError", error),
             StudyError::NoNoise => Self::new("ArgumentError", error),
         }
     }
@@ -167,7 +167,7 @@ impl From<OrbitError<StudyError>> for Failure {
             OrbitError::Harvester(error) => error.into(),
             OrbitError::March(VariationError::March(error)) => Self::of("MarchError", &error),
             OrbitError::March(error) => Self::new("MarchError", error),
-            OrbitError::Frequencies { .. } | OrbitError::Impulsive { .. } | OrbitError::SeveralStops { .. } | OrbitError::Gravity => {
+            OrbitError::Frequencies { .. } | OrbitError::Impulsive { .. } | OrbitError::SeveralStops { .. } | OrbitError::Rectified { .. } | OrbitError::Gravity => {
                 Self::new("OrbitError", error)
             }
             OrbitError::Multipliers { .. } => Self::new("ConvergenceError", error),

@@ -1,8 +1,5 @@
 //! How long the next step may be.
 
-/// How many times Newton's goal two guesses of one place may lie apart: each end of the stretch behind adds its own, drawn out.
-const FEW: f64 = 10.0;
-
 /// Limits and the law of the step, lengths in the metric.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StepControl {
@@ -32,10 +29,9 @@ impl StepControl {
         turn > 3.0 * self.turn
     }
 
-    /// True when Newton went so far, or took so long, on a step of a length that it may have found another curve. The places of a curve
-    /// are known within Newton's `goal` only: a way of a few of these says nothing.
-    pub fn strayed(&self, way: f64, length: f64, evaluations: u32, goal: f64) -> bool {
-        way > (self.stray * length).max(FEW * goal) || evaluations > self.most_evaluations
+    /// True when Newton went so far, or took so long, on a step of a length that it may have found another curve.
+    pub fn strayed(&self, way: f64, length: f64, evaluations: u32) -> bool {
+        way > self.stray * length || evaluations > self.most_evaluations
     }
 
     /// Length of the step after one that took `evaluations` and turned the tangent by `turn`.

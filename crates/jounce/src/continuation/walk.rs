@@ -3,6 +3,9 @@
 use super::corrector::Corrected;
 use super::{Corrector, Direction, Family, Metric, Position, StepControl, Stretch, WalkError, correct, tangent};
 
+/// Distance from the curve, in goals of Newton, of a guess that polynomials through points within the goal give.
+const KNOWN: f64 = 10.0;
+
 /// A point of a curve with its tangent.
 #[derive(Debug)]
 pub struct Step<L> {
@@ -97,8 +100,9 @@ impl<'f, F: Family> Walk<'f, F> {
             };
             match correct(self.family, &self.corrector, &metric, &ahead, guess.clone()) {
                 Ok(found) => {
-                    let way = metric.length(&guess.to(&found.position));
-                    if self.behind.is_some() && self.control.strayed(way, self.length, found.evaluations, self.corrector.goal) {
+                    // A place is known to Newton's goal, and so is a guess from places.
+                    let way = metric.length(&guess.to(&found.position)) - KNOWN * self.corrector.goal;
+                    if self.behind.is_some() && self.control.strayed(way, self.length, found.evaluations) {
                         last = found.error;
                     } else if let Some(step) = self.take(found, &ahead) {
                         return Ok(step);

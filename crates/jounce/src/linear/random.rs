@@ -103,7 +103,7 @@ impl Random {
         Ok(RandomAnswer {
             drives: self.noises.iter().map(|noise| noise.name.clone()).collect(),
             left_out: self.left_out.clone(),
-            mean_power_w: loads.iter().map(|load| load.mean_power_w).sum(),
+            mean_power_w: loads.iter().map(|load| load.mean_power_w).fold(0.0, |sum, own| sum + own),
             loads,
             patches: patches
                 .map(|(index, name)| RandomPatch { name: name.clone(), voltage_rms_v: self.rms(&self.plant.voltage_row(index)) })

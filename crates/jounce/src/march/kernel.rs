@@ -60,8 +60,12 @@ pub struct Kernel {
     /// They depend on the plant without its drives only, so that plants that differ in drives share them.
     levels: Arc<Vec<Level>>,
     /// The same plant in each other regime of its bridges, made when first entered; the first stays empty.
-    regimes: Arc<Vec<OnceLock<Result<Kernel, PlantError>>>>,
+    regimes: Regimes,
+    /// Those of the plant from which this one came by a change of drives or stops, whose tables they share.
+    kin: Regimes,
 }
+
+type Regimes = Arc<Vec<OnceLock<Result<Kernel, PlantError>>>>;
 
 /// The tables of one step length.
 #[derive(Debug)]
@@ -102,6 +106,7 @@ impl Kernel {
             onset: Arc::new(onsets(&plant)),
             levels: Arc::new(levels(&plant)),
             regimes: regimes(&plant),
+            kin: regimes(&plant),
             watch: Watch::default(),
             meters,
             plant,
@@ -135,6 +140,7 @@ impl Kernel {
         Ok(Self {
             meters: self.meters.with_drives(&plant)?,
             regimes: regimes(&plant),
+            kin: Arc::clone(&self.kin),
             plant,
             layout: self.layout,
             generator: self.generator.clone(),
@@ -164,6 +170,7 @@ impl Kernel {
             onset: if fit { Arc::clone(&self.onset) } else { Arc::new(onsets(&plant)) },
             levels: if fit { Arc::clone(&self.levels) } else { Arc::new(levels(&plant)) },
             regimes: regimes(&plant),
+            kin: Arc::clone(&self.kin),
             watch: self.watch.clone(),
             plant,
         })
@@ -173,11 +180,16 @@ impl Kernel {
     ///
     /// # Errors
     /// Those of [`Plant::new`] and [`Kernel::new`].
-    pub(super) fn in_regime(&self, regime: usize) -> Result<&Self, PlantError> {
+    pub fn in_regime(&self, regime: usize) -> Result<&Self, PlantError> {
         if regime == 0 {
             return Ok(self);
         }
-        let make = || Ok(Self::new(Plant::new(self.plant.system.in_regime(regime))?)?.watched_by(&self.watch));
+        let make = || {
+            let system = self.plant.system.in_regime(regime);
+            let first = self.kin[regime].get_or_init(|| Self::new(Plant::new(system.clone())?)).as_ref().map_err(Clone::clone)?;
+            let own = first.with_stops(system.stops)?.with_drives(system.drives)?.with_signals(system.signals)?;
+            Ok(own.watched_by(&self.watch))
+        };
         self.regimes[regime].get_or_init(make).as_ref().map_err(Clone::clone)
     }
 
@@ -283,7 +295,7 @@ impl Kernel {
 }
 
 /// Places for all regimes of a plant whose bridges are blocked.
-fn regimes(plant: &Plant) -> Arc<Vec<OnceLock<Result<Kernel, PlantError>>>> {
+fn regimes(plant: &Plant) -> Regimes {
     let is_first = plant.system.bridges.iter().all(|bridge| bridge.state == BridgeState::default());
     let count = if is_first && !plant.system.bridges.is_empty() { plant.system.regimes() } else { 0 };
     Arc::new((0..count).map(|_| OnceLock::new()).collect())

@@ -8,11 +8,13 @@
 
 use super::energies::Energies;
 use super::error::MarchError;
+use super::flip::Flip;
 use super::gains::Gains;
 use super::marcher::Marcher;
 use super::port_state::{PortState, Regime};
 use super::rectified::RectifiedEnergies;
-use crate::plant::{Bridge, BridgeNodes, BridgeState, Change, Conduction, Outlet, Output, Scheme, Storage};
+use super::trajectory::Switched;
+use crate::plant::{BridgeNodes, BridgeState, Change, Conduction, Outlet, Output};
 
 /// Most changes of bridges at one instant. A switch may close many times there: where the voltage that it turns over holds the current
 /// at zero from either side, it closes until too little of the voltage is left.
@@ -67,6 +69,7 @@ impl Marcher<'_> {
             let guard = self.kernel.plant.guards[p - self.kernel.plant.system.stops.len()].clone();
             self.count_change(guard.bridge)?;
             let mut x = self.physical();
+            self.note_change(guard.change, guard.bridge, &x);
             self.close_regime();
             let mut states: Vec<BridgeState> = self.kernel.plant.system.bridges.iter().map(|bridge| bridge.state).collect();
             match guard.change {
@@ -80,6 +83,15 @@ impl Marcher<'_> {
             self.change_to(&states, &x)?;
         }
         Ok(())
+    }
+
+    /// Keeps a change in the record.
+    fn note_change(&mut self, change: Change, bridge: usize, x: &[f64]) {
+        let (regime, time_s, forces_n) = (self.switching.regime, self.time_s, self.forces_n());
+        if let Some(record) = &mut self.record {
+            let flipped = (change == Change::Switches).then_some(bridge);
+            record.push_change(Switched { after: record.segments().len(), time_s, regime, flipped, state: x.to_vec(), forces_n });
+        }
     }
 
     fn count_change(&mut self, bridge: usize) -> Result<(), MarchError> {
@@ -96,7 +108,7 @@ impl Marcher<'_> {
     }
 
     /// A guard that has been passed.
-    fn passed(&self) -> Option<usize> {
+    pub(super) fn passed(&self) -> Option<usize> {
         let stops = self.kernel.plant.system.stops.len();
         (stops..self.kernel.plant.ports.len()).find(|p| self.ports[*p].penetration_m > 0.0)
     }
@@ -151,36 +163,10 @@ impl Marcher<'_> {
 
     /// An extremum: what the switch does to the state and where the energy goes.
     fn switch(&mut self, k: usize, x: &mut [f64]) {
-        let plant = &self.base.plant;
-        let (bridge, nodes) = (&plant.system.bridges[k], plant.electrical.bridges[k]);
-        let first = 2 * plant.system.modes.len();
-        let capacitance_f = plant.electrical.nodes[nodes.terminal].capacitance_f;
-        let stored = |x: &[f64]| -> f64 {
-            let of = |node: usize| 0.5 * plant.electrical.nodes[node].capacitance_f * x[first + node].powi(2);
-            of(nodes.terminal) + nodes.storage.map_or(0.0, of)
-        };
-        let (before_j, voltage_v) = (stored(x), x[first + nodes.terminal]);
-        let mut taken = RectifiedEnergies::default();
-        match bridge.scheme {
-            Scheme::Standard => {}
-            Scheme::ParallelSshi { inversion } => x[first + nodes.terminal] = -inversion * voltage_v,
-            Scheme::SeriesSshi { inversion } => swing(bridge, inversion, capacitance_f, nodes, &mut x[first..], &mut taken),
-            Scheme::Extraction { efficiency } => {
-                let arrives_j = efficiency * 0.5 * capacitance_f * voltage_v * voltage_v;
-                x[first + nodes.terminal] = 0.0;
-                match (bridge.storage, nodes.storage) {
-                    (Storage::Capacitor { capacitance_f, .. }, Some(storage)) => {
-                        let held_v = x[first + storage];
-                        x[first + storage] = (held_v * held_v + 2.0 * arrives_j / capacitance_f).sqrt();
-                    }
-                    _ => taken.battery_j = arrives_j,
-                }
-            }
-        }
-        let change_j = stored(x) - before_j;
-        taken.switch_j = -change_j - taken.battery_j - taken.diodes_j;
-        self.switching.earlier.stored_j += change_j;
-        self.switching.earlier.rectified[k].add(&taken);
+        let flip = Flip::of(&self.base.plant, k, x);
+        flip.enter(&self.base.plant, k, x);
+        self.switching.earlier.stored_j += flip.stored_j;
+        self.switching.earlier.rectified[k].add(&flip.taken);
     }
 
     /// Adds the regime that ends to what came before.
@@ -228,25 +214,4 @@ impl Marcher<'_> {
         all.scale_j = all.scale_j.max(own.scale_j).max(all.input_j.abs());
         all
     }
-}
-
-/// A swing through an inductor into the storage: the voltage turns over about that against which it conducts.
-fn swing(bridge: &Bridge, inversion: f64, capacitance_f: f64, nodes: BridgeNodes, volts: &mut [f64], taken: &mut RectifiedEnergies) {
-    let voltage_v = volts[nodes.terminal];
-    let over_v = voltage_v.abs() - nodes.storage.map_or(0.0, |storage| volts[storage]) - bridge.threshold_v();
-    if over_v <= 0.0 {
-        return;
-    }
-    let together_f = match bridge.storage {
-        Storage::Capacitor { capacitance_f: storage_f, .. } => capacitance_f * storage_f / (capacitance_f + storage_f),
-        Storage::Battery { .. } => capacitance_f,
-    };
-    let charge_c = together_f * (1.0 + inversion) * over_v;
-    volts[nodes.terminal] -= voltage_v.signum() * charge_c / capacitance_f;
-    if let (Some(storage), Storage::Capacitor { capacitance_f, .. }) = (nodes.storage, bridge.storage) {
-        volts[storage] += charge_c / capacitance_f;
-    }
-    taken.charge_c = charge_c;
-    taken.diodes_j = bridge.drop_v * charge_c;
-    taken.battery_j = (bridge.threshold_v() - bridge.drop_v) * charge_c;
 }

@@ -54,6 +54,7 @@ impl PortForce {
 pub struct Trajectory {
     segments: Vec<Segment>,
     impacts: Vec<Impact>,
+    changes: Vec<Switched>,
 }
 
 /// An impulse of a rigid stop.
@@ -65,6 +66,23 @@ pub struct Impact {
     pub port: usize,
     /// The impulse, N s.
     pub impulse_n_s: f64,
+}
+
+/// A change of regime of the bridges.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Switched {
+    /// Segments before it.
+    pub after: usize,
+    /// When, s.
+    pub time_s: f64,
+    /// The regime that ends.
+    pub regime: usize,
+    /// The bridge whose switch closed for an instant; `None` where diodes changed.
+    pub flipped: Option<usize>,
+    /// Physical state `(q, q', V, i)` before it.
+    pub state: Vec<f64>,
+    /// Contact force of each stop, N.
+    pub forces_n: Vec<f64>,
 }
 
 /// A state of a trajectory.
@@ -85,6 +103,15 @@ impl Trajectory {
 
     pub(super) fn push_impact(&mut self, port: usize, impulse_n_s: f64) {
         self.impacts.push(Impact { after: self.segments.len(), port, impulse_n_s });
+    }
+
+    pub(super) fn push_change(&mut self, change: Switched) {
+        self.changes.push(change);
+    }
+
+    /// Changes of regime.
+    pub fn changes(&self) -> &[Switched] {
+        &self.changes
     }
 
     /// Impacts on rigid stops.

@@ -34,6 +34,12 @@ pub enum OrbitError<H: std::error::Error> {
     /// Harmonic balance under gravity.
     #[error("harmonic balance does not know the constant force of gravity; use the method shooting, or take [gravity] out")]
     Gravity,
+    /// Harmonic balance of diodes and switches.
+    #[error("harmonic balance does not know the diodes and switches of circuit `{circuit}`: use the method shooting")]
+    Rectified {
+        /// Name of the circuit.
+        circuit: String,
+    },
     /// The eigenvalues of the period map did not converge.
     #[error("the Floquet multipliers could not be computed at drive frequency {frequency_hz} Hz")]
     Multipliers {

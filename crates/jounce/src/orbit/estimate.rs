@@ -1,10 +1,14 @@
 //! What a shot says of the orbit near it, and how far off that may be.
 
-use super::{Harvester, Orbit, OrbitError, Shooting, Shot, multipliers};
+use super::{Harvester, Orbit, OrbitError, Shooting, Shot, displacement_peak_m, multipliers};
 use crate::continuation::Linear;
 use crate::march::{Kernel, Marcher, VariationError};
+use crate::plant::{Storage, System};
 use faer::ColRef;
 use std::f64::consts::TAU;
+
+/// Part of the energy of the motion in a period from which on the power of rectified circuits is told by its own size.
+const LEAST: f64 = 1e-6;
 
 impl<H: Harvester> Shooting<'_, H> {
     /// What a shot says, but for its error.
@@ -12,16 +16,17 @@ impl<H: Harvester> Shooting<'_, H> {
         let Some(multipliers) = multipliers(&shot.map) else {
             return Err(OrbitError::Multipliers { frequency_hz: f64::from(self.cycles) / shot.period_s });
         };
-        let loads = &shot.kernel.plant.system.loads;
-        let first = shot.loads_w.first().zip(loads.first());
+        let voltage_rms_v = shot.loads_w.first().map_or(0.0, |power_w| voltage_rms_v(&shot.kernel.plant.system, *power_w));
         Ok(Orbit {
             period_cycles: self.cycles,
             looks: shot.looks.clone(),
             // A sum of nothing is -0.
             mean_power_w: shot.loads_w.iter().sum::<f64>() + 0.0,
-            voltage_rms_v: first.map_or(0.0, |(power_w, load)| (power_w * load.resistance_ohm).max(0.0).sqrt()),
+            voltage_rms_v,
             contacts: shot.contacts,
+            switches: shot.trajectories.iter().map(|trajectory| trajectory.changes().len() as u64).sum(),
             max_penetration_m: shot.max_penetration_m,
+            displacement_peak_m: displacement_peak_m(shot),
             multipliers,
             error_estimate: 0.0,
         })
@@ -40,9 +45,15 @@ impl<H: Harvester> Shooting<'_, H> {
         let state = size(&correction) / size(&shot.looks[0]).max(f64::MIN_POSITIVE);
         let there: Vec<f64> = shot.looks[0].iter().zip(&correction).map(|(u, d)| u + d).collect();
         // Beside a fold the correction can lead so far that nothing can be marched there: its own length is then all that is known.
+        // Diodes may pass as little as they like: power counts from a small part of what the motion holds.
+        let least_w = if shot.kernel.plant.system.bridges.is_empty() {
+            f64::MIN_POSITIVE
+        } else {
+            LEAST * 0.5 * size(&shot.looks[0]).powi(2) / shot.period_s
+        };
         let power = self
             .marched_power_w(&shot.kernel, &there)
-            .map_or(state, |exact_w| (orbit.mean_power_w - exact_w).abs() / exact_w.abs().max(f64::MIN_POSITIVE));
+            .map_or(state, |exact_w| (orbit.mean_power_w - exact_w).abs() / exact_w.abs().max(least_w));
         defect + state.max(power)
     }
 
@@ -61,10 +72,21 @@ impl<H: Harvester> Shooting<'_, H> {
         for _ in 0..self.cycles {
             let mut marcher = Marcher::new(kernel, &y, 0.0, self.tolerance).map_err(VariationError::March)?;
             marcher.advance_to(cycle_s).map_err(VariationError::March)?;
-            sum_j += marcher.energies().loads_j.iter().sum::<f64>();
+            sum_j += marcher.energies().delivered_j();
             y = marcher.state();
         }
         Ok(sum_j / (cycle_s * f64::from(self.cycles)))
+    }
+}
+
+/// Voltage at the first of what takes power, rms, V.
+fn voltage_rms_v(system: &System, power_w: f64) -> f64 {
+    let across = |resistance_ohm: f64| (power_w * resistance_ohm).max(0.0).sqrt();
+    match (system.loads.first(), system.bridges.first().map(|bridge| bridge.storage)) {
+        (Some(load), _) => across(load.resistance_ohm),
+        (None, Some(Storage::Capacitor { load_ohm, .. })) => across(load_ohm),
+        (None, Some(Storage::Battery { voltage_v })) => voltage_v,
+        (None, None) => 0.0,
     }
 }
 

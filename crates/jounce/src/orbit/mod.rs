@@ -5,6 +5,7 @@
 
 mod balance;
 mod border;
+mod charges;
 mod compliance;
 mod error;
 mod estimate;
@@ -24,4 +25,4 @@ pub use null_vector::null_vector;
 pub use periodic::{Orbit, determinant_at, multipliers, nearest_pair_to_circle, pairs_outside};
 pub use shooting::{Shooting, Shot};
 pub use tracking::{Condition, Plane, Tracked, Tracking};
-pub use turning_points::{Turn, nearest_extremum_m, nearest_turn};
+pub use turning_points::{Turn, displacement_peak_m, nearest_extremum_m, nearest_turn};

@@ -12,15 +12,19 @@ pub struct Orbit {
     pub period_cycles: u32,
     /// States at the start of each drive cycle and at the end of the last, energy coordinates `(w q, q', sqrt(C) V)`.
     pub looks: Vec<Vec<f64>>,
-    /// Mean power of all loads, W.
+    /// Mean power of all loads and rectified circuits, W.
     pub mean_power_w: f64,
-    /// Voltage of the first load, rms, V.
+    /// Voltage of the first load or, without one, of what the first rectified circuit feeds, rms, V.
     pub voltage_rms_v: f64,
     /// Contacts that begin in a period.
     pub contacts: u64,
+    /// Changes of regime of rectified circuits in a period.
+    pub switches: u64,
     /// Largest penetration, m.
     pub max_penetration_m: f64,
-    /// Floquet multipliers, largest modulus first.
+    /// Half of the way between the largest and the least displacement at the first stop, m; 0 without a stop.
+    pub displacement_peak_m: f64,
+    /// Floquet multipliers, largest modulus first; 0 for a charge that nothing lets go in the whole period.
     pub multipliers: Vec<c64>,
     /// Estimated error of the state at the start or of the mean power, relative to its size, the larger one.
     pub error_estimate: f64,

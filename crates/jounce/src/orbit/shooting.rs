@@ -9,6 +9,7 @@
 //! parameter it is exact for drive, gap and stiffness, and a difference otherwise.
 
 use super::border::solve_bordered;
+use super::charges::{kept_charges, without};
 use super::{Change, Harvester, Orbit, OrbitError, OrbitMethod, nearest_extremum_m};
 use crate::continuation::{Direction, Family, Linear, Metric, Position, tangent};
 use crate::march::{Drift, Kernel, Trajectory, Variation};
@@ -26,6 +27,8 @@ pub struct Shooting<'h, H> {
     pub tolerance: f64,
     /// `W`.
     pub scale: Vec<f64>,
+    /// `u` whose charges are meant where nothing lets them go in a period; nothing was ever charged where it is empty.
+    pub charged: Vec<f64>,
 }
 
 /// A period as marched, with its derivative.
@@ -37,7 +40,7 @@ pub struct Shot {
     pub looks: Vec<Vec<f64>>,
     /// `R`.
     pub(super) residual: Vec<f64>,
-    /// `d u(n T) / d u(0)`.
+    /// `d u(n T) / d u(0)` at the charges that the period keeps (see [`kept_charges`]).
     pub map: Mat<f64>,
     /// `dR / dp`.
     pub(super) by_parameter: Vec<f64>,
@@ -49,7 +52,7 @@ pub struct Shot {
     pub contacts: u64,
     /// Largest penetration, m.
     pub max_penetration_m: f64,
-    /// Mean power of each load, W.
+    /// Mean power of each load and then of each rectified circuit, W.
     pub loads_w: Vec<f64>,
     /// Tolerance of the march.
     pub(super) tolerance: f64,
@@ -62,7 +65,14 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         let drive = kernel.plant.tones.first().map_or(1.0, |tone| tone.angular_frequency_rad_s);
         let stiff = modes.frequency_rad_s.iter().map(|w| if *w > 0.0 { *w } else { drive });
         let scale = stiff.chain(std::iter::repeat_n(1.0, modes.len())).chain(kernel.plant.electrical.energy_scale());
-        Self { harvester, cycles, tolerance, scale: scale.collect() }
+        Self { harvester, cycles, tolerance, scale: scale.collect(), charged: Vec::new() }
+    }
+
+    /// The same at the charges of a physical state.
+    #[must_use]
+    pub fn charged_as(mut self, physical: &[f64]) -> Self {
+        self.charged = self.unknown(physical);
+        self
     }
 
     /// `u` of a physical state.
@@ -94,7 +104,7 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         // d y / dp: the state is held, so that its part without the steady one moves against it.
         let mut by_parameter: Vec<f64> = change.steady.iter().map(|s| -s).collect();
         let (mut trajectories, mut contacts, mut max_penetration_m, mut loads_w) =
-            (Vec::new(), 0, 0.0_f64, vec![0.0; plant.system.loads.len()]);
+            (Vec::new(), 0, 0.0_f64, vec![0.0; plant.system.loads.len() + plant.system.bridges.len()]);
         for _ in 0..self.cycles {
             let cycle = Variation::march(&kernel, &y, 0.0, cycle_s, self.tolerance, &change.drift)?;
             by_parameter = (0..n)
@@ -109,7 +119,7 @@ impl<'h, H: Harvester> Shooting<'h, H> {
             looks.push(self.unknown(&apply(plant.diagonal.to_physical.as_ref(), &full)));
             contacts += cycle.statistics.contacts;
             max_penetration_m = max_penetration_m.max(cycle.statistics.max_penetration_m);
-            loads_w.iter_mut().zip(&cycle.loads_j).for_each(|(sum, j)| *sum += j / (cycle_s * f64::from(self.cycles)));
+            loads_w.iter_mut().zip(&cycle.delivered_j).for_each(|(sum, j)| *sum += j / (cycle_s * f64::from(self.cycles)));
             trajectories.push(cycle.trajectory);
         }
         by_parameter.iter_mut().zip(&change.steady).for_each(|(y, s)| *y += s);
@@ -117,8 +127,13 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         let (into, out) = (&plant.diagonal.from_physical, &plant.diagonal.to_physical);
         let left = Mat::from_fn(n, n, |i, j| self.scale[i] * out[(i, j)]);
         let right = Mat::from_fn(n, n, |i, j| into[(i, j)] / self.scale[j]);
-        let map = &left * &map * &right;
-        let residual = looks[looks.len() - 1].iter().zip(unknown).map(|(end, start)| end - start).collect();
+        let kept = kept_charges(plant, &self.scale, &trajectories);
+        let map = without(&left * &map * &right, &kept);
+        let mut residual: Vec<f64> = looks[looks.len() - 1].iter().zip(unknown).map(|(end, start)| end - start).collect();
+        for row in &kept {
+            let missing: f64 = row.iter().enumerate().map(|(i, l)| l * (self.charged.get(i).copied().unwrap_or(0.0) - unknown[i])).sum();
+            residual.iter_mut().zip(row).for_each(|(r, l)| *r += l * missing);
+        }
         let period_s = cycle_s * f64::from(self.cycles);
         let tolerance = self.tolerance;
         let shot =

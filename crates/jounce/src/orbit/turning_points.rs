@@ -1,10 +1,13 @@
-//! How near an orbit comes to grazing: the turning point of the port displacements that lies nearest to the surface of its stop.
+//! Turning points of the displacements of the ports: how near an orbit comes to grazing, and how far it swings.
 
 use super::Shot;
 use crate::march::{Kernel, Trajectory};
 
-/// Looks per drive cycle in flight, at least.
+/// Looks per drive cycle in flight, at least, where the turning point nearest to a surface is sought, ...
 const LOOKS: f64 = 512.0;
+
+/// ... and where the largest and the least displacement are: a cubic joins neighbours.
+const FEWER: f64 = 128.0;
 
 /// Looks inside a stretch in which the speed changes sign.
 const CLOSER: usize = 24;
@@ -45,11 +48,41 @@ pub fn nearest_extremum_m(shot: &Shot) -> Option<f64> {
     nearest_turn(shot).map(|turn| turn.past_m)
 }
 
+/// Half of the way between the largest and the least displacement at the first stop, m; 0 without a stop.
+pub fn displacement_peak_m(shot: &Shot) -> f64 {
+    if shot.kernel.plant.system.stops.is_empty() {
+        return 0.0;
+    }
+    let cycle_s = shot.period_s / shot.trajectories.len() as f64;
+    let cycles = shot.trajectories.iter().map(|trajectory| looks(&shot.kernel, 0, trajectory, (FEWER, cycle_s)));
+    let range = cycles.fold((f64::INFINITY, f64::NEG_INFINITY), |range, looks| {
+        let own = looks.windows(2).flat_map(|pair| [pair[0].1, turn_between(pair[0], pair[1])]);
+        own.chain(looks.last().map(|last| last.1)).fold(range, |(low, high), past_m| (low.min(past_m), high.max(past_m)))
+    });
+    0.5 * (range.1 - range.0).max(0.0)
+}
+
+/// Distance where the cubic through two neighbouring looks turns; that of the first where it does not.
+fn turn_between(from: Motion, to: Motion) -> f64 {
+    let (step_s, [u, v]) = (to.0 - from.0, [from.2, to.2]);
+    if u * v >= 0.0 {
+        return from.1;
+    }
+    // The slope of the cubic in x = t / step: u + 2 b x + c x^2, with b and c from both speeds and the chord.
+    let chord = (to.1 - from.1) / step_s;
+    let (b, c) = (3.0 * chord - 2.0 * u - v, 3.0 * (u + v - 2.0 * chord));
+    let root = (b * b - u * c).max(0.0).sqrt();
+    // The slope changes sign once: of both roots the one inside.
+    let q = -(b + root.copysign(b));
+    let x = [u / q, q / c].into_iter().find(|x| (0.0..=1.0).contains(x)).unwrap_or(0.5);
+    from.1 + step_s * x * (u + x * (b + x * c / 3.0))
+}
+
 /// Time, distance past the stop and its rate.
 type Motion = (f64, f64, f64);
 
 fn turning_points(kernel: &Kernel, port: usize, trajectory: &Trajectory, cycle_s: f64) -> Vec<(f64, f64)> {
-    let looks = looks(kernel, port, trajectory, cycle_s);
+    let looks = looks(kernel, port, trajectory, (LOOKS, cycle_s));
     let mut turns: Vec<(Motion, Motion)> = looks.windows(2).map(|pair| (pair[0], pair[1])).filter(|(a, b)| a.2 * b.2 <= 0.0).collect();
     turns.sort_by(|a, b| a.0.1.abs().total_cmp(&b.0.1.abs()));
     turns.truncate(NEAREST);
@@ -57,10 +90,13 @@ fn turning_points(kernel: &Kernel, port: usize, trajectory: &Trajectory, cycle_s
 }
 
 /// Motion at the start of every step, and between those of a flight: contact steps are short beside the motion.
-fn looks(kernel: &Kernel, port: usize, trajectory: &Trajectory, cycle_s: f64) -> Vec<Motion> {
-    let block = &kernel.plant.diagonal.block;
+fn looks(kernel: &Kernel, port: usize, trajectory: &Trajectory, (count, cycle_s): (f64, f64)) -> Vec<Motion> {
+    let base = kernel;
     let mut looks = Vec::new();
     for segment in trajectory.segments() {
+        // A regime that was marched in has been made.
+        let Ok(kernel) = base.in_regime(segment.regime) else { continue };
+        let block = &kernel.plant.diagonal.block;
         let motion = |after_s: f64, state: &[f64]| match segment.sizes.is_empty() {
             true => motion(kernel, port, segment.start_s + after_s, state),
             false => {
@@ -74,7 +110,7 @@ fn looks(kernel: &Kernel, port: usize, trajectory: &Trajectory, cycle_s: f64) ->
             continue;
         }
         // The flow of many equal steps is made once: its roundoff adds up, which a search for the place of a turn does not feel.
-        let inner = (LOOKS * segment.length_s / cycle_s).ceil().max(1.0);
+        let inner = (count * segment.length_s / cycle_s).ceil().max(1.0);
         let (flow, mut state) = (block.over(segment.length_s / inner), segment.state.clone());
         for k in 1..inner as usize {
             flow.advance(&mut state);
@@ -104,4 +140,21 @@ fn motion(kernel: &Kernel, port: usize, time_s: f64, state: &[f64]) -> Option<Mo
     let dot = |row: &[f64]| row.iter().zip(state).map(|(r, y)| r * y).sum::<f64>();
     let driven = plant.driven(port, time_s);
     Some((time_s, dot(&port.displacement) + driven[0] - stop.gap_m, dot(&port.velocity) + driven[1]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `sin` between two looks about its top.
+    #[test]
+    fn a_cubic_finds_the_top_of_a_sine() {
+        let look = |t: f64| (t, t.sin(), t.cos());
+        for from in [1.53, 1.55, 1.569] {
+            let error = turn_between(look(from), look(from + 0.049)) - 1.0;
+            assert!(error.abs() < 2e-8, "{error:e}");
+        }
+        let line = turn_between((0.0, 1.0, -2.0), (2.0, 1.0, 2.0));
+        assert!((line + 1.0 - 1.0).abs() < 1e-15, "{line}");
+    }
 }

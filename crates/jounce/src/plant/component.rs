@@ -71,13 +71,7 @@ impl Assembly {
                 }
             }
         }
-        let open = |k: &usize| {
-            electrical.nodes[*k].resistance_ohm.is_none()
-                && !electrical.leaks_at(*k)
-                && electrical.inductors.iter().all(|inductor| inductor.node != *k)
-                && electrical.links.iter().all(|link| link.node != *k)
-        };
-        let open = (0..nodes).filter(open).map(|k| 2 * n + k).collect();
+        let open = (0..nodes).filter(|node| electrical.is_open(*node)).map(|node| 2 * n + node).collect();
         Self { matrix, scale, modes: n, open }
     }
 

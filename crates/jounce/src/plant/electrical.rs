@@ -163,6 +163,14 @@ impl Electrical {
         self.len() == 0
     }
 
+    /// True for a node that keeps its charge `C V + theta . q`.
+    pub fn is_open(&self, node: usize) -> bool {
+        self.nodes[node].resistance_ohm.is_none()
+            && !self.leaks_at(node)
+            && self.inductors.iter().all(|inductor| inductor.node != node)
+            && self.links.iter().all(|link| link.node != node)
+    }
+
     /// Factor of each electrical state whose square is twice its energy: `sqrt(C)`, `sqrt(L)`.
     pub fn energy_scale(&self) -> impl Iterator<Item = f64> {
         let nodes = self.nodes.iter().map(|node| node.capacitance_f.sqrt());

@@ -133,7 +133,7 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
     let end = StartState::from_blocks(plant, &marcher.state(), end_s);
     let rectified = rectified(plant, [(&opened, &before), (&energies, &end)], plan.average_over_s);
     Ok(RunAnswer {
-        mean_power_w: loads.iter().map(|load| load.mean_power_w).sum::<f64>() + rectified.iter().map(|own| own.mean_power_w).sum::<f64>(),
+        mean_power_w: loads.iter().map(|load| load.mean_power_w).chain(rectified.iter().map(|own| own.mean_power_w)).fold(0.0, |sum, own| sum + own),
         loads,
         rectified,
         leaks: leaks(plant, [&opened, &energies], plan.average_over_s),

@@ -32,14 +32,6 @@ pub enum StudyError {
         /// Name of the drive.
         drive: String,
     },
-    /// Diodes or switches, where orbits are followed.
-    #[error(
-        "orbits of the rectified circuit `{circuit}` are not followed; use `jounce run`, `jounce sweep` or `jounce ensemble`, or give it interface = \"resistor\""
-    )]
-    Rectified {
-        /// Name of the circuit.
-        circuit: String,
-    },
     /// An ensemble without noise.
     #[error("an ensemble needs noise: give a drive `signal = \"noise\"`; `jounce run` marches what is not random")]
     NoNoise,

@@ -14,6 +14,7 @@ mod plants;
 mod ports;
 mod random;
 mod rectified;
+mod regimes;
 mod rest;
 mod rigid;
 mod signals;

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
 /// Mass, stiffness and capacitance 1; force of amplitude 1.
-fn cell(coupling: f64, damping_ratio: f64, angular_frequency: f64, scheme: Scheme, storage: Storage) -> System {
+pub fn cell(coupling: f64, damping_ratio: f64, angular_frequency: f64, scheme: Scheme, storage: Storage) -> System {
     let patch = PatchModes { coupling_n_per_v: vec![coupling], capacitance_f: 1.0, leakage_ohm: None, strain: Vec::new() };
     let modes = Modes {
         frequency_rad_s: vec![1.0],
@@ -124,7 +124,7 @@ fn charge_and_energy_are_balanced() {
 }
 
 /// A cell whose diodes drop, resist and feed a leaking storage, and whose mass strikes a stop.
-fn lossy_beside_a_stop(scheme: Scheme, storage: Storage) -> System {
+pub fn lossy_beside_a_stop(scheme: Scheme, storage: Storage) -> System {
     let mut system = cell(0.5, 0.02, 0.9, scheme, storage);
     (system.bridges[0].drop_v, system.bridges[0].leakage_ohm, system.bridges[0].diode_ohm) = (0.2, Some(40.0), 0.02);
     system.stops.push(Stop {

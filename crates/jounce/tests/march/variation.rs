@@ -11,7 +11,7 @@ use jounce::spec::Spec;
 use jounce::study::Prepared;
 
 /// A state after some contacts, and a stretch of one drive period from there.
-fn settled(kernel: &Kernel) -> (Vec<f64>, f64) {
+pub fn settled(kernel: &Kernel) -> (Vec<f64>, f64) {
     let period_s = 1.0 / kernel.plant.system.drives[0].frequency_hz;
     let y = kernel.plant.from_physical(&vec![0.0; kernel.plant.len()], 0.0);
     let mut marcher = Marcher::new(kernel, &y, 0.0, 1e-11).unwrap();
@@ -33,10 +33,15 @@ fn with_law(mut system: System, law: Law) -> System {
     system
 }
 
-/// Largest error of the jacobian against central differences, relative to its largest entry.
+/// Largest error of the jacobian against central differences, relative to its largest entry, on a stretch with contacts.
 fn error(kernel: &Kernel, y: &[f64], duration_s: f64) -> f64 {
     let found = Variation::march(kernel, y, START_S, duration_s, 1e-12, &Drift::default()).unwrap();
     assert!(found.statistics.contacts > 0 || found.statistics.time_s > 0.0, "the check needs a contact");
+    against_differences(kernel, y, duration_s, &found)
+}
+
+/// The same on any stretch.
+pub fn against_differences(kernel: &Kernel, y: &[f64], duration_s: f64, found: &Variation) -> f64 {
     let size = y.iter().fold(0.0_f64, |max, v| max.max(v.abs()));
     let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
     for j in 0..y.len() {

@@ -12,9 +12,11 @@ mod duffing;
 mod hard_cases;
 mod harvesters;
 mod isolated;
+mod open_patch;
 mod oscillators;
 mod paper;
 mod peaks;
+mod rectified;
 #[path = "../linear/rows.rs"]
 #[expect(dead_code, reason = "rows are checked one by one here")]
 mod rows;

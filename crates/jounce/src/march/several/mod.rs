@@ -67,6 +67,8 @@ impl Task for AdvanceSeveral<'_, '_> {
             let until_s = marcher.next_breakpoint(w, end_s);
             if marcher.hits_rigid_stop() {
                 marcher.collide(w)?;
+                // An impact that turns the current of a patch over is an extremum of its charge.
+                marcher.switching.met = marcher.passed();
             } else if marcher.in_regime(Regime::Contact).next().is_some() {
                 marcher.together(w, until_s)?;
             } else {

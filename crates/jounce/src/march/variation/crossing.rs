@@ -53,9 +53,15 @@ impl Linearisation<'_> {
         self.tangents.add_product(w, &row.force, law.force_n(0.0, rate) / rate, &struck);
     }
 
-    /// An impact on a rigid stop after a step, given the state that follows.
+    /// An impact on a rigid stop after a step, given the state that follows; how much later it falls, s.
     #[inline(always)]
-    pub(super) fn impact<W: Wide>(&mut self, w: W, impact: &Impact, earlier: Option<&Segment>, (time_s, after): (f64, &[f64])) {
+    pub(super) fn impact<W: Wide>(
+        &mut self,
+        w: W,
+        impact: &Impact,
+        earlier: Option<&Segment>,
+        (time_s, after): (f64, &[f64]),
+    ) -> Vec<Lane> {
         let plant = &self.kernel.plant;
         let port = &plant.ports[impact.port];
         let impulse = impact.impulse_n_s;
@@ -68,12 +74,14 @@ impl Linearisation<'_> {
         let (rate_before, rate_after) = (self.rate(time_s, &before, forces), self.rate(time_s, after, forces));
         let pushed = dot(&port.velocity, &rate_before);
         let acceleration = pushed + driven.acceleration_m_s2;
-        let struck = self.tangents.along(w, &port.displacement, driven.penetration_drift_m);
+        let mut struck = self.tangents.along(w, &port.displacement, driven.penetration_drift_m);
         let hastened = self.tangents.along(w, &port.velocity, driven.rate_drift_m_s);
         let kicked = rate_after.iter().zip(&rate_before).map(|(after, before)| after - before);
         let late: Vec<f64> = port.force.iter().zip(kicked).map(|(b, kick)| -(b * gain * acceleration - kick) / fast).collect();
         self.tangents.add_product(w, &port.force, gain, &hastened);
         self.tangents.add_product(w, &late, 1.0, &struck);
+        scale(w, &mut struck, -1.0 / fast);
+        struck
     }
 }
 

@@ -1,4 +1,4 @@
-//! The way along a recorded march, step by step.
+//! The way along a stretch of a recorded march in one regime, step by step.
 
 use super::VariationError;
 use super::drift::Drift;
@@ -8,16 +8,30 @@ use crate::contact::Law;
 use crate::march::forced_reading::{Reading, Series};
 use crate::march::kernel::Kernel;
 use crate::march::tone::Turning;
-use crate::march::trajectory::{Segment, Trajectory};
+use crate::march::trajectory::{Impact, Segment};
 use crate::plant::{Port, Size};
 use crate::wide::{Lane, Task, Wide};
 
-/// A march to be linearised.
+/// Steps of a march in one regime of its bridges.
+#[derive(Debug, Clone, Copy)]
+pub struct Stretch<'a> {
+    /// The steps.
+    pub segments: &'a [Segment],
+    /// Steps of the march before them.
+    pub first: usize,
+    /// Impacts of the march that belong to it; those at its start belong to the stretch before.
+    pub impacts: &'a [Impact],
+    /// When it ends, s.
+    pub end_s: f64,
+    /// State at its end, less what signals hold.
+    pub end: &'a [f64],
+}
+
+/// A stretch to be linearised.
 pub struct Linearisation<'a> {
     pub(super) kernel: &'a Kernel,
     pub(super) drift: &'a Drift,
-    trajectory: &'a Trajectory,
-    end: &'a [f64],
+    stretch: Stretch<'a>,
     pub(super) tangents: Tangents,
     /// Of the contact step in hand.
     pub(super) system: NodeSystem,
@@ -35,17 +49,23 @@ pub struct Linearisation<'a> {
     pending_s: f64,
 }
 
+/// What a stretch leaves.
+pub struct Passed {
+    /// Derivatives of the state at its end.
+    pub tangents: Tangents,
+    /// Of an impact at the very end: how much later it falls, s.
+    pub delay_s: Option<Vec<Lane>>,
+}
+
 impl<'a> Linearisation<'a> {
-    /// From the start of a record; `end` is the state at its end, less what signals hold.
-    pub fn new(kernel: &'a Kernel, drift: &'a Drift, trajectory: &'a Trajectory, end: &'a [f64]) -> Self {
-        let tangents = Tangents::identity(kernel.plant.len());
+    /// On with the derivatives of the state at the start of a stretch; `sizes` are those of the signals.
+    pub fn new(kernel: &'a Kernel, drift: &'a Drift, stretch: Stretch<'a>, sizes: Vec<Size>, tangents: Tangents) -> Self {
         let (system, factors) = (NodeSystem::new(1, tangents.width), vec![Lane::ZERO; kernel.plant.len()]);
         let tones = (0..kernel.plant.tones.len()).map(|index| Turning::new(&kernel.plant, index, 0.0)).collect();
         let packed = vec![Lane::ZERO; kernel.layout.lanes()];
-        let sizes = sizes(kernel, trajectory);
         let series = |port: &Port| Reading::of(&kernel.plant, &port.displacement).series(&sizes);
         let forced = kernel.plant.ports.iter().filter(|_| !sizes.is_empty()).map(series).collect();
-        Self { kernel, drift, trajectory, end, tangents, system, factors, packed, tones, sizes, forced, pending_s: 0.0 }
+        Self { kernel, drift, stretch, tangents, system, factors, packed, tones, sizes, forced, pending_s: 0.0 }
     }
 
     /// Passes one step; `after` is the state at its end, `next` the step that follows.
@@ -92,43 +112,34 @@ impl<'a> Linearisation<'a> {
         self.pending_s = 0.0;
     }
 
-    /// Passes the impacts between two steps, given the state after them.
+    /// Passes the impacts after a number of steps of the march, given the state after them; how much later they fall, s.
     #[inline(always)]
-    fn impacts<W: Wide>(&mut self, w: W, index: usize, time_s: f64, after: &[f64]) -> Result<(), VariationError> {
-        let mut own = self.trajectory.impacts().iter().filter(|impact| impact.after == index);
-        let Some(impact) = own.next() else { return Ok(()) };
+    fn impacts<W: Wide>(&mut self, w: W, index: usize, time_s: f64, after: &[f64]) -> Result<Option<Vec<Lane>>, VariationError> {
+        let mut own = self.stretch.impacts.iter().filter(|impact| impact.after == index);
+        let Some(impact) = own.next() else { return Ok(None) };
         if own.next().is_some() {
             return Err(VariationError::StruckTogether { time_s });
         }
         self.fly(w);
-        let earlier = index.checked_sub(1).and_then(|before| self.trajectory.segments().get(before));
-        self.impact(w, impact, earlier, (time_s, after));
-        Ok(())
+        let earlier = index.checked_sub(self.stretch.first + 1).and_then(|before| self.stretch.segments.get(before));
+        Ok(Some(self.impact(w, impact, earlier, (time_s, after))))
     }
 }
 
-/// Size of each signal on a record.
-pub(super) fn sizes(kernel: &Kernel, trajectory: &Trajectory) -> Vec<Size> {
-    let first = trajectory.segments().first();
-    first.map_or_else(|| vec![[0.0; 2]; kernel.plant.forcings.len()], |first| first.sizes.clone())
-}
-
 impl Task for Linearisation<'_> {
-    type Output = Result<Tangents, VariationError>;
+    type Output = Result<Passed, VariationError>;
 
     #[inline(always)]
     fn run<W: Wide>(mut self, w: W) -> Self::Output {
-        let segments = self.trajectory.segments();
+        let Stretch { segments, first, end_s, end, .. } = self.stretch;
         for (index, segment) in segments.iter().enumerate() {
-            self.impacts(w, index, segment.start_s, &segment.state)?;
+            self.impacts(w, first + index, segment.start_s, &segment.state)?;
             let next = segments.get(index + 1);
-            let after = next.map_or(self.end, |next| &next.state);
+            let after = next.map_or(end, |next| &next.state);
             self.segment(w, segment, after, next)?;
         }
-        if let Some(last) = segments.last() {
-            self.impacts(w, segments.len(), last.start_s + last.length_s, self.end)?;
-        }
+        let delay_s = self.impacts(w, first + segments.len(), end_s, end)?;
         self.fly(w);
-        Ok(self.tangents)
+        Ok(Passed { tangents: self.tangents, delay_s })
     }
 }

@@ -17,6 +17,8 @@
 //! A contact that starts like `t^1.5` varies like `t^0.5` at a fixed time, which its basis cannot follow, but like `t^1.5` again
 //! when the time is counted from its own start: hence the shift `s` (s) of the time of the first step.
 //!
+//! Diodes and switches: see [`regimes`]. What a parameter does is known in one regime only: behind them [`Drift`] stays empty.
+//!
 //! Limits: signals are constant, as gravity is. Of contacts that start at the same instant the first gives the shift, and the basis of the others follows their variation
 //! only roughly. Impacts on several rigid stops at the same instant are refused.
 //!
@@ -27,6 +29,7 @@ mod crossing;
 mod drift;
 mod elimination;
 mod linearisation;
+mod regimes;
 mod tangents;
 
 pub use drift::Drift;
@@ -36,9 +39,8 @@ use super::kernel::Kernel;
 use super::marcher::Marcher;
 use super::totals::ContactStatistics;
 use super::trajectory::Trajectory;
-use crate::wide::widest;
 use faer::Mat;
-use linearisation::Linearisation;
+use regimes::Route;
 
 /// A marched stretch with its derivative.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,8 +55,8 @@ pub struct Variation {
     pub rate: Vec<f64>,
     /// Contacts on the way.
     pub statistics: ContactStatistics,
-    /// Energy delivered to each load, J.
-    pub loads_j: Vec<f64>,
+    /// Energy delivered to each load and then to each rectified circuit, J.
+    pub delivered_j: Vec<f64>,
     /// The march itself.
     pub trajectory: Trajectory,
 }
@@ -99,23 +101,18 @@ impl Variation {
         let mut marcher = Marcher::new(kernel, start, start_s, tolerance)?;
         marcher.start_record();
         marcher.advance_to(start_s + duration_s)?;
-        let (end, forces_n) = (marcher.state(), marcher.forces_n());
-        let (statistics, loads_j) = (marcher.statistics(), marcher.energies().loads_j);
+        let (end, statistics, energies) = (marcher.state(), marcher.statistics(), marcher.energies());
+        let rectified = energies.rectified.iter().map(|own| own.load_j + own.battery_j);
+        let delivered_j = energies.loads_j.iter().copied().chain(rectified).collect();
+        let rate = regimes::rate(marcher.kernel, &marcher.physical(), marcher.time_s(), &marcher.forces_n());
+        let rate = kernel.plant.moving(&rate, marcher.time_s());
+        let (end_s, end_regime, own_end) = (marcher.time_s(), marcher.switching.regime, marcher.own_state());
         let trajectory = marcher.take_record();
-        let sizes = linearisation::sizes(kernel, &trajectory);
-        let held = kernel.plant.forced(&sizes, 0.0);
-        let less: Vec<f64> = end.iter().zip(held).map(|(y, held)| y - held).collect();
-        let tangents = widest(Linearisation::new(kernel, drift, &trajectory, &less))?;
-        let mut rate = kernel.plant.diagonal.block.apply(&end);
-        for (forcing, [size, _]) in kernel.plant.forcings.iter().zip(&sizes) {
-            rate.iter_mut().zip(&forcing.column).for_each(|(rate, b)| *rate += b * size);
-        }
-        for (port, force_n) in kernel.plant.ports.iter().zip(forces_n) {
-            rate.iter_mut().zip(&port.force).for_each(|(rate, b)| *rate += b * force_n);
-        }
+        let route = Route { base: kernel, drift, trajectory: &trajectory, end_s, end_regime, end: own_end };
+        let tangents = route.tangents()?;
         let n = end.len();
         let jacobian = Mat::from_fn(n, n, |i, j| tangents.entry(i, j));
         let drift = (0..n).map(|i| tangents.entry(i, n)).collect();
-        Ok(Self { end, jacobian, drift, rate, statistics, loads_j, trajectory })
+        Ok(Self { end, jacobian, drift, rate, statistics, delivered_j, trajectory })
     }
 }

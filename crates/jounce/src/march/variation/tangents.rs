@@ -1,6 +1,7 @@
 //! Derivatives of the state by all start states and by the parameter at once.
 
 use crate::wide::{Lane, WIDTH, Wide};
+use faer::MatRef;
 
 /// Columns in groups of eight, one after the other: in each group one lane per state. The columns belong to the start states, the one
 /// after them to the parameter.
@@ -78,6 +79,18 @@ impl Tangents {
             let (x, y) = (w.load(&group[2 * k]), w.load(&group[2 * k + 1]));
             group[2 * k] = w.store(w.fma(a, x, w.mul(b, y)));
             group[2 * k + 1] = w.store(w.fma(c, x, w.mul(d, y)));
+        }
+    }
+
+    /// `dy = matrix dy`.
+    pub fn transform(&mut self, matrix: MatRef<f64>) {
+        let mut before = vec![Lane::ZERO; self.states];
+        for group in self.lanes.chunks_exact_mut(self.states.max(1)) {
+            before.copy_from_slice(group);
+            for (i, own) in group.iter_mut().enumerate() {
+                let add = |sum: Lane, (j, lane): (usize, &Lane)| sum.add_scaled(matrix[(i, j)], lane);
+                *own = before.iter().enumerate().fold(Lane::ZERO, add);
+            }
         }
     }
 

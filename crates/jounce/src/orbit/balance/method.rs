@@ -35,9 +35,12 @@ impl<'h, H: Harvester> HarmonicBalance<'h, H> {
     /// With `harmonics` of the period to begin with.
     ///
     /// # Errors
-    /// [`OrbitError::Impulsive`] for a rigid stop, [`OrbitError::SeveralStops`], [`OrbitError::Gravity`].
+    /// [`OrbitError::Rectified`], [`OrbitError::Impulsive`] for a rigid stop, [`OrbitError::SeveralStops`], [`OrbitError::Gravity`].
     pub fn new(shooting: Shooting<'h, H>, kernel: &Kernel, harmonics: usize, accuracy: f64) -> Result<Self, OrbitError<H::Error>> {
         let stops = &kernel.plant.system.stops;
+        if let Some(bridge) = kernel.plant.system.bridges.first() {
+            return Err(OrbitError::Rectified { circuit: bridge.name.clone() });
+        }
         match stops.iter().find(|stop| matches!(stop.law, Law::Rigid(_))) {
             Some(stop) => Err(OrbitError::Impulsive { stop: stop.name.clone() }),
             None if !kernel.plant.system.signals.is_empty() => Err(OrbitError::Gravity),
@@ -115,7 +118,7 @@ impl<H: Harvester> OrbitMethod for HarmonicBalance<'_, H> {
         let shot = self.shot(local)?;
         let mut orbit = self.shooting.answer(shot)?;
         let loads_w = self.loads_w(local);
-        orbit.mean_power_w = loads_w.iter().sum();
+        orbit.mean_power_w = loads_w.iter().sum::<f64>() + 0.0;
         let first = loads_w.first().zip(local.kernel.plant.system.loads.first());
         orbit.voltage_rms_v = first.map_or(0.0, |(power_w, load)| (power_w * load.resistance_ohm).sqrt());
         orbit.error_estimate = error + self.shooting.estimate(shot, &orbit);
@@ -161,8 +164,8 @@ impl<H: Harvester> OrbitMethod for HarmonicBalance<'_, H> {
     }
 
     fn finer(&self) -> Option<Self> {
-        let Shooting { harvester, cycles, tolerance, ref scale } = self.shooting;
-        let shooting = Shooting { harvester, cycles, tolerance, scale: scale.clone() };
+        let Shooting { harvester, cycles, tolerance, ref scale, ref charged } = self.shooting;
+        let shooting = Shooting { harvester, cycles, tolerance, scale: scale.clone(), charged: charged.clone() };
         let (harmonics, accuracy, rules) = (self.harmonics + self.harmonics / 2, self.accuracy, Arc::clone(&self.rules));
         (harmonics <= MOST * cycles as usize).then(|| Self { shooting, harmonics, accuracy, grid: grid(harmonics), rules })
     }

@@ -46,7 +46,7 @@ type LineError<P> = <<P as Plane>::Line as Harvester>::Error;
 impl<P: Plane> Tracking<'_, P> {
     /// Shooting along one line.
     pub fn shooting<'l>(&self, line: &'l P::Line) -> Shooting<'l, P::Line> {
-        Shooting { harvester: line, cycles: self.cycles, tolerance: self.tolerance, scale: self.scale.clone() }
+        Shooting { harvester: line, cycles: self.cycles, tolerance: self.tolerance, scale: self.scale.clone(), charged: Vec::new() }
     }
 
     /// The first parameter of an unknown.

@@ -191,7 +191,9 @@ mod tests {
             mean_power_w,
             voltage_rms_v: 0.0,
             contacts: 1,
+            switches: 0,
             max_penetration_m: 0.0,
+            displacement_peak_m: 0.0,
             multipliers: Vec::new(),
             error_estimate: 0.0,
         })

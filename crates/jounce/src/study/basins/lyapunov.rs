@@ -79,7 +79,7 @@ pub fn largest_exponent(kernel: &Kernel, y: &[f64], cycles: usize, tolerance: f6
             direction = moved.into_iter().map(|v| v / length).collect();
             growth += length.ln();
             y = step.end;
-            energy_j += if block > 0 { step.loads_j.iter().sum::<f64>() } else { 0.0 };
+            energy_j += if block > 0 { step.delivered_j.iter().sum::<f64>() } else { 0.0 };
         }
         if block > 0 {
             means.push(growth / (per_block as f64 * cycle_s));

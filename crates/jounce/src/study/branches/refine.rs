@@ -52,9 +52,9 @@ impl Following {
     }
 }
 
-/// True when a multiplier may have crossed the circle twice. Without contacts multipliers are those of the plant, all inside.
+/// True when a multiplier may have crossed the circle twice. Without contacts and switches multipliers are those of the plant, all inside.
 fn hides(before: &Orbit, after: &Orbit) -> bool {
-    let flies = before.contacts == 0 && after.contacts == 0;
+    let flies = [before, after].iter().all(|orbit| orbit.contacts == 0 && orbit.switches == 0);
     let critical = [-1.0, 1.0].map(|s| (s, before.determinant_at(s) * after.determinant_at(s) > 0.0));
     let alike = before.pairs_outside() == after.pairs_outside();
     !flies
@@ -81,7 +81,9 @@ mod tests {
             mean_power_w: 0.0,
             voltage_rms_v: 0.0,
             contacts: 1,
+            switches: 0,
             max_penetration_m: 0.0,
+            displacement_peak_m: 0.0,
             multipliers: multipliers.iter().map(|(re, im)| c64::new(*re, *im)).collect(),
             error_estimate: 0.0,
         }

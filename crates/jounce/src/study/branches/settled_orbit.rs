@@ -102,7 +102,7 @@ fn orbit_near<H: Harvester>(
     state: &[f64],
     (cycles, tolerance, goal): (u32, f64, f64),
 ) -> Option<(Orbit, f64)> {
-    let shooting = Shooting::new(harvester, kernel, cycles, tolerance);
+    let shooting = Shooting::new(harvester, kernel, cycles, tolerance).charged_as(state);
     let position = Position { unknown: shooting.unknown(state), parameter };
     let metric = Metric::at(&position, 1.0);
     let found = settle(&shooting, &Corrector { goal, most: 12 }, &metric, position.clone()).ok()?;

@@ -110,7 +110,7 @@ impl Member {
         let loads_w: Vec<f64> = delivered(energies).iter().zip(delivered(opened)).map(|(end, start)| (end - start) / window_s).collect();
         Self {
             index,
-            mean_power_w: loads_w.iter().sum(),
+            mean_power_w: loads_w.iter().fold(0.0, |sum, own| sum + own),
             loads_w,
             batches_w,
             contacts: statistics.contacts,

@@ -140,7 +140,7 @@ impl JumpSearch<'_> {
         let point = |position: &Position, local: &Tracked| JumpPoint {
             parameter: tracking.parameter(&position.unknown),
             parameter_2: position.parameter,
-            mean_power_w: local.shot.loads_w.iter().sum(),
+            mean_power_w: local.shot.loads_w.iter().fold(0.0, |sum, own| sum + own),
             stable: local.bend.and_then(|_| Some(multipliers(&local.shot.map)?.first()?.norm() < 1.0)),
         };
         let mut curve = JumpCurve { kind, period_cycles: tracking.cycles, points: Vec::new(), failures: Vec::new() };

@@ -1,0 +1,62 @@
+//! Charges that nothing lets go in a whole period: those of open patches, and of patches behind diodes that never conduct.
+//!
+//! ```text
+//! Q = C V + theta . q,   l M = l,   l = dQ/du
+//! ```
+//!
+//! Each orbit is one of a family over `Q`, so that `M - I` is singular. The orbit at one charge is meant, and its stability at that charge:
+//! `R + l' (Q - l u)` takes the place of the residual, and `M - l' l`, with 0 for the multiplier 1 and all others as they are, that of `M`.
+
+use crate::march::Trajectory;
+use crate::plant::{Conduction, Plant};
+use faer::Mat;
+
+/// Orthonormal rows that span the charges kept, in energy coordinates of a scale.
+pub fn kept_charges(plant: &Plant, scale: &[f64], trajectories: &[Trajectory]) -> Vec<Vec<f64>> {
+    let (electrical, first) = (&plant.electrical, 2 * plant.system.modes.len());
+    let is_let_go = |node: usize| {
+        let own = |bridge: &usize| electrical.bridges[*bridge].terminal == node;
+        (0..electrical.bridges.len()).filter(own).any(|bridge| trajectories.iter().any(|trajectory| acts(plant, bridge, trajectory)))
+    };
+    let mut rows: Vec<Vec<f64>> = Vec::new();
+    for node in (0..electrical.nodes.len()).filter(|node| electrical.is_open(*node) && !is_let_go(*node)) {
+        let mut row = vec![0.0; scale.len()];
+        row[first + node] = electrical.nodes[node].capacitance_f / scale[first + node];
+        row.iter_mut().zip(&electrical.nodes[node].coupling_n_per_v).zip(scale).for_each(|((l, theta), w)| *l = theta / w);
+        for known in &rows {
+            let along: f64 = known.iter().zip(&row).map(|(a, b)| a * b).sum();
+            row.iter_mut().zip(known).for_each(|(l, k)| *l -= along * k);
+        }
+        let length = row.iter().map(|l| l * l).sum::<f64>().sqrt();
+        row.iter_mut().for_each(|l| *l /= length);
+        rows.push(row);
+    }
+    rows
+}
+
+/// True where the diodes of a bridge conduct or its switch closes.
+fn acts(plant: &Plant, bridge: usize, trajectory: &Trajectory) -> bool {
+    let conducts = |regime: usize| plant.system.bridge_states(regime)[bridge].conduction != Conduction::Blocked;
+    trajectory.changes().iter().any(|change| change.flipped == Some(bridge) || conducts(change.regime))
+        || trajectory.segments().iter().any(|segment| conducts(segment.regime))
+}
+
+/// A period map with 0 in place of the multipliers 1 of some rows.
+pub fn without(map: Mat<f64>, rows: &[Vec<f64>]) -> Mat<f64> {
+    rows.iter().fold(map, |map, row| Mat::from_fn(map.nrows(), map.ncols(), |i, j| map[(i, j)] - row[i] * row[j]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A map that keeps `u_1 + u_2` and has the multiplier -0.5 beside it.
+    #[test]
+    fn a_kept_charge_leaves_the_other_multipliers_as_they_are() {
+        let map = Mat::from_fn(2, 2, |i, j| if i == j { 0.25 } else { 0.75 });
+        let row = vec![0.5_f64.sqrt(); 2];
+        let left = without(map, &[row]);
+        let (trace, determinant) = (left[(0, 0)] + left[(1, 1)], left.determinant());
+        assert!((trace + 0.5).abs() < 1e-15 && determinant.abs() < 1e-15);
+    }
+}
