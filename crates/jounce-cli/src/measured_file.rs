@@ -5,7 +5,7 @@ use crate::spec_arguments::OutputArguments;
 use clap::Args;
 use jounce::spec::Quantity as Unit;
 use jounce::table::Manifest;
-use jounce_measure::read::{self, Contents};
+use jounce_measure::read;
 use jounce_measure::recording::{Channel, ChannelError, Quantity, Recording};
 use sha2::{Digest, Sha256};
 use std::io::Read;
@@ -21,11 +21,6 @@ pub struct MeasuredFile {
 }
 
 impl MeasuredFile {
-    /// Everything in the file.
-    pub fn contents(&self) -> Result<Contents, Failure> {
-        Ok(read::file(&self.file)?)
-    }
-
     /// The first recording over time, at even times and without missing samples.
     pub fn record(&self) -> Result<Recording, Failure> {
         record(&self.file)

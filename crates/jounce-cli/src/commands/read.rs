@@ -6,13 +6,15 @@ use crate::output::{self, line, print};
 use clap::Args;
 use jounce::picture::{Axis, Figure, Line, Panel, Series, Trace, time_histories};
 use jounce::table::{Column, Table};
-use jounce_measure::read::Contents;
-use jounce_measure::recording::{Channel, Finding, Over, Recording};
-use jounce_measure::write::write;
+use jounce_measure::read::{Survey, Surveyed, SurveyedChannel, survey};
+use jounce_measure::recording::{Finding, Over, Series as _, Sizes};
+use jounce_measure::write::write_surveyed;
 use std::path::{Path, PathBuf};
 
 /// Channels in the picture of a recording.
 const SHOWN: usize = 8;
+/// Points of a channel in it at most: many more than it has columns of pixels.
+const DRAWN: usize = 200_000;
 
 /// Arguments of `read`.
 #[derive(Debug, Args)]
@@ -27,9 +29,9 @@ pub struct Read {
 impl Read {
     /// Reads and tells.
     pub fn run(&self) -> Result<(), Failure> {
-        let contents = self.file.contents()?;
+        let contents = survey(&self.file.file)?;
         if let (Some(path), Some(recording)) = (&self.to, contents.recordings.first()) {
-            write(recording, path)?;
+            write_surveyed(recording, path)?;
         }
         if let Some(folder) = &self.file.output.out {
             self.write(folder, &contents)?;
@@ -51,18 +53,18 @@ impl Read {
     }
 
     /// The list of channels, the list of findings, and a picture of each recording.
-    fn write(&self, folder: &Path, contents: &Contents) -> Result<(), Failure> {
+    fn write(&self, folder: &Path, contents: &Survey) -> Result<(), Failure> {
         let manifest = self.file.manifest("read")?;
-        let channels: Vec<(&Recording, &Channel)> =
+        let channels: Vec<(&Surveyed, &SurveyedChannel)> =
             contents.recordings.iter().flat_map(|recording| recording.channels.iter().map(move |channel| (recording, channel))).collect();
-        let text = |of: &dyn Fn(&Recording, &Channel) -> String| channels.iter().map(|(r, c)| of(r, c)).collect::<Vec<String>>();
-        let number = |of: &dyn Fn(&Recording, &Channel) -> f64| channels.iter().map(|(r, c)| of(r, c)).collect::<Vec<f64>>();
+        let text = |of: &dyn Fn(&Surveyed, &SurveyedChannel) -> String| channels.iter().map(|(r, c)| of(r, c)).collect::<Vec<String>>();
+        let number = |of: &dyn Fn(&Surveyed, &SurveyedChannel) -> f64| channels.iter().map(|(r, c)| of(r, c)).collect::<Vec<f64>>();
         let table = Table::new(vec![
             Column::new("recording", "", "name of the recording", text(&|r, _| r.name.clone())),
             Column::new("channel", "", "name of the channel", text(&|_, c| c.name.clone())),
             Column::new("unit", "", "unit of the next columns", text(&|_, c| c.unit.clone())),
-            Column::new("rms", "", "rms of the samples that are numbers", number(&|_, c| sizes(c).0)),
-            Column::new("peak", "", "largest size", number(&|_, c| sizes(c).1)),
+            Column::new("rms", "", "rms of the samples that are numbers", number(&|_, c| c.sizes.rms)),
+            Column::new("peak", "", "largest size", number(&|_, c| c.sizes.peak)),
             Column::new("rate", "", "samples per second, or per hertz", number(&|r, _| r.rate())),
         ])?;
         output::table(folder, "read", &table, &manifest)?;
@@ -76,42 +78,32 @@ impl Read {
         ])?;
         output::table(folder, "read-findings", &table, &manifest)?;
         for (k, recording) in contents.recordings.iter().enumerate() {
-            output::figure(folder, &format!("read-{}", k + 1), &drawn(recording))?;
+            output::figure(folder, &format!("read-{}", k + 1), &drawn(recording)?)?;
         }
         Ok(())
     }
 }
 
 /// The first channels over time, or their sizes over frequency.
-fn drawn(recording: &Recording) -> Figure {
-    let (places, shown) = (recording.grid.places(), recording.channels.iter().take(SHOWN));
-    let quantity = |channel: &Channel| channel.name.clone();
+fn drawn(recording: &Surveyed) -> Result<Figure, Failure> {
+    let outline = recording.outline(SHOWN, DRAWN).map_err(|fault| Failure::Input(format!("the scratch file cannot be read: {fault}")))?;
+    let shown = recording.channels.iter().zip(outline.channels);
     if recording.over == Over::Time {
-        let trace = |channel: &Channel| Trace { quantity: quantity(channel), unit: channel.unit.clone(), values: channel.values.clone() };
-        return time_histories(&recording.name, &places, &shown.map(trace).collect::<Vec<_>>());
+        let trace = |(channel, values): (&SurveyedChannel, _)| Trace { quantity: channel.name.clone(), unit: channel.unit.clone(), values };
+        return Ok(time_histories(&recording.name, &outline.places, &shown.map(trace).collect::<Vec<_>>()));
     }
-    let panel = |channel: &Channel| {
-        let zeros = vec![0.0; channel.values.len()];
-        let imaginary = channel.imaginary.as_ref().unwrap_or(&zeros);
-        let size = channel.values.iter().zip(imaginary).map(|(re, im)| re.hypot(*im)).collect();
-        let axes = Panel::new(Axis::linear("Frequency", "Hz"), Axis::log(&quantity(channel), &channel.unit)).high(200.0);
-        axes.with(Series::line(places.clone(), size).style(Line::Thin))
+    let panel = |(channel, size): (&SurveyedChannel, _)| {
+        let axes = Panel::new(Axis::linear("Frequency", "Hz"), Axis::log(&channel.name, &channel.unit)).high(200.0);
+        axes.with(Series::line(outline.places.clone(), size).style(Line::Thin))
     };
-    Figure { panels: shown.map(panel).collect(), ..Figure::new(&recording.name) }
+    Ok(Figure { panels: shown.map(panel).collect(), ..Figure::new(&recording.name) })
 }
 
-/// Rms and largest size of the samples that are numbers.
-fn sizes(channel: &Channel) -> (f64, f64) {
-    let finite = || channel.values.iter().filter(|x| x.is_finite());
-    let (sum, count) = finite().fold((0.0, 0.0), |(sum, count), x| (sum + x * x, count + 1.0));
-    (f64::sqrt(sum / f64::max(count, 1.0)), finite().fold(0.0, |peak: f64, x| peak.max(x.abs())))
-}
-
-fn tell(recording: &Recording) {
+fn tell(recording: &Surveyed) {
     let (rate, over) = if recording.over == Over::Time { ("Hz", "over time") } else { ("lines per Hz", "over frequency") };
-    line(format!("{}: {} samples {over}, {:.6} {rate}", recording.name, recording.grid.len(), recording.rate()));
+    line(format!("{}: {} samples {over}, {:.6} {rate}", recording.name, recording.places.count(), recording.rate()));
     for (k, channel) in recording.channels.iter().enumerate() {
-        let (rms, peak) = sizes(channel);
+        let Sizes { rms, peak } = channel.sizes;
         let unit = if channel.unit.is_empty() { "(no unit)" } else { &channel.unit };
         let kind = if channel.imaginary.is_some() { ", complex" } else { "" };
         let place = format!("{} {}", channel.place, channel.direction);
@@ -120,9 +112,8 @@ fn tell(recording: &Recording) {
     recording.findings.iter().for_each(|finding| line(format!("  ! {finding}")));
 }
 
-fn listed(recording: &Recording) -> serde_json::Value {
-    let channel = |channel: &Channel| {
-        let (rms, peak) = sizes(channel);
+fn listed(recording: &Surveyed) -> serde_json::Value {
+    let channel = |channel: &SurveyedChannel| {
         serde_json::json!({
             "name": channel.name,
             "quantity": channel.quantity,
@@ -130,14 +121,14 @@ fn listed(recording: &Recording) -> serde_json::Value {
             "place": channel.place,
             "direction": channel.direction,
             "complex": channel.imaginary.is_some(),
-            "rms": rms,
-            "peak": peak,
+            "rms": channel.sizes.rms,
+            "peak": channel.sizes.peak,
         })
     };
     serde_json::json!({
         "name": recording.name,
         "over": if recording.over == Over::Time { "time" } else { "frequency" },
-        "samples": recording.grid.len(),
+        "samples": recording.places.count(),
         "rate": recording.rate(),
         "channels": recording.channels.iter().map(channel).collect::<Vec<_>>(),
         "findings": recording.findings,

@@ -58,40 +58,13 @@ fn a_fit_that_cannot_be_done_says_why() {
     assert!(code == 4 && stderr.contains("missing.toml"), "{stderr}");
 }
 
-/// A harvester without a stop under its base: quick to answer.
-const SMALL: &str = r#"
-[beam.beam]
-length = "120 mm"
-width = "20 mm"
-thickness = "1 mm"
-youngs_modulus = "70 GPa"
-density = "2700 kg/m^3"
-
-[patch.mfc]
-on = "beam"
-start = "2 mm"
-length = "40 mm"
-width = "18 mm"
-thickness = "0.3 mm"
-youngs_modulus = "30 GPa"
-density = "5440 kg/m^3"
-d31 = "-170 pC/N"
-capacitance = "60 nF"
-
-[circuit.load]
-patch = "mfc"
-resistance = "50 kohm"
-
+/// A harvester without a stop: quick to answer.
+const HARVESTER: &str = include_str!("../../../jounce-measure/tests/fitted/harvester.toml");
+const RUN: &str = r#"
 [drive.shaker]
 kind = "base-acceleration"
 amplitude = "2 m/s^2"
 frequency = "60 Hz"
-
-[damping]
-beyond = 0.02
-
-[reduction]
-modes = 2
 
 [run]
 start = "linear"
@@ -105,7 +78,7 @@ average_over = "0.1 s"
 fn powers_and_responses_are_fitted_from_a_readable_file() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();
-    std::fs::write(here.join("small.toml"), SMALL).unwrap();
+    std::fs::write(here.join("small.toml"), [HARVESTER, RUN].concat()).unwrap();
     let truth = ["--set", "patch.mfc.capacitance=50nF", "--json"];
     let power = |load: &str| {
         let set = format!("circuit.load.resistance={load}");

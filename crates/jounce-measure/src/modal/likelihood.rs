@@ -39,16 +39,16 @@ struct Part {
 
 /// The fit that begins at given poles.
 pub(super) fn fit(band: &Band, start: &[Pole]) -> Option<Fit> {
-    let lines = kept(&band.frequency_hz, start);
+    let data = Data::of(band, start);
     let mut poles: Vec<c64> = start.iter().map(|pole| pole.complex()).collect();
-    let (mut normal, mut right, mut error) = equations(band, &lines, &poles)?;
+    let (mut normal, mut right, mut error) = equations(&data, &poles)?;
     let mut damping = 1e-6;
     for _ in 0..STEPS {
         let step = damped(&normal, damping)?.solve(&right);
         let tried: Vec<c64> = poles.iter().enumerate().map(|(r, p)| p + c64::new(step[(2 * r, 0)], step[(2 * r + 1, 0)])).collect();
         let size = tried.iter().zip(&poles).map(|(a, b)| (a - b).norm() / b.norm()).fold(0.0, f64::max);
         let stays = tried.iter().all(|p| p.re < 0.0 && p.im > 0.0);
-        match equations(band, &lines, &tried).filter(|(.., less)| stays && *less <= error * (1.0 + 1e-12)) {
+        match equations(&data, &tried).filter(|(.., less)| stays && *less <= error * (1.0 + 1e-12)) {
             Some(better) => {
                 poles = tried;
                 (normal, right, error) = better;
@@ -61,7 +61,7 @@ pub(super) fn fit(band: &Band, start: &[Pole]) -> Option<Fit> {
             None => damping *= 10.0,
         }
     }
-    finished(band, &lines, &poles, &normal, error)
+    finished(band, &data, &poles, &normal, error)
 }
 
 /// The normal matrix with its diagonal lifted.
@@ -70,12 +70,43 @@ fn damped(normal: &Mat<f64>, share: f64) -> Option<faer::linalg::solvers::Llt<f6
     lifted.llt(Side::Lower).ok()
 }
 
+/// What the fit is made to.
+struct Data {
+    /// Of each line that is used, rad/s.
+    angular: Vec<f64>,
+    responses: Vec<Weighed>,
+}
+
+/// A response at the lines that are used.
+struct Weighed {
+    /// One over the standard deviation of each part.
+    weight: Vec<f64>,
+    /// The response times its weight.
+    value: Vec<c64>,
+}
+
+impl Data {
+    fn of(band: &Band, start: &[Pole]) -> Self {
+        let lines = kept(&band.frequency_hz, start);
+        let weighed = |o: usize| {
+            let weight = weights(band, o, &lines);
+            let value = lines.iter().zip(&weight).map(|(k, weight)| band.response[o][*k] * *weight).collect();
+            Weighed { weight, value }
+        };
+        Self {
+            angular: lines.iter().map(|k| TAU * band.frequency_hz[*k]).collect(),
+            responses: (0..band.response.len()).into_par_iter().map(weighed).collect(),
+        }
+    }
+}
+
 /// Normal equations of the poles over all responses, and the weighed squared error.
-fn equations(band: &Band, lines: &[usize], poles: &[c64]) -> Option<(Mat<f64>, Mat<f64>, f64)> {
+fn equations(data: &Data, poles: &[c64]) -> Option<(Mat<f64>, Mat<f64>, f64)> {
     let size = 2 * poles.len();
     let (mut normal, mut right, mut error) = (Mat::zeros(size, size), Mat::zeros(size, 1), 0.0);
     // Responses in parallel, their parts added in order: the same bits for any number of threads.
-    let parts = (0..band.response.len()).into_par_iter().map(|o| part(band, lines, poles, o)).collect::<Option<Vec<Part>>>()?;
+    let terms = Terms::of(data, poles);
+    let parts = data.responses.par_iter().map(|response| part(response, &terms)).collect::<Option<Vec<Part>>>()?;
     for part in parts {
         normal += &part.normal;
         right += &part.right;
@@ -109,49 +140,66 @@ fn linear_terms(poles: &[c64], w: f64, row: &mut Vec<c64>) {
     row.extend([c64::new(low, 0.0), c64::new(0.0, low), c64::new(1.0, 0.0), j]);
 }
 
-/// Columns scaled to size 1 for the linear solve: residual terms and residues differ by many powers of ten.
-fn part(band: &Band, lines: &[usize], poles: &[c64], o: usize) -> Option<Part> {
-    let (rows, width, j) = (2 * lines.len(), 2 * poles.len() + 4, c64::new(0.0, 1.0));
-    let mut a = Mat::<f64>::zeros(rows, width);
-    let mut b = Mat::<f64>::zeros(rows, 1);
-    let mut row = Vec::with_capacity(width);
-    let weights = weights(band, o, lines);
-    for (k, line) in lines.iter().copied().enumerate() {
-        let weight = weights[k];
-        linear_terms(poles, TAU * band.frequency_hz[line], &mut row);
-        for (c, value) in row.iter().enumerate() {
-            (a[(2 * k, c)], a[(2 * k + 1, c)]) = (weight * value.re, weight * value.im);
-        }
-        let h = band.response[o][line] * weight;
-        (b[(2 * k, 0)], b[(2 * k + 1, 0)]) = (h.re, h.im);
-    }
-    let scale: Vec<f64> = (0..width).map(|c| a.col(c).norm_l2().max(f64::MIN_POSITIVE)).collect();
-    let scaled = Mat::from_fn(rows, width, |r, c| a[(r, c)] / scale[c]);
-    let q = scaled.qr();
-    let thin = q.compute_thin_Q();
-    let solution = q.thin_R().partial_piv_lu().solve(thin.transpose() * &b);
-    let linear = Mat::from_fn(width, 1, |c, _| solution[(c, 0)] / scale[c]);
-    let rest = &b - &a * &linear;
-    // Derivatives by the real and imaginary part of each pole.
-    let mut by_poles = Mat::<f64>::zeros(rows, 2 * poles.len());
-    for (k, line) in lines.iter().copied().enumerate() {
-        let (weight, w) = (weights[k], TAU * band.frequency_hz[line]);
-        for (r, p) in poles.iter().enumerate() {
-            let residue = c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)]);
-            let (one, two) = (residue / (j * w - p).powi(2), residue.conj() / (j * w - p.conj()).powi(2));
-            for (c, value) in [one + two, j * (one - two)].into_iter().enumerate() {
-                (by_poles[(2 * k, 2 * r + c)], by_poles[(2 * k + 1, 2 * r + c)]) = (weight * value.re, weight * value.im);
+/// What all responses share at some poles, not weighed: two rows for each line, its real and its imaginary part.
+struct Terms {
+    /// The columns of the linear unknowns.
+    linear: Mat<f64>,
+    /// For each pole `u + u'` and `j (u - u')`, where `u = 1 / (j w - p)^2` and `u'` is that of the conjugate pole.
+    squares: Mat<f64>,
+}
+
+impl Terms {
+    fn of(data: &Data, poles: &[c64]) -> Self {
+        let (rows, width, j) = (2 * data.angular.len(), 2 * poles.len() + 4, c64::new(0.0, 1.0));
+        let (mut linear, mut squares) = (Mat::<f64>::zeros(rows, width), Mat::<f64>::zeros(rows, 2 * poles.len()));
+        let mut row = Vec::with_capacity(width);
+        for (k, w) in data.angular.iter().copied().enumerate() {
+            linear_terms(poles, w, &mut row);
+            for (c, value) in row.iter().enumerate() {
+                (linear[(2 * k, c)], linear[(2 * k + 1, c)]) = (value.re, value.im);
+            }
+            for (r, p) in poles.iter().enumerate() {
+                let (one, two) = (1.0 / (j * w - p).powi(2), 1.0 / (j * w - p.conj()).powi(2));
+                for (c, value) in [one + two, j * (one - two)].into_iter().enumerate() {
+                    (squares[(2 * k, 2 * r + c)], squares[(2 * k + 1, 2 * r + c)]) = (value.re, value.im);
+                }
             }
         }
+        Self { linear, squares }
     }
+}
+
+/// Columns scaled to size 1 for the linear solve: residual terms and residues differ by many powers of ten.
+fn part(response: &Weighed, terms: &Terms) -> Option<Part> {
+    let (rows, width) = (terms.linear.nrows(), terms.linear.ncols());
+    let weight = &response.weight;
+    let mut a = Mat::from_fn(rows, width, |r, c| weight[r / 2] * terms.linear[(r, c)]);
+    let b = Mat::from_fn(rows, 1, |r, _| if r % 2 == 0 { response.value[r / 2].re } else { response.value[r / 2].im });
+    let scale: Vec<f64> = (0..width).map(|c| a.col(c).norm_l2().max(f64::MIN_POSITIVE)).collect();
+    for (column, scale) in a.col_iter_mut().zip(&scale) {
+        column.iter_mut().for_each(|x| *x /= scale);
+    }
+    let q = a.qr();
+    let thin = q.compute_thin_Q();
+    let solution = q.thin_R().partial_piv_lu().solve(thin.transpose() * &b);
+    let rest = &b - &a * &solution;
+    let linear = Mat::from_fn(width, 1, |c, _| solution[(c, 0)] / scale[c]);
+    // Derivatives by the real and imaginary part x + j y of each pole's residue times u, and its conjugate.
+    let by_poles = Mat::from_fn(rows, width - 4, |row, c| {
+        let (r, squares) = (2 * (c / 2), &terms.squares);
+        let (x, y) = (linear[(r, 0)], linear[(r + 1, 0)]);
+        let (even, odd) = (squares[(row, r)], squares[(row, r + 1)]);
+        weight[row / 2] * if c % 2 == 0 { x * even + y * odd } else { x * odd - y * even }
+    });
     // Kaufman's variable projection: what the linear terms cannot take up.
     let inside = thin.transpose() * &by_poles;
     let projected = &by_poles - &thin * &inside;
     Some(Part { normal: projected.transpose() * &projected, right: projected.transpose() * &rest, error: rest.squared_norm_l2(), linear })
 }
 
-fn finished(band: &Band, lines: &[usize], poles: &[c64], normal: &Mat<f64>, error: f64) -> Option<Fit> {
-    let freedom = (2 * lines.len() * band.response.len()) as f64 - (2 * poles.len() + band.response.len() * (2 * poles.len() + 4)) as f64;
+fn finished(band: &Band, data: &Data, poles: &[c64], normal: &Mat<f64>, error: f64) -> Option<Fit> {
+    let freedom =
+        (2 * data.angular.len() * band.response.len()) as f64 - (2 * poles.len() + band.response.len() * (2 * poles.len() + 4)) as f64;
     let told = !band.variance.is_empty();
     let misfit = error / freedom.max(1.0);
     // Without variances the misfit is all that is known of them.
@@ -165,8 +213,9 @@ fn finished(band: &Band, lines: &[usize], poles: &[c64], normal: &Mat<f64>, erro
         (spread(a / size, b / size) / TAU, spread(-b * b / size.powi(3), a * b / size.powi(3)))
     };
     let (mut residue, mut model, mut row) = (Vec::new(), Vec::new(), Vec::new());
-    for o in 0..band.response.len() {
-        let linear = part(band, lines, poles, o)?.linear;
+    let terms = Terms::of(data, poles);
+    for response in &data.responses {
+        let linear = part(response, &terms)?.linear;
         residue.push((0..poles.len()).map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)])).collect());
         let at = |f: &f64| {
             linear_terms(poles, TAU * f, &mut row);

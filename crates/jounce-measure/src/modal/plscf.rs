@@ -21,7 +21,6 @@ use super::{Band, ModalError, Pole};
 /// Sums over the lines that every order shares.
 struct Moments {
     inputs: usize,
-    outputs: usize,
     /// `re sum z^k`
     r: Vec<f64>,
     /// `re sum z^k H_o` for k from `-most` to `most`: output, input, k.
@@ -42,7 +41,8 @@ pub fn poles(band: &Band, most: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
         return Err(ModalError::Few { low_hz: band.low_hz, high_hz: band.high_hz, lines, order: most, needed });
     }
     let moments = Moments::of(band, most);
-    (1..=most).into_par_iter().map(|order| moments.poles(order)).collect()
+    let normal = moments.normal()?;
+    normal.into_par_iter().map(|m| moments.poles(&m)).collect()
 }
 
 impl Moments {
@@ -61,29 +61,51 @@ impl Moments {
         let measured = (0..band.response.len()).map(|k| band.measured(k));
         let response: Vec<Vec<c64>> = if inputs == 1 { measured.map(scaled).collect() } else { measured.collect() };
         let at = |o: usize, i: usize| &response[o * inputs + i];
-        let s = (0..outputs).into_par_iter().map(|o| (0..inputs).map(|i| both_ways(&turn, at(o, i), most)).collect()).collect();
         let product = |i: usize, j: usize| -> Vec<c64> {
             (0..turn.len()).map(|k| (0..outputs).map(|o| at(o, i)[k].conj() * at(o, j)[k]).sum()).collect()
         };
-        let t = (0..inputs).map(|i| (0..inputs).map(|j| both_ways(&turn, &product(i, j), most)).collect()).collect();
+        let products = (0..inputs).flat_map(|i| (0..inputs).map(move |j| (i, j))).map(|(i, j)| product(i, j));
         let ones = vec![c64::new(1.0, 0.0); turn.len()];
-        let r = both_ways(&turn, &ones, most).split_off(most);
-        Self { inputs, outputs, r, s, t, most, interval_s }
+        let signals: Vec<Vec<c64>> = response.iter().cloned().chain(products).chain([ones]).collect();
+        let mut sums = both_ways(&turn, &signals, most).into_iter();
+        let mut rows = |count: usize| -> Vec<Vec<Vec<f64>>> { (0..count).map(|_| sums.by_ref().take(inputs).collect()).collect() };
+        let (s, t) = (rows(outputs), rows(inputs));
+        let r = sums.next().unwrap_or_default().split_off(most);
+        Self { inputs, r, s, t, most, interval_s }
     }
 
-    fn poles(&self, order: usize) -> Result<Vec<Pole>, ModalError> {
-        let (n, singular) = (self.inputs, ModalError::Singular { order });
-        let width = order + 1;
-        let r = Mat::from_fn(width, width, |a, b| self.r[a.abs_diff(b)]);
-        let factor = r.llt(Side::Lower).map_err(|_| singular.clone())?;
+    /// The matrix `M` of each order from 1. The factor of a leading part of `R` is the leading part of its factor `L`, so that with
+    /// `Y_o = L^-1 S_o` each order adds to `sum_o S_o^T R^-1 S_o = sum_o Y_o^T Y_o` what one row of each `Y_o` gives.
+    fn normal(&self) -> Result<Vec<Mat<f64>>, ModalError> {
+        let (n, width) = (self.inputs, self.most + 1);
         // Row a of X is z^a, so that X^H Y has z^(b - a).
         let index = |a: usize, b: usize| self.most + b - a;
-        let mut m = Mat::from_fn(n * width, n * width, |a, b| self.t[a % n][b % n][index(a / n, b / n)]);
-        for o in 0..self.outputs {
-            let s = Mat::from_fn(width, n * width, |a, b| -self.s[o][b % n][index(a, b / n)]);
-            m -= s.transpose() * factor.solve(&s);
+        let r = Mat::from_fn(width, width, |a, b| self.r[a.abs_diff(b)]);
+        let factor = r.llt(Side::Lower).map_err(|_| ModalError::Singular { order: self.most })?;
+        let inverse = {
+            let mut inverse = Mat::<f64>::identity(width, width);
+            factor.L().solve_lower_triangular_in_place(&mut inverse);
+            inverse
+        };
+        let y: Vec<Mat<f64>> =
+            self.s.par_iter().map(|s| &inverse * Mat::from_fn(width, n * width, |a, b| -s[b % n][index(a, b / n)])).collect();
+        let mut taken = Mat::<f64>::zeros(n * width, n * width);
+        let mut all = Vec::new();
+        for order in 0..width {
+            let row = Mat::from_fn(y.len(), n * width, |o, b| y[o][(order, b)]);
+            taken += row.transpose() * &row;
+            let size = n * (order + 1);
+            all.push(Mat::from_fn(size, size, |a, b| self.t[a % n][b % n][index(a / n, b / n)] - taken[(a, b)]));
         }
-        let free = n * order;
+        all.remove(0);
+        Ok(all)
+    }
+
+    /// The poles of the order that a matrix `M` belongs to.
+    fn poles(&self, m: &Mat<f64>) -> Result<Vec<Pole>, ModalError> {
+        let n = self.inputs;
+        let free = m.nrows() - n;
+        let singular = ModalError::Singular { order: free / n };
         let left = m.submatrix(0, 0, free, free).to_owned();
         let right = Mat::from_fn(free, n, |a, b| -m[(a, free + b)]);
         let lu = left.partial_piv_lu();
@@ -109,21 +131,53 @@ impl Moments {
     }
 }
 
-/// `re sum z^k h` for k from `-most` to `most`.
-fn both_ways(turn: &[c64], h: &[c64], most: usize) -> Vec<f64> {
-    let mut sums = vec![0.0; 2 * most + 1];
-    for (z, h) in turn.iter().zip(h) {
-        let (mut up, mut down) = (*h, *h * z.conj());
-        for k in 0..=most {
-            sums[most + k] += up.re;
-            up *= z;
+/// Lines whose sums are made at once; these are added in order, so that any number of threads gives the same bits.
+const LINES: usize = 1024;
+/// Numbers that are added side by side.
+const LANES: usize = 8;
+
+/// `re sum z^k h` of each signal `h` for k from `-most` to `most`. With `a = sum re z^k re h` and `b = sum im z^k im h` the sums of `k` and `-k` are
+/// `a - b` and `a + b`, and the powers of `z` serve all signals.
+fn both_ways(turn: &[c64], signals: &[Vec<c64>], most: usize) -> Vec<Vec<f64>> {
+    let part = |from: usize| -> Vec<[f64; 2]> {
+        let lines = from..(from + LINES).min(turn.len());
+        let apart = |of: &[c64]| of[lines.clone()].iter().flat_map(|x| [x.re, x.im]).collect::<Vec<f64>>();
+        let signals: Vec<Vec<f64>> = signals.iter().map(|h| apart(h)).collect();
+        let mut power = [1.0, 0.0].repeat(lines.len());
+        let mut sums = Vec::with_capacity(signals.len() * (most + 1));
+        for _ in 0..=most {
+            sums.extend(signals.iter().map(|h| products(&power, h)));
+            for (power, z) in power.as_chunks_mut::<2>().0.iter_mut().zip(&turn[lines.clone()]) {
+                *power = [power[0] * z.re - power[1] * z.im, power[0] * z.im + power[1] * z.re];
+            }
         }
-        for k in 1..=most {
-            sums[most - k] += down.re;
-            down *= z.conj();
+        sums
+    };
+    let parts: Vec<Vec<[f64; 2]>> = (0..turn.len()).into_par_iter().step_by(LINES).map(part).collect();
+    let mut sums = vec![vec![0.0; 2 * most + 1]; signals.len()];
+    for part in parts {
+        for (index, [a, b]) in part.into_iter().enumerate() {
+            let (k, signal) = (index / signals.len(), &mut sums[index % signals.len()]);
+            signal[most + k] += a - b;
+            if k > 0 {
+                signal[most - k] += a + b;
+            }
         }
     }
     sums
+}
+
+/// Sums of the products of real parts and of imaginary parts, which stand by turns.
+fn products(x: &[f64], y: &[f64]) -> [f64; 2] {
+    let mut lanes = [0.0; LANES];
+    let (x, y) = (x.chunks(LANES), y.chunks(LANES));
+    for (x, y) in x.zip(y) {
+        for (lane, (x, y)) in lanes.iter_mut().zip(x.iter().zip(y)) {
+            *lane += x * y;
+        }
+    }
+    let every = |from: usize| lanes.iter().skip(from).step_by(2).sum();
+    [every(0), every(1)]
 }
 
 #[cfg(test)]

@@ -1,34 +1,43 @@
 //! Raw columns and notes to a recording: names, time, SI units, findings.
 
+use std::io;
 use std::path::Path;
 
 use super::name::{is_frequency, is_time};
-use super::raw::{Raw, RawChannel, Stamps};
+use super::numbers::Numbers;
+use super::raw::{Column, Raw, Stamps};
+use super::survey::{Places, Surveyed, SurveyedChannel};
 use super::{ChannelNotes, Notes, ReadError};
-use crate::recording::{Channel, Finding, FindingKind, Grid, Over, Quantity, Recording, Unit, inspect};
+use crate::recording::{Finding, FindingKind, Grid, Over, Quantity, Series, Sizes, Stamped, Unit, inspected, may_be_counts, usual_step};
 
 /// How far the rate of the notes may lie from that of the stamps, relative.
 const SAME_RATE: f64 = 1e-3;
 
 /// The recording of a data set.
-pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) -> Result<Recording, ReadError> {
-    let columns: Vec<String> = raw.channels.iter().map(|channel| channel.name.clone()).collect();
+pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) -> Result<Surveyed, ReadError> {
+    let columns: Vec<String> = raw.columns.iter().map(|column| column.name.clone()).collect();
     let said: Vec<ChannelNotes> = columns.iter().enumerate().map(|(k, name)| notes.of(name, k + 1)).collect();
     check_notes(path, notes, &columns)?;
+    let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
     let mut findings = std::mem::take(&mut raw.findings);
     if notes.over_frequency {
         raw.over = Over::Frequency;
     }
-    let time = if raw.stamps == Stamps::Column { time_column(&mut raw, &said, notes) } else { None };
-    let grid = grid(path, &mut raw, time, notes, columns, &mut findings)?;
+    let time = if let Stamps::Column = raw.stamps { time_column(&mut raw, &said, notes).map_err(lost)? } else { None };
+    let places = places(path, &mut raw, time, notes, columns, &mut findings)?;
     let mut channels = Vec::new();
-    for (k, (column, said)) in raw.channels.into_iter().zip(said).enumerate() {
+    for (k, (column, said)) in raw.columns.into_iter().zip(said).enumerate() {
         if Some(k) != time && !said.left_out {
-            channels.push(channel(column, said, &mut findings));
+            channels.push(settled(column, said, &mut findings));
         }
     }
-    findings.extend(channels.iter().flat_map(inspect));
-    Ok(Recording { name, over: raw.over, grid, channels, findings })
+    for channel in &mut channels {
+        let counts = may_be_counts(channel.quantity, channel.imaginary.is_some());
+        let (found, sizes) = inspected(&channel.values, counts).map_err(lost)?;
+        findings.extend(found.into_iter().map(|finding| finding.of(&channel.name)));
+        channel.sizes = sizes;
+    }
+    Ok(Surveyed { name, over: raw.over, places, channels, findings })
 }
 
 /// Notes that name a column that is not there say so.
@@ -40,62 +49,77 @@ fn check_notes(path: &Path, notes: &Notes, columns: &[String]) -> Result<(), Rea
 }
 
 /// The column that holds the time (or frequency): the one that the notes name, that a name tells, or a first one that ascends evenly.
-fn time_column(raw: &mut Raw, said: &[ChannelNotes], notes: &Notes) -> Option<usize> {
+fn time_column(raw: &mut Raw, said: &[ChannelNotes], notes: &Notes) -> io::Result<Option<usize>> {
     if let Some(wanted) = &notes.time {
         let numbered = || wanted.parse::<usize>().ok().and_then(|number| number.checked_sub(1));
-        return raw.channels.iter().position(|channel| channel.name == *wanted).or_else(numbered);
+        return Ok(raw.columns.iter().position(|column| column.name == *wanted).or_else(numbered));
     }
     if notes.rate_hz.is_some() {
-        return None;
+        return Ok(None);
     }
-    let name = |k: usize| said[k].name.as_deref().unwrap_or(&raw.channels[k].name);
-    if let Some(k) = (0..raw.channels.len()).find(|k| is_time(name(*k))) {
-        return Some(k);
+    let name = |k: usize| said[k].name.as_deref().unwrap_or(&raw.columns[k].name);
+    if let Some(k) = (0..raw.columns.len()).find(|k| is_time(name(*k))) {
+        return Ok(Some(k));
     }
-    if let Some(k) = (0..raw.channels.len()).find(|k| is_frequency(name(*k))) {
+    if let Some(k) = (0..raw.columns.len()).find(|k| is_frequency(name(*k))) {
         raw.over = Over::Frequency;
-        return Some(k);
+        return Ok(Some(k));
     }
-    (raw.channels.len() > 1 && ascends_evenly(&raw.channels[0].values)).then_some(0)
+    Ok((raw.columns.len() > 1 && ascends_evenly(&raw.columns[0].values)?).then_some(0))
 }
 
-fn ascends_evenly(values: &[f64]) -> bool {
-    let (Some(first), Some(last)) = (values.first(), values.last()) else { return false };
-    let step = (last - first) / (values.len().max(2) - 1) as f64;
-    step > 0.0 && values.len() > 2 && values.iter().enumerate().all(|(k, t)| ((t - first) / step - k as f64).abs() < 0.5)
+fn ascends_evenly(values: &Numbers) -> io::Result<bool> {
+    let Some((first, last)) = values.ends()? else { return Ok(false) };
+    let step = (last - first) / (values.count().max(2) - 1) as f64;
+    let (mut even, mut k) = (step > 0.0 && values.count() > 2, 0.0);
+    if even {
+        values.each(|t| {
+            even &= ((t - first) / step - k).abs() < 0.5;
+            k += 1.0;
+        })?;
+    }
+    Ok(even)
 }
 
-fn grid(
+fn places(
     path: &Path,
     raw: &mut Raw,
     time: Option<usize>,
     notes: &Notes,
     columns: Vec<String>,
     findings: &mut Vec<Finding>,
-) -> Result<Grid, ReadError> {
+) -> Result<Places, ReadError> {
     let fault = |fault| ReadError::Grid { path: path.to_owned(), fault };
-    let count = raw.channels.first().map_or(0, |channel| channel.values.len());
+    let even = |start, step, count| Grid::even(start, step, count).map(|_| Places::Even { start, step, count }).map_err(fault);
+    let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
+    let count = raw.columns.first().map_or(0, |column| column.values.count());
     let stamps = match (std::mem::replace(&mut raw.stamps, Stamps::Column), time, notes.rate_hz) {
-        (Stamps::Even { start, step }, ..) => return Grid::even(start, step, count).map_err(fault),
+        (Stamps::Even { start, step }, ..) => return even(start, step, count),
         (Stamps::Given(stamps), ..) => stamps,
         // A time column is no channel: its numbers may be taken.
-        (Stamps::Column, Some(k), _) => seconds(&mut raw.channels[k], raw.over, findings),
-        (Stamps::Column, None, Some(rate_hz)) => return Grid::even(0.0, 1.0 / rate_hz, count).map_err(fault),
+        (Stamps::Column, Some(k), _) => seconds(&mut raw.columns[k], raw.over, findings),
+        (Stamps::Column, None, Some(rate_hz)) => return even(0.0, 1.0 / rate_hz, count),
         (Stamps::Column, None, None) => {
             return Err(ReadError::NoTime { path: path.to_owned(), columns, notes: Notes::path_of(path) });
         }
     };
-    let (grid, odd) = Grid::from_stamps(stamps).map_err(fault)?;
-    findings.extend(odd);
-    if let Some(rate_hz) = notes.rate_hz.filter(|rate_hz| (rate_hz / grid.rate() - 1.0).abs() > SAME_RATE) {
-        let about = format!("the notes say {rate_hz} Hz, the stamps {:.6} Hz; the stamps are used", grid.rate());
+    let (rate, places) = match Stamped::of(&stamps).map_err(lost)?.map_err(fault)? {
+        Stamped::Even { start, step } => (1.0 / step, even(start, step, stamps.count())?),
+        Stamped::Uneven(odd) => {
+            findings.extend(odd);
+            let rate = 1.0 / usual_step(&stamps).map_err(lost)?;
+            (rate, Places::Stamped { stamps, rate })
+        }
+    };
+    if let Some(rate_hz) = notes.rate_hz.filter(|rate_hz| (rate_hz / rate - 1.0).abs() > SAME_RATE) {
+        let about = format!("the notes say {rate_hz} Hz, the stamps {rate:.6} Hz; the stamps are used");
         findings.push(Finding::new(FindingKind::HeaderDisagrees, 1, None, about));
     }
-    Ok(grid)
+    Ok(places)
 }
 
 /// The stamps of a column in s or Hz.
-fn seconds(column: &mut RawChannel, over: Over, findings: &mut Vec<Finding>) -> Vec<f64> {
+fn seconds(column: &mut Column, over: Over, findings: &mut Vec<Finding>) -> Numbers {
     let due = if over == Over::Time { Quantity::Time } else { Quantity::Frequency };
     let unit = Unit::read(&column.unit).filter(|unit| unit.quantity == due);
     let factor = unit.map_or(1.0, |unit| unit.factor);
@@ -108,13 +132,14 @@ fn seconds(column: &mut RawChannel, over: Over, findings: &mut Vec<Finding>) -> 
             Finding::new(FindingKind::Converted, 1, None, format!("stamps in {} times {factor} are {si}", column.unit)).of(&column.name),
         );
     }
-    std::mem::take(&mut column.values).into_iter().map(|t| t * factor).collect()
+    column.values.scale(factor);
+    std::mem::replace(&mut column.values, Vec::new().into())
 }
 
-/// A column in SI.
-pub(super) fn channel(mut column: RawChannel, said: ChannelNotes, findings: &mut Vec<Finding>) -> Channel {
+/// A column in SI, its samples not looked at yet.
+pub(super) fn settled(mut column: Column, said: ChannelNotes, findings: &mut Vec<Finding>) -> SurveyedChannel {
     if column.unit.get(..2).is_some_and(|start| start.eq_ignore_ascii_case("dB")) {
-        findings.extend(column.made_linear());
+        findings.push(column.made_linear());
     }
     let name = said.name.unwrap_or(column.name);
     let told = said.unit.unwrap_or(column.unit);
@@ -127,16 +152,16 @@ pub(super) fn channel(mut column: RawChannel, said: ChannelNotes, findings: &mut
     let factor = scale * unit.map_or(1.0, |unit| unit.factor);
     if let Some(unit) = unit.filter(Unit::converts) {
         let about = format!("values in {told} times {} are {}", unit.factor, unit.si);
-        findings.push(noticed(FindingKind::Converted, column.values.len(), about));
+        findings.push(noticed(FindingKind::Converted, column.values.count(), about));
     }
     if unit.is_none() && !told.trim().is_empty() && told.trim() != "NONE" {
         findings.push(noticed(FindingKind::UnknownUnit, 1, format!("the unit {told:?} is not known; values are as in the file")));
     }
-    let scaled = |values: Vec<f64>| if factor == 1.0 { values } else { values.into_iter().map(|x| x * factor).collect() };
-    let (quantity, unit) = unit.map_or((Quantity::Unknown, told.as_str()), |unit| (unit.quantity, unit.si));
-    let mut channel = Channel::new(&name, quantity, unit, scaled(column.values));
-    channel.imaginary = column.imaginary.map(scaled);
-    channel.place = said.place.unwrap_or(column.place);
-    channel.direction = said.direction.unwrap_or(column.direction);
-    channel
+    let (quantity, unit) = unit.map_or((Quantity::Unknown, told.clone()), |unit| (unit.quantity, unit.si.to_owned()));
+    let Column { mut values, mut imaginary, .. } = column;
+    values.scale(factor);
+    imaginary.iter_mut().for_each(|numbers| numbers.scale(factor));
+    let (place, direction) = (said.place.unwrap_or(column.place), said.direction.unwrap_or(column.direction));
+    let sizes = Sizes { rms: f64::NAN, peak: f64::NAN };
+    SurveyedChannel { name, quantity, unit, place, direction, sizes, values, imaginary }
 }

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use super::error::Damage;
 use super::raw::Raw;
-use super::{Notes, ReadError, assemble, lvm, mat, npy, parquet, text, uff};
+use super::shelf::Shelf;
+use super::{Notes, ReadError, Survey, assemble, lvm, mat, npy, parquet, text, uff};
 use crate::recording::{Finding, Over, Recording};
 
 /// What a file holds.
@@ -47,28 +48,41 @@ impl From<Raw> for Found {
     }
 }
 
-type Reader = fn(&Path) -> Result<Found, Damage>;
+type Reader = fn(&Path, &Shelf) -> Result<Found, Damage>;
 
 /// Reads a file of any known format, with the notes beside it.
 ///
 /// # Errors
 /// A file that cannot be opened, that is none of the formats or damaged, that tells no time, or whose notes are wrong.
 pub fn file(path: &Path) -> Result<Contents, ReadError> {
+    read(path, &Shelf::Memory)?.into_contents(path)
+}
+
+/// Reads a file as [`file()`] does, with its numbers in a scratch file: memory does not grow with the file, but for MAT, whose library holds
+/// a whole file.
+///
+/// # Errors
+/// As [`file()`], and a scratch file that cannot be written.
+pub fn survey(path: &Path) -> Result<Survey, ReadError> {
+    read(path, &Shelf::scratch())
+}
+
+fn read(path: &Path, shelf: &Shelf) -> Result<Survey, ReadError> {
     let (format, reader) = format_of(path)?;
     let notes = Notes::beside(path)?;
-    let found = reader(path).map_err(|Damage { place, why }| ReadError::Damaged { path: path.to_owned(), format, place, why })?;
+    let found = reader(path, shelf).map_err(|Damage { place, why }| ReadError::Damaged { path: path.to_owned(), format, place, why })?;
     let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     let several = found.sets.len() > 1;
-    let mut contents = Contents { recordings: Vec::new(), shapes: found.shapes, findings: found.findings };
+    let mut survey = Survey { recordings: Vec::new(), shapes: found.shapes, findings: found.findings };
     for (k, set) in found.sets.into_iter().enumerate() {
         let name = match (several, set.title.is_empty()) {
             (false, _) => stem.clone(),
             (true, true) => format!("{stem} {}", k + 1),
             (true, false) => format!("{stem} {}: {}", k + 1, set.title),
         };
-        contents.recordings.push(assemble::recording(path, name, set, &notes)?);
+        survey.recordings.push(assemble::recording(path, name, set, &notes)?);
     }
-    Ok(contents)
+    Ok(survey)
 }
 
 /// The first recording over time in a file.

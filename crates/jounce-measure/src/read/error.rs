@@ -62,6 +62,14 @@ pub enum ReadError {
         /// What is wrong.
         fault: GridError,
     },
+    /// Its numbers cannot be kept or found again in the scratch file.
+    #[error("{}: {}", path.display(), kept(reason))]
+    Scratch {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        reason: std::io::Error,
+    },
     /// The notes beside it are wrong; all faults.
     #[error("{}: {}", path.display(), faults.join("; "))]
     Notes {
@@ -76,11 +84,22 @@ fn at(place: Option<Place>) -> String {
     place.map(|place| format!("{place}: ")).unwrap_or_default()
 }
 
+fn kept(reason: &std::io::Error) -> String {
+    let folder = super::shelf::folder();
+    format!("its numbers cannot be kept in {}: {reason}; set TMPDIR to a folder with room for 8 bytes per number", folder.display())
+}
+
 /// What is wrong inside a file, before its name is known.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Damage {
     pub place: Option<Place>,
     pub why: String,
+}
+
+impl From<std::io::Error> for Damage {
+    fn from(reason: std::io::Error) -> Self {
+        Self::new(kept(&reason))
+    }
 }
 
 impl Damage {

@@ -10,6 +10,12 @@ pub enum GivenError {
     /// No channel at all.
     #[error("there is no channel; give at least one")]
     NoChannel,
+    /// Numbers that got lost on the way.
+    #[error("the samples cannot be kept: {reason}")]
+    Kept {
+        /// What the system says.
+        reason: String,
+    },
     /// Channels of unequal length.
     #[error("channel {channel} has {samples} samples for {places} places; every channel needs one sample for each")]
     Length {
@@ -38,7 +44,12 @@ pub fn given(name: &str, over: Over, grid: Grid, channels: Vec<RawChannel>) -> R
         }
     }
     let mut findings = Vec::new();
-    let channels: Vec<_> = channels.into_iter().map(|column| assemble::channel(column, Default::default(), &mut findings)).collect();
+    let settled = |channel: RawChannel| assemble::settled(channel.into(), Default::default(), &mut findings).into_channel();
+    let channels = channels
+        .into_iter()
+        .map(settled)
+        .collect::<std::io::Result<Vec<_>>>()
+        .map_err(|fault| GivenError::Kept { reason: fault.to_string() })?;
     findings.extend(channels.iter().flat_map(inspect));
     Ok(Recording { name: name.to_owned(), over, grid, channels, findings })
 }

@@ -9,15 +9,16 @@ use std::path::Path;
 
 use super::contents::Found;
 use super::error::Damage;
-use super::raw::{Raw, RawChannel, Stamps};
+use super::raw::{Column, Raw, Stamps};
+use super::shelf::Shelf;
 use super::text::{Delimiter, Layout, Rows, columns, decoded};
-use crate::recording::{Finding, FindingKind, Over, Place};
+use crate::recording::{Finding, FindingKind, Over, Place, Series};
 
 const HEAD_BYTES: u64 = 1 << 18;
 /// How far a step of the header may lie from that of the stamps, relative.
 const SAME_STEP: f64 = 1e-3;
 
-pub(super) fn read(path: &Path) -> Result<Found, Damage> {
+pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     let told = |fault: std::io::Error| Damage::new(fault.to_string());
     let mut head = Vec::new();
     File::open(path).map_err(told)?.take(HEAD_BYTES).read_to_end(&mut head).map_err(told)?;
@@ -25,8 +26,8 @@ pub(super) fn read(path: &Path) -> Result<Found, Damage> {
     let header = Header::read(&head)?;
     let file = File::open(path).map_err(told)?;
     let size = file.metadata().map_err(told)?.len();
-    let Rows { channels, findings } = columns(BufReader::with_capacity(1 << 20, file), size, &header.layout)?;
-    header.segment(channels, findings).map(Found::from)
+    let Rows { columns, findings } = columns(BufReader::with_capacity(1 << 20, file), size, &header.layout, shelf)?;
+    header.segment(columns, findings).map(Found::from)
 }
 
 /// What the two headers say.
@@ -73,52 +74,59 @@ impl Header {
     }
 
     /// The columns as one data set.
-    fn segment(&self, columns: Vec<RawChannel>, mut findings: Vec<Finding>) -> Result<Raw, Damage> {
-        let rows = columns.first().map_or(0, |column| column.values.len());
-        let is_x = |column: &RawChannel| column.name == "X_Value";
-        let (x, mut channels): (Vec<RawChannel>, Vec<RawChannel>) = columns.into_iter().partition(is_x);
-        let x = x.into_iter().next().map(|column| column.values).unwrap_or_default();
-        if channels.is_empty() || rows < 2 {
+    fn segment(&self, columns: Vec<Column>, mut findings: Vec<Finding>) -> Result<Raw, Damage> {
+        let rows = columns.first().map_or(0, |column| column.values.count());
+        let is_x = |column: &Column| column.name == "X_Value";
+        let (x, mut columns): (Vec<Column>, Vec<Column>) = columns.into_iter().partition(is_x);
+        let x = x.into_iter().next().map_or_else(|| Vec::new().into(), |column| column.values);
+        if columns.is_empty() || rows < 2 {
             return Err(Damage::at(
                 Place::Line(self.layout.skip),
-                format!("{rows} rows of {} channels follow; at least two rows of one are due", channels.len()),
+                format!("{rows} rows of {} channels follow; at least two rows of one are due", columns.len()),
             ));
         }
-        for (channel, unit) in channels.iter_mut().zip(&self.units) {
-            channel.unit.clone_from(unit);
+        for (column, unit) in columns.iter_mut().zip(&self.units) {
+            column.unit.clone_from(unit);
         }
         if let Some(samples) = self.samples.filter(|samples| *samples != rows) {
             let about = format!("the header says {samples} samples, {rows} follow");
             findings.push(Finding::new(FindingKind::HeaderDisagrees, samples.abs_diff(rows), None, about));
         }
-        let stamps = if self.x_columns == "No" || !x.iter().all(|x| x.is_finite()) {
+        let mut whole = true;
+        x.each(|x| whole &= x.is_finite())?;
+        let stamps = if self.x_columns == "No" || !whole {
             let step = self.step.ok_or_else(|| Damage::new("neither a column X_Value nor a Delta_X tells when the samples were taken"))?;
             Stamps::Even { start: self.start, step }
         } else {
-            findings.extend(self.rescaled(&x));
+            findings.extend(self.rescaled(x.count(), x.ends()?));
             Stamps::Given(x)
         };
-        let over = if channels.iter().all(|channel| channel.name.contains("FFT")) { Over::Frequency } else { Over::Time };
+        let over = if columns.iter().all(|column| column.name.contains("FFT")) { Over::Frequency } else { Over::Time };
         if over == Over::Frequency {
             let about = "the channels are spectra by their names; the first column is taken as frequency in Hz, whatever X_Dimension says";
             findings.push(Finding::new(FindingKind::HeaderDisagrees, 1, None, about.to_owned()));
             // An amplitude is never negative: such a spectrum holds levels.
-            for channel in channels.iter_mut().filter(|channel| channel.values.iter().any(|x| *x < 0.0)) {
-                findings.extend(channel.made_linear());
+            for column in &mut columns {
+                let mut negative = false;
+                column.values.each(|x| negative |= x < 0.0)?;
+                if negative {
+                    findings.push(column.made_linear());
+                }
             }
         }
-        Ok(Raw { title: String::new(), over, stamps, channels, findings })
+        Ok(Raw { title: String::new(), over, stamps, columns, findings })
     }
 
     /// A step of the header that is not that of the stamps.
-    fn rescaled(&self, x: &[f64]) -> Option<Finding> {
-        let step = (x[x.len() - 1] - x[0]) / (x.len() - 1) as f64;
+    fn rescaled(&self, count: usize, ends: Option<(f64, f64)>) -> Option<Finding> {
+        let (first, last) = ends?;
+        let step = (last - first) / (count - 1) as f64;
         let told = self.step.filter(|told| (told / step - 1.0).abs() > SAME_STEP)?;
         let about = format!(
             "the header says Delta_X = {told:.6e}, the stamps are {step:.6e} apart ({:.4} times as much); the stamps are used",
             step / told
         );
-        Some(Finding::new(FindingKind::RescaledStamps, x.len(), Some(Place::Line(self.layout.skip + 1)), about))
+        Some(Finding::new(FindingKind::RescaledStamps, count, Some(Place::Line(self.layout.skip + 1)), about))
     }
 }
 

@@ -8,10 +8,11 @@ use npyz::{DType, Deserialize, NpyFile, Order};
 
 use super::contents::Found;
 use super::error::Damage;
-use super::raw::{Raw, RawChannel};
+use super::raw::{Column, Raw};
+use super::shelf::Shelf;
 use crate::recording::{Finding, FindingKind};
 
-pub(super) fn read(path: &Path) -> Result<Found, Damage> {
+pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     let told = |fault: std::io::Error| Damage::new(format!("{fault}; was the file cut?"));
     let file = File::open(path).map_err(told)?;
     let bytes = file.metadata().map_err(told)?.len();
@@ -33,21 +34,24 @@ pub(super) fn read(path: &Path) -> Result<Found, Damage> {
     let (inner, outer_is_row) = if order == Order::C { (columns, true) } else { (rows, false) };
     let series_are_rows = columns >= rows;
     let (count, length) = (rows.min(columns) as usize, rows.max(columns) as usize);
-    let mut series: Vec<Vec<f64>> = (0..count).map(|_| Vec::with_capacity(length)).collect();
+    let mut series: Vec<_> = (0..count).map(|_| shelf.column()).collect();
+    if !series.iter_mut().all(|numbers| numbers.expect(length)) {
+        return Err(Damage::new(format!("an array of {rows} x {columns} numbers does not fit into memory")));
+    }
     let mut place = 0;
     each(array, |value| {
         let (outer, inside) = (place / inner, place % inner);
         let of = if series_are_rows == outer_is_row { outer } else { inside };
-        series[of as usize].push(value);
         place += 1;
+        series[of as usize].push(value)
     })?;
-    let channels = series.into_iter().enumerate().map(|(k, values)| RawChannel::new(&format!("channel {}", k + 1), "", values)).collect();
+    let series = series.into_iter().enumerate().map(|(k, values)| Column::new(&format!("channel {}", k + 1), "", values)).collect();
     let about = format!("an array of {rows} x {columns} without names: its longer side is taken as time");
-    Ok(Raw::columns(channels, vec![Finding::new(FindingKind::Assumed, 1, None, about)]).into())
+    Ok(Raw::columns(series, vec![Finding::new(FindingKind::Assumed, 1, None, about)]).into())
 }
 
 /// Every number in the order of the file.
-fn each(array: NpyFile<BufReader<File>>, take: impl FnMut(f64)) -> Result<(), Damage> {
+fn each(array: NpyFile<BufReader<File>>, take: impl FnMut(f64) -> std::io::Result<()>) -> Result<(), Damage> {
     let dtype = match array.dtype() {
         DType::Plain(kind) => kind.to_string(),
         other => return Err(Damage::new(format!("its numbers are records ({}); save each as an array of its own", other.descr()))),
@@ -67,10 +71,14 @@ fn each(array: NpyFile<BufReader<File>>, take: impl FnMut(f64)) -> Result<(), Da
     }
 }
 
-fn typed<T: Deserialize>(array: NpyFile<BufReader<File>>, number: impl Fn(T) -> f64, mut take: impl FnMut(f64)) -> Result<(), Damage> {
+fn typed<T: Deserialize>(
+    array: NpyFile<BufReader<File>>,
+    number: impl Fn(T) -> f64,
+    mut take: impl FnMut(f64) -> std::io::Result<()>,
+) -> Result<(), Damage> {
     let told = |fault: std::io::Error| Damage::new(format!("{fault}; was the file cut?"));
     for value in array.data::<T>().map_err(|fault| Damage::new(fault.to_string()))? {
-        take(number(value.map_err(told)?));
+        take(number(value.map_err(told)?))?;
     }
     Ok(())
 }

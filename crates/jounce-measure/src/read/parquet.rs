@@ -10,36 +10,38 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use super::contents::Found;
 use super::error::Damage;
 use super::name;
-use super::raw::{Raw, RawChannel};
-use crate::recording::{Finding, FindingKind};
+use super::numbers::Numbers;
+use super::raw::{Column, Raw};
+use super::shelf::Shelf;
+use crate::recording::{Finding, FindingKind, Series};
 
 /// Key of the notes of jounce in the metadata.
 const NOTES: &str = "jounce";
 /// Numbers that are decoded at once.
 const BATCH: usize = 1 << 16;
 
-pub(super) fn read(path: &Path) -> Result<Found, Damage> {
+pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     let told = |fault: &dyn std::fmt::Display| Damage::new(format!("{fault}; was the file cut?"));
     let file = File::open(path).map_err(|fault| told(&fault))?;
     let reader = SerializedFileReader::new(file).map_err(|fault| told(&fault))?;
     let units = units(&reader);
-    let (mut channels, mut findings) = (Vec::new(), Vec::new());
+    let (mut columns, mut findings) = (Vec::new(), Vec::new());
     let schema = reader.metadata().file_metadata().schema_descr_ptr();
     for (index, column) in schema.columns().iter().enumerate() {
         let head = column.path().string();
-        match values(&reader, index, column.max_def_level()).map_err(|why| Damage::new(format!("column {head}: {why}")))? {
+        match values(&reader, index, column.max_def_level(), shelf).map_err(|why| Damage::new(format!("column {head}: {why}")))? {
             Some(values) => {
                 let (name, guessed) = name::split(&head);
                 let unit = units.iter().find(|(column, _)| *column == head).map_or(guessed, |(_, unit)| unit.clone());
-                channels.push(RawChannel::new(&name, &unit, values));
+                columns.push(Column::new(&name, &unit, values));
             }
             None => findings.push(Finding::new(FindingKind::Skipped, 1, None, format!("column {head} holds no numbers"))),
         }
     }
-    if channels.is_empty() {
+    if columns.is_empty() {
         return Err(Damage::new("it holds no column of numbers"));
     }
-    Ok(Raw::columns(channels, findings).into())
+    Ok(Raw::columns(columns, findings).into())
 }
 
 /// What jounce noted of the columns.
@@ -63,14 +65,16 @@ fn units(reader: &SerializedFileReader<File>) -> Vec<(String, String)> {
 }
 
 /// The numbers of a column, NaN where one is absent; none where it holds something else.
-fn values(reader: &SerializedFileReader<File>, index: usize, optional: i16) -> Result<Option<Vec<f64>>, String> {
-    let mut values = Vec::new();
+fn values(reader: &SerializedFileReader<File>, index: usize, optional: i16, shelf: &Shelf) -> Result<Option<Numbers>, String> {
+    let mut values = shelf.column();
     let rows = usize::try_from(reader.metadata().file_metadata().num_rows()).map_err(|fault| fault.to_string())?;
-    values.try_reserve_exact(rows).map_err(|_| format!("{rows} rows do not fit into memory"))?;
+    if !values.expect(rows) {
+        return Err(format!("{rows} rows do not fit into memory"));
+    }
     for group in 0..reader.num_row_groups() {
         let rows = reader.get_row_group(group).map_err(|fault| fault.to_string())?;
         let count = usize::try_from(rows.metadata().num_rows()).map_err(|fault| fault.to_string())?;
-        let target = values.len() + count;
+        let target = values.count() + count;
         match rows.get_column_reader(index).map_err(|fault| fault.to_string())? {
             ColumnReader::DoubleColumnReader(r) => typed(r, count, optional, |x| x, &mut values)?,
             ColumnReader::FloatColumnReader(r) => typed(r, count, optional, f64::from, &mut values)?,
@@ -78,8 +82,8 @@ fn values(reader: &SerializedFileReader<File>, index: usize, optional: i16) -> R
             ColumnReader::Int64ColumnReader(r) => typed(r, count, optional, |x| x as f64, &mut values)?,
             _ => return Ok(None),
         }
-        if values.len() != target {
-            return Err(format!("row group {} holds {} of {count} values", group + 1, values.len() + count - target));
+        if values.count() != target {
+            return Err(format!("row group {} holds {} of {count} values", group + 1, values.count() + count - target));
         }
     }
     Ok(Some(values))
@@ -90,7 +94,7 @@ fn typed<T: DataType>(
     count: usize,
     optional: i16,
     number: impl Fn(T::T) -> f64,
-    values: &mut Vec<f64>,
+    values: &mut Numbers,
 ) -> Result<(), String> {
     let (mut present, mut levels, mut read) = (Vec::new(), Vec::new(), 0);
     while read < count {
@@ -105,10 +109,12 @@ fn typed<T: DataType>(
         read += records;
         let mut numbers = present.drain(..).map(&number);
         if optional == 0 {
-            values.extend(numbers);
+            numbers.try_for_each(|x| values.push(x))
         } else {
-            values.extend(levels.iter().map(|level| if *level == optional { numbers.next().unwrap_or(f64::NAN) } else { f64::NAN }));
+            let mut of = |level: &i16| if *level == optional { numbers.next().unwrap_or(f64::NAN) } else { f64::NAN };
+            levels.iter().try_for_each(|level| values.push(of(level)))
         }
+        .map_err(|fault| Damage::from(fault).why)?;
     }
     Ok(())
 }

@@ -1,27 +1,41 @@
 //! What a format's reader finds, before names, units and time are settled.
 
-use crate::recording::{Finding, FindingKind, Over, Place};
+use super::numbers::Numbers;
+use crate::recording::{Finding, FindingKind, Over, Place, Series};
 
 /// Columns of equal length as they stand in a file.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub(super) struct Raw {
     /// Title of the data set; empty where it has none.
     pub title: String,
     pub over: Over,
     pub stamps: Stamps,
-    pub channels: Vec<RawChannel>,
+    pub columns: Vec<Column>,
     pub findings: Vec<Finding>,
 }
 
 /// How a file tells when its samples were taken.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub(super) enum Stamps {
     /// By a start and a step, in SI.
     Even { start: f64, step: f64 },
     /// By stamps in SI.
-    Given(Vec<f64>),
+    Given(Numbers),
     /// By one of the columns, or not at all.
     Column,
+}
+
+/// A column as it stands in a file, its numbers wherever they were put.
+#[derive(Debug)]
+pub(super) struct Column {
+    pub name: String,
+    pub unit: String,
+    pub place: String,
+    pub direction: String,
+    /// The samples, real parts of complex ones.
+    pub values: Numbers,
+    /// Imaginary parts of a complex column, as many.
+    pub imaginary: Option<Numbers>,
 }
 
 /// A column as it stands in a file.
@@ -46,22 +60,37 @@ impl RawChannel {
     pub fn new(name: &str, unit: &str, values: Vec<f64>) -> Self {
         Self { name: name.to_owned(), unit: unit.to_owned(), values, ..Self::default() }
     }
+}
+
+impl From<RawChannel> for Column {
+    fn from(channel: RawChannel) -> Self {
+        let RawChannel { name, unit, place, direction, values, imaginary } = channel;
+        Self { name, unit, place, direction, values: values.into(), imaginary: imaginary.map(Numbers::from) }
+    }
+}
+
+impl Column {
+    /// A real column without place and direction.
+    pub(super) fn new(name: &str, unit: &str, values: Numbers) -> Self {
+        let (name, unit) = (name.to_owned(), unit.to_owned());
+        Self { name, unit, place: String::new(), direction: String::new(), values, imaginary: None }
+    }
 
     /// Levels `L` in decibels to amplitudes `10^(L/20)` in the unit that stands behind `re`, in brackets, or alone.
-    pub(super) fn made_linear(&mut self) -> Option<Finding> {
-        self.values.iter_mut().for_each(|level| *level = 10f64.powf(*level / 20.0));
+    pub(super) fn made_linear(&mut self) -> Finding {
+        self.values.made_linear();
         let unit = self.unit.trim().trim_start_matches(['d', 'D', 'b', 'B']).trim();
         let unit = unit.trim_start_matches("re").trim().trim_start_matches("1 ").trim_matches(['(', ')', '[', ']']).to_owned();
         let about =
             format!("levels in decibels became amplitudes 10^(L/20) in {}", if unit.is_empty() { "an unknown unit" } else { &unit });
         self.unit = unit;
-        Some(Finding::new(FindingKind::Decibels, self.values.len(), Some(Place::Sample(0)), about).of(&self.name))
+        Finding::new(FindingKind::Decibels, self.values.count(), Some(Place::Sample(0)), about).of(&self.name)
     }
 }
 
 impl Raw {
     /// Columns over a time that one of them may hold.
-    pub(super) fn columns(channels: Vec<RawChannel>, findings: Vec<Finding>) -> Self {
-        Self { title: String::new(), over: Over::Time, stamps: Stamps::Column, channels, findings }
+    pub(super) fn columns(columns: Vec<Column>, findings: Vec<Finding>) -> Self {
+        Self { title: String::new(), over: Over::Time, stamps: Stamps::Column, columns, findings }
     }
 }

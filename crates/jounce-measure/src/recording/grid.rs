@@ -1,6 +1,7 @@
 //! Where samples lie in time or frequency.
 
-use super::{Finding, FindingKind, Place};
+use super::Finding;
+use super::stamps::{self, Stamped};
 
 /// What the samples are taken over.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,13 +65,6 @@ pub enum GridError {
     },
 }
 
-/// Stamps closer to even places than this share of a step are even: their digits end there.
-const ROUNDED: f64 = 0.02;
-/// A step longer than this many usual steps is a gap.
-const GAP: f64 = 1.9;
-/// A step longer than this many usual steps is no late sample.
-const LONG_GAP: f64 = 5.0;
-
 impl Grid {
     /// Even places.
     ///
@@ -89,18 +83,11 @@ impl Grid {
     /// # Errors
     /// Fewer than two stamps, one that is not a number, one that goes back.
     pub fn from_stamps(stamps: Vec<f64>) -> Result<(Self, Vec<Finding>), GridError> {
-        check(&stamps)?;
-        let (count, span) = (stamps.len(), stamps[stamps.len() - 1] - stamps[0]);
-        if span <= 0.0 {
-            return Err(GridError::Step { start: stamps[0], step: 0.0 });
-        }
-        let step = span / (count - 1) as f64;
-        let off = stamps.iter().enumerate().map(|(k, t)| ((t - stamps[0]) / step - k as f64).abs()).fold(0.0, f64::max);
-        if off <= ROUNDED {
-            return Ok((Self::Even { start: stamps[0], step, count }, Vec::new()));
-        }
-        let findings = oddities(&stamps);
-        Ok((Self::Stamped(stamps), findings))
+        let Ok(found) = Stamped::of(&stamps.as_slice());
+        Ok(match found? {
+            Stamped::Even { start, step } => (Self::Even { start, step, count: stamps.len() }, Vec::new()),
+            Stamped::Uneven(findings) => (Self::Stamped(stamps), findings),
+        })
     }
 
     /// Number of places.
@@ -133,65 +120,10 @@ impl Grid {
     pub fn rate(&self) -> f64 {
         match self {
             Self::Even { step, .. } => 1.0 / step,
-            Self::Stamped(stamps) => 1.0 / usual_step(stamps),
+            Self::Stamped(stamps) => {
+                let Ok(step) = stamps::usual_step(&stamps.as_slice());
+                1.0 / step
+            }
         }
     }
-}
-
-fn check(stamps: &[f64]) -> Result<(), GridError> {
-    if stamps.len() < 2 {
-        return Err(GridError::Few { count: stamps.len() });
-    }
-    if let Some(sample) = stamps.iter().position(|t| !t.is_finite()) {
-        return Err(GridError::NotANumber { sample, value: stamps[sample] });
-    }
-    match stamps.windows(2).position(|pair| pair[1] < pair[0]) {
-        Some(before) => Err(GridError::Backwards { sample: before + 1, value: stamps[before + 1], before: stamps[before] }),
-        None => Ok(()),
-    }
-}
-
-/// The middle of all steps: a gap does not move it.
-fn median_step(stamps: &[f64]) -> f64 {
-    let mut steps: Vec<f64> = stamps.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    let middle = steps.len() / 2;
-    *steps.select_nth_unstable_by(middle, f64::total_cmp).1
-}
-
-/// The mean of all steps but those of long gaps: a median would follow the digits of coarse stamps.
-fn usual_step(stamps: &[f64]) -> f64 {
-    let most = LONG_GAP * median_step(stamps);
-    let (sum, count) =
-        stamps.windows(2).map(|pair| pair[1] - pair[0]).filter(|step| *step < most).fold((0.0, 0.0), |(s, n), x| (s + x, n + 1.0));
-    if count > 0.0 { sum / count } else { (stamps[stamps.len() - 1] - stamps[0]) / (stamps.len() - 1) as f64 }
-}
-
-fn oddities(stamps: &[f64]) -> Vec<Finding> {
-    let usual = median_step(stamps);
-    let steps = || stamps.windows(2).map(|pair| pair[1] - pair[0]);
-    let mut findings = Vec::new();
-    let even: Vec<f64> = steps().filter(|step| *step < GAP * usual).collect();
-    let mean = usual_step(stamps);
-    let deviation = (even.iter().map(|step| (step - mean).powi(2)).sum::<f64>() / even.len().max(1) as f64).sqrt();
-    let uneven = |step: &f64| (step / usual - 1.0).abs() > ROUNDED;
-    let count = steps().filter(|step| uneven(step)).count();
-    let first = steps().position(|step| uneven(&step)).map(|k| Place::Sample(k + 1));
-    findings.push(Finding::new(
-        FindingKind::Jitter,
-        count,
-        first,
-        format!("steps between stamps vary: median {usual:.6e}, mean {mean:.6e}, standard deviation {deviation:.2e}"),
-    ));
-    let gaps: Vec<usize> = steps().enumerate().filter(|(_, step)| *step >= GAP * usual).map(|(k, _)| k + 1).collect();
-    if let Some(first) = gaps.first() {
-        let longest = steps().fold(0.0, f64::max);
-        let about = format!("samples are missing: a step of up to {longest:.6e} where {usual:.6e} is usual");
-        findings.push(Finding::new(FindingKind::Gap, gaps.len(), Some(Place::Sample(*first)), about));
-    }
-    let repeated: Vec<usize> = steps().enumerate().filter(|(_, step)| *step == 0.0).map(|(k, _)| k + 1).collect();
-    if let Some(first) = repeated.first() {
-        let about = "the stamp is that of the sample before".to_owned();
-        findings.push(Finding::new(FindingKind::RepeatedStamp, repeated.len(), Some(Place::Sample(*first)), about));
-    }
-    findings
 }

@@ -1,6 +1,6 @@
 //! Looks at the samples of a channel for what instruments do to signals.
 
-use super::{Channel, Finding, FindingKind, Place, Quantity};
+use super::{Channel, Finding, FindingKind, Place, Quantity, Series};
 
 /// Leading or trailing zeros from this many on are padding.
 const PADDING: usize = 10;
@@ -9,69 +9,203 @@ const FLAT: usize = 3;
 /// Whole numbers beyond this size, without unit, are counts.
 const COUNTS: f64 = 100.0;
 
+/// How large the samples of a channel are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sizes {
+    /// Rms of the samples that are numbers.
+    pub rms: f64,
+    /// Largest size of them.
+    pub peak: f64,
+}
+
+impl Sizes {
+    /// Sizes of samples.
+    pub fn of(samples: &[f64]) -> Self {
+        let Ok((_, sizes)) = inspected(&samples, false);
+        sizes
+    }
+}
+
 /// Everything that is odd about the samples of a channel.
 ///
 /// A flat top is told from a slow maximum of a coarsely quantised signal by how the signal enters it: by a jump of more than two of the
 /// smallest steps that the channel makes.
 pub fn inspect(channel: &Channel) -> Vec<Finding> {
-    let values = &channel.values;
-    let found = [not_a_number(values), constant(values), padding(values), clipping(values), counts(channel)];
-    found.into_iter().flatten().map(|finding| finding.of(&channel.name)).collect()
+    let counts = may_be_counts(channel.quantity, channel.imaginary.is_some());
+    let Ok((found, _)) = inspected(&channel.values.as_slice(), counts);
+    found.into_iter().map(|finding| finding.of(&channel.name)).collect()
 }
 
-fn not_a_number(values: &[f64]) -> Option<Finding> {
-    let first = values.iter().position(|x| !x.is_finite())?;
-    let count = values.iter().filter(|x| !x.is_finite()).count();
-    Some(Finding::new(FindingKind::NotANumber, count, Some(Place::Sample(first)), "samples are no numbers".to_owned()))
+/// True where nothing tells that the samples of a channel are no counts of a converter.
+pub(crate) fn may_be_counts(quantity: Quantity, complex: bool) -> bool {
+    quantity == Quantity::Unknown && !complex
 }
 
-fn constant(values: &[f64]) -> Option<Finding> {
-    let first = values.first()?;
-    let same = values.len() > 1 && values.iter().all(|x| x == first);
-    same.then(|| Finding::new(FindingKind::Constant, values.len(), None, format!("all samples are {first}; there is no signal")))
-}
-
-fn padding(values: &[f64]) -> Option<Finding> {
-    let leading = values.iter().take_while(|x| **x == 0.0).count();
-    let trailing = values.iter().rev().take_while(|x| **x == 0.0).count();
-    if leading == values.len() || leading.max(trailing) < PADDING {
-        return None;
+/// What is odd about samples, not yet said of a channel, and how large they are: one pass over them, and a second one where some are
+/// equal for so long that they may be a flat top.
+pub(crate) fn inspected<S: Series>(samples: &S, may_be_counts: bool) -> Result<(Vec<Finding>, Sizes), S::Fault> {
+    let mut look = Look::default();
+    samples.each(|x| look.take(x))?;
+    let mut tops = FlatTops { low: look.low, high: look.high, quantum: look.quantum, ..FlatTops::default() };
+    if look.low < look.high && look.longest >= FLAT {
+        samples.each(|x| tops.take(x))?;
+        tops.close(None);
     }
-    let (leading, trailing) = (if leading < PADDING { 0 } else { leading }, if trailing < PADDING { 0 } else { trailing });
-    let first = if leading > 0 { 0 } else { values.len() - trailing };
-    let about = format!("{leading} exact zeros stand before the signal and {trailing} after it");
-    Some(Finding::new(FindingKind::ZeroPadding, leading + trailing, Some(Place::Sample(first)), about))
+    let found = [look.not_a_number(), look.constant(), look.padding(), tops.finding(), look.counts().filter(|_| may_be_counts)];
+    let rms = f64::sqrt(look.squares / f64::max((look.number - look.missing) as f64, 1.0));
+    Ok((found.into_iter().flatten().collect(), Sizes { rms, peak: look.peak }))
 }
 
-fn clipping(values: &[f64]) -> Option<Finding> {
-    let finite = || values.iter().copied().filter(|x| x.is_finite());
-    let (low, high) = finite().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
-    if low >= high {
-        return None;
-    }
-    let quantum = values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).filter(|d| *d > 0.0).fold(f64::INFINITY, f64::min);
-    let (mut count, mut first, mut k) = (0, None, 0);
-    while k < values.len() {
-        let run = values[k..].iter().take_while(|x| **x == values[k]).count().max(1);
-        let extreme = values[k] == low || values[k] == high;
-        let jump = |a: usize, b: usize| (values[a] - values[b]).abs() > 2.0 * quantum;
-        let steep = (k > 0 && jump(k, k - 1)) || (k + run < values.len() && jump(k, k + run));
-        if extreme && run >= FLAT && steep && values[k] != 0.0 {
-            count += run;
-            first = first.or(Some(k));
+/// What one pass over samples tells.
+struct Look {
+    /// Samples so far.
+    number: usize,
+    first: f64,
+    before: f64,
+    /// Samples that are no numbers, and the first of them.
+    missing: usize,
+    first_missing: Option<usize>,
+    /// True while all samples equal the first one.
+    same: bool,
+    /// Zeros at the beginning and, so far, at the end.
+    leading: usize,
+    trailing: usize,
+    /// Smallest and largest number, and the smallest step above 0 from sample to sample.
+    low: f64,
+    high: f64,
+    quantum: f64,
+    /// Equal samples in a row: now, and at most.
+    run: usize,
+    longest: usize,
+    whole: bool,
+    squares: f64,
+    peak: f64,
+}
+
+impl Default for Look {
+    fn default() -> Self {
+        Self {
+            number: 0,
+            first: f64::NAN,
+            before: f64::NAN,
+            missing: 0,
+            first_missing: None,
+            same: true,
+            leading: 0,
+            trailing: 0,
+            low: f64::INFINITY,
+            high: f64::NEG_INFINITY,
+            quantum: f64::INFINITY,
+            run: 0,
+            longest: 0,
+            whole: true,
+            squares: 0.0,
+            peak: 0.0,
         }
-        k += run;
     }
-    let about = format!("flat tops at the ends of the range {low} to {high}: the signal was clipped");
-    first.map(|first| Finding::new(FindingKind::Clipping, count, Some(Place::Sample(first)), about))
 }
 
-fn counts(channel: &Channel) -> Option<Finding> {
-    let finite = || channel.values.iter().filter(|x| x.is_finite());
-    let whole = channel.quantity == Quantity::Unknown && channel.imaginary.is_none() && finite().all(|x| x.fract() == 0.0);
-    let large = finite().any(|x| x.abs() > COUNTS);
-    let about = "whole numbers without unit: counts of a converter? give the scale in the notes beside the file";
-    (whole && large).then(|| Finding::new(FindingKind::RawCounts, channel.values.len(), None, about.to_owned()))
+impl Look {
+    fn take(&mut self, x: f64) {
+        if self.number == 0 {
+            self.first = x;
+        }
+        self.same &= x == self.first;
+        if x == 0.0 {
+            self.leading += usize::from(self.leading == self.number);
+            self.trailing += 1;
+        } else {
+            self.trailing = 0;
+        }
+        self.run = if x == self.before { self.run + 1 } else { 1 };
+        self.longest = self.longest.max(self.run);
+        let step = (x - self.before).abs();
+        if step > 0.0 {
+            self.quantum = self.quantum.min(step);
+        }
+        self.before = x;
+        if x.is_finite() {
+            self.low = self.low.min(x);
+            self.high = self.high.max(x);
+            self.whole &= x.fract() == 0.0;
+            self.squares += x * x;
+            self.peak = self.peak.max(x.abs());
+        } else {
+            self.missing += 1;
+            self.first_missing = self.first_missing.or(Some(self.number));
+        }
+        self.number += 1;
+    }
+
+    fn not_a_number(&self) -> Option<Finding> {
+        let first = Place::Sample(self.first_missing?);
+        Some(Finding::new(FindingKind::NotANumber, self.missing, Some(first), "samples are no numbers".to_owned()))
+    }
+
+    fn constant(&self) -> Option<Finding> {
+        let about = format!("all samples are {}; there is no signal", self.first);
+        (self.same && self.number > 1).then(|| Finding::new(FindingKind::Constant, self.number, None, about))
+    }
+
+    fn padding(&self) -> Option<Finding> {
+        if self.leading == self.number || self.leading.max(self.trailing) < PADDING {
+            return None;
+        }
+        let counted = |zeros: usize| if zeros < PADDING { 0 } else { zeros };
+        let (leading, trailing) = (counted(self.leading), counted(self.trailing));
+        let first = if leading > 0 { 0 } else { self.number - trailing };
+        let about = format!("{leading} exact zeros stand before the signal and {trailing} after it");
+        Some(Finding::new(FindingKind::ZeroPadding, leading + trailing, Some(Place::Sample(first)), about))
+    }
+
+    fn counts(&self) -> Option<Finding> {
+        let about = "whole numbers without unit: counts of a converter? give the scale in the notes beside the file";
+        (self.whole && self.peak > COUNTS).then(|| Finding::new(FindingKind::RawCounts, self.number, None, about.to_owned()))
+    }
+}
+
+/// The flat tops of a channel whose range and smallest step are known.
+#[derive(Default)]
+struct FlatTops {
+    low: f64,
+    high: f64,
+    quantum: f64,
+    /// Samples so far.
+    number: usize,
+    /// The run of equal samples that lasts: its value, its length, and the sample before it.
+    value: f64,
+    run: usize,
+    before: Option<f64>,
+    /// Samples of flat tops, and the first of them.
+    count: usize,
+    first: Option<usize>,
+}
+
+impl FlatTops {
+    fn take(&mut self, x: f64) {
+        if self.run > 0 && x != self.value {
+            self.close(Some(x));
+            (self.before, self.run) = (Some(self.value), 0);
+        }
+        self.value = x;
+        self.run += 1;
+        self.number += 1;
+    }
+
+    /// Judges the run that ends before the sample `next`.
+    fn close(&mut self, next: Option<f64>) {
+        let extreme = self.value == self.low || self.value == self.high;
+        let steep = [self.before, next].into_iter().flatten().any(|beside| (self.value - beside).abs() > 2.0 * self.quantum);
+        if extreme && self.run >= FLAT && steep && self.value != 0.0 {
+            self.count += self.run;
+            self.first = self.first.or(Some(self.number - self.run));
+        }
+    }
+
+    fn finding(&self) -> Option<Finding> {
+        let about = format!("flat tops at the ends of the range {} to {}: the signal was clipped", self.low, self.high);
+        self.first.map(|first| Finding::new(FindingKind::Clipping, self.count, Some(Place::Sample(first)), about))
+    }
 }
 
 #[cfg(test)]

@@ -1,40 +1,53 @@
-//! A recording as a table.
+//! A recording as tables of some rows each, one after the other.
 
-use jounce::table::{Column, Manifest, Table, TableError};
+use jounce::table::{Column, Manifest, Table};
 
-use crate::recording::{Over, Recording};
+use super::WriteError;
+use crate::read::{Numbers, Surveyed};
+use crate::recording::{Over, PIECE, Series};
+
+/// Numbers in a table, of all columns together.
+const NUMBERS: usize = 1 << 20;
 
 /// `time_s` or `frequency_hz`, then the channels; complex ones as `NAME.re` and `NAME.im`. Where the format keeps no units of its own, they
 /// stand behind the names: `NAME [UNIT]`.
-pub(super) fn table(recording: &Recording, units_in_names: bool) -> Result<Table, TableError> {
+pub(super) fn tables(recording: &Surveyed, units_in_names: bool) -> impl Iterator<Item = Result<Table, WriteError>> {
+    let width = 1 + recording.channels.iter().map(|channel| 1 + usize::from(channel.imaginary.is_some())).sum::<usize>();
+    let pieces = recording.places.count().div_ceil(PIECE).max(1);
+    let together = (NUMBERS / width / PIECE).max(1);
+    (0..pieces).step_by(together).map(move |first| table(recording, units_in_names, first..(first + together).min(pieces)))
+}
+
+fn table(recording: &Surveyed, units_in_names: bool, pieces: std::ops::Range<usize>) -> Result<Table, WriteError> {
     let named = |name: &str, unit: &str| if units_in_names && !unit.is_empty() { format!("{name} [{unit}]") } else { name.to_owned() };
     let (name, unit) = if recording.over == Over::Time { ("time_s", "s") } else { ("frequency_hz", "Hz") };
-    let mut table = Table::new(vec![Column::new(name, unit, "where the sample lies", recording.grid.places())])?;
+    let mut table = Table::new(vec![Column::new(name, unit, "where the sample lies", rows(&recording.places, &pieces)?)])?;
     for channel in &recording.channels {
         let about = [channel.place.as_str(), channel.direction.as_str()].join(" ");
+        let mut push = |name: &str, numbers: &Numbers| -> Result<(), WriteError> {
+            Ok(table.push(Column::new(&named(name, &channel.unit), &channel.unit, about.trim(), rows(numbers, &pieces)?))?)
+        };
         match &channel.imaginary {
-            None => table.push(Column::new(&named(&channel.name, &channel.unit), &channel.unit, about.trim(), channel.values.clone()))?,
+            None => push(&channel.name, &channel.values)?,
             Some(imaginary) => {
-                table.push(Column::new(
-                    &named(&format!("{}.re", channel.name), &channel.unit),
-                    &channel.unit,
-                    about.trim(),
-                    channel.values.clone(),
-                ))?;
-                table.push(Column::new(
-                    &named(&format!("{}.im", channel.name), &channel.unit),
-                    &channel.unit,
-                    about.trim(),
-                    imaginary.clone(),
-                ))?;
+                push(&format!("{}.re", channel.name), &channel.values)?;
+                push(&format!("{}.im", channel.name), imaginary)?;
             }
         }
     }
     Ok(table)
 }
 
+fn rows(numbers: &impl Series<Fault = std::io::Error>, pieces: &std::ops::Range<usize>) -> Result<Vec<f64>, WriteError> {
+    let mut rows = Vec::new();
+    for index in pieces.clone() {
+        rows.extend_from_slice(&numbers.piece(index)?);
+    }
+    Ok(rows)
+}
+
 /// The recording and what was found in it.
-pub(super) fn manifest(recording: &Recording) -> Manifest {
+pub(super) fn manifest(recording: &Surveyed) -> Manifest {
     let findings: Vec<String> = recording.findings.iter().map(ToString::to_string).collect();
     Manifest::new("").with("recording", &recording.name).with("findings", findings.join("; "))
 }

@@ -1,11 +1,13 @@
 //! One function that writes a recording in the format that a name tells.
 
+use std::io::{self, BufWriter};
 use std::path::{Path, PathBuf};
 
 use jounce::store::{self, StoreError};
-use jounce::table::TableError;
+use jounce::table::{Table, TableError};
 
 use super::{columns, uff58};
+use crate::read::Surveyed;
 use crate::recording::Recording;
 
 /// A recording that cannot be written.
@@ -27,6 +29,9 @@ pub enum WriteError {
         /// Its value.
         value: f64,
     },
+    /// Numbers that cannot be found again in the scratch file.
+    #[error("the scratch file cannot be read: {0}")]
+    Scratch(#[from] std::io::Error),
     /// A table that cannot be made or written.
     #[error(transparent)]
     Table(#[from] TableError),
@@ -41,9 +46,31 @@ pub enum WriteError {
 /// # Errors
 /// Another ending, samples that the format cannot hold, a place that cannot be written.
 pub fn write(recording: &Recording, path: &Path) -> Result<(), WriteError> {
+    write_surveyed(&recording.clone().into(), path)
+}
+
+/// The same for a recording whose numbers need not lie in memory: it is written piece by piece.
+///
+/// # Errors
+/// As [`write()`], and a scratch file that cannot be read.
+pub fn write_surveyed(recording: &Surveyed, path: &Path) -> Result<(), WriteError> {
     match path.extension().and_then(|ending| ending.to_str()) {
-        Some("uff" | "unv") => Ok(store::write(path, uff58::encoded(recording)?.as_bytes())?),
-        Some(ending @ ("parquet" | "csv")) => Ok(columns::table(recording, ending == "csv")?.write(path, &columns::manifest(recording))?),
+        Some("uff" | "unv") => uff(recording, path),
+        Some(ending @ ("parquet" | "csv")) => {
+            Table::write_joined(path, &columns::manifest(recording), columns::tables(recording, ending == "csv"))
+        }
         _ => Err(WriteError::Format { path: path.to_owned() }),
     }
+}
+
+fn uff(recording: &Surveyed, path: &Path) -> Result<(), WriteError> {
+    let mut failure = None;
+    let stored = store::write_from(path, |file| {
+        uff58::encode(recording, BufWriter::new(file)).map_err(|error| {
+            failure = Some(error);
+            io::Error::other("the recording could not be written")
+        })
+    });
+    failure.map_or(Ok(()), Err)?;
+    Ok(stored?)
 }

@@ -3,28 +3,40 @@
 //! Real samples are type 4, complex ones type 6; even grids tell start and step, stamped ones each abscissa. The abscissa of an uneven grid has
 //! the 13 columns of its format: seven digits, and so has the step of an even one (relative error 5e-7 at most).
 
-use std::fmt::Write as _;
+use std::io::Write;
 
 use super::WriteError;
-use crate::recording::{Channel, Grid, Over, Quantity, Recording};
+use crate::read::{Places, Surveyed, SurveyedChannel};
+use crate::recording::{Over, PIECE, Quantity, Series};
 
-pub(super) fn encoded(recording: &Recording) -> Result<String, WriteError> {
-    let mut text = String::new();
+/// Writes one data set for each channel, piece by piece.
+pub(super) fn encode(recording: &Surveyed, mut to: impl Write) -> Result<(), WriteError> {
     for (k, channel) in recording.channels.iter().enumerate() {
-        let numbers = channel.values.iter().chain(channel.imaginary.iter().flatten());
-        if let Some((sample, value)) = numbers.enumerate().find(|(_, x)| !x.is_finite()) {
-            let sample = sample % channel.values.len();
-            return Err(WriteError::NotFinite { channel: channel.name.clone(), sample, value: *value });
-        }
-        text.push_str("    -1\n    58\n");
-        header(&mut text, recording, channel, k + 1);
-        data(&mut text, recording, channel);
-        text.push_str("    -1\n");
+        finite(channel)?;
+        writeln!(to, "    -1\n    58")?;
+        header(&mut to, recording, channel, k + 1)?;
+        data(&mut to, recording, channel)?;
+        writeln!(to, "    -1")?;
     }
-    Ok(text)
+    Ok(to.flush()?)
 }
 
-fn header(text: &mut String, recording: &Recording, channel: &Channel, number: usize) {
+/// Refuses a channel with a sample that is no finite number.
+fn finite(channel: &SurveyedChannel) -> Result<(), WriteError> {
+    for numbers in std::iter::once(&channel.values).chain(&channel.imaginary) {
+        let (mut sample, mut odd) = (0, None);
+        numbers.each(|x| {
+            odd = odd.or((!x.is_finite()).then_some((sample, x)));
+            sample += 1;
+        })?;
+        if let Some((sample, value)) = odd {
+            return Err(WriteError::NotFinite { channel: channel.name.clone(), sample, value });
+        }
+    }
+    Ok(())
+}
+
+fn header(to: &mut impl Write, recording: &Surveyed, channel: &SurveyedChannel, number: usize) -> std::io::Result<()> {
     let over_time = recording.over == Over::Time;
     let function = match (over_time, channel.quantity) {
         (true, _) => 1,
@@ -33,23 +45,15 @@ fn header(text: &mut String, recording: &Recording, channel: &Channel, number: u
         (false, _) => 12,
     };
     let kind = if channel.imaginary.is_some() { 6 } else { 4 };
-    let (start, step, even) = match recording.grid {
-        Grid::Even { start, step, .. } => (start, step, 1),
-        Grid::Stamped(_) => (0.0, 0.0, 0),
+    let (start, step, even) = match recording.places {
+        Places::Even { start, step, .. } => (start, step, 1),
+        Places::Stamped { .. } => (0.0, 0.0, 0),
     };
     let place = if channel.place.is_empty() { "NONE" } else { &channel.place };
-    let _ = writeln!(
-        text,
-        "{:<80}\n{:<80}\n{:<80}\n{:<80}\n{:<80}",
-        ascii(&recording.name, 80),
-        "NONE",
-        "NONE",
-        ascii(&channel.name, 80),
-        "NONE"
-    );
+    writeln!(to, "{:<80}\n{:<80}\n{:<80}\n{:<80}\n{:<80}", ascii(&recording.name, 80), "NONE", "NONE", ascii(&channel.name, 80), "NONE")?;
     let direction = direction(&channel.direction);
-    let _ = writeln!(
-        text,
+    writeln!(
+        to,
         "{function:>5}{number:>10}{:>5}{:>10} {:<10}{number:>10}{direction:>4} {:<10}{:>10}{:>4}",
         0,
         0,
@@ -57,39 +61,46 @@ fn header(text: &mut String, recording: &Recording, channel: &Channel, number: u
         "NONE",
         0,
         0
-    );
-    let _ = writeln!(text, "{kind:>10}{:>10}{even:>10} {} {} {}", channel.values.len(), e12(start), e12(step), e12(0.0));
+    )?;
+    writeln!(to, "{kind:>10}{:>10}{even:>10} {} {} {}", channel.values.count(), e12(start), e12(step), e12(0.0))?;
     let (abscissa, label, unit) = if over_time { (17, "Time", "s") } else { (18, "Frequency", "Hz") };
-    axis(text, abscissa, label, unit);
-    axis(text, specific(channel.quantity), &channel.name, &channel.unit);
-    axis(text, 0, "NONE", "NONE");
-    axis(text, 0, "NONE", "NONE");
+    axis(to, abscissa, label, unit)?;
+    axis(to, specific(channel.quantity), &channel.name, &channel.unit)?;
+    axis(to, 0, "NONE", "NONE")?;
+    axis(to, 0, "NONE", "NONE")
 }
 
-fn axis(text: &mut String, kind: u32, label: &str, unit: &str) {
+fn axis(to: &mut impl Write, kind: u32, label: &str, unit: &str) -> std::io::Result<()> {
     let unit = if unit.is_empty() { "NONE" } else { unit };
-    let _ = writeln!(text, "{kind:>10}{:>5}{:>5}{:>5} {:<20} {:<20}", 0, 0, 0, ascii(label, 20), ascii(unit, 20));
+    writeln!(to, "{kind:>10}{:>5}{:>5}{:>5} {:<20} {:<20}", 0, 0, 0, ascii(label, 20), ascii(unit, 20))
 }
 
-fn data(text: &mut String, recording: &Recording, channel: &Channel) {
-    let stamped = matches!(recording.grid, Grid::Stamped(_));
+fn data(to: &mut impl Write, recording: &Surveyed, channel: &SurveyedChannel) -> std::io::Result<()> {
+    let stamped = matches!(recording.places, Places::Stamped { .. });
     let points_in_line = match (stamped, channel.imaginary.is_some()) {
         (false, false) => 4,
         (true, true) => 1,
         _ => 2,
     };
-    for (k, value) in channel.values.iter().enumerate() {
-        if stamped {
-            let _ = write!(text, " {}", e12(recording.grid.at(k)));
-        }
-        let _ = write!(text, "{}", e20(*value));
-        if let Some(imaginary) = channel.imaginary.as_ref().and_then(|imaginary| imaginary.get(k)) {
-            let _ = write!(text, "{}", e20(*imaginary));
-        }
-        if (k + 1) % points_in_line == 0 || k + 1 == channel.values.len() {
-            text.push('\n');
+    let count = channel.values.count();
+    for index in 0..count.div_ceil(PIECE) {
+        let (places, values) = (recording.places.piece(index)?, channel.values.piece(index)?);
+        let imaginary = channel.imaginary.as_ref().map(|imaginary| imaginary.piece(index)).transpose()?;
+        for (k, value) in values.iter().enumerate() {
+            if let (true, Some(place)) = (stamped, places.get(k)) {
+                write!(to, " {}", e12(*place))?;
+            }
+            write!(to, "{}", e20(*value))?;
+            if let Some(imaginary) = imaginary.as_ref().and_then(|imaginary| imaginary.get(k)) {
+                write!(to, "{}", e20(*imaginary))?;
+            }
+            let written = index * PIECE + k + 1;
+            if written.is_multiple_of(points_in_line) || written == count {
+                writeln!(to)?;
+            }
         }
     }
+    Ok(())
 }
 
 /// `E20.11E3`-like with two digits of exponent where they do: 20 columns.

@@ -12,38 +12,8 @@ use jounce::spec::{Spec, SpecFile};
 use jounce_measure::fit::{Deviation, Features, FitAnswer, fit};
 use std::path::Path;
 
-/// A small harvester with a patch, a load, a stop and a shaken base.
-pub const HARVESTER: &str = r#"
-[beam.beam]
-length = "120 mm"
-width = "20 mm"
-thickness = "1 mm"
-youngs_modulus = "70 GPa"
-density = "2700 kg/m^3"
-
-[patch.mfc]
-on = "beam"
-start = "2 mm"
-length = "40 mm"
-width = "18 mm"
-thickness = "0.3 mm"
-youngs_modulus = "30 GPa"
-density = "5440 kg/m^3"
-d31 = "-170 pC/N"
-capacitance = "60 nF"
-section = "laminate"
-
-[circuit.load]
-patch = "mfc"
-resistance = "50 kohm"
-
-[damping]
-beyond = 0.02
-
-[reduction]
-modes = 2
-mesh_tolerance = 1e-7
-"#;
+/// A small harvester with a patch and a load.
+pub const HARVESTER: &str = include_str!("harvester.toml");
 
 /// A spec file with keys set.
 pub fn spec(text: &str, set: &[(&str, &str)]) -> (SpecFile, Spec) {

@@ -1,5 +1,6 @@
 //! Comma-separated text: one header line of names, one line per row; notes in a sidecar.
 
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use super::notes::Notes;
@@ -19,12 +20,47 @@ pub(super) fn encode(table: &Table) -> Result<Vec<u8>, String> {
         return Ok(Vec::new());
     }
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(table.columns().iter().map(|column| &column.name)).map_err(|fault| fault.to_string())?;
-    for row in 0..table.rows() {
-        let fields = table.columns().iter().map(|column| column.values.text(row).unwrap_or_default());
-        writer.write_record(fields).map_err(|fault| fault.to_string())?;
-    }
+    heads(&mut writer, table).and_then(|()| rows(&mut writer, table)).map_err(|fault| fault.to_string())?;
     writer.into_inner().map_err(|fault| fault.to_string())
+}
+
+/// Tables of the same columns, one after the other, below one line of names; only one of them is in memory at a time.
+pub(super) fn join<W: Write, E>(
+    target: W,
+    tables: impl IntoIterator<Item = Result<Table, E>>,
+    failed: impl Fn(String) -> E,
+) -> Result<(), E> {
+    let mut writer = csv::Writer::from_writer(BufWriter::new(target));
+    let told = |fault: csv::Error| failed(fault.to_string());
+    let mut names = None;
+    for table in tables {
+        let table = table?;
+        let own: Vec<String> = table.columns().iter().map(|column| column.name.clone()).collect();
+        match &names {
+            None => {
+                heads(&mut writer, &table).map_err(told)?;
+                names = Some(own);
+            }
+            Some(names) if *names != own => return Err(failed("the tables have different columns".to_owned())),
+            Some(_) => {}
+        }
+        rows(&mut writer, &table).map_err(told)?;
+    }
+    match names {
+        Some(_) => writer.flush().map_err(|fault| failed(fault.to_string())),
+        None => Err(failed("there is no table to write".to_owned())),
+    }
+}
+
+fn heads<W: Write>(writer: &mut csv::Writer<W>, table: &Table) -> Result<(), csv::Error> {
+    writer.write_record(table.columns().iter().map(|column| &column.name))
+}
+
+fn rows<W: Write>(writer: &mut csv::Writer<W>, table: &Table) -> Result<(), csv::Error> {
+    for row in 0..table.rows() {
+        writer.write_record(table.columns().iter().map(|column| column.values.text(row).unwrap_or_default()))?;
+    }
+    Ok(())
 }
 
 pub(super) fn decode(path: &Path) -> Result<(Table, Manifest), String> {

@@ -88,19 +88,33 @@ impl Table {
         parquet::encode(self, manifest).map_err(|reason| encode_error(Path::new("table.parquet"), reason))
     }
 
-    /// Writes tables of the same columns one after the other to a Parquet file, each as it comes.
+    /// Writes tables of the same columns one after the other to a file, each as it comes: `.parquet`, where each is a row group, or `.csv`
+    /// (with its sidecar).
     ///
     /// # Errors
-    /// The first table that is none, tables that do not go together, a place that cannot be written; no partial file is left.
+    /// Another ending, the first table that is none, tables that do not go together, a place that cannot be written; no partial file is left.
     pub fn write_joined<E: From<TableError>>(
         path: &Path,
         manifest: &Manifest,
         tables: impl IntoIterator<Item = Result<Self, E>>,
     ) -> Result<(), E> {
+        let mut tables = tables.into_iter().peekable();
+        match (ending(path), tables.peek()) {
+            // The sidecar first: a CSV file that exists always has its notes.
+            (Some("csv"), Some(Ok(first))) => {
+                store::write(&csv::sidecar_path(path), csv::sidecar(first, manifest).as_bytes()).map_err(TableError::from)?;
+            }
+            (Some("csv" | "parquet"), _) => {}
+            _ => return Err(TableError::Format { path: path.to_owned() }.into()),
+        }
         let mut failure = None;
         let stored = store::write_from(path, |file| {
             let refused = |reason: String| E::from(encode_error(path, reason));
-            parquet::join(file, manifest, tables, refused).map_err(|error| {
+            let joined = match ending(path) {
+                Some("csv") => csv::join(file, tables, refused),
+                _ => parquet::join(file, manifest, tables, refused),
+            };
+            joined.map_err(|error| {
                 failure = Some(error);
                 std::io::Error::other("the tables could not be joined")
             })

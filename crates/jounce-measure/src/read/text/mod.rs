@@ -12,13 +12,14 @@ pub(super) use rows::{Rows, columns};
 use super::contents::Found;
 use super::error::Damage;
 use super::raw::Raw;
+use super::shelf::Shelf;
 use crate::recording::{Finding, FindingKind, Place};
 
 /// How much of a file is looked at to find where its numbers begin.
 const HEAD_BYTES: u64 = 1 << 18;
 
-/// Reads a text: the layout from its head, then its rows one by one, so that memory holds the numbers and not the text.
-pub(super) fn read(path: &Path) -> Result<Found, Damage> {
+/// Reads a text: the layout from its head, then its rows one by one, so that memory never holds the text.
+pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     let told = |fault: std::io::Error| Damage::new(fault.to_string());
     let mut file = File::open(path).map_err(told)?;
     let mut head = Vec::new();
@@ -27,13 +28,13 @@ pub(super) fn read(path: &Path) -> Result<Found, Damage> {
     let layout = Layout::find(&text)?;
     file.rewind().map_err(told)?;
     let size = file.metadata().map_err(told)?.len();
-    let Rows { channels, mut findings } = columns(BufReader::with_capacity(1 << 20, file), size, &layout)?;
+    let Rows { columns, mut findings } = columns(BufReader::with_capacity(1 << 20, file), size, &layout, shelf)?;
     if latin {
         let line = head.split(|b| *b == b'\n').position(|line| !line.is_ascii()).map_or(1, |line| line + 1);
         let about = "the header is not UTF-8; it was read as Latin-1".to_owned();
         findings.push(Finding::new(FindingKind::Encoding, 1, Some(Place::Line(line)), about));
     }
-    Ok(Raw::columns(channels, findings).into())
+    Ok(Raw::columns(columns, findings).into())
 }
 
 /// The head of a file as text, and true where it is no UTF-8.

@@ -4,13 +4,15 @@ use std::io::BufRead;
 
 use super::super::error::Damage;
 use super::super::number::Field;
-use super::super::raw::RawChannel;
+use super::super::numbers::Numbers;
+use super::super::raw::Column;
+use super::super::shelf::Shelf;
 use super::{Delimiter, Layout};
-use crate::recording::{Finding, FindingKind, Place};
+use crate::recording::{Finding, FindingKind, Place, Series};
 
 /// Columns and what was noticed on the way.
-pub(crate) struct Rows {
-    pub channels: Vec<RawChannel>,
+pub(in crate::read) struct Rows {
+    pub columns: Vec<Column>,
     pub findings: Vec<Finding>,
 }
 
@@ -35,10 +37,10 @@ const TOLD: usize = 4096;
 const SPARE: f64 = 1.02;
 
 /// Reads the rows below the header of a text of `size` bytes line by line.
-pub(crate) fn columns(mut source: impl BufRead, size: u64, layout: &Layout) -> Result<Rows, Damage> {
+pub(in crate::read) fn columns(mut source: impl BufRead, size: u64, layout: &Layout, shelf: &Shelf) -> Result<Rows, Damage> {
     let width = layout.heads.len();
-    let mut columns: Vec<Vec<f64>> = vec![Vec::new(); width];
-    let mut imaginary: Vec<Option<Vec<f64>>> = vec![None; width];
+    let mut columns: Vec<Numbers> = (0..width).map(|_| shelf.column()).collect();
+    let mut imaginary: Vec<Option<Numbers>> = (0..width).map(|_| None).collect();
     let (mut ragged, mut text, mut number) = (Tally::default(), Tally::default(), 0);
     let (mut bytes, mut read) = (Vec::new(), 0);
     loop {
@@ -49,9 +51,11 @@ pub(crate) fn columns(mut source: impl BufRead, size: u64, layout: &Layout) -> R
         }
         number += 1;
         read += length as u64;
-        if columns.first().is_some_and(|first| first.len() == TOLD) {
+        if columns.first().is_some_and(|first| first.count() == TOLD) {
             let rows = SPARE * TOLD as f64 * size.saturating_sub(read) as f64 / read as f64;
-            columns.iter_mut().filter(|column| column.len() == TOLD).for_each(|column| column.reserve_exact(rows as usize));
+            for column in columns.iter_mut().filter(|column| column.count() == TOLD) {
+                column.expect(rows as usize);
+            }
         }
         let line = String::from_utf8_lossy(bytes.trim_ascii_end());
         if number <= layout.skip || line.trim().is_empty() {
@@ -77,21 +81,22 @@ pub(crate) fn columns(mut source: impl BufRead, size: u64, layout: &Layout) -> R
                 _ => (f64::NAN, f64::NAN),
             };
             if matches!(fields.get(k), Some(Field::Complex(..))) && imaginary[k].is_none() {
-                imaginary[k] = Some(vec![0.0; columns[k].len()]);
+                let mut zeros = shelf.column();
+                (0..columns[k].count()).try_for_each(|_| zeros.push(0.0))?;
+                imaginary[k] = Some(zeros);
             }
-            columns[k].push(re);
+            columns[k].push(re)?;
             if let Some(imaginary) = &mut imaginary[k] {
-                imaginary.push(im);
+                imaginary.push(im)?;
             }
         }
     }
     let ragged =
         ragged.finding(FindingKind::Ragged, "lines with another number of fields than the first row: what is missing is no number");
     let text = text.finding(FindingKind::Skipped, "lines with text among the numbers: the text was left out");
-    let channel =
-        |((head, values), imaginary): ((&(String, String), _), _)| RawChannel { imaginary, ..RawChannel::new(&head.0, &head.1, values) };
-    let channels = layout.heads.iter().zip(columns).zip(imaginary).map(channel).collect();
-    Ok(Rows { channels, findings: ragged.into_iter().chain(text).collect() })
+    let column = |((head, values), imaginary): ((&(String, String), _), _)| Column { imaginary, ..Column::new(&head.0, &head.1, values) };
+    let columns = layout.heads.iter().zip(columns).zip(imaginary).map(column).collect();
+    Ok(Rows { columns, findings: ragged.into_iter().chain(text).collect() })
 }
 
 fn fields(line: &str, layout: &Layout) -> Vec<Field> {

@@ -1,9 +1,12 @@
 //! A universal file to its data sets: each stands between two lines that hold `-1`.
 
-use std::io::{BufRead, Read as _};
+use std::io::BufRead;
 
 use super::super::error::Damage;
-use super::header::LINES;
+use super::super::numbers::Numbers;
+use super::super::shelf::Shelf;
+use super::binary;
+use super::header::{Header, LINES};
 use super::numbers::numbers;
 use crate::recording::Place;
 
@@ -22,13 +25,13 @@ pub(super) struct Block {
 /// The data of a data set 58.
 pub(super) enum Data {
     /// Numbers of text lines; the first word that is none ends them.
-    Numbers(Vec<f64>, Option<String>),
-    /// Bytes, and how to read them.
-    Binary { little_endian: bool, bytes: Vec<u8> },
+    Lines(Numbers, Option<String>),
+    /// Numbers of bytes, as many as the header says.
+    Binary(Numbers),
 }
 
-/// Hands every data set of a file to `take`, one after the other, so that memory holds one.
-pub(super) fn blocks(source: impl BufRead, mut take: impl FnMut(Block) -> Result<(), Damage>) -> Result<(), Damage> {
+/// Hands every data set of a file to `take`, one after the other, so that the shelf holds one.
+pub(super) fn blocks(source: impl BufRead, shelf: &Shelf, mut take: impl FnMut(Block) -> Result<(), Damage>) -> Result<(), Damage> {
     let mut cursor = Cursor { source, at: 0, line: Vec::new() };
     while let Some(start) = cursor.next()? {
         if cursor.trimmed().is_empty() {
@@ -37,14 +40,14 @@ pub(super) fn blocks(source: impl BufRead, mut take: impl FnMut(Block) -> Result
         if cursor.trimmed() != b"-1" {
             return Err(Damage::at(Place::Byte(start), format!("a line with -1 is due before a data set, not {:?}", shown(&cursor.line))));
         }
-        if let Some(block) = block(&mut cursor, start)? {
+        if let Some(block) = block(&mut cursor, start, shelf)? {
             take(block)?;
         }
     }
     Ok(())
 }
 
-fn block(cursor: &mut Cursor<impl BufRead>, opening: usize) -> Result<Option<Block>, Damage> {
+fn block(cursor: &mut Cursor<impl BufRead>, opening: usize, shelf: &Shelf) -> Result<Option<Block>, Damage> {
     let cut = |at: usize| Damage::at(Place::Byte(at), "the data set does not end with a line -1: was the file cut?");
     let Some(start) = cursor.next()? else {
         // A stray -1 at the end opens nothing.
@@ -55,9 +58,10 @@ fn block(cursor: &mut Cursor<impl BufRead>, opening: usize) -> Result<Option<Blo
     let binary = word.ends_with(['b', 'B']);
     let number = word.trim_end_matches(['b', 'B']).parse::<u32>();
     let number = number.map_err(|_| Damage::at(Place::Byte(start), format!("the number of a data set is due, not {:?}", head.trim())))?;
-    let mut block = Block { number, start, lines: Vec::new(), data: Data::Numbers(Vec::new(), None) };
+    let mut block = Block { number, start, lines: Vec::new(), data: Data::Lines(shelf.column(), None) };
+    let mut row = Vec::new();
     if binary {
-        binary_part(cursor, &head, &mut block)?;
+        binary_part(cursor, &head, &mut block, shelf)?;
     }
     loop {
         let Some(at) = cursor.next()? else { return Err(cut(start)) };
@@ -65,21 +69,23 @@ fn block(cursor: &mut Cursor<impl BufRead>, opening: usize) -> Result<Option<Blo
             return Ok(Some(block));
         }
         match &mut block.data {
-            Data::Binary { .. } if cursor.trimmed().is_empty() => {}
-            Data::Binary { .. } if !cursor.line.ends_with(b"\n") => return Err(cut(start)),
-            Data::Binary { .. } => return Err(Damage::at(Place::Byte(at), "more follows the binary data than its header says")),
-            Data::Numbers(found, wrong) if number == 58 && block.lines.len() == LINES => {
+            Data::Binary(_) if cursor.trimmed().is_empty() => {}
+            Data::Binary(_) if !cursor.line.ends_with(b"\n") => return Err(cut(start)),
+            Data::Binary(_) => return Err(Damage::at(Place::Byte(at), "more follows the binary data than its header says")),
+            Data::Lines(found, wrong) if number == 58 && block.lines.len() == LINES => {
                 if wrong.is_none() {
-                    *wrong = numbers(&shown(&cursor.line), found).err();
+                    row.clear();
+                    *wrong = numbers(&shown(&cursor.line), &mut row).err();
+                    row.iter().try_for_each(|x| found.push(*x))?;
                 }
             }
-            Data::Numbers(..) => block.lines.push(shown(&cursor.line)),
+            Data::Lines(..) => block.lines.push(shown(&cursor.line)),
         }
     }
 }
 
 /// The header lines and the bytes of 58b, whose first line tells their numbers.
-fn binary_part(cursor: &mut Cursor<impl BufRead>, head: &str, block: &mut Block) -> Result<(), Damage> {
+fn binary_part(cursor: &mut Cursor<impl BufRead>, head: &str, block: &mut Block, shelf: &Shelf) -> Result<(), Damage> {
     let start = block.start;
     let wrong = |why: String| Damage::at(Place::Byte(start), why);
     let fields: Vec<usize> = head.split_whitespace().skip(1).map_while(|field| field.parse().ok()).collect();
@@ -93,11 +99,9 @@ fn binary_part(cursor: &mut Cursor<impl BufRead>, head: &str, block: &mut Block)
         cursor.next()?.ok_or_else(|| wrong(format!("its {lines} header lines are not whole: was the file cut?")))?;
         block.lines.push(shown(&cursor.line));
     }
-    let bytes = cursor.bytes(length)?;
-    if bytes.len() < length {
-        return Err(wrong(format!("{length} bytes of data are due, {} follow: was the file cut?", bytes.len())));
-    }
-    block.data = Data::Binary { little_endian: order == 1, bytes };
+    let found = binary::numbers(&mut cursor.source, &Header::read(block)?, length, order == 1, shelf).map_err(wrong)?;
+    cursor.at += length;
+    block.data = Data::Binary(found);
     Ok(())
 }
 
@@ -126,13 +130,5 @@ impl<S: BufRead> Cursor<S> {
 
     fn trimmed(&self) -> &[u8] {
         self.line.trim_ascii()
-    }
-
-    /// So many bytes, or fewer at the end.
-    fn bytes(&mut self, count: usize) -> Result<Vec<u8>, Damage> {
-        let (at, mut bytes) = (self.at, Vec::new());
-        let told = |fault: std::io::Error| Damage::at(Place::Byte(at), fault.to_string());
-        self.at += self.source.by_ref().take(count as u64).read_to_end(&mut bytes).map_err(told)?;
-        Ok(bytes)
     }
 }

@@ -1,21 +1,27 @@
 //! Data set 58: one function over time or frequency.
 
+use std::io;
+
 use super::super::error::Damage;
-use super::super::raw::{Raw, RawChannel, Stamps};
+use super::super::numbers::Numbers;
+use super::super::raw::{Column, Raw, Stamps};
+use super::super::shelf::Shelf;
 use super::blocks::{Block, Data};
 use super::header::{Dof, Header};
-use crate::recording::{Over, Place};
+use crate::recording::{Over, PIECE, Place, Series};
 
 /// Function types over time: time response, auto- and cross-correlation, shock.
 const OVER_TIME: [u32; 4] = [1, 5, 7, 24];
 
-pub(super) fn read(block: Block) -> Result<Raw, Damage> {
+pub(super) fn read(block: Block, shelf: &Shelf) -> Result<Raw, Damage> {
     let header = Header::read(&block)?;
     let numbers = match block.data {
-        Data::Binary { little_endian, bytes } => from_bytes(&header, &bytes, little_endian),
-        Data::Numbers(found, wrong) => from_lines(found, wrong, &header),
+        Data::Binary(found) => found,
+        Data::Lines(found, wrong) => {
+            checked(&found, wrong, &header).map_err(|why| Damage::at(Place::Byte(block.start), why))?;
+            found
+        }
     };
-    let mut numbers = numbers.map_err(|why| Damage::at(Place::Byte(block.start), why))?;
     let over = match header.abscissa.kind {
         17 => Over::Time,
         18 => Over::Frequency,
@@ -23,97 +29,87 @@ pub(super) fn read(block: Block) -> Result<Raw, Damage> {
         _ if OVER_TIME.contains(&header.function) || header.function == 0 => Over::Time,
         _ => Over::Frequency,
     };
-    let width = header.width();
-    let mut column = |k: usize| -> Vec<f64> {
-        if width == 1 { std::mem::take(&mut numbers) } else { numbers.chunks_exact(width).map(|point| point[k]).collect() }
-    };
-    let first = usize::from(!header.even);
-    let stamps = if header.even { Stamps::Even { start: header.start, step: header.step } } else { Stamps::Given(column(0)) };
-    let channel = RawChannel {
+    let mut columns = parted(numbers, header.points, header.width(), shelf)?.into_iter();
+    let mut next = || columns.next().unwrap_or_else(|| Vec::new().into());
+    let stamps = if header.even { Stamps::Even { start: header.start, step: header.step } } else { Stamps::Given(next()) };
+    let column = Column {
         name: name(&header),
         unit: unit(&header),
         place: place(&header.response),
         direction: direction(&header.response),
-        values: column(first),
-        imaginary: header.complex.then(|| column(first + 1)),
+        values: next(),
+        imaginary: header.complex.then(next),
     };
-    Ok(Raw { title: header.title, over, stamps, channels: vec![channel], findings: Vec::new() })
+    Ok(Raw { title: header.title, over, stamps, columns: vec![column], findings: Vec::new() })
+}
+
+/// Points of so many numbers to one column for each; what fills up a last line is left out.
+fn parted(numbers: Numbers, points: usize, width: usize, shelf: &Shelf) -> Result<Vec<Numbers>, Damage> {
+    if width == 1 && numbers.count() == points {
+        return Ok(vec![numbers]);
+    }
+    let mut columns: Vec<Numbers> = (0..width).map(|_| shelf.column()).collect();
+    let mut place = 0;
+    for index in 0..numbers.count().div_ceil(PIECE) {
+        for x in numbers.piece(index)?.iter().take((points * width).saturating_sub(place)) {
+            columns[place % width].push(*x)?;
+            place += 1;
+        }
+    }
+    Ok(columns)
 }
 
 /// Functions over the same grid become channels of one set; names used twice get their place, and a number where that is not enough.
-pub(super) fn grouped(sets: Vec<Raw>) -> Vec<Raw> {
+pub(super) fn grouped(sets: Vec<Raw>) -> Result<Vec<Raw>, Damage> {
     let mut groups: Vec<Raw> = Vec::new();
     for set in sets {
-        let length = |raw: &Raw| raw.channels.first().map_or(0, |channel| channel.values.len());
-        match groups.iter_mut().find(|group| group.stamps == set.stamps && group.over == set.over && length(group) == length(&set)) {
-            Some(group) => group.channels.extend(set.channels),
+        let mut together = None;
+        for (index, group) in groups.iter().enumerate() {
+            if together.is_none() && same_grid(group, &set)? {
+                together = Some(index);
+            }
+        }
+        match together.and_then(|index| groups.get_mut(index)) {
+            Some(group) => group.columns.extend(set.columns),
             None => groups.push(set),
         }
     }
     for group in &mut groups {
-        rename(&mut group.channels, |channel, _| format!("{} {} {}", channel.name, channel.place, channel.direction).trim_end().to_owned());
-        rename(&mut group.channels, |channel, number| format!("{} ({number})", channel.name));
+        rename(&mut group.columns, |column, _| format!("{} {} {}", column.name, column.place, column.direction).trim_end().to_owned());
+        rename(&mut group.columns, |column, number| format!("{} ({number})", column.name));
     }
-    groups
+    Ok(groups)
 }
 
-/// Gives a new name to every channel whose name is used twice.
-fn rename(channels: &mut [RawChannel], new: impl Fn(&RawChannel, usize) -> String) {
-    let names: Vec<String> = channels.iter().map(|channel| channel.name.clone()).collect();
-    for (k, channel) in channels.iter_mut().enumerate() {
-        if names.iter().filter(|name| **name == channel.name).count() > 1 {
-            channel.name = new(channel, k + 1);
+fn same_grid(a: &Raw, b: &Raw) -> io::Result<bool> {
+    let length = |raw: &Raw| raw.columns.first().map_or(0, |column| column.values.count());
+    if a.over != b.over || length(a) != length(b) {
+        return Ok(false);
+    }
+    match (&a.stamps, &b.stamps) {
+        (Stamps::Even { start: from, step: by }, Stamps::Even { start, step }) => Ok(from == start && by == step),
+        (Stamps::Given(a), Stamps::Given(b)) => a.same(b),
+        _ => Ok(false),
+    }
+}
+
+/// Gives a new name to every column whose name is used twice.
+fn rename(columns: &mut [Column], new: impl Fn(&Column, usize) -> String) {
+    let names: Vec<String> = columns.iter().map(|column| column.name.clone()).collect();
+    for (k, column) in columns.iter_mut().enumerate() {
+        if names.iter().filter(|name| **name == column.name).count() > 1 {
+            column.name = new(column, k + 1);
         }
     }
 }
 
-fn from_lines(mut found: Vec<f64>, wrong: Option<String>, header: &Header) -> Result<Vec<f64>, String> {
+/// Refuses text lines with a word that is no number, or with too few numbers.
+fn checked(found: &Numbers, wrong: Option<String>, header: &Header) -> Result<(), String> {
     if let Some(word) = wrong {
         return Err(format!("{word:?} among the data is no number"));
     }
-    let due = header.points.saturating_mul(header.width());
-    if found.len() < due {
-        return Err(format!("{due} numbers are due, {} follow: was the file cut?", found.len()));
-    }
-    // A last line may be filled up.
-    found.truncate(due);
-    Ok(found)
-}
-
-/// Binary numbers: all of one size, or an uneven abscissa in single precision beside double ordinates; the length tells which.
-fn from_bytes(header: &Header, bytes: &[u8], little_endian: bool) -> Result<Vec<f64>, String> {
-    let (points, width) = (header.points, header.width());
-    let size = if header.double { 8 } else { 4 };
-    let whole = points.checked_mul(width * size);
-    let mixed = points.checked_mul(4 + (width - 1) * size);
-    let length = bytes.len();
-    let single_abscissa = header.double && !header.even && Some(length) == mixed;
-    if Some(length) != whole && !single_abscissa {
-        return Err(format!("{points} points of {width} numbers of {size} bytes are due, {length} bytes follow"));
-    }
-    let mut found = Vec::with_capacity(points * width);
-    let mut rest = bytes;
-    while !rest.is_empty() {
-        let wide = header.double && !(single_abscissa && found.len() % width == 0);
-        let (number, behind) = rest.split_at_checked(if wide { 8 } else { 4 }).ok_or("the data end inside a number")?;
-        found.push(number_of(number, little_endian));
-        rest = behind;
-    }
-    Ok(found)
-}
-
-fn number_of(bytes: &[u8], little_endian: bool) -> f64 {
-    match (<[u8; 8]>::try_from(bytes), <[u8; 4]>::try_from(bytes)) {
-        (Ok(eight), _) => {
-            if little_endian {
-                f64::from_le_bytes(eight)
-            } else {
-                f64::from_be_bytes(eight)
-            }
-        }
-        (_, Ok(four)) => f64::from(if little_endian { f32::from_le_bytes(four) } else { f32::from_be_bytes(four) }),
-        _ => f64::NAN,
-    }
+    let (due, count) = (header.points.saturating_mul(header.width()), found.count());
+    if count < due { Err(format!("{due} numbers are due, {count} follow: was the file cut?")) } else { Ok(()) }
 }
 
 /// The ordinate's label, or the response's name.

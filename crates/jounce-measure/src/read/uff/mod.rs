@@ -2,6 +2,7 @@
 //!
 //! Source: Structural Dynamics Research Laboratory, University of Cincinnati, "Universal file formats for modal analysis testing"; the binary
 //! form 58b as in the same collection. Other data sets are named in the findings and left out.
+mod binary;
 mod blocks;
 mod function;
 mod header;
@@ -14,14 +15,15 @@ use std::path::Path;
 
 use super::contents::Found;
 use super::error::Damage;
+use super::shelf::Shelf;
 use crate::recording::{Finding, FindingKind, Place};
 
-pub(super) fn read(path: &Path) -> Result<Found, Damage> {
+pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     let file = File::open(path).map_err(|fault| Damage::new(fault.to_string()))?;
     let mut found = Found { sets: Vec::new(), shapes: Vec::new(), findings: Vec::new() };
-    blocks::blocks(BufReader::with_capacity(1 << 20, file), |block| {
+    blocks::blocks(BufReader::with_capacity(1 << 20, file), shelf, |block| {
         match block.number {
-            58 => found.sets.push(function::read(block)?),
+            58 => found.sets.push(function::read(block, shelf)?),
             55 => found.shapes.push(nodes::read(&block)?),
             other => {
                 let about = format!("data set {other} holds no samples (geometry, units or headers) and was left out");
@@ -30,7 +32,7 @@ pub(super) fn read(path: &Path) -> Result<Found, Damage> {
         }
         Ok(())
     })?;
-    found.sets = function::grouped(found.sets);
+    found.sets = function::grouped(found.sets)?;
     if found.sets.is_empty() && found.shapes.is_empty() {
         let kinds: Vec<&str> = found.findings.iter().map(|finding| finding.about.as_str()).collect();
         return Err(Damage::new(format!("it holds no data set 55 or 58: {}", kinds.join("; "))));

@@ -1,0 +1,176 @@
+//! The numbers of a column, wherever a reader put them.
+
+use std::borrow::Cow;
+use std::cell::RefCell;
+use std::io;
+use std::rc::Rc;
+
+use super::shelf::{Piece, Scratch, Shelf};
+use crate::recording::{PIECE, Series};
+
+/// The numbers of a column.
+#[derive(Debug)]
+pub struct Numbers {
+    kept: Kept,
+    /// True where the numbers are levels in decibels of what is asked for.
+    levels: bool,
+    /// What is asked for over what was put in.
+    factor: f64,
+}
+
+#[derive(Debug)]
+enum Kept {
+    Memory(Vec<f64>),
+    Shelf { scratch: Rc<RefCell<Scratch>>, pieces: Vec<Piece>, last: Vec<f64> },
+}
+
+impl Numbers {
+    pub(super) fn on(shelf: &Shelf) -> Self {
+        let kept = match shelf {
+            Shelf::Memory => Kept::Memory(Vec::new()),
+            Shelf::Scratch(scratch) => Kept::Shelf { scratch: Rc::clone(scratch), pieces: Vec::new(), last: Vec::new() },
+        };
+        Self { kept, levels: false, factor: 1.0 }
+    }
+
+    /// Puts a number behind the others; it may fail where the scratch file cannot be written.
+    pub(super) fn push(&mut self, x: f64) -> io::Result<()> {
+        match &mut self.kept {
+            Kept::Memory(numbers) => numbers.push(x),
+            Kept::Shelf { scratch, pieces, last } => {
+                last.push(x);
+                if last.len() == PIECE {
+                    pieces.push(scratch.borrow_mut().put(last)?);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes room for so many more numbers, where they go to memory; false where there is none.
+    pub(super) fn expect(&mut self, more: usize) -> bool {
+        match &mut self.kept {
+            Kept::Memory(numbers) => numbers.try_reserve_exact(more).is_ok(),
+            Kept::Shelf { .. } => true,
+        }
+    }
+
+    /// From now on numbers are asked for that are so many times as large.
+    pub(super) fn scale(&mut self, factor: f64) {
+        match &mut self.kept {
+            Kept::Memory(numbers) if factor != 1.0 => numbers.iter_mut().for_each(|x| *x *= factor),
+            Kept::Memory(_) => {}
+            Kept::Shelf { .. } => self.factor *= factor,
+        }
+    }
+
+    /// From now on amplitudes `10^(L/20)` are asked for of the levels `L` that were put in.
+    pub(super) fn made_linear(&mut self) {
+        match &mut self.kept {
+            Kept::Memory(numbers) => numbers.iter_mut().for_each(|level| *level = amplitude(*level)),
+            Kept::Shelf { .. } => self.levels = true,
+        }
+    }
+
+    /// The first and the last number.
+    pub(super) fn ends(&self) -> io::Result<Option<(f64, f64)>> {
+        let Some(last) = self.count().checked_sub(1) else { return Ok(None) };
+        let (head, tail) = (self.piece(0)?, self.piece(last / PIECE)?);
+        Ok(head.first().copied().zip(tail.last().copied()))
+    }
+
+    /// True where both hold the same numbers.
+    pub(super) fn same(&self, other: &Self) -> io::Result<bool> {
+        if self.count() != other.count() {
+            return Ok(false);
+        }
+        for index in 0..self.count().div_ceil(PIECE) {
+            if self.piece(index)? != other.piece(index)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// All numbers in memory.
+    pub(super) fn into_vec(self) -> io::Result<Vec<f64>> {
+        if let Kept::Memory(numbers) = self.kept {
+            return Ok(numbers);
+        }
+        let mut numbers = Vec::with_capacity(self.count());
+        self.each(|x| numbers.push(x))?;
+        Ok(numbers)
+    }
+}
+
+impl From<Vec<f64>> for Numbers {
+    fn from(numbers: Vec<f64>) -> Self {
+        Self { kept: Kept::Memory(numbers), levels: false, factor: 1.0 }
+    }
+}
+
+impl Series for Numbers {
+    type Fault = io::Error;
+
+    fn count(&self) -> usize {
+        match &self.kept {
+            Kept::Memory(numbers) => numbers.len(),
+            Kept::Shelf { pieces, last, .. } => pieces.len() * PIECE + last.len(),
+        }
+    }
+
+    fn piece(&self, index: usize) -> io::Result<Cow<'_, [f64]>> {
+        let (scratch, pieces, last) = match &self.kept {
+            Kept::Memory(numbers) => {
+                let from = (index * PIECE).min(numbers.len());
+                return Ok(Cow::Borrowed(&numbers[from..(from + PIECE).min(numbers.len())]));
+            }
+            Kept::Shelf { scratch, pieces, last } => (scratch, pieces, last),
+        };
+        let mut numbers = match pieces.get(index) {
+            Some(Piece::Memory(numbers)) => Cow::Borrowed(numbers.as_slice()),
+            Some(Piece::Scratch(begin)) => Cow::Owned(scratch.borrow_mut().get(*begin)?),
+            None => Cow::Borrowed(last.as_slice()),
+        };
+        if self.levels {
+            numbers.to_mut().iter_mut().for_each(|level| *level = amplitude(*level));
+        }
+        if self.factor != 1.0 {
+            numbers.to_mut().iter_mut().for_each(|x| *x *= self.factor);
+        }
+        Ok(numbers)
+    }
+}
+
+fn amplitude(level: f64) -> f64 {
+    10f64.powf(level / 20.0)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    /// More numbers than stay in memory, in two columns by turns.
+    #[test]
+    fn a_shelf_gives_back_what_was_put_on_it() {
+        let shelf = Shelf::scratch();
+        let (mut a, mut b) = (shelf.column(), shelf.column());
+        let count = (3 << 20) + 77;
+        for k in 0..count {
+            a.push(f64::from(k)).unwrap();
+            b.push(-f64::from(k)).unwrap();
+        }
+        b.scale(0.5);
+        assert_eq!((a.count(), a.ends().unwrap()), (count as usize, Some((0.0, f64::from(count - 1)))));
+        let (mut next, mut wrong) = (0.0, 0);
+        b.each(|x| {
+            wrong += usize::from(x != next);
+            next -= 0.5;
+        })
+        .unwrap();
+        assert_eq!(wrong, 0);
+        assert!(!a.same(&b).unwrap());
+        assert!(a.into_vec().unwrap().iter().enumerate().all(|(k, x)| *x == k as f64));
+    }
+}

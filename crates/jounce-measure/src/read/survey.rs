@@ -1,0 +1,161 @@
+//! What a file holds, told without holding its numbers in memory.
+
+use std::borrow::Cow;
+use std::io;
+use std::path::Path;
+
+use super::numbers::Numbers;
+use super::{Contents, ModeShape, ReadError};
+use crate::recording::{Channel, Finding, Grid, Over, PIECE, Quantity, Recording, Series, Sizes};
+
+/// What a file holds; its numbers lie in a scratch file beyond the first 16 MiB of them, so that memory does not grow with the file.
+#[derive(Debug)]
+pub struct Survey {
+    /// Its recordings, one for each set of channels with a grid of their own.
+    pub recordings: Vec<Surveyed>,
+    /// Its mode shapes (UFF 55).
+    pub shapes: Vec<ModeShape>,
+    /// What concerns the file as a whole.
+    pub findings: Vec<Finding>,
+}
+
+/// A recording whose numbers need not lie in memory.
+#[derive(Debug)]
+pub struct Surveyed {
+    /// Its name: that of the file, with the number of the data set where a file holds several.
+    pub name: String,
+    /// What the samples are taken over.
+    pub over: Over,
+    /// Where the samples lie, s or Hz.
+    pub places: Places,
+    /// The channels, each with one sample for each place.
+    pub channels: Vec<SurveyedChannel>,
+    /// Everything that was noticed or done.
+    pub findings: Vec<Finding>,
+}
+
+/// Where samples lie, s or Hz.
+#[derive(Debug)]
+pub enum Places {
+    /// Even: `start + k step`.
+    Even {
+        /// The first place.
+        start: f64,
+        /// Their distance, > 0.
+        step: f64,
+        /// Their number.
+        count: usize,
+    },
+    /// One place for each sample, ascending.
+    Stamped {
+        /// The places.
+        stamps: Numbers,
+        /// Samples per unit of the grid.
+        rate: f64,
+    },
+}
+
+/// A channel in SI whose numbers need not lie in memory.
+#[derive(Debug)]
+pub struct SurveyedChannel {
+    /// Its name.
+    pub name: String,
+    /// What it measures.
+    pub quantity: Quantity,
+    /// SI unit of the values; as in the file where the quantity is unknown, and empty where nothing is told.
+    pub unit: String,
+    /// Where the sensor sits; empty where nothing is told.
+    pub place: String,
+    /// Which way it points; empty where nothing is told.
+    pub direction: String,
+    /// Rms and largest size of the real parts.
+    pub sizes: Sizes,
+    /// The samples, real parts of complex ones. NaN where one is missing.
+    pub values: Numbers,
+    /// Imaginary parts of a complex channel, as many.
+    pub imaginary: Option<Numbers>,
+}
+
+impl Survey {
+    /// Everything in memory.
+    pub(super) fn into_contents(self, path: &Path) -> Result<Contents, ReadError> {
+        let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
+        let recordings = self.recordings.into_iter().map(Surveyed::into_recording).collect::<Result<_, _>>().map_err(lost)?;
+        Ok(Contents { recordings, shapes: self.shapes, findings: self.findings })
+    }
+}
+
+impl Surveyed {
+    /// Samples per second (over time) or per hertz (over frequency).
+    pub fn rate(&self) -> f64 {
+        match &self.places {
+            Places::Even { step, .. } => 1.0 / step,
+            Places::Stamped { rate, .. } => *rate,
+        }
+    }
+
+    /// The recording with all its numbers in memory.
+    ///
+    /// # Errors
+    /// The scratch file cannot be read.
+    pub fn into_recording(self) -> io::Result<Recording> {
+        let grid = match self.places {
+            Places::Even { start, step, count } => Grid::Even { start, step, count },
+            Places::Stamped { stamps, .. } => Grid::Stamped(stamps.into_vec()?),
+        };
+        let channels = self.channels.into_iter().map(SurveyedChannel::into_channel).collect::<io::Result<_>>()?;
+        Ok(Recording { name: self.name, over: self.over, grid, channels, findings: self.findings })
+    }
+}
+
+impl SurveyedChannel {
+    pub(super) fn into_channel(self) -> io::Result<Channel> {
+        let mut channel = Channel::new(&self.name, self.quantity, &self.unit, self.values.into_vec()?);
+        channel.imaginary = self.imaginary.map(Numbers::into_vec).transpose()?;
+        (channel.place, channel.direction) = (self.place, self.direction);
+        Ok(channel)
+    }
+}
+
+impl From<Recording> for Surveyed {
+    fn from(recording: Recording) -> Self {
+        let rate = recording.rate();
+        let places = match recording.grid {
+            Grid::Even { start, step, count } => Places::Even { start, step, count },
+            Grid::Stamped(stamps) => Places::Stamped { stamps: stamps.into(), rate },
+        };
+        let channel = |channel: Channel| SurveyedChannel {
+            sizes: Sizes::of(&channel.values),
+            name: channel.name,
+            quantity: channel.quantity,
+            unit: channel.unit,
+            place: channel.place,
+            direction: channel.direction,
+            values: channel.values.into(),
+            imaginary: channel.imaginary.map(Numbers::from),
+        };
+        let channels = recording.channels.into_iter().map(channel).collect();
+        Self { name: recording.name, over: recording.over, places, channels, findings: recording.findings }
+    }
+}
+
+impl Series for Places {
+    type Fault = io::Error;
+
+    fn count(&self) -> usize {
+        match self {
+            Self::Even { count, .. } => *count,
+            Self::Stamped { stamps, .. } => stamps.count(),
+        }
+    }
+
+    fn piece(&self, index: usize) -> io::Result<Cow<'_, [f64]>> {
+        match self {
+            Self::Even { start, step, count } => {
+                let from = index * PIECE;
+                Ok((from..(from + PIECE).min(*count)).map(|k| start + k as f64 * step).collect())
+            }
+            Self::Stamped { stamps, .. } => stamps.piece(index),
+        }
+    }
+}

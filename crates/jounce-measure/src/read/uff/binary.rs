@@ -1,0 +1,59 @@
+//! The bytes of data set 58b to numbers.
+
+use std::io::Read;
+
+use super::super::error::Damage;
+use super::super::numbers::Numbers;
+use super::super::shelf::Shelf;
+use super::header::Header;
+
+/// Bytes that are read at once: whole points of any width, 3 numbers of 8 bytes at most.
+const AT_ONCE: usize = 24 << 10;
+
+/// Binary numbers: all of one size, or an uneven abscissa in single precision beside double ordinates; the length tells which.
+pub(super) fn numbers(
+    source: &mut impl Read,
+    header: &Header,
+    length: usize,
+    little_endian: bool,
+    shelf: &Shelf,
+) -> Result<Numbers, String> {
+    let (points, width) = (header.points, header.width());
+    let size = if header.double { 8 } else { 4 };
+    let mixed = points.checked_mul(4 + (width - 1) * size);
+    let single_abscissa = header.double && !header.even && Some(length) == mixed;
+    if Some(length) != points.checked_mul(width * size) && !single_abscissa {
+        return Err(format!("{points} points of {width} numbers of {size} bytes are due, {length} bytes follow"));
+    }
+    let point = if single_abscissa { 4 + (width - 1) * size } else { width * size };
+    let (mut found, mut bytes, mut read) = (shelf.column(), Vec::new(), 0);
+    while read < length {
+        bytes.clear();
+        let due = (length - read).min(AT_ONCE / point * point);
+        source.by_ref().take(due as u64).read_to_end(&mut bytes).map_err(|fault| fault.to_string())?;
+        read += bytes.len();
+        if bytes.len() < due {
+            return Err(format!("{length} bytes of data are due, {read} follow: was the file cut?"));
+        }
+        for point in bytes.chunks_exact(point) {
+            let (single, whole) = point.split_at(if single_abscissa { 4 } else { 0 });
+            let all = single.chunks_exact(4).chain(whole.chunks_exact(size));
+            all.map(|number| number_of(number, little_endian)).try_for_each(|x| found.push(x)).map_err(|fault| Damage::from(fault).why)?;
+        }
+    }
+    Ok(found)
+}
+
+fn number_of(bytes: &[u8], little_endian: bool) -> f64 {
+    match (<[u8; 8]>::try_from(bytes), <[u8; 4]>::try_from(bytes)) {
+        (Ok(eight), _) => {
+            if little_endian {
+                f64::from_le_bytes(eight)
+            } else {
+                f64::from_be_bytes(eight)
+            }
+        }
+        (_, Ok(four)) => f64::from(if little_endian { f32::from_le_bytes(four) } else { f32::from_be_bytes(four) }),
+        _ => f64::NAN,
+    }
+}

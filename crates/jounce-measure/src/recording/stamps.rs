@@ -1,0 +1,179 @@
+//! How even the stamps of samples are, found in a few passes over them.
+
+use super::{Finding, FindingKind, GridError, Place, Series};
+
+/// Stamps closer to even places than this share of a step are even: their digits end there.
+const ROUNDED: f64 = 0.02;
+/// A step longer than this many usual steps is a gap.
+const GAP: f64 = 1.9;
+/// A step longer than this many usual steps is no late sample.
+const LONG_GAP: f64 = 5.0;
+
+/// What stamps are.
+pub(crate) enum Stamped {
+    /// Even places, within 2 % of a step.
+    Even { start: f64, step: f64 },
+    /// Uneven ones, with what was noticed.
+    Uneven(Vec<Finding>),
+}
+
+impl Stamped {
+    /// Looks at stamps; the inner error is one of the stamps, the outer one of where they lie.
+    pub(crate) fn of<S: Series>(stamps: &S) -> Result<Result<Self, GridError>, S::Fault> {
+        let (start, end) = match checked(stamps)? {
+            Ok(ends) => ends,
+            Err(error) => return Ok(Err(error)),
+        };
+        if end - start <= 0.0 {
+            return Ok(Err(GridError::Step { start, step: 0.0 }));
+        }
+        let step = (end - start) / (stamps.count() - 1) as f64;
+        let (mut off, mut k) = (0.0, 0.0);
+        stamps.each(|t| {
+            off = f64::max(off, ((t - start) / step - k).abs());
+            k += 1.0;
+        })?;
+        Ok(Ok(if off <= ROUNDED { Self::Even { start, step } } else { Self::Uneven(oddities(stamps)?) }))
+    }
+}
+
+/// The first and the last stamp of stamps that are numbers and never go back.
+fn checked<S: Series>(stamps: &S) -> Result<Result<(f64, f64), GridError>, S::Fault> {
+    let count = stamps.count();
+    if count < 2 {
+        return Ok(Err(GridError::Few { count }));
+    }
+    let (mut number, mut first, mut before) = (0, f64::NAN, f64::NAN);
+    let (mut none, mut back) = (None, None);
+    stamps.each(|value| {
+        if number == 0 {
+            first = value;
+        }
+        if !value.is_finite() {
+            none = none.take().or(Some(GridError::NotANumber { sample: number, value }));
+        }
+        if value < before {
+            back = back.take().or(Some(GridError::Backwards { sample: number, value, before }));
+        }
+        before = value;
+        number += 1;
+    })?;
+    Ok(none.or(back).map_or(Ok((first, before)), Err))
+}
+
+/// Hands over each step with the number of the sample at its end.
+fn steps<S: Series>(stamps: &S, mut take: impl FnMut(usize, f64)) -> Result<(), S::Fault> {
+    let (mut number, mut before) = (0, 0.0);
+    stamps.each(|t| {
+        if number > 0 {
+            take(number, t - before);
+        }
+        before = t;
+        number += 1;
+    })
+}
+
+/// The middle of all steps, which are at least one and none below 0: a gap does not move it. Doubles at or above 0 are in the order of
+/// their bits, so that four counts of sixteen bits each find it without a copy.
+fn median_step<S: Series>(stamps: &S) -> Result<f64, S::Fault> {
+    let (mut rank, mut high) = (stamps.count().saturating_sub(1) / 2, 0);
+    for shift in [48u32, 32, 16, 0] {
+        let mut counts = vec![0usize; 1 << 16];
+        steps(stamps, |_, step| {
+            let bits = step.to_bits();
+            if bits.checked_shr(shift + 16).unwrap_or(0) == high {
+                counts[usize::from((bits >> shift) as u16)] += 1;
+            }
+        })?;
+        let bin = counts.iter().position(|count| {
+            let inside = rank < *count;
+            rank -= if inside { 0 } else { *count };
+            inside
+        });
+        high = high << 16 | bin.unwrap_or(0) as u64;
+    }
+    Ok(f64::from_bits(high))
+}
+
+/// The mean of all steps but those of long gaps: a median would follow the digits of coarse stamps.
+pub(crate) fn usual_step<S: Series>(stamps: &S) -> Result<f64, S::Fault> {
+    let most = LONG_GAP * median_step(stamps)?;
+    let (mut sum, mut count) = (0.0, 0.0);
+    steps(stamps, |_, step| {
+        if step < most {
+            sum += step;
+            count += 1.0;
+        }
+    })?;
+    if count > 0.0 {
+        return Ok(sum / count);
+    }
+    let (mut first, mut last) = (None, f64::NAN);
+    stamps.each(|t| {
+        first = first.or(Some(t));
+        last = t;
+    })?;
+    Ok((last - first.unwrap_or(f64::NAN)) / stamps.count().saturating_sub(1) as f64)
+}
+
+/// How often, and at which sample first.
+#[derive(Default)]
+struct Tally(usize, Option<usize>);
+
+impl Tally {
+    fn add(&mut self, is: bool, sample: usize) {
+        if is {
+            self.0 += 1;
+            self.1 = self.1.or(Some(sample));
+        }
+    }
+
+    fn finding(&self, kind: FindingKind, about: String) -> Finding {
+        Finding::new(kind, self.0, self.1.map(Place::Sample), about)
+    }
+}
+
+fn oddities<S: Series>(stamps: &S) -> Result<Vec<Finding>, S::Fault> {
+    let (usual, mean) = (median_step(stamps)?, usual_step(stamps)?);
+    let (mut uneven, mut gaps, mut repeated) = (Tally::default(), Tally::default(), Tally::default());
+    let (mut squares, mut even, mut longest) = (0.0, 0usize, 0.0);
+    steps(stamps, |sample, step| {
+        if step < GAP * usual {
+            squares += (step - mean).powi(2);
+            even += 1;
+        }
+        longest = f64::max(longest, step);
+        uneven.add((step / usual - 1.0).abs() > ROUNDED, sample);
+        gaps.add(step >= GAP * usual, sample);
+        repeated.add(step == 0.0, sample);
+    })?;
+    let deviation = (squares / even.max(1) as f64).sqrt();
+    let jitter = format!("steps between stamps vary: median {usual:.6e}, mean {mean:.6e}, standard deviation {deviation:.2e}");
+    let missing = format!("samples are missing: a step of up to {longest:.6e} where {usual:.6e} is usual");
+    let again = "the stamp is that of the sample before".to_owned();
+    let found = [(uneven, FindingKind::Jitter, jitter), (gaps, FindingKind::Gap, missing), (repeated, FindingKind::RepeatedStamp, again)];
+    let told = |(tally, kind, about): (Tally, FindingKind, String)| {
+        (tally.0 > 0 || kind == FindingKind::Jitter).then(|| tally.finding(kind, about))
+    };
+    Ok(found.into_iter().filter_map(told).collect())
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    /// Against sorting all steps.
+    #[test]
+    fn the_median_by_counts_is_that_of_sorted_steps() {
+        let mut stamps = vec![0.0];
+        for k in 0..9001u32 {
+            let step = f64::from(k.wrapping_mul(2_654_435_761) % 1000) * 1e-3 * 10f64.powi((k % 7) as i32 - 3);
+            stamps.push(stamps[k as usize] + step);
+        }
+        let mut sorted: Vec<f64> = stamps.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        sorted.sort_by(f64::total_cmp);
+        let Ok(median) = median_step(&stamps.as_slice());
+        assert_eq!(median, sorted[sorted.len() / 2]);
+    }
+}
