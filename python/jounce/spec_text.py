@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike, fspath
 from typing import Any, Self
 
 from . import _core
-from .arguments import of_tables
+from .arguments import names, of_tables
 from .errors import ArgumentError
 from .quantity import setting
 from .result import html_table
@@ -108,6 +108,11 @@ class SpecText:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (_again, (type(self), self._spec.text, str(self._spec.folder)))
+
+    def _held(self, hold: str | Sequence[str], fixed_table: bool) -> list[str]:
+        """The masses that are held still, with ``fixed_table`` all of them."""
+        every = self.to_dict(canonical=True).get("mass", {}) if fixed_table else {}
+        return [*names(hold), *every]
 
     def _lines(self) -> Iterator[tuple[str, str]]:
         for kind, things in self.to_dict().items():

@@ -4,6 +4,7 @@ use jounce::linear::RandomError;
 use jounce::march::VariationError;
 use jounce::orbit::OrbitError;
 use jounce::plant::PlantError;
+use jounce::reproduce::ReproduceError;
 use jounce::run::RunError;
 use jounce::signal::SignalError;
 use jounce::spec::{Fault, Faults, ReadError};
@@ -13,6 +14,7 @@ use jounce::study::StudyError;
 use jounce::survey::SurveyError;
 use jounce_explorer::ExploreError;
 use jounce_measure::contact::ContactError;
+use jounce_measure::experiment::ExperimentError;
 use jounce_measure::fit::FitError;
 use jounce_measure::modal::ModalError;
 use jounce_measure::read::GivenError;
@@ -20,6 +22,7 @@ use jounce_measure::recording::{ChannelError, GridError, NoChannel};
 use jounce_measure::regime::RegimeError;
 use jounce_measure::response::ResponseError;
 use jounce_measure::rig::RigError;
+use jounce_measure::solution::SolutionError;
 use jounce_measure::spectral::SpectralError;
 use jounce_measure::write::WriteError;
 use pyo3::prelude::*;
@@ -233,6 +236,43 @@ impl From<RigError> for Failure {
         match error {
             RigError::Plant(error) => error.into(),
             error => Self::new("ArgumentError", error),
+        }
+    }
+}
+
+impl From<SolutionError> for Failure {
+    fn from(error: SolutionError) -> Self {
+        match error {
+            SolutionError::Key(fault) => fault.into(),
+            SolutionError::Study(error) => error.into(),
+            SolutionError::Plant(error) => error.into(),
+            SolutionError::Run(error) => error.into(),
+            SolutionError::Orbit(error) => error.into(),
+            SolutionError::Lost { .. } => Self::new("ConvergenceError", error),
+            SolutionError::UnknownSolution { ref wanted, ref known } => {
+                Self { details: serde_json::json!({ "solution": wanted, "known": known }), ..Self::new("ArgumentError", &error) }
+            }
+            error => Self::new("ArgumentError", error),
+        }
+    }
+}
+
+impl From<ReproduceError> for Failure {
+    fn from(error: ReproduceError) -> Self {
+        match error {
+            ReproduceError::Folder { .. } | ReproduceError::Store(_) | ReproduceError::Table(_) | ReproduceError::Picture(_) => {
+                Self::new("FileError", error)
+            }
+            error => Self::new("JounceError", error),
+        }
+    }
+}
+
+impl From<ExperimentError> for Failure {
+    fn from(error: ExperimentError) -> Self {
+        match error {
+            ExperimentError::Reproduce(error) => error.into(),
+            error => Self::new("JounceError", error),
         }
     }
 }

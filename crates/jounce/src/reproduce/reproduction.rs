@@ -3,6 +3,7 @@
 use super::computed::Computed;
 use super::named::{ON_GROUND, ON_TABLE};
 use super::{Chapter, Claim, NamedFigure, NamedTable, ReproduceError, assumptions, claims, page, runs};
+use crate::march::Watch;
 use crate::table::Manifest;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
@@ -32,14 +33,14 @@ pub struct Written {
     pub figures: Vec<PathBuf>,
 }
 
-/// Computes the paper's simulated tables and figures and judges its claims; `progress` is told each stage.
+/// Computes the paper's simulated tables and figures and judges its claims; `progress` is told each stage, `watch` ends the marches early.
 ///
 /// The numbers are the same bits for any number of threads.
 ///
 /// # Errors
-/// None is expected: the inputs are built in. See [`ReproduceError`].
-pub fn reproduce(progress: &dyn Fn(&str)) -> Result<Reproduction, ReproduceError> {
-    let computed = Computed::new(progress)?;
+/// None is expected but where the watch stops it: the inputs are built in. See [`ReproduceError`].
+pub fn reproduce(watch: &Watch, progress: &dyn Fn(&str)) -> Result<Reproduction, ReproduceError> {
+    let computed = Computed::new(watch, progress)?;
     let mut figures = computed.hammer.figures();
     figures.push(computed.ground.frequency.figure(&ON_GROUND));
     figures.extend(computed.ground.voltage.figures()?);
