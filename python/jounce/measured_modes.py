@@ -40,8 +40,8 @@ class MeasuredModes(Result):
     pole_frequency_hz: Annotated[Floats, Along("pole", "Hz", "frequency of the pole")]
     pole_damping_ratio: Annotated[Floats, Along("pole", "1", "damping ratio of the pole")]
     pole_stable: list[str]
-    #: Lines of the band, Hz, and the functions that the modes were sought in, of shape ``(function, line)``: the responses of a hammer test as
-    #: displacement per force; without a measured force one-sided spectra of decays, one or more for each response, under ``function``.
+    #: Lines of the band, Hz, and the functions that the modes were sought in, of shape ``(function, line)``: the responses of a hammer
+    #: test as displacement per force; without a measured force one-sided spectra of decays, one or more for each response.
     function: list[str]
     line_hz: Floats
     measured: Annotated[Complexes, Along("function line", "", "function, measured")]

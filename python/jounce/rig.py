@@ -69,12 +69,12 @@ class SpecOnRig(SpecText):
         recorded, by default at all and the voltages too: so many ``hits``, one every ``block``, with a force of ``peak`` for a time of
         ``contact``.
 
-        ``solution`` shows solutions of the model instead of its run, by their ids in :meth:`basins`: ``["1a", ("3a", "42 s")]`` goes on from
-        another one at a time of the record. They are sought from so many random ``starts`` with a seed. The drive's amplitude and frequency
-        wander by ``amplitude_wander`` and ``frequency_wander`` (standard deviations over themselves) within ``wander_time``, and drift by
-        ``amplitude_drift`` and ``frequency_drift`` from begin to end. ``base`` moves the base as a recording says, for as long as it lasts,
-        in place of the drives: a :class:`Recording`, a file or SEP005 time series, its ``base_channel`` by default the first acceleration,
-        its mean taken away unless ``keep_mean``.
+        ``solution`` shows solutions of the model instead of its run, by their ids in :meth:`basins`: ``["1a", ("3a", "42 s")]`` goes on
+        from another one at a time of the record. They are sought from so many random ``starts`` with a seed. The drive's amplitude and
+        frequency wander by ``amplitude_wander`` and ``frequency_wander`` (standard deviations over themselves) within ``wander_time``, and
+        drift by ``amplitude_drift`` and ``frequency_drift`` from begin to end. ``base`` moves the base as a recording says, for as long as
+        it lasts, in place of the drives: a :class:`Recording`, a file or SEP005 time series, its ``base_channel`` by default the first
+        acceleration, its mean taken away unless ``keep_mean``.
 
         Raises :class:`ArgumentError` for a number out of its range, a name or a solution that there is not, :class:`MarchError` for a march
         that could not go on. Source of the wander: D. Gillespie, Phys. Rev. E 54 (1996) 2084, equation 1.9.

@@ -71,8 +71,8 @@ class RunResult(Result):
     leak: list[str]
     leak_power_w: Annotated[Floats, Along("leak", "W", "mean power that the leakage of a patch takes")]
     #: Names of the stops; of each the contacts that began and how many a second, the mean and the largest speed at which they began, m/s,
-    #: the mean and the longest time that one lasted, s (both 0 without a contact), the share of the time in contact, the largest penetration,
-    #: m, the largest contact force, N, and its time integral, N s.
+    #: the mean and the longest time that one lasted, s (both 0 without a contact), the share of the time in contact, the largest
+    #: penetration, m, the largest contact force, N, and its time integral, N s.
     stop: list[str]
     stop_contacts: Annotated[Integers, Along("stop", "1", "contacts that began")]
     stop_contact_rate_hz: Annotated[Floats, Along("stop", "1/s", "contacts per second")]
@@ -152,7 +152,7 @@ class RunResult(Result):
         return {field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.name not in left}
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` of the means, over ``load``, ``rectified``, ``leak`` and ``stop``; the record has one in ``run.history``."""
+        """An ``xarray.Dataset`` of the means over ``load``, ``rectified``, ``leak``, ``stop``; the record has one in ``run.history``."""
         told = {
             "settled": Variable((), bool(self.settled), "1", "settled when it was averaged"),
             "period_cycles": Variable((), self.period_cycles or 0, "1", "period in drive cycles, 0 for none"),

@@ -51,7 +51,7 @@ class SpectraResult(Result):
     @property
     def density_unit(self) -> str:
         """Unit of the density."""
-        return f"({self.unit})^2/Hz"
+        return f"({self.unit})^2/Hz" if self.unit else "1/Hz"
 
     def variance_between(self, low_hz: float, high_hz: float) -> float:
         """Variance between two frequencies: the integral of the density."""

@@ -161,7 +161,7 @@ mod tests {
     /// within 0.003, powers within 0.4 % of the orbits': the amplitude wanders by 0.2 %.
     #[test]
     fn the_record_is_cut_where_it_was_put_together() {
-        let found = Alternating::compute().unwrap_or_else(|fault| panic!("{fault}"));
+        let found = Alternating::compute(&Watch::default()).unwrap_or_else(|fault| panic!("{fault}"));
         assert_eq!(found.found.stretches.len(), SHOWN.len());
         for (k, (id, at_s)) in SHOWN.into_iter().enumerate() {
             let (stretch, shown) = (&found.found.stretches[k], &found.shown[k]);
