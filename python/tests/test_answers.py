@@ -32,7 +32,41 @@ def test_a_run_is_that_of_the_command_line(short, command_line):
     assert answer.energies_j["damping_j"] == told["energies"]["damping_j"]
     assert answer.mean_power_w > 0.0 and abs(answer.energy_residual_relative) < 1e-6
     (tip,) = told["stops"]
-    assert answer.stop == [tip["name"]] and answer.stop_contacts[0] == tip["contacts"] and answer.stop_impulse_n_s[0] == tip["impulse_n_s"]
+    assert answer.stop == [tip["name"]] and answer.stop_contacts[0] == tip["contacts"]
+    for name in ("contact_rate_hz", "mean_strike_m_s", "max_strike_m_s", "mean_dwell_s", "max_dwell_s", "impulse_n_s"):
+        assert getattr(answer, f"stop_{name}")[0] == tip[name], name
+    # The time in contact is that of so many contacts.
+    assert answer.stop_mean_dwell_s[0] * answer.contacts == pytest.approx(answer.contact_duty * answer.average_over_s, rel=1e-9)
+    assert not answer.nothing_happened and not told["nothing_happened"] and answer.stop_mean_strike_m_s[0] > 0.0
+
+
+def test_leakage_of_a_patch_is_told_and_closes_the_balance(short, command_line):
+    keys = {"patch.mfc.leakage_resistance": "2 Mohm"}
+    answer, told = short.changed(keys).run(), command_line("run", keys={**SHORT, **keys})
+    (leak,) = told["leaks"]
+    assert answer.leak == [leak["patch"]] and answer.leak_power_w[0] == leak["mean_power_w"]
+    # Load and leakage see one voltage: 1 Mohm takes twice what 2 Mohm takes.
+    assert answer.leak_power_w[0] == pytest.approx(0.5 * answer.load_power_w[0], rel=1e-9)
+    left = answer.energies_j["input_j"] - sum(value for name, value in answer.energies_j.items() if name != "input_j")
+    assert abs(left) < 1e-6 * answer.energies_j["input_j"]
+    assert "leakage (mfc)" in repr(answer) and "leak" in answer.to_xarray().dims and len(answer.plot_energy().patches) == 5
+
+
+def test_a_run_in_which_nothing_happens_says_so(short):
+    assert short.changed({"drive.shaker.amplitude": "0 N"}).run().nothing_happened
+
+
+def test_limits_that_are_passed_are_told(harvester):
+    weak = harvester.changed({**SHORT, "patch.mfc.strain_limit": 1e-6})
+    for found in (weak.run(), weak.sweep(FREQUENCY, "10 Hz:11 Hz:2x", fixed_duration=True), weak.basins(starts=2)):
+        (text,) = found.warnings
+        assert "1 ppm are recommended" in text and text in repr(found)
+    assert harvester.changed(SHORT).sweep(FREQUENCY, ["10 Hz"], fixed_duration=True).warnings == []
+
+
+def test_the_fixed_table_is_every_mass_held(harvester):
+    assert harvester.modes(fixed_table=True) == harvester.modes(hold=["table"])
+    assert harvester.frf(["2 Hz"], input="beam.hammer", fixed_table=True) == harvester.frf(["2 Hz"], input="beam.hammer", hold="table")
 
 
 def test_a_run_goes_on_from_the_end_of_another(short, tmp_path):
@@ -160,6 +194,11 @@ def test_the_schema_is_that_of_the_command_line():
     assert jounce.schema() == json.loads(told) and "stop" in jounce.schema()["properties"]
 
 
+def test_the_reference_of_keys_is_that_of_the_command_line():
+    program = os.environ.get("JOUNCE_BIN") or next(p for p in (ROOT / "target/release/jounce", ROOT / "target/debug/jounce") if p.exists())
+    assert jounce.keys() == subprocess.run([program, "keys"], capture_output=True, check=True, text=True).stdout.removesuffix("\n")
+
+
 def test_responses_to_the_base_are_those_of_the_command_line(command_line):
     spec = ROOT / "examples/unimorph-erturk-2008/harvester.toml"
     told = command_line("frf", "--base", "--from=40Hz", "--to=60Hz", "--points=2", spec=spec)
@@ -254,10 +293,16 @@ def test_a_rectified_circuit_is_that_of_the_command_line(command_line):
     told = command_line("run", keys=keys, spec=spec)
     (circuit,) = told["rectified"]
     assert answer.rectified == [circuit["name"]] and answer.load == []
-    for name in ("mean_power_w", "voltage_rms_v", "mean_current_a", "diode_loss_w", "switch_loss_w", "leakage_w"):
+    for name in ("mean_power_w", "voltage_rms_v", "mean_current_a", "storage_w", "diode_loss_w", "switch_loss_w", "leakage_w"):
         field = {"mean_power_w": "power_w", "mean_current_a": "current_a"}.get(name, name)
         assert getattr(answer, f"rectified_{field}")[0] == circuit[name], name
     assert answer.mean_power_w == told["mean_power_w"] > 0.0 and answer.rectified_diode_loss_w[0] > 0.0
+    (charge,) = told["charges"]
+    for name in ("passed_c", "load_c", "leakage_c", "storage_c", "residual_relative"):
+        assert getattr(answer, f"rectified_charge_{name}")[0] == charge[name], name
+    # What the diodes passed is their mean current over the window, and nothing of it is lost: off by 2e-11.
+    assert answer.rectified_charge_passed_c[0] == pytest.approx(answer.rectified_current_a[0] * answer.average_over_s, rel=1e-12)
+    assert abs(answer.rectified_charge_residual_relative[0]) < 1e-9
     (flows,) = told["energies"]["rectified"]
     assert answer.energies_j["rectified_j"] == flows["load_j"] + flows["battery_j"]
     # What goes in comes out, is lost or stays.

@@ -5,7 +5,7 @@ import pickle
 import numpy as np
 import pint
 import pytest
-from conftest import ROOT, SHORT, same
+from conftest import ROOT, SHORT, SPEC, same
 
 import jounce
 
@@ -70,6 +70,9 @@ def test_what_is_odd_is_found_and_told():
     (missing,) = [one for one in found.findings if one.kind == "not-a-number"]
     assert (missing.channel, missing.count, missing.first) == ("a", 3, "sample 40") and str(missing) in repr(found)
     assert found.channel("a").unit == "m/s^2" and found.channel("a").peak == pytest.approx(0.8 * 9.80665)
+    # What is masked is missing as well.
+    masked = jounce.Recording.of({"a": np.ma.masked_invalid(samples)}, time_s=stamps, units={"a": "g"}, name="floor")
+    assert masked == found
     even = found.even()
     assert even.step is not None and np.isfinite(even["a"]).all() and found.step is None
     assert {"bridged", "resampled"} < {one.kind for one in even.findings}
@@ -91,6 +94,7 @@ def test_every_form_of_a_recording_gives_the_same():
         ([other, series], None),
         ({**series, "fs": 2000.0, "time": np.arange(len(volts)) / 2000.0}, None),
         (jounce.Recording.of(volts, 2000.0, units="V"), None),
+        (np.ma.masked_array(volts), 2000.0),
         (jounce.Recording.of(series).to_sep005(), None),
         (jounce.Recording.of({"a": other["data"], "u": 1e3 * volts}, 2000.0, units={"a": "g", "u": "mV"}), None),
         (jounce.Recording.of(pint.UnitRegistry().Quantity(1e3 * volts, "mV"), 2000.0), None),
@@ -195,6 +199,127 @@ def test_modes_of_a_hammer_test_are_those_of_the_model_and_of_the_command_line(h
     given = jounce.Recording.of(frf.responses, frequency_hz=frf.frequency_hz)
     again = jounce.measured_modes(given, between=("20 Hz", "350 Hz"))
     assert again.frequency_hz == pytest.approx(found.frequency_hz, rel=2e-4)
+
+
+def test_free_decays_and_outputs_alone_are_those_of_the_command_line(harvester, command_line, tmp_path):
+    # One hit alone is a free decay from its largest size on; its channel of force is left out.
+    hit = harvester.rig(hammer="beam.hammer", at="beam.tip", fixed_table=True, hits=1, block="8 s", rate="512 Hz", contact="8 ms")
+    hit.write(tmp_path / "hit.csv")
+    (name,) = [one.name for one in hit if one.name != "force"]
+    ways = [
+        (["--free-decay", "--span=0.1s:6s"], {"free_decay": True, "span": "0.1 s:6 s"}),
+        (["--output-only", f"--reference={name}", "--lags=1.5s"], {"output_only": True, "reference": name, "lags": "1.5 s"}),
+    ]
+    truth = harvester.modes(fixed_table=True).open_circuit_hz[0]
+    for options, keywords in ways:
+        call = [f"--measured={tmp_path / 'hit.csv'}", f"--response={name}", "--between=5Hz:100Hz", "--order=20", *options]
+        told = command_line("modes", *call, spec=None)
+        found = jounce.measured_modes(hit, response=name, between="5 Hz:100 Hz", order=20, **keywords)
+        for field in ("frequency_hz", "frequency_deviation_hz", "damping_ratio", "damping_deviation"):
+            same(getattr(found, field), [mode[field] for mode in told["modes"]])
+        assert found.frf is None and found.response == [name] and len(found.function) == 1
+        assert pickle.loads(pickle.dumps(found)) == found and found.to_xarray().sizes["function"] == 1
+        # The truth is known; without noise the free decay is off by 3e-4 and less.
+        if "free_decay" in keywords:
+            assert found.frequency_hz == pytest.approx(truth[(truth > 5.0) & (truth < 100.0)], rel=2e-3)
+
+
+def test_spectra_are_those_of_the_command_line_and_of_closed_form(command_line, tmp_path):
+    volts = sine(2.0, 12.0, 1000.0, 20.0) + sine(1.0, 6.0, 1000.0, 20.0)
+    recording = jounce.Recording.of({"u": volts}, 1000.0, units="V", name="tones")
+    recording.write(tmp_path / "tones.csv")
+    told = command_line("spectra", "--drive=12Hz", "--overlap=0.75", "--window=flat-top", spec=tmp_path / "tones.csv")
+    found = jounce.spectra(recording, drive="12 Hz", overlap=0.75, window="flat-top")
+    for name in ("frequency_hz", "density"):
+        same(getattr(found, name), told[name])
+    same(found.order_amplitude_peak, [line["amplitude_peak"] for line in told["orders"]])
+    assert (found.segment_s, found.step_s, found.resolution_hz, found.mean) == tuple(
+        told[name] for name in ("segment_s", "step_s", "resolution_hz", "mean")
+    )
+    # Amplitudes are 2 V and 1 V, and the variance half their squares: lines of a flat top are off by 1e-4.
+    peaks = dict(zip(found.order.round(3), found.order_amplitude_peak))
+    assert [peaks[1.0], peaks[0.5]] == pytest.approx([2.0, 1.0], rel=1e-9) and max(peaks[2.0], peaks[3.0]) < 1e-9
+    assert found.variance_between(0.0, 500.0) == pytest.approx(2.5, rel=1e-3)
+    at = [int(np.argmin(abs(found.frequency_hz - hz))) for hz in (12.0, 6.0)]
+    assert found.amplitude_peak.shape == (len(found.time_s), len(found.frequency_hz))
+    assert found.amplitude_peak[:, at] == pytest.approx(np.tile([2.0, 1.0], (len(found), 1)), rel=2e-3)
+    dataset = found.to_xarray()
+    assert dataset.density.attrs["units"] == "(V)^2/Hz" and dataset.amplitude_peak.dims == ("time", "frequency")
+    assert pickle.loads(pickle.dumps(found)) == found and "order 0.5" in repr(found) and len(found.orders_to_pandas()) == 10
+    # The same from an array, from a SEP005 time series, and from one that is strided and may not be written.
+    series = {"name": "u", "unit_str": "V", "fs": 1000.0, "data": np.repeat(volts, 2)[::2]}
+    series["data"].flags.writeable = False
+    for given, rate in ((volts, 1000.0), (series, None), ([series], None)):
+        again = jounce.spectra(given, sample_rate_hz=rate, drive="12 Hz", overlap=0.75, window="flat-top")
+        same(again.density, found.density)
+
+
+def test_every_option_of_the_rig_is_that_of_the_command_line(command_line, tmp_path):
+    harvester = jounce.examples()["impact-harvester-2019"].changed(SHORTER)
+    base = jounce.Recording.of({"floor": 9.81 + sine(2.0, 11.0, 500.0, 1.0)}, 500.0, units="m/s2", name="floor")
+    base.write(tmp_path / "floor.csv")
+    instruments = {"at": "beam.tip", "sensor_mass": "2 g", "cable": "1 nF", "cable_leakage": "10 Mohm"}
+    wander = {"amplitude_wander": 0.01, "frequency_wander": 0.001, "wander_time": "2 s", "amplitude_drift": -0.1, "frequency_drift": 0.02}
+    for number, keywords in enumerate([{**instruments, **wander}, {"base": base, "fixed_table": True}, {"base": base, "keep_mean": True}]):
+        to = tmp_path / f"{number}.parquet"
+        shown = {**keywords, "base": tmp_path / "floor.csv"} if "base" in keywords else keywords
+        given = [f"--{key.replace('_', '-')}" + ("" if value is True else f"={value}") for key, value in shown.items()]
+        command_line("rig", *given, f"--to={to}", keys=SHORTER)
+        found, (told,) = harvester.rig(**keywords), jounce.read_recordings(to)
+        assert [one.name for one in found] == [one.name for one in told]
+        for one in found:
+            same(one.values, told[one.name])
+    # Amplitude and frequency of a shaker that drifts are those of its course; without mean the base moves about 0.
+    assert abs(harvester.rig(base=base, fixed_table=True)["base.acceleration"].mean()) < 0.1
+    assert found["base.acceleration"].mean() == pytest.approx(9.81, rel=0.01)
+
+
+def test_solutions_of_a_model_are_recorded_and_named_again(harvester, command_line, tmp_path):
+    # The paper's case of two solutions, of periods 1 and 3.
+    case = {"drive.shaker.frequency": "13.5 Hz", "circuit.load.resistance": "100 kohm", "drive.shaker.amplitude": "42 N"}
+    model, to = harvester.changed({**case, "run.average_over": "8 s"}), tmp_path / "two.parquet"
+    made = model.rig(solution=["1a", ("3a", "4 s")], starts=8, rate="1536 Hz", noise=0.01)
+    options = ["--solution=1a", "--solution=3a@4s", "--starts=8", "--rate=1536Hz", "--noise=0.01", f"--to={to}"]
+    command_line("rig", *options, keys={**case, "run.average_over": "8 s"})
+    same(made["mfc.voltage"], jounce.read_recordings(to)[0]["mfc.voltage"])
+    assert any("another solution" in one.text for one in made.findings)
+    # The model is put to the drive and the load of the record.
+    told = command_line("regimes", "--drive=13.5Hz", "--resistance=100kohm", f"--model={SPEC}", "--starts=8", spec=to, keys=case)
+    found = jounce.regimes(made, "13.5 Hz", resistance="100 kohm", model=harvester.changed({"drive.shaker.amplitude": "42 N"}), starts=8)
+    assert found.candidates == [shown["candidates"] for shown in told["correspondences"]]
+    assert found.solution == ["1a", "3a"] and found.period_cycles.tolist() == [1, 3] and abs(found.end_s[0] - 4.0) < found.uncertainty_s
+    assert "solution: 3a" in repr(found) and len(found.candidates_to_pandas()) == sum(map(len, found.candidates))
+    with pytest.raises(jounce.ArgumentError, match="the model's solutions are") as caught:
+        model.rig(solution="9z", starts=2)
+    assert caught.value.details["solution"] == "9z"
+
+
+def test_a_fit_has_the_curves_and_deviations_of_the_command_line(harvester, command_line, tmp_path):
+    # The first tenth of a second of a run with another gap, as its sensors record it.
+    keys = {"run.duration": "0.3 s", "run.average_over": "0.3 s", "drive.shaker.amplitude": "50 N", "drive.shaker.frequency": "11 Hz"}
+    harvester.changed({**keys, "beam.beam.thickness": "1.01 mm"}).rig(rate="1 kHz", noise=0.02).write(tmp_path / "run.csv")
+    text = f"""
+[free]
+"drive.shaker.amplitude" = 0.05
+[[history]]
+file = "{tmp_path / "run.csv"}"
+channel = "mfc.voltage"
+output = "mfc.voltage"
+deviation = "residuals"
+"""
+    (tmp_path / "features.toml").write_text(text)
+    told = command_line("fit", f"--to={tmp_path / 'features.toml'}", keys=keys)
+    found = harvester.changed(keys).fit(tmp_path / "features.toml")
+    (curve,), (listed,) = found.curves, told["curves"]
+    for name in ("at", "measured", "before", "after", "low", "high"):
+        same(getattr(curve, name), listed[name])
+    assert (curve.name, curve.unit, curve.over) == (listed["name"], listed["unit"], listed["over"]) and found.curve("1") is curve
+    (deviation,) = found.deviations
+    assert vars(deviation) == told["deviations"][0] and found.quantile == told["quantile"] and deviation.degrees_of_freedom > 100
+    assert 0.0 < curve.error_after <= curve.error_before and curve.name in repr(found)
+    assert pickle.loads(pickle.dumps(found)) == found
+    with pytest.raises(jounce.ArgumentError, match="no such curve"):
+        found.curve("tip")
 
 
 def test_a_fit_is_that_of_the_command_line(command_line):

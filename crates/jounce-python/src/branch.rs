@@ -6,9 +6,7 @@ use crate::run::Handed;
 use crate::spec::Spec;
 use crate::watched::{handed, on_threads, watched};
 use jounce::run::{Exceeded, Limits, Worst};
-use jounce::study::{
-    Bandwidth, BandwidthSearch, Bifurcation, Branch, BranchPoint, BranchSearch, Method, Parameter, Prepared, StudyError,
-};
+use jounce::study::{Bandwidth, BandwidthSearch, Bifurcation, Branch, BranchPoint, BranchSearch, Method, Parameter, Prepared, StudyError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

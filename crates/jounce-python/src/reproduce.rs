@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::run::Handed;
 use crate::watched::{handed, on_threads, watched};
 use jounce::march::Watch;
-use jounce::reproduce::{Claim, Reproduction, Written};
+use jounce::reproduce::{Claim, Reproduction, Written, folders};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::{Path, PathBuf};
@@ -18,6 +18,7 @@ pub fn reproduce(py: Python<'_>, out: PathBuf, threads: Option<usize>) -> Handed
 }
 
 fn written(out: &Path, watch: &Watch) -> Result<(Written, Vec<Claim>), Failure> {
+    folders(out)?;
     let simulated = jounce::reproduce::reproduce(watch, &|_| ())?;
     let chapters = jounce_measure::experiment::chapters(&simulated, watch)?;
     let reproduction = chapters.into_iter().fold(simulated, Reproduction::with);

@@ -12,9 +12,7 @@ use jounce::run::StartState;
 use jounce::spec::Gravity;
 use jounce::structure::modes_holding;
 use jounce_measure::recording::{Quantity, Recording};
-use jounce_measure::rig::{
-    Cable, HammerTest, Sensor, ShakerTest, Wander, carry, hammer_test, on_recorded_base, shaker_test, start_of_run,
-};
+use jounce_measure::rig::{Cable, HammerTest, Sensor, ShakerTest, Wander, carry, hammer_test, on_recorded_base, shaker_test, start_of_run};
 use jounce_measure::solution::{Search, solutions, start_of};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

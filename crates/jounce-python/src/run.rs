@@ -54,7 +54,9 @@ pub fn run<'py>(
 fn marched(spec: &Spec, options: &Options, watch: &Watch) -> Result<Marched, Failure> {
     let prepared = spec.prepared(watch)?;
     let start = match &options.start {
-        Some(json) => serde_json::from_str::<StartState>(json).map_err(|error| Failure::new("StartError", error))?,
+        Some(json) => serde_json::from_str::<StartState>(json).map_err(|error| {
+            Failure::new("StartError", format!("the start state is not one that a run has saved: {error}; give the `end` of another run"))
+        })?,
         None => prepared.start(&spec.folder())?,
     };
     let kernel = prepared.from_state(&start)?;

@@ -31,9 +31,8 @@ impl Fit {
         let file = self.spec.file()?;
         let spec = self.spec.checked(file.spec())?;
         let watch = Watch::default();
-        let (answer, _) = progress::counting("models tried", &|| watch.progress().0, || {
-            fit(&file, &spec, &features, &self.spec.folder(), &watch)
-        })?;
+        let (answer, _) =
+            progress::counting("models tried", &|| watch.progress().0, || fit(&file, &spec, &features, &self.spec.folder(), &watch))?;
         if let Some(folder) = &self.output.out {
             self.write(folder, file, &spec, &answer)?;
         }

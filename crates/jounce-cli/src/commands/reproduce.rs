@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::output::{line, print};
 use clap::Args;
 use jounce::march::Watch;
-use jounce::reproduce::Reproduction;
+use jounce::reproduce::{Reproduction, folders};
 use std::path::PathBuf;
 
 /// Arguments of `reproduce`.
@@ -22,6 +22,7 @@ impl Reproduce {
     /// Computes and writes everything.
     pub fn run(&self) -> Result<(), Failure> {
         let watch = Watch::default();
+        folders(&self.out)?;
         let simulated = jounce::reproduce::reproduce(&watch, &|stage| eprintln!("{stage}"))?;
         eprintln!("Table 2 measured and figures 10 to 13, from the virtual rig");
         let chapters = jounce_measure::experiment::chapters(&simulated, &watch)?;

@@ -34,7 +34,12 @@ const NOISE: f64 = 0.01;
 pub fn chapters(paper: &Reproduction, watch: &Watch) -> Result<Vec<Chapter>, ExperimentError> {
     let (modal, (loads, record)) = rayon::join(
         || ModalTest::compute(paper.table("table-2").and_then(|named| named.table.floats("measured_hz")).unwrap_or_default()),
-        || rayon::join(|| [ABOVE, BELOW].into_par_iter().map(|case| PowerOverLoad::compute(case, watch)).collect::<Result<Vec<_>, _>>(), || Alternating::compute(watch)),
+        || {
+            rayon::join(
+                || [ABOVE, BELOW].into_par_iter().map(|case| PowerOverLoad::compute(case, watch)).collect::<Result<Vec<_>, _>>(),
+                || Alternating::compute(watch),
+            )
+        },
     );
     let (modal, loads, record) = (modal?, loads?, record?);
     let table_2 = Chapter {

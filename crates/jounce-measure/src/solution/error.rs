@@ -27,7 +27,7 @@ pub enum SolutionError {
         known: String,
     },
     /// A solution that the model has not, or that has no orbit to start on.
-    #[error("the model has no solution `{wanted}` to start on; its solutions are {known}")]
+    #[error("there is no solution `{wanted}` to start on; the model's solutions are {known}")]
     UnknownSolution {
         /// What was asked for.
         wanted: String,

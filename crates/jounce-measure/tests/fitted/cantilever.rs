@@ -41,7 +41,8 @@ fn features(frequency_hz: &[f64]) -> Features {
 
 fn fitted(frequency_hz: &[f64]) -> (FitAnswer, Vec<f64>) {
     let (file, spec) = spec(CANTILEVER, &[]);
-    let (answer, fitted) = fit(&file, &spec, &features(frequency_hz), Path::new("."), &Watch::default()).unwrap_or_else(|fault| panic!("{fault}"));
+    let (answer, fitted) =
+        fit(&file, &spec, &features(frequency_hz), Path::new("."), &Watch::default()).unwrap_or_else(|fault| panic!("{fault}"));
     let modes = structure::modes(&fitted).expect("modes");
     (answer, modes.frequency_rad_s.iter().map(|w| w / TAU).collect())
 }

@@ -37,7 +37,6 @@ struct Told {
 /// The stretches of a channel under a drive; the mean power of each where the channel is the voltage over a resistance, and the solutions
 /// of a model beside each where there is one.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "one argument per option of the Python function, which calls by name")]
 pub fn measured_regimes<'py>(
     py: Python<'py>,
     given: Given<'py>,

@@ -51,7 +51,10 @@ pub(super) fn variants(watch: &Watch) -> Result<Vec<Variant>, ReproduceError> {
         CHOICES.iter().map(|(question, default, other, keys)| (*question, *default, *other, keys.iter().map(own).collect())).collect();
     let axis = ("effective neutral axis in eq. (2)", "of beam and patch", "mid-plane of the beam", mid_plane(&Harvester::spec(&[])?));
     choices.insert(choices.len() - 1, axis);
-    choices.into_par_iter().map(|(question, default, other, settings)| Variant::compute((question, default, other), &settings, watch)).collect()
+    choices
+        .into_par_iter()
+        .map(|(question, default, other, settings)| Variant::compute((question, default, other), &settings, watch))
+        .collect()
 }
 
 /// A `d31` that gives the patch the moment that it would have about the beam's mid-plane.

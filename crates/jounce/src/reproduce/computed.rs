@@ -27,7 +27,8 @@ impl Computed {
         progress("Table 2, figures 4 and 5: modes and frequency responses");
         let (table_2, hammer) = (Frequencies::compute()?, HammerTest::compute()?);
         progress("figures 6 to 9, with the stop on the ground and on the table: about 1700 runs of 20 s");
-        let (ground, table) = rayon::join(|| Impact::compute("ground", &LEVELS_N, watch), || Impact::compute("table", &FEWER_LEVELS_N, watch));
+        let (ground, table) =
+            rayon::join(|| Impact::compute("ground", &LEVELS_N, watch), || Impact::compute("table", &FEWER_LEVELS_N, watch));
         progress("branches under figure 6, and jumps against the gap");
         let orbits = Orbits::compute(watch)?;
         progress("assumptions: 13 Hz and 200 N with the other choices");

@@ -36,4 +36,4 @@ pub use claim::Claim;
 pub use error::ReproduceError;
 pub use harvester::paper_spec;
 pub use named::{NamedFigure, NamedTable};
-pub use reproduction::{Reproduction, Written, reproduce};
+pub use reproduction::{Reproduction, Written, folders, reproduce};

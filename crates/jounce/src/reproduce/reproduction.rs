@@ -72,6 +72,18 @@ fn tables(computed: &Computed, claims: NamedTable) -> Result<Vec<NamedTable>, Re
     Ok(tables)
 }
 
+/// Makes a folder and in it those of tables and figures: before the work begins it tells whether the answer can be written.
+///
+/// # Errors
+/// A folder that cannot be made.
+pub fn folders(folder: &Path) -> Result<[PathBuf; 2], ReproduceError> {
+    let both = [folder.join("tables"), folder.join("figures")];
+    for path in [folder, &both[0], &both[1]] {
+        std::fs::create_dir_all(path).map_err(|fault| ReproduceError::Folder { path: path.to_owned(), reason: fault.to_string() })?;
+    }
+    Ok(both)
+}
+
 impl Reproduction {
     /// The same with a chapter more, its tables and figures among the others.
     #[must_use]
@@ -106,10 +118,7 @@ impl Reproduction {
     /// # Errors
     /// A folder or file that cannot be written.
     pub fn write(&self, folder: &Path) -> Result<Written, ReproduceError> {
-        let (tables, figures) = (folder.join("tables"), folder.join("figures"));
-        for path in [folder, &tables, &figures] {
-            std::fs::create_dir_all(path).map_err(|fault| ReproduceError::Folder { path: path.to_owned(), reason: fault.to_string() })?;
-        }
+        let [tables, figures] = folders(folder)?;
         let report = folder.join("report.html");
         page::page(self)?.write(&report)?;
         let mut written = Written { report, tables: Vec::new(), figures: Vec::new() };
