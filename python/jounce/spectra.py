@@ -51,7 +51,9 @@ class SpectraResult(Result):
     @property
     def density_unit(self) -> str:
         """Unit of the density."""
-        return f"({self.unit})^2/Hz" if self.unit else "1/Hz"
+        if not self.unit:
+            return "1/Hz"
+        return f"{self.unit}^2/Hz" if self.unit.isalpha() else f"({self.unit})^2/Hz"
 
     def variance_between(self, low_hz: float, high_hz: float) -> float:
         """Variance between two frequencies: the integral of the density."""

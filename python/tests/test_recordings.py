@@ -244,7 +244,7 @@ def test_spectra_are_those_of_the_command_line_and_of_closed_form(command_line, 
     assert found.amplitude_peak.shape == (len(found.time_s), len(found.frequency_hz))
     assert found.amplitude_peak[:, at] == pytest.approx(np.tile([2.0, 1.0], (len(found), 1)), rel=2e-3)
     dataset = found.to_xarray()
-    assert dataset.density.attrs["units"] == "(V)^2/Hz" and dataset.amplitude_peak.dims == ("time", "frequency")
+    assert dataset.density.attrs["units"] == "V^2/Hz" and dataset.amplitude_peak.dims == ("time", "frequency")
     assert pickle.loads(pickle.dumps(found)) == found and "order 0.5" in repr(found) and len(found.orders_to_pandas()) == 10
     # The same from an array, from a SEP005 time series, and from one that is strided and may not be written.
     series = {"name": "u", "unit_str": "V", "fs": 1000.0, "data": np.repeat(volts, 2)[::2]}
