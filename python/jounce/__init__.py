@@ -38,7 +38,7 @@ from .errors import (
 from .examples import Examples, examples
 from .explore import Explorer, explore
 from .finding import Finding
-from .fit import FitResult
+from .fit import FitCurve, FitDeviation, FitResult
 from .frf import FrfResult
 from .history import History
 from .jumps import JumpCurve, JumpsResult
@@ -51,10 +51,12 @@ from .power import PowerResult, power
 from .recorded_file import ModeShape, RecordedFile, read_recordings
 from .recording import Channel, Recording
 from .regimes import RegimesResult, regimes
+from .reproduce import ReproduceResult, reproduce
 from .run import RunResult, State
 from .signal import Spectrum, spectrum, write_recording
 from .spec import Spec
-from .starters import new, schema, starters
+from .spectra import SpectraResult, spectra
+from .starters import keys, new, schema, starters
 from .study import Study
 from .study_result import StudyResult, StudyStatus, StudyTable
 from .sweep import SweepResult
@@ -80,6 +82,8 @@ __all__ = [
     "Fault",
     "FileError",
     "Finding",
+    "FitCurve",
+    "FitDeviation",
     "FitError",
     "FitResult",
     "FrfResult",
@@ -111,10 +115,12 @@ __all__ = [
     "RecordingError",
     "Reduction",
     "RegimesResult",
+    "ReproduceResult",
     "Run",
     "RunResult",
     "Spec",
     "SpecError",
+    "SpectraResult",
     "Spectrum",
     "StartError",
     "State",
@@ -130,6 +136,7 @@ __all__ = [
     "contact",
     "examples",
     "explore",
+    "keys",
     "materials",
     "measured_frf",
     "measured_modes",
@@ -138,7 +145,9 @@ __all__ = [
     "read",
     "read_recordings",
     "regimes",
+    "reproduce",
     "schema",
+    "spectra",
     "spectrum",
     "starters",
     "write_recording",

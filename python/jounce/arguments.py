@@ -26,8 +26,8 @@ def of_tables(tables: Mapping[str, Any]) -> _core.Spec:
         raise SpecError("\n".join(map(str, faults)), {"faults": listed}) from None
 
 
-def names(hold: Sequence[str]) -> list[str]:
-    """The masses to hold; one of them may be given by its name alone."""
+def names(hold: str | Sequence[str]) -> list[str]:
+    """Names, of which one may be given alone."""
     return [hold] if isinstance(hold, str) else list(hold)
 
 

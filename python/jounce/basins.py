@@ -34,6 +34,8 @@ class BasinsResult(Result):
     expected_power_high_w: Annotated[float, Along("", "W", "upper end of its 95 % interval")]
     #: Starts whose march failed, with the reason.
     lost: list[tuple[int, str]]
+    #: Limits of patches that attractors pass, in words.
+    warnings: list[str]
     #: Number of the attractor of each start; -1 where it was lost or not finished.
     ends_in: Annotated[Integers, Along("start", "1", "number of the attractor, -1 for none")]
     #: Displacement, m, and velocity, m/s, of each start towards the first stop, and voltage of the first patch, V.
@@ -51,7 +53,7 @@ class BasinsResult(Result):
             share = f"share {self.fraction[k]:.3f} ({self.fraction_low[k]:.3f} to {self.fraction_high[k]:.3f})"
             lines.append((name, f"{self.mean_power_w[k]:.6e} W, {share}"))
         expected = f"{self.expected_power_w:.6e} W ({self.expected_power_low_w:.3e} to {self.expected_power_high_w:.3e})"
-        return [*lines, ("expected power", expected)]
+        return [*lines, ("expected power", expected), *(("warning", text) for text in self.warnings)]
 
     def _repr_html_(self) -> str:
         rows = [

@@ -53,6 +53,8 @@ class BranchResult(Result):
     key: str
     unit: str
     branches: list[Branch]
+    #: Limits of patches that points pass over a period, in words.
+    warnings: list[str]
     #: Peak of all together, and where any stable orbit has at least half of it: ``peak``, ``width``, ``width_error``, ``intervals``.
     half_power: dict[str, Any] | None
 
@@ -80,7 +82,7 @@ class BranchResult(Result):
             peak, width = self.half_power["peak"], self.half_power["width"]
             lines.append(("highest stable power", f"{peak['mean_power_w']:.6e} W at {peak['parameter']:.6g} {self.unit}"))
             lines.append(("half-power bandwidth", f"{width:.6g} {self.unit}"))
-        return lines
+        return [*lines, *(("warning", text) for text in self.warnings)]
 
     def _repr_html_(self) -> str:
         rows = [

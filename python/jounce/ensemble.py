@@ -39,6 +39,8 @@ class EnsembleResult(Result):
     member_max_strike_m_s: Annotated[Floats, Along("member", "m/s", "largest speed at which one began")]
     member_mean_dwell_s: Annotated[Floats, Along("member", "s", "mean time that a contact lasts")]
     member_max_penetration_m: Annotated[Floats, Along("member", "m", "largest penetration of the stop")]
+    #: Limits of patches that members pass, in words.
+    warnings: list[str]
     member_energy_residual_relative: Annotated[Floats, Along("member", "1", "energy residual of the march")]
     #: Names of the stops. For each, contacts per second, speed at which contacts began, m/s, time that one lasts, s, and share of the
     #: time in contact, with half the widths of their 95 % intervals (over what ``interval_over`` says) and their largest values.
@@ -87,6 +89,7 @@ class EnsembleResult(Result):
                 (f"bandwidth of {name}", f"{width:.4e} Hz +- {half:.1e} Hz (statistical)")
                 for name, width, half in zip(self.patch, self.bandwidth_hz, self.bandwidth_half_width_hz)
             ),
+            *(("warning", text) for text in self.warnings),
         ]
 
     def _of_stop(self, k: int) -> str:

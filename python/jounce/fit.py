@@ -8,13 +8,57 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
-from .result import Along, Floats, Result, Variable, column, html_table
+from .errors import ArgumentError, Interrupted
+from .result import Along, Data, Floats, Result, Variable, column, html_table
 
 if TYPE_CHECKING:
     from .spec import Spec
 else:
     # A spec can be fitted, so that its module imports this one; the name is looked up when a dataset is made.
     Spec = Any
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class FitCurve(Data):
+    """A measured curve, and that of the model before and after a fit; arrays of shape ``(place,)`` in the unit of the curve."""
+
+    #: Its name, ``"mfc.voltage"``, and its unit.
+    name: str
+    unit: str
+    #: What it is taken over, ``"frequency_hz"`` or ``"time_s"``, and the places, Hz or s.
+    over: str
+    at: Floats
+    measured: Floats
+    before: Floats
+    after: Floats
+    #: The interval in which 95 % of further measurements are expected.
+    low: Floats
+    high: Floats
+
+    def __len__(self) -> int:
+        return len(self.at)
+
+    @property
+    def error_before(self) -> float:
+        """Rms of the model's error before the fit over that of the measured curve."""
+        return float(np.linalg.norm(self.before - self.measured) / np.linalg.norm(self.measured))
+
+    @property
+    def error_after(self) -> float:
+        """Rms of the model's error after the fit over that of the measured curve."""
+        return float(np.linalg.norm(self.after - self.measured) / np.linalg.norm(self.measured))
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class FitDeviation(Data):
+    """The relative standard deviation of features that share one, and what it rests on.
+
+    ``degrees_of_freedom`` is ``None`` where the deviation was given; else it comes from the residuals.
+    """
+
+    name: str
+    deviation: float
+    degrees_of_freedom: float | None
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -42,6 +86,12 @@ class FitResult(Result):
     #: The interval in which 95 % of further measurements are expected, in the units of the features.
     feature_low: Floats
     feature_high: Floats
+    #: The features that are curves: frequency responses and time histories.
+    curves: list[FitCurve]
+    #: Deviations of the features, given or found from the residuals.
+    deviations: list[FitDeviation]
+    #: Deviations from a value to an end of its 95 % interval: those of Student's distribution where a deviation comes from residuals.
+    quantile: float
     #: Sum of the squared errors of the features over their variances; the same plus that of the keys about their priors.
     chi_square: float
     objective: float
@@ -74,7 +124,26 @@ class FitResult(Result):
             (name, f"{self.feature_measured[k]:.6g} measured, off by {100 * before:.3f} % before and {100 * after:.3f} % after")
             for k, (name, before, after) in enumerate(zip(self.feature, self.error_before, self.error_after))
         ]
-        return [*keys, *features, *(("warning", text) for text in self.warnings)]
+        curves = [
+            (one.name, f"{len(one)} points, off by {100 * one.error_before:.3f} % before and {100 * one.error_after:.3f} % after, rms")
+            for one in self.curves
+        ]
+        found = [
+            (f"deviation of {one.name}", f"{one.deviation:.3e} from residuals, {one.degrees_of_freedom:.1f} degrees of freedom")
+            for one in self.deviations
+            if one.degrees_of_freedom is not None
+        ]
+        return [*keys, *features, *curves, *found, *(("warning", text) for text in self.warnings)]
+
+    def curve(self, name: str | None = None) -> FitCurve:
+        """The curve of a name or of a number from 1; without one the first."""
+        named = {**{str(number): one for number, one in enumerate(self.curves, 1)}, **{one.name: one for one in self.curves}}
+        if not named:
+            raise ArgumentError("no curve was fitted; those are what [[response]] and [[history]] tables give")
+        found = named.get("1" if name is None else str(name))
+        if found is None:
+            raise ArgumentError(f"{name}: no such curve; there are {', '.join(one.name for one in self.curves)}")
+        return found
 
     def _repr_html_(self) -> str:
         numbers = (self.before, self.after, self.low, self.high)
@@ -117,9 +186,21 @@ class FitResult(Result):
 
         return plot_fit(self, ax)
 
+    def plot_curve(self, ax: Any = None, curve: str | None = None) -> Any:
+        """Draws a curve, by default the first, as measured and of the model before and after, with the 95 % interval as a band."""
+        from .plot.fit import plot_curve
 
-def made_fit(spec: Spec, answer: str, manifest: dict[str, Any]) -> FitResult:
-    """From what the compiled module answers."""
+        return plot_curve(self.curve(curve), ax)
+
+
+def made_fit(spec: Spec, handed: tuple[str | None, BaseException | None], manifest: dict[str, Any]) -> FitResult:
+    """From what the compiled module answers; raises what ended the fit early."""
+    answer, ended = handed
+    if isinstance(ended, KeyboardInterrupt):
+        raise Interrupted(None) from None
+    if ended is not None:
+        raise ended
+    assert answer is not None, "a call that nothing ended has an answer"
     told = json.loads(answer)
     keys, features = told["keys"], told["features"]
     after = {one["key"]: f"{one['after']!r} {one['unit']}".strip() for one in keys}
@@ -134,7 +215,14 @@ def made_fit(spec: Spec, answer: str, manifest: dict[str, Any]) -> FitResult:
         **numbers,
         feature=[one["name"] for one in features],
         feature_unit=[one["unit"] for one in features],
+        curves=[_curve(one) for one in told["curves"]],
+        deviations=[FitDeviation(**one) for one in told["deviations"]],
         correlation=np.array(told["correlation"], dtype=np.float64),
         spec=spec.changed(after),
-        **{name: told[name] for name in ("chi_square", "objective", "warnings", "evaluations")},
+        **{name: told[name] for name in ("quantile", "chi_square", "objective", "warnings", "evaluations")},
     )
+
+
+def _curve(told: dict[str, Any]) -> FitCurve:
+    numbers = {name: np.array(told[name], dtype=np.float64) for name in ("at", "measured", "before", "after", "low", "high")}
+    return FitCurve(name=told["name"], unit=told["unit"], over=told["over"], **numbers)

@@ -1,4 +1,4 @@
-"""Modes of a hammer test."""
+"""Modes of a hammer test, of free decays and of outputs alone."""
 
 from __future__ import annotations
 
@@ -9,12 +9,13 @@ from typing import Annotated, Any, Literal
 import numpy as np
 
 from . import _core
-from .arguments import check_wholes, si
+from .arguments import check_wholes, names, optional_si, si
 from .errors import ArgumentError
+from .finding import Finding, found
 from .given import Measured, responses
 from .measured_frf import MeasuredFrf, hammer_options, made_frf
-from .quantity import span
-from .recording import names_of
+from .quantity import span as span_of
+from .recording import Recording, names_of
 from .result import Along, Complexes, Floats, Integers, Result, Variable, html_table, made_manifest
 
 
@@ -39,12 +40,15 @@ class MeasuredModes(Result):
     pole_frequency_hz: Annotated[Floats, Along("pole", "Hz", "frequency of the pole")]
     pole_damping_ratio: Annotated[Floats, Along("pole", "1", "damping ratio of the pole")]
     pole_stable: list[str]
-    #: Lines of the band, Hz, the responses there as displacement per force, and what the modes give, of shape ``(response, line)``.
+    #: Lines of the band, Hz, and the functions that the modes were sought in, of shape ``(function, line)``: the responses of a hammer
+    #: test as displacement per force; without a measured force one-sided spectra of decays, one or more for each response.
+    function: list[str]
     line_hz: Floats
-    measured: Annotated[Complexes, Along("response line", "", "displacement per force, measured")]
-    model: Annotated[Complexes, Along("response line", "", "displacement per force that the modes give")]
-    #: The responses that the modes were sought in.
-    frf: MeasuredFrf
+    measured: Annotated[Complexes, Along("function line", "", "function, measured")]
+    model: Annotated[Complexes, Along("function line", "", "function that the modes give")]
+    #: The responses of a hammer test; ``None`` without a measured force.
+    frf: MeasuredFrf | None
+    findings: list[Finding]
 
     def __len__(self) -> int:
         return len(self.frequency_hz)
@@ -55,7 +59,7 @@ class MeasuredModes(Result):
             (f"mode {k}", f"{hz:.6g} Hz +- {dhz:.1e} Hz, damping ratio {zeta:.5g} +- {dzeta:.1e} (95 %)")
             for k, (hz, zeta, (dhz, dzeta)) in enumerate(zip(self.frequency_hz, self.damping_ratio, deviations), 1)
         ]
-        if self.frf.window_decay_per_s > 0.0:
+        if self.frf is not None and self.frf.window_decay_per_s > 0.0:
             lines.append(("window", f"its damping, {self.frf.window_decay_per_s:.5g} 1/s, was taken off"))
         return [*lines, ("misfit", f"{self.misfit:.3g}")]
 
@@ -65,12 +69,13 @@ class MeasuredModes(Result):
         return html_table("Measured modes", ["mode", "frequency [Hz]", "deviation [Hz]", "damping ratio", "deviation"], rows)
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` over ``mode``, ``response``, ``pole`` and ``line``; complex values as ``_re`` and ``_im``."""
+        """An ``xarray.Dataset`` over ``mode``, ``response``, ``pole``, ``function`` and ``line``; complex values as ``_re`` and ``_im``."""
         numbers = range(1, len(self) + 1)
         coords = {
             "mode": Variable(("mode",), numbers, "1", "number of the mode"),
             "other_mode": Variable(("other_mode",), numbers, "1", "number of another mode"),
             "response": Variable(("response",), self.response, "", "response"),
+            "function": Variable(("function",), self.function, "", "function that the modes were sought in"),
             "line": Variable(("line",), self.line_hz, "Hz", "frequency"),
         }
         stable = Variable(("pole",), self.pole_stable, "", "what stays from the order below")
@@ -86,14 +91,14 @@ class MeasuredModes(Result):
 
         return plot_stabilisation(self, ax)
 
-    def plot_fit(self, ax: Any = None, response: str | None = None) -> Any:
-        """Draws a response, by default the first, beside what the modes give."""
+    def plot_fit(self, ax: Any = None, function: str | None = None) -> Any:
+        """Draws a response or the spectrum of a decay, by default the first, beside what the modes give."""
         from .plot.measured import plot_modal_fit
 
-        name = self.response[0] if response is None else response
-        if name not in self.response:
-            raise ArgumentError(f"{name}: no such response; there are {', '.join(self.response)}")
-        return plot_modal_fit(self, ax, self.response.index(name))
+        name = self.function[0] if function is None else function
+        if name not in self.function:
+            raise ArgumentError(f"{name}: no such function; there are {', '.join(self.function)}")
+        return plot_modal_fit(self, ax, self.function.index(name))
 
 
 def measured_modes(
@@ -109,26 +114,74 @@ def measured_modes(
     block: Any = None,
     force_window: bool = False,
     end_ratio: float | None = None,
+    free_decay: bool = False,
+    span: Any = None,
+    output_only: bool = False,
+    reference: str | Sequence[str] = (),
+    lags: Any = None,
 ) -> MeasuredModes:
-    """Modes of a hammer test with their uncertainty, ``jounce modes --measured``.
+    """Modes of a hammer test, of free decays or of outputs alone, with their uncertainty, ``jounce modes --measured``.
 
     They are sought ``between = "500 Hz:4300 Hz"``, by default over all lines, with denominators up to an ``order``. ``records`` and the
     other options are those of :func:`measured_frf`; damping that an exponential window adds is taken off.
+
+    With ``free_decay`` each record is one, after a release or a hit: used from its largest size on, or over a ``span``, ``"0.2 s:3 s"``,
+    after its first sample. With ``output_only`` the one record is that of a structure under noise that nobody measured, correlated with
+    the ``reference`` channels (by default all) up to ``lags``, ``"2 s"`` (by default a sixty-fourth of the record, 512 samples at least);
+    or an amplitude spectrum over frequency. Nothing of a hammer is given with either.
+
+    Sources: B. Peeters and others, Shock and Vibration 11 (2004) 395 (poles); G. James, T. Carne, J. Lauffer, SAND92-1666 (1993)
+    (outputs alone).
     """
     check_wholes(order=order)
     given = responses(records, sample_rate_hz)
+    if free_decay or output_only:
+        hammer = (force, estimator != "h1", noise_ratio != 1.0, block, force_window, end_ratio)
+        if free_decay and output_only or any(one not in (None, False) for one in hammer):
+            raise ArgumentError("a test is one of free_decay, output_only and hits of a hammer; give the options of one of them")
+        return _unforced(given, response, (free_decay, span, reference, lags), between, order)
+    if span is not None or reference or lags is not None:
+        raise ArgumentError("span is that of free_decay=True, reference and lags are those of output_only=True")
     options = hammer_options(force, response, estimator, noise_ratio, block, force_window, end_ratio)
-    band = None
-    if between is not None:
-        low, high = (si("frequency", end, "between") for end in span(between, "between"))
-        if not low < high:
-            raise ArgumentError(f"between is {between!r}; the first frequency must be the smaller one")
-        band = (low, high)
+    band = _ends("frequency", between, "between")
     answer = _core.measured_modes([one._core() for one in given], options, band, order)
     manifest = made_manifest("modes", **names_of(given), **options, between_hz=band, order=order)
-    names, frf = answer["response"], made_frf(given, answer.pop("frf"), manifest)
-    # Without a mode or a line the arrays have an axis of length 0.
-    for name, wide in (("shape", len(answer["frequency_hz"])), ("measured", None), ("model", None)):
-        rows = np.array(answer[name])
-        answer[name] = rows.reshape(wide, len(names)).T if wide is not None else rows
-    return MeasuredModes(manifest=manifest, frf=frf, **answer)
+    frf = made_frf(given, answer.pop("frf"), manifest)
+    return MeasuredModes(manifest=manifest, frf=frf, findings=frf.findings, **_shaped(answer))
+
+
+def _unforced(
+    given: list[Recording], response: str | Sequence[str], how: tuple[bool, Any, str | Sequence[str], Any], between: Any, order: int
+) -> MeasuredModes:
+    """Modes of free decays or of outputs alone."""
+    free, span_given, reference, lags = how
+    if (free and (reference or lags is not None)) or (not free and span_given is not None):
+        raise ArgumentError("span is that of free_decay=True, reference and lags are those of output_only=True")
+    options = {
+        "responses": names(response),
+        "free": free,
+        "span_s": _ends("time", span_given, "span"),
+        "references": names(reference),
+        "lags_s": optional_si("time", lags, "lags"),
+    }
+    band = _ends("frequency", between, "between")
+    answer = _core.measured_decays([one._core() for one in given], options, band, order)
+    manifest = made_manifest("modes", **names_of(given), **options, between_hz=band, order=order)
+    odd = [*(finding for one in given for finding in one.findings), *found(answer.pop("findings"))]
+    return MeasuredModes(manifest=manifest, frf=None, findings=odd, **_shaped(answer))
+
+
+def _ends(kind: str, range: Any, what: str) -> tuple[float, float] | None:
+    """The two ends of a range, SI."""
+    if range is None:
+        return None
+    low, high = (si(kind, end, what) for end in span_of(range, what))
+    if not 0.0 <= low < high:
+        raise ArgumentError(f"{what} is {range!r}; its ends must be at least 0, the first one the smaller one")
+    return low, high
+
+
+def _shaped(answer: dict[str, Any]) -> dict[str, Any]:
+    """Without a mode or a line the arrays have an axis of length 0."""
+    shape = np.array(answer["shape"]).reshape(len(answer["frequency_hz"]), len(answer["response"])).T
+    return {**answer, "shape": shape, "measured": np.array(answer["measured"]), "model": np.array(answer["model"])}

@@ -142,6 +142,8 @@ def values(given: Any, unit: str | None, key: str) -> str:
     if isinstance(made, str):
         return made
     items = made if isinstance(made, list) else [made]
+    if not items:
+        raise ArgumentError(f"{key}: the list of values is empty; give at least one")
     if any(isinstance(item, (dict, list)) for item in items):
         raise ArgumentError(f"{key}: the values of a sweep are one list, without lists in it")
     return ",".join(str(item) if unit is None or isinstance(item, str) else f"{item!r} {unit}" for item in items)

@@ -9,11 +9,13 @@ from typing import Annotated, Any
 import numpy as np
 
 from . import _core
-from .arguments import optional_si, positive_si
+from .arguments import check_wholes, optional_si, positive_si
+from .errors import ArgumentError
 from .finding import Finding, found, told
 from .given import Measured, recording
-from .recording import names_of
-from .result import Along, Floats, Integers, Result, Variable, column, html_table, made_manifest
+from .recording import Recording, names_of
+from .result import Along, Floats, Integers, Result, Variable, column, html_table, made_manifest, whole
+from .spec import Spec
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -35,6 +37,12 @@ class RegimesResult(Result):
     half_width_w: Annotated[Floats, Along("stretch", "W", "half the width of its 95 % interval")]
     #: How far a change may lie from its place, s.
     uncertainty_s: float
+    #: The solution of the model that each stretch shows, ``"1a"``; ``"several"`` and ``"none"`` where no one or more than one fits. Empty
+    #: without a model.
+    solution: list[str]
+    #: For each stretch every solution of the model, the nearest first: ``id``, ``period_cycles``, ``mean_power_w``, ``waveform_distance``,
+    #: ``spectrum_distance`` (over that of the record, ``None`` without a period), ``power_ratio``, ``inverted``. Empty without a model.
+    candidates: list[list[dict[str, Any]]]
     #: The record: time from its first sample, s, and the values.
     time_s: Floats
     values: Floats
@@ -54,7 +62,8 @@ class RegimesResult(Result):
         ]
         for k, name in enumerate(self.names()):
             power = f", {self.mean_power_w[k]:.5e} W +- {self.half_width_w[k]:.1e} W" if np.isfinite(self.mean_power_w[k]) else ""
-            lines.append((f"{self.start_s[k]:.3f} s to {self.end_s[k]:.3f} s", f"rms {self.rms[k]:.5e} {self.unit}, {name}{power}"))
+            shown = f", solution: {self.solution[k]}" if self.solution else ""
+            lines.append((f"{self.start_s[k]:.3f} s to {self.end_s[k]:.3f} s", f"rms {self.rms[k]:.5e} {self.unit}, {name}{power}{shown}"))
         return lines + told(self.findings)
 
     def _repr_html_(self) -> str:
@@ -69,6 +78,8 @@ class RegimesResult(Result):
             "rms": Variable(("stretch",), self.rms, self.unit, f"{self.channel}, rms about the mean"),
             "values": Variable(("time",), self.values, self.unit, self.channel),
         }
+        if self.solution:
+            variables["solution"] = Variable(("stretch",), self.solution, "", "solution of the model that fits")
         coords = {
             "stretch": Variable(("stretch",), np.arange(len(self)), "1", "number of the stretch"),
             "time": Variable(("time",), self.time_s, "s", "time from the first sample"),
@@ -77,7 +88,13 @@ class RegimesResult(Result):
 
     def to_pandas(self) -> Any:
         """A ``pandas.DataFrame`` with a row for each stretch."""
-        return self._frame({**self._columns("stretch"), "rms": self.rms})
+        shown = {"solution": self.solution} if self.solution else {}
+        return self._frame({**self._columns("stretch"), "rms": self.rms, **shown})
+
+    def candidates_to_pandas(self) -> Any:
+        """A ``pandas.DataFrame`` with a row for each solution of the model beside each stretch."""
+        rows = [{"stretch": k, **one} for k, each in enumerate(self.candidates) for one in each]
+        return self._frame({name: [row[name] for row in rows] for name in (rows[0] if rows else ())})
 
     def plot_regimes(self, ax: Any = None) -> Any:
         """Draws the record, a colour for each stretch."""
@@ -87,21 +104,41 @@ class RegimesResult(Result):
 
 
 def regimes(
-    record: Measured, drive: Any, *, sample_rate_hz: Any = None, channel: str | None = None, resistance: Any = None
+    record: Measured,
+    drive: Any,
+    *,
+    sample_rate_hz: Any = None,
+    channel: str | None = None,
+    resistance: Any = None,
+    model: Spec | None = None,
+    starts: int = 40,
+    seed: int = 1,
+    load: str | None = None,
+    within: float = 0.2,
 ) -> RegimesResult:
     """Cuts a record under a ``drive`` of a known frequency, ``"13 Hz"``, into stretches of one solution each.
 
     ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``; ``channel`` the one to cut, by
     default the first in volts. With the ``resistance`` of the load, of which the channel is the voltage, power is told for each stretch.
+
+    With a ``model``, put to the drive and the load of the record, each stretch is joined to the solution that it shows: the nearest one,
+    where its waveform is at most ``within`` of the record's away. Solutions are sought from so many random ``starts`` with a ``seed``;
+    ``load`` names the circuit whose voltage was recorded, by default the first.
     """
+    check_wholes(starts=starts, seed=seed)
+    if model is not None and not isinstance(model, Spec):
+        raise ArgumentError(f"model is of type {type(model).__name__}; give a jounce.Spec")
     given = recording(record, sample_rate_hz)
     drive_hz, ohm = positive_si("frequency", drive, "drive"), optional_si("resistance", resistance, "resistance")
-    answer = _core.measured_regimes(given._core(), drive_hz, channel, ohm)
+    compared = {"starts": starts, "seed": seed, "load": load, "within": within}
+    handed = _core.measured_regimes(given._core(), drive_hz, channel, ohm, None if model is None else model._spec, compared)
+    answer = whole(handed)
+    shown = json.loads(answer["correspondences"])
     stretches, powers = json.loads(answer["stretches"]), json.loads(answer["powers"])
     periods = [one["period"] for one in stretches]
     none: list[dict[str, Any]] = [{} for _ in stretches]
     return RegimesResult(
-        manifest=made_manifest("regimes", **names_of([given]), drive_hz=drive_hz, resistance_ohm=ohm),
+        manifest=_manifest(given, drive_hz, ohm, model, compared),
         channel=answer["channel"],
         unit=answer["unit"],
         drive_hz=drive_hz,
@@ -113,7 +150,22 @@ def regimes(
         mean_power_w=column(powers or none, "mean_power_w"),
         half_width_w=column(powers or none, "half_width_w"),
         uncertainty_s=answer["uncertainty_s"],
+        solution=[_named(one) for one in shown],
+        candidates=[one["candidates"] for one in shown],
         time_s=answer["time_s"] - answer["time_s"][0],
         values=answer["values"],
         findings=[*given.findings, *found(answer["findings"])],
     )
+
+
+def _named(shown: dict[str, Any]) -> str:
+    """The solution that a stretch shows."""
+    one: str = shown["candidates"][0]["id"] if shown["fits"] == "one" else shown["fits"]
+    return one
+
+
+def _manifest(given: Recording, drive_hz: float, ohm: float | None, model: Spec | None, compared: dict[str, Any]) -> dict[str, Any]:
+    options: dict[str, Any] = {"drive_hz": drive_hz, "resistance_ohm": ohm}
+    if model is None:
+        return made_manifest("regimes", **names_of([given]), **options)
+    return {**made_manifest("regimes", **names_of([given]), **options, **compared), "spec_sha256": model.sha256}

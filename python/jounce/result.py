@@ -21,6 +21,10 @@ Truths = NDArray[np.bool_]
 Complexes = NDArray[np.complex128]
 
 
+#: What a long call of the compiled module answers: the answer, if there is one, and what ended it early.
+Handed = tuple[dict[str, Any] | None, BaseException | None]
+
+
 class Variable(NamedTuple):
     """A variable of a dataset."""
 
@@ -81,7 +85,7 @@ class Result(Data):
         return cls(**{**answer, "manifest": json.loads(answer["manifest"])})
 
     @classmethod
-    def _handed(cls, handed: tuple[dict[str, Any] | None, BaseException | None]) -> Self:
+    def _handed(cls, handed: Handed) -> Self:
         """From what a long call answers; raises what ended it early, with what was finished."""
         answer, ended = handed
         result = None if answer is None else cls._made(answer)
@@ -146,6 +150,17 @@ def _same(a: Any, b: Any) -> bool:
     if isinstance(a, (list, tuple)) and isinstance(b, (list, tuple)):
         return len(a) == len(b) and all(map(_same, a, b))
     return bool(a == b or (a != a and b != b))
+
+
+def whole(handed: Handed) -> dict[str, Any]:
+    """The answer of a long call that is worth nothing unless it is whole; raises what ended it early."""
+    answer, ended = handed
+    if isinstance(ended, KeyboardInterrupt):
+        raise Interrupted(None) from None
+    if ended is not None:
+        raise ended
+    assert answer is not None, "a call that nothing ended has an answer"
+    return answer
 
 
 def column(rows: Sequence[Mapping[str, Any]], name: str) -> Floats:

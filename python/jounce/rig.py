@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from . import _core
-from .arguments import check_wholes, names, positive_si
-from .errors import ArgumentError, Interrupted
+from .arguments import check_wholes, names, optional_si, positive_si
+from .errors import ArgumentError
 from .fit import FitResult, made_fit
+from .given import Measured, recording
 from .quantity import toml
 from .recording import Recording
-from .result import made_manifest
+from .result import made_manifest, whole
 from .spec_text import SpecText
 
 if TYPE_CHECKING:
@@ -32,37 +34,91 @@ class SpecOnRig(SpecText):
         noise: float = 0.0,
         bits: int | None = None,
         seed: int = 1,
+        at: str | Sequence[str] = (),
+        sensor_mass: Any = None,
+        cable: Any = None,
+        cable_leakage: Any = None,
+        hold: str | Sequence[str] = (),
+        fixed_table: bool = False,
         hammer: str | None = None,
-        at: Sequence[str] = (),
         hits: int = 5,
         block: Any = "4 s",
         peak: Any = "20 N",
         contact: Any = "3 ms",
-        hold: Sequence[str] = (),
+        solution: str | Sequence[str | tuple[str, Any]] = (),
+        starts: int = 40,
+        starts_seed: int = 1,
+        amplitude_wander: float = 0.0,
+        frequency_wander: float = 0.0,
+        wander_time: Any = "5 s",
+        amplitude_drift: float = 0.0,
+        frequency_drift: float = 0.0,
+        base: Measured | None = None,
+        base_channel: str | None = None,
+        keep_mean: bool = False,
     ) -> Recording:
-        """What the sensors of a virtual rig would record, so that the truth behind a recording is known.
+        """What the sensors of a virtual rig would record, so that the truth behind a recording is known; ``jounce rig``.
 
-        By default the run is marched and its averaging window recorded: voltages, contact forces, the acceleration of the base, and
-        those of accelerometers ``at`` some points. With ``hammer``, the point that is
-        struck, stops and drives are taken away, masses in ``hold`` held still, and the force and the accelerations ``at`` some points
-        recorded, by default at all and of the voltages too: so many ``hits``, one every ``block``, with a force of ``peak`` for a time of
-        ``contact``. ``rate`` is the sample rate, ``noise`` that of every sensor, rms over that of its signal, ``bits`` those of the
-        converters.
+        By default the run is marched and its averaging window recorded: voltages, V, contact forces, N, the acceleration of the base, and
+        those of accelerometers ``at`` some points, m/s^2. ``rate`` is the sample rate, ``noise`` that of every sensor, rms over that of its
+        signal, ``bits`` those of the converters. An accelerometer loads the structure with its ``sensor_mass``, ``"2 g"``; a ``cable``,
+        ``"1 nF"``, with its ``cable_leakage``, ``"10 Mohm"``, lowers the voltage of each patch. Masses in ``hold`` are held still, with
+        ``fixed_table`` all of them.
+
+        With ``hammer``, the point that is struck, stops and drives are taken away, and the force and the accelerations ``at`` some points
+        recorded, by default at all and the voltages too: so many ``hits``, one every ``block``, with a force of ``peak`` for a time of
+        ``contact``.
+
+        ``solution`` shows solutions of the model instead of its run, by their ids in :meth:`basins`: ``["1a", ("3a", "42 s")]`` goes on
+        from another one at a time of the record. They are sought from so many random ``starts`` with a seed. The drive's amplitude and
+        frequency wander by ``amplitude_wander`` and ``frequency_wander`` (standard deviations over themselves) within ``wander_time``, and
+        drift by ``amplitude_drift`` and ``frequency_drift`` from begin to end. ``base`` moves the base as a recording says, for as long as
+        it lasts, in place of the drives: a :class:`Recording`, a file or SEP005 time series, its ``base_channel`` by default the first
+        acceleration, its mean taken away unless ``keep_mean``.
+
+        Raises :class:`ArgumentError` for a number out of its range, a name or a solution that there is not, :class:`MarchError` for a march
+        that could not go on. Source of the wander: D. Gillespie, Phys. Rev. E 54 (1996) 2084, equation 1.9.
         """
-        check_wholes(bits=bits, seed=seed, hits=hits)
-        sensors = {"rate_hz": positive_si("frequency", rate, "rate"), "noise": noise, "bits": bits, "seed": seed}
-        manifest = {**made_manifest("rig", **sensors, hammer=hammer), "spec_sha256": self.sha256}
+        check_wholes(bits=bits, seed=seed, hits=hits, starts=starts, starts_seed=starts_seed)
+        sensors: dict[str, Any] = {"rate_hz": positive_si("frequency", rate, "rate"), "noise": noise, "bits": bits, "seed": seed}
+        sensors |= {"at": names(at), "hold": self._held(hold, fixed_table)}
+        sensors["sensor_mass_kg"] = optional_si("mass", sensor_mass, "sensor_mass")
+        sensors["cable_f"] = optional_si("capacitance", cable, "cable")
+        sensors["cable_leakage_ohm"] = optional_si("resistance", cable_leakage, "cable_leakage")
+        if sensor_mass is not None and not sensors["at"]:
+            raise ArgumentError('sensor_mass is that of the accelerometers; name their points with at=["beam.tip"]')
+        shaker: dict[str, Any] = {
+            "solution": _solutions(solution),
+            "starts": starts,
+            "starts_seed": starts_seed,
+            "amplitude_wander": amplitude_wander,
+            "frequency_wander": frequency_wander,
+            "wander_time_s": positive_si("time", wander_time, "wander_time"),
+            "amplitude_drift": amplitude_drift,
+            "frequency_drift": frequency_drift,
+            "base_channel": base_channel,
+            "keep_mean": keep_mean,
+        }
         if hammer is not None:
-            test = {"point": hammer, "at": names(at), "hold": names(hold), "hits": hits, "block_s": positive_si("time", block, "block")}
+            moved = [
+                key for key in ("solution", "amplitude_wander", "frequency_wander", "amplitude_drift", "frequency_drift") if shaker[key]
+            ]
+            if moved or base is not None:
+                raise ArgumentError(f"{', '.join(moved) or 'base'} is that of a shaker, and a hammer strikes; give one of them")
+            test = {"point": hammer, "hits": hits, "block_s": positive_si("time", block, "block")}
             test |= {"peak_force_n": positive_si("force", peak, "peak"), "contact_time_s": positive_si("time", contact, "contact")}
-            return Recording._of(_core.rig_struck(self._spec, sensors, test), manifest)
-        if hold:
-            raise ArgumentError("hold is that of a hammer test; name the point to strike with hammer=")
-        answer, ended = _core.rig_shaken(self._spec, sensors, names(at))
-        if ended is not None:
-            raise Interrupted(None) if isinstance(ended, KeyboardInterrupt) else ended
-        assert answer is not None, "a call that nothing ended has an answer"
-        return Recording._of(answer, manifest)
+            return Recording._of(_core.rig_struck(self._spec, sensors, test), self._of_rig(sensors, test))
+        if shaker["solution"] and (base is not None or sensors["hold"]):
+            raise ArgumentError("solution is one of the whole model under its own drive; give it without base, hold and fixed_table")
+        moves = None if base is None else recording(base)
+        handed = _core.rig_shaken(self._spec, sensors, shaker, None if moves is None else moves._core())
+        of_base = {} if moves is None else {"base": moves.name, "base_sha256": moves.manifest["options"]["recording_sha256"]}
+        made = Recording._of(whole(handed), self._of_rig(sensors, {**shaker, **of_base}))
+        return made if moves is None else dataclasses.replace(made, findings=[*moves.findings, *made.findings])
+
+    def _of_rig(self, sensors: Mapping[str, Any], test: Mapping[str, Any]) -> dict[str, Any]:
+        """Where a recording of the rig comes from."""
+        return {**made_manifest("rig", **sensors, **test), "spec_sha256": self.sha256}
 
     def fit(self, to: str | PathLike[str] | Mapping[str, Any]) -> FitResult:
         """Fits keys to measured features: a file of them, or a dict that says the same.
@@ -79,6 +135,18 @@ class SpecOnRig(SpecText):
             raise ArgumentError(f"to is of type {type(to).__name__}; give the path of a file of features, or a dict that says the same")
         manifest = {**made_manifest("fit", to=about), "spec_sha256": self.sha256}
         return made_fit(cast("Spec", self), answer, manifest)
+
+
+def _solutions(given: str | Sequence[str | tuple[str, Any]]) -> list[tuple[str, float]]:
+    """Ids of solutions, and the times of the record from which on they are shown, s; the first one from the begin."""
+    each = [given] if isinstance(given, str) else list(given)
+    found = []
+    for number, one in enumerate(each):
+        pair = (one, None) if isinstance(one, str) else tuple(one)
+        if len(pair) != 2 or not isinstance(pair[0], str) or (number > 0 and pair[1] is None):
+            raise ArgumentError(f'solution: {one!r} is none; give the id of the first, as in "1a", then pairs, as in ("3a", "42 s")')
+        found.append((pair[0], 0.0 if number == 0 else positive_si("time", pair[1], f"the time of solution {pair[0]}")))
+    return found
 
 
 def features(tables: Mapping[str, Any]) -> str:

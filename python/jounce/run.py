@@ -51,18 +51,35 @@ class RunResult(Result):
     load_power_w: Annotated[Floats, Along("load", "W", "mean power")]
     load_voltage_rms_v: Annotated[Floats, Along("load", "V", "voltage, rms")]
     #: Names of the rectified circuits; of each the mean power into its load or battery, W, the voltage of its storage, rms, V, the mean
-    #: current of its diodes, A, and the mean power lost in diodes, in the switch and by leakage, W.
+    #: current of its diodes, A, the mean power that fills the storage, W, and that lost in diodes, in the switch and by leakage, W.
     rectified: list[str]
     rectified_power_w: Annotated[Floats, Along("rectified", "W", "mean power")]
     rectified_voltage_rms_v: Annotated[Floats, Along("rectified", "V", "voltage of the storage, rms")]
     rectified_current_a: Annotated[Floats, Along("rectified", "A", "mean current of the diodes")]
+    rectified_storage_w: Annotated[Floats, Along("rectified", "W", "mean power that fills the storage")]
     rectified_diode_loss_w: Annotated[Floats, Along("rectified", "W", "mean power lost in diodes")]
     rectified_switch_loss_w: Annotated[Floats, Along("rectified", "W", "mean power lost in the switch")]
     rectified_leakage_w: Annotated[Floats, Along("rectified", "W", "mean power lost by leakage")]
-    #: Names of the stops; of each the contacts that began, the share of the time in contact, the largest penetration, m, the largest
-    #: contact force, N, and its time integral, N s.
+    #: Balance of the charge that the diodes passed in the averaging window, C: ``passed = load + leakage + storage``, and what is left over
+    #: as a share of the largest; NaN where no diodes feed a capacitor.
+    rectified_charge_passed_c: Annotated[Floats, Along("rectified", "C", "charge that the diodes passed")]
+    rectified_charge_load_c: Annotated[Floats, Along("rectified", "C", "charge through the load")]
+    rectified_charge_leakage_c: Annotated[Floats, Along("rectified", "C", "charge through the leakage of the storage")]
+    rectified_charge_storage_c: Annotated[Floats, Along("rectified", "C", "charge that the storage kept")]
+    rectified_charge_residual_relative: Annotated[Floats, Along("rectified", "1", "charge left over, as a share of the largest")]
+    #: Names of the patches that leak, and the mean power that each takes, W.
+    leak: list[str]
+    leak_power_w: Annotated[Floats, Along("leak", "W", "mean power that the leakage of a patch takes")]
+    #: Names of the stops; of each the contacts that began and how many a second, the mean and the largest speed at which they began, m/s,
+    #: the mean and the longest time that one lasted, s (both 0 without a contact), the share of the time in contact, the largest
+    #: penetration, m, the largest contact force, N, and its time integral, N s.
     stop: list[str]
     stop_contacts: Annotated[Integers, Along("stop", "1", "contacts that began")]
+    stop_contact_rate_hz: Annotated[Floats, Along("stop", "1/s", "contacts per second")]
+    stop_mean_strike_m_s: Annotated[Floats, Along("stop", "m/s", "mean speed at which contacts began")]
+    stop_max_strike_m_s: Annotated[Floats, Along("stop", "m/s", "largest speed at which a contact began")]
+    stop_mean_dwell_s: Annotated[Floats, Along("stop", "s", "mean time that a contact lasted")]
+    stop_max_dwell_s: Annotated[Floats, Along("stop", "s", "longest time that a contact lasted")]
     stop_contact_duty: Annotated[Floats, Along("stop", "1", "share of the time in contact")]
     stop_max_penetration_m: Annotated[Floats, Along("stop", "m", "largest penetration")]
     stop_max_contact_force_n: Annotated[Floats, Along("stop", "N", "largest contact force")]
@@ -83,8 +100,11 @@ class RunResult(Result):
     warnings: list[str]
     #: Input less all outputs and what is stored, over the largest energy of the run.
     energy_residual_relative: Annotated[float, Along("", "1", "energy residual of the march")]
+    #: No energy flowed or changed by more than roundoff, so that the residual says nothing.
+    nothing_happened: Annotated[bool, Along("", "1", "no energy flowed by more than roundoff")]
     #: Energies of the whole run, J: ``input_j``, ``loads_j``, ``rectified_j`` (into loads and batteries behind rectifiers),
-    #: ``rectified_loss_j`` (in their diodes and switches, and by leakage), ``damping_j``, ``contact_loss_j``, ``stored_j``.
+    #: ``rectified_loss_j`` (in their diodes and switches, and by leakage), ``leaks_j`` (by leakage of patches), ``damping_j``,
+    #: ``contact_loss_j``, ``stored_j``.
     energies_j: dict[str, float]
     duration_s: float
     average_over_s: float
@@ -118,6 +138,7 @@ class RunResult(Result):
             ("mean power", f"{self.mean_power_w:.6e} W"),
             *((f"voltage, rms ({name})", f"{volts:.6g} V") for name, volts in zip(self.load, self.load_voltage_rms_v)),
             *((f"storage, rms ({name})", f"{volts:.6g} V") for name, volts in zip(self.rectified, self.rectified_voltage_rms_v)),
+            *((f"leakage ({name})", f"{power:.6e} W") for name, power in zip(self.leak, self.leak_power_w)),
             ("contacts", f"{self.contacts} in {self.average_over_s:g} s, {100 * self.contact_duty:.2f} % of the time"),
             ("penetration, peak", f"{self.max_penetration_m:.4e} m, force {self.max_contact_force_n:.4e} N"),
             ("energy residual", f"{self.energy_residual_relative:.1e} of the largest energy"),
@@ -131,12 +152,12 @@ class RunResult(Result):
         return {field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.name not in left}
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` of the means, over ``load``, ``rectified`` and ``stop``; the record has one in ``run.history``."""
+        """An ``xarray.Dataset`` of the means over ``load``, ``rectified``, ``leak``, ``stop``; the record has one in ``run.history``."""
         told = {
             "settled": Variable((), bool(self.settled), "1", "settled when it was averaged"),
             "period_cycles": Variable((), self.period_cycles or 0, "1", "period in drive cycles, 0 for none"),
         }
-        coords = {name: Variable((name,), getattr(self, name), "", name) for name in ("load", "rectified", "stop")}
+        coords = {name: Variable((name,), getattr(self, name), "", name) for name in ("load", "rectified", "leak", "stop")}
         return self._dataset({**self._variables(), **told}, coords)
 
     def to_pandas(self) -> Any:

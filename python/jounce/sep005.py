@@ -27,7 +27,8 @@ def numbers(values: Any, what: str) -> Floats:
     if np.iscomplexobj(values):
         raise ArgumentError(f"{what} are complex; a series in time is real")
     try:
-        row = np.asarray(values, dtype=np.float64)
+        # What is masked is missing.
+        row = np.ma.filled(values.astype(np.float64), np.nan) if np.ma.isMaskedArray(values) else np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError) as error:
         raise ArgumentError(f"{what} are no numbers: {error}") from error
     if row.ndim != 1:

@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 
 from . import _core
-from .arguments import check_wholes, frequencies, names
+from .arguments import check_wholes, frequencies
 from .arguments import si as in_si
 from .basins import BasinsResult
 from .branch import BranchResult
@@ -41,9 +41,9 @@ class Spec(SpecOnRig):
 
     __slots__ = ()
 
-    def modes(self, hold: Sequence[str] = ()) -> ModesResult:
-        """Natural frequencies, damping ratios, couplings and shapes, with some masses held still."""
-        return ModesResult._made(_core.modes(self._spec, names(hold)))
+    def modes(self, hold: str | Sequence[str] = (), *, fixed_table: bool = False) -> ModesResult:
+        """Natural frequencies, damping ratios, couplings and shapes, with some masses held still, with ``fixed_table`` all of them."""
+        return ModesResult._made(_core.modes(self._spec, self._held(hold, fixed_table)))
 
     def frf(
         self,
@@ -51,16 +51,18 @@ class Spec(SpecOnRig):
         *,
         input: str | None = None,
         base: bool = False,
-        hold: Sequence[str] = (),
+        hold: str | Sequence[str] = (),
+        fixed_table: bool = False,
         open_circuit: bool = False,
     ) -> FrfResult:
         """Frequency responses without contact, per newton on ``input`` (by default the point of the first force).
 
-        With ``base`` the base is accelerated instead: displacements relative to it and voltages, per m/s^2.
+        With ``base`` the base is accelerated instead: displacements relative to it and voltages, per m/s^2. Masses in ``hold`` are held
+        still, with ``fixed_table`` all of them; with ``open_circuit`` the patches have no circuit.
 
         ``frequency``: text or quantities, ``["1 Hz", "2 Hz"]``, or a pint array; by default 2000 from 1 to 1000 Hz.
         """
-        return FrfResult._made(_core.frf(self._spec, frequencies(frequency), input, base, names(hold), open_circuit))
+        return FrfResult._made(_core.frf(self._spec, frequencies(frequency), input, base, self._held(hold, fixed_table), open_circuit))
 
     def noise(self, *, low: Any = None, high: Any = None, points: int = 1000) -> NoiseResult:
         """What the noises of the spec do without contact, exact: means, mean squares, bandwidths, how often each gap would be reached.

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike, fspath
 from typing import Any, Self
 
 from . import _core
-from .arguments import of_tables
+from .arguments import names, of_tables
 from .errors import ArgumentError
+from .quantity import name as name_of
 from .quantity import setting
 from .result import html_table
 
@@ -55,8 +56,10 @@ class SpecText:
 
     def set(self, key: str | Mapping[str, Any], value: Any = None) -> None:
         """Sets a key, ``spec.set("stop.tip.gap", "0.5 mm")``, or several at once with a dict."""
+        if not isinstance(key, (str, Mapping)):
+            raise ArgumentError(f'{key!r} is no key; give its name, as in "stop.tip.gap", or a dict of keys and values')
         pairs = key if isinstance(key, Mapping) else {key: value}
-        self._spec = self._spec.with_keys([(str(name), setting(item, str(name))) for name, item in pairs.items()])
+        self._spec = self._spec.with_keys([(name_of(key, "spec"), setting(item, str(key))) for key, item in pairs.items()])
 
     def changed(self, keys: Mapping[str, Any]) -> Self:
         """A copy with keys set."""
@@ -78,6 +81,8 @@ class SpecText:
 
     def __getitem__(self, key: str) -> Any:
         """What the text says of a key, or its default; a table as a dict."""
+        if not isinstance(key, str):
+            raise ArgumentError(f'{key!r} is no key; keys are text, as in "stop.tip.gap"')
         for canonical in (False, True):
             found: Any = self.to_dict(canonical)
             for part in key.split("."):
@@ -108,6 +113,11 @@ class SpecText:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (_again, (type(self), self._spec.text, str(self._spec.folder)))
+
+    def _held(self, hold: str | Sequence[str], fixed_table: bool) -> list[str]:
+        """The masses that are held still, with ``fixed_table`` all of them."""
+        every = self.to_dict(canonical=True).get("mass", {}) if fixed_table else {}
+        return [*names(hold), *every]
 
     def _lines(self) -> Iterator[tuple[str, str]]:
         for kind, things in self.to_dict().items():

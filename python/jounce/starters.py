@@ -1,4 +1,4 @@
-"""Commented specs to start from."""
+"""Commented specs to start from, and what a spec may hold."""
 
 from __future__ import annotations
 
@@ -20,6 +20,11 @@ def new(kind: str) -> Spec:
     :func:`jounce.starters` lists the kinds. The numbers are plausible, not those of a device; ``spec.to_toml()`` tells what each key is.
     """
     return Spec(_core.starter(kind))
+
+
+def keys() -> str:
+    """The reference of all keys of a spec, in Markdown: what ``jounce keys`` prints."""
+    return _core.keys()
 
 
 def schema() -> dict[str, Any]:

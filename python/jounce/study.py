@@ -6,6 +6,7 @@ import concurrent.futures
 import json
 import math
 import time
+import tomllib
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
 from pathlib import Path
@@ -13,7 +14,7 @@ from typing import Any, Literal
 
 from . import _core
 from .arguments import check_wholes
-from .errors import ArgumentError, Interrupted
+from .errors import ArgumentError, FileError, Interrupted, SpecError
 from .progress import Progress, told
 from .quantity import plain, toml
 from .quantity import values as range_text
@@ -69,6 +70,23 @@ class Study:
         tables["vary"] = {key: range_text(value, None, key) for key, value in vary.items()}
         tables["quantity"] = {"command": quantity} if isinstance(quantity, str) else plain(quantity, "quantity")
         self._set(spec.copy(), toml(tables))
+
+    @classmethod
+    def read(cls, path: str | PathLike[str]) -> Study:
+        """Reads the file of a study, the same as that of ``jounce study run``; the path of its spec begins beside it."""
+        file = Path(path)
+        try:
+            tables = tomllib.loads(file.read_text(encoding="utf-8"))
+        except (OSError, UnicodeDecodeError) as error:
+            raise FileError(f"the study {path} cannot be read: {error}") from error
+        except tomllib.TOMLDecodeError as error:
+            raise SpecError(f"{path}: {error}") from error
+        named = tables.pop("spec", None)
+        if not isinstance(named, str):
+            raise SpecError(f'{path} names no spec; write spec = "harvester.toml"')
+        study = cls.__new__(cls)
+        study._set(Spec.read(file.parent / named), toml(tables))
+        return study
 
     def _set(self, spec: Spec, text: str) -> None:
         self._spec = spec

@@ -40,7 +40,7 @@ class StudyStatus:
 
 
 class StudyResult:
-    """The table of a study: read from its folder when it is asked for."""
+    """The table of a study in a folder, ``jounce.StudyResult("out")``: read when it is asked for."""
 
     def __init__(self, folder: str | PathLike[str]) -> None:
         self.folder = Path(folder)
@@ -54,6 +54,10 @@ class StudyResult:
     def path(self) -> Path:
         """The merged table, in Parquet."""
         return self.folder / "study.parquet"
+
+    def merge(self) -> Path:
+        """Joins the parts that shards have written to one table; its path. Raises :class:`StudyError` while parts are missing."""
+        return _core.study_merge(fspath(self.folder))
 
     def table(self) -> StudyTable:
         """The merged table, in memory."""

@@ -29,6 +29,8 @@ class SweepResult(Result):
     period_cycles: Annotated[Integers, Along("visit", "1", "period in drive cycles")]
     energy_residual_relative: Annotated[Floats, Along("visit", "1", "energy residual of the march")]
     marched_s: Annotated[Floats, Along("visit", "s", "time marched")]
+    #: Limits of patches that points pass, in words.
+    warnings: list[str]
 
     def __len__(self) -> int:
         return len(self.parameter)
@@ -38,7 +40,7 @@ class SweepResult(Result):
         if len(self):
             best = int(np.argmax(self.mean_power_w))
             lines.append(("highest power", f"{self.mean_power_w[best]:.6e} W at {self.parameter[best]:g} {self.unit}"))
-        return lines
+        return [*lines, *(("warning", text) for text in self.warnings)]
 
     def _repr_html_(self) -> str:
         rows: list[list[object]] = [

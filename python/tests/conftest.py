@@ -21,6 +21,15 @@ SPEC = ROOT / "examples" / SYSTEM / "harvester.toml"
 SHORT = {"drive.shaker.amplitude": "50 N", "drive.shaker.frequency": "11 Hz", "run.duration": "2 s", "run.average_over": "1 s"}
 
 
+#: The run that the rig records.
+SHORTER = {**SHORT, "run.duration": "1 s", "run.average_over": "0.5 s"}
+
+
+def sine(peak, frequency_hz, rate_hz, seconds):
+    """Samples of a sine."""
+    return peak * np.sin(2.0 * np.pi * frequency_hz * np.arange(int(rate_hz * seconds)) / rate_hz)
+
+
 def same(found, wanted):
     """The same numbers, bit by bit."""
     np.testing.assert_array_equal(np.asarray(found), np.asarray(wanted))

@@ -34,7 +34,7 @@ def interrupt():
 
 threading.Thread(target=interrupt, daemon=True).start()
 try:
-    harvester.{call}
+    {call}
 except jounce.Interrupted as stopped:
     print(time.process_time() - sent[0], time.perf_counter() - sent[1], type(stopped.result).__name__, {kept})
 """
@@ -69,14 +69,17 @@ CALLS = {
     "jumps": ('jumps("drive.shaker.frequency", "4 Hz:20 Hz", "stop.tip.gap", "0.5 mm:2 mm", threads=2)', 0.8, "0"),
     "diagram": ('diagram("drive.shaker.frequency", "4 Hz:20 Hz:0.001 Hz", threads=2)', 3.0, "len(stopped.result)"),
     "basins": ("basins(starts=100000, threads=2)", 3.0, "(stopped.result.ends_in >= 0).sum()"),
+    "rig on a solution": ('rig(solution="1a", starts=100000)', 1.0, "0"),
+    "reproduce": ('jounce.reproduce("out", threads=2)', 2.0, "0"),
 }
 
 
 @pytest.mark.parametrize("name", CALLS)
-def test_ctrl_c_ends_a_call_at_once_and_keeps_what_is_finished(name):
+def test_ctrl_c_ends_a_call_at_once_and_keeps_what_is_finished(name, tmp_path):
     call, after, kept = CALLS[name]
+    call = call if call.startswith("jounce.") else f"harvester.{call}"
     code = textwrap.dedent(CHILD.format(spec=str(SPEC), call=call, after=after, kept=kept))
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=False)
+    done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=120, check=False)
     assert done.returncode == 0, done.stderr
     used_s, passed_s, kind, count = done.stdout.split()
     # A tenth of a second for each thread at work. Measured on two cores that ten other jobs shared: 0.001 s to 0.02 s. With a signal half a

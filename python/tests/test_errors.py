@@ -73,6 +73,10 @@ def test_arguments_are_checked(harvester):
     wrong = [
         lambda: jounce.Spec(3),
         lambda: jounce.Spec("harvester.toml"),
+        lambda: harvester[3],
+        lambda: harvester.changed(["stop.tip.gap"]),
+        lambda: harvester.changed({3: "1 mm"}),
+        lambda: harvester.sweep(frequency, np.array([]), unit="Hz"),
         lambda: harvester.sweep(frequency, "10 Hz:14 Hz:1 Hz", direction="sideways"),
         lambda: harvester.sweep(frequency, [["10 Hz"]]),
         lambda: harvester.branch(frequency, "13 Hz:12 Hz"),
@@ -175,7 +179,7 @@ def test_files_that_cannot_be_read_or_written(harvester, tmp_path):
         jounce.write_recording(tmp_path / "no/a.csv", [1.0, 2.0], 1.0)
     with pytest.raises(jounce.StartError):
         jounce.State.read(tmp_path / "none.json")
-    with pytest.raises(jounce.StartError):
+    with pytest.raises(jounce.StartError, match="not one that a run has saved"):
         harvester.run(start=jounce.State("{"))
 
 
@@ -214,6 +218,13 @@ SERIES = {"data": VOLTS, "name": "u", "unit_str": "V", "fs": 1000.0}
         (lambda: jounce.Recording.of(VOLTS, 1e3, time_s=np.arange(4000.0)), jounce.ArgumentError, "both given"),
         (lambda: jounce.Recording.of({}, 1e3), jounce.ArgumentError, "at least one"),
         (lambda: jounce.Recording.of(VOLTS, 1e3)["w"], jounce.ArgumentError, "there are signal"),
+        (lambda: jounce.spectra(SERIES, window="kaiser"), jounce.ArgumentError, '"hann", "flat-top" or "rectangular"'),
+        (lambda: jounce.spectra(SERIES, overlap=1.0), jounce.RecordingError, "from 0 to 0.95"),
+        (lambda: jounce.spectra(SERIES, segment="1 h"), jounce.RecordingError, "cannot be cut from 4000"),
+        (lambda: jounce.spectra(SERIES, segment="1 m"), jounce.ArgumentError, "a time is due"),
+        (lambda: jounce.spectra(SERIES, drive="0 Hz"), jounce.ArgumentError, "above 0"),
+        (lambda: jounce.spectra(SERIES, drive="0.01 Hz"), jounce.RecordingError, "it must last at least"),
+        (lambda: jounce.spectra(SERIES, channel="w"), jounce.ArgumentError, "w"),
         (lambda: jounce.regimes(VOLTS, "1 Hz", sample_rate_hz=1e3), jounce.RecordingError, "at least 24"),
         (lambda: jounce.regimes(VOLTS, "10 V", sample_rate_hz=1e3), jounce.ArgumentError, "a frequency is due"),
         (lambda: jounce.contact(np.random.default_rng(0).normal(size=4000), sample_rate_hz=1e3), jounce.RecordingError, "no hit"),
@@ -223,6 +234,15 @@ SERIES = {"data": VOLTS, "name": "u", "unit_str": "V", "fs": 1000.0}
         (lambda: jounce.measured_frf(SERIES, end_ratio=2.0), jounce.ArgumentError, "end_ratio is 2"),
         (lambda: jounce.measured_modes(SERIES, order=1), jounce.ArgumentError, "from 2 to 400"),
         (lambda: jounce.measured_modes(SERIES, between="20 Hz:10 Hz"), jounce.ArgumentError, "smaller one"),
+        (lambda: jounce.measured_modes(SERIES, span="0 s:1 s"), jounce.ArgumentError, "free_decay=True"),
+        (lambda: jounce.measured_modes(SERIES, free_decay=True, lags="1 s"), jounce.ArgumentError, "output_only=True"),
+        (lambda: jounce.measured_modes(SERIES, free_decay=True, output_only=True), jounce.ArgumentError, "one of them"),
+        (lambda: jounce.measured_modes(SERIES, output_only=True, force="u"), jounce.ArgumentError, "one of them"),
+        (lambda: jounce.measured_modes([VOLTS, VOLTS], sample_rate_hz=1e3, output_only=True), jounce.ArgumentError, "one recording"),
+        (lambda: jounce.measured_modes(SERIES, output_only=True, lags="3 s"), jounce.RecordingError, "3"),
+        (lambda: jounce.measured_modes(SERIES, free_decay=True, span="3.999 s:9 s"), jounce.RecordingError, "32"),
+        (lambda: jounce.regimes(SERIES, "10 Hz", model="a.toml"), jounce.ArgumentError, "of type str"),
+        (lambda: jounce.regimes(SERIES, "10 Hz", starts=-1), jounce.ArgumentError, "starts is -1"),
     ],
 )
 def test_recordings_that_cannot_be_used_are_told(call, kind, words):
@@ -237,7 +257,18 @@ def test_rigs_and_fits_that_cannot_be_had_are_told(harvester, tmp_path):
         (lambda: harvester.rig(hammer="beam.tip", hold=["beam"]), jounce.StructureError, "only a mass"),
         (lambda: harvester.rig(hammer="beam.tip", noise=-1.0), jounce.ArgumentError, "noise"),
         (lambda: harvester.rig(hammer="beam.tip", hits=-1), jounce.ArgumentError, "hits is -1"),
-        (lambda: harvester.rig(hold=["table"]), jounce.ArgumentError, "hammer="),
+        (lambda: harvester.rig(sensor_mass="2 g"), jounce.ArgumentError, "at="),
+        (lambda: harvester.rig(at="beam.tip", sensor_mass="2 m"), jounce.ArgumentError, "a mass is due"),
+        (lambda: harvester.rig(cable="1 m"), jounce.ArgumentError, "a capacitance is due"),
+        (lambda: harvester.rig(cable="-1 nF"), jounce.ArgumentError, "above 0"),
+        (lambda: harvester.rig(amplitude_wander=0.9), jounce.ArgumentError, "from 0 to 0.3"),
+        (lambda: harvester.rig(solution=["1a", "3a"]), jounce.ArgumentError, "then pairs"),
+        (lambda: harvester.rig(solution="1a", hold="table"), jounce.ArgumentError, "without base, hold"),
+        (lambda: harvester.rig(hammer="beam.tip", frequency_drift=0.1), jounce.ArgumentError, "a hammer strikes"),
+        (lambda: harvester.rig(hammer="beam.tip", base=VOLTS), jounce.ArgumentError, "a hammer strikes"),
+        (lambda: harvester.rig(base=SERIES), jounce.ArgumentError, "channel u is in V"),
+        (lambda: harvester.rig(base=tmp_path / "none.csv"), jounce.FileError, "No such file"),
+        (lambda: jounce.reproduce(tmp_path / "file" / "below"), jounce.FileError, "cannot create the folder"),
         (lambda: harvester.rig(rate="1 kg"), jounce.ArgumentError, "a frequency is due"),
         (lambda: harvester.fit(3), jounce.ArgumentError, "of type int"),
         (lambda: harvester.fit({}), jounce.FitError, "no key is free: .*; nothing is measured"),
@@ -245,6 +276,7 @@ def test_rigs_and_fits_that_cannot_be_had_are_told(harvester, tmp_path):
         (lambda: harvester.fit({**features, "mode": [{"number": 99, "frequency": "9 Hz"}]}), jounce.FitError, "mode 99"),
         (lambda: harvester.fit(tmp_path / "none.toml"), jounce.FileError, "No such file"),
     ]
+    (tmp_path / "file").write_text("")
     for call, kind, words in wrong:
         with pytest.raises(kind, match=words):
             call()

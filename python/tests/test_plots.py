@@ -40,12 +40,28 @@ def drawn():
     }
 
 
+def response(harvester):
+    """A response of a slightly thicker beam, as a feature."""
+    lines = [f"{hz} Hz" for hz in np.linspace(20.0, 100.0, 41)]
+    thicker = harvester.changed({"beam.beam.thickness": f"{1.02 * harvester.si('beam.beam.thickness')!r} m"})
+    values = np.abs(thicker.frf(lines, input="beam.hammer")["beam.tip.acceleration"])
+    return {
+        "input": "beam.hammer",
+        "output": "beam.tip.acceleration",
+        "frequency": lines,
+        "magnitude": [float(one) for one in values],
+        "deviation": 0.05,
+    }
+
+
 def measured(harvester):
     hits, tones, pulses = recordings(harvester)
     power = jounce.power([tones, tones], ["1 kohm", "2 kohm"])
     modes = jounce.measured_modes(hits, end_ratio=0.01, between="20 Hz:200 Hz")
     fit = {"frequency_deviation": 0.01, "free": {"beam.beam.thickness": 0.05}, "mode": [{"number": 1, "frequency": "9 Hz"}]}
     return {
+        "density": jounce.spectra(tones, drive="10 Hz").plot_density,
+        "spectrogram": jounce.spectra(tones, drive="10 Hz", segment="0.5 s").plot_spectrogram,
         "recording": tones.plot_recording,
         "power": power.plot_power,
         "power spectra": power.plot_spectra,
@@ -56,6 +72,7 @@ def measured(harvester):
         "stabilisation": modes.plot_stabilisation,
         "modal fit": modes.plot_fit,
         "fit": harvester.fit({"hold": ["table"], **fit}).plot_fit,
+        "fitted curve": harvester.fit({"free": fit["free"], "response": [response(harvester)]}).plot_curve,
     }
 
 
@@ -75,6 +92,8 @@ NAMES = [
     "ensemble",
     "spectra",
     "noise",
+    "density",
+    "spectrogram",
     "recording",
     "power",
     "power spectra",
@@ -85,6 +104,7 @@ NAMES = [
     "stabilisation",
     "modal fit",
     "fit",
+    "fitted curve",
 ]
 
 

@@ -5,16 +5,13 @@ import pickle
 import numpy as np
 import pint
 import pytest
-from conftest import ROOT, SHORT, same
+from conftest import SHORTER, same, sine
 
 import jounce
 
 #: A hammer test of the clamped beam.
 HITS = {"hammer": "beam.hammer", "at": ["beam.tip"], "hold": ["table"], "hits": 4, "block": "8 s", "rate": "1024 Hz", "noise": 0.001}
 HITS_OPTIONS = ["--hammer=beam.hammer", "--at=beam.tip", "--hold=table", "--hits=4", "--block=8s", "--rate=1024Hz", "--noise=0.001"]
-
-#: The run that the rig records.
-SHORTER = {**SHORT, "run.duration": "1 s", "run.average_over": "0.5 s"}
 
 
 @pytest.fixture(scope="module")
@@ -25,10 +22,6 @@ def hits():
 @pytest.fixture(scope="module")
 def shaken():
     return jounce.examples()["impact-harvester-2019"].changed(SHORTER).rig(rate="2 kHz", noise=0.01, bits=16, seed=3)
-
-
-def sine(peak, frequency_hz, rate_hz, seconds):
-    return peak * np.sin(2.0 * np.pi * frequency_hz * np.arange(int(rate_hz * seconds)) / rate_hz)
 
 
 def test_the_rig_is_that_of_the_command_line(hits, shaken, command_line, tmp_path):
@@ -70,6 +63,9 @@ def test_what_is_odd_is_found_and_told():
     (missing,) = [one for one in found.findings if one.kind == "not-a-number"]
     assert (missing.channel, missing.count, missing.first) == ("a", 3, "sample 40") and str(missing) in repr(found)
     assert found.channel("a").unit == "m/s^2" and found.channel("a").peak == pytest.approx(0.8 * 9.80665)
+    # What is masked is missing as well.
+    masked = jounce.Recording.of({"a": np.ma.masked_invalid(samples)}, time_s=stamps, units={"a": "g"}, name="floor")
+    assert masked == found
     even = found.even()
     assert even.step is not None and np.isfinite(even["a"]).all() and found.step is None
     assert {"bridged", "resampled"} < {one.kind for one in even.findings}
@@ -91,6 +87,7 @@ def test_every_form_of_a_recording_gives_the_same():
         ([other, series], None),
         ({**series, "fs": 2000.0, "time": np.arange(len(volts)) / 2000.0}, None),
         (jounce.Recording.of(volts, 2000.0, units="V"), None),
+        (np.ma.masked_array(volts), 2000.0),
         (jounce.Recording.of(series).to_sep005(), None),
         (jounce.Recording.of({"a": other["data"], "u": 1e3 * volts}, 2000.0, units={"a": "g", "u": "mV"}), None),
         (jounce.Recording.of(pint.UnitRegistry().Quantity(1e3 * volts, "mV"), 2000.0), None),
@@ -197,27 +194,54 @@ def test_modes_of_a_hammer_test_are_those_of_the_model_and_of_the_command_line(h
     assert again.frequency_hz == pytest.approx(found.frequency_hz, rel=2e-4)
 
 
-def test_a_fit_is_that_of_the_command_line(command_line):
-    folder = ROOT / "examples/impact-harvester-2019"
-    told = command_line("fit", f"--to={folder / 'measured.toml'}", keys={"patch.mfc.section": "laminate"})
-    harvester = jounce.read(folder / "harvester.toml").changed({"patch.mfc.section": "laminate"})
-    found = harvester.fit(folder / "measured.toml")
-    assert found.key == [one["key"] for one in told["keys"]] and found.feature == [one["name"] for one in told["features"]]
-    for name in ("before", "after", "low", "high", "deviation"):
-        same(getattr(found, name), [one[name] for one in told["keys"]])
-    same(found.feature_after, [one["after"] for one in told["features"]])
-    assert found.chi_square == told["chi_square"] and found.warnings == told["warnings"]
-    # Each key is set, and the fitted harvester has the predicted frequencies.
-    assert [found.spec.si(key) for key in found.key] == pytest.approx(found.after, rel=1e-15)
-    assert np.abs(found.error_after).max() < np.abs(found.error_before).max()
-    assert len(found.features_to_pandas()) == len(found.feature) and pickle.loads(pickle.dumps(found)) == found
+def test_free_decays_and_outputs_alone_are_those_of_the_command_line(harvester, command_line, tmp_path):
+    # One hit alone is a free decay from its largest size on; its channel of force is left out.
+    hit = harvester.rig(hammer="beam.hammer", at="beam.tip", fixed_table=True, hits=1, block="8 s", rate="512 Hz", contact="8 ms")
+    hit.write(tmp_path / "hit.csv")
+    (name,) = [one.name for one in hit if one.name != "force"]
+    ways = [
+        (["--free-decay", "--span=0.1s:6s"], {"free_decay": True, "span": "0.1 s:6 s"}),
+        (["--output-only", f"--reference={name}", "--lags=1.5s"], {"output_only": True, "reference": name, "lags": "1.5 s"}),
+    ]
+    truth = harvester.modes(fixed_table=True).open_circuit_hz[0]
+    for options, keywords in ways:
+        call = [f"--measured={tmp_path / 'hit.csv'}", f"--response={name}", "--between=5Hz:100Hz", "--order=20", *options]
+        told = command_line("modes", *call, spec=None)
+        found = jounce.measured_modes(hit, response=name, between="5 Hz:100 Hz", order=20, **keywords)
+        for field in ("frequency_hz", "frequency_deviation_hz", "damping_ratio", "damping_deviation"):
+            same(getattr(found, field), [mode[field] for mode in told["modes"]])
+        assert found.frf is None and found.response == [name] and len(found.function) == 1
+        assert pickle.loads(pickle.dumps(found)) == found and found.to_xarray().sizes["function"] == 1
+        # The truth is known; without noise the free decay is off by 3e-4 and less.
+        if "free_decay" in keywords:
+            assert found.frequency_hz == pytest.approx(truth[(truth > 5.0) & (truth < 100.0)], rel=2e-3)
 
 
-def test_a_key_comes_back_from_the_modes_of_a_changed_harvester(harvester):
-    truth = 1.01 * harvester.si("beam.beam.thickness")
-    modes = harvester.changed({"beam.beam.thickness": f"{truth!r} m"}).modes(hold=["table"])
-    features = [{"number": number, "frequency": f"{modes.frequency_hz[number - 1]} Hz"} for number in (1, 2, 3)]
-    free = {"beam.beam.thickness": 0.05}
-    found = harvester.fit({"hold": ["table"], "frequency_deviation": 1e-3, "free": free, "mode": features})
-    # Noiseless, but held towards where it began by a prior of 5 %: off by 1.5e-6 of itself.
-    assert found.after == pytest.approx([truth], rel=1e-5) and found.low[0] < truth < found.high[0]
+def test_spectra_are_those_of_the_command_line_and_of_closed_form(command_line, tmp_path):
+    volts = sine(2.0, 12.0, 1000.0, 20.0) + sine(1.0, 6.0, 1000.0, 20.0)
+    recording = jounce.Recording.of({"u": volts}, 1000.0, units="V", name="tones")
+    recording.write(tmp_path / "tones.csv")
+    told = command_line("spectra", "--drive=12Hz", "--overlap=0.75", "--window=flat-top", spec=tmp_path / "tones.csv")
+    found = jounce.spectra(recording, drive="12 Hz", overlap=0.75, window="flat-top")
+    for name in ("frequency_hz", "density"):
+        same(getattr(found, name), told[name])
+    same(found.order_amplitude_peak, [line["amplitude_peak"] for line in told["orders"]])
+    assert (found.segment_s, found.step_s, found.resolution_hz, found.mean) == tuple(
+        told[name] for name in ("segment_s", "step_s", "resolution_hz", "mean")
+    )
+    # Amplitudes are 2 V and 1 V, and the variance half their squares: lines of a flat top are off by 1e-4.
+    peaks = dict(zip(found.order.round(3), found.order_amplitude_peak))
+    assert [peaks[1.0], peaks[0.5]] == pytest.approx([2.0, 1.0], rel=1e-9) and max(peaks[2.0], peaks[3.0]) < 1e-9
+    assert found.variance_between(0.0, 500.0) == pytest.approx(2.5, rel=1e-3)
+    at = [int(np.argmin(abs(found.frequency_hz - hz))) for hz in (12.0, 6.0)]
+    assert found.amplitude_peak.shape == (len(found.time_s), len(found.frequency_hz))
+    assert found.amplitude_peak[:, at] == pytest.approx(np.tile([2.0, 1.0], (len(found), 1)), rel=2e-3)
+    dataset = found.to_xarray()
+    assert dataset.density.attrs["units"] == "V^2/Hz" and dataset.amplitude_peak.dims == ("time", "frequency")
+    assert pickle.loads(pickle.dumps(found)) == found and "order 0.5" in repr(found) and len(found.orders_to_pandas()) == 10
+    # The same from an array, from a SEP005 time series, and from one that is strided and may not be written.
+    series = {"name": "u", "unit_str": "V", "fs": 1000.0, "data": np.repeat(volts, 2)[::2]}
+    series["data"].flags.writeable = False
+    for given, rate in ((volts, 1000.0), (series, None), ([series], None)):
+        again = jounce.spectra(given, sample_rate_hz=rate, drive="12 Hz", overlap=0.75, window="flat-top")
+        same(again.density, found.density)

@@ -121,6 +121,26 @@ def test_killed_five_times_and_resumed_it_is_the_same_table(study, table, tmp_pa
     assert study.run(tmp_path / "out").path.read_bytes() == table
 
 
+def test_the_file_of_a_study_is_read_and_its_shards_are_merged(command_line, tmp_path):
+    file = ROOT / "examples/impact-harvester-2019/study.toml"
+    study = jounce.Study.read(file)
+    study.run(tmp_path / "out", shard="1/2")
+    found = jounce.StudyResult(tmp_path / "out")
+    with pytest.raises(jounce.StudyError, match="missing"):
+        found.merge()
+    command_line("study", "run", str(file), f"--out={tmp_path / 'out'}", "--shard=2/2", spec=None)
+    # The command line has merged it, being the last; so does this.
+    found.path.unlink()
+    assert found.merge() == found.path and len(found.table()) == len(study) == 18
+    assert pickle.loads(pickle.dumps(study)) == study
+    for text, kind in (("[vary]", jounce.SpecError), ("vary = ", jounce.SpecError), ('spec = "none.toml"', jounce.FileError)):
+        (tmp_path / "wrong.toml").write_text(text)
+        with pytest.raises(kind):
+            jounce.Study.read(tmp_path / "wrong.toml")
+    with pytest.raises(jounce.FileError, match="cannot be read"):
+        jounce.Study.read(tmp_path / "no-such-study.toml")
+
+
 def test_drawn_points_and_other_quantities(harvester, tmp_path):
     vary = {"stop.tip.gap": "0.5 mm:1.5 mm", "circuit.load.resistance": "1 kohm:1 Mohm:log"}
     for sampling in ("random", "latin-hypercube", "sobol"):
@@ -180,7 +200,7 @@ def test_what_is_wrong_is_told(study, harvester, tmp_path):
     with pytest.raises(jounce.StudyError, match="holds no study"):
         jounce.StudyStatus.read(tmp_path / "none")
     (tmp_path / "file").write_text("")
-    with pytest.raises(jounce.StudyError):
+    with pytest.raises(jounce.StudyError, match="cannot write into"):
         study.run(tmp_path / "file/below")
     part = tmp_path / "b/parts/part-000000.parquet"
     part.write_bytes(part.read_bytes()[:100])
@@ -217,8 +237,25 @@ def test_two_processes_at_one_study_lose_nothing(study, table, tmp_path):
 @pytest.mark.skipif(os.name == "nt" or os.getuid() == 0, reason="whoever may write everywhere is refused nowhere")
 def test_a_folder_that_cannot_be_written_is_told(study, tmp_path):
     tmp_path.chmod(0o500)
-    with pytest.raises(jounce.StudyError):
+    with pytest.raises(jounce.StudyError, match="cannot write into"):
         study.run(tmp_path / "out")
+
+
+@pytest.mark.skipif(not os.path.isdir("/proc/self"), reason="there is no folder in which even root makes none")
+def test_a_folder_in_which_nobody_may_write_is_told(study, harvester):
+    with pytest.raises(jounce.StudyError, match="cannot write into"):
+        study.run("/proc/study")
+    for write in (harvester.write, jounce.State("{}").write, jounce.Recording.of([1.0, 2.0], 1.0).write):
+        with pytest.raises(jounce.FileError, match="/proc/"):
+            write("/proc/jounce.csv")
+
+
+def test_a_damaged_table_is_told_and_made_again(study, table, tmp_path):
+    result = study.run(tmp_path)
+    result.path.write_bytes(table[:50])
+    with pytest.raises(jounce.FileError, match="cannot read the table"):
+        result.table()
+    assert study.run(tmp_path).path.read_bytes() == table
 
 
 def test_ctrl_c_keeps_what_is_finished(study, tmp_path):

@@ -1,4 +1,4 @@
-"""The package is typed: mypy accepts it and a program that uses it, and its stubs are those of the compiled module."""
+"""The package is typed: mypy accepts it and a program that uses it, and its stubs are those of the compiled module and of its sources."""
 
 import subprocess
 import sys
@@ -12,3 +12,9 @@ def test_types(arguments, tmp_path):
     cache = [f"--cache-dir={tmp_path}"] if arguments == ["mypy"] else []
     done = subprocess.run([sys.executable, "-m", *arguments, *cache], cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_the_stubs_are_those_of_the_sources():
+    made = subprocess.run([sys.executable, "-P", ROOT / "python/stubs.py"], capture_output=True, text=True, check=True).stdout
+    written = (ROOT / "python/jounce/_core.pyi").read_text(encoding="utf-8")
+    assert written == made, "make them again: python -P python/stubs.py > python/jounce/_core.pyi"

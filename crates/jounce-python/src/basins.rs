@@ -8,6 +8,7 @@ use crate::run::Handed;
 use crate::spec::Spec;
 use crate::watched::{handed, on_threads, watched};
 use jounce::plant::Plant;
+use jounce::run::{Exceeded, Worst};
 use jounce::study::{Attractor, Basins, BasinsAnswer, Cloud, Grid, Parameter, SectionPoint, Starts};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -87,10 +88,17 @@ fn told<'py>(py: Python<'py>, found: &BasinsAnswer, places: &[SectionPoint], man
         .with("expected_power_low_w", found.expected_power_low_w)?
         .with("expected_power_high_w", found.expected_power_high_w)?
         .with("lost", &found.lost)?
+        .with("warnings", warnings(all))?
         .array("ends_in", ends_in)?
         .each("start_displacement_m", places, |place| place.displacement_m)?
         .each("start_velocity_m_s", places, |place| place.velocity_m_per_s)?
         .each("start_voltage_v", places, |place| place.voltage_v)?
         .with("manifest", manifest)?;
     Ok(answer.dict())
+}
+
+/// Limits of patches that attractors pass.
+fn warnings(all: &[Attractor]) -> Vec<String> {
+    let passed: Vec<&[Exceeded]> = all.iter().map(|attractor| attractor.exceeded.as_slice()).collect();
+    Worst::told(&passed, "attractors", |place| format!("attractor {}", all[place].id))
 }

@@ -5,7 +5,8 @@ use crate::failure::Failure;
 use crate::run::Handed;
 use crate::spec::Spec;
 use crate::watched::{handed, on_threads, watched};
-use jounce::study::{Bandwidth, BandwidthSearch, Bifurcation, Branch, BranchPoint, BranchSearch, Method, Parameter};
+use jounce::run::{Exceeded, Limits, Worst};
+use jounce::study::{Bandwidth, BandwidthSearch, Bifurcation, Branch, BranchPoint, BranchSearch, Method, Parameter, Prepared, StudyError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -66,18 +67,33 @@ pub fn branch<'py>(
         let width = BandwidthSearch { base: &base, parameter: &parameter, range, tolerance };
         on_threads(threads, || {
             let branches = search.run()?;
-            Ok((width.run(&branches), branches))
+            let warnings = match warnings(&base, &parameter, &branches, tolerance) {
+                // What was followed so far is worth more than its warnings.
+                Err(_) if watch.is_stopped() => Vec::new(),
+                warnings => warnings?,
+            };
+            Ok((width.run(&branches), branches, warnings))
         })
     });
     let options = [("over", over), ("method", method.to_owned()), ("tolerance", tolerance.to_string()), ("seeds", seeds.to_string())];
     let manifest = spec.manifest("branch", &options);
-    handed(py, found, |(widths, branches)| {
+    handed(py, found, |(widths, branches, warnings)| {
         let each = branches.iter().zip(&widths.branches);
         let listed = each.map(|(branch, width)| one(py, branch, width.as_ref())).collect::<PyResult<Vec<_>>>()?;
         let answer = Answer::new(py).with("key", key)?.with("unit", found_key.unit())?.with("branches", listed)?;
-        let answer = answer.with("half_power", json(&widths.together.as_ref())?)?;
+        let answer = answer.with("warnings", warnings)?.with("half_power", json(&widths.together.as_ref())?)?;
         Ok(answer.with("manifest", manifest)?.dict())
     })
+}
+
+/// Limits of patches that points of branches pass.
+fn warnings(base: &Prepared, parameter: &Parameter<'_>, branches: &[Branch], tolerance: f64) -> Result<Vec<String>, Failure> {
+    let limits = Limits::of(&base.spec, &base.kernel.plant);
+    let passed = branches.iter().map(|branch| branch.exceeded(parameter, &limits, tolerance)).collect::<Result<Vec<_>, StudyError>>()?;
+    let all: Vec<&[Exceeded]> = passed.iter().flatten().map(Vec::as_slice).collect();
+    let values: Vec<f64> = branches.iter().flat_map(|branch| &branch.points).map(|point| point.parameter).collect();
+    let (path, unit) = (parameter.key().path(), parameter.key().unit());
+    Ok(Worst::told(&all, "points", |place| format!("{path} = {:.6} {unit}", values[place])))
 }
 
 /// A value as JSON.

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::run::Handed;
 use crate::spec::Spec;
 use crate::watched::{handed, on_threads, watched};
+use jounce::run::{Exceeded, Worst};
 use jounce::study::{Ensemble, EnsembleAnswer, Estimate, IntervalOver, Member, StopEstimates, VoltageSpectrum};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -76,6 +77,7 @@ fn told<'py>(py: Python<'py>, found: &EnsembleAnswer, manifest: String) -> PyRes
         .each("member_mean_dwell_s", all, |m| m.mean_dwell_s)?
         .each("member_max_penetration_m", all, |m| m.max_penetration_m)?
         .each("member_energy_residual_relative", all, |m| m.energy_residual_relative)?
+        .with("warnings", warnings(all))?
         .with("manifest", manifest)?;
     spectra(stops(answer, &found.stops)?, &found.spectra).map(Answer::dict)
 }
@@ -114,4 +116,10 @@ fn spectra<'py>(answer: Answer<'py>, spectra: &[VoltageSpectrum]) -> PyResult<An
         .rows("voltage_psd_half_width_v2_hz", &rows(|bin| bin.half_width), bins)?
         .each("bandwidth_hz", spectra, |own| own.bandwidth_hz.mean)?
         .each("bandwidth_half_width_hz", spectra, |own| own.bandwidth_hz.half_width)
+}
+
+/// Limits of patches that members pass.
+fn warnings(all: &[Member]) -> Vec<String> {
+    let passed: Vec<&[Exceeded]> = all.iter().map(|member| member.exceeded.as_slice()).collect();
+    Worst::told(&passed, "members", |place| format!("member {}", all[place].index))
 }

@@ -3,20 +3,30 @@
 use crate::branch::json;
 use crate::failure::Failure;
 use crate::spec::Spec;
-use jounce_measure::fit::{Features, FitError};
+use crate::watched::watched;
+use jounce::march::Watch;
+use jounce_measure::fit::{Features, FitAnswer, FitError};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
-/// Fits the free keys that a text of features names, or a file of that text; the answer as JSON.
+/// What a fit answers: the answer as JSON, if there is one, and what ended it early.
+type Fitted = PyResult<(Option<String>, Option<PyErr>)>;
+
+/// Fits the free keys that a text of features names, or a file of that text.
 #[pyfunction]
 #[pyo3(signature = (spec, *, text = None, path = None))]
-pub fn fit(py: Python<'_>, spec: &Spec, text: Option<&str>, path: Option<PathBuf>) -> PyResult<String> {
-    let found = py.detach(|| {
-        let features = match &path {
-            Some(path) => Features::read(path)?,
-            None => Features::from_toml(text.unwrap_or_default()).map_err(|faults| FitError::Features { faults })?,
-        };
-        Ok::<_, Failure>(jounce_measure::fit::fit(&spec.file(), &spec.spec, &features, &spec.folder(), &|| ())?.0)
-    });
-    json(&found.map_err(|failure| failure.raised(py))?)
+pub fn fit(py: Python<'_>, spec: &Spec, text: Option<&str>, path: Option<PathBuf>) -> Fitted {
+    match watched(py, None, |watch| fitted(spec, text, path, watch)) {
+        (Ok(answer), ended) => Ok((Some(json(&answer)?), ended)),
+        (Err(_), Some(ended)) => Ok((None, Some(ended))),
+        (Err(failure), None) => Err(failure.raised(py)),
+    }
+}
+
+fn fitted(spec: &Spec, text: Option<&str>, path: Option<PathBuf>, watch: &Watch) -> Result<FitAnswer, Failure> {
+    let features = match &path {
+        Some(path) => Features::read(path)?,
+        None => Features::from_toml(text.unwrap_or_default()).map_err(|faults| FitError::Features { faults })?,
+    };
+    Ok(jounce_measure::fit::fit(&spec.file(), &spec.spec, &features, &spec.folder(), watch)?.0)
 }

@@ -17,6 +17,7 @@ mod materials;
 mod measured;
 mod modes;
 mod noise;
+mod reproduce;
 mod rig;
 mod run;
 mod signal;
@@ -52,6 +53,8 @@ mod _core {
     #[pymodule_export]
     use super::measured::contact::measured_contact;
     #[pymodule_export]
+    use super::measured::decays::measured_decays;
+    #[pymodule_export]
     use super::measured::hammer::{measured_frf, measured_modes};
     #[pymodule_export]
     use super::measured::power::measured_power;
@@ -60,9 +63,13 @@ mod _core {
     #[pymodule_export]
     use super::measured::regimes::measured_regimes;
     #[pymodule_export]
+    use super::measured::spectra::measured_spectra;
+    #[pymodule_export]
     use super::modes::modes;
     #[pymodule_export]
     use super::noise::noise;
+    #[pymodule_export]
+    use super::reproduce::reproduce;
     #[pymodule_export]
     use super::rig::{rig_shaken, rig_struck};
     #[pymodule_export]
@@ -70,7 +77,7 @@ mod _core {
     #[pymodule_export]
     use super::signal::spectrum;
     #[pymodule_export]
-    use super::spec::{Spec, quantity_si, schema};
+    use super::spec::{Spec, keys, quantity_si, schema};
     #[pymodule_export]
     use super::starters::{starter, starters};
     #[pymodule_export]

@@ -1,20 +1,23 @@
 //! What the sensors of a virtual rig record of a harvester.
 
 use crate::failure::Failure;
-use crate::measured::recording::told;
+use crate::measured::recording::{Given, told};
 use crate::run::Handed;
 use crate::spec::Spec;
 use crate::watched::{handed, watched};
 use jounce::linear::Response;
+use jounce::march::Watch;
 use jounce::plant::{Plant, System};
+use jounce::run::StartState;
 use jounce::spec::Gravity;
 use jounce::structure::modes_holding;
-use jounce_measure::recording::Recording;
-use jounce_measure::rig::{HammerTest, Sensor, ShakerTest, Wander, hammer_test, shaker_test};
+use jounce_measure::recording::{Quantity, Recording};
+use jounce_measure::rig::{Cable, HammerTest, Sensor, ShakerTest, Wander, carry, hammer_test, on_recorded_base, shaker_test, start_of_run};
+use jounce_measure::solution::{Search, solutions, start_of};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// The sensors and their clock.
+/// The sensors and their clock, and what they do to the harvester.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Sensors {
@@ -22,6 +25,13 @@ pub struct Sensors {
     noise: f64,
     bits: Option<u32>,
     seed: u64,
+    /// Points with an accelerometer, and the mass of each.
+    at: Vec<String>,
+    sensor_mass_kg: Option<f64>,
+    cable_f: Option<f64>,
+    cable_leakage_ohm: Option<f64>,
+    /// Bodies that are held still.
+    hold: Vec<String>,
 }
 
 /// A hammer test, but for its sensors.
@@ -29,39 +39,99 @@ pub struct Sensors {
 #[pyo3(from_item_all)]
 pub struct Hits {
     point: String,
-    at: Vec<String>,
-    hold: Vec<String>,
     hits: usize,
     block_s: f64,
     peak_force_n: f64,
     contact_time_s: f64,
 }
 
+/// What a shaker does beside what the spec says.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Shaker {
+    amplitude_wander: f64,
+    frequency_wander: f64,
+    wander_time_s: f64,
+    amplitude_drift: f64,
+    frequency_drift: f64,
+    /// Solutions of the model by their ids, and from which time of the record on each is shown, s.
+    solution: Vec<(String, f64)>,
+    starts: usize,
+    starts_seed: u64,
+    base_channel: Option<String>,
+    keep_mean: bool,
+}
+
 impl Sensors {
     fn sensor(&self) -> Sensor {
         Sensor { noise_ratio: self.noise, bits: self.bits }
     }
+
+    /// Cables and accelerometers are part of what is measured.
+    fn fit(&self, spec: &mut jounce::spec::Spec) -> Result<(), Failure> {
+        if self.cable_f.is_some() || self.cable_leakage_ohm.is_some() {
+            Cable { capacitance_f: self.cable_f.unwrap_or(0.0), leakage_ohm: self.cable_leakage_ohm }.wire(spec)?;
+        }
+        if let Some(mass_kg) = self.sensor_mass_kg {
+            carry(spec, &self.at, mass_kg)?;
+        }
+        Ok(())
+    }
 }
 
-/// Marches the run; what the sensors record over its averaging window, accelerometers at some points among them.
-#[pyfunction]
-pub fn rig_shaken<'py>(py: Python<'py>, spec: &Spec, sensors: Sensors, at: Vec<String>) -> Handed<'py> {
-    let found = watched(py, None, |watch| {
-        let prepared = spec.prepared(watch)?;
-        let (run, start) = (&prepared.spec.run, prepared.start(&spec.folder())?);
-        let test = ShakerTest {
-            rate_hz: sensors.rate_hz,
-            duration_s: run.average_over_s,
-            before_s: run.duration_s - run.average_over_s,
-            starts: vec![(0.0, start)],
-            wander: Wander::NONE,
-            accelerometers: at.clone(),
-            sensor: sensors.sensor(),
-            seed: sensors.seed,
+impl Shaker {
+    fn wander(&self) -> Wander {
+        let wander = Wander {
+            amplitude_ratio: self.amplitude_wander,
+            frequency_ratio: self.frequency_wander,
+            memory_s: self.wander_time_s,
+            amplitude_drift: self.amplitude_drift,
+            frequency_drift: self.frequency_drift,
         };
-        Ok::<_, Failure>(shaker_test(&prepared.spec, &prepared.kernel.plant.system.modes, &test, watch)?)
-    });
+        // A memory of nothing is none.
+        let still = Wander { memory_s: wander.memory_s, ..Wander::NONE } == wander;
+        if still { Wander::NONE } else { wander }
+    }
+
+    /// Times and states of the solutions that are asked for.
+    fn solutions(&self, spec: &jounce::spec::Spec, watch: &Watch) -> Result<Vec<(f64, StartState)>, Failure> {
+        let found = solutions(spec, &Search { starts: self.starts, seed: self.starts_seed, ..Search::default() }, watch)?;
+        self.solution.iter().map(|(id, at_s)| Ok((*at_s, start_of(&found, id)?))).collect()
+    }
+}
+
+/// Marches the run, or what moves the base in its place; what the sensors record over its averaging window.
+#[pyfunction]
+pub fn rig_shaken<'py>(py: Python<'py>, spec: &Spec, sensors: Sensors, shaker: Shaker, base: Option<Given<'py>>) -> Handed<'py> {
+    let base = base.map(|base| base.even()).transpose()?;
+    let found = watched(py, None, |watch| shaken(spec, &sensors, &shaker, base.as_ref(), watch));
     handed(py, found, |recording| told(py, recording))
+}
+
+fn shaken(own: &Spec, sensors: &Sensors, shaker: &Shaker, base: Option<&Recording>, watch: &Watch) -> Result<Recording, Failure> {
+    let mut spec = own.spec.clone();
+    sensors.fit(&mut spec)?;
+    if let Some(base) = base {
+        let channel = &base.choose(shaker.base_channel.as_deref(), Quantity::Acceleration)?.name;
+        on_recorded_base(&mut spec, base, channel, shaker.keep_mean)?;
+    }
+    let modes = modes_holding(&spec, &sensors.hold)?;
+    let run = &spec.run;
+    let (starts, before_s) = match shaker.solution.is_empty() {
+        true => (vec![(0.0, start_of_run(&spec, &modes, &own.folder())?)], run.duration_s - run.average_over_s),
+        false => (shaker.solutions(&spec, watch)?, 0.0),
+    };
+    let test = ShakerTest {
+        rate_hz: sensors.rate_hz,
+        duration_s: run.average_over_s,
+        before_s,
+        starts,
+        wander: shaker.wander(),
+        accelerometers: sensors.at.clone(),
+        sensor: sensors.sensor(),
+        seed: sensors.seed,
+    };
+    Ok(shaker_test(&spec, &modes, &test, watch)?)
 }
 
 /// Strikes a point with a hammer, stops and drives taken away; without points to record at, every point and patch records.
@@ -73,14 +143,16 @@ pub fn rig_struck<'py>(py: Python<'py>, spec: &Spec, sensors: Sensors, hits: Hit
 
 fn struck(spec: &Spec, sensors: &Sensors, hits: Hits) -> Result<Recording, Failure> {
     let mut spec = spec.spec.clone();
+    sensors.fit(&mut spec)?;
     spec.drive.clear();
     spec.stop.clear();
     spec.gravity = Gravity::default();
-    let modes = modes_holding(&spec, &hits.hold)?;
-    let points: Vec<String> = if hits.at.is_empty() { modes.shape.keys().cloned().collect() } else { hits.at.clone() };
-    let patches = modes.patch.keys().filter(|_| hits.at.is_empty()).map(|patch| Response::Voltage(patch.clone()));
+    let modes = modes_holding(&spec, &sensors.hold)?;
+    let everywhere = sensors.at.is_empty();
+    let points: Vec<String> = if everywhere { modes.shape.keys().cloned().collect() } else { sensors.at.clone() };
+    let patches = modes.patch.keys().filter(|_| everywhere).map(|patch| Response::Voltage(patch.clone()));
     let responses = points.into_iter().map(Response::Acceleration).chain(patches).collect();
-    let Hits { point, hits, block_s, peak_force_n, contact_time_s, .. } = hits;
+    let Hits { point, hits, block_s, peak_force_n, contact_time_s } = hits;
     let (rate_hz, sensor, seed) = (sensors.rate_hz, sensors.sensor(), sensors.seed);
     let test = HammerTest { point, responses, hits, block_s, peak_force_n, contact_time_s, rate_hz, sensor, seed };
     Ok(hammer_test(&Plant::new(System::assemble(&spec, modes)?)?, &test)?)

@@ -6,7 +6,7 @@ use crate::history::History;
 use crate::spec::Spec;
 use crate::watched::{handed, watched};
 use jounce::march::{Energies, RectifiedEnergies, Watch};
-use jounce::run::{RunAnswer, RunPlan, Settlement, StartState, Warning, simulate};
+use jounce::run::{ChargeAnswer, RectifiedAnswer, RunAnswer, RunPlan, Settlement, StartState, Warning, charges, simulate};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -29,6 +29,8 @@ struct Marched {
     plan: RunPlan,
     answer: RunAnswer,
     history: Option<History>,
+    /// Balance of charge of each circuit whose diodes feed a capacitor.
+    charges: Vec<ChargeAnswer>,
     /// What the answer should not be believed without, in words.
     warnings: Vec<String>,
 }
@@ -52,7 +54,9 @@ pub fn run<'py>(
 fn marched(spec: &Spec, options: &Options, watch: &Watch) -> Result<Marched, Failure> {
     let prepared = spec.prepared(watch)?;
     let start = match &options.start {
-        Some(json) => serde_json::from_str::<StartState>(json).map_err(|error| Failure::new("StartError", error))?,
+        Some(json) => serde_json::from_str::<StartState>(json).map_err(|error| {
+            Failure::new("StartError", format!("the start state is not one that a run has saved: {error}; give the `end` of another run"))
+        })?,
         None => prepared.start(&spec.folder())?,
     };
     let kernel = prepared.from_state(&start)?;
@@ -72,18 +76,22 @@ fn marched(spec: &Spec, options: &Options, watch: &Watch) -> Result<Marched, Fai
     let answer = simulate(&kernel, &start, &watching)?;
     let history = (options.record_s > 0.0).then(|| History::new(&kernel, &answer, &plan, options.sample_rate_hz));
     let warnings = Warning::of(&prepared.spec, &kernel, &watching, &answer).iter().map(ToString::to_string).collect();
-    Ok(Marched { plan, answer, history, warnings })
+    let charges = charges(&kernel, &answer, &watching);
+    Ok(Marched { plan, answer, history, charges, warnings })
 }
 
 fn told<'py>(py: Python<'py>, spec: &Spec, marched: Marched) -> PyResult<Bound<'py, PyDict>> {
-    let Marched { plan, answer, history, warnings } = marched;
+    let Marched { plan, answer, history, charges, warnings } = marched;
     let settlement = answer.settlement;
     let settled = |value: fn(Settlement) -> f64| settlement.map_or(f64::NAN, value);
     let residual = answer.energies.residual_relative();
     let state = serde_json::to_string(&answer.end).map_err(|error| Failure::new("JounceError", error))?;
     let work = serde_json::to_string(&answer.work).map_err(|error| Failure::new("JounceError", error))?;
-    let (loads, stops) = (&answer.loads, &answer.stops);
-    let (flows, rectified) = (flows(py, &answer.energies)?, &answer.rectified);
+    let (loads, stops, leaks) = (&answer.loads, &answer.stops, &answer.leaks);
+    let charge = |circuit: &RectifiedAnswer, of: fn(&ChargeAnswer) -> f64| {
+        charges.iter().find(|charge| charge.name == circuit.name).map_or(f64::NAN, of)
+    };
+    let (still, flows, rectified) = (answer.energies.are_still(), flows(py, &answer.energies)?, &answer.rectified);
     let answer = Answer::new(py)
         .with("mean_power_w", answer.mean_power_w)?
         .with("load", loads.iter().map(|load| load.name.clone()).collect::<Vec<_>>())?
@@ -93,11 +101,24 @@ fn told<'py>(py: Python<'py>, spec: &Spec, marched: Marched) -> PyResult<Bound<'
         .each("rectified_power_w", rectified, |circuit| circuit.mean_power_w)?
         .each("rectified_voltage_rms_v", rectified, |circuit| circuit.voltage_rms_v)?
         .each("rectified_current_a", rectified, |circuit| circuit.mean_current_a)?
+        .each("rectified_storage_w", rectified, |circuit| circuit.storage_w)?
         .each("rectified_diode_loss_w", rectified, |circuit| circuit.diode_loss_w)?
         .each("rectified_switch_loss_w", rectified, |circuit| circuit.switch_loss_w)?
         .each("rectified_leakage_w", rectified, |circuit| circuit.leakage_w)?
+        .each("rectified_charge_passed_c", rectified, |circuit| charge(circuit, |own| own.passed_c))?
+        .each("rectified_charge_load_c", rectified, |circuit| charge(circuit, |own| own.load_c))?
+        .each("rectified_charge_leakage_c", rectified, |circuit| charge(circuit, |own| own.leakage_c))?
+        .each("rectified_charge_storage_c", rectified, |circuit| charge(circuit, |own| own.storage_c))?
+        .each("rectified_charge_residual_relative", rectified, |circuit| charge(circuit, |own| own.residual_relative))?
+        .with("leak", leaks.iter().map(|leak| leak.patch.clone()).collect::<Vec<_>>())?
+        .each("leak_power_w", leaks, |leak| leak.mean_power_w)?
         .with("stop", stops.iter().map(|stop| stop.name.clone()).collect::<Vec<_>>())?
         .each("stop_contacts", stops, |stop| stop.contacts as i64)?
+        .each("stop_contact_rate_hz", stops, |stop| stop.contact_rate_hz)?
+        .each("stop_mean_strike_m_s", stops, |stop| stop.mean_strike_m_s)?
+        .each("stop_max_strike_m_s", stops, |stop| stop.max_strike_m_s)?
+        .each("stop_mean_dwell_s", stops, |stop| stop.mean_dwell_s)?
+        .each("stop_max_dwell_s", stops, |stop| stop.max_dwell_s)?
         .each("stop_contact_duty", stops, |stop| stop.contact_duty)?
         .each("stop_max_penetration_m", stops, |stop| stop.max_penetration_m)?
         .each("stop_max_contact_force_n", stops, |stop| stop.max_contact_force_n)?
@@ -112,6 +133,7 @@ fn told<'py>(py: Python<'py>, spec: &Spec, marched: Marched) -> PyResult<Bound<'
         .with("settle_distance", settled(|found| found.distance))?
         .with("warnings", warnings)?
         .with("energy_residual_relative", residual)?
+        .with("nothing_happened", still)?
         .with("energies_j", flows)?
         .with("duration_s", plan.duration_s)?
         .with("average_over_s", plan.average_over_s)?
@@ -132,6 +154,7 @@ fn flows<'py>(py: Python<'py>, energies: &Energies) -> PyResult<Bound<'py, PyDic
         .with("loads_j", energies.loads_j.iter().sum::<f64>())?
         .with("rectified_j", rectified(|own| own.load_j + own.battery_j))?
         .with("rectified_loss_j", rectified(|own| own.diodes_j + own.switch_j + own.leakage_j))?
+        .with("leaks_j", energies.leaks_j.iter().sum::<f64>())?
         .with("damping_j", energies.damping_j)?
         .with("contact_loss_j", energies.contact_loss_j)?
         .with("stored_j", energies.stored_j)?;

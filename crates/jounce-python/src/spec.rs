@@ -149,7 +149,13 @@ pub fn schema() -> PyResult<String> {
     json(&jounce::spec::schema())
 }
 
-/// A quantity as text, in SI: kind is `time`, `frequency`, `length`, `resistance`, `mass` or `force`.
+/// The reference of all keys of a spec, in Markdown.
+#[pyfunction]
+pub fn keys() -> String {
+    jounce::spec::reference_markdown()
+}
+
+/// A quantity as text, in SI: kind is `time`, `frequency`, `length`, `resistance`, `capacitance`, `mass` or `force`.
 #[pyfunction]
 pub fn quantity_si(kind: &str, text: &str) -> PyResult<f64> {
     let quantity = match kind {
@@ -157,6 +163,7 @@ pub fn quantity_si(kind: &str, text: &str) -> PyResult<f64> {
         "frequency" => Quantity::Frequency,
         "length" => Quantity::Length,
         "resistance" => Quantity::Resistance,
+        "capacitance" => Quantity::Capacitance,
         "mass" => Quantity::Mass,
         "force" => Quantity::Force,
         _ => return Err(PyValueError::new_err(format!("{kind}: no kind of quantity"))),

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::run::Handed;
 use crate::spec::Spec;
 use crate::watched::{handed, on_threads, watched};
+use jounce::run::{Exceeded, Worst};
 use jounce::study::{Direction, Sweep, SweepPoint};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -41,10 +42,10 @@ pub fn sweep<'py>(
     let options =
         [("over", format!("{key}={values}")), ("direction", direction.to_owned()), ("fixed_duration", fixed_duration.to_string())];
     let manifest = spec.manifest("sweep", &options);
-    handed(py, found, |points| told(py, (key, range.key().unit(), manifest), &points))
+    handed(py, found, |points| told(py, (key, &range.key().unit(), manifest), &points))
 }
 
-fn told<'py>(py: Python<'py>, (key, unit, manifest): (&str, String, String), points: &[SweepPoint]) -> PyResult<Bound<'py, PyDict>> {
+fn told<'py>(py: Python<'py>, (key, unit, manifest): (&str, &str, String), points: &[SweepPoint]) -> PyResult<Bound<'py, PyDict>> {
     let answer = Answer::new(py)
         .with("key", key)?
         .with("unit", unit)?
@@ -58,6 +59,13 @@ fn told<'py>(py: Python<'py>, (key, unit, manifest): (&str, String, String), poi
         .each("period_cycles", points, |p| i64::from(p.period_cycles))?
         .each("energy_residual_relative", points, |p| p.energy_residual_relative)?
         .each("marched_s", points, |p| p.marched_s)?
+        .with("warnings", warnings(key, unit, points))?
         .with("manifest", manifest)?;
     Ok(answer.dict())
+}
+
+/// Limits of patches that points pass.
+fn warnings(key: &str, unit: &str, points: &[SweepPoint]) -> Vec<String> {
+    let passed: Vec<&[Exceeded]> = points.iter().map(|point| point.exceeded.as_slice()).collect();
+    Worst::told(&passed, "points", |place| format!("{key} = {:.6} {unit}", points[place].parameter))
 }

@@ -14,12 +14,11 @@ _NAMES = {
     "loads_j": "electrical loads",
     "rectified_j": "rectified storage",
     "rectified_loss_j": "rectifiers",
+    "leaks_j": "leakage of patches",
     "damping_j": "damping",
     "contact_loss_j": "contact",
     "stored_j": "still stored",
 }
-#: Those that are left out where the harvester has no such thing.
-_RECTIFIED = ("rectified_j", "rectified_loss_j")
 
 
 def plot_energy(result: RunResult, ax: Any = None) -> Any:
@@ -27,7 +26,9 @@ def plot_energy(result: RunResult, ax: Any = None) -> Any:
     input_j = result.energies_j["input_j"]
     if input_j <= 0.0:
         raise ArgumentError(f"the drives put in {input_j:g} J, so that there is no share to draw")
-    names = {key: name for key, name in _NAMES.items() if result.rectified or key not in _RECTIFIED}
+    # What the harvester does not have is left out.
+    there = {"rectified_j": result.rectified, "rectified_loss_j": result.rectified, "leaks_j": result.leak}
+    names = {key: name for key, name in _NAMES.items() if there.get(key, True)}
     shares = [100.0 * result.energies_j[key] / input_j for key in names]
     with axes(ax) as ax:
         bars = ax.barh(list(names.values()), shares, color=COLOURS[: len(shares)])

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .style import axes
+from .style import axes, label
 
 if TYPE_CHECKING:
-    from ..fit import FitResult
+    from ..fit import FitCurve, FitResult
 
 
 def plot_fit(result: FitResult, ax: Any = None) -> Any:
@@ -24,5 +24,21 @@ def plot_fit(result: FitResult, ax: Any = None) -> Any:
         ax.set_xlim(-1.0, len(place))
         ax.set_xlabel("Feature")
         ax.set_ylabel("Error of the model [%]")
+        ax.legend()
+    return ax
+
+
+def plot_curve(curve: FitCurve, ax: Any = None) -> Any:
+    """Draws a curve as measured and of the model before and after, with the 95 % interval of a further measurement as a band."""
+    over_time = curve.over == "time_s"
+    # The real and imaginary parts of a response, and times, go through 0; sizes do not.
+    log = not over_time and bool((curve.measured > 0.0).all() and (curve.low > 0.0).all())
+    with axes(ax) as ax:
+        ax.fill_between(curve.at, curve.low, curve.high, color="#888888", alpha=0.25, linewidth=0.0, label="95 % of further measurements")
+        ax.plot(curve.at, curve.measured, ".", color="#000000", markersize=3, label="measured")
+        ax.plot(curve.at, curve.before, "--", label="model before")
+        ax.plot(curve.at, curve.after, label="model after")
+        label(ax.xaxis, *(("Time", "s") if over_time else ("Frequency", "Hz")))
+        label(ax.yaxis, curve.name, curve.unit, log=log)
         ax.legend()
     return ax

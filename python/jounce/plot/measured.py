@@ -60,11 +60,14 @@ def plot_stabilisation(result: MeasuredModes, ax: Any = None) -> Any:
 
 
 def plot_modal_fit(result: MeasuredModes, ax: Any, row: int) -> Any:
-    """Draws a response of the band as displacement per force, measured and as the modes give it."""
+    """Draws a function of the band, measured and as the modes give it: motion as displacement, voltage as it is."""
+    unit = "" if result.frf is None else result.frf.units[result.function[row]]
+    moves = unit.startswith("m/s") or unit == "m/N"
+    about = "Spectrum of the decay" if result.frf is None else "Displacement per force" if moves else "Response"
     with axes(ax) as ax:
-        ax.plot(result.line_hz, np.abs(result.measured[row]), label=f"{result.response[row]}, measured")
+        ax.plot(result.line_hz, np.abs(result.measured[row]), label=f"{result.function[row]}, measured")
         ax.plot(result.line_hz, np.abs(result.model[row]), "--", label="modes")
         label(ax.xaxis, "Frequency", "Hz")
-        label(ax.yaxis, "Displacement per force", "", log=True)
+        label(ax.yaxis, about, "m/N" if moves else unit, log=True)
         ax.legend()
     return ax

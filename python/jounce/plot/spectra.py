@@ -1,4 +1,4 @@
-"""Spectra of realisations of noise."""
+"""Spectra of realisations of noise, and of recorded channels."""
 
 from __future__ import annotations
 
@@ -6,10 +6,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..errors import ArgumentError
+from ..optional import needed
 from .style import axes, label
 
 if TYPE_CHECKING:
     from ..ensemble import EnsembleResult
+    from ..spectra import SpectraResult
 
 
 def plot_spectra(result: EnsembleResult, ax: Any = None) -> Any:
@@ -26,4 +29,48 @@ def plot_spectra(result: EnsembleResult, ax: Any = None) -> Any:
         label(ax.xaxis, "Frequency", "Hz")
         label(ax.yaxis, "PSD of voltage", "V^2/Hz", log=True)
         ax.legend()
+    return ax
+
+
+def plot_density(result: SpectraResult, ax: Any = None) -> Any:
+    """Draws the density of a channel, its line at 0 Hz left out; multiples of the drive are upright lines."""
+    with axes(ax) as ax:
+        for hz in result.order_frequency_hz:
+            ax.axvline(hz, color="#888888", linewidth=0.5, linestyle=":")
+        ax.plot(result.frequency_hz[1:], result.density[1:], label=result.channel)
+        label(ax.xaxis, "Frequency", "Hz", log=True)
+        label(ax.yaxis, f"PSD of {result.channel}", result.density_unit, log=True)
+    return ax
+
+
+#: Decades of amplitude that a spectrogram shows below the largest.
+_DECADES = 4.0
+
+
+def plot_spectrogram(result: SpectraResult, ax: Any = None) -> Any:
+    """Draws the amplitudes of each segment over time and frequency, their line at 0 Hz left out, with a bar of colours."""
+    colours = needed("matplotlib.colors", "plot")
+    highest_hz = 2.0 * result.order_frequency_hz.max() if len(result.order) else result.frequency_hz[-1]
+    shown = (result.frequency_hz > 0.0) & (result.frequency_hz <= highest_hz)
+    values = result.amplitude_peak[:, shown].T
+    most = float(values.max())
+    if not most > 0.0:
+        raise ArgumentError(f"{result.channel} has no amplitude above 0 Hz, so that there is nothing to draw")
+    least = most / 10.0**_DECADES
+    with axes(ax) as ax:
+        scale = colours.LogNorm(least, most)
+        drawn = ax.pcolormesh(
+            result.time_s,
+            result.frequency_hz[shown],
+            np.maximum(values, least),
+            norm=scale,
+            shading="nearest",
+            cmap="viridis",
+            rasterized=True,
+        )
+        ax.grid(False)
+        unit = f" [{result.unit}]" if result.unit else ""
+        ax.figure.colorbar(drawn, ax=ax, label=f"{result.channel}, amplitude (zero to peak){unit}")
+        label(ax.xaxis, "Time", "s")
+        label(ax.yaxis, "Frequency", "Hz")
     return ax

@@ -5,12 +5,12 @@ use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
+use jounce::march::Watch;
 use jounce::spec::{Spec, SpecFile};
 use jounce::table::{Column, Table};
 use jounce_measure::draw::fitted;
 use jounce_measure::fit::{Features, FitAnswer, FittedCurve, FittedFeature, FittedKey, fit};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Arguments of `fit`.
 #[derive(Debug, Args)]
@@ -30,13 +30,9 @@ impl Fit {
         let features = Features::read(&self.to)?;
         let file = self.spec.file()?;
         let spec = self.spec.checked(file.spec())?;
-        let made = AtomicU64::new(0);
-        let seen = || {
-            made.fetch_add(1, Ordering::Relaxed);
-        };
-        let (answer, _) = progress::counting("models tried", &|| made.load(Ordering::Relaxed), || {
-            fit(&file, &spec, &features, &self.spec.folder(), &seen)
-        })?;
+        let watch = Watch::default();
+        let (answer, _) =
+            progress::counting("models tried", &|| watch.progress().0, || fit(&file, &spec, &features, &self.spec.folder(), &watch))?;
         if let Some(folder) = &self.output.out {
             self.write(folder, file, &spec, &answer)?;
         }

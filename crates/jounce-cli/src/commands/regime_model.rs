@@ -4,11 +4,11 @@ use crate::failure::Failure;
 use crate::output::line;
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
+use jounce::march::Watch;
 use jounce::signal::Samples;
-use jounce::spec::{DriveSignal, Spec};
 use jounce::table::{Column, Table};
 use jounce_measure::regime::{Candidate, Correspondence, Fits, Stretch, correspond};
-use jounce_measure::solution::{Search, solutions};
+use jounce_measure::solution::{Search, as_recorded, solutions};
 use std::path::PathBuf;
 
 /// The model that a record is compared with.
@@ -49,26 +49,10 @@ impl ModelArguments {
             return Err(Failure::usage("--within must lie above 0 and up to 1, --starts above 0".to_owned()));
         }
         let mut spec = SpecArguments { spec: path.clone(), set: self.set.clone() }.spec()?;
-        adapt(&mut spec, drive_hz, resistance_ohm, self.load.as_deref());
+        as_recorded(&mut spec, drive_hz, resistance_ohm, self.load.as_deref());
         let search = Search { starts: self.starts, seed: self.seed, load: self.load.clone(), ..Search::default() };
-        let found = solutions(&spec, &search)?;
+        let found = solutions(&spec, &search, &Watch::default())?;
         Ok(stretches.iter().map(|stretch| correspond(samples, drive_hz, stretch, &found, self.within)).collect())
-    }
-}
-
-/// The model at the drive and the load of the record.
-fn adapt(spec: &mut Spec, drive_hz: f64, resistance_ohm: Option<f64>, load: Option<&str>) {
-    for drive in spec.drive.values_mut() {
-        if let DriveSignal::Sine { frequency_hz, .. } = &mut drive.signal {
-            *frequency_hz = drive_hz;
-        }
-    }
-    let circuit = match load {
-        Some(name) => spec.circuit.get_mut(name),
-        None => spec.circuit.values_mut().next(),
-    };
-    if let (Some(circuit), Some(resistance_ohm)) = (circuit, resistance_ohm) {
-        circuit.resistance_ohm = resistance_ohm;
     }
 }
 

@@ -3,7 +3,8 @@
 use crate::failure::Failure;
 use crate::output::{line, print};
 use clap::Args;
-use jounce::reproduce::Reproduction;
+use jounce::march::Watch;
+use jounce::reproduce::{Reproduction, folders};
 use std::path::PathBuf;
 
 /// Arguments of `reproduce`.
@@ -20,9 +21,11 @@ pub struct Reproduce {
 impl Reproduce {
     /// Computes and writes everything.
     pub fn run(&self) -> Result<(), Failure> {
-        let simulated = jounce::reproduce::reproduce(&|stage| eprintln!("{stage}"))?;
+        let watch = Watch::default();
+        folders(&self.out)?;
+        let simulated = jounce::reproduce::reproduce(&watch, &|stage| eprintln!("{stage}"))?;
         eprintln!("Table 2 measured and figures 10 to 13, from the virtual rig");
-        let chapters = jounce_measure::experiment::chapters(&simulated)?;
+        let chapters = jounce_measure::experiment::chapters(&simulated, &watch)?;
         let reproduction = chapters.into_iter().fold(simulated, Reproduction::with);
         let written = reproduction.write(&self.out)?;
         let names = |paths: &[PathBuf]| paths.iter().map(|path| path.display().to_string()).collect::<Vec<_>>();

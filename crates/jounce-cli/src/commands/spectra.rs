@@ -9,17 +9,8 @@ use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::{densities_of, spectrogram_of};
 use jounce_measure::recording::{Channel, Quantity};
-use jounce_measure::spectral::{Density, Segments, Spectrogram, spectrogram};
+use jounce_measure::spectral::{Density, Spectra as Found, SpectraSettings, spectra};
 use std::path::Path;
-
-/// Multiples of the drive whose amplitudes are told.
-const ORDERS: [f64; 10] = [1.0 / 3.0, 0.5, 2.0 / 3.0, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0];
-/// Segments of a record by default, were they side by side.
-const SEGMENTS: usize = 32;
-/// Cycles of the drive in a segment by default: its third is then eight lines away from the next multiple.
-const CYCLES: f64 = 24.0;
-/// Samples of the shortest segment by default.
-const SHORTEST: usize = 256;
 
 /// How segments are weighed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -57,9 +48,7 @@ pub struct Spectra {
 /// What the record tells.
 struct Answer<'a> {
     channel: &'a Channel,
-    density: Density,
-    spectrogram: Spectrogram,
-    orders: Vec<OrderLine>,
+    found: Found,
 }
 
 impl Spectra {
@@ -75,25 +64,13 @@ impl Spectra {
             None => volts().ok_or_else(|| Failure::Input(format!("{} has no channel", record.name)))?,
         };
         let samples = Samples::new(&channel.values, record.rate())?;
-        let count = samples.values().len();
-        let usual = || (count / SEGMENTS).max(SHORTEST).min(count);
-        let cycles_s = drive_hz.map(|f| CYCLES / f).filter(|s| s * record.rate() <= count as f64);
-        let length = segment_s.or(cycles_s).map_or_else(usual, |s| (s * record.rate()).round() as usize) / 2 * 2;
         let window = match self.window {
             WindowName::Hann => Window::Hann,
             WindowName::FlatTop => Window::FlatTop,
             WindowName::Rectangular => Window::Rectangular,
         };
-        let segments = Segments::new(length, self.overlap, window)?;
-        let orders = match drive_hz {
-            None => Vec::new(),
-            Some(drive_hz) => {
-                let inside: Vec<f64> = ORDERS.into_iter().filter(|order| order * drive_hz < 0.5 * record.rate()).collect();
-                samples.orders(drive_hz, &inside)?.lines
-            }
-        };
-        let answer =
-            Answer { channel, density: Density::welch(&samples, &segments)?, spectrogram: spectrogram(&samples, &segments)?, orders };
+        let found = spectra(&samples, &SpectraSettings { drive_hz, segment_s, overlap: self.overlap, window })?;
+        let answer = Answer { channel, found };
         if let Some(folder) = &self.file.output.out {
             self.write(folder, &answer, drive_hz)?;
         }
@@ -107,7 +84,7 @@ impl Spectra {
 
     /// Window, overlap and amplitude in words.
     fn convention(&self, answer: &Answer<'_>) -> String {
-        let found = &answer.spectrogram;
+        let found = &answer.found.spectrogram;
         let window = format!("{:?}", self.window).to_lowercase().replace("flattop", "flat-top");
         format!(
             "{} segments of {:.4} s, {} window, overlap {}: lines {:.4} Hz apart; amplitudes are zero to peak, densities one-sided, per Hz",
@@ -122,18 +99,18 @@ impl Spectra {
     fn tell(&self, answer: &Answer<'_>) {
         let unit = &answer.channel.unit;
         line(format!("{}: {}", answer.channel.name, self.convention(answer)));
-        line(format!("mean {:.5e} {unit}, taken away from the density", answer.density.mean));
-        for (frequency_hz, density) in peaks(&answer.density) {
+        line(format!("mean {:.5e} {unit}, taken away from the density", answer.found.density.mean));
+        for (frequency_hz, density) in peaks(&answer.found.density) {
             line(format!("peak at {frequency_hz:>10.4} Hz: {density:.4e} ({unit})^2/Hz"));
         }
-        for order in &answer.orders {
+        for order in &answer.found.orders {
             line(format!("order {:>6.4}, {:>10.4} Hz: {:.5e} {unit} peak", order.order, order.frequency_hz, order.amplitude_peak));
         }
     }
 
     fn listed(&self, answer: &Answer<'_>, findings: &[jounce_measure::recording::Finding]) -> serde_json::Value {
         let order = |order: &OrderLine| serde_json::json!({ "order": order.order, "frequency_hz": order.frequency_hz, "amplitude_peak": order.amplitude_peak });
-        let found = &answer.spectrogram;
+        let found = &answer.found.spectrogram;
         serde_json::json!({
             "channel": answer.channel.name,
             "unit": answer.channel.unit,
@@ -142,16 +119,16 @@ impl Spectra {
             "step_s": found.step_s,
             "segments": found.time_s.len(),
             "resolution_hz": found.resolution_hz,
-            "mean": answer.density.mean,
-            "frequency_hz": answer.density.frequency_hz,
-            "density": answer.density.density,
-            "orders": answer.orders.iter().map(order).collect::<Vec<_>>(),
+            "mean": answer.found.density.mean,
+            "frequency_hz": answer.found.density.frequency_hz,
+            "density": answer.found.density.density,
+            "orders": answer.found.orders.iter().map(order).collect::<Vec<_>>(),
             "findings": findings,
         })
     }
 
     fn write(&self, folder: &Path, answer: &Answer<'_>, drive_hz: Option<f64>) -> Result<(), Failure> {
-        let (channel, density, found) = (answer.channel, &answer.density, &answer.spectrogram);
+        let (channel, density, found) = (answer.channel, &answer.found.density, &answer.found.spectrogram);
         let manifest = self.file.manifest("spectra")?.with("convention", self.convention(answer)).with("channel", channel.name.clone());
         let squared = format!("({})^2/Hz", channel.unit);
         let table = Table::new(vec![

@@ -32,14 +32,6 @@ pub enum ExperimentError {
     /// The model's solutions.
     #[error(transparent)]
     Solution(#[from] SolutionError),
-    /// A solution that the model had.
-    #[error("the model has no solution `{id}` any more; its solutions are {known}")]
-    NoSolution {
-        /// Its id.
-        id: String,
-        /// What there is.
-        known: String,
-    },
     /// A channel.
     #[error(transparent)]
     Channel(#[from] NoChannel),

@@ -51,9 +51,9 @@ pub(super) struct PowerOverLoad {
 
 impl PowerOverLoad {
     /// A record for each load, with the stop and without.
-    pub fn compute(case: Case) -> Result<Self, ExperimentError> {
+    pub fn compute(case: Case, watch: &Watch) -> Result<Self, ExperimentError> {
         let all: Vec<(usize, f64)> = (0..GAPS.len()).flat_map(|gap| LOADS_OHM.map(|ohm| (gap, ohm))).collect();
-        let points = all.par_iter().map(|(gap, ohm)| recorded(case, GAPS[*gap], *ohm)).collect::<Result<Vec<Point>, _>>()?;
+        let points = all.par_iter().map(|(gap, ohm)| recorded((case, GAPS[*gap], *ohm), watch)).collect::<Result<Vec<Point>, _>>()?;
         let (impact, linear) = points.split_at(LOADS_OHM.len());
         Ok(Self { case, impact: impact.to_vec(), linear: linear.to_vec() })
     }
@@ -128,7 +128,7 @@ pub(super) fn words(loads: &[PowerOverLoad]) -> Vec<String> {
     std::iter::once(first).chain(loads.iter().map(told)).collect()
 }
 
-fn recorded(case: Case, gap: &str, resistance_ohm: f64) -> Result<Point, ExperimentError> {
+fn recorded((case, gap, resistance_ohm): (Case, &str, f64), watch: &Watch) -> Result<Point, ExperimentError> {
     let load = format!("{resistance_ohm} ohm");
     let settings = [
         ("drive.shaker.frequency", case.frequency),
@@ -149,7 +149,7 @@ fn recorded(case: Case, gap: &str, resistance_ohm: f64) -> Result<Point, Experim
         sensor: Sensor { noise_ratio: NOISE, bits: Some(16) },
         seed: resistance_ohm as u64,
     };
-    let record = shaker_test(&spec, &modes, &test, &Watch::default())?;
+    let record = shaker_test(&spec, &modes, &test, watch)?;
     let voltage = Samples::new(&record.channel("mfc.voltage")?.values, RATE_HZ)?;
     let base = Samples::new(&record.channel("base.acceleration")?.values, RATE_HZ)?;
     let power = mean_power(&voltage, resistance_ohm, false)?;
@@ -174,7 +174,7 @@ mod tests {
         let plant = Plant::new(System::assemble(&spec, structure::modes(&spec)?)?)?;
         let table = [Response::Acceleration("table".to_owned())];
         let base = frf(&plant, &Input::Force("table".to_owned()), &table, &[13.5])?[0].value[0].norm() * 200.0;
-        let found = recorded(ABOVE, "1 m", 1e5)?;
+        let found = recorded((ABOVE, "1 m", 1e5), &Watch::default())?;
         let (power, square) = (found.power_w / steady_power_w(&plant) - 1.0, found.mean_square_m2_s4 / (0.5 * base * base) - 1.0);
         eprintln!("power {power:.1e}, mean square {square:.1e} off");
         assert!(power.abs() < 2e-3 && square.abs() < 1e-3, "{power:e} {square:e}");

@@ -10,6 +10,7 @@ mod load;
 mod modal_test;
 mod record;
 
+use jounce::march::Watch;
 use jounce::reproduce::{Chapter, NamedFigure, NamedTable, Reproduction};
 use rayon::prelude::*;
 
@@ -26,14 +27,19 @@ const RECORD_S: f64 = 85.0;
 /// White noise of every sensor, over the rms of its signal: a guess, the paper does not tell.
 const NOISE: f64 = 0.01;
 
-/// Table 2 and figures 10 to 13 from the virtual rig; `paper` has the printed numbers beside them.
+/// Table 2 and figures 10 to 13 from the virtual rig; `paper` has the printed numbers beside them, `watch` ends the marches early.
 ///
 /// # Errors
-/// None is expected: the inputs are built in. See [`ExperimentError`].
-pub fn chapters(paper: &Reproduction) -> Result<Vec<Chapter>, ExperimentError> {
+/// None is expected but where the watch stops it: the inputs are built in. See [`ExperimentError`].
+pub fn chapters(paper: &Reproduction, watch: &Watch) -> Result<Vec<Chapter>, ExperimentError> {
     let (modal, (loads, record)) = rayon::join(
         || ModalTest::compute(paper.table("table-2").and_then(|named| named.table.floats("measured_hz")).unwrap_or_default()),
-        || rayon::join(|| [ABOVE, BELOW].into_par_iter().map(PowerOverLoad::compute).collect::<Result<Vec<_>, _>>(), Alternating::compute),
+        || {
+            rayon::join(
+                || [ABOVE, BELOW].into_par_iter().map(|case| PowerOverLoad::compute(case, watch)).collect::<Result<Vec<_>, _>>(),
+                || Alternating::compute(watch),
+            )
+        },
     );
     let (modal, loads, record) = (modal?, loads?, record?);
     let table_2 = Chapter {

@@ -2,7 +2,6 @@
 
 use jounce::march::Watch;
 use jounce::reproduce::{NamedFigure, NamedTable, paper_spec};
-use jounce::run::StartState;
 use jounce::signal::{Samples, Window};
 use jounce::structure;
 use jounce::table::{Column, Table};
@@ -11,7 +10,7 @@ use super::{ExperimentError, NOISE, RATE_HZ, RECORD_S};
 use crate::draw::{spectrogram_of, stretch_section, stretch_spectra, stretches};
 use crate::regime::{Correspondence, Regimes, correspond, regimes};
 use crate::rig::{Sensor, ShakerTest, Wander, shaker_test};
-use crate::solution::{Search, Solution, solutions};
+use crate::solution::{Search, Solution, solutions, start_of};
 use crate::spectral::{MeanPower, Segments, mean_power, spectrogram};
 
 /// The paper's drive and load, at the force at which the model's solutions have the ratio of powers that the paper measured.
@@ -42,25 +41,20 @@ pub(super) struct Alternating {
 
 impl Alternating {
     /// Records the model and analyses the record.
-    pub fn compute() -> Result<Self, ExperimentError> {
+    pub fn compute(watch: &Watch) -> Result<Self, ExperimentError> {
         let spec = paper_spec(&SETTINGS)?;
-        let known = solutions(&spec, &Search { starts: 8, ..Search::default() })?;
-        let state = |id: &str| -> Result<StartState, ExperimentError> {
-            let own = known.iter().find(|solution| solution.id == id).and_then(|solution| solution.start.clone());
-            let ids = || known.iter().map(|solution| solution.id.clone()).collect::<Vec<_>>().join(", ");
-            own.ok_or_else(|| ExperimentError::NoSolution { id: id.to_owned(), known: ids() })
-        };
+        let known = solutions(&spec, &Search { starts: 8, ..Search::default() }, watch)?;
         let test = ShakerTest {
             rate_hz: RATE_HZ,
             duration_s: RECORD_S,
             before_s: 0.0,
-            starts: SHOWN.iter().map(|(id, at_s)| Ok((*at_s, state(id)?))).collect::<Result<_, ExperimentError>>()?,
+            starts: SHOWN.iter().map(|(id, at_s)| Ok((*at_s, start_of(&known, id)?))).collect::<Result<_, ExperimentError>>()?,
             wander: WANDER,
             accelerometers: Vec::new(),
             sensor: Sensor { noise_ratio: NOISE, bits: Some(16) },
             seed: 1,
         };
-        let record = shaker_test(&spec, &structure::modes(&spec)?, &test, &Watch::default())?;
+        let record = shaker_test(&spec, &structure::modes(&spec)?, &test, watch)?;
         let voltage_v = record.channel("mfc.voltage")?.values.clone();
         let samples = Samples::new(&voltage_v, RATE_HZ)?;
         let found = regimes(&samples, DRIVE_HZ)?;
@@ -167,7 +161,7 @@ mod tests {
     /// within 0.003, powers within 0.4 % of the orbits': the amplitude wanders by 0.2 %.
     #[test]
     fn the_record_is_cut_where_it_was_put_together() {
-        let found = Alternating::compute().unwrap_or_else(|fault| panic!("{fault}"));
+        let found = Alternating::compute(&Watch::default()).unwrap_or_else(|fault| panic!("{fault}"));
         assert_eq!(found.found.stretches.len(), SHOWN.len());
         for (k, (id, at_s)) in SHOWN.into_iter().enumerate() {
             let (stretch, shown) = (&found.found.stretches[k], &found.shown[k]);

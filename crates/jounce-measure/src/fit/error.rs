@@ -133,4 +133,10 @@ pub enum FitError {
         /// Evaluations of the model.
         evaluations: usize,
     },
+    /// Somebody wished that it ends.
+    #[error("the fit was stopped after {evaluations} evaluations")]
+    Stopped {
+        /// Evaluations of the model.
+        evaluations: usize,
+    },
 }

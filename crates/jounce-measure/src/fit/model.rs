@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 use std::path::Path;
 
+use jounce::march::Watch;
 use jounce::spec::{NumericKey, Spec, SpecFile};
 use jounce::study::Prepared;
 
@@ -21,6 +22,8 @@ pub(super) struct Model<'a> {
     pub hold: &'a [String],
     /// Folder of the spec, where its files lie.
     pub folder: &'a Path,
+    /// Ends its marches early.
+    pub watch: Watch,
     /// The harvester without conditions, made when first asked for.
     pub prepared: OnceCell<Prepared>,
 }
@@ -75,7 +78,7 @@ impl Model<'_> {
         let base = match self.prepared.get() {
             Some(base) => base,
             None => {
-                let made = Prepared::new(self.spec.clone())?;
+                let made = Prepared::watched(self.spec.clone(), &self.watch)?;
                 self.prepared.get_or_init(|| made)
             }
         };

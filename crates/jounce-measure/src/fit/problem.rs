@@ -3,6 +3,7 @@
 use std::cell::{Cell, OnceCell, RefCell};
 use std::path::Path;
 
+use jounce::march::Watch;
 use jounce::spec::{NumericKey, Spec};
 use levenberg_marquardt::LeastSquaresProblem;
 use nalgebra::storage::Owned;
@@ -24,8 +25,8 @@ pub(super) struct Problem<'a> {
     pub deviation: Vec<f64>,
     pub unknowns: DVector<f64>,
     pub evaluations: Cell<usize>,
-    /// Called at each of them.
-    pub seen: &'a dyn Fn(),
+    /// Counts them, and ends the fit early.
+    pub watch: &'a Watch,
     /// Why the model could not be evaluated last.
     pub fault: RefCell<Option<FitError>>,
 }
@@ -46,8 +47,13 @@ impl Problem<'_> {
     /// What the model has for every measured number.
     pub fn model(&self, unknowns: &DVector<f64>) -> Result<Vec<f64>, FitError> {
         self.evaluations.set(self.evaluations.get() + 1);
-        (self.seen)();
-        let model = Model { spec: self.changed(unknowns)?, hold: self.hold, folder: self.folder, prepared: OnceCell::new() };
+        self.watch.count();
+        if self.watch.is_stopped() {
+            return Err(FitError::Stopped { evaluations: self.evaluations.get() });
+        }
+        // Orbits count on their own: what is counted here are evaluations.
+        let (spec, watch) = (self.changed(unknowns)?, self.watch.apart());
+        let model = Model { spec, hold: self.hold, folder: self.folder, watch, prepared: OnceCell::new() };
         let answers = self.asked.questions.iter().map(|question| question.ask(&model)).collect::<Result<Vec<_>, _>>()?;
         Ok(answers.concat())
     }

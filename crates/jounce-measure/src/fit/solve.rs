@@ -3,6 +3,7 @@
 use std::cell::{Cell, RefCell};
 use std::path::Path;
 
+use jounce::march::Watch;
 use jounce::spec::{Spec, SpecFile};
 use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
 use nalgebra::{DMatrix, DVector};
@@ -29,8 +30,8 @@ pub(super) struct Minimum {
     pub freedom: Vec<Option<f64>>,
 }
 
-/// Fits the free keys of a spec, and gives the spec as fitted. Files that the spec names lie in `folder`; `seen` is called at each evaluation of
-/// the model.
+/// Fits the free keys of a spec, and gives the spec as fitted. Files that the spec names lie in `folder`; `watch` counts the evaluations of
+/// the model and ends them early.
 ///
 /// A deviation `"residuals"` is that at which the residuals of its group have the size that is expected of them,
 /// `s^2 = sum e^2 / (n - g)`, with `e` the errors of its `n` features and `g` the number of keys that they determine (the trace of their part of
@@ -38,14 +39,14 @@ pub(super) struct Minimum {
 ///
 /// # Errors
 /// A key that is not there or is 0, features that cannot be read or that the model does not have, no convergence, deviations that the features
-/// cannot tell.
+/// cannot tell, the wish to stop.
 ///
 /// # Limits
 /// Covariance is that of the model linearised at the minimum. Modes are matched by their number: where two may change places, free less.
 ///
 /// # Source
 /// D. MacKay, Bayesian interpolation, Neural Computation 4 (1992) 415, for deviations from residuals.
-pub fn fit(file: &SpecFile, spec: &Spec, features: &Features, folder: &Path, seen: &dyn Fn()) -> Result<(FitAnswer, Spec), FitError> {
+pub fn fit(file: &SpecFile, spec: &Spec, features: &Features, folder: &Path, watch: &Watch) -> Result<(FitAnswer, Spec), FitError> {
     let (mut keys, mut start) = (Vec::new(), Vec::new());
     for (path, _) in &features.free {
         let key = file.numeric_key(path).map_err(|faults| FitError::Key { key: path.clone(), faults })?;
@@ -68,7 +69,7 @@ pub fn fit(file: &SpecFile, spec: &Spec, features: &Features, folder: &Path, see
         deviation: asked.groups.iter().map(|group| group.deviation.first()).collect(),
         asked: &asked,
         evaluations: Cell::new(0),
-        seen,
+        watch,
         fault: RefCell::new(None),
     };
     let before = problem.model(&problem.unknowns)?;

@@ -71,6 +71,8 @@ pub enum FindingKind {
     Bridged,
     /// Samples interpolated at even times.
     Resampled,
+    /// The structure still rings from one hit when the next one comes.
+    Ringing,
     /// Made by a model, and how.
     Simulated,
     /// Assumed, since nothing is told.

@@ -8,7 +8,7 @@ use jounce::plant::Plant;
 use realfft::RealFftPlanner;
 
 use super::{RigError, Sensor};
-use crate::recording::{Channel, Grid, Over, Quantity, Recording};
+use crate::recording::{Channel, Finding, FindingKind, Grid, Over, Quantity, Recording};
 
 /// A hammer test.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,6 +53,9 @@ pub struct Ringing {
     pub block_s: f64,
 }
 
+/// Share of a mode's motion at the next hit from which on it is told.
+const RINGING: f64 = 0.01;
+
 /// The mode that rings longest between the hits of a test. What is left of it at the next hit is taken for an answer to that hit: with
 /// blocks of equal length it does not average out, and the coherence does not show it.
 pub fn ringing(plant: &Plant, block_s: f64) -> Option<Ringing> {
@@ -95,7 +98,22 @@ pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigErr
         channels.push(Channel::new(&function.response.name(), quantity, unit, sensed(&truth, &mut stream)));
     }
     let grid = Grid::even(0.0, 1.0 / test.rate_hz, count)?;
-    Ok(Recording { name: format!("hammer at {}", test.point), over: Over::Time, grid, channels, findings: Vec::new() })
+    let slowest = ringing(plant, test.block_s).filter(|slowest| test.hits > 1 && slowest.left > RINGING);
+    let findings = slowest.into_iter().map(|slowest| slowest.finding()).collect();
+    Ok(Recording { name: format!("hammer at {}", test.point), over: Over::Time, grid, channels, findings })
+}
+
+impl Ringing {
+    fn finding(&self) -> Finding {
+        let about = format!(
+            "the mode at {:.4} Hz still has {:.1} % of its motion when the next hit comes, and what it does then is taken for an answer to that \
+             hit: let {:.0} s pass from hit to hit, or strike once in each recording",
+            self.frequency_hz,
+            100.0 * self.left,
+            self.block_s.ceil()
+        );
+        Finding::new(FindingKind::Ringing, 1, None, about)
+    }
 }
 
 fn check(test: &HammerTest) -> Result<(), RigError> {

@@ -14,6 +14,7 @@ mod hammer;
 mod sensed;
 mod sensor;
 mod shaken;
+mod start;
 mod wander;
 
 pub use base::on_recorded_base;
@@ -22,4 +23,5 @@ pub use fitting::{Cable, carry};
 pub use hammer::{HammerTest, Ringing, hammer_test, ringing};
 pub use sensor::Sensor;
 pub use shaken::{ShakerTest, shaker_test};
+pub use start::start_of_run;
 pub use wander::{Course, SAMPLES, Wander};

@@ -26,6 +26,14 @@ pub enum SolutionError {
         /// What there is.
         known: String,
     },
+    /// A solution that the model has not, or that has no orbit to start on.
+    #[error("there is no solution `{wanted}` to start on; the model's solutions are {known}")]
+    UnknownSolution {
+        /// What was asked for.
+        wanted: String,
+        /// What there is.
+        known: String,
+    },
     /// No march succeeded.
     #[error("none of {starts} starts could be marched; the first: {first}")]
     Lost {

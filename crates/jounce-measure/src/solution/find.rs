@@ -1,5 +1,6 @@
 //! The attractors of a model with what is needed to march them again.
 
+use jounce::march::Watch;
 use jounce::orbit::{Orbit, Shooting};
 use jounce::plant::Plant;
 use jounce::run::StartState;
@@ -49,11 +50,12 @@ pub struct Solution {
 }
 
 /// The solutions of a spec under its one sinusoidal drive; a solution whose share is below about `3 / starts` may be missed.
+/// `watch` ends the marches early.
 ///
 /// # Errors
 /// [`SolutionError`].
-pub fn solutions(spec: &Spec, search: &Search) -> Result<Vec<Solution>, SolutionError> {
-    let base = Prepared::new(spec.clone())?;
+pub fn solutions(spec: &Spec, search: &Search, watch: &Watch) -> Result<Vec<Solution>, SolutionError> {
+    let base = Prepared::watched(spec.clone(), watch)?;
     let drives: Vec<(&String, f64)> = base.spec.drive.iter().filter_map(|(name, drive)| Some((name, drive.frequency_hz()?))).collect();
     let [(name, drive_hz)] = drives[..] else { return Err(SolutionError::Drives { found: drives.len() }) };
     let load = load(&base.kernel.plant, search.load.as_deref())?;

@@ -11,9 +11,11 @@
 mod error;
 mod find;
 mod output;
+mod recorded;
 mod waveform;
 
 pub use error::SolutionError;
 pub use find::{Search, Solution, solutions};
 pub use output::{Output, outputs};
+pub use recorded::{as_recorded, start_of};
 pub use waveform::{ORDERS, Waveform};

@@ -13,6 +13,7 @@ mod mean_power;
 mod quiet;
 mod response;
 mod segments;
+mod spectra;
 mod spectrogram;
 mod taper;
 
@@ -23,5 +24,6 @@ pub use impact::{ImpactAnswer, ImpactHit, ImpactRecord, ImpactSettings, impact};
 pub use mean_power::{MeanPower, mean_power};
 pub use response::{Averages, Estimator, FrequencyResponse};
 pub use segments::Segments;
+pub use spectra::{Spectra, SpectraSettings, spectra};
 pub use spectrogram::{Spectrogram, spectrogram};
 pub use taper::{exponential_window, force_window};

@@ -1,6 +1,7 @@
 //! Clamp and sensor of a steel cantilever, from its three lowest frequencies.
 
 use super::{free, noisy, recovered, spec};
+use jounce::march::Watch;
 use jounce::structure;
 use jounce_measure::fit::{Deviation, Features, FitAnswer, ModeFeature, fit};
 use jounce_measure::modal::{Settings, identify_decays};
@@ -40,7 +41,8 @@ fn features(frequency_hz: &[f64]) -> Features {
 
 fn fitted(frequency_hz: &[f64]) -> (FitAnswer, Vec<f64>) {
     let (file, spec) = spec(CANTILEVER, &[]);
-    let (answer, fitted) = fit(&file, &spec, &features(frequency_hz), Path::new("."), &|| ()).unwrap_or_else(|fault| panic!("{fault}"));
+    let (answer, fitted) =
+        fit(&file, &spec, &features(frequency_hz), Path::new("."), &Watch::default()).unwrap_or_else(|fault| panic!("{fault}"));
     let modes = structure::modes(&fitted).expect("modes");
     (answer, modes.frequency_rad_s.iter().map(|w| w / TAU).collect())
 }

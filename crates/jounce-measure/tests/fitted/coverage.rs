@@ -2,6 +2,7 @@
 
 use super::{free, given, spec};
 use jounce::drive::Stream;
+use jounce::march::Watch;
 use jounce::structure;
 use jounce_measure::fit::{Features, ModeFeature, fit};
 use std::f64::consts::TAU;
@@ -58,7 +59,7 @@ fn shares(trials: u64) -> [f64; 2] {
         };
         let measured = true_modes.iter().enumerate().map(mode).collect();
         let features = Features { free: free(&KEYS), modes: measured, ..Features::default() };
-        let (answer, _) = fit(&file, &spec, &features, Path::new("."), &|| ()).unwrap_or_else(|fault| panic!("{seed}: {fault}"));
+        let (answer, _) = fit(&file, &spec, &features, Path::new("."), &Watch::default()).unwrap_or_else(|fault| panic!("{seed}: {fault}"));
         for (inside, (key, truth)) in inside.iter_mut().zip(answer.keys.iter().zip(&truth)) {
             *inside += u32::from((key.low..=key.high).contains(truth));
         }

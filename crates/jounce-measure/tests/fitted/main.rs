@@ -8,6 +8,7 @@ mod powers;
 mod responses;
 
 use jounce::drive::Stream;
+use jounce::march::Watch;
 use jounce::spec::{Spec, SpecFile};
 use jounce_measure::fit::{Deviation, Features, FitAnswer, fit};
 use std::path::Path;
@@ -27,7 +28,7 @@ pub fn spec(text: &str, set: &[(&str, &str)]) -> (SpecFile, Spec) {
 /// them, and within `most`, relative.
 pub fn recovered(text: &str, features: &Features, truth: &[f64], most: f64) -> FitAnswer {
     let (file, spec) = spec(text, &[]);
-    let (answer, _) = fit(&file, &spec, features, Path::new("."), &|| ()).unwrap_or_else(|fault| panic!("{fault}"));
+    let (answer, _) = fit(&file, &spec, features, Path::new("."), &Watch::default()).unwrap_or_else(|fault| panic!("{fault}"));
     for (key, truth) in answer.keys.iter().zip(truth) {
         let off = key.after / truth - 1.0;
         eprintln!(

@@ -1,14 +1,15 @@
 //! Frequency responses and modes of a hammer test.
 
+use super::modes::{check_order, identified};
 use super::recording::{Given, findings};
 use crate::arrays::Answer;
 use crate::branch::json;
 use crate::failure::Failure;
-use jounce_measure::modal::{Band, Identification, Mode, Settings, identify, mac_matrix};
+use jounce_measure::modal::{Band, Settings, identify};
 use jounce_measure::recording::Over;
 use jounce_measure::response::{Chosen, Responses};
 use jounce_measure::spectral::{Estimator, ImpactSettings};
-use numpy::{Complex64, PyArray1};
+use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -72,9 +73,7 @@ pub fn measured_modes<'py>(
     between_hz: Option<(f64, f64)>,
     order: usize,
 ) -> PyResult<Bound<'py, PyDict>> {
-    if !(2..=400).contains(&order) {
-        return Err(Failure::new("ArgumentError", format!("order is {order}; it must be from 2 to 400")).raised(py));
-    }
+    check_order(order)?;
     let responses = hammer.responses(py, &given)?;
     let highest = responses.functions[0].frequency_hz.last().copied().unwrap_or(0.0);
     let between_hz = between_hz.unwrap_or((0.0, highest));
@@ -84,32 +83,8 @@ pub fn measured_modes<'py>(
         Ok::<_, Failure>(found)
     });
     let found = found.map_err(|failure| failure.raised(py))?;
-    identified(py, &responses, &found)
-}
-
-fn identified<'py>(py: Python<'py>, responses: &Responses, found: &Identification) -> PyResult<Bound<'py, PyDict>> {
-    let (modes, diagram) = (&found.modes, &found.diagram);
-    let rows = |rows: &[Vec<Complex64>]| rows.iter().map(|row| PyArray1::from_slice(py, row)).collect::<Vec<_>>();
-    let stable: Vec<String> = diagram.iter().map(|pole| Ok(json(&pole.stable)?.trim_matches('"').to_owned())).collect::<PyResult<_>>()?;
-    let answer = Answer::new(py)
-        .each("frequency_hz", modes, |mode| mode.frequency_hz)?
-        .each("frequency_deviation_hz", modes, |mode| mode.frequency_deviation_hz)?
-        .each("damping_ratio", modes, |mode| mode.damping_ratio)?
-        .each("damping_deviation", modes, |mode| mode.damping_deviation)?
-        .with("quantile_95", Mode::QUANTILE_95)?
-        .with("response", responses.names.clone())?
-        .with("shape", modes.iter().map(|mode| PyArray1::from_vec(py, mode.shape())).collect::<Vec<_>>())?
-        .rows("mac", &mac_matrix(modes), modes.len())?
-        .with("misfit", found.misfit)?
-        .each("pole_order", diagram, |pole| pole.order as i64)?
-        .each("pole_frequency_hz", diagram, |pole| pole.pole.frequency_hz)?
-        .each("pole_damping_ratio", diagram, |pole| pole.pole.damping_ratio)?
-        .with("pole_stable", stable)?
-        .array("line_hz", found.frequency_hz.clone())?
-        .with("measured", rows(&found.measured))?
-        .with("model", rows(&found.model))?
-        .with("frf", told(py, responses)?.dict())?;
-    Ok(answer.dict())
+    let answer = identified(py, &responses.names, &responses.names, &found)?;
+    Ok(answer.with("frf", told(py, &responses)?.dict())?.dict())
 }
 
 /// Responses for Python.

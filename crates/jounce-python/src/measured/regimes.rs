@@ -4,14 +4,38 @@ use super::recording::{Given, findings};
 use crate::arrays::Answer;
 use crate::branch::json;
 use crate::failure::Failure;
+use crate::run::Handed;
+use crate::spec::Spec;
+use crate::watched::{handed, watched};
+use jounce::march::Watch;
 use jounce::signal::Samples;
-use jounce_measure::recording::Quantity;
-use jounce_measure::regime::regimes;
-use jounce_measure::spectral::mean_power;
+use jounce_measure::recording::{Channel, Quantity, Recording};
+use jounce_measure::regime::{Correspondence, Regimes, correspond, regimes};
+use jounce_measure::solution::{Search, Solution, as_recorded, solutions};
+use jounce_measure::spectral::{MeanPower, mean_power};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// The stretches of a channel under a drive; the mean power of each where the channel is the voltage over a resistance.
+/// How the solutions of a model are sought and compared.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Compared {
+    starts: usize,
+    seed: u64,
+    load: Option<String>,
+    within: f64,
+}
+
+/// What a record tells.
+struct Told {
+    channel: Channel,
+    found: Regimes,
+    powers: Vec<MeanPower>,
+    shown: Vec<Correspondence>,
+}
+
+/// The stretches of a channel under a drive; the mean power of each where the channel is the voltage over a resistance, and the solutions
+/// of a model beside each where there is one.
 #[pyfunction]
 pub fn measured_regimes<'py>(
     py: Python<'py>,
@@ -19,9 +43,11 @@ pub fn measured_regimes<'py>(
     drive_hz: f64,
     channel: Option<String>,
     resistance_ohm: Option<f64>,
-) -> PyResult<Bound<'py, PyDict>> {
+    model: Option<&Spec>,
+    compared: Compared,
+) -> Handed<'py> {
     let record = given.even()?;
-    let found = py.detach(|| {
+    let found = watched(py, None, |watch| {
         let channel = match &channel {
             // Any quantity can be cut; only a voltage has a power.
             Some(name) if resistance_ohm.is_none() => record.channel(name)?,
@@ -33,15 +59,44 @@ pub fn measured_regimes<'py>(
             let part = Samples::new(&channel.values[stretch.start..stretch.end], record.rate())?;
             powers.push(mean_power(&part, resistance_ohm.unwrap_or(f64::NAN), false)?);
         }
-        Ok::<_, Failure>((channel.clone(), found, powers))
+        let samples = Samples::new(&channel.values, record.rate())?;
+        let shown = match model {
+            None => Vec::new(),
+            Some(model) => {
+                let known = compared.solutions(model, drive_hz, resistance_ohm, watch)?;
+                found.stretches.iter().map(|stretch| correspond(&samples, drive_hz, stretch, &known, compared.within)).collect()
+            }
+        };
+        Ok::<_, Failure>(Told { channel: channel.clone(), found, powers, shown })
     });
-    let (channel, found, powers) = found.map_err(|failure| failure.raised(py))?;
+    handed(py, found, |found| told(py, &record, found))
+}
+
+impl Compared {
+    /// The solutions of a model at the drive and the load of a record.
+    fn solutions(&self, model: &Spec, drive_hz: f64, resistance_ohm: Option<f64>, watch: &Watch) -> Result<Vec<Solution>, Failure> {
+        if !(self.within > 0.0 && self.within <= 1.0) || self.starts == 0 {
+            let why = format!("within is {} and starts {}; within must lie above 0 and up to 1, starts above 0", self.within, self.starts);
+            return Err(Failure::new("ArgumentError", why));
+        }
+        let mut spec = model.spec.clone();
+        as_recorded(&mut spec, drive_hz, resistance_ohm, self.load.as_deref());
+        let search = Search { starts: self.starts, seed: self.seed, load: self.load.clone(), ..Search::default() };
+        let found = solutions(&spec, &search, watch)?;
+        // A search that was stopped has not found them all.
+        if watch.is_stopped() { Err(Failure::new("JounceError", "stopped")) } else { Ok(found) }
+    }
+}
+
+fn told<'py>(py: Python<'py>, record: &Recording, told: Told) -> PyResult<Bound<'py, PyDict>> {
+    let Told { channel, found, powers, shown } = told;
     let answer = Answer::new(py)
         .with("channel", channel.name)?
         .with("unit", channel.unit)?
         .with("uncertainty_s", found.uncertainty_s)?
         .with("stretches", json(&found.stretches)?)?
         .with("powers", json(&powers)?)?
+        .with("correspondences", json(&shown)?)?
         .array("time_s", record.grid.places())?
         .array("values", channel.values)?
         .with("findings", findings(&record.findings)?)?;

@@ -3,6 +3,7 @@
 use super::harvester::{ABOVE_RESONANCE, Harvester};
 use super::impact::long_run;
 use super::{NamedTable, ReproduceError};
+use crate::march::Watch;
 use crate::spec::Spec;
 use crate::structure::section::CrossSection;
 use crate::table::{Column, Table};
@@ -44,13 +45,16 @@ pub(super) struct Variant {
 }
 
 /// Marches every choice.
-pub(super) fn variants() -> Result<Vec<Variant>, ReproduceError> {
+pub(super) fn variants(watch: &Watch) -> Result<Vec<Variant>, ReproduceError> {
     let own = |(key, value): &(&str, &str)| ((*key).to_owned(), (*value).to_owned());
     let mut choices: Vec<_> =
         CHOICES.iter().map(|(question, default, other, keys)| (*question, *default, *other, keys.iter().map(own).collect())).collect();
     let axis = ("effective neutral axis in eq. (2)", "of beam and patch", "mid-plane of the beam", mid_plane(&Harvester::spec(&[])?));
     choices.insert(choices.len() - 1, axis);
-    choices.into_par_iter().map(|(question, default, other, settings)| Variant::compute(question, default, other, &settings)).collect()
+    choices
+        .into_par_iter()
+        .map(|(question, default, other, settings)| Variant::compute((question, default, other), &settings, watch))
+        .collect()
 }
 
 /// A `d31` that gives the patch the moment that it would have about the beam's mid-plane.
@@ -64,12 +68,11 @@ fn mid_plane(spec: &Spec) -> Vec<(String, String)> {
 
 impl Variant {
     fn compute(
-        question: &'static str,
-        default: &'static str,
-        other: &'static str,
+        (question, default, other): (&'static str, &'static str, &'static str),
         settings: &[(String, String)],
+        watch: &Watch,
     ) -> Result<Self, ReproduceError> {
-        let harvester = Harvester::with(settings)?;
+        let harvester = Harvester::with(settings, watch)?;
         let (short, long) = (harvester.run(ABOVE_RESONANCE)?, long_run(&harvester)?);
         let power_w = [short.mean_power_w, long.mean_power_w];
         Ok(Self {

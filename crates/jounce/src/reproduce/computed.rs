@@ -7,6 +7,7 @@ use super::impact::Impact;
 use super::orbits::Orbits;
 use super::power_over_frequency::{FEWER_LEVELS_N, LEVELS_N};
 use super::table_2::Frequencies;
+use crate::march::Watch;
 
 /// Everything that is computed.
 pub(super) struct Computed {
@@ -22,14 +23,15 @@ pub(super) struct Computed {
 
 impl Computed {
     /// Computes everything.
-    pub fn new(progress: &dyn Fn(&str)) -> Result<Self, ReproduceError> {
+    pub fn new(watch: &Watch, progress: &dyn Fn(&str)) -> Result<Self, ReproduceError> {
         progress("Table 2, figures 4 and 5: modes and frequency responses");
         let (table_2, hammer) = (Frequencies::compute()?, HammerTest::compute()?);
         progress("figures 6 to 9, with the stop on the ground and on the table: about 1700 runs of 20 s");
-        let (ground, table) = rayon::join(|| Impact::compute("ground", &LEVELS_N), || Impact::compute("table", &FEWER_LEVELS_N));
+        let (ground, table) =
+            rayon::join(|| Impact::compute("ground", &LEVELS_N, watch), || Impact::compute("table", &FEWER_LEVELS_N, watch));
         progress("branches under figure 6, and jumps against the gap");
-        let orbits = Orbits::compute()?;
+        let orbits = Orbits::compute(watch)?;
         progress("assumptions: 13 Hz and 200 N with the other choices");
-        Ok(Self { table_2, hammer, ground: ground?, table: table?, orbits, variants: variants()? })
+        Ok(Self { table_2, hammer, ground: ground?, table: table?, orbits, variants: variants(watch)? })
     }
 }

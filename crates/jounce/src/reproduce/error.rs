@@ -47,7 +47,7 @@ pub enum ReproduceError {
     #[error(transparent)]
     Orbit(#[from] OrbitError<StudyError>),
     /// The output folder cannot be made.
-    #[error("cannot create the folder \"{path}\": {reason}; choose another one with --out")]
+    #[error("cannot create the folder \"{path}\": {reason}; choose another one")]
     Folder {
         /// The folder.
         path: PathBuf,

@@ -1,7 +1,7 @@
 //! The paper's harvester, its variants, and its cases of drive and load.
 
 use super::ReproduceError;
-use crate::march::Kernel;
+use crate::march::{Kernel, Watch};
 use crate::plant::{Plant, System};
 use crate::run::{RunAnswer, RunPlan, StartState, simulate};
 use crate::spec::{Spec, SpecFile};
@@ -22,6 +22,7 @@ pub fn paper_spec(settings: &[(&str, &str)]) -> Result<Spec, ReproduceError> {
 pub(super) struct Harvester {
     pub spec: Spec,
     pub system: System,
+    watch: Watch,
 }
 
 /// A drive and a load.
@@ -42,11 +43,11 @@ pub(super) const ABOVE_RESONANCE: Case = Case { frequency_hz: 13.0, amplitude_n:
 pub(super) const BELOW_RESONANCE: Case = Case { frequency_hz: 6.0, amplitude_n: 50.0, resistance_ohm: MEGOHM };
 
 impl Harvester {
-    /// The paper's harvester with some keys set.
-    pub fn with(settings: &[(String, String)]) -> Result<Self, ReproduceError> {
+    /// The paper's harvester with some keys set, its marches under a watch.
+    pub fn with(settings: &[(String, String)], watch: &Watch) -> Result<Self, ReproduceError> {
         let spec = Self::spec(settings)?;
         let system = System::assemble(&spec, modes(&spec)?)?;
-        Ok(Self { spec, system })
+        Ok(Self { spec, system, watch: watch.clone() })
     }
 
     /// Its spec alone.
@@ -73,7 +74,7 @@ impl Harvester {
 
     /// A case ready to be marched.
     pub fn kernel(&self, case: Case) -> Result<Kernel, ReproduceError> {
-        Ok(Kernel::new(self.plant(case)?)?)
+        Ok(Kernel::new(self.plant(case)?)?.watched_by(&self.watch))
     }
 
     /// The paper's run: 20 s, the last 10 s averaged.

@@ -6,6 +6,7 @@ use super::power_over_frequency::PowerOverFrequency;
 use super::power_over_resistance::PowerOverResistance;
 use super::voltage::VoltageRecord;
 use crate::linear::{Coupling, couplings};
+use crate::march::Watch;
 use crate::run::{RunAnswer, RunPlan, StartState, simulate};
 
 /// Length of the runs that show what a case settles to, s.
@@ -29,8 +30,8 @@ pub(super) struct Impact {
 
 impl Impact {
     /// Marches everything with the stop on `"ground"` or `"table"`, figure 6 at some levels of force, N; the many runs share all cores.
-    pub fn compute(frame: &str, levels_n: &[f64]) -> Result<Self, ReproduceError> {
-        let harvester = Harvester::with(&[("stop.tip.frame".to_owned(), frame.to_owned())])?;
+    pub fn compute(frame: &str, levels_n: &[f64], watch: &Watch) -> Result<Self, ReproduceError> {
+        let harvester = Harvester::with(&[("stop.tip.frame".to_owned(), frame.to_owned())], watch)?;
         let (frequency, (above, below)) = rayon::join(
             || PowerOverFrequency::compute(&harvester, levels_n),
             || {

@@ -4,7 +4,8 @@
 //! built in. Figures 10 to 13 are measured: what takes recordings to answers uses this library, and adds them as a [`Chapter`].
 //!
 //! ```no_run
-//! let reproduction = jounce::reproduce::reproduce(&|stage| eprintln!("{stage}"))?;
+//! let watch = jounce::march::Watch::default();
+//! let reproduction = jounce::reproduce::reproduce(&watch, &|stage| eprintln!("{stage}"))?;
 //! let written = reproduction.write(std::path::Path::new("reproduction"))?;
 //! println!("{}", written.report.display());
 //! # Ok::<(), jounce::reproduce::ReproduceError>(())
@@ -35,4 +36,4 @@ pub use claim::Claim;
 pub use error::ReproduceError;
 pub use harvester::paper_spec;
 pub use named::{NamedFigure, NamedTable};
-pub use reproduction::{Reproduction, Written, reproduce};
+pub use reproduction::{Reproduction, Written, folders, reproduce};

@@ -3,6 +3,7 @@
 use super::harvester::{Harvester, MEGOHM};
 use super::power_over_frequency::{LEVELS_N, PowerOverFrequency};
 use super::{NamedFigure, NamedTable, ReproduceError};
+use crate::march::Watch;
 use crate::picture::{Axis, BranchLine, BranchMark, Colour, JumpLine, Marker, Series, branches, jumps};
 use crate::spec::NumericKey;
 use crate::study::{Branch, BranchPoint, BranchSearch, JumpCurve, JumpPoint, JumpSearch, Method, Parameter, Prepared};
@@ -28,10 +29,10 @@ pub(super) struct Orbits {
 
 impl Orbits {
     /// Follows everything, with the stop on the ground.
-    pub fn compute() -> Result<Self, ReproduceError> {
+    pub fn compute(watch: &Watch) -> Result<Self, ReproduceError> {
         let (levels, jumps) = rayon::join(
-            || LEVELS_N.into_par_iter().map(|level| Ok((level, followed(level)?))).collect::<Result<Vec<_>, ReproduceError>>(),
-            map_of_jumps,
+            || LEVELS_N.into_par_iter().map(|level| Ok((level, followed(level, watch)?))).collect::<Result<Vec<_>, ReproduceError>>(),
+            || map_of_jumps(watch),
         );
         Ok(Self { levels: levels?, jumps: jumps? })
     }
@@ -116,16 +117,16 @@ impl Orbits {
 }
 
 /// The harvester at a level of force, with its frequency as a key.
-fn prepared(level_n: f64) -> Result<(Prepared, NumericKey), ReproduceError> {
+fn prepared(level_n: f64, watch: &Watch) -> Result<(Prepared, NumericKey), ReproduceError> {
     let set = |key: &str, value: String| (key.to_owned(), value);
     let settings = [set("drive.shaker.amplitude", format!("{level_n} N")), set("circuit.load.resistance", format!("{MEGOHM} ohm"))];
     let spec = Harvester::spec(&settings)?;
     let key = NumericKey::find(&spec, "drive.shaker.frequency")?;
-    Ok((Prepared::new(spec)?, key))
+    Ok((Prepared::watched(spec, watch)?, key))
 }
 
-fn followed(level_n: f64) -> Result<Vec<Branch>, ReproduceError> {
-    let (base, key) = prepared(level_n)?;
+fn followed(level_n: f64, watch: &Watch) -> Result<Vec<Branch>, ReproduceError> {
+    let (base, key) = prepared(level_n, watch)?;
     let parameter = Parameter::new(&base, &key, FREQUENCIES_HZ.1 - FREQUENCIES_HZ.0);
     let search = BranchSearch {
         base: &base,
@@ -139,8 +140,8 @@ fn followed(level_n: f64) -> Result<Vec<Branch>, ReproduceError> {
     Ok(search.run()?.into_iter().filter(|branch| branch.period_cycles == 1).collect())
 }
 
-fn map_of_jumps() -> Result<Vec<JumpCurve>, ReproduceError> {
-    let (base, key) = prepared(MAP_LEVEL_N)?;
+fn map_of_jumps(watch: &Watch) -> Result<Vec<JumpCurve>, ReproduceError> {
+    let (base, key) = prepared(MAP_LEVEL_N, watch)?;
     let gap = NumericKey::find(&base.spec, "stop.tip.gap")?;
     let (keys, ranges) = ([&key, &gap], [MAP_HZ, GAPS_M]);
     let search = JumpSearch { base: &base, keys, ranges, tolerance: TOLERANCE, seeds: 0, longest_period: 1, peaks: false };

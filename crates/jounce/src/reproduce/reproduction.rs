@@ -3,6 +3,7 @@
 use super::computed::Computed;
 use super::named::{ON_GROUND, ON_TABLE};
 use super::{Chapter, Claim, NamedFigure, NamedTable, ReproduceError, assumptions, claims, page, runs};
+use crate::march::Watch;
 use crate::table::Manifest;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
@@ -32,14 +33,14 @@ pub struct Written {
     pub figures: Vec<PathBuf>,
 }
 
-/// Computes the paper's simulated tables and figures and judges its claims; `progress` is told each stage.
+/// Computes the paper's simulated tables and figures and judges its claims; `progress` is told each stage, `watch` ends the marches early.
 ///
 /// The numbers are the same bits for any number of threads.
 ///
 /// # Errors
-/// None is expected: the inputs are built in. See [`ReproduceError`].
-pub fn reproduce(progress: &dyn Fn(&str)) -> Result<Reproduction, ReproduceError> {
-    let computed = Computed::new(progress)?;
+/// None is expected but where the watch stops it: the inputs are built in. See [`ReproduceError`].
+pub fn reproduce(watch: &Watch, progress: &dyn Fn(&str)) -> Result<Reproduction, ReproduceError> {
+    let computed = Computed::new(watch, progress)?;
     let mut figures = computed.hammer.figures();
     figures.push(computed.ground.frequency.figure(&ON_GROUND));
     figures.extend(computed.ground.voltage.figures()?);
@@ -69,6 +70,18 @@ fn tables(computed: &Computed, claims: NamedTable) -> Result<Vec<NamedTable>, Re
     tables.extend([on_table.frequency.table(&ON_TABLE)?, on_table.above.table(8, &ON_TABLE)?, on_table.below.table(9, &ON_TABLE)?]);
     tables.extend(computed.orbits.tables()?);
     Ok(tables)
+}
+
+/// Makes a folder and in it those of tables and figures: before the work begins it tells whether the answer can be written.
+///
+/// # Errors
+/// A folder that cannot be made.
+pub fn folders(folder: &Path) -> Result<[PathBuf; 2], ReproduceError> {
+    let both = [folder.join("tables"), folder.join("figures")];
+    for path in [folder, &both[0], &both[1]] {
+        std::fs::create_dir_all(path).map_err(|fault| ReproduceError::Folder { path: path.to_owned(), reason: fault.to_string() })?;
+    }
+    Ok(both)
 }
 
 impl Reproduction {
@@ -105,10 +118,7 @@ impl Reproduction {
     /// # Errors
     /// A folder or file that cannot be written.
     pub fn write(&self, folder: &Path) -> Result<Written, ReproduceError> {
-        let (tables, figures) = (folder.join("tables"), folder.join("figures"));
-        for path in [folder, &tables, &figures] {
-            std::fs::create_dir_all(path).map_err(|fault| ReproduceError::Folder { path: path.to_owned(), reason: fault.to_string() })?;
-        }
+        let [tables, figures] = folders(folder)?;
         let report = folder.join("report.html");
         page::page(self)?.write(&report)?;
         let mut written = Written { report, tables: Vec::new(), figures: Vec::new() };

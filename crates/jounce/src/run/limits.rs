@@ -86,6 +86,15 @@ impl Worst {
         }
         found
     }
+
+    /// The same in words: `what` are the answers, `place` tells where one of them is.
+    pub fn told(answers: &[&[Exceeded]], what: &str, place: impl Fn(usize) -> String) -> Vec<String> {
+        let sentence = |worst: Self| {
+            let (count, of) = (worst.answers, answers.len());
+            format!("{}; {count} of {of} {what} pass the limit, worst at {}", worst.exceeded, place(worst.place))
+        };
+        Self::of(answers.iter().copied()).into_iter().map(sentence).collect()
+    }
 }
 
 /// What the patches of a harvester bear: `strain_limit` of each, and the voltages of its material.

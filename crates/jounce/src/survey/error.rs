@@ -63,6 +63,14 @@ pub enum SurveyError {
         /// The first of them.
         first: usize,
     },
+    /// A folder that cannot be made, or into which nothing can be written.
+    #[error("cannot write into the folder \"{folder}\": {reason}; choose another one, where you may write")]
+    Folder {
+        /// The folder.
+        folder: PathBuf,
+        /// What stood in the way.
+        reason: String,
+    },
     /// A file that is not what it should be.
     #[error("\"{path}\" is damaged: {reason}; remove it and run the study again, which computes it anew")]
     Damaged {

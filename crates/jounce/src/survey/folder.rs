@@ -53,7 +53,7 @@ impl Folder {
     /// A folder that cannot be made, or that holds another study.
     pub fn of(path: &Path, study: &Study) -> Result<Self, SurveyError> {
         let parts = path.join("parts");
-        let unwritable = |reason: std::io::Error| SurveyError::Damaged { path: parts.clone(), reason: reason.to_string() };
+        let unwritable = |reason: std::io::Error| SurveyError::Folder { folder: parts.clone(), reason: reason.to_string() };
         std::fs::create_dir_all(&parts).map_err(unwritable)?;
         let manifest = study.manifest();
         let card = Card {

@@ -12,7 +12,7 @@ impl Lock {
     /// Takes the lock of a shard.
     pub(super) fn take(folder: &Path, shard: Shard) -> Result<Self, SurveyError> {
         let path = folder.join(format!(".shard-{}-of-{}.lock", shard.index, shard.of));
-        let unwritable = |reason: std::io::Error| SurveyError::Damaged { path: path.clone(), reason: reason.to_string() };
+        let unwritable = |reason: std::io::Error| SurveyError::Folder { folder: folder.to_owned(), reason: reason.to_string() };
         let file = OpenOptions::new().create(true).truncate(false).write(true).open(&path).map_err(unwritable)?;
         match file.try_lock() {
             Ok(()) => Ok(Self(Some(file))),

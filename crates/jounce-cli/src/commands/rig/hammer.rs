@@ -9,10 +9,7 @@ use jounce::plant::{Plant, System};
 use jounce::spec::{Gravity, Quantity as Unit, Spec};
 use jounce::structure;
 use jounce_measure::recording::Recording;
-use jounce_measure::rig::{HammerTest, hammer_test, ringing};
-
-/// Share of a mode's motion at the next hit from which on it is told.
-const RINGING: f64 = 0.01;
+use jounce_measure::rig::{HammerTest, hammer_test};
 
 /// How a hammer strikes.
 #[derive(Debug, Args)]
@@ -61,15 +58,6 @@ impl HammerTestArguments {
             seed: sensing.seed,
         };
         let plant = Plant::new(System::assemble(&spec, modes)?)?;
-        if let Some(slowest) = ringing(&plant, test.block_s).filter(|slowest| self.hits > 1 && slowest.left > RINGING) {
-            eprintln!(
-                "the mode at {:.4} Hz still has {:.1} % of its motion when the next hit comes, and what it does then is taken for an answer to \
-                 that hit: give --block {:.0}s, or one hit to a recording",
-                slowest.frequency_hz,
-                100.0 * slowest.left,
-                slowest.block_s.ceil()
-            );
-        }
         Ok(hammer_test(&plant, &test)?)
     }
 }

@@ -5,14 +5,12 @@ use crate::failure::Failure;
 use crate::measured_file::{channel, positive, record, tell_findings};
 use clap::Args;
 use jounce::march::Watch;
-use jounce::plant::{Plant, System};
 use jounce::run::StartState;
-use jounce::spec::{Quantity as Unit, Spec, Start};
+use jounce::spec::{Quantity as Unit, Spec};
 use jounce::structure;
-use jounce::study::Prepared;
 use jounce_measure::recording::{Quantity, Recording};
-use jounce_measure::rig::{ShakerTest, Wander, on_recorded_base, shaker_test};
-use jounce_measure::solution::{Search, solutions};
+use jounce_measure::rig::{ShakerTest, Wander, on_recorded_base, shaker_test, start_of_run};
+use jounce_measure::solution::{Search, solutions, start_of};
 use std::path::{Path, PathBuf};
 
 /// What the shaker does.
@@ -63,7 +61,7 @@ impl ShakerArguments {
         let (duration_s, average_over_s) = (spec.run.duration_s, spec.run.average_over_s);
         let modes = structure::modes_holding(&spec, held)?;
         let starts = match &self.solution[..] {
-            [] => vec![(0.0, start(&spec, &modes, folder)?)],
+            [] => vec![(0.0, start_of_run(&spec, &modes, folder)?)],
             wanted => self.solutions(&spec, wanted)?,
         };
         let wander = Wander {
@@ -99,7 +97,7 @@ impl ShakerArguments {
 
     /// Times and states of the solutions that are asked for.
     fn solutions(&self, spec: &Spec, wanted: &[String]) -> Result<Vec<(f64, StartState)>, Failure> {
-        let found = solutions(spec, &Search { starts: self.starts, seed: self.starts_seed, ..Search::default() })?;
+        let found = solutions(spec, &Search { starts: self.starts, seed: self.starts_seed, ..Search::default() }, &Watch::default())?;
         let one = |(number, text): (usize, &String)| {
             let (id, at) = text.split_once('@').map_or((text.as_str(), None), |(id, at)| (id, Some(at)));
             let at_s = match at {
@@ -108,21 +106,9 @@ impl ShakerArguments {
                 None => return Err(Failure::usage(format!("--solution {text}: give the time from which on it is shown, as in {id}@42s"))),
             };
             let at_s = if number == 0 { 0.0 } else { at_s };
-            let known = || found.iter().map(|solution| solution.id.clone()).collect::<Vec<_>>().join(", ");
-            let start = found.iter().find(|solution| solution.id == id).and_then(|solution| solution.start.clone());
-            let start = start.ok_or_else(|| Failure::usage(format!("--solution {text}: the model's solutions are {}", known())))?;
+            let start = start_of(&found, id).map_err(|error| Failure::usage(format!("--solution {text}: {error}")))?;
             Ok((at_s, start))
         };
         wanted.iter().enumerate().map(one).collect()
     }
-}
-
-/// Where the run of a spec starts.
-fn start(spec: &Spec, modes: &structure::Modes, folder: &Path) -> Result<StartState, Failure> {
-    let plant = || -> Result<Plant, Failure> { Ok(Plant::new(System::assemble(spec, modes.clone())?)?) };
-    Ok(match spec.run.start {
-        Start::Rest => StartState::rest(&plant()?),
-        Start::Linear => StartState::linear(&plant()?),
-        Start::State(_) => Prepared::new(spec.clone())?.start(folder)?,
-    })
 }

@@ -1,27 +1,19 @@
 //! Errors of the library as exceptions of `jounce.errors`, with their numbers.
 
+mod measured;
+
 use jounce::linear::RandomError;
 use jounce::march::VariationError;
 use jounce::orbit::OrbitError;
 use jounce::plant::PlantError;
+use jounce::reproduce::ReproduceError;
 use jounce::run::RunError;
-use jounce::signal::SignalError;
 use jounce::spec::{Fault, Faults, ReadError};
 use jounce::starter::UnknownKind;
 use jounce::structure::StructureError;
 use jounce::study::StudyError;
 use jounce::survey::SurveyError;
 use jounce_explorer::ExploreError;
-use jounce_measure::contact::ContactError;
-use jounce_measure::fit::FitError;
-use jounce_measure::modal::ModalError;
-use jounce_measure::read::GivenError;
-use jounce_measure::recording::{ChannelError, GridError, NoChannel};
-use jounce_measure::regime::RegimeError;
-use jounce_measure::response::ResponseError;
-use jounce_measure::rig::RigError;
-use jounce_measure::spectral::SpectralError;
-use jounce_measure::write::WriteError;
 use pyo3::prelude::*;
 use serde_json::Value;
 
@@ -175,75 +167,13 @@ impl From<OrbitError<StudyError>> for Failure {
     }
 }
 
-/// Recordings that give no answer.
-macro_rules! of_recordings {
-    ($($error:ty),+) => {
-        $(impl From<$error> for Failure {
-            fn from(error: $error) -> Self {
-                Self::new("RecordingError", error)
+impl From<ReproduceError> for Failure {
+    fn from(error: ReproduceError) -> Self {
+        match error {
+            ReproduceError::Folder { .. } | ReproduceError::Store(_) | ReproduceError::Table(_) | ReproduceError::Picture(_) => {
+                Self::new("FileError", error)
             }
-        })+
-    };
-}
-
-of_recordings!(GivenError, GridError, SignalError, SpectralError, RegimeError, ContactError, ModalError);
-
-impl From<NoChannel> for Failure {
-    fn from(error: NoChannel) -> Self {
-        let details = serde_json::json!({ "wanted": error.wanted, "channels": error.channels });
-        Self { details, ..Self::new("ArgumentError", error) }
-    }
-}
-
-impl From<ChannelError> for Failure {
-    fn from(error: ChannelError) -> Self {
-        match error {
-            ChannelError::Missing(error) => error.into(),
-            error => Self::new("ArgumentError", error),
-        }
-    }
-}
-
-impl From<ResponseError> for Failure {
-    fn from(error: ResponseError) -> Self {
-        match error {
-            ResponseError::Channel(error) => error.into(),
-            error => Self::new("RecordingError", error),
-        }
-    }
-}
-
-impl From<jounce_measure::read::ReadError> for Failure {
-    fn from(error: jounce_measure::read::ReadError) -> Self {
-        Self::new("FileError", error)
-    }
-}
-
-impl From<WriteError> for Failure {
-    fn from(error: WriteError) -> Self {
-        match error {
-            WriteError::NotFinite { .. } => Self::new("RecordingError", error),
-            error => Self::new("FileError", error),
-        }
-    }
-}
-
-impl From<RigError> for Failure {
-    fn from(error: RigError) -> Self {
-        match error {
-            RigError::Plant(error) => error.into(),
-            error => Self::new("ArgumentError", error),
-        }
-    }
-}
-
-impl From<FitError> for Failure {
-    fn from(error: FitError) -> Self {
-        match error {
-            FitError::Value(fault) => fault.into(),
-            FitError::Structure(error) => error.into(),
-            FitError::Open { .. } => Self::new("FileError", error),
-            error => Self::new("FitError", error),
+            error => Self::new("JounceError", error),
         }
     }
 }

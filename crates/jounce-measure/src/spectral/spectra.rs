@@ -1,0 +1,95 @@
+//! What a channel shows over frequency: its density, how that changes in time, and the lines of its drive.
+
+use jounce::signal::{OrderLine, Samples, Window};
+
+use super::{Density, Segments, SpectralError, Spectrogram, spectrogram};
+
+/// Multiples of the drive whose amplitudes are told.
+const ORDERS: [f64; 10] = [1.0 / 3.0, 0.5, 2.0 / 3.0, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0];
+/// Segments of a record by default, were they side by side.
+const SEGMENTS: usize = 32;
+/// Cycles of the drive in a segment by default: its third is then eight lines away from the next multiple.
+const CYCLES: f64 = 24.0;
+/// Samples of the shortest segment by default.
+const SHORTEST: usize = 256;
+
+/// How a record is taken to spectra.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpectraSettings {
+    /// Frequency of the drive, Hz; without it no lines are told.
+    pub drive_hz: Option<f64>,
+    /// Length of a segment, s; by default 24 cycles of the drive, or without one a thirty-second of the record.
+    pub segment_s: Option<f64>,
+    /// Share of a segment that the next one overlaps.
+    pub overlap: f64,
+    /// Weights of a segment.
+    pub window: Window,
+}
+
+/// The spectra of a record.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spectra {
+    /// One-sided power spectral density.
+    pub density: Density,
+    /// Amplitudes of each segment.
+    pub spectrogram: Spectrogram,
+    /// Amplitudes at the multiples of the drive below half the sample rate.
+    pub orders: Vec<OrderLine>,
+}
+
+/// Density, spectrogram and order lines of a record from the same segments.
+///
+/// # Errors
+/// A segment that does not fit the record, an overlap out of its range, a record too short to tell the lines of the drive apart.
+pub fn spectra(samples: &Samples<'_>, settings: &SpectraSettings) -> Result<Spectra, SpectralError> {
+    let (count, rate_hz) = (samples.values().len(), samples.rate_hz());
+    let usual = || (count / SEGMENTS).max(SHORTEST).min(count);
+    let cycles_s = settings.drive_hz.map(|f| CYCLES / f).filter(|s| s * rate_hz <= count as f64);
+    let length = settings.segment_s.or(cycles_s).map_or_else(usual, |s| (s * rate_hz).round() as usize) / 2 * 2;
+    let segments = Segments::new(length, settings.overlap, settings.window)?;
+    let orders = match settings.drive_hz {
+        None => Vec::new(),
+        Some(drive_hz) => {
+            let inside: Vec<f64> = ORDERS.into_iter().filter(|order| order * drive_hz < 0.5 * rate_hz).collect();
+            samples.orders(drive_hz, &inside)?.lines
+        }
+    };
+    Ok(Spectra { density: Density::welch(samples, &segments)?, spectrogram: spectrogram(samples, &segments)?, orders })
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    fn settings() -> SpectraSettings {
+        SpectraSettings { drive_hz: None, segment_s: None, overlap: 0.5, window: Window::Hann }
+    }
+
+    /// 2 V at 12 Hz and 1 V at 6 Hz for 20 s at 1 kHz: a segment is 24 cycles of the drive, the order lines are the amplitudes, and the integral
+    /// of the density is the variance, 2.5 V^2.
+    #[test]
+    fn a_tone_shows_its_lines_and_its_variance() {
+        let value = |k: i32| 2.0 * (TAU * 0.012 * f64::from(k)).sin() + (TAU * 0.006 * f64::from(k)).sin();
+        let values: Vec<f64> = (0..20_000).map(value).collect();
+        let samples = Samples::new(&values, 1000.0).unwrap();
+        let found = spectra(&samples, &SpectraSettings { drive_hz: Some(12.0), ..settings() }).unwrap();
+        assert_eq!((found.spectrogram.segment_s, found.spectrogram.step_s), (2.0, 1.0));
+        for line in &found.orders {
+            let exact = if line.order == 1.0 { 2.0 } else { f64::from(u8::from(line.order == 0.5)) };
+            assert!((line.amplitude_peak - exact).abs() < 1e-9, "{line:?}");
+        }
+        assert!((found.density.variance_between(0.0, 500.0) - 2.5).abs() < 0.01);
+        let undriven = spectra(&samples, &settings()).unwrap();
+        assert!(undriven.orders.is_empty() && undriven.spectrogram.segment_s == 0.624);
+    }
+
+    #[test]
+    fn segments_that_do_not_fit_are_errors() {
+        let values = [1.0; 300];
+        let samples = Samples::new(&values, 100.0).unwrap();
+        assert!(matches!(spectra(&samples, &SpectraSettings { segment_s: Some(4.0), ..settings() }), Err(SpectralError::Segment { .. })));
+        assert!(matches!(spectra(&samples, &SpectraSettings { overlap: 1.0, ..settings() }), Err(SpectralError::Overlap { .. })));
+    }
+}

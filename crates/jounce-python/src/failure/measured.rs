@@ -1,0 +1,115 @@
+//! Errors of what takes recordings to answers.
+
+use super::Failure;
+use jounce::signal::SignalError;
+use jounce_measure::contact::ContactError;
+use jounce_measure::experiment::ExperimentError;
+use jounce_measure::fit::FitError;
+use jounce_measure::modal::ModalError;
+use jounce_measure::read::GivenError;
+use jounce_measure::recording::{ChannelError, GridError, NoChannel};
+use jounce_measure::regime::RegimeError;
+use jounce_measure::response::ResponseError;
+use jounce_measure::rig::RigError;
+use jounce_measure::solution::SolutionError;
+use jounce_measure::spectral::SpectralError;
+use jounce_measure::write::WriteError;
+
+/// Recordings that give no answer.
+macro_rules! of_recordings {
+    ($($error:ty),+) => {
+        $(impl From<$error> for Failure {
+            fn from(error: $error) -> Self {
+                Self::new("RecordingError", error)
+            }
+        })+
+    };
+}
+
+of_recordings!(GivenError, GridError, SignalError, SpectralError, RegimeError, ContactError, ModalError);
+
+impl From<NoChannel> for Failure {
+    fn from(error: NoChannel) -> Self {
+        let details = serde_json::json!({ "wanted": error.wanted, "channels": error.channels });
+        Self { details, ..Self::new("ArgumentError", error) }
+    }
+}
+
+impl From<ChannelError> for Failure {
+    fn from(error: ChannelError) -> Self {
+        match error {
+            ChannelError::Missing(error) => error.into(),
+            error => Self::new("ArgumentError", error),
+        }
+    }
+}
+
+impl From<ResponseError> for Failure {
+    fn from(error: ResponseError) -> Self {
+        match error {
+            ResponseError::Channel(error) => error.into(),
+            error => Self::new("RecordingError", error),
+        }
+    }
+}
+
+impl From<jounce_measure::read::ReadError> for Failure {
+    fn from(error: jounce_measure::read::ReadError) -> Self {
+        Self::new("FileError", error)
+    }
+}
+
+impl From<WriteError> for Failure {
+    fn from(error: WriteError) -> Self {
+        match error {
+            WriteError::NotFinite { .. } => Self::new("RecordingError", error),
+            error => Self::new("FileError", error),
+        }
+    }
+}
+
+impl From<RigError> for Failure {
+    fn from(error: RigError) -> Self {
+        match error {
+            RigError::Plant(error) => error.into(),
+            error => Self::new("ArgumentError", error),
+        }
+    }
+}
+
+impl From<SolutionError> for Failure {
+    fn from(error: SolutionError) -> Self {
+        match error {
+            SolutionError::Key(fault) => fault.into(),
+            SolutionError::Study(error) => error.into(),
+            SolutionError::Plant(error) => error.into(),
+            SolutionError::Run(error) => error.into(),
+            SolutionError::Orbit(error) => error.into(),
+            SolutionError::Lost { .. } => Self::new("ConvergenceError", error),
+            SolutionError::UnknownSolution { ref wanted, ref known } => {
+                Self { details: serde_json::json!({ "solution": wanted, "known": known }), ..Self::new("ArgumentError", &error) }
+            }
+            error => Self::new("ArgumentError", error),
+        }
+    }
+}
+
+impl From<ExperimentError> for Failure {
+    fn from(error: ExperimentError) -> Self {
+        match error {
+            ExperimentError::Reproduce(error) => error.into(),
+            error => Self::new("JounceError", error),
+        }
+    }
+}
+
+impl From<FitError> for Failure {
+    fn from(error: FitError) -> Self {
+        match error {
+            FitError::Value(fault) => fault.into(),
+            FitError::Structure(error) => error.into(),
+            FitError::Open { .. } => Self::new("FileError", error),
+            error => Self::new("FitError", error),
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! Modes of structures without a measured force: free decays, and outputs alone.
+
+use super::modes::{check_order, identified};
+use super::recording::{Given, findings};
+use crate::failure::Failure;
+use jounce_measure::modal::{Settings, identify_decays};
+use jounce_measure::recording::Over;
+use jounce_measure::response::{AmbientSettings, Decays};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// How recordings without a measured force are taken.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Unforced {
+    responses: Vec<String>,
+    /// Are the recordings free decays? Else one of outputs under noise.
+    free: bool,
+    span_s: Option<(f64, f64)>,
+    references: Vec<String>,
+    lags_s: Option<f64>,
+}
+
+impl Unforced {
+    fn decays(&self, py: Python<'_>, given: &[Given<'_>]) -> Result<Decays, Failure> {
+        if self.free {
+            let records = given.iter().map(Given::even).collect::<Result<Vec<_>, _>>()?;
+            return py.detach(|| Ok(Decays::free(&records, &self.responses, self.span_s)?));
+        }
+        let [one] = given else {
+            return Err(Failure::new("ArgumentError", format!("outputs alone are those of one recording, and {} are given", given.len())));
+        };
+        let recording = one.recording()?;
+        if recording.over == Over::Frequency {
+            return py.detach(|| Ok(Decays::of_spectrum(&recording, &self.responses)?));
+        }
+        let (record, responses, references) = (one.even()?, self.responses.clone(), self.references.clone());
+        py.detach(|| Ok(Decays::ambient(&record, &AmbientSettings { responses, references, lags_s: self.lags_s })?))
+    }
+}
+
+/// The modes of free decays or of outputs alone, between two frequencies; of the whole band without them.
+#[pyfunction]
+pub fn measured_decays<'py>(
+    py: Python<'py>,
+    given: Vec<Given<'py>>,
+    unforced: Unforced,
+    between_hz: Option<(f64, f64)>,
+    order: usize,
+) -> PyResult<Bound<'py, PyDict>> {
+    check_order(order)?;
+    let decays = unforced.decays(py, &given)?;
+    let between_hz = between_hz.unwrap_or((0.0, 0.5 * decays.rate_hz));
+    let found = py.detach(|| Ok::<_, Failure>(identify_decays(&decays, between_hz, Settings { order })?));
+    let found = found.map_err(|failure| failure.raised(py))?;
+    let answer = identified(py, &decays.outputs, &decays.names(), &found)?;
+    Ok(answer.with("findings", findings(&decays.findings)?)?.dict())
+}

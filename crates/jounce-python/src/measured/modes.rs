@@ -1,0 +1,41 @@
+//! Modes that were identified, for Python.
+
+use crate::arrays::Answer;
+use crate::branch::json;
+use crate::failure::Failure;
+use jounce_measure::modal::{Identification, Mode, mac_matrix};
+use numpy::{Complex64, PyArray1};
+use pyo3::prelude::*;
+
+/// A largest order that is none.
+pub fn check_order(order: usize) -> Result<(), Failure> {
+    match (2..=400).contains(&order) {
+        true => Ok(()),
+        false => Err(Failure::new("ArgumentError", format!("order is {order}; it must be from 2 to 400"))),
+    }
+}
+
+/// Modes at outputs, sought in functions: those are the responses of a hammer test, or decays, one or more for each output.
+pub fn identified<'py>(py: Python<'py>, outputs: &[String], functions: &[String], found: &Identification) -> PyResult<Answer<'py>> {
+    let (modes, diagram) = (&found.modes, &found.diagram);
+    let rows = |rows: &[Vec<Complex64>]| rows.iter().map(|row| PyArray1::from_slice(py, row)).collect::<Vec<_>>();
+    let stable: Vec<String> = diagram.iter().map(|pole| Ok(json(&pole.stable)?.trim_matches('"').to_owned())).collect::<PyResult<_>>()?;
+    Answer::new(py)
+        .each("frequency_hz", modes, |mode| mode.frequency_hz)?
+        .each("frequency_deviation_hz", modes, |mode| mode.frequency_deviation_hz)?
+        .each("damping_ratio", modes, |mode| mode.damping_ratio)?
+        .each("damping_deviation", modes, |mode| mode.damping_deviation)?
+        .with("quantile_95", Mode::QUANTILE_95)?
+        .with("response", outputs)?
+        .with("function", functions)?
+        .with("shape", modes.iter().map(|mode| PyArray1::from_vec(py, mode.shape())).collect::<Vec<_>>())?
+        .rows("mac", &mac_matrix(modes), modes.len())?
+        .with("misfit", found.misfit)?
+        .each("pole_order", diagram, |pole| pole.order as i64)?
+        .each("pole_frequency_hz", diagram, |pole| pole.pole.frequency_hz)?
+        .each("pole_damping_ratio", diagram, |pole| pole.pole.damping_ratio)?
+        .with("pole_stable", stable)?
+        .array("line_hz", found.frequency_hz.clone())?
+        .with("measured", rows(&found.measured))?
+        .with("model", rows(&found.model))
+}

@@ -1,0 +1,68 @@
+//! Spectra of a recorded channel.
+
+use super::recording::{Given, findings};
+use crate::arrays::Answer;
+use crate::failure::Failure;
+use jounce::signal::{Samples, Window};
+use jounce_measure::recording::Quantity;
+use jounce_measure::spectral::{SpectraSettings, spectra};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// How a record is cut into segments.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Cut {
+    drive_hz: Option<f64>,
+    segment_s: Option<f64>,
+    overlap: f64,
+    window: String,
+}
+
+impl Cut {
+    fn settings(&self) -> Result<SpectraSettings, Failure> {
+        let window = match self.window.as_str() {
+            "hann" => Window::Hann,
+            "flat-top" => Window::FlatTop,
+            "rectangular" => Window::Rectangular,
+            other => {
+                let why = format!("window is \"{other}\"; it must be \"hann\", \"flat-top\" or \"rectangular\"");
+                return Err(Failure::new("ArgumentError", why));
+            }
+        };
+        Ok(SpectraSettings { drive_hz: self.drive_hz, segment_s: self.segment_s, overlap: self.overlap, window })
+    }
+}
+
+/// Power spectral density, spectrogram and order lines of a channel; by default of the first one in volts, else of the first.
+#[pyfunction]
+pub fn measured_spectra<'py>(py: Python<'py>, given: Given<'py>, channel: Option<String>, cut: Cut) -> PyResult<Bound<'py, PyDict>> {
+    let (record, settings) = (given.even()?, cut.settings()?);
+    let found = py.detach(|| {
+        let volts = || record.channels.iter().find(|channel| channel.quantity == Quantity::Voltage).or(record.channels.first());
+        let channel = match &channel {
+            Some(name) => record.channel(name)?,
+            None => volts().ok_or_else(|| Failure::new("RecordingError", format!("{} has no channel", record.name)))?,
+        };
+        Ok::<_, Failure>((channel.clone(), spectra(&Samples::new(&channel.values, record.rate())?, &settings)?))
+    });
+    let (channel, found) = found.map_err(|failure| failure.raised(py))?;
+    let (density, spectrogram, lines) = (found.density, found.spectrogram, found.orders);
+    let width = spectrogram.frequency_hz.len();
+    let answer = Answer::new(py)
+        .with("channel", channel.name)?
+        .with("unit", channel.unit)?
+        .with("mean", density.mean)?
+        .with("segment_s", spectrogram.segment_s)?
+        .with("step_s", spectrogram.step_s)?
+        .with("resolution_hz", spectrogram.resolution_hz)?
+        .array("frequency_hz", density.frequency_hz)?
+        .array("density", density.density)?
+        .array("time_s", spectrogram.time_s)?
+        .rows("amplitude_peak", &spectrogram.amplitude_peak, width)?
+        .each("order", &lines, |line| line.order)?
+        .each("order_frequency_hz", &lines, |line| line.frequency_hz)?
+        .each("order_amplitude_peak", &lines, |line| line.amplitude_peak)?
+        .with("findings", findings(&record.findings)?)?;
+    Ok(answer.dict())
+}

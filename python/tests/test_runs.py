@@ -1,0 +1,127 @@
+"""A run: that of the command line, bit by bit, its balances and its record."""
+
+import pickle
+
+import numpy as np
+import pytest
+from conftest import ROOT, SHORT
+
+import jounce
+
+
+def test_a_run_is_that_of_the_command_line(short, command_line):
+    answer = short.run(tolerance=1e-8)
+    told = command_line("run", "--tolerance=1e-8", keys=SHORT)
+    for name in (
+        "mean_power_w",
+        "max_penetration_m",
+        "max_contact_force_n",
+        "contacts",
+        "contact_duty",
+        "energy_residual_relative",
+        "settled",
+    ):
+        assert getattr(answer, name) == told[name], name
+    assert answer.voltage_rms_v == told["voltage_rms_v"] and answer.work == told["work"]
+    assert answer.energies_j["damping_j"] == told["energies"]["damping_j"]
+    assert answer.mean_power_w > 0.0 and abs(answer.energy_residual_relative) < 1e-6
+    (tip,) = told["stops"]
+    assert answer.stop == [tip["name"]] and answer.stop_contacts[0] == tip["contacts"]
+    for name in ("contact_rate_hz", "mean_strike_m_s", "max_strike_m_s", "mean_dwell_s", "max_dwell_s", "impulse_n_s"):
+        assert getattr(answer, f"stop_{name}")[0] == tip[name], name
+    # The time in contact is that of so many contacts.
+    assert answer.stop_mean_dwell_s[0] * answer.contacts == pytest.approx(answer.contact_duty * answer.average_over_s, rel=1e-9)
+    assert not answer.nothing_happened and not told["nothing_happened"] and answer.stop_mean_strike_m_s[0] > 0.0
+
+
+def test_leakage_of_a_patch_is_told_and_closes_the_balance(short, command_line):
+    keys = {"patch.mfc.leakage_resistance": "2 Mohm"}
+    answer, told = short.changed(keys).run(), command_line("run", keys={**SHORT, **keys})
+    (leak,) = told["leaks"]
+    assert answer.leak == [leak["patch"]] and answer.leak_power_w[0] == leak["mean_power_w"]
+    # Load and leakage see one voltage: 1 Mohm takes twice what 2 Mohm takes.
+    assert answer.leak_power_w[0] == pytest.approx(0.5 * answer.load_power_w[0], rel=1e-9)
+    left = answer.energies_j["input_j"] - sum(value for name, value in answer.energies_j.items() if name != "input_j")
+    assert abs(left) < 1e-6 * answer.energies_j["input_j"]
+    assert "leakage (mfc)" in repr(answer) and "leak" in answer.to_xarray().dims and len(answer.plot_energy().patches) == 5
+
+
+def test_a_run_in_which_nothing_happens_says_so(short):
+    assert short.changed({"drive.shaker.amplitude": "0 N"}).run().nothing_happened
+
+
+def test_a_run_goes_on_from_the_end_of_another(short, tmp_path):
+    half = short.changed({"run.duration": "1 s"})
+    first = half.run(tolerance=1e-10)
+    first.end.write(tmp_path / "half.json")
+    again = half.run(tolerance=1e-10, start=jounce.State.read(tmp_path / "half.json"))
+    whole = short.run(tolerance=1e-10)
+    # Two ways of stepping through the same two seconds differ by the tolerance.
+    assert again.mean_power_w == pytest.approx(whole.mean_power_w, rel=1e-8)
+
+
+def test_a_record_is_the_motion_of_the_run(short):
+    answer = short.run(record="1 s", sample_rate="2000 Hz")
+    history = answer.recorded()
+    assert history.time_s.shape == (2001,) and history.time_s[-1] == pytest.approx(2.0, abs=1e-12)
+    assert history.displacement_m.shape == (len(history.point), 2001) and history.voltage_v.shape == (1, 2001)
+    # Mean power is voltage squared over resistance; the trapezoidal rule of the samples is off by a few per mille at impacts.
+    assert np.trapezoid(history.voltage_v[0] ** 2, history.time_s) / 1e6 == pytest.approx(answer.mean_power_w, rel=0.01)
+    # Velocity is the derivative of displacement.
+    tip = history.point.index("beam.tip")
+    slope = np.gradient(history.displacement_m[tip], history.time_s)
+    assert np.abs(slope - history.velocity_m_s[tip]).max() < 0.05 * np.abs(history.velocity_m_s[tip]).max()
+    # Once per cycle, ending with the run.
+    assert np.diff(history.strobed_time_s) == pytest.approx(1.0 / 11.0) and history.strobed_time_s[-1] == 2.0
+    assert (history.force_n >= 0.0).all() and history.force_n.max() <= answer.max_contact_force_n * (1.0 + 1e-9)
+
+
+def test_a_recording_drives_the_harvester_as_the_sine_that_it_is_of(tmp_path):
+    tables = {key: table for key, table in jounce.examples()["impact-harvester-2019"].to_dict().items() if key != "stop"}
+    tables["run"] = {"duration": "4 s", "average_over": "1 s", "tolerance": 1e-10}
+    sine = {"shaker": jounce.Drive(at="table", amplitude="50 N", frequency="11 Hz")}
+    series = {"name": "force", "unit_str": "N", "fs": 20000.0, "data": 50.0 * np.sin(2 * np.pi * 11.0 * np.arange(0.0, 4.1, 1 / 20000.0))}
+    jounce.write_recording(tmp_path / "force.csv", series)
+    recorded = {"shaker": jounce.Drive(at="table", signal="recording", file=str(tmp_path / "force.csv"), scale="1 N")}
+    # Straight lines between 1818 samples of a cycle lower a sine by 1e-6 of itself, and its power by 2e-6.
+    power, again = (jounce.Spec({**tables, "drive": drive}).run().mean_power_w for drive in (sine, recorded))
+    assert again == pytest.approx(power, rel=1e-5)
+    # A file beside the spec is found from there, and after the way through pickle.
+    (tmp_path / "beside.toml").write_text(jounce.Spec({**tables, "drive": recorded}).to_toml().replace(f"{tmp_path}/", ""))
+    beside = jounce.read(tmp_path / "beside.toml")
+    assert pickle.loads(pickle.dumps(beside)).changed({"run.average_over": "1 s"}).run().mean_power_w == again
+
+
+def test_history_in_the_form_of_sep005(short):
+    channels = short.run(record="0.1 s").history.to_sep005()
+    voltage = next(channel for channel in channels if channel["name"] == "mfc.voltage")
+    assert voltage["unit_str"] == "V" and voltage["fs"] == 4096.0 and len(voltage["data"]) == len(voltage["time"])
+    assert jounce.spectrum(voltage).name == "mfc.voltage"
+
+
+def test_a_rectified_circuit_is_that_of_the_command_line(command_line):
+    spec = ROOT / "examples/rectified-shu-lien-2006/harvester.toml"
+    keys = {"run.duration": "600 s", "run.average_over": "300 s"}
+    answer = jounce.read(spec).changed(keys).run()
+    told = command_line("run", keys=keys, spec=spec)
+    (circuit,) = told["rectified"]
+    assert answer.rectified == [circuit["name"]] and answer.load == []
+    for name in ("mean_power_w", "voltage_rms_v", "mean_current_a", "storage_w", "diode_loss_w", "switch_loss_w", "leakage_w"):
+        field = {"mean_power_w": "power_w", "mean_current_a": "current_a"}.get(name, name)
+        assert getattr(answer, f"rectified_{field}")[0] == circuit[name], name
+    assert answer.mean_power_w == told["mean_power_w"] > 0.0 and answer.rectified_diode_loss_w[0] > 0.0
+    (charge,) = told["charges"]
+    for name in ("passed_c", "load_c", "leakage_c", "storage_c", "residual_relative"):
+        assert getattr(answer, f"rectified_charge_{name}")[0] == charge[name], name
+    # What the diodes passed is their mean current over the window, and nothing of it is lost: off by 2e-11.
+    assert answer.rectified_charge_passed_c[0] == pytest.approx(answer.rectified_current_a[0] * answer.average_over_s, rel=1e-12)
+    assert abs(answer.rectified_charge_residual_relative[0]) < 1e-9
+    (flows,) = told["energies"]["rectified"]
+    assert answer.energies_j["rectified_j"] == flows["load_j"] + flows["battery_j"]
+    # What goes in comes out, is lost or stays.
+    left = answer.energies_j["input_j"] - sum(value for name, value in answer.energies_j.items() if name != "input_j")
+    assert abs(left) < 1e-9 * answer.energies_j["input_j"]
+    dataset = answer.to_xarray()
+    assert dataset.rectified_voltage_rms.sel(rectified="rectifier") == circuit["voltage_rms_v"]
+    assert pickle.loads(pickle.dumps(answer)) == answer and "storage" in repr(answer)
+    assert len(answer.plot_energy().patches) == 6
