@@ -1,7 +1,7 @@
 //! Orbits by harmonic balance.
 
 use super::contact::grid;
-use super::motion::{complex, real};
+use super::motion::real;
 use super::place::Balance;
 use super::rule::Rules;
 use crate::contact::Law;
@@ -60,7 +60,7 @@ impl<'h, H: Harvester> HarmonicBalance<'h, H> {
         if let Some(shot) = local.shot.get() {
             return Ok(shot);
         }
-        let state = local.kernel.plant.to_physical(&local.state(&self.grid, &self.rules), 0.0);
+        let state = local.kernel.plant.to_physical(&local.state(&self.rules), 0.0);
         let shot = self.shooting.at(&self.shooting.unknown(&state), local.parameter)?;
         Ok(local.shot.get_or_init(|| shot))
     }
@@ -68,14 +68,17 @@ impl<'h, H: Harvester> HarmonicBalance<'h, H> {
     /// Mean power of each load, W: `sum_n |V_n|^2 / R` over all harmonics of the voltage.
     fn loads_w(&self, local: &Balance) -> Vec<f64> {
         let plant = &local.kernel.plant;
-        let force = complex(&local.force);
         let cycles = self.shooting.cycles;
         (plant.system.loads.iter())
             .enumerate()
             .map(|(index, load)| {
                 let row = plant.load_voltage_row(index);
-                let mut voltage: Vec<c64> =
-                    Transfer::new(plant, &row, local.step_rad_s, self.harmonics).values.iter().zip(&force).map(|(g, f)| g * f).collect();
+                let mut voltage: Vec<c64> = Transfer::new(plant, &row, local.step_rad_s, self.harmonics)
+                    .values
+                    .iter()
+                    .zip(&local.force)
+                    .map(|(g, f)| g * f)
+                    .collect();
                 voltage[cycles as usize] += plant.steady_output(&row).iter().sum::<c64>();
                 let square: f64 = voltage[1..].iter().map(|v| 0.5 * v.norm_sqr()).sum();
                 (square + voltage[0].norm_sqr()) / load.resistance_ohm

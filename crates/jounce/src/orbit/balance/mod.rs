@@ -24,12 +24,15 @@
 //!
 //! Validation: `tests/orbits/balance.rs` compares with shooting.
 
+mod angles;
 mod condensed;
 mod contact;
+mod impulses;
 mod method;
 mod motion;
 mod nodes;
 mod place;
+mod response;
 mod rule;
 
 pub use method::HarmonicBalance;
