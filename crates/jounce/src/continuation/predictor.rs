@@ -33,6 +33,14 @@ impl Stretch {
         Self { start: start.clone(), tangents: [scaled(ahead), scaled(beyond)], chord, length }
     }
 
+    /// The same in another unknown, by the linear map that leads there.
+    pub fn carried(&self, map: &impl Fn(&[f64]) -> Vec<f64>) -> Self {
+        let direction = |from: &Direction| Direction { unknown: map(&from.unknown), parameter: from.parameter };
+        let start = Position { unknown: map(&self.start.unknown), parameter: self.start.parameter };
+        let [first, last] = &self.tangents;
+        Self { start, chord: direction(&self.chord), tangents: [direction(first), direction(last)], length: self.length }
+    }
+
     /// The cubic at a distance from its start.
     pub fn at(&self, distance: f64) -> Position {
         let t = distance / self.length;

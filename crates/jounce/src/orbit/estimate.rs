@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 impl<H: Harvester> Shooting<'_, H> {
     /// What a shot says, but for its error.
     pub(super) fn answer(&self, shot: &Shot) -> Result<Orbit, OrbitError<H::Error>> {
-        let Some(multipliers) = multipliers(&shot.map) else {
+        let Some(multipliers) = multipliers(&shot.block_map) else {
             return Err(OrbitError::Multipliers { frequency_hz: f64::from(self.cycles) / shot.period_s });
         };
         let loads = &shot.kernel.plant.system.loads;

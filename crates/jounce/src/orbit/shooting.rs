@@ -39,6 +39,8 @@ pub struct Shot {
     pub(super) residual: Vec<f64>,
     /// `d u(n T) / d u(0)`.
     pub map: Mat<f64>,
+    /// The same in block coordinates, in which modes that the contact leaves alone stand apart.
+    pub(super) block_map: Mat<f64>,
     /// `dR / dp`.
     pub(super) by_parameter: Vec<f64>,
     /// Period, s.
@@ -117,12 +119,25 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         let (into, out) = (&plant.diagonal.from_physical, &plant.diagonal.to_physical);
         let left = Mat::from_fn(n, n, |i, j| self.scale[i] * out[(i, j)]);
         let right = Mat::from_fn(n, n, |i, j| into[(i, j)] / self.scale[j]);
-        let map = &left * &map * &right;
+        let block_map = map;
+        let map = &left * &block_map * &right;
         let residual = looks[looks.len() - 1].iter().zip(unknown).map(|(end, start)| end - start).collect();
         let period_s = cycle_s * f64::from(self.cycles);
         let tolerance = self.tolerance;
-        let shot =
-            Shot { kernel, looks, residual, map, by_parameter, period_s, trajectories, contacts, max_penetration_m, loads_w, tolerance };
+        let shot = Shot {
+            kernel,
+            looks,
+            residual,
+            map,
+            block_map,
+            by_parameter,
+            period_s,
+            trajectories,
+            contacts,
+            max_penetration_m,
+            loads_w,
+            tolerance,
+        };
         Ok((shot, exact))
     }
 }

@@ -6,14 +6,17 @@ use super::nodes::Node;
 use super::response::Response;
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Mat, c64};
-use std::cell::OnceCell;
 
-/// `I - J K w - J' K' w` at the nodes, and the two sides of it.
+/// `I - J K w - J' K' w` at the nodes with the border that was asked for first, factored.
 #[derive(Debug)]
 pub struct Condensed {
-    matrix: Mat<f64>,
-    /// The same with the border that was asked for first.
-    bordered: OnceCell<Option<Bordered>>,
+    factors: PartialPivLu<f64>,
+    /// The border as it was given.
+    row: Vec<f64>,
+    corner: f64,
+    /// Sizes of its row and its column: it has units of its own.
+    row_size: f64,
+    column_size: f64,
 }
 
 /// The nodes and the plant between them.
@@ -27,18 +30,6 @@ pub struct Sides<'b> {
     pub compliance: &'b [c64],
     /// `w / p`, rad/s.
     pub step_rad_s: f64,
-}
-
-/// The system with a border, factored.
-#[derive(Debug)]
-struct Bordered {
-    factors: PartialPivLu<f64>,
-    /// The border as it was given.
-    row: Vec<f64>,
-    corner: f64,
-    /// Sizes of its row and its column: it has units of its own.
-    row_size: f64,
-    column_size: f64,
 }
 
 impl Sides<'_> {
@@ -79,13 +70,18 @@ impl Sides<'_> {
 }
 
 impl Condensed {
-    /// At nodes between which the plant responds by `response`.
-    pub fn new(sides: Sides<'_>, response: &Response) -> Self {
+    /// At nodes between which the plant responds by `response`, with the border `[R_u by; row corner]`; `None` where that is not finite.
+    pub fn new(sides: Sides<'_>, response: &Response, by: &[f64], (row, corner): (&[f64], f64)) -> Option<Self> {
         let count = sides.nodes.len();
         let places: Vec<f64> = sides.nodes.iter().map(|node| response.place(node.angle)).collect();
+        let (felt, pulled) = (sides.felt(by), sides.pulled(row));
+        let bottom = dot(row, by) + corner;
+        let largest = |values: &[f64], least: f64| values.iter().fold(least, |max, value| max.max(value.abs()));
+        let column_size = largest(&felt, f64::MIN_POSITIVE).max(if count == 0 { 1.0 } else { 0.0 });
+        let row_size = largest(&pulled, (bottom / column_size).abs());
         let damped = sides.are_damped();
-        let mut matrix = Mat::<f64>::zeros(count, count);
-        for (p, (force, from)) in places.iter().zip(sides.nodes).enumerate() {
+        let mut matrix = Mat::<f64>::zeros(count + 1, count + 1);
+        for (p, ((force, from), pulled)) in places.iter().zip(sides.nodes).zip(&pulled).enumerate() {
             let column: &mut [f64] = matrix.col_as_slice_mut(p);
             for ((entry, displacement), to) in column.iter_mut().zip(&places).zip(sides.nodes) {
                 let moved = if damped {
@@ -97,8 +93,13 @@ impl Condensed {
                 *entry = -from.share * moved;
             }
             column[p] += 1.0;
+            column[count] = pulled / row_size;
         }
-        Self { matrix, bordered: OnceCell::new() }
+        let border: &mut [f64] = matrix.col_as_slice_mut(count);
+        border.iter_mut().zip(&felt).for_each(|(entry, felt)| *entry = -felt / column_size);
+        border[count] = bottom / (column_size * row_size);
+        let is_finite = row_size.is_finite() && column_size.is_finite();
+        is_finite.then(|| Self { factors: matrix.partial_piv_lu(), row: row.to_vec(), corner, row_size, column_size })
     }
 
     /// Solves `[R_u by; row corner] (du, dp) = (right, last)` with `R_u = push feel^T - I`.
@@ -112,58 +113,36 @@ impl Condensed {
         (row, corner): (&[f64], f64),
         (right, last): (&[f64], f64),
     ) -> Option<(Vec<f64>, f64)> {
-        let made = || Bordered::new(&self.matrix, sides, by, row, corner);
-        let bordered = self.bordered.get_or_init(made).as_ref()?;
-        if bordered.row == row && bordered.corner == corner {
-            return bordered.solve(sides, by, right, last);
+        if self.row == row && self.corner == corner {
+            return self.solve(sides, by, right, last);
         }
-        let Some(unit) = bordered.solve(sides, by, &vec![0.0; right.len()], 1.0) else { return made()?.solve(sides, by, right, last) };
-        let is_zero = right.iter().all(|r| *r == 0.0);
-        let start = if is_zero { moved(&(vec![0.0; right.len()], 0.0), last, &unit) } else { bordered.solve(sides, by, right, last)? };
+        let none = vec![0.0; right.len()];
+        let unit = self.solve(sides, by, &none, 1.0)?;
+        let start = if right == none { moved(&(none, 0.0), last, &unit) } else { self.solve(sides, by, right, last)? };
         let along = |(unknown, parameter): &(Vec<f64>, f64)| {
-            let apart: f64 = row.iter().zip(&bordered.row).zip(unknown).map(|((a, b), u)| (a - b) * u).sum();
-            apart + (corner - bordered.corner) * parameter
+            let apart: f64 = row.iter().zip(&self.row).zip(unknown).map(|((a, b), u)| (a - b) * u).sum();
+            apart + (corner - self.corner) * parameter
         };
         let found = moved(&start, -along(&start) / (1.0 + along(&unit)), &unit);
         (found.1.is_finite() && found.0.iter().all(|u| u.is_finite())).then_some(found)
+    }
+
+    fn solve(&self, sides: Sides<'_>, by: &[f64], right: &[f64], last: f64) -> Option<(Vec<f64>, f64)> {
+        let count = sides.nodes.len();
+        let felt = if right.iter().all(|r| *r == 0.0) { vec![0.0; count] } else { sides.felt(right) };
+        let bottom = (last + dot(&self.row, right)) / self.row_size;
+        let given = Mat::from_fn(count + 1, 1, |i, _| if i < count { -felt[i] } else { bottom });
+        let solution = self.factors.solve(&given);
+        let parameter = solution[(count, 0)] / self.column_size;
+        let pushed = sides.pushed((0..count).map(|q| solution[(q, 0)]));
+        let unknown: Vec<f64> = pushed.iter().zip(by).zip(right).map(|((pushed, by), right)| pushed + by * parameter - right).collect();
+        (parameter.is_finite() && unknown.iter().all(|u| u.is_finite())).then_some((unknown, parameter))
     }
 }
 
 /// `x + share z`.
 fn moved(x: &(Vec<f64>, f64), share: f64, z: &(Vec<f64>, f64)) -> (Vec<f64>, f64) {
     (x.0.iter().zip(&z.0).map(|(x, z)| x + share * z).collect(), x.1 + share * z.1)
-}
-
-impl Bordered {
-    fn new(matrix: &Mat<f64>, sides: Sides<'_>, by: &[f64], row: &[f64], corner: f64) -> Option<Self> {
-        let count = matrix.nrows();
-        let felt = sides.felt(by);
-        let pulled = sides.pulled(row);
-        let bottom = dot(row, by) + corner;
-        let largest = |values: &[f64], least: f64| values.iter().fold(least, |max, value| max.max(value.abs()));
-        let column_size = largest(&felt, f64::MIN_POSITIVE).max(if count == 0 { 1.0 } else { 0.0 });
-        let row_size = largest(&pulled, (bottom / column_size).abs());
-        let whole = Mat::from_fn(count + 1, count + 1, |i, j| match (i < count, j < count) {
-            (true, true) => matrix[(i, j)],
-            (true, false) => -felt[i] / column_size,
-            (false, true) => pulled[j] / row_size,
-            (false, false) => bottom / (column_size * row_size),
-        });
-        let factors = whole.partial_piv_lu();
-        row_size.is_finite().then(|| Self { factors, row: row.to_vec(), corner, row_size, column_size })
-    }
-
-    fn solve(&self, sides: Sides<'_>, by: &[f64], right: &[f64], last: f64) -> Option<(Vec<f64>, f64)> {
-        let count = sides.nodes.len();
-        let felt = sides.felt(right);
-        let bottom = (last + dot(&self.row, right)) / self.row_size;
-        let sides_of = Mat::from_fn(count + 1, 1, |i, _| if i < count { -felt[i] } else { bottom });
-        let solution = self.factors.solve(&sides_of);
-        let parameter = solution[(count, 0)] / self.column_size;
-        let pushed = sides.pushed((0..count).map(|q| solution[(q, 0)]));
-        let unknown: Vec<f64> = pushed.iter().zip(by).zip(right).map(|((pushed, by), right)| pushed + by * parameter - right).collect();
-        (parameter.is_finite() && unknown.iter().all(|u| u.is_finite())).then_some((unknown, parameter))
-    }
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {

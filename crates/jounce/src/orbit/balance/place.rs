@@ -32,6 +32,8 @@ pub struct Balance {
     pub(super) step_rad_s: f64,
     /// The period marched from the state that the forces give.
     pub(super) shot: OnceCell<Shot>,
+    /// Distance from the curve of the exact flow, beside the one allowed.
+    pub(super) excess: OnceCell<f64>,
     pub(super) by_parameter: Vec<f64>,
     unknown: Vec<f64>,
     grid: Grid,
@@ -39,7 +41,7 @@ pub struct Balance {
     nodes: Vec<Node>,
     angles: Angles,
     residual: Vec<f64>,
-    condensed: OnceCell<Condensed>,
+    condensed: OnceCell<Option<Condensed>>,
 }
 
 impl Balance {
@@ -62,8 +64,23 @@ impl Balance {
             add_tone(port.steady_m[0], cycles, &mut residual);
         }
         let (by_parameter, unknown, grid) = (vec![0.0; size], unknown.to_vec(), grid.clone());
-        let (shot, condensed) = (OnceCell::new(), OnceCell::new());
-        Self { parameter, kernel, force, step_rad_s, shot, by_parameter, unknown, grid, compliance, nodes, angles, residual, condensed }
+        let (shot, excess, condensed) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
+        Self {
+            parameter,
+            kernel,
+            force,
+            step_rad_s,
+            shot,
+            excess,
+            by_parameter,
+            unknown,
+            grid,
+            compliance,
+            nodes,
+            angles,
+            residual,
+            condensed,
+        }
     }
 
     /// Nodes in contact: the size of Newton's linear system.
@@ -147,7 +164,7 @@ impl Linear for Balance {
     fn bordered(&self, row: &[f64], corner: f64, right: &[f64], last: f64) -> Option<(Vec<f64>, f64)> {
         let Self { nodes, angles, step_rad_s, .. } = self;
         let sides = Sides { nodes, angles, compliance: &self.compliance.values, step_rad_s: *step_rad_s };
-        let make = || Condensed::new(sides, &Response::new(&self.compliance.values, &self.grid));
-        self.condensed.get_or_init(make).bordered(sides, &self.by_parameter, (row, corner), (right, last))
+        let make = || Condensed::new(sides, &Response::new(&self.compliance.values, &self.grid), &self.by_parameter, (row, corner));
+        self.condensed.get_or_init(make).as_ref()?.bordered(sides, &self.by_parameter, (row, corner), (right, last))
     }
 }
