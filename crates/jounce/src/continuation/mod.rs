@@ -25,4 +25,4 @@ pub use metric::{Direction, Metric, Position};
 pub use predictor::Stretch;
 pub use step_control::StepControl;
 pub use tangent::tangent;
-pub use walk::{Step, Walk};
+pub use walk::{Mark, Step, Walk};

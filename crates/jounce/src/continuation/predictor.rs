@@ -33,6 +33,14 @@ impl Stretch {
         Self { start: start.clone(), tangents: [scaled(ahead), scaled(beyond)], chord, length }
     }
 
+    /// The same in another unknown, by the linear map that leads there.
+    pub fn carried(&self, map: &impl Fn(&[f64]) -> Vec<f64>) -> Self {
+        let direction = |from: &Direction| Direction { unknown: map(&from.unknown), parameter: from.parameter };
+        let start = Position { unknown: map(&self.start.unknown), parameter: self.start.parameter };
+        let [first, last] = &self.tangents;
+        Self { start, chord: direction(&self.chord), tangents: [direction(first), direction(last)], length: self.length }
+    }
+
     /// The cubic at a distance from its start.
     pub fn at(&self, distance: f64) -> Position {
         let t = distance / self.length;
@@ -68,5 +76,17 @@ mod tests {
         let (coarse, fine) = (error(0.2), error(0.1));
         // L^4 / 6 by the remainder of the cubic, and as much again twice because L is the chord and not the arc.
         assert!(fine < 0.5e-4 && coarse / fine > 14.0, "{coarse:e} {fine:e}");
+    }
+
+    /// Twice the unknown in two parts: read after it was carried, and carried after it was read.
+    #[test]
+    fn a_carried_stretch_reads_as_its_carried_places() {
+        let metric = Metric { unknown: 1.0, parameter: 1.0 };
+        let place = |angle: f64| Position { unknown: vec![angle.cos(), 3.0 * angle], parameter: angle.sin() };
+        let tangent = |angle: f64| Direction { unknown: vec![-angle.sin(), 3.0], parameter: angle.cos() };
+        let stretch = Stretch::between(&metric, (&place(0.3), &tangent(0.3)), (&place(0.5), &tangent(0.5)));
+        let map = |unknown: &[f64]| vec![2.0 * unknown[0], 0.0, unknown[1] - unknown[0]];
+        let (read, carried) = (stretch.at(0.7), stretch.carried(&map).at(0.7));
+        assert!(metric.length(&carried.to(&Position { unknown: map(&read.unknown), ..read })) < 1e-14);
     }
 }

@@ -82,6 +82,12 @@ impl<'f, F: Family> Walk<'f, F> {
         Mark { position: position.clone(), tangent: tangent.clone(), behind: behind.clone(), length: *length }
     }
 
+    /// Goes on as from a mark of a walk in another unknown, to which a linear map leads.
+    pub fn resume(&mut self, mark: &Mark, map: impl Fn(&[f64]) -> Vec<f64>) {
+        self.behind = mark.behind.as_ref().map(|stretch| stretch.carried(&map));
+        self.length = mark.length;
+    }
+
     /// Goes back to a mark, to try a shorter step from there; false when the step would be too short.
     pub fn retreat(&mut self, mark: Mark) -> bool {
         (self.position, self.tangent, self.behind) = (mark.position, mark.tangent, mark.behind);

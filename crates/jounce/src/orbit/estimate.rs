@@ -13,7 +13,7 @@ const LEAST: f64 = 1e-6;
 impl<H: Harvester> Shooting<'_, H> {
     /// What a shot says, but for its error.
     pub(super) fn answer(&self, shot: &Shot) -> Result<Orbit, OrbitError<H::Error>> {
-        let Some(multipliers) = multipliers(&shot.map) else {
+        let Some(multipliers) = multipliers(&shot.block_map) else {
             return Err(OrbitError::Multipliers { frequency_hz: f64::from(self.cycles) / shot.period_s });
         };
         let voltage_rms_v = shot.loads_w.first().map_or(0.0, |power_w| voltage_rms_v(&shot.kernel.plant.system, *power_w));

@@ -62,7 +62,15 @@ pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>> {
         None
     }
 
-    /// An unknown of a coarser method as one of this.
+    /// The same method with a coarser unknown, where there is one.
+    fn coarser(&self) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
+    }
+
+    /// An unknown of a coarser or a finer method as one of this.
     fn carried(&self, unknown: &[f64]) -> Vec<f64> {
         unknown.to_vec()
     }

@@ -90,10 +90,3 @@ pub fn pairs_outside(multipliers: &[c64]) -> usize {
 pub fn determinant_at(map: &Mat<f64>, s: f64) -> f64 {
     Mat::from_fn(map.nrows(), map.ncols(), |i, j| map[(i, j)] - if i == j { s } else { 0.0 }).determinant()
 }
-
-/// Eigenvalues of a period map, largest modulus first; `None` where they do not converge.
-pub fn multipliers(map: &Mat<f64>) -> Option<Vec<c64>> {
-    let mut values: Vec<c64> = map.eigenvalues().ok()?;
-    values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
-    Some(values)
-}

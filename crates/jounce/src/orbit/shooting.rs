@@ -42,6 +42,8 @@ pub struct Shot {
     pub(super) residual: Vec<f64>,
     /// `d u(n T) / d u(0)` at the charges that the period keeps (see [`kept_charges`]).
     pub map: Mat<f64>,
+    /// The same in block coordinates, in which modes that the contact leaves alone stand apart.
+    pub(super) block_map: Mat<f64>,
     /// `dR / dp`.
     pub(super) by_parameter: Vec<f64>,
     /// Period, s.
@@ -128,7 +130,9 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         let left = Mat::from_fn(n, n, |i, j| self.scale[i] * out[(i, j)]);
         let right = Mat::from_fn(n, n, |i, j| into[(i, j)] / self.scale[j]);
         let kept = kept_charges(plant, &self.scale, &trajectories);
-        let map = without(&left * &map * &right, &kept);
+        let whole = map;
+        let map = without(&left * &whole * &right, &kept);
+        let block_map = if kept.is_empty() { whole } else { &right * &map * &left };
         let mut residual: Vec<f64> = looks[looks.len() - 1].iter().zip(unknown).map(|(end, start)| end - start).collect();
         for row in &kept {
             let missing: f64 = row.iter().enumerate().map(|(i, l)| l * (self.charged.get(i).copied().unwrap_or(0.0) - unknown[i])).sum();
@@ -136,8 +140,20 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         }
         let period_s = cycle_s * f64::from(self.cycles);
         let tolerance = self.tolerance;
-        let shot =
-            Shot { kernel, looks, residual, map, by_parameter, period_s, trajectories, contacts, max_penetration_m, loads_w, tolerance };
+        let shot = Shot {
+            kernel,
+            looks,
+            residual,
+            map,
+            block_map,
+            by_parameter,
+            period_s,
+            trajectories,
+            contacts,
+            max_penetration_m,
+            loads_w,
+            tolerance,
+        };
         Ok((shot, exact))
     }
 }

@@ -2,7 +2,8 @@
 
 use super::stiff::check_speeds;
 use super::{Across, Diagonal, Electrical, Forcing, Guard, PlantError, Signal, System, Tone};
-use faer::c64;
+use faer::{Mat, c64};
+use std::sync::Arc;
 
 /// A coupled electromechanical system ready to be solved.
 #[derive(Debug, Clone, PartialEq)]
@@ -11,8 +12,8 @@ pub struct Plant {
     pub system: System,
     /// Its electrical states.
     pub electrical: Electrical,
-    /// The diagonal form.
-    pub diagonal: Diagonal,
+    /// The diagonal form; plants that differ in drives, signals or stops share it.
+    pub diagonal: Arc<Diagonal>,
     /// One per distinct drive frequency.
     pub tones: Vec<Tone>,
     /// One per signal, in the order of `system.signals`.
@@ -50,7 +51,7 @@ impl Plant {
     pub fn new(system: System) -> Result<Self, PlantError> {
         let electrical = Electrical::of(&system);
         check_speeds(&system, &electrical)?;
-        let diagonal = Diagonal::of(&system, &electrical)?;
+        let diagonal = Arc::new(Diagonal::of(&system, &electrical)?);
         let (tones, forcings, local, ports) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let guards = system.guards();
         let mut plant = Self { system, electrical, diagonal, tones, forcings, local, ports, guards };
@@ -116,6 +117,12 @@ impl Plant {
         self.row(shape, self.system.modes.len())
     }
 
+    /// Row in block coordinates of `q_i'`.
+    pub(super) fn modal_velocity_row(&self, mode: usize) -> Vec<f64> {
+        let (matrix, state) = (&self.diagonal.to_physical, self.system.modes.len() + mode);
+        (0..self.len()).map(|j| matrix[(state, j)]).collect()
+    }
+
     /// Row in block coordinates of the voltage of patch number `patch` (in the order of `system.modes.patch`).
     pub fn voltage_row(&self, patch: usize) -> Vec<f64> {
         let mut values = vec![0.0; self.electrical.nodes.len()];
@@ -154,17 +161,16 @@ impl Plant {
     /// Block coordinates of a physical state `(q, q', V, i)` at time `t`, the steady part taken away.
     pub fn from_physical(&self, x: &[f64], time_s: f64) -> Vec<f64> {
         let steady = self.steady_at(time_s);
-        let inverse = &self.diagonal.from_physical;
-        let counted = self.counted(x);
-        (0..self.len()).map(|i| counted.iter().enumerate().map(|(j, x)| inverse[(i, j)] * x).sum::<f64>() - steady[i]).collect()
+        let mut y = product(&self.diagonal.from_physical, &self.counted(x));
+        y.iter_mut().zip(&steady).for_each(|(y, steady)| *y -= steady);
+        y
     }
 
     /// Physical state `(q, q', V, i)` at time `t` of block coordinates `y`.
     pub fn to_physical(&self, y: &[f64], time_s: f64) -> Vec<f64> {
         let steady = self.steady_at(time_s);
         let full: Vec<f64> = y.iter().zip(&steady).map(|(y, s)| y + s).collect();
-        let matrix = &self.diagonal.to_physical;
-        let mut x: Vec<f64> = (0..self.len()).map(|i| full.iter().enumerate().map(|(j, y)| matrix[(i, j)] * y).sum()).collect();
+        let mut x = product(&self.diagonal.to_physical, &full);
         x[2 * self.system.modes.len()..].iter_mut().zip(&self.electrical.zero_v).for_each(|(v, zero)| *v += zero);
         x
     }
@@ -215,6 +221,15 @@ impl Plant {
             gap_m: f64::INFINITY,
         }
     }
+}
+
+/// Matrix times vector, column by column.
+pub(crate) fn product(matrix: &Mat<f64>, vector: &[f64]) -> Vec<f64> {
+    let mut sum = vec![0.0; matrix.nrows()];
+    for (j, factor) in vector.iter().enumerate() {
+        sum.iter_mut().zip(matrix.col_as_slice(j)).for_each(|(sum, entry)| *sum += entry * factor);
+    }
+    sum
 }
 
 /// Real row times complex vector.

@@ -18,12 +18,13 @@
 use super::lyapunov::{Side, lyapunov};
 use super::{Block, Plant, PlantError, SignalMeter};
 use faer::{Mat, c64};
+use std::sync::Arc;
 
 /// One exactly integrated power.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EnergyMeter {
-    /// `P`, in block coordinates.
-    gramian: Mat<f64>,
+    /// `P`, in block coordinates, which no drive changes; none where it is zero.
+    gramian: Option<Arc<Mat<f64>>>,
     /// Per tone: angular frequency and `r`.
     cross: Vec<(f64, Vec<c64>)>,
     /// Antiderivative of the steady part: slope, W, and terms `Re(a e^{i w t})`.
@@ -86,9 +87,8 @@ impl Meters {
             let before = before.map(|meters| &meters.loads[plant.system.loads.len() + k]);
             EnergyMeter::squares(plant, &what, &[Square::new(plant, output.conductance_per_ohm, output.row)], before)
         });
-        let velocity = |i: usize| plant.velocity_row(&unit(modes.len(), i));
         let losses: Vec<Square> = (0..modes.len())
-            .map(|i| Square::new(plant, 2.0 * modes.damping_ratio[i] * modes.frequency_rad_s[i], velocity(i)))
+            .map(|i| Square::new(plant, 2.0 * modes.damping_ratio[i] * modes.frequency_rad_s[i], plant.modal_velocity_row(i)))
             .filter(|square| square.weight > 0.0)
             .chain(plant.system.dashpots.iter().map(|dashpot| Square::new(plant, dashpot.n_s_m, plant.velocity_row(&dashpot.shape))))
             .collect();
@@ -109,11 +109,7 @@ impl Square {
 impl EnergyMeter {
     /// `B(t)`, J: differences of it are the energy but for the contact terms.
     pub fn boundary_j(&self, y: &[f64], time_s: f64) -> f64 {
-        let n = y.len();
-        let mut sum = self.steady_power_w * time_s;
-        for j in 0..n {
-            sum -= y[j] * (0..n).map(|i| self.gramian[(i, j)] * y[i]).sum::<f64>();
-        }
+        let mut sum = self.steady_power_w * time_s - self.quadratic_j(y);
         for (w, row) in &self.cross {
             let value: c64 = row.iter().zip(y).map(|(r, y)| *r * *y).sum();
             sum += (c64::cis(w * time_s) * value).re;
@@ -123,8 +119,14 @@ impl EnergyMeter {
 
     /// `b^T P b`: the energy, J, that the meter counts after an impulse that sets the block coordinates to `b`, without drives.
     pub fn after_impulse_j(&self, b: &[f64]) -> f64 {
-        let product = |i: usize| (0..b.len()).map(|j| self.gramian[(i, j)] * b[j]).sum::<f64>();
-        (0..b.len()).map(|i| b[i] * product(i)).sum()
+        self.quadratic_j(b)
+    }
+
+    /// `y^T P y`, J.
+    fn quadratic_j(&self, y: &[f64]) -> f64 {
+        let Some(gramian) = &self.gramian else { return 0.0 };
+        let column = |j: usize| gramian.col_as_slice(j).iter().zip(y).map(|(p, y)| p * y).sum::<f64>();
+        y.iter().enumerate().map(|(j, y)| y * column(j)).sum()
     }
 
     /// The terms of the drives that are linear in time between breakpoints.
@@ -146,7 +148,7 @@ impl EnergyMeter {
     fn squares(plant: &Plant, what: &str, squares: &[Square], before: Option<&Self>) -> Result<Self, PlantError> {
         let gramian = match before {
             Some(meter) => meter.gramian.clone(),
-            None => gramian(&plant.diagonal.block, what, squares)?,
+            None => Some(Arc::new(gramian(&plant.diagonal.block, what, squares)?)),
         };
         let forcing = |tone: usize| -> Vec<c64> {
             (0..plant.len()).map(|j| squares.iter().map(|s| s.steady[tone] * (2.0 * s.weight * s.row[j])).sum()).collect()
@@ -173,7 +175,7 @@ impl EnergyMeter {
     /// `integral F(t) x_d'(t) dt`, summed over drives.
     fn drive(plant: &Plant) -> Self {
         let n = plant.system.modes.len();
-        let velocities: Vec<Vec<f64>> = (0..n).map(|i| plant.velocity_row(&unit(n, i))).collect();
+        let velocities: Vec<Vec<f64>> = (0..n).map(|i| plant.modal_velocity_row(i)).collect();
         let forcing = |tone: usize| -> Vec<c64> {
             (0..plant.len()).map(|j| plant.tones[tone].force.iter().zip(&velocities).map(|(g, row)| g * row[j]).sum()).collect()
         };
@@ -194,17 +196,16 @@ impl EnergyMeter {
         // A signal is a force on the state and on the steady motion.
         let speeds: Vec<Vec<f64>> = plant.system.signals.iter().map(|signal| plant.velocity_row(&signal.shape)).collect();
         let steady = speeds.iter().map(|row| plant.steady_output(row)).collect();
-        Self::finish(plant, Mat::zeros(plant.len(), plant.len()), forcing, (mean, terms), (speeds, steady))
+        Self::finish(plant, None, forcing, (mean, terms), (speeds, steady))
     }
 
     fn finish(
         plant: &Plant,
-        gramian: Mat<f64>,
+        gramian: Option<Arc<Mat<f64>>>,
         forcing: impl Fn(usize) -> Vec<c64>,
         (mean, terms): (f64, Vec<(f64, c64)>),
         power: (Vec<Vec<f64>>, Vec<Vec<c64>>),
     ) -> Self {
-        let n = plant.len();
         let cross: Vec<(f64, Vec<c64>)> = (plant.tones.iter().enumerate())
             .map(|(k, tone)| {
                 let w = tone.angular_frequency_rad_s;
@@ -214,7 +215,10 @@ impl EnergyMeter {
             })
             .collect();
         let tone_rows: Vec<&[c64]> = cross.iter().map(|(_, row)| &row[..]).collect();
-        let product = |b: &[f64]| -> Vec<f64> { (0..n).map(|i| (0..n).map(|j| gramian[(i, j)] * b[j]).sum()).collect() };
+        let product = |b: &[f64]| match &gramian {
+            Some(gramian) => super::coupled::product(gramian, b),
+            None => vec![0.0; b.len()],
+        };
         Self {
             port_rows: plant.ports.iter().map(|port| product(&port.force)).collect(),
             port_cross: (plant.ports.iter())
@@ -233,8 +237,4 @@ impl EnergyMeter {
 fn gramian(block: &Block, what: &str, squares: &[Square]) -> Result<Mat<f64>, PlantError> {
     let source = |i: usize, j: usize| squares.iter().map(|s| s.weight * s.row[i] * s.row[j]).sum::<f64>();
     lyapunov(block, Side::Rows, source).map_err(|mode_hz| PlantError::Undamped { what: what.to_owned(), mode_hz })
-}
-
-fn unit(n: usize, i: usize) -> Vec<f64> {
-    (0..n).map(|j| f64::from(u8::from(i == j))).collect()
 }

@@ -102,6 +102,36 @@ fn folds_are_those_of_shooting_and_no_others() {
     }
 }
 
+/// From end to end, with harmonics that come and go: every fold, doubling, torus and grazing of shooting, and no other.
+#[test]
+fn labels_of_the_whole_branch_are_those_of_shooting() {
+    let file = bench();
+    let found =
+        [Method::Shooting, Method::HarmonicBalance { harmonics: 64 }].map(|method| branches(&file, (4.0, 20.0), method, 0).remove(0));
+    let [one, two] = found.each_ref().map(|branch| &branch.bifurcations);
+    assert_eq!(one.len(), two.len());
+    for (a, b) in one.iter().zip(two) {
+        let (at, other) = (&a.at, &b.at);
+        assert!(a.kind == b.kind && (at.parameter - other.parameter).abs() < 1e-6, "{:?} {} {}", a.kind, at.parameter, other.parameter);
+        assert!((at.orbit.mean_power_w / other.orbit.mean_power_w - 1.0).abs() < 1e-5, "{:?} at {} Hz", a.kind, at.parameter);
+    }
+    let worst = found[1].points.iter().map(|point| point.orbit.error_estimate).fold(0.0, f64::max);
+    eprintln!("{} labels, {} and {} points, largest estimate {worst:.1e}", one.len(), found[0].points.len(), found[1].points.len());
+    assert!(worst < 1e-5, "{worst:e}");
+}
+
+/// The number of harmonics goes up and down by a half and by a third, between ends.
+#[test]
+fn the_number_of_harmonics_has_two_ends() {
+    let harvester = crate::harvesters::Systems(|frequency_hz| system(frequency_hz, Law::Hertz(Hertz { stiffness: 1000.0, exponent: 1.5 })));
+    let kernel = harvester.at(11.0).unwrap().kernel;
+    let method = |harmonics: usize| HarmonicBalance::new(Shooting::new(&harvester, &kernel, 1, 1e-9), &kernel, harmonics, 3e-7).unwrap();
+    assert_eq!(method(64).finer().map(|finer| finer.harmonics), Some(96));
+    assert_eq!(method(96).coarser().map(|coarser| coarser.harmonics), Some(64));
+    assert!(method(1000).finer().is_none() && method(20).coarser().is_none());
+    assert_eq!(method(16).carried(&[1.0; 65]), [1.0; 33]);
+}
+
 #[test]
 fn a_rigid_stop_is_refused_with_the_other_method_named() {
     let law = Law::Rigid(Rigid { restitution: 0.8 });

@@ -1,69 +1,150 @@
 //! Newton's linear system, condensed to the nodes in contact.
 
+use super::angles::Angles;
+use super::motion::{complex, harmonics, real, through, turned};
 use super::nodes::Node;
-use faer::linalg::solvers::Solve;
+use super::response::Response;
+use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Mat, c64};
 
-/// `I - J K w - J' K' w` at the nodes, and the two sides of it.
+/// `I - J K w - J' K' w` at the nodes with the border that was asked for first, factored.
 #[derive(Debug)]
 pub struct Condensed {
-    /// From forces at the nodes to harmonics of the displacement, `G Phi^T w`.
-    push: Mat<f64>,
-    /// From harmonics of the displacement to forces at the nodes, transposed: `J phi + J' phi'`.
-    feel: Mat<f64>,
-    matrix: Mat<f64>,
+    factors: PartialPivLu<f64>,
+    /// The border as it was given.
+    row: Vec<f64>,
+    corner: f64,
+    /// Sizes of its row and its column: it has units of its own.
+    row_size: f64,
+    column_size: f64,
+}
+
+/// The nodes and the plant between them.
+#[derive(Debug, Clone, Copy)]
+pub struct Sides<'b> {
+    /// The nodes.
+    pub nodes: &'b [Node],
+    /// Their angles.
+    pub angles: &'b Angles,
+    /// Up to the last harmonic.
+    pub compliance: &'b [c64],
+    /// `w / p`, rad/s.
+    pub step_rad_s: f64,
+}
+
+impl Sides<'_> {
+    /// Forces at the nodes per harmonics of the displacement, `J phi + J' phi'`.
+    fn felt(&self, harmonics: &[f64]) -> Vec<f64> {
+        let own = complex(harmonics);
+        let (values, rates) = if self.are_damped() {
+            let [values, rates] = self.angles.values([&own, &turned(&own, self.step_rad_s)]);
+            (values, rates)
+        } else {
+            let [values] = self.angles.values([&own]);
+            let none = vec![0.0; values.len()];
+            (values, none)
+        };
+        let slopes = self.nodes.iter().map(|node| node.slopes);
+        let forces = values.iter().zip(&rates).zip(slopes);
+        forces.map(|((value, rate), slopes)| slopes.stiffness_n_m * value + slopes.damping_n_s_m * rate).collect()
+    }
+
+    /// True where the force depends on the rate.
+    fn are_damped(&self) -> bool {
+        self.nodes.iter().any(|node| node.slopes.damping_n_s_m != 0.0)
+    }
+
+    /// Harmonics of the displacement per forces at the nodes, `G phi^T w`.
+    fn pushed(&self, forces: impl Iterator<Item = f64>) -> Vec<f64> {
+        let weights: Vec<f64> = forces.zip(self.nodes).map(|(force, node)| force * node.share).collect();
+        let moments = self.angles.moments(&weights, self.compliance.len() - 1);
+        real(&through(self.compliance, &harmonics(&moments)))
+    }
+
+    /// The transpose of [`Self::pushed`].
+    fn pulled(&self, row: &[f64]) -> Vec<f64> {
+        let back: Vec<c64> = complex(row).iter().zip(self.compliance).map(|(r, g)| r * g.conj()).collect();
+        let [values] = self.angles.values([&back]);
+        values.iter().zip(self.nodes).map(|(value, node)| value * node.share).collect()
+    }
 }
 
 impl Condensed {
-    /// At the nodes of a motion, with the functions of the sum there in columns; `compliance` up to its last harmonic.
-    pub fn new(nodes: &[Node], shapes: &Mat<f64>, compliance: &[c64], step_rad_s: f64) -> Self {
-        let (size, count) = (shapes.nrows(), nodes.len());
-        let (mut push, mut feel) = (Mat::zeros(size, count), Mat::zeros(size, count));
-        for (q, node) in nodes.iter().enumerate() {
-            let shape = shapes.col_as_slice(q);
-            let push: &mut [f64] = push.col_as_slice_mut(q);
-            push.iter_mut().zip(through(compliance, shape)).for_each(|(to, value)| *to = value * node.share);
-            let (stiffness, damping) = (node.slopes.stiffness_n_m, node.slopes.damping_n_s_m * step_rad_s);
-            let feel: &mut [f64] = feel.col_as_slice_mut(q);
-            feel[0] = stiffness;
-            for ((n, feel), shape) in feel[1..].chunks_exact_mut(2).enumerate().zip(shape[1..].chunks_exact(2)) {
-                let turning = damping * (n + 1) as f64;
-                (feel[0], feel[1]) = (stiffness * shape[0] - turning * shape[1], stiffness * shape[1] + turning * shape[0]);
+    /// At nodes between which the plant responds by `response`, with the border `[R_u by; row corner]`; `None` where that is not finite.
+    pub fn new(sides: Sides<'_>, response: &Response, by: &[f64], (row, corner): (&[f64], f64)) -> Option<Self> {
+        let count = sides.nodes.len();
+        let places: Vec<f64> = sides.nodes.iter().map(|node| response.place(node.angle)).collect();
+        let (felt, pulled) = (sides.felt(by), sides.pulled(row));
+        let bottom = dot(row, by) + corner;
+        let largest = |values: &[f64], least: f64| values.iter().fold(least, |max, value| max.max(value.abs()));
+        let column_size = largest(&felt, f64::MIN_POSITIVE).max(if count == 0 { 1.0 } else { 0.0 });
+        let row_size = largest(&pulled, (bottom / column_size).abs());
+        let damped = sides.are_damped();
+        let mut matrix = Mat::<f64>::zeros(count + 1, count + 1);
+        for (p, ((force, from), pulled)) in places.iter().zip(sides.nodes).zip(&pulled).enumerate() {
+            let column: &mut [f64] = matrix.col_as_slice_mut(p);
+            for ((entry, displacement), to) in column.iter_mut().zip(&places).zip(sides.nodes) {
+                let moved = if damped {
+                    let (value, slope) = response.value_and_slope(*force, *displacement);
+                    to.slopes.stiffness_n_m * value + to.slopes.damping_n_s_m * sides.step_rad_s * slope
+                } else {
+                    to.slopes.stiffness_n_m * response.value(*force, *displacement)
+                };
+                *entry = -from.share * moved;
             }
+            column[p] += 1.0;
+            column[count] = pulled / row_size;
         }
-        let matrix = Mat::<f64>::identity(count, count) - feel.transpose() * &push;
-        Self { push, feel, matrix }
+        let border: &mut [f64] = matrix.col_as_slice_mut(count);
+        border.iter_mut().zip(&felt).for_each(|(entry, felt)| *entry = -felt / column_size);
+        border[count] = bottom / (column_size * row_size);
+        let is_finite = row_size.is_finite() && column_size.is_finite();
+        is_finite.then(|| Self { factors: matrix.partial_piv_lu(), row: row.to_vec(), corner, row_size, column_size })
     }
 
     /// Solves `[R_u by; row corner] (du, dp) = (right, last)` with `R_u = push feel^T - I`.
-    pub fn bordered(&self, by: &[f64], (row, corner): (&[f64], f64), (right, last): (&[f64], f64)) -> Option<(Vec<f64>, f64)> {
-        let count = self.matrix.nrows();
-        let column = |values: &[f64]| Mat::from_fn(values.len(), 1, |i, _| values[i]);
-        let felt = |values: &[f64]| self.feel.transpose() * column(values);
-        let (felt_by, felt_right, pushed_row) = (felt(by), felt(right), self.push.transpose() * column(row));
-        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let bottom = dot(row, by) + corner;
-        // The border has units of its own: its row and its column are brought to size one.
-        let largest = |values: &Mat<f64>, least: f64| values.col(0).iter().fold(least, |max, value| max.max(value.abs()));
-        let column_size = largest(&felt_by, f64::MIN_POSITIVE).max(if count == 0 { 1.0 } else { 0.0 });
-        let row_size = largest(&pushed_row, (bottom / column_size).abs());
-        let matrix = Mat::from_fn(count + 1, count + 1, |i, j| match (i < count, j < count) {
-            (true, true) => self.matrix[(i, j)],
-            (true, false) => -felt_by[(i, 0)] / column_size,
-            (false, true) => pushed_row[(j, 0)] / row_size,
-            (false, false) => bottom / (column_size * row_size),
-        });
-        let sides = Mat::from_fn(count + 1, 1, |i, _| if i < count { -felt_right[(i, 0)] } else { (last + dot(row, right)) / row_size });
-        let solution = matrix.partial_piv_lu().solve(&sides);
-        let parameter = solution[(count, 0)] / column_size;
-        let pushed = &self.push * solution.subrows(0, count);
-        let unknown: Vec<f64> = (0..by.len()).map(|k| pushed[(k, 0)] + by[k] * parameter - right[k]).collect();
+    ///
+    /// The factors are those of the border that came first, `B`. Another row differs from it by `e v^T`, `e` being the last unit vector:
+    /// `(B + e v^T)^-1 r = x - z (v x) / (1 + v z)` with `B x = r`, `B z = e`.
+    pub fn bordered(
+        &self,
+        sides: Sides<'_>,
+        by: &[f64],
+        (row, corner): (&[f64], f64),
+        (right, last): (&[f64], f64),
+    ) -> Option<(Vec<f64>, f64)> {
+        if self.row == row && self.corner == corner {
+            return self.solve(sides, by, right, last);
+        }
+        let none = vec![0.0; right.len()];
+        let unit = self.solve(sides, by, &none, 1.0)?;
+        let start = if right == none { moved(&(none, 0.0), last, &unit) } else { self.solve(sides, by, right, last)? };
+        let along = |(unknown, parameter): &(Vec<f64>, f64)| {
+            let apart: f64 = row.iter().zip(&self.row).zip(unknown).map(|((a, b), u)| (a - b) * u).sum();
+            apart + (corner - self.corner) * parameter
+        };
+        let found = moved(&start, -along(&start) / (1.0 + along(&unit)), &unit);
+        (found.1.is_finite() && found.0.iter().all(|u| u.is_finite())).then_some(found)
+    }
+
+    fn solve(&self, sides: Sides<'_>, by: &[f64], right: &[f64], last: f64) -> Option<(Vec<f64>, f64)> {
+        let count = sides.nodes.len();
+        let felt = if right.iter().all(|r| *r == 0.0) { vec![0.0; count] } else { sides.felt(right) };
+        let bottom = (last + dot(&self.row, right)) / self.row_size;
+        let given = Mat::from_fn(count + 1, 1, |i, _| if i < count { -felt[i] } else { bottom });
+        let solution = self.factors.solve(&given);
+        let parameter = solution[(count, 0)] / self.column_size;
+        let pushed = sides.pushed((0..count).map(|q| solution[(q, 0)]));
+        let unknown: Vec<f64> = pushed.iter().zip(by).zip(right).map(|((pushed, by), right)| pushed + by * parameter - right).collect();
         (parameter.is_finite() && unknown.iter().all(|u| u.is_finite())).then_some((unknown, parameter))
     }
 }
 
-/// Real harmonics of the displacement under those of a force.
-pub fn through<'v>(compliance: &'v [c64], force: &'v [f64]) -> impl Iterator<Item = f64> + 'v {
-    let pairs = compliance[1..].iter().zip(force[1..].chunks_exact(2));
-    std::iter::once(compliance[0].re * force[0]).chain(pairs.flat_map(|(g, f)| [g.re * f[0] + g.im * f[1], g.re * f[1] - g.im * f[0]]))
+/// `x + share z`.
+fn moved(x: &(Vec<f64>, f64), share: f64, z: &(Vec<f64>, f64)) -> (Vec<f64>, f64) {
+    (x.0.iter().zip(&z.0).map(|(x, z)| x + share * z).collect(), x.1 + share * z.1)
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -1,7 +1,7 @@
 //! Orbits by harmonic balance.
 
 use super::contact::grid;
-use super::motion::{complex, real};
+use super::motion::real;
 use super::place::Balance;
 use super::rule::Rules;
 use crate::contact::Law;
@@ -14,6 +14,9 @@ use std::sync::Arc;
 
 /// Most harmonics of a drive cycle.
 const MOST: usize = 1024;
+
+/// Fewest harmonics of a drive cycle to which their number shrinks.
+const LEAST: usize = 16;
 
 /// How much farther from the curve the state may lie than the mean power: most of its distance is in fast modes that carry none.
 const STATE: f64 = 30.0;
@@ -59,26 +62,50 @@ impl<'h, H: Harvester> HarmonicBalance<'h, H> {
         }
     }
 
+    /// The same with other harmonics.
+    fn with(&self, harmonics: usize) -> Self {
+        let Shooting { harvester, cycles, tolerance, ref scale, ref charged } = self.shooting;
+        let shooting = Shooting { harvester, cycles, tolerance, scale: scale.clone(), charged: charged.clone() };
+        Self { shooting, harmonics, accuracy: self.accuracy, grid: grid(harmonics), rules: Arc::clone(&self.rules) }
+    }
+
     fn shot<'b>(&self, local: &'b Balance) -> Result<&'b Shot, OrbitError<H::Error>> {
         if let Some(shot) = local.shot.get() {
             return Ok(shot);
         }
-        let state = local.kernel.plant.to_physical(&local.state(&self.grid, &self.rules), 0.0);
+        let state = local.kernel.plant.to_physical(&local.state(&self.rules), 0.0);
         let shot = self.shooting.at(&self.shooting.unknown(&state), local.parameter)?;
         Ok(local.shot.get_or_init(|| shot))
+    }
+
+    /// Of the mean power beside the accuracy, or of the state beside `STATE` times that, the larger one.
+    fn excess_of(&self, local: &Balance, parameter_scale: f64) -> Result<f64, OrbitError<H::Error>> {
+        let shot = self.shot(local)?;
+        let Some((across, length)) = shot.across(local.parameter, parameter_scale) else { return Ok(f64::INFINITY) };
+        let state = length / (STATE * self.accuracy);
+        if state > 1.0 {
+            return Ok(state);
+        }
+        let there = Position { unknown: shot.looks[0].clone(), parameter: local.parameter }.moved(&across, 1.0);
+        let exact_w = self.shooting.mean_power_w(&there.unknown, there.parameter)?;
+        let apart_w = (self.loads_w(local).iter().sum::<f64>() - exact_w).abs();
+        Ok(state.max(apart_w / (self.accuracy * exact_w.abs()).max(f64::MIN_POSITIVE)))
     }
 
     /// Mean power of each load, W: `sum_n |V_n|^2 / R` over all harmonics of the voltage.
     fn loads_w(&self, local: &Balance) -> Vec<f64> {
         let plant = &local.kernel.plant;
-        let force = complex(&local.force);
         let cycles = self.shooting.cycles;
         (plant.system.loads.iter())
             .enumerate()
             .map(|(index, load)| {
                 let row = plant.load_voltage_row(index);
-                let mut voltage: Vec<c64> =
-                    Transfer::new(plant, &row, local.step_rad_s, self.harmonics).values.iter().zip(&force).map(|(g, f)| g * f).collect();
+                let mut voltage: Vec<c64> = Transfer::new(plant, &row, local.step_rad_s, self.harmonics)
+                    .values
+                    .iter()
+                    .zip(&local.force)
+                    .map(|(g, f)| g * f)
+                    .collect();
                 voltage[cycles as usize] += plant.steady_output(&row).iter().sum::<c64>();
                 let square: f64 = voltage[1..].iter().map(|v| 0.5 * v.norm_sqr()).sum();
                 (square + voltage[0].norm_sqr()) / load.resistance_ohm
@@ -149,25 +176,22 @@ impl<H: Harvester> OrbitMethod for HarmonicBalance<'_, H> {
         Ok(real(&spectrum))
     }
 
-    /// Of the mean power beside the accuracy, or of the state beside `STATE` times that, the larger one.
     fn excess(&self, local: &Balance, parameter_scale: f64) -> Result<f64, Self::Error> {
-        let shot = self.shot(local)?;
-        let Some((across, length)) = shot.across(local.parameter, parameter_scale) else { return Ok(f64::INFINITY) };
-        let state = length / (STATE * self.accuracy);
-        if state > 1.0 {
-            return Ok(state);
+        if let Some(excess) = local.excess.get() {
+            return Ok(*excess);
         }
-        let there = Position { unknown: shot.looks[0].clone(), parameter: local.parameter }.moved(&across, 1.0);
-        let exact_w = self.shooting.mean_power_w(&there.unknown, there.parameter)?;
-        let apart_w = (self.loads_w(local).iter().sum::<f64>() - exact_w).abs();
-        Ok(state.max(apart_w / (self.accuracy * exact_w.abs()).max(f64::MIN_POSITIVE)))
+        let excess = self.excess_of(local, parameter_scale)?;
+        Ok(*local.excess.get_or_init(|| excess))
     }
 
     fn finer(&self) -> Option<Self> {
-        let Shooting { harvester, cycles, tolerance, ref scale, ref charged } = self.shooting;
-        let shooting = Shooting { harvester, cycles, tolerance, scale: scale.clone(), charged: charged.clone() };
-        let (harmonics, accuracy, rules) = (self.harmonics + self.harmonics / 2, self.accuracy, Arc::clone(&self.rules));
-        (harmonics <= MOST * cycles as usize).then(|| Self { shooting, harmonics, accuracy, grid: grid(harmonics), rules })
+        let harmonics = self.harmonics + self.harmonics / 2;
+        (harmonics <= MOST * self.shooting.cycles as usize).then(|| self.with(harmonics))
+    }
+
+    fn coarser(&self) -> Option<Self> {
+        let harmonics = self.harmonics * 2 / 3;
+        (harmonics >= LEAST * self.shooting.cycles as usize).then(|| self.with(harmonics))
     }
 
     fn carried(&self, unknown: &[f64]) -> Vec<f64> {

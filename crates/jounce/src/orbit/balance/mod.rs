@@ -11,7 +11,7 @@
 //! law ([`nodes`]). What is left out are the harmonics above `N`, and `N` grows until the error asked for is met.
 //!
 //! With `J`, `J'` the slopes of the law at the nodes, `w` their weights and `K(t)` the response to an impulse in these harmonics,
-//! Newton's linear system is one for the forces `x` at the nodes ([`condensed`]):
+//! Newton's linear system is one for the forces `x` at the nodes ([`condensed`]), `K` being tabulated ([`response`]):
 //!
 //! ```text
 //! x_q - J_q sum_p K(t_q - t_p) w_p x_p - J'_q sum_p K'(t_q - t_p) w_p x_p = J_q r_q + J'_q r'_q
@@ -24,12 +24,15 @@
 //!
 //! Validation: `tests/orbits/balance.rs` compares with shooting.
 
+mod angles;
 mod condensed;
 mod contact;
+mod impulses;
 mod method;
 mod motion;
 mod nodes;
 mod place;
+mod response;
 mod rule;
 
 pub use method::HarmonicBalance;

@@ -6,7 +6,8 @@
 //!
 //! The factor makes `|u|^2` the mean square of `d` (m^2). `x` is an angle of the period, rad.
 
-use crate::contact::Law;
+use super::angles::Angles;
+use crate::contact::{ContactLaw, Law};
 use faer::c64;
 use std::f64::consts::SQRT_2;
 
@@ -40,6 +41,16 @@ impl Motion {
         (value.re, -slope.im * self.step_rad_s)
     }
 
+    /// Penetration, m, and its rate, m/s, at many angles; the rate is 0 where the law does not ask for it.
+    pub fn along(&self, angles: &Angles) -> [Vec<f64>; 2] {
+        if self.law.is_rate_dependent() {
+            return angles.values([&self.depth, &turned(&self.depth, self.step_rad_s)]);
+        }
+        let [depths_m] = angles.values([&self.depth]);
+        let none = vec![0.0; depths_m.len()];
+        [depths_m, none]
+    }
+
     /// True where the stop pushes.
     pub fn touches(&self, (depth_m, rate_m_s): (f64, f64)) -> bool {
         self.law.acts_on_both_sides() || depth_m > 0.0 && self.law.force_n(depth_m, rate_m_s) > 0.0
@@ -58,13 +69,17 @@ pub fn real(coefficients: &[c64]) -> Vec<f64> {
     std::iter::once(coefficients[0].re).chain(pairs).collect()
 }
 
-/// The functions of the sum at an angle, into a column.
-pub fn functions(angle: f64, column: &mut [f64]) {
-    let turn = c64::cis(angle);
-    let mut z = c64::new(SQRT_2, 0.0);
-    column[0] = 1.0;
-    for pair in column[1..].chunks_exact_mut(2) {
-        z *= turn;
-        (pair[0], pair[1]) = (z.re, z.im);
-    }
+/// `c_n` of a density with the moments `m_n = 1/T int F e^(i n x) dt`.
+pub fn harmonics(moments: &[c64]) -> Vec<c64> {
+    moments.iter().enumerate().map(|(n, m)| m.conj() * if n == 0 { 1.0 } else { 2.0 }).collect()
+}
+
+/// `c_n` of the displacement under those of a force.
+pub fn through(compliance: &[c64], force: &[c64]) -> Vec<c64> {
+    compliance.iter().zip(force).map(|(g, f)| g * f).collect()
+}
+
+/// `c_n` of the rate, per second.
+pub fn turned(coefficients: &[c64], step_rad_s: f64) -> Vec<c64> {
+    coefficients.iter().enumerate().map(|(n, c)| c * c64::new(0.0, n as f64 * step_rad_s)).collect()
 }

@@ -1,5 +1,6 @@
 //! The force at the nodes of all contacts.
 
+use super::angles::Angles;
 use super::contact::{Contact, contacts};
 use super::motion::Motion;
 use super::rule::Rules;
@@ -7,9 +8,9 @@ use crate::contact::Slopes;
 use crate::orbit::compliance::Grid;
 use std::f64::consts::TAU;
 
-/// Nodes per radian that the highest harmonic of interest turns through in a contact: a quarter of `pi` is the least that can tell
-/// it from a lower one.
-const PER_RADIAN: f64 = 0.8;
+/// Nodes per radian that the highest harmonic of interest turns through in a contact: five eighths are the least that can tell
+/// it from a lower one, `dx / ds` being 5/4 in the middle of the rule.
+const PER_RADIAN: f64 = 0.64;
 
 /// Nodes beside that, for the force itself.
 const LEAST: f64 = 16.0;
@@ -21,7 +22,7 @@ pub struct Node {
     pub angle: f64,
     /// Weight in the mean over a period.
     pub share: f64,
-    /// Rate of the penetration, m/s.
+    /// Rate of the penetration, m/s; 0 where the law does not ask for it.
     pub rate_m_s: f64,
     /// Force, N.
     pub force_n: f64,
@@ -29,27 +30,38 @@ pub struct Node {
     pub slopes: Slopes,
 }
 
-/// Nodes of every contact of a motion, which tell apart harmonics of the force up to `highest`.
-pub fn nodes(motion: &Motion, grid: &Grid, rules: &Rules, highest: f64) -> Vec<Node> {
-    let mut found = Vec::new();
+/// Nodes of every contact of a motion, which tell apart harmonics of the force up to `highest`, and their angles.
+pub fn nodes(motion: &Motion, grid: &Grid, rules: &Rules, highest: f64) -> (Vec<Node>, Angles) {
+    let (mut places, mut entries) = (Vec::new(), Vec::new());
     for contact in contacts(motion, grid) {
         // The state at the start of the period sums what came before it: the rule must not run across.
         let parts = if contact.to > TAU { vec![(contact.from, TAU), (TAU, contact.to)] } else { vec![(contact.from, contact.to)] };
-        parts.iter().filter(|(from, to)| from < to).for_each(|part| found.extend(between(motion, *part, rules, highest)));
-        found.extend(entry(motion, contact));
+        parts.iter().filter(|(from, to)| from < to).for_each(|part| places.extend(between(*part, rules, highest)));
+        entries.extend(entry(motion, contact));
     }
-    found
+    let inner = Angles::new(&places.iter().map(|(angle, _)| *angle).collect::<Vec<f64>>());
+    let [depths_m, rates_m_s] = motion.along(&inner);
+    let node = |((angle, share), (depth_m, rate_m_s)): (&(f64, f64), (&f64, &f64))| Node {
+        angle: *angle,
+        share: *share,
+        rate_m_s: *rate_m_s,
+        force_n: motion.law.force_n(*depth_m, *rate_m_s),
+        slopes: motion.law.slopes(*depth_m, *rate_m_s),
+    };
+    let mut nodes: Vec<Node> = places.iter().zip(depths_m.iter().zip(&rates_m_s)).map(node).collect();
+    if entries.is_empty() {
+        return (nodes, inner);
+    }
+    nodes.append(&mut entries);
+    let angles = Angles::new(&nodes.iter().map(|node| node.angle).collect::<Vec<f64>>());
+    (nodes, angles)
 }
 
-fn between(motion: &Motion, (from, to): (f64, f64), rules: &Rules, highest: f64) -> impl Iterator<Item = Node> {
+/// Angles of the nodes of a stretch, with their shares.
+fn between((from, to): (f64, f64), rules: &Rules, highest: f64) -> impl Iterator<Item = (f64, f64)> {
     let half = 0.5 * (to - from);
     let rule = rules.at_least(LEAST + PER_RADIAN * half * highest);
-    rule.places.iter().zip(&rule.weights).map(move |(place, weight)| {
-        let angle = from + half * (1.0 + place);
-        let (depth_m, rate_m_s) = motion.at(angle);
-        let force_n = motion.law.force_n(depth_m, rate_m_s);
-        Node { angle, share: half * weight / TAU, rate_m_s, force_n, slopes: motion.law.slopes(depth_m, rate_m_s) }
-    })
+    rule.places.iter().zip(&rule.weights).map(move |(place, weight)| (from + half * (1.0 + place), half * weight / TAU))
 }
 
 /// A force that starts with a jump moves with its edge: `dF = F(0, v) dd / v` per unit of time, all of it at the edge.

@@ -1,14 +1,17 @@
 //! The balance at one place of a curve.
 
-use super::condensed::{Condensed, through};
-use super::motion::{Motion, functions};
+use super::angles::Angles;
+use super::condensed::{Condensed, Sides};
+use super::impulses::after_impulses;
+use super::motion::{self, Motion, real, through};
 use super::nodes::{Node, nodes};
+use super::response::Response;
 use super::rule::Rules;
 use crate::continuation::Linear;
 use crate::march::Kernel;
 use crate::orbit::compliance::{Grid, Transfer, add_tone};
 use crate::orbit::{Change, Shot};
-use faer::{Mat, c64};
+use faer::c64;
 use std::cell::OnceCell;
 use std::f64::consts::TAU;
 
@@ -23,20 +26,22 @@ pub struct Balance {
     pub(super) parameter: f64,
     /// The harvester there.
     pub(super) kernel: Kernel,
-    /// Harmonics of the force, N.
-    pub(super) force: Vec<f64>,
+    /// Harmonics of the force, `c_n` in N.
+    pub(super) force: Vec<c64>,
     /// `w / p`, rad/s.
     pub(super) step_rad_s: f64,
     /// The period marched from the state that the forces give.
     pub(super) shot: OnceCell<Shot>,
+    /// Distance from the curve of the exact flow, beside the one allowed.
+    pub(super) excess: OnceCell<f64>,
     pub(super) by_parameter: Vec<f64>,
     unknown: Vec<f64>,
+    grid: Grid,
     compliance: Transfer,
     nodes: Vec<Node>,
-    /// The functions of the sum at the nodes, in columns.
-    shapes: Mat<f64>,
+    angles: Angles,
     residual: Vec<f64>,
-    condensed: OnceCell<Condensed>,
+    condensed: OnceCell<Option<Condensed>>,
 }
 
 impl Balance {
@@ -48,20 +53,34 @@ impl Balance {
         let (size, harmonics) = (unknown.len(), unknown.len() / 2);
         let row = plant.ports.first().map_or_else(Vec::new, |port| port.displacement.clone());
         let compliance = Transfer::new(plant, &row, step_rad_s, harmonics);
-        let nodes =
-            plant.system.stops.first().map_or_else(Vec::new, |stop| {
-                nodes(&Motion::new(unknown, step_rad_s, stop.gap_m, stop.law), grid, rules, harmonics as f64)
-            });
-        let mut shapes = Mat::zeros(size, nodes.len());
-        nodes.iter().enumerate().for_each(|(q, node)| functions(node.angle, shapes.col_as_slice_mut(q)));
-        let force = gathered(&nodes, &shapes, |node| node.force_n);
-        let mut residual: Vec<f64> = through(&compliance.values, &force).zip(unknown).map(|(pushed, u)| pushed - u).collect();
+        let (nodes, angles) = match plant.system.stops.first() {
+            Some(stop) => nodes(&Motion::new(unknown, step_rad_s, stop.gap_m, stop.law), grid, rules, harmonics as f64),
+            None => (Vec::new(), Angles::new(&[])),
+        };
+        let force = gathered(&nodes, &angles, harmonics, |node| node.force_n);
+        let mut residual = real(&through(&compliance.values, &force));
+        residual.iter_mut().zip(unknown).for_each(|(pushed, u)| *pushed -= u);
         if let Some((port, _)) = plant.ports.first().zip(tone) {
             add_tone(port.steady_m[0], cycles, &mut residual);
         }
-        let (by_parameter, unknown) = (vec![0.0; size], unknown.to_vec());
-        let (shot, condensed) = (OnceCell::new(), OnceCell::new());
-        Self { parameter, kernel, force, step_rad_s, shot, by_parameter, unknown, compliance, nodes, shapes, residual, condensed }
+        let (by_parameter, unknown, grid) = (vec![0.0; size], unknown.to_vec(), grid.clone());
+        let (shot, excess, condensed) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
+        Self {
+            parameter,
+            kernel,
+            force,
+            step_rad_s,
+            shot,
+            excess,
+            by_parameter,
+            unknown,
+            grid,
+            compliance,
+            nodes,
+            angles,
+            residual,
+            condensed,
+        }
     }
 
     /// Nodes in contact: the size of Newton's linear system.
@@ -75,15 +94,19 @@ impl Balance {
         let drift = &change.drift;
         let (displaced_m, frequency_rad_s) = drift.tone_of(0, 0).unwrap_or_default();
         let hastened = frequency_rad_s / (self.step_rad_s * f64::from(cycles));
-        let own = gathered(&self.nodes, &self.shapes, |node| {
+        let own_n = |node: &Node| {
             let slopes = node.slopes;
             slopes.damping_n_s_m * node.rate_m_s * hastened - slopes.stiffness_n_m * drift.gap_of(0)
                 + drift.force_relative_of(0) * node.force_n
-        });
+        };
         let slide = frequency_rad_s / f64::from(cycles);
         let slid: Vec<c64> = self.compliance.slopes.iter().enumerate().map(|(n, slope)| slope * c64::new(0.0, n as f64 * slide)).collect();
-        let moved = through(&self.compliance.values, &own).zip(through(&slid, &self.force));
-        let mut by_parameter: Vec<f64> = moved.map(|(a, b)| a + b).collect();
+        let mut moved = through(&slid, &self.force);
+        if self.nodes.iter().any(|node| own_n(node) != 0.0) {
+            let own = gathered(&self.nodes, &self.angles, self.unknown.len() / 2, own_n);
+            moved.iter_mut().zip(through(&self.compliance.values, &own)).for_each(|(moved, own)| *moved += own);
+        }
+        let mut by_parameter = real(&moved);
         add_tone(displaced_m, cycles, &mut by_parameter);
         self.by_parameter = by_parameter;
     }
@@ -95,22 +118,19 @@ impl Balance {
     /// ```
     ///
     /// All harmonics of the force are in it, those of fast modes too, which `d` may leave out because it hardly moves there.
-    pub(super) fn state(&self, grid: &Grid, rules: &Rules) -> Vec<f64> {
+    pub(super) fn state(&self, rules: &Rules) -> Vec<f64> {
         let plant = &self.kernel.plant;
         let block = &plant.diagonal.block;
-        let mut state = vec![0.0; plant.len()];
-        let (Some(port), Some(stop)) = (plant.ports.first(), plant.system.stops.first()) else { return state };
+        let (Some(port), Some(stop)) = (plant.ports.first(), plant.system.stops.first()) else { return vec![0.0; plant.len()] };
         let order = |rate_rad_s: f64| rate_rad_s / self.step_rad_s;
         let orders = block.pairs.iter().map(|pair| order(pair.eigenvalue().norm()));
         let harmonics = (self.unknown.len() / 2) as f64;
         let fastest = orders.fold(harmonics, f64::max).min(FASTEST.max(harmonics));
-        let nodes = nodes(&Motion::new(&self.unknown, self.step_rad_s, stop.gap_m, stop.law), grid, rules, fastest);
+        let (nodes, _) = nodes(&Motion::new(&self.unknown, self.step_rad_s, stop.gap_m, stop.law), &self.grid, rules, fastest);
         let period_s = TAU / self.step_rad_s;
-        for node in &nodes {
-            let left_s = period_s * (1.0 - (node.angle / TAU).rem_euclid(1.0));
-            let pushed = block.flow(left_s, &port.force);
-            state.iter_mut().zip(pushed).for_each(|(sum, y)| *sum += node.share * period_s * node.force_n * y);
-        }
+        let left_s: Vec<f64> = nodes.iter().map(|node| period_s * (1.0 - (node.angle / TAU).rem_euclid(1.0))).collect();
+        let impulses_n_s: Vec<f64> = nodes.iter().map(|node| node.share * period_s * node.force_n).collect();
+        let mut state = after_impulses(block, &port.force, &left_s, &impulses_n_s);
         for (pair, y) in block.pairs.iter().zip(state.chunks_exact_mut(2)) {
             if order(pair.eigenvalue().norm()) > fastest {
                 (y[0], y[1]) = (0.0, 0.0);
@@ -131,13 +151,9 @@ impl Balance {
 }
 
 /// Harmonics of a force given at the nodes.
-fn gathered(nodes: &[Node], shapes: &Mat<f64>, force_n: impl Fn(&Node) -> f64) -> Vec<f64> {
-    let mut sum = vec![0.0; shapes.nrows()];
-    for (q, node) in nodes.iter().enumerate() {
-        let weight = node.share * force_n(node);
-        sum.iter_mut().zip(shapes.col_as_slice(q)).for_each(|(sum, value)| *sum += weight * value);
-    }
-    sum
+fn gathered(nodes: &[Node], angles: &Angles, harmonics: usize, force_n: impl Fn(&Node) -> f64) -> Vec<c64> {
+    let weights: Vec<f64> = nodes.iter().map(|node| node.share * force_n(node)).collect();
+    motion::harmonics(&angles.moments(&weights, harmonics))
 }
 
 impl Linear for Balance {
@@ -146,7 +162,9 @@ impl Linear for Balance {
     }
 
     fn bordered(&self, row: &[f64], corner: f64, right: &[f64], last: f64) -> Option<(Vec<f64>, f64)> {
-        let condensed = self.condensed.get_or_init(|| Condensed::new(&self.nodes, &self.shapes, &self.compliance.values, self.step_rad_s));
-        condensed.bordered(&self.by_parameter, (row, corner), (right, last))
+        let Self { nodes, angles, step_rad_s, .. } = self;
+        let sides = Sides { nodes, angles, compliance: &self.compliance.values, step_rad_s: *step_rad_s };
+        let make = || Condensed::new(sides, &Response::new(&self.compliance.values, &self.grid), &self.by_parameter, (row, corner));
+        self.condensed.get_or_init(make).as_ref()?.bordered(sides, &self.by_parameter, (row, corner), (right, last))
     }
 }

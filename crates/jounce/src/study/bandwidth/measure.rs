@@ -67,7 +67,10 @@ impl<'s> BandwidthSearch<'s> {
     pub fn run(&self, branches: &[Branch]) -> Bandwidths {
         let stable: Vec<Option<Stable>> = branches.par_iter().map(|branch| self.stable(branch)).collect();
         let own = |found: &Option<Stable>| found.as_ref().map(|found| self.above_half(found.peak, &found.segments));
-        let own = stable.iter().map(own).collect();
+        let own: Vec<Option<Bandwidth>> = stable.iter().map(own).collect();
+        if let [only] = &own[..] {
+            return Bandwidths { together: only.clone(), branches: own };
+        }
         let all: Vec<Stable> = stable.into_iter().flatten().collect();
         let highest = all.iter().map(|found| found.peak).max_by(|a, b| a.mean_power_w.total_cmp(&b.mean_power_w));
         let segments: Vec<Segment> = all.into_iter().flat_map(|found| found.segments).collect();

@@ -85,7 +85,7 @@ impl<'h, H: Harvester> Piece<'h, H> {
         rises.then(|| self.zero((from, to), noise_w, |piece, place| piece.power_slope_w(place.x))).flatten()
     }
 
-    /// The place between two shares where `value` passes zero, by false position with halving, to its own noise; `None` without a
+    /// The place between two shares where `value` passes zero, by false position, the value of an end that stays twice halved (Illinois), to its own noise; `None` without a
     /// change of sign.
     pub fn zero(&self, (from, to): (f64, f64), noise: f64, value: impl Fn(&Self, &Place) -> Option<f64>) -> Option<Zero> {
         let look = |x: f64| {
@@ -104,6 +104,7 @@ impl<'h, H: Harvester> Piece<'h, H> {
         } else {
             Zero { place: high_place, value: at_high }
         };
+        let mut last_is_high = None;
         for _ in 0..TRIALS {
             let mut x = (low * at_high - high * at_low) / (at_high - at_low);
             if !(x > low && x < high) {
@@ -111,12 +112,15 @@ impl<'h, H: Harvester> Piece<'h, H> {
             }
             let (place, here) = look(x)?;
             best = Zero { place, value: here };
-            if (here > 0.0) == (at_high > 0.0) {
+            let is_high = (here > 0.0) == (at_high > 0.0);
+            let stays = if last_is_high == Some(is_high) { 0.5 } else { 1.0 };
+            last_is_high = Some(is_high);
+            if is_high {
                 (high, at_high) = (x, here);
-                at_low *= 0.5;
+                at_low *= stays;
             } else {
                 (low, at_low) = (x, here);
-                at_high *= 0.5;
+                at_high *= stays;
             }
             if here.abs() <= enough {
                 break;

@@ -1,20 +1,39 @@
-//! The change to a finer method on the way along a branch.
+//! The change to a finer or a coarser method on the way along a branch.
 
 use super::follow::Following;
-use crate::continuation::{Direction, Family, Metric, Position, Step, correct, tangent};
+use crate::continuation::{Corrector, Direction, Family, Metric, Position, Step, correct, tangent};
 use crate::orbit::OrbitMethod;
 
 /// Share of its excess that a finer method must get rid of: what stays is no matter of the number of unknowns.
 const HELPS: f64 = 0.6;
 
-/// A finer method with a place in its unknown, where one is needed.
-type Finer<M> = Option<(M, Step<<M as Family>::Local>)>;
+/// Excess below which a coarser method is tried.
+pub(super) const SPARE: f64 = 0.04;
+
+/// Excess of a coarser method that is not taken, for it would soon be too coarse.
+const TIGHT: f64 = 0.4;
+
+/// Another method with a place in its unknown.
+type Other<M> = Option<(M, Step<<M as Family>::Local>)>;
+
+/// Newton's goal beside the usual one, where what it left out may be all that is in excess.
+const CLOSER: f64 = 0.01;
 
 impl Following {
+    /// The place by a Newton that goes on, where that is what keeps it from its accuracy; otherwise as it is.
+    pub(super) fn polished<M: OrbitMethod>(&self, method: &M, place: Step<M::Local>) -> Result<Step<M::Local>, M::Error> {
+        if method.excess(&place.local, self.parameter_scale())? <= 1.0 {
+            return Ok(place);
+        }
+        let closer = Following { corrector: Corrector { goal: CLOSER * self.corrector.goal, ..self.corrector }, ..*self };
+        let fits = |there: &Step<M::Local>| method.excess(&there.local, self.parameter_scale()).is_ok_and(|excess| excess <= 1.0);
+        Ok(closer.carried(method, &place).filter(fits).unwrap_or(place))
+    }
+
     /// A method fine enough for the orbit at `rough`, where this one is not and a finer one is better; with `from` in its unknown.
-    pub(super) fn finer<M: OrbitMethod>(&self, method: &M, rough: &Step<M::Local>, from: &Step<M::Local>) -> Result<Finer<M>, M::Error> {
+    pub(super) fn finer<M: OrbitMethod>(&self, method: &M, rough: &Step<M::Local>, from: &Step<M::Local>) -> Result<Other<M>, M::Error> {
         let mut excess = method.excess(&rough.local, self.parameter_scale())?;
-        let mut found: Finer<M> = None;
+        let mut found: Other<M> = None;
         let mut next = method.finer();
         while let Some(finer) = next.filter(|_| excess > 1.0) {
             let (Some(there), Some(back)) = (self.carried(&finer, rough), self.carried(&finer, from)) else { break };
@@ -28,12 +47,31 @@ impl Following {
         Ok(found)
     }
 
-    /// A place of a coarser method, corrected by a finer one.
-    fn carried<M: OrbitMethod>(&self, finer: &M, step: &Step<M::Local>) -> Option<Step<M::Local>> {
-        let guess = Position { unknown: finer.carried(&step.position.unknown), parameter: step.position.parameter };
+    /// A coarser method that is fine enough for the orbit at a place, where this one is far finer than need be; with the place in its
+    /// unknown. `spare` is the excess below which one is tried: it shrinks where none will do.
+    pub(super) fn coarser<M: OrbitMethod>(&self, method: &M, place: &Step<M::Local>, spare: &mut f64) -> Result<Other<M>, M::Error> {
+        let Some(coarser) = method.coarser() else { return Ok(None) };
+        let excess = method.excess(&place.local, self.parameter_scale())?;
+        if excess > *spare {
+            return Ok(None);
+        }
+        let there = self.carried(&coarser, place);
+        let fits = |there: &Step<M::Local>| coarser.excess(&there.local, self.parameter_scale()).is_ok_and(|excess| excess < TIGHT);
+        match there.filter(fits) {
+            Some(there) => Ok(Some((coarser, there))),
+            None => {
+                *spare = 0.3 * excess;
+                Ok(None)
+            }
+        }
+    }
+
+    /// A place of another method, corrected by this one.
+    fn carried<M: OrbitMethod>(&self, method: &M, step: &Step<M::Local>) -> Option<Step<M::Local>> {
+        let guess = Position { unknown: method.carried(&step.position.unknown), parameter: step.position.parameter };
         let metric = Metric::at(&guess, self.parameter_scale());
-        let ahead = Direction { unknown: finer.carried(&step.tangent.unknown), parameter: step.tangent.parameter };
-        let found = correct(finer, &self.corrector, &metric, &ahead, guess).ok()?;
+        let ahead = Direction { unknown: method.carried(&step.tangent.unknown), parameter: step.tangent.parameter };
+        let found = correct(method, &self.corrector, &metric, &ahead, guess).ok()?;
         let tangent = tangent(&found.local, &metric, &ahead)?;
         Some(Step { position: found.position, tangent, local: found.local, error: found.error })
     }

@@ -1,7 +1,10 @@
 //! Follows one branch from one of its orbits, and names what it passes.
 
 use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
-use crate::continuation::{Corrected, Corrector, Direction, Metric, Position, Step, StepControl, Walk, locate, passes, settle, tangent};
+use super::finer::SPARE;
+use crate::continuation::{
+    Corrected, Corrector, Direction, Mark, Metric, Position, Step, StepControl, Walk, locate, passes, settle, tangent,
+};
 use crate::orbit::{Orbit, OrbitMethod, determinant_at, multipliers, nearest_pair_to_circle, pairs_outside};
 
 /// Distance from the stop, beside the size of the motion, below which an orbit touches it.
@@ -83,21 +86,31 @@ impl Following {
         let mut branch = Branch { period_cycles: method.cycles(), ..Branch::default() };
         if let Some((finer, start)) = self.finer(method, &start, &start)? {
             branch.points.push(point(&finer, &start)?);
-            self.walk_on(&finer, start, sense, &mut branch)?;
+            let beginning = Beginning::of(&finer, &branch.points[0], sense)?;
+            self.walk_on(&finer, start, (beginning, None), &mut branch)?;
         } else {
             branch.points.push(point(method, &start)?);
-            self.walk_on(method, start, sense, &mut branch)?;
+            let beginning = Beginning::of(method, &branch.points[0], sense)?;
+            self.walk_on(method, start, (beginning, None), &mut branch)?;
         }
         Ok(branch)
     }
 
-    /// Walks on from the last point of a branch that began in the given sense of its parameter.
-    fn walk_on<M: OrbitMethod>(&self, method: &M, start: Step<M::Local>, sense: f64, branch: &mut Branch) -> Result<(), M::Error> {
+    /// Walks on from the last point of a branch, as the walk did that made the mark.
+    fn walk_on<M: OrbitMethod>(
+        &self,
+        method: &M,
+        start: Step<M::Local>,
+        (beginning, mark): (Beginning, Option<Mark>),
+        branch: &mut Branch,
+    ) -> Result<(), M::Error> {
         let (position, tangent) = (start.position.clone(), start.tangent.clone());
         let mut before = Place::new(method, start)?;
-        let origins = origins(method, &branch.points[0])?;
         let mut walk = Walk::new(method, self.corrector, self.control, self.parameter_scale(), position, tangent);
-        let mut mark = walk.mark();
+        if let Some(mark) = mark {
+            walk.resume(&mark, |unknown| method.carried(unknown));
+        }
+        let (mut mark, mut spare) = (walk.mark(), SPARE);
         while let Some(next) = walk.next() {
             let step = match next {
                 Ok(step) => step,
@@ -109,8 +122,9 @@ impl Following {
                 branch.endings.push(Ending::Range);
                 return Ok(());
             }
+            let step = self.polished(method, step)?;
             if let Some((finer, start)) = self.finer(method, &step, &before.step)? {
-                return self.walk_on(&finer, start, sense, branch);
+                return self.walk_on(&finer, start, (beginning.carried(&finer), Some(mark)), branch);
             }
             let after = Place::new(method, step)?;
             let places = self.refined(method, &before, after)?;
@@ -125,13 +139,16 @@ impl Following {
             for after in places {
                 branch.bifurcations.extend(self.between(method, &before, &after)?);
                 branch.points.push(after.point.clone());
-                if let Some(ending) = self.ending((&origins, sense), &before, &after, branch.points.len()) {
+                if let Some(ending) = self.ending(&beginning, &before, &after, branch.points.len()) {
                     branch.endings.push(ending);
                     return Ok(());
                 }
                 before = after;
             }
             mark = walk.mark();
+            if let Some((coarser, start)) = self.coarser(method, &before.step, &mut spare)? {
+                return self.walk_on(&coarser, start, (beginning.carried(&coarser), Some(mark)), branch);
+            }
         }
         Ok(())
     }
@@ -167,18 +184,12 @@ impl Following {
         Ok(())
     }
 
-    fn ending<M: OrbitMethod>(
-        &self,
-        (origins, sense): (&[Position], f64),
-        before: &Place<M>,
-        after: &Place<M>,
-        points: usize,
-    ) -> Option<Ending> {
+    fn ending<M: OrbitMethod>(&self, beginning: &Beginning, before: &Place<M>, after: &Place<M>, points: usize) -> Option<Ending> {
         let metric = Metric::at(&after.step.position, self.parameter_scale());
         // Another sheet of the curve may pass near by, in the other sense.
-        let goes_alike = sense * after.step.tangent.parameter > 0.0;
+        let goes_alike = beginning.sense * after.step.tangent.parameter > 0.0;
         let closes = |origin| passes(&metric, origin, &before.step.position, &after.step.position);
-        if points > 4 && goes_alike && origins.iter().any(closes) {
+        if points > 4 && goes_alike && beginning.origins.iter().any(closes) {
             return Some(Ending::Closed);
         }
         // The halves of a doubled orbit pass through each other where it merges with the branch that it left.
@@ -229,11 +240,27 @@ impl Following {
     }
 }
 
-/// The first orbit of a walk, looked at in each of its drive cycles: a branch closes where it comes back to any of them.
-fn origins<M: OrbitMethod>(method: &M, first: &BranchPoint) -> Result<Vec<Position>, M::Error> {
-    let cycles = first.orbit.period_cycles as usize;
-    let looks = first.orbit.looks.iter().take(cycles);
-    looks.map(|look| Ok(Position { unknown: method.unknown_of(look, first.parameter)?, parameter: first.parameter })).collect()
+/// How a walk began.
+struct Beginning {
+    /// The first orbit, looked at in each of its drive cycles: a branch closes where it comes back to any of them.
+    origins: Vec<Position>,
+    /// Sense of the parameter.
+    sense: f64,
+}
+
+impl Beginning {
+    fn of<M: OrbitMethod>(method: &M, first: &BranchPoint, sense: f64) -> Result<Self, M::Error> {
+        let cycles = first.orbit.period_cycles as usize;
+        let looks = first.orbit.looks.iter().take(cycles);
+        let origin = |look: &Vec<f64>| Ok(Position { unknown: method.unknown_of(look, first.parameter)?, parameter: first.parameter });
+        Ok(Self { origins: looks.map(origin).collect::<Result<_, M::Error>>()?, sense })
+    }
+
+    /// In the unknown of another method.
+    fn carried<M: OrbitMethod>(self, method: &M) -> Self {
+        let carried = |origin: Position| Position { unknown: method.carried(&origin.unknown), ..origin };
+        Self { origins: self.origins.into_iter().map(carried).collect(), sense: self.sense }
+    }
 }
 
 fn point<M: OrbitMethod>(method: &M, step: &Step<M::Local>) -> Result<BranchPoint, M::Error> {

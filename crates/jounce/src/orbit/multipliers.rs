@@ -1,0 +1,138 @@
+//! Multipliers of a period map.
+//!
+//! Fast modes die out within a period and a contact hardly moves them, so that the map of a plant with many modes is that of its slow
+//! ones beside small blocks of their own. A block of one or two states, `D`, with the rest of its rows `r` and of its columns `c` moves
+//! an eigenvalue `m` of the others by about
+//!
+//! ```text
+//! |dm| = |c| |r| / |m - D|
+//! ```
+//!
+//! Where the product is below [`APART`] its eigenvalues are taken by themselves; those of the rest cost the cube of their number. The map
+//! is balanced first, which makes the row and the column of each state equally long and changes no eigenvalue.
+//!
+//! Source: B. N. Parlett and C. Reinsch, Numer. Math. 13 (1969) 293; G. W. Stewart and J. Sun, *Matrix Perturbation Theory* (1990), ch. V.
+
+use faer::{Mat, c64};
+
+/// `|c| |r|` below which a block stands alone: it moves a multiplier of the size of one by no more.
+const APART: f64 = 1e-12;
+
+/// Rounds of balancing.
+const ROUNDS: usize = 4;
+
+/// Eigenvalues of a period map, largest modulus first; `None` where they do not converge.
+pub fn multipliers(map: &Mat<f64>) -> Option<Vec<c64>> {
+    let balanced = balanced(map);
+    let (blocks, rest) = blocks(&balanced);
+    let mut values: Vec<c64> = blocks.into_iter().flat_map(|block| own(&balanced, block)).collect();
+    let whole = Mat::from_fn(rest.len(), rest.len(), |i, j| balanced[(rest[i], rest[j])]);
+    values.extend(whole.eigenvalues().ok()?);
+    values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
+    Some(values)
+}
+
+/// The map with each state scaled by a power of two, so that its row and its column are about equally long (the diagonal left out).
+fn balanced(map: &Mat<f64>) -> Mat<f64> {
+    let n = map.nrows();
+    let mut balanced = map.clone();
+    for _ in 0..ROUNDS {
+        let mut is_even = true;
+        for i in 0..n {
+            let (row, column) = lengths(&balanced, i);
+            let factor = (0.5 * (row / column).log2()).round().exp2();
+            if !factor.is_normal() || factor == 1.0 {
+                continue;
+            }
+            is_even = false;
+            balanced.col_as_slice_mut(i).iter_mut().for_each(|entry| *entry *= factor);
+            (0..n).for_each(|j| balanced[(i, j)] /= factor);
+        }
+        if is_even {
+            break;
+        }
+    }
+    balanced
+}
+
+/// Sums of the magnitudes in a row and in a column, the diagonal left out.
+fn lengths(map: &Mat<f64>, i: usize) -> (f64, f64) {
+    let (own, n) = (map[(i, i)].abs(), map.nrows());
+    let row = (0..n).map(|j| map[(i, j)].abs()).sum::<f64>() - own;
+    (row, map.col_as_slice(i).iter().map(|entry| entry.abs()).sum::<f64>() - own)
+}
+
+/// Blocks of one or two states (the same number twice is one) that stand alone, and the states that are left.
+fn blocks(map: &Mat<f64>) -> (Vec<[usize; 2]>, Vec<usize>) {
+    let mut rest: Vec<usize> = (0..map.nrows()).collect();
+    let mut sums: Vec<(f64, f64)> = rest.iter().map(|i| lengths(map, *i)).collect();
+    let tie = |i: usize, j: usize| if i == j { 0.0 } else { (map[(i, j)] * map[(j, i)]).abs() };
+    let partners: Vec<usize> =
+        rest.iter().map(|i| rest.iter().copied().max_by(|a, b| tie(*i, *a).total_cmp(&tie(*i, *b))).unwrap_or(*i)).collect();
+    let mut found = Vec::new();
+    loop {
+        let stands_alone = |i: &usize| {
+            let (i, j) = (*i, partners[*i]);
+            let (row, column) = sums[i];
+            if row * column < APART {
+                return Some([i, i]);
+            }
+            let row = row + sums[j].0 - map[(i, j)].abs() - map[(j, i)].abs();
+            let column = column + sums[j].1 - map[(i, j)].abs() - map[(j, i)].abs();
+            (i < j && partners[j] == i && rest.contains(&j) && row * column < APART).then_some([i, j])
+        };
+        let Some([i, j]) = rest.iter().find_map(stands_alone) else { return (found, rest) };
+        found.push([i, j]);
+        rest.retain(|k| *k != i && *k != j);
+        for k in &rest {
+            for gone in if i == j { vec![i] } else { vec![i, j] } {
+                sums[*k].0 -= map[(*k, gone)].abs();
+                sums[*k].1 -= map[(gone, *k)].abs();
+            }
+        }
+    }
+}
+
+/// Eigenvalues of a block.
+fn own(map: &Mat<f64>, [i, j]: [usize; 2]) -> Vec<c64> {
+    if i == j {
+        return vec![c64::new(map[(i, i)], 0.0)];
+    }
+    let (mean, half) = (0.5 * (map[(i, i)] + map[(j, j)]), 0.5 * (map[(i, i)] - map[(j, j)]));
+    let root = c64::new(half * half + map[(i, j)] * map[(j, i)], 0.0).sqrt();
+    vec![root + mean, -root + mean]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A slow pair and a fast one that dies out, weakly coupled: the characteristic polynomial at each multiplier.
+    #[test]
+    fn a_fast_pair_is_taken_by_itself() {
+        let weak = 1e-7;
+        let rows = [[0.6, -0.7, weak, 0.0], [0.7, 0.6, 0.0, weak], [weak, weak, 3e-4, -4e-4], [0.0, weak, 4e-4, 3e-4]];
+        let map = Mat::from_fn(4, 4, |i, j| rows[i][j]);
+        let (found, rest) = blocks(&balanced(&map));
+        assert!(found.len() == 1 && rest.len() == 2, "{found:?} {rest:?}");
+        let values = multipliers(&map).unwrap_or_default();
+        // To first order in the product of the couplings.
+        let exact = [c64::new(0.6, 0.7), c64::new(0.6, -0.7), c64::new(3e-4, 4e-4), c64::new(3e-4, -4e-4)];
+        for exact in exact {
+            let apart = values.iter().map(|value| (value - exact).norm()).fold(f64::INFINITY, f64::min);
+            assert!(apart < 1e-13, "{exact}: {apart:e} {values:?}");
+        }
+    }
+
+    /// Scales of very different size change nothing: the companion matrix of `(s - 1)(s - 2)(s - 3)`.
+    #[test]
+    fn a_badly_scaled_map_keeps_its_multipliers() {
+        let rows = [[6.0, -11.0, 6.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let scale = [1.0, 1e6, 1e-5];
+        let map = Mat::from_fn(3, 3, |i, j| rows[i][j] * scale[i] / scale[j]);
+        let values = multipliers(&map).unwrap_or_default();
+        for (value, exact) in values.iter().zip([3.0, 2.0, 1.0]) {
+            assert!((value - exact).norm() < 1e-12, "{values:?}");
+        }
+    }
+}
