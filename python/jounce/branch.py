@@ -133,7 +133,7 @@ class BranchResult(Result):
         return self._frame({name: [row[k] for row in rows] for k, name in enumerate(names)})
 
     def plot_branch(self, ax: Any = None) -> Any:
-        """Draws mean power over the key: stable solid, unstable dashed, bifurcations marked."""
+        """Draws mean power, or without any the displacement amplitude, over the key: stable solid, unstable dashed, bifurcations marked."""
         from .plot.branch import plot_branch
 
         return plot_branch(self, ax)

@@ -40,7 +40,7 @@ pub struct Shot {
     pub looks: Vec<Vec<f64>>,
     /// `R`.
     pub(super) residual: Vec<f64>,
-    /// `d u(n T) / d u(0)` at the charges that the period keeps (see [`kept_charges`]).
+    /// `d u(n T) / d u(0)` at the charges that nothing lets go in the period.
     pub map: Mat<f64>,
     /// `dR / dp`.
     pub(super) by_parameter: Vec<f64>,
