@@ -26,12 +26,14 @@ class Branch(Data):
     floquet_max_abs: Annotated[Floats, Along("point", "1", "largest modulus of a Floquet multiplier")]
     contacts_per_period: Annotated[Integers, Along("point", "1", "contacts that begin in a period")]
     max_penetration_m: Annotated[Floats, Along("point", "m", "largest penetration of the stop")]
+    displacement_peak_m: Annotated[Floats, Along("point", "m", "half of the range of the displacement at the first stop")]
     #: Estimated relative error of the state.
     error_estimate: Annotated[Floats, Along("point", "1", "estimated relative error of the state")]
     #: ``"fold"``, ``"period-doubling"``, ``"neimark-sacker"``, ``"branch-point"``, ``"grazing"``.
     bifurcation_kind: list[str]
     bifurcation_parameter: Floats
     bifurcation_power_w: Floats
+    bifurcation_displacement_peak_m: Floats
     #: How its two ends came about.
     endings: list[dict[str, Any]]
     #: Peak and half-power bandwidth of its stable part; ``None`` without one.
@@ -133,7 +135,7 @@ class BranchResult(Result):
         return self._frame({name: [row[k] for row in rows] for k, name in enumerate(names)})
 
     def plot_branch(self, ax: Any = None) -> Any:
-        """Draws mean power over the key: stable solid, unstable dashed, bifurcations marked."""
+        """Draws mean power, or without any the displacement amplitude, over the key: stable solid, unstable dashed, bifurcations marked."""
         from .plot.branch import plot_branch
 
         return plot_branch(self, ax)

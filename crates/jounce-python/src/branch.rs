@@ -114,10 +114,12 @@ pub fn one<'py>(py: Python<'py>, branch: &Branch, width: Option<&Bandwidth>) -> 
         .each("floquet_max_abs", points, |p| p.orbit.floquet_max_abs())?
         .each("contacts_per_period", points, |p| p.orbit.contacts as i64)?
         .each("max_penetration_m", points, |p| p.orbit.max_penetration_m)?
+        .each("displacement_peak_m", points, |p| p.orbit.displacement_peak_m)?
         .each("error_estimate", points, |p| p.orbit.error_estimate)?
         .with("bifurcation_kind", bifurcations.iter().map(|found| found.kind.name()).collect::<Vec<_>>())?
         .each("bifurcation_parameter", bifurcations, |found| found.at.parameter)?
         .each("bifurcation_power_w", bifurcations, |found| found.at.orbit.mean_power_w)?
+        .each("bifurcation_displacement_peak_m", bifurcations, |found| found.at.orbit.displacement_peak_m)?
         .with("endings", json(&branch.endings)?)?
         .with("half_power", json(&width)?)?;
     Ok(answer.dict())

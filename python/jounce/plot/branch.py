@@ -16,7 +16,11 @@ MARKS = {"fold": "s", "period-doubling": "^", "neimark-sacker": "D", "branch-poi
 
 
 def plot_branch(result: BranchResult, ax: Any = None) -> Any:
-    """Draws mean power over the key: stable solid, unstable dashed, a colour for each period, bifurcations marked."""
+    """Draws mean power over the key: stable solid, unstable dashed, a colour for each period, bifurcations marked.
+
+    Where nothing takes power the displacement amplitude at the first stop is drawn instead.
+    """
+    harvests = any(one.mean_power_w.any() for one in result)
     periods = sorted({one.period_cycles for one in result})
     named: set[str] = set()
 
@@ -29,14 +33,19 @@ def plot_branch(result: BranchResult, ax: Any = None) -> Any:
         for one in result:
             colour = COLOURS[periods.index(one.period_cycles) % len(COLOURS)]
             for stable in (True, False):
-                power = np.where(_stretch(one.stable, stable), one.mean_power_w, np.nan)
+                values = one.mean_power_w if harvests else one.displacement_peak_m
+                shown = np.where(_stretch(one.stable, stable), values, np.nan)
                 text = once(f"period {one.period_cycles}{'' if stable else ', unstable'}") if (one.stable == stable).any() else None
-                ax.plot(one.parameter, power, "-" if stable else "--", color=colour, label=text)
+                ax.plot(one.parameter, shown, "-" if stable else "--", color=colour, label=text)
         for one in result:
-            for kind, at, power in zip(one.bifurcation_kind, one.bifurcation_parameter, one.bifurcation_power_w):
-                ax.plot([at], [power], MARKS.get(kind, "x"), color="black", markerfacecolor="white", label=once(kind), zorder=3)
+            marked = one.bifurcation_power_w if harvests else one.bifurcation_displacement_peak_m
+            for kind, at, value in zip(one.bifurcation_kind, one.bifurcation_parameter, marked):
+                ax.plot([at], [value], MARKS.get(kind, "x"), color="black", markerfacecolor="white", label=once(kind), zorder=3)
         label(ax.xaxis, result.key, result.unit)
-        label(ax.yaxis, "Mean power", "W", log=True)
+        if harvests:
+            label(ax.yaxis, "Mean power", "W", log=True)
+        else:
+            label(ax.yaxis, "Displacement amplitude", "m")
         ax.legend()
     return ax
 

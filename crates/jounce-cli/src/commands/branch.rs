@@ -10,6 +10,7 @@ use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
 use jounce::orbit::OrbitError;
 use jounce::picture::{self, Axis, BranchLine, BranchMark};
+use jounce::plant::System;
 use jounce::run::{Exceeded, Limits};
 use jounce::spec::{NumericKey, Spec};
 use jounce::study::{Bandwidth, BandwidthSearch, Bandwidths, Bifurcation, Branch as Curve, BranchPoint};
@@ -66,6 +67,7 @@ impl Branch {
         let spec = self.spec.checked(file.spec())?;
         let (key, range) = self.spec.key_and_ends(&file, &self.over)?;
         let base = Prepared::new(spec)?;
+        let shown = Shown::of(&base.kernel.plant.system)?;
         let parameter = Parameter::new(&base, &key, range.1 - range.0);
         let search = BranchSearch {
             base: &base,
@@ -114,18 +116,18 @@ impl Branch {
         let values: Vec<f64> = branches.iter().flat_map(|branch| &branch.points).map(|point| point.parameter).collect();
         let all: Vec<&[Exceeded]> = passed.iter().flatten().map(Vec::as_slice).collect();
         limit_warnings::warn(&all, "points", |place| format!("{} = {:.6} {}", key.path(), values[place], key.unit()));
-        self.tell(&base.spec, &key, (&branches, &passed), &widths)
+        self.tell((&base.spec, shown), &key, (&branches, &passed), &widths)
     }
 
     fn tell(
         &self,
-        spec: &Spec,
+        (spec, shown): (&Spec, Shown),
         key: &NumericKey,
         (branches, passed): (&[Curve], &[Vec<Vec<Exceeded>>]),
         widths: &Bandwidths,
     ) -> Result<(), Failure> {
         if let Some(folder) = &self.output.out {
-            self.write(folder, spec, key, branches, widths)?;
+            self.write(folder, (spec, shown), key, branches, widths)?;
         }
         if self.output.json {
             let listed: Vec<_> = (branches.iter().zip(passed).zip(&widths.branches))
@@ -146,7 +148,8 @@ impl Branch {
             line(format!("branch of period {}: {} points, {stable} of them stable", branch.period_cycles, branch.points.len()));
             for found in &branch.bifurcations {
                 let (at, unit) = (&found.at, key.unit());
-                line(format!("  {:<16} {:>12.6} {unit}  {:.6e} W", found.kind.name(), at.parameter, at.orbit.mean_power_w));
+                let (value, of) = (shown.value(at), shown.unit());
+                line(format!("  {:<16} {:>12.6} {unit}  {value:.6e} {of}", found.kind.name(), at.parameter));
             }
             width.iter().for_each(|width| bandwidth::tell(width, &key.unit()));
         }
@@ -157,16 +160,67 @@ impl Branch {
         Ok(())
     }
 
-    fn write(&self, folder: &Path, spec: &Spec, key: &NumericKey, branches: &[Curve], widths: &Bandwidths) -> Result<(), Failure> {
+    fn write(
+        &self,
+        folder: &Path,
+        (spec, shown): (&Spec, Shown),
+        key: &NumericKey,
+        branches: &[Curve],
+        widths: &Bandwidths,
+    ) -> Result<(), Failure> {
         let manifest = self.spec.manifest(spec, "branch").with("over", &self.over).with("tolerance", self.tolerance);
         output::table(folder, "branches", &points_table(key, branches)?, &manifest)?;
         output::table(folder, "bifurcations", &bifurcations_table(key, branches)?, &manifest)?;
         output::table(folder, "bandwidths", &bandwidth::table(key, widths)?, &manifest)?;
-        let lines: Vec<BranchLine> = branches.iter().map(drawn).collect();
-        let marks: Vec<BranchMark> = branches.iter().flat_map(|branch| branch.bifurcations.iter().map(mark)).collect();
-        let (x, y) = (Axis::linear(key.path(), &key.unit()), Axis::log("Mean power", "W"));
+        let lines: Vec<BranchLine> = branches.iter().map(|branch| drawn(branch, shown)).collect();
+        let marks = branches.iter().flat_map(|branch| branch.bifurcations.iter().map(|found| mark(found, shown)));
+        let marks: Vec<BranchMark> = marks.collect();
+        let (x, y) = (Axis::linear(key.path(), &key.unit()), shown.axis());
         let title = format!("Branches of periodic answers over {}", key.path());
         output::figure(folder, "branches", &picture::branches(&title, x, y, &lines, &marks))
+    }
+}
+
+/// What is told of an orbit beside its parameter.
+#[derive(Debug, Clone, Copy)]
+enum Shown {
+    /// Mean power.
+    Power,
+    /// How far the point of the first stop swings, where nothing takes power.
+    Displacement,
+}
+
+impl Shown {
+    fn of(system: &System) -> Result<Self, Failure> {
+        match (system.loads.is_empty() && system.bridges.is_empty(), system.stops.is_empty()) {
+            (false, _) => Ok(Self::Power),
+            (true, false) => Ok(Self::Displacement),
+            (true, true) => Err(Failure::Input(
+                "the harvester has neither a stop nor a circuit: it answers linearly, as `jounce frf` draws it; give it a [stop.NAME] or a [circuit.NAME]"
+                    .to_owned(),
+            )),
+        }
+    }
+
+    fn value(self, point: &BranchPoint) -> f64 {
+        match self {
+            Self::Power => point.orbit.mean_power_w,
+            Self::Displacement => point.orbit.displacement_peak_m,
+        }
+    }
+
+    fn unit(self) -> &'static str {
+        match self {
+            Self::Power => "W",
+            Self::Displacement => "m",
+        }
+    }
+
+    fn axis(self) -> Axis {
+        match self {
+            Self::Power => Axis::log("Mean power", "W"),
+            Self::Displacement => Axis::linear("Displacement amplitude", "m"),
+        }
     }
 }
 
@@ -193,6 +247,7 @@ fn listed_point(point: &BranchPoint, passed: &[Exceeded]) -> serde_json::Value {
         "floquet_max_abs": orbit.floquet_max_abs(),
         "contacts_per_period": orbit.contacts,
         "max_penetration_m": orbit.max_penetration_m,
+        "displacement_peak_m": orbit.displacement_peak_m,
         "error_estimate": orbit.error_estimate,
         "warnings": passed,
     })
@@ -203,6 +258,7 @@ fn listed_bifurcation(found: &Bifurcation) -> serde_json::Value {
         "kind": found.kind,
         "parameter": found.at.parameter,
         "mean_power_w": found.at.orbit.mean_power_w,
+        "displacement_peak_m": found.at.orbit.displacement_peak_m,
         "contacts_per_period": found.at.orbit.contacts,
     })
 }
@@ -226,6 +282,7 @@ fn points_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failure> 
         number("floquet_max_abs", "", "largest modulus of a Floquet multiplier", |p| p.orbit.floquet_max_abs()),
         count("contacts_per_period", "contacts that begin in a period", |(_, _, p)| p.orbit.contacts),
         number("max_penetration_m", "m", "largest penetration of the stop", |p| p.orbit.max_penetration_m),
+        number("displacement_peak_m", "m", "half of the range of the displacement at the first stop", |p| p.orbit.displacement_peak_m),
         number("error_estimate", "", "estimated relative error of the state and the mean power, the larger one", |p| {
             p.orbit.error_estimate
         }),
@@ -235,28 +292,27 @@ fn points_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failure> 
 fn bifurcations_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failure> {
     let all: Vec<(u64, &Bifurcation)> =
         branches.iter().enumerate().flat_map(|(k, branch)| branch.bifurcations.iter().map(move |found| (k as u64, found))).collect();
+    let number = |name: &str, unit: &str, about: &str, value: fn(&BranchPoint) -> f64| {
+        Column::new(name, unit, about, all.iter().map(|(_, found)| value(&found.at)).collect::<Vec<f64>>())
+    };
     Ok(Table::new(vec![
         Column::new("branch", "", "number of the branch, from 0", all.iter().map(|(k, _)| *k).collect::<Vec<u64>>()),
         Column::new("kind", "", "what happens", all.iter().map(|(_, found)| found.kind.name().to_owned()).collect::<Vec<_>>()),
-        Column::new("parameter", &key.unit(), key.path(), all.iter().map(|(_, found)| found.at.parameter).collect::<Vec<f64>>()),
-        Column::new(
-            "mean_power_w",
-            "W",
-            "mean power of all loads",
-            all.iter().map(|(_, found)| found.at.orbit.mean_power_w).collect::<Vec<f64>>(),
-        ),
+        number("parameter", &key.unit(), key.path(), |p| p.parameter),
+        number("mean_power_w", "W", "mean power of all loads", |p| p.orbit.mean_power_w),
+        number("displacement_peak_m", "m", "half of the range of the displacement at the first stop", |p| p.orbit.displacement_peak_m),
     ])?)
 }
 
-fn drawn(branch: &Curve) -> BranchLine {
+fn drawn(branch: &Curve, shown: Shown) -> BranchLine {
     BranchLine {
         label: format!("period {}", branch.period_cycles),
         parameter: branch.points.iter().map(|point| point.parameter).collect(),
-        value: branch.points.iter().map(|point| point.orbit.mean_power_w).collect(),
+        value: branch.points.iter().map(|point| shown.value(point)).collect(),
         stable: branch.points.iter().map(|point| point.orbit.is_stable()).collect(),
     }
 }
 
-fn mark(found: &Bifurcation) -> BranchMark {
-    BranchMark { kind: found.kind.name().to_owned(), parameter: found.at.parameter, value: found.at.orbit.mean_power_w }
+fn mark(found: &Bifurcation, shown: Shown) -> BranchMark {
+    BranchMark { kind: found.kind.name().to_owned(), parameter: found.at.parameter, value: shown.value(&found.at) }
 }

@@ -4,6 +4,8 @@ use super::marcher::Marcher;
 use super::port_state::Regime;
 use super::rectified::RectifiedEnergies;
 use crate::drive::Wave;
+use crate::plant::Tone;
+use faer::{Mat, c64};
 
 /// Energies since the start of a march, J.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -116,11 +118,19 @@ impl Marcher<'_> {
         }
     }
 
-    /// Magnitude of the potential energy of constant drives, J.
+    /// Magnitude of the potential energy of constant drives, J, with that of the way on which sinusoids would move the plant freely: a ball
+    /// at rest on a shaken table has no other scale.
     fn potential_j(&self) -> f64 {
         let (plant, x) = (&self.kernel.plant, self.physical());
+        let driven = |i: usize| -> f64 {
+            let amplitude = |tone: &Tone| dot_row(&plant.diagonal.to_physical, i, &tone.steady).norm();
+            plant.tones.iter().map(amplitude).sum()
+        };
         let of = |signal: &crate::plant::Signal| match signal.wave {
-            Wave::Constant(size) => size.abs() * signal.shape.iter().zip(&x).map(|(s, q)| (s * q).abs()).sum::<f64>(),
+            Wave::Constant(size) => {
+                let terms = signal.shape.iter().zip(&x).enumerate().filter(|(_, (s, _))| **s != 0.0);
+                size.abs() * terms.map(|(i, (s, q))| s.abs() * (q.abs() + driven(i))).sum::<f64>()
+            }
             _ => 0.0,
         };
         plant.system.signals.iter().map(of).sum()
@@ -138,4 +148,9 @@ impl Marcher<'_> {
         let compressed: f64 = pressed.map(|(port, stop)| stop.law.energy_j(port.penetration_m)).sum();
         mechanical + electrical + compressed
     }
+}
+
+/// A row of a real matrix times a complex vector.
+fn dot_row(matrix: &Mat<f64>, row: usize, vector: &[c64]) -> c64 {
+    vector.iter().enumerate().map(|(j, v)| *v * matrix[(row, j)]).sum()
 }

@@ -8,7 +8,7 @@ use super::flight_table::FlightTable;
 use super::flow::Flow;
 use super::forced_flight::ForcedFlight;
 use super::layout::Layout;
-use super::table::Table;
+use super::table::{Sticking, Table};
 use super::watch::Watch;
 use crate::contact::Law;
 use crate::plant::{BridgeState, Change, Meters, Plant, PlantError, Signal, Stop};
@@ -79,6 +79,7 @@ struct PortLevel {
     flight: OnceLock<FlightTable>,
     smooth: OnceLock<Box<Table>>,
     onset: OnceLock<Box<Table>>,
+    sticking: OnceLock<Box<Sticking>>,
     /// What its force does to each port; empty for the only port.
     seen: Vec<SeenLevel>,
 }
@@ -264,6 +265,12 @@ impl Kernel {
         let tables = &self.levels[Self::index(level)].ports[port];
         let slot = if shape == Shape::Smooth { &tables.smooth } else { &tables.onset };
         slot.get_or_init(|| Box::new(Table::new(self, port, self.basis(port, shape), Self::length_s(level))))
+    }
+
+    /// What rest of a port on its stop needs on a step of a level.
+    pub(super) fn sticking(&self, port: usize, level: i32) -> &Sticking {
+        let slot = &self.levels[Self::index(level)].ports[port].sticking;
+        slot.get_or_init(|| Box::new(Sticking::new(self, port, &SMOOTH, Self::length_s(level))))
     }
 
     /// What the force of the first port does to the second on a level.

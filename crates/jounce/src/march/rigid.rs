@@ -173,14 +173,13 @@ impl Marcher<'_> {
             let remaining = end_s - self.time_s;
             let landing = Kernel::length_s(level) >= remaining;
             let odd;
-            let table = if landing {
-                odd = Table::new(self.kernel, 0, &SMOOTH, remaining);
-                &odd
+            let (table, sticking) = if landing {
+                odd = (Table::new(self.kernel, 0, &SMOOTH, remaining), Sticking::new(self.kernel, 0, &SMOOTH, remaining));
+                (&odd.0, &odd.1)
             } else {
-                self.kernel.table(0, Shape::Smooth, level)
+                (self.kernel.table(0, Shape::Smooth, level), self.kernel.sticking(0, level))
             };
-            let sticking = Sticking::new(self.kernel, 0, &SMOOTH, table.length_s);
-            let (force, mismatch_n) = self.holding_force(table, &sticking);
+            let (force, mismatch_n) = self.holding_force(table, sticking);
             let size_n = force.iter().fold(f64::MIN_POSITIVE, |max, f| max.max(f.abs()));
             // Just before the point leaves, its force is no larger than the roundoff of what it is summed from.
             let roundoff_n = self.acceleration_roundoff_m_s2(0) / self.ports[0].rows.mobility_per_kg;
@@ -202,7 +201,10 @@ impl Marcher<'_> {
                 self.ports[0].regime = Regime::Flight;
                 return Ok(());
             }
-            level = (level - PER_OCTAVE).max(Kernel::coarsest());
+            // The mismatch of a polynomial through seven nodes grows like the seventh power of the length.
+            if mismatch_n * 2.0_f64.powi(NODES as i32) <= allowed_n {
+                level = (level - PER_OCTAVE).max(Kernel::coarsest());
+            }
         }
         Ok(())
     }

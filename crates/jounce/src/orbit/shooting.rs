@@ -40,7 +40,7 @@ pub struct Shot {
     pub looks: Vec<Vec<f64>>,
     /// `R`.
     pub(super) residual: Vec<f64>,
-    /// `d u(n T) / d u(0)` at the charges that the period keeps (see [`kept_charges`]).
+    /// `d u(n T) / d u(0)` at the charges that nothing lets go in the period.
     pub map: Mat<f64>,
     /// The same in block coordinates, in which modes that the contact leaves alone stand apart.
     pub(super) block_map: Mat<f64>,

@@ -29,14 +29,14 @@ pub const SETTLED: f64 = 1e-4;
 
 /// Judges states one drive period apart, oldest first, in energy coordinates.
 ///
-/// Changes below `noise` are the march's own error, of which no ratio can be taken.
-pub(super) fn settlement(states: &[Vec<f64>], noise: f64) -> Settlement {
+/// Changes below `noise` are the march's own error, of which no ratio can be taken; a state smaller than `least` is held against that.
+pub(super) fn settlement(states: &[Vec<f64>], noise: f64, least: f64) -> Settlement {
     let mut best: Option<Settlement> = None;
     for period in 1..=LONGEST_PERIOD {
         let Some(first) = states.len().checked_sub(2 * period + 1) else { break };
         let (old, middle, last) = (&states[first], &states[first + period], &states[first + 2 * period]);
         let size = norm(last.iter().copied());
-        let change = |a: &[f64], b: &[f64]| norm(a.iter().zip(b).map(|(a, b)| a - b)) / size.max(f64::MIN_POSITIVE);
+        let change = |a: &[f64], b: &[f64]| norm(a.iter().zip(b).map(|(a, b)| a - b)) / size.max(least).max(f64::MIN_POSITIVE);
         let (before, now) = (change(middle, old), change(last, middle));
         let ratio = now / before;
         let distance = match now < noise {
@@ -55,7 +55,7 @@ pub(super) fn settlement(states: &[Vec<f64>], noise: f64) -> Settlement {
     best.unwrap_or(Settlement { settled: false, period_cycles: 1, change: f64::INFINITY, distance: f64::INFINITY })
 }
 
-fn norm(values: impl Iterator<Item = f64>) -> f64 {
+pub(super) fn norm(values: impl Iterator<Item = f64>) -> f64 {
     values.map(|v| v * v).sum::<f64>().sqrt()
 }
 
@@ -66,14 +66,14 @@ mod tests {
     #[test]
     fn a_slow_decay_is_not_settled_though_it_changes_little() {
         let states: Vec<Vec<f64>> = (0..LOOKS).map(|k| vec![1.0 + 0.05 * 0.999_f64.powi(k as i32)]).collect();
-        let found = settlement(&states, 1e-12);
+        let found = settlement(&states, 1e-12, 0.0);
         assert!(!found.settled && found.change < 1e-4 && (found.distance / 0.0472 - 1.0).abs() < 0.02, "{found:?}");
     }
 
     #[test]
     fn an_orbit_of_two_cycles_is_found() {
         let states: Vec<Vec<f64>> = (0..LOOKS).map(|k| vec![1.0, if k % 2 == 0 { 0.1 } else { -0.1 }]).collect();
-        let found = settlement(&states, 1e-12);
+        let found = settlement(&states, 1e-12, 0.0);
         assert!(found.settled && found.period_cycles == 2, "{found:?}");
     }
 }

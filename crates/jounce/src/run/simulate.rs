@@ -1,6 +1,6 @@
 //! Marches a plan and reads its answers.
 
-use super::settle::{LOOKS, settlement};
+use super::settle::{LOOKS, norm, settlement};
 use super::{LeakAnswer, Limits, LoadAnswer, RectifiedAnswer, RunAnswer, Settlement, StartState, StopAnswer};
 use crate::contact::Law;
 use crate::march::{ContactStatistics, Energies, Kernel, MarchError, Marcher, RectifiedEnergies};
@@ -10,6 +10,9 @@ use std::time::Instant;
 
 /// Share of the displacements of a start by which a point may lie past a rigid stop: states that other runs saved are rounded.
 const ROUNDOFF: f64 = 1e-9;
+
+/// Part of the motion that the drives would force without contact below which a motion is rest.
+const AT_REST: f64 = 1e-9;
 
 /// What to march.
 #[derive(Debug, Clone, PartialEq)]
@@ -133,7 +136,11 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
     let end = StartState::from_blocks(plant, &marcher.state(), end_s);
     let rectified = rectified(plant, [(&opened, &before), (&energies, &end)], plan.average_over_s);
     Ok(RunAnswer {
-        mean_power_w: loads.iter().map(|load| load.mean_power_w).chain(rectified.iter().map(|own| own.mean_power_w)).fold(0.0, |sum, own| sum + own),
+        mean_power_w: loads
+            .iter()
+            .map(|load| load.mean_power_w)
+            .chain(rectified.iter().map(|own| own.mean_power_w))
+            .fold(0.0, |sum, own| sum + own),
         loads,
         rectified,
         leaks: leaks(plant, [&opened, &energies], plan.average_over_s),
@@ -238,5 +245,10 @@ fn settled(kernel: &Kernel, trajectory: &crate::march::Trajectory, end_s: f64, p
     let states: Vec<Vec<f64>> = (trajectory.at(kernel, &times).iter())
         .map(|at| kernel.plant.to_physical(&at.state, at.time_s).iter().zip(&scales).map(|(x, s)| x * s).collect())
         .collect();
-    settlement(&states, noise)
+    // A ball at rest on its table moves by roundoff of what would shake it.
+    let driven = plant.tones.iter().map(|tone| {
+        let amplitude = |i: usize| (0..plant.len()).map(|j| tone.steady[j] * plant.diagonal.to_physical[(i, j)]).sum::<faer::c64>();
+        norm((0..plant.len()).map(|i| scales[i] * amplitude(i).norm()))
+    });
+    settlement(&states, noise, AT_REST * driven.fold(0.0, f64::max))
 }

@@ -149,7 +149,10 @@ fn a_branch_over_the_load_has_the_power_of_settled_marches() {
         let plan = jounce::run::RunPlan { duration_s: 400.0 * period_s, average_over_s: 10.0 * period_s, tolerance: 1e-9, record_s: 0.0 };
         let answer = jounce::run::simulate(&kernel, &jounce::run::StartState::rest(&kernel.plant), &plan).unwrap();
         let error = point.orbit.mean_power_w / answer.mean_power_w - 1.0;
-        eprintln!("{:.4} ohm: {:.8} W, march {error:.1e}, error estimate {:.1e}", point.parameter, answer.mean_power_w, point.orbit.error_estimate);
+        eprintln!(
+            "{:.4} ohm: {:.8} W, march {error:.1e}, error estimate {:.1e}",
+            point.parameter, answer.mean_power_w, point.orbit.error_estimate
+        );
         assert!(error.abs() < 1e-6, "{} ohm: {error:e}", point.parameter);
     }
 }
@@ -173,7 +176,8 @@ fn harmonic_balance_names_shooting() {
     let key = file.numeric_key("circuit.rectifier.resistance").unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
     let method = Method::HarmonicBalance { harmonics: 16 };
-    let search = BranchSearch { base: &base, parameter: &parameter, range: (0.3, 1.3), method, tolerance: 1e-8, seeds: 0, longest_period: 1 };
+    let search =
+        BranchSearch { base: &base, parameter: &parameter, range: (0.3, 1.3), method, tolerance: 1e-8, seeds: 0, longest_period: 1 };
     let refused: OrbitError<StudyError> = search.run().unwrap_err();
     assert!(matches!(&refused, OrbitError::Rectified { circuit } if circuit == "rectifier"), "{refused}");
     assert!(refused.to_string().contains("use the method shooting"));

@@ -14,7 +14,7 @@ use crate::march::basis::{NODES, SMOOTH};
 use crate::march::contact::IMPULSE_SHARE;
 use crate::march::contact_step::Solved;
 use crate::march::error::MarchError;
-use crate::march::joint_tables::JointTables;
+use crate::march::joint_tables::{JointTables, Length};
 use crate::march::marcher::Marcher;
 use crate::march::port_state::Regime;
 use crate::march::rigid::acceleration;
@@ -60,8 +60,15 @@ impl Resting {
         };
         for place in resting.places.clone() {
             let port = tables.ports[place].0;
-            let sticking = Sticking::new(marcher.kernel, port, &SMOOTH, tables.length.seconds());
-            resting.free.push(marcher.free_acceleration(&sticking, port, tables.length.seconds()));
+            let odd;
+            let sticking = match tables.length {
+                Length::Level(level) => marcher.kernel.sticking(port, level),
+                Length::Odd { length_s, .. } => {
+                    odd = Sticking::new(marcher.kernel, port, &SMOOTH, length_s);
+                    &odd
+                }
+            };
+            resting.free.push(marcher.free_acceleration(sticking, port, tables.length.seconds()));
             let answer = |from: usize| if from == place { sticking.acceleration.push } else { tables.cross(from, place).acceleration };
             resting.answers.push((0..tables.ports.len()).map(answer).collect());
             resting.mobility.push(tables.ports.iter().map(|(other, _)| marcher.mobility_per_kg(port, *other)).collect());

@@ -40,7 +40,7 @@ impl Route<'_> {
         let changes = self.trajectory.changes();
         let mut tangents = Tangents::identity(self.base.plant.len());
         let first = changes.first().map_or(self.end_regime, |change| change.regime);
-        self.into_regime(&mut tangents, 0, first)?;
+        self.carry(&mut tangents, 0, first)?;
         let (mut from, mut cause) = (0, None);
         for (k, change) in changes.iter().enumerate() {
             let own = self.kernel(change.regime)?;
@@ -55,7 +55,7 @@ impl Route<'_> {
         let own = self.kernel(self.end_regime)?;
         let all = self.trajectory.segments().len();
         let Passed { mut tangents, .. } = self.stretch(own, (from, all), (self.end_s, &self.end), tangents)?;
-        self.into_regime(&mut tangents, self.end_regime, 0)?;
+        self.carry(&mut tangents, self.end_regime, 0)?;
         Ok(tangents)
     }
 
@@ -64,7 +64,7 @@ impl Route<'_> {
     }
 
     /// From the block coordinates of one regime to those of another.
-    fn into_regime(&self, tangents: &mut Tangents, from: usize, to: usize) -> Result<(), VariationError> {
+    fn carry(&self, tangents: &mut Tangents, from: usize, to: usize) -> Result<(), VariationError> {
         if from != to {
             tangents.transform((&self.kernel(to)?.plant.diagonal.from_physical * &self.kernel(from)?.plant.diagonal.to_physical).as_ref());
         }
@@ -100,7 +100,7 @@ impl Route<'_> {
         next: usize,
     ) -> Result<(Tangents, Option<Vec<Lane>>), VariationError> {
         if change.flipped.is_none() && cause_s.is_none() {
-            self.into_regime(&mut tangents, change.regime, next)?;
+            self.carry(&mut tangents, change.regime, next)?;
             return Ok((tangents, None));
         }
         let (own, other) = (self.kernel(change.regime)?, self.kernel(next)?);
