@@ -5,8 +5,8 @@ use crate::spec_arguments::OutputArguments;
 use clap::Args;
 use jounce::spec::Quantity as Unit;
 use jounce::table::Manifest;
-use jounce_measure::read;
-use jounce_measure::recording::{Channel, ChannelError, Quantity, Recording};
+use jounce_measure::read::{self, Surveyed};
+use jounce_measure::recording::{ChannelError, Quantity, Recording, chosen, named};
 use sha2::{Digest, Sha256};
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -21,9 +21,9 @@ pub struct MeasuredFile {
 }
 
 impl MeasuredFile {
-    /// The first recording over time, at even times and without missing samples.
-    pub fn record(&self) -> Result<Recording, Failure> {
-        record(&self.file)
+    /// The first recording over time, its numbers not in memory.
+    pub fn survey(&self) -> Result<Surveyed, Failure> {
+        Ok(read::survey_record(&self.file)?)
     }
 
     /// Manifest of an answer.
@@ -60,13 +60,25 @@ fn hash_hex(file: &Path) -> Result<String, Failure> {
     }
 }
 
-/// The channel of a name or number; without one, the only channel or the first of a quantity.
-pub fn channel<'a>(recording: &'a Recording, wanted: Option<&str>, quantity: Quantity, option: &str) -> Result<&'a Channel, Failure> {
-    recording.choose(wanted, quantity).map_err(|error| match error {
+/// The number of the channel of a name or number; without one, of the only channel or the first of a quantity.
+pub fn channel(recording: &Surveyed, wanted: Option<&str>, quantity: Quantity, option: &str) -> Result<usize, Failure> {
+    chosen(&recording.name, &recording.heads(), wanted, quantity).map_err(|error| match error {
         ChannelError::Missing(error) => error.into(),
         error @ ChannelError::Unnamed { .. } => Failure::usage(format!("{option}: {error}")),
         error @ ChannelError::Unit { .. } => Failure::Input(format!("{option}: {error}")),
     })
+}
+
+/// The number of the channel of a name or number, whatever it measures.
+pub fn any_channel(recording: &Surveyed, wanted: &str) -> Result<usize, Failure> {
+    Ok(named(&recording.name, &recording.heads(), wanted)?)
+}
+
+/// Some channels of a recording at even times and without missing samples; the others never come to memory.
+pub fn loaded(recording: Surveyed, channels: &[usize]) -> Result<Recording, Failure> {
+    let kept =
+        recording.into_recording_of(channels).map_err(|fault| Failure::Input(format!("the scratch file cannot be read: {fault}")))?;
+    Ok(kept.into_even()?)
 }
 
 /// A positive quantity of an option.

@@ -1,7 +1,7 @@
 //! `jounce power FILE... --resistance R...`
 
 use crate::failure::Failure;
-use crate::measured_file::{channel, manifest, positive, record, tell_findings};
+use crate::measured_file::{channel, loaded, manifest, positive, tell_findings};
 use crate::output::{self, line, print};
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
@@ -10,6 +10,7 @@ use jounce::signal::{OrderLine, Samples, Window};
 use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::{LoadPoint, power_over_load};
+use jounce_measure::read;
 use jounce_measure::recording::{Finding, Quantity};
 use jounce_measure::spectral::{MeanPower, mean_power};
 use std::path::{Path, PathBuf};
@@ -82,15 +83,18 @@ impl Power {
     }
 
     fn answer(&self, file: &Path, resistance_ohm: f64, drive_hz: Option<f64>) -> Result<Answer, Failure> {
-        let record = record(file)?;
+        let survey = read::survey_record(file)?;
+        let voltage = channel(&survey, self.voltage.as_deref(), Quantity::Voltage, "--voltage")?;
+        let base = self.base.as_ref().map(|name| channel(&survey, Some(name), Quantity::Acceleration, "--base")).transpose()?;
+        let wanted: Vec<usize> = std::iter::once(voltage).chain(base).collect();
+        let record = loaded(survey, &wanted)?;
         tell_findings(&record);
-        let voltage = channel(&record, self.voltage.as_deref(), Quantity::Voltage, "--voltage")?;
+        let voltage = &record.channels[0];
         let samples = Samples::new(&voltage.values, record.rate())?;
         let power = mean_power(&samples, resistance_ohm, self.remove_mean)?;
-        let mean_square = match &self.base {
+        let mean_square = match record.channels.get(1) {
             None => None,
-            Some(name) => {
-                let base = channel(&record, Some(name), Quantity::Acceleration, "--base")?;
+            Some(base) => {
                 let base = Samples::new(&base.values, record.rate())?;
                 Some(base.rms().powi(2) - base.mean().powi(2))
             }
