@@ -6,7 +6,7 @@ use clap::Args;
 use jounce::spec::Quantity as Unit;
 use jounce::table::Manifest;
 use jounce_measure::read::{self, Surveyed};
-use jounce_measure::recording::{ChannelError, Quantity, Recording, chosen, named};
+use jounce_measure::recording::{ChannelError, Finding, Quantity, Recording, chosen, named};
 use sha2::{Digest, Sha256};
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -21,9 +21,9 @@ pub struct MeasuredFile {
 }
 
 impl MeasuredFile {
-    /// The first recording over time, its numbers not in memory.
+    /// As [`survey()`].
     pub fn survey(&self) -> Result<Surveyed, Failure> {
-        Ok(read::survey_record(&self.file)?)
+        survey(&self.file)
     }
 
     /// Manifest of an answer.
@@ -74,11 +74,21 @@ pub fn any_channel(recording: &Surveyed, wanted: &str) -> Result<usize, Failure>
     Ok(named(&recording.name, &recording.heads(), wanted)?)
 }
 
-/// Some channels of a recording at even times and without missing samples; the others never come to memory.
+/// The first recording over time in a file, its numbers not in memory; tells on stderr what was noticed.
+pub fn survey(file: &Path) -> Result<Surveyed, Failure> {
+    let recording = read::survey_record(file)?;
+    tell(&recording.findings);
+    Ok(recording)
+}
+
+/// Some channels of it at even times and without missing samples, and tells on stderr what was done to them; the others never come to memory.
 pub fn loaded(recording: Surveyed, channels: &[usize]) -> Result<Recording, Failure> {
+    let told = recording.findings.len();
     let kept =
         recording.into_recording_of(channels).map_err(|fault| Failure::Input(format!("the scratch file cannot be read: {fault}")))?;
-    Ok(kept.into_even()?)
+    let even = kept.into_even()?;
+    tell(&even.findings[told..]);
+    Ok(even)
 }
 
 /// A positive quantity of an option.
@@ -90,7 +100,9 @@ pub fn positive(option: &str, text: &str, quantity: Unit) -> Result<f64, Failure
 
 /// Tells on stderr what was noticed and done.
 pub fn tell_findings(recording: &Recording) {
-    for finding in &recording.findings {
-        eprintln!("{finding}");
-    }
+    tell(&recording.findings);
+}
+
+fn tell(findings: &[Finding]) {
+    findings.iter().for_each(|finding| eprintln!("{finding}"));
 }

@@ -1,7 +1,7 @@
 //! `jounce contact FILE`
 
 use crate::failure::Failure;
-use crate::measured_file::{MeasuredFile, channel, loaded, positive, tell_findings};
+use crate::measured_file::{MeasuredFile, channel, loaded, positive};
 use crate::output::{self, line, print};
 use clap::Args;
 use jounce::signal::Samples;
@@ -36,7 +36,6 @@ impl Contact {
         let survey = self.file.survey()?;
         let number = channel(&survey, self.force.as_deref(), Quantity::Force, "--force")?;
         let record = loaded(survey, &[number])?;
-        tell_findings(&record);
         let force = &record.channels[0];
         let samples = Samples::new(&force.values, record.rate())?;
         let found = hits(&samples, HitSearch::default())?;

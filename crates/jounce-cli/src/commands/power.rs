@@ -1,7 +1,7 @@
 //! `jounce power FILE... --resistance R...`
 
 use crate::failure::Failure;
-use crate::measured_file::{channel, loaded, manifest, positive, tell_findings};
+use crate::measured_file::{channel, loaded, manifest, positive, survey};
 use crate::output::{self, line, print};
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
@@ -10,7 +10,6 @@ use jounce::signal::{OrderLine, Samples, Window};
 use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::{LoadPoint, power_over_load};
-use jounce_measure::read;
 use jounce_measure::recording::{Finding, Quantity};
 use jounce_measure::spectral::{MeanPower, mean_power};
 use std::path::{Path, PathBuf};
@@ -83,12 +82,11 @@ impl Power {
     }
 
     fn answer(&self, file: &Path, resistance_ohm: f64, drive_hz: Option<f64>) -> Result<Answer, Failure> {
-        let survey = read::survey_record(file)?;
+        let survey = survey(file)?;
         let voltage = channel(&survey, self.voltage.as_deref(), Quantity::Voltage, "--voltage")?;
         let base = self.base.as_ref().map(|name| channel(&survey, Some(name), Quantity::Acceleration, "--base")).transpose()?;
         let wanted: Vec<usize> = std::iter::once(voltage).chain(base).collect();
         let record = loaded(survey, &wanted)?;
-        tell_findings(&record);
         let voltage = &record.channels[0];
         let samples = Samples::new(&voltage.values, record.rate())?;
         let power = mean_power(&samples, resistance_ohm, self.remove_mean)?;

@@ -2,7 +2,7 @@
 
 use super::regime_model::{self, ModelArguments};
 use crate::failure::Failure;
-use crate::measured_file::{MeasuredFile, any_channel, channel, loaded, positive, tell_findings};
+use crate::measured_file::{MeasuredFile, any_channel, channel, loaded, positive};
 use crate::output::{self, line, print};
 use clap::Args;
 use jounce::signal::Samples;
@@ -44,7 +44,6 @@ impl RegimesOf {
             wanted => channel(&survey, wanted.as_deref(), Quantity::Voltage, "--channel")?,
         };
         let record = loaded(survey, &[number])?;
-        tell_findings(&record);
         let channel = &record.channels[0];
         let found = regimes(&Samples::new(&channel.values, record.rate())?, drive_hz)?;
         let power = |stretch: &Stretch| -> Result<Option<MeanPower>, Failure> {

@@ -1,7 +1,7 @@
 //! `jounce spectra FILE`
 
 use crate::failure::Failure;
-use crate::measured_file::{MeasuredFile, any_channel, loaded, positive, tell_findings};
+use crate::measured_file::{MeasuredFile, any_channel, loaded, positive};
 use crate::output::{self, line, print};
 use clap::{Args, ValueEnum};
 use jounce::signal::{OrderLine, Samples, Window};
@@ -68,10 +68,13 @@ impl Spectra {
         let drive_hz = self.drive.as_ref().map(|text| positive("--drive", text, Unit::Frequency)).transpose()?;
         let segment_s = self.segment.as_ref().map(|text| positive("--segment", text, Unit::Time)).transpose()?;
         let survey = self.file.survey()?;
-        let volts = survey.channels.iter().position(|channel| channel.quantity == Quantity::Voltage).unwrap_or(0);
-        let number = self.channel.as_ref().map_or(Ok(volts), |name| any_channel(&survey, name))?;
+        let first = (!survey.channels.is_empty()).then_some(0);
+        let volts = survey.channels.iter().position(|channel| channel.quantity == Quantity::Voltage).or(first);
+        let number = match &self.channel {
+            Some(name) => any_channel(&survey, name)?,
+            None => volts.ok_or_else(|| Failure::Input(format!("{} has no channel", survey.name)))?,
+        };
         let record = loaded(survey, &[number])?;
-        tell_findings(&record);
         let channel = &record.channels[0];
         let samples = Samples::new(&channel.values, record.rate())?;
         let count = samples.values().len();

@@ -2,7 +2,7 @@
 
 use super::SensingArguments;
 use crate::failure::Failure;
-use crate::measured_file::{channel, loaded, positive, tell_findings};
+use crate::measured_file::{channel, loaded, positive, survey};
 use clap::Args;
 use jounce::march::Watch;
 use jounce::plant::{Plant, System};
@@ -10,7 +10,6 @@ use jounce::run::StartState;
 use jounce::spec::{Quantity as Unit, Spec, Start};
 use jounce::structure;
 use jounce::study::Prepared;
-use jounce_measure::read;
 use jounce_measure::recording::{Quantity, Recording};
 use jounce_measure::rig::{ShakerTest, Wander, on_recorded_base, shaker_test};
 use jounce_measure::solution::{Search, solutions};
@@ -89,10 +88,9 @@ impl ShakerArguments {
     }
 
     fn move_base(&self, spec: &mut Spec, file: &Path) -> Result<(), Failure> {
-        let survey = read::survey_record(file)?;
+        let survey = survey(file)?;
         let number = channel(&survey, self.base_channel.as_deref(), Quantity::Acceleration, "--base-channel")?;
         let recording = loaded(survey, &[number])?;
-        tell_findings(&recording);
         let name = &recording.channels[0].name;
         let mean = on_recorded_base(spec, &recording, name, self.keep_mean)?;
         let words = if self.keep_mean { "kept" } else { "taken away" };
