@@ -5,8 +5,8 @@ use crate::spec_arguments::OutputArguments;
 use clap::Args;
 use jounce::spec::Quantity as Unit;
 use jounce::table::Manifest;
-use jounce_measure::read;
-use jounce_measure::recording::{Channel, ChannelError, Quantity, Recording};
+use jounce_measure::read::{self, Surveyed};
+use jounce_measure::recording::{ChannelError, Finding, Quantity, Recording, chosen, named};
 use sha2::{Digest, Sha256};
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -21,9 +21,9 @@ pub struct MeasuredFile {
 }
 
 impl MeasuredFile {
-    /// The first recording over time, at even times and without missing samples.
-    pub fn record(&self) -> Result<Recording, Failure> {
-        record(&self.file)
+    /// As [`survey()`].
+    pub fn survey(&self) -> Result<Surveyed, Failure> {
+        survey(&self.file)
     }
 
     /// Manifest of an answer.
@@ -60,13 +60,35 @@ fn hash_hex(file: &Path) -> Result<String, Failure> {
     }
 }
 
-/// The channel of a name or number; without one, the only channel or the first of a quantity.
-pub fn channel<'a>(recording: &'a Recording, wanted: Option<&str>, quantity: Quantity, option: &str) -> Result<&'a Channel, Failure> {
-    recording.choose(wanted, quantity).map_err(|error| match error {
+/// The number of the channel of a name or number; without one, of the only channel or the first of a quantity.
+pub fn channel(recording: &Surveyed, wanted: Option<&str>, quantity: Quantity, option: &str) -> Result<usize, Failure> {
+    chosen(&recording.name, &recording.heads(), wanted, quantity).map_err(|error| match error {
         ChannelError::Missing(error) => error.into(),
         error @ ChannelError::Unnamed { .. } => Failure::usage(format!("{option}: {error}")),
         error @ ChannelError::Unit { .. } => Failure::Input(format!("{option}: {error}")),
     })
+}
+
+/// The number of the channel of a name or number, whatever it measures.
+pub fn any_channel(recording: &Surveyed, wanted: &str) -> Result<usize, Failure> {
+    Ok(named(&recording.name, &recording.heads(), wanted)?)
+}
+
+/// The first recording over time in a file, its numbers not in memory; tells on stderr what was noticed.
+pub fn survey(file: &Path) -> Result<Surveyed, Failure> {
+    let recording = read::survey_record(file)?;
+    tell(&recording.findings);
+    Ok(recording)
+}
+
+/// Some channels of it at even times and without missing samples, and tells on stderr what was done to them; the others never come to memory.
+pub fn loaded(recording: Surveyed, channels: &[usize]) -> Result<Recording, Failure> {
+    let told = recording.findings.len();
+    let kept =
+        recording.into_recording_of(channels).map_err(|fault| Failure::Input(format!("the scratch file cannot be read: {fault}")))?;
+    let even = kept.into_even()?;
+    tell(&even.findings[told..]);
+    Ok(even)
 }
 
 /// A positive quantity of an option.
@@ -78,7 +100,9 @@ pub fn positive(option: &str, text: &str, quantity: Unit) -> Result<f64, Failure
 
 /// Tells on stderr what was noticed and done.
 pub fn tell_findings(recording: &Recording) {
-    for finding in &recording.findings {
-        eprintln!("{finding}");
-    }
+    tell(&recording.findings);
+}
+
+fn tell(findings: &[Finding]) {
+    findings.iter().for_each(|finding| eprintln!("{finding}"));
 }

@@ -1,7 +1,7 @@
 //! `jounce contact FILE`
 
 use crate::failure::Failure;
-use crate::measured_file::{MeasuredFile, channel, positive, tell_findings};
+use crate::measured_file::{MeasuredFile, channel, loaded, positive};
 use crate::output::{self, line, print};
 use clap::Args;
 use jounce::signal::Samples;
@@ -33,9 +33,10 @@ impl Contact {
     /// Finds the hits, fits each and tells.
     pub fn run(&self) -> Result<(), Failure> {
         let mass_kg = self.mass.as_ref().map(|text| positive("--mass", text, Unit::Mass)).transpose()?;
-        let record = self.file.record()?;
-        tell_findings(&record);
-        let force = channel(&record, self.force.as_deref(), Quantity::Force, "--force")?;
+        let survey = self.file.survey()?;
+        let number = channel(&survey, self.force.as_deref(), Quantity::Force, "--force")?;
+        let record = loaded(survey, &[number])?;
+        let force = &record.channels[0];
         let samples = Samples::new(&force.values, record.rate())?;
         let found = hits(&samples, HitSearch::default())?;
         let fits: Vec<Result<ContactFit, String>> =

@@ -1,7 +1,7 @@
 //! `jounce power FILE... --resistance R...`
 
 use crate::failure::Failure;
-use crate::measured_file::{channel, manifest, positive, record, tell_findings};
+use crate::measured_file::{channel, loaded, manifest, positive, survey};
 use crate::output::{self, line, print};
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
@@ -82,15 +82,17 @@ impl Power {
     }
 
     fn answer(&self, file: &Path, resistance_ohm: f64, drive_hz: Option<f64>) -> Result<Answer, Failure> {
-        let record = record(file)?;
-        tell_findings(&record);
-        let voltage = channel(&record, self.voltage.as_deref(), Quantity::Voltage, "--voltage")?;
+        let survey = survey(file)?;
+        let voltage = channel(&survey, self.voltage.as_deref(), Quantity::Voltage, "--voltage")?;
+        let base = self.base.as_ref().map(|name| channel(&survey, Some(name), Quantity::Acceleration, "--base")).transpose()?;
+        let wanted: Vec<usize> = std::iter::once(voltage).chain(base).collect();
+        let record = loaded(survey, &wanted)?;
+        let voltage = &record.channels[0];
         let samples = Samples::new(&voltage.values, record.rate())?;
         let power = mean_power(&samples, resistance_ohm, self.remove_mean)?;
-        let mean_square = match &self.base {
+        let mean_square = match record.channels.get(1) {
             None => None,
-            Some(name) => {
-                let base = channel(&record, Some(name), Quantity::Acceleration, "--base")?;
+            Some(base) => {
                 let base = Samples::new(&base.values, record.rate())?;
                 Some(base.rms().powi(2) - base.mean().powi(2))
             }

@@ -2,7 +2,7 @@
 
 use super::regime_model::{self, ModelArguments};
 use crate::failure::Failure;
-use crate::measured_file::{MeasuredFile, channel, positive, tell_findings};
+use crate::measured_file::{MeasuredFile, any_channel, channel, loaded, positive};
 use crate::output::{self, line, print};
 use clap::Args;
 use jounce::signal::Samples;
@@ -37,13 +37,14 @@ impl RegimesOf {
     pub fn run(&self) -> Result<(), Failure> {
         let drive_hz = positive("--drive", &self.drive, Unit::Frequency)?;
         let resistance = self.resistance.as_ref().map(|text| positive("--resistance", text, Unit::Resistance)).transpose()?;
-        let record = self.file.record()?;
-        tell_findings(&record);
-        let channel = match &self.channel {
+        let survey = self.file.survey()?;
+        let number = match &self.channel {
             // Any quantity can be cut; only a voltage has a power.
-            Some(name) if resistance.is_none() => record.channel(name)?,
-            wanted => channel(&record, wanted.as_deref(), Quantity::Voltage, "--channel")?,
+            Some(name) if resistance.is_none() => any_channel(&survey, name)?,
+            wanted => channel(&survey, wanted.as_deref(), Quantity::Voltage, "--channel")?,
         };
+        let record = loaded(survey, &[number])?;
+        let channel = &record.channels[0];
         let found = regimes(&Samples::new(&channel.values, record.rate())?, drive_hz)?;
         let power = |stretch: &Stretch| -> Result<Option<MeanPower>, Failure> {
             let Some(ohm) = resistance else { return Ok(None) };

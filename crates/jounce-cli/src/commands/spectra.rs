@@ -1,7 +1,7 @@
 //! `jounce spectra FILE`
 
 use crate::failure::Failure;
-use crate::measured_file::{MeasuredFile, positive, tell_findings};
+use crate::measured_file::{MeasuredFile, any_channel, loaded, positive};
 use crate::output::{self, line, print};
 use clap::{Args, ValueEnum};
 use jounce::signal::{OrderLine, Samples, Window};
@@ -56,13 +56,15 @@ impl Spectra {
     pub fn run(&self) -> Result<(), Failure> {
         let drive_hz = self.drive.as_ref().map(|text| positive("--drive", text, Unit::Frequency)).transpose()?;
         let segment_s = self.segment.as_ref().map(|text| positive("--segment", text, Unit::Time)).transpose()?;
-        let record = self.file.record()?;
-        tell_findings(&record);
-        let volts = || record.channels.iter().find(|channel| channel.quantity == Quantity::Voltage).or(record.channels.first());
-        let channel = match &self.channel {
-            Some(name) => record.channel(name)?,
-            None => volts().ok_or_else(|| Failure::Input(format!("{} has no channel", record.name)))?,
+        let survey = self.file.survey()?;
+        let first = (!survey.channels.is_empty()).then_some(0);
+        let volts = survey.channels.iter().position(|channel| channel.quantity == Quantity::Voltage).or(first);
+        let number = match &self.channel {
+            Some(name) => any_channel(&survey, name)?,
+            None => volts.ok_or_else(|| Failure::Input(format!("{} has no channel", survey.name)))?,
         };
+        let record = loaded(survey, &[number])?;
+        let channel = &record.channels[0];
         let samples = Samples::new(&channel.values, record.rate())?;
         let window = match self.window {
             WindowName::Hann => Window::Hann,

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::error::Damage;
 use super::raw::Raw;
 use super::shelf::Shelf;
-use super::{Notes, ReadError, Survey, assemble, lvm, mat, npy, parquet, text, uff};
+use super::{Notes, ReadError, Survey, Surveyed, assemble, lvm, mat, npy, parquet, text, uff};
 use crate::recording::{Finding, Over, Recording};
 
 /// What a file holds.
@@ -91,6 +91,15 @@ fn read(path: &Path, shelf: &Shelf) -> Result<Survey, ReadError> {
 /// As [`file()`], and a file without one.
 pub fn record(path: &Path) -> Result<Recording, ReadError> {
     let found = file(path)?.recordings.into_iter().find(|recording| recording.over == Over::Time);
+    found.ok_or_else(|| ReadError::NoRecord { path: path.to_owned() })
+}
+
+/// The same with its numbers in a scratch file, so that only the channels that are needed come to memory.
+///
+/// # Errors
+/// As [`survey()`], and a file without one.
+pub fn survey_record(path: &Path) -> Result<Surveyed, ReadError> {
+    let found = survey(path)?.recordings.into_iter().find(|recording| recording.over == Over::Time);
     found.ok_or_else(|| ReadError::NoRecord { path: path.to_owned() })
 }
 

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 use std::fs::File;
-use std::io::BufReader;
+use std::io::{BufReader, Read as _};
 use std::path::Path;
 
 use matfile::{MatFile, NumericData};
@@ -12,21 +12,49 @@ use super::error::Damage;
 use super::numbers::Numbers;
 use super::raw::{Column, Raw};
 use super::shelf::Shelf;
-use crate::recording::{Finding, FindingKind, Series};
+use crate::recording::{Finding, FindingKind, Place, Series};
+
+/// Bytes of the header of a file, whose last two tell the byte order.
+const HEADER: usize = 128;
+/// Kind of an element that is compressed; it is not filled up to eight bytes.
+const COMPRESSED: u32 = 15;
 
 pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
-    let file = File::open(path).map_err(|fault| Damage::new(fault.to_string()))?;
-    let parsed = MatFile::parse(BufReader::new(file)).map_err(|fault| Damage::new(format!("{fault}; was the file cut?")))?;
-    let mut findings = Vec::new();
-    let mut columns = Vec::new();
-    for array in parsed.arrays() {
-        match matrix(array, shelf)? {
-            Some(found) => columns.extend(found),
-            None => {
-                let about = format!("the array {} of size {:?} is no series of numbers", array.name(), array.size());
-                findings.push(Finding::new(FindingKind::Skipped, 1, None, about));
+    let told = |fault: std::io::Error| Damage::new(format!("{fault}; was the file cut?"));
+    let file = File::open(path).map_err(told)?;
+    let size = file.metadata().map_err(told)?.len();
+    let mut source = BufReader::new(file);
+    let mut header = [0; HEADER];
+    source.read_exact(&mut header).map_err(told)?;
+    let (mut findings, mut columns) = (Vec::new(), Vec::new());
+    let mut at = HEADER as u64;
+    // One element after the other, since the library holds what it is given: tag, then so many bytes.
+    while at < size {
+        let mut tag = [0; 8];
+        source.read_exact(&mut tag).map_err(told)?;
+        let ([due, whole], left) = (lengths(tag, header.ends_with(b"IM")), size - at - 8);
+        if due > left {
+            let why = format!("the element that begins here is {due} bytes long, {left} follow: was the file cut?");
+            return Err(Damage::at(Place::Byte(at as usize), why));
+        }
+        let length = whole.min(left);
+        let element = header.chain(&tag[..]).chain(source.by_ref().take(length));
+        let parsed =
+            MatFile::parse(element).map_err(|fault| Damage::at(Place::Byte(at as usize), format!("{fault}; was the file cut?")))?;
+        if parsed.arrays().is_empty() {
+            let about = "an element is no numeric array (a cell, a struct or text) and was left out".to_owned();
+            findings.push(Finding::new(FindingKind::Skipped, 1, Some(Place::Byte(at as usize)), about));
+        }
+        for array in parsed.arrays() {
+            match matrix(array, shelf)? {
+                Some(found) => columns.extend(found),
+                None => {
+                    let about = format!("the array {} of size {:?} is no series of numbers", array.name(), array.size());
+                    findings.push(Finding::new(FindingKind::Skipped, 1, None, about));
+                }
             }
         }
+        at += 8 + length;
     }
     let longest = columns.iter().map(|column: &Column| column.values.count()).max();
     let Some(longest) = longest.filter(|longest| *longest > 1) else {
@@ -40,6 +68,16 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     }
     columns.retain(|column| column.values.count() == longest);
     Ok(Raw::columns(columns, findings).into())
+}
+
+/// Bytes behind the tag of an element: those that it tells, and these filled up to eight where they are not compressed.
+fn lengths(tag: [u8; 8], little_endian: bool) -> [u64; 2] {
+    let [kind, length] = [0, 4].map(|from| {
+        let bytes = [tag[from], tag[from + 1], tag[from + 2], tag[from + 3]];
+        if little_endian { u32::from_le_bytes(bytes) } else { u32::from_be_bytes(bytes) }
+    });
+    let told = u64::from(length);
+    [told, if kind == COMPRESSED { told } else { told.next_multiple_of(8) }]
 }
 
 /// The longer side of a matrix is time; a matrix of several columns has them numbered from 1.

@@ -29,7 +29,7 @@ mod survey;
 mod text;
 mod uff;
 
-pub use contents::{Contents, ModeShape, file, record, survey};
+pub use contents::{Contents, ModeShape, file, record, survey, survey_record};
 pub use error::ReadError;
 pub use given::{GivenError, given};
 pub use notes::{ChannelNotes, Notes};

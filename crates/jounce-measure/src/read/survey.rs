@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::numbers::Numbers;
 use super::{Contents, ModeShape, ReadError};
-use crate::recording::{Channel, Finding, Grid, Over, PIECE, Quantity, Recording, Series, Sizes};
+use crate::recording::{Channel, Finding, Grid, Head, Over, PIECE, Quantity, Recording, Series, Sizes};
 
 /// What a file holds; its numbers lie in a scratch file beyond the first 16 MiB of them, so that memory does not grow with the file.
 #[derive(Debug)]
@@ -92,6 +92,32 @@ impl Surveyed {
             Places::Even { step, .. } => 1.0 / step,
             Places::Stamped { rate, .. } => *rate,
         }
+    }
+
+    /// What each channel is chosen by: see [`crate::recording::chosen`].
+    pub fn heads(&self) -> Vec<Head<'_>> {
+        self.channels.iter().map(|channel| Head { name: &channel.name, quantity: channel.quantity, unit: &channel.unit }).collect()
+    }
+
+    /// The recording with the numbers of some channels in memory and without the others. Channels are numbered from 0 and come in the order asked
+    /// for; what was noticed of the others stays in the findings.
+    ///
+    /// # Errors
+    /// The scratch file cannot be read, or there is no such channel.
+    pub fn into_recording_of(mut self, channels: &[usize]) -> io::Result<Recording> {
+        let mut left: Vec<Option<SurveyedChannel>> = self.channels.into_iter().map(Some).collect();
+        let mut found: Vec<Channel> = Vec::new();
+        for (k, number) in channels.iter().enumerate() {
+            let again = channels[..k].iter().position(|before| before == number).map(|at| found[at].clone());
+            let missing = || io::Error::other(format!("there is no channel {}", number + 1));
+            found.push(match again {
+                Some(again) => again,
+                None => left.get_mut(*number).and_then(Option::take).ok_or_else(missing)?.into_channel()?,
+            });
+        }
+        drop(left);
+        self.channels = Vec::new();
+        Ok(Recording { channels: found, ..self.into_recording()? })
     }
 
     /// The recording with all its numbers in memory.

@@ -30,6 +30,54 @@ pub enum ChannelError {
     },
 }
 
+/// What a channel is chosen by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Head<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// What it measures.
+    pub quantity: Quantity,
+    /// Its unit.
+    pub unit: &'a str,
+}
+
+/// The number from 0 of the channel of a name, or of a number from 1.
+///
+/// # Errors
+/// No such channel; the error lists those that there are.
+pub fn named(recording: &str, heads: &[Head<'_>], wanted: &str) -> Result<usize, NoChannel> {
+    let numbered = || wanted.parse::<usize>().ok().and_then(|number| number.checked_sub(1)).filter(|k| *k < heads.len());
+    heads.iter().position(|head| head.name == wanted).or_else(numbered).ok_or_else(|| NoChannel {
+        wanted: wanted.to_owned(),
+        recording: recording.to_owned(),
+        channels: names(heads),
+    })
+}
+
+/// The number from 0 of the channel of a name or number; without one the first of a quantity, or the only channel. A channel that tells no unit
+/// may be what it is asked for; one that tells another is not.
+///
+/// # Errors
+/// [`ChannelError`].
+pub fn chosen(recording: &str, heads: &[Head<'_>], wanted: Option<&str>, quantity: Quantity) -> Result<usize, ChannelError> {
+    let of_quantity = || heads.iter().position(|head| head.quantity == quantity);
+    let only = || (heads.len() == 1).then_some(0);
+    let unnamed = || ChannelError::Unnamed { recording: recording.to_owned(), channels: names(heads) };
+    let number = match wanted {
+        Some(wanted) => named(recording, heads, wanted)?,
+        None => of_quantity().or_else(only).ok_or_else(unnamed)?,
+    };
+    let head = heads[number];
+    if head.quantity == quantity || head.quantity == Quantity::Unknown {
+        return Ok(number);
+    }
+    Err(ChannelError::Unit { channel: head.name.to_owned(), unit: head.unit.to_owned(), recording: recording.to_owned() })
+}
+
+fn names(heads: &[Head<'_>]) -> Vec<String> {
+    heads.iter().map(|head| head.name.to_owned()).collect()
+}
+
 impl Recording {
     /// The channel of a name or number; without one the first of a quantity, or the only channel. A channel that tells no unit may be what it
     /// is asked for; one that tells another is not.
@@ -37,23 +85,17 @@ impl Recording {
     /// # Errors
     /// [`ChannelError`].
     pub fn choose(&self, wanted: Option<&str>, quantity: Quantity) -> Result<&Channel, ChannelError> {
-        let of_quantity = || self.channels.iter().find(|channel| channel.quantity == quantity);
-        let only = || self.channels.first().filter(|_| self.channels.len() == 1);
-        let channel = match wanted {
-            Some(wanted) => self.channel(wanted)?,
-            None => of_quantity().or_else(only).ok_or_else(|| self.unnamed())?,
-        };
-        if channel.quantity == quantity || channel.quantity == Quantity::Unknown {
-            return Ok(channel);
-        }
-        let (channel, unit) = (channel.name.clone(), channel.unit.clone());
-        Err(ChannelError::Unit { channel, unit, recording: self.name.clone() })
+        Ok(&self.channels[chosen(&self.name, &self.heads(), wanted, quantity)?])
+    }
+
+    /// What each channel is chosen by.
+    pub(super) fn heads(&self) -> Vec<Head<'_>> {
+        self.channels.iter().map(|channel| Head { name: &channel.name, quantity: channel.quantity, unit: &channel.unit }).collect()
     }
 
     /// The error of a question that does not name its channel.
     pub fn unnamed(&self) -> ChannelError {
-        let channels = self.channels.iter().map(|channel| channel.name.clone()).collect();
-        ChannelError::Unnamed { recording: self.name.clone(), channels }
+        ChannelError::Unnamed { recording: self.name.clone(), channels: names(&self.heads()) }
     }
 }
 

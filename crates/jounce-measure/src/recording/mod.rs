@@ -14,7 +14,7 @@ mod stamps;
 mod unit;
 
 pub use channel::Channel;
-pub use choose::ChannelError;
+pub use choose::{ChannelError, Head, chosen, named};
 pub use finding::{Finding, FindingKind, Place};
 pub use grid::{Grid, GridError, Over};
 pub use inspect::{Sizes, inspect};

@@ -1,5 +1,6 @@
 //! A recording: channels over one grid.
 
+use super::choose::named;
 use super::{Channel, Finding, Grid, Over};
 
 /// Channels of equal length over one grid of time or frequency.
@@ -35,12 +36,7 @@ impl Recording {
     /// # Errors
     /// No such channel; the error lists those that there are.
     pub fn channel(&self, wanted: &str) -> Result<&Channel, NoChannel> {
-        let numbered = || wanted.parse::<usize>().ok().and_then(|number| self.channels.get(number.checked_sub(1)?));
-        self.channels.iter().find(|channel| channel.name == wanted).or_else(numbered).ok_or_else(|| NoChannel {
-            wanted: wanted.to_owned(),
-            recording: self.name.clone(),
-            channels: self.channels.iter().map(|channel| channel.name.clone()).collect(),
-        })
+        Ok(&self.channels[named(&self.name, &self.heads(), wanted)?])
     }
 
     /// Samples per second (over time) or per hertz (over frequency).

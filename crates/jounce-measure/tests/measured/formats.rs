@@ -118,6 +118,32 @@ fn binary_functions_of_every_order_and_size_are_read() {
     }
 }
 
+/// Of two arrays the second is cut: half a recording is none. An element that is no array is told.
+#[test]
+fn a_matrix_file_is_read_element_by_element() {
+    let ramp: Vec<f64> = (0..50).map(|k| f64::from(k) * 1e-3).collect();
+    let second = mat("tip", &[ramp.iter().map(|t| t.sin()).collect()]).split_off(128);
+    let both = [mat("t", std::slice::from_ref(&ramp)), second.clone()].concat();
+    let whole = one("a.mat", &both, None);
+    assert_eq!((whole.channels.len(), whole.channels[0].name.as_str()), (1, "tip"));
+    let told = read("a.mat", &both[..both.len() - 8], None).expect_err("it is cut").to_string();
+    let begin = both.len() - second.len();
+    assert!(told.contains(&format!("byte {begin}")) && told.contains("was the file cut?"), "{told}");
+    let mut odd = both.clone();
+    // The class of the second array becomes that of a cell.
+    odd[begin + 16] = 1;
+    let rate = Some("rate = \"1 kHz\"\n");
+    assert!(kinds(&one("a.mat", &odd, rate)).contains(&FindingKind::Skipped));
+}
+
+/// Lines of samples that never end would fill the memory.
+#[test]
+fn an_endless_line_is_refused() {
+    let text = ["1,2\n3,4\n5,6\n".to_owned(), "7,".repeat(9 << 20)].concat();
+    let told = read("a.csv", text.as_bytes(), Some("rate = \"1 Hz\"\n")).expect_err("too long").to_string();
+    assert!(told.contains("line 4") && told.contains("16 MiB"), "{told}");
+}
+
 #[test]
 fn what_is_no_recording_is_refused_with_its_reason() {
     let cases: [(&str, &[u8], &str); 8] = [

@@ -2,7 +2,7 @@
 
 use super::SensingArguments;
 use crate::failure::Failure;
-use crate::measured_file::{channel, positive, record, tell_findings};
+use crate::measured_file::{channel, loaded, positive, survey};
 use clap::Args;
 use jounce::march::Watch;
 use jounce::run::StartState;
@@ -86,9 +86,10 @@ impl ShakerArguments {
     }
 
     fn move_base(&self, spec: &mut Spec, file: &Path) -> Result<(), Failure> {
-        let recording = record(file)?;
-        tell_findings(&recording);
-        let name = &channel(&recording, self.base_channel.as_deref(), Quantity::Acceleration, "--base-channel")?.name;
+        let survey = survey(file)?;
+        let number = channel(&survey, self.base_channel.as_deref(), Quantity::Acceleration, "--base-channel")?;
+        let recording = loaded(survey, &[number])?;
+        let name = &recording.channels[0].name;
         let mean = on_recorded_base(spec, &recording, name, self.keep_mean)?;
         let words = if self.keep_mean { "kept" } else { "taken away" };
         eprintln!("the base moves as {name} of {}; its mean of {mean:.5} m/s^2 is {words}", recording.name);

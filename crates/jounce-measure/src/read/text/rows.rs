@@ -1,6 +1,6 @@
 //! The rows of a text to columns.
 
-use std::io::BufRead;
+use std::io::{BufRead, Read as _};
 
 use super::super::error::Damage;
 use super::super::number::Field;
@@ -31,6 +31,8 @@ impl Tally {
     }
 }
 
+/// A line this long is no row of samples, bytes.
+const LONGEST: u64 = 16 << 20;
 /// Rows after which the number of all is told from the size of the file, so that columns need not grow by doubling.
 const TOLD: usize = 4096;
 /// Share by which that number is taken larger.
@@ -45,9 +47,13 @@ pub(in crate::read) fn columns(mut source: impl BufRead, size: u64, layout: &Lay
     let (mut bytes, mut read) = (Vec::new(), 0);
     loop {
         bytes.clear();
-        let length = source.read_until(b'\n', &mut bytes).map_err(|fault| Damage::at(Place::Line(number + 1), fault.to_string()))?;
+        let here = |why: String| Damage::at(Place::Line(number + 1), why);
+        let length = source.by_ref().take(LONGEST).read_until(b'\n', &mut bytes).map_err(|fault| here(fault.to_string()))?;
         if length == 0 {
             break;
+        }
+        if length as u64 == LONGEST {
+            return Err(here("it is longer than 16 MiB; a channel is a column, and each line holds one sample of each".to_owned()));
         }
         number += 1;
         read += length as u64;

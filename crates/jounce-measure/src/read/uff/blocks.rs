@@ -1,6 +1,6 @@
 //! A universal file to its data sets: each stands between two lines that hold `-1`.
 
-use std::io::BufRead;
+use std::io::{BufRead, Read as _};
 
 use super::super::error::Damage;
 use super::super::numbers::Numbers;
@@ -9,6 +9,9 @@ use super::binary;
 use super::header::{Header, LINES};
 use super::numbers::numbers;
 use crate::recording::Place;
+
+/// A line this long is none of a universal file, bytes.
+const LONGEST: u64 = 1 << 20;
 
 /// One data set.
 pub(super) struct Block {
@@ -124,7 +127,11 @@ impl<S: BufRead> Cursor<S> {
         let start = self.at;
         self.line.clear();
         let told = |fault: std::io::Error| Damage::at(Place::Byte(start), fault.to_string());
-        self.at += self.source.read_until(b'\n', &mut self.line).map_err(told)?;
+        let length = self.source.by_ref().take(LONGEST).read_until(b'\n', &mut self.line).map_err(told)?;
+        if length as u64 == LONGEST {
+            return Err(Damage::at(Place::Byte(start), "the line that begins here is longer than 1 MiB; lines of 80 characters are due"));
+        }
+        self.at += length;
         Ok((self.at > start).then_some(start))
     }
 
