@@ -47,7 +47,8 @@ impl Question for AskedPowers {
             let prepared = model.prepared_at(conditions)?;
             let start = prepared.start(model.folder)?;
             let plan = RunPlan::of(&prepared.spec.run, 0.0);
-            let answer = simulate(&prepared.from_state(&start)?, &start, &plan).map_err(StudyError::from)?;
+            let kernel = prepared.from_state(&start)?;
+            let answer = simulate(&kernel, &start, &plan).map_err(StudyError::from)?;
             if answer.mean_power_w > 0.0 { Ok(answer.mean_power_w) } else { Err(FitError::NoPower { mean_power_w: answer.mean_power_w }) }
         };
         self.0.iter().map(power).collect()

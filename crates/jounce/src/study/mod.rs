@@ -10,6 +10,7 @@ mod jumps;
 mod orbit_limits;
 mod parameter;
 mod prepared;
+mod started;
 mod sweep;
 mod sweep_point;
 
@@ -24,5 +25,6 @@ pub use journal::{Journal, JournalError};
 pub use jumps::{CurveKind, JumpCurve, JumpPoint, JumpSearch, KeyPlane};
 pub use parameter::Parameter;
 pub use prepared::{Prepared, StudyError};
+pub use started::Started;
 pub use sweep::{Direction, Sweep};
 pub use sweep_point::{SweepPoint, Way};

@@ -1,5 +1,6 @@
 //! From a spec to something that can be marched, keeping what a changed key leaves as it was.
 
+use super::Started;
 use crate::drive::Stream;
 use crate::march::{Kernel, Watch};
 use crate::plant::{Plant, PlantError, System};
@@ -152,10 +153,14 @@ impl Prepared {
     ///
     /// # Errors
     /// [`PlantError`], [`RunError::StateDoesNotFit`].
-    pub fn from_state(&self, start: &StartState) -> Result<Kernel, StudyError> {
-        let mut drives = self.kernel.plant.system.drives.clone();
+    pub fn from_state(&self, start: &StartState) -> Result<Started<'_>, StudyError> {
+        let own = &self.kernel.plant.system.drives;
+        if own.iter().zip(&start.drive_angle_rad).all(|(drive, angle)| drive.phase_rad == *angle) {
+            return Ok(Started::Same(&self.kernel));
+        }
+        let mut drives = own.clone();
         drives.iter_mut().zip(&start.drive_angle_rad).for_each(|(drive, angle)| drive.phase_rad = *angle);
-        Ok(self.kernel.with_drives(drives)?)
+        Ok(Started::Turned(Box::new(self.kernel.with_drives(drives)?)))
     }
 }
 

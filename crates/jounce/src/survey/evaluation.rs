@@ -74,7 +74,8 @@ fn run(prepared: &Prepared, folder: &Path) -> Result<Vec<f64>, StudyError> {
     let run = &prepared.spec.run;
     let start = prepared.start(folder)?;
     let plan = RunPlan::of(run, 0.0);
-    let answer = simulate(&prepared.from_state(&start)?, &start, &plan)?;
+    let kernel = prepared.from_state(&start)?;
+    let answer = simulate(&kernel, &start, &plan)?;
     Ok(vec![
         answer.mean_power_w,
         answer.loads.first().map_or(f64::NAN, |load| load.voltage_rms_v),
