@@ -29,3 +29,30 @@ fn the_ball_on_a_table_is_followed_by_shooting() {
     let (code, _, text) = jounce(&[&branch[..], &["--method", "harmonic-balance"]].concat());
     assert!(code == 4 && text.contains("gravity; use the method shooting"), "{code} {text}");
 }
+
+/// Without power the branch tells how far the ball flies: of a period one with one impact that leaves at `v`, `T = 2 v / g`, it rises by
+/// `g T^2 / 8` over the table, which moves little beside that.
+#[test]
+fn a_branch_without_power_tells_the_displacement() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("table.toml");
+    std::fs::write(&path, TABLE).unwrap();
+    let branch = ["branch", path.to_str().unwrap(), "--over", "drive.b.amplitude=0.85g:0.9g", "--seeds", "0"];
+    let (code, json, text) = jounce(&[&branch[..], &["--json"]].concat());
+    assert_eq!(code, 0, "{text}");
+    let points = json["branches"][0]["points"].as_array().unwrap();
+    let rise_m = 9.80665 * 0.1_f64.powi(2) / 8.0;
+    for point in points {
+        let swing_m = 2.0 * point["displacement_peak_m"].as_f64().unwrap();
+        assert!((swing_m / rise_m - 1.0).abs() < 0.35, "{swing_m} m of {rise_m} m");
+        assert!(!point["mean_power_w"].as_f64().unwrap().is_sign_negative());
+    }
+    let (_, _, text) = jounce(&branch);
+    assert!(!text.contains("-0.0"), "{text}");
+    // Nothing to strike and nothing to harvest: a linear answer.
+    let bare = "[mass.m]\non = \"ground\"\nmass = \"1 g\"\nstiffness = \"1 N/m\"\ndamping_ratio = 0.02\n\
+        [drive.b]\nkind = \"base-acceleration\"\namplitude = \"0.9 g\"\nfrequency = \"10 Hz\"\n";
+    std::fs::write(&path, bare).unwrap();
+    let (code, _, text) = jounce(&branch);
+    assert!(code == 4 && text.contains("neither a stop nor a circuit"), "{code} {text}");
+}
