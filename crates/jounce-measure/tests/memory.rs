@@ -128,7 +128,7 @@ fn memory_does_not_grow_with_the_file() {
     let before = status("VmRSS");
     let [small, large] = ROWS.map(|rows| peaks(folder.path(), rows, before));
     for ((name, small), (_, large)) in small.into_iter().zip(large) {
-        println!("{name}: {:.1} MB, then {:.1} MB", small as f64 / 1e6, large as f64 / 1e6);
+        eprintln!("{name}: {:.1} MB, then {:.1} MB", small as f64 / 1e6, large as f64 / 1e6);
         assert!(large < MOST && large < small + MORE, "{name}: {small} bytes, then {large}");
     }
 }

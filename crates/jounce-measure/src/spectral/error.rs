@@ -42,7 +42,7 @@ pub enum SpectralError {
     #[error("no block was averaged; at least one is needed, two for a coherence")]
     Nothing,
     /// A record without a hit.
-    #[error("no hit: the largest force is {largest_n} N against a noise of {noise_n} N; is this the channel of the hammer?")]
+    #[error("no hit: the largest force is {largest_n:.4} N against a noise of {noise_n:.4} N; is this the channel of the hammer?")]
     NoHit {
         /// Largest sample, N.
         largest_n: f64,

@@ -57,33 +57,39 @@ impl Layout {
 
 /// First line, number of columns, delimiter and decimal comma that give the most columns.
 fn most_columns(lines: &[&str], rows: usize) -> Option<(usize, usize, Delimiter, bool)> {
+    let ways = DELIMITERS.into_iter().flat_map(|delimiter| [(delimiter, false), (delimiter, true)]);
+    let ways = ways.filter(|way| *way != (Delimiter::Byte(b','), true));
+    let counted: Vec<_> = ways.map(|(delimiter, comma)| (delimiter, comma, counts(lines, delimiter, comma))).collect();
+    // A text may be shorter than so many rows, but not in one way of reading it only.
+    let longest = counted.iter().map(|(.., counts)| counts.iter().filter(|count| **count > 0).count()).max()?;
     let mut best: Option<(usize, usize, Delimiter, bool)> = None;
-    for delimiter in DELIMITERS {
-        for decimal_comma in [false, true] {
-            if decimal_comma && delimiter == Delimiter::Byte(b',') {
-                continue;
-            }
-            let Some((skip, count)) = first_rows(lines, rows, delimiter, decimal_comma) else { continue };
-            if best.is_none_or(|(_, most, ..)| count > most) {
-                best = Some((skip, count, delimiter, decimal_comma));
-            }
+    for (delimiter, decimal_comma, counts) in counted {
+        let Some((skip, count)) = first_rows(&counts, rows.min(longest).max(1)) else { continue };
+        if best.is_none_or(|(_, most, ..)| count > most) {
+            best = Some((skip, count, delimiter, decimal_comma));
         }
     }
     best
 }
 
-/// The first line of the first rows of equally many numbers, and how many numbers.
-fn first_rows(lines: &[&str], rows: usize, delimiter: Delimiter, decimal_comma: bool) -> Option<(usize, usize)> {
+/// How many numbers each line holds; 0 for a line with something else.
+fn counts(lines: &[&str], delimiter: Delimiter, decimal_comma: bool) -> Vec<usize> {
     let numbers = |line: &str| {
         let fields = delimiter.fields(line);
         let read: Vec<Field> = fields.iter().map(|field| Field::read(field, decimal_comma)).collect();
         let row = read.iter().all(|field| field.is_sample()) && read.iter().any(|field| *field != Field::Missing);
         if row { fields.len() } else { 0 }
     };
-    let counts: Vec<usize> = lines.iter().map(|line| if line.trim().is_empty() { 0 } else { numbers(line) }).collect();
-    let rows = rows.min(counts.iter().filter(|count| **count > 0).count()).max(1);
+    lines.iter().map(|line| if line.trim().is_empty() { 0 } else { numbers(line) }).collect()
+}
+
+/// The first line of the first rows of equally many numbers, and how many numbers. Rows of as many that stand above, with nothing but numbers in
+/// between, belong to them.
+fn first_rows(counts: &[usize], rows: usize) -> Option<(usize, usize)> {
     let begins = |k: &usize| counts[*k] > 0 && counts[*k..].iter().take(rows).filter(|count| **count == counts[*k]).count() == rows;
-    (0..counts.len()).find(begins).map(|k| (k, counts[k]))
+    let found = (0..counts.len()).find(begins)?;
+    let above = (0..found).rev().take_while(|k| counts[*k] > 0).filter(|k| counts[*k] == counts[found]).last();
+    Some((above.unwrap_or(found), counts[found]))
 }
 
 /// Names and units from the last line above the numbers with as many fields, and a line of units below it.
@@ -142,6 +148,9 @@ mod tests {
             ("Test 5\nn 3\n\n t   a\n s   m/s2\n 0  1\n 1  2\n 2  3\n", Delimiter::Blanks, false, 5, vec!["t|s", "a|m/s2"]),
             ("0\t1\n1\t\n2\t3\n", Delimiter::Byte(b'\t'), false, 0, vec!["column 1", "column 2"]),
             ("a,a\n1,2\n", Delimiter::Byte(b','), false, 1, vec!["a 1", "a 2"]),
+            ("t,a,b\n0,1,2\n1,2\n2,3,4\n3,4,5\n", Delimiter::Byte(b','), false, 1, vec!["t", "a", "b"]),
+            ("t,a\n0,1\n1\n2,3\n3,4\n4,5\n", Delimiter::Byte(b','), false, 1, vec!["t", "a"]),
+            ("5\nt a\n0 1\n1 2\n2 3\n", Delimiter::Blanks, false, 2, vec!["t", "a"]),
             ("\"x, y\",b\n1,2\n3,4\n5,6\n", Delimiter::Byte(b','), false, 1, vec!["x, y", "b"]),
         ];
         for (text, delimiter, comma, skip, heads) in cases {
