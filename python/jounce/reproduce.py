@@ -42,7 +42,7 @@ class ReproduceResult(Result):
 
 
 def reproduce(out: str | PathLike[str] = "report", *, threads: int | None = None) -> ReproduceResult:
-    """Computes the tables, figures and claims of the 2019 impact-harvester paper, ``jounce reproduce``: about a minute on two cores.
+    """Computes the tables, figures and claims of the 2019 impact-harvester paper, ``jounce reproduce``: some ten seconds of two cores.
 
     ``report.html``, ``tables/`` and ``figures/`` are written into the folder ``out``, which is made where it is missing. The numbers are
     the same bits for any number of threads. Raises :class:`FileError` where the folder cannot be written.

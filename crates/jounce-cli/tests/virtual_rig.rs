@@ -109,7 +109,7 @@ fn what_cannot_be_recorded_is_told() {
     }
     let hits = ["--hammer", "beam.hammer", "--at", "beam.tip", "--fixed-table", "--rate", "1024Hz", "--noise", "0.001", "--hits", "2"];
     let (code, _, stderr) = rig(&[&hits[..], &["--block", "8s"]].concat());
-    assert!(code == 0 && stderr.contains("43.0 % of its motion") && stderr.contains("--block 44s"), "{stderr}");
+    assert!(code == 0 && stderr.contains("43.0 % of its motion") && stderr.contains("make a block 44 s long"), "{stderr}");
     let (code, json, _) = jounce(folder.path(), &["frf", "--measured", "a.csv", "--json"]);
     let told = |k: usize| json["hits"][k]["warnings"].to_string().contains("ringing");
     assert!(code == 0 && !told(0) && told(1), "{}", json["hits"]);

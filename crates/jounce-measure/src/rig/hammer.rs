@@ -107,7 +107,7 @@ impl Ringing {
     fn finding(&self) -> Finding {
         let about = format!(
             "the mode at {:.4} Hz still has {:.1} % of its motion when the next hit comes, and what it does then is taken for an answer to that \
-             hit: let {:.0} s pass from hit to hit, or strike once in each recording",
+             hit: make a block {:.0} s long, or strike once in each recording",
             self.frequency_hz,
             100.0 * self.left,
             self.block_s.ceil()
