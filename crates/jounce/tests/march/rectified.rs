@@ -206,7 +206,8 @@ fn a_battery_above_the_open_voltage_takes_nothing() {
 }
 
 /// Diodes of 1 ohm on a patch of 177 nF settle within 0.2 us: the instant at which they block is told to the roundoff of a voltage and no
-/// better. Of the march in contact it asked for more, and ended there. Measured: 9.7e-8 between the tolerances, residuals below 1e-10.
+/// better. Of the march in contact it asked for more, and ended there. A guard left unseen where a contact begins would be passed late, at
+/// some tolerances and not at others.
 #[test]
 fn diodes_far_faster_than_the_motion_change_during_a_contact() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/impact-harvester-2019/harvester.toml");
@@ -222,9 +223,12 @@ fn diodes_far_faster_than_the_motion_change_during_a_contact() {
     }
     let spec = file.spec().unwrap();
     let kernel = kernel(System::assemble(&spec, jounce::structure::modes(&spec).unwrap()).unwrap());
-    let [coarse, fine] = [1e-7, 1e-10].map(|tolerance| from_rest(&kernel, 1.0, tolerance));
-    let residuals = [&coarse, &fine].map(|answer| answer.energies.residual_relative());
-    let change = coarse.mean_power_w / fine.mean_power_w - 1.0;
-    eprintln!("{} contacts, power {:e} W, {change:.1e}, residuals {residuals:?}", fine.contacts, fine.mean_power_w);
-    assert!(fine.contacts > 3 && change.abs() < 1e-5 && residuals.iter().all(|residual| residual.abs() < 1e-8));
+    let fine = from_rest(&kernel, 1.0, 1e-10);
+    assert!(fine.contacts > 3);
+    for tolerance in [1e-6, 1e-7, 1e-8, 1e-9] {
+        let answer = from_rest(&kernel, 1.0, tolerance);
+        let (change, residual) = (answer.mean_power_w / fine.mean_power_w - 1.0, answer.energies.residual_relative());
+        eprintln!("{tolerance:e}: {} contacts, power {:e} W, {change:.1e}, residual {residual:.1e}", answer.contacts, answer.mean_power_w);
+        assert!(change.abs() < 1e-5 && residual.abs() < 1e-8, "{tolerance:e}: {change:e}, {residual:e}");
+    }
 }

@@ -114,27 +114,31 @@ impl Marcher<'_> {
         own.fold(struck, f64::max)
     }
 
-    /// A port enters contact at the present time, and with it every other one that touches and moves in.
+    /// A port enters contact at the present time, and with it every other one that touches and moves in. All that fly on are seen: the
+    /// step that ended here was cut short.
     #[inline(always)]
     fn join<W: Wide>(&mut self, w: W, p: usize) {
         if self.is_guard(p) {
             self.switching.met = Some(p);
             return;
         }
-        self.see(w, p);
+        for q in 0..self.kernel.plant.ports.len() {
+            if self.ports[q].regime == Regime::Flight {
+                self.see(w, q);
+            }
+        }
         // What is past a rigid stop by roundoff and moves out has left it.
         if self.is_rigid(p) && self.ports[p].rate_m_s < 0.0 {
             return;
         }
         self.enter(p);
         for q in 0..self.kernel.plant.system.stops.len() {
-            if self.ports[q].regime == Regime::Flight {
-                self.see(w, q);
-                // Rigid stops struck together share one instant, as well as their distances tell it.
-                let roundoff_m = if self.is_rigid(q) { RESOLVED * self.terms_m(w, q) } else { 0.0 };
-                if self.ports[q].rate_m_s > 0.0 && self.ports[q].penetration_m.abs() <= self.touch_m(q).max(roundoff_m) {
-                    self.enter(q);
-                }
+            // Rigid stops struck together share one instant, as well as their distances tell it.
+            let roundoff_m = if self.is_rigid(q) { RESOLVED * self.terms_m(w, q) } else { 0.0 };
+            let port = &self.ports[q];
+            let touches = port.penetration_m.abs() <= self.touch_m(q).max(roundoff_m);
+            if port.regime == Regime::Flight && port.rate_m_s > 0.0 && touches {
+                self.enter(q);
             }
         }
     }
