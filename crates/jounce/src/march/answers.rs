@@ -13,9 +13,10 @@
 //! Validation: the tests below compare with quadrature and closed forms at small and large `z`.
 
 use super::basis::{Basis, NODES};
-use super::factors::{Factors, below, terms};
-use crate::plant::Pair;
-use crate::wide::{Lane, Wide};
+use super::factors::{Factors, below, factored, terms};
+use super::response::parts;
+use crate::plant::{Block, Pair};
+use crate::wide::{Lane, Portable, Wide};
 use faer::c64;
 
 /// What a block is, for a step of one length.
@@ -83,6 +84,17 @@ impl Part {
 }
 
 impl Answers {
+    /// Of all blocks on a step of one length.
+    pub fn of_all(block: &Block, basis: &Basis, length_s: f64) -> Vec<Self> {
+        let w = Portable::new();
+        let solved = |(_, part)| {
+            let mut answers = Self::default();
+            answers.solve(w, &part, basis, length_s, (&factored(w, &[part], basis, length_s), 0));
+            answers
+        };
+        parts(block).map(solved).collect()
+    }
+
     /// Solves one block for one step length, given the factors of up to eight blocks and the block's place among them.
     #[inline(always)]
     pub fn solve<W: Wide>(&mut self, w: W, part: &Part, basis: &Basis, h: f64, (factors, place): (&[Factors], usize)) {
@@ -157,8 +169,6 @@ fn integrate<W: Wide>(w: W, series: &[Lane], out: &mut [Lane]) {
 mod tests {
     use super::*;
     use crate::march::basis::{SMOOTH, legendre};
-    use crate::march::factors::factored;
-    use crate::wide::Portable;
 
     /// `int_0^x e^{z (x - s)} phi(s) ds` by composite quadrature in `s = x r^2`, in which onset functions are smooth.
     fn quadrature(z: c64, basis: &Basis, j: usize, x: f64) -> c64 {

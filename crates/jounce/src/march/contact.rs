@@ -8,7 +8,8 @@
 use super::basis::NODES;
 use super::contact_step::{Solved, Step};
 use super::error::MarchError;
-use super::kernel::{Kernel, PER_OCTAVE, Shape};
+use super::kernel::{Kernel, Shape};
+use super::level::PER_OCTAVE;
 use super::marcher::Marcher;
 use super::port_state::{PortState, Regime};
 use crate::contact::ContactLaw;

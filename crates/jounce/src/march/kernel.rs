@@ -1,7 +1,8 @@
 //! A plant laid out for marching, and the tables of its step lengths, each made when first used.
 //!
-//! Steps have lengths `2^-e` and `1.5 2^-e` seconds, so that tables are shared by all runs of a plant, whatever its drive.
+//! Steps have the lengths of [`super::level`], so that tables are shared by all runs of a plant, whatever its drive.
 
+use super::answers::Answers;
 use super::basis::{Basis, SMOOTH};
 use super::cross_table::CrossTable;
 use super::flight_table::FlightTable;
@@ -14,13 +15,6 @@ use crate::contact::Law;
 use crate::plant::{BridgeState, Change, Meters, Plant, PlantError, Signal, Stop};
 use crate::wide::WIDTH;
 use std::sync::{Arc, OnceLock};
-
-/// Levels on which the length of a step falls by half.
-pub(super) const PER_OCTAVE: i32 = 2;
-/// Levels run from here ...
-const COARSEST: i32 = -12 * PER_OCTAVE;
-/// ... to here.
-const FINEST: i32 = 60 * PER_OCTAVE;
 
 /// The basis of the force on a contact step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -80,6 +74,8 @@ struct PortLevel {
     smooth: OnceLock<Box<Table>>,
     onset: OnceLock<Box<Table>>,
     sticking: OnceLock<Box<Sticking>>,
+    /// Per basis: what each block answers inside the step.
+    answers: [OnceLock<Vec<Answers>>; 2],
     /// What its force does to each port; empty for the only port.
     seen: Vec<SeenLevel>,
 }
@@ -210,41 +206,6 @@ impl Kernel {
         self.plant.diagonal.block.rate_row(&self.plant.ports[port].velocity)
     }
 
-    /// Length of a level, s.
-    #[inline(always)]
-    pub fn length_s(level: i32) -> f64 {
-        // By exponent and first bit of the mantissa: levels lie far inside the normal numbers.
-        f64::from_bits(((2046 - i64::from(level)) as u64) << 51)
-    }
-
-    /// Finest level there is.
-    pub const fn finest() -> i32 {
-        FINEST
-    }
-
-    /// Coarsest level there is.
-    pub const fn coarsest() -> i32 {
-        COARSEST
-    }
-
-    /// Coarsest level not longer than a time.
-    #[inline(always)]
-    pub fn level_within(time_s: f64) -> i32 {
-        // Of a positive normal number.
-        (2046 - (time_s.to_bits() >> 51) as i32).clamp(COARSEST, FINEST)
-    }
-
-    /// Index of a level in lists of all levels.
-    #[inline(always)]
-    pub(super) fn index(level: i32) -> usize {
-        (level - COARSEST) as usize
-    }
-
-    /// Number of levels.
-    pub(super) const fn count() -> usize {
-        (FINEST - COARSEST + 1) as usize
-    }
-
     /// Flow over a level.
     #[inline(always)]
     pub(super) fn flow(&self, level: i32) -> &Flow {
@@ -265,6 +226,12 @@ impl Kernel {
         let tables = &self.levels[Self::index(level)].ports[port];
         let slot = if shape == Shape::Smooth { &tables.smooth } else { &tables.onset };
         slot.get_or_init(|| Box::new(Table::new(self, port, self.basis(port, shape), Self::length_s(level))))
+    }
+
+    /// What each block answers inside a step of a level to the force of a port.
+    pub(super) fn answers(&self, port: usize, shape: Shape, level: i32) -> &[Answers] {
+        let make = || Answers::of_all(&self.plant.diagonal.block, self.basis(port, shape), Self::length_s(level));
+        self.levels[Self::index(level)].ports[port].answers[shape.index()].get_or_init(make)
     }
 
     /// What rest of a port on its stop needs on a step of a level.
@@ -313,7 +280,7 @@ fn levels(plant: &Plant) -> Vec<Level> {
     let others = if count > 1 { count } else { 0 };
     let port = |_| PortLevel { seen: (0..others).map(|_| SeenLevel::default()).collect(), ..PortLevel::default() };
     let level = |_| Level { flow: OnceLock::new(), ports: (0..count).map(port).collect() };
-    (COARSEST..=FINEST).map(level).collect()
+    (Kernel::coarsest()..=Kernel::finest()).map(level).collect()
 }
 
 fn onsets(plant: &Plant) -> Vec<Option<Basis>> {

@@ -7,8 +7,9 @@
 use super::energies::Opening;
 use super::error::MarchError;
 use super::forced::Forced;
-use super::kernel::{Kernel, PER_OCTAVE};
+use super::kernel::Kernel;
 use super::layout::Layout;
+use super::level::PER_OCTAVE;
 use super::odd_tables::OddTables;
 use super::per_port::PerPort;
 use super::port_state::{PortState, Regime};

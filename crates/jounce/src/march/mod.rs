@@ -22,6 +22,7 @@ mod joint_tables;
 mod kernel;
 mod layout;
 mod ledger;
+mod level;
 mod marcher;
 mod meter;
 mod motion;

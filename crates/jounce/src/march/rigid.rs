@@ -14,7 +14,8 @@
 use super::basis::{NODES, SMOOTH};
 use super::contact_step::Step;
 use super::error::MarchError;
-use super::kernel::{Kernel, PER_OCTAVE, Shape};
+use super::kernel::{Kernel, Shape};
+use super::level::PER_OCTAVE;
 use super::marcher::Marcher;
 use super::port_state::Regime;
 use super::state::{add_push, columns, dot, spread};

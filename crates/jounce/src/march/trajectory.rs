@@ -6,12 +6,11 @@
 use super::answers::Answers;
 use super::basis::{NODES, legendre};
 use super::contact_step::Step;
-use super::factors::factored;
 use super::few::Few;
 use super::kernel::{Kernel, Shape};
 use super::response::parts;
 use crate::plant::Size;
-use crate::wide::{Lane, Portable};
+use crate::wide::Lane;
 use std::collections::HashMap;
 
 /// One step as it was taken.
@@ -139,9 +138,14 @@ impl Trajectory {
             let mut instant = segment.free_at(own, time_s);
             for force in &segment.forces {
                 let (length_s, port, shape) = (segment.length_s, force.port, force.shape);
-                let make = || answers(own, port, shape, length_s);
-                let key = (length_s.to_bits(), port, shape, segment.regime);
-                segment.add(own, force, made.entry(key).or_insert_with(make), &mut instant);
+                let level = Kernel::level_within(length_s);
+                let answers = if Kernel::length_s(level) == length_s {
+                    own.answers(port, shape, level)
+                } else {
+                    let make = || Answers::of_all(&own.plant.diagonal.block, own.basis(port, shape), length_s);
+                    made.entry((length_s.to_bits(), port, shape, segment.regime)).or_insert_with(make)
+                };
+                segment.add(own, force, answers, &mut instant);
             }
             if segment.regime != 0 {
                 instant.state = kernel.plant.from_physical(&own.plant.to_physical(&instant.state, time_s), time_s);
@@ -150,17 +154,6 @@ impl Trajectory {
         }
         instants
     }
-}
-
-/// Answers of all blocks on a step of one length.
-fn answers(kernel: &Kernel, port: usize, shape: Shape, length_s: f64) -> Vec<Answers> {
-    let (w, basis) = (Portable::new(), kernel.basis(port, shape));
-    let solved = |(_, part)| {
-        let mut answers = Answers::default();
-        answers.solve(w, &part, basis, length_s, (&factored(w, &[part], basis, length_s), 0));
-        answers
-    };
-    parts(&kernel.plant.diagonal.block).map(solved).collect()
 }
 
 impl Segment {

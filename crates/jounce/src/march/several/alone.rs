@@ -3,7 +3,8 @@
 use super::flight::Outcome;
 use crate::march::error::MarchError;
 use crate::march::joint_tables::Length;
-use crate::march::kernel::{PER_OCTAVE, Shape};
+use crate::march::kernel::Shape;
+use crate::march::level::PER_OCTAVE;
 use crate::march::marcher::Marcher;
 use crate::wide::Wide;
 
