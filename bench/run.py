@@ -77,8 +77,9 @@ def main() -> None:
         compare.set_errors(found, {case: reference[0] for case, reference in references[name].items()})
         results[name], modes[name] = found, model.modes
     wholes = product.whole_tasks(binary, chosen.spec.resolve(), chosen.repeats, chosen.cap) if binary else []
+    stem = keep(results, wholes)
     text = report.report(described, results, references, wholes, chosen.cap)
-    write(text, results, wholes)
+    stem.with_suffix(".md").write_text(text)
     if not chosen.keep:
         (HERE / "RESULTS.md").write_text(text)
         pictures = HERE.parent / "book" / "src" / "pictures"
@@ -86,14 +87,14 @@ def main() -> None:
     print(text)
 
 
-def write(text: str, results: dict[str, list[Any]], wholes: list[Any]) -> None:
-    """Keeps every number of this run under bench/results."""
+def keep(results: dict[str, list[Any]], wholes: list[Any]) -> Path:
+    """Keeps every number of this run under bench/results, before anything is made of them; the name without its ending."""
     folder = HERE / "results"
     folder.mkdir(exist_ok=True)
     stem = folder / time.strftime("%Y-%m-%dT%H-%M-%S")
     raw = {plant: [dataclasses.asdict(result) for result in found] for plant, found in results.items()}
     stem.with_suffix(".json").write_text(json.dumps({"results": raw, "jounce": [dataclasses.asdict(whole) for whole in wholes]}, indent=1))
-    stem.with_suffix(".md").write_text(text)
+    return stem
 
 
 if __name__ == "__main__":
