@@ -1,7 +1,8 @@
 //! One run of jounce as a library: `peer-jounce SPEC warm|first KEY=VALUE...` prints one JSON line.
 //!
 //! Keys of the spec are set as with `--set` on the command line, as in `"drive.shaker.frequency=11 Hz"`.
-//! `cpu_s` is CPU time of the whole process during `simulate`, from a fresh state at rest to the answer. With `warm` the same
+//! `cpu_s` is CPU time of the one thread that works during `simulate`, from a fresh state at rest to the answer; under a limit of CPU time
+//! that of a process moves by ticks of 4 ms on some kernels. With `warm` the same
 //! run was marched before on the same kernel, so that its step tables are there, as for every run of a sweep but its first. With `first`
 //! nothing was marched before. `wall_s` is the wall time of the same, `march_s` that of the march alone.
 
@@ -16,7 +17,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 fn cpu_s() -> f64 {
-    let now = clock_gettime(ClockId::ProcessCPUTime);
+    let now = clock_gettime(ClockId::ThreadCPUTime);
     now.tv_sec as f64 + 1e-9 * now.tv_nsec as f64
 }
 
