@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
-from .errors import ArgumentError, Interrupted
-from .result import Along, Data, Floats, Result, Variable, column, html_table
+from .errors import ArgumentError
+from .result import Along, Data, Floats, Result, Variable, column, html_table, whole
 
 if TYPE_CHECKING:
     from .spec import Spec
@@ -195,13 +195,7 @@ class FitResult(Result):
 
 def made_fit(spec: Spec, handed: tuple[str | None, BaseException | None], manifest: dict[str, Any]) -> FitResult:
     """From what the compiled module answers; raises what ended the fit early."""
-    answer, ended = handed
-    if isinstance(ended, KeyboardInterrupt):
-        raise Interrupted(None) from None
-    if ended is not None:
-        raise ended
-    assert answer is not None, "a call that nothing ended has an answer"
-    told = json.loads(answer)
+    told = json.loads(whole(handed))
     keys, features = told["keys"], told["features"]
     after = {one["key"]: f"{one['after']!r} {one['unit']}".strip() for one in keys}
     of_keys = ("before", "after", "low", "high", "prior_deviation", "deviation")

@@ -6,7 +6,7 @@ import dataclasses
 import html
 import json
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple, Self, get_args, get_type_hints
+from typing import Any, NamedTuple, Self, TypeVar, get_args, get_type_hints
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,7 @@ Complexes = NDArray[np.complex128]
 
 #: What a long call of the compiled module answers: the answer, if there is one, and what ended it early.
 Handed = tuple[dict[str, Any] | None, BaseException | None]
+Answer = TypeVar("Answer")
 
 
 class Variable(NamedTuple):
@@ -152,7 +153,7 @@ def _same(a: Any, b: Any) -> bool:
     return bool(a == b or (a != a and b != b))
 
 
-def whole(handed: Handed) -> dict[str, Any]:
+def whole(handed: tuple[Answer | None, BaseException | None]) -> Answer:
     """The answer of a long call that is worth nothing unless it is whole; raises what ended it early."""
     answer, ended = handed
     if isinstance(ended, KeyboardInterrupt):

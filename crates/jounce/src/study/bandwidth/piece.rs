@@ -85,8 +85,8 @@ impl<'h, H: Harvester> Piece<'h, H> {
         rises.then(|| self.zero((from, to), noise_w, |piece, place| piece.power_slope_w(place.x))).flatten()
     }
 
-    /// The place between two shares where `value` passes zero, by false position, the value of an end that stays twice halved (Illinois), to its own noise; `None` without a
-    /// change of sign.
+    /// The place between two shares where `value` passes zero, to its own noise, by false position, the value of an end that stays twice
+    /// halved (Illinois); `None` without a change of sign.
     pub fn zero(&self, (from, to): (f64, f64), noise: f64, value: impl Fn(&Self, &Place) -> Option<f64>) -> Option<Zero> {
         let look = |x: f64| {
             let place = self.at(x)?;
