@@ -119,7 +119,7 @@ def test_the_interpreter_goes_on_during_a_call(harvester):
     counted, done = 0, threading.Event()
 
     def work():
-        harvester.changed({"run.duration": "200 s"}).run()
+        harvester.changed({"run.duration": "20000 s"}).run()
         done.set()
 
     worker = threading.Thread(target=work)
@@ -127,7 +127,7 @@ def test_the_interpreter_goes_on_during_a_call(harvester):
     while not done.wait(0.001):
         counted += 1
     worker.join()
-    # The run takes some tenths of a second; with the lock held, the loop would turn once or twice.
+    # The run takes most of a second; with the lock held, the loop would turn once or twice.
     assert counted > 10
 
 
