@@ -25,11 +25,17 @@ const ONSET_SHARE: f64 = 0.01;
 /// Factors on the error of a step for 1.5 times its length, and from there to twice its length; its power of the length is 8 to 11.
 const ERROR_PER_LEVEL: [f64; 2] = [38.0, 13.0];
 
+/// Share of its allowed error for which a step is planned: the next part of a contact may be harder than the last.
+const PLANNED: f64 = 0.3;
+
 /// Most levels to go up at once.
 const MOST_SPARE: i32 = 3 * PER_OCTAVE;
 
 /// How much smaller the error is than the power of `rho` says, for an end like `t^1.5`.
 const END_GAIN: f64 = 1000.0;
+
+/// Share of the impulse of a force like `t^1.5` that ends in the second half of a step which seven Gauss nodes miss: at most 0.0086.
+const KINK: f64 = 0.01;
 
 /// Lengths of a step before the end of the contact beyond which the end does not matter: the power of `rho` is above 1e8 there.
 const FAR: f64 = 2.0;
@@ -115,9 +121,9 @@ impl Marcher<'_> {
             let step = self.step_in_contact(w, law, (table, p), shape, level, landing);
             let solved = self.solve(w, law, &step);
             let allowed = self.allowed_n_s(law, &step, solved.as_ref());
-            let is_sound = |solved: &Solved| both_sides || solved.is_sound(shape, level >= safe);
-            let accepted = solved.filter(|solved| solved.error_n_s <= share(shape) * allowed && is_sound(solved));
-            match accepted {
+            let sound = solved.filter(|solved| both_sides || solved.is_sound(shape, level >= safe));
+            let down = sound.as_ref().map_or(PER_OCTAVE, |solved| levels_too_long(level, solved.error_n_s, share(shape) * allowed));
+            match sound.filter(|_| down == 0) {
                 Some(solved) => {
                     if beside_others && !self.all_stay_clear(w, table.length_s, (p, solved.size_n_s(w, &step))) {
                         break;
@@ -133,7 +139,7 @@ impl Marcher<'_> {
                 }
                 None => {
                     self.work.contact_rejections += 1;
-                    level = if landing { Kernel::level_within(remaining_s) + 1 } else { level + PER_OCTAVE };
+                    level = if landing { Kernel::level_within(remaining_s) + 1 } else { level + down };
                     if level > Kernel::finest() {
                         return Err(self.diverged(p));
                     }
@@ -165,7 +171,7 @@ impl Marcher<'_> {
         solved: &Solved,
         (allowed, starts_next): (f64, bool),
     ) -> i32 {
-        let longer = level - levels_to_spare(level, solved.error_n_s, share(step.shape) * allowed);
+        let longer = level - levels_to_spare(level, solved.error_n_s, PLANNED * share(step.shape) * allowed);
         if starts_next {
             self.ports[step.port].entry_level = longer;
         }
@@ -183,8 +189,8 @@ impl Marcher<'_> {
             return wanted;
         }
         let left_n_s = leaving_s * solved.force.0[NODES - 1];
-        // What is left of the impulse may be too small to matter: then one step carries the point past the surface.
-        if 2.0 * left_n_s <= allowed {
+        // What one step misses that carries the point past the surface may be too small to matter.
+        if KINK * left_n_s <= allowed {
             return wanted.max(Kernel::level_within(2.0 * leaving_s));
         }
         let whole = Kernel::level_within(leaving_s);
@@ -237,6 +243,17 @@ fn ellipse_power(ratio: f64) -> f64 {
     let rho = z + (z * z - 1.0).max(0.0).sqrt();
     let fourth = (rho * rho) * (rho * rho);
     fourth * fourth * (rho * rho) * rho.sqrt()
+}
+
+/// Levels by which a step should have been shorter; no more than an octave, beyond which the error is no guide.
+#[inline(always)]
+fn levels_too_long(level: i32, error: f64, allowed: f64) -> i32 {
+    let (mut down, mut shorter) = (0, error);
+    while shorter > allowed && down < PER_OCTAVE {
+        down += 1;
+        shorter /= ERROR_PER_LEVEL[((level + down) & 1) as usize];
+    }
+    down
 }
 
 /// Levels by which a step might have been longer.

@@ -9,11 +9,13 @@ use super::flight_table::FlightTable;
 use super::flow::Flow;
 use super::forced_flight::ForcedFlight;
 use super::layout::Layout;
+use super::port_vectors::PortVectors;
 use super::table::{Sticking, Table};
 use super::watch::Watch;
 use crate::contact::Law;
 use crate::plant::{BridgeState, Change, Meters, Plant, PlantError, Signal, Stop};
 use crate::wide::WIDTH;
+use smallvec::SmallVec;
 use std::sync::{Arc, OnceLock};
 
 /// The basis of the force on a contact step.
@@ -49,6 +51,8 @@ pub struct Kernel {
     pub(super) stiffest_rad_s: f64,
     /// Who watches the marches of this kernel.
     pub watch: Watch,
+    /// Per port: what its force pushes and what its work is metered by.
+    pub(super) vectors: Arc<Vec<PortVectors>>,
     /// Per port: the basis of the first step of a contact, where it is not smooth.
     onset: Arc<Vec<Option<Basis>>>,
     /// They depend on the plant without its drives only, so that plants that differ in drives share them.
@@ -100,6 +104,7 @@ impl Kernel {
             generator: Flow::generator(&plant.diagonal.block, &layout),
             fastest_rad_s: plant.diagonal.block.fastest_resolved_rad_s().max(f64::MIN_POSITIVE),
             stiffest_rad_s: plant.fastest_rad_s().max(f64::MIN_POSITIVE),
+            vectors: Arc::new(PortVectors::of_all(&plant, &meters, &layout)),
             onset: Arc::new(onsets(&plant)),
             levels: Arc::new(levels(&plant)),
             regimes: regimes(&plant),
@@ -143,6 +148,7 @@ impl Kernel {
             generator: self.generator.clone(),
             fastest_rad_s: self.fastest_rad_s,
             stiffest_rad_s: self.stiffest_rad_s,
+            vectors: Arc::clone(&self.vectors),
             onset: Arc::clone(&self.onset),
             levels: Arc::clone(&self.levels),
             watch: self.watch.clone(),
@@ -158,12 +164,15 @@ impl Kernel {
         let before = &self.plant.system.stops;
         let fit = before.len() == stops.len() && before.iter().zip(&stops).all(|(a, b)| alike(a, b));
         let plant = self.plant.with_stops(stops);
+        let meters = if fit { self.meters.clone() } else { self.meters.with_drives(&plant)? };
+        let vectors = || Arc::new(PortVectors::of_all(&plant, &meters, &self.layout));
         Ok(Self {
+            vectors: if fit { Arc::clone(&self.vectors) } else { vectors() },
             layout: self.layout,
             generator: self.generator.clone(),
             fastest_rad_s: self.fastest_rad_s,
             stiffest_rad_s: self.stiffest_rad_s,
-            meters: if fit { self.meters.clone() } else { self.meters.with_drives(&plant)? },
+            meters,
             onset: if fit { Arc::clone(&self.onset) } else { Arc::new(onsets(&plant)) },
             levels: if fit { Arc::clone(&self.levels) } else { Arc::new(levels(&plant)) },
             regimes: regimes(&plant),
@@ -211,6 +220,18 @@ impl Kernel {
     pub(super) fn flow(&self, level: i32) -> &Flow {
         let make = || Flow::over(&self.plant.diagonal.block, &self.layout, Self::length_s(level));
         self.levels[Self::index(level)].flow.get_or_init(make)
+    }
+
+    /// A time cut into levels, longest first, until `|lambda| t` of what rests, s, is at most `cut`: their flows, and the rest.
+    #[inline(always)]
+    pub(super) fn flows_within(&self, time_s: f64, cut: f64) -> (SmallVec<[&Flow; 32]>, f64) {
+        let (mut flows, mut rest_s) = (SmallVec::new(), time_s);
+        while rest_s * self.stiffest_rad_s > cut {
+            let level = Self::level_within(rest_s);
+            flows.push(self.flow(level));
+            rest_s -= Self::length_s(level);
+        }
+        (flows, rest_s)
     }
 
     /// Flight table of a level for a port.

@@ -1,11 +1,16 @@
 //! Flow over any time, and the motion of the ports at its end.
 
 use super::flow::SHORT;
-use super::kernel::Kernel;
 use super::marcher::Marcher;
 use super::state::dot;
 use crate::wide::Wide;
 use faer::c64;
+
+/// `|lambda| t` below which the power series of a flow takes less than another level.
+const CUT: f64 = 0.25;
+
+/// The same up to which a guess of an instant need not be met.
+const ABOUT: f64 = 16.0;
 
 impl Marcher<'_> {
     /// Reads penetration and rate of a port off the state.
@@ -24,30 +29,45 @@ impl Marcher<'_> {
     }
 
     /// Puts the state after an exact flow over any time into `next`.
-    ///
-    /// The time is cut into levels, longest first, and a rest so short that the power series of the flow is exact.
     #[inline(always)]
     pub(super) fn look_ahead<W: Wide>(&mut self, w: W, length_s: f64) {
-        let kernel = self.kernel;
         if let Some(flow) = self.forced.flow_over(length_s) {
             flow.apply(w, &self.y, &mut self.next);
             return;
         }
         self.next.copy_from_slice(&self.y);
-        let mut rest_s = length_s;
-        while rest_s * kernel.stiffest_rad_s > SHORT {
-            let level = Kernel::level_within(rest_s);
-            kernel.flow(level).apply(w, &self.next, &mut self.scratch);
-            std::mem::swap(&mut self.next, &mut self.scratch);
-            rest_s -= Kernel::length_s(level);
-        }
-        self.look_on(w, rest_s);
+        self.carry_on(w, length_s);
     }
 
-    /// Carries `next` on by a short time.
+    /// The same over about that time, no longer: over a few levels, as near as a first guess is good for. Returns the time.
     #[inline(always)]
-    pub(super) fn look_on<W: Wide>(&mut self, w: W, short_s: f64) {
-        self.kernel.generator.glide(w, short_s, &mut self.next);
+    pub(super) fn look_about<W: Wide>(&mut self, w: W, length_s: f64) -> f64 {
+        let kernel = self.kernel;
+        self.next.copy_from_slice(&self.y);
+        let (flows, rest_s) = kernel.flows_within(length_s, ABOUT);
+        kernel.generator.carry(w, &flows, (0.0, 0.0), &mut self.next);
+        length_s - rest_s
+    }
+
+    /// Moves `next` from one time ahead of the present to another.
+    #[inline(always)]
+    pub(super) fn look_on<W: Wide>(&mut self, w: W, from_s: f64, to_s: f64) {
+        let change_s = to_s - from_s;
+        if change_s * self.kernel.stiffest_rad_s < -SHORT {
+            self.look_ahead(w, to_s);
+        } else {
+            self.carry_on(w, change_s);
+        }
+    }
+
+    /// Carries `next` on over a time, or back over a short one.
+    ///
+    /// The time is cut into levels, longest first, and a rest so short that the power series of the flow is exact.
+    #[inline(always)]
+    fn carry_on<W: Wide>(&mut self, w: W, change_s: f64) {
+        let kernel = self.kernel;
+        let (flows, rest_s) = kernel.flows_within(change_s, CUT);
+        kernel.generator.carry(w, &flows, (rest_s, kernel.stiffest_rad_s), &mut self.next);
     }
 
     /// Penetration and rate of a port in `next`, `length_s` after the present time.
