@@ -32,9 +32,7 @@ impl Duhamel {
     /// Of integrals from the start of a mirrored basis.
     pub fn mirrored(from_start: &[[Lane; NODES]]) -> Self {
         let half = |lanes: &[Lane; NODES], j: usize, sign: f64| {
-            let mut sum = Lane::ZERO.add_scaled(0.5, &lanes[j]);
-            sum = sum.add_scaled(0.5 * sign, &lanes[NODES - 1 - j]);
-            sum
+            Lane::ZERO.add_scaled(0.5, &lanes[j]).add_scaled(0.5 * sign, &lanes[NODES - 1 - j])
         };
         let halves = |lanes: &[Lane; NODES]| {
             std::array::from_fn(|j| match j {
@@ -130,5 +128,76 @@ fn act_by<W: Wide>(w: W, (column, next, from_start): (&Crossed, &mut [Lane], &mu
         let [start, end] = sums(2 * p + k);
         from_start[2 * p + k] = w.store(start);
         next[2 * p + k] = w.store(w.fma(end, w.load(real), w.load(&next[2 * p + k])));
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::march::basis::{Basis, SMOOTH};
+    use crate::march::layout::Layout;
+    use crate::march::response::{Making, Responses};
+    use crate::plant::{Block, Pair};
+    use crate::wide::{Portable, widest};
+
+    const LENGTH_S: f64 = 2e-3;
+    const COLUMN: [f64; 5] = [0.7, -0.4, 1.1, 0.6, -0.9];
+    const FORCE_N: [f64; NODES] = [0.1, 0.9, 0.3, -0.8, 1.4, 0.2, 0.5];
+
+    fn block() -> Block {
+        let pairs = vec![Pair::Oscillatory { decay: -9.0, frequency: 800.0 }, Pair::Jordan { rate: -40.0 }];
+        Block { pairs, reals: vec![-700.0] }
+    }
+
+    /// `int f(t) g(t) dt` over the step, in `t = h r^2`, in which onset functions are smooth.
+    fn integral(basis: &Basis, g: impl Fn(f64) -> Vec<f64>) -> Vec<f64> {
+        let (panels, mut sum) = (40, vec![0.0; COLUMN.len()]);
+        for p in 0..panels {
+            for i in 0..NODES {
+                let r = (f64::from(p) + SMOOTH.places[i]) / f64::from(panels);
+                let force: f64 = basis.at(r * r).iter().zip(&FORCE_N).map(|(phi, f)| phi * f).sum();
+                let weight = force * LENGTH_S * SMOOTH.weights.0[i] * 2.0 * r / f64::from(panels);
+                sum.iter_mut().zip(g(r * r * LENGTH_S)).for_each(|(sum, g)| *sum += weight * g);
+            }
+        }
+        sum
+    }
+
+    fn worst(a: &[f64], b: &[f64]) -> f64 {
+        let size = b.iter().fold(0.0_f64, |max, b| max.max(b.abs()));
+        a.iter().zip(b).fold(0.0, |max, (a, b)| max.max((a - b).abs() / size))
+    }
+
+    #[test]
+    fn force_and_motion_meet_as_quadrature_says() {
+        let (w, block, layout) = (Portable::new(), block(), Layout { pairs: 2, reals: 1, pair_lanes: 1, real_lanes: 1 });
+        let onset = Basis::onset(1.5).unwrap();
+        let column = Crossed::column(&layout, &block, &COLUMN);
+        let force = Lane(std::array::from_fn(|j| FORCE_N.get(j).copied().unwrap_or(0.0)));
+        // Onset functions are cut off after 64 Legendre terms.
+        for (basis, is_folded, within) in [(&*SMOOTH, true, 1e-14), (&*SMOOTH, false, 1e-14), (&onset, false, 1e-7)] {
+            let (block, layout) = (&block, &layout);
+            let making = Making { block, layout, basis, reader: basis, force: &COLUMN, rows: &[], length_s: LENGTH_S };
+            let Responses { from_start, towards_end, .. } = widest(making);
+            let duhamel = if is_folded { Duhamel::mirrored(&from_start) } else { Duhamel::Each([from_start, towards_end]) };
+            let (mut end, mut integrals) = (layout.pack(&[0.0; 5]), layout.pack(&[0.0; 5]));
+            duhamel.act(w, &column, &force, &mut end, &mut integrals);
+            let moved = layout.unpack(&end);
+            assert!(worst(&moved, &integral(basis, |t| block.flow(LENGTH_S - t, &COLUMN))) < within, "{moved:?}");
+            let pushes = duhamel.pushes(&column);
+            let summed = (0..5).map(|state| {
+                let (lane, place) = layout.place(state);
+                (0..NODES).map(|j| pushes[lane][j].0[place] * FORCE_N[j]).sum()
+            });
+            assert!(worst(&summed.collect::<Vec<f64>>(), &moved) < 1e-14);
+            // Every state alone, read by a row over all of them.
+            let row = [1.3, -0.2, 0.5, 0.8, 2.0];
+            let crossed = Crossed::row(layout, block, &row);
+            let unit = |state: usize| std::array::from_fn::<f64, 5, _>(|i| if i == state { 1.0 } else { 0.0 });
+            let read: Vec<f64> = (0..5).map(|state| w.sum(crossed.read(w, &integrals, &layout.pack(&unit(state))))).collect();
+            let along = |t: f64| (0..5).map(|state| block.flow(t, &unit(state)).iter().zip(&row).map(|(y, r)| y * r).sum()).collect();
+            assert!(worst(&read, &integral(basis, along)) < within, "{read:?}");
+        }
     }
 }
