@@ -6,12 +6,12 @@ use crate::output::{self, line, print};
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
 use jounce::picture::{Scale, SpectrumLine, spectra};
-use jounce::signal::{OrderLine, Samples, Window};
+use jounce::signal::{OrderLine, Window};
 use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::{LoadPoint, power_over_load};
 use jounce_measure::recording::{Finding, Quantity};
-use jounce_measure::spectral::{MeanPower, mean_power};
+use jounce_measure::spectral::{MeanPower, mean_power, signal};
 use std::path::{Path, PathBuf};
 
 /// Multiples of the drive whose amplitudes are told.
@@ -88,12 +88,12 @@ impl Power {
         let wanted: Vec<usize> = std::iter::once(voltage).chain(base).collect();
         let record = loaded(survey, &wanted)?;
         let voltage = &record.channels[0];
-        let samples = Samples::new(&voltage.values, record.rate())?;
+        let samples = signal(voltage, record.rate())?;
         let power = mean_power(&samples, resistance_ohm, self.remove_mean)?;
         let mean_square = match record.channels.get(1) {
             None => None,
             Some(base) => {
-                let base = Samples::new(&base.values, record.rate())?;
+                let base = signal(base, record.rate())?;
                 Some(base.rms().powi(2) - base.mean().powi(2))
             }
         };

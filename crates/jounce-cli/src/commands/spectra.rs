@@ -4,12 +4,12 @@ use crate::failure::Failure;
 use crate::measured_file::{MeasuredFile, any_channel, loaded, positive};
 use crate::output::{self, line, print};
 use clap::{Args, ValueEnum};
-use jounce::signal::{OrderLine, Samples, Window};
+use jounce::signal::{OrderLine, Window};
 use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::{densities_of, spectrogram_of};
 use jounce_measure::recording::{Channel, Quantity};
-use jounce_measure::spectral::{Density, Spectra as Found, SpectraSettings, spectra};
+use jounce_measure::spectral::{Density, Spectra as Found, SpectraSettings, signal, spectra};
 use std::path::Path;
 
 /// How segments are weighed.
@@ -65,7 +65,7 @@ impl Spectra {
         };
         let record = loaded(survey, &[number])?;
         let channel = &record.channels[0];
-        let samples = Samples::new(&channel.values, record.rate())?;
+        let samples = signal(channel, record.rate())?;
         let window = match self.window {
             WindowName::Hann => Window::Hann,
             WindowName::FlatTop => Window::FlatTop,

@@ -122,7 +122,7 @@ fn places(
 fn seconds(column: &mut Column, over: Over, findings: &mut Vec<Finding>) -> Numbers {
     let due = if over == Over::Time { Quantity::Time } else { Quantity::Frequency };
     let unit = Unit::read(&column.unit).filter(|unit| unit.quantity == due);
-    let factor = unit.map_or(1.0, |unit| unit.factor);
+    let factor = unit.as_ref().map_or(1.0, |unit| unit.factor);
     let si = if over == Over::Time { "s" } else { "Hz" };
     if unit.is_none() {
         let about = format!("the stamps tell no unit that is known; {si} is assumed");
@@ -149,15 +149,15 @@ pub(super) fn settled(mut column: Column, said: ChannelNotes, findings: &mut Vec
         findings.push(noticed(FindingKind::NonAsciiUnit, 1, format!("the unit {told:?} holds characters outside ASCII")));
     }
     let unit = Unit::read(&told);
-    let factor = scale * unit.map_or(1.0, |unit| unit.factor);
-    if let Some(unit) = unit.filter(Unit::converts) {
+    let factor = scale * unit.as_ref().map_or(1.0, |unit| unit.factor);
+    if let Some(unit) = unit.as_ref().filter(|unit| unit.converts()) {
         let about = format!("values in {told} times {} are {}", unit.factor, unit.si);
         findings.push(noticed(FindingKind::Converted, column.values.count(), about));
     }
     if unit.is_none() && !told.trim().is_empty() && told.trim() != "NONE" {
         findings.push(noticed(FindingKind::UnknownUnit, 1, format!("the unit {told:?} is not known; values are as in the file")));
     }
-    let (quantity, unit) = unit.map_or((Quantity::Unknown, told.clone()), |unit| (unit.quantity, unit.si.to_owned()));
+    let (quantity, unit) = unit.map_or((Quantity::Unknown, told.clone()), |unit| (unit.quantity, unit.si.into_owned()));
     let Column { mut values, mut imaginary, .. } = column;
     values.scale(factor);
     imaginary.iter_mut().for_each(|numbers| numbers.scale(factor));

@@ -4,7 +4,7 @@ use jounce::signal::{Samples, SignalError};
 use realfft::num_complex::Complex;
 
 use super::ResponseError;
-use crate::recording::{Channel, Finding, Quantity, Recording};
+use crate::recording::{Channel, Finding, Quantity, Recording, Unit};
 use crate::spectral::{FrequencyResponse, ImpactHit, ImpactRecord, ImpactSettings, SpectralError, impact};
 
 /// Which channels are what.
@@ -97,7 +97,7 @@ impl Responses {
                 let coherence = vec![1.0; frequency_hz.len()];
                 found.names.push(channel.name.clone());
                 found.units.push(channel.unit.clone());
-                found.quantities.push(channel.quantity);
+                found.quantities.push(Unit::responds(&channel.unit).unwrap_or(channel.quantity));
                 found.functions.push(FrequencyResponse { frequency_hz: frequency_hz.clone(), value, coherence, blocks: 1 });
             }
         }

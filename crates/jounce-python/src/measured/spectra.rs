@@ -3,9 +3,9 @@
 use super::recording::{Given, findings};
 use crate::arrays::Answer;
 use crate::failure::Failure;
-use jounce::signal::{Samples, Window};
+use jounce::signal::Window;
 use jounce_measure::recording::Quantity;
-use jounce_measure::spectral::{SpectraSettings, spectra};
+use jounce_measure::spectral::{SpectraSettings, signal, spectra};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -44,7 +44,7 @@ pub fn measured_spectra<'py>(py: Python<'py>, given: Given<'py>, channel: Option
             Some(name) => record.channel(name)?,
             None => volts().ok_or_else(|| Failure::new("RecordingError", format!("{} has no channel", record.name)))?,
         };
-        Ok::<_, Failure>((channel.clone(), spectra(&Samples::new(&channel.values, record.rate())?, &settings)?))
+        Ok::<_, Failure>((channel.clone(), spectra(&signal(channel, record.rate())?, &settings)?))
     });
     let (channel, found) = found.map_err(|failure| failure.raised(py))?;
     let (density, spectrogram, lines) = (found.density, found.spectrogram, found.orders);
