@@ -96,11 +96,17 @@ impl Unit {
         KNOWN.iter().find_map(known)
     }
 
-    /// The units on both sides of the last line that has one on each.
+    /// The units above and below the line: `A/B`, the last line that has one on each side, or `(1/B)*(A)`, as some analysers write it.
     fn quotient(text: &str) -> Option<(Self, Self)> {
         let bare = unbracketed(text);
         let part = |text: &str| Self::plain(text).filter(|unit| PARTS.contains(&unit.quantity));
-        bare.rmatch_indices('/').find_map(|(at, _)| Some((part(&bare[..at])?, part(&bare[at + 1..])?)))
+        let inverse = |text: &str| part(unbracketed(text).strip_prefix("1/")?);
+        let product = |(at, sign): (usize, &str)| {
+            let (left, right) = (&bare[..at], &bare[at + sign.len()..]);
+            part(left).zip(inverse(right)).or_else(|| part(right).zip(inverse(left)))
+        };
+        let divided = || bare.rmatch_indices('/').find_map(|(at, _)| Some((part(&bare[..at])?, part(&bare[at + 1..])?)));
+        divided().or_else(|| bare.match_indices(['*', '\u{b7}']).find_map(product))
     }
 
     /// True where values change by the conversion, or the unit is no SI.
@@ -187,6 +193,8 @@ mod tests {
             ("(m/s^2)/N", "m/s^2/N", Quantity::Acceleration, 1.0),
             ("[m/s2/N]", "m/s^2/N", Quantity::Acceleration, 1.0),
             ("((m/s\u{b2})/(N))", "m/s^2/N", Quantity::Acceleration, 1.0),
+            ("(1/N)*(m/s\u{b2})", "m/s^2/N", Quantity::Acceleration, 1.0),
+            ("g*(1/lbf)", "m/s^2/N", Quantity::Acceleration, 9.80665 / 4.448_221_615_260_5),
             ("m/s/s/N", "m/s^2/N", Quantity::Acceleration, 1.0),
             ("g/N", "m/s^2/N", Quantity::Acceleration, 9.80665),
             ("g/lbf", "m/s^2/N", Quantity::Acceleration, 9.80665 / 4.448_221_615_260_5),
