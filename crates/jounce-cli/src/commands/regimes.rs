@@ -67,7 +67,9 @@ impl RegimesOf {
             }));
             return Ok(());
         }
-        line(format!("{} stretches; a change lies within {:.3} s of its place", found.stretches.len(), found.uncertainty_s));
+        let count = found.stretches.len();
+        let stretches = if count == 1 { "stretch" } else { "stretches" };
+        line(format!("{count} {stretches}; a change lies within {:.3} s of its place", found.uncertainty_s));
         for (k, (stretch, power)) in found.stretches.iter().zip(powers).enumerate() {
             let period = stretch.period.cycles.map_or("does not repeat".to_owned(), |cycles| format!("period {cycles} cycles"));
             let told = power.map_or(String::new(), |power| format!(", {:.5e} +- {:.1e} W", power.mean_power_w, power.half_width_w));

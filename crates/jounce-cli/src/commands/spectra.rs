@@ -9,7 +9,7 @@ use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::{densities_of, spectrogram_of};
 use jounce_measure::recording::{Channel, Quantity};
-use jounce_measure::spectral::{Density, Spectra as Found, SpectraSettings, signal, spectra};
+use jounce_measure::spectral::{Density, Spectra as Found, SpectraSettings, density_unit, signal, spectra};
 use std::path::Path;
 
 /// How segments are weighed.
@@ -99,11 +99,11 @@ impl Spectra {
     }
 
     fn tell(&self, answer: &Answer<'_>) {
-        let unit = &answer.channel.unit;
+        let (unit, squared) = (&answer.channel.unit, density_unit(&answer.channel.unit));
         line(format!("{}: {}", answer.channel.name, self.convention(answer)));
         line(format!("mean {:.5e} {unit}, taken away from the density", answer.found.density.mean));
         for (frequency_hz, density) in peaks(&answer.found.density) {
-            line(format!("peak at {frequency_hz:>10.4} Hz: {density:.4e} ({unit})^2/Hz"));
+            line(format!("peak at {frequency_hz:>10.4} Hz: {density:.4e} {squared}"));
         }
         for order in &answer.found.orders {
             line(format!("order {:>6.4}, {:>10.4} Hz: {:.5e} {unit} peak", order.order, order.frequency_hz, order.amplitude_peak));
@@ -132,7 +132,7 @@ impl Spectra {
     fn write(&self, folder: &Path, answer: &Answer<'_>, drive_hz: Option<f64>) -> Result<(), Failure> {
         let (channel, density, found) = (answer.channel, &answer.found.density, &answer.found.spectrogram);
         let manifest = self.file.manifest("spectra")?.with("convention", self.convention(answer)).with("channel", channel.name.clone());
-        let squared = format!("({})^2/Hz", channel.unit);
+        let squared = density_unit(&channel.unit);
         let table = Table::new(vec![
             Column::new("frequency_hz", "Hz", "frequency of the line", density.frequency_hz.clone()),
             Column::new("density", &squared, "one-sided power spectral density (Welch)", density.density.clone()),

@@ -18,7 +18,7 @@ mod spectra;
 mod spectrogram;
 mod taper;
 
-pub use density::Density;
+pub use density::{Density, density_unit};
 pub use error::SpectralError;
 pub use hits::{Hit, HitSearch, HitWarning, hits};
 pub use impact::{ImpactAnswer, ImpactHit, ImpactRecord, ImpactSettings, impact};
