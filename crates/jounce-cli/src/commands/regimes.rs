@@ -37,11 +37,11 @@ impl RegimesOf {
     pub fn run(&self) -> Result<(), Failure> {
         let drive_hz = positive("--drive", &self.drive, Unit::Frequency)?;
         let resistance = self.resistance.as_ref().map(|text| positive("--resistance", text, Unit::Resistance)).transpose()?;
-        let survey = self.file.survey()?;
+        let mut survey = self.file.survey()?;
         let number = match &self.channel {
             // Any quantity can be cut; only a voltage has a power.
             Some(name) if resistance.is_none() => any_channel(&survey, name)?,
-            wanted => channel(&survey, wanted.as_deref(), Quantity::Voltage, "--channel")?,
+            wanted => channel(&mut survey, wanted.as_deref(), Quantity::Voltage, "--channel")?,
         };
         let record = loaded(survey, &[number])?;
         let channel = &record.channels[0];
