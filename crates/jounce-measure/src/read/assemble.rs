@@ -15,6 +15,7 @@ const SAME_RATE: f64 = 1e-3;
 
 /// The recording of a data set.
 pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) -> Result<Surveyed, ReadError> {
+    raw.columns = paired(raw.columns);
     let columns: Vec<String> = raw.columns.iter().map(|column| column.name.clone()).collect();
     let said: Vec<ChannelNotes> = columns.iter().enumerate().map(|(k, name)| notes.of(name, k + 1)).collect();
     check_notes(path, notes, &columns)?;
@@ -38,6 +39,25 @@ pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) 
         channel.sizes = sizes;
     }
     Ok(Surveyed { name, over: raw.over, places, channels, findings })
+}
+
+/// A column `NAME.im` behind `NAME.re` in the same unit holds its imaginary parts: so are complex channels written.
+fn paired(columns: Vec<Column>) -> Vec<Column> {
+    let mut paired: Vec<Column> = Vec::new();
+    for column in columns {
+        let is_real = |before: &&mut Column| {
+            let stems = before.name.strip_suffix(".re").zip(column.name.strip_suffix(".im"));
+            stems.is_some_and(|(re, im)| re == im) && before.unit == column.unit && before.imaginary.is_none() && column.imaginary.is_none()
+        };
+        match paired.last_mut().filter(is_real) {
+            Some(real) => {
+                real.name.truncate(real.name.len() - ".re".len());
+                real.imaginary = Some(column.values);
+            }
+            None => paired.push(column),
+        }
+    }
+    paired
 }
 
 /// Notes that name a column that is not there say so.

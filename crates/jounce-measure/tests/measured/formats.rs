@@ -54,14 +54,21 @@ fn what_is_written_is_read_back() {
         assert!(matches!(found.grid, Grid::Even { count: 301, .. }), "{name}");
     }
     let written = response();
-    let read = again(&written, "b.uff");
-    assert_eq!(read.over, Over::Frequency);
-    assert!(differs(&written.channels[0].values, &read.channels[0].values) < 5.1e-13);
-    let imaginary = |recording: &Recording| recording.channels[0].imaginary.clone().unwrap_or_default();
-    assert!(differs(&imaginary(&written), &imaginary(&read)) < 5.1e-13);
-    assert_eq!(written.grid.places(), read.grid.places());
-    assert_eq!((read.channels[0].quantity, read.channels[0].unit.as_str()), (Quantity::Response, "m/s^2/N"));
-    assert!(!kinds(&read).contains(&FindingKind::UnknownUnit));
+    for (name, digits) in [("b.uff", 5.1e-13), ("b.parquet", 0.0), ("b.csv", 0.0)] {
+        let read = again(&written, name);
+        assert_eq!((read.over, read.channels.len()), (Over::Frequency, 1), "{name}");
+        assert!(differs(&written.channels[0].values, &read.channels[0].values) <= digits, "{name}");
+        let imaginary = |recording: &Recording| recording.channels[0].imaginary.clone().unwrap_or_default();
+        assert!(differs(&imaginary(&written), &imaginary(&read)) <= digits, "{name}");
+        assert_eq!(written.grid.places(), read.grid.places());
+        let channel = &read.channels[0];
+        assert_eq!(
+            (channel.name.as_str(), channel.quantity, channel.unit.as_str()),
+            ("accelerance", Quantity::Response, "m/s^2/N"),
+            "{name}"
+        );
+        assert!(!kinds(&read).contains(&FindingKind::UnknownUnit), "{name}");
+    }
 }
 
 /// What stands above the line tells how a response moves: `H(w) = 1 / (w0^2 - w^2 + 2 j zeta w0 w)` per newton as displacement, in millimetres
