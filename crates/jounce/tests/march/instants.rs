@@ -34,6 +34,7 @@ start = "0 mm"
 length = "40 mm"
 width = "15 mm"
 thickness = "0.2 mm"
+electrodes = "open"
 [mass.tip]
 on = "b.end"
 mass = "5 g"
