@@ -216,7 +216,10 @@ fn a_ball_does_not_sink_through_its_table() {
             rest_s.push(statistics.sticking_s);
         }
         let longest_s = rest_s.iter().map(|own| (own - rest_s[0]).abs()).fold(0.0, f64::max);
-        eprintln!("{tolerance:e}: {} contacts a cycle, deepest {deepest_m:e} m, rest {:e} s, {longest_s:e} s apart", contacts[0], rest_s[0]);
+        eprintln!(
+            "{tolerance:e}: {} contacts a cycle, deepest {deepest_m:e} m, rest {:e} s, {longest_s:e} s apart",
+            contacts[0], rest_s[0]
+        );
         assert!(deepest_m < 1e-15 && longest_s < 1e-7 && contacts.iter().all(|own| own.abs_diff(contacts[0]) < 2), "{contacts:?}");
     }
 }
