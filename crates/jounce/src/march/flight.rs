@@ -74,8 +74,8 @@ impl Marcher<'_> {
                     let (after_s, motion) = self.locate(w, 0, crossing);
                     self.move_on(after_s, self.time_s + after_s);
                     self.set_motion(0, motion);
-                    // What is past a rigid stop by roundoff and moves out has left it.
-                    if motion[1] < 0.0 && matches!(self.kernel.plant.system.stops[0].law, Law::Rigid(_)) {
+                    // What is past a rigid stop by roundoff and moves out has left it, unless it is pressed back before.
+                    if motion[1] < 0.0 && matches!(self.kernel.plant.system.stops[0].law, Law::Rigid(_)) && !self.is_lost(0, motion) {
                         continue;
                     }
                     self.flight_s = self.time_s - begun_s;

@@ -16,6 +16,14 @@ impl Marcher<'_> {
     /// Reads penetration and rate of a port off the state.
     #[inline(always)]
     pub(super) fn see<W: Wide>(&mut self, w: W, p: usize) {
+        let motion = self.reading(w, p);
+        let port = &mut self.ports[p];
+        [port.penetration_m, port.rate_m_s] = motion;
+    }
+
+    /// The same, m and m/s.
+    #[inline(always)]
+    pub(super) fn reading<W: Wide>(&self, w: W, p: usize) -> [f64; 2] {
         let rows = &self.ports[p].rows;
         let mut motion = [dot(w, &rows.displacement, &self.y) - rows.gap_m, dot(w, &rows.velocity, &self.y)];
         let [place, speed] = self.forced.motion_after(p, 0.0);
@@ -24,8 +32,7 @@ impl Marcher<'_> {
             let [place, speed] = tone.motion(p);
             motion = [motion[0] + place, motion[1] + speed];
         }
-        let port = &mut self.ports[p];
-        [port.penetration_m, port.rate_m_s] = motion;
+        motion
     }
 
     /// Puts the state after an exact flow over any time into `next`.

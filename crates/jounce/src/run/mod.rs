@@ -12,6 +12,7 @@ pub use charge::{ChargeAnswer, charges};
 pub use limits::{Exceeded, Limited, Limits, Worst, exceeded};
 pub use result::{LeakAnswer, LoadAnswer, RectifiedAnswer, RunAnswer, StopAnswer};
 pub use settle::Settlement;
+pub(crate) use simulate::check_outside;
 pub use simulate::{RunError, RunPlan, simulate};
 pub use start::StartState;
 pub use warning::Warning;
