@@ -22,7 +22,8 @@ pub fn paper_spec(settings: &[(&str, &str)]) -> Result<Spec, ReproduceError> {
 pub(super) struct Harvester {
     pub spec: Spec,
     pub system: System,
-    watch: Watch,
+    /// Ends its marches early, and counts the runs of the figures.
+    pub watch: Watch,
 }
 
 /// A drive and a load.
