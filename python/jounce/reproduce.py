@@ -48,8 +48,8 @@ def reproduce(
     """Computes the tables, figures and claims of the 2019 impact-harvester paper, ``jounce reproduce``: some ten seconds of two cores.
 
     ``report.html``, ``tables/`` and ``figures/`` are written into the folder ``out``, which is made where it is missing. The numbers are
-    the same bits for any number of threads. ``progress`` is told the runs and searches that are finished; their number in all is known as they
-    come. Raises :class:`FileError` where the folder cannot be written.
+    the same bits for any number of threads. ``progress`` is told the runs and searches that are finished; their number in all is known as
+    they come. Raises :class:`FileError` where the folder cannot be written.
 
     Source: "Experimental validation of an impact off-resonance energy harvester" (2019).
     """

@@ -48,9 +48,9 @@ class RunResult(Result):
 
     #: Mean power of all loads and rectified circuits together, W.
     mean_power_w: Annotated[float, Along("", "W", "mean power of all loads and rectified circuits")]
-    #: Names of the loads; of each the mean power, W, the rms voltage, V, and the largest magnitude of the voltage, V: within a period of the
-    #: orbit where the run has settled, else within the last eight drive cycles; of drives that do not repeat themselves within the record,
-    #: NaN where none was kept.
+    #: Names of the loads; of each the mean power, W, the rms voltage, V, and the largest magnitude of the voltage, V: within a period of
+    #: the orbit where the run has settled, else within the last eight drive cycles; of drives that do not repeat themselves within the
+    #: record, NaN where none was kept.
     load: list[str]
     load_power_w: Annotated[Floats, Along("load", "W", "mean power")]
     load_voltage_rms_v: Annotated[Floats, Along("load", "V", "voltage, rms")]
@@ -173,7 +173,7 @@ class RunResult(Result):
         return {field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.name not in left}
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` of the means over ``load``, ``patch``, ``rectified``, ``leak``, ``stop``; the record has one in ``run.history``."""
+        """An ``xarray.Dataset`` of the means over ``load``, ``patch``, ``rectified``, ``leak``, ``stop``; the record has its own."""
         told = {
             "settled": Variable((), bool(self.settled), "1", "settled when it was averaged"),
             "period_cycles": Variable((), self.period_cycles or 0, "1", "period in drive cycles, 0 for none"),
