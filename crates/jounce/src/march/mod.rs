@@ -45,6 +45,7 @@ mod tone;
 mod totals;
 mod trajectory;
 mod variation;
+mod walk;
 mod watch;
 
 pub use energies::Energies;

@@ -33,7 +33,8 @@ pub fn paper_file(settings: &[(&str, &str)]) -> Result<SpecFile, ReproduceError>
 pub(super) struct Harvester {
     pub spec: Spec,
     pub system: System,
-    watch: Watch,
+    /// Ends its marches early, and counts the runs of the figures.
+    pub watch: Watch,
 }
 
 /// A drive and a load.

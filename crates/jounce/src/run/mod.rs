@@ -6,6 +6,7 @@ mod result;
 mod settle;
 mod simulate;
 mod start;
+mod voltage_peak;
 mod warning;
 
 pub use charge::{ChargeAnswer, charges};
@@ -15,4 +16,5 @@ pub use settle::Settlement;
 pub(crate) use simulate::check_outside;
 pub use simulate::{RunError, RunPlan, simulate};
 pub use start::StartState;
+pub use voltage_peak::{VoltagePeaks, voltage_peaks};
 pub use warning::Warning;

@@ -120,7 +120,8 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
         }
     }
     marcher.advance_to(end_s)?;
-    let march_s = clock.elapsed().as_secs_f64();
+    let marched = clock.elapsed();
+    kernel.watch.count_marched(marched);
     let (opened, before) = opened.unwrap_or_else(|| (Energies::default(), start.clone()));
     let trajectory = marcher.take_record();
     let noise = 10.0 * plan.tolerance.max(1e-13);
@@ -153,7 +154,7 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
         energies,
         work: marcher.work(),
         end,
-        march_s,
+        march_s: marched.as_secs_f64(),
         trajectory,
     })
 }
