@@ -102,16 +102,19 @@ impl Branch {
             let (what, why, parameter) = match ending {
                 Ending::Failed { why, parameter } => ("ends", why, parameter),
                 Ending::Grazing { why, parameter } => ("grazes and turns sharply", why, parameter),
-                Ending::Range | Ending::Closed | Ending::Merged | Ending::Points => continue,
+                Ending::Points => {
+                    let points = branch.points.len();
+                    eprintln!("a branch of period {} is left after {points} points; give a shorter range", branch.period_cycles);
+                    continue;
+                }
+                Ending::Range | Ending::Closed | Ending::Merged => continue,
             };
             eprintln!("a branch of period {} {what} at {parameter} {}: {why}", branch.period_cycles, key.unit());
         }
         let estimates = branches.iter().flat_map(|branch| &branch.points).map(|point| (point.orbit.error_estimate, point.parameter));
         if let Some((worst, parameter)) = estimates.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(worst, _)| *worst > 1e-3) {
-            eprintln!(
-                "the largest error estimate is {worst:.1e}, at {parameter} {}: a smaller --tolerance or --method shooting brings it down",
-                key.unit()
-            );
+            let other = if self.method == Way::Shooting { "" } else { " or --method shooting" };
+            eprintln!("the largest error estimate is {worst:.1e}, at {parameter} {}: a smaller --tolerance{other} brings it down", key.unit());
         }
         let values: Vec<f64> = branches.iter().flat_map(|branch| &branch.points).map(|point| point.parameter).collect();
         let all: Vec<&[Exceeded]> = passed.iter().flatten().map(Vec::as_slice).collect();

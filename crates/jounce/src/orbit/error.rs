@@ -12,7 +12,10 @@ pub enum OrbitError<H: std::error::Error> {
     #[error(transparent)]
     March(#[from] VariationError),
     /// No drive, or drives of several frequencies.
-    #[error("an orbit needs a drive of one frequency; this harvester has {frequencies} drive frequencies")]
+    #[error(
+        "an orbit needs a drive of one frequency; this harvester has {frequencies} drive frequencies: {}",
+        if *frequencies == 0 { "add a [drive.NAME] with an amplitude and a frequency" } else { "take out all drives but those of one frequency" }
+    )]
     Frequencies {
         /// How many there are.
         frequencies: usize,
