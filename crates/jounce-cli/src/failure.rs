@@ -82,9 +82,8 @@ impl From<OrbitError<StudyError>> for Failure {
             OrbitError::Harvester(error) => error.into(),
             OrbitError::Frequencies { .. }
             | OrbitError::Impulsive { .. }
-            | OrbitError::SeveralStops { .. }
             | OrbitError::Rectified { .. }
-            | OrbitError::Gravity => Failure::Input(error.to_string()),
+            | OrbitError::Free => Failure::Input(error.to_string()),
             OrbitError::March(_) | OrbitError::Multipliers { .. } => Failure::NotConverged(error.to_string()),
         }
     }

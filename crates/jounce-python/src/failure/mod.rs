@@ -161,9 +161,8 @@ impl From<OrbitError<StudyError>> for Failure {
             OrbitError::March(error) => Self::new("MarchError", error),
             OrbitError::Frequencies { .. }
             | OrbitError::Impulsive { .. }
-            | OrbitError::SeveralStops { .. }
             | OrbitError::Rectified { .. }
-            | OrbitError::Gravity => Self::new("OrbitError", error),
+            | OrbitError::Free => Self::new("OrbitError", error),
             OrbitError::Multipliers { .. } => Self::new("ConvergenceError", error),
         }
     }

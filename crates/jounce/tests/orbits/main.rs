@@ -20,6 +20,7 @@ mod rectified;
 #[path = "../linear/rows.rs"]
 #[expect(dead_code, reason = "rows are checked one by one here")]
 mod rows;
+mod several;
 mod square_root;
 mod sweeps;
 mod tracking;

@@ -25,6 +25,7 @@
 //! Validation: `tests/orbits/balance.rs` compares with shooting.
 
 mod angles;
+mod between;
 mod condensed;
 mod contact;
 mod impulses;
