@@ -23,7 +23,7 @@ use std::path::Path;
 enum Way {
     /// On the exact flow: every law, every period.
     Shooting,
-    /// Harmonics at the port: laws with a finite force.
+    /// Harmonics at the ports of the stops: laws with a finite force.
     HarmonicBalance,
 }
 
@@ -114,7 +114,10 @@ impl Branch {
         let estimates = branches.iter().flat_map(|branch| &branch.points).map(|point| (point.orbit.error_estimate, point.parameter));
         if let Some((worst, parameter)) = estimates.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(worst, _)| *worst > 1e-3) {
             let other = if self.method == Way::Shooting { "" } else { " or --method shooting" };
-            eprintln!("the largest error estimate is {worst:.1e}, at {parameter} {}: a smaller --tolerance{other} brings it down", key.unit());
+            eprintln!(
+                "the largest error estimate is {worst:.1e}, at {parameter} {}: a smaller --tolerance{other} brings it down",
+                key.unit()
+            );
         }
         let values: Vec<f64> = branches.iter().flat_map(|branch| &branch.points).map(|point| point.parameter).collect();
         let all: Vec<&[Exceeded]> = passed.iter().flatten().map(Vec::as_slice).collect();

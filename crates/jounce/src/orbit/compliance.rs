@@ -74,9 +74,7 @@ impl Transfer {
         let mut transfer = Self { values: none.clone(), slopes: none };
         let block = &plant.diagonal.block;
         let free = block.free();
-        for (pair, ((c, u), free)) in
-            block.pairs.iter().zip(row.chunks_exact(2).zip(column.chunks_exact(2)).zip(free.chunks_exact(2)))
-        {
+        for (pair, ((c, u), free)) in block.pairs.iter().zip(row.chunks_exact(2).zip(column.chunks_exact(2)).zip(free.chunks_exact(2))) {
             if free[0] {
                 continue;
             }

@@ -7,8 +7,8 @@
 //! `a` and `b` number the stops. Harmonics of all ports stand one port after the other.
 
 use super::motion::{complex, real};
-use crate::orbit::compliance::{Grid, Transfer};
 use super::response::Response;
+use crate::orbit::compliance::{Grid, Transfer};
 use crate::plant::Plant;
 use faer::c64;
 

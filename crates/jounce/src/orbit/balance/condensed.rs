@@ -97,7 +97,8 @@ impl Condensed {
         let damped: Vec<bool> = sides.each.iter().map(is_damped).collect();
         let mut matrix = Mat::<f64>::zeros(count + 1, count + 1);
         let pushing = sides.each.iter().zip(&places).enumerate();
-        let pushing = pushing.flat_map(|(b, (side, places))| places.iter().zip(&side.nodes).map(move |(place, node)| (b, *place, node.share)));
+        let pushing =
+            pushing.flat_map(|(b, (side, places))| places.iter().zip(&side.nodes).map(move |(place, node)| (b, *place, node.share)));
         for (p, ((b, force, share), pulled)) in pushing.zip(&pulled).enumerate() {
             let column: &mut [f64] = matrix.col_as_slice_mut(p);
             let mut rest = &mut column[..];

@@ -111,7 +111,8 @@ impl Branch {
 
     /// States on the chords that pass a value of the key, each with the length of its chord.
     pub(super) fn chords(&self, parameter: f64) -> Vec<(Vec<f64>, f64)> {
-        let length = |a: &BranchPoint, b: &BranchPoint| (ColRef::from_slice(a.orbit.start()) - ColRef::from_slice(b.orbit.start())).norm_l2();
+        let length =
+            |a: &BranchPoint, b: &BranchPoint| (ColRef::from_slice(a.orbit.start()) - ColRef::from_slice(b.orbit.start())).norm_l2();
         self.passing(parameter).map(|(a, b, t)| (between(a, b, t), length(a, b))).collect()
     }
 

@@ -18,7 +18,7 @@ use rayon::prelude::*;
 pub enum Method {
     /// On the exact flow.
     Shooting,
-    /// Harmonics at the port, as many as the accuracy needs.
+    /// Harmonics at the ports, as many as the accuracy needs.
     HarmonicBalance {
         /// Harmonics of the drive to begin with.
         harmonics: usize,
