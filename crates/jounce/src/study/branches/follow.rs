@@ -153,12 +153,11 @@ impl Following {
                 return Ok(());
             }
             for after in places {
-                let passed = self.between(method, &before, &after)?;
-                beginning.left = Left::between(&before.point, &after.point, branch, &passed).or(beginning.left);
-                branch.bifurcations.extend(passed);
+                beginning.left = Left::between(&before.point, &after.point, branch).or(beginning.left);
+                branch.bifurcations.extend(self.between(method, &before, &after)?);
                 branch.points.push(after.point.clone());
-                if let Some(left) = beginning.left.filter(|left| left.comes_back(branch)) {
-                    left.end(branch);
+                if let Some((left, back_at)) = beginning.left.and_then(|left| Some((left, left.comes_back(branch)?))) {
+                    left.end(branch, back_at);
                     return Ok(());
                 }
                 if let Some(ending) = self.ending(&beginning, &before, &after, branch.points.len()) {

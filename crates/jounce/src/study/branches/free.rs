@@ -1,44 +1,63 @@
 //! Orbits that never touch a stop, of which a plant has one at each value of a key.
 //!
-//! On a stiff stop a branch turns at its grazing within less than the accuracy of its orbits. A walk may then turn round there and run
-//! back over the orbits that it came along: it left them and is among them again, at a value that it has passed.
+//! Where a branch turns within less than the accuracy of its orbits, as it does at its grazing on a stiff stop, a walk may turn round and run
+//! back over its own points. Nothing that two neighbours show tells that from a fold; but a walk that left the orbits that never touch,
+//! and is among them again at a value that it has passed, has come back. It turned half-way.
 
-use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
+use super::branch::{Branch, BranchPoint, Ending};
+use faer::ColRef;
 
 /// Where a walk left the orbits that never touch.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Left {
     /// Points so far.
     points: usize,
-    /// Bifurcations so far, the grazing being the last.
+    /// Bifurcations so far.
     bifurcations: usize,
 }
 
 impl Left {
-    /// Where a step from the last point of a branch leaves them; `passed` is what it passes.
-    pub fn between(before: &BranchPoint, after: &BranchPoint, branch: &Branch, passed: &[Bifurcation]) -> Option<Self> {
-        let grazing = passed.iter().position(|found| found.kind == BranchKind::Grazing).map_or(passed.len(), |place| place + 1);
+    /// Where a step from the last point of a branch leaves them.
+    pub fn between(before: &BranchPoint, after: &BranchPoint, branch: &Branch) -> Option<Self> {
         let leaves = never_touches(before) && !never_touches(after);
-        leaves.then(|| Self { points: branch.points.len(), bifurcations: branch.bifurcations.len() + grazing })
+        leaves.then(|| Self { points: branch.points.len(), bifurcations: branch.bifurcations.len() })
     }
 
-    /// True when the last point of a branch lies where it was before it left.
-    pub fn comes_back(self, branch: &Branch) -> bool {
-        let Some(last) = branch.points.last().filter(|last| never_touches(last)) else { return false };
-        branch.points[..self.points].windows(2).any(|pair| {
+    /// The point that a branch came back to with its last one, by the number of the next.
+    pub fn comes_back(self, branch: &Branch) -> Option<usize> {
+        let last = branch.points.last().filter(|last| never_touches(last))?;
+        let lies_in = |pair: &[BranchPoint]| {
             let (low, high) = (pair[0].parameter.min(pair[1].parameter), pair[0].parameter.max(pair[1].parameter));
             pair.iter().all(never_touches) && low < last.parameter && last.parameter < high
-        })
+        };
+        branch.points[..self.points].windows(2).position(lies_in).map(|place| place + 1)
     }
 
-    /// Ends a branch there.
-    pub fn end(self, branch: &mut Branch) {
-        branch.points.truncate(self.points);
-        branch.bifurcations.truncate(self.bifurcations);
-        let grazing = branch.bifurcations.last().map(|found| found.at.parameter);
-        let Some(parameter) = grazing.or(branch.points.last().map(|last| last.parameter)) else { return };
-        let why = "from there the walk came back over the orbits that never touch; try a smaller tolerance or the other method".to_owned();
-        branch.endings.push(Ending::Grazing { why, parameter });
+    /// Ends a branch that came back to a point where it turned round, with those of its bifurcations that it passed until then.
+    pub fn end(self, branch: &mut Branch, back_at: usize) {
+        let points = &branch.points;
+        let step = |pair: &[BranchPoint]| {
+            let [from, to] = [0, 1].map(|k| ColRef::from_slice(pair[k].orbit.start()));
+            (to - from).norm_l2() / pair[1].orbit.size()
+        };
+        let mut way = vec![0.0];
+        way.extend(points[back_at..].windows(2).map(step).scan(0.0, |sum, length| {
+            *sum += length;
+            Some(*sum)
+        }));
+        let half = 0.5 * way.last().copied().unwrap_or(0.0);
+        let turns = |k: &usize| {
+            let [a, b, c] = [k - 1, *k, k + 1].map(|k| points[k].parameter);
+            (b - a) * (c - b) < 0.0
+        };
+        let off = |k: usize| (way[k - back_at] - half).abs();
+        let turn = (self.points..points.len() - 1).filter(turns).min_by(|a, b| off(*a).total_cmp(&off(*b))).unwrap_or(self.points);
+        let parameter = points[turn].parameter;
+        branch.points.truncate(turn + 1);
+        let passed = branch.bifurcations.len() - self.bifurcations;
+        branch.bifurcations.truncate(self.bifurcations + passed / 2);
+        let why = "from there the walk came back over its own points; try a smaller tolerance or the other method".to_owned();
+        branch.endings.push(Ending::Failed { why, parameter });
     }
 }
 
