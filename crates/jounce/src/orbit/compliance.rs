@@ -114,7 +114,7 @@ pub fn moves_without_end(plant: &Plant) -> bool {
     let free = plant.diagonal.block.free();
     let ports = &plant.ports[..plant.system.stops.len()];
     // Either state of a pair may be the one that is pushed.
-    let share = |row: &[f64], column: &[f64], i: usize| row[i].abs() * column[if i % 2 == 0 { i + 1 } else { i - 1 }].abs();
+    let share = |row: &[f64], column: &[f64], i: usize| row[i].abs() * column[i ^ 1].abs();
     ports.iter().flat_map(|a| ports.iter().map(move |b| (&a.displacement, &b.force))).any(|(row, column)| {
         let paired = 2 * plant.diagonal.block.pairs.len();
         let of = |i: usize| (row[i] * column[i]).abs() + if i < paired { share(row, column, i) } else { 0.0 };

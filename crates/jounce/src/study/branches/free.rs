@@ -20,7 +20,7 @@ impl Left {
     /// Where a step from the last point of a branch leaves them.
     pub fn between(before: &BranchPoint, after: &BranchPoint, branch: &Branch) -> Option<Self> {
         let leaves = never_touches(before) && !never_touches(after);
-        leaves.then(|| Self { points: branch.points.len(), bifurcations: branch.bifurcations.len() })
+        leaves.then_some(Self { points: branch.points.len(), bifurcations: branch.bifurcations.len() })
     }
 
     /// The point that a branch came back to with its last one, by the number of the next.
