@@ -12,7 +12,7 @@ const FREQUENCY: &str = "drive.shaker.frequency";
 
 /// The plant of the bench with more stops.
 fn bench_with(stops: &str) -> SpecFile {
-    SpecFile::from_text(&format!("{}\n{stops}", include_str!("../../../../bench/plant.toml")))
+    SpecFile::from_text(format!("{}\n{stops}", include_str!("../../../../bench/plant.toml")))
 }
 
 /// A stop of the bench's own law at its tip.
@@ -24,10 +24,10 @@ fn tip_stop(name: &str, side: &str, gap: &str, stiffness: &str) -> String {
 /// The beam of the paper with a second stop of another law, half-way along.
 fn two_places() -> SpecFile {
     let text = include_str!("../../../../examples/impact-harvester-2019/harvester.toml");
-    let mut file = SpecFile::from_text(&text.replace("hammer = \"15 mm\"", "hammer = \"15 mm\"\nmiddle = \"190 mm\""));
-    let text = "\n[stop.middle]\nat = \"beam.middle\"\nframe = \"ground\"\nside = \"negative\"\nlaw = \"hunt-crossley\"\ngap = \"0.3 mm\"\n\
+    let beam = text.replace("hammer = \"15 mm\"", "hammer = \"15 mm\"\nmiddle = \"190 mm\"");
+    let stop = "\n[stop.middle]\nat = \"beam.middle\"\nframe = \"ground\"\nside = \"negative\"\nlaw = \"hunt-crossley\"\ngap = \"0.3 mm\"\n\
         stiffness = \"3000 N/m^1.5\"\ndamping = \"0.2 s/m\"\n";
-    file = SpecFile::from_text(&format!("{}{text}", file.text()));
+    let mut file = SpecFile::from_text(format!("{beam}{stop}"));
     file.set("drive.shaker.amplitude", "\"50 N\"").unwrap();
     file
 }
@@ -164,7 +164,7 @@ fn mass(gravity: &str, gaps_mm: [f64; 2]) -> SpecFile {
             "[stop.{name}]\nat = \"m\"\nframe = \"ground\"\nside = \"{side}\"\nlaw = \"hertz\"\ngap = \"{gap_mm} mm\"\nstiffness = \"4e4 N/m^1.5\"\n"
         )
     };
-    SpecFile::from_text(&format!(
+    SpecFile::from_text(format!(
         "[mass.m]\non = \"ground\"\nmass = \"100 g\"\nstiffness = \"1 kN/m\"\ndamping_ratio = 0.02\n{}{}{gravity}\
          [drive.shaker]\nkind = \"force\"\nat = \"m\"\namplitude = \"0.8 N\"\nfrequency = \"18 Hz\"\n",
         stop("above", "positive", gaps_mm[0]),
@@ -195,7 +195,7 @@ fn an_open_patch_agrees_with_shooting() {
     let mut spec = bench();
     let text = spec.text().to_owned();
     let (before, after) = (text.find("[circuit.load]").unwrap(), text.find("[drive.shaker]").unwrap());
-    spec = SpecFile::from_text(&format!("{}{}", &text[..before], &text[after..]));
+    spec = SpecFile::from_text(format!("{}{}", &text[..before], &text[after..]));
     let exact = settled(&spec, 11.0);
     let found = balanced(&spec, exact.start(), 11.0);
     let state = norm(&mut found.start().iter().zip(exact.start()).map(|(a, b)| a - b)) / found.size();
