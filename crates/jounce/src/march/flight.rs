@@ -210,7 +210,7 @@ impl Marcher<'_> {
     #[inline(always)]
     pub(super) fn locate<W: Wide>(&mut self, w: W, p: usize, crossing: Crossing) -> (f64, [f64; 2]) {
         let Crossing { mut from_s, mut guess_s, mut to_s } = crossing;
-        guess_s = self.look_about(w, guess_s);
+        self.look_ahead(w, guess_s);
         let mut motion = self.motion_ahead(w, p, guess_s);
         for _ in 0..20 {
             if motion[0] > 0.0 {

@@ -9,9 +9,6 @@ use faer::c64;
 /// `|lambda| t` below which the power series of a flow takes less than another level.
 const CUT: f64 = 0.25;
 
-/// The same up to which a guess of an instant need not be met.
-const ABOUT: f64 = 16.0;
-
 impl Marcher<'_> {
     /// Reads penetration and rate of a port off the state.
     #[inline(always)]
@@ -44,16 +41,6 @@ impl Marcher<'_> {
         }
         self.next.copy_from_slice(&self.y);
         self.carry_on(w, length_s);
-    }
-
-    /// The same over about that time, no longer: over a few levels, as near as a first guess is good for. Returns the time.
-    #[inline(always)]
-    pub(super) fn look_about<W: Wide>(&mut self, w: W, length_s: f64) -> f64 {
-        let kernel = self.kernel;
-        self.next.copy_from_slice(&self.y);
-        let (flows, rest_s) = kernel.flows_within(length_s, ABOUT);
-        kernel.generator.carry(w, &flows, (0.0, 0.0), &mut self.next);
-        length_s - rest_s
     }
 
     /// Moves `next` from one time ahead of the present to another.
