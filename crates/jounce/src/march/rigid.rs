@@ -84,7 +84,8 @@ impl Marcher<'_> {
         let rows = &self.ports[p].rows;
         let roundoff_m = f64::EPSILON * self.terms_of(&rows.displacement).max(rows.tone_scale_m).max(rows.gap_m.abs());
         let least_m = LEAST_HOP * roundoff_m + PAST * depth_m.max(0.0);
-        rate_m_s * rate_m_s <= 2.0 * self.acceleration_m_s2(p) * least_m
+        // Where what presses it is roundoff it leaves: rest would only let it go again.
+        rate_m_s * rate_m_s <= 2.0 * self.acceleration_m_s2(p) * least_m && self.is_pressed(p)
     }
 
     /// A point goes on from its stop at a speed: it flies, or where it has none and is pressed, rests.
