@@ -6,9 +6,6 @@ use super::state::dot;
 use crate::wide::Wide;
 use faer::c64;
 
-/// `|lambda| t` below which the power series of a flow takes less than another level.
-const CUT: f64 = 0.25;
-
 impl Marcher<'_> {
     /// Reads penetration and rate of a port off the state.
     #[inline(always)]
@@ -43,14 +40,15 @@ impl Marcher<'_> {
         self.carry_on(w, length_s);
     }
 
-    /// Moves `next` from one time ahead of the present to another.
+    /// Moves `next` from one time ahead of the present to another: on or back where that is near, else from the present again, for what is
+    /// lost on a long way and back would hide a point that hardly leaves its stop.
     #[inline(always)]
     pub(super) fn look_on<W: Wide>(&mut self, w: W, from_s: f64, to_s: f64) {
         let change_s = to_s - from_s;
-        if change_s * self.kernel.stiffest_rad_s < -SHORT {
-            self.look_ahead(w, to_s);
-        } else {
+        if change_s.abs() * self.kernel.stiffest_rad_s <= SHORT {
             self.carry_on(w, change_s);
+        } else {
+            self.look_ahead(w, to_s);
         }
     }
 
@@ -60,7 +58,7 @@ impl Marcher<'_> {
     #[inline(always)]
     fn carry_on<W: Wide>(&mut self, w: W, change_s: f64) {
         let kernel = self.kernel;
-        let (flows, rest_s) = kernel.flows_within(change_s, CUT);
+        let (flows, rest_s) = kernel.flows_within(change_s);
         kernel.generator.carry(w, &flows, (rest_s, kernel.stiffest_rad_s), &mut self.next);
     }
 

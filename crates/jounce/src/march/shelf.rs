@@ -4,7 +4,7 @@ use super::answers::Answers;
 use super::basis::{Basis, SMOOTH};
 use super::cross_table::CrossTable;
 use super::flight_table::FlightTable;
-use super::flow::Flow;
+use super::flow::{Flow, SHORT};
 use super::forced_flight::ForcedFlight;
 use super::kernel::{Kernel, Shape};
 use super::table::{Sticking, Table};
@@ -46,11 +46,11 @@ impl Kernel {
         self.levels[Self::index(level)].flow.get_or_init(make)
     }
 
-    /// A time cut into levels, longest first, until `|lambda| t` of what rests, s, is at most `cut`: their flows, and the rest.
+    /// A time cut into levels, longest first, until `|lambda| t` of what rests, s, is [`SHORT`]: their flows, and the rest.
     #[inline(always)]
-    pub(super) fn flows_within(&self, time_s: f64, cut: f64) -> (SmallVec<[&Flow; 32]>, f64) {
+    pub(super) fn flows_within(&self, time_s: f64) -> (SmallVec<[&Flow; 32]>, f64) {
         let (mut flows, mut rest_s) = (SmallVec::new(), time_s);
-        while rest_s * self.stiffest_rad_s > cut {
+        while rest_s * self.stiffest_rad_s > SHORT {
             let level = Self::level_within(rest_s);
             flows.push(self.flow(level));
             rest_s -= Self::length_s(level);
