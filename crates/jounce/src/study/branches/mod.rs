@@ -5,7 +5,6 @@ mod carry;
 mod chase;
 mod finer;
 mod follow;
-mod free;
 mod refine;
 mod search;
 mod settled_orbit;
