@@ -155,12 +155,12 @@ impl FitAnswer {
         };
         let mut linear = Vec::new();
         let mut keys = Vec::with_capacity(count);
-        for k in 0..count {
+        for (k, deviation) in deviation.iter().enumerate() {
             let ends = [profile.end(k, -quantile)?, profile.end(k, quantile)?];
             if ends.contains(&None) {
                 linear.push(problem.keys[k].path());
             }
-            keys.push(key(problem, k, (deviation[k], quantile), ends));
+            keys.push(key(problem, k, (*deviation, quantile), ends));
         }
         let told = told(problem, minimum, (before, &problem.model(&problem.unknowns)?), quantile);
         let of_group = |(g, group): (usize, &super::deviation::Group)| FittedDeviation {

@@ -24,10 +24,13 @@ const STEPS: usize = 12;
 /// Most by which the distance of an end from the minimum changes in a step.
 const MOST: f64 = 2.0;
 
+/// Errors at a set of unknowns.
+pub(super) type Errors<'p> = dyn Fn(&DVector<f64>) -> Result<DVector<f64>, FitError> + 'p;
+
 /// A minimum from which ends are sought.
 pub(super) struct Profile<'p> {
     /// Errors over their deviations at a set of unknowns.
-    pub errors: &'p dyn Fn(&DVector<f64>) -> Result<DVector<f64>, FitError>,
+    pub errors: &'p Errors<'p>,
     /// Where it lies.
     pub least: &'p DVector<f64>,
     /// The objective there.
