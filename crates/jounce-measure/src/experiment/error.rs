@@ -6,7 +6,6 @@ use jounce::signal::SignalError;
 use jounce::structure::StructureError;
 use jounce::table::TableError;
 
-use crate::fit::FitError;
 use crate::modal::ModalError;
 use crate::recording::NoChannel;
 use crate::regime::RegimeError;
@@ -51,9 +50,6 @@ pub enum ExperimentError {
     /// The stretches of the record.
     #[error(transparent)]
     Regime(#[from] RegimeError),
-    /// The fit to Table 2.
-    #[error(transparent)]
-    Fit(#[from] FitError),
     /// A table.
     #[error(transparent)]
     Table(#[from] TableError),

@@ -25,7 +25,6 @@ mod mode;
 mod model;
 mod power;
 mod problem;
-mod profile;
 mod reading;
 mod response;
 mod solve;

@@ -1,6 +1,6 @@
 //! One channel.
 
-use super::{Head, Quantity};
+use super::Quantity;
 
 /// Samples of one quantity at one place.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,10 +33,5 @@ impl Channel {
             values,
             imaginary: None,
         }
-    }
-
-    /// What it is chosen by.
-    pub fn head(&self) -> Head<'_> {
-        Head { name: &self.name, quantity: self.quantity, unit: &self.unit }
     }
 }

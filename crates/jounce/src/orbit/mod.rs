@@ -14,7 +14,6 @@ mod method;
 mod multipliers;
 mod null_vector;
 mod periodic;
-mod rested;
 mod shooting;
 mod tracking;
 mod turning_points;

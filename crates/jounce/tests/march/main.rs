@@ -23,5 +23,4 @@ mod swings;
 mod symmetry;
 mod thrown;
 mod variation;
-mod voltage_peak;
 mod work;

@@ -127,9 +127,8 @@ impl Marcher<'_> {
                 self.see(w, q);
             }
         }
-        // What is past a rigid stop by roundoff and moves out has left it, unless it is pressed back before.
-        let motion = [self.ports[p].penetration_m, self.ports[p].rate_m_s];
-        if self.is_rigid(p) && motion[1] < 0.0 && !self.is_lost(p, motion) {
+        // What is past a rigid stop by roundoff and moves out has left it.
+        if self.is_rigid(p) && self.ports[p].rate_m_s < 0.0 {
             return;
         }
         self.enter(p);
