@@ -1,92 +1,117 @@
-"""Measures what the Python package adds to one run of the library; `python_study.py` measures studies.
+"""Measures what the Python package adds to one run of the library, and writes PYTHON.md; `python_study.py` measures studies.
 
-`python bench/python_overhead.py --help` lists the options. Needs the package, and cargo; load on the machine falls on
-all figures, so leave it alone meanwhile.
+`python bench/python_overhead.py --help` lists the options. Needs the package, and cargo or a built `peer-jounce`; load on the machine falls
+on all figures, so leave it alone meanwhile. PYTHON.md is written by a full run only.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+import os
+import subprocess
 import sys
 import time
+from collections.abc import Sequence
 from pathlib import Path
 from statistics import median
-from typing import Any
+from typing import IO
 
 import jounce
 
-from harness import build, machine, process
+from harness import build, machine
 
 HERE = Path(__file__).resolve().parent
 SPEC = HERE.parent / "examples" / "impact-harvester-2019" / "harvester.toml"
+
+#: Fewest repetitions of a full run.
+FULL = 200
+
+#: What the package may add to the library's own call, s.
+WANTED_S = 0.2e-3
+
+PYTHON, LIBRARY, MARCHING = "`Spec.run` in Python", "what it asks of the library, in Rust", "`simulate` alone, in Rust"
 
 
 def options() -> argparse.Namespace:
     """The command line."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--repeats", type=int, default=101, help="repetitions of the single run")
-    parser.add_argument("--without-rust", action="store_true", help="leave out the library's own call, which cargo builds")
+    parser.add_argument(
+        "--repeats", type=int, default=2 * FULL, help=f"repetitions of each call, in turn; with fewer than {FULL} PYTHON.md stays"
+    )
+    parser.add_argument("--peer", type=Path, help="a built peer-jounce; without it cargo builds one")
     return parser.parse_args()
 
 
-def outside_python_s(repeats: int) -> list[float]:
-    """Wall time of `run` on the paper's spec, warm, less the march inside it."""
+def in_turn(peer: subprocess.Popen[str], repeats: int) -> dict[str, list[tuple[float, float]]]:
+    """Wall time of each call, and the part of it that is not marching, s; the calls of both in turn, all warm."""
     spec = jounce.read(SPEC)
     spec.run()
-    outside_s = []
+    found: dict[str, list[tuple[float, float]]] = {PYTHON: [], LIBRARY: [], MARCHING: []}
     for _ in range(repeats):
         begin = time.perf_counter()
         answer = spec.run()
-        outside_s.append(time.perf_counter() - begin - answer.march_s)
-    return outside_s
-
-
-def outside_rust_s(program: Path, repeats: int) -> list[float]:
-    """The same of `simulate` in Rust, each in a process that has marched a part of the run before."""
-    outside_s = []
-    for _ in range(repeats):
-        done = process.finish([str(program), str(SPEC), "warm"], HERE, 300.0)
-        if done.failed:
-            sys.exit(f"peer-jounce failed: {done.failed}")
-        found = json.loads(done.stdout)
-        outside_s.append(found["wall_s"] - found["march_s"])
-    return outside_s
-
-
-def run_figures(chosen: argparse.Namespace) -> dict[str, Any]:
-    """What a single run costs beside its march."""
-    python_s = median(outside_python_s(chosen.repeats))
-    found: dict[str, Any] = {"run_outside_march_python_s": python_s}
-    program = None if chosen.without_rust else build.compile_jounce()
-    if program:
-        rust_s = median(outside_rust_s(program, chosen.repeats))
-        found |= {"run_outside_march_rust_s": rust_s, "run_overhead_s": python_s - rust_s}
+        wall_s = time.perf_counter() - begin
+        found[PYTHON].append((wall_s, wall_s - answer.march_s))
+        said = json.loads(asked(peer.stdin, peer.stdout))
+        if "failed" in said:
+            sys.exit(f"peer-jounce failed: {said['failed']}")
+        if said["mean_power_w"] != answer.mean_power_w:
+            sys.exit(f"Rust answers {said['mean_power_w']} W, Python {answer.mean_power_w} W: not the same version")
+        found[LIBRARY].append((said["run_s"], said["run_s"] - said["march_s"]))
+        found[MARCHING].append((said["simulate_s"], said["simulate_s"] - said["march_s"]))
     return found
 
 
-def told(figures: dict[str, Any]) -> str:
+def asked(to: IO[str] | None, of: IO[str] | None) -> str:
+    """One more run of the peer."""
+    assert to is not None and of is not None
+    to.write("\n")
+    to.flush()
+    return of.readline() or '{"failed": "it ended"}'
+
+
+def row(name: str, times: Sequence[tuple[float, float]]) -> str:
+    """A line of the table."""
+    wall_s, outside_s = zip(*times, strict=True)
+    cells = (f"{1e3 * pick(kind):.3f}" for kind in (wall_s, outside_s) for pick in (min, median))
+    return f"| {name} | {' | '.join(cells)} |"
+
+
+def report(described: list[str], found: dict[str, list[tuple[float, float]]]) -> str:
     """The figures for reading."""
-
-    def ms(s: float) -> str:
-        return f"{1e3 * s:.3f} ms"
-
-    line = f"run, what is not marching: {ms(figures['run_outside_march_python_s'])} in Python"
-    if "run_overhead_s" in figures:
-        line += f", {ms(figures['run_outside_march_rust_s'])} in Rust; overhead {ms(figures['run_overhead_s'])}"
-    return "\n".join([*figures["machine"], line])
+    outside_s = {name: [outside for _, outside in times] for name, times in found.items()}
+    lines = ["# What Python adds to a run", "", "Written by `bench/python_overhead.py`; how to read it is in `bench/README.md`.", ""]
+    lines += [f"- {line}" for line in described]
+    lines += ["", "| call | wall ms, least | median | not marching ms, least | median |", "|---|---|---|---|---|"]
+    lines += [row(name, times) for name, times in found.items()]
+    lines.append("")
+    for name in (LIBRARY, MARCHING):
+        least_s, middle_s = (pick(outside_s[PYTHON]) - pick(outside_s[name]) for pick in (min, median))
+        lines.append(f"- Python beside {name}: {1e3 * least_s:+.3f} ms by the least, {1e3 * middle_s:+.3f} ms by the medians.")
+    lines.append(f"- Wanted: less than {1e3 * WANTED_S:.1f} ms beside the library's own call.")
+    return "\n".join(lines) + "\n"
 
 
 def main() -> None:
     """Measures and writes."""
     chosen = options()
-    described = [f"CPU: {machine.processor()}", f"jounce {jounce.__version__}, Python {sys.version.split()[0]}"]
-    figures = {"machine": described, **run_figures(chosen)}
-    folder = HERE / "results"
-    folder.mkdir(exist_ok=True)
-    stem = folder / time.strftime("python-%Y-%m-%dT%H-%M-%S")
-    stem.with_suffix(".json").write_text(json.dumps(figures, indent=1))
-    print(told(figures))
+    program = chosen.peer or build.compile_jounce()
+    if program is None:
+        sys.exit("there is nothing to compare with; install cargo, or name a built peer-jounce with --peer")
+    described = [
+        f"CPU: {machine.processor()}, {os.cpu_count()} cores; load average at the start {os.getloadavg()[0]:.1f}",
+        f"jounce {jounce.__version__}, Python {sys.version.split()[0]}; the paper's spec, {chosen.repeats} runs of each in turn",
+    ]
+    with subprocess.Popen([str(program), str(SPEC), "each"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as peer:
+        found = in_turn(peer, chosen.repeats)
+    results = HERE / "results"
+    results.mkdir(exist_ok=True)
+    (results / time.strftime("python-%Y-%m-%dT%H-%M-%S.json")).write_text(json.dumps({"machine": described, "wall_and_outside_s": found}))
+    text = report(described, found)
+    if chosen.repeats >= FULL:
+        (HERE / "PYTHON.md").write_text(text)
+    print(text)
 
 
 if __name__ == "__main__":

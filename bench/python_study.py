@@ -1,8 +1,9 @@
-"""Measures a study of many short runs over gap, frequency and load: its time beside that of its marches, its memory, what kills lose.
+"""Measures a study of many short runs over gap, frequency and load, and writes STUDIES.md: its time beside that of its marches, its
+memory, what kills lose.
 
 `python bench/python_study.py --help` lists the options. Needs the package with its extra `dask`; load on the machine falls on all
 figures, so leave it alone meanwhile. The table must come out bit by bit the same on threads, after the kills and through Dask: where
-it does not, this ends with an error.
+it does not, this ends with an error. STUDIES.md is written by a full run only.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from __future__ import annotations
 import argparse
 import hashlib
 import json
+import os
 import pickle
 import resource
 import signal
@@ -17,9 +19,8 @@ import subprocess
 import sys
 import tempfile
 import time
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import jounce
 import numpy as np
@@ -29,55 +30,57 @@ from harness import build, machine
 HERE = Path(__file__).resolve().parent
 SPEC = HERE.parent / "examples" / "impact-harvester-2019" / "harvester.toml"
 KEYS = ("stop.tip.gap", "drive.shaker.frequency", "circuit.load.resistance")
-UNITS = ("m", "Hz", "ohm")
 KILLS = 5
 
-#: Runs a study in a process of its own and prints how long that took, s, and the most memory that it held, bytes.
+#: Points of a full run.
+FULL = 100_000
+
+#: What may be added to the time of the marches by the study, and to the time of the study by Dask.
+WANTED_STUDY, WANTED_DASK = 0.10, 0.15
+
+#: Runs a study in a process of its own and prints how long that took and how long all threads marched, s, and the most memory that it
+#: held, bytes.
 CHILD = """
 import pickle, resource, sys, time
 study, out, threads = pickle.loads(sys.stdin.buffer.read())
 begin = time.perf_counter()
-study.run(out, threads=threads)
-print(time.perf_counter() - begin, 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
+result = study.run(out, threads=threads)
+print(time.perf_counter() - begin, result.marched_s, 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
 """
+
+
+class Taken(NamedTuple):
+    """What a study took: wall time and the marching of all threads together, s, and the most memory of a process, bytes."""
+
+    wall_s: float
+    marched_s: float
+    peak_bytes: int
+
+    def beside_marches(self, threads: int) -> float:
+        """Wall time over that of the marches shared evenly by the threads, less 1."""
+        return self.wall_s * threads / self.marched_s - 1.0
 
 
 def options() -> argparse.Namespace:
     """The command line."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--points", type=int, default=100_000, help="about how many runs the study has")
-    parser.add_argument("--duration", default="2 s", help="length of a run; power is averaged over its second half")
-    parser.add_argument("--sample", type=int, default=4000, help="points whose marches are timed alone, drawn at random; 0 for all")
+    parser.add_argument("--points", type=int, default=FULL, help="about how many runs the study has; with fewer STUDIES.md stays")
+    parser.add_argument("--duration", default="20 s", help="length of a run, that of the paper; power is averaged over its second half")
     parser.add_argument("--threads", type=int, default=2, help="threads of the study, and workers of Dask")
-    parser.add_argument("--seed", type=int, default=1, help="of the sample and of the times of the kills")
+    parser.add_argument("--seed", type=int, default=1, help="of the times of the kills")
+    parser.add_argument("--without-kills", action="store_true", help="leave out the kills")
     parser.add_argument("--without-dask", action="store_true", help="leave out Dask")
     return parser.parse_args()
 
 
 def study_of(points: int, duration: str) -> jounce.Study:
     """Gap times frequency times load, about so many points."""
-    side = max(1, round(points ** (1.0 / 3.0)))
-    load = max(1, round(points / side**2))
+    side = max(2, round(points ** (1.0 / 3.0)))
+    load = max(2, round(points / side**2))
     half = 0.5 * jounce.read(SPEC).changed({"run.duration": duration, "run.average_over": "1 ms"}).si("run.duration")
     spec = jounce.read(SPEC).changed({"run.duration": duration, "run.average_over": f"{half!r} s"})
     ranges = (f"0.5mm:1.5mm:{side}x", f"11Hz:13Hz:{side}x", f"100kohm:1Mohm:{load}log")
     return jounce.Study(spec, dict(zip(KEYS, ranges, strict=True)))
-
-
-def marches(study: jounce.Study, sample: int, threads: int, seed: int) -> tuple[float, float]:
-    """Sum of the march times of all points, s, from those of a sample, as many at a time as the study has threads; its standard error."""
-    spec, count = study.spec, len(study)
-    chosen = np.arange(count) if not 0 < sample < count else np.random.default_rng(seed).choice(count, sample, replace=False)
-
-    def march_s(index: int) -> float:
-        keys = {key: f"{value!r} {unit}" for key, value, unit in zip(KEYS, study.point(index), UNITS, strict=True)}
-        return spec.changed(keys).run().march_s
-
-    with ThreadPoolExecutor(threads) as pool:
-        times_s = np.array(list(pool.map(march_s, map(int, chosen))))
-    left_out = 1.0 - len(chosen) / count
-    error_s = 0.0 if len(chosen) < 2 else count * times_s.std(ddof=1) * np.sqrt(left_out / len(chosen))
-    return count * float(times_s.mean()), float(error_s)
 
 
 def started(study: jounce.Study, folder: Path, threads: int) -> subprocess.Popen[bytes]:
@@ -89,13 +92,13 @@ def started(study: jounce.Study, folder: Path, threads: int) -> subprocess.Popen
     return child
 
 
-def finished(child: subprocess.Popen[bytes]) -> tuple[float, int]:
-    """Seconds and bytes of a process that ends by itself."""
+def finished(child: subprocess.Popen[bytes]) -> Taken:
+    """What a process that ends by itself took."""
     assert child.stdout is not None
     said = child.stdout.read().split()
     if child.wait() != 0:
         sys.exit("the study broke off")
-    return float(said[0]), int(said[1])
+    return Taken(float(said[0]), float(said[1]), int(said[2]))
 
 
 def digest(folder: Path) -> str:
@@ -121,8 +124,8 @@ def killed(study: jounce.Study, folder: Path, threads: int, expected_s: float, s
     return {"killed_after_s": pauses_s.tolist(), "parts_after_each_kill": parts, "parts": study.parts}
 
 
-def through_dask(study: jounce.Study, folder: Path, workers: int) -> tuple[float, int]:
-    """Seconds of the study on a cluster that stands and has imported the package, and the most memory of this process and of a worker."""
+def through_dask(study: jounce.Study, folder: Path, workers: int) -> Taken:
+    """The study on a cluster that stands and has imported the package; its memory is the most of this process and of a worker."""
     from distributed import Client, LocalCluster
 
     def peak_bytes() -> int:
@@ -132,73 +135,84 @@ def through_dask(study: jounce.Study, folder: Path, workers: int) -> tuple[float
     with LocalCluster(**cluster) as stands, Client(stands) as client:
         client.run(lambda: __import__("jounce").__version__)
         begin = time.perf_counter()
-        study.run(folder, executor=client.get_executor())
-        return time.perf_counter() - begin, max(peak_bytes(), *client.run(peak_bytes).values())
+        result = study.run(folder, executor=client.get_executor())
+        wall_s = time.perf_counter() - begin
+        return Taken(wall_s, result.marched_s, max(peak_bytes(), *client.run(peak_bytes).values()))
 
 
 def measured(chosen: argparse.Namespace, folder: Path) -> dict[str, Any]:
     """Every figure."""
     study, small = study_of(chosen.points, chosen.duration), study_of(max(1, chosen.points // 10), chosen.duration)
-    build.say(f"{len(study)} points in {study.parts} parts; marches of a sample")
-    sum_s, error_s = marches(study, chosen.sample, chosen.threads, chosen.seed)
-    ideal_s = sum_s / chosen.threads
-    build.say(f"the study, about {ideal_s:.0f} s")
-    _, small_bytes = finished(started(small, folder / "small", chosen.threads))
-    study_s, bytes_held = finished(started(study, folder / "whole", chosen.threads))
-    found = {
-        "points": len(study),
-        "threads": chosen.threads,
-        "marches_s": sum_s,
-        "marches_standard_error_s": error_s,
-        "study_s": study_s,
-        "study_over_marches": study_s / ideal_s - 1.0,
-        "memory_points": [len(small), len(study)],
-        "memory_bytes": [small_bytes, bytes_held],
-        "table_sha256": digest(folder / "whole"),
-    }
-    build.say(f"the same, killed {KILLS} times")
-    found["killed"] = killed(study, folder / "killed", chosen.threads, study_s, chosen.seed)
-    found["killed"]["same_table"] = digest(folder / "killed") == found["table_sha256"]
+    build.say(f"{len(small)} points, then {len(study)} in {study.parts} parts")
+    tenth = finished(started(small, folder / "small", chosen.threads))
+    whole = finished(started(study, folder / "whole", chosen.threads))
+    table = digest(folder / "whole")
+    found = {"threads": chosen.threads, "duration": chosen.duration, "points": [len(small), len(study)], "tenth": tenth, "whole": whole}
+    found["table_sha256"] = table
+    if not chosen.without_kills:
+        build.say(f"the same, killed {KILLS} times, about {whole.wall_s:.0f} s")
+        found["killed"] = killed(study, folder / "killed", chosen.threads, whole.wall_s, chosen.seed)
+        found["killed"]["same_table"] = digest(folder / "killed") == table
     if not chosen.without_dask:
-        build.say("the same through Dask")
-        dask_s, dask_bytes = through_dask(study, folder / "dask", chosen.threads)
-        same = digest(folder / "dask") == found["table_sha256"]
-        over = {"over_marches": dask_s / ideal_s - 1.0, "over_study": dask_s / study_s - 1.0}
-        found["dask"] = {"study_s": dask_s, **over, "memory_bytes": dask_bytes, "same_table": same}
+        build.say(f"the same through Dask, about {whole.wall_s:.0f} s")
+        found["dask"] = through_dask(study, folder / "dask", chosen.threads)
+        found["dask_same_table"] = digest(folder / "dask") == table
     return found
 
 
-def told(found: dict[str, Any]) -> str:
+def report(described: list[str], found: dict[str, Any]) -> str:
     """The figures for reading."""
-    share, mib = (lambda part: f"{100 * part:+.1f} %"), (lambda size: f"{size / 2**20:.0f} MiB")
-    ideal_s, error_s = (found[name] / found["threads"] for name in ("marches_s", "marches_standard_error_s"))
+    threads, whole = found["threads"], found["whole"]
+    rows = {
+        f"{found['points'][0]} points": found["tenth"],
+        f"{found['points'][1]} points": whole,
+        **({f"{found['points'][1]} points through Dask": found["dask"]} if "dask" in found else {}),
+    }
     lines = [
-        *found["machine"],
-        f"{found['points']} runs, marches over {found['threads']} threads: {ideal_s:.2f} s +- {error_s:.2f} s (standard error)",
-        f"study: {found['study_s']:.2f} s ({share(found['study_over_marches'])})",
-        "most memory: " + ", ".join(f"{mib(b)} at {n} points" for n, b in zip(found["memory_points"], found["memory_bytes"], strict=True)),
-        f"killed {KILLS} times, with {found['killed']['parts_after_each_kill']} of {found['killed']['parts']} parts there: "
-        + ("the same table" if found["killed"]["same_table"] else "ANOTHER table"),
+        "# Studies",
+        "",
+        "Written by `bench/python_study.py`; how to read it is in `bench/README.md`.",
+        "",
+        *(f"- {line}" for line in described),
     ]
+    lines += [
+        f"- Runs of {found['duration']} over gap, frequency and load.",
+        "",
+        f"| study | wall s | marches over {threads} s | wall beside it | most memory MiB |",
+    ]
+    lines.append("|---|---|---|---|---|")
+    for name, taken in rows.items():
+        share, size = 100 * taken.beside_marches(threads), taken.peak_bytes / 2**20
+        lines.append(f"| {name} | {taken.wall_s:.2f} | {taken.marched_s / threads:.2f} | {share:+.1f} % | {size:.0f} |")
+    lines += ["", f"- Wanted: less than {100 * WANTED_STUDY:+.0f} % beside the marches, and memory that does not grow with the points."]
     if "dask" in found:
-        dask = found["dask"]
-        over = f"{share(dask['over_marches'])} of the marches, {share(dask['over_study'])} of the study"
-        same = "the same" if dask["same_table"] else "ANOTHER"
-        lines.append(f"through Dask: {dask['study_s']:.2f} s ({over}), {mib(dask['memory_bytes'])}; {same} table")
-    return "\n".join(lines)
+        over, same = 100 * (found["dask"].wall_s / whole.wall_s - 1.0), "the same table" if found["dask_same_table"] else "ANOTHER table"
+        lines.append(f"- Dask beside the plain study: {over:+.1f} %, wanted less than {100 * WANTED_DASK:+.0f} %; {same}.")
+    if "killed" in found:
+        parts, same = found["killed"]["parts_after_each_kill"], "the same table" if found["killed"]["same_table"] else "ANOTHER table"
+        lines.append(
+            f"- Killed {KILLS} times by SIGKILL, with {parts} of {found['killed']['parts']} parts there, and resumed: {same}, bit by bit."
+        )
+    return "\n".join(lines) + "\n"
 
 
 def main() -> None:
     """Measures and writes."""
     chosen = options()
-    described = [f"CPU: {machine.processor()}", f"jounce {jounce.__version__}, Python {sys.version.split()[0]}"]
+    described = [
+        f"CPU: {machine.processor()}, {os.cpu_count()} cores; load average at the start {os.getloadavg()[0]:.1f}",
+        f"jounce {jounce.__version__}, Python {sys.version.split()[0]}, {chosen.threads} threads; Dask with as many workers that stand already",
+    ]
     with tempfile.TemporaryDirectory() as folder:
-        found = {"machine": described, **measured(chosen, Path(folder))}
+        found = measured(chosen, Path(folder))
     results = HERE / "results"
     results.mkdir(exist_ok=True)
-    (results / time.strftime("python-study-%Y-%m-%dT%H-%M-%S.json")).write_text(json.dumps(found, indent=1))
-    print(told(found))
-    if not (found["killed"]["same_table"] and found.get("dask", {"same_table": True})["same_table"]):
+    text = report(described, found)
+    (results / time.strftime("python-study-%Y-%m-%dT%H-%M-%S.json")).write_text(json.dumps({"machine": described, **found}, indent=1))
+    if chosen.points >= FULL and {"killed", "dask"} <= found.keys():
+        (HERE / "STUDIES.md").write_text(text)
+    print(text)
+    if not (found.get("killed", {"same_table": True})["same_table"] and found.get("dask_same_table", True)):
         sys.exit("the tables are not the same")
 
 

@@ -91,4 +91,6 @@ def jounce_peer(program: Path, plant: Plant, name: str, start: str, repeats: int
         changes = [f"{drive}.amplitude={case.amplitude_n:g} N", f"{drive}.frequency={case.frequency_hz:g} Hz", f"run.tolerance={tolerance!r}"]
         return [str(program), str(plant.path), start, *changes]
 
-    return Peer(name, tolerances(4, 11), command, repeats)
+    # Two settings to a decade, as the steps of RK4 have more than two.
+    ladder = tuple(float(f"{lead}e-{power}") for power in range(4, 12) for lead in (1, 0.3))
+    return Peer(name, ladder, command, repeats)

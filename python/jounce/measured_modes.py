@@ -27,6 +27,8 @@ class MeasuredModes(Result):
     frequency_deviation_hz: Annotated[Floats, Along("mode", "Hz", "standard deviation of the frequency")]
     damping_ratio: Annotated[Floats, Along("mode", "1", "damping ratio")]
     damping_deviation: Annotated[Floats, Along("mode", "1", "standard deviation of the damping ratio")]
+    #: True where the interval of the damping ratio reaches down to 0: noise makes such poles, and it may be no mode.
+    doubtful: list[bool]
     #: Names of the responses, and the shapes there, of size 1 at the largest.
     response: list[str]
     shape: Annotated[Complexes, Along("response mode", "1", "shape, of size 1 at the largest response")]
@@ -59,6 +61,9 @@ class MeasuredModes(Result):
             (f"mode {k}", f"{hz:.6g} Hz +- {dhz:.1e} Hz, damping ratio {zeta:.5g} +- {dzeta:.1e} (95 %)")
             for k, (hz, zeta, (dhz, dzeta)) in enumerate(zip(self.frequency_hz, self.damping_ratio, deviations), 1)
         ]
+        if any(self.doubtful):
+            which = ", ".join(str(k) for k, doubtful in enumerate(self.doubtful, 1) if doubtful)
+            lines.append(("doubtful", f"the damping of mode {which} cannot be told from none: it may be no mode"))
         if self.frf is not None and self.frf.window_decay_per_s > 0.0:
             lines.append(("window", f"its damping, {self.frf.window_decay_per_s:.5g} 1/s, was taken off"))
         return [*lines, ("misfit", f"{self.misfit:.3g}")]

@@ -9,7 +9,7 @@ from typing import Any
 from .errors import ArgumentError
 from .optional import needed
 
-#: Called with the parts done, the parts in all (as far as known) and the seconds left (``None`` at first).
+#: Called with the parts done, the parts in all (as far as known, 0 where nothing is) and the seconds left (``None`` where nobody can tell).
 Progress = Callable[[int, int, float | None], object]
 
 
@@ -23,7 +23,7 @@ def told(progress: bool | Progress | None) -> Iterator[Progress | None]:
 
         def tell(done: int, total: int, seconds_left: float | None) -> None:
             del seconds_left  # tqdm has its own estimate
-            bar.total = total
+            bar.total = total or None
             bar.update(done - bar.n)
 
         try:

@@ -9,6 +9,7 @@ from typing import Any
 
 from . import _core
 from .arguments import check_wholes
+from .progress import Progress, told
 from .result import Result, html_table, made_manifest, whole
 
 
@@ -41,13 +42,17 @@ class ReproduceResult(Result):
         return self._frame({"claim": self.claim, "holds": self.holds, "evidence": self.evidence})
 
 
-def reproduce(out: str | PathLike[str] = "report", *, threads: int | None = None) -> ReproduceResult:
+def reproduce(
+    out: str | PathLike[str] = "report", *, threads: int | None = None, progress: bool | Progress | None = None
+) -> ReproduceResult:
     """Computes the tables, figures and claims of the 2019 impact-harvester paper, ``jounce reproduce``: some ten seconds of two cores.
 
     ``report.html``, ``tables/`` and ``figures/`` are written into the folder ``out``, which is made where it is missing. The numbers are
-    the same bits for any number of threads. Raises :class:`FileError` where the folder cannot be written.
+    the same bits for any number of threads. ``progress`` is told the runs and searches that are finished; their number in all is known as
+    they come. Raises :class:`FileError` where the folder cannot be written.
 
     Source: "Experimental validation of an impact off-resonance energy harvester" (2019).
     """
     check_wholes(threads=threads)
-    return ReproduceResult(manifest=made_manifest("reproduce"), **whole(_core.reproduce(fspath(out), threads)))
+    with told(progress) as tell:
+        return ReproduceResult(manifest=made_manifest("reproduce"), **whole(_core.reproduce(fspath(out), threads, tell)))

@@ -13,6 +13,7 @@ from .arguments import check_wholes, names, optional_si, positive_si
 from .errors import ArgumentError
 from .fit import FitResult, made_fit
 from .given import Measured, recording
+from .progress import Progress, told
 from .quantity import toml
 from .recording import Recording
 from .result import made_manifest, whole
@@ -120,19 +121,21 @@ class SpecOnRig(SpecText):
         """Where a recording of the rig comes from."""
         return {**made_manifest("rig", **sensors, **test), "spec_sha256": self.sha256}
 
-    def fit(self, to: str | PathLike[str] | Mapping[str, Any]) -> FitResult:
+    def fit(self, to: str | PathLike[str] | Mapping[str, Any], *, progress: bool | Progress | None = None) -> FitResult:
         """Fits keys to measured features: a file of them, or a dict that says the same.
 
         ``{"hold": ["table"], "frequency_deviation": 0.002, "free": {"beam.beam.thickness": 0.01}, "mode": [{"number": 1, "frequency":
         "9.01 Hz"}]}`` frees a key within 1 % of itself and holds the first mode to 9.01 Hz within 0.2 %, standard deviations both.
+        ``progress`` is told the models tried; how many there will be is not known, so that their number in all is 0.
         """
         if isinstance(to, Mapping):
-            text = features(to)
-            answer, about = _core.fit(self._spec, text=text), "features"
+            given, about = {"text": features(to)}, "features"
         elif isinstance(to, (str, PathLike)):
-            answer, about = _core.fit(self._spec, path=fspath(to)), Path(to).name
+            given, about = {"path": fspath(to)}, Path(to).name
         else:
             raise ArgumentError(f"to is of type {type(to).__name__}; give the path of a file of features, or a dict that says the same")
+        with told(progress) as tell:
+            answer = _core.fit(self._spec, **given, progress=tell)
         manifest = {**made_manifest("fit", to=about), "spec_sha256": self.sha256}
         return made_fit(cast("Spec", self), answer, manifest)
 

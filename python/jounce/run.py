@@ -8,6 +8,8 @@ from os import PathLike
 from pathlib import Path
 from typing import Annotated, Any, Self
 
+import numpy as np
+
 from .errors import ArgumentError, FileError, StartError
 from .history import History
 from .result import Along, Floats, Integers, Result, Variable
@@ -46,10 +48,16 @@ class RunResult(Result):
 
     #: Mean power of all loads and rectified circuits together, W.
     mean_power_w: Annotated[float, Along("", "W", "mean power of all loads and rectified circuits")]
-    #: Names of the loads; mean power, W, and rms voltage, V, of each.
+    #: Names of the loads; of each the mean power, W, the rms voltage, V, and the largest magnitude of the voltage, V: within a period of
+    #: the orbit where the run has settled, else within the last eight drive cycles; of drives that do not repeat themselves within the
+    #: record, NaN where none was kept.
     load: list[str]
     load_power_w: Annotated[Floats, Along("load", "W", "mean power")]
     load_voltage_rms_v: Annotated[Floats, Along("load", "V", "voltage, rms")]
+    load_voltage_peak_v: Annotated[Floats, Along("load", "V", "voltage, peak")]
+    #: Names of the patches, and the largest magnitude of the voltage of each, V, within the same time.
+    patch: list[str]
+    patch_voltage_peak_v: Annotated[Floats, Along("patch", "V", "voltage, peak")]
     #: Names of the rectified circuits; of each the mean power into its load or battery, W, the voltage of its storage, rms, V, the mean
     #: current of its diodes, A, the mean power that fills the storage, W, and that lost in diodes, in the switch and by leakage, W.
     rectified: list[str]
@@ -131,12 +139,25 @@ class RunResult(Result):
         """Voltage of the first load, rms, V."""
         return float(self.load_voltage_rms_v[0]) if self.load else None
 
+    @property
+    def voltage_peak_v(self) -> float | None:
+        """Largest voltage of the first load, or of the first patch where there is none, V."""
+        peaks = [*self.load_voltage_peak_v, *self.patch_voltage_peak_v]
+        return float(peaks[0]) if peaks else None
+
+    def _peaks(self) -> list[tuple[str, float]]:
+        """Largest voltage of each load, and of each patch whose voltage is not that of a load."""
+        peaks = list(zip(self.load, map(float, self.load_voltage_peak_v)))
+        of_patches = zip(self.patch, map(float, self.patch_voltage_peak_v))
+        return peaks + [(name, volts) for name, volts in of_patches if volts not in self.load_voltage_peak_v]
+
     def _summary(self) -> list[tuple[str, str]]:
         settled = f"period {self.period_cycles} drive cycles" if self.settled else f"NOT settled, change {self.settle_change:.1e}"
         settled = "no period: the drives do not repeat themselves" if self.settled is None else settled
         return [
             ("mean power", f"{self.mean_power_w:.6e} W"),
             *((f"voltage, rms ({name})", f"{volts:.6g} V") for name, volts in zip(self.load, self.load_voltage_rms_v)),
+            *((f"voltage, peak ({name})", f"{volts:.6g} V") for name, volts in self._peaks() if not np.isnan(volts)),
             *((f"storage, rms ({name})", f"{volts:.6g} V") for name, volts in zip(self.rectified, self.rectified_voltage_rms_v)),
             *((f"leakage ({name})", f"{power:.6e} W") for name, power in zip(self.leak, self.leak_power_w)),
             ("contacts", f"{self.contacts} in {self.average_over_s:g} s, {100 * self.contact_duty:.2f} % of the time"),
@@ -152,12 +173,12 @@ class RunResult(Result):
         return {field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.name not in left}
 
     def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` of the means over ``load``, ``rectified``, ``leak``, ``stop``; the record has one in ``run.history``."""
+        """An ``xarray.Dataset`` of the means over ``load``, ``patch``, ``rectified``, ``leak``, ``stop``; the record has its own."""
         told = {
             "settled": Variable((), bool(self.settled), "1", "settled when it was averaged"),
             "period_cycles": Variable((), self.period_cycles or 0, "1", "period in drive cycles, 0 for none"),
         }
-        coords = {name: Variable((name,), getattr(self, name), "", name) for name in ("load", "rectified", "leak", "stop")}
+        coords = {name: Variable((name,), getattr(self, name), "", name) for name in ("load", "patch", "rectified", "leak", "stop")}
         return self._dataset({**self._variables(), **told}, coords)
 
     def to_pandas(self) -> Any:

@@ -86,7 +86,7 @@ class Spec(SpecOnRig):
         record_s = 0.0 if record is None else in_si("time", record, "record")
         rate_hz = in_si("frequency", sample_rate, "sample_rate")
         if record_s < 0.0 or not 0.0 < rate_hz < np.inf:
-            raise ArgumentError(f"record is {record_s} s and sample_rate {rate_hz} Hz; they must be at least 0 and greater than 0")
+            raise ArgumentError(f"record is {record_s} s, sample_rate {rate_hz} Hz; give a record of at least 0 s and a rate above 0 Hz")
         if start is not None and not isinstance(start, State):
             raise ArgumentError(f"start is of type {type(start).__name__}; give the `end` of another run, or jounce.State.read(PATH)")
         answer, ended = _core.run(self._spec, tolerance, start.json if start else None, record_s, rate_hz)

@@ -154,23 +154,27 @@ class Study:
         folder = fspath(out)
         with told(progress) as tell:
             if executor is None:
-                _, ended = self._study.run(folder, shard, threads, tell)
+                answer, ended = self._study.run(folder, shard, threads, tell)
                 if isinstance(ended, KeyboardInterrupt):
                     raise Interrupted(StudyStatus.read(folder)) from None
                 if ended is not None:
                     raise ended
+                marched_s = float(answer["marched_s"]) if answer else 0.0
             else:
-                self._spread(folder, executor, shard, tell)
+                marched_s = self._spread(folder, executor, shard, tell)
         if StudyStatus.read(folder).missing == 0:
             _core.study_merge(folder)
-        return StudyResult(Path(folder))
+        return StudyResult(Path(folder), marched_s)
 
-    def _spread(self, folder: str, executor: concurrent.futures.Executor, shard: str, tell: Progress | None) -> None:
-        """Hands parts to an executor, a few at a time so that a study larger than memory works, and writes what comes back."""
+    def _spread(self, folder: str, executor: concurrent.futures.Executor, shard: str, tell: Progress | None) -> float:
+        """Hands parts to an executor, a few at a time so that a study larger than memory works, and writes what comes back.
+
+        The time that the workers marched, s.
+        """
         index, of = _shard(shard)
         waiting = [part for part in self._study.missing(folder) if part % of == index - 1]
         total = sum(self._study.points_of(part) for part in waiting)
-        done, each_s, begun = 0, None, time.monotonic()
+        done, marched_s, each_s, begun = 0, 0.0, None, time.monotonic()
         tasks: dict[Any, list[int]] = {}
         try:
             while waiting or tasks:
@@ -184,8 +188,9 @@ class Study:
                     batch = tasks.pop(task)
                     seconds, found = task.result()
                     each_s = seconds / len(batch)
-                    for part, content in zip(batch, found):
+                    for part, (content, part_s) in zip(batch, found):
                         self._study.keep(folder, part, content)
+                        marched_s += part_s
                         done += self._study.points_of(part)
                     if tell is not None:
                         tell(done, total, (time.monotonic() - begun) * (total - done) / done)
@@ -194,6 +199,7 @@ class Study:
         finally:
             for task in tasks:
                 task.cancel()
+        return marched_s
 
 
 def _workers(executor: Any) -> int:
@@ -211,8 +217,8 @@ def _shard(text: str) -> tuple[int, int]:
     raise ArgumentError(f'"{text}" is no shard; write I/N with I from 1 to N, as in 3/8')
 
 
-def _parts(study: Study, parts: Sequence[int]) -> tuple[float, list[bytes]]:
-    """Computes parts, in whatever process this is; how long it took, and the bytes of their files."""
+def _parts(study: Study, parts: Sequence[int]) -> tuple[float, list[tuple[bytes, float]]]:
+    """Computes parts, in whatever process this is; how long it took, and of each the bytes of its file and how long it marched, s."""
     begun = time.monotonic()
     found = []
     for part in parts:
@@ -220,7 +226,7 @@ def _parts(study: Study, parts: Sequence[int]) -> tuple[float, list[bytes]]:
         if ended is not None:
             raise ended
         assert answer is not None, "a part that nothing ended has an answer"
-        found.append(answer["bytes"])
+        found.append((answer["bytes"], answer["marched_s"]))
     return time.monotonic() - begun, found
 
 

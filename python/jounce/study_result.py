@@ -40,10 +40,15 @@ class StudyStatus:
 
 
 class StudyResult:
-    """The table of a study in a folder, ``jounce.StudyResult("out")``: read when it is asked for."""
+    """The table of a study in a folder, ``jounce.StudyResult("out")``: read when it is asked for.
 
-    def __init__(self, folder: str | PathLike[str]) -> None:
+    ``marched_s`` is the wall time of the marching of runs in the call that gave it, s, summed over all threads and workers; 0 where no
+    part was missing.
+    """
+
+    def __init__(self, folder: str | PathLike[str], marched_s: float = 0.0) -> None:
         self.folder = Path(folder)
+        self.marched_s = marched_s
 
     @property
     def status(self) -> StudyStatus:

@@ -34,7 +34,9 @@ def interrupt():
 
 threading.Thread(target=interrupt, daemon=True).start()
 try:
-    {call}
+    # Again where it ends before the signal comes: how long it takes is no matter of this test.
+    while True:
+        {call}
 except jounce.Interrupted as stopped:
     print(time.process_time() - sent[0], time.perf_counter() - sent[1], type(stopped.result).__name__, {kept})
 """
@@ -54,6 +56,12 @@ RECTIFIED = {
     "run": {"duration": "100000 s"},
 }
 
+#: Mean powers to fit, each of a run.
+POWERS = {
+    "free": {"stop.tip.stiffness": 0.1},
+    "power": [{"over": "stop.tip.gap", "values": ["1 mm", "2 mm"], "mean_power_w": [1e-4, 1e-4], "deviation": 0.1}],
+}
+
 CALLS = {
     "run": ('changed({"run.duration": "100000 s"}).run()', 0.5, "0"),
     "run against two stops": (f"__class__({{**harvester.to_dict(), **{TWO_STOPS}}}).run()", 0.5, "0"),
@@ -70,6 +78,7 @@ CALLS = {
     "diagram": ('diagram("drive.shaker.frequency", "4 Hz:20 Hz:0.001 Hz", threads=2)', 3.0, "len(stopped.result)"),
     "basins": ("basins(starts=100000, threads=2)", 3.0, "(stopped.result.ends_in >= 0).sum()"),
     "rig on a solution": ('rig(solution="1a", starts=100000)', 1.0, "0"),
+    "fit": (f'changed({{"run.duration": "100000 s"}}).fit({POWERS})', 0.5, "0"),
     "reproduce": ('jounce.reproduce("out", threads=2)', 2.0, "0"),
 }
 
@@ -108,6 +117,30 @@ def test_progress_is_told_and_may_end_the_call(short):
 
     with pytest.raises(Enough):
         short.sweep(FREQUENCY, "10 Hz:11 Hz:10001x", progress=enough)
+
+
+def test_progress_of_a_fit_is_the_models_tried(harvester):
+    heard = []
+    features = {"hold": ["table"], "frequency_deviation": 0.01, "free": {"beam.beam.thickness": 0.05}}
+    found = harvester.fit({**features, "mode": [{"number": 1, "frequency": "8.8 Hz"}]}, progress=lambda *told: heard.append(told))
+    # How many more there will be nobody knows.
+    assert heard[-1] == (found.evaluations, 0, None)
+
+
+def test_progress_of_the_paper_is_told_and_may_end_it(tmp_path):
+    class Enough(Exception):
+        pass
+
+    heard = []
+
+    def enough(*told):
+        heard.append(told)
+        if len(heard) == 3:
+            raise Enough
+
+    with pytest.raises(Enough):
+        jounce.reproduce(tmp_path / "out", progress=enough)
+    assert 0 < heard[-1][0] < heard[-1][1] and heard[-1][2] > 0.0
 
 
 def test_a_bar_is_shown_on_demand(short, capsys):

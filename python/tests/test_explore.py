@@ -58,8 +58,8 @@ def test_the_page_of_a_file_comes_back_at_its_address(home):
 
 def test_the_interpreter_goes_on_and_waiting_ends_with_the_page(harvester):
     explorer = jounce.explore(harvester, browser=False)
-    threading.Timer(0.3, explorer.stop).start()
     begun = time.monotonic()
+    threading.Timer(0.3, explorer.stop).start()
     explorer.wait()
     assert 0.2 < time.monotonic() - begun < 30.0 and not explorer.running
 
@@ -67,6 +67,7 @@ def test_the_interpreter_goes_on_and_waiting_ends_with_the_page(harvester):
 def test_ctrl_c_ends_the_page():
     code = textwrap.dedent(f"""
         import jounce, os, signal, threading, urllib.request
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         explorer = jounce.explore({str(SPEC)!r}, browser=False)
         threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
         explorer.wait()

@@ -145,6 +145,16 @@ def test_axes_name_their_units(drawn):
     plt.close("all")
 
 
+def test_a_settled_orbit_is_a_place_and_not_its_roundoff():
+    settled = jounce.examples()["impact-harvester-2019"].changed({"stop.tip.gap": "1 m", "run.start": "linear"}).run(record="2 s")
+    history, ax = settled.recorded(), settled.plot_poincare(point="beam.tip")
+    row = history.point.index("beam.tip")
+    assert np.ptp(history.strobed_displacement_m[row]) < 1e-6 * np.ptp(history.displacement_m[row])
+    for limits, motion in ((ax.get_xlim(), history.displacement_m[row]), (ax.get_ylim(), history.velocity_m_s[row])):
+        assert np.ptp(limits) == pytest.approx(0.01 * np.ptp(motion))
+    plt.close("all")
+
+
 def test_what_cannot_be_drawn_is_told(drawn):
     run = jounce.examples()["impact-harvester-2019"].changed({"run.duration": "0.2 s", "run.average_over": "0.1 s"}).run()
     with pytest.raises(jounce.ArgumentError, match="record"):

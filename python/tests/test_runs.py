@@ -22,7 +22,7 @@ def test_a_run_is_that_of_the_command_line(short, command_line):
         "settled",
     ):
         assert getattr(answer, name) == told[name], name
-    assert answer.voltage_rms_v == told["voltage_rms_v"] and answer.work == told["work"]
+    assert answer.voltage_rms_v == told["voltage_rms_v"] and answer.voltage_peak_v == told["voltage_peak_v"] and answer.work == told["work"]
     assert answer.energies_j["damping_j"] == told["energies"]["damping_j"]
     assert answer.mean_power_w > 0.0 and abs(answer.energy_residual_relative) < 1e-6
     (tip,) = told["stops"]
@@ -32,6 +32,21 @@ def test_a_run_is_that_of_the_command_line(short, command_line):
     # The time in contact is that of so many contacts.
     assert answer.stop_mean_dwell_s[0] * answer.contacts == pytest.approx(answer.contact_duty * answer.average_over_s, rel=1e-9)
     assert not answer.nothing_happened and not told["nothing_happened"] and answer.stop_mean_strike_m_s[0] > 0.0
+
+
+def test_the_peak_voltage_is_that_of_the_record(short, command_line):
+    answer = short.run(record="1 s", sample_rate="50 kHz")
+    last = answer.history.time_s > 2.0 - (answer.period_cycles if answer.settled else 8) / 11.0
+    highest = np.abs(answer.history.voltage_v[0][last]).max()
+    assert 0.0 <= 1.0 - highest / answer.voltage_peak_v < 1e-5 and answer.voltage_peak_v > answer.voltage_rms_v
+    assert answer.load_voltage_peak_v == answer.patch_voltage_peak_v and "voltage, peak (load)" in repr(answer)
+    told = command_line("run", keys=SHORT)
+    assert told["patches"] == [{"name": "mfc", "voltage_peak_v": answer.voltage_peak_v}]
+    assert told["loads"][0]["voltage_peak_v"] == answer.load_voltage_peak_v[0]
+    chirp = short.to_toml().replace('frequency = "11 Hz"', 'signal = "chirp"\nfrom = "9 Hz"\nto = "12 Hz"\nduration = "2 s"')
+    without = jounce.Spec(chirp).run()
+    assert np.isnan(without.voltage_peak_v) and "peak (load)" not in repr(without)
+    assert jounce.Spec(chirp).run(record="1 s").voltage_peak_v > 0.0
 
 
 def test_leakage_of_a_patch_is_told_and_closes_the_balance(short, command_line):

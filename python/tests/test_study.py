@@ -35,6 +35,8 @@ def test_a_study_is_a_table(study, tmp_path):
     found = result.table()
     assert len(found) == 32 == len(study) and study.parts == 8 and found.keys == list(VARY)
     assert list(found["stop.tip.gap"][:4]) == [0.5e-3, *np.linspace(0.5e-3, 1.5e-3, 4)[1:]]
+    # What is there already is not marched again.
+    assert result.marched_s > 0.0 and study.run(tmp_path).marched_s == 0.0
     # A row is the run of the changed spec, bit by bit.
     gap, frequency, load = study.point(13)
     single = study.spec
@@ -62,7 +64,7 @@ def test_an_executor_computes_the_same_table(study, table, tmp_path, executor):
     told = []
     with executor() as workers:
         result = study.run(tmp_path, executor=workers, progress=lambda *each: told.append(each))
-    assert result.path.read_bytes() == table and told[-1][:2] == (32, 32)
+    assert result.path.read_bytes() == table and told[-1][:2] == (32, 32) and result.marched_s > 0.0
 
 
 def pool():
@@ -113,9 +115,15 @@ def test_killed_five_times_and_resumed_it_is_the_same_table(study, table, tmp_pa
         study = pickle.loads(pathlib.Path({str(spec)!r}).read_bytes())
         study.run({str(tmp_path / "out")!r}, threads=1)
     """)
-    for after in np.random.default_rng(5).uniform(0.2, 1.0, 5):
-        child = subprocess.Popen([sys.executable, "-c", code])
-        time.sleep(after)
+
+    def parts():
+        return len(list((tmp_path / "out/parts").glob("part-*.parquet")))
+
+    for _ in range(5):
+        before, child = parts(), subprocess.Popen([sys.executable, "-c", code])
+        # At work: a part more than before is there, and the next one is being made.
+        while parts() == before and child.poll() is None:
+            time.sleep(0.001)
         child.kill()
         child.wait()
     assert study.run(tmp_path / "out").path.read_bytes() == table
@@ -261,8 +269,10 @@ def test_a_damaged_table_is_told_and_made_again(study, table, tmp_path):
 def test_ctrl_c_keeps_what_is_finished(study, tmp_path):
     code = textwrap.dedent(f"""
         import os, signal, threading, time, jounce
-        spec = jounce.Spec.read({str(ROOT / "examples/impact-harvester-2019/harvester.toml")!r})
-        study = jounce.Study(spec, {{"stop.tip.gap": "0.5mm:1.5mm:2000x"}}, points_per_part=2)
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        # Some hundred seconds of work, however fast the machine.
+        spec = jounce.Spec.read({str(ROOT / "examples/impact-harvester-2019/harvester.toml")!r}).changed({{"run.duration": "1000 s"}})
+        study = jounce.Study(spec, {{"stop.tip.gap": "0.5mm:1.5mm:4000x"}}, points_per_part=1)
         sent = []
         def interrupt():
             time.sleep(2.0)

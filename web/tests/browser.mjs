@@ -12,6 +12,9 @@ const programs = [process.env.JOUNCE, `${root}target/release/jounce`, `${root}ta
 export const program = programs.find((path) => path && existsSync(path));
 const browsers = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 export const browserPath = browsers.find((path) => path && existsSync(path));
+/** Far more than anything on the page takes, also on a busy machine. */
+const LONGEST_MS = 120_000;
+
 const FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 
 /** Starts a server on a copy of the paper's spec. */
@@ -57,6 +60,7 @@ export async function browse() {
     const context = await chromium.launchPersistentContext(profile, {
         executablePath: browserPath, headless: true, args: FLAGS, viewport: { width: 1280, height: 800 }, acceptDownloads: true,
     });
+    context.setDefaultTimeout(LONGEST_MS);
     return {
         context,
         close: async () => {
@@ -82,7 +86,7 @@ export async function ready(page) {
     await page.waitForFunction(() => {
         const words = (id) => document.getElementById(id).textContent;
         return /branch/.test(words("status")) && /period/.test(words("orbit-title")) && !document.querySelector("[aria-busy=true]");
-    }, undefined, { timeout: 120000 });
+    });
 }
 
 /** Share of pixels of an element that are not its most frequent colour. */

@@ -146,9 +146,9 @@ test("pins stay on the picture and lead back", async () => {
 test("the page follows the file and says what is wrong in it", async () => {
     const text = await readFile(server.spec, "utf8");
     await writeFile(server.spec, text.replace('gap = "1 mm"', 'gap = "oops"'));
-    await page.waitForFunction(() => /line 36|:36/.test(document.getElementById("control-stop-tip-gap-fault").textContent + document.getElementById("faults").textContent), undefined, { timeout: 10000 });
+    await page.waitForFunction(() => /line 36|:36/.test(document.getElementById("control-stop-tip-gap-fault").textContent + document.getElementById("faults").textContent));
     await writeFile(server.spec, text.replace('gap = "1 mm"', 'gap = "1.2 mm"'));
-    await page.waitForFunction(() => document.querySelector("[aria-label='stop.tip.gap, value']").value === "1.2", undefined, { timeout: 10000 });
+    await page.waitForFunction(() => document.querySelector("[aria-label='stop.tip.gap, value']").value === "1.2");
     await writeFile(server.spec, text);
 });
 
@@ -161,12 +161,12 @@ test("a recording that is dropped shakes the harvester, and a file of another ki
     }, [name, text]);
     const sine = Array.from({ length: 3001 }, (_, k) => `${k / 1000},${(200 * Math.sin(2 * Math.PI * 13 * k / 1000)).toFixed(6)}`);
     await drop("shaker.csv", sine.join("\n"));
-    await page.waitForFunction(() => /shaker\.csv \(.+\): [\d.]+ .?W on average over 3 s/.test(document.getElementById("shake-words").textContent), undefined, { timeout: 30000 });
+    await page.waitForFunction(() => /shaker\.csv \(.+\): [\d.]+ .?W on average over 3 s/.test(document.getElementById("shake-words").textContent));
     assert.ok((await inked(page, "#chart-shake-voltage canvas")) > 0.01);
     await drop("picture.png", "\u0089PNG\r\n");
     await page.waitForFunction(() => /picture\.png/.test(document.getElementById("shake-words").textContent));
     await page.locator("#shake-run").click();
-    await page.waitForFunction(() => /noise: [\d.]+ .?W on average over 45 s/.test(document.getElementById("shake-words").textContent), undefined, { timeout: 60000 });
+    await page.waitForFunction(() => /noise: [\d.]+ .?W on average over 45 s/.test(document.getElementById("shake-words").textContent));
     assert.doesNotMatch(await words.textContent(), /NaN|undefined/);
     await page.locator("#tab-response").click();
 });
@@ -213,7 +213,7 @@ test("a server that stops is told, and the page comes back with it", async () =>
     await page.locator("#lost").waitFor({ state: "visible" });
     assert.match(await page.locator("#status").textContent(), /stopped/);
     assert.equal(await server.start(), server.address);
-    await page.locator("#lost").waitFor({ state: "hidden", timeout: 10000 });
+    await page.locator("#lost").waitFor({ state: "hidden" });
     await ready(page);
     await gap().fill("0.9");
     await gap().press("Enter");

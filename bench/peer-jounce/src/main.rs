@@ -1,18 +1,26 @@
-//! One run of jounce as a library: `peer-jounce SPEC warm|first KEY=VALUE...` prints one JSON line.
+//! Runs of jounce as a library: `peer-jounce SPEC warm|first|each KEY=VALUE...` prints JSON lines.
 //!
 //! Keys of the spec are set as with `--set` on the command line, as in `"drive.shaker.frequency=11 Hz"`.
 //! `cpu_s` is CPU time of the one thread that works during `simulate`, from a fresh state at rest to the answer; under a limit of CPU time
-//! that of a process moves by ticks of 4 ms on some kernels. With `warm` the same
-//! run was marched before on the same kernel, so that its step tables are there, as for every run of a sweep but its first. With `first`
-//! nothing was marched before. `wall_s` is the wall time of the same, `march_s` that of the march alone.
+//! that of a process moves by ticks of 4 ms on some kernels. With `first`
+//! nothing was marched before. With `warm` the same run was marched before on the same kernel, so that its step tables are there, as for
+//! every run of a sweep but its first; a millisecond being short, it is marched many times more, and the times are those of the median.
+//! `wall_s` is the wall time of the same run, `march_s` that of the march alone.
+//!
+//! With `each` the run is marched before and once for every line on stdin. `simulate_s` is the wall time of `simulate`, `run_s` that of
+//! all that the command `run` asks of the library once a spec is prepared: the kernel of the run, `simulate`, peak voltages, charges and
+//! warnings.
 
-use jounce::march::Kernel;
+use jounce::march::{Kernel, Watch};
 use jounce::plant::{Plant, System};
-use jounce::run::{RunAnswer, RunPlan, StartState, simulate};
-use jounce::spec::SpecFile;
+use jounce::run::{RunAnswer, RunPlan, StartState, Warning, charges, simulate, voltage_peaks};
+use jounce::spec::{Spec, SpecFile};
 use jounce::structure;
+use jounce::study::Prepared;
 use rustix::time::{ClockId, clock_gettime};
 use std::error::Error;
+use std::hint::black_box;
+use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -21,41 +29,78 @@ fn cpu_s() -> f64 {
     now.tv_sec as f64 + 1e-9 * now.tv_nsec as f64
 }
 
-fn measure(path: &str, start: &str, changes: &[String]) -> Result<String, Box<dyn Error>> {
+fn read(path: &str, changes: &[String]) -> Result<Spec, Box<dyn Error>> {
     let mut file = SpecFile::read(path)?;
     for change in changes {
         let (key, value) = change.split_once('=').ok_or_else(|| format!("'{change}' is not KEY=VALUE"))?;
         file.set(key, value)?;
     }
-    let spec = file.spec()?;
-    let kernel = Kernel::new(Plant::new(System::assemble(&spec, structure::modes(&spec)?)?)?)?;
+    Ok(file.spec()?)
+}
+
+/// Warm runs in one process.
+const RUNS: usize = 25;
+
+/// One run of a kernel, or the median of many after it.
+fn alone(spec: &Spec, is_warm: bool) -> Result<String, Box<dyn Error>> {
+    let kernel = Kernel::new(Plant::new(System::assemble(spec, structure::modes(spec)?)?)?)?;
     let rest = StartState::rest(&kernel.plant);
-    let whole = RunPlan {
-        duration_s: spec.run.duration_s,
-        average_over_s: spec.run.average_over_s,
-        tolerance: spec.run.tolerance,
-        record_s: 0.0,
+    let whole = RunPlan::of(&spec.run, 0.0);
+    let timed = || -> Result<[f64; 4], Box<dyn Error>> {
+        let (begun, before_s) = (Instant::now(), cpu_s());
+        let RunAnswer { mean_power_w, march_s, .. } = simulate(&kernel, &rest, &whole)?;
+        Ok([cpu_s() - before_s, begun.elapsed().as_secs_f64(), march_s, mean_power_w])
     };
-    match start {
-        "warm" => drop(simulate(&kernel, &rest, &whole)?),
-        "first" => {}
-        other => return Err(format!("'{other}' is neither warm nor first").into()),
+    let mut runs = vec![timed()?];
+    if is_warm {
+        runs = (0..RUNS).map(|_| timed()).collect::<Result<_, _>>()?;
+        runs.sort_by(|a, b| a[0].total_cmp(&b[0]));
     }
-    let (begun, before_s) = (Instant::now(), cpu_s());
-    let RunAnswer { mean_power_w, march_s, .. } = simulate(&kernel, &rest, &whole)?;
-    let (taken_s, wall_s) = (cpu_s() - before_s, begun.elapsed().as_secs_f64());
+    let [taken_s, wall_s, march_s, mean_power_w] = runs[runs.len() / 2];
     Ok(format!(r#"{{"mean_power_w": {mean_power_w:e}, "cpu_s": {taken_s:e}, "wall_s": {wall_s:e}, "march_s": {march_s:e}}}"#))
+}
+
+/// All that the command `run` asks of the library for a prepared harvester.
+fn whole_run(prepared: &Prepared) -> Result<String, Box<dyn Error>> {
+    let begun = Instant::now();
+    let own = prepared.watched_by(&Watch::default())?;
+    let start = own.start(Path::new(""))?;
+    let kernel = own.from_state(&start)?;
+    let plan = RunPlan::of(&own.spec.run, 0.0).watching(&own.spec, &kernel.plant).balancing(&kernel.plant);
+    let before_s = begun.elapsed().as_secs_f64();
+    let answer = simulate(&kernel, &start, &plan)?;
+    let simulate_s = begun.elapsed().as_secs_f64() - before_s;
+    black_box(Warning::of(&own.spec, &kernel, &plan, &answer));
+    black_box((voltage_peaks(&kernel, &answer, &plan), charges(&kernel, &answer, &plan)));
+    let (run_s, RunAnswer { mean_power_w, march_s, .. }) = (begun.elapsed().as_secs_f64(), answer);
+    Ok(format!(r#"{{"mean_power_w": {mean_power_w:e}, "run_s": {run_s:e}, "simulate_s": {simulate_s:e}, "march_s": {march_s:e}}}"#))
+}
+
+fn measure(path: &str, start: &str, changes: &[String]) -> Result<(), Box<dyn Error>> {
+    let spec = read(path, changes)?;
+    match start {
+        "warm" | "first" => println!("{}", alone(&spec, start == "warm")?),
+        "each" => {
+            let prepared = Prepared::new(spec)?;
+            whole_run(&prepared)?;
+            for line in std::io::stdin().lines() {
+                line?;
+                println!("{}", whole_run(&prepared)?);
+            }
+        }
+        other => return Err(format!("'{other}' is neither warm, first nor each").into()),
+    }
+    Ok(())
 }
 
 fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let [path, start, changes @ ..] = words.as_slice() else {
-        eprintln!("usage: peer-jounce SPEC warm|first KEY=VALUE...");
+        eprintln!("usage: peer-jounce SPEC warm|first|each KEY=VALUE...");
         return ExitCode::from(2);
     };
-    match measure(path, start, changes) {
-        Ok(line) => println!("{line}"),
-        Err(error) => println!(r#"{{"failed": {:?}}}"#, error.to_string()),
+    if let Err(error) = measure(path, start, changes) {
+        println!(r#"{{"failed": {:?}}}"#, error.to_string());
     }
     ExitCode::SUCCESS
 }

@@ -1,7 +1,7 @@
 //! Arguments of a hammer test, which `frf --measured` and `modes --measured` share.
 
 use crate::failure::Failure;
-use crate::measured_file::{manifest, positive, record, tell_findings};
+use crate::measured_file::{manifest, positive, record, tell, tell_findings};
 use crate::output::line;
 use clap::{Args, ValueEnum};
 use jounce::spec::Quantity as Unit;
@@ -60,13 +60,17 @@ impl HammerArguments {
         if let [file] = &self.measured[..] {
             let recordings = read::file(file)?.recordings;
             if recordings.iter().all(|recording| recording.over == Over::Frequency) {
+                recordings.iter().for_each(tell_findings);
                 return Ok(Responses::given(&recordings)?);
             }
         }
         let records = self.measured.iter().map(|file| record(file)).collect::<Result<Vec<_>, _>>()?;
         records.iter().for_each(tell_findings);
         let chosen = Chosen { force: self.force.clone(), responses: self.response.clone() };
-        Ok(Responses::of_hits(&records, &chosen, &settings)?)
+        let told = records.iter().map(|record| record.findings.len()).sum();
+        let found = Responses::of_hits(&records, &chosen, &settings)?;
+        tell(&found.findings[told..]);
+        Ok(found)
     }
 
     /// Manifest of an answer.

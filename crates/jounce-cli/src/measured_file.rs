@@ -60,13 +60,18 @@ fn hash_hex(file: &Path) -> Result<String, Failure> {
     }
 }
 
-/// The number of the channel of a name or number; without one, of the only channel or the first of a quantity.
-pub fn channel(recording: &Surveyed, wanted: Option<&str>, quantity: Quantity, option: &str) -> Result<usize, Failure> {
-    chosen(&recording.name, &recording.heads(), wanted, quantity).map_err(|error| match error {
+/// The number of the channel of a name or number; without one, of the only channel or the first of a quantity. Where it tells no unit, what is
+/// assumed is told and kept.
+pub fn channel(recording: &mut Surveyed, wanted: Option<&str>, quantity: Quantity, option: &str) -> Result<usize, Failure> {
+    let number = chosen(&recording.name, &recording.heads(), wanted, quantity).map_err(|error| match error {
         ChannelError::Missing(error) => error.into(),
         error @ ChannelError::Unnamed { .. } => Failure::usage(format!("{option}: {error}")),
         error @ ChannelError::Unit { .. } => Failure::Input(format!("{option}: {error}")),
-    })
+    })?;
+    let assumed = recording.channels[number].head().assumed(quantity);
+    tell(assumed.as_slice());
+    recording.findings.extend(assumed);
+    Ok(number)
 }
 
 /// The number of the channel of a name or number, whatever it measures.
@@ -103,6 +108,7 @@ pub fn tell_findings(recording: &Recording) {
     tell(&recording.findings);
 }
 
-fn tell(findings: &[Finding]) {
+/// The same of some findings.
+pub fn tell(findings: &[Finding]) {
     findings.iter().for_each(|finding| eprintln!("{finding}"));
 }

@@ -14,9 +14,9 @@ type Fitted = PyResult<(Option<String>, Option<PyErr>)>;
 
 /// Fits the free keys that a text of features names, or a file of that text.
 #[pyfunction]
-#[pyo3(signature = (spec, *, text = None, path = None))]
-pub fn fit(py: Python<'_>, spec: &Spec, text: Option<&str>, path: Option<PathBuf>) -> Fitted {
-    match watched(py, None, |watch| fitted(spec, text, path, watch)) {
+#[pyo3(signature = (spec, *, text = None, path = None, progress = None))]
+pub fn fit<'py>(py: Python<'py>, spec: &Spec, text: Option<&str>, path: Option<PathBuf>, progress: Option<Bound<'py, PyAny>>) -> Fitted {
+    match watched(py, progress.as_ref(), |watch| fitted(spec, text, path, watch)) {
         (Ok(answer), ended) => Ok((Some(json(&answer)?), ended)),
         (Err(_), Some(ended)) => Ok((None, Some(ended))),
         (Err(failure), None) => Err(failure.raised(py)),

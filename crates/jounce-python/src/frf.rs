@@ -66,7 +66,7 @@ fn input_of(spec: &Spec, named: Option<String>, base: bool) -> Result<Input, Fai
 fn responses(spec: &Spec, frequency_hz: &[f64], input: &Input, hold: &[String], open_circuit: bool) -> Result<Vec<Frf>, Failure> {
     let mut spec = spec.spec.clone();
     if open_circuit {
-        spec.circuit.clear();
+        spec.open_circuits();
     }
     spec.drive.clear();
     spec.gravity = Gravity::default();

@@ -12,8 +12,8 @@ use std::path::{Path, PathBuf};
 
 /// Computes everything and writes the report into a folder.
 #[pyfunction]
-pub fn reproduce(py: Python<'_>, out: PathBuf, threads: Option<usize>) -> Handed<'_> {
-    let found = watched(py, None, |watch| on_threads(threads, || written(&out, watch)));
+pub fn reproduce<'py>(py: Python<'py>, out: PathBuf, threads: Option<usize>, progress: Option<Bound<'py, PyAny>>) -> Handed<'py> {
+    let found = watched(py, progress.as_ref(), |watch| on_threads(threads, || written(&out, watch)));
     handed(py, found, |(written, claims)| told(py, &written, &claims))
 }
 

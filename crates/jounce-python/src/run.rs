@@ -6,7 +6,9 @@ use crate::history::History;
 use crate::spec::Spec;
 use crate::watched::{handed, watched};
 use jounce::march::{Energies, RectifiedEnergies, Watch};
-use jounce::run::{ChargeAnswer, RectifiedAnswer, RunAnswer, RunPlan, Settlement, StartState, Warning, charges, simulate};
+use jounce::run::{
+    ChargeAnswer, RectifiedAnswer, RunAnswer, RunPlan, StartState, StopAnswer, VoltagePeaks, Warning, charges, simulate, voltage_peaks,
+};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -29,6 +31,9 @@ struct Marched {
     plan: RunPlan,
     answer: RunAnswer,
     history: Option<History>,
+    /// Names of the patches.
+    patch: Vec<String>,
+    peaks: VoltagePeaks,
     /// Balance of charge of each circuit whose diodes feed a capacitor.
     charges: Vec<ChargeAnswer>,
     /// What the answer should not be believed without, in words.
@@ -76,27 +81,49 @@ fn marched(spec: &Spec, options: &Options, watch: &Watch) -> Result<Marched, Fai
     let answer = simulate(&kernel, &start, &watching)?;
     let history = (options.record_s > 0.0).then(|| History::new(&kernel, &answer, &plan, options.sample_rate_hz));
     let warnings = Warning::of(&prepared.spec, &kernel, &watching, &answer).iter().map(ToString::to_string).collect();
+    let patch = kernel.plant.system.modes.patch.keys().cloned().collect();
+    let peaks = voltage_peaks(&kernel, &answer, &watching);
     let charges = charges(&kernel, &answer, &watching);
-    Ok(Marched { plan, answer, history, charges, warnings })
+    Ok(Marched { plan, answer, history, patch, peaks, charges, warnings })
 }
 
 fn told<'py>(py: Python<'py>, spec: &Spec, marched: Marched) -> PyResult<Bound<'py, PyDict>> {
-    let Marched { plan, answer, history, charges, warnings } = marched;
-    let settlement = answer.settlement;
-    let settled = |value: fn(Settlement) -> f64| settlement.map_or(f64::NAN, value);
-    let residual = answer.energies.residual_relative();
-    let state = serde_json::to_string(&answer.end).map_err(|error| Failure::new("JounceError", error))?;
-    let work = serde_json::to_string(&answer.work).map_err(|error| Failure::new("JounceError", error))?;
-    let (loads, stops, leaks) = (&answer.loads, &answer.stops, &answer.leaks);
-    let charge = |circuit: &RectifiedAnswer, of: fn(&ChargeAnswer) -> f64| {
-        charges.iter().find(|charge| charge.name == circuit.name).map_or(f64::NAN, of)
-    };
-    let (still, flows, rectified) = (answer.energies.are_still(), flows(py, &answer.energies)?, &answer.rectified);
-    let answer = Answer::new(py)
-        .with("mean_power_w", answer.mean_power_w)?
+    let state = serde_json::to_string(&marched.answer.end).map_err(|error| Failure::new("JounceError", error))?;
+    let work = serde_json::to_string(&marched.answer.work).map_err(|error| Failure::new("JounceError", error))?;
+    let answer = voltages(Answer::new(py), &marched)?;
+    let answer = rectified(answer, &marched.answer.rectified, &marched.charges)?;
+    let answer = contacts(answer, &marched.answer)?;
+    let answer = trust(answer, &marched)?
+        .with("energies_j", flows(py, &marched.answer.energies)?)?
+        .with("end", state)?
+        .with("work", work)?
+        .with("history", marched.history.map(|history| history.dict(py)).transpose()?)?
+        .with("manifest", spec.manifest("run", &[]))?;
+    Ok(answer.dict())
+}
+
+/// Powers, and voltages of loads and patches.
+fn voltages<'py>(answer: Answer<'py>, marched: &Marched) -> PyResult<Answer<'py>> {
+    let Marched { answer: found, patch, peaks, .. } = marched;
+    let (loads, leaks) = (&found.loads, &found.leaks);
+    answer
+        .with("mean_power_w", found.mean_power_w)?
         .with("load", loads.iter().map(|load| load.name.clone()).collect::<Vec<_>>())?
         .each("load_power_w", loads, |load| load.mean_power_w)?
         .each("load_voltage_rms_v", loads, |load| load.voltage_rms_v)?
+        .each("load_voltage_peak_v", &peaks.loads_v, |peak_v| *peak_v)?
+        .with("patch", patch)?
+        .each("patch_voltage_peak_v", &peaks.patches_v, |peak_v| *peak_v)?
+        .with("leak", leaks.iter().map(|leak| leak.patch.clone()).collect::<Vec<_>>())?
+        .each("leak_power_w", leaks, |leak| leak.mean_power_w)
+}
+
+/// What happened behind the rectifiers.
+fn rectified<'py>(answer: Answer<'py>, rectified: &[RectifiedAnswer], charges: &[ChargeAnswer]) -> PyResult<Answer<'py>> {
+    let charge = |circuit: &RectifiedAnswer, of: fn(&ChargeAnswer) -> f64| {
+        charges.iter().find(|charge| charge.name == circuit.name).map_or(f64::NAN, of)
+    };
+    answer
         .with("rectified", rectified.iter().map(|circuit| circuit.name.clone()).collect::<Vec<_>>())?
         .each("rectified_power_w", rectified, |circuit| circuit.mean_power_w)?
         .each("rectified_voltage_rms_v", rectified, |circuit| circuit.voltage_rms_v)?
@@ -109,9 +136,13 @@ fn told<'py>(py: Python<'py>, spec: &Spec, marched: Marched) -> PyResult<Bound<'
         .each("rectified_charge_load_c", rectified, |circuit| charge(circuit, |own| own.load_c))?
         .each("rectified_charge_leakage_c", rectified, |circuit| charge(circuit, |own| own.leakage_c))?
         .each("rectified_charge_storage_c", rectified, |circuit| charge(circuit, |own| own.storage_c))?
-        .each("rectified_charge_residual_relative", rectified, |circuit| charge(circuit, |own| own.residual_relative))?
-        .with("leak", leaks.iter().map(|leak| leak.patch.clone()).collect::<Vec<_>>())?
-        .each("leak_power_w", leaks, |leak| leak.mean_power_w)?
+        .each("rectified_charge_residual_relative", rectified, |circuit| charge(circuit, |own| own.residual_relative))
+}
+
+/// What happened at the stops.
+fn contacts<'py>(answer: Answer<'py>, found: &RunAnswer) -> PyResult<Answer<'py>> {
+    let stops: &[StopAnswer] = &found.stops;
+    answer
         .with("stop", stops.iter().map(|stop| stop.name.clone()).collect::<Vec<_>>())?
         .each("stop_contacts", stops, |stop| stop.contacts as i64)?
         .each("stop_contact_rate_hz", stops, |stop| stop.contact_rate_hz)?
@@ -123,27 +154,27 @@ fn told<'py>(py: Python<'py>, spec: &Spec, marched: Marched) -> PyResult<Bound<'
         .each("stop_max_penetration_m", stops, |stop| stop.max_penetration_m)?
         .each("stop_max_contact_force_n", stops, |stop| stop.max_contact_force_n)?
         .each("stop_impulse_n_s", stops, |stop| stop.impulse_n_s)?
-        .with("max_penetration_m", answer.max_penetration_m)?
-        .with("max_contact_force_n", answer.max_contact_force_n)?
-        .with("contacts", answer.contacts)?
-        .with("contact_duty", answer.contact_duty)?
+        .with("max_penetration_m", found.max_penetration_m)?
+        .with("max_contact_force_n", found.max_contact_force_n)?
+        .with("contacts", found.contacts)?
+        .with("contact_duty", found.contact_duty)
+}
+
+/// How far to trust the answer: has it settled, is the energy balanced, what was asked for.
+fn trust<'py>(answer: Answer<'py>, Marched { plan, answer: found, warnings, .. }: &Marched) -> PyResult<Answer<'py>> {
+    let settlement = found.settlement;
+    answer
         .with("settled", settlement.map(|found| found.settled))?
         .with("period_cycles", settlement.map(|found| found.period_cycles))?
-        .with("settle_change", settled(|found| found.change))?
-        .with("settle_distance", settled(|found| found.distance))?
+        .with("settle_change", settlement.map_or(f64::NAN, |found| found.change))?
+        .with("settle_distance", settlement.map_or(f64::NAN, |found| found.distance))?
         .with("warnings", warnings)?
-        .with("energy_residual_relative", residual)?
-        .with("nothing_happened", still)?
-        .with("energies_j", flows)?
+        .with("energy_residual_relative", found.energies.residual_relative())?
+        .with("nothing_happened", found.energies.are_still())?
         .with("duration_s", plan.duration_s)?
         .with("average_over_s", plan.average_over_s)?
         .with("tolerance", plan.tolerance)?
-        .with("march_s", answer.march_s)?
-        .with("end", state)?
-        .with("work", work)?
-        .with("history", history.map(|history| history.dict(py)).transpose()?)?
-        .with("manifest", spec.manifest("run", &[]))?;
-    Ok(answer.dict())
+        .with("march_s", found.march_s)
 }
 
 /// Where the energy of the whole run went, J.

@@ -20,6 +20,7 @@ pub struct Spec {
     /// What the text says.
     pub spec: jounce::spec::Spec,
     prepared: OnceLock<Prepared>,
+    hash_hex: OnceLock<String>,
 }
 
 #[pymethods]
@@ -28,7 +29,7 @@ impl Spec {
     #[new]
     fn new(text: String, folder: PathBuf) -> Result<Self, Failure> {
         let spec = SpecFile::from_text(text.as_str()).in_folder(&folder).spec()?;
-        Ok(Self { text, folder, spec, prepared: OnceLock::new() })
+        Ok(Self { text, folder, spec, prepared: OnceLock::new(), hash_hex: OnceLock::new() })
     }
 
     /// Reads a file.
@@ -46,7 +47,7 @@ impl Spec {
             return Err(Failure::faults(&faults));
         }
         let spec = file.spec()?;
-        Ok(Self { text: file.text(), folder: self.folder.clone(), spec, prepared: OnceLock::new() })
+        Ok(Self { text: file.text(), folder: self.folder.clone(), spec, prepared: OnceLock::new(), hash_hex: OnceLock::new() })
     }
 
     /// The text, comments and layout kept.
@@ -67,8 +68,8 @@ impl Spec {
     }
 
     /// SHA-256 of the canonical form.
-    fn hash_hex(&self) -> String {
-        self.spec.hash_hex()
+    fn hash_hex(&self) -> &str {
+        self.hash_hex.get_or_init(|| self.spec.hash_hex())
     }
 
     /// Value of a key with a number, SI, and its unit.
@@ -137,7 +138,7 @@ impl Spec {
 
     /// Where an answer comes from, as JSON.
     pub fn manifest(&self, command: &str, options: &[(&str, String)]) -> String {
-        let manifest = Manifest::new(&self.spec.hash_hex()).with("command", command);
+        let manifest = Manifest::new(self.hash_hex()).with("command", command);
         let manifest = options.iter().fold(manifest, |manifest, (name, value)| manifest.with(name, value));
         serde_json::to_string(&manifest).unwrap_or_default()
     }

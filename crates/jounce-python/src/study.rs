@@ -1,5 +1,6 @@
 //! Studies in parts.
 
+use crate::arrays::Answer;
 use crate::failure::Failure;
 use crate::run::Handed;
 use crate::spec::Spec;
@@ -59,12 +60,10 @@ impl Study {
         let found = watched(py, None, |watch| {
             let table = self.0.part(part, watch)?;
             let bytes = table.map(|table| table.to_parquet(&self.0.part_manifest(part))).transpose().map_err(SurveyError::from)?;
-            bytes.ok_or_else(|| Failure::new("JounceError", "stopped"))
+            bytes.map(|bytes| (bytes, watch.marched_s())).ok_or_else(|| Failure::new("JounceError", "stopped"))
         });
-        handed(py, found, |bytes| {
-            let answer = PyDict::new(py);
-            answer.set_item("bytes", PyBytes::new(py, &bytes))?;
-            Ok(answer)
+        handed(py, found, |(bytes, marched_s)| {
+            Ok(Answer::new(py).with("bytes", PyBytes::new(py, &bytes))?.with("marched_s", marched_s)?.dict())
         })
     }
 
@@ -80,9 +79,10 @@ impl Study {
         let shard: Shard = shard.parse().map_err(|error: String| Failure::new("ArgumentError", error).raised(py))?;
         let found = watched(py, progress.as_ref(), |watch| {
             let folder = Folder::of(&folder, &self.0)?;
-            on_threads(threads, || Ok(folder.run(&self.0, shard, watch, &|_| ())?))
+            on_threads(threads, || Ok(folder.run(&self.0, shard, watch, &|_| ())?))?;
+            Ok(watch.marched_s())
         });
-        handed(py, found, |()| Ok(PyDict::new(py)))
+        handed(py, found, |marched_s| Ok(Answer::new(py).with("marched_s", marched_s)?.dict()))
     }
 
     /// Numbers of the parts that a folder lacks; the folder is made where there is none.

@@ -69,7 +69,9 @@ impl Teller<'_, '_> {
         }
         (self.last, self.told) = (now, Instant::now());
         let (done, expected) = now;
-        let left_s = (done > 0).then(|| self.begun.elapsed().as_secs_f64() * expected.saturating_sub(done) as f64 / done as f64);
+        // Without a known end there is nothing left to estimate.
+        let left_s =
+            (done > 0 && expected > 0).then(|| self.begun.elapsed().as_secs_f64() * expected.saturating_sub(done) as f64 / done as f64);
         progress.call1((done, expected, left_s)).map(|_| ())
     }
 }

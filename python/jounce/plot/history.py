@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ..errors import ArgumentError
 from .style import axes, label
 
 if TYPE_CHECKING:
     from ..history import History
+    from ..result import Floats
     from ..signal import Spectrum
 
 
@@ -45,4 +48,14 @@ def plot_poincare(history: History, ax: Any, point: str | None) -> Any:
         label(ax.xaxis, f"Displacement of {point}", "m")
         label(ax.yaxis, "Velocity", "m/s")
         ax.margins(0.15)
+        _widen(ax.xaxis, history.displacement_m[row])
+        _widen(ax.yaxis, history.velocity_m_s[row])
     return ax
+
+
+def _widen(axis: Any, motion: Floats) -> None:
+    """Makes an axis a hundredth of the motion wide at least, so that a settled orbit is a place and not the roundoff about it."""
+    low, high = axis.get_view_interval()
+    lacking = 0.01 * float(np.ptp(motion)) - (high - low)
+    if lacking > 0.0:
+        axis.axes.set(**{f"{axis.axis_name}lim": (low - 0.5 * lacking, high + 0.5 * lacking)})

@@ -33,8 +33,8 @@ impl Contact {
     /// Finds the hits, fits each and tells.
     pub fn run(&self) -> Result<(), Failure> {
         let mass_kg = self.mass.as_ref().map(|text| positive("--mass", text, Unit::Mass)).transpose()?;
-        let survey = self.file.survey()?;
-        let number = channel(&survey, self.force.as_deref(), Quantity::Force, "--force")?;
+        let mut survey = self.file.survey()?;
+        let number = channel(&mut survey, self.force.as_deref(), Quantity::Force, "--force")?;
         let record = loaded(survey, &[number])?;
         let force = &record.channels[0];
         let samples = Samples::new(&force.values, record.rate())?;

@@ -78,7 +78,7 @@ impl Frf {
             return Err(Failure::Input(format!("modal.{name}.participation_sqrt_kg {why}")));
         }
         if self.open_circuit {
-            spec.circuit.clear();
+            spec.open_circuits();
         }
         spec.drive.clear();
         spec.gravity = Gravity::default();

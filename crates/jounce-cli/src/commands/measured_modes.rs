@@ -77,10 +77,22 @@ pub fn run(hammer: &HammerArguments, decay: &DecayArguments, band: &BandArgument
         let (zeta, dzeta) = (mode.damping_ratio, Mode::QUANTILE_95 * mode.damping_deviation);
         line(format!("{:>4}  {f:>12.5}  {df:<11.3e}  {zeta:>13.6}  {dzeta:.3e}", k + 1));
     }
+    tell_doubt(&found);
     if let Some(responses) = &taken.responses {
         tell_trust(responses, &found);
     }
     Ok(())
+}
+
+fn tell_doubt(found: &Identification) {
+    let doubtful: Vec<String> = (1..).zip(&found.modes).filter(|(_, mode)| mode.is_doubtful()).map(|(k, _)| k.to_string()).collect();
+    if !doubtful.is_empty() {
+        line(format!(
+            "warning: the damping of mode {} cannot be told from none, as that of poles which noise makes; if a smaller --order or a narrower \
+             --between loses it, it was no mode",
+            doubtful.join(", ")
+        ));
+    }
 }
 
 fn tell_trust(responses: &Responses, found: &Identification) {
@@ -104,6 +116,7 @@ fn answer(taken: &Taken, found: &Identification) -> serde_json::Value {
             "frequency_deviation_hz": mode.frequency_deviation_hz,
             "damping_ratio": mode.damping_ratio,
             "damping_deviation": mode.damping_deviation,
+            "doubtful": mode.is_doubtful(),
             "shape": { "re": shape.iter().map(|s| s.re).collect::<Vec<_>>(), "im": shape.iter().map(|s| s.im).collect::<Vec<_>>() },
         })
     };

@@ -6,12 +6,12 @@ use crate::output::{self, line, print};
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
 use jounce::picture::{Scale, SpectrumLine, spectra};
-use jounce::signal::{OrderLine, Samples, Window};
+use jounce::signal::{OrderLine, Spectrum, Window};
 use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::{LoadPoint, power_over_load};
 use jounce_measure::recording::{Finding, Quantity};
-use jounce_measure::spectral::{MeanPower, mean_power};
+use jounce_measure::spectral::{MeanPower, mean_power, signal};
 use std::path::{Path, PathBuf};
 
 /// Multiples of the drive whose amplitudes are told.
@@ -51,7 +51,8 @@ struct Answer {
     /// Of the base's acceleration about its mean, m^2/s^4.
     mean_square: Option<f64>,
     orders: Vec<OrderLine>,
-    spectrum: SpectrumLine,
+    /// Where it is drawn; it takes several times the memory of the voltage.
+    spectrum: Option<SpectrumLine>,
     findings: Vec<Finding>,
 }
 
@@ -82,18 +83,18 @@ impl Power {
     }
 
     fn answer(&self, file: &Path, resistance_ohm: f64, drive_hz: Option<f64>) -> Result<Answer, Failure> {
-        let survey = survey(file)?;
-        let voltage = channel(&survey, self.voltage.as_deref(), Quantity::Voltage, "--voltage")?;
-        let base = self.base.as_ref().map(|name| channel(&survey, Some(name), Quantity::Acceleration, "--base")).transpose()?;
+        let mut survey = survey(file)?;
+        let voltage = channel(&mut survey, self.voltage.as_deref(), Quantity::Voltage, "--voltage")?;
+        let base = self.base.as_ref().map(|name| channel(&mut survey, Some(name), Quantity::Acceleration, "--base")).transpose()?;
         let wanted: Vec<usize> = std::iter::once(voltage).chain(base).collect();
         let record = loaded(survey, &wanted)?;
         let voltage = &record.channels[0];
-        let samples = Samples::new(&voltage.values, record.rate())?;
+        let samples = signal(voltage, record.rate())?;
         let power = mean_power(&samples, resistance_ohm, self.remove_mean)?;
         let mean_square = match record.channels.get(1) {
             None => None,
             Some(base) => {
-                let base = Samples::new(&base.values, record.rate())?;
+                let base = signal(base, record.rate())?;
                 Some(base.rms().powi(2) - base.mean().powi(2))
             }
         };
@@ -104,9 +105,10 @@ impl Power {
                 samples.orders(drive_hz, &inside)?.lines
             }
         };
-        let spectrum = samples.spectrum(Window::Hann);
-        let label = format!("{}: {resistance_ohm} ohm", record.name);
-        let spectrum = SpectrumLine { label, frequency_hz: spectrum.frequency_hz, amplitude_peak: spectrum.amplitude_peak };
+        let spectrum = self.output.out.is_some().then(|| {
+            let Spectrum { frequency_hz, amplitude_peak, .. } = samples.spectrum(Window::Hann);
+            SpectrumLine { label: format!("{}: {resistance_ohm} ohm", record.name), frequency_hz, amplitude_peak }
+        });
         let (name, channel) = (record.name.clone(), voltage.name.clone());
         Ok(Answer { name, channel, resistance_ohm, power, mean_square, orders, spectrum, findings: record.findings })
     }
@@ -125,7 +127,9 @@ impl Power {
             line(format!("order {:>4}, {:>10.4} Hz: {:.5e} V peak", order.order, order.frequency_hz, order.amplitude_peak));
         }
         if power.correlated {
-            line("the batches are correlated: the record is too short, and the interval too narrow");
+            line(
+                "the batches are correlated: the record is too short, or changes on the way (see jounce regimes), and the interval too narrow",
+            );
         }
     }
 
@@ -153,7 +157,7 @@ impl Power {
         let points: Vec<LoadPoint> = answers.iter().enumerate().map(point).collect();
         let unit = if squares.is_some() { "W/(m/s^2)^2" } else { "W" };
         output::figure(folder, "power-load", &power_over_load("Measured mean power", unit, &points))?;
-        let lines: Vec<SpectrumLine> = answers.iter().map(|answer| answer.spectrum.clone()).collect();
+        let lines: Vec<SpectrumLine> = answers.iter().filter_map(|answer| answer.spectrum.clone()).collect();
         let figure = spectra("Voltage spectrum, Hann window", "Voltage", "V", Scale::Log, &lines, drive_hz);
         output::figure(folder, "power-spectrum", &figure)
     }

@@ -37,11 +37,11 @@ impl RegimesOf {
     pub fn run(&self) -> Result<(), Failure> {
         let drive_hz = positive("--drive", &self.drive, Unit::Frequency)?;
         let resistance = self.resistance.as_ref().map(|text| positive("--resistance", text, Unit::Resistance)).transpose()?;
-        let survey = self.file.survey()?;
+        let mut survey = self.file.survey()?;
         let number = match &self.channel {
             // Any quantity can be cut; only a voltage has a power.
             Some(name) if resistance.is_none() => any_channel(&survey, name)?,
-            wanted => channel(&survey, wanted.as_deref(), Quantity::Voltage, "--channel")?,
+            wanted => channel(&mut survey, wanted.as_deref(), Quantity::Voltage, "--channel")?,
         };
         let record = loaded(survey, &[number])?;
         let channel = &record.channels[0];
@@ -67,7 +67,9 @@ impl RegimesOf {
             }));
             return Ok(());
         }
-        line(format!("{} stretches; a change lies within {:.3} s of its place", found.stretches.len(), found.uncertainty_s));
+        let count = found.stretches.len();
+        let stretches = if count == 1 { "stretch" } else { "stretches" };
+        line(format!("{count} {stretches}; a change lies within {:.3} s of its place", found.uncertainty_s));
         for (k, (stretch, power)) in found.stretches.iter().zip(powers).enumerate() {
             let period = stretch.period.cycles.map_or("does not repeat".to_owned(), |cycles| format!("period {cycles} cycles"));
             let told = power.map_or(String::new(), |power| format!(", {:.5e} +- {:.1e} W", power.mean_power_w, power.half_width_w));

@@ -24,7 +24,7 @@ impl Reproduce {
         let watch = Watch::default();
         folders(&self.out)?;
         let simulated = jounce::reproduce::reproduce(&watch, &|stage| eprintln!("{stage}"))?;
-        eprintln!("Table 2 measured and figures 10 to 13, from the virtual rig");
+        eprintln!("Table 2 measured and figures 10 to 13, from the virtual rig; the model updated to Table 2");
         let chapters = jounce_measure::experiment::chapters(&simulated, &watch)?;
         let reproduction = chapters.into_iter().fold(simulated, Reproduction::with);
         let written = reproduction.write(&self.out)?;

@@ -4,9 +4,9 @@ use crate::failure::Failure;
 use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::march::{Instant, Kernel};
+use jounce::march::Kernel;
 use jounce::picture::{Scale, SpectrumLine, Trace, spectra, time_histories};
-use jounce::run::{ChargeAnswer, RunAnswer, RunPlan, StopAnswer, Warning, charges, simulate};
+use jounce::run::{ChargeAnswer, RunAnswer, RunPlan, StopAnswer, VoltagePeaks, Warning, charges, simulate, voltage_peaks};
 use jounce::signal::{Samples, Window};
 use jounce::study::Prepared;
 use jounce::table::{Column, Table};
@@ -138,11 +138,23 @@ impl Run {
 /// The answer as one JSON object.
 fn print_json(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[Warning]) {
     let settlement = answer.settlement;
+    let peaks = voltage_peaks(kernel, answer, plan);
+    let names = kernel.plant.system.modes.patch.keys();
+    let patches = names.zip(&peaks.patches_v).map(|(name, peak_v)| serde_json::json!({ "name": name, "voltage_peak_v": finite(*peak_v) }));
+    let loads = answer.loads.iter().zip(&peaks.loads_v).map(|(load, peak_v)| {
+        serde_json::json!({
+            "name": load.name,
+            "mean_power_w": load.mean_power_w,
+            "voltage_rms_v": load.voltage_rms_v,
+            "voltage_peak_v": finite(*peak_v),
+        })
+    });
     print(&serde_json::json!({
         "mean_power_w": answer.mean_power_w,
         "voltage_rms_v": answer.loads.first().map(|load| load.voltage_rms_v),
-        "voltage_peak_v": peak_voltage_v(kernel, answer, plan),
-        "loads": answer.loads,
+        "voltage_peak_v": peaks.first_v(),
+        "loads": loads.collect::<Vec<_>>(),
+        "patches": patches.collect::<Vec<_>>(),
         "rectified": answer.rectified,
         "charges": charges(kernel, answer, plan),
         "leaks": answer.leaks,
@@ -178,9 +190,7 @@ fn print_lines(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) {
     let residual = answer.energies.residual_relative();
     // A sum of nothing may be -0.
     line(format!("mean power         {:.6e} W", answer.mean_power_w + 0.0));
-    for load in &answer.loads {
-        line(format!("voltage, rms       {:.6} V  (load {})", load.voltage_rms_v, load.name));
-    }
+    tell_voltages(kernel, answer, &voltage_peaks(kernel, answer, plan));
     let charges = charges(kernel, answer, plan);
     for circuit in &answer.rectified {
         // Synchronous extraction hands over energy, no charge that diodes pass.
@@ -225,6 +235,20 @@ fn print_lines(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) {
     ));
 }
 
+/// Voltages of the loads, and the largest of each patch where no load tells it.
+fn tell_voltages(kernel: &Kernel, answer: &RunAnswer, peaks: &VoltagePeaks) {
+    for (load, peak_v) in answer.loads.iter().zip(&peaks.loads_v) {
+        line(format!("voltage, rms       {:.6} V  (load {})", load.voltage_rms_v, load.name));
+        if peak_v.is_finite() {
+            line(format!("voltage, peak      {peak_v:.6} V"));
+        }
+    }
+    let patches = kernel.plant.system.modes.patch.keys().zip(&peaks.patches_v);
+    for (name, peak_v) in patches.filter(|(_, peak_v)| peak_v.is_finite() && !peaks.loads_v.contains(peak_v)) {
+        line(format!("voltage, peak      {peak_v:.6} V  (patch {name})"));
+    }
+}
+
 /// Where the charge of a circuit went, and whether that is all of it.
 fn tell_charge(charge: &ChargeAnswer) {
     let ChargeAnswer { passed_c, load_c, leakage_c, storage_c, residual_relative, .. } = charge;
@@ -246,20 +270,6 @@ fn tell_stop(stop: &StopAnswer, beside: bool) {
         line(format!("  approach speed   {:.4e} m/s in the mean, {:.4e} m/s at most", stop.mean_strike_m_s, stop.max_strike_m_s));
         line(format!("  dwell            {:.4e} s in the mean, {:.4e} s at most", stop.mean_dwell_s, stop.max_dwell_s));
     }
-}
-
-/// Drive cycles over which the largest voltage is looked for.
-const CYCLES: f64 = 8.0;
-
-/// Largest voltage of the first patch over the last drive cycles, or over what the run keeps where drives do not repeat themselves, V.
-fn peak_voltage_v(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) -> Option<f64> {
-    let plant = &kernel.plant;
-    let kept_s = answer.trajectory.segments().first()?.start_s;
-    let first = plant.period_s().map_or(kept_s, |period_s| kept_s.max(plan.duration_s - CYCLES * period_s));
-    let samples = 4096;
-    let times: Vec<f64> = (0..=samples).map(|k| first + (plan.duration_s - first) * f64::from(k) / f64::from(samples)).collect();
-    let first = |at: &Instant| plant.patch_voltages_v(&plant.to_physical(&at.state, at.time_s)).first().map(|voltage| voltage.abs());
-    answer.trajectory.at(kernel, &times).iter().map(first).try_fold(0.0_f64, |most, voltage| Some(most.max(voltage?)))
 }
 
 fn finite(value: f64) -> Option<f64> {

@@ -9,7 +9,7 @@ use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::{densities_of, spectrogram_of};
 use jounce_measure::recording::{Channel, Quantity};
-use jounce_measure::spectral::{Density, Spectra as Found, SpectraSettings, spectra};
+use jounce_measure::spectral::{Density, Spectra as Found, SpectraSettings, density_unit, signal, spectra, spectrogram};
 use std::path::Path;
 
 /// How segments are weighed.
@@ -48,7 +48,15 @@ pub struct Spectra {
 /// What the record tells.
 struct Answer<'a> {
     channel: &'a Channel,
+    samples: Samples<'a>,
     found: Found,
+}
+
+impl Answer<'_> {
+    /// A number of samples, s.
+    fn seconds(&self, samples: usize) -> f64 {
+        samples as f64 / self.samples.rate_hz()
+    }
 }
 
 impl Spectra {
@@ -65,14 +73,14 @@ impl Spectra {
         };
         let record = loaded(survey, &[number])?;
         let channel = &record.channels[0];
-        let samples = Samples::new(&channel.values, record.rate())?;
+        let samples = signal(channel, record.rate())?;
         let window = match self.window {
             WindowName::Hann => Window::Hann,
             WindowName::FlatTop => Window::FlatTop,
             WindowName::Rectangular => Window::Rectangular,
         };
         let found = spectra(&samples, &SpectraSettings { drive_hz, segment_s, overlap: self.overlap, window })?;
-        let answer = Answer { channel, found };
+        let answer = Answer { channel, samples, found };
         if let Some(folder) = &self.file.output.out {
             self.write(folder, &answer, drive_hz)?;
         }
@@ -86,24 +94,24 @@ impl Spectra {
 
     /// Window, overlap and amplitude in words.
     fn convention(&self, answer: &Answer<'_>) -> String {
-        let found = &answer.found.spectrogram;
+        let Found { density, segments, .. } = &answer.found;
         let window = format!("{:?}", self.window).to_lowercase().replace("flattop", "flat-top");
         format!(
             "{} segments of {:.4} s, {} window, overlap {}: lines {:.4} Hz apart; amplitudes are zero to peak, densities one-sided, per Hz",
-            found.time_s.len(),
-            found.segment_s,
+            density.segments,
+            answer.seconds(segments.length()),
             window,
             self.overlap,
-            found.resolution_hz
+            density.resolution_hz
         )
     }
 
     fn tell(&self, answer: &Answer<'_>) {
-        let unit = &answer.channel.unit;
+        let (unit, squared) = (&answer.channel.unit, density_unit(&answer.channel.unit));
         line(format!("{}: {}", answer.channel.name, self.convention(answer)));
         line(format!("mean {:.5e} {unit}, taken away from the density", answer.found.density.mean));
         for (frequency_hz, density) in peaks(&answer.found.density) {
-            line(format!("peak at {frequency_hz:>10.4} Hz: {density:.4e} ({unit})^2/Hz"));
+            line(format!("peak at {frequency_hz:>10.4} Hz: {density:.4e} {squared}"));
         }
         for order in &answer.found.orders {
             line(format!("order {:>6.4}, {:>10.4} Hz: {:.5e} {unit} peak", order.order, order.frequency_hz, order.amplitude_peak));
@@ -112,27 +120,28 @@ impl Spectra {
 
     fn listed(&self, answer: &Answer<'_>, findings: &[jounce_measure::recording::Finding]) -> serde_json::Value {
         let order = |order: &OrderLine| serde_json::json!({ "order": order.order, "frequency_hz": order.frequency_hz, "amplitude_peak": order.amplitude_peak });
-        let found = &answer.found.spectrogram;
+        let Found { density, segments, .. } = &answer.found;
         serde_json::json!({
             "channel": answer.channel.name,
             "unit": answer.channel.unit,
             "convention": self.convention(answer),
-            "segment_s": found.segment_s,
-            "step_s": found.step_s,
-            "segments": found.time_s.len(),
-            "resolution_hz": found.resolution_hz,
-            "mean": answer.found.density.mean,
-            "frequency_hz": answer.found.density.frequency_hz,
-            "density": answer.found.density.density,
+            "segment_s": answer.seconds(segments.length()),
+            "step_s": answer.seconds(segments.step()),
+            "segments": density.segments,
+            "resolution_hz": density.resolution_hz,
+            "mean": density.mean,
+            "frequency_hz": density.frequency_hz,
+            "density": density.density,
             "orders": answer.found.orders.iter().map(order).collect::<Vec<_>>(),
             "findings": findings,
         })
     }
 
     fn write(&self, folder: &Path, answer: &Answer<'_>, drive_hz: Option<f64>) -> Result<(), Failure> {
-        let (channel, density, found) = (answer.channel, &answer.found.density, &answer.found.spectrogram);
+        let (channel, density) = (answer.channel, &answer.found.density);
+        let found = spectrogram(&answer.samples, &answer.found.segments)?;
         let manifest = self.file.manifest("spectra")?.with("convention", self.convention(answer)).with("channel", channel.name.clone());
-        let squared = format!("({})^2/Hz", channel.unit);
+        let squared = density_unit(&channel.unit);
         let table = Table::new(vec![
             Column::new("frequency_hz", "Hz", "frequency of the line", density.frequency_hz.clone()),
             Column::new("density", &squared, "one-sided power spectral density (Welch)", density.density.clone()),
@@ -146,7 +155,7 @@ impl Spectra {
         ])?;
         output::table(folder, "spectrogram", &table, &manifest)?;
         output::figure(folder, "spectra", &densities_of("Power spectral density", &channel.name, &channel.unit, density))?;
-        output::figure(folder, "spectrogram", &spectrogram_of(&self.convention(answer), &channel.name, &channel.unit, found, drive_hz))
+        output::figure(folder, "spectrogram", &spectrogram_of(&self.convention(answer), &channel.name, &channel.unit, &found, drive_hz))
     }
 }
 

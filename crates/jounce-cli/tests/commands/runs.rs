@@ -6,7 +6,16 @@ use crate::{SPEC, jounce};
 fn run_answers_with_every_key() {
     let (code, json, _) = jounce(&["run", SPEC, "--json", "--set", "run.duration=\"2 s\"", "--set", "run.average_over=\"1 s\""]);
     assert_eq!(code, 0);
-    for key in ["mean_power_w", "voltage_rms_v", "max_penetration_m", "contacts", "energy_residual_relative", "settled", "march_s"] {
+    for key in [
+        "mean_power_w",
+        "voltage_rms_v",
+        "voltage_peak_v",
+        "max_penetration_m",
+        "contacts",
+        "energy_residual_relative",
+        "settled",
+        "march_s",
+    ] {
         assert!(!json[key].is_null(), "{key} is missing in {json}");
     }
     assert!(json["energy_residual_relative"].as_f64().unwrap().abs() < 1e-6, "{json}");

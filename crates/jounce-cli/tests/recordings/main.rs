@@ -217,6 +217,8 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
     std::fs::write(here.join("ragged.csv"), format!("time [s],piezo [V]\n{whole}20\n21,3,4\n")).unwrap();
     std::fs::write(here.join("timeless.csv"), "piezo [V],other\n5,1\n3,2\n4,3\n").unwrap();
     csv(&here.join("still.csv"), "time [s],piezo [V],force [N]", (0..4000).map(|k| vec![f64::from(k) * 1e-2, 3.0, 0.0]));
+    csv(&here.join("dead.csv"), "time [s],piezo [V],base [g]", (0..400).map(|k| vec![f64::from(k) * 1e-2, f64::from(k % 3), 0.0]));
+    csv(&here.join("odd.csv"), "time [s],piezo [furlong]", (0..400).map(|k| vec![f64::from(k) * 1e-2, f64::from(k % 3)]));
     csv(&here.join("short.csv"), "time [s],piezo [V]", (0..12).map(|k| vec![f64::from(k) * 1e-2, f64::from(k % 3)]));
     for (arguments, code, words) in [
         (vec!["read", "missing.csv"], 4, "missing.csv"),
@@ -233,6 +235,11 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
         (vec!["power", "switch.csv", "--resistance", "1kohm", "--voltage", "base"], 4, "m/s^2"),
         (vec!["power", "switch.csv", "--resistance", "1kohm", "--base", "piezo"], 4, "is in V"),
         (vec!["power", "short.csv", "--resistance", "1kohm"], 4, "too few"),
+        (vec!["power", "still.csv", "--resistance", "1kohm"], 4, "no signal"),
+        (vec!["power", "dead.csv", "--resistance", "1kohm", "--base", "base"], 4, "samples of base are 0"),
+        (vec!["power", "odd.csv", "--resistance", "1kohm", "--voltage", "piezo"], 4, "is in furlong"),
+        (vec!["spectra", "still.csv"], 4, "all 4000 samples of piezo are 3"),
+        (vec!["modes", "--measured", "still.csv", "--free-decay"], 4, "no signal"),
         (vec!["regimes", "switch.csv"], 2, "--drive"),
         (vec!["regimes", "switch.csv", "--drive", "400Hz"], 4, "quarter"),
         (vec!["regimes", "switch.csv", "--drive", "0.1Hz"], 4, "drive cycles"),
@@ -244,7 +251,7 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
         (vec!["modes"], 2, "SPEC"),
         (vec!["frf", "--measured", "hammer.csv"], 4, "no channel beside"),
         (vec!["frf", "--measured", "switch.csv"], 4, "newtons"),
-        (vec!["frf", "--measured", "switch.csv", "--force", "base"], 4, "not a force"),
+        (vec!["frf", "--measured", "switch.csv", "--force", "base"], 4, "not in newtons"),
         (vec!["frf", "--measured", "hammer.csv", "--response", "hamer"], 4, "hammer"),
         (vec!["frf", "--measured", "hammer.csv", "--response", "hammer", "--block", "3s"], 4, "segments"),
         (vec!["frf", "--measured", "hammer.csv", "--end-ratio", "2"], 2, "--end-ratio"),

@@ -2,7 +2,7 @@
 
 use jounce::picture::{DensityLine, Figure, TimeSpectrum, densities, spectrogram};
 
-use crate::spectral::{Density, Spectrogram};
+use crate::spectral::{Density, Spectrogram, density_unit};
 
 /// Multiples of the drive that a picture shows.
 const ORDERS: f64 = 8.0;
@@ -31,7 +31,7 @@ pub fn spectrogram_of(title: &str, quantity: &str, unit: &str, found: &Spectrogr
 
 /// A power spectral density.
 pub fn densities_of(title: &str, quantity: &str, unit: &str, found: &Density) -> Figure {
-    let unit = if unit.is_empty() { "1/Hz".to_owned() } else { format!("({unit})^2/Hz") };
+    let unit = density_unit(unit);
     let line = DensityLine { quantity: quantity.to_owned(), unit, density: found.density.clone(), interval: [Vec::new(), Vec::new()] };
     densities(title, &found.frequency_hz, &[line])
 }

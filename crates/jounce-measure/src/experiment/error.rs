@@ -6,6 +6,7 @@ use jounce::signal::SignalError;
 use jounce::structure::StructureError;
 use jounce::table::TableError;
 
+use crate::fit::FitError;
 use crate::modal::ModalError;
 use crate::recording::NoChannel;
 use crate::regime::RegimeError;
@@ -50,6 +51,9 @@ pub enum ExperimentError {
     /// The stretches of the record.
     #[error(transparent)]
     Regime(#[from] RegimeError),
+    /// The fit to Table 2.
+    #[error(transparent)]
+    Fit(#[from] FitError),
     /// A table.
     #[error(transparent)]
     Table(#[from] TableError),

@@ -53,7 +53,9 @@ impl PowerOverLoad {
     /// A record for each load, with the stop and without.
     pub fn compute(case: Case, watch: &Watch) -> Result<Self, ExperimentError> {
         let all: Vec<(usize, f64)> = (0..GAPS.len()).flat_map(|gap| LOADS_OHM.map(|ohm| (gap, ohm))).collect();
-        let points = all.par_iter().map(|(gap, ohm)| recorded((case, GAPS[*gap], *ohm), watch)).collect::<Result<Vec<Point>, _>>()?;
+        watch.expect(all.len());
+        let counted = |(gap, ohm): &(usize, f64)| recorded((case, GAPS[*gap], *ohm), watch).inspect(|_| watch.count());
+        let points = all.par_iter().map(counted).collect::<Result<Vec<Point>, _>>()?;
         let (impact, linear) = points.split_at(LOADS_OHM.len());
         Ok(Self { case, impact: impact.to_vec(), linear: linear.to_vec() })
     }

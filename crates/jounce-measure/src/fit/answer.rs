@@ -6,6 +6,7 @@ use super::FitError;
 use super::asked::Measured;
 use super::deviation::student_95;
 use super::problem::Problem;
+use super::profile::Profile;
 use super::solve::Minimum;
 use super::warnings::warnings;
 use crate::modal::Mode;
@@ -21,7 +22,7 @@ pub struct FittedKey {
     pub before: f64,
     /// Value after, SI.
     pub after: f64,
-    /// Ends of the interval of 95 %, SI.
+    /// Ends of the interval of 95 %, SI, by the profile of what was minimised: not always as far below as above.
     pub low: f64,
     /// Its upper end.
     pub high: f64,
@@ -145,6 +146,22 @@ impl FitAnswer {
             (0..count).map(|a| (0..count).map(|b| minimum.covariance[(a, b)] / (deviation[a] * deviation[b])).collect()).collect();
         let errors = problem.errors(&problem.unknowns)?;
         let chi_square = errors.rows(0, asked.measured.len()).norm_squared();
+        let profile = Profile {
+            errors: &|unknowns| problem.errors(unknowns),
+            least: &problem.unknowns,
+            objective: errors.norm_squared(),
+            derivatives: &minimum.derivatives,
+            covariance: &minimum.covariance,
+        };
+        let mut linear = Vec::new();
+        let mut keys = Vec::with_capacity(count);
+        for (k, deviation) in deviation.iter().enumerate() {
+            let ends = [profile.end(k, -quantile)?, profile.end(k, quantile)?];
+            if ends.contains(&None) {
+                linear.push(problem.keys[k].path());
+            }
+            keys.push(key(problem, k, (*deviation, quantile), ends));
+        }
         let told = told(problem, minimum, (before, &problem.model(&problem.unknowns)?), quantile);
         let of_group = |(g, group): (usize, &super::deviation::Group)| FittedDeviation {
             name: group.name.clone(),
@@ -152,11 +169,11 @@ impl FitAnswer {
             degrees_of_freedom: minimum.freedom[g],
         };
         Ok(Self {
-            keys: (0..count).map(|k| key(problem, k, deviation[k], quantile)).collect(),
+            keys,
             features: told.iter().filter(|told| told.measured.on.is_none()).map(|told| told.feature.clone()).collect(),
             curves: (0..asked.curves.len()).map(|number| curve(problem, &told, number)).collect(),
             deviations: asked.groups.iter().enumerate().map(of_group).collect(),
-            warnings: warnings(problem, minimum, &deviation, &correlation, chi_square),
+            warnings: warnings(problem, minimum, &deviation, (&correlation, &linear), chi_square),
             quantile,
             correlation,
             chi_square,
@@ -166,9 +183,12 @@ impl FitAnswer {
     }
 }
 
-fn key(problem: &Problem<'_>, k: usize, deviation: f64, quantile: f64) -> FittedKey {
-    let after = problem.start[k] * problem.unknowns[k].exp();
-    let ends = [-1.0, 1.0].map(|sign| after * (sign * quantile * deviation).exp());
+/// Where the profile has no end, that of the covariance stands in for it.
+fn key(problem: &Problem<'_>, k: usize, (deviation, quantile): (f64, f64), profile: [Option<f64>; 2]) -> FittedKey {
+    let (least, start) = (problem.unknowns[k], problem.start[k]);
+    let after = start * least.exp();
+    let end = |(profile, sign): (Option<f64>, f64)| start * profile.unwrap_or(least + sign * quantile * deviation).exp();
+    let ends = [(profile[0], -1.0), (profile[1], 1.0)].map(end);
     FittedKey {
         key: problem.keys[k].path().to_owned(),
         unit: problem.keys[k].unit(),

@@ -25,6 +25,7 @@ mod mode;
 mod model;
 mod power;
 mod problem;
+mod profile;
 mod reading;
 mod response;
 mod solve;

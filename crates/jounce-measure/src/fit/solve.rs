@@ -42,7 +42,8 @@ pub(super) struct Minimum {
 /// cannot tell, the wish to stop.
 ///
 /// # Limits
-/// Covariance is that of the model linearised at the minimum. Modes are matched by their number: where two may change places, free less.
+/// Covariance, and with it intervals of predictions, are those of the model linearised at the minimum; intervals of the keys are not (see
+/// the module `profile`). Modes are matched by their number: where two may change places, free less.
 ///
 /// # Source
 /// D. MacKay, Bayesian interpolation, Neural Computation 4 (1992) 415, for deviations from residuals.

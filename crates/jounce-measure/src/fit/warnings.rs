@@ -11,12 +11,12 @@ const LEARNT: f64 = 0.8;
 /// Two keys correlated beyond this cannot be told apart.
 const APART: f64 = 0.95;
 
-/// One sentence for each thing that the features cannot tell.
+/// One sentence for each thing that the features cannot tell; `linear` names the keys whose interval could not be followed.
 pub(super) fn warnings(
     problem: &Problem<'_>,
     minimum: &Minimum,
     deviation: &[f64],
-    correlation: &[Vec<f64>],
+    (correlation, linear): (&[Vec<f64>], &[&str]),
     chi_square: f64,
 ) -> Vec<String> {
     let (count, features) = (problem.keys.len(), problem.asked.measured.len());
@@ -40,6 +40,9 @@ pub(super) fn warnings(
         for other in (0..k).filter(|other| correlation[k][*other].abs() > APART) {
             found.push(format!("{} and {} cannot be told apart: correlation {:.3}", path(other), path(k), correlation[k][other]));
         }
+    }
+    for key in linear {
+        found.push(format!("the model cannot be followed to both ends of the interval of {key}: it is that of the linearised model there"));
     }
     for (group, freedom) in problem.asked.groups.iter().zip(&minimum.freedom).filter_map(|(group, freedom)| Some((group, (*freedom)?))) {
         if freedom < 3.0 {

@@ -67,9 +67,13 @@ pub fn identify_decays(decays: &Decays, between_hz: (f64, f64), settings: Settin
     let deviation = cut(&deviations(&mean, &blocks), lines);
     let between = (warp.there(between_hz.0), warp.there(between_hz.1));
     let band = |response: &[Vec<c64>]| Band::new(&warped_hz, &cut(response, lines), &deviation, references, Motion::Displacement, between);
-    let mut found = refined(&band(&mean)?, diagram, &start)?;
+    let unwarped = |fault| match fault {
+        ModalError::NoMode { .. } => ModalError::NoMode { low_hz: between_hz.0, high_hz: between_hz.1 },
+        other => other,
+    };
+    let mut found = refined(&band(&mean)?, diagram, &start).map_err(unwarped)?;
     if !blocks.is_empty() {
-        leave_out(&mut found.modes, &mean, &blocks, band)?;
+        leave_out(&mut found.modes, &mean, &blocks, band).map_err(unwarped)?;
     }
     warp.back(&mut found);
     found.modes.iter_mut().for_each(|mode| mode.residue = strongest(&mode.residue, decays.references.len()));
@@ -205,6 +209,16 @@ mod tests {
         let share = inside as f64 / f64::from(all);
         eprintln!("{share} inside");
         assert!((0.90..=0.99).contains(&share), "{share}");
+    }
+
+    /// The band of the message is the one asked for, not the warped one.
+    #[test]
+    fn noise_has_no_modes_in_the_band_that_was_asked_for() {
+        let mut stream = Stream::new(4, 0);
+        let noise: Vec<f64> = (0..4000).flat_map(|_| stream.normal_pair()).collect();
+        let decays = Decays::ambient(&recording(vec![noise]), &AmbientSettings::default()).unwrap();
+        let told = identify_decays(&decays, (5.0, 500.0), Settings { order: 20 }).unwrap_err();
+        assert_eq!(told, ModalError::NoMode { low_hz: 5.0, high_hz: HIGHEST * RATE });
     }
 
     /// Three modes under white noise forces, exact at the samples: `q_k+1 = exp(p T) q_k + (complex white noise)`.

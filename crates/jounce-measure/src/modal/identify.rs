@@ -51,6 +51,11 @@ impl Mode {
         self.residue.iter().map(|residue| residue / largest).collect()
     }
 
+    /// True where the interval of its damping ratio reaches down to 0: noise makes such poles, and it may be no mode.
+    pub fn is_doubtful(&self) -> bool {
+        self.damping_ratio <= Self::QUANTILE_95 * self.damping_deviation
+    }
+
     /// Takes off the damping that an exponential window added, in 1/s. The window moves the pole by its decay, along the real axis.
     pub fn without_decay(&mut self, decay_per_s: f64) {
         let w = TAU * self.frequency_hz;

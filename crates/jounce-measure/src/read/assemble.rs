@@ -15,6 +15,7 @@ const SAME_RATE: f64 = 1e-3;
 
 /// The recording of a data set.
 pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) -> Result<Surveyed, ReadError> {
+    raw.columns = paired(raw.columns);
     let columns: Vec<String> = raw.columns.iter().map(|column| column.name.clone()).collect();
     let said: Vec<ChannelNotes> = columns.iter().enumerate().map(|(k, name)| notes.of(name, k + 1)).collect();
     check_notes(path, notes, &columns)?;
@@ -38,6 +39,25 @@ pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) 
         channel.sizes = sizes;
     }
     Ok(Surveyed { name, over: raw.over, places, channels, findings })
+}
+
+/// A column `NAME.im` behind `NAME.re` in the same unit holds its imaginary parts: so are complex channels written.
+fn paired(columns: Vec<Column>) -> Vec<Column> {
+    let mut paired: Vec<Column> = Vec::new();
+    for column in columns {
+        let is_real = |before: &&mut Column| {
+            let stems = before.name.strip_suffix(".re").zip(column.name.strip_suffix(".im"));
+            stems.is_some_and(|(re, im)| re == im) && before.unit == column.unit && before.imaginary.is_none() && column.imaginary.is_none()
+        };
+        match paired.last_mut().filter(is_real) {
+            Some(real) => {
+                real.name.truncate(real.name.len() - ".re".len());
+                real.imaginary = Some(column.values);
+            }
+            None => paired.push(column),
+        }
+    }
+    paired
 }
 
 /// Notes that name a column that is not there say so.
@@ -122,7 +142,7 @@ fn places(
 fn seconds(column: &mut Column, over: Over, findings: &mut Vec<Finding>) -> Numbers {
     let due = if over == Over::Time { Quantity::Time } else { Quantity::Frequency };
     let unit = Unit::read(&column.unit).filter(|unit| unit.quantity == due);
-    let factor = unit.map_or(1.0, |unit| unit.factor);
+    let factor = unit.as_ref().map_or(1.0, |unit| unit.factor);
     let si = if over == Over::Time { "s" } else { "Hz" };
     if unit.is_none() {
         let about = format!("the stamps tell no unit that is known; {si} is assumed");
@@ -149,15 +169,15 @@ pub(super) fn settled(mut column: Column, said: ChannelNotes, findings: &mut Vec
         findings.push(noticed(FindingKind::NonAsciiUnit, 1, format!("the unit {told:?} holds characters outside ASCII")));
     }
     let unit = Unit::read(&told);
-    let factor = scale * unit.map_or(1.0, |unit| unit.factor);
-    if let Some(unit) = unit.filter(Unit::converts) {
+    let factor = scale * unit.as_ref().map_or(1.0, |unit| unit.factor);
+    if let Some(unit) = unit.as_ref().filter(|unit| unit.converts()) {
         let about = format!("values in {told} times {} are {}", unit.factor, unit.si);
         findings.push(noticed(FindingKind::Converted, column.values.count(), about));
     }
     if unit.is_none() && !told.trim().is_empty() && told.trim() != "NONE" {
         findings.push(noticed(FindingKind::UnknownUnit, 1, format!("the unit {told:?} is not known; values are as in the file")));
     }
-    let (quantity, unit) = unit.map_or((Quantity::Unknown, told.clone()), |unit| (unit.quantity, unit.si.to_owned()));
+    let (quantity, unit) = unit.map_or((Quantity::Unknown, told.clone()), |unit| (unit.quantity, unit.si.into_owned()));
     let Column { mut values, mut imaginary, .. } = column;
     values.scale(factor);
     imaginary.iter_mut().for_each(|numbers| numbers.scale(factor));

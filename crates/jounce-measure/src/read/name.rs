@@ -30,11 +30,10 @@ const ENDINGS: [(&str, &str); 20] = [
 pub(super) fn split(head: &str) -> (String, String) {
     let head = head.trim().trim_matches('"').trim();
     for (open, close) in [('[', ']'), ('(', ')')] {
-        if let Some(inside) = head.strip_suffix(close).and_then(|rest| rest.rsplit_once(open)) {
+        if let Some((name, unit)) = bracketed(head, open, close) {
             // Brackets with something else inside belong to the name.
-            let unit = inside.1.trim();
-            if !inside.0.trim().is_empty() && (open == '[' || Unit::read(unit).is_some()) {
-                return (inside.0.trim().to_owned(), unit.to_owned());
+            if !name.is_empty() && (open == '[' || Unit::read(unit).is_some()) {
+                return (name.to_owned(), unit.to_owned());
             }
         }
     }
@@ -44,6 +43,18 @@ pub(super) fn split(head: &str) -> (String, String) {
     let small = head.to_ascii_lowercase();
     let ending = ENDINGS.iter().find(|(ending, _)| small.ends_with(ending) && small.len() > ending.len());
     (head.to_owned(), ending.map_or(String::new(), |(_, unit)| (*unit).to_owned()))
+}
+
+/// What stands before a bracket that closes at the end, and what stands in it, further brackets included.
+fn bracketed(head: &str, open: char, close: char) -> Option<(&str, &str)> {
+    let inside = head.strip_suffix(close)?;
+    let mut depth = 0;
+    let opens = |(_, c): &(usize, char)| {
+        depth += i32::from(*c == close) - i32::from(*c == open);
+        depth < 0
+    };
+    let (at, _) = inside.char_indices().rev().find(opens)?;
+    Some((inside[..at].trim(), inside[at + open.len_utf8()..].trim()))
 }
 
 /// True for names of a time.
@@ -70,6 +81,10 @@ mod tests {
             ("Force (lbf)", "Force", "lbf"),
             ("Force (left)", "Force (left)", ""),
             ("tip, g", "tip", "g"),
+            ("H (m/s^2/N)", "H", "m/s^2/N"),
+            ("H ((m/s^2)/N)", "H", "(m/s^2)/N"),
+            ("S [(m/s^2)^2/Hz]", "S", "(m/s^2)^2/Hz"),
+            ("(N)", "(N)", ""),
             ("ax_m_s2", "ax_m_s2", "m/s^2"),
             ("timestamp_ms", "timestamp_ms", "ms"),
             ("accel_x", "accel_x", ""),

@@ -1,7 +1,7 @@
 //! What a format's reader finds, before names, units and time are settled.
 
 use super::numbers::Numbers;
-use crate::recording::{Finding, FindingKind, Over, Place, Series};
+use crate::recording::{Finding, FindingKind, Over, Place, Series, unbracketed};
 
 /// Columns of equal length as they stand in a file.
 #[derive(Debug)]
@@ -80,7 +80,8 @@ impl Column {
     pub(super) fn made_linear(&mut self) -> Finding {
         self.values.made_linear();
         let unit = self.unit.trim().trim_start_matches(['d', 'D', 'b', 'B']).trim();
-        let unit = unit.trim_start_matches("re").trim().trim_start_matches("1 ").trim_matches(['(', ')', '[', ']']).to_owned();
+        let unit = unit.trim_start_matches("re").trim().trim_start_matches("1 ");
+        let unit = unbracketed(unit).to_owned();
         let about =
             format!("levels in decibels became amplitudes 10^(L/20) in {}", if unit.is_empty() { "an unknown unit" } else { &unit });
         self.unit = unit;

@@ -96,7 +96,7 @@ impl Surveyed {
 
     /// What each channel is chosen by: see [`crate::recording::chosen`].
     pub fn heads(&self) -> Vec<Head<'_>> {
-        self.channels.iter().map(|channel| Head { name: &channel.name, quantity: channel.quantity, unit: &channel.unit }).collect()
+        self.channels.iter().map(SurveyedChannel::head).collect()
     }
 
     /// The recording with the numbers of some channels in memory and without the others. Channels are numbered from 0 and come in the order asked
@@ -135,6 +135,11 @@ impl Surveyed {
 }
 
 impl SurveyedChannel {
+    /// What it is chosen by.
+    pub fn head(&self) -> Head<'_> {
+        Head { name: &self.name, quantity: self.quantity, unit: &self.unit }
+    }
+
     pub(super) fn into_channel(self) -> io::Result<Channel> {
         let mut channel = Channel::new(&self.name, self.quantity, &self.unit, self.values.into_vec()?);
         channel.imaginary = self.imaginary.map(Numbers::into_vec).transpose()?;

@@ -1,6 +1,6 @@
 //! One channel.
 
-use super::Quantity;
+use super::{Head, Quantity};
 
 /// Samples of one quantity at one place.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,5 +33,10 @@ impl Channel {
             values,
             imaginary: None,
         }
+    }
+
+    /// What it is chosen by.
+    pub fn head(&self) -> Head<'_> {
+        Head { name: &self.name, quantity: self.quantity, unit: &self.unit }
     }
 }

@@ -1,6 +1,6 @@
 //! The channel that a question is about.
 
-use super::{Channel, NoChannel, Quantity, Recording};
+use super::{Channel, Finding, FindingKind, NoChannel, Quantity, Recording};
 
 /// A channel that cannot be chosen.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -41,6 +41,25 @@ pub struct Head<'a> {
     pub unit: &'a str,
 }
 
+impl Head<'_> {
+    /// True where it tells a unit, known or not.
+    pub fn tells_unit(&self) -> bool {
+        !matches!(self.unit.trim(), "" | "NONE")
+    }
+
+    /// True where it measures a quantity, or may do so since it tells no unit at all.
+    pub fn may_be(&self, quantity: Quantity) -> bool {
+        self.quantity == quantity || self.quantity == Quantity::Unknown && !self.tells_unit()
+    }
+
+    /// What is assumed where it is taken for a quantity without telling a unit.
+    pub fn assumed(&self, quantity: Quantity) -> Option<Finding> {
+        let about = || format!("no unit is told; {} is assumed", quantity.si_unit());
+        let silent = self.quantity == Quantity::Unknown && !self.tells_unit();
+        silent.then(|| Finding::new(FindingKind::Assumed, 1, None, about()).of(self.name))
+    }
+}
+
 /// The number from 0 of the channel of a name, or of a number from 1.
 ///
 /// # Errors
@@ -68,7 +87,7 @@ pub fn chosen(recording: &str, heads: &[Head<'_>], wanted: Option<&str>, quantit
         None => of_quantity().or_else(only).ok_or_else(unnamed)?,
     };
     let head = heads[number];
-    if head.quantity == quantity || head.quantity == Quantity::Unknown {
+    if head.may_be(quantity) {
         return Ok(number);
     }
     Err(ChannelError::Unit { channel: head.name.to_owned(), unit: head.unit.to_owned(), recording: recording.to_owned() })
@@ -90,7 +109,7 @@ impl Recording {
 
     /// What each channel is chosen by.
     pub(super) fn heads(&self) -> Vec<Head<'_>> {
-        self.channels.iter().map(|channel| Head { name: &channel.name, quantity: channel.quantity, unit: &channel.unit }).collect()
+        self.channels.iter().map(Channel::head).collect()
     }
 
     /// The error of a question that does not name its channel.
@@ -120,6 +139,11 @@ mod tests {
         assert!(matches!(two.choose(Some("b"), Quantity::Voltage), Err(ChannelError::Missing(_))));
         let told = two.choose(None, Quantity::Force).unwrap_err().to_string();
         assert_eq!(told, "name the channel; r has a, v");
-        assert_eq!(recording(&[("x", Quantity::Unknown, "")]).choose(None, Quantity::Force).unwrap().name, "x");
+        let untold = recording(&[("x", Quantity::Unknown, "")]);
+        let chosen = untold.choose(None, Quantity::Force).unwrap();
+        assert_eq!(chosen.head().assumed(Quantity::Force).unwrap().to_string(), "x: no unit is told; N is assumed");
+        let odd = recording(&[("x", Quantity::Unknown, "furlong")]);
+        assert!(matches!(odd.choose(None, Quantity::Force), Err(ChannelError::Unit { .. })));
+        assert_eq!(two.channels[1].head().assumed(Quantity::Voltage), None);
     }
 }

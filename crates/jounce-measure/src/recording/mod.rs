@@ -24,3 +24,4 @@ pub use recorded::{NoChannel, Recording};
 pub use series::{PIECE, Series};
 pub(crate) use stamps::{Stamped, usual_step};
 pub use unit::Unit;
+pub(crate) use unit::unbracketed;

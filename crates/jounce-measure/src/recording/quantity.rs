@@ -33,3 +33,22 @@ pub enum Quantity {
     /// Not told: the values are as they stand in the file
     Unknown,
 }
+
+impl Quantity {
+    /// The SI unit of its values; empty where it has none of its own.
+    pub fn si_unit(self) -> &'static str {
+        match self {
+            Self::Acceleration => "m/s^2",
+            Self::Velocity => "m/s",
+            Self::Displacement => "m",
+            Self::Force => "N",
+            Self::Voltage => "V",
+            Self::Pressure => "Pa",
+            Self::Time => "s",
+            Self::Frequency => "Hz",
+            Self::AccelerationPsd => "(m/s^2)^2/Hz",
+            Self::ForcePsd => "N^2/Hz",
+            Self::Response | Self::Number | Self::Unknown => "",
+        }
+    }
+}

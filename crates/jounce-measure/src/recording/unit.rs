@@ -3,17 +3,19 @@
 //! The grammar of units is that of the specs ([`jounce::spec::Quantity`]); this file adds the spellings and the customary units that
 //! recordings bring.
 
+use std::borrow::Cow;
+
 use jounce::spec::Quantity as Spec;
 
 use super::Quantity;
 
 /// A unit that was understood.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Unit {
     /// What it measures.
     pub quantity: Quantity,
     /// The SI unit that values get.
-    pub si: &'static str,
+    pub si: Cow<'static, str>,
     /// A value times this is in SI.
     pub factor: f64,
 }
@@ -60,19 +62,51 @@ const WORDS: [(&str, &str); 12] = [
     ("m/sec^2", "m/s^2"),
 ];
 
+/// What may stand above and below the line of a response.
+const PARTS: [Quantity; 6] =
+    [Quantity::Acceleration, Quantity::Velocity, Quantity::Displacement, Quantity::Force, Quantity::Voltage, Quantity::Pressure];
+
 impl Unit {
-    /// The unit of a text as instruments write it (`m/s2`, `m/s²`, `Pounds`, `[g]`, `cm/s/s`); none where it is not known.
+    /// The unit of a text as instruments write it (`m/s2`, `m/s²`, `Pounds`, `[g]`, `cm/s/s`, `g/N`); none where it is not known.
     pub fn read(text: &str) -> Option<Self> {
+        Self::plain(text).or_else(|| {
+            let (above, below) = Self::quotient(text)?;
+            // What is below the line takes brackets where it is a quotient itself.
+            let si = if below.si.contains('/') { format!("{}/({})", above.si, below.si) } else { format!("{}/{}", above.si, below.si) };
+            Some(Self { quantity: Quantity::Response, si: si.into(), factor: above.factor / below.factor })
+        })
+    }
+
+    /// What stands above the line in the unit of a response: an acceleration in `m/s^2/N`.
+    pub fn responds(text: &str) -> Option<Quantity> {
+        Self::quotient(text).map(|(above, _)| above.quantity)
+    }
+
+    /// The unit of one quantity.
+    fn plain(text: &str) -> Option<Self> {
         let plain = spelled(text);
         let small = plain.to_lowercase();
         if let Some((_, quantity, si, factor)) = CUSTOMARY.iter().find(|(names, ..)| names.contains(&small.as_str())) {
-            return Some(Self { quantity: *quantity, si, factor: *factor });
+            return Some(Self { quantity: *quantity, si: (*si).into(), factor: *factor });
         }
         let known = |(quantity, spec, si): &(Quantity, Spec, &'static str)| {
             let factor = spec.read(&format!("1 {plain}")).ok()?;
-            Some(Self { quantity: *quantity, si, factor })
+            Some(Self { quantity: *quantity, si: (*si).into(), factor })
         };
         KNOWN.iter().find_map(known)
+    }
+
+    /// The units above and below the line: `A/B`, the last line that has one on each side, or `(1/B)*(A)`, as some analysers write it.
+    fn quotient(text: &str) -> Option<(Self, Self)> {
+        let bare = unbracketed(text);
+        let part = |text: &str| Self::plain(text).filter(|unit| PARTS.contains(&unit.quantity));
+        let inverse = |text: &str| part(unbracketed(text).strip_prefix("1/")?);
+        let product = |(at, sign): (usize, &str)| {
+            let (left, right) = (&bare[..at], &bare[at + sign.len()..]);
+            part(left).zip(inverse(right)).or_else(|| part(right).zip(inverse(left)))
+        };
+        let divided = || bare.rmatch_indices('/').find_map(|(at, _)| Some((part(&bare[..at])?, part(&bare[at + 1..])?)));
+        divided().or_else(|| bare.match_indices(['*', '\u{b7}']).find_map(product))
     }
 
     /// True where values change by the conversion, or the unit is no SI.
@@ -81,10 +115,25 @@ impl Unit {
     }
 }
 
-/// The text without brackets and with plain powers.
+/// The text without the brackets around all of it.
+pub(crate) fn unbracketed(text: &str) -> &str {
+    let bare = text.trim();
+    let inside = [('[', ']'), ('(', ')')].iter().find_map(|(open, close)| {
+        let inside = bare.strip_prefix(*open)?.strip_suffix(*close)?;
+        // In `(m/s)/(N)` the first bracket closes before the end.
+        let mut depth = 0;
+        let closes = |c: char| {
+            depth += i32::from(c == *open) - i32::from(c == *close);
+            depth < 0
+        };
+        (!inside.chars().any(closes)).then_some(inside)
+    });
+    inside.map_or(bare, unbracketed)
+}
+
+/// The text without brackets around it and with plain powers.
 fn spelled(text: &str) -> String {
-    let bare = text.trim().trim_matches(|c| matches!(c, '[' | ']' | '(' | ')')).trim();
-    let mut plain = bare.replace('\u{b2}', "^2").replace("**", "^").replace('\u{b7}', " ");
+    let mut plain = unbracketed(text).replace('\u{b2}', "^2").replace("**", "^").replace('\u{b7}', " ");
     if let Some((_, symbol)) = WORDS.iter().find(|(word, _)| *word == plain.to_lowercase()) {
         return (*symbol).to_owned();
     }
@@ -126,6 +175,8 @@ mod tests {
             ("um", Quantity::Displacement, 1e-6),
             ("inch", Quantity::Displacement, 0.0254),
             ("psi", Quantity::Pressure, 6_894.757_293_168),
+            ("(m/s^2)^2/Hz", Quantity::AccelerationPsd, 1.0),
+            ("[(m/s^2)^2/Hz]", Quantity::AccelerationPsd, 1.0),
         ];
         for (text, quantity, factor) in cases {
             let unit = Unit::read(text).unwrap_or_else(|| panic!("{text} is not understood"));
@@ -134,9 +185,43 @@ mod tests {
         }
     }
 
+    /// The quotient of two factors of NIST SP 811, appendix B.8, and what stands above the line.
+    #[test]
+    fn units_of_responses_are_understood_and_their_si_unit_reads_back() {
+        let cases = [
+            ("m/s^2/N", "m/s^2/N", Quantity::Acceleration, 1.0),
+            ("(m/s^2)/N", "m/s^2/N", Quantity::Acceleration, 1.0),
+            ("[m/s2/N]", "m/s^2/N", Quantity::Acceleration, 1.0),
+            ("((m/s\u{b2})/(N))", "m/s^2/N", Quantity::Acceleration, 1.0),
+            ("(1/N)*(m/s\u{b2})", "m/s^2/N", Quantity::Acceleration, 1.0),
+            ("g*(1/lbf)", "m/s^2/N", Quantity::Acceleration, 9.80665 / 4.448_221_615_260_5),
+            ("m/s/s/N", "m/s^2/N", Quantity::Acceleration, 1.0),
+            ("g/N", "m/s^2/N", Quantity::Acceleration, 9.80665),
+            ("g/lbf", "m/s^2/N", Quantity::Acceleration, 9.80665 / 4.448_221_615_260_5),
+            ("m/s/N", "m/s/N", Quantity::Velocity, 1.0),
+            ("in/s/lbf", "m/s/N", Quantity::Velocity, 0.0254 / 4.448_221_615_260_5),
+            ("m/N", "m/N", Quantity::Displacement, 1.0),
+            ("um/mN", "m/N", Quantity::Displacement, 1e-3),
+            ("V/N", "V/N", Quantity::Voltage, 1.0),
+            ("Volts/Newton", "V/N", Quantity::Voltage, 1.0),
+            ("mV/g", "V/(m/s^2)", Quantity::Voltage, 1e-3 / 9.80665),
+            ("V/(m/s^2)", "V/(m/s^2)", Quantity::Voltage, 1.0),
+            ("g/g", "m/s^2/(m/s^2)", Quantity::Acceleration, 1.0),
+            ("Pa/V", "Pa/V", Quantity::Pressure, 1.0),
+        ];
+        for (text, si, above, factor) in cases {
+            let unit = Unit::read(text).unwrap_or_else(|| panic!("{text} is not understood"));
+            assert_eq!((unit.quantity, unit.si.as_ref(), Unit::responds(text)), (Quantity::Response, si, Some(above)), "{text}");
+            assert!((unit.factor / factor - 1.0).abs() < 1e-15, "{text}: {}", unit.factor);
+            assert_eq!(Unit::read(si), Some(Unit { factor: 1.0, ..unit.clone() }), "{text}");
+            assert_eq!(Unit::responds(si), Some(above), "{text}");
+        }
+        assert_eq!(Unit::responds("m/s^2"), None);
+    }
+
     #[test]
     fn what_is_no_unit_is_none() {
-        for text in ["", "counts", "LSB", "NONE", "-1", "1e5", "\u{fffd}"] {
+        for text in ["", "counts", "LSB", "NONE", "-1", "1e5", "\u{fffd}", "/N", "m//N", "counts/N", "V/s", "m/s^2/", ")(", "(N"] {
             assert_eq!(Unit::read(text), None, "{text}");
         }
     }

@@ -16,7 +16,7 @@ use realfft::num_complex::Complex;
 
 use super::ResponseError;
 use crate::recording::{Finding, Over, Recording};
-use crate::spectral::SpectralError;
+use crate::spectral::{SpectralError, signal};
 
 /// Decays of outputs, one for each record or for each reference.
 #[derive(Debug, Clone, PartialEq)]
@@ -190,7 +190,7 @@ fn named(recording: &Recording, wanted: &[String]) -> Result<Vec<String>, Respon
 }
 
 fn channels<'r>(recording: &'r Recording, names: &[String]) -> Result<Vec<&'r [f64]>, ResponseError> {
-    names.iter().map(|name| Ok(&recording.channel(name)?.values[..])).collect()
+    names.iter().map(|name| Ok(signal(recording.channel(name)?, recording.rate())?.values())).collect()
 }
 
 fn findings(records: &[Recording]) -> Vec<Finding> {

@@ -1,6 +1,6 @@
 //! Why recordings give no frequency response.
 
-use crate::recording::{NoChannel, Quantity};
+use crate::recording::NoChannel;
 use crate::spectral::SpectralError;
 
 /// Recordings that give no frequency response.
@@ -19,15 +19,15 @@ pub enum ResponseError {
     },
     /// A force in another unit.
     #[error(
-        "channel {channel} of {recording} is a {quantity:?}, not a force; choose another one, or correct its unit in the notes beside it"
+        "channel {channel} of {recording} is in {unit}, not in newtons; choose another one, or correct its unit in the notes beside it"
     )]
     NotForce {
         /// The recording.
         recording: String,
         /// The channel.
         channel: String,
-        /// What it measures.
-        quantity: Quantity,
+        /// Its unit.
+        unit: String,
     },
     /// Nothing beside the force.
     #[error("{recording} holds no channel beside the force {force}")]

@@ -4,7 +4,7 @@ use jounce::signal::{Samples, SignalError};
 use realfft::num_complex::Complex;
 
 use super::ResponseError;
-use crate::recording::{Channel, Finding, Quantity, Recording};
+use crate::recording::{Channel, Finding, Quantity, Recording, Unit};
 use crate::spectral::{FrequencyResponse, ImpactHit, ImpactRecord, ImpactSettings, SpectralError, impact};
 
 /// Which channels are what.
@@ -65,7 +65,11 @@ impl Responses {
             hits: answer.hits,
             block_s: Some(answer.block_s),
             window_decay_per_s: answer.window_decay_per_s,
-            findings: records.iter().flat_map(|recording| recording.findings.clone()).collect(),
+            findings: records
+                .iter()
+                .flat_map(|recording| recording.findings.clone())
+                .chain(hammer.head().assumed(Quantity::Force))
+                .collect(),
         })
     }
 
@@ -97,7 +101,7 @@ impl Responses {
                 let coherence = vec![1.0; frequency_hz.len()];
                 found.names.push(channel.name.clone());
                 found.units.push(channel.unit.clone());
-                found.quantities.push(channel.quantity);
+                found.quantities.push(Unit::responds(&channel.unit).unwrap_or(channel.quantity));
                 found.functions.push(FrequencyResponse { frequency_hz: frequency_hz.clone(), value, coherence, blocks: 1 });
             }
         }
@@ -116,10 +120,10 @@ fn force<'a>(recording: &'a Recording, chosen: &Chosen) -> Result<&'a Channel, R
         return Err(ResponseError::NoForce { recording: recording.name.clone(), channels });
     };
     // A channel that tells no unit may be the force; one that tells another is not.
-    match found.quantity {
-        Quantity::Force | Quantity::Unknown => Ok(found),
-        quantity => Err(ResponseError::NotForce { recording: recording.name.clone(), channel: found.name.clone(), quantity }),
+    if found.head().may_be(Quantity::Force) {
+        return Ok(found);
     }
+    Err(ResponseError::NotForce { recording: recording.name.clone(), channel: found.name.clone(), unit: found.unit.clone() })
 }
 
 fn impact_record<'a>(recording: &'a Recording, chosen: &Chosen, names: &[String]) -> Result<ImpactRecord<'a>, ResponseError> {

@@ -19,6 +19,15 @@ pub struct Density {
     pub mean: f64,
 }
 
+/// The unit of a density of what has a unit: `V^2/Hz`, `(m/s^2)^2/Hz`, `1/Hz`.
+pub fn density_unit(unit: &str) -> String {
+    match unit {
+        "" => "1/Hz".to_owned(),
+        unit if unit.chars().all(char::is_alphabetic) => format!("{unit}^2/Hz"),
+        unit => format!("({unit})^2/Hz"),
+    }
+}
+
 impl Density {
     /// `S(f_k) = c_k / (r sum w^2) mean |X_k|^2`, `c_k = 2` but 1 at zero and half the rate; the record's mean is taken away first.
     ///
@@ -103,6 +112,13 @@ mod tests {
         let errors: Vec<f64> = (4..250).map(|k| density.density[k] / exact(density.frequency_hz[k]) - 1.0).collect();
         let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
         assert!(rms < 0.05, "{rms}");
+    }
+
+    #[test]
+    fn units_of_densities_have_brackets_where_they_need_them() {
+        for (unit, density) in [("V", "V^2/Hz"), ("m/s^2", "(m/s^2)^2/Hz"), ("", "1/Hz")] {
+            assert_eq!(density_unit(unit), density);
+        }
     }
 
     #[test]

@@ -8,6 +8,16 @@ pub enum SpectralError {
     /// The samples are no signal.
     #[error(transparent)]
     Signal(#[from] SignalError),
+    /// A channel that never moves.
+    #[error("all {samples} samples of {channel} are {value}: there is no signal; is it the right channel, and was its sensor connected?")]
+    Constant {
+        /// The channel.
+        channel: String,
+        /// Its samples.
+        samples: usize,
+        /// What they all are.
+        value: f64,
+    },
     /// A segment that does not fit.
     #[error("segments of {segment} samples cannot be cut from {samples}; give a length of 8 to {samples} samples")]
     Segment {

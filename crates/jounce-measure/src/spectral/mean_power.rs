@@ -44,30 +44,27 @@ const SIGNIFICANT: f64 = 1.645;
 pub fn mean_power(voltage: &Samples<'_>, resistance_ohm: f64, remove_mean: bool) -> Result<MeanPower, SpectralError> {
     let mean_voltage_v = voltage.mean();
     let offset = if remove_mean { mean_voltage_v } else { 0.0 };
-    let power: Vec<f64> = voltage.values().iter().map(|v| (v - offset).powi(2) / resistance_ohm).collect();
-    batched(&power).map(|found| MeanPower { mean_voltage_v, ..found })
-}
-
-/// The mean of a record of power with its interval.
-fn batched(power_w: &[f64]) -> Result<MeanPower, SpectralError> {
-    let short = SpectralError::Short { samples: power_w.len(), needed: BATCHES[0].0 * BATCH_SAMPLES };
-    if power_w.len() < BATCHES[0].0 * BATCH_SAMPLES {
+    let samples = voltage.values();
+    let short = SpectralError::Short { samples: samples.len(), needed: BATCHES[0].0 * BATCH_SAMPLES };
+    if samples.len() < BATCHES[0].0 * BATCH_SAMPLES {
         return Err(short);
     }
+    let power_w = |part: &[f64]| part.iter().map(|v| (v - offset).powi(2) / resistance_ohm).sum::<f64>() / part.len() as f64;
+    let mean_power_w = power_w(samples);
     let of = |(batches, quantile): (usize, f64)| {
-        let edge = |k: usize| k * power_w.len() / batches;
-        let means: Vec<f64> = (0..batches).map(|k| mean(&power_w[edge(k)..edge(k + 1)])).collect();
+        let edge = |k: usize| k * samples.len() / batches;
+        let means: Vec<f64> = (0..batches).map(|k| power_w(&samples[edge(k)..edge(k + 1)])).collect();
         let (middle, count) = (mean(&means), batches as f64);
         let variance = means.iter().map(|x| (x - middle).powi(2)).sum::<f64>() / (count - 1.0);
         let batch_correlation = correlation(&means);
         MeanPower {
-            mean_power_w: mean(power_w),
+            mean_power_w,
             half_width_w: quantile * (variance / count).sqrt(),
             batches,
             batch_correlation,
             // Means that differ by roundoff only are those of a periodic record: their correlation says nothing.
             correlated: batch_correlation > SIGNIFICANT / count.sqrt() && variance > (ROUNDOFF * middle).powi(2),
-            mean_voltage_v: 0.0,
+            mean_voltage_v,
         }
     };
     let tried = BATCHES.map(of);

@@ -1,8 +1,8 @@
-//! What a channel shows over frequency: its density, how that changes in time, and the lines of its drive.
+//! What a channel shows over frequency: its density, and the lines of its drive.
 
 use jounce::signal::{OrderLine, Samples, Window};
 
-use super::{Density, Segments, SpectralError, Spectrogram, spectrogram};
+use super::{Density, Segments, SpectralError};
 
 /// Multiples of the drive whose amplitudes are told.
 const ORDERS: [f64; 10] = [1.0 / 3.0, 0.5, 2.0 / 3.0, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0];
@@ -27,17 +27,17 @@ pub struct SpectraSettings {
 }
 
 /// The spectra of a record.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Spectra {
     /// One-sided power spectral density.
     pub density: Density,
-    /// Amplitudes of each segment.
-    pub spectrogram: Spectrogram,
+    /// What it was averaged over; [`super::spectrogram`] of them holds as many numbers as the record, and more where they overlap.
+    pub segments: Segments,
     /// Amplitudes at the multiples of the drive below half the sample rate.
     pub orders: Vec<OrderLine>,
 }
 
-/// Density, spectrogram and order lines of a record from the same segments.
+/// Density and order lines of a record, and the segments that suit it.
 ///
 /// # Errors
 /// A segment that does not fit the record, an overlap out of its range, a record too short to tell the lines of the drive apart.
@@ -54,7 +54,7 @@ pub fn spectra(samples: &Samples<'_>, settings: &SpectraSettings) -> Result<Spec
             samples.orders(drive_hz, &inside)?.lines
         }
     };
-    Ok(Spectra { density: Density::welch(samples, &segments)?, spectrogram: spectrogram(samples, &segments)?, orders })
+    Ok(Spectra { density: Density::welch(samples, &segments)?, segments, orders })
 }
 
 #[cfg(test)]
@@ -75,14 +75,14 @@ mod tests {
         let values: Vec<f64> = (0..20_000).map(value).collect();
         let samples = Samples::new(&values, 1000.0).unwrap();
         let found = spectra(&samples, &SpectraSettings { drive_hz: Some(12.0), ..settings() }).unwrap();
-        assert_eq!((found.spectrogram.segment_s, found.spectrogram.step_s), (2.0, 1.0));
+        assert_eq!((found.segments.length(), found.segments.step()), (2000, 1000));
         for line in &found.orders {
             let exact = if line.order == 1.0 { 2.0 } else { f64::from(u8::from(line.order == 0.5)) };
             assert!((line.amplitude_peak - exact).abs() < 1e-9, "{line:?}");
         }
         assert!((found.density.variance_between(0.0, 500.0) - 2.5).abs() < 0.01);
         let undriven = spectra(&samples, &settings()).unwrap();
-        assert!(undriven.orders.is_empty() && undriven.spectrogram.segment_s == 0.624);
+        assert!(undriven.orders.is_empty() && undriven.segments.length() == 624);
     }
 
     #[test]

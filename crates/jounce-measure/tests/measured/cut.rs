@@ -56,6 +56,30 @@ fn every_cut_is_survived() {
     }
 }
 
+/// Half a number is a number, and half a stamp lies before all others. Whatever a cut leaves of the last row, the rows that are whole are read, in
+/// order, and a cut inside a row is told.
+#[test]
+fn a_text_that_ends_inside_a_row_keeps_its_whole_rows() {
+    let (folder, whole) = (tempfile::tempdir().expect("a folder"), lvm());
+    let path = folder.path().join("a.lvm");
+    let data = whole.find("Comment\n").expect("heads") + 8;
+    let third = data + whole[data..].match_indices('\n').nth(2).expect("rows").0 + 1;
+    for end in third..whole.len() {
+        std::fs::write(&path, &whole[..end]).expect("a file");
+        let found = read::record(&path).unwrap_or_else(|fault| panic!("cut at {end}: {fault}"));
+        let last = whole[data..end].rsplit('\n').next().unwrap_or_default();
+        let rows = whole[data..end].matches('\n').count();
+        // Two delimiters with something behind them: whether more should follow cannot be seen.
+        let seems_whole = last.matches('\t').count() == 2 && !last.ends_with(['\t', '-', '.']);
+        let (least, most) = (rows, rows + usize::from(last.matches('\t').count() == 2));
+        let count = found.channels[0].values.len();
+        assert!((least..=most).contains(&count) && (!seems_whole || count == most), "cut at {end}: {count} of {rows}");
+        let cut = found.findings.iter().any(|finding| finding.about.contains("ends inside a row"));
+        assert_eq!(cut, !last.is_empty() && count == rows, "cut at {end}");
+        assert!((found.rate() - 800.0).abs() < 1e-6, "cut at {end}: {} Hz", found.rate());
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
 

@@ -1,9 +1,12 @@
 //! Every format: what is written is what is read.
 
 use super::samples::{lvm, mat, npy, record, response, uff58b};
+use jounce_measure::modal::{Band, Settings, identify};
 use jounce_measure::read::{self, Contents, ReadError};
 use jounce_measure::recording::{FindingKind, Grid, Over, Quantity, Recording};
+use jounce_measure::response::Responses;
 use jounce_measure::write::write;
+use std::f64::consts::TAU;
 
 fn read(name: &str, bytes: &[u8], notes: Option<&str>) -> Result<Contents, ReadError> {
     let folder = tempfile::tempdir().expect("a folder");
@@ -51,12 +54,46 @@ fn what_is_written_is_read_back() {
         assert!(matches!(found.grid, Grid::Even { count: 301, .. }), "{name}");
     }
     let written = response();
-    let read = again(&written, "b.uff");
-    assert_eq!(read.over, Over::Frequency);
-    assert!(differs(&written.channels[0].values, &read.channels[0].values) < 5.1e-13);
-    let imaginary = |recording: &Recording| recording.channels[0].imaginary.clone().unwrap_or_default();
-    assert!(differs(&imaginary(&written), &imaginary(&read)) < 5.1e-13);
-    assert_eq!(written.grid.places(), read.grid.places());
+    for (name, digits) in [("b.uff", 5.1e-13), ("b.parquet", 0.0), ("b.csv", 0.0)] {
+        let read = again(&written, name);
+        assert_eq!((read.over, read.channels.len()), (Over::Frequency, 1), "{name}");
+        assert!(differs(&written.channels[0].values, &read.channels[0].values) <= digits, "{name}");
+        let imaginary = |recording: &Recording| recording.channels[0].imaginary.clone().unwrap_or_default();
+        assert!(differs(&imaginary(&written), &imaginary(&read)) <= digits, "{name}");
+        assert_eq!(written.grid.places(), read.grid.places());
+        let channel = &read.channels[0];
+        assert_eq!(
+            (channel.name.as_str(), channel.quantity, channel.unit.as_str()),
+            ("accelerance", Quantity::Response, "m/s^2/N"),
+            "{name}"
+        );
+        assert!(!kinds(&read).contains(&FindingKind::UnknownUnit), "{name}");
+    }
+}
+
+/// What stands above the line tells how a response moves: `H(w) = 1 / (w0^2 - w^2 + 2 j zeta w0 w)` per newton as displacement, in millimetres
+/// per kilonewton, and as acceleration, `-w^2 H`, in g per pound-force, have one and the same mode. Taken for each other they would not.
+#[test]
+fn a_response_is_what_its_unit_says() {
+    let (w0, zeta) = (TAU * 20.0, 0.01);
+    for (unit, si, scale, acceleration) in [("mm/kN", "m/N", 1e6, false), ("(g)/(lbf)", "m/s^2/N", 4.448_221_615_260_5 / 9.80665, true)] {
+        let mut text = format!("frequency [Hz];H [{unit}]\n");
+        for k in 1..400 {
+            let w = TAU * 0.1 * f64::from(k);
+            let (a, b) = (w0 * w0 - w * w, 2.0 * zeta * w0 * w);
+            let size = scale * if acceleration { -w * w } else { 1.0 } / (a * a + b * b);
+            text.push_str(&format!("{};({:e}{:+e}j)\n", 0.1 * f64::from(k), a * size, -b * size));
+        }
+        let found = one("h.csv", text.as_bytes(), None);
+        assert_eq!((found.channels[0].quantity, found.channels[0].unit.as_str()), (Quantity::Response, si));
+        let responses = Responses::given(&[found]).expect("responses");
+        let band = Band::of(&responses, (10.0, 30.0)).expect("a band");
+        let modes = identify(&band, Settings { order: 10 }).expect("modes").modes;
+        assert_eq!(modes.len(), 1, "{unit}");
+        let (f, damping) = (modes[0].frequency_hz / 20.0 - 1.0, modes[0].damping_ratio / zeta - 1.0);
+        eprintln!("{unit}: frequency off by {f:.1e}, damping by {damping:.1e}");
+        assert!(f.abs() < 1e-9 && damping.abs() < 1e-7, "{unit}: {f:e} {damping:e}");
+    }
 }
 
 #[test]

@@ -1,8 +1,10 @@
 //! Real recordings beside the repository: what is in them and what is wrong with them. Skipped aloud where they are absent.
 
 use super::samples::real;
+use jounce_measure::modal::{Settings, identify_decays};
 use jounce_measure::read;
 use jounce_measure::recording::{FindingKind, Over, Recording};
+use jounce_measure::response::Decays;
 
 fn recording(file: &str) -> Option<Recording> {
     let contents = read::file(&real(file)?).unwrap_or_else(|fault| panic!("{fault}"));
@@ -53,6 +55,21 @@ fn the_spectrum_in_decibels_becomes_amplitudes_over_frequency() {
     let highest =
         (20..150_000).map(|k| (found.channels[0].values[k], found.grid.at(k))).filter(|(_, f)| *f < 8.0).max_by(|a, b| a.0.total_cmp(&b.0));
     assert!((highest.expect("lines").1 - 6.57).abs() < 0.05, "{highest:?}");
+}
+
+/// The three modes that its README notes, among all that a high order finds; the first lies within half a line, 0.0427 Hz. All others are told
+/// to be doubtful: noise beside the steep peaks makes them.
+#[test]
+fn doubt_leaves_the_three_modes_of_the_cantilever() {
+    let Some(found) = recording("hrshm_cantilever/impulse_FFT_data.lvm") else { return };
+    let decays = Decays::of_spectrum(&found, &[]).expect("amplitudes over even lines");
+    let modes = identify_decays(&decays, (3.0, 150.0), Settings { order: 40 }).expect("modes").modes;
+    let sure: Vec<f64> = modes.iter().filter(|mode| !mode.is_doubtful()).map(|mode| mode.frequency_hz).collect();
+    eprintln!("{sure:?} Hz of {}", modes.len());
+    assert!(sure.len() == 3 && modes.len() > 3, "{modes:?}");
+    for (hz, noted) in sure.iter().zip([6.57, 41.47, 117.93]) {
+        assert!((hz - noted).abs() < 0.0427, "{sure:?}");
+    }
 }
 
 /// The first 598 rows are zeros, and so are three columns throughout.

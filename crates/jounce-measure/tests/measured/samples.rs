@@ -20,7 +20,7 @@ pub fn record() -> Recording {
 /// A complex spectrum over stamped frequencies.
 pub fn response() -> Recording {
     let stamps: Vec<f64> = (0..50).map(|k| f64::from(k * k) * 0.5).collect();
-    let mut channel = Channel::new("accelerance", Quantity::Unknown, "m/s^2/N", stamps.iter().map(|f| 1.0 / (1.0 + f)).collect());
+    let mut channel = Channel::new("accelerance", Quantity::Response, "m/s^2/N", stamps.iter().map(|f| 1.0 / (1.0 + f)).collect());
     channel.imaginary = Some(stamps.iter().map(|f| -f / (1.0 + f)).collect());
     Recording { name: "response".into(), over: Over::Frequency, grid: Grid::Stamped(stamps), channels: vec![channel], findings: Vec::new() }
 }

@@ -25,6 +25,7 @@ pub fn identified<'py>(py: Python<'py>, outputs: &[String], functions: &[String]
         .each("frequency_deviation_hz", modes, |mode| mode.frequency_deviation_hz)?
         .each("damping_ratio", modes, |mode| mode.damping_ratio)?
         .each("damping_deviation", modes, |mode| mode.damping_deviation)?
+        .with("doubtful", modes.iter().map(Mode::is_doubtful).collect::<Vec<_>>())?
         .with("quantile_95", Mode::QUANTILE_95)?
         .with("response", outputs)?
         .with("function", functions)?

@@ -4,9 +4,9 @@ use super::recording::{Given, findings};
 use crate::arrays::Answer;
 use crate::branch::json;
 use crate::failure::Failure;
-use jounce::signal::{OrderLine, Samples, Window};
+use jounce::signal::{OrderLine, Window};
 use jounce_measure::recording::{Finding, Quantity};
-use jounce_measure::spectral::{MeanPower, mean_power};
+use jounce_measure::spectral::{MeanPower, mean_power, signal};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -37,11 +37,11 @@ pub fn measured_power<'py>(
     let record = given.even()?;
     let found = py.detach(|| {
         let voltage = record.choose(voltage.as_deref(), Quantity::Voltage)?;
-        let samples = Samples::new(&voltage.values, record.rate())?;
+        let samples = signal(voltage, record.rate())?;
         let mean_square = match &base {
             None => f64::NAN,
             Some(name) => {
-                let base = Samples::new(&record.choose(Some(name), Quantity::Acceleration)?.values, record.rate())?;
+                let base = signal(record.choose(Some(name), Quantity::Acceleration)?, record.rate())?;
                 base.rms().powi(2) - base.mean().powi(2)
             }
         };

@@ -3,9 +3,9 @@
 use super::recording::{Given, findings};
 use crate::arrays::Answer;
 use crate::failure::Failure;
-use jounce::signal::{Samples, Window};
+use jounce::signal::Window;
 use jounce_measure::recording::Quantity;
-use jounce_measure::spectral::{SpectraSettings, spectra};
+use jounce_measure::spectral::{SpectraSettings, signal, spectra, spectrogram};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -44,10 +44,13 @@ pub fn measured_spectra<'py>(py: Python<'py>, given: Given<'py>, channel: Option
             Some(name) => record.channel(name)?,
             None => volts().ok_or_else(|| Failure::new("RecordingError", format!("{} has no channel", record.name)))?,
         };
-        Ok::<_, Failure>((channel.clone(), spectra(&Samples::new(&channel.values, record.rate())?, &settings)?))
+        let samples = signal(channel, record.rate())?;
+        let found = spectra(&samples, &settings)?;
+        let over_time = spectrogram(&samples, &found.segments)?;
+        Ok::<_, Failure>((channel.clone(), found, over_time))
     });
-    let (channel, found) = found.map_err(|failure| failure.raised(py))?;
-    let (density, spectrogram, lines) = (found.density, found.spectrogram, found.orders);
+    let (channel, found, spectrogram) = found.map_err(|failure| failure.raised(py))?;
+    let (density, lines) = (found.density, found.orders);
     let width = spectrogram.frequency_hz.len();
     let answer = Answer::new(py)
         .with("channel", channel.name)?

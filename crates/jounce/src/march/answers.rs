@@ -74,6 +74,11 @@ impl Part {
         }
     }
 
+    /// Factors on `first` and `second` that make the entries `a` and `b` of its flow (see [`super::crossed`]).
+    pub fn entries(&self, h: f64) -> [f64; 2] {
+        if matches!(self, Part::Double(_)) { [1.0, h] } else { [1.0, 1.0] }
+    }
+
     /// Its eigenvalue, 1/s.
     pub fn rate(&self) -> c64 {
         match *self {

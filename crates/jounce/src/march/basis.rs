@@ -85,6 +85,11 @@ impl Basis {
         basis
     }
 
+    /// Its nodes and functions lie mirrored about the middle.
+    pub fn is_mirrored(&self) -> bool {
+        self.powers.is_none()
+    }
+
     /// Values of the seven functions at a place.
     pub fn at(&self, x: f64) -> [f64; NODES] {
         let [n, q] = self.powers.unwrap_or([0.0, 1.0]);

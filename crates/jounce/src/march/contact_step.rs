@@ -6,11 +6,12 @@
 //! step, where the force in the basis is not made to meet the law.
 
 use super::basis::{Basis, NODES, SMOOTH};
+use super::crossed::Crossed;
 use super::kernel::{Kernel, Shape};
 use super::marcher::Marcher;
 use super::peak::interpolated_peak;
 use super::port_state::Regime;
-use super::state::{add_push, columns, dot, pushed, spread};
+use super::state::{columns, dot, pushed, pushed_by, spread};
 use super::table::Table;
 use super::tone::Swing;
 use super::trajectory::PortForce;
@@ -155,10 +156,9 @@ impl<'k> Marcher<'k> {
         if self.record.is_some() {
             self.note(table.length_s, &[PortForce::new(step, &force)]);
         }
-        let spread = spread(w, &force);
-        self.integrate_force(w, step, &force, &spread);
         table.flow.apply(w, &self.y, &mut self.next);
-        add_push(w, &table.push, &spread, &mut self.next);
+        self.push_on(w, step, &force);
+        self.integrate_force(w, step, &force);
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += table.length_s;
         self.forced.pass(self.kernel, table.length_s, self.time_s, &mut self.y);
@@ -219,14 +219,25 @@ impl<'k> Marcher<'k> {
         }
     }
 
-    /// Adds the nodal forces of a step, last place 0, to the integrals that the energy meters need.
+    /// Adds what the nodal forces of a step, last place 0, do to the state at its end to `next`.
     #[inline(always)]
-    pub(super) fn integrate_force<W: Wide>(&mut self, w: W, step: &Step, force: &Lane, spread: &[W::Register; NODES]) {
+    pub(super) fn push_on<W: Wide>(&mut self, w: W, step: &Step, force: &Lane) {
+        let column = &self.kernel.vectors[step.port].column;
+        step.table.duhamel.act(w, column, force, &mut self.next, &mut self.from_start);
+    }
+
+    /// Adds the nodal forces of a step that have just pushed to the integrals that the energy meters need.
+    #[inline(always)]
+    pub(super) fn integrate_force<W: Wide>(&mut self, w: W, step: &Step, force: &Lane) {
         let (table, basis, p) = (step.table, step.basis, step.port);
-        for (sum, meter) in self.integrals.loads_j.iter_mut().zip(&table.loads) {
-            *sum += meter.read(w, &self.y, force, spread);
+        let vectors = &self.kernel.vectors[p];
+        let spread = spread(w, force);
+        let motion = (self.from_start.as_slice(), self.y.as_slice());
+        for ((sum, row), push) in self.integrals.loads_j.iter_mut().zip(&vectors.loads).zip(&table.loads) {
+            *sum += metered_j(w, row, motion, pushed_by(w, w.zero(), push, &spread), force);
         }
-        self.integrals.damping_j += table.damping.read(w, &self.y, force, spread);
+        let own = pushed_by(w, w.zero(), &table.damping, &spread);
+        self.integrals.damping_j += metered_j(w, &vectors.damping, motion, own, force);
         let weighted = w.mul(w.mul(w.splat(table.length_s), w.load(&basis.weights)), w.load(force));
         self.ports[p].statistics.impulse_n_s += w.sum(weighted);
         self.forced.push(p, &basis.places, table.length_s, &w.store(weighted));
@@ -235,6 +246,12 @@ impl<'k> Marcher<'k> {
             *sum += tone.turn * c64::new(w.sum(cos), w.sum(sin));
         }
     }
+}
+
+/// What a meter makes of the nodal forces of a step: `integral f (row . y) dt`, of what the forces find and of what they move themselves.
+#[inline(always)]
+fn metered_j<W: Wide>(w: W, row: &Crossed, (from_start, y): (&[Lane], &[Lane]), own: W::Register, force: &Lane) -> f64 {
+    w.sum(w.fma(own, w.load(force), row.read(w, from_start, y)))
 }
 
 /// Estimates the error of a converged step from the mismatch of its basis and the law at both of its ends.

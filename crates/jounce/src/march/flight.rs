@@ -3,7 +3,6 @@
 use super::certificate::FlightStep;
 use super::crossing::Crossing;
 use super::error::MarchError;
-use super::flow::SHORT;
 use super::kernel::Kernel;
 use super::level::PER_OCTAVE;
 use super::marcher::Marcher;
@@ -52,7 +51,7 @@ impl Marcher<'_> {
             self.work.flight_steps += 1;
             return Ok(());
         }
-        let mut grow = PER_OCTAVE;
+        let (mut grow, begun_s) = (PER_OCTAVE, self.time_s);
         while self.time_s < end_s {
             let level = self.flight_level;
             let length_s = Kernel::length_s(level);
@@ -64,17 +63,22 @@ impl Marcher<'_> {
             match verdict {
                 Verdict::Clear => {
                     self.work.flight_steps += 1;
-                    self.flight_level = (level - grow).max(Kernel::coarsest());
+                    let longer = (level - grow).max(Kernel::coarsest());
+                    // If this flight lasts as long as the one before, a step much longer than what is left of it would be lost.
+                    let left_s = begun_s + self.flight_s - self.time_s;
+                    let reaches_far = left_s > 0.0 && Kernel::length_s(longer) > 2.0 * left_s;
+                    self.flight_level = if reaches_far { level } else { longer };
                     grow = PER_OCTAVE;
                 }
                 Verdict::Strike(crossing) => {
                     let (after_s, motion) = self.locate(w, 0, crossing);
                     self.move_on(after_s, self.time_s + after_s);
                     self.set_motion(0, motion);
-                    // What is past a rigid stop by roundoff and moves out has left it.
-                    if motion[1] < 0.0 && matches!(self.kernel.plant.system.stops[0].law, Law::Rigid(_)) {
+                    // What is past a rigid stop by roundoff and moves out has left it, unless it is pressed back before.
+                    if motion[1] < 0.0 && matches!(self.kernel.plant.system.stops[0].law, Law::Rigid(_)) && !self.is_lost(0, motion) {
                         continue;
                     }
+                    self.flight_s = self.time_s - begun_s;
                     self.struck(0);
                     return Ok(());
                 }
@@ -206,7 +210,6 @@ impl Marcher<'_> {
     #[inline(always)]
     pub(super) fn locate<W: Wide>(&mut self, w: W, p: usize, crossing: Crossing) -> (f64, [f64; 2]) {
         let Crossing { mut from_s, mut guess_s, mut to_s } = crossing;
-        let short_s = SHORT / self.kernel.stiffest_rad_s;
         self.look_ahead(w, guess_s);
         let mut motion = self.motion_ahead(w, p, guess_s);
         for _ in 0..20 {
@@ -218,11 +221,7 @@ impl Marcher<'_> {
             let newton = guess_s - motion[0] / motion[1];
             let next = if newton >= from_s && newton <= to_s { newton } else { 0.5 * (from_s + to_s) };
             let change = (next - guess_s).abs();
-            if change <= short_s {
-                self.look_on(w, next - guess_s)
-            } else {
-                self.look_ahead(w, next)
-            }
+            self.look_on(w, guess_s, next);
             let before = motion;
             motion = self.motion_ahead(w, p, next);
             guess_s = next;

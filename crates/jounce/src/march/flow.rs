@@ -11,11 +11,37 @@ pub struct Flow {
     reals: Vec<Lane>,
 }
 
-/// Terms of the power series ...
-const TERMS: usize = 11;
-
-/// ... which are enough while `|lambda| t` is below this: the first left out is `(1/8)^12 / 12! = 3e-20`.
+/// Largest `|lambda| t` of the power series of a flow.
 pub const SHORT: f64 = 0.125;
+
+/// Size of the first term of the power series that is left out.
+const NEGLIGIBLE: f64 = 3e-20;
+
+/// Most pairs of terms of the power series after the first two, those of [`SHORT`].
+const MOST: usize = 6;
+
+/// Factors from one term to the next but one, of even and of odd powers: `1 / (n (n - 1))` for `n = 2, 4, ..` and for `n = 3, 5, ..`.
+const FACTORS: [[f64; 2]; MOST] = {
+    let mut factors = [[1.0; 2]; MOST];
+    let mut m = 0;
+    while m < MOST {
+        let n = (2 * m + 2) as f64;
+        factors[m] = [1.0 / (n * (n - 1.0)), 1.0 / (n * (n + 1.0))];
+        m += 1;
+    }
+    factors
+};
+
+/// The factors that matter for a largest `|lambda| t` of `size`.
+#[inline(always)]
+fn factors(size: f64) -> &'static [[f64; 2]] {
+    let (mut count, mut next) = (0, size * size);
+    while next > 2.0 * NEGLIGIBLE && count < MOST {
+        count += 1;
+        next *= size * size * FACTORS[count.min(MOST - 1)][0];
+    }
+    &FACTORS[..count]
+}
 
 impl Flow {
     /// `e^{A t}`.
@@ -75,33 +101,60 @@ impl Flow {
         }
     }
 
-    /// `e^{A t} y` in place, for a generator `A` and a short time of either sign, by Horner's scheme.
+    /// Carries a state along flows, one after the other, and then over a short time of either sign, by the power series of the flow of
+    /// this generator, even and odd powers side by side. `fastest_rad_s` bounds its eigenvalues; their product with the time is at most [`SHORT`].
+    ///
+    /// Each lane goes all the way in registers.
     #[inline(always)]
-    pub fn glide<W: Wide>(&self, w: W, time_s: f64, y: &mut [Lane]) {
+    pub fn carry<W: Wide>(&self, w: W, flows: &[&Flow], (short_s, fastest_rad_s): (f64, f64), y: &mut [Lane]) {
         let p = self.pairs[0].len();
+        let factors = factors(short_s * fastest_rad_s);
+        let time = w.splat(short_s);
         for k in 0..p {
-            let (u, v) = (w.load(&y[k]), w.load(&y[p + k]));
-            let [a, b, c, d] = self.entries(w, k);
-            let time = w.splat(time_s);
-            let (a, b, c, d) = (w.mul(time, a), w.mul(time, b), w.mul(time, c), w.mul(time, d));
-            let (mut sum_u, mut sum_v) = (u, v);
-            for n in (1..=TERMS).rev() {
-                let share = w.splat(1.0 / n as f64);
-                let (next_u, next_v) = (w.fma(a, sum_u, w.mul(b, sum_v)), w.fma(c, sum_u, w.mul(d, sum_v)));
-                (sum_u, sum_v) = (w.fma(share, next_u, u), w.fma(share, next_v, v));
+            let (mut u, mut v) = (w.load(&y[k]), w.load(&y[p + k]));
+            for flow in flows {
+                (u, v) = applied(w, flow.entries(w, k), u, v);
             }
-            (y[k], y[p + k]) = (w.store(sum_u), w.store(sum_v));
+            let z = self.entries(w, k).map(|entry| w.mul(time, entry));
+            let square = squared(w, z);
+            let (first_u, first_v) = applied(w, z, u, v);
+            let (mut even_u, mut even_v, mut odd_u, mut odd_v) = (u, v, first_u, first_v);
+            for [even, odd] in factors.iter().rev() {
+                let (even, odd) = (w.splat(*even), w.splat(*odd));
+                let ((a, b), (c, d)) = (applied(w, square, even_u, even_v), applied(w, square, odd_u, odd_v));
+                (even_u, even_v) = (w.fma(even, a, u), w.fma(even, b, v));
+                (odd_u, odd_v) = (w.fma(odd, c, first_u), w.fma(odd, d, first_v));
+            }
+            (y[k], y[p + k]) = (w.store(w.add(even_u, odd_u)), w.store(w.add(even_v, odd_v)));
         }
         for (k, rate) in self.reals.iter().enumerate() {
-            let start = w.load(&y[2 * p + k]);
-            let rate = w.mul(w.splat(time_s), w.load(rate));
-            let mut sum = start;
-            for n in (1..=TERMS).rev() {
-                sum = w.fma(w.splat(1.0 / n as f64), w.mul(rate, sum), start);
+            let mut start = w.load(&y[2 * p + k]);
+            for flow in flows {
+                start = w.mul(w.load(&flow.reals[k]), start);
             }
-            y[2 * p + k] = w.store(sum);
+            let z = w.mul(time, w.load(rate));
+            let (square, first) = (w.mul(z, z), w.mul(z, start));
+            let (mut even, mut odd) = (start, first);
+            for [by_even, by_odd] in factors.iter().rev() {
+                even = w.fma(w.splat(*by_even), w.mul(square, even), start);
+                odd = w.fma(w.splat(*by_odd), w.mul(square, odd), first);
+            }
+            y[2 * p + k] = w.store(w.add(even, odd));
         }
     }
+}
+
+/// Blocks times states.
+#[inline(always)]
+fn applied<W: Wide>(w: W, [a, b, c, d]: [W::Register; 4], u: W::Register, v: W::Register) -> (W::Register, W::Register) {
+    (w.fma(a, u, w.mul(b, v)), w.fma(c, u, w.mul(d, v)))
+}
+
+/// Blocks times themselves.
+#[inline(always)]
+fn squared<W: Wide>(w: W, [a, b, c, d]: [W::Register; 4]) -> [W::Register; 4] {
+    let (cross, trace) = (w.mul(b, c), w.add(a, d));
+    [w.fma(a, a, cross), w.mul(b, trace), w.mul(c, trace), w.fma(d, d, cross)]
 }
 
 #[cfg(test)]
@@ -116,12 +169,24 @@ mod tests {
             Block { pairs: vec![Pair::Oscillatory { decay: -3.0, frequency: 900.0 }, Pair::Jordan { rate: -40.0 }], reals: vec![-700.0] };
         let layout = Layout { pairs: 2, reals: 1, pair_lanes: 1, real_lanes: 1 };
         let start = [1.0, -0.3, 0.7, 2.0, 1.5];
-        for time_s in [1.3e-4, -1.3e-4, 1e-9] {
+        // Up to the whole reach of the series, and after two flows.
+        for (time_s, long_s) in [(1.3e-4, 0.0), (-1.3e-4, 0.0), (1e-9, 0.0), (1.3e-4, 0.004)] {
             let mut y = layout.pack(&start);
-            Flow::generator(&block, &layout).glide(Portable::new(), time_s, &mut y);
-            for (a, b) in layout.unpack(&y).iter().zip(block.flow(time_s, &start)) {
+            let halves = [0.25, 0.75].map(|share| Flow::over(&block, &layout, share * long_s));
+            Flow::generator(&block, &layout).carry(Portable::new(), &[&halves[0], &halves[1]], (time_s, 900.1), &mut y);
+            for (a, b) in layout.unpack(&y).iter().zip(block.flow(time_s + long_s, &start)) {
                 assert!((a - b).abs() < 4e-16 * 3.0, "{a} {b}");
             }
         }
+    }
+
+    #[test]
+    fn the_series_ends_where_its_terms_no_longer_count() {
+        let left_out = |size: f64, count: usize| (1..=2 * count + 2).fold(1.0, |term, n| term * size / n as f64);
+        for size in [SHORT, 0.03, 1e-3] {
+            let count = factors(size).len();
+            assert!(left_out(size, count) <= NEGLIGIBLE && left_out(size, count - 1) > NEGLIGIBLE, "{size}: {count}");
+        }
+        assert_eq!((factors(SHORT).len(), factors(0.0).len()), (MOST, 0));
     }
 }

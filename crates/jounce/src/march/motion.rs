@@ -1,7 +1,6 @@
 //! Flow over any time, and the motion of the ports at its end.
 
 use super::flow::SHORT;
-use super::kernel::Kernel;
 use super::marcher::Marcher;
 use super::state::dot;
 use crate::wide::Wide;
@@ -11,6 +10,14 @@ impl Marcher<'_> {
     /// Reads penetration and rate of a port off the state.
     #[inline(always)]
     pub(super) fn see<W: Wide>(&mut self, w: W, p: usize) {
+        let motion = self.reading(w, p);
+        let port = &mut self.ports[p];
+        [port.penetration_m, port.rate_m_s] = motion;
+    }
+
+    /// The same, m and m/s.
+    #[inline(always)]
+    pub(super) fn reading<W: Wide>(&self, w: W, p: usize) -> [f64; 2] {
         let rows = &self.ports[p].rows;
         let mut motion = [dot(w, &rows.displacement, &self.y) - rows.gap_m, dot(w, &rows.velocity, &self.y)];
         let [place, speed] = self.forced.motion_after(p, 0.0);
@@ -19,35 +26,40 @@ impl Marcher<'_> {
             let [place, speed] = tone.motion(p);
             motion = [motion[0] + place, motion[1] + speed];
         }
-        let port = &mut self.ports[p];
-        [port.penetration_m, port.rate_m_s] = motion;
+        motion
     }
 
     /// Puts the state after an exact flow over any time into `next`.
-    ///
-    /// The time is cut into levels, longest first, and a rest so short that the power series of the flow is exact.
     #[inline(always)]
     pub(super) fn look_ahead<W: Wide>(&mut self, w: W, length_s: f64) {
-        let kernel = self.kernel;
         if let Some(flow) = self.forced.flow_over(length_s) {
             flow.apply(w, &self.y, &mut self.next);
             return;
         }
         self.next.copy_from_slice(&self.y);
-        let mut rest_s = length_s;
-        while rest_s * kernel.stiffest_rad_s > SHORT {
-            let level = Kernel::level_within(rest_s);
-            kernel.flow(level).apply(w, &self.next, &mut self.scratch);
-            std::mem::swap(&mut self.next, &mut self.scratch);
-            rest_s -= Kernel::length_s(level);
-        }
-        self.look_on(w, rest_s);
+        self.carry_on(w, length_s);
     }
 
-    /// Carries `next` on by a short time.
+    /// Moves `next` from one time ahead of the present to another: on or back where that is near, else from the present again, for what is
+    /// lost on a long way and back would hide a point that hardly leaves its stop.
     #[inline(always)]
-    pub(super) fn look_on<W: Wide>(&mut self, w: W, short_s: f64) {
-        self.kernel.generator.glide(w, short_s, &mut self.next);
+    pub(super) fn look_on<W: Wide>(&mut self, w: W, from_s: f64, to_s: f64) {
+        let change_s = to_s - from_s;
+        if change_s.abs() * self.kernel.stiffest_rad_s <= SHORT {
+            self.carry_on(w, change_s);
+        } else {
+            self.look_ahead(w, to_s);
+        }
+    }
+
+    /// Carries `next` on over a time, or back over a short one.
+    ///
+    /// The time is cut into levels, longest first, and a rest so short that the power series of the flow is exact.
+    #[inline(always)]
+    fn carry_on<W: Wide>(&mut self, w: W, change_s: f64) {
+        let kernel = self.kernel;
+        let (flows, rest_s) = kernel.flows_within(change_s);
+        kernel.generator.carry(w, &flows, (rest_s, kernel.stiffest_rad_s), &mut self.next);
     }
 
     /// Penetration and rate of a port in `next`, `length_s` after the present time.

@@ -2,6 +2,7 @@
 
 use super::answers::{Answers, Part};
 use super::basis::{Basis, NODES};
+use super::duhamel::Integrals;
 use super::factors::{factored, terms};
 use super::layout::Layout;
 use crate::plant::{Block, Pair};
@@ -10,7 +11,7 @@ use crate::wide::{Lane, Task, WIDTH, Wide};
 /// One row on a step: `value_i = sum_k columns_k[i] y_k + sum_j push_j[i] f_j`.
 #[derive(Debug, Clone, Default)]
 pub struct Response {
-    /// One lane per state in column order.
+    /// One lane per state in column order; of an integrated row none.
     pub columns: Vec<Lane>,
     /// One lane per force node.
     pub push: [Lane; NODES],
@@ -34,15 +35,25 @@ pub struct Row {
     pub reading: Reading,
 }
 
-/// All rows on a step, and the lanes of the state at its end per unit nodal force.
+impl Row {
+    /// Columns that it needs.
+    fn columns(&self, block: &Block) -> usize {
+        if self.reading == Reading::Pointwise { block.len() } else { 0 }
+    }
+}
+
+/// All rows on a step, and the integrals of its nodal forces.
 #[derive(Debug, Clone, Default)]
 pub struct Responses {
     /// In the order asked for.
     pub rows: Vec<Response>,
     /// Their Legendre series in time under a unit force of each node, one lane per coefficient.
     pub series: Vec<Vec<Lane>>,
+    /// Integrals of the reader's functions from the start of the step, and of the basis of the force towards its end (see
+    /// [`super::duhamel`]).
+    pub from_start: Integrals,
     /// See above.
-    pub push: Vec<[Lane; NODES]>,
+    pub towards_end: Integrals,
 }
 
 /// The making of responses.
@@ -81,11 +92,11 @@ impl Task for Making<'_> {
         let powers = legendre_lanes(w, reader, count);
         let moments: Vec<Lane> =
             (reader.series.iter().enumerate()).map(|(a, lane)| w.store(w.mul(w.splat(h / (2 * a + 1) as f64), w.load(lane)))).collect();
-        let states = block.len();
         let mut series = vec![vec![Lane::ZERO; count]; rows.len()];
         let mut out = Responses {
-            rows: rows.iter().map(|_| Response { columns: vec![Lane::ZERO; states], push: [Lane::ZERO; NODES] }).collect(),
-            push: vec![[Lane::ZERO; NODES]; layout.lanes()],
+            rows: rows.iter().map(|row| Response { columns: vec![Lane::ZERO; row.columns(block)], push: [Lane::ZERO; NODES] }).collect(),
+            from_start: vec![[Lane::ZERO; NODES]; layout.lanes()],
+            towards_end: vec![[Lane::ZERO; NODES]; layout.lanes()],
             series: Vec::new(),
         };
         let mut answers = Answers::default();
@@ -99,12 +110,12 @@ impl Task for Making<'_> {
             }
             answers.solve(w, part, basis, h, (&factors, place));
             let free = free_motion(w, &answers, &powers);
-            let mean = free_motion(w, &answers, &moments);
             for ((wanted, response), series) in rows.iter().zip(&mut out.rows).zip(&mut series) {
                 let row = &wanted.row[own.clone()];
-                let source = if wanted.reading == Reading::Pointwise { free } else { mean };
-                for (state, [f, g]) in own.clone().zip(part.free(row, h)) {
-                    response.columns[layout.column(state)] = w.store(w.fma(w.splat(f), source[0], w.mul(w.splat(g), source[1])));
+                if wanted.reading == Reading::Pointwise {
+                    for (state, [f, g]) in own.clone().zip(part.free(row, h)) {
+                        response.columns[layout.column(state)] = w.store(w.fma(w.splat(f), free[0], w.mul(w.splat(g), free[1])));
+                    }
                 }
                 let [f, g] = part.forced(row, &force[own.clone()], h);
                 let kept = if wanted.reading == Reading::Pointwise { answers.first.len() } else { reader.series.len() };
@@ -112,13 +123,14 @@ impl Task for Making<'_> {
                     *sum = w.store(w.fma(w.splat(f), w.load(first), w.fma(w.splat(g), w.load(second), w.load(sum))));
                 }
             }
-            let end = ends(w, &answers);
-            for (s, state) in own.clone().enumerate() {
-                let unit: [f64; 2] = std::array::from_fn(|i| if i == s { 1.0 } else { 0.0 });
-                let [f, g] = part.forced(&unit, &force[own.clone()], h);
-                let pushed = w.store(w.fma(w.splat(f), end[0], w.mul(w.splat(g), end[1])));
-                let (lane, place) = layout.place(state);
-                (0..NODES).for_each(|j| out.push[lane][j].0[place] = pushed.0[j]);
+            let mean = free_motion(w, &answers, &moments).map(|sum| w.store(sum));
+            let end = ends(w, &answers).map(|sum| w.store(sum));
+            for (state, factor) in own.zip(part.entries(h)) {
+                let ((lane, place), entry) = (layout.place(state), state - *first);
+                for j in 0..NODES {
+                    out.from_start[lane][j].0[place] = factor * mean[entry].0[j];
+                    out.towards_end[lane][j].0[place] = h * factor * end[entry].0[j];
+                }
             }
         }
         for ((wanted, response), series) in rows.iter().zip(&mut out.rows).zip(&series) {

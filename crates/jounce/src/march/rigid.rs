@@ -18,7 +18,7 @@ use super::kernel::{Kernel, Shape};
 use super::level::PER_OCTAVE;
 use super::marcher::Marcher;
 use super::port_state::Regime;
-use super::state::{add_push, columns, dot, spread};
+use super::state::{columns, dot};
 use super::table::{Sticking, Table};
 use super::tone::Swing;
 use super::trajectory::PortForce;
@@ -31,6 +31,9 @@ const ROUNDOFF: f64 = 1e-12;
 
 /// Height of a hop, in units of the roundoff of the distance, below which it is none: where it ends cannot be told.
 const LEAST_HOP: f64 = 64.0;
+
+/// The same in units of how far past the stop it starts.
+const PAST: f64 = 2.0;
 
 /// Speed after an impact, relative to the scale of speeds, above which a hop is never that low.
 const FAST_HOP: f64 = 1e-3;
@@ -72,14 +75,17 @@ impl Marcher<'_> {
     pub(super) fn rebound(&self, p: usize, law: Rigid) -> f64 {
         let (after, strike_m_s) = (law.restitution * self.ports[p].rate_m_s, self.ports[p].strike_m_s);
         let is_slow = after <= CHATTER_SHARE * self.tolerance * strike_m_s;
-        if is_slow || (after <= FAST_HOP * self.speed_m_s(p) && self.is_lost(p, after)) { 0.0 } else { law.restitution }
+        let is_lost = || self.is_lost(p, [self.reading(Portable::new(), p)[0], after]);
+        if is_slow || (after <= FAST_HOP * self.speed_m_s(p) && is_lost()) { 0.0 } else { law.restitution }
     }
 
-    /// A hop that starts at a speed is pressed back before it leaves the roundoff of the distance.
-    fn is_lost(&self, p: usize, rate_m_s: f64) -> bool {
+    /// A hop that starts past the stop by roundoff, at a speed, is pressed back before it leaves the stop and the roundoff of the distance.
+    pub(super) fn is_lost(&self, p: usize, [depth_m, rate_m_s]: [f64; 2]) -> bool {
         let rows = &self.ports[p].rows;
         let roundoff_m = f64::EPSILON * self.terms_of(&rows.displacement).max(rows.tone_scale_m).max(rows.gap_m.abs());
-        rate_m_s * rate_m_s <= 2.0 * self.acceleration_m_s2(p) * LEAST_HOP * roundoff_m
+        let least_m = LEAST_HOP * roundoff_m + PAST * depth_m.max(0.0);
+        // Where what presses it is roundoff it leaves: rest would only let it go again.
+        rate_m_s * rate_m_s <= 2.0 * self.acceleration_m_s2(p) * least_m && self.is_pressed(p)
     }
 
     /// A point goes on from its stop at a speed: it flies, or where it has none and is pressed, rests.
@@ -237,10 +243,9 @@ impl Marcher<'_> {
         let w = Portable::new();
         let step = Step::held(0, table);
         self.note(table.length_s, &[PortForce::new(&step, &lane)]);
-        let spread = spread(w, &lane);
-        self.integrate_force(w, &step, &lane, &spread);
         table.flow.apply(w, &self.y, &mut self.next);
-        add_push(w, &table.push, &spread, &mut self.next);
+        self.push_on(w, &step, &lane);
+        self.integrate_force(w, &step, &lane);
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += table.length_s;
         self.tones.iter_mut().for_each(|tone| tone.set(self.time_s));

@@ -92,11 +92,3 @@ pub fn dot_of_magnitudes<W: Wide>(w: W, row: &[Lane], y: &[Lane]) -> f64 {
     }
     w.sum(sum)
 }
-
-/// Adds the effect of the nodal forces at the end of a step.
-#[inline(always)]
-pub fn add_push<W: Wide>(w: W, push: &[[Lane; NODES]], force: &[W::Register; NODES], out: &mut [Lane]) {
-    for (out, push) in out.iter_mut().zip(push) {
-        *out = w.store(pushed_by(w, w.load(out), push, force));
-    }
-}

@@ -2,12 +2,14 @@
 //! rows of the port displacement at the nodes, and the work of the force on the energy meters.
 
 use super::basis::{Basis, NODES};
+use super::crossed::Crossed;
+use super::duhamel::Duhamel;
 use super::flow::Flow;
 use super::kernel::Kernel;
-use super::meter::Meter;
 use super::response::{Making, Reading, Response, Row};
 use crate::plant::EnergyMeter;
 use crate::wide::{Lane, widest};
+use std::sync::OnceLock;
 
 /// Tables of one step length and one port.
 #[derive(Debug, Clone)]
@@ -16,8 +18,10 @@ pub struct Table {
     pub length_s: f64,
     /// Exact flow over it.
     pub flow: Flow,
-    /// Lanes of the state at the end of the step per unit nodal force.
-    pub push: Vec<[Lane; NODES]>,
+    /// What the nodal forces do to the state and to the meters of their work.
+    pub duhamel: Duhamel,
+    /// Lanes of the state at the end of the step per unit nodal force, once asked for: marching does without.
+    push: OnceLock<Vec<[Lane; NODES]>>,
     /// Displacement of the port at the nodes and at the end.
     pub displacement: Response,
     /// Velocity of the port.
@@ -30,10 +34,10 @@ pub struct Table {
     pub reach_m_n: f64,
     /// Largest velocity under nodal forces of magnitude 1, m/(N s).
     pub reach_m_n_s: f64,
-    /// What the force does to the meter of each load.
-    pub loads: Vec<Meter>,
+    /// Per load: the meter's row, integrated against the functions of the basis, of what each nodal force itself moves.
+    pub loads: Vec<[Lane; NODES]>,
     /// The same for damping.
-    pub damping: Meter,
+    pub damping: [Lane; NODES],
 }
 
 impl Table {
@@ -56,16 +60,26 @@ impl Table {
         Self {
             length_s,
             flow: Flow::over(block, layout, length_s),
-            push: made.push,
+            duhamel: if basis.is_mirrored() {
+                Duhamel::mirrored(&made.from_start)
+            } else {
+                Duhamel::Each([made.from_start, made.towards_end])
+            },
+            push: OnceLock::new(),
             constant: weighted(&|_| 1.0),
             ramp: weighted(&|j| basis.places[j]),
             reach_m_n: reach(&displacement.push),
             reach_m_n_s: reach(&velocity.push),
-            loads: responses.map(|response| Meter::new(layout, &response)).collect(),
+            loads: responses.map(|response| response.push).collect(),
             displacement,
             velocity,
-            damping: Meter::new(layout, &damping),
+            damping: damping.push,
         }
+    }
+
+    /// Lanes of the state at the end of the step per unit nodal force, whose column is given.
+    pub fn push(&self, column: &Crossed) -> &[[Lane; NODES]] {
+        self.push.get_or_init(|| self.duhamel.pushes(column))
     }
 }
 

@@ -1,15 +1,18 @@
-//! A computation seen from outside: the wish that it stops, and how far it is.
+//! A computation seen from outside: the wish that it stops, how far it is, and the time that marching took.
 //!
 //! One watch is shared by whoever waits and by every march that belongs to the computation (see [`super::Kernel::watched_by`]). A march
 //! looks at it before each of its steps, so that it ends within microseconds of the wish.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::time::Duration;
 
 /// A handle; its clones are the same watch.
 #[derive(Debug, Clone, Default)]
 pub struct Watch {
     stopped: Arc<AtomicBool>,
+    /// Wall time of all runs, ns.
+    marched_ns: Arc<AtomicU64>,
     counts: Arc<Counts>,
 }
 
@@ -24,7 +27,7 @@ impl Watch {
     /// The same wish to stop, for a part of the work that counts its own parts.
     #[must_use]
     pub fn apart(&self) -> Self {
-        Self { stopped: Arc::clone(&self.stopped), counts: Arc::default() }
+        Self { stopped: Arc::clone(&self.stopped), marched_ns: Arc::clone(&self.marched_ns), counts: Arc::default() }
     }
 
     /// Wishes that the computation stops. It keeps what is finished.
@@ -56,6 +59,16 @@ impl Watch {
     /// Harvesters made so far, for work whose end is not known.
     pub fn harvesters(&self) -> u64 {
         self.counts.harvesters.load(Ordering::Relaxed)
+    }
+
+    /// Adds the wall time of a run.
+    pub fn count_marched(&self, time: Duration) {
+        self.marched_ns.fetch_add(time.as_nanos() as u64, Ordering::Relaxed);
+    }
+
+    /// Wall time of the marching of all runs together, s, those of parts that count on their own among them.
+    pub fn marched_s(&self) -> f64 {
+        1e-9 * self.marched_ns.load(Ordering::Relaxed) as f64
     }
 
     /// Finished and expected parts.

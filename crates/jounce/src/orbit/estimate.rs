@@ -4,7 +4,7 @@ use super::{Harvester, Orbit, OrbitError, Shooting, Shot, displacement_peak_m, m
 use crate::continuation::Linear;
 use crate::march::{Kernel, Marcher, VariationError};
 use crate::plant::{Storage, System};
-use faer::ColRef;
+use faer::{ColRef, c64};
 use std::f64::consts::TAU;
 
 /// Part of the energy of the motion in a period from which on the power of rectified circuits is told by its own size.
@@ -16,20 +16,7 @@ impl<H: Harvester> Shooting<'_, H> {
         let Some(multipliers) = multipliers(&shot.block_map) else {
             return Err(OrbitError::Multipliers { frequency_hz: f64::from(self.cycles) / shot.period_s });
         };
-        let voltage_rms_v = shot.loads_w.first().map_or(0.0, |power_w| voltage_rms_v(&shot.kernel.plant.system, *power_w));
-        Ok(Orbit {
-            period_cycles: self.cycles,
-            looks: shot.looks.clone(),
-            // A sum of nothing is -0.
-            mean_power_w: shot.loads_w.iter().sum::<f64>() + 0.0,
-            voltage_rms_v,
-            contacts: shot.contacts,
-            switches: shot.trajectories.iter().map(|trajectory| trajectory.changes().len() as u64).sum(),
-            max_penetration_m: shot.max_penetration_m,
-            displacement_peak_m: displacement_peak_m(shot),
-            multipliers,
-            error_estimate: 0.0,
-        })
+        Ok(shot.as_orbit(multipliers))
     }
 
     /// Estimated error of an orbit near a shot at the same parameter, the larger one of its state and of its mean power, each
@@ -91,6 +78,23 @@ fn voltage_rms_v(system: &System, power_w: f64) -> f64 {
 }
 
 impl Shot {
+    /// What was marched, as an orbit of these multipliers.
+    pub(super) fn as_orbit(&self, multipliers: Vec<c64>) -> Orbit {
+        Orbit {
+            period_cycles: self.trajectories.len() as u32,
+            looks: self.looks.clone(),
+            // A sum of nothing is -0.
+            mean_power_w: self.loads_w.iter().sum::<f64>() + 0.0,
+            voltage_rms_v: self.loads_w.first().map_or(0.0, |power_w| voltage_rms_v(&self.kernel.plant.system, *power_w)),
+            contacts: self.contacts,
+            switches: self.trajectories.iter().map(|trajectory| trajectory.changes().len() as u64).sum(),
+            max_penetration_m: self.max_penetration_m,
+            displacement_peak_m: displacement_peak_m(self),
+            multipliers,
+            error_estimate: 0.0,
+        }
+    }
+
     /// Newton's correction at a fixed parameter, of the residual and of a defect of the tolerance that adds to it.
     fn correction(&self) -> Option<Vec<f64>> {
         let size = ColRef::from_slice(&self.looks[0]).norm_l2();

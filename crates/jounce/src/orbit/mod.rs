@@ -14,6 +14,7 @@ mod method;
 mod multipliers;
 mod null_vector;
 mod periodic;
+mod rested;
 mod shooting;
 mod tracking;
 mod turning_points;

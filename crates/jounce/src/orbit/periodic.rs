@@ -24,7 +24,8 @@ pub struct Orbit {
     pub max_penetration_m: f64,
     /// Half of the way between the largest and the least displacement at the first stop, m; 0 without a stop.
     pub displacement_peak_m: f64,
-    /// Floquet multipliers, largest modulus first; 0 for a charge that nothing lets go in the whole period.
+    /// Floquet multipliers, largest modulus first; 0 for a charge that nothing lets go in the whole period; none where the motion rests
+    /// on a rigid stop, which no derivative passes.
     pub multipliers: Vec<c64>,
     /// Estimated error of the state at the start or of the mean power, relative to its size, the larger one.
     pub error_estimate: f64,

@@ -89,34 +89,10 @@ fn turning_points(kernel: &Kernel, port: usize, trajectory: &Trajectory, cycle_s
     turns.into_iter().filter_map(|(from, to)| closer(kernel, port, trajectory, from.0, to.0)).collect()
 }
 
-/// Motion at the start of every step, and between those of a flight: contact steps are short beside the motion.
+/// Motion at the start of every step, and between those of a flight.
 fn looks(kernel: &Kernel, port: usize, trajectory: &Trajectory, (count, cycle_s): (f64, f64)) -> Vec<Motion> {
-    let base = kernel;
     let mut looks = Vec::new();
-    for segment in trajectory.segments() {
-        // A regime that was marched in has been made.
-        let Ok(kernel) = base.in_regime(segment.regime) else { continue };
-        let block = &kernel.plant.diagonal.block;
-        let motion = |after_s: f64, state: &[f64]| match segment.sizes.is_empty() {
-            true => motion(kernel, port, segment.start_s + after_s, state),
-            false => {
-                let forced = kernel.plant.forced(&segment.sizes, after_s);
-                let whole: Vec<f64> = state.iter().zip(forced).map(|(y, forced)| y + forced).collect();
-                motion(kernel, port, segment.start_s + after_s, &whole)
-            }
-        };
-        looks.extend(motion(0.0, &segment.state));
-        if !segment.forces.is_empty() {
-            continue;
-        }
-        // The flow of many equal steps is made once: its roundoff adds up, which a search for the place of a turn does not feel.
-        let inner = (count * segment.length_s / cycle_s).ceil().max(1.0);
-        let (flow, mut state) = (block.over(segment.length_s / inner), segment.state.clone());
-        for k in 1..inner as usize {
-            flow.advance(&mut state);
-            looks.extend(motion(segment.length_s * k as f64 / inner, &state));
-        }
-    }
+    trajectory.walk(kernel, 0, cycle_s / count, &mut |own, time_s, state| looks.extend(motion(own, port, time_s, state)));
     looks
 }
 

@@ -14,15 +14,27 @@ const PAPER: &str = include_str!("../../../../examples/impact-harvester-2019/har
 /// # Errors
 /// A key or value that the spec does not allow.
 pub fn paper_spec(settings: &[(&str, &str)]) -> Result<Spec, ReproduceError> {
-    let own: Vec<_> = settings.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
-    Harvester::spec(&own)
+    Ok(paper_file(settings)?.spec()?)
+}
+
+/// The file of the paper's harvester with some keys set.
+///
+/// # Errors
+/// A key that there is not.
+pub fn paper_file(settings: &[(&str, &str)]) -> Result<SpecFile, ReproduceError> {
+    let mut file = SpecFile::from_text(PAPER);
+    for (key, value) in settings {
+        file.set(key, value)?;
+    }
+    Ok(file)
 }
 
 /// A harvester with its modes: cases of drive and load are made from it without solving the structure again.
 pub(super) struct Harvester {
     pub spec: Spec,
     pub system: System,
-    watch: Watch,
+    /// Ends its marches early, and counts the runs of the figures.
+    pub watch: Watch,
 }
 
 /// A drive and a load.
@@ -52,11 +64,8 @@ impl Harvester {
 
     /// Its spec alone.
     pub fn spec(settings: &[(String, String)]) -> Result<Spec, ReproduceError> {
-        let mut file = SpecFile::from_text(PAPER);
-        for (key, value) in settings {
-            file.set(key, value)?;
-        }
-        Ok(file.spec()?)
+        let settings: Vec<(&str, &str)> = settings.iter().map(|(key, value)| (key.as_str(), value.as_str())).collect();
+        paper_spec(&settings)
     }
 
     /// The linear plant of a case.

@@ -34,6 +34,6 @@ mod voltage;
 pub use chapter::Chapter;
 pub use claim::Claim;
 pub use error::ReproduceError;
-pub use harvester::paper_spec;
+pub use harvester::{paper_file, paper_spec};
 pub use named::{NamedFigure, NamedTable};
 pub use reproduction::{Reproduction, Written, folders, reproduce};

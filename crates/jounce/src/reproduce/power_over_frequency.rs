@@ -27,6 +27,7 @@ impl PowerOverFrequency {
     /// 4 to 20 Hz in steps of 0.1 Hz; the linear case in closed form in steps of 10 mHz, 1 mHz at its resonance.
     pub fn compute(harvester: &Harvester, levels_n: &[f64]) -> Result<Self, ReproduceError> {
         let frequencies_hz: Vec<f64> = (40..=200).map(|i| f64::from(i) / 10.0).collect();
+        harvester.watch.expect(2 * frequencies_hz.len() * levels_n.len());
         let levels = levels_n.par_iter().map(|level| stepped(harvester, *level, &frequencies_hz)).collect::<Result<Vec<_>, _>>()?;
         Ok(Self { linear: linear(harvester)?, levels })
     }

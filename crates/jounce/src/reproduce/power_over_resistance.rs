@@ -36,7 +36,9 @@ impl PowerOverResistance {
     pub fn compute(harvester: &Harvester, case: Case) -> Result<Self, ReproduceError> {
         let resistance_ohm = resistances_ohm(PER_DECADE);
         let at = |resistance_ohm: &f64| Case { resistance_ohm: *resistance_ohm, ..case };
-        let answers = resistance_ohm.par_iter().map(|r| harvester.run(at(r))).collect::<Result<Vec<_>, _>>()?;
+        harvester.watch.expect(resistance_ohm.len());
+        let counted = |r| harvester.run(at(r)).inspect(|_| harvester.watch.count());
+        let answers = resistance_ohm.par_iter().map(counted).collect::<Result<Vec<_>, _>>()?;
         let line_ohm = resistances_ohm(LINE_PER_DECADE);
         let linear =
             |ohm: &[f64]| ohm.iter().map(|r| Ok(steady_power_w(&harvester.plant(at(r))?))).collect::<Result<Vec<f64>, ReproduceError>>();

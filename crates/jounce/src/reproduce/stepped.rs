@@ -42,6 +42,7 @@ pub(super) fn stepped(harvester: &Harvester, amplitude_n: f64, frequencies_hz: &
         }
         kernel = kernel.with_drives(drives)?;
         let answer = simulate(&kernel, &state, &plan)?;
+        harvester.watch.count();
         let branch = if is_up { &mut up } else { &mut down };
         branch.frequency_hz.push(frequency_hz);
         branch.power_w_n2.push(first.normalised(answer.mean_power_w));

@@ -6,12 +6,15 @@ mod result;
 mod settle;
 mod simulate;
 mod start;
+mod voltage_peak;
 mod warning;
 
 pub use charge::{ChargeAnswer, charges};
 pub use limits::{Exceeded, Limited, Limits, Worst, exceeded};
 pub use result::{LeakAnswer, LoadAnswer, RectifiedAnswer, RunAnswer, StopAnswer};
 pub use settle::Settlement;
+pub(crate) use simulate::check_outside;
 pub use simulate::{RunError, RunPlan, simulate};
 pub use start::StartState;
+pub use voltage_peak::{VoltagePeaks, voltage_peaks};
 pub use warning::Warning;

@@ -4,7 +4,7 @@ use super::settle::{LOOKS, norm, settlement};
 use super::{LeakAnswer, Limits, LoadAnswer, RectifiedAnswer, RunAnswer, Settlement, StartState, StopAnswer};
 use crate::contact::Law;
 use crate::march::{ContactStatistics, Energies, Kernel, MarchError, Marcher, RectifiedEnergies};
-use crate::plant::{Bridge, Leak, Plant, Storage};
+use crate::plant::{Bridge, Leak, Plant, Storage, System};
 use crate::spec::{Run, Spec};
 use std::time::Instant;
 
@@ -98,7 +98,7 @@ pub enum RunError {
 pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<RunAnswer, RunError> {
     let plant = &kernel.plant;
     check(plant, start)?;
-    check_outside(plant, start)?;
+    check_outside(&plant.system, &start.displacement)?;
     let clock = Instant::now();
     let y = plant.from_physical(&start.physical(), 0.0);
     let mut marcher = Marcher::new(kernel, &y, 0.0, plan.tolerance)?;
@@ -120,7 +120,8 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
         }
     }
     marcher.advance_to(end_s)?;
-    let march_s = clock.elapsed().as_secs_f64();
+    let marched = clock.elapsed();
+    kernel.watch.count_marched(marched);
     let (opened, before) = opened.unwrap_or_else(|| (Energies::default(), start.clone()));
     let trajectory = marcher.take_record();
     let noise = 10.0 * plan.tolerance.max(1e-13);
@@ -153,7 +154,7 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
         energies,
         work: marcher.work(),
         end,
-        march_s,
+        march_s: marched.as_secs_f64(),
         trajectory,
     })
 }
@@ -224,9 +225,9 @@ fn check(plant: &Plant, start: &StartState) -> Result<(), RunError> {
 }
 
 /// A point on a rigid stop lies past it by roundoff at most.
-fn check_outside(plant: &Plant, start: &StartState) -> Result<(), RunError> {
-    for stop in plant.system.stops.iter().filter(|stop| matches!(stop.law, Law::Rigid(_))) {
-        let along = stop.shape.iter().zip(&start.displacement);
+pub fn check_outside(system: &System, displacement: &[f64]) -> Result<(), RunError> {
+    for stop in system.stops.iter().filter(|stop| matches!(stop.law, Law::Rigid(_))) {
+        let along = stop.shape.iter().zip(displacement);
         let (place_m, reach_m) = along.fold((0.0, stop.gap_m.abs()), |(sum, size), (s, q)| (sum + s * q, size + (s * q).abs()));
         if place_m - stop.gap_m > ROUNDOFF * reach_m {
             return Err(RunError::StartsInside { stop: stop.name.clone(), depth_m: place_m - stop.gap_m });

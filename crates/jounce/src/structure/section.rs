@@ -149,6 +149,7 @@ pub(super) mod tests {
             permittivity_f_m: None,
             strain_limit: None,
             leakage_ohm: None,
+            electrodes: crate::spec::Electrodes::Circuit,
             section,
             pores: Default::default(),
             foils: Default::default(),

@@ -23,4 +23,5 @@ mod swings;
 mod symmetry;
 mod thrown;
 mod variation;
+mod voltage_peak;
 mod work;

@@ -17,6 +17,7 @@ mod oscillators;
 mod paper;
 mod peaks;
 mod rectified;
+mod rested;
 #[path = "../linear/rows.rs"]
 #[expect(dead_code, reason = "rows are checked one by one here")]
 mod rows;

@@ -19,6 +19,7 @@ start = "0 mm"
 length = "40 mm"
 width = "10 mm"
 thickness = "0.2 mm"
+electrodes = "open"
 [stop.s]
 at = "b.end"
 gap = "0.2 mm"

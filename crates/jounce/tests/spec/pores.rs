@@ -6,7 +6,7 @@ use jounce::spec::{NumericKey, Spec};
 fn text(keys: &str) -> String {
     format!(
         "[beam.b]\nmaterial = \"steel\"\nlength = \"100 mm\"\nwidth = \"10 mm\"\nthickness = \"1 mm\"\n[damping]\nbeyond = 0.01\n\
-         [patch.p]\non = \"b\"\nstart = \"0 mm\"\nlength = \"30 mm\"\nwidth = \"10 mm\"\nthickness = \"0.2 mm\"\n{keys}\n"
+         [patch.p]\non = \"b\"\nstart = \"0 mm\"\nlength = \"30 mm\"\nwidth = \"10 mm\"\nthickness = \"0.2 mm\"\nelectrodes = \"open\"\n{keys}\n"
     )
 }
 

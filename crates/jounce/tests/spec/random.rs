@@ -70,6 +70,7 @@ fn modal() -> impl Strategy<Value = Modal> {
             leakage_ohm: (capacitance_f > 1.0).then_some(capacitance_f),
             coupling_n_per_v,
             capacitance_f,
+            electrodes: Electrodes::Circuit,
         });
         let frequencies = prop::collection::vec(0.0..1e5f64, modes).prop_map(|mut list| {
             list.sort_by(f64::total_cmp);
@@ -107,6 +108,7 @@ fn patch(beam: (String, Beam)) -> impl Strategy<Value = Patch> {
             electrode_spacing_m: (start >= 0.3).then_some(thickness_m),
             capacitance_f: (width < 0.5).then_some(capacitance_f),
             permittivity_f_m: (width >= 0.5).then_some(capacitance_f),
+            electrodes: Electrodes::Circuit,
             strain_limit: None,
             leakage_ohm: (start < 0.2).then_some(capacitance_f),
             section,
@@ -225,6 +227,14 @@ fn assemble(((mut spec, patches, stop, drive), (run, ratios, reduction, beyond, 
     let modal = spec.modal.iter().flat_map(|(body, modal)| modal.patch.keys().map(move |patch| format!("{body}.{patch}")));
     let names: Vec<String> = spec.patch.keys().cloned().chain(modal).collect();
     spec.circuit = names.into_iter().zip(loads).map(|(patch, (name, resistance_ohm))| (name, circuit(patch, resistance_ohm))).collect();
+    // Of two circuits of one name the second stands; the patch of the first is left open.
+    let taken: Vec<String> = spec.circuit.values().flat_map(|circuit| circuit.connections().map(|(patch, _)| patch.to_owned())).collect();
+    let modal = spec.modal.iter_mut().flat_map(|(body, modal)| {
+        let patches = modal.patch.iter_mut();
+        patches.map(move |(name, patch)| (format!("{body}.{name}"), &mut patch.electrodes))
+    });
+    let own = spec.patch.iter_mut().map(|(name, patch)| (name.clone(), &mut patch.electrodes));
+    own.chain(modal).filter(|(name, _)| !taken.contains(name)).for_each(|(_, electrodes)| *electrodes = Electrodes::Open);
     // A thin skin without mass prints and reads its unused density like any other.
     let mut spec = Spec { stop, drive, run, reduction, damping: Damping { ratios, beyond: Some(beyond) }, ..spec };
     apart(&mut spec);

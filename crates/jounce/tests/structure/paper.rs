@@ -1,6 +1,6 @@
 //! The harvester of the paper, its parts, and its frequencies by another method.
 
-use jounce::spec::{Beam, Damping, Face, Mass, Patch, Reduction, Section, Spec};
+use jounce::spec::{Beam, Damping, Electrodes, Face, Mass, Patch, Reduction, Section, Spec};
 use jounce::structure::Modes;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -51,6 +51,7 @@ pub fn paper_patch(section: Section) -> Patch {
         permittivity_f_m: None,
         strain_limit: None,
         leakage_ohm: None,
+        electrodes: Electrodes::Circuit,
         section,
         pores: Default::default(),
         foils: Default::default(),

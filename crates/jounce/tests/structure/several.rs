@@ -1,7 +1,7 @@
 //! Several structures in one spec, free masses, structures given by their modes, damping.
 
 use crate::paper::{bare_cantilever, fixed, greatest_relative_difference, paper, paper_beam, sprung, table};
-use jounce::spec::{Beam, Modal, ModalPatch, Section, Spec};
+use jounce::spec::{Beam, Electrodes, Modal, ModalPatch, Section, Spec};
 use jounce::structure::{StructureError, modes, modes_holding};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -64,7 +64,7 @@ fn modal_structures_stand_alone() {
         point: BTreeMap::from([("tip".into(), vec![0.3, -12.0])]),
         patch: BTreeMap::from([(
             "mfc".into(),
-            ModalPatch { coupling_n_per_v: vec![-1e-6, 2e-3], capacitance_f: 177e-9, leakage_ohm: None },
+            ModalPatch { coupling_n_per_v: vec![-1e-6, 2e-3], capacitance_f: 177e-9, leakage_ohm: None, electrodes: Electrodes::Circuit },
         )]),
     };
     let mut spec = Spec { modal: BTreeMap::from([("harvester".into(), harvester)]), ..Spec::default() };

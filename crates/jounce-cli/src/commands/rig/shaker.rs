@@ -86,8 +86,8 @@ impl ShakerArguments {
     }
 
     fn move_base(&self, spec: &mut Spec, file: &Path) -> Result<(), Failure> {
-        let survey = survey(file)?;
-        let number = channel(&survey, self.base_channel.as_deref(), Quantity::Acceleration, "--base-channel")?;
+        let mut survey = survey(file)?;
+        let number = channel(&mut survey, self.base_channel.as_deref(), Quantity::Acceleration, "--base-channel")?;
         let recording = loaded(survey, &[number])?;
         let name = &recording.channels[0].name;
         let mean = on_recorded_base(spec, &recording, name, self.keep_mean)?;

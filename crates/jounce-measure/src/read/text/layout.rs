@@ -49,7 +49,8 @@ impl Layout {
     pub(super) fn find(head: &str) -> Result<Self, Damage> {
         let lines: Vec<&str> = head.lines().collect();
         let best = ROWS.iter().find_map(|rows| most_columns(&lines, *rows));
-        let (skip, count, delimiter, decimal_comma) = best.ok_or_else(|| Damage::new("it holds no rows of numbers"))?;
+        let (skip, count, delimiter, decimal_comma) =
+            best.ok_or_else(|| Damage::new("it holds no rows of numbers (dates and times of day are none: write seconds)"))?;
         let heads = heads(&lines[..skip], count, delimiter);
         Ok(Self { delimiter, decimal_comma, skip, heads })
     }

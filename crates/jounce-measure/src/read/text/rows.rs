@@ -1,6 +1,6 @@
 //! The rows of a text to columns.
 
-use std::io::{BufRead, Read as _};
+use std::io::{self, BufRead, Read as _};
 
 use super::super::error::Damage;
 use super::super::number::Field;
@@ -40,69 +40,109 @@ const SPARE: f64 = 1.02;
 
 /// Reads the rows below the header of a text of `size` bytes line by line.
 pub(in crate::read) fn columns(mut source: impl BufRead, size: u64, layout: &Layout, shelf: &Shelf) -> Result<Rows, Damage> {
-    let width = layout.heads.len();
-    let mut columns: Vec<Numbers> = (0..width).map(|_| shelf.column()).collect();
-    let mut imaginary: Vec<Option<Numbers>> = (0..width).map(|_| None).collect();
-    let (mut ragged, mut text, mut number) = (Tally::default(), Tally::default(), 0);
-    let (mut bytes, mut read) = (Vec::new(), 0);
+    let mut rows = Growing::below(layout, shelf);
+    let (mut bytes, mut read, mut number) = (Vec::new(), 0, 0);
     loop {
         bytes.clear();
         let here = |why: String| Damage::at(Place::Line(number + 1), why);
         let length = source.by_ref().take(LONGEST).read_until(b'\n', &mut bytes).map_err(|fault| here(fault.to_string()))?;
         if length == 0 {
-            break;
+            return Ok(rows.finished(layout));
         }
         if length as u64 == LONGEST {
             return Err(here("it is longer than 16 MiB; a channel is a column, and each line holds one sample of each".to_owned()));
         }
         number += 1;
         read += length as u64;
-        if columns.first().is_some_and(|first| first.count() == TOLD) {
+        rows.expect(read, size);
+        let line = String::from_utf8_lossy(bytes.trim_ascii_end());
+        if number > layout.skip && !line.trim().is_empty() {
+            rows.line(number, &fields(&line, layout), bytes.ends_with(b"\n"))?;
+        }
+    }
+}
+
+/// Columns that grow row by row, and what was noticed so far.
+struct Growing<'a> {
+    shelf: &'a Shelf,
+    columns: Vec<Numbers>,
+    /// Imaginary parts of the columns that had a complex number.
+    imaginary: Vec<Option<Numbers>>,
+    ragged: Tally,
+    text: Tally,
+    cut: Tally,
+}
+
+impl<'a> Growing<'a> {
+    fn below(layout: &Layout, shelf: &'a Shelf) -> Self {
+        let columns: Vec<Numbers> = layout.heads.iter().map(|_| shelf.column()).collect();
+        let imaginary = columns.iter().map(|_| None).collect();
+        Self { shelf, columns, imaginary, ragged: Tally::default(), text: Tally::default(), cut: Tally::default() }
+    }
+
+    /// Takes room for all rows of a text of `size` bytes, once enough of them were `read` to tell how many there are.
+    fn expect(&mut self, read: u64, size: u64) {
+        if self.columns.first().is_some_and(|first| first.count() == TOLD) {
             let rows = SPARE * TOLD as f64 * size.saturating_sub(read) as f64 / read as f64;
-            for column in columns.iter_mut().filter(|column| column.count() == TOLD) {
+            for column in self.columns.iter_mut().filter(|column| column.count() == TOLD) {
                 column.expect(rows as usize);
             }
         }
-        let line = String::from_utf8_lossy(bytes.trim_ascii_end());
-        if number <= layout.skip || line.trim().is_empty() {
-            continue;
-        }
-        let fields = fields(&line, layout);
+    }
+
+    /// Takes a line; only the last one of a text may not be `ended`.
+    fn line(&mut self, number: usize, fields: &[Field], ended: bool) -> io::Result<()> {
+        let width = self.columns.len();
         let has_text = fields.contains(&Field::Text);
         if has_text && fields.iter().all(|field| matches!(field, Field::Text | Field::Missing)) {
-            text.add(number);
-            continue;
+            self.text.add(number);
+            return Ok(());
+        }
+        // What is left of a number is a number, and a wrong one: half a stamp would lie before all others.
+        if !ended && (fields.len() < width || fields.last() == Some(&Field::Text)) {
+            self.cut.add(number);
+            return Ok(());
         }
         // A delimiter at the end of a line is harmless.
         let trailing = fields.len() == width + 1 && fields[width] == Field::Missing;
         if fields.len() != width && !trailing {
-            ragged.add(number);
+            self.ragged.add(number);
         } else if has_text {
-            text.add(number);
+            self.text.add(number);
         }
-        for k in 0..width {
-            let (re, im) = match fields.get(k) {
-                Some(Field::Real(value)) => (*value, 0.0),
-                Some(Field::Complex(re, im)) => (*re, *im),
-                _ => (f64::NAN, f64::NAN),
-            };
-            if matches!(fields.get(k), Some(Field::Complex(..))) && imaginary[k].is_none() {
-                let mut zeros = shelf.column();
-                (0..columns[k].count()).try_for_each(|_| zeros.push(0.0))?;
-                imaginary[k] = Some(zeros);
-            }
-            columns[k].push(re)?;
-            if let Some(imaginary) = &mut imaginary[k] {
-                imaginary.push(im)?;
-            }
-        }
+        (0..width).try_for_each(|k| self.push(k, fields.get(k)))
     }
-    let ragged =
-        ragged.finding(FindingKind::Ragged, "lines with another number of fields than the first row: what is missing is no number");
-    let text = text.finding(FindingKind::Skipped, "lines with text among the numbers: the text was left out");
-    let column = |((head, values), imaginary): ((&(String, String), _), _)| Column { imaginary, ..Column::new(&head.0, &head.1, values) };
-    let columns = layout.heads.iter().zip(columns).zip(imaginary).map(column).collect();
-    Ok(Rows { columns, findings: ragged.into_iter().chain(text).collect() })
+
+    /// Puts a field below the others of its column.
+    fn push(&mut self, k: usize, field: Option<&Field>) -> io::Result<()> {
+        let (re, im) = match field {
+            Some(Field::Real(value)) => (*value, 0.0),
+            Some(Field::Complex(re, im)) => (*re, *im),
+            _ => (f64::NAN, f64::NAN),
+        };
+        if matches!(field, Some(Field::Complex(..))) && self.imaginary[k].is_none() {
+            let mut zeros = self.shelf.column();
+            (0..self.columns[k].count()).try_for_each(|_| zeros.push(0.0))?;
+            self.imaginary[k] = Some(zeros);
+        }
+        self.columns[k].push(re)?;
+        self.imaginary[k].as_mut().map_or(Ok(()), |imaginary| imaginary.push(im))
+    }
+
+    fn finished(self, layout: &Layout) -> Rows {
+        let ragged = "lines with another number of fields than the first row: what is missing is no number";
+        let text = "lines with text among the numbers: the text was left out";
+        let cut = "the file ends inside a row (was it cut?); that row was left out";
+        let findings = [
+            self.ragged.finding(FindingKind::Ragged, ragged),
+            self.text.finding(FindingKind::Skipped, text),
+            self.cut.finding(FindingKind::Skipped, cut),
+        ];
+        let column =
+            |((head, values), imaginary): ((&(String, String), _), _)| Column { imaginary, ..Column::new(&head.0, &head.1, values) };
+        let columns = layout.heads.iter().zip(self.columns).zip(self.imaginary).map(column).collect();
+        Rows { columns, findings: findings.into_iter().flatten().collect() }
+    }
 }
 
 fn fields(line: &str, layout: &Layout) -> Vec<Field> {

@@ -108,9 +108,10 @@ fn binary_part(cursor: &mut Cursor<impl BufRead>, head: &str, block: &mut Block,
     Ok(())
 }
 
-/// Text of a line; a byte outside ASCII becomes its Latin-1 character.
+/// Text of a line; where it is no UTF-8, a byte outside ASCII becomes its Latin-1 character.
 fn shown(line: &[u8]) -> String {
-    line.iter().map(|b| char::from(*b)).collect::<String>().trim_end().to_owned()
+    let latin = || line.iter().map(|b| char::from(*b)).collect();
+    std::str::from_utf8(line).map_or_else(|_| latin(), str::to_owned).trim_end().to_owned()
 }
 
 struct Cursor<S> {

@@ -9,6 +9,7 @@ mod header;
 mod nodes;
 mod numbers;
 
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
@@ -21,21 +22,29 @@ use crate::recording::{Finding, FindingKind, Place};
 pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     let file = File::open(path).map_err(|fault| Damage::new(fault.to_string()))?;
     let mut found = Found { sets: Vec::new(), shapes: Vec::new(), findings: Vec::new() };
+    let mut left_out: BTreeMap<u32, (usize, usize)> = BTreeMap::new();
     blocks::blocks(BufReader::with_capacity(1 << 20, file), shelf, |block| {
         match block.number {
             58 => found.sets.push(function::read(block, shelf)?),
             55 => found.shapes.push(nodes::read(&block)?),
-            other => {
-                let about = format!("data set {other} holds no samples (geometry, units or headers) and was left out");
-                found.findings.push(Finding::new(FindingKind::Skipped, 1, Some(Place::Byte(block.start)), about));
-            }
+            other => left_out.entry(other).or_insert((0, block.start)).0 += 1,
         }
         Ok(())
     })?;
     found.sets = function::grouped(found.sets)?;
     if found.sets.is_empty() && found.shapes.is_empty() {
-        let kinds: Vec<&str> = found.findings.iter().map(|finding| finding.about.as_str()).collect();
-        return Err(Damage::new(format!("it holds no data set 55 or 58: {}", kinds.join("; "))));
+        let times = |(number, (count, _)): (&u32, &(usize, usize))| {
+            if *count == 1 { number.to_string() } else { format!("{number} ({count} times)") }
+        };
+        let others: Vec<String> = left_out.iter().map(times).collect();
+        let others = if others.is_empty() { "nothing".to_owned() } else { others.join(", ") };
+        return Err(Damage::new(format!(
+            "it holds no data set 55 or 58, which are mode shapes and recordings, but {others}: geometry, units, headers or results of computations"
+        )));
+    }
+    for (number, (count, start)) in left_out {
+        let about = format!("data set {number} is no recording and no mode shape and was left out");
+        found.findings.push(Finding::new(FindingKind::Skipped, count, Some(Place::Byte(start)), about));
     }
     Ok(found)
 }

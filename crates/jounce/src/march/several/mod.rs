@@ -127,8 +127,9 @@ impl Marcher<'_> {
                 self.see(w, q);
             }
         }
-        // What is past a rigid stop by roundoff and moves out has left it.
-        if self.is_rigid(p) && self.ports[p].rate_m_s < 0.0 {
+        // What is past a rigid stop by roundoff and moves out has left it, unless it is pressed back before.
+        let motion = [self.ports[p].penetration_m, self.ports[p].rate_m_s];
+        if self.is_rigid(p) && motion[1] < 0.0 && !self.is_lost(p, motion) {
             return;
         }
         self.enter(p);

@@ -10,7 +10,7 @@ use crate::march::kernel::Kernel;
 use crate::march::level::PER_OCTAVE;
 use crate::march::marcher::Marcher;
 use crate::march::port_state::Regime;
-use crate::march::state::{add_push, pushed, spread};
+use crate::march::state::pushed;
 use crate::march::trajectory::PortForce;
 use crate::wide::{Lane, Wide};
 
@@ -32,9 +32,8 @@ impl Marcher<'_> {
             self.note(length.seconds(), &noted);
         }
         for (step, force) in steps.iter().zip(&forces) {
-            let spread = spread(w, force);
-            self.integrate_force(w, step, force, &spread);
-            add_push(w, &step.table.push, &spread, &mut self.next);
+            self.push_on(w, step, force);
+            self.integrate_force(w, step, force);
         }
         if let Some(tables) = tables {
             self.integrate_crossed(w, tables, &forces);

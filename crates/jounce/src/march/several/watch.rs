@@ -11,7 +11,7 @@ use crate::march::forced_flight::rest_bounds;
 use crate::march::joint_tables::Length;
 use crate::march::marcher::Marcher;
 use crate::march::port_state::Regime;
-use crate::march::state::{add_push, dot, pushed, spread};
+use crate::march::state::{dot, pushed};
 use crate::wide::{Lane, Wide};
 
 impl Marcher<'_> {
@@ -71,7 +71,7 @@ impl Marcher<'_> {
         let table = joint.steps[0].table;
         table.flow.apply(w, &self.y, &mut self.next);
         for (step, own) in joint.steps.iter().zip(solved) {
-            add_push(w, &step.table.push, &spread(w, &own.force), &mut self.next);
+            self.push_on(w, step, &nodal(&own.force));
         }
         let (rows, drive) = (&self.ports[p].rows, self.drive_at_end(p, joint.steps[0].port, joint.tables.length));
         let at_once: f64 = joint.steps.iter().zip(solved).map(|(step, own)| self.kernel.directly(step.port, p) * own.force.0[NODES]).sum();

@@ -161,12 +161,14 @@ impl Linearisation<'_> {
     #[inline(always)]
     fn advance<W: Wide>(&mut self, w: W, tables: &JointTables) {
         let (layout, table) = (self.kernel.layout, tables.own(0));
+        let pushes = |place: usize| tables.own(place).push(&self.kernel.vectors[tables.ports[place].0].column);
+        let push = pushes(0);
         for (lane, group) in self.tangents.groups_mut().enumerate() {
             let solution = self.system.column(w, 0, lane);
             let (paired, reals) = group.split_at_mut(2 * layout.pairs);
             for (k, pair) in paired.chunks_exact_mut(2).enumerate() {
                 let ([a, b, c, d], place) = (table.flow.pair(k), k % WIDTH);
-                let (push_u, push_v) = (&table.push[k / WIDTH], &table.push[layout.pair_lanes + k / WIDTH]);
+                let (push_u, push_v) = (&push[k / WIDTH], &push[layout.pair_lanes + k / WIDTH]);
                 let (u, v) = (w.load(&pair[0]), w.load(&pair[1]));
                 let mut next_u = w.fma(w.splat(a), u, w.mul(w.splat(b), v));
                 let mut next_v = w.fma(w.splat(c), u, w.mul(w.splat(d), v));
@@ -177,7 +179,7 @@ impl Linearisation<'_> {
                 (pair[0], pair[1]) = (w.store(next_u), w.store(next_v));
             }
             for (k, row) in reals.iter_mut().enumerate() {
-                let (push, place) = (&table.push[2 * layout.pair_lanes + k / WIDTH], k % WIDTH);
+                let (push, place) = (&push[2 * layout.pair_lanes + k / WIDTH], k % WIDTH);
                 let mut next = w.mul(w.splat(table.flow.real(k)), w.load(row));
                 for (by, x) in push.iter().zip(solution) {
                     next = w.fma(w.splat(by.0[place]), x, next);
@@ -185,11 +187,11 @@ impl Linearisation<'_> {
                 *row = w.store(next);
             }
             for other in 1..tables.ports.len() {
-                let (table, solution) = (tables.own(other), self.system.column(w, other, lane));
+                let (push, solution) = (pushes(other), self.system.column(w, other, lane));
                 for (state, row) in group.iter_mut().enumerate() {
                     let (at, place) = layout.place(state);
                     let mut next = w.load(row);
-                    for (by, x) in table.push[at].iter().zip(solution) {
+                    for (by, x) in push[at].iter().zip(solution) {
                         next = w.fma(w.splat(by.0[place]), x, next);
                     }
                     *row = w.store(next);

@@ -1,4 +1,4 @@
-//! Circuits: every patch exists and carries one circuit, and wiring says something.
+//! Circuits: every patch exists and carries one circuit or none on purpose, and wiring says something.
 
 use std::cell::LazyCell;
 use std::collections::BTreeMap;
@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use super::Broken;
 use super::reference::{patches, unknown};
 use crate::spec::nearest::clip;
-use crate::spec::{Spec, Wiring};
+use crate::spec::{Circuit, Electrodes, Spec, Wiring};
 
 pub(super) fn check(spec: &Spec, broken: &mut Broken) {
     // Listed once, and only if something is wrong.
@@ -43,6 +43,33 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
         if circuit.wiring == Wiring::Series && circuit.connections().count() == 1 {
             let text = || "says how several patches are connected, but there is one; name them in `patches` or leave it out".to_owned();
             broken.push(|| format!("circuit.{name}.wiring"), text);
+        }
+    }
+    check_electrodes(spec, &carried, broken);
+}
+
+/// No patch floats by mistake, and none that is said to is in a circuit.
+fn check_electrodes(spec: &Spec, carried: &BTreeMap<&str, &str>, broken: &mut Broken) {
+    // Which patch is meant by a circuit that names none, or one that is not there, is not known.
+    let named = |circuit: &Circuit| circuit.connections().count() > 0 && circuit.connections().all(|(patch, _)| has_patch(spec, patch));
+    let all_named = spec.circuit.values().all(named);
+    let own = spec.patch.iter().map(|(name, patch)| (format!("patch.{name}"), name.clone(), patch.electrodes));
+    let modal = spec.modal.iter().flat_map(|(body, modal)| {
+        let patches = modal.patch.iter();
+        patches.map(move |(name, patch)| (format!("modal.{body}.patch.{name}"), format!("{body}.{name}"), patch.electrodes))
+    });
+    for (path, name, electrodes) in own.chain(modal) {
+        let key = || format!("{path}.electrodes");
+        match (electrodes, carried.get(name.as_str())) {
+            (Electrodes::Circuit, None) if all_named => {
+                let text = "no circuit names this patch, so that it floats; name it in a [circuit.NAME], or give electrodes = \"open\"";
+                broken.push(key, || text.to_owned());
+            }
+            (Electrodes::Open, Some(circuit)) => {
+                let text = || format!("is \"open\", but circuit \"{}\" names this patch; leave one of them out", clip(circuit));
+                broken.push(key, text);
+            }
+            _ => {}
         }
     }
 }

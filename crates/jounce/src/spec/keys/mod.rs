@@ -4,6 +4,7 @@ mod beam;
 mod circuit;
 mod drive;
 mod drive_signal;
+mod electrodes;
 mod gravity;
 mod layer;
 mod mass;
@@ -53,7 +54,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
     things(
         "circuit",
-        "linear loads, each across one patch or several; a patch without one is open-circuit",
+        "linear loads, each across one patch or several; every patch has one, or says `electrodes = \"open\"`",
         &Named { get: |s: &Spec| &s.circuit, open: |s| &mut s.circuit, blank: circuit::blank, keys: circuit::KEYS },
     ),
     things(

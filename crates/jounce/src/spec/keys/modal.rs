@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use crate::spec::key::{Key, Kind, Named, Range, Slot};
-use crate::spec::{Modal, ModalPatch, Quantity};
+use crate::spec::{Electrodes, Modal, ModalPatch, Quantity};
 
-use super::FREQUENCY_LIMITS_HZ;
+use super::{FREQUENCY_LIMITS_HZ, electrodes};
 
 pub(super) fn blank() -> Modal {
     Modal {
@@ -18,7 +18,7 @@ pub(super) fn blank() -> Modal {
 }
 
 fn blank_patch() -> ModalPatch {
-    ModalPatch { coupling_n_per_v: Vec::new(), capacitance_f: f64::NAN, leakage_ohm: None }
+    ModalPatch { coupling_n_per_v: Vec::new(), capacitance_f: f64::NAN, leakage_ohm: None, electrodes: Electrodes::default() }
 }
 
 pub(super) static KEYS: &[Key<Modal>] = &[
@@ -74,6 +74,14 @@ static PATCH_KEYS: &[Key<ModalPatch>] = &[
         |p, x| p.capacitance_f = x,
     )
     .within(Range::POSITIVE),
+    Key::text(
+        "electrodes",
+        Kind::Choice(electrodes::WORDS),
+        electrodes::DOC,
+        |p: &ModalPatch| electrodes::word(p.electrodes).to_owned(),
+        |p, x| p.electrodes = electrodes::of(x),
+    )
+    .optional(),
     Key::with_slot(
         "leakage_resistance",
         Kind::Quantity(Quantity::Resistance),

@@ -2,9 +2,9 @@
 
 use crate::material;
 use crate::spec::key::{Key, Kind, Range, Slot};
-use crate::spec::{Face, Patch, PatchFoils, PatchPores, Quantity, Section};
+use crate::spec::{Electrodes, Face, Patch, PatchFoils, PatchPores, Quantity, Section};
 
-use super::pores;
+use super::{electrodes, pores};
 
 const COEFFICIENT: &[&str] = &["d31", "d33"];
 const CAPACITANCE: &[&str] = &["capacitance", "permittivity"];
@@ -27,6 +27,7 @@ pub(super) fn blank() -> Patch {
         permittivity_f_m: None,
         strain_limit: None,
         leakage_ohm: None,
+        electrodes: Electrodes::default(),
         section: Section::default(),
         pores: PatchPores::default(),
         foils: PatchFoils::default(),
@@ -210,6 +211,14 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     .within(Range::POSITIVE)
     .one_of(CAPACITANCE)
     .unless("material"),
+    Key::text(
+        "electrodes",
+        Kind::Choice(electrodes::WORDS),
+        electrodes::DOC,
+        |p: &Patch| electrodes::word(p.electrodes).to_owned(),
+        |p, x| p.electrodes = electrodes::of(x),
+    )
+    .optional(),
     Key::with_slot(
         "leakage_resistance",
         Kind::Quantity(Quantity::Resistance),

@@ -4,6 +4,7 @@ mod beam;
 mod circuit;
 mod damping;
 mod drive;
+mod electrodes;
 mod foils;
 mod gravity;
 mod layer;
@@ -20,6 +21,7 @@ pub use beam::Beam;
 pub use circuit::{Circuit, Interface, Wiring};
 pub use damping::Damping;
 pub use drive::{Drive, DriveKind};
+pub use electrodes::Electrodes;
 pub use foils::PatchFoils;
 pub use gravity::Gravity;
 pub use layer::Layer;
@@ -64,6 +66,13 @@ pub struct Spec {
 }
 
 impl Spec {
+    /// Takes all circuits away and leaves the electrodes of every patch open.
+    pub fn open_circuits(&mut self) {
+        self.circuit.clear();
+        let modal = self.modal.values_mut().flat_map(|modal| modal.patch.values_mut().map(|patch| &mut patch.electrodes));
+        self.patch.values_mut().map(|patch| &mut patch.electrodes).chain(modal).for_each(|electrodes| *electrodes = Electrodes::Open);
+    }
+
     /// True where a support is a mass, or one without spring that is fixed to it.
     pub fn is_fixed_to(&self, support: &str, mass: &str) -> bool {
         let mut support = support;

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use super::Electrodes;
+
 /// A structure given by its modes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Modal {
@@ -26,4 +28,6 @@ pub struct ModalPatch {
     pub capacitance_f: f64,
     /// `leakage_resistance` across it, ohm; `None` without.
     pub leakage_ohm: Option<f64>,
+    /// `electrodes`; default that a circuit names the patch.
+    pub electrodes: Electrodes,
 }

@@ -1,6 +1,6 @@
 //! `[patch.NAME]`
 
-use super::{PatchFoils, PatchPores};
+use super::{Electrodes, PatchFoils, PatchPores};
 
 /// A piezoelectric patch bonded on one face of a beam.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,6 +35,8 @@ pub struct Patch {
     pub permittivity_f_m: Option<f64>,
     /// `leakage_resistance` across the capacitance, ohm; `None` without.
     pub leakage_ohm: Option<f64>,
+    /// `electrodes`; default that a circuit names the patch.
+    pub electrodes: Electrodes,
     /// `strain_limit`: largest strain along the beam that it bears, dimensionless.
     pub strain_limit: Option<f64>,
     /// `section`; default `laminate`.

@@ -1,5 +1,6 @@
 //! From the tree of values to the typed spec, by the table of keys.
 
+mod doubtful;
 mod table;
 mod value;
 

@@ -1,7 +1,7 @@
 //! Tables: which keys stand, which are missing, which are not known.
 
 use super::value::read_slot;
-use super::{Reading, join};
+use super::{Reading, doubtful, join};
 use crate::spec::key::{Key, Kind, Need, Slot, applies, chosen};
 use crate::spec::nearest::{clip, did_you_mean, listed, nearest};
 use crate::spec::source::{Entry, Node};
@@ -14,8 +14,16 @@ pub(in crate::spec) fn read_keys<T>(keys: &'static [Key<T>], path: &str, node: &
     let mut doubtful: Vec<&str> = Vec::new();
     for key in keys {
         let info = &key.info;
-        let depends_on = [info.when.map(|when| when.key), key.quantity.as_ref().map(|measure| measure.by)];
-        if depends_on.into_iter().flatten().any(|other| doubtful.contains(&other)) || !applies(keys, thing, info) {
+        if let Some(choice) = info.when.map(|when| when.key).filter(|choice| doubtful.contains(choice)) {
+            if first_of_its_name(keys, key)
+                && let Some(entry) = entries.iter().find(|entry| entry.name == info.name)
+            {
+                doubtful::check(keys, choice, path, entry, thing, reading);
+            }
+            continue;
+        }
+        let measured_by = key.quantity.as_ref().map(|measure| measure.by);
+        if measured_by.is_some_and(|other| doubtful.contains(&other)) || !applies(keys, thing, info) {
             continue;
         }
         let Some(entry) = entries.iter().find(|entry| entry.name == info.name) else {
@@ -38,6 +46,10 @@ pub(in crate::spec) fn read_keys<T>(keys: &'static [Key<T>], path: &str, node: &
         }
     }
     check_alternatives(keys, path, entries, reading);
+}
+
+fn first_of_its_name<T>(keys: &[Key<T>], key: &Key<T>) -> bool {
+    keys.iter().find(|other| other.info.name == key.info.name).is_some_and(|first| std::ptr::eq(first, key))
 }
 
 /// Reports a key that is not there but must be, unless it stands misspelt; true where one is missing.

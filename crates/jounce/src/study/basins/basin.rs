@@ -7,7 +7,7 @@ use super::share::{QUANTILE_95, Share, wilson};
 use super::signature::{Signature, letters};
 use crate::march::{Kernel, MarchError};
 use crate::orbit::{Harvester, Orbit};
-use crate::run::{Exceeded, Limits, RunError};
+use crate::run::{Exceeded, Limits, RunError, check_outside};
 use crate::study::orbit_limits::{passed_by_orbit, passed_over};
 use crate::study::{Parameter, Prepared, StudyError};
 use rayon::prelude::*;
@@ -84,7 +84,10 @@ impl Basins<'_> {
                 return None;
             }
             let start = self.starts.start(&kernel.plant, index);
-            let fate = Fate::of(self.parameter, (&kernel, self.value), &start, self.tolerance);
+            let fate = match check_outside(&kernel.plant.system, &start[..kernel.plant.system.modes.len()]) {
+                Ok(()) => Fate::of(self.parameter, (&kernel, self.value), &start, self.tolerance),
+                Err(inside) => Fate::Lost(inside.to_string()),
+            };
             watch.count();
             done();
             (!watch.is_stopped()).then_some((index, fate))

@@ -3,9 +3,15 @@
 //! Every mode gets the same range of energy: `w q` and `q'` are uniform in `[-S, S]`, `S = spread w_drive L / |shape|`, with `L` the
 //! larger of the gap and the steady amplitude at the stop and `|shape|` the norm of the port's shape, about where gravity holds the
 //! harvester. Voltages start there too. The numbers are those of [`Stream`].
+//!
+//! A start inside a rigid stop is mirrored there, `q - 2 (s q - gap) s / |s|^2`, until it lies inside none.
 
+use crate::contact::Law;
 use crate::drive::Stream;
-use crate::plant::Plant;
+use crate::plant::{Plant, Stop, System};
+
+/// Times that a start is mirrored: between two stops it may lie many gaps away.
+const MIRRORED: usize = 1000;
 
 /// A cloud.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,6 +40,18 @@ impl Cloud {
             state[i] += size * stream.symmetric() / w;
             state[n + i] += size * stream.symmetric();
         }
+        mirror(&plant.system, &mut state);
         state
+    }
+}
+
+/// Takes displacements out of rigid stops, as far as there is room between these.
+fn mirror(system: &System, displacement: &mut [f64]) {
+    let rigid: Vec<_> = system.stops.iter().filter(|stop| matches!(stop.law, Law::Rigid(_))).collect();
+    for _ in 0..MIRRORED {
+        let depth_m = |stop: &Stop| stop.shape.iter().zip(&*displacement).map(|(s, q)| s * q).sum::<f64>() - stop.gap_m;
+        let Some((stop, depth_m)) = rigid.iter().map(|stop| (stop, depth_m(stop))).find(|(_, depth_m)| *depth_m > 0.0) else { return };
+        let square: f64 = stop.shape.iter().map(|s| s * s).sum();
+        displacement.iter_mut().zip(&stop.shape).for_each(|(q, s)| *q -= 2.0 * depth_m * s / square);
     }
 }

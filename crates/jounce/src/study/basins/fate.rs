@@ -3,7 +3,7 @@
 use super::lyapunov::{Lyapunov, Wandering, largest_exponent};
 use crate::march::{Kernel, MarchError, Marcher, VariationError};
 use crate::orbit::{Harvester, Orbit};
-use crate::study::branches::settled_orbit;
+use crate::study::branches::settled_motion;
 
 /// Drive cycles before an exponent is taken.
 const TRANSIENT_CYCLES: f64 = 500.0;
@@ -37,7 +37,7 @@ impl Fate {
         let mut state = start.to_vec();
         let mut round = 0;
         loop {
-            if let Some(orbit) = settled_orbit(harvester, value, &state, tolerance, 10.0 * tolerance) {
+            if let Some(orbit) = settled_motion(harvester, value, &state, tolerance, 10.0 * tolerance) {
                 return Fate::Orbit(orbit);
             }
             round += 1;

@@ -14,4 +14,5 @@ pub use branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
 pub use carry::{BranchCarry, Carried, Trend};
 pub use chase::{BranchChase, KnownOrbit};
 pub use search::{BranchSearch, Method};
+pub(super) use settled_orbit::settled_motion;
 pub use settled_orbit::settled_orbit;

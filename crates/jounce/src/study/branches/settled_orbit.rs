@@ -22,6 +22,10 @@ const THERE: f64 = 1e-6;
 /// Change over a period, beside the size of the state, that is roundoff of a motion that repeats itself.
 const REPEATS: f64 = 1e-9;
 
+/// Change over a period, beside the size of the state, of a motion that rests on a rigid stop and has settled: how it came to rest is
+/// forgotten, so that the change is what other modes still do.
+const RESTED: f64 = 1e-8;
+
 /// Farthest that an orbit may be, beside the size of the state, to be looked at.
 const NEAR: f64 = 0.1;
 
@@ -50,8 +54,14 @@ impl Candidate {
     }
 }
 
-/// A stable orbit near where the march from `start` (physical) settles. `None` when the march stays away from every orbit that is looked for.
+/// A stable orbit near where the march from `start` (physical) settles, one that can be followed: it does not rest on a rigid stop. `None`
+/// when the march stays away from every orbit that is looked for.
 pub fn settled_orbit<H: Harvester>(harvester: &H, parameter: f64, start: &[f64], tolerance: f64, goal: f64) -> Option<Orbit> {
+    settled_motion(harvester, parameter, start, tolerance, goal).filter(|orbit| !orbit.multipliers.is_empty())
+}
+
+/// The same, or the motion that comes to rest on a rigid stop in each period: without multipliers.
+pub fn settled_motion<H: Harvester>(harvester: &H, parameter: f64, start: &[f64], tolerance: f64, goal: f64) -> Option<Orbit> {
     let setting = harvester.at(parameter).ok()?;
     let kernel: &Kernel = &setting.kernel;
     let cycle_s = std::f64::consts::TAU / kernel.plant.tones.first()?.angular_frequency_rad_s;
@@ -65,11 +75,21 @@ pub fn settled_orbit<H: Harvester>(harvester: &H, parameter: f64, start: &[f64],
             if cycle >= CYCLES {
                 looks.push(marcher.state());
             }
+            if cycle == CYCLES {
+                marcher.reset_statistics();
+            }
         }
         y = looks.last()?.clone();
         let size = norm(looks[0].iter().copied()).max(norm(kernel.plant.steady_at(0.0).into_iter()));
         let distance = |cycles: u32| norm(looks[0].iter().zip(&looks[cycles as usize]).map(|(a, b)| a - b)) / size;
         let before = candidate.take();
+        if marcher.statistics().sticking_s != 0.0 {
+            if let Some(cycles) = (1..=LONGEST).find(|cycles| distance(*cycles) < RESTED) {
+                let shooting = Shooting::new(harvester, kernel, cycles, tolerance);
+                return shooting.marched_orbit(&kernel.plant.to_physical(&looks[0], 0.0), parameter).ok();
+            }
+            continue;
+        }
         // Periods over which the motion closes clearly better than over every shorter one.
         let mut closest = f64::INFINITY;
         let periods = (1..=LONGEST).filter(|cycles| {
@@ -82,7 +102,7 @@ pub fn settled_orbit<H: Harvester>(harvester: &H, parameter: f64, start: &[f64],
         let near = |cycles: u32| orbit_near(harvester, kernel, parameter, &state, (cycles, tolerance, goal));
         let found: Vec<(Orbit, f64)> = periods.filter_map(near).collect();
         if found.is_empty() && closest < REPEATS {
-            // It repeats itself and is no orbit that shooting can have: a ball that comes to rest on its table in each cycle.
+            // It repeats itself and is no orbit that shooting can have.
             return None;
         }
         let nearest = found.into_iter().reduce(|short, long| if long.1 < CLEARLY * short.1 { long } else { short });

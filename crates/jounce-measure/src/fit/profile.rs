@@ -1,0 +1,116 @@
+//! Intervals of the keys by the profile of what is minimised.
+//!
+//! Where a feature answers to a key as a sum and not as a product, the objective is no parabola in the logarithm of the key, and an interval
+//! from the covariance holds the truth too seldom. With `S(x)` the least objective of all sets of keys of which one is held at `x`,
+//!
+//! ```text
+//! S(low) = S(high) = S_min + q^2,
+//! ```
+//!
+//! with `q` the quantile: the covariance's own interval where `S` is a parabola. The other keys follow by steps of Gauss and Newton with the
+//! derivatives at the minimum.
+//!
+//! Source: D. Venzon, S. Moolgavkar, A method for computing profile-likelihood-based confidence intervals, Applied Statistics 37 (1988) 87.
+//! Validation: `tests/fitted/coverage.rs`, and a key whose interval is known in closed form below.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::FitError;
+
+/// Distance from the minimum, relative to the quantile, within which an end is found.
+const FOUND: f64 = 0.005;
+/// Steps towards an end.
+const STEPS: usize = 12;
+/// Most by which the distance of an end from the minimum changes in a step.
+const MOST: f64 = 2.0;
+
+/// Errors at a set of unknowns.
+pub(super) type Errors<'p> = dyn Fn(&DVector<f64>) -> Result<DVector<f64>, FitError> + 'p;
+
+/// A minimum from which ends are sought.
+pub(super) struct Profile<'p> {
+    /// Errors over their deviations at a set of unknowns.
+    pub errors: &'p Errors<'p>,
+    /// Where it lies.
+    pub least: &'p DVector<f64>,
+    /// The objective there.
+    pub objective: f64,
+    /// Derivatives of the errors there.
+    pub derivatives: &'p DMatrix<f64>,
+    /// Covariance of the unknowns there.
+    pub covariance: &'p DMatrix<f64>,
+}
+
+impl Profile<'_> {
+    /// The end of the interval of unknown `k` that lies `quantile` deviations to one side; none where the model cannot be followed there.
+    ///
+    /// # Errors
+    /// The wish to stop.
+    pub fn end(&self, k: usize, quantile: f64) -> Result<Option<f64>, FitError> {
+        let others = self.derivatives.clone().remove_column(k);
+        let Some(inverse) = (others.transpose() * &others).try_inverse() else { return Ok(None) };
+        let along = self.covariance.column(k) / self.covariance[(k, k)];
+        let mut away = quantile * self.covariance[(k, k)].sqrt();
+        let mut unknowns = self.least + &along * away;
+        let mut before = (0.0, 0.0);
+        for _ in 0..STEPS {
+            let errors = match (self.errors)(&unknowns) {
+                Ok(errors) => errors,
+                Err(stopped @ FitError::Stopped { .. }) => return Err(stopped),
+                Err(_) => return Ok(None),
+            };
+            let slope = others.transpose() * &errors;
+            let step = -&inverse * &slope;
+            let profile = errors.norm_squared() + slope.dot(&step);
+            let reached = (profile - self.objective).max(0.0).sqrt();
+            if (reached / quantile.abs() - 1.0).abs() < FOUND {
+                return Ok(Some(unknowns[k]));
+            }
+            // By the secant, as far as it goes.
+            let secant = away + (quantile.abs() - reached) * (away - before.0) / (reached - before.1);
+            let share = if secant.is_finite() { (secant / away).clamp(1.0 / MOST, MOST) } else { MOST };
+            unknowns += &along * (away * (share - 1.0)) + step.insert_row(k, 0.0);
+            before = (away, reached);
+            away *= share;
+        }
+        Ok(None)
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    /// One number `1 + b exp(x) + exp(y)` measured to `s`, one `exp(y)` to `t`: without priors `y` is free to follow, and what is left of `x` is
+    /// a straight line in `exp(x)`, whose interval is `exp(x0) +- q hypot(s, t) / b`.
+    #[test]
+    fn a_key_that_adds_to_a_feature_has_a_lopsided_interval() {
+        let (b, s, t, x, y) = (0.4, 0.05, 0.08, -0.3_f64, 0.2_f64);
+        let errors = |unknowns: &DVector<f64>| {
+            let (own, other) = (unknowns[0].exp(), unknowns[1].exp());
+            Ok(DVector::from_vec(vec![(b * (own - x.exp()) + other - y.exp()) / s, (other - y.exp()) / t]))
+        };
+        let least = DVector::from_vec(vec![x, y]);
+        let derivatives = DMatrix::from_row_slice(2, 2, &[b * x.exp() / s, y.exp() / s, 0.0, y.exp() / t]);
+        let covariance = (derivatives.transpose() * &derivatives).try_inverse().unwrap();
+        let profile = Profile { errors: &errors, least: &least, objective: 0.0, derivatives: &derivatives, covariance: &covariance };
+        for quantile in [1.96, -1.96] {
+            let exact = (x.exp() + quantile * s.hypot(t) / b).ln();
+            let found = profile.end(0, quantile).unwrap().unwrap();
+            assert!((found - exact).abs() < 0.01 * (exact - x).abs(), "{found} {exact}");
+            // The covariance alone is far off.
+            assert!((x + quantile * covariance[(0, 0)].sqrt() - exact).abs() > 0.1 * (exact - x).abs());
+        }
+    }
+
+    #[test]
+    fn a_model_that_ends_on_the_way_gives_no_end() {
+        let errors =
+            |unknowns: &DVector<f64>| if unknowns[0] > 0.5 { Err(FitError::NotConverged { evaluations: 0 }) } else { Ok(unknowns.clone()) };
+        let (least, unit) = (DVector::zeros(1), DMatrix::identity(1, 1));
+        let profile = Profile { errors: &errors, least: &least, objective: 0.0, derivatives: &unit, covariance: &unit };
+        assert_eq!(profile.end(0, 2.0).unwrap(), None);
+        assert!((profile.end(0, -2.0).unwrap().unwrap() + 2.0).abs() < 0.01);
+    }
+}

@@ -1,0 +1,32 @@
+//! What the force of a port pushes, and the rows by which the meters read its work.
+
+use super::crossed::Crossed;
+use super::layout::Layout;
+use crate::plant::{Meters, Plant};
+
+/// The vectors of one port in lanes.
+#[derive(Debug)]
+pub struct PortVectors {
+    /// Column of a unit force.
+    pub column: Crossed,
+    /// Row of the meter of each load.
+    pub loads: Vec<Crossed>,
+    /// The same for damping.
+    pub damping: Crossed,
+}
+
+impl PortVectors {
+    /// Of every port of a plant.
+    pub fn of_all(plant: &Plant, meters: &Meters, layout: &Layout) -> Vec<Self> {
+        let block = &plant.diagonal.block;
+        let of = |port: usize| {
+            let row = |meter: &crate::plant::EnergyMeter| Crossed::row(layout, block, meter.port_row(port));
+            Self {
+                column: Crossed::column(layout, block, &plant.ports[port].force),
+                loads: meters.loads.iter().map(row).collect(),
+                damping: row(&meters.damping),
+            }
+        };
+        (0..plant.ports.len()).map(of).collect()
+    }
+}
