@@ -84,10 +84,11 @@ fn fourth_power(x: f64) -> f64 {
     (x * x) * (x * x)
 }
 
-/// The flat quartic is negative, or the sloped one after its start, which lies in flight or on the stop.
+/// The flat quartic is negative, or the sloped one after its start, which lies in flight or on the stop. A point that leaves its stop from
+/// rest has two coefficients of zero there.
 #[inline(always)]
 pub(super) fn is_negative(flat: [f64; 5], sloped: [f64; 5]) -> bool {
-    flat.iter().all(|q| *q < 0.0) || sloped[1..].iter().all(|q| *q < 0.0)
+    flat.iter().all(|q| *q < 0.0) || (sloped[1..].iter().all(|q| *q <= 0.0) && sloped[4] < 0.0)
 }
 
 #[cfg(test)]
@@ -158,6 +159,18 @@ mod tests {
             assert!(values.windows(2).all(|pair| pair[1] > pair[0] - 1e-15), "falls inside {crossing:?}");
         }
         assert!(proved > 100, "{proved} proved crossings");
+    }
+
+    #[test]
+    fn a_point_that_leaves_its_stop_from_rest_is_clear() {
+        let leaves = Motion { w: 1.0, phase: 0.5 * std::f64::consts::PI, b: 0.0, v: 1.0 };
+        let mut step = leaves.step(0.5);
+        step.distance_m = [0.0, step.distance_m[1] - step.distance_m[0]];
+        step.speed_m_s[0] = 0.0;
+        assert!(step.is_clear());
+        step.distance_m[1] = 0.0;
+        step.speed_m_s[1] = 0.0;
+        assert!(!step.is_clear(), "what stays is not clear");
     }
 
     #[test]

@@ -187,9 +187,11 @@ impl Marcher<'_> {
 
     /// Size of the motion against which the certificate's uncertainty is held.
     fn scale_m(&self, p: usize, displacement_m: f64) -> f64 {
-        let rows = &self.ports[p].rows;
-        let gap = if rows.gap_m.is_finite() { rows.gap_m.abs() } else { 0.0 };
-        gap.max(displacement_m.abs()).max(rows.tone_scale_m)
+        let port = &self.ports[p];
+        let gap = if port.rows.gap_m.is_finite() { port.rows.gap_m.abs() } else { 0.0 };
+        // Of a point that leaves its stop from rest, its own motion is no measure: it has none yet.
+        let from_rest = if port.rate_m_s == 0.0 { self.terms_of(&port.rows.displacement) } else { 0.0 };
+        gap.max(displacement_m.abs()).max(port.rows.tone_scale_m).max(from_rest)
     }
 
     /// Displacement and velocity of a port under the drive at the present time.

@@ -11,6 +11,7 @@ use super::kernel::Kernel;
 use super::layout::Layout;
 use super::level::PER_OCTAVE;
 use super::odd_tables::OddTables;
+use super::pace::{KINK, KINK_OF_DERIVATIVE};
 use super::per_port::PerPort;
 use super::port_state::{PortState, Regime};
 use super::several::AdvanceSeveral;
@@ -43,6 +44,8 @@ pub struct Marcher<'k> {
     pub(super) flight_level: i32,
     /// How long the last flight that ended in a contact lasted, s.
     pub(super) flight_s: f64,
+    /// What a step that ends past the surface misses of the impulse left (see [`super::pace`]).
+    pub(super) kink: f64,
     pub(super) integrals: ContactIntegrals,
     pub(super) work: WorkCount,
     pub(super) opening: Opening,
@@ -87,6 +90,7 @@ impl<'k> Marcher<'k> {
             ports: PerPort::new(count, |port| PortState::new(plant, &layout, &tones, port, (start + 3 * PER_OCTAVE).min(Kernel::finest()))),
             flight_level: start,
             flight_s: f64::INFINITY,
+            kink: KINK,
             integrals: ContactIntegrals {
                 loads_j: vec![0.0; kernel.meters.loads.len()],
                 tones_n_s: PerPort::new(count, |_| vec![Default::default(); tones.len()]),
@@ -108,6 +112,11 @@ impl<'k> Marcher<'k> {
         }
         marcher.opening = marcher.readings();
         marcher
+    }
+
+    /// Ends contacts so finely that the derivative of the flow is as good as the flow.
+    pub(super) fn resolve_derivative(&mut self) {
+        self.kink = KINK_OF_DERIVATIVE;
     }
 
     /// Present time, s.

@@ -163,7 +163,7 @@ impl Marcher<'_> {
     }
 
     /// Sum of the magnitudes that an output is summed from.
-    fn terms_of(&self, row: &[Lane]) -> f64 {
+    pub(super) fn terms_of(&self, row: &[Lane]) -> f64 {
         let terms = |(row, y): (&Lane, &Lane)| row.0.iter().zip(y.0).map(|(row, y)| (row * y).abs()).sum::<f64>();
         row.iter().zip(&self.y).map(terms).sum()
     }

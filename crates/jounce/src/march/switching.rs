@@ -137,7 +137,7 @@ impl Marcher<'_> {
         let kernel = self.base.in_regime(regime)?;
         let mut next = Marcher::in_one_regime(kernel, &kernel.plant.from_physical(x, self.time_s), self.time_s, self.tolerance);
         next.base = self.base;
-        next.flight_level = self.flight_level;
+        (next.flight_level, next.kink) = (self.flight_level, self.kink);
         next.work = self.work;
         next.record = self.record.take();
         next.switching = std::mem::take(&mut self.switching);

@@ -99,6 +99,7 @@ impl Variation {
         drift: &Drift,
     ) -> Result<Self, VariationError> {
         let mut marcher = Marcher::new(kernel, start, start_s, tolerance)?;
+        marcher.resolve_derivative();
         marcher.start_record();
         marcher.advance_to(start_s + duration_s)?;
         let (end, statistics, energies) = (marcher.state(), marcher.statistics(), marcher.energies());
