@@ -177,4 +177,5 @@ def test_threads_and_processes_give_the_same_bits(short):
 
 def test_ctrl_c_is_the_usual_exception_for_those_who_do_not_know_ours():
     assert issubclass(jounce.Interrupted, KeyboardInterrupt)
-    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    # What the interpreter itself sets: nothing, where a shell has started the tests in the background.
+    assert signal.getsignal(signal.SIGINT) in (signal.default_int_handler, signal.SIG_IGN)
