@@ -149,6 +149,7 @@ impl FitAnswer {
         let profile = Profile {
             errors: &|unknowns| problem.errors(unknowns),
             least: &problem.unknowns,
+            at_least: &errors,
             objective: errors.norm_squared(),
             derivatives: &minimum.derivatives,
             covariance: &minimum.covariance,

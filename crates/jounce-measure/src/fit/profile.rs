@@ -7,8 +7,8 @@
 //! S(low) = S(high) = S_min + q^2,
 //! ```
 //!
-//! with `q` the quantile: the covariance's own interval where `S` is a parabola. The other keys follow by steps of Gauss and Newton with the
-//! derivatives at the minimum.
+//! with `q` the quantile: the covariance's own interval where `S` is a parabola. The other keys follow by steps of Gauss and Newton; the
+//! derivatives there are those at the minimum, and what every step has told of them since (Broyden's update).
 //!
 //! Source: D. Venzon, S. Moolgavkar, A method for computing profile-likelihood-based confidence intervals, Applied Statistics 37 (1988) 87.
 //! Validation: `tests/fitted/coverage.rs`, and a key whose interval is known in closed form below.
@@ -20,7 +20,9 @@ use super::FitError;
 /// Distance from the minimum, relative to the quantile, within which an end is found.
 const FOUND: f64 = 0.005;
 /// Steps towards an end.
-const STEPS: usize = 12;
+const STEPS: usize = 40;
+/// What the other keys may still gain at an end, beside the square of the quantile.
+const FOLLOWED: f64 = 0.01;
 /// Most by which the distance of an end from the minimum changes in a step.
 const MOST: f64 = 2.0;
 
@@ -33,7 +35,9 @@ pub(super) struct Profile<'p> {
     pub errors: &'p Errors<'p>,
     /// Where it lies.
     pub least: &'p DVector<f64>,
-    /// The objective there.
+    /// Errors there.
+    pub at_least: &'p DVector<f64>,
+    /// The sum of their squares.
     pub objective: f64,
     /// Derivatives of the errors there.
     pub derivatives: &'p DMatrix<f64>,
@@ -47,34 +51,52 @@ impl Profile<'_> {
     /// # Errors
     /// The wish to stop.
     pub fn end(&self, k: usize, quantile: f64) -> Result<Option<f64>, FitError> {
-        let others = self.derivatives.clone().remove_column(k);
-        let Some(inverse) = (others.transpose() * &others).try_inverse() else { return Ok(None) };
-        let along = self.covariance.column(k) / self.covariance[(k, k)];
-        let mut away = quantile * self.covariance[(k, k)].sqrt();
-        let mut unknowns = self.least + &along * away;
-        let mut before = (0.0, 0.0);
+        let mut derivatives = self.derivatives.clone();
+        let away = quantile * self.covariance[(k, k)].sqrt();
+        let mut unknowns = self.least + self.covariance.column(k) / self.covariance[(k, k)] * away;
+        let (mut before, mut reached_before) = (Place { unknowns: self.least.clone(), errors: self.at_least.clone() }, 0.0);
         for _ in 0..STEPS {
             let errors = match (self.errors)(&unknowns) {
                 Ok(errors) => errors,
                 Err(stopped @ FitError::Stopped { .. }) => return Err(stopped),
                 Err(_) => return Ok(None),
             };
-            let slope = others.transpose() * &errors;
-            let step = -&inverse * &slope;
-            let profile = errors.norm_squared() + slope.dot(&step);
-            let reached = (profile - self.objective).max(0.0).sqrt();
-            if (reached / quantile.abs() - 1.0).abs() < FOUND {
-                return Ok(Some(unknowns[k]));
+            let here = Place { unknowns, errors };
+            derivatives += self.update(&derivatives, &before, &here);
+            let Some(covariance) = (derivatives.transpose() * &derivatives).try_inverse() else { return Ok(None) };
+            let others = derivatives.clone().remove_column(k);
+            let Some(inverse) = (others.transpose() * &others).try_inverse() else { return Ok(None) };
+            let slope = others.transpose() * &here.errors;
+            let step = -inverse * &slope;
+            let left = -slope.dot(&step);
+            let reached = (here.errors.norm_squared() - left - self.objective).max(0.0).sqrt();
+            let found = (reached / quantile.abs() - 1.0).abs() < FOUND && left < FOLLOWED * quantile * quantile;
+            if found {
+                return Ok(Some(here.unknowns[k]));
             }
             // By the secant, as far as it goes.
-            let secant = away + (quantile.abs() - reached) * (away - before.0) / (reached - before.1);
-            let share = if secant.is_finite() { (secant / away).clamp(1.0 / MOST, MOST) } else { MOST };
-            unknowns += &along * (away * (share - 1.0)) + step.insert_row(k, 0.0);
-            before = (away, reached);
-            away *= share;
+            let been = here.unknowns[k] - self.least[k];
+            let slant = (been - (before.unknowns[k] - self.least[k])) / (reached - reached_before);
+            let share = if slant.is_finite() { ((been + (quantile.abs() - reached) * slant) / been).clamp(1.0 / MOST, MOST) } else { 1.0 };
+            unknowns = &here.unknowns + covariance.column(k) / covariance[(k, k)] * (been * (share - 1.0)) + step.insert_row(k, 0.0);
+            (before, reached_before) = (here, reached);
         }
         Ok(None)
     }
+
+    /// What a step tells of the derivatives: the least change, each unknown beside its deviation, that gives the errors at its end.
+    fn update(&self, derivatives: &DMatrix<f64>, from: &Place, to: &Place) -> DMatrix<f64> {
+        let moved = &to.unknowns - &from.unknowns;
+        let missed = &to.errors - &from.errors - derivatives * &moved;
+        let beside = moved.component_div(&self.covariance.diagonal());
+        missed * beside.transpose() / beside.dot(&moved)
+    }
+}
+
+/// A set of unknowns and the errors there.
+struct Place {
+    unknowns: DVector<f64>,
+    errors: DVector<f64>,
 }
 
 #[cfg(test)]
@@ -94,7 +116,14 @@ mod tests {
         let least = DVector::from_vec(vec![x, y]);
         let derivatives = DMatrix::from_row_slice(2, 2, &[b * x.exp() / s, y.exp() / s, 0.0, y.exp() / t]);
         let covariance = (derivatives.transpose() * &derivatives).try_inverse().unwrap();
-        let profile = Profile { errors: &errors, least: &least, objective: 0.0, derivatives: &derivatives, covariance: &covariance };
+        let profile = Profile {
+            errors: &errors,
+            least: &least,
+            at_least: &errors(&least).unwrap(),
+            objective: 0.0,
+            derivatives: &derivatives,
+            covariance: &covariance,
+        };
         for quantile in [1.96, -1.96] {
             let exact = (x.exp() + quantile * s.hypot(t) / b).ln();
             let found = profile.end(0, quantile).unwrap().unwrap();
@@ -109,7 +138,8 @@ mod tests {
         let errors =
             |unknowns: &DVector<f64>| if unknowns[0] > 0.5 { Err(FitError::NotConverged { evaluations: 0 }) } else { Ok(unknowns.clone()) };
         let (least, unit) = (DVector::zeros(1), DMatrix::identity(1, 1));
-        let profile = Profile { errors: &errors, least: &least, objective: 0.0, derivatives: &unit, covariance: &unit };
+        let profile =
+            Profile { errors: &errors, least: &least, at_least: &DVector::zeros(1), objective: 0.0, derivatives: &unit, covariance: &unit };
         assert_eq!(profile.end(0, 2.0).unwrap(), None);
         assert!((profile.end(0, -2.0).unwrap().unwrap() + 2.0).abs() < 0.01);
     }
