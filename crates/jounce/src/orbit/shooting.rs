@@ -221,10 +221,10 @@ impl Shot {
         Some((across, length))
     }
 
-    /// Displacement of the port, m, at `samples` equal times of the period.
-    pub fn displacements_m(&self, samples: usize) -> Vec<f64> {
+    /// Displacement of the port of a stop, m, at `samples` equal times of the period.
+    pub fn displacements_m(&self, stop: usize, samples: usize) -> Vec<f64> {
         let plant = &self.kernel.plant;
-        let Some(port) = plant.ports.first() else { return vec![0.0; samples] };
+        let Some(port) = plant.ports.get(stop) else { return vec![0.0; samples] };
         let cycle_s = self.period_s / self.trajectories.len() as f64;
         let times: Vec<f64> = (0..samples).map(|k| self.period_s * k as f64 / samples as f64).collect();
         let mut values = Vec::with_capacity(samples);
