@@ -47,6 +47,8 @@ pub struct Marcher<'k> {
     pub(super) work: WorkCount,
     pub(super) opening: Opening,
     pub(super) record: Option<Trajectory>,
+    /// Whether the derivative of the flow is to be had from the record.
+    pub(super) has_derivative: bool,
 }
 
 impl<'k> Marcher<'k> {
@@ -97,6 +99,7 @@ impl<'k> Marcher<'k> {
             work: WorkCount::default(),
             opening: Opening::default(),
             record: None,
+            has_derivative: false,
         };
         marcher.forced.open(&layout, &marcher.y);
         for (p, stop) in plant.system.stops.iter().enumerate() {
@@ -158,6 +161,12 @@ impl<'k> Marcher<'k> {
     /// Starts to keep every step.
     pub fn start_record(&mut self) {
         self.record = Some(Trajectory::default());
+    }
+
+    /// Starts to keep every step, each as the derivative of the flow needs it.
+    pub(super) fn start_derivative(&mut self) {
+        self.start_record();
+        self.has_derivative = true;
     }
 
     /// Ends the record and hands it over.

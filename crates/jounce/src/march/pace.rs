@@ -29,6 +29,10 @@ const END_GAIN: f64 = 1000.0;
 /// Share of the impulse of a force like `t^1.5` that ends in the second half of a step which seven Gauss nodes miss: at most 0.0086.
 const KINK: f64 = 0.01;
 
+/// The same for a march whose derivative is wanted. Its slope ends like `t^0.5`, of which the nodes miss far more, and what they miss jumps
+/// where a node comes to lie past the end: nothing that matters may be left.
+const SLOPE_KINK: f64 = 2.0;
+
 /// Lengths of a step before the end of the contact beyond which the end does not matter: the power of `rho` is above 1e8 there.
 const FAR: f64 = 2.0;
 
@@ -76,7 +80,8 @@ impl Marcher<'_> {
         }
         let left_n_s = leaving_s * solved.force.0[NODES - 1];
         // What one step misses that carries the point past the surface may be too small to matter.
-        if KINK * left_n_s <= allowed {
+        let missed = if self.has_derivative { SLOPE_KINK } else { KINK };
+        if missed * left_n_s <= allowed {
             return wanted.max(Kernel::level_within(2.0 * leaving_s));
         }
         let whole = Kernel::level_within(leaving_s);

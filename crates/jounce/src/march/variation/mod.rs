@@ -99,7 +99,7 @@ impl Variation {
         drift: &Drift,
     ) -> Result<Self, VariationError> {
         let mut marcher = Marcher::new(kernel, start, start_s, tolerance)?;
-        marcher.start_record();
+        marcher.start_derivative();
         marcher.advance_to(start_s + duration_s)?;
         let (end, statistics, energies) = (marcher.state(), marcher.statistics(), marcher.energies());
         let rectified = energies.rectified.iter().map(|own| own.load_j + own.battery_j);
