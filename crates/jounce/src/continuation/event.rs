@@ -5,6 +5,12 @@ use super::{Corrector, Direction, Family, Metric, Position, Step, Stretch, corre
 /// Most places tried.
 const MOST: u32 = 40;
 
+/// Where Newton fails: length of the bracket, beside the resolution, in which any place has come near.
+const NARROW: f64 = 10.0;
+
+/// Where Newton fails: value, beside those at the two ends, of a place that has come near.
+const SMALL: f64 = 0.01;
+
 /// One side of the zero.
 #[derive(Debug, Clone)]
 struct Side {
@@ -21,8 +27,8 @@ struct Side {
 /// the cubic between the two sides of the bracket, which comes nearer to the curve as it shrinks: by the fourth power of its length.
 /// The search ends when the bracket or the last move is shorter than `resolution` (in the metric), or a value is as small beside those
 /// at the two ends.
-/// Where Newton fails on the way, as it may within roundoff of a kink, the place with the least value so far is the answer; `None` where
-/// there is none.
+/// Where Newton fails on the way, as it may within roundoff of a kink, the place with the least value so far is the answer, if it has come
+/// near; otherwise there is none, as between two points of which one has been carried past the other.
 ///
 /// Source: T. R. Chandrupatla, Adv. Eng. Software 28 (1997) 145.
 pub fn locate<F: Family>(
@@ -59,7 +65,10 @@ pub fn locate<F: Family>(
         let guess = stretch.at(from_low * stretch.length);
         let found = correct(family, corrector, &metric, &unit, guess).ok();
         let found = found.and_then(|found| Some((tangent(&found.local, &metric, &unit)?, found)));
-        let Some((ahead, found)) = found else { return best.map(|(_, step)| step) };
+        let Some((ahead, found)) = found else {
+            let is_narrow = high.place - low.place <= NARROW * resolution;
+            return best.filter(|(own, _)| is_narrow || *own <= SMALL * size).map(|(_, step)| step);
+        };
         let step = Step { position: found.position, tangent: ahead, local: found.local, error: found.error };
         let place = metric.inner(&unit, &before.position.to(&step.position));
         let here = side(&step, place, value(&step));
