@@ -80,11 +80,9 @@ impl From<OrbitError<StudyError>> for Failure {
     fn from(error: OrbitError<StudyError>) -> Self {
         match error {
             OrbitError::Harvester(error) => error.into(),
-            OrbitError::Frequencies { .. }
-            | OrbitError::Impulsive { .. }
-            | OrbitError::SeveralStops { .. }
-            | OrbitError::Rectified { .. }
-            | OrbitError::Gravity => Failure::Input(error.to_string()),
+            OrbitError::Frequencies { .. } | OrbitError::Impulsive { .. } | OrbitError::Rectified { .. } | OrbitError::Free => {
+                Failure::Input(error.to_string())
+            }
             OrbitError::March(_) | OrbitError::Multipliers { .. } => Failure::NotConverged(error.to_string()),
         }
     }

@@ -23,7 +23,7 @@ use std::path::Path;
 enum Way {
     /// On the exact flow: every law, every period.
     Shooting,
-    /// Harmonics at the port: laws with a finite force.
+    /// Harmonics at the ports of the stops: laws with a finite force.
     HarmonicBalance,
 }
 
@@ -102,14 +102,20 @@ impl Branch {
             let (what, why, parameter) = match ending {
                 Ending::Failed { why, parameter } => ("ends", why, parameter),
                 Ending::Grazing { why, parameter } => ("grazes and turns sharply", why, parameter),
-                Ending::Range | Ending::Closed | Ending::Merged | Ending::Points => continue,
+                Ending::Points => {
+                    let points = branch.points.len();
+                    eprintln!("a branch of period {} is left after {points} points; give a shorter range", branch.period_cycles);
+                    continue;
+                }
+                Ending::Range | Ending::Closed | Ending::Merged => continue,
             };
             eprintln!("a branch of period {} {what} at {parameter} {}: {why}", branch.period_cycles, key.unit());
         }
         let estimates = branches.iter().flat_map(|branch| &branch.points).map(|point| (point.orbit.error_estimate, point.parameter));
         if let Some((worst, parameter)) = estimates.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(worst, _)| *worst > 1e-3) {
+            let other = if self.method == Way::Shooting { "" } else { " or --method shooting" };
             eprintln!(
-                "the largest error estimate is {worst:.1e}, at {parameter} {}: a smaller --tolerance or --method shooting brings it down",
+                "the largest error estimate is {worst:.1e}, at {parameter} {}: a smaller --tolerance{other} brings it down",
                 key.unit()
             );
         }

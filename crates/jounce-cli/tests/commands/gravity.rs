@@ -27,7 +27,7 @@ fn the_ball_on_a_table_is_followed_by_shooting() {
     std::fs::write(&path, soft.replace("law = \"rigid\"", "law = \"spring\"").replace("restitution = 0.8", "stiffness = \"1 kN/m\""))
         .unwrap();
     let (code, _, text) = jounce(&[&branch[..], &["--method", "harmonic-balance"]].concat());
-    assert!(code == 4 && text.contains("gravity; use the method shooting"), "{code} {text}");
+    assert!(code == 4 && text.contains("no stiffness") && text.contains("use the method shooting"), "{code} {text}");
 }
 
 /// Without power the branch tells how far the ball flies: of a period one with one impact that leaves at `v`, `T = 2 v / g`, it rises by

@@ -159,11 +159,9 @@ impl From<OrbitError<StudyError>> for Failure {
             OrbitError::Harvester(error) => error.into(),
             OrbitError::March(VariationError::March(error)) => Self::of("MarchError", &error),
             OrbitError::March(error) => Self::new("MarchError", error),
-            OrbitError::Frequencies { .. }
-            | OrbitError::Impulsive { .. }
-            | OrbitError::SeveralStops { .. }
-            | OrbitError::Rectified { .. }
-            | OrbitError::Gravity => Self::new("OrbitError", error),
+            OrbitError::Frequencies { .. } | OrbitError::Impulsive { .. } | OrbitError::Rectified { .. } | OrbitError::Free => {
+                Self::new("OrbitError", error)
+            }
             OrbitError::Multipliers { .. } => Self::new("ConvergenceError", error),
         }
     }

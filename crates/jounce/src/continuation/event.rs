@@ -5,6 +5,12 @@ use super::{Corrector, Direction, Family, Metric, Position, Step, Stretch, corre
 /// Most places tried.
 const MOST: u32 = 40;
 
+/// Where Newton fails: length of the bracket, beside the resolution, in which any place has come near.
+const NARROW: f64 = 10.0;
+
+/// Where Newton fails: value, beside those at the two ends, of a place that has come near.
+const SMALL: f64 = 0.01;
+
 /// One side of the zero.
 #[derive(Debug, Clone)]
 struct Side {
@@ -21,7 +27,8 @@ struct Side {
 /// the cubic between the two sides of the bracket, which comes nearer to the curve as it shrinks: by the fourth power of its length.
 /// The search ends when the bracket or the last move is shorter than `resolution` (in the metric), or a value is as small beside those
 /// at the two ends.
-/// `None` where Newton fails on the way.
+/// Where Newton fails on the way, as it may within roundoff of a kink, the place with the least value so far is the answer, if it has come
+/// near; otherwise there is none, as between two points of which one has been carried past the other.
 ///
 /// Source: T. R. Chandrupatla, Adv. Eng. Software 28 (1997) 145.
 pub fn locate<F: Family>(
@@ -48,17 +55,24 @@ pub fn locate<F: Family>(
     // The place before the last one, on whichever side.
     let mut third: Option<(f64, f64)> = None;
     let mut last_is_low = false;
+    let mut best: Option<(f64, Step<F::Local>)> = None;
     for _ in 0..MOST {
         let (one, two) = if last_is_low { (&low, &high) } else { (&high, &low) };
         let least = (0.5 * resolution / (high.place - low.place)).min(0.5);
         let share = next_share((one.place, one.value), (two.place, two.value), third).clamp(least, 1.0 - least);
         let stretch = Stretch::between(&metric, (&low.position, &low.tangent), (&high.position, &high.tangent));
         let from_low = if last_is_low { share } else { 1.0 - share };
-        let found = correct(family, corrector, &metric, &unit, stretch.at(from_low * stretch.length)).ok()?;
-        let ahead = tangent(&found.local, &metric, &unit)?;
+        let guess = stretch.at(from_low * stretch.length);
+        let found = correct(family, corrector, &metric, &unit, guess).ok();
+        let found = found.and_then(|found| Some((tangent(&found.local, &metric, &unit)?, found)));
+        let Some((ahead, found)) = found else {
+            let is_narrow = high.place - low.place <= NARROW * resolution;
+            return best.filter(|(own, _)| is_narrow || *own <= SMALL * size).map(|(_, step)| step);
+        };
         let step = Step { position: found.position, tangent: ahead, local: found.local, error: found.error };
         let place = metric.inner(&unit, &before.position.to(&step.position));
         let here = side(&step, place, value(&step));
+        let own = here.value.abs();
         let (small, is_high) = (here.value.abs() <= resolution * size, (here.value > 0.0) == (high.value > 0.0));
         let moved = (place - one.place).abs();
         let replaced = std::mem::replace(if is_high { &mut high } else { &mut low }, here);
@@ -67,6 +81,9 @@ pub fn locate<F: Family>(
         last_is_low = !is_high;
         if small || moved.min(high.place - low.place) <= resolution {
             return Some(step);
+        }
+        if best.as_ref().is_none_or(|(least, _)| own < *least) {
+            best = Some((own, step));
         }
     }
     None

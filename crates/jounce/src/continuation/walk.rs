@@ -28,6 +28,13 @@ pub struct Mark {
     length: f64,
 }
 
+impl Mark {
+    /// The tangent there, in the direction of the walk.
+    pub fn tangent(&self) -> &Direction {
+        &self.tangent
+    }
+}
+
 /// A walk along a curve. All of its state is visible.
 #[derive(Debug)]
 pub struct Walk<'f, F: Family> {
@@ -98,7 +105,7 @@ impl<'f, F: Family> Walk<'f, F> {
     fn advance(&mut self) -> Result<Step<F::Local>, WalkError<F::Error>> {
         let metric = Metric::at(&self.position, self.parameter_scale);
         let ahead = metric.unit(self.tangent.clone());
-        let mut last = f64::NAN;
+        let (mut last, mut refused) = (f64::NAN, None);
         while self.length > self.control.shortest {
             let guess = match &self.behind {
                 Some(stretch) => stretch.at(stretch.length + self.length),
@@ -115,10 +122,14 @@ impl<'f, F: Family> Walk<'f, F> {
                     }
                 }
                 Err(WalkError::Diverged { error, .. }) => last = error,
-                Err(WalkError::Singular { .. }) => {}
-                Err(other) => return Err(other),
+                // A step may lead where the problem has no meaning, though the curve does not: a shorter one need not.
+                Err(WalkError::Family(error)) => refused = Some(error),
+                Err(WalkError::Singular { .. } | WalkError::Stuck { .. }) => {}
             }
             self.length = self.control.shorter(self.length);
+        }
+        if let Some(error) = refused {
+            return Err(WalkError::Family(error));
         }
         Err(WalkError::Stuck { parameter: self.position.parameter, step: self.length, error: last })
     }

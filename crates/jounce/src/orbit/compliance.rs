@@ -1,10 +1,10 @@
-//! The plant between its port and itself, at the harmonics of an orbit.
+//! The plant between its ports, at the harmonics of an orbit.
 //!
 //! ```text
 //! d(t) = Re(S e^{i w t}) + sum_n G(i n w / p) f_n e^{i n w t / p},   G(s) = c (s I - A)^-1 b
 //! ```
 //!
-//! `d` is the displacement of the port (m), `f` the contact force (N), `p` the drive cycles of the period. The diagonal form makes
+//! `d` is the displacement of a port (m), `f` the contact force at one (N), `p` the drive cycles of the period. The diagonal form makes
 //! `G` exact at a cost that grows with the number of modes times the number of harmonics, and with nothing else.
 
 use crate::plant::Plant;
@@ -67,20 +67,27 @@ pub struct Transfer {
 }
 
 impl Transfer {
-    /// From the contact force to an output `row`; `step_rad_s` is `w / p`.
-    pub fn new(plant: &Plant, row: &[f64], step_rad_s: f64, harmonics: usize) -> Self {
+    /// From a force on a `column` to an output `row`; `step_rad_s` is `w / p`. States that nothing brings back are left out: see
+    /// [`moves_without_end`].
+    pub fn new(plant: &Plant, row: &[f64], column: &[f64], step_rad_s: f64, harmonics: usize) -> Self {
         let none = vec![c64::new(0.0, 0.0); harmonics + 1];
         let mut transfer = Self { values: none.clone(), slopes: none };
-        let Some(port) = plant.ports.first() else { return transfer };
         let block = &plant.diagonal.block;
-        for (pair, (c, u)) in block.pairs.iter().zip(row.chunks_exact(2).zip(port.force.chunks_exact(2))) {
+        let free = block.free();
+        for (pair, ((c, u), free)) in block.pairs.iter().zip(row.chunks_exact(2).zip(column.chunks_exact(2)).zip(free.chunks_exact(2))) {
+            if free[0] {
+                continue;
+            }
             let [a, b, d, e] = pair.matrix();
             let first = c[0] * u[0] + c[1] * u[1];
             let rest = c[0] * (b * u[1] - e * u[0]) + c[1] * (d * u[0] - a * u[1]);
             transfer.add(step_rad_s, [first, rest], [1.0, -a - e, a * e - b * d]);
         }
         let paired = 2 * block.pairs.len();
-        for (rate, (c, u)) in block.reals.iter().zip(row[paired..].iter().zip(&port.force[paired..])) {
+        for (rate, ((c, u), free)) in block.reals.iter().zip(row[paired..].iter().zip(&column[paired..]).zip(&free[paired..])) {
+            if *free {
+                continue;
+            }
             transfer.add(step_rad_s, [0.0, c * u], [0.0, 1.0, -rate]);
         }
         transfer
@@ -96,6 +103,24 @@ impl Transfer {
             *slope += (c64::new(p, 0.0) - own * c64::new(b, 2.0 * a * w)) * inverse;
         }
     }
+}
+
+/// Share of a free state in the motion of a port above which the port moves it: the charge of an open patch has roundoff.
+const MOVED: f64 = 1e-9;
+
+/// True where a constant force at a stop moves a body without end, for nothing brings it back: `G` is infinite at rest. A free state that
+/// no stop reaches, as the charge of an open patch is, has no part in `G`.
+pub fn moves_without_end(plant: &Plant) -> bool {
+    let free = plant.diagonal.block.free();
+    let ports = &plant.ports[..plant.system.stops.len()];
+    // Either state of a pair may be the one that is pushed.
+    let share = |row: &[f64], column: &[f64], i: usize| row[i].abs() * column[i ^ 1].abs();
+    ports.iter().flat_map(|a| ports.iter().map(move |b| (&a.displacement, &b.force))).any(|(row, column)| {
+        let paired = 2 * plant.diagonal.block.pairs.len();
+        let of = |i: usize| (row[i] * column[i]).abs() + if i < paired { share(row, column, i) } else { 0.0 };
+        let whole: f64 = (0..row.len()).map(of).sum();
+        (0..row.len()).filter(|i| free[*i]).any(|i| of(i) > MOVED * whole)
+    })
 }
 
 /// Adds a harmonic of the drive, complex displacement of the port in m, to the harmonics of a period of `cycles` of it.

@@ -12,7 +12,10 @@ pub enum OrbitError<H: std::error::Error> {
     #[error(transparent)]
     March(#[from] VariationError),
     /// No drive, or drives of several frequencies.
-    #[error("an orbit needs a drive of one frequency; this harvester has {frequencies} drive frequencies")]
+    #[error(
+        "an orbit needs a drive of one frequency; this harvester has {frequencies} drive frequencies: {}",
+        if *frequencies == 0 { "add a [drive.NAME] with an amplitude and a frequency" } else { "take out all drives but those of one frequency" }
+    )]
     Frequencies {
         /// How many there are.
         frequencies: usize,
@@ -25,15 +28,11 @@ pub enum OrbitError<H: std::error::Error> {
         /// Name of the stop.
         stop: String,
     },
-    /// Harmonic balance of several contact forces.
-    #[error("harmonic balance takes one stop; this harvester has {stops}: use the method shooting, which takes any number")]
-    SeveralStops {
-        /// How many there are.
-        stops: usize,
-    },
-    /// Harmonic balance under gravity.
-    #[error("harmonic balance does not know the constant force of gravity; use the method shooting, or take [gravity] out")]
-    Gravity,
+    /// Harmonic balance of a body that nothing brings back.
+    #[error(
+        "harmonic balance needs a body that comes back by itself, and a body of this harvester has no stiffness: a constant force would move it without end; use the method shooting, or give it a stiffness"
+    )]
+    Free,
     /// Harmonic balance of diodes and switches.
     #[error("harmonic balance does not know the diodes and switches of circuit `{circuit}`: use the method shooting")]
     Rectified {

@@ -1,7 +1,7 @@
 //! Periodic orbits of a harvester under a drive of one frequency, stable or not.
 //!
 //! Two methods that share nothing but the plant and the contact law: [`Shooting`] on the exact flow with its exact derivative, for
-//! orbits of any number of drive cycles and for every law, and [`HarmonicBalance`] at the port. Stability always comes from the exact flow.
+//! orbits of any number of drive cycles and for every law, and [`HarmonicBalance`] at the ports. Stability always comes from the exact flow.
 
 mod balance;
 mod border;

@@ -102,7 +102,7 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         let mut y = plant.from_physical(&self.physical(unknown), 0.0);
         let steady = plant.steady_at(0.0);
         let mut looks = vec![unknown.to_vec()];
-        let mut map = Mat::<f64>::identity(n, n);
+        let mut map: Option<Mat<f64>> = None;
         // d y / dp: the state is held, so that its part without the steady one moves against it.
         let mut by_parameter: Vec<f64> = change.steady.iter().map(|s| -s).collect();
         let (mut trajectories, mut contacts, mut max_penetration_m, mut loads_w) =
@@ -115,7 +115,7 @@ impl<'h, H: Harvester> Shooting<'h, H> {
                     carried + cycle.drift[i] + cycle.rate[i] * cycle_s * change.period_relative
                 })
                 .collect();
-            map = &cycle.jacobian * &map;
+            map = Some(map.map_or_else(|| cycle.jacobian.clone(), |before| &cycle.jacobian * &before));
             y = cycle.end;
             let full: Vec<f64> = y.iter().zip(&steady).map(|(y, s)| y + s).collect();
             looks.push(self.unknown(&apply(plant.diagonal.to_physical.as_ref(), &full)));
@@ -130,7 +130,7 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         let left = Mat::from_fn(n, n, |i, j| self.scale[i] * out[(i, j)]);
         let right = Mat::from_fn(n, n, |i, j| into[(i, j)] / self.scale[j]);
         let kept = kept_charges(plant, &self.scale, &trajectories);
-        let whole = map;
+        let whole = map.unwrap_or_else(|| Mat::identity(n, n));
         let map = without(&left * &whole * &right, &kept);
         let block_map = if kept.is_empty() { whole } else { &right * &map * &left };
         let mut residual: Vec<f64> = looks[looks.len() - 1].iter().zip(unknown).map(|(end, start)| end - start).collect();
@@ -221,10 +221,10 @@ impl Shot {
         Some((across, length))
     }
 
-    /// Displacement of the port, m, at `samples` equal times of the period.
-    pub fn displacements_m(&self, samples: usize) -> Vec<f64> {
+    /// Displacement of the port of a stop, m, at `samples` equal times of the period.
+    pub fn displacements_m(&self, stop: usize, samples: usize) -> Vec<f64> {
         let plant = &self.kernel.plant;
-        let Some(port) = plant.ports.first() else { return vec![0.0; samples] };
+        let Some(port) = plant.ports.get(stop) else { return vec![0.0; samples] };
         let cycle_s = self.period_s / self.trajectories.len() as f64;
         let times: Vec<f64> = (0..samples).map(|k| self.period_s * k as f64 / samples as f64).collect();
         let mut values = Vec::with_capacity(samples);

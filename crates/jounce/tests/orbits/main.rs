@@ -21,6 +21,7 @@ mod rested;
 #[path = "../linear/rows.rs"]
 #[expect(dead_code, reason = "rows are checked one by one here")]
 mod rows;
+mod several;
 mod square_root;
 mod sweeps;
 mod tracking;

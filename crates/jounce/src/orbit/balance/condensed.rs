@@ -1,11 +1,11 @@
 //! Newton's linear system, condensed to the nodes in contact.
 
-use super::angles::Angles;
-use super::motion::{complex, harmonics, real, through, turned};
-use super::nodes::Node;
+use super::between::Between;
+use super::motion::{complex, turned};
+use super::nodes::Side;
 use super::response::Response;
+use faer::Mat;
 use faer::linalg::solvers::{PartialPivLu, Solve};
-use faer::{Mat, c64};
 
 /// `I - J K w - J' K' w` at the nodes with the border that was asked for first, factored.
 #[derive(Debug)]
@@ -19,78 +19,102 @@ pub struct Condensed {
     column_size: f64,
 }
 
-/// The nodes and the plant between them.
+/// The nodes and the plant between them. Values at the nodes stand one stop after the other.
 #[derive(Debug, Clone, Copy)]
 pub struct Sides<'b> {
-    /// The nodes.
-    pub nodes: &'b [Node],
-    /// Their angles.
-    pub angles: &'b Angles,
+    /// The nodes of each stop.
+    pub each: &'b [Side],
     /// Up to the last harmonic.
-    pub compliance: &'b [c64],
+    pub between: &'b Between,
     /// `w / p`, rad/s.
     pub step_rad_s: f64,
 }
 
 impl Sides<'_> {
-    /// Forces at the nodes per harmonics of the displacement, `J phi + J' phi'`.
+    /// Nodes of all stops.
+    fn count(&self) -> usize {
+        self.each.iter().map(|side| side.nodes.len()).sum()
+    }
+
+    /// Forces at the nodes per harmonics of the displacements, `J phi + J' phi'`.
     fn felt(&self, harmonics: &[f64]) -> Vec<f64> {
-        let own = complex(harmonics);
-        let (values, rates) = if self.are_damped() {
-            let [values, rates] = self.angles.values([&own, &turned(&own, self.step_rad_s)]);
-            (values, rates)
-        } else {
-            let [values] = self.angles.values([&own]);
-            let none = vec![0.0; values.len()];
-            (values, none)
+        let mut felt = Vec::with_capacity(self.count());
+        for (side, own) in self.each.iter().zip(harmonics.chunks_exact(self.between.size())) {
+            let own = complex(own);
+            let (values, rates) = if is_damped(side) {
+                let [values, rates] = side.angles.values([&own, &turned(&own, self.step_rad_s)]);
+                (values, rates)
+            } else {
+                let [values] = side.angles.values([&own]);
+                let none = vec![0.0; values.len()];
+                (values, none)
+            };
+            let forces = values.iter().zip(&rates).zip(&side.nodes);
+            felt.extend(forces.map(|((value, rate), node)| node.slopes.stiffness_n_m * value + node.slopes.damping_n_s_m * rate));
+        }
+        felt
+    }
+
+    /// Harmonics of the displacements per forces at the nodes, `G phi^T w`.
+    fn pushed(&self, mut forces_n: impl Iterator<Item = f64>) -> Vec<f64> {
+        let mut own = |side: &Side| {
+            let weights: Vec<f64> = side.nodes.iter().zip(&mut forces_n).map(|(node, force_n)| force_n * node.share).collect();
+            side.gathered(&weights, self.between.harmonics())
         };
-        let slopes = self.nodes.iter().map(|node| node.slopes);
-        let forces = values.iter().zip(&rates).zip(slopes);
-        forces.map(|((value, rate), slopes)| slopes.stiffness_n_m * value + slopes.damping_n_s_m * rate).collect()
-    }
-
-    /// True where the force depends on the rate.
-    fn are_damped(&self) -> bool {
-        self.nodes.iter().any(|node| node.slopes.damping_n_s_m != 0.0)
-    }
-
-    /// Harmonics of the displacement per forces at the nodes, `G phi^T w`.
-    fn pushed(&self, forces: impl Iterator<Item = f64>) -> Vec<f64> {
-        let weights: Vec<f64> = forces.zip(self.nodes).map(|(force, node)| force * node.share).collect();
-        let moments = self.angles.moments(&weights, self.compliance.len() - 1);
-        real(&through(self.compliance, &harmonics(&moments)))
+        self.between.pushed(&self.each.iter().map(&mut own).collect::<Vec<_>>())
     }
 
     /// The transpose of [`Self::pushed`].
     fn pulled(&self, row: &[f64]) -> Vec<f64> {
-        let back: Vec<c64> = complex(row).iter().zip(self.compliance).map(|(r, g)| r * g.conj()).collect();
-        let [values] = self.angles.values([&back]);
-        values.iter().zip(self.nodes).map(|(value, node)| value * node.share).collect()
+        let mut pulled = Vec::with_capacity(self.count());
+        for (side, back) in self.each.iter().zip(self.between.pulled(row)) {
+            let [values] = side.angles.values([&back]);
+            pulled.extend(values.iter().zip(&side.nodes).map(|(value, node)| value * node.share));
+        }
+        pulled
     }
 }
 
+/// True where the force of a stop depends on the rate.
+fn is_damped(side: &Side) -> bool {
+    side.nodes.iter().any(|node| node.slopes.damping_n_s_m != 0.0)
+}
+
 impl Condensed {
-    /// At nodes between which the plant responds by `response`, with the border `[R_u by; row corner]`; `None` where that is not finite.
-    pub fn new(sides: Sides<'_>, response: &Response, by: &[f64], (row, corner): (&[f64], f64)) -> Option<Self> {
-        let count = sides.nodes.len();
-        let places: Vec<f64> = sides.nodes.iter().map(|node| response.place(node.angle)).collect();
+    /// At nodes between which the plant responds by tables of every pair of ports, row by row, with the border `[R_u by; row corner]`;
+    /// `None` where that is not finite.
+    pub fn new(sides: Sides<'_>, responses: &[Response], by: &[f64], (row, corner): (&[f64], f64)) -> Option<Self> {
+        let (count, stops) = (sides.count(), sides.each.len());
         let (felt, pulled) = (sides.felt(by), sides.pulled(row));
         let bottom = dot(row, by) + corner;
         let largest = |values: &[f64], least: f64| values.iter().fold(least, |max, value| max.max(value.abs()));
         let column_size = largest(&felt, f64::MIN_POSITIVE).max(if count == 0 { 1.0 } else { 0.0 });
         let row_size = largest(&pulled, (bottom / column_size).abs());
-        let damped = sides.are_damped();
+        let places: Vec<Vec<f64>> = (sides.each.iter())
+            .zip(responses)
+            .map(|(side, response)| side.nodes.iter().map(|node| response.place(node.angle)).collect())
+            .collect();
+        let damped: Vec<bool> = sides.each.iter().map(is_damped).collect();
         let mut matrix = Mat::<f64>::zeros(count + 1, count + 1);
-        for (p, ((force, from), pulled)) in places.iter().zip(sides.nodes).zip(&pulled).enumerate() {
+        let pushing = sides.each.iter().zip(&places).enumerate();
+        let pushing =
+            pushing.flat_map(|(b, (side, places))| places.iter().zip(&side.nodes).map(move |(place, node)| (b, *place, node.share)));
+        for (p, ((b, force, share), pulled)) in pushing.zip(&pulled).enumerate() {
             let column: &mut [f64] = matrix.col_as_slice_mut(p);
-            for ((entry, displacement), to) in column.iter_mut().zip(&places).zip(sides.nodes) {
-                let moved = if damped {
-                    let (value, slope) = response.value_and_slope(*force, *displacement);
-                    to.slopes.stiffness_n_m * value + to.slopes.damping_n_s_m * sides.step_rad_s * slope
-                } else {
-                    to.slopes.stiffness_n_m * response.value(*force, *displacement)
-                };
-                *entry = -from.share * moved;
+            let mut rest = &mut column[..];
+            for (a, (side, places)) in sides.each.iter().zip(&places).enumerate() {
+                let (own, after) = rest.split_at_mut(side.nodes.len());
+                let response = &responses[a * stops + b];
+                for ((entry, displacement), to) in own.iter_mut().zip(places).zip(&side.nodes) {
+                    let moved = if damped[a] {
+                        let (value, slope) = response.value_and_slope(force, *displacement);
+                        to.slopes.stiffness_n_m * value + to.slopes.damping_n_s_m * sides.step_rad_s * slope
+                    } else {
+                        to.slopes.stiffness_n_m * response.value(force, *displacement)
+                    };
+                    *entry = -share * moved;
+                }
+                rest = after;
             }
             column[p] += 1.0;
             column[count] = pulled / row_size;
@@ -128,7 +152,7 @@ impl Condensed {
     }
 
     fn solve(&self, sides: Sides<'_>, by: &[f64], right: &[f64], last: f64) -> Option<(Vec<f64>, f64)> {
-        let count = sides.nodes.len();
+        let count = sides.count();
         let felt = if right.iter().all(|r| *r == 0.0) { vec![0.0; count] } else { sides.felt(right) };
         let bottom = (last + dot(&self.row, right)) / self.row_size;
         let given = Mat::from_fn(count + 1, 1, |i, _| if i < count { -felt[i] } else { bottom });

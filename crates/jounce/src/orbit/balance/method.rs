@@ -7,7 +7,7 @@ use super::rule::Rules;
 use crate::contact::Law;
 use crate::continuation::{Family, Linear, Position};
 use crate::march::{Kernel, MarchError, VariationError};
-use crate::orbit::compliance::{Grid, Transfer};
+use crate::orbit::compliance::{Grid, Transfer, moves_without_end};
 use crate::orbit::{Harvester, Orbit, OrbitError, OrbitMethod, Setting, Shooting, Shot, nearest_extremum_m};
 use faer::{Mat, c64};
 use std::sync::Arc;
@@ -30,6 +30,8 @@ pub struct HarmonicBalance<'h, H> {
     pub harmonics: usize,
     /// Error of the mean power, relative to it, above which there are too few.
     pub accuracy: f64,
+    /// Stops, or one without effect where there is none.
+    stops: usize,
     grid: Grid,
     rules: Arc<Rules>,
 }
@@ -38,7 +40,7 @@ impl<'h, H: Harvester> HarmonicBalance<'h, H> {
     /// With `harmonics` of the period to begin with.
     ///
     /// # Errors
-    /// [`OrbitError::Rectified`], [`OrbitError::Impulsive`] for a rigid stop, [`OrbitError::SeveralStops`], [`OrbitError::Gravity`].
+    /// [`OrbitError::Rectified`], [`OrbitError::Impulsive`] for a rigid stop, [`OrbitError::Free`].
     pub fn new(shooting: Shooting<'h, H>, kernel: &Kernel, harmonics: usize, accuracy: f64) -> Result<Self, OrbitError<H::Error>> {
         let stops = &kernel.plant.system.stops;
         if let Some(bridge) = kernel.plant.system.bridges.first() {
@@ -46,9 +48,8 @@ impl<'h, H: Harvester> HarmonicBalance<'h, H> {
         }
         match stops.iter().find(|stop| matches!(stop.law, Law::Rigid(_))) {
             Some(stop) => Err(OrbitError::Impulsive { stop: stop.name.clone() }),
-            None if !kernel.plant.system.signals.is_empty() => Err(OrbitError::Gravity),
-            None if stops.len() > 1 => Err(OrbitError::SeveralStops { stops: stops.len() }),
-            None => Ok(Self { shooting, harmonics, accuracy, grid: grid(harmonics), rules: Arc::default() }),
+            None if moves_without_end(&kernel.plant) => Err(OrbitError::Free),
+            None => Ok(Self { shooting, harmonics, accuracy, stops: stops.len().max(1), grid: grid(harmonics), rules: Arc::default() }),
         }
     }
 
@@ -66,7 +67,7 @@ impl<'h, H: Harvester> HarmonicBalance<'h, H> {
     fn with(&self, harmonics: usize) -> Self {
         let Shooting { harvester, cycles, tolerance, ref scale, ref charged } = self.shooting;
         let shooting = Shooting { harvester, cycles, tolerance, scale: scale.clone(), charged: charged.clone() };
-        Self { shooting, harmonics, accuracy: self.accuracy, grid: grid(harmonics), rules: Arc::clone(&self.rules) }
+        Self { shooting, harmonics, accuracy: self.accuracy, stops: self.stops, grid: grid(harmonics), rules: Arc::clone(&self.rules) }
     }
 
     fn shot<'b>(&self, local: &'b Balance) -> Result<&'b Shot, OrbitError<H::Error>> {
@@ -100,12 +101,11 @@ impl<'h, H: Harvester> HarmonicBalance<'h, H> {
             .enumerate()
             .map(|(index, load)| {
                 let row = plant.load_voltage_row(index);
-                let mut voltage: Vec<c64> = Transfer::new(plant, &row, local.step_rad_s, self.harmonics)
-                    .values
-                    .iter()
-                    .zip(&local.force)
-                    .map(|(g, f)| g * f)
-                    .collect();
+                let mut voltage = vec![c64::new(0.0, 0.0); self.harmonics + 1];
+                for (port, force) in plant.ports.iter().zip(&local.forces) {
+                    let transfer = Transfer::new(plant, &row, &port.force, local.step_rad_s, self.harmonics);
+                    voltage.iter_mut().zip(transfer.values.iter().zip(force)).for_each(|(v, (g, f))| *v += g * f);
+                }
                 voltage[cycles as usize] += plant.steady_output(&row).iter().sum::<c64>();
                 let square: f64 = voltage[1..].iter().map(|v| 0.5 * v.norm_sqr()).sum();
                 (square + voltage[0].norm_sqr()) / load.resistance_ohm
@@ -170,10 +170,13 @@ impl<H: Harvester> OrbitMethod for HarmonicBalance<'_, H> {
 
     fn unknown_of(&self, state: &[f64], parameter: f64) -> Result<Vec<f64>, Self::Error> {
         let shot = self.shooting.at(state, parameter)?;
-        let mut spectrum = self.grid.coefficients(&shot.displacements_m(self.grid.samples));
-        spectrum.truncate(self.harmonics + 1);
-        spectrum[1..].iter_mut().for_each(|c| *c *= 2.0);
-        Ok(real(&spectrum))
+        let own = |stop: usize| {
+            let mut spectrum = self.grid.coefficients(&shot.displacements_m(stop, self.grid.samples));
+            spectrum.truncate(self.harmonics + 1);
+            spectrum[1..].iter_mut().for_each(|c| *c *= 2.0);
+            real(&spectrum)
+        };
+        Ok((0..self.stops).flat_map(own).collect())
     }
 
     fn excess(&self, local: &Balance, parameter_scale: f64) -> Result<f64, Self::Error> {
@@ -195,8 +198,11 @@ impl<H: Harvester> OrbitMethod for HarmonicBalance<'_, H> {
     }
 
     fn carried(&self, unknown: &[f64]) -> Vec<f64> {
-        let mut carried = unknown.to_vec();
-        carried.resize(2 * self.harmonics + 1, 0.0);
-        carried
+        let resized = |own: &[f64]| {
+            let mut own = own.to_vec();
+            own.resize(2 * self.harmonics + 1, 0.0);
+            own
+        };
+        unknown.chunks_exact(unknown.len() / self.stops).flat_map(resized).collect()
     }
 }

@@ -74,11 +74,6 @@ pub fn harmonics(moments: &[c64]) -> Vec<c64> {
     moments.iter().enumerate().map(|(n, m)| m.conj() * if n == 0 { 1.0 } else { 2.0 }).collect()
 }
 
-/// `c_n` of the displacement under those of a force.
-pub fn through(compliance: &[c64], force: &[c64]) -> Vec<c64> {
-    compliance.iter().zip(force).map(|(g, f)| g * f).collect()
-}
-
 /// `c_n` of the rate, per second.
 pub fn turned(coefficients: &[c64], step_rad_s: f64) -> Vec<c64> {
     coefficients.iter().enumerate().map(|(n, c)| c * c64::new(0.0, n as f64 * step_rad_s)).collect()

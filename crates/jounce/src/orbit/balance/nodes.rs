@@ -1,11 +1,13 @@
-//! The force at the nodes of all contacts.
+//! The force of a stop at the nodes of all its contacts.
 
 use super::angles::Angles;
 use super::contact::{Contact, contacts};
-use super::motion::Motion;
+use super::motion::{self, Motion};
 use super::rule::Rules;
 use crate::contact::Slopes;
 use crate::orbit::compliance::Grid;
+use crate::plant::{Plant, Stop};
+use faer::c64;
 use std::f64::consts::TAU;
 
 /// Nodes per radian that the highest harmonic of interest turns through in a contact: five eighths are the least that can tell
@@ -30,31 +32,60 @@ pub struct Node {
     pub slopes: Slopes,
 }
 
-/// Nodes of every contact of a motion, which tell apart harmonics of the force up to `highest`, and their angles.
-pub fn nodes(motion: &Motion, grid: &Grid, rules: &Rules, highest: f64) -> (Vec<Node>, Angles) {
-    let (mut places, mut entries) = (Vec::new(), Vec::new());
-    for contact in contacts(motion, grid) {
-        // The state at the start of the period sums what came before it: the rule must not run across.
-        let parts = if contact.to > TAU { vec![(contact.from, TAU), (TAU, contact.to)] } else { vec![(contact.from, contact.to)] };
-        parts.iter().filter(|(from, to)| from < to).for_each(|part| places.extend(between(*part, rules, highest)));
-        entries.extend(entry(motion, contact));
+/// Nodes of every contact with one stop, and their angles.
+#[derive(Debug)]
+pub struct Side {
+    /// The nodes.
+    pub nodes: Vec<Node>,
+    /// Their angles.
+    pub angles: Angles,
+}
+
+impl Side {
+    /// Of a motion, by nodes which tell apart harmonics of the force up to `highest`.
+    fn new(motion: &Motion, grid: &Grid, rules: &Rules, highest: f64) -> Self {
+        let (mut places, mut entries) = (Vec::new(), Vec::new());
+        for contact in contacts(motion, grid) {
+            // The state at the start of the period sums what came before it: the rule must not run across.
+            let parts = if contact.to > TAU { vec![(contact.from, TAU), (TAU, contact.to)] } else { vec![(contact.from, contact.to)] };
+            parts.iter().filter(|(from, to)| from < to).for_each(|part| places.extend(between(*part, rules, highest)));
+            entries.extend(entry(motion, contact));
+        }
+        let inner = Angles::new(&places.iter().map(|(angle, _)| *angle).collect::<Vec<f64>>());
+        let [depths_m, rates_m_s] = motion.along(&inner);
+        let node = |((angle, share), (depth_m, rate_m_s)): (&(f64, f64), (&f64, &f64))| Node {
+            angle: *angle,
+            share: *share,
+            rate_m_s: *rate_m_s,
+            force_n: motion.law.force_n(*depth_m, *rate_m_s),
+            slopes: motion.law.slopes(*depth_m, *rate_m_s),
+        };
+        let mut nodes: Vec<Node> = places.iter().zip(depths_m.iter().zip(&rates_m_s)).map(node).collect();
+        if entries.is_empty() {
+            return Self { nodes, angles: inner };
+        }
+        nodes.append(&mut entries);
+        let angles = Angles::new(&nodes.iter().map(|node| node.angle).collect::<Vec<f64>>());
+        Self { nodes, angles }
     }
-    let inner = Angles::new(&places.iter().map(|(angle, _)| *angle).collect::<Vec<f64>>());
-    let [depths_m, rates_m_s] = motion.along(&inner);
-    let node = |((angle, share), (depth_m, rate_m_s)): (&(f64, f64), (&f64, &f64))| Node {
-        angle: *angle,
-        share: *share,
-        rate_m_s: *rate_m_s,
-        force_n: motion.law.force_n(*depth_m, *rate_m_s),
-        slopes: motion.law.slopes(*depth_m, *rate_m_s),
-    };
-    let mut nodes: Vec<Node> = places.iter().zip(depths_m.iter().zip(&rates_m_s)).map(node).collect();
-    if entries.is_empty() {
-        return (nodes, inner);
+
+    /// Those of every stop of a plant, at the harmonics of the displacements of their ports; `step_rad_s` is `w / p`.
+    pub fn all(plant: &Plant, unknown: &[f64], step_rad_s: f64, (grid, rules): (&Grid, &Rules), highest: f64) -> Vec<Self> {
+        let stops = &plant.system.stops;
+        let own = unknown.chunks_exact(unknown.len() / stops.len().max(1));
+        let side = |(stop, own): (&Stop, &[f64])| Self::new(&Motion::new(own, step_rad_s, stop.gap_m, stop.law), grid, rules, highest);
+        stops.iter().zip(own).map(side).collect()
     }
-    nodes.append(&mut entries);
-    let angles = Angles::new(&nodes.iter().map(|node| node.angle).collect::<Vec<f64>>());
-    (nodes, angles)
+
+    /// `c_n` of a force given at the nodes.
+    pub fn harmonics(&self, highest: usize, force_n: impl Fn(&Node) -> f64) -> Vec<c64> {
+        self.gathered(&self.nodes.iter().map(|node| node.share * force_n(node)).collect::<Vec<f64>>(), highest)
+    }
+
+    /// The same of a force given at the nodes with their shares in it.
+    pub fn gathered(&self, weights: &[f64], highest: usize) -> Vec<c64> {
+        motion::harmonics(&self.angles.moments(weights, highest))
+    }
 }
 
 /// Angles of the nodes of a stretch, with their shares.

@@ -1,7 +1,7 @@
 //! The curve between two neighbouring points of a branch, at any place in between.
 
-use crate::continuation::{Corrector, Direction, Metric, Position, Step, Stretch, correct, settle, tangent};
-use crate::orbit::{Harvester, Orbit, OrbitMethod, Shooting};
+use crate::continuation::{Corrected, Corrector, Direction, Metric, Position, Step, Stretch, correct, settle, tangent};
+use crate::orbit::{Harvester, Orbit, OrbitMethod, Shooting, Shot};
 use crate::study::BranchPoint;
 
 /// Most trials for one zero.
@@ -14,18 +14,27 @@ const ROUNDING: f64 = 1e-11;
 const SLOPE: f64 = 0.02;
 
 /// A place of the piece.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Place {
     /// Share of the way.
     pub x: f64,
     /// Value of the key.
     pub parameter: f64,
-    /// The orbit.
-    pub orbit: Orbit,
+    /// Mean power, W.
+    pub mean_power_w: f64,
+    shot: Shot,
+    error: f64,
+}
+
+impl Place {
+    /// State at the start of the period, energy coordinates.
+    pub fn start(&self) -> &[f64] {
+        &self.shot.looks[0]
+    }
 }
 
 /// A zero, and the value that is left there.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Zero {
     pub place: Place,
     pub value: f64,
@@ -59,17 +68,22 @@ impl<'h, H: Harvester> Piece<'h, H> {
         (cubic.length > 0.0).then_some(Self { shooting, corrector, metric, ahead, cubic })
     }
 
-    /// The orbit at a share of the way, a little beyond the ends too.
+    /// The place at a share of the way, a little beyond the ends too.
     pub fn at(&self, x: f64) -> Option<Place> {
         let guess = self.cubic.at(x * self.cubic.length);
-        let found = correct(&self.shooting, &self.corrector, &self.metric, &self.ahead, guess).ok()?;
-        let orbit = self.shooting.orbit(&found.local, found.error).ok()?;
-        Some(Place { x, parameter: found.position.parameter, orbit })
+        let Corrected { position, local: shot, error, .. } =
+            correct(&self.shooting, &self.corrector, &self.metric, &self.ahead, guess).ok()?;
+        Some(Place { x, parameter: position.parameter, mean_power_w: shot.loads_w.iter().sum::<f64>() + 0.0, shot, error })
+    }
+
+    /// The orbit at a place, with its multipliers and its error.
+    pub fn orbit(&self, place: &Place) -> Option<Orbit> {
+        self.shooting.orbit(&place.shot, place.error).ok()
     }
 
     /// Change of power along the piece, W per share of the way: a difference of fourth order.
     pub fn power_slope_w(&self, x: f64) -> Option<f64> {
-        let power_w = |offset: f64| Some(self.at(x + offset * SLOPE)?.orbit.mean_power_w);
+        let power_w = |offset: f64| Some(self.at(x + offset * SLOPE)?.mean_power_w);
         Some((8.0 * (power_w(1.0)? - power_w(-1.0)?) - (power_w(2.0)? - power_w(-2.0)?)) / (12.0 * SLOPE))
     }
 

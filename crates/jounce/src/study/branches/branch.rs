@@ -82,6 +82,11 @@ pub enum Ending {
     },
 }
 
+/// State on the chord between two points.
+fn between(a: &BranchPoint, b: &BranchPoint, share: f64) -> Vec<f64> {
+    a.orbit.start().iter().zip(b.orbit.start()).map(|(a, b)| a + share * (b - a)).collect()
+}
+
 impl BranchKind {
     /// Name in answers.
     pub fn name(self) -> &'static str {
@@ -98,18 +103,27 @@ impl BranchKind {
 impl Branch {
     /// Points where the branch passes a value of the key, states and power interpolated linearly.
     pub fn crossings(&self, parameter: f64) -> Vec<(Vec<f64>, f64)> {
-        let mut found = Vec::new();
-        for pair in self.points.windows(2) {
+        let read = |(a, b, t): (&BranchPoint, &BranchPoint, f64)| {
+            (between(a, b, t), a.orbit.mean_power_w + t * (b.orbit.mean_power_w - a.orbit.mean_power_w))
+        };
+        self.passing(parameter).map(read).collect()
+    }
+
+    /// States on the chords that pass a value of the key, each with the length of its chord.
+    pub(super) fn chords(&self, parameter: f64) -> Vec<(Vec<f64>, f64)> {
+        let length =
+            |a: &BranchPoint, b: &BranchPoint| (ColRef::from_slice(a.orbit.start()) - ColRef::from_slice(b.orbit.start())).norm_l2();
+        self.passing(parameter).map(|(a, b, t)| (between(a, b, t), length(a, b))).collect()
+    }
+
+    /// Neighbouring points between which the branch passes a value of the key, and its share of the way.
+    fn passing(&self, parameter: f64) -> impl Iterator<Item = (&BranchPoint, &BranchPoint, f64)> {
+        self.points.windows(2).filter_map(move |pair| {
             let (a, b) = (&pair[0], &pair[1]);
             let (low, high) = (a.parameter.min(b.parameter), a.parameter.max(b.parameter));
-            if parameter < low || parameter > high || low == high {
-                continue;
-            }
-            let t = (parameter - a.parameter) / (b.parameter - a.parameter);
-            let state = a.orbit.start().iter().zip(b.orbit.start()).map(|(a, b)| a + t * (b - a)).collect();
-            found.push((state, a.orbit.mean_power_w + t * (b.orbit.mean_power_w - a.orbit.mean_power_w)));
-        }
-        found
+            let passes = (low..=high).contains(&parameter) && low < high;
+            passes.then(|| (a, b, (parameter - a.parameter) / (b.parameter - a.parameter)))
+        })
     }
 
     /// True when an orbit lies on the branch, at whichever of its drive cycles it is looked at.

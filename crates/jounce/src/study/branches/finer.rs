@@ -71,7 +71,10 @@ impl Following {
         let guess = Position { unknown: method.carried(&step.position.unknown), parameter: step.position.parameter };
         let metric = Metric::at(&guess, self.parameter_scale());
         let ahead = Direction { unknown: method.carried(&step.tangent.unknown), parameter: step.tangent.parameter };
-        let found = correct(method, &self.corrector, &metric, &ahead, guess).ok()?;
+        // What lies on an edge of the range stays there.
+        let at_edge = guess.parameter == self.range.0 || guess.parameter == self.range.1;
+        let upright = Direction { unknown: vec![0.0; guess.unknown.len()], parameter: metric.parameter };
+        let found = correct(method, &self.corrector, &metric, if at_edge { &upright } else { &ahead }, guess).ok()?;
         let tangent = tangent(&found.local, &metric, &ahead)?;
         Some(Step { position: found.position, tangent, local: found.local, error: found.error })
     }

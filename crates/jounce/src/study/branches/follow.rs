@@ -2,6 +2,7 @@
 
 use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
 use super::finer::SPARE;
+use super::free::Left;
 use crate::continuation::{
     Corrected, Corrector, Direction, Mark, Metric, Position, Step, StepControl, Walk, locate, passes, settle, tangent,
 };
@@ -12,6 +13,10 @@ const GRAZES: f64 = 1e-6;
 
 /// Length in the metric to which a bifurcation is located, where nothing else is asked.
 pub(super) const RESOLUTION: f64 = 1e-8;
+
+/// Distance from an end of the range, beside its width, at which a branch that goes there has come to it: steps are relative to the size
+/// of the answer, so that none of them would reach a drive of amplitude zero.
+const AT_EDGE: f64 = 1e-9;
 
 /// How branches are followed.
 #[derive(Debug, Clone, Copy)]
@@ -101,11 +106,17 @@ impl Following {
         &self,
         method: &M,
         start: Step<M::Local>,
-        (beginning, mark): (Beginning, Option<Mark>),
+        (mut beginning, mark): (Beginning, Option<Mark>),
         branch: &mut Branch,
     ) -> Result<(), M::Error> {
         let (position, tangent) = (start.position.clone(), start.tangent.clone());
         let mut before = Place::new(method, start)?;
+        // Where a bifurcation lies nearer than the accuracy, the other method may have the place on its other side.
+        if let (Some(mark), Some(last)) = (&mark, branch.points.last()) {
+            let turns = mark.tangent().parameter * tangent.parameter < 0.0;
+            let passed = kinds(&last.orbit, &before.point.orbit, turns);
+            branch.bifurcations.extend(passed.into_iter().map(|kind| Bifurcation { kind, at: before.point.clone() }));
+        }
         let mut walk = Walk::new(method, self.corrector, self.control, self.parameter_scale(), position, tangent);
         if let Some(mark) = mark {
             walk.resume(&mark, |unknown| method.carried(unknown));
@@ -119,6 +130,11 @@ impl Following {
             };
             if step.position.parameter < self.range.0 || step.position.parameter > self.range.1 {
                 self.cut(method, &before, &step, branch)?;
+                branch.endings.push(Ending::Range);
+                return Ok(());
+            }
+            if self.is_at_edge(&step.position, &step.tangent) {
+                branch.points.push(point(method, &step)?);
                 branch.endings.push(Ending::Range);
                 return Ok(());
             }
@@ -137,8 +153,13 @@ impl Following {
                 return Ok(());
             }
             for after in places {
+                beginning.left = Left::between(&before.point, &after.point, branch).or(beginning.left);
                 branch.bifurcations.extend(self.between(method, &before, &after)?);
                 branch.points.push(after.point.clone());
+                if let Some((left, back_at)) = beginning.left.and_then(|left| Some((left, left.comes_back(branch)?))) {
+                    left.end(branch, back_at);
+                    return Ok(());
+                }
                 if let Some(ending) = self.ending(&beginning, &before, &after, branch.points.len()) {
                     branch.endings.push(ending);
                     return Ok(());
@@ -151,6 +172,12 @@ impl Following {
             }
         }
         Ok(())
+    }
+
+    /// True where a walk in a direction has come as near to the end of the range as matters.
+    fn is_at_edge(&self, position: &Position, tangent: &Direction) -> bool {
+        let edge = if tangent.parameter < 0.0 { self.range.0 } else { self.range.1 };
+        (position.parameter - edge).abs() < AT_EDGE * (self.range.1 - self.range.0)
     }
 
     /// Ends a branch that cannot be followed: at a grazing where the orbit touches the stop there, for on a stiff stop a branch turns
@@ -204,26 +231,10 @@ impl Following {
 
     /// Everything that happens between two points.
     pub(super) fn between<M: OrbitMethod>(&self, method: &M, a: &Place<M>, b: &Place<M>) -> Result<Vec<Bifurcation>, M::Error> {
-        let mut kinds = Vec::new();
         let (one, two) = (&a.point.orbit, &b.point.orbit);
         let turns = a.step.tangent.parameter * b.step.tangent.parameter < 0.0;
-        if turns {
-            kinds.push(BranchKind::Fold);
-        }
-        if (one.determinant_at(1.0) * two.determinant_at(1.0) < 0.0) != turns {
-            kinds.push(BranchKind::BranchPoint);
-        }
-        if one.determinant_at(-1.0) * two.determinant_at(-1.0) < 0.0 {
-            kinds.push(BranchKind::PeriodDoubling);
-        }
-        if one.pairs_outside() != two.pairs_outside() {
-            kinds.push(BranchKind::NeimarkSacker);
-        }
-        if one.contacts != two.contacts {
-            kinds.push(BranchKind::Grazing);
-        }
         let mut found = Vec::new();
-        for kind in kinds {
+        for kind in kinds(one, two, turns) {
             let value = |step: &Step<M::Local>| test(method, kind, step, one, two);
             let place = locate(method, &self.corrector, self.parameter_scale(), (&a.step, &b.step), self.resolution, value);
             let Some(place) = place else { continue };
@@ -246,6 +257,8 @@ struct Beginning {
     origins: Vec<Position>,
     /// Sense of the parameter.
     sense: f64,
+    /// Where the walk left the orbits that never touch.
+    left: Option<Left>,
 }
 
 impl Beginning {
@@ -253,14 +266,27 @@ impl Beginning {
         let cycles = first.orbit.period_cycles as usize;
         let looks = first.orbit.looks.iter().take(cycles);
         let origin = |look: &Vec<f64>| Ok(Position { unknown: method.unknown_of(look, first.parameter)?, parameter: first.parameter });
-        Ok(Self { origins: looks.map(origin).collect::<Result<_, M::Error>>()?, sense })
+        Ok(Self { origins: looks.map(origin).collect::<Result<_, M::Error>>()?, sense, left: None })
     }
 
     /// In the unknown of another method.
     fn carried<M: OrbitMethod>(self, method: &M) -> Self {
         let carried = |origin: Position| Position { unknown: method.carried(&origin.unknown), ..origin };
-        Self { origins: self.origins.into_iter().map(carried).collect(), sense: self.sense }
+        Self { origins: self.origins.into_iter().map(carried).collect(), ..self }
     }
+}
+
+/// What must lie between two orbits of a branch that turns between them, or does not.
+fn kinds(one: &Orbit, two: &Orbit, turns: bool) -> Vec<BranchKind> {
+    let passes = |s: f64| one.determinant_at(s) * two.determinant_at(s) < 0.0;
+    let found = [
+        (BranchKind::Fold, turns),
+        (BranchKind::BranchPoint, passes(1.0) != turns),
+        (BranchKind::PeriodDoubling, passes(-1.0)),
+        (BranchKind::NeimarkSacker, one.pairs_outside() != two.pairs_outside()),
+        (BranchKind::Grazing, one.contacts != two.contacts),
+    ];
+    found.into_iter().filter(|(_, is_there)| *is_there).map(|(kind, _)| kind).collect()
 }
 
 fn point<M: OrbitMethod>(method: &M, step: &Step<M::Local>) -> Result<BranchPoint, M::Error> {

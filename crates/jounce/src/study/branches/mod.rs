@@ -5,6 +5,7 @@ mod carry;
 mod chase;
 mod finer;
 mod follow;
+mod free;
 mod refine;
 mod search;
 mod settled_orbit;

@@ -7,10 +7,10 @@
 use super::branch::{Branch, BranchKind, BranchPoint};
 use super::follow::{Following, RESOLUTION};
 use super::settled_orbit::settled_orbit;
-use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, correct, tangent};
+use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, correct, settle, tangent};
 use crate::orbit::{HarmonicBalance, Harvester, Orbit, OrbitError, OrbitMethod, Shooting, null_vector};
 use crate::study::{Parameter, Prepared, StudyError};
-use faer::Mat;
+use faer::{ColRef, Mat};
 use rayon::prelude::*;
 
 /// How orbits are computed.
@@ -18,7 +18,7 @@ use rayon::prelude::*;
 pub enum Method {
     /// On the exact flow.
     Shooting,
-    /// Harmonics at the port, as many as the accuracy needs.
+    /// Harmonics at the ports, as many as the accuracy needs.
     HarmonicBalance {
         /// Harmonics of the drive to begin with.
         harmonics: usize,
@@ -57,6 +57,9 @@ enum Start {
 
 /// Speed of a kick, beside that of the steady motion.
 const KICK: f64 = 20.0;
+
+/// Distance beside their size below which two orbits are one.
+const SAME: f64 = 1e-4;
 
 /// Newton's goal beside the tolerance of a march: one more evaluation would square what is left, and the estimate tells it.
 const GOAL: f64 = 50.0;
@@ -104,7 +107,7 @@ impl BranchSearch<'_> {
         let starts = self.starts();
         watch.expect(starts.len());
         for (orbit, parameter) in starts {
-            if orbit.period_cycles > self.longest_period || branches.iter().any(|branch| branch.holds(&orbit, parameter)) {
+            if orbit.period_cycles > self.longest_period || branches.iter().any(|branch| self.lies_on(branch, &orbit, parameter)) {
                 watch.count();
                 continue;
             }
@@ -131,6 +134,26 @@ impl BranchSearch<'_> {
             }
         }
         Ok(())
+    }
+
+    /// True when an orbit lies on a branch, at whichever of its drive cycles it is looked at. Where the branch leaves the chord between
+    /// two of its points, by less than the length of that, Newton tells whether it is the branch that passes there.
+    fn lies_on(&self, branch: &Branch, orbit: &Orbit, parameter: f64) -> bool {
+        if branch.period_cycles != orbit.period_cycles || branch.holds(orbit, parameter) {
+            return branch.period_cycles == orbit.period_cycles;
+        }
+        let shooting = self.shooting(orbit.period_cycles);
+        let apart = |a: &[f64], b: &[f64]| (ColRef::from_slice(a) - ColRef::from_slice(b)).norm_l2();
+        let nearest = |state: &[f64]| orbit.looks.iter().map(|look| apart(state, look)).fold(f64::INFINITY, f64::min);
+        branch.chords(parameter).into_iter().any(|(guess, length)| {
+            if nearest(&guess) > length {
+                return false;
+            }
+            let guess = Position { unknown: guess, parameter };
+            let metric = Metric::at(&guess, 1.0);
+            let found = settle(&shooting, &self.following().corrector, &metric, guess);
+            found.is_ok_and(|found| nearest(&found.position.unknown) < SAME * orbit.size())
+        })
     }
 
     /// Settled orbits: lower end, upper end, then across the range.
@@ -195,7 +218,7 @@ impl BranchSearch<'_> {
                 let method = make(cycles)?;
                 let Some((first, ahead)) = self.off(following, &method, &at) else { continue };
                 let orbit = method.orbit(&first.local, first.error)?;
-                if !branches.iter().any(|branch| branch.holds(&orbit, first.position.parameter)) {
+                if !branches.iter().any(|branch| self.lies_on(branch, &orbit, first.position.parameter)) {
                     let found = following.walk(&method, first, ahead)?;
                     branches.push(found);
                 }

@@ -29,6 +29,9 @@ const RESTED: f64 = 1e-8;
 /// Farthest that an orbit may be, beside the size of the state, to be looked at.
 const NEAR: f64 = 0.1;
 
+/// Change over a period, beside the distance from an orbit of a shorter one, of a motion that is drawn to another orbit.
+const OTHER: f64 = 0.1;
+
 /// How much nearer a longer period must come than a shorter one.
 const CLEARLY: f64 = 0.5;
 
@@ -47,6 +50,20 @@ impl Candidate {
         };
         let nearer = before.filter(|before| same(&before.orbit) && distance < before.distance).map_or(0, |before| before.nearer + 1);
         Self { orbit, distance, nearer }
+    }
+
+    /// Whether a march has clearly come nearer to it, as its state (energy coordinates) after further cycles tells, at whichever cycle of
+    /// the orbit that is; `longer` is the least change over a longer period. Where it has not, or where a longer period closes so well
+    /// that it may be another orbit close by, Newton has to find an orbit anew.
+    fn is_approached(&mut self, state: &[f64], longer: f64) -> bool {
+        let apart = |look: &Vec<f64>| norm(look.iter().zip(state).map(|(a, b)| a - b));
+        let nearest = self.orbit.looks.iter().map(apart).fold(f64::INFINITY, f64::min);
+        let distance = nearest / norm(state.iter().copied());
+        let nearer = distance < THERE || (distance < CLEARLY * self.distance && longer > OTHER * distance);
+        if nearer {
+            (self.distance, self.nearer) = (distance, self.nearer + 1);
+        }
+        nearer
     }
 
     fn is_certain(&self) -> bool {
@@ -82,11 +99,22 @@ pub fn settled_motion<H: Harvester>(harvester: &H, parameter: f64, start: &[f64]
         y = looks.last()?.clone();
         let size = norm(looks[0].iter().copied()).max(norm(kernel.plant.steady_at(0.0).into_iter()));
         let distance = |cycles: u32| norm(looks[0].iter().zip(&looks[cycles as usize]).map(|(a, b)| a - b)) / size;
-        let before = candidate.take();
+        let mut before = candidate.take();
         if marcher.statistics().sticking_s != 0.0 {
             if let Some(cycles) = (1..=LONGEST).find(|cycles| distance(*cycles) < RESTED) {
                 let shooting = Shooting::new(harvester, kernel, cycles, tolerance);
                 return shooting.marched_orbit(&kernel.plant.to_physical(&looks[0], 0.0), parameter).ok();
+            }
+            continue;
+        }
+        let state = kernel.plant.to_physical(&looks[0], 0.0);
+        let unknown = Shooting::new(harvester, kernel, 1, tolerance).unknown(&state);
+        let longer = |candidate: &Candidate| (candidate.orbit.period_cycles + 1..=LONGEST).map(distance).fold(f64::INFINITY, f64::min);
+        let least = before.as_ref().map_or(0.0, longer);
+        if before.as_mut().is_some_and(|before| before.is_approached(&unknown, least)) {
+            candidate = before;
+            if candidate.as_ref().is_some_and(Candidate::is_certain) {
+                break;
             }
             continue;
         }
@@ -98,7 +126,6 @@ pub fn settled_motion<H: Harvester>(harvester: &H, parameter: f64, start: &[f64]
             closest = closest.min(here);
             closes && here < NEAR
         });
-        let state = kernel.plant.to_physical(&looks[0], 0.0);
         let near = |cycles: u32| orbit_near(harvester, kernel, parameter, &state, (cycles, tolerance, goal));
         let found: Vec<(Orbit, f64)> = periods.filter_map(near).collect();
         if found.is_empty() && closest < REPEATS {

@@ -48,9 +48,9 @@ impl Seed {
         let seed = |found: Zero| Self {
             kind: CurveKind::Peak,
             cycles: branch.period_cycles,
-            state: found.place.orbit.start().to_vec(),
+            state: found.place.start().to_vec(),
             parameter: found.place.parameter,
-            mean_power_w: found.place.orbit.mean_power_w,
+            mean_power_w: found.place.mean_power_w,
         };
         highest.filter_map(around).map(seed).collect()
     }
