@@ -1,6 +1,7 @@
 //! Branches of periodic orbits over one key of a spec.
 
 mod branch;
+mod candidate;
 mod carry;
 mod chase;
 mod finer;
