@@ -272,7 +272,8 @@ pub(super) fn judge<W: Wide, L: ContactLaw>(
     let at_end = law.force_n(penetration.0[NODES], rate.0[NODES]);
     let mismatch = (start - at_start).abs().max((end - at_end).abs());
     // Gauss weights square the order of the interpolation for smooth forces and gain less at a kink: 3/2 lies between.
-    let ratio = if size > 0.0 { mismatch / size } else { 0.0 };
+    // A force that is there at the end only has been missed altogether.
+    let ratio = if size > 0.0 { mismatch / size } else { 1.0 };
     let error_n_s = step.table.length_s * mismatch * ratio.sqrt().min(1.0);
     Solved { penetration, rate, force, error_n_s }
 }

@@ -7,11 +7,17 @@ use jounce::plant::{Stop, System};
 /// Masses on a line, each a free mode, with a contact between neighbours. Coordinates are displacements from where neighbours
 /// stand a gap apart.
 fn row(masses_kg: &[f64], gaps_m: &[f64], law: Law) -> System {
+    let contacts: Vec<_> = gaps_m.iter().enumerate().map(|(i, gap_m)| ([i, i + 1], *gap_m, law)).collect();
+    joined(masses_kg, &contacts)
+}
+
+/// Free masses with contacts between pairs of them.
+fn joined(masses_kg: &[f64], contacts: &[([usize; 2], f64, Law)]) -> System {
     let mut system = springs(&vec![0.0; masses_kg.len()], 0.0);
-    for (i, gap_m) in gaps_m.iter().enumerate() {
+    for (i, ([from, to], gap_m, law)) in contacts.iter().enumerate() {
         let mut shape = vec![0.0; masses_kg.len()];
-        (shape[i], shape[i + 1]) = (1.0 / masses_kg[i].sqrt(), -1.0 / masses_kg[i + 1].sqrt());
-        system.stops.push(Stop { name: format!("contact {i}"), shape, gap_m: *gap_m, law });
+        (shape[*from], shape[*to]) = (1.0 / masses_kg[*from].sqrt(), -1.0 / masses_kg[*to].sqrt());
+        system.stops.push(Stop { name: format!("contact {i}"), shape, gap_m: *gap_m, law: *law });
     }
     system
 }
@@ -25,8 +31,12 @@ struct After {
 }
 
 fn struck(masses_kg: &[f64], gaps_m: &[f64], law: Law, end_s: f64) -> After {
+    struck_in(row(masses_kg, gaps_m, law), masses_kg, end_s)
+}
+
+fn struck_in(system: System, masses_kg: &[f64], end_s: f64) -> After {
     let n = masses_kg.len();
-    let kernel = kernel(row(masses_kg, gaps_m, law));
+    let kernel = kernel(system);
     let mut start = vec![0.0; 2 * n];
     start[n] = masses_kg[0].sqrt();
     let marcher = march(&kernel, &start, 0.0, end_s, 1e-12);
@@ -69,6 +79,25 @@ fn touching_masses_conserve_momentum_and_energy() {
             assert!(after.momentum_error.abs() < 1e-9 && after.energy_error.abs() < 1e-9, "{masses_kg:?} {gaps_m:?}");
             // The last of equal masses leaves with most of the speed, the first goes back (Herrmann and Schmalzle 1981).
             assert!(masses_kg[1] != 0.3 || (after.speeds_m_s[2] > 0.9 && after.speeds_m_s[0] < 0.0));
+        }
+    }
+}
+
+/// One mass strikes two others at the same instant, whose contacts are not alike, and however much time is left then.
+#[test]
+fn one_mass_strikes_two_at_once() {
+    let hertz = |stiffness: f64| Law::Hertz(Hertz { stiffness, exponent: 1.5 });
+    let spring = Law::Hertz(Hertz { stiffness: 1e6, exponent: 1.0 });
+    for masses_kg in [[5e-3, 2e-2, 1e-2], [5e-3, 1e-2, 1e-2], [5e-3, 1e-3, 1e-2]] {
+        for gap_m in [0.0, 1e-3] {
+            for laws in [[hertz(1e7), hertz(3e6)], [hertz(1e7), spring], [hertz(3e9), hertz(1e7)]] {
+                for end_s in [5e-3, 0.018, 0.02, 1.0] {
+                    let contacts = [([0, 1], gap_m, laws[0]), ([0, 2], gap_m, laws[1])];
+                    let after = struck_in(joined(&masses_kg, &contacts), &masses_kg, end_s);
+                    assert!(after.momentum_error.abs() < 1e-9 && after.energy_error.abs() < 1e-9, "{masses_kg:?} {gap_m} {laws:?} {end_s}");
+                    assert!(after.contacts.iter().all(|contacts| *contacts > 0) && after.speeds_m_s[1] > after.speeds_m_s[0]);
+                }
+            }
         }
     }
 }

@@ -127,7 +127,8 @@ impl<'k> Marcher<'k> {
                 rate: w.store(free_rate),
                 force: w.store(law.forces_n(w, penetration, free_rate)),
                 at_start_n,
-                deepest_m: f64::MIN,
+                // However far off: where the next guess is thrown out of contact again, it says that nothing has converged.
+                deepest_m: largest(w, law, penetration),
                 last_change_n: f64::INFINITY,
             });
         }
