@@ -24,7 +24,7 @@ const SEEN: f64 = 0.1;
 /// Share of points that may be lost in carrying branches over.
 const MOST_LOST: f64 = 0.3;
 /// Tolerance of the second.
-const FINE: f64 = 1e-8;
+const FINE: f64 = 1e-9;
 /// Values across the range at which the second one looks for branches that stand alone.
 const SEEDS: usize = 6;
 /// Longest period that it follows, drive cycles.

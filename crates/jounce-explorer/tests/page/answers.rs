@@ -51,7 +51,7 @@ async fn a_response_is_the_branch_of_the_library() {
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, 13.0 - 12.6);
     let (range, method) = ((12.6, 13.0), Method::Shooting);
-    let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance: 1e-8, seeds: 6, longest_period: 8 };
+    let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance: 1e-9, seeds: 6, longest_period: 8 };
     let due = search.run().unwrap();
     assert_eq!(fine.head["branches"].as_array().unwrap().len(), due.len());
     for (k, branch) in due.iter().enumerate() {
