@@ -106,7 +106,25 @@ const MOST_FAULTS: usize = 8;
 /// Line, time and value of each sample.
 type Samples = (Vec<u64>, Vec<f64>, Vec<f64>);
 
+/// What separates the columns where it is no comma, with its line: of the second line that is no comment, as the first may be a title.
+fn other_separator(text: &str) -> Option<(usize, &'static str)> {
+    let lines = || text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
+    let (index, line) = lines().nth(1).or_else(|| lines().next())?;
+    let within = |separator: char| line.trim().contains(separator);
+    let name = match (within(';'), within(',')) {
+        (true, _) => "semicolons",
+        (false, true) => return None,
+        _ if within('\t') => "tabs",
+        _ if within(' ') => "spaces",
+        _ => return None,
+    };
+    Some((index + 1, name))
+}
+
 fn samples(text: &str) -> Result<Samples, String> {
+    if let Some((line, name)) = other_separator(text) {
+        return Err(format!("line {line}: columns are separated by {name}; commas are due, and decimal points"));
+    }
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .flexible(true)
@@ -188,6 +206,9 @@ mod tests {
                 "no number; line 8: the value is missing; two columns are due",
             ),
             (slower_from(12), None, "line 12: samples are 1.000000e-3 s apart before it and 1.100000e-3 s after it"),
+            (even(20).replace(',', "\t"), None, "line 2: columns are separated by tabs; commas are due"),
+            (format!("# t a\nt a\n{}", even(20).replace(',', " ")), None, "line 3: columns are separated by spaces; commas are due"),
+            ("0,1;0,2\n0,2;0,3\n".to_owned(), None, "line 2: columns are separated by semicolons; commas are due"),
             ("1,2\n".to_owned(), None, "which holds one sample"),
             ("t,a\n".to_owned(), None, "which holds no samples"),
         ] {

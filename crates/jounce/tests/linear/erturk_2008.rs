@@ -14,6 +14,11 @@ fn with_load(resistance: &str) -> jounce::plant::Plant {
     plant(EXAMPLE, &[("circuit.load.resistance", resistance)])
 }
 
+/// Strain-rate and air damping of the paper, `c_s I / (Y I) w / 2 + c_a / m / (2 w)`.
+fn proportional(angular_frequency: f64) -> f64 {
+    0.5 * (1.2433e-5 * angular_frequency + 4.886 / angular_frequency)
+}
+
 #[test]
 fn every_expected_row_is_met() {
     let spec = spec(EXAMPLE, &[]);
@@ -30,6 +35,12 @@ fn every_expected_row_is_met() {
             ("natural_1_hz", natural[0] / TAU),
             ("natural_2_hz", natural[1] / TAU),
             ("natural_3_hz", natural[2] / TAU),
+            ("damping_1", spec.damping.ratios[0]),
+            ("damping_2", spec.damping.ratios[1]),
+            ("damping_3", spec.damping.ratios[2]),
+            ("proportional_damping_1", proportional(natural[0])),
+            ("proportional_damping_2", proportional(natural[1])),
+            ("proportional_damping_3", proportional(natural[2])),
             ("short_circuit_1_hz", near(&short, 47.8).0),
             ("short_circuit_2_hz", near(&short, 299.6).0),
             ("short_circuit_3_hz", near(&short, 838.2).0),

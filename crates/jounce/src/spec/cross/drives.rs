@@ -30,7 +30,8 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
 fn check_kind(name: &str, drive: &Drive, broken: &mut Broken) {
     let text = match (drive.kind, &drive.signal) {
         (DriveKind::BaseDisplacement, signal) if !matches!(signal, DriveSignal::Sine { .. }) => {
-            "is \"base-displacement\", which goes with signal = \"sine\" only: give other courses as \"base-acceleration\""
+            "is \"base-displacement\", which goes with signal = \"sine\" only, as the others would jump in velocity where they start, end or bend: \
+             give their second derivative as \"base-acceleration\""
         }
         (DriveKind::Force, DriveSignal::VelocityStep { .. }) => {
             "is \"force\", but a velocity step is one of the base: set kind = \"base-acceleration\""

@@ -28,7 +28,8 @@ pub(super) struct Key<T: 'static> {
 pub(super) struct Measure<T> {
     /// The other key; it stands before this one in the table.
     pub(super) by: &'static str,
-    pub(super) quantity: fn(&T) -> Quantity,
+    /// None where a fault of other keys leaves it open; then the key is not read, so that only that fault is told.
+    pub(super) quantity: fn(&T) -> Option<Quantity>,
 }
 
 /// What is known of a key without knowing the type that it is read into.
@@ -144,14 +145,14 @@ impl<T> Key<T> {
     }
 
     /// The kind of quantity depends on another key.
-    pub(super) const fn measured_by(mut self, by: &'static str, quantity: fn(&T) -> Quantity) -> Self {
+    pub(super) const fn measured_by(mut self, by: &'static str, quantity: fn(&T) -> Option<Quantity>) -> Self {
         self.quantity = Some(Measure { by, quantity });
         self
     }
 
     /// What the key holds in this thing.
     pub(super) fn kind_in(&self, thing: &T) -> Kind {
-        self.quantity.as_ref().map_or(self.info.kind, |measure| Kind::Quantity((measure.quantity)(thing)))
+        self.quantity.as_ref().and_then(|measure| (measure.quantity)(thing)).map_or(self.info.kind, Kind::Quantity)
     }
 }
 

@@ -43,7 +43,7 @@ pub(super) static KEYS: &[Key<Drive>] = &[
     )
     .within(Range::NOT_NEGATIVE)
     .when("signal", AMPLITUDES)
-    .measured_by("kind", |d: &Drive| size(d.kind)),
+    .measured_by("kind", size),
     Key::quantity(
         "frequency",
         Quantity::Frequency,
@@ -109,7 +109,7 @@ pub(super) static KEYS: &[Key<Drive>] = &[
     )
     .within(Range::NOT_NEGATIVE)
     .when("signal", &["noise"])
-    .measured_by("kind", |d: &Drive| if d.kind == DriveKind::Force { Quantity::ForcePsd } else { Quantity::AccelerationPsd }),
+    .measured_by("kind", density),
     Key::quantity(
         "low",
         Quantity::Frequency,
@@ -169,7 +169,7 @@ pub(super) static KEYS: &[Key<Drive>] = &[
         },
     )
     .when("signal", &["recording"])
-    .measured_by("kind", |d: &Drive| size(d.kind))
+    .measured_by("kind", size)
     .optional(),
     Key::with_slot(
         "sample_rate",
@@ -192,11 +192,20 @@ pub(super) static KEYS: &[Key<Drive>] = &[
     .optional(),
 ];
 
-fn size(kind: DriveKind) -> Quantity {
-    match kind {
-        DriveKind::Force => Quantity::Force,
-        DriveKind::BaseAcceleration => Quantity::Acceleration,
-        DriveKind::BaseDisplacement => Quantity::Length,
+/// None for a displacement that is no sinusoid: there is no such drive.
+fn size(drive: &Drive) -> Option<Quantity> {
+    match drive.kind {
+        DriveKind::Force => Some(Quantity::Force),
+        DriveKind::BaseAcceleration => Some(Quantity::Acceleration),
+        DriveKind::BaseDisplacement => matches!(drive.signal, DriveSignal::Sine { .. }).then_some(Quantity::Length),
+    }
+}
+
+fn density(drive: &Drive) -> Option<Quantity> {
+    match drive.kind {
+        DriveKind::Force => Some(Quantity::ForcePsd),
+        DriveKind::BaseAcceleration => Some(Quantity::AccelerationPsd),
+        DriveKind::BaseDisplacement => None,
     }
 }
 

@@ -65,7 +65,7 @@ pub(super) static KEYS: &[Key<Stop>] = &[
     )
     .within(Range::POSITIVE)
     .when("law", POWER_LAWS)
-    .measured_by("exponent", |s: &Stop| Quantity::ContactStiffness { exponent: exponent(&s.law) }),
+    .measured_by("exponent", |s: &Stop| Some(Quantity::ContactStiffness { exponent: exponent(&s.law) })),
     Key::quantity(
         "stiffness",
         Quantity::Stiffness,

@@ -22,8 +22,8 @@ pub(in crate::spec) fn read_keys<T>(keys: &'static [Key<T>], path: &str, node: &
             }
             continue;
         }
-        let measured_by = key.quantity.as_ref().map(|measure| measure.by);
-        if measured_by.is_some_and(|other| doubtful.contains(&other)) || !applies(keys, thing, info) {
+        let unmeasured = key.quantity.as_ref().is_some_and(|measure| doubtful.contains(&measure.by) || (measure.quantity)(thing).is_none());
+        if unmeasured || !applies(keys, thing, info) {
             continue;
         }
         let Some(entry) = entries.iter().find(|entry| entry.name == info.name) else {
