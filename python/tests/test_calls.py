@@ -66,6 +66,7 @@ CALLS = {
     "run": ('changed({"run.duration": "100000 s"}).run()', 0.5, "0"),
     "run against two stops": (f"__class__({{**harvester.to_dict(), **{TWO_STOPS}}}).run()", 0.5, "0"),
     "run behind a rectifier": (f"__class__({{**harvester.to_dict(), **{RECTIFIED}}}).run()", 0.5, "0"),
+    "run under long noise": ('jounce.examples()["random-base"].changed({"run.duration": "100000 s"}).run()', 0.1, "0"),
     "sweep": ('sweep("drive.shaker.frequency", "4 Hz:20 Hz:0.001 Hz", direction="both", threads=2)', 3.0, "len(stopped.result)"),
     "independent sweep": (
         'sweep("drive.shaker.frequency", "4 Hz:20 Hz:0.001 Hz", direction="independent", threads=2)',
@@ -76,6 +77,12 @@ CALLS = {
     "harmonic balance": ('branch("drive.shaker.frequency", "4 Hz:20 Hz", method="harmonic-balance", seeds=0, threads=2)', 0.4, "0"),
     "jumps": ('jumps("drive.shaker.frequency", "4 Hz:20 Hz", "stop.tip.gap", "0.5 mm:2 mm", threads=2)', 0.8, "0"),
     "diagram": ('diagram("drive.shaker.frequency", "4 Hz:20 Hz:0.001 Hz", threads=2)', 3.0, "len(stopped.result)"),
+    "diagram of starts": (
+        'diagram("drive.shaker.frequency", "4 Hz:20 Hz:0.001 Hz", direction="starts", threads=2)',
+        2.0,
+        "len(stopped.result)",
+    ),
+    "ensemble": ('jounce.examples()["random-base"].ensemble(members=20000, threads=2)', 2.0, "len(stopped.result)"),
     "basins": ("basins(starts=100000, threads=2)", 3.0, "(stopped.result.ends_in >= 0).sum()"),
     "rig on a solution": ('rig(solution="1a", starts=100000)', 1.0, "0"),
     "fit": (f'changed({{"run.duration": "100000 s"}}).fit({POWERS})', 0.5, "0"),
