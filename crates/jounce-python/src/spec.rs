@@ -97,7 +97,11 @@ impl Spec {
         let known = match self.prepared.get() {
             Some(known) => known,
             None => {
-                let made = Prepared::new(self.spec.clone())?;
+                let made = Prepared::watched(self.spec.clone(), watch)?;
+                // What was made for a call that ends early lacks its noise.
+                if watch.is_stopped() {
+                    return Ok(made);
+                }
                 self.prepared.get_or_init(|| made)
             }
         };
