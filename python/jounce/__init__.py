@@ -34,6 +34,7 @@ from .errors import (
     StartError,
     StructureError,
     StudyError,
+    UnknownKeyError,
 )
 from .examples import Examples, examples
 from .explore import Explorer, explore
@@ -132,6 +133,7 @@ __all__ = [
     "StudyStatus",
     "StudyTable",
     "SweepResult",
+    "UnknownKeyError",
     "__version__",
     "contact",
     "examples",

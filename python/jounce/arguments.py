@@ -43,7 +43,7 @@ def optional_si(kind: str, value: Any, what: str) -> float | None:
         return None
     found = si(kind, value, what)
     if not 0.0 < found < np.inf:
-        raise ArgumentError(f"{what} is {value}; it must be above 0")
+        raise ArgumentError(f"{what} is {value}; it must be above 0", {"given": str(value), "least": 0})
     return found
 
 
@@ -57,9 +57,10 @@ def positive_si(kind: str, value: Any, what: str) -> float:
 
 def check_wholes(**numbers: int | None) -> None:
     """Refuses numbers that nothing can be counted by; what is no whole number at all is a TypeError of the call itself."""
-    wrong = [f"{name} is {value}" for name, value in numbers.items() if isinstance(value, int) and not 0 <= value <= MOST_WHOLE]
+    wrong = {name: value for name, value in numbers.items() if isinstance(value, int) and not 0 <= value <= MOST_WHOLE}
     if wrong:
-        raise ArgumentError(f"{', '.join(wrong)}; give a whole number from 0 to {MOST_WHOLE}")
+        told = ", ".join(f"{name} is {value}" for name, value in wrong.items())
+        raise ArgumentError(f"{told}; give a whole number from 0 to {MOST_WHOLE}", {**wrong, "least": 0, "most": MOST_WHOLE})
 
 
 def rate_hz(given: Any) -> float:
@@ -71,9 +72,9 @@ def rate_hz(given: Any) -> float:
     try:
         found = float(given)
     except (TypeError, ValueError) as error:
-        raise ArgumentError(f"{given!r} is no sample rate; give the samples per second, in Hz") from error
+        raise ArgumentError(f"{given!r} is no sample rate; give the samples per second, in Hz", {"given": repr(given)}) from error
     if not 0.0 < found < np.inf:
-        raise ArgumentError(f"there are {given} samples per second; give a number greater than 0")
+        raise ArgumentError(f"there are {given} samples per second; give a number greater than 0", {"sample_rate_hz": found, "least": 0})
     return found
 
 
@@ -87,5 +88,6 @@ def frequencies(given: Any) -> Floats:
         raise ArgumentError("frequency is an empty list; give at least one frequency")
     found = np.array([si("frequency", item, "frequency") for item in items])
     if not (np.isfinite(found).all() and (found > 0.0).all()):
-        raise ArgumentError("every frequency must be above 0 Hz and finite")
+        wrong = float(found[~(np.isfinite(found) & (found > 0.0))][0])
+        raise ArgumentError(f"a frequency is {wrong} Hz; every one must be above 0 Hz and finite", {"frequency_hz": wrong, "least_hz": 0})
     return found

@@ -22,6 +22,7 @@ __all__ = [
     "StartError",
     "StructureError",
     "StudyError",
+    "UnknownKeyError",
 ]
 
 
@@ -48,13 +49,27 @@ class JounceError(Exception):
         super().__init__(message)
         self.details: dict[str, Any] = details or {}
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (type(self), (self.args[0], self.details))
+
 
 class ArgumentError(JounceError, ValueError):
     """An argument that is out of range or of a wrong kind."""
 
 
 class FileError(JounceError, OSError):
-    """A file that cannot be read or written."""
+    """A file that cannot be read or written. ``details`` holds its ``path``, ``errno`` what the system says, where it says anything."""
+
+    def __init__(self, message: str, details: dict[str, Any] | None = None) -> None:
+        super().__init__(message, details)
+        self.errno = self.details.get("errno")
+
+
+class UnknownKeyError(JounceError, KeyError):
+    """A key that a spec does not have; ``details`` holds it and the ``nearest`` one."""
+
+    # A KeyError would show its message as the name of a key, between quotes.
+    __str__ = Exception.__str__
 
 
 class SpecError(JounceError, ValueError):

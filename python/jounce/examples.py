@@ -18,7 +18,9 @@ class Examples(Mapping[str, Spec]):
 
     def __getitem__(self, name: str) -> Spec:
         if name not in self._texts:
-            raise ArgumentError(f"{name}: no such example; there are {', '.join(self._texts)}")
+            raise ArgumentError(
+                f"{name}: no such example; there are {', '.join(self._texts)}", {"wanted": name, "known": list(self._texts)}
+            )
         return Spec(self._texts[name])
 
     def __iter__(self) -> Iterator[str]:

@@ -92,7 +92,8 @@ def _times(series: Sequence[Mapping[str, Any]], sample_rate_hz: Any, time_s: Any
 
 def _series(values: Any, units: str | Mapping[str, str] | None) -> list[Mapping[str, Any]]:
     """Every channel as a SEP005 time series; without ``fs`` and ``time`` where an array has none."""
-    if isinstance(values, Mapping) and "data" in values:
+    # A time series without its data is told so: it is no dict of arrays by their names.
+    if isinstance(values, Mapping) and ("data" in values or isinstance(values.get("unit_str"), str)):
         return [checked(values)]
     if isinstance(values, Mapping):
         if not values:

@@ -42,7 +42,9 @@ class Materials(Mapping[str, Material]):
 
     def __getitem__(self, name: str) -> Material:
         if name not in self._found:
-            raise ArgumentError(f"{name}: no such material; there are {', '.join(self._found)}")
+            raise ArgumentError(
+                f"{name}: no such material; there are {', '.join(self._found)}", {"wanted": name, "known": list(self._found)}
+            )
         return self._found[name]
 
     def __iter__(self) -> Iterator[str]:

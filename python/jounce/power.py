@@ -15,7 +15,7 @@ from .errors import ArgumentError
 from .finding import Finding, found, told
 from .given import Measured, recordings
 from .recording import Recording, names_of
-from .result import Along, Floats, Integers, Result, Truths, Variable, column, html_table, made_manifest
+from .result import Along, Floats, Integers, Result, Truths, Variable, column, html_table, made_manifest, whole
 from .signal import Spectrum
 
 #: Multiples of the drive whose amplitudes are told.
@@ -114,9 +114,13 @@ def power(
     several = isinstance(resistance, Sequence) and not isinstance(resistance, str)
     ohms = [positive_si("resistance", one, "resistance") for one in (resistance if several else [resistance] * len(given))]
     if len(ohms) != len(given):
-        raise ArgumentError(f"there are {len(ohms)} resistances for {len(given)} recordings; give one for all, or one for each")
+        raise ArgumentError(
+            f"there are {len(ohms)} resistances for {len(given)} recordings; give one for all, or one for each",
+            {"resistances": len(ohms), "recordings": len(given)},
+        )
     drive_hz = optional_si("frequency", drive, "drive")
-    answers = [_core.measured_power(one._core(), ohm, voltage, base, drive_hz, ORDERS, remove_mean) for one, ohm in zip(given, ohms)]
+    asked = (voltage, base, drive_hz, ORDERS, remove_mean)
+    answers = [whole(_core.measured_power(one._core(), ohm, *asked)) for one, ohm in zip(given, ohms)]
     manifest = made_manifest("power", **names_of(given), resistance_ohm=ohms, drive_hz=drive_hz, remove_mean=remove_mean)
     return _told(given, np.array(ohms), answers, manifest)
 

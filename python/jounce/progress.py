@@ -33,4 +33,4 @@ def told(progress: bool | Progress | None) -> Iterator[Progress | None]:
     elif callable(progress):
         yield progress
     else:
-        raise ArgumentError(f"progress is {progress!r}; give True, or a function of (done, total, seconds_left)")
+        raise ArgumentError(f"progress is {progress!r}; give True, or a function of (done, total, seconds_left)", {"given": repr(progress)})

@@ -59,7 +59,7 @@ def plain(value: Any, what: str) -> Any:
 def name(key: Any, what: str) -> str:
     """The name of a thing."""
     if not isinstance(key, str):
-        raise ArgumentError(f"{what}: {key!r} is no name; names are text")
+        raise ArgumentError(f"{what}: {key!r} is no name; names are text", {"given": repr(key)})
     return key
 
 
@@ -107,7 +107,9 @@ def span(value: Any, key: str) -> tuple[str, str]:
     made = plain(value, key)
     ends = made.split(":") if isinstance(made, str) else made
     if not isinstance(ends, list) or len(ends) != 2 or any(isinstance(end, (dict, list)) for end in ends):
-        raise ArgumentError(f'{key}: {value!r} is no range; give "FROM:TO", as in "4 Hz:20 Hz", or a pair of quantities')
+        raise ArgumentError(
+            f'{key}: {value!r} is no range; give "FROM:TO", as in "4 Hz:20 Hz", or a pair of quantities', {"given": repr(value)}
+        )
     low, high = (str(end) for end in ends)
     return low, high
 
@@ -121,7 +123,7 @@ def sides(grid: Mapping[str, Any] | None) -> list[str]:
     if grid is None:
         return []
     if not isinstance(grid, Mapping) or not grid:
-        raise ArgumentError(f'grid is {grid!r}; give a dict of sides, as in {{"displacement": "-5 mm:5 mm:21x"}}')
+        raise ArgumentError(f'grid is {grid!r}; give a dict of sides, as in {{"displacement": "-5 mm:5 mm:21x"}}', {"given": repr(grid)})
     return [f"{side}={_side(side, range)}" for side, range in grid.items()]
 
 
@@ -129,7 +131,10 @@ def _side(side: Any, range: Any) -> str:
     if isinstance(range, str):
         return range
     if not isinstance(range, Sequence) or len(range) != 3:
-        raise ArgumentError(f'grid, {side}: {range!r} is no side; give "FROM:TO:Nx", or a tuple of two quantities and a number')
+        raise ArgumentError(
+            f'grid, {side}: {range!r} is no side; give "FROM:TO:Nx", or a tuple of two quantities and a number',
+            {"side": side, "given": repr(range)},
+        )
     if side not in _SIDES:
         raise ArgumentError(f"grid, {side}: there is no such side; there are {', '.join(_SIDES)}")
     low, high = (f"{end.to(_SIDES[side]).magnitude!r} {_SIDES[side]}" if is_quantity(end) else str(end) for end in range[:2])

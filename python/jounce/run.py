@@ -27,14 +27,14 @@ class State:
         try:
             return cls(Path(path).read_text(encoding="utf-8"))
         except (OSError, UnicodeDecodeError) as error:
-            raise StartError(f"the start state {path} cannot be read: {error}") from error
+            raise StartError(f"the start state {path} cannot be read: {error}", {"path": str(path)}) from error
 
     def write(self, path: str | PathLike[str]) -> None:
         """Writes a state file."""
         try:
             Path(path).write_text(self.json, encoding="utf-8")
         except OSError as error:
-            raise FileError(f"the state {path} cannot be written: {error}") from error
+            raise FileError(f"the state {path} cannot be written: {error}", {"path": str(path), "errno": error.errno}) from error
 
     def to_dict(self) -> dict[str, Any]:
         """Modal displacements and velocities, voltages and drive angles, SI."""

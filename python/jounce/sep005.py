@@ -16,7 +16,7 @@ def checked(series: Mapping[str, Any]) -> Mapping[str, Any]:
     """The series, if it has what every series has."""
     missing = [key for key in ("data", "name", "unit_str") if key not in series]
     if missing:
-        raise ArgumentError(f"a SEP005 time series has data, name and unit_str; missing: {', '.join(missing)}")
+        raise ArgumentError(f"a SEP005 time series has data, name and unit_str; missing: {', '.join(missing)}", {"missing": missing})
     return series
 
 
@@ -42,5 +42,5 @@ def even_rate_hz(series: Mapping[str, Any]) -> float:
         return float(series["fs"])
     steps = np.diff(numbers(series.get("time", ()), "the times"))
     if len(steps) == 0 or not np.allclose(steps, steps[0], rtol=1e-6):
-        raise ArgumentError("a SEP005 time series needs its sample rate `fs`, or evenly spaced `time`")
+        raise ArgumentError("a SEP005 time series needs its sample rate `fs`, or evenly spaced `time`", {"has": list(series)})
     return float(1.0 / steps.mean())

@@ -75,7 +75,7 @@ def write_recording(path: str | PathLike[str], values: Any, sample_rate_hz: floa
             file.write("time_s,value\n")
             file.writelines(f"{time!r},{value!r}\n" for time, value in zip(times.tolist(), row.tolist()))
     except OSError as error:
-        raise FileError(f"the recording {path} cannot be written: {error}") from error
+        raise FileError(f"the recording {path} cannot be written: {error}", {"path": str(path), "errno": error.errno}) from error
 
 
 def _samples(values: Any, sample_rate_hz: float | None) -> tuple[Floats, float]:

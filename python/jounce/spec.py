@@ -62,7 +62,7 @@ class Spec(SpecOnRig):
 
         ``frequency``: text or quantities, ``["1 Hz", "2 Hz"]``, or a pint array; by default 2000 from 1 to 1000 Hz.
         """
-        return FrfResult._made(_core.frf(self._spec, frequencies(frequency), input, base, self._held(hold, fixed_table), open_circuit))
+        return FrfResult._handed(_core.frf(self._spec, frequencies(frequency), input, base, self._held(hold, fixed_table), open_circuit))
 
     def noise(self, *, low: Any = None, high: Any = None, points: int = 1000) -> NoiseResult:
         """What the noises of the spec do without contact, exact: means, mean squares, bandwidths, how often each gap would be reached.
@@ -73,23 +73,33 @@ class Spec(SpecOnRig):
         check_wholes(points=points)
         low_hz = None if low is None else in_si("frequency", low, "low")
         high_hz = None if high is None else in_si("frequency", high, "high")
-        return NoiseResult._made(_core.noise(self._spec, low_hz, high_hz, points))
+        return NoiseResult._handed(_core.noise(self._spec, low_hz, high_hz, points))
 
     def run(
-        self, *, tolerance: float | None = None, start: State | None = None, record: Any = None, sample_rate: Any = "4096 Hz"
+        self,
+        *,
+        tolerance: float | None = None,
+        start: State | None = None,
+        record: Any = None,
+        sample_rate: Any = "4096 Hz",
+        progress: bool | Progress | None = None,
     ) -> RunResult:
         """Marches one run.
 
         ``tolerance`` overrides ``run.tolerance``; ``start`` is the ``end`` of another run; ``record`` is how much of the end of the run is
-        kept as samples, ``"1 s"``.
+        kept as samples, ``"1 s"``. The parts that ``progress`` tells of are thousandths of the duration.
         """
         record_s = 0.0 if record is None else in_si("time", record, "record")
         rate_hz = in_si("frequency", sample_rate, "sample_rate")
         if record_s < 0.0 or not 0.0 < rate_hz < np.inf:
-            raise ArgumentError(f"record is {record_s} s, sample_rate {rate_hz} Hz; give a record of at least 0 s and a rate above 0 Hz")
+            given = {"record_s": record_s, "sample_rate_hz": rate_hz, "least_record_s": 0, "least_sample_rate_hz": 0}
+            raise ArgumentError(
+                f"record is {record_s} s, sample_rate {rate_hz} Hz; give a record of at least 0 s and a rate above 0 Hz", given
+            )
         if start is not None and not isinstance(start, State):
             raise ArgumentError(f"start is of type {type(start).__name__}; give the `end` of another run, or jounce.State.read(PATH)")
-        answer, ended = _core.run(self._spec, tolerance, start.json if start else None, record_s, rate_hz)
+        with told(progress) as tell:
+            answer, ended = _core.run(self._spec, tolerance, start.json if start else None, record_s, rate_hz, tell)
         return RunResult._handed((answer and {**answer, "sample_rate_hz": rate_hz}, ended))
 
     def sweep(

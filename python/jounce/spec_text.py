@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
+from difflib import get_close_matches
 from os import PathLike, fspath
 from typing import Any, Self
 
 from . import _core
 from .arguments import names, of_tables
-from .errors import ArgumentError
+from .errors import ArgumentError, SpecError, UnknownKeyError
 from .quantity import name as name_of
 from .quantity import setting
 from .result import html_table
@@ -57,7 +58,9 @@ class SpecText:
     def set(self, key: str | Mapping[str, Any], value: Any = None) -> None:
         """Sets a key, ``spec.set("stop.tip.gap", "0.5 mm")``, or several at once with a dict."""
         if not isinstance(key, (str, Mapping)):
-            raise ArgumentError(f'{key!r} is no key; give its name, as in "stop.tip.gap", or a dict of keys and values')
+            raise ArgumentError(
+                f'{key!r} is no key; give its name, as in "stop.tip.gap", or a dict of keys and values', {"given": repr(key)}
+            )
         pairs = key if isinstance(key, Mapping) else {key: value}
         self._spec = self._spec.with_keys([(name_of(key, "spec"), setting(item, str(key))) for key, item in pairs.items()])
 
@@ -82,22 +85,42 @@ class SpecText:
     def __getitem__(self, key: str) -> Any:
         """What the text says of a key, or its default; a table as a dict."""
         if not isinstance(key, str):
-            raise ArgumentError(f'{key!r} is no key; keys are text, as in "stop.tip.gap"')
+            raise ArgumentError(f'{key!r} is no key; keys are text, as in "stop.tip.gap"', {"given": repr(key)})
+        found = self._found(key)
+        if found is None:
+            raise self._unknown(key)
+        return found
+
+    def _found(self, key: str) -> Any:
         for canonical in (False, True):
             found: Any = self.to_dict(canonical)
             for part in key.split("."):
                 found = found.get(part) if isinstance(found, dict) else None
             if found is not None:
                 return found
-        raise KeyError(key)
+        return None
+
+    def _unknown(self, key: str) -> UnknownKeyError:
+        near = next(iter(get_close_matches(key, _paths(self.to_dict(canonical=True), ""), 1)), None)
+        hint = f"did you mean {near}?" if near else "spec.to_dict(canonical=True) holds them all"
+        return UnknownKeyError(f"{key}: this spec has no such key; {hint}", {"wanted": key, "nearest": near})
+
+    def _number(self, key: str) -> tuple[float, str]:
+        try:
+            return self._spec.number(key)
+        except SpecError:
+            # A key that is there, but is no number, is the other fault.
+            if self._found(key) is None:
+                raise self._unknown(key) from None
+            raise
 
     def si(self, key: str) -> float:
         """The number of a key in SI units."""
-        return self._spec.number(key)[0]
+        return self._number(key)[0]
 
     def unit(self, key: str) -> str:
         """The SI unit of a key; empty for a plain number."""
-        return self._spec.number(key)[1]
+        return self._number(key)[1]
 
     @property
     def sha256(self) -> str:
@@ -145,6 +168,14 @@ class SpecText:
 
 def _again(kind: type[SpecText], text: str, folder: str) -> SpecText:
     return kind._of(_core.Spec(text, folder))
+
+
+def _paths(tables: Mapping[str, Any], path: str) -> list[str]:
+    """The dotted keys of tables."""
+    found: list[str] = []
+    for key, value in tables.items():
+        found += _paths(value, f"{path}{key}.") if isinstance(value, dict) else [path + key]
+    return found
 
 
 def _shown(keys: Mapping[str, Any]) -> str:

@@ -12,7 +12,7 @@ from .arguments import optional_si
 from .finding import Finding, found, told
 from .given import Measured, recording
 from .recording import names_of
-from .result import Along, Floats, Result, Variable, html_table, made_manifest
+from .result import Along, Floats, Result, Variable, html_table, made_manifest, whole
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -139,7 +139,7 @@ def spectra(
     given = recording(record, sample_rate_hz)
     drive_hz, segment_s = optional_si("frequency", drive, "drive"), optional_si("time", segment, "segment")
     cut = {"drive_hz": drive_hz, "segment_s": segment_s, "overlap": overlap, "window": window}
-    answer = _core.measured_spectra(given._core(), channel, cut)
+    answer = whole(_core.measured_spectra(given._core(), channel, cut))
     manifest = made_manifest("spectra", **names_of([given]), **cut)
     odd = [*given.findings, *found(answer.pop("findings"))]
     return SpectraResult(manifest=manifest, drive_hz=drive_hz, overlap=overlap, window=window, findings=odd, **answer)

@@ -78,7 +78,7 @@ class Study:
         try:
             tables = tomllib.loads(file.read_text(encoding="utf-8"))
         except (OSError, UnicodeDecodeError) as error:
-            raise FileError(f"the study {path} cannot be read: {error}") from error
+            raise FileError(f"the study {path} cannot be read: {error}", {"path": str(path)}) from error
         except tomllib.TOMLDecodeError as error:
             raise SpecError(f"{path}: {error}") from error
         named = tables.pop("spec", None)

@@ -76,6 +76,13 @@ CALLS = {
     "harmonic balance": ('branch("drive.shaker.frequency", "4 Hz:20 Hz", method="harmonic-balance", seeds=0, threads=2)', 0.4, "0"),
     "jumps": ('jumps("drive.shaker.frequency", "4 Hz:20 Hz", "stop.tip.gap", "0.5 mm:2 mm", threads=2)', 0.8, "0"),
     "diagram": ('diagram("drive.shaker.frequency", "4 Hz:20 Hz:0.001 Hz", threads=2)', 3.0, "len(stopped.result)"),
+    "diagram of starts": (
+        'diagram("drive.shaker.frequency", "4 Hz:20 Hz:0.001 Hz", direction="starts", threads=2)',
+        2.0,
+        "len(stopped.result)",
+    ),
+    "ensemble": ('jounce.examples()["random-base"].ensemble(members=20000, threads=2)', 2.0, "len(stopped.result)"),
+    "noise": ('jounce.examples()["random-base"].noise(points=1000000)', 0.5, "0"),
     "basins": ("basins(starts=100000, threads=2)", 3.0, "(stopped.result.ends_in >= 0).sum()"),
     "rig on a solution": ('rig(solution="1a", starts=100000)', 1.0, "0"),
     "fit": (f'changed({{"run.duration": "100000 s"}}).fit({POWERS})', 0.5, "0"),
@@ -117,6 +124,20 @@ def test_progress_is_told_and_may_end_the_call(short):
 
     with pytest.raises(Enough):
         short.sweep(FREQUENCY, "10 Hz:11 Hz:10001x", progress=enough)
+
+
+def test_progress_of_a_run_is_the_time_marched(harvester):
+    heard = []
+    # The longest run ends soon enough, and the first is long enough for several looks on any machine.
+    for seconds in (20_000, 200_000):
+        heard.clear()
+        harvester.changed({"run.duration": f"{seconds} s"}).run(progress=lambda *told: heard.append(told))
+        if len(heard) > 2:
+            break
+    assert heard[-1] == (1000, 1000, 0.0) and 0 < heard[0][0] < 1000
+    assert all(a[0] <= b[0] and b[1] == 1000 for a, b in zip(heard, heard[1:]))
+    short = harvester.changed({"run.duration": "2 s", "run.average_over": "1 s"})
+    assert short.run(progress=lambda *told: None) == short.run()
 
 
 def test_progress_of_a_fit_is_the_models_tried(harvester):

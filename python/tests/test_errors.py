@@ -1,5 +1,6 @@
 """Bad input: each a clear exception, nothing changed."""
 
+import errno
 import pickle
 
 import numpy as np
@@ -128,12 +129,28 @@ def test_arguments_are_checked(harvester):
         lambda: harvester.frf(["1 Hz"], input="table", base=True),
     ]
     for call in wrong:
-        with pytest.raises(jounce.ArgumentError):
+        with pytest.raises(jounce.ArgumentError) as caught:
             call()
+        # Who reads a number in the message finds it, and what it is the number of, without parsing the text.
+        assert caught.value.details or not any(letter.isdigit() for letter in str(caught.value)), caught.value
     with pytest.raises(jounce.SpecError, match="unit"):
         harvester.sweep(frequency, np.linspace(10.0, 14.0, 3))
     with pytest.raises(jounce.SpecError, match="reversed"):
         harvester.sweep(frequency, "14 Hz:10 Hz:1 Hz")
+
+
+def test_a_key_that_is_not_there_is_told_with_the_nearest(harvester):
+    for read in (lambda key: harvester[key], harvester.si, harvester.unit):
+        with pytest.raises(jounce.UnknownKeyError, match="did you mean stop.tip.gap") as caught:
+            read("stop.tip.gapp")
+        assert isinstance(caught.value, KeyError) and caught.value.details == {"wanted": "stop.tip.gapp", "nearest": "stop.tip.gap"}
+        assert str(pickle.loads(pickle.dumps(caught.value))).startswith("stop.tip.gapp: this spec has no such key")
+    with pytest.raises(jounce.UnknownKeyError, match="stop.tip.gap"):
+        harvester.si("stop.nope.gap")
+    with pytest.raises(jounce.SpecError, match="no key with a number"):
+        harvester.si("stop.tip.law")
+    with pytest.raises(jounce.ArgumentError, match="Spec.run marches"):
+        harvester.ensemble()
 
 
 def test_wrong_python_types_are_type_errors(harvester):
@@ -170,9 +187,35 @@ def test_errors_carry_their_numbers(harvester):
             orbits()
 
 
+def test_arguments_and_recordings_tell_what_is_allowed(harvester):
+    frequency, volts = "drive.shaker.frequency", np.sin(np.arange(100.0))
+    for call, details in (
+        (lambda: harvester.basins(starts=-1), {"starts": -1, "least": 0, "most": 2**32 - 1}),
+        (lambda: harvester.branch(frequency, "12 Hz:13 Hz", tolerance=1.0), {"tolerance": 1.0, "least": 1e-14, "most": 0.01}),
+        (lambda: harvester.run(record="1000 s"), {"record_s": 1000.0, "most_s": 20.0}),
+        (lambda: harvester.run(record="1 s", sample_rate="1e12 Hz"), {"samples": 1e12, "most": 1e8}),
+        (lambda: jounce.spectra(volts, sample_rate_hz=100.0, overlap=1.5), {"overlap": 1.5}),
+        (lambda: jounce.spectra(volts, sample_rate_hz=100.0, segment="20 s"), {"segment": 2000, "samples": 100}),
+        (lambda: jounce.regimes(volts, "12 Hz", sample_rate_hz=100.0), {"cycles": 12.0, "needed": 24.0}),
+    ):
+        with pytest.raises(jounce.JounceError) as caught:
+            call()
+        assert caught.value.details == details, caught.value
+        again = pickle.loads(pickle.dumps(caught.value))
+        assert (str(again), again.details) == (str(caught.value), details)
+
+
 def test_files_that_cannot_be_read_or_written(harvester, tmp_path):
-    with pytest.raises(jounce.FileError, match="does not exist"):
-        jounce.read(tmp_path / "no-such-file.toml")
+    missing = tmp_path / "no-such-file.toml"
+    with pytest.raises(jounce.FileError, match="does not exist") as caught:
+        jounce.read(missing)
+    assert (caught.value.details["path"], caught.value.errno) == (str(missing), errno.ENOENT)
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert (str(again), again.errno) == (str(caught.value), errno.ENOENT)
+    for call in (lambda: jounce.read_recordings(missing), lambda: harvester.write(tmp_path / "no" / "folder.toml")):
+        with pytest.raises(jounce.FileError) as caught:
+            call()
+        assert str(tmp_path) in caught.value.details["path"]
     with pytest.raises(jounce.FileError, match="not a folder"):
         harvester.write(tmp_path / "no" / "such" / "folder.toml")
     with pytest.raises(jounce.FileError):
@@ -211,6 +254,7 @@ SERIES = {"data": VOLTS, "name": "u", "unit_str": "V", "fs": 1000.0}
         (lambda: jounce.power(SERIES, "1 ohm", voltage="w"), jounce.ArgumentError, "its channels are u"),
         (lambda: jounce.power({**SERIES, "unit_str": "N"}, "1 ohm", voltage="u"), jounce.ArgumentError, "is in N"),
         (lambda: jounce.power({"data": VOLTS, "name": "u"}, "1 ohm"), jounce.ArgumentError, "missing: unit_str"),
+        (lambda: jounce.power({"name": "u", "unit_str": "V", "fs": 1000.0}, "1 ohm"), jounce.ArgumentError, "missing: data"),
         (lambda: jounce.power([SERIES, {**SERIES, "name": "v", "fs": 9.0}], "1 ohm"), jounce.ArgumentError, "v and u are not sampled"),
         (lambda: jounce.Recording.of({"a": VOLTS, "b": VOLTS[1:]}, 1e3), jounce.RecordingError, "channel b has 3999 samples"),
         (lambda: jounce.Recording.of({"a": VOLTS}, 1e3, units={"b": "V"}), jounce.ArgumentError, "units are given for b"),

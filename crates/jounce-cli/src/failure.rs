@@ -7,6 +7,9 @@ use jounce::study::StudyError;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+/// Exit code of what was stopped by the user, as shells have it.
+const INTERRUPTED: u8 = 130;
+
 /// Why a command did not succeed.
 #[derive(Debug)]
 pub enum Failure {
@@ -18,8 +21,10 @@ pub enum Failure {
     Input(String),
     /// A computation that did not converge: exit code 3.
     NotConverged(String),
-    /// Stopped by the user; finished work is kept: exit code 130, as shells do.
+    /// Stopped by the user; finished work is kept: exit code 130.
     Interrupted(String),
+    /// Stopped by the user, the answer of what was finished already told: exit code 130.
+    Shortened(String),
 }
 
 impl Failure {
@@ -36,10 +41,14 @@ impl Failure {
     /// Tells the user and gives the exit code.
     pub fn report(self, json: bool) -> ExitCode {
         let (code, text, faults) = match self {
+            Failure::Shortened(text) => {
+                eprintln!("{text}");
+                return ExitCode::from(INTERRUPTED);
+            }
             Failure::Usage(text) => (2, text, Vec::new()),
             Failure::NotConverged(text) => (3, text, Vec::new()),
             Failure::Input(text) => (4, text, Vec::new()),
-            Failure::Interrupted(text) => (130, text, Vec::new()),
+            Failure::Interrupted(text) => (INTERRUPTED, text, Vec::new()),
             Failure::Faults(path, faults) => {
                 let lines: Vec<String> = faults.iter().map(|fault| described(&path, fault)).collect();
                 (4, lines.join("\n"), faults)

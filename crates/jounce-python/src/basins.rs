@@ -37,13 +37,17 @@ pub fn basins<'py>(
     if !((1..=MOST_STARTS).contains(&starts) && spread > 0.0 && spread.is_finite()) {
         let why =
             format!("starts is {starts} and spread {spread}; starts must be from 1 to {MOST_STARTS}, spread greater than 0 and finite");
-        return Err(Failure::new("ArgumentError", why).raised(py));
+        let details = serde_json::json!({ "starts": starts, "least_starts": 1, "most_starts": MOST_STARTS, "spread": spread });
+        return Err(Failure::new("ArgumentError", why).with(details).raised(py));
     }
     let starts_text = starts.to_string();
     let (key, value) = driven::frequency(spec, "a basin")?;
     let starts = match grid.is_empty() {
         true => Starts::Cloud(Cloud { starts, seed, spread }),
-        false => Starts::Grid(Grid::read(&grid, spec.spec.stop.len()).map_err(|error| Failure::new("ArgumentError", error))?),
+        false => Starts::Grid(
+            Grid::read(&grid, spec.spec.stop.len())
+                .map_err(|error| Failure::new("ArgumentError", error).with(serde_json::json!({ "grid": grid })))?,
+        ),
     };
     let found = watched(py, progress.as_ref(), |watch| {
         let base = spec.prepared(watch)?;

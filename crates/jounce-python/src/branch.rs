@@ -13,7 +13,8 @@ use pyo3::types::PyDict;
 /// How orbits are computed, by name.
 fn method_of(name: &str, harmonics: usize) -> Result<Method, Failure> {
     if !(4..=2048).contains(&harmonics) {
-        return Err(Failure::new("ArgumentError", format!("harmonics is {harmonics}; it must be from 4 to 2048")));
+        let details = serde_json::json!({ "harmonics": harmonics, "least": 4, "most": 2048 });
+        return Err(Failure::new("ArgumentError", format!("harmonics is {harmonics}; it must be from 4 to 2048")).with(details));
     }
     match name {
         "shooting" => Ok(Method::Shooting),
@@ -28,7 +29,8 @@ pub fn checked_tolerance(tolerance: f64) -> Result<f64, Failure> {
     if fits {
         Ok(tolerance)
     } else {
-        Err(Failure::new("ArgumentError", format!("tolerance is {tolerance}; it must be from 1e-14 to 0.01")))
+        let details = serde_json::json!({ "tolerance": tolerance, "least": 1e-14, "most": 0.01 });
+        Err(Failure::new("ArgumentError", format!("tolerance is {tolerance}; it must be from 1e-14 to 0.01")).with(details))
     }
 }
 
@@ -37,8 +39,11 @@ const MOST_SEEDS: usize = 100_000;
 
 /// A number of seeds.
 pub fn checked_seeds(seeds: usize) -> Result<usize, Failure> {
-    let fits = seeds <= MOST_SEEDS;
-    if fits { Ok(seeds) } else { Err(Failure::new("ArgumentError", format!("seeds is {seeds}; it must be at most {MOST_SEEDS}"))) }
+    if seeds <= MOST_SEEDS {
+        return Ok(seeds);
+    }
+    let details = serde_json::json!({ "seeds": seeds, "least": 0, "most": MOST_SEEDS });
+    Err(Failure::new("ArgumentError", format!("seeds is {seeds}; it must be at most {MOST_SEEDS}")).with(details))
 }
 
 /// Follows every branch over a range of a key.

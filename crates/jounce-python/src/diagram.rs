@@ -57,7 +57,8 @@ pub fn diagram<'py>(
     let order = order_of(direction, Cloud { starts, seed, spread })?;
     if !(1..=100_000).contains(&cycles) {
         let why = format!("cycles is {cycles}; it must be from 1 to 100000");
-        return Err(Failure::new("ArgumentError", why).raised(py));
+        let details = serde_json::json!({ "cycles": cycles, "least": 1, "most": 100_000 });
+        return Err(Failure::new("ArgumentError", why).with(details).raised(py));
     }
     let options = Options { order, cycles, tolerance: checked_tolerance(tolerance)?, branches, longest_period, threads };
     let range = spec.range(key, values)?;
@@ -78,7 +79,7 @@ fn order_of(direction: &str, cloud: Cloud) -> Result<Order, Failure> {
         "starts" if cloud.starts > 0 && cloud.spread > 0.0 && cloud.spread.is_finite() => Ok(Order::Starts(cloud)),
         "starts" => {
             let why = format!("starts is {} and spread {}; both must be greater than 0, spread finite", cloud.starts, cloud.spread);
-            Err(Failure::new("ArgumentError", why))
+            Err(Failure::new("ArgumentError", why).with(serde_json::json!({ "starts": cloud.starts, "spread": cloud.spread })))
         }
         _ => {
             let why = format!("direction is \"{direction}\"; it must be \"up\", \"down\", \"both\" or \"starts\"");

@@ -35,11 +35,14 @@ pub fn ensemble<'py>(
         let why = format!(
             "members is {members} and relative_width {width}; members must be from 1 to {MOST_MEMBERS}, relative_width between 0 and 1"
         );
-        return Err(Failure::new("ArgumentError", why).raised(py));
+        let details =
+            serde_json::json!({ "members": members, "relative_width": relative_width, "least_members": 1, "most_members": MOST_MEMBERS });
+        return Err(Failure::new("ArgumentError", why).with(details).raised(py));
     }
     if spectrum && members < 2 {
         let why = "spectrum needs two members at least: one alone tells no density from its scatter";
-        return Err(Failure::new("ArgumentError", why).raised(py));
+        let details = serde_json::json!({ "members": members, "least_members": 2 });
+        return Err(Failure::new("ArgumentError", why).with(details).raised(py));
     }
     let own = spec.with_tolerance(tolerance)?;
     let spec = own.as_ref().unwrap_or(spec);

@@ -2,8 +2,11 @@
 
 use crate::arrays::Answer;
 use crate::failure::Failure;
+use crate::run::Handed;
 use crate::spec::Spec;
+use crate::watched::{handed, watched};
 use jounce::linear::{self, Frf, Input, Response};
+use jounce::march::Watch;
 use jounce::plant::{Plant, System};
 use jounce::spec::{DriveKind, Gravity};
 use jounce::structure::modes_holding;
@@ -22,22 +25,40 @@ pub fn frf<'py>(
     base: bool,
     hold: Vec<String>,
     open_circuit: bool,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> Handed<'py> {
     let frequency_hz = frequency_hz.as_array().to_vec();
     let input = input_of(spec, input, base)?;
-    let answers = py.detach(|| responses(spec, &frequency_hz, &input, &hold, open_circuit)).map_err(|failure| failure.raised(py))?;
+    let found = watched(py, None, |watch| {
+        let found = responses(spec, &frequency_hz, &input, &hold, open_circuit, watch)?;
+        Failure::unless_stopped(watch, found)
+    });
+    let options = [("input", input_name(&input)), ("hold", hold.join(" ")), ("open_circuit", open_circuit.to_string())];
+    handed(py, found, |answers| told(py, answers, &input, hold, frequency_hz, spec.manifest("frf", &options)))
+}
+
+fn told<'py>(
+    py: Python<'py>,
+    answers: Vec<Frf>,
+    input: &Input,
+    hold: Vec<String>,
+    frequency_hz: Vec<f64>,
+    manifest: String,
+) -> PyResult<Bound<'py, PyDict>> {
     let all = PyDict::new(py);
     for frf in answers {
         let values: Vec<Complex64> = frf.value.iter().map(|value| Complex64::new(value.re, value.im)).collect();
-        all.set_item(frf.response.name(), (numpy::PyArray1::from_vec(py, values), frf.response.unit(&input)))?;
+        all.set_item(frf.response.name(), (numpy::PyArray1::from_vec(py, values), frf.response.unit(input)))?;
     }
-    let input = match input {
-        Input::Force(point) => point,
-        Input::BaseAcceleration => "base".to_owned(),
-    };
-    let manifest = spec.manifest("frf", &[("input", input.clone()), ("hold", hold.join(" ")), ("open_circuit", open_circuit.to_string())]);
-    let answer = Answer::new(py).with("input", input)?.with("held", hold)?.with("responses", all)?.with("manifest", manifest)?;
+    let answer =
+        Answer::new(py).with("input", input_name(input))?.with("held", hold)?.with("responses", all)?.with("manifest", manifest)?;
     Ok(answer.array("frequency_hz", frequency_hz)?.dict())
+}
+
+fn input_name(input: &Input) -> String {
+    match input {
+        Input::Force(point) => point.clone(),
+        Input::BaseAcceleration => "base".to_owned(),
+    }
 }
 
 /// What shakes it: by default the point of the first force.
@@ -63,7 +84,14 @@ fn input_of(spec: &Spec, named: Option<String>, base: bool) -> Result<Input, Fai
     }
 }
 
-fn responses(spec: &Spec, frequency_hz: &[f64], input: &Input, hold: &[String], open_circuit: bool) -> Result<Vec<Frf>, Failure> {
+fn responses(
+    spec: &Spec,
+    frequency_hz: &[f64],
+    input: &Input,
+    hold: &[String],
+    open_circuit: bool,
+    watch: &Watch,
+) -> Result<Vec<Frf>, Failure> {
     let mut spec = spec.spec.clone();
     if open_circuit {
         spec.open_circuits();
@@ -78,5 +106,5 @@ fn responses(spec: &Spec, frequency_hz: &[f64], input: &Input, hold: &[String], 
     let loads = spec.circuit.keys().map(|load| Response::LoadVoltage(load.clone()));
     let wanted: Vec<Response> = points.chain(patches).chain(loads).collect();
     let plant = Plant::new(System::assemble(&spec, modes)?)?;
-    Ok(linear::frf(&plant, input, &wanted, frequency_hz)?)
+    Ok(linear::frf_until(&plant, input, &wanted, frequency_hz, &|| watch.is_stopped())?)
 }

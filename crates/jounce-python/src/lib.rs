@@ -85,6 +85,13 @@ mod _core {
     #[pymodule_export]
     use super::sweep::sweep;
 
+    /// numpy's own interface is loaded here: loaded by the first array of an answer, it could meet a pending Ctrl-C, and fail.
+    #[pymodule_init]
+    fn init(module: &pyo3::Bound<'_, pyo3::types::PyModule>) -> pyo3::PyResult<()> {
+        let _ = numpy::PyArray1::<f64>::zeros(module.py(), 0, false);
+        Ok(())
+    }
+
     /// Version of the library.
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");

@@ -2,8 +2,11 @@
 
 use crate::arrays::Answer;
 use crate::failure::Failure;
+use crate::run::Handed;
 use crate::spec::Spec;
+use crate::watched::{handed, watched};
 use jounce::linear::{Density, Random, RandomAnswer};
+use jounce::march::Watch;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -21,12 +24,12 @@ struct Answered {
 
 /// Means and mean squares, and densities at so many frequencies from one to another, Hz; by default over the band of the noises.
 #[pyfunction]
-pub fn noise<'py>(py: Python<'py>, spec: &Spec, low_hz: Option<f64>, high_hz: Option<f64>, points: usize) -> PyResult<Bound<'py, PyDict>> {
-    let found = py.detach(|| answered(spec, low_hz, high_hz, points)).map_err(|failure| failure.raised(py))?;
-    told(py, found, spec.manifest("noise", &[("points", points.to_string())]))
+pub fn noise<'py>(py: Python<'py>, spec: &Spec, low_hz: Option<f64>, high_hz: Option<f64>, points: usize) -> Handed<'py> {
+    let found = watched(py, None, |watch| answered(spec, low_hz, high_hz, points, watch));
+    handed(py, found, |found| told(py, found, spec.manifest("noise", &[("points", points.to_string())])))
 }
 
-fn answered(spec: &Spec, low_hz: Option<f64>, high_hz: Option<f64>, points: usize) -> Result<Answered, Failure> {
+fn answered(spec: &Spec, low_hz: Option<f64>, high_hz: Option<f64>, points: usize, watch: &Watch) -> Result<Answered, Failure> {
     let random = Random::new(&spec.spec)?;
     let [low, high] = random.usual_band_hz();
     let (low, high) = (low_hz.unwrap_or(low), high_hz.unwrap_or(high));
@@ -35,10 +38,13 @@ fn answered(spec: &Spec, low_hz: Option<f64>, high_hz: Option<f64>, points: usiz
         let why = format!(
             "low is {low} Hz, high {high} Hz and points {points}; low must be above 0 Hz and below high, points from {least} to {most}"
         );
-        return Err(Failure::new("ArgumentError", why));
+        let details = serde_json::json!({ "low_hz": low, "high_hz": high, "points": points, "least_points": least, "most_points": most });
+        return Err(Failure::new("ArgumentError", why).with(details));
     }
     let frequency_hz = random.frequencies_hz(low, high, points);
-    Ok(Answered { answer: random.answer()?, densities: random.densities(&frequency_hz)?, frequency_hz })
+    let answer = random.answer()?;
+    let densities = random.densities_until(&frequency_hz, &|| watch.is_stopped())?;
+    Failure::unless_stopped(watch, Answered { answer, densities, frequency_hz })
 }
 
 fn told<'py>(py: Python<'py>, found: Answered, manifest: String) -> PyResult<Bound<'py, PyDict>> {

@@ -49,10 +49,11 @@ pub fn run<'py>(
     start: Option<String>,
     record_s: f64,
     sample_rate_hz: f64,
+    progress: Option<Bound<'py, PyAny>>,
 ) -> Handed<'py> {
     let own = spec.with_tolerance(tolerance)?;
     let options = Options { tolerance, start, record_s, sample_rate_hz };
-    let found = watched(py, None, |watch| marched(spec, &options, watch));
+    let found = watched(py, progress.as_ref(), |watch| marched(spec, &options, watch));
     handed(py, found, |marched| told(py, own.as_ref().unwrap_or(spec), marched))
 }
 
@@ -69,16 +70,19 @@ fn marched(spec: &Spec, options: &Options, watch: &Watch) -> Result<Marched, Fai
     let plan = RunPlan { tolerance: options.tolerance.unwrap_or(run.tolerance), ..RunPlan::of(run, options.record_s) };
     if options.record_s > run.duration_s {
         let why = format!("record is {} s; it must not be longer than run.duration = {} s", options.record_s, run.duration_s);
-        return Err(Failure::new("ArgumentError", why));
+        let details = serde_json::json!({ "record_s": options.record_s, "most_s": run.duration_s });
+        return Err(Failure::new("ArgumentError", why).with(details));
     }
     let samples = options.record_s * options.sample_rate_hz;
     if samples > MOST_SAMPLES {
         let why = format!("record times sample_rate makes {samples:e} samples; at most {MOST_SAMPLES:e} are kept");
-        return Err(Failure::new("ArgumentError", why));
+        return Err(Failure::new("ArgumentError", why).with(serde_json::json!({ "samples": samples, "most": MOST_SAMPLES })));
     }
     // As the command line does, so that both tell the same bits.
     let watching = plan.clone().watching(&prepared.spec, &kernel.plant).balancing(&kernel.plant);
+    watch.expect_run(watching.duration_s);
     let answer = simulate(&kernel, &start, &watching)?;
+    watch.tell_time(watching.duration_s);
     let history = (options.record_s > 0.0).then(|| History::new(&kernel, &answer, &plan, options.sample_rate_hz));
     let warnings = Warning::of(&prepared.spec, &kernel, &watching, &answer).iter().map(ToString::to_string).collect();
     let patch = kernel.plant.system.modes.patch.keys().cloned().collect();

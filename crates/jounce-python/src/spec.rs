@@ -87,7 +87,7 @@ impl Spec {
 
     /// Writes the text to a file, whole or not at all.
     fn write(&self, path: PathBuf) -> Result<(), Failure> {
-        jounce::store::write(&path, self.text.as_bytes()).map_err(|error| Failure::new("FileError", error))
+        jounce::store::write(&path, self.text.as_bytes()).map_err(Failure::from)
     }
 }
 
@@ -97,7 +97,11 @@ impl Spec {
         let known = match self.prepared.get() {
             Some(known) => known,
             None => {
-                let made = Prepared::new(self.spec.clone())?;
+                let made = Prepared::watched(self.spec.clone(), watch)?;
+                // What was made for a call that ends early lacks its noise.
+                if watch.is_stopped() {
+                    return Ok(made);
+                }
                 self.prepared.get_or_init(|| made)
             }
         };
@@ -124,10 +128,10 @@ impl Spec {
         let found = KeyRange::parse(self.key(key)?, &format!("{},{}", range.0, range.1))?;
         match found.values() {
             [low, high] if low < high => Ok((found.key().clone(), (*low, *high))),
-            _ => Err(Failure::new(
-                "ArgumentError",
-                format!("{key}: the range {} to {} must go from a smaller to a larger value", range.0, range.1),
-            )),
+            ends => {
+                let why = format!("{key}: the range {} to {} must go from a smaller to a larger value", range.0, range.1);
+                Err(Failure::new("ArgumentError", why).with(serde_json::json!({ "key": key, "ends": ends })))
+            }
         }
     }
 
@@ -169,5 +173,5 @@ pub fn quantity_si(kind: &str, text: &str) -> PyResult<f64> {
         "force" => Quantity::Force,
         _ => return Err(PyValueError::new_err(format!("{kind}: no kind of quantity"))),
     };
-    quantity.read(text).map_err(|error| Failure::new("ArgumentError", error).into())
+    quantity.read(text).map_err(|error| Failure::new("ArgumentError", error).with(serde_json::json!({ "given": text, "due": kind })).into())
 }

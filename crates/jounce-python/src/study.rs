@@ -48,14 +48,19 @@ impl Study {
     fn point(&self, index: usize) -> Result<Vec<f64>, Failure> {
         match index < self.0.design.len() {
             true => Ok(self.0.design.point(index)),
-            false => Err(Failure::new("ArgumentError", format!("there is no point {index}; the study has {}", self.0.design.len()))),
+            false => {
+                let (points, text) = (self.0.design.len(), format!("there is no point {index}; the study has {}", self.0.design.len()));
+                Err(Failure::new("ArgumentError", text).with(serde_json::json!({ "point": index, "points": points })))
+            }
         }
     }
 
     /// A part as the bytes of its file, computed on one thread.
     fn part<'py>(&self, py: Python<'py>, part: usize) -> Handed<'py> {
         if part >= self.0.parts() {
-            return Err(Failure::new("ArgumentError", format!("there is no part {part}; the study has {}", self.0.parts())).raised(py));
+            let why = format!("there is no part {part}; the study has {}", self.0.parts());
+            let details = serde_json::json!({ "part": part, "parts": self.0.parts() });
+            return Err(Failure::new("ArgumentError", why).with(details).raised(py));
         }
         let found = watched(py, None, |watch| {
             let table = self.0.part(part, watch)?;
@@ -113,7 +118,7 @@ pub fn study_status(py: Python<'_>, folder: PathBuf) -> PyResult<String> {
 /// A table that jounce wrote: columns by name, their units and meanings, the manifest as JSON.
 #[pyfunction]
 pub fn table_read<'py>(py: Python<'py>, path: PathBuf) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>, String)> {
-    let read = py.detach(|| Table::read(&path)).map_err(|error| Failure::new("FileError", error).raised(py))?;
+    let read = py.detach(|| Table::read(&path)).map_err(|error| Failure::from(error).raised(py))?;
     let (columns, notes) = (PyDict::new(py), PyDict::new(py));
     for column in read.0.columns() {
         notes.set_item(&column.name, (&column.unit, &column.about))?;

@@ -62,6 +62,8 @@ struct Teller<'a, 'py> {
 impl Teller<'_, '_> {
     fn tell(&mut self, watch: &Watch, at_the_end: bool) -> PyResult<()> {
         let Some(progress) = self.progress else { return Ok(()) };
+        // What it answers is read at the next look.
+        watch.ask_time();
         let now = watch.progress();
         let due = at_the_end || self.told.elapsed() >= TELL;
         if now == self.last || !due {

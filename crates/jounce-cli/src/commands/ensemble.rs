@@ -71,9 +71,6 @@ impl Ensemble {
         if answer.members.is_empty() {
             return Err(Failure::Interrupted("stopped before the first member was finished".to_owned()));
         }
-        if base.kernel.watch.is_stopped() {
-            eprintln!("stopped: the answer is that of the {} members that were finished", answer.members.len());
-        }
         for warning in Warning::of_recordings(&base.spec, &RunPlan::of(&base.spec.run, 0.0)) {
             eprintln!("warning: {warning}");
         }
@@ -83,6 +80,10 @@ impl Ensemble {
             self.write(folder, &base, &answer)?;
         }
         self.tell(&answer);
+        if base.kernel.watch.is_stopped() {
+            let text = format!("stopped: the answer is that of the {} members that were finished", answer.members.len());
+            return Err(Failure::Shortened(text));
+        }
         Ok(())
     }
 

@@ -1,7 +1,8 @@
 //! Why a pulse tells nothing.
 
 /// A pulse that no law is fitted to.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error, serde::Serialize)]
+#[serde(untagged)]
 pub enum ContactError {
     /// Fewer samples than unknowns.
     #[error("the pulse has {samples} samples around its peak; a law needs at least {needed}: sample faster or strike softer")]

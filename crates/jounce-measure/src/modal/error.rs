@@ -1,7 +1,8 @@
 //! Why no modes are found.
 
 /// Responses that give no modes.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
+#[serde(untagged)]
 pub enum ModalError {
     /// Responses of unequal length, or none.
     #[error("response {response} has {lines} lines and the frequencies are {expected}; at least one response of as many lines is needed")]

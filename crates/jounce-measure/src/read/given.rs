@@ -5,7 +5,8 @@ use super::raw::RawChannel;
 use crate::recording::{Grid, Over, Recording, inspect};
 
 /// Samples that make no recording.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
+#[serde(untagged)]
 pub enum GivenError {
     /// No channel at all.
     #[error("there is no channel; give at least one")]

@@ -29,7 +29,8 @@ pub enum Grid {
 }
 
 /// Stamps that are no places of samples.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
+#[serde(untagged)]
 pub enum GridError {
     /// A step or a start that is not a number, or a step at or below zero.
     #[error("the step is {step} from {start}; a step must be a finite number > 0")]

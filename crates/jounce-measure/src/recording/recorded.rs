@@ -19,7 +19,7 @@ pub struct Recording {
 }
 
 /// A channel that a recording does not have.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
 #[error("there is no channel {wanted:?} in {recording}; its channels are {}; a number from 1 will do too", channels.join(", "))]
 pub struct NoChannel {
     /// What was asked for.

@@ -26,4 +26,4 @@ mod stretches;
 pub use correspond::{Candidate, Correspondence, Fits, correspond};
 pub use period::{Period, period};
 pub use section::{Section, section};
-pub use stretches::{RegimeError, Regimes, Stretch, regimes};
+pub use stretches::{RegimeError, Regimes, Stretch, regimes, regimes_watched};

@@ -1,8 +1,11 @@
 //! The best partition of a row of feature vectors into pieces of constant mean.
 
+use jounce::march::Watch;
+
 /// Where the pieces begin, in blocks. One block alone between two pieces is the mixture at a change: the change is put in its middle.
-pub(super) fn changes(features: &[Vec<f64>], noise: &[f64], cost: f64) -> Vec<f64> {
-    let mut starts = pieces(features, noise, cost);
+/// None where the watch stops it.
+pub(super) fn changes(features: &[Vec<f64>], noise: &[f64], cost: f64, watch: &Watch) -> Option<Vec<f64>> {
+    let mut starts = pieces(features, noise, cost, watch)?;
     starts.push(features.len());
     let mut changes = vec![0.0];
     for pair in starts.windows(2).filter(|pair| pair[0] > 0) {
@@ -16,11 +19,11 @@ pub(super) fn changes(features: &[Vec<f64>], noise: &[f64], cost: f64) -> Vec<f6
             (false, _) => changes.push(pair[0] as f64),
         }
     }
-    changes
+    Some(changes)
 }
 
 /// First blocks of the pieces. `noise` is the deviation of each feature within a piece, `cost` what a piece more costs.
-fn pieces(features: &[Vec<f64>], noise: &[f64], cost: f64) -> Vec<usize> {
+fn pieces(features: &[Vec<f64>], noise: &[f64], cost: f64, watch: &Watch) -> Option<Vec<usize>> {
     let count = features.len();
     let width = noise.len();
     // Sums and squared sums up to each block, of features over their noise.
@@ -38,6 +41,9 @@ fn pieces(features: &[Vec<f64>], noise: &[f64], cost: f64) -> Vec<usize> {
     let mut best = vec![(f64::INFINITY, 0); count + 1];
     best[0].0 = 0.0;
     for to in 1..=count {
+        if watch.is_stopped() {
+            return None;
+        }
         let total = |from: usize| best[from].0 + spread(from, to) + cost;
         let tried = (0..to).map(|from| (total(from), from));
         best[to] = tried.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, 0));
@@ -48,7 +54,7 @@ fn pieces(features: &[Vec<f64>], noise: &[f64], cost: f64) -> Vec<usize> {
         starts.push(at);
     }
     starts.reverse();
-    starts
+    Some(starts)
 }
 
 /// Deviation of each feature between neighbouring blocks, by the median, so that a few changes do not count.

@@ -1,5 +1,6 @@
 //! After how many drive cycles a record repeats.
 
+use jounce::march::Watch;
 use jounce::signal::Samples;
 use serde::Serialize;
 
@@ -23,6 +24,12 @@ const NONE: f64 = 0.5;
 
 /// The period of samples under a drive of a known frequency; samples between those of the record by cubic interpolation.
 pub fn period(samples: &Samples<'_>, drive_hz: f64) -> Period {
+    let unstopped = period_watched(samples, drive_hz, &Watch::default());
+    unstopped.unwrap_or(Period { cycles: None, mismatch: f64::INFINITY })
+}
+
+/// The same under a watch, which is looked at before each number of cycles; none where it stops the search.
+pub(super) fn period_watched(samples: &Samples<'_>, drive_hz: f64, watch: &Watch) -> Option<Period> {
     let values = samples.values();
     let mean = samples.mean();
     let rms = (values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / values.len() as f64).sqrt();
@@ -36,13 +43,16 @@ pub fn period(samples: &Samples<'_>, drive_hz: f64) -> Period {
         let square: f64 = (1..end).map(|k| (cubic(&values[k + whole - 1..k + whole + 3], share) - values[k]).powi(2)).sum();
         (square / (end - 1) as f64 / 2.0).sqrt() / rms
     };
-    let found: Vec<f64> = (1..=LONGEST).map(mismatch).collect();
+    let found: Vec<f64> = (1..=LONGEST).take_while(|_| !watch.is_stopped()).map(mismatch).collect();
+    if watch.is_stopped() {
+        return None;
+    }
     let least = found.iter().copied().fold(f64::INFINITY, f64::min);
     let best = found.iter().position(|m| *m <= (AS_WELL * least).max(EXACT));
-    match best.filter(|_| least < NONE) {
+    Some(match best.filter(|_| least < NONE) {
         Some(k) => Period { cycles: Some(k + 1), mismatch: found[k] },
         None => Period { cycles: None, mismatch: least },
-    }
+    })
 }
 
 /// Lagrange's cubic through four samples, between the middle two.

@@ -1,11 +1,13 @@
 //! Stretches of a record.
 
+use jounce::march::Watch;
 use jounce::signal::{Samples, SignalError};
 use serde::Serialize;
 
+use super::Period;
 use super::features::{CYCLES, of_block};
 use super::partition::{changes, noise};
-use super::{Period, period};
+use super::period::period_watched;
 
 /// A stretch of one solution.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -37,7 +39,8 @@ pub struct Regimes {
 }
 
 /// A record that cannot be cut.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
+#[serde(untagged)]
 pub enum RegimeError {
     /// The samples are no signal.
     #[error(transparent)]
@@ -61,6 +64,9 @@ pub enum RegimeError {
     /// Nothing moves.
     #[error("all samples are equal: there is no signal to cut")]
     Constant,
+    /// Stopped by its watch.
+    #[error("stopped")]
+    Stopped,
 }
 
 /// Blocks of the shortest record.
@@ -75,6 +81,14 @@ const COST: f64 = 2.0;
 /// # Errors
 /// A drive that does not suit the sample rate, a record of fewer than 24 cycles, a constant record.
 pub fn regimes(samples: &Samples<'_>, drive_hz: f64) -> Result<Regimes, RegimeError> {
+    regimes_watched(samples, drive_hz, &Watch::default())
+}
+
+/// The same under a watch, which is looked at for each block, for each end of a piece and for each period tried.
+///
+/// # Errors
+/// As [`regimes`], and [`RegimeError::Stopped`].
+pub fn regimes_watched(samples: &Samples<'_>, drive_hz: f64, watch: &Watch) -> Result<Regimes, RegimeError> {
     let rate_hz = samples.rate_hz();
     if !(drive_hz > 0.0 && drive_hz < rate_hz / 4.0) {
         return Err(RegimeError::Drive { drive_hz, rate_hz });
@@ -86,7 +100,11 @@ pub fn regimes(samples: &Samples<'_>, drive_hz: f64) -> Result<Regimes, RegimeEr
     let length = CYCLES * rate_hz / drive_hz;
     let blocks = (samples.values().len() as f64 / length) as usize;
     let start = |b: usize| (b as f64 * length).round() as usize;
-    let features: Vec<Vec<f64>> = (0..blocks).map(|b| of_block(samples, drive_hz, start(b), length.floor() as usize)).collect();
+    let features = (0..blocks).take_while(|_| !watch.is_stopped());
+    let features: Vec<Vec<f64>> = features.map(|b| of_block(samples, drive_hz, start(b), length.floor() as usize)).collect();
+    if watch.is_stopped() {
+        return Err(RegimeError::Stopped);
+    }
     let largest = features.iter().flatten().copied().fold(0.0, f64::max);
     if largest <= 0.0 {
         return Err(RegimeError::Constant);
@@ -95,7 +113,7 @@ pub fn regimes(samples: &Samples<'_>, drive_hz: f64) -> Result<Regimes, RegimeEr
     let floor = SMALLEST * largest / (2.0 * COST * (blocks as f64).ln()).sqrt();
     let noise: Vec<f64> = noise(&features).into_iter().map(|s| s.max(floor)).collect();
     let cost = COST * noise.len() as f64 * (blocks as f64).ln();
-    let starts = changes(&features, &noise, cost);
+    let starts = changes(&features, &noise, cost, watch).ok_or(RegimeError::Stopped)?;
     let edge = |k: usize| starts.get(k).map_or(samples.values().len(), |b| (b * length).round() as usize);
     let last = starts.len().saturating_sub(1);
     let inner = |k: usize| {
@@ -103,16 +121,24 @@ pub fn regimes(samples: &Samples<'_>, drive_hz: f64) -> Result<Regimes, RegimeEr
         let block = if edge(k + 1) - edge(k) > (4.0 * length) as usize { length.ceil() as usize } else { 0 };
         (edge(k) + if k > 0 { block } else { 0 }, edge(k + 1) - if k < last { block } else { 0 })
     };
-    let stretches = (0..starts.len()).map(|k| stretch(samples, drive_hz, (edge(k), edge(k + 1)), inner(k))).collect::<Result<_, _>>()?;
+    let one = |k: usize| stretch(samples, drive_hz, (edge(k), edge(k + 1)), inner(k), watch);
+    let stretches = (0..starts.len()).map(one).collect::<Result<_, _>>()?;
     Ok(Regimes { stretches, uncertainty_s: length / rate_hz })
 }
 
-fn stretch(samples: &Samples<'_>, drive_hz: f64, (start, end): (usize, usize), inner: (usize, usize)) -> Result<Stretch, RegimeError> {
+fn stretch(
+    samples: &Samples<'_>,
+    drive_hz: f64,
+    (start, end): (usize, usize),
+    inner: (usize, usize),
+    watch: &Watch,
+) -> Result<Stretch, RegimeError> {
     let part = Samples::new(&samples.values()[inner.0..inner.1], samples.rate_hz())?;
     let mean = part.mean();
     let rms = (part.values().iter().map(|x| (x - mean).powi(2)).sum::<f64>() / part.values().len() as f64).sqrt();
     let at = |k: usize| k as f64 / samples.rate_hz();
-    Ok(Stretch { start_s: at(start), end_s: at(end), start, end, inner, rms, period: period(&part, drive_hz) })
+    let period = period_watched(&part, drive_hz, watch).ok_or(RegimeError::Stopped)?;
+    Ok(Stretch { start_s: at(start), end_s: at(end), start, end, inner, rms, period })
 }
 
 #[cfg(test)]
@@ -159,5 +185,8 @@ mod tests {
         assert!(matches!(regimes(&samples, 500.0), Err(RegimeError::Drive { .. })));
         assert!(matches!(regimes(&samples, 0.1), Err(RegimeError::Short { .. })));
         assert_eq!(regimes(&Samples::new(&[1.0; 9000], 100.0).unwrap(), 5.0), Err(RegimeError::Constant));
+        let watch = Watch::default();
+        watch.stop();
+        assert_eq!(regimes_watched(&samples, 13.0, &watch), Err(RegimeError::Stopped));
     }
 }

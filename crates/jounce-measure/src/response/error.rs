@@ -4,7 +4,8 @@ use crate::recording::NoChannel;
 use crate::spectral::SpectralError;
 
 /// Recordings that give no frequency response.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
+#[serde(untagged)]
 pub enum ResponseError {
     /// No such channel.
     #[error(transparent)]

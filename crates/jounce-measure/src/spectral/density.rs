@@ -1,5 +1,6 @@
 //! Power spectral density after Welch.
 
+use jounce::march::Watch;
 use jounce::signal::{Samples, Window};
 
 use super::{Segments, SpectralError};
@@ -34,10 +35,21 @@ impl Density {
     /// # Errors
     /// A segment longer than the record.
     pub fn welch(samples: &Samples<'_>, segments: &Segments) -> Result<Self, SpectralError> {
+        Self::welch_watched(samples, segments, &Watch::default())
+    }
+
+    /// The same under a watch, which is looked at before each segment.
+    ///
+    /// # Errors
+    /// As [`Density::welch`], and [`SpectralError::Stopped`].
+    pub fn welch_watched(samples: &Samples<'_>, segments: &Segments, watch: &Watch) -> Result<Self, SpectralError> {
         let mean = samples.mean();
         let frequency_hz = segments.frequency_hz(samples.rate_hz());
         let (mut sum, mut count) = (vec![0.0; frequency_hz.len()], 0);
         for start in segments.starts(samples.values().len())? {
+            if watch.is_stopped() {
+                return Err(SpectralError::Stopped);
+            }
             let bins = segments.transform(samples, start, mean);
             sum.iter_mut().zip(&bins).for_each(|(sum, bin)| *sum += bin.norm_sqr());
             count += 1;
@@ -131,5 +143,9 @@ mod tests {
             Density::welch(&samples, &Segments::new(64, 0.5, Window::Hann).unwrap()),
             Err(SpectralError::Segment { samples: 63, .. })
         ));
+        let watch = Watch::default();
+        watch.stop();
+        let stopped = Density::welch_watched(&samples, &Segments::new(32, 0.5, Window::Hann).unwrap(), &watch);
+        assert_eq!(stopped, Err(SpectralError::Stopped));
     }
 }

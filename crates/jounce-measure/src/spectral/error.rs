@@ -3,7 +3,8 @@
 use jounce::signal::SignalError;
 
 /// A question that the samples cannot answer.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
+#[serde(untagged)]
 pub enum SpectralError {
     /// The samples are no signal.
     #[error(transparent)]
@@ -67,4 +68,7 @@ pub enum SpectralError {
         /// Samples needed.
         needed: usize,
     },
+    /// Stopped by its watch.
+    #[error("stopped")]
+    Stopped,
 }

@@ -26,6 +26,6 @@ pub use mean_power::{MeanPower, mean_power};
 pub use response::{Averages, Estimator, FrequencyResponse};
 pub use segments::Segments;
 pub use signal::signal;
-pub use spectra::{Spectra, SpectraSettings, spectra};
-pub use spectrogram::{Spectrogram, spectrogram};
+pub use spectra::{Spectra, SpectraSettings, spectra, spectra_watched};
+pub use spectrogram::{Spectrogram, spectrogram, spectrogram_watched};
 pub use taper::{exponential_window, force_window};

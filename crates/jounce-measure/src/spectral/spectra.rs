@@ -1,5 +1,6 @@
 //! What a channel shows over frequency: its density, and the lines of its drive.
 
+use jounce::march::Watch;
 use jounce::signal::{OrderLine, Samples, Window};
 
 use super::{Density, Segments, SpectralError};
@@ -42,6 +43,14 @@ pub struct Spectra {
 /// # Errors
 /// A segment that does not fit the record, an overlap out of its range, a record too short to tell the lines of the drive apart.
 pub fn spectra(samples: &Samples<'_>, settings: &SpectraSettings) -> Result<Spectra, SpectralError> {
+    spectra_watched(samples, settings, &Watch::default())
+}
+
+/// The same under a watch.
+///
+/// # Errors
+/// As [`spectra`], and [`SpectralError::Stopped`].
+pub fn spectra_watched(samples: &Samples<'_>, settings: &SpectraSettings, watch: &Watch) -> Result<Spectra, SpectralError> {
     let (count, rate_hz) = (samples.values().len(), samples.rate_hz());
     let usual = || (count / SEGMENTS).max(SHORTEST).min(count);
     let cycles_s = settings.drive_hz.map(|f| CYCLES / f).filter(|s| s * rate_hz <= count as f64);
@@ -54,7 +63,7 @@ pub fn spectra(samples: &Samples<'_>, settings: &SpectraSettings) -> Result<Spec
             samples.orders(drive_hz, &inside)?.lines
         }
     };
-    Ok(Spectra { density: Density::welch(samples, &segments)?, segments, orders })
+    Ok(Spectra { density: Density::welch_watched(samples, &segments, watch)?, segments, orders })
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@
 //! window; beside a line a Hann window shows up to 15 % less, a flat top up to 0.1 %. A segment resolves `r / L` times the width of the
 //! window (4 lines for Hann, 10 for a flat top), and sees nothing shorter than itself.
 
+use jounce::march::Watch;
 use jounce::signal::Samples;
 
 use super::{Segments, SpectralError};
@@ -34,17 +35,28 @@ pub struct Spectrogram {
 /// # Errors
 /// A segment longer than the record.
 pub fn spectrogram(samples: &Samples<'_>, segments: &Segments) -> Result<Spectrogram, SpectralError> {
+    spectrogram_watched(samples, segments, &Watch::default())
+}
+
+/// The same under a watch, which is looked at before each segment.
+///
+/// # Errors
+/// As [`spectrogram`], and [`SpectralError::Stopped`].
+pub fn spectrogram_watched(samples: &Samples<'_>, segments: &Segments, watch: &Watch) -> Result<Spectrogram, SpectralError> {
     let gain = segments.gain();
     let starts: Vec<usize> = segments.starts(samples.values().len())?.collect();
-    let spectrum = |start: &usize| -> Vec<f64> {
+    let spectrum = |start: &usize| -> Result<Vec<f64>, SpectralError> {
+        if watch.is_stopped() {
+            return Err(SpectralError::Stopped);
+        }
         let bins = segments.transform(samples, *start, 0.0);
-        bins.iter().enumerate().map(|(k, bin)| segments.sides(k) * bin.norm() / gain).collect()
+        Ok(bins.iter().enumerate().map(|(k, bin)| segments.sides(k) * bin.norm() / gain).collect())
     };
     let middle = |start: &usize| (*start as f64 + segments.length() as f64 / 2.0) / samples.rate_hz();
     Ok(Spectrogram {
         time_s: starts.iter().map(middle).collect(),
         frequency_hz: segments.frequency_hz(samples.rate_hz()),
-        amplitude_peak: starts.iter().map(spectrum).collect(),
+        amplitude_peak: starts.iter().map(spectrum).collect::<Result<_, _>>()?,
         segment_s: segments.length() as f64 / samples.rate_hz(),
         step_s: segments.step() as f64 / samples.rate_hz(),
         resolution_hz: samples.rate_hz() / segments.length() as f64,

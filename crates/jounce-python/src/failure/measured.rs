@@ -20,7 +20,7 @@ macro_rules! of_recordings {
     ($($error:ty),+) => {
         $(impl From<$error> for Failure {
             fn from(error: $error) -> Self {
-                Self::new("RecordingError", error)
+                Self::of("RecordingError", &error)
             }
         })+
     };
@@ -48,22 +48,37 @@ impl From<ResponseError> for Failure {
     fn from(error: ResponseError) -> Self {
         match error {
             ResponseError::Channel(error) => error.into(),
-            error => Self::new("RecordingError", error),
+            error => Self::of("RecordingError", &error),
         }
     }
 }
 
 impl From<jounce_measure::read::ReadError> for Failure {
     fn from(error: jounce_measure::read::ReadError) -> Self {
-        Self::new("FileError", error)
+        use jounce_measure::read::ReadError::{Damaged, Format, Grid, NoRecord, NoTime, Notes, Open, Scratch};
+        match &error {
+            Open { path, reason } | Scratch { path, reason } => Self::of_file(&error, path, Some(reason)),
+            Format { path, .. }
+            | Damaged { path, .. }
+            | NoTime { path, .. }
+            | NoRecord { path }
+            | Grid { path, .. }
+            | Notes { path, .. } => Self::of_file(&error, path, None),
+        }
     }
 }
 
 impl From<WriteError> for Failure {
     fn from(error: WriteError) -> Self {
         match error {
-            WriteError::NotFinite { .. } => Self::new("RecordingError", error),
-            error => Self::new("FileError", error),
+            WriteError::NotFinite { ref channel, sample, value } => {
+                let details = serde_json::json!({ "channel": channel, "sample": sample, "value": value.to_string() });
+                Self::new("RecordingError", &error).with(details)
+            }
+            WriteError::Format { ref path } => Self::of_file(&error, path, None),
+            WriteError::Table(error) => Self::of("FileError", &error),
+            WriteError::Store(error) => Self::of("FileError", &error),
+            WriteError::Scratch(_) => Self::new("FileError", error),
         }
     }
 }
@@ -85,7 +100,7 @@ impl From<SolutionError> for Failure {
             SolutionError::Plant(error) => error.into(),
             SolutionError::Run(error) => error.into(),
             SolutionError::Orbit(error) => error.into(),
-            SolutionError::Lost { .. } => Self::new("ConvergenceError", error),
+            SolutionError::Lost { starts, .. } => Self::new("ConvergenceError", &error).with(serde_json::json!({ "starts": starts })),
             SolutionError::UnknownSolution { ref wanted, ref known } => {
                 Self { details: serde_json::json!({ "solution": wanted, "known": known }), ..Self::new("ArgumentError", &error) }
             }
@@ -108,7 +123,7 @@ impl From<FitError> for Failure {
         match error {
             FitError::Value(fault) => fault.into(),
             FitError::Structure(error) => error.into(),
-            FitError::Open { .. } => Self::new("FileError", error),
+            FitError::Open { ref path, ref reason } => Self::of_file(&error, path, Some(reason)),
             error => Self::new("FitError", error),
         }
     }

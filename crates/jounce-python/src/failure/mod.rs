@@ -3,19 +3,24 @@
 mod measured;
 
 use jounce::linear::RandomError;
-use jounce::march::VariationError;
+use jounce::march::{VariationError, Watch};
 use jounce::orbit::OrbitError;
 use jounce::plant::PlantError;
 use jounce::reproduce::ReproduceError;
 use jounce::run::RunError;
 use jounce::spec::{Fault, Faults, ReadError};
 use jounce::starter::UnknownKind;
+use jounce::store::StoreError;
 use jounce::structure::StructureError;
 use jounce::study::StudyError;
 use jounce::survey::SurveyError;
+use jounce::table::TableError;
 use jounce_explorer::ExploreError;
 use pyo3::prelude::*;
 use serde_json::Value;
+
+/// What POSIX and Windows call a file that is not there, `ENOENT`.
+const NO_SUCH_FILE: i32 = 2;
 
 /// Why a call did not succeed; free of Python, so that it can be made on any thread.
 #[derive(Debug)]
@@ -33,9 +38,26 @@ impl Failure {
         Self { class, message: message.to_string(), details: Value::Null }
     }
 
+    /// The same with the numbers and names of its message.
+    #[must_use]
+    pub fn with(self, details: Value) -> Self {
+        Self { details, ..self }
+    }
+
+    /// A file that cannot be used; `errno` where the system says so.
+    fn of_file(error: impl ToString, path: &std::path::Path, reason: Option<&std::io::Error>) -> Self {
+        let errno = reason.and_then(std::io::Error::raw_os_error);
+        Self::new("FileError", error).with(serde_json::json!({ "path": path, "errno": errno }))
+    }
+
     /// A failure whose error type names its numbers.
-    fn of(class: &'static str, error: &(impl std::fmt::Display + serde::Serialize)) -> Self {
+    pub fn of(class: &'static str, error: &(impl std::fmt::Display + serde::Serialize)) -> Self {
         Self { class, message: error.to_string(), details: serde_json::to_value(error).unwrap_or(Value::Null) }
+    }
+
+    /// What was computed, if it is whole.
+    pub fn unless_stopped<T>(watch: &Watch, found: T) -> Result<T, Self> {
+        if watch.is_stopped() { Err(Self::new("JounceError", "stopped")) } else { Ok(found) }
     }
 
     /// Faults of a spec.
@@ -83,7 +105,12 @@ impl From<ReadError> for Failure {
             ReadError::NotText { ref fault, .. } => {
                 Self { details: serde_json::json!({ "faults": [fault] }), ..Self::new("SpecError", &error) }
             }
-            _ => Self::new("FileError", error),
+            ReadError::Unreadable { ref path, ref source } => Self::of_file(&error, path, Some(source)),
+            ReadError::Missing { ref path } => {
+                let details = serde_json::json!({ "path": path, "errno": NO_SUCH_FILE });
+                Self::new("FileError", &error).with(details)
+            }
+            ReadError::Directory { ref path } | ReadError::TooLarge { ref path } => Self::of_file(&error, path, None),
         }
     }
 }
@@ -134,10 +161,13 @@ impl From<StudyError> for Failure {
             StudyError::Plant(error) => error.into(),
             StudyError::Run(error) => error.into(),
             StudyError::Value(fault) => fault.into(),
-            StudyError::StartFile { .. } => Self::new("StartError", error),
-            StudyError::Journal(error) => Self::new("FileError", error),
-            StudyError::Aperiodic { .. } => Self::new("OrbitError", error),
-            StudyError::NoNoise => Self::new("ArgumentError", error),
+            StudyError::StartFile { ref path, .. } => Self::new("StartError", &error).with(serde_json::json!({ "path": path })),
+            StudyError::Journal(error) => Self::of("FileError", &error),
+            StudyError::Aperiodic { ref drive } => Self::new("OrbitError", &error).with(serde_json::json!({ "drive": drive })),
+            StudyError::NoNoise => {
+                let why = "an ensemble needs noise: give a drive `signal = \"noise\"`; Spec.run marches what is not random";
+                Self::new("ArgumentError", why)
+            }
         }
     }
 }
@@ -167,12 +197,25 @@ impl From<OrbitError<StudyError>> for Failure {
     }
 }
 
+impl From<TableError> for Failure {
+    fn from(error: TableError) -> Self {
+        Self::of("FileError", &error)
+    }
+}
+
+impl From<StoreError> for Failure {
+    fn from(error: StoreError) -> Self {
+        Self::of("FileError", &error)
+    }
+}
+
 impl From<ReproduceError> for Failure {
     fn from(error: ReproduceError) -> Self {
         match error {
-            ReproduceError::Folder { .. } | ReproduceError::Store(_) | ReproduceError::Table(_) | ReproduceError::Picture(_) => {
-                Self::new("FileError", error)
-            }
+            ReproduceError::Folder { ref path, .. } => Self::of_file(&error, path.as_ref(), None),
+            ReproduceError::Store(error) => Self::of("FileError", &error),
+            ReproduceError::Table(error) => Self::of("FileError", &error),
+            ReproduceError::Picture(error) => Self::of("FileError", &error),
             error => Self::new("JounceError", error),
         }
     }

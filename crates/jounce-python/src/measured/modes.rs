@@ -11,7 +11,10 @@ use pyo3::prelude::*;
 pub fn check_order(order: usize) -> Result<(), Failure> {
     match (2..=400).contains(&order) {
         true => Ok(()),
-        false => Err(Failure::new("ArgumentError", format!("order is {order}; it must be from 2 to 400"))),
+        false => {
+            let details = serde_json::json!({ "order": order, "least": 2, "most": 400 });
+            Err(Failure::new("ArgumentError", format!("order is {order}; it must be from 2 to 400")).with(details))
+        }
     }
 }
 

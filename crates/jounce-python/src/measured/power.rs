@@ -4,6 +4,8 @@ use super::recording::{Given, findings};
 use crate::arrays::Answer;
 use crate::branch::json;
 use crate::failure::Failure;
+use crate::run::Handed;
+use crate::watched::{handed, watched};
 use jounce::signal::{OrderLine, Window};
 use jounce_measure::recording::{Finding, Quantity};
 use jounce_measure::spectral::{MeanPower, mean_power, signal};
@@ -33,9 +35,9 @@ pub fn measured_power<'py>(
     drive_hz: Option<f64>,
     orders: Vec<f64>,
     remove_mean: bool,
-) -> PyResult<Bound<'py, PyDict>> {
+) -> Handed<'py> {
     let record = given.even()?;
-    let found = py.detach(|| {
+    let found = watched(py, None, |watch| {
         let voltage = record.choose(voltage.as_deref(), Quantity::Voltage)?;
         let samples = signal(voltage, record.rate())?;
         let mean_square = match &base {
@@ -46,15 +48,21 @@ pub fn measured_power<'py>(
             }
         };
         let inside = |drive_hz: f64| orders.iter().copied().filter(|order| order * drive_hz < 0.5 * record.rate()).collect::<Vec<_>>();
+        Failure::unless_stopped(watch, ())?;
         let orders = match drive_hz {
             None => Vec::new(),
             Some(drive_hz) => samples.orders(drive_hz, &inside(drive_hz))?.lines,
         };
+        Failure::unless_stopped(watch, ())?;
         let power = mean_power(&samples, resistance_ohm, remove_mean)?;
+        Failure::unless_stopped(watch, ())?;
         let spectrum = samples.spectrum(Window::Hann);
         Ok::<_, Failure>(Told { channel: voltage.name.clone(), power, mean_square, orders, spectrum, findings: record.findings.clone() })
     });
-    let found = found.map_err(|failure| failure.raised(py))?;
+    handed(py, found, |found| told(py, found))
+}
+
+fn told<'py>(py: Python<'py>, found: Told) -> PyResult<Bound<'py, PyDict>> {
     let answer = Answer::new(py)
         .with("channel", found.channel)?
         .with("power", json(&found.power)?)?

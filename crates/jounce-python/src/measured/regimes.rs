@@ -10,7 +10,7 @@ use crate::watched::{handed, watched};
 use jounce::march::Watch;
 use jounce::signal::Samples;
 use jounce_measure::recording::{Channel, Quantity, Recording};
-use jounce_measure::regime::{Correspondence, Regimes, correspond, regimes};
+use jounce_measure::regime::{Correspondence, Regimes, correspond, regimes_watched};
 use jounce_measure::solution::{Search, Solution, as_recorded, solutions};
 use jounce_measure::spectral::{MeanPower, mean_power};
 use pyo3::prelude::*;
@@ -53,7 +53,7 @@ pub fn measured_regimes<'py>(
             Some(name) if resistance_ohm.is_none() => record.channel(name)?,
             wanted => record.choose(wanted.as_deref(), Quantity::Voltage)?,
         };
-        let found = regimes(&Samples::new(&channel.values, record.rate())?, drive_hz)?;
+        let found = regimes_watched(&Samples::new(&channel.values, record.rate())?, drive_hz, watch)?;
         let mut powers = Vec::new();
         for stretch in found.stretches.iter().filter(|_| resistance_ohm.is_some()) {
             let part = Samples::new(&channel.values[stretch.start..stretch.end], record.rate())?;
@@ -77,14 +77,15 @@ impl Compared {
     fn solutions(&self, model: &Spec, drive_hz: f64, resistance_ohm: Option<f64>, watch: &Watch) -> Result<Vec<Solution>, Failure> {
         if !(self.within > 0.0 && self.within <= 1.0) || self.starts == 0 {
             let why = format!("within is {} and starts {}; within must lie above 0 and up to 1, starts above 0", self.within, self.starts);
-            return Err(Failure::new("ArgumentError", why));
+            let details = serde_json::json!({ "within": self.within, "starts": self.starts });
+            return Err(Failure::new("ArgumentError", why).with(details));
         }
         let mut spec = model.spec.clone();
         as_recorded(&mut spec, drive_hz, resistance_ohm, self.load.as_deref());
         let search = Search { starts: self.starts, seed: self.seed, load: self.load.clone(), ..Search::default() };
         let found = solutions(&spec, &search, watch)?;
         // A search that was stopped has not found them all.
-        if watch.is_stopped() { Err(Failure::new("JounceError", "stopped")) } else { Ok(found) }
+        Failure::unless_stopped(watch, found)
     }
 }
 

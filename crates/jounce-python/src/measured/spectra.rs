@@ -3,9 +3,11 @@
 use super::recording::{Given, findings};
 use crate::arrays::Answer;
 use crate::failure::Failure;
+use crate::run::Handed;
+use crate::watched::{handed, watched};
 use jounce::signal::Window;
-use jounce_measure::recording::Quantity;
-use jounce_measure::spectral::{SpectraSettings, signal, spectra, spectrogram};
+use jounce_measure::recording::{Channel, Quantity, Recording};
+use jounce_measure::spectral::{Spectra, SpectraSettings, Spectrogram, signal, spectra_watched, spectrogram_watched};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -36,20 +38,27 @@ impl Cut {
 
 /// Power spectral density, spectrogram and order lines of a channel; by default of the first one in volts, else of the first.
 #[pyfunction]
-pub fn measured_spectra<'py>(py: Python<'py>, given: Given<'py>, channel: Option<String>, cut: Cut) -> PyResult<Bound<'py, PyDict>> {
+pub fn measured_spectra<'py>(py: Python<'py>, given: Given<'py>, channel: Option<String>, cut: Cut) -> Handed<'py> {
     let (record, settings) = (given.even()?, cut.settings()?);
-    let found = py.detach(|| {
+    let found = watched(py, None, |watch| {
         let volts = || record.channels.iter().find(|channel| channel.quantity == Quantity::Voltage).or(record.channels.first());
         let channel = match &channel {
             Some(name) => record.channel(name)?,
             None => volts().ok_or_else(|| Failure::new("RecordingError", format!("{} has no channel", record.name)))?,
         };
         let samples = signal(channel, record.rate())?;
-        let found = spectra(&samples, &settings)?;
-        let over_time = spectrogram(&samples, &found.segments)?;
+        let found = spectra_watched(&samples, &settings, watch)?;
+        let over_time = spectrogram_watched(&samples, &found.segments, watch)?;
         Ok::<_, Failure>((channel.clone(), found, over_time))
     });
-    let (channel, found, spectrogram) = found.map_err(|failure| failure.raised(py))?;
+    handed(py, found, |found| told(py, &record, found))
+}
+
+fn told<'py>(
+    py: Python<'py>,
+    record: &Recording,
+    (channel, found, spectrogram): (Channel, Spectra, Spectrogram),
+) -> PyResult<Bound<'py, PyDict>> {
     let (density, lines) = (found.density, found.orders);
     let width = spectrogram.frequency_hz.len();
     let answer = Answer::new(py)

@@ -20,8 +20,9 @@ pub use wave::{Piece, Wave};
 use crate::spec::DriveSignal;
 use std::f64::consts::TAU;
 
-/// The course of a drive that is no sinusoid, over the first `duration_s` of a run; `None` for a sinusoid.
-pub fn wave(signal: &DriveSignal, duration_s: f64) -> Option<Wave> {
+/// The course of a drive that is no sinusoid, over the first `duration_s` of a run; `None` for a sinusoid. A noise is silence where
+/// `is_stopped` says that nobody waits for it any more.
+pub fn wave(signal: &DriveSignal, duration_s: f64, is_stopped: &dyn Fn() -> bool) -> Option<Wave> {
     match *signal {
         DriveSignal::Sine { .. } => None,
         DriveSignal::Chirp { amplitude, from_hz, to_hz, sweep, phase_rad, start_s, duration_s } => {
@@ -31,7 +32,7 @@ pub fn wave(signal: &DriveSignal, duration_s: f64) -> Option<Wave> {
         DriveSignal::VelocityStep { velocity_m_s, start_s } => Some(Wave::Impulse { time_s: start_s, size_s: velocity_m_s }),
         DriveSignal::Noise { density, low_hz, high_hz, sample_rate_hz, seed } => {
             let sample_rate_hz = sample_rate_hz.unwrap_or(DriveSignal::SAMPLES_PER_CYCLE * high_hz);
-            Some(noise(&Band { density, low_hz, high_hz, sample_rate_hz }, duration_s, seed))
+            Some(noise(&Band { density, low_hz, high_hz, sample_rate_hz }, duration_s, seed, is_stopped))
         }
         DriveSignal::Recording { scale, start_s, ref record, .. } => record.as_ref().map(|record| Wave::Sampled {
             start_s,

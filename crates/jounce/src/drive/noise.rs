@@ -26,8 +26,11 @@ pub struct Band {
     pub sample_rate_hz: f64,
 }
 
-/// A realisation of at least `duration_s`, the same for the same seed.
-pub fn noise(band: &Band, duration_s: f64, seed: u64) -> Wave {
+/// Lines between two looks at whether the realisation is still wanted: a millisecond.
+const LINES_PER_LOOK: usize = 1 << 14;
+
+/// A realisation of at least `duration_s`, the same for the same seed; silence where `is_stopped` says so on the way.
+pub fn noise(band: &Band, duration_s: f64, seed: u64, is_stopped: &dyn Fn() -> bool) -> Wave {
     let step_s = 1.0 / band.sample_rate_hz;
     let count = smooth_length((duration_s * band.sample_rate_hz).ceil() as usize + 2);
     let df = band.sample_rate_hz / count as f64;
@@ -38,10 +41,16 @@ pub fn noise(band: &Band, duration_s: f64, seed: u64) -> Wave {
     let first = (band.low_hz / df).ceil().max(1.0) as usize;
     let last = ((band.high_hz / df).floor() as usize).min(lines.len() - 2);
     for (j, line) in lines.iter_mut().enumerate().take(last + 1).skip(first) {
+        if j % LINES_PER_LOOK == 0 && is_stopped() {
+            break;
+        }
         let [a, b] = stream.normal_pair();
         // The transform adds each line and its conjugate: half of a - i b.
         let size = 0.5 * (band.density * df).sqrt() / hold(j as f64 * df, step_s);
         *line = Complex::new(size * a, -size * b);
+    }
+    if is_stopped() {
+        return Wave::Sampled { start_s: 0.0, step_s, sizes: [0.0; 2].into() };
     }
     let mut sizes = inverse.make_output_vec();
     // Lengths fit by construction, and the end lines are real.
@@ -74,14 +83,28 @@ mod tests {
     #[test]
     fn mean_square_is_density_times_band() {
         let band = Band { density: 0.02, low_hz: 50.0, high_hz: 250.0, sample_rate_hz: 2500.0 };
-        let Wave::Sampled { sizes, .. } = noise(&band, 20.0, 11) else { panic!("not sampled") };
+        let Wave::Sampled { sizes, .. } = noise(&band, 20.0, 11, &|| false) else { panic!("not sampled") };
         // The straight lines leave sinc^2 of each frequency: sample it away at the edges of the band.
         let square = sizes.iter().map(|u| u * u).sum::<f64>() / sizes.len() as f64;
         let wanted = 0.02 * (0..=200).map(|k| hold(50.0 + f64::from(k), 4e-4).powi(-2)).sum::<f64>() * 200.0 / 201.0;
         assert!((square / wanted - 1.0).abs() < 3.0 * FRAC_1_SQRT_2 * 0.0224, "{square} {wanted}");
-        let Wave::Sampled { sizes: other, .. } = noise(&band, 20.0, 12) else { panic!("not sampled") };
+        let Wave::Sampled { sizes: other, .. } = noise(&band, 20.0, 12, &|| false) else { panic!("not sampled") };
         let cross = sizes.iter().zip(other.iter()).map(|(a, b)| a * b).sum::<f64>() / sizes.len() as f64;
         assert!(cross.abs() < 0.05 * square, "{cross}");
+    }
+
+    /// At the first look, between two, and before the transform; who does not stop it gets every sample.
+    #[test]
+    fn a_realisation_that_nobody_waits_for_is_silence() {
+        let band = Band { density: 0.02, low_hz: 50.0, high_hz: 250.0, sample_rate_hz: 2500.0 };
+        for looks in [0_usize, 1, 5] {
+            let left = std::cell::Cell::new(looks);
+            let is_stopped = || left.replace(left.get().saturating_sub(1)) == 0;
+            let Wave::Sampled { sizes, .. } = noise(&band, 400.0, 11, &is_stopped) else { panic!("not sampled") };
+            assert_eq!(*sizes, [0.0; 2], "{looks}");
+        }
+        let Wave::Sampled { sizes, .. } = noise(&band, 400.0, 11, &|| false) else { panic!("not sampled") };
+        assert!(sizes.len() >= 1_000_000);
     }
 
     #[test]

@@ -69,6 +69,20 @@ impl Response {
 /// # Errors
 /// [`PlantError::UnknownName`] for a point, patch or circuit that is not there, [`PlantError::UndampedResonance`], [`PlantError::Switches`].
 pub fn frf(plant: &Plant, input: &Input, responses: &[Response], frequencies_hz: &[f64]) -> Result<Vec<Frf>, PlantError> {
+    frf_until(plant, input, responses, frequencies_hz, &|| false)
+}
+
+/// The same up to the frequency at which `is_stopped` is first true.
+///
+/// # Errors
+/// As [`frf`].
+pub fn frf_until(
+    plant: &Plant,
+    input: &Input,
+    responses: &[Response],
+    frequencies_hz: &[f64],
+    is_stopped: &dyn Fn() -> bool,
+) -> Result<Vec<Frf>, PlantError> {
     if let Some(bridge) = plant.system.bridges.first() {
         return Err(PlantError::Switches { circuit: bridge.name.clone() });
     }
@@ -78,7 +92,7 @@ pub fn frf(plant: &Plant, input: &Input, responses: &[Response], frequencies_hz:
     };
     let rows = responses.iter().map(|response| row(plant, response)).collect::<Result<Vec<_>, _>>()?;
     let mut answers: Vec<Frf> = responses.iter().map(|r| Frf { response: r.clone(), value: Vec::new() }).collect();
-    for &frequency_hz in frequencies_hz {
+    for &frequency_hz in frequencies_hz.iter().take_while(|_| !is_stopped()) {
         let w = TAU * frequency_hz;
         let state = plant.steady_state(w, &force)?;
         for (answer, row) in answers.iter_mut().zip(&rows) {

@@ -178,6 +178,14 @@ impl Random {
     /// # Errors
     /// [`RandomError::Plant`] at an undamped mode.
     pub fn densities(&self, frequency_hz: &[f64]) -> Result<Vec<Density>, RandomError> {
+        self.densities_until(frequency_hz, &|| false)
+    }
+
+    /// The same, each up to the frequency at which `is_stopped` is first true.
+    ///
+    /// # Errors
+    /// As [`Random::densities`].
+    pub fn densities_until(&self, frequency_hz: &[f64], is_stopped: &dyn Fn() -> bool) -> Result<Vec<Density>, RandomError> {
         let (plant, modes) = (&self.plant, &self.plant.system.modes);
         let loads = plant.system.loads.iter().enumerate();
         let loads = loads.map(|(index, load)| (format!("{}.load_voltage", load.name), "V^2/Hz", plant.load_voltage_row(index)));
@@ -186,7 +194,8 @@ impl Random {
         let points = modes.shape.iter().map(|(name, shape)| (format!("{name}.displacement"), "m^2/Hz", plant.displacement_row(shape)));
         (loads.chain(patches).chain(points))
             .map(|(name, unit, row)| {
-                let value = frequency_hz.iter().map(|place| density(plant, &self.noises, &row, *place)).collect::<Result<_, _>>()?;
+                let wanted = frequency_hz.iter().take_while(|_| !is_stopped());
+                let value = wanted.map(|place| density(plant, &self.noises, &row, *place)).collect::<Result<_, _>>()?;
                 Ok(Density { name, unit, value })
             })
             .collect()

@@ -240,9 +240,15 @@ impl<'k> Marcher<'k> {
         }
     }
 
-    /// Ends the march where somebody wishes so.
+    /// Ends the march where somebody wishes so, or tells its time.
     #[inline(always)]
     pub(super) fn check_watch(&self) -> Result<(), MarchError> {
+        if self.kernel.watch.is_quiet() { Ok(()) } else { self.heed_watch() }
+    }
+
+    #[cold]
+    fn heed_watch(&self) -> Result<(), MarchError> {
+        self.kernel.watch.tell_time(self.time_s);
         if self.kernel.watch.is_stopped() { Err(MarchError::Stopped { time_s: self.time_s }) } else { Ok(()) }
     }
 

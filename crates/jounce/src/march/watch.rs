@@ -1,16 +1,27 @@
 //! A computation seen from outside: the wish that it stops, how far it is, and the time that marching took.
 //!
 //! One watch is shared by whoever waits and by every march that belongs to the computation (see [`super::Kernel::watched_by`]). A march
-//! looks at it before each of its steps, so that it ends within microseconds of the wish.
+//! looks at it before each of its steps, so that it ends within microseconds of the wish. How far a run is, it tells when it is asked,
+//! so that nobody pays for an answer that nobody reads.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU8, AtomicU64, Ordering};
 use std::time::Duration;
+
+/// Nothing is wished.
+const NOTHING: u8 = 0;
+/// That the march tells its time.
+const TIME: u8 = 1;
+/// That it stops.
+const STOP: u8 = 2;
+
+/// Parts of a run whose time is told.
+const RUN_PARTS: u64 = 1000;
 
 /// A handle; its clones are the same watch.
 #[derive(Debug, Clone, Default)]
 pub struct Watch {
-    stopped: Arc<AtomicBool>,
+    wish: Arc<AtomicU8>,
     /// Wall time of all runs, ns.
     marched_ns: Arc<AtomicU64>,
     counts: Arc<Counts>,
@@ -21,24 +32,55 @@ struct Counts {
     done: AtomicU64,
     expected: AtomicU64,
     harvesters: AtomicU64,
+    /// Bits of the length of the run whose time is told, s; 0 where there is none.
+    run_s: AtomicU64,
 }
 
 impl Watch {
     /// The same wish to stop, for a part of the work that counts its own parts.
     #[must_use]
     pub fn apart(&self) -> Self {
-        Self { stopped: Arc::clone(&self.stopped), marched_ns: Arc::clone(&self.marched_ns), counts: Arc::default() }
+        Self { wish: Arc::clone(&self.wish), marched_ns: Arc::clone(&self.marched_ns), counts: Arc::default() }
     }
 
     /// Wishes that the computation stops. It keeps what is finished.
     pub fn stop(&self) {
-        self.stopped.store(true, Ordering::Relaxed);
+        self.wish.store(STOP, Ordering::Relaxed);
     }
 
     /// True once somebody wished so.
     #[inline(always)]
     pub fn is_stopped(&self) -> bool {
-        self.stopped.load(Ordering::Relaxed)
+        self.wish.load(Ordering::Relaxed) == STOP
+    }
+
+    /// True while there is no wish.
+    #[inline(always)]
+    pub(super) fn is_quiet(&self) -> bool {
+        self.wish.load(Ordering::Relaxed) == NOTHING
+    }
+
+    /// Expects one run of this length, s, whose thousandths are its parts.
+    pub fn expect_run(&self, duration_s: f64) {
+        self.counts.run_s.store(duration_s.to_bits(), Ordering::Relaxed);
+        self.expect(RUN_PARTS as usize);
+    }
+
+    /// Wishes that the run tells its time, before its next step.
+    pub fn ask_time(&self) {
+        if self.counts.run_s.load(Ordering::Relaxed) != 0 {
+            let _ = self.wish.compare_exchange(NOTHING, TIME, Ordering::Relaxed, Ordering::Relaxed);
+        }
+    }
+
+    /// Tells how far the run is, s.
+    pub fn tell_time(&self, time_s: f64) {
+        let _ = self.wish.compare_exchange(TIME, NOTHING, Ordering::Relaxed, Ordering::Relaxed);
+        let run_s = f64::from_bits(self.counts.run_s.load(Ordering::Relaxed));
+        if run_s > 0.0 {
+            let parts = RUN_PARTS as f64 * (time_s / run_s).clamp(0.0, 1.0);
+            self.counts.done.store(parts as u64, Ordering::Relaxed);
+        }
     }
 
     /// Tells how many more parts of the work there will be.
@@ -74,5 +116,29 @@ impl Watch {
     /// Finished and expected parts.
     pub fn progress(&self) -> (u64, u64) {
         (self.counts.done.load(Ordering::Relaxed), self.counts.expected.load(Ordering::Relaxed))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_run_tells_its_time_once_for_each_question_and_a_wish_to_stop_stands() {
+        let watch = Watch::default();
+        watch.ask_time();
+        assert!(watch.is_quiet(), "there is no run");
+        watch.expect_run(8.0);
+        assert_eq!(watch.progress(), (0, 1000));
+        watch.ask_time();
+        assert!(!watch.is_quiet() && !watch.is_stopped());
+        watch.tell_time(2.0);
+        assert!(watch.is_quiet());
+        assert_eq!(watch.progress(), (250, 1000));
+        watch.stop();
+        watch.ask_time();
+        watch.tell_time(8.0);
+        assert!(watch.is_stopped());
+        assert_eq!(watch.progress(), (1000, 1000));
     }
 }

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use crate::store::StoreError;
 
 /// A picture that cannot be drawn or stored. Empty data and NaN are not faults: they give a gap or the words "no data".
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug, thiserror::Error, serde::Serialize)]
+#[serde(untagged)]
 pub enum PictureError {
     /// An axis range that was asked for makes no sense.
     #[error("the axis \"{axis}\" cannot run from {low} to {high}; it needs finite ends, low < high{}", if *.log { ", both > 0 on a logarithmic axis" } else { "" })]

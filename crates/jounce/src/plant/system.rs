@@ -112,23 +112,32 @@ impl System {
     /// # Errors
     /// [`PlantError::UnknownName`], [`PlantError::TwoCircuits`], [`PlantError::ImmobilePort`].
     pub fn assemble(spec: &Spec, modes: impl Into<Arc<Modes>>) -> Result<Self, PlantError> {
+        Self::assemble_unless(spec, modes, &|| false)
+    }
+
+    /// The same, without the samples of noise where `is_stopped` says that nobody will march it.
+    ///
+    /// # Errors
+    /// As [`System::assemble`].
+    pub fn assemble_unless(spec: &Spec, modes: impl Into<Arc<Modes>>, is_stopped: &dyn Fn() -> bool) -> Result<Self, PlantError> {
         let modes = modes.into();
         let (loads, bridges) = circuits(spec, &modes)?;
         let dashpots = dashpots(spec, &modes)?;
         let stops = stops(spec, &modes)?;
         let drives = drives(spec, &modes)?;
-        let signals = Self::signals(spec, &modes)?;
+        let signals = Self::signals(spec, &modes, is_stopped)?;
         Ok(Self { modes, loads, bridges, dashpots, stops, drives, signals })
     }
 
-    /// The drives of a spec that are not sinusoidal, and its gravity. Noise is made for `run.duration`.
+    /// The drives of a spec that are not sinusoidal, and its gravity. Noise is made for `run.duration`, unless `is_stopped` says
+    /// that nobody will march it.
     ///
     /// # Errors
     /// [`PlantError::UnknownName`].
-    pub fn signals(spec: &Spec, modes: &Modes) -> Result<Vec<Signal>, PlantError> {
+    pub fn signals(spec: &Spec, modes: &Modes, is_stopped: &dyn Fn() -> bool) -> Result<Vec<Signal>, PlantError> {
         let mut signals = Vec::new();
         for (name, drive) in &spec.drive {
-            if let Some(wave) = wave(&drive.signal, spec.run.duration_s) {
+            if let Some(wave) = wave(&drive.signal, spec.run.duration_s, is_stopped) {
                 signals.push(Signal { name: name.clone(), shape: driven(modes, name, drive)?, wave });
             }
         }

@@ -1,7 +1,8 @@
 //! What cannot be asked of a signal.
 
 /// A signal, or a question to it, that has no answer.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
+#[serde(untagged)]
 pub enum SignalError {
     /// There is no sample.
     #[error("the signal has no samples; a longer record is needed")]

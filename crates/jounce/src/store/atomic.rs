@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// An output that could not be written. Nothing was left behind, and an older file at the path is untouched.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug, thiserror::Error, serde::Serialize)]
 #[error("cannot write \"{path}\": {reason}")]
 pub struct StoreError {
     /// Where the file should have gone.

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 /// A journal that cannot be kept.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug, thiserror::Error, serde::Serialize)]
 #[error("the journal of finished points {path} cannot be used: {reason}; set JOUNCE_CACHE to a folder that can be written")]
 pub struct JournalError {
     /// The file.

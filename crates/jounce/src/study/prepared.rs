@@ -68,13 +68,15 @@ impl Prepared {
         Self::watched(spec, &Watch::default())
     }
 
-    /// The same, all marches made from it watched.
+    /// The same, all marches made from it watched. Once the watch says so, no noise is made any more either, so that what was made under
+    /// a watch that is stopped serves no other one.
     ///
     /// # Errors
     /// As [`Prepared::new`].
     pub fn watched(spec: Spec, watch: &Watch) -> Result<Self, StudyError> {
         let modes = Arc::new(structure::modes(&spec)?);
-        let kernel = Kernel::new(Plant::new(System::assemble(&spec, Arc::clone(&modes))?)?)?.watched_by(watch);
+        let system = System::assemble_unless(&spec, Arc::clone(&modes), &|| watch.is_stopped())?;
+        let kernel = Kernel::new(Plant::new(system)?)?.watched_by(watch);
         Ok(Self { spec, kernel, modes })
     }
 
@@ -95,7 +97,7 @@ impl Prepared {
         if !same_bodies(&self.spec, &spec) {
             return Self::watched(spec, &self.kernel.watch);
         }
-        let system = System::assemble(&spec, Arc::clone(&self.modes))?;
+        let system = System::assemble_unless(&spec, Arc::clone(&self.modes), &|| self.kernel.watch.is_stopped())?;
         let signals = system.signals.clone();
         let kernel = match (self.spec.circuit == spec.circuit, self.spec.stop == spec.stop) {
             (true, true) => self.kernel.with_drives(system.drives)?,
@@ -129,7 +131,7 @@ impl Prepared {
         if !is_random {
             return Err(StudyError::NoNoise);
         }
-        Ok(self.kernel.with_signals(System::signals(&spec, &self.modes)?)?)
+        Ok(self.kernel.with_signals(System::signals(&spec, &self.modes, &|| self.kernel.watch.is_stopped())?)?)
     }
 
     /// The start that the spec asks for; a state file is read relative to `folder`.

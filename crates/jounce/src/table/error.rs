@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use crate::store::StoreError;
 
 /// A fault of a table or of its file.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug, thiserror::Error, serde::Serialize)]
+#[serde(untagged)]
 pub enum TableError {
     /// A column does not fit the columns before it.
     #[error("column \"{column}\" has {rows} rows, the table has {expected}; all columns of a table are equally long")]

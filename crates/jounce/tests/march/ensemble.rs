@@ -42,6 +42,17 @@ fn marched(base: &Prepared, members: usize, relative_width: Option<f64>, with_sp
     study.run(&|_| {})
 }
 
+/// Realisations are not made for members that will not be marched: 100,000 of them would take minutes.
+#[test]
+fn a_stopped_ensemble_makes_no_more_realisations() {
+    let base = spec("");
+    base.kernel.watch.stop();
+    let begun = std::time::Instant::now();
+    let answer = run(&base, 100_000, None).unwrap();
+    assert!(answer.members.is_empty() && !answer.reached);
+    assert!(begun.elapsed().as_secs_f64() < 10.0, "{:?}", begun.elapsed());
+}
+
 /// Mean power `pi m a k^2 S / ((2 z a^2 + a) k^2 + 4 z^2 a + 2 (a^2 + 1) z)`, `a = w C R`, `k^2 = theta^2 / (K C)`, `S` two-sided per
 /// rad/s (Adhikari, Friswell, Inman 2009). The band leaves out 0.3 % of it.
 #[test]

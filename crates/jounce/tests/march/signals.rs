@@ -193,7 +193,7 @@ fn a_chirp_without_sweep_is_a_sinusoid() {
 fn white_noise_gives_the_mean_square_of_its_closed_form() {
     let (w, zeta, density, high_hz) = (TAU * 10.0, 0.05, 0.4, 100.0);
     let band = Band { density, low_hz: 0.0, high_hz, sample_rate_hz: 1000.0 };
-    let kernel = kernel(with_signal(oscillator(w, zeta), noise(&band, 410.0, 7)));
+    let kernel = kernel(with_signal(oscillator(w, zeta), noise(&band, 410.0, 7, &|| false)));
     let mut marcher = Marcher::new(&kernel, &[0.0, 0.0], 0.0, 1e-8).unwrap();
     marcher.advance_to(10.0).unwrap();
     let before_j = marcher.energies().damping_j;
@@ -224,7 +224,7 @@ fn energy_balances_under_every_kind_of_drive_through_contacts() {
         ("gravity", 50.0, Wave::Constant(30.0)),
         ("recording", 0.0, sampled(1.0 / 3000.0)),
         ("recording and tone", 50.0, sampled(1.0 / 1234.0)),
-        ("noise", 0.0, noise(&band, 2.0, 3)),
+        ("noise", 0.0, noise(&band, 2.0, 3, &|| false)),
         ("half-sine", 0.0, half_sine(2000.0, 0.1, 0.011)),
         ("chirp", 0.0, chirp(&swept)),
         ("velocity step", 0.0, Wave::Impulse { time_s: 0.2, size_s: 8.0 }),

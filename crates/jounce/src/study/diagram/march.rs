@@ -113,6 +113,10 @@ impl Diagram<'_> {
                 if let Some(visit) = found.iter().find(|visit| visit.index == place.index) {
                     return Ok(Some(visit.clone()));
                 }
+                // Before the harvester is made: of the places that are left when the work is stopped, none takes time.
+                if self.base.kernel.watch.is_stopped() {
+                    return Ok(None);
+                }
                 let kernel = self.parameter.at(place.parameter)?.kernel;
                 self.finished(place, &cloud.start(&kernel.plant, place.start))?.map(finish).transpose()
             })

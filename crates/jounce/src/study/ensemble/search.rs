@@ -92,6 +92,10 @@ impl Ensemble<'_> {
 
     /// A member, and the density of each voltage where they are asked for; `None` for one that was stopped on its way.
     fn member(&self, index: usize, done: &(dyn Fn(&Member) + Sync)) -> Result<Option<(Member, Densities)>, StudyError> {
+        // Making a realisation takes as long as many steps: of those that are left when the work is stopped, none is made.
+        if self.base.kernel.watch.is_stopped() {
+            return Ok(None);
+        }
         let kernel = self.base.realised(self.seed, index as u64)?;
         let run = &self.base.spec.run;
         let (plan, limits) = (RunPlan::of(run, 0.0), Limits::of(&self.base.spec, &kernel.plant));
