@@ -51,6 +51,38 @@ pub fn watched<T: Send>(py: Python<'_>, progress: Option<&Bound<'_, PyAny>>, wor
     })
 }
 
+/// The same for work that takes long in parts without a look of their own. All that it needs belongs to it: at Ctrl-C it is left to itself, and
+/// what it gives is thrown away.
+pub fn left_alone<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce(&Watch) -> Result<T, Failure> + Send + 'static,
+) -> (Result<T, Failure>, Option<PyErr>) {
+    let watch = Watch::default();
+    let inside = watch.clone();
+    let (sender, mut receiver) = channel();
+    let worker = std::thread::spawn(move || sender.send(work(&inside)));
+    loop {
+        let heard;
+        (receiver, heard) = py.detach(move || {
+            let heard = receiver.recv_timeout(LOOK);
+            (receiver, heard)
+        });
+        match heard {
+            Ok(answer) => return (answer, None),
+            Err(RecvTimeoutError::Timeout) => {
+                if let Err(ended) = py.check_signals() {
+                    watch.stop();
+                    return (Err(Failure::stopped()), Some(ended));
+                }
+            }
+            Err(RecvTimeoutError::Disconnected) => match worker.join() {
+                Ok(_) => return (Err(Failure::stopped()), None),
+                Err(panic) => std::panic::resume_unwind(panic),
+            },
+        }
+    }
+}
+
 /// Tells Python how far the work is.
 struct Teller<'a, 'py> {
     progress: Option<&'a Bound<'py, PyAny>>,

@@ -57,7 +57,12 @@ impl Failure {
 
     /// What was computed, if it is whole.
     pub fn unless_stopped<T>(watch: &Watch, found: T) -> Result<T, Self> {
-        if watch.is_stopped() { Err(Self::new("JounceError", "stopped")) } else { Ok(found) }
+        if watch.is_stopped() { Err(Self::stopped()) } else { Ok(found) }
+    }
+
+    /// Of what has been stopped: no answer.
+    pub fn stopped() -> Self {
+        Self::new("JounceError", "stopped")
     }
 
     /// Faults of a spec.

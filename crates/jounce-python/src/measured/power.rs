@@ -5,7 +5,7 @@ use crate::arrays::Answer;
 use crate::branch::json;
 use crate::failure::Failure;
 use crate::run::Handed;
-use crate::watched::{handed, watched};
+use crate::watched::{handed, left_alone};
 use jounce::signal::{OrderLine, Window};
 use jounce_measure::recording::{Finding, Quantity};
 use jounce_measure::spectral::{MeanPower, mean_power, signal};
@@ -37,7 +37,7 @@ pub fn measured_power<'py>(
     remove_mean: bool,
 ) -> Handed<'py> {
     let record = given.even()?;
-    let found = watched(py, None, |watch| {
+    let found = left_alone(py, move |watch| {
         let voltage = record.choose(voltage.as_deref(), Quantity::Voltage)?;
         let samples = signal(voltage, record.rate())?;
         let mean_square = match &base {

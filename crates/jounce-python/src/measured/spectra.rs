@@ -4,9 +4,9 @@ use super::recording::{Given, findings};
 use crate::arrays::Answer;
 use crate::failure::Failure;
 use crate::run::Handed;
-use crate::watched::{handed, watched};
+use crate::watched::{handed, left_alone};
 use jounce::signal::Window;
-use jounce_measure::recording::{Channel, Quantity, Recording};
+use jounce_measure::recording::{Channel, Finding, Quantity};
 use jounce_measure::spectral::{Spectra, SpectraSettings, Spectrogram, signal, spectra_watched, spectrogram_watched};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -40,7 +40,7 @@ impl Cut {
 #[pyfunction]
 pub fn measured_spectra<'py>(py: Python<'py>, given: Given<'py>, channel: Option<String>, cut: Cut) -> Handed<'py> {
     let (record, settings) = (given.even()?, cut.settings()?);
-    let found = watched(py, None, |watch| {
+    let found = left_alone(py, move |watch| {
         let volts = || record.channels.iter().find(|channel| channel.quantity == Quantity::Voltage).or(record.channels.first());
         let channel = match &channel {
             Some(name) => record.channel(name)?,
@@ -49,15 +49,14 @@ pub fn measured_spectra<'py>(py: Python<'py>, given: Given<'py>, channel: Option
         let samples = signal(channel, record.rate())?;
         let found = spectra_watched(&samples, &settings, watch)?;
         let over_time = spectrogram_watched(&samples, &found.segments, watch)?;
-        Ok::<_, Failure>((channel.clone(), found, over_time))
+        Ok::<_, Failure>((channel.clone(), record.findings, found, over_time))
     });
-    handed(py, found, |found| told(py, &record, found))
+    handed(py, found, |found| told(py, found))
 }
 
 fn told<'py>(
     py: Python<'py>,
-    record: &Recording,
-    (channel, found, spectrogram): (Channel, Spectra, Spectrogram),
+    (channel, told_of, found, spectrogram): (Channel, Vec<Finding>, Spectra, Spectrogram),
 ) -> PyResult<Bound<'py, PyDict>> {
     let (density, lines) = (found.density, found.orders);
     let width = spectrogram.frequency_hz.len();
@@ -75,6 +74,6 @@ fn told<'py>(
         .each("order", &lines, |line| line.order)?
         .each("order_frequency_hz", &lines, |line| line.frequency_hz)?
         .each("order_amplitude_peak", &lines, |line| line.amplitude_peak)?
-        .with("findings", findings(&record.findings)?)?;
+        .with("findings", findings(&told_of)?)?;
     Ok(answer.dict())
 }

@@ -12,6 +12,8 @@
 use super::{Stream, Wave, hold};
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::Duration;
 
 /// A band of noise.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,6 +30,12 @@ pub struct Band {
 
 /// Lines between two looks at whether the realisation is still wanted: a millisecond.
 const LINES_PER_LOOK: usize = 1 << 14;
+
+/// Points of a transform that takes long enough, a tenth of a second, to be left in the middle.
+const LONG: usize = 1 << 21;
+
+/// Time between two looks at whether it is still wanted.
+const LOOK: Duration = Duration::from_millis(5);
 
 /// A realisation of at least `duration_s`, the same for the same seed; silence where `is_stopped` says so on the way.
 pub fn noise(band: &Band, duration_s: f64, seed: u64, is_stopped: &dyn Fn() -> bool) -> Wave {
@@ -52,12 +60,29 @@ pub fn noise(band: &Band, duration_s: f64, seed: u64, is_stopped: &dyn Fn() -> b
     if is_stopped() {
         return Wave::Sampled { start_s: 0.0, step_s, sizes: [0.0; 2].into() };
     }
-    let mut sizes = inverse.make_output_vec();
-    // Lengths fit by construction, and the end lines are real.
-    if inverse.process(&mut lines, &mut sizes).is_err() {
-        sizes.fill(0.0);
-    }
+    let mut transform = move || {
+        let mut sizes = inverse.make_output_vec();
+        // Lengths fit by construction, and the end lines are real.
+        if inverse.process(&mut lines, &mut sizes).is_err() {
+            sizes.fill(0.0);
+        }
+        sizes
+    };
+    let sizes = if count <= LONG { transform() } else { unless_stopped(transform, is_stopped) };
     Wave::Sampled { start_s: 0.0, step_s, sizes: sizes.into() }
+}
+
+/// What a long computation without looks of its own gives; silence as soon as `is_stopped` says so, and what it gives then is thrown away.
+fn unless_stopped(compute: impl FnOnce() -> Vec<f64> + Send + 'static, is_stopped: &dyn Fn() -> bool) -> Vec<f64> {
+    let (sender, receiver) = channel();
+    std::thread::spawn(move || sender.send(compute()));
+    loop {
+        match receiver.recv_timeout(LOOK) {
+            Ok(sizes) => return sizes,
+            Err(RecvTimeoutError::Timeout) if !is_stopped() => {}
+            Err(_) => return vec![0.0; 2],
+        }
+    }
 }
 
 /// The next number without prime factors above 5: transforms of such lengths are quick.
@@ -105,6 +130,12 @@ mod tests {
         }
         let Wave::Sampled { sizes, .. } = noise(&band, 400.0, 11, &|| false) else { panic!("not sampled") };
         assert!(sizes.len() >= 1_000_000);
+        // In the middle of a transform, at the first look after all its lines have been drawn.
+        let looks = std::cell::Cell::new(0);
+        let while_drawn = 200 * 1000 / LINES_PER_LOOK;
+        let is_stopped = || looks.replace(looks.get() + 1) > while_drawn;
+        let Wave::Sampled { sizes, .. } = noise(&band, 1000.0, 11, &is_stopped) else { panic!("not sampled") };
+        assert_eq!(*sizes, [0.0; 2], "{} looks", looks.get());
     }
 
     #[test]
