@@ -13,6 +13,7 @@ mod mean_power;
 mod quiet;
 mod response;
 mod segments;
+mod shaken;
 mod signal;
 mod spectra;
 mod spectrogram;
