@@ -10,7 +10,7 @@
 //! with `s` the noise of each feature, from the median difference of neighbouring blocks: a change counts only where it is larger than the
 //! noise, and larger than 5 % of the record's largest feature. The optimum is found exactly, by dynamic programming.
 //!
-//! The period of a stretch is the smallest `n` with which the record repeats: `x(t + n T) = x(t)` as well as with any other.
+//! The period of a stretch is the smallest `n` up to 12 with which the record repeats: `x(t + n T) = x(t)` as well as with any other.
 //!
 //! [`correspond`] names, for a stretch, the solution of a model whose voltage it shows.
 //!
@@ -24,6 +24,6 @@ mod shift;
 mod stretches;
 
 pub use correspond::{Candidate, Correspondence, Fits, correspond};
-pub use period::{Period, period};
+pub use period::{LONGEST_PERIOD, Period, period};
 pub use section::{Section, section};
 pub use stretches::{RegimeError, Regimes, Stretch, regimes};
