@@ -10,7 +10,7 @@ use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::{stretch_section, stretch_spectra, stretches};
 use jounce_measure::recording::{Channel, Quantity};
-use jounce_measure::regime::{Correspondence, LONGEST_PERIOD, Regimes, Stretch, regimes};
+use jounce_measure::regime::{Correspondence, LONGEST_PERIOD, Reason, Regimes, Stretch, regimes};
 use jounce_measure::spectral::{MeanPower, mean_power};
 use std::path::Path;
 
@@ -70,6 +70,14 @@ impl RegimesOf {
         let count = found.stretches.len();
         let stretches = if count == 1 { "stretch" } else { "stretches" };
         line(format!("{count} {stretches}; a change lies within {:.3} s of its place", found.uncertainty_s));
+        for joint in &found.joints {
+            let told = match joint.reason {
+                Reason::NoiseChanged => "the noise changes",
+                Reason::Drifts => "the amplitude drifts",
+                Reason::Glitch => "a short disturbance",
+            };
+            line(format!("{:>10.3} s: {told}, the solution stays", joint.at_s));
+        }
         for (k, (stretch, power)) in found.stretches.iter().zip(powers).enumerate() {
             let period = stretch
                 .period

@@ -3,6 +3,7 @@
 use jounce::signal::{Samples, SignalError};
 use serde::Serialize;
 
+use super::alike::{Joint, joined};
 use super::features::{CYCLES, of_block};
 use super::partition::{changes, noise};
 use super::{Period, period};
@@ -32,6 +33,8 @@ pub struct Stretch {
 pub struct Regimes {
     /// The stretches in order.
     pub stretches: Vec<Stretch>,
+    /// Changes that are none of solution: of the noise, a drift, a glitch.
+    pub joints: Vec<Joint>,
     /// The length of a block: how far a change may lie from its place, s.
     pub uncertainty_s: f64,
 }
@@ -95,7 +98,7 @@ pub fn regimes(samples: &Samples<'_>, drive_hz: f64) -> Result<Regimes, RegimeEr
     let floor = SMALLEST * largest / (2.0 * COST * (blocks as f64).ln()).sqrt();
     let noise: Vec<f64> = noise(&features).into_iter().map(|s| s.max(floor)).collect();
     let cost = COST * noise.len() as f64 * (blocks as f64).ln();
-    let starts = changes(&features, &noise, cost);
+    let (starts, joints) = joined(samples, drive_hz, changes(&features, &noise, cost), (blocks, length));
     let edge = |k: usize| starts.get(k).map_or(samples.values().len(), |b| (b * length).round() as usize);
     let last = starts.len().saturating_sub(1);
     let inner = |k: usize| {
@@ -104,7 +107,7 @@ pub fn regimes(samples: &Samples<'_>, drive_hz: f64) -> Result<Regimes, RegimeEr
         (edge(k) + if k > 0 { block } else { 0 }, edge(k + 1) - if k < last { block } else { 0 })
     };
     let stretches = (0..starts.len()).map(|k| stretch(samples, drive_hz, (edge(k), edge(k + 1)), inner(k))).collect::<Result<_, _>>()?;
-    Ok(Regimes { stretches, uncertainty_s: length / rate_hz })
+    Ok(Regimes { stretches, joints, uncertainty_s: length / rate_hz })
 }
 
 fn stretch(samples: &Samples<'_>, drive_hz: f64, (start, end): (usize, usize), inner: (usize, usize)) -> Result<Stretch, RegimeError> {
