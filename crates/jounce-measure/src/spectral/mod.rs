@@ -17,6 +17,7 @@ mod shaken;
 mod signal;
 mod spectra;
 mod spectrogram;
+mod student;
 mod taper;
 
 pub use density::{Density, density_unit};
@@ -29,4 +30,5 @@ pub use segments::Segments;
 pub use signal::signal;
 pub use spectra::{Spectra, SpectraSettings, spectra};
 pub use spectrogram::{Spectrogram, spectrogram};
+pub(crate) use student::student_95;
 pub use taper::{exponential_window, force_window};
