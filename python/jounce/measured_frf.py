@@ -103,6 +103,7 @@ def hammer_options(
     block: Any,
     force_window: bool,
     end_ratio: float | None,
+    shaker: bool,
 ) -> dict[str, Any]:
     """How a hammer test is taken to responses, for the compiled module."""
     return {
@@ -113,6 +114,7 @@ def hammer_options(
         "block_s": optional_si("time", block, "block"),
         "force_window": force_window,
         "end_ratio": end_ratio,
+        "shaker": shaker,
     }
 
 
@@ -147,16 +149,18 @@ def measured_frf(
     block: Any = None,
     force_window: bool = False,
     end_ratio: float | None = None,
+    shaker: bool = False,
 ) -> MeasuredFrf:
-    """Frequency responses of a hammer test, ``jounce frf --measured``.
+    """Frequency responses of a hammer or shaker test, ``jounce frf --measured``.
 
     ``records``: one recording or a list of them, each a :class:`Recording`, a file, or SEP005 time series over one time, with one or more
     hits; or one file of responses over frequency. ``force`` and ``response`` name channels, by default the first in newtons and all others.
     ``estimator``: where the noise is, ``"h1"`` on the responses, ``"h2"`` on the force, ``"hv"`` on both, with ``noise_ratio`` of their
     densities. ``block``: ``"2 s"``, by default the shortest distance of two hits. ``force_window`` takes away the force after each hit,
-    ``end_ratio`` is where an exponential window ends.
+    ``end_ratio`` is where an exponential window ends. A force that goes on, both ways, is taken for that of a shaker, as any is with
+    ``shaker``: half-overlapping blocks, by default an eighth of the shortest record long, weighed by a Hann window.
     """
     given = responses(records, sample_rate_hz)
-    options = hammer_options(force, response, estimator, noise_ratio, block, force_window, end_ratio)
+    options = hammer_options(force, response, estimator, noise_ratio, block, force_window, end_ratio, shaker)
     answer = _core.measured_frf([one._core() for one in given], options)
     return made_frf(given, answer, made_manifest("frf", **names_of(given), **options))

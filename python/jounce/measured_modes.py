@@ -1,4 +1,4 @@
-"""Modes of a hammer test, of free decays and of outputs alone."""
+"""Modes of a hammer or shaker test, of free decays and of outputs alone."""
 
 from __future__ import annotations
 
@@ -119,13 +119,14 @@ def measured_modes(
     block: Any = None,
     force_window: bool = False,
     end_ratio: float | None = None,
+    shaker: bool = False,
     free_decay: bool = False,
     span: Any = None,
     output_only: bool = False,
     reference: str | Sequence[str] = (),
     lags: Any = None,
 ) -> MeasuredModes:
-    """Modes of a hammer test, of free decays or of outputs alone, with their uncertainty, ``jounce modes --measured``.
+    """Modes of a hammer or shaker test, of free decays or of outputs alone, with their uncertainty, ``jounce modes --measured``.
 
     They are sought ``between = "500 Hz:4300 Hz"``, by default over all lines, with denominators up to an ``order``. ``records`` and the
     other options are those of :func:`measured_frf`; damping that an exponential window adds is taken off.
@@ -141,13 +142,13 @@ def measured_modes(
     check_wholes(order=order)
     given = responses(records, sample_rate_hz)
     if free_decay or output_only:
-        hammer = (force, estimator != "h1", noise_ratio != 1.0, block, force_window, end_ratio)
+        hammer = (force, estimator != "h1", noise_ratio != 1.0, block, force_window, end_ratio, shaker)
         if free_decay and output_only or any(one not in (None, False) for one in hammer):
             raise ArgumentError("a test is one of free_decay, output_only and hits of a hammer; give the options of one of them")
         return _unforced(given, response, (free_decay, span, reference, lags), between, order)
     if span is not None or reference or lags is not None:
         raise ArgumentError("span is that of free_decay=True, reference and lags are those of output_only=True")
-    options = hammer_options(force, response, estimator, noise_ratio, block, force_window, end_ratio)
+    options = hammer_options(force, response, estimator, noise_ratio, block, force_window, end_ratio, shaker)
     band = _ends("frequency", between, "between")
     answer = _core.measured_modes([one._core() for one in given], options, band, order)
     manifest = made_manifest("modes", **names_of(given), **options, between_hz=band, order=order)

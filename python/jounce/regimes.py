@@ -30,7 +30,7 @@ class RegimesResult(Result):
     end_s: Annotated[Floats, Along("stretch", "s", "end of the stretch")]
     #: Rms about the mean, in ``unit``.
     rms: Floats
-    period_cycles: Annotated[Integers, Along("stretch", "1", "drive cycles of the period, 0 where it does not repeat")]
+    period_cycles: Annotated[Integers, Along("stretch", "1", "drive cycles of the period, 0 where it is longer than 12, or none")]
     mismatch: Annotated[Floats, Along("stretch", "1", "what the repetition misses, over the rms")]
     #: NaN where no resistance was given.
     mean_power_w: Annotated[Floats, Along("stretch", "W", "mean power")]

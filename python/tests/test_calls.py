@@ -21,6 +21,7 @@ FREQUENCY = "drive.shaker.frequency"
 CHILD = """
 import os, signal, threading, time
 import jounce
+import numpy as np
 
 # A process that a shell has started in the background ignores the signal, and so would what it starts.
 signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -83,6 +84,12 @@ CALLS = {
     ),
     "ensemble": ('jounce.examples()["random-base"].ensemble(members=20000, threads=2)', 2.0, "len(stopped.result)"),
     "noise": ('jounce.examples()["random-base"].noise(points=1000000)', 0.5, "0"),
+    "noise of a long run": ('jounce.examples()["random-base"].changed({"run.duration": "100000 s"}).run()', 0.5, "0"),
+    "power": (
+        'jounce.power(np.tile(np.sin(0.05 * np.arange(1000.0)), 20000), "1 Mohm", sample_rate_hz=1536.0, drive="13.5 Hz")',
+        2.0,
+        "0",
+    ),
     "basins": ("basins(starts=100000, threads=2)", 3.0, "(stopped.result.ends_in >= 0).sum()"),
     "rig on a solution": ('rig(solution="1a", starts=100000)', 1.0, "0"),
     "fit": (f'changed({{"run.duration": "100000 s"}}).fit({POWERS})', 0.5, "0"),

@@ -1,4 +1,4 @@
-//! Arguments of a hammer test, which `frf --measured` and `modes --measured` share.
+//! Arguments of a hammer or shaker test, which `frf --measured` and `modes --measured` share.
 
 use crate::failure::Failure;
 use crate::measured_file::{manifest, positive, record, tell, tell_findings};
@@ -10,6 +10,7 @@ use jounce_measure::read;
 use jounce_measure::recording::Over;
 use jounce_measure::response::{Chosen, Responses};
 use jounce_measure::spectral::{Estimator, HitWarning, ImpactHit, ImpactSettings};
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// Which noise is thought of.
@@ -26,11 +27,11 @@ pub enum Noise {
 /// Arguments of a hammer test.
 #[derive(Debug, Args)]
 pub struct HammerArguments {
-    /// Recordings of a hammer test instead of a spec: force and responses over time, one or more hits in each; or one file of response
-    /// functions over frequency.
+    /// Recordings of a hammer or shaker test instead of a spec: force and responses over time, one or more hits in each or a force that
+    /// goes on; or one file of response functions over frequency.
     #[arg(long, value_name = "FILE", num_args = 1..)]
     pub measured: Vec<PathBuf>,
-    /// Channel of the hammer's force; by default the first one in newtons.
+    /// Channel of the force; by default the first one in newtons.
     #[arg(long, value_name = "CHANNEL", requires = "measured")]
     force: Option<String>,
     /// Channel of a response; can be given several times; by default all but the force.
@@ -42,7 +43,8 @@ pub struct HammerArguments {
     /// For hv: density of the responses' noise over that of the force's, in squares of their SI units.
     #[arg(long, default_value_t = 1.0, requires = "measured")]
     noise_ratio: f64,
-    /// Length of a block, as in 2s; by default a record with one hit is a block, else the shortest distance of two hits.
+    /// Length of a block, as in 2s; by default a record with one hit is a block, else the shortest distance of two hits; under a shaker
+    /// an eighth of the shortest record.
     #[arg(long, value_name = "TIME", requires = "measured")]
     block: Option<String>,
     /// Takes away the force after each hit, which is noise.
@@ -51,6 +53,10 @@ pub struct HammerArguments {
     /// Exponential window on force and responses that ends at this ratio, as in 0.01; its damping is taken off the modes.
     #[arg(long, value_name = "RATIO", requires = "measured")]
     end_ratio: Option<f64>,
+    /// Takes the force for that of a shaker: half-overlapping blocks weighed by a Hann window. By default a force that goes on, both ways,
+    /// is taken so.
+    #[arg(long, requires = "measured")]
+    shaker: bool,
 }
 
 impl HammerArguments {
@@ -76,7 +82,8 @@ impl HammerArguments {
     /// Manifest of an answer.
     pub fn manifest(&self, command: &str) -> Result<Manifest, Failure> {
         let manifest = manifest(command, &self.measured)?.with("estimator", format!("{:?}", self.estimator));
-        Ok(manifest.with("force_window", self.force_window).with("end_ratio", self.end_ratio.unwrap_or(1.0)))
+        let manifest = manifest.with("force_window", self.force_window).with("end_ratio", self.end_ratio.unwrap_or(1.0));
+        Ok(manifest.with("shaker", self.shaker))
     }
 
     fn settings(&self) -> Result<ImpactSettings, Failure> {
@@ -92,23 +99,67 @@ impl HammerArguments {
             Noise::Hv => Estimator::Hv { noise_ratio: self.noise_ratio },
         };
         let block_s = self.block.as_ref().map(|text| positive("--block", text, Unit::Time)).transpose()?;
-        Ok(ImpactSettings { estimator, block_s, force_window: self.force_window, end_ratio: self.end_ratio })
+        Ok(ImpactSettings { estimator, block_s, force_window: self.force_window, end_ratio: self.end_ratio, shaker: self.shaker })
     }
 }
 
-/// Tells the hits, and what is wrong with them.
+/// Hits of one fault that are told one by one; of more, their number and the first ones.
+const TOLD: usize = 3;
+
+/// Tells the hits, and what is wrong with them, or the blocks of a shaker test.
 pub fn tell_hits(responses: &Responses) {
     if let Some(block_s) = responses.block_s {
-        let used = responses.hits.iter().filter(|hit| hit.used).count();
-        line(format!("{used} hits of {} averaged, blocks of {block_s:.6} s", responses.hits.len()));
+        if responses.hits.is_empty() {
+            let blocks = responses.functions.first().map_or(0, |function| function.blocks);
+            line(format!("the force goes on, as a shaker's: {blocks} blocks of {block_s:.6} s averaged, half overlapping, Hann"));
+        } else {
+            let used = responses.hits.iter().filter(|hit| hit.used).count();
+            line(format!("{used} hits of {} averaged, blocks of {block_s:.6} s", responses.hits.len()));
+        }
     }
-    for (number, ImpactHit { hit, used, .. }) in responses.hits.iter().enumerate() {
+    tell_warnings(&responses.hits);
+    let left: Vec<usize> = (1..).zip(&responses.hits).filter(|(_, hit)| !hit.used).map(|(number, _)| number).collect();
+    if !left.is_empty() {
+        line(format!("left out: {}, whose blocks would reach beyond the record", numbered(&left)));
+    }
+}
+
+/// Tells what is wrong with hits: of each fault the first few, and how many more there are.
+fn tell_warnings(hits: &[ImpactHit]) {
+    let mut faults: BTreeMap<&str, Vec<(usize, String)>> = BTreeMap::new();
+    for (number, ImpactHit { hit, .. }) in (1..).zip(hits) {
         for warning in &hit.warnings {
-            line(format!("warning: hit {} of {:.4} N {}", number + 1, hit.peak_force_n, told(*warning)));
+            let fault = faults.entry(fault(*warning)).or_default();
+            // A hit that bounces many times is one double hit.
+            if fault.last().is_none_or(|(last, _)| *last != number) {
+                fault.push((number, format!("warning: hit {number} of {:.4} N {}", hit.peak_force_n, told(*warning))));
+            }
         }
-        if !used {
-            line(format!("left out: hit {}, its block would reach beyond the record", number + 1));
+    }
+    for (fault, found) in faults {
+        found.iter().take(TOLD).for_each(|(_, about)| line(about));
+        let more: Vec<usize> = found.iter().skip(TOLD).map(|(number, _)| *number).collect();
+        if !more.is_empty() {
+            line(format!("warning: {fault} too: {}", numbered(&more)));
         }
+    }
+}
+
+/// `hit 4, 5, 6 and 20 more`.
+fn numbered(hits: &[usize]) -> String {
+    let first: Vec<String> = hits.iter().take(TOLD).map(ToString::to_string).collect();
+    let more = hits.len().saturating_sub(TOLD);
+    let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
+    format!("hit {}{rest}", first.join(", "))
+}
+
+fn fault(warning: HitWarning) -> &'static str {
+    match warning {
+        HitWarning::Double { .. } => "double",
+        HitWarning::Clipped { .. } => "clipped",
+        HitWarning::Coarse { .. } => "coarse",
+        HitWarning::Cut => "cut",
+        HitWarning::Ringing { .. } => "while a response still moves",
     }
 }
 

@@ -84,13 +84,19 @@ impl Contact {
     }
 }
 
+/// Warnings of a hit that are told one by one.
+const TOLD: usize = 3;
+
 fn tell(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
     let at = hit.peak as f64 / rate_hz;
     line(format!(
         "hit at {at:.6} s: peak {:.4} N, contact {:.4e} s, impulse {:.4e} N s",
         hit.peak_force_n, hit.contact_time_s, hit.impulse_n_s
     ));
-    hit.warnings.iter().for_each(|warning| line(format!("  warning: {warning:?}")));
+    hit.warnings.iter().take(TOLD).for_each(|warning| line(format!("  warning: {warning:?}")));
+    if hit.warnings.len() > TOLD {
+        line(format!("  warning: and {} more like these", hit.warnings.len() - TOLD));
+    }
     match fitted {
         Err(why) => line(format!("  no law: {why}")),
         Ok(law) => {

@@ -30,8 +30,8 @@ impl Read {
     /// Reads and tells.
     pub fn run(&self) -> Result<(), Failure> {
         let contents = survey(&self.file.file)?;
-        if let (Some(path), Some(recording)) = (&self.to, contents.recordings.first()) {
-            write_surveyed(recording, path)?;
+        if let Some(path) = &self.to {
+            self.write_first(path, &contents)?;
         }
         if let Some(folder) = &self.file.output.out {
             self.write(folder, &contents)?;
@@ -49,6 +49,27 @@ impl Read {
             line(format!("shape at {} Hz, {} nodes", shape.frequency_hz, shape.nodes.len()));
         }
         contents.findings.iter().for_each(line);
+        Ok(())
+    }
+
+    /// The first recording to another file; the others are told.
+    fn write_first(&self, path: &Path, contents: &Survey) -> Result<(), Failure> {
+        let Some((first, others)) = contents.recordings.split_first() else {
+            return Err(Failure::Input(format!(
+                "--to {}: {} holds no recording to write, only {} mode shapes; it is the recordings that are written",
+                path.display(),
+                self.file.file.display(),
+                contents.shapes.len()
+            )));
+        };
+        write_surveyed(first, path)?;
+        let mut left: Vec<String> = others.iter().map(|recording| recording.name.clone()).collect();
+        if !contents.shapes.is_empty() {
+            left.push(format!("{} mode shapes", contents.shapes.len()));
+        }
+        if !left.is_empty() {
+            eprintln!("{}: {} is written; left out: {}", path.display(), first.name, left.join(", "));
+        }
         Ok(())
     }
 

@@ -10,7 +10,7 @@ use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::{stretch_section, stretch_spectra, stretches};
 use jounce_measure::recording::{Channel, Quantity};
-use jounce_measure::regime::{Correspondence, Regimes, Stretch, regimes};
+use jounce_measure::regime::{Correspondence, LONGEST_PERIOD, Reason, Regimes, Stretch, regimes};
 use jounce_measure::spectral::{MeanPower, mean_power};
 use std::path::Path;
 
@@ -19,7 +19,7 @@ use std::path::Path;
 pub struct RegimesOf {
     #[command(flatten)]
     pub file: MeasuredFile,
-    /// Frequency of the drive, as in 13Hz.
+    /// Frequency of the drive, as in 13Hz. Periods of up to 12 of its cycles are found.
     #[arg(long)]
     drive: String,
     /// Channel to cut; by default the first one in volts.
@@ -70,8 +70,19 @@ impl RegimesOf {
         let count = found.stretches.len();
         let stretches = if count == 1 { "stretch" } else { "stretches" };
         line(format!("{count} {stretches}; a change lies within {:.3} s of its place", found.uncertainty_s));
+        for joint in &found.joints {
+            let told = match joint.reason {
+                Reason::NoiseChanged => "the noise changes",
+                Reason::Drifts => "the amplitude drifts",
+                Reason::Glitch => "a short disturbance",
+            };
+            line(format!("{:>10.3} s: {told}, the solution stays", joint.at_s));
+        }
         for (k, (stretch, power)) in found.stretches.iter().zip(powers).enumerate() {
-            let period = stretch.period.cycles.map_or("does not repeat".to_owned(), |cycles| format!("period {cycles} cycles"));
+            let period = stretch
+                .period
+                .cycles
+                .map_or_else(|| format!("period longer than {LONGEST_PERIOD} cycles, or none"), |cycles| format!("period {cycles} cycles"));
             let told = power.map_or(String::new(), |power| format!(", {:.5e} +- {:.1e} W", power.mean_power_w, power.half_width_w));
             let (start, end, rms) = (stretch.start_s, stretch.end_s, stretch.rms);
             line(format!(
@@ -100,7 +111,7 @@ impl RegimesOf {
             Column::new("start_s", "s", "begin of the stretch", numbers(&|s| s.start_s)),
             Column::new("end_s", "s", "end of the stretch", numbers(&|s| s.end_s)),
             Column::new("rms", &channel.unit, "rms about the mean", numbers(&|s| s.rms)),
-            Column::new("period_cycles", "", "drive cycles of the period; 0 where it does not repeat", cycles),
+            Column::new("period_cycles", "", "drive cycles of the period; 0 where it is longer than 12, or none", cycles),
             Column::new("mismatch", "", "what the repetition misses, over the rms", numbers(&|s| s.period.mismatch)),
         ])?;
         if let Some(powers) = powers.iter().copied().collect::<Option<Vec<MeanPower>>>() {

@@ -268,3 +268,42 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
     let (code, json, _) = jounce(here, &["power", "timeless.csv", "--resistance", "1ohm", "--json"]);
     assert!(code == 4 && json["error"].is_string() && json["exit_code"] == 4, "{json}");
 }
+
+/// A mode shape is no recording: `--to` refuses it instead of writing nothing. Of two recordings the one left out is told.
+#[test]
+fn what_is_not_written_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let function = |points: u32| {
+        let line = |text: &str| format!("{text:<80}\n");
+        let mut set = line("    -1") + &line("    58") + &"NONE\n".repeat(5);
+        set += "    1         0    0         0 NONE               1   3 NONE               0   0\n";
+        set += &format!("         4{points:>10}         1  0.00000e+00  1.00000e-03  0.00000e+00\n");
+        set += "        17    0    0    0 Time                 s\n        12    0    0    0 a                    m/s^2\n";
+        set += &"         0    0    0    0 NONE                 NONE\n".repeat(2);
+        set += &(0..points).map(|k| format!("{:>20.11e}\n", f64::from(k).sin())).collect::<String>();
+        set + &line("    -1")
+    };
+    std::fs::write(here.join("two.uff"), function(20) + &function(30)).unwrap();
+    let (code, _, told) = jounce(here, &["read", "two.uff", "--to", "one.csv"]);
+    assert!(code == 0 && here.join("one.csv").is_file() && told.contains("left out"), "{code} {told}");
+}
+
+/// A random force of both signs is a shaker's, without being told so: 15 blocks, and the response 2 of a scale.
+#[test]
+fn a_force_that_goes_on_is_a_shaker() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let force = |k: u32| (f64::from(k) * 0.7).sin() + (f64::from(k).powi(2) * 1e-4).sin();
+    csv(
+        &here.join("shaken.csv"),
+        "time [s],force [N],a [m/s^2]",
+        (0..8_000).map(|k| vec![f64::from(k) / 1000.0, force(k), 2.0 * force(k)]),
+    );
+    let (code, json, told) = jounce(here, &["frf", "--measured", "shaken.csv", "--json"]);
+    assert_eq!(code, 0, "{told}");
+    assert_eq!((json["block_s"].as_f64(), json["hits"].as_array().map(Vec::len)), (Some(1.0), Some(0)));
+    assert!((json["responses"]["a"]["re"][112].as_f64().unwrap() - 2.0).abs() < 1e-9, "{}", json["responses"]["a"]["re"][112]);
+    let (code, _, told) = jounce(here, &["frf", "--measured", "shaken.csv", "--end-ratio", "0.01"]);
+    assert!(code != 0 && told.contains("goes on"), "{told}");
+}

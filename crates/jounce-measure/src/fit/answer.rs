@@ -4,12 +4,12 @@ use serde::Serialize;
 
 use super::FitError;
 use super::asked::Measured;
-use super::deviation::student_95;
 use super::problem::Problem;
 use super::profile::Profile;
 use super::solve::Minimum;
 use super::warnings::warnings;
 use crate::modal::Mode;
+use crate::spectral::student_95;
 
 /// A key before and after.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -35,5 +35,6 @@ pub use given::{GivenError, given};
 pub use notes::{ChannelNotes, Notes};
 pub use numbers::Numbers;
 pub use outline::Outline;
+pub(crate) use parquet::PLACE;
 pub use raw::RawChannel;
 pub use survey::{Places, Survey, Surveyed, SurveyedChannel};

@@ -3,6 +3,7 @@
 use std::fs::File;
 use std::path::Path;
 
+use jounce::table::Manifest;
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::DataType;
 use parquet::file::reader::{FileReader, SerializedFileReader};
@@ -17,6 +18,8 @@ use crate::recording::{Finding, FindingKind, Series};
 
 /// Key of the notes of jounce in the metadata.
 const NOTES: &str = "jounce";
+/// What stands before the name of a channel in the notes where they tell its place.
+pub(crate) const PLACE: &str = "place of ";
 /// Numbers that are decoded at once.
 const BATCH: usize = 1 << 16;
 
@@ -24,7 +27,7 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     let told = |fault: &dyn std::fmt::Display| Damage::new(format!("{fault}; was the file cut?"));
     let file = File::open(path).map_err(|fault| told(&fault))?;
     let reader = SerializedFileReader::new(file).map_err(|fault| told(&fault))?;
-    let units = units(&reader);
+    let notes = notes(&reader);
     let (mut columns, mut findings) = (Vec::new(), Vec::new());
     let schema = reader.metadata().file_metadata().schema_descr_ptr();
     for (index, column) in schema.columns().iter().enumerate() {
@@ -32,8 +35,10 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
         match values(&reader, index, column.max_def_level(), shelf).map_err(|why| Damage::new(format!("column {head}: {why}")))? {
             Some(values) => {
                 let (name, guessed) = name::split(&head);
-                let unit = units.iter().find(|(column, _)| *column == head).map_or(guessed, |(_, unit)| unit.clone());
-                columns.push(Column::new(&name, &unit, values));
+                let noted = notes.iter().flat_map(|notes| &notes.columns).find(|column| column.name == head);
+                let unit = noted.map_or(guessed, |column| column.unit.clone());
+                let place = notes.as_ref().and_then(|notes| notes.manifest.options.get(&format!("{PLACE}{name}"))).cloned();
+                columns.push(Column { place: place.unwrap_or_default(), ..Column::new(&name, &unit, values) });
             }
             None => findings.push(Finding::new(FindingKind::Skipped, 1, None, format!("column {head} holds no numbers"))),
         }
@@ -47,6 +52,7 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
 /// What jounce noted of the columns.
 #[derive(serde::Deserialize)]
 struct Notes {
+    manifest: Manifest,
     columns: Vec<Note>,
 }
 
@@ -56,12 +62,10 @@ struct Note {
     unit: String,
 }
 
-/// Units that jounce noted; none in a file of another program.
-fn units(reader: &SerializedFileReader<File>) -> Vec<(String, String)> {
-    let noted = reader.metadata().file_metadata().key_value_metadata();
-    let text = noted.and_then(|pairs| pairs.iter().find(|pair| pair.key == NOTES)?.value.as_deref());
-    let notes = text.and_then(|text| serde_json::from_str::<Notes>(text).ok());
-    notes.map_or_else(Vec::new, |notes| notes.columns.into_iter().map(|note| (note.name, note.unit)).collect())
+/// What jounce noted; none in a file of another program.
+fn notes(reader: &SerializedFileReader<File>) -> Option<Notes> {
+    let noted = reader.metadata().file_metadata().key_value_metadata()?;
+    serde_json::from_str(noted.iter().find(|pair| pair.key == NOTES)?.value.as_deref()?).ok()
 }
 
 /// The numbers of a column, NaN where one is absent; none where it holds something else.

@@ -6,6 +6,12 @@ use super::{Channel, Finding, FindingKind, Place, Quantity, Series};
 const PADDING: usize = 10;
 /// Equal samples in a row at an extreme from this many on may be a flat top.
 const FLAT: usize = 3;
+/// Samples at the end of a round range from this many on are clipped, each of them apart from its neighbours by more than this share of it.
+const AT_FULL_SCALE: usize = 2;
+const APART: f64 = 0.1;
+/// Roundoff of a conversion to SI, and 1 g, m/s^2.
+const ROUND: f64 = 1e-12;
+const GRAVITY: f64 = 9.80665;
 /// Whole numbers beyond this size, without unit, are counts.
 const COUNTS: f64 = 100.0;
 
@@ -46,8 +52,9 @@ pub(crate) fn may_be_counts(quantity: Quantity, complex: bool) -> bool {
 pub(crate) fn inspected<S: Series>(samples: &S, may_be_counts: bool) -> Result<(Vec<Finding>, Sizes), S::Fault> {
     let mut look = Look::default();
     samples.each(|x| look.take(x))?;
-    let mut tops = FlatTops { low: look.low, high: look.high, quantum: look.quantum, ..FlatTops::default() };
-    if look.low < look.high && look.longest >= FLAT {
+    let full = look.full_scale();
+    let mut tops = FlatTops { low: look.low, high: look.high, quantum: look.quantum, full, ..FlatTops::default() };
+    if look.low < look.high && (look.longest >= FLAT || full.is_some()) {
         samples.each(|x| tops.take(x))?;
         tops.close(None);
     }
@@ -158,6 +165,12 @@ impl Look {
         Some(Finding::new(FindingKind::ZeroPadding, leading + trailing, Some(Place::Sample(first)), about))
     }
 
+    /// The end of the range where the largest size is a round one: 2, 4, 8, 16 and so on, in SI or in g.
+    fn full_scale(&self) -> Option<f64> {
+        let is_round = |size: f64| size > 1.5 && (size / size.log2().round().exp2() - 1.0).abs() < ROUND;
+        (is_round(self.peak) || is_round(self.peak / GRAVITY)).then_some(self.peak)
+    }
+
     fn counts(&self) -> Option<Finding> {
         let about = "whole numbers without unit: counts of a converter? give the scale in the notes beside the file";
         (self.whole && self.peak > COUNTS).then(|| Finding::new(FindingKind::RawCounts, self.number, None, about.to_owned()))
@@ -170,6 +183,11 @@ struct FlatTops {
     low: f64,
     high: f64,
     quantum: f64,
+    /// The end of a round range.
+    full: Option<f64>,
+    /// Samples at it that stand out, and the first of them.
+    at_full: usize,
+    first_at_full: Option<usize>,
     /// Samples so far.
     number: usize,
     /// The run of equal samples that lasts: its value, its length, and the sample before it.
@@ -200,9 +218,18 @@ impl FlatTops {
             self.count += self.run;
             self.first = self.first.or(Some(self.number - self.run));
         }
+        let beside = |full: &f64| [self.before, next].into_iter().flatten().all(|x| (self.value - x).abs() > APART * full);
+        if self.full.filter(|full| self.value.abs() == *full).is_some_and(|full| beside(&full)) {
+            self.at_full += self.run;
+            self.first_at_full = self.first_at_full.or(Some(self.number - self.run));
+        }
     }
 
     fn finding(&self) -> Option<Finding> {
+        if let (None, Some(full), true) = (self.first, self.full, self.at_full >= AT_FULL_SCALE) {
+            let about = format!("samples are exactly at the end of a range of {full}: the signal was probably clipped there");
+            return Some(Finding::new(FindingKind::Clipping, self.at_full, self.first_at_full.map(Place::Sample), about));
+        }
         let about = format!("flat tops at the ends of the range {} to {}: the signal was clipped", self.low, self.high);
         self.first.map(|first| Finding::new(FindingKind::Clipping, self.count, Some(Place::Sample(first)), about))
     }
@@ -235,6 +262,15 @@ mod tests {
         let flat = clipped.iter().filter(|x| **x == 0.9).count();
         let first = clipped.iter().position(|x| *x == 0.9).unwrap();
         assert_eq!(found(clipped), [(FindingKind::Clipping, flat, Some(Place::Sample(first)))]);
+        // Two single samples at the end of a range of 8, where the strokes are steep; at 7.9, or smooth as a sine's peaks of 8, they are none.
+        let strokes = |end: f64| {
+            let mut values = sine(1.0, 1000);
+            (values[200], values[700]) = (-end, -end);
+            values
+        };
+        assert_eq!(found(strokes(8.0)), [(FindingKind::Clipping, 2, Some(Place::Sample(200)))]);
+        assert_eq!(found(strokes(7.9)), []);
+        assert_eq!(found((0..1000).map(|k| [0.0, 5.0, 7.6, 8.0, 7.6, 5.0][k % 6]).collect()), []);
         let padded = [vec![0.0; 40], sine(1.0, 300), vec![0.0; 3]].concat();
         assert_eq!(found(padded), [(FindingKind::ZeroPadding, 40, Some(Place::Sample(0)))]);
         let mut holed = sine(1.0, 300);

@@ -19,6 +19,14 @@ pub(super) fn of_block(samples: &Samples<'_>, drive_hz: f64, start: usize, count
     features
 }
 
+/// The lines of the block from `start`, of `count` samples, at the orders.
+pub(super) fn lines_of_block(samples: &Samples<'_>, drive_hz: f64, start: usize, count: usize) -> Vec<c64> {
+    let values = &samples.values()[start..start + count];
+    let mean = values.iter().sum::<f64>() / count as f64;
+    let orders = ORDERS.into_iter().filter(|order| order * drive_hz < samples.rate_hz() / 2.0);
+    orders.map(|order| line(values, mean, order * drive_hz / samples.rate_hz())).collect()
+}
+
 /// `2 / N sum (x_n - mean) exp(-2 pi i n turns)`: the line of a block of nearly whole periods, peak.
 pub(super) fn line(values: &[f64], mean: f64, turns: f64) -> c64 {
     // A rotation by recurrence: exact enough over one block, and quick.

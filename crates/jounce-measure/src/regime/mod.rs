@@ -10,11 +10,14 @@
 //! with `s` the noise of each feature, from the median difference of neighbouring blocks: a change counts only where it is larger than the
 //! noise, and larger than 5 % of the record's largest feature. The optimum is found exactly, by dynamic programming.
 //!
-//! The period of a stretch is the smallest `n` with which the record repeats: `x(t + n T) = x(t)` as well as with any other.
+//! Neighbouring stretches whose amplitudes, freed of noise, are equal, or drift, are joined again, and the reason is told.
+//!
+//! The period of a stretch is the smallest `n` up to 12 with which the record repeats: `x(t + n T) = x(t)` as well as with any other.
 //!
 //! [`correspond`] names, for a stretch, the solution of a model whose voltage it shows.
 //!
 //! Source: B. Jackson et al., An algorithm for optimal partitioning of data on an interval, IEEE Signal Process. Lett. 12 (2005) 105.
+mod alike;
 mod correspond;
 mod features;
 mod partition;
@@ -23,7 +26,8 @@ mod section;
 mod shift;
 mod stretches;
 
+pub use alike::{Joint, Reason};
 pub use correspond::{Candidate, Correspondence, Fits, correspond};
-pub use period::{Period, period};
+pub use period::{LONGEST_PERIOD, Period, period};
 pub use section::{Section, section};
 pub use stretches::{RegimeError, Regimes, Stretch, regimes, regimes_watched};

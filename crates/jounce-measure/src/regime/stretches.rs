@@ -5,6 +5,7 @@ use jounce::signal::{Samples, SignalError};
 use serde::Serialize;
 
 use super::Period;
+use super::alike::{Joint, joined};
 use super::features::{CYCLES, of_block};
 use super::partition::{changes, noise};
 use super::period::period_watched;
@@ -34,6 +35,8 @@ pub struct Stretch {
 pub struct Regimes {
     /// The stretches in order.
     pub stretches: Vec<Stretch>,
+    /// Changes that are none of solution: of the noise, a drift, a glitch.
+    pub joints: Vec<Joint>,
     /// The length of a block: how far a change may lie from its place, s.
     pub uncertainty_s: f64,
 }
@@ -114,6 +117,7 @@ pub fn regimes_watched(samples: &Samples<'_>, drive_hz: f64, watch: &Watch) -> R
     let noise: Vec<f64> = noise(&features).into_iter().map(|s| s.max(floor)).collect();
     let cost = COST * noise.len() as f64 * (blocks as f64).ln();
     let starts = changes(&features, &noise, cost, watch).ok_or(RegimeError::Stopped)?;
+    let (starts, joints) = joined(samples, drive_hz, starts, (blocks, length));
     let edge = |k: usize| starts.get(k).map_or(samples.values().len(), |b| (b * length).round() as usize);
     let last = starts.len().saturating_sub(1);
     let inner = |k: usize| {
@@ -123,7 +127,7 @@ pub fn regimes_watched(samples: &Samples<'_>, drive_hz: f64, watch: &Watch) -> R
     };
     let one = |k: usize| stretch(samples, drive_hz, (edge(k), edge(k + 1)), inner(k), watch);
     let stretches = (0..starts.len()).map(one).collect::<Result<_, _>>()?;
-    Ok(Regimes { stretches, uncertainty_s: length / rate_hz })
+    Ok(Regimes { stretches, joints, uncertainty_s: length / rate_hz })
 }
 
 fn stretch(

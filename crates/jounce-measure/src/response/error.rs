@@ -30,6 +30,16 @@ pub enum ResponseError {
         /// Its unit.
         unit: String,
     },
+    /// Forces at several places.
+    #[error(
+        "the force acts at several places: {}; responses to them are different functions and must not be averaged: give the recordings of one \
+         place at a time",
+        places.join(", ")
+    )]
+    Places {
+        /// Each place and the first recording of it.
+        places: Vec<String>,
+    },
     /// Nothing beside the force.
     #[error("{recording} holds no channel beside the force {force}")]
     NoResponse {

@@ -1,10 +1,10 @@
-//! The responses of a structure to the force of a hammer.
+//! The responses of a structure to the force of a hammer or of a shaker.
 
 use jounce::signal::{Samples, SignalError};
 use realfft::num_complex::Complex;
 
 use super::ResponseError;
-use crate::recording::{Channel, Finding, Quantity, Recording, Unit};
+use crate::recording::{Channel, Finding, FindingKind, Quantity, Recording, Unit};
 use crate::spectral::{FrequencyResponse, ImpactHit, ImpactRecord, ImpactSettings, SpectralError, impact};
 
 /// Which channels are what.
@@ -27,7 +27,7 @@ pub struct Responses {
     pub quantities: Vec<Quantity>,
     /// The response functions.
     pub functions: Vec<FrequencyResponse>,
-    /// The hits; none where response functions were given.
+    /// The hits; none under a shaker, or where response functions were given.
     pub hits: Vec<ImpactHit>,
     /// Length of a block, s; none where response functions were given.
     pub block_s: Option<f64>,
@@ -38,10 +38,11 @@ pub struct Responses {
 }
 
 impl Responses {
-    /// The responses of a hammer test: recordings over even times, with one or more hits in each, the channels the same in all.
+    /// The responses of a hammer or shaker test: recordings over even times, with one or more hits in each or a force that goes on, the
+    /// channels the same in all. Responses to forces at several places are not averaged.
     ///
     /// # Errors
-    /// A channel that is not there or no force, nothing beside the force, what [`impact`] refuses.
+    /// A channel that is not there or no force, forces at several places, nothing beside the force, what [`impact`] refuses.
     pub fn of_hits(records: &[Recording], chosen: &Chosen, settings: &ImpactSettings) -> Result<Self, ResponseError> {
         let first = records.first().ok_or(ResponseError::Nothing)?;
         let hammer = force(first, chosen)?;
@@ -52,6 +53,7 @@ impl Responses {
         if names.is_empty() {
             return Err(ResponseError::NoResponse { recording: first.name.clone(), force: hammer.name.clone() });
         }
+        let place = common_place(records, chosen)?;
         let cut = |recording| impact_record(recording, chosen, &names);
         let blocks = records.iter().map(cut).collect::<Result<Vec<_>, _>>()?;
         let answer = impact(&blocks, settings)?;
@@ -69,6 +71,7 @@ impl Responses {
                 .iter()
                 .flat_map(|recording| recording.findings.clone())
                 .chain(hammer.head().assumed(Quantity::Force))
+                .chain(place)
                 .collect(),
         })
     }
@@ -126,9 +129,70 @@ fn force<'a>(recording: &'a Recording, chosen: &Chosen) -> Result<&'a Channel, R
     Err(ResponseError::NotForce { recording: recording.name.clone(), channel: found.name.clone(), unit: found.unit.clone() })
 }
 
+/// What is assumed of the place of the force where not every recording of several tells it.
+fn common_place(records: &[Recording], chosen: &Chosen) -> Result<Option<Finding>, ResponseError> {
+    let told = |record: &Recording| {
+        let force = force(record, chosen)?;
+        Ok([force.place.as_str(), force.direction.as_str()].join(" ").trim().to_owned())
+    };
+    let places = records.iter().map(told).collect::<Result<Vec<_>, ResponseError>>()?;
+    let mut known: Vec<(&str, &str)> = Vec::new();
+    for (place, record) in places.iter().zip(records).filter(|(place, _)| !place.is_empty()) {
+        if known.iter().all(|(other, _)| other != place) {
+            known.push((place, &record.name));
+        }
+    }
+    if known.len() > 1 {
+        let places = known.iter().map(|(place, record)| format!("{place} in {record}")).collect();
+        return Err(ResponseError::Places { places });
+    }
+    let silent = places.iter().filter(|place| place.is_empty()).count();
+    let about =
+        "recordings do not tell where the force acts; it is taken to act at one place in all, give the place in the notes beside them";
+    Ok((silent > 0 && records.len() > 1)
+        .then(|| Finding::new(FindingKind::Assumed, silent, None, format!("{silent} of {} {about}", records.len()))))
+}
+
 fn impact_record<'a>(recording: &'a Recording, chosen: &Chosen, names: &[String]) -> Result<ImpactRecord<'a>, ResponseError> {
     let told = |fault: SignalError| ResponseError::Spectral(SpectralError::Signal(fault));
     let samples = |channel: &'a Channel| Samples::new(&channel.values, recording.rate()).map_err(told);
     let responses = names.iter().map(|name| samples(recording.channel(name)?)).collect::<Result<_, _>>()?;
     Ok(ImpactRecord { force: samples(force(recording, chosen)?)?, responses })
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::recording::{Grid, Over};
+
+    fn struck(name: &str, place: &str) -> Recording {
+        let values: Vec<f64> = (0..1000).map(|k| if (20..30).contains(&k) { 50.0 } else { 0.0 }).collect();
+        let force = Channel { place: place.to_owned(), ..Channel::new("force", Quantity::Force, "N", values.clone()) };
+        let channels = vec![force, Channel::new("a", Quantity::Acceleration, "m/s^2", values)];
+        Recording { name: name.to_owned(), over: Over::Time, grid: Grid::even(0.0, 1e-3, 1000).unwrap(), channels, findings: Vec::new() }
+    }
+
+    #[test]
+    fn hits_at_several_places_are_not_averaged() {
+        let of = |records: &[Recording]| Responses::of_hits(records, &Chosen::default(), &ImpactSettings::default());
+        let told = of(&[struck("one", "mid"), struck("two", "end"), struck("three", "mid")]).unwrap_err().to_string();
+        assert!(told.contains("mid in one, end in two") && told.contains("one place at a time"), "{told}");
+        assert!(of(&[struck("one", "mid"), struck("two", "mid")]).unwrap().findings.is_empty());
+        let silent = of(&[struck("one", "mid"), struck("two", "")]).unwrap().findings;
+        assert!(silent.len() == 1 && silent[0].kind == FindingKind::Assumed && silent[0].about.starts_with("1 of 2"), "{silent:?}");
+        assert!(of(&[struck("one", "")]).unwrap().findings.is_empty());
+    }
+
+    /// The place of a force survives the formats that can hold it.
+    #[test]
+    fn a_place_is_read_back() {
+        let folder = tempfile::tempdir().unwrap();
+        for (ending, place) in [("uff", "mid"), ("uff", "node 7"), ("parquet", "beam.hammer"), ("parquet", "node 7")] {
+            let path = folder.path().join(format!("hit.{ending}"));
+            crate::write::write(&struck("one", place), &path).unwrap();
+            let read = crate::read::file(&path).unwrap().recordings.remove(0);
+            assert_eq!(read.channel("force").unwrap().place, place, "{ending}");
+        }
+    }
 }

@@ -85,7 +85,8 @@ pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigErr
     let functions = frf(plant, &Input::Force(test.point.clone()), &test.responses, &frequency_hz)?;
     let backward = planner.plan_fft_inverse(padded);
     let sensed = |truth: &[f64], stream: &mut Stream| test.sensor.read(truth, stream);
-    let mut channels = vec![Channel::new("force", Quantity::Force, "N", sensed(&force, &mut stream))];
+    let struck = Channel::new("force", Quantity::Force, "N", sensed(&force, &mut stream));
+    let mut channels = vec![Channel { place: test.point.clone(), ..struck }];
     for function in functions {
         let mut bins: Vec<_> = spectrum.iter().zip(&function.value).map(|(f, h)| f * h).collect();
         // A real signal has real bins at both ends.

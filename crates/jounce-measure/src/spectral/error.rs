@@ -60,6 +60,12 @@ pub enum SpectralError {
         /// Noise of the record, N.
         noise_n: f64,
     },
+    /// A window of hits on a force that goes on.
+    #[error(
+        "the force goes on, as a shaker's does: a force window or an exponential window belongs to hits; leave them away, a block is weighed by a \
+         Hann window"
+    )]
+    HitWindow,
     /// A record too short for an interval.
     #[error("{samples} samples are too few for a mean with an interval; at least {needed} are needed")]
     Short {

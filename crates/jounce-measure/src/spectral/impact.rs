@@ -1,10 +1,11 @@
-//! Frequency responses of a hammer test: one block for each hit.
+//! Frequency responses of a hammer test: one block for each hit. Where the force goes on instead, blocks of a shaker test.
 
 use jounce::signal::{Samples, Window};
 use realfft::num_complex::Complex;
 use serde::Serialize;
 
 use super::quiet::ringing;
+use super::shaken::{goes_on, shaken};
 use super::{Averages, Estimator, FrequencyResponse, Hit, HitSearch, Segments, SpectralError, exponential_window, force_window, hits};
 
 /// How the blocks are cut and weighed.
@@ -12,17 +13,20 @@ use super::{Averages, Estimator, FrequencyResponse, Hit, HitSearch, Segments, Sp
 pub struct ImpactSettings {
     /// Which noise is thought of.
     pub estimator: Estimator,
-    /// Length of a block, s; by default a whole record where it holds one hit, else the shortest distance of two hits.
+    /// Length of a block, s; by default a whole record where it holds one hit, else the shortest distance of two hits; an eighth of the
+    /// shortest record where the force goes on.
     pub block_s: Option<f64>,
     /// Takes away the force after the hit, which is noise.
     pub force_window: bool,
     /// An exponential window on force and responses that ends at this ratio, where a response does not die within the block.
     pub end_ratio: Option<f64>,
+    /// Takes the force for that of a shaker, whatever it looks like; by default one that goes on, both ways, is.
+    pub shaker: bool,
 }
 
 impl Default for ImpactSettings {
     fn default() -> Self {
-        Self { estimator: Estimator::H1, block_s: None, force_window: false, end_ratio: None }
+        Self { estimator: Estimator::H1, block_s: None, force_window: false, end_ratio: None, shaker: false }
     }
 }
 
@@ -52,7 +56,7 @@ pub struct ImpactHit {
 pub struct ImpactAnswer {
     /// One response function for each response.
     pub responses: Vec<FrequencyResponse>,
-    /// Every hit that was found.
+    /// Every hit that was found; none where the force goes on.
     pub hits: Vec<ImpactHit>,
     /// Length of a block, s.
     pub block_s: f64,
@@ -64,7 +68,8 @@ pub struct ImpactAnswer {
 const BEFORE: f64 = 0.01;
 /// Length of the slope of the force window over that of the pulse.
 const SLOPE: f64 = 1.0;
-/// Averages the blocks of all hits of all records.
+
+/// Averages the blocks of all hits of all records, or, where the force goes on, all their blocks.
 ///
 /// # Errors
 /// No record, records of unequal rate or number of responses, one without a hit, a block longer than its record.
@@ -82,6 +87,9 @@ pub fn impact(records: &[ImpactRecord<'_>], settings: &ImpactSettings) -> Result
         if record.responses.len() != first.responses.len() {
             return Err(SpectralError::Lengths { force: first.responses.len(), response: record.responses.len() });
         }
+    }
+    if settings.shaker || records.iter().all(|record| goes_on(&record.force)) {
+        return shaken(records, settings);
     }
     let found = records.iter().map(|record| hits(&record.force, HitSearch::default())).collect::<Result<Vec<_>, _>>()?;
     let samples = first.force.values().len();

@@ -13,9 +13,11 @@ mod mean_power;
 mod quiet;
 mod response;
 mod segments;
+mod shaken;
 mod signal;
 mod spectra;
 mod spectrogram;
+mod student;
 mod taper;
 
 pub use density::{Density, density_unit};
@@ -28,4 +30,5 @@ pub use segments::Segments;
 pub use signal::signal;
 pub use spectra::{Spectra, SpectraSettings, spectra, spectra_watched};
 pub use spectrogram::{Spectrogram, spectrogram, spectrogram_watched};
+pub(crate) use student::student_95;
 pub use taper::{exponential_window, force_window};

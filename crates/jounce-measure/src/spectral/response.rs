@@ -107,10 +107,12 @@ impl Averages {
 }
 
 impl FrequencyResponse {
-    /// Relative standard deviation of `|H|` at a line, `sqrt((1 - c) / (2 n c))` for coherence `c` of `n` independent blocks.
+    /// Relative standard deviation of `|H|` at a line, `sqrt((1 - c) / (2 (n - 1) c))` for coherence `c` of `n` independent blocks.
     pub fn relative_deviation(&self, line: usize) -> f64 {
         let coherence = self.coherence[line];
-        ((1.0 - coherence) / (2.0 * self.blocks as f64 * coherence)).sqrt()
+        // One degree of freedom of the blocks goes into the response itself.
+        let freedom = self.blocks.saturating_sub(1).max(1) as f64;
+        ((1.0 - coherence) / (2.0 * freedom * coherence)).sqrt()
     }
 }
 

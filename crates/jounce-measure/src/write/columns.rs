@@ -3,7 +3,7 @@
 use jounce::table::{Column, Manifest, Table};
 
 use super::WriteError;
-use crate::read::{Numbers, Surveyed};
+use crate::read::{Numbers, PLACE, Surveyed};
 use crate::recording::{Over, PIECE, Series};
 
 /// Numbers in a table, of all columns together.
@@ -49,5 +49,7 @@ fn rows(numbers: &impl Series<Fault = std::io::Error>, pieces: &std::ops::Range<
 /// The recording and what was found in it.
 pub(super) fn manifest(recording: &Surveyed) -> Manifest {
     let findings: Vec<String> = recording.findings.iter().map(ToString::to_string).collect();
-    Manifest::new("").with("recording", &recording.name).with("findings", findings.join("; "))
+    let manifest = Manifest::new("").with("recording", &recording.name).with("findings", findings.join("; "));
+    let told = recording.channels.iter().filter(|channel| !channel.place.is_empty());
+    told.fold(manifest, |manifest, channel| manifest.with(&format!("{PLACE}{}", channel.name), &channel.place))
 }

@@ -49,12 +49,17 @@ fn header(to: &mut impl Write, recording: &Surveyed, channel: &SurveyedChannel, 
         Places::Even { start, step, .. } => (start, step, 1),
         Places::Stamped { .. } => (0.0, 0.0, 0),
     };
-    let place = if channel.place.is_empty() { "NONE" } else { &channel.place };
+    // A place is a node, or a name, which a number beside it would hide.
+    let (place, node) = match (channel.place.as_str(), channel.place.strip_prefix("node ").and_then(|node| node.parse::<usize>().ok())) {
+        ("", _) => ("NONE", number),
+        (_, Some(node)) => ("NONE", node),
+        (name, None) => (name, 0),
+    };
     writeln!(to, "{:<80}\n{:<80}\n{:<80}\n{:<80}\n{:<80}", ascii(&recording.name, 80), "NONE", "NONE", ascii(&channel.name, 80), "NONE")?;
     let direction = direction(&channel.direction);
     writeln!(
         to,
-        "{function:>5}{number:>10}{:>5}{:>10} {:<10}{number:>10}{direction:>4} {:<10}{:>10}{:>4}",
+        "{function:>5}{number:>10}{:>5}{:>10} {:<10}{node:>10}{direction:>4} {:<10}{:>10}{:>4}",
         0,
         0,
         ascii(place, 10),

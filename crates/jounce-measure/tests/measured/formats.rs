@@ -144,6 +144,25 @@ fn the_stamps_of_an_lvm_win_over_its_header() {
     assert!(kinds.contains(&FindingKind::RescaledStamps) && kinds.contains(&FindingKind::HeaderDisagrees), "{kinds:?}");
 }
 
+/// The header of a second segment is no data: it is told where it ends.
+#[test]
+fn a_second_segment_is_refused_at_its_place() {
+    let segment = lvm().split_once("***End_of_Header***\t\n\t\n").expect("a header").1.to_owned();
+    let wrong = read("a.lvm", format!("{}\n{segment}", lvm()).as_bytes(), None).expect_err("two segments").to_string();
+    let line = lvm().lines().count() + 1 + segment.lines().position(|line| line.starts_with("***")).expect("a header") + 1;
+    assert!(wrong.contains(&format!("line {line}")) && wrong.contains("segment"), "{wrong}");
+}
+
+/// Numbers written one after the other in lines of unequal length are no columns, whatever rate is given; a few odd lines are harmless.
+#[test]
+fn a_text_whose_lines_differ_is_no_table() {
+    let text = "1 2\n3 4\n5 6\n".to_owned() + &"1 2 3\n".repeat(30);
+    let wrong = read("a.txt", text.as_bytes(), Some("rate = \"10 Hz\"\n")).expect_err("no table").to_string();
+    assert!(wrong.contains("line 4") && wrong.contains("29 more of 33 lines"), "{wrong}");
+    let odd = "t a\n".to_owned() + &"1 2\n3 4\n5 6\n".repeat(10) + "1 2 3\n";
+    assert!(kinds(&one("a.txt", odd.as_bytes(), Some("rate = \"10 Hz\"\n"))).contains(&FindingKind::Ragged));
+}
+
 #[test]
 fn binary_functions_of_every_order_and_size_are_read() {
     for (double, little) in [(false, false), (false, true), (true, false), (true, true)] {

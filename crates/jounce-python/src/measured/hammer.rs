@@ -24,6 +24,7 @@ pub struct Hammer {
     block_s: Option<f64>,
     force_window: bool,
     end_ratio: Option<f64>,
+    shaker: bool,
 }
 
 impl Hammer {
@@ -41,7 +42,8 @@ impl Hammer {
             "hv" => Estimator::Hv { noise_ratio: self.noise_ratio },
             other => return wrong(format!("estimator is \"{other}\"; it must be \"h1\", \"h2\" or \"hv\"")),
         };
-        Ok(ImpactSettings { estimator, block_s: self.block_s, force_window: self.force_window, end_ratio: self.end_ratio })
+        let Self { block_s, force_window, end_ratio, shaker, .. } = *self;
+        Ok(ImpactSettings { estimator, block_s, force_window, end_ratio, shaker })
     }
 
     /// The responses of recordings over time; those over frequency as they stand there.

@@ -31,6 +31,8 @@ impl Tally {
     }
 }
 
+/// Ends each header of an LVM file.
+const HEADER_ENDS: &str = "***End_of_Header***";
 /// A line this long is no row of samples, bytes.
 const LONGEST: u64 = 16 << 20;
 /// Rows after which the number of all is told from the size of the file, so that columns need not grow by doubling.
@@ -47,7 +49,7 @@ pub(in crate::read) fn columns(mut source: impl BufRead, size: u64, layout: &Lay
         let here = |why: String| Damage::at(Place::Line(number + 1), why);
         let length = source.by_ref().take(LONGEST).read_until(b'\n', &mut bytes).map_err(|fault| here(fault.to_string()))?;
         if length == 0 {
-            return Ok(rows.finished(layout));
+            return rows.finished(layout);
         }
         if length as u64 == LONGEST {
             return Err(here("it is longer than 16 MiB; a channel is a column, and each line holds one sample of each".to_owned()));
@@ -56,6 +58,10 @@ pub(in crate::read) fn columns(mut source: impl BufRead, size: u64, layout: &Lay
         read += length as u64;
         rows.expect(read, size);
         let line = String::from_utf8_lossy(bytes.trim_ascii_end());
+        if number > layout.skip && line.trim_start().starts_with(HEADER_ENDS) {
+            let why = "the header of another segment ends here; segments need not have the same channels and times: write each to a file of its own";
+            return Err(Damage::at(Place::Line(number), why));
+        }
         if number > layout.skip && !line.trim().is_empty() {
             rows.line(number, &fields(&line, layout), bytes.ends_with(b"\n"))?;
         }
@@ -129,7 +135,17 @@ impl<'a> Growing<'a> {
         self.imaginary[k].as_mut().map_or(Ok(()), |imaginary| imaginary.push(im))
     }
 
-    fn finished(self, layout: &Layout) -> Rows {
+    fn finished(self, layout: &Layout) -> Result<Rows, Damage> {
+        let rows = self.columns.first().map_or(0, Series::count);
+        if let Some((count, first)) = self.ragged.0.filter(|(count, _)| 2 * count > rows) {
+            let width = self.columns.len();
+            let why = format!(
+                "it and {} more of {rows} lines have another number of fields than the first row, which has {width}: this is no table with a \
+                 column for each channel",
+                count - 1
+            );
+            return Err(Damage::at(Place::Line(first), why));
+        }
         let ragged = "lines with another number of fields than the first row: what is missing is no number";
         let text = "lines with text among the numbers: the text was left out";
         let cut = "the file ends inside a row (was it cut?); that row was left out";
@@ -141,7 +157,7 @@ impl<'a> Growing<'a> {
         let column =
             |((head, values), imaginary): ((&(String, String), _), _)| Column { imaginary, ..Column::new(&head.0, &head.1, values) };
         let columns = layout.heads.iter().zip(self.columns).zip(self.imaginary).map(column).collect();
-        Rows { columns, findings: findings.into_iter().flatten().collect() }
+        Ok(Rows { columns, findings: findings.into_iter().flatten().collect() })
     }
 }
 

@@ -128,8 +128,13 @@ fn unit(header: &Header) -> String {
     }
 }
 
+/// The node, or where it has no number, the name of the entity.
 fn place(dof: &Dof) -> String {
-    if dof.node == 0 { String::new() } else { format!("node {}", dof.node) }
+    match (dof.node, dof.name.as_str()) {
+        (0, "NONE") => String::new(),
+        (0, name) => name.to_owned(),
+        (node, _) => format!("node {node}"),
+    }
 }
 
 /// `+x` to `-z` for 1 to 3 and their negatives, rotations beyond.
