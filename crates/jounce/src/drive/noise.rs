@@ -28,47 +28,21 @@ pub struct Band {
     pub sample_rate_hz: f64,
 }
 
-/// Lines between two looks at whether the realisation is still wanted: a millisecond.
-const LINES_PER_LOOK: usize = 1 << 14;
-
-/// Points of a transform that takes long enough, a tenth of a second, to be left in the middle.
-const LONG: usize = 1 << 21;
+/// Samples of a realisation that takes long enough, a tenth of a second, to be left in the middle.
+const LONG: usize = 1 << 20;
 
 /// Time between two looks at whether it is still wanted.
 const LOOK: Duration = Duration::from_millis(5);
 
 /// A realisation of at least `duration_s`, the same for the same seed; silence where `is_stopped` says so on the way.
 pub fn noise(band: &Band, duration_s: f64, seed: u64, is_stopped: &dyn Fn() -> bool) -> Wave {
-    let step_s = 1.0 / band.sample_rate_hz;
+    let (band, step_s) = (*band, 1.0 / band.sample_rate_hz);
     let count = smooth_length((duration_s * band.sample_rate_hz).ceil() as usize + 2);
-    let df = band.sample_rate_hz / count as f64;
-    let mut planner = RealFftPlanner::<f64>::new();
-    let inverse = planner.plan_fft_inverse(count);
-    let mut lines = inverse.make_input_vec();
-    let mut stream = Stream::new(seed, 0);
-    let first = (band.low_hz / df).ceil().max(1.0) as usize;
-    let last = ((band.high_hz / df).floor() as usize).min(lines.len() - 2);
-    for (j, line) in lines.iter_mut().enumerate().take(last + 1).skip(first) {
-        if j % LINES_PER_LOOK == 0 && is_stopped() {
-            break;
-        }
-        let [a, b] = stream.normal_pair();
-        // The transform adds each line and its conjugate: half of a - i b.
-        let size = 0.5 * (band.density * df).sqrt() / hold(j as f64 * df, step_s);
-        *line = Complex::new(size * a, -size * b);
-    }
-    if is_stopped() {
-        return Wave::Sampled { start_s: 0.0, step_s, sizes: [0.0; 2].into() };
-    }
-    let mut transform = move || {
-        let mut sizes = inverse.make_output_vec();
-        // Lengths fit by construction, and the end lines are real.
-        if inverse.process(&mut lines, &mut sizes).is_err() {
-            sizes.fill(0.0);
-        }
-        sizes
+    let sizes = match count {
+        _ if is_stopped() => vec![0.0; 2],
+        LONG.. => unless_stopped(move || realised(&band, count, seed), is_stopped),
+        _ => realised(&band, count, seed),
     };
-    let sizes = if count <= LONG { transform() } else { unless_stopped(transform, is_stopped) };
     Wave::Sampled { start_s: 0.0, step_s, sizes: sizes.into() }
 }
 
@@ -83,6 +57,30 @@ fn unless_stopped(compute: impl FnOnce() -> Vec<f64> + Send + 'static, is_stoppe
             Err(_) => return vec![0.0; 2],
         }
     }
+}
+
+/// One period of `count` samples.
+fn realised(band: &Band, count: usize, seed: u64) -> Vec<f64> {
+    let step_s = 1.0 / band.sample_rate_hz;
+    let df = band.sample_rate_hz / count as f64;
+    let mut planner = RealFftPlanner::<f64>::new();
+    let inverse = planner.plan_fft_inverse(count);
+    let mut lines = inverse.make_input_vec();
+    let mut stream = Stream::new(seed, 0);
+    let first = (band.low_hz / df).ceil().max(1.0) as usize;
+    let last = ((band.high_hz / df).floor() as usize).min(lines.len() - 2);
+    for (j, line) in lines.iter_mut().enumerate().take(last + 1).skip(first) {
+        let [a, b] = stream.normal_pair();
+        // The transform adds each line and its conjugate: half of a - i b.
+        let size = 0.5 * (band.density * df).sqrt() / hold(j as f64 * df, step_s);
+        *line = Complex::new(size * a, -size * b);
+    }
+    let mut sizes = inverse.make_output_vec();
+    // Lengths fit by construction, and the end lines are real.
+    if inverse.process(&mut lines, &mut sizes).is_err() {
+        sizes.fill(0.0);
+    }
+    sizes
 }
 
 /// The next number without prime factors above 5: transforms of such lengths are quick.
@@ -118,24 +116,18 @@ mod tests {
         assert!(cross.abs() < 0.05 * square, "{cross}");
     }
 
-    /// At the first look, between two, and before the transform; who does not stop it gets every sample.
+    /// At the first look, and on the way; who does not stop it gets every sample, the same as on a thread of its own.
     #[test]
     fn a_realisation_that_nobody_waits_for_is_silence() {
         let band = Band { density: 0.02, low_hz: 50.0, high_hz: 250.0, sample_rate_hz: 2500.0 };
-        for looks in [0_usize, 1, 5] {
+        for looks in [0_usize, 1] {
             let left = std::cell::Cell::new(looks);
             let is_stopped = || left.replace(left.get().saturating_sub(1)) == 0;
-            let Wave::Sampled { sizes, .. } = noise(&band, 400.0, 11, &is_stopped) else { panic!("not sampled") };
+            let Wave::Sampled { sizes, .. } = noise(&band, 4000.0, 11, &is_stopped) else { panic!("not sampled") };
             assert_eq!(*sizes, [0.0; 2], "{looks}");
         }
-        let Wave::Sampled { sizes, .. } = noise(&band, 400.0, 11, &|| false) else { panic!("not sampled") };
-        assert!(sizes.len() >= 1_000_000);
-        // In the middle of a transform, at the first look after all its lines have been drawn.
-        let looks = std::cell::Cell::new(0);
-        let while_drawn = 200 * 1000 / LINES_PER_LOOK;
-        let is_stopped = || looks.replace(looks.get() + 1) > while_drawn;
-        let Wave::Sampled { sizes, .. } = noise(&band, 1000.0, 11, &is_stopped) else { panic!("not sampled") };
-        assert_eq!(*sizes, [0.0; 2], "{} looks", looks.get());
+        let Wave::Sampled { sizes, .. } = noise(&band, 500.0, 11, &|| false) else { panic!("not sampled") };
+        assert!(sizes.len() >= 1_250_000 && *sizes == *realised(&band, sizes.len(), 11));
     }
 
     #[test]
