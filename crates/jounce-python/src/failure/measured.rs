@@ -14,6 +14,7 @@ use jounce_measure::rig::RigError;
 use jounce_measure::solution::SolutionError;
 use jounce_measure::spectral::SpectralError;
 use jounce_measure::write::WriteError;
+use serde_json::{Value, json};
 
 /// Recordings that give no answer.
 macro_rules! of_recordings {
@@ -30,7 +31,7 @@ of_recordings!(GivenError, GridError, SignalError, SpectralError, RegimeError, C
 
 impl From<NoChannel> for Failure {
     fn from(error: NoChannel) -> Self {
-        let details = serde_json::json!({ "wanted": error.wanted, "channels": error.channels });
+        let details = json!({ "wanted": error.wanted, "channels": error.channels });
         Self { details, ..Self::new("ArgumentError", error) }
     }
 }
@@ -72,7 +73,7 @@ impl From<WriteError> for Failure {
     fn from(error: WriteError) -> Self {
         match error {
             WriteError::NotFinite { ref channel, sample, value } => {
-                let details = serde_json::json!({ "channel": channel, "sample": sample, "value": value.to_string() });
+                let details = json!({ "channel": channel, "sample": sample, "value": value.to_string() });
                 Self::new("RecordingError", &error).with(details)
             }
             WriteError::Format { ref path } => Self::of_file(&error, path, None),
@@ -87,8 +88,20 @@ impl From<RigError> for Failure {
     fn from(error: RigError) -> Self {
         match error {
             RigError::Plant(error) => error.into(),
-            error => Self::new("ArgumentError", error),
+            error => Self::new("ArgumentError", &error).with(rig_details(&error)),
         }
+    }
+}
+
+fn rig_details(error: &RigError) -> Value {
+    match error {
+        RigError::Setting { name, value, allowed } => json!({ "name": name, "value": value, "allowed": allowed }),
+        RigError::Undamped { frequency_hz } => json!({ "frequency_hz": frequency_hz }),
+        RigError::Long { samples, most } => json!({ "samples": samples, "most": most }),
+        RigError::UnknownPoint { point, known } => json!({ "point": point, "known": known }),
+        RigError::NotAcceleration { channel, unit } => json!({ "channel": channel, "unit": unit }),
+        RigError::NotEven { recording } => json!({ "recording": recording }),
+        _ => Value::Null,
     }
 }
 
@@ -100,9 +113,9 @@ impl From<SolutionError> for Failure {
             SolutionError::Plant(error) => error.into(),
             SolutionError::Run(error) => error.into(),
             SolutionError::Orbit(error) => error.into(),
-            SolutionError::Lost { starts, .. } => Self::new("ConvergenceError", &error).with(serde_json::json!({ "starts": starts })),
+            SolutionError::Lost { starts, .. } => Self::new("ConvergenceError", &error).with(json!({ "starts": starts })),
             SolutionError::UnknownSolution { ref wanted, ref known } => {
-                Self { details: serde_json::json!({ "solution": wanted, "known": known }), ..Self::new("ArgumentError", &error) }
+                Self { details: json!({ "solution": wanted, "known": known }), ..Self::new("ArgumentError", &error) }
             }
             error => Self::new("ArgumentError", error),
         }
@@ -124,7 +137,25 @@ impl From<FitError> for Failure {
             FitError::Value(fault) => fault.into(),
             FitError::Structure(error) => error.into(),
             FitError::Open { ref path, ref reason } => Self::of_file(&error, path, Some(reason)),
-            error => Self::new("FitError", error),
+            error => Self::new("FitError", &error).with(fit_details(&error)),
         }
+    }
+}
+
+fn fit_details(error: &FitError) -> Value {
+    match error {
+        FitError::Features { faults } => json!({ "faults": faults }),
+        FitError::Key { key, .. } => json!({ "key": key }),
+        FitError::Start { key, value } => json!({ "key": key, "value": value }),
+        FitError::NoMode { number, modes } => json!({ "mode": number, "modes": modes }),
+        FitError::Undamped { number, damping_ratio } => json!({ "mode": number, "damping_ratio": damping_ratio }),
+        FitError::Condition { place, key, .. } => json!({ "place": place, "key": key }),
+        FitError::File { place, path, .. } => json!({ "place": place, "path": path }),
+        FitError::NoPlace { name, known } => json!({ "name": name, "known": known }),
+        FitError::NoPower { mean_power_w } => json!({ "mean_power_w": mean_power_w }),
+        FitError::NoJump { key, low, high } => json!({ "key": key, "low": low, "high": high }),
+        FitError::NoResiduals { name, features, taken } => json!({ "name": name, "features": features, "taken": taken }),
+        FitError::NotConverged { evaluations } | FitError::Stopped { evaluations } => json!({ "evaluations": evaluations }),
+        _ => Value::Null,
     }
 }

@@ -17,7 +17,7 @@ use jounce::survey::SurveyError;
 use jounce::table::TableError;
 use jounce_explorer::ExploreError;
 use pyo3::prelude::*;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// What POSIX and Windows call a file that is not there, `ENOENT`.
 const NO_SUCH_FILE: i32 = 2;
@@ -47,7 +47,7 @@ impl Failure {
     /// A file that cannot be used; `errno` where the system says so.
     fn of_file(error: impl ToString, path: &std::path::Path, reason: Option<&std::io::Error>) -> Self {
         let errno = reason.and_then(std::io::Error::raw_os_error);
-        Self::new("FileError", error).with(serde_json::json!({ "path": path, "errno": errno }))
+        Self::new("FileError", error).with(json!({ "path": path, "errno": errno }))
     }
 
     /// A failure whose error type names its numbers.
@@ -72,7 +72,7 @@ impl Failure {
             line => format!("line {line}, column {}: {}", fault.column, fault.message),
         };
         let message = faults.iter().map(line).collect::<Vec<_>>().join("\n");
-        Self { class: "SpecError", message, details: serde_json::json!({ "faults": faults }) }
+        Self { class: "SpecError", message, details: json!({ "faults": faults }) }
     }
 
     /// The exception.
@@ -107,12 +107,10 @@ impl From<Fault> for Failure {
 impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
         match error {
-            ReadError::NotText { ref fault, .. } => {
-                Self { details: serde_json::json!({ "faults": [fault] }), ..Self::new("SpecError", &error) }
-            }
+            ReadError::NotText { ref fault, .. } => Self { details: json!({ "faults": [fault] }), ..Self::new("SpecError", &error) },
             ReadError::Unreadable { ref path, ref source } => Self::of_file(&error, path, Some(source)),
             ReadError::Missing { ref path } => {
-                let details = serde_json::json!({ "path": path, "errno": NO_SUCH_FILE });
+                let details = json!({ "path": path, "errno": NO_SUCH_FILE });
                 Self::new("FileError", &error).with(details)
             }
             ReadError::Directory { ref path } | ReadError::TooLarge { ref path } => Self::of_file(&error, path, None),
@@ -166,9 +164,9 @@ impl From<StudyError> for Failure {
             StudyError::Plant(error) => error.into(),
             StudyError::Run(error) => error.into(),
             StudyError::Value(fault) => fault.into(),
-            StudyError::StartFile { ref path, .. } => Self::new("StartError", &error).with(serde_json::json!({ "path": path })),
+            StudyError::StartFile { ref path, .. } => Self::new("StartError", &error).with(json!({ "path": path })),
             StudyError::Journal(error) => Self::of("FileError", &error),
-            StudyError::Aperiodic { ref drive } => Self::new("OrbitError", &error).with(serde_json::json!({ "drive": drive })),
+            StudyError::Aperiodic { ref drive } => Self::new("OrbitError", &error).with(json!({ "drive": drive })),
             StudyError::NoNoise => {
                 let why = "an ensemble needs noise: give a drive `signal = \"noise\"`; Spec.run marches what is not random";
                 Self::new("ArgumentError", why)
@@ -183,8 +181,19 @@ impl From<SurveyError> for Failure {
             SurveyError::Study(error) => error.into(),
             SurveyError::Faults(faults) => Self::faults(&faults),
             SurveyError::Spec(faults) => faults.into(),
-            error => Self::new("StudyError", error),
+            error => Self::new("StudyError", &error).with(survey_details(&error)),
         }
+    }
+}
+
+fn survey_details(error: &SurveyError) -> Value {
+    match error {
+        SurveyError::Unreadable { path, .. } | SurveyError::Damaged { path, .. } => json!({ "path": path }),
+        SurveyError::OtherStudy { folder, found, wanted } => json!({ "folder": folder, "found": found, "wanted": wanted }),
+        SurveyError::NoStudy { folder } | SurveyError::Folder { folder, .. } => json!({ "folder": folder }),
+        SurveyError::Busy { folder, shard } => json!({ "folder": folder, "shard": shard }),
+        SurveyError::Missing { missing, parts, first } => json!({ "missing": missing, "parts": parts, "first": first }),
+        _ => Value::Null,
     }
 }
 
@@ -194,10 +203,11 @@ impl From<OrbitError<StudyError>> for Failure {
             OrbitError::Harvester(error) => error.into(),
             OrbitError::March(VariationError::March(error)) => Self::of("MarchError", &error),
             OrbitError::March(error) => Self::new("MarchError", error),
-            OrbitError::Frequencies { .. } | OrbitError::Impulsive { .. } | OrbitError::Rectified { .. } | OrbitError::Free => {
-                Self::new("OrbitError", error)
-            }
-            OrbitError::Multipliers { .. } => Self::new("ConvergenceError", error),
+            OrbitError::Frequencies { frequencies } => Self::new("OrbitError", &error).with(json!({ "frequencies": frequencies })),
+            OrbitError::Impulsive { ref stop } => Self::new("OrbitError", &error).with(json!({ "stop": stop })),
+            OrbitError::Rectified { ref circuit } => Self::new("OrbitError", &error).with(json!({ "circuit": circuit })),
+            OrbitError::Free => Self::new("OrbitError", error),
+            OrbitError::Multipliers { frequency_hz } => Self::new("ConvergenceError", &error).with(json!({ "frequency_hz": frequency_hz })),
         }
     }
 }
