@@ -1,0 +1,118 @@
+"""Bad recordings, rigs and fits: each a clear exception, nothing changed."""
+
+import numpy as np
+import pytest
+
+import jounce
+
+VOLTS = np.sin(0.1 * np.arange(4000))
+SERIES = {"data": VOLTS, "name": "u", "unit_str": "V", "fs": 1000.0}
+
+
+@pytest.mark.parametrize(
+    ("call", "kind", "words"),
+    [
+        (lambda: jounce.power(VOLTS, "1 kg", sample_rate_hz=1e3), jounce.ArgumentError, "a resistance is due"),
+        (lambda: jounce.power(VOLTS, "-1 ohm", sample_rate_hz=1e3), jounce.ArgumentError, "above 0"),
+        (lambda: jounce.power(VOLTS, "1 ohm"), jounce.ArgumentError, "samples per second"),
+        (lambda: jounce.power(VOLTS, "1 ohm", sample_rate_hz="1 m"), jounce.ArgumentError, "a frequency is due"),
+        (lambda: jounce.power(np.zeros((2, 100)), "1 ohm", sample_rate_hz=1.0), jounce.ArgumentError, "2 axes"),
+        (lambda: jounce.power(1j * VOLTS, "1 ohm", sample_rate_hz=1e3), jounce.ArgumentError, "complex"),
+        (lambda: jounce.power(object(), "1 ohm", sample_rate_hz=1e3), jounce.ArgumentError, "no numbers"),
+        (lambda: jounce.power([], "1 ohm"), jounce.ArgumentError, "no recording"),
+        (lambda: jounce.power(VOLTS[:10], "1 ohm", sample_rate_hz=1e3), jounce.RecordingError, "too few"),
+        (lambda: jounce.power(np.full(100, np.nan), "1 ohm", sample_rate_hz=1e3), jounce.RecordingError, "finite"),
+        (lambda: jounce.power(SERIES, ["1 ohm", "2 ohm"]), jounce.ArgumentError, "2 resistances for 1 recordings"),
+        (lambda: jounce.power(SERIES, "1 ohm", voltage="w"), jounce.ArgumentError, "its channels are u"),
+        (lambda: jounce.power({**SERIES, "unit_str": "N"}, "1 ohm", voltage="u"), jounce.ArgumentError, "is in N"),
+        (lambda: jounce.power({"data": VOLTS, "name": "u"}, "1 ohm"), jounce.ArgumentError, "missing: unit_str"),
+        (lambda: jounce.power({"name": "u", "unit_str": "V", "fs": 1000.0}, "1 ohm"), jounce.ArgumentError, "missing: data"),
+        (lambda: jounce.power([SERIES, {**SERIES, "name": "v", "fs": 9.0}], "1 ohm"), jounce.ArgumentError, "v and u are not sampled"),
+        (lambda: jounce.Recording.of({"a": VOLTS, "b": VOLTS[1:]}, 1e3), jounce.RecordingError, "channel b has 3999 samples"),
+        (lambda: jounce.Recording.of({"a": VOLTS}, 1e3, units={"b": "V"}), jounce.ArgumentError, "units are given for b"),
+        (lambda: jounce.Recording.of(VOLTS, time_s=-np.arange(4000.0)), jounce.RecordingError, "before"),
+        (lambda: jounce.Recording.of(VOLTS, 1e3, time_s=np.arange(4000.0)), jounce.ArgumentError, "both given"),
+        (lambda: jounce.Recording.of({}, 1e3), jounce.ArgumentError, "at least one"),
+        (lambda: jounce.Recording.of(VOLTS, 1e3)["w"], jounce.ArgumentError, "there are signal"),
+        (lambda: jounce.spectra(SERIES, window="kaiser"), jounce.ArgumentError, '"hann", "flat-top" or "rectangular"'),
+        (lambda: jounce.spectra(SERIES, overlap=1.0), jounce.RecordingError, "from 0 to 0.95"),
+        (lambda: jounce.spectra(SERIES, segment="1 h"), jounce.RecordingError, "cannot be cut from 4000"),
+        (lambda: jounce.spectra(SERIES, segment="1 m"), jounce.ArgumentError, "a time is due"),
+        (lambda: jounce.spectra(SERIES, drive="0 Hz"), jounce.ArgumentError, "above 0"),
+        (lambda: jounce.spectra(SERIES, drive="0.01 Hz"), jounce.RecordingError, "it must last at least"),
+        (lambda: jounce.spectra(SERIES, channel="w"), jounce.ArgumentError, "w"),
+        (lambda: jounce.regimes(VOLTS, "1 Hz", sample_rate_hz=1e3), jounce.RecordingError, "at least 24"),
+        (lambda: jounce.regimes(VOLTS, "10 V", sample_rate_hz=1e3), jounce.ArgumentError, "a frequency is due"),
+        (lambda: jounce.contact(np.random.default_rng(0).normal(size=4000), sample_rate_hz=1e3), jounce.RecordingError, "no hit"),
+        (lambda: jounce.contact(VOLTS, sample_rate_hz=1e3, mass="1 m"), jounce.ArgumentError, "a mass is due"),
+        (lambda: jounce.measured_frf(SERIES), jounce.RecordingError, "no channel in newtons"),
+        (lambda: jounce.measured_frf(SERIES, estimator="h3"), jounce.ArgumentError, '"h1", "h2" or "hv"'),
+        (lambda: jounce.measured_frf(SERIES, end_ratio=2.0), jounce.ArgumentError, "end_ratio is 2"),
+        (lambda: jounce.measured_modes(SERIES, order=1), jounce.ArgumentError, "from 2 to 400"),
+        (lambda: jounce.measured_modes(SERIES, between="20 Hz:10 Hz"), jounce.ArgumentError, "smaller one"),
+        (lambda: jounce.measured_modes(SERIES, span="0 s:1 s"), jounce.ArgumentError, "free_decay=True"),
+        (lambda: jounce.measured_modes(SERIES, free_decay=True, lags="1 s"), jounce.ArgumentError, "output_only=True"),
+        (lambda: jounce.measured_modes(SERIES, free_decay=True, output_only=True), jounce.ArgumentError, "one of them"),
+        (lambda: jounce.measured_modes(SERIES, output_only=True, force="u"), jounce.ArgumentError, "one of them"),
+        (lambda: jounce.measured_modes([VOLTS, VOLTS], sample_rate_hz=1e3, output_only=True), jounce.ArgumentError, "one recording"),
+        (lambda: jounce.measured_modes(SERIES, output_only=True, lags="3 s"), jounce.RecordingError, "3"),
+        (lambda: jounce.measured_modes(SERIES, free_decay=True, span="3.999 s:9 s"), jounce.RecordingError, "32"),
+        (lambda: jounce.regimes(SERIES, "10 Hz", model="a.toml"), jounce.ArgumentError, "of type str"),
+        (lambda: jounce.regimes(SERIES, "10 Hz", starts=-1), jounce.ArgumentError, "starts is -1"),
+    ],
+)
+def test_recordings_that_cannot_be_used_are_told(call, kind, words):
+    with pytest.raises(kind, match=words):
+        call()
+
+
+def test_rigs_and_fits_that_cannot_be_had_are_told(harvester, tmp_path):
+    features = {"free": {"beam.beam.thickness": 0.1}, "frequency_deviation": 0.01, "mode": [{"number": 1, "frequency": "9 Hz"}]}
+    wrong = [
+        (lambda: harvester.rig(hammer="nowhere"), jounce.PlantError, "beam.tip"),
+        (lambda: harvester.rig(hammer="beam.tip", hold=["beam"]), jounce.StructureError, "only a mass"),
+        (lambda: harvester.rig(hammer="beam.tip", noise=-1.0), jounce.ArgumentError, "noise"),
+        (lambda: harvester.rig(hammer="beam.tip", hits=-1), jounce.ArgumentError, "hits is -1"),
+        (lambda: harvester.rig(sensor_mass="2 g"), jounce.ArgumentError, "at="),
+        (lambda: harvester.rig(at="beam.tip", sensor_mass="2 m"), jounce.ArgumentError, "a mass is due"),
+        (lambda: harvester.rig(cable="1 m"), jounce.ArgumentError, "a capacitance is due"),
+        (lambda: harvester.rig(cable="-1 nF"), jounce.ArgumentError, "above 0"),
+        (lambda: harvester.rig(amplitude_wander=0.9), jounce.ArgumentError, "from 0 to 0.3"),
+        (lambda: harvester.rig(solution=["1a", "3a"]), jounce.ArgumentError, "then pairs"),
+        (lambda: harvester.rig(solution="1a", hold="table"), jounce.ArgumentError, "without base, hold"),
+        (lambda: harvester.rig(hammer="beam.tip", frequency_drift=0.1), jounce.ArgumentError, "a hammer strikes"),
+        (lambda: harvester.rig(hammer="beam.tip", base=VOLTS), jounce.ArgumentError, "a hammer strikes"),
+        (lambda: harvester.rig(base=SERIES), jounce.ArgumentError, "channel u is in V"),
+        (lambda: harvester.rig(base=tmp_path / "none.csv"), jounce.FileError, "No such file"),
+        (lambda: jounce.reproduce(tmp_path / "file" / "below"), jounce.FileError, "cannot create the folder"),
+        (lambda: harvester.rig(rate="1 kg"), jounce.ArgumentError, "a frequency is due"),
+        (lambda: harvester.fit(3), jounce.ArgumentError, "of type int"),
+        (lambda: harvester.fit({}), jounce.FitError, "no key is free: .*; nothing is measured"),
+        (lambda: harvester.fit({**features, "free": {"beam.none.length": 0.1}}), jounce.FitError, "beam.none.length"),
+        (lambda: harvester.fit({**features, "mode": [{"number": 99, "frequency": "9 Hz"}]}), jounce.FitError, "mode 99"),
+        (lambda: harvester.fit(tmp_path / "none.toml"), jounce.FileError, "No such file"),
+    ]
+    (tmp_path / "file").write_text("")
+    for call, kind, words in wrong:
+        with pytest.raises(kind, match=words):
+            call()
+
+
+def test_files_of_recordings_that_cannot_be_read_or_written(tmp_path):
+    recording = jounce.Recording.of(np.array([1.0, np.nan] * 5), 10.0)
+    (tmp_path / "cut.uff").write_text("    -1\n    58\nabc")
+    (tmp_path / "empty.csv").write_text("")
+    wrong = [
+        (lambda: jounce.read_recordings(tmp_path / "none.csv"), jounce.FileError, "No such file"),
+        (lambda: jounce.read_recordings(tmp_path), jounce.FileError, "no file"),
+        (lambda: jounce.read_recordings(tmp_path / "cut.uff"), jounce.FileError, "was the file cut"),
+        (lambda: jounce.power(tmp_path / "empty.csv", "1 ohm"), jounce.FileError, "it is empty"),
+        (lambda: recording.write(tmp_path / "a.xyz"), jounce.FileError, "the ending tells the format"),
+        (lambda: recording.write(tmp_path / "no/such/a.csv"), jounce.FileError, "not a folder"),
+        (lambda: recording.write(tmp_path / "a.uff"), jounce.RecordingError, "sample 1 of signal is NaN"),
+        (lambda: jounce.State("{}").write(tmp_path / "no/state.json"), jounce.FileError, "cannot be written"),
+    ]
+    for call, kind, words in wrong:
+        with pytest.raises(kind, match=words):
+            call()
+    assert {path.name for path in tmp_path.iterdir()} == {"cut.uff", "empty.csv"}
