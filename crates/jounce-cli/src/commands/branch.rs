@@ -98,6 +98,15 @@ impl Branch {
             );
             return Err(Failure::NotConverged(text));
         }
+        self.tell_doubts(&branches, key.unit().as_ref());
+        let values: Vec<f64> = branches.iter().flat_map(|branch| &branch.points).map(|point| point.parameter).collect();
+        let all: Vec<&[Exceeded]> = passed.iter().flatten().map(Vec::as_slice).collect();
+        limit_warnings::warn(&all, "points", |place| format!("{} = {:.6} {}", key.path(), values[place], key.unit()));
+        self.tell((&base.spec, shown), &key, (&branches, &passed), &widths)
+    }
+
+    /// Branches that end early, and an error that is large.
+    fn tell_doubts(&self, branches: &[Curve], unit: &str) {
         for (branch, ending) in branches.iter().flat_map(|branch| branch.endings.iter().map(move |ending| (branch, ending))) {
             let (what, why, parameter) = match ending {
                 Ending::Failed { why, parameter } => ("ends", why, parameter),
@@ -109,20 +118,13 @@ impl Branch {
                 }
                 Ending::Range | Ending::Closed | Ending::Merged => continue,
             };
-            eprintln!("a branch of period {} {what} at {parameter} {}: {why}", branch.period_cycles, key.unit());
+            eprintln!("a branch of period {} {what} at {parameter} {}: {why}", branch.period_cycles, unit);
         }
         let estimates = branches.iter().flat_map(|branch| &branch.points).map(|point| (point.orbit.error_estimate, point.parameter));
         if let Some((worst, parameter)) = estimates.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(worst, _)| *worst > 1e-3) {
             let other = if self.method == Way::Shooting { "" } else { " or --method shooting" };
-            eprintln!(
-                "the largest error estimate is {worst:.1e}, at {parameter} {}: a smaller --tolerance{other} brings it down",
-                key.unit()
-            );
+            eprintln!("the largest error estimate is {worst:.1e}, at {parameter} {}: a smaller --tolerance{other} brings it down", unit);
         }
-        let values: Vec<f64> = branches.iter().flat_map(|branch| &branch.points).map(|point| point.parameter).collect();
-        let all: Vec<&[Exceeded]> = passed.iter().flatten().map(Vec::as_slice).collect();
-        limit_warnings::warn(&all, "points", |place| format!("{} = {:.6} {}", key.path(), values[place], key.unit()));
-        self.tell((&base.spec, shown), &key, (&branches, &passed), &widths)
     }
 
     fn tell(

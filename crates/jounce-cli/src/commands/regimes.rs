@@ -67,32 +67,7 @@ impl RegimesOf {
             }));
             return Ok(());
         }
-        let count = found.stretches.len();
-        let stretches = if count == 1 { "stretch" } else { "stretches" };
-        line(format!("{count} {stretches}; a change lies within {:.3} s of its place", found.uncertainty_s));
-        for joint in &found.joints {
-            let told = match joint.reason {
-                Reason::NoiseChanged => "the noise changes",
-                Reason::Drifts => "the amplitude drifts",
-                Reason::Glitch => "a short disturbance",
-            };
-            line(format!("{:>10.3} s: {told}, the solution stays", joint.at_s));
-        }
-        for (k, (stretch, power)) in found.stretches.iter().zip(powers).enumerate() {
-            let period = stretch
-                .period
-                .cycles
-                .map_or_else(|| format!("period longer than {LONGEST_PERIOD} cycles, or none"), |cycles| format!("period {cycles} cycles"));
-            let told = power.map_or(String::new(), |power| format!(", {:.5e} +- {:.1e} W", power.mean_power_w, power.half_width_w));
-            let (start, end, rms) = (stretch.start_s, stretch.end_s, stretch.rms);
-            line(format!(
-                "{start:>10.3} s to {end:>10.3} s  rms {rms:.5e} {}, {period} (mismatch {:.3}){told}",
-                channel.unit, stretch.period.mismatch
-            ));
-            if let Some(shown) = shown.get(k) {
-                regime_model::tell(shown);
-            }
-        }
+        tell(&found, &channel.unit, &powers, &shown);
         Ok(())
     }
 
@@ -128,5 +103,32 @@ impl RegimesOf {
         let title = "Spectrum of each stretch, Hann window";
         let figure = stretch_spectra(title, &channel.name, &channel.unit, samples, found, drive_hz)?;
         output::figure(folder, "regimes-spectra", &figure)
+    }
+}
+
+/// Stretches, and the changes that are none of solution, a line each.
+fn tell(found: &Regimes, unit: &str, powers: &[Option<MeanPower>], shown: &[Correspondence]) {
+    let count = found.stretches.len();
+    let stretches = if count == 1 { "stretch" } else { "stretches" };
+    line(format!("{count} {stretches}; a change lies within {:.3} s of its place", found.uncertainty_s));
+    for joint in &found.joints {
+        let told = match joint.reason {
+            Reason::NoiseChanged => "the noise changes",
+            Reason::Drifts => "the amplitude drifts",
+            Reason::Glitch => "a short disturbance",
+        };
+        line(format!("{:>10.3} s: {told}, the solution stays", joint.at_s));
+    }
+    for (k, (stretch, power)) in found.stretches.iter().zip(powers).enumerate() {
+        let period = stretch
+            .period
+            .cycles
+            .map_or_else(|| format!("period longer than {LONGEST_PERIOD} cycles, or none"), |cycles| format!("period {cycles} cycles"));
+        let told = power.map_or(String::new(), |power| format!(", {:.5e} +- {:.1e} W", power.mean_power_w, power.half_width_w));
+        let (start, end, rms) = (stretch.start_s, stretch.end_s, stretch.rms);
+        line(format!("{start:>10.3} s to {end:>10.3} s  rms {rms:.5e} {}, {period} (mismatch {:.3}){told}", unit, stretch.period.mismatch));
+        if let Some(shown) = shown.get(k) {
+            regime_model::tell(shown);
+        }
     }
 }

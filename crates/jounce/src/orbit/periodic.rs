@@ -32,6 +32,23 @@ pub struct Orbit {
 }
 
 impl Orbit {
+    /// An orbit of some cycles of which a test sets what it looks at.
+    #[cfg(test)]
+    pub(crate) fn of_cycles(period_cycles: u32) -> Self {
+        Self {
+            period_cycles,
+            looks: Vec::new(),
+            mean_power_w: 0.0,
+            voltage_rms_v: 0.0,
+            contacts: 1,
+            switches: 0,
+            max_penetration_m: 0.0,
+            displacement_peak_m: 0.0,
+            multipliers: Vec::new(),
+            error_estimate: 0.0,
+        }
+    }
+
     /// Largest modulus of a multiplier.
     pub fn floquet_max_abs(&self) -> f64 {
         self.multipliers.first().map_or(0.0, |value| value.norm())

@@ -133,13 +133,7 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         let whole = map.unwrap_or_else(|| Mat::identity(n, n));
         let map = without(&left * &whole * &right, &kept);
         let block_map = if kept.is_empty() { whole } else { &right * &map * &left };
-        let mut residual: Vec<f64> = looks[looks.len() - 1].iter().zip(unknown).map(|(end, start)| end - start).collect();
-        for row in &kept {
-            let missing: f64 = row.iter().enumerate().map(|(i, l)| l * (self.charged.get(i).copied().unwrap_or(0.0) - unknown[i])).sum();
-            residual.iter_mut().zip(row).for_each(|(r, l)| *r += l * missing);
-        }
-        let period_s = cycle_s * f64::from(self.cycles);
-        let tolerance = self.tolerance;
+        let residual = self.residual(unknown, &looks[looks.len() - 1], &kept);
         let shot = Shot {
             kernel,
             looks,
@@ -147,14 +141,26 @@ impl<'h, H: Harvester> Shooting<'h, H> {
             map,
             block_map,
             by_parameter,
-            period_s,
+            period_s: cycle_s * f64::from(self.cycles),
             trajectories,
             contacts,
             max_penetration_m,
             loads_w,
-            tolerance,
+            tolerance: self.tolerance,
         };
         Ok((shot, exact))
+    }
+}
+
+impl<H> Shooting<'_, H> {
+    /// `R`; charges that nothing lets go are held at those that are meant.
+    fn residual(&self, unknown: &[f64], end: &[f64], kept: &[Vec<f64>]) -> Vec<f64> {
+        let mut residual: Vec<f64> = end.iter().zip(unknown).map(|(end, start)| end - start).collect();
+        for row in kept {
+            let missing: f64 = row.iter().enumerate().map(|(i, l)| l * (self.charged.get(i).copied().unwrap_or(0.0) - unknown[i])).sum();
+            residual.iter_mut().zip(row).for_each(|(r, l)| *r += l * missing);
+        }
+        residual
     }
 }
 

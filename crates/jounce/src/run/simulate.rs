@@ -128,12 +128,7 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
     let settlement = period_s.map(|period_s| settled(kernel, &trajectory, end_s, period_s, noise));
     let energies = marcher.energies();
     let statistics = marcher.statistics();
-    let loads: Vec<LoadAnswer> = (plant.system.loads.iter().zip(energies.loads_j.iter().zip(&opened.loads_j)))
-        .map(|(load, (end, start))| {
-            let mean_power_w = (end - start) / plan.average_over_s;
-            LoadAnswer { name: load.name.clone(), mean_power_w, voltage_rms_v: (mean_power_w * load.resistance_ohm).max(0.0).sqrt() }
-        })
-        .collect();
+    let loads = loads(plant, [&opened, &energies], plan.average_over_s);
     let end = StartState::from_blocks(plant, &marcher.state(), end_s);
     let rectified = rectified(plant, [(&opened, &before), (&energies, &end)], plan.average_over_s);
     Ok(RunAnswer {
@@ -157,6 +152,15 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
         march_s: marched.as_secs_f64(),
         trajectory,
     })
+}
+
+fn loads(plant: &Plant, ends: [&Energies; 2], average_over_s: f64) -> Vec<LoadAnswer> {
+    (plant.system.loads.iter().zip(ends[1].loads_j.iter().zip(&ends[0].loads_j)))
+        .map(|(load, (end, start))| {
+            let mean_power_w = (end - start) / average_over_s;
+            LoadAnswer { name: load.name.clone(), mean_power_w, voltage_rms_v: (mean_power_w * load.resistance_ohm).max(0.0).sqrt() }
+        })
+        .collect()
 }
 
 fn rectified(plant: &Plant, ends: [(&Energies, &StartState); 2], average_over_s: f64) -> Vec<RectifiedAnswer> {

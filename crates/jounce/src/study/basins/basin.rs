@@ -188,18 +188,7 @@ mod tests {
     use super::*;
 
     fn orbit(period_cycles: u32, mean_power_w: f64) -> Fate {
-        Fate::Orbit(Orbit {
-            period_cycles,
-            looks: Vec::new(),
-            mean_power_w,
-            voltage_rms_v: 0.0,
-            contacts: 1,
-            switches: 0,
-            max_penetration_m: 0.0,
-            displacement_peak_m: 0.0,
-            multipliers: Vec::new(),
-            error_estimate: 0.0,
-        })
+        Fate::Orbit(Orbit { mean_power_w, ..Orbit::of_cycles(period_cycles) })
     }
 
     #[test]

@@ -90,18 +90,7 @@ mod tests {
     /// drawn to an orbit of twice the period.
     #[test]
     fn a_change_that_an_orbit_foretells_is_its_own() {
-        let orbit = Orbit {
-            period_cycles: 1,
-            looks: vec![vec![1.0]; 2],
-            mean_power_w: 0.0,
-            voltage_rms_v: 0.0,
-            contacts: 1,
-            switches: 0,
-            max_penetration_m: 0.0,
-            displacement_peak_m: 0.0,
-            multipliers: Vec::new(),
-            error_estimate: 0.0,
-        };
+        let orbit = Orbit { looks: vec![vec![1.0]; 2], ..Orbit::of_cycles(1) };
         let mut known = Candidate::new(orbit, 0.01, Mat::from_fn(1, 1, |_, _| -0.9));
         assert!(known.tells([&[1.01], &[1.0081]], 2) && !known.tells([&[1.01], &[1.01]], 2));
         assert!(!known.is_approached(&[1.009]) && known.is_approached(&[1.004]) && !known.is_certain());

@@ -111,11 +111,8 @@ impl Following {
     ) -> Result<(), M::Error> {
         let (position, tangent) = (start.position.clone(), start.tangent.clone());
         let mut before = Place::new(method, start)?;
-        // Where a bifurcation lies nearer than the accuracy, the other method may have the place on its other side.
-        if let (Some(mark), Some(last)) = (&mark, branch.points.last()) {
-            let turns = mark.tangent().parameter * tangent.parameter < 0.0;
-            let passed = kinds(&last.orbit, &before.point.orbit, turns);
-            branch.bifurcations.extend(passed.into_iter().map(|kind| Bifurcation { kind, at: before.point.clone() }));
+        if let Some(mark) = &mark {
+            add_passed(mark.tangent().parameter * tangent.parameter < 0.0, &before.point, branch);
         }
         let mut walk = Walk::new(method, self.corrector, self.control, self.parameter_scale(), position, tangent);
         if let Some(mark) = mark {
@@ -128,14 +125,7 @@ impl Following {
                 // Beyond the range a key may have no meaning at all.
                 Err(error) => return self.give_up(method, before, error.to_string(), branch),
             };
-            if step.position.parameter < self.range.0 || step.position.parameter > self.range.1 {
-                self.cut(method, &before, &step, branch)?;
-                branch.endings.push(Ending::Range);
-                return Ok(());
-            }
-            if self.is_at_edge(&step.position, &step.tangent) {
-                branch.points.push(point(method, &step)?);
-                branch.endings.push(Ending::Range);
+            if self.leaves_range(method, &before, &step, branch)? {
                 return Ok(());
             }
             let step = self.polished(method, step)?;
@@ -172,6 +162,25 @@ impl Following {
             }
         }
         Ok(())
+    }
+
+    /// Ends a branch whose walk has come to the end of the range.
+    fn leaves_range<M: OrbitMethod>(
+        &self,
+        method: &M,
+        before: &Place<M>,
+        step: &Step<M::Local>,
+        branch: &mut Branch,
+    ) -> Result<bool, M::Error> {
+        if step.position.parameter < self.range.0 || step.position.parameter > self.range.1 {
+            self.cut(method, before, step, branch)?;
+        } else if self.is_at_edge(&step.position, &step.tangent) {
+            branch.points.push(point(method, step)?);
+        } else {
+            return Ok(false);
+        }
+        branch.endings.push(Ending::Range);
+        Ok(true)
     }
 
     /// True where a walk in a direction has come as near to the end of the range as matters.
@@ -277,6 +286,14 @@ impl Beginning {
 }
 
 /// What must lie between two orbits of a branch that turns between them, or does not.
+/// Adds what was passed between the last point of a branch and another one: where a bifurcation lies nearer than the accuracy, the other
+/// method may have the place on its other side.
+fn add_passed(turns: bool, at: &BranchPoint, branch: &mut Branch) {
+    let Some(last) = branch.points.last() else { return };
+    let passed = kinds(&last.orbit, &at.orbit, turns);
+    branch.bifurcations.extend(passed.into_iter().map(|kind| Bifurcation { kind, at: at.clone() }));
+}
+
 fn kinds(one: &Orbit, two: &Orbit, turns: bool) -> Vec<BranchKind> {
     let passes = |s: f64| one.determinant_at(s) * two.determinant_at(s) < 0.0;
     let found = [

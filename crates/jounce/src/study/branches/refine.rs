@@ -75,18 +75,7 @@ mod tests {
     use faer::c64;
 
     fn orbit(multipliers: &[(f64, f64)]) -> Orbit {
-        Orbit {
-            period_cycles: 1,
-            looks: Vec::new(),
-            mean_power_w: 0.0,
-            voltage_rms_v: 0.0,
-            contacts: 1,
-            switches: 0,
-            max_penetration_m: 0.0,
-            displacement_peak_m: 0.0,
-            multipliers: multipliers.iter().map(|(re, im)| c64::new(*re, *im)).collect(),
-            error_estimate: 0.0,
-        }
+        Orbit { multipliers: multipliers.iter().map(|(re, im)| c64::new(*re, *im)).collect(), ..Orbit::of_cycles(1) }
     }
 
     #[test]

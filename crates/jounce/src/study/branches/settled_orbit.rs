@@ -41,37 +41,19 @@ pub fn settled_motion<H: Harvester>(harvester: &H, parameter: f64, start: &[f64]
     let mut y = kernel.plant.from_physical(start, 0.0);
     let mut candidate: Option<Candidate> = None;
     for _ in 0..ATTEMPTS {
-        let mut looks = Vec::new();
-        let mut marcher = Marcher::new(kernel, &y, 0.0, tolerance.max(1e-8)).ok()?;
-        for cycle in 1..=CYCLES + LONGEST {
-            marcher.advance_to(f64::from(cycle) * cycle_s).ok()?;
-            if cycle >= CYCLES {
-                looks.push(marcher.state());
-            }
-            if cycle == CYCLES {
-                marcher.reset_statistics();
-            }
-        }
+        let (looks, rests) = looks(kernel, &y, cycle_s, tolerance.max(1e-8))?;
         y = looks.last()?.clone();
         let size = norm(looks[0].iter().copied()).max(norm(kernel.plant.steady_at(0.0).into_iter()));
         let distance = |cycles: u32| norm(looks[0].iter().zip(&looks[cycles as usize]).map(|(a, b)| a - b)) / size;
         let mut before = candidate.take();
-        if marcher.statistics().sticking_s != 0.0 {
+        if rests {
             if let Some(cycles) = (1..=LONGEST).find(|cycles| distance(*cycles) < RESTED) {
                 let shooting = Shooting::new(harvester, kernel, cycles, tolerance);
                 return shooting.marched_orbit(&kernel.plant.to_physical(&looks[0], 0.0), parameter).ok();
             }
             continue;
         }
-        // Periods over which the motion closes clearly better than over every shorter one.
-        let mut closest = f64::INFINITY;
-        let periods = (1..=LONGEST).filter(|cycles| {
-            let here = distance(*cycles);
-            let closes = here < CLEARLY * closest;
-            closest = closest.min(here);
-            closes && here < NEAR
-        });
-        let periods: Vec<u32> = periods.collect();
+        let (periods, closest) = periods(distance);
         let scale = Shooting::new(harvester, kernel, 1, tolerance);
         let at = |cycle: u32| scale.unknown(&kernel.plant.to_physical(&looks[cycle as usize], 0.0));
         let now = at(0);
@@ -103,6 +85,34 @@ pub fn settled_motion<H: Harvester>(harvester: &H, parameter: f64, start: &[f64]
         }
     }
     candidate.filter(Candidate::is_certain).map(|candidate| candidate.orbit)
+}
+
+/// States at the ends of the last cycles of a march, and whether it rests on a rigid stop over them.
+fn looks(kernel: &Kernel, y: &[f64], cycle_s: f64, tolerance: f64) -> Option<(Vec<Vec<f64>>, bool)> {
+    let mut looks = Vec::new();
+    let mut marcher = Marcher::new(kernel, y, 0.0, tolerance).ok()?;
+    for cycle in 1..=CYCLES + LONGEST {
+        marcher.advance_to(f64::from(cycle) * cycle_s).ok()?;
+        if cycle >= CYCLES {
+            looks.push(marcher.state());
+        }
+        if cycle == CYCLES {
+            marcher.reset_statistics();
+        }
+    }
+    Some((looks, marcher.statistics().sticking_s != 0.0))
+}
+
+/// Periods over which the motion closes clearly better than over every shorter one, and how well it closes at best.
+fn periods(distance: impl Fn(u32) -> f64) -> (Vec<u32>, f64) {
+    let mut closest = f64::INFINITY;
+    let periods = (1..=LONGEST).filter(|cycles| {
+        let here = distance(*cycles);
+        let closes = here < CLEARLY * closest;
+        closest = closest.min(here);
+        closes && here < NEAR
+    });
+    (periods.collect(), closest)
 }
 
 /// The stable orbit of some cycles that Newton finds near a physical state.
