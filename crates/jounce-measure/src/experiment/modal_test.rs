@@ -90,7 +90,7 @@ impl ModalTest {
     /// How many frequencies lie within their intervals.
     fn inside(&self) -> usize {
         let off = |(truth, mode): (&(f64, f64), &Option<&Mode>)| {
-            mode.is_some_and(|mode| (mode.frequency_hz - truth.0).abs() <= Mode::QUANTILE_95 * mode.frequency_deviation_hz)
+            mode.is_some_and(|mode| (mode.frequency_hz - truth.0).abs() <= mode.frequency_half_width_hz())
         };
         self.truth.iter().zip(&self.pairs()).filter(|pair| off(*pair)).count()
     }
@@ -124,10 +124,10 @@ impl ModalTest {
             Column::new("paper_measured_hz", "Hz", "Measured (paper)", paper_hz),
             Column::new("put_in_hz", "Hz", "Put in", self.truth.iter().map(|mode| mode.0).collect::<Vec<_>>()),
             Column::new("found_hz", "Hz", "Found", found(&|mode| mode.frequency_hz)),
-            Column::new("found_half_width_hz", "Hz", "± 95 %", found(&|mode| Mode::QUANTILE_95 * mode.frequency_deviation_hz)),
+            Column::new("found_half_width_hz", "Hz", "± 95 %", found(&Mode::frequency_half_width_hz)),
             Column::new("put_in_damping_ratio", "", "Damping put in", self.truth.iter().map(|mode| mode.1).collect::<Vec<_>>()),
             Column::new("found_damping_ratio", "", "Damping found", found(&|mode| mode.damping_ratio)),
-            Column::new("found_damping_half_width", "", "± 95 %", found(&|mode| Mode::QUANTILE_95 * mode.damping_deviation)),
+            Column::new("found_damping_half_width", "", "± 95 %", found(&Mode::damping_half_width)),
         ])?;
         Ok(NamedTable::new("table-2-measured", "Table 2 measured on the virtual rig (simulated).", 5, table))
     }

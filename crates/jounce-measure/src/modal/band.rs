@@ -3,9 +3,10 @@
 use faer::c64;
 
 use super::ModalError;
+use super::noise::variance;
 use crate::recording::Quantity;
 use crate::response::Responses;
-use crate::spectral::FrequencyResponse;
+use crate::spectral::{Sight, Without};
 
 /// What the responses measure, per force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -31,15 +32,30 @@ pub struct Band {
     /// Variance of each line of each response, real and imaginary part together; empty where nothing is told.
     pub(super) variance: Vec<Vec<f64>>,
     pub(super) inputs: usize,
+    /// What the blocks see of a free decay.
+    pub(super) sight: Sight,
+    /// What leaving out one part of the blocks changes, for each part.
+    pub(super) parts: Vec<LeftOut>,
     /// Power of `j w` from displacement to what each response measures.
-    power: Vec<i32>,
+    pub(super) power: Vec<i32>,
+}
+
+/// What leaving out a part of the blocks changes.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct LeftOut {
+    /// Share of the blocks that is left out.
+    pub share: f64,
+    /// Change of the displacement per force: response, line.
+    pub change: Vec<Vec<c64>>,
 }
 
 /// What one response measures, at each line.
 struct Measured<'a> {
     value: &'a [c64],
-    relative_deviation: Option<&'a [f64]>,
+    /// Real and imaginary part together.
+    variance: Option<Vec<f64>>,
     motion: Motion,
+    without: &'a [Without],
 }
 
 impl Band {
@@ -56,16 +72,25 @@ impl Band {
         motion: Motion,
         between_hz: (f64, f64),
     ) -> Result<Self, ModalError> {
-        let deviation = |k: usize| relative_deviation.get(k).map(Vec::as_slice);
-        let measured: Vec<Measured<'_>> =
-            response.iter().enumerate().map(|(k, value)| Measured { value, relative_deviation: deviation(k), motion }).collect();
-        Self::of_measured(frequency_hz, &measured, inputs, between_hz)
+        // |H| takes half of the variance, the phase the other half.
+        let told = |(deviation, h): (&f64, &c64)| 2.0 * (deviation.max(1e-6) * h.norm()).powi(2);
+        let mut measured = Vec::new();
+        for (k, value) in response.iter().enumerate() {
+            let deviation = relative_deviation.get(k);
+            if let Some(lines) = deviation.map(Vec::len).filter(|lines| *lines != value.len()) {
+                return Err(ModalError::Lengths { response: k + 1, lines, expected: value.len() });
+            }
+            let variance = deviation.map(|deviation| deviation.iter().zip(value).map(told).collect());
+            measured.push(Measured { value, variance, motion, without: &[] });
+        }
+        Self::of_measured(frequency_hz, &measured, inputs, Sight::Whole, between_hz)
     }
 
     fn of_measured(
         frequency_hz: &[f64],
         measured: &[Measured<'_>],
         inputs: usize,
+        sight: Sight,
         (low_hz, high_hz): (f64, f64),
     ) -> Result<Self, ModalError> {
         let expected = frequency_hz.len();
@@ -73,9 +98,8 @@ impl Band {
             return Err(ModalError::Lengths { response: measured.len(), lines: 0, expected });
         }
         for (k, one) in measured.iter().enumerate() {
-            let lengths = [one.value.len(), one.relative_deviation.map_or(expected, <[f64]>::len)];
-            if let Some(lines) = lengths.into_iter().find(|lines| *lines != expected) {
-                return Err(ModalError::Lengths { response: k + 1, lines, expected });
+            if one.value.len() != expected {
+                return Err(ModalError::Lengths { response: k + 1, lines: one.value.len(), expected });
             }
         }
         let inside: Vec<usize> =
@@ -85,14 +109,20 @@ impl Band {
                 return Err(ModalError::NotFinite { response: o + 1, frequency_hz: frequency_hz[*k] });
             }
         }
-        let at =
-            |one: &Measured<'_>, k: usize| one.value[k] * c64::new(0.0, std::f64::consts::TAU * frequency_hz[k]).powi(-(one.motion as i32));
-        let displacement = |one: &Measured<'_>| inside.iter().map(|k| at(one, *k)).collect::<Vec<c64>>();
+        let turn = |one: &Measured<'_>, k: usize| c64::new(0.0, std::f64::consts::TAU * frequency_hz[k]).powi(-(one.motion as i32));
+        let displacement = |one: &Measured<'_>| inside.iter().map(|k| one.value[*k] * turn(one, *k)).collect::<Vec<c64>>();
         let variance = |one: &Measured<'_>| -> Option<Vec<f64>> {
-            let deviation = one.relative_deviation?;
-            // |H| takes half of the variance, the phase the other half.
-            Some(inside.iter().map(|k| 2.0 * (deviation[*k].max(1e-6) * at(one, *k).norm()).powi(2)).collect())
+            let variance = one.variance.as_ref()?;
+            Some(inside.iter().map(|k| variance[*k] * turn(one, *k).norm_sqr()).collect())
         };
+        let change = |one: &Measured<'_>, part: usize| -> Vec<c64> {
+            inside.iter().map(|k| (one.without[part].value[*k] - one.value[*k]) * turn(one, *k)).collect()
+        };
+        let left_out = |(part, without): (usize, &Without)| LeftOut {
+            share: without.share,
+            change: measured.iter().map(|one| change(one, part)).collect(),
+        };
+        let parts = measured.iter().map(|one| one.without.len()).min().unwrap_or(0);
         Ok(Self {
             low_hz,
             high_hz,
@@ -100,6 +130,8 @@ impl Band {
             response: measured.iter().map(displacement).collect(),
             variance: measured.iter().filter_map(variance).collect(),
             inputs,
+            sight,
+            parts: measured[0].without[..parts].iter().enumerate().map(left_out).collect(),
             power: measured.iter().map(|one| one.motion as i32).collect(),
         })
     }
@@ -119,17 +151,15 @@ impl Band {
         let first = responses.functions.first();
         let frequency_hz = first.map_or(&[][..], |function| &function.frequency_hz);
         let several = first.is_some_and(|function| function.blocks > 1);
-        let deviation = |function: &FrequencyResponse| (0..function.value.len()).map(|k| function.relative_deviation(k)).collect();
-        let deviation: Vec<Vec<f64>> = responses.functions.iter().filter(|_| several).map(deviation).collect();
         let mut measured = Vec::new();
-        for (k, (function, quantity)) in responses.functions.iter().zip(&responses.quantities).enumerate() {
-            let relative_deviation = deviation.get(k).map(Vec::as_slice);
-            measured.push(Measured { value: &function.value, relative_deviation, motion: motion(*quantity) });
+        for (function, quantity) in responses.functions.iter().zip(&responses.quantities) {
+            let variance = several.then(|| variance(function));
+            measured.push(Measured { value: &function.value, variance, motion: motion(*quantity), without: &function.without });
         }
-        Self::of_measured(frequency_hz, &measured, 1, between_hz)
+        Self::of_measured(frequency_hz, &measured, 1, first.map_or(Sight::Whole, |function| function.sight), between_hz)
     }
 
-    /// The lines up to a frequency.
+    /// The lines up to a frequency, to seek poles in.
     pub(super) fn below(&self, high_hz: f64) -> Self {
         let lines = self.frequency_hz.partition_point(|hz| *hz <= high_hz);
         let cut = |of: &Vec<c64>| of[..lines].to_vec();
@@ -140,6 +170,8 @@ impl Band {
             response: self.response.iter().map(cut).collect(),
             variance: self.variance.iter().map(|of| of[..lines].to_vec()).collect(),
             inputs: self.inputs,
+            sight: self.sight,
+            parts: Vec::new(),
             power: self.power.clone(),
         }
     }

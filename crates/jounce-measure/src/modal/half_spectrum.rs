@@ -202,7 +202,7 @@ mod tests {
                     (mode.frequency_hz - pole.frequency_hz) / mode.frequency_deviation_hz,
                     (mode.damping_ratio - pole.damping_ratio) / mode.damping_deviation,
                 ];
-                inside += off.iter().filter(|off| off.abs() <= Mode::QUANTILE_95).count();
+                inside += off.iter().filter(|off| off.abs() <= mode.quantile_95).count();
                 all += 2;
             }
         }
@@ -260,7 +260,7 @@ mod tests {
                     (mode.frequency_hz - pole.frequency_hz) / mode.frequency_deviation_hz,
                     (mode.damping_ratio - pole.damping_ratio) / mode.damping_deviation,
                 ];
-                inside += off.iter().filter(|off| off.abs() <= Mode::QUANTILE_95).count();
+                inside += off.iter().filter(|off| off.abs() <= mode.quantile_95).count();
                 all += 2;
             }
         }

@@ -6,8 +6,10 @@ use std::f64::consts::TAU;
 
 use super::likelihood::{Fit, fit};
 use super::nested::stable;
+use super::peaks::{Peak, unexplained};
 use super::stabilisation::LARGEST_DAMPING;
 use super::{Band, ModalError, Pole, StablePole};
+use crate::spectral::student_95;
 
 /// A pole whose frequency has a standard deviation above this share stands for no mode: the diagram asks as much from order to order.
 const LARGEST_DEVIATION: f64 = 0.01;
@@ -36,14 +38,26 @@ pub struct Mode {
     pub damping_ratio: f64,
     /// Its standard deviation.
     pub damping_deviation: f64,
+    /// Deviations from a value to an end of its interval of 95 %: Student's, where the deviations rest on few blocks.
+    pub quantile_95: f64,
     /// Residue of each response, in displacement per force times rad/s.
     #[serde(skip)]
     pub residue: Vec<c64>,
 }
 
 impl Mode {
-    /// An interval of 95 % reaches this many deviations to both sides.
+    /// An interval of 95 % reaches this many deviations to both sides, where these are known.
     pub const QUANTILE_95: f64 = 1.959_963_984_540_054;
+
+    /// Half of the interval of 95 % of the frequency, Hz.
+    pub fn frequency_half_width_hz(&self) -> f64 {
+        self.quantile_95 * self.frequency_deviation_hz
+    }
+
+    /// Half of the interval of 95 % of the damping ratio.
+    pub fn damping_half_width(&self) -> f64 {
+        self.quantile_95 * self.damping_deviation
+    }
 
     /// The residues over the largest of them, so that it is 1: the shape seen by the responses.
     pub fn shape(&self) -> Vec<c64> {
@@ -51,9 +65,13 @@ impl Mode {
         self.residue.iter().map(|residue| residue / largest).collect()
     }
 
+    pub(super) fn pole(&self) -> Pole {
+        Pole { frequency_hz: self.frequency_hz, damping_ratio: self.damping_ratio }
+    }
+
     /// True where the interval of its damping ratio reaches down to 0: noise makes such poles, and it may be no mode.
     pub fn is_doubtful(&self) -> bool {
-        self.damping_ratio <= Self::QUANTILE_95 * self.damping_deviation
+        self.damping_ratio <= self.damping_half_width()
     }
 
     /// Takes off the damping that an exponential window added, in 1/s. The window moves the pole by its decay, along the real axis.
@@ -81,15 +99,30 @@ pub struct Identification {
     /// Squared error over the variance told by the coherence; above 1 the deviations are widened by its root. Over the mean square of the
     /// responses where no variance is told.
     pub misfit: f64,
+    /// Peaks of the responses that no mode explains; none are sought in decays.
+    pub unexplained: Vec<Peak>,
 }
 
-/// Finds the modes of a band: pLSCF poles in it and in its lower parts, those that are stable, their maximum-likelihood refinement.
+/// Finds the modes of a band: pLSCF poles in it and in its lower parts, those that are stable, their maximum-likelihood refinement. Peaks of
+/// the responses that these do not explain, since the band holds more modes than the order allows, are modes too where a pole that begins at each
+/// is then known well.
 ///
 /// # Errors
 /// Too few lines, responses that are zero, no stable pole.
 pub fn identify(band: &Band, settings: Settings) -> Result<Identification, ModalError> {
     let (diagram, start) = candidates(band, settings)?;
-    refined(band, diagram, &start)
+    let mut found = refined(band, diagram, &start)?;
+    found.unexplained = unexplained(band, &found.modes);
+    if !found.unexplained.is_empty() {
+        let further = found.unexplained.iter().map(|peak| peak.pole());
+        let start: Vec<Pole> = found.modes.iter().map(Mode::pole).chain(further).collect();
+        let more = refined(band, found.diagram.clone(), &start)?;
+        if more.misfit < found.misfit {
+            found = more;
+            found.unexplained = unexplained(band, &found.modes);
+        }
+    }
+    Ok(found)
 }
 
 /// The stabilisation diagram of a band and the poles that stay.
@@ -116,12 +149,14 @@ pub(super) fn refined(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> 
         }
         found = fit(band, &left).ok_or(none(band))?;
     }
-    let Fit { poles, deviation, residue, model, misfit } = found;
+    let Fit { poles, deviation, residue, model, misfit, freedom } = found;
+    let quantile_95 = freedom.map_or(Mode::QUANTILE_95, student_95);
     let mode = |r: usize| Mode {
         frequency_hz: poles[r].frequency_hz,
         frequency_deviation_hz: deviation[r].0,
         damping_ratio: poles[r].damping_ratio,
         damping_deviation: deviation[r].1,
+        quantile_95,
         residue: residue.iter().map(|response| response[r]).collect(),
     };
     // A pole that the refinement sends out of the band, or damps like none of a structure, takes up what is no mode.
@@ -131,7 +166,8 @@ pub(super) fn refined(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> 
         return Err(none(band));
     }
     modes.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
-    Ok(Identification { modes, diagram, frequency_hz: band.frequency_hz.clone(), measured: band.response.clone(), model, misfit })
+    let (frequency_hz, measured) = (band.frequency_hz.clone(), band.response.clone());
+    Ok(Identification { modes, diagram, frequency_hz, measured, model, misfit, unexplained: Vec::new() })
 }
 
 #[cfg(test)]

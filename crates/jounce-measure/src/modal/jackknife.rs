@@ -4,6 +4,7 @@ use faer::c64;
 
 use super::likelihood::fit;
 use super::{Band, ModalError, Mode, Pole};
+use crate::spectral::student_95;
 
 /// Deviations of the modes by the jackknife: the modes of all blocks but one, for each block.
 pub(super) fn leave_out(
@@ -13,7 +14,7 @@ pub(super) fn leave_out(
     band: impl Fn(&[Vec<c64>]) -> Result<Band, ModalError>,
 ) -> Result<(), ModalError> {
     let count = blocks.len() as f64;
-    let start: Vec<Pole> = modes.iter().map(|mode| Pole { frequency_hz: mode.frequency_hz, damping_ratio: mode.damping_ratio }).collect();
+    let start: Vec<Pole> = modes.iter().map(Mode::pole).collect();
     let mut left: Vec<Vec<Pole>> = Vec::new();
     for block in blocks {
         let without = |(mean, own): (&Vec<c64>, &Vec<c64>)| mean.iter().zip(own).map(|(m, b)| (m * count - b) / (count - 1.0)).collect();
@@ -28,6 +29,7 @@ pub(super) fn leave_out(
     for (r, mode) in modes.iter_mut().enumerate() {
         mode.frequency_deviation_hz = spread(&|poles| poles[r].frequency_hz);
         mode.damping_deviation = spread(&|poles| poles[r].damping_ratio);
+        mode.quantile_95 = student_95(left.len().saturating_sub(1).max(1) as f64);
     }
     Ok(())
 }

@@ -5,7 +5,7 @@ use realfft::num_complex::Complex;
 
 use super::ResponseError;
 use crate::recording::{Channel, Finding, FindingKind, Quantity, Recording, Unit};
-use crate::spectral::{FrequencyResponse, ImpactHit, ImpactRecord, ImpactSettings, SpectralError, impact};
+use crate::spectral::{FrequencyResponse, ImpactHit, ImpactRecord, ImpactSettings, Sight, SpectralError, impact};
 
 /// Which channels are what.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -105,7 +105,14 @@ impl Responses {
                 found.names.push(channel.name.clone());
                 found.units.push(channel.unit.clone());
                 found.quantities.push(Unit::responds(&channel.unit).unwrap_or(channel.quantity));
-                found.functions.push(FrequencyResponse { frequency_hz: frequency_hz.clone(), value, coherence, blocks: 1 });
+                found.functions.push(FrequencyResponse {
+                    frequency_hz: frequency_hz.clone(),
+                    value,
+                    coherence,
+                    blocks: 1,
+                    sight: Sight::Whole,
+                    without: Vec::new(),
+                });
             }
         }
         if found.names.is_empty() {

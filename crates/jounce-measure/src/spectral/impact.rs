@@ -6,7 +6,9 @@ use serde::Serialize;
 
 use super::quiet::ringing;
 use super::shaken::{goes_on, shaken};
-use super::{Averages, Estimator, FrequencyResponse, Hit, HitSearch, Segments, SpectralError, exponential_window, force_window, hits};
+use super::{
+    Averages, Estimator, FrequencyResponse, Hit, HitSearch, Segments, Sight, SpectralError, exponential_window, force_window, hits,
+};
 
 /// How the blocks are cut and weighed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -106,13 +108,14 @@ pub fn impact(records: &[ImpactRecord<'_>], settings: &ImpactSettings) -> Result
         None => (vec![1.0; length], 0.0),
     };
     let mut averages = vec![Averages::new(length / 2 + 1); first.responses.len()];
-    let mut listed = Vec::new();
+    let (mut listed, mut tails_s) = (Vec::new(), Vec::new());
     for (number, (record, found)) in records.iter().zip(found).enumerate() {
         let whole = found.len() == 1 && record.force.values().len() == length;
         for mut hit in found {
             let start = if whole { 0 } else { hit.start.saturating_sub((BEFORE * length as f64) as usize) };
             let used = start + length <= record.force.values().len();
             if used {
+                tails_s.push((start + length - hit.peak) as f64 / rate_hz);
                 hit.warnings.extend(ringing(&record.responses, (start, hit.start), length));
                 let weights = force_weights(settings, &hit, start, &decay);
                 let force = transform(&segments, &record.force, start, &weights)?;
@@ -124,7 +127,9 @@ pub fn impact(records: &[ImpactRecord<'_>], settings: &ImpactSettings) -> Result
         }
     }
     let frequency_hz = segments.frequency_hz(rate_hz);
-    let responses = averages.iter().map(|average| average.response(frequency_hz.clone(), settings.estimator)).collect::<Result<_, _>>()?;
+    let sight = Sight::Cut { length_s: tails_s.iter().sum::<f64>() / tails_s.len().max(1) as f64 };
+    let response = |average: &Averages| average.response(frequency_hz.clone(), settings.estimator, sight);
+    let responses = averages.iter().map(response).collect::<Result<_, _>>()?;
     Ok(ImpactAnswer { responses, hits: listed, block_s: length as f64 / rate_hz, window_decay_per_s })
 }
 

@@ -14,7 +14,7 @@
 use realfft::num_complex::Complex;
 use serde::Serialize;
 
-use super::SpectralError;
+use super::{Sight, SpectralError};
 
 /// Which noise is thought of.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -31,13 +31,66 @@ pub enum Estimator {
     },
 }
 
+/// The most parts that the blocks are put into, to be left out one after the other.
+const PARTS: usize = 16;
+
 /// Sums of spectra of blocks, all of one length and rate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Averages {
+    all: Sums,
+    /// The same of blocks in a row, as many in each part but the last.
+    parts: Vec<Sums>,
+    /// Blocks in a part.
+    each: usize,
+}
+
+/// Sums of products of spectra.
+#[derive(Debug, Clone, PartialEq)]
+struct Sums {
     xx: Vec<f64>,
     yy: Vec<f64>,
     xy: Vec<Complex<f64>>,
     blocks: usize,
+}
+
+impl Sums {
+    fn new(lines: usize) -> Self {
+        Self { xx: vec![0.0; lines], yy: vec![0.0; lines], xy: vec![Complex::new(0.0, 0.0); lines], blocks: 0 }
+    }
+
+    fn add(&mut self, force: &[Complex<f64>], response: &[Complex<f64>]) {
+        for (k, (x, y)) in force.iter().zip(response).enumerate() {
+            self.xx[k] += x.norm_sqr();
+            self.yy[k] += y.norm_sqr();
+            self.xy[k] += x.conj() * y;
+        }
+        self.blocks += 1;
+    }
+
+    /// Adds other sums, or takes them away.
+    fn join(&mut self, other: &Self, sign: f64) {
+        for k in 0..self.xx.len() {
+            self.xx[k] += sign * other.xx[k];
+            self.yy[k] += sign * other.yy[k];
+            self.xy[k] += other.xy[k] * sign;
+        }
+    }
+
+    fn values(&self, estimator: Estimator) -> Vec<Complex<f64>> {
+        (0..self.xx.len()).map(|k| self.value(k, estimator)).collect()
+    }
+
+    fn value(&self, k: usize, estimator: Estimator) -> Complex<f64> {
+        let (xx, yy, yx) = (self.xx[k], self.yy[k], self.xy[k].conj());
+        match estimator {
+            Estimator::H1 => self.xy[k] / xx,
+            Estimator::H2 => yy / yx,
+            Estimator::Hv { noise_ratio } => {
+                let difference = noise_ratio * xx - yy;
+                (yy - noise_ratio * xx + (difference.powi(2) + 4.0 * noise_ratio * yx.norm_sqr()).sqrt()) / (2.0 * yx)
+            }
+        }
+    }
 }
 
 /// A frequency response with its coherence.
@@ -51,12 +104,25 @@ pub struct FrequencyResponse {
     pub coherence: Vec<f64>,
     /// Number of blocks averaged.
     pub blocks: usize,
+    /// What the blocks see of a free decay.
+    pub sight: Sight,
+    /// The response without one part of the blocks, for each of up to 32 parts; none for one block.
+    pub without: Vec<Without>,
+}
+
+/// A response without a part of its blocks.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Without {
+    /// Share of the blocks that is left out.
+    pub share: f64,
+    /// The response of the others.
+    pub value: Vec<Complex<f64>>,
 }
 
 impl Averages {
     /// No block yet, for spectra of so many lines.
     pub fn new(lines: usize) -> Self {
-        Self { xx: vec![0.0; lines], yy: vec![0.0; lines], xy: vec![Complex::new(0.0, 0.0); lines], blocks: 0 }
+        Self { all: Sums::new(lines), parts: Vec::new(), each: 1 }
     }
 
     /// Adds the transforms of one block of force and response.
@@ -64,45 +130,57 @@ impl Averages {
     /// # Errors
     /// Another number of lines.
     pub fn add(&mut self, force: &[Complex<f64>], response: &[Complex<f64>]) -> Result<(), SpectralError> {
-        if force.len() != self.xx.len() || response.len() != self.xx.len() {
+        let lines = self.all.xx.len();
+        if force.len() != lines || response.len() != lines {
             return Err(SpectralError::Lengths { force: force.len(), response: response.len() });
         }
-        for (k, (x, y)) in force.iter().zip(response).enumerate() {
-            self.xx[k] += x.norm_sqr();
-            self.yy[k] += y.norm_sqr();
-            self.xy[k] += x.conj() * y;
+        self.all.add(force, response);
+        if self.parts.last().is_none_or(|part| part.blocks == self.each) {
+            if self.parts.len() == 2 * PARTS {
+                self.halve();
+            }
+            self.parts.push(Sums::new(lines));
         }
-        self.blocks += 1;
+        if let Some(part) = self.parts.last_mut() {
+            part.add(force, response);
+        }
         Ok(())
     }
 
-    /// The response at frequencies `frequency_hz`.
+    /// Joins every two parts that follow each other.
+    fn halve(&mut self) {
+        let mut parts = std::mem::take(&mut self.parts).into_iter();
+        while let Some(mut part) = parts.next() {
+            if let Some(next) = parts.next() {
+                part.join(&next, 1.0);
+                part.blocks += next.blocks;
+            }
+            self.parts.push(part);
+        }
+        self.each *= 2;
+    }
+
+    /// The response at frequencies `frequency_hz` to blocks that see so much of a free decay.
     ///
     /// # Errors
     /// No block was added.
-    pub fn response(&self, frequency_hz: Vec<f64>, estimator: Estimator) -> Result<FrequencyResponse, SpectralError> {
-        if self.blocks == 0 {
+    pub fn response(&self, frequency_hz: Vec<f64>, estimator: Estimator, sight: Sight) -> Result<FrequencyResponse, SpectralError> {
+        let all = &self.all;
+        if all.blocks == 0 {
             return Err(SpectralError::Nothing);
         }
-        let value = (0..self.xx.len()).map(|k| self.value(k, estimator)).collect();
-        let coherence = (0..self.xx.len()).map(|k| {
-            let both = self.xx[k] * self.yy[k];
-            if both > 0.0 { (self.xy[k].norm_sqr() / both).min(1.0) } else { 0.0 }
+        let coherence = (0..all.xx.len()).map(|k| {
+            let both = all.xx[k] * all.yy[k];
+            if both > 0.0 { (all.xy[k].norm_sqr() / both).min(1.0) } else { 0.0 }
         });
-        let coherence = coherence.collect();
-        Ok(FrequencyResponse { frequency_hz, value, coherence, blocks: self.blocks })
-    }
-
-    fn value(&self, k: usize, estimator: Estimator) -> Complex<f64> {
-        let (xx, yy, yx) = (self.xx[k], self.yy[k], self.xy[k].conj());
-        match estimator {
-            Estimator::H1 => self.xy[k] / xx,
-            Estimator::H2 => yy / yx,
-            Estimator::Hv { noise_ratio } => {
-                let difference = noise_ratio * xx - yy;
-                (yy - noise_ratio * xx + (difference.powi(2) + 4.0 * noise_ratio * yx.norm_sqr()).sqrt()) / (2.0 * yx)
-            }
-        }
+        let without = |part: &Sums| {
+            let mut others = all.clone();
+            others.join(part, -1.0);
+            Without { share: part.blocks as f64 / all.blocks as f64, value: others.values(estimator) }
+        };
+        let several = self.parts.iter().filter(|_| self.parts.len() > 1);
+        let (coherence, without) = (coherence.collect(), several.map(without).collect());
+        Ok(FrequencyResponse { frequency_hz, value: all.values(estimator), coherence, blocks: all.blocks, sight, without })
     }
 }
 
@@ -183,7 +261,7 @@ pub(super) mod tests {
         let (averages, frequency_hz) = averaged(&force, &response, 4096, Window::Rectangular);
         let peak = oscillator.exact(0.04).norm();
         for estimator in [Estimator::H1, Estimator::H2, Estimator::Hv { noise_ratio: 1e-10 }] {
-            let found = averages.response(frequency_hz.clone(), estimator).unwrap();
+            let found = averages.response(frequency_hz.clone(), estimator, Sight::Whole).unwrap();
             // The half sine of 8 samples has no force at line 768.
             let error = (0..700).map(|k| (found.value[k] - oscillator.exact(frequency_hz[k] / 1000.0)).norm() / peak).fold(0.0, f64::max);
             eprintln!("{estimator:?}: {error:.1e} of the peak");
@@ -204,8 +282,8 @@ pub(super) mod tests {
         let noisy: Vec<f64> = clean.iter().zip(noise(1 << 17, 2)).map(|(y, n)| y + 0.5 * level * n).collect();
         let (averages, frequency_hz) = averaged(&force, &noisy, 512, Window::Hann);
         let (h1, h2) = (
-            averages.response(frequency_hz.clone(), Estimator::H1).unwrap(),
-            averages.response(frequency_hz.clone(), Estimator::H2).unwrap(),
+            averages.response(frequency_hz.clone(), Estimator::H1, Sight::Whole).unwrap(),
+            averages.response(frequency_hz.clone(), Estimator::H2, Sight::Whole).unwrap(),
         );
         let (mut one, mut two, mut lines) = (0.0, 0.0, 0.0);
         for (k, f) in frequency_hz.iter().enumerate().take(120).skip(10) {
@@ -219,7 +297,7 @@ pub(super) mod tests {
 
     #[test]
     fn nothing_averaged_is_an_error() {
-        assert_eq!(Averages::new(4).response(vec![0.0; 4], Estimator::H1), Err(SpectralError::Nothing));
+        assert_eq!(Averages::new(4).response(vec![0.0; 4], Estimator::H1, Sight::Whole), Err(SpectralError::Nothing));
         assert!(Averages::new(4).add(&[], &[]).is_err());
     }
 }

@@ -7,7 +7,7 @@
 
 use jounce::signal::{Samples, Window};
 
-use super::{Averages, ImpactAnswer, ImpactRecord, ImpactSettings, Segments, SpectralError};
+use super::{Averages, ImpactAnswer, ImpactRecord, ImpactSettings, Segments, Sight, SpectralError};
 
 /// A hammer's record has a peak above this many times its rms.
 const CREST: f64 = 10.0;
@@ -50,8 +50,10 @@ pub(super) fn shaken(records: &[ImpactRecord<'_>], settings: &ImpactSettings) ->
         }
     }
     let frequency_hz = segments.frequency_hz(rate_hz);
-    let responses = averages.iter().map(|average| average.response(frequency_hz.clone(), settings.estimator)).collect::<Result<_, _>>()?;
-    Ok(ImpactAnswer { responses, hits: Vec::new(), block_s: length as f64 / rate_hz, window_decay_per_s: 0.0 })
+    let block_s = length as f64 / rate_hz;
+    let response = |average: &Averages| average.response(frequency_hz.clone(), settings.estimator, Sight::Hann { length_s: block_s });
+    let responses = averages.iter().map(response).collect::<Result<_, _>>()?;
+    Ok(ImpactAnswer { responses, hits: Vec::new(), block_s, window_decay_per_s: 0.0 })
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use jounce_measure::contact;
 use jounce_measure::modal::{Band, Motion, Settings, identify};
 use jounce_measure::read;
 use jounce_measure::recording::Recording;
-use jounce_measure::spectral::{Averages, Estimator, FrequencyResponse, HitSearch, Segments, hits};
+use jounce_measure::spectral::{Averages, Estimator, FrequencyResponse, HitSearch, Segments, Sight, hits};
 
 fn records() -> Option<Vec<Recording>> {
     let paths: Option<Vec<_>> = (1..=5).map(|k| real(&format!("pyfrf_hammer/measurements_{k}.npy"))).collect();
@@ -22,7 +22,7 @@ fn averaged(records: &[Recording], estimator: Estimator) -> FrequencyResponse {
             |channel: usize| segments.transform(&Samples::new(&record.channels[channel].values, 25_600.0).expect("samples"), 0, 0.0);
         averages.add(&transform(0), &transform(1)).expect("lines");
     }
-    averages.response(segments.frequency_hz(25_600.0), estimator).expect("five blocks")
+    averages.response(segments.frequency_hz(25_600.0), estimator, Sight::Whole).expect("five blocks")
 }
 
 /// Values of pyFRF 1.5.0 (`FRF(25600, exc, resp, window="none", fft_len=25600)`, `get_FRF(estimator, "accelerance")`, `get_coherence()`), lines

@@ -5,6 +5,7 @@ mod cut;
 mod driven;
 mod formats;
 mod hammer;
+mod intervals;
 mod real;
 mod samples;
 mod seven;

@@ -5,7 +5,7 @@ use jounce::drive::Stream;
 use jounce_measure::modal::{Band, Motion, Settings, identify};
 use jounce_measure::recording::Quantity;
 use jounce_measure::response::Responses;
-use jounce_measure::spectral::FrequencyResponse;
+use jounce_measure::spectral::{FrequencyResponse, Sight};
 use std::f64::consts::TAU;
 use std::time::Instant;
 
@@ -98,7 +98,7 @@ fn voltages_and_accelerations_stand_together() {
         let displacement = |hz: f64| acceleration(modes, place, hz) / -(TAU * hz).powi(2);
         let of = |hz: &f64| if place < 2 { displacement(*hz) } else { acceleration(modes, place, *hz) };
         let (value, coherence) = (frequency_hz.iter().map(of).collect(), vec![1.0; frequency_hz.len()]);
-        FrequencyResponse { frequency_hz: frequency_hz.clone(), value, coherence, blocks: 1 }
+        FrequencyResponse { frequency_hz: frequency_hz.clone(), value, coherence, blocks: 1, sight: Sight::Whole, without: Vec::new() }
     };
     let kind = |place: usize| if place < 2 { Quantity::Voltage } else { Quantity::Acceleration };
     let responses = Responses {

@@ -1,0 +1,102 @@
+//! Peaks of the responses, to see which of them no mode explains.
+//!
+//! The sum over all responses of `|H|^2`, each over its mean square, has a peak where it stands well above the noise and above the valleys on both
+//! sides of it. Noise is the larger of what the blocks tell and of what the second differences of neighbouring lines tell: those of white
+//! noise have six times its variance, those of smooth responses none.
+
+use faer::c64;
+
+use super::{Band, Mode, Pole};
+
+/// Heights above the higher of its two valleys, and above the noise, from which on a peak counts.
+const ABOVE_VALLEYS: f64 = 4.0;
+const ABOVE_NOISE: f64 = 50.0;
+/// Lines whose second differences are put together to one level.
+const TOGETHER: usize = 101;
+/// The median of the squared size of complex noise over its mean.
+const MEDIAN: f64 = std::f64::consts::LN_2;
+/// A mode within so many lines of a peak explains it.
+const LINES: f64 = 1.5;
+/// The most peaks, the highest above the noise.
+const MOST: usize = 64;
+
+/// A peak of the responses.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct Peak {
+    /// Frequency of its highest line, Hz.
+    pub frequency_hz: f64,
+    /// Half of its width at half its power, Hz.
+    pub half_width_hz: f64,
+    /// Its power over that of the noise.
+    #[serde(skip)]
+    height: f64,
+}
+
+impl Peak {
+    /// The pole that would make it.
+    pub(super) fn pole(self) -> Pole {
+        Pole { frequency_hz: self.frequency_hz, damping_ratio: self.half_width_hz / self.frequency_hz }
+    }
+
+    fn is_explained(&self, modes: &[Mode], line_hz: f64) -> bool {
+        let reach = self.half_width_hz.max(LINES * line_hz);
+        modes.iter().any(|mode| (mode.frequency_hz - self.frequency_hz).abs() <= reach)
+    }
+}
+
+/// The peaks that no mode explains, in ascending frequency.
+pub(super) fn unexplained(band: &Band, modes: &[Mode]) -> Vec<Peak> {
+    let mut left: Vec<Peak> = peaks(band).into_iter().filter(|peak| !peak.is_explained(modes, band.line_hz())).collect();
+    left.sort_by(|a, b| b.height.total_cmp(&a.height));
+    left.truncate(MOST);
+    left.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+    left
+}
+
+fn peaks(band: &Band) -> Vec<Peak> {
+    let lines = band.frequency_hz.len();
+    let (mut power, mut noise) = (vec![0.0; lines], vec![0.0; lines]);
+    for o in 0..band.response.len() {
+        let measured = band.measured(o);
+        let mean = measured.iter().map(|h| h.norm_sqr()).sum::<f64>() / lines as f64;
+        let rough = roughness(&measured);
+        for k in (0..lines).filter(|_| mean > 0.0) {
+            let told = band.variance.get(o).map_or(0.0, |variance| variance[k] * band.as_measured(o, k).norm_sqr());
+            power[k] += measured[k].norm_sqr() / mean;
+            noise[k] += rough[k].max(told) / mean;
+        }
+    }
+    let highest = |k: &usize| power[*k] > power[k - 1] && power[*k] >= power[k + 1] && power[*k] > ABOVE_NOISE * noise[*k];
+    let stands = |k: &usize| power[*k] > ABOVE_VALLEYS * valley(&power, *k, true).max(valley(&power, *k, false));
+    let peak = |k: usize| {
+        let above =
+            |step: &dyn Fn(usize) -> usize| (1..lines).take_while(|n| power.get(step(*n)).is_some_and(|x| *x > 0.5 * power[k])).count();
+        let width = above(&|n| k + n) + above(&|n| k.wrapping_sub(n)) + 1;
+        Peak {
+            frequency_hz: band.frequency_hz[k],
+            half_width_hz: 0.5 * width as f64 * band.line_hz(),
+            height: power[k] / noise[k].max(f64::MIN_POSITIVE),
+        }
+    };
+    (1..lines.saturating_sub(1)).filter(highest).filter(stands).map(peak).collect()
+}
+
+/// The lowest power from a line on until a higher one.
+fn valley(power: &[f64], from: usize, up: bool) -> f64 {
+    let lowest = |side: &mut dyn Iterator<Item = &f64>| side.take_while(|x| **x <= power[from]).fold(power[from], |low, x| low.min(*x));
+    if up { lowest(&mut power[from..].iter()) } else { lowest(&mut power[..=from].iter().rev()) }
+}
+
+/// Variance of the noise that second differences tell, around each line.
+fn roughness(values: &[c64]) -> Vec<f64> {
+    let second = |k: usize| (values[k + 1] - 2.0 * values[k] + values[k - 1]).norm_sqr() / (6.0 * MEDIAN);
+    let mut found = Vec::with_capacity(values.len());
+    for from in (0..values.len()).step_by(TOGETHER) {
+        let until = (from + TOGETHER).min(values.len());
+        let mut level: Vec<f64> = (from.max(1)..until.min(values.len() - 1)).map(second).collect();
+        level.sort_by(f64::total_cmp);
+        let median = level.get(level.len() / 2).copied().or(found.last().copied()).unwrap_or(0.0);
+        found.resize(until, median);
+    }
+    found
+}
