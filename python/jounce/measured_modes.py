@@ -35,8 +35,10 @@ class MeasuredModes(Result):
     mac: Annotated[Floats, Along("mode other_mode", "1", "modal assurance criterion")]
     #: Squared error over the variance that the coherence tells; above 1 the deviations are widened by its root.
     misfit: float
-    #: Deviations from a value to an end of its 95 % interval.
-    quantile_95: float
+    #: Deviations from a value to an end of its 95 % interval: more than 1.96 where they rest on few blocks.
+    quantile_95: Annotated[Floats, Along("mode", "1", "deviations to an end of the 95 % interval")]
+    #: Peaks of the responses that no mode explains, Hz; try a band around them, or a larger order.
+    unexplained_hz: Floats
     #: The stabilisation diagram, of shape ``(pole,)``; ``pole_stable`` is ``"new"``, ``"frequency"`` or ``"pole"``, for what has stayed.
     pole_order: Annotated[Integers, Along("pole", "1", "order of the denominator")]
     pole_frequency_hz: Annotated[Floats, Along("pole", "Hz", "frequency of the pole")]
@@ -64,6 +66,9 @@ class MeasuredModes(Result):
         if any(self.doubtful):
             which = ", ".join(str(k) for k, doubtful in enumerate(self.doubtful, 1) if doubtful)
             lines.append(("doubtful", f"the damping of mode {which} cannot be told from none: it may be no mode"))
+        if len(self.unexplained_hz):
+            peaks = ", ".join(f"{hz:.6g}" for hz in self.unexplained_hz[:8])
+            lines.append(("unexplained", f"peaks at {peaks} Hz; try between=... around them, or a larger order"))
         if self.frf is not None and self.frf.window_decay_per_s > 0.0:
             lines.append(("window", f"its damping, {self.frf.window_decay_per_s:.5g} 1/s, was taken off"))
         return [*lines, ("misfit", f"{self.misfit:.3g}")]

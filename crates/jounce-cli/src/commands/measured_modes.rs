@@ -73,11 +73,12 @@ pub fn run(hammer: &HammerArguments, decay: &DecayArguments, band: &BandArgument
     taken.responses.iter().for_each(tell_hits);
     line("mode  frequency_hz  +- 95 %      damping_ratio  +- 95 %");
     for (k, mode) in found.modes.iter().enumerate() {
-        let (f, df) = (mode.frequency_hz, Mode::QUANTILE_95 * mode.frequency_deviation_hz);
-        let (zeta, dzeta) = (mode.damping_ratio, Mode::QUANTILE_95 * mode.damping_deviation);
+        let (f, df) = (mode.frequency_hz, mode.frequency_half_width_hz());
+        let (zeta, dzeta) = (mode.damping_ratio, mode.damping_half_width());
         line(format!("{:>4}  {f:>12.5}  {df:<11.3e}  {zeta:>13.6}  {dzeta:.3e}", k + 1));
     }
     tell_doubt(&found);
+    tell_unexplained(&found);
     if let Some(responses) = &taken.responses {
         tell_trust(responses, &found);
     }
@@ -91,6 +92,21 @@ fn tell_doubt(found: &Identification) {
             "warning: the damping of mode {} cannot be told from none, as that of poles which noise makes; if a smaller --order or a narrower \
              --between loses it, it was no mode",
             doubtful.join(", ")
+        ));
+    }
+}
+
+/// Peaks that are told one by one.
+const TOLD: usize = 8;
+
+fn tell_unexplained(found: &Identification) {
+    let peaks: Vec<String> = found.unexplained.iter().take(TOLD).map(|peak| format!("{:.6}", peak.frequency_hz)).collect();
+    if !peaks.is_empty() {
+        let more = found.unexplained.len().saturating_sub(TOLD);
+        line(format!(
+            "warning: the responses have peaks at {}{} Hz that no mode explains; try a --between around them, or a larger --order",
+            peaks.join(", "),
+            if more > 0 { format!(" and {more} more") } else { String::new() }
         ));
     }
 }
@@ -116,6 +132,7 @@ fn answer(taken: &Taken, found: &Identification) -> serde_json::Value {
             "frequency_deviation_hz": mode.frequency_deviation_hz,
             "damping_ratio": mode.damping_ratio,
             "damping_deviation": mode.damping_deviation,
+            "quantile_95": mode.quantile_95,
             "doubtful": mode.is_doubtful(),
             "shape": { "re": shape.iter().map(|s| s.re).collect::<Vec<_>>(), "im": shape.iter().map(|s| s.im).collect::<Vec<_>>() },
         })
@@ -125,6 +142,7 @@ fn answer(taken: &Taken, found: &Identification) -> serde_json::Value {
         "responses": taken.outputs,
         "mac": mac_matrix(&found.modes),
         "misfit": found.misfit,
+        "unexplained": found.unexplained,
         "stabilisation": found.diagram,
         "hits": taken.responses.as_ref().map_or(&[][..], |responses| &responses.hits),
         "block_s": taken.responses.as_ref().and_then(|responses| responses.block_s),
@@ -141,6 +159,7 @@ fn write(folder: &Path, hammer: &HammerArguments, decay: &DecayArguments, taken:
         Column::new("frequency_deviation_hz", "Hz", "its standard deviation", number(&|mode| mode.frequency_deviation_hz)),
         Column::new("damping_ratio", "", "damping ratio", number(&|mode| mode.damping_ratio)),
         Column::new("damping_deviation", "", "its standard deviation", number(&|mode| mode.damping_deviation)),
+        Column::new("quantile_95", "", "deviations from a value to an end of its interval of 95 %", number(&|mode| mode.quantile_95)),
     ])?;
     for (k, name) in taken.outputs.iter().enumerate() {
         let about = "shape, of size 1 at the largest response";
@@ -148,6 +167,11 @@ fn write(folder: &Path, hammer: &HammerArguments, decay: &DecayArguments, taken:
         table.push(Column::new(&format!("{name}.shape.im"), "", about, number(&|mode| mode.shape()[k].im)))?;
     }
     output::table(folder, "modes", &table, &manifest)?;
+    let mut mac = Table::new(vec![Column::new("frequency_hz", "Hz", "undamped natural frequency", number(&|mode| mode.frequency_hz))])?;
+    for (k, row) in (1..).zip(mac_matrix(&found.modes)) {
+        mac.push(Column::new(&format!("mode_{k}"), "", "modal assurance criterion with this mode", row))?;
+    }
+    output::table(folder, "modes-mac", &mac, &manifest)?;
     let stable = |stable: Stable| match stable {
         Stable::New => "new",
         Stable::Frequency => "frequency",

@@ -9,6 +9,8 @@ use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 use super::band::LeftOut;
+use super::scatter::Scatter;
+use super::terms::{Terms, linear_terms};
 use super::thinned::kept;
 use super::{Band, Pole};
 use crate::spectral::Sight;
@@ -30,11 +32,11 @@ pub(super) struct Fit {
 
 const STEPS: usize = 30;
 const SETTLED: f64 = 1e-10;
+/// A step that takes less than this share off the error moves the poles by less than a ten-thousandth of their deviations.
+const GAIN: f64 = 1e-12;
 
 /// The most terms `w^0, w^2, ..` that stand for the modes above the band.
 const MOST_UPPER: usize = 8;
-/// From so many parts of the blocks on their scatter is known well enough as it is.
-const PARTS: usize = 8;
 
 /// One response's part of the normal equations.
 struct Part {
@@ -80,13 +82,15 @@ fn settled(data: &Data, mut poles: Vec<c64>, upper: usize) -> Option<Settled> {
         let step = damped(&normal, damping)?.solve(&right);
         let tried: Vec<c64> = poles.iter().enumerate().map(|(r, p)| p + c64::new(step[(2 * r, 0)], step[(2 * r + 1, 0)])).collect();
         let size = tried.iter().zip(&poles).map(|(a, b)| (a - b).norm() / b.norm()).fold(0.0, f64::max);
+        let gain = (step.transpose() * &right)[(0, 0)];
         let stays = tried.iter().all(|p| p.re < 0.0 && p.im > 0.0);
         match equations(data, &tried, upper).filter(|(.., less)| stays && *less <= error * (1.0 + 1e-12)) {
             Some(better) => {
+                let before = error;
                 poles = tried;
                 (normal, right, error) = better;
                 damping = f64::max(damping * 0.1, 1e-12);
-                if size < SETTLED {
+                if size < SETTLED || gain < GAIN * before {
                     break;
                 }
             }
@@ -154,7 +158,7 @@ fn equations(data: &Data, poles: &[c64], upper: usize) -> Option<(Mat<f64>, Mat<
     let size = 2 * poles.len();
     let (mut normal, mut right, mut error) = (Mat::zeros(size, size), Mat::zeros(size, 1), 0.0);
     // Responses in parallel, their parts added in order: the same bits for any number of threads.
-    let terms = Terms::of_kinds(data, poles, upper);
+    let terms = Terms::of_kinds(data.sight, &data.powers, &data.angular, poles, upper);
     let parts = data.responses.par_iter().map(|response| part(response, &terms[response.kind])).collect::<Option<Vec<Part>>>()?;
     for part in parts {
         normal += &part.normal;
@@ -174,66 +178,6 @@ fn weights(band: &Band, o: usize, lines: &[usize]) -> Vec<f64> {
             let rms = (measured.iter().map(|h| h.norm_sqr()).sum::<f64>() / measured.len() as f64).sqrt().max(f64::MIN_POSITIVE);
             lines.iter().map(|k| band.as_measured(o, *k).norm() / rms).collect()
         }
-    }
-}
-
-/// Values of the linear terms at a line: real and imaginary part of each residue, then of `-1/w^2` and of `1, w^2, ..`. What a block leaves of
-/// the decay of a mode, `p^m R exp(p t)` for the power `m`, is displacement per force over `(j w)^m`.
-fn linear_terms((sight, power, upper): (Sight, i32, usize), poles: &[c64], w: f64, row: &mut Vec<c64>) {
-    row.clear();
-    let j = c64::new(0.0, 1.0);
-    for p in poles {
-        let (one, two) = (seen(sight, power, w, *p).0, seen(sight, power, w, p.conj()).0);
-        row.extend([one + two, j * (one - two)]);
-    }
-    let mut residual = -1.0 / (w * w);
-    row.extend([c64::new(residual, 0.0), c64::new(0.0, residual)]);
-    residual = 1.0;
-    for _ in 0..upper {
-        row.extend([c64::new(residual, 0.0), c64::new(0.0, residual)]);
-        residual *= w * w;
-    }
-}
-
-/// `(p / j w)^m G(j w - p)` and its derivative by `p`.
-fn seen(sight: Sight, power: i32, w: f64, p: c64) -> (c64, c64) {
-    let (value, slope) = sight.transform(c64::new(0.0, w) - p);
-    let factor = (p / c64::new(0.0, w)).powi(power);
-    (factor * value, factor * (f64::from(power) * value / p - slope))
-}
-
-/// What all responses share at some poles, not weighed: two rows for each line, its real and its imaginary part.
-struct Terms {
-    /// The columns of the linear unknowns.
-    linear: Mat<f64>,
-    /// For each pole `u + u'` and `j (u - u')`, where `u` is the derivative of its term by the pole, `1 / (j w - p)^2` for blocks that see
-    /// all, and `u'` that of the conjugate pole.
-    squares: Mat<f64>,
-}
-
-impl Terms {
-    /// Those of each power.
-    fn of_kinds(data: &Data, poles: &[c64], upper: usize) -> Vec<Self> {
-        data.powers.iter().map(|power| Self::of(data, poles, *power, upper)).collect()
-    }
-
-    fn of(data: &Data, poles: &[c64], power: i32, upper: usize) -> Self {
-        let (rows, width, j) = (2 * data.angular.len(), 2 * poles.len() + 2 + 2 * upper, c64::new(0.0, 1.0));
-        let (mut linear, mut squares) = (Mat::<f64>::zeros(rows, width), Mat::<f64>::zeros(rows, 2 * poles.len()));
-        let mut row = Vec::with_capacity(width);
-        for (k, w) in data.angular.iter().copied().enumerate() {
-            linear_terms((data.sight, power, upper), poles, w, &mut row);
-            for (c, value) in row.iter().enumerate() {
-                (linear[(2 * k, c)], linear[(2 * k + 1, c)]) = (value.re, value.im);
-            }
-            for (r, p) in poles.iter().enumerate() {
-                let (one, two) = (seen(data.sight, power, w, *p).1, seen(data.sight, power, w, p.conj()).1);
-                for (c, value) in [one + two, j * (one - two)].into_iter().enumerate() {
-                    (squares[(2 * k, 2 * r + c)], squares[(2 * k + 1, 2 * r + c)]) = (value.re, value.im);
-                }
-            }
-        }
-        Self { linear, squares }
     }
 }
 
@@ -270,21 +214,23 @@ fn finished(band: &Band, data: &Data, found: &Settled) -> Option<Fit> {
     let (poles, upper) = (&found.poles, found.upper);
     let linear = band.response.len() * (2 * poles.len() + 2 + 2 * upper);
     let misfit = found.error / ((2 * data.angular.len() * band.response.len()) as f64 - (2 * poles.len() + linear) as f64).max(1.0);
-    let terms = Terms::of_kinds(data, poles, upper);
+    let terms = Terms::of_kinds(data.sight, &data.powers, &data.angular, poles, upper);
     let parts = data.responses.par_iter().map(|response| part(response, &terms[response.kind])).collect::<Option<Vec<Part>>>()?;
     let inverse = found.normal.llt(Side::Lower).ok()?.inverse();
-    let turns = if band.parts.len() < PARTS && matches!(band.sight, Sight::Cut { .. }) { 2 } else { 1 };
-    let covariance = match &band.parts[..] {
-        // Without variances the misfit is all that is known of them.
-        [] if band.variance.is_empty() => inverse * misfit,
-        [] => inverse * misfit.max(1.0),
-        left_out => &inverse * scatter(data, &parts, left_out, turns) * &inverse * misfit.max(1.0),
-    };
+    let scatter = (!band.parts.is_empty()).then(|| {
+        let scores = scores(data, &parts, &band.parts, Scatter::turns(band.parts.len(), band.sight));
+        Scatter::new(scores.iter().map(|score| &inverse * score).collect(), &band.parts, band.sight)
+    });
+    // Without variances the misfit is all that is known of them.
+    let factor = if band.variance.is_empty() { misfit } else { misfit.max(1.0) };
     let deviation = |(r, p): (usize, &c64)| {
-        let (vr, vi, c) = (covariance[(2 * r, 2 * r)], covariance[(2 * r + 1, 2 * r + 1)], covariance[(2 * r, 2 * r + 1)]);
+        let (vr, vi, c) = (inverse[(2 * r, 2 * r)], inverse[(2 * r + 1, 2 * r + 1)], inverse[(2 * r, 2 * r + 1)]);
         let (a, b, size) = (p.re, p.im, p.norm());
         // |p| and -re p / |p| by the real and the imaginary part.
-        let spread = |da: f64, db: f64| (da * da * vr + db * db * vi + 2.0 * da * db * c).max(0.0).sqrt();
+        let spread = |da: f64, db: f64| {
+            let told = || da * da * vr + db * db * vi + 2.0 * da * db * c;
+            (scatter.as_ref().map_or_else(told, |scatter| scatter.variance(r, [da, db])) * factor).max(0.0).sqrt()
+        };
         (spread(a / size, b / size) / TAU, spread(-b * b / size.powi(3), a * b / size.powi(3)))
     };
     let (mut residue, mut model, mut row) = (Vec::new(), Vec::new(), Vec::new());
@@ -303,14 +249,12 @@ fn finished(band: &Band, data: &Data, found: &Settled) -> Option<Fit> {
         residue,
         model,
         misfit,
-        freedom: (!band.parts.is_empty()).then(|| (turns * (band.parts.len() - 1)) as f64),
+        freedom: scatter.map(|scatter| scatter.freedom()),
     })
 }
 
-/// Covariance of `J^T P e` from leaving out one part of the blocks after the other (the jackknife), all lines and responses together: noise of
-/// the force is common to the responses, and windows make neighbouring lines alike. The noise of a few hits has no preferred phase: turned by
-/// 90 degrees, a second turn, what is left out tells as much again. What leaks between the blocks of a force that goes on has one.
-fn scatter(data: &Data, responses: &[Part], left_out: &[LeftOut], turns: usize) -> Mat<f64> {
+/// What each part that is left out adds to `J^T P e`, as it is and turned by 90 degrees.
+fn scores(data: &Data, responses: &[Part], left_out: &[LeftOut], turns: usize) -> Vec<Mat<f64>> {
     let size = responses.first().map_or(0, |part| part.projected.ncols());
     let one = |left: &LeftOut| {
         let mut sums = Mat::<f64>::zeros(size, turns);
@@ -325,7 +269,7 @@ fn scatter(data: &Data, responses: &[Part], left_out: &[LeftOut], turns: usize) 
             });
             sums += part.projected.transpose() * turned;
         }
-        (&sums * sums.transpose()) * ((1.0 - left.share) / turns as f64)
+        sums
     };
-    left_out.iter().map(one).fold(Mat::zeros(size, size), |sum, one| sum + one)
+    left_out.par_iter().map(one).collect()
 }

@@ -4,11 +4,14 @@
 //! are from order to order make the stabilisation diagram and the first guess. A maximum-likelihood refinement then fits
 //!
 //! ```text
-//! H(w) = (j w)^m [ sum_r R_r / (j w - p_r) + conj(R_r) / (j w - conj(p_r)) - L / w^2 + U ],   p = -zeta w_r + j w_r sqrt(1 - zeta^2)
+//! H(w) = (j w)^m [ sum_r R_r / (j w - p_r) + conj(R_r) / (j w - conj(p_r)) - L / w^2 + U_0 + U_1 w^2 + .. ],
+//! p = -zeta w_r + j w_r sqrt(1 - zeta^2)
 //! ```
 //!
-//! (`m` = 0, 1, 2 for displacement, velocity and acceleration per force) to all responses at once, each line with the variance that its
-//! coherence tells, and its covariance gives the uncertainty of frequencies and damping ratios.
+//! (`m` = 0, 1, 2 for displacement, velocity and acceleration per force) to all responses at once, each line with the variance that the
+//! coherence around it tells, and with as many terms `U` for the modes above the band as the responses ask for. `1 / (j w - p)` stands for what
+//! the blocks see of a decay ([`crate::spectral::Sight`]). Leaving out one part of the blocks after the other gives the uncertainty of
+//! frequencies and damping ratios; without blocks the misfit does.
 //!
 //! Source: P. Guillaume et al., A poly-reference implementation of the least-squares complex frequency-domain estimator, IMAC 21 (2003);
 //! M. El-Kafafy et al., Fast maximum-likelihood identification of modal parameters with uncertainty intervals, Mech. Syst. Signal Process. 37
@@ -25,7 +28,9 @@ mod noise;
 mod peaks;
 mod plscf;
 mod pole;
+mod scatter;
 mod stabilisation;
+mod terms;
 mod thinned;
 mod warp;
 

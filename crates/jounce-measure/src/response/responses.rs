@@ -72,6 +72,7 @@ impl Responses {
                 .flat_map(|recording| recording.findings.clone())
                 .chain(hammer.head().assumed(Quantity::Force))
                 .chain(place)
+                .chain(answer.swept.then(|| swept(settings, answer.block_s)))
                 .collect(),
         })
     }
@@ -158,6 +159,20 @@ fn common_place(records: &[Recording], chosen: &Chosen) -> Result<Option<Finding
         "recordings do not tell where the force acts; it is taken to act at one place in all, give the place in the notes beside them";
     Ok((silent > 0 && records.len() > 1)
         .then(|| Finding::new(FindingKind::Assumed, silent, None, format!("{silent} of {} {about}", records.len()))))
+}
+
+/// What a sweep means for its blocks.
+fn swept(settings: &ImpactSettings, block_s: f64) -> Finding {
+    let about = match settings.block_s {
+        None => format!(
+            "the force sweeps: each recording is one block of {block_s:.4} s without a window, and the coherence of a single one tells nothing"
+        ),
+        Some(_) => format!(
+            "the force sweeps, and drives each line in few blocks of {block_s:.4} s: peaks come out low; leave out the length of a block, then each \
+             recording is one"
+        ),
+    };
+    Finding::new(FindingKind::Assumed, 1, None, about)
 }
 
 fn impact_record<'a>(recording: &'a Recording, chosen: &Chosen, names: &[String]) -> Result<ImpactRecord<'a>, ResponseError> {

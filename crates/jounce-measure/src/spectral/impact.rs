@@ -16,7 +16,7 @@ pub struct ImpactSettings {
     /// Which noise is thought of.
     pub estimator: Estimator,
     /// Length of a block, s; by default a whole record where it holds one hit, else the shortest distance of two hits; an eighth of the
-    /// shortest record where the force goes on.
+    /// shortest record where the force goes on, the whole of it where it sweeps.
     pub block_s: Option<f64>,
     /// Takes away the force after the hit, which is noise.
     pub force_window: bool,
@@ -60,6 +60,8 @@ pub struct ImpactAnswer {
     pub responses: Vec<FrequencyResponse>,
     /// Every hit that was found; none where the force goes on.
     pub hits: Vec<ImpactHit>,
+    /// True for a force that goes on as a sweep.
+    pub swept: bool,
     /// Length of a block, s.
     pub block_s: f64,
     /// Damping that the exponential window adds to every mode, 1/s: the damping ratio of a mode at `w` rad/s is too high by this over `w`.
@@ -130,7 +132,7 @@ pub fn impact(records: &[ImpactRecord<'_>], settings: &ImpactSettings) -> Result
     let sight = Sight::Cut { length_s: tails_s.iter().sum::<f64>() / tails_s.len().max(1) as f64 };
     let response = |average: &Averages| average.response(frequency_hz.clone(), settings.estimator, sight);
     let responses = averages.iter().map(response).collect::<Result<_, _>>()?;
-    Ok(ImpactAnswer { responses, hits: listed, block_s: length as f64 / rate_hz, window_decay_per_s })
+    Ok(ImpactAnswer { responses, hits: listed, swept: false, block_s: length as f64 / rate_hz, window_decay_per_s })
 }
 
 /// A whole record where each holds one hit, else the shortest distance of two hits or of the last one to the end.

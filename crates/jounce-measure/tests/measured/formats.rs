@@ -71,6 +71,14 @@ fn what_is_written_is_read_back() {
     }
 }
 
+/// A name longer than the 20 columns of a label stands whole in the fourth line.
+#[test]
+fn a_long_name_is_read_back_whole() {
+    let mut long = record();
+    long.channels[0].name = "acceleration of the tip mass, z".to_owned();
+    assert_eq!(again(&long, "long.uff").channels[0].name, long.channels[0].name);
+}
+
 /// What stands above the line tells how a response moves: `H(w) = 1 / (w0^2 - w^2 + 2 j zeta w0 w)` per newton as displacement, in millimetres
 /// per kilonewton, and as acceleration, `-w^2 H`, in g per pound-force, have one and the same mode. Taken for each other they would not.
 #[test]

@@ -29,12 +29,13 @@ pub fn identified<'py>(py: Python<'py>, outputs: &[String], functions: &[String]
         .each("damping_ratio", modes, |mode| mode.damping_ratio)?
         .each("damping_deviation", modes, |mode| mode.damping_deviation)?
         .with("doubtful", modes.iter().map(Mode::is_doubtful).collect::<Vec<_>>())?
-        .with("quantile_95", Mode::QUANTILE_95)?
+        .each("quantile_95", modes, |mode| mode.quantile_95)?
         .with("response", outputs)?
         .with("function", functions)?
         .with("shape", modes.iter().map(|mode| PyArray1::from_vec(py, mode.shape())).collect::<Vec<_>>())?
         .rows("mac", &mac_matrix(modes), modes.len())?
         .with("misfit", found.misfit)?
+        .each("unexplained_hz", &found.unexplained, |peak| peak.frequency_hz)?
         .each("pole_order", diagram, |pole| pole.order as i64)?
         .each("pole_frequency_hz", diagram, |pole| pole.pole.frequency_hz)?
         .each("pole_damping_ratio", diagram, |pole| pole.pole.damping_ratio)?

@@ -72,7 +72,7 @@ impl Header {
             start,
             step,
             abscissa: axis(&block.lines[7]),
-            ordinate: axis(&block.lines[8]),
+            ordinate: uncut(axis(&block.lines[8]), block.lines[3].trim()),
             denominator: axis(&block.lines[9]),
         })
     }
@@ -104,6 +104,15 @@ fn dofs(line: &str) -> Option<(u32, Dof, Dof)> {
         Some(Dof { name: (*words.get(from)?).to_owned(), node: number(1)?, direction: number(2)? })
     };
     Some((function, by_words(4)?, by_words(7)?))
+}
+
+/// Columns of a label.
+const LABEL: usize = 20;
+
+/// A label that fills its columns was cut there: the fourth line may hold the whole name, as what jounce writes does.
+fn uncut(axis: Axis, whole: &str) -> Axis {
+    let cut = axis.label.chars().count() == LABEL && whole.starts_with(&axis.label);
+    if cut { Axis { label: whole.to_owned(), ..axis } } else { axis }
 }
 
 /// `I10,3I5,2(1X,20A1)`
