@@ -116,8 +116,10 @@ pub fn identify(band: &Band, settings: Settings) -> Result<Identification, Modal
     if !found.unexplained.is_empty() {
         let further = found.unexplained.iter().map(|peak| peak.pole());
         let start: Vec<Pole> = found.modes.iter().map(Mode::pole).chain(further).collect();
-        let more = refined(band, found.diagram.clone(), &start)?;
-        if more.misfit < found.misfit {
+        // Peaks that are no modes may leave equations without a solution: the poles that stay are enough then.
+        if let Ok(more) = refined(band, found.diagram.clone(), &start)
+            && more.misfit < found.misfit
+        {
             found = more;
             found.unexplained = unexplained(band, &found.modes);
         }

@@ -6,7 +6,8 @@ use jounce_measure::contact;
 use jounce_measure::modal::{Band, Motion, Settings, identify};
 use jounce_measure::read;
 use jounce_measure::recording::Recording;
-use jounce_measure::spectral::{Averages, Estimator, FrequencyResponse, HitSearch, Segments, Sight, hits};
+use jounce_measure::response::{Chosen, Responses};
+use jounce_measure::spectral::{Averages, Estimator, FrequencyResponse, HitSearch, ImpactSettings, Segments, Sight, hits};
 
 fn records() -> Option<Vec<Recording>> {
     let paths: Option<Vec<_>> = (1..=5).map(|k| real(&format!("pyfrf_hammer/measurements_{k}.npy"))).collect();
@@ -105,4 +106,18 @@ fn modes_are_those_of_an_independent_package() {
     }
     // One sensor, hits that are not all alike: the model's misfit is far above the coherence's variance, and the deviations are widened by it.
     assert!(identified.misfit > 1.0 && identified.modes.iter().all(|mode| mode.frequency_deviation_hz > 0.01));
+}
+
+/// In the whole band up to 12.8 kHz there are more modes than an order of 40 holds: those that its poles leave are found at their peaks.
+#[test]
+fn modes_are_found_in_the_whole_band() {
+    let Some(records) = records() else { return };
+    let chosen = Chosen { force: Some("channel 2".to_owned()), responses: Vec::new() };
+    let responses = Responses::of_hits(&records, &chosen, &ImpactSettings::default()).unwrap_or_else(|fault| panic!("{fault}"));
+    let found = identify(&Band::of(&responses, (0.0, 12_800.0)).expect("a band"), Settings::default()).expect("modes");
+    let told: Vec<(f64, f64)> = found.modes.iter().map(|mode| (mode.frequency_hz, mode.frequency_half_width_hz())).collect();
+    eprintln!("{told:.2?}, misfit {:.1}, unexplained {:?}", found.misfit, found.unexplained);
+    for expected in [900.020, 2640.196, 3668.706, 4128.050] {
+        assert!(told.iter().any(|(hz, _)| (hz / expected - 1.0).abs() < 1e-3), "no mode at {expected} Hz: {told:?}");
+    }
 }
