@@ -48,7 +48,7 @@ pub struct Branch {
     #[arg(long, default_value_t = 12)]
     seeds: usize,
     /// Longest period of a branch, in drive cycles; longer ones are left out.
-    #[arg(long, default_value_t = 12)]
+    #[arg(long, default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..))]
     longest_period: u32,
     #[command(flatten)]
     threads: ThreadsArgument,

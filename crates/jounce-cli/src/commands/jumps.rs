@@ -29,7 +29,7 @@ pub struct Jumps {
     #[arg(long, default_value_t = 4)]
     seeds: usize,
     /// Longest period of a branch, in drive cycles; longer ones are left out.
-    #[arg(long, default_value_t = 2)]
+    #[arg(long, default_value_t = 2, value_parser = clap::value_parser!(u32).range(1..))]
     longest_period: u32,
     /// Leaves out the curves on which mean power is largest along the first key.
     #[arg(long)]

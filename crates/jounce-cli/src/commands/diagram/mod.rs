@@ -57,7 +57,7 @@ pub struct Diagram {
     #[arg(long)]
     no_branches: bool,
     /// Longest period of a continued branch, in drive cycles.
-    #[arg(long, default_value_t = 4)]
+    #[arg(long, default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..))]
     longest_period: u32,
     #[command(flatten)]
     threads: ThreadsArgument,
