@@ -42,7 +42,7 @@ pub struct Branch {
     #[arg(long, default_value_t = 64)]
     harmonics: usize,
     /// Relative tolerance of the marches that the orbits are made of.
-    #[arg(long, default_value_t = 1e-9)]
+    #[arg(long, default_value_t = 5e-10)]
     tolerance: f64,
     /// Values between the ends of the range at which orbits are sought by marching, for branches that stand alone.
     #[arg(long, default_value_t = 12)]
