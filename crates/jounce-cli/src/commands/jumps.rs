@@ -1,6 +1,7 @@
 //! `jounce jumps SPEC --over KEY=FROM:TO --against KEY2=FROM:TO`
 
 use crate::failure::Failure;
+use crate::interruption;
 use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments, check_tolerance};
@@ -60,11 +61,13 @@ impl Jumps {
             longest_period: self.longest_period,
             peaks: !self.no_peaks,
         };
+        interruption::heed(&base.kernel.watch);
         let curves = progress::watched(&base.kernel.watch, || self.threads.run(|| search.run()))??;
         for (curve, why) in curves.iter().flat_map(|curve| curve.failures.iter().map(move |why| (curve, why))) {
             eprintln!("a curve of kind {} ends early in {}: {why}", curve.kind.name(), key_2.path());
         }
-        self.tell(&base.spec, [&key, &key_2], &curves)
+        self.tell(&base.spec, [&key, &key_2], &curves)?;
+        interruption::end(&base.kernel.watch, || format!("the {} curves that were finished", curves.len()))
     }
 
     fn tell(&self, spec: &Spec, keys: [&NumericKey; 2], curves: &[JumpCurve]) -> Result<(), Failure> {
