@@ -3,7 +3,10 @@
 use super::Broken;
 use super::overlap::free_below;
 use crate::spec::nearest::clip;
-use crate::spec::{Drive, DriveKind, DriveSignal, Quantity, Spec};
+use crate::spec::{Drive, DriveKind, DriveSignal, GROUND, Quantity, Spec};
+
+/// Sine of the angle at which a displacement starts, below which it starts at 0: 180 degrees have that much roundoff.
+const STILL: f64 = 1e-12;
 
 /// Most samples of one drive: 0.8 GB.
 const MOST_SAMPLES: f64 = 1e8;
@@ -12,7 +15,8 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
     for (name, drive) in &spec.drive {
         check_kind(name, drive, broken);
         check_signal(spec, name, drive, broken);
-        if drive.kind != DriveKind::Force {
+        check_base(spec, name, drive, broken);
+        if drive.base() == Some(GROUND) {
             check_participation(spec, &format!("drive.{name}.kind"), "a motion of the base", broken);
         }
     }
@@ -29,9 +33,12 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
 
 fn check_kind(name: &str, drive: &Drive, broken: &mut Broken) {
     let text = match (drive.kind, &drive.signal) {
-        (DriveKind::BaseDisplacement, signal) if !matches!(signal, DriveSignal::Sine { .. }) => {
-            "is \"base-displacement\", which goes with signal = \"sine\" only, as the others would jump in velocity where they start, end or bend: \
-             give their second derivative as \"base-acceleration\""
+        (DriveKind::BaseDisplacement, DriveSignal::Recording { .. } | DriveSignal::Noise { .. }) => {
+            "is \"base-displacement\", but straight lines between samples jump in velocity at each of them, and would strike everything on the \
+             base: give the acceleration, with kind = \"base-acceleration\""
+        }
+        (DriveKind::BaseDisplacement, DriveSignal::VelocityStep { .. }) => {
+            "is \"base-displacement\", but a velocity step is no course of displacement: set kind = \"base-acceleration\""
         }
         (DriveKind::Force, DriveSignal::VelocityStep { .. }) => {
             "is \"force\", but a velocity step is one of the base: set kind = \"base-acceleration\""
@@ -39,6 +46,34 @@ fn check_kind(name: &str, drive: &Drive, broken: &mut Broken) {
         _ => return,
     };
     broken.push(|| format!("drive.{name}.kind"), || text.to_owned());
+}
+
+/// A base of its own has a name of its own and carries something; a displacement does not begin with a jump.
+fn check_base(spec: &Spec, name: &str, drive: &Drive, broken: &mut Broken) {
+    let Some(base) = drive.base() else { return };
+    let key = || format!("drive.{name}.at");
+    let at = clip(base);
+    if base.contains('.') || base == "nothing" || spec.mass.contains_key(base) {
+        let what = if spec.mass.contains_key(base) { "a mass, which a force moves" } else { "no name of a base" };
+        broken.push(key, || {
+            format!("is \"{at}\", {what}; a motion is that of \"ground\" or of a base with a name of its own, on which roots, masses and stops stand")
+        });
+    } else if base != GROUND {
+        let supports = spec.beam.values().map(|beam| &beam.root).chain(spec.mass.values().map(|mass| &mass.on));
+        let mut carried = supports.chain(spec.stop.values().map(|stop| &stop.frame));
+        if !carried.any(|support| support == base) {
+            let text = || {
+                format!("is \"{at}\", a base that carries nothing; name it as the `root` of a beam, the `on` of a mass or the `frame` of a stop, or leave `at` out to move the ground")
+            };
+            broken.push(key, text);
+        }
+    }
+    if let (DriveKind::BaseDisplacement, DriveSignal::Chirp { phase_rad, .. }) = (drive.kind, &drive.signal)
+        && phase_rad.sin().abs() > STILL
+    {
+        let text = || "lets the base jump to another place where the chirp starts; a chirp of displacement starts at 0: leave `phase` out".to_owned();
+        broken.push(|| format!("drive.{name}.phase"), text);
+    }
 }
 
 fn check_signal(spec: &Spec, name: &str, drive: &Drive, broken: &mut Broken) {
