@@ -23,7 +23,9 @@ pub fn displaced(signal: &DriveSignal) -> Vec<Wave> {
             let end_m = chirp.size(duration_s) - chirp.size(0.0);
             brought_to(end_m, chirp.acceleration(), [start_s, duration_s])
         }
-        DriveSignal::Sine { .. } | DriveSignal::VelocityStep { .. } | DriveSignal::Noise { .. } | DriveSignal::Recording { .. } => Vec::new(),
+        DriveSignal::Sine { .. } | DriveSignal::VelocityStep { .. } | DriveSignal::Noise { .. } | DriveSignal::Recording { .. } => {
+            Vec::new()
+        }
     }
 }
 
@@ -47,7 +49,7 @@ mod tests {
         waves.iter().map(of).sum()
     }
 
-    /// The twofold integral against the course itself, long after its end too. Measured 4e-13 and 1.6e-9 of the amplitude.
+    /// The twofold integral against the course itself, long after its end too.
     #[test]
     fn the_base_is_where_its_course_says() {
         let (amplitude, start_s, duration_s) = (2e-3, 0.1, 0.8);

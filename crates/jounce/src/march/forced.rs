@@ -199,7 +199,8 @@ impl Forced {
             self.ledger.push(port, &self.sizes, places, length_s, weighted);
             let seen = &self.ports[port];
             if !seen.approach.is_empty() {
-                self.base_work_j += places.iter().zip(weighted.0).map(|(part, force)| force * seen.base_speed_m_s(part * length_s)).sum::<f64>();
+                self.base_work_j +=
+                    places.iter().zip(weighted.0).map(|(part, force)| force * seen.base_speed_m_s(part * length_s)).sum::<f64>();
             }
         }
     }

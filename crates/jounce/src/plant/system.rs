@@ -143,10 +143,17 @@ impl System {
         for (name, drive) in &spec.drive {
             let waves = match drive.kind {
                 DriveKind::BaseDisplacement => displaced(&drive.signal),
-                DriveKind::Force | DriveKind::BaseAcceleration => wave(&drive.signal, spec.run.duration_s, is_stopped).into_iter().collect(),
+                DriveKind::Force | DriveKind::BaseAcceleration => {
+                    wave(&drive.signal, spec.run.duration_s, is_stopped).into_iter().collect()
+                }
             };
             for wave in waves {
-                signals.push(Signal { name: name.clone(), shape: driven(modes, name, drive)?, wave, base: drive.base().map(str::to_owned) });
+                signals.push(Signal {
+                    name: name.clone(),
+                    shape: driven(modes, name, drive)?,
+                    wave,
+                    base: drive.base().map(str::to_owned),
+                });
             }
         }
         if let Some(acceleration) = spec.gravity.acceleration_m_s2.filter(|acceleration| *acceleration != 0.0) {

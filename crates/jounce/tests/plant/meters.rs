@@ -112,8 +112,13 @@ fn meters_agree_with_quadrature_through_contacts() {
     assert_meters("bench, lossy stop", lossy, &[0.0; 17], 1.0, 1e-9);
     let mut system = menagerie();
     let shape = [1.0, 0.5, -0.7, 0.3, 1.1, 2.0];
-    system.stops =
-        vec![Stop { name: "stop".into(), shape: shape.to_vec(), gap_m: 0.05, law: Law::Hertz(Hertz { stiffness: 1e3, exponent: 1.5 }), bases: Vec::new() }];
+    system.stops = vec![Stop {
+        name: "stop".into(),
+        shape: shape.to_vec(),
+        gap_m: 0.05,
+        law: Law::Hertz(Hertz { stiffness: 1e3, exponent: 1.5 }),
+        bases: Vec::new(),
+    }];
     system.drives = vec![drive(&[0.0, 0.5, -0.7, 0.3, 1.1, 2.0], 3.0, 1.3, 0.4), drive(&shape, 5.0, 7.0, 0.0)];
     let start = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
     assert_meters("menagerie with stop", system, &start, 3.0, 1e-9);
@@ -160,7 +165,13 @@ fn meters_agree_with_quadrature_under_signals_and_tones() {
         }
         assert_meters("menagerie", system.clone(), &start, 1.5, 1e-10);
         let shape = vec![1.0, 0.5, -0.7, 0.3, 1.1, 2.0];
-        system.stops = vec![Stop { name: "stop".into(), shape, gap_m: 0.05, law: Law::Hertz(Hertz { stiffness: 1e3, exponent: 1.5 }), bases: Vec::new() }];
+        system.stops = vec![Stop {
+            name: "stop".into(),
+            shape,
+            gap_m: 0.05,
+            law: Law::Hertz(Hertz { stiffness: 1e3, exponent: 1.5 }),
+            bases: Vec::new(),
+        }];
         assert_meters("menagerie with stop", system, &start, 1.5, 1e-9);
     }
     let mut rough = bench();

@@ -63,7 +63,9 @@ fn check_base(spec: &Spec, name: &str, drive: &Drive, broken: &mut Broken) {
         let mut carried = supports.chain(spec.stop.values().map(|stop| &stop.frame));
         if !carried.any(|support| support == base) {
             let text = || {
-                format!("is \"{at}\", a base that carries nothing; name it as the `root` of a beam, the `on` of a mass or the `frame` of a stop, or leave `at` out to move the ground")
+                format!(
+                    "is \"{at}\", a base that carries nothing; name it as the `root` of a beam, the `on` of a mass or the `frame` of a stop, or leave `at` out to move the ground"
+                )
             };
             broken.push(key, text);
         }
@@ -71,7 +73,9 @@ fn check_base(spec: &Spec, name: &str, drive: &Drive, broken: &mut Broken) {
     if let (DriveKind::BaseDisplacement, DriveSignal::Chirp { phase_rad, .. }) = (drive.kind, &drive.signal)
         && phase_rad.sin().abs() > STILL
     {
-        let text = || "lets the base jump to another place where the chirp starts; a chirp of displacement starts at 0: leave `phase` out".to_owned();
+        let text = || {
+            "lets the base jump to another place where the chirp starts; a chirp of displacement starts at 0: leave `phase` out".to_owned()
+        };
         broken.push(|| format!("drive.{name}.phase"), text);
     }
 }
