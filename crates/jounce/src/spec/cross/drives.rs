@@ -1,5 +1,8 @@
 //! Drives, gravity and free bodies go together.
 
+use std::cell::LazyCell;
+use std::collections::BTreeSet;
+
 use super::Broken;
 use super::overlap::free_below;
 use crate::spec::nearest::clip;
@@ -12,10 +15,11 @@ const STILL: f64 = 1e-12;
 const MOST_SAMPLES: f64 = 1e8;
 
 pub(super) fn check(spec: &Spec, broken: &mut Broken) {
+    let supports = LazyCell::new(|| supports(spec));
     for (name, drive) in &spec.drive {
         check_kind(name, drive, broken);
         check_signal(spec, name, drive, broken);
-        check_base(spec, name, drive, broken);
+        check_base(spec, &supports, (name, drive), broken);
         if drive.base() == Some(GROUND) {
             check_participation(spec, &format!("drive.{name}.kind"), "a motion of the base", broken);
         }
@@ -48,8 +52,20 @@ fn check_kind(name: &str, drive: &Drive, broken: &mut Broken) {
     broken.push(|| format!("drive.{name}.kind"), || text.to_owned());
 }
 
+/// What beams, masses and stops stand on.
+fn supports(spec: &Spec) -> BTreeSet<&str> {
+    let beams = spec.beam.values().map(|beam| beam.root.as_str());
+    let masses = spec.mass.values().map(|mass| mass.on.as_str());
+    beams.chain(masses).chain(spec.stop.values().map(|stop| stop.frame.as_str())).collect()
+}
+
 /// A base of its own has a name of its own and carries something; a displacement does not begin with a jump.
-fn check_base(spec: &Spec, name: &str, drive: &Drive, broken: &mut Broken) {
+fn check_base<'s, F: FnOnce() -> BTreeSet<&'s str>>(
+    spec: &'s Spec,
+    supports: &LazyCell<BTreeSet<&'s str>, F>,
+    (name, drive): (&str, &Drive),
+    broken: &mut Broken,
+) {
     let Some(base) = drive.base() else { return };
     let key = || format!("drive.{name}.at");
     let at = clip(base);
@@ -58,17 +74,14 @@ fn check_base(spec: &Spec, name: &str, drive: &Drive, broken: &mut Broken) {
         broken.push(key, || {
             format!("is \"{at}\", {what}; a motion is that of \"ground\" or of a base with a name of its own, on which roots, masses and stops stand")
         });
-    } else if base != GROUND {
-        let supports = spec.beam.values().map(|beam| &beam.root).chain(spec.mass.values().map(|mass| &mass.on));
-        let mut carried = supports.chain(spec.stop.values().map(|stop| &stop.frame));
-        if !carried.any(|support| support == base) {
-            let text = || {
-                format!(
-                    "is \"{at}\", a base that carries nothing; name it as the `root` of a beam, the `on` of a mass or the `frame` of a stop, or leave `at` out to move the ground"
-                )
-            };
-            broken.push(key, text);
-        }
+    } else if base != GROUND && !supports.contains(base) {
+        let text = || {
+            format!(
+                "is \"{at}\", a base that carries nothing; name it as the `root` of a beam, the `on` of a mass or the `frame` of a stop, or leave \
+                 `at` out to move the ground"
+            )
+        };
+        broken.push(key, text);
     }
     if let (DriveKind::BaseDisplacement, DriveSignal::Chirp { phase_rad, .. }) = (drive.kind, &drive.signal)
         && phase_rad.sin().abs() > STILL

@@ -62,7 +62,7 @@ fn check_point<F: FnOnce() -> Vec<String>>(
     ground: bool,
     broken: &mut Broken,
 ) {
-    if point.is_empty() || (ground && spec.is_base(point)) || has_point(spec, point) || broken.is_full() {
+    if point.is_empty() || has_point(spec, point) || (ground && spec.is_base(point)) || broken.is_full() {
         return;
     }
     let words = || [GROUND].into_iter().chain(spec.bases()).filter(|_| ground).chain(points.iter().map(String::as_str));

@@ -32,7 +32,7 @@ fn check_support<F: FnOnce() -> Vec<String>>(
     broken: &mut Broken,
 ) {
     let there = match support.split_once('.') {
-        None => support.is_empty() || words.contains(&support) || spec.is_base(support) || spec.mass.contains_key(support),
+        None => support.is_empty() || words.contains(&support) || spec.mass.contains_key(support) || spec.is_base(support),
         Some((beam, point)) => spec.beam.get(beam).is_some_and(|beam| ["root", "end"].contains(&point) || beam.point.contains_key(point)),
     };
     if !there {
