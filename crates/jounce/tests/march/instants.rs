@@ -91,7 +91,7 @@ fn two_stops(masses_kg: [f64; 3], restitution: [f64; 2], order: [usize; 2]) -> K
         let mut shape = vec![0.0; 3];
         (shape[0], shape[k]) = (1.0 / masses_kg[0].sqrt(), -1.0 / masses_kg[k].sqrt());
         let law = Law::Rigid(Rigid { restitution: restitution[k - 1] });
-        system.stops.push(Stop { name: format!("stop {k}"), shape, gap_m: 1e-3, law });
+        system.stops.push(Stop { name: format!("stop {k}"), shape, gap_m: 1e-3, law, bases: Vec::new() });
     }
     kernel(system)
 }
