@@ -85,7 +85,7 @@ impl Basins<'_> {
                 return None;
             }
             let start = self.starts.start(&kernel.plant, index);
-            let fate = match check_outside(&kernel.plant.system, &start[..kernel.plant.system.modes.len()]) {
+            let fate = match check_outside(&kernel.plant, &start[..kernel.plant.system.modes.len()]) {
                 Ok(()) => Fate::of(self.parameter, (&kernel, self.value), &start, self.tolerance),
                 Err(inside) => Fate::Lost(inside.to_string()),
             };
