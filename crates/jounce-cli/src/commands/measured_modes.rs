@@ -129,16 +129,17 @@ fn tell_trust(responses: &Responses, found: &Identification) {
 /// Modes with their shapes, of size 1 at the largest response.
 fn answer(taken: &Taken, found: &Identification) -> serde_json::Value {
     let mode = |mode: &Mode| {
-        let (shape, participation) = (mode.shape(), if taken.references.is_empty() { &[][..] } else { &mode.participation });
-        let parts = |of: &[c64]| serde_json::json!({ "re": of.iter().map(|s| s.re).collect::<Vec<_>>(), "im": of.iter().map(|s| s.im).collect::<Vec<_>>() });
+        let (re, im): (Vec<f64>, Vec<f64>) = mode.shape().iter().map(|s| (s.re, s.im)).unzip();
+        let moved = mode.participation.iter().take(taken.references.len());
+        let (moved_re, moved_im): (Vec<f64>, Vec<f64>) = moved.map(|b| (b.re, b.im)).unzip();
         serde_json::json!({
             "frequency_hz": mode.frequency_hz,
             "frequency_deviation_hz": mode.frequency_deviation_hz,
             "damping_ratio": mode.damping_ratio,
             "damping_deviation": mode.damping_deviation,
             "doubtful": mode.is_doubtful(),
-            "shape": parts(&shape),
-            "participation": parts(participation),
+            "shape": { "re": re, "im": im },
+            "participation": { "re": moved_re, "im": moved_im },
         })
     };
     serde_json::json!({
