@@ -234,11 +234,15 @@ mod tests {
     #[test]
     fn a_place_is_read_back() {
         let folder = tempfile::tempdir().unwrap();
-        for (ending, place) in [("uff", "mid"), ("uff", "node 7"), ("parquet", "beam.hammer"), ("parquet", "node 7")] {
+        for (ending, place) in [("uff", "mid"), ("uff", "node 7"), ("parquet", "beam.hammer"), ("parquet", "node 7"), ("csv", "free end")] {
             let path = folder.path().join(format!("hit.{ending}"));
-            crate::write::write(&struck("one", place), &path).unwrap();
+            let mut hit = struck("one", place);
+            hit.channels[0].direction = "-z".to_owned();
+            crate::write::write(&hit, &path).unwrap();
             let read = crate::read::file(&path).unwrap().recordings.remove(0);
-            assert_eq!(read.channel("force").unwrap().place, place, "{ending}");
+            let force = read.channel("force").unwrap();
+            assert_eq!((force.place.as_str(), force.direction.as_str()), (place, "-z"), "{ending}");
+            assert_eq!(read.channel("a").unwrap().place, if ending == "uff" { "node 2" } else { "" });
         }
     }
 }

@@ -40,7 +40,10 @@ pub fn identified<'py>(
         .with("function", functions)?
         .with("shape", modes.iter().map(|mode| PyArray1::from_vec(py, mode.shape())).collect::<Vec<_>>())?
         .with("reference", references)?
-        .with("participation", modes.iter().map(|mode| PyArray1::from_slice(py, &mode.participation[..references.len()])).collect::<Vec<_>>())?
+        .with(
+            "participation",
+            modes.iter().map(|mode| PyArray1::from_slice(py, &mode.participation[..references.len()])).collect::<Vec<_>>(),
+        )?
         .rows("mac", &mac_matrix(modes), modes.len())?
         .with("misfit", found.misfit)?
         .each("pole_order", diagram, |pole| pole.order as i64)?
