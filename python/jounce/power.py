@@ -32,8 +32,8 @@ class PowerResult(Result):
     resistance_ohm: Annotated[Floats, Along("record", "ohm", "resistance of the load")]
     mean_power_w: Annotated[Floats, Along("record", "W", "mean power")]
     half_width_w: Annotated[Floats, Along("record", "W", "half the width of its 95 % interval")]
-    #: Batches that the interval rests on, the correlation of neighbouring ones, independent values that the record is worth (256 at most), and
-    #: whether any of that makes the interval too narrow.
+    #: Batches that the interval rests on, the correlation of neighbouring ones, independent values that the record is worth (256 at
+    #: most), and whether any of that makes the interval too narrow.
     batches: Annotated[Integers, Along("record", "1", "batches that the interval rests on")]
     batch_correlation: Annotated[Floats, Along("record", "1", "correlation of neighbouring batches")]
     effective_samples: Annotated[Floats, Along("record", "1", "independent values that the record is worth")]

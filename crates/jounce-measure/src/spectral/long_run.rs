@@ -27,7 +27,7 @@ const FREEDOM: f64 = 0.3;
 const LEAST_FREEDOM: f64 = 2.0;
 /// Independent values below which corrections grow no further.
 const FEWEST: f64 = 3.0;
-/// A process that leaves less than this share of the variance is periodic: higher orders are roundoff.
+/// A process that leaves no more than this share of the variance is periodic, and what it leaves is roundoff.
 const NOTHING: f64 = 1e-12;
 
 /// What a row of values is worth.
@@ -74,10 +74,7 @@ fn density_at_zero(row: &[f64], variance: f64) -> f64 {
         coefficients.push(0.0);
         let turned: Vec<f64> = coefficients.iter().rev().copied().collect();
         coefficients.iter_mut().zip(turned).for_each(|(a, b)| *a += reflection * b);
-        left *= 1.0 - reflection * reflection;
-        if left <= NOTHING * variance {
-            break;
-        }
+        left = (left * (1.0 - reflection * reflection)).max(NOTHING * variance);
         let cost = count * left.ln() + count.ln() * order as f64;
         if cost < least {
             (least, found) = (cost, left / coefficients.iter().sum::<f64>().powi(2));
