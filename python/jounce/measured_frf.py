@@ -38,8 +38,8 @@ class MeasuredFrf(Result):
     #: Names of the sensors, and the places of the force, or its channel where no place is told; empty where responses were given.
     output: list[str]
     reference: list[str]
-    #: Each response by its channel, ``"tip from beam.mid"`` where the force acts at several places, of shape ``(frequency,)``, its unit, and
-    #: its coherence, 1 throughout where one block tells nothing.
+    #: Each response by its channel, ``"tip from beam.mid"`` where the force acts at several places, of shape ``(frequency,)``,
+    #: its unit, and its coherence, 1 throughout where one block tells nothing.
     responses: dict[str, Complexes]
     units: dict[str, str]
     coherence: dict[str, Floats]
