@@ -212,7 +212,7 @@ def test_modes_of_a_hammer_test_are_those_of_the_model_and_of_the_command_line(h
 
 def test_hits_at_two_places_give_one_response_for_each_sensor_and_place(harvester, command_line, tmp_path):
     points = ["beam.hammer", "beam.tip"]
-    options = {"fixed_table": True, "hits": 1, "block": "8 s", "rate": "512 Hz", "contact": "4 ms", "noise": 1e-4}
+    options = {"fixed_table": True, "hits": 1, "block": "8 s", "rate": "1024 Hz", "contact": "4 ms", "noise": 1e-4}
     records = [harvester.rig(hammer=point, at=["beam.tip", "beam.hammer"], **options) for point in points]
     files = [tmp_path / f"{point}.csv" for point in points]
     for record, file in zip(records, files):

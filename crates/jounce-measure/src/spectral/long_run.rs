@@ -27,8 +27,9 @@ const FREEDOM: f64 = 0.3;
 const LEAST_FREEDOM: f64 = 2.0;
 /// Independent values below which corrections grow no further.
 const FEWEST: f64 = 3.0;
-/// A process that leaves no more than this share of the variance is periodic, and what it leaves is roundoff.
-const NOTHING: f64 = 1e-12;
+/// A process that leaves no more than this share of the variance is periodic, and higher orders would take
+/// up what the row's own mean has left at zero.
+const NOTHING: f64 = 1e-3;
 
 /// What a row of values is worth.
 pub(super) struct LongRun {

