@@ -82,16 +82,15 @@ impl Modal {
     fn begin(band: &Band, data: &Data, start: &[Pole]) -> Option<Self> {
         let poles: Vec<c64> = start.iter().map(|pole| pole.complex()).collect();
         let residue = residues(data, &poles)?;
-        let mut begun = Self { poles, participation: Vec::new(), fixed: Vec::new() };
-        for r in 0..start.len() {
+        let begun = |r: usize| {
             let of = Mat::from_fn(band.outputs(), band.inputs, |o, i| residue[o * band.inputs + i][r]);
             let svd = of.thin_svd().ok()?;
             let row: Vec<c64> = (0..band.inputs).map(|i| svd.V()[(i, 0)].conj()).collect();
             let fixed = (0..row.len()).max_by(|a, b| row[*a].norm().total_cmp(&row[*b].norm()))?;
-            begun.participation.push(row.iter().map(|b| b / row[fixed]).collect());
-            begun.fixed.push(fixed);
-        }
-        Some(begun)
+            Some((row.iter().map(|b| b / row[fixed]).collect(), fixed))
+        };
+        let (participation, fixed) = (0..start.len()).map(begun).collect::<Option<Vec<_>>>()?.into_iter().unzip();
+        Some(Self { poles, participation, fixed })
     }
 
     /// Mode and reference of each participation that is fitted.
@@ -138,7 +137,7 @@ fn part(o: usize, data: &Data, terms: &Terms, modal: &Modal) -> Part {
     let column = |row: usize, c: usize| {
         let i = row / lines;
         match c.checked_sub(2 * modes) {
-            None if c % 2 == 0 => both(row, c / 2, modal.participation[c / 2][i]),
+            None if c.is_multiple_of(2) => both(row, c / 2, modal.participation[c / 2][i]),
             None => both(row, c / 2, modal.participation[c / 2][i] * j),
             Some(k) if k / 4 == i => base(row, 2 * modes + k % 4),
             Some(_) => 0.0,
