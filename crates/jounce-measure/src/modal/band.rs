@@ -31,6 +31,8 @@ pub struct Band {
     /// Variance of each line of each response, real and imaginary part together; empty where nothing is told.
     pub(super) variance: Vec<Vec<f64>>,
     pub(super) inputs: usize,
+    /// True where the forces stand for the outputs and the sensors for the references.
+    pub(super) swapped: bool,
     /// Power of `j w` from displacement to what each response measures.
     power: Vec<i32>,
 }
@@ -100,11 +102,13 @@ impl Band {
             response: measured.iter().map(displacement).collect(),
             variance: measured.iter().filter_map(variance).collect(),
             inputs,
+            swapped: false,
             power: measured.iter().map(|one| one.motion as i32).collect(),
         })
     }
 
-    /// The lines between two frequencies of measured responses to one force. What measures a voltage is taken for a displacement, since that of
+    /// The lines between two frequencies of measured responses. Of forces at several places the references are the sensors where these are
+    /// fewer: a structure answers alike when force and sensor change places. What measures a voltage is taken for a displacement, since that of
     /// a patch follows its strain; what tells no unit for an acceleration. Responses of several kinds may stand together. Coherence of several
     /// blocks weighs the lines.
     ///
@@ -118,15 +122,26 @@ impl Band {
         };
         let first = responses.functions.first();
         let frequency_hz = first.map_or(&[][..], |function| &function.frequency_hz);
-        let several = first.is_some_and(|function| function.blocks > 1);
+        let several = responses.functions.iter().all(|function| function.blocks > 1);
         let deviation = |function: &FrequencyResponse| (0..function.value.len()).map(|k| function.relative_deviation(k)).collect();
         let deviation: Vec<Vec<f64>> = responses.functions.iter().filter(|_| several).map(deviation).collect();
-        let mut measured = Vec::new();
-        for (k, (function, quantity)) in responses.functions.iter().zip(&responses.quantities).enumerate() {
-            let relative_deviation = deviation.get(k).map(Vec::as_slice);
-            measured.push(Measured { value: &function.value, relative_deviation, motion: motion(*quantity) });
-        }
-        Self::of_measured(frequency_hz, &measured, 1, between_hz)
+        let references = responses.references.len().max(1);
+        let swapped = responses.functions.len() < references * references;
+        let (functions, quantities) = (&responses.functions, &responses.quantities);
+        let measured = order(functions.len(), references, swapped).into_iter().map(|k| Measured {
+            value: &functions[k].value,
+            relative_deviation: deviation.get(k).map(Vec::as_slice),
+            motion: motion(quantities[k]),
+        });
+        let inputs = if swapped { functions.len() / references } else { references };
+        Ok(Self { swapped, ..Self::of_measured(frequency_hz, &measured.collect::<Vec<_>>(), inputs, between_hz)? })
+    }
+
+    /// What stands in the order of the band in that of the responses.
+    pub(super) fn in_order<T>(&self, of: Vec<T>) -> Vec<T> {
+        let mut placed: Vec<(usize, T)> = order(of.len(), self.outputs(), self.swapped).into_iter().zip(of).collect();
+        placed.sort_by_key(|(k, _)| *k);
+        placed.into_iter().map(|(_, one)| one).collect()
     }
 
     /// The lines up to a frequency.
@@ -140,6 +155,7 @@ impl Band {
             response: self.response.iter().map(cut).collect(),
             variance: self.variance.iter().map(|of| of[..lines].to_vec()).collect(),
             inputs: self.inputs,
+            swapped: self.swapped,
             power: self.power.clone(),
         }
     }
@@ -166,4 +182,12 @@ impl Band {
     pub(super) fn outputs(&self) -> usize {
         self.response.len() / self.inputs
     }
+}
+
+/// Numbers of responses `o * references + i`: by their references, then by their outputs, where these change sides.
+fn order(responses: usize, references: usize, swapped: bool) -> Vec<usize> {
+    if !swapped {
+        return (0..responses).collect();
+    }
+    (0..references).flat_map(|i| (i..responses).step_by(references)).collect()
 }

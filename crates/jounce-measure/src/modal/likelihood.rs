@@ -24,8 +24,8 @@ pub(super) struct Fit {
     pub misfit: f64,
 }
 
-const STEPS: usize = 30;
-const SETTLED: f64 = 1e-10;
+pub(super) const STEPS: usize = 30;
+pub(super) const SETTLED: f64 = 1e-10;
 
 /// One response's part of the normal equations.
 struct Part {
@@ -65,28 +65,28 @@ pub(super) fn fit(band: &Band, start: &[Pole]) -> Option<Fit> {
 }
 
 /// The normal matrix with its diagonal lifted.
-fn damped(normal: &Mat<f64>, share: f64) -> Option<faer::linalg::solvers::Llt<f64>> {
+pub(super) fn damped(normal: &Mat<f64>, share: f64) -> Option<faer::linalg::solvers::Llt<f64>> {
     let lifted = Mat::from_fn(normal.nrows(), normal.ncols(), |a, b| normal[(a, b)] * if a == b { 1.0 + share } else { 1.0 });
     lifted.llt(Side::Lower).ok()
 }
 
 /// What the fit is made to.
-struct Data {
+pub(super) struct Data {
     /// Of each line that is used, rad/s.
-    angular: Vec<f64>,
-    responses: Vec<Weighed>,
+    pub angular: Vec<f64>,
+    pub responses: Vec<Weighed>,
 }
 
 /// A response at the lines that are used.
-struct Weighed {
+pub(super) struct Weighed {
     /// One over the standard deviation of each part.
-    weight: Vec<f64>,
+    pub weight: Vec<f64>,
     /// The response times its weight.
-    value: Vec<c64>,
+    pub value: Vec<c64>,
 }
 
 impl Data {
-    fn of(band: &Band, start: &[Pole]) -> Self {
+    pub fn of(band: &Band, start: &[Pole]) -> Self {
         let lines = kept(&band.frequency_hz, start);
         let weighed = |o: usize| {
             let weight = weights(band, o, &lines);
@@ -129,7 +129,7 @@ fn weights(band: &Band, o: usize, lines: &[usize]) -> Vec<f64> {
 }
 
 /// Values of the linear terms at a line: real and imaginary part of each residue, then of `-1/w^2` and `1`.
-fn linear_terms(poles: &[c64], w: f64, row: &mut Vec<c64>) {
+pub(super) fn linear_terms(poles: &[c64], w: f64, row: &mut Vec<c64>) {
     row.clear();
     let j = c64::new(0.0, 1.0);
     for p in poles {
@@ -141,15 +141,15 @@ fn linear_terms(poles: &[c64], w: f64, row: &mut Vec<c64>) {
 }
 
 /// What all responses share at some poles, not weighed: two rows for each line, its real and its imaginary part.
-struct Terms {
+pub(super) struct Terms {
     /// The columns of the linear unknowns.
-    linear: Mat<f64>,
+    pub linear: Mat<f64>,
     /// For each pole `u + u'` and `j (u - u')`, where `u = 1 / (j w - p)^2` and `u'` is that of the conjugate pole.
-    squares: Mat<f64>,
+    pub squares: Mat<f64>,
 }
 
 impl Terms {
-    fn of(data: &Data, poles: &[c64]) -> Self {
+    pub fn of(data: &Data, poles: &[c64]) -> Self {
         let (rows, width, j) = (2 * data.angular.len(), 2 * poles.len() + 4, c64::new(0.0, 1.0));
         let (mut linear, mut squares) = (Mat::<f64>::zeros(rows, width), Mat::<f64>::zeros(rows, 2 * poles.len()));
         let mut row = Vec::with_capacity(width);
@@ -205,13 +205,6 @@ fn finished(band: &Band, data: &Data, poles: &[c64], normal: &Mat<f64>, error: f
     // Without variances the misfit is all that is known of them.
     let factor = if told { misfit.max(1.0) } else { misfit };
     let covariance = normal.llt(Side::Lower).ok()?.inverse();
-    let deviation = |(r, p): (usize, &c64)| {
-        let (vr, vi, c) = (covariance[(2 * r, 2 * r)], covariance[(2 * r + 1, 2 * r + 1)], covariance[(2 * r, 2 * r + 1)]);
-        let (a, b, size) = (p.re, p.im, p.norm());
-        // |p| and -re p / |p| by the real and the imaginary part.
-        let spread = |da: f64, db: f64| ((da * da * vr + db * db * vi + 2.0 * da * db * c) * factor).max(0.0).sqrt();
-        (spread(a / size, b / size) / TAU, spread(-b * b / size.powi(3), a * b / size.powi(3)))
-    };
     let (mut residue, mut model, mut row) = (Vec::new(), Vec::new(), Vec::new());
     let terms = Terms::of(data, poles);
     for response in &data.responses {
@@ -225,9 +218,31 @@ fn finished(band: &Band, data: &Data, poles: &[c64], normal: &Mat<f64>, error: f
     }
     Some(Fit {
         poles: poles.iter().map(|p| Pole::of(*p)).collect(),
-        deviation: poles.iter().enumerate().map(deviation).collect(),
+        deviation: deviations(poles, &covariance, factor),
         residue,
         model,
         misfit,
     })
+}
+
+/// Standard deviations of frequency (Hz) and damping ratio from the covariance of the poles' real and imaginary parts, times a factor.
+pub(super) fn deviations(poles: &[c64], covariance: &Mat<f64>, factor: f64) -> Vec<(f64, f64)> {
+    let deviation = |(r, p): (usize, &c64)| {
+        let (vr, vi, c) = (covariance[(2 * r, 2 * r)], covariance[(2 * r + 1, 2 * r + 1)], covariance[(2 * r, 2 * r + 1)]);
+        let (a, b, size) = (p.re, p.im, p.norm());
+        // |p| and -re p / |p| by the real and the imaginary part.
+        let spread = |da: f64, db: f64| ((da * da * vr + db * db * vi + 2.0 * da * db * c) * factor).max(0.0).sqrt();
+        (spread(a / size, b / size) / TAU, spread(-b * b / size.powi(3), a * b / size.powi(3)))
+    };
+    poles.iter().enumerate().map(deviation).collect()
+}
+
+/// Residues at some poles: response, mode.
+pub(super) fn residues(data: &Data, poles: &[c64]) -> Option<Vec<Vec<c64>>> {
+    let terms = Terms::of(data, poles);
+    let of = |response: &Weighed| {
+        let linear = part(response, &terms)?.linear;
+        Some((0..poles.len()).map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)])).collect())
+    };
+    data.responses.par_iter().map(of).collect()
 }

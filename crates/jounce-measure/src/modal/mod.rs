@@ -8,12 +8,14 @@
 //! ```
 //!
 //! (`m` = 0, 1, 2 for displacement, velocity and acceleration per force) to all responses at once, each line with the variance that its
-//! coherence tells, and its covariance gives the uncertainty of frequencies and damping ratios.
+//! coherence tells, and its covariance gives the uncertainty of frequencies and damping ratios. Of forces at several places the residues of a mode
+//! are its shape times its participation in each; sensors and places of forces may change sides, by reciprocity, so that the fewer are the references.
 //!
 //! Source: P. Guillaume et al., A poly-reference implementation of the least-squares complex frequency-domain estimator, IMAC 21 (2003);
 //! M. El-Kafafy et al., Fast maximum-likelihood identification of modal parameters with uncertainty intervals, Mech. Syst. Signal Process. 37
 //! (2013) 422.
 mod band;
+mod close;
 mod error;
 mod half_spectrum;
 mod identify;
@@ -23,6 +25,7 @@ mod mac;
 mod nested;
 mod plscf;
 mod pole;
+mod references;
 mod stabilisation;
 mod thinned;
 mod warp;

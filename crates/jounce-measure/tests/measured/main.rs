@@ -6,5 +6,6 @@ mod driven;
 mod formats;
 mod hammer;
 mod real;
+mod references;
 mod samples;
 mod seven;
