@@ -51,7 +51,7 @@ def main() -> None:
     costs: list[orbit_run.Cost] = []
     for measure_costs in (False, True) if program else (False,):  # the branch is on disk before the long second part begins
         if program and measure_costs:
-            costs = orbit_run.costs(program, specs(orbit_run.MODES), chosen.repeats, chosen.cap)
+            costs = orbit_run.costs(program, build.compile_jounce(), specs(orbit_run.MODES), chosen.repeats, chosen.cap)
         text = orbit_report.report(described, drawn, references, costs, chosen.cap)
         write(text, stem, {"branch": drawn, "costs": costs}, chosen.keep)
     print(text)

@@ -55,12 +55,18 @@ def positive_si(kind: str, value: Any, what: str) -> float:
     return found
 
 
+#: Numbers of which there is at least one.
+COUNTED_FROM_ONE = frozenset({"longest_period"})
+
+
 def check_wholes(**numbers: int | None) -> None:
     """Refuses numbers that nothing can be counted by; what is no whole number at all is a TypeError of the call itself."""
-    wrong = {name: value for name, value in numbers.items() if isinstance(value, int) and not 0 <= value <= MOST_WHOLE}
-    if wrong:
-        told = ", ".join(f"{name} is {value}" for name, value in wrong.items())
-        raise ArgumentError(f"{told}; give a whole number from 0 to {MOST_WHOLE}", {**wrong, "least": 0, "most": MOST_WHOLE})
+    for least, names in ((1, COUNTED_FROM_ONE & numbers.keys()), (0, numbers.keys() - COUNTED_FROM_ONE)):
+        given = {name: numbers[name] for name in numbers if name in names}
+        wrong = {name: value for name, value in given.items() if isinstance(value, int) and not least <= value <= MOST_WHOLE}
+        if wrong:
+            told = ", ".join(f"{name} is {value}" for name, value in wrong.items())
+            raise ArgumentError(f"{told}; give a whole number from {least} to {MOST_WHOLE}", {**wrong, "least": least, "most": MOST_WHOLE})
 
 
 def rate_hz(given: Any) -> float:

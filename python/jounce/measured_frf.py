@@ -35,7 +35,11 @@ class MeasuredFrf(Result):
     """Responses per newton of a hammer test with their coherence; sign convention ``e^{+i w t}``."""
 
     frequency_hz: Floats
-    #: Each response by its channel, of shape ``(frequency,)``, its unit, and its coherence, 1 throughout where one block tells nothing.
+    #: Names of the sensors, and the places of the force, or its channel where no place is told; empty where responses were given.
+    output: list[str]
+    reference: list[str]
+    #: Each response by its channel, ``"tip from beam.mid"`` where the force acts at several places, of shape ``(frequency,)``,
+    #: its unit, and its coherence, 1 throughout where one block tells nothing.
     responses: dict[str, Complexes]
     units: dict[str, str]
     coherence: dict[str, Floats]
@@ -128,6 +132,8 @@ def made_frf(given: list[Recording], answer: dict[str, Any], manifest: dict[str,
     return MeasuredFrf(
         manifest=manifest,
         frequency_hz=answer["frequency_hz"],
+        output=answer["outputs"],
+        reference=answer["references"],
         responses={name: values for name, (values, _, _) in told.items()},
         units={name: unit for name, (_, unit, _) in told.items()},
         coherence={name: coherence for name, (_, _, coherence) in told.items()},
@@ -154,7 +160,8 @@ def measured_frf(
     """Frequency responses of a hammer or shaker test, ``jounce frf --measured``.
 
     ``records``: one recording or a list of them, each a :class:`Recording`, a file, or SEP005 time series over one time, with one or more
-    hits; or one file of responses over frequency. ``force`` and ``response`` name channels, by default the first in newtons and all others.
+    hits; or one file of responses over frequency. Hits at several places, each recording telling its own, give one response for each sensor
+    and place. ``force`` and ``response`` name channels, by default the first in newtons and all others.
     ``estimator``: where the noise is, ``"h1"`` on the responses, ``"h2"`` on the force, ``"hv"`` on both, with ``noise_ratio`` of their
     densities. ``block``: ``"2 s"``, by default the shortest distance of two hits. ``force_window`` takes away the force after each hit,
     ``end_ratio`` is where an exponential window ends. A force that goes on, both ways, is taken for that of a shaker, as any is with

@@ -32,6 +32,9 @@ class MeasuredModes(Result):
     #: Names of the responses, and the shapes there, of size 1 at the largest.
     response: list[str]
     shape: Annotated[Complexes, Along("response mode", "1", "shape, of size 1 at the largest response")]
+    #: Places of the force where there are several, and what each moves of a mode, 1 at the largest: by reciprocity the shape there.
+    reference: list[str]
+    participation: Annotated[Complexes, Along("reference mode", "1", "participation of a force, by reciprocity the shape where it acts")]
     mac: Annotated[Floats, Along("mode other_mode", "1", "modal assurance criterion")]
     #: Squared error over the variance that the coherence tells; above 1 the deviations are widened by its root.
     misfit: float
@@ -85,6 +88,7 @@ class MeasuredModes(Result):
             "mode": Variable(("mode",), numbers, "1", "number of the mode"),
             "other_mode": Variable(("other_mode",), numbers, "1", "number of another mode"),
             "response": Variable(("response",), self.response, "", "response"),
+            "reference": Variable(("reference",), self.reference, "", "place of a force"),
             "function": Variable(("function",), self.function, "", "function that the modes were sought in"),
             "line": Variable(("line",), self.line_hz, "Hz", "frequency"),
         }
@@ -134,7 +138,8 @@ def measured_modes(
     """Modes of a hammer or shaker test, of free decays or of outputs alone, with their uncertainty, ``jounce modes --measured``.
 
     They are sought ``between = "500 Hz:4300 Hz"``, by default over all lines, with denominators up to an ``order``. ``records`` and the
-    other options are those of :func:`measured_frf`; damping that an exponential window adds is taken off.
+    other options are those of :func:`measured_frf`; damping that an exponential window adds is taken off. Of hits at several places
+    shapes are known there too, ``participation``, and modes as close as one place alone could not tell apart are told apart.
 
     With ``free_decay`` each record is one, after a release or a hit: used from its largest size on, or over a ``span``, ``"0.2 s:3 s"``,
     after its first sample. With ``output_only`` the one record is that of a structure under noise that nobody measured, correlated with
@@ -194,5 +199,13 @@ def _ends(kind: str, range: Any, what: str) -> tuple[float, float] | None:
 
 def _shaped(answer: dict[str, Any]) -> dict[str, Any]:
     """Without a mode or a line the arrays have an axis of length 0."""
-    shape = np.array(answer["shape"]).reshape(len(answer["frequency_hz"]), len(answer["response"])).T
-    return {**answer, "shape": shape, "measured": np.array(answer["measured"]), "model": np.array(answer["model"])}
+    modes = len(answer["frequency_hz"])
+    shape = np.array(answer["shape"]).reshape(modes, len(answer["response"])).T
+    participation = np.array(answer["participation"], dtype=np.complex128).reshape(modes, len(answer["reference"])).T
+    return {
+        **answer,
+        "shape": shape,
+        "participation": participation,
+        "measured": np.array(answer["measured"]),
+        "model": np.array(answer["model"]),
+    }

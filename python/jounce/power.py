@@ -32,9 +32,11 @@ class PowerResult(Result):
     resistance_ohm: Annotated[Floats, Along("record", "ohm", "resistance of the load")]
     mean_power_w: Annotated[Floats, Along("record", "W", "mean power")]
     half_width_w: Annotated[Floats, Along("record", "W", "half the width of its 95 % interval")]
-    #: Batches that the interval rests on, the correlation of neighbouring ones, and whether that makes it too narrow.
+    #: Batches that the interval rests on, the correlation of neighbouring ones, independent values that the record is worth (256 at
+    #: most), and whether any of that makes the interval too narrow.
     batches: Annotated[Integers, Along("record", "1", "batches that the interval rests on")]
     batch_correlation: Annotated[Floats, Along("record", "1", "correlation of neighbouring batches")]
+    effective_samples: Annotated[Floats, Along("record", "1", "independent values that the record is worth")]
     correlated: Annotated[Truths, Along("record", "1", "the record is too short and its interval too narrow")]
     mean_voltage_v: Annotated[Floats, Along("record", "V", "mean of the voltage")]
     #: NaN where no base was named.
@@ -144,6 +146,7 @@ def _told(given: list[Recording], ohms: Floats, answers: list[dict[str, Any]], m
         half_width_w=column(powers, "half_width_w"),
         batches=column(powers, "batches").astype(np.int64),
         batch_correlation=column(powers, "batch_correlation"),
+        effective_samples=column(powers, "effective_samples"),
         correlated=column(powers, "correlated").astype(np.bool_),
         mean_voltage_v=column(powers, "mean_voltage_v"),
         mean_square_base_acceleration_m2_s4=column(answers, "mean_square_base_acceleration_m2_s4"),

@@ -35,6 +35,10 @@ class RegimesResult(Result):
     #: NaN where no resistance was given.
     mean_power_w: Annotated[Floats, Along("stretch", "W", "mean power")]
     half_width_w: Annotated[Floats, Along("stretch", "W", "half the width of its 95 % interval")]
+    effective_samples: Annotated[Floats, Along("stretch", "1", "independent values of the power that the stretch is worth")]
+    #: Changes that are none of solution: ``"noise-changed"``, ``"drifts"`` or ``"glitch"`` at each.
+    joint_s: Annotated[Floats, Along("joint", "s", "change that is none of solution")]
+    joint_reason: list[str]
     #: How far a change may lie from its place, s.
     uncertainty_s: float
     #: The solution of the model that each stretch shows, ``"1a"``; ``"several"`` and ``"none"`` where no one or more than one fits. Empty
@@ -64,6 +68,7 @@ class RegimesResult(Result):
             power = f", {self.mean_power_w[k]:.5e} W +- {self.half_width_w[k]:.1e} W" if np.isfinite(self.mean_power_w[k]) else ""
             shown = f", solution: {self.solution[k]}" if self.solution else ""
             lines.append((f"{self.start_s[k]:.3f} s to {self.end_s[k]:.3f} s", f"rms {self.rms[k]:.5e} {self.unit}, {name}{power}{shown}"))
+        lines += [(f"{at_s:.3f} s", f"{reason}, the solution stays") for at_s, reason in zip(self.joint_s, self.joint_reason)]
         return lines + told(self.findings)
 
     def _repr_html_(self) -> str:
@@ -78,6 +83,7 @@ class RegimesResult(Result):
             "rms": Variable(("stretch",), self.rms, self.unit, f"{self.channel}, rms about the mean"),
             "values": Variable(("time",), self.values, self.unit, self.channel),
         }
+        variables["joint_reason"] = Variable(("joint",), self.joint_reason, "", "why the change is none of solution")
         if self.solution:
             variables["solution"] = Variable(("stretch",), self.solution, "", "solution of the model that fits")
         coords = {
@@ -134,7 +140,7 @@ def regimes(
     handed = _core.measured_regimes(given._core(), drive_hz, channel, ohm, None if model is None else model._spec, compared)
     answer = whole(handed)
     shown = json.loads(answer["correspondences"])
-    stretches, powers = json.loads(answer["stretches"]), json.loads(answer["powers"])
+    stretches, powers, joints = (json.loads(answer[name]) for name in ("stretches", "powers", "joints"))
     periods = [one["period"] for one in stretches]
     none: list[dict[str, Any]] = [{} for _ in stretches]
     return RegimesResult(
@@ -149,6 +155,9 @@ def regimes(
         mismatch=column(periods, "mismatch"),
         mean_power_w=column(powers or none, "mean_power_w"),
         half_width_w=column(powers or none, "half_width_w"),
+        effective_samples=column(powers or none, "effective_samples"),
+        joint_s=column(joints, "at_s"),
+        joint_reason=[one["reason"] for one in joints],
         uncertainty_s=answer["uncertainty_s"],
         solution=[_named(one) for one in shown],
         candidates=[one["candidates"] for one in shown],

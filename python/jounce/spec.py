@@ -131,7 +131,7 @@ class Spec(SpecOnRig):
         *,
         method: Literal["shooting", "harmonic-balance"] = "shooting",
         harmonics: int = 64,
-        tolerance: float = 1e-9,
+        tolerance: float = 5e-10,
         seeds: int = 12,
         longest_period: int = 12,
         threads: int | None = None,

@@ -240,6 +240,7 @@ def test_numbers_that_count_nothing_are_refused_by_name(harvester):
         (lambda: harvester.basins(starts=1, seed=-1), "seed is -1"),
         (lambda: harvester.sweep(frequency, "10 Hz:11 Hz:2x", threads=-1), "threads is -1"),
         (lambda: harvester.branch(frequency, "12 Hz:13 Hz", longest_period=-1), "longest_period is -1"),
+        (lambda: harvester.branch(frequency, "12 Hz:13 Hz", longest_period=0), "longest_period is 0; give a whole number from 1"),
         (lambda: harvester.jumps(frequency, "12 Hz:13 Hz", "stop.tip.gap", "1 mm:2 mm", seeds=10**10), "seeds is 10000000000"),
         (lambda: harvester.diagram(frequency, "12 Hz:13 Hz:2x", cycles=-1), "cycles is -1"),
         (lambda: noisy.ensemble(members=-1), "members is -1"),

@@ -110,7 +110,7 @@ def test_power_against_the_load_is_that_of_the_command_line(shaken, command_line
     told = command_line("power", *map(str, paths), "--resistance=1Mohm", "--resistance=2Mohm", "--drive=11Hz", spec=None)["records"]
     found = jounce.power(paths, ["1 Mohm", "2 Mohm"], drive="11 Hz")
     same(found.resistance_ohm, [one["resistance_ohm"] for one in told])
-    for name in ("mean_power_w", "half_width_w", "batches", "batch_correlation", "correlated", "mean_voltage_v"):
+    for name in ("mean_power_w", "half_width_w", "batches", "batch_correlation", "effective_samples", "correlated", "mean_voltage_v"):
         same(getattr(found, name), [one["power"][name] for one in told])
     same(found.order_amplitude_peak_v, [[line["amplitude_peak_v"] for line in one["orders"]] for one in told])
     assert found.record == ["a", "b"] and len(found.manifest["options"]["recording_sha256"].split()) == 2
@@ -136,10 +136,26 @@ def test_regimes_are_those_of_the_command_line_and_find_a_made_change(command_li
     stretches = told["regimes"]["stretches"]
     for name in ("start_s", "end_s", "rms"):
         same(getattr(found, name), [one[name] for one in stretches])
-    same(found.mean_power_w, [one["mean_power_w"] for one in told["powers"]])
+    for name in ("mean_power_w", "effective_samples"):
+        same(getattr(found, name), [one[name] for one in told["powers"]])
+    assert len(found.joint_s) == len(told["regimes"]["joints"]) == 0
     # The change is found within a block, and the second stretch repeats after two cycles.
     assert abs(found.end_s[0] - 20.0) <= found.uncertainty_s and found.period_cycles.tolist() == [1, 2]
     assert found.names() == ["period 1", "period 2"] and found.channel == "u"
+
+
+def test_a_change_of_the_noise_is_a_joint_within_a_stretch(command_line, tmp_path):
+    stream = np.random.default_rng(1)
+    noise = np.concatenate([0.02 * stream.standard_normal(20_000), 0.4 * stream.standard_normal(20_000)])
+    recording = jounce.Recording.of({"u": sine(1.0, 10.0, 1000.0, 40.0) + noise}, 1000.0, units="V", name="noisy")
+    recording.write(tmp_path / "noisy.csv")
+    told = command_line("regimes", "--drive=10Hz", spec=tmp_path / "noisy.csv")["regimes"]
+    found = jounce.regimes(recording, "10 Hz")
+    assert len(found) == len(told["stretches"]) == 1 and np.isnan(found.effective_samples).all()
+    same(found.joint_s, [one["at_s"] for one in told["joints"]])
+    assert found.joint_reason == [one["reason"] for one in told["joints"]] == ["noise-changed"]
+    assert abs(found.joint_s[0] - 20.0) <= found.uncertainty_s and "noise-changed, the solution stays" in str(found)
+    assert found.to_xarray().sizes["joint"] == 1
 
 
 def test_contacts_are_those_of_the_command_line(command_line, tmp_path):
@@ -192,6 +208,23 @@ def test_modes_of_a_hammer_test_are_those_of_the_model_and_of_the_command_line(h
     given = jounce.Recording.of(frf.responses, frequency_hz=frf.frequency_hz)
     again = jounce.measured_modes(given, between=("20 Hz", "350 Hz"))
     assert again.frequency_hz == pytest.approx(found.frequency_hz, rel=2e-4)
+
+
+def test_hits_at_two_places_give_one_response_for_each_sensor_and_place(harvester, command_line, tmp_path):
+    points = ["beam.hammer", "beam.tip"]
+    options = {"fixed_table": True, "hits": 1, "block": "8 s", "rate": "1024 Hz", "contact": "4 ms", "noise": 1e-4}
+    records = [harvester.rig(hammer=point, at=["beam.tip", "beam.hammer"], **options) for point in points]
+    files = [tmp_path / f"{point}.csv" for point in points]
+    for record, file in zip(records, files):
+        record.write(file)
+    measured = ["--measured", *map(str, files), "--end-ratio=0.01"]
+    told = command_line("modes", *measured, "--between=20Hz:200Hz", spec=None)
+    found = jounce.measured_modes(records, end_ratio=0.01, between="20 Hz:200 Hz")
+    assert found.reference == found.frf.reference == told["references"] == points and len(found.frf.responses) == 4
+    same(found.frequency_hz, [mode["frequency_hz"] for mode in told["modes"]])
+    assert found.participation.shape == (2, len(found)) and found.to_xarray().sizes["reference"] == 2
+    # Reciprocity: sensors stand at tip and hammer, hits at hammer and tip.
+    assert np.abs(found.shape[0] * found.participation[0] - found.shape[1] * found.participation[1]).max() < 0.02
 
 
 def test_free_decays_and_outputs_alone_are_those_of_the_command_line(harvester, command_line, tmp_path):

@@ -1,4 +1,4 @@
-//! Runs of jounce as a library: `peer-jounce SPEC warm|first|each KEY=VALUE...` prints JSON lines.
+//! Runs of jounce as a library: `peer-jounce SPEC warm|first|each|balance KEY=VALUE...` prints JSON lines.
 //!
 //! Keys of the spec are set as with `--set` on the command line, as in `"drive.shaker.frequency=11 Hz"`.
 //! `cpu_s` is CPU time of the one thread that works during `simulate`, from a fresh state at rest to the answer; under a limit of CPU time
@@ -7,16 +7,21 @@
 //! every run of a sweep but its first; a millisecond being short, it is marched many times more, and the times are those of the median.
 //! `wall_s` is the wall time of the same run, `march_s` that of the march alone.
 //!
+//! With `balance` the branch of period 1 is followed upwards from 10.5 to 12 Hz by the equations of harmonic balance alone, with 64 harmonics,
+//! without stability and without the march that checks them: `points` and the CPU time of all, the median of many walks.
+//!
 //! With `each` the run is marched before and once for every line on stdin. `simulate_s` is the wall time of `simulate`, `run_s` that of
 //! all that the command `run` asks of the library once a spec is prepared: the kernel of the run, `simulate`, peak voltages, charges and
 //! warnings.
 
+use jounce::continuation::{Corrector, Direction, Metric, Position, StepControl, Walk, settle, tangent};
 use jounce::march::{Kernel, Watch};
+use jounce::orbit::{HarmonicBalance, Harvester, OrbitMethod, Shooting};
 use jounce::plant::{Plant, System};
 use jounce::run::{RunAnswer, RunPlan, StartState, Warning, charges, simulate, voltage_peaks};
-use jounce::spec::{Spec, SpecFile};
+use jounce::spec::{NumericKey, Spec, SpecFile};
 use jounce::structure;
-use jounce::study::Prepared;
+use jounce::study::{Parameter, Prepared, settled_orbit};
 use rustix::time::{ClockId, clock_gettime};
 use std::error::Error;
 use std::hint::black_box;
@@ -76,6 +81,42 @@ fn whole_run(prepared: &Prepared) -> Result<String, Box<dyn Error>> {
     Ok(format!(r#"{{"mean_power_w": {mean_power_w:e}, "run_s": {run_s:e}, "simulate_s": {simulate_s:e}, "march_s": {march_s:e}}}"#))
 }
 
+/// Range of the walk by harmonic balance, Hz, and its harmonics.
+const WALKED_HZ: [f64; 2] = [10.5, 12.0];
+const HARMONICS: usize = 64;
+
+/// A walk by the equations of harmonic balance alone.
+fn balance(spec: Spec) -> Result<String, Box<dyn Error>> {
+    let key = NumericKey::find(&spec, "drive.shaker.frequency")?;
+    let base = Prepared::new(spec)?;
+    let [low_hz, high_hz] = WALKED_HZ;
+    let parameter = Parameter::new(&base, &key, high_hz - low_hz);
+    let corrector = Corrector { goal: 5e-8, most: 8 };
+    let kernel = parameter.at(low_hz)?.kernel;
+    let rest = vec![0.0; kernel.plant.len()];
+    let orbit = settled_orbit(&parameter, low_hz, &rest, 1e-9, corrector.goal).ok_or("nothing settles at the start")?;
+    let method = HarmonicBalance::new(Shooting::new(&parameter, &kernel, 1, 1e-9), &kernel, HARMONICS, 0.0)?;
+    let guess = Position { unknown: method.unknown_of(orbit.start(), low_hz)?, parameter: low_hz };
+    let scale = (high_hz - low_hz) / 20.0;
+    let metric = Metric::at(&guess, scale);
+    let up = Direction { unknown: vec![0.0; guess.unknown.len()], parameter: 1.0 };
+    let mut walks = Vec::new();
+    for _ in 0..RUNS {
+        let first = settle(&method, &corrector, &metric, guess.clone())?;
+        let ahead = tangent(&first.local, &metric, &up).ok_or("no tangent at the start")?;
+        let mut walk = Walk::new(&method, corrector, StepControl::default(), scale, first.position, ahead);
+        let (before_s, mut points) = (cpu_s(), 0);
+        while walk.position.parameter < high_hz {
+            walk.next().ok_or("the walk ended")??;
+            points += 1;
+        }
+        walks.push((cpu_s() - before_s, points));
+    }
+    walks.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let (taken_s, points) = walks[walks.len() / 2];
+    Ok(format!(r#"{{"points": {points}, "cpu_s": {taken_s:e}}}"#))
+}
+
 fn measure(path: &str, start: &str, changes: &[String]) -> Result<(), Box<dyn Error>> {
     let spec = read(path, changes)?;
     match start {
@@ -88,7 +129,8 @@ fn measure(path: &str, start: &str, changes: &[String]) -> Result<(), Box<dyn Er
                 println!("{}", whole_run(&prepared)?);
             }
         }
-        other => return Err(format!("'{other}' is neither warm, first nor each").into()),
+        "balance" => println!("{}", balance(spec)?),
+        other => return Err(format!("'{other}' is neither warm, first, each nor balance").into()),
     }
     Ok(())
 }
@@ -96,7 +138,7 @@ fn measure(path: &str, start: &str, changes: &[String]) -> Result<(), Box<dyn Er
 fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let [path, start, changes @ ..] = words.as_slice() else {
-        eprintln!("usage: peer-jounce SPEC warm|first|each KEY=VALUE...");
+        eprintln!("usage: peer-jounce SPEC warm|first|each|balance KEY=VALUE...");
         return ExitCode::from(2);
     };
     if let Err(error) = measure(path, start, changes) {

@@ -6,6 +6,7 @@ mod commands;
 mod decay_arguments;
 mod failure;
 mod hammer_arguments;
+mod interruption;
 mod limit_warnings;
 mod measured_file;
 mod output;

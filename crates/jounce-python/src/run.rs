@@ -4,7 +4,7 @@ use crate::arrays::Answer;
 use crate::failure::Failure;
 use crate::history::History;
 use crate::spec::Spec;
-use crate::watched::{handed, watched};
+use crate::watched::{handed, visited};
 use jounce::march::{Energies, RectifiedEnergies, Watch};
 use jounce::run::{
     ChargeAnswer, RectifiedAnswer, RunAnswer, RunPlan, StartState, StopAnswer, VoltagePeaks, Warning, charges, simulate, voltage_peaks,
@@ -53,7 +53,7 @@ pub fn run<'py>(
 ) -> Handed<'py> {
     let own = spec.with_tolerance(tolerance)?;
     let options = Options { tolerance, start, record_s, sample_rate_hz };
-    let found = watched(py, progress.as_ref(), |watch| marched(spec, &options, watch));
+    let found = visited(py, progress.as_ref(), |watch| marched(spec, &options, watch));
     handed(py, found, |marched| told(py, own.as_ref().unwrap_or(spec), marched))
 }
 

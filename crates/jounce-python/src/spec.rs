@@ -102,7 +102,8 @@ impl Spec {
                 if watch.is_stopped() {
                     return Ok(made);
                 }
-                self.prepared.get_or_init(|| made)
+                let unwatched = made.watched_by(&Watch::default())?;
+                self.prepared.get_or_init(|| unwatched)
             }
         };
         Ok(known.watched_by(watch)?)

@@ -1,8 +1,10 @@
-//! A computation on a thread of its own, while Python's own thread looks for Ctrl-C and tells how far it is.
+//! A computation without the interpreter's lock, while somebody looks for Ctrl-C and tells how far it is: on a thread of its own, with
+//! Python's own thread waiting for it, or, where a thread would cost more than the work, on Python's own thread, which looks in between.
 
 use jounce::march::Watch;
 use pyo3::prelude::*;
 use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use crate::failure::Failure;
@@ -18,7 +20,7 @@ const TELL: Duration = Duration::from_millis(100);
 pub fn watched<T: Send>(py: Python<'_>, progress: Option<&Bound<'_, PyAny>>, work: impl FnOnce(&Watch) -> T + Send) -> (T, Option<PyErr>) {
     let watch = Watch::default();
     let (sender, mut receiver) = channel::<()>();
-    let mut teller = Teller { progress, begun: Instant::now(), told: Instant::now(), last: (0, 0) };
+    let mut teller = Teller::new(progress.map(|progress| progress.clone().unbind()));
     std::thread::scope(|scope| {
         let inside = watch.clone();
         let worker = scope.spawn(move || {
@@ -35,7 +37,7 @@ pub fn watched<T: Send>(py: Python<'_>, progress: Option<&Bound<'_, PyAny>>, wor
             });
             let waits = heard == Err(RecvTimeoutError::Timeout);
             if ended.is_none() {
-                ended = py.check_signals().and_then(|()| teller.tell(&watch, !waits)).err();
+                ended = py.check_signals().and_then(|()| teller.tell(py, &watch, !waits)).err();
             }
             if !waits {
                 break;
@@ -83,17 +85,53 @@ pub fn left_alone<T: Send + 'static>(
     }
 }
 
+/// The same on this thread, for one march: it is over before another thread would have begun, or lets somebody look in between its steps.
+pub fn visited<T: Send>(py: Python<'_>, progress: Option<&Bound<'_, PyAny>>, work: impl FnOnce(&Watch) -> T + Send) -> (T, Option<PyErr>) {
+    let visit =
+        Arc::new(Mutex::new(Visit { looked: Instant::now(), ended: None, teller: Teller::new(progress.map(|own| own.clone().unbind())) }));
+    let inside = Arc::clone(&visit);
+    let watch = Watch::visited_by(move |watch| inside.lock().unwrap_or_else(PoisonError::into_inner).look(watch));
+    let answer = py.detach(|| work(&watch));
+    let mut visit = visit.lock().unwrap_or_else(PoisonError::into_inner);
+    let ended = visit.ended.take().or_else(|| py.check_signals().and_then(|()| visit.teller.tell(py, &watch, true)).err());
+    (answer, ended)
+}
+
+/// A look from within the work.
+struct Visit {
+    looked: Instant,
+    ended: Option<PyErr>,
+    teller: Teller,
+}
+
+impl Visit {
+    fn look(&mut self, watch: &Watch) {
+        if self.ended.is_some() || self.looked.elapsed() < LOOK {
+            return;
+        }
+        self.ended = Python::attach(|py| py.check_signals().and_then(|()| self.teller.tell(py, watch, false))).err();
+        if self.ended.is_some() {
+            watch.stop();
+        }
+        self.looked = Instant::now();
+    }
+}
+
 /// Tells Python how far the work is.
-struct Teller<'a, 'py> {
-    progress: Option<&'a Bound<'py, PyAny>>,
+struct Teller {
+    progress: Option<Py<PyAny>>,
     begun: Instant,
     told: Instant,
     last: (u64, u64),
 }
 
-impl Teller<'_, '_> {
-    fn tell(&mut self, watch: &Watch, at_the_end: bool) -> PyResult<()> {
-        let Some(progress) = self.progress else { return Ok(()) };
+impl Teller {
+    fn new(progress: Option<Py<PyAny>>) -> Self {
+        Self { progress, begun: Instant::now(), told: Instant::now(), last: (0, 0) }
+    }
+
+    fn tell(&mut self, py: Python<'_>, watch: &Watch, at_the_end: bool) -> PyResult<()> {
+        let Some(progress) = &self.progress else { return Ok(()) };
         // What it answers is read at the next look.
         watch.ask_time();
         let now = watch.progress();
@@ -106,7 +144,7 @@ impl Teller<'_, '_> {
         // Without a known end there is nothing left to estimate.
         let left_s =
             (done > 0 && expected > 0).then(|| self.begun.elapsed().as_secs_f64() * expected.saturating_sub(done) as f64 / done as f64);
-        progress.call1((done, expected, left_s)).map(|_| ())
+        progress.call1(py, (done, expected, left_s)).map(|_| ())
     }
 }
 

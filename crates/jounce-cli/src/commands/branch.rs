@@ -2,6 +2,7 @@
 
 use super::bandwidth;
 use crate::failure::Failure;
+use crate::interruption;
 use crate::limit_warnings;
 use crate::output::{self, line, print};
 use crate::progress;
@@ -42,13 +43,13 @@ pub struct Branch {
     #[arg(long, default_value_t = 64)]
     harmonics: usize,
     /// Relative tolerance of the marches that the orbits are made of.
-    #[arg(long, default_value_t = 1e-9)]
+    #[arg(long, default_value_t = 5e-10)]
     tolerance: f64,
     /// Values between the ends of the range at which orbits are sought by marching, for branches that stand alone.
     #[arg(long, default_value_t = 12)]
     seeds: usize,
     /// Longest period of a branch, in drive cycles; longer ones are left out.
-    #[arg(long, default_value_t = 12)]
+    #[arg(long, default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..))]
     longest_period: u32,
     #[command(flatten)]
     threads: ThreadsArgument,
@@ -87,10 +88,18 @@ impl Branch {
             let branches = search.run()?;
             let passed: Result<Vec<_>, StudyError> =
                 branches.iter().map(|branch| branch.exceeded(&parameter, &limits, self.tolerance)).collect();
-            let passed = passed.map_err(OrbitError::Harvester)?;
+            let passed = match passed {
+                // What was followed so far is worth more than its warnings.
+                Err(_) if base.kernel.watch.is_stopped() => branches.iter().map(|branch| vec![Vec::new(); branch.points.len()]).collect(),
+                passed => passed.map_err(OrbitError::Harvester)?,
+            };
             Ok((width.run(&branches), passed, branches))
         };
+        interruption::heed(&base.kernel.watch);
         let (widths, passed, branches) = progress::watched(&base.kernel.watch, || self.threads.run(work))??;
+        if branches.is_empty() && base.kernel.watch.is_stopped() {
+            return Err(Failure::Interrupted("stopped before the first branch was finished".to_owned()));
+        }
         if branches.is_empty() {
             let text = format!(
                 "no periodic orbit was found over {}: every march stayed away from the orbits that were looked for; try more --seeds, a longer --longest-period, more damping or another range",
@@ -102,7 +111,8 @@ impl Branch {
         let values: Vec<f64> = branches.iter().flat_map(|branch| &branch.points).map(|point| point.parameter).collect();
         let all: Vec<&[Exceeded]> = passed.iter().flatten().map(Vec::as_slice).collect();
         limit_warnings::warn(&all, "points", |place| format!("{} = {:.6} {}", key.path(), values[place], key.unit()));
-        self.tell((&base.spec, shown), &key, (&branches, &passed), &widths)
+        self.tell((&base.spec, shown), &key, (&branches, &passed), &widths)?;
+        interruption::end(&base.kernel.watch, || format!("the {} branches that were finished", branches.len()))
     }
 
     /// Branches that end early, and an error that is large.

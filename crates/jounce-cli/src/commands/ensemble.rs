@@ -1,6 +1,7 @@
 //! `jounce ensemble SPEC`
 
 use crate::failure::Failure;
+use crate::interruption;
 use crate::limit_warnings;
 use crate::output::{self, line, print};
 use crate::progress;
@@ -58,9 +59,7 @@ impl Ensemble {
             most_rounds: if self.relative_width.is_some() { MOST_ROUNDS } else { 1 },
             with_spectrum: self.spectrum,
         };
-        let asked = base.kernel.watch.clone();
-        // A second handler cannot be set where another already stands; then the default, to end at once, is kept.
-        let _ = ctrlc::set_handler(move || asked.stop());
+        interruption::heed(&base.kernel.watch);
         let bar = progress::counted(self.members, "members");
         let done = |member: &Member| {
             bar.set_length((member.index / self.members + 1) as u64 * self.members as u64);
@@ -80,11 +79,7 @@ impl Ensemble {
             self.write(folder, &base, &answer)?;
         }
         self.tell(&answer);
-        if base.kernel.watch.is_stopped() {
-            let text = format!("stopped: the answer is that of the {} members that were finished", answer.members.len());
-            return Err(Failure::Shortened(text));
-        }
-        Ok(())
+        interruption::end(&base.kernel.watch, || format!("the {} members that were finished", answer.members.len()))
     }
 
     fn tell(&self, answer: &EnsembleAnswer) {

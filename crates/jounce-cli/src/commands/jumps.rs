@@ -1,6 +1,7 @@
 //! `jounce jumps SPEC --over KEY=FROM:TO --against KEY2=FROM:TO`
 
 use crate::failure::Failure;
+use crate::interruption;
 use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments, check_tolerance};
@@ -29,7 +30,7 @@ pub struct Jumps {
     #[arg(long, default_value_t = 4)]
     seeds: usize,
     /// Longest period of a branch, in drive cycles; longer ones are left out.
-    #[arg(long, default_value_t = 2)]
+    #[arg(long, default_value_t = 2, value_parser = clap::value_parser!(u32).range(1..))]
     longest_period: u32,
     /// Leaves out the curves on which mean power is largest along the first key.
     #[arg(long)]
@@ -60,11 +61,13 @@ impl Jumps {
             longest_period: self.longest_period,
             peaks: !self.no_peaks,
         };
+        interruption::heed(&base.kernel.watch);
         let curves = progress::watched(&base.kernel.watch, || self.threads.run(|| search.run()))??;
         for (curve, why) in curves.iter().flat_map(|curve| curve.failures.iter().map(move |why| (curve, why))) {
             eprintln!("a curve of kind {} ends early in {}: {why}", curve.kind.name(), key_2.path());
         }
-        self.tell(&base.spec, [&key, &key_2], &curves)
+        self.tell(&base.spec, [&key, &key_2], &curves)?;
+        interruption::end(&base.kernel.watch, || format!("the {} curves that were finished", curves.len()))
     }
 
     fn tell(&self, spec: &Spec, keys: [&NumericKey; 2], curves: &[JumpCurve]) -> Result<(), Failure> {

@@ -17,15 +17,25 @@ pub fn run(hammer: &HammerArguments, output: &OutputArguments) -> Result<(), Fai
         write(folder, hammer, &found)?;
     }
     if output.json {
-        let one = |((name, unit), function): ((&String, &String), &FrequencyResponse)| {
+        let references = found.references.len().max(1);
+        let one = |(k, function): (usize, &FrequencyResponse)| {
             let (re, im): (Vec<f64>, Vec<f64>) = function.value.iter().map(|h| (h.re, h.im)).unzip();
-            (name.clone(), serde_json::json!({ "re": re, "im": im, "unit": unit, "coherence": function.coherence }))
+            let told = serde_json::json!({
+                "re": re,
+                "im": im,
+                "unit": found.units[k],
+                "coherence": function.coherence,
+                "output": found.outputs[k / references],
+                "reference": found.references.get(k % references),
+            });
+            (found.names[k].clone(), told)
         };
-        let listed: serde_json::Map<String, serde_json::Value> =
-            found.names.iter().zip(&found.units).zip(&found.functions).map(one).collect();
+        let listed: serde_json::Map<String, serde_json::Value> = found.functions.iter().enumerate().map(one).collect();
         print(&serde_json::json!({
             "frequency_hz": found.functions[0].frequency_hz,
             "responses": listed,
+            "outputs": found.outputs,
+            "references": found.references,
             "hits": found.hits,
             "block_s": found.block_s,
             "window_decay_per_s": found.window_decay_per_s,

@@ -38,6 +38,8 @@ impl BandArguments {
 struct Taken {
     /// Places that shapes are known at.
     outputs: Vec<String>,
+    /// Places of the force where there are several: each takes part in a mode.
+    references: Vec<String>,
     /// Responses or decays, one or more for each of them.
     functions: Vec<String>,
     /// The responses of a hammer test.
@@ -54,14 +56,24 @@ pub fn run(hammer: &HammerArguments, decay: &DecayArguments, band: &BandArgument
     let (taken, found) = if decay.are_given() {
         let decays = decay.decays(&hammer.measured, &hammer.response)?;
         let found = identify_decays(&decays, band.between_hz(0.5 * decays.rate_hz)?, settings)?;
-        (Taken { functions: decays.names(), outputs: decays.outputs, responses: None, findings: decays.findings }, found)
+        (
+            Taken {
+                functions: decays.names(),
+                outputs: decays.outputs,
+                references: Vec::new(),
+                responses: None,
+                findings: decays.findings,
+            },
+            found,
+        )
     } else {
         let responses = hammer.responses()?;
         let highest = responses.functions[0].frequency_hz.last().copied().unwrap_or(0.0);
         let mut found = identify(&Band::of(&responses, band.between_hz(highest)?)?, settings)?;
         found.modes.iter_mut().for_each(|mode| mode.without_decay(responses.window_decay_per_s));
-        let (names, findings) = (responses.names.clone(), responses.findings.clone());
-        (Taken { outputs: names.clone(), functions: names, responses: Some(responses), findings }, found)
+        let Responses { outputs, names: functions, findings, .. } = responses.clone();
+        let references = if responses.references.len() > 1 { responses.references.clone() } else { Vec::new() };
+        (Taken { outputs, references, functions, responses: Some(responses), findings }, found)
     };
     if let Some(folder) = &output.out {
         write(folder, hammer, decay, &taken, &found)?;
@@ -76,6 +88,13 @@ pub fn run(hammer: &HammerArguments, decay: &DecayArguments, band: &BandArgument
         let (f, df) = (mode.frequency_hz, mode.frequency_half_width_hz());
         let (zeta, dzeta) = (mode.damping_ratio, mode.damping_half_width());
         line(format!("{:>4}  {f:>12.5}  {df:<11.3e}  {zeta:>13.6}  {dzeta:.3e}", k + 1));
+    }
+    if !taken.references.is_empty() {
+        line(format!(
+            "the force acts at {} places, by reciprocity places of the shapes too: {}",
+            taken.references.len(),
+            taken.references.join(", ")
+        ));
     }
     tell_doubt(&found);
     tell_unexplained(&found);
@@ -126,7 +145,9 @@ fn tell_trust(responses: &Responses, found: &Identification) {
 /// Modes with their shapes, of size 1 at the largest response.
 fn answer(taken: &Taken, found: &Identification) -> serde_json::Value {
     let mode = |mode: &Mode| {
-        let shape = mode.shape();
+        let (re, im): (Vec<f64>, Vec<f64>) = mode.shape().iter().map(|s| (s.re, s.im)).unzip();
+        let moved = mode.participation.iter().take(taken.references.len());
+        let (moved_re, moved_im): (Vec<f64>, Vec<f64>) = moved.map(|b| (b.re, b.im)).unzip();
         serde_json::json!({
             "frequency_hz": mode.frequency_hz,
             "frequency_deviation_hz": mode.frequency_deviation_hz,
@@ -134,12 +155,14 @@ fn answer(taken: &Taken, found: &Identification) -> serde_json::Value {
             "damping_deviation": mode.damping_deviation,
             "quantile_95": mode.quantile_95,
             "doubtful": mode.is_doubtful(),
-            "shape": { "re": shape.iter().map(|s| s.re).collect::<Vec<_>>(), "im": shape.iter().map(|s| s.im).collect::<Vec<_>>() },
+            "shape": { "re": re, "im": im },
+            "participation": { "re": moved_re, "im": moved_im },
         })
     };
     serde_json::json!({
         "modes": found.modes.iter().map(mode).collect::<Vec<_>>(),
         "responses": taken.outputs,
+        "references": taken.references,
         "mac": mac_matrix(&found.modes),
         "misfit": found.misfit,
         "unexplained": found.unexplained,
@@ -165,6 +188,11 @@ fn write(folder: &Path, hammer: &HammerArguments, decay: &DecayArguments, taken:
         let about = "shape, of size 1 at the largest response";
         table.push(Column::new(&format!("{name}.shape.re"), "", about, number(&|mode| mode.shape()[k].re)))?;
         table.push(Column::new(&format!("{name}.shape.im"), "", about, number(&|mode| mode.shape()[k].im)))?;
+    }
+    for (k, name) in taken.references.iter().enumerate() {
+        let about = "participation of a force, by reciprocity the shape where it acts, of size 1 at the largest";
+        table.push(Column::new(&format!("{name}.participation.re"), "", about, number(&|mode| mode.participation[k].re)))?;
+        table.push(Column::new(&format!("{name}.participation.im"), "", about, number(&|mode| mode.participation[k].im)))?;
     }
     output::table(folder, "modes", &table, &manifest)?;
     let mut mac = Table::new(vec![Column::new("frequency_hz", "Hz", "undamped natural frequency", number(&|mode| mode.frequency_hz))])?;

@@ -1,6 +1,7 @@
 //! `jounce study run|merge|status`
 
 use crate::failure::Failure;
+use crate::interruption;
 use crate::output::{line, print};
 use crate::progress;
 use crate::threads::ThreadsArgument;
@@ -89,8 +90,7 @@ impl Run {
         let study = Survey::read(&self.study)?;
         let folder = Folder::of(&self.out, &study)?;
         let watch = Watch::default();
-        let asked = watch.clone();
-        let _ = ctrlc::set_handler(move || asked.stop());
+        interruption::heed(&watch);
         let own = (0..study.parts()).filter(|part| self.shard.takes(*part)).map(|part| study.points(part).len()).sum();
         let bar = progress::bar(own);
         self.threads.run(|| folder.run(&study, self.shard, &watch, &|points| bar.inc(points as u64)))??;

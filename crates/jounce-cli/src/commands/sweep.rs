@@ -2,6 +2,7 @@
 
 use crate::cache;
 use crate::failure::Failure;
+use crate::interruption;
 use crate::limit_warnings;
 use crate::output::{self, line, print};
 use crate::progress;
@@ -75,8 +76,7 @@ impl Sweep {
             eprintln!("going on after {} finished points", journal.found().len());
         }
         let watch = Watch::default();
-        let asked = watch.clone();
-        let _ = ctrlc::set_handler(move || asked.stop());
+        interruption::heed(&watch);
         let points = self.threads.run(|| study.run(Some(&journal), &watch, &|_| bar.inc(1)))??;
         bar.finish_and_clear();
         if points.len() < study.len() {

@@ -1,6 +1,6 @@
 //! Studies and ensembles.
 
-use crate::{SPEC, has, jounce};
+use crate::{PLANT, SPEC, has, jounce};
 use assert_cmd::Command;
 
 /// Killed at five moments and taken up again, a study has the bytes of one that ran through.
@@ -67,18 +67,23 @@ fn noise_and_ensembles_answer_with_every_key() {
 /// What was finished is told, as one object, and the exit code is that of every command that is interrupted.
 #[cfg(unix)]
 #[test]
-fn an_interrupted_ensemble_tells_what_is_finished_and_ends_with_130() {
+fn what_is_interrupted_tells_what_is_finished_and_ends_with_130() {
     const SHAKER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/random-base/shaker.toml");
     let short = ["--set", "run.duration=0.6 s", "--set", "run.average_over=0.5 s"];
-    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_jounce"));
-    command.args(["ensemble", SHAKER, "--members", "1000000", "--json"]).args(short);
-    let child = command.stdout(std::process::Stdio::piped()).stderr(std::process::Stdio::piped()).spawn().unwrap();
-    std::thread::sleep(std::time::Duration::from_secs(3));
-    std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
-    let output = child.wait_with_output().unwrap();
-    let (json, errors) = (serde_json::from_slice::<serde_json::Value>(&output.stdout), String::from_utf8_lossy(&output.stderr));
-    assert_eq!(output.status.code(), Some(130), "{errors}");
-    let json = json.unwrap();
-    assert!(json["reached"] == false && !json["members"].as_array().unwrap().is_empty(), "{json}");
-    assert!(errors.contains("members that were finished"), "{errors}");
+    let ensemble = [&["ensemble", SHAKER, "--members", "1000000", "--json"][..], &short].concat();
+    let basins = vec!["basins", PLANT, "--starts", "1000000", "--json"];
+    for (arguments, list, words) in
+        [(ensemble, "members", "members that were finished"), (basins, "attractors", "starts that were finished")]
+    {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_jounce"));
+        let piped = || std::process::Stdio::piped();
+        let child = command.args(&arguments).stdout(piped()).stderr(piped()).spawn().unwrap();
+        std::thread::sleep(std::time::Duration::from_secs(3));
+        std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+        let output = child.wait_with_output().unwrap();
+        let (json, errors) = (serde_json::from_slice::<serde_json::Value>(&output.stdout), String::from_utf8_lossy(&output.stderr));
+        assert_eq!(output.status.code(), Some(130), "{errors}");
+        let json = json.unwrap();
+        assert!(!json[list].as_array().unwrap().is_empty() && errors.contains(words), "{json} {errors}");
+    }
 }

@@ -307,3 +307,44 @@ fn a_force_that_goes_on_is_a_shaker() {
     let (code, _, told) = jounce(here, &["frf", "--measured", "shaken.csv", "--end-ratio", "0.01"]);
     assert!(code != 0 && told.contains("goes on"), "{told}");
 }
+
+/// Hits at two places and two sensors, one file for each place, as CSV whose notes keep the places: one matrix of responses, and modes whose
+/// participation at the places is, by reciprocity, their shape at the sensors there.
+#[test]
+fn hits_at_two_places_give_a_matrix_and_modes_of_both() {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/impact-harvester-2019/harvester.toml");
+    for (point, to) in [("beam.hammer", "one.csv"), ("beam.tip", "two.csv")] {
+        let test = ["--hammer", point, "--at", "beam.tip", "--at", "beam.hammer", "--fixed-table", "--hits", "1", "--block", "8s"];
+        let more = ["--rate", "1024Hz", "--contact", "4ms", "--set", "circuit.load.resistance=1Mohm", "--noise", "0.0001", "--to", to];
+        let (code, _, stderr) = jounce(folder.path(), &[&["rig", spec], &test[..], &more].concat());
+        assert_eq!(code, 0, "{stderr}");
+    }
+    let measured = ["--measured", "one.csv", "two.csv", "--end-ratio", "0.01", "--json", "--out", "out"];
+    let (code, json, stderr) = jounce(folder.path(), &[&["frf"], &measured[..]].concat());
+    assert_eq!(code, 0, "{stderr}");
+    assert_eq!(json["references"], serde_json::json!(["beam.hammer", "beam.tip"]));
+    assert_eq!((json["responses"].as_object().unwrap().len(), json["outputs"].as_array().unwrap().len()), (4, 2));
+    // Reciprocity: the tip under a hit at the other point answers as that point under a hit at the tip.
+    let of = |name: &str| (json["responses"][name]["re"].as_array().unwrap().clone(), json["responses"][name]["reference"].clone());
+    let (there, from) = of("beam.tip.acceleration from beam.hammer");
+    let (back, _) = of("beam.hammer.acceleration from beam.tip");
+    assert_eq!(from, "beam.hammer");
+    let number = |value: &Value| value.as_f64().unwrap();
+    let largest = there.iter().map(|x| number(x).abs()).fold(0.0, f64::max);
+    let off = there[1..800].iter().zip(&back[1..800]).map(|(a, b)| (number(a) - number(b)).abs() / largest).fold(0.0, f64::max);
+    eprintln!("off by {off:.1e} of the largest");
+    assert!(off < 0.02, "{off}");
+    let (code, json, stderr) = jounce(folder.path(), &[&["modes"], &measured[..], &["--between", "20Hz:200Hz", "--order", "14"]].concat());
+    assert_eq!(code, 0, "{stderr}");
+    assert_eq!(json["references"], serde_json::json!(["beam.hammer", "beam.tip"]));
+    for mode in json["modes"].as_array().unwrap() {
+        let (shape, moved) = (&mode["shape"]["re"], &mode["participation"]["re"]);
+        eprintln!("{} Hz: {shape} {moved}", mode["frequency_hz"]);
+        // Sensors stand at tip and hammer, hits at hammer and tip.
+        let off = (number(&shape[0]) * number(&moved[0]) - number(&shape[1]) * number(&moved[1])).abs();
+        assert!(off < 0.02, "{mode}");
+    }
+    let head = std::fs::read_to_string(folder.path().join("out/modes.csv")).unwrap();
+    assert!(head.lines().next().unwrap().contains("beam.hammer.participation.re"), "{head}");
+}

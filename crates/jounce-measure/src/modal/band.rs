@@ -36,6 +36,8 @@ pub struct Band {
     pub(super) sight: Sight,
     /// What leaving out one part of the blocks changes, for each part.
     pub(super) parts: Vec<LeftOut>,
+    /// True where the forces stand for the outputs and the sensors for the references.
+    pub(super) swapped: bool,
     /// Power of `j w` from displacement to what each response measures.
     pub(super) power: Vec<i32>,
 }
@@ -132,11 +134,13 @@ impl Band {
             inputs,
             sight,
             parts: measured[0].without[..parts].iter().enumerate().map(left_out).collect(),
+            swapped: false,
             power: measured.iter().map(|one| one.motion as i32).collect(),
         })
     }
 
-    /// The lines between two frequencies of measured responses to one force. What measures a voltage is taken for a displacement, since that of
+    /// The lines between two frequencies of measured responses. Of forces at several places the references are the sensors where these are
+    /// fewer: a structure answers alike when force and sensor change places. What measures a voltage is taken for a displacement, since that of
     /// a patch follows its strain; what tells no unit for an acceleration. Responses of several kinds may stand together. Coherence of several
     /// blocks weighs the lines.
     ///
@@ -150,13 +154,26 @@ impl Band {
         };
         let first = responses.functions.first();
         let frequency_hz = first.map_or(&[][..], |function| &function.frequency_hz);
-        let several = first.is_some_and(|function| function.blocks > 1);
+        let (functions, quantities) = (&responses.functions, &responses.quantities);
+        let several = functions.iter().all(|function| function.blocks > 1);
+        let references = responses.references.len().max(1);
+        let swapped = functions.len() < references * references;
         let mut measured = Vec::new();
-        for (function, quantity) in responses.functions.iter().zip(&responses.quantities) {
+        for k in order(functions.len(), references, swapped) {
+            let (function, motion) = (&functions[k], motion(quantities[k]));
             let variance = several.then(|| variance(function));
-            measured.push(Measured { value: &function.value, variance, motion: motion(*quantity), without: &function.without });
+            measured.push(Measured { value: &function.value, variance, motion, without: &function.without });
         }
-        Self::of_measured(frequency_hz, &measured, 1, first.map_or(Sight::Whole, |function| function.sight), between_hz)
+        let inputs = if swapped { functions.len() / references } else { references };
+        let sight = first.map_or(Sight::Whole, |function| function.sight);
+        Ok(Self { swapped, ..Self::of_measured(frequency_hz, &measured, inputs, sight, between_hz)? })
+    }
+
+    /// What stands in the order of the band in that of the responses.
+    pub(super) fn in_order<T>(&self, of: Vec<T>) -> Vec<T> {
+        let mut placed: Vec<(usize, T)> = order(of.len(), self.outputs(), self.swapped).into_iter().zip(of).collect();
+        placed.sort_by_key(|(k, _)| *k);
+        placed.into_iter().map(|(_, one)| one).collect()
     }
 
     /// The lines up to a frequency, to seek poles in.
@@ -172,6 +189,7 @@ impl Band {
             inputs: self.inputs,
             sight: self.sight,
             parts: Vec::new(),
+            swapped: self.swapped,
             power: self.power.clone(),
         }
     }
@@ -198,4 +216,12 @@ impl Band {
     pub(super) fn outputs(&self) -> usize {
         self.response.len() / self.inputs
     }
+}
+
+/// Numbers of responses `o * references + i`: by their references, then by their outputs, where these change sides.
+fn order(responses: usize, references: usize, swapped: bool) -> Vec<usize> {
+    if !swapped {
+        return (0..responses).collect();
+    }
+    (0..references).flat_map(|i| (i..responses).step_by(references)).collect()
 }

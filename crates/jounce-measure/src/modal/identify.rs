@@ -4,9 +4,11 @@ use faer::c64;
 use serde::Serialize;
 use std::f64::consts::TAU;
 
+use super::close::apart;
 use super::likelihood::{Fit, fit};
 use super::nested::stable;
 use super::peaks::{Peak, unexplained};
+use super::references::{Shared, fit_shared};
 use super::stabilisation::LARGEST_DAMPING;
 use super::{Band, ModalError, Pole, StablePole};
 use crate::spectral::student_95;
@@ -40,9 +42,13 @@ pub struct Mode {
     pub damping_deviation: f64,
     /// Deviations from a value to an end of its interval of 95 %: Student's, where the deviations rest on few blocks.
     pub quantile_95: f64,
-    /// Residue of each response, in displacement per force times rad/s.
+    /// Residue of each response, in displacement per force times rad/s; of several references that to the one which moves the mode most.
     #[serde(skip)]
     pub residue: Vec<c64>,
+    /// What each reference moves of the mode, 1 at the largest: by reciprocity its shape at the places of the forces. One number, 1, for one
+    /// reference, and for decays.
+    #[serde(skip)]
+    pub participation: Vec<c64>,
 }
 
 impl Mode {
@@ -61,8 +67,15 @@ impl Mode {
 
     /// The residues over the largest of them, so that it is 1: the shape seen by the responses.
     pub fn shape(&self) -> Vec<c64> {
-        let largest = self.residue.iter().copied().max_by(|a, b| a.norm().total_cmp(&b.norm())).unwrap_or(c64::new(1.0, 0.0));
-        self.residue.iter().map(|residue| residue / largest).collect()
+        over_largest(&self.residue)
+    }
+
+    /// Outputs and references change sides.
+    fn swap(&mut self) {
+        let largest = largest(&self.residue);
+        let participation = over_largest(&self.residue);
+        self.residue = self.participation.iter().map(|b| b * largest).collect();
+        self.participation = participation;
     }
 
     pub(super) fn pole(&self) -> Pole {
@@ -81,6 +94,15 @@ impl Mode {
         let size = re.hypot(im);
         (self.frequency_hz, self.damping_ratio) = (size / TAU, -re / size);
     }
+}
+
+fn largest(values: &[c64]) -> c64 {
+    values.iter().copied().max_by(|a, b| a.norm().total_cmp(&b.norm())).unwrap_or(c64::new(1.0, 0.0))
+}
+
+fn over_largest(values: &[c64]) -> Vec<c64> {
+    let largest = largest(values);
+    values.iter().map(|value| value / largest).collect()
 }
 
 /// Modes, and what they rest on.
@@ -111,7 +133,17 @@ pub struct Identification {
 /// Too few lines, responses that are zero, no stable pole.
 pub fn identify(band: &Band, settings: Settings) -> Result<Identification, ModalError> {
     let (diagram, start) = candidates(band, settings)?;
-    let mut found = refined(band, diagram, &start)?;
+    let mut found = if band.inputs > 1 { shared(band, diagram, &start)? } else { explained(band, diagram, &start)? };
+    if band.swapped {
+        found.modes.iter_mut().for_each(Mode::swap);
+    }
+    (found.measured, found.model) = (band.in_order(found.measured), band.in_order(found.model));
+    Ok(found)
+}
+
+/// The modes of maximum likelihood of one reference, those at peaks that they do not explain among them.
+fn explained(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> Result<Identification, ModalError> {
+    let mut found = refined(band, diagram, start)?;
     found.unexplained = unexplained(band, &found.modes);
     if !found.unexplained.is_empty() {
         let further = found.unexplained.iter().map(|peak| peak.pole());
@@ -127,6 +159,40 @@ pub fn identify(band: &Band, settings: Settings) -> Result<Identification, Modal
     Ok(found)
 }
 
+/// The modes of maximum likelihood of several references, their deviations those that the variances of the lines tell.
+fn shared(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> Result<Identification, ModalError> {
+    let start = apart(&diagram, start, band.inputs);
+    let mut found = fit_shared(band, &start).ok_or(none(band))?;
+    while let Some(left) = known(band, &found.poles, &found.deviation)? {
+        found = fit_shared(band, &left).ok_or(none(band))?;
+    }
+    let Shared { poles, deviation, residue, participation, model, misfit } = found;
+    let mode = |r: usize| {
+        let mut mode = mode(poles[r], deviation[r], Mode::QUANTILE_95, residue[r].clone());
+        mode.participation = over_largest(&participation[r]);
+        let largest = participation[r].iter().map(|b| b.norm()).fold(0.0, f64::max);
+        mode.residue.iter_mut().for_each(|a| *a *= largest);
+        mode
+    };
+    identification(band, diagram, (0..poles.len()).map(mode).collect(), model, misfit)
+}
+
+fn mode(pole: Pole, (frequency_deviation_hz, damping_deviation): (f64, f64), quantile_95: f64, residue: Vec<c64>) -> Mode {
+    let Pole { frequency_hz, damping_ratio } = pole;
+    let participation = vec![c64::new(1.0, 0.0)];
+    Mode { frequency_hz, frequency_deviation_hz, damping_ratio, damping_deviation, quantile_95, residue, participation }
+}
+
+/// The poles that are known well enough to be modes where some are not; none where all are.
+fn known(band: &Band, poles: &[Pole], deviation: &[(f64, f64)]) -> Result<Option<Vec<Pole>>, ModalError> {
+    let known = |(pole, deviation): &(&Pole, &(f64, f64))| deviation.0 < LARGEST_DEVIATION * pole.frequency_hz;
+    let left: Vec<Pole> = poles.iter().zip(deviation).filter(known).map(|(pole, _)| *pole).collect();
+    if left.is_empty() {
+        return Err(none(band));
+    }
+    Ok((left.len() < poles.len()).then_some(left))
+}
+
 /// The stabilisation diagram of a band and the poles that stay.
 pub(super) fn candidates(band: &Band, settings: Settings) -> Result<(Vec<StablePole>, Vec<Pole>), ModalError> {
     let (diagram, start) = stable(band, settings)?;
@@ -140,30 +206,24 @@ fn none(band: &Band) -> ModalError {
 /// The modes of maximum likelihood that begin at some poles; those that turn out to be known to nothing are left out, and the rest fitted anew.
 pub(super) fn refined(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> Result<Identification, ModalError> {
     let mut found = fit(band, start).ok_or(none(band))?;
-    loop {
-        let known = |r: &usize| found.deviation[*r].0 < LARGEST_DEVIATION * found.poles[*r].frequency_hz;
-        let left: Vec<Pole> = (0..found.poles.len()).filter(known).map(|r| found.poles[r]).collect();
-        if left.is_empty() {
-            return Err(none(band));
-        }
-        if left.len() == found.poles.len() {
-            break;
-        }
+    while let Some(left) = known(band, &found.poles, &found.deviation)? {
         found = fit(band, &left).ok_or(none(band))?;
     }
     let Fit { poles, deviation, residue, model, misfit, freedom } = found;
     let quantile_95 = freedom.map_or(Mode::QUANTILE_95, student_95);
-    let mode = |r: usize| Mode {
-        frequency_hz: poles[r].frequency_hz,
-        frequency_deviation_hz: deviation[r].0,
-        damping_ratio: poles[r].damping_ratio,
-        damping_deviation: deviation[r].1,
-        quantile_95,
-        residue: residue.iter().map(|response| response[r]).collect(),
-    };
-    // A pole that the refinement sends out of the band, or damps like none of a structure, takes up what is no mode.
-    let is_mode = |mode: &Mode| (band.low_hz..=band.high_hz).contains(&mode.frequency_hz) && mode.damping_ratio < LARGEST_DAMPING;
-    let mut modes: Vec<Mode> = (0..poles.len()).map(mode).filter(is_mode).collect();
+    let modes = (0..poles.len()).map(|r| mode(poles[r], deviation[r], quantile_95, residue.iter().map(|response| response[r]).collect()));
+    identification(band, diagram, modes.collect(), model, misfit)
+}
+
+/// A pole that the refinement sends out of the band, or damps like none of a structure, takes up what is no mode.
+fn identification(
+    band: &Band,
+    diagram: Vec<StablePole>,
+    mut modes: Vec<Mode>,
+    model: Vec<Vec<c64>>,
+    misfit: f64,
+) -> Result<Identification, ModalError> {
+    modes.retain(|mode| (band.low_hz..=band.high_hz).contains(&mode.frequency_hz) && mode.damping_ratio < LARGEST_DAMPING);
     if modes.is_empty() {
         return Err(none(band));
     }

@@ -30,13 +30,13 @@ pub(super) struct Fit {
     pub freedom: Option<f64>,
 }
 
-const STEPS: usize = 30;
-const SETTLED: f64 = 1e-10;
+pub(super) const STEPS: usize = 30;
+pub(super) const SETTLED: f64 = 1e-10;
 /// A step that takes less than this share off the error moves the poles by less than a ten-thousandth of their deviations.
 const GAIN: f64 = 1e-12;
 
 /// The most terms `w^0, w^2, ..` that stand for the modes above the band.
-const MOST_UPPER: usize = 8;
+pub(super) const MOST_UPPER: usize = 8;
 
 /// One response's part of the normal equations.
 struct Part {
@@ -55,13 +55,8 @@ struct Part {
 pub(super) fn fit(band: &Band, start: &[Pole]) -> Option<Fit> {
     let data = Data::of(band, start);
     let mut found = settled(&data, start.iter().map(|pole| pole.complex()).collect(), 1)?;
-    let numbers = (2 * data.angular.len() * data.responses.len()) as f64;
     for upper in 2..=MOST_UPPER {
-        let Some(tried) = settled(&data, found.poles.clone(), upper) else { break };
-        // Two more numbers for each response.
-        if numbers * (found.error / tried.error).ln() < 4.0 * data.responses.len() as f64 {
-            break;
-        }
+        let Some(tried) = settled(&data, found.poles.clone(), upper).filter(|tried| data.asks_for(found.error, tried.error)) else { break };
         found = tried;
     }
     finished(band, &data, &found)
@@ -102,35 +97,35 @@ fn settled(data: &Data, mut poles: Vec<c64>, upper: usize) -> Option<Settled> {
 }
 
 /// The normal matrix with its diagonal lifted.
-fn damped(normal: &Mat<f64>, share: f64) -> Option<faer::linalg::solvers::Llt<f64>> {
+pub(super) fn damped(normal: &Mat<f64>, share: f64) -> Option<faer::linalg::solvers::Llt<f64>> {
     let lifted = Mat::from_fn(normal.nrows(), normal.ncols(), |a, b| normal[(a, b)] * if a == b { 1.0 + share } else { 1.0 });
     lifted.llt(Side::Lower).ok()
 }
 
 /// What the fit is made to.
-struct Data {
+pub(super) struct Data {
     /// The lines that are used.
     lines: Vec<usize>,
     /// Of each of them, rad/s.
-    angular: Vec<f64>,
-    sight: Sight,
-    responses: Vec<Weighed>,
+    pub angular: Vec<f64>,
+    pub sight: Sight,
+    pub responses: Vec<Weighed>,
     /// What the responses measure, each kind once.
-    powers: Vec<i32>,
+    pub powers: Vec<i32>,
 }
 
 /// A response at the lines that are used.
-struct Weighed {
+pub(super) struct Weighed {
     /// Place of its power of `j w` among those of the data.
-    kind: usize,
+    pub kind: usize,
     /// One over the standard deviation of each part.
-    weight: Vec<f64>,
+    pub weight: Vec<f64>,
     /// The response times its weight.
-    value: Vec<c64>,
+    pub value: Vec<c64>,
 }
 
 impl Data {
-    fn of(band: &Band, start: &[Pole]) -> Self {
+    pub fn of(band: &Band, start: &[Pole]) -> Self {
         let lines = kept(&band.frequency_hz, start);
         // Where blocks see all of a decay, what the power changes is a part of the terms above and below the band.
         let power = |o: usize| if band.sight == Sight::Whole { 0 } else { band.power[o] };
@@ -150,6 +145,14 @@ impl Data {
             lines,
             powers,
         }
+    }
+}
+
+impl Data {
+    /// True where one more term of each response takes more off the error than its two numbers would of noise.
+    pub fn asks_for(&self, before: f64, after: f64) -> bool {
+        let numbers = (2 * self.angular.len() * self.responses.len()) as f64;
+        numbers * (before / after).ln() >= 4.0 * self.responses.len() as f64
     }
 }
 
@@ -224,14 +227,10 @@ fn finished(band: &Band, data: &Data, found: &Settled) -> Option<Fit> {
     // Without variances the misfit is all that is known of them.
     let factor = if band.variance.is_empty() { misfit } else { misfit.max(1.0) };
     let deviation = |(r, p): (usize, &c64)| {
-        let (vr, vi, c) = (inverse[(2 * r, 2 * r)], inverse[(2 * r + 1, 2 * r + 1)], inverse[(2 * r, 2 * r + 1)]);
-        let (a, b, size) = (p.re, p.im, p.norm());
-        // |p| and -re p / |p| by the real and the imaginary part.
-        let spread = |da: f64, db: f64| {
-            let told = || da * da * vr + db * db * vi + 2.0 * da * db * c;
-            (scatter.as_ref().map_or_else(told, |scatter| scatter.variance(r, [da, db])) * factor).max(0.0).sqrt()
-        };
-        (spread(a / size, b / size) / TAU, spread(-b * b / size.powi(3), a * b / size.powi(3)))
+        spread(*p, |slopes| {
+            let told = || propagated(&inverse, r, slopes);
+            scatter.as_ref().map_or_else(told, |scatter| scatter.variance(r, slopes)) * factor
+        })
     };
     let (mut residue, mut model, mut row) = (Vec::new(), Vec::new(), Vec::new());
     for (part, response) in parts.iter().zip(&data.responses) {
@@ -251,6 +250,30 @@ fn finished(band: &Band, data: &Data, found: &Settled) -> Option<Fit> {
         misfit,
         freedom: scatter.map(|scatter| scatter.freedom()),
     })
+}
+
+/// Standard deviations of frequency (Hz) and damping ratio of a pole from the variance of a number by its slopes in real and imaginary part.
+pub(super) fn spread(p: c64, variance: impl Fn([f64; 2]) -> f64) -> (f64, f64) {
+    let (a, b, size) = (p.re, p.im, p.norm());
+    let deviation = |slopes: [f64; 2]| variance(slopes).max(0.0).sqrt();
+    // |p| and -re p / |p|.
+    (deviation([a / size, b / size]) / TAU, deviation([-b * b / size.powi(3), a * b / size.powi(3)]))
+}
+
+/// Variance that the covariance of the poles' real and imaginary parts leaves to a number with these slopes in those of one pole.
+pub(super) fn propagated(covariance: &Mat<f64>, r: usize, [da, db]: [f64; 2]) -> f64 {
+    let (vr, vi, c) = (covariance[(2 * r, 2 * r)], covariance[(2 * r + 1, 2 * r + 1)], covariance[(2 * r, 2 * r + 1)]);
+    da * da * vr + db * db * vi + 2.0 * da * db * c
+}
+
+/// Residues at some poles, with one term for the modes above the band: response, mode.
+pub(super) fn residues(data: &Data, poles: &[c64]) -> Option<Vec<Vec<c64>>> {
+    let terms = Terms::of_kinds(data.sight, &data.powers, &data.angular, poles, 1);
+    let of = |response: &Weighed| {
+        let linear = part(response, &terms[response.kind])?.linear;
+        Some((0..poles.len()).map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)])).collect())
+    };
+    data.responses.par_iter().map(of).collect()
 }
 
 /// What each part that is left out adds to `J^T P e`, as it is and turned by 90 degrees.

@@ -11,9 +11,10 @@ pub fn mac(a: &[c64], b: &[c64]) -> f64 {
     product.norm_sqr() / (size(a) * size(b))
 }
 
-/// Every shape against every other, by their residues.
+/// Every shape against every other, by their residues. Of several references that of all residues together: the product of the criterion over the
+/// responses and of that over the references.
 pub fn mac_matrix(modes: &[Mode]) -> Vec<Vec<f64>> {
-    let row = |a: &Mode| modes.iter().map(|b| mac(&a.residue, &b.residue)).collect();
+    let row = |a: &Mode| modes.iter().map(|b| mac(&a.residue, &b.residue) * mac(&a.participation, &b.participation)).collect();
     modes.iter().map(row).collect()
 }
 

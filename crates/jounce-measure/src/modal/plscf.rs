@@ -51,15 +51,13 @@ impl Moments {
         let highest = band.frequency_hz.iter().copied().fold(0.0, f64::max);
         let interval_s = 1.0 / (2.0 * highest);
         let turn: Vec<c64> = band.frequency_hz.iter().map(|f| c64::from_polar(1.0, -TAU * f * interval_s)).collect();
-        // Responses of one size each, so that no sensor's unit decides.
-        let size = |h: &Vec<c64>| (h.iter().map(|x| x.norm_sqr()).sum::<f64>() / h.len() as f64).sqrt();
-        let scaled = |h: Vec<c64>| {
-            let size = size(&h);
-            h.iter().map(|x| if size > 0.0 { x / size } else { *x }).collect()
-        };
-        // As measured: displacement would give the lowest lines all the weight. Inputs of one output share their scale.
-        let measured = (0..band.response.len()).map(|k| band.measured(k));
-        let response: Vec<Vec<c64>> = if inputs == 1 { measured.map(scaled).collect() } else { measured.collect() };
+        // As measured: displacement would give the lowest lines all the weight. Responses of one size each, so that no sensor's unit decides; of
+        // several inputs first all of an output, then all to an input share a factor, which leaves the poles as they are.
+        let mut response: Vec<Vec<c64>> = (0..band.response.len()).map(|k| band.measured(k)).collect();
+        (0..outputs).for_each(|o| of_one_size(response[o * inputs..(o + 1) * inputs].iter_mut()));
+        if inputs > 1 {
+            (0..inputs).for_each(|i| of_one_size(response.iter_mut().skip(i).step_by(inputs)));
+        }
         let at = |o: usize, i: usize| &response[o * inputs + i];
         let product = |i: usize, j: usize| -> Vec<c64> {
             (0..turn.len()).map(|k| (0..outputs).map(|o| at(o, i)[k].conj() * at(o, j)[k]).sum()).collect()
@@ -128,6 +126,16 @@ impl Moments {
         let mut found: Vec<Pole> = upper.map(Pole::of).collect();
         found.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
         Ok(found)
+    }
+}
+
+/// Divides responses by the rms of all of them.
+fn of_one_size<'a>(responses: impl Iterator<Item = &'a mut Vec<c64>>) {
+    let mut responses: Vec<&mut Vec<c64>> = responses.collect();
+    let (sum, lines) = responses.iter().flat_map(|h| h.iter()).fold((0.0, 0), |(sum, lines), x| (sum + x.norm_sqr(), lines + 1));
+    let size = (sum / f64::from(lines)).sqrt();
+    if size > 0.0 {
+        responses.iter_mut().flat_map(|h| h.iter_mut()).for_each(|x| *x /= size);
     }
 }
 

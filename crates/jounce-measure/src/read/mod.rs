@@ -28,6 +28,7 @@ mod shelf;
 mod survey;
 mod text;
 mod uff;
+mod written;
 
 pub use contents::{Contents, ModeShape, file, record, survey, survey_record};
 pub use error::ReadError;
@@ -35,6 +36,6 @@ pub use given::{GivenError, given};
 pub use notes::{ChannelNotes, Notes};
 pub use numbers::Numbers;
 pub use outline::Outline;
-pub(crate) use parquet::PLACE;
 pub use raw::RawChannel;
 pub use survey::{Places, Survey, Surveyed, SurveyedChannel};
+pub(crate) use written::{DIRECTION, PLACE};

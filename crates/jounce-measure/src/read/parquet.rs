@@ -3,7 +3,6 @@
 use std::fs::File;
 use std::path::Path;
 
-use jounce::table::Manifest;
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::DataType;
 use parquet::file::reader::{FileReader, SerializedFileReader};
@@ -14,12 +13,11 @@ use super::name;
 use super::numbers::Numbers;
 use super::raw::{Column, Raw};
 use super::shelf::Shelf;
+use super::written::Written;
 use crate::recording::{Finding, FindingKind, Series};
 
 /// Key of the notes of jounce in the metadata.
 const NOTES: &str = "jounce";
-/// What stands before the name of a channel in the notes where they tell its place.
-pub(crate) const PLACE: &str = "place of ";
 /// Numbers that are decoded at once.
 const BATCH: usize = 1 << 16;
 
@@ -35,10 +33,10 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
         match values(&reader, index, column.max_def_level(), shelf).map_err(|why| Damage::new(format!("column {head}: {why}")))? {
             Some(values) => {
                 let (name, guessed) = name::split(&head);
-                let noted = notes.iter().flat_map(|notes| &notes.columns).find(|column| column.name == head);
-                let unit = noted.map_or(guessed, |column| column.unit.clone());
-                let place = notes.as_ref().and_then(|notes| notes.manifest.options.get(&format!("{PLACE}{name}"))).cloned();
-                columns.push(Column { place: place.unwrap_or_default(), ..Column::new(&name, &unit, values) });
+                let unit = notes.as_ref().and_then(|notes| notes.unit(&head)).unwrap_or(guessed);
+                let mut column = Column::new(&name, &unit, values);
+                notes.iter().for_each(|notes| notes.tell(&mut column));
+                columns.push(column);
             }
             None => findings.push(Finding::new(FindingKind::Skipped, 1, None, format!("column {head} holds no numbers"))),
         }
@@ -49,23 +47,10 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     Ok(Raw::columns(columns, findings).into())
 }
 
-/// What jounce noted of the columns.
-#[derive(serde::Deserialize)]
-struct Notes {
-    manifest: Manifest,
-    columns: Vec<Note>,
-}
-
-#[derive(serde::Deserialize)]
-struct Note {
-    name: String,
-    unit: String,
-}
-
 /// What jounce noted; none in a file of another program.
-fn notes(reader: &SerializedFileReader<File>) -> Option<Notes> {
+fn notes(reader: &SerializedFileReader<File>) -> Option<Written> {
     let noted = reader.metadata().file_metadata().key_value_metadata()?;
-    serde_json::from_str(noted.iter().find(|pair| pair.key == NOTES)?.value.as_deref()?).ok()
+    Written::from_json(noted.iter().find(|pair| pair.key == NOTES)?.value.as_deref()?)
 }
 
 /// The numbers of a column, NaN where one is absent; none where it holds something else.

@@ -12,7 +12,7 @@
 //!
 //! Neighbouring stretches whose amplitudes, freed of noise, are equal, or drift, are joined again, and the reason is told.
 //!
-//! The period of a stretch is the smallest `n` up to 12 with which the record repeats: `x(t + n T) = x(t)` as well as with any other.
+//! The period of a stretch is the smallest `n` up to 12 such that the record folded at `n` cycles leaves as little as folded at any other.
 //!
 //! [`correspond`] names, for a stretch, the solution of a model whose voltage it shows.
 //!

@@ -30,15 +30,30 @@ pub enum ResponseError {
         /// Its unit.
         unit: String,
     },
-    /// Forces at several places.
+    /// Forces at several places, some of which are not told.
     #[error(
-        "the force acts at several places: {}; responses to them are different functions and must not be averaged: give the recordings of one \
-         place at a time",
-        places.join(", ")
+        "the force acts at several places ({}), and {} tell none; responses to different places are different functions: give the place of \
+         every force in the notes beside its recording",
+        places.join(", "),
+        silent.join(", ")
     )]
     Places {
-        /// Each place and the first recording of it.
+        /// The places that are told.
         places: Vec<String>,
+        /// The recordings that tell none.
+        silent: Vec<String>,
+    },
+    /// A sensor that moves from recording to recording under one name.
+    #[error(
+        "channel {channel} sits at {}; responses at different places must not be averaged: give the recordings of one place of the sensor \
+         at a time",
+        places.join(", and at ")
+    )]
+    Moved {
+        /// The channel.
+        channel: String,
+        /// Two of its places, each with a recording.
+        places: [String; 2],
     },
     /// Nothing beside the force.
     #[error("{recording} holds no channel beside the force {force}")]

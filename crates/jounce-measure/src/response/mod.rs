@@ -2,6 +2,7 @@
 //! to decays.
 mod decays;
 mod error;
+mod forces;
 mod responses;
 
 pub use decays::{AmbientSettings, Decays};

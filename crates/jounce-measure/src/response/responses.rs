@@ -4,8 +4,9 @@ use jounce::signal::{Samples, SignalError};
 use realfft::num_complex::Complex;
 
 use super::ResponseError;
+use super::forces::{Reference, check_sensors, references};
 use crate::recording::{Channel, Finding, FindingKind, Quantity, Recording, Unit};
-use crate::spectral::{FrequencyResponse, ImpactHit, ImpactRecord, ImpactSettings, Sight, SpectralError, impact};
+use crate::spectral::{FrequencyResponse, ImpactAnswer, ImpactHit, ImpactRecord, ImpactSettings, Sight, SpectralError, impact};
 
 /// Which channels are what.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -19,7 +20,12 @@ pub struct Chosen {
 /// Response functions over common frequencies, and what they rest on.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Responses {
-    /// Name of each response.
+    /// Name of each output.
+    pub outputs: Vec<String>,
+    /// Where the force acts: its places, or its channel where none is told; none where response functions were given.
+    pub references: Vec<String>,
+    /// Name of each response: that of output `o` to reference `i` at `o * references + i`. It is that of the output alone where there are no
+    /// several references.
     pub names: Vec<String>,
     /// Unit of each, per newton.
     pub units: Vec<String>,
@@ -39,41 +45,46 @@ pub struct Responses {
 
 impl Responses {
     /// The responses of a hammer or shaker test: recordings over even times, with one or more hits in each or a force that goes on, the
-    /// channels the same in all. Responses to forces at several places are not averaged.
+    /// channels the same in all. Recordings of each place of the force are averaged for themselves, over blocks of one length.
     ///
     /// # Errors
-    /// A channel that is not there or no force, forces at several places, nothing beside the force, what [`impact`] refuses.
+    /// A channel that is not there or no force, forces some of which tell their places, sensors that move, nothing beside the force, what
+    /// [`impact`] refuses.
     pub fn of_hits(records: &[Recording], chosen: &Chosen, settings: &ImpactSettings) -> Result<Self, ResponseError> {
         let first = records.first().ok_or(ResponseError::Nothing)?;
         let hammer = force(first, chosen)?;
-        let names: Vec<String> = match &chosen.responses[..] {
+        let outputs: Vec<String> = match &chosen.responses[..] {
             [] => first.channels.iter().map(|channel| channel.name.clone()).filter(|name| *name != hammer.name).collect(),
             wanted => wanted.iter().map(|name| Ok(first.channel(name)?.name.clone())).collect::<Result<_, ResponseError>>()?,
         };
-        if names.is_empty() {
+        if outputs.is_empty() {
             return Err(ResponseError::NoResponse { recording: first.name.clone(), force: hammer.name.clone() });
         }
-        let place = common_place(records, chosen)?;
-        let cut = |recording| impact_record(recording, chosen, &names);
-        let blocks = records.iter().map(cut).collect::<Result<Vec<_>, _>>()?;
-        let answer = impact(&blocks, settings)?;
-        let channels = names.iter().map(|name| first.channel(name)).collect::<Result<Vec<_>, _>>()?;
+        let (forces, place) = references(records, chosen)?;
+        check_sensors(records, &outputs)?;
+        let answers = answers(&forces, chosen, &outputs, settings)?;
+        let channels = outputs.iter().map(|name| first.channel(name)).collect::<Result<Vec<_>, _>>()?;
         let unit = |channel: &&Channel| if channel.unit.is_empty() { "1/N".to_owned() } else { format!("{}/N", channel.unit) };
+        let several = forces.len() > 1;
+        let name = |o: usize, i: usize| if several { format!("{} from {}", outputs[o], forces[i].name) } else { outputs[o].clone() };
+        let each = || (0..outputs.len()).flat_map(|o| (0..forces.len()).map(move |i| (o, i)));
         Ok(Self {
-            units: channels.iter().map(unit).collect(),
-            quantities: channels.iter().map(|channel| channel.quantity).collect(),
-            names,
-            functions: answer.responses,
-            hits: answer.hits,
-            block_s: Some(answer.block_s),
-            window_decay_per_s: answer.window_decay_per_s,
+            names: each().map(|(o, i)| name(o, i)).collect(),
+            units: each().map(|(o, _)| unit(&channels[o])).collect(),
+            quantities: each().map(|(o, _)| channels[o].quantity).collect(),
+            functions: each().map(|(o, i)| answers[i].responses[o].clone()).collect(),
+            hits: in_order(&forces, &answers),
+            block_s: Some(answers[0].block_s),
+            window_decay_per_s: answers[0].window_decay_per_s,
+            references: forces.iter().map(|force| force.name.clone()).collect(),
             findings: records
                 .iter()
                 .flat_map(|recording| recording.findings.clone())
                 .chain(hammer.head().assumed(Quantity::Force))
                 .chain(place)
-                .chain(answer.swept.then(|| swept(settings, answer.block_s)))
+                .chain(answers.iter().find(|answer| answer.swept).map(|answer| swept(settings, answer.block_s)))
                 .collect(),
+            outputs,
         })
     }
 
@@ -86,6 +97,8 @@ impl Responses {
         let first = recordings.first().ok_or(ResponseError::Nothing)?;
         let frequency_hz = first.grid.places();
         let mut found = Self {
+            outputs: Vec::new(),
+            references: Vec::new(),
             names: Vec::new(),
             units: Vec::new(),
             quantities: Vec::new(),
@@ -103,6 +116,7 @@ impl Responses {
                 let Some(imaginary) = &channel.imaginary else { continue };
                 let value = channel.values.iter().zip(imaginary).map(|(re, im)| Complex::new(*re, *im)).collect();
                 let coherence = vec![1.0; frequency_hz.len()];
+                found.outputs.push(channel.name.clone());
                 found.names.push(channel.name.clone());
                 found.units.push(channel.unit.clone());
                 found.quantities.push(Unit::responds(&channel.unit).unwrap_or(channel.quantity));
@@ -123,7 +137,7 @@ impl Responses {
     }
 }
 
-fn force<'a>(recording: &'a Recording, chosen: &Chosen) -> Result<&'a Channel, ResponseError> {
+pub(super) fn force<'a>(recording: &'a Recording, chosen: &Chosen) -> Result<&'a Channel, ResponseError> {
     let named = chosen.force.as_ref().map(|name| recording.channel(name)).transpose()?;
     let first = || recording.channels.iter().find(|channel| channel.quantity == Quantity::Force);
     let Some(found) = named.or_else(first) else {
@@ -137,28 +151,41 @@ fn force<'a>(recording: &'a Recording, chosen: &Chosen) -> Result<&'a Channel, R
     Err(ResponseError::NotForce { recording: recording.name.clone(), channel: found.name.clone(), unit: found.unit.clone() })
 }
 
-/// What is assumed of the place of the force where not every recording of several tells it.
-fn common_place(records: &[Recording], chosen: &Chosen) -> Result<Option<Finding>, ResponseError> {
-    let told = |record: &Recording| {
-        let force = force(record, chosen)?;
-        Ok([force.place.as_str(), force.direction.as_str()].join(" ").trim().to_owned())
+/// What the recordings of each place give. Unless a length is told, blocks are as long as the shortest ones of any place.
+fn answers(
+    forces: &[Reference<'_>],
+    chosen: &Chosen,
+    outputs: &[String],
+    settings: &ImpactSettings,
+) -> Result<Vec<ImpactAnswer>, ResponseError> {
+    let answer = |force: &Reference<'_>, settings: &ImpactSettings| -> Result<ImpactAnswer, ResponseError> {
+        let blocks = force.records.iter().map(|(_, record)| impact_record(record, chosen, outputs)).collect::<Result<Vec<_>, _>>()?;
+        Ok(impact(&blocks, settings)?)
     };
-    let places = records.iter().map(told).collect::<Result<Vec<_>, ResponseError>>()?;
-    let mut known: Vec<(&str, &str)> = Vec::new();
-    for (place, record) in places.iter().zip(records).filter(|(place, _)| !place.is_empty()) {
-        if known.iter().all(|(other, _)| other != place) {
-            known.push((place, &record.name));
-        }
+    let rates = forces.iter().filter_map(|force| force.records.first()).map(|(_, record)| record.rate()).collect::<Vec<f64>>();
+    if let Some(other_hz) = rates.iter().copied().find(|rate| (rate / rates[0] - 1.0).abs() > 1e-6) {
+        return Err(ResponseError::Spectral(SpectralError::Rates { first_hz: rates[0], other_hz }));
     }
-    if known.len() > 1 {
-        let places = known.iter().map(|(place, record)| format!("{place} in {record}")).collect();
-        return Err(ResponseError::Places { places });
-    }
-    let silent = places.iter().filter(|place| place.is_empty()).count();
-    let about =
-        "recordings do not tell where the force acts; it is taken to act at one place in all, give the place in the notes beside them";
-    Ok((silent > 0 && records.len() > 1)
-        .then(|| Finding::new(FindingKind::Assumed, silent, None, format!("{silent} of {} {about}", records.len()))))
+    let found = forces.iter().map(|force| answer(force, settings)).collect::<Result<Vec<_>, _>>()?;
+    let shortest_s = found.iter().map(|answer| answer.block_s).fold(f64::INFINITY, f64::min);
+    let settings = ImpactSettings { block_s: Some(shortest_s), ..*settings };
+    let again = |(force, found): (&Reference<'_>, ImpactAnswer)| {
+        // Only lengths of whole samples differ by more than roundoff.
+        let alike = (found.block_s - shortest_s) * rates[0] < 0.5;
+        if alike { Ok(found) } else { answer(force, &settings) }
+    };
+    forces.iter().zip(found).map(again).collect()
+}
+
+/// The hits of all places, each with the number of its record, in the order of the records.
+fn in_order(forces: &[Reference<'_>], answers: &[ImpactAnswer]) -> Vec<ImpactHit> {
+    let of = |(force, answer): (&Reference<'_>, &ImpactAnswer)| {
+        let numbered = |hit: &ImpactHit| ImpactHit { record: force.records[hit.record].0, ..hit.clone() };
+        answer.hits.iter().map(numbered).collect::<Vec<_>>()
+    };
+    let mut hits: Vec<ImpactHit> = forces.iter().zip(answers).flat_map(of).collect();
+    hits.sort_by_key(|hit| hit.record);
+    hits
 }
 
 /// What a sweep means for its blocks.
@@ -186,7 +213,7 @@ fn impact_record<'a>(recording: &'a Recording, chosen: &Chosen, names: &[String]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::recording::{Grid, Over};
+    use crate::recording::{FindingKind, Grid, Over};
 
     fn struck(name: &str, place: &str) -> Recording {
         let values: Vec<f64> = (0..1000).map(|k| if (20..30).contains(&k) { 50.0 } else { 0.0 }).collect();
@@ -198,23 +225,46 @@ mod tests {
     #[test]
     fn hits_at_several_places_are_not_averaged() {
         let of = |records: &[Recording]| Responses::of_hits(records, &Chosen::default(), &ImpactSettings::default());
-        let told = of(&[struck("one", "mid"), struck("two", "end"), struck("three", "mid")]).unwrap_err().to_string();
-        assert!(told.contains("mid in one, end in two") && told.contains("one place at a time"), "{told}");
+        let found = of(&[struck("one", "mid"), struck("two", "end"), struck("three", "mid")]).unwrap();
+        assert_eq!((&found.references[..], &found.outputs[..]), (&["mid".to_owned(), "end".to_owned()][..], &["a".to_owned()][..]));
+        assert_eq!((&found.names[..], found.functions.len()), (&["a from mid".to_owned(), "a from end".to_owned()][..], 2));
+        assert_eq!((found.functions[0].blocks, found.functions[1].blocks), (2, 1));
+        assert_eq!(found.hits.iter().map(|hit| hit.record).collect::<Vec<_>>(), [0, 1, 2]);
+        let told = of(&[struck("one", "mid"), struck("two", "end"), struck("three", "")]).unwrap_err().to_string();
+        assert!(told.contains("(mid, end), and three tell none"), "{told}");
         assert!(of(&[struck("one", "mid"), struck("two", "mid")]).unwrap().findings.is_empty());
         let silent = of(&[struck("one", "mid"), struck("two", "")]).unwrap().findings;
         assert!(silent.len() == 1 && silent[0].kind == FindingKind::Assumed && silent[0].about.starts_with("1 of 2"), "{silent:?}");
         assert!(of(&[struck("one", "")]).unwrap().findings.is_empty());
     }
 
+    /// One name for a sensor that moves would average different functions.
+    #[test]
+    fn a_sensor_that_moves_is_told() {
+        let at = |name: &str, place: &str| {
+            let mut record = struck(name, "mid");
+            record.channels[1].place = place.to_owned();
+            record
+        };
+        let of = |records: &[Recording]| Responses::of_hits(records, &Chosen::default(), &ImpactSettings::default());
+        let told = of(&[at("one", "tip"), at("two", "root")]).unwrap_err().to_string();
+        assert!(told.contains("tip in one, and at root in two"), "{told}");
+        assert!(of(&[at("one", "tip"), at("two", "tip")]).is_ok());
+    }
+
     /// The place of a force survives the formats that can hold it.
     #[test]
     fn a_place_is_read_back() {
         let folder = tempfile::tempdir().unwrap();
-        for (ending, place) in [("uff", "mid"), ("uff", "node 7"), ("parquet", "beam.hammer"), ("parquet", "node 7")] {
+        for (ending, place) in [("uff", "mid"), ("uff", "node 7"), ("parquet", "beam.hammer"), ("parquet", "node 7"), ("csv", "free end")] {
             let path = folder.path().join(format!("hit.{ending}"));
-            crate::write::write(&struck("one", place), &path).unwrap();
+            let mut hit = struck("one", place);
+            hit.channels[0].direction = "-z".to_owned();
+            crate::write::write(&hit, &path).unwrap();
             let read = crate::read::file(&path).unwrap().recordings.remove(0);
-            assert_eq!(read.channel("force").unwrap().place, place, "{ending}");
+            let force = read.channel("force").unwrap();
+            assert_eq!((force.place.as_str(), force.direction.as_str()), (place, "-z"), "{ending}");
+            assert_eq!(read.channel("a").unwrap().place, if ending == "uff" { "node 2" } else { "" });
         }
     }
 }

@@ -22,6 +22,9 @@ pub fn on_recorded_base(spec: &mut Spec, recording: &Recording, channel: &str, k
     let (Grid::Even { step, count, .. }, Over::Time) = (&recording.grid, recording.over) else {
         return Err(RigError::NotEven { recording: recording.name.clone() });
     };
+    if let Some(base) = spec.bases().first() {
+        return Err(RigError::Bases { base: (*base).to_owned(), what: "a recorded base" });
+    }
     if *count < 2 {
         return Err(RigError::Setting { name: "the number of samples of the base", value: *count as f64, allowed: "at least 2" });
     }

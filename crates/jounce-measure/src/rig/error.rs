@@ -34,6 +34,16 @@ pub enum RigError {
         /// The most that are allowed.
         most: usize,
     },
+    /// Bases that move against each other, where only the ground can be moved.
+    #[error(
+        "{what} moves the ground, but the spec has the base `{base}` beside it: let everything stand on the ground, or shake `{base}` by a drive of the spec"
+    )]
+    Bases {
+        /// The first of the other bases.
+        base: String,
+        /// What moves the ground alone.
+        what: &'static str,
+    },
     /// A point that is not there.
     #[error("there is no point `{point}` for an accelerometer; there are {known}")]
     UnknownPoint {

@@ -20,9 +20,9 @@ pub(super) fn sensors(spec: &Spec, modes: &Modes, accelerometers: &[String]) -> 
     let patches = modes.patch.keys().enumerate().map(|(k, name)| (format!("{name}.voltage"), Output::PatchVoltage(k)));
     let stops = spec.stop.keys().enumerate().map(|(k, name)| (format!("{name}.force"), Output::StopForce(k)));
     let mut all: Vec<(String, Output)> = patches.chain(stops).collect();
-    let ground = spec.drive.values().any(|drive| drive.kind != DriveKind::Force);
+    let moved = spec.drive.values().find_map(|drive| drive.base()).map(|base| Output::Base(base.to_owned()));
     let pushed = spec.drive.values().find(|drive| drive.kind == DriveKind::Force).map(|drive| Output::Acceleration(drive.at.clone()));
-    all.extend(if ground { Some(Output::Ground) } else { pushed }.map(|output| ("base.acceleration".to_owned(), output)));
+    all.extend(moved.or(pushed).map(|output| ("base.acceleration".to_owned(), output)));
     for point in accelerometers {
         if !modes.shape.contains_key(point) {
             let known = modes.shape.keys().cloned().collect::<Vec<_>>().join(", ");
@@ -34,7 +34,7 @@ pub(super) fn sensors(spec: &Spec, modes: &Modes, accelerometers: &[String]) -> 
         let (quantity, unit) = match output {
             Output::PatchVoltage(_) | Output::LoadVoltage(_) => (Quantity::Voltage, "V"),
             Output::StopForce(_) => (Quantity::Force, "N"),
-            Output::Acceleration(_) | Output::Ground => (Quantity::Acceleration, "m/s^2"),
+            Output::Acceleration(_) | Output::Base(_) => (Quantity::Acceleration, "m/s^2"),
         };
         SensedAs { name, quantity, unit, output }
     };

@@ -35,8 +35,8 @@ pub struct ShakerTest {
     pub seed: u64,
 }
 
-/// The record, unless a watch stops its marches: voltages of all patches, forces of all stops, the acceleration of the base (of the ground where it moves, else of what the
-/// first force shakes) as `base.acceleration`, and that of each accelerometer. The first sample is at 0 s.
+/// The record, unless a watch stops its marches: voltages of all patches, forces of all stops, the acceleration of the base (of the first base that
+/// moves, by the name of its drive, else of what the first force shakes) as `base.acceleration`, and that of each accelerometer. The first sample is at 0 s.
 ///
 /// # Errors
 /// A setting out of its range, a name that is not there, a march that fails.
@@ -46,6 +46,9 @@ pub fn shaker_test(spec: &Spec, modes: &Modes, test: &ShakerTest, watch: &Watch)
     let mut stream = Stream::new(test.seed, 0);
     let total_s = test.before_s + test.duration_s;
     let wanders = test.wander != Wander::NONE;
+    if let Some(base) = spec.bases().first().filter(|_| wanders) {
+        return Err(RigError::Bases { base: (*base).to_owned(), what: "a shaker that wanders" });
+    }
     let courses = if wanders { courses(spec, &test.wander, total_s, &mut Stream::new(test.seed, 1)) } else { Vec::new() };
     let jumps = jumps(spec, test, &courses);
     let time_s = |k: usize| test.before_s + k as f64 / test.rate_hz;

@@ -7,12 +7,12 @@
 //! c A y + sum_s c b_s u_s(t) + sum_p c b_p F_p + Re(i w c Y e^{i w t})
 //! ```
 //!
-//! An acceleration is the rate of a velocity. Points move relative to the ground: the acceleration of the ground comes on top.
+//! An acceleration is the rate of a velocity. Points move relative to the base that they stand on: the acceleration of that comes on top.
 
 use faer::c64;
 use jounce::march::{Instant, Kernel, Trajectory};
 use jounce::plant::Plant;
-use jounce::spec::{DriveKind, DriveSignal, Spec};
+use jounce::spec::Spec;
 use std::f64::consts::TAU;
 
 /// What is seen.
@@ -26,8 +26,8 @@ pub enum Output {
     StopForce(usize),
     /// Acceleration of a point in space, m/s^2.
     Acceleration(String),
-    /// Acceleration of the ground, m/s^2.
-    Ground,
+    /// Acceleration of a base, m/s^2.
+    Base(String),
 }
 
 /// How one output is read from a state.
@@ -35,7 +35,7 @@ enum Reader {
     State { row: Vec<f64>, steady: Vec<c64> },
     Force(usize),
     Rate { row: Vec<f64>, signals: Vec<f64>, ports: Vec<f64>, steady: Vec<c64> },
-    Ground,
+    Base,
 }
 
 /// Each output at ascending times of a record of a march of `spec`, one row for each output.
@@ -44,14 +44,13 @@ enum Reader {
 pub fn outputs(spec: &Spec, kernel: &Kernel, trajectory: &Trajectory, times_s: &[f64], wanted: &[Output]) -> Vec<Vec<f64>> {
     let plant = &kernel.plant;
     let readers: Vec<Reader> = wanted.iter().map(|output| reader(plant, output)).collect();
-    let grounds = Ground::of(spec, plant);
+    let bases: Vec<Option<Base>> = wanted.iter().map(|output| Base::under(spec, plant, output)).collect();
     let mut rows = vec![Vec::with_capacity(times_s.len()); wanted.len()];
     for instant in trajectory.at(kernel, times_s) {
         let turns: Vec<c64> = plant.tones.iter().map(|tone| c64::cis(tone.angular_frequency_rad_s * instant.time_s)).collect();
         let sizes: Vec<f64> = plant.system.signals.iter().map(|signal| size(&signal.wave, instant.time_s)).collect();
-        let ground = grounds.at(instant.time_s, &sizes);
-        for ((row, reader), output) in rows.iter_mut().zip(&readers).zip(wanted) {
-            let moving = if matches!(output, Output::Acceleration(_) | Output::Ground) { ground } else { 0.0 };
+        for ((row, reader), base) in rows.iter_mut().zip(&readers).zip(&bases) {
+            let moving = base.as_ref().map_or(0.0, |base| base.at(instant.time_s, &sizes));
             row.push(moving + read(reader, &instant, &turns, &sizes));
         }
     }
@@ -64,7 +63,7 @@ fn reader(plant: &Plant, output: &Output) -> Reader {
         Output::PatchVoltage(patch) => state(plant.voltage_row(*patch)),
         Output::LoadVoltage(load) => state(plant.load_voltage_row(*load)),
         Output::StopForce(stop) => Reader::Force(*stop),
-        Output::Ground => Reader::Ground,
+        Output::Base(_) => Reader::Base,
         Output::Acceleration(point) => {
             let still = vec![0.0; plant.system.modes.len()];
             let velocity = plant.velocity_row(plant.system.modes.shape.get(point).unwrap_or(&still));
@@ -89,7 +88,7 @@ fn read(reader: &Reader, instant: &Instant, turns: &[c64], sizes: &[f64]) -> f64
         Reader::Rate { row, signals, ports, steady } => {
             dot(row, &instant.state) + dot(signals, sizes) + dot(ports, &instant.forces_n) + turned(steady)
         }
-        Reader::Ground => 0.0,
+        Reader::Base => 0.0,
     }
 }
 
@@ -97,27 +96,28 @@ fn size(wave: &jounce::drive::Wave, time_s: f64) -> f64 {
     wave.piece(wave.index_at(time_s)).size_at(time_s)
 }
 
-/// What moves the ground: sinusoids, and numbers of signals.
-struct Ground {
+/// What moves a base: sinusoids, and numbers of signals.
+struct Base {
     /// Acceleration (m/s^2, peak), frequency (Hz), angle at time 0.
     tones: Vec<(f64, f64, f64)>,
     signals: Vec<usize>,
 }
 
-impl Ground {
-    fn of(spec: &Spec, plant: &Plant) -> Self {
-        let (mut tones, mut signals) = (Vec::new(), Vec::new());
-        for (name, drive) in spec.drive.iter().filter(|(_, drive)| drive.kind != DriveKind::Force) {
-            match drive.signal {
-                // The plant knows at which angle its march begins.
-                DriveSignal::Sine { .. } => {
-                    let own = plant.system.drives.iter().filter(|own| own.name == *name);
-                    tones.extend(own.map(|own| (own.amplitude_n, own.frequency_hz, own.phase_rad)));
-                }
-                _ => signals.extend(plant.system.signals.iter().position(|signal| signal.name == *name)),
-            }
-        }
-        Self { tones, signals }
+impl Base {
+    /// The base that an acceleration comes on top of.
+    fn under(spec: &Spec, plant: &Plant, output: &Output) -> Option<Self> {
+        let base = match output {
+            Output::Acceleration(point) => spec.base_under(point),
+            Output::Base(base) => base,
+            Output::PatchVoltage(_) | Output::LoadVoltage(_) | Output::StopForce(_) => return None,
+        };
+        // The plant knows at which angle its march begins.
+        let tones = plant.system.drives.iter().filter(|own| own.base.as_deref() == Some(base));
+        let signals = plant.system.signals.iter().enumerate().filter(|(_, own)| own.base.as_deref() == Some(base));
+        Some(Self {
+            tones: tones.map(|own| (own.amplitude_n, own.frequency_hz, own.phase_rad)).collect(),
+            signals: signals.map(|(k, _)| k).collect(),
+        })
     }
 
     fn at(&self, time_s: f64, sizes: &[f64]) -> f64 {

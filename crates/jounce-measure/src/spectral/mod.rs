@@ -9,6 +9,7 @@ mod density;
 mod error;
 mod hits;
 mod impact;
+mod long_run;
 mod mean_power;
 mod quiet;
 mod response;

@@ -7,5 +7,6 @@ mod formats;
 mod hammer;
 mod intervals;
 mod real;
+mod references;
 mod samples;
 mod seven;

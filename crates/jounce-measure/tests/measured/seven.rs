@@ -102,6 +102,8 @@ fn voltages_and_accelerations_stand_together() {
     };
     let kind = |place: usize| if place < 2 { Quantity::Voltage } else { Quantity::Acceleration };
     let responses = Responses {
+        outputs: (0..4).map(|place| format!("place {place}")).collect(),
+        references: Vec::new(),
         names: (0..4).map(|place| format!("place {place}")).collect(),
         units: vec![String::new(); 4],
         quantities: (0..4).map(kind).collect(),

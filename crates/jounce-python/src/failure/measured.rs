@@ -100,6 +100,7 @@ fn rig_details(error: &RigError) -> Value {
         RigError::Long { samples, most } => json!({ "samples": samples, "most": most }),
         RigError::UnknownPoint { point, known } => json!({ "point": point, "known": known }),
         RigError::NotAcceleration { channel, unit } => json!({ "channel": channel, "unit": unit }),
+        RigError::Bases { base, what } => json!({ "base": base, "what": what }),
         RigError::NotEven { recording } => json!({ "recording": recording }),
         _ => Value::Null,
     }

@@ -53,6 +53,6 @@ pub fn measured_decays<'py>(
     let between_hz = between_hz.unwrap_or((0.0, 0.5 * decays.rate_hz));
     let found = py.detach(|| Ok::<_, Failure>(identify_decays(&decays, between_hz, Settings { order })?));
     let found = found.map_err(|failure| failure.raised(py))?;
-    let answer = identified(py, &decays.outputs, &decays.names(), &found)?;
+    let answer = identified(py, (&decays.outputs, &[]), &decays.names(), &found)?;
     Ok(answer.with("findings", findings(&decays.findings)?)?.dict())
 }

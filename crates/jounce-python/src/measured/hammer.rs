@@ -85,7 +85,8 @@ pub fn measured_modes<'py>(
         Ok::<_, Failure>(found)
     });
     let found = found.map_err(|failure| failure.raised(py))?;
-    let answer = identified(py, &responses.names, &responses.names, &found)?;
+    let references = if responses.references.len() > 1 { &responses.references[..] } else { &[] };
+    let answer = identified(py, (&responses.outputs, references), &responses.names, &found)?;
     Ok(answer.with("frf", told(py, &responses)?.dict())?.dict())
 }
 
@@ -98,6 +99,8 @@ fn told<'py>(py: Python<'py>, found: &Responses) -> PyResult<Answer<'py>> {
     Answer::new(py)
         .array("frequency_hz", found.functions.first().map_or_else(Vec::new, |function| function.frequency_hz.clone()))?
         .with("responses", all)?
+        .with("outputs", &found.outputs)?
+        .with("references", &found.references)?
         .with("hits", json(&found.hits)?)?
         .with("block_s", found.block_s)?
         .with("window_decay_per_s", found.window_decay_per_s)?

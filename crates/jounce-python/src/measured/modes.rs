@@ -18,8 +18,14 @@ pub fn check_order(order: usize) -> Result<(), Failure> {
     }
 }
 
-/// Modes at outputs, sought in functions: those are the responses of a hammer test, or decays, one or more for each output.
-pub fn identified<'py>(py: Python<'py>, outputs: &[String], functions: &[String], found: &Identification) -> PyResult<Answer<'py>> {
+/// Modes at outputs, sought in functions: those are the responses of a hammer test, or decays, one or more for each output. References are named
+/// where there are several.
+pub fn identified<'py>(
+    py: Python<'py>,
+    (outputs, references): (&[String], &[String]),
+    functions: &[String],
+    found: &Identification,
+) -> PyResult<Answer<'py>> {
     let (modes, diagram) = (&found.modes, &found.diagram);
     let rows = |rows: &[Vec<Complex64>]| rows.iter().map(|row| PyArray1::from_slice(py, row)).collect::<Vec<_>>();
     let stable: Vec<String> = diagram.iter().map(|pole| Ok(json(&pole.stable)?.trim_matches('"').to_owned())).collect::<PyResult<_>>()?;
@@ -33,6 +39,11 @@ pub fn identified<'py>(py: Python<'py>, outputs: &[String], functions: &[String]
         .with("response", outputs)?
         .with("function", functions)?
         .with("shape", modes.iter().map(|mode| PyArray1::from_vec(py, mode.shape())).collect::<Vec<_>>())?
+        .with("reference", references)?
+        .with(
+            "participation",
+            modes.iter().map(|mode| PyArray1::from_slice(py, &mode.participation[..references.len()])).collect::<Vec<_>>(),
+        )?
         .rows("mac", &mac_matrix(modes), modes.len())?
         .with("misfit", found.misfit)?
         .each("unexplained_hz", &found.unexplained, |peak| peak.frequency_hz)?

@@ -96,6 +96,7 @@ fn told<'py>(py: Python<'py>, record: &Recording, told: Told) -> PyResult<Bound<
         .with("unit", channel.unit)?
         .with("uncertainty_s", found.uncertainty_s)?
         .with("stretches", json(&found.stretches)?)?
+        .with("joints", json(&found.joints)?)?
         .with("powers", json(&powers)?)?
         .with("correspondences", json(&shown)?)?
         .array("time_s", record.grid.places())?

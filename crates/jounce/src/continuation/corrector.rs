@@ -1,6 +1,6 @@
 //! Newton on the plane across a direction, or at a fixed parameter.
 
-use super::{Direction, Family, Linear, Metric, Position, WalkError};
+use super::{Direction, Family, Linear, Metric, Parts, Position, WalkError};
 
 /// When Newton has converged, and when it is given up.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,7 +37,7 @@ pub fn correct<F: Family>(
 ) -> Result<Corrected<F::Local>, WalkError<F::Error>> {
     let (row, corner) = metric.row(direction);
     let mut position = guess;
-    let mut last = f64::INFINITY;
+    let (mut last, mut left) = (f64::INFINITY, Parts::default());
     for evaluations in 1..=corrector.most {
         let local = family.at(&position.unknown, position.parameter).map_err(WalkError::Family)?;
         let right: Vec<f64> = local.residual().iter().map(|r| -r).collect();
@@ -52,12 +52,15 @@ pub fn correct<F: Family>(
         // The first correction may be long; one that grows afterwards leads nowhere.
         if !error.is_finite() || error > 2.0 * last {
             let parameter = position.parameter;
-            return Err(WalkError::Diverged { parameter, error, goal: corrector.goal });
+            return Err(WalkError::Diverged { parameter, error, goal: corrector.goal, left: local.parts() });
+        }
+        if evaluations == corrector.most {
+            left = local.parts();
         }
         last = error;
         position = position.moved(&change, 1.0);
     }
-    Err(WalkError::Diverged { parameter: position.parameter, error: last, goal: corrector.goal })
+    Err(WalkError::Diverged { parameter: position.parameter, error: last, goal: corrector.goal, left })
 }
 
 /// From a guess onto the curve at its own parameter.

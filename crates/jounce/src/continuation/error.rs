@@ -1,5 +1,7 @@
 //! Why a curve ends.
 
+use super::Parts;
+
 /// A walk that could not go on.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum WalkError<E> {
@@ -8,7 +10,7 @@ pub enum WalkError<E> {
     Family(E),
     /// Newton did not converge.
     #[error(
-        "Newton did not converge at parameter {parameter}: last correction {error:e}, wanted {goal:e}; start nearer to the solution or loosen the tolerance"
+        "Newton did not converge at parameter {parameter}: last correction {error:e}, wanted {goal:e}{left}; start nearer to the solution or loosen the tolerance"
     )]
     Diverged {
         /// Where.
@@ -17,6 +19,8 @@ pub enum WalkError<E> {
         error: f64,
         /// Wanted.
         goal: f64,
+        /// What the residual is made of there.
+        left: Parts,
     },
     /// The derivative is singular in more than one direction.
     #[error("the derivative is singular at parameter {parameter}; start at another value")]
@@ -26,7 +30,7 @@ pub enum WalkError<E> {
     },
     /// No step is short enough.
     #[error(
-        "the curve cannot be followed beyond parameter {parameter}: even a step of {step:e} fails (last correction {error:e}); a tighter tolerance may help"
+        "the curve cannot be followed beyond parameter {parameter}: even a step of {step:e} fails (last correction {error:e}){left}; a tighter tolerance may help"
     )]
     Stuck {
         /// Last good point.
@@ -35,5 +39,7 @@ pub enum WalkError<E> {
         step: f64,
         /// Last correction.
         error: f64,
+        /// What the residual was made of when it was given up.
+        left: Parts,
     },
 }

@@ -1,5 +1,7 @@
 //! What continuation asks of a problem.
 
+use super::Parts;
+
 /// A family of problems `R(u, p) = 0` over one parameter.
 pub trait Family {
     /// The problem at one place, with its derivative and whatever else the caller wants to keep of it.
@@ -18,6 +20,11 @@ pub trait Family {
 pub trait Linear {
     /// `R`.
     fn residual(&self) -> &[f64];
+
+    /// What `R` is made of, for the words of a failure.
+    fn parts(&self) -> Parts {
+        Parts::default()
+    }
 
     /// Solves `[R_u R_p; row corner] (du, dp) = (right, last)`; `None` where the bordered matrix is singular.
     fn bordered(&self, row: &[f64], corner: f64, right: &[f64], last: f64) -> Option<(Vec<f64>, f64)>;

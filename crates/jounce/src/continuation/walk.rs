@@ -1,7 +1,7 @@
 //! The driver: an iterator over the points of a curve.
 
 use super::corrector::Corrected;
-use super::{Corrector, Direction, Family, Metric, Position, StepControl, Stretch, WalkError, correct, tangent};
+use super::{Corrector, Direction, Family, Metric, Parts, Position, StepControl, Stretch, WalkError, correct, tangent};
 
 /// Distance from the curve, in goals of Newton, of a guess that polynomials through points within the goal give.
 const KNOWN: f64 = 10.0;
@@ -105,7 +105,7 @@ impl<'f, F: Family> Walk<'f, F> {
     fn advance(&mut self) -> Result<Step<F::Local>, WalkError<F::Error>> {
         let metric = Metric::at(&self.position, self.parameter_scale);
         let ahead = metric.unit(self.tangent.clone());
-        let (mut last, mut refused) = (f64::NAN, None);
+        let (mut last, mut refused) = ((f64::NAN, Parts::default()), None);
         while self.length > self.control.shortest {
             let guess = match &self.behind {
                 Some(stretch) => stretch.at(stretch.length + self.length),
@@ -116,12 +116,12 @@ impl<'f, F: Family> Walk<'f, F> {
                     // A place is known to Newton's goal, and so is a guess from places.
                     let way = metric.length(&guess.to(&found.position)) - KNOWN * self.corrector.goal;
                     if self.behind.is_some() && self.control.strayed(way, self.length, found.evaluations) {
-                        last = found.error;
+                        last = (found.error, Parts::default());
                     } else if let Some(step) = self.take(found, &ahead) {
                         return Ok(step);
                     }
                 }
-                Err(WalkError::Diverged { error, .. }) => last = error,
+                Err(WalkError::Diverged { error, left, .. }) => last = (error, left),
                 // A step may lead where the problem has no meaning, though the curve does not: a shorter one need not.
                 Err(WalkError::Family(error)) => refused = Some(error),
                 Err(WalkError::Singular { .. } | WalkError::Stuck { .. }) => {}
@@ -131,7 +131,8 @@ impl<'f, F: Family> Walk<'f, F> {
         if let Some(error) = refused {
             return Err(WalkError::Family(error));
         }
-        Err(WalkError::Stuck { parameter: self.position.parameter, step: self.length, error: last })
+        let (error, left) = last;
+        Err(WalkError::Stuck { parameter: self.position.parameter, step: self.length, error, left })
     }
 
     /// Takes a corrected point, unless the curve turned too far on the way.

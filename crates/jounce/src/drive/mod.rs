@@ -5,16 +5,20 @@
 //! lines multiply it by `sinc^2(f h)`, the samples by one over that. What is left are images about multiples of the sampling
 //! rate `1 / h`, smaller than `u` by `(f h / (1 - f h))^2`.
 
+mod displaced;
 mod noise;
 mod pulse;
 mod random;
 mod sweep;
+mod travel;
 mod wave;
 
+pub use displaced::displaced;
 pub use noise::{Band, noise};
 pub use pulse::half_sine;
 pub use random::Stream;
 pub use sweep::{Chirp, chirp};
+pub use travel::Travel;
 pub use wave::{Piece, Wave};
 
 use crate::spec::DriveSignal;

@@ -44,20 +44,40 @@ impl Chirp {
     }
 }
 
+impl Chirp {
+    /// Its size a time after the start.
+    pub(super) fn size(&self, after_s: f64) -> f64 {
+        self.amplitude * self.angle(after_s)[0].sin()
+    }
+
+    /// The samples of its second derivative, `A (p'' cos(p) - p'^2 sin(p))`, terms in the square of `p''` left out of their correction.
+    pub(super) fn acceleration(&self) -> Wave {
+        self.sampled(|[angle, w, rate], step_s| {
+            let (sin, cos) = angle.sin_cos();
+            let x2 = (w * step_s).powi(2);
+            self.amplitude * (rate * cos * (1.0 + x2 / 2.0) - w * w * sin * (1.0 + x2 / 12.0 + x2 * x2 / 240.0))
+        })
+    }
+
+    /// Samples from the angle, its rates and the step between samples, s.
+    fn sampled(&self, sample: impl Fn([f64; 3], f64) -> f64) -> Wave {
+        let lines = (self.duration_s * self.from_hz.max(self.to_hz) * DriveSignal::CHIRP_SAMPLES_PER_CYCLE).ceil().max(2.0) as usize;
+        let step_s = self.duration_s / lines as f64;
+        let sizes = (0..=lines).map(|k| sample(self.angle(k as f64 * step_s), step_s));
+        Wave::Sampled { start_s: self.start_s, step_s, sizes: sizes.collect() }
+    }
+}
+
 /// The samples of a chirp, 0 outside of its duration.
 ///
 /// # Limits
 /// The images of the straight lines are 1.5e-5 of the amplitude, at 255 times the highest frequency.
 pub fn chirp(chirp: &Chirp) -> Wave {
-    let lines = (chirp.duration_s * chirp.from_hz.max(chirp.to_hz) * DriveSignal::CHIRP_SAMPLES_PER_CYCLE).ceil().max(2.0) as usize;
-    let step_s = chirp.duration_s / lines as f64;
-    let sizes = (0..=lines).map(|k| {
-        let [angle, w, rate] = chirp.angle(k as f64 * step_s);
+    chirp.sampled(|[angle, w, rate], step_s| {
         let (sin, cos) = angle.sin_cos();
         let x = w * step_s;
         chirp.amplitude * (sin - (rate * step_s * step_s * cos - x * x * sin) / 12.0 + x.powi(4) / 240.0 * sin)
-    });
-    Wave::Sampled { start_s: chirp.start_s, step_s, sizes: sizes.collect() }
+    })
 }
 
 #[cfg(test)]

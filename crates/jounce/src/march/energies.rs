@@ -100,7 +100,8 @@ impl Marcher<'_> {
             .collect();
         let lost_j = contact(&meters.damping, self.integrals.damping_j + works_j[count]);
         let damping_j = now.damping_j - open.damping_j + lost_j + meters.damping.signals().energy_j(&sums);
-        let input_j = now.input_j - open.input_j + contact(&meters.input, 0.0) + meters.input.signals().energy_j(&sums);
+        let input_j =
+            now.input_j - open.input_j + contact(&meters.input, 0.0) + meters.input.signals().energy_j(&sums) + self.forced.base_work_j;
         let stored_j = now.stored_j - open.stored_j;
         let flows = input_j.abs().max(damping_j.abs()).max(loads_j.iter().map(|j| j.abs()).sum());
         let scale_j = flows.max(now.stored_j.abs()).max(open.stored_j.abs()).max(self.potential_j());

@@ -122,6 +122,7 @@ mod tests {
             shape: BTreeMap::from([("mass".into(), vec![1.0])]),
             patch: BTreeMap::from([("patch".into(), patch)]),
             participation_sqrt_kg: vec![1.0],
+            base_sqrt_kg: BTreeMap::new(),
             discretisation_error: vec![0.0],
         };
         let bridge = Bridge {

@@ -3,16 +3,18 @@
 //! The marcher carries `y`, the state less its forced part `P` (see [`crate::plant::Forcing`]). What local blocks are forced to do is put
 //! into `y` at the end of each step, so that their `P` begins anew and never grows. From the present time on the forced displacement
 //! of a port is a polynomial in time whose fourth derivative is bounded term by term; it adds to the bound of the certificate, and is
-//! zero where no block is slow beside the samples of the drive. No step crosses a breakpoint.
+//! zero where no block is slow beside the samples of the drive. No step crosses a breakpoint. The motions of the bases that signals move
+//! are cubics beside it (see [`Travel`]).
 
 use super::flow::Flow;
 use super::forced_reading::{Reading, Series};
 use super::kernel::Kernel;
 use super::layout::Layout;
 use super::ledger::Ledger;
-use crate::drive::{Piece, Wave};
-use crate::plant::{Forcing, LOCAL_TERMS, Signal, Size};
+use crate::drive::{Piece, Travel, Wave};
+use crate::plant::{Forcing, LOCAL_TERMS, Port, Signal, Size};
 use crate::wide::{Lane, Portable, WIDTH, Wide};
+use std::sync::Arc;
 
 /// Lengths of steps whose forced motion is kept.
 const KEPT: usize = 16;
@@ -28,7 +30,9 @@ pub(super) struct Forced {
     /// Longest step under signals that are not silent, s.
     limit_s: f64,
     /// Per port: what it reads of the signals, and that from now on.
-    ports: Vec<(Reading, Series)>,
+    ports: Vec<Seen>,
+    /// Work of the bases that signals move through the contacts between them since the start, J.
+    pub base_work_j: f64,
     has_local: bool,
     /// What local blocks are forced to do over steps of some lengths, the latest first.
     moved: Vec<Moved>,
@@ -42,10 +46,22 @@ pub(super) struct Forced {
 struct Player {
     index: usize,
     piece: Piece,
+    travel: Option<Arc<Travel>>,
     column: Vec<Lane>,
     rest: Vec<Lane>,
     lag: Vec<Lane>,
     local: Vec<Lane>,
+}
+
+/// What one port sees of the signals.
+#[derive(Debug, Clone)]
+struct Seen {
+    reading: Reading,
+    series: Series,
+    /// Displacement per displacement of the base that each signal moves; none where both sides of a stop stand on one.
+    approach: Vec<f64>,
+    /// The share of the bases in the series: a cubic.
+    course: [f64; 4],
 }
 
 /// Motion of local blocks over a step by a unit size and by a unit slope, per signal.
@@ -58,14 +74,18 @@ struct Moved {
 impl Forced {
     pub fn new(kernel: &Kernel, time_s: f64) -> Self {
         let (plant, layout) = (&kernel.plant, &kernel.layout);
-        let player = |(signal, forcing): (&Signal, &Forcing)| {
-            let index = signal.wave.index_at(time_s);
+        let player = |((signal, forcing), travel): ((&Signal, &Forcing), &Option<Arc<Travel>>)| {
+            let (index, travel) = (signal.wave.index_at(time_s), travel.clone());
             let [column, rest, lag, local] = [&forcing.column, &forcing.rest, &forcing.lag, &forcing.local].map(|b| layout.pack(b));
-            Player { index, piece: signal.wave.piece(index), column, rest, lag, local }
+            Player { index, piece: signal.wave.piece(index), travel, column, rest, lag, local }
         };
-        let players: Vec<Player> = plant.system.signals.iter().zip(&plant.forcings).map(player).collect();
+        let players: Vec<Player> = plant.system.signals.iter().zip(&plant.forcings).zip(&plant.travels).map(player).collect();
         let sizes: Vec<Size> = players.iter().map(|player| [player.piece.size_at(time_s), player.piece.slope]).collect();
-        let ports = plant.ports.iter().filter(|_| !players.is_empty()).map(|port| (Reading::of(plant, &port.displacement), Series::ZERO));
+        let seen = |port: &Port| {
+            let approach = if port.approach.iter().all(|share| *share == 0.0) { Vec::new() } else { port.approach.clone() };
+            Seen { reading: Reading::of(plant, &port.displacement), series: Series::ZERO, approach, course: [0.0; 4] }
+        };
+        let ports = plant.ports.iter().filter(|_| !players.is_empty()).map(seen);
         let piece = match &plant.system.signals[..] {
             [Signal { wave: Wave::Sampled { step_s, .. }, .. }] => Some((*step_s, Flow::over(&plant.diagonal.block, layout, *step_s))),
             _ => None,
@@ -75,6 +95,7 @@ impl Forced {
             next_s: 0.0,
             limit_s: plant.local_limit_s(),
             ports: ports.collect(),
+            base_work_j: 0.0,
             has_local: !players.is_empty() && plant.local.contains(&true),
             moved: Vec::new(),
             piece,
@@ -82,7 +103,7 @@ impl Forced {
             players,
         };
         forced.find_next();
-        forced.aim();
+        forced.aim(time_s);
         forced
     }
 
@@ -145,25 +166,25 @@ impl Forced {
     /// Forced displacement (m) and velocity (m/s) of a port a time after the present one.
     #[inline(always)]
     pub fn motion_after(&self, port: usize, after_s: f64) -> [f64; 2] {
-        self.ports.get(port).map_or([0.0; 2], |(_, series)| series.motion(after_s))
+        self.ports.get(port).map_or([0.0; 2], |seen| seen.series.motion(after_s))
     }
 
     /// Forced acceleration of a port a time after the present one, m/s^2.
     #[inline(always)]
     pub fn acceleration_after(&self, port: usize, after_s: f64) -> f64 {
-        self.ports.get(port).map_or(0.0, |(_, series)| series.curvature(after_s))
+        self.ports.get(port).map_or(0.0, |seen| seen.series.curvature(after_s))
     }
 
     /// Bound on the fourth derivative of the forced displacement of a port over a step, m/s^4.
     #[inline(always)]
     pub fn fourth_bound(&self, port: usize, length_s: f64) -> f64 {
-        self.ports.get(port).map_or(0.0, |(_, series)| series.fourth_bound(length_s))
+        self.ports.get(port).map_or(0.0, |seen| seen.series.fourth_bound(length_s))
     }
 
     /// Forced displacement and velocity of a port at the places of a step, added to registers.
     #[inline(always)]
     pub fn motions<W: Wide>(&self, w: W, port: usize, places: &[f64; WIDTH], length_s: f64, sums: [W::Register; 2]) -> [W::Register; 2] {
-        let Some((_, series)) = self.ports.get(port) else { return sums };
+        let Some(Seen { series, .. }) = self.ports.get(port) else { return sums };
         let (mut place, mut speed) = (Lane::ZERO, Lane::ZERO);
         for ((part, place), speed) in places.iter().zip(&mut place.0).zip(&mut speed.0) {
             [*place, *speed] = series.motion(part * length_s);
@@ -176,6 +197,11 @@ impl Forced {
     pub fn push(&mut self, port: usize, places: &[f64; WIDTH], length_s: f64, weighted: &Lane) {
         if !self.players.is_empty() {
             self.ledger.push(port, &self.sizes, places, length_s, weighted);
+            let seen = &self.ports[port];
+            if !seen.approach.is_empty() {
+                self.base_work_j +=
+                    places.iter().zip(weighted.0).map(|(part, force)| force * seen.base_speed_m_s(part * length_s)).sum::<f64>();
+            }
         }
     }
 
@@ -183,6 +209,7 @@ impl Forced {
     pub fn strike_stop(&mut self, port: usize, impulse_n_s: f64) {
         if !self.players.is_empty() {
             self.ledger.strike_stop(port, &self.sizes, impulse_n_s);
+            self.base_work_j += impulse_n_s * self.ports[port].base_speed_m_s(0.0);
         }
     }
 
@@ -205,7 +232,7 @@ impl Forced {
         for (size, player) in self.sizes.iter_mut().zip(&self.players) {
             size[0] = player.piece.size_at(time_s);
         }
-        self.aim();
+        self.aim(time_s);
     }
 
     /// Puts the motion over a step of a length first.
@@ -239,7 +266,7 @@ impl Forced {
             whole = self.whole(&kernel.layout, y);
         }
         self.ledger.open(&self.sizes, whole);
-        self.aim();
+        self.aim(time_s);
         struck
     }
 
@@ -275,12 +302,35 @@ impl Forced {
         self.next_s = self.players.iter().fold(f64::INFINITY, |least, player| least.min(player.piece.until_s));
     }
 
-    /// Forced displacements of the ports from now on.
+    /// Forced displacements of the ports from a time on, the present one.
     #[inline(always)]
-    fn aim(&mut self) {
-        for (reading, series) in &mut self.ports {
-            *series = reading.series(&self.sizes);
+    fn aim(&mut self, time_s: f64) {
+        for seen in &mut self.ports {
+            seen.series = seen.reading.series(&self.sizes);
+            if !seen.approach.is_empty() {
+                seen.follow(&self.players, &self.sizes, time_s);
+            }
         }
+    }
+}
+
+impl Seen {
+    /// Adds the motions of the bases from a time on to the series.
+    fn follow(&mut self, players: &[Player], sizes: &[Size], time_s: f64) {
+        self.course = [0.0; 4];
+        for ((player, [size, slope]), share) in players.iter().zip(sizes).zip(&self.approach) {
+            let Some(travel) = &player.travel else { continue };
+            let [place, speed] = travel.at(player.index, &player.piece, time_s);
+            let own = [place, speed, 0.5 * size, slope / 6.0];
+            self.course.iter_mut().zip(own).for_each(|(sum, c)| *sum += share * c);
+        }
+        self.series.add(&self.course);
+    }
+
+    /// Speed towards the stop that the bases make, a time after the present one, m/s.
+    fn base_speed_m_s(&self, after_s: f64) -> f64 {
+        let [_, speed, half, sixth] = self.course;
+        speed + after_s * (2.0 * half + after_s * 3.0 * sixth)
     }
 }
 

@@ -70,6 +70,13 @@ impl Reading {
 impl Series {
     pub const ZERO: Self = Self { coefficients: [0.0; COEFFICIENTS], used: 0 };
 
+    /// Adds a cubic.
+    #[inline(always)]
+    pub fn add(&mut self, cubic: &[f64; 4]) {
+        self.coefficients.iter_mut().zip(cubic).for_each(|(sum, c)| *sum += c);
+        self.used = self.used.max(cubic.len());
+    }
+
     /// Value and slope.
     #[inline(always)]
     pub fn motion(&self, t: f64) -> [f64; 2] {

@@ -129,7 +129,7 @@ impl Kernel {
     /// # Errors
     /// None that the first plant did not have.
     pub fn with_stops(&self, stops: Vec<Stop>) -> Result<Self, PlantError> {
-        let alike = |a: &Stop, b: &Stop| a.shape == b.shape && onset_exponent(&a.law) == onset_exponent(&b.law);
+        let alike = |a: &Stop, b: &Stop| a.shape == b.shape && a.bases == b.bases && onset_exponent(&a.law) == onset_exponent(&b.law);
         let before = &self.plant.system.stops;
         let fit = before.len() == stops.len() && before.iter().zip(&stops).all(|(a, b)| alike(a, b));
         let plant = self.plant.with_stops(stops);

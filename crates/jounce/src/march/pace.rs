@@ -63,7 +63,7 @@ impl Marcher<'_> {
     ) -> i32 {
         let longer = level - levels_to_spare(level, solved.error_n_s, PLANNED * share(step.shape) * allowed);
         if starts_next {
-            self.ports[step.port].entry_level = longer;
+            self.ports[step.port].entry_level = longer.max(coarsest(law, self.kernel));
         }
         // The error of the onset basis says nothing about the next step.
         let level = if step.shape == Shape::Onset { level } else { longer };

@@ -138,7 +138,7 @@ impl Marcher<'_> {
         let mut next = Marcher::in_one_regime(kernel, &kernel.plant.from_physical(x, self.time_s), self.time_s, self.tolerance);
         next.base = self.base;
         (next.flight_level, next.kink) = (self.flight_level, self.kink);
-        next.work = self.work;
+        (next.work, next.checks) = (self.work, self.checks);
         next.record = self.record.take();
         next.switching = std::mem::take(&mut self.switching);
         (next.switching.regime, next.switching.since) = (regime, (self.time_s, x.to_vec()));

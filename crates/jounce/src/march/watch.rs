@@ -4,6 +4,7 @@
 //! looks at it before each of its steps, so that it ends within microseconds of the wish. How far a run is, it tells when it is asked,
 //! so that nobody pays for an answer that nobody reads.
 
+use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, AtomicU64, Ordering};
 use std::time::Duration;
@@ -25,6 +26,17 @@ pub struct Watch {
     /// Wall time of all runs, ns.
     marched_ns: Arc<AtomicU64>,
     counts: Arc<Counts>,
+    visitor: Option<Visitor>,
+}
+
+/// Who is called by the working thread itself.
+#[derive(Clone)]
+struct Visitor(Arc<dyn Fn(&Watch) + Send + Sync>);
+
+impl fmt::Debug for Visitor {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Visitor")
+    }
 }
 
 #[derive(Debug, Default)]
@@ -40,7 +52,22 @@ impl Watch {
     /// The same wish to stop, for a part of the work that counts its own parts.
     #[must_use]
     pub fn apart(&self) -> Self {
-        Self { wish: Arc::clone(&self.wish), marched_ns: Arc::clone(&self.marched_ns), counts: Arc::default() }
+        Self { wish: Arc::clone(&self.wish), marched_ns: Arc::clone(&self.marched_ns), ..Self::default() }
+    }
+
+    /// A watch without a thread that waits: `visit` is called by the working thread, at its looks and every few dozen steps of its marches. It
+    /// decides whether it is time for anything.
+    #[must_use]
+    pub fn visited_by(visit: impl Fn(&Self) + Send + Sync + 'static) -> Self {
+        Self { visitor: Some(Visitor(Arc::new(visit))), ..Self::default() }
+    }
+
+    /// Lets the visitor in, if there is one.
+    #[inline]
+    fn let_in(&self) {
+        if let Some(Visitor(visit)) = &self.visitor {
+            visit(self);
+        }
     }
 
     /// Wishes that the computation stops. It keeps what is finished.
@@ -49,8 +76,9 @@ impl Watch {
     }
 
     /// True once somebody wished so.
-    #[inline(always)]
+    #[inline]
     pub fn is_stopped(&self) -> bool {
+        self.let_in();
         self.wish.load(Ordering::Relaxed) == STOP
     }
 
@@ -122,6 +150,19 @@ impl Watch {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_visitor_may_end_the_work_at_any_look() {
+        let looks = Arc::new(AtomicU64::new(0));
+        let seen = Arc::clone(&looks);
+        let watch = Watch::visited_by(move |watch| {
+            if seen.fetch_add(1, Ordering::Relaxed) == 2 {
+                watch.stop();
+            }
+        });
+        assert_eq!([watch.is_stopped(), watch.is_stopped(), watch.is_stopped(), watch.is_quiet()], [false, false, true, false]);
+        assert!(watch.apart().is_stopped() && looks.load(Ordering::Relaxed) == 3, "a part of the work shares the wish, not the visits");
+    }
 
     #[test]
     fn a_run_tells_its_time_once_for_each_question_and_a_wish_to_stop_stands() {

@@ -11,7 +11,7 @@
 use super::border::solve_bordered;
 use super::charges::{kept_charges, without};
 use super::{Change, Harvester, Orbit, OrbitError, OrbitMethod, nearest_extremum_m};
-use crate::continuation::{Direction, Family, Linear, Metric, Position, tangent};
+use crate::continuation::{Direction, Family, Linear, Metric, Parts, Position, tangent};
 use crate::march::{Drift, Kernel, Trajectory, Variation};
 use faer::{Mat, MatRef};
 use std::f64::consts::TAU;
@@ -251,6 +251,14 @@ impl Shot {
 impl Linear for Shot {
     fn residual(&self) -> &[f64] {
         &self.residual
+    }
+
+    /// By mode and by electrical state.
+    fn parts(&self) -> Parts {
+        let modes = self.kernel.plant.system.modes.len();
+        let moving = (0..modes).map(|k| (format!("mode {}", k + 1), self.residual[k].hypot(self.residual[modes + k])));
+        let charged = self.residual[2 * modes..].iter().enumerate().map(|(k, own)| (format!("electrical state {}", k + 1), own.abs()));
+        Parts { unit: "sqrt(J)", sizes: moving.chain(charged).collect() }
     }
 
     fn bordered(&self, row: &[f64], corner: f64, right: &[f64], last: f64) -> Option<(Vec<f64>, f64)> {

@@ -1,6 +1,7 @@
 //! Turning points of the displacements of the ports: how near an orbit comes to grazing, and how far it swings.
 
 use super::Shot;
+use crate::contact::Law;
 use crate::march::{Kernel, Trajectory};
 
 /// Looks per drive cycle in flight, at least, where the turning point nearest to a surface is sought, ...
@@ -14,6 +15,9 @@ const CLOSER: usize = 24;
 
 /// Turning points worth a closer look.
 const NEAREST: usize = 3;
+
+/// Part of the time between two looks by which one looks before an impact.
+const BEFORE: f64 = 1e-9;
 
 /// A turning point of a port.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,12 +58,28 @@ pub fn displacement_peak_m(shot: &Shot) -> f64 {
         return 0.0;
     }
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
-    let cycles = shot.trajectories.iter().map(|trajectory| looks(&shot.kernel, 0, trajectory, (FEWER, cycle_s)));
-    let range = cycles.fold((f64::INFINITY, f64::NEG_INFINITY), |range, looks| {
-        let own = looks.windows(2).flat_map(|pair| [pair[0].1, turn_between(pair[0], pair[1])]);
+    let strikes = shot.kernel.plant.system.stops.iter().any(|stop| matches!(stop.law, Law::Rigid(_)));
+    let cycles = shot.trajectories.iter().map(|trajectory| (trajectory, looks(&shot.kernel, 0, trajectory, (FEWER, cycle_s))));
+    let range = cycles.fold((f64::INFINITY, f64::NEG_INFINITY), |range, (trajectory, looks)| {
+        let own = looks.windows(2).flat_map(|pair| {
+            let to = if strikes { unstruck(&shot.kernel, 0, trajectory, (pair[0], pair[1])) } else { pair[1] };
+            [pair[0].1, turn_between(pair[0], to)]
+        });
         own.chain(looks.last().map(|last| last.1)).fold(range, |(low, high), past_m| (low.min(past_m), high.max(past_m)))
     });
     0.5 * (range.1 - range.0).max(0.0)
+}
+
+/// The second of two neighbouring looks as the motion comes to it, before any impact that a rigid stop makes there: the speed jumps at no
+/// other place than the start of a step, which is a look. Only where the speed changes sign does it matter.
+fn unstruck(kernel: &Kernel, port: usize, trajectory: &Trajectory, (from, to): (Motion, Motion)) -> Motion {
+    if from.2 * to.2 >= 0.0 {
+        return to;
+    }
+    let just_before_s = to.0 - BEFORE * (to.0 - from.0);
+    let coming = trajectory.at(kernel, &[just_before_s]);
+    let rate_m_s = coming.first().and_then(|at| motion(kernel, port, at.time_s, &at.state)).map_or(to.2, |coming| coming.2);
+    (to.0, to.1, rate_m_s)
 }
 
 /// Distance where the cubic through two neighbouring looks turns; that of the first where it does not.

@@ -169,7 +169,12 @@ impl System {
             for node in electrical.nodes_of(number) {
                 let (pushed_v, shape) = (electrical.zero_v[node], &electrical.nodes[node].coupling_n_per_v);
                 if pushed_v != 0.0 && shape.iter().any(|theta| *theta != 0.0) {
-                    system.signals.push(Signal { name: bridge.name.clone(), shape: shape.clone(), wave: Wave::Constant(pushed_v) });
+                    system.signals.push(Signal {
+                        name: bridge.name.clone(),
+                        shape: shape.clone(),
+                        wave: Wave::Constant(pushed_v),
+                        base: None,
+                    });
                 }
             }
         }

@@ -2,6 +2,7 @@
 
 use super::stiff::check_speeds;
 use super::{Across, Diagonal, Electrical, Forcing, Guard, PlantError, Signal, System, Tone};
+use crate::drive::Travel;
 use faer::{Mat, c64};
 use std::sync::Arc;
 
@@ -18,6 +19,8 @@ pub struct Plant {
     pub tones: Vec<Tone>,
     /// One per signal, in the order of `system.signals`.
     pub forcings: Vec<Forcing>,
+    /// One per signal: where it takes its base, where a stop feels that.
+    pub travels: Vec<Option<Arc<Travel>>>,
     /// States whose answer to signals is local (see [`Forcing`]).
     pub local: Vec<bool>,
     /// One per stop, in the order of `system.stops`, then one per guard.
@@ -35,8 +38,12 @@ pub struct Port {
     pub velocity: Vec<f64>,
     /// Column of a compressive unit force, per N.
     pub force: Vec<f64>,
-    /// Complex displacement of each tone, m.
+    /// Complex displacement of each tone, m, the motions of bases included.
     pub steady_m: Vec<c64>,
+    /// The share of the motions of bases in it, m.
+    pub approach_m: Vec<c64>,
+    /// Displacement per displacement of the base that each signal moves.
+    pub approach: Vec<f64>,
     /// Velocity lost towards the stop per unit impulse, 1/kg.
     pub mobility_per_kg: f64,
     /// What the displacement must pass, m.
@@ -54,11 +61,12 @@ impl Plant {
         let diagonal = Arc::new(Diagonal::of(&system, &electrical)?);
         let (tones, forcings, local, ports) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let guards = system.guards();
-        let mut plant = Self { system, electrical, diagonal, tones, forcings, local, ports, guards };
+        let mut plant = Self { system, electrical, diagonal, tones, forcings, travels: Vec::new(), local, ports, guards };
         plant.tones = plant.make_tones()?;
         plant.local = plant.local_states(&plant.system.signals);
         plant.forcings = plant.system.signals.iter().map(|signal| Forcing::of(&plant, signal)).collect();
         plant.ports = plant.make_ports();
+        plant.approach();
         Ok(plant)
     }
 
@@ -71,6 +79,7 @@ impl Plant {
         plant.system.drives = drives;
         plant.tones = plant.make_tones()?;
         plant.ports = plant.make_ports();
+        plant.approach();
         Ok(plant)
     }
 
@@ -80,6 +89,7 @@ impl Plant {
         plant.local = self.local_states(&signals);
         plant.forcings = signals.iter().map(|signal| Forcing::of(&plant, signal)).collect();
         plant.system.signals = signals;
+        plant.approach();
         plant
     }
 
@@ -94,6 +104,7 @@ impl Plant {
         let mut plant = self.clone();
         plant.system.stops = stops;
         plant.ports = plant.make_ports();
+        plant.approach();
         plant
     }
 
@@ -205,20 +216,24 @@ impl Plant {
     }
 
     fn make_ports(&self) -> Vec<Port> {
-        let stops = self.system.stops.iter().map(|stop| Port { gap_m: stop.gap_m, ..self.port(&stop.shape) });
+        let stops = self.system.stops.iter().map(|stop| self.port(stop));
         stops.chain(self.guards.iter().map(|guard| self.guard_port(guard))).collect()
     }
 
-    fn port(&self, shape: &[f64]) -> Port {
+    fn port(&self, stop: &super::Stop) -> Port {
+        let shape = &stop.shape;
         let displacement = self.displacement_row(shape);
+        let approach_m = self.approach_of_tones(stop);
         let pushed_back: Vec<f64> = shape.iter().map(|s| -s).collect();
         Port {
-            steady_m: self.steady_output(&displacement),
+            steady_m: self.steady_output(&displacement).iter().zip(&approach_m).map(|(own, bases)| own + bases).collect(),
+            approach_m,
+            approach: Vec::new(),
             displacement,
             velocity: self.velocity_row(shape),
             force: self.force_column(&pushed_back),
             mobility_per_kg: shape.iter().map(|s| s * s).sum(),
-            gap_m: f64::INFINITY,
+            gap_m: stop.gap_m,
         }
     }
 }

@@ -172,7 +172,7 @@ impl EnergyMeter {
         Ok(Self::finish(plant, gramian, forcing, (mean, terms), none))
     }
 
-    /// `integral F(t) x_d'(t) dt`, summed over drives.
+    /// `integral F(t) x_d'(t) dt`, summed over drives, and the work of bases through the contacts between them.
     fn drive(plant: &Plant) -> Self {
         let n = plant.system.modes.len();
         let velocities: Vec<Vec<f64>> = (0..n).map(|i| plant.modal_velocity_row(i)).collect();
@@ -196,7 +196,14 @@ impl EnergyMeter {
         // A signal is a force on the state and on the steady motion.
         let speeds: Vec<Vec<f64>> = plant.system.signals.iter().map(|signal| plant.velocity_row(&signal.shape)).collect();
         let steady = speeds.iter().map(|row| plant.steady_output(row)).collect();
-        Self::finish(plant, None, forcing, (mean, terms), (speeds, steady))
+        let mut meter = Self::finish(plant, None, forcing, (mean, terms), (speeds, steady));
+        // Bases work through the contacts between them, too: f Re(i w X e^{i w t}).
+        for (cross, port) in meter.port_cross.iter_mut().zip(&plant.ports) {
+            for ((rb, x), tone) in cross.iter_mut().zip(&port.approach_m).zip(&plant.tones) {
+                *rb -= c64::new(0.0, tone.angular_frequency_rad_s) * x;
+            }
+        }
+        meter
     }
 
     fn finish(

@@ -106,6 +106,8 @@ impl Plant {
         let displacement = self.row(&physical, 0);
         Port {
             steady_m: self.steady_output(&displacement),
+            approach_m: vec![Default::default(); self.tones.len()],
+            approach: Vec::new(),
             velocity: self.diagonal.block.rate_row(&displacement),
             force: vec![0.0; self.len()],
             mobility_per_kg: 1.0,

@@ -10,6 +10,7 @@
 //! steady state under the drive without contact. Between contacts the flow of `y` is therefore known exactly. Drives that are
 //! not sinusoidal are [`Signal`]s, linear in time between breakpoints, whose answer is known exactly too ([`Forcing`]).
 
+mod approach;
 mod block;
 mod bridge;
 mod component;

@@ -12,4 +12,6 @@ pub struct Signal {
     pub shape: Vec<f64>,
     /// Its course in time.
     pub wave: Wave,
+    /// The base that it accelerates.
+    pub base: Option<String>,
 }

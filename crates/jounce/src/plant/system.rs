@@ -2,7 +2,7 @@
 
 use super::{Bridge, BridgeState, PlantError, Scheme, Signal, Storage};
 use crate::contact::Law;
-use crate::drive::{Wave, wave};
+use crate::drive::{Wave, displaced, wave};
 use crate::spec::{Circuit, DriveKind, DriveSignal, Interface, Side, Spec, Wiring};
 use crate::structure::Modes;
 use std::f64::consts::TAU;
@@ -77,7 +77,7 @@ impl Dashpot {
     }
 }
 
-/// A stop: penetration is `shape . q - gap`.
+/// A stop: penetration is `shape . q - gap`, and what the motions of two bases make of the gap between them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stop {
     /// Name of the stop.
@@ -88,6 +88,8 @@ pub struct Stop {
     pub gap_m: f64,
     /// Contact law.
     pub law: Law,
+    /// Where its two sides stand on two bases: displacement towards the stop per displacement of each of the two, 1 or -1.
+    pub bases: Vec<(String, f64)>,
 }
 
 /// A force `amplitude sin(2 pi frequency t + phase)`. A base acceleration of 1 m/s^2 acts like a force of 1 N whose `shape` is the
@@ -104,6 +106,8 @@ pub struct Drive {
     pub frequency_hz: f64,
     /// Angle at `t = 0`, rad.
     pub phase_rad: f64,
+    /// The base that it accelerates.
+    pub base: Option<String>,
 }
 
 impl System {
@@ -137,13 +141,24 @@ impl System {
     pub fn signals(spec: &Spec, modes: &Modes, is_stopped: &dyn Fn() -> bool) -> Result<Vec<Signal>, PlantError> {
         let mut signals = Vec::new();
         for (name, drive) in &spec.drive {
-            if let Some(wave) = wave(&drive.signal, spec.run.duration_s, is_stopped) {
-                signals.push(Signal { name: name.clone(), shape: driven(modes, name, drive)?, wave });
+            let waves = match drive.kind {
+                DriveKind::BaseDisplacement => displaced(&drive.signal),
+                DriveKind::Force | DriveKind::BaseAcceleration => {
+                    wave(&drive.signal, spec.run.duration_s, is_stopped).into_iter().collect()
+                }
+            };
+            for wave in waves {
+                signals.push(Signal {
+                    name: name.clone(),
+                    shape: driven(modes, name, drive)?,
+                    wave,
+                    base: drive.base().map(str::to_owned),
+                });
             }
         }
         if let Some(acceleration) = spec.gravity.acceleration_m_s2.filter(|acceleration| *acceleration != 0.0) {
             let wave = Wave::Constant(acceleration);
-            signals.push(Signal { name: "gravity".to_owned(), shape: modes.participation_sqrt_kg.clone(), wave });
+            signals.push(Signal { name: "gravity".to_owned(), shape: modes.participation_sqrt_kg.clone(), wave, base: None });
         }
         Ok(signals)
     }
@@ -222,7 +237,7 @@ fn stops(spec: &Spec, modes: &Modes) -> Result<Vec<Stop>, PlantError> {
     for (name, stop) in &spec.stop {
         let at = shape(modes, format!("stop.{name}.at"), &stop.at)?;
         let frame = match stop.frame.as_str() {
-            "ground" => vec![0.0; modes.len()],
+            base if spec.is_base(base) => vec![0.0; modes.len()],
             body => shape(modes, format!("stop.{name}.frame"), body)?,
         };
         let sign = if stop.side == Side::Positive { 1.0 } else { -1.0 };
@@ -230,7 +245,9 @@ fn stops(spec: &Spec, modes: &Modes) -> Result<Vec<Stop>, PlantError> {
         if shape.iter().all(|s| *s == 0.0) {
             return Err(PlantError::ImmobilePort { stop: name.clone() });
         }
-        stops.push(Stop { name: name.clone(), shape, gap_m: stop.gap_m, law: stop.law.into() });
+        let under = [(&stop.at, sign), (&stop.frame, -sign)].map(|(point, way)| (spec.base_under(point).to_owned(), way));
+        let bases = if under[0].0 == under[1].0 { Vec::new() } else { under.to_vec() };
+        stops.push(Stop { name: name.clone(), shape, gap_m: stop.gap_m, law: stop.law.into(), bases });
     }
     Ok(stops)
 }
@@ -244,16 +261,17 @@ fn drives(spec: &Spec, modes: &Modes) -> Result<Vec<Drive>, PlantError> {
             DriveKind::Force | DriveKind::BaseAcceleration => amplitude,
             DriveKind::BaseDisplacement => -(TAU * frequency_hz).powi(2) * amplitude,
         };
-        drives.push(Drive { name: name.clone(), shape: driven(modes, name, drive)?, amplitude_n, frequency_hz, phase_rad });
+        let (shape, base) = (driven(modes, name, drive)?, drive.base().map(str::to_owned));
+        drives.push(Drive { name: name.clone(), shape, amplitude_n, frequency_hz, phase_rad, base });
     }
     Ok(drives)
 }
 
 /// Modal force of a drive of size 1 N or 1 m/s^2.
 pub(crate) fn driven(modes: &Modes, name: &str, drive: &crate::spec::Drive) -> Result<Vec<f64>, PlantError> {
-    match drive.kind {
-        DriveKind::Force => shape(modes, format!("drive.{name}.at"), &drive.at),
-        DriveKind::BaseAcceleration | DriveKind::BaseDisplacement => Ok(modes.participation_sqrt_kg.iter().map(|p| -p).collect()),
+    match drive.base() {
+        None => shape(modes, format!("drive.{name}.at"), &drive.at),
+        Some(base) => Ok(modes.participation_in_sqrt_kg(base).iter().map(|p| -p).collect()),
     }
 }
 

@@ -55,6 +55,7 @@ impl Bilinear {
             amplitude_n,
             frequency_hz: drive_rad_s / TAU,
             phase_rad: 0.0,
+            base: None,
         });
         system
     }

@@ -62,6 +62,7 @@ impl BouncingTable {
             amplitude_n: self.acceleration_ratio,
             frequency_hz: 1.0 / TAU,
             phase_rad: angle_rad + PI,
+            base: None,
         });
         system
     }

@@ -77,6 +77,7 @@ impl Cantilever {
             shape: BTreeMap::from([("tip".to_owned(), vec![tip; count])]),
             patch: BTreeMap::new(),
             participation_sqrt_kg: (0..count).map(|mode| self.participation_sqrt_kg(mode)).collect(),
+            base_sqrt_kg: BTreeMap::new(),
             discretisation_error: vec![0.0; count],
         }
     }

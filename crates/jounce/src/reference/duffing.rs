@@ -51,6 +51,7 @@ impl Duffing {
             amplitude_n,
             frequency_hz: drive_rad_s / TAU,
             phase_rad: 0.0,
+            base: None,
         });
         system
     }

@@ -42,6 +42,7 @@ impl Harmonic {
             amplitude_n: self.amplitude_n,
             frequency_hz: self.drive_hz,
             phase_rad: 0.0,
+            base: None,
         });
         system
     }

@@ -61,6 +61,7 @@ impl ImpactOscillator {
             amplitude_n: 1.0,
             frequency_hz: self.frequency_ratio / TAU,
             phase_rad: angle_rad + FRAC_PI_2,
+            base: None,
         });
         system
     }

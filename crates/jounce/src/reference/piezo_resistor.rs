@@ -60,6 +60,7 @@ impl PiezoResistor {
             amplitude_n,
             frequency_hz: drive_hz,
             phase_rad: 0.0,
+            base: None,
         });
         system
     }

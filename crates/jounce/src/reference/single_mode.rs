@@ -22,6 +22,7 @@ pub(super) fn oscillator(mass_kg: f64, frequency_rad_s: f64, damping_ratio: f64)
         shape: BTreeMap::from([(MASS.to_owned(), shape(mass_kg))]),
         patch: BTreeMap::new(),
         participation_sqrt_kg: vec![mass_kg.sqrt()],
+        base_sqrt_kg: BTreeMap::new(),
         discretisation_error: vec![0.0],
     };
     System { modes: modes.into(), ..System::default() }
@@ -29,7 +30,7 @@ pub(super) fn oscillator(mass_kg: f64, frequency_rad_s: f64, damping_ratio: f64)
 
 /// The same with a stop in the positive direction.
 pub(super) fn with_stop(mut system: System, mass_kg: f64, gap_m: f64, law: Law) -> System {
-    system.stops.push(Stop { name: "stop".to_owned(), shape: shape(mass_kg), gap_m, law });
+    system.stops.push(Stop { name: "stop".to_owned(), shape: shape(mass_kg), gap_m, law, bases: Vec::new() });
     system
 }
 

@@ -18,6 +18,10 @@ const MAP_HZ: (f64, f64) = (9.0, 15.0);
 const GAPS_M: (f64, f64) = (0.25e-3, 2e-3);
 const MAP_LEVEL_N: f64 = 50.0;
 
+/// Frequencies between the ends at which branches are sought by marching, and the longest period of one, drive cycles.
+const SEEDS: usize = 15;
+const LONGEST_PERIOD: u32 = 4;
+
 /// Relative tolerance of the marches.
 const TOLERANCE: f64 = 1e-9;
 
@@ -62,8 +66,8 @@ impl Orbits {
                 figure.panels.iter_mut().for_each(|panel| panel.series.push(points.clone().colour(Colour::nth(k))));
             }
         }
-        let caption = "Figure 6 with every periodic answer of one drive cycle that its ends lead to: stable stretches solid, unstable ones \
-                       dashed. The points are those of the stepped sweeps.";
+        let caption = "Figure 6 with the periodic answers of one to four drive cycles: stable stretches solid, unstable ones dashed. The \
+                       points are those of the stepped sweeps.";
         NamedFigure::new("figure-6-branches", caption, figure)
     }
 
@@ -88,9 +92,11 @@ impl Orbits {
             .flat_map(|(level, k, branch)| branch.points.iter().map(move |point| (level, k, point)))
             .collect();
         let floats = |read: fn(&(f64, u64, &BranchPoint)) -> f64| points.iter().map(read).collect::<Vec<f64>>();
+        let periods: Vec<u64> = points.iter().map(|(.., point)| u64::from(point.orbit.period_cycles)).collect();
         let branches = Table::new(vec![
             Column::new("amplitude_n", "N", "Force, peak", floats(|(level, ..)| *level)),
             Column::new("branch", "", "Number of the branch", points.iter().map(|(_, k, _)| *k).collect::<Vec<u64>>()),
+            Column::new("period_cycles", "", "Period in drive cycles", periods),
             Column::new("frequency_hz", "Hz", "Drive frequency", floats(|(.., point)| point.parameter)),
             Column::new(
                 "power_w_n2",
@@ -134,10 +140,10 @@ fn followed(level_n: f64, watch: &Watch) -> Result<Vec<Branch>, ReproduceError> 
         range: FREQUENCIES_HZ,
         method: Method::Shooting,
         tolerance: TOLERANCE,
-        seeds: 0,
-        longest_period: 1,
+        seeds: SEEDS,
+        longest_period: LONGEST_PERIOD,
     };
-    Ok(search.run()?.into_iter().filter(|branch| branch.period_cycles == 1).collect())
+    Ok(search.run()?)
 }
 
 fn map_of_jumps(watch: &Watch) -> Result<Vec<JumpCurve>, ReproduceError> {

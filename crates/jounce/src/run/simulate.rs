@@ -4,7 +4,7 @@ use super::settle::{LOOKS, norm, settlement};
 use super::{LeakAnswer, Limits, LoadAnswer, RectifiedAnswer, RunAnswer, Settlement, StartState, StopAnswer};
 use crate::contact::Law;
 use crate::march::{ContactStatistics, Energies, Kernel, MarchError, Marcher, RectifiedEnergies};
-use crate::plant::{Bridge, Leak, Plant, Storage, System};
+use crate::plant::{Bridge, Leak, Plant, Storage};
 use crate::spec::{Run, Spec};
 use std::time::Instant;
 
@@ -98,7 +98,7 @@ pub enum RunError {
 pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<RunAnswer, RunError> {
     let plant = &kernel.plant;
     check(plant, start)?;
-    check_outside(&plant.system, &start.displacement)?;
+    check_outside(plant, &start.displacement)?;
     let clock = Instant::now();
     let y = plant.from_physical(&start.physical(), 0.0);
     let mut marcher = Marcher::new(kernel, &y, 0.0, plan.tolerance)?;
@@ -229,10 +229,12 @@ fn check(plant: &Plant, start: &StartState) -> Result<(), RunError> {
 }
 
 /// A point on a rigid stop lies past it by roundoff at most.
-pub fn check_outside(system: &System, displacement: &[f64]) -> Result<(), RunError> {
-    for stop in system.stops.iter().filter(|stop| matches!(stop.law, Law::Rigid(_))) {
-        let along = stop.shape.iter().zip(displacement);
-        let (place_m, reach_m) = along.fold((0.0, stop.gap_m.abs()), |(sum, size), (s, q)| (sum + s * q, size + (s * q).abs()));
+pub fn check_outside(plant: &Plant, displacement: &[f64]) -> Result<(), RunError> {
+    let stops = plant.system.stops.iter().enumerate();
+    for (index, stop) in stops.filter(|(_, stop)| matches!(stop.law, Law::Rigid(_))) {
+        let (along, moved_m) = (stop.shape.iter().zip(displacement), plant.approached_m(index, 0.0));
+        let nothing = (moved_m, stop.gap_m.abs() + moved_m.abs());
+        let (place_m, reach_m) = along.fold(nothing, |(sum, size), (s, q)| (sum + s * q, size + (s * q).abs()));
         if place_m - stop.gap_m > ROUNDOFF * reach_m {
             return Err(RunError::StartsInside { stop: stop.name.clone(), depth_m: place_m - stop.gap_m });
         }

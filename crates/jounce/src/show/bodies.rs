@@ -1,6 +1,6 @@
 //! The bodies of a spec, and which of them a reference names.
 
-use super::words;
+use super::{circuits, words};
 use crate::picture::{DrawnBeam, DrawnBody, DrawnPatch, DrawnPlace, DrawnShape, Seat};
 use crate::spec::{Beam, Face, Mass, Spec};
 
@@ -19,6 +19,13 @@ impl<'s> Index<'s> {
             beams: spec.beam.keys().map(String::as_str).collect(),
             modal: spec.modal.keys().map(String::as_str).collect(),
         }
+    }
+
+    /// The bodies that stand on a base, on others or by themselves.
+    pub fn on_base(&self, spec: &Spec, base: &str) -> Vec<usize> {
+        let beams: Vec<String> = self.beams.iter().map(|name| format!("{name}.root")).collect();
+        let points = self.masses.iter().copied().chain(beams.iter().map(String::as_str));
+        points.enumerate().filter(|(_, point)| spec.base_under(point) == base).map(|(body, _)| body).collect()
     }
 
     /// What a reference names: a mass, or a point of a beam or of a structure given by its modes; nothing for the ground.
@@ -48,7 +55,7 @@ fn along(beam: &Beam, point: &str) -> Option<f64> {
 pub fn bodies(spec: &Spec, index: &Index) -> Vec<DrawnBody> {
     let masses = spec.mass.iter().map(|(name, mass)| drawn_mass(spec, index, name, mass));
     let beams = spec.beam.iter().map(|(name, beam)| DrawnBody {
-        words: words::beam(name, beam),
+        words: words::on_base(spec, words::beam(name, beam), &beam.root),
         shape: DrawnShape::Beam(drawn_beam(spec, name, beam)),
         seat: index.place(spec, &beam.root).map_or(Seat::Ground, Seat::On),
     });
@@ -68,7 +75,7 @@ fn drawn_mass(spec: &Spec, index: &Index, name: &str, mass: &Mass) -> DrawnBody 
         (None, None) => Seat::Nothing,
     };
     let shape = if seat == Seat::Nothing { DrawnShape::Ball } else { DrawnShape::Block };
-    DrawnBody { words: words::mass(name, mass), shape, seat }
+    DrawnBody { words: words::on_base(spec, words::mass(name, mass), &mass.on), shape, seat }
 }
 
 fn cover(label: &str, [start_m, length_m, thickness_m]: [f64; 3], face: Face) -> DrawnPatch {
@@ -82,7 +89,9 @@ fn drawn_beam(spec: &Spec, name: &str, beam: &Beam) -> DrawnBeam {
         length_m: beam.length_m,
         thickness_m: beam.thickness_m,
         layers: layers.map(|(label, l)| cover(label, [l.start_m, l.length_m, l.thickness_m], l.face)).collect(),
-        patches: patches.map(|(label, p)| cover(label, [p.start_m, p.length_m, p.whole_thickness_m()], p.face)).collect(),
+        patches: patches
+            .map(|(label, p)| cover(&circuits::marked(spec, label), [p.start_m, p.length_m, p.whole_thickness_m()], p.face))
+            .collect(),
         points: beam.point.iter().map(|(point, along_m)| (point.clone(), *along_m)).collect(),
     }
 }

@@ -4,9 +4,23 @@ use super::words::value;
 use crate::picture::{DrawnCircuit, DrawnElement};
 use crate::spec::{Circuit, Interface, Quantity, Spec, Wiring};
 
-/// All circuits; patches without one are open and are not drawn here.
+/// All circuits, then each patch without one, whose wires end in nothing.
 pub fn circuits(spec: &Spec) -> Vec<DrawnCircuit> {
-    spec.circuit.iter().map(|(name, circuit)| DrawnCircuit { label: name.clone(), elements: elements(circuit) }).collect()
+    let closed = spec.circuit.iter().map(|(name, circuit)| DrawnCircuit { label: name.clone(), elements: elements(circuit) });
+    let modal = spec.modal.iter().flat_map(|(body, modal)| modal.patch.keys().map(move |patch| format!("{body}.{patch}")));
+    let open = spec.patch.keys().cloned().chain(modal).filter(|patch| is_open(spec, patch));
+    let open =
+        open.map(|patch| DrawnCircuit { label: "none: open".to_owned(), elements: vec![DrawnElement::Patches(vec![(patch, false)])] });
+    closed.chain(open).collect()
+}
+
+/// The name of a patch, marked where no circuit takes its charge.
+pub fn marked(spec: &Spec, patch: &str) -> String {
+    if is_open(spec, patch) { format!("{patch} (open)") } else { patch.to_owned() }
+}
+
+fn is_open(spec: &Spec, patch: &str) -> bool {
+    !spec.circuit.values().any(|circuit| circuit.connections().any(|(name, _)| name == patch))
 }
 
 fn elements(circuit: &Circuit) -> Vec<DrawnElement> {

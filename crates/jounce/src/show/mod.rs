@@ -15,7 +15,7 @@ pub fn drawing(title: &str, spec: &Spec) -> Drawing {
     let index = bodies::Index::of(spec);
     let contacts = spec.stop.iter().filter_map(|(name, stop)| {
         Some(DrawnContact {
-            label: name.clone(),
+            label: words::on_base(spec, vec![name.clone()], &stop.frame).join(" "),
             at: index.place(spec, &stop.at)?,
             on: index.place(spec, &stop.frame),
             above: stop.side == Side::Positive,
@@ -23,7 +23,11 @@ pub fn drawing(title: &str, spec: &Spec) -> Drawing {
             law: words::law(&stop.law),
         })
     });
-    let drives = spec.drive.iter().map(|(name, drive)| DrawnDrive { words: words::drive(name, drive), at: index.place(spec, &drive.at) });
+    let drives = spec.drive.iter().map(|(name, drive)| DrawnDrive {
+        words: words::drive(name, drive),
+        at: index.place(spec, &drive.at),
+        carried: drive.base().map_or_else(Vec::new, |base| index.on_base(spec, base)),
+    });
     Drawing {
         title: title.to_owned(),
         bodies: bodies::bodies(spec, &index),
@@ -88,6 +92,26 @@ mod tests {
         let (beam, bond, patch) = (edges("jounce-beam"), edges("jounce-layer"), edges("jounce-patch"));
         assert!((bond.1 - beam.0).abs() < 0.02 && (patch.1 - bond.0).abs() < 0.02, "{beam:?} {bond:?} {patch:?}");
         assert!(svg.contains("bond: 85 mm"), "{svg}");
+    }
+
+    /// A patch that nothing loads says so on the beam and beside the circuits; what a base carries has its arrow, what stands still has none.
+    #[test]
+    fn open_patches_and_moving_bases_are_marked() {
+        let path = format!("{}/../../examples/impact-harvester-2019/harvester.toml", env!("CARGO_MANIFEST_DIR"));
+        let text = std::fs::read_to_string(path).unwrap();
+        let mut spec = Spec::from_toml(&text).unwrap();
+        assert!(!drawing("", &spec).to_svg().contains("open"));
+        spec.open_circuits();
+        let drawn = drawing("", &spec);
+        let DrawnShape::Beam(beam) = &drawn.bodies[1].shape else { panic!("{drawn:?}") };
+        assert_eq!((beam.patches[0].label.as_str(), drawn.circuits[0].label.as_str()), ("mfc (open)", "none: open"));
+        assert!(drawn.to_svg().contains("mfc (open): ") && drawn.to_svg().contains("circuit none: open"));
+        let moving = "[mass.one]\non = \"head\"\nmass = \"1 kg\"\nfrequency = \"1 Hz\"\ndamping_ratio = 0.1\n\
+            [mass.two]\nmass = \"1 kg\"\nfrequency = \"1 Hz\"\ndamping_ratio = 0.1\n\
+            [drive.d]\nkind = \"base-displacement\"\nat = \"head\"\namplitude = \"1 mm\"\nfrequency = \"9 Hz\"\n";
+        let drawn = drawing("", &Spec::from_toml(moving).unwrap());
+        assert_eq!((&drawn.drives[0].carried[..], drawn.bodies[0].words.last().unwrap().as_str()), (&[0][..], "on head"));
+        assert_eq!(drawn.to_svg().matches("d of head: 1 mm peak").count(), 1);
     }
 
     #[test]

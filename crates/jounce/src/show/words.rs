@@ -1,6 +1,6 @@
 //! Quantities in words.
 
-use crate::spec::{Beam, Drive, DriveKind, DriveSignal, Gravity, Mass, Modal, Quantity, StopLaw};
+use crate::spec::{Beam, Drive, DriveKind, DriveSignal, GROUND, Gravity, Mass, Modal, Quantity, Spec, StopLaw};
 use std::f64::consts::TAU;
 
 /// A value in its unit with at most five digits; many digits before the point are written with an exponent.
@@ -16,6 +16,12 @@ pub fn value(quantity: Quantity, value: f64) -> String {
 /// A beam: its name and its material.
 pub fn beam(name: &str, beam: &Beam) -> Vec<String> {
     vec![if beam.material.is_empty() { name.to_owned() } else { format!("{name}, {}", beam.material) }]
+}
+
+/// The words of a body, with the base that it stands on where that is not the ground.
+pub fn on_base(spec: &Spec, mut words: Vec<String>, support: &str) -> Vec<String> {
+    words.extend((support != GROUND && spec.is_base(support)).then(|| format!("on {support}")));
+    words
 }
 
 /// A structure given by its modes.
@@ -72,6 +78,7 @@ pub fn drive(name: &str, drive: &Drive) -> String {
         DriveKind::BaseAcceleration => Quantity::Acceleration,
         DriveKind::BaseDisplacement => Quantity::Length,
     };
+    let name = drive.base().filter(|base| *base != GROUND).map_or_else(|| name.to_owned(), |base| format!("{name} of {base}"));
     let hertz = |frequency_hz: f64| value(Quantity::Frequency, frequency_hz);
     let time = |time_s: f64| value(Quantity::Time, time_s);
     match drive.signal {

@@ -29,8 +29,10 @@ fn table(rows: &[Row]) -> Value {
         let mut property = property(row);
         if let Some(other) = properties.get(row.info.name) {
             property["description"] = json!(format!("{}; {}", text(other), text(&property)));
-            // The limits that hold in every case; the case itself is told apart below.
-            property["pattern"] = json!(if is_signed(other) || is_signed(&property) { pattern(true) } else { pattern(false) });
+            // The limits that hold in every case; the case itself is told apart below. A name has none.
+            if other.get("pattern").is_some() {
+                property["pattern"] = json!(if is_signed(other) || is_signed(&property) { pattern(true) } else { pattern(false) });
+            }
         }
         properties.insert(row.info.name.to_owned(), property);
     }

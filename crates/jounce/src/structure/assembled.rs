@@ -7,7 +7,7 @@ use super::layout::{Stretch, stretches};
 use super::modes::{Modes, PatchModes};
 use super::section::{outer_lever_m, patch_moment_n_m_per_v};
 use super::solution::Solution;
-use crate::spec::{Patch, Spec};
+use crate::spec::{GROUND, Patch, Spec};
 
 /// Into how many pieces each stretch of a patch is divided to find its largest strain.
 const STRAIN_PLACES: usize = 16;
@@ -30,7 +30,12 @@ pub(super) fn assembled_modes(
         let needed = solution.order.needed(part);
         let modal = |row: &Row| solution.order.spread(part, &reduced.modal(row, needed));
         let participation = modal(&assembly.translated_mass()?);
-        modes.participation_sqrt_kg.iter_mut().zip(participation).for_each(|(sum, part)| *sum += part);
+        add(&mut modes.participation_sqrt_kg, &participation);
+        let base = spec.base_under(assembly.body.support());
+        if base != GROUND {
+            let still = || vec![0.0; participation.len()];
+            add(modes.base_sqrt_kg.entry(base.to_owned()).or_insert_with(still), &participation);
+        }
         modes.shape.extend(point_rows(assembly).iter().map(|(name, row)| (name.clone(), modal(row))));
         for rows in patch_rows(spec, assembly)? {
             let patch = PatchModes {
@@ -46,6 +51,10 @@ pub(super) fn assembled_modes(
         modes.shape.insert(name.clone(), vec![0.0; modes.len()]);
     }
     Ok(modes)
+}
+
+fn add(sum: &mut [f64], part: &[f64]) {
+    sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
 }
 
 /// The displacement of every name of a body: `"table"`, `"beam.root"`, `"beam.end"`, `"beam.tip"`.

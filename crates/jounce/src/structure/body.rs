@@ -1,14 +1,12 @@
-//! What hangs together: a tree of beams and masses on the ground, on a sprung mass, or free.
+//! What hangs together: a tree of beams and masses on the ground or another base, on a sprung mass, or free.
 //!
 //! Every part stands on one other, so that a body is statically determinate: its strains and the displacements of its free masses
 //! are coordinates, with no constraint between them.
 
 use super::error::StructureError;
-use crate::spec::{Beam, Mass, Spec};
+use crate::spec::{Beam, GROUND, Mass, Spec};
 use std::collections::BTreeSet;
 
-/// The word of a support that stands for the ground.
-const GROUND: &str = "ground";
 /// The word of a support that is not there.
 const NOTHING: &str = "nothing";
 
@@ -37,7 +35,7 @@ pub(super) enum Thing<'a> {
 /// What a part stands on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Support {
-    /// The ground, or a mass that is held.
+    /// The ground or another base, or a mass that is held.
     Ground,
     /// Nothing: a free mass.
     Nothing,
@@ -51,6 +49,15 @@ impl<'a> Body<'a> {
     /// The name of the part that carries the others.
     pub fn name(&self) -> &'a str {
         self.parts.first().map_or("", |part| part.name)
+    }
+
+    /// What carries it: a base, a held mass, or nothing.
+    pub fn support(&self) -> &'a str {
+        match self.parts.first().map(|part| part.thing) {
+            Some(Thing::Beam(beam)) => &beam.root,
+            Some(Thing::Mass(mass)) => &mass.on,
+            None => NOTHING,
+        }
     }
 
     /// The beams with their places among the parts, in the order of their names.
@@ -92,7 +99,7 @@ impl<'a> Body<'a> {
 /// `UnknownSupport`, `UnknownBeam`, `SupportCycle`, `CannotHold`, `CannotHoldGiven`, `OutOfRange`.
 pub(super) fn bodies<'a>(spec: &'a Spec, held: &[String]) -> Result<Vec<Body<'a>>, StructureError> {
     check_references(spec)?;
-    spec.mass.iter().try_for_each(|(name, mass)| check_mass(name, mass))?;
+    spec.mass.iter().try_for_each(|(name, mass)| check_mass(spec, name, mass))?;
     held.iter().try_for_each(|name| check_held(spec, name))?;
     let mut bodies = Vec::new();
     let mut rooted = |name: &'a str, thing, on| {
@@ -103,11 +110,11 @@ pub(super) fn bodies<'a>(spec: &'a Spec, held: &[String]) -> Result<Vec<Body<'a>
     for (name, mass) in spec.mass.iter().filter(|(name, _)| !held.contains(name)) {
         match mass.on.as_str() {
             NOTHING => rooted(name.as_str(), Thing::Mass(mass), Support::Nothing),
-            on if on == GROUND || held.iter().any(|held| held == on) => rooted(name.as_str(), Thing::Mass(mass), Support::Ground),
+            on if spec.is_base(on) || held.iter().any(|held| held == on) => rooted(name.as_str(), Thing::Mass(mass), Support::Ground),
             _ => {}
         }
     }
-    for (name, beam) in spec.beam.iter().filter(|(_, beam)| beam.root == GROUND || held.contains(&beam.root)) {
+    for (name, beam) in spec.beam.iter().filter(|(_, beam)| spec.is_base(&beam.root) || held.contains(&beam.root)) {
         rooted(name.as_str(), Thing::Beam(beam), Support::Ground);
     }
     let placed: BTreeSet<&str> = bodies.iter().flat_map(|body| body.parts.iter().map(|part| part.name)).collect();
@@ -129,7 +136,7 @@ fn place_m(beam: &Beam, point: &str) -> Option<f64> {
 
 fn check_references(spec: &Spec) -> Result<(), StructureError> {
     let stands = |support: &str, words: &[&str]| match support.split_once('.') {
-        None => words.contains(&support) || spec.mass.contains_key(support),
+        None => words.contains(&support) || spec.is_base(support) || spec.mass.contains_key(support),
         Some((name, point)) => spec.beam.get(name).is_some_and(|beam| place_m(beam, point).is_some()),
     };
     let roots = spec.beam.iter().map(|(name, beam)| (format!("beam.{name}.root"), &beam.root, &[GROUND][..]));
@@ -149,11 +156,11 @@ fn check_references(spec: &Spec) -> Result<(), StructureError> {
     }
 }
 
-fn check_mass(name: &str, mass: &Mass) -> Result<(), StructureError> {
+fn check_mass(spec: &Spec, name: &str, mass: &Mass) -> Result<(), StructureError> {
     StructureError::positive(format!("mass.{name}.mass"), mass.mass_kg)?;
     StructureError::not_negative(format!("mass.{name}.rotary_inertia"), mass.rotary_inertia_kg_m2)?;
     match mass.stiffness_n_m {
-        None if mass.on == GROUND => Err(StructureError::MissingSpring { mass: name.into() }),
+        None if spec.is_base(&mass.on) => Err(StructureError::MissingSpring { mass: name.into() }),
         None => Ok(()),
         Some(_) if mass.on == NOTHING => Err(StructureError::SpringToNothing { mass: name.into() }),
         Some(stiffness_n_m) => {
@@ -166,7 +173,7 @@ fn check_mass(name: &str, mass: &Mass) -> Result<(), StructureError> {
 /// A mass on the ground or free can be held; one on a beam or on another mass would leave the structure statically indeterminate.
 fn check_held(spec: &Spec, name: &str) -> Result<(), StructureError> {
     let given = name.split('.').next().is_some_and(|first| spec.modal.contains_key(first));
-    let can = |mass: &Mass| mass.on == GROUND || mass.on == NOTHING;
+    let can = |mass: &Mass| spec.is_base(&mass.on) || mass.on == NOTHING;
     match (spec.mass.get(name).is_some_and(can), given) {
         (true, _) => Ok(()),
         (false, true) => Err(StructureError::CannotHoldGiven { name: name.into() }),

@@ -13,6 +13,7 @@
 //!
 //! Source: impact-harvester paper (2019), eqs. (5) and (6), projected on undamped short-circuit modes.
 
+use crate::spec::GROUND;
 use std::collections::BTreeMap;
 
 /// Undamped short-circuit modes of all structures of a harvester, in ascending frequency.
@@ -30,6 +31,8 @@ pub struct Modes {
     /// relative to the base. With `a` the acceleration of the base (m/s^2), the modal force is `-participation a` and `q` is relative to
     /// the base. The sum of squares over all modes is the moving mass. Zero where the modes were given without it.
     pub participation_sqrt_kg: Vec<f64>,
+    /// The share in it of what stands on each base beside the ground, by the name of the base: their participation where that base moves.
+    pub base_sqrt_kg: BTreeMap<String, Vec<f64>>,
     /// Estimated relative error of each frequency from the discretisation (0 where the modes were given).
     pub discretisation_error: Vec<f64>,
 }
@@ -52,6 +55,15 @@ impl Modes {
     /// Number of modes.
     pub fn len(&self) -> usize {
         self.frequency_rad_s.len()
+    }
+
+    /// Participation of each mode in an acceleration of one base, kg^1/2: what stands on no other follows the ground.
+    pub fn participation_in_sqrt_kg(&self, base: &str) -> Vec<f64> {
+        if base != GROUND {
+            return self.base_sqrt_kg.get(base).cloned().unwrap_or_else(|| vec![0.0; self.len()]);
+        }
+        let others = |mode: usize| self.base_sqrt_kg.values().map(|own| own[mode]).sum::<f64>();
+        self.participation_sqrt_kg.iter().enumerate().map(|(mode, all)| all - others(mode)).collect()
     }
 
     /// True when there is no mode at all.

@@ -61,6 +61,7 @@ pub(super) fn merged(parts: &[Modes]) -> (Order, Modes) {
     };
     for (index, part) in parts.iter().enumerate() {
         let spread = |values: &Vec<f64>| order.spread(index, values);
+        modes.base_sqrt_kg.extend(part.base_sqrt_kg.iter().map(|(name, values)| (name.clone(), spread(values))));
         modes.shape.extend(part.shape.iter().map(|(name, values)| (name.clone(), spread(values))));
         modes.patch.extend(part.patch.iter().map(|(name, patch)| {
             let (coupling_n_per_v, strain) = (spread(&patch.coupling_n_per_v), patch.strain.iter().map(spread).collect());
@@ -87,6 +88,7 @@ mod tests {
                 PatchModes { coupling_n_per_v: shape, capacitance_f: 1e-9, leakage_ohm: None, strain: Vec::new() },
             )]),
             participation_sqrt_kg: vec![0.5; count],
+            base_sqrt_kg: BTreeMap::new(),
             discretisation_error: vec![0.0; count],
         }
     }

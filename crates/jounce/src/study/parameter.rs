@@ -39,7 +39,8 @@ impl<'s> Parameter<'s> {
     pub fn new(base: &'s Prepared, key: &'s NumericKey, width: f64) -> Self {
         let segments: Vec<&str> = key.path().split('.').collect();
         let plain = matches!(base.kernel.plant.system.stops.first().map(|stop| stop.law), Some(Law::Hertz(_) | Law::HuntCrossley(_)));
-        let one_drive = base.kernel.plant.system.drives.len() == 1;
+        // Where bases move against each other, the drive moves the gap too.
+        let one_drive = base.kernel.plant.system.drives.len() == 1 && base.kernel.plant.stop_between_bases().is_none();
         // The force of a displaced base goes with the square of its frequency.
         let moves_base = |name: &str| base.spec.drive.get(name).is_some_and(|drive| drive.kind == DriveKind::BaseDisplacement);
         let one_stop = base.kernel.plant.system.stops.len() == 1;

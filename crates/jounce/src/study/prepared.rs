@@ -174,4 +174,5 @@ fn same_bodies(a: &Spec, b: &Spec) -> bool {
         && a.modal == b.modal
         && a.damping == b.damping
         && a.reduction == b.reduction
+        && a.bases() == b.bases()
 }

@@ -128,7 +128,7 @@ impl Asked<'_> {
             range,
             seeds: self.seeds(reader),
             longest_period: self.whole(reader, "longest_period", 1000, 4) as u32,
-            tolerance: self.tolerance(reader, 1e-9),
+            tolerance: self.tolerance(reader, 5e-10),
         }
     }
 

@@ -47,7 +47,8 @@ fn each_fault_is_told_once() {
 fn a_run_that_starts_inside_a_rigid_stop_is_refused() {
     let text = "[mass.m]\nmass = \"1 kg\"\nfrequency = \"1 Hz\"\ndamping_ratio = 0.01\n\
                 [stop.wall]\nat = \"m\"\nlaw = \"rigid\"\ngap = \"-1 mm\"\nrestitution = 0.5\n";
-    let spec = Spec::from_toml(text).unwrap();
+    assert!(Spec::from_toml(text).unwrap_err().to_string().contains("at rest \"m\" would lie inside the rigid stop"));
+    let spec = Spec::from_toml(&format!("{text}[run]\nstart = \"linear\"\n")).unwrap();
     let kernel = kernel(System::assemble(&spec, modes(&spec).unwrap()).unwrap());
     let plan = RunPlan { duration_s: 1.0, average_over_s: 1.0, tolerance: 1e-7, record_s: 0.0 };
     let mut start = StartState::rest(&kernel.plant);

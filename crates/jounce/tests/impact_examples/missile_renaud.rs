@@ -80,7 +80,7 @@ fn a_fall_through_the_channel_takes_its_time() {
     let mut system = undriven(&[]);
     let participation: Vec<f64> = system.modes.participation_sqrt_kg.clone();
     let wave = jounce::drive::Wave::Constant(G_M_S2);
-    system.signals.push(jounce::plant::Signal { name: "gravity".to_owned(), shape: participation, wave });
+    system.signals.push(jounce::plant::Signal { name: "gravity".to_owned(), shape: participation, wave, base: None });
     let kernel = kernel(system);
     let mut start = StartState::linear(&kernel.plant);
     let missile = own_mode(&kernel.plant.system, "missile");

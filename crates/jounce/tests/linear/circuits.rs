@@ -28,6 +28,7 @@ fn modes() -> Modes {
             ("c".into(), patch([3e-3, -1e-3, 2e-3], 6e-8)),
         ]),
         participation_sqrt_kg: vec![0.3, 0.1, -0.05],
+        base_sqrt_kg: BTreeMap::new(),
         discretisation_error: vec![0.0; 3],
     }
 }

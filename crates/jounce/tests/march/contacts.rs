@@ -10,7 +10,7 @@ use jounce::run::{RunPlan, StartState, simulate};
 use std::f64::consts::{PI, TAU};
 
 fn stop(shape: &[f64], gap_m: f64, law: Law) -> Stop {
-    Stop { name: "stop".to_owned(), shape: shape.to_vec(), gap_m, law }
+    Stop { name: "stop".to_owned(), shape: shape.to_vec(), gap_m, law, bases: Vec::new() }
 }
 
 /// A free mass of 1 kg strikes one on a spring without bouncing: both go on together, `w / sqrt(2)`, for half a period, and part with
@@ -74,7 +74,7 @@ fn a_bilinear_oscillator_has_its_dwell_rate_and_duty() {
 fn ball(height_m: f64, restitution: f64) -> System {
     let mut system = springs(&[0.0], 0.0);
     system.stops.push(stop(&[1.0], height_m, Law::Rigid(Rigid { restitution })));
-    system.signals.push(Signal { name: "gravity".into(), shape: vec![1.0], wave: Wave::Constant(9.81) });
+    system.signals.push(Signal { name: "gravity".into(), shape: vec![1.0], wave: Wave::Constant(9.81), base: None });
     system
 }
 

@@ -17,7 +17,7 @@ fn joined(masses_kg: &[f64], contacts: &[([usize; 2], f64, Law)]) -> System {
     for (i, ([from, to], gap_m, law)) in contacts.iter().enumerate() {
         let mut shape = vec![0.0; masses_kg.len()];
         (shape[*from], shape[*to]) = (1.0 / masses_kg[*from].sqrt(), -1.0 / masses_kg[*to].sqrt());
-        system.stops.push(Stop { name: format!("contact {i}"), shape, gap_m: *gap_m, law: *law });
+        system.stops.push(Stop { name: format!("contact {i}"), shape, gap_m: *gap_m, law: *law, bases: Vec::new() });
     }
     system
 }

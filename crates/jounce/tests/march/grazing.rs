@@ -21,7 +21,7 @@ fn harmonic() -> System {
     let mut system = problem.system();
     let gap_m = 0.5 * problem.amplitude_m();
     let law = Law::Hertz(Hertz { stiffness: 1e6, exponent: 1.5 });
-    system.stops.push(Stop { name: "stop".into(), shape: system.drives[0].shape.clone(), gap_m, law });
+    system.stops.push(Stop { name: "stop".into(), shape: system.drives[0].shape.clone(), gap_m, law, bases: Vec::new() });
     system
 }
 

@@ -91,7 +91,7 @@ fn two_stops(masses_kg: [f64; 3], restitution: [f64; 2], order: [usize; 2]) -> K
         let mut shape = vec![0.0; 3];
         (shape[0], shape[k]) = (1.0 / masses_kg[0].sqrt(), -1.0 / masses_kg[k].sqrt());
         let law = Law::Rigid(Rigid { restitution: restitution[k - 1] });
-        system.stops.push(Stop { name: format!("stop {k}"), shape, gap_m: 1e-3, law });
+        system.stops.push(Stop { name: format!("stop {k}"), shape, gap_m: 1e-3, law, bases: Vec::new() });
     }
     kernel(system)
 }
@@ -126,7 +126,7 @@ fn two_rigid_stops_struck_at_once_obey_newtons_law_together() {
 fn equal_stops_on_one_motion_share_its_impulse() {
     let mut system = springs(&[0.0], 0.0);
     let law = Law::Rigid(Rigid { restitution: 0.6 });
-    system.stops = ["one", "other"].map(|name| Stop { name: name.into(), shape: vec![1.0], gap_m: 1e-3, law }).to_vec();
+    system.stops = ["one", "other"].map(|name| Stop { name: name.into(), shape: vec![1.0], gap_m: 1e-3, law, bases: Vec::new() }).to_vec();
     let kernel = kernel(system);
     let marcher = march(&kernel, &[0.0, 1.0], 0.0, 2e-3, 1e-10);
     let impulses: Vec<f64> = marcher.statistics_by_stop().iter().map(|own| own.impulse_n_s).collect();

@@ -23,5 +23,6 @@ mod swings;
 mod symmetry;
 mod thrown;
 mod variation;
+mod visits;
 mod voltage_peak;
 mod work;

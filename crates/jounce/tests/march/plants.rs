@@ -43,6 +43,7 @@ pub fn springs(frequencies_hz: &[f64], damping_ratio: f64) -> System {
         shape: std::collections::BTreeMap::new(),
         patch: std::collections::BTreeMap::new(),
         participation_sqrt_kg: vec![1.0; count],
+        base_sqrt_kg: std::collections::BTreeMap::new(),
         discretisation_error: vec![0.0; count],
     };
     System { modes: modes.into(), ..System::default() }

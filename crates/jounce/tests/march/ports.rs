@@ -7,11 +7,11 @@ use jounce::plant::{Drive, Stop, System};
 const HERTZ: Law = Law::Hertz(Hertz { stiffness: 1000.0, exponent: 1.5 });
 
 fn stop(name: &str, shape: &[f64], gap_m: f64, law: Law) -> Stop {
-    Stop { name: name.to_owned(), shape: shape.to_vec(), gap_m, law }
+    Stop { name: name.to_owned(), shape: shape.to_vec(), gap_m, law, bases: Vec::new() }
 }
 
 fn shaken(mut system: System, shape: &[f64], amplitude_n: f64, frequency_hz: f64) -> System {
-    system.drives.push(Drive { name: "shaker".to_owned(), shape: shape.to_vec(), amplitude_n, frequency_hz, phase_rad: 0.3 });
+    system.drives.push(Drive { name: "shaker".to_owned(), shape: shape.to_vec(), amplitude_n, frequency_hz, phase_rad: 0.3, base: None });
     system
 }
 

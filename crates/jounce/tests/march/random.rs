@@ -41,6 +41,7 @@ fn modes() -> impl Strategy<Value = Modes> {
             },
         )]),
         participation_sqrt_kg: vec![0.0; modes.len()],
+        base_sqrt_kg: BTreeMap::new(),
         discretisation_error: vec![0.0; modes.len()],
     })
 }
@@ -50,8 +51,8 @@ prop_compose! {
         frequency_hz in 2.0..60.0f64) -> System {
         System {
             loads: vec![Load::resistor("load", "patch", 10f64.powf(resistance))],
-            stops: vec![Stop { name: "stop".into(), shape: modes.shape["tip"].clone(), gap_m: gap, law }],
-            drives: vec![Drive { name: "drive".into(), shape: modes.shape["base"].clone(), amplitude_n, frequency_hz, phase_rad: 0.3 }],
+            stops: vec![Stop { name: "stop".into(), shape: modes.shape["tip"].clone(), gap_m: gap, law, bases: Vec::new() }],
+            drives: vec![Drive { name: "drive".into(), shape: modes.shape["base"].clone(), amplitude_n, frequency_hz, phase_rad: 0.3, base: None }],
             signals: Vec::new(), bridges: Vec::new(), dashpots: Vec::new(),
             modes: modes.into(),
         }

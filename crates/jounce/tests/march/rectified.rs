@@ -19,6 +19,7 @@ pub fn cell(coupling: f64, damping_ratio: f64, angular_frequency: f64, scheme: S
         shape: BTreeMap::from([("mass".into(), vec![1.0])]),
         patch: BTreeMap::from([("patch".into(), patch)]),
         participation_sqrt_kg: vec![1.0],
+        base_sqrt_kg: BTreeMap::new(),
         discretisation_error: vec![0.0],
     };
     let bridge = Bridge {
@@ -33,7 +34,7 @@ pub fn cell(coupling: f64, damping_ratio: f64, angular_frequency: f64, scheme: S
         state: BridgeState::default(),
     };
     let frequency_hz = angular_frequency / TAU;
-    let drive = Drive { name: "force".into(), shape: vec![1.0], amplitude_n: 1.0, frequency_hz, phase_rad: 0.4 };
+    let drive = Drive { name: "force".into(), shape: vec![1.0], amplitude_n: 1.0, frequency_hz, phase_rad: 0.4, base: None };
     System { modes: modes.into(), bridges: vec![bridge], drives: vec![drive], ..System::default() }
 }
 
@@ -132,6 +133,7 @@ pub fn lossy_beside_a_stop(scheme: Scheme, storage: Storage) -> System {
         shape: vec![1.0],
         gap_m: 0.8,
         law: Law::Hertz(Hertz { stiffness: 50.0, exponent: 1.5 }),
+        bases: Vec::new(),
     });
     system
 }
@@ -196,6 +198,7 @@ fn a_bridge_beside_a_stop_meets_a_plain_integrator() {
         shape: vec![1.0],
         gap_m: 0.5,
         law: Law::Hertz(Hertz { stiffness: 20.0, exponent: 1.5 }),
+        bases: Vec::new(),
     });
     let kernel = kernel(system);
     let answer = from_rest(&kernel, 20.0, 1e-10);

@@ -8,7 +8,7 @@ use jounce::plant::{Stop, System};
 const PRESSED_M: f64 = 5e-3;
 
 fn stop(name: &str, shape: &[f64], gap_m: f64, law: Law) -> Stop {
-    Stop { name: name.to_owned(), shape: shape.to_vec(), gap_m, law }
+    Stop { name: name.to_owned(), shape: shape.to_vec(), gap_m, law, bases: Vec::new() }
 }
 
 /// A mass pressed by its own spring onto a rigid stop, and a second one that strikes it from behind.

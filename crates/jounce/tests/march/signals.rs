@@ -18,12 +18,12 @@ fn oscillator(frequency_rad_s: f64, damping_ratio: f64) -> System {
 
 fn with_signal(mut system: System, wave: Wave) -> System {
     let shape = vec![1.0; system.modes.len()];
-    system.signals.push(Signal { name: "signal".into(), shape, wave });
+    system.signals.push(Signal { name: "signal".into(), shape, wave, base: None });
     system
 }
 
 fn with_stop(mut system: System, gap_m: f64, law: Law) -> System {
-    system.stops.push(Stop { name: "stop".into(), shape: vec![1.0], gap_m, law });
+    system.stops.push(Stop { name: "stop".into(), shape: vec![1.0], gap_m, law, bases: Vec::new() });
     system
 }
 
@@ -233,7 +233,7 @@ fn energy_balances_under_every_kind_of_drive_through_contacts() {
         if tone_n == 0.0 {
             system.drives.clear();
         }
-        system.signals.push(Signal { name: name.into(), shape: shape.clone(), wave });
+        system.signals.push(Signal { name: name.into(), shape: shape.clone(), wave, base: None });
         let kernel = kernel(system);
         let marcher = march(&kernel, &vec![0.0; kernel.plant.len()], 0.0, 2.0, 1e-10);
         let residual = marcher.energies().residual_relative();

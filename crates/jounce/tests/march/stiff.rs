@@ -18,11 +18,12 @@ fn cell(resistance_ohm: f64) -> System {
         shape: BTreeMap::from([("mass".into(), vec![1.0])]),
         patch: BTreeMap::from([("patch".into(), patch)]),
         participation_sqrt_kg: vec![1.0],
+        base_sqrt_kg: BTreeMap::new(),
         discretisation_error: vec![0.0],
     };
     let law = Law::Hertz(Hertz { stiffness: 20.0, exponent: 1.5 });
-    let stop = Stop { name: "stop".into(), shape: vec![1.0], gap_m: 0.5, law };
-    let drive = Drive { name: "force".into(), shape: vec![1.0], amplitude_n: 1.0, frequency_hz: 1.1 / TAU, phase_rad: 0.4 };
+    let stop = Stop { name: "stop".into(), shape: vec![1.0], gap_m: 0.5, law, bases: Vec::new() };
+    let drive = Drive { name: "force".into(), shape: vec![1.0], amplitude_n: 1.0, frequency_hz: 1.1 / TAU, phase_rad: 0.4, base: None };
     System {
         modes: modes.into(),
         loads: vec![Load::resistor("load", "patch", resistance_ohm)],

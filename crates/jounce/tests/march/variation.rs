@@ -126,7 +126,7 @@ fn jacobian_is_the_difference_of_flows_under_gravity() {
         let mut system = with_law(bench(50.0, 11.0), law);
         let shape = system.modes.participation_sqrt_kg.clone();
         let shape = if shape.iter().all(|p| *p == 0.0) { system.stops[0].shape.clone() } else { shape };
-        system.signals.push(Signal { name: "gravity".to_owned(), shape, wave: Wave::Constant(0.1) });
+        system.signals.push(Signal { name: "gravity".to_owned(), shape, wave: Wave::Constant(0.1), base: None });
         kernel(system)
     };
     for (name, kernel) in [

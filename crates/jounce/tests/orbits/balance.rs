@@ -2,7 +2,7 @@
 
 use crate::harvesters::{bench, branches};
 use jounce::contact::{Hertz, HuntCrossley, KelvinVoigt, Law, Rigid};
-use jounce::continuation::{Corrector, Family, Linear, Metric, Position, settle};
+use jounce::continuation::{Corrector, Family, Linear, Metric, Position, WalkError, settle};
 use jounce::orbit::{HarmonicBalance, Harvester, OrbitError, OrbitMethod, Shooting};
 use jounce::plant::System;
 use jounce::spec::SpecFile;
@@ -197,4 +197,28 @@ fn the_work_at_a_point_is_flat_in_the_number_of_modes() {
         told += &format!("{modes} modes: {} harmonics, {} nodes, {evaluations} evaluations\n", method.harmonics, found.nodes());
     }
     insta::assert_snapshot!(told);
+}
+
+/// Where Newton is given up it tells the residual by harmonic: of an orbit that touches nothing, what the third one was moved by.
+#[test]
+fn a_failure_tells_the_residual_by_harmonic() {
+    let law = Law::Hertz(Hertz { stiffness: 1000.0, exponent: 1.5 });
+    let harvester = crate::harvesters::Systems(|frequency_hz| {
+        let mut system = system(frequency_hz, law);
+        system.stops[0].gap_m = 0.5;
+        system
+    });
+    let kernel = harvester.at(11.0).unwrap().kernel;
+    let method = HarmonicBalance::new(Shooting::new(&harvester, &kernel, 1, 1e-11), &kernel, 16, 0.0).unwrap();
+    let steady = method.shooting.unknown(&kernel.plant.to_physical(&vec![0.0; kernel.plant.len()], 0.0));
+    let mut unknown = method.unknown_of(&steady, 11.0).unwrap();
+    (unknown[5], unknown[6]) = (unknown[5] + 3e-7, unknown[6] - 4e-7);
+    let position = Position { unknown, parameter: 11.0 };
+    let hasty = Corrector { goal: 1e-10, most: 1 };
+    let failed = settle(&method, &hasty, &Metric::at(&position, 1.0), position).unwrap_err();
+    let WalkError::Diverged { left, .. } = &failed else { panic!("{failed}") };
+    let [mean, first, second, third, ..] = &left.sizes[..] else { panic!("{left:?}") };
+    assert!(third.0 == "harmonic 3" && (third.1 / 5e-7 - 1.0).abs() < 1e-6, "{third:?}");
+    assert!(mean.1.max(first.1).max(second.1) < 1e-12 && left.sizes.len() == 17, "{left:?}");
+    assert!(failed.to_string().contains("largest in harmonic 3 5.0e-7 m rms"), "{failed}");
 }

@@ -57,3 +57,33 @@ fn orbit_without_contact_is_linear() {
     let modulus = (-0.05 * TAU / 0.8_f64).exp();
     assert!((orbit.floquet_max_abs() - modulus).abs() < 1e-12 && orbit.contacts == 0);
 }
+
+/// Half of the way between the surface of the stop and the lowest point of the closed motion between two impacts.
+#[test]
+fn impact_oscillator_swings_as_far_as_its_closed_form() {
+    for (gap, after_rad) in [(0.5, TAU / 3.0), (0.5, 1.0), (1.0, 4.0)] {
+        let reference = oscillator(gap);
+        let exact = reference.orbits(1).pop().unwrap();
+        let (w, zeta) = (reference.frequency_ratio, reference.damping_ratio);
+        let (size, lag) = (reference.steady_amplitude(), (2.0 * zeta * w).atan2(1.0 - w * w));
+        let steady = |t: f64| [size * (w * t + exact.angle_rad - lag).cos(), -size * w * (w * t + exact.angle_rad - lag).sin()];
+        let own = (1.0 - zeta * zeta).sqrt();
+        let [x, v] = [gap - steady(0.0)[0], -reference.restitution * exact.speed - steady(0.0)[1]];
+        let at = |t: f64| steady(t)[0] + (-zeta * t).exp() * (x * (own * t).cos() + (v + zeta * x) / own * (own * t).sin());
+        let lowest = (0..1_000_000).map(|k| at(TAU / w * f64::from(k) * 1e-6)).fold(f64::INFINITY, f64::min);
+        let angle = exact.angle_rad + after_rad;
+        let harvester = Systems(|gap| oscillator(gap).system(angle));
+        let kernel = harvester.at(gap).unwrap().kernel;
+        let shooting = Shooting::new(&harvester, &kernel, 1, 1e-13);
+        let start_s = (-after_rad).rem_euclid(TAU) / w;
+        let y = kernel.plant.from_physical(&reference.start(&exact), start_s);
+        let mut marcher = jounce::march::Marcher::new(&kernel, &y, start_s, 1e-13).unwrap();
+        marcher.advance_to(TAU / w).unwrap();
+        let position = Position { unknown: shooting.unknown(&kernel.plant.to_physical(&marcher.state(), 0.0)), parameter: gap };
+        let found = settle(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
+        let orbit = shooting.orbit(&found.local, found.error).unwrap();
+        let error = orbit.displacement_peak_m / (0.5 * (gap - lowest)) - 1.0;
+        eprintln!("gap {gap}, {after_rad} rad on: {error:e}");
+        assert!(error.abs() < 1e-7, "gap {gap}: {} {}", orbit.displacement_peak_m, 0.5 * (gap - lowest));
+    }
+}

@@ -66,6 +66,22 @@ fn attractors_keep_their_ids() {
     }
 }
 
+/// The orbit of period 3 is one, from fold to fold, over steps too coarse for a march from value to value.
+#[test]
+fn attractors_keep_their_ids_over_coarse_steps() {
+    // Folds of the continued branch of period 3.
+    let lives = 13.219458..14.186757;
+    for count in [6, 11] {
+        let values = values(13.2, 14.2, count);
+        let (_, history) = visits(&values, Order::Starts(Cloud { starts: 6, seed: 1, spread: 10.0 }));
+        let history = history.unwrap();
+        let triple: Vec<_> = history.attractors.iter().filter(|attractor| attractor.period_cycles == 3).collect();
+        let seen: Vec<f64> = triple.iter().flat_map(|own| own.seen.iter().map(|seen| seen.parameter)).collect();
+        let alive: Vec<f64> = values.into_iter().filter(|value| lives.contains(value)).collect();
+        assert!(triple.len() == 1 && seen == alive, "{count} values, {} ids: {seen:?}", triple.len());
+    }
+}
+
 #[test]
 fn any_number_of_threads_gives_the_same_diagram() {
     let with = |threads: usize| {

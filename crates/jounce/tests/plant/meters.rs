@@ -87,7 +87,7 @@ fn assert_meters(name: &str, system: System, start: &[f64], duration_s: f64, all
 }
 
 fn drive(shape: &[f64], amplitude_n: f64, frequency_hz: f64, phase_rad: f64) -> Drive {
-    Drive { name: format!("drive-{frequency_hz}"), shape: shape.to_vec(), amplitude_n, frequency_hz, phase_rad }
+    Drive { name: format!("drive-{frequency_hz}"), shape: shape.to_vec(), amplitude_n, frequency_hz, phase_rad, base: None }
 }
 
 #[test]
@@ -112,8 +112,13 @@ fn meters_agree_with_quadrature_through_contacts() {
     assert_meters("bench, lossy stop", lossy, &[0.0; 17], 1.0, 1e-9);
     let mut system = menagerie();
     let shape = [1.0, 0.5, -0.7, 0.3, 1.1, 2.0];
-    system.stops =
-        vec![Stop { name: "stop".into(), shape: shape.to_vec(), gap_m: 0.05, law: Law::Hertz(Hertz { stiffness: 1e3, exponent: 1.5 }) }];
+    system.stops = vec![Stop {
+        name: "stop".into(),
+        shape: shape.to_vec(),
+        gap_m: 0.05,
+        law: Law::Hertz(Hertz { stiffness: 1e3, exponent: 1.5 }),
+        bases: Vec::new(),
+    }];
     system.drives = vec![drive(&[0.0, 0.5, -0.7, 0.3, 1.1, 2.0], 3.0, 1.3, 0.4), drive(&shape, 5.0, 7.0, 0.0)];
     let start = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
     assert_meters("menagerie with stop", system, &start, 3.0, 1e-9);
@@ -124,8 +129,8 @@ fn signals(shape: &[f64], rough: f64) -> Vec<Signal> {
     let sizes: Vec<f64> = (0..40).map(|k: i32| rough * (1.7 * f64::from(k * k)).sin() + 0.3).collect();
     let wave = Wave::Sampled { start_s: 0.113, step_s: 0.0217, sizes: sizes.into() };
     vec![
-        Signal { name: "gravity".into(), shape: shape.iter().map(|s| 0.5 * s + 0.1).collect(), wave: Wave::Constant(-0.7) },
-        Signal { name: "rough".into(), shape: shape.to_vec(), wave },
+        Signal { name: "gravity".into(), shape: shape.iter().map(|s| 0.5 * s + 0.1).collect(), wave: Wave::Constant(-0.7), base: None },
+        Signal { name: "rough".into(), shape: shape.to_vec(), wave, base: None },
     ]
 }
 
@@ -160,7 +165,13 @@ fn meters_agree_with_quadrature_under_signals_and_tones() {
         }
         assert_meters("menagerie", system.clone(), &start, 1.5, 1e-10);
         let shape = vec![1.0, 0.5, -0.7, 0.3, 1.1, 2.0];
-        system.stops = vec![Stop { name: "stop".into(), shape, gap_m: 0.05, law: Law::Hertz(Hertz { stiffness: 1e3, exponent: 1.5 }) }];
+        system.stops = vec![Stop {
+            name: "stop".into(),
+            shape,
+            gap_m: 0.05,
+            law: Law::Hertz(Hertz { stiffness: 1e3, exponent: 1.5 }),
+            bases: Vec::new(),
+        }];
         assert_meters("menagerie with stop", system, &start, 1.5, 1e-9);
     }
     let mut rough = bench();

@@ -31,6 +31,7 @@ pub fn menagerie() -> System {
                 ("second".into(), patch([0.0, 0.0, 0.0, 4e-4, 0.0, -3e-3], 3e-8)),
             ]),
             participation_sqrt_kg: vec![0.0; n],
+            base_sqrt_kg: BTreeMap::new(),
             discretisation_error: vec![0.0; n],
         }),
         loads: vec![Load::resistor("load", "first", 2e6)],

@@ -18,19 +18,16 @@ fn each_fault_of_a_drive_is_told_once() {
         ),
         (
             "[drive.d]\nkind = \"base-acceleration\"\nat = \"m\"\namplitude = \"1 g\"\nfrequency = \"7 Hz\"",
-            "does not go with kind = \"base-acceleration\"",
+            "is \"m\", a mass, which a force moves",
         ),
         (
-            "[drive.d]\nkind = \"base-displacement\"\nsignal = \"half-sine\"\namplitude = \"1 mm\"\nduration = \"1 s\"",
-            "goes with signal = \"sine\" only",
+            "[drive.d]\nkind = \"base-displacement\"\nsignal = \"velocity-step\"\nvelocity = \"1 m/s\"",
+            "a velocity step is no course of displacement",
         ),
+        ("[drive.d]\nkind = \"base-displacement\"\nsignal = \"noise\"\npsd = \"1 m^2/Hz\"\nhigh = \"7 Hz\"", "give the acceleration"),
         (
-            "[drive.d]\nkind = \"base-displacement\"\nsignal = \"noise\"\npsd = \"1 m^2/Hz\"\nhigh = \"7 Hz\"",
-            "goes with signal = \"sine\" only",
-        ),
-        (
-            "[drive.d]\nkind = \"base-displacement\"\nsignal = \"chirp\"\namplitude = \"1 g\"\nfrom = \"7 Hz\"\nto = \"9 Hz\"\nduration = \"1 s\"",
-            "goes with signal = \"sine\" only",
+            "[drive.d]\nkind = \"base-displacement\"\nsignal = \"chirp\"\namplitude = \"1 mm\"\nfrom = \"7 Hz\"\nto = \"9 Hz\"\nduration = \"1 s\"\nphase = \"1 rad\"",
+            "leave `phase` out",
         ),
         ("[drive.d]\nat = \"m\"\nsignal = \"velocity-step\"\nvelocity = \"1 m/s\"", "a velocity step is one of the base"),
         ("[drive.d]\nat = \"m\"\nsignal = \"noise\"\npsd = \"-1 N^2/Hz\"\nhigh = \"7 Hz\"", "must be at least 0"),

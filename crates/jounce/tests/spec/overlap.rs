@@ -27,6 +27,19 @@ fn bodies_that_fall_together_do_not_overlap() {
     }
 }
 
+/// The end of a cantilever in a rigid stop is told with the stop; one that yields is pressed in.
+#[test]
+fn a_beam_does_not_begin_inside_a_rigid_stop() {
+    let beam = "[beam.b]\nmaterial = \"steel\"\nlength = \"100 mm\"\nwidth = \"10 mm\"\nthickness = \"1 mm\"\n[damping]\nbeyond = 0.01\n";
+    let with = |gap: &str, law: &str| format!("{beam}{}", stop("s", ["b.end", "ground", "positive", gap], law));
+    let fault = Spec::from_toml(&with("-1 mm", RIGID)).unwrap_err().to_string();
+    assert!(
+        fault.contains("stop.s.gap is -1 mm: at rest \"b.end\" would lie inside the rigid stop") && fault.lines().count() == 1,
+        "{fault}"
+    );
+    assert!(Spec::from_toml(&with("-1 mm", HERTZ)).is_ok() && Spec::from_toml(&with("0 mm", RIGID)).is_ok());
+}
+
 /// Weight of 1 g at 10 m/s^2: 0.01 N, which the stop bears at (0.01 / 1e6)^(2/3) m = 4.6416e-6 m.
 #[test]
 fn a_preload_under_gravity_goes_no_deeper_than_weight_presses() {
@@ -51,7 +64,11 @@ fn two_rigid_stops_leave_room_between_them() {
     };
     let fault = Spec::from_toml(&between("1 mm", "-2 mm", RIGID)).unwrap_err().to_string();
     assert!(fault.contains("stop.a.gap is 1 mm: it overlaps the rigid stop \"b\" on the other side by 1 mm"), "{fault}");
-    assert!(Spec::from_toml(&between("1 mm", "-1 mm", RIGID)).is_ok());
+    // They hold it where they meet, 1 mm from its rest: a run from rest cannot begin there.
+    let held = between("1 mm", "-1 mm", RIGID);
+    assert!(Spec::from_toml(&format!("{held}[run]\nstart = \"linear\"\n")).is_ok());
+    let fault = Spec::from_toml(&held).unwrap_err().to_string();
+    assert!(fault.contains("stop.b.gap is -1 mm: at rest \"held\" would lie inside the rigid stop; give at least 0"), "{fault}");
     // Stops that yield may squeeze what stands between them.
     assert!(Spec::from_toml(&between("1 mm", "-2 mm", HERTZ)).is_ok());
 }

@@ -3,6 +3,7 @@
 mod grid;
 
 use crate::failure::Failure;
+use crate::interruption;
 use crate::limit_warnings;
 use crate::output::{self, line, print};
 use crate::progress;
@@ -66,16 +67,22 @@ impl Basins {
         };
         let of = starts.len();
         let study = Study { base: &base, parameter: &parameter, value, starts, tolerance: self.tolerance };
+        interruption::heed(&base.kernel.watch);
         let bar = progress::counted(of, "starts");
         let answer = self.threads.run(|| study.run(&|| bar.inc(1)))??;
         bar.finish_and_clear();
-        if answer.lost.len() == of {
+        let finished = answer.lost.len() + answer.attractors.iter().map(|a| a.starts.len()).sum::<usize>();
+        if finished == 0 {
+            return Err(Failure::Interrupted("stopped before the first start was finished".to_owned()));
+        }
+        if answer.lost.len() == finished {
             return Err(Failure::NotConverged(format!("every march failed; the first: {}", answer.lost[0].1)));
         }
         if let Some((index, why)) = answer.lost.first() {
-            eprintln!("{} of {} marches failed; start {index}: {why}", answer.lost.len(), of);
+            eprintln!("{} of {finished} marches failed; start {index}: {why}", answer.lost.len());
         }
-        self.tell(&base, &study.starts, &answer)
+        self.tell(&base, &study.starts, &answer)?;
+        interruption::end(&base.kernel.watch, || format!("the {finished} of {of} starts that were finished"))
     }
 
     fn tell(&self, base: &Prepared, starts: &Starts, answer: &BasinsAnswer) -> Result<(), Failure> {
@@ -155,7 +162,12 @@ fn table(answer: &BasinsAnswer) -> Result<Table, Failure> {
 /// One row for each start, in order.
 fn starts_table(plant: &Plant, starts: &Starts, answer: &BasinsAnswer) -> Result<Table, Failure> {
     let all: Vec<SectionPoint> = (0..starts.len()).map(|index| SectionPoint::of(&plant.system, &starts.start(plant, index))).collect();
-    let home = |index: usize| answer.attractors.iter().find(|a| a.starts.contains(&index)).map_or("lost", |a| a.id.as_str()).to_owned();
+    let is_lost = |index: usize| answer.lost.iter().any(|(lost, _)| *lost == index);
+    let home = |index: usize| match answer.attractors.iter().find(|a| a.starts.contains(&index)) {
+        Some(attractor) => attractor.id.clone(),
+        None if is_lost(index) => "lost".to_owned(),
+        None => "not marched".to_owned(),
+    };
     let number = |name: &str, unit: &str, about: &str, value: fn(&SectionPoint) -> f64| {
         Column::new(name, unit, about, all.iter().map(value).collect::<Vec<f64>>())
     };

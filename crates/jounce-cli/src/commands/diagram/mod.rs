@@ -5,6 +5,7 @@ mod told;
 
 use crate::cache;
 use crate::failure::Failure;
+use crate::interruption;
 use crate::output;
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments, check_drive, check_tolerance};
@@ -57,7 +58,7 @@ pub struct Diagram {
     #[arg(long)]
     no_branches: bool,
     /// Longest period of a continued branch, in drive cycles.
-    #[arg(long, default_value_t = 4)]
+    #[arg(long, default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..))]
     longest_period: u32,
     #[command(flatten)]
     threads: ThreadsArgument,
@@ -109,7 +110,8 @@ impl Diagram {
         };
         let wanted = !self.no_branches && high > low;
         let branches = if wanted { progress::watched(&base.kernel.watch, || self.threads.run(|| search.run()))?? } else { Vec::new() };
-        self.tell(&spec, (&base, &parameter, &range), &Answer { visits, history, branches })
+        self.tell(&spec, (&base, &parameter, &range), &Answer { visits, history, branches })?;
+        interruption::end(&base.kernel.watch, || "all marches, with the histories and branches that were finished".to_owned())
     }
 
     fn order(&self) -> Order {
@@ -130,8 +132,7 @@ impl Diagram {
         if !journal.found().is_empty() {
             eprintln!("going on after {} finished marches", journal.found().len());
         }
-        let asked = study.base.kernel.watch.clone();
-        let _ = ctrlc::set_handler(move || asked.stop());
+        interruption::heed(&study.base.kernel.watch);
         let visits = self.threads.run(|| study.run(Some(&journal), &|_| bar.inc(1)))??;
         bar.finish_and_clear();
         if visits.len() < study.len() {

@@ -13,6 +13,7 @@ use super::contents::Found;
 use super::error::Damage;
 use super::raw::Raw;
 use super::shelf::Shelf;
+use super::written::Written;
 use crate::recording::{Finding, FindingKind, Place};
 
 /// How much of a file is looked at to find where its numbers begin.
@@ -28,7 +29,9 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     let layout = Layout::find(&text)?;
     file.rewind().map_err(told)?;
     let size = file.metadata().map_err(told)?.len();
-    let Rows { columns, mut findings } = columns(BufReader::with_capacity(1 << 20, file), size, &layout, shelf)?;
+    let Rows { mut columns, mut findings } = columns(BufReader::with_capacity(1 << 20, file), size, &layout, shelf)?;
+    let written = Written::beside(path, &columns);
+    written.iter().for_each(|written| columns.iter_mut().for_each(|column| written.tell(column)));
     if latin {
         let line = head.split(|b| *b == b'\n').position(|line| !line.is_ascii()).map_or(1, |line| line + 1);
         let about = "the header is not UTF-8; it was read as Latin-1".to_owned();

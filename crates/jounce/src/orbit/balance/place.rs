@@ -5,7 +5,7 @@ use super::condensed::{Condensed, Sides};
 use super::impulses::after_impulses;
 use super::nodes::{Node, Side};
 use super::rule::Rules;
-use crate::continuation::Linear;
+use crate::continuation::{Linear, Parts};
 use crate::march::Kernel;
 use crate::orbit::compliance::{Grid, add_tone};
 use crate::orbit::{Change, Shot};
@@ -147,6 +147,20 @@ fn own_of<'h>(ports: &'h [Port], harmonics: &'h mut [f64], between: &Between) ->
 impl Linear for Balance {
     fn residual(&self) -> &[f64] {
         &self.residual
+    }
+
+    /// By harmonic of the drive, m rms.
+    fn parts(&self) -> Parts {
+        let plant = &self.kernel.plant;
+        let cycles = plant.tones.first().map_or(1.0, |tone| (tone.angular_frequency_rad_s / self.step_rad_s).round());
+        let several = plant.system.stops.len() > 1;
+        let sizes = self.residual.chunks_exact(self.between.size()).zip(&plant.system.stops).flat_map(|(own, stop)| {
+            let of = if several { format!(" of stop.{}", stop.name) } else { String::new() };
+            let mean = (format!("the mean{of}"), own[0].abs());
+            let name = move |n: usize| format!("harmonic {}{of}", n as f64 / cycles);
+            std::iter::once(mean).chain(own[1..].chunks_exact(2).enumerate().map(move |(k, pair)| (name(k + 1), pair[0].hypot(pair[1]))))
+        });
+        Parts { unit: "m rms", sizes: sizes.collect() }
     }
 
     fn bordered(&self, row: &[f64], corner: f64, right: &[f64], last: f64) -> Option<(Vec<f64>, f64)> {

@@ -5,7 +5,7 @@ use super::bodies::WALL;
 use super::canvas::Canvas;
 use super::layout::Layout;
 use super::rect::Rect;
-use super::{Drawing, DrawnPlace, DrawnShape, Seat, dimension};
+use super::{Drawing, DrawnDrive, DrawnPlace, DrawnShape, Seat, dimension};
 
 /// Height of the arrow of a drive, px.
 const ARROW: f64 = 36.0;
@@ -40,11 +40,14 @@ fn arrow(canvas: &mut Canvas, x: f64, y: f64) {
     canvas.cover(Rect::around((x, y), (10.0, ARROW)));
 }
 
-/// Motions of the ground: an arrow beside the first body of the group that stands on it.
+/// Motions of bases: an arrow beside the first body of the group that stands on one.
 pub fn base(canvas: &mut Canvas, drawing: &Drawing, layout: &Layout, group: usize, shift: (f64, f64)) {
-    let words: Vec<String> = drawing.drives.iter().filter(|drive| drive.at.is_none()).map(|drive| drive.words.clone()).collect();
+    let carries = |drive: &&DrawnDrive| drive.at.is_none() && drive.carried.iter().any(|body| layout.group[*body] == group);
+    let moving: Vec<&DrawnDrive> = drawing.drives.iter().filter(carries).collect();
+    let words: Vec<String> = moving.iter().map(|drive| drive.words.clone()).collect();
     let left = |body: &usize| (layout.spots[*body].x, layout.spots[*body].y);
-    let of = |seat: Seat| layout.members(group).filter(move |body| drawing.bodies[*body].seat == seat);
+    let is_carried = |body: &usize| moving.iter().any(|drive| drive.carried.contains(body));
+    let of = |seat: Seat| layout.members(group).filter(move |body| is_carried(body) && drawing.bodies[*body].seat == seat);
     let leftmost = |seat: Seat| of(seat).min_by(|a, b| left(a).0.total_cmp(&left(b).0).then(left(a).1.total_cmp(&left(b).1)));
     let foot = leftmost(Seat::Ground).or_else(|| leftmost(Seat::Spring(None))).or_else(|| layout.members(group).next());
     let Some(body) = foot.filter(|_| !words.is_empty()) else { return };

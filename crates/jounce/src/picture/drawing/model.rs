@@ -115,8 +115,10 @@ pub struct DrawnContact {
 pub struct DrawnDrive {
     /// Words at its arrow.
     pub words: String,
-    /// Where a force acts; nothing for motions of the ground.
+    /// Where a force acts; nothing for motions of a base.
     pub at: Option<DrawnPlace>,
+    /// The bodies on the base that moves.
+    pub carried: Vec<usize>,
 }
 
 /// A circuit: elements between two wires, from left to right.

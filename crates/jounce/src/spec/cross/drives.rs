@@ -1,18 +1,26 @@
 //! Drives, gravity and free bodies go together.
 
+use std::cell::LazyCell;
+use std::collections::BTreeSet;
+
 use super::Broken;
 use super::overlap::free_below;
 use crate::spec::nearest::clip;
-use crate::spec::{Drive, DriveKind, DriveSignal, Quantity, Spec};
+use crate::spec::{Drive, DriveKind, DriveSignal, GROUND, Quantity, Spec};
+
+/// Sine of the angle at which a displacement starts, below which it starts at 0: 180 degrees have that much roundoff.
+const STILL: f64 = 1e-12;
 
 /// Most samples of one drive: 0.8 GB.
 const MOST_SAMPLES: f64 = 1e8;
 
 pub(super) fn check(spec: &Spec, broken: &mut Broken) {
+    let supports = LazyCell::new(|| supports(spec));
     for (name, drive) in &spec.drive {
         check_kind(name, drive, broken);
         check_signal(spec, name, drive, broken);
-        if drive.kind != DriveKind::Force {
+        check_base(spec, &supports, (name, drive), broken);
+        if drive.base() == Some(GROUND) {
             check_participation(spec, &format!("drive.{name}.kind"), "a motion of the base", broken);
         }
     }
@@ -29,9 +37,12 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
 
 fn check_kind(name: &str, drive: &Drive, broken: &mut Broken) {
     let text = match (drive.kind, &drive.signal) {
-        (DriveKind::BaseDisplacement, signal) if !matches!(signal, DriveSignal::Sine { .. }) => {
-            "is \"base-displacement\", which goes with signal = \"sine\" only, as the others would jump in velocity where they start, end or bend: \
-             give their second derivative as \"base-acceleration\""
+        (DriveKind::BaseDisplacement, DriveSignal::Recording { .. } | DriveSignal::Noise { .. }) => {
+            "is \"base-displacement\", but straight lines between samples jump in velocity at each of them, and would strike everything on the \
+             base: give the acceleration, with kind = \"base-acceleration\""
+        }
+        (DriveKind::BaseDisplacement, DriveSignal::VelocityStep { .. }) => {
+            "is \"base-displacement\", but a velocity step is no course of displacement: set kind = \"base-acceleration\""
         }
         (DriveKind::Force, DriveSignal::VelocityStep { .. }) => {
             "is \"force\", but a velocity step is one of the base: set kind = \"base-acceleration\""
@@ -39,6 +50,47 @@ fn check_kind(name: &str, drive: &Drive, broken: &mut Broken) {
         _ => return,
     };
     broken.push(|| format!("drive.{name}.kind"), || text.to_owned());
+}
+
+/// What beams, masses and stops stand on.
+fn supports(spec: &Spec) -> BTreeSet<&str> {
+    let beams = spec.beam.values().map(|beam| beam.root.as_str());
+    let masses = spec.mass.values().map(|mass| mass.on.as_str());
+    beams.chain(masses).chain(spec.stop.values().map(|stop| stop.frame.as_str())).collect()
+}
+
+/// A base of its own has a name of its own and carries something; a displacement does not begin with a jump.
+fn check_base<'s, F: FnOnce() -> BTreeSet<&'s str>>(
+    spec: &'s Spec,
+    supports: &LazyCell<BTreeSet<&'s str>, F>,
+    (name, drive): (&str, &Drive),
+    broken: &mut Broken,
+) {
+    let Some(base) = drive.base() else { return };
+    let key = || format!("drive.{name}.at");
+    let at = clip(base);
+    if base.contains('.') || base == "nothing" || spec.mass.contains_key(base) {
+        let what = if spec.mass.contains_key(base) { "a mass, which a force moves" } else { "no name of a base" };
+        broken.push(key, || {
+            format!("is \"{at}\", {what}; a motion is that of \"ground\" or of a base with a name of its own, on which roots, masses and stops stand")
+        });
+    } else if base != GROUND && !supports.contains(base) {
+        let text = || {
+            format!(
+                "is \"{at}\", a base that carries nothing; name it as the `root` of a beam, the `on` of a mass or the `frame` of a stop, or leave \
+                 `at` out to move the ground"
+            )
+        };
+        broken.push(key, text);
+    }
+    if let (DriveKind::BaseDisplacement, DriveSignal::Chirp { phase_rad, .. }) = (drive.kind, &drive.signal)
+        && phase_rad.sin().abs() > STILL
+    {
+        let text = || {
+            "lets the base jump to another place where the chirp starts; a chirp of displacement starts at 0: leave `phase` out".to_owned()
+        };
+        broken.push(|| format!("drive.{name}.phase"), text);
+    }
 }
 
 fn check_signal(spec: &Spec, name: &str, drive: &Drive, broken: &mut Broken) {

@@ -17,7 +17,10 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
     let one_sided = |stop: &Stop| !matches!(stop.law, StopLaw::Cubic { .. });
     for (name, stop) in spec.stop.iter().filter(|(_, stop)| stop.gap_m < 0.0 && one_sided(stop)) {
         let free = [&stop.at, &stop.frame].map(|point| free_below(spec, point));
-        let Some(mass) = free[0].or(free[1]).filter(|_| free[0] != free[1]) else { continue };
+        let Some(mass) = free[0].or(free[1]).filter(|_| free[0] != free[1]) else {
+            check_held(spec, (name, stop), broken);
+            continue;
+        };
         // Under gravity other starts than rest place the bodies elsewhere: a beam that sags makes room.
         if pulls(spec) && free.contains(&None) && spec.run.start != Start::Rest {
             continue;
@@ -34,6 +37,22 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
         }
     }
     check_facing(spec, broken);
+}
+
+/// A point of a body that is held, at rest inside a rigid stop: a run from rest cannot begin there. Between two bases that is told when they
+/// are placed.
+fn check_held(spec: &Spec, (name, stop): (&str, &Stop), broken: &mut Broken) {
+    let is_rigid = matches!(stop.law, StopLaw::Rigid { .. });
+    if is_rigid && spec.run.start == Start::Rest && spec.base_under(&stop.at) == spec.base_under(&stop.frame) {
+        let text = || {
+            format!(
+                "is {}: at rest \"{}\" would lie inside the rigid stop; give at least 0, a law that yields (hertz, spring), or a run.start other than \"rest\"",
+                metres(stop.gap_m),
+                clip(&stop.at)
+            )
+        };
+        broken.push(|| format!("stop.{name}.gap"), text);
+    }
 }
 
 /// Two stops on the two sides of one point leave it a place, unless both yield.

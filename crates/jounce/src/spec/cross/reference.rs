@@ -3,10 +3,8 @@
 use std::cell::LazyCell;
 
 use super::Broken;
-use crate::spec::Spec;
 use crate::spec::nearest::{clip, did_you_mean, listed};
-
-const GROUND: &str = "ground";
+use crate::spec::{GROUND, Spec};
 
 pub(super) fn check(spec: &Spec, broken: &mut Broken) {
     check_names(spec, broken);
@@ -24,7 +22,7 @@ pub(super) fn check(spec: &Spec, broken: &mut Broken) {
     }
     // Listed once, and only if something is wrong: a huge file may have many points and many wrong references.
     let points = LazyCell::new(|| points(spec));
-    for (name, drive) in &spec.drive {
+    for (name, drive) in spec.drive.iter().filter(|(_, drive)| drive.base().is_none()) {
         check_point(spec, &points, || format!("drive.{name}.at"), &drive.at, false, broken);
     }
     for (name, stop) in &spec.stop {
@@ -64,10 +62,10 @@ fn check_point<F: FnOnce() -> Vec<String>>(
     ground: bool,
     broken: &mut Broken,
 ) {
-    if point.is_empty() || (ground && point == GROUND) || has_point(spec, point) || broken.is_full() {
+    if point.is_empty() || has_point(spec, point) || (ground && spec.is_base(point)) || broken.is_full() {
         return;
     }
-    let words = || [GROUND].into_iter().filter(|_| ground).chain(points.iter().map(String::as_str));
+    let words = || [GROUND].into_iter().chain(spec.bases()).filter(|_| ground).chain(points.iter().map(String::as_str));
     broken.push(key, || unknown("point or mass", point, "points and masses", words));
 }
 

@@ -6,9 +6,8 @@ use std::collections::BTreeSet;
 use super::Broken;
 use super::reference::unknown;
 use crate::spec::nearest::clip;
-use crate::spec::{Beam, Mass, Spec, Start};
+use crate::spec::{Beam, GROUND, Mass, Spec, Start};
 
-const GROUND: &str = "ground";
 const NOTHING: &str = "nothing";
 
 pub(super) fn check(spec: &Spec, broken: &mut Broken) {
@@ -33,11 +32,11 @@ fn check_support<F: FnOnce() -> Vec<String>>(
     broken: &mut Broken,
 ) {
     let there = match support.split_once('.') {
-        None => support.is_empty() || words.contains(&support) || spec.mass.contains_key(support),
+        None => support.is_empty() || words.contains(&support) || spec.mass.contains_key(support) || spec.is_base(support),
         Some((beam, point)) => spec.beam.get(beam).is_some_and(|beam| ["root", "end"].contains(&point) || beam.point.contains_key(point)),
     };
     if !there {
-        let names = || words.iter().copied().chain(places.iter().map(String::as_str));
+        let names = || words.iter().copied().chain(spec.bases()).chain(places.iter().map(String::as_str));
         broken.push(key, || unknown("mass or point", support, "what it can stand on", names));
     }
 }
@@ -54,9 +53,9 @@ fn places(spec: &Spec) -> Vec<String> {
 fn check_mass(spec: &Spec, name: &str, mass: &Mass, broken: &mut Broken) {
     let on = mass.on.as_str();
     match (mass.stiffness_n_m, mass.damping_ratio) {
-        (None, _) if on == GROUND => broken.push(
+        (None, _) if spec.is_base(on) => broken.push(
             || format!("mass.{name}"),
-            || "one of `frequency` or `stiffness` is missing: on the ground a mass needs a spring; on = \"nothing\" makes it free".into(),
+            || "one of `frequency` or `stiffness` is missing: on the ground or another base a mass needs a spring; on = \"nothing\" makes it free".into(),
         ),
         (Some(_), _) if on == NOTHING => {
             broken.push(|| format!("mass.{name}.on"), || "is \"nothing\", but the mass has a spring; leave one of them out".into())

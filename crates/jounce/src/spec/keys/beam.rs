@@ -48,8 +48,8 @@ pub(super) static KEYS: &[Key<Beam>] = &[
         .unless("material"),
     Key::text(
         "root",
-        Kind::Reference { what: "a mass or a point of another beam, or \"ground\"" },
-        "what the root is clamped to: `\"ground\"`, a mass, or a point of another beam, as in `\"arm.end\"`",
+        Kind::Reference { what: "a mass or a point of another beam, or \"ground\" or another base" },
+        "what the root is clamped to: `\"ground\"` or another base, a mass, or a point of another beam, as in `\"arm.end\"`",
         |b: &Beam| b.root.clone(),
         |b, x| x.clone_into(&mut b.root),
     )

@@ -1,7 +1,7 @@
 //! `[drive.NAME]`
 
 use crate::spec::key::{Key, Kind, Range, Slot};
-use crate::spec::{Drive, DriveKind, DriveSignal, Quantity};
+use crate::spec::{Drive, DriveKind, DriveSignal, GROUND, Quantity};
 
 use super::FREQUENCY_LIMITS_HZ;
 use super::drive_signal::{
@@ -10,6 +10,7 @@ use super::drive_signal::{
 };
 
 const KINDS: &[&str] = &["force", "base-acceleration", "base-displacement"];
+const BASE_KINDS: &[&str] = &["base-acceleration", "base-displacement"];
 const SIGNALS: &[&str] = &["sine", "chirp", "half-sine", "velocity-step", "noise", "recording"];
 const AMPLITUDES: &[&str] = &["sine", "chirp", "half-sine"];
 const FREQUENCIES: Range = Range::from(FREQUENCY_LIMITS_HZ.0, FREQUENCY_LIMITS_HZ.1);
@@ -34,6 +35,15 @@ pub(super) static KEYS: &[Key<Drive>] = &[
     .optional(),
     Key::text("at", Kind::Reference { what: "a point or mass" }, "where it acts", |d: &Drive| d.at.clone(), |d, x| x.clone_into(&mut d.at))
         .when("kind", &["force"]),
+    Key::text(
+        "at",
+        Kind::Reference { what: "a base of its own, or \"ground\"" },
+        "the base that moves: `\"ground\"`, or a name that roots, masses and frames of stops stand on",
+        |d: &Drive| d.base().unwrap_or(GROUND).to_owned(),
+        |d, x| if x == GROUND { d.at.clear() } else { x.clone_into(&mut d.at) },
+    )
+    .when("kind", BASE_KINDS)
+    .optional(),
     Key::quantity(
         "amplitude",
         Quantity::Force,
@@ -192,13 +202,18 @@ pub(super) static KEYS: &[Key<Drive>] = &[
     .optional(),
 ];
 
-/// None for a displacement that is no sinusoid: there is no such drive.
+/// None for a displacement by samples: there is no such drive.
 fn size(drive: &Drive) -> Option<Quantity> {
     match drive.kind {
         DriveKind::Force => Some(Quantity::Force),
         DriveKind::BaseAcceleration => Some(Quantity::Acceleration),
-        DriveKind::BaseDisplacement => matches!(drive.signal, DriveSignal::Sine { .. }).then_some(Quantity::Length),
+        DriveKind::BaseDisplacement => has_smooth_pieces(&drive.signal).then_some(Quantity::Length),
     }
+}
+
+/// Courses that are known between their samples too, and so as displacements.
+fn has_smooth_pieces(signal: &DriveSignal) -> bool {
+    matches!(signal, DriveSignal::Sine { .. } | DriveSignal::Chirp { .. } | DriveSignal::HalfSine { .. })
 }
 
 fn density(drive: &Drive) -> Option<Quantity> {

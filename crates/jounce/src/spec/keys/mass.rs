@@ -27,8 +27,8 @@ pub(super) fn blank() -> Mass {
 pub(super) static KEYS: &[Key<Mass>] = &[
     Key::text(
         "on",
-        Kind::Reference { what: "a mass or a point of a beam, or \"ground\" or \"nothing\"" },
-        "what it stands on: `\"ground\"`, a mass, a point of a beam, or `\"nothing\"` for a free mass",
+        Kind::Reference { what: "a mass or a point of a beam, or \"ground\", another base or \"nothing\"" },
+        "what it stands on: `\"ground\"` or another base, a mass, a point of a beam, or `\"nothing\"` for a free mass",
         |m: &Mass| m.on.clone(),
         |m, x| x.clone_into(&mut m.on),
     )

@@ -59,7 +59,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
     things(
         "drive",
-        "what shakes it: forces, and motions of the base that carries the ground of the spec",
+        "what shakes it: forces, and motions of the ground or of other bases",
         &Named { get: |s: &Spec| &s.drive, open: |s| &mut s.drive, blank: drive::blank, keys: drive::KEYS },
     ),
     table(

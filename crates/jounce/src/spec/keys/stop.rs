@@ -30,8 +30,8 @@ pub(super) static KEYS: &[Key<Stop>] = &[
     ),
     Key::text(
         "frame",
-        Kind::Reference { what: "a point or mass, or \"ground\"" },
-        "what carries the stop, and takes the reaction: `\"ground\"`, a mass or a point",
+        Kind::Reference { what: "a point or mass, or \"ground\" or another base" },
+        "what carries the stop, and takes the reaction: `\"ground\"` or another base, a mass or a point",
         |s: &Stop| s.frame.clone(),
         |s, x| x.clone_into(&mut s.frame),
     )

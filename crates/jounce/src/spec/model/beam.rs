@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-/// A uniform beam; its root is clamped to the ground, to a mass or to a point of another beam. A stepped beam is a chain of these.
+/// A uniform beam; its root is clamped to the ground or another base, to a mass or to a point of another beam. A stepped beam is a chain of these.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Beam {
     /// `material`: a name of the library, which gives modulus and density where they are not given; empty without.
@@ -17,7 +17,7 @@ pub struct Beam {
     pub youngs_modulus_pa: f64,
     /// `density`
     pub density_kg_m3: f64,
-    /// `root`: `"ground"`, the name of a mass, or a point of another beam, `"arm.end"`; default `"ground"`.
+    /// `root`: `"ground"`, another base, the name of a mass, or a point of another beam, `"arm.end"`; default `"ground"`.
     pub root: String,
     /// `root_stiffness`: rotary stiffness of the clamp at the root, N m/rad. `None`: rigid.
     pub root_stiffness_n_m_rad: Option<f64>,

@@ -5,7 +5,7 @@ use super::DriveSignal;
 /// What shakes the harvester.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drive {
-    /// `at`: point or mass on which a force acts; empty for motions of the base.
+    /// `at`: point or mass on which a force acts, or the base that moves: empty for the ground (see [`Drive::base`]).
     pub at: String,
     /// `kind`; default `force`.
     pub kind: DriveKind,
@@ -19,9 +19,9 @@ pub enum DriveKind {
     /// `"force"`: a force on a point, N.
     #[default]
     Force,
-    /// `"base-acceleration"`: acceleration of the ground with everything that stands on it, m/s^2. Displacements are relative to it.
+    /// `"base-acceleration"`: acceleration of a base with everything that stands on it, m/s^2. Displacements of that are relative to it.
     BaseAcceleration,
-    /// `"base-displacement"`: displacement of the ground, m; sinusoids only. Displacements are relative to it.
+    /// `"base-displacement"`: displacement of a base, m: sinusoids, chirps and half-sines. Displacements of what stands on it are relative to it.
     BaseDisplacement,
 }
 

@@ -3,7 +3,7 @@
 /// A rigid mass. On a spring it moves along the drive direction and may carry beams; without one it is part of what it stands on.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mass {
-    /// `on`: `"ground"` (default), a mass, a point of a beam, or `"nothing"` for a free mass.
+    /// `on`: `"ground"` (default), another base, a mass, a point of a beam, or `"nothing"` for a free mass.
     pub on: String,
     /// `mass`
     pub mass_kg: f64,

@@ -1,5 +1,6 @@
 //! What the user says, checked and in SI units. One struct per kind of thing; names are the user's own.
 
+mod base;
 mod beam;
 mod circuit;
 mod damping;
@@ -17,6 +18,7 @@ mod run;
 mod signal;
 mod stop;
 
+pub use base::GROUND;
 pub use beam::Beam;
 pub use circuit::{Circuit, Interface, Wiring};
 pub use damping::Damping;

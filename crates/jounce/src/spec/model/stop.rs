@@ -5,7 +5,7 @@
 pub struct Stop {
     /// `at`: the striking point, `"beam.tip"`, `"table"`, `"harvester.tip"`.
     pub at: String,
-    /// `frame`: `"ground"` (default) or the body or point that carries the stop; the reaction acts there.
+    /// `frame`: `"ground"` (default), another base, or the body or point that carries the stop; the reaction acts there.
     pub frame: String,
     /// `side`: `"positive"` (default) or `"negative"`: the direction in which the point must move to strike.
     pub side: Side,

@@ -1,9 +1,10 @@
 //! Marches a cloud until every start is recognised, and counts.
 
 use super::Starts;
+use super::expected::expected_power_w;
 use super::fate::{Fate, late_state};
 use super::lyapunov::{Lyapunov, Wandering};
-use super::share::{QUANTILE_95, Share, wilson};
+use super::share::{Share, wilson};
 use super::signature::{Signature, letters};
 use crate::march::{Kernel, MarchError};
 use crate::orbit::{Harvester, Orbit};
@@ -62,9 +63,9 @@ pub struct BasinsAnswer {
     pub attractors: Vec<Attractor>,
     /// `sum fraction power`, W.
     pub expected_power_w: f64,
-    /// Its 95 % interval, W.
+    /// Lower end of its 95 % interval, W; it allows for an answer that no start came to and that gives nothing.
     pub expected_power_low_w: f64,
-    /// Upper end, W.
+    /// Upper end among the answers that were seen, W.
     pub expected_power_high_w: f64,
     /// Starts whose march failed, with the reason.
     pub lost: Vec<(usize, String)>,
@@ -84,7 +85,7 @@ impl Basins<'_> {
                 return None;
             }
             let start = self.starts.start(&kernel.plant, index);
-            let fate = match check_outside(&kernel.plant.system, &start[..kernel.plant.system.modes.len()]) {
+            let fate = match check_outside(&kernel.plant, &start[..kernel.plant.system.modes.len()]) {
                 Ok(()) => Fate::of(self.parameter, (&kernel, self.value), &start, self.tolerance),
                 Err(inside) => Fate::Lost(inside.to_string()),
             };
@@ -153,17 +154,9 @@ fn answer(fates: &[(usize, Fate)]) -> BasinsAnswer {
         let own: Vec<(usize, Lyapunov)> = wanderers.iter().copied().filter(|(_, found)| found.wandering() == kind).collect();
         attractors.extend(wandering(kind, &own, of));
     }
-    let mean = |power: &dyn Fn(&Attractor) -> f64| attractors.iter().map(|a| a.share.fraction * power(a)).sum::<f64>();
-    let expected_power_w = mean(&|a| a.mean_power_w);
-    let variance = mean(&|a| (a.mean_power_w - expected_power_w).powi(2));
-    let half = QUANTILE_95 * (variance / of.max(1) as f64).sqrt();
-    BasinsAnswer {
-        expected_power_low_w: (expected_power_w - half).max(0.0),
-        expected_power_high_w: expected_power_w + half,
-        expected_power_w,
-        attractors,
-        lost,
-    }
+    let seen: Vec<(usize, f64)> = attractors.iter().map(|a| (a.starts.len(), a.mean_power_w)).collect();
+    let [expected_power_w, expected_power_low_w, expected_power_high_w] = expected_power_w(&seen);
+    BasinsAnswer { attractors, expected_power_w, expected_power_low_w, expected_power_high_w, lost }
 }
 
 fn wandering(kind: Wandering, found: &[(usize, Lyapunov)], of: usize) -> Option<Attractor> {

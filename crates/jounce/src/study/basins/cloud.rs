@@ -8,7 +8,7 @@
 
 use crate::contact::Law;
 use crate::drive::Stream;
-use crate::plant::{Plant, Stop, System};
+use crate::plant::{Plant, Stop};
 
 /// Times that a start is mirrored: between two stops it may lie many gaps away.
 const MIRRORED: usize = 1000;
@@ -40,17 +40,22 @@ impl Cloud {
             state[i] += size * stream.symmetric() / w;
             state[n + i] += size * stream.symmetric();
         }
-        mirror(&plant.system, &mut state);
+        mirror(plant, &mut state);
         state
     }
 }
 
 /// Takes displacements out of rigid stops, as far as there is room between these.
-fn mirror(system: &System, displacement: &mut [f64]) {
-    let rigid: Vec<_> = system.stops.iter().filter(|stop| matches!(stop.law, Law::Rigid(_))).collect();
+fn mirror(plant: &Plant, displacement: &mut [f64]) {
+    let stops = plant.system.stops.iter().enumerate();
+    let rigid: Vec<_> = stops.filter(|(_, stop)| matches!(stop.law, Law::Rigid(_))).collect();
     for _ in 0..MIRRORED {
-        let depth_m = |stop: &Stop| stop.shape.iter().zip(&*displacement).map(|(s, q)| s * q).sum::<f64>() - stop.gap_m;
-        let Some((stop, depth_m)) = rigid.iter().map(|stop| (stop, depth_m(stop))).find(|(_, depth_m)| *depth_m > 0.0) else { return };
+        let depth_m = |(index, stop): (usize, &Stop)| {
+            let own_m: f64 = stop.shape.iter().zip(&*displacement).map(|(s, q)| s * q).sum();
+            own_m + plant.approached_m(index, 0.0) - stop.gap_m
+        };
+        let depths = rigid.iter().map(|(index, stop)| (*stop, depth_m((*index, stop))));
+        let Some((stop, depth_m)) = depths.into_iter().find(|(_, depth_m)| *depth_m > 0.0) else { return };
         let square: f64 = stop.shape.iter().map(|s| s * s).sum();
         displacement.iter_mut().zip(&stop.shape).for_each(|(q, s)| *q -= 2.0 * depth_m * s / square);
     }

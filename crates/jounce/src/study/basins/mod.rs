@@ -2,6 +2,7 @@
 
 mod basin;
 mod cloud;
+mod expected;
 mod fate;
 mod grid;
 mod grid_text;

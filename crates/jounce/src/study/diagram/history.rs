@@ -2,8 +2,9 @@
 //!
 //! An attractor goes on where a march from it at the next value ends on an attractor of the same period from which a march back ends on
 //! the first: both are one. One of the two marches is enough where the points of the section lie near each other, for over a coarse
-//! step the other may leave the basin. Otherwise the first is lost and the second is new; each names the other end of its march. An
-//! attractor that only such a march finds is counted as seen by no start.
+//! step the other may leave the basin. Where a step leads away, the way between both values is gone in shorter and shorter ones, each of which
+//! must end near where it begins and keep the period. Otherwise the first is lost and the second is new; each names the other end of its
+//! march. An attractor that only such a march finds is counted as seen by no start.
 
 use super::lineage::{Lineage, Seen, Turn};
 use super::march::Diagram;
@@ -13,6 +14,9 @@ use rayon::prelude::*;
 
 /// Distance of two sections, beside their size, below which one march is enough.
 const NEAR: f64 = 0.3;
+
+/// Numbers of steps in which the way from one value to the next is gone where one step is too coarse.
+const FINER: [u32; 3] = [2, 4, 8];
 
 /// What the visits from many starts have in common.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,8 +44,8 @@ impl Diagram<'_> {
         let mut before: Vec<(Group, usize)> = Vec::new();
         for (step, value) in self.values.iter().enumerate() {
             let mut here = groups(visits, *value);
-            let forward = self.reached(before.iter().map(|(group, _)| &group.first), *value)?;
-            for visit in &forward {
+            let forward = self.followed(&before, *value)?;
+            for (visit, _) in &forward {
                 if visit.motion != Motion::Lost && !here.iter().any(|group| group.first.is_of(visit)) {
                     here.push(Group { first: visit.clone(), visits: Vec::new() });
                 }
@@ -51,7 +55,7 @@ impl Diagram<'_> {
                 _ => self.reached(here.iter().map(|group| &group.first), self.values[step - 1])?,
             };
             let lands = |visit: &Visit| here.iter().position(|group| group.first.is_of(visit));
-            let ahead: Vec<Option<usize>> = forward.iter().map(lands).collect();
+            let ahead: Vec<(Option<usize>, bool)> = forward.iter().map(|(visit, bridged)| (lands(visit), *bridged)).collect();
             let comes = |visit: &Visit| before.iter().position(|(group, _)| group.first.is_of(visit));
             let behind: Vec<Option<usize>> = backward.iter().map(comes).collect();
             let partners = partners(&before, &here, &ahead, &behind);
@@ -64,7 +68,7 @@ impl Diagram<'_> {
                 homes.push(known.unwrap_or_else(|| history.begin(&group.first, born)));
             }
             for (i, (_, home)) in before.iter().enumerate().filter(|(_, (_, home))| !homes.contains(home)) {
-                let other = ahead[i].map(|j| history.attractors[homes[j]].id.clone());
+                let other = ahead[i].0.map(|j| history.attractors[homes[j]].id.clone());
                 history.attractors[*home].died = Some(Turn { parameter: *value, other });
             }
             let of = visits.iter().filter(|visit| visit.parameter == *value).count();
@@ -72,6 +76,37 @@ impl Diagram<'_> {
             before = here.into_iter().zip(homes).collect();
         }
         Ok(history)
+    }
+
+    /// Where attractors go at the next value, and whether shorter steps led there because a single one leads away.
+    fn followed(&self, before: &[(Group, usize)], value: f64) -> Result<Vec<(Visit, bool)>, StudyError> {
+        let follow = |(group, _): &(Group, usize)| {
+            let at_once = self.bridge(&group.first, value, 1)?;
+            if let Some(visit) = at_once.1 {
+                return Ok((visit, false));
+            }
+            for steps in FINER {
+                if let (_, Some(visit)) = self.bridge(&group.first, value, steps)? {
+                    return Ok((visit, true));
+                }
+            }
+            Ok((at_once.0, false))
+        };
+        before.par_iter().map(follow).collect()
+    }
+
+    /// The way of an attractor to another value in so many steps: the last visit, and the same where no step leads away from it.
+    fn bridge(&self, from: &Visit, value: f64, steps: u32) -> Result<(Visit, Option<Visit>), StudyError> {
+        let mut last = from.clone();
+        for step in 1..=steps {
+            let parameter = from.parameter + (value - from.parameter) * f64::from(step) / f64::from(steps);
+            let next = self.visit(Place { index: 0, parameter, direction: Way::Independent, start: 0 }, &last.end)?;
+            if !alike(&last, &next) || last.apart(&next).is_none_or(|apart| apart >= NEAR) {
+                return Ok((next, None));
+            }
+            last = next;
+        }
+        Ok((last.clone(), Some(last)))
     }
 
     /// Where marches at a value from the ends of other visits end.
@@ -100,18 +135,24 @@ impl History {
     }
 }
 
+/// True for the same kind of motion with the same period.
+fn alike(one: &Visit, other: &Visit) -> bool {
+    one.motion == other.motion && one.period_cycles == other.period_cycles
+}
+
 /// Attractors before and here that are one, nearest first, each in one pair only.
-fn partners(before: &[(Group, usize)], here: &[Group], ahead: &[Option<usize>], behind: &[Option<usize>]) -> Vec<(usize, usize)> {
+fn partners(before: &[(Group, usize)], here: &[Group], ahead: &[(Option<usize>, bool)], behind: &[Option<usize>]) -> Vec<(usize, usize)> {
     let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
     for (i, (one, _)) in before.iter().enumerate() {
         for (j, two) in here.iter().enumerate() {
-            let alike = one.first.motion == two.first.motion && one.first.period_cycles == two.first.period_cycles;
-            let apart = match (ahead[i] == Some(j), behind.get(j) == Some(&Some(i))) {
+            let (lands, bridged) = (ahead[i].0 == Some(j), ahead[i].1);
+            let apart = match (lands, behind.get(j) == Some(&Some(i))) {
                 (true, true) => Some(0.0),
+                (true, false) if bridged => Some(0.0),
                 (true, false) | (false, true) => one.first.apart(&two.first).filter(|apart| *apart < NEAR),
                 (false, false) => None,
             };
-            pairs.extend(apart.filter(|_| alike).map(|apart| (apart, i, j)));
+            pairs.extend(apart.filter(|_| alike(&one.first, &two.first)).map(|apart| (apart, i, j)));
         }
     }
     pairs.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -1,0 +1,231 @@
+//! The modal model fitted to the responses to several references at once, with residues of rank one.
+//!
+//! ```text
+//! H_oi(w) = sum_r a_or b_ri / (j w - p_r) + conj(a_or b_ri) / (j w - conj(p_r)) - L_oi / w^2 + U_oi0 + U_oi1 w^2 + ..
+//! ```
+//!
+//! `a_r` is the shape of a mode at the outputs, `b_r` its participation in the references, 1 at the reference that it answers most. Two close
+//! modes differ in `b_r` where no single reference could tell them apart. Gauss-Newton with step control over poles and participations; shapes
+//! and residual terms are linear and are eliminated output by output, as in the fit to one reference.
+
+use faer::linalg::solvers::{DenseSolveCore, Solve};
+use faer::{Mat, Side, c64};
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+use super::likelihood::{Data, MOST_UPPER, SETTLED, STEPS, damped, propagated, residues, spread};
+use super::terms::{Terms, linear_terms};
+use super::{Band, Pole};
+
+/// What is fitted: poles, and what of each mode every reference moves.
+#[derive(Clone)]
+struct Modal {
+    poles: Vec<c64>,
+    /// Mode, reference.
+    participation: Vec<Vec<c64>>,
+    /// The reference of each mode whose participation stays 1.
+    fixed: Vec<usize>,
+}
+
+/// Modes that share their residues between outputs and references.
+pub(super) struct Shared {
+    pub poles: Vec<Pole>,
+    /// Standard deviations of frequency (Hz) and damping ratio.
+    pub deviation: Vec<(f64, f64)>,
+    /// Residue of each output to the reference whose participation is 1: mode, output.
+    pub residue: Vec<Vec<c64>>,
+    /// Mode, reference.
+    pub participation: Vec<Vec<c64>>,
+    /// What the model predicts: response, line.
+    pub model: Vec<Vec<c64>>,
+    /// Squared error over variance, per degree of freedom.
+    pub misfit: f64,
+}
+
+/// One output's part of the normal equations, and its linear unknowns.
+struct Part {
+    linear: Mat<f64>,
+    normal: Mat<f64>,
+    right: Mat<f64>,
+    error: f64,
+}
+
+/// Modes at the least error, with so many terms for those above the band.
+struct Settled {
+    modal: Modal,
+    upper: usize,
+    normal: Mat<f64>,
+    error: f64,
+}
+
+/// The fit that begins at given poles, with as many terms for the modes above the band as the responses ask for.
+pub(super) fn fit_shared(band: &Band, start: &[Pole]) -> Option<Shared> {
+    let data = Data::of(band, start);
+    let mut found = settled(&data, band, Modal::begin(band, &data, start)?, 1)?;
+    for upper in 2..=MOST_UPPER {
+        let tried = settled(&data, band, found.modal.clone(), upper);
+        let Some(tried) = tried.filter(|tried| data.asks_for(found.error, tried.error)) else { break };
+        found = tried;
+    }
+    finished(band, &data, &found)
+}
+
+fn settled(data: &Data, band: &Band, mut modal: Modal, upper: usize) -> Option<Settled> {
+    let (mut normal, mut right, mut error) = equations(data, band, &modal, upper)?;
+    let mut damping = 1e-6;
+    for _ in 0..STEPS {
+        let tried = modal.stepped(&damped(&normal, damping)?.solve(&right));
+        let apart = tried.poles.iter().zip(&modal.poles).map(|(a, b)| (a - b).norm() / b.norm());
+        let turned = tried.participation.iter().flatten().zip(modal.participation.iter().flatten()).map(|(a, b)| (a - b).norm());
+        let size = apart.chain(turned).fold(0.0, f64::max);
+        let stays = tried.poles.iter().all(|p| p.re < 0.0 && p.im > 0.0);
+        match equations(data, band, &tried, upper).filter(|(.., less)| stays && *less <= error * (1.0 + 1e-12)) {
+            Some(better) => {
+                modal = tried;
+                (normal, right, error) = better;
+                damping = f64::max(damping * 0.1, 1e-12);
+                if size < SETTLED {
+                    break;
+                }
+            }
+            None if damping > 1e6 || size < SETTLED => break,
+            None => damping *= 10.0,
+        }
+    }
+    Some(Settled { modal, upper, normal, error })
+}
+
+impl Modal {
+    /// From residues that are free of each other: their first right singular vector.
+    fn begin(band: &Band, data: &Data, start: &[Pole]) -> Option<Self> {
+        let poles: Vec<c64> = start.iter().map(|pole| pole.complex()).collect();
+        let residue = residues(data, &poles)?;
+        let begun = |r: usize| {
+            let of = Mat::from_fn(band.outputs(), band.inputs, |o, i| residue[o * band.inputs + i][r]);
+            let svd = of.thin_svd().ok()?;
+            let row: Vec<c64> = (0..band.inputs).map(|i| svd.V()[(i, 0)].conj()).collect();
+            let fixed = (0..row.len()).max_by(|a, b| row[*a].norm().total_cmp(&row[*b].norm()))?;
+            Some((row.iter().map(|b| b / row[fixed]).collect(), fixed))
+        };
+        let (participation, fixed) = (0..start.len()).map(begun).collect::<Option<Vec<_>>>()?.into_iter().unzip();
+        Some(Self { poles, participation, fixed })
+    }
+
+    /// Mode and reference of each participation that is fitted.
+    fn free(&self) -> Vec<(usize, usize)> {
+        let of = |(r, row): (usize, &Vec<c64>)| (0..row.len()).filter(|i| *i != self.fixed[r]).map(|i| (r, i)).collect::<Vec<_>>();
+        self.participation.iter().enumerate().flat_map(of).collect()
+    }
+
+    fn stepped(&self, step: &Mat<f64>) -> Self {
+        let mut tried = self.clone();
+        let part = |k: usize| c64::new(step[(2 * k, 0)], step[(2 * k + 1, 0)]);
+        tried.poles.iter_mut().enumerate().for_each(|(r, pole)| *pole += part(r));
+        for (k, (r, i)) in self.free().into_iter().enumerate() {
+            tried.participation[r][i] += part(self.poles.len() + k);
+        }
+        tried
+    }
+}
+
+/// Normal equations over all outputs, in parallel and added in order, and the weighed squared error.
+fn equations(data: &Data, band: &Band, modal: &Modal, upper: usize) -> Option<(Mat<f64>, Mat<f64>, f64)> {
+    let size = 2 * (modal.poles.len() + modal.free().len());
+    let (mut normal, mut right, mut error) = (Mat::zeros(size, size), Mat::zeros(size, 1), 0.0);
+    let terms = Terms::of_kinds(data.sight, &data.powers, &data.angular, &modal.poles, upper);
+    let parts = (0..band.outputs()).into_par_iter().map(|o| part(o, data, &terms, modal)).collect::<Vec<_>>();
+    for part in parts {
+        normal += &part.normal;
+        right += &part.right;
+        error += part.error;
+    }
+    Some((normal, right, error))
+}
+
+/// The rows are the lines of one reference after those of the other.
+fn part(o: usize, data: &Data, terms: &[Terms], modal: &Modal) -> Part {
+    let (modes, inputs, lines) = (modal.poles.len(), modal.participation[0].len(), terms[0].linear.nrows());
+    let residuals = terms[0].linear.ncols() - 2 * modes;
+    let (rows, width) = (inputs * lines, 2 * modes + residuals * inputs);
+    let response = |row: usize| &data.responses[o * inputs + row / lines];
+    let weight = |row: usize| response(row).weight[row % lines / 2];
+    let of_kind = |row: usize| &terms[response(row).kind];
+    let base = |row: usize, c: usize| weight(row) * of_kind(row).linear[(row % lines, c)];
+    // A residue x + j y has the terms x E + y O; here it is the shape times the participation.
+    let both = |row: usize, r: usize, residue: c64| residue.re * base(row, 2 * r) + residue.im * base(row, 2 * r + 1);
+    let j = c64::new(0.0, 1.0);
+    let column = |row: usize, c: usize| {
+        let i = row / lines;
+        match c.checked_sub(2 * modes) {
+            None if c.is_multiple_of(2) => both(row, c / 2, modal.participation[c / 2][i]),
+            None => both(row, c / 2, modal.participation[c / 2][i] * j),
+            Some(k) if k / residuals == i => base(row, 2 * modes + k % residuals),
+            Some(_) => 0.0,
+        }
+    };
+    let mut a = Mat::from_fn(rows, width, column);
+    let value = |row: usize| response(row).value[row % lines / 2];
+    let b = Mat::from_fn(rows, 1, |row, _| if row % 2 == 0 { value(row).re } else { value(row).im });
+    let scale: Vec<f64> = (0..width).map(|c| a.col(c).norm_l2().max(f64::MIN_POSITIVE)).collect();
+    for (column, scale) in a.col_iter_mut().zip(&scale) {
+        column.iter_mut().for_each(|x| *x /= scale);
+    }
+    let q = a.qr();
+    let thin = q.compute_thin_Q();
+    let solution = q.thin_R().partial_piv_lu().solve(thin.transpose() * &b);
+    let rest = &b - &a * &solution;
+    let linear = Mat::from_fn(width, 1, |c, _| solution[(c, 0)] / scale[c]);
+    let shape = |r: usize| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)]);
+    let free = modal.free();
+    let derivative = |row: usize, c: usize| {
+        let (i, k, turn) = (row / lines, c / 2, if c.is_multiple_of(2) { c64::new(1.0, 0.0) } else { j });
+        if k < modes {
+            let residue = shape(k) * modal.participation[k][i] * turn;
+            let squares = |c: usize| weight(row) * of_kind(row).squares[(row % lines, c)];
+            return residue.re * squares(2 * k) + residue.im * squares(2 * k + 1);
+        }
+        let (r, of) = free[k - modes];
+        if of == i { both(row, r, shape(r) * turn) } else { 0.0 }
+    };
+    let by_modes = Mat::from_fn(rows, 2 * (modes + free.len()), derivative);
+    // Kaufman's variable projection: what the linear terms cannot take up.
+    let projected = &by_modes - &thin * (thin.transpose() * &by_modes);
+    Part { normal: projected.transpose() * &projected, right: projected.transpose() * &rest, error: rest.squared_norm_l2(), linear }
+}
+
+fn finished(band: &Band, data: &Data, Settled { modal, upper, normal, error }: &Settled) -> Option<Shared> {
+    let (modes, inputs, outputs) = (modal.poles.len(), band.inputs, band.outputs());
+    let residuals = 2 + 2 * upper;
+    let unknowns = normal.nrows() + outputs * (2 * modes + residuals * inputs);
+    let misfit = error / ((2 * data.angular.len() * band.response.len()) as f64 - unknowns as f64).max(1.0);
+    // Without variances the misfit is all that is known of them.
+    let factor = if band.variance.is_empty() { misfit } else { misfit.max(1.0) };
+    let covariance = normal.llt(Side::Lower).ok()?.inverse();
+    let terms = Terms::of_kinds(data.sight, &data.powers, &data.angular, &modal.poles, *upper);
+    let (mut residue, mut model, mut row) = (vec![Vec::new(); modes], Vec::new(), Vec::new());
+    for o in 0..outputs {
+        let linear = part(o, data, &terms, modal).linear;
+        let shape: Vec<c64> = (0..modes).map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)])).collect();
+        for i in 0..inputs {
+            let residues = (0..modes).map(|r| shape[r] * modal.participation[r][i]).flat_map(|x| [x.re, x.im]);
+            let unknown: Vec<f64> = residues.chain((0..residuals).map(|k| linear[(2 * modes + residuals * i + k, 0)])).collect();
+            let power = data.powers[data.responses[o * inputs + i].kind];
+            let at = |hz: &f64| {
+                linear_terms((data.sight, power, *upper), &modal.poles, TAU * hz, &mut row);
+                row.iter().zip(&unknown).map(|(term, x)| term * *x).sum()
+            };
+            model.push(band.frequency_hz.iter().map(at).collect());
+        }
+        residue.iter_mut().zip(shape).for_each(|(residue, shape)| residue.push(shape));
+    }
+    Some(Shared {
+        poles: modal.poles.iter().map(|p| Pole::of(*p)).collect(),
+        deviation: (modal.poles.iter().enumerate())
+            .map(|(r, p)| spread(*p, |slopes| propagated(&covariance, r, slopes) * factor))
+            .collect(),
+        residue,
+        participation: modal.participation.clone(),
+        model,
+        misfit,
+    })
+}

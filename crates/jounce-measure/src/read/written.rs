@@ -1,0 +1,53 @@
+//! What jounce noted of a file that it wrote: in the metadata of Parquet, in `NAME.manifest.json` beside `NAME.csv`.
+
+use std::path::Path;
+
+use jounce::table::Manifest;
+use serde::Deserialize;
+
+use super::name;
+use super::raw::Column;
+
+/// What stands before the name of a channel in the notes where they tell its place, and its direction.
+pub(crate) const PLACE: &str = "place of ";
+pub(crate) const DIRECTION: &str = "direction of ";
+
+/// The notes of a file of columns.
+#[derive(Deserialize)]
+pub(super) struct Written {
+    manifest: Manifest,
+    columns: Vec<Noted>,
+}
+
+#[derive(Deserialize)]
+struct Noted {
+    name: String,
+    unit: String,
+}
+
+impl Written {
+    /// The notes of a text; none where it is not of jounce.
+    pub(super) fn from_json(text: &str) -> Option<Self> {
+        serde_json::from_str(text).ok()
+    }
+
+    /// The notes beside a text of columns; none where there are none, or where they tell of other columns.
+    pub(super) fn beside(path: &Path, columns: &[Column]) -> Option<Self> {
+        let found = Self::from_json(&std::fs::read_to_string(path.with_extension("manifest.json")).ok()?)?;
+        let of_these = found.columns.iter().map(|noted| name::split(&noted.name).0).eq(columns.iter().map(|column| column.name.clone()));
+        of_these.then_some(found)
+    }
+
+    /// The unit of a column.
+    pub(super) fn unit(&self, head: &str) -> Option<String> {
+        self.columns.iter().find(|column| column.name == head).map(|column| column.unit.clone())
+    }
+
+    /// Tells a column where it was measured, and which way.
+    pub(super) fn tell(&self, column: &mut Column) {
+        // Both parts of a complex channel have one place.
+        let name = column.name.strip_suffix(".re").unwrap_or(&column.name);
+        let told = |key: &str| self.manifest.options.get(&format!("{key}{name}")).cloned().unwrap_or_default();
+        (column.place, column.direction) = (told(PLACE), told(DIRECTION));
+    }
+}

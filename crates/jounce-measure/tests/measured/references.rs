@@ -1,0 +1,151 @@
+//! Modes from responses to forces at several places.
+
+use faer::c64;
+use jounce::drive::Stream;
+use jounce_measure::modal::{Band, Identification, Settings, identify, mac};
+use jounce_measure::recording::Quantity;
+use jounce_measure::response::Responses;
+use jounce_measure::spectral::{FrequencyResponse, Sight};
+use std::f64::consts::TAU;
+
+/// Two modes 0.1 % apart, of equal damping, between two others: each peak is twenty times as wide as the two are apart.
+const CLOSE: [(f64, f64); 4] = [(60.0, 0.012), (100.0, 0.01), (100.1, 0.01), (160.0, 0.008)];
+
+/// Shapes of no kinship; those of the two close modes are as sine and cosine along the places.
+fn shape(mode: usize, place: usize) -> f64 {
+    let x = place as f64;
+    match mode {
+        0 => 0.4 + 0.2 * x,
+        1 => (0.9 * x + 0.3).sin(),
+        2 => (0.9 * x + 0.3).cos(),
+        _ => (2.1 * x + 1.0).sin(),
+    }
+}
+
+/// Acceleration at a place per force at another, mass 1.
+fn acceleration(modes: &[(f64, f64)], place: usize, force: usize, frequency_hz: f64) -> c64 {
+    let s = c64::new(0.0, TAU * frequency_hz);
+    let mode = |(r, (hz, zeta)): (usize, &(f64, f64))| {
+        let w = TAU * hz;
+        s * s * shape(r, place) * shape(r, force) / (s * s + 2.0 * zeta * w * s + w * w)
+    };
+    modes.iter().enumerate().map(mode).sum()
+}
+
+/// The responses at sensors to forces, each with white noise of a share of its rms.
+fn responses(modes: &[(f64, f64)], sensors: &[usize], forces: &[usize], noise: f64) -> Responses {
+    let frequency_hz: Vec<f64> = (160..=880).map(|k| 0.25 * f64::from(k)).collect();
+    let mut stream = Stream::new(7, 0);
+    let mut function = |o: usize, i: usize| {
+        let exact: Vec<c64> = frequency_hz.iter().map(|hz| acceleration(modes, o, i, *hz)).collect();
+        let rms = (exact.iter().map(|h| h.norm_sqr()).sum::<f64>() / exact.len() as f64).sqrt();
+        let mut noisy = |h: c64| {
+            let [re, im] = stream.normal_pair();
+            h + c64::new(re, im) * (noise * rms / 2f64.sqrt())
+        };
+        let value: Vec<c64> = exact.into_iter().map(&mut noisy).collect();
+        FrequencyResponse {
+            coherence: vec![1.0; value.len()],
+            frequency_hz: frequency_hz.clone(),
+            value,
+            blocks: 1,
+            sight: Sight::Whole,
+            without: Vec::new(),
+        }
+    };
+    let pairs: Vec<(usize, usize)> = sensors.iter().flat_map(|o| forces.iter().map(move |i| (*o, *i))).collect();
+    Responses {
+        outputs: sensors.iter().map(|o| format!("a{o}")).collect(),
+        references: forces.iter().map(|i| format!("point {i}")).collect(),
+        names: pairs.iter().map(|(o, i)| format!("a{o} from point {i}")).collect(),
+        units: vec!["m/s^2/N".to_owned(); pairs.len()],
+        quantities: vec![Quantity::Acceleration; pairs.len()],
+        functions: pairs.iter().map(|(o, i)| function(*o, *i)).collect(),
+        hits: Vec::new(),
+        block_s: None,
+        window_decay_per_s: 0.0,
+        findings: Vec::new(),
+    }
+}
+
+fn modes_of(responses: &Responses, order: usize) -> Identification {
+    let band = Band::of(responses, (40.0, 220.0)).expect("a band");
+    identify(&band, Settings { order }).expect("modes")
+}
+
+fn of_shape(mode: usize, places: &[usize]) -> Vec<c64> {
+    places.iter().map(|place| c64::new(shape(mode, *place), 0.0)).collect()
+}
+
+/// Largest relative errors of frequency and damping ratio, and the largest distance of a shape's MAC from 1, over sensors and forces.
+fn worst(found: &Identification, modes: &[(f64, f64)], sensors: &[usize], forces: &[usize]) -> [f64; 3] {
+    assert_eq!(found.modes.len(), modes.len(), "{:?}", found.modes.iter().map(|m| (m.frequency_hz, m.damping_ratio)).collect::<Vec<_>>());
+    let mut worst = [0.0_f64; 3];
+    for (r, (mode, (hz, zeta))) in found.modes.iter().zip(modes).enumerate() {
+        let (at_sensors, at_forces) = (mac(&mode.residue, &of_shape(r, sensors)), mac(&mode.participation, &of_shape(r, forces)));
+        let off = [mode.frequency_hz / hz - 1.0, mode.damping_ratio / zeta - 1.0, 1.0 - at_sensors.min(at_forces)];
+        worst.iter_mut().zip(off).for_each(|(worst, off)| *worst = worst.max(off.abs()));
+        assert_eq!((mode.residue.len(), mode.participation.len()), (sensors.len(), forces.len()));
+        let largest = mode.participation.iter().map(|b| b.norm()).fold(0.0, f64::max);
+        assert!((largest - 1.0).abs() < 1e-12, "{largest}");
+    }
+    eprintln!("frequencies {:.1e}, damping ratios {:.1e}, shapes {:.1e} off", worst[0], worst[1], worst[2]);
+    worst
+}
+
+/// Two references tell two modes 0.1 % apart from each other, whichever of sensors and forces are fewer. Measured: frequencies, damping ratios
+/// and MAC to roundoff, 4e-16.
+#[test]
+fn two_references_separate_two_close_modes() {
+    let (few, many) = ([0, 3], [0, 1, 2, 3, 4, 5]);
+    for (sensors, forces) in [(&many[..], &few[..]), (&few, &many)] {
+        let given = responses(&CLOSE, sensors, forces, 0.0);
+        let found = modes_of(&given, 16);
+        let off = worst(&found, &CLOSE, sensors, forces);
+        assert!(off[0] < 1e-6 && off[1] < 1e-6 && off[2] < 1e-3, "{off:?}");
+        // What the modes give stands beside what was measured, in the order of the responses.
+        for (k, function) in given.functions.iter().enumerate() {
+            let (hz, at) = (found.frequency_hz[100], function.frequency_hz.iter().position(|hz| *hz == found.frequency_hz[100]));
+            let displacement = function.value[at.expect("the line")] / -(TAU * hz).powi(2);
+            assert!((found.measured[k][100] - displacement).norm() < 1e-12 * displacement.norm(), "{k}");
+            assert!((found.model[k][100] - displacement).norm() < 1e-6 * displacement.norm(), "{k}");
+        }
+    }
+}
+
+/// White noise of 0.5 % of each response; one reference sees the two as one. Measured: frequencies within 1.7e-6, damping ratios within 1.6e-4,
+/// MAC 1 - 2.1e-5.
+#[test]
+fn two_references_separate_two_close_modes_in_noise() {
+    let (few, many) = ([0, 3], [0, 1, 2, 3, 4, 5]);
+    let found = modes_of(&responses(&CLOSE, &many, &few, 0.005), 16);
+    let off = worst(&found, &CLOSE, &many, &few);
+    assert!(off[0] < 2e-5 && off[1] < 2e-3 && off[2] < 1e-3, "{off:?}");
+    let one = modes_of(&responses(&CLOSE, &many, &few[..1], 0.005), 16);
+    assert_eq!(one.modes.len(), 3, "{:?}", one.modes);
+    for (mode, (hz, zeta)) in found.modes.iter().zip(CLOSE) {
+        let (by, damped_by) =
+            ((mode.frequency_hz - hz) / mode.frequency_deviation_hz, (mode.damping_ratio - zeta) / mode.damping_deviation);
+        assert!(by.abs() < 4.0 && damped_by.abs() < 4.0, "{by} {damped_by}");
+    }
+}
+
+/// A hammer that goes from place to place with one fixed sensor gives what sensors at all these places give under one hammer.
+#[test]
+fn a_roving_hammer_gives_the_modes_of_roving_sensors() {
+    let apart = [CLOSE[0], CLOSE[1], (120.0, 0.01), CLOSE[3]];
+    let all = [0, 1, 2, 3, 4, 5];
+    let (sensors, hammer) = (responses(&apart, &all, &[4], 0.0), responses(&apart, &[4], &all, 0.0));
+    let (one, other) = (modes_of(&sensors, 30), modes_of(&hammer, 30));
+    worst(&one, &apart, &all, &[4]);
+    let off = worst(&other, &apart, &[4], &all);
+    assert!(off.iter().all(|off| *off < 1e-9), "{off:?}");
+    for (a, b) in one.modes.iter().zip(&other.modes) {
+        assert!(
+            (a.frequency_hz / b.frequency_hz - 1.0).abs() < 1e-12 && (a.damping_ratio / b.damping_ratio - 1.0).abs() < 1e-10,
+            "{a:?} {b:?}"
+        );
+        assert!(a.shape().iter().zip(&b.participation).all(|(a, b)| (a - b).norm() < 1e-9));
+        assert!((a.residue.iter().map(|x| x.norm()).fold(0.0, f64::max) / b.residue[0].norm() - 1.0).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,75 @@
+//! Courses of displacement, as the acceleration that makes them.
+//!
+//! Where a course of displacement begins and ends its velocity jumps, which is an impulse of acceleration; between them it is smooth. The
+//! two impulses are those that bring the base, moved by the samples of the acceleration, to its place at the end and to rest there, so that
+//! what the samples leave out of the twofold integral does not add up to a drift.
+
+use super::{Chirp, Travel, Wave, half_sine};
+use crate::spec::DriveSignal;
+use std::f64::consts::PI;
+
+/// The accelerations, m/s^2, that displace a base by a course in m, none for a sinusoid. At the end of a chirp the base stays where it is.
+///
+/// # Limits
+/// None for velocity steps, noise and recordings, which are no courses of displacement.
+pub fn displaced(signal: &DriveSignal) -> Vec<Wave> {
+    match *signal {
+        DriveSignal::HalfSine { amplitude, start_s, duration_s } => {
+            let peak_m_s2 = -amplitude * (PI / duration_s).powi(2);
+            brought_to(0.0, half_sine(peak_m_s2, start_s, duration_s), [start_s, duration_s])
+        }
+        DriveSignal::Chirp { amplitude, from_hz, to_hz, sweep, phase_rad, start_s, duration_s } => {
+            let chirp = Chirp { amplitude, from_hz, to_hz, sweep, phase_rad, start_s, duration_s };
+            let end_m = chirp.size(duration_s) - chirp.size(0.0);
+            brought_to(end_m, chirp.acceleration(), [start_s, duration_s])
+        }
+        DriveSignal::Sine { .. } | DriveSignal::VelocityStep { .. } | DriveSignal::Noise { .. } | DriveSignal::Recording { .. } => {
+            Vec::new()
+        }
+    }
+}
+
+/// A smooth part with the jumps of velocity, m/s, at its start and its end that bring the base to a place, m, and to rest.
+fn brought_to(end_m: f64, smooth: Wave, [start_s, duration_s]: [f64; 2]) -> Vec<Wave> {
+    let end_s = start_s + duration_s;
+    let index = smooth.index_at(end_s);
+    let [place_m, speed_m_s] = Travel::of(&smooth).at(index, &smooth.piece(index), end_s);
+    let first_m_s = (end_m - place_m) / duration_s;
+    let jump = |time_s: f64, size_s: f64| Wave::Impulse { time_s, size_s };
+    vec![jump(start_s, first_m_s), smooth, jump(end_s, -(speed_m_s + first_m_s))]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::FrequencySweep;
+
+    fn place_m(waves: &[Wave], time_s: f64) -> f64 {
+        let of = |wave: &Wave| Travel::of(wave).at(wave.index_at(time_s), &wave.piece(wave.index_at(time_s)), time_s)[0];
+        waves.iter().map(of).sum()
+    }
+
+    /// The twofold integral against the course itself, long after its end too.
+    #[test]
+    fn the_base_is_where_its_course_says() {
+        let (amplitude, start_s, duration_s) = (2e-3, 0.1, 0.8);
+        let half = DriveSignal::HalfSine { amplitude, start_s, duration_s };
+        let waves = displaced(&half);
+        for time_s in [0.05, 0.1, 0.3, 0.511, 0.9, 5.0] {
+            let t: f64 = time_s - start_s;
+            let exact = if (0.0..=duration_s).contains(&t) { amplitude * (PI * t / duration_s).sin() } else { 0.0 };
+            let error = (place_m(&waves, time_s) - exact).abs();
+            assert!(error < 1e-11 * amplitude, "half-sine at {time_s}: {error:e}");
+        }
+        for sweep in [FrequencySweep::Linear, FrequencySweep::Logarithmic] {
+            let (from_hz, to_hz, duration_s) = (5.0, 60.0, 20.0);
+            let chirp = Chirp { amplitude, from_hz, to_hz, sweep, phase_rad: 0.0, start_s, duration_s };
+            let waves = displaced(&DriveSignal::Chirp { amplitude, from_hz, to_hz, sweep, phase_rad: 0.0, start_s, duration_s });
+            for k in 0..200 {
+                let time_s = 0.11 * f64::from(k) + 0.05;
+                let error = (place_m(&waves, time_s) - chirp.size((time_s - start_s).clamp(0.0, duration_s))).abs();
+                assert!(error < 1e-8 * amplitude, "{sweep:?} at {time_s}: {error:e}");
+            }
+        }
+    }
+}

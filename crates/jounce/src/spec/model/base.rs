@@ -1,0 +1,43 @@
+//! Bases: what moves as a drive prescribes, and what it carries.
+
+use super::{Drive, DriveKind, Spec};
+use std::collections::BTreeSet;
+
+/// The base that is always there.
+pub const GROUND: &str = "ground";
+
+impl Drive {
+    /// The base whose motion it prescribes; `None` for a force.
+    pub fn base(&self) -> Option<&str> {
+        match self.kind {
+            DriveKind::Force => None,
+            DriveKind::BaseAcceleration | DriveKind::BaseDisplacement if self.at.is_empty() => Some(GROUND),
+            DriveKind::BaseAcceleration | DriveKind::BaseDisplacement => Some(&self.at),
+        }
+    }
+}
+
+impl Spec {
+    /// The bases beside the ground, which their drives name.
+    pub fn bases(&self) -> BTreeSet<&str> {
+        self.drive.values().filter_map(Drive::base).filter(|base| *base != GROUND).collect()
+    }
+
+    /// True for the ground and every other base.
+    pub fn is_base(&self, name: &str) -> bool {
+        name == GROUND || self.drive.values().any(|drive| drive.base() == Some(name))
+    }
+
+    /// The base under a base, a mass or a point: what its displacements are relative to. That of a free mass is the ground.
+    pub fn base_under<'s>(&'s self, point: &'s str) -> &'s str {
+        let mut at = point;
+        for _ in 0..=self.mass.len() + self.beam.len() {
+            at = match at.split_once('.') {
+                Some((beam, _)) => self.beam.get(beam).map_or(GROUND, |beam| &beam.root),
+                None if self.is_base(at) => return at,
+                None => self.mass.get(at).map_or(GROUND, |mass| &mass.on),
+            };
+        }
+        GROUND
+    }
+}
