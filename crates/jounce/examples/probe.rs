@@ -23,7 +23,17 @@ fn main() {
     };
     for curve in search.run().unwrap() {
         let (first, last) = (curve.points[0], curve.points[curve.points.len() - 1]);
-        println!("{} {}: {} points {:.6} {:.4} to {:.6} {:.4} {:?}", curve.kind.name(), curve.period_cycles, curve.points.len(), first.parameter, first.parameter_2, last.parameter, last.parameter_2, curve.failures);
+        println!(
+            "{} {}: {} points {:.6} {:.4} to {:.6} {:.4} {:?}",
+            curve.kind.name(),
+            curve.period_cycles,
+            curve.points.len(),
+            first.parameter,
+            first.parameter_2,
+            last.parameter,
+            last.parameter_2,
+            curve.failures
+        );
         if std::env::var("POINTS").is_ok() {
             curve.points.iter().for_each(|p| println!("   {:.9} {:.6} {:.9e}", p.parameter, p.parameter_2, p.mean_power_w));
         }

@@ -46,9 +46,6 @@ pub fn correct<F: Family>(
         };
         let change = Direction { unknown, parameter };
         let error = metric.length(&change);
-        if std::env::var("TRACE").is_ok() && corrector.most == 12 {
-            eprintln!("    newton {evaluations} p {} correction {error:.2e} g {:.2e} r {:.2e}", position.parameter, right[right.len() - 1], right[..right.len() - 1].iter().map(|r| r * r).sum::<f64>().sqrt());
-        }
         if error <= corrector.goal {
             return Ok(Corrected { position, local, evaluations, error });
         }

@@ -139,9 +139,6 @@ impl<'f, F: Family> Walk<'f, F> {
         let metric = Metric::at(&found.position, self.parameter_scale);
         let ahead = metric.unit(ahead.clone());
         let tangent = tangent(&found.local, &metric, &ahead)?;
-        if std::env::var("TRACE").is_ok() && self.corrector.most == 12 {
-            eprintln!("  step {} p {} length {:.2e} evaluations {} turn {:.2e}", self.points, found.position.parameter, self.length, found.evaluations, metric.inner(&tangent, &ahead).clamp(-1.0, 1.0).acos());
-        }
         let turn = metric.inner(&tangent, &ahead).clamp(-1.0, 1.0).acos();
         if self.control.refuses(turn) && self.points > 0 {
             return None;

@@ -29,8 +29,3 @@ pub use periodic::{Orbit, determinant_at, nearest_pair_to_circle, pairs_outside}
 pub use shooting::{Shooting, Shot};
 pub use tracking::{Condition, Plane, Tracked, Tracking};
 pub use turning_points::{Turn, displacement_peak_m, nearest_extremum_m, nearest_turn};
-
-/// Temporary.
-pub fn knob(name: &str, or: f64) -> f64 {
-    std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(or)
-}

@@ -171,8 +171,7 @@ fn curves_are_cut_on_the_edges_of_both_ranges() {
     let base = Prepared::new(file.spec().unwrap()).unwrap();
     let keys = ["drive.shaker.frequency", "drive.shaker.amplitude"].map(|key| file.numeric_key(key).unwrap());
     let ranges = [(12.0, 12.4), (47.0, 55.0)];
-    let search =
-        JumpSearch { base: &base, keys: [&keys[0], &keys[1]], ranges, tolerance: 1e-9, seeds: 0, longest_period: 1, peaks: false };
+    let search = JumpSearch { base: &base, keys: [&keys[0], &keys[1]], ranges, tolerance: 1e-9, seeds: 0, longest_period: 1, peaks: false };
     let curves = search.run().unwrap();
     let fold = curves.iter().find(|curve| curve.kind == CurveKind::Bifurcation(BranchKind::Fold)).unwrap();
     assert!(fold.failures.is_empty(), "{:?}", fold.failures);

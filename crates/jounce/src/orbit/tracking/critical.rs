@@ -47,7 +47,7 @@ impl Critical {
         moved: impl Fn(&[f64]) -> Result<Shot, E>,
     ) -> Result<Gradient, E> {
         let n = self.v.len();
-        let step = crate::orbit::knob("MOVE", MOVE) * ColRef::from_slice(&shot.looks[0]).norm_l2() / ColRef::from_slice(&self.v).norm_l2();
+        let step = MOVE * ColRef::from_slice(&shot.looks[0]).norm_l2() / ColRef::from_slice(&self.v).norm_l2();
         let along = moved(&self.v.iter().map(|v| step * v).collect::<Vec<_>>())?;
         let by_unknown = (0..n).map(|j| -(0..n).map(|i| self.w[i] * (along.map[(i, j)] - shot.map[(i, j)])).sum::<f64>() / step).collect();
         let change = |k: usize| -> f64 {

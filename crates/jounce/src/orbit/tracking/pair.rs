@@ -103,9 +103,8 @@ mod tests {
             let pair = Pair::of(&here).unwrap();
             assert_eq!(pair.is_complex, trace.abs() < 2.0);
             assert!((pair.product() - determinant).abs() < 1e-12, "{trace}: {}", pair.product());
-            let moved = |other: Mat<f64>| {
-                pair.change(|row, column| pair.between(row, column, |i, j| (other[(i, j)] - here[(i, j)]) / 1e-6))
-            };
+            let moved =
+                |other: Mat<f64>| pair.change(|row, column| pair.between(row, column, |i, j| (other[(i, j)] - here[(i, j)]) / 1e-6));
             let (by_trace, by_determinant) = (moved(map(trace + 1e-6, determinant)), moved(map(trace, determinant + 1e-6)));
             assert!(by_trace.abs() < 1e-8 && (by_determinant - 1.0).abs() < 1e-8, "{trace}: {by_trace:e} {by_determinant}");
         }

@@ -78,7 +78,7 @@ impl<P: Plane> Tracking<'_, P> {
         let n = start.len();
         let Some(tangent) = Tangent::of(shot, self.unit) else { return Ok(None) };
         let (size, own_w) = (ColRef::from_slice(start).norm_l2(), power_w(shot));
-        let width = crate::orbit::knob("WIDTH", WIDTH) * size;
+        let width = WIDTH * size;
         let here = (start, parameter);
         let [behind, before, after, beyond] = [-2.0, -1.0, 1.0, 2.0].map(|k| self.shoot_off(line, here, &tangent.along, k * width));
         let (before, after) = (before?, after?);
@@ -90,7 +90,7 @@ impl<P: Plane> Tracking<'_, P> {
         let bent_w = power_w(&self.shoot_off(line, here, &bend, 1.0)?);
         let second = power_w(&after) + power_w(&before) - 2.0 * own_w + 2.0 * (bent_w - own_w);
         let per_length = second / (width * width) * size / own_w;
-        let step = crate::orbit::knob("ASIDE", ASIDE) * difference;
+        let step = ASIDE * difference;
         let right: Vec<f64> = (0..n).map(|i| -(aside.residual[i] - shot.residual[i]) / difference).collect();
         let Some(to_side) = tangent.across(&right) else { return Ok(None) };
         let there = self.slope_aside((start, parameter, parameter_2), &tangent.along, &to_side, step)?;
@@ -127,7 +127,7 @@ impl<P: Plane> Tracking<'_, P> {
         let Some(tangent) = Tangent::of(&shot, self.unit) else { return Ok(None) };
         let sense: f64 = tangent.along.iter().zip(along).map(|(a, b)| a * b).sum();
         let size = ColRef::from_slice(start).norm_l2();
-        let width = crate::orbit::knob("WIDTH", WIDTH) * size;
+        let width = WIDTH * size;
         let side = |way: f64| self.shoot_off(&line, (&there, parameter), &tangent.along, way * width);
         let near = power_w(&side(1.0)?) - power_w(&side(-1.0)?);
         Ok(Some(sense.signum() * near / (2.0 * width) * size / power_w(&shot)))

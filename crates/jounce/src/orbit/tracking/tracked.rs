@@ -59,7 +59,7 @@ impl<P: Plane> Tracking<'_, P> {
     }
 
     fn march_tolerance(&self) -> f64 {
-        (crate::orbit::knob("MARCH", FINER) * self.tolerance).max(FINEST).min(self.tolerance)
+        (FINER * self.tolerance).max(FINEST).min(self.tolerance)
     }
 
     /// The first parameter of an unknown.
@@ -100,7 +100,13 @@ impl<P: Plane> Family for Tracking<'_, P> {
             condition => condition.gradient(&shot, [&ahead, &aside], differences, moved)?,
         };
         // Without the condition there is no bifurcation: a residual that no correction meets.
-        let gradient = found.unwrap_or_else(|| Gradient { value: f64::NAN, by_unknown: vec![0.0; n], by_parameters: [0.0; 2], bend: None, is_resonant: false });
+        let gradient = found.unwrap_or_else(|| Gradient {
+            value: f64::NAN,
+            by_unknown: vec![0.0; n],
+            by_parameters: [0.0; 2],
+            bend: None,
+            is_resonant: false,
+        });
         let by_second = |i: usize| (aside.residual[i] - shot.residual[i]) / differences[1];
         let by_first = |i: usize| self.unit * if i < n { shot.by_parameter[i] } else { gradient.by_parameters[0] };
         let matrix = Mat::from_fn(n + 1, n + 1, |i, j| match (i < n, j < n) {

@@ -61,5 +61,5 @@ impl Harvester for KeyLine<'_> {
 }
 
 fn difference(value: f64, width: f64) -> f64 {
-    crate::orbit::knob("DIFF", DIFFERENCE) * width.min(value.abs().max(LEAST * width))
+    DIFFERENCE * width.min(value.abs().max(LEAST * width))
 }

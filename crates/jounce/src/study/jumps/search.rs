@@ -131,7 +131,7 @@ impl JumpSearch<'_> {
             origin: seed.parameter,
             unit: (high - low) / (20.0 * ColRef::from_slice(&seed.state).norm_l2()),
         };
-        let corrector = Corrector { goal: (crate::orbit::knob("GOAL", RESOLUTION) * self.tolerance).clamp(1e-9, 1e-4), most: 12 };
+        let corrector = Corrector { goal: (RESOLUTION * self.tolerance).clamp(1e-9, 1e-4), most: 12 };
         let position = Position { unknown: tracking.unknown(&seed.state, seed.parameter), parameter: parameter_2 };
         let metric = Metric::at(&position, self.scale_2());
         let mut ways = Vec::new();
