@@ -29,7 +29,7 @@ impl Pair {
         let overlap = left.transpose() * &right;
         // W = U (V' U)^-1, so that W' V = I.
         let left = overlap.partial_piv_lu().solve(left.transpose()).transpose().to_owned();
-        let found = &left.transpose() * map * &right;
+        let found = left.transpose() * map * &right;
         let block = [0, 1].map(|i| [0, 1].map(|j| found[(i, j)]));
         let is_finite = block.iter().flatten().all(|entry| entry.is_finite());
         is_finite.then_some(Self { is_complex: values[0].im != 0.0, right, left, block })
