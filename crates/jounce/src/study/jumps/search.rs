@@ -187,11 +187,17 @@ impl JumpSearch<'_> {
                 break;
             }
             if let Some(edge) = self.edge_between(tracking, &before, &step.position) {
-                curve.points.extend(self.cut(tracking, corrector, (&before, &step.position), edge).map(|found| {
-                    let mut found = point(&found.position, &found.local);
-                    *(if edge.is_first { &mut found.parameter } else { &mut found.parameter_2 }) = edge.value;
-                    found
-                }));
+                if edge.share < ON_EDGE {
+                    break;
+                }
+                match self.cut(tracking, corrector, (&before, &step.position), edge) {
+                    Some(found) => {
+                        let mut found = point(&found.position, &found.local);
+                        *(if edge.is_first { &mut found.parameter } else { &mut found.parameter_2 }) = edge.value;
+                        curve.points.push(found);
+                    }
+                    None => curve.failures.push(format!("just before the edge of the range, at {}", before.parameter)),
+                }
                 break;
             }
             curve.points.push(point(&step.position, &step.local));
@@ -220,7 +226,7 @@ impl JumpSearch<'_> {
         [passed(0), passed(1)].into_iter().flatten().min_by(|a, b| a.share.total_cmp(&b.share))
     }
 
-    /// The point exactly on an edge; none where the way starts on it.
+    /// The point exactly on an edge.
     fn cut(
         &self,
         tracking: &Tracking<KeyPlane>,
@@ -228,9 +234,6 @@ impl JumpSearch<'_> {
         (before, outside): (&Position, &Position),
         edge: Edge,
     ) -> Option<Corrected<Tracked>> {
-        if edge.share < ON_EDGE {
-            return None;
-        }
         let mut guess = before.moved(&before.to(outside), edge.share);
         if !edge.is_first {
             guess.parameter = edge.value;
