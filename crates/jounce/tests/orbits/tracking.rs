@@ -6,7 +6,7 @@ use jounce::march::Marcher;
 use jounce::orbit::{Condition, Harvester, Plane, Shooting, Tracking};
 use jounce::plant::{PlantError, System};
 use jounce::reference::ImpactOscillator;
-use jounce::study::{BranchKind, CurveKind, JumpSearch, Method, Prepared};
+use jounce::study::{BranchKind, CurveKind, JumpCurve, JumpSearch, Method, Prepared};
 use std::f64::consts::TAU;
 
 const CORRECTOR: Corrector = Corrector { goal: 1e-10, most: 20 };
@@ -28,7 +28,7 @@ impl Plane for Gaps {
         Ok(Systems(Box::new(move |gap| oscillator(gap, frequency_ratio).system(angle_rad))))
     }
 
-    fn differences(&self) -> [f64; 2] {
+    fn differences(&self, _at: [f64; 2]) -> [f64; 2] {
         [1e-6, 1e-6]
     }
 }
@@ -122,4 +122,65 @@ fn folds_tori_and_grazings_over_the_amplitude_are_those_along_the_frequency() {
         let amplitude_m = base.kernel.plant.with_drives(drives).unwrap().ports[0].steady_m[0].norm();
         assert!((amplitude_m / 1e-3 - 1.0).abs() < 1e-6, "{point:?}: {amplitude_m}");
     }
+}
+
+/// The upper fold of the paper's harvester over the stiffness of its stop, against the folds along the frequency at fixed stiffness.
+#[test]
+fn the_fold_over_the_stiffness_is_whole_and_the_same_at_each_tolerance() {
+    let range = (10.5, 14.0);
+    let curve = |tolerance: f64| {
+        let file = bench();
+        let base = Prepared::new(file.spec().unwrap()).unwrap();
+        let keys = ["drive.shaker.frequency", "stop.tip.stiffness"].map(|key| file.numeric_key(key).unwrap());
+        let ranges = [range, (400.0, 2000.0)];
+        let search = JumpSearch { base: &base, keys: [&keys[0], &keys[1]], ranges, tolerance, seeds: 0, longest_period: 1, peaks: false };
+        let upper = |curve: &JumpCurve| {
+            let top_w = curve.points.iter().map(|point| point.mean_power_w).fold(0.0, f64::max);
+            curve.kind == CurveKind::Bifurcation(BranchKind::Fold) && top_w > 1e-3
+        };
+        let mut found: Vec<JumpCurve> = search.run().unwrap().into_iter().filter(upper).collect();
+        assert_eq!(found.len(), 1, "at tolerance {tolerance:e}");
+        found.pop().unwrap()
+    };
+    let curves = [1e-8, 1e-9, 1e-10].map(|tolerance| (tolerance, curve(tolerance)));
+    for (tolerance, curve) in &curves {
+        eprintln!("tolerance {tolerance:e}: {} points, {:?}", curve.points.len(), curve.failures);
+        assert!(curve.failures.is_empty() && (20..150).contains(&curve.points.len()), "{tolerance:e}");
+    }
+    for stiffness in [400.0, 850.0, 1000.0, 2000.0] {
+        let mut changed = bench();
+        changed.set("stop.tip.stiffness", &format!("\"{stiffness} N/m^1.5\"")).unwrap();
+        let along = branches(&changed, range, Method::Shooting, 0);
+        let folds = along.iter().flat_map(|branch| &branch.bifurcations).filter(|found| found.kind == BranchKind::Fold);
+        let fold = folds.max_by(|a, b| a.at.orbit.mean_power_w.total_cmp(&b.at.orbit.mean_power_w)).unwrap();
+        for (tolerance, curve) in &curves {
+            let crossings = curve.crossings(stiffness);
+            let distance = crossings.iter().map(|(hz, _)| (hz - fold.at.parameter).abs()).fold(f64::INFINITY, f64::min);
+            eprintln!("{stiffness} N/m^1.5, tolerance {tolerance:e}: {:.6} Hz along the branch, {distance:.1e} Hz away", fold.at.parameter);
+            // The ends of the range and the spec's own value are points of the curve; 850 lies between two, on their chord.
+            let allowed = if stiffness == 850.0 { 2e-3 } else { 10.0 * tolerance.max(1e-7) };
+            assert!(distance < allowed, "{distance:e}");
+        }
+    }
+}
+
+/// A curve that leaves the range of the first key ends on its edge, and a seed on an edge of the second is one point.
+#[test]
+fn curves_are_cut_on_the_edges_of_both_ranges() {
+    let file = bench();
+    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let keys = ["drive.shaker.frequency", "drive.shaker.amplitude"].map(|key| file.numeric_key(key).unwrap());
+    let ranges = [(12.0, 12.33), (47.0, 55.0)];
+    let search = JumpSearch { base: &base, keys: [&keys[0], &keys[1]], ranges, tolerance: 1e-9, seeds: 0, longest_period: 1, peaks: false };
+    let curves = search.run().unwrap();
+    let fold = curves.iter().find(|curve| curve.kind == CurveKind::Bifurcation(BranchKind::Fold)).unwrap();
+    assert!(fold.failures.is_empty(), "{:?}", fold.failures);
+    let ends = [&fold.points[0], &fold.points[fold.points.len() - 1]];
+    for end in ends {
+        eprintln!("{:.9} Hz, {:.6} N", end.parameter, end.parameter_2);
+        let is_edge = [12.0, 12.33].contains(&end.parameter) || [47.0, 55.0].contains(&end.parameter_2);
+        assert!(is_edge, "{end:?}");
+    }
+    assert!(ends.iter().any(|end| end.parameter == 12.33), "{ends:?}");
+    assert!(fold.points.windows(2).all(|pair| pair[0] != pair[1]));
 }

@@ -9,7 +9,7 @@ use crate::orbit::Shot;
 pub enum Condition {
     /// A multiplier of this value: +1 at a fold, -1 at a doubling.
     Multiplier(f64),
-    /// A complex pair of multipliers on the unit circle.
+    /// A complex pair of multipliers on the unit circle; past a strong resonance two real ones whose product is one.
     Circle,
     /// A turning point of the port on the surface of the stop.
     Touching,
@@ -28,6 +28,8 @@ pub struct Gradient {
     pub by_parameters: [f64; 2],
     /// At a peak, second derivative of the power along the curve, beside the power: negative at a maximum.
     pub bend: Option<f64>,
+    /// True where a pair on the circle has met on the real axis.
+    pub is_resonant: bool,
 }
 
 impl Condition {

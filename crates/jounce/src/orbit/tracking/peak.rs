@@ -13,15 +13,13 @@
 use super::condition::Gradient;
 use super::plane::Plane;
 use super::tracked::Tracking;
+use crate::continuation::Family;
 use crate::orbit::border::solve_bordered;
 use crate::orbit::{Harvester, OrbitError, Shot, null_vector};
 use faer::{ColRef, Mat};
 
 /// Width of the difference along the curve, beside the size of the state.
 const WIDTH: f64 = 3e-3;
-
-/// Way to the neighbouring curve, in differences of the second parameter.
-const ASIDE: f64 = 1e2;
 
 /// The line through a place, linearised.
 struct Tangent {
@@ -32,10 +30,10 @@ struct Tangent {
 }
 
 impl Tangent {
-    fn of(shot: &Shot, ahead: &Shot, difference: f64, unit: f64) -> Option<Self> {
+    fn of(shot: &Shot, unit: f64) -> Option<Self> {
         let n = shot.residual.len();
         let matrix = Mat::from_fn(n, n, |i, j| shot.map[(i, j)] - f64::from(u8::from(i == j)));
-        let column: Vec<f64> = (0..n).map(|i| unit * (ahead.residual[i] - shot.residual[i]) / difference).collect();
+        let column: Vec<f64> = shot.by_parameter.iter().map(|by| unit * by).collect();
         let square = Mat::from_fn(n + 1, n + 1, |i, j| match (i < n, j < n) {
             (true, true) => matrix[(i, j)],
             (true, false) => column[i],
@@ -65,17 +63,17 @@ fn power_w(shot: &Shot) -> f64 {
 type Failure<P> = OrbitError<<<P as Plane>::Line as Harvester>::Error>;
 
 impl<P: Plane> Tracking<'_, P> {
-    /// `g` with its gradient on the surface of orbits; `ahead` and `aside` are shots at parameters moved by the differences of the plane.
+    /// `g` with its gradient on the surface of orbits; `aside` is a shot at the second parameter moved by the difference of the plane.
     pub(super) fn peak(
         &self,
         (start, parameter, parameter_2): (&[f64], f64, f64),
         line: &P::Line,
         shot: &Shot,
-        [ahead, aside]: [&Shot; 2],
+        aside: &Shot,
     ) -> Result<Option<Gradient>, Failure<P>> {
-        let differences = self.plane.differences();
+        let difference = self.plane.differences([parameter, parameter_2])[1];
         let n = start.len();
-        let Some(tangent) = Tangent::of(shot, ahead, differences[0], self.unit) else { return Ok(None) };
+        let Some(tangent) = Tangent::of(shot, self.unit) else { return Ok(None) };
         let (size, own_w) = (ColRef::from_slice(start).norm_l2(), power_w(shot));
         let width = WIDTH * size;
         let here = (start, parameter);
@@ -89,8 +87,8 @@ impl<P: Plane> Tracking<'_, P> {
         let bent_w = power_w(&self.shoot_off(line, here, &bend, 1.0)?);
         let second = power_w(&after) + power_w(&before) - 2.0 * own_w + 2.0 * (bent_w - own_w);
         let per_length = second / (width * width) * size / own_w;
-        let step = ASIDE * differences[1];
-        let right: Vec<f64> = (0..n).map(|i| -(aside.residual[i] - shot.residual[i]) / differences[1]).collect();
+        let step = difference;
+        let right: Vec<f64> = (0..n).map(|i| -(aside.residual[i] - shot.residual[i]) / difference).collect();
         let Some(to_side) = tangent.across(&right) else { return Ok(None) };
         let there = self.slope_aside((start, parameter, parameter_2), &tangent.along, &to_side, step)?;
         let Some(there) = there else { return Ok(None) };
@@ -99,6 +97,7 @@ impl<P: Plane> Tracking<'_, P> {
             by_unknown: tangent.along[..n].iter().map(|t| per_length * t).collect(),
             by_parameters: [per_length * tangent.along[n] / self.unit, (there - near / (2.0 * width) * size / own_w) / step],
             bend: Some(per_length * size),
+            is_resonant: false,
         }))
     }
 
@@ -121,11 +120,8 @@ impl<P: Plane> Tracking<'_, P> {
         let line = self.plane.line(parameter_2 + step).map_err(OrbitError::Harvester)?;
         let there: Vec<f64> = start.iter().zip(to_side).map(|(u, d)| u + step * d).collect();
         let parameter = parameter + step * self.unit * to_side[n];
-        let difference = self.plane.differences()[0];
-        let shooting = self.shooting(&line);
-        let (shot, _) = shooting.shoot(&there, parameter)?;
-        let (ahead, _) = shooting.shoot(&there, parameter + difference)?;
-        let Some(tangent) = Tangent::of(&shot, &ahead, difference, self.unit) else { return Ok(None) };
+        let shot = self.shooting(&line).at(&there, parameter)?;
+        let Some(tangent) = Tangent::of(&shot, self.unit) else { return Ok(None) };
         let sense: f64 = tangent.along.iter().zip(along).map(|(a, b)| a * b).sum();
         let size = ColRef::from_slice(start).norm_l2();
         let width = WIDTH * size;

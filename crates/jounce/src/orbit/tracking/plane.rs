@@ -13,6 +13,6 @@ pub trait Plane: Sync {
     /// A value that is not allowed.
     fn line(&self, parameter_2: f64) -> Result<Self::Line, <Self::Line as Harvester>::Error>;
 
-    /// Lengths of differences of the two parameters.
-    fn differences(&self) -> [f64; 2];
+    /// Lengths of differences of the two parameters, at their values.
+    fn differences(&self, at: [f64; 2]) -> [f64; 2];
 }

@@ -25,7 +25,7 @@ pub fn gradient(
     let by_unknown = past_by_unknown(shot, turn, scale, tolerance)?.into_iter().map(|by| by / scale_m).collect();
     let [Some(first), Some(second)] = [distance(aside[0]), distance(aside[1])] else { return Ok(None) };
     let by_parameters = [(first - value) / differences[0], (second - value) / differences[1]];
-    Ok(Some(Gradient { value, by_unknown, by_parameters, bend: None }))
+    Ok(Some(Gradient { value, by_unknown, by_parameters, bend: None, is_resonant: false }))
 }
 
 /// Derivative of the distance at a turning point by the state at the start of the period, m.
