@@ -125,3 +125,17 @@ fn test<M: OrbitMethod>(method: &M, passed: Passed, step: &Step<M::Local>, befor
         _ => determinant_at(map, 1.0) * step.tangent.parameter.signum(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 18 contacts before and 16 after: one goes, then another.
+    #[test]
+    fn two_contacts_that_go_in_one_step_are_two_grazings() {
+        let [one, two] = [18, 16].map(|contacts| Orbit { contacts, ..Orbit::of_cycles(11) });
+        let grazing = |fewer| Passed { kind: BranchKind::Grazing, fewer };
+        assert_eq!(passed(&one, &two, false), [grazing(16), grazing(17)]);
+        assert_eq!(passed(&two, &one, false), [grazing(16), grazing(17)]);
+    }
+}
