@@ -12,6 +12,7 @@ mod duffing;
 mod hard_cases;
 mod harvesters;
 mod isolated;
+mod labels;
 mod open_patch;
 mod oscillators;
 mod paper;

@@ -115,7 +115,10 @@ impl<'s> BandwidthSearch<'s> {
             [true, true] => {}
             [false, false] => return None,
             _ if points.iter().all(|point| point.orbit.mean_power_w < low_w) => return None,
-            [first, _] => segment.ends[usize::from(first)] = self.stability_edge(&segment, if first { -SIDE } else { SIDE })?,
+            [first, _] => {
+                let found = self.stability_edge(&segment, if first { -SIDE } else { SIDE });
+                segment.ends[usize::from(first)] = found.unwrap_or_else(|| segment.lost(usize::from(!first)));
+            }
         }
         Some(segment)
     }
@@ -203,6 +206,14 @@ impl Segment<'_> {
             shared.is_some_and(|shared| other.ends[1 - shared].power_w > power_w)
         };
         (!all.iter().any(rises)).then_some(power_w)
+    }
+
+    /// Where stability is lost beyond a stable end, known to the width of the piece only: the curve between its points cannot be had.
+    fn lost(&self, stable: usize) -> Node {
+        let [a, b] = self.points;
+        let parameter_error = (b.parameter - a.parameter).abs();
+        let edge = Edge { parameter: self.points[stable].parameter, parameter_error, at: Limit::Stability };
+        Node { edge, ..self.ends[stable] }
     }
 
     /// Half power by the line between the ends, where the curve between them cannot be had.

@@ -1,22 +1,18 @@
 //! Follows one branch from one of its orbits, and names what it passes.
 
 use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
+use super::edge::Leaving;
 use super::finer::SPARE;
 use super::free::Left;
-use crate::continuation::{
-    Corrected, Corrector, Direction, Mark, Metric, Position, Step, StepControl, Walk, locate, passes, settle, tangent,
-};
-use crate::orbit::{Orbit, OrbitMethod, determinant_at, multipliers, nearest_pair_to_circle, pairs_outside};
+use super::passed::{add_passed, drop_doubling};
+use crate::continuation::{Corrected, Corrector, Direction, Mark, Metric, Position, Step, StepControl, Walk, passes, settle, tangent};
+use crate::orbit::OrbitMethod;
 
 /// Distance from the stop, beside the size of the motion, below which an orbit touches it.
 const GRAZES: f64 = 1e-6;
 
 /// Length in the metric to which a bifurcation is located, where nothing else is asked.
 pub(super) const RESOLUTION: f64 = 1e-8;
-
-/// Distance from an end of the range, beside its width, at which a branch that goes there has come to it: steps are relative to the size
-/// of the answer, so that none of them would reach a drive of amplitude zero.
-const AT_EDGE: f64 = 1e-9;
 
 /// How branches are followed.
 #[derive(Debug, Clone, Copy)]
@@ -125,8 +121,15 @@ impl Following {
                 // Beyond the range a key may have no meaning at all.
                 Err(error) => return self.give_up(method, before, error.to_string(), branch),
             };
-            if self.leaves_range(method, &before, &step, branch)? {
-                return Ok(());
+            match self.leaves_range(method, &before, &step, branch)? {
+                Leaving::Stays => {}
+                Leaving::Left => return Ok(()),
+                Leaving::Lost if walk.retreat(mark.clone()) => continue,
+                Leaving::Lost => {
+                    let why = "beyond it the branch leaves the range, and no orbit was found on the edge: give a wider range".to_owned();
+                    branch.endings.push(Ending::Failed { why, parameter: before.point.parameter });
+                    return Ok(());
+                }
             }
             let step = self.polished(method, step)?;
             if let Some((finer, start)) = self.finer(method, &step, &before.step)? {
@@ -139,19 +142,25 @@ impl Following {
                 if walk.retreat(mark.clone()) {
                     continue;
                 }
-                branch.endings.push(Ending::Merged);
+                end(Ending::Merged, branch);
                 return Ok(());
             }
             for after in places {
                 beginning.left = Left::between(&before.point, &after.point, branch).or(beginning.left);
-                branch.bifurcations.extend(self.between(method, &before, &after)?);
+                let home = self.home(&beginning, &before, &after, branch.points.len() + 1);
+                branch.bifurcations.extend(match home {
+                    // What lies beyond its start was told when it set out.
+                    Some(origin) => self.until(method, (&before, &after), origin)?,
+                    None => self.between(method, &before, &after)?,
+                });
                 branch.points.push(after.point.clone());
                 if let Some((left, back_at)) = beginning.left.and_then(|left| Some((left, left.comes_back(branch)?))) {
                     left.end(branch, back_at);
                     return Ok(());
                 }
-                if let Some(ending) = self.ending(&beginning, &before, &after, branch.points.len()) {
-                    branch.endings.push(ending);
+                let ending = if home.is_some() { Some(Ending::Closed) } else { self.ending(&before, &after, branch.points.len()) };
+                if let Some(ending) = ending {
+                    end(ending, branch);
                     return Ok(());
                 }
                 before = after;
@@ -162,31 +171,6 @@ impl Following {
             }
         }
         Ok(())
-    }
-
-    /// Ends a branch whose walk has come to the end of the range.
-    fn leaves_range<M: OrbitMethod>(
-        &self,
-        method: &M,
-        before: &Place<M>,
-        step: &Step<M::Local>,
-        branch: &mut Branch,
-    ) -> Result<bool, M::Error> {
-        if step.position.parameter < self.range.0 || step.position.parameter > self.range.1 {
-            self.cut(method, before, step, branch)?;
-        } else if self.is_at_edge(&step.position, &step.tangent) {
-            branch.points.push(point(method, step)?);
-        } else {
-            return Ok(false);
-        }
-        branch.endings.push(Ending::Range);
-        Ok(true)
-    }
-
-    /// True where a walk in a direction has come as near to the end of the range as matters.
-    fn is_at_edge(&self, position: &Position, tangent: &Direction) -> bool {
-        let edge = if tangent.parameter < 0.0 { self.range.0 } else { self.range.1 };
-        (position.parameter - edge).abs() < AT_EDGE * (self.range.1 - self.range.0)
     }
 
     /// Ends a branch that cannot be followed: at a grazing where the orbit touches the stop there, for on a stiff stop a branch turns
@@ -203,31 +187,22 @@ impl Following {
         Ok(())
     }
 
-    /// The last point, exactly on the edge of the range.
-    fn cut<M: OrbitMethod>(&self, method: &M, before: &Place<M>, outside: &Step<M::Local>, branch: &mut Branch) -> Result<(), M::Error> {
-        let edge = if outside.position.parameter < self.range.0 { self.range.0 } else { self.range.1 };
-        let from = &before.step.position;
-        let t = (edge - from.parameter) / (outside.position.parameter - from.parameter);
-        let unknown = from.unknown.iter().zip(&outside.position.unknown).map(|(a, b)| a + t * (b - a)).collect();
-        let guess = Position { unknown, parameter: edge };
-        let metric = Metric::at(&guess, self.parameter_scale());
-        if let Ok(found) = settle(method, &self.corrector, &metric, guess) {
-            let step = Step { position: found.position, tangent: outside.tangent.clone(), local: found.local, error: found.error };
-            let after = Place::new(method, step)?;
-            branch.bifurcations.extend(self.between(method, before, &after)?);
-            branch.points.push(after.point);
-        }
-        Ok(())
-    }
-
-    fn ending<M: OrbitMethod>(&self, beginning: &Beginning, before: &Place<M>, after: &Place<M>, points: usize) -> Option<Ending> {
+    /// The place of its start that a branch passes on a step.
+    fn home<'b, M: OrbitMethod>(
+        &self,
+        beginning: &'b Beginning,
+        before: &Place<M>,
+        after: &Place<M>,
+        points: usize,
+    ) -> Option<&'b Position> {
         let metric = Metric::at(&after.step.position, self.parameter_scale());
         // Another sheet of the curve may pass near by, in the other sense.
         let goes_alike = beginning.sense * after.step.tangent.parameter > 0.0;
-        let closes = |origin| passes(&metric, origin, &before.step.position, &after.step.position);
-        if points > 4 && goes_alike && beginning.origins.iter().any(closes) {
-            return Some(Ending::Closed);
-        }
+        let closes = |origin: &&Position| passes(&metric, origin, &before.step.position, &after.step.position);
+        if points > 4 && goes_alike { beginning.origins.iter().find(closes) } else { None }
+    }
+
+    fn ending<M: OrbitMethod>(&self, before: &Place<M>, after: &Place<M>, points: usize) -> Option<Ending> {
         // The halves of a doubled orbit pass through each other where it merges with the branch that it left.
         if let (Some(a), Some(b)) = (before.point.orbit.halves_apart(), after.point.orbit.halves_apart()) {
             let product: f64 = a.iter().zip(&b).map(|(a, b)| a * b).sum();
@@ -237,27 +212,13 @@ impl Following {
         }
         (points >= self.most_points).then_some(Ending::Points)
     }
+}
 
-    /// Everything that happens between two points.
-    pub(super) fn between<M: OrbitMethod>(&self, method: &M, a: &Place<M>, b: &Place<M>) -> Result<Vec<Bifurcation>, M::Error> {
-        let (one, two) = (&a.point.orbit, &b.point.orbit);
-        let turns = a.step.tangent.parameter * b.step.tangent.parameter < 0.0;
-        let mut found = Vec::new();
-        for kind in kinds(one, two, turns) {
-            let value = |step: &Step<M::Local>| test(method, kind, step, one, two);
-            let place = locate(method, &self.corrector, self.parameter_scale(), (&a.step, &b.step), self.resolution, value);
-            let Some(place) = place else { continue };
-            let at = point(method, &place)?;
-            // Two real multipliers that meet outside the circle are no torus.
-            let on_circle = at.orbit.multipliers.iter().any(|value| value.im > 1e-9 && (value.norm() - 1.0).abs() < 1e-4);
-            if kind != BranchKind::NeimarkSacker || on_circle {
-                found.push(Bifurcation { kind, at });
-            }
-        }
-        let forward = b.step.position.parameter >= a.step.position.parameter;
-        found.sort_by(|x, y| if forward { x.at.parameter.total_cmp(&y.at.parameter) } else { y.at.parameter.total_cmp(&x.at.parameter) });
-        Ok(found)
+fn end(ending: Ending, branch: &mut Branch) {
+    if ending == Ending::Merged {
+        drop_doubling(branch);
     }
+    branch.endings.push(ending);
 }
 
 /// How a walk began.
@@ -285,51 +246,8 @@ impl Beginning {
     }
 }
 
-/// What must lie between two orbits of a branch that turns between them, or does not.
-/// Adds what was passed between the last point of a branch and another one: where a bifurcation lies nearer than the accuracy, the other
-/// method may have the place on its other side.
-fn add_passed(turns: bool, at: &BranchPoint, branch: &mut Branch) {
-    let Some(last) = branch.points.last() else { return };
-    let passed = kinds(&last.orbit, &at.orbit, turns);
-    branch.bifurcations.extend(passed.into_iter().map(|kind| Bifurcation { kind, at: at.clone() }));
-}
-
-fn kinds(one: &Orbit, two: &Orbit, turns: bool) -> Vec<BranchKind> {
-    let passes = |s: f64| one.determinant_at(s) * two.determinant_at(s) < 0.0;
-    let found = [
-        (BranchKind::Fold, turns),
-        (BranchKind::BranchPoint, passes(1.0) != turns),
-        (BranchKind::PeriodDoubling, passes(-1.0)),
-        (BranchKind::NeimarkSacker, one.pairs_outside() != two.pairs_outside()),
-        (BranchKind::Grazing, one.contacts != two.contacts),
-    ];
-    found.into_iter().filter(|(_, is_there)| *is_there).map(|(kind, _)| kind).collect()
-}
-
-fn point<M: OrbitMethod>(method: &M, step: &Step<M::Local>) -> Result<BranchPoint, M::Error> {
+/// The point of a branch at a step.
+pub(super) fn point<M: OrbitMethod>(method: &M, step: &Step<M::Local>) -> Result<BranchPoint, M::Error> {
     let orbit = method.orbit(&step.local, step.error)?;
     Ok(BranchPoint { parameter: step.position.parameter, orbit })
-}
-
-/// The function of the curve that is zero at a bifurcation, for two points on its two sides.
-fn test<M: OrbitMethod>(method: &M, kind: BranchKind, step: &Step<M::Local>, before: &Orbit, after: &Orbit) -> f64 {
-    if kind == BranchKind::Fold {
-        return step.tangent.parameter;
-    }
-    if kind == BranchKind::Grazing {
-        let fewer = before.contacts.min(after.contacts);
-        let distance = method.nearest_extremum_m(&step.local).ok().flatten().map_or(0.0, f64::abs);
-        return if method.contacts(&step.local).is_ok_and(|contacts| contacts <= fewer) { -distance } else { distance };
-    }
-    let Ok(map) = method.map(&step.local) else { return 0.0 };
-    match kind {
-        BranchKind::PeriodDoubling => determinant_at(map, -1.0),
-        BranchKind::NeimarkSacker => {
-            // The count decides on the sign: where real multipliers meet on the way, that of any product says nothing.
-            let Some(values) = multipliers(map) else { return 0.0 };
-            let distance = nearest_pair_to_circle(&values);
-            if pairs_outside(&values) == before.pairs_outside() { -distance } else { distance }
-        }
-        _ => determinant_at(map, 1.0) * step.tangent.parameter.signum(),
-    }
 }
