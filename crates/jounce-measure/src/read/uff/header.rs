@@ -111,7 +111,8 @@ const LABEL: usize = 20;
 
 /// A label that fills its columns was cut there: the fourth line may hold the whole name, as what jounce writes does.
 fn uncut(axis: Axis, whole: &str) -> Axis {
-    let cut = axis.label.chars().count() == LABEL && whole.starts_with(&axis.label);
+    let kept: String = whole.chars().take(LABEL).collect();
+    let cut = whole.chars().count() > LABEL && kept.trim_end() == axis.label;
     if cut { Axis { label: whole.to_owned(), ..axis } } else { axis }
 }
 

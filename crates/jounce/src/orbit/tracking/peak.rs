@@ -21,6 +21,9 @@ use faer::{ColRef, Mat};
 /// Width of the difference along the curve, beside the size of the state.
 const WIDTH: f64 = 3e-3;
 
+/// Way to the neighbouring curve, in differences of the second parameter.
+const ASIDE: f64 = 10.0;
+
 /// The line through a place, linearised.
 struct Tangent {
     matrix: Mat<f64>,
@@ -87,7 +90,7 @@ impl<P: Plane> Tracking<'_, P> {
         let bent_w = power_w(&self.shoot_off(line, here, &bend, 1.0)?);
         let second = power_w(&after) + power_w(&before) - 2.0 * own_w + 2.0 * (bent_w - own_w);
         let per_length = second / (width * width) * size / own_w;
-        let step = difference;
+        let step = ASIDE * difference;
         let right: Vec<f64> = (0..n).map(|i| -(aside.residual[i] - shot.residual[i]) / difference).collect();
         let Some(to_side) = tangent.across(&right) else { return Ok(None) };
         let there = self.slope_aside((start, parameter, parameter_2), &tangent.along, &to_side, step)?;

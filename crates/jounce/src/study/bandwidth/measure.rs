@@ -56,6 +56,9 @@ struct Segment<'b> {
     ends: [Node; 2],
 }
 
+/// Part of the key's way from a stable end to an unstable one in which stability is lost hard by the former.
+const HARD_BY: f64 = 0.01;
+
 /// The stable part of a branch with its peak.
 struct Stable<'b> {
     segments: Vec<Segment<'b>>,
@@ -117,7 +120,9 @@ impl<'s> BandwidthSearch<'s> {
             _ if points.iter().all(|point| point.orbit.mean_power_w < low_w) => return None,
             [first, _] => {
                 let found = self.stability_edge(&segment, if first { -SIDE } else { SIDE });
-                segment.ends[usize::from(first)] = found.unwrap_or_else(|| segment.lost(usize::from(!first)));
+                let lost = found.unwrap_or_else(|| segment.lost(usize::from(!first)));
+                segment.ends[usize::from(first)] = lost;
+                segment.turn_back(usize::from(!first), lost.edge);
             }
         }
         Some(segment)
@@ -214,6 +219,17 @@ impl Segment<'_> {
         let parameter_error = (b.parameter - a.parameter).abs();
         let edge = Edge { parameter: self.points[stable].parameter, parameter_error, at: Limit::Stability };
         Node { edge, ..self.ends[stable] }
+    }
+
+    /// Where stability is lost at a fold hard by the stable end, the key may go farther at that end, by less than both are known: then that is
+    /// where the stable part ends.
+    fn turn_back(&mut self, stable: usize, lost: Edge) {
+        let [own, other] = [self.points[stable].parameter, self.points[1 - stable].parameter];
+        let way = (own - lost.parameter).abs();
+        if way < HARD_BY * (other - lost.parameter).abs() {
+            let parameter_error = lost.parameter_error + way;
+            self.ends[stable].edge = Edge { parameter: own, parameter_error, at: Limit::Stability };
+        }
     }
 
     /// Half power by the line between the ends, where the curve between them cannot be had.

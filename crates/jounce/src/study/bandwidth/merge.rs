@@ -1,6 +1,6 @@
 //! Ranges that overlap or touch become one.
 
-use super::answer::{Bandwidth, Interval, Peak};
+use super::answer::{Bandwidth, Edge, Interval, Limit, Peak};
 
 /// The bandwidth of some ranges in any order.
 pub fn merged(peak: Peak, mut ranges: Vec<Interval>) -> Bandwidth {
@@ -9,8 +9,13 @@ pub fn merged(peak: Peak, mut ranges: Vec<Interval>) -> Bandwidth {
     for range in ranges {
         match intervals.last_mut() {
             Some(last) if range.from.parameter <= last.to.parameter => {
-                if range.to.parameter > last.to.parameter {
+                // Points inside a branch, which know of no limit, give way to what limits it there.
+                let knows = |own: &Edge, other: &Edge| own.parameter == other.parameter && other.at == Limit::End;
+                if range.to.parameter > last.to.parameter || knows(&range.to, &last.to) {
                     last.to = range.to;
+                }
+                if knows(&range.from, &last.from) {
+                    last.from = range.from;
                 }
             }
             _ => intervals.push(range),
@@ -23,7 +28,6 @@ pub fn merged(peak: Peak, mut ranges: Vec<Interval>) -> Bandwidth {
 
 #[cfg(test)]
 mod tests {
-    use super::super::answer::{Edge, Limit};
     use super::*;
 
     #[test]

@@ -9,7 +9,7 @@ use crate::study::{Parameter, Prepared, StudyError};
 const DIFFERENCE: f64 = 1e-5;
 
 /// Length of a difference of the residual alone, beside the range of the key.
-const RESIDUAL: f64 = 1e-7;
+const RESIDUAL: f64 = 1e-6;
 
 /// Least value beside the range that counts as a length of its own.
 const LEAST: f64 = 1e-3;
