@@ -125,8 +125,28 @@ impl Trajectory {
 
     /// States at ascending times; times outside the record are taken from its nearest segment.
     pub fn at(&self, kernel: &Kernel, times_s: &[f64]) -> Vec<Instant> {
-        let mut made: HashMap<(u64, usize, Shape, usize), Vec<Answers>> = HashMap::new();
         let mut instants = Vec::with_capacity(times_s.len());
+        self.each(kernel, times_s, |own, regime, mut instant| {
+            if regime != 0 {
+                let physical = own.plant.to_physical(&instant.state, instant.time_s);
+                instant.state = kernel.plant.from_physical(&physical, instant.time_s);
+            }
+            instants.push(instant);
+        });
+        instants
+    }
+
+    /// One number of the physical state `(q, q', V, i)` at ascending times. Where diodes conduct it does not pass through the coordinates of
+    /// blocked ones, in which fast diodes leave few digits.
+    pub fn physical_at(&self, kernel: &Kernel, times_s: &[f64], place: usize) -> Vec<f64> {
+        let mut values = Vec::with_capacity(times_s.len());
+        self.each(kernel, times_s, |own, _, instant| values.push(own.plant.to_physical(&instant.state, instant.time_s)[place]));
+        values
+    }
+
+    /// Visits the states at ascending times, each in the coordinates of its regime.
+    fn each(&self, kernel: &Kernel, times_s: &[f64], mut visit: impl FnMut(&Kernel, usize, Instant)) {
+        let mut made: HashMap<(u64, usize, Shape, usize), Vec<Answers>> = HashMap::new();
         let mut index = 0;
         for &time_s in times_s {
             while index + 1 < self.segments.len() && self.segments[index + 1].start_s <= time_s {
@@ -147,12 +167,8 @@ impl Trajectory {
                 };
                 segment.add(own, force, answers, &mut instant);
             }
-            if segment.regime != 0 {
-                instant.state = kernel.plant.from_physical(&own.plant.to_physical(&instant.state, time_s), time_s);
-            }
-            instants.push(instant);
+            visit(own, segment.regime, instant);
         }
-        instants
     }
 }
 

@@ -46,8 +46,10 @@ const KRONROD: [(f64, f64, f64); 8] = [
     (0.0, 0.209_482_141_084_727_82, 0.417_959_183_673_469_4),
 ];
 
-/// Relative difference of the two rules at which a panel is accepted.
+/// Relative difference of the two rules at which a panel is accepted, ...
 const AGREED: f64 = 1e-12;
+/// ... and how much more of it each halving lets pass: what a small piece leaves counts less, and roundoff ends the halving.
+const MORE: f64 = 8.0;
 /// Most halvings of a panel.
 const MOST_HALVINGS: usize = 12;
 /// Each piece of a step is this many times as long as what lies before it.
@@ -69,10 +71,7 @@ pub fn charges(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) -> Vec<Charg
             continue;
         }
         let place = 2 * plant.system.modes.len() + node;
-        let voltages = |times_s: &[f64]| -> Vec<f64> {
-            let instants = answer.trajectory.at(kernel, times_s);
-            instants.iter().map(|at| plant.to_physical(&at.state, at.time_s)[place]).collect()
-        };
+        let voltages = |times_s: &[f64]| answer.trajectory.physical_at(kernel, times_s, place);
         let flux_v_s = integral(panels(kernel, answer, from_s, plan.duration_s), voltages);
         let kept_v = answer.end.voltage_v[node] - voltages(&[from_s]).first().copied().unwrap_or(f64::NAN);
         let passed_c = answer.rectified[k].mean_current_a * plan.average_over_s;
@@ -120,12 +119,13 @@ fn integral(mut panels: Vec<(f64, f64)>, values: impl Fn(&[f64]) -> Vec<f64>) ->
             panels.iter().flat_map(|(start, length)| places.iter().map(move |(x, ..)| start + 0.5 * length * (1.0 + x))).collect();
         let found = values(&times);
         let mut rough = Vec::new();
+        let agreed = AGREED * MORE.powi(halving as i32);
         for (panel, own) in panels.iter().zip(found.chunks_exact(places.len())) {
             let weighed = |weight: fn(&(f64, f64, f64)) -> f64| -> f64 {
                 0.5 * panel.1 * places.iter().zip(own).map(|(place, value)| weight(place) * value).sum::<f64>()
             };
             let (kronrod, gauss) = (weighed(|place| place.1), weighed(|place| place.2));
-            if (kronrod - gauss).abs() <= AGREED * kronrod.abs() || halving == MOST_HALVINGS {
+            if (kronrod - gauss).abs() <= agreed * kronrod.abs() || halving == MOST_HALVINGS {
                 sum += kronrod;
             } else {
                 let half = 0.5 * panel.1;
