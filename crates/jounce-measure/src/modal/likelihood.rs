@@ -9,6 +9,7 @@ use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 use super::band::LeftOut;
+use super::eliminated::Eliminated;
 use super::scatter::Scatter;
 use super::terms::{Terms, linear_terms};
 use super::thinned::kept;
@@ -184,21 +185,13 @@ fn weights(band: &Band, o: usize, lines: &[usize]) -> Vec<f64> {
     }
 }
 
-/// Columns scaled to size 1 for the linear solve: residual terms and residues differ by many powers of ten.
 fn part(response: &Weighed, terms: &Terms) -> Option<Part> {
     let (rows, width) = (terms.linear.nrows(), terms.linear.ncols());
     let weight = &response.weight;
-    let mut a = Mat::from_fn(rows, width, |r, c| weight[r / 2] * terms.linear[(r, c)]);
+    let a = Mat::from_fn(rows, width, |r, c| weight[r / 2] * terms.linear[(r, c)]);
     let b = Mat::from_fn(rows, 1, |r, _| if r % 2 == 0 { response.value[r / 2].re } else { response.value[r / 2].im });
-    let scale: Vec<f64> = (0..width).map(|c| a.col(c).norm_l2().max(f64::MIN_POSITIVE)).collect();
-    for (column, scale) in a.col_iter_mut().zip(&scale) {
-        column.iter_mut().for_each(|x| *x /= scale);
-    }
-    let q = a.qr();
-    let thin = q.compute_thin_Q();
-    let solution = q.thin_R().partial_piv_lu().solve(thin.transpose() * &b);
-    let rest = &b - &a * &solution;
-    let linear = Mat::from_fn(width, 1, |c, _| solution[(c, 0)] / scale[c]);
+    let eliminated = Eliminated::new(a, &b);
+    let linear = &eliminated.linear;
     // Derivatives by the real and imaginary part x + j y of each pole's residue times u, and its conjugate.
     let by_poles = Mat::from_fn(rows, terms.squares.ncols(), |row, c| {
         let (r, squares) = (2 * (c / 2), &terms.squares);
@@ -206,9 +199,8 @@ fn part(response: &Weighed, terms: &Terms) -> Option<Part> {
         let (even, odd) = (squares[(row, r)], squares[(row, r + 1)]);
         weight[row / 2] * if c % 2 == 0 { x * even + y * odd } else { x * odd - y * even }
     });
-    // Kaufman's variable projection: what the linear terms cannot take up.
-    let inside = thin.transpose() * &by_poles;
-    let projected = &by_poles - &thin * &inside;
+    let projected = eliminated.beyond(&by_poles);
+    let Eliminated { linear, rest, .. } = eliminated;
     let (normal, right) = (projected.transpose() * &projected, projected.transpose() * &rest);
     Some(Part { linear, projected, normal, right, error: rest.squared_norm_l2() })
 }

@@ -20,6 +20,7 @@
 //! (2013) 422.
 mod band;
 mod close;
+mod eliminated;
 mod error;
 mod half_spectrum;
 mod identify;

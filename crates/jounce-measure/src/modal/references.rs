@@ -13,6 +13,7 @@ use faer::{Mat, Side, c64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
+use super::eliminated::Eliminated;
 use super::likelihood::{Data, MOST_UPPER, SETTLED, STEPS, damped, propagated, residues, spread};
 use super::terms::{Terms, linear_terms};
 use super::{Band, Pole};
@@ -163,18 +164,11 @@ fn part(o: usize, data: &Data, terms: &[Terms], modal: &Modal) -> Part {
             Some(_) => 0.0,
         }
     };
-    let mut a = Mat::from_fn(rows, width, column);
+    let a = Mat::from_fn(rows, width, column);
     let value = |row: usize| response(row).value[row % lines / 2];
     let b = Mat::from_fn(rows, 1, |row, _| if row % 2 == 0 { value(row).re } else { value(row).im });
-    let scale: Vec<f64> = (0..width).map(|c| a.col(c).norm_l2().max(f64::MIN_POSITIVE)).collect();
-    for (column, scale) in a.col_iter_mut().zip(&scale) {
-        column.iter_mut().for_each(|x| *x /= scale);
-    }
-    let q = a.qr();
-    let thin = q.compute_thin_Q();
-    let solution = q.thin_R().partial_piv_lu().solve(thin.transpose() * &b);
-    let rest = &b - &a * &solution;
-    let linear = Mat::from_fn(width, 1, |c, _| solution[(c, 0)] / scale[c]);
+    let eliminated = Eliminated::new(a, &b);
+    let linear = &eliminated.linear;
     let shape = |r: usize| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)]);
     let free = modal.free();
     let derivative = |row: usize, c: usize| {
@@ -188,8 +182,8 @@ fn part(o: usize, data: &Data, terms: &[Terms], modal: &Modal) -> Part {
         if of == i { both(row, r, shape(r) * turn) } else { 0.0 }
     };
     let by_modes = Mat::from_fn(rows, 2 * (modes + free.len()), derivative);
-    // Kaufman's variable projection: what the linear terms cannot take up.
-    let projected = &by_modes - &thin * (thin.transpose() * &by_modes);
+    let projected = eliminated.beyond(&by_modes);
+    let Eliminated { linear, rest, .. } = eliminated;
     Part { normal: projected.transpose() * &projected, right: projected.transpose() * &rest, error: rest.squared_norm_l2(), linear }
 }
 

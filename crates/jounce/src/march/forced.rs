@@ -11,13 +11,11 @@ use super::forced_reading::{Reading, Series};
 use super::kernel::Kernel;
 use super::layout::Layout;
 use super::ledger::Ledger;
+use super::local_motions::LocalMotions;
 use crate::drive::{Piece, Travel, Wave};
-use crate::plant::{Forcing, LOCAL_TERMS, Port, Signal, Size};
-use crate::wide::{Lane, Portable, WIDTH, Wide};
+use crate::plant::{Forcing, Port, Signal, Size};
+use crate::wide::{Lane, WIDTH, Wide};
 use std::sync::Arc;
-
-/// Lengths of steps whose forced motion is kept.
-const KEPT: usize = 16;
 
 /// All signals at the present time of a march.
 #[derive(Debug, Clone)]
@@ -34,8 +32,7 @@ pub(super) struct Forced {
     /// Work of the bases that signals move through the contacts between them since the start, J.
     pub base_work_j: f64,
     has_local: bool,
-    /// What local blocks are forced to do over steps of some lengths, the latest first.
-    moved: Vec<Moved>,
+    moved: LocalMotions,
     /// Flow over the pieces of a signal that is sampled evenly, and their length.
     piece: Option<(f64, Flow)>,
     pub ledger: Ledger,
@@ -64,13 +61,6 @@ struct Seen {
     course: [f64; 4],
 }
 
-/// Motion of local blocks over a step by a unit size and by a unit slope, per signal.
-#[derive(Debug, Clone)]
-struct Moved {
-    length_s: f64,
-    by: Vec<[Vec<Lane>; 2]>,
-}
-
 impl Forced {
     pub fn new(kernel: &Kernel, time_s: f64) -> Self {
         let (plant, layout) = (&kernel.plant, &kernel.layout);
@@ -97,7 +87,7 @@ impl Forced {
             ports: ports.collect(),
             base_work_j: 0.0,
             has_local: !players.is_empty() && plant.local.contains(&true),
-            moved: Vec::new(),
+            moved: LocalMotions::default(),
             piece,
             ledger: Ledger::new(kernel, time_s),
             players,
@@ -220,8 +210,8 @@ impl Forced {
             return;
         }
         if self.has_local && self.sizes.iter().any(|size| *size != [0.0; 2]) {
-            self.find_moved(kernel, length_s);
-            for (by, [size, slope]) in self.moved[0].by.iter().zip(&self.sizes) {
+            let moved = self.moved.over(kernel, self.players.iter().map(|player| &player.local), length_s);
+            for (by, [size, slope]) in moved.iter().zip(&self.sizes) {
                 for (i, y) in y.iter_mut().enumerate() {
                     *y = y.add_scaled(*size, &by[0][i]).add_scaled(*slope, &by[1][i]);
                 }
@@ -233,20 +223,6 @@ impl Forced {
             size[0] = player.piece.size_at(time_s);
         }
         self.aim(time_s);
-    }
-
-    /// Puts the motion over a step of a length first.
-    fn find_moved(&mut self, kernel: &Kernel, length_s: f64) {
-        if self.moved.first().is_some_and(|moved| moved.length_s == length_s) {
-            return;
-        }
-        let found = self.moved.iter().position(|moved| moved.length_s == length_s);
-        let moved = match found {
-            Some(place) => self.moved.remove(place),
-            None => Moved { length_s, by: self.players.iter().map(|player| moved(kernel, &player.local, length_s)).collect() },
-        };
-        self.moved.truncate(KEPT - 1);
-        self.moved.insert(0, moved);
     }
 
     /// Passes the breakpoints that have been reached; true where an impulse has changed the velocities.
@@ -332,22 +308,4 @@ impl Seen {
         let [_, speed, half, sixth] = self.course;
         speed + after_s * (2.0 * half + after_s * 3.0 * sixth)
     }
-}
-
-/// `sum_j A^(j-1) b t^j / j!` and `sum_j A^(j-1) b t^(j+1) / (j+1)!`.
-fn moved(kernel: &Kernel, local: &[Lane], t: f64) -> [Vec<Lane>; 2] {
-    let mut sums = [vec![Lane::ZERO; local.len()], vec![Lane::ZERO; local.len()]];
-    let (mut power, mut next) = (local.to_vec(), local.to_vec());
-    let mut factor = t;
-    for j in 1..=LOCAL_TERMS {
-        let later = factor * t / (j + 1) as f64;
-        for (i, lane) in power.iter().enumerate() {
-            sums[0][i] = sums[0][i].add_scaled(factor, lane);
-            sums[1][i] = sums[1][i].add_scaled(later, lane);
-        }
-        kernel.generator.apply(Portable::new(), &power, &mut next);
-        std::mem::swap(&mut power, &mut next);
-        factor = later;
-    }
-    sums
 }

@@ -25,6 +25,7 @@ mod kernel;
 mod layout;
 mod ledger;
 mod level;
+mod local_motions;
 mod marcher;
 mod motion;
 mod odd_tables;

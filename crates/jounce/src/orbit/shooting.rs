@@ -109,12 +109,7 @@ impl<'h, H: Harvester> Shooting<'h, H> {
             (Vec::new(), 0, 0.0_f64, vec![0.0; plant.system.loads.len() + plant.system.bridges.len()]);
         for _ in 0..self.cycles {
             let cycle = Variation::march(&kernel, &y, 0.0, cycle_s, self.tolerance, &change.drift)?;
-            by_parameter = (0..n)
-                .map(|i| {
-                    let carried: f64 = (0..n).map(|j| cycle.jacobian[(i, j)] * by_parameter[j]).sum();
-                    carried + cycle.drift[i] + cycle.rate[i] * cycle_s * change.period_relative
-                })
-                .collect();
+            by_parameter = carried(&cycle, &by_parameter, cycle_s * change.period_relative);
             map = Some(map.map_or_else(|| cycle.jacobian.clone(), |before| &cycle.jacobian * &before));
             y = cycle.end;
             let full: Vec<f64> = y.iter().zip(&steady).map(|(y, s)| y + s).collect();
@@ -266,6 +261,12 @@ impl Linear for Shot {
         let matrix = Mat::from_fn(n, n, |i, j| self.map[(i, j)] - f64::from(u8::from(i == j)));
         solve_bordered(&matrix, &self.by_parameter, (row, corner), (right, last))
     }
+}
+
+/// `d y / dp` after a cycle whose length changes by `longer_s` per unit of the parameter.
+fn carried(cycle: &Variation, before: &[f64], longer_s: f64) -> Vec<f64> {
+    let row = |i: usize| before.iter().enumerate().map(|(j, by)| cycle.jacobian[(i, j)] * by).sum::<f64>();
+    (0..before.len()).map(|i| row(i) + cycle.drift[i] + cycle.rate[i] * longer_s).collect()
 }
 
 fn apply(matrix: MatRef<f64>, vector: &[f64]) -> Vec<f64> {

@@ -146,21 +146,7 @@ impl Following {
                 return Ok(());
             }
             for after in places {
-                beginning.left = Left::between(&before.point, &after.point, branch).or(beginning.left);
-                let home = self.home(&beginning, &before, &after, branch.points.len() + 1);
-                branch.bifurcations.extend(match home {
-                    // What lies beyond its start was told when it set out.
-                    Some(origin) => self.until(method, (&before, &after), origin)?,
-                    None => self.between(method, &before, &after)?,
-                });
-                branch.points.push(after.point.clone());
-                if let Some((left, back_at)) = beginning.left.and_then(|left| Some((left, left.comes_back(branch)?))) {
-                    left.end(branch, back_at);
-                    return Ok(());
-                }
-                let ending = if home.is_some() { Some(Ending::Closed) } else { self.ending(&before, &after, branch.points.len()) };
-                if let Some(ending) = ending {
-                    end(ending, branch);
+                if self.ends_with(method, &mut beginning, (&before, &after), branch)? {
                     return Ok(());
                 }
                 before = after;
@@ -171,6 +157,32 @@ impl Following {
             }
         }
         Ok(())
+    }
+
+    /// Adds a point with what was passed on the way to it; true where the branch ends with it.
+    fn ends_with<M: OrbitMethod>(
+        &self,
+        method: &M,
+        beginning: &mut Beginning,
+        (before, after): (&Place<M>, &Place<M>),
+        branch: &mut Branch,
+    ) -> Result<bool, M::Error> {
+        beginning.left = Left::between(&before.point, &after.point, branch).or(beginning.left);
+        let home = self.home(beginning, before, after, branch.points.len() + 1);
+        branch.bifurcations.extend(match home {
+            // What lies beyond its start was told when it set out.
+            Some(origin) => self.until(method, (before, after), origin)?,
+            None => self.between(method, before, after)?,
+        });
+        branch.points.push(after.point.clone());
+        if let Some((left, back_at)) = beginning.left.and_then(|left| Some((left, left.comes_back(branch)?))) {
+            left.end(branch, back_at);
+            return Ok(true);
+        }
+        let ending = if home.is_some() { Some(Ending::Closed) } else { self.ending(before, after, branch.points.len()) };
+        let ends = ending.is_some();
+        ending.into_iter().for_each(|ending| end(ending, branch));
+        Ok(ends)
     }
 
     /// Ends a branch that cannot be followed: at a grazing where the orbit touches the stop there, for on a stiff stop a branch turns

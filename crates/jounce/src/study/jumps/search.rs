@@ -153,14 +153,8 @@ impl JumpSearch<'_> {
         ahead: Direction,
         kind: CurveKind,
     ) -> JumpCurve {
-        let point = |position: &Position, local: &Tracked| JumpPoint {
-            parameter: tracking.parameter(&position.unknown),
-            parameter_2: position.parameter,
-            mean_power_w: local.shot.loads_w.iter().fold(0.0, |sum, own| sum + own),
-            stable: local.bend.and_then(|_| Some(multipliers(&local.shot.map)?.first()?.norm() < 1.0)),
-        };
         let mut curve = JumpCurve { kind, period_cycles: tracking.cycles, points: Vec::new(), failures: Vec::new() };
-        curve.points.push(point(&first.position, &first.local));
+        curve.points.push(point(tracking, &first.position, &first.local));
         let origin = first.position.clone();
         let mut walk = Walk::new(tracking, corrector, StepControl::default(), self.scale_2(), first.position, ahead);
         loop {
@@ -192,7 +186,7 @@ impl JumpSearch<'_> {
                 }
                 match self.cut(tracking, corrector, (&before, &step.position), edge) {
                     Some(found) => {
-                        let mut found = point(&found.position, &found.local);
+                        let mut found = point(tracking, &found.position, &found.local);
                         *(if edge.is_first { &mut found.parameter } else { &mut found.parameter_2 }) = edge.value;
                         curve.points.push(found);
                     }
@@ -200,7 +194,7 @@ impl JumpSearch<'_> {
                 }
                 break;
             }
-            curve.points.push(point(&step.position, &step.local));
+            curve.points.push(point(tracking, &step.position, &step.local));
             let closed = curve.points.len() > 4 && passes(&metric, &origin, &before, &step.position);
             if closed {
                 break;
@@ -250,5 +244,15 @@ impl JumpSearch<'_> {
 
     fn scale_2(&self) -> f64 {
         (self.ranges[1].1 - self.ranges[1].0) / 20.0
+    }
+}
+
+/// A place of a curve as a result.
+fn point(tracking: &Tracking<KeyPlane>, position: &Position, local: &Tracked) -> JumpPoint {
+    JumpPoint {
+        parameter: tracking.parameter(&position.unknown),
+        parameter_2: position.parameter,
+        mean_power_w: local.shot.loads_w.iter().fold(0.0, |sum, own| sum + own),
+        stable: local.bend.and_then(|_| Some(multipliers(&local.shot.map)?.first()?.norm() < 1.0)),
     }
 }

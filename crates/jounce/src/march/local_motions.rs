@@ -1,0 +1,53 @@
+//! What local blocks are forced to do over steps of some lengths, kept for the next step of the same length.
+
+use super::kernel::Kernel;
+use crate::plant::LOCAL_TERMS;
+use crate::wide::{Lane, Portable};
+
+/// Lengths of steps whose motion is kept.
+const KEPT: usize = 16;
+
+/// Motions over steps of some lengths, the latest first.
+#[derive(Debug, Clone, Default)]
+pub(super) struct LocalMotions(Vec<Moved>);
+
+/// Motion over a step by a unit size and by a unit slope, per signal.
+#[derive(Debug, Clone)]
+struct Moved {
+    length_s: f64,
+    by: Vec<[Vec<Lane>; 2]>,
+}
+
+impl LocalMotions {
+    /// The motion over a step of a length by a unit size and by a unit slope of each signal, whose columns are `local`.
+    pub fn over<'c>(&mut self, kernel: &Kernel, local: impl Iterator<Item = &'c Vec<Lane>>, length_s: f64) -> &[[Vec<Lane>; 2]] {
+        if self.0.first().is_none_or(|moved| moved.length_s != length_s) {
+            let found = self.0.iter().position(|moved| moved.length_s == length_s);
+            let moved = match found {
+                Some(place) => self.0.remove(place),
+                None => Moved { length_s, by: local.map(|column| moved(kernel, column, length_s)).collect() },
+            };
+            self.0.truncate(KEPT - 1);
+            self.0.insert(0, moved);
+        }
+        &self.0[0].by
+    }
+}
+
+/// `sum_j A^(j-1) b t^j / j!` and `sum_j A^(j-1) b t^(j+1) / (j+1)!`.
+fn moved(kernel: &Kernel, local: &[Lane], t: f64) -> [Vec<Lane>; 2] {
+    let mut sums = [vec![Lane::ZERO; local.len()], vec![Lane::ZERO; local.len()]];
+    let (mut power, mut next) = (local.to_vec(), local.to_vec());
+    let mut factor = t;
+    for j in 1..=LOCAL_TERMS {
+        let later = factor * t / (j + 1) as f64;
+        for (i, lane) in power.iter().enumerate() {
+            sums[0][i] = sums[0][i].add_scaled(factor, lane);
+            sums[1][i] = sums[1][i].add_scaled(later, lane);
+        }
+        kernel.generator.apply(Portable::new(), &power, &mut next);
+        std::mem::swap(&mut power, &mut next);
+        factor = later;
+    }
+    sums
+}
