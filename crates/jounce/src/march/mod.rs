@@ -16,6 +16,7 @@ mod flight;
 mod flight_table;
 mod flip;
 mod flow;
+mod flux;
 mod forced;
 mod forced_flight;
 mod forced_reading;

@@ -136,17 +136,17 @@ impl Trajectory {
         instants
     }
 
-    /// One number of the physical state `(q, q', V, i)` at ascending times. Where diodes conduct it does not pass through the coordinates of
-    /// blocked ones, in which fast diodes leave few digits.
-    pub fn physical_at(&self, kernel: &Kernel, times_s: &[f64], place: usize) -> Vec<f64> {
-        let mut values = Vec::with_capacity(times_s.len());
-        self.each(kernel, times_s, |own, _, instant| values.push(own.plant.to_physical(&instant.state, instant.time_s)[place]));
-        values
+    /// The physical state `(q, q', V, i)` at a time. Where diodes conduct it does not pass through the coordinates of blocked ones, in which
+    /// fast diodes leave few digits.
+    pub fn physical_at(&self, kernel: &Kernel, time_s: f64) -> Vec<f64> {
+        let mut found = Vec::new();
+        self.each(kernel, &[time_s], |own, _, instant| found = own.plant.to_physical(&instant.state, instant.time_s));
+        found
     }
 
     /// Visits the states at ascending times, each in the coordinates of its regime.
     fn each(&self, kernel: &Kernel, times_s: &[f64], mut visit: impl FnMut(&Kernel, usize, Instant)) {
-        let mut made: HashMap<(u64, usize, Shape, usize), Vec<Answers>> = HashMap::new();
+        let mut made = Made::default();
         let mut index = 0;
         for &time_s in times_s {
             while index + 1 < self.segments.len() && self.segments[index + 1].start_s <= time_s {
@@ -156,21 +156,20 @@ impl Trajectory {
             // A regime that was marched in has been made.
             let Ok(own) = kernel.in_regime(segment.regime) else { continue };
             let mut instant = segment.free_at(own, time_s);
+            let x = (time_s - segment.start_s) / segment.length_s;
             for force in &segment.forces {
-                let (length_s, port, shape) = (segment.length_s, force.port, force.shape);
-                let level = Kernel::level_within(length_s);
-                let answers = if Kernel::length_s(level) == length_s {
-                    own.answers(port, shape, level)
-                } else {
-                    let make = || Answers::of_all(&own.plant.diagonal.block, own.basis(port, shape), length_s);
-                    made.entry((length_s.to_bits(), port, shape, segment.regime)).or_insert_with(make)
-                };
-                segment.add(own, force, answers, &mut instant);
+                let functions = own.basis(force.port, force.shape).at(x.clamp(0.0, 1.0));
+                let force_n: f64 = functions.iter().zip(&force.nodal_n).map(|(b, f)| b * f).sum();
+                instant.forces_n[force.port] = force_n.max(0.0);
+                segment.answer(own, force, &mut made, &|count| legendre(x, count), &mut instant.state);
             }
             visit(own, segment.regime, instant);
         }
     }
 }
+
+/// Answers made for steps of odd lengths: by length, port, basis and regime.
+pub(super) type Made = HashMap<(u64, usize, Shape, usize), Vec<Answers>>;
 
 impl Segment {
     /// The free motion.
@@ -184,23 +183,35 @@ impl Segment {
         Instant { time_s, state, forces_n: vec![0.0; kernel.plant.system.stops.len()] }
     }
 
-    /// Adds what a force does.
-    fn add(&self, kernel: &Kernel, force: &PortForce, answers: &[Answers], instant: &mut Instant) {
-        let x = (instant.time_s - self.start_s) / self.length_s;
-        let functions = kernel.basis(force.port, force.shape).at(x.clamp(0.0, 1.0));
-        let nodal_n = &force.nodal_n;
-        instant.forces_n[force.port] = functions.iter().zip(nodal_n).map(|(b, f)| b * f).sum::<f64>().max(0.0);
-        let column = &kernel.plant.ports[force.port].force;
-        let powers = legendre(x, answers.iter().map(|answers| answers.first.len()).max().unwrap_or(0));
-        for ((first, part), answers) in parts(&kernel.plant.diagonal.block).zip(answers) {
+    /// Adds to a state what a force does, its Legendre series weighed.
+    pub(super) fn answer(
+        &self,
+        kernel: &Kernel,
+        force: &PortForce,
+        made: &mut Made,
+        weights: &dyn Fn(usize) -> Vec<f64>,
+        state: &mut [f64],
+    ) {
+        let (length_s, port, shape) = (self.length_s, force.port, force.shape);
+        let (block, level) = (&kernel.plant.diagonal.block, Kernel::level_within(length_s));
+        let answers = if Kernel::length_s(level) == length_s {
+            kernel.answers(port, shape, level)
+        } else {
+            let make = || Answers::of_all(block, kernel.basis(port, shape), length_s);
+            made.entry((length_s.to_bits(), port, shape, self.regime)).or_insert_with(make)
+        };
+        let column = &kernel.plant.ports[port].force;
+        let weights = weights(answers.iter().map(|answers| answers.first.len()).max().unwrap_or(0));
+        for ((first, part), answers) in parts(block).zip(answers) {
             let sum = |series: &[Lane]| -> f64 {
-                series.iter().zip(&powers).map(|(lane, p)| p * (0..NODES).map(|j| nodal_n[j] * lane.0[j]).sum::<f64>()).sum()
+                let nodal = |lane: &Lane| -> f64 { (0..NODES).map(|j| force.nodal_n[j] * lane.0[j]).sum() };
+                series.iter().zip(&weights).map(|(lane, weight)| weight * nodal(lane)).sum()
             };
             let (one, two) = (sum(&answers.first), sum(&answers.second));
             for s in 0..part.states() {
                 let unit: [f64; 2] = std::array::from_fn(|i| if i == s { 1.0 } else { 0.0 });
-                let [f, g] = part.forced(&unit, &column[first..first + part.states()], self.length_s);
-                instant.state[first + s] += f * one + g * two;
+                let [f, g] = part.forced(&unit, &column[first..first + part.states()], length_s);
+                state[first + s] += f * one + g * two;
             }
         }
     }

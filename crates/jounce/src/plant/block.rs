@@ -49,6 +49,31 @@ impl Pair {
         }
     }
 
+    /// Entries of the integral of the flow from 0 to `time_s`, s.
+    pub fn integral(&self, time_s: f64) -> [f64; 4] {
+        match *self {
+            Pair::Oscillatory { .. } => {
+                let whole = grown(self.eigenvalue(), time_s);
+                [whole.re, -whole.im, whole.im, whole.re]
+            }
+            Pair::Jordan { rate } => {
+                // int t e^(rate t) dt, by its series where the closed form cancels.
+                let (z, once) = (rate * time_s, grown(c64::new(rate, 0.0), time_s).re);
+                let twice = if z.abs() < 1.0 {
+                    let terms = (0..24).scan(1.0, |power, k: i32| {
+                        let term = *power / f64::from(k + 2);
+                        *power *= z / f64::from(k + 1);
+                        Some(term)
+                    });
+                    time_s * time_s * terms.sum::<f64>()
+                } else {
+                    (time_s * z.exp() - once) / rate
+                };
+                [once, twice, 0.0, once]
+            }
+        }
+    }
+
     /// The eigenvalue with non-negative imaginary part.
     pub fn eigenvalue(&self) -> c64 {
         match *self {
@@ -56,6 +81,16 @@ impl Pair {
             Pair::Jordan { rate } => c64::new(rate, 0.0),
         }
     }
+}
+
+/// `(e^(rate t) - 1) / rate`, s, without cancellation.
+pub fn grown(rate: c64, time_s: f64) -> c64 {
+    let z = rate * time_s;
+    if z == c64::new(0.0, 0.0) {
+        return c64::new(time_s, 0.0);
+    }
+    let re = z.re.exp_m1() * z.im.cos() - 2.0 * (0.5 * z.im).sin().powi(2);
+    c64::new(re, z.re.exp() * z.im.sin()) / rate
 }
 
 /// Blocks of a plant: states are ordered `u0, v0, u1, v1, ..., r0, r1, ...`.
@@ -104,6 +139,11 @@ impl Block {
     /// `e^{A t} y`.
     pub fn flow(&self, time_s: f64, y: &[f64]) -> Vec<f64> {
         self.map(y, |pair| pair.flow(time_s), |rate| (rate * time_s).exp())
+    }
+
+    /// `int_0^t e^{A s} y ds`.
+    pub fn integral(&self, time_s: f64, y: &[f64]) -> Vec<f64> {
+        self.map(y, |pair| pair.integral(time_s), |rate| grown(c64::new(rate, 0.0), time_s).re)
     }
 
     /// `e^{A t}`, to be applied many times.
@@ -201,5 +241,45 @@ impl Block {
         }
         all.extend(self.reals.iter().map(|rate| c64::new(*rate, 0.0)));
         all
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Against the sum of 2000 panels by Gauss with two points, `(A h)^4 / 4320` of each panel off. Measured: 3e-15 to 4e-14.
+    #[test]
+    fn integrals_of_the_flow_are_those_by_quadrature() {
+        let pairs = vec![
+            Pair::Oscillatory { decay: -0.3, frequency: 5.0 },
+            Pair::Oscillatory { decay: -1e-9, frequency: 1e-4 },
+            Pair::Jordan { rate: -4.0 },
+            Pair::Jordan { rate: -0.2 },
+            Pair::Jordan { rate: 0.0 },
+        ];
+        let block = Block { pairs, reals: vec![-7.0, -1e-8, 0.0] };
+        let y: Vec<f64> = (0..block.len()).map(|i| 1.0 - 0.1 * i as f64).collect();
+        let (time_s, panels) = (1.7, 2000);
+        let (h, half) = (time_s / f64::from(panels), 0.5 / 3.0_f64.sqrt());
+        let mut sum = vec![0.0; y.len()];
+        for panel in 0..panels {
+            for place in [0.5 - half, 0.5 + half] {
+                let at = block.flow((f64::from(panel) + place) * h, &y);
+                sum.iter_mut().zip(at).for_each(|(sum, at)| *sum += 0.5 * h * at);
+            }
+        }
+        let found = block.integral(time_s, &y);
+        let worst = found.iter().zip(&sum).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(worst < 1e-12, "{worst:e}");
+    }
+
+    /// A rate so fast that nothing of the state is left, and one so slow that nothing is lost.
+    #[test]
+    fn integrals_keep_their_digits_at_any_rate() {
+        for (rate, time_s, exact) in [(-1e9, 1.0, 1e-9), (-1e-12, 3.0, 3.0 - 4.5e-12), (0.0, 2.0, 2.0)] {
+            let block = Block { pairs: Vec::new(), reals: vec![rate] };
+            assert!((block.integral(time_s, &[1.0])[0] / exact - 1.0).abs() < 1e-15);
+        }
     }
 }

@@ -1,7 +1,10 @@
 //! Components of the coupled system: what is coupled to each other, and its eigenvectors.
 //!
-//! Everything here is in energy coordinates, `(w q, q', sqrt(C) V, sqrt(L) i)`; see [`super::diagonal`](super::Diagonal).
+//! Everything here is in energy coordinates, `(w q, q', sqrt(C) V, sqrt(L) i)`, those of conducting paths turned ([`super::path`]); see
+//! [`super::diagonal`](super::Diagonal).
 
+use super::path::Path;
+use super::refined::refined;
 use super::{Electrical, Pair, PlantError, System};
 use faer::{Mat, c64};
 
@@ -17,10 +20,13 @@ pub(super) enum PieceBlock {
     Real(f64, Vec<f64>),
 }
 
-/// `A` on the physical states, with the scale of each state that makes its square an energy.
+/// `A` in energy coordinates, those of conducting paths turned (see [`Path`]).
 pub(super) struct Assembly {
-    matrix: Mat<f64>,
+    pub matrix: Mat<f64>,
+    /// Factor of each physical state that makes its square an energy.
     pub scale: Vec<f64>,
+    /// Diodes that conduct.
+    pub paths: Vec<Path>,
     /// Number of modes.
     pub modes: usize,
     /// Nodes that keep their charge.
@@ -51,17 +57,6 @@ impl Assembly {
             matrix[(row, node)] = 1.0 / inductor.inductance_h;
             matrix[(node, row)] = -1.0 / electrical.nodes[inductor.node].capacitance_f;
         }
-        for link in &electrical.links {
-            let (row, g) = (2 * n + link.node, link.conductance_per_ohm);
-            let own_f = electrical.nodes[link.node].capacitance_f;
-            matrix[(row, row)] -= g / own_f;
-            if let Some((other, sign)) = link.to {
-                let (column, other_f) = (2 * n + other, electrical.nodes[other].capacitance_f);
-                matrix[(row, column)] += sign * g / own_f;
-                matrix[(column, row)] += sign * g / other_f;
-                matrix[(column, column)] -= g / other_f;
-            }
-        }
         for leak in &electrical.leaks {
             let parts = &electrical.patch[leak.patch];
             for (node, own) in parts {
@@ -72,12 +67,10 @@ impl Assembly {
             }
         }
         let open = (0..nodes).filter(|node| electrical.is_open(*node)).map(|node| 2 * n + node).collect();
-        Self { matrix, scale, modes: n, open }
-    }
-
-    /// `A` in energy coordinates.
-    pub fn scaled(&self) -> Mat<f64> {
-        Mat::from_fn(self.scale.len(), self.scale.len(), |i, j| self.matrix[(i, j)] * self.scale[i] / self.scale[j])
+        let mut matrix = Mat::from_fn(size, size, |i, j| matrix[(i, j)] * scale[i] / scale[j]);
+        let paths = Path::of_all(electrical, 2 * n);
+        paths.iter().for_each(|path| path.enter(&mut matrix));
+        Self { matrix, scale, paths, modes: n, open }
     }
 }
 
@@ -171,8 +164,7 @@ pub(super) fn single_mode(system: &System, mode: usize, assembly: &Assembly) -> 
 pub(super) fn coupled(states: &[usize], assembly: &Assembly) -> Result<Vec<Piece>, PlantError> {
     let n = assembly.modes;
     let all: Vec<usize> = states.iter().flat_map(|&s| if s < n { vec![s, n + s] } else { vec![s] }).collect();
-    let scaled = assembly.scaled();
-    let local = Mat::from_fn(all.len(), all.len(), |i, j| scaled[(all[i], all[j])]);
+    let local = Mat::from_fn(all.len(), all.len(), |i, j| assembly.matrix[(all[i], all[j])]);
     let charged = kept_charges(&all, &local, assembly);
     let spread = |value: &dyn Fn(usize) -> f64| {
         let mut column = vec![0.0; assembly.scale.len()];
@@ -185,13 +177,17 @@ pub(super) fn coupled(states: &[usize], assembly: &Assembly) -> Result<Vec<Piece
         return Ok(kept);
     }
     let basis = complement(&charged, all.len());
-    let eigen = (basis.transpose() * &local * &basis).eigen().map_err(|_| PlantError::NoEigenvalues { states: all.len() })?;
-    let (values, within) = (eigen.S().column_vector(), eigen.U());
+    let matrix = basis.transpose() * &local * &basis;
+    let eigen = matrix.eigen().map_err(|_| PlantError::NoEigenvalues { states: all.len() })?;
+    let (mut values, mut within) = (eigen.S().column_vector().iter().copied().collect::<Vec<c64>>(), eigen.U().to_owned());
+    if !assembly.paths.is_empty() {
+        (values, within) = refined(&matrix, values, within);
+    }
     let column = |j: usize, part: fn(c64) -> f64| {
         let entry = |i: usize| (0..within.nrows()).map(|k| basis[(i, k)] * part(within[(k, j)])).sum::<f64>();
         spread(&entry)
     };
-    let mut order: Vec<usize> = (0..values.nrows()).filter(|&j| values[j].im >= 0.0).collect();
+    let mut order: Vec<usize> = (0..values.len()).filter(|&j| values[j].im >= 0.0).collect();
     order.sort_by(|&i, &j| values[i].im.total_cmp(&values[j].im).then(values[i].re.total_cmp(&values[j].re)));
     let pieces = order.into_iter().map(|j| match values[j] {
         c64 { re, im: 0.0 } => PieceBlock::Real(re, column(j, |x| x.re)),

@@ -186,6 +186,13 @@ impl Plant {
         x
     }
 
+    /// One number of the physical state, integrated over a time, of integrated block coordinates.
+    pub fn integral_of(&self, y: &[f64], length_s: f64, place: usize) -> f64 {
+        let matrix = &self.diagonal.to_physical;
+        let zero_v = place.checked_sub(2 * self.system.modes.len()).and_then(|node| self.electrical.zero_v.get(node));
+        y.iter().enumerate().map(|(j, y)| matrix[(place, j)] * y).sum::<f64>() + zero_v.map_or(0.0, |zero_v| zero_v * length_s)
+    }
+
     /// Rate of the block coordinates of a physical state at a time, given the rate of that.
     pub fn moving(&self, rate: &[f64], time_s: f64) -> Vec<f64> {
         let inverse = &self.diagonal.from_physical;

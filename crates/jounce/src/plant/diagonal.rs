@@ -79,12 +79,14 @@ impl Diagonal {
             return Err(PlantError::Defective { condition, allowed: CONDITION_ALLOWED });
         }
         let inverse = vectors.partial_piv_lu().inverse();
-        polish(&mut block, &exact, &(&inverse * &assembly.scaled() * &vectors));
-        let scale = &assembly.scale;
+        polish(&mut block, &exact, &(&inverse * &assembly.matrix * &vectors));
+        let (scale, mut columns, mut rows) = (&assembly.scale, vectors, inverse);
+        assembly.paths.iter().for_each(|path| path.leave(&mut columns));
+        assembly.paths.iter().for_each(|path| path.leave_columns(&mut rows));
         Ok(Self {
             block,
-            to_physical: Mat::from_fn(n, n, |i, j| vectors[(i, j)] / scale[i]),
-            from_physical: Mat::from_fn(n, n, |i, j| inverse[(i, j)] * scale[j]),
+            to_physical: Mat::from_fn(n, n, |i, j| columns[(i, j)] / scale[i]),
+            from_physical: Mat::from_fn(n, n, |i, j| rows[(i, j)] * scale[j]),
         })
     }
 }

@@ -83,6 +83,25 @@ impl Plant {
         state
     }
 
+    /// The integral of [`Self::forced`] from when local blocks began anew.
+    pub fn forced_integral(&self, sizes: &[Size], until_s: f64) -> Vec<f64> {
+        let mut state = vec![0.0; self.len()];
+        for (forcing, [size, slope]) in self.forcings.iter().zip(sizes) {
+            let (held_s, passed) = (size * until_s + 0.5 * slope * until_s * until_s, slope * until_s);
+            for (sum, (rest, lag)) in state.iter_mut().zip(forcing.rest.iter().zip(&forcing.lag)) {
+                *sum += rest * held_s + lag * passed;
+            }
+            let (mut power, mut factor) = (forcing.local.clone(), 0.5 * until_s * until_s);
+            for j in 1..=LOCAL_TERMS {
+                let weight = factor * (size + slope * until_s / (j + 2) as f64);
+                state.iter_mut().zip(&power).for_each(|(sum, p)| *sum += weight * p);
+                power = self.diagonal.block.apply(&power);
+                factor *= until_s / (j + 2) as f64;
+            }
+        }
+        state
+    }
+
     /// Where constant drives alone hold the plant at rest, in block coordinates; 0 in states that nothing brings back.
     pub fn resting(&self) -> Vec<f64> {
         let block = &self.diagonal.block;

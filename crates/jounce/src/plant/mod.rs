@@ -23,6 +23,8 @@ mod forcing;
 mod guard;
 mod leak;
 mod lyapunov;
+mod path;
+mod refined;
 mod signal;
 mod signal_meter;
 mod stiff;

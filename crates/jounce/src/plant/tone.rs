@@ -1,5 +1,6 @@
 //! Sinusoidal drives: what each frequency does to the plant without contact.
 
+use super::block::grown;
 use super::{Plant, PlantError, Port, dot};
 use faer::c64;
 
@@ -51,6 +52,17 @@ impl Plant {
             steady.iter_mut().zip(&tone.steady).for_each(|(s, y)| *s += (turn * y).re);
         }
         steady
+    }
+
+    /// Integral of the steady state from a time over a length of time.
+    pub fn steady_integral(&self, from_s: f64, length_s: f64) -> Vec<f64> {
+        let mut sum = vec![0.0; self.len()];
+        for tone in &self.tones {
+            let rate = c64::new(0.0, tone.angular_frequency_rad_s);
+            let turn = c64::cis(tone.angular_frequency_rad_s * from_s) * grown(rate, length_s);
+            sum.iter_mut().zip(&tone.steady).for_each(|(s, y)| *s += (turn * y).re);
+        }
+        sum
     }
 
     /// Displacement (m) and velocity (m/s) of a port in the steady state at a time.

@@ -5,6 +5,7 @@ mod collisions;
 mod contacts;
 mod cradle;
 mod ensemble;
+mod flux;
 mod friction;
 mod grazing;
 mod harvester;
