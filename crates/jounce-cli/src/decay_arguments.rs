@@ -1,7 +1,7 @@
 //! Arguments of tests without a measured force: free decays, and outputs alone.
 
 use crate::failure::Failure;
-use crate::measured_file::{manifest, positive, record, tell_findings};
+use crate::measured_file::{ends, manifest, positive, record, tell_findings};
 use clap::Args;
 use jounce::spec::Quantity as Unit;
 use jounce::table::Manifest;
@@ -65,10 +65,7 @@ impl DecayArguments {
 
     fn span_s(&self) -> Result<Option<(f64, f64)>, Failure> {
         let Some(text) = &self.span else { return Ok(None) };
-        let wrong = || Failure::usage(format!("--span {text}: write FROM:TO, as in 0.2s:3s, the smaller one first"));
-        let (from, to) = text.split_once(':').ok_or_else(wrong)?;
-        let read = |text: &str| Unit::Time.read(text).map_err(|error| Failure::usage(format!("--span {text}: {error}")));
-        let (from_s, to_s) = (read(from)?, read(to)?);
-        if from_s >= 0.0 && from_s < to_s { Ok(Some((from_s, to_s))) } else { Err(wrong()) }
+        let (from_s, to_s) = ends("--span", text, Unit::Time)?;
+        if from_s >= 0.0 { Ok(Some((from_s, to_s))) } else { Err(Failure::usage(format!("--span {text}: a decay begins at 0"))) }
     }
 }

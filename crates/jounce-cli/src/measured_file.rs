@@ -103,6 +103,16 @@ pub fn positive(option: &str, text: &str, quantity: Unit) -> Result<f64, Failure
     if value > 0.0 && value.is_finite() { Ok(value) } else { Err(fault("it must be above 0".to_owned())) }
 }
 
+/// Two quantities of an option, as in `0.2s:3s`.
+pub fn ends(option: &str, text: &str, quantity: Unit) -> Result<(f64, f64), Failure> {
+    let example = if quantity == Unit::Time { "0.2s:3s" } else { "500Hz:4300Hz" };
+    let wrong = || Failure::usage(format!("{option} {text}: write FROM:TO, as in {example}, the smaller one first"));
+    let (from, to) = text.split_once(':').ok_or_else(wrong)?;
+    let read = |text: &str| quantity.read(text).map_err(|error| Failure::usage(format!("{option} {text}: {error}")));
+    let (from, to) = (read(from)?, read(to)?);
+    if from < to { Ok((from, to)) } else { Err(wrong()) }
+}
+
 /// Tells on stderr what was noticed and done.
 pub fn tell_findings(recording: &Recording) {
     tell(&recording.findings);

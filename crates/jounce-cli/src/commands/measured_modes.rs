@@ -3,9 +3,11 @@
 use crate::decay_arguments::DecayArguments;
 use crate::failure::Failure;
 use crate::hammer_arguments::{HammerArguments, tell_hits};
+use crate::measured_file::ends;
 use crate::output::{self, line, print};
-use crate::spec_arguments::{OutputArguments, frequency_hz};
+use crate::spec_arguments::OutputArguments;
 use clap::Args;
+use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::{modal_fit, stabilisation};
 use jounce_measure::modal::{Band, Identification, Mode, Settings, Stable, identify, identify_decays, mac_matrix};
@@ -27,10 +29,7 @@ pub struct BandArguments {
 impl BandArguments {
     fn between_hz(&self, highest: f64) -> Result<(f64, f64), Failure> {
         let Some(text) = &self.between else { return Ok((0.0, highest)) };
-        let wrong = || Failure::usage(format!("--between {text}: write FROM:TO, as in 500Hz:4300Hz, the smaller one first"));
-        let (from, to) = text.split_once(':').ok_or_else(wrong)?;
-        let (from, to) = (frequency_hz("between", from)?, frequency_hz("between", to)?);
-        if from < to { Ok((from, to)) } else { Err(wrong()) }
+        ends("--between", text, Unit::Frequency)
     }
 }
 

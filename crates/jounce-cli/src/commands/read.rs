@@ -1,10 +1,11 @@
 //! `jounce read FILE`
 
 use crate::failure::Failure;
-use crate::measured_file::MeasuredFile;
+use crate::measured_file::{MeasuredFile, ends};
 use crate::output::{self, line, print};
 use clap::Args;
 use jounce::picture::{Axis, Figure, Line, Panel, Series, Trace, time_histories};
+use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
 use jounce_measure::read::{Survey, Surveyed, SurveyedChannel, survey};
 use jounce_measure::recording::{Finding, Over, Series as _, Sizes};
@@ -24,6 +25,9 @@ pub struct Read {
     /// Writes the first recording in SI to this file: .uff (UFF 58 in ASCII), .parquet or .csv.
     #[arg(long, value_name = "FILE")]
     to: Option<PathBuf>,
+    /// Part of it that is written, in its own times or frequencies, as in 10s:60s or 5Hz:200Hz.
+    #[arg(long, value_name = "FROM:TO", requires = "to")]
+    span: Option<String>,
 }
 
 impl Read {
@@ -62,7 +66,9 @@ impl Read {
                 contents.shapes.len()
             )));
         };
-        write_surveyed(first, path)?;
+        let part = self.span.as_ref().map(|span| part(first, span)).transpose()?;
+        write_surveyed(part.as_ref().unwrap_or(first), path)?;
+        part.iter().filter_map(|part| part.findings.last()).for_each(|told| eprintln!("{}: {told}", path.display()));
         let mut left: Vec<String> = others.iter().map(|recording| recording.name.clone()).collect();
         if !contents.shapes.is_empty() {
             left.push(format!("{} mode shapes", contents.shapes.len()));
@@ -103,6 +109,21 @@ impl Read {
         }
         Ok(())
     }
+}
+
+/// What an option asks for of a recording.
+fn part(recording: &Surveyed, span: &str) -> Result<Surveyed, Failure> {
+    let (quantity, unit) = if recording.over == Over::Time { (Unit::Time, "s") } else { (Unit::Frequency, "Hz") };
+    let (from, to) = ends("--span", span, quantity)?;
+    let lost = |fault| Failure::Input(format!("the scratch file cannot be used: {fault}"));
+    let last = |of: &dyn Fn(f64, f64) -> f64| {
+        let mut found = f64::NAN;
+        recording.places.each(|place| found = of(found, place)).map(|()| found).map_err(lost)
+    };
+    let [least, most] = [last(&f64::min)?, last(&f64::max)?];
+    let nothing =
+        || Failure::usage(format!("--span {span}: no sample lies there; {} goes from {least} {unit} to {most} {unit}", recording.name));
+    recording.part(from, to).map_err(lost)?.ok_or_else(nothing)
 }
 
 /// The first channels over time, or their sizes over frequency.

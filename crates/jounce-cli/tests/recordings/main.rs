@@ -76,6 +76,24 @@ fn read_tells_channels_and_findings_and_writes_them() {
     assert_eq!(again["recordings"][0]["channels"][1]["quantity"], "acceleration");
 }
 
+/// The louder half alone: 3 V and 1 V peak over 1 kohm are 5 mW. What lies outside of the record is refused with its ends.
+#[test]
+fn a_part_of_a_recording_is_written_for_other_commands() {
+    let folder = tempfile::tempdir().unwrap();
+    switching(folder.path());
+    for name in ["part.csv", "part.parquet", "part.uff"] {
+        let (code, _, told) = jounce(folder.path(), &["read", "switch.csv", "--to", name, "--span", "12s:18s"]);
+        assert!(code == 0 && told.contains("3073 of 10240 samples"), "{told}");
+        let (_, json, _) = jounce(folder.path(), &["power", name, "--resistance", "1kohm", "--json"]);
+        let power_w = json["records"][0]["power"]["mean_power_w"].as_f64().unwrap();
+        assert!((power_w / 5e-3 - 1.0).abs() < 1e-3, "{name}: {power_w}");
+    }
+    for (span, why) in [("30s:40s", "goes from 0 s to 19.998"), ("8s:2s", "the smaller one first"), ("1Hz:2Hz", "Hz")] {
+        let (code, _, told) = jounce(folder.path(), &["read", "switch.csv", "--to", "none.csv", "--span", span]);
+        assert!(code == 2 && told.contains(why) && !folder.path().join("none.csv").exists(), "{span}: {code} {told}");
+    }
+}
+
 /// 1 V peak for one half, 3 V and 1 V peak for the other, over 1 kohm: (0.5 + 5) / 2 mW. The base's mean square is 2.
 #[test]
 fn power_is_told_for_each_load() {

@@ -23,6 +23,7 @@ mod number;
 mod numbers;
 mod outline;
 mod parquet;
+mod part;
 mod raw;
 mod shelf;
 mod survey;

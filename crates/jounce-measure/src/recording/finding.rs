@@ -73,6 +73,8 @@ pub enum FindingKind {
     Resampled,
     /// The structure still rings from one hit when the next one comes.
     Ringing,
+    /// A part of a longer recording.
+    Cut,
     /// Made by a model, and how.
     Simulated,
     /// Assumed, since nothing is told.

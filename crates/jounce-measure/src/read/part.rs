@@ -1,0 +1,99 @@
+//! A part of a recording, cut without holding its numbers in memory.
+
+use std::io;
+
+use super::numbers::Numbers;
+use super::shelf::Shelf;
+use super::survey::{Places, Surveyed, SurveyedChannel};
+use crate::recording::{Finding, FindingKind, Over, PIECE, Place, Series, inspected};
+
+/// Share of a step by which an end of the part may miss a sample: the roundoff of numbers such as `0.1`.
+const ROUNDOFF: f64 = 1e-6;
+
+impl Surveyed {
+    /// The samples from one place to another (s or Hz), both included; `None` where there are none. What was noticed stays that of the whole, whose
+    /// samples are numbered from its own first one.
+    ///
+    /// # Errors
+    /// The scratch file cannot be read or written.
+    pub fn part(&self, from: f64, to: f64) -> io::Result<Option<Self>> {
+        let slack = ROUNDOFF / self.rate();
+        let (mut first, mut count, mut number) = (0, 0, 0);
+        self.places.each(|place| {
+            first += usize::from(place < from - slack);
+            count += usize::from((from - slack..=to + slack).contains(&place));
+            number += 1;
+        })?;
+        if count == 0 {
+            return Ok(None);
+        }
+        let shelf = Shelf::scratch();
+        let cut = |numbers: &Numbers| cut(numbers, first, count, &shelf);
+        let places = match &self.places {
+            Places::Even { start, step, .. } => Places::Even { start: start + first as f64 * step, step: *step, count },
+            Places::Stamped { stamps, rate } => Places::Stamped { stamps: cut(stamps)?, rate: *rate },
+        };
+        let channel = |channel: &SurveyedChannel| -> io::Result<SurveyedChannel> {
+            let values = cut(&channel.values)?;
+            Ok(SurveyedChannel {
+                name: channel.name.clone(),
+                quantity: channel.quantity,
+                unit: channel.unit.clone(),
+                place: channel.place.clone(),
+                direction: channel.direction.clone(),
+                sizes: inspected(&values, false)?.1,
+                values,
+                imaginary: channel.imaginary.as_ref().map(cut).transpose()?,
+            })
+        };
+        let channels = self.channels.iter().map(channel).collect::<io::Result<_>>()?;
+        let unit = if self.over == Over::Time { "s" } else { "Hz" };
+        let about = format!("{count} of {number} samples, from {from} {unit} to {to} {unit}; the other findings are those of the whole");
+        let told = Finding::new(FindingKind::Cut, count, Some(Place::Sample(first)), about);
+        let findings = self.findings.iter().cloned().chain([told]).collect();
+        Ok(Some(Self { name: self.name.clone(), over: self.over, places, channels, findings }))
+    }
+}
+
+/// So many numbers from one on, on a shelf.
+fn cut(numbers: &Numbers, first: usize, count: usize, shelf: &Shelf) -> io::Result<Numbers> {
+    let mut kept = shelf.column();
+    let end = first + count;
+    for index in first / PIECE..end.div_ceil(PIECE) {
+        let piece = numbers.piece(index)?;
+        let begin = index * PIECE;
+        let inside = first.saturating_sub(begin)..(end - begin).min(piece.len());
+        piece[inside].iter().try_for_each(|x| kept.push(*x))?;
+    }
+    Ok(kept)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::recording::{Channel, Grid, Quantity, Recording};
+
+    fn ramp(grid: Grid) -> Surveyed {
+        let values = (0..grid.len()).map(|k| k as f64).collect();
+        let channel = Channel::new("ramp", Quantity::Voltage, "V", values);
+        Recording { name: "r".into(), over: Over::Time, grid, channels: vec![channel], findings: Vec::new() }.into()
+    }
+
+    /// Over several pieces, at even and at stamped places; both ends belong to it, whatever their roundoff.
+    #[test]
+    fn a_part_holds_the_samples_between_its_ends() {
+        let count = 3 * PIECE + 11;
+        let even = ramp(Grid::Even { start: 0.5, step: 0.1, count });
+        let stamped = ramp(Grid::Stamped((0..count).map(|k| 0.5 + 0.1 * k as f64).collect()));
+        for whole in [even, stamped] {
+            for (first, last) in [(0, 0), (3, 7), (PIECE - 1, PIECE), (PIECE, 3 * PIECE + 10)] {
+                let place = |k: usize| 0.1 * (k as f64 + 5.0);
+                let part = whole.part(place(first), place(last)).unwrap().unwrap().into_recording().unwrap();
+                assert!(part.channels[0].values.iter().copied().eq((first..=last).map(|k| k as f64)), "{first} to {last}");
+                assert!((part.grid.at(0) - place(first)).abs() < 1e-9 && part.findings.len() == 1);
+            }
+            assert!(whole.part(0.51, 0.59).unwrap().is_none() && whole.part(-3.0, 0.4).unwrap().is_none());
+        }
+    }
+}
