@@ -47,9 +47,9 @@ class Method:
 
 
 def jounce_words(spec: Path, method: str, from_hz: float, to_hz: float) -> list[str]:
-    """Arguments of `jounce branch` for the branch that reaches the ends of a range."""
+    """Arguments of `jounce branch` for the branch that reaches the ends of a range, on one core as its peers."""
     over = f"drive.shaker.frequency={from_hz!r}Hz:{to_hz!r}Hz"
-    return ["branch", str(spec), "--over", over, "--longest-period", "1", "--seeds", "0", "--method", method, "--json"]
+    return ["branch", str(spec), "--over", over, "--longest-period", "1", "--seeds", "0", "--threads", "1", "--method", method, "--json"]
 
 
 def read_jounce(done: Finished) -> Found:
