@@ -45,7 +45,8 @@ class NoiseResult(Result):
     stop_gap_m: Annotated[Floats, Along("stop", "m", "gap")]
     stop_mean_m: Annotated[Floats, Along("stop", "m", "mean displacement towards the stop")]
     stop_displacement_rms_m: Annotated[Floats, Along("stop", "m", "displacement towards the stop, rms about its mean")]
-    #: How often the gap would be reached, 1/s, and the share of the time beyond it.
+    #: How often the gap would be reached, 1/s, and the share of the time beyond it; NaN where a noise moves one side of the gap alone, farther and
+    #: farther.
     stop_reached_hz: Annotated[Floats, Along("stop", "1/s", "how often the gap would be reached")]
     stop_share_beyond: Annotated[Floats, Along("stop", "1", "share of the time beyond the gap")]
     #: Frequencies of the densities, Hz, closer about each resonance.
@@ -80,7 +81,12 @@ class NoiseResult(Result):
             *((f"point {name}", f"{place:.4e} m rms, {speed:.4e} m/s rms") for name, place, speed in points),
             *((f"drive {name}", "LEFT OUT: it is no stationary noise") for name in self.left_out),
             *(
-                (f"stop {name}", f"LEFT OUT: gap of {gap:.4g} m reached {rate:.4g} times per second, passed for {100 * share:.3g} %")
+                (
+                    f"stop {name}",
+                    f"LEFT OUT: gap of {gap:.4g} m reached {rate:.4g} times per second, passed for {100 * share:.3g} %"
+                    if rate == rate
+                    else f"LEFT OUT: a drive moves one side of its gap of {gap:.4g} m alone, so that there is no rate",
+                )
                 for name, gap, rate, share in stops
             ),
         ]

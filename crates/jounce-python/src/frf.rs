@@ -96,7 +96,7 @@ fn responses(
     if open_circuit {
         spec.open_circuits();
     }
-    spec.drive.clear();
+    spec.take_drives_away();
     spec.gravity = Gravity::default();
     spec.stop.clear();
     let modes = modes_holding(&spec, hold)?;

@@ -75,8 +75,8 @@ fn told<'py>(py: Python<'py>, found: Answered, manifest: String) -> PyResult<Bou
         .each("stop_gap_m", stops, |stop| stop.gap_m)?
         .each("stop_mean_m", stops, |stop| stop.mean_m)?
         .each("stop_displacement_rms_m", stops, |stop| stop.displacement_rms_m)?
-        .each("stop_reached_hz", stops, |stop| stop.reached_hz)?
-        .each("stop_share_beyond", stops, |stop| stop.share_beyond)?
+        .each("stop_reached_hz", stops, |stop| stop.reached_hz.unwrap_or(f64::NAN))?
+        .each("stop_share_beyond", stops, |stop| stop.share_beyond.unwrap_or(f64::NAN))?
         .array("frequency_hz", frequency_hz)?
         .with("densities", all)?
         .with("manifest", manifest)?;

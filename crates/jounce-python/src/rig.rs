@@ -144,7 +144,7 @@ pub fn rig_struck<'py>(py: Python<'py>, spec: &Spec, sensors: Sensors, hits: Hit
 fn struck(spec: &Spec, sensors: &Sensors, hits: Hits) -> Result<Recording, Failure> {
     let mut spec = spec.spec.clone();
     sensors.fit(&mut spec)?;
-    spec.drive.clear();
+    spec.take_drives_away();
     spec.stop.clear();
     spec.gravity = Gravity::default();
     let modes = modes_holding(&spec, &sensors.hold)?;

@@ -80,7 +80,7 @@ impl Frf {
         if self.open_circuit {
             spec.open_circuits();
         }
-        spec.drive.clear();
+        spec.take_drives_away();
         spec.gravity = Gravity::default();
         spec.stop.clear();
         let modes = structure::modes_holding(&spec, &held)?;

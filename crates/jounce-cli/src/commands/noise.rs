@@ -95,12 +95,21 @@ fn tell(answer: &RandomAnswer) {
         line(format!("LEFT OUT           drive {name}: it is no stationary noise"));
     }
     for stop in &answer.stops {
-        line(format!(
-            "LEFT OUT           stop {}: without it its gap of {:.4e} m would be reached {:.4e} times per second, passed {:.3} % of the time",
-            stop.name,
-            stop.gap_m,
-            stop.reached_hz,
-            100.0 * stop.share_beyond
-        ));
+        let (name, gap_m) = (&stop.name, stop.gap_m);
+        let told = match stop.reached_hz.zip(stop.share_beyond) {
+            Some((reached_hz, share)) => {
+                format!(
+                    "without it its gap of {gap_m:.4e} m would be reached {reached_hz:.4e} times per second, passed {:.3} % of the time",
+                    100.0 * share
+                )
+            }
+            None => {
+                let drive = stop.carried_by.as_deref().unwrap_or_default();
+                format!(
+                    "drive {drive} moves one side of its gap of {gap_m:.4e} m alone, farther and farther, so that there is no rate; march it with `jounce ensemble`"
+                )
+            }
+        };
+        line(format!("LEFT OUT           stop {name}: {told}"));
     }
 }

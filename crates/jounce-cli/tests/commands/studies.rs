@@ -87,3 +87,40 @@ fn what_is_interrupted_tells_what_is_finished_and_ends_with_130() {
         assert!(!json[list].as_array().unwrap().is_empty() && errors.contains(words), "{json} {errors}");
     }
 }
+
+/// A harvester whose base has a name answers every linear question as one on the ground does: its base is the ground once no drive moves it.
+#[test]
+fn a_named_base_answers_as_the_ground_does() {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = |base: &str| {
+        let patch = "[patch.p]\non = \"arm\"\nmaterial = \"PZT-5A\"\nstart = \"0 mm\"\nlength = \"30 mm\"\nwidth = \"20 mm\"\nthickness = \"0.2 mm\"\n";
+        let text = format!(
+            "[beam.arm]\nmaterial = \"steel\"\nlength = \"100 mm\"\nwidth = \"20 mm\"\nthickness = \"1 mm\"\nroot = \"{base}\"\n\
+             [damping]\nratios = [0.01]\nbeyond = 0.01\n{patch}[circuit.load]\npatch = \"p\"\nresistance = \"100 kohm\"\n\
+             [mass.tip]\non = \"arm.end\"\nmass = \"2 g\"\n\
+             [stop.s]\nat = \"arm.end\"\nframe = \"{base}\"\nlaw = \"hertz\"\ngap = \"1 mm\"\nstiffness = \"1000 N/m^1.5\"\n\
+             [drive.shaker]\nkind = \"base-acceleration\"\nat = \"{base}\"\nsignal = \"noise\"\npsd = \"0.02 g^2/Hz\"\nhigh = \"90 Hz\"\n"
+        );
+        let file = folder.path().join(format!("{base}.toml"));
+        std::fs::write(&file, text).unwrap();
+        file.to_str().unwrap().to_owned()
+    };
+    let (head, ground) = (spec("head"), spec("ground"));
+    let struck = folder.path().join("struck.parquet");
+    for words in [
+        &["frf", "--base", "--from", "10Hz", "--to", "200Hz"][..],
+        &["frf", "--input", "arm.end", "--from", "10Hz", "--to", "200Hz"],
+        &["modes"],
+        &["noise"],
+        &["rig", "--hammer", "arm.end", "--hits", "1", "--rate", "4096 Hz", "--block", "1 s", "--to", struck.to_str().unwrap()],
+    ] {
+        let answer = |file: &str| {
+            let arguments: Vec<&str> = [words[0], file].into_iter().chain(words[1..].iter().copied()).chain(["--json"]).collect();
+            let (code, mut json, errors) = jounce(&arguments);
+            assert_eq!(code, 0, "{words:?} {file}: {errors}");
+            json.as_object_mut().unwrap().remove("manifest");
+            json
+        };
+        assert_eq!(answer(&head), answer(&ground), "{words:?}");
+    }
+}

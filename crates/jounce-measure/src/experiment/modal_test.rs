@@ -47,7 +47,7 @@ impl ModalTest {
     /// The clamped beam with its patch as a laminate, struck where the paper struck it.
     pub fn compute(paper_hz: &[f64]) -> Result<Self, ExperimentError> {
         let mut spec = paper_spec(&[("patch.mfc.section", "laminate")])?;
-        spec.drive.clear();
+        spec.take_drives_away();
         spec.stop.clear();
         let modes = modes_holding(&spec, &["table".to_owned()])?;
         let short_circuit_hz = modes.frequency_rad_s.first().map_or(f64::NAN, |w| w / TAU);

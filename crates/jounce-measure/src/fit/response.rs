@@ -144,7 +144,7 @@ pub(super) struct AskedResponse {
 impl Question for AskedResponse {
     fn ask(&self, model: &Model<'_>) -> Result<Vec<f64>, FitError> {
         let mut spec = model.spec_at(&self.conditions)?;
-        spec.drive.clear();
+        spec.take_drives_away();
         spec.stop.clear();
         spec.gravity = Gravity::default();
         let modes = structure::modes_holding(&spec, model.hold)?;

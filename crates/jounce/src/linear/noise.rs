@@ -26,6 +26,8 @@ use std::f64::consts::TAU;
 pub struct Noise {
     /// Name of the drive.
     pub name: String,
+    /// The base that it accelerates.
+    pub base: Option<String>,
     /// Modal force per unit size.
     pub shape: Vec<f64>,
     /// One-sided power spectral density, N^2/Hz or (m/s^2)^2/Hz.
@@ -44,7 +46,7 @@ impl Noise {
         for (name, drive) in &spec.drive {
             if let DriveSignal::Noise { density, low_hz, high_hz, .. } = drive.signal {
                 let shape = driven(modes, name, drive)?;
-                noises.push(Self { name: name.clone(), shape, density, band_hz: [low_hz, high_hz] });
+                noises.push(Self { name: name.clone(), base: drive.base().map(str::to_owned), shape, density, band_hz: [low_hz, high_hz] });
             }
         }
         Ok(noises)
@@ -53,7 +55,7 @@ impl Noise {
     /// Acceleration of the base.
     pub fn of_base(plant: &Plant, density_m2_s3: f64, band_hz: [f64; 2]) -> Self {
         let shape = plant.system.modes.participation_sqrt_kg.iter().map(|p| -p).collect();
-        Self { name: "base".to_owned(), shape, density: density_m2_s3, band_hz }
+        Self { name: "base".to_owned(), base: None, shape, density: density_m2_s3, band_hz }
     }
 
     /// The same over all frequencies.

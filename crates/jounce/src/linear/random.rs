@@ -10,9 +10,10 @@ use super::crossing::Crossing;
 use super::noise::{Noise, density, spectral_moment};
 use super::random_answer::{Density, RandomAnswer, RandomLoad, RandomPatch, RandomPoint, RandomStop};
 use crate::plant::{Plant, PlantError, System};
-use crate::spec::{Interface, Spec};
+use crate::spec::{Interface, Spec, Stop};
 use crate::structure::{self, StructureError};
 use faer::Mat;
+use std::collections::BTreeMap;
 
 /// Share of the highest frequency of the noises at which densities begin where the noises begin at 0.
 const LOWEST_SHARE: f64 = 1e-3;
@@ -63,6 +64,8 @@ pub struct Random {
     noises: Vec<Noise>,
     covariance: Mat<f64>,
     left_out: Vec<String>,
+    /// The noise that moves one side of a stop alone, by the name of the stop.
+    carried: BTreeMap<String, String>,
 }
 
 impl Random {
@@ -81,10 +84,11 @@ impl Random {
         }
         let left_out = spec.drive.keys().filter(|name| noises.iter().all(|noise| noise.name != **name)).cloned().collect();
         let mut still = spec.clone();
-        still.drive.clear();
+        still.take_drives_away();
         let plant = Plant::new(System::assemble(&still, modes)?)?;
         let covariance = covariance(&plant, &noises).map_err(RandomError::unsteady)?;
-        Ok(Self { plant, noises, covariance, left_out })
+        let carried = spec.stop.iter().filter_map(|(name, stop)| Some((name.clone(), carrier(spec, stop, &noises)?))).collect();
+        Ok(Self { plant, noises, covariance, left_out, carried })
     }
 
     /// Means and mean squares.
@@ -144,13 +148,16 @@ impl Random {
                 velocity_m_s: self.rms(&port.velocity),
                 level_m: stop.gap_m,
             };
+            let carried_by = self.carried.get(&stop.name).cloned();
+            let stays = carried_by.is_none();
             RandomStop {
                 name: stop.name.clone(),
                 gap_m: stop.gap_m,
                 mean_m: crossing.mean_m,
                 displacement_rms_m: crossing.deviation_m,
-                reached_hz: crossing.rate_hz(),
-                share_beyond: crossing.share_beyond(),
+                reached_hz: stays.then(|| crossing.rate_hz()),
+                share_beyond: stays.then(|| crossing.share_beyond()),
+                carried_by,
             }
         };
         self.plant.system.stops.iter().zip(&self.plant.ports).map(stop).collect()
@@ -200,4 +207,11 @@ impl Random {
             })
             .collect()
     }
+}
+
+/// The noise that moves the base of one side of a stop and not that of the other.
+fn carrier(spec: &Spec, stop: &Stop, noises: &[Noise]) -> Option<String> {
+    let under = [&stop.at, &stop.frame].map(|point| spec.base_under(point));
+    let carries = |noise: &&Noise| noise.base.as_deref().is_some_and(|base| (under[0] == base) != (under[1] == base));
+    noises.iter().find(carries).map(|noise| noise.name.clone())
 }

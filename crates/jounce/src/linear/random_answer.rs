@@ -52,10 +52,12 @@ pub struct RandomStop {
     pub mean_m: f64,
     /// Displacement towards the stop, rms about its mean, m.
     pub displacement_rms_m: f64,
-    /// How often the gap would be reached, Hz.
-    pub reached_hz: f64,
-    /// Share of the time beyond the gap, 0 to 1.
-    pub share_beyond: f64,
+    /// How often the gap would be reached, Hz; none where a noise carries one side away.
+    pub reached_hz: Option<f64>,
+    /// Share of the time beyond the gap, 0 to 1; none likewise.
+    pub share_beyond: Option<f64>,
+    /// The noise that moves the base of one side and not that of the other: the displacement of an acceleration drifts without end.
+    pub carried_by: Option<String>,
 }
 
 /// What a spec answers to its noises without its stops.

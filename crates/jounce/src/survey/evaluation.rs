@@ -153,7 +153,7 @@ fn noise(prepared: &Prepared) -> Result<Vec<f64>, RandomError> {
         found.mean_power_w,
         of_load(|load| load.voltage_rms_v),
         of_load(|load| load.statistical_bandwidth_hz),
-        of_stop(|stop| stop.reached_hz),
-        of_stop(|stop| stop.share_beyond),
+        of_stop(|stop| stop.reached_hz.unwrap_or(f64::NAN)),
+        of_stop(|stop| stop.share_beyond.unwrap_or(f64::NAN)),
     ])
 }

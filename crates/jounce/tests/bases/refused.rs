@@ -1,5 +1,6 @@
 //! What a spec may not say of bases, each told with its key and what to do.
 
+use jounce::linear::Random;
 use jounce::spec::Spec;
 
 fn told(drive: &str) -> String {
@@ -28,4 +29,25 @@ fn every_fault_of_a_base_is_told() {
     let lost =
         Spec::from_toml("[beam.b]\nroot = \"head\"\nlength = \"1 m\"\nwidth = \"1 cm\"\nthickness = \"1 mm\"\nmaterial = \"steel\"\n");
     assert!(lost.unwrap_err().to_string().contains("beam.b.root"));
+}
+
+/// The twofold integral of a noise goes farther and farther: a gap between the base that it moves and the ground is reached at no rate. Where both
+/// sides stand on the same base there is one, and it is that of the same harvester on the ground.
+#[test]
+fn a_gap_that_noise_carries_away_has_no_rate() {
+    let text = |base: &str, frame: &str| {
+        format!(
+            "[mass.mass]\non = \"{base}\"\nmass = \"1 kg\"\nfrequency = \"6 Hz\"\ndamping_ratio = 0.1\n\
+             [stop.s]\nat = \"mass\"\nframe = \"{frame}\"\ngap = \"1 mm\"\nlaw = \"rigid\"\nrestitution = 0.5\n\
+             [drive.shaker]\nkind = \"base-acceleration\"\nat = \"{base}\"\nsignal = \"noise\"\npsd = \"0.1 (m/s^2)^2/Hz\"\nhigh = \"40 Hz\"\n"
+        )
+    };
+    let stop = |base: &str, frame: &str| {
+        let spec = Spec::from_toml(&text(base, frame)).unwrap_or_else(|faults| panic!("{faults}"));
+        Random::new(&spec).unwrap().answer().unwrap().stops.remove(0)
+    };
+    let apart = stop("head", "ground");
+    assert_eq!((apart.reached_hz, apart.share_beyond, apart.carried_by.as_deref()), (None, None, Some("shaker")));
+    let (together, grounded) = (stop("head", "head"), stop("ground", "ground"));
+    assert!(grounded.reached_hz.unwrap() > 0.0 && together.carried_by.is_none() && together.reached_hz == grounded.reached_hz);
 }

@@ -103,12 +103,13 @@ fn a_stop_that_is_not_felt_is_struck_as_rice_says() {
     let exact = Random::new(&base.spec).unwrap().answer().unwrap();
     let answer = marched(&base, 24, None, true).unwrap();
     let (stop, rice) = (&answer.stops[0], &exact.stops[0]);
+    let (rice_hz, rice_share) = rice.reached_hz.zip(rice.share_beyond).unwrap();
     let speed = (PI / 2.0).sqrt() * exact.points.iter().find(|point| point.name == "cell.mass").unwrap().velocity_rms_m_s;
     let rows = [
-        ("rate", stop.contact_rate_hz, rice.reached_hz),
+        ("rate", stop.contact_rate_hz, rice_hz),
         ("speed", stop.mean_strike_m_s, speed),
-        ("duty", stop.contact_duty, rice.share_beyond),
-        ("dwell", stop.mean_dwell_s, rice.share_beyond / rice.reached_hz),
+        ("duty", stop.contact_duty, rice_share),
+        ("dwell", stop.mean_dwell_s, rice_share / rice_hz),
         ("power", answer.power_w, exact.mean_power_w),
     ];
     for (name, found, exact) in rows {

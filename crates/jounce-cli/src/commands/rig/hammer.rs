@@ -39,7 +39,7 @@ impl HammerTestArguments {
 
     /// The recording of the test.
     pub fn struck(&self, mut spec: Spec, point: &str, held: &[String], sensing: &SensingArguments) -> Result<Recording, Failure> {
-        spec.drive.clear();
+        spec.take_drives_away();
         spec.stop.clear();
         spec.gravity = Gravity::default();
         let modes = structure::modes_holding(&spec, held)?;

@@ -23,6 +23,16 @@ impl Spec {
         self.drive.values().filter_map(Drive::base).filter(|base| *base != GROUND).collect()
     }
 
+    /// Takes all drives away. The bases that they moved stand still, and are the ground.
+    pub fn take_drives_away(&mut self) {
+        let bases: BTreeSet<String> = self.bases().into_iter().map(str::to_owned).collect();
+        self.drive.clear();
+        let roots = self.beam.values_mut().map(|beam| &mut beam.root);
+        let under = self.mass.values_mut().map(|mass| &mut mass.on);
+        let frames = self.stop.values_mut().map(|stop| &mut stop.frame);
+        roots.chain(under).chain(frames).filter(|name| bases.contains(*name)).for_each(|name| *name = GROUND.to_owned());
+    }
+
     /// True for the ground and every other base.
     pub fn is_base(&self, name: &str) -> bool {
         name == GROUND || self.drive.values().any(|drive| drive.base() == Some(name))
