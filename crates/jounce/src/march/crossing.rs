@@ -64,6 +64,13 @@ impl FlightStep {
         None
     }
 
+    /// Highest value of the shifted interpolant, m.
+    pub fn highest_m(&self) -> f64 {
+        let shifted = self.cubic().map(|p| p + self.fast_m);
+        let inside = self.turning_points().into_iter().flatten().map(|x| bezier(shifted, x));
+        inside.fold(shifted[0].max(shifted[3]), f64::max)
+    }
+
     /// Zero of the shifted interpolant in a stretch where it rises through zero, by Newton kept inside the bracket.
     #[inline(always)]
     fn zero_between(&self, mut low: f64, mut high: f64) -> f64 {

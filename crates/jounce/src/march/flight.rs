@@ -15,11 +15,13 @@ use crate::wide::Wide;
 /// what its interpolant says: a contact that could hide in it is shallower than this fraction of the motion.
 pub(super) const LOCATED: f64 = 1e-12;
 
-/// Shallower than the resolution: nothing the force law could feel, unless the interpolant itself crosses.
+/// Shallower than the resolution: nothing the force law could feel, unless the interpolant itself crosses. What was let go from rest does not
+/// come back within what the interpolant does not know, though that may well rise first.
 #[inline(always)]
-pub(super) fn by_interpolant(step: &FlightStep) -> Verdict {
+pub(super) fn by_interpolant(step: &FlightStep, from_rest: bool) -> Verdict {
     match step.crossing_s() {
         None => Verdict::Clear,
+        Some(_) if from_rest && step.highest_m() <= step.uncertainty_m() => Verdict::Clear,
         Some(guess_s) => Verdict::Strike(Crossing { from_s: 0.0, guess_s, to_s: step.length_s }),
     }
 }
@@ -178,11 +180,16 @@ impl Marcher<'_> {
         }
         let uncertainty_m = step.uncertainty_m();
         if uncertainty_m <= LOCATED * self.scale_m(p, displacement_m) {
-            return by_interpolant(step);
+            return by_interpolant(step, self.leaves_from_rest(p));
         }
         // The uncertainty falls like the fourth power of the length: two levels where one is not enough.
         let far = uncertainty_m > 16.0 * self.ports[p].penetration_m.abs().max(LOCATED * self.scale_m(p, displacement_m));
         Verdict::Unclear(if far { 2 * PER_OCTAVE } else { PER_OCTAVE })
+    }
+
+    /// A port that touches and has no speed: it flies, so that nothing presses it.
+    pub(super) fn leaves_from_rest(&self, p: usize) -> bool {
+        self.ports[p].penetration_m == 0.0 && self.ports[p].rate_m_s == 0.0
     }
 
     /// Size of the motion against which the certificate's uncertainty is held.

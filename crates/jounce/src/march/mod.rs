@@ -38,6 +38,7 @@ mod port_vectors;
 mod rectified;
 mod response;
 mod rigid;
+mod rounds;
 mod several;
 mod shelf;
 mod state;

@@ -18,6 +18,7 @@ use super::kernel::{Kernel, Shape};
 use super::level::PER_OCTAVE;
 use super::marcher::Marcher;
 use super::port_state::Regime;
+use super::rounds::Rounds;
 use super::state::{columns, dot};
 use super::table::{Sticking, Table};
 use super::tone::Swing;
@@ -45,8 +46,10 @@ impl Marcher<'_> {
     /// Alternates flight, impacts and rest until the end.
     #[inline(always)]
     pub(super) fn advance_rigid<W: Wide>(&mut self, w: W, law: Rigid, end_s: f64) -> Result<(), MarchError> {
+        let mut rounds = Rounds::default();
         while self.time_s < end_s {
             self.check_watch()?;
+            rounds.count(&self.kernel.plant, self.time_s)?;
             let until_s = self.next_breakpoint(w, end_s);
             match self.ports[0].regime {
                 Regime::Flight => self.flight(w, until_s)?,

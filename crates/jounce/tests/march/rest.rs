@@ -1,9 +1,11 @@
 //! Rest on rigid stops while other ports strike and press.
 
-use crate::plants::{distance, kernel, march, physical, springs};
+use crate::plants::{distance, from_rest, kernel, march, physical, springs};
 use jounce::contact::{Hertz, Law, Rigid};
 use jounce::march::{MarchError, Marcher};
 use jounce::plant::{Stop, System};
+use jounce::spec::Spec;
+use jounce::structure::modes;
 
 const PRESSED_M: f64 = 5e-3;
 
@@ -110,5 +112,29 @@ fn a_mass_pushes_another_from_rest_and_lets_it_go() {
         );
         assert!(errors.iter().all(|error| error.abs() < 1e-8) && (statistics.sticking_s / leaves_s - 1.0).abs() < 1e-4);
         assert!(marcher.energies().residual_relative().abs() < 1e-9);
+    }
+}
+
+/// A ball that is let go from rest while the beam under it has hardly begun to go away: what the interpolant of a step rises by first is less than
+/// it knows, and struck at the same instant for ever. Every restitution and tolerance comes to its end, with its energy.
+#[test]
+fn what_is_let_go_from_rest_leaves() {
+    for restitution in [0.0, 0.2, 0.3, 0.4, 0.5] {
+        for tolerance in [1e-6, 1e-7, 1e-8] {
+            let text = format!(
+                "[beam.up]\nmaterial = \"steel\"\nlength = \"50 mm\"\nwidth = \"10 mm\"\nthickness = \"1 mm\"\n\
+                 [mass.ball]\non = \"nothing\"\nmass = \"1 g\"\n\
+                 [stop.lo]\nat = \"ball\"\nframe = \"up.end\"\nside = \"negative\"\ngap = \"0 mm\"\nlaw = \"rigid\"\nrestitution = {restitution:?}\n\
+                 [gravity]\nacceleration = \"-9.81 m/s^2\"\n\
+                 [drive.base]\nkind = \"base-displacement\"\namplitude = \"1 mm\"\nfrequency = \"23 Hz\"\n\
+                 [damping]\nbeyond = 0.01\n[reduction]\nmodes = 5\n"
+            );
+            let spec = Spec::from_toml(&text).unwrap_or_else(|faults| panic!("{faults}"));
+            let kernel = kernel(System::assemble(&spec, modes(&spec).unwrap()).unwrap());
+            let answer = from_rest(&kernel, 1.5, tolerance);
+            let residual = answer.energies.residual_relative();
+            eprintln!("{restitution}, {tolerance:e}: {} contacts, residual {residual:.1e}", answer.contacts);
+            assert!(answer.contacts > 50 && residual.abs() < 2.0 * tolerance, "{restitution}, {tolerance:e}: {residual:e}");
+        }
     }
 }

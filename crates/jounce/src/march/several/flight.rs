@@ -105,7 +105,7 @@ impl Marcher<'_> {
     #[inline(always)]
     pub(super) fn judge_beside<W: Wide>(&self, w: W, p: usize, step: &FlightStep, displacement_m: f64) -> Verdict {
         match self.judge_flight(p, step, displacement_m) {
-            Verdict::Unclear(_) if step.uncertainty_m() <= LOCATED * self.terms_m(w, p) => by_interpolant(step),
+            Verdict::Unclear(_) if step.uncertainty_m() <= LOCATED * self.terms_m(w, p) => by_interpolant(step, self.leaves_from_rest(p)),
             verdict => verdict,
         }
     }

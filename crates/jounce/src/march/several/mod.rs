@@ -38,6 +38,7 @@ use super::error::MarchError;
 use super::kernel::Kernel;
 use super::marcher::Marcher;
 use super::port_state::{PortState, Regime};
+use super::rounds::Rounds;
 use crate::contact::Law;
 use crate::wide::{Task, Wide};
 
@@ -62,8 +63,10 @@ impl Task for AdvanceSeveral<'_, '_> {
     #[inline(always)]
     fn run<W: Wide>(self, w: W) -> Self::Output {
         let AdvanceSeveral { marcher, end_s } = self;
+        let mut rounds = Rounds::default();
         while marcher.time_s < end_s && marcher.switching.met.is_none() {
             marcher.check_watch()?;
+            rounds.count(&marcher.kernel.plant, marcher.time_s)?;
             let until_s = marcher.next_breakpoint(w, end_s);
             if marcher.hits_rigid_stop() {
                 marcher.collide(w)?;
