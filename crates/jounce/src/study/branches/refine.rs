@@ -14,7 +14,7 @@ use crate::orbit::{Orbit, OrbitMethod, contacts_apart};
 const HALVINGS: u32 = 4;
 
 /// Most halvings of a step on which a contact comes and another goes.
-const DEEPER: u32 = 12;
+const DEEPER: u32 = 6;
 
 /// Farthest that a contact moves on a step that has no need to be halved, drive cycles.
 const ELSEWHERE_CYCLES: f64 = 0.05;
