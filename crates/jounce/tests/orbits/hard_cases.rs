@@ -263,14 +263,3 @@ fn every_kind_of_key_leads_through_the_same_orbit() {
     }
     assert!(powers.iter().all(|power_w| (power_w / powers[0] - 1.0).abs() < 1e-8), "{powers:?}");
 }
-
-/// Marches of 1e-5 know an orbit less closely than Newton could want: the branch from 4 Hz is the one from 20 Hz, and is listed once.
-#[test]
-fn coarse_marches_list_a_branch_once() {
-    let [coarse, fine] = [1e-5, 1e-9].map(|tolerance| over(&bench(), "drive.shaker.frequency", (4.0, 20.0), tolerance).unwrap());
-    for found in [&coarse, &fine] {
-        eprintln!("{:?}", found.iter().map(|branch| (branch.points.len(), &branch.endings)).collect::<Vec<_>>());
-    }
-    assert_eq!(coarse.len(), fine.len());
-    assert!(coarse.iter().all(Branch::is_whole));
-}

@@ -3,7 +3,7 @@
 use crate::harvesters::{bench, branches};
 use jounce::linear::{optimal_resistance, steady_power_w};
 use jounce::spec::SpecFile;
-use jounce::study::{BandwidthSearch, BranchSearch, CurveKind, JumpCurve, JumpSearch, Method, Parameter, Prepared};
+use jounce::study::{BandwidthSearch, CurveKind, JumpCurve, JumpSearch, Method, Parameter, Prepared};
 
 fn untouched() -> SpecFile {
     let mut file = bench();
@@ -87,38 +87,4 @@ fn the_peak_of_the_impact_branch_is_the_one_along_the_branch() {
         assert!((point.parameter - peak.parameter).abs() < 1e-6 && point.stable == Some(true));
         assert!((point.mean_power_w / peak.mean_power_w - 1.0).abs() < 2e-7);
     }
-}
-
-/// The optimal load of a harvester that strikes its stop, at the drive of its upper branch: what the branch gives over the load itself is
-/// no more at 0.9 and at 1.1 times the optimum, by orbits that no tracking has to do with.
-#[test]
-fn the_optimal_load_on_the_impact_branch_gives_most() {
-    let load = "circuit.load.resistance";
-    let found = peaks(&bench(), [load, "drive.shaker.frequency"], [(3e4, 2e5), (11.9, 12.1)]);
-    let curve = found.iter().max_by(|a, b| a.points[0].mean_power_w.total_cmp(&b.points[0].mean_power_w)).unwrap();
-    assert!(curve.failures.is_empty());
-    let at = curve.points.iter().find(|point| point.parameter_2 == 12.1).unwrap();
-    let mut file = bench();
-    file.set("drive.shaker.frequency", "\"12.1 Hz\"").unwrap();
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
-    let key = file.numeric_key(load).unwrap();
-    let power_w = |range: (f64, f64), at_ohm: f64| {
-        let parameter = Parameter::new(&base, &key, range.1 - range.0);
-        let search = BranchSearch {
-            base: &base,
-            parameter: &parameter,
-            range,
-            method: Method::Shooting,
-            tolerance: 1e-10,
-            seeds: 0,
-            longest_period: 1,
-        };
-        let points = search.run().unwrap().into_iter().flat_map(|branch| branch.points);
-        points.filter(|point| point.parameter == at_ohm).map(|point| point.orbit.mean_power_w).fold(0.0, f64::max)
-    };
-    let [low, high] = [0.9, 1.1].map(|share| share * at.parameter);
-    let beside = [power_w((low, at.parameter), low), power_w((at.parameter, high), high)];
-    let own_w = power_w((low, at.parameter), at.parameter);
-    eprintln!("{:.3} ohm: {:.12e} W, along the load {own_w:.12e} W, beside it {beside:?} W", at.parameter, at.mean_power_w);
-    assert!((at.mean_power_w / own_w - 1.0).abs() < 2e-7 && beside.iter().all(|power_w| 0.9 * own_w < *power_w && *power_w < own_w));
 }

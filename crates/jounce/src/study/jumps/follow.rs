@@ -10,8 +10,8 @@ use crate::orbit::{Tracked, Tracking, multipliers};
 /// Distance, in the metric, from a strong resonance at which a curve of tori ends.
 const NEAR_RESONANCE: f64 = 1e-3;
 
-/// Shortest step: differences see both sides of a corner that lies nearer, and steps would creep up to it.
-const SHORTEST: f64 = 1e-4;
+/// Shortest step, in goals of Newton: a shorter one leads nowhere.
+const SHORTEST: f64 = 10.0;
 
 /// Share of a step, as far as its start may lie from an edge that counts as on it.
 const ON_EDGE: f64 = 1e-9;
@@ -42,7 +42,7 @@ impl JumpSearch<'_> {
         let mut curve = JumpCurve { kind, period_cycles: tracking.cycles, points: Vec::new(), failures: Vec::new() };
         curve.points.push(point(tracking, &first.position, &first.local));
         let origin = first.position.clone();
-        let control = StepControl { shortest: SHORTEST, ..StepControl::default() };
+        let control = StepControl { shortest: SHORTEST * corrector.goal, ..StepControl::default() };
         let from = |position: Position, ahead: Direction| Walk::new(tracking, corrector, control, self.scale_2(), position, ahead);
         let mut walk = from(first.position, ahead);
         loop {
