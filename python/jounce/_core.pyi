@@ -104,7 +104,7 @@ def branch(
     key: str,
     range: tuple[str, str],
     method: str,
-    harmonics: int,
+    harmonics: int | None,
     tolerance: float,
     seeds: int,
     longest_period: int,

@@ -130,14 +130,18 @@ class Spec(SpecOnRig):
         range: Any,
         *,
         method: Literal["shooting", "harmonic-balance"] = "shooting",
-        harmonics: int = 64,
+        harmonics: int | None = None,
         tolerance: float = 5e-10,
         seeds: int = 12,
         longest_period: int = 12,
         threads: int | None = None,
         progress: bool | Progress | None = None,
     ) -> BranchResult:
-        """Follows every branch of periodic answers over ``range = "12 Hz:13 Hz"`` of a key, stable or not."""
+        """Follows every branch of periodic answers over ``range = "12 Hz:13 Hz"`` of a key, stable or not.
+
+        Branches that no march of the ``seeds`` settles on are not found, and none of a period above ``longest_period`` cycles; more of
+        both find more. ``harmonics`` is where harmonic balance begins, 64 if left out.
+        """
         check_wholes(harmonics=harmonics, seeds=seeds, longest_period=longest_period, threads=threads)
         ends = span(range, key)
         with told(progress) as tell:

@@ -8,7 +8,7 @@ use clap::{Parser, Subcommand};
 
 /// Simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
 ///
-/// Exit codes: 0 done, 2 wrong usage, 3 not converged, 4 invalid input.
+/// Exit codes: 0 done, 2 wrong usage, 3 not converged (of `branch` and `jumps`: no part of the answer whole), 4 invalid input.
 #[derive(Debug, Parser)]
 #[command(name = "jounce", version, max_term_width = 110)]
 pub struct Arguments {

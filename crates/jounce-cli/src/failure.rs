@@ -10,6 +10,9 @@ use std::process::ExitCode;
 /// Exit code of what was stopped by the user, as shells have it.
 const INTERRUPTED: u8 = 130;
 
+/// Exit code of a computation that did not converge.
+const NOT_CONVERGED: u8 = 3;
+
 /// Why a command did not succeed.
 #[derive(Debug)]
 pub enum Failure {
@@ -21,6 +24,8 @@ pub enum Failure {
     Input(String),
     /// A computation that did not converge: exit code 3.
     NotConverged(String),
+    /// A computation of which no part is whole, its answer already told: exit code 3.
+    Incomplete(String),
     /// Stopped by the user; finished work is kept: exit code 130.
     Interrupted(String),
     /// Stopped by the user, the answer of what was finished already told: exit code 130.
@@ -45,8 +50,12 @@ impl Failure {
                 eprintln!("{text}");
                 return ExitCode::from(INTERRUPTED);
             }
+            Failure::Incomplete(text) => {
+                eprintln!("{text}");
+                return ExitCode::from(NOT_CONVERGED);
+            }
             Failure::Usage(text) => (2, text, Vec::new()),
-            Failure::NotConverged(text) => (3, text, Vec::new()),
+            Failure::NotConverged(text) => (NOT_CONVERGED, text, Vec::new()),
             Failure::Input(text) => (4, text, Vec::new()),
             Failure::Interrupted(text) => (INTERRUPTED, text, Vec::new()),
             Failure::Faults(path, faults) => {

@@ -10,15 +10,22 @@ use jounce::study::{Bandwidth, BandwidthSearch, Bifurcation, Branch, BranchPoint
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+/// Harmonics with which harmonic balance begins.
+const HARMONICS: usize = 64;
+
 /// How orbits are computed, by name.
-fn method_of(name: &str, harmonics: usize) -> Result<Method, Failure> {
-    if !(4..=2048).contains(&harmonics) {
+fn method_of(name: &str, harmonics: Option<usize>) -> Result<Method, Failure> {
+    if let Some(harmonics) = harmonics.filter(|harmonics| !(4..=2048).contains(harmonics)) {
         let details = serde_json::json!({ "harmonics": harmonics, "least": 4, "most": 2048 });
         return Err(Failure::new("ArgumentError", format!("harmonics is {harmonics}; it must be from 4 to 2048")).with(details));
     }
-    match name {
-        "shooting" => Ok(Method::Shooting),
-        "harmonic-balance" => Ok(Method::HarmonicBalance { harmonics }),
+    match (name, harmonics) {
+        ("shooting", None) => Ok(Method::Shooting),
+        ("shooting", Some(harmonics)) => {
+            let why = format!("harmonics is {harmonics}; shooting has none: give method=\"harmonic-balance\" or leave harmonics out");
+            Err(Failure::new("ArgumentError", why).with(serde_json::json!({ "harmonics": harmonics, "method": name })))
+        }
+        ("harmonic-balance", harmonics) => Ok(Method::HarmonicBalance { harmonics: harmonics.unwrap_or(HARMONICS) }),
         _ => Err(Failure::new("ArgumentError", format!("method is \"{name}\"; it must be \"shooting\" or \"harmonic-balance\""))),
     }
 }
@@ -55,7 +62,7 @@ pub fn branch<'py>(
     key: &str,
     range: (String, String),
     method: &str,
-    harmonics: usize,
+    harmonics: Option<usize>,
     tolerance: f64,
     seeds: usize,
     longest_period: u32,

@@ -19,6 +19,9 @@ use jounce::study::{BranchSearch, Ending, Method, Parameter, Prepared, StudyErro
 use jounce::table::{Column, Table};
 use std::path::Path;
 
+/// Harmonics with which harmonic balance begins.
+const HARMONICS: usize = 64;
+
 /// How orbits are computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Way {
@@ -39,9 +42,9 @@ pub struct Branch {
     /// How orbits are computed.
     #[arg(long, value_enum, default_value = "shooting")]
     method: Way,
-    /// Harmonics of the drive with which harmonic balance begins; it takes as many more as the tolerance needs.
-    #[arg(long, default_value_t = 64)]
-    harmonics: usize,
+    /// Harmonics of the drive with which --method harmonic-balance begins, 64 if left out; it takes as many more as the tolerance needs.
+    #[arg(long)]
+    harmonics: Option<usize>,
     /// Relative tolerance of the marches that the orbits are made of.
     #[arg(long, default_value_t = 5e-10)]
     tolerance: f64,
@@ -61,9 +64,7 @@ impl Branch {
     /// Follows the branches and reports.
     pub fn run(&self) -> Result<(), Failure> {
         check_tolerance(self.tolerance)?;
-        if !(4..=2048).contains(&self.harmonics) {
-            return Err(Failure::usage(format!("--harmonics {}: give a number from 4 to 2048", self.harmonics)));
-        }
+        let method = self.method()?;
         let file = self.spec.file()?;
         let spec = self.spec.checked(file.spec())?;
         let (key, range) = self.spec.key_and_ends(&file, &self.over)?;
@@ -74,10 +75,7 @@ impl Branch {
             base: &base,
             parameter: &parameter,
             range,
-            method: match self.method {
-                Way::Shooting => Method::Shooting,
-                Way::HarmonicBalance => Method::HarmonicBalance { harmonics: self.harmonics },
-            },
+            method,
             tolerance: self.tolerance,
             seeds: self.seeds,
             longest_period: self.longest_period,
@@ -112,7 +110,32 @@ impl Branch {
         let all: Vec<&[Exceeded]> = passed.iter().flatten().map(Vec::as_slice).collect();
         limit_warnings::warn(&all, "points", |place| format!("{} = {:.6} {}", key.path(), values[place], key.unit()));
         self.tell((&base.spec, shown), &key, (&branches, &passed), &widths)?;
-        interruption::end(&base.kernel.watch, || format!("the {} branches that were finished", branches.len()))
+        interruption::end(&base.kernel.watch, || format!("the {} branches that were finished", branches.len()))?;
+        if branches.iter().any(Curve::is_whole) {
+            return Ok(());
+        }
+        Err(Failure::Incomplete("no branch is whole: each ends where it could not be followed".to_owned()))
+    }
+
+    fn method(&self) -> Result<Method, Failure> {
+        match (self.method, self.harmonics) {
+            (_, Some(harmonics)) if !(4..=2048).contains(&harmonics) => {
+                Err(Failure::usage(format!("--harmonics {harmonics}: give a number from 4 to 2048")))
+            }
+            (Way::Shooting, Some(harmonics)) => Err(Failure::usage(format!(
+                "--harmonics {harmonics}: --method shooting has no harmonics; add --method harmonic-balance or leave --harmonics out"
+            ))),
+            (Way::Shooting, None) => Ok(Method::Shooting),
+            (Way::HarmonicBalance, harmonics) => Ok(Method::HarmonicBalance { harmonics: harmonics.unwrap_or(HARMONICS) }),
+        }
+    }
+
+    /// What the search may have missed, and how to look closer.
+    fn note(&self) -> String {
+        format!(
+            "branches that no march of {} seeds settles on are not found, and none of a period above {} cycles; more --seeds and a longer --longest-period find more",
+            self.seeds, self.longest_period
+        )
     }
 
     /// Branches that end early, and an error that is large.
@@ -158,6 +181,7 @@ impl Branch {
                 "branches": listed,
                 "peak": together.map(|width| width.peak),
                 "half_power_bandwidth": together.map(bandwidth::listed),
+                "note": self.note(),
             }));
             return Ok(());
         }
@@ -175,6 +199,7 @@ impl Branch {
             line("all branches together");
             bandwidth::tell(together, &key.unit());
         }
+        line(self.note());
         Ok(())
     }
 

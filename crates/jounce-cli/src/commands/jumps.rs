@@ -67,7 +67,11 @@ impl Jumps {
             eprintln!("a curve of kind {} ends early in {}: {why}", curve.kind.name(), key_2.path());
         }
         self.tell(&base.spec, [&key, &key_2], &curves)?;
-        interruption::end(&base.kernel.watch, || format!("the {} curves that were finished", curves.len()))
+        interruption::end(&base.kernel.watch, || format!("the {} curves that were finished", curves.len()))?;
+        if curves.is_empty() || curves.iter().any(|curve| curve.failures.is_empty()) {
+            return Ok(());
+        }
+        Err(Failure::Incomplete("no curve is whole: each ends where it could not be followed".to_owned()))
     }
 
     fn tell(&self, spec: &Spec, keys: [&NumericKey; 2], curves: &[JumpCurve]) -> Result<(), Failure> {

@@ -28,6 +28,14 @@ fn a_diagram_has_its_points_and_its_attractors() {
         assert!(!json["points"][0][key].is_null(), "{key} is missing");
     }
     assert!(json["attractors"].as_array().unwrap().iter().any(|attractor| attractor["id"] == "1a"));
+    for seen in json["attractors"].as_array().unwrap().iter().flat_map(|attractor| attractor["seen"].as_array().unwrap()) {
+        let [share, low, high] = ["fraction", "fraction_low", "fraction_high"].map(|key| seen[key].as_f64().unwrap());
+        // Ends of Wilson's interval solve its equation, for 6 starts.
+        for end in [low, high] {
+            let left = (share - end).powi(2) - 1.959_964_f64.powi(2) * end * (1.0 - end) / 6.0;
+            assert!(left.abs() < 1e-6 && low <= share && share <= high, "{seen}");
+        }
+    }
     for name in ["diagram.csv", "attractors.csv", "diagram.svg", "diagram.png"] {
         assert!(folder.path().join(name).exists(), "{name}");
     }

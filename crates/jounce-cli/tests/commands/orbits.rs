@@ -94,6 +94,32 @@ fn orbits_of_a_rigid_stop_by_harmonic_balance_are_refused() {
     assert!(code == 4 && !text.is_empty(), "{code}: {text}");
 }
 
+/// What would be ignored is refused by its name, with what to do.
+#[test]
+fn options_that_would_be_ignored_are_refused() {
+    let branch = ["branch", PLANT, "--over", "drive.shaker.frequency=12Hz:13Hz", "--json"];
+    let diagram = ["diagram", PLANT, "--over", "drive.shaker.frequency=12Hz:13Hz:1Hz", "--json"];
+    let cases: [(&[&str], [&str; 2], &str); 4] = [
+        (&branch, ["--harmonics", "64"], "--method harmonic-balance"),
+        (&diagram, ["--starts", "6"], "--direction starts"),
+        (&diagram, ["--seed", "1"], "--direction starts"),
+        (&diagram, ["--spread", "5"], "--direction starts"),
+    ];
+    for (command, option, remedy) in cases {
+        let (code, json, _) = jounce(&[command, &option].concat());
+        let error = json["error"].as_str().unwrap();
+        assert!(code == 2 && error.starts_with(option[0]) && error.contains(remedy), "{error}");
+    }
+}
+
+#[test]
+fn a_branch_says_what_its_seeds_may_have_missed() {
+    let over = "drive.shaker.frequency=14Hz:14.2Hz";
+    let (code, json, _) = jounce(&["branch", PLANT, "--over", over, "--seeds", "0", "--longest-period", "1", "--json"]);
+    let note = json["note"].as_str().unwrap();
+    assert!(code == 0 && ["--seeds", "--longest-period"].iter().all(|option| note.contains(option)), "{note}");
+}
+
 #[test]
 fn a_branch_tells_its_peak_and_its_bandwidth() {
     let folder = tempfile::tempdir().unwrap();

@@ -129,6 +129,13 @@ fn closer(kernel: &Kernel, port: usize, trajectory: &Trajectory, from_s: f64, to
     Some((a.0 + way_s, a.1 + 0.5 * a.2 * way_s))
 }
 
+/// Distance past the stop, m, and its rate, m/s, of a port at a time in a drive cycle of the period.
+pub(super) fn port_motion(shot: &Shot, port: usize, (cycle, time_s): (usize, f64)) -> [f64; 2] {
+    let at = shot.trajectories[cycle].at(&shot.kernel, &[time_s]);
+    let found = at.first().and_then(|at| motion(&shot.kernel, port, at.time_s, &at.state));
+    found.map_or([f64::NAN; 2], |(_, past_m, rate_m_s)| [past_m, rate_m_s])
+}
+
 /// Distance past the stop and its rate.
 fn motion(kernel: &Kernel, port: usize, time_s: f64, state: &[f64]) -> Option<Motion> {
     let plant = &kernel.plant;

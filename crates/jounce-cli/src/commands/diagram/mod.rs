@@ -15,6 +15,15 @@ use jounce::spec::{KeyRange, Spec};
 use jounce::study::Visit;
 use jounce::study::{Branch, BranchSearch, Cloud, Diagram as Study, History, Journal, Method, Motion, Order, Parameter, Prepared};
 
+/// The cloud of starts that is meant if nothing else is said: their number at each value, ...
+const STARTS: usize = 20;
+
+/// ... its seed ...
+const SEED: u64 = 1;
+
+/// ... and its size.
+const SPREAD: f64 = 10.0;
+
 /// Order of visit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Direction {
@@ -39,15 +48,15 @@ pub struct Diagram {
     /// Order in which the values are visited.
     #[arg(long, value_enum, default_value = "both")]
     direction: Direction,
-    /// Starts at each value, with --direction starts.
-    #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
-    starts: u32,
-    /// Seed of their cloud.
-    #[arg(long, default_value_t = 1)]
-    seed: u64,
-    /// Size of the cloud at the stop, in gaps (or steady amplitudes, where those are larger).
-    #[arg(long, default_value_t = 10.0)]
-    spread: f64,
+    /// Starts at each value, with --direction starts; 20 if left out.
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..))]
+    starts: Option<u32>,
+    /// Seed of their cloud; 1 if left out.
+    #[arg(long)]
+    seed: Option<u64>,
+    /// Size of the cloud at the stop, in gaps (or steady amplitudes, where those are larger); 10 if left out.
+    #[arg(long)]
+    spread: Option<f64>,
     /// Drive cycles shown of a motion without a period.
     #[arg(long, default_value_t = 64, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     cycles: u32,
@@ -58,7 +67,7 @@ pub struct Diagram {
     #[arg(long)]
     no_branches: bool,
     /// Longest period of a continued branch, in drive cycles.
-    #[arg(long, default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, default_value_t = 4, conflicts_with = "no_branches", value_parser = clap::value_parser!(u32).range(1..))]
     longest_period: u32,
     #[command(flatten)]
     threads: ThreadsArgument,
@@ -77,9 +86,7 @@ impl Diagram {
     /// Marches the diagram and reports.
     pub fn run(&self) -> Result<(), Failure> {
         check_tolerance(self.tolerance)?;
-        if !(self.spread > 0.0 && self.spread.is_finite()) {
-            return Err(Failure::usage(format!("--spread {}: give a number greater than 0", self.spread)));
-        }
+        let order = self.order()?;
         let file = self.spec.file()?;
         let spec = self.spec.checked(file.spec())?;
         let range = self.spec.checked(file.range(&self.over))?;
@@ -92,7 +99,6 @@ impl Diagram {
         check_drive(&self.spec, &base.kernel.plant, "a diagram")?;
         let width = if high > low { high - low } else { high.abs().max(1e-12) };
         let parameter = Parameter::new(&base, range.key(), width);
-        let order = self.order();
         let study = Study { base: &base, parameter: &parameter, values, order, cycles: self.cycles, tolerance: self.tolerance };
         let visits = self.marched(&study, &spec)?;
         let history = match order {
@@ -114,13 +120,24 @@ impl Diagram {
         interruption::end(&base.kernel.watch, || "all marches, with the histories and branches that were finished".to_owned())
     }
 
-    fn order(&self) -> Order {
-        match self.direction {
+    fn order(&self) -> Result<Order, Failure> {
+        if let Some(spread) = self.spread.filter(|spread| !(*spread > 0.0 && spread.is_finite())) {
+            return Err(Failure::usage(format!("--spread {spread}: give a number greater than 0")));
+        }
+        let given = [("--starts", self.starts.is_some()), ("--seed", self.seed.is_some()), ("--spread", self.spread.is_some())];
+        if let Some((option, _)) = given.into_iter().find(|(_, is_given)| *is_given && self.direction != Direction::Starts) {
+            return Err(Failure::usage(format!("{option} belongs to a cloud of starts: add --direction starts or leave {option} out")));
+        }
+        Ok(match self.direction {
             Direction::Up => Order::Up,
             Direction::Down => Order::Down,
             Direction::Both => Order::Both,
-            Direction::Starts => Order::Starts(Cloud { starts: self.starts as usize, seed: self.seed, spread: self.spread }),
-        }
+            Direction::Starts => Order::Starts(Cloud {
+                starts: self.starts.map_or(STARTS, |starts| starts as usize),
+                seed: self.seed.unwrap_or(SEED),
+                spread: self.spread.unwrap_or(SPREAD),
+            }),
+        })
     }
 
     /// The marches, going on where an interrupted call of the same command stopped.
@@ -152,7 +169,7 @@ impl Diagram {
 
     fn tell(&self, spec: &Spec, (base, parameter, range): (&Prepared, &Parameter, &KeyRange), answer: &Answer) -> Result<(), Failure> {
         if let Some(folder) = &self.output.out {
-            let manifest = self.spec.manifest(spec, "diagram").with("over", &self.over).with("seed", self.seed);
+            let manifest = self.spec.manifest(spec, "diagram").with("over", &self.over).with("seed", self.seed.unwrap_or(SEED));
             output::table(folder, "diagram", &told::points(range.key(), answer)?, &manifest)?;
             if let Some(history) = &answer.history {
                 output::table(folder, "attractors", &told::attractors(range.key(), history)?, &manifest)?;

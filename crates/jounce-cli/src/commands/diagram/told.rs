@@ -120,5 +120,7 @@ pub fn attractors(key: &NumericKey, history: &History) -> Result<Table, Failure>
         number("parameter", &key.unit(), key.path(), |seen| seen.parameter),
         number("mean_power_w", "W", "mean power of all loads", |seen| seen.mean_power_w),
         number("fraction", "", "share of the starts", |seen| seen.fraction),
+        number("fraction_low", "", "lower end of its 95 % interval", |seen| seen.fraction_low),
+        number("fraction_high", "", "upper end of its 95 % interval", |seen| seen.fraction_high),
     ])?)
 }

@@ -43,6 +43,7 @@ pub fn gradient<E>(
         value: pair.product() - 1.0,
         by_unknown: (0..n).map(by).collect(),
         by_parameters: [by_parameter(0), by_parameter(1)],
+        by_phase: 0.0,
         bend: None,
         is_resonant: !pair.is_complex,
     }))

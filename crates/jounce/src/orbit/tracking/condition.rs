@@ -2,6 +2,7 @@
 
 use super::circle;
 use super::critical::Critical;
+use super::touching::Touch;
 use crate::orbit::Shot;
 
 /// The condition of a bifurcation.
@@ -11,8 +12,8 @@ pub enum Condition {
     Multiplier(f64),
     /// A complex pair of multipliers on the unit circle; past a strong resonance two real ones whose product is one.
     Circle,
-    /// A turning point of the port on the surface of the stop.
-    Touching,
+    /// A turning point of a port on the surface of its stop; where a curve begins.
+    Touching(Touch),
     /// Mean power stationary along the curve over the first parameter.
     Peak,
 }
@@ -26,10 +27,20 @@ pub struct Gradient {
     pub by_unknown: Vec<f64>,
     /// By the two parameters.
     pub by_parameters: [f64; 2],
+    /// By the time of a turning point, drive cycles.
+    pub by_phase: f64,
     /// At a peak, second derivative of the power along the curve, beside the power: negative at a maximum.
     pub bend: Option<f64>,
     /// True where a pair on the circle has met on the real axis.
     pub is_resonant: bool,
+}
+
+impl Gradient {
+    /// Of a condition that does not exist at a place.
+    pub fn none(states: usize) -> Self {
+        let by_unknown = vec![0.0; states];
+        Self { value: f64::NAN, by_unknown, by_parameters: [0.0; 2], by_phase: 0.0, bend: None, is_resonant: false }
+    }
 }
 
 impl Condition {
@@ -50,7 +61,7 @@ impl Condition {
                 None => Ok(None),
             },
             Condition::Circle => circle::gradient(shot, aside, differences, moved),
-            Condition::Touching | Condition::Peak => Ok(None),
+            Condition::Touching(_) | Condition::Peak => Ok(None),
         }
     }
 }

@@ -54,7 +54,7 @@ impl Critical {
             let entry = |i: usize, j: usize| self.w[i] * (aside[k].map[(i, j)] - shot.map[(i, j)]) * self.v[j];
             -(0..n).map(|i| (0..n).map(|j| entry(i, j)).sum::<f64>()).sum::<f64>() / differences[k]
         };
-        Ok(Gradient { value: self.g, by_unknown, by_parameters: [change(0), change(1)], bend: None, is_resonant: false })
+        Ok(Gradient { value: self.g, by_unknown, by_parameters: [change(0), change(1)], by_phase: 0.0, bend: None, is_resonant: false })
     }
 }
 

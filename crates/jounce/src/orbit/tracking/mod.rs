@@ -16,6 +16,7 @@ mod plane;
 mod touching;
 mod tracked;
 
-pub use condition::Condition;
+pub use condition::{Condition, Gradient};
 pub use plane::Plane;
+pub use touching::Touch;
 pub use tracked::{Tracked, Tracking};

@@ -99,6 +99,7 @@ impl<P: Plane> Tracking<'_, P> {
             value: (8.0 * near - far) / (12.0 * width) * size / own_w,
             by_unknown: tangent.along[..n].iter().map(|t| per_length * t).collect(),
             by_parameters: [per_length * tangent.along[n] / self.unit, (there - near / (2.0 * width) * size / own_w) / step],
+            by_phase: 0.0,
             bend: Some(per_length * size),
             is_resonant: false,
         }))

@@ -2,7 +2,7 @@
 
 use super::condition::{Condition, Gradient};
 use super::plane::Plane;
-use super::touching;
+use super::touching::{self, Touch};
 use crate::continuation::{Family, Linear};
 use crate::orbit::border::solve_bordered;
 use crate::orbit::{Harvester, OrbitError, Shooting, Shot};
@@ -44,7 +44,9 @@ pub struct Tracked {
     /// True where a pair on the circle has met on the real axis: tori have ended.
     pub is_resonant: bool,
     residual: Vec<f64>,
-    /// By `u` and the unknown of the first parameter.
+    /// Rows of `R`; those of the condition come after them.
+    states: usize,
+    /// By the unknown: `u`, the first parameter and, of a turning point, its time.
     matrix: Mat<f64>,
     /// By the second parameter.
     by_parameter: Vec<f64>,
@@ -64,12 +66,37 @@ impl<P: Plane> Tracking<'_, P> {
 
     /// The first parameter of an unknown.
     pub fn parameter(&self, unknown: &[f64]) -> f64 {
-        self.origin + self.unit * unknown.last().copied().unwrap_or(0.0)
+        self.origin + self.unit * unknown[self.place_of_parameter()]
+    }
+
+    /// Number of the unknown that is the first parameter: the state comes before it.
+    pub fn place_of_parameter(&self) -> usize {
+        self.scale.len()
     }
 
     /// The unknown of an orbit at a value of the first parameter.
     pub fn unknown(&self, start: &[f64], parameter: f64) -> Vec<f64> {
-        start.iter().copied().chain([(parameter - self.origin) / self.unit]).collect()
+        let phase = matches!(self.condition, Condition::Touching(_)).then_some(0.0);
+        start.iter().copied().chain([(parameter - self.origin) / self.unit]).chain(phase).collect()
+    }
+}
+
+impl<P: Plane> Tracking<'_, P> {
+    /// Distance of the nearest turning point past its surface, beside the scale of the motion, with its gradient; `None` without one.
+    ///
+    /// # Errors
+    /// As [`Family::at`].
+    pub fn past(&self, unknown: &[f64], parameter_2: f64) -> Result<Option<Gradient>, OrbitError<LineError<P>>> {
+        let (start, parameter) = (&unknown[..self.place_of_parameter()], self.parameter(unknown));
+        let differences = self.plane.differences([parameter, parameter_2]);
+        let line = self.plane.line(parameter_2).map_err(OrbitError::Harvester)?;
+        let beside = self.plane.line(parameter_2 + differences[1]).map_err(OrbitError::Harvester)?;
+        let (shot, _) = self.shooting(&line).shoot(start, parameter)?;
+        let (ahead, _) = self.shooting(&line).shoot(start, parameter + differences[0])?;
+        let (aside, _) = self.shooting(&beside).shoot(start, parameter)?;
+        let Some(touch) = Touch::of(&shot) else { return Ok(None) };
+        let found = touching::gradients(touch, &shot, [&ahead, &aside], differences, (&self.scale, self.march_tolerance()))?;
+        Ok(found.into_iter().next())
     }
 }
 
@@ -78,7 +105,7 @@ impl<P: Plane> Family for Tracking<'_, P> {
     type Error = OrbitError<LineError<P>>;
 
     fn at(&self, unknown: &[f64], parameter_2: f64) -> Result<Tracked, Self::Error> {
-        let n = unknown.len() - 1;
+        let n = self.place_of_parameter();
         let (start, parameter) = (&unknown[..n], self.parameter(unknown));
         let differences = self.plane.differences([parameter, parameter_2]);
         let line = self.plane.line(parameter_2).map_err(OrbitError::Harvester)?;
@@ -95,28 +122,30 @@ impl<P: Plane> Family for Tracking<'_, P> {
             shooting.shoot(&start, parameter).map(|(shot, _)| shot)
         };
         let found = match self.condition {
-            Condition::Peak => self.peak((start, parameter, parameter_2), &line, &shot, &aside)?,
-            Condition::Touching => touching::gradient(&shot, [&ahead, &aside], differences, (&self.scale, self.march_tolerance()))?,
-            condition => condition.gradient(&shot, [&ahead, &aside], differences, moved)?,
+            Condition::Peak => self.peak((start, parameter, parameter_2), &line, &shot, &aside)?.map(|found| vec![found]),
+            Condition::Touching(touch) => {
+                let touch = touch.moved(unknown[n + 1]);
+                Some(touching::gradients(touch, &shot, [&ahead, &aside], differences, (&self.scale, self.march_tolerance()))?)
+            }
+            condition => condition.gradient(&shot, [&ahead, &aside], differences, moved)?.map(|found| vec![found]),
         };
         // Without the condition there is no bifurcation: a residual that no correction meets.
-        let gradient = found.unwrap_or_else(|| Gradient {
-            value: f64::NAN,
-            by_unknown: vec![0.0; n],
-            by_parameters: [0.0; 2],
-            bend: None,
-            is_resonant: false,
-        });
+        let gradients = found.unwrap_or_else(|| vec![Gradient::none(n)]);
+        let phase_unit = if let Condition::Touching(touch) = self.condition { touch.unit_cycles } else { 0.0 };
         let by_second = |i: usize| (aside.residual[i] - shot.residual[i]) / differences[1];
-        let by_first = |i: usize| self.unit * if i < n { shot.by_parameter[i] } else { gradient.by_parameters[0] };
-        let matrix = Mat::from_fn(n + 1, n + 1, |i, j| match (i < n, j < n) {
-            (_, false) => by_first(i),
-            (true, true) => shot.map[(i, j)] - f64::from(u8::from(i == j)),
-            (false, true) => gradient.by_unknown[j],
+        let size = n + gradients.len();
+        let matrix = Mat::from_fn(size, size, |i, j| match (i < n, j) {
+            (true, j) if j < n => shot.map[(i, j)] - f64::from(u8::from(i == j)),
+            (true, j) if j == n => self.unit * shot.by_parameter[i],
+            (true, _) => 0.0,
+            (false, j) if j < n => gradients[i - n].by_unknown[j],
+            (false, j) if j == n => self.unit * gradients[i - n].by_parameters[0],
+            (false, _) => phase_unit * gradients[i - n].by_phase,
         });
-        let by_parameter = (0..=n).map(|i| if i < n { by_second(i) } else { gradient.by_parameters[1] }).collect();
-        let residual = shot.residual.iter().copied().chain([gradient.value]).collect();
-        Ok(Tracked { shot, bend: gradient.bend, is_resonant: gradient.is_resonant, residual, matrix, by_parameter })
+        let by_parameter = (0..size).map(|i| if i < n { by_second(i) } else { gradients[i - n].by_parameters[1] }).collect();
+        let residual = shot.residual.iter().copied().chain(gradients.iter().map(|own| own.value)).collect();
+        let (bend, is_resonant) = (gradients[0].bend, gradients[0].is_resonant);
+        Ok(Tracked { shot, bend, is_resonant, residual, matrix, by_parameter, states: n })
     }
 }
 
@@ -128,11 +157,11 @@ impl Linear for Tracked {
     fn bordered(&self, row: &[f64], corner: f64, right: &[f64], last: f64) -> Option<(Vec<f64>, f64)> {
         // Any multiple of the condition is the same condition: it takes the size of the rows above it.
         let n = row.len();
-        let size = (0..n).map(|j| self.matrix[(n - 1, j)].abs()).fold(f64::MIN_POSITIVE, f64::max);
-        let factor = |i: usize| if i + 1 < n { 1.0 } else { 1.0 / size };
-        let matrix = Mat::from_fn(n, n, |i, j| self.matrix[(i, j)] * factor(i));
-        let column: Vec<f64> = self.by_parameter.iter().enumerate().map(|(i, b)| b * factor(i)).collect();
-        let right: Vec<f64> = right.iter().enumerate().map(|(i, r)| r * factor(i)).collect();
+        let size = |i: usize| (0..n).map(|j| self.matrix[(i, j)].abs()).fold(f64::MIN_POSITIVE, f64::max);
+        let factors: Vec<f64> = (0..n).map(|i| if i < self.states { 1.0 } else { 1.0 / size(i) }).collect();
+        let matrix = Mat::from_fn(n, n, |i, j| self.matrix[(i, j)] * factors[i]);
+        let column: Vec<f64> = self.by_parameter.iter().enumerate().map(|(i, b)| b * factors[i]).collect();
+        let right: Vec<f64> = right.iter().enumerate().map(|(i, r)| r * factors[i]).collect();
         solve_bordered(&matrix, &column, (row, corner), (&right, last))
     }
 }

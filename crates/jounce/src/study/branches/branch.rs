@@ -133,6 +133,11 @@ impl Branch {
         self.period_cycles == orbit.period_cycles && crossings.iter().any(|(state, _)| orbit.looks.iter().any(|look| near(state, look)))
     }
 
+    /// True when none of its ends is one where it could not be followed.
+    pub fn is_whole(&self) -> bool {
+        !self.endings.iter().any(|ending| matches!(ending, Ending::Failed { .. } | Ending::Points))
+    }
+
     /// Joins a walk in the other direction from the same first point.
     pub fn joined(mut self, other: Branch) -> Branch {
         self.points.reverse();

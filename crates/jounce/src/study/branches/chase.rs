@@ -4,7 +4,7 @@
 //! so that branches on which no known orbit lies are not found: [`BranchSearch`](super::BranchSearch) finds those.
 
 use super::branch::Branch;
-use super::follow::Following;
+use super::follow::{Following, newton_goal};
 use crate::continuation::{Corrector, Metric, Position, StepControl, settle};
 use crate::march::Kernel;
 use crate::orbit::{OrbitError, OrbitMethod, Shooting};
@@ -44,7 +44,7 @@ impl BranchChase<'_> {
     /// # Errors
     /// [`OrbitError`].
     pub fn run(&self, known: &[KnownOrbit]) -> Result<Vec<Branch>, OrbitError<StudyError>> {
-        let goal = (50.0 * self.tolerance).clamp(1e-11, 1e-6);
+        let goal = newton_goal(self.tolerance);
         let following = Following {
             range: self.range,
             corrector: Corrector { goal, most: 8 },

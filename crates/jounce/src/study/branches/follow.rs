@@ -14,6 +14,17 @@ const GRAZES: f64 = 1e-6;
 /// Length in the metric to which a bifurcation is located, where nothing else is asked.
 pub(super) const RESOLUTION: f64 = 1e-8;
 
+/// Newton's goal beside the tolerance of a march: one more evaluation would square what is left, and the estimate tells it.
+const GOAL: f64 = 50.0;
+
+/// Least and largest goal; where marches are coarser than that, no correction is told more closely than they are.
+const GOALS: (f64, f64) = (1e-11, 1e-6);
+
+/// Newton's goal for marches of a tolerance.
+pub(super) fn newton_goal(tolerance: f64) -> f64 {
+    (GOAL * tolerance).clamp(GOALS.0, GOALS.1.max(tolerance))
+}
+
 /// How branches are followed.
 #[derive(Debug, Clone, Copy)]
 pub struct Following {

@@ -3,14 +3,21 @@
 //! A pair of doublings (or of branch points) inside one step changes no sign, and a complex pair that leaves the unit circle and
 //! returns changes no count. A multiplier that lies nearer to -1 (or +1) than it moved on the step may have been there; one that lies
 //! nearer to the circle than a share of its move may have been outside. Then the step is halved, until no multiplier moves so far.
+//! A contact that comes while another goes changes no number of contacts either; there a contact lies elsewhere than any did before.
 //! A pair that comes to the circle as a parabola comes to its top may pass it between the last two points: a point is put at the top.
 
 use super::follow::{Following, Place};
 use crate::continuation::{Metric, Step, Stretch, correct, tangent};
-use crate::orbit::{Orbit, OrbitMethod};
+use crate::orbit::{Orbit, OrbitMethod, contacts_apart};
 
 /// Most halvings of one step.
 const HALVINGS: u32 = 4;
+
+/// Most halvings of a step on which a contact comes and another goes.
+const DEEPER: u32 = 6;
+
+/// Farthest that a contact moves on a step that has no need to be halved, drive cycles.
+const ELSEWHERE_CYCLES: f64 = 0.05;
 
 /// Multipliers nearer to zero than this are left out: they cannot reach the unit circle on one step.
 const NEAR_CIRCLE: f64 = 0.5;
@@ -27,7 +34,7 @@ impl Following {
     /// # Errors
     /// As [`Following::walk`].
     pub(super) fn refined<M: OrbitMethod>(&self, method: &M, before: &Place<M>, after: Place<M>) -> Result<Vec<Place<M>>, M::Error> {
-        let mut places = self.halved(method, before, after, HALVINGS)?;
+        let mut places = self.halved(method, before, after, 0)?;
         for _ in 0..TOPS {
             let way: Vec<&Place<M>> = std::iter::once(before).chain(&places).collect();
             let top = way.windows(3).enumerate().find_map(|(index, three)| Some((index, self.top([three[0], three[1], three[2]])?)));
@@ -48,15 +55,16 @@ impl Following {
         crosses_at_top([length(a, b), length(b, c)], [off[0]?, off[1]?, off[2]?])
     }
 
-    fn halved<M: OrbitMethod>(&self, method: &M, before: &Place<M>, after: Place<M>, halvings: u32) -> Result<Vec<Place<M>>, M::Error> {
-        if halvings == 0 || !hides(&before.point.orbit, &after.point.orbit) {
+    fn halved<M: OrbitMethod>(&self, method: &M, before: &Place<M>, after: Place<M>, halved: u32) -> Result<Vec<Place<M>>, M::Error> {
+        let (one, two) = (&before.point.orbit, &after.point.orbit);
+        if !(halved < HALVINGS && hides(one, two) || halved < DEEPER && exchanges(one, two)) {
             return Ok(vec![after]);
         }
         let Some(middle) = self.at_share(method, &before.step, &after.step, 0.5) else { return Ok(vec![after]) };
         let middle = Place::new(method, middle)?;
-        let mut places = self.halved(method, before, middle, halvings - 1)?;
+        let mut places = self.halved(method, before, middle, halved + 1)?;
         if let Some(last) = places.pop() {
-            let rest = self.halved(method, &last, after, halvings - 1)?;
+            let rest = self.halved(method, &last, after, halved + 1)?;
             places.push(last);
             places.extend(rest);
         }
@@ -92,6 +100,12 @@ fn crosses_at_top([first, second]: [f64; 2], [a, b, c]: [f64; 3]) -> Option<(boo
     is_near.then(|| if place < 0.0 { (false, 1.0 + place / first) } else { (true, place / second) })
 }
 
+/// True when a contact may have come and another gone: as many as before, one of them elsewhere.
+fn exchanges(before: &Orbit, after: &Orbit) -> bool {
+    let moved = contacts_apart(&before.contact_starts, &after.contact_starts);
+    before.contacts == after.contacts && moved.is_none_or(|moved| moved * f64::from(before.period_cycles) > ELSEWHERE_CYCLES)
+}
+
 /// True when a multiplier may have crossed the circle twice. Without contacts and switches multipliers are those of the plant, all inside.
 fn hides(before: &Orbit, after: &Orbit) -> bool {
     let flies = [before, after].iter().all(|orbit| orbit.contacts == 0 && orbit.switches == 0);
@@ -112,6 +126,7 @@ fn hides(before: &Orbit, after: &Orbit) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::orbit::ContactStart;
     use faer::c64;
 
     fn orbit(multipliers: &[(f64, f64)]) -> Orbit {
@@ -124,6 +139,18 @@ mod tests {
         assert!(hides(&turned(2.9), &turned(3.1)));
         assert!(!hides(&turned(2.0), &turned(2.2)));
         assert!(hides(&turned(2.0), &turned(2.4)), "the pair may have been outside on the way");
+    }
+
+    /// As many contacts: at the same times, or one of them elsewhere, or at another stop.
+    #[test]
+    fn a_contact_that_comes_while_another_goes_is_seen() {
+        let touches = |places: [(usize, f64); 2]| {
+            let contact_starts = places.map(|(stop, share)| ContactStart { stop, share }).to_vec();
+            Orbit { contacts: 2, contact_starts, ..Orbit::of_cycles(1) }
+        };
+        let one = touches([(0, 0.2), (0, 0.6)]);
+        assert!(!exchanges(&one, &touches([(0, 0.62), (0, 0.23)])));
+        assert!(exchanges(&one, &touches([(0, 0.2), (0, 0.75)])) && exchanges(&one, &touches([(0, 0.2), (1, 0.6)])));
     }
 
     /// `2e-5 - (s - 0.6)^2` is above zero within 0.0045 of its top only.

@@ -5,7 +5,7 @@
 //! doubles. Marches run in parallel; everything after them is in a fixed order.
 
 use super::branch::{Branch, BranchKind, BranchPoint};
-use super::follow::{Following, RESOLUTION};
+use super::follow::{Following, RESOLUTION, newton_goal};
 use super::settled_orbit::settled_orbit;
 use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, correct, settle, tangent};
 use crate::orbit::{HarmonicBalance, Harvester, Orbit, OrbitError, OrbitMethod, Shooting, null_vector};
@@ -58,11 +58,11 @@ enum Start {
 /// Speed of a kick, beside that of the steady motion.
 const KICK: f64 = 20.0;
 
-/// Distance beside their size below which two orbits are one.
+/// Distance beside their size below which two orbits are one, ...
 const SAME: f64 = 1e-4;
 
-/// Newton's goal beside the tolerance of a march: one more evaluation would square what is left, and the estimate tells it.
-const GOAL: f64 = 50.0;
+/// ... or in goals of Newton, where marches are so coarse that those are more.
+const SAME_GOALS: f64 = 10.0;
 
 /// Error of the mean power that is allowed in harmonic balance, beside the tolerance of a march.
 const ACCURACY: f64 = 300.0;
@@ -73,7 +73,7 @@ impl BranchSearch<'_> {
     fn following(&self) -> Following {
         Following {
             range: self.range,
-            corrector: Corrector { goal: (GOAL * self.tolerance).clamp(1e-11, 1e-6), most: 8 },
+            corrector: Corrector { goal: newton_goal(self.tolerance), most: 8 },
             control: StepControl::default(),
             most_points: 4000,
             resolution: RESOLUTION,
@@ -114,6 +114,8 @@ impl BranchSearch<'_> {
             let method = make(orbit.period_cycles)?;
             let found = following.both_ways(&method, orbit.start(), parameter);
             let found = found.and_then(|branch| {
+                // One that could not be followed to its end may be a part of one that was begun elsewhere.
+                branches.retain(|known| known.is_whole() || !branch.as_ref().is_some_and(|whole| self.is_part(known, whole)));
                 branches.extend(branch);
                 self.doubled(&following, &make, &mut branches)
             });
@@ -143,6 +145,7 @@ impl BranchSearch<'_> {
             return branch.period_cycles == orbit.period_cycles;
         }
         let shooting = self.shooting(orbit.period_cycles);
+        let same = (SAME_GOALS * newton_goal(self.tolerance)).max(SAME);
         let apart = |a: &[f64], b: &[f64]| (ColRef::from_slice(a) - ColRef::from_slice(b)).norm_l2();
         let nearest = |state: &[f64]| orbit.looks.iter().map(|look| apart(state, look)).fold(f64::INFINITY, f64::min);
         branch.chords(parameter).into_iter().any(|(guess, length)| {
@@ -152,8 +155,14 @@ impl BranchSearch<'_> {
             let guess = Position { unknown: guess, parameter };
             let metric = Metric::at(&guess, 1.0);
             let found = settle(&shooting, &self.following().corrector, &metric, guess);
-            found.is_ok_and(|found| nearest(&found.position.unknown) < SAME * orbit.size())
+            found.is_ok_and(|found| nearest(&found.position.unknown) < same * orbit.size())
         })
+    }
+
+    /// True when a branch lies on another one, by its ends and its middle.
+    fn is_part(&self, part: &Branch, whole: &Branch) -> bool {
+        let count = part.points.len();
+        [0, count / 2, count - 1].into_iter().all(|k| self.lies_on(whole, &part.points[k].orbit, part.points[k].parameter))
     }
 
     /// Settled orbits: lower end, upper end, then across the range.

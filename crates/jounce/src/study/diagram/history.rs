@@ -9,6 +9,7 @@
 use super::lineage::{Lineage, Seen, Turn};
 use super::march::Diagram;
 use super::visit::{Motion, Place, Visit};
+use crate::study::basins::wilson;
 use crate::study::{StudyError, Way};
 use rayon::prelude::*;
 
@@ -71,7 +72,7 @@ impl Diagram<'_> {
                 let other = ahead[i].0.map(|j| history.attractors[homes[j]].id.clone());
                 history.attractors[*home].died = Some(Turn { parameter: *value, other });
             }
-            let of = visits.iter().filter(|visit| visit.parameter == *value).count();
+            let of = visits.iter().filter(|visit| visit.parameter == *value && visit.motion != Motion::Lost).count();
             here.iter().zip(&homes).for_each(|(group, home)| history.see(group, *home, of));
             before = here.into_iter().zip(homes).collect();
         }
@@ -126,11 +127,14 @@ impl History {
 
     fn see(&mut self, group: &Group, home: usize, of: usize) {
         group.visits.iter().for_each(|visit| self.homes[*visit] = Some(home));
+        let share = wilson(group.visits.len(), of);
         self.attractors[home].seen.push(Seen {
             parameter: group.first.parameter,
             mean_power_w: group.first.mean_power_w,
             contacts_per_period: group.first.contacts_per_period,
-            fraction: group.visits.len() as f64 / of.max(1) as f64,
+            fraction: share.fraction,
+            fraction_low: share.low,
+            fraction_high: share.high,
         });
     }
 }

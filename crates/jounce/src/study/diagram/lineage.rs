@@ -12,8 +12,12 @@ pub struct Seen {
     pub mean_power_w: f64,
     /// Contacts per period, 0 for none.
     pub contacts_per_period: u64,
-    /// Share of the starts; 0 where only a march from the neighbouring value finds it.
+    /// Share of the starts whose march did not fail; 0 where only a march from the neighbouring value finds it.
     pub fraction: f64,
+    /// Lower end of its 95 % interval.
+    pub fraction_low: f64,
+    /// Upper end of its 95 % interval.
+    pub fraction_high: f64,
 }
 
 /// How an attractor begins or ends.

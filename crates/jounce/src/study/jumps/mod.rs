@@ -1,6 +1,8 @@
 //! Folds, doublings, tori, grazings and peaks of power over two keys of a spec.
 
+mod corner;
 mod curve;
+mod follow;
 mod key_plane;
 mod search;
 mod seed;

@@ -1,10 +1,11 @@
 //! All curves of jumps that pass through three lines of the plane: both ends of the second range, and the spec's own value between.
 
-use super::curve::{CurveKind, JumpCurve, JumpPoint};
+use super::curve::JumpCurve;
 use super::key_plane::KeyPlane;
 use super::seed::Seed;
-use crate::continuation::{Corrected, Corrector, Direction, Metric, Position, StepControl, Walk, correct, passes, settle, tangent};
-use crate::orbit::{OrbitError, Plane, Shooting, Tracked, Tracking, multipliers};
+use crate::continuation::{Corrector, Direction, Family, Metric, Position, settle, tangent};
+
+use crate::orbit::{OrbitError, Plane, Shooting, Tracking};
 use crate::spec::NumericKey;
 use crate::study::bandwidth::Piece;
 use crate::study::{BranchSearch, Method, Parameter, Prepared, StudyError};
@@ -34,25 +35,6 @@ type Failure = OrbitError<StudyError>;
 /// Newton's goal beside the tolerance of the march. A critical multiplier is known less well than the orbit, and along its eigenvector
 /// a fold moves by that error over its curvature; the parameter moves by the square of it only.
 const RESOLUTION: f64 = 1e3;
-
-/// Distance, in the metric, from a strong resonance at which a curve of tori ends.
-const NEAR_RESONANCE: f64 = 1e-3;
-
-/// Share of a step, as far as its start may lie from an edge that counts as on it.
-const ON_EDGE: f64 = 1e-9;
-
-/// Most points of one curve.
-const MOST_POINTS: usize = 400;
-
-/// An edge of the plane that a step passes.
-#[derive(Debug, Clone, Copy)]
-struct Edge {
-    /// Whether it is of the first key.
-    is_first: bool,
-    value: f64,
-    /// Share of the step up to it.
-    share: f64,
-}
 
 impl JumpSearch<'_> {
     /// Finds and follows the curves; stopped by its watch it gives what is finished.
@@ -118,16 +100,17 @@ impl JumpSearch<'_> {
     }
 
     fn both_ways(&self, plane: &KeyPlane, seed: &Seed, parameter_2: f64) -> Result<Option<JumpCurve>, Failure> {
-        let Some(condition) = seed.condition() else { return Ok(None) };
         let kernel = &self.base.kernel;
         let line = plane.line(parameter_2).map_err(OrbitError::Harvester)?;
+        let shooting = Shooting::new(&line, kernel, seed.cycles, self.tolerance);
+        let Some(condition) = seed.condition(&shooting.at(&seed.state, seed.parameter)?) else { return Ok(None) };
         let (low, high) = self.ranges[0];
         let tracking = Tracking {
             plane,
             condition,
             cycles: seed.cycles,
             tolerance: self.tolerance,
-            scale: Shooting::new(&line, kernel, seed.cycles, self.tolerance).scale,
+            scale: shooting.scale.clone(),
             origin: seed.parameter,
             unit: (high - low) / (20.0 * ColRef::from_slice(&seed.state).norm_l2()),
         };
@@ -145,114 +128,8 @@ impl JumpSearch<'_> {
         Ok(ways.pop().zip(up).map(|(down, up)| down.joined(up)))
     }
 
-    fn walk(
-        &self,
-        tracking: &Tracking<KeyPlane>,
-        corrector: Corrector,
-        first: Corrected<Tracked>,
-        ahead: Direction,
-        kind: CurveKind,
-    ) -> JumpCurve {
-        let mut curve = JumpCurve { kind, period_cycles: tracking.cycles, points: Vec::new(), failures: Vec::new() };
-        curve.points.push(point(tracking, &first.position, &first.local));
-        let origin = first.position.clone();
-        let mut walk = Walk::new(tracking, corrector, StepControl::default(), self.scale_2(), first.position, ahead);
-        loop {
-            let mark = walk.mark();
-            let before = walk.position.clone();
-            let step = match walk.next() {
-                Some(Ok(step)) => step,
-                Some(Err(error)) => {
-                    curve.failures.push(error.to_string());
-                    break;
-                }
-                None => break,
-            };
-            if step.local.bend.is_some_and(|bend| bend >= 0.0) {
-                curve.failures.push(format!("at {} the maximum of power meets a minimum", step.position.parameter));
-                break;
-            }
-            let metric = Metric::at(&step.position, self.scale_2());
-            if step.local.is_resonant {
-                // Tori end in a strong resonance, which shorter steps come nearer to.
-                if metric.length(&before.to(&step.position)) > NEAR_RESONANCE && walk.retreat(mark) {
-                    continue;
-                }
-                break;
-            }
-            if let Some(edge) = self.edge_between(tracking, &before, &step.position) {
-                if edge.share < ON_EDGE {
-                    break;
-                }
-                match self.cut(tracking, corrector, (&before, &step.position), edge) {
-                    Some(found) => {
-                        let mut found = point(tracking, &found.position, &found.local);
-                        *(if edge.is_first { &mut found.parameter } else { &mut found.parameter_2 }) = edge.value;
-                        curve.points.push(found);
-                    }
-                    None => curve.failures.push(format!("just before the edge of the range, at {}", before.parameter)),
-                }
-                break;
-            }
-            curve.points.push(point(tracking, &step.position, &step.local));
-            let closed = curve.points.len() > 4 && passes(&metric, &origin, &before, &step.position);
-            if closed {
-                break;
-            }
-            if curve.points.len() >= MOST_POINTS {
-                curve.failures.push(format!("after {MOST_POINTS} points, at {}", step.position.parameter));
-                break;
-            }
-        }
-        curve
-    }
-
-    /// The edge of the plane that is passed first on the way between two places.
-    fn edge_between(&self, tracking: &Tracking<KeyPlane>, before: &Position, after: &Position) -> Option<Edge> {
-        let keys = |position: &Position| [tracking.parameter(&position.unknown), position.parameter];
-        let (from, to) = (keys(before), keys(after));
-        let passed = |k: usize| {
-            let (low, high) = self.ranges[k];
-            let value = if to[k] < low { low } else { high };
-            let share = ((value - from[k]) / (to[k] - from[k])).clamp(0.0, 1.0);
-            (to[k] < low || to[k] > high).then_some(Edge { is_first: k == 0, value, share })
-        };
-        [passed(0), passed(1)].into_iter().flatten().min_by(|a, b| a.share.total_cmp(&b.share))
-    }
-
-    /// The point exactly on an edge.
-    fn cut(
-        &self,
-        tracking: &Tracking<KeyPlane>,
-        corrector: Corrector,
-        (before, outside): (&Position, &Position),
-        edge: Edge,
-    ) -> Option<Corrected<Tracked>> {
-        let mut guess = before.moved(&before.to(outside), edge.share);
-        if !edge.is_first {
-            guess.parameter = edge.value;
-            return settle(tracking, &corrector, &Metric::at(&guess, self.scale_2()), guess).ok();
-        }
-        let n = guess.unknown.len();
-        guess.unknown[n - 1] = (edge.value - tracking.origin) / tracking.unit;
-        let metric = Metric::at(&guess, self.scale_2());
-        // Across the first key alone: it stays as it is.
-        let mut across = Direction { unknown: vec![0.0; n], parameter: 0.0 };
-        across.unknown[n - 1] = metric.unknown;
-        correct(tracking, &corrector, &metric, &across, guess).ok()
-    }
-
-    fn scale_2(&self) -> f64 {
+    /// Scale of the second key in the metric.
+    pub(super) fn scale_2(&self) -> f64 {
         (self.ranges[1].1 - self.ranges[1].0) / 20.0
-    }
-}
-
-/// A place of a curve as a result.
-fn point(tracking: &Tracking<KeyPlane>, position: &Position, local: &Tracked) -> JumpPoint {
-    JumpPoint {
-        parameter: tracking.parameter(&position.unknown),
-        parameter_2: position.parameter,
-        mean_power_w: local.shot.loads_w.iter().fold(0.0, |sum, own| sum + own),
-        stable: local.bend.and_then(|_| Some(multipliers(&local.shot.map)?.first()?.norm() < 1.0)),
     }
 }

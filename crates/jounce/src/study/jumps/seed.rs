@@ -1,7 +1,7 @@
 //! Places on one line of the plane from which curves start.
 
 use super::CurveKind;
-use crate::orbit::{Condition, Harvester};
+use crate::orbit::{Condition, Harvester, Shot, Touch};
 use crate::study::bandwidth::{Piece, Zero};
 use crate::study::{Bifurcation, Branch, BranchKind, BranchPoint};
 
@@ -55,14 +55,14 @@ impl Seed {
         highest.filter_map(around).map(seed).collect()
     }
 
-    /// What is zero on the curve; `None` for what is not followed.
-    pub fn condition(&self) -> Option<Condition> {
+    /// What is zero on the curve, whose first orbit is given; `None` for what is not followed.
+    pub fn condition(&self, shot: &Shot) -> Option<Condition> {
         Some(match self.kind {
             CurveKind::Peak => Condition::Peak,
             CurveKind::Bifurcation(BranchKind::Fold) => Condition::Multiplier(1.0),
             CurveKind::Bifurcation(BranchKind::PeriodDoubling) => Condition::Multiplier(-1.0),
             CurveKind::Bifurcation(BranchKind::NeimarkSacker) => Condition::Circle,
-            CurveKind::Bifurcation(BranchKind::Grazing) => Condition::Touching,
+            CurveKind::Bifurcation(BranchKind::Grazing) => Condition::Touching(Touch::of(shot)?),
             CurveKind::Bifurcation(BranchKind::BranchPoint) => return None,
         })
     }

@@ -1,0 +1,149 @@
+//! Follows one curve through the plane of two keys to its ends.
+
+use super::corner;
+use super::curve::{CurveKind, JumpCurve, JumpPoint};
+use super::key_plane::KeyPlane;
+use super::search::JumpSearch;
+use crate::continuation::{Corrected, Corrector, Direction, Metric, Position, StepControl, Walk, correct, passes, settle};
+use crate::orbit::{Tracked, Tracking, multipliers};
+
+/// Distance, in the metric, from a strong resonance at which a curve of tori ends.
+const NEAR_RESONANCE: f64 = 1e-3;
+
+/// Shortest step, in goals of Newton: a shorter one leads nowhere.
+const SHORTEST: f64 = 10.0;
+
+/// Share of a step, as far as its start may lie from an edge that counts as on it.
+const ON_EDGE: f64 = 1e-9;
+
+/// Most points of one curve.
+const MOST_POINTS: usize = 400;
+
+/// An edge of the plane that a step passes.
+#[derive(Debug, Clone, Copy)]
+struct Edge {
+    /// Whether it is of the first key.
+    is_first: bool,
+    value: f64,
+    /// Share of the step up to it.
+    share: f64,
+}
+
+impl JumpSearch<'_> {
+    /// From a place of the curve in a direction until it ends.
+    pub(super) fn walk(
+        &self,
+        tracking: &Tracking<KeyPlane>,
+        corrector: Corrector,
+        first: Corrected<Tracked>,
+        ahead: Direction,
+        kind: CurveKind,
+    ) -> JumpCurve {
+        let mut curve = JumpCurve { kind, period_cycles: tracking.cycles, points: Vec::new(), failures: Vec::new() };
+        curve.points.push(point(tracking, &first.position, &first.local));
+        let origin = first.position.clone();
+        let control = StepControl { shortest: SHORTEST * corrector.goal, ..StepControl::default() };
+        let from = |position: Position, ahead: Direction| Walk::new(tracking, corrector, control, self.scale_2(), position, ahead);
+        let mut walk = from(first.position, ahead);
+        loop {
+            let mark = walk.mark();
+            let before = walk.position.clone();
+            let (position, local) = match walk.next() {
+                Some(Ok(step)) => (step.position, step.local),
+                Some(Err(error)) => {
+                    let Some((found, ahead)) = corner::round(tracking, &corrector, self.scale_2(), (&before, &walk.tangent)) else {
+                        curve.failures.push(error.to_string());
+                        break;
+                    };
+                    walk = from(found.position.clone(), ahead);
+                    (found.position, found.local)
+                }
+                None => break,
+            };
+            if local.bend.is_some_and(|bend| bend >= 0.0) {
+                curve.failures.push(format!("at {} the maximum of power meets a minimum", position.parameter));
+                break;
+            }
+            let metric = Metric::at(&position, self.scale_2());
+            if local.is_resonant {
+                // Tori end in a strong resonance, which shorter steps come nearer to.
+                if metric.length(&before.to(&position)) > NEAR_RESONANCE && walk.retreat(mark) {
+                    continue;
+                }
+                break;
+            }
+            if let Some(edge) = self.edge_between(tracking, &before, &position) {
+                if edge.share < ON_EDGE {
+                    break;
+                }
+                match self.cut(tracking, corrector, (&before, &position), edge) {
+                    Some(found) => {
+                        let mut found = point(tracking, &found.position, &found.local);
+                        *(if edge.is_first { &mut found.parameter } else { &mut found.parameter_2 }) = edge.value;
+                        curve.points.push(found);
+                    }
+                    // From nearer to the edge it may be found.
+                    None if walk.retreat(mark) => continue,
+                    None => curve.failures.push(format!("just before the edge of the range, at {}", before.parameter)),
+                }
+                break;
+            }
+            curve.points.push(point(tracking, &position, &local));
+            let closed = curve.points.len() > 4 && passes(&metric, &origin, &before, &position);
+            if closed {
+                break;
+            }
+            if curve.points.len() >= MOST_POINTS {
+                curve.failures.push(format!("after {MOST_POINTS} points, at {}", position.parameter));
+                break;
+            }
+        }
+        curve
+    }
+
+    /// The edge of the plane that is passed first on the way between two places.
+    fn edge_between(&self, tracking: &Tracking<KeyPlane>, before: &Position, after: &Position) -> Option<Edge> {
+        let keys = |position: &Position| [tracking.parameter(&position.unknown), position.parameter];
+        let (from, to) = (keys(before), keys(after));
+        let passed = |k: usize| {
+            let (low, high) = self.ranges[k];
+            let value = if to[k] < low { low } else { high };
+            let share = ((value - from[k]) / (to[k] - from[k])).clamp(0.0, 1.0);
+            (to[k] < low || to[k] > high).then_some(Edge { is_first: k == 0, value, share })
+        };
+        [passed(0), passed(1)].into_iter().flatten().min_by(|a, b| a.share.total_cmp(&b.share))
+    }
+
+    /// The point exactly on an edge.
+    fn cut(
+        &self,
+        tracking: &Tracking<KeyPlane>,
+        corrector: Corrector,
+        (before, outside): (&Position, &Position),
+        edge: Edge,
+    ) -> Option<Corrected<Tracked>> {
+        let mut guess = before.moved(&before.to(outside), edge.share);
+        if !edge.is_first {
+            guess.parameter = edge.value;
+            return settle(tracking, &corrector, &Metric::at(&guess, self.scale_2()), guess).ok();
+        }
+        let n = guess.unknown.len();
+        let own = tracking.place_of_parameter();
+        guess.unknown[own] = (edge.value - tracking.origin) / tracking.unit;
+        let metric = Metric::at(&guess, self.scale_2());
+        // Across the first key alone: it stays as it is.
+        let mut across = Direction { unknown: vec![0.0; n], parameter: 0.0 };
+        across.unknown[own] = metric.unknown;
+        correct(tracking, &corrector, &metric, &across, guess).ok()
+    }
+}
+
+/// A place of a curve as a result.
+fn point(tracking: &Tracking<KeyPlane>, position: &Position, local: &Tracked) -> JumpPoint {
+    JumpPoint {
+        parameter: tracking.parameter(&position.unknown),
+        parameter_2: position.parameter,
+        mean_power_w: local.shot.loads_w.iter().fold(0.0, |sum, own| sum + own),
+        stable: local.bend.and_then(|_| Some(multipliers(&local.shot.map)?.first()?.norm() < 1.0)),
+    }
+}
