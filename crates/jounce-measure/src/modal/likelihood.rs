@@ -72,7 +72,6 @@ pub(super) fn fit(band: &Band, start: &[Pole]) -> Option<Fit> {
 struct Settled {
     poles: Vec<c64>,
     upper: usize,
-    normal: Mat<f64>,
     error: f64,
 }
 
@@ -100,7 +99,7 @@ fn settled(data: &Data, mut poles: Vec<c64>, upper: usize) -> Option<Settled> {
             None => damping *= 10.0,
         }
     }
-    Some(Settled { poles, upper, normal, error })
+    Some(Settled { poles, upper, error })
 }
 
 /// The normal matrix with its diagonal lifted.
@@ -220,7 +219,9 @@ fn finished(band: &Band, data: &Data, found: &Settled) -> Option<Fit> {
     let misfit = found.error / ((2 * data.angular.len() * band.response.len()) as f64 - (2 * poles.len() + linear) as f64).max(1.0);
     let terms = Terms::of_kinds(data.sight, &data.powers, &data.angular, poles, upper);
     let parts = data.responses.par_iter().map(|response| part(response, &terms[response.kind])).collect::<Vec<Part>>();
-    let inverse = found.normal.llt(Side::Lower).ok()?.inverse();
+    let mut normal = Mat::<f64>::zeros(2 * poles.len(), 2 * poles.len());
+    parts.iter().for_each(|part| normal += part.projected.transpose() * &part.projected);
+    let inverse = normal.llt(Side::Lower).ok()?.inverse();
     let scatter = (!band.parts.is_empty()).then(|| {
         let scores = scores(data, &parts, &band.parts, Scatter::turns(band.parts.len(), band.sight));
         Scatter::new(scores.iter().map(|score| &inverse * score).collect(), &band.parts, band.sight)
