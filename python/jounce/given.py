@@ -66,9 +66,9 @@ def _channel(one: Mapping[str, Any], over: str) -> dict[str, Any]:
     imaginary = None
     if over == "frequency" and np.iscomplexobj(data):
         data, imaginary = np.real(data), numbers(np.imag(data), what)
-    place, direction = (str(one.get(key, "")) for key in ("location", "direction"))
-    told = {"name": str(one["name"]), "quantity": None, "unit": str(one["unit_str"]), "place": place, "direction": direction}
-    return {**told, "values": numbers(data, what), "imaginary": imaginary}
+    place, direction, reference = (str(one.get(key, "")) for key in ("location", "direction", "reference"))
+    told = {"name": str(one["name"]), "quantity": None, "unit": str(one["unit_str"])}
+    return {**told, "place": place, "direction": direction, "reference": reference, "values": numbers(data, what), "imaginary": imaginary}
 
 
 def _times(series: Sequence[Mapping[str, Any]], sample_rate_hz: Any, time_s: Any) -> tuple[Floats, float | None]:

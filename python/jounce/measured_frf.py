@@ -35,7 +35,8 @@ class MeasuredFrf(Result):
     """Responses per newton of a hammer test with their coherence; sign convention ``e^{+i w t}``."""
 
     frequency_hz: Floats
-    #: Names of the sensors, and the places of the force, or its channel where no place is told; empty where responses were given.
+    #: Names of the sensors, and the places of the force, or its channel where no place is told; empty where responses were given
+    #: that tell none.
     output: list[str]
     reference: list[str]
     #: Each response by its channel, ``"tip from beam.mid"`` where the force acts at several places, of shape ``(frequency,)``,

@@ -28,6 +28,8 @@ class Channel(Data):
     #: Where the sensor sits and which way it points; empty where nothing is told.
     place: str
     direction: str
+    #: Where and which way the force of a response function acts, ``"node 3 +z"``; empty where nothing is told.
+    reference: str
     #: The samples; NaN where one is missing.
     values: Floats | Complexes
 
@@ -114,7 +116,7 @@ class Recording(Result):
         def plain(one: Channel) -> dict[str, Any]:
             values = np.asarray(one.values)
             imaginary = values.imag if np.iscomplexobj(values) else None
-            fields = ("name", "quantity", "unit", "place", "direction")
+            fields = ("name", "quantity", "unit", "place", "direction", "reference")
             return {**{field: getattr(one, field) for field in fields}, "values": values.real, "imaginary": imaginary}
 
         channels = [plain(one) for one in self.channels]

@@ -67,7 +67,10 @@ impl HammerArguments {
             let recordings = read::file(file)?.recordings;
             if recordings.iter().all(|recording| recording.over == Over::Frequency) {
                 recordings.iter().for_each(tell_findings);
-                return Ok(Responses::given(&recordings)?);
+                let told = recordings.iter().map(|recording| recording.findings.len()).sum();
+                let found = Responses::given(&recordings)?;
+                tell(&found.findings[told..]);
+                return Ok(found);
             }
         }
         let records = self.measured.iter().map(|file| record(file)).collect::<Result<Vec<_>, _>>()?;

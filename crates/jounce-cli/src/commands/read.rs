@@ -149,7 +149,8 @@ fn tell(recording: &Surveyed) {
         let unit = if channel.unit.is_empty() { "(no unit)" } else { &channel.unit };
         let kind = if channel.imaginary.is_some() { ", complex" } else { "" };
         let place = format!("{} {}", channel.place, channel.direction);
-        line(format!("  {:>3}  {}  rms {rms:.5e}, peak {peak:.5e} {unit}{kind}  {}", k + 1, channel.name, place.trim()));
+        let from = if channel.reference.is_empty() { String::new() } else { format!("  from {}", channel.reference) };
+        line(format!("  {:>3}  {}  rms {rms:.5e}, peak {peak:.5e} {unit}{kind}  {}{from}", k + 1, channel.name, place.trim()));
     }
     recording.findings.iter().for_each(|finding| line(format!("  ! {finding}")));
 }
@@ -162,6 +163,7 @@ fn listed(recording: &Surveyed) -> serde_json::Value {
             "unit": channel.unit,
             "place": channel.place,
             "direction": channel.direction,
+            "reference": channel.reference,
             "complex": channel.imaginary.is_some(),
             "rms": channel.sizes.rms,
             "peak": channel.sizes.peak,

@@ -1,7 +1,7 @@
 //! The modal model fitted to all lines of all responses, each weighed by its variance.
 //!
 //! Gauss-Newton with step control over the poles; residues and residual terms are linear and are eliminated response by response, so that the
-//! normal equations are as small as the number of poles. Of many lines those far from every pole are thinned out first.
+//! normal equations are as small as the number of poles. Steps take them from products of columns, the answer from orthogonal ones. Of many lines those far from every pole are thinned out first.
 
 use faer::linalg::solvers::{DenseSolveCore, Solve};
 use faer::{Mat, Side, c64};
@@ -11,7 +11,8 @@ use std::f64::consts::TAU;
 use super::band::LeftOut;
 use super::eliminated::Eliminated;
 use super::scatter::Scatter;
-use super::terms::{Terms, linear_terms};
+use super::semi_normal::Normal;
+use super::terms::{LinearTerms, Terms};
 use super::thinned::kept;
 use super::{Band, Pole};
 use crate::spectral::Sight;
@@ -45,10 +46,14 @@ struct Part {
     linear: Mat<f64>,
     /// What the linear columns leave of the poles' columns: `P J`.
     projected: Mat<f64>,
-    /// `J^T P J` and `J^T P e`.
-    normal: Mat<f64>,
-    right: Mat<f64>,
-    error: f64,
+    /// What they leave of the response.
+    rest: Mat<f64>,
+}
+
+/// A response's part of the normal equations, however much its columns are alike.
+pub(super) fn by_orthogonal_columns(response: &Weighed, terms: &Terms) -> Normal {
+    let Part { projected, rest, .. } = part(response, terms);
+    Normal { normal: projected.transpose() * &projected, right: projected.transpose() * &rest, error: rest.squared_norm_l2() }
 }
 
 /// The fit that begins at given poles, with as many terms for the modes above the band as the responses ask for: one more is kept where
@@ -67,7 +72,6 @@ pub(super) fn fit(band: &Band, start: &[Pole]) -> Option<Fit> {
 struct Settled {
     poles: Vec<c64>,
     upper: usize,
-    normal: Mat<f64>,
     error: f64,
 }
 
@@ -80,7 +84,8 @@ fn settled(data: &Data, mut poles: Vec<c64>, upper: usize) -> Option<Settled> {
         let size = tried.iter().zip(&poles).map(|(a, b)| (a - b).norm() / b.norm()).fold(0.0, f64::max);
         let gain = (step.transpose() * &right)[(0, 0)];
         let stays = tried.iter().all(|p| p.re < 0.0 && p.im > 0.0);
-        match equations(data, &tried, upper).filter(|(.., less)| stays && *less <= error * (1.0 + 1e-12)) {
+        let taken = if stays { equations(data, &tried, upper) } else { None };
+        match taken.filter(|(.., less)| *less <= error * (1.0 + 1e-12)) {
             Some(better) => {
                 let before = error;
                 poles = tried;
@@ -94,7 +99,7 @@ fn settled(data: &Data, mut poles: Vec<c64>, upper: usize) -> Option<Settled> {
             None => damping *= 10.0,
         }
     }
-    Some(Settled { poles, upper, normal, error })
+    Some(Settled { poles, upper, error })
 }
 
 /// The normal matrix with its diagonal lifted.
@@ -163,7 +168,11 @@ fn equations(data: &Data, poles: &[c64], upper: usize) -> Option<(Mat<f64>, Mat<
     let (mut normal, mut right, mut error) = (Mat::zeros(size, size), Mat::zeros(size, 1), 0.0);
     // Responses in parallel, their parts added in order: the same bits for any number of threads.
     let terms = Terms::of_kinds(data.sight, &data.powers, &data.angular, poles, upper);
-    let parts = data.responses.par_iter().map(|response| part(response, &terms[response.kind])).collect::<Option<Vec<Part>>>()?;
+    let of = |response: &Weighed| {
+        let terms = &terms[response.kind];
+        Normal::of(response, terms).unwrap_or_else(|| by_orthogonal_columns(response, terms))
+    };
+    let parts = data.responses.par_iter().map(of).collect::<Vec<_>>();
     for part in parts {
         normal += &part.normal;
         right += &part.right;
@@ -185,7 +194,7 @@ fn weights(band: &Band, o: usize, lines: &[usize]) -> Vec<f64> {
     }
 }
 
-fn part(response: &Weighed, terms: &Terms) -> Option<Part> {
+fn part(response: &Weighed, terms: &Terms) -> Part {
     let (rows, width) = (terms.linear.nrows(), terms.linear.ncols());
     let weight = &response.weight;
     let a = Mat::from_fn(rows, width, |r, c| weight[r / 2] * terms.linear[(r, c)]);
@@ -201,8 +210,7 @@ fn part(response: &Weighed, terms: &Terms) -> Option<Part> {
     });
     let projected = eliminated.beyond(&by_poles);
     let Eliminated { linear, rest, .. } = eliminated;
-    let (normal, right) = (projected.transpose() * &projected, projected.transpose() * &rest);
-    Some(Part { linear, projected, normal, right, error: rest.squared_norm_l2() })
+    Part { linear, projected, rest }
 }
 
 fn finished(band: &Band, data: &Data, found: &Settled) -> Option<Fit> {
@@ -210,8 +218,10 @@ fn finished(band: &Band, data: &Data, found: &Settled) -> Option<Fit> {
     let linear = band.response.len() * (2 * poles.len() + 2 + 2 * upper);
     let misfit = found.error / ((2 * data.angular.len() * band.response.len()) as f64 - (2 * poles.len() + linear) as f64).max(1.0);
     let terms = Terms::of_kinds(data.sight, &data.powers, &data.angular, poles, upper);
-    let parts = data.responses.par_iter().map(|response| part(response, &terms[response.kind])).collect::<Option<Vec<Part>>>()?;
-    let inverse = found.normal.llt(Side::Lower).ok()?.inverse();
+    let parts = data.responses.par_iter().map(|response| part(response, &terms[response.kind])).collect::<Vec<Part>>();
+    let mut normal = Mat::<f64>::zeros(2 * poles.len(), 2 * poles.len());
+    parts.iter().for_each(|part| normal += part.projected.transpose() * &part.projected);
+    let inverse = normal.llt(Side::Lower).ok()?.inverse();
     let scatter = (!band.parts.is_empty()).then(|| {
         let scores = scores(data, &parts, &band.parts, Scatter::turns(band.parts.len(), band.sight));
         Scatter::new(scores.iter().map(|score| &inverse * score).collect(), &band.parts, band.sight)
@@ -224,14 +234,12 @@ fn finished(band: &Band, data: &Data, found: &Settled) -> Option<Fit> {
             scatter.as_ref().map_or_else(told, |scatter| scatter.variance(r, slopes)) * factor
         })
     };
-    let (mut residue, mut model, mut row) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut residue, mut model) = (Vec::new(), Vec::new());
     for (part, response) in parts.iter().zip(&data.responses) {
         let (linear, power) = (&part.linear, data.powers[response.kind]);
         residue.push((0..poles.len()).map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)])).collect());
-        let at = |f: &f64| {
-            linear_terms((data.sight, power, upper), poles, TAU * f, &mut row);
-            row.iter().enumerate().map(|(c, value)| value * linear[(c, 0)]).sum()
-        };
+        let terms = LinearTerms::of((data.sight, power, upper), poles);
+        let at = |f: &f64| terms.sum(TAU * f, linear.col(0).iter().copied());
         model.push(band.frequency_hz.iter().map(at).collect());
     }
     Some(Fit {
@@ -259,11 +267,11 @@ pub(super) fn propagated(covariance: &Mat<f64>, r: usize, [da, db]: [f64; 2]) ->
 }
 
 /// Residues at some poles, with one term for the modes above the band: response, mode.
-pub(super) fn residues(data: &Data, poles: &[c64]) -> Option<Vec<Vec<c64>>> {
+pub(super) fn residues(data: &Data, poles: &[c64]) -> Vec<Vec<c64>> {
     let terms = Terms::of_kinds(data.sight, &data.powers, &data.angular, poles, 1);
     let of = |response: &Weighed| {
-        let linear = part(response, &terms[response.kind])?.linear;
-        Some((0..poles.len()).map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)])).collect())
+        let linear = part(response, &terms[response.kind]).linear;
+        (0..poles.len()).map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)])).collect()
     };
     data.responses.par_iter().map(of).collect()
 }

@@ -34,6 +34,7 @@ mod plscf;
 mod pole;
 mod references;
 mod scatter;
+mod semi_normal;
 mod stabilisation;
 mod terms;
 mod thinned;

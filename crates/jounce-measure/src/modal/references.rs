@@ -15,7 +15,7 @@ use std::f64::consts::TAU;
 
 use super::eliminated::Eliminated;
 use super::likelihood::{Data, MOST_UPPER, SETTLED, STEPS, damped, propagated, residues, spread};
-use super::terms::{Terms, linear_terms};
+use super::terms::{LinearTerms, Terms};
 use super::{Band, Pole};
 
 /// What is fitted: poles, and what of each mode every reference moves.
@@ -100,7 +100,7 @@ impl Modal {
     /// From residues that are free of each other: their first right singular vector.
     fn begin(band: &Band, data: &Data, start: &[Pole]) -> Option<Self> {
         let poles: Vec<c64> = start.iter().map(|pole| pole.complex()).collect();
-        let residue = residues(data, &poles)?;
+        let residue = residues(data, &poles);
         let begun = |r: usize| {
             let of = Mat::from_fn(band.outputs(), band.inputs, |o, i| residue[o * band.inputs + i][r]);
             let svd = of.thin_svd().ok()?;
@@ -196,7 +196,7 @@ fn finished(band: &Band, data: &Data, Settled { modal, upper, normal, error }: &
     let factor = if band.variance.is_empty() { misfit } else { misfit.max(1.0) };
     let covariance = normal.llt(Side::Lower).ok()?.inverse();
     let terms = Terms::of_kinds(data.sight, &data.powers, &data.angular, &modal.poles, *upper);
-    let (mut residue, mut model, mut row) = (vec![Vec::new(); modes], Vec::new(), Vec::new());
+    let (mut residue, mut model) = (vec![Vec::new(); modes], Vec::new());
     for o in 0..outputs {
         let linear = part(o, data, &terms, modal).linear;
         let shape: Vec<c64> = (0..modes).map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)])).collect();
@@ -204,10 +204,8 @@ fn finished(band: &Band, data: &Data, Settled { modal, upper, normal, error }: &
             let residues = (0..modes).map(|r| shape[r] * modal.participation[r][i]).flat_map(|x| [x.re, x.im]);
             let unknown: Vec<f64> = residues.chain((0..residuals).map(|k| linear[(2 * modes + residuals * i + k, 0)])).collect();
             let power = data.powers[data.responses[o * inputs + i].kind];
-            let at = |hz: &f64| {
-                linear_terms((data.sight, power, *upper), &modal.poles, TAU * hz, &mut row);
-                row.iter().zip(&unknown).map(|(term, x)| term * *x).sum()
-            };
+            let terms = LinearTerms::of((data.sight, power, *upper), &modal.poles);
+            let at = |hz: &f64| terms.sum(TAU * hz, unknown.iter().copied());
             model.push(band.frequency_hz.iter().map(at).collect());
         }
         residue.iter_mut().zip(shape).for_each(|(residue, shape)| residue.push(shape));

@@ -1,32 +1,79 @@
 //! The columns of the modal model at the lines of a band.
+//!
+//! A pole `p` is seen at a line as `(p / j w)^m G(j w - p)`. The powers, and `exp(-s T)` for `s = j w - p` in `G`, are products of a number of the line and
+//! one of the pole, so that no term needs an exponential of its own.
 
 use faer::{Mat, c64};
 
 use crate::spectral::Sight;
 
-/// Values of the linear terms at a line: real and imaginary part of each residue, then of `-1/w^2` and of `1, w^2, ..`. What a block leaves of
-/// the decay of a mode, `p^m R exp(p t)` for the power `m`, is displacement per force over `(j w)^m`.
-pub(super) fn linear_terms((sight, power, upper): (Sight, i32, usize), poles: &[c64], w: f64, row: &mut Vec<c64>) {
-    row.clear();
-    let j = c64::new(0.0, 1.0);
-    for p in poles {
-        let (one, two) = (seen(sight, power, w, *p).0, seen(sight, power, w, p.conj()).0);
-        row.extend([one + two, j * (one - two)]);
+/// What a band asks of its terms: what blocks see of a decay, the power `m`, the number of terms for the modes above the band.
+pub(super) type Kind = (Sight, i32, usize);
+
+/// A line, or a pole: `j w` or `p`, its share of `exp(-s T)` and of the factor before `G`.
+#[derive(Clone, Copy)]
+struct Place {
+    at: c64,
+    end: c64,
+    factor: c64,
+}
+
+impl Place {
+    fn of_line((sight, power, _): Kind, w: f64) -> Self {
+        let at = c64::new(0.0, w);
+        Self { at, end: sight.end(at), factor: at.powi(-power) }
     }
-    let mut residual = -1.0 / (w * w);
-    row.extend([c64::new(residual, 0.0), c64::new(0.0, residual)]);
-    residual = 1.0;
-    for _ in 0..upper {
-        row.extend([c64::new(residual, 0.0), c64::new(0.0, residual)]);
-        residual *= w * w;
+
+    fn of_pole((sight, power, _): Kind, at: c64) -> Self {
+        Self { at, end: sight.end(-at), factor: at.powi(power) }
+    }
+
+    fn conj(self) -> Self {
+        Self { at: self.at.conj(), end: self.end.conj(), factor: self.factor.conj() }
+    }
+
+    /// `(p / j w)^m G(j w - p)` and its derivative by `p`, at this line.
+    fn seen((sight, power, _): Kind, line: Self, pole: Self) -> (c64, c64) {
+        let (value, slope) = sight.transform_from(line.at - pole.at, line.end * pole.end);
+        let factor = line.factor * pole.factor;
+        match power {
+            0 => (value, -slope),
+            _ => (factor * value, factor * (f64::from(power) * value / pole.at - slope)),
+        }
+    }
+
+    /// The same of a pole and its conjugate, put together for the real and the imaginary part of what stands before them: values, derivatives.
+    fn both(kind: Kind, line: Self, pole: Self) -> ([c64; 2], [c64; 2]) {
+        let (one, two) = (Self::seen(kind, line, pole), Self::seen(kind, line, pole.conj()));
+        let parts = |one: c64, two: c64| [one + two, c64::new(0.0, 1.0) * (one - two)];
+        (parts(one.0, two.0), parts(one.1, two.1))
     }
 }
 
-/// `(p / j w)^m G(j w - p)` and its derivative by `p`.
-fn seen(sight: Sight, power: i32, w: f64, p: c64) -> (c64, c64) {
-    let (value, slope) = sight.transform(c64::new(0.0, w) - p);
-    let factor = (p / c64::new(0.0, w)).powi(power);
-    (factor * value, factor * (f64::from(power) * value / p - slope))
+/// Values of the linear terms at lines: real and imaginary part of each residue, then of `-1/w^2` and of `1, w^2, ..`. What a block leaves of the
+/// decay of a mode, `p^m R exp(p t)` for the power `m`, is displacement per force over `(j w)^m`.
+pub(super) struct LinearTerms {
+    kind: Kind,
+    poles: Vec<Place>,
+}
+
+impl LinearTerms {
+    pub fn of(kind: Kind, poles: &[c64]) -> Self {
+        Self { kind, poles: poles.iter().map(|p| Place::of_pole(kind, *p)).collect() }
+    }
+
+    /// What the terms times some unknowns add to at a line.
+    pub fn sum(&self, w: f64, unknown: impl Iterator<Item = f64>) -> c64 {
+        let line = Place::of_line(self.kind, w);
+        let terms = self.poles.iter().flat_map(|pole| Place::both(self.kind, line, *pole).0).chain(residuals(w, self.kind.2));
+        terms.zip(unknown).map(|(term, x)| term * x).sum()
+    }
+}
+
+/// The terms of the modes below and above the band.
+fn residuals(w: f64, upper: usize) -> impl Iterator<Item = c64> {
+    let above = std::iter::successors(Some(1.0), move |x| Some(x * (w * w))).take(upper);
+    std::iter::once(-1.0 / (w * w)).chain(above).flat_map(|x| [c64::new(x, 0.0), c64::new(0.0, x)])
 }
 
 /// What all responses share at some poles, not weighed: two rows for each line, its real and its imaginary part.
@@ -44,21 +91,23 @@ impl Terms {
         powers.iter().map(|power| Self::of((sight, *power, upper), angular, poles)).collect()
     }
 
-    fn of(kind: (Sight, i32, usize), angular: &[f64], poles: &[c64]) -> Self {
-        let (sight, power, upper) = kind;
-        let (rows, width, j) = (2 * angular.len(), 2 * poles.len() + 2 + 2 * upper, c64::new(0.0, 1.0));
-        let (mut linear, mut squares) = (Mat::<f64>::zeros(rows, width), Mat::<f64>::zeros(rows, 2 * poles.len()));
-        let mut row = Vec::with_capacity(width);
-        for (k, w) in angular.iter().copied().enumerate() {
-            linear_terms(kind, poles, w, &mut row);
-            for (c, value) in row.iter().enumerate() {
-                (linear[(2 * k, c)], linear[(2 * k + 1, c)]) = (value.re, value.im);
-            }
-            for (r, p) in poles.iter().enumerate() {
-                let (one, two) = (seen(sight, power, w, *p).1, seen(sight, power, w, p.conj()).1);
-                for (c, value) in [one + two, j * (one - two)].into_iter().enumerate() {
-                    (squares[(2 * k, 2 * r + c)], squares[(2 * k + 1, 2 * r + c)]) = (value.re, value.im);
+    fn of(kind: Kind, angular: &[f64], poles: &[c64]) -> Self {
+        let (rows, modes) = (2 * angular.len(), 2 * poles.len());
+        let (mut linear, mut squares) = (Mat::<f64>::zeros(rows, modes + 2 + 2 * kind.2), Mat::<f64>::zeros(rows, modes));
+        let lines: Vec<Place> = angular.iter().map(|w| Place::of_line(kind, *w)).collect();
+        for (r, p) in poles.iter().enumerate() {
+            let pole = Place::of_pole(kind, *p);
+            for (k, line) in lines.iter().enumerate() {
+                let (values, slopes) = Place::both(kind, *line, pole);
+                for c in 0..2 {
+                    (linear[(2 * k, 2 * r + c)], linear[(2 * k + 1, 2 * r + c)]) = (values[c].re, values[c].im);
+                    (squares[(2 * k, 2 * r + c)], squares[(2 * k + 1, 2 * r + c)]) = (slopes[c].re, slopes[c].im);
                 }
+            }
+        }
+        for (k, w) in angular.iter().enumerate() {
+            for (c, value) in residuals(*w, kind.2).enumerate() {
+                (linear[(2 * k, modes + c)], linear[(2 * k + 1, modes + c)]) = (value.re, value.im);
             }
         }
         Self { linear, squares }

@@ -182,6 +182,7 @@ pub(super) fn settled(mut column: Column, said: ChannelNotes, findings: &mut Vec
     values.scale(factor);
     imaginary.iter_mut().for_each(|numbers| numbers.scale(factor));
     let (place, direction) = (said.place.unwrap_or(column.place), said.direction.unwrap_or(column.direction));
+    let reference = said.reference.unwrap_or(column.reference);
     let sizes = Sizes { rms: f64::NAN, peak: f64::NAN };
-    SurveyedChannel { name, quantity, unit, place, direction, sizes, values, imaginary }
+    SurveyedChannel { name, quantity, unit, place, direction, reference, sizes, values, imaginary }
 }

@@ -39,4 +39,4 @@ pub use numbers::Numbers;
 pub use outline::Outline;
 pub use raw::RawChannel;
 pub use survey::{Places, Survey, Surveyed, SurveyedChannel};
-pub(crate) use written::{DIRECTION, PLACE};
+pub(crate) use written::{DIRECTION, PLACE, REFERENCE};

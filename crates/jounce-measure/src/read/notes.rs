@@ -22,6 +22,7 @@ use crate::recording::Unit;
 /// scale = 1.0               # times the number in the file is the value in the unit
 /// place = "free end"
 /// direction = "-z"
+/// reference = "node 3 +z"   # of a response function, where and which way the force acts
 ///
 /// [channel.temp_c]
 /// use = false
@@ -51,12 +52,14 @@ pub struct ChannelNotes {
     pub place: Option<String>,
     /// Which way it points.
     pub direction: Option<String>,
+    /// Where and which way the force of a response function acts.
+    pub reference: Option<String>,
     /// True where the channel is left out.
     pub left_out: bool,
 }
 
 const KEYS: [&str; 4] = ["rate", "time", "over", "channel"];
-const CHANNEL_KEYS: [&str; 6] = ["name", "unit", "scale", "place", "direction", "use"];
+const CHANNEL_KEYS: [&str; 7] = ["name", "unit", "scale", "place", "direction", "reference", "use"];
 
 impl Notes {
     /// Where the notes of a file lie.
@@ -145,6 +148,7 @@ fn channel(name: &str, table: &Table, faults: &mut Vec<String>) -> ChannelNotes 
         scale,
         place: text_of(table, "place", &place, faults),
         direction: text_of(table, "direction", &place, faults),
+        reference: text_of(table, "reference", &place, faults),
         left_out,
     }
 }

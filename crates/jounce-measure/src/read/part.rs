@@ -40,6 +40,7 @@ impl Surveyed {
                 quantity: channel.quantity,
                 unit: channel.unit.clone(),
                 place: channel.place.clone(),
+                reference: channel.reference.clone(),
                 direction: channel.direction.clone(),
                 sizes: inspected(&values, false)?.1,
                 values,

@@ -32,6 +32,7 @@ pub(super) struct Column {
     pub unit: String,
     pub place: String,
     pub direction: String,
+    pub reference: String,
     /// The samples, real parts of complex ones.
     pub values: Numbers,
     /// Imaginary parts of a complex column, as many.
@@ -49,6 +50,8 @@ pub struct RawChannel {
     pub place: String,
     /// Which way it points; empty where nothing is told.
     pub direction: String,
+    /// Where and which way the force of a response function acts, as `node 3 +z`; empty where nothing is told.
+    pub reference: String,
     /// The samples, real parts of complex ones.
     pub values: Vec<f64>,
     /// Imaginary parts of a complex column, as many.
@@ -64,8 +67,8 @@ impl RawChannel {
 
 impl From<RawChannel> for Column {
     fn from(channel: RawChannel) -> Self {
-        let RawChannel { name, unit, place, direction, values, imaginary } = channel;
-        Self { name, unit, place, direction, values: values.into(), imaginary: imaginary.map(Numbers::from) }
+        let RawChannel { name, unit, place, direction, reference, values, imaginary } = channel;
+        Self { name, unit, place, direction, reference, values: values.into(), imaginary: imaginary.map(Numbers::from) }
     }
 }
 
@@ -73,7 +76,8 @@ impl Column {
     /// A real column without place and direction.
     pub(super) fn new(name: &str, unit: &str, values: Numbers) -> Self {
         let (name, unit) = (name.to_owned(), unit.to_owned());
-        Self { name, unit, place: String::new(), direction: String::new(), values, imaginary: None }
+        let [place, direction, reference] = [(); 3].map(|()| String::new());
+        Self { name, unit, place, direction, reference, values, imaginary: None }
     }
 
     /// Levels `L` in decibels to amplitudes `10^(L/20)` in the unit that stands behind `re`, in brackets, or alone.

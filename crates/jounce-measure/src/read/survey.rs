@@ -68,6 +68,8 @@ pub struct SurveyedChannel {
     pub place: String,
     /// Which way it points; empty where nothing is told.
     pub direction: String,
+    /// Where and which way the force of a response function acts, as `node 3 +z`; empty where nothing is told.
+    pub reference: String,
     /// Rms and largest size of the real parts.
     pub sizes: Sizes,
     /// The samples, real parts of complex ones. NaN where one is missing.
@@ -143,7 +145,7 @@ impl SurveyedChannel {
     pub(super) fn into_channel(self) -> io::Result<Channel> {
         let mut channel = Channel::new(&self.name, self.quantity, &self.unit, self.values.into_vec()?);
         channel.imaginary = self.imaginary.map(Numbers::into_vec).transpose()?;
-        (channel.place, channel.direction) = (self.place, self.direction);
+        (channel.place, channel.direction, channel.reference) = (self.place, self.direction, self.reference);
         Ok(channel)
     }
 }
@@ -162,6 +164,7 @@ impl From<Recording> for Surveyed {
             unit: channel.unit,
             place: channel.place,
             direction: channel.direction,
+            reference: channel.reference,
             values: channel.values.into(),
             imaginary: channel.imaginary.map(Numbers::from),
         };

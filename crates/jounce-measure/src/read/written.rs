@@ -8,9 +8,10 @@ use serde::Deserialize;
 use super::name;
 use super::raw::Column;
 
-/// What stands before the name of a channel in the notes where they tell its place, and its direction.
+/// What stands before the name of a channel in the notes where they tell its place, its direction, and where the force of a response function acts.
 pub(crate) const PLACE: &str = "place of ";
 pub(crate) const DIRECTION: &str = "direction of ";
+pub(crate) const REFERENCE: &str = "reference of ";
 
 /// The notes of a file of columns.
 #[derive(Deserialize)]
@@ -43,11 +44,11 @@ impl Written {
         self.columns.iter().find(|column| column.name == head).map(|column| column.unit.clone())
     }
 
-    /// Tells a column where it was measured, and which way.
+    /// Tells a column where it was measured, which way, and against what.
     pub(super) fn tell(&self, column: &mut Column) {
         // Both parts of a complex channel have one place.
         let name = column.name.strip_suffix(".re").unwrap_or(&column.name);
         let told = |key: &str| self.manifest.options.get(&format!("{key}{name}")).cloned().unwrap_or_default();
-        (column.place, column.direction) = (told(PLACE), told(DIRECTION));
+        (column.place, column.direction, column.reference) = (told(PLACE), told(DIRECTION), told(REFERENCE));
     }
 }

@@ -15,6 +15,8 @@ pub struct Channel {
     pub place: String,
     /// Which way it points, as `+z`; empty where nothing is told.
     pub direction: String,
+    /// Where and which way the force of a response function acts, as `node 3 +z`; empty where nothing is told.
+    pub reference: String,
     /// The samples, real parts of complex ones. NaN where one is missing.
     pub values: Vec<f64>,
     /// Imaginary parts of a complex channel, as many.
@@ -30,6 +32,7 @@ impl Channel {
             unit: unit.to_owned(),
             place: String::new(),
             direction: String::new(),
+            reference: String::new(),
             values,
             imaginary: None,
         }

@@ -13,7 +13,7 @@ pub(super) struct Reference<'a> {
 }
 
 /// Place and direction of a sensor as one text; empty where nothing is told.
-fn place(channel: &Channel) -> String {
+pub(super) fn place(channel: &Channel) -> String {
     [channel.place.as_str(), channel.direction.as_str()].join(" ").trim().to_owned()
 }
 

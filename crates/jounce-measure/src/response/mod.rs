@@ -3,6 +3,7 @@
 mod decays;
 mod error;
 mod forces;
+mod given;
 mod responses;
 
 pub use decays::{AmbientSettings, Decays};

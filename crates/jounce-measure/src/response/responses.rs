@@ -1,12 +1,11 @@
 //! The responses of a structure to the force of a hammer or of a shaker.
 
 use jounce::signal::{Samples, SignalError};
-use realfft::num_complex::Complex;
 
 use super::ResponseError;
 use super::forces::{Reference, check_sensors, references};
-use crate::recording::{Channel, Finding, FindingKind, Quantity, Recording, Unit};
-use crate::spectral::{FrequencyResponse, ImpactAnswer, ImpactHit, ImpactRecord, ImpactSettings, Sight, SpectralError, impact};
+use crate::recording::{Channel, Finding, FindingKind, Quantity, Recording};
+use crate::spectral::{FrequencyResponse, ImpactAnswer, ImpactHit, ImpactRecord, ImpactSettings, SpectralError, impact};
 
 /// Which channels are what.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -22,7 +21,7 @@ pub struct Chosen {
 pub struct Responses {
     /// Name of each output.
     pub outputs: Vec<String>,
-    /// Where the force acts: its places, or its channel where none is told; none where response functions were given.
+    /// Where the force acts: its places, or its channel where none is told; none where response functions were given that tell none.
     pub references: Vec<String>,
     /// Name of each response: that of output `o` to reference `i` at `o * references + i`. It is that of the output alone where there are no
     /// several references.
@@ -86,54 +85,6 @@ impl Responses {
                 .collect(),
             outputs,
         })
-    }
-
-    /// Response functions that were measured before: every complex channel of recordings over frequency. Nothing is known of their
-    /// coherence.
-    ///
-    /// # Errors
-    /// No recording, no complex channel, unequal frequencies.
-    pub fn given(recordings: &[Recording]) -> Result<Self, ResponseError> {
-        let first = recordings.first().ok_or(ResponseError::Nothing)?;
-        let frequency_hz = first.grid.places();
-        let mut found = Self {
-            outputs: Vec::new(),
-            references: Vec::new(),
-            names: Vec::new(),
-            units: Vec::new(),
-            quantities: Vec::new(),
-            functions: Vec::new(),
-            hits: Vec::new(),
-            block_s: None,
-            window_decay_per_s: 0.0,
-            findings: recordings.iter().flat_map(|recording| recording.findings.clone()).collect(),
-        };
-        for recording in recordings {
-            if recording.grid.places() != frequency_hz {
-                return Err(ResponseError::Frequencies { first: first.name.clone(), other: recording.name.clone() });
-            }
-            for channel in &recording.channels {
-                let Some(imaginary) = &channel.imaginary else { continue };
-                let value = channel.values.iter().zip(imaginary).map(|(re, im)| Complex::new(*re, *im)).collect();
-                let coherence = vec![1.0; frequency_hz.len()];
-                found.outputs.push(channel.name.clone());
-                found.names.push(channel.name.clone());
-                found.units.push(channel.unit.clone());
-                found.quantities.push(Unit::responds(&channel.unit).unwrap_or(channel.quantity));
-                found.functions.push(FrequencyResponse {
-                    frequency_hz: frequency_hz.clone(),
-                    value,
-                    coherence,
-                    blocks: 1,
-                    sight: Sight::Whole,
-                    without: Vec::new(),
-                });
-            }
-        }
-        if found.names.is_empty() {
-            return Err(ResponseError::NotComplex { recording: first.name.clone() });
-        }
-        Ok(found)
     }
 }
 

@@ -44,13 +44,30 @@ const TERMS: u32 = 16;
 impl Sight {
     /// `G` and its derivative by `s`, for a real part of `s` above 0.
     pub fn transform(self, s: Complex<f64>) -> (Complex<f64>, Complex<f64>) {
+        self.transform_from(s, self.end(s))
+    }
+
+    /// `exp(-s T)`, of which that of a sum is the product; 0 where blocks see all.
+    pub(crate) fn end(self, s: Complex<f64>) -> Complex<f64> {
         match self {
-            Self::Whole => (1.0 / s, -1.0 / (s * s)),
-            Self::Cut { length_s } => constant(s, length_s),
+            Self::Whole => Complex::new(0.0, 0.0),
+            Self::Cut { length_s } | Self::Hann { length_s } => (-s * length_s).exp(),
+        }
+    }
+
+    /// As [`Sight::transform`] where `exp(-s T)` is known.
+    pub(crate) fn transform_from(self, s: Complex<f64>, end: Complex<f64>) -> (Complex<f64>, Complex<f64>) {
+        match self {
+            Self::Whole => {
+                let inverse = s.inv();
+                (inverse, -inverse * inverse)
+            }
+            Self::Cut { length_s } => constant(s, length_s, end),
             Self::Hann { length_s } => {
+                // A turn in the length of a block leaves the end as it is.
                 let turn = Complex::new(0.0, TAU / length_s);
-                let (falling, below, above) = (linear(s, length_s), linear(s - turn, length_s), linear(s + turn, length_s));
-                let (one, two) = (constant(s - turn, length_s), constant(s + turn, length_s));
+                let of = |s: Complex<f64>| (linear(s, length_s, end), constant(s, length_s, end));
+                let (falling, (below, one), (above, two)) = (linear(s, length_s, end), of(s - turn), of(s + turn));
                 let sine = Complex::new(0.0, -1.0 / (2.0 * TAU));
                 let sum = |falling, below, above, one, two| falling * (2.0 / 3.0) + (below + above) / 6.0 + (one - two) * sine;
                 (sum(falling.0, below.0, above.0, one.0, two.0), sum(falling.1, below.1, above.1, one.1, two.1))
@@ -60,21 +77,27 @@ impl Sight {
 }
 
 /// The integral of `exp(-s t)` from 0 to `T`, and its derivative by `s`.
-fn constant(s: Complex<f64>, t: f64) -> (Complex<f64>, Complex<f64>) {
-    if (s * t).norm() < SERIES {
+fn constant(s: Complex<f64>, t: f64, end: Complex<f64>) -> (Complex<f64>, Complex<f64>) {
+    if is_small(s, t) {
         return series(s, t, 1);
     }
-    let end = (-s * t).exp();
-    ((1.0 - end) / s, t * end / s - (1.0 - end) / (s * s))
+    let inverse = s.inv();
+    let value = (1.0 - end) * inverse;
+    (value, (end * t - value) * inverse)
 }
 
 /// The integral of `(1 - t / T) exp(-s t)` from 0 to `T`, and its derivative by `s`.
-fn linear(s: Complex<f64>, t: f64) -> (Complex<f64>, Complex<f64>) {
-    if (s * t).norm() < SERIES {
+fn linear(s: Complex<f64>, t: f64, end: Complex<f64>) -> (Complex<f64>, Complex<f64>) {
+    if is_small(s, t) {
         return series(s, t, 2);
     }
-    let (end, square) = ((-s * t).exp(), s * s);
-    (1.0 / s - (1.0 - end) / (square * t), -1.0 / square + 2.0 * (1.0 - end) / (square * s * t) - end / square)
+    let (inverse, past) = (s.inv(), 1.0 - end);
+    let square = inverse * inverse;
+    (inverse - past * square / t, past * square * inverse * (2.0 / t) - square - end * square)
+}
+
+fn is_small(s: Complex<f64>, t: f64) -> bool {
+    s.norm_sqr() * t * t < SERIES * SERIES
 }
 
 /// `T sum (-s T)^n / (n + order)!` and its derivative.

@@ -3,7 +3,7 @@
 use jounce::table::{Column, Manifest, Table};
 
 use super::WriteError;
-use crate::read::{DIRECTION, Numbers, PLACE, Surveyed, SurveyedChannel};
+use crate::read::{DIRECTION, Numbers, PLACE, REFERENCE, Surveyed, SurveyedChannel};
 use crate::recording::{Over, PIECE, Series};
 
 /// Numbers in a table, of all columns together.
@@ -46,12 +46,13 @@ fn rows(numbers: &impl Series<Fault = std::io::Error>, pieces: &std::ops::Range<
     Ok(rows)
 }
 
-/// The recording and what was found in it, where its channels were measured and which way.
+/// The recording and what was found in it, where its channels were measured, which way, and against what.
 pub(super) fn manifest(recording: &Surveyed) -> Manifest {
     let findings: Vec<String> = recording.findings.iter().map(ToString::to_string).collect();
     let manifest = Manifest::new("").with("recording", &recording.name).with("findings", findings.join("; "));
     let told = |channel: &SurveyedChannel| {
-        [(PLACE, channel.place.clone()), (DIRECTION, channel.direction.clone())].map(|(key, told)| (format!("{key}{}", channel.name), told))
+        let told = [(PLACE, &channel.place), (DIRECTION, &channel.direction), (REFERENCE, &channel.reference)];
+        told.map(|(key, told)| (format!("{key}{}", channel.name), told.clone()))
     };
     let told = recording.channels.iter().flat_map(told).filter(|(_, told)| !told.is_empty());
     told.fold(manifest, |manifest, (key, told)| manifest.with(&key, told))

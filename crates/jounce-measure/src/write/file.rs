@@ -29,6 +29,22 @@ pub enum WriteError {
         /// Its value.
         value: f64,
     },
+    /// A text that the columns of the format would cut to another one.
+    #[error(
+        "the {what} of {channel}, {text:?}, has {length} characters; UFF holds {most}: give a shorter one in the notes beside the recording, or write Parquet or CSV"
+    )]
+    Long {
+        /// The channel.
+        channel: String,
+        /// What is too long.
+        what: &'static str,
+        /// The text.
+        text: String,
+        /// Its characters.
+        length: usize,
+        /// Characters that the format holds.
+        most: usize,
+    },
     /// Numbers that cannot be found again in the scratch file.
     #[error("the scratch file cannot be read: {0}")]
     Scratch(#[from] std::io::Error),
@@ -44,7 +60,7 @@ pub enum WriteError {
 /// its notes). What is written is in SI.
 ///
 /// # Errors
-/// Another ending, samples that the format cannot hold, a place that cannot be written.
+/// Another ending, samples or units that the format cannot hold, a place that cannot be written.
 pub fn write(recording: &Recording, path: &Path) -> Result<(), WriteError> {
     write_surveyed(&recording.clone().into(), path)
 }

@@ -13,12 +13,24 @@ use crate::recording::{Over, PIECE, Quantity, Series};
 pub(super) fn encode(recording: &Surveyed, mut to: impl Write) -> Result<(), WriteError> {
     for (k, channel) in recording.channels.iter().enumerate() {
         finite(channel)?;
+        fits(channel, "unit", &channel.unit, LABEL)?;
+        fits(channel, "place of the force", reference(channel).0, PLACE)?;
         writeln!(to, "    -1\n    58")?;
         header(&mut to, recording, channel, k + 1)?;
         data(&mut to, recording, channel)?;
         writeln!(to, "    -1")?;
     }
     Ok(to.flush()?)
+}
+
+/// Columns of a label or a unit, and of the name of a place.
+const LABEL: usize = 20;
+const PLACE: usize = 10;
+
+/// Refuses a text that would be cut to another one.
+fn fits(channel: &SurveyedChannel, what: &'static str, text: &str, most: usize) -> Result<(), WriteError> {
+    let (length, channel) = (text.chars().count(), &channel.name);
+    if length <= most { Ok(()) } else { Err(WriteError::Long { channel: channel.clone(), what, text: text.to_owned(), length, most }) }
 }
 
 /// Refuses a channel with a sample that is no finite number.
@@ -50,22 +62,21 @@ fn header(to: &mut impl Write, recording: &Surveyed, channel: &SurveyedChannel, 
         Places::Stamped { .. } => (0.0, 0.0, 0),
     };
     // A place is a node, or a name, which a number beside it would hide.
-    let (place, node) = match (channel.place.as_str(), channel.place.strip_prefix("node ").and_then(|node| node.parse::<usize>().ok())) {
+    let (place, node) = match (channel.place.as_str(), node(&channel.place)) {
         ("", _) => ("NONE", number),
         (_, Some(node)) => ("NONE", node),
         (name, None) => (name, 0),
     };
     writeln!(to, "{:<80}\n{:<80}\n{:<80}\n{:<80}\n{:<80}", ascii(&recording.name, 80), "NONE", "NONE", ascii(&channel.name, 80), "NONE")?;
+    let (to_place, to_node, to_direction) = reference(channel);
+    let to_place = ascii(to_place, PLACE);
     let direction = direction(&channel.direction);
     writeln!(
         to,
-        "{function:>5}{number:>10}{:>5}{:>10} {:<10}{node:>10}{direction:>4} {:<10}{:>10}{:>4}",
+        "{function:>5}{number:>10}{:>5}{:>10} {:<10}{node:>10}{direction:>4} {to_place:<10}{to_node:>10}{to_direction:>4}",
         0,
         0,
-        ascii(place, 10),
-        "NONE",
-        0,
-        0
+        ascii(place, PLACE),
     )?;
     writeln!(to, "{kind:>10}{:>10}{even:>10} {} {} {}", channel.values.count(), e12(start), e12(step), e12(0.0))?;
     let (abscissa, label, unit) = if over_time { (17, "Time", "s") } else { (18, "Frequency", "Hz") };
@@ -77,7 +88,7 @@ fn header(to: &mut impl Write, recording: &Surveyed, channel: &SurveyedChannel, 
 
 fn axis(to: &mut impl Write, kind: u32, label: &str, unit: &str) -> std::io::Result<()> {
     let unit = if unit.is_empty() { "NONE" } else { unit };
-    writeln!(to, "{kind:>10}{:>5}{:>5}{:>5} {:<20} {:<20}", 0, 0, 0, ascii(label, 20), ascii(unit, 20))
+    writeln!(to, "{kind:>10}{:>5}{:>5}{:>5} {:<20} {:<20}", 0, 0, 0, ascii(label, LABEL), ascii(unit, LABEL))
 }
 
 fn data(to: &mut impl Write, recording: &Surveyed, channel: &SurveyedChannel) -> std::io::Result<()> {
@@ -141,6 +152,23 @@ fn specific(quantity: Quantity) -> u32 {
         Quantity::Time => 17,
         Quantity::Frequency => 18,
         Quantity::Voltage | Quantity::Response | Quantity::Number | Quantity::Unknown => 0,
+    }
+}
+
+/// The number of a node.
+fn node(place: &str) -> Option<usize> {
+    place.strip_prefix("node ")?.parse().ok()
+}
+
+/// Name, node and direction of the force that a response function refers to.
+fn reference(channel: &SurveyedChannel) -> (&str, usize, i32) {
+    let text = channel.reference.as_str();
+    let (place, way) = text.rsplit_once(' ').map_or((text, 0), |(place, way)| (place, direction(way)));
+    let place = if way == 0 { text } else { place };
+    match (place, node(place)) {
+        ("", _) => ("NONE", 0, 0),
+        (_, Some(node)) => ("NONE", node, way),
+        (name, None) => (name, 0, way),
     }
 }
 

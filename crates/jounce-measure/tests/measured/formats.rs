@@ -81,6 +81,27 @@ fn a_long_name_is_read_back_whole() {
 
 /// What stands above the line tells how a response moves: `H(w) = 1 / (w0^2 - w^2 + 2 j zeta w0 w)` per newton as displacement, in millimetres
 /// per kilonewton, and as acceleration, `-w^2 H`, in g per pound-force, have one and the same mode. Taken for each other they would not.
+/// The columns of UFF hold 20 characters of a unit: 20 are written and read again, 21 are refused with both numbers, and nothing is left behind.
+#[test]
+fn a_unit_that_the_columns_would_cut_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let write_in = |unit: &str, ending: &str| {
+        let mut recording = response();
+        recording.channels[0].unit = unit.to_owned();
+        let path = folder.path().join(format!("{}.{ending}", unit.len()));
+        (write(&recording, &path).map_err(|error| error.to_string()), path)
+    };
+    let (fits, long) = ("counts per 100 N m/V", "counts per 1000 N m/V");
+    let (written, path) = write_in(fits, "uff");
+    written.expect("a file");
+    assert_eq!(read::file(&path).expect("what was written").recordings[0].channels[0].unit, fits);
+    let (refused, path) = write_in(long, "uff");
+    let told = refused.expect_err("21 characters");
+    assert!(told.contains("accelerance") && told.contains(long) && told.contains("21 characters") && told.contains("holds 20"), "{told}");
+    assert!(!path.exists());
+    assert!(write_in(long, "parquet").0.is_ok());
+}
+
 #[test]
 fn a_response_is_what_its_unit_says() {
     let (w0, zeta) = (TAU * 20.0, 0.01);

@@ -76,6 +76,10 @@ impl From<WriteError> for Failure {
                 let details = json!({ "channel": channel, "sample": sample, "value": value.to_string() });
                 Self::new("RecordingError", &error).with(details)
             }
+            WriteError::Long { ref channel, ref text, length, most, .. } => {
+                let details = json!({ "channel": channel, "text": text, "length": length, "most": most });
+                Self::new("RecordingError", &error).with(details)
+            }
             WriteError::Format { ref path } => Self::of_file(&error, path, None),
             WriteError::Table(error) => Self::of("FileError", &error),
             WriteError::Store(error) => Self::of("FileError", &error),

@@ -37,6 +37,7 @@ struct GivenChannel<'py> {
     unit: String,
     place: String,
     direction: String,
+    reference: String,
     values: Row<'py>,
     imaginary: Option<Row<'py>>,
 }
@@ -81,6 +82,7 @@ impl GivenChannel<'_> {
             unit: self.unit.clone(),
             place: self.place.clone(),
             direction: self.direction.clone(),
+            reference: self.reference.clone(),
             values: self.values.as_array().to_vec(),
             imaginary: self.imaginary.as_ref().map(|row| row.as_array().to_vec()),
         }
@@ -89,8 +91,8 @@ impl GivenChannel<'_> {
     fn channel(&self) -> Result<Channel, Failure> {
         let named = serde_json::Value::from(self.quantity.as_deref().unwrap_or("unknown"));
         let quantity: Quantity = serde_json::from_value(named).map_err(|error| Failure::new("ArgumentError", error))?;
-        let RawChannel { name, unit, place, direction, values, imaginary } = self.raw();
-        Ok(Channel { name, quantity, unit, place, direction, values, imaginary })
+        let RawChannel { name, unit, place, direction, reference, values, imaginary } = self.raw();
+        Ok(Channel { name, quantity, unit, place, direction, reference, values, imaginary })
     }
 }
 
@@ -157,6 +159,7 @@ fn channel(py: Python<'_>, channel: Channel) -> PyResult<Bound<'_, PyDict>> {
         .with("unit", channel.unit)?
         .with("place", channel.place)?
         .with("direction", channel.direction)?
+        .with("reference", channel.reference)?
         .with("imaginary", channel.imaginary.map(|imaginary| PyArray1::from_vec(py, imaginary)))?
         .array("values", channel.values)?;
     Ok(answer.dict())

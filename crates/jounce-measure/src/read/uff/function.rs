@@ -37,6 +37,7 @@ pub(super) fn read(block: Block, shelf: &Shelf) -> Result<Raw, Damage> {
         unit: unit(&header),
         place: place(&header.response),
         direction: direction(&header.response),
+        reference: if over == Over::Frequency { told(&header.reference) } else { String::new() },
         values: next(),
         imaginary: header.complex.then(next),
     };
@@ -59,7 +60,8 @@ fn parted(numbers: Numbers, points: usize, width: usize, shelf: &Shelf) -> Resul
     Ok(columns)
 }
 
-/// Functions over the same grid become channels of one set; names used twice get their place, and a number where that is not enough.
+/// Functions over the same grid become channels of one set; names used twice get their place, then their reference, and a number where that is
+/// not enough.
 pub(super) fn grouped(sets: Vec<Raw>) -> Result<Vec<Raw>, Damage> {
     let mut groups: Vec<Raw> = Vec::new();
     for set in sets {
@@ -76,6 +78,10 @@ pub(super) fn grouped(sets: Vec<Raw>) -> Result<Vec<Raw>, Damage> {
     }
     for group in &mut groups {
         rename(&mut group.columns, |column, _| format!("{} {} {}", column.name, column.place, column.direction).trim_end().to_owned());
+        rename(&mut group.columns, |column, _| match column.reference.as_str() {
+            "" => column.name.clone(),
+            reference => format!("{} from {reference}", column.name),
+        });
         rename(&mut group.columns, |column, number| format!("{} ({number})", column.name));
     }
     Ok(groups)
@@ -135,6 +141,12 @@ fn place(dof: &Dof) -> String {
         (0, name) => name.to_owned(),
         (node, _) => format!("node {node}"),
     }
+}
+
+/// Place and direction of a degree of freedom as one text; empty where nothing is told.
+fn told(dof: &Dof) -> String {
+    let place = place(dof);
+    if place.is_empty() { place } else { format!("{place} {}", direction(dof)).trim_end().to_owned() }
 }
 
 /// `+x` to `-z` for 1 to 3 and their negatives, rotations beyond.
