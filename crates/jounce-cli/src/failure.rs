@@ -98,9 +98,11 @@ impl From<OrbitError<StudyError>> for Failure {
     fn from(error: OrbitError<StudyError>) -> Self {
         match error {
             OrbitError::Harvester(error) => error.into(),
-            OrbitError::Frequencies { .. } | OrbitError::Impulsive { .. } | OrbitError::Rectified { .. } | OrbitError::Free => {
-                Failure::Input(error.to_string())
-            }
+            OrbitError::Frequencies { .. }
+            | OrbitError::Summed { .. }
+            | OrbitError::Impulsive { .. }
+            | OrbitError::Rectified { .. }
+            | OrbitError::Free => Failure::Input(error.to_string()),
             OrbitError::March(_) | OrbitError::Multipliers { .. } => Failure::NotConverged(error.to_string()),
         }
     }

@@ -93,18 +93,18 @@ pub fn check_tolerance(tolerance: f64) -> Result<(), Failure> {
     if fits { Ok(()) } else { Err(Failure::usage(format!("--tolerance {tolerance:e}: give a number from 1e-14 to 0.01"))) }
 }
 
-/// A drive of one frequency that moves: without it nothing attracts but rest.
+/// Drives that repeat themselves together, and move: without them nothing attracts but rest.
 pub fn check_drive(spec: &SpecArguments, plant: &Plant, what: &str) -> Result<(), Failure> {
     if let Some(drive) = plant.system.aperiodic() {
         return Err(StudyError::Aperiodic { drive: drive.to_owned() }.into());
     }
     let moving = plant.system.drives.iter().any(|drive| drive.amplitude_n != 0.0);
-    match (plant.tones.len(), moving) {
-        (1, true) => Ok(()),
-        (1, false) => Err(Failure::Input(format!(
+    match (plant.period_s(), moving) {
+        (Some(_), true) => Ok(()),
+        (Some(_), false) => Err(Failure::Input(format!(
             "{}: drive.amplitude is 0, but {what} needs a drive that moves: give it an amplitude greater than 0",
             spec.spec.display()
         ))),
-        (frequencies, _) => Err(OrbitError::<StudyError>::Frequencies { frequencies }.into()),
+        (None, _) => Err(OrbitError::<StudyError>::Frequencies { frequencies: plant.tones.len() }.into()),
     }
 }

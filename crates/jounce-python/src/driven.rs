@@ -1,4 +1,4 @@
-//! The drive that a study of orbits needs: one frequency, and it moves.
+//! The drives that a study of orbits needs: they repeat themselves together, and they move.
 
 use crate::failure::Failure;
 use crate::spec::Spec;
@@ -15,15 +15,15 @@ pub fn frequency(spec: &Spec, what: &str) -> Result<(NumericKey, f64), Failure> 
     Ok((spec.key(&format!("drive.{name}.frequency"))?, value))
 }
 
-/// Refuses a harvester that has no orbit but rest, or none of one frequency.
+/// Refuses a harvester that has no orbit but rest, or whose drives do not repeat themselves together.
 pub fn check(plant: &Plant, what: &str) -> Result<(), Failure> {
     if let Some(drive) = plant.system.aperiodic() {
         return Err(StudyError::Aperiodic { drive: drive.to_owned() }.into());
     }
     let moving = plant.system.drives.iter().any(|drive| drive.amplitude_n != 0.0);
-    match (plant.tones.len(), moving) {
-        (1, true) => Ok(()),
-        (1, false) => Err(Failure::new("ArgumentError", format!("the amplitude of the drive is 0; {what} needs a drive that moves"))),
-        (frequencies, _) => Err(OrbitError::<StudyError>::Frequencies { frequencies }.into()),
+    match (plant.period_s(), moving) {
+        (Some(_), true) => Ok(()),
+        (Some(_), false) => Err(Failure::new("ArgumentError", format!("the amplitude of the drive is 0; {what} needs a drive that moves"))),
+        (None, _) => Err(OrbitError::<StudyError>::Frequencies { frequencies: plant.tones.len() }.into()),
     }
 }

@@ -127,7 +127,7 @@ impl Power {
             line(format!("order {:>4}, {:>10.4} Hz: {:.5e} V peak", order.order, order.frequency_hz, order.amplitude_peak));
         }
         if power.correlated {
-            line("the power remembers too long for this record, or changes on the way (see jounce regimes): the interval is too narrow");
+            line("the power remembers too long for this record, or changes on the way (see jounce regimes): its interval is a rough one");
         }
     }
 

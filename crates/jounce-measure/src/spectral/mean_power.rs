@@ -6,7 +6,7 @@
 //!
 //! A memory that is not short beside the record itself hides from the correlation of few batches. How many independent values the record is worth
 //! is told by the autoregressive process that fits 256 means in a row (the samples themselves where these are fewer); where these are fewer
-//! than 128, the interval rests on that process if that is the wider one, and where they are fewer than 12, it may be too narrow, which is told.
+//! than 128, the interval rests on that process if that is the wider one, and where they are fewer than 12, it is a rough one, which is told.
 //! A power that is low by chance has a small spread too, so that an interval in proportion to the mean would be as wide above it as below. The
 //! mean of the square of a normal voltage goes like `chi^2 / n`, and with the relative half width `h = 1.96 sqrt(2 / n)` of the symmetric interval
 //! the upper end of the one for its expectation is, in the cube-root form of that distribution (Wilson and Hilferty),
@@ -15,7 +15,8 @@
 //! mean / (1 - h / 3 - h^2 / (9 1.96^2))^3 = mean (1 + h + (2/3 + 1 / (3 1.96^2)) h^2 + ..)
 //! ```
 //!
-//! The interval is widened to reach that far on both sides.
+//! The interval is widened to reach that far on both sides, in proportion where `h` is above one: then the record is worth fewer than eight
+//! independent values, and the series is of no use.
 //!
 //! A mean of the voltage is no power that the source delivers through a coupling capacitor, so that what is done with it is an option: kept,
 //! or taken away.
@@ -101,7 +102,8 @@ pub fn mean_power(voltage: &Samples<'_>, resistance_ohm: f64, remove_mean: bool)
     if effective_samples >= PLENTY || row.variance <= (ROUNDOFF * mean_power_w).powi(2) {
         return Ok(MeanPower { effective_samples, ..found });
     }
-    let half_width_w = row.half_width * (1.0 + SKEWED * row.half_width / mean_power_w);
+    let relative = row.half_width / mean_power_w;
+    let half_width_w = row.half_width * (1.0 + SKEWED * relative.min(1.0));
     let correlated = effective_samples < ENOUGH;
     Ok(MeanPower { effective_samples, half_width_w: found.half_width_w.max(half_width_w), correlated, ..found })
 }

@@ -203,7 +203,9 @@ impl From<OrbitError<StudyError>> for Failure {
             OrbitError::Harvester(error) => error.into(),
             OrbitError::March(VariationError::March(error)) => Self::of("MarchError", &error),
             OrbitError::March(error) => Self::new("MarchError", error),
-            OrbitError::Frequencies { frequencies } => Self::new("OrbitError", &error).with(json!({ "frequencies": frequencies })),
+            OrbitError::Frequencies { frequencies } | OrbitError::Summed { frequencies } => {
+                Self::new("OrbitError", &error).with(json!({ "frequencies": frequencies }))
+            }
             OrbitError::Impulsive { ref stop } => Self::new("OrbitError", &error).with(json!({ "stop": stop })),
             OrbitError::Rectified { ref circuit } => Self::new("OrbitError", &error).with(json!({ "circuit": circuit })),
             OrbitError::Free => Self::new("OrbitError", error),

@@ -11,12 +11,22 @@ pub enum OrbitError<H: std::error::Error> {
     /// The march of a period.
     #[error(transparent)]
     March(#[from] VariationError),
-    /// No drive, or drives of several frequencies.
+    /// No drive, or drives that do not repeat themselves together.
     #[error(
-        "an orbit needs a drive of one frequency; this harvester has {frequencies} drive frequencies: {}",
-        if *frequencies == 0 { "add a [drive.NAME] with an amplitude and a frequency" } else { "take out all drives but those of one frequency" }
+        "{}",
+        if *frequencies == 0 {
+            "an orbit needs a drive that repeats itself: add a [drive.NAME] with an amplitude and a frequency".to_owned()
+        } else {
+            format!("an orbit needs drives that repeat themselves together within 100 cycles of the slowest, and these {frequencies} frequencies do not: give frequencies whose ratios are those of small whole numbers, or take out all drives but those of one frequency")
+        }
     )]
     Frequencies {
+        /// How many there are.
+        frequencies: usize,
+    },
+    /// Harmonic balance of several frequencies.
+    #[error("harmonic balance takes drives of one frequency, and these have {frequencies}: use the method shooting")]
+    Summed {
         /// How many there are.
         frequencies: usize,
     },

@@ -6,7 +6,6 @@ use crate::continuation::Linear;
 use crate::march::{Kernel, Marcher, VariationError};
 use crate::plant::{Storage, System};
 use faer::{ColRef, c64};
-use std::f64::consts::TAU;
 
 /// Part of the energy of the motion in a period from which on the power of rectified circuits is told by its own size.
 const LEAST: f64 = 1e-6;
@@ -54,7 +53,7 @@ impl<H: Harvester> Shooting<'_, H> {
     }
 
     fn marched_power_w(&self, kernel: &Kernel, unknown: &[f64]) -> Result<f64, OrbitError<H::Error>> {
-        let cycle_s = kernel.plant.tones.first().map_or(1.0, |tone| TAU / tone.angular_frequency_rad_s);
+        let cycle_s = kernel.plant.period_s().unwrap_or(1.0);
         let mut y = kernel.plant.from_physical(&self.physical(unknown), 0.0);
         let mut sum_j = 0.0;
         for _ in 0..self.cycles {

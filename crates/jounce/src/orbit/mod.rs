@@ -1,4 +1,4 @@
-//! Periodic orbits of a harvester under a drive of one frequency, stable or not.
+//! Periodic orbits of a harvester under drives that repeat themselves together, stable or not. Their common period is a drive cycle.
 //!
 //! Two methods that share nothing but the plant and the contact law: [`Shooting`] on the exact flow with its exact derivative, for
 //! orbits of any number of drive cycles and for every law, and [`HarmonicBalance`] at the ports. Stability always comes from the exact flow.

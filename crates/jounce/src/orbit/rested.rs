@@ -6,21 +6,19 @@
 use super::{Harvester, Orbit, OrbitError, Shooting, Shot};
 use crate::march::{Marcher, VariationError};
 use faer::{ColRef, Mat};
-use std::f64::consts::TAU;
 
 impl<H: Harvester> Shooting<'_, H> {
     /// The orbit through a physical state that repeats itself, marched without its derivative: it has no multipliers, and its error
     /// estimate is by how much it fails to close beside its size.
     ///
     /// # Errors
-    /// A harvester that cannot be made, one without a single frequency, a march that fails.
+    /// A harvester that cannot be made, one whose drives do not repeat themselves together, a march that fails.
     pub fn marched_orbit(&self, physical: &[f64], parameter: f64) -> Result<Orbit, OrbitError<H::Error>> {
         let kernel = self.harvester.at(parameter).map_err(OrbitError::Harvester)?.kernel;
         let plant = &kernel.plant;
-        let [tone] = &plant.tones[..] else {
+        let Some(cycle_s) = plant.period_s() else {
             return Err(OrbitError::Frequencies { frequencies: plant.tones.len() });
         };
-        let cycle_s = TAU / tone.angular_frequency_rad_s;
         let period_s = cycle_s * f64::from(self.cycles);
         let mut y = plant.from_physical(physical, 0.0);
         // A march that begins at rest may strike once by roundoff; one that goes on from it does not.

@@ -14,7 +14,6 @@ use super::{Change, Harvester, Orbit, OrbitError, OrbitMethod, nearest_extremum_
 use crate::continuation::{Direction, Family, Linear, Metric, Parts, Position, tangent};
 use crate::march::{Drift, Kernel, Trajectory, Variation};
 use faer::{Mat, MatRef};
-use std::f64::consts::TAU;
 
 /// Orbits of a harvester by shooting.
 #[derive(Debug)]
@@ -92,10 +91,9 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         let setting = self.harvester.at(parameter).map_err(OrbitError::Harvester)?;
         let kernel = setting.kernel;
         let plant = &kernel.plant;
-        let [tone] = &plant.tones[..] else {
+        let Some(cycle_s) = plant.period_s() else {
             return Err(OrbitError::Frequencies { frequencies: plant.tones.len() });
         };
-        let cycle_s = TAU / tone.angular_frequency_rad_s;
         let exact = setting.change.is_some();
         let n = plant.len();
         let change = setting.change.unwrap_or_else(|| Change { drift: Drift::default(), steady: vec![0.0; n], period_relative: 0.0 });

@@ -5,17 +5,16 @@ use crate::march::{Kernel, MarchError, Marcher};
 use crate::orbit::{Harvester, Orbit, Shooting};
 use crate::run::{Exceeded, Limits, RunError};
 use rayon::prelude::*;
-use std::f64::consts::TAU;
 
 /// The limits that a march of some drive cycles passes, from a physical state at time 0.
 ///
 /// # Errors
 /// A march that fails.
 pub fn passed_over(limits: &Limits, kernel: &Kernel, physical: &[f64], cycles: u32, tolerance: f64) -> Result<Vec<Exceeded>, MarchError> {
-    let Some(tone) = kernel.plant.tones.first().filter(|_| !limits.is_empty()) else { return Ok(Vec::new()) };
+    let Some(cycle_s) = kernel.plant.period_s().filter(|_| !limits.is_empty()) else { return Ok(Vec::new()) };
     let mut marcher = Marcher::new(kernel, &kernel.plant.from_physical(physical, 0.0), 0.0, tolerance)?;
     marcher.start_record();
-    marcher.advance_to(f64::from(cycles) * TAU / tone.angular_frequency_rad_s)?;
+    marcher.advance_to(f64::from(cycles) * cycle_s)?;
     Ok(limits.exceeded(kernel, &marcher.take_record()))
 }
 

@@ -80,6 +80,11 @@ impl<'s> Parameter<'s> {
         let plant = &kernel.plant;
         let zero = vec![0.0; plant.len()];
         let still = |drift: Drift| Change { drift, steady: zero.clone(), period_relative: 0.0 };
+        match self.role {
+            Role::Gap => return Some(still(Drift { gap_m: vec![1.0], ..Drift::default() })),
+            Role::Stiffness => return Some(still(Drift { force_relative: vec![1.0 / parameter], ..Drift::default() })),
+            Role::Frequency | Role::Amplitude | Role::Other => {}
+        }
         let tone = plant.tones.first()?;
         let moved = |by: Vec<c64>, frequency: f64, period_relative: f64| {
             let ports = plant.ports.iter().map(|port| port.displacement.iter().zip(&by).map(|(c, y)| *y * *c).sum()).collect();
@@ -92,9 +97,7 @@ impl<'s> Parameter<'s> {
                 Some(moved(resolved.into_iter().map(|y| y * c64::new(0.0, -TAU)).collect(), TAU, -1.0 / parameter))
             }
             Role::Amplitude if parameter != 0.0 => Some(moved(tone.steady.iter().map(|y| *y / parameter).collect(), 0.0, 0.0)),
-            Role::Gap => Some(still(Drift { gap_m: vec![1.0], ..Drift::default() })),
-            Role::Stiffness => Some(still(Drift { force_relative: vec![1.0 / parameter], ..Drift::default() })),
-            Role::Amplitude | Role::Other => None,
+            _ => None,
         }
     }
 }

@@ -26,8 +26,8 @@ pub(super) fn sweep(
 
 /// Highest power, longest period and share without a period of the motions over a key.
 pub(super) fn diagram(prepared: &Prepared, (over, values): (&str, &[f64]), order: Order, tolerance: f64) -> Result<Vec<f64>, String> {
-    let frequencies = prepared.kernel.plant.tones.len();
-    if frequencies != 1 {
+    if prepared.kernel.plant.period_s().is_none() {
+        let frequencies = prepared.kernel.plant.tones.len();
         return Err(OrbitError::<StudyError>::Frequencies { frequencies }.to_string());
     }
     let (key, width) = (key(prepared, over)?, values[values.len() - 1] - values[0]);

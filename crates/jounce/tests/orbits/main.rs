@@ -24,6 +24,7 @@ mod rested;
 mod rows;
 mod several;
 mod square_root;
+mod summed;
 mod sweeps;
 mod tracking;
 mod widths;

@@ -59,7 +59,8 @@ impl<'h, H: Harvester> HarmonicBalance<'h, H> {
         }
         match setting.kernel.plant.tones.len() {
             1 => Ok(Balance::new(setting.kernel, parameter, unknown, self.shooting.cycles, &self.grid, &self.rules)),
-            frequencies => Err(OrbitError::Frequencies { frequencies }),
+            0 => Err(OrbitError::Frequencies { frequencies: 0 }),
+            frequencies => Err(OrbitError::Summed { frequencies }),
         }
     }
 

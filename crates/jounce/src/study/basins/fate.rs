@@ -71,7 +71,7 @@ pub(super) fn late_state(kernel: &Kernel, start: &[f64], tolerance: f64) -> Resu
 
 /// A march from a physical start past its transient, and the length of a drive cycle, s.
 fn settled<'k>(kernel: &'k Kernel, start: &[f64], tolerance: f64) -> Result<(Marcher<'k>, f64), MarchError> {
-    let cycle_s = kernel.plant.tones.first().map_or(1.0, |tone| std::f64::consts::TAU / tone.angular_frequency_rad_s);
+    let cycle_s = kernel.plant.period_s().unwrap_or(1.0);
     let mut marcher = Marcher::new(kernel, &kernel.plant.from_physical(start, 0.0), 0.0, tolerance)?;
     marcher.advance_to(TRANSIENT_CYCLES * cycle_s)?;
     Ok((marcher, cycle_s))

@@ -63,7 +63,7 @@ impl Wandering {
 /// # Errors
 /// [`VariationError`].
 pub fn largest_exponent(kernel: &Kernel, y: &[f64], cycles: usize, tolerance: f64) -> Result<Lyapunov, VariationError> {
-    let cycle_s = kernel.plant.tones.first().map_or(1.0, |tone| std::f64::consts::TAU / tone.angular_frequency_rad_s);
+    let cycle_s = kernel.plant.period_s().unwrap_or(1.0);
     let per_block = cycles.div_ceil(BLOCKS).max(1);
     let mut y = y.to_vec();
     let mut direction = vec![1.0 / (y.len() as f64).sqrt(); y.len()];

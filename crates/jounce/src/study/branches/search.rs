@@ -127,12 +127,12 @@ impl BranchSearch<'_> {
         Ok(branches)
     }
 
-    /// Harvesters exist at both ends of the range, with one drive frequency.
+    /// Harvesters exist at both ends of the range, with drives that repeat themselves together.
     fn check_ends(&self) -> Result<(), Failure> {
         for value in [self.range.0, self.range.1] {
-            let frequencies = self.parameter.at(value).map_err(OrbitError::Harvester)?.kernel.plant.tones.len();
-            if frequencies != 1 {
-                return Err(OrbitError::Frequencies { frequencies });
+            let kernel = self.parameter.at(value).map_err(OrbitError::Harvester)?.kernel;
+            if kernel.plant.period_s().is_none() {
+                return Err(OrbitError::Frequencies { frequencies: kernel.plant.tones.len() });
             }
         }
         Ok(())

@@ -37,7 +37,7 @@ pub fn settled_orbit<H: Harvester>(harvester: &H, parameter: f64, start: &[f64],
 pub fn settled_motion<H: Harvester>(harvester: &H, parameter: f64, start: &[f64], tolerance: f64, goal: f64) -> Option<Orbit> {
     let setting = harvester.at(parameter).ok()?;
     let kernel: &Kernel = &setting.kernel;
-    let cycle_s = std::f64::consts::TAU / kernel.plant.tones.first()?.angular_frequency_rad_s;
+    let cycle_s = kernel.plant.period_s()?;
     let mut y = kernel.plant.from_physical(start, 0.0);
     let mut candidate: Option<Candidate> = None;
     for _ in 0..ATTEMPTS {

@@ -6,7 +6,6 @@ use crate::orbit::Harvester;
 use crate::study::basins::Signature;
 use crate::study::{Fate, Parameter, Prepared, StudyError, Wandering, Way};
 use serde::{Deserialize, Serialize};
-use std::f64::consts::TAU;
 
 /// Drive cycles before points of a motion without a period are kept.
 const TRANSIENT_CYCLES: u32 = 500;
@@ -159,7 +158,7 @@ impl Visit {
 
 /// Physical states at the start of drive cycles after a transient.
 fn looks(kernel: &Kernel, start: &[f64], cycles: u32, tolerance: f64) -> Result<Vec<Vec<f64>>, MarchError> {
-    let cycle_s = kernel.plant.tones.first().map_or(1.0, |tone| TAU / tone.angular_frequency_rad_s);
+    let cycle_s = kernel.plant.period_s().unwrap_or(1.0);
     let mut marcher = Marcher::new(kernel, &kernel.plant.from_physical(start, 0.0), 0.0, tolerance)?;
     let mut states = Vec::new();
     for cycle in TRANSIENT_CYCLES..TRANSIENT_CYCLES + cycles.max(1) {
