@@ -305,6 +305,12 @@ fn what_is_not_written_is_told() {
     std::fs::write(here.join("two.uff"), function(20) + &function(30)).unwrap();
     let (code, _, told) = jounce(here, &["read", "two.uff", "--to", "one.csv"]);
     assert!(code == 0 && here.join("one.csv").is_file() && told.contains("left out"), "{code} {told}");
+    for command in
+        [vec!["power", "two.uff", "--resistance", "1ohm"], vec!["spectra", "two.uff"], vec!["regimes", "two.uff", "--drive", "1Hz"]]
+    {
+        let (_, _, told) = jounce(here, &command);
+        assert!(told.contains("is taken") && told.contains("left out: two 2"), "{command:?}: {told}");
+    }
 }
 
 /// A random force of both signs is a shaker's, without being told so: 15 blocks, and the response 2 of a scale.

@@ -3,6 +3,7 @@
 use std::io;
 use std::path::Path;
 
+use super::decibels::Decibels;
 use super::name::{is_frequency, is_time};
 use super::numbers::Numbers;
 use super::raw::{Column, Raw, Stamps};
@@ -26,11 +27,15 @@ pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) 
     }
     let time = if let Stamps::Column = raw.stamps { time_column(&mut raw, &said, notes).map_err(lost)? } else { None };
     let places = places(path, &mut raw, time, notes, columns, &mut findings)?;
+    let left_out = said.iter().any(|said| said.left_out);
     let mut channels = Vec::new();
     for (k, (column, said)) in raw.columns.into_iter().zip(said).enumerate() {
         if Some(k) != time && !said.left_out {
             channels.push(settled(column, said, &mut findings));
         }
+    }
+    if channels.is_empty() && !left_out {
+        return Err(ReadError::NoChannel { path: path.to_owned(), findings });
     }
     for channel in &mut channels {
         let counts = may_be_counts(channel.quantity, channel.imaginary.is_some());
@@ -158,8 +163,8 @@ fn seconds(column: &mut Column, over: Over, findings: &mut Vec<Finding>) -> Numb
 
 /// A column in SI, its samples not looked at yet.
 pub(super) fn settled(mut column: Column, said: ChannelNotes, findings: &mut Vec<Finding>) -> SurveyedChannel {
-    if column.unit.get(..2).is_some_and(|start| start.eq_ignore_ascii_case("dB")) {
-        findings.push(column.made_linear());
+    if let Some(levels) = Decibels::read(&column.unit) {
+        findings.push(column.made_linear(levels));
     }
     let name = said.name.unwrap_or(column.name);
     let told = said.unit.unwrap_or(column.unit);

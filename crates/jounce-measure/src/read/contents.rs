@@ -7,7 +7,7 @@ use super::error::Damage;
 use super::raw::Raw;
 use super::shelf::Shelf;
 use super::{Notes, ReadError, Survey, Surveyed, assemble, lvm, mat, npy, parquet, text, uff};
-use crate::recording::{Finding, Over, Recording};
+use crate::recording::{Finding, FindingKind, Over, Recording};
 
 /// What a file holds.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -90,8 +90,8 @@ fn read(path: &Path, shelf: &Shelf) -> Result<Survey, ReadError> {
 /// # Errors
 /// As [`file()`], and a file without one.
 pub fn record(path: &Path) -> Result<Recording, ReadError> {
-    let found = file(path)?.recordings.into_iter().find(|recording| recording.over == Over::Time);
-    found.ok_or_else(|| ReadError::NoRecord { path: path.to_owned() })
+    let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
+    first_over_time(path, read(path, &Shelf::Memory)?)?.into_recording().map_err(lost)
 }
 
 /// The same with its numbers in a scratch file, so that only the channels that are needed come to memory.
@@ -99,8 +99,20 @@ pub fn record(path: &Path) -> Result<Recording, ReadError> {
 /// # Errors
 /// As [`survey()`], and a file without one.
 pub fn survey_record(path: &Path) -> Result<Surveyed, ReadError> {
-    let found = survey(path)?.recordings.into_iter().find(|recording| recording.over == Over::Time);
-    found.ok_or_else(|| ReadError::NoRecord { path: path.to_owned() })
+    first_over_time(path, survey(path)?)
+}
+
+/// The first recording over time; it tells which others were left out.
+fn first_over_time(path: &Path, survey: Survey) -> Result<Surveyed, ReadError> {
+    let mut others = survey.recordings;
+    let first = others.iter().position(|recording| recording.over == Over::Time);
+    let mut taken = others.remove(first.ok_or_else(|| ReadError::NoRecord { path: path.to_owned() })?);
+    if !others.is_empty() {
+        let names: Vec<&str> = others.iter().map(|recording| recording.name.as_str()).collect();
+        let about = format!("{} is taken, the first recording over time of its file; left out: {}", taken.name, names.join(", "));
+        taken.findings.push(Finding::new(FindingKind::Skipped, others.len(), None, about));
+    }
+    Ok(taken)
 }
 
 /// The format, by what the file begins with.

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::recording::{GridError, Place};
+use crate::recording::{Finding, GridError, Place};
 
 /// A file that cannot be read.
 #[derive(Debug, thiserror::Error)]
@@ -48,6 +48,14 @@ pub enum ReadError {
         /// Where the notes belong.
         notes: PathBuf,
     },
+    /// It tells times and nothing else.
+    #[error("{}: no channel is left beside the time{}", path.display(), noticed(findings))]
+    NoChannel {
+        /// The file.
+        path: PathBuf,
+        /// What was noticed, columns that were left out among it.
+        findings: Vec<Finding>,
+    },
     /// It holds nothing over time, only over frequency or mode shapes.
     #[error("{} holds no recording over time", path.display())]
     NoRecord {
@@ -78,6 +86,11 @@ pub enum ReadError {
         /// One sentence each.
         faults: Vec<String>,
     },
+}
+
+fn noticed(findings: &[Finding]) -> String {
+    let told: Vec<String> = findings.iter().map(ToString::to_string).collect();
+    if told.is_empty() { String::new() } else { format!(" ({}); save channels and time equally long", told.join("; ")) }
 }
 
 fn at(place: Option<Place>) -> String {

@@ -8,6 +8,7 @@ use std::io::{BufReader, Read as _};
 use std::path::Path;
 
 use super::contents::Found;
+use super::decibels::Decibels;
 use super::error::Damage;
 use super::raw::{Column, Raw, Stamps};
 use super::shelf::Shelf;
@@ -109,9 +110,8 @@ impl Header {
             for column in &mut columns {
                 let mut negative = false;
                 column.values.each(|x| negative |= x < 0.0)?;
-                if negative {
-                    findings.push(column.made_linear());
-                }
+                let levels = Decibels::meant(&column.unit).filter(|_| negative);
+                findings.extend(levels.map(|levels| column.made_linear(levels)));
             }
         }
         Ok(Raw { title: String::new(), over, stamps, columns, findings })

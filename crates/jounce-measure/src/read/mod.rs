@@ -12,6 +12,7 @@
 //! A file of notes beside it, `FILE.channels.toml`, names what the file does not: see [`Notes`].
 mod assemble;
 mod contents;
+mod decibels;
 mod error;
 mod given;
 mod lvm;

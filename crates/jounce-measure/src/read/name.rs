@@ -1,9 +1,10 @@
 //! Units in the heads of columns.
 
-use crate::recording::Unit;
+use super::decibels::Decibels;
+use crate::recording::{Quantity, Unit};
 
 /// Endings of names that tell a unit: `accel_m_s2`, `timestamp_ms`.
-const ENDINGS: [(&str, &str); 20] = [
+const ENDINGS: [(&str, &str); 21] = [
     ("_m_s2", "m/s^2"),
     ("_m_s^2", "m/s^2"),
     ("_m_per_s2", "m/s^2"),
@@ -24,25 +25,139 @@ const ENDINGS: [(&str, &str); 20] = [
     ("_lbf", "lbf"),
     ("_g", "g"),
     ("_pa", "Pa"),
+    ("_db", "dB"),
 ];
 
-/// Name and unit of a head: `a [m/s^2]`, `a (g)`, `a, m/s2`, `a_m_s2`. The unit is empty where none is told.
+/// Words that tell a place, a direction, a channel or what was done to it, in small letters: in round brackets they belong to the name.
+const REMARKS: [&str; 62] = [
+    "x",
+    "y",
+    "z",
+    "left",
+    "right",
+    "top",
+    "bottom",
+    "upper",
+    "lower",
+    "up",
+    "down",
+    "front",
+    "rear",
+    "back",
+    "inner",
+    "outer",
+    "inside",
+    "outside",
+    "middle",
+    "mid",
+    "center",
+    "centre",
+    "tip",
+    "root",
+    "base",
+    "end",
+    "free",
+    "fixed",
+    "near",
+    "far",
+    "horizontal",
+    "vertical",
+    "axial",
+    "radial",
+    "tangential",
+    "lateral",
+    "north",
+    "south",
+    "east",
+    "west",
+    "table",
+    "shaker",
+    "hammer",
+    "beam",
+    "mass",
+    "sensor",
+    "channel",
+    "input",
+    "output",
+    "reference",
+    "raw",
+    "filtered",
+    "mean",
+    "average",
+    "rms",
+    "peak",
+    "max",
+    "measured",
+    "simulated",
+    "calibrated",
+    "corrected",
+    "total",
+];
+
+/// What takes an argument in round brackets, in small letters.
+const FUNCTIONS: [&str; 14] =
+    ["re", "im", "real", "imag", "abs", "mag", "magnitude", "phase", "angle", "arg", "log", "log10", "sqrt", "diff"];
+
+/// Units of other things than recordings hold, whose quotients are no name and unit.
+const ABOVE: [&str; 19] =
+    ["pC", "nC", "C", "A", "mA", "uA", "count", "counts", "LSB", "rad", "deg", "rpm", "kg", "W", "mW", "J", "ohm", "strain", "ue"];
+
+/// Name and unit of a head: `a [m/s^2]`, `a (g)`, `a, m/s2`, `a/g`, `a_m_s2`. The unit is empty where none is told, and may be one that is not
+/// known where brackets hold it.
 pub(super) fn split(head: &str) -> (String, String) {
     let head = head.trim().trim_matches('"').trim();
     for (open, close) in [('[', ']'), ('(', ')')] {
         if let Some((name, unit)) = bracketed(head, open, close) {
             // Brackets with something else inside belong to the name.
-            if !name.is_empty() && (open == '[' || Unit::read(unit).is_some()) {
+            if !name.is_empty() && (open == '[' || is_known(unit) || may_be_unit(name, unit)) {
                 return (name.to_owned(), unit.to_owned());
             }
         }
     }
-    if let Some((name, unit)) = head.rsplit_once(", ").filter(|(_, unit)| Unit::read(unit).is_some()) {
+    if let Some((name, unit)) = head.rsplit_once(", ").filter(|(_, unit)| is_known(unit)) {
+        return (name.to_owned(), unit.to_owned());
+    }
+    if let Some((name, unit)) = divided(head) {
         return (name.to_owned(), unit.to_owned());
     }
     let small = head.to_ascii_lowercase();
     let ending = ENDINGS.iter().find(|(ending, _)| small.ends_with(ending) && small.len() > ending.len());
     (head.to_owned(), ending.map_or(String::new(), |(_, unit)| (*unit).to_owned()))
+}
+
+/// True for units that are known, and for all decibels.
+pub(super) fn is_known(unit: &str) -> bool {
+    Decibels::begin(unit) || Unit::read(unit).is_some()
+}
+
+/// True where round brackets behind a name hold a unit, if not one that is known: a formula of units, or one word that is no place, no direction,
+/// no channel and no argument. Numbers and what ends in one, as `ch1`, words with blanks, and single letters that no unit has, are names.
+fn may_be_unit(name: &str, inside: &str) -> bool {
+    let function = name.rsplit(|c: char| !c.is_alphanumeric()).next().unwrap_or_default().to_lowercase();
+    let is_remark = |word: &str| REMARKS.contains(&word.to_lowercase().as_str());
+    let is_number = inside.chars().all(|c| c.is_ascii_digit() || c.is_whitespace() || "+-.,:/*".contains(c));
+    if is_number || FUNCTIONS.contains(&function.as_str()) || inside.split(|c: char| !c.is_alphanumeric()).any(is_remark) {
+        return false;
+    }
+    if inside.contains(['/', '^', '%', '\u{b0}', '\u{b7}', '\u{22c5}', '\u{207b}', '\u{b2}', '\u{b3}']) {
+        return true;
+    }
+    let single = inside.chars().count() == 1;
+    let word = inside.chars().all(char::is_alphabetic);
+    word && (!single || inside.contains(['A', 'C', 'F', 'H', 'J', 'K', 'S', 'T', 'W', '\u{3a9}', '\u{2126}']))
+}
+
+/// `U/V`, `t/s` and `a/(m/s^2)`: a name over its unit, as in axes of figures. A quotient of two units is none.
+fn divided(head: &str) -> Option<(&str, &str)> {
+    let (name, unit) = head.split_once('/').filter(|_| !is_known(head))?;
+    let (name, unit) = (name.trim(), unit.trim());
+    let is_name = name.starts_with(char::is_alphabetic) && !ABOVE.contains(&name) && !unit.eq_ignore_ascii_case("in");
+    let fits = match Unit::read(unit)?.quantity {
+        Quantity::Time => is_time(name),
+        Quantity::Frequency => is_frequency(name),
+        _ => true,
+    };
+    (is_name && fits).then_some((name, unit))
 }
 
 /// What stands before a bracket that closes at the end, and what stands in it, further brackets included.
@@ -85,6 +200,32 @@ mod tests {
             ("H ((m/s^2)/N)", "H", "(m/s^2)/N"),
             ("S [(m/s^2)^2/Hz]", "S", "(m/s^2)^2/Hz"),
             ("(N)", "(N)", ""),
+            ("U (furlong)", "U", "furlong"),
+            ("I (mA)", "I", "mA"),
+            ("q (pC)", "q", "pC"),
+            ("a (in/s^2)", "a", "in/s^2"),
+            ("a (ft/s\u{b2})", "a", "ft/s\u{b2}"),
+            ("a (m\u{b7}s\u{207b}\u{b2})", "a", "m\u{b7}s\u{207b}\u{b2}"),
+            ("a (mg)", "a", "mg"),
+            ("x (mil)", "x", "mil"),
+            ("T (\u{b0}C)", "T", "\u{b0}C"),
+            ("a (dB re 1 m/s^2)", "a", "dB re 1 m/s^2"),
+            ("a (dBm)", "a", "dBm"),
+            ("a_db", "a_db", "dB"),
+            ("U/V", "U", "V"),
+            ("t / s", "t", "s"),
+            ("a/(m/s^2)", "a", "(m/s^2)"),
+            ("left/right", "left/right", ""),
+            ("pC/N", "pC/N", ""),
+            ("rad/s", "rad/s", ""),
+            ("channel (1)", "channel (1)", ""),
+            ("sensor (top)", "sensor (top)", ""),
+            ("accel (sensor 3)", "accel (sensor 3)", ""),
+            ("accel (left/right)", "accel (left/right)", ""),
+            ("accel (ch1)", "accel (ch1)", ""),
+            ("x(t)", "x(t)", ""),
+            ("abs(FRF)", "abs(FRF)", ""),
+            ("m(1,2)", "m(1,2)", ""),
             ("ax_m_s2", "ax_m_s2", "m/s^2"),
             ("timestamp_ms", "timestamp_ms", "ms"),
             ("accel_x", "accel_x", ""),

@@ -12,8 +12,8 @@ use crate::recording::{PIECE, Series};
 #[derive(Debug)]
 pub struct Numbers {
     kept: Kept,
-    /// True where the numbers are levels in decibels of what is asked for.
-    levels: bool,
+    /// Where the numbers are levels in decibels of what is asked for: the decibels of a factor of ten.
+    levels: Option<f64>,
     /// What is asked for over what was put in.
     factor: f64,
 }
@@ -30,7 +30,7 @@ impl Numbers {
             Shelf::Memory => Kept::Memory(Vec::new()),
             Shelf::Scratch(scratch) => Kept::Shelf { scratch: Rc::clone(scratch), pieces: Vec::new(), last: Vec::new() },
         };
-        Self { kept, levels: false, factor: 1.0 }
+        Self { kept, levels: None, factor: 1.0 }
     }
 
     /// Puts a number behind the others; it may fail where the scratch file cannot be written.
@@ -64,11 +64,11 @@ impl Numbers {
         }
     }
 
-    /// From now on amplitudes `10^(L/20)` are asked for of the levels `L` that were put in.
-    pub(super) fn made_linear(&mut self) {
+    /// From now on sizes `10^(L/decade)` are asked for of the levels `L` that were put in.
+    pub(super) fn made_linear(&mut self, decade: f64) {
         match &mut self.kept {
-            Kept::Memory(numbers) => numbers.iter_mut().for_each(|level| *level = amplitude(*level)),
-            Kept::Shelf { .. } => self.levels = true,
+            Kept::Memory(numbers) => numbers.iter_mut().for_each(|level| *level = size(*level, decade)),
+            Kept::Shelf { .. } => self.levels = Some(decade),
         }
     }
 
@@ -105,7 +105,7 @@ impl Numbers {
 
 impl From<Vec<f64>> for Numbers {
     fn from(numbers: Vec<f64>) -> Self {
-        Self { kept: Kept::Memory(numbers), levels: false, factor: 1.0 }
+        Self { kept: Kept::Memory(numbers), levels: None, factor: 1.0 }
     }
 }
 
@@ -132,8 +132,8 @@ impl Series for Numbers {
             Some(Piece::Scratch(begin)) => Cow::Owned(scratch.borrow_mut().get(*begin)?),
             None => Cow::Borrowed(last.as_slice()),
         };
-        if self.levels {
-            numbers.to_mut().iter_mut().for_each(|level| *level = amplitude(*level));
+        if let Some(decade) = self.levels {
+            numbers.to_mut().iter_mut().for_each(|level| *level = size(*level, decade));
         }
         if self.factor != 1.0 {
             numbers.to_mut().iter_mut().for_each(|x| *x *= self.factor);
@@ -142,8 +142,8 @@ impl Series for Numbers {
     }
 }
 
-fn amplitude(level: f64) -> f64 {
-    10f64.powf(level / 20.0)
+fn size(level: f64, decade: f64) -> f64 {
+    10f64.powf(level / decade)
 }
 
 #[cfg(test)]

@@ -32,8 +32,9 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
         let head = column.path().string();
         match values(&reader, index, column.max_def_level(), shelf).map_err(|why| Damage::new(format!("column {head}: {why}")))? {
             Some(values) => {
-                let (name, guessed) = name::split(&head);
-                let unit = notes.as_ref().and_then(|notes| notes.unit(&head)).unwrap_or(guessed);
+                // The notes of jounce tell the unit, and the head is the name, whatever brackets it ends in.
+                let noted = notes.as_ref().and_then(|notes| notes.unit(&head)).map(|unit| (head.clone(), unit));
+                let (name, unit) = noted.unwrap_or_else(|| name::split(&head));
                 let mut column = Column::new(&name, &unit, values);
                 notes.iter().for_each(|notes| notes.tell(&mut column));
                 columns.push(column);

@@ -1,7 +1,8 @@
 //! What a format's reader finds, before names, units and time are settled.
 
+use super::decibels::Decibels;
 use super::numbers::Numbers;
-use crate::recording::{Finding, FindingKind, Over, Place, Series, unbracketed};
+use crate::recording::{Finding, FindingKind, Over, Place, Series};
 
 /// Columns of equal length as they stand in a file.
 #[derive(Debug)]
@@ -80,14 +81,15 @@ impl Column {
         Self { name, unit, place, direction, reference, values, imaginary: None }
     }
 
-    /// Levels `L` in decibels to amplitudes `10^(L/20)` in the unit that stands behind `re`, in brackets, or alone.
-    pub(super) fn made_linear(&mut self) -> Finding {
-        self.values.made_linear();
-        let unit = self.unit.trim().trim_start_matches(['d', 'D', 'b', 'B']).trim();
-        let unit = unit.trim_start_matches("re").trim().trim_start_matches("1 ");
-        let unit = unbracketed(unit).to_owned();
-        let about =
-            format!("levels in decibels became amplitudes 10^(L/20) in {}", if unit.is_empty() { "an unknown unit" } else { &unit });
+    /// Levels `L` in decibels to amplitudes `10^(L/20)`, or densities `10^(L/10)`, times their reference, in its unit.
+    pub(super) fn made_linear(&mut self, levels: Decibels) -> Finding {
+        let Decibels { reference, unit, decade } = levels;
+        self.values.made_linear(decade);
+        self.values.scale(reference);
+        let sizes = if decade == 20.0 { "amplitudes" } else { "densities" };
+        let times = if reference == 1.0 { String::new() } else { format!("{reference:e} times ") };
+        let of = if unit.is_empty() { "an unknown unit" } else { &unit };
+        let about = format!("levels in decibels became {sizes} {times}10^(L/{decade}) in {of}");
         self.unit = unit;
         Finding::new(FindingKind::Decibels, self.values.count(), Some(Place::Sample(0)), about).of(&self.name)
     }

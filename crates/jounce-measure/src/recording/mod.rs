@@ -22,6 +22,6 @@ pub(crate) use inspect::{inspected, may_be_counts};
 pub use quantity::Quantity;
 pub use recorded::{NoChannel, Recording};
 pub use series::{PIECE, Series};
-pub(crate) use stamps::{Stamped, usual_step};
+pub(crate) use stamps::{Holed, Stamped, usual_step};
 pub use unit::Unit;
 pub(crate) use unit::unbracketed;

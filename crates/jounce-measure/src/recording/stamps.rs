@@ -8,6 +8,10 @@ const ROUNDED: f64 = 0.02;
 const GAP: f64 = 1.9;
 /// A step longer than this many usual steps is no late sample.
 const LONG_GAP: f64 = 5.0;
+/// A step shorter than this many usual steps is one step.
+const ONE_STEP: f64 = 1.5;
+/// Share of steps over places without a stamp beyond which no samples were lost, but the stamps have too few digits for the rate.
+const RARE: f64 = 0.05;
 
 /// What stamps are.
 pub(crate) enum Stamped {
@@ -95,9 +99,69 @@ fn median_step<S: Series>(stamps: &S) -> Result<f64, S::Fault> {
     Ok(f64::from_bits(high))
 }
 
-/// The mean of all steps but those of long gaps: a median would follow the digits of coarse stamps.
+/// Even places at which all stamps lie, some places without a stamp.
+pub(crate) struct Holed {
+    /// The distance of the places.
+    pub step: f64,
+    /// Places without a stamp.
+    pub missing: usize,
+}
+
+impl Holed {
+    /// The places of stamps that lie within 2 % of a step of them, each at a place of its own, and few places empty; none where there are no such
+    /// places.
+    pub(crate) fn of<S: Series>(stamps: &S) -> Result<Option<Self>, S::Fault> {
+        Self::about(stamps, median_step(stamps)?)
+    }
+
+    fn about<S: Series>(stamps: &S, median: f64) -> Result<Option<Self>, S::Fault> {
+        let most = ONE_STEP * median;
+        let (mut sum, mut count) = (0.0, 0.0);
+        steps(stamps, |_, step| {
+            if step < most {
+                sum += step;
+                count += 1.0;
+            }
+        })?;
+        let near = sum / count;
+        let (mut total, mut places, mut long, mut apart) = (0.0, 0.0, 0.0, true);
+        steps(stamps, |_, step| {
+            let passed = places_passed(step, near);
+            total += step;
+            places += passed;
+            long += f64::from(passed > 1.0);
+            apart &= passed >= 1.0;
+        })?;
+        let step = total / places;
+        let (mut at, mut place, mut off) = (0.0, 0.0, 0.0);
+        steps(stamps, |_, passed| {
+            at += passed;
+            place += places_passed(passed, near);
+            off = f64::max(off, (at / step - place).abs());
+        })?;
+        let count = stamps.count() as f64 - 1.0;
+        let missing = places - count;
+        Ok((apart && long <= RARE * count && off <= ROUNDED).then_some(Self { step, missing: missing as usize }))
+    }
+}
+
+/// How many places a step passes.
+fn places_passed(step: f64, near: f64) -> f64 {
+    (step / near).round()
+}
+
+/// The distance of the even places at which all stamps lie; where there are none the mean of all steps but those of long gaps: a median would
+/// follow the digits of coarse stamps.
 pub(crate) fn usual_step<S: Series>(stamps: &S) -> Result<f64, S::Fault> {
-    let most = LONG_GAP * median_step(stamps)?;
+    let median = median_step(stamps)?;
+    match Holed::about(stamps, median)? {
+        Some(holed) => Ok(holed.step),
+        None => mean_step(stamps, median),
+    }
+}
+
+fn mean_step<S: Series>(stamps: &S, median: f64) -> Result<f64, S::Fault> {
+    let most = LONG_GAP * median;
     let (mut sum, mut count) = (0.0, 0.0);
     steps(stamps, |_, step| {
         if step < most {
@@ -134,7 +198,8 @@ impl Tally {
 }
 
 fn oddities<S: Series>(stamps: &S) -> Result<Vec<Finding>, S::Fault> {
-    let (usual, mean) = (median_step(stamps)?, usual_step(stamps)?);
+    let usual = median_step(stamps)?;
+    let (holed, mean) = (Holed::about(stamps, usual)?, mean_step(stamps, usual)?);
     let (mut uneven, mut gaps, mut repeated) = (Tally::default(), Tally::default(), Tally::default());
     let (mut squares, mut even, mut longest) = (0.0, 0usize, 0.0);
     steps(stamps, |sample, step| {
@@ -147,6 +212,11 @@ fn oddities<S: Series>(stamps: &S) -> Result<Vec<Finding>, S::Fault> {
         gaps.add(step >= GAP * usual, sample);
         repeated.add(step == 0.0, sample);
     })?;
+    if let Some(Holed { step, missing }) = holed {
+        let about =
+            format!("samples are missing, {missing} in all: a step of up to {longest:.6e} where {step:.6e} is usual; all others are even");
+        return Ok(vec![gaps.finding(FindingKind::Gap, about)]);
+    }
     let deviation = (squares / even.max(1) as f64).sqrt();
     let jitter = format!("steps between stamps vary: median {usual:.6e}, mean {mean:.6e}, standard deviation {deviation:.2e}");
     let missing = format!("samples are missing: a step of up to {longest:.6e} where {usual:.6e} is usual");

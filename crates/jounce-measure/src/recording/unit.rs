@@ -37,11 +37,18 @@ const KNOWN: [(Quantity, Spec, &str); 11] = [
 ];
 
 /// Units that are no SI: spelling in small letters, quantity, SI unit, factor (NIST SP 811, appendix B.8).
-const CUSTOMARY: [(&[&str], Quantity, &str, f64); 6] = [
+const CUSTOMARY: [(&[&str], Quantity, &str, f64); 12] = [
     (&["lbf", "lb", "lbs", "pound", "pounds", "pound-force"], Quantity::Force, "N", 4.448_221_615_260_5),
     (&["kgf", "kp"], Quantity::Force, "N", 9.806_65),
     (&["in", "inch", "inches"], Quantity::Displacement, "m", 0.0254),
-    (&["in/s", "ips"], Quantity::Velocity, "m/s", 0.0254),
+    (&["ft", "foot", "feet"], Quantity::Displacement, "m", 0.3048),
+    (&["mil", "mils"], Quantity::Displacement, "m", 2.54e-5),
+    (&["in/s", "in/sec", "ips"], Quantity::Velocity, "m/s", 0.0254),
+    (&["ft/s", "ft/sec"], Quantity::Velocity, "m/s", 0.3048),
+    (&["in/s^2", "in/sec^2"], Quantity::Acceleration, "m/s^2", 0.0254),
+    (&["ft/s^2", "ft/sec^2"], Quantity::Acceleration, "m/s^2", 0.3048),
+    // Never a milligram, as g is no gram.
+    (&["mg"], Quantity::Acceleration, "m/s^2", 9.806_65e-3),
     (&["psi"], Quantity::Pressure, "Pa", 6_894.757_293_168),
     (&["gal", "gals"], Quantity::Acceleration, "m/s^2", 0.01),
 ];
@@ -61,6 +68,9 @@ const WORDS: [(&str, &str); 12] = [
     ("m/s/s", "m/s^2"),
     ("m/sec^2", "m/s^2"),
 ];
+
+/// Raised characters and what they stand for.
+const RAISED: [(char, char); 5] = [('\u{207b}', '-'), ('\u{b9}', '1'), ('\u{b2}', '2'), ('\u{b3}', '3'), ('\u{2074}', '4')];
 
 /// What may stand above and below the line of a response.
 const PARTS: [Quantity; 6] =
@@ -133,16 +143,30 @@ pub(crate) fn unbracketed(text: &str) -> &str {
 
 /// The text without brackets around it and with plain powers.
 fn spelled(text: &str) -> String {
-    let mut plain = unbracketed(text).replace('\u{b2}', "^2").replace("**", "^").replace('\u{b7}', " ");
+    let mut plain = plain_powers(unbracketed(text)).replace("**", "^").replace(['\u{b7}', '\u{22c5}'], " ");
     if let Some((_, symbol)) = WORDS.iter().find(|(word, _)| *word == plain.to_lowercase()) {
         return (*symbol).to_owned();
     }
-    for (written, meant) in [("/s/s", "/s^2"), ("/sec/sec", "/s^2"), ("s2", "s^2")] {
+    for (written, meant) in [("/s/s", "/s^2"), ("/sec/sec", "/s^2"), ("s2", "s^2"), ("s-2", "s^-2")] {
         if plain.ends_with(written) {
             plain.truncate(plain.len() - written.len());
             plain.push_str(meant);
             break;
         }
+    }
+    plain
+}
+
+/// The text with `^` and digits for what is raised: `s^-2` for `s⁻²`.
+fn plain_powers(text: &str) -> String {
+    let (mut plain, mut raised) = (String::new(), false);
+    for c in text.chars() {
+        let digit = RAISED.iter().find(|(written, _)| *written == c).map(|(_, digit)| *digit);
+        if digit.is_some() && !raised {
+            plain.push('^');
+        }
+        raised = digit.is_some();
+        plain.push(digit.unwrap_or(c));
     }
     plain
 }
@@ -162,6 +186,14 @@ mod tests {
             ("[m/s\u{b2}]", Quantity::Acceleration, 1.0),
             ("m/s/s", Quantity::Acceleration, 1.0),
             ("cm/s/s", Quantity::Acceleration, 0.01),
+            ("in/s^2", Quantity::Acceleration, 0.0254),
+            ("ft/s\u{b2}", Quantity::Acceleration, 0.3048),
+            ("m\u{b7}s\u{207b}\u{b2}", Quantity::Acceleration, 1.0),
+            ("m s-2", Quantity::Acceleration, 1.0),
+            ("m\u{b7}s\u{207b}\u{b9}", Quantity::Velocity, 1.0),
+            ("mg", Quantity::Acceleration, 9.80665e-3),
+            ("mil", Quantity::Displacement, 2.54e-5),
+            ("ft", Quantity::Displacement, 0.3048),
             ("gal", Quantity::Acceleration, 0.01),
             ("g^2/Hz", Quantity::AccelerationPsd, 9.80665 * 9.80665),
             ("Pounds", Quantity::Force, 4.448_221_615_260_5),

@@ -135,7 +135,7 @@ mod tests {
 
     #[test]
     fn segments_that_do_not_fit_are_errors() {
-        assert!(matches!(Segments::new(4, 0.5, Window::Hann), Err(SpectralError::Segment { .. })));
+        assert!(matches!(Segments::new(4, 0.5, Window::Hann), Err(SpectralError::Few { samples: 4 })));
         assert!(matches!(Segments::new(64, 1.0, Window::Hann), Err(SpectralError::Overlap { .. })));
         let values = vec![1.0; 63];
         let samples = Samples::new(&values, 1.0).unwrap();

@@ -27,6 +27,12 @@ pub enum SpectralError {
         /// Length of the record.
         samples: usize,
     },
+    /// Fewer samples than a segment has at least.
+    #[error("{samples} samples are too few for a spectrum: a segment, and so the record, has 8 samples at least")]
+    Few {
+        /// Samples of the segment, or of the record.
+        samples: usize,
+    },
     /// An overlap outside its range.
     #[error("an overlap of {overlap} makes no sense; give a share of the segment from 0 to 0.95")]
     Overlap {

@@ -8,6 +8,9 @@ use realfft::{RealFftPlanner, RealToComplex};
 
 use super::SpectralError;
 
+/// Samples of a segment at least.
+const SHORTEST: usize = 8;
+
 /// How records are cut: equally long segments that overlap, each with the same weights.
 #[derive(Clone)]
 pub struct Segments {
@@ -29,8 +32,8 @@ impl Segments {
     /// # Errors
     /// Fewer than 8 samples, an overlap outside 0 to 0.95.
     pub fn new(length: usize, overlap: f64, window: Window) -> Result<Self, SpectralError> {
-        if length < 8 {
-            return Err(SpectralError::Segment { segment: length, samples: usize::MAX });
+        if length < SHORTEST {
+            return Err(SpectralError::Few { samples: length });
         }
         if !(0.0..=0.95).contains(&overlap) {
             return Err(SpectralError::Overlap { overlap });
@@ -64,6 +67,9 @@ impl Segments {
     /// # Errors
     /// A record shorter than one segment.
     pub fn starts(&self, samples: usize) -> Result<impl Iterator<Item = usize> + use<>, SpectralError> {
+        if samples < SHORTEST {
+            return Err(SpectralError::Few { samples });
+        }
         if samples < self.length {
             return Err(SpectralError::Segment { segment: self.length, samples });
         }
@@ -87,5 +93,19 @@ impl Segments {
     /// 2 for lines that stand for two frequencies, 1 at zero and at half the rate.
     pub fn sides(&self, line: usize) -> f64 {
         if line == 0 || 2 * line == self.length { 1.0 } else { 2.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn too_few_samples_are_told_by_their_number() {
+        let told = |error: SpectralError| error.to_string();
+        let asked = Segments::new(3, 0.5, Window::Hann).map_err(told).err().unwrap_or_default();
+        assert_eq!(asked, "3 samples are too few for a spectrum: a segment, and so the record, has 8 samples at least");
+        let record = Segments::new(8, 0.5, Window::Hann).and_then(|segments| segments.starts(3).map(Iterator::count));
+        assert_eq!(record, Err(SpectralError::Few { samples: 3 }));
     }
 }

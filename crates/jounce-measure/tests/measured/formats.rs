@@ -145,6 +145,75 @@ fn a_text_with_units_gaps_and_words_is_read_and_told() {
     );
 }
 
+/// A unit in round brackets that is not known is told, as one in square brackets; a place in them belongs to the name.
+#[test]
+fn a_unit_that_is_not_known_is_told_in_brackets_of_any_kind() {
+    for head in ["U (furlong)", "U [furlong]", "U (pC)", "U (mA)", "U (dBm)", "U [dBm]", "U (dB re 1 furlong)"] {
+        let found = one("a.csv", format!("t (s),{head}\n0,1\n1,20\n2,3\n").as_bytes(), None);
+        assert_eq!((kinds(&found), found.channels[0].name.as_str()), (vec![FindingKind::UnknownUnit], "U"), "{head}");
+        assert_eq!((found.channels[0].quantity, &found.channels[0].values[..]), (Quantity::Unknown, &[1.0, 20.0, 3.0][..]), "{head}");
+    }
+    for head in ["sensor (top)", "channel (1)", "a (ch2)"] {
+        let found = one("a.csv", format!("t (s),{head}\n0,1\n1,20\n2,3\n").as_bytes(), None);
+        assert_eq!((kinds(&found), found.channels[0].name.as_str(), found.channels[0].unit.as_str()), (Vec::new(), head, ""));
+    }
+    let named = one("a.csv", b"t/s,a/g\n0,1\n1,2\n2,3\n", None);
+    assert_eq!((named.channels[0].name.as_str(), named.channels[0].values[1]), ("a", 2.0 * 9.80665));
+}
+
+/// 20 dB is ten times an amplitude, and a hundred times a density.
+#[test]
+fn decibels_are_told_of_their_reference() {
+    let cases = [
+        ("a (dB re 1 m/s^2)", 10.0, "m/s^2"),
+        ("a (dB re 1 g)", 98.0665, "m/s^2"),
+        ("a (dB g)", 98.0665, "m/s^2"),
+        ("a [dB rel. 1 m/s^2]", 10.0, "m/s^2"),
+        ("p (dB re 20 uPa)", 2e-4, "Pa"),
+        ("a (dB re 1e-6 m/s^2)", 1e-5, "m/s^2"),
+        ("a (dB re 1e-6)", 1e-5, ""),
+        ("a (dB)", 10.0, ""),
+        ("S (dB re 1 g^2/Hz)", 100.0 * 9.80665 * 9.80665, "(m/s^2)^2/Hz"),
+    ];
+    for (head, due, unit) in cases {
+        let found = one("a.csv", format!("t (s),{head}\n0,0\n1,20\n2,3\n").as_bytes(), None);
+        let value = found.channels[0].values[1];
+        assert!((value / due - 1.0).abs() < 1e-13, "{head}: {value}");
+        assert_eq!(found.channels[0].unit, unit, "{head}");
+        assert!(kinds(&found).contains(&FindingKind::Decibels), "{head}");
+    }
+}
+
+/// A number at the end of a text may be cut; the line that has no end is told.
+#[test]
+fn a_last_line_without_an_end_is_told() {
+    let open = one("a.csv", b"t [s],a [m/s^2]\n0,1\n1,20\n2,3", None);
+    let told: Vec<String> = open.findings.iter().map(ToString::to_string).collect();
+    assert!(told.len() == 1 && told[0].starts_with("the last line has no end") && told[0].ends_with("(at line 4)"), "{told:?}");
+    assert_eq!(open.channels[0].values, [1.0, 20.0, 3.0]);
+    assert_eq!(kinds(&one("a.csv", b"t [s],a [m/s^2]\n0,1\n1,20\n2,3\n", None)), []);
+}
+
+/// Two sets over grids of their own: the first is taken, and the other is told.
+#[test]
+fn the_record_that_is_taken_of_several_is_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let written = |name: &str, rate: f64| {
+        let path = folder.path().join(name);
+        let recording = Recording { grid: Grid::even(0.0, 1.0 / rate, 301).expect("a grid"), ..record() };
+        write(&recording, &path).unwrap_or_else(|fault| panic!("{fault}"));
+        std::fs::read(&path).expect("it was written")
+    };
+    let path = folder.path().join("both.uff");
+    std::fs::write(&path, [written("a.uff", 1000.0), written("b.uff", 500.0)].concat()).expect("a file");
+    for found in [read::record(&path), read::survey_record(&path).map(|taken| taken.into_recording().expect("in memory"))] {
+        let found = found.unwrap_or_else(|fault| panic!("{fault}"));
+        assert!((found.rate() - 1000.0).abs() < 1e-6);
+        let told = found.findings.last().expect("a finding").to_string();
+        assert!(told.contains("is taken") && told.contains("left out: both 2"), "{told}");
+    }
+}
+
 #[test]
 fn arrays_need_notes_where_they_tell_no_time() {
     let rows = vec![(0..50).map(|k| f64::from(k) * 1e-3).collect(), (0..50).map(|k| f64::from(k).sin()).collect::<Vec<f64>>()];
@@ -187,7 +256,7 @@ fn a_second_segment_is_refused_at_its_place() {
 fn a_text_whose_lines_differ_is_no_table() {
     let text = "1 2\n3 4\n5 6\n".to_owned() + &"1 2 3\n".repeat(30);
     let wrong = read("a.txt", text.as_bytes(), Some("rate = \"10 Hz\"\n")).expect_err("no table").to_string();
-    assert!(wrong.contains("line 4") && wrong.contains("29 more of 33 lines"), "{wrong}");
+    assert!(wrong.contains("line 4") && wrong.contains("29 more of 33 lines") && wrong.contains(".channels.toml"), "{wrong}");
     let odd = "t a\n".to_owned() + &"1 2\n3 4\n5 6\n".repeat(10) + "1 2 3\n";
     assert!(kinds(&one("a.txt", odd.as_bytes(), Some("rate = \"10 Hz\"\n"))).contains(&FindingKind::Ragged));
 }
@@ -219,6 +288,15 @@ fn a_matrix_file_is_read_element_by_element() {
     odd[begin + 16] = 1;
     let rate = Some("rate = \"1 kHz\"\n");
     assert!(kinds(&one("a.mat", &odd, rate)).contains(&FindingKind::Skipped));
+}
+
+/// A time of 50 samples and channels of 40 are no recording.
+#[test]
+fn a_matrix_file_without_a_channel_as_long_as_its_time_is_refused() {
+    let ramp: Vec<f64> = (0..50).map(|k| f64::from(k) * 1e-3).collect();
+    let short = mat("tip", &[ramp[..40].to_vec()]).split_off(128);
+    let told = read("a.mat", &[mat("t", &[ramp]), short].concat(), None).expect_err("no channel").to_string();
+    assert!(told.contains("no channel is left") && told.contains("tip has 40 samples where the record has 50"), "{told}");
 }
 
 /// Lines of samples that never end would fill the memory.

@@ -99,7 +99,7 @@ fn heads(above: &[&str], count: usize, delimiter: Delimiter) -> Vec<(String, Str
     let Some(last) = rows.next() else {
         return (1..=count).map(|number| (format!("column {number}"), String::new())).collect();
     };
-    let are_units = last.iter().all(|field| crate::recording::Unit::read(field).is_some());
+    let are_units = last.iter().all(|field| name::is_known(field));
     let (names, units) = match rows.next().filter(|_| are_units) {
         Some(names) => (names, Some(last)),
         None => (last, None),

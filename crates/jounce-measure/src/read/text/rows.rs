@@ -77,13 +77,14 @@ struct Growing<'a> {
     ragged: Tally,
     text: Tally,
     cut: Tally,
+    open: Tally,
 }
 
 impl<'a> Growing<'a> {
     fn below(layout: &Layout, shelf: &'a Shelf) -> Self {
         let columns: Vec<Numbers> = layout.heads.iter().map(|_| shelf.column()).collect();
         let imaginary = columns.iter().map(|_| None).collect();
-        Self { shelf, columns, imaginary, ragged: Tally::default(), text: Tally::default(), cut: Tally::default() }
+        Self { shelf, columns, imaginary, ragged: Tally::default(), text: Tally::default(), cut: Tally::default(), open: Tally::default() }
     }
 
     /// Takes room for all rows of a text of `size` bytes, once enough of them were `read` to tell how many there are.
@@ -108,6 +109,9 @@ impl<'a> Growing<'a> {
         if !ended && (fields.len() < width || fields.last() == Some(&Field::Text)) {
             self.cut.add(number);
             return Ok(());
+        }
+        if !ended && matches!(fields.last(), Some(Field::Real(_) | Field::Complex(..))) {
+            self.open.add(number);
         }
         // A delimiter at the end of a line is harmless.
         let trailing = fields.len() == width + 1 && fields[width] == Field::Missing;
@@ -141,7 +145,8 @@ impl<'a> Growing<'a> {
             let width = self.columns.len();
             let why = format!(
                 "it and {} more of {rows} lines have another number of fields than the first row, which has {width}: this is no table with a \
-                 column for each channel",
+                 column for each channel; where the samples of one channel follow each other along the lines, write one to a line, and beside \
+                 the file, in its name with .channels.toml behind it, their rate = \"... Hz\" and under [channel.1] their unit = \"...\"",
                 count - 1
             );
             return Err(Damage::at(Place::Line(first), why));
@@ -149,10 +154,12 @@ impl<'a> Growing<'a> {
         let ragged = "lines with another number of fields than the first row: what is missing is no number";
         let text = "lines with text among the numbers: the text was left out";
         let cut = "the file ends inside a row (was it cut?); that row was left out";
+        let open = "the last line has no end: its last number is taken as whole, and may be cut";
         let findings = [
             self.ragged.finding(FindingKind::Ragged, ragged),
             self.text.finding(FindingKind::Skipped, text),
             self.cut.finding(FindingKind::Skipped, cut),
+            self.open.finding(FindingKind::Assumed, open),
         ];
         let column =
             |((head, values), imaginary): ((&(String, String), _), _)| Column { imaginary, ..Column::new(&head.0, &head.1, values) };
