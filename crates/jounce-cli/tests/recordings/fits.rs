@@ -65,9 +65,10 @@ fn a_fit_to_the_modes_of_another_support_says_so() {
     let folder = tempfile::tempdir().unwrap();
     let text = include_str!("../../../../examples/impact-harvester-2019/measured.toml").replace("hold = [\"table\"]", "");
     std::fs::write(folder.path().join("features.toml"), text).unwrap();
-    let (code, stdout, stderr) = jounce(folder.path(), &["fit", SPEC, "--to", "features.toml"]);
+    let (code, json, stderr) = jounce(folder.path(), &["fit", SPEC, "--to", "features.toml", "--json"]);
     assert_eq!(code, 0, "{stderr}");
-    let warning = stdout.lines().find(|line| line.contains("the model misses frequencies by")).expect("a warning");
+    let warnings = json["warnings"].as_array().unwrap().iter().filter_map(|warning| warning.as_str());
+    let warning = warnings.into_iter().find(|warning| warning.contains("the model misses frequencies by")).expect("a warning");
     assert!(warning.contains("9.01 Hz lies nearest to mode 2 of the model as given") && warning.contains("`hold`"), "{warning}");
 }
 
