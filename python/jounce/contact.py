@@ -15,6 +15,9 @@ from .given import Measured, recording
 from .recording import names_of
 from .result import Along, Data, Floats, Result, Variable, column, html_table, made_manifest
 
+#: Deviations from a value to an end of its interval of 95 %.
+QUANTILE_95 = 1.959963984540054
+
 #: What a pulse tells about the law, in words.
 TOLD = {
     "neither": "neither a linear spring nor Hertz's law fits",
@@ -42,6 +45,7 @@ class ContactResult(Result):
     time_s: Annotated[Floats, Along("hit", "s", "time of the largest force, from the first sample")]
     peak_force_n: Annotated[Floats, Along("hit", "N", "largest force")]
     contact_time_s: Annotated[Floats, Along("hit", "s", "time above a tenth of the largest force")]
+    law_contact_time_s: Annotated[Floats, Along("hit", "s", "time from touch to parting of the law")]
     impulse_n_s: Annotated[Floats, Along("hit", "N s", "integral of the force")]
     exponent: Annotated[Floats, Along("hit", "1", "exponent of the law: 1 for a linear spring, 1.5 for Hertz")]
     exponent_deviation: Annotated[Floats, Along("hit", "1", "standard deviation of the exponent")]
@@ -49,6 +53,7 @@ class ContactResult(Result):
     restitution_deviation: Annotated[Floats, Along("hit", "1", "standard deviation of the restitution")]
     #: NaN where the mass of the hammer was not given; stiffness in N/m^exponent.
     stiffness: Annotated[Floats, Along("hit", "N m^-exponent", "stiffness of the law")]
+    stiffness_relative_deviation: Annotated[Floats, Along("hit", "1", "standard deviation of the logarithm of the stiffness")]
     speed_m_s: Annotated[Floats, Along("hit", "m/s", "speed of the hammer")]
     relative_error: Annotated[Floats, Along("hit", "1", "rms of what the law leaves over the largest force")]
     #: Which laws a pulse allows, at 95 %: ``"neither"``, ``"linear"``, ``"hertz"``, ``"both"``; empty where none could be fitted.
@@ -66,12 +71,12 @@ class ContactResult(Result):
     def _summary(self) -> list[tuple[str, str]]:
         lines = [("channel", self.channel)]
         for k, kind in enumerate(self.told):
-            hit = f"{self.peak_force_n[k]:.4f} N, contact {self.contact_time_s[k]:.4e} s, impulse {self.impulse_n_s[k]:.4e} N s"
+            hit = f"{self.peak_force_n[k]:.4f} N, {self.contact_time_s[k]:.4e} s above a tenth of it, impulse {self.impulse_n_s[k]:.4e} N s"
             lines.append((f"hit at {self.time_s[k]:.6f} s", ", ".join([hit, *self.warnings[k]])))
             if kind:
-                law = f"exponent {self.exponent[k]:.3f} +- {self.exponent_deviation[k]:.3f}"
-                back = f"restitution {self.restitution[k]:.3f} +- {self.restitution_deviation[k]:.3f}"
-                lines.append(("", f"{law}, {back}; {TOLD[kind]}"))
+                law = f"95 %: exponent {self.exponent[k]:.3f} +- {QUANTILE_95 * self.exponent_deviation[k]:.3f}"
+                back = f"restitution {self.restitution[k]:.3f} +- {QUANTILE_95 * self.restitution_deviation[k]:.3f}"
+                lines.append(("", f"{law}, {back}; contact {self.law_contact_time_s[k]:.4e} s; {TOLD[kind]}"))
             else:
                 lines.append(("", f"no law: {self.why[k]}"))
         return lines + told(self.findings)
@@ -108,11 +113,13 @@ def contact(record: Measured, *, sample_rate_hz: Any = None, force: str | None =
     answer = _core.measured_contact(given._core(), force, mass_kg)
     hits = json.loads(answer["hits"])
     laws = [law or {} for law in json.loads(answer["laws"])]
-    of_law = ("exponent", "exponent_deviation", "restitution", "restitution_deviation", "stiffness", "speed_m_s", "relative_error")
+    of_exponent = ("exponent", "exponent_deviation", "restitution", "restitution_deviation", "relative_error")
+    of_law = (*of_exponent, "stiffness", "stiffness_relative_deviation", "speed_m_s")
     return ContactResult(
         manifest=made_manifest("contact", **names_of([given]), mass_kg=mass_kg),
         channel=answer["channel"],
         **{name: column(laws, name) for name in of_law},
+        law_contact_time_s=column(laws, "contact_time_s"),
         time_s=column(hits, "peak") / answer["rate_hz"],
         **{name: column(hits, name) for name in ("peak_force_n", "contact_time_s", "impulse_n_s")},
         told=[law.get("told", "") for law in laws],

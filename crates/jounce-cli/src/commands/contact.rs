@@ -68,6 +68,7 @@ impl Contact {
             Column::new("contact_time_s", "s", "time above a tenth of the largest force", hit(&|hit| hit.contact_time_s)),
             Column::new("impulse_n_s", "N s", "integral of the force", hit(&|hit| hit.impulse_n_s)),
             Column::new("warnings", "", "number of warnings", found.iter().map(|hit| hit.warnings.len() as u64).collect::<Vec<_>>()),
+            Column::new("law_contact_time_s", "s", "time from touch to parting of the law", law(&|law| law.contact_time_s)),
             Column::new("exponent", "", "exponent of the law", law(&|law| law.exponent)),
             Column::new("exponent_deviation", "", "its standard deviation", law(&|law| law.exponent_deviation)),
             Column::new("restitution", "", "speed after over speed before", law(&|law| law.restitution)),
@@ -76,6 +77,9 @@ impl Contact {
         if self.mass.is_some() {
             let about = "N/m^exponent, for the mass of the hammer";
             table.push(Column::new("stiffness", "", about, law(&|law| law.stiffness.unwrap_or(f64::NAN))))?;
+            let about = "standard deviation of its logarithm";
+            let deviation = law(&|law| law.stiffness_relative_deviation.unwrap_or(f64::NAN));
+            table.push(Column::new("stiffness_relative_deviation", "", about, deviation))?;
             table.push(Column::new("speed_m_s", "m/s", "speed of the hammer", law(&|law| law.speed_m_s.unwrap_or(f64::NAN))))?;
         }
         output::table(folder, "contact", &table, &self.file.manifest("contact")?)?;
@@ -90,8 +94,11 @@ const TOLD: usize = 3;
 fn tell(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
     let at = hit.peak as f64 / rate_hz;
     line(format!(
-        "hit at {at:.6} s: peak {:.4} N, contact {:.4e} s, impulse {:.4e} N s",
-        hit.peak_force_n, hit.contact_time_s, hit.impulse_n_s
+        "hit at {at:.6} s: peak {:.4} N, {:.4e} s above a tenth of it ({:.4} N), impulse {:.4e} N s",
+        hit.peak_force_n,
+        hit.contact_time_s,
+        HitSearch::default().edge * hit.peak_force_n,
+        hit.impulse_n_s
     ));
     hit.warnings.iter().take(TOLD).for_each(|warning| line(format!("  warning: {warning:?}")));
     if hit.warnings.len() > TOLD {
@@ -101,11 +108,16 @@ fn tell(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
         Err(why) => line(format!("  no law: {why}")),
         Ok(law) => {
             line(format!(
-                "  exponent {:.3} +- {:.3}, restitution {:.3} +- {:.3}",
-                law.exponent, law.exponent_deviation, law.restitution, law.restitution_deviation
+                "  law, 95 %: exponent {:.3} +- {:.3}, restitution {:.3} +- {:.3}, contact {:.4e} s from touch to parting",
+                law.exponent,
+                law.exponent_half_width(),
+                law.restitution,
+                law.restitution_half_width(),
+                law.contact_time_s
             ));
-            if let (Some(stiffness), Some(speed)) = (law.stiffness, law.speed_m_s) {
-                line(format!("  stiffness {stiffness:.4e} N/m^{:.3}, speed {speed:.4} m/s", law.exponent));
+            if let (Some(stiffness), Some((low, high)), Some(speed)) = (law.stiffness, law.stiffness_95(), law.speed_m_s) {
+                let unit = format!("N/m^{:.3}", law.exponent);
+                line(format!("  stiffness {stiffness:.4e} {unit}, 95 % from {low:.4e} to {high:.4e}, speed {speed:.4} m/s"));
             }
             line(match law.told {
                 Told::Neither => "  neither a linear spring nor Hertz's law fits",

@@ -112,7 +112,7 @@ fn tell(answer: &FitAnswer) {
             100.0 * before,
             feature.after,
             100.0 * after,
-            100.0 * answer.quantile * feature.predicted_deviation
+            50.0 * (feature.high - feature.low) / feature.measured
         ));
     }
     for curve in &answer.curves {

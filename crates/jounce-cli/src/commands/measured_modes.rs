@@ -133,6 +133,12 @@ fn tell_trust(responses: &Responses, found: &Identification) {
     if responses.window_decay_per_s > 0.0 {
         line(format!("damping of the exponential window, {:.5} 1/s, was taken off", responses.window_decay_per_s));
     }
+    if responses.block_s.is_none() {
+        line(
+            "warning: response functions tell no noise; it is taken as equal on all lines of each, and where it grows with the response the \
+             intervals are too narrow",
+        );
+    }
     if found.misfit > 1.0 && responses.block_s.is_some() {
         line(format!(
             "the modes miss the responses by {:.1} times what the coherence allows; the intervals are widened by it",

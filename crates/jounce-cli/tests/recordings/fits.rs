@@ -58,6 +58,20 @@ fn a_fit_that_cannot_be_done_says_why() {
     assert!(code == 4 && stderr.contains("missing.toml"), "{stderr}");
 }
 
+/// Modes of a harvester whose base moves, measured with the base held: every frequency meets the number of another mode, and the first of them is
+/// the second of the model.
+#[test]
+fn a_fit_to_the_modes_of_another_support_says_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = include_str!("../../../../examples/impact-harvester-2019/measured.toml").replace("hold = [\"table\"]", "");
+    std::fs::write(folder.path().join("features.toml"), text).unwrap();
+    let (code, json, stderr) = jounce(folder.path(), &["fit", SPEC, "--to", "features.toml", "--json"]);
+    assert_eq!(code, 0, "{stderr}");
+    let warnings = json["warnings"].as_array().unwrap().iter().filter_map(|warning| warning.as_str());
+    let warning = warnings.into_iter().find(|warning| warning.contains("the model misses frequencies by")).expect("a warning");
+    assert!(warning.contains("9.01 Hz lies nearest to mode 2 of the model as given") && warning.contains("`hold`"), "{warning}");
+}
+
 /// A harvester without a stop: quick to answer.
 const HARVESTER: &str = include_str!("../../../jounce-measure/tests/fitted/harvester.toml");
 const RUN: &str = r#"

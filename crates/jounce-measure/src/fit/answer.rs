@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::FitError;
 use super::asked::Measured;
+use super::missed::missed;
 use super::problem::Problem;
 use super::profile::Profile;
 use super::solve::Minimum;
@@ -174,7 +175,8 @@ impl FitAnswer {
             features: told.iter().filter(|told| told.measured.on.is_none()).map(|told| told.feature.clone()).collect(),
             curves: (0..asked.curves.len()).map(|number| curve(problem, &told, number)).collect(),
             deviations: asked.groups.iter().enumerate().map(of_group).collect(),
-            warnings: warnings(problem, minimum, &deviation, (&correlation, &linear), chi_square),
+            warnings: [missed(problem, errors.as_slice()), warnings(problem, minimum, &deviation, (&correlation, &linear), chi_square)]
+                .concat(),
             quantile,
             correlation,
             chi_square,

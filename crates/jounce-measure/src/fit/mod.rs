@@ -21,6 +21,7 @@ mod error;
 mod features;
 mod history;
 mod jump;
+mod missed;
 mod mode;
 mod model;
 mod power;

@@ -8,6 +8,9 @@ use crate::recording::Quantity;
 use crate::response::Responses;
 use crate::spectral::{Sight, Without};
 
+/// Lowest frequency over the highest of a band that begins far from 0.
+const FAR: f64 = 0.25;
+
 /// What the responses measure, per force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Motion {
@@ -202,6 +205,11 @@ impl Band {
     /// Factor from displacement to what a response measures, at a line.
     pub(super) fn as_measured(&self, response: usize, line: usize) -> c64 {
         c64::new(0.0, std::f64::consts::TAU * self.frequency_hz[line]).powi(self.power[response])
+    }
+
+    /// True where so much of the circle lies below the band that an order of 40 cannot be counted from 0 on.
+    pub(super) fn begins_far_from_zero(&self) -> bool {
+        matches!(self.frequency_hz[..], [first, .., last] if first > FAR * last)
     }
 
     /// Mean distance of two lines, Hz.

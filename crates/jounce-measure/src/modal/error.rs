@@ -39,7 +39,9 @@ pub enum ModalError {
         frequency_hz: f64,
     },
     /// Equations without a solution.
-    #[error("the equations of order {order} are singular; are all responses zero?")]
+    #[error(
+        "the equations have no solution at any order up to {order}: all responses are zero, or the same lines stand twice; look at the responses, or widen the band"
+    )]
     Singular {
         /// The order.
         order: usize,

@@ -2,8 +2,10 @@
 //!
 //! A mode far below the upper end of a band turns the angle `pi f / f_high` of the denominator's plane by little, and its acceleration is small beside
 //! that of the modes above it: it is lost. So poles are sought in the whole band, in its lower half, in the lower half of that, and so on while
-//! there are lines enough, and each frequency is left to the narrowest band that holds it well inside.
+//! there are lines enough, and each frequency is left to the narrowest band that holds it well inside. A band that begins far from 0 has no such
+//! modes, and is not searched in parts.
 
+use super::plscf::from_zero;
 use super::stabilisation::{ONE_MODE, modes};
 use super::{Band, ModalError, Pole, Settings, StablePole, diagram, poles};
 
@@ -19,10 +21,10 @@ const INSIDE: f64 = 0.8;
 pub(super) fn stable(band: &Band, settings: Settings) -> Result<(Vec<StablePole>, Vec<Pole>), ModalError> {
     let mut bands = vec![(f64::INFINITY, band.high_hz, poles(band, settings.order)?)];
     let mut high_hz = band.frequency_hz.last().copied().unwrap_or(band.high_hz);
-    loop {
+    while !band.begins_far_from_zero() {
         high_hz *= NARROWER;
         // A band without lines enough, or with nothing in it, leaves its frequencies to the one around it.
-        let Ok(found) = poles(&band.below(high_hz), settings.order) else { break };
+        let Ok(found) = from_zero(&band.below(high_hz), settings.order) else { break };
         bands.push((INSIDE * high_hz, high_hz, found));
     }
     let (mut found, mut stay) = (Vec::new(), Vec::<Pole>::new());

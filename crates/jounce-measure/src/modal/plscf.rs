@@ -16,7 +16,8 @@ use faer::{Mat, Side, c64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-use super::{Band, ModalError, Pole};
+use super::sums::{both_ways, signals};
+use super::{Band, ModalError, Pole, shifted};
 
 /// Sums over the lines that every order shares.
 struct Moments {
@@ -31,18 +32,36 @@ struct Moments {
     interval_s: f64,
 }
 
-/// Poles in the upper half plane for each order from 1 to `most`, in ascending frequency; those that grow are left out.
+/// Poles in the upper half plane for each order from 1 to `most`, in ascending frequency; those that grow are left out. Of a band that begins far
+/// from 0, or whose equations from 0 on cannot be solved, they are sought with complex coefficients from its lower end on.
 ///
 /// # Errors
 /// Too few lines, or responses that are all zero.
 pub fn poles(band: &Band, most: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
+    enough(band, most)?;
+    if band.begins_far_from_zero() {
+        return shifted::poles(band, most);
+    }
+    from_zero(band, most).or_else(|_| shifted::poles(band, most))
+}
+
+/// The same with real coefficients, the circle counted from 0 Hz on.
+///
+/// # Errors
+/// Too few lines; lines that leave too much of the circle free for the order; responses that are all zero.
+pub(super) fn from_zero(band: &Band, most: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
+    enough(band, most)?;
+    let moments = Moments::of(band, most);
+    let normal = moments.normal()?;
+    normal.into_par_iter().map(|m| moments.poles(&m)).collect()
+}
+
+fn enough(band: &Band, most: usize) -> Result<(), ModalError> {
     let (lines, needed) = (band.frequency_hz.len(), 2 * (most + 1) * band.inputs);
     if lines < needed {
         return Err(ModalError::Few { low_hz: band.low_hz, high_hz: band.high_hz, lines, order: most, needed });
     }
-    let moments = Moments::of(band, most);
-    let normal = moments.normal()?;
-    normal.into_par_iter().map(|m| moments.poles(&m)).collect()
+    Ok(())
 }
 
 impl Moments {
@@ -51,20 +70,7 @@ impl Moments {
         let highest = band.frequency_hz.iter().copied().fold(0.0, f64::max);
         let interval_s = 1.0 / (2.0 * highest);
         let turn: Vec<c64> = band.frequency_hz.iter().map(|f| c64::from_polar(1.0, -TAU * f * interval_s)).collect();
-        // As measured: displacement would give the lowest lines all the weight. Responses of one size each, so that no sensor's unit decides; of
-        // several inputs first all of an output, then all to an input share a factor, which leaves the poles as they are.
-        let mut response: Vec<Vec<c64>> = (0..band.response.len()).map(|k| band.measured(k)).collect();
-        (0..outputs).for_each(|o| of_one_size(response[o * inputs..(o + 1) * inputs].iter_mut()));
-        if inputs > 1 {
-            (0..inputs).for_each(|i| of_one_size(response.iter_mut().skip(i).step_by(inputs)));
-        }
-        let at = |o: usize, i: usize| &response[o * inputs + i];
-        let product = |i: usize, j: usize| -> Vec<c64> {
-            (0..turn.len()).map(|k| (0..outputs).map(|o| at(o, i)[k].conj() * at(o, j)[k]).sum()).collect()
-        };
-        let products = (0..inputs).flat_map(|i| (0..inputs).map(move |j| (i, j))).map(|(i, j)| product(i, j));
-        let ones = vec![c64::new(1.0, 0.0); turn.len()];
-        let signals: Vec<Vec<c64>> = response.iter().cloned().chain(products).chain([ones]).collect();
+        let signals = signals(band);
         let mut sums = both_ways(&turn, &signals, most).into_iter();
         let mut rows = |count: usize| -> Vec<Vec<Vec<f64>>> { (0..count).map(|_| sums.by_ref().take(inputs).collect()).collect() };
         let (s, t) = (rows(outputs), rows(inputs));
@@ -127,65 +133,6 @@ impl Moments {
         found.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
         Ok(found)
     }
-}
-
-/// Divides responses by the rms of all of them.
-fn of_one_size<'a>(responses: impl Iterator<Item = &'a mut Vec<c64>>) {
-    let mut responses: Vec<&mut Vec<c64>> = responses.collect();
-    let (sum, lines) = responses.iter().flat_map(|h| h.iter()).fold((0.0, 0), |(sum, lines), x| (sum + x.norm_sqr(), lines + 1));
-    let size = (sum / f64::from(lines)).sqrt();
-    if size > 0.0 {
-        responses.iter_mut().flat_map(|h| h.iter_mut()).for_each(|x| *x /= size);
-    }
-}
-
-/// Lines whose sums are made at once; these are added in order, so that any number of threads gives the same bits.
-const LINES: usize = 1024;
-/// Numbers that are added side by side.
-const LANES: usize = 8;
-
-/// `re sum z^k h` of each signal `h` for k from `-most` to `most`. With `a = sum re z^k re h` and `b = sum im z^k im h` the sums of `k` and `-k` are
-/// `a - b` and `a + b`, and the powers of `z` serve all signals.
-fn both_ways(turn: &[c64], signals: &[Vec<c64>], most: usize) -> Vec<Vec<f64>> {
-    let part = |from: usize| -> Vec<[f64; 2]> {
-        let lines = from..(from + LINES).min(turn.len());
-        let apart = |of: &[c64]| of[lines.clone()].iter().flat_map(|x| [x.re, x.im]).collect::<Vec<f64>>();
-        let signals: Vec<Vec<f64>> = signals.iter().map(|h| apart(h)).collect();
-        let mut power = [1.0, 0.0].repeat(lines.len());
-        let mut sums = Vec::with_capacity(signals.len() * (most + 1));
-        for _ in 0..=most {
-            sums.extend(signals.iter().map(|h| products(&power, h)));
-            for (power, z) in power.as_chunks_mut::<2>().0.iter_mut().zip(&turn[lines.clone()]) {
-                *power = [power[0] * z.re - power[1] * z.im, power[0] * z.im + power[1] * z.re];
-            }
-        }
-        sums
-    };
-    let parts: Vec<Vec<[f64; 2]>> = (0..turn.len()).into_par_iter().step_by(LINES).map(part).collect();
-    let mut sums = vec![vec![0.0; 2 * most + 1]; signals.len()];
-    for part in parts {
-        for (index, [a, b]) in part.into_iter().enumerate() {
-            let (k, signal) = (index / signals.len(), &mut sums[index % signals.len()]);
-            signal[most + k] += a - b;
-            if k > 0 {
-                signal[most - k] += a + b;
-            }
-        }
-    }
-    sums
-}
-
-/// Sums of the products of real parts and of imaginary parts, which stand by turns.
-fn products(x: &[f64], y: &[f64]) -> [f64; 2] {
-    let mut lanes = [0.0; LANES];
-    let (x, y) = (x.chunks(LANES), y.chunks(LANES));
-    for (x, y) in x.zip(y) {
-        for (lane, (x, y)) in lanes.iter_mut().zip(x.iter().zip(y)) {
-            *lane += x * y;
-        }
-    }
-    let every = |from: usize| lanes.iter().skip(from).step_by(2).sum();
-    [every(0), every(1)]
 }
 
 #[cfg(test)]

@@ -63,6 +63,14 @@ pub enum ResponseError {
         /// The force.
         force: String,
     },
+    /// The force as a response to itself.
+    #[error("{force} of {recording} is the force, and cannot respond to itself: name a channel beside it, or another force")]
+    OwnResponse {
+        /// The recording.
+        recording: String,
+        /// The force.
+        force: String,
+    },
     /// Spectra without phase.
     #[error("{recording} is over frequency and holds no complex channel: a response function has a real and an imaginary part")]
     NotComplex {

@@ -47,7 +47,7 @@ impl Responses {
     /// channels the same in all. Recordings of each place of the force are averaged for themselves, over blocks of one length.
     ///
     /// # Errors
-    /// A channel that is not there or no force, forces some of which tell their places, sensors that move, nothing beside the force, what
+    /// A channel that is not there or no force, the force as its own response, forces some of which tell their places, sensors that move, nothing beside the force, what
     /// [`impact`] refuses.
     pub fn of_hits(records: &[Recording], chosen: &Chosen, settings: &ImpactSettings) -> Result<Self, ResponseError> {
         let first = records.first().ok_or(ResponseError::Nothing)?;
@@ -56,6 +56,9 @@ impl Responses {
             [] => first.channels.iter().map(|channel| channel.name.clone()).filter(|name| *name != hammer.name).collect(),
             wanted => wanted.iter().map(|name| Ok(first.channel(name)?.name.clone())).collect::<Result<_, ResponseError>>()?,
         };
+        if outputs.contains(&hammer.name) {
+            return Err(ResponseError::OwnResponse { recording: first.name.clone(), force: hammer.name.clone() });
+        }
         if outputs.is_empty() {
             return Err(ResponseError::NoResponse { recording: first.name.clone(), force: hammer.name.clone() });
         }
@@ -216,6 +219,15 @@ mod tests {
             let force = read.channel("force").unwrap();
             assert_eq!((force.place.as_str(), force.direction.as_str()), (place, "-z"), "{ending}");
             assert_eq!(read.channel("a").unwrap().place, if ending == "uff" { "node 2" } else { "" });
+        }
+    }
+
+    #[test]
+    fn a_force_that_responds_to_itself_is_refused() {
+        for responses in [vec!["force".to_owned()], vec!["a".to_owned(), "force".to_owned()]] {
+            let chosen = Chosen { force: None, responses };
+            let fault = Responses::of_hits(&[struck("one", "")], &chosen, &ImpactSettings::default()).unwrap_err();
+            assert!(matches!(&fault, ResponseError::OwnResponse { .. }), "{fault}");
         }
     }
 }

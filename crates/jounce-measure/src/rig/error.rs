@@ -60,6 +60,14 @@ pub enum RigError {
         /// Its unit.
         unit: String,
     },
+    /// A base that does not move.
+    #[error("channel {channel} is {mean_m_s2} m/s^2 throughout: it moves no base; name another one with the base channel")]
+    Still {
+        /// The channel.
+        channel: String,
+        /// Its mean.
+        mean_m_s2: f64,
+    },
     /// A recording without even times.
     #[error("{recording} has no even times: interpolate it before it moves a base")]
     NotEven {

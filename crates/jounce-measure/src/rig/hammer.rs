@@ -118,13 +118,12 @@ impl Ringing {
 }
 
 fn check(test: &HammerTest) -> Result<(), RigError> {
+    test.sensor.check()?;
     let settings = [
         ("the number of hits", test.hits as f64, 1.0, 1000.0, "from 1 to 1000"),
         ("the time from hit to hit in samples", test.block_s * test.rate_hz, 64.0, 4e6, "from 64 to 4000000"),
         ("the contact time in samples", test.contact_time_s * test.rate_hz, 3.0, 1e5, "at least 3: raise the rate or soften the tip"),
         ("the largest force", test.peak_force_n, f64::MIN_POSITIVE, 1e6, "above 0"),
-        ("the noise ratio", test.sensor.noise_ratio, 0.0, 10.0, "from 0 to 10"),
-        ("the number of bits", f64::from(test.sensor.bits.unwrap_or(16)), 2.0, 32.0, "from 2 to 32"),
     ];
     match settings.into_iter().find(|(_, value, low, high, _)| !(*low..=*high).contains(value)) {
         Some((name, value, _, _, allowed)) => Err(RigError::Setting { name, value, allowed }),

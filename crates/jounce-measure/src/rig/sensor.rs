@@ -2,6 +2,8 @@
 
 use jounce::drive::Stream;
 
+use super::RigError;
+
 /// What a sensor does to a quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sensor {
@@ -15,6 +17,18 @@ pub struct Sensor {
 const HEADROOM: f64 = 1.25;
 
 impl Sensor {
+    pub(super) fn check(&self) -> Result<(), RigError> {
+        if !(0.0..=10.0).contains(&self.noise_ratio) {
+            return Err(RigError::Setting { name: "the noise ratio", value: self.noise_ratio, allowed: "from 0 to 10" });
+        }
+        match self.bits {
+            Some(bits) if !(2..=32).contains(&bits) => {
+                Err(RigError::Setting { name: "the number of bits", value: f64::from(bits), allowed: "from 2 to 32" })
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// Samples as recorded. The converter's range is set to 1.25 times the largest size of the noisy signal, as a careful experimenter would.
     pub fn read(&self, truth: &[f64], stream: &mut Stream) -> Vec<f64> {
         let rms = (truth.iter().map(|x| x * x).sum::<f64>() / truth.len().max(1) as f64).sqrt();

@@ -81,6 +81,7 @@ pub fn shaker_test(spec: &Spec, modes: &Modes, test: &ShakerTest, watch: &Watch)
 }
 
 fn check(test: &ShakerTest) -> Result<usize, RigError> {
+    test.sensor.check()?;
     test.wander.check()?;
     let samples = test.duration_s * test.rate_hz;
     if !(64.0..=4e6).contains(&samples) {
@@ -249,6 +250,12 @@ mod tests {
         assert!(with(|t| t.duration_s = 0.01).contains("samples"));
         assert!(with(|t| t.accelerometers = vec!["beam.tpi".to_owned()]).contains("beam.tip"));
         assert!(with(|t| t.wander.amplitude_ratio = f64::NAN).contains("amplitude"));
+        for noise_ratio in [-1.0, f64::NAN, f64::INFINITY] {
+            let sensor = Sensor { noise_ratio, bits: None };
+            let fault = shaker_test(&spec, &modes, &ShakerTest { sensor, ..good.clone() }, &Watch::default()).unwrap_err().to_string();
+            assert!(fault.contains("the noise ratio") && fault.contains("from 0 to 10"), "{fault}");
+        }
+        assert!(with(|t| t.sensor.bits = Some(0)).contains("from 2 to 32") && with(|t| t.sensor.bits = Some(1000)).contains("1000"));
         let late = ShakerTest { starts: vec![(0.0, start.clone()), (3.0, start)], ..good.clone() };
         assert!(shaker_test(&spec, &modes, &late, &Watch::default()).unwrap_err().to_string().contains("within the record"));
     }

@@ -106,6 +106,7 @@ fn rig_details(error: &RigError) -> Value {
         RigError::UnknownPoint { point, known } => json!({ "point": point, "known": known }),
         RigError::NotAcceleration { channel, unit } => json!({ "channel": channel, "unit": unit }),
         RigError::Bases { base, what } => json!({ "base": base, "what": what }),
+        RigError::Still { channel, mean_m_s2 } => json!({ "channel": channel, "mean_m_s2": mean_m_s2 }),
         RigError::NotEven { recording } => json!({ "recording": recording }),
         _ => Value::Null,
     }
