@@ -20,7 +20,7 @@ class Branch(Data):
     #: Value of the key, SI.
     parameter: Floats
     mean_power_w: Annotated[Floats, Along("point", "W", "mean power of all loads")]
-    voltage_rms_v: Annotated[Floats, Along("point", "V", "voltage of the first load, rms")]
+    voltage_rms_v: Annotated[Floats, Along("point", "V", "voltage of the first load, else of what the first rectifier feeds, rms")]
     stable: Annotated[Truths, Along("point", "1", "attracts")]
     #: Largest modulus of a Floquet multiplier.
     floquet_max_abs: Annotated[Floats, Along("point", "1", "largest modulus of a Floquet multiplier")]

@@ -109,7 +109,7 @@ class RunResult(Result):
     #: Input less all outputs and what is stored, over the largest energy of the run.
     energy_residual_relative: Annotated[float, Along("", "1", "energy residual of the march")]
     #: No energy flowed or changed by more than roundoff, so that the residual says nothing.
-    nothing_happened: Annotated[bool, Along("", "1", "no energy flowed by more than roundoff")]
+    nothing_happened: Annotated[bool, Along("", "1", "no contact began and no energy flowed by more than roundoff")]
     #: Energies of the whole run, J: ``input_j``, ``loads_j``, ``rectified_j`` (into loads and batteries behind rectifiers),
     #: ``rectified_loss_j`` (in their diodes and switches, and by leakage), ``leaks_j`` (by leakage of patches), ``damping_j``,
     #: ``contact_loss_j``, ``stored_j``.
@@ -136,8 +136,9 @@ class RunResult(Result):
 
     @property
     def voltage_rms_v(self) -> float | None:
-        """Voltage of the first load, rms, V."""
-        return float(self.load_voltage_rms_v[0]) if self.load else None
+        """Voltage of the first load, or of the storage of the first rectified circuit where there is none, rms, V."""
+        volts = [*self.load_voltage_rms_v, *self.rectified_voltage_rms_v]
+        return float(volts[0]) if volts else None
 
     @property
     def voltage_peak_v(self) -> float | None:

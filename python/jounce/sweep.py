@@ -22,7 +22,7 @@ class SweepResult(Result):
     #: How each point was reached: ``"up"``, ``"down"``, ``"independent"``.
     direction: list[str]
     mean_power_w: Annotated[Floats, Along("visit", "W", "mean power of all loads")]
-    voltage_rms_v: Annotated[Floats, Along("visit", "V", "voltage of the first load, rms")]
+    voltage_rms_v: Annotated[Floats, Along("visit", "V", "voltage of the first load, else of what the first rectifier feeds, rms")]
     max_penetration_m: Annotated[Floats, Along("visit", "m", "largest penetration of the stop")]
     contact_rate_hz: Annotated[Floats, Along("visit", "1/s", "contacts per second")]
     settled: Annotated[Truths, Along("visit", "1", "settled when it was averaged")]

@@ -174,7 +174,7 @@ fn trust<'py>(answer: Answer<'py>, Marched { plan, answer: found, warnings, .. }
         .with("settle_distance", settlement.map_or(f64::NAN, |found| found.distance))?
         .with("warnings", warnings)?
         .with("energy_residual_relative", found.energies.residual_relative())?
-        .with("nothing_happened", found.energies.are_still())?
+        .with("nothing_happened", found.nothing_happened())?
         .with("duration_s", plan.duration_s)?
         .with("average_over_s", plan.average_over_s)?
         .with("tolerance", plan.tolerance)?

@@ -320,7 +320,7 @@ fn points_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failure> 
         count("period_cycles", "period in drive cycles", |(_, branch, _)| u64::from(branch.period_cycles)),
         number("parameter", &key.unit(), key.path(), |p| p.parameter),
         number("mean_power_w", "W", "mean power of all loads", |p| p.orbit.mean_power_w),
-        number("voltage_rms_v", "V", "voltage of the first load, rms", |p| p.orbit.voltage_rms_v),
+        number("voltage_rms_v", "V", "voltage of the first load, else of what the first rectifier feeds, rms", |p| p.orbit.voltage_rms_v),
         Column::new("stable", "", "attracts", all.iter().map(|(_, _, p)| p.orbit.is_stable()).collect::<Vec<bool>>()),
         number("floquet_max_abs", "", "largest modulus of a Floquet multiplier", |p| p.orbit.floquet_max_abs()),
         count("contacts_per_period", "contacts that begin in a period", |(_, _, p)| p.orbit.contacts),

@@ -151,7 +151,7 @@ fn print_json(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[W
     });
     print(&serde_json::json!({
         "mean_power_w": answer.mean_power_w,
-        "voltage_rms_v": answer.loads.first().map(|load| load.voltage_rms_v),
+        "voltage_rms_v": answer.voltage_rms_v().and_then(finite),
         "voltage_peak_v": peaks.first_v(),
         "loads": loads.collect::<Vec<_>>(),
         "patches": patches.collect::<Vec<_>>(),
@@ -164,7 +164,7 @@ fn print_json(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[W
         "contact_duty": answer.contact_duty,
         "stops": answer.stops,
         "energy_residual_relative": answer.energies.residual_relative(),
-        "nothing_happened": answer.energies.are_still(),
+        "nothing_happened": answer.nothing_happened(),
         "energies": {
             "input_j": answer.energies.input_j,
             "loads_j": answer.energies.loads_j,
@@ -214,8 +214,8 @@ fn print_lines(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) {
     for stop in &answer.stops {
         tell_stop(stop, answer.stops.len() > 1);
     }
-    match answer.energies.are_still() {
-        true => line("energy             nothing happened: no energy flowed or changed by more than roundoff"),
+    match answer.nothing_happened() {
+        true => line("energy             nothing happened: no contact began, and no energy flowed or changed by more than roundoff"),
         false => line(format!("energy residual    {residual:.1e} of the largest energy")),
     }
     match answer.settlement {

@@ -132,7 +132,7 @@ impl Sweep {
                 points.iter().map(|p| p.direction.name().to_owned()).collect::<Vec<_>>(),
             ),
             column("mean_power_w", "W", "mean power of all loads", |p| p.mean_power_w),
-            column("voltage_rms_v", "V", "voltage of the first load, rms", |p| p.voltage_rms_v),
+            column("voltage_rms_v", "V", "voltage of the first load, else of what the first rectifier feeds, rms", |p| p.voltage_rms_v),
             column("max_penetration_m", "m", "largest penetration of the stop", |p| p.max_penetration_m),
             column("contact_rate_hz", "1/s", "contacts per second", |p| p.contact_rate_hz),
             Column::new("settled", "", "settled when it was averaged", points.iter().map(|p| p.settled).collect::<Vec<_>>()),

@@ -41,6 +41,8 @@ pub struct PortState {
     pub entry_level: i32,
     /// Largest speed at which the stop was struck so far: the scale of contact impulses.
     pub strike_m_s: f64,
+    /// With several ports: time at which the last contact began, s.
+    pub entered_s: f64,
     /// Time that the contact in hand has lasted since it began, or since the last reset, s.
     pub dwell_s: f64,
     /// What is known of it since it was last seen.
@@ -83,6 +85,7 @@ impl PortState {
             iterations: 1,
             entry_level,
             strike_m_s: 0.0,
+            entered_s: f64::NEG_INFINITY,
             dwell_s: 0.0,
             clearance: Clearance::default(),
             rows: Rows::new(plant, layout, tones, port),

@@ -66,14 +66,14 @@ impl<H: Harvester> Shooting<'_, H> {
     }
 }
 
-/// Voltage at the first of what takes power, rms, V.
+/// Voltage at the first of what takes power, rms, V; NaN where nothing does.
 fn voltage_rms_v(system: &System, power_w: f64) -> f64 {
     let across = |resistance_ohm: f64| (power_w * resistance_ohm).max(0.0).sqrt();
     match (system.loads.first(), system.bridges.first().map(|bridge| bridge.storage)) {
         (Some(load), _) => across(load.resistance_ohm),
         (None, Some(Storage::Capacitor { load_ohm, .. })) => across(load_ohm),
         (None, Some(Storage::Battery { voltage_v })) => voltage_v,
-        (None, None) => 0.0,
+        (None, None) => f64::NAN,
     }
 }
 
@@ -85,7 +85,7 @@ impl Shot {
             looks: self.looks.clone(),
             // A sum of nothing is -0.
             mean_power_w: self.loads_w.iter().sum::<f64>() + 0.0,
-            voltage_rms_v: self.loads_w.first().map_or(0.0, |power_w| voltage_rms_v(&self.kernel.plant.system, *power_w)),
+            voltage_rms_v: self.loads_w.first().map_or(f64::NAN, |power_w| voltage_rms_v(&self.kernel.plant.system, *power_w)),
             contacts: self.contacts,
             contact_starts: contact_starts(&self.trajectories, self.period_s),
             switches: self.trajectories.iter().map(|trajectory| trajectory.changes().len() as u64).sum(),

@@ -15,7 +15,7 @@ pub struct Orbit {
     pub looks: Vec<Vec<f64>>,
     /// Mean power of all loads and rectified circuits, W.
     pub mean_power_w: f64,
-    /// Voltage of the first load or, without one, of what the first rectified circuit feeds, rms, V.
+    /// Voltage of the first load or, without one, of what the first rectified circuit feeds, rms, V; NaN where nothing takes power.
     pub voltage_rms_v: f64,
     /// Contacts that begin in a period.
     pub contacts: u64,

@@ -91,6 +91,8 @@ pub struct RunAnswer {
     pub max_contact_force_n: f64,
     /// Contacts that began, of all stops.
     pub contacts: u64,
+    /// Contacts that began in the whole run, of all stops.
+    pub contacts_in_all: u64,
     /// Share of the time in contact, 0 to 1, summed over the stops.
     pub contact_duty: f64,
     /// Has the run settled? `None` where the drives do not repeat themselves, so that there is no period to settle to.
@@ -105,4 +107,17 @@ pub struct RunAnswer {
     pub march_s: f64,
     /// The last part of the run, as long as the plan asked for.
     pub trajectory: Trajectory,
+}
+
+impl RunAnswer {
+    /// True where nothing struck and no energy flowed or changed by more than roundoff, so that the energy residual says nothing.
+    pub fn nothing_happened(&self) -> bool {
+        self.contacts_in_all == 0 && self.energies.are_still()
+    }
+
+    /// Voltage of the first load or, without one, of the storage of the first rectified circuit, rms, V; `None` where nothing takes power.
+    pub fn voltage_rms_v(&self) -> Option<f64> {
+        let storage = || self.rectified.first().map(|circuit| circuit.voltage_rms_v);
+        self.loads.first().map(|load| load.voltage_rms_v).or_else(storage)
+    }
 }

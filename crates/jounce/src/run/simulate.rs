@@ -108,11 +108,13 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
     let looks_s = period_s.map_or(0.0, |period_s| (LOOKS - 1) as f64 * period_s);
     let record_s = end_s - plan.record_s.max(looks_s).min(end_s);
     let mut opened = None;
+    let mut earlier = 0;
     let mut marks = [(window_s, true), (record_s, false)];
     marks.sort_by(|a, b| a.0.total_cmp(&b.0));
     for (time_s, is_window) in marks {
         marcher.advance_to(time_s)?;
         if is_window {
+            earlier = marcher.statistics().contacts;
             marcher.reset_statistics();
             opened = Some((marcher.energies(), StartState::from_blocks(plant, &marcher.state(), time_s)));
         } else {
@@ -144,6 +146,7 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
         max_penetration_m: statistics.max_penetration_m,
         max_contact_force_n: statistics.max_force_n,
         contacts: statistics.contacts,
+        contacts_in_all: earlier + statistics.contacts,
         contact_duty: statistics.time_s / plan.average_over_s,
         settlement,
         energies,

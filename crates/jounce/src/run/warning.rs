@@ -60,7 +60,7 @@ impl Warning {
     pub fn of(spec: &Spec, kernel: &Kernel, plan: &RunPlan, answer: &RunAnswer) -> Vec<Self> {
         let limits = Limits::of(spec, &kernel.plant).exceeded(kernel, &answer.trajectory).into_iter().map(Self::Limit);
         let residual_relative = answer.energies.residual_relative();
-        let is_unbalanced = !(residual_relative.abs() <= UNBALANCED || answer.energies.are_still());
+        let is_unbalanced = !(residual_relative.abs() <= UNBALANCED || answer.nothing_happened());
         let unbalanced = is_unbalanced.then_some(Self::Unbalanced { residual_relative });
         limits.chain(Self::of_recordings(spec, plan)).chain(unbalanced).collect()
     }

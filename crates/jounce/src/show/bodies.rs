@@ -1,7 +1,7 @@
 //! The bodies of a spec, and which of them a reference names.
 
 use super::{circuits, words};
-use crate::picture::{DrawnBeam, DrawnBody, DrawnPatch, DrawnPlace, DrawnShape, Seat};
+use crate::picture::{DrawnBeam, DrawnBody, DrawnContact, DrawnPatch, DrawnPlace, DrawnShape, Seat};
 use crate::spec::{Beam, Face, Mass, Spec};
 
 /// The place of every body in the drawing: masses, then beams, then structures given by their modes.
@@ -23,9 +23,17 @@ impl<'s> Index<'s> {
 
     /// The bodies that stand on a base, on others or by themselves.
     pub fn on_base(&self, spec: &Spec, base: &str) -> Vec<usize> {
-        let beams: Vec<String> = self.beams.iter().map(|name| format!("{name}.root")).collect();
-        let points = self.masses.iter().copied().chain(beams.iter().map(String::as_str));
+        // Any point of a beam, or of a structure given by its modes, stands for all of it.
+        let long: Vec<String> = self.beams.iter().chain(&self.modal).map(|name| format!("{name}.root")).collect();
+        let points = self.masses.iter().copied().chain(long.iter().map(String::as_str));
         points.enumerate().filter(|(_, point)| spec.base_under(point) == base).map(|(body, _)| body).collect()
+    }
+
+    /// The contacts whose stop stands on a base itself, on no body.
+    pub fn stops_on(spec: &Spec, contacts: &[(&str, DrawnContact)], base: &str) -> Vec<usize> {
+        let frame = |name: &str| spec.stop.get(name).map(|stop| stop.frame.as_str());
+        let own = contacts.iter().enumerate().filter(|(_, (name, _))| frame(name) == Some(base));
+        own.map(|(index, _)| index).collect()
     }
 
     /// What a reference names: a mass, or a point of a beam or of a structure given by its modes; nothing for the ground.

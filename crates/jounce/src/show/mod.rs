@@ -4,7 +4,7 @@ mod circuits;
 mod words;
 
 use crate::picture::{Drawing, DrawnContact, DrawnDrive};
-use crate::spec::{Side, Spec};
+use crate::spec::{Side, Spec, Stop};
 
 /// Draws the harvester of a spec.
 ///
@@ -13,7 +13,7 @@ use crate::spec::{Side, Spec};
 #[must_use]
 pub fn drawing(title: &str, spec: &Spec) -> Drawing {
     let index = bodies::Index::of(spec);
-    let contacts = spec.stop.iter().filter_map(|(name, stop)| {
+    let contact = |name: &String, stop: &Stop| {
         Some(DrawnContact {
             label: words::on_base(spec, vec![name.clone()], &stop.frame).join(" "),
             at: index.place(spec, &stop.at)?,
@@ -22,17 +22,22 @@ pub fn drawing(title: &str, spec: &Spec) -> Drawing {
             gap_m: stop.gap_m,
             law: words::law(&stop.law),
         })
-    });
+    };
+    let contacts: Vec<(&str, DrawnContact)> =
+        spec.stop.iter().filter_map(|(name, stop)| Some((name.as_str(), contact(name, stop)?))).collect();
     let drives = spec.drive.iter().map(|(name, drive)| DrawnDrive {
         words: words::drive(name, drive),
         at: index.place(spec, &drive.at),
+        base: drive.base().map(str::to_owned),
         carried: drive.base().map_or_else(Vec::new, |base| index.on_base(spec, base)),
+        stops: drive.base().map_or_else(Vec::new, |base| bodies::Index::stops_on(spec, &contacts, base)),
     });
+    let drives = drives.collect();
     Drawing {
         title: title.to_owned(),
         bodies: bodies::bodies(spec, &index),
-        contacts: contacts.collect(),
-        drives: drives.collect(),
+        contacts: contacts.into_iter().map(|(_, contact)| contact).collect(),
+        drives,
         gravity: words::gravity(&spec.gravity),
         circuits: circuits::circuits(spec),
     }

@@ -200,7 +200,7 @@ fn point_of(answer: &RunAnswer, plan: &RunPlan, (index, parameter, direction): (
         parameter,
         direction,
         mean_power_w: answer.mean_power_w,
-        voltage_rms_v: answer.loads.first().map_or(0.0, |load| load.voltage_rms_v),
+        voltage_rms_v: answer.voltage_rms_v().unwrap_or(f64::NAN),
         max_penetration_m: answer.max_penetration_m,
         contact_rate_hz: answer.contacts as f64 / plan.average_over_s,
         settled: answer.settlement.is_some_and(|found| found.settled),

@@ -37,7 +37,8 @@ pub struct SweepPoint {
     pub direction: Way,
     /// Mean power of all loads, W.
     pub mean_power_w: f64,
-    /// Voltage of the first load, rms, V.
+    /// Voltage of the first load or, without one, of the storage of the first rectified circuit, rms, V; NaN where nothing takes power.
+    #[serde(deserialize_with = "nan_for_null")]
     pub voltage_rms_v: f64,
     /// Largest penetration, m.
     pub max_penetration_m: f64,
@@ -56,4 +57,9 @@ pub struct SweepPoint {
     pub exceeded: Vec<Exceeded>,
     /// State at the end.
     pub end: StartState,
+}
+
+/// JSON has no NaN: it is written as null.
+fn nan_for_null<'de, D: serde::Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    Ok(Option::deserialize(from)?.unwrap_or(f64::NAN))
 }

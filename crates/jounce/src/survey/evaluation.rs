@@ -78,7 +78,7 @@ fn run(prepared: &Prepared, folder: &Path) -> Result<Vec<f64>, StudyError> {
     let answer = simulate(&kernel, &start, &plan)?;
     Ok(vec![
         answer.mean_power_w,
-        answer.loads.first().map_or(f64::NAN, |load| load.voltage_rms_v),
+        answer.voltage_rms_v().unwrap_or(f64::NAN),
         answer.max_penetration_m,
         answer.max_contact_force_n,
         answer.contacts as f64 / plan.average_over_s,

@@ -140,7 +140,7 @@ impl Quantity {
         match self {
             Self::Run => vec![
                 power,
-                number("voltage_rms_v", "V", "voltage of the first load, rms"),
+                number("voltage_rms_v", "V", "voltage of the first load, else of what the first rectifier feeds, rms"),
                 number("max_penetration_m", "m", "largest penetration of the stop"),
                 number("max_contact_force_n", "N", "largest contact force"),
                 number("contact_rate_hz", "Hz", "contacts per second"),

@@ -32,6 +32,17 @@ fn two_oscillators_swing_at_the_bilinear_frequency() {
     assert!(error < 1e-8 && relative(statistics.time_s, 20.0 * PI / 10.0) < 1e-7, "{error:e}");
 }
 
+/// The spec by itself shows it: pressed together for half a period of 10 rad/s, at whatever speeds.
+#[test]
+fn the_spec_starts_as_the_oscillators_meet() {
+    for settings in [vec![], vec![("mass.lower.velocity", "0.3 m/s")]] {
+        let (_, answer) = run(EXAMPLE, "bilinear.toml", &settings);
+        let error = relative(answer.stops[0].mean_dwell_s, PI / 10.0);
+        eprintln!("{settings:?}: {error:.1e}");
+        assert!(answer.contacts == 3 && error < 1e-6, "{settings:?}: {} contacts, {error:e}", answer.contacts);
+    }
+}
+
 /// Equal beams on one base move alike; beams that are far apart do not know of each other: no contact, and the power of linear theory.
 #[test]
 fn equal_beams_and_distant_beams_are_linear() {

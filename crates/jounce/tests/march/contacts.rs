@@ -103,6 +103,24 @@ fn nothing_happens_to_a_ball_at_rest() {
     assert!(!falls.are_still() && falls.residual_relative().abs() < 1e-12);
 }
 
+/// An elastic collision changes no energy, but it is no run in which nothing happened, before the averaging window or in it.
+#[test]
+fn an_elastic_collision_is_something() {
+    let mut system = springs(&[0.0], 0.0);
+    system.stops.push(stop(&[1.0], 0.1, Law::Rigid(Rigid { restitution: 1.0 })));
+    let kernel = kernel(system);
+    let rest = StartState::rest(&kernel.plant);
+    for (average_over_s, contacts) in [(1.0, 1), (0.5, 0)] {
+        let start = StartState { velocity: vec![1.0], ..rest.clone() };
+        let plan = RunPlan { duration_s: 1.0, average_over_s, tolerance: 1e-9, record_s: 0.0 };
+        let answer = simulate(&kernel, &start, &plan).unwrap();
+        assert!(answer.energies.are_still() && answer.contacts == contacts && !answer.nothing_happened(), "{answer:?}");
+    }
+    let plan = RunPlan { duration_s: 1.0, average_over_s: 1.0, tolerance: 1e-9, record_s: 0.0 };
+    let idle = simulate(&kernel, &rest, &plan).unwrap();
+    assert!(idle.contacts == 0 && idle.nothing_happened());
+}
+
 /// A window that opens inside a contact, at its deepest: the force there is the largest of the window. Closed form `k d^1.5`, on a mass
 /// that a stop 2 mm deep throws off, with a law that also damps, and on a spring on both sides. Measured: exact to roundoff.
 #[test]

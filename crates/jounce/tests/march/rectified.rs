@@ -2,11 +2,12 @@
 
 use crate::plants::{from_rest, kernel};
 use jounce::contact::{Hertz, Law};
-use jounce::march::{Kernel, Marcher};
+use jounce::march::{Kernel, Marcher, Watch};
 use jounce::plant::{Bridge, BridgeState, Connection, Drive, Scheme, Stop, Storage, System};
 use jounce::run::{RunPlan, StartState, charges, simulate};
-use jounce::spec::Wiring;
+use jounce::spec::{SpecFile, Wiring};
 use jounce::structure::{Modes, PatchModes};
+use jounce::study::{Direction, Prepared, Sweep, SweepPoint};
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
@@ -259,5 +260,50 @@ fn diodes_far_faster_than_the_motion_change_during_a_contact() {
         let (change, residual) = (answer.mean_power_w / fine.mean_power_w - 1.0, answer.energies.residual_relative());
         eprintln!("{tolerance:e}: {} contacts, power {:e} W, {change:.1e}, residual {residual:.1e}", answer.contacts, answer.mean_power_w);
         assert!(change.abs() < 1e-5 && residual.abs() < 1e-8, "{tolerance:e}: {change:e}, {residual:e}");
+    }
+}
+
+/// A sweep tells the voltage of a rectified circuit that a run tells, and none where nothing takes power; both come back from a journal.
+#[test]
+fn a_sweep_tells_the_voltage_of_the_storage() {
+    let text = r#"
+[modal.m]
+frequency_hz = [10.0]
+damping_ratio = [0.02]
+[modal.m.point]
+tip = [1.0]
+[modal.m.patch.p]
+coupling_n_per_v = [1e-3]
+capacitance = "10 nF"
+[drive.f]
+at = "m.tip"
+amplitude = "1 N"
+frequency = "10 Hz"
+[reduction]
+modes = 1
+[run]
+duration = "2 s"
+average_over = "1 s"
+"#;
+    let bridge = "[circuit.r]\npatch = \"p\"\ninterface = \"bridge\"\nstorage = \"10 nF\"\nresistance = \"10 Mohm\"\n";
+    let bridge = bridge.replace("\"p\"", "\"m.p\"");
+    for (circuit, is_told) in [(bridge.as_str(), true), ("", false)] {
+        let mut whole = format!("{text}{circuit}");
+        if !is_told {
+            whole = whole.replace("capacitance =", "electrodes = \"open\"\ncapacitance =");
+        }
+        let file = SpecFile::from_text(whole);
+        let (spec, range) = (file.spec().unwrap(), file.range("drive.f.amplitude=1N:2N:2").unwrap());
+        let sweep = Sweep { spec: &spec, range: &range, direction: Direction::Independent, fixed_duration: true, folder: "".into() };
+        let points = sweep.run(None, &Watch::default(), &|_| ()).unwrap();
+        let prepared = Prepared::new(spec.clone()).unwrap();
+        let start = prepared.start(std::path::Path::new("")).unwrap();
+        let run = simulate(&prepared.from_state(&start).unwrap(), &start, &RunPlan::of(&spec.run, 0.0)).unwrap();
+        let found = points[0].voltage_rms_v;
+        let back: SweepPoint = serde_json::from_str(&serde_json::to_string(&points[0]).unwrap()).unwrap();
+        match run.rectified.first() {
+            Some(storage) => assert!(is_told && found == storage.voltage_rms_v && found > 0.0 && back.voltage_rms_v == found, "{found}"),
+            None => assert!(!is_told && run.voltage_rms_v().is_none() && found.is_nan() && back.voltage_rms_v.is_nan(), "{found}"),
+        }
     }
 }

@@ -1,8 +1,9 @@
 //! What must not matter: when the clock starts, which side is positive, the units, where the march is interrupted.
 
-use crate::plants::{bench, distance, from_rest, kernel, march, physical, relative};
+use crate::plants::{bench, distance, from_rest, kernel, march, physical, relative, springs};
 use jounce::contact::{Hertz, Law};
 use jounce::march::Marcher;
+use jounce::plant::{Drive, Stop};
 use jounce::run::{RunPlan, StartState, simulate};
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
@@ -105,4 +106,26 @@ fn a_run_goes_on_from_its_end() {
     let error = distance(&onward, &rest.end.physical(), &whole.end.physical());
     eprintln!("gone on {error:.1e}");
     assert!(error < 1e-8 && relative(rest.mean_power_w, whole.mean_power_w) < 1e-8, "{error:e}");
+}
+
+/// One mass on equal Hertz stops at one place: three tell what one three times as stiff does, the same each, though roundoff lets them go
+/// and brings them back at the instant of the strike.
+#[test]
+fn equal_stops_at_one_place_are_told_alike() {
+    let stopped = |count: usize| {
+        let mut system = springs(&[30.0], 0.02);
+        let shape = vec![10.0];
+        let drive = Drive { name: "x".into(), shape: shape.clone(), amplitude_n: 2.0, frequency_hz: 20.0, phase_rad: 0.0, base: None };
+        system.drives.push(drive);
+        let law = Law::Hertz(Hertz { stiffness: 3e5 / count as f64, exponent: 1.5 });
+        system.stops =
+            (0..count).map(|i| Stop { name: format!("{i}"), shape: shape.clone(), gap_m: 1e-3, law, bases: Vec::new() }).collect();
+        from_rest(&kernel(system), 1.0, 1e-11)
+    };
+    let (one, three) = (stopped(1), stopped(3));
+    let counts: Vec<u64> = three.stops.iter().map(|stop| stop.contacts).collect();
+    let dwell_s: Vec<f64> = three.stops.iter().map(|stop| stop.mean_dwell_s).collect();
+    eprintln!("{} {counts:?}, {:e} {dwell_s:?}", one.contacts, one.stops[0].mean_dwell_s);
+    assert!(one.contacts > 10 && counts == [one.contacts; 3]);
+    assert!(dwell_s.iter().all(|own| relative(*own, one.stops[0].mean_dwell_s) < 1e-6), "{dwell_s:?}");
 }

@@ -148,7 +148,14 @@ impl Marcher<'_> {
     }
 
     fn enter(&mut self, p: usize) {
-        self.struck(p);
+        // Beside a stop that is struck at the same instant, a port may be let go by roundoff and come back at once: that is one contact.
+        let at_once_s = (AT_ONCE * Kernel::length_s(self.ports[p].entry_level)).max(RESOLVED * self.time_s.abs());
+        if self.time_s - self.ports[p].entered_s <= at_once_s && !self.is_rigid(p) {
+            (self.ports[p].penetration_m, self.ports[p].regime) = (0.0, Regime::Contact);
+        } else {
+            self.struck(p);
+            self.ports[p].entered_s = self.time_s;
+        }
         let port = &mut self.ports[p];
         (port.level, port.entering) = (port.entry_level, true);
     }

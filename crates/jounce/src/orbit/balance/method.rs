@@ -148,7 +148,7 @@ impl<H: Harvester> OrbitMethod for HarmonicBalance<'_, H> {
         let loads_w = self.loads_w(local);
         orbit.mean_power_w = loads_w.iter().sum::<f64>() + 0.0;
         let first = loads_w.first().zip(local.kernel.plant.system.loads.first());
-        orbit.voltage_rms_v = first.map_or(0.0, |(power_w, load)| (power_w * load.resistance_ohm).sqrt());
+        orbit.voltage_rms_v = first.map_or(f64::NAN, |(power_w, load)| (power_w * load.resistance_ohm).sqrt());
         orbit.error_estimate = error + self.shooting.estimate(shot, &orbit);
         Ok(orbit)
     }

@@ -14,6 +14,8 @@ use crate::picture::svg::number;
 const TIP: f64 = 5.0;
 /// Height of tip and pin, px.
 pub const PIN: f64 = 26.0;
+/// Width of the ground behind a stop, px.
+const GROUND: f64 = 36.0;
 /// A gap that the side view shows by itself, px.
 pub const SEEN: f64 = 14.0;
 
@@ -33,6 +35,13 @@ pub fn contact(canvas: &mut Canvas, drawing: &Drawing, layout: &Layout, index: u
     }
     let anchor = if layout.opposite[index] { 0.5 * (near + struck) } else { struck + way * PIN };
     canvas.label((x, anchor), (1.0, 0.3 * way), words(drawing, layout, index));
+}
+
+/// Where the left end of the ground behind a stop is, relative to the layout.
+pub fn foot(drawing: &Drawing, layout: &Layout, drawn: &DrawnContact) -> (f64, f64) {
+    let (x, middle) = layout.point(drawing, drawn.at);
+    let far = middle + way(drawn) * (layout.reach(drawing, drawn) + PIN);
+    (x - 0.5 * GROUND, far)
 }
 
 /// Its name with the gap, and its law.
@@ -66,7 +75,7 @@ fn stop(canvas: &mut Canvas, drawing: &Drawing, layout: &Layout, drawn: &DrawnCo
     canvas.cover(Rect::between((x - TIP, y), (x + TIP, far)));
     match drawn.on {
         None => {
-            ground(canvas.svg, (x - 18.0, far), 36.0, if drawn.above { Far::Above } else { Far::Below });
+            ground(canvas.svg, (x - 0.5 * GROUND, far), GROUND, if drawn.above { Far::Above } else { Far::Below });
             canvas.cover(Rect::between((x - 24.0, far), (x + 24.0, far + way * HATCH)));
         }
         Some(on) => {

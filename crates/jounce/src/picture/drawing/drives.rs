@@ -5,10 +5,14 @@ use super::bodies::WALL;
 use super::canvas::Canvas;
 use super::layout::Layout;
 use super::rect::Rect;
-use super::{Drawing, DrawnDrive, DrawnPlace, DrawnShape, Seat, dimension};
+use super::{Drawing, DrawnDrive, DrawnPlace, DrawnShape, Seat, contacts, dimension};
+use std::collections::BTreeSet;
 
 /// Height of the arrow of a drive, px.
 const ARROW: f64 = 36.0;
+
+/// Distance of the arrow of a base from what stands on it, px.
+const ASIDE: f64 = 20.0;
 
 /// The forces on the bodies of a group.
 pub fn forces(canvas: &mut Canvas, drawing: &Drawing, layout: &Layout, group: usize, shift: (f64, f64)) {
@@ -40,24 +44,37 @@ fn arrow(canvas: &mut Canvas, x: f64, y: f64) {
     canvas.cover(Rect::around((x, y), (10.0, ARROW)));
 }
 
-/// Motions of bases: an arrow beside the first body of the group that stands on one.
-pub fn base(canvas: &mut Canvas, drawing: &Drawing, layout: &Layout, group: usize, shift: (f64, f64)) {
-    let carries = |drive: &&DrawnDrive| drive.at.is_none() && drive.carried.iter().any(|body| layout.group[*body] == group);
-    let moving: Vec<&DrawnDrive> = drawing.drives.iter().filter(carries).collect();
-    let words: Vec<String> = moving.iter().map(|drive| drive.words.clone()).collect();
-    let left = |body: &usize| (layout.spots[*body].x, layout.spots[*body].y);
-    let is_carried = |body: &usize| moving.iter().any(|drive| drive.carried.contains(body));
-    let of = |seat: Seat| layout.members(group).filter(move |body| is_carried(body) && drawing.bodies[*body].seat == seat);
-    let leftmost = |seat: Seat| of(seat).min_by(|a, b| left(a).0.total_cmp(&left(b).0).then(left(a).1.total_cmp(&left(b).1)));
-    let foot = leftmost(Seat::Ground).or_else(|| leftmost(Seat::Spring(None))).or_else(|| layout.members(group).next());
-    let Some(body) = foot.filter(|_| !words.is_empty()) else { return };
-    let spot = layout.spots[body];
-    let room = room(drawing, body, spot, layout.px_per_m);
-    let x = if spot.way < 0.0 { room.right + 20.0 } else { room.left - 20.0 };
-    let (x, y) = (x + shift.0, 0.5 * (room.top + room.bottom) + shift.1);
-    dimension::arrow(canvas.svg, x, (y + WALL, y - WALL), true);
-    canvas.cover(Rect::around((x, y), (10.0, 2.0 * WALL)));
-    canvas.label((x, y - WALL), (-0.5, -1.0), words);
+/// Motions of bases, each base by itself.
+pub fn bases(canvas: &mut Canvas, drawing: &Drawing, layout: &Layout, group: usize, shift: (f64, f64)) {
+    let names: BTreeSet<&String> = drawing.drives.iter().filter_map(|drive| drive.base.as_ref()).collect();
+    for name in names {
+        let moving: Vec<&DrawnDrive> = drawing.drives.iter().filter(|drive| drive.base.as_ref() == Some(name)).collect();
+        let Some((x, y)) = foot(drawing, layout, group, moving[0]) else { continue };
+        let (x, y) = (x + shift.0, y + shift.1);
+        dimension::arrow(canvas.svg, x, (y + WALL, y - WALL), true);
+        canvas.cover(Rect::around((x, y), (10.0, 2.0 * WALL)));
+        canvas.label((x, y - WALL), (-0.5, -1.0), moving.iter().map(|drive| drive.words.clone()).collect());
+    }
+}
+
+/// Where the arrow of a base stands in a group: beside the first body that it holds, beside a stop that stands on it, or beside what
+/// is only moved by it; nowhere where the group has nothing of that base.
+fn foot(drawing: &Drawing, layout: &Layout, group: usize, drive: &DrawnDrive) -> Option<(f64, f64)> {
+    let place = |body: &usize| (layout.spots[*body].x, layout.spots[*body].y);
+    let carried = || layout.members(group).filter(|body| drive.carried.contains(body));
+    let of = |seat: Seat| carried().filter(move |body| drawing.bodies[*body].seat == seat);
+    let leftmost = |seat: Seat| of(seat).min_by(|a, b| place(a).0.total_cmp(&place(b).0).then(place(a).1.total_cmp(&place(b).1)));
+    let beside = |body: usize| {
+        let spot = layout.spots[body];
+        let room = room(drawing, body, spot, layout.px_per_m);
+        (if spot.way < 0.0 { room.right + ASIDE } else { room.left - ASIDE }, 0.5 * (room.top + room.bottom))
+    };
+    let stop = || {
+        let mut own = drive.stops.iter().map(|index| &drawing.contacts[*index]);
+        own.find(|contact| layout.group[contact.at.body] == group).map(|contact| contacts::foot(drawing, layout, contact))
+    };
+    let held = leftmost(Seat::Ground).or_else(|| leftmost(Seat::Spring(None)));
+    held.map(beside).or_else(|| stop().map(|(x, y)| (x - ASIDE, y))).or_else(|| carried().next().map(beside))
 }
 
 /// The arrow of gravity at a place of the sheet.

@@ -117,8 +117,12 @@ pub struct DrawnDrive {
     pub words: String,
     /// Where a force acts; nothing for motions of a base.
     pub at: Option<DrawnPlace>,
+    /// The base that moves; nothing for a force.
+    pub base: Option<String>,
     /// The bodies on the base that moves.
     pub carried: Vec<usize>,
+    /// The contacts whose stop stands on that base itself.
+    pub stops: Vec<usize>,
 }
 
 /// A circuit: elements between two wires, from left to right.

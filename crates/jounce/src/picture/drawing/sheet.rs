@@ -99,7 +99,7 @@ fn scene(svg: &mut Svg, drawing: &Drawing, layout: &Layout, number: usize, shift
         }
     }
     drives::forces(&mut canvas, drawing, layout, number, shift);
-    drives::base(&mut canvas, drawing, layout, number, shift);
+    drives::bases(&mut canvas, drawing, layout, number, shift);
     if number == 0 {
         drives::gravity(&mut canvas, drawing, (WIDTH - EDGE - 20.0, layout.extent(drawing, number).top + shift.1));
     }

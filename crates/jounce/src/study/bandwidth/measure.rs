@@ -4,7 +4,8 @@
 //! modulus one. The peak is an end of a segment or a zero of `dP/ds`; the zeros of `P - P_peak / 2` end what lies above half of it.
 //!
 //! Errors: `E |P| / |dP/dp|` at a half-power edge and `E |P| / |d2P/dp2| / step` at a peak, with `E` the error of the power, twice that
-//! of the state; where stability is lost the error of the multiplier over its slope.
+//! of the state; where stability is lost the error of the multiplier over its slope, at
+//! most the way to the farther one of the two points between which that is.
 
 use super::answer::{Bandwidth, Bandwidths, Edge, Interval, Limit, Peak};
 use super::merge::merged;
@@ -138,6 +139,8 @@ impl<'s> BandwidthSearch<'s> {
         let off = (found.value.abs() + MULTIPLIER * self.tolerance) / slope.abs();
         // At a fold the key is stationary: what counts there is of second order.
         let parameter_error = off * piece.parameter_slope(found.place.x)?.abs() + off * off * (self.range.1 - self.range.0);
+        // It lies between the two points, however slowly the multiplier goes through one.
+        let parameter_error = parameter_error.min(segment.farthest(found.place.parameter));
         let edge = Edge { parameter: found.place.parameter, parameter_error, at: Limit::Stability };
         Some(Node { x: found.place.x, power_w: found.place.mean_power_w, edge })
     }
@@ -211,6 +214,11 @@ impl Segment<'_> {
             shared.is_some_and(|shared| other.ends[1 - shared].power_w > power_w)
         };
         (!all.iter().any(rises)).then_some(power_w)
+    }
+
+    /// Distance of a value of the key from the farther one of the two points.
+    fn farthest(&self, parameter: f64) -> f64 {
+        self.points.iter().map(|point| (point.parameter - parameter).abs()).fold(0.0, f64::max)
     }
 
     /// Where stability is lost beyond a stable end, known to the width of the piece only: the curve between its points cannot be had.

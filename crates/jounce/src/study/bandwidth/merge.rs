@@ -23,12 +23,23 @@ pub fn merged(peak: Peak, mut ranges: Vec<Interval>) -> Bandwidth {
     }
     let width = intervals.iter().map(|range| range.to.parameter - range.from.parameter).sum();
     let width_error = intervals.iter().map(|range| range.to.parameter_error + range.from.parameter_error).sum();
+    // A lone stable point beside an end of stability that is not known more closely has no width, but what it may have is not known either.
+    intervals.retain(|range| range.to.parameter > range.from.parameter);
     Bandwidth { peak, width, width_error, intervals }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_range_without_width_is_none_and_its_error_stays() {
+        let edge = |parameter: f64| Edge { parameter, parameter_error: 0.25, at: Limit::Stability };
+        let range = |a: f64, b: f64| Interval { from: edge(a), to: edge(b) };
+        let peak = Peak { parameter: 2.0, parameter_error: 0.0, mean_power_w: 1.0, at: Limit::Maximum };
+        let found = merged(peak, vec![range(1.0, 2.0), range(6.0, 6.0)]);
+        assert_eq!((found.intervals.len(), found.width, found.width_error), (1, 1.0, 1.0));
+    }
 
     #[test]
     fn ranges_that_touch_are_one_and_their_outer_ends_stay() {
