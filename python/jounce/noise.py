@@ -45,8 +45,8 @@ class NoiseResult(Result):
     stop_gap_m: Annotated[Floats, Along("stop", "m", "gap")]
     stop_mean_m: Annotated[Floats, Along("stop", "m", "mean displacement towards the stop")]
     stop_displacement_rms_m: Annotated[Floats, Along("stop", "m", "displacement towards the stop, rms about its mean")]
-    #: How often the gap would be reached, 1/s, and the share of the time beyond it; NaN where a noise moves one side of the gap alone, farther and
-    #: farther.
+    #: How often the gap would be reached, 1/s, and the share of the time beyond it; NaN where a noise moves one side of the gap
+    #: alone, farther and farther.
     stop_reached_hz: Annotated[Floats, Along("stop", "1/s", "how often the gap would be reached")]
     stop_share_beyond: Annotated[Floats, Along("stop", "1", "share of the time beyond the gap")]
     #: Frequencies of the densities, Hz, closer about each resonance.
