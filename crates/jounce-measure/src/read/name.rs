@@ -108,7 +108,8 @@ pub(super) fn split(head: &str) -> (String, String) {
     let head = head.trim().trim_matches('"').trim();
     for (open, close) in [('[', ']'), ('(', ')')] {
         if let Some((name, unit)) = bracketed(head, open, close) {
-            // Brackets with something else inside belong to the name.
+            // In `a/(m/s^2)` a line stands between name and unit; brackets with something else inside belong to the name.
+            let name = name.trim_end_matches('/').trim_end();
             if !name.is_empty() && (open == '[' || is_known(unit) || may_be_unit(name, unit)) {
                 return (name.to_owned(), unit.to_owned());
             }
@@ -147,7 +148,7 @@ fn may_be_unit(name: &str, inside: &str) -> bool {
     word && (!single || inside.contains(['A', 'C', 'F', 'H', 'J', 'K', 'S', 'T', 'W', '\u{3a9}', '\u{2126}']))
 }
 
-/// `U/V`, `t/s` and `a/(m/s^2)`: a name over its unit, as in axes of figures. A quotient of two units is none.
+/// `U/V` and `t/s`: a name over its unit, as in axes of figures. A quotient of two units is none.
 fn divided(head: &str) -> Option<(&str, &str)> {
     let (name, unit) = head.split_once('/').filter(|_| !is_known(head))?;
     let (name, unit) = (name.trim(), unit.trim());
@@ -214,7 +215,7 @@ mod tests {
             ("a_db", "a_db", "dB"),
             ("U/V", "U", "V"),
             ("t / s", "t", "s"),
-            ("a/(m/s^2)", "a", "(m/s^2)"),
+            ("a/(m/s^2)", "a", "m/s^2"),
             ("left/right", "left/right", ""),
             ("pC/N", "pC/N", ""),
             ("rad/s", "rad/s", ""),
