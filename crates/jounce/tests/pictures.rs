@@ -289,6 +289,8 @@ frequency = "20 Hz"
 "#;
 
 const BEAM: &str = r#"
+[damping]
+beyond = 0.01
 [beam.arm]
 material = "aluminium"
 length = "120 mm"
@@ -308,6 +310,8 @@ frequency = "15 Hz"
 "#;
 
 const TWO_BEAMS: &str = r#"
+[damping]
+beyond = 0.01
 [beam.arm]
 material = "steel"
 length = "90 mm"

@@ -293,7 +293,7 @@ average_over = "1 s"
             whole = whole.replace("capacitance =", "electrodes = \"open\"\ncapacitance =");
         }
         let file = SpecFile::from_text(whole);
-        let (spec, range) = (file.spec().unwrap(), file.range("drive.f.amplitude=1N:2N:2").unwrap());
+        let (spec, range) = (file.spec().unwrap(), file.range("drive.f.amplitude=1N:2N:2x").unwrap());
         let sweep = Sweep { spec: &spec, range: &range, direction: Direction::Independent, fixed_duration: true, folder: "".into() };
         let points = sweep.run(None, &Watch::default(), &|_| ()).unwrap();
         let prepared = Prepared::new(spec.clone()).unwrap();
