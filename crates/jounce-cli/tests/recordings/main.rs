@@ -58,6 +58,11 @@ fn struck(folder: &Path) {
         vec![f64::from(k) / 50_000.0, pulse(1000, 40.0) + pulse(11_000, 30.0) + noise]
     };
     csv(&folder.join("hammer.csv"), "time [s],hammer [N]", (0..20_000).map(force));
+    let answered = |k: u32| {
+        let [time_s, force_n] = force(k)[..] else { unreachable!("a time and a force") };
+        vec![time_s, force_n, 2.0 * force_n]
+    };
+    csv(&folder.join("answered.csv"), "time [s],hammer [N],answer [m/s^2]", (0..20_000).map(answered));
 }
 
 #[test]
@@ -271,10 +276,11 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
         (vec!["frf", "--measured", "switch.csv"], 4, "newtons"),
         (vec!["frf", "--measured", "switch.csv", "--force", "base"], 4, "not in newtons"),
         (vec!["frf", "--measured", "hammer.csv", "--response", "hamer"], 4, "hammer"),
-        (vec!["frf", "--measured", "hammer.csv", "--response", "hammer", "--block", "3s"], 4, "segments"),
+        (vec!["frf", "--measured", "hammer.csv", "--response", "hammer"], 4, "cannot respond to itself"),
+        (vec!["frf", "--measured", "answered.csv", "--block", "3s"], 4, "segments"),
         (vec!["frf", "--measured", "hammer.csv", "--end-ratio", "2"], 2, "--end-ratio"),
-        (vec!["modes", "--measured", "hammer.csv", "--response", "hammer", "--between", "9Hz:3Hz"], 2, "--between"),
-        (vec!["modes", "--measured", "hammer.csv", "--response", "hammer", "--between", "1Hz:20Hz"], 4, "widen the band"),
+        (vec!["modes", "--measured", "answered.csv", "--between", "9Hz:3Hz"], 2, "--between"),
+        (vec!["modes", "--measured", "answered.csv", "--between", "1Hz:20Hz"], 4, "widen the band"),
     ] {
         let (found, _, stderr) = jounce(here, &arguments);
         assert_eq!(found, code, "{arguments:?}: {stderr}");
