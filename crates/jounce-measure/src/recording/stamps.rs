@@ -115,15 +115,7 @@ impl Holed {
     }
 
     fn about<S: Series>(stamps: &S, median: f64) -> Result<Option<Self>, S::Fault> {
-        let most = ONE_STEP * median;
-        let (mut sum, mut count) = (0.0, 0.0);
-        steps(stamps, |_, step| {
-            if step < most {
-                sum += step;
-                count += 1.0;
-            }
-        })?;
-        let near = sum / count;
+        let near = mean_below(stamps, ONE_STEP * median)?;
         let (mut total, mut places, mut long, mut apart) = (0.0, 0.0, 0.0, true);
         steps(stamps, |_, step| {
             let passed = places_passed(step, near);
@@ -160,8 +152,8 @@ pub(crate) fn usual_step<S: Series>(stamps: &S) -> Result<f64, S::Fault> {
     }
 }
 
-fn mean_step<S: Series>(stamps: &S, median: f64) -> Result<f64, S::Fault> {
-    let most = LONG_GAP * median;
+/// Mean of the steps below a length; NaN where there are none.
+fn mean_below<S: Series>(stamps: &S, most: f64) -> Result<f64, S::Fault> {
     let (mut sum, mut count) = (0.0, 0.0);
     steps(stamps, |_, step| {
         if step < most {
@@ -169,8 +161,13 @@ fn mean_step<S: Series>(stamps: &S, median: f64) -> Result<f64, S::Fault> {
             count += 1.0;
         }
     })?;
-    if count > 0.0 {
-        return Ok(sum / count);
+    Ok(sum / count)
+}
+
+fn mean_step<S: Series>(stamps: &S, median: f64) -> Result<f64, S::Fault> {
+    let usual = mean_below(stamps, LONG_GAP * median)?;
+    if usual.is_finite() {
+        return Ok(usual);
     }
     let (mut first, mut last) = (None, f64::NAN);
     stamps.each(|t| {

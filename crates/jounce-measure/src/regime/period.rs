@@ -120,15 +120,21 @@ impl Cycles {
         (0..windows).map(move |k| k * count / windows..(k + 1) * count / windows)
     }
 
+    /// The mean row of a class of cycles, and how many these are.
+    fn middle(&self, class: impl Iterator<Item = usize> + Clone) -> (Vec<f64>, f64) {
+        let members = class.clone().count() as f64;
+        let mut middle = vec![0.0; self.width];
+        class.for_each(|cycle| middle.iter_mut().zip(self.row(cycle)).for_each(|(sum, x)| *sum += x / members));
+        (middle, members)
+    }
+
     /// For each row the mean square of what its class does not hold.
     fn folded(&self, n: usize) -> Vec<f64> {
         let mut left = vec![0.0; self.count()];
         for window in self.windows() {
             for first in window.clone().take(n) {
                 let class = || (first..window.end).step_by(n);
-                let members = class().count() as f64;
-                let mut middle = vec![0.0; self.width];
-                class().for_each(|cycle| middle.iter_mut().zip(self.row(cycle)).for_each(|(sum, x)| *sum += x / members));
+                let (middle, members) = self.middle(class());
                 for cycle in class() {
                     let square: f64 = self.row(cycle).iter().zip(&middle).map(|(x, mean)| (x - mean).powi(2)).sum();
                     left[cycle] = square / self.width as f64 * members / (members - 1.0);
@@ -144,9 +150,7 @@ impl Cycles {
         for window in self.windows() {
             for first in window.clone().take(n) {
                 let class = || (first..window.end).step_by(n);
-                let members = class().count() as f64;
-                let mut middle = vec![0.0; self.width];
-                class().for_each(|cycle| middle.iter_mut().zip(self.row(cycle)).for_each(|(sum, x)| *sum += x / members));
+                let (middle, _) = self.middle(class());
                 for cycle in class() {
                     let row = &mut values[cycle * self.width..(cycle + 1) * self.width];
                     row.iter_mut().zip(&middle).for_each(|(x, mean)| *x -= mean);
