@@ -73,24 +73,17 @@ impl JumpSearch<'_> {
                 break;
             }
             if let Some(edge) = self.edge_between(tracking, &before, &position) {
-                if edge.share < ON_EDGE {
-                    break;
-                }
-                match self.cut(tracking, corrector, (&before, &position), edge) {
-                    Some(found) => {
-                        let mut found = point(tracking, &found.position, &found.local);
-                        *(if edge.is_first { &mut found.parameter } else { &mut found.parameter_2 }) = edge.value;
-                        curve.points.push(found);
-                    }
+                if edge.share >= ON_EDGE && !self.end_on(tracking, corrector, (&before, &position), edge, &mut curve) {
                     // From nearer to the edge it may be found.
-                    None if walk.retreat(mark) => continue,
-                    None => curve.failures.push(format!("just before the edge of the range, at {}", before.parameter)),
+                    if walk.retreat(mark) {
+                        continue;
+                    }
+                    curve.failures.push(format!("just before the edge of the range, at {}", before.parameter));
                 }
                 break;
             }
             curve.points.push(point(tracking, &position, &local));
-            let closed = curve.points.len() > 4 && passes(&metric, &origin, &before, &position);
-            if closed {
+            if curve.points.len() > 4 && passes(&metric, &origin, &before, &position) {
                 break;
             }
             if curve.points.len() >= MOST_POINTS {
@@ -99,6 +92,22 @@ impl JumpSearch<'_> {
             }
         }
         curve
+    }
+
+    /// Ends a curve with the point on an edge; false where that is not found.
+    fn end_on(
+        &self,
+        tracking: &Tracking<KeyPlane>,
+        corrector: Corrector,
+        way: (&Position, &Position),
+        edge: Edge,
+        curve: &mut JumpCurve,
+    ) -> bool {
+        let Some(found) = self.cut(tracking, corrector, way, edge) else { return false };
+        let mut found = point(tracking, &found.position, &found.local);
+        *(if edge.is_first { &mut found.parameter } else { &mut found.parameter_2 }) = edge.value;
+        curve.points.push(found);
+        true
     }
 
     /// The edge of the plane that is passed first on the way between two places.
