@@ -97,7 +97,7 @@ class Study:
     def keep(self, folder: str | PathLike[str], part: int, bytes: bytes) -> None: ...
 
 def basins(
-    spec: Spec, starts: int, seed: int, spread: float, grid: list[str], tolerance: float, threads: int | None, progress: _Progress
+    spec: Spec, starts: int | None, seed: int | None, spread: float | None, grid: list[str], tolerance: float, threads: int | None, progress: _Progress
 ) -> _Handed: ...
 def branch(
     spec: Spec,
@@ -116,13 +116,13 @@ def diagram(
     key: str,
     values: str,
     direction: str,
-    starts: int,
-    seed: int,
-    spread: float,
+    starts: int | None,
+    seed: int | None,
+    spread: float | None,
     cycles: int,
     tolerance: float,
     branches: bool,
-    longest_period: int,
+    longest_period: int | None,
     threads: int | None,
     progress: _Progress,
 ) -> _Handed: ...

@@ -75,8 +75,7 @@ class MeasuredModes(Result):
         if self.frf is not None and self.frf.window_decay_per_s > 0.0:
             lines.append(("window", f"its damping, {self.frf.window_decay_per_s:.5g} 1/s, was taken off"))
         if self.frf is not None and self.frf.block_s is None:
-            about = "taken as equal on all lines of each response; where it grows with the response the intervals are too narrow"
-            lines.append(("noise", about))
+            lines.append(("noise", "told by what the modes leave of each line"))
         return [*lines, ("misfit", f"{self.misfit:.3g}")]
 
     def _repr_html_(self) -> str:

@@ -172,9 +172,9 @@ class Spec(SpecOnRig):
     def basins(
         self,
         *,
-        starts: int = 200,
-        seed: int = 1,
-        spread: float = 10.0,
+        starts: int | None = None,
+        seed: int | None = None,
+        spread: float | None = None,
         grid: Mapping[str, Any] | None = None,
         tolerance: float = 1e-8,
         threads: int | None = None,
@@ -182,7 +182,7 @@ class Spec(SpecOnRig):
     ) -> BasinsResult:
         """Finds the attractors, the share of the starts that each takes, and the power to be expected.
 
-        The starts are a seeded cloud, ``spread`` gaps wide, or every combination of the sides of a ``grid``:
+        The starts are a cloud of ``starts`` (200) starts with the ``seed`` 1, ``spread`` (10) gaps wide, or every combination of the sides of a ``grid``:
         ``{"displacement": "-5 mm:5 mm:21x", "velocity": ("-1 m/s", "1 m/s", 21)}``, and ``"voltage"``.
         """
         check_wholes(starts=starts, seed=seed, threads=threads)
@@ -196,20 +196,21 @@ class Spec(SpecOnRig):
         *,
         unit: str | None = None,
         direction: Literal["up", "down", "both", "starts"] = "both",
-        starts: int = 20,
-        seed: int = 1,
-        spread: float = 10.0,
+        starts: int | None = None,
+        seed: int | None = None,
+        spread: float | None = None,
         cycles: int = 64,
         tolerance: float = 1e-8,
         branches: bool = True,
-        longest_period: int = 4,
+        longest_period: int | None = None,
         threads: int | None = None,
         progress: bool | Progress | None = None,
     ) -> DiagramResult:
         """Marches to where the motion is at the start of each drive cycle, over rising values of a key.
 
-        ``"starts"`` marches at each value from a cloud of starts and follows the attractors from value to value; the other directions carry
-        the state over. ``range`` is as in :meth:`sweep`; ``cycles`` is how many points a motion without a period shows.
+        ``"starts"`` marches at each value from a cloud of ``starts`` (20) starts with the ``seed`` 1 and the size ``spread`` (10 gaps), and follows
+        the attractors from value to value; the other directions carry the state over and have no cloud. ``range`` is as in :meth:`sweep`;
+        ``cycles`` is how many points a motion without a period shows, ``longest_period`` (4) that of a continued branch.
         """
         check_wholes(starts=starts, seed=seed, cycles=cycles, longest_period=longest_period, threads=threads)
         text = values(range, unit, key)

@@ -2,6 +2,7 @@
 
 use crate::arrays::Answer;
 use crate::branch::checked_tolerance;
+use crate::cloud::Told;
 use crate::driven;
 use crate::failure::Failure;
 use crate::run::Handed;
@@ -9,12 +10,12 @@ use crate::spec::Spec;
 use crate::watched::{handed, on_threads, watched};
 use jounce::plant::Plant;
 use jounce::run::{Exceeded, Worst};
-use jounce::study::{Attractor, Basins, BasinsAnswer, Cloud, Grid, Parameter, SectionPoint, Starts};
+use jounce::study::{Attractor, Basins, BasinsAnswer, Grid, Parameter, SectionPoint, Starts};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Most starts of a cloud.
-const MOST_STARTS: usize = 100_000_000;
+/// Starts of the cloud that is meant if nothing else is said.
+const STARTS: usize = 200;
 
 /// Number of the attractor of a start that has none.
 const NOWHERE: i64 = -1;
@@ -25,29 +26,26 @@ const NOWHERE: i64 = -1;
 pub fn basins<'py>(
     py: Python<'py>,
     spec: &Spec,
-    starts: usize,
-    seed: u64,
-    spread: f64,
+    starts: Option<usize>,
+    seed: Option<u64>,
+    spread: Option<f64>,
     grid: Vec<String>,
     tolerance: f64,
     threads: Option<usize>,
     progress: Option<Bound<'py, PyAny>>,
 ) -> Handed<'py> {
     let tolerance = checked_tolerance(tolerance)?;
-    if !((1..=MOST_STARTS).contains(&starts) && spread > 0.0 && spread.is_finite()) {
-        let why =
-            format!("starts is {starts} and spread {spread}; starts must be from 1 to {MOST_STARTS}, spread greater than 0 and finite");
-        let details = serde_json::json!({ "starts": starts, "least_starts": 1, "most_starts": MOST_STARTS, "spread": spread });
-        return Err(Failure::new("ArgumentError", why).with(details).raised(py));
-    }
-    let starts_text = starts.to_string();
+    let cloud = Told { starts, seed, spread };
     let (key, value) = driven::frequency(spec, "a basin")?;
-    let starts = match grid.is_empty() {
-        true => Starts::Cloud(Cloud { starts, seed, spread }),
-        false => Starts::Grid(
-            Grid::read(&grid, spec.spec.stop.len())
-                .map_err(|error| Failure::new("ArgumentError", error).with(serde_json::json!({ "grid": grid })))?,
-        ),
+    let (starts, options) = if grid.is_empty() {
+        let cloud = cloud.cloud(STARTS)?;
+        let told = vec![("starts", cloud.starts.to_string()), ("seed", cloud.seed.to_string()), ("spread", cloud.spread.to_string())];
+        (Starts::Cloud(cloud), told)
+    } else {
+        cloud.nothing("leave the grid")?;
+        let read = Grid::read(&grid, spec.spec.stop.len());
+        let read = read.map_err(|error| Failure::new("ArgumentError", error).with(serde_json::json!({ "grid": grid })))?;
+        (Starts::Grid(read), vec![("grid", grid.join(" "))])
     };
     let found = watched(py, progress.as_ref(), |watch| {
         let base = spec.prepared(watch)?;
@@ -58,10 +56,6 @@ pub fn basins<'py>(
         let places = places(&base.kernel.plant, &study.starts);
         Ok((on_threads(threads, || Ok(study.run(&|| ())?))?, places))
     });
-    let options = match grid.is_empty() {
-        true => [("starts", starts_text), ("seed", seed.to_string()), ("spread", spread.to_string())].to_vec(),
-        false => vec![("grid", grid.join(" "))],
-    };
     let manifest = spec.manifest("basins", &options);
     handed(py, found, |(answer, places)| told(py, &answer, &places, manifest))
 }

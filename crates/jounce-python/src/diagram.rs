@@ -2,6 +2,7 @@
 
 use crate::arrays::Answer;
 use crate::branch::{checked_tolerance, json, one};
+use crate::cloud::Told;
 use crate::driven;
 use crate::failure::Failure;
 use crate::run::Handed;
@@ -9,12 +10,18 @@ use crate::spec::Spec;
 use crate::watched::{handed, on_threads, watched};
 use jounce::march::Watch;
 use jounce::spec::KeyRange;
-use jounce::study::{Branch, BranchSearch, Cloud, Diagram, History, Method, Order, Parameter, SectionPoint, Visit};
+use jounce::study::{Branch, BranchSearch, Diagram, History, Method, Order, Parameter, SectionPoint, Visit};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 /// Values at which branches beside the diagram are sought by marching.
 const SEEDS: usize = 4;
+
+/// Starts at each value that are meant if nothing else is said.
+const STARTS: usize = 20;
+
+/// Longest period of a continued branch, drive cycles.
+const LONGEST_PERIOD: u32 = 4;
 
 /// Number of the attractor of a march that has none.
 const NOWHERE: i64 = -1;
@@ -44,17 +51,22 @@ pub fn diagram<'py>(
     key: &str,
     values: &str,
     direction: &str,
-    starts: usize,
-    seed: u64,
-    spread: f64,
+    starts: Option<usize>,
+    seed: Option<u64>,
+    spread: Option<f64>,
     cycles: u32,
     tolerance: f64,
     branches: bool,
-    longest_period: u32,
+    longest_period: Option<u32>,
     threads: Option<usize>,
     progress: Option<Bound<'py, PyAny>>,
 ) -> Handed<'py> {
-    let order = order_of(direction, Cloud { starts, seed, spread })?;
+    if let Some(longest_period) = longest_period.filter(|_| !branches) {
+        let why = format!("longest_period is {longest_period}, and there are no continued branches: leave it or branches=False out");
+        return Err(Failure::new("ArgumentError", why).with(serde_json::json!({ "longest_period": longest_period })).raised(py));
+    }
+    let order = order_of(direction, Told { starts, seed, spread })?;
+    let longest_period = longest_period.unwrap_or(LONGEST_PERIOD);
     if !(1..=100_000).contains(&cycles) {
         let why = format!("cycles is {cycles}; it must be from 1 to 100000");
         let details = serde_json::json!({ "cycles": cycles, "least": 1, "most": 100_000 });
@@ -66,26 +78,27 @@ pub fn diagram<'py>(
         return Err(Failure::new("ArgumentError", format!("{key}: the values of a diagram must rise")).raised(py));
     }
     let found = watched(py, progress.as_ref(), |watch| marched(spec, &range, &options, watch));
-    let told_options = [("over", format!("{key}={values}")), ("direction", direction.to_owned()), ("seed", seed.to_string())];
+    let mut told_options = vec![("over", format!("{key}={values}")), ("direction", direction.to_owned())];
+    if let Order::Starts(cloud) = order {
+        told_options.push(("seed", cloud.seed.to_string()));
+    }
     let manifest = spec.manifest("diagram", &told_options);
     handed(py, found, |found| told(py, (key, range.key().unit(), manifest), &found))
 }
 
-fn order_of(direction: &str, cloud: Cloud) -> Result<Order, Failure> {
-    match direction {
-        "up" => Ok(Order::Up),
-        "down" => Ok(Order::Down),
-        "both" => Ok(Order::Both),
-        "starts" if cloud.starts > 0 && cloud.spread > 0.0 && cloud.spread.is_finite() => Ok(Order::Starts(cloud)),
-        "starts" => {
-            let why = format!("starts is {} and spread {}; both must be greater than 0, spread finite", cloud.starts, cloud.spread);
-            Err(Failure::new("ArgumentError", why).with(serde_json::json!({ "starts": cloud.starts, "spread": cloud.spread })))
-        }
+fn order_of(direction: &str, cloud: Told) -> Result<Order, Failure> {
+    let order = match direction {
+        "up" => Order::Up,
+        "down" => Order::Down,
+        "both" => Order::Both,
+        "starts" => return Ok(Order::Starts(cloud.cloud(STARTS)?)),
         _ => {
             let why = format!("direction is \"{direction}\"; it must be \"up\", \"down\", \"both\" or \"starts\"");
-            Err(Failure::new("ArgumentError", why))
+            return Err(Failure::new("ArgumentError", why));
         }
-    }
+    };
+    cloud.nothing("add direction=\"starts\"")?;
+    Ok(order)
 }
 
 fn marched(spec: &Spec, range: &KeyRange, options: &Options, watch: &Watch) -> Result<Found, Failure> {

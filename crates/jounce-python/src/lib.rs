@@ -3,6 +3,7 @@
 mod arrays;
 mod basins;
 mod branch;
+mod cloud;
 mod diagram;
 mod driven;
 mod ensemble;

@@ -134,10 +134,7 @@ fn tell_trust(responses: &Responses, found: &Identification) {
         line(format!("damping of the exponential window, {:.5} 1/s, was taken off", responses.window_decay_per_s));
     }
     if responses.block_s.is_none() {
-        line(
-            "warning: response functions tell no noise; it is taken as equal on all lines of each, and where it grows with the response the \
-             intervals are too narrow",
-        );
+        line("response functions tell no noise; the intervals rest on what the modes leave of each line");
     }
     if found.misfit > 1.0 && responses.block_s.is_some() {
         line(format!(

@@ -33,11 +33,26 @@ fn hard_cases_end_with_an_answer_or_a_clear_error() {
     let too_fine = ["branch", PLANT, "--over", "drive.shaker.frequency=13Hz:13.2Hz", "--tolerance", "1e-17", "--json"];
     let (code, json, _) = jounce(&too_fine);
     assert!(code == 2 && json["error"].as_str().unwrap().contains("1e-14"), "{json}");
+    // No orbit that a march settles on.
+    let (code, json, _) = branch("12Hz:12.1Hz", "stop.tip.stiffness=1e7 N/m^1.5");
+    let error = json["error"].as_str().unwrap();
+    assert!(code == 3 && error.starts_with("no periodic orbit was found") && error.contains("try more --seeds"), "{error}");
     // A drive that does not move attracts to nothing but rest.
     for command in [&["basins", PLANT][..], &["diagram", PLANT, "--over", "drive.shaker.frequency=13Hz:14Hz:1Hz"]] {
         let (code, json, _) = jounce(&[command, &["--json", "--set", "drive.shaker.amplitude=0 N"]].concat());
         assert!(code == 4 && json["error"].as_str().unwrap().contains("amplitude"), "{json}");
     }
+}
+
+/// A branch that ends where it cannot be followed is told with its points, and where no branch is whole the command has not succeeded.
+#[test]
+fn a_command_without_a_whole_branch_ends_with_3() {
+    let over = "drive.shaker.frequency=13.2Hz:13.5Hz";
+    let rock = ["branch", PLANT, "--over", over, "--seeds", "0", "--longest-period", "1", "--json", "--set", "stop.tip.stiffness=1e12 N/m^1.5"];
+    let (code, json, told) = jounce(&rock);
+    let branch = &json["branches"][0];
+    assert!(code == 3 && told.contains("no branch is whole") && told.contains("give a shorter range"), "{code} {told}");
+    assert!(branch["endings"][0]["how"] == "points" && branch["points"].as_array().unwrap().len() == 4000, "{}", branch["endings"]);
 }
 
 /// One mode without damping, driven at its own frequency.

@@ -34,6 +34,8 @@ pub struct Band {
     pub(super) response: Vec<Vec<c64>>,
     /// Variance of each line of each response, real and imaginary part together; empty where nothing is told.
     pub(super) variance: Vec<Vec<f64>>,
+    /// What is known of the noise.
+    pub(super) noise: Noise,
     pub(super) inputs: usize,
     /// What the blocks see of a free decay.
     pub(super) sight: Sight,
@@ -45,12 +47,25 @@ pub struct Band {
     pub(super) power: Vec<i32>,
 }
 
+/// What is known of the noise of a band.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Noise {
+    /// Nothing, or what blocks tell.
+    AsTold,
+    /// It is alike on all lines.
+    Even,
+    /// The variance of each line from what a fit left of it.
+    ByRest,
+}
+
 /// What leaving out a part of the blocks changes.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct LeftOut {
     /// Share of the blocks that is left out.
     pub share: f64,
-    /// Change of the displacement per force: response, line.
+    /// Which place of the force the blocks are of.
+    pub place: usize,
+    /// Change of the displacement per force: response, line. Nothing for the responses to a force at another place.
     pub change: Vec<Vec<c64>>,
 }
 
@@ -61,6 +76,8 @@ struct Measured<'a> {
     variance: Option<Vec<f64>>,
     motion: Motion,
     without: &'a [Without],
+    /// Which place of the force it is the response to.
+    place: usize,
 }
 
 impl Band {
@@ -86,7 +103,7 @@ impl Band {
                 return Err(ModalError::Lengths { response: k + 1, lines, expected: value.len() });
             }
             let variance = deviation.map(|deviation| deviation.iter().zip(value).map(told).collect());
-            measured.push(Measured { value, variance, motion, without: &[] });
+            measured.push(Measured { value, variance, motion, without: &[], place: 0 });
         }
         Self::of_measured(frequency_hz, &measured, inputs, Sight::Whole, between_hz)
     }
@@ -123,11 +140,19 @@ impl Band {
         let change = |one: &Measured<'_>, part: usize| -> Vec<c64> {
             inside.iter().map(|k| (one.without[part].value[*k] - one.value[*k]) * turn(one, *k)).collect()
         };
-        let left_out = |(part, without): (usize, &Without)| LeftOut {
-            share: without.share,
-            change: measured.iter().map(|one| change(one, part)).collect(),
+        let places = measured.iter().map(|one| one.place).max().map_or(0, |last| last + 1);
+        let of_place = |place: usize| {
+            let parts = measured.iter().filter(|one| one.place == place).map(|one| one.without).min_by_key(|parts| parts.len()).unwrap_or(&[]);
+            let left_out = |(part, without): (usize, &Without)| LeftOut {
+                share: without.share,
+                place,
+                change: measured.iter().map(|one| if one.place == place { change(one, part) } else { Vec::new() }).collect(),
+            };
+            parts.iter().enumerate().map(left_out).collect::<Vec<_>>()
         };
-        let parts = measured.iter().map(|one| one.without.len()).min().unwrap_or(0);
+        let parts: Vec<Vec<LeftOut>> = (0..places).map(of_place).collect();
+        // A place of a single block leaves the scatter of the others without a meaning.
+        let all_tell = parts.iter().all(|parts| !parts.is_empty());
         Ok(Self {
             low_hz,
             high_hz,
@@ -136,7 +161,8 @@ impl Band {
             variance: measured.iter().filter_map(variance).collect(),
             inputs,
             sight,
-            parts: measured[0].without[..parts].iter().enumerate().map(left_out).collect(),
+            parts: if all_tell { parts.concat() } else { Vec::new() },
+            noise: Noise::AsTold,
             swapped: false,
             power: measured.iter().map(|one| one.motion as i32).collect(),
         })
@@ -165,7 +191,7 @@ impl Band {
         for k in order(functions.len(), references, swapped) {
             let (function, motion) = (&functions[k], motion(quantities[k]));
             let variance = several.then(|| variance(function));
-            measured.push(Measured { value: &function.value, variance, motion, without: &function.without });
+            measured.push(Measured { value: &function.value, variance, motion, without: &function.without, place: k % references });
         }
         let inputs = if swapped { functions.len() / references } else { references };
         let sight = first.map_or(Sight::Whole, |function| function.sight);
@@ -189,12 +215,28 @@ impl Band {
             frequency_hz: self.frequency_hz[..lines].to_vec(),
             response: self.response.iter().map(cut).collect(),
             variance: self.variance.iter().map(|of| of[..lines].to_vec()).collect(),
+            noise: self.noise,
             inputs: self.inputs,
             sight: self.sight,
             parts: Vec::new(),
             swapped: self.swapped,
             power: self.power.clone(),
         }
+    }
+
+    /// The band with the variances that what a fit left of its lines tells.
+    pub(super) fn told_by(&self, variance: Vec<Vec<f64>>) -> Self {
+        Self { variance, noise: Noise::ByRest, parts: Vec::new(), ..self.clone() }
+    }
+
+    /// The band with noise that is alike on all lines, where nothing else tells it.
+    pub(super) fn evenly_noisy(self) -> Self {
+        Self { noise: Noise::Even, ..self }
+    }
+
+    /// True where only a fit can tell the noise.
+    pub(super) fn leaves_noise_untold(&self) -> bool {
+        self.variance.is_empty() && self.noise == Noise::AsTold
     }
 
     /// A response as it was measured.

@@ -34,6 +34,25 @@ impl Eliminated {
     pub fn beyond(&self, columns: &Mat<f64>) -> Mat<f64> {
         columns - &self.thin * (self.thin.transpose() * columns)
     }
+
+    /// The problem without its linear unknowns, by the derivatives by the others.
+    pub fn left(self, derivative: &Mat<f64>) -> Left {
+        let projected = self.beyond(derivative);
+        let taken = (0..self.thin.nrows()).map(|row| self.thin.row(row).squared_norm_l2()).collect();
+        Left { linear: self.linear, projected, rest: self.rest, taken }
+    }
+}
+
+/// A problem without its linear unknowns.
+pub(super) struct Left {
+    /// The linear unknowns at the least error.
+    pub linear: Mat<f64>,
+    /// What the linear columns leave of the derivatives by the other unknowns: `P J`.
+    pub projected: Mat<f64>,
+    /// What they leave of the right side.
+    pub rest: Mat<f64>,
+    /// Share of each row that they take up, whatever stands there.
+    pub taken: Vec<f64>,
 }
 
 #[cfg(test)]

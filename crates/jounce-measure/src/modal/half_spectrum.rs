@@ -66,7 +66,10 @@ pub fn identify_decays(decays: &Decays, between_hz: (f64, f64), settings: Settin
     let mean = spectra(&decays.values);
     let deviation = cut(&deviations(&mean, &blocks), lines);
     let between = (warp.there(between_hz.0), warp.there(between_hz.1));
-    let band = |response: &[Vec<c64>]| Band::new(&warped_hz, &cut(response, lines), &deviation, references, Motion::Displacement, between);
+    // White noise of a decay is white in its spectrum.
+    let band = |response: &[Vec<c64>]| {
+        Ok(Band::new(&warped_hz, &cut(response, lines), &deviation, references, Motion::Displacement, between)?.evenly_noisy())
+    };
     let unwarped = |fault| match fault {
         ModalError::NoMode { .. } => ModalError::NoMode { low_hz: between_hz.0, high_hz: between_hz.1 },
         other => other,

@@ -159,16 +159,16 @@ fn explained(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> Result<Id
     Ok(found)
 }
 
-/// The modes of maximum likelihood of several references, their deviations those that the variances of the lines tell.
+/// The modes of maximum likelihood of several references.
 fn shared(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> Result<Identification, ModalError> {
     let start = apart(&diagram, start, band.inputs);
     let mut found = fit_shared(band, &start).ok_or(none(band))?;
     while let Some(left) = known(band, &found.poles, &found.deviation)? {
         found = fit_shared(band, &left).ok_or(none(band))?;
     }
-    let Shared { poles, deviation, residue, participation, model, misfit } = found;
+    let Shared { poles, deviation, residue, participation, model, misfit, freedom, .. } = found;
     let mode = |r: usize| {
-        let mut mode = mode(poles[r], deviation[r], Mode::QUANTILE_95, residue[r].clone());
+        let mut mode = mode(poles[r], deviation[r], freedom[r], residue[r].clone());
         mode.participation = over_largest(&participation[r]);
         let largest = participation[r].iter().map(|b| b.norm()).fold(0.0, f64::max);
         mode.residue.iter_mut().for_each(|a| *a *= largest);
@@ -177,7 +177,8 @@ fn shared(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> Result<Ident
     identification(band, diagram, (0..poles.len()).map(mode).collect(), model, misfit)
 }
 
-fn mode(pole: Pole, (frequency_deviation_hz, damping_deviation): (f64, f64), quantile_95: f64, residue: Vec<c64>) -> Mode {
+fn mode(pole: Pole, (frequency_deviation_hz, damping_deviation): (f64, f64), freedom: Option<f64>, residue: Vec<c64>) -> Mode {
+    let quantile_95 = freedom.map_or(Mode::QUANTILE_95, student_95);
     let Pole { frequency_hz, damping_ratio } = pole;
     let participation = vec![c64::new(1.0, 0.0)];
     Mode { frequency_hz, frequency_deviation_hz, damping_ratio, damping_deviation, quantile_95, residue, participation }
@@ -209,9 +210,8 @@ pub(super) fn refined(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> 
     while let Some(left) = known(band, &found.poles, &found.deviation)? {
         found = fit(band, &left).ok_or(none(band))?;
     }
-    let Fit { poles, deviation, residue, model, misfit, freedom } = found;
-    let quantile_95 = freedom.map_or(Mode::QUANTILE_95, student_95);
-    let modes = (0..poles.len()).map(|r| mode(poles[r], deviation[r], quantile_95, residue.iter().map(|response| response[r]).collect()));
+    let Fit { poles, deviation, residue, model, misfit, freedom, .. } = found;
+    let modes = (0..poles.len()).map(|r| mode(poles[r], deviation[r], freedom[r], residue.iter().map(|response| response[r]).collect()));
     identification(band, diagram, modes.collect(), model, misfit)
 }
 

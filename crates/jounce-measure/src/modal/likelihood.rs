@@ -3,14 +3,14 @@
 //! Gauss-Newton with step control over the poles; residues and residual terms are linear and are eliminated response by response, so that the
 //! normal equations are as small as the number of poles. Steps take them from products of columns, the answer from orthogonal ones. Of many lines those far from every pole are thinned out first.
 
-use faer::linalg::solvers::{DenseSolveCore, Solve};
+use faer::linalg::solvers::Solve;
 use faer::{Mat, Side, c64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-use super::band::LeftOut;
-use super::eliminated::Eliminated;
-use super::scatter::Scatter;
+use super::certainty::Certainty;
+use super::eliminated::{Eliminated, Left};
+use super::noise;
 use super::semi_normal::Normal;
 use super::terms::{LinearTerms, Terms};
 use super::thinned::kept;
@@ -26,10 +26,13 @@ pub(super) struct Fit {
     pub residue: Vec<Vec<c64>>,
     /// What the model predicts: response, line.
     pub model: Vec<Vec<c64>>,
-    /// Squared error over variance, per degree of freedom; the variances are multiplied by it where it is above 1.
+    /// Squared error over variance, per degree of freedom; the variances are multiplied by it where it is above 1. Over the mean square of the
+    /// responses where no variance is told.
     pub misfit: f64,
-    /// Degrees of freedom of the deviations; none where they are known well.
-    pub freedom: Option<f64>,
+    /// Degrees of freedom of the deviations of each pole; none where they are known well.
+    pub freedom: Vec<Option<f64>>,
+    /// Share of each line that the unknowns take up, whatever stands there: response, line.
+    pub taken: Vec<Vec<f64>>,
 }
 
 pub(super) const STEPS: usize = 30;
@@ -40,25 +43,29 @@ const GAIN: f64 = 1e-12;
 /// The most terms `w^0, w^2, ..` that stand for the modes above the band.
 pub(super) const MOST_UPPER: usize = 8;
 
-/// One response's part of the normal equations.
-struct Part {
-    /// Linear unknowns.
-    linear: Mat<f64>,
-    /// What the linear columns leave of the poles' columns: `P J`.
-    projected: Mat<f64>,
-    /// What they leave of the response.
-    rest: Mat<f64>,
-}
-
 /// A response's part of the normal equations, however much its columns are alike.
 pub(super) fn by_orthogonal_columns(response: &Weighed, terms: &Terms) -> Normal {
-    let Part { projected, rest, .. } = part(response, terms);
+    let Left { projected, rest, .. } = part(response, terms);
     Normal { normal: projected.transpose() * &projected, right: projected.transpose() * &rest, error: rest.squared_norm_l2() }
 }
 
-/// The fit that begins at given poles, with as many terms for the modes above the band as the responses ask for: one more is kept where
-/// the error falls by more than the terms' number lets it (the criterion of Akaike).
+/// The fit that begins at given poles. Where nothing tells the noise, what the modes leave of each line does, and the lines are weighed anew.
 pub(super) fn fit(band: &Band, start: &[Pole]) -> Option<Fit> {
+    let mut found = weighed(band, start)?;
+    if band.leaves_noise_untold() {
+        let misfit = found.misfit;
+        for _ in 0..noise::REWEIGHED {
+            let told = band.told_by(noise::of_what_is_left(band, &found.model, &found.taken));
+            found = weighed(&told, &found.poles)?;
+        }
+        found.misfit = misfit;
+    }
+    Some(found)
+}
+
+/// The fit by the weights of a band, with as many terms for the modes above it as the responses ask for: one more is kept where the error
+/// falls by more than the terms' number lets it (the criterion of Akaike).
+fn weighed(band: &Band, start: &[Pole]) -> Option<Fit> {
     let data = Data::of(band, start);
     let mut found = settled(&data, start.iter().map(|pole| pole.complex()).collect(), 1)?;
     for upper in 2..=MOST_UPPER {
@@ -111,7 +118,7 @@ pub(super) fn damped(normal: &Mat<f64>, share: f64) -> Option<faer::linalg::solv
 /// What the fit is made to.
 pub(super) struct Data {
     /// The lines that are used.
-    lines: Vec<usize>,
+    pub lines: Vec<usize>,
     /// Of each of them, rad/s.
     pub angular: Vec<f64>,
     pub sight: Sight,
@@ -194,7 +201,7 @@ fn weights(band: &Band, o: usize, lines: &[usize]) -> Vec<f64> {
     }
 }
 
-fn part(response: &Weighed, terms: &Terms) -> Part {
+fn part(response: &Weighed, terms: &Terms) -> Left {
     let (rows, width) = (terms.linear.nrows(), terms.linear.ncols());
     let weight = &response.weight;
     let a = Mat::from_fn(rows, width, |r, c| weight[r / 2] * terms.linear[(r, c)]);
@@ -208,9 +215,7 @@ fn part(response: &Weighed, terms: &Terms) -> Part {
         let (even, odd) = (squares[(row, r)], squares[(row, r + 1)]);
         weight[row / 2] * if c % 2 == 0 { x * even + y * odd } else { x * odd - y * even }
     });
-    let projected = eliminated.beyond(&by_poles);
-    let Eliminated { linear, rest, .. } = eliminated;
-    Part { linear, projected, rest }
+    eliminated.left(&by_poles)
 }
 
 fn finished(band: &Band, data: &Data, found: &Settled) -> Option<Fit> {
@@ -218,22 +223,8 @@ fn finished(band: &Band, data: &Data, found: &Settled) -> Option<Fit> {
     let linear = band.response.len() * (2 * poles.len() + 2 + 2 * upper);
     let misfit = found.error / ((2 * data.angular.len() * band.response.len()) as f64 - (2 * poles.len() + linear) as f64).max(1.0);
     let terms = Terms::of_kinds(data.sight, &data.powers, &data.angular, poles, upper);
-    let parts = data.responses.par_iter().map(|response| part(response, &terms[response.kind])).collect::<Vec<Part>>();
-    let mut normal = Mat::<f64>::zeros(2 * poles.len(), 2 * poles.len());
-    parts.iter().for_each(|part| normal += part.projected.transpose() * &part.projected);
-    let inverse = normal.llt(Side::Lower).ok()?.inverse();
-    let scatter = (!band.parts.is_empty()).then(|| {
-        let scores = scores(data, &parts, &band.parts, Scatter::turns(band.parts.len(), band.sight));
-        Scatter::new(scores.iter().map(|score| &inverse * score).collect(), &band.parts, band.sight)
-    });
-    // Without variances the misfit is all that is known of them.
-    let factor = if band.variance.is_empty() { misfit } else { misfit.max(1.0) };
-    let deviation = |(r, p): (usize, &c64)| {
-        spread(*p, |slopes| {
-            let told = || propagated(&inverse, r, slopes);
-            scatter.as_ref().map_or_else(told, |scatter| scatter.variance(r, slopes)) * factor
-        })
-    };
+    let parts = data.responses.par_iter().map(|response| part(response, &terms[response.kind])).collect::<Vec<Left>>();
+    let certainty = Certainty::of(band, data, &parts, misfit)?;
     let (mut residue, mut model) = (Vec::new(), Vec::new());
     for (part, response) in parts.iter().zip(&data.responses) {
         let (linear, power) = (&part.linear, data.powers[response.kind]);
@@ -244,26 +235,13 @@ fn finished(band: &Band, data: &Data, found: &Settled) -> Option<Fit> {
     }
     Some(Fit {
         poles: poles.iter().map(|p| Pole::of(*p)).collect(),
-        deviation: poles.iter().enumerate().map(deviation).collect(),
+        deviation: certainty.deviations(poles),
         residue,
         model,
         misfit,
-        freedom: scatter.map(|scatter| scatter.freedom()),
+        freedom: certainty.freedoms(poles.len()),
+        taken: certainty.taken(data, &parts, band),
     })
-}
-
-/// Standard deviations of frequency (Hz) and damping ratio of a pole from the variance of a number by its slopes in real and imaginary part.
-pub(super) fn spread(p: c64, variance: impl Fn([f64; 2]) -> f64) -> (f64, f64) {
-    let (a, b, size) = (p.re, p.im, p.norm());
-    let deviation = |slopes: [f64; 2]| variance(slopes).max(0.0).sqrt();
-    // |p| and -re p / |p|.
-    (deviation([a / size, b / size]) / TAU, deviation([-b * b / size.powi(3), a * b / size.powi(3)]))
-}
-
-/// Variance that the covariance of the poles' real and imaginary parts leaves to a number with these slopes in those of one pole.
-pub(super) fn propagated(covariance: &Mat<f64>, r: usize, [da, db]: [f64; 2]) -> f64 {
-    let (vr, vi, c) = (covariance[(2 * r, 2 * r)], covariance[(2 * r + 1, 2 * r + 1)], covariance[(2 * r, 2 * r + 1)]);
-    da * da * vr + db * db * vi + 2.0 * da * db * c
 }
 
 /// Residues at some poles, with one term for the modes above the band: response, mode.
@@ -274,25 +252,4 @@ pub(super) fn residues(data: &Data, poles: &[c64]) -> Vec<Vec<c64>> {
         (0..poles.len()).map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)])).collect()
     };
     data.responses.par_iter().map(of).collect()
-}
-
-/// What each part that is left out adds to `J^T P e`, as it is and turned by 90 degrees.
-fn scores(data: &Data, responses: &[Part], left_out: &[LeftOut], turns: usize) -> Vec<Mat<f64>> {
-    let size = responses.first().map_or(0, |part| part.projected.ncols());
-    let one = |left: &LeftOut| {
-        let mut sums = Mat::<f64>::zeros(size, turns);
-        for ((part, weighed), change) in responses.iter().zip(&data.responses).zip(&left.change) {
-            let turned = Mat::from_fn(part.projected.nrows(), turns, |row, turn| {
-                let change = change[data.lines[row / 2]] * weighed.weight[row / 2];
-                match (row % 2, turn) {
-                    (0, 0) | (1, 1) => change.re,
-                    (0, _) => -change.im,
-                    _ => change.im,
-                }
-            });
-            sums += part.projected.transpose() * turned;
-        }
-        sums
-    };
-    left_out.par_iter().map(one).collect()
 }

@@ -11,14 +11,14 @@
 //! (`m` = 0, 1, 2 for displacement, velocity and acceleration per force) to all responses at once, each line with the variance that the
 //! coherence around it tells, and with as many terms `U` for the modes above the band as the responses ask for. `1 / (j w - p)` stands for what
 //! the blocks see of a decay ([`crate::spectral::Sight`]). Leaving out one part of the blocks after the other gives the uncertainty of
-//! frequencies and damping ratios; without blocks the misfit does. Of forces at several places the residues of a mode are its shape times its
-//! participation in each; sensors and places of forces may change sides, by reciprocity, so that the fewer are the references. Their
-//! uncertainty is that which the variances of the lines tell.
+//! frequencies and damping ratios; without blocks what the modes leave of each line does. Of forces at several places the residues of a mode are its shape times its
+//! participation in each; sensors and places of forces may change sides, by reciprocity, so that the fewer are the references.
 //!
 //! Source: P. Guillaume et al., A poly-reference implementation of the least-squares complex frequency-domain estimator, IMAC 21 (2003);
 //! M. El-Kafafy et al., Fast maximum-likelihood identification of modal parameters with uncertainty intervals, Mech. Syst. Signal Process. 37
 //! (2013) 422.
 mod band;
+mod certainty;
 mod close;
 mod eliminated;
 mod error;

@@ -1,4 +1,4 @@
-//! Variance of the lines of a response, from the scatter of its blocks.
+//! Variance of the lines of a response, from the scatter of its blocks or from what a fit leaves of them.
 //!
 //! Each line tells its own variance `v = |H|^2 (1 - c) / ((n - 1) c)` from `n` blocks of coherence `c`, for few blocks as one draw from a broad
 //! distribution: weights from it would trust most the lines that agree by chance. Noise of the sensors is smooth over the lines, that of the
@@ -8,16 +8,26 @@
 //! v = a + b |H|^2,   a, b >= 0
 //! ```
 //!
-//! is fitted to the lines beside it by least squares, each weighed by one over its variance squared.
+//! is fitted to the lines beside it by least squares, each weighed by one over its variance squared. Where there are no blocks, what a fit leaves
+//! of a line is one draw from its variance, and more lines are put together.
 
+use faer::c64;
+
+use super::Band;
 use crate::spectral::FrequencyResponse;
 
 /// Lines on both sides of a line that are fitted together.
 const BESIDE: usize = 12;
+/// The same where each line is a single draw.
+const BESIDE_SINGLE: usize = 100;
 /// The least deviation of a line, over its size.
 const LEAST: f64 = 1e-6;
 /// Weighed fits, one after the other.
 const ROUNDS: usize = 3;
+/// Fits by what the fit before left, one after the other.
+pub(super) const REWEIGHED: usize = 2;
+/// The least share of a line that is taken for left by a fit.
+pub(super) const LEAST_FREE: f64 = 0.05;
 
 /// Variance of each line of a response of several blocks, real and imaginary part together.
 pub(super) fn variance(function: &FrequencyResponse) -> Vec<f64> {
@@ -25,15 +35,36 @@ pub(super) fn variance(function: &FrequencyResponse) -> Vec<f64> {
     // A relative deviation is that of the size alone: half of the variance.
     let told = |k: usize| 2.0 * (function.relative_deviation(k).powi(2) * square[k]);
     let own: Vec<f64> = (0..square.len()).map(|k| if square[k] > 0.0 { told(k) } else { 0.0 }).collect();
-    let near = |k: usize| k.saturating_sub(BESIDE)..(k + BESIDE + 1).min(own.len());
+    shared(&own, &square, BESIDE)
+}
+
+/// Variance of each line of each response of a band, from what a fit leaves of it and the share of it that the fit took up.
+pub(super) fn of_what_is_left(band: &Band, model: &[Vec<c64>], taken: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let of = |o: usize| {
+        // As it was measured: what sensors add to an acceleration is smooth there, and not in the displacement.
+        let turn = |k: usize| band.as_measured(o, k).norm_sqr();
+        let free = |k: usize| (1.0 - taken[o][k]).max(LEAST_FREE);
+        let own: Vec<f64> = (0..taken[o].len()).map(|k| (band.response[o][k] - model[o][k]).norm_sqr() * turn(k) / free(k)).collect();
+        let square: Vec<f64> = (0..own.len()).map(|k| model[o][k].norm_sqr() * turn(k)).collect();
+        if own.iter().chain(&square).all(|size| *size == 0.0) {
+            return vec![1.0; own.len()];
+        }
+        shared(&own, &square, BESIDE_SINGLE).iter().enumerate().map(|(k, v)| v / turn(k)).collect()
+    };
+    (0..band.response.len()).map(of).collect()
+}
+
+/// `a + b |H|^2` at each line from what `own` tells of each, with so many lines on both sides.
+fn shared(own: &[f64], square: &[f64], beside: usize) -> Vec<f64> {
+    let near = |k: usize| k.saturating_sub(beside)..(k + beside + 1).min(own.len());
     let mean = |k: usize| own[near(k)].iter().sum::<f64>() / near(k).len() as f64;
     let mut smooth: Vec<f64> = (0..own.len()).map(mean).collect();
     for _ in 0..ROUNDS {
         let least: Vec<f64> = square.iter().map(|square| LEAST * LEAST * square).collect();
         let weight: Vec<f64> = smooth.iter().zip(&least).map(|(v, least)| v.max(*least).max(f64::MIN_POSITIVE).recip()).collect();
-        smooth = (0..own.len()).map(|k| around(&own, &square, &weight, near(k), square[k])).collect();
+        smooth = (0..own.len()).map(|k| around(own, square, &weight, near(k), square[k])).collect();
     }
-    smooth.iter().zip(&square).map(|(v, square)| v.max(2.0 * LEAST * LEAST * square)).collect()
+    smooth.iter().zip(square).map(|(v, square)| v.max(2.0 * LEAST * LEAST * square)).collect()
 }
 
 /// `a + b |H|^2` at a line. `weight` is one over the deviation of each line's own variance.

@@ -8,13 +8,15 @@
 //! modes differ in `b_r` where no single reference could tell them apart. Gauss-Newton with step control over poles and participations; shapes
 //! and residual terms are linear and are eliminated output by output, as in the fit to one reference.
 
-use faer::linalg::solvers::{DenseSolveCore, Solve};
-use faer::{Mat, Side, c64};
+use faer::linalg::solvers::Solve;
+use faer::{Mat, c64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-use super::eliminated::Eliminated;
-use super::likelihood::{Data, MOST_UPPER, SETTLED, STEPS, damped, propagated, residues, spread};
+use super::certainty::Certainty;
+use super::eliminated::{Eliminated, Left};
+use super::likelihood::{Data, MOST_UPPER, SETTLED, STEPS, damped, residues};
+use super::noise;
 use super::terms::{LinearTerms, Terms};
 use super::{Band, Pole};
 
@@ -39,28 +41,37 @@ pub(super) struct Shared {
     pub participation: Vec<Vec<c64>>,
     /// What the model predicts: response, line.
     pub model: Vec<Vec<c64>>,
-    /// Squared error over variance, per degree of freedom.
+    /// As that of a fit to one reference.
     pub misfit: f64,
-}
-
-/// One output's part of the normal equations, and its linear unknowns.
-struct Part {
-    linear: Mat<f64>,
-    normal: Mat<f64>,
-    right: Mat<f64>,
-    error: f64,
+    /// Degrees of freedom of the deviations of each pole; none where they are known well.
+    pub freedom: Vec<Option<f64>>,
+    /// Share of each line that the unknowns take up, whatever stands there: response, line.
+    pub taken: Vec<Vec<f64>>,
 }
 
 /// Modes at the least error, with so many terms for those above the band.
 struct Settled {
     modal: Modal,
     upper: usize,
-    normal: Mat<f64>,
     error: f64,
 }
 
-/// The fit that begins at given poles, with as many terms for the modes above the band as the responses ask for.
+/// The fit that begins at given poles. Where nothing tells the noise, what the modes leave of each line does.
 pub(super) fn fit_shared(band: &Band, start: &[Pole]) -> Option<Shared> {
+    let mut found = weighed(band, start)?;
+    if band.leaves_noise_untold() {
+        let misfit = found.misfit;
+        for _ in 0..noise::REWEIGHED {
+            let told = band.told_by(noise::of_what_is_left(band, &found.model, &found.taken));
+            found = weighed(&told, &found.poles)?;
+        }
+        found.misfit = misfit;
+    }
+    Some(found)
+}
+
+/// The fit by the weights of a band, with as many terms for the modes above it as the responses ask for.
+fn weighed(band: &Band, start: &[Pole]) -> Option<Shared> {
     let data = Data::of(band, start);
     let mut found = settled(&data, band, Modal::begin(band, &data, start)?, 1)?;
     for upper in 2..=MOST_UPPER {
@@ -93,7 +104,7 @@ fn settled(data: &Data, band: &Band, mut modal: Modal, upper: usize) -> Option<S
             None => damping *= 10.0,
         }
     }
-    Some(Settled { modal, upper, normal, error })
+    Some(Settled { modal, upper, error })
 }
 
 impl Modal {
@@ -136,15 +147,15 @@ fn equations(data: &Data, band: &Band, modal: &Modal, upper: usize) -> Option<(M
     let terms = Terms::of_kinds(data.sight, &data.powers, &data.angular, &modal.poles, upper);
     let parts = (0..band.outputs()).into_par_iter().map(|o| part(o, data, &terms, modal)).collect::<Vec<_>>();
     for part in parts {
-        normal += &part.normal;
-        right += &part.right;
-        error += part.error;
+        normal += part.projected.transpose() * &part.projected;
+        right += part.projected.transpose() * &part.rest;
+        error += part.rest.squared_norm_l2();
     }
     Some((normal, right, error))
 }
 
 /// The rows are the lines of one reference after those of the other.
-fn part(o: usize, data: &Data, terms: &[Terms], modal: &Modal) -> Part {
+fn part(o: usize, data: &Data, terms: &[Terms], modal: &Modal) -> Left {
     let (modes, inputs, lines) = (modal.poles.len(), modal.participation[0].len(), terms[0].linear.nrows());
     let residuals = terms[0].linear.ncols() - 2 * modes;
     let (rows, width) = (inputs * lines, 2 * modes + residuals * inputs);
@@ -182,23 +193,19 @@ fn part(o: usize, data: &Data, terms: &[Terms], modal: &Modal) -> Part {
         if of == i { both(row, r, shape(r) * turn) } else { 0.0 }
     };
     let by_modes = Mat::from_fn(rows, 2 * (modes + free.len()), derivative);
-    let projected = eliminated.beyond(&by_modes);
-    let Eliminated { linear, rest, .. } = eliminated;
-    Part { normal: projected.transpose() * &projected, right: projected.transpose() * &rest, error: rest.squared_norm_l2(), linear }
+    eliminated.left(&by_modes)
 }
 
-fn finished(band: &Band, data: &Data, Settled { modal, upper, normal, error }: &Settled) -> Option<Shared> {
+fn finished(band: &Band, data: &Data, Settled { modal, upper, error }: &Settled) -> Option<Shared> {
     let (modes, inputs, outputs) = (modal.poles.len(), band.inputs, band.outputs());
     let residuals = 2 + 2 * upper;
-    let unknowns = normal.nrows() + outputs * (2 * modes + residuals * inputs);
+    let unknowns = 2 * (modes + modal.free().len()) + outputs * (2 * modes + residuals * inputs);
     let misfit = error / ((2 * data.angular.len() * band.response.len()) as f64 - unknowns as f64).max(1.0);
-    // Without variances the misfit is all that is known of them.
-    let factor = if band.variance.is_empty() { misfit } else { misfit.max(1.0) };
-    let covariance = normal.llt(Side::Lower).ok()?.inverse();
     let terms = Terms::of_kinds(data.sight, &data.powers, &data.angular, &modal.poles, *upper);
+    let parts = (0..outputs).into_par_iter().map(|o| part(o, data, &terms, modal)).collect::<Vec<_>>();
+    let certainty = Certainty::of(band, data, &parts, misfit)?;
     let (mut residue, mut model) = (vec![Vec::new(); modes], Vec::new());
-    for o in 0..outputs {
-        let linear = part(o, data, &terms, modal).linear;
+    for (o, Left { linear, .. }) in parts.iter().enumerate() {
         let shape: Vec<c64> = (0..modes).map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)])).collect();
         for i in 0..inputs {
             let residues = (0..modes).map(|r| shape[r] * modal.participation[r][i]).flat_map(|x| [x.re, x.im]);
@@ -212,12 +219,12 @@ fn finished(band: &Band, data: &Data, Settled { modal, upper, normal, error }: &
     }
     Some(Shared {
         poles: modal.poles.iter().map(|p| Pole::of(*p)).collect(),
-        deviation: (modal.poles.iter().enumerate())
-            .map(|(r, p)| spread(*p, |slopes| propagated(&covariance, r, slopes) * factor))
-            .collect(),
+        deviation: certainty.deviations(&modal.poles),
         residue,
         participation: modal.participation.clone(),
         model,
         misfit,
+        freedom: certainty.freedoms(modes),
+        taken: certainty.taken(data, &parts, band),
     })
 }

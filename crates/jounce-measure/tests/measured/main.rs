@@ -10,3 +10,4 @@ mod real;
 mod references;
 mod samples;
 mod seven;
+mod untold;

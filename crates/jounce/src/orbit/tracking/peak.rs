@@ -5,8 +5,8 @@
 //! ```
 //!
 //! `dP/ds` is a difference along the tangent, of fourth order in its width; what moves off the curve by its bend does so alike on both
-//! sides and cancels. The gradient of `g` is needed on the surface of orbits only, where two directions span everything: along the
-//! curve (`d2P/ds2`, with the bend of the curve put back by one shot more), and to the neighbouring curve at another second parameter.
+//! sides and cancels. Off the surface of orbits `g` is that of the orbit across from there, so that its gradient has two directions only: along
+//! the curve (`d2P/ds2`, with the bend of the curve put back by one shot more), and to the neighbouring curve at another second parameter.
 //!
 //! Validation: `tests/orbits/peaks.rs` compares peaks and optimal loads with the closed forms of a harvester that never touches.
 
@@ -23,6 +23,19 @@ const WIDTH: f64 = 3e-3;
 
 /// Way to the neighbouring curve, in differences of the second parameter.
 const ASIDE: f64 = 10.0;
+
+/// Newton steps to the orbit across from a place, and the residual beside the size of the state below which none is taken.
+const STEPS: usize = 3;
+const CLOSED: f64 = 1e-9;
+
+/// The orbit across from a place.
+struct Foot {
+    start: Vec<f64>,
+    parameter: f64,
+    tangent: Tangent,
+    /// None where the place itself is the orbit.
+    shot: Option<Shot>,
+}
 
 /// The line through a place, linearised.
 struct Tangent {
@@ -66,20 +79,20 @@ fn power_w(shot: &Shot) -> f64 {
 type Failure<P> = OrbitError<<<P as Plane>::Line as Harvester>::Error>;
 
 impl<P: Plane> Tracking<'_, P> {
-    /// `g` with its gradient on the surface of orbits; `aside` is a shot at the second parameter moved by the difference of the plane.
+    /// `g` with its gradient; `shot` is that at the place.
     pub(super) fn peak(
         &self,
         (start, parameter, parameter_2): (&[f64], f64, f64),
-        line: &P::Line,
+        (line, beside): (&P::Line, &P::Line),
         shot: &Shot,
-        aside: &Shot,
     ) -> Result<Option<Gradient>, Failure<P>> {
+        let Some(Foot { start, parameter, tangent, shot: other }) = self.foot((start, parameter), line, shot)? else { return Ok(None) };
+        let shot = other.as_ref().unwrap_or(shot);
         let difference = self.plane.differences([parameter, parameter_2])[1];
         let n = start.len();
-        let Some(tangent) = Tangent::of(shot, self.unit) else { return Ok(None) };
-        let (size, own_w) = (ColRef::from_slice(start).norm_l2(), power_w(shot));
+        let (size, own_w) = (ColRef::from_slice(&start).norm_l2(), power_w(shot));
         let width = WIDTH * size;
-        let here = (start, parameter);
+        let here = (&start[..], parameter);
         let [behind, before, after, beyond] = [-2.0, -1.0, 1.0, 2.0].map(|k| self.shoot_off(line, here, &tangent.along, k * width));
         let (before, after) = (before?, after?);
         let near = power_w(&after) - power_w(&before);
@@ -91,9 +104,10 @@ impl<P: Plane> Tracking<'_, P> {
         let second = power_w(&after) + power_w(&before) - 2.0 * own_w + 2.0 * (bent_w - own_w);
         let per_length = second / (width * width) * size / own_w;
         let step = ASIDE * difference;
+        let (aside, _) = self.shooting(beside).shoot(&start, parameter)?;
         let right: Vec<f64> = (0..n).map(|i| -(aside.residual[i] - shot.residual[i]) / difference).collect();
         let Some(to_side) = tangent.across(&right) else { return Ok(None) };
-        let there = self.slope_aside((start, parameter, parameter_2), &tangent.along, &to_side, step)?;
+        let there = self.slope_aside((&start, parameter, parameter_2), &tangent.along, &to_side, step)?;
         let Some(there) = there else { return Ok(None) };
         Ok(Some(Gradient {
             value: (8.0 * near - far) / (12.0 * width) * size / own_w,
@@ -103,6 +117,26 @@ impl<P: Plane> Tracking<'_, P> {
             bend: Some(per_length * size),
             is_resonant: false,
         }))
+    }
+
+    /// The orbit across from a place, at the same second parameter.
+    fn foot(&self, (start, parameter): (&[f64], f64), line: &P::Line, shot: &Shot) -> Result<Option<Foot>, Failure<P>> {
+        let Some(tangent) = Tangent::of(shot, self.unit) else { return Ok(None) };
+        let mut foot = Foot { start: start.to_vec(), parameter, tangent, shot: None };
+        for _ in 0..STEPS {
+            let residual = &foot.shot.as_ref().unwrap_or(shot).residual;
+            if ColRef::from_slice(residual).norm_l2() < CLOSED * ColRef::from_slice(&foot.start).norm_l2() {
+                break;
+            }
+            let right: Vec<f64> = residual.iter().map(|r| -r).collect();
+            let Some(change) = foot.tangent.across(&right) else { return Ok(None) };
+            foot.start.iter_mut().zip(&change).for_each(|(u, d)| *u += d);
+            foot.parameter += self.unit * change[foot.start.len()];
+            let there = self.shooting(line).at(&foot.start, foot.parameter)?;
+            let Some(tangent) = Tangent::of(&there, self.unit) else { return Ok(None) };
+            (foot.tangent, foot.shot) = (tangent, Some(there));
+        }
+        Ok(Some(foot))
     }
 
     /// A shot off a place by a change of `(u, (p - p0) / unit)`.

@@ -122,7 +122,7 @@ impl<P: Plane> Family for Tracking<'_, P> {
             shooting.shoot(&start, parameter).map(|(shot, _)| shot)
         };
         let found = match self.condition {
-            Condition::Peak => self.peak((start, parameter, parameter_2), &line, &shot, &aside)?.map(|found| vec![found]),
+            Condition::Peak => self.peak((start, parameter, parameter_2), (&line, &beside), &shot)?.map(|found| vec![found]),
             Condition::Touching(touch) => {
                 let touch = touch.moved(unknown[n + 1]);
                 Some(touching::gradients(touch, &shot, [&ahead, &aside], differences, (&self.scale, self.march_tolerance()))?)

@@ -1,0 +1,46 @@
+//! The cloud of starts of a call.
+
+use crate::failure::Failure;
+use jounce::study::Cloud;
+
+/// Most starts of a cloud.
+const MOST_STARTS: usize = 100_000_000;
+
+/// Its seed and its size, in gaps, that are meant if nothing else is said.
+const SEED: u64 = 1;
+const SPREAD: f64 = 10.0;
+
+/// What a call tells of its cloud.
+#[derive(Clone, Copy)]
+pub struct Told {
+    pub starts: Option<usize>,
+    pub seed: Option<u64>,
+    pub spread: Option<f64>,
+}
+
+impl Told {
+    /// The cloud, of so many starts if nothing else is said.
+    pub fn cloud(self, starts: usize) -> Result<Cloud, Failure> {
+        let cloud = Cloud { starts: self.starts.unwrap_or(starts), seed: self.seed.unwrap_or(SEED), spread: self.spread.unwrap_or(SPREAD) };
+        let &Cloud { starts, spread, .. } = &cloud;
+        if (1..=MOST_STARTS).contains(&starts) && spread > 0.0 && spread.is_finite() {
+            return Ok(cloud);
+        }
+        let why =
+            format!("starts is {starts} and spread {spread}; starts must be from 1 to {MOST_STARTS}, spread greater than 0 and finite");
+        let details = serde_json::json!({ "starts": starts, "least_starts": 1, "most_starts": MOST_STARTS, "spread": spread });
+        Err(Failure::new("ArgumentError", why).with(details))
+    }
+
+    /// Refuses what belongs to a cloud where there is none; `else_try` is what would make one.
+    pub fn nothing(self, else_try: &str) -> Result<(), Failure> {
+        let given = [("starts", self.starts.is_some()), ("seed", self.seed.is_some()), ("spread", self.spread.is_some())];
+        match given.into_iter().find(|(_, is_given)| *is_given) {
+            None => Ok(()),
+            Some((option, _)) => {
+                let why = format!("{option} belongs to a cloud of starts: {else_try} or leave {option} out");
+                Err(Failure::new("ArgumentError", why).with(serde_json::json!({ "option": option })))
+            }
+        }
+    }
+}
