@@ -4,7 +4,7 @@
 //! g = (L / P) dP/ds,   s the length along the curve of (u, (p - p0) / unit),   L = |u|
 //! ```
 //!
-//! `dP/ds` is a difference along the tangent, of fourth order in its width; what moves off the curve by its bend does so alike on both
+//! Slopes along the tangent are differences of fourth order in their width; what moves off the curve by its bend does so alike on both
 //! sides and cancels. Off the surface of orbits `g` is that of the orbit across from there, so that its gradient has two directions only: along
 //! the curve (`d2P/ds2`, with the bend of the curve put back by one shot more), and to the neighbouring curve at another second parameter.
 //!
@@ -19,10 +19,13 @@ use crate::orbit::{Harvester, OrbitError, Shot, null_vector};
 use faer::{ColRef, Mat};
 
 /// Width of the difference along the curve, beside the size of the state.
-const WIDTH: f64 = 3e-3;
+const WIDTH: f64 = 1.5e-3;
 
-/// Way to the neighbouring curve, in differences of the second parameter.
+/// Way to the neighbouring curve, in differences of the second parameter, ...
 const ASIDE: f64 = 10.0;
+
+/// ... and the change of `g` beyond which a shorter one is taken: near a fold the peak is sharp, and `g` bends within a short way.
+const FAR: f64 = 1e-3;
 
 /// Newton steps to the orbit across from a place, and the residual beside the size of the state below which none is taken.
 const STEPS: usize = 3;
@@ -92,27 +95,33 @@ impl<P: Plane> Tracking<'_, P> {
         let n = start.len();
         let (size, own_w) = (ColRef::from_slice(&start).norm_l2(), power_w(shot));
         let width = WIDTH * size;
-        let here = (&start[..], parameter);
-        let [behind, before, after, beyond] = [-2.0, -1.0, 1.0, 2.0].map(|k| self.shoot_off(line, here, &tangent.along, k * width));
-        let (before, after) = (before?, after?);
-        let near = power_w(&after) - power_w(&before);
-        let far = power_w(&beyond?) - power_w(&behind?);
+        let sides = self.sides(line, (&start, parameter), &tangent.along, width)?;
         // Half-way between the two sides the straight way has left the curve by the bend.
-        let bend: Vec<f64> = (0..n).map(|i| shot.residual[i] - 0.5 * (before.residual[i] + after.residual[i])).collect();
+        let left = |i: usize, pair: usize| 0.5 * (sides[pair][0].residual[i] + sides[pair][1].residual[i]) - shot.residual[i];
+        let bend: Vec<f64> = (0..n).map(|i| -(16.0 * left(i, 0) - left(i, 1)) / 12.0).collect();
         let Some(bend) = tangent.across(&bend) else { return Ok(None) };
-        let bent_w = power_w(&self.shoot_off(line, here, &bend, 1.0)?);
-        let second = power_w(&after) + power_w(&before) - 2.0 * own_w + 2.0 * (bent_w - own_w);
+        let bent_w = power_w(&self.shoot_off(line, (&start, parameter), &bend, 1.0)?);
+        let both = |pair: usize| power_w(&sides[pair][0]) + power_w(&sides[pair][1]) - 2.0 * own_w;
+        let second = (16.0 * both(0) - both(1)) / 12.0 + 2.0 * (bent_w - own_w);
         let per_length = second / (width * width) * size / own_w;
-        let step = ASIDE * difference;
         let (aside, _) = self.shooting(beside).shoot(&start, parameter)?;
         let right: Vec<f64> = (0..n).map(|i| -(aside.residual[i] - shot.residual[i]) / difference).collect();
         let Some(to_side) = tangent.across(&right) else { return Ok(None) };
-        let there = self.slope_aside((&start, parameter, parameter_2), &tangent.along, &to_side, step)?;
-        let Some(there) = there else { return Ok(None) };
+        let slope = slope(&sides, width) * size / own_w;
+        let aside_by = |step: f64| self.slope_aside((&start, parameter, parameter_2), &tangent.along, &to_side, step);
+        let mut step = ASIDE * difference;
+        let Some(mut there) = aside_by(step)? else { return Ok(None) };
+        if (there - slope).abs() > FAR {
+            step *= FAR / (there - slope).abs();
+            match aside_by(step)? {
+                Some(nearer) => there = nearer,
+                None => return Ok(None),
+            }
+        }
         Ok(Some(Gradient {
-            value: (8.0 * near - far) / (12.0 * width) * size / own_w,
+            value: slope,
             by_unknown: tangent.along[..n].iter().map(|t| per_length * t).collect(),
-            by_parameters: [per_length * tangent.along[n] / self.unit, (there - near / (2.0 * width) * size / own_w) / step],
+            by_parameters: [per_length * tangent.along[n] / self.unit, (there - slope) / step],
             by_phase: 0.0,
             bend: Some(per_length * size),
             is_resonant: false,
@@ -146,7 +155,13 @@ impl<P: Plane> Tracking<'_, P> {
         Ok(self.shooting(line).shoot(&moved, parameter + length * self.unit * change[n])?.0)
     }
 
-    /// `g` by a difference of second order on the neighbouring curve.
+    /// Shots once and twice a width off a place, on both sides along the curve.
+    fn sides(&self, line: &P::Line, here: (&[f64], f64), along: &[f64], width: f64) -> Result<[[Shot; 2]; 2], Failure<P>> {
+        let off = |widths: f64| self.shoot_off(line, here, along, widths * width);
+        Ok([[off(-1.0)?, off(1.0)?], [off(-2.0)?, off(2.0)?]])
+    }
+
+    /// `g` on the neighbouring curve.
     fn slope_aside(
         &self,
         (start, parameter, parameter_2): (&[f64], f64, f64),
@@ -163,8 +178,13 @@ impl<P: Plane> Tracking<'_, P> {
         let sense: f64 = tangent.along.iter().zip(along).map(|(a, b)| a * b).sum();
         let size = ColRef::from_slice(start).norm_l2();
         let width = WIDTH * size;
-        let side = |way: f64| self.shoot_off(&line, (&there, parameter), &tangent.along, way * width);
-        let near = power_w(&side(1.0)?) - power_w(&side(-1.0)?);
-        Ok(Some(sense.signum() * near / (2.0 * width) * size / power_w(&shot)))
+        let sides = self.sides(&line, (&there, parameter), &tangent.along, width)?;
+        Ok(Some(sense.signum() * slope(&sides, width) * size / power_w(&shot)))
     }
+}
+
+/// Slope of the power along a curve, W per length, from the shots beside a place.
+fn slope(sides: &[[Shot; 2]; 2], width: f64) -> f64 {
+    let across = |[before, after]: &[Shot; 2]| power_w(after) - power_w(before);
+    (8.0 * across(&sides[0]) - across(&sides[1])) / (12.0 * width)
 }
