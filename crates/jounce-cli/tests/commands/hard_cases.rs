@@ -48,7 +48,8 @@ fn hard_cases_end_with_an_answer_or_a_clear_error() {
 #[test]
 fn a_command_without_a_whole_branch_ends_with_3() {
     let over = "drive.shaker.frequency=13.2Hz:13.5Hz";
-    let rock = ["branch", PLANT, "--over", over, "--seeds", "0", "--longest-period", "1", "--json", "--set", "stop.tip.stiffness=1e12 N/m^1.5"];
+    let rock =
+        ["branch", PLANT, "--over", over, "--seeds", "0", "--longest-period", "1", "--json", "--set", "stop.tip.stiffness=1e12 N/m^1.5"];
     let (code, json, told) = jounce(&rock);
     let branch = &json["branches"][0];
     assert!(code == 3 && told.contains("no branch is whole") && told.contains("give a shorter range"), "{code} {told}");

@@ -142,7 +142,8 @@ impl Band {
         };
         let places = measured.iter().map(|one| one.place).max().map_or(0, |last| last + 1);
         let of_place = |place: usize| {
-            let parts = measured.iter().filter(|one| one.place == place).map(|one| one.without).min_by_key(|parts| parts.len()).unwrap_or(&[]);
+            let parts =
+                measured.iter().filter(|one| one.place == place).map(|one| one.without).min_by_key(|parts| parts.len()).unwrap_or(&[]);
             let left_out = |(part, without): (usize, &Without)| LeftOut {
                 share: without.share,
                 place,

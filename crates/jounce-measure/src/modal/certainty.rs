@@ -121,7 +121,8 @@ fn score(data: &Data, outputs: &[Left], left_out: &LeftOut, turns: usize) -> Mat
     for (o, left) in outputs.iter().enumerate() {
         let turned = Mat::from_fn(left.projected.nrows(), turns, |row, turn| {
             let (response, k) = (o * inputs + row / rows, row % rows / 2);
-            let change = left_out.change[response].get(data.lines[k]).map_or(c64::new(0.0, 0.0), |of| of * data.responses[response].weight[k]);
+            let change =
+                left_out.change[response].get(data.lines[k]).map_or(c64::new(0.0, 0.0), |of| of * data.responses[response].weight[k]);
             match (row % 2, turn) {
                 (0, 0) | (1, 1) => change.re,
                 (0, _) => -change.im,

@@ -43,7 +43,9 @@ fn trial(outputs: usize, references: usize, noise: Noise, seed: u64) -> Identifi
     for (o, i) in (0..outputs).flat_map(|o| (0..references).map(move |i| (o, i))) {
         let clean: Vec<c64> = frequency_hz.iter().map(|hz| exact(o, i, *hz)).collect();
         let rms = (clean.iter().map(|h| h.norm_sqr()).sum::<f64>() / clean.len() as f64).sqrt();
-        response.push(clean.iter().zip(&force[i]).map(|(h, force)| h * force * (1.0 + draw(noise.response)) + draw(noise.sensor * rms)).collect());
+        response.push(
+            clean.iter().zip(&force[i]).map(|(h, force)| h * force * (1.0 + draw(noise.response)) + draw(noise.sensor * rms)).collect(),
+        );
     }
     let band = Band::new(&frequency_hz, &response, &[], references, Motion::Acceleration, (40.0, 200.0)).expect("a band");
     identify(&band, Settings { order: 12 }).expect("modes")

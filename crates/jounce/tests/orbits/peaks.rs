@@ -3,7 +3,7 @@
 use crate::harvesters::{bench, branches};
 use jounce::linear::{optimal_resistance, steady_power_w};
 use jounce::spec::SpecFile;
-use jounce::study::{BandwidthSearch, CurveKind, JumpCurve, JumpSearch, Method, Parameter, Prepared};
+use jounce::study::{BandwidthSearch, BranchKind, CurveKind, JumpCurve, JumpSearch, Method, Parameter, Prepared};
 
 fn untouched() -> SpecFile {
     let mut file = bench();
@@ -12,11 +12,15 @@ fn untouched() -> SpecFile {
 }
 
 fn peaks(file: &SpecFile, keys: [&str; 2], ranges: [(f64, f64); 2]) -> Vec<JumpCurve> {
+    curves(file, keys, ranges, 0).into_iter().filter(|curve| curve.kind == CurveKind::Peak).collect()
+}
+
+fn curves(file: &SpecFile, keys: [&str; 2], ranges: [(f64, f64); 2], seeds: usize) -> Vec<JumpCurve> {
     let base = Prepared::new(file.spec().unwrap()).unwrap();
     let keys = keys.map(|key| file.numeric_key(key).unwrap());
-    let search = JumpSearch { base: &base, keys: [&keys[0], &keys[1]], ranges, tolerance: 1e-10, seeds: 0, longest_period: 1, peaks: true };
-    let found: Vec<JumpCurve> = search.run().unwrap().into_iter().filter(|curve| curve.kind == CurveKind::Peak).collect();
-    found.iter().for_each(|curve| eprintln!("{} points, {:?}", curve.points.len(), curve.failures));
+    let search = JumpSearch { base: &base, keys: [&keys[0], &keys[1]], ranges, tolerance: 1e-10, seeds, longest_period: 1, peaks: true };
+    let found = search.run().unwrap();
+    found.iter().for_each(|curve| eprintln!("{}: {} points, {:?}", curve.kind.name(), curve.points.len(), curve.failures));
     found
 }
 
@@ -110,4 +114,32 @@ fn the_optimal_load_with_contact_is_the_best_of_the_branches_beside_it() {
     eprintln!("{:.1} ohm, {own:.9e} W, {:.1e} off; vertex {vertex:.1e} off", best.parameter, best.mean_power_w / own - 1.0);
     assert!((best.mean_power_w / own - 1.0).abs() < 2e-7 && vertex.abs() < 1e-3, "{vertex}");
     assert!(less > low && own > less && own > more && more > high, "{:?}", [low, less, own, more, high]);
+}
+
+/// An isolated branch is born where its two folds meet, as a point: the curve of its peaks ends there, in few points. The vertex of the fold curve is
+/// that of a parabola through the points around it.
+#[test]
+fn the_peak_of_an_isolated_branch_ends_where_its_folds_meet() {
+    let found = curves(&bench(), ["drive.shaker.frequency", "stop.tip.stiffness"], [(12.5, 14.0), (4780.0, 5000.0)], 4);
+    let lowest = |curve: &JumpCurve| curve.points.iter().map(|point| point.parameter_2).fold(f64::INFINITY, f64::min);
+    let born = |curve: &&JumpCurve| lowest(curve) > 4781.0 && curve.points.iter().all(|point| point.parameter > 13.0);
+    let peak = found.iter().filter(|curve| curve.kind == CurveKind::Peak).find(born).unwrap();
+    assert!(peak.failures.is_empty() && peak.points.len() < 120, "{} points, {:?}", peak.points.len(), peak.failures);
+    let end = peak.points.iter().min_by(|a, b| a.parameter_2.total_cmp(&b.parameter_2)).unwrap();
+    let folds = |curve: &&JumpCurve| {
+        curve.kind == CurveKind::Bifurcation(BranchKind::Fold)
+            && curve.points.iter().any(|point| (point.parameter - end.parameter).abs() < 0.01)
+    };
+    let fold = found
+        .iter()
+        .filter(folds)
+        .min_by(|a, b| (lowest(a) - end.parameter_2).abs().total_cmp(&(lowest(b) - end.parameter_2).abs()))
+        .unwrap();
+    let at = (1..fold.points.len() - 1).min_by(|a, b| fold.points[*a].parameter_2.total_cmp(&fold.points[*b].parameter_2)).unwrap();
+    let [a, b, c] = [at - 1, at, at + 1].map(|k| (fold.points[k].parameter - fold.points[at].parameter, fold.points[k].parameter_2));
+    let (rise, fall) = ((a.1 - b.1) / a.0, (c.1 - b.1) / c.0);
+    let (square, slope) = ((rise - fall) / (a.0 - c.0), (rise * c.0 - fall * a.0) / (c.0 - a.0));
+    let vertex = (fold.points[at].parameter - slope / (2.0 * square), b.1 - slope * slope / (4.0 * square));
+    eprintln!("the peak ends at {:.6} Hz, {:.5}; the folds meet at {:.6} Hz, {:.5}", end.parameter, end.parameter_2, vertex.0, vertex.1);
+    assert!((end.parameter - vertex.0).abs() < 5e-3 && (end.parameter_2 - vertex.1).abs() < 0.05);
 }

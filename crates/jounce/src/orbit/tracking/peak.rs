@@ -13,31 +13,32 @@
 use super::condition::Gradient;
 use super::plane::Plane;
 use super::tracked::Tracking;
-use crate::continuation::Family;
 use crate::orbit::border::solve_bordered;
 use crate::orbit::{Harvester, OrbitError, Shot, null_vector};
 use faer::{ColRef, Mat};
 
 /// Width of the difference along the curve, beside the size of the state.
-const WIDTH: f64 = 1.5e-3;
+const WIDTH: f64 = 3e-3;
 
-/// Way to the neighbouring curve, in differences of the second parameter, ...
+/// Way to the neighbouring curve that is tried first, in differences of the second parameter, ...
 const ASIDE: f64 = 10.0;
 
-/// ... and the change of `g` beyond which a shorter one is taken: near a fold the peak is sharp, and `g` bends within a short way.
-const FAR: f64 = 1e-3;
+/// ... the change of `g` that it should make: over a shorter way roundoff counts, over a longer one `g` bends, ...
+const CHANGE: f64 = 1e-3;
+
+/// ... and the farthest that the state may go on it, beside its size.
+const REACH: f64 = 3e-3;
 
 /// Newton steps to the orbit across from a place, and the residual beside the size of the state below which none is taken.
-const STEPS: usize = 3;
-const CLOSED: f64 = 1e-9;
+const STEPS: usize = 2;
+const CLOSED: f64 = 1e-11;
 
 /// The orbit across from a place.
 struct Foot {
     start: Vec<f64>,
     parameter: f64,
+    shot: Shot,
     tangent: Tangent,
-    /// None where the place itself is the orbit.
-    shot: Option<Shot>,
 }
 
 /// The line through a place, linearised.
@@ -82,18 +83,16 @@ fn power_w(shot: &Shot) -> f64 {
 type Failure<P> = OrbitError<<<P as Plane>::Line as Harvester>::Error>;
 
 impl<P: Plane> Tracking<'_, P> {
-    /// `g` with its gradient; `shot` is that at the place.
+    /// `g` with its gradient.
     pub(super) fn peak(
         &self,
         (start, parameter, parameter_2): (&[f64], f64, f64),
         (line, beside): (&P::Line, &P::Line),
-        shot: &Shot,
     ) -> Result<Option<Gradient>, Failure<P>> {
-        let Some(Foot { start, parameter, tangent, shot: other }) = self.foot((start, parameter), line, shot)? else { return Ok(None) };
-        let shot = other.as_ref().unwrap_or(shot);
+        let Some(Foot { start, parameter, shot, tangent }) = self.foot((start, parameter), line)? else { return Ok(None) };
         let difference = self.plane.differences([parameter, parameter_2])[1];
         let n = start.len();
-        let (size, own_w) = (ColRef::from_slice(&start).norm_l2(), power_w(shot));
+        let (size, own_w) = (ColRef::from_slice(&start).norm_l2(), power_w(&shot));
         let width = WIDTH * size;
         let sides = self.sides(line, (&start, parameter), &tangent.along, width)?;
         // Half-way between the two sides the straight way has left the curve by the bend.
@@ -111,10 +110,12 @@ impl<P: Plane> Tracking<'_, P> {
         let aside_by = |step: f64| self.slope_aside((&start, parameter, parameter_2), &tangent.along, &to_side, step);
         let mut step = ASIDE * difference;
         let Some(mut there) = aside_by(step)? else { return Ok(None) };
-        if (there - slope).abs() > FAR {
-            step *= FAR / (there - slope).abs();
+        let farthest = REACH * size / ColRef::from_slice(&to_side).norm_l2();
+        let better = (step * CHANGE / (there - slope).abs()).min(farthest);
+        if !(0.3..3.0).contains(&(better / step)) {
+            step = better;
             match aside_by(step)? {
-                Some(nearer) => there = nearer,
+                Some(other) => there = other,
                 None => return Ok(None),
             }
         }
@@ -129,23 +130,34 @@ impl<P: Plane> Tracking<'_, P> {
     }
 
     /// The orbit across from a place, at the same second parameter.
-    fn foot(&self, (start, parameter): (&[f64], f64), line: &P::Line, shot: &Shot) -> Result<Option<Foot>, Failure<P>> {
-        let Some(tangent) = Tangent::of(shot, self.unit) else { return Ok(None) };
-        let mut foot = Foot { start: start.to_vec(), parameter, tangent, shot: None };
-        for _ in 0..STEPS {
-            let residual = &foot.shot.as_ref().unwrap_or(shot).residual;
-            if ColRef::from_slice(residual).norm_l2() < CLOSED * ColRef::from_slice(&foot.start).norm_l2() {
-                break;
+    fn foot(&self, (start, parameter): (&[f64], f64), line: &P::Line) -> Result<Option<Foot>, Failure<P>> {
+        let (mut start, mut parameter) = (start.to_vec(), parameter);
+        for step in 0.. {
+            let shot = self.shot_with_slopes(line, &start, parameter)?;
+            let Some(tangent) = Tangent::of(&shot, self.unit) else { break };
+            let off = ColRef::from_slice(&shot.residual).norm_l2() / ColRef::from_slice(&start).norm_l2();
+            if step == STEPS || off < CLOSED {
+                return Ok(Some(Foot { start, parameter, shot, tangent }));
             }
-            let right: Vec<f64> = residual.iter().map(|r| -r).collect();
-            let Some(change) = foot.tangent.across(&right) else { return Ok(None) };
-            foot.start.iter_mut().zip(&change).for_each(|(u, d)| *u += d);
-            foot.parameter += self.unit * change[foot.start.len()];
-            let there = self.shooting(line).at(&foot.start, foot.parameter)?;
-            let Some(tangent) = Tangent::of(&there, self.unit) else { return Ok(None) };
-            (foot.tangent, foot.shot) = (tangent, Some(there));
+            let right: Vec<f64> = shot.residual.iter().map(|r| -r).collect();
+            let Some(change) = tangent.across(&right) else { break };
+            start.iter_mut().zip(&change).for_each(|(u, d)| *u += d);
+            parameter += self.unit * change[start.len()];
         }
-        Ok(Some(foot))
+        Ok(None)
+    }
+
+    /// A shot with its derivative by the first parameter to second order: what the tangent is off by, `g` is off by.
+    fn shot_with_slopes(&self, line: &P::Line, start: &[f64], parameter: f64) -> Result<Shot, Failure<P>> {
+        let shooting = self.shooting(line);
+        let (mut shot, exact) = shooting.shoot(start, parameter)?;
+        if !exact {
+            let difference = line.difference();
+            let [(less, _), (more, _)] = [shooting.shoot(start, parameter - difference)?, shooting.shoot(start, parameter + difference)?];
+            let slope = |(more, less): (&f64, &f64)| (more - less) / (2.0 * difference);
+            shot.by_parameter = more.residual.iter().zip(&less.residual).map(slope).collect();
+        }
+        Ok(shot)
     }
 
     /// A shot off a place by a change of `(u, (p - p0) / unit)`.
@@ -173,7 +185,7 @@ impl<P: Plane> Tracking<'_, P> {
         let line = self.plane.line(parameter_2 + step).map_err(OrbitError::Harvester)?;
         let there: Vec<f64> = start.iter().zip(to_side).map(|(u, d)| u + step * d).collect();
         let parameter = parameter + step * self.unit * to_side[n];
-        let shot = self.shooting(&line).at(&there, parameter)?;
+        let shot = self.shot_with_slopes(&line, &there, parameter)?;
         let Some(tangent) = Tangent::of(&shot, self.unit) else { return Ok(None) };
         let sense: f64 = tangent.along.iter().zip(along).map(|(a, b)| a * b).sum();
         let size = ColRef::from_slice(start).norm_l2();

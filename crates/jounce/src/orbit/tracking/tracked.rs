@@ -122,7 +122,7 @@ impl<P: Plane> Family for Tracking<'_, P> {
             shooting.shoot(&start, parameter).map(|(shot, _)| shot)
         };
         let found = match self.condition {
-            Condition::Peak => self.peak((start, parameter, parameter_2), (&line, &beside), &shot)?.map(|found| vec![found]),
+            Condition::Peak => self.peak((start, parameter, parameter_2), (&line, &beside))?.map(|found| vec![found]),
             Condition::Touching(touch) => {
                 let touch = touch.moved(unknown[n + 1]);
                 Some(touching::gradients(touch, &shot, [&ahead, &aside], differences, (&self.scale, self.march_tolerance()))?)
@@ -146,6 +146,18 @@ impl<P: Plane> Family for Tracking<'_, P> {
         let residual = shot.residual.iter().copied().chain(gradients.iter().map(|own| own.value)).collect();
         let (bend, is_resonant) = (gradients[0].bend, gradients[0].is_resonant);
         Ok(Tracked { shot, bend, is_resonant, residual, matrix, by_parameter, states: n })
+    }
+}
+
+impl Tracked {
+    /// Smallest singular value of the equations of the orbit, by its state and the first parameter, over the next larger one: nothing where
+    /// the branch over the first parameter is a point, as an isolated one is where it is born.
+    pub fn share_of_branch(&self) -> Option<f64> {
+        let equations = self.matrix.as_ref().submatrix(0, 0, self.states, self.states + 1);
+        match &equations.singular_values().ok()?[..] {
+            [.., next, smallest] => Some(smallest / next),
+            _ => None,
+        }
     }
 }
 

@@ -16,6 +16,12 @@ const SHORTEST: f64 = 10.0;
 /// Share of a step, as far as its start may lie from an edge that counts as on it.
 const ON_EDGE: f64 = 1e-9;
 
+/// Share of a branch at which it is a point: an isolated one is born there, and with it its peak.
+const A_POINT: f64 = 2e-4;
+
+/// The same, where the peak cannot be followed any nearer to it.
+const ALMOST: f64 = 1e-3;
+
 /// Most points of one curve.
 const MOST_POINTS: usize = 400;
 
@@ -45,11 +51,13 @@ impl JumpSearch<'_> {
         let control = StepControl { shortest: SHORTEST * corrector.goal, ..StepControl::default() };
         let from = |position: Position, ahead: Direction| Walk::new(tracking, corrector, control, self.scale_2(), position, ahead);
         let mut walk = from(first.position, ahead);
+        let mut here = first.local;
         loop {
             let mark = walk.mark();
             let before = walk.position.clone();
             let (position, local) = match walk.next() {
                 Some(Ok(step)) => (step.position, step.local),
+                Some(Err(_)) if is_born(&here, ALMOST) => break,
                 Some(Err(error)) => {
                     let Some((found, ahead)) = corner::round(tracking, &corrector, self.scale_2(), (&before, &walk.tangent)) else {
                         curve.failures.push(error.to_string());
@@ -83,6 +91,10 @@ impl JumpSearch<'_> {
                 break;
             }
             curve.points.push(point(tracking, &position, &local));
+            if is_born(&local, A_POINT) {
+                break;
+            }
+            here = local;
             if curve.points.len() > 4 && passes(&metric, &origin, &before, &position) {
                 break;
             }
@@ -145,6 +157,11 @@ impl JumpSearch<'_> {
         across.unknown[own] = metric.unknown;
         correct(tracking, &corrector, &metric, &across, guess).ok()
     }
+}
+
+/// True for a peak where its branch is born, within a share.
+fn is_born(local: &Tracked, share: f64) -> bool {
+    local.bend.is_some() && local.share_of_branch().is_some_and(|own| own < share)
 }
 
 /// A place of a curve as a result.
