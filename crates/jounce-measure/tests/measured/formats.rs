@@ -102,6 +102,32 @@ fn a_unit_that_the_columns_would_cut_is_refused() {
     assert!(write_in(long, "parquet").0.is_ok());
 }
 
+/// 10 characters of a place and 80 of a name are written and read again, one more is refused with both numbers, and nothing is left behind.
+#[test]
+fn a_place_or_name_that_the_columns_would_cut_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let written = |place: &str, name: &str, ending: &str| {
+        let mut recording = record();
+        (recording.channels[1].place, recording.channels[1].name) = (place.to_owned(), name.to_owned());
+        let path = folder.path().join(format!("{}-{}.{ending}", place.len(), name.len()));
+        (write(&recording, &path).map_err(|error| error.to_string()), path)
+    };
+    let name = "n".repeat(80);
+    let (fits, path) = written("beam.tip 1", &name, "uff");
+    fits.expect("a file");
+    let again = &read::file(&path).expect("what was written").recordings[0].channels[1];
+    assert_eq!((again.place.as_str(), &again.name), ("beam.tip 1", &name));
+    for (place, name, told) in [
+        ("beam.hammer", "a".to_owned(), "the place of a, \"beam.hammer\", has 11 characters; UFF holds 10: give a shorter one"),
+        ("tip", "n".repeat(81), "has 81 characters; UFF holds 80: give a shorter one"),
+    ] {
+        let (refused, path) = written(place, &name, "uff");
+        let refused = refused.expect_err("too long");
+        assert!(refused.contains(told) && !path.exists(), "{refused}");
+        assert!(written(place, &name, "csv").0.is_ok());
+    }
+}
+
 #[test]
 fn a_response_is_what_its_unit_says() {
     let (w0, zeta) = (TAU * 20.0, 0.01);
