@@ -22,6 +22,10 @@ pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) 
     check_notes(path, notes, &columns)?;
     let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
     let mut findings = std::mem::take(&mut raw.findings);
+    // What the notes tell of a channel is assumed no more.
+    let is_told =
+        |name: &String| columns.iter().zip(&said).any(|(column, said)| column == name && (said.unit.is_some() || said.name.is_some()));
+    findings.retain(|finding| finding.kind != FindingKind::Assumed || !finding.channel.as_ref().is_some_and(is_told));
     if notes.over_frequency {
         raw.over = Over::Frequency;
     }

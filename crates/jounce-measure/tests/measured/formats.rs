@@ -187,6 +187,22 @@ fn a_unit_that_is_not_known_is_told_in_brackets_of_any_kind() {
     assert_eq!((named.channels[0].name.as_str(), named.channels[0].values[1]), ("a", 2.0 * 9.80665));
 }
 
+/// One letter in brackets behind a sensor or channel may be a label as well as a unit: how it is read is told, and no more where notes say it.
+/// An LVM file has a line of units, so that its heads are names.
+#[test]
+fn a_letter_that_may_be_a_label_is_told() {
+    let text = b"t (s),sensor (A),channel (V),channel (B)\n0,1,2,3\n1,20,2.5,3.5\n2,3,2,3\n";
+    let found = one("a.csv", text, None);
+    let names: Vec<(&str, &str)> = found.channels.iter().map(|channel| (channel.name.as_str(), channel.unit.as_str())).collect();
+    assert_eq!(names, [("sensor (A)", ""), ("channel", "V"), ("channel (B)", "")]);
+    let told: Vec<String> = found.findings.iter().map(ToString::to_string).collect();
+    assert!(kinds(&found) == [FindingKind::Assumed; 2] && told[0].contains("as a label") && told[1].contains("as the unit V"), "{told:?}");
+    let notes = "[channel.\"sensor (A)\"]\nname = \"sensor A\"\n[channel.channel]\nunit = \"V\"\n";
+    assert_eq!(kinds(&one("a.csv", text, Some(notes))), []);
+    let labelled = one("a.lvm", lvm().replace("X_Value\tVoltage\t", "X_Value\tsensor (A)\t").as_bytes(), None);
+    assert_eq!((labelled.channels[0].name.as_str(), labelled.channels[0].unit.as_str()), ("sensor (A)", "V"));
+}
+
 /// 20 dB is ten times an amplitude, and a hundred times a density.
 #[test]
 fn decibels_are_told_of_their_reference() {
