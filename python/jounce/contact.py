@@ -123,7 +123,9 @@ class ContactResult(Result):
 
 
 def contact(record: Measured, *, sample_rate_hz: Any = None, force: str | None = None, mass: Any = None) -> ContactResult:
-    """Contact time, exponent and restitution of every hit in a record of force, and with the ``mass`` of the hammer the stiffness under each law.
+    """Contact time, exponent and restitution of every hit in a record of force, and with the ``mass`` of the hammer stiffnesses.
+
+    The stiffness is that under the free exponent and under each of the linear spring and Hertz's law that a pulse allows.
 
     ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``; ``force`` the channel, by
     default the first in newtons. The body that is struck is taken to stand still during a contact.
