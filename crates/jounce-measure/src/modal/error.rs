@@ -56,8 +56,8 @@ pub enum ModalError {
     },
     /// Every pole that was found may be one of noise.
     #[error(
-        "all {} poles found between {low_hz} and {high_hz} Hz, at {} Hz, are doubtful: the damping of none can be told from none, as that of poles \
-         which noise makes, so that there is no clear mode; try a longer record, a narrower band, or another order",
+        "there is no clear mode between {low_hz} and {high_hz} Hz: every pole found there ({}, at {} Hz) is doubtful, since its damping cannot be \
+         told from none, as that of poles which noise makes; try a longer record, a narrower band, or another order",
         frequency_hz.len(),
         first(frequency_hz)
     )]
