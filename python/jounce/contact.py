@@ -54,6 +54,16 @@ class ContactResult(Result):
     #: NaN where the mass of the hammer was not given; stiffness in N/m^exponent.
     stiffness: Annotated[Floats, Along("hit", "N m^-exponent", "stiffness of the law")]
     stiffness_relative_deviation: Annotated[Floats, Along("hit", "1", "standard deviation of the logarithm of the stiffness")]
+    stiffness_low: Annotated[Floats, Along("hit", "N m^-exponent", "lower end of the interval of 95 % of the stiffness")]
+    stiffness_high: Annotated[Floats, Along("hit", "N m^-exponent", "upper end of the interval of 95 % of the stiffness")]
+    #: NaN too where the pulse does not allow a linear spring.
+    linear_stiffness: Annotated[Floats, Along("hit", "N/m", "stiffness of a linear spring")]
+    linear_stiffness_low: Annotated[Floats, Along("hit", "N/m", "lower end of its interval of 95 %")]
+    linear_stiffness_high: Annotated[Floats, Along("hit", "N/m", "upper end of its interval of 95 %")]
+    #: NaN too where the pulse does not allow Hertz's law.
+    hertz_stiffness: Annotated[Floats, Along("hit", "N m^-1.5", "stiffness of Hertz's law")]
+    hertz_stiffness_low: Annotated[Floats, Along("hit", "N m^-1.5", "lower end of its interval of 95 %")]
+    hertz_stiffness_high: Annotated[Floats, Along("hit", "N m^-1.5", "upper end of its interval of 95 %")]
     speed_m_s: Annotated[Floats, Along("hit", "m/s", "speed of the hammer")]
     relative_error: Annotated[Floats, Along("hit", "1", "rms of what the law leaves over the largest force")]
     #: Which laws a pulse allows, at 95 %: ``"neither"``, ``"linear"``, ``"hertz"``, ``"both"``; empty where none could be fitted.
@@ -77,9 +87,19 @@ class ContactResult(Result):
                 law = f"95 %: exponent {self.exponent[k]:.3f} +- {QUANTILE_95 * self.exponent_deviation[k]:.3f}"
                 back = f"restitution {self.restitution[k]:.3f} +- {QUANTILE_95 * self.restitution_deviation[k]:.3f}"
                 lines.append(("", f"{law}, {back}; contact {self.law_contact_time_s[k]:.4e} s; {TOLD[kind]}"))
+                lines.extend(("", stiffness) for stiffness in self._stiffnesses(k))
             else:
                 lines.append(("", f"no law: {self.why[k]}"))
         return lines + told(self.findings)
+
+    def _stiffnesses(self, k: int) -> list[str]:
+        laws = {
+            f"N/m^{self.exponent[k]:.3f}": (self.stiffness, self.stiffness_low, self.stiffness_high),
+            "N/m as a linear spring": (self.linear_stiffness, self.linear_stiffness_low, self.linear_stiffness_high),
+            "N/m^1.5 as Hertz's law": (self.hertz_stiffness, self.hertz_stiffness_low, self.hertz_stiffness_high),
+        }
+        told = {unit: [one[k] for one in values] for unit, values in laws.items() if np.isfinite(values[0][k])}
+        return [f"stiffness {value:.4e} {unit}, 95 % from {low:.4e} to {high:.4e}" for unit, (value, low, high) in told.items()]
 
     def _repr_html_(self) -> str:
         shown = (self.time_s, self.peak_force_n, self.contact_time_s, self.exponent, self.restitution)
@@ -103,7 +123,9 @@ class ContactResult(Result):
 
 
 def contact(record: Measured, *, sample_rate_hz: Any = None, force: str | None = None, mass: Any = None) -> ContactResult:
-    """Contact time, exponent and restitution of every hit in a record of force, and with the ``mass`` of the hammer the stiffness.
+    """Contact time, exponent and restitution of every hit in a record of force, and with the ``mass`` of the hammer stiffnesses.
+
+    The stiffness is that under the free exponent and under each of the linear spring and Hertz's law that a pulse allows.
 
     ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``; ``force`` the channel, by
     default the first in newtons. The body that is struck is taken to stand still during a contact.
@@ -119,6 +141,10 @@ def contact(record: Measured, *, sample_rate_hz: Any = None, force: str | None =
         manifest=made_manifest("contact", **names_of([given]), mass_kg=mass_kg),
         channel=answer["channel"],
         **{name: column(laws, name) for name in of_law},
+        **stiffness_95(laws, ""),
+        **{f"{held}_stiffness": column([law.get(held) or {} for law in laws], "stiffness") for held in ("linear", "hertz")},
+        **stiffness_95([law.get("linear") or {} for law in laws], "linear_"),
+        **stiffness_95([law.get("hertz") or {} for law in laws], "hertz_"),
         law_contact_time_s=column(laws, "contact_time_s"),
         time_s=column(hits, "peak") / answer["rate_hz"],
         **{name: column(hits, name) for name in ("peak_force_n", "contact_time_s", "impulse_n_s")},
@@ -133,3 +159,9 @@ def contact(record: Measured, *, sample_rate_hz: Any = None, force: str | None =
 def kind_of(warning: Any) -> str:
     """The kind of a warning of a hit, which may carry numbers."""
     return warning if isinstance(warning, str) else next(iter(warning))
+
+
+def stiffness_95(laws: list[dict[str, Any]], prefix: str) -> dict[str, Floats]:
+    """Both ends of the interval of the stiffness of each law, NaN where there is none."""
+    ends = np.array([law.get("stiffness_95") or (np.nan, np.nan) for law in laws], dtype=float).reshape(-1, 2)
+    return {f"{prefix}stiffness_low": ends[:, 0], f"{prefix}stiffness_high": ends[:, 1]}

@@ -172,6 +172,10 @@ def test_contacts_are_those_of_the_command_line(command_line, tmp_path):
     # The law is linear, gives all of the speed back, and its stiffness is m w^2: off by 9e-8, 3e-10 and 7e-7.
     assert found.exponent == pytest.approx([1.0, 1.0], abs=1e-6) and found.restitution == pytest.approx([1.0, 1.0], abs=1e-8)
     assert found.stiffness == pytest.approx([0.1 * (np.pi / 3e-3) ** 2] * 2, rel=1e-5) and found.told == ["linear", "linear"]
+    assert found.linear_stiffness == pytest.approx([0.1 * (np.pi / 3e-3) ** 2] * 2, rel=1e-5) and np.isnan(found.hertz_stiffness).all()
+    same(found.linear_stiffness_low, [one["law"]["linear"]["stiffness_95"][0] for one in told["hits"]])
+    same(found.stiffness_high, [one["law"]["stiffness_95"][1] for one in told["hits"]])
+    assert (found.linear_stiffness_low <= found.linear_stiffness).all() and "as a linear spring" in repr(found)
     pulse = found.pulses[0]
     # Off by 2.3e-4 N of 50 N.
     assert np.interp(pulse.time_s, pulse.law_time_s, pulse.law_force_n) == pytest.approx(pulse.force_n, abs=1e-3)

@@ -26,7 +26,8 @@ pub enum Command {
     Check(check::Check),
     /// Draws the harvester to scale, so that a wrong number is seen.
     Show(show::Show),
-    /// Natural frequencies, damping ratios and coupling factors of a spec, or the modes of a hammer test.
+    /// Natural frequencies, damping ratios and coupling factors of a spec, or the modes of a hammer or shaker test, of free decays, or of
+    /// outputs alone.
     Modes(modes::Modes),
     /// Frequency response functions without contact, in closed form, or those of a hammer test.
     Frf(frf::Frf),
@@ -62,7 +63,7 @@ pub enum Command {
     Regimes(regimes::RegimesOf),
     /// Power spectral density, order lines and spectrogram of a recorded channel.
     Spectra(spectra::Spectra),
-    /// Fits keys of a spec to measured natural frequencies and damping ratios, with intervals.
+    /// Fits keys of a spec to what was measured (modes, frequency responses, powers, jumps, time histories), with intervals.
     Fit(fit::Fit),
     /// Records a model as the sensors of a rig would, hammer test or run, so that the truth is known.
     Rig(rig::Rig),

@@ -13,19 +13,21 @@ use std::path::PathBuf;
 /// How recordings without a measured force are taken.
 #[derive(Debug, Args)]
 pub struct DecayArguments {
-    /// The recordings are free decays, one after each release or hit; by default each from its largest size on.
+    /// The recordings are free decays, one after each release or hit, each from its largest size on or over --span; by default they are those
+    /// of a hammer or shaker.
     #[arg(long, requires = "measured", conflicts_with_all = ["output_only", "force"])]
     pub free_decay: bool,
-    /// The recording is that of a structure under noise that nobody measured; or one amplitude spectrum over frequency.
+    /// The recording is that of a structure under noise that nobody measured; or one amplitude spectrum over frequency; by default the
+    /// recordings hold a force.
     #[arg(long, requires = "measured", conflicts_with = "force")]
     pub output_only: bool,
-    /// Part of each free decay that is used, in times after its first sample, as in 0.2s:3s.
+    /// Part of each free decay that is used, in times after its first sample, as in 0.2s:3s; by default from its largest size to its end.
     #[arg(long, value_name = "FROM:TO", requires = "free_decay")]
     span: Option<String>,
-    /// Channel that the others are correlated with; can be given several times; by default all.
+    /// Channel that the others are correlated with, by its name; can be given several times; by default all.
     #[arg(long, value_name = "CHANNEL", requires = "output_only")]
     reference: Vec<String>,
-    /// Longest lag of the correlations; by default a sixty-fourth of the record, 512 samples at least.
+    /// Longest lag of the correlations, as in 2s; by default a sixty-fourth of the record, 512 samples at least.
     #[arg(long, value_name = "TIME", requires = "output_only")]
     lags: Option<String>,
 }

@@ -28,30 +28,32 @@ pub enum Noise {
 #[derive(Debug, Args)]
 pub struct HammerArguments {
     /// Recordings of a hammer or shaker test instead of a spec: force and responses over time, one or more hits in each or a force that
-    /// goes on, at one place or at several that they tell; or one file of response functions over frequency.
+    /// goes on, at one place or at several that they tell; or one file of response functions over frequency. CSV or text, Parquet, NPY, MAT v5,
+    /// UFF or LVM; by default the spec is used.
     #[arg(long, value_name = "FILE", num_args = 1..)]
     pub measured: Vec<PathBuf>,
-    /// Channel of the force; by default the first one in newtons.
+    /// Channel of the force, by its name; by default the first one in newtons.
     #[arg(long, value_name = "CHANNEL", requires = "measured")]
     force: Option<String>,
-    /// Channel of a response; can be given several times; by default all but the force.
+    /// Channel of a response, by its name; can be given several times; by default all but the force.
     #[arg(long, value_name = "CHANNEL", requires = "measured")]
     pub response: Vec<String>,
     /// Where the noise is: h1 on the responses, h2 on the force, hv on both.
     #[arg(long, value_enum, default_value = "h1", requires = "measured")]
     estimator: Noise,
-    /// For hv: density of the responses' noise over that of the force's, in squares of their SI units.
-    #[arg(long, default_value_t = 1.0, requires = "measured")]
+    /// For hv: density of the responses' noise over that of the force's, in squares of their SI units; a number above 0.
+    #[arg(long, value_name = "NUMBER", default_value_t = 1.0, requires = "measured")]
     noise_ratio: f64,
     /// Length of a block, as in 2s; by default a record with one hit is a block, else the shortest distance of two hits; under a shaker
     /// an eighth of the shortest record.
     #[arg(long, value_name = "TIME", requires = "measured")]
     block: Option<String>,
-    /// Takes away the force after each hit, which is noise.
+    /// Takes away the force after each hit, which is noise; by default it stays.
     #[arg(long, requires = "measured")]
     force_window: bool,
-    /// Exponential window on force and responses that ends at this ratio, as in 0.01; its damping is taken off the modes.
-    #[arg(long, value_name = "RATIO", requires = "measured")]
+    /// Exponential window on force and responses that ends at this ratio, a number between 0 and 1, as in 0.01; its damping is taken off the
+    /// modes; by default none.
+    #[arg(long, value_name = "NUMBER", requires = "measured")]
     end_ratio: Option<f64>,
     /// Takes the force for that of a shaker: half-overlapping blocks weighed by a Hann window. By default a force that goes on, both ways,
     /// is taken so.

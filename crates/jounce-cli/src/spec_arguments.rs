@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 pub struct SpecArguments {
     /// The spec file (TOML).
     pub spec: PathBuf,
-    /// Sets a key for this call, as in --set stop.tip.gap="0.5 mm"; can be given several times.
+    /// Sets a key for this call, as in --set stop.tip.gap="0.5 mm"; can be given several times; by default the spec holds as it stands.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub set: Vec<String>,
 }
@@ -22,10 +22,10 @@ pub struct SpecArguments {
 /// Where answers go.
 #[derive(Debug, Args)]
 pub struct OutputArguments {
-    /// Prints one JSON object on stdout.
+    /// Prints one JSON object on stdout; by default lines to read.
     #[arg(long)]
     pub json: bool,
-    /// Writes tables (CSV, Parquet, JSON) and pictures (SVG, PNG) into this folder.
+    /// Writes tables (CSV, Parquet, JSON) and pictures (SVG, PNG) into this folder, which is made where it is missing; by default none.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }

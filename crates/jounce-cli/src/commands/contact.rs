@@ -7,7 +7,7 @@ use clap::Args;
 use jounce::signal::Samples;
 use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
-use jounce_measure::contact::{ContactFit, Told, fit};
+use jounce_measure::contact::{ContactFit, HeldLaw, Told, fit};
 use jounce_measure::draw::{Pulse, pulses};
 use jounce_measure::recording::Quantity;
 use jounce_measure::spectral::{Hit, HitSearch, hits};
@@ -24,8 +24,9 @@ pub struct Contact {
     /// Channel of the force; by default the first one in newtons.
     #[arg(long, value_name = "CHANNEL")]
     force: Option<String>,
-    /// Mass of the hammer, as in 0.1kg: with it stiffness and speed are told.
-    #[arg(long)]
+    /// Mass of the hammer, as in 0.1kg: with it the speed is told, and the stiffness under a free exponent and under each of the linear spring and
+    /// Hertz's law that the pulse allows; by default neither.
+    #[arg(long, value_name = "MASS")]
     mass: Option<String>,
 }
 
@@ -80,12 +81,34 @@ impl Contact {
             let about = "standard deviation of its logarithm";
             let deviation = law(&|law| law.stiffness_relative_deviation.unwrap_or(f64::NAN));
             table.push(Column::new("stiffness_relative_deviation", "", about, deviation))?;
+            let [low, high] = [0, 1].map(|end| law(&|law| end_95(law.stiffness_95, end)));
+            table.push(Column::new("stiffness_low", "", "lower end of the interval of 95 % of the stiffness", low))?;
+            table.push(Column::new("stiffness_high", "", "its upper end", high))?;
+            for (name, unit, about, held) in LAWS {
+                let stiffness = law(&|law| held(law).and_then(|held| held.stiffness).unwrap_or(f64::NAN));
+                let [low, high] = [0, 1].map(|end| law(&|law| end_95(held(law).and_then(|held| held.stiffness_95), end)));
+                let about = format!("stiffness of {about}; NaN where the pulse does not allow it");
+                table.push(Column::new(&format!("{name}_stiffness"), unit, &about, stiffness))?;
+                table.push(Column::new(&format!("{name}_stiffness_low"), unit, "lower end of its interval of 95 %", low))?;
+                table.push(Column::new(&format!("{name}_stiffness_high"), unit, "its upper end", high))?;
+            }
             table.push(Column::new("speed_m_s", "m/s", "speed of the hammer", law(&|law| law.speed_m_s.unwrap_or(f64::NAN))))?;
         }
         output::table(folder, "contact", &table, &self.file.manifest("contact")?)?;
         let drawn: Vec<Pulse> = found.iter().zip(fits).take(SHOWN).map(|(hit, law)| Pulse::of(force, hit, law.as_ref().ok())).collect();
         output::figure(folder, "contact-pulses", &pulses("Force pulses and the laws fitted to them", &drawn))
     }
+}
+
+/// Name, unit of the stiffness, words, and what was fitted of it.
+type Law = (&'static str, &'static str, &'static str, fn(&ContactFit) -> Option<HeldLaw>);
+
+/// Laws of given exponents.
+const LAWS: [Law; 2] = [("linear", "N/m", "a linear spring", |law| law.linear), ("hertz", "N/m^1.5", "Hertz's law", |law| law.hertz)];
+
+/// An end of an interval, NaN where there is none.
+fn end_95(interval: Option<(f64, f64)>, end: usize) -> f64 {
+    interval.map_or(f64::NAN, |(low, high)| [low, high][end])
 }
 
 /// Warnings of a hit that are told one by one.
@@ -115,9 +138,15 @@ fn tell(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
                 law.restitution_half_width(),
                 law.contact_time_s
             ));
-            if let (Some(stiffness), Some((low, high)), Some(speed)) = (law.stiffness, law.stiffness_95(), law.speed_m_s) {
+            if let (Some(stiffness), Some((low, high)), Some(speed)) = (law.stiffness, law.stiffness_95, law.speed_m_s) {
                 let unit = format!("N/m^{:.3}", law.exponent);
                 line(format!("  stiffness {stiffness:.4e} {unit}, 95 % from {low:.4e} to {high:.4e}, speed {speed:.4} m/s"));
+            }
+            for (_, unit, about, held) in LAWS {
+                let held = held(law).and_then(|held| held.stiffness.zip(held.stiffness_95));
+                if let Some((stiffness, (low, high))) = held {
+                    line(format!("  as {about}: stiffness {stiffness:.4e} {unit}, 95 % from {low:.4e} to {high:.4e}"));
+                }
             }
             line(match law.told {
                 Told::Neither => "  neither a linear spring nor Hertz's law fits",

@@ -12,12 +12,34 @@ use jounce_measure::draw::fitted;
 use jounce_measure::fit::{Features, FitAnswer, FittedCurve, FittedFeature, FittedKey, fit};
 use std::path::{Path, PathBuf};
 
+/// What a file of features looks like; no line is longer than a terminal is wide.
+const FEATURES: &str = r#"FEATURES, a small one:
+
+  hold = ["table"]              # held still in the test; none by default
+  frequency_deviation = 0.002   # relative, or "residuals" of the fit
+
+  [free]                        # keys, each with its relative deviation
+  "beam.beam.youngs_modulus" = 0.03
+  "damping.ratios.1" = 0.5      # "damping.ratios": each of the list
+
+  [[mode]]
+  number = 1                    # in the model, from 1
+  frequency = "9.01 Hz"
+  damping_ratio = 0.002
+  damping_deviation = 0.1
+
+Deviations are relative standard deviations, those of keys before the test.
+There are [[response]], [[power]], [[jump]] and [[history]] too: all of their
+keys, with an example of each, are in the book, "Recordings of a test rig",
+section "Model and measurement" (book/src/howto/measured.md)."#;
+
 /// Arguments of `fit`.
 #[derive(Debug, Args)]
+#[command(after_help = FEATURES)]
 pub struct Fit {
     #[command(flatten)]
     spec: SpecArguments,
-    /// What was measured and the free keys (TOML).
+    /// What was measured, and the keys that may move (TOML, described below); there is no default.
     #[arg(long, value_name = "FEATURES")]
     to: PathBuf,
     #[command(flatten)]

@@ -21,7 +21,7 @@ pub struct BandArguments {
     /// Band in which modes are sought, as in 500Hz:4300Hz; by default all lines above 0.
     #[arg(long, value_name = "FROM:TO", requires = "measured")]
     between: Option<String>,
-    /// Largest order of the stabilisation diagram.
+    /// Largest order of the stabilisation diagram, a whole number from 2 to 400.
     #[arg(long, default_value_t = 40, requires = "measured")]
     order: usize,
 }

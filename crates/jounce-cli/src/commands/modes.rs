@@ -27,10 +27,10 @@ pub struct Modes {
     decay: DecayArguments,
     #[command(flatten)]
     band: BandArguments,
-    /// Holds a body still, by its name; can be given several times.
+    /// Holds a body of the spec still, by its name, as in table; can be given several times; by default none.
     #[arg(long, value_name = "BODY")]
     hold: Vec<String>,
-    /// Holds every mass still: the beams as clamped.
+    /// Holds every mass of the spec still: the beams as clamped; by default none.
     #[arg(long)]
     fixed_table: bool,
     #[command(flatten)]

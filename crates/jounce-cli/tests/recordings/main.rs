@@ -128,6 +128,18 @@ fn contact_gives_the_spring_that_made_the_pulses() {
         assert!((number("exponent") - 1.0).abs() < 5e-3 && (number("restitution") - 1.0).abs() < 5e-3, "{law}");
         assert!((number("stiffness") / (0.1 * (PI / 1e-3).powi(2)) - 1.0).abs() < 0.05, "{law}");
         assert!((number("speed_m_s") / (peak * 1e-3 / (PI * 0.1)) - 1.0).abs() < 5e-3, "{law}");
+        let spring = &law["linear"];
+        has(spring, &["exponent", "restitution", "stiffness", "stiffness_95", "speed_m_s", "relative_error"]);
+        let [low, high] = [0, 1].map(|end| spring["stiffness_95"][end].as_f64().unwrap());
+        let truth = 0.1 * (PI / 1e-3).powi(2);
+        assert!(
+            (low..=high).contains(&spring["stiffness"].as_f64().unwrap())
+                && (spring["stiffness"].as_f64().unwrap() / truth - 1.0).abs() < 5e-3
+        );
+    }
+    let table = std::fs::read_to_string(folder.path().join("out/contact.csv")).unwrap();
+    for column in ["stiffness_low", "linear_stiffness_high", "hertz_stiffness"] {
+        assert!(table.lines().next().unwrap().contains(column), "{table}");
     }
     written(&folder.path().join("out"), &["contact"], &["contact-pulses"]);
 }

@@ -13,10 +13,12 @@
 //!
 //! Source: K. Hunt, F. Crossley, J. Appl. Mech. 42 (1975) 440; W. Goldsmith, Impact (1960), chapter 4.
 mod error;
+mod law;
 mod problem;
 mod pulse;
 mod shape;
 
 pub use error::ContactError;
+pub use law::HeldLaw;
 pub use pulse::{ContactFit, PulseUnits, Told, fit};
 pub use shape::Shape;

@@ -5,8 +5,9 @@ use levenberg_marquardt::LevenbergMarquardt;
 use nalgebra::DVector;
 use serde::Serialize;
 
+use super::law::{Stiffness, covariance, relative_error, speed_m_s};
 use super::problem::Problem;
-use super::{ContactError, Shape};
+use super::{ContactError, HeldLaw, Shape};
 use crate::spectral::Hit;
 
 /// A law of contact with its uncertainty, as standard deviations.
@@ -26,12 +27,18 @@ pub struct ContactFit {
     pub stiffness: Option<f64>,
     /// Standard deviation of the logarithm of the stiffness, that of exponent and units together; none without a mass.
     pub stiffness_relative_deviation: Option<f64>,
+    /// Ends of the interval of 95 % of the stiffness, N/m^exponent with the fitted exponent; none without a mass.
+    pub stiffness_95: Option<(f64, f64)>,
     /// Speed at which the hammer came, m/s; none without a mass.
     pub speed_m_s: Option<f64>,
     /// Rms of what the law leaves over the peak force.
     pub relative_error: f64,
     /// What the pulse tells about the law.
     pub told: Told,
+    /// The same pulse under a linear spring; none where the pulse does not allow it.
+    pub linear: Option<HeldLaw>,
+    /// The same pulse under Hertz's law; none where the pulse does not allow it.
+    pub hertz: Option<HeldLaw>,
     /// Where the fitted pulse lies and how large its units are.
     #[serde(skip)]
     pub units: PulseUnits,
@@ -61,12 +68,6 @@ impl ContactFit {
         QUANTILE_95 * self.restitution_deviation
     }
 
-    /// Interval of 95 % of the stiffness, N/m^exponent with the fitted exponent; none without a mass.
-    pub fn stiffness_95(&self) -> Option<(f64, f64)> {
-        let reach = QUANTILE_95 * self.stiffness_relative_deviation?;
-        self.stiffness.map(|stiffness| (stiffness * (-reach).exp(), stiffness * reach.exp()))
-    }
-
     /// The force of the law at times of the record, N.
     pub fn force_n(&self, time_s: &[f64]) -> Vec<f64> {
         let shape = Shape::new(self.exponent, self.units.damping);
@@ -92,7 +93,7 @@ pub enum Told {
 const NEEDED: usize = 6;
 /// Samples beside the pulse that are fitted as well, as a share of it.
 const BESIDE: f64 = 0.25;
-const QUANTILE_95: f64 = 1.959_963_984_540_054;
+pub(super) const QUANTILE_95: f64 = 1.959_963_984_540_054;
 
 /// Fits the law to one hit of a record of force. The body is taken to stand still during the contact.
 ///
@@ -112,18 +113,14 @@ pub fn fit(force: &Samples<'_>, hit: &Hit, hammer_mass_kg: Option<f64>) -> Resul
     let (problem, squared) = minimised(&time_s, force_n, hit, None)?;
     let [start_s, unit_s, unit_n, exponent, damping] = problem.parameters(&problem.unknowns);
     let shape = Shape::new(exponent, damping);
-    let j = problem.derivatives();
-    let freedom = (time_s.len() - problem.unknowns.len()) as f64;
-    let covariance = (j.transpose() * &j).try_inverse().ok_or(ContactError::NoFit)? * (squared / freedom);
+    let covariance = covariance(&problem, squared)?;
     let deviation = |k: usize| covariance[(k, k)].sqrt() * problem.scale[k];
     let told = told(exponent, deviation(3));
     let slope = (Shape::new(exponent, damping + 0.01).restitution - shape.restitution) / 0.01;
-    let of_mass = |mass: f64| (mass.powf(exponent) * unit_n.powf(1.0 - exponent) * unit_s.powf(-2.0 * exponent), unit_n * unit_s / mass);
-    let relative = |mass: f64| {
-        // Slopes of ln k = n ln m + (1 - n) ln F0 - 2 n ln T0.
-        let slope = [0.0, -2.0 * exponent / unit_s, (1.0 - exponent) / unit_n, (mass / (unit_n * unit_s * unit_s)).ln(), 0.0];
-        let slope = DVector::from_fn(slope.len(), |k, _| slope[k] * problem.scale[k]);
-        slope.dot(&(&covariance * &slope)).max(0.0).sqrt()
+    let stiffness = hammer_mass_kg.map(|mass_kg| Stiffness::of(&problem, &covariance, mass_kg));
+    let held = |allowed: &[Told], exponent: f64| {
+        let held = allowed.contains(&told).then(|| HeldLaw::of(exponent, (&time_s, force_n), hit, hammer_mass_kg));
+        held.transpose()
     };
     Ok(ContactFit {
         contact_time_s: shape.length * unit_s,
@@ -131,11 +128,14 @@ pub fn fit(force: &Samples<'_>, hit: &Hit, hammer_mass_kg: Option<f64>) -> Resul
         exponent_deviation: deviation(3),
         restitution: shape.restitution,
         restitution_deviation: slope.abs() * deviation(4),
-        stiffness: hammer_mass_kg.map(|mass| of_mass(mass).0),
-        stiffness_relative_deviation: hammer_mass_kg.map(relative),
-        speed_m_s: hammer_mass_kg.map(|mass| of_mass(mass).1),
-        relative_error: (squared / time_s.len() as f64).sqrt() / hit.peak_force_n,
+        stiffness: stiffness.as_ref().map(|stiffness| stiffness.value),
+        stiffness_relative_deviation: stiffness.as_ref().map(|stiffness| stiffness.relative_deviation),
+        stiffness_95: stiffness.as_ref().map(Stiffness::interval_95),
+        speed_m_s: hammer_mass_kg.map(|mass_kg| speed_m_s(&problem, mass_kg)),
+        relative_error: relative_error(squared, &time_s, hit),
         told,
+        linear: held(&[Told::Linear, Told::Both], 1.0)?,
+        hertz: held(&[Told::Hertz, Told::Both], 1.5)?,
         units: PulseUnits { start_s, unit_s, unit_n, damping },
     })
 }
@@ -151,7 +151,12 @@ fn told(exponent: f64, deviation: f64) -> Told {
 }
 
 /// The best fit, from a guess that has the peak and the length of the hit, and its squared error.
-fn minimised<'a>(time_s: &'a [f64], force_n: &'a [f64], hit: &Hit, exponent: Option<f64>) -> Result<(Problem<'a>, f64), ContactError> {
+pub(super) fn minimised<'a>(
+    time_s: &'a [f64],
+    force_n: &'a [f64],
+    hit: &Hit,
+    exponent: Option<f64>,
+) -> Result<(Problem<'a>, f64), ContactError> {
     let mut best: Option<(Problem<'a>, f64)> = None;
     // The damping's guess decides on which side of a nearly symmetrical pulse the fit begins.
     for (guess, damping) in [(1.5, 0.1), (1.5, 0.6), (2.5, 0.3)] {
@@ -223,6 +228,32 @@ mod tests {
         }
     }
 
+    /// The laws that a pulse allows, each with its own stiffness: with hardly any noise only the true one, and its stiffness comes back; where the
+    /// pulse cannot tell them apart both, neither of which is told as closely by a free exponent.
+    #[test]
+    fn every_law_that_a_pulse_allows_has_its_stiffness() {
+        for (exponent, is_linear) in [(1.0, true), (1.5, false)] {
+            let (values, stiffness) = record(exponent, 0.3, 1e-6, 1);
+            let found = fitted(&values);
+            assert_eq!((found.linear.is_some(), found.hertz.is_some()), (is_linear, !is_linear), "{found:?}");
+            let held = found.linear.or(found.hertz).unwrap();
+            assert!((held.stiffness.unwrap() / stiffness - 1.0).abs() < 1e-8 && held.exponent == exponent, "{held:?} {stiffness}");
+            assert!((held.speed_m_s.unwrap() / 0.5 - 1.0).abs() < 1e-8 && held.restitution < 1.0, "{held:?}");
+        }
+        let (values, _) = record(1.2, 0.3, 1e-6, 1);
+        let neither = fitted(&values);
+        assert_eq!((neither.told, neither.linear, neither.hertz), (Told::Neither, None, None));
+        let (values, stiffness) = record(1.5, 0.4, 40.0, 3);
+        let coarse: Vec<f64> = values.into_iter().step_by(5).collect();
+        let samples = Samples::new(&coarse, RATE / 5.0).unwrap();
+        let found = fit(&samples, &hits(&samples, HitSearch::default()).unwrap()[0], Some(0.1)).unwrap();
+        let [free, linear, hertz] =
+            [found.stiffness_95, found.linear.unwrap().stiffness_95, found.hertz.unwrap().stiffness_95].map(Option::unwrap);
+        eprintln!("free {free:?}, linear {linear:?}, Hertz {hertz:?}; the truth is Hertz with {stiffness:.3e}");
+        assert!((hertz.0..=hertz.1).contains(&stiffness), "{hertz:?} {stiffness}");
+        assert!([linear, hertz].iter().all(|held| held.1 / held.0 < free.1 / free.0));
+    }
+
     /// With noise the truth lies within 1.96 deviations as often as it should: 95 +- 4 % of 150 trials; measured 96 %.
     #[test]
     fn stated_deviations_hold_the_truth() {
@@ -234,21 +265,26 @@ mod tests {
         assert!((0.91..=0.99).contains(&share), "{share}");
     }
 
-    /// Of the stiffness, the exponent and the restitution alike: 95 +- 4 % of 150 trials each.
+    /// Of the stiffness, the exponent and the restitution alike, and of the stiffness under the true law: 95 +- 4 % of 150 trials each.
     #[test]
     fn intervals_hold_the_truth() {
-        let mut inside = [0.0; 3];
+        let (mut inside, mut held_inside, mut allowed) = ([0.0; 3], 0.0, 0.0);
         for seed in 0..150 {
             let (values, stiffness) = record(1.5, 0.4, 2.0, 1000 + seed);
             let found = fitted(&values);
-            let (low, high) = found.stiffness_95().unwrap();
+            let (low, high) = found.stiffness_95.unwrap();
             let held = [
                 (low..=high).contains(&stiffness),
                 (found.exponent - 1.5).abs() <= found.exponent_half_width(),
                 (found.restitution - Shape::new(1.5, 0.4).restitution).abs() <= found.restitution_half_width(),
             ];
             inside.iter_mut().zip(held).for_each(|(share, held)| *share += f64::from(u8::from(held)) / 150.0);
+            if let Some((low, high)) = found.hertz.and_then(|hertz| hertz.stiffness_95) {
+                (allowed, held_inside) = (allowed + 1.0, held_inside + f64::from(u8::from((low..=high).contains(&stiffness))));
+            }
         }
+        eprintln!("Hertz's law is allowed in {allowed} of 150, its stiffness {:.3} inside", held_inside / allowed);
+        assert!(allowed > 135.0 && (0.91..=0.99).contains(&(held_inside / allowed)), "{held_inside} {allowed}");
         eprintln!("stiffness {:.3}, exponent {:.3}, restitution {:.3}", inside[0], inside[1], inside[2]);
         assert!(inside.iter().all(|share| (0.91..=0.99).contains(share)), "{inside:?}");
     }

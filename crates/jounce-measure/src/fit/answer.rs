@@ -175,8 +175,12 @@ impl FitAnswer {
             features: told.iter().filter(|told| told.measured.on.is_none()).map(|told| told.feature.clone()).collect(),
             curves: (0..asked.curves.len()).map(|number| curve(problem, &told, number)).collect(),
             deviations: asked.groups.iter().enumerate().map(of_group).collect(),
-            warnings: [missed(problem, errors.as_slice()), warnings(problem, minimum, &deviation, (&correlation, &linear), chi_square)]
-                .concat(),
+            warnings: [
+                asked.told.clone(),
+                missed(problem, errors.as_slice()),
+                warnings(problem, minimum, &deviation, (&correlation, &linear), chi_square),
+            ]
+            .concat(),
             quantile,
             correlation,
             chi_square,

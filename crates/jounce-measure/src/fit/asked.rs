@@ -3,7 +3,7 @@
 use jounce::spec::NumericKey;
 
 use super::deviation::Group;
-use super::history::AskedHistory;
+use super::history::{AskedHistory, Samples};
 use super::jump::AskedJump;
 use super::mode::AskedModes;
 use super::model::{Conditions, Source};
@@ -41,6 +41,8 @@ pub(super) struct Asked {
     pub measured: Vec<Measured>,
     pub groups: Vec<Group>,
     pub curves: Vec<Curve>,
+    /// How something was taken that could be taken in another way, one sentence each.
+    pub told: Vec<String>,
 }
 
 impl Asked {
@@ -160,7 +162,11 @@ impl Asked {
 
     fn history(&mut self, source: Source<'_>, features: &Features, feature: &HistoryFeature, place: &str) -> Result<(), FitError> {
         let conditions = Conditions::new(source, &feature.set, place)?;
-        let (time_s, values, unit) = feature.samples(&features.folder, place)?;
+        let Samples { time_s, values, unit, begins_late } = feature.samples(&features.folder, place)?;
+        if begins_late {
+            feature.within(&time_s, conditions.spec(source)?.run.duration_s, place)?;
+            self.told.push(feature.late(time_s[0], place));
+        }
         let rms = (values.iter().map(|x| x * x).sum::<f64>() / values.len() as f64).sqrt();
         let group = self.group(place, feature.deviation);
         let curve = Curve { name: feature.output.name(), unit, over: "time_s" };

@@ -38,6 +38,12 @@ pub enum FitError {
         /// Its value.
         value: f64,
     },
+    /// A number of a list that is free by itself and with its list.
+    #[error("{key} is free twice, by itself and with its list; name the list, or its numbers one by one")]
+    Twice {
+        /// The key.
+        key: String,
+    },
     /// A mode that the model does not have.
     #[error("mode {number} is measured and the model has {modes}; raise reduction.modes, or correct the number")]
     NoMode {

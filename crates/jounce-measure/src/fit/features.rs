@@ -155,10 +155,14 @@ mod tests {
             file = "run.csv"
             channel = "mfc.voltage"
             output = "mfc.voltage"
+            begins = "20 ms"
             deviation = 0.05
         "#;
         let found = Features::from_toml(text).unwrap();
         assert_eq!((found.responses.len(), found.powers.len(), found.jumps.len(), found.histories.len()), (1, 1, 1, 1));
+        assert_eq!(found.histories[0].begins_s, Some(0.02));
+        let early = text.replace("20 ms", "-20 ms");
+        assert!(Features::from_toml(&early).unwrap_err()[0].contains("begins is \"-20 ms\""));
         assert_eq!(found.powers[0].set[1], ("drive.shaker.amplitude".to_owned(), "100 N".to_owned()));
         let wrong = "[free]\n\"a.b\" = 1\n[[power]]\nover = 3\nvalues = []\n[[jump]]\nat = 3\n[[response]]\ninput = \"a\"\noutput = \"tip\"\n[history]\n";
         let faults = Features::from_toml(wrong).unwrap_err();

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use jounce::linear::Response;
 use jounce::run::{RunPlan, simulate};
+use jounce::spec::Quantity;
 use jounce::study::{Prepared, StudyError};
 
 use super::model::Conditions;
@@ -12,7 +13,7 @@ use super::response::output;
 use super::{Deviation, FitError, Model, Question};
 use crate::read;
 
-/// A record whose first sample is that of the start of the run.
+/// A record whose stamps are times of the run, unless it says when it begins.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HistoryFeature {
     /// The recording, relative to the features.
@@ -23,14 +24,28 @@ pub struct HistoryFeature {
     pub output: Response,
     /// Deviation of each sample over the rms of the record.
     pub deviation: Deviation,
+    /// Time of the run at the first sample, s; without it the stamps of the record are times of the run.
+    pub begins_s: Option<f64>,
     /// Keys that hold during the test.
     pub set: Vec<(String, String)>,
 }
 
-const KEYS: [&str; 5] = ["file", "channel", "output", "deviation", "set"];
+const KEYS: [&str; 6] = ["file", "channel", "output", "begins", "deviation", "set"];
 const HISTORIES: &str = "a history is a .displacement, a .velocity or the .voltage of a patch";
 /// Fewest samples that are a history.
 const FEWEST: usize = 8;
+/// Share of a step by which a stamp may miss the start of the run, or its end: roundoff.
+const ROUNDOFF: f64 = 1e-6;
+const BEGINS: &str = "give `begins`, the time of the run at the first sample, as in begins = \"0 s\" where it is that of the start";
+
+/// The samples of a record at times of the run.
+pub(super) struct Samples {
+    pub time_s: Vec<f64>,
+    pub values: Vec<f64>,
+    pub unit: String,
+    /// The record begins later than the run, by its stamps alone.
+    pub begins_late: bool,
+}
 
 impl HistoryFeature {
     pub(super) fn read(reader: &mut Reader<'_>) -> Option<Self> {
@@ -41,13 +56,24 @@ impl HistoryFeature {
             reader.fault(format!("output: {HISTORIES}"));
             return None;
         }
+        let begins_s = reader.text_if_any("begins", "0 s").map(|text| {
+            let found = Quantity::Time.read(&text).ok().filter(|time_s| *time_s >= 0.0);
+            if found.is_none() {
+                reader.fault(format!("begins is \"{text}\"; it must be a time of the run from 0 on, with its unit, as in \"0 s\""));
+            }
+            found.unwrap_or_default()
+        });
         let (deviation, set) = (reader.own_deviation(), reader.conditions());
-        Some(Self { file: file?.into(), channel: channel?, output: found?, deviation, set })
+        Some(Self { file: file?.into(), channel: channel?, output: found?, begins_s, deviation, set })
     }
 
-    /// Times from the first sample on, s, samples and their unit.
-    pub(super) fn samples(&self, folder: &Path, place: &str) -> Result<(Vec<f64>, Vec<f64>, String), FitError> {
-        let told = |reason: String| FitError::File { place: place.to_owned(), path: self.file.clone(), reason };
+    fn told(&self, place: &str, reason: String) -> FitError {
+        FitError::File { place: place.to_owned(), path: self.file.clone(), reason }
+    }
+
+    /// The samples with their times.
+    pub(super) fn samples(&self, folder: &Path, place: &str) -> Result<Samples, FitError> {
+        let told = |reason: String| self.told(place, reason);
         let record = read::record(&folder.join(&self.file)).map_err(|fault| told(fault.to_string()))?;
         let channel = record.channel(&self.channel).map_err(|fault| told(fault.to_string()))?;
         let places = record.grid.places();
@@ -57,11 +83,46 @@ impl HistoryFeature {
         if channel.values.iter().all(|x| *x == 0.0) {
             return Err(told(format!("channel {} is zero throughout", channel.name)));
         }
-        Ok((places.iter().map(|time_s| time_s - places[0]).collect(), channel.values.clone(), channel.unit.clone()))
+        let slack_s = ROUNDOFF * (places[places.len() - 1] - places[0]) / (places.len() - 1) as f64;
+        let first_s = match self.begins_s {
+            Some(begins_s) => begins_s,
+            None if places[0] < -slack_s => {
+                return Err(told(format!("its first stamp is {} s, before the run starts at 0: {BEGINS}", places[0])));
+            }
+            None if places[0] <= slack_s => 0.0,
+            None => places[0],
+        };
+        Ok(Samples {
+            time_s: places.iter().map(|time_s| first_s + (time_s - places[0])).collect(),
+            values: channel.values.clone(),
+            unit: channel.unit.clone(),
+            begins_late: self.begins_s.is_none() && first_s > 0.0,
+        })
+    }
+
+    /// Stamps beyond the run are hardly times of it: a clock has them that was not set.
+    pub(super) fn within(&self, time_s: &[f64], duration_s: f64, place: &str) -> Result<(), FitError> {
+        let (first_s, last_s) = (time_s[0], time_s[time_s.len() - 1]);
+        if last_s <= duration_s + ROUNDOFF * (last_s - first_s) {
+            return Ok(());
+        }
+        let reason = format!(
+            "its stamps go from {first_s} to {last_s} s, and the run ends at run.duration = {duration_s} s: where they are times of the run, raise \
+             run.duration; where they are not, {BEGINS}"
+        );
+        Err(self.told(place, reason))
+    }
+
+    /// What is told of a record whose stamps begin later than the run.
+    pub(super) fn late(&self, first_s: f64, place: &str) -> String {
+        format!(
+            "{place}, {}: its first stamp is {first_s} s, and is taken as that time of the run; `begins` says otherwise, as in begins = \"0 s\"",
+            self.file.display()
+        )
     }
 }
 
-/// The run from its start on, at the times of the record.
+/// The run at the times of the record.
 pub(super) struct AskedHistory {
     pub output: Response,
     pub time_s: Vec<f64>,

@@ -52,6 +52,13 @@ impl Conditions {
         set.iter().map(one).collect::<Result<_, FitError>>().map(Self)
     }
 
+    /// The spec as given, under these.
+    pub fn spec(&self, source: Source<'_>) -> Result<Spec, FitError> {
+        let mut spec = source.file.spec().map_err(|faults| FitError::Features { faults: vec![faults.to_string()] })?;
+        self.0.iter().try_for_each(|(key, value)| key.set(&mut spec, *value))?;
+        Ok(spec)
+    }
+
     /// The first of them.
     pub fn first(&self) -> Option<&(NumericKey, f64)> {
         self.0.first()

@@ -4,7 +4,7 @@ use std::cell::{Cell, RefCell};
 use std::path::Path;
 
 use jounce::march::Watch;
-use jounce::spec::{Spec, SpecFile};
+use jounce::spec::{NumericKey, Spec, SpecFile};
 use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
 use nalgebra::{DMatrix, DVector};
 
@@ -48,16 +48,7 @@ pub(super) struct Minimum {
 /// # Source
 /// D. MacKay, Bayesian interpolation, Neural Computation 4 (1992) 415, for deviations from residuals.
 pub fn fit(file: &SpecFile, spec: &Spec, features: &Features, folder: &Path, watch: &Watch) -> Result<(FitAnswer, Spec), FitError> {
-    let (mut keys, mut start) = (Vec::new(), Vec::new());
-    for (path, _) in &features.free {
-        let key = file.numeric_key(path).map_err(|faults| FitError::Key { key: path.clone(), faults })?;
-        let value = key.get(spec)?;
-        if !(value != 0.0 && value.is_finite()) {
-            return Err(FitError::Start { key: path.clone(), value });
-        }
-        keys.push(key);
-        start.push(value);
-    }
+    let Unknowns { keys, start, prior } = Unknowns::of(file, spec, &features.free)?;
     let asked = Asked::of(Source { file, folder }, features)?;
     let problem = Problem {
         spec,
@@ -66,7 +57,7 @@ pub fn fit(file: &SpecFile, spec: &Spec, features: &Features, folder: &Path, wat
         unknowns: DVector::zeros(keys.len()),
         keys,
         start,
-        prior: features.free.iter().map(|(_, deviation)| *deviation).collect(),
+        prior,
         deviation: asked.groups.iter().map(|group| group.deviation.first()).collect(),
         asked: &asked,
         evaluations: Cell::new(0),
@@ -77,6 +68,36 @@ pub fn fit(file: &SpecFile, spec: &Spec, features: &Features, folder: &Path, wat
     let (problem, minimum) = settled(problem)?;
     let answer = FitAnswer::of(&problem, &minimum, &before)?;
     Ok((answer, problem.changed(&problem.unknowns)?))
+}
+
+/// The free keys one by one, their values in the spec, and their relative deviations.
+#[derive(Default)]
+struct Unknowns {
+    keys: Vec<NumericKey>,
+    start: Vec<f64>,
+    prior: Vec<f64>,
+}
+
+impl Unknowns {
+    /// A list is free in each of its numbers.
+    fn of(file: &SpecFile, spec: &Spec, free: &[(String, f64)]) -> Result<Self, FitError> {
+        let mut unknowns = Self::default();
+        for (path, deviation) in free {
+            for key in file.numeric_keys(path).map_err(|faults| FitError::Key { key: path.clone(), faults })? {
+                let (value, path) = (key.get(spec)?, key.path());
+                if !(value != 0.0 && value.is_finite()) {
+                    return Err(FitError::Start { key: path.to_owned(), value });
+                }
+                if unknowns.keys.iter().any(|known| known.path() == path) {
+                    return Err(FitError::Twice { key: path.to_owned() });
+                }
+                unknowns.keys.push(key);
+                unknowns.start.push(value);
+                unknowns.prior.push(*deviation);
+            }
+        }
+        Ok(unknowns)
+    }
 }
 
 /// Fits, and again until the deviations that come from residuals stay.

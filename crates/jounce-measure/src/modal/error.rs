@@ -54,4 +54,28 @@ pub enum ModalError {
         /// Upper end, Hz.
         high_hz: f64,
     },
+    /// Every pole that was found may be one of noise.
+    #[error(
+        "there is no clear mode between {low_hz} and {high_hz} Hz: every pole found there ({}, at {} Hz) is doubtful, since its damping cannot be \
+         told from none, as that of poles which noise makes; try a longer record, a narrower band, or another order",
+        frequency_hz.len(),
+        first(frequency_hz)
+    )]
+    Doubtful {
+        /// Lower end, Hz.
+        low_hz: f64,
+        /// Upper end, Hz.
+        high_hz: f64,
+        /// The frequencies of the poles, Hz.
+        frequency_hz: Vec<f64>,
+    },
+}
+
+/// Frequencies that are told one by one.
+const TOLD: usize = 6;
+
+fn first(frequency_hz: &[f64]) -> String {
+    let first: Vec<String> = frequency_hz.iter().take(TOLD).map(|f| format!("{f:.4}")).collect();
+    let more = if frequency_hz.len() > TOLD { ", ..." } else { "" };
+    format!("{}{more}", first.join(", "))
 }

@@ -24,7 +24,7 @@ use realfft::RealFftPlanner;
 use super::identify::{Identification, Settings, candidates, refined};
 use super::jackknife::leave_out;
 use super::warp::{Warp, without_decay};
-use super::{Band, ModalError, Motion, Pole};
+use super::{Band, ModalError, Mode, Motion, Pole};
 use crate::response::Decays;
 
 /// Highest frequency over the rate: warped frequencies grow beyond bounds towards a half.
@@ -38,7 +38,7 @@ const BESIDE: usize = 4;
 /// each line is weighed by the variance over the blocks, and the deviations come from leaving out one block after the other.
 ///
 /// # Errors
-/// Too few lines, decays that are zero, no stable pole.
+/// Too few lines, decays that are zero, no stable pole, none whose damping can be told from none.
 ///
 /// # Validation
 /// `tests`: exact decays that have fallen by 45 % only give back their frequencies within 2e-16 and damping ratios within 2e-14, relative; with
@@ -79,6 +79,10 @@ pub fn identify_decays(decays: &Decays, between_hz: (f64, f64), settings: Settin
         leave_out(&mut found.modes, &mean, &blocks, band).map_err(unwarped)?;
     }
     warp.back(&mut found);
+    if found.modes.iter().all(Mode::is_doubtful) {
+        let frequency_hz = found.modes.iter().map(|mode| mode.frequency_hz).collect();
+        return Err(ModalError::Doubtful { low_hz: between_hz.0, high_hz: between_hz.1, frequency_hz });
+    }
     found.modes.iter_mut().for_each(|mode| mode.residue = strongest(&mode.residue, decays.references.len()));
     Ok(found)
 }
@@ -128,7 +132,6 @@ fn deviations(mean: &[Vec<c64>], blocks: &[Vec<Vec<c64>>]) -> Vec<Vec<f64>> {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
-    use super::super::Mode;
     use super::super::plscf::tests::{POLES, shape};
     use super::*;
     use crate::recording::{Channel, Grid, Over, Quantity, Recording};
@@ -222,6 +225,27 @@ mod tests {
         let decays = Decays::ambient(&recording(vec![noise]), &AmbientSettings::default()).unwrap();
         let told = identify_decays(&decays, (5.0, 500.0), Settings { order: 20 }).unwrap_err();
         assert_eq!(told, ModalError::NoMode { low_hz: 5.0, high_hz: HIGHEST * RATE });
+    }
+
+    /// White noise, as a record of a structure that nothing moves and as decays: whatever poles are stable in it, they are no modes.
+    #[test]
+    fn noise_alone_has_no_modes() {
+        let (mut doubtful, mut none) = (0, 0);
+        for seed in 0..12 {
+            let mut stream = Stream::new(seed, 3);
+            let noise: Vec<f64> = (0..1000).flat_map(|_| stream.normal_pair()).collect();
+            let record = recording(vec![noise]);
+            let settings = AmbientSettings { lags_s: Some(1.0), ..AmbientSettings::default() };
+            for decays in [Decays::ambient(&record, &settings).unwrap(), Decays::free(&[record], &[], Some((0.0, 7.9))).unwrap()] {
+                match identify_decays(&decays, (5.0, 100.0), Settings { order: 20 }) {
+                    Err(ModalError::Doubtful { .. }) => doubtful += 1,
+                    Err(ModalError::NoMode { .. }) => none += 1,
+                    other => eprintln!("{seed}: {other:?}"),
+                }
+            }
+        }
+        eprintln!("{doubtful} doubtful, {none} without a stable pole");
+        assert!(doubtful > 0 && doubtful + none == 24, "{doubtful} {none}");
     }
 
     /// Three modes under white noise forces, exact at the samples: `q_k+1 = exp(p T) q_k + (complex white noise)`.

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::decibels::Decibels;
 use super::name::{is_frequency, is_time};
 use super::numbers::Numbers;
-use super::raw::{Column, Raw, Stamps};
+use super::raw::{Column, Rate, Raw, Stamps};
 use super::survey::{Places, Surveyed, SurveyedChannel};
 use super::{ChannelNotes, Notes, ReadError};
 use crate::recording::{Finding, FindingKind, Grid, Over, Quantity, Series, Sizes, Stamped, Unit, inspected, may_be_counts, usual_step};
@@ -22,10 +22,14 @@ pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) 
     check_notes(path, notes, &columns)?;
     let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
     let mut findings = std::mem::take(&mut raw.findings);
+    // What the notes tell of a channel is assumed no more.
+    let is_told =
+        |name: &String| columns.iter().zip(&said).any(|(column, said)| column == name && (said.unit.is_some() || said.name.is_some()));
+    findings.retain(|finding| finding.kind != FindingKind::Assumed || !finding.channel.as_ref().is_some_and(is_told));
     if notes.over_frequency {
         raw.over = Over::Frequency;
     }
-    let time = if let Stamps::Column = raw.stamps { time_column(&mut raw, &said, notes).map_err(lost)? } else { None };
+    let time = if let Stamps::Column | Stamps::Rate(_) = raw.stamps { time_column(&mut raw, &said, notes).map_err(lost)? } else { None };
     let places = places(path, &mut raw, time, notes, columns, &mut findings)?;
     let left_out = said.iter().any(|said| said.left_out);
     let mut channels = Vec::new();
@@ -90,11 +94,18 @@ fn time_column(raw: &mut Raw, said: &[ChannelNotes], notes: &Notes) -> io::Resul
         raw.over = Over::Frequency;
         return Ok(Some(k));
     }
-    Ok((raw.columns.len() > 1 && ascends_evenly(&raw.columns[0].values)?).then_some(0))
+    if raw.columns.len() < 2 {
+        return Ok(None);
+    }
+    let step = even_step(&raw.columns[0].values)?;
+    // Where a number tells the rate, a first column without the name of a time is one only if it has that rate.
+    let fits = |step: &f64| !matches!(&raw.stamps, Stamps::Rate(rate) if (step * rate.rate_hz - 1.0).abs() > SAME_RATE);
+    Ok(step.filter(fits).map(|_| 0))
 }
 
-fn ascends_evenly(values: &Numbers) -> io::Result<bool> {
-    let Some((first, last)) = values.ends()? else { return Ok(false) };
+/// The step of a column that ascends evenly.
+fn even_step(values: &Numbers) -> io::Result<Option<f64>> {
+    let Some((first, last)) = values.ends()? else { return Ok(None) };
     let step = (last - first) / (values.count().max(2) - 1) as f64;
     let (mut even, mut k) = (step > 0.0 && values.count() > 2, 0.0);
     if even {
@@ -103,7 +114,7 @@ fn ascends_evenly(values: &Numbers) -> io::Result<bool> {
             k += 1.0;
         })?;
     }
-    Ok(even)
+    Ok(even.then_some(step))
 }
 
 fn places(
@@ -118,12 +129,27 @@ fn places(
     let even = |start, step, count| Grid::even(start, step, count).map(|_| Places::Even { start, step, count }).map_err(fault);
     let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
     let count = raw.columns.first().map_or(0, |column| column.values.count());
-    let stamps = match (std::mem::replace(&mut raw.stamps, Stamps::Column), time, notes.rate_hz) {
+    let told = std::mem::replace(&mut raw.stamps, Stamps::Column);
+    let number = if let Stamps::Rate(rate) = &told { Some(rate.clone()) } else { None };
+    let differs = |rate_hz: f64, what: &str, used: &str| {
+        let number = number.as_ref().filter(|number| (number.rate_hz / rate_hz - 1.0).abs() > SAME_RATE)?;
+        let about = format!("{} in the file is {} Hz, {what} {rate_hz:.6} Hz; {used} used", number.told, number.rate_hz);
+        Some(Finding::new(FindingKind::HeaderDisagrees, 1, None, about))
+    };
+    let stamps = match (told, time, notes.rate_hz) {
         (Stamps::Even { start, step }, ..) => return even(start, step, count),
         (Stamps::Given(stamps), ..) => stamps,
         // A time column is no channel: its numbers may be taken.
-        (Stamps::Column, Some(k), _) => seconds(&mut raw.columns[k], raw.over, findings),
-        (Stamps::Column, None, Some(rate_hz)) => return even(0.0, 1.0 / rate_hz, count),
+        (Stamps::Column | Stamps::Rate(_), Some(k), _) => seconds(&mut raw.columns[k], raw.over, findings),
+        (Stamps::Column | Stamps::Rate(_), None, Some(rate_hz)) => {
+            findings.extend(differs(rate_hz, "the notes say", "the notes are"));
+            return even(0.0, 1.0 / rate_hz, count);
+        }
+        (Stamps::Rate(Rate { told, rate_hz }), None, None) => {
+            let about = format!("no array is a time; the samples are taken at {rate_hz} Hz from 0 s on, by {told} in the file");
+            findings.push(Finding::new(FindingKind::Assumed, 1, None, about));
+            return even(0.0, 1.0 / rate_hz, count);
+        }
         (Stamps::Column, None, None) => {
             return Err(ReadError::NoTime { path: path.to_owned(), columns, notes: Notes::path_of(path) });
         }
@@ -136,6 +162,7 @@ fn places(
             (rate, Places::Stamped { stamps, rate })
         }
     };
+    findings.extend(differs(rate, "the stamps say", "the stamps are"));
     if let Some(rate_hz) = notes.rate_hz.filter(|rate_hz| (rate_hz / rate - 1.0).abs() > SAME_RATE) {
         let about = format!("the notes say {rate_hz} Hz, the stamps {rate:.6} Hz; the stamps are used");
         findings.push(Finding::new(FindingKind::HeaderDisagrees, 1, None, about));

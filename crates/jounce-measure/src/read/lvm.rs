@@ -70,6 +70,7 @@ impl Header {
                 decimal_comma,
                 skip: heads + 1,
                 heads: names.into_iter().map(|name| (name, String::new())).collect(),
+                doubts: Vec::new(),
             },
         })
     }

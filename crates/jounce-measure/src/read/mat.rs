@@ -1,4 +1,5 @@
-//! MATLAB files of version 5: every numeric array; vectors and the columns of matrices are channels.
+//! MATLAB files of version 5: every numeric array; vectors and the columns of matrices are channels, and a single number by the name of a rate
+//! (`fs`, `dt`) tells when they were sampled.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -10,7 +11,7 @@ use matfile::{MatFile, NumericData};
 use super::contents::Found;
 use super::error::Damage;
 use super::numbers::Numbers;
-use super::raw::{Column, Raw};
+use super::raw::{Column, Rate, Raw, Stamps};
 use super::shelf::Shelf;
 use crate::recording::{Finding, FindingKind, Place, Series};
 
@@ -18,6 +19,13 @@ use crate::recording::{Finding, FindingKind, Place, Series};
 const HEADER: usize = 128;
 /// Kind of an element that is compressed; it is not filled up to eight bytes.
 const COMPRESSED: u32 = 15;
+
+/// Names of a number that is a rate in Hz or a step in s, in small letters and without underlines.
+const RATES: [&str; 8] =
+    ["fs", "samplerate", "samplingrate", "samplefrequency", "samplingfrequency", "samplefreq", "samplingfreq", "fsamp"];
+const STEPS: [&str; 6] = ["dt", "deltat", "timestep", "samplestep", "sampleinterval", "samplinginterval"];
+/// How far two of them may lie apart, relative.
+const SAME_RATE: f64 = 1e-3;
 
 pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     let told = |fault: std::io::Error| Damage::new(format!("{fault}; was the file cut?"));
@@ -62,12 +70,48 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
             "it holds no numeric array that could be a record (cells, structs and text are not read); was the file cut?",
         ));
     };
+    let rate = rate(&mut columns, &mut findings)?;
     for short in columns.iter().filter(|column| column.values.count() != longest) {
         let about = format!("{} has {} samples where the record has {longest}", short.name, short.values.count());
         findings.push(Finding::new(FindingKind::Skipped, 1, None, about));
     }
     columns.retain(|column| column.values.count() == longest);
-    Ok(Raw::columns(columns, findings).into())
+    let raw = Raw::columns(columns, findings);
+    Ok(Raw { stamps: rate.map_or(Stamps::Column, Stamps::Rate), ..raw }.into())
+}
+
+/// Takes single numbers by the names of a rate or a step out of the columns; where several disagree the first counts, and that is told.
+fn rate(columns: &mut Vec<Column>, findings: &mut Vec<Finding>) -> std::io::Result<Option<Rate>> {
+    let mut rates: Vec<Rate> = Vec::new();
+    let (mut kept, all) = (Vec::new(), std::mem::take(columns));
+    for column in all {
+        match rate_of(&column)? {
+            Some(rate) => rates.push(rate),
+            None => kept.push(column),
+        }
+    }
+    *columns = kept;
+    let mut rates = rates.into_iter();
+    let Some(first) = rates.next() else { return Ok(None) };
+    for other in rates.filter(|other| (other.rate_hz / first.rate_hz - 1.0).abs() > SAME_RATE) {
+        let about =
+            format!("{} is a rate of {} Hz, {} one of {} Hz; the first is taken", first.told, first.rate_hz, other.told, other.rate_hz);
+        findings.push(Finding::new(FindingKind::HeaderDisagrees, 1, None, about));
+    }
+    Ok(Some(first))
+}
+
+/// The rate that a single number tells by its name.
+fn rate_of(column: &Column) -> std::io::Result<Option<Rate>> {
+    let name: String = column.name.to_lowercase().chars().filter(|c| *c != '_').collect();
+    let (is_rate, is_step) = (RATES.contains(&name.as_str()), STEPS.contains(&name.as_str()));
+    if column.values.count() != 1 || column.imaginary.is_some() || !(is_rate || is_step) {
+        return Ok(None);
+    }
+    let number = column.values.ends()?.map_or(f64::NAN, |(number, _)| number);
+    let rate_hz = if is_rate { number } else { 1.0 / number };
+    let rate = Rate { told: format!("{} = {number}", column.name), rate_hz };
+    Ok((rate_hz > 0.0 && rate_hz.is_finite()).then_some(rate))
 }
 
 /// Bytes behind the tag of an element: those that it tells, and these filled up to eight where they are not compressed.

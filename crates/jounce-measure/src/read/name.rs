@@ -1,7 +1,7 @@
 //! Units in the heads of columns.
 
 use super::decibels::Decibels;
-use crate::recording::{Quantity, Unit};
+use crate::recording::{Finding, FindingKind, Quantity, Unit};
 
 /// Endings of names that tell a unit: `accel_m_s2`, `timestamp_ms`.
 const ENDINGS: [(&str, &str); 21] = [
@@ -94,9 +94,18 @@ const REMARKS: [&str; 62] = [
     "total",
 ];
 
+/// What is labelled by a letter: `sensor (A)`, `channel 2 (B)`; in small letters.
+const LABELLED: [&str; 22] = [
+    "sensor", "channel", "chan", "ch", "probe", "point", "position", "pos", "place", "location", "node", "input", "output", "signal",
+    "gauge", "side", "line", "port", "module", "station", "site", "dof",
+];
+
 /// What takes an argument in round brackets, in small letters.
 const FUNCTIONS: [&str; 14] =
     ["re", "im", "real", "imag", "abs", "mag", "magnitude", "phase", "angle", "arg", "log", "log10", "sqrt", "diff"];
+
+/// Single letters that are units of other things than recordings hold.
+const LETTERS: [char; 11] = ['A', 'C', 'F', 'H', 'J', 'K', 'S', 'T', 'W', '\u{3a9}', '\u{2126}'];
 
 /// Units of other things than recordings hold, whose quotients are no name and unit.
 const ABOVE: [&str; 19] =
@@ -145,7 +154,29 @@ fn may_be_unit(name: &str, inside: &str) -> bool {
     }
     let single = inside.chars().count() == 1;
     let word = inside.chars().all(char::is_alphabetic);
-    word && (!single || inside.contains(['A', 'C', 'F', 'H', 'J', 'K', 'S', 'T', 'W', '\u{3a9}', '\u{2126}']))
+    word && (!single || !is_labelled(name) && inside.contains(LETTERS))
+}
+
+fn is_labelled(name: &str) -> bool {
+    name.split(|c: char| !c.is_alphabetic()).any(|word| LABELLED.contains(&word.to_lowercase().as_str()))
+}
+
+/// How one letter in round brackets was read that may be a unit and a label: `sensor (V)`, `channel (A)`; none in a head without such.
+pub(super) fn doubt(head: &str) -> Option<Finding> {
+    let head = head.trim().trim_matches('"').trim();
+    let (_, letter) = bracketed(head, '(', ')').filter(|(name, letter)| letter.chars().count() == 1 && is_labelled(name))?;
+    let about = match Unit::read(letter) {
+        Some(_) => {
+            format!(
+                "({letter}) in {head:?} is read as the unit {letter}, not as a label; where it is one, say its unit in the notes beside the file"
+            )
+        }
+        None if letter.contains(LETTERS) => {
+            format!("({letter}) in {head:?} is read as a label, not as a unit; where it is one, say its name in the notes beside the file")
+        }
+        None => return None,
+    };
+    Some(Finding::new(FindingKind::Assumed, 1, None, about).of(&split(head).0))
 }
 
 /// `U/V` and `t/s`: a name over its unit, as in axes of figures. A quotient of two units is none.
@@ -236,6 +267,15 @@ mod tests {
         for (head, name, unit) in cases {
             assert_eq!(split(head), (name.to_owned(), unit.to_owned()), "{head}");
         }
+        for (head, name, unit) in [("sensor (A)", "sensor (A)", ""), ("Channel 2 (K)", "Channel 2 (K)", ""), ("sensor (V)", "sensor", "V")]
+        {
+            assert_eq!(split(head), (name.to_owned(), unit.to_owned()), "{head}");
+            assert_eq!(doubt(head).and_then(|told| told.channel).as_deref(), Some(name), "{head}");
+        }
+        for (head, name, unit) in [("I (A)", "I", "A"), ("T (K)", "T", "K"), ("U (V)", "U", "V"), ("sensor (mV)", "sensor", "mV")] {
+            assert_eq!((split(head), doubt(head)), ((name.to_owned(), unit.to_owned()), None), "{head}");
+        }
+        assert_eq!((split("channel (B)").0.as_str(), doubt("channel (B)")), ("channel (B)", None));
         assert!(is_time("Time") && is_time("timestamp_ms") && is_time("t") && !is_time("tip"));
         assert!(is_frequency("Frequency [Hz]") && !is_frequency("force"));
     }

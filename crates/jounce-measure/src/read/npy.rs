@@ -4,6 +4,7 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
+use npyz::half::f16;
 use npyz::{DType, Deserialize, NpyFile, Order};
 
 use super::contents::Found;
@@ -59,6 +60,7 @@ fn each(array: NpyFile<BufReader<File>>, take: impl FnMut(f64) -> std::io::Resul
     match dtype.get(1..).unwrap_or_default() {
         "f8" => typed(array, |x: f64| x, take),
         "f4" => typed(array, |x: f32| x.into(), take),
+        "f2" => typed(array, f16::to_f64, take),
         "i8" => typed(array, |x: i64| x as f64, take),
         "i4" => typed(array, |x: i32| x.into(), take),
         "i2" => typed(array, |x: i16| x.into(), take),
@@ -67,7 +69,14 @@ fn each(array: NpyFile<BufReader<File>>, take: impl FnMut(f64) -> std::io::Resul
         "u4" => typed(array, |x: u32| x.into(), take),
         "u2" => typed(array, |x: u16| x.into(), take),
         "u1" => typed(array, |x: u8| x.into(), take),
-        _ => Err(Damage::new(format!("its numbers are of type {dtype}; real numbers are due (save real and imaginary parts apart)"))),
+        "c8" | "c16" => Err(Damage::new(format!(
+            "its numbers are complex ({dtype}), and an array without names is a record of real ones: save real and imaginary parts of a response \
+             over frequency as columns NAME.re and NAME.im beside frequency_hz in CSV or Parquet, which `modes --measured` takes, or the real \
+             parts alone of a record over time"
+        ))),
+        _ => {
+            Err(Damage::new(format!("its numbers are of type {dtype}; real numbers are due, of 2, 4 or 8 bytes, or whole ones of 1 to 8")))
+        }
     }
 }
 

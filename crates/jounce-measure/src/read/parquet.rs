@@ -34,7 +34,10 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
             Some(values) => {
                 // The notes of jounce tell the unit, and the head is the name, whatever brackets it ends in.
                 let noted = notes.as_ref().and_then(|notes| notes.unit(&head)).map(|unit| (head.clone(), unit));
-                let (name, unit) = noted.unwrap_or_else(|| name::split(&head));
+                let (name, unit) = noted.unwrap_or_else(|| {
+                    findings.extend(name::doubt(&head));
+                    name::split(&head)
+                });
                 let mut column = Column::new(&name, &unit, values);
                 notes.iter().for_each(|notes| notes.tell(&mut column));
                 columns.push(column);

@@ -24,6 +24,17 @@ pub(super) enum Stamps {
     Given(Numbers),
     /// By one of the columns, or not at all.
     Column,
+    /// By one of the columns, or else by a number that tells the rate.
+    Rate(Rate),
+}
+
+/// A number of a file that tells the rate of its samples.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Rate {
+    /// Its name and value as they stand there, `fs = 2048`.
+    pub told: String,
+    /// Samples per second, Hz.
+    pub rate_hz: f64,
 }
 
 /// A column as it stands in a file, its numbers wherever they were put.

@@ -31,10 +31,11 @@ pub enum WriteError {
     },
     /// A text that the columns of the format would cut to another one.
     #[error(
-        "the {what} of {channel}, {text:?}, has {length} characters; UFF holds {most}: give a shorter one in the notes beside the recording, or write Parquet or CSV"
+        "the {what} of {channel}, {text:?}, has {length} characters; UFF holds {most}: give a shorter one, in the notes beside the recording or as the \
+         point of the spec, or write Parquet or CSV"
     )]
     Long {
-        /// The channel.
+        /// The channel, or the recording.
         channel: String,
         /// What is too long.
         what: &'static str,

@@ -11,10 +11,13 @@ use crate::recording::{Over, PIECE, Quantity, Series};
 
 /// Writes one data set for each channel, piece by piece.
 pub(super) fn encode(recording: &Surveyed, mut to: impl Write) -> Result<(), WriteError> {
+    fits("the recording", "name", &recording.name, LINE)?;
     for (k, channel) in recording.channels.iter().enumerate() {
         finite(channel)?;
-        fits(channel, "unit", &channel.unit, LABEL)?;
-        fits(channel, "place of the force", reference(channel).0, PLACE)?;
+        fits(&channel.name, "name", &channel.name, LINE)?;
+        fits(&channel.name, "unit", &channel.unit, LABEL)?;
+        fits(&channel.name, "place", place(channel, 0).0, PLACE)?;
+        fits(&channel.name, "place of the force", reference(channel).0, PLACE)?;
         writeln!(to, "    -1\n    58")?;
         header(&mut to, recording, channel, k + 1)?;
         data(&mut to, recording, channel)?;
@@ -23,14 +26,15 @@ pub(super) fn encode(recording: &Surveyed, mut to: impl Write) -> Result<(), Wri
     Ok(to.flush()?)
 }
 
-/// Columns of a label or a unit, and of the name of a place.
+/// Columns of a line of the header, of a label or a unit, and of the name of a place.
+const LINE: usize = 80;
 const LABEL: usize = 20;
 const PLACE: usize = 10;
 
 /// Refuses a text that would be cut to another one.
-fn fits(channel: &SurveyedChannel, what: &'static str, text: &str, most: usize) -> Result<(), WriteError> {
-    let (length, channel) = (text.chars().count(), &channel.name);
-    if length <= most { Ok(()) } else { Err(WriteError::Long { channel: channel.clone(), what, text: text.to_owned(), length, most }) }
+fn fits(of: &str, what: &'static str, text: &str, most: usize) -> Result<(), WriteError> {
+    let length = text.chars().count();
+    if length <= most { Ok(()) } else { Err(WriteError::Long { channel: of.to_owned(), what, text: text.to_owned(), length, most }) }
 }
 
 /// Refuses a channel with a sample that is no finite number.
@@ -61,13 +65,16 @@ fn header(to: &mut impl Write, recording: &Surveyed, channel: &SurveyedChannel, 
         Places::Even { start, step, .. } => (start, step, 1),
         Places::Stamped { .. } => (0.0, 0.0, 0),
     };
-    // A place is a node, or a name, which a number beside it would hide.
-    let (place, node) = match (channel.place.as_str(), node(&channel.place)) {
-        ("", _) => ("NONE", number),
-        (_, Some(node)) => ("NONE", node),
-        (name, None) => (name, 0),
-    };
-    writeln!(to, "{:<80}\n{:<80}\n{:<80}\n{:<80}\n{:<80}", ascii(&recording.name, 80), "NONE", "NONE", ascii(&channel.name, 80), "NONE")?;
+    let (place, node) = place(channel, number);
+    writeln!(
+        to,
+        "{:<80}\n{:<80}\n{:<80}\n{:<80}\n{:<80}",
+        ascii(&recording.name, LINE),
+        "NONE",
+        "NONE",
+        ascii(&channel.name, LINE),
+        "NONE"
+    )?;
     let (to_place, to_node, to_direction) = reference(channel);
     let to_place = ascii(to_place, PLACE);
     let direction = direction(&channel.direction);
@@ -158,6 +165,15 @@ fn specific(quantity: Quantity) -> u32 {
 /// The number of a node.
 fn node(place: &str) -> Option<usize> {
     place.strip_prefix("node ")?.parse().ok()
+}
+
+/// Name and node of a channel: a place is a node, or a name, which a number beside it would hide; a channel without one is a node of its own.
+fn place(channel: &SurveyedChannel, number: usize) -> (&str, usize) {
+    match (channel.place.as_str(), node(&channel.place)) {
+        ("", _) => ("NONE", number),
+        (_, Some(node)) => ("NONE", node),
+        (name, None) => (name, 0),
+    }
 }
 
 /// Name, node and direction of the force that a response function refers to.

@@ -2,6 +2,7 @@
 
 mod cantilever;
 mod coverage;
+mod dampings;
 mod histories;
 mod jumps;
 mod powers;

@@ -102,6 +102,32 @@ fn a_unit_that_the_columns_would_cut_is_refused() {
     assert!(write_in(long, "parquet").0.is_ok());
 }
 
+/// 10 characters of a place and 80 of a name are written and read again, one more is refused with both numbers, and nothing is left behind.
+#[test]
+fn a_place_or_name_that_the_columns_would_cut_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let written = |place: &str, name: &str, ending: &str| {
+        let mut recording = record();
+        (recording.channels[1].place, recording.channels[1].name) = (place.to_owned(), name.to_owned());
+        let path = folder.path().join(format!("{}-{}.{ending}", place.len(), name.len()));
+        (write(&recording, &path).map_err(|error| error.to_string()), path)
+    };
+    let name = "n".repeat(80);
+    let (fits, path) = written("beam.tip 1", &name, "uff");
+    fits.expect("a file");
+    let again = &read::file(&path).expect("what was written").recordings[0].channels[1];
+    assert_eq!((again.place.as_str(), &again.name), ("beam.tip 1", &name));
+    for (place, name, told) in [
+        ("beam.hammer", "a".to_owned(), "the place of a, \"beam.hammer\", has 11 characters; UFF holds 10: give a shorter one"),
+        ("tip", "n".repeat(81), "has 81 characters; UFF holds 80: give a shorter one"),
+    ] {
+        let (refused, path) = written(place, &name, "uff");
+        let refused = refused.expect_err("too long");
+        assert!(refused.contains(told) && !path.exists(), "{refused}");
+        assert!(written(place, &name, "csv").0.is_ok());
+    }
+}
+
 #[test]
 fn a_response_is_what_its_unit_says() {
     let (w0, zeta) = (TAU * 20.0, 0.01);
@@ -159,6 +185,22 @@ fn a_unit_that_is_not_known_is_told_in_brackets_of_any_kind() {
     }
     let named = one("a.csv", b"t/s,a/g\n0,1\n1,2\n2,3\n", None);
     assert_eq!((named.channels[0].name.as_str(), named.channels[0].values[1]), ("a", 2.0 * 9.80665));
+}
+
+/// One letter in brackets behind a sensor or channel may be a label as well as a unit: how it is read is told, and no more where notes say it.
+/// An LVM file has a line of units, so that its heads are names.
+#[test]
+fn a_letter_that_may_be_a_label_is_told() {
+    let text = b"t (s),sensor (A),channel (V),channel (B)\n0,1,2,3\n1,20,2.5,3.5\n2,3,2,3\n";
+    let found = one("a.csv", text, None);
+    let names: Vec<(&str, &str)> = found.channels.iter().map(|channel| (channel.name.as_str(), channel.unit.as_str())).collect();
+    assert_eq!(names, [("sensor (A)", ""), ("channel", "V"), ("channel (B)", "")]);
+    let told: Vec<String> = found.findings.iter().map(ToString::to_string).collect();
+    assert!(kinds(&found) == [FindingKind::Assumed; 2] && told[0].contains("as a label") && told[1].contains("as the unit V"), "{told:?}");
+    let notes = "[channel.\"sensor (A)\"]\nname = \"sensor A\"\n[channel.channel]\nunit = \"V\"\n";
+    assert_eq!(kinds(&one("a.csv", text, Some(notes))), []);
+    let labelled = one("a.lvm", lvm().replace("X_Value\tVoltage\t", "X_Value\tsensor (A)\t").as_bytes(), None);
+    assert_eq!((labelled.channels[0].name.as_str(), labelled.channels[0].unit.as_str()), ("sensor (A)", "V"));
 }
 
 /// 20 dB is ten times an amplitude, and a hundred times a density.
@@ -231,6 +273,75 @@ fn arrays_need_notes_where_they_tell_no_time() {
     let matrix = one("a.mat", &mat("m", &rows), None);
     assert_eq!(matrix.channels[0].name, "m(2)");
     assert_eq!(matrix.channels[0].values, rows[1]);
+}
+
+/// Numbers of two bytes: 1 sign bit, 5 of the exponent over 15, 10 of the fraction; so 0x3e00 is 1.5, and 0xc500 is -5.
+#[test]
+fn arrays_of_two_bytes_are_read_and_complex_ones_refused_with_a_way_out() {
+    let header = |dtype: &str| {
+        let bytes = npy(&[vec![0.0; 3]]);
+        let text = String::from_utf8_lossy(&bytes[10..]).replace("'<f8'", &format!("'{dtype}'"));
+        let line = text[..text.find('\n').expect("a header")].trim_end().to_owned();
+        let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+        bytes.extend(118_u16.to_le_bytes());
+        bytes.extend(format!("{line:<117}\n").bytes());
+        bytes
+    };
+    let notes = Some("rate = \"1 Hz\"\n");
+    let halves: [u16; 3] = [0x3e00, 0xc500, 0x0001];
+    let little: Vec<u8> = halves.iter().flat_map(|half| half.to_le_bytes()).collect();
+    let big: Vec<u8> = halves.iter().flat_map(|half| half.to_be_bytes()).collect();
+    for (dtype, numbers) in [("<f2", little), (">f2", big)] {
+        let found = one("a.npy", &[header(dtype), numbers].concat(), notes);
+        assert_eq!(found.channels[0].values, [1.5, -5.0, 2.0_f64.powi(-24)], "{dtype}");
+    }
+    for dtype in ["<c8", "<c16"] {
+        let told = read("a.npy", &[header(dtype), vec![0; 48]].concat(), notes).expect_err("complex").to_string();
+        assert!(told.contains(&format!("complex ({dtype})")) && told.contains("NAME.re and NAME.im"), "{told}");
+    }
+}
+
+/// A rate or a step beside the arrays stands for a time; a time wins, and a number that says something else is told; so is one against the notes.
+#[test]
+fn a_single_number_of_a_matrix_file_tells_the_rate() {
+    let (ramp, tip): (Vec<f64>, Vec<f64>) = (0..50).map(|k| (f64::from(k) * 1e-3, f64::from(k).sin())).unzip();
+    let with = |numbers: &[(&str, f64)], time: bool| {
+        let mut bytes = mat("tip", std::slice::from_ref(&tip));
+        numbers.iter().for_each(|(name, x)| bytes.extend(mat(name, &[vec![*x]]).split_off(128)));
+        if time {
+            bytes.extend(mat("t", std::slice::from_ref(&ramp)).split_off(128));
+        }
+        bytes
+    };
+    for (name, number) in [("fs", 2000.0), ("Fs", 2000.0), ("sample_rate", 2000.0), ("dt", 5e-4)] {
+        let found = one("a.mat", &with(&[(name, number)], false), None);
+        assert!((found.rate() / 2000.0 - 1.0).abs() < 1e-12 && found.grid.at(0) == 0.0, "{name}: {}", found.rate());
+        assert_eq!((found.channels.len(), &found.channels[0].values, kinds(&found)), (1, &tip, vec![FindingKind::Assumed]), "{name}");
+        assert!(found.findings[0].to_string().contains(&format!("at 2000 Hz from 0 s on, by {name} = {number} ")), "{:?}", found.findings);
+    }
+    let told = |bytes: &[u8], notes: Option<&str>, rate: f64, words: &str| {
+        let found = one("a.mat", bytes, notes);
+        assert!((found.rate() / rate - 1.0).abs() < 1e-9, "{}", found.rate());
+        let found: Vec<String> = found.findings.iter().map(ToString::to_string).collect();
+        assert!(found.iter().any(|told| told.contains(words)), "{found:?} {words}");
+    };
+    told(
+        &with(&[("fs", 2000.0)], true),
+        None,
+        1000.0,
+        "fs = 2000 in the file is 2000 Hz, the stamps say 1000.000000 Hz; the stamps are used",
+    );
+    told(&with(&[("fs", 2000.0)], false), Some("rate = \"500 Hz\"\n"), 500.0, "the notes say 500.000000 Hz; the notes are used");
+    told(&with(&[("fs", 2000.0), ("dt", 1e-3)], false), None, 2000.0, "dt = 0.001 one of 1000 Hz; the first is taken");
+    assert!(!kinds(&one("a.mat", &with(&[("fs", 1000.0), ("dt", 1e-3)], true), None)).contains(&FindingKind::HeaderDisagrees));
+    // The first column of a matrix is its time where it has that rate.
+    let both = |ramp: Vec<f64>| [mat("m", &[ramp, tip.clone()]), mat("fs", &[vec![1000.0]]).split_off(128)].concat();
+    assert_eq!(one("a.mat", &both(ramp.clone()), None).channels.len(), 1);
+    assert_eq!(one("a.mat", &both(ramp.iter().map(|t| 7.0 * t).collect()), None).channels.len(), 2);
+    for (name, number) in [("fs", 0.0), ("fs", f64::NAN), ("gain", 2000.0)] {
+        let refused = read("a.mat", &with(&[(name, number)], false), None);
+        assert!(matches!(refused, Err(ReadError::NoTime { .. })), "{name} = {number}: {refused:?}");
+    }
 }
 
 #[test]

@@ -152,7 +152,7 @@ impl From<FitError> for Failure {
 fn fit_details(error: &FitError) -> Value {
     match error {
         FitError::Features { faults } => json!({ "faults": faults }),
-        FitError::Key { key, .. } => json!({ "key": key }),
+        FitError::Key { key, .. } | FitError::Twice { key } => json!({ "key": key }),
         FitError::Start { key, value } => json!({ "key": key, "value": value }),
         FitError::NoMode { number, modes } => json!({ "mode": number, "modes": modes }),
         FitError::Undamped { number, damping_ratio } => json!({ "mode": number, "damping_ratio": damping_ratio }),

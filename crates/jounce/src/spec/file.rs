@@ -154,6 +154,22 @@ impl SpecFile {
         })
     }
 
+    /// A key with one number as [`SpecFile::numeric_key`], or every number of a list: `damping.ratios` stands for `damping.ratios.1`,
+    /// `damping.ratios.2` and so on.
+    ///
+    /// # Errors
+    /// As [`SpecFile::numeric_key`].
+    pub fn numeric_keys(&self, key: &str) -> Result<Vec<NumericKey>, Faults> {
+        let info = resolve(&self.source.root, key).map_err(|message| Fault::without_place(&clip(key), message))?;
+        if matches!(info.kind, Kind::Numbers | Kind::NamedNumbers) {
+            let found = NumericKey::all_in(&self.spec()?, key)?;
+            if !found.is_empty() {
+                return Ok(found);
+            }
+        }
+        Ok(vec![self.numeric_key(key)?])
+    }
+
     /// Reads the range of a sweep, `"drive.shaker.frequency=4Hz:20Hz:0.1Hz"`; see [`KeyRange`].
     ///
     /// # Errors

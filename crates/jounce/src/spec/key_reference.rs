@@ -7,6 +7,7 @@ use super::keys::SPEC;
 /// Every key of a spec as Markdown: one section and one table for each kind of thing.
 pub fn reference_markdown() -> String {
     let mut out = String::from("# Keys of a spec\n\nQuantities are texts with a unit, as in `\"0.98 mm\"`; the units here are examples.\n");
+    out.push_str("A number of a list is a key too, counted from 1: `damping.ratios.2` can be set, swept, followed and fitted.\n");
     for row in rows(SPEC, Spec::default) {
         section(&row, "", &mut out);
     }

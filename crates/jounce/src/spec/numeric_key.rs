@@ -33,19 +33,24 @@ pub(super) struct Numeric {
 }
 
 impl NumericKey {
-    /// Finds the key by its dotted path, `"drive.shaker.frequency"`.
+    /// Finds the key by its dotted path, `"drive.shaker.frequency"`; numbers of a list are counted from 1, `"damping.ratios.2"`.
     ///
     /// # Errors
-    /// A path that leads to no number. The exponent of a contact law is refused: the unit of its stiffness hangs on it.
+    /// A path that leads to no number, or to a whole list. The exponent of a contact law is refused: the unit of its stiffness hangs on it.
     pub fn find(spec: &Spec, path: &str) -> Result<Self, Fault> {
         let Some(found) = locate(SPEC, spec, &segments(path)) else {
-            return Err(Fault::without_place(path, format!("{}: this is no key with a number in this spec", clip(path))));
+            return Err(Fault::without_place(path, format!("{}: {}", clip(path), no_number(spec, path))));
         };
         if path.starts_with("stop.") && found.info.name == "exponent" {
             let why = "cannot be varied alone, because the unit of `stiffness` depends on it; write one spec for each exponent";
             return Err(Fault::without_place(path, format!("{path} {why}")));
         }
         Ok(Self { path: path.to_owned(), kind: found.kind, info: found.info, held: None })
+    }
+
+    /// Every number of the list at a path, empty where there is no list.
+    pub(super) fn all_in(spec: &Spec, path: &str) -> Result<Vec<Self>, Fault> {
+        (1..=listed(spec, path)).map(|number| Self::find(spec, &format!("{path}.{number}"))).collect()
     }
 
     /// Keeps another number of the spec at a value whenever this one is set.
@@ -147,6 +152,39 @@ fn segments(path: &str) -> Vec<&str> {
     path.split('.').collect()
 }
 
+/// How many numbers the list at a path holds, 0 where there is no list.
+fn listed(spec: &Spec, path: &str) -> usize {
+    let is_listed = |number: &usize| {
+        let found = locate(SPEC, spec, &segments(&format!("{path}.{number}")));
+        found.is_some_and(|found| matches!(found.info.kind, Kind::Numbers | Kind::NamedNumbers))
+    };
+    (1..).take_while(is_listed).count()
+}
+
+/// Why there is no number at a path.
+fn no_number(spec: &Spec, path: &str) -> String {
+    let above = path.rsplit_once('.').map(|(list, _)| (list, listed(spec, list))).filter(|(_, count)| *count > 0);
+    match (listed(spec, path), above) {
+        (0, None) => "this is no key with a number in this spec".to_owned(),
+        (0, Some((list, count))) => beyond(list, count),
+        (count, _) => format!("this is a list; {}", one_of(path, count)),
+    }
+}
+
+/// What is told of a number that a list does not hold.
+pub(super) fn beyond(list: &str, count: usize) -> String {
+    format!("{list} holds {}; {}", if count == 1 { "1 number".to_owned() } else { format!("{count} numbers") }, one_of(list, count))
+}
+
+fn one_of(list: &str, count: usize) -> String {
+    if count == 1 { format!("name it as {list}.1") } else { format!("name one of them, from {list}.1 to {list}.{count}") }
+}
+
+/// The place of a number in its list; numbers are counted from 1.
+pub(super) fn place_in_list(number: &str) -> Option<usize> {
+    number.parse::<usize>().ok()?.checked_sub(1)
+}
+
 /// The number at a path below a thing.
 pub(super) fn locate<T>(keys: &[Key<T>], thing: &T, path: &[&str]) -> Option<Numeric> {
     let (name, rest) = path.split_first()?;
@@ -157,9 +195,17 @@ pub(super) fn locate<T>(keys: &[Key<T>], thing: &T, path: &[&str]) -> Option<Num
         (Slot::Optional { get, .. }, []) => Some(numeric(get(thing)?)),
         (Slot::Count { get, .. }, []) => Some(numeric(get(thing) as f64)),
         (Slot::NamedQuantities { get, .. }, [name]) => get(thing).get(*name).map(|value| numeric(*value)),
+        (Slot::Numbers { get, .. }, [number]) => get(thing).get(place_in_list(number)?).map(|value| one_of_list(key.info, *value)),
+        (Slot::NamedNumbers { get, .. }, [name, number]) => {
+            get(thing).get(*name)?.get(place_in_list(number)?).map(|value| one_of_list(key.info, *value))
+        }
         (Slot::Inner(inner), rest) => inner.locate(thing, rest),
         _ => None,
     }
+}
+
+fn one_of_list(info: KeyInfo, value: f64) -> Numeric {
+    Numeric { info, kind: Kind::Number, value }
 }
 
 /// Stores a number at a path below a thing; false where there is none.
@@ -173,8 +219,17 @@ pub(super) fn store<T>(keys: &[Key<T>], thing: &mut T, path: &[&str], value: f64
             let Some(place) = open(thing).get_mut(*name) else { return false };
             *place = value;
         }
+        (Slot::Numbers { open, .. }, [number]) => return store_in_list(open(thing), number, value),
+        (Slot::NamedNumbers { open, .. }, [name, number]) => {
+            return open(thing).get_mut(*name).is_some_and(|list| store_in_list(list, number, value));
+        }
         (Slot::Inner(inner), rest) => return inner.store(thing, rest, value),
         _ => return false,
     }
     true
+}
+
+fn store_in_list(list: &mut [f64], number: &str, value: f64) -> bool {
+    let place = place_in_list(number).and_then(|place| list.get_mut(place));
+    place.map(|place| *place = value).is_some()
 }

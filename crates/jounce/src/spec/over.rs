@@ -7,6 +7,7 @@ use toml_edit::{DocumentMut, Item, TableLike};
 use super::key::{KeyInfo, Kind, Row, rows};
 use super::keys::SPEC;
 use super::nearest::{clip, listed, nearest};
+use super::numeric_key::{beyond, place_in_list};
 use super::source::{Node, Place, Value, value_of};
 use super::{Spec, read::join};
 
@@ -57,20 +58,30 @@ impl Override {
         let mut table: &mut dyn TableLike = document.as_table_mut();
         for parent in parents {
             let item = table.entry(parent).or_insert_with(toml_edit::table);
+            if let Some(list) = item.as_array_mut() {
+                if let Some(place) = place_in_list(name).filter(|place| *place < list.len()) {
+                    list.replace(place, self.written());
+                }
+                return;
+            }
             let Some(below) = item.as_table_like_mut() else { return };
             table = below;
         }
         for other in self.excludes.iter().filter(|other| *other != name) {
             table.remove(other);
         }
-        let mut value = match &self.node.value {
-            Value::Text(text) => toml_edit::Value::from(text.as_str()),
-            _ => self.value.trim().parse().unwrap_or_else(|_| toml_edit::Value::from(self.value.as_str())),
-        };
+        let mut value = self.written();
         if let Some(old) = table.get(name).and_then(Item::as_value) {
             *value.decor_mut() = old.decor().clone();
         }
         table.insert(name, Item::Value(value));
+    }
+
+    fn written(&self) -> toml_edit::Value {
+        match &self.node.value {
+            Value::Text(text) => toml_edit::Value::from(text.as_str()),
+            _ => self.value.trim().parse().unwrap_or_else(|_| toml_edit::Value::from(self.value.as_str())),
+        }
     }
 }
 
@@ -104,7 +115,11 @@ fn move_to(node: &mut Node, place: Place) {
 pub(super) fn resolve(root: &Node, key: &str) -> Result<KeyInfo, String> {
     let top = rows(SPEC, Spec::default);
     let segments: Vec<&str> = key.split('.').collect();
-    walk(&top, Some(root), &segments, "").map_err(|why| {
+    walk(&top, Some(root), &segments, "").map_err(|lost| {
+        let why = match lost {
+            Lost::InList(why) => return format!("{}: {why}", clip(key)),
+            Lost::Key(why) => why,
+        };
         let mut known = Vec::new();
         paths(&top, Some(root), "", &mut known);
         let meant = nearest(key, known.iter().map(String::as_str)).map(|near| format!("; the nearest key here is `{near}`"));
@@ -112,32 +127,64 @@ pub(super) fn resolve(root: &Node, key: &str) -> Result<KeyInfo, String> {
     })
 }
 
-fn walk(rows: &[Row], node: Option<&Node>, path: &[&str], walked: &str) -> Result<KeyInfo, String> {
+/// Why a path leads nowhere.
+enum Lost {
+    /// No key is there; the nearest may be meant.
+    Key(String),
+    /// A list does not hold the number.
+    InList(String),
+}
+
+impl From<String> for Lost {
+    fn from(why: String) -> Self {
+        Self::Key(why)
+    }
+}
+
+fn walk(rows: &[Row], node: Option<&Node>, path: &[&str], walked: &str) -> Result<KeyInfo, Lost> {
     let place = if walked.is_empty() { "here".to_owned() } else { format!("in {walked}") };
     let Some((name, rest)) = path.split_first() else {
-        return Err(format!("{walked} is a table; its keys: {}", listed(rows.iter().map(|row| row.info.name))));
+        return Err(format!("{walked} is a table; its keys: {}", listed(rows.iter().map(|row| row.info.name))).into());
     };
     let Some(row) = rows.iter().find(|row| row.info.name == *name) else {
-        return Err(format!("unknown key; keys {place}: {}", listed(rows.iter().map(|row| row.info.name))));
+        return Err(format!("unknown key; keys {place}: {}", listed(rows.iter().map(|row| row.info.name))).into());
     };
     let below = node.and_then(|node| node.get(name)).map(|entry| &entry.node);
     let walked = join(walked, name);
     match (row.info.kind, rest) {
         (Kind::Table, rest) => walk(&row.inner, below, rest, &walked),
-        (Kind::Things, []) => Err(format!("{walked} is a table of things by name")),
+        (Kind::Things, []) => Err(format!("{walked} is a table of things by name").into()),
         (Kind::Things, [thing, rest @ ..]) => {
             let Some(found) = below.and_then(|below| below.get(thing)) else {
                 let there = below.and_then(Node::entries).unwrap_or_default();
                 let names = listed(there.iter().map(|entry| entry.name.as_str()));
                 let names = if names.is_empty() { "none".to_owned() } else { names };
-                return Err(format!("this file has no [{walked}.{}]; it has: {names}", clip(thing)));
+                return Err(format!("this file has no [{walked}.{}]; it has: {names}", clip(thing)).into());
             };
             walk(&row.inner, Some(&found.node), rest, &join(&walked, thing))
         }
         (Kind::NamedQuantities(_) | Kind::NamedNumbers, [_]) => Ok(row.info),
-        (Kind::NamedQuantities(_) | Kind::NamedNumbers, _) => Err(format!("{walked} is a table of values by name")),
+        (Kind::Numbers, [number]) => in_list(row.info, below, number, &walked),
+        (Kind::NamedNumbers, [name, number]) => {
+            let list = below.and_then(|below| below.get(name)).map(|entry| &entry.node);
+            in_list(row.info, list, number, &join(&walked, name))
+        }
+        (Kind::NamedQuantities(_) | Kind::NamedNumbers, _) => Err(format!("{walked} is a table of values by name").into()),
         (_, []) => Ok(row.info),
-        (_, _) => Err(format!("{walked} is one value and has no keys")),
+        (_, _) => Err(format!("{walked} is one value and has no keys").into()),
+    }
+}
+
+/// One number of a list that the file has.
+fn in_list(info: KeyInfo, list: Option<&Node>, number: &str, walked: &str) -> Result<KeyInfo, Lost> {
+    match list.map(|list| &list.value) {
+        Some(Value::List(items)) if items.is_empty() => Err(Lost::InList(format!("{walked} is empty"))),
+        Some(Value::List(items)) => match place_in_list(number).filter(|place| *place < items.len()) {
+            Some(_) => Ok(KeyInfo { kind: Kind::Number, ..info }),
+            None => Err(Lost::InList(beyond(walked, items.len()))),
+        },
+        Some(_) => Err(Lost::InList(format!("{walked} is no list of numbers in this file"))),
+        None => Err(Lost::InList(format!("this file has no {walked}; give the whole list first"))),
     }
 }
 

@@ -27,6 +27,30 @@ fn values_come_bare_or_as_toml() {
 }
 
 #[test]
+fn a_number_of_a_list_is_a_key_counted_from_1() {
+    let ratios = with(&[("damping.ratios.2", "0.05"), ("damping.ratios.7", "1")]).unwrap().damping.ratios;
+    let before = Spec::from_toml(&paper()).unwrap().damping.ratios;
+    assert_eq!((ratios[1], ratios[6], ratios.len()), (0.05, 1.0, before.len()));
+    assert_eq!((ratios[0], &ratios[2..6]), (before[0], &before[2..6]));
+    assert_eq!(
+        with(&[("damping.ratios", "[0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1]"), ("damping.ratios.1", "0.2")]).unwrap().damping.ratios[0],
+        0.2
+    );
+    let told = with(&[("damping.ratios.8", "0.05")]).unwrap_err();
+    let wanted = "damping.ratios.8: damping.ratios holds 7 numbers; name one of them, from damping.ratios.1 to damping.ratios.7";
+    assert!(told.ends_with(wanted), "{told}");
+    assert!(with(&[("damping.ratios.0", "0.05")]).unwrap_err().ends_with("to damping.ratios.7"));
+    assert!(with(&[("damping.ratios.2", "11")]).unwrap_err().contains("damping.ratios: number 2 is 11; it must be from 0 to 10"));
+    let mut modal = SpecFile::from_text(MODAL);
+    let (name, shape) = modal.spec().unwrap().modal.iter().map(|(name, modal)| (name.clone(), modal.point.clone())).next().unwrap();
+    let (point, shape) = shape.into_iter().next().unwrap();
+    modal.set(&format!("modal.{name}.point.{point}.{}", shape.len()), "7.5").unwrap();
+    for spec in [modal.spec().unwrap(), Spec::from_toml(&modal.text()).unwrap()] {
+        assert_eq!(spec.modal[&name].point[&point].last(), Some(&7.5));
+    }
+}
+
+#[test]
 fn optional_keys_may_be_new_and_later_overrides_win() {
     assert_eq!(with(&[("run.tolerance", "1e-10")]).unwrap().run.tolerance, 1e-10);
     assert_eq!(with(&[("damping.beyond", "0.01")]).unwrap().damping.beyond, Some(0.01));

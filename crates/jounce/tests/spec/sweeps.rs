@@ -22,6 +22,7 @@ fn steps_hit_the_decimal_values() {
     assert_eq!(values("stop.tip.gap=-1mm:1mm:500um").unwrap(), [-1e-3, -0.5e-3, 0.0, 0.5e-3, 1e-3]);
     assert_eq!(values("run.duration=1min:3min:1min").unwrap(), [60.0, 120.0, 180.0]);
     assert_eq!(values("mass.table.damping_ratio=0.1:0.35:0.1").unwrap(), [0.1, 0.2, 0.3]);
+    assert_eq!(values("damping.ratios.7=0.1:0.35:0.1").unwrap(), [0.1, 0.2, 0.3]);
     assert_eq!(values("reduction.modes=1:3:1").unwrap(), [1.0, 2.0, 3.0]);
 }
 
@@ -55,6 +56,9 @@ fn wrong_ranges_are_refused() {
         ("drive.shaker.fequency=1Hz", "the nearest key here is `drive.shaker.frequency`"),
         ("stop.tip.law=1Hz", "this is no key with a number in this spec"),
         ("stop.tip.exponent=1:2:0.1", "cannot be varied alone"),
+        ("damping.ratios=0.1:0.3:0.1", "this is a list; name one of them, from damping.ratios.1 to damping.ratios.7"),
+        ("damping.ratios.9=0.1:0.3:0.1", "damping.ratios holds 7 numbers; name one of them, from damping.ratios.1 to damping.ratios.7"),
+        ("damping.ratios.2=0.1:0.3:abc", "\"abc\" is no plain number; a plain number is due"),
     ] {
         let refusal = values(assignment).unwrap_err();
         assert!(refusal.contains(told), "{assignment}: {refusal}");
@@ -72,6 +76,7 @@ fn setting_a_number_is_editing_the_file() {
         ("stop.tip.gap", -1e-3, "-1 mm"),
         ("stop.tip.stiffness", 2e3, "2 kN/m^1.5"),
         ("reduction.modes", 3.0, "3"),
+        ("damping.ratios.3", 0.05, "0.05"),
         ("run.tolerance", 1e-9, "1e-9"),
     ] {
         let mut file = SpecFile::from_text(paper());
@@ -100,6 +105,8 @@ fn a_refused_number_leaves_the_spec_alone() {
         ("stop.tip.gap", 1e300, "it must be 0 or of a size from 1e-30 to 1e30 in SI units"),
         ("circuit.load.resistance", 1e-300, "it must be 0 or of a size from 1e-30 to 1e30 in SI units"),
         ("stop.tip.damping", 1.0, "no key with a number"),
+        ("damping.ratios.8", 1.0, "damping.ratios holds 7 numbers"),
+        ("damping.ratios.2", 11.0, "damping.ratios.2 is 11; it must be from 0 to 10"),
     ] {
         let fault = spec.set_si(key, value).unwrap_err().to_string();
         assert!(fault.contains(told), "{fault}");

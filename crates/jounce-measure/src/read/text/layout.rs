@@ -3,6 +3,7 @@
 use super::super::error::Damage;
 use super::super::name;
 use super::super::number::Field;
+use crate::recording::Finding;
 
 /// What parts the fields of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,6 +23,8 @@ pub(crate) struct Layout {
     pub skip: usize,
     /// Name and unit of each column.
     pub heads: Vec<(String, String)>,
+    /// How heads were read that can be read in two ways.
+    pub doubts: Vec<Finding>,
 }
 
 /// So many lines in a row with the same number of numbers are the beginning of the data; two where there are no three.
@@ -51,8 +54,8 @@ impl Layout {
         let best = ROWS.iter().find_map(|rows| most_columns(&lines, *rows));
         let (skip, count, delimiter, decimal_comma) =
             best.ok_or_else(|| Damage::new("it holds no rows of numbers (dates and times of day are none: write seconds)"))?;
-        let heads = heads(&lines[..skip], count, delimiter);
-        Ok(Self { delimiter, decimal_comma, skip, heads })
+        let (heads, doubts) = heads(&lines[..skip], count, delimiter);
+        Ok(Self { delimiter, decimal_comma, skip, heads, doubts })
     }
 }
 
@@ -93,11 +96,11 @@ fn first_rows(counts: &[usize], rows: usize) -> Option<(usize, usize)> {
     Some((above.unwrap_or(found), counts[found]))
 }
 
-/// Names and units from the last line above the numbers with as many fields, and a line of units below it.
-fn heads(above: &[&str], count: usize, delimiter: Delimiter) -> Vec<(String, String)> {
+/// Names and units from the last line above the numbers with as many fields, and a line of units below it; and what is doubtful about them.
+fn heads(above: &[&str], count: usize, delimiter: Delimiter) -> (Vec<(String, String)>, Vec<Finding>) {
     let mut rows = above.iter().rev().map(|line| fields_of_head(line, count, delimiter)).filter(|fields| fields.len() == count);
     let Some(last) = rows.next() else {
-        return (1..=count).map(|number| (format!("column {number}"), String::new())).collect();
+        return ((1..=count).map(|number| (format!("column {number}"), String::new())).collect(), Vec::new());
     };
     let are_units = last.iter().all(|field| name::is_known(field));
     let (names, units) = match rows.next().filter(|_| are_units) {
@@ -109,7 +112,8 @@ fn heads(above: &[&str], count: usize, delimiter: Delimiter) -> Vec<(String, Str
         let name = if name.is_empty() { format!("column {}", k + 1) } else { name };
         (name, units.as_ref().map_or(unit, |units| units[k].trim().to_owned()))
     };
-    distinct(names.iter().enumerate().map(head).collect())
+    let doubts = if units.is_none() { names.iter().filter_map(|name| name::doubt(name)).collect() } else { Vec::new() };
+    (distinct(names.iter().enumerate().map(head).collect()), doubts)
 }
 
 /// The fields of a line of heads, its comment sign taken away; fields that blanks part may be parted by two blanks or more.

@@ -32,6 +32,7 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     let Rows { mut columns, mut findings } = columns(BufReader::with_capacity(1 << 20, file), size, &layout, shelf)?;
     let written = Written::beside(path, &columns);
     written.iter().for_each(|written| columns.iter_mut().for_each(|column| written.tell(column)));
+    findings.extend(layout.doubts);
     if latin {
         let line = head.split(|b| *b == b'\n').position(|line| !line.is_ascii()).map_or(1, |line| line + 1);
         let about = "the header is not UTF-8; it was read as Latin-1".to_owned();

@@ -3,6 +3,7 @@
 use toml_edit::{Item, TableLike};
 
 use crate::spec::nearest::clip;
+use crate::spec::numeric_key::place_in_list;
 
 /// Where something stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -56,10 +57,18 @@ impl Node {
         self.entries()?.iter().find(|entry| entry.name == name)
     }
 
-    /// Puts a value under a path; tables are made where they are missing. False where something else stands in the way.
+    /// Puts a value under a path; tables are made where they are missing, and what a list holds is counted from 1. False where something
+    /// else stands in the way.
     pub(in crate::spec) fn put(&mut self, path: &[&str], node: Node) -> bool {
-        let Value::Table(entries) = &mut self.value else { return false };
         let Some((name, rest)) = path.split_first() else { return false };
+        let entries = match &mut self.value {
+            Value::Table(entries) => entries,
+            Value::List(items) => {
+                let place = place_in_list(name).filter(|_| rest.is_empty());
+                return place.and_then(|place| items.get_mut(place)).map(|item| *item = node).is_some();
+            }
+            _ => return false,
+        };
         let index = entries.iter().position(|entry| entry.name == *name).unwrap_or_else(|| {
             let empty = Node { place: node.place, raw: String::new(), value: Value::Table(Vec::new()) };
             entries.push(Entry { name: (*name).to_owned(), place: node.place, node: empty });
