@@ -97,7 +97,14 @@ class Study:
     def keep(self, folder: str | PathLike[str], part: int, bytes: bytes) -> None: ...
 
 def basins(
-    spec: Spec, starts: int | None, seed: int | None, spread: float | None, grid: list[str], tolerance: float, threads: int | None, progress: _Progress
+    spec: Spec,
+    starts: int | None,
+    seed: int | None,
+    spread: float | None,
+    grid: list[str],
+    tolerance: float,
+    threads: int | None,
+    progress: _Progress,
 ) -> _Handed: ...
 def branch(
     spec: Spec,

@@ -182,8 +182,8 @@ class Spec(SpecOnRig):
     ) -> BasinsResult:
         """Finds the attractors, the share of the starts that each takes, and the power to be expected.
 
-        The starts are a cloud of ``starts`` (200) starts with the ``seed`` 1, ``spread`` (10) gaps wide, or every combination of the sides of a ``grid``:
-        ``{"displacement": "-5 mm:5 mm:21x", "velocity": ("-1 m/s", "1 m/s", 21)}``, and ``"voltage"``.
+        The starts are a cloud of ``starts`` (200) starts with the ``seed`` 1, ``spread`` (10) gaps wide, or every combination of the
+        sides of a ``grid``: ``{"displacement": "-5 mm:5 mm:21x", "velocity": ("-1 m/s", "1 m/s", 21)}``, and ``"voltage"``.
         """
         check_wholes(starts=starts, seed=seed, threads=threads)
         with told(progress) as tell:
@@ -208,9 +208,9 @@ class Spec(SpecOnRig):
     ) -> DiagramResult:
         """Marches to where the motion is at the start of each drive cycle, over rising values of a key.
 
-        ``"starts"`` marches at each value from a cloud of ``starts`` (20) starts with the ``seed`` 1 and the size ``spread`` (10 gaps), and follows
-        the attractors from value to value; the other directions carry the state over and have no cloud. ``range`` is as in :meth:`sweep`;
-        ``cycles`` is how many points a motion without a period shows, ``longest_period`` (4) that of a continued branch.
+        ``"starts"`` marches at each value from a cloud of ``starts`` (20) starts with the ``seed`` 1 and the size ``spread`` (10 gaps),
+        and follows the attractors from value to value; the other directions carry the state over and have no cloud. ``range`` is as in
+        :meth:`sweep`; ``cycles`` is how many points a motion without a period shows, ``longest_period`` (4) that of a continued branch.
         """
         check_wholes(starts=starts, seed=seed, cycles=cycles, longest_period=longest_period, threads=threads)
         text = values(range, unit, key)

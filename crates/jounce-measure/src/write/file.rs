@@ -46,6 +46,21 @@ pub enum WriteError {
         /// Characters that the format holds.
         most: usize,
     },
+    /// A text with a letter that the format has not.
+    #[error(
+        "the {what} of {channel}, {text:?}, holds {letter:?}; UFF holds ASCII only: give another one in the notes beside the recording, or write \
+         Parquet or CSV"
+    )]
+    NotAscii {
+        /// The channel, or the recording.
+        channel: String,
+        /// What holds it.
+        what: &'static str,
+        /// The text.
+        text: String,
+        /// The first such letter.
+        letter: char,
+    },
     /// Numbers that cannot be found again in the scratch file.
     #[error("the scratch file cannot be read: {0}")]
     Scratch(#[from] std::io::Error),

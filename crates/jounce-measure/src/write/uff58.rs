@@ -31,8 +31,11 @@ const LINE: usize = 80;
 const LABEL: usize = 20;
 const PLACE: usize = 10;
 
-/// Refuses a text that would be cut to another one.
+/// Refuses a text that would become another one.
 fn fits(of: &str, what: &'static str, text: &str, most: usize) -> Result<(), WriteError> {
+    if let Some(letter) = text.chars().find(|c| !(c.is_ascii_graphic() || *c == ' ')) {
+        return Err(WriteError::NotAscii { channel: of.to_owned(), what, text: text.to_owned(), letter });
+    }
     let length = text.chars().count();
     if length <= most { Ok(()) } else { Err(WriteError::Long { channel: of.to_owned(), what, text: text.to_owned(), length, most }) }
 }
@@ -66,24 +69,13 @@ fn header(to: &mut impl Write, recording: &Surveyed, channel: &SurveyedChannel, 
         Places::Stamped { .. } => (0.0, 0.0, 0),
     };
     let (place, node) = place(channel, number);
-    writeln!(
-        to,
-        "{:<80}\n{:<80}\n{:<80}\n{:<80}\n{:<80}",
-        ascii(&recording.name, LINE),
-        "NONE",
-        "NONE",
-        ascii(&channel.name, LINE),
-        "NONE"
-    )?;
+    writeln!(to, "{:<80}\n{:<80}\n{:<80}\n{:<80}\n{:<80}", recording.name, "NONE", "NONE", channel.name, "NONE")?;
     let (to_place, to_node, to_direction) = reference(channel);
-    let to_place = ascii(to_place, PLACE);
     let direction = direction(&channel.direction);
     writeln!(
         to,
         "{function:>5}{number:>10}{:>5}{:>10} {:<10}{node:>10}{direction:>4} {to_place:<10}{to_node:>10}{to_direction:>4}",
-        0,
-        0,
-        ascii(place, PLACE),
+        0, 0, place,
     )?;
     writeln!(to, "{kind:>10}{:>10}{even:>10} {} {} {}", channel.values.count(), e12(start), e12(step), e12(0.0))?;
     let (abscissa, label, unit) = if over_time { (17, "Time", "s") } else { (18, "Frequency", "Hz") };
@@ -95,7 +87,7 @@ fn header(to: &mut impl Write, recording: &Surveyed, channel: &SurveyedChannel, 
 
 fn axis(to: &mut impl Write, kind: u32, label: &str, unit: &str) -> std::io::Result<()> {
     let unit = if unit.is_empty() { "NONE" } else { unit };
-    writeln!(to, "{kind:>10}{:>5}{:>5}{:>5} {:<20} {:<20}", 0, 0, 0, ascii(label, LABEL), ascii(unit, LABEL))
+    writeln!(to, "{kind:>10}{:>5}{:>5}{:>5} {:<20} {:<20}", 0, 0, 0, label.chars().take(LABEL).collect::<String>(), unit)
 }
 
 fn data(to: &mut impl Write, recording: &Surveyed, channel: &SurveyedChannel) -> std::io::Result<()> {
@@ -142,10 +134,6 @@ fn fortran(value: f64, digits: usize) -> String {
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
     let exponent: i32 = exponent.parse().unwrap_or(0);
     format!("{mantissa}E{}{:02}", if exponent < 0 { '-' } else { '+' }, exponent.abs())
-}
-
-fn ascii(text: &str, most: usize) -> String {
-    text.chars().map(|c| if c.is_ascii_graphic() || c == ' ' { c } else { '?' }).take(most).collect()
 }
 
 /// The code of what is measured.

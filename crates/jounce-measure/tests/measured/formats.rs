@@ -104,7 +104,7 @@ fn a_unit_that_the_columns_would_cut_is_refused() {
 
 /// 10 characters of a place and 80 of a name are written and read again, one more is refused with both numbers, and nothing is left behind.
 #[test]
-fn a_place_or_name_that_the_columns_would_cut_is_refused() {
+fn a_place_or_name_that_the_format_would_change_is_refused() {
     let folder = tempfile::tempdir().expect("a folder");
     let written = |place: &str, name: &str, ending: &str| {
         let mut recording = record();
@@ -120,6 +120,7 @@ fn a_place_or_name_that_the_columns_would_cut_is_refused() {
     for (place, name, told) in [
         ("beam.hammer", "a".to_owned(), "the place of a, \"beam.hammer\", has 11 characters; UFF holds 10: give a shorter one"),
         ("tip", "n".repeat(81), "has 81 characters; UFF holds 80: give a shorter one"),
+        ("tip", "öse".to_owned(), "the name of öse, \"öse\", holds 'ö'; UFF holds ASCII only"),
     ] {
         let (refused, path) = written(place, &name, "uff");
         let refused = refused.expect_err("too long");

@@ -81,6 +81,10 @@ impl From<WriteError> for Failure {
                 let details = json!({ "channel": channel, "text": text, "length": length, "most": most });
                 Self::new("RecordingError", &error).with(details)
             }
+            WriteError::NotAscii { ref channel, ref text, letter, .. } => {
+                let details = json!({ "channel": channel, "text": text, "letter": letter });
+                Self::new("RecordingError", &error).with(details)
+            }
             WriteError::Format { ref path } => Self::of_file(&error, path, None),
             WriteError::Table(error) => Self::of("FileError", &error),
             WriteError::Store(error) => Self::of("FileError", &error),
