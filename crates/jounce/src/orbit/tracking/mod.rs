@@ -10,6 +10,7 @@
 mod circle;
 mod condition;
 mod critical;
+mod foot;
 mod pair;
 mod peak;
 mod plane;
