@@ -10,6 +10,9 @@ use faer::{ColRef, Mat};
 const STEPS: usize = 2;
 const CLOSED: f64 = 1e-13;
 
+/// Way to both sides of the first parameter, in its differences.
+const WAY: f64 = 10.0;
+
 /// The orbit across from a place.
 pub(super) struct Foot {
     pub start: Vec<f64>,
@@ -64,10 +67,10 @@ impl Foot {
 
 impl<P: Plane> Tracking<'_, P> {
     /// The orbit across from a place, at the same second parameter.
-    pub(super) fn foot(&self, (start, parameter): (&[f64], f64), line: &P::Line) -> Result<Option<Foot>, Failure<P>> {
+    pub(super) fn foot(&self, (start, parameter, parameter_2): (&[f64], f64, f64), line: &P::Line) -> Result<Option<Foot>, Failure<P>> {
         let (mut start, mut parameter) = (start.to_vec(), parameter);
         for step in 0.. {
-            let shot = self.shot_with_slopes(line, &start, parameter)?;
+            let shot = self.shot_with_slopes(line, &start, (parameter, parameter_2))?;
             let Some(tangent) = Tangent::of(&shot, self.unit) else { break };
             let off = ColRef::from_slice(&shot.residual).norm_l2() / ColRef::from_slice(&start).norm_l2();
             if step == STEPS || off < CLOSED {
@@ -81,12 +84,13 @@ impl<P: Plane> Tracking<'_, P> {
         Ok(None)
     }
 
-    /// A shot with its derivative by the first parameter to second order: what the tangent is off by, `g` is off by.
-    fn shot_with_slopes(&self, line: &P::Line, start: &[f64], parameter: f64) -> Result<Shot, Failure<P>> {
+    /// A shot with its derivative by the first parameter to second order: what the tangent is off by, the slope of the power along it is off by
+    /// many times.
+    fn shot_with_slopes(&self, line: &P::Line, start: &[f64], (parameter, parameter_2): (f64, f64)) -> Result<Shot, Failure<P>> {
         let shooting = self.shooting(line);
         let (mut shot, exact) = shooting.shoot(start, parameter)?;
         if !exact {
-            let difference = line.difference();
+            let difference = WAY * self.plane.differences([parameter, parameter_2])[0];
             let [(less, _), (more, _)] = [shooting.shoot(start, parameter - difference)?, shooting.shoot(start, parameter + difference)?];
             let slope = |(more, less): (&f64, &f64)| (more - less) / (2.0 * difference);
             shot.by_parameter = more.residual.iter().zip(&less.residual).map(slope).collect();

@@ -50,7 +50,7 @@ impl<P: Plane> Tracking<'_, P> {
         (start, parameter, parameter_2): (&[f64], f64, f64),
         (line, beside): (&P::Line, &P::Line),
     ) -> Result<Option<Gradient>, Failure<P>> {
-        let Some(foot) = self.foot((start, parameter), line)? else { return Ok(None) };
+        let Some(foot) = self.foot((start, parameter, parameter_2), line)? else { return Ok(None) };
         let (n, size) = (foot.start.len(), foot.size());
         let width = WIDTH * size;
         let Some(Slopes { first, second }) = self.slopes(line, &foot, width)? else { return Ok(None) };
@@ -99,7 +99,7 @@ impl<P: Plane> Tracking<'_, P> {
         let line = self.plane.line(parameter_2 + step).map_err(OrbitError::Harvester)?;
         let there: Vec<f64> = foot.start.iter().zip(to_side).map(|(u, d)| u + step * d).collect();
         let parameter = foot.parameter + step * self.unit * to_side[there.len()];
-        let Some(other) = self.foot((&there, parameter), &line)? else { return Ok(None) };
+        let Some(other) = self.foot((&there, parameter, parameter_2 + step), &line)? else { return Ok(None) };
         let sense: f64 = other.tangent.along.iter().zip(&foot.tangent.along).map(|(a, b)| a * b).sum();
         let first = first_w(&self.sides(&line, &other, width)?, width) * other.size() / power_w(&other.shot);
         Ok(Some(sense.signum() * first))
