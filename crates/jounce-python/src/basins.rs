@@ -2,7 +2,7 @@
 
 use crate::arrays::Answer;
 use crate::branch::checked_tolerance;
-use crate::cloud::Told;
+use crate::cloud::GivenCloud;
 use crate::driven;
 use crate::failure::Failure;
 use crate::run::Handed;
@@ -35,14 +35,14 @@ pub fn basins<'py>(
     progress: Option<Bound<'py, PyAny>>,
 ) -> Handed<'py> {
     let tolerance = checked_tolerance(tolerance)?;
-    let cloud = Told { starts, seed, spread };
+    let cloud = GivenCloud { starts, seed, spread };
     let (key, value) = driven::frequency(spec, "a basin")?;
     let (starts, options) = if grid.is_empty() {
         let cloud = cloud.cloud(STARTS)?;
         let told = vec![("starts", cloud.starts.to_string()), ("seed", cloud.seed.to_string()), ("spread", cloud.spread.to_string())];
         (Starts::Cloud(cloud), told)
     } else {
-        cloud.nothing("leave the grid")?;
+        cloud.refuse("leave the grid")?;
         let read = Grid::read(&grid, spec.spec.stop.len());
         let read = read.map_err(|error| Failure::new("ArgumentError", error).with(serde_json::json!({ "grid": grid })))?;
         (Starts::Grid(read), vec![("grid", grid.join(" "))])

@@ -10,15 +10,15 @@ const MOST_STARTS: usize = 100_000_000;
 const SEED: u64 = 1;
 const SPREAD: f64 = 10.0;
 
-/// What a call tells of its cloud.
+/// The numbers of a cloud that a call gives.
 #[derive(Clone, Copy)]
-pub struct Told {
+pub struct GivenCloud {
     pub starts: Option<usize>,
     pub seed: Option<u64>,
     pub spread: Option<f64>,
 }
 
-impl Told {
+impl GivenCloud {
     /// The cloud, of so many starts if nothing else is said.
     pub fn cloud(self, starts: usize) -> Result<Cloud, Failure> {
         let cloud = Cloud { starts: self.starts.unwrap_or(starts), seed: self.seed.unwrap_or(SEED), spread: self.spread.unwrap_or(SPREAD) };
@@ -32,8 +32,8 @@ impl Told {
         Err(Failure::new("ArgumentError", why).with(details))
     }
 
-    /// Refuses what belongs to a cloud where there is none; `else_try` is what would make one.
-    pub fn nothing(self, else_try: &str) -> Result<(), Failure> {
+    /// Refuses them where there is no cloud; `else_try` is what would make one.
+    pub fn refuse(self, else_try: &str) -> Result<(), Failure> {
         let given = [("starts", self.starts.is_some()), ("seed", self.seed.is_some()), ("spread", self.spread.is_some())];
         match given.into_iter().find(|(_, is_given)| *is_given) {
             None => Ok(()),

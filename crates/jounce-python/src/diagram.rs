@@ -2,7 +2,7 @@
 
 use crate::arrays::Answer;
 use crate::branch::{checked_tolerance, json, one};
-use crate::cloud::Told;
+use crate::cloud::GivenCloud;
 use crate::driven;
 use crate::failure::Failure;
 use crate::run::Handed;
@@ -65,7 +65,7 @@ pub fn diagram<'py>(
         let why = format!("longest_period is {longest_period}, and there are no continued branches: leave it or branches=False out");
         return Err(Failure::new("ArgumentError", why).with(serde_json::json!({ "longest_period": longest_period })).raised(py));
     }
-    let order = order_of(direction, Told { starts, seed, spread })?;
+    let order = order_of(direction, GivenCloud { starts, seed, spread })?;
     let longest_period = longest_period.unwrap_or(LONGEST_PERIOD);
     if !(1..=100_000).contains(&cycles) {
         let why = format!("cycles is {cycles}; it must be from 1 to 100000");
@@ -86,7 +86,7 @@ pub fn diagram<'py>(
     handed(py, found, |found| told(py, (key, range.key().unit(), manifest), &found))
 }
 
-fn order_of(direction: &str, cloud: Told) -> Result<Order, Failure> {
+fn order_of(direction: &str, cloud: GivenCloud) -> Result<Order, Failure> {
     let order = match direction {
         "up" => Order::Up,
         "down" => Order::Down,
@@ -97,7 +97,7 @@ fn order_of(direction: &str, cloud: Told) -> Result<Order, Failure> {
             return Err(Failure::new("ArgumentError", why));
         }
     };
-    cloud.nothing("add direction=\"starts\"")?;
+    cloud.refuse("add direction=\"starts\"")?;
     Ok(order)
 }
 

@@ -8,7 +8,7 @@ use super::close::apart;
 use super::likelihood::{Fit, fit};
 use super::nested::stable;
 use super::peaks::{Peak, unexplained};
-use super::references::{Shared, fit_shared};
+use super::references::fit_shared;
 use super::stabilisation::LARGEST_DAMPING;
 use super::{Band, ModalError, Pole, StablePole};
 use crate::spectral::student_95;
@@ -166,9 +166,9 @@ fn shared(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> Result<Ident
     while let Some(left) = known(band, &found.poles, &found.deviation)? {
         found = fit_shared(band, &left).ok_or(none(band))?;
     }
-    let Shared { poles, deviation, residue, participation, model, misfit, freedom, .. } = found;
+    let Fit { poles, deviation, residue, participation, model, misfit, freedom, .. } = found;
     let mode = |r: usize| {
-        let mut mode = mode(poles[r], deviation[r], freedom[r], residue[r].clone());
+        let mut mode = mode(poles[r], deviation[r], freedom[r], residue.iter().map(|output| output[r]).collect());
         mode.participation = over_largest(&participation[r]);
         let largest = participation[r].iter().map(|b| b.norm()).fold(0.0, f64::max);
         mode.residue.iter_mut().for_each(|a| *a *= largest);

@@ -22,8 +22,10 @@ pub(super) struct Fit {
     pub poles: Vec<Pole>,
     /// Standard deviations of frequency (Hz) and damping ratio.
     pub deviation: Vec<(f64, f64)>,
-    /// Residues: response, mode.
+    /// Residues: response, mode. Of several references those of each output to the one whose participation is 1.
     pub residue: Vec<Vec<c64>>,
+    /// What each reference moves of a mode: mode, reference; empty of one reference.
+    pub participation: Vec<Vec<c64>>,
     /// What the model predicts: response, line.
     pub model: Vec<Vec<c64>>,
     /// Squared error over variance, per degree of freedom; the variances are multiplied by it where it is above 1. Over the mean square of the
@@ -49,8 +51,13 @@ pub(super) fn by_orthogonal_columns(response: &Weighed, terms: &Terms) -> Normal
     Normal { normal: projected.transpose() * &projected, right: projected.transpose() * &rest, error: rest.squared_norm_l2() }
 }
 
-/// The fit that begins at given poles. Where nothing tells the noise, what the modes leave of each line does, and the lines are weighed anew.
+/// The fit to one reference that begins at given poles.
 pub(super) fn fit(band: &Band, start: &[Pole]) -> Option<Fit> {
+    reweighed(band, start, weighed)
+}
+
+/// A fit by the weights of a band. Where nothing tells the noise, what the modes leave of each line does, and the lines are weighed anew.
+pub(super) fn reweighed(band: &Band, start: &[Pole], weighed: impl Fn(&Band, &[Pole]) -> Option<Fit>) -> Option<Fit> {
     let mut found = weighed(band, start)?;
     if band.leaves_noise_untold() {
         let misfit = found.misfit;
@@ -237,6 +244,7 @@ fn finished(band: &Band, data: &Data, found: &Settled) -> Option<Fit> {
         poles: poles.iter().map(|p| Pole::of(*p)).collect(),
         deviation: certainty.deviations(poles),
         residue,
+        participation: Vec::new(),
         model,
         misfit,
         freedom: certainty.freedoms(poles.len()),

@@ -15,8 +15,7 @@ use std::f64::consts::TAU;
 
 use super::certainty::Certainty;
 use super::eliminated::{Eliminated, Left};
-use super::likelihood::{Data, MOST_UPPER, SETTLED, STEPS, damped, residues};
-use super::noise;
+use super::likelihood::{Data, Fit, MOST_UPPER, SETTLED, STEPS, damped, residues, reweighed};
 use super::terms::{LinearTerms, Terms};
 use super::{Band, Pole};
 
@@ -30,25 +29,6 @@ struct Modal {
     fixed: Vec<usize>,
 }
 
-/// Modes that share their residues between outputs and references.
-pub(super) struct Shared {
-    pub poles: Vec<Pole>,
-    /// Standard deviations of frequency (Hz) and damping ratio.
-    pub deviation: Vec<(f64, f64)>,
-    /// Residue of each output to the reference whose participation is 1: mode, output.
-    pub residue: Vec<Vec<c64>>,
-    /// Mode, reference.
-    pub participation: Vec<Vec<c64>>,
-    /// What the model predicts: response, line.
-    pub model: Vec<Vec<c64>>,
-    /// As that of a fit to one reference.
-    pub misfit: f64,
-    /// Degrees of freedom of the deviations of each pole; none where they are known well.
-    pub freedom: Vec<Option<f64>>,
-    /// Share of each line that the unknowns take up, whatever stands there: response, line.
-    pub taken: Vec<Vec<f64>>,
-}
-
 /// Modes at the least error, with so many terms for those above the band.
 struct Settled {
     modal: Modal,
@@ -56,22 +36,13 @@ struct Settled {
     error: f64,
 }
 
-/// The fit that begins at given poles. Where nothing tells the noise, what the modes leave of each line does.
-pub(super) fn fit_shared(band: &Band, start: &[Pole]) -> Option<Shared> {
-    let mut found = weighed(band, start)?;
-    if band.leaves_noise_untold() {
-        let misfit = found.misfit;
-        for _ in 0..noise::REWEIGHED {
-            let told = band.told_by(noise::of_what_is_left(band, &found.model, &found.taken));
-            found = weighed(&told, &found.poles)?;
-        }
-        found.misfit = misfit;
-    }
-    Some(found)
+/// The fit to several references that begins at given poles.
+pub(super) fn fit_shared(band: &Band, start: &[Pole]) -> Option<Fit> {
+    reweighed(band, start, weighed)
 }
 
 /// The fit by the weights of a band, with as many terms for the modes above it as the responses ask for.
-fn weighed(band: &Band, start: &[Pole]) -> Option<Shared> {
+fn weighed(band: &Band, start: &[Pole]) -> Option<Fit> {
     let data = Data::of(band, start);
     let mut found = settled(&data, band, Modal::begin(band, &data, start)?, 1)?;
     for upper in 2..=MOST_UPPER {
@@ -196,7 +167,7 @@ fn part(o: usize, data: &Data, terms: &[Terms], modal: &Modal) -> Left {
     eliminated.left(&by_modes)
 }
 
-fn finished(band: &Band, data: &Data, Settled { modal, upper, error }: &Settled) -> Option<Shared> {
+fn finished(band: &Band, data: &Data, Settled { modal, upper, error }: &Settled) -> Option<Fit> {
     let (modes, inputs, outputs) = (modal.poles.len(), band.inputs, band.outputs());
     let residuals = 2 + 2 * upper;
     let unknowns = 2 * (modes + modal.free().len()) + outputs * (2 * modes + residuals * inputs);
@@ -204,7 +175,7 @@ fn finished(band: &Band, data: &Data, Settled { modal, upper, error }: &Settled)
     let terms = Terms::of_kinds(data.sight, &data.powers, &data.angular, &modal.poles, *upper);
     let parts = (0..outputs).into_par_iter().map(|o| part(o, data, &terms, modal)).collect::<Vec<_>>();
     let certainty = Certainty::of(band, data, &parts, misfit)?;
-    let (mut residue, mut model) = (vec![Vec::new(); modes], Vec::new());
+    let (mut residue, mut model) = (Vec::new(), Vec::new());
     for (o, Left { linear, .. }) in parts.iter().enumerate() {
         let shape: Vec<c64> = (0..modes).map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)])).collect();
         for i in 0..inputs {
@@ -215,9 +186,9 @@ fn finished(band: &Band, data: &Data, Settled { modal, upper, error }: &Settled)
             let at = |hz: &f64| terms.sum(TAU * hz, unknown.iter().copied());
             model.push(band.frequency_hz.iter().map(at).collect());
         }
-        residue.iter_mut().zip(shape).for_each(|(residue, shape)| residue.push(shape));
+        residue.push(shape);
     }
-    Some(Shared {
+    Some(Fit {
         poles: modal.poles.iter().map(|p| Pole::of(*p)).collect(),
         deviation: certainty.deviations(&modal.poles),
         residue,

@@ -6,13 +6,10 @@ use std::path::Path;
 use super::decibels::Decibels;
 use super::name::{is_frequency, is_time};
 use super::numbers::Numbers;
-use super::raw::{Column, Rate, Raw, Stamps};
+use super::raw::{Column, Rate, Raw, SAME_RATE, Stamps};
 use super::survey::{Places, Surveyed, SurveyedChannel};
 use super::{ChannelNotes, Notes, ReadError};
 use crate::recording::{Finding, FindingKind, Grid, Over, Quantity, Series, Sizes, Stamped, Unit, inspected, may_be_counts, usual_step};
-
-/// How far the rate of the notes may lie from that of the stamps, relative.
-const SAME_RATE: f64 = 1e-3;
 
 /// The recording of a data set.
 pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) -> Result<Surveyed, ReadError> {
@@ -99,7 +96,7 @@ fn time_column(raw: &mut Raw, said: &[ChannelNotes], notes: &Notes) -> io::Resul
     }
     let step = even_step(&raw.columns[0].values)?;
     // Where a number tells the rate, a first column without the name of a time is one only if it has that rate.
-    let fits = |step: &f64| !matches!(&raw.stamps, Stamps::Rate(rate) if (step * rate.rate_hz - 1.0).abs() > SAME_RATE);
+    let fits = |step: &f64| !matches!(&raw.stamps, Stamps::Rate(rate) if rate.differs_from(1.0 / step));
     Ok(step.filter(fits).map(|_| 0))
 }
 
@@ -132,7 +129,7 @@ fn places(
     let told = std::mem::replace(&mut raw.stamps, Stamps::Column);
     let number = if let Stamps::Rate(rate) = &told { Some(rate.clone()) } else { None };
     let differs = |rate_hz: f64, what: &str, used: &str| {
-        let number = number.as_ref().filter(|number| (number.rate_hz / rate_hz - 1.0).abs() > SAME_RATE)?;
+        let number = number.as_ref().filter(|number| number.differs_from(rate_hz))?;
         let about = format!("{} in the file is {} Hz, {what} {rate_hz:.6} Hz; {used} used", number.told, number.rate_hz);
         Some(Finding::new(FindingKind::HeaderDisagrees, 1, None, about))
     };

@@ -24,8 +24,6 @@ const COMPRESSED: u32 = 15;
 const RATES: [&str; 8] =
     ["fs", "samplerate", "samplingrate", "samplefrequency", "samplingfrequency", "samplefreq", "samplingfreq", "fsamp"];
 const STEPS: [&str; 6] = ["dt", "deltat", "timestep", "samplestep", "sampleinterval", "samplinginterval"];
-/// How far two of them may lie apart, relative.
-const SAME_RATE: f64 = 1e-3;
 
 pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     let told = |fault: std::io::Error| Damage::new(format!("{fault}; was the file cut?"));
@@ -93,7 +91,7 @@ fn rate(columns: &mut Vec<Column>, findings: &mut Vec<Finding>) -> std::io::Resu
     *columns = kept;
     let mut rates = rates.into_iter();
     let Some(first) = rates.next() else { return Ok(None) };
-    for other in rates.filter(|other| (other.rate_hz / first.rate_hz - 1.0).abs() > SAME_RATE) {
+    for other in rates.filter(|other| other.differs_from(first.rate_hz)) {
         let about =
             format!("{} is a rate of {} Hz, {} one of {} Hz; the first is taken", first.told, first.rate_hz, other.told, other.rate_hz);
         findings.push(Finding::new(FindingKind::HeaderDisagrees, 1, None, about));

@@ -28,6 +28,9 @@ pub(super) enum Stamps {
     Rate(Rate),
 }
 
+/// Relative difference up to which two rates are the same.
+pub(super) const SAME_RATE: f64 = 1e-3;
+
 /// A number of a file that tells the rate of its samples.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Rate {
@@ -35,6 +38,12 @@ pub(super) struct Rate {
     pub told: String,
     /// Samples per second, Hz.
     pub rate_hz: f64,
+}
+
+impl Rate {
+    pub fn differs_from(&self, rate_hz: f64) -> bool {
+        (self.rate_hz / rate_hz - 1.0).abs() > SAME_RATE
+    }
 }
 
 /// A column as it stands in a file, its numbers wherever they were put.

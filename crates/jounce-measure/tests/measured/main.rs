@@ -1,5 +1,6 @@
 //! Recordings: files of every format, cut files, and real recordings where they lie beside the repository.
 
+mod arrays;
 mod cantilever;
 mod cut;
 mod driven;
@@ -10,4 +11,6 @@ mod real;
 mod references;
 mod samples;
 mod seven;
+mod through_a_file;
 mod untold;
+mod written;

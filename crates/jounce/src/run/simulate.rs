@@ -134,11 +134,7 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
     let end = StartState::from_blocks(plant, &marcher.state(), end_s);
     let rectified = rectified(plant, [(&opened, &before), (&energies, &end)], plan.average_over_s);
     Ok(RunAnswer {
-        mean_power_w: loads
-            .iter()
-            .map(|load| load.mean_power_w)
-            .chain(rectified.iter().map(|own| own.mean_power_w))
-            .fold(0.0, |sum, own| sum + own),
+        mean_power_w: mean_power_w(&loads, &rectified),
         loads,
         rectified,
         leaks: leaks(plant, [&opened, &energies], plan.average_over_s),
@@ -155,6 +151,11 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
         march_s: marched.as_secs_f64(),
         trajectory,
     })
+}
+
+fn mean_power_w(loads: &[LoadAnswer], rectified: &[RectifiedAnswer]) -> f64 {
+    let powers = loads.iter().map(|load| load.mean_power_w).chain(rectified.iter().map(|own| own.mean_power_w));
+    powers.fold(0.0, |sum, own| sum + own)
 }
 
 fn loads(plant: &Plant, ends: [&Energies; 2], average_over_s: f64) -> Vec<LoadAnswer> {

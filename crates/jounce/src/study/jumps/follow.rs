@@ -7,7 +7,7 @@ use super::search::JumpSearch;
 use crate::continuation::{Corrected, Corrector, Direction, Metric, Position, StepControl, Walk, correct, passes, settle};
 use crate::orbit::{Tracked, Tracking, multipliers};
 
-/// Distance, in the metric, from a strong resonance at which a curve of tori ends.
+/// Distance, in the metric, from a strong resonance at which a curve of tori ends. Shorter steps come nearer to it.
 const NEAR_RESONANCE: f64 = 1e-3;
 
 /// Shortest step, in goals of Newton: a shorter one leads nowhere.
@@ -45,8 +45,8 @@ impl JumpSearch<'_> {
         ahead: Direction,
         kind: CurveKind,
     ) -> JumpCurve {
-        let mut curve = JumpCurve { kind, period_cycles: tracking.cycles, points: Vec::new(), failures: Vec::new() };
-        curve.points.push(point(tracking, &first.position, &first.local));
+        let points = vec![point(tracking, &first.position, &first.local)];
+        let mut curve = JumpCurve { kind, period_cycles: tracking.cycles, points, failures: Vec::new() };
         let origin = first.position.clone();
         let control = StepControl { shortest: SHORTEST * corrector.goal, ..StepControl::default() };
         let from = |position: Position, ahead: Direction| Walk::new(tracking, corrector, control, self.scale_2(), position, ahead);
@@ -74,7 +74,6 @@ impl JumpSearch<'_> {
             }
             let metric = Metric::at(&position, self.scale_2());
             if local.is_resonant {
-                // Tori end in a strong resonance, which shorter steps come nearer to.
                 if metric.length(&before.to(&position)) > NEAR_RESONANCE && walk.retreat(mark) {
                     continue;
                 }
@@ -82,7 +81,6 @@ impl JumpSearch<'_> {
             }
             if let Some(edge) = self.edge_between(tracking, &before, &position) {
                 if edge.share >= ON_EDGE && !self.end_on(tracking, corrector, (&before, &position), edge, &mut curve) {
-                    // From nearer to the edge it may be found.
                     if walk.retreat(mark) {
                         continue;
                     }
@@ -91,22 +89,16 @@ impl JumpSearch<'_> {
                 break;
             }
             curve.points.push(point(tracking, &position, &local));
-            if is_born(&local, A_POINT) {
+            let closes = curve.points.len() > 4 && passes(&metric, &origin, &before, &position);
+            if closes || is_born(&local, A_POINT) || is_left(&mut curve, position.parameter) {
                 break;
             }
             here = local;
-            if curve.points.len() > 4 && passes(&metric, &origin, &before, &position) {
-                break;
-            }
-            if curve.points.len() >= MOST_POINTS {
-                curve.failures.push(format!("after {MOST_POINTS} points, at {}", position.parameter));
-                break;
-            }
         }
         curve
     }
 
-    /// Ends a curve with the point on an edge; false where that is not found.
+    /// Ends a curve with the point on an edge; false where that is not found, as it may be from nearer to the edge.
     fn end_on(
         &self,
         tracking: &Tracking<KeyPlane>,
@@ -157,6 +149,15 @@ impl JumpSearch<'_> {
         across.unknown[own] = metric.unknown;
         correct(tracking, &corrector, &metric, &across, guess).ok()
     }
+}
+
+/// True for a curve that has grown too long, which is told.
+fn is_left(curve: &mut JumpCurve, parameter_2: f64) -> bool {
+    let is_long = curve.points.len() >= MOST_POINTS;
+    if is_long {
+        curve.failures.push(format!("after {MOST_POINTS} points, at {parameter_2}"));
+    }
+    is_long
 }
 
 /// True for a peak where its branch is born, within a share.
