@@ -5,6 +5,7 @@
 //!
 //! Source: E. Doedel, H. B. Keller and J. P. Kernevez, Int. J. Bifurcation Chaos 1 (1991) 493 (pseudo-arclength).
 
+mod bracket;
 mod closure;
 mod corrector;
 mod error;
@@ -17,6 +18,7 @@ mod step_control;
 mod tangent;
 mod walk;
 
+pub use bracket::Bracket;
 pub use closure::passes;
 pub use corrector::{Corrected, Corrector, correct, settle};
 pub use error::WalkError;

@@ -12,6 +12,9 @@ use crate::march::state::{columns, pushed};
 use crate::march::trajectory::Segment;
 use crate::wide::{Lane, WIDTH, Wide};
 
+/// Nodes in one pass over the tangents.
+const HALF: usize = WIDTH / 2;
+
 /// The law of a port along a step.
 struct Nodes {
     driven: DrivenNodes,
@@ -144,14 +147,9 @@ impl Linearisation<'_> {
             *factor = w.store(sum);
         }
         for (lane, group) in self.tangents.groups().enumerate() {
-            let mut sums = [w.zero(); NODES];
-            for (factor, value) in self.factors.iter().zip(group) {
-                let value = w.load(value);
-                for (sum, factor) in sums.iter_mut().zip(&factor.0) {
-                    *sum = w.fma(w.splat(*factor), value, *sum);
-                }
-            }
-            for (i, sum) in sums.into_iter().enumerate() {
+            // All at once they would not fit into the registers of most machines.
+            let sums = [sums(w, &self.factors, group, 0), sums(w, &self.factors, group, HALF)];
+            for (i, sum) in sums.into_iter().flatten().take(NODES).enumerate() {
                 self.system.right(place * NODES + i)[lane] = w.store(sum);
             }
         }
@@ -199,6 +197,19 @@ impl Linearisation<'_> {
             }
         }
     }
+}
+
+/// Sums of a group of tangents by the factors of some nodes, from `first` on.
+#[inline(always)]
+fn sums<W: Wide>(w: W, factors: &[Lane], group: &[Lane], first: usize) -> [W::Register; HALF] {
+    let mut sums = [w.zero(); HALF];
+    for (factor, value) in factors.iter().zip(group) {
+        let value = w.load(value);
+        for (i, sum) in sums.iter_mut().enumerate() {
+            *sum = w.fma(w.splat(factor.0[first + i]), value, *sum);
+        }
+    }
+    sums
 }
 
 /// A row of `-J D - J' D'`.

@@ -4,8 +4,8 @@
 //! modulus one. The peak is an end of a segment or a zero of `dP/ds`; the zeros of `P - P_peak / 2` end what lies above half of it.
 //!
 //! Errors: `E |P| / |dP/dp|` at a half-power edge and `E |P| / |d2P/dp2| / step` at a peak, with `E` the error of the power, twice that
-//! of the state; where stability is lost the error of the multiplier over its slope, at
-//! most the way to the farther one of the two points between which that is.
+//! of the state; where stability is lost the error of the multiplier over its slope, at most the way to the farther one of the two points
+//! between which that is. To each comes what Newton left out.
 
 use super::answer::{Bandwidth, Bandwidths, Edge, Interval, Limit, Peak};
 use super::merge::merged;
@@ -132,17 +132,17 @@ impl<'s> BandwidthSearch<'s> {
     /// The place where the largest multiplier has modulus one; `inwards` leads to the stable side.
     fn stability_edge(&self, segment: &Segment, inwards: f64) -> Option<Node> {
         let piece = self.piece(segment)?;
-        let margin = |piece: &Piece<_>, place: &Place| Some(1.0 - piece.orbit(place)?.floquet_max_abs());
+        let margin = |place: &Place| Some(1.0 - place.floquet_max_abs()?);
         let found = piece.zero((0.0, 1.0), self.tolerance, margin)?;
         let beside = piece.at(found.place.x + inwards)?;
-        let slope = (margin(&piece, &beside)? - found.value) / inwards;
+        let slope = (margin(&beside)? - found.value) / inwards;
         let off = (found.value.abs() + MULTIPLIER * self.tolerance) / slope.abs();
         // At a fold the key is stationary: what counts there is of second order.
-        let parameter_error = off * piece.parameter_slope(found.place.x)?.abs() + off * off * (self.range.1 - self.range.0);
+        let parameter_error = piece.parameter_error(&found.place, off)? + off * off * (self.range.1 - self.range.0);
         // It lies between the two points, however slowly the multiplier goes through one.
-        let parameter_error = parameter_error.min(segment.farthest(found.place.parameter));
-        let edge = Edge { parameter: found.place.parameter, parameter_error, at: Limit::Stability };
-        Some(Node { x: found.place.x, power_w: found.place.mean_power_w, edge })
+        let parameter_error = parameter_error.min(segment.farthest(found.place.parameter()));
+        let edge = Edge { parameter: found.place.parameter(), parameter_error, at: Limit::Stability };
+        Some(Node { x: found.place.x, power_w: found.place.mean_power_w(), edge })
     }
 
     /// The largest power on some segments: at an end of one or inside.
@@ -167,11 +167,11 @@ impl<'s> BandwidthSearch<'s> {
         let found = piece.maximum((from, to), noise_w)?;
         let beside = |step: f64| piece.power_slope_w(found.place.x + step);
         let second = (beside(SIDE)? - beside(-SIDE)?) / (2.0 * SIDE);
-        let power_w = found.place.mean_power_w;
+        let power_w = found.place.mean_power_w();
         let error_estimate = piece.orbit(&found.place)?.error_estimate;
         let off = (found.value.abs() + 2.0 * error_estimate * power_w / SIDE) / second.abs();
-        let parameter_error = off * piece.parameter_slope(found.place.x)?.abs();
-        Some(Node { x: found.place.x, power_w, edge: Edge { parameter: found.place.parameter, parameter_error, at: Limit::Maximum } })
+        let parameter_error = piece.parameter_error(&found.place, off)?;
+        Some(Node { x: found.place.x, power_w, edge: Edge { parameter: found.place.parameter(), parameter_error, at: Limit::Maximum } })
     }
 
     /// Where stable orbits have at least half a peak.
@@ -196,11 +196,11 @@ impl<'s> BandwidthSearch<'s> {
     fn half_power(&self, segment: &Segment, half_w: f64) -> Option<Edge> {
         let piece = self.piece(segment)?;
         let [from, to] = segment.ends.map(|end| end.x);
-        let found = piece.zero((from, to), 0.1 * self.tolerance * half_w, |_, place| Some(place.mean_power_w - half_w))?;
+        let found = piece.zero((from, to), 0.1 * self.tolerance * half_w, |place| Some(place.mean_power_w() - half_w))?;
         let left_w = found.value.abs() + 2.0 * piece.orbit(&found.place)?.error_estimate * half_w;
         let off = left_w / piece.power_slope_w(found.place.x)?.abs();
-        let parameter_error = off * piece.parameter_slope(found.place.x)?.abs();
-        Some(Edge { parameter: found.place.parameter, parameter_error, at: Limit::HalfPower })
+        let parameter_error = piece.parameter_error(&found.place, off)?;
+        Some(Edge { parameter: found.place.parameter(), parameter_error, at: Limit::HalfPower })
     }
 }
 

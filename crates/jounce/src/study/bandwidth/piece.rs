@@ -1,8 +1,10 @@
 //! The curve between two neighbouring points of a branch, at any place in between.
 
-use crate::continuation::{Corrected, Corrector, Direction, Metric, Position, Step, Stretch, correct, settle, tangent};
-use crate::orbit::{Harvester, Orbit, OrbitMethod, Shooting, Shot};
+use crate::continuation::{Bracket, Corrector, Direction, Metric, Position, Step, Stretch, correct, settle, tangent};
+use crate::orbit::{Harvester, Orbit, OrbitMethod, Shooting, Shot, multipliers};
 use crate::study::BranchPoint;
+use std::cell::RefCell;
+use std::rc::Rc;
 
 /// Most trials for one zero.
 const TRIALS: u32 = 60;
@@ -10,26 +12,39 @@ const TRIALS: u32 = 60;
 /// Share of its values at the ends below which a value counts as zero.
 const ROUNDING: f64 = 1e-11;
 
+/// Share of the piece below which two places are one.
+const NARROW: f64 = 1e-11;
+
 /// Half the width of the difference that gives the slope of power, as a share of the piece.
 const SLOPE: f64 = 0.02;
 
 /// A place of the piece.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Place {
-    /// Share of the way.
+    /// Share of the way, along the chord.
     pub x: f64,
-    /// Value of the key.
-    pub parameter: f64,
-    /// Mean power, W.
-    pub mean_power_w: f64,
-    shot: Shot,
-    error: f64,
+    step: Rc<Step<Shot>>,
 }
 
 impl Place {
+    /// Value of the key.
+    pub fn parameter(&self) -> f64 {
+        self.step.position.parameter
+    }
+
+    /// Mean power, W.
+    pub fn mean_power_w(&self) -> f64 {
+        self.step.local.loads_w.iter().sum::<f64>() + 0.0
+    }
+
     /// State at the start of the period, energy coordinates.
     pub fn start(&self) -> &[f64] {
-        &self.shot.looks[0]
+        &self.step.local.looks[0]
+    }
+
+    /// Largest modulus of a multiplier.
+    pub fn floquet_max_abs(&self) -> Option<f64> {
+        Some(multipliers(&self.step.local.map)?.first()?.norm())
     }
 }
 
@@ -46,7 +61,12 @@ pub struct Piece<'h, H> {
     corrector: Corrector,
     metric: Metric,
     ahead: Direction,
-    cubic: Stretch,
+    /// Of the chord.
+    length: f64,
+    /// Where it starts.
+    from: Position,
+    /// All places looked at so far, in their order: the next one is guessed between its neighbours.
+    known: RefCell<Vec<Place>>,
 }
 
 impl<'h, H: Harvester> Piece<'h, H> {
@@ -61,82 +81,84 @@ impl<'h, H: Harvester> Piece<'h, H> {
             // Where the curve is cut at an edge of the range, the chord may stand across nothing.
             let found = found.or_else(|_| settle(&shooting, &corrector, &metric, guess)).ok()?;
             let tangent = tangent(&found.local, &metric, &ahead)?;
-            Some(Step { position: found.position, tangent, local: found.local, error: found.error })
+            Some(Rc::new(Step { position: found.position, tangent, local: found.local, error: found.error }))
         };
         let (start, end) = (step(from)?, step(to)?);
-        let cubic = Stretch::between(&metric, (&start.position, &start.tangent), (&end.position, &end.tangent));
-        (cubic.length > 0.0).then_some(Self { shooting, corrector, metric, ahead, cubic })
+        let from = start.position.clone();
+        let length = metric.inner(&ahead, &from.to(&end.position));
+        let known = RefCell::new(vec![Place { x: 0.0, step: start }, Place { x: 1.0, step: end }]);
+        (length > 0.0).then_some(Self { shooting, corrector, metric, ahead, length, from, known })
     }
 
     /// The place at a share of the way, a little beyond the ends too.
     pub fn at(&self, x: f64) -> Option<Place> {
-        let guess = self.cubic.at(x * self.cubic.length);
-        let Corrected { position, local: shot, error, .. } =
-            correct(&self.shooting, &self.corrector, &self.metric, &self.ahead, guess).ok()?;
-        Some(Place { x, parameter: position.parameter, mean_power_w: shot.loads_w.iter().sum::<f64>() + 0.0, shot, error })
+        let known = self.known.borrow().iter().find(|place| place.x == x).cloned();
+        if known.is_some() {
+            return known;
+        }
+        let found = correct(&self.shooting, &self.corrector, &self.metric, &self.ahead, self.guess(x)).ok()?;
+        let tangent = tangent(&found.local, &self.metric, &self.ahead)?;
+        let step = Rc::new(Step { position: found.position, tangent, local: found.local, error: found.error });
+        let (place, mut known) = (Place { x, step }, self.known.borrow_mut());
+        let next = known.partition_point(|other| other.x < x);
+        known.insert(next, place.clone());
+        Some(place)
+    }
+
+    /// A guess at a share of the way: on the cubic between the neighbours known, and in the plane across the chord there.
+    fn guess(&self, x: f64) -> Position {
+        let known = self.known.borrow();
+        let next = known.partition_point(|place| place.x < x).clamp(1, known.len() - 1);
+        let (a, b) = (&known[next - 1], &known[next]);
+        let cubic = Stretch::between(&self.metric, (&a.step.position, &a.step.tangent), (&b.step.position, &b.step.tangent));
+        let guess = cubic.at((x - a.x) / (b.x - a.x) * cubic.length);
+        let off = x * self.length - self.metric.inner(&self.ahead, &self.from.to(&guess));
+        guess.moved(&self.ahead, off)
     }
 
     /// The orbit at a place, with its multipliers and its error.
     pub fn orbit(&self, place: &Place) -> Option<Orbit> {
-        self.shooting.orbit(&place.shot, place.error).ok()
+        self.shooting.orbit(&place.step.local, place.step.error).ok()
     }
 
     /// Change of power along the piece, W per share of the way: a difference of fourth order.
     pub fn power_slope_w(&self, x: f64) -> Option<f64> {
-        let power_w = |offset: f64| Some(self.at(x + offset * SLOPE)?.mean_power_w);
+        let power_w = |offset: f64| Some(self.at(x + offset * SLOPE)?.mean_power_w());
         Some((8.0 * (power_w(1.0)? - power_w(-1.0)?) - (power_w(2.0)? - power_w(-2.0)?)) / (12.0 * SLOPE))
     }
 
-    /// Change of the key along the piece, per share of the way.
-    pub fn parameter_slope(&self, x: f64) -> Option<f64> {
-        Some((self.at(x + SLOPE)?.parameter - self.at(x - SLOPE)?.parameter) / (2.0 * SLOPE))
+    /// How far off the key may be at a place that is off by a share of the way, and by what Newton left out.
+    pub fn parameter_error(&self, place: &Place, off: f64) -> Option<f64> {
+        let slope = (self.at(place.x + SLOPE)?.parameter() - self.at(place.x - SLOPE)?.parameter()) / (2.0 * SLOPE);
+        Some(off * slope.abs() + self.metric.parameter * place.step.error)
     }
 
     /// The place between two shares at which power has its maximum, where it rises into the stretch from both ends; a slope below
     /// `noise_w` counts as none.
     pub fn maximum(&self, (from, to): (f64, f64), noise_w: f64) -> Option<Zero> {
         let rises = self.power_slope_w(from)? > 0.0 && self.power_slope_w(to)? < 0.0;
-        rises.then(|| self.zero((from, to), noise_w, |piece, place| piece.power_slope_w(place.x))).flatten()
+        rises.then(|| self.zero((from, to), noise_w, |place| self.power_slope_w(place.x))).flatten()
     }
 
-    /// The place between two shares where `value` passes zero, to its own noise, by false position, the value of an end that stays twice
-    /// halved (Illinois); `None` without a change of sign.
-    pub fn zero(&self, (from, to): (f64, f64), noise: f64, value: impl Fn(&Self, &Place) -> Option<f64>) -> Option<Zero> {
+    /// The place between two shares where `value` passes zero, to its own noise; `None` without a change of sign.
+    pub fn zero(&self, (from, to): (f64, f64), noise: f64, value: impl Fn(&Place) -> Option<f64>) -> Option<Zero> {
         let look = |x: f64| {
             let place = self.at(x)?;
-            let here = value(self, &place)?;
-            Some((place, here))
+            let value = value(&place)?;
+            Some(Zero { place, value })
         };
-        let ((low_place, mut at_low), (high_place, mut at_high)) = (look(from)?, look(to)?);
-        if (at_low > 0.0) == (at_high > 0.0) {
+        let (low, high) = (look(from)?, look(to)?);
+        if (low.value > 0.0) == (high.value > 0.0) {
             return None;
         }
-        let enough = noise.max(ROUNDING * at_low.abs().max(at_high.abs()));
-        let (mut low, mut high) = (low_place.x, high_place.x);
-        let mut best = if at_low.abs() < at_high.abs() {
-            Zero { place: low_place, value: at_low }
-        } else {
-            Zero { place: high_place, value: at_high }
-        };
-        let mut last_is_high = None;
+        let enough = noise.max(ROUNDING * low.value.abs().max(high.value.abs()));
+        let mut bracket = Bracket::between((from, low.value), (to, high.value));
+        let mut best = if low.value.abs() < high.value.abs() { low } else { high };
         for _ in 0..TRIALS {
-            let mut x = (low * at_high - high * at_low) / (at_high - at_low);
-            if !(x > low && x < high) {
-                x = 0.5 * (low + high);
-            }
-            let (place, here) = look(x)?;
-            best = Zero { place, value: here };
-            let is_high = (here > 0.0) == (at_high > 0.0);
-            let stays = if last_is_high == Some(is_high) { 0.5 } else { 1.0 };
-            last_is_high = Some(is_high);
-            if is_high {
-                (high, at_high) = (x, here);
-                at_low *= stays;
-            } else {
-                (low, at_low) = (x, here);
-                at_high *= stays;
-            }
-            if here.abs() <= enough {
+            let x = bracket.next(NARROW);
+            best = look(x)?;
+            let moved = bracket.put(x, best.value);
+            if best.value.abs() <= enough || moved.min(bracket.length()) <= NARROW {
                 break;
             }
         }

@@ -27,6 +27,10 @@ const CLEARLY: f64 = 0.5;
 /// Farthest that an orbit may be, beside the size of the state, to be looked at.
 const NEAR: f64 = 0.1;
 
+/// How much better the motion must close over a longer period than over one of which an orbit is found: a transient that turns about
+/// an orbit closes over many a period by chance.
+const MUCH_CLEARER: f64 = 0.1;
+
 /// A stable orbit near where the march from `start` (physical) settles, one that can be followed: it does not rest on a rigid stop. `None`
 /// when the march stays away from every orbit that is looked for.
 pub fn settled_orbit<H: Harvester>(harvester: &H, parameter: f64, start: &[f64], tolerance: f64, goal: f64) -> Option<Orbit> {
@@ -65,7 +69,8 @@ pub fn settled_motion<H: Harvester>(harvester: &H, parameter: f64, start: &[f64]
             let state = kernel.plant.to_physical(&looks[0], 0.0);
             let mut found: Option<Candidate> = None;
             for cycles in &periods {
-                if found.as_ref().is_some_and(|shorter| tells(shorter, *cycles)) {
+                let by_chance = |shorter: &Candidate| distance(*cycles) > MUCH_CLEARER * distance(shorter.orbit.period_cycles);
+                if found.as_ref().is_some_and(|shorter| by_chance(shorter) || tells(shorter, *cycles)) {
                     continue;
                 }
                 let Some(next) = candidate_near(harvester, kernel, parameter, &state, (*cycles, tolerance, goal)) else { continue };
@@ -110,7 +115,8 @@ fn periods(distance: impl Fn(u32) -> f64) -> (Vec<u32>, f64) {
         let here = distance(*cycles);
         let closes = here < CLEARLY * closest;
         closest = closest.min(here);
-        closes && here < NEAR
+        // A long period costs more to look at, and more of it closes by chance.
+        closes && here * f64::from(*cycles) < NEAR
     });
     (periods.collect(), closest)
 }

@@ -49,8 +49,8 @@ impl Seed {
             kind: CurveKind::Peak,
             cycles: branch.period_cycles,
             state: found.place.start().to_vec(),
-            parameter: found.place.parameter,
-            mean_power_w: found.place.mean_power_w,
+            parameter: found.place.parameter(),
+            mean_power_w: found.place.mean_power_w(),
         };
         highest.filter_map(around).map(seed).collect()
     }
