@@ -1,7 +1,7 @@
 //! Branches that no other branch leads to.
 
 use crate::harvesters::{bench, branches_of};
-use jounce::study::{BranchKind, Ending, Method};
+use jounce::study::{BandwidthSearch, BranchKind, BranchSearch, Ending, Method, Parameter, Prepared};
 
 /// Near 14 Hz the harvester has orbits of three drive cycles on a closed curve of their own. Where such a curve comes back to its start
 /// it may do so a cycle earlier or later; and a step that lands on the orbit of one cycle, gone through three times, has left it.
@@ -15,4 +15,32 @@ fn a_curve_of_three_cycles_closes_and_stays_one_of_three_cycles() {
     eprintln!("{} points, {folds} folds, {:?}", branch.points.len(), branch.endings);
     assert!(branch.points.iter().all(|point| !point.orbit.repeats_early()));
     assert_eq!((branch.endings.as_slice(), folds), ([Ending::Closed].as_slice(), 2));
+}
+
+/// Both ends of that curve are sharp folds, which a long step may cross to the sheet on the other side: the walk would turn round there, come
+/// back to its start the wrong way and not see it. By both methods and at every tolerance it has the same labels, and it is stable from fold to
+/// fold.
+#[test]
+fn no_step_lands_beyond_a_fold() {
+    let (file, range) = (bench(), (4.0, 20.0));
+    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let key = file.numeric_key("drive.shaker.frequency").unwrap();
+    let parameter = Parameter::new(&base, &key, range.1 - range.0);
+    for method in [Method::Shooting, Method::HarmonicBalance { harmonics: 64 }] {
+        for tolerance in [1e-8, 5e-10, 1e-10] {
+            let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance, seeds: 12, longest_period: 3 };
+            let of_three: Vec<_> = search.run().unwrap().into_iter().filter(|branch| branch.period_cycles == 3).collect();
+            let [branch] = &of_three[..] else { panic!("{} branches", of_three.len()) };
+            let mut kinds: Vec<BranchKind> = branch.bifurcations.iter().map(|found| found.kind).collect();
+            kinds.sort_by_key(|kind| kind.name());
+            assert_eq!(kinds, [[BranchKind::Fold; 2].as_slice(), &[BranchKind::Grazing; 4]].concat(), "{method:?} {tolerance:e}");
+            assert_eq!(branch.endings, [Ending::Closed], "{method:?} {tolerance:e}");
+            let folds = branch.bifurcations.iter().filter(|found| found.kind == BranchKind::Fold).map(|found| found.at.parameter);
+            let [low, high] = [folds.clone().fold(f64::INFINITY, f64::min), folds.fold(0.0, f64::max)];
+            let widths = BandwidthSearch { base: &base, parameter: &parameter, range, tolerance }.run(&of_three);
+            let width = widths.branches[0].as_ref().unwrap();
+            eprintln!("{method:?} {tolerance:e}: {low:.9} to {high:.9}, {width:?}");
+            assert!((width.width - (high - low)).abs() <= width.width_error + 1e-7 && width.width_error < 1e-5);
+        }
+    }
 }

@@ -4,14 +4,16 @@
 //! modulus one. The peak is an end of a segment or a zero of `dP/ds`; the zeros of `P - P_peak / 2` end what lies above half of it.
 //!
 //! Errors: `E |P| / |dP/dp|` at a half-power edge and `E |P| / |d2P/dp2| / step` at a peak, with `E` the error of the power, twice that
-//! of the state; where stability is lost the error of the multiplier over its slope, at most the way to the farther one of the two points
+//! of the state, at the edge with that of the peak; where stability is lost the error of the multiplier over its slope, at most the way to the farther one of the two points
 //! between which that is. To each comes what Newton left out.
 
 use super::answer::{Bandwidth, Bandwidths, Edge, Interval, Limit, Peak};
 use super::merge::merged;
 use super::piece::{Piece, Place};
+use super::segment::{Node, Segment};
 use crate::continuation::Corrector;
 use crate::orbit::Shooting;
+use crate::study::branches::RESOLUTION;
 use crate::study::{Branch, BranchPoint, Ending, Parameter, Prepared};
 use rayon::prelude::*;
 
@@ -40,43 +42,25 @@ pub struct BandwidthSearch<'s> {
     pub tolerance: f64,
 }
 
-/// An end of a segment.
-#[derive(Debug, Clone, Copy)]
-struct Node {
-    /// Share of the piece.
-    x: f64,
-    power_w: f64,
-    edge: Edge,
-}
-
-/// A stable part of the way between two neighbouring points.
-#[derive(Clone, Copy)]
-struct Segment<'b> {
-    cycles: u32,
-    points: [&'b BranchPoint; 2],
-    ends: [Node; 2],
-}
-
-/// Part of the key's way from a stable end to an unstable one in which stability is lost hard by the former.
-const HARD_BY: f64 = 0.01;
-
 /// The stable part of a branch with its peak.
 struct Stable<'b> {
     segments: Vec<Segment<'b>>,
     peak: Peak,
+    /// Error of its power, relative to it.
+    power_error: f64,
 }
 
 impl<'s> BandwidthSearch<'s> {
     /// Measures branches, each for itself and all together.
     pub fn run(&self, branches: &[Branch]) -> Bandwidths {
         let stable: Vec<Option<Stable>> = branches.par_iter().map(|branch| self.stable(branch)).collect();
-        let own = |found: &Option<Stable>| found.as_ref().map(|found| self.above_half(found.peak, &found.segments));
+        let own = |found: &Option<Stable>| found.as_ref().map(|found| self.above_half((found.peak, found.power_error), &found.segments));
         let own: Vec<Option<Bandwidth>> = stable.iter().map(own).collect();
         if let [only] = &own[..] {
             return Bandwidths { together: only.clone(), branches: own };
         }
         let all: Vec<Stable> = stable.into_iter().flatten().collect();
-        let highest = all.iter().map(|found| found.peak).max_by(|a, b| a.mean_power_w.total_cmp(&b.mean_power_w));
+        let highest = all.iter().map(|found| (found.peak, found.power_error)).max_by(|a, b| a.0.mean_power_w.total_cmp(&b.0.mean_power_w));
         let segments: Vec<Segment> = all.into_iter().flat_map(|found| found.segments).collect();
         Bandwidths { branches: own, together: highest.map(|peak| self.above_half(peak, &segments)) }
     }
@@ -90,15 +74,14 @@ impl<'s> BandwidthSearch<'s> {
             return None;
         }
         let low_w = NEAR_HALF * largest_w;
-        let segments: Vec<Segment> =
-            pairs.into_par_iter().filter_map(|pair| self.segment(branch.period_cycles, [&pair[0], &pair[1]], low_w)).collect();
-        let mut peak = self.peak(&segments)?;
+        let segments: Vec<Segment> = pairs.into_par_iter().filter_map(|pair| self.segment(branch, [&pair[0], &pair[1]], low_w)).collect();
+        let (mut peak, power_error) = self.peak(&segments)?;
         let outer = branch.points.first().into_iter().chain(branch.points.last());
         let closed = branch.endings.contains(&Ending::Closed);
         if peak.at == Limit::End && (closed || outer.into_iter().all(|point| point.parameter != peak.parameter)) {
             peak.at = Limit::Maximum;
         }
-        Some(Stable { segments, peak })
+        Some(Stable { segments, peak, power_error })
     }
 
     fn piece(&self, segment: &Segment) -> Option<Piece<'s, Parameter<'s>>> {
@@ -108,22 +91,24 @@ impl<'s> BandwidthSearch<'s> {
     }
 
     /// The stable part between two neighbouring points; nothing where it ends at less than `low_w`.
-    fn segment<'b>(&self, cycles: u32, points: [&'b BranchPoint; 2], low_w: f64) -> Option<Segment<'b>> {
+    fn segment<'b>(&self, branch: &Branch, points: [&'b BranchPoint; 2], low_w: f64) -> Option<Segment<'b>> {
         let end = |x: f64, point: &BranchPoint| Node {
             x,
             power_w: point.orbit.mean_power_w,
+            power_error: 2.0 * point.orbit.error_estimate,
             edge: Edge { parameter: point.parameter, parameter_error: 0.0, at: Limit::End },
         };
-        let mut segment = Segment { cycles, points, ends: [end(0.0, points[0]), end(1.0, points[1])] };
+        let mut segment = Segment { cycles: branch.period_cycles, points, ends: [end(0.0, points[0]), end(1.0, points[1])] };
         match points.map(|point| point.orbit.is_stable()) {
             [true, true] => {}
             [false, false] => return None,
             _ if points.iter().all(|point| point.orbit.mean_power_w < low_w) => return None,
             [first, _] => {
                 let found = self.stability_edge(&segment, if first { -SIDE } else { SIDE });
-                let lost = found.unwrap_or_else(|| segment.lost(usize::from(!first)));
+                let stable = usize::from(!first);
+                let lost = found.or_else(|| self.located(&segment, branch, stable)).unwrap_or_else(|| segment.lost(stable));
                 segment.ends[usize::from(first)] = lost;
-                segment.turn_back(usize::from(!first), lost.edge);
+                segment.turn_back(stable, lost.edge);
             }
         }
         Some(segment)
@@ -142,11 +127,23 @@ impl<'s> BandwidthSearch<'s> {
         // It lies between the two points, however slowly the multiplier goes through one.
         let parameter_error = parameter_error.min(segment.farthest(found.place.parameter()));
         let edge = Edge { parameter: found.place.parameter(), parameter_error, at: Limit::Stability };
-        Some(Node { x: found.place.x, power_w: found.place.mean_power_w(), edge })
+        let power_error = 2.0 * piece.orbit(&found.place)?.error_estimate;
+        Some(Node { x: found.place.x, power_w: found.place.mean_power_w(), power_error, edge })
     }
 
-    /// The largest power on some segments: at an end of one or inside.
-    fn peak(&self, segments: &[Segment]) -> Option<Peak> {
+    /// The bifurcation that the walk has told on the way, where the curve between the points cannot be had; `stable` is the stable end.
+    fn located(&self, segment: &Segment, branch: &Branch, stable: usize) -> Option<Node> {
+        let [a, b] = segment.points;
+        let told = branch.loses_stability([a, b])?;
+        let off = MULTIPLIER * self.tolerance / (a.orbit.floquet_max_abs() - b.orbit.floquet_max_abs()).abs();
+        let parameter_error = off * (a.parameter - b.parameter).abs() + RESOLUTION * (self.range.1 - self.range.0);
+        let edge = Edge { parameter: told.parameter, parameter_error, at: Limit::Stability };
+        let power_error = 2.0 * told.orbit.error_estimate;
+        Some(Node { edge, power_w: told.orbit.mean_power_w, power_error, ..segment.ends[stable] })
+    }
+
+    /// The largest power on some segments, at an end of one or inside, with its relative error.
+    fn peak(&self, segments: &[Segment]) -> Option<(Peak, f64)> {
         let ends = || segments.iter().flat_map(|segment| segment.ends);
         let highest = ends().max_by(|a, b| a.power_w.total_cmp(&b.power_w))?;
         let worth = |segment: &&Segment| segment.tops(segments).is_some_and(|power_w| power_w >= NEAR_PEAK * highest.power_w);
@@ -156,7 +153,7 @@ impl<'s> BandwidthSearch<'s> {
             .filter(|node| node.power_w >= highest.power_w)
             .fold(highest, |a, b| if b.power_w >= a.power_w { b } else { a });
         let Edge { parameter, parameter_error, at } = best.edge;
-        Some(Peak { parameter, parameter_error, mean_power_w: best.power_w, at })
+        Some((Peak { parameter, parameter_error, mean_power_w: best.power_w, at }, best.power_error))
     }
 
     /// The maximum inside a segment, where power rises into it from both ends.
@@ -168,83 +165,39 @@ impl<'s> BandwidthSearch<'s> {
         let beside = |step: f64| piece.power_slope_w(found.place.x + step);
         let second = (beside(SIDE)? - beside(-SIDE)?) / (2.0 * SIDE);
         let power_w = found.place.mean_power_w();
-        let error_estimate = piece.orbit(&found.place)?.error_estimate;
-        let off = (found.value.abs() + 2.0 * error_estimate * power_w / SIDE) / second.abs();
+        let power_error = 2.0 * piece.orbit(&found.place)?.error_estimate;
+        let off = (found.value.abs() + power_error * power_w / SIDE) / second.abs();
         let parameter_error = piece.parameter_error(&found.place, off)?;
-        Some(Node { x: found.place.x, power_w, edge: Edge { parameter: found.place.parameter(), parameter_error, at: Limit::Maximum } })
+        let edge = Edge { parameter: found.place.parameter(), parameter_error, at: Limit::Maximum };
+        Some(Node { x: found.place.x, power_w, power_error, edge })
     }
 
-    /// Where stable orbits have at least half a peak.
-    fn above_half(&self, peak: Peak, segments: &[Segment]) -> Bandwidth {
+    /// Where stable orbits have at least half a peak, of which the relative error is given.
+    fn above_half(&self, (peak, error): (Peak, f64), segments: &[Segment]) -> Bandwidth {
         let half_w = 0.5 * peak.mean_power_w;
-        merged(peak, segments.iter().filter_map(|segment| self.above(segment, half_w)).collect())
+        merged(peak, segments.iter().filter_map(|segment| self.above(segment, half_w, error)).collect())
     }
 
     /// The range of a segment above a power.
-    fn above(&self, segment: &Segment, half_w: f64) -> Option<Interval> {
+    fn above(&self, segment: &Segment, half_w: f64, error: f64) -> Option<Interval> {
         let mut edges = segment.ends.map(|end| end.edge);
         match segment.ends.map(|end| end.power_w >= half_w) {
             [true, true] => {}
             [false, false] => return None,
-            [first, _] => edges[usize::from(first)] = self.half_power(segment, half_w).unwrap_or_else(|| segment.between(half_w)),
+            [first, _] => edges[usize::from(first)] = self.half_power(segment, half_w, error).unwrap_or_else(|| segment.between(half_w)),
         }
         let [a, b] = edges;
         Some(if a.parameter <= b.parameter { Interval { from: a, to: b } } else { Interval { from: b, to: a } })
     }
 
     /// The place of a segment where power is half the peak.
-    fn half_power(&self, segment: &Segment, half_w: f64) -> Option<Edge> {
+    fn half_power(&self, segment: &Segment, half_w: f64, error: f64) -> Option<Edge> {
         let piece = self.piece(segment)?;
         let [from, to] = segment.ends.map(|end| end.x);
         let found = piece.zero((from, to), 0.1 * self.tolerance * half_w, |place| Some(place.mean_power_w() - half_w))?;
-        let left_w = found.value.abs() + 2.0 * piece.orbit(&found.place)?.error_estimate * half_w;
+        let left_w = found.value.abs() + (2.0 * piece.orbit(&found.place)?.error_estimate + error) * half_w;
         let off = left_w / piece.power_slope_w(found.place.x)?.abs();
         let parameter_error = piece.parameter_error(&found.place, off)?;
         Some(Edge { parameter: found.place.parameter(), parameter_error, at: Limit::HalfPower })
-    }
-}
-
-impl Segment<'_> {
-    /// The larger power of its ends, where no neighbour goes on upwards from there.
-    fn tops(&self, all: &[Segment]) -> Option<f64> {
-        let top = usize::from(self.ends[1].power_w > self.ends[0].power_w);
-        let power_w = self.ends[top].power_w;
-        let rises = |other: &Segment| {
-            let shared = other.points.iter().position(|point| std::ptr::eq(*point, self.points[top]));
-            shared.is_some_and(|shared| other.ends[1 - shared].power_w > power_w)
-        };
-        (!all.iter().any(rises)).then_some(power_w)
-    }
-
-    /// Distance of a value of the key from the farther one of the two points.
-    fn farthest(&self, parameter: f64) -> f64 {
-        self.points.iter().map(|point| (point.parameter - parameter).abs()).fold(0.0, f64::max)
-    }
-
-    /// Where stability is lost beyond a stable end, known to the width of the piece only: the curve between its points cannot be had.
-    fn lost(&self, stable: usize) -> Node {
-        let [a, b] = self.points;
-        let parameter_error = (b.parameter - a.parameter).abs();
-        let edge = Edge { parameter: self.points[stable].parameter, parameter_error, at: Limit::Stability };
-        Node { edge, ..self.ends[stable] }
-    }
-
-    /// Where stability is lost at a fold hard by the stable end, the key may go farther at that end, by less than both are known: then that is
-    /// where the stable part ends.
-    fn turn_back(&mut self, stable: usize, lost: Edge) {
-        let [own, other] = [self.points[stable].parameter, self.points[1 - stable].parameter];
-        let way = (own - lost.parameter).abs();
-        if way < HARD_BY * (other - lost.parameter).abs() {
-            let parameter_error = lost.parameter_error + way;
-            self.ends[stable].edge = Edge { parameter: own, parameter_error, at: Limit::Stability };
-        }
-    }
-
-    /// Half power by the line between the ends, where the curve between them cannot be had.
-    fn between(&self, half_w: f64) -> Edge {
-        let [a, b] = self.ends;
-        let way = b.edge.parameter - a.edge.parameter;
-        let share = (half_w - a.power_w) / (b.power_w - a.power_w);
-        Edge { parameter: a.edge.parameter + share * way, parameter_error: way.abs(), at: Limit::HalfPower }
     }
 }

@@ -6,6 +6,7 @@ mod answer;
 mod measure;
 mod merge;
 mod piece;
+mod segment;
 
 pub use answer::{Bandwidth, Bandwidths, Edge, Interval, Limit, Peak};
 pub use measure::BandwidthSearch;

@@ -133,6 +133,21 @@ impl Branch {
         self.period_cycles == orbit.period_cycles && crossings.iter().any(|(state, _)| orbit.looks.iter().any(|look| near(state, look)))
     }
 
+    /// Between two neighbouring points, the bifurcation nearest to their chord at which stability may be lost.
+    pub(in crate::study) fn loses_stability(&self, [a, b]: [&BranchPoint; 2]) -> Option<&BranchPoint> {
+        let [from, to] = [a, b].map(|point| ColRef::from_slice(point.orbit.start()));
+        let chord = to - from;
+        let off = |at: &BranchPoint| {
+            let way = ColRef::from_slice(at.orbit.start()) - from;
+            let share = (chord.transpose() * &way) / chord.squared_norm_l2();
+            let off = (way - faer::Scale(share) * &chord).norm_l2();
+            ((0.0..=1.0).contains(&share) && off < chord.norm_l2()).then_some(off)
+        };
+        let found = self.bifurcations.iter().filter(|found| found.kind != BranchKind::Grazing);
+        let found = found.filter_map(|found| Some((off(&found.at)?, &found.at)));
+        found.min_by(|one, two| one.0.total_cmp(&two.0)).map(|(_, at)| at)
+    }
+
     /// True when none of its ends is one where it could not be followed.
     pub fn is_whole(&self) -> bool {
         !self.endings.iter().any(|ending| matches!(ending, Ending::Failed { .. } | Ending::Points))

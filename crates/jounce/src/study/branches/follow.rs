@@ -12,7 +12,7 @@ use crate::orbit::OrbitMethod;
 const GRAZES: f64 = 1e-6;
 
 /// Length in the metric to which a bifurcation is located, where nothing else is asked.
-pub(super) const RESOLUTION: f64 = 1e-8;
+pub(in crate::study) const RESOLUTION: f64 = 1e-8;
 
 /// Newton's goal beside the tolerance of a march: one more evaluation would square what is left, and the estimate tells it.
 const GOAL: f64 = 50.0;
@@ -137,8 +137,7 @@ impl Following {
                 Leaving::Left => return Ok(()),
                 Leaving::Lost if walk.retreat(mark.clone()) => continue,
                 Leaving::Lost => {
-                    let why = "beyond it the branch leaves the range, and no orbit was found on the edge: give a wider range".to_owned();
-                    branch.endings.push(Ending::Failed { why, parameter: before.point.parameter });
+                    branch.endings.push(lost_at_edge(before.point.parameter));
                     return Ok(());
                 }
             }
@@ -147,6 +146,9 @@ impl Following {
                 return self.walk_on(&finer, start, (beginning.carried(&finer), Some(mark)), branch);
             }
             let after = Place::new(method, step)?;
+            if self.may_be_astray(&before, &after) && walk.retreat(mark.clone()) {
+                continue;
+            }
             let places = self.refined(method, &before, after)?;
             if places.iter().any(|place| place.point.orbit.repeats_early()) {
                 // Newton may have strayed to an orbit of fewer cycles; if a short step gets there too, the branch ends on it.
@@ -235,6 +237,11 @@ impl Following {
         }
         (points >= self.most_points).then_some(Ending::Points)
     }
+}
+
+fn lost_at_edge(parameter: f64) -> Ending {
+    let why = "beyond it the branch leaves the range, and no orbit was found on the edge: give a wider range".to_owned();
+    Ending::Failed { why, parameter }
 }
 
 fn end(ending: Ending, branch: &mut Branch) {

@@ -1,5 +1,6 @@
 //! Branches of periodic orbits over one key of a spec.
 
+mod astray;
 mod branch;
 mod candidate;
 mod carry;
@@ -17,6 +18,7 @@ mod thinned;
 pub use branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
 pub use carry::{BranchCarry, Carried, Trend};
 pub use chase::{BranchChase, KnownOrbit};
+pub(super) use follow::RESOLUTION;
 pub use search::{BranchSearch, Method};
 pub(super) use settled_orbit::settled_motion;
 pub use settled_orbit::settled_orbit;
