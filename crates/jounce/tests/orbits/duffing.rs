@@ -1,9 +1,11 @@
 //! Driven Duffing oscillators against a plain Runge-Kutta integration of their equation, and against the first harmonic.
 
 use crate::harvesters::branches;
+use faer::Mat;
+use faer::linalg::solvers::Solve;
 use jounce::reference::Duffing;
 use jounce::spec::SpecFile;
-use jounce::study::{BranchKind, Method};
+use jounce::study::{BranchKind, CurveKind, JumpSearch, Method, Prepared};
 use std::f64::consts::TAU;
 
 /// `x'' + 2 zeta w0 x' + w0^2 x + b x^3 = f sin(w t)` over a period, with its linearisation.
@@ -67,6 +69,32 @@ impl Oracle {
         }
         at
     }
+}
+
+/// What vanishes at a cusp of the folds at `(x, v, w, f)`: besides, the multiplier stays 1 along its eigenvector.
+fn cusp(square: f64, damping: f64, b: f64, [x, v, w, force]: [f64; 4]) -> [f64; 4] {
+    let oracle = Oracle { square, damping, b, force };
+    let y = oracle.period(w, x, v);
+    let length = y[4].hypot(y[2] - 1.0);
+    let along = [-y[4] / length, (y[2] - 1.0) / length];
+    let [closed, rest, fold] = oracle.fold([x, v, w]);
+    let moved = |way: f64| oracle.fold([x + way * along[0], v + way * along[1], w])[2];
+    [closed, rest, fold, (moved(1e-3) - moved(-1e-3)) / 2e-3]
+}
+
+/// Newton with differences.
+fn nearest_cusp(square: f64, damping: f64, b: f64, mut at: [f64; 4]) -> [f64; 4] {
+    for _ in 0..8 {
+        let value = cusp(square, damping, b, at);
+        let moved = |j: usize, by: f64| cusp(square, damping, b, std::array::from_fn(|i| at[i] + if i == j { by } else { 0.0 }));
+        let columns: [[f64; 4]; 4] = std::array::from_fn(|j| {
+            let (up, down) = (moved(j, 1e-5), moved(j, -1e-5));
+            std::array::from_fn(|i| (up[i] - down[i]) / 2e-5)
+        });
+        let change = Mat::from_fn(4, 4, |i, j| columns[j][i]).partial_piv_lu().solve(Mat::from_fn(4, 1, |i, _| value[i]));
+        at = std::array::from_fn(|j| at[j] - change[(j, 0)]);
+    }
+    at
 }
 
 /// The spec of the gallery, and the same problem as plain numbers.
@@ -142,4 +170,50 @@ fn multipliers_multiply_to_the_decay_of_a_period() {
     }
     eprintln!("{} points, product off by {worst:.1e}", found[0].points.len());
     assert!(worst < 1e-8);
+}
+
+/// Two folds meet in a cusp where bistability begins. In a plane so narrow that the keys turn round over a thousandth of the motion the curve is
+/// whole and the cusp a point of it, where an independent integration has it; the first harmonic has it at `w^2 - w0^2 = sqrt(3) c`,
+/// `f^2 = (4 c^2 / 3) a^2`, `c = 2 zeta w0 w`, `3 b a^2 / 4 = 2 (w^2 - w0^2) / 3`. Its arms part with the power 3/2 of the distance.
+#[test]
+fn a_curve_of_folds_goes_through_its_cusp() {
+    let (_, duffing) = example(20.0, 1.0);
+    let (w0, zeta) = (duffing.frequency_rad_s, duffing.damping_ratio);
+    let w = w0 * (3.0_f64.sqrt() * zeta + (3.0 * zeta * zeta + 1.0).sqrt());
+    let c = 2.0 * zeta * w0 * w;
+    let square = 2.0 / 3.0 * 3.0_f64.sqrt() * c / (0.75 * 20.0);
+    let force = (4.0 / 3.0 * c * c * square).sqrt();
+    // x = a sin(wt + phase): (w0^2 - w^2 + 3 b a^2 / 4) a = f cos phase, c a = -f sin phase.
+    let phase = (-c).atan2(-3.0_f64.sqrt() * c / 3.0);
+    let first = [square.sqrt() * phase.sin(), square.sqrt() * w * phase.cos(), w, force];
+    let exact = nearest_cusp(w0 * w0, 2.0 * zeta * w0, 20.0, first);
+    let (hz, force) = (exact[2] / TAU, exact[3]);
+    eprintln!("cusp at {hz:.9} Hz, {force:.9} N; by the first harmonic {:.9} Hz, {:.9} N", w / TAU, first[3]);
+    assert!((w / exact[2] - 1.0).abs() < 1e-3 && (first[3] / force - 1.0).abs() < 1e-3);
+
+    // The walk stops before the cusp in the one plane, behind it in the other.
+    for (own, ranges) in [(0.2308, [(1.0172, 1.0178), (0.2303, 0.2313)]), (1.0, [(1.016, 1.0185), (0.229, 0.233)])] {
+        let (file, _) = example(20.0, own);
+        let base = Prepared::new(file.spec().unwrap()).unwrap();
+        let keys = ["drive.shaker.frequency", "drive.shaker.amplitude"].map(|key| file.numeric_key(key).unwrap());
+        let search =
+            JumpSearch { base: &base, keys: [&keys[0], &keys[1]], ranges, tolerance: 1e-9, seeds: 0, longest_period: 1, peaks: false };
+        let curves = search.run().unwrap();
+        assert_eq!(curves.len(), 1);
+        let (curve, points) = (&curves[0], &curves[0].points);
+        let ends = [points[0].parameter_2, points[points.len() - 1].parameter_2];
+        eprintln!("{:?}: {} points, ends {ends:?}, {:?}", curve.kind, points.len(), curve.failures);
+        assert_eq!((curve.kind, ends), (CurveKind::Bifurcation(BranchKind::Fold), [ranges[1].1; 2]));
+        assert!(curve.failures.is_empty() && points.len() < 150);
+        let turn = points.iter().min_by(|a, b| a.parameter_2.total_cmp(&b.parameter_2)).unwrap();
+        let off = [turn.parameter / hz - 1.0, turn.parameter_2 / force - 1.0];
+        let apart = |away: f64| {
+            let arms: Vec<f64> = curve.crossings(force + away).iter().map(|(hz, _)| *hz).collect();
+            assert_eq!(arms.len(), 2);
+            (arms[1] - arms[0]).abs()
+        };
+        let ratio = apart(8e-4) / apart(2e-4);
+        eprintln!("turns off by {off:?}; arms part by {:e} Hz at 0.2 mN, {ratio} times that at 0.8 mN", apart(2e-4));
+        assert!(off.iter().all(|off| off.abs() < 1e-8) && (ratio / 8.0 - 1.0).abs() < 0.05, "{off:?} {ratio}");
+    }
 }

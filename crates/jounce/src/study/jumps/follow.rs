@@ -2,10 +2,11 @@
 
 use super::corner;
 use super::curve::{CurveKind, JumpCurve, JumpPoint};
+use super::cusp::{self, Onward};
 use super::key_plane::KeyPlane;
 use super::search::JumpSearch;
 use crate::continuation::{Corrected, Corrector, Direction, Metric, Position, StepControl, Walk, correct, passes, settle};
-use crate::orbit::{Tracked, Tracking, multipliers};
+use crate::orbit::{Condition, Tracked, Tracking, multipliers};
 
 /// Distance, in the metric, from a strong resonance at which a curve of tori ends. Shorter steps come nearer to it.
 const NEAR_RESONANCE: f64 = 1e-3;
@@ -47,7 +48,7 @@ impl JumpSearch<'_> {
     ) -> JumpCurve {
         let points = vec![point(tracking, &first.position, &first.local)];
         let mut curve = JumpCurve { kind, period_cycles: tracking.cycles, points, failures: Vec::new() };
-        let origin = first.position.clone();
+        let (origin, outset) = (first.position.clone(), ahead.clone());
         let control = StepControl { shortest: SHORTEST * corrector.goal, ..StepControl::default() };
         let from = |position: Position, ahead: Direction| Walk::new(tracking, corrector, control, self.scale_2(), position, ahead);
         let mut walk = from(first.position, ahead);
@@ -59,11 +60,15 @@ impl JumpSearch<'_> {
                 Some(Ok(step)) => (step.position, step.local),
                 Some(Err(_)) if is_born(&here, ALMOST) => break,
                 Some(Err(error)) => {
-                    let Some((found, ahead)) = corner::round(tracking, &corrector, self.scale_2(), (&before, &walk.tangent)) else {
+                    let corner = corner::round(tracking, &corrector, self.scale_2(), (&before, &walk.tangent));
+                    let cusp = || cusp::ahead(tracking, &corrector, self.scale_2(), (&before, &here, &walk.tangent));
+                    let beyond = corner.map(|(found, ahead)| Onward { found, ahead, step: control.first }).or_else(cusp);
+                    let Some(Onward { found, ahead, step }) = beyond else {
                         curve.failures.push(error.to_string());
                         break;
                     };
                     walk = from(found.position.clone(), ahead);
+                    walk.length = step;
                     (found.position, found.local)
                 }
                 None => break,
@@ -89,7 +94,9 @@ impl JumpSearch<'_> {
                 break;
             }
             curve.points.push(point(tracking, &position, &local));
-            let closes = curve.points.len() > 4 && passes(&metric, &origin, &before, &position);
+            // A curve of folds that passes the other way is on the other arm of a cusp.
+            let is_back = tracking.condition == Condition::Multiplier(1.0) && metric.inner(&outset, &before.to(&position)) < 0.0;
+            let closes = curve.points.len() > 4 && !is_back && passes(&metric, &origin, &before, &position);
             if closes || is_born(&local, A_POINT) || is_left(&mut curve, position.parameter) {
                 break;
             }

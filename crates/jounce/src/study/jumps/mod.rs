@@ -2,6 +2,7 @@
 
 mod corner;
 mod curve;
+mod cusp;
 mod follow;
 mod key_plane;
 mod search;

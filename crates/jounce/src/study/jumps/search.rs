@@ -94,7 +94,7 @@ impl JumpSearch<'_> {
     fn holds(&self, curve: &JumpCurve, seed: &Seed, parameter_2: f64) -> bool {
         let (low, high) = self.ranges[0];
         let near = |(parameter, power_w): &(f64, f64)| {
-            (parameter - seed.parameter).abs() < 5e-3 * (high - low) && (power_w / seed.mean_power_w - 1.0).abs() < 0.05
+            (parameter - seed.parameter).abs() < 5e-3 * (high - low) && (power_w - seed.mean_power_w).abs() <= 0.05 * seed.mean_power_w
         };
         curve.kind == seed.kind && curve.period_cycles == seed.cycles && curve.crossings(parameter_2).iter().any(near)
     }
