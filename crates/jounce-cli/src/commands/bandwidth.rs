@@ -1,7 +1,7 @@
 //! How `jounce branch` tells peaks and half-power bandwidths.
 
 use crate::failure::Failure;
-use crate::output::line;
+use crate::output::{line, value};
 use jounce::spec::NumericKey;
 use jounce::study::{Bandwidth, Bandwidths, Edge, Limit};
 use jounce::table::{Column, Table};
@@ -14,11 +14,11 @@ pub fn listed(width: &Bandwidth) -> serde_json::Value {
 /// As lines of text.
 pub fn tell(width: &Bandwidth, unit: &str) {
     let peak = &width.peak;
-    line(format!("  {:<16} {:>12.6} {unit}  {:.6e} W  ({})", "largest stable", peak.parameter, peak.mean_power_w, why(peak.at)));
-    line(format!("  {:<16} {:>12.6} {unit}  +- {:.1e}", "half-power width", width.width, width.width_error));
+    line(format!("  {:<16} {:>12} {unit}  {:.6e} W  ({})", "largest stable", value(peak.parameter), peak.mean_power_w, why(peak.at)));
+    line(format!("  {:<16} {:>12} {unit}  +- {:.1e}", "half-power width", value(width.width), width.width_error));
     for interval in &width.intervals {
         let (from, to) = (&interval.from, &interval.to);
-        line(format!("    from {:.6} ({}) to {:.6} {unit} ({})", from.parameter, why(from.at), to.parameter, why(to.at)));
+        line(format!("    from {} ({}) to {} {unit} ({})", value(from.parameter), why(from.at), value(to.parameter), why(to.at)));
     }
 }
 

@@ -26,7 +26,7 @@ pub struct Jumps {
     /// Relative tolerance of the marches that the orbits are made of.
     #[arg(long, default_value_t = 1e-9)]
     tolerance: f64,
-    /// Values between the ends of the first range at which orbits are sought by marching, for branches that stand alone.
+    /// Values between the ends of a range at which orbits are sought by marching, for branches that stand alone.
     #[arg(long, default_value_t = 4)]
     seeds: usize,
     /// Longest period of a branch, in drive cycles; longer ones are left out.
@@ -92,6 +92,7 @@ impl Jumps {
                 "against": keys[1].path(),
                 "unit_2": keys[1].unit(),
                 "curves": curves.iter().map(listed).collect::<Vec<_>>(),
+                "note": self.note(),
             }));
             return Ok(());
         }
@@ -104,12 +105,23 @@ impl Jumps {
                 let (unit, unit_2) = (keys[0].unit(), keys[1].unit());
                 let stable = point.stable.map_or("", |stable| if stable { "  stable" } else { "  unstable" });
                 line(format!(
-                    "  {:>12.6} {unit}  {:>12.6} {unit_2}  {:.6e} W{stable}",
-                    point.parameter, point.parameter_2, point.mean_power_w
+                    "  {:>12} {unit}  {:>12} {unit_2}  {:.6e} W{stable}",
+                    output::value(point.parameter),
+                    output::value(point.parameter_2),
+                    point.mean_power_w
                 ));
             }
         }
+        line(self.note());
         Ok(())
+    }
+
+    /// What the search may have missed, and how to look closer.
+    fn note(&self) -> String {
+        format!(
+            "curves that pass neither an edge of the two ranges nor the spec's own value of the second key are not found, nor those of branches that no march of {} seeds settles on or of a period above {} cycles; other ranges, more --seeds and a longer --longest-period find more",
+            self.seeds, self.longest_period
+        )
     }
 }
 

@@ -167,6 +167,7 @@ impl From<StudyError> for Failure {
             StudyError::StartFile { ref path, .. } => Self::new("StartError", &error).with(json!({ "path": path })),
             StudyError::Journal(error) => Self::of("FileError", &error),
             StudyError::Aperiodic { ref drive } => Self::new("OrbitError", &error).with(json!({ "drive": drive })),
+            StudyError::OfRuns { ref key } => Self::new("ArgumentError", &error).with(json!({ "key": key })),
             StudyError::NoNoise => {
                 let why = "an ensemble needs noise: give a drive `signal = \"noise\"`; Spec.run marches what is not random";
                 Self::new("ArgumentError", why)

@@ -54,6 +54,15 @@ impl<'s> Parameter<'s> {
         Self { base, key, role, difference: 1e-7 * width }
     }
 
+    /// Whether periodic answers depend on a key at all.
+    ///
+    /// # Errors
+    /// [`StudyError::OfRuns`].
+    pub fn check(key: &NumericKey) -> Result<(), StudyError> {
+        let key = key.path();
+        if key.starts_with("run.") { Err(StudyError::OfRuns { key: key.to_owned() }) } else { Ok(()) }
+    }
+
     /// The key.
     pub fn key(&self) -> &NumericKey {
         self.key

@@ -33,6 +33,14 @@ pub enum StudyError {
         /// Name of the drive.
         drive: String,
     },
+    /// A key that periodic answers do not depend on.
+    #[error(
+        "{key} says how one run is marched, and periodic answers do not depend on it: give a key of the harvester or of its drive, as drive.NAME.frequency, stop.NAME.gap or circuit.NAME.resistance"
+    )]
+    OfRuns {
+        /// Path of the key.
+        key: String,
+    },
     /// An ensemble without noise.
     #[error("an ensemble needs noise: give a drive `signal = \"noise\"`; `jounce run` marches what is not random")]
     NoNoise,

@@ -150,11 +150,12 @@ impl Following {
                 continue;
             }
             let places = self.refined(method, &before, after)?;
-            if places.iter().any(|place| place.point.orbit.repeats_early()) {
-                // Newton may have strayed to an orbit of fewer cycles; if a short step gets there too, the branch ends on it.
-                if walk.retreat(mark.clone()) {
-                    continue;
-                }
+            // Newton may have strayed to an orbit of fewer cycles; if a short step gets there too, the branch ends on it.
+            let merges = places.iter().any(|place| place.point.orbit.repeats_early());
+            if merges && walk.retreat(mark.clone()) {
+                continue;
+            }
+            if merges {
                 end(Ending::Merged, branch);
                 return Ok(());
             }

@@ -5,6 +5,7 @@ mod branch;
 mod candidate;
 mod carry;
 mod chase;
+mod eased;
 mod edge;
 mod finer;
 mod follow;

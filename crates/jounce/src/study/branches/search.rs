@@ -1,10 +1,11 @@
 //! All branches of a spec over a range of one key.
 //!
 //! The branches through the two ends of the range are followed first; then every orbit that marches from rest, from the steady state without
-//! the stop and from a hard kick settle on, at values across the range, unless it lies on a branch already known. Doubled branches are entered where a branch
+//! the stop, from a hard kick and from a stronger drive settle on, at values across the range, unless it lies on a branch already known. Doubled branches are entered where a branch
 //! doubles. Marches run in parallel; everything after them is in a fixed order.
 
 use super::branch::{Branch, BranchKind, BranchPoint};
+use super::eased::eased;
 use super::follow::{Following, RESOLUTION, newton_goal};
 use super::settled_orbit::settled_orbit;
 use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, correct, settle, tangent};
@@ -53,10 +54,18 @@ enum Start {
     Steady,
     /// With the shape of the stop's port moving fast towards it.
     Kicked,
+    /// Where a stronger drive leaves it that is eased; within the range only.
+    Eased,
 }
+
+/// Share of the range at which no two frequencies, of which one goes with the key, have a common period by chance: that of the golden section.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// Speed of a kick, beside that of the steady motion.
 const KICK: f64 = 20.0;
+
+/// Tolerance of marches that only lead to where others start.
+const COARSE: f64 = 1e-6;
 
 /// Distance beside their size below which two orbits are one, ...
 const SAME: f64 = 1e-4;
@@ -127,9 +136,11 @@ impl BranchSearch<'_> {
         Ok(branches)
     }
 
-    /// Harvesters exist at both ends of the range, with drives that repeat themselves together.
+    /// Harvesters exist at both ends of the range, with drives that repeat themselves together there and in between.
     fn check_ends(&self) -> Result<(), Failure> {
-        for value in [self.range.0, self.range.1] {
+        Parameter::check(self.parameter.key()).map_err(OrbitError::Harvester)?;
+        let between = self.range.0 + GOLDEN * (self.range.1 - self.range.0);
+        for value in [self.range.0, self.range.1, between] {
             let kernel = self.parameter.at(value).map_err(OrbitError::Harvester)?.kernel;
             if kernel.plant.period_s().is_none() {
                 return Err(OrbitError::Frequencies { frequencies: kernel.plant.tones.len() });
@@ -168,10 +179,11 @@ impl BranchSearch<'_> {
     /// Settled orbits: lower end, upper end, then across the range.
     fn starts(&self) -> Vec<(Orbit, f64)> {
         let (low, high) = self.range;
-        let inner = (1..=self.seeds).map(|k| low + (high - low) * k as f64 / (self.seeds + 1) as f64);
-        let values: Vec<f64> = [low, high].into_iter().chain(inner).collect();
-        let jobs: Vec<(f64, Start)> =
-            values.iter().flat_map(|value| [Start::Rest, Start::Steady, Start::Kicked].map(|start| (*value, start))).collect();
+        let inner: Vec<f64> = (1..=self.seeds).map(|k| low + (high - low) * k as f64 / (self.seeds + 1) as f64).collect();
+        let values = [low, high].into_iter().chain(inner.iter().copied());
+        let own = values.flat_map(|value| [Start::Rest, Start::Steady, Start::Kicked].map(|start| (value, start)));
+        // Last, so that they only add to what the others find.
+        let jobs: Vec<(f64, Start)> = own.chain(inner.iter().map(|value| (*value, Start::Eased))).collect();
         let goal = self.following().corrector.goal;
         let watch = &self.base.kernel.watch;
         watch.expect(jobs.len());
@@ -186,10 +198,12 @@ impl BranchSearch<'_> {
 
     /// The physical state of a start.
     fn start(&self, value: f64, start: Start) -> Option<Vec<f64>> {
-        let plant = self.parameter.at(value).ok()?.kernel.plant;
+        let kernel = self.parameter.at(value).ok()?.kernel;
+        let plant = &kernel.plant;
         let mut state = vec![0.0; plant.len()];
         match start {
             Start::Rest => {}
+            Start::Eased => state = eased(&kernel, self.tolerance.max(COARSE))?,
             Start::Steady => state = plant.to_physical(&state, 0.0),
             Start::Kicked => {
                 let w = plant.tones.first()?.angular_frequency_rad_s;

@@ -60,10 +60,7 @@ impl JumpSearch<'_> {
                 Some(Ok(step)) => (step.position, step.local),
                 Some(Err(_)) if is_born(&here, ALMOST) => break,
                 Some(Err(error)) => {
-                    let corner = corner::round(tracking, &corrector, self.scale_2(), (&before, &walk.tangent));
-                    let cusp = || cusp::ahead(tracking, &corrector, self.scale_2(), (&before, &here, &walk.tangent));
-                    let beyond = corner.map(|(found, ahead)| Onward { found, ahead, step: control.first }).or_else(cusp);
-                    let Some(Onward { found, ahead, step }) = beyond else {
+                    let Some(Onward { found, ahead, step }) = self.beyond(tracking, &corrector, (&before, &here, &walk.tangent)) else {
                         curve.failures.push(error.to_string());
                         break;
                     };
@@ -103,6 +100,18 @@ impl JumpSearch<'_> {
             here = local;
         }
         curve
+    }
+
+    /// Where a walk that stopped goes on: round a corner or through a cusp.
+    fn beyond(
+        &self,
+        tracking: &Tracking<KeyPlane>,
+        corrector: &Corrector,
+        (position, local, ahead): (&Position, &Tracked, &Direction),
+    ) -> Option<Onward> {
+        let corner = corner::round(tracking, corrector, self.scale_2(), (position, ahead));
+        let onward = corner.map(|(found, ahead)| Onward { found, ahead, step: StepControl::default().first });
+        onward.or_else(|| cusp::ahead(tracking, corrector, self.scale_2(), (position, local, ahead)))
     }
 
     /// Ends a curve with the point on an edge; false where that is not found, as it may be from nearer to the edge.

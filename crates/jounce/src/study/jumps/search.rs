@@ -1,14 +1,13 @@
-//! All curves of jumps that pass through three lines of the plane: both ends of the second range, and the spec's own value between.
+//! All curves of jumps that pass an edge of the plane, or the spec's own value of the second key between.
 
-use super::curve::JumpCurve;
+use super::curve::{JumpCurve, JumpPoint};
 use super::key_plane::KeyPlane;
 use super::seed::Seed;
 use crate::continuation::{Corrector, Direction, Family, Metric, Position, settle, tangent};
-
 use crate::orbit::{OrbitError, Plane, Shooting, Tracking};
 use crate::spec::NumericKey;
 use crate::study::bandwidth::Piece;
-use crate::study::{BranchSearch, Method, Parameter, Prepared, StudyError};
+use crate::study::{Branch, BranchSearch, Method, Parameter, Prepared, StudyError};
 use faer::ColRef;
 
 /// A search to be made.
@@ -22,7 +21,7 @@ pub struct JumpSearch<'s> {
     pub ranges: [(f64, f64); 2],
     /// Relative tolerance of the marches.
     pub tolerance: f64,
-    /// Values across the first range at which orbits are sought by marching.
+    /// Values across a range at which orbits are sought by marching.
     pub seeds: usize,
     /// Longest period of a branch, drive cycles.
     pub longest_period: u32,
@@ -31,6 +30,12 @@ pub struct JumpSearch<'s> {
 }
 
 type Failure = OrbitError<StudyError>;
+
+/// Share of a range within which two places of one kind ...
+const NEAR: f64 = 5e-3;
+
+/// ... and of a power within which they are one.
+const SAME_POWER: f64 = 0.05;
 
 /// Newton's goal beside the tolerance of the march. A critical multiplier is known less well than the orbit, and along its eigenvector
 /// a fold moves by that error over its curvature; the parameter moves by the square of it only.
@@ -42,6 +47,9 @@ impl JumpSearch<'_> {
     /// # Errors
     /// [`OrbitError`].
     pub fn run(&self) -> Result<Vec<JumpCurve>, Failure> {
+        for key in self.keys {
+            Parameter::check(key).map_err(OrbitError::Harvester)?;
+        }
         let plane = KeyPlane { base: self.base, keys: self.keys, widths: self.ranges.map(|(low, high)| high - low) };
         let (low, high) = self.ranges[1];
         let own = self.keys[1].get(&self.base.spec).ok().filter(|own| *own > low && *own < high);
@@ -53,7 +61,40 @@ impl JumpSearch<'_> {
             }
             found?;
         }
+        for parameter in <[f64; 2]>::from(self.ranges[0]) {
+            if self.base.kernel.watch.is_stopped() {
+                break;
+            }
+            let found = self.across(&plane, parameter, &mut curves);
+            if !self.base.kernel.watch.is_stopped() {
+                found?;
+            }
+        }
         Ok(curves)
+    }
+
+    /// Adds the curves that pass an edge of the first range, where the second key alone shows them.
+    fn across(&self, plane: &KeyPlane, parameter: f64, curves: &mut Vec<JumpCurve>) -> Result<(), Failure> {
+        let mut spec = self.base.spec.clone();
+        self.keys[0].set(&mut spec, parameter).map_err(|fault| OrbitError::Harvester(fault.into()))?;
+        let prepared = self.base.changed(spec).map_err(OrbitError::Harvester)?;
+        let branches = self.branches(&prepared, 1)?;
+        for (branch, found) in branches.iter().flat_map(|branch| branch.bifurcations.iter().map(move |found| (branch, found))) {
+            let seed = Seed { parameter, ..Seed::bifurcation(branch, found) };
+            let parameter_2 = found.at.parameter;
+            if !curves.iter().any(|curve| self.holds(curve, &seed, parameter_2) || self.ends_at(curve, &seed, parameter_2)) {
+                curves.extend(self.both_ways(plane, &seed, parameter_2)?);
+            }
+        }
+        Ok(())
+    }
+
+    /// Branches over one of the keys, at the value of the other that is prepared.
+    fn branches(&self, prepared: &Prepared, key: usize) -> Result<Vec<Branch>, Failure> {
+        let range = self.ranges[key];
+        let parameter = Parameter::new(prepared, self.keys[key], range.1 - range.0);
+        let (method, tolerance, seeds, longest_period) = (Method::Shooting, self.tolerance, self.seeds, self.longest_period);
+        BranchSearch { base: prepared, parameter: &parameter, range, method, tolerance, seeds, longest_period }.run()
     }
 
     /// Adds the curves through one line.
@@ -71,16 +112,7 @@ impl JumpSearch<'_> {
         let line = plane.line(parameter_2).map_err(OrbitError::Harvester)?;
         let range = self.ranges[0];
         let parameter = Parameter::new(&line.prepared, self.keys[0], range.1 - range.0);
-        let search = BranchSearch {
-            base: &line.prepared,
-            parameter: &parameter,
-            range,
-            method: Method::Shooting,
-            tolerance: self.tolerance,
-            seeds: self.seeds,
-            longest_period: self.longest_period,
-        };
-        let branches = search.run()?;
+        let branches = self.branches(&line.prepared, 0)?;
         let bifurcations = branches.iter().flat_map(|branch| branch.bifurcations.iter().map(|found| Seed::bifurcation(branch, found)));
         let corrector = Corrector { goal: (10.0 * self.tolerance).clamp(1e-11, 1e-6), most: 8 };
         let peaks = branches.iter().filter(|_| self.peaks).flat_map(|branch| {
@@ -94,9 +126,22 @@ impl JumpSearch<'_> {
     fn holds(&self, curve: &JumpCurve, seed: &Seed, parameter_2: f64) -> bool {
         let (low, high) = self.ranges[0];
         let near = |(parameter, power_w): &(f64, f64)| {
-            (parameter - seed.parameter).abs() < 5e-3 * (high - low) && (power_w - seed.mean_power_w).abs() <= 0.05 * seed.mean_power_w
+            (parameter - seed.parameter).abs() < NEAR * (high - low)
+                && (power_w - seed.mean_power_w).abs() <= SAME_POWER * seed.mean_power_w
         };
         curve.kind == seed.kind && curve.period_cycles == seed.cycles && curve.crossings(parameter_2).iter().any(near)
+    }
+
+    /// True when a curve ends at a place.
+    fn ends_at(&self, curve: &JumpCurve, seed: &Seed, parameter_2: f64) -> bool {
+        let [width, width_2] = self.ranges.map(|(low, high)| high - low);
+        let near = |end: &JumpPoint| {
+            (end.parameter - seed.parameter).abs() < NEAR * width
+                && (end.parameter_2 - parameter_2).abs() < NEAR * width_2
+                && (end.mean_power_w - seed.mean_power_w).abs() <= SAME_POWER * seed.mean_power_w.abs()
+        };
+        let ends = curve.points.first().into_iter().chain(curve.points.last());
+        curve.kind == seed.kind && curve.period_cycles == seed.cycles && ends.into_iter().any(near)
     }
 
     fn both_ways(&self, plane: &KeyPlane, seed: &Seed, parameter_2: f64) -> Result<Option<JumpCurve>, Failure> {
