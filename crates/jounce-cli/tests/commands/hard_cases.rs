@@ -44,6 +44,26 @@ fn hard_cases_end_with_an_answer_or_a_clear_error() {
     }
 }
 
+/// What periodic answers do not depend on, and drives that have a common period at both ends of the range only: told at once.
+#[test]
+fn keys_without_orbits_are_refused_with_their_reason() {
+    for key in ["run.tolerance=1e-9:1e-7", "run.average_over=1s:5s"] {
+        let (code, json, _) = jounce(&["branch", PLANT, "--over", key, "--json"]);
+        let error = json["error"].as_str().unwrap();
+        assert!(code == 4 && error.starts_with(key.split_once('=').unwrap().0) && error.contains("stop.NAME.gap"), "{error}");
+        let against = ["--over", "stop.tip.gap=1mm:2mm", "--against", key, "--json"];
+        let (code, json, _) = jounce(&[&["jumps", PLANT][..], &against].concat());
+        assert!(code == 4 && json["error"].as_str().unwrap().contains("do not depend on it"), "{json}");
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let spec = folder.path().join("two-drives.toml");
+    let second = "\n[drive.second]\nat = \"harvester.table\"\nkind = \"force\"\namplitude = \"10 N\"\nfrequency = \"22 Hz\"\n";
+    std::fs::write(&spec, std::fs::read_to_string(PLANT).unwrap() + second).unwrap();
+    let over = ["--over", "drive.shaker.frequency=10Hz:13Hz", "--json"];
+    let (code, json, _) = jounce(&[&["branch", spec.to_str().unwrap()][..], &over].concat());
+    assert!(code == 4 && json["error"].as_str().unwrap().contains("repeat themselves together"), "{json}");
+}
+
 /// A branch that ends where it cannot be followed is told with its points, and where no branch is whole the command has not succeeded.
 #[test]
 fn a_command_without_a_whole_branch_ends_with_3() {

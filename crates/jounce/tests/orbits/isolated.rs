@@ -1,6 +1,7 @@
 //! Branches that no other branch leads to.
 
 use crate::harvesters::{bench, branches_of};
+use jounce::spec::SpecFile;
 use jounce::study::{BandwidthSearch, BranchKind, BranchSearch, Ending, Method, Parameter, Prepared};
 
 /// Near 14 Hz the harvester has orbits of three drive cycles on a closed curve of their own. Where such a curve comes back to its start
@@ -15,6 +16,30 @@ fn a_curve_of_three_cycles_closes_and_stays_one_of_three_cycles() {
     eprintln!("{} points, {folds} folds, {:?}", branch.points.len(), branch.endings);
     assert!(branch.points.iter().all(|point| !point.orbit.repeats_early()));
     assert_eq!((branch.endings.as_slice(), folds), ([Ending::Closed].as_slice(), 2));
+}
+
+/// At 12 Hz and 20 N the large answer lives beside a small one that draws every march begun at rest. Over the gap it is found from a drive that
+/// is eased, and its fold lies where the branch over the amplitude has it at that gap.
+#[test]
+fn a_large_answer_beside_a_small_one_is_found() {
+    let mut file = bench();
+    file.set("drive.shaker.frequency", "12 Hz").unwrap();
+    file.set("drive.shaker.amplitude", "20 N").unwrap();
+    let over = |file: &SpecFile, key: &str, range: (f64, f64)| {
+        let base = Prepared::new(file.spec().unwrap()).unwrap();
+        let key = file.numeric_key(key).unwrap();
+        let parameter = Parameter::new(&base, &key, range.1 - range.0);
+        let method = Method::Shooting;
+        let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance: 1e-9, seeds: 4, longest_period: 1 };
+        let found = search.run().unwrap();
+        let folds = found.iter().flat_map(|branch| &branch.bifurcations).filter(|found| found.kind == BranchKind::Fold);
+        folds.map(|found| (found.at.parameter, found.at.orbit.mean_power_w)).max_by(|a, b| a.1.total_cmp(&b.1))
+    };
+    let (gap_m, power_w) = over(&file, "stop.tip.gap", (0.5e-3, 3e-3)).unwrap();
+    file.set("stop.tip.gap", &format!("{gap_m} m")).unwrap();
+    let (amplitude_n, other_w) = over(&file, "drive.shaker.amplitude", (10.0, 60.0)).unwrap();
+    eprintln!("fold at {gap_m:.9} m, {power_w:.9e} W; over the amplitude at {amplitude_n:.9} N, {other_w:.9e} W");
+    assert!(power_w > 5e-4 && (amplitude_n / 20.0 - 1.0).abs() < 1e-7 && (other_w / power_w - 1.0).abs() < 1e-3);
 }
 
 /// Both ends of that curve are sharp folds, which a long step may cross to the sheet on the other side: the walk would turn round there, come

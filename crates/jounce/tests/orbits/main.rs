@@ -17,6 +17,7 @@ mod open_patch;
 mod oscillators;
 mod paper;
 mod peaks;
+mod planes;
 mod rectified;
 mod rested;
 #[path = "../linear/rows.rs"]

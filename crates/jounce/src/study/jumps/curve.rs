@@ -24,6 +24,9 @@ impl CurveKind {
     }
 }
 
+/// Share of the widths, and of the power, within which a curve ends on its start.
+const ON_START: f64 = 1e-5;
+
 /// A curve of one kind over two keys.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JumpCurve {
@@ -61,6 +64,32 @@ impl JumpCurve {
             (0.0..=1.0).contains(&t).then(|| (at(a.parameter, b.parameter), at(a.mean_power_w, b.mean_power_w)))
         };
         self.points.windows(2).filter_map(between).collect()
+    }
+
+    /// Ends a curve that came back over its own points, as one does that misses the way round a corner, where it turned round: half-way. It is
+    /// known to have come back, or ends on its very start; widths are those of the keys.
+    pub(super) fn end_where_it_turned(&mut self, came_back: bool, widths: [f64; 2]) {
+        let way =
+            |a: &JumpPoint, b: &JumpPoint| ((b.parameter - a.parameter) / widths[0]).hypot((b.parameter_2 - a.parameter_2) / widths[1]);
+        let ends_on_start = match &self.points[..] {
+            [first, .., last] => {
+                let power_w = (last.mean_power_w - first.mean_power_w).abs();
+                self.points.len() > 4 && way(first, last) < ON_START && power_w <= ON_START * first.mean_power_w.abs()
+            }
+            _ => false,
+        };
+        if !(came_back || ends_on_start) {
+            return;
+        }
+        let mut left = 0.5 * self.points.windows(2).map(|pair| way(&pair[0], &pair[1])).sum::<f64>();
+        let is_before = |pair: &[JumpPoint]| {
+            left -= way(&pair[0], &pair[1]);
+            left > 0.0
+        };
+        let turn = self.points.windows(2).map(is_before).take_while(|is_before| *is_before).count();
+        self.points.truncate(turn + 1);
+        let at = self.points.last().map_or(f64::NAN, |last| last.parameter_2);
+        self.failures.push(format!("from {at} the walk came back over its own points"));
     }
 
     /// Joins a walk in the other direction from the same first point.

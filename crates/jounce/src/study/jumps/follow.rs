@@ -52,7 +52,7 @@ impl JumpSearch<'_> {
         let control = StepControl { shortest: SHORTEST * corrector.goal, ..StepControl::default() };
         let from = |position: Position, ahead: Direction| Walk::new(tracking, corrector, control, self.scale_2(), position, ahead);
         let mut walk = from(first.position, ahead);
-        let mut here = first.local;
+        let (mut here, mut came_back) = (first.local, false);
         loop {
             let mark = walk.mark();
             let before = walk.position.clone();
@@ -91,14 +91,17 @@ impl JumpSearch<'_> {
                 break;
             }
             curve.points.push(point(tracking, &position, &local));
+            let is_home = curve.points.len() > 4 && passes(&metric, &origin, &before, &position);
+            let is_back = is_home && metric.inner(&outset, &before.to(&position)) < 0.0;
             // A curve of folds that passes the other way is on the other arm of a cusp.
-            let is_back = tracking.condition == Condition::Multiplier(1.0) && metric.inner(&outset, &before.to(&position)) < 0.0;
-            let closes = curve.points.len() > 4 && !is_back && passes(&metric, &origin, &before, &position);
+            let closes = is_home && !(is_back && tracking.condition == Condition::Multiplier(1.0));
+            came_back = closes && is_back;
             if closes || is_born(&local, A_POINT) || is_left(&mut curve, position.parameter) {
                 break;
             }
             here = local;
         }
+        curve.end_where_it_turned(came_back, self.ranges.map(|(low, high)| high - low));
         curve
     }
 

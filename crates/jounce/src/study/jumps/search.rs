@@ -83,7 +83,7 @@ impl JumpSearch<'_> {
             let seed = Seed { parameter, ..Seed::bifurcation(branch, found) };
             let parameter_2 = found.at.parameter;
             if !curves.iter().any(|curve| self.holds(curve, &seed, parameter_2) || self.ends_at(curve, &seed, parameter_2)) {
-                curves.extend(self.both_ways(plane, &seed, parameter_2)?);
+                self.add(self.both_ways(plane, &seed, parameter_2)?, curves);
             }
         }
         Ok(())
@@ -101,7 +101,7 @@ impl JumpSearch<'_> {
     fn through(&self, plane: &KeyPlane, parameter_2: f64, curves: &mut Vec<JumpCurve>) -> Result<(), Failure> {
         for seed in self.seeds(plane, parameter_2)? {
             if !curves.iter().any(|curve| self.holds(curve, &seed, parameter_2)) {
-                curves.extend(self.both_ways(plane, &seed, parameter_2)?);
+                self.add(self.both_ways(plane, &seed, parameter_2)?, curves);
             }
         }
         Ok(())
@@ -120,6 +120,27 @@ impl JumpSearch<'_> {
             Seed::peaks(branch, |points| Piece::new(shooting(), corrector, (range.1 - range.0) / 20.0, points))
         });
         Ok(bifurcations.chain(peaks).collect())
+    }
+
+    /// Adds a curve. One that could not be followed to its ends may be a part of one that was begun elsewhere and is whole.
+    fn add(&self, found: Option<JumpCurve>, curves: &mut Vec<JumpCurve>) {
+        let Some(found) = found else { return };
+        if found.failures.is_empty() {
+            curves.retain(|known| known.failures.is_empty() || !self.is_part(known, &found));
+        } else if curves.iter().any(|whole| whole.failures.is_empty() && self.is_part(&found, whole)) {
+            return;
+        }
+        curves.push(found);
+    }
+
+    /// True when a curve lies on another, by its first point and two inside.
+    fn is_part(&self, part: &JumpCurve, whole: &JumpCurve) -> bool {
+        let count = part.points.len();
+        [0, count / 2, 3 * count / 4].into_iter().all(|k| {
+            let JumpPoint { parameter, parameter_2, mean_power_w, .. } = part.points[k];
+            let place = Seed { kind: part.kind, cycles: part.period_cycles, state: Vec::new(), parameter, mean_power_w };
+            self.holds(whole, &place, parameter_2)
+        })
     }
 
     /// True when a place lies on a curve already known.
