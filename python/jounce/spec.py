@@ -162,7 +162,11 @@ class Spec(SpecOnRig):
         threads: int | None = None,
         progress: bool | Progress | None = None,
     ) -> JumpsResult:
-        """Follows the places where the answer jumps (folds, doublings, tori, grazings) over two keys, and the ``peaks`` of power."""
+        """Follows the places where the answer jumps (folds, doublings, tori, grazings) over two keys, and the ``peaks`` of power.
+
+        Curves that pass neither an edge of the two ranges nor the spec's own value of ``key_2`` are not found, nor those of branches that
+        no march of the ``seeds`` settles on or of a period above ``longest_period`` cycles.
+        """
         check_wholes(seeds=seeds, longest_period=longest_period, threads=threads)
         ends = (span(range, key), span(range_2, key_2))
         with told(progress) as tell:

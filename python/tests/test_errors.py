@@ -85,6 +85,8 @@ def test_arguments_are_checked(harvester):
         lambda: harvester.branch(frequency, "12 Hz:13 Hz", method="guessing"),
         lambda: harvester.branch(frequency, "12 Hz:13 Hz", harmonics=1),
         lambda: harvester.branch(frequency, "12 Hz:13 Hz", harmonics=64),
+        lambda: harvester.branch("run.average_over", "1 s:5 s"),
+        lambda: harvester.jumps(frequency, "12 Hz:13 Hz", "run.average_over", "1 s:5 s"),
         lambda: harvester.branch(frequency, "12 Hz:13 Hz", tolerance=0.0),
         lambda: harvester.jumps(frequency, "12 Hz:13 Hz", frequency, "12 Hz:13 Hz"),
         lambda: harvester.basins(starts=0),
