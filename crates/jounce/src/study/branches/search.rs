@@ -39,7 +39,7 @@ pub struct BranchSearch<'s> {
     pub method: Method,
     /// Relative tolerance of the marches.
     pub tolerance: f64,
-    /// Values across the range at which orbits are sought by marching.
+    /// Values between the ends of the range at which orbits are sought by marching.
     pub seeds: usize,
     /// Longest period of a branch, drive cycles.
     pub longest_period: u32,
@@ -54,7 +54,7 @@ enum Start {
     Steady,
     /// With the shape of the stop's port moving fast towards it.
     Kicked,
-    /// Where a stronger drive leaves it that is eased; within the range only.
+    /// Where a stronger drive leaves it that is eased; left out where no seeds are asked for.
     Eased,
 }
 
@@ -179,11 +179,12 @@ impl BranchSearch<'_> {
     /// Settled orbits: lower end, upper end, then across the range.
     fn starts(&self) -> Vec<(Orbit, f64)> {
         let (low, high) = self.range;
-        let inner: Vec<f64> = (1..=self.seeds).map(|k| low + (high - low) * k as f64 / (self.seeds + 1) as f64).collect();
-        let values = [low, high].into_iter().chain(inner.iter().copied());
-        let own = values.flat_map(|value| [Start::Rest, Start::Steady, Start::Kicked].map(|start| (value, start)));
+        let inner = (1..=self.seeds).map(|k| low + (high - low) * k as f64 / (self.seeds + 1) as f64);
+        let values: Vec<f64> = [low, high].into_iter().chain(inner).collect();
+        let own = values.iter().flat_map(|value| [Start::Rest, Start::Steady, Start::Kicked].map(|start| (*value, start)));
         // Last, so that they only add to what the others find.
-        let jobs: Vec<(f64, Start)> = own.chain(inner.iter().map(|value| (*value, Start::Eased))).collect();
+        let eased = values.iter().filter(|_| self.seeds > 0).map(|value| (*value, Start::Eased));
+        let jobs: Vec<(f64, Start)> = own.chain(eased).collect();
         let goal = self.following().corrector.goal;
         let watch = &self.base.kernel.watch;
         watch.expect(jobs.len());
