@@ -1,6 +1,6 @@
 //! Branches that no other branch leads to.
 
-use crate::harvesters::{bench, branches_of};
+use crate::harvesters::{bench, branches_of, paper};
 use jounce::spec::SpecFile;
 use jounce::study::{BandwidthSearch, BranchKind, BranchSearch, Ending, Method, Parameter, Prepared};
 
@@ -40,6 +40,20 @@ fn a_large_answer_beside_a_small_one_is_found() {
     let (amplitude_n, other_w) = over(&file, "drive.shaker.amplitude", (10.0, 60.0)).unwrap();
     eprintln!("fold at {gap_m:.9} m, {power_w:.9e} W; over the amplitude at {amplitude_n:.9} N, {other_w:.9e} W");
     assert!(power_w > 5e-4 && (amplitude_n / 20.0 - 1.0).abs() < 1e-7 && (other_w / power_w - 1.0).abs() < 1e-3);
+}
+
+/// At 12.30122 Hz, just below the fold, a range may begin too: 1.751276e-3 W, computed by another program.
+#[test]
+fn a_large_answer_at_the_end_of_a_range_is_found() {
+    let Some(file) = paper() else { return };
+    for method in [Method::Shooting, Method::HarmonicBalance { harmonics: 64 }] {
+        let found = branches_of(&file, (12.301_22, 12.6), method, 1, 1);
+        let ends = found.iter().flat_map(|branch| [branch.points.first(), branch.points.last()]).flatten();
+        let stable = ends.filter(|end| end.parameter == 12.301_22 && end.orbit.is_stable()).map(|end| end.orbit.mean_power_w);
+        let power_w = stable.fold(0.0, f64::max);
+        eprintln!("{method:?}: {power_w:.9e} W");
+        assert!((power_w / 1.751_276e-3 - 1.0).abs() < 2e-6);
+    }
 }
 
 /// Both ends of that curve are sharp folds, which a long step may cross to the sheet on the other side: the walk would turn round there, come
