@@ -44,6 +44,17 @@ fn hard_cases_end_with_an_answer_or_a_clear_error() {
     }
 }
 
+/// A negative number is refused by the option that it was given to.
+#[test]
+fn negative_numbers_are_refused_by_name() {
+    for (option, command) in
+        [("spread", &["basins", PLANT][..]), ("seeds", &["branch", PLANT, "--over", "drive.shaker.frequency=12Hz:13Hz"])]
+    {
+        let (code, _, told) = jounce(&[command, &[&format!("--{option}"), "-1"]].concat());
+        assert!(code == 2 && told.contains(&format!("--{option}")) && !told.contains("unexpected argument"), "{code} {told}");
+    }
+}
+
 /// What periodic answers do not depend on, and drives that have a common period at both ends of the range only: told at once.
 #[test]
 fn keys_without_orbits_are_refused_with_their_reason() {

@@ -48,7 +48,7 @@ impl Basins {
     pub fn run(&self) -> Result<(), Failure> {
         check_tolerance(self.tolerance)?;
         if self.starts == 0 || !(self.spread > 0.0 && self.spread.is_finite()) {
-            return Err(Failure::usage("--starts and --spread must be greater than 0".to_owned()));
+            return Err(Failure::usage(format!("--starts {} and --spread {}: give numbers greater than 0", self.starts, self.spread)));
         }
         let file = self.spec.file()?;
         let base = Prepared::new(self.spec.checked(file.spec())?)?;
