@@ -17,7 +17,7 @@ pub fn line(text: impl std::fmt::Display) {
 }
 
 /// A value of a key, in SI: with six decimals, and a small one with as many more as keep seven digits of it.
-pub fn value(value: f64) -> String {
+pub fn key_value(value: f64) -> String {
     match value.abs() {
         0.0 => format!("{value:.6}"),
         size if size >= 0.1 => format!("{value:.6}"),
@@ -61,7 +61,7 @@ mod tests {
 
     #[test]
     fn a_small_value_keeps_its_digits() {
-        let told = [12.321_816_8, 0.240_718_53, 1.000_01e-3, -2.5e-4, 4.6e-7, 0.0].map(value);
+        let told = [12.321_816_8, 0.240_718_53, 1.000_01e-3, -2.5e-4, 4.6e-7, 0.0].map(key_value);
         assert_eq!(told, ["12.321817", "0.240719", "0.001000010", "-0.0002500000", "4.600000e-7", "0.000000"]);
     }
 }

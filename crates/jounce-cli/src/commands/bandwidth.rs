@@ -1,7 +1,7 @@
 //! How `jounce branch` tells peaks and half-power bandwidths.
 
 use crate::failure::Failure;
-use crate::output::{line, value};
+use crate::output::{key_value, line};
 use jounce::spec::NumericKey;
 use jounce::study::{Bandwidth, Bandwidths, Edge, Limit};
 use jounce::table::{Column, Table};
@@ -14,11 +14,11 @@ pub fn listed(width: &Bandwidth) -> serde_json::Value {
 /// As lines of text.
 pub fn tell(width: &Bandwidth, unit: &str) {
     let peak = &width.peak;
-    line(format!("  {:<16} {:>12} {unit}  {:.6e} W  ({})", "largest stable", value(peak.parameter), peak.mean_power_w, why(peak.at)));
-    line(format!("  {:<16} {:>12} {unit}  +- {:.1e}", "half-power width", value(width.width), width.width_error));
+    line(format!("  {:<16} {:>12} {unit}  {:.6e} W  ({})", "largest stable", key_value(peak.parameter), peak.mean_power_w, why(peak.at)));
+    line(format!("  {:<16} {:>12} {unit}  +- {:.1e}", "half-power width", key_value(width.width), width.width_error));
     for interval in &width.intervals {
         let (from, to) = (&interval.from, &interval.to);
-        line(format!("    from {} ({}) to {} {unit} ({})", value(from.parameter), why(from.at), value(to.parameter), why(to.at)));
+        line(format!("    from {} ({}) to {} {unit} ({})", key_value(from.parameter), why(from.at), key_value(to.parameter), why(to.at)));
     }
 }
 

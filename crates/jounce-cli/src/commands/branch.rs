@@ -191,7 +191,7 @@ impl Branch {
             for found in &branch.bifurcations {
                 let (at, unit) = (&found.at, key.unit());
                 let (value, of) = (shown.value(at), shown.unit());
-                line(format!("  {:<16} {:>12} {unit}  {value:.6e} {of}", found.kind.name(), output::value(at.parameter)));
+                line(format!("  {:<16} {:>12} {unit}  {value:.6e} {of}", found.kind.name(), output::key_value(at.parameter)));
             }
             width.iter().for_each(|width| bandwidth::tell(width, &key.unit()));
         }

@@ -106,8 +106,8 @@ impl Jumps {
                 let stable = point.stable.map_or("", |stable| if stable { "  stable" } else { "  unstable" });
                 line(format!(
                     "  {:>12} {unit}  {:>12} {unit_2}  {:.6e} W{stable}",
-                    output::value(point.parameter),
-                    output::value(point.parameter_2),
+                    output::key_value(point.parameter),
+                    output::key_value(point.parameter_2),
                     point.mean_power_w
                 ));
             }

@@ -58,7 +58,7 @@ impl<'s> Parameter<'s> {
     ///
     /// # Errors
     /// [`StudyError::OfRuns`].
-    pub fn check(key: &NumericKey) -> Result<(), StudyError> {
+    pub fn check_key(key: &NumericKey) -> Result<(), StudyError> {
         let key = key.path();
         if key.starts_with("run.") { Err(StudyError::OfRuns { key: key.to_owned() }) } else { Ok(()) }
     }

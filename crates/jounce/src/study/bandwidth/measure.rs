@@ -4,8 +4,8 @@
 //! modulus one. The peak is an end of a segment or a zero of `dP/ds`; the zeros of `P - P_peak / 2` end what lies above half of it.
 //!
 //! Errors: `E |P| / |dP/dp|` at a half-power edge and `E |P| / |d2P/dp2| / step` at a peak, with `E` the error of the power, twice that
-//! of the state, at the edge with that of the peak; where stability is lost the error of the multiplier over its slope, at most the way to the farther one of the two points
-//! between which that is. To each comes what Newton left out.
+//! of the state, at the edge with that of the peak; where stability is lost the error of the multiplier over its slope, at most the way to
+//! the farther one of the two points between which that is. To each comes what Newton left out.
 
 use super::answer::{Bandwidth, Bandwidths, Edge, Interval, Limit, Peak};
 use super::merge::merged;
@@ -134,7 +134,7 @@ impl<'s> BandwidthSearch<'s> {
     /// The bifurcation that the walk has told on the way, where the curve between the points cannot be had; `stable` is the stable end.
     fn located(&self, segment: &Segment, branch: &Branch, stable: usize) -> Option<Node> {
         let [a, b] = segment.points;
-        let told = branch.loses_stability([a, b])?;
+        let told = branch.bifurcation_between([a, b])?;
         let off = MULTIPLIER * self.tolerance / (a.orbit.floquet_max_abs() - b.orbit.floquet_max_abs()).abs();
         let parameter_error = off * (a.parameter - b.parameter).abs() + RESOLUTION * (self.range.1 - self.range.0);
         let edge = Edge { parameter: told.parameter, parameter_error, at: Limit::Stability };

@@ -134,7 +134,7 @@ impl Branch {
     }
 
     /// Between two neighbouring points, the bifurcation nearest to their chord at which stability may be lost.
-    pub(in crate::study) fn loses_stability(&self, [a, b]: [&BranchPoint; 2]) -> Option<&BranchPoint> {
+    pub(in crate::study) fn bifurcation_between(&self, [a, b]: [&BranchPoint; 2]) -> Option<&BranchPoint> {
         let [from, to] = [a, b].map(|point| ColRef::from_slice(point.orbit.start()));
         let chord = to - from;
         let off = |at: &BranchPoint| {

@@ -116,14 +116,10 @@ impl Following {
         (mut beginning, mark): (Beginning, Option<Mark>),
         branch: &mut Branch,
     ) -> Result<(), M::Error> {
-        let (position, tangent) = (start.position.clone(), start.tangent.clone());
+        let mut walk = self.resumed(method, &start, mark.as_ref());
         let mut before = Place::new(method, start)?;
         if let Some(mark) = &mark {
-            add_passed(mark.tangent().parameter * tangent.parameter < 0.0, &before.point, branch);
-        }
-        let mut walk = Walk::new(method, self.corrector, self.control, self.parameter_scale(), position, tangent);
-        if let Some(mark) = mark {
-            walk.resume(&mark, |unknown| method.carried(unknown));
+            add_passed(mark.tangent().parameter * before.step.tangent.parameter < 0.0, &before.point, branch);
         }
         let (mut mark, mut spare) = (walk.mark(), SPARE);
         while let Some(next) = walk.next() {
@@ -171,6 +167,16 @@ impl Following {
             }
         }
         Ok(())
+    }
+
+    /// A walk from a start, as the one did that made the mark.
+    fn resumed<'m, M: OrbitMethod>(&self, method: &'m M, start: &Step<M::Local>, mark: Option<&Mark>) -> Walk<'m, M> {
+        let (position, tangent) = (start.position.clone(), start.tangent.clone());
+        let mut walk = Walk::new(method, self.corrector, self.control, self.parameter_scale(), position, tangent);
+        if let Some(mark) = mark {
+            walk.resume(mark, |unknown| method.carried(unknown));
+        }
+        walk
     }
 
     /// Adds a point with what was passed on the way to it; true where the branch ends with it.

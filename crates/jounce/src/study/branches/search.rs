@@ -138,7 +138,7 @@ impl BranchSearch<'_> {
 
     /// Harvesters exist at both ends of the range, with drives that repeat themselves together there and in between.
     fn check_ends(&self) -> Result<(), Failure> {
-        Parameter::check(self.parameter.key()).map_err(OrbitError::Harvester)?;
+        Parameter::check_key(self.parameter.key()).map_err(OrbitError::Harvester)?;
         let between = self.range.0 + GOLDEN * (self.range.1 - self.range.0);
         for value in [self.range.0, self.range.1, between] {
             let kernel = self.parameter.at(value).map_err(OrbitError::Harvester)?.kernel;

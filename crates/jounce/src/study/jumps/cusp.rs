@@ -11,7 +11,7 @@
 //! Source: V. I. Arnold, Catastrophe Theory (Springer, 1992), ch. 2.
 
 use super::key_plane::KeyPlane;
-use crate::continuation::{Corrected, Corrector, Direction, Metric, Position, correct, tangent};
+use crate::continuation::{Bracket, Corrected, Corrector, Direction, Metric, Position, correct, tangent};
 use crate::orbit::{Condition, Tracked, Tracking, null_vector};
 use faer::Mat;
 
@@ -32,6 +32,9 @@ const OFF: f64 = 0.1;
 
 /// Most places at which the cusp is sought.
 const MOST: u32 = 12;
+
+/// How near to an end of the way it is sought, beside that way.
+const NARROW: f64 = 1e-3;
 
 /// Where a walk that stopped goes on.
 #[derive(Debug)]
@@ -76,23 +79,19 @@ pub fn ahead(
     let (beyond, (found, tangent)) = BEYOND.into_iter().find_map(|way| Some((way, place(way).filter(|found| is_past(way, found))?)))?;
     // In the direction of the keys before the turn.
     let onward = |speeds: [f64; 2]| (speeds[0] * before[0] + speeds[1] * before[1]) / length(before);
-    let (mut low, mut high) = ((0.0, length(before)), (beyond, onward(speeds(&tangent))));
-    if low.1 < STILL || high.1 > 0.0 {
+    let after = onward(speeds(&tangent));
+    if length(before) < STILL || after > 0.0 {
         return Some(Onward { found, ahead: tangent, step: beyond });
     }
-    // The turn between two ways: regula falsi, the end that stays halved.
+    let mut turn = Bracket::between((0.0, length(before)), (beyond, after));
     for _ in 0..MOST {
-        let way = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
+        let way = turn.next(NARROW * beyond);
         let (found, tangent) = place(way)?;
         let here = speeds(&tangent);
         if length(here) < STILL {
             return Some(Onward { found, ahead: tangent, step: beyond - way });
         }
-        if onward(here) > 0.0 {
-            (low, high.1) = ((way, onward(here)), 0.5 * high.1);
-        } else {
-            (high, low.1) = ((way, onward(here)), 0.5 * low.1);
-        }
+        turn.put(way, onward(here));
     }
     Some(Onward { found, ahead: tangent, step: beyond })
 }

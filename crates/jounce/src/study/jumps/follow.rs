@@ -36,6 +36,15 @@ struct Edge {
     share: f64,
 }
 
+/// The sense in which a curve passes its origin again.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Home {
+    /// As it set out.
+    Onwards,
+    /// Against that: it has come back over its own points.
+    Backwards,
+}
+
 impl JumpSearch<'_> {
     /// From a place of the curve in a direction until it ends.
     pub(super) fn walk(
@@ -49,24 +58,15 @@ impl JumpSearch<'_> {
         let points = vec![point(tracking, &first.position, &first.local)];
         let mut curve = JumpCurve { kind, period_cycles: tracking.cycles, points, failures: Vec::new() };
         let (origin, outset) = (first.position.clone(), ahead.clone());
-        let control = StepControl { shortest: SHORTEST * corrector.goal, ..StepControl::default() };
-        let from = |position: Position, ahead: Direction| Walk::new(tracking, corrector, control, self.scale_2(), position, ahead);
-        let mut walk = from(first.position, ahead);
+        let mut walk = self.walk_from(tracking, corrector, first.position, ahead);
         let (mut here, mut came_back) = (first.local, false);
         loop {
-            let mark = walk.mark();
-            let before = walk.position.clone();
-            let (position, local) = match walk.next() {
-                Some(Ok(step)) => (step.position, step.local),
-                Some(Err(_)) if is_born(&here, ALMOST) => break,
-                Some(Err(error)) => {
-                    let Some(Onward { found, ahead, step }) = self.beyond(tracking, &corrector, (&before, &here, &walk.tangent)) else {
-                        curve.failures.push(error.to_string());
-                        break;
-                    };
-                    walk = from(found.position.clone(), ahead);
-                    walk.length = step;
-                    (found.position, found.local)
+            let (mark, before) = (walk.mark(), walk.position.clone());
+            let (position, local) = match self.advance(tracking, corrector, &mut walk, &here) {
+                Some(Ok(found)) => found,
+                Some(Err(why)) => {
+                    curve.failures.push(why);
+                    break;
                 }
                 None => break,
             };
@@ -91,18 +91,50 @@ impl JumpSearch<'_> {
                 break;
             }
             curve.points.push(point(tracking, &position, &local));
-            let is_home = curve.points.len() > 4 && passes(&metric, &origin, &before, &position);
-            let is_back = is_home && metric.inner(&outset, &before.to(&position)) < 0.0;
-            // A curve of folds that passes the other way is on the other arm of a cusp.
-            let closes = is_home && !(is_back && tracking.condition == Condition::Multiplier(1.0));
-            came_back = closes && is_back;
-            if closes || is_born(&local, A_POINT) || is_left(&mut curve, position.parameter) {
+            let way = (&before, &position);
+            let home = (curve.points.len() > 4).then(|| comes_home(tracking.condition, &metric, (&origin, &outset), way)).flatten();
+            came_back = home == Some(Home::Backwards);
+            if home.is_some() || is_born(&local, A_POINT) || is_left(&mut curve, position.parameter) {
                 break;
             }
             here = local;
         }
         curve.end_where_it_turned(came_back, self.ranges.map(|(low, high)| high - low));
         curve
+    }
+
+    fn walk_from<'t, 'p>(
+        &self,
+        tracking: &'t Tracking<'p, KeyPlane<'p>>,
+        corrector: Corrector,
+        position: Position,
+        ahead: Direction,
+    ) -> Walk<'t, Tracking<'p, KeyPlane<'p>>> {
+        let control = StepControl { shortest: SHORTEST * corrector.goal, ..StepControl::default() };
+        Walk::new(tracking, corrector, control, self.scale_2(), position, ahead)
+    }
+
+    /// The next place of a walk that stands at `here`: a step on, or where none leads on, beyond a corner or a cusp; nothing where the curve ends.
+    fn advance<'t, 'p>(
+        &self,
+        tracking: &'t Tracking<'p, KeyPlane<'p>>,
+        corrector: Corrector,
+        walk: &mut Walk<'t, Tracking<'p, KeyPlane<'p>>>,
+        here: &Tracked,
+    ) -> Option<Result<(Position, Tracked), String>> {
+        let before = walk.position.clone();
+        match walk.next()? {
+            Ok(step) => Some(Ok((step.position, step.local))),
+            Err(_) if is_born(here, ALMOST) => None,
+            Err(error) => {
+                let Some(Onward { found, ahead, step }) = self.beyond(tracking, &corrector, (&before, here, &walk.tangent)) else {
+                    return Some(Err(error.to_string()));
+                };
+                *walk = self.walk_from(tracking, corrector, found.position.clone(), ahead);
+                walk.length = step;
+                Some(Ok((found.position, found.local)))
+            }
+        }
     }
 
     /// Where a walk that stopped goes on: round a corner or through a cusp.
@@ -168,6 +200,18 @@ impl JumpSearch<'_> {
         across.unknown[own] = metric.unknown;
         correct(tracking, &corrector, &metric, &across, guess).ok()
     }
+}
+
+/// How a curve passes its origin again, where it does: a curve of folds that passes it the other way is on the other arm of a cusp.
+fn comes_home(
+    condition: Condition,
+    metric: &Metric,
+    (origin, outset): (&Position, &Direction),
+    (before, after): (&Position, &Position),
+) -> Option<Home> {
+    let sense = if metric.inner(outset, &before.to(after)) < 0.0 { Home::Backwards } else { Home::Onwards };
+    let is_other_arm = sense == Home::Backwards && condition == Condition::Multiplier(1.0);
+    (passes(metric, origin, before, after) && !is_other_arm).then_some(sense)
 }
 
 /// True for a curve that has grown too long, which is told.

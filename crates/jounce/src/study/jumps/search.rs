@@ -48,27 +48,20 @@ impl JumpSearch<'_> {
     /// [`OrbitError`].
     pub fn run(&self) -> Result<Vec<JumpCurve>, Failure> {
         for key in self.keys {
-            Parameter::check(key).map_err(OrbitError::Harvester)?;
+            Parameter::check_key(key).map_err(OrbitError::Harvester)?;
         }
         let plane = KeyPlane { base: self.base, keys: self.keys, widths: self.ranges.map(|(low, high)| high - low) };
         let (low, high) = self.ranges[1];
         let own = self.keys[1].get(&self.base.spec).ok().filter(|own| *own > low && *own < high);
         let mut curves: Vec<JumpCurve> = Vec::new();
-        for parameter_2 in own.into_iter().chain([low, high]) {
-            let found = self.through(&plane, parameter_2, &mut curves);
+        let of_second = own.into_iter().chain([low, high]).map(|value| (1, value));
+        let of_first = <[f64; 2]>::from(self.ranges[0]).map(|value| (0, value));
+        for (held, value) in of_second.chain(of_first) {
+            let found = if held == 1 { self.through(&plane, value, &mut curves) } else { self.across(&plane, value, &mut curves) };
             if self.base.kernel.watch.is_stopped() {
                 break;
             }
             found?;
-        }
-        for parameter in <[f64; 2]>::from(self.ranges[0]) {
-            if self.base.kernel.watch.is_stopped() {
-                break;
-            }
-            let found = self.across(&plane, parameter, &mut curves);
-            if !self.base.kernel.watch.is_stopped() {
-                found?;
-            }
         }
         Ok(curves)
     }
