@@ -1,29 +1,114 @@
 //! A square matrix with a border of one row and one column.
 
+use super::factors::Factors;
 use faer::Mat;
-use faer::linalg::solvers::Solve;
 
-/// Solves `[A b; row corner] (x, p) = (right, last)`; `None` where that is singular.
-///
-/// The border may have units of its own: its row and its column are brought to size one first.
-pub fn solve_bordered(
-    matrix: &Mat<f64>,
-    column: &[f64],
-    (row, corner): (&[f64], f64),
-    (right, last): (&[f64], f64),
-) -> Option<(Vec<f64>, f64)> {
-    let n = row.len();
-    let row_size = row.iter().fold(corner.abs(), |max, r| max.max(r.abs()));
-    let column_size = column.iter().fold(f64::MIN_POSITIVE, |max, r| max.max(r.abs()));
-    let bordered = Mat::from_fn(n + 1, n + 1, |i, j| match (i < n, j < n) {
-        (true, true) => matrix[(i, j)],
-        (true, false) => column[i] / column_size,
-        (false, true) => row[j] / row_size,
-        (false, false) => corner / (row_size * column_size),
-    });
-    let right = Mat::from_fn(n + 1, 1, |i, _| if i < n { right[i] } else { last / row_size });
-    let solution = bordered.partial_piv_lu().solve(&right);
-    let unknown: Vec<f64> = (0..n).map(|i| solution[(i, 0)]).collect();
-    let parameter = solution[(n, 0)] / column_size;
-    (parameter.is_finite() && unknown.iter().all(|u| u.is_finite())).then_some((unknown, parameter))
+/// `(x, p)`; `None` where the bordered matrix is singular.
+pub type Solution = Option<(Vec<f64>, f64)>;
+
+/// `[A b; row corner]`, factored. The border may have units of its own: its row and its column are brought to size one.
+#[derive(Debug)]
+pub struct Bordered {
+    factors: Factors,
+    row_size: f64,
+    column_size: f64,
+}
+
+impl Bordered {
+    /// Of a matrix and its border.
+    pub fn new(matrix: &Mat<f64>, column: &[f64], (row, corner): (&[f64], f64)) -> Self {
+        let n = row.len();
+        let row_size = row.iter().fold(corner.abs(), |max, r| max.max(r.abs()));
+        let column_size = column.iter().fold(f64::MIN_POSITIVE, |max, r| max.max(r.abs()));
+        let mut whole = Mat::zeros(n + 1, n + 1);
+        for j in 0..n {
+            whole.col_as_slice_mut(j)[..n].copy_from_slice(matrix.col_as_slice(j));
+            whole[(n, j)] = row[j] / row_size;
+            whole[(j, n)] = column[j] / column_size;
+        }
+        whole[(n, n)] = corner / (row_size * column_size);
+        Self { factors: Factors::of(whole), row_size, column_size }
+    }
+
+    /// Solves `[A b; row corner] (x, p) = (right, last)`.
+    pub fn solve(&self, right: &[f64], last: f64) -> Solution {
+        let mut unknown: Vec<f64> = right.iter().copied().chain([last / self.row_size]).collect();
+        self.factors.solve(&mut unknown);
+        let parameter = unknown.pop()? / self.column_size;
+        (parameter.is_finite() && unknown.iter().all(|u| u.is_finite())).then_some((unknown, parameter))
+    }
+}
+
+/// Solves `[A b; row corner] (x, p) = (right, last)`.
+pub fn solve_bordered(matrix: &Mat<f64>, column: &[f64], border: (&[f64], f64), (right, last): (&[f64], f64)) -> Solution {
+    Bordered::new(matrix, column, border).solve(right, last)
+}
+
+/// The row and the corner with which a matrix was bordered first.
+#[derive(Debug)]
+pub struct Border {
+    row: Vec<f64>,
+    corner: f64,
+}
+
+impl Border {
+    /// One as given.
+    pub fn new((row, corner): (&[f64], f64)) -> Self {
+        Self { row: row.to_vec(), corner }
+    }
+
+    /// `row . x`.
+    pub fn along(&self, x: &[f64]) -> f64 {
+        self.row.iter().zip(x).map(|(r, x)| r * x).sum()
+    }
+
+    /// The solution under another border, by those under this one.
+    ///
+    /// ```text
+    /// (B + e v)^-1 r = x - z (v x) / (1 + v z),   B x = r,   B z = e
+    /// ```
+    ///
+    /// `B` is the matrix with this border, `e` the last unit vector, `v` what the other row has more.
+    pub fn other(&self, (row, corner): (&[f64], f64), (right, last): (&[f64], f64), solve: impl Fn(&[f64], f64) -> Solution) -> Solution {
+        if self.row == row && self.corner == corner {
+            return solve(right, last);
+        }
+        let none = vec![0.0; right.len()];
+        let unit = solve(&none, 1.0)?;
+        let start = if right == none { moved(&(none, 0.0), last, &unit) } else { solve(right, last)? };
+        let along = |(unknown, parameter): &(Vec<f64>, f64)| {
+            let apart: f64 = row.iter().zip(&self.row).zip(unknown).map(|((a, b), u)| (a - b) * u).sum();
+            apart + (corner - self.corner) * parameter
+        };
+        let found = moved(&start, -along(&start) / (1.0 + along(&unit)), &unit);
+        (found.1.is_finite() && found.0.iter().all(|u| u.is_finite())).then_some(found)
+    }
+}
+
+/// `x + share z`.
+fn moved(x: &(Vec<f64>, f64), share: f64, z: &(Vec<f64>, f64)) -> (Vec<f64>, f64) {
+    (x.0.iter().zip(&z.0).map(|(x, z)| x + share * z).collect(), x.1 + share * z.1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Under three borders of very different units, each against the equations themselves.
+    #[test]
+    fn another_border_is_met_by_the_factors_of_the_first() {
+        let matrix = Mat::from_fn(2, 2, |i, j| [[0.0, 2.0], [1.0, 0.5]][i][j]);
+        let column = [1e-6, 3e-6];
+        let first = ([1.0, -1.0], 0.5);
+        let (border, factored) = (Border::new((&first.0, first.1)), Bordered::new(&matrix, &column, (&first.0, first.1)));
+        for (row, corner, right, last) in
+            [(first.0, first.1, [1.0, 2.0], 3.0), ([2e8, 0.0], 40.0, [0.0, 0.0], 1.0), ([0.0, 0.0], 1.0, [-1.0, 4.0], 0.0)]
+        {
+            let found = border.other((&row, corner), (&right, last), |right, last| factored.solve(right, last));
+            let (x, p) = found.unwrap_or_default();
+            let off = |i: usize| (0..2).map(|j| matrix[(i, j)] * x[j]).sum::<f64>() + column[i] * p - right[i];
+            let bottom = row[0] * x[0] + row[1] * x[1] + corner * p - last;
+            assert!(off(0).abs() + off(1).abs() < 1e-13 && bottom.abs() < 1e-13 * (corner * p).abs().max(1.0), "{x:?} {p}");
+        }
+    }
 }

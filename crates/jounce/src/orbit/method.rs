@@ -18,7 +18,7 @@ pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>> {
     /// Multipliers that cannot be computed.
     fn orbit(&self, local: &Self::Local, error: f64) -> Result<Orbit, Self::Error>;
 
-    /// Derivative of the flow over the period, energy coordinates.
+    /// Derivative of the flow over the period, block coordinates.
     ///
     /// # Errors
     /// A march that fails.

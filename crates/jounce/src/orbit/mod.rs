@@ -3,6 +3,7 @@
 //! Two methods that share nothing but the plant and the contact law: [`Shooting`] on the exact flow with its exact derivative, for
 //! orbits of any number of drive cycles and for every law, and [`HarmonicBalance`] at the ports. Stability always comes from the exact flow.
 
+mod around;
 mod balance;
 mod border;
 mod charges;
@@ -10,6 +11,7 @@ mod compliance;
 mod contact_starts;
 mod error;
 mod estimate;
+mod factors;
 mod harvester;
 mod method;
 mod multipliers;
@@ -17,6 +19,7 @@ mod null_vector;
 mod periodic;
 mod rested;
 mod shooting;
+mod shot;
 mod tracking;
 mod turning_points;
 
@@ -28,6 +31,7 @@ pub use method::OrbitMethod;
 pub use multipliers::multipliers;
 pub use null_vector::null_vector;
 pub use periodic::{Orbit, determinant_at, nearest_pair_to_circle, pairs_outside};
-pub use shooting::{Shooting, Shot};
+pub use shooting::Shooting;
+pub use shot::Shot;
 pub use tracking::{Condition, Gradient, Plane, Touch, Tracked, Tracking};
 pub use turning_points::{Turn, displacement_peak_m, nearest_extremum_m, nearest_turn};

@@ -15,8 +15,8 @@
 
 use faer::{Mat, c64};
 
-/// `|c| |r|` below which a block stands alone: it moves a multiplier of the size of one by no more.
-const APART: f64 = 1e-12;
+/// `|c| |r|` below which a block stands alone: it moves a multiplier of the size of one by no more, which is less than marches leave.
+const APART: f64 = 1e-11;
 
 /// Rounds of balancing.
 const ROUNDS: usize = 4;
@@ -64,30 +64,39 @@ fn lengths(map: &Mat<f64>, i: usize) -> (f64, f64) {
 
 /// Blocks of one or two states (the same number twice is one) that stand alone, and the states that are left.
 fn blocks(map: &Mat<f64>) -> (Vec<[usize; 2]>, Vec<usize>) {
-    let mut rest: Vec<usize> = (0..map.nrows()).collect();
-    let mut sums: Vec<(f64, f64)> = rest.iter().map(|i| lengths(map, *i)).collect();
-    let tie = |i: usize, j: usize| if i == j { 0.0 } else { (map[(i, j)] * map[(j, i)]).abs() };
-    let partners: Vec<usize> =
-        rest.iter().map(|i| rest.iter().copied().max_by(|a, b| tie(*i, *a).total_cmp(&tie(*i, *b))).unwrap_or(*i)).collect();
+    let n = map.nrows();
+    let square = |i: usize, j: usize| if i == j { 0.0 } else { map[(i, j)] * map[(i, j)] };
+    let mut rest: Vec<usize> = (0..n).collect();
+    // Squares of the lengths of each row and each column.
+    let mut lengths: Vec<[f64; 2]> = vec![[0.0; 2]; n];
+    for j in 0..n {
+        for i in 0..n {
+            lengths[i][0] += square(i, j);
+            lengths[j][1] += square(i, j);
+        }
+    }
+    let tie = |i: usize, j: usize| square(i, j) * square(j, i);
+    let partners: Vec<usize> = (0..n).map(|i| (0..n).max_by(|a, b| tie(i, *a).total_cmp(&tie(i, *b))).unwrap_or(i)).collect();
+    let is_apart = |row: f64, column: f64| row * column < APART * APART;
     let mut found = Vec::new();
     loop {
         let stands_alone = |i: &usize| {
             let (i, j) = (*i, partners[*i]);
-            let (row, column) = sums[i];
-            if row * column < APART {
+            let [row, column] = lengths[i];
+            if is_apart(row, column) {
                 return Some([i, i]);
             }
-            let row = row + sums[j].0 - map[(i, j)].abs() - map[(j, i)].abs();
-            let column = column + sums[j].1 - map[(i, j)].abs() - map[(j, i)].abs();
-            (i < j && partners[j] == i && rest.contains(&j) && row * column < APART).then_some([i, j])
+            let beside = square(i, j) + square(j, i);
+            let is_pair = i < j && partners[j] == i && rest.contains(&j);
+            (is_pair && is_apart(row + lengths[j][0] - beside, column + lengths[j][1] - beside)).then_some([i, j])
         };
         let Some([i, j]) = rest.iter().find_map(stands_alone) else { return (found, rest) };
         found.push([i, j]);
         rest.retain(|k| *k != i && *k != j);
         for k in &rest {
-            for gone in if i == j { vec![i] } else { vec![i, j] } {
-                sums[*k].0 -= map[(*k, gone)].abs();
-                sums[*k].1 -= map[(gone, *k)].abs();
+            for gone in &[i, j][usize::from(i == j)..] {
+                let [row, column] = lengths[*k];
+                lengths[*k] = [(row - square(*k, *gone)).max(0.0), (column - square(*gone, *k)).max(0.0)];
             }
         }
     }

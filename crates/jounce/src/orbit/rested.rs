@@ -6,6 +6,7 @@
 use super::{Harvester, Orbit, OrbitError, Shooting, Shot};
 use crate::march::{Marcher, VariationError};
 use faer::{ColRef, Mat};
+use std::sync::OnceLock;
 
 impl<H: Harvester> Shooting<'_, H> {
     /// The orbit through a physical state that repeats itself, marched without its derivative: it has no multipliers, and its error
@@ -43,20 +44,21 @@ impl<H: Harvester> Shooting<'_, H> {
         }
         let residual: Vec<f64> = looks[looks.len() - 1].iter().zip(&looks[0]).map(|(end, start)| end - start).collect();
         let open = ColRef::from_slice(&residual).norm_l2();
-        let (none, tolerance) = (Mat::new(), self.tolerance);
         let shot = Shot {
             kernel,
             looks,
             residual,
-            map: none.clone(),
-            block_map: none,
+            block_map: Mat::new(),
             by_parameter: Vec::new(),
+            scale: self.scale.clone(),
+            map: OnceLock::new(),
+            around: OnceLock::new(),
             period_s,
             trajectories,
             contacts: statistics.contacts,
             max_penetration_m: statistics.max_penetration_m,
             loads_w,
-            tolerance,
+            tolerance: self.tolerance,
         };
         let mut orbit = shot.as_orbit(Vec::new());
         orbit.error_estimate = open / orbit.size().max(f64::MIN_POSITIVE);

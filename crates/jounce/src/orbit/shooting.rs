@@ -8,12 +8,13 @@
 //! of the motion. The derivative is that of the flow (see [`crate::march::Variation`]), cycle by cycle; with respect to the
 //! parameter it is exact for drive, gap and stiffness, and a difference otherwise.
 
-use super::border::solve_bordered;
 use super::charges::{kept_charges, without};
-use super::{Change, Harvester, Orbit, OrbitError, OrbitMethod, nearest_extremum_m};
-use crate::continuation::{Direction, Family, Linear, Metric, Parts, Position, tangent};
-use crate::march::{Drift, Kernel, Trajectory, Variation};
-use faer::{Mat, MatRef};
+use super::{Change, Harvester, Orbit, OrbitError, OrbitMethod, Shot, nearest_extremum_m};
+use crate::continuation::Family;
+use crate::march::{Drift, Kernel, Variation};
+use crate::plant::{Plant, product};
+use faer::Mat;
+use std::sync::OnceLock;
 
 /// Orbits of a harvester by shooting.
 #[derive(Debug)]
@@ -28,35 +29,6 @@ pub struct Shooting<'h, H> {
     pub scale: Vec<f64>,
     /// `u` whose charges are meant where nothing lets them go in a period; nothing was ever charged where it is empty.
     pub charged: Vec<f64>,
-}
-
-/// A period as marched, with its derivative.
-#[derive(Debug)]
-pub struct Shot {
-    /// The harvester.
-    pub kernel: Kernel,
-    /// `u` at the start of each cycle, and at the end of the last.
-    pub looks: Vec<Vec<f64>>,
-    /// `R`.
-    pub(super) residual: Vec<f64>,
-    /// `d u(n T) / d u(0)` at the charges that nothing lets go in the period.
-    pub map: Mat<f64>,
-    /// The same in block coordinates, in which modes that the contact leaves alone stand apart.
-    pub(super) block_map: Mat<f64>,
-    /// `dR / dp`.
-    pub(super) by_parameter: Vec<f64>,
-    /// Period, s.
-    pub period_s: f64,
-    /// The cycles.
-    pub trajectories: Vec<Trajectory>,
-    /// Contacts that began.
-    pub contacts: u64,
-    /// Largest penetration, m.
-    pub max_penetration_m: f64,
-    /// Mean power of each load and then of each rectified circuit, W.
-    pub loads_w: Vec<f64>,
-    /// Tolerance of the march.
-    pub(super) tolerance: f64,
 }
 
 impl<'h, H: Harvester> Shooting<'h, H> {
@@ -111,29 +83,27 @@ impl<'h, H: Harvester> Shooting<'h, H> {
             map = Some(map.map_or_else(|| cycle.jacobian.clone(), |before| &cycle.jacobian * &before));
             y = cycle.end;
             let full: Vec<f64> = y.iter().zip(&steady).map(|(y, s)| y + s).collect();
-            looks.push(self.unknown(&apply(plant.diagonal.to_physical.as_ref(), &full)));
+            looks.push(self.unknown(&product(&plant.diagonal.to_physical, &full)));
             contacts += cycle.statistics.contacts;
             max_penetration_m = max_penetration_m.max(cycle.statistics.max_penetration_m);
             loads_w.iter_mut().zip(&cycle.delivered_j).for_each(|(sum, j)| *sum += j / (cycle_s * f64::from(self.cycles)));
             trajectories.push(cycle.trajectory);
         }
         by_parameter.iter_mut().zip(&change.steady).for_each(|(y, s)| *y += s);
-        let by_parameter = self.unknown(&apply(plant.diagonal.to_physical.as_ref(), &by_parameter));
-        let (into, out) = (&plant.diagonal.from_physical, &plant.diagonal.to_physical);
-        let left = Mat::from_fn(n, n, |i, j| self.scale[i] * out[(i, j)]);
-        let right = Mat::from_fn(n, n, |i, j| into[(i, j)] / self.scale[j]);
+        let by_parameter = self.unknown(&product(&plant.diagonal.to_physical, &by_parameter));
         let kept = kept_charges(plant, &self.scale, &trajectories);
         let whole = map.unwrap_or_else(|| Mat::identity(n, n));
-        let map = without(&left * &whole * &right, &kept);
-        let block_map = if kept.is_empty() { whole } else { &right * &map * &left };
+        let block_map = if kept.is_empty() { whole } else { self.without(plant, &whole, &kept) };
         let residual = self.residual(unknown, &looks[looks.len() - 1], &kept);
         let shot = Shot {
             kernel,
             looks,
             residual,
-            map,
             block_map,
             by_parameter,
+            scale: self.scale.clone(),
+            map: OnceLock::new(),
+            around: OnceLock::new(),
             period_s: cycle_s * f64::from(self.cycles),
             trajectories,
             contacts,
@@ -146,6 +116,14 @@ impl<'h, H: Harvester> Shooting<'h, H> {
 }
 
 impl<H> Shooting<'_, H> {
+    /// A period map in block coordinates with 0 in place of the multipliers 1 of charges that nothing lets go.
+    fn without(&self, plant: &Plant, whole: &Mat<f64>, kept: &[Vec<f64>]) -> Mat<f64> {
+        let (into, out) = (&plant.diagonal.from_physical, &plant.diagonal.to_physical);
+        let left = Mat::from_fn(plant.len(), plant.len(), |i, j| self.scale[i] * out[(i, j)]);
+        let right = Mat::from_fn(plant.len(), plant.len(), |i, j| into[(i, j)] / self.scale[j]);
+        &right * without(&left * whole * &right, kept) * &left
+    }
+
     /// `R`; charges that nothing lets go are held at those that are meant.
     fn residual(&self, unknown: &[f64], end: &[f64], kept: &[Vec<f64>]) -> Vec<f64> {
         let mut residual: Vec<f64> = end.iter().zip(unknown).map(|(end, start)| end - start).collect();
@@ -186,7 +164,7 @@ impl<H: Harvester> OrbitMethod for Shooting<'_, H> {
     }
 
     fn map<'l>(&self, shot: &'l Shot) -> Result<&'l Mat<f64>, Self::Error> {
-        Ok(&shot.map)
+        Ok(&shot.block_map)
     }
 
     fn contacts(&self, shot: &Shot) -> Result<u64, Self::Error> {
@@ -206,67 +184,8 @@ impl<H: Harvester> OrbitMethod for Shooting<'_, H> {
     }
 }
 
-impl Shot {
-    /// The way to the curve of orbits by Newton across it, and its length relative to the state: finite at a fold too.
-    pub(super) fn across(&self, parameter: f64, parameter_scale: f64) -> Option<(Direction, f64)> {
-        let metric = Metric::at(&Position { unknown: self.looks[0].clone(), parameter }, parameter_scale);
-        let up = Direction { unknown: vec![0.0; self.residual.len()], parameter: parameter_scale };
-        let right: Vec<f64> = self.residual.iter().map(|r| -r).collect();
-        let along = tangent(self, &metric, &up)?;
-        let (row, corner) = metric.row(&along);
-        let (unknown, parameter) = self.bordered(&row, corner, &right, 0.0)?;
-        let across = Direction { unknown, parameter };
-        let length = metric.length(&across);
-        Some((across, length))
-    }
-
-    /// Displacement of the port of a stop, m, at `samples` equal times of the period.
-    pub fn displacements_m(&self, stop: usize, samples: usize) -> Vec<f64> {
-        let plant = &self.kernel.plant;
-        let Some(port) = plant.ports.get(stop) else { return vec![0.0; samples] };
-        let cycle_s = self.period_s / self.trajectories.len() as f64;
-        let times: Vec<f64> = (0..samples).map(|k| self.period_s * k as f64 / samples as f64).collect();
-        let mut values = Vec::with_capacity(samples);
-        for (cycle, trajectory) in self.trajectories.iter().enumerate() {
-            let own: Vec<f64> = (times.iter())
-                .filter(|time_s| (**time_s / cycle_s) as usize == cycle)
-                .map(|time_s| time_s - cycle as f64 * cycle_s)
-                .collect();
-            values.extend(trajectory.at(&self.kernel, &own).iter().map(|at| {
-                let moving: f64 = port.displacement.iter().zip(&at.state).map(|(c, y)| c * y).sum();
-                moving + plant.driven(port, at.time_s)[0]
-            }));
-        }
-        values
-    }
-}
-
-impl Linear for Shot {
-    fn residual(&self) -> &[f64] {
-        &self.residual
-    }
-
-    /// By mode and by electrical state.
-    fn parts(&self) -> Parts {
-        let modes = self.kernel.plant.system.modes.len();
-        let moving = (0..modes).map(|k| (format!("mode {}", k + 1), self.residual[k].hypot(self.residual[modes + k])));
-        let charged = self.residual[2 * modes..].iter().enumerate().map(|(k, own)| (format!("electrical state {}", k + 1), own.abs()));
-        Parts { unit: "sqrt(J)", sizes: moving.chain(charged).collect() }
-    }
-
-    fn bordered(&self, row: &[f64], corner: f64, right: &[f64], last: f64) -> Option<(Vec<f64>, f64)> {
-        let n = row.len();
-        let matrix = Mat::from_fn(n, n, |i, j| self.map[(i, j)] - f64::from(u8::from(i == j)));
-        solve_bordered(&matrix, &self.by_parameter, (row, corner), (right, last))
-    }
-}
-
 /// `d y / dp` after a cycle whose length changes by `longer_s` per unit of the parameter.
 fn carried(cycle: &Variation, before: &[f64], longer_s: f64) -> Vec<f64> {
-    let row = |i: usize| before.iter().enumerate().map(|(j, by)| cycle.jacobian[(i, j)] * by).sum::<f64>();
-    (0..before.len()).map(|i| row(i) + cycle.drift[i] + cycle.rate[i] * longer_s).collect()
-}
-
-fn apply(matrix: MatRef<f64>, vector: &[f64]) -> Vec<f64> {
-    (0..matrix.nrows()).map(|i| vector.iter().enumerate().map(|(j, v)| matrix[(i, j)] * v).sum()).collect()
+    let through = product(&cycle.jacobian, before);
+    (0..before.len()).map(|i| through[i] + cycle.drift[i] + cycle.rate[i] * longer_s).collect()
 }

@@ -195,14 +195,13 @@ impl Plant {
 
     /// Rate of the block coordinates of a physical state at a time, given the rate of that.
     pub fn moving(&self, rate: &[f64], time_s: f64) -> Vec<f64> {
-        let inverse = &self.diagonal.from_physical;
         let turning = |i: usize| -> f64 {
             let of = |tone: &Tone| {
                 (c64::cis(tone.angular_frequency_rad_s * time_s) * tone.steady[i] * c64::new(0.0, tone.angular_frequency_rad_s)).re
             };
             self.tones.iter().map(of).sum()
         };
-        (0..self.len()).map(|i| rate.iter().enumerate().map(|(j, x)| inverse[(i, j)] * x).sum::<f64>() - turning(i)).collect()
+        product(&self.diagonal.from_physical, rate).iter().enumerate().map(|(i, own)| own - turning(i)).collect()
     }
 
     /// A physical state with each voltage counted from the zero of its node.

@@ -16,15 +16,15 @@
 //! Validation: `tests/plant` compares with Gauss quadrature along exact flows.
 
 use super::lyapunov::{Side, lyapunov};
-use super::{Block, Plant, PlantError, SignalMeter};
+use super::{Plant, PlantError, SignalMeter, Tone};
 use faer::{Mat, c64};
 use std::sync::Arc;
 
 /// One exactly integrated power.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EnergyMeter {
-    /// `P`, in block coordinates, which no drive changes; none where it is zero.
-    gramian: Option<Arc<Mat<f64>>>,
+    /// What no drive changes; none for a power that is linear.
+    quadratic: Option<Arc<Quadratic>>,
     /// Per tone: angular frequency and `r`.
     cross: Vec<(f64, Vec<c64>)>,
     /// Antiderivative of the steady part: slope, W, and terms `Re(a e^{i w t})`.
@@ -49,11 +49,19 @@ pub struct Meters {
     pub input: EnergyMeter,
 }
 
+/// A sum of squares of outputs in block coordinates.
+#[derive(Debug, PartialEq)]
+struct Quadratic {
+    /// `Q`: the power is `y^T Q y`, W.
+    power: Mat<f64>,
+    /// `P`.
+    gramian: Mat<f64>,
+}
+
 /// One squared output.
 struct Square {
     weight: f64,
     row: Vec<f64>,
-    steady: Vec<c64>,
 }
 
 impl Meters {
@@ -76,33 +84,38 @@ impl Meters {
     fn made(plant: &Plant, before: Option<&Self>) -> Result<Self, PlantError> {
         let modes = &plant.system.modes;
         let loads = plant.system.loads.iter().enumerate().map(|(k, load)| {
-            let square = Square::new(plant, 1.0 / load.resistance_ohm, plant.load_voltage_row(k));
-            EnergyMeter::squares(plant, &format!("the energy of load `{}`", load.name), &[square], before.map(|meters| &meters.loads[k]))
+            let square = || vec![Square { weight: 1.0 / load.resistance_ohm, row: plant.load_voltage_row(k) }];
+            EnergyMeter::squares(plant, || format!("the energy of load `{}`", load.name), square, before.map(|meters| &meters.loads[k]))
         });
         let outputs = plant.bridge_outputs().into_iter().chain(plant.leak_outputs()).enumerate().map(|(k, output)| {
-            let what = match plant.system.bridges.get(output.bridge) {
+            let what = || match plant.system.bridges.get(output.bridge) {
                 Some(bridge) => format!("the energy of circuit `{}`", bridge.name),
                 None => "the leakage of a patch".to_owned(),
             };
             let before = before.map(|meters| &meters.loads[plant.system.loads.len() + k]);
-            EnergyMeter::squares(plant, &what, &[Square::new(plant, output.conductance_per_ohm, output.row)], before)
+            EnergyMeter::squares(plant, what, || vec![Square { weight: output.conductance_per_ohm, row: output.row }], before)
         });
-        let losses: Vec<Square> = (0..modes.len())
-            .map(|i| Square::new(plant, 2.0 * modes.damping_ratio[i] * modes.frequency_rad_s[i], plant.modal_velocity_row(i)))
-            .filter(|square| square.weight > 0.0)
-            .chain(plant.system.dashpots.iter().map(|dashpot| Square::new(plant, dashpot.n_s_m, plant.velocity_row(&dashpot.shape))))
-            .collect();
+        let losses = || {
+            let damped = |i: usize| (2.0 * modes.damping_ratio[i] * modes.frequency_rad_s[i], plant.modal_velocity_row(i));
+            let damped = (0..modes.len()).map(damped).filter(|(weight, _)| *weight > 0.0);
+            let dashpots = plant.system.dashpots.iter().map(|dashpot| (dashpot.n_s_m, plant.velocity_row(&dashpot.shape)));
+            damped.chain(dashpots).map(|(weight, row)| Square { weight, row }).collect()
+        };
         Ok(Self {
             loads: loads.chain(outputs).collect::<Result<_, _>>()?,
-            damping: EnergyMeter::squares(plant, "the energy lost in damping", &losses, before.map(|meters| &meters.damping))?,
+            damping: EnergyMeter::squares(plant, || "the energy lost in damping".to_owned(), losses, before.map(|meters| &meters.damping))?,
             input: EnergyMeter::drive(plant),
         })
     }
 }
 
-impl Square {
-    fn new(plant: &Plant, weight: f64, row: Vec<f64>) -> Self {
-        Self { weight, steady: plant.steady_output(&row), row }
+impl Quadratic {
+    fn of(plant: &Plant, what: impl Fn() -> String, squares: &[Square]) -> Result<Self, PlantError> {
+        let n = plant.len();
+        let power = Mat::from_fn(n, n, |i, j| squares.iter().map(|s| s.weight * s.row[i] * s.row[j]).sum::<f64>());
+        let gramian = lyapunov(&plant.diagonal.block, Side::Rows, |i, j| power[(i, j)]);
+        let gramian = gramian.map_err(|mode_hz| PlantError::Undamped { what: what(), mode_hz })?;
+        Ok(Self { power, gramian })
     }
 }
 
@@ -124,8 +137,8 @@ impl EnergyMeter {
 
     /// `y^T P y`, J.
     fn quadratic_j(&self, y: &[f64]) -> f64 {
-        let Some(gramian) = &self.gramian else { return 0.0 };
-        let column = |j: usize| gramian.col_as_slice(j).iter().zip(y).map(|(p, y)| p * y).sum::<f64>();
+        let Some(quadratic) = &self.quadratic else { return 0.0 };
+        let column = |j: usize| quadratic.gramian.col_as_slice(j).iter().zip(y).map(|(p, y)| p * y).sum::<f64>();
         y.iter().enumerate().map(|(j, y)| y * column(j)).sum()
     }
 
@@ -145,47 +158,49 @@ impl EnergyMeter {
         2.0 * work_j - self.port_cross[port].iter().zip(impulse_n_s).map(|(rb, f)| (rb * f).re).sum::<f64>()
     }
 
-    fn squares(plant: &Plant, what: &str, squares: &[Square], before: Option<&Self>) -> Result<Self, PlantError> {
-        let gramian = match before {
-            Some(meter) => meter.gramian.clone(),
-            None => Some(Arc::new(gramian(&plant.diagonal.block, what, squares)?)),
+    fn squares(
+        plant: &Plant,
+        what: impl Fn() -> String,
+        squares: impl FnOnce() -> Vec<Square>,
+        before: Option<&Self>,
+    ) -> Result<Self, PlantError> {
+        let quadratic = match before.and_then(|meter| meter.quadratic.clone()) {
+            Some(quadratic) => quadratic,
+            None => Arc::new(Quadratic::of(plant, what, &squares())?),
         };
-        let forcing = |tone: usize| -> Vec<c64> {
-            (0..plant.len()).map(|j| squares.iter().map(|s| s.steady[tone] * (2.0 * s.weight * s.row[j])).sum()).collect()
-        };
+        // C = 2 Q S
+        let forcings: Vec<Vec<c64>> = plant.tones.iter().map(|tone| twice(&quadratic.power, &tone.steady)).collect();
         let (mut mean, mut terms) = (0.0, Vec::new());
-        let frequencies: Vec<f64> = plant.tones.iter().map(|tone| tone.angular_frequency_rad_s).collect();
-        for (k, wk) in frequencies.iter().enumerate() {
-            for (l, wl) in frequencies.iter().enumerate() {
-                let sum: c64 = squares.iter().map(|s| s.steady[k] * s.steady[l] * (0.5 * s.weight)).sum();
-                let difference: c64 = squares.iter().map(|s| s.steady[k] * s.steady[l].conj() * (0.5 * s.weight)).sum();
+        for (own, k) in forcings.iter().zip(&plant.tones) {
+            for l in &plant.tones {
+                let (wk, wl) = (k.angular_frequency_rad_s, l.angular_frequency_rad_s);
+                let sum: c64 = own.iter().zip(&l.steady).map(|(c, s)| c * s * 0.25).sum();
+                let difference: c64 = own.iter().zip(&l.steady).map(|(c, s)| c * s.conj() * 0.25).sum();
                 terms.push((wk + wl, sum / c64::new(0.0, wk + wl)));
-                match k == l {
+                match wk == wl {
                     true => mean += difference.re,
                     false => terms.push((wk - wl, difference / c64::new(0.0, wk - wl))),
                 }
             }
         }
         // A square holds a signal through the state only.
-        let none =
-            (vec![vec![0.0; plant.len()]; plant.forcings.len()], vec![vec![c64::new(0.0, 0.0); frequencies.len()]; plant.forcings.len()]);
-        Ok(Self::finish(plant, gramian, forcing, (mean, terms), none))
+        let steady = vec![vec![c64::new(0.0, 0.0); plant.tones.len()]; plant.forcings.len()];
+        let none = (vec![vec![0.0; plant.len()]; plant.forcings.len()], steady);
+        Ok(Self::finish(plant, Some(quadratic), forcings, (mean, terms), none))
     }
 
     /// `integral F(t) x_d'(t) dt`, summed over drives, and the work of bases through the contacts between them.
     fn drive(plant: &Plant) -> Self {
         let n = plant.system.modes.len();
-        let velocities: Vec<Vec<f64>> = (0..n).map(|i| plant.modal_velocity_row(i)).collect();
-        let forcing = |tone: usize| -> Vec<c64> {
-            (0..plant.len()).map(|j| plant.tones[tone].force.iter().zip(&velocities).map(|(g, row)| g * row[j]).sum()).collect()
-        };
+        let velocities = plant.diagonal.to_physical.as_ref().submatrix(n, 0, n, plant.len());
+        let along = |tone: &Tone, j: usize| tone.force.iter().zip(velocities.col(j).iter()).map(|(g, v)| g * *v).sum();
+        let forcings: Vec<Vec<c64>> = plant.tones.iter().map(|tone| (0..plant.len()).map(|j| along(tone, j)).collect()).collect();
         let (mut mean, mut terms) = (0.0, Vec::new());
-        for tone in &plant.tones {
+        for (own, tone) in forcings.iter().zip(&plant.tones) {
             for other in &plant.tones {
-                let speed: Vec<c64> = velocities.iter().map(|row| super::coupled::dot(row, &other.steady)).collect();
                 let (wk, wl) = (tone.angular_frequency_rad_s, other.angular_frequency_rad_s);
-                let sum: c64 = tone.force.iter().zip(&speed).map(|(g, v)| g * v * 0.5).sum();
-                let difference: c64 = tone.force.iter().zip(&speed).map(|(g, v)| g * v.conj() * 0.5).sum();
+                let sum: c64 = own.iter().zip(&other.steady).map(|(g, s)| g * s * 0.5).sum();
+                let difference: c64 = own.iter().zip(&other.steady).map(|(g, s)| g * s.conj() * 0.5).sum();
                 terms.push((wk + wl, sum / c64::new(0.0, wk + wl)));
                 match wk == wl {
                     true => mean += difference.re,
@@ -196,7 +211,7 @@ impl EnergyMeter {
         // A signal is a force on the state and on the steady motion.
         let speeds: Vec<Vec<f64>> = plant.system.signals.iter().map(|signal| plant.velocity_row(&signal.shape)).collect();
         let steady = speeds.iter().map(|row| plant.steady_output(row)).collect();
-        let mut meter = Self::finish(plant, None, forcing, (mean, terms), (speeds, steady));
+        let mut meter = Self::finish(plant, None, forcings, (mean, terms), (speeds, steady));
         // Bases work through the contacts between them, too: f Re(i w X e^{i w t}).
         for (cross, port) in meter.port_cross.iter_mut().zip(&plant.ports) {
             for ((rb, x), tone) in cross.iter_mut().zip(&port.approach_m).zip(&plant.tones) {
@@ -208,22 +223,22 @@ impl EnergyMeter {
 
     fn finish(
         plant: &Plant,
-        gramian: Option<Arc<Mat<f64>>>,
-        forcing: impl Fn(usize) -> Vec<c64>,
+        quadratic: Option<Arc<Quadratic>>,
+        forcings: Vec<Vec<c64>>,
         (mean, terms): (f64, Vec<(f64, c64)>),
         power: (Vec<Vec<f64>>, Vec<Vec<c64>>),
     ) -> Self {
-        let cross: Vec<(f64, Vec<c64>)> = (plant.tones.iter().enumerate())
-            .map(|(k, tone)| {
+        let cross: Vec<(f64, Vec<c64>)> = (plant.tones.iter().zip(forcings))
+            .map(|(tone, forcing)| {
                 let w = tone.angular_frequency_rad_s;
                 // (i w I + A)^-1 = -((-i w) I - A)^-1
-                let row = plant.diagonal.block.resolve_row(c64::new(0.0, -w), &forcing(k));
+                let row = plant.diagonal.block.resolve_row(c64::new(0.0, -w), &forcing);
                 (w, row.into_iter().map(|r| -r).collect())
             })
             .collect();
         let tone_rows: Vec<&[c64]> = cross.iter().map(|(_, row)| &row[..]).collect();
-        let product = |b: &[f64]| match &gramian {
-            Some(gramian) => super::coupled::product(gramian, b),
+        let product = |b: &[f64]| match &quadratic {
+            Some(quadratic) => super::product(&quadratic.gramian, b),
             None => vec![0.0; b.len()],
         };
         Self {
@@ -232,7 +247,7 @@ impl EnergyMeter {
                 .map(|port| cross.iter().map(|(_, row)| super::coupled::dot(&port.force, row)).collect())
                 .collect(),
             signals: SignalMeter::new(plant, power, product, &tone_rows),
-            gramian,
+            quadratic,
             cross,
             steady_power_w: mean,
             steady_terms: terms,
@@ -240,8 +255,11 @@ impl EnergyMeter {
     }
 }
 
-/// `P` of a sum of squares.
-fn gramian(block: &Block, what: &str, squares: &[Square]) -> Result<Mat<f64>, PlantError> {
-    let source = |i: usize, j: usize| squares.iter().map(|s| s.weight * s.row[i] * s.row[j]).sum::<f64>();
-    lyapunov(block, Side::Rows, source).map_err(|mode_hz| PlantError::Undamped { what: what.to_owned(), mode_hz })
+/// `2 Q S`.
+fn twice(power: &Mat<f64>, steady: &[c64]) -> Vec<c64> {
+    let mut sum = vec![c64::new(0.0, 0.0); steady.len()];
+    for (j, s) in steady.iter().enumerate() {
+        sum.iter_mut().zip(power.col_as_slice(j)).for_each(|(sum, q)| *sum += s * (2.0 * q));
+    }
+    sum
 }

@@ -34,8 +34,8 @@ mod wiring;
 
 pub use block::{Block, Pair};
 pub use bridge::{Bridge, BridgeState, Conduction, Scheme, Storage};
-pub(crate) use coupled::dot;
 pub use coupled::{Plant, Port};
+pub(crate) use coupled::{dot, product};
 pub use diagonal::Diagonal;
 pub use electrical::{Across, BridgeNodes, Electrical, Inductor, Link, Node};
 pub use energy::{EnergyMeter, Meters};

@@ -21,6 +21,9 @@ pub trait Wide: Copy {
     /// `a b + c`, fused where the machine can.
     fn fma(self, a: Self::Register, b: Self::Register, c: Self::Register) -> Self::Register;
 
+    /// The same of single numbers.
+    fn fma_one(self, a: f64, b: f64, c: f64) -> f64;
+
     /// `a + b`.
     fn add(self, a: Self::Register, b: Self::Register) -> Self::Register;
 
@@ -150,6 +153,12 @@ where
             out[i] = self.0.mul_add_e_f64s(a[i], b[i], c[i]);
         }
         out
+    }
+
+    #[inline(always)]
+    fn fma_one(self, a: f64, b: f64, c: f64) -> f64 {
+        // Where no instruction does it, a library would: slower than all the rest.
+        if S::F64_LANES >= 4 { a.mul_add(b, c) } else { a * b + c }
     }
 
     #[inline(always)]

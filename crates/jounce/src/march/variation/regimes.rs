@@ -16,9 +16,9 @@ use super::{Drift, VariationError};
 use crate::march::flip::Flip;
 use crate::march::kernel::Kernel;
 use crate::march::trajectory::{Impact, Switched, Trajectory};
-use crate::plant::Size;
+use crate::plant::{Size, product};
 use crate::wide::{Lane, Portable, widest};
-use faer::{Mat, MatRef, c64};
+use faer::{Mat, c64};
 
 /// A recorded march, and how it ended.
 pub struct Route<'a> {
@@ -115,7 +115,7 @@ impl Route<'_> {
             tangents.transform(slopes.as_ref());
         }
         let after = rate(other, &state, change.time_s, &change.forces_n);
-        let jump: Vec<f64> = product(slopes.as_ref(), &before).iter().zip(after).map(|(carried, after)| carried - after).collect();
+        let jump: Vec<f64> = product(&slopes, &before).iter().zip(after).map(|(carried, after)| carried - after).collect();
         tangents.add_product(Portable::new(), &jump, 1.0, &delay_s);
         tangents.transform(other.plant.diagonal.from_physical.as_ref());
         Ok((tangents, Some(delay_s)))
@@ -171,9 +171,5 @@ pub fn rate(kernel: &Kernel, state: &[f64], time_s: f64, forces_n: &[f64]) -> Ve
         let turn = c64::new(0.0, tone.angular_frequency_rad_s) * c64::cis(tone.angular_frequency_rad_s * time_s);
         rate.iter_mut().zip(&tone.steady).for_each(|(rate, steady)| *rate += (turn * steady).re);
     }
-    product(plant.diagonal.to_physical.as_ref(), &rate)
-}
-
-fn product(matrix: MatRef<f64>, vector: &[f64]) -> Vec<f64> {
-    (0..matrix.nrows()).map(|i| vector.iter().enumerate().map(|(j, v)| matrix[(i, j)] * v).sum()).collect()
+    product(&plant.diagonal.to_physical, &rate)
 }

@@ -3,17 +3,17 @@
 use super::between::Between;
 use super::motion::{complex, turned};
 use super::nodes::Side;
-use super::response::Response;
+use super::response::{Places, Response};
+use crate::orbit::border::{Border, Solution};
+use crate::orbit::factors::Factors;
 use faer::Mat;
-use faer::linalg::solvers::{PartialPivLu, Solve};
 
 /// `I - J K w - J' K' w` at the nodes with the border that was asked for first, factored.
 #[derive(Debug)]
 pub struct Condensed {
-    factors: PartialPivLu<f64>,
+    factors: Factors,
     /// The border as it was given.
-    row: Vec<f64>,
-    corner: f64,
+    first: Border,
     /// Sizes of its row and its column: it has units of its own.
     row_size: f64,
     column_size: f64,
@@ -55,6 +55,16 @@ impl Sides<'_> {
         felt
     }
 
+    /// The nodes of a stop as a response counts them.
+    fn places(&self, side: &Side, response: &Response) -> Places {
+        let damped = if is_damped(side) { &side.nodes[..] } else { &[] };
+        Places {
+            at: side.nodes.iter().map(|node| response.place(node.angle)).collect(),
+            stiffness_n_m: side.nodes.iter().map(|node| node.slopes.stiffness_n_m).collect(),
+            damping_n_m: damped.iter().map(|node| node.slopes.damping_n_s_m * self.step_rad_s).collect(),
+        }
+    }
+
     /// Harmonics of the displacements per forces at the nodes, `G phi^T w`.
     fn pushed(&self, mut forces_n: impl Iterator<Item = f64>) -> Vec<f64> {
         let mut own = |side: &Side| {
@@ -90,30 +100,17 @@ impl Condensed {
         let largest = |values: &[f64], least: f64| values.iter().fold(least, |max, value| max.max(value.abs()));
         let column_size = largest(&felt, f64::MIN_POSITIVE).max(if count == 0 { 1.0 } else { 0.0 });
         let row_size = largest(&pulled, (bottom / column_size).abs());
-        let places: Vec<Vec<f64>> = (sides.each.iter())
-            .zip(responses)
-            .map(|(side, response)| side.nodes.iter().map(|node| response.place(node.angle)).collect())
-            .collect();
-        let damped: Vec<bool> = sides.each.iter().map(is_damped).collect();
+        let places: Vec<Places> = sides.each.iter().zip(responses).map(|(side, response)| sides.places(side, response)).collect();
         let mut matrix = Mat::<f64>::zeros(count + 1, count + 1);
         let pushing = sides.each.iter().zip(&places).enumerate();
         let pushing =
-            pushing.flat_map(|(b, (side, places))| places.iter().zip(&side.nodes).map(move |(place, node)| (b, *place, node.share)));
+            pushing.flat_map(|(b, (side, places))| places.at.iter().zip(&side.nodes).map(move |(place, node)| (b, *place, node.share)));
         for (p, ((b, force, share), pulled)) in pushing.zip(&pulled).enumerate() {
             let column: &mut [f64] = matrix.col_as_slice_mut(p);
             let mut rest = &mut column[..];
-            for (a, (side, places)) in sides.each.iter().zip(&places).enumerate() {
-                let (own, after) = rest.split_at_mut(side.nodes.len());
-                let response = &responses[a * stops + b];
-                for ((entry, displacement), to) in own.iter_mut().zip(places).zip(&side.nodes) {
-                    let moved = if damped[a] {
-                        let (value, slope) = response.value_and_slope(force, *displacement);
-                        to.slopes.stiffness_n_m * value + to.slopes.damping_n_s_m * sides.step_rad_s * slope
-                    } else {
-                        to.slopes.stiffness_n_m * response.value(force, *displacement)
-                    };
-                    *entry = -share * moved;
-                }
+            for (a, places) in places.iter().enumerate() {
+                let (own, after) = rest.split_at_mut(places.at.len());
+                responses[a * stops + b].column(force, -share, places, own);
                 rest = after;
             }
             column[p] += 1.0;
@@ -123,50 +120,27 @@ impl Condensed {
         border.iter_mut().zip(&felt).for_each(|(entry, felt)| *entry = -felt / column_size);
         border[count] = bottom / (column_size * row_size);
         let is_finite = row_size.is_finite() && column_size.is_finite();
-        is_finite.then(|| Self { factors: matrix.partial_piv_lu(), row: row.to_vec(), corner, row_size, column_size })
+        is_finite.then(|| Self { factors: Factors::of(matrix), first: Border::new((row, corner)), row_size, column_size })
     }
 
     /// Solves `[R_u by; row corner] (du, dp) = (right, last)` with `R_u = push feel^T - I`.
     ///
-    /// The factors are those of the border that came first, `B`. Another row differs from it by `e v^T`, `e` being the last unit vector:
-    /// `(B + e v^T)^-1 r = x - z (v x) / (1 + v z)` with `B x = r`, `B z = e`.
-    pub fn bordered(
-        &self,
-        sides: Sides<'_>,
-        by: &[f64],
-        (row, corner): (&[f64], f64),
-        (right, last): (&[f64], f64),
-    ) -> Option<(Vec<f64>, f64)> {
-        if self.row == row && self.corner == corner {
-            return self.solve(sides, by, right, last);
-        }
-        let none = vec![0.0; right.len()];
-        let unit = self.solve(sides, by, &none, 1.0)?;
-        let start = if right == none { moved(&(none, 0.0), last, &unit) } else { self.solve(sides, by, right, last)? };
-        let along = |(unknown, parameter): &(Vec<f64>, f64)| {
-            let apart: f64 = row.iter().zip(&self.row).zip(unknown).map(|((a, b), u)| (a - b) * u).sum();
-            apart + (corner - self.corner) * parameter
-        };
-        let found = moved(&start, -along(&start) / (1.0 + along(&unit)), &unit);
-        (found.1.is_finite() && found.0.iter().all(|u| u.is_finite())).then_some(found)
+    /// The factors are those of the border that came first.
+    pub fn bordered(&self, sides: Sides<'_>, by: &[f64], border: (&[f64], f64), right: (&[f64], f64)) -> Solution {
+        self.first.other(border, right, |right, last| self.solve(sides, by, right, last))
     }
 
-    fn solve(&self, sides: Sides<'_>, by: &[f64], right: &[f64], last: f64) -> Option<(Vec<f64>, f64)> {
+    fn solve(&self, sides: Sides<'_>, by: &[f64], right: &[f64], last: f64) -> Solution {
         let count = sides.count();
         let felt = if right.iter().all(|r| *r == 0.0) { vec![0.0; count] } else { sides.felt(right) };
-        let bottom = (last + dot(&self.row, right)) / self.row_size;
-        let given = Mat::from_fn(count + 1, 1, |i, _| if i < count { -felt[i] } else { bottom });
-        let solution = self.factors.solve(&given);
-        let parameter = solution[(count, 0)] / self.column_size;
-        let pushed = sides.pushed((0..count).map(|q| solution[(q, 0)]));
+        let bottom = (last + self.first.along(right)) / self.row_size;
+        let mut solution: Vec<f64> = felt.iter().map(|felt| -felt).chain([bottom]).collect();
+        self.factors.solve(&mut solution);
+        let parameter = solution[count] / self.column_size;
+        let pushed = sides.pushed(solution[..count].iter().copied());
         let unknown: Vec<f64> = pushed.iter().zip(by).zip(right).map(|((pushed, by), right)| pushed + by * parameter - right).collect();
         (parameter.is_finite() && unknown.iter().all(|u| u.is_finite())).then_some((unknown, parameter))
     }
-}
-
-/// `x + share z`.
-fn moved(x: &(Vec<f64>, f64), share: f64, z: &(Vec<f64>, f64)) -> (Vec<f64>, f64) {
-    (x.0.iter().zip(&z.0).map(|(x, z)| x + share * z).collect(), x.1 + share * z.1)
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {

@@ -154,7 +154,7 @@ impl<H: Harvester> OrbitMethod for HarmonicBalance<'_, H> {
     }
 
     fn map<'l>(&self, local: &'l Balance) -> Result<&'l Mat<f64>, Self::Error> {
-        Ok(&self.shot(local)?.map)
+        Ok(&self.shot(local)?.block_map)
     }
 
     fn contacts(&self, local: &Balance) -> Result<u64, Self::Error> {

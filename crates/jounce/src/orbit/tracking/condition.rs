@@ -56,7 +56,7 @@ impl Condition {
         moved: impl Fn(&[f64]) -> Result<Shot, E>,
     ) -> Result<Option<Gradient>, E> {
         match self {
-            Condition::Multiplier(s) => match Critical::of(&shot.map, s) {
+            Condition::Multiplier(s) => match Critical::of(shot.map(), s) {
                 Some(critical) => critical.gradient(shot, aside, differences, moved).map(Some),
                 None => Ok(None),
             },

@@ -49,9 +49,10 @@ impl Critical {
         let n = self.v.len();
         let step = MOVE * ColRef::from_slice(&shot.looks[0]).norm_l2() / ColRef::from_slice(&self.v).norm_l2();
         let along = moved(&self.v.iter().map(|v| step * v).collect::<Vec<_>>())?;
-        let by_unknown = (0..n).map(|j| -(0..n).map(|i| self.w[i] * (along.map[(i, j)] - shot.map[(i, j)])).sum::<f64>() / step).collect();
+        let by_unknown =
+            (0..n).map(|j| -(0..n).map(|i| self.w[i] * (along.map()[(i, j)] - shot.map()[(i, j)])).sum::<f64>() / step).collect();
         let change = |k: usize| -> f64 {
-            let entry = |i: usize, j: usize| self.w[i] * (aside[k].map[(i, j)] - shot.map[(i, j)]) * self.v[j];
+            let entry = |i: usize, j: usize| self.w[i] * (aside[k].map()[(i, j)] - shot.map()[(i, j)]) * self.v[j];
             -(0..n).map(|i| (0..n).map(|j| entry(i, j)).sum::<f64>()).sum::<f64>() / differences[k]
         };
         Ok(Gradient { value: self.g, by_unknown, by_parameters: [change(0), change(1)], by_phase: 0.0, bend: None, is_resonant: false })

@@ -32,7 +32,7 @@ pub(super) struct Tangent {
 impl Tangent {
     fn of(shot: &Shot, unit: f64) -> Option<Self> {
         let n = shot.residual.len();
-        let matrix = Mat::from_fn(n, n, |i, j| shot.map[(i, j)] - f64::from(u8::from(i == j)));
+        let matrix = Mat::from_fn(n, n, |i, j| shot.map()[(i, j)] - f64::from(u8::from(i == j)));
         let column: Vec<f64> = shot.by_parameter.iter().map(|by| unit * by).collect();
         let square = Mat::from_fn(n + 1, n + 1, |i, j| match (i < n, j < n) {
             (true, true) => matrix[(i, j)],

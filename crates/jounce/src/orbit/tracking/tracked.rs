@@ -135,7 +135,7 @@ impl<P: Plane> Family for Tracking<'_, P> {
         let by_second = |i: usize| (aside.residual[i] - shot.residual[i]) / differences[1];
         let size = n + gradients.len();
         let matrix = Mat::from_fn(size, size, |i, j| match (i < n, j) {
-            (true, j) if j < n => shot.map[(i, j)] - f64::from(u8::from(i == j)),
+            (true, j) if j < n => shot.map()[(i, j)] - f64::from(u8::from(i == j)),
             (true, j) if j == n => self.unit * shot.by_parameter[i],
             (true, _) => 0.0,
             (false, j) if j < n => gradients[i - n].by_unknown[j],

@@ -44,7 +44,7 @@ impl Place {
 
     /// Largest modulus of a multiplier.
     pub fn floquet_max_abs(&self) -> Option<f64> {
-        Some(multipliers(&self.step.local.map)?.first()?.norm())
+        Some(multipliers(&self.step.local.block_map)?.first()?.norm())
     }
 }
 

@@ -259,7 +259,8 @@ impl BranchSearch<'_> {
         at: &BranchPoint,
     ) -> Option<(Corrected<M::Local>, Direction)> {
         let state = at.orbit.start();
-        let map = self.shooting(method.cycles() / 2).at(state, at.parameter).ok()?.map;
+        let shot = self.shooting(method.cycles() / 2).at(state, at.parameter).ok()?;
+        let map = shot.map();
         let n = state.len();
         let vector = null_vector(&Mat::from_fn(n, n, |i, j| map[(i, j)] + if i == j { 1.0 } else { 0.0 }));
         let size = at.orbit.size();

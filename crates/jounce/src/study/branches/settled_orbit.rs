@@ -137,7 +137,7 @@ fn candidate_near<H: Harvester>(
     let distance = metric.length(&position.to(&there));
     let orbit = shooting.orbit(&shot, error).ok()?;
     // Cycles that repeat belong to a shorter orbit, which has a turn of its own. A Newton that runs far has found another orbit than the one that attracts.
-    (distance < NEAR && orbit.is_stable() && !orbit.repeats_early()).then(|| Candidate::new(orbit, distance, shot.map))
+    (distance < NEAR && orbit.is_stable() && !orbit.repeats_early()).then(|| Candidate::new(orbit, distance, shot.map().clone()))
 }
 
 fn norm(values: impl Iterator<Item = f64>) -> f64 {

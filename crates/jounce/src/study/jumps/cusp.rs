@@ -102,7 +102,7 @@ fn length([first, second]: [f64; 2]) -> f64 {
 
 /// Unit direction of the state alone along the critical eigenvector, the way that the curve goes.
 fn eigenvector(metric: &Metric, local: &Tracked, ahead: &Direction) -> Direction {
-    let map = &local.shot.map;
+    let map = local.shot.map();
     let mut unknown = null_vector(&Mat::from_fn(map.nrows(), map.ncols(), |i, j| map[(i, j)] - f64::from(u8::from(i == j))));
     unknown.resize(ahead.unknown.len(), 0.0);
     let mut found = metric.unit(Direction { unknown, parameter: 0.0 });

@@ -234,6 +234,6 @@ fn point(tracking: &Tracking<KeyPlane>, position: &Position, local: &Tracked) ->
         parameter: tracking.parameter(&position.unknown),
         parameter_2: position.parameter,
         mean_power_w: local.shot.loads_w.iter().fold(0.0, |sum, own| sum + own),
-        stable: local.bend.and_then(|_| Some(multipliers(&local.shot.map)?.first()?.norm() < 1.0)),
+        stable: local.bend.and_then(|_| Some(multipliers(&local.shot.block_map)?.first()?.norm() < 1.0)),
     }
 }
