@@ -5,7 +5,7 @@ from __future__ import annotations
 from statistics import median
 
 from .branches import CHECKS_HZ, FORCE_N, HIGHEST_HZ, JOUNCE_METHODS, LOWEST_HZ
-from .orbit_run import EQUATIONS, MODES, SHORT_HZ, Cost, Drawn
+from .orbit_run import MODES, SHORT_HZ, WALKS, Cost, Drawn
 
 SAME_HZ = 0.01  # a label farther than this from every fold of the base is one of its own
 
@@ -79,7 +79,7 @@ def check_table(drawn: list[Drawn], references: dict[float, tuple[float, float]]
 def cost_table(costs: list[Cost]) -> list[str]:
     """Milliseconds a point against the number of modes."""
     found = {(cost.method, cost.modes): cost for cost in costs}
-    names = [name for name in (*JOUNCE_METHODS, EQUATIONS) if (name, MODES[0]) in found]
+    names = [name for name in (*JOUNCE_METHODS, *WALKS) if (name, MODES[0]) in found]
     lines = ["| modes | " + " | ".join(f"{name}: ms per point (points)" for name in names) + " |", "|---|" + "---|" * len(names)]
     for modes in MODES:
         cells = []

@@ -19,6 +19,8 @@ SETTLING_S, AVERAGE_S, STEPS_PER_S = 300.0, 10.0, "200000"
 MODES = (8, 16, 24, 32, 40)
 SHORT_HZ = (10.5, 12.0)
 EQUATIONS = "the equations of harmonic balance alone"
+ORBITS = "the same with each point's multipliers and error"
+WALKS = {EQUATIONS: "balance", ORBITS: "orbits"}
 LONG_S = 10.0  # a short branch that takes longer is not repeated
 
 
@@ -75,7 +77,7 @@ def settled_w(plant: Plant, rk4: Path, dop853: Path) -> dict[float, tuple[float,
 
 def walked(peer: Path, spec: Path, cost: Cost, cap_s: float) -> None:
     """One process with many walks, of which it tells the median."""
-    finished = finish([str(peer), str(spec), "balance"], BUILD, cap_s)
+    finished = finish([str(peer), str(spec), WALKS[cost.method]], BUILD, cap_s)
     said = json.loads(finished.stdout or "{}")
     cost.failed = finished.failed or said.get("failed")
     if not cost.failed:
@@ -86,17 +88,18 @@ def walked(peer: Path, spec: Path, cost: Cost, cap_s: float) -> None:
 def costs(program: Path, peer: Path | None, specs: dict[int, Path], repeats: int, cap_s: float) -> list[Cost]:
     """The short range by both methods at each number of modes, interleaved; what takes longer than LONG_S is run once.
 
-    With the library in `peer` also a walk by the equations of harmonic balance alone, as a method without stability would make it.
+    With the library in `peer` also a walk by the equations of harmonic balance alone, as a method without stability would make it, and
+    one that makes an orbit of every point.
     """
     shuffled, began = random.Random(2), time.monotonic()
-    names = [*JOUNCE_METHODS, *([EQUATIONS] if peer else [])]
+    names = [*JOUNCE_METHODS, *(WALKS if peer else [])]
     found = {(name, modes): Cost(name, modes) for modes in specs for name in names}
     jobs = [(shuffled.random(), key) for key in found for _ in range(repeats)]
     for done, (_, key) in enumerate(sorted(jobs)):
         cost = found[key]
         if cost.failed or any(taken_s > LONG_S for taken_s in cost.cpu_s):
             continue
-        if peer and cost.method == EQUATIONS:
+        if peer and cost.method in WALKS:
             walked(peer, specs[cost.modes], cost, cap_s)
             continue
         finished = finish([str(program), *jounce_words(specs[cost.modes], JOUNCE_METHODS[cost.method], *SHORT_HZ)], BUILD, cap_s)

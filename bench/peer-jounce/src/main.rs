@@ -1,4 +1,4 @@
-//! Runs of jounce as a library: `peer-jounce SPEC warm|first|each|balance KEY=VALUE...` prints JSON lines.
+//! Runs of jounce as a library: `peer-jounce SPEC warm|first|each|balance|orbits KEY=VALUE...` prints JSON lines.
 //!
 //! Keys of the spec are set as with `--set` on the command line, as in `"drive.shaker.frequency=11 Hz"`.
 //! `cpu_s` is CPU time of the one thread that works during `simulate`, from a fresh state at rest to the answer; under a limit of CPU time
@@ -8,7 +8,8 @@
 //! `wall_s` is the wall time of the same run, `march_s` that of the march alone.
 //!
 //! With `balance` the branch of period 1 is followed upwards from 10.5 to 12 Hz by the equations of harmonic balance alone, with 64 harmonics,
-//! without stability and without the march that checks them: `points` and the CPU time of all, the median of many walks.
+//! without stability and without the march that checks them: `points` and the CPU time of all, the median of many walks. With `orbits` the
+//! same walk makes an orbit of every point: its multipliers and its error by the exact flow.
 //!
 //! With `each` the run is marched before and once for every line on stdin. `simulate_s` is the wall time of `simulate`, `run_s` that of
 //! all that the command `run` asks of the library once a spec is prepared: the kernel of the run, `simulate`, peak voltages, charges and
@@ -85,8 +86,8 @@ fn whole_run(prepared: &Prepared) -> Result<String, Box<dyn Error>> {
 const WALKED_HZ: [f64; 2] = [10.5, 12.0];
 const HARMONICS: usize = 64;
 
-/// A walk by the equations of harmonic balance alone.
-fn balance(spec: Spec) -> Result<String, Box<dyn Error>> {
+/// A walk by the equations of harmonic balance alone, or with the orbit of each point.
+fn balance(spec: Spec, with_orbits: bool) -> Result<String, Box<dyn Error>> {
     let key = NumericKey::find(&spec, "drive.shaker.frequency")?;
     let base = Prepared::new(spec)?;
     let [low_hz, high_hz] = WALKED_HZ;
@@ -107,7 +108,10 @@ fn balance(spec: Spec) -> Result<String, Box<dyn Error>> {
         let mut walk = Walk::new(&method, corrector, StepControl::default(), scale, first.position, ahead);
         let (before_s, mut points) = (cpu_s(), 0);
         while walk.position.parameter < high_hz {
-            walk.next().ok_or("the walk ended")??;
+            let step = walk.next().ok_or("the walk ended")??;
+            if with_orbits {
+                black_box(method.orbit(&step.local, step.error)?);
+            }
             points += 1;
         }
         walks.push((cpu_s() - before_s, points));
@@ -129,8 +133,8 @@ fn measure(path: &str, start: &str, changes: &[String]) -> Result<(), Box<dyn Er
                 println!("{}", whole_run(&prepared)?);
             }
         }
-        "balance" => println!("{}", balance(spec)?),
-        other => return Err(format!("'{other}' is neither warm, first, each nor balance").into()),
+        "balance" | "orbits" => println!("{}", balance(spec, start == "orbits")?),
+        other => return Err(format!("'{other}' is neither warm, first, each, balance nor orbits").into()),
     }
     Ok(())
 }
@@ -138,7 +142,7 @@ fn measure(path: &str, start: &str, changes: &[String]) -> Result<(), Box<dyn Er
 fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let [path, start, changes @ ..] = words.as_slice() else {
-        eprintln!("usage: peer-jounce SPEC warm|first|each|balance KEY=VALUE...");
+        eprintln!("usage: peer-jounce SPEC warm|first|each|balance|orbits KEY=VALUE...");
         return ExitCode::from(2);
     };
     if let Err(error) = measure(path, start, changes) {

@@ -35,8 +35,8 @@ impl CrossTable {
         let meter = |meter: &EnergyMeter| Row { row: meter.port_row(seen).to_vec(), reading: Reading::Integral };
         let felt = &plant.ports[seen];
         let mut rows = vec![pointwise(&felt.displacement), pointwise(&felt.velocity), pointwise(&kernel.acceleration_row(seen))];
-        rows.push(meter(&kernel.meters.damping));
-        rows.extend(kernel.meters.loads.iter().map(meter));
+        rows.push(meter(&kernel.meters().damping));
+        rows.extend(kernel.meters().loads.iter().map(meter));
         let made = widest(Making {
             block: &plant.diagonal.block,
             layout: &kernel.layout,

@@ -83,7 +83,7 @@ impl Marcher<'_> {
     pub(super) fn energies_in_regime(&self) -> Energies {
         let now = self.readings();
         let open = &self.opening;
-        let meters = &self.kernel.meters;
+        let meters = self.kernel.meters();
         let ports = self.kernel.plant.ports.len();
         // The work is that of all ports together: it enters once.
         let contact = |meter: &crate::plant::EnergyMeter, work_j: f64| -> f64 {
@@ -110,7 +110,7 @@ impl Marcher<'_> {
 
     pub(super) fn readings(&self) -> Opening {
         let (y, t) = (self.own_state(), self.time_s);
-        let meters = &self.kernel.meters;
+        let meters = self.kernel.meters();
         Opening {
             input_j: meters.input.boundary_j(&y, t),
             loads_j: meters.loads.iter().map(|meter| meter.boundary_j(&y, t)).collect(),

@@ -9,7 +9,7 @@ use super::port_vectors::PortVectors;
 use super::shelf::{Level, levels};
 use super::watch::Watch;
 use crate::contact::Law;
-use crate::plant::{BridgeState, Change, Meters, Plant, PlantError, Signal, Stop};
+use crate::plant::{BridgeState, Change, Meters, Plant, PlantError, Quadratics, Signal, Stop};
 use crate::wide::WIDTH;
 use std::sync::{Arc, OnceLock};
 
@@ -34,8 +34,10 @@ impl Shape {
 pub struct Kernel {
     /// The plant.
     pub plant: Plant,
-    /// Its energy meters.
-    pub meters: Meters,
+    /// What its energy meters make of states, ...
+    quadratics: Arc<Quadratics>,
+    /// ... and the meters under its drives, made when first asked for.
+    meters: OnceLock<Meters>,
     /// Where its states stand in lanes.
     pub(super) layout: Layout,
     /// `A` in lanes.
@@ -66,7 +68,8 @@ impl Kernel {
     /// # Errors
     /// [`PlantError::Undamped`].
     pub fn new(plant: Plant) -> Result<Self, PlantError> {
-        let meters = Meters::new(&plant)?;
+        let quadratics = Arc::new(Quadratics::of(&plant)?);
+        let meters = Meters::under(&quadratics, &plant);
         let layout = Layout::of(&plant);
         Ok(Self {
             layout,
@@ -79,7 +82,8 @@ impl Kernel {
             regimes: regimes(&plant),
             kin: regimes(&plant),
             watch: Watch::default(),
-            meters,
+            quadratics,
+            meters: OnceLock::from(meters),
             plant,
         })
     }
@@ -95,21 +99,19 @@ impl Kernel {
     /// # Errors
     /// [`PlantError::UndampedResonance`].
     pub fn with_drives(&self, drives: Vec<crate::plant::Drive>) -> Result<Self, PlantError> {
-        self.with_plant(self.plant.with_drives(drives)?)
+        Ok(self.with_plant(self.plant.with_drives(drives)?))
     }
 
     /// The same plant under other signals, the tables made so far kept.
-    ///
-    /// # Errors
-    /// None that the first plant did not have.
-    pub fn with_signals(&self, signals: Vec<Signal>) -> Result<Self, PlantError> {
+    pub fn with_signals(&self, signals: Vec<Signal>) -> Self {
         self.with_plant(self.plant.with_signals(signals))
     }
 
     /// A plant that differs in its drives and signals only.
-    fn with_plant(&self, plant: Plant) -> Result<Self, PlantError> {
-        Ok(Self {
-            meters: self.meters.with_drives(&plant)?,
+    fn with_plant(&self, plant: Plant) -> Self {
+        Self {
+            quadratics: Arc::clone(&self.quadratics),
+            meters: OnceLock::new(),
             regimes: regimes(&plant),
             kin: Arc::clone(&self.kin),
             plant,
@@ -121,26 +123,27 @@ impl Kernel {
             onset: Arc::clone(&self.onset),
             levels: Arc::clone(&self.levels),
             watch: self.watch.clone(),
-        })
+        }
     }
 
     /// The same plant against other stops; the tables made so far are kept where only gaps and stiffnesses differ.
-    ///
-    /// # Errors
-    /// None that the first plant did not have.
-    pub fn with_stops(&self, stops: Vec<Stop>) -> Result<Self, PlantError> {
+    pub fn with_stops(&self, stops: Vec<Stop>) -> Self {
         let alike = |a: &Stop, b: &Stop| a.shape == b.shape && a.bases == b.bases && onset_exponent(&a.law) == onset_exponent(&b.law);
         let before = &self.plant.system.stops;
         let fit = before.len() == stops.len() && before.iter().zip(&stops).all(|(a, b)| alike(a, b));
         let plant = self.plant.with_stops(stops);
-        let meters = if fit { self.meters.clone() } else { self.meters.with_drives(&plant)? };
-        let vectors = || Arc::new(PortVectors::of_all(&plant, &meters, &self.layout));
-        Ok(Self {
-            vectors: if fit { Arc::clone(&self.vectors) } else { vectors() },
+        let meters = if fit { self.meters.clone() } else { OnceLock::from(Meters::under(&self.quadratics, &plant)) };
+        let vectors = match meters.get() {
+            Some(meters) if !fit => Arc::new(PortVectors::of_all(&plant, meters, &self.layout)),
+            _ => Arc::clone(&self.vectors),
+        };
+        Self {
+            vectors,
             layout: self.layout,
             generator: self.generator.clone(),
             fastest_rad_s: self.fastest_rad_s,
             stiffest_rad_s: self.stiffest_rad_s,
+            quadratics: Arc::clone(&self.quadratics),
             meters,
             onset: if fit { Arc::clone(&self.onset) } else { Arc::new(onsets(&plant)) },
             levels: if fit { Arc::clone(&self.levels) } else { Arc::new(levels(&plant)) },
@@ -148,7 +151,12 @@ impl Kernel {
             kin: Arc::clone(&self.kin),
             watch: self.watch.clone(),
             plant,
-        })
+        }
+    }
+
+    /// The energy meters.
+    pub fn meters(&self) -> &Meters {
+        self.meters.get_or_init(|| Meters::under(&self.quadratics, &self.plant))
     }
 
     /// The plant in a regime of its bridges.
@@ -162,7 +170,7 @@ impl Kernel {
         let make = || {
             let system = self.plant.system.in_regime(regime);
             let first = self.kin[regime].get_or_init(|| Self::new(Plant::new(system.clone())?)).as_ref().map_err(Clone::clone)?;
-            let own = first.with_stops(system.stops)?.with_drives(system.drives)?.with_signals(system.signals)?;
+            let own = first.with_stops(system.stops).with_drives(system.drives)?.with_signals(system.signals);
             Ok(own.watched_by(&self.watch))
         };
         self.regimes[regime].get_or_init(make).as_ref().map_err(Clone::clone)

@@ -44,7 +44,7 @@ pub(super) struct Ledger {
 
 impl Ledger {
     pub fn new(kernel: &Kernel, time_s: f64) -> Self {
-        let (plant, layout, meters) = (&kernel.plant, &kernel.layout, &kernel.meters);
+        let (plant, layout, meters) = (&kernel.plant, &kernel.layout, kernel.meters());
         let (signals, none) = (plant.forcings.len(), c64::new(0.0, 0.0));
         let kept = |column: &[f64]| column.iter().zip(&plant.local).map(|(b, local)| if *local { *b } else { 0.0 }).collect::<Vec<_>>();
         let quadratic = meters.loads.iter().chain([&meters.damping]).filter(|_| signals > 0);

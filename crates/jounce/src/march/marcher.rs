@@ -97,7 +97,7 @@ impl<'k> Marcher<'k> {
             flight_s: f64::INFINITY,
             kink: KINK,
             integrals: ContactIntegrals {
-                loads_j: vec![0.0; kernel.meters.loads.len()],
+                loads_j: vec![0.0; kernel.meters().loads.len()],
                 tones_n_s: PerPort::new(count, |_| vec![Default::default(); tones.len()]),
                 ..ContactIntegrals::default()
             },

@@ -135,10 +135,10 @@ impl Marcher<'_> {
         let column = self.layout.pack(&kernel.plant.ports[p].force);
         let middle: Vec<Lane> = self.y.iter().zip(&column).map(|(y, b)| y.add_scaled(0.5 * impulse_n_s, b)).collect();
         // The meters' integral of a force that acts in no time: force times the mean of the state before and after.
-        for (sum, meter) in self.integrals.loads_j.iter_mut().zip(&kernel.meters.loads) {
+        for (sum, meter) in self.integrals.loads_j.iter_mut().zip(&kernel.meters().loads) {
             *sum += impulse_n_s * dot(Portable::new(), &self.layout.pack(meter.port_row(p)), &middle);
         }
-        self.integrals.damping_j += impulse_n_s * dot(Portable::new(), &self.layout.pack(kernel.meters.damping.port_row(p)), &middle);
+        self.integrals.damping_j += impulse_n_s * dot(Portable::new(), &self.layout.pack(kernel.meters().damping.port_row(p)), &middle);
         for (sum, tone) in self.integrals.tones_n_s[p].iter_mut().zip(&self.tones) {
             *sum += tone.turn * impulse_n_s;
         }

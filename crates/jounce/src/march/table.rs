@@ -47,8 +47,8 @@ impl Table {
         let port_of = &plant.ports[port];
         let meter = |meter: &EnergyMeter| Row { row: meter.port_row(port).to_vec(), reading: Reading::Integral };
         let pointwise = |row: &[f64]| Row { row: row.to_vec(), reading: Reading::Pointwise };
-        let mut rows = vec![pointwise(&port_of.displacement), pointwise(&port_of.velocity), meter(&kernel.meters.damping)];
-        rows.extend(kernel.meters.loads.iter().map(meter));
+        let mut rows = vec![pointwise(&port_of.displacement), pointwise(&port_of.velocity), meter(&kernel.meters().damping)];
+        rows.extend(kernel.meters().loads.iter().map(meter));
         let block = &plant.diagonal.block;
         let made = widest(Making { block, layout, basis, reader: basis, force: &port_of.force, rows: &rows, length_s });
         let mut responses = made.rows.into_iter();

@@ -16,7 +16,7 @@
 use faer::{Mat, c64};
 
 /// `|c| |r|` below which a block stands alone: it moves a multiplier of the size of one by no more, which is less than marches leave.
-const APART: f64 = 1e-11;
+const APART: f64 = 1e-10;
 
 /// Rounds of balancing.
 const ROUNDS: usize = 4;
@@ -75,8 +75,19 @@ fn blocks(map: &Mat<f64>) -> (Vec<[usize; 2]>, Vec<usize>) {
             lengths[j][1] += square(i, j);
         }
     }
-    let tie = |i: usize, j: usize| square(i, j) * square(j, i);
-    let partners: Vec<usize> = (0..n).map(|i| (0..n).max_by(|a, b| tie(i, *a).total_cmp(&tie(i, *b))).unwrap_or(i)).collect();
+    // For each state the one that it is tied to most.
+    let (mut partners, mut ties): (Vec<usize>, Vec<f64>) = ((0..n).collect(), vec![0.0; n]);
+    for j in 0..n {
+        for i in 0..j {
+            let tie = (map[(i, j)] * map[(j, i)]).abs();
+            if tie > ties[i] {
+                (partners[i], ties[i]) = (j, tie);
+            }
+            if tie > ties[j] {
+                (partners[j], ties[j]) = (i, tie);
+            }
+        }
+    }
     let is_apart = |row: f64, column: f64| row * column < APART * APART;
     let mut found = Vec::new();
     loop {

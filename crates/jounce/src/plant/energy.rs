@@ -15,9 +15,9 @@
 //!
 //! Validation: `tests/plant` compares with Gauss quadrature along exact flows.
 
-use super::lyapunov::{Side, lyapunov};
+use super::quadratic::{Quadratic, Quadratics};
 use super::{Plant, PlantError, SignalMeter, Tone};
-use faer::{Mat, c64};
+use faer::c64;
 use std::sync::Arc;
 
 /// One exactly integrated power.
@@ -49,73 +49,20 @@ pub struct Meters {
     pub input: EnergyMeter,
 }
 
-/// A sum of squares of outputs in block coordinates.
-#[derive(Debug, PartialEq)]
-struct Quadratic {
-    /// `Q`: the power is `y^T Q y`, W.
-    power: Mat<f64>,
-    /// `P`.
-    gramian: Mat<f64>,
-}
-
-/// One squared output.
-struct Square {
-    weight: f64,
-    row: Vec<f64>,
-}
-
 impl Meters {
     /// Meters of a plant.
     ///
     /// # Errors
     /// [`PlantError::Undamped`] where a mode that never decays carries power.
     pub fn new(plant: &Plant) -> Result<Self, PlantError> {
-        Self::made(plant, None)
+        Ok(Self::under(&Quadratics::of(plant)?, plant))
     }
 
-    /// The same for a plant that differs in its drives only: the quadratic forms stay as they are.
-    ///
-    /// # Errors
-    /// None that the first plant did not have.
-    pub fn with_drives(&self, plant: &Plant) -> Result<Self, PlantError> {
-        Self::made(plant, Some(self))
-    }
-
-    fn made(plant: &Plant, before: Option<&Self>) -> Result<Self, PlantError> {
-        let modes = &plant.system.modes;
-        let loads = plant.system.loads.iter().enumerate().map(|(k, load)| {
-            let square = || vec![Square { weight: 1.0 / load.resistance_ohm, row: plant.load_voltage_row(k) }];
-            EnergyMeter::squares(plant, || format!("the energy of load `{}`", load.name), square, before.map(|meters| &meters.loads[k]))
-        });
-        let outputs = plant.bridge_outputs().into_iter().chain(plant.leak_outputs()).enumerate().map(|(k, output)| {
-            let what = || match plant.system.bridges.get(output.bridge) {
-                Some(bridge) => format!("the energy of circuit `{}`", bridge.name),
-                None => "the leakage of a patch".to_owned(),
-            };
-            let before = before.map(|meters| &meters.loads[plant.system.loads.len() + k]);
-            EnergyMeter::squares(plant, what, || vec![Square { weight: output.conductance_per_ohm, row: output.row }], before)
-        });
-        let losses = || {
-            let damped = |i: usize| (2.0 * modes.damping_ratio[i] * modes.frequency_rad_s[i], plant.modal_velocity_row(i));
-            let damped = (0..modes.len()).map(damped).filter(|(weight, _)| *weight > 0.0);
-            let dashpots = plant.system.dashpots.iter().map(|dashpot| (dashpot.n_s_m, plant.velocity_row(&dashpot.shape)));
-            damped.chain(dashpots).map(|(weight, row)| Square { weight, row }).collect()
-        };
-        Ok(Self {
-            loads: loads.chain(outputs).collect::<Result<_, _>>()?,
-            damping: EnergyMeter::squares(plant, || "the energy lost in damping".to_owned(), losses, before.map(|meters| &meters.damping))?,
-            input: EnergyMeter::drive(plant),
-        })
-    }
-}
-
-impl Quadratic {
-    fn of(plant: &Plant, what: impl Fn() -> String, squares: &[Square]) -> Result<Self, PlantError> {
-        let n = plant.len();
-        let power = Mat::from_fn(n, n, |i, j| squares.iter().map(|s| s.weight * s.row[i] * s.row[j]).sum::<f64>());
-        let gramian = lyapunov(&plant.diagonal.block, Side::Rows, |i, j| power[(i, j)]);
-        let gramian = gramian.map_err(|mode_hz| PlantError::Undamped { what: what(), mode_hz })?;
-        Ok(Self { power, gramian })
+    /// The same, by quadratic forms that are those of a plant under any drives.
+    pub fn under(quadratics: &Quadratics, plant: &Plant) -> Self {
+        let meter = |quadratic: &Arc<Quadratic>| EnergyMeter::squares(plant, quadratic);
+        let loads = quadratics.loads.iter().map(meter).collect();
+        Self { loads, damping: meter(&quadratics.damping), input: EnergyMeter::drive(plant) }
     }
 }
 
@@ -158,18 +105,9 @@ impl EnergyMeter {
         2.0 * work_j - self.port_cross[port].iter().zip(impulse_n_s).map(|(rb, f)| (rb * f).re).sum::<f64>()
     }
 
-    fn squares(
-        plant: &Plant,
-        what: impl Fn() -> String,
-        squares: impl FnOnce() -> Vec<Square>,
-        before: Option<&Self>,
-    ) -> Result<Self, PlantError> {
-        let quadratic = match before.and_then(|meter| meter.quadratic.clone()) {
-            Some(quadratic) => quadratic,
-            None => Arc::new(Quadratic::of(plant, what, &squares())?),
-        };
+    fn squares(plant: &Plant, quadratic: &Arc<Quadratic>) -> Self {
         // C = 2 Q S
-        let forcings: Vec<Vec<c64>> = plant.tones.iter().map(|tone| twice(&quadratic.power, &tone.steady)).collect();
+        let forcings: Vec<Vec<c64>> = plant.tones.iter().map(|tone| quadratic.slope(&tone.steady)).collect();
         let (mut mean, mut terms) = (0.0, Vec::new());
         for (own, k) in forcings.iter().zip(&plant.tones) {
             for l in &plant.tones {
@@ -186,7 +124,7 @@ impl EnergyMeter {
         // A square holds a signal through the state only.
         let steady = vec![vec![c64::new(0.0, 0.0); plant.tones.len()]; plant.forcings.len()];
         let none = (vec![vec![0.0; plant.len()]; plant.forcings.len()], steady);
-        Ok(Self::finish(plant, Some(quadratic), forcings, (mean, terms), none))
+        Self::finish(plant, Some(Arc::clone(quadratic)), forcings, (mean, terms), none)
     }
 
     /// `integral F(t) x_d'(t) dt`, summed over drives, and the work of bases through the contacts between them.
@@ -253,13 +191,4 @@ impl EnergyMeter {
             steady_terms: terms,
         }
     }
-}
-
-/// `2 Q S`.
-fn twice(power: &Mat<f64>, steady: &[c64]) -> Vec<c64> {
-    let mut sum = vec![c64::new(0.0, 0.0); steady.len()];
-    for (j, s) in steady.iter().enumerate() {
-        sum.iter_mut().zip(power.col_as_slice(j)).for_each(|(sum, q)| *sum += s * (2.0 * q));
-    }
-    sum
 }

@@ -109,8 +109,8 @@ impl Prepared {
         let signals = system.signals.clone();
         let kernel = match (self.spec.circuit == spec.circuit, self.spec.stop == spec.stop) {
             (true, true) => self.kernel.with_drives(system.drives)?,
-            (true, false) if self.spec.drive == spec.drive => self.kernel.with_stops(system.stops)?,
-            (true, false) => self.kernel.with_stops(system.stops)?.with_drives(system.drives)?,
+            (true, false) if self.spec.drive == spec.drive => self.kernel.with_stops(system.stops),
+            (true, false) => self.kernel.with_stops(system.stops).with_drives(system.drives)?,
             (false, _) => {
                 return Ok(Self {
                     kernel: Kernel::new(Plant::new(system)?)?.watched_by(&self.kernel.watch),
@@ -119,7 +119,7 @@ impl Prepared {
                 });
             }
         };
-        let kernel = if kernel.plant.system.signals == signals { kernel } else { kernel.with_signals(signals)? };
+        let kernel = if kernel.plant.system.signals == signals { kernel } else { kernel.with_signals(signals) };
         Ok(Self { spec, kernel, modes: Arc::clone(&self.modes) })
     }
 
@@ -139,7 +139,7 @@ impl Prepared {
         if !is_random {
             return Err(StudyError::NoNoise);
         }
-        Ok(self.kernel.with_signals(System::signals(&spec, &self.modes, &|| self.kernel.watch.is_stopped())?)?)
+        Ok(self.kernel.with_signals(System::signals(&spec, &self.modes, &|| self.kernel.watch.is_stopped())?))
     }
 
     /// The start that the spec asks for; a state file is read relative to `folder`.

@@ -16,16 +16,17 @@ use faer::c64;
 /// Terms of the series: on `1/8` they leave `(1/8)^11 / 11! = 3e-18`.
 const TERMS: usize = 10;
 
-/// Block coordinates after the impulses on a column `b`.
-pub fn after_impulses(block: &Block, column: &[f64], left_s: &[f64], impulses_n_s: &[f64]) -> Vec<f64> {
+/// Block coordinates after the impulses on a column `b`; 0 for pairs that turn faster than `fastest_rad_s`.
+pub fn after_impulses(block: &Block, column: &[f64], fastest_rad_s: f64, left_s: &[f64], impulses_n_s: &[f64]) -> Vec<f64> {
     let (times, impulses) = (lanes(left_s), lanes(impulses_n_s));
     let longest_s = left_s.iter().fold(0.0_f64, |max, time| max.max(*time));
     let mut state = Vec::with_capacity(column.len());
     let (paired, single) = column.split_at(2 * block.pairs.len());
     for (pair, b) in block.pairs.iter().zip(paired.chunks_exact(2)) {
+        let rate = pair.eigenvalue();
         match pair {
+            _ if rate.norm() > fastest_rad_s => state.extend([0.0; 2]),
             Pair::Oscillatory { .. } => {
-                let rate = pair.eigenvalue();
                 let squarings = (8.0 * rate.norm() * longest_s).max(1.0).log2().ceil() as u32;
                 let sum = widest(Turned { times: &times, impulses: &impulses, rate, squarings }) * c64::new(b[0], b[1]);
                 state.extend([sum.re, sum.im]);
@@ -96,7 +97,7 @@ mod tests {
         let column: Vec<f64> = (0..block.len()).map(|i| 1.0 + 0.1 * i as f64).collect();
         let left_s: Vec<f64> = (0..21).map(|q| 0.004 * f64::from(q) + 0.02).collect();
         let impulses_n_s: Vec<f64> = (0..21).map(|q| (0.3 * f64::from(q)).sin()).collect();
-        let found = after_impulses(&block, &column, &left_s, &impulses_n_s);
+        let found = after_impulses(&block, &column, f64::INFINITY, &left_s, &impulses_n_s);
         let mut exact = vec![0.0; block.len()];
         for (time_s, impulse) in left_s.iter().zip(&impulses_n_s) {
             exact.iter_mut().zip(block.flow(*time_s, &column)).for_each(|(sum, y)| *sum += impulse * y);

@@ -105,21 +105,22 @@ impl Balance {
     pub(super) fn state(&self, rules: &Rules) -> Vec<f64> {
         let plant = &self.kernel.plant;
         let block = &plant.diagonal.block;
-        let order = |rate_rad_s: f64| rate_rad_s / self.step_rad_s;
-        let orders = block.pairs.iter().map(|pair| order(pair.eigenvalue().norm()));
+        let orders = block.pairs.iter().map(|pair| pair.eigenvalue().norm() / self.step_rad_s);
         let harmonics = self.between.harmonics() as f64;
-        let fastest = orders.fold(harmonics, f64::max).min(FASTEST.max(harmonics));
+        let most = FASTEST.max(harmonics);
+        let fastest = orders.fold(harmonics, f64::max).min(most);
         let period_s = TAU / self.step_rad_s;
         let mut state = vec![0.0; plant.len()];
         let sides = Side::all(plant, &self.unknown, self.step_rad_s, (&self.grid, rules), fastest);
         for (port, Side { nodes, .. }) in plant.ports.iter().zip(sides) {
             let left_s: Vec<f64> = nodes.iter().map(|node| period_s * (1.0 - (node.angle / TAU).rem_euclid(1.0))).collect();
             let impulses_n_s: Vec<f64> = nodes.iter().map(|node| node.share * period_s * node.force_n).collect();
-            state.iter_mut().zip(after_impulses(block, &port.force, &left_s, &impulses_n_s)).for_each(|(sum, y)| *sum += y);
+            let left = after_impulses(block, &port.force, most * self.step_rad_s, &left_s, &impulses_n_s);
+            state.iter_mut().zip(left).for_each(|(sum, y)| *sum += y);
         }
         let free = block.free();
         for ((pair, y), free) in block.pairs.iter().zip(state.chunks_exact_mut(2)).zip(free.chunks_exact(2)) {
-            if order(pair.eigenvalue().norm()) > fastest || free[0] {
+            if free[0] {
                 (y[0], y[1]) = (0.0, 0.0);
                 continue;
             }
