@@ -6,6 +6,32 @@ use super::{Corrector, Direction, Family, Metric, Parts, Position, StepControl, 
 /// Distance from the curve, in goals of Newton, of a guess that polynomials through points within the goal give.
 const KNOWN: f64 = 10.0;
 
+/// Share of the turn of the tangent on a step that is left on a shorter one where the curve is smooth: it goes with the length.
+const STAYS: f64 = 0.8;
+
+/// Shorter steps on which the turn has stayed, at a corner.
+const AT_CORNER: u32 = 4;
+
+/// Length below which one is enough: the walk has come to it in many short steps.
+const SHORT: f64 = 1e-5;
+
+/// Turns that were refused, on shorter and shorter steps.
+#[derive(Debug, Default)]
+struct Refused {
+    turn: f64,
+    stayed: u32,
+}
+
+impl Refused {
+    /// One more; true at a corner, as an orbit has where the edge of a contact whose force jumps passes the start of the period.
+    fn is_corner(&mut self, turn: f64, length: f64) -> bool {
+        self.stayed = if turn > STAYS * self.turn { self.stayed + 1 } else { 0 };
+        self.turn = turn;
+        // The first has stayed beside nothing.
+        self.stayed > if length < SHORT { 1 } else { AT_CORNER }
+    }
+}
+
 /// A point of a curve with its tangent.
 #[derive(Debug)]
 pub struct Step<L> {
@@ -106,6 +132,7 @@ impl<'f, F: Family> Walk<'f, F> {
         let metric = Metric::at(&self.position, self.parameter_scale);
         let ahead = metric.unit(self.tangent.clone());
         let (mut last, mut refused) = ((f64::NAN, Parts::default()), None);
+        let mut turns = Refused::default();
         while self.length > self.control.shortest {
             let guess = match &self.behind {
                 Some(stretch) => stretch.at(stretch.length + self.length),
@@ -117,7 +144,7 @@ impl<'f, F: Family> Walk<'f, F> {
                     let way = metric.length(&guess.to(&found.position)) - KNOWN * self.corrector.goal;
                     if self.behind.is_some() && self.control.strayed(way, self.length, found.evaluations) {
                         last = (found.error, Parts::default());
-                    } else if let Some(step) = self.take(found, &ahead) {
+                    } else if let Some(step) = self.take(found, &ahead, &mut turns) {
                         return Ok(step);
                     }
                 }
@@ -135,17 +162,20 @@ impl<'f, F: Family> Walk<'f, F> {
         Err(WalkError::Stuck { parameter: self.position.parameter, step: self.length, error, left })
     }
 
-    /// Takes a corrected point, unless the curve turned too far on the way.
-    fn take(&mut self, found: Corrected<F::Local>, ahead: &Direction) -> Option<Step<F::Local>> {
+    /// Takes a corrected point, unless the curve turned too far on the way and may be lost.
+    fn take(&mut self, found: Corrected<F::Local>, ahead: &Direction, turns: &mut Refused) -> Option<Step<F::Local>> {
         let metric = Metric::at(&found.position, self.parameter_scale);
         let ahead = metric.unit(ahead.clone());
         let tangent = tangent(&found.local, &metric, &ahead)?;
         let turn = metric.inner(&tangent, &ahead).clamp(-1.0, 1.0).acos();
-        if self.control.refuses(turn) && self.points > 0 {
+        let turned = self.control.refuses(turn) && self.points > 0;
+        if turned && !turns.is_corner(turn, self.length) {
             return None;
         }
         self.length = self.control.after(self.length, found.evaluations, turn);
-        self.behind = Some(Stretch::between(&metric, (&self.position, &ahead), (&found.position, &tangent)));
+        let stretch = Stretch::between(&metric, (&self.position, &ahead), (&found.position, &tangent));
+        // What lies behind a corner says nothing of what lies ahead.
+        self.behind = (!turned).then_some(stretch);
         self.position = found.position.clone();
         self.tangent = tangent.clone();
         self.points += 1;

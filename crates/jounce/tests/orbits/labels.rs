@@ -1,6 +1,7 @@
 //! What a branch tells about itself: the same by both methods, for every tolerance, and each thing once.
 
 use crate::harvesters::{bench, branches, branches_of, paper};
+use jounce::spec::SpecFile;
 use jounce::study::{BandwidthSearch, BranchKind, BranchSearch, Ending, Limit, Method, Parameter, Prepared};
 
 const METHODS: [Method; 2] = [Method::Shooting, Method::HarmonicBalance { harmonics: 64 }];
@@ -27,6 +28,27 @@ fn a_branch_that_leaves_the_range_below_a_fold_ends_on_the_edge() {
         eprintln!("{below} Hz below: {:.9e} W, fold {:.9e} W", powers_w[0], fold.orbit.mean_power_w);
         assert!(powers_w[0] > fold.orbit.mean_power_w && (powers_w[0] / powers_w[1] - 1.0).abs() < 1e-5, "{powers_w:?}");
     }
+}
+
+/// Near 5.797 Hz a contact whose force begins with a jump begins with the period, where the state of shooting has a corner and the harmonics
+/// of the displacement have none.
+#[test]
+fn a_branch_goes_on_where_a_contact_begins_with_the_period() {
+    let damped = include_str!("../../../../bench/plant.toml")
+        .replace("law = \"hertz\"", "law = \"kelvin-voigt\"\ndamping = \"0.3 N s/m\"")
+        .replace("stiffness = \"1000 N/m^1.5\"", "stiffness = \"100 N/m\"");
+    let [shooting, balance] = METHODS.map(|method| {
+        let found = branches(&SpecFile::from_text(damped.clone()), (4.0, 20.0), method, 0);
+        let [whole] = &found[..] else { panic!("{method:?}: {} branches", found.len()) };
+        assert_eq!(whole.endings, [Ending::Range], "{method:?}");
+        let mut labels: Vec<(BranchKind, f64)> = whole.bifurcations.iter().map(|found| (found.kind, found.at.parameter)).collect();
+        labels.sort_by(|a, b| a.1.total_cmp(&b.1));
+        labels
+    });
+    let apart = shooting.iter().zip(&balance).map(|(a, b)| (a.1 - b.1).abs()).fold(0.0, f64::max);
+    eprintln!("{apart:e} Hz apart: {shooting:?}");
+    assert!(shooting.iter().map(|label| label.0).eq(balance.iter().map(|label| label.0)), "{shooting:?} {balance:?}");
+    assert!(shooting.len() == 10 && apart < 1e-4, "{apart}");
 }
 
 /// Where a doubled branch comes back to the one that it left, the doubling of that one is all there is.
