@@ -3,8 +3,8 @@
 //! Two methods that share nothing but the plant and the contact law: [`Shooting`] on the exact flow with its exact derivative, for
 //! orbits of any number of drive cycles and for every law, and [`HarmonicBalance`] at the ports. Stability always comes from the exact flow.
 
-mod around;
 mod balance;
+mod block_equations;
 mod border;
 mod charges;
 mod compliance;

@@ -68,11 +68,11 @@ fn blocks(map: &Mat<f64>) -> (Vec<[usize; 2]>, Vec<usize>) {
     let square = |i: usize, j: usize| if i == j { 0.0 } else { map[(i, j)] * map[(i, j)] };
     let mut rest: Vec<usize> = (0..n).collect();
     // Squares of the lengths of each row and each column.
-    let mut lengths: Vec<[f64; 2]> = vec![[0.0; 2]; n];
+    let mut squares: Vec<[f64; 2]> = vec![[0.0; 2]; n];
     for j in 0..n {
         for i in 0..n {
-            lengths[i][0] += square(i, j);
-            lengths[j][1] += square(i, j);
+            squares[i][0] += square(i, j);
+            squares[j][1] += square(i, j);
         }
     }
     // For each state the one that it is tied to most.
@@ -93,21 +93,21 @@ fn blocks(map: &Mat<f64>) -> (Vec<[usize; 2]>, Vec<usize>) {
     loop {
         let stands_alone = |i: &usize| {
             let (i, j) = (*i, partners[*i]);
-            let [row, column] = lengths[i];
+            let [row, column] = squares[i];
             if is_apart(row, column) {
                 return Some([i, i]);
             }
             let beside = square(i, j) + square(j, i);
             let is_pair = i < j && partners[j] == i && rest.contains(&j);
-            (is_pair && is_apart(row + lengths[j][0] - beside, column + lengths[j][1] - beside)).then_some([i, j])
+            (is_pair && is_apart(row + squares[j][0] - beside, column + squares[j][1] - beside)).then_some([i, j])
         };
         let Some([i, j]) = rest.iter().find_map(stands_alone) else { return (found, rest) };
         found.push([i, j]);
         rest.retain(|k| *k != i && *k != j);
         for k in &rest {
             for gone in &[i, j][usize::from(i == j)..] {
-                let [row, column] = lengths[*k];
-                lengths[*k] = [(row - square(*k, *gone)).max(0.0), (column - square(*gone, *k)).max(0.0)];
+                let [row, column] = squares[*k];
+                squares[*k] = [(row - square(*k, *gone)).max(0.0), (column - square(*gone, *k)).max(0.0)];
             }
         }
     }

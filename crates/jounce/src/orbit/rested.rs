@@ -52,7 +52,7 @@ impl<H: Harvester> Shooting<'_, H> {
             by_parameter: Vec::new(),
             scale: self.scale.clone(),
             map: OnceLock::new(),
-            around: OnceLock::new(),
+            equations: OnceLock::new(),
             period_s,
             trajectories,
             contacts: statistics.contacts,

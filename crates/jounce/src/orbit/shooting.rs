@@ -93,7 +93,7 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         let by_parameter = self.unknown(&product(&plant.diagonal.to_physical, &by_parameter));
         let kept = kept_charges(plant, &self.scale, &trajectories);
         let whole = map.unwrap_or_else(|| Mat::identity(n, n));
-        let block_map = if kept.is_empty() { whole } else { self.without(plant, &whole, &kept) };
+        let block_map = if kept.is_empty() { whole } else { self.without_kept(plant, &whole, &kept) };
         let residual = self.residual(unknown, &looks[looks.len() - 1], &kept);
         let shot = Shot {
             kernel,
@@ -103,7 +103,7 @@ impl<'h, H: Harvester> Shooting<'h, H> {
             by_parameter,
             scale: self.scale.clone(),
             map: OnceLock::new(),
-            around: OnceLock::new(),
+            equations: OnceLock::new(),
             period_s: cycle_s * f64::from(self.cycles),
             trajectories,
             contacts,
@@ -117,7 +117,7 @@ impl<'h, H: Harvester> Shooting<'h, H> {
 
 impl<H> Shooting<'_, H> {
     /// A period map in block coordinates with 0 in place of the multipliers 1 of charges that nothing lets go.
-    fn without(&self, plant: &Plant, whole: &Mat<f64>, kept: &[Vec<f64>]) -> Mat<f64> {
+    fn without_kept(&self, plant: &Plant, whole: &Mat<f64>, kept: &[Vec<f64>]) -> Mat<f64> {
         let (into, out) = (&plant.diagonal.from_physical, &plant.diagonal.to_physical);
         let left = Mat::from_fn(plant.len(), plant.len(), |i, j| self.scale[i] * out[(i, j)]);
         let right = Mat::from_fn(plant.len(), plant.len(), |i, j| into[(i, j)] / self.scale[j]);

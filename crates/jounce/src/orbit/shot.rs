@@ -1,6 +1,6 @@
 //! A period as marched from one state.
 
-use super::around::{Around, Coordinates};
+use super::block_equations::{BlockEquations, Coordinates};
 use crate::continuation::{Direction, Linear, Metric, Parts, Position, tangent};
 use crate::march::{Kernel, Trajectory};
 use faer::Mat;
@@ -25,7 +25,7 @@ pub struct Shot {
     /// What [`Self::map`] gives, made when first asked for.
     pub(super) map: OnceLock<Mat<f64>>,
     /// `R_u` with the border that was asked for first.
-    pub(super) around: OnceLock<Around>,
+    pub(super) equations: OnceLock<BlockEquations>,
     /// Period, s.
     pub period_s: f64,
     /// The cycles.
@@ -102,7 +102,8 @@ impl Linear for Shot {
     }
 
     fn bordered(&self, row: &[f64], corner: f64, right: &[f64], last: f64) -> Option<(Vec<f64>, f64)> {
-        let around = self.around.get_or_init(|| Around::new(&self.block_map, &self.by_parameter, (row, corner), self.coordinates()));
-        around.solve((row, corner), (right, last), self.coordinates())
+        let equations =
+            self.equations.get_or_init(|| BlockEquations::new(&self.block_map, &self.by_parameter, (row, corner), self.coordinates()));
+        equations.solve((row, corner), (right, last), self.coordinates())
     }
 }

@@ -96,7 +96,8 @@ impl Condensed {
     pub fn new(sides: Sides<'_>, responses: &[Response], by: &[f64], (row, corner): (&[f64], f64)) -> Option<Self> {
         let (count, stops) = (sides.count(), sides.each.len());
         let (felt, pulled) = (sides.felt(by), sides.pulled(row));
-        let bottom = dot(row, by) + corner;
+        let first = Border::new((row, corner));
+        let bottom = first.along(by) + corner;
         let largest = |values: &[f64], least: f64| values.iter().fold(least, |max, value| max.max(value.abs()));
         let column_size = largest(&felt, f64::MIN_POSITIVE).max(if count == 0 { 1.0 } else { 0.0 });
         let row_size = largest(&pulled, (bottom / column_size).abs());
@@ -120,7 +121,7 @@ impl Condensed {
         border.iter_mut().zip(&felt).for_each(|(entry, felt)| *entry = -felt / column_size);
         border[count] = bottom / (column_size * row_size);
         let is_finite = row_size.is_finite() && column_size.is_finite();
-        is_finite.then(|| Self { factors: Factors::of(matrix), first: Border::new((row, corner)), row_size, column_size })
+        is_finite.then(|| Self { factors: Factors::of(matrix), first, row_size, column_size })
     }
 
     /// Solves `[R_u by; row corner] (du, dp) = (right, last)` with `R_u = push feel^T - I`.
@@ -141,8 +142,4 @@ impl Condensed {
         let unknown: Vec<f64> = pushed.iter().zip(by).zip(right).map(|((pushed, by), right)| pushed + by * parameter - right).collect();
         (parameter.is_finite() && unknown.iter().all(|u| u.is_finite())).then_some((unknown, parameter))
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

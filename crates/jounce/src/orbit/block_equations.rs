@@ -14,7 +14,7 @@ use faer::Mat;
 
 /// The derivative of an orbit's equations by its state, factored with the border that was asked for first.
 #[derive(Debug)]
-pub struct Around {
+pub struct BlockEquations {
     first: Border,
     factored: Bordered,
     /// `D`.
@@ -30,7 +30,7 @@ pub struct Coordinates<'c> {
     pub scale: &'c [f64],
 }
 
-impl Around {
+impl BlockEquations {
     /// Of a period map in block coordinates, with the border `[R_u b; row corner]` in energy coordinates.
     pub fn new(map: &Mat<f64>, by: &[f64], (row, corner): (&[f64], f64), coordinates: Coordinates) -> Self {
         let n = row.len();
@@ -103,9 +103,9 @@ mod tests {
         let energy = Mat::from_fn(3, 3, |i, j| whole[(i, j)] * scale[i] / scale[j] - f64::from(u8::from(i == j)));
         let coordinates = Coordinates { diagonal: &diagonal, scale: &scale };
         let (by, right) = ([0.3, -2.0, 1.0], [1.0, 0.5, -0.2]);
-        let around = Around::new(&map, &by, (&[1.0, 2.0, 3.0], 0.5), coordinates);
+        let equations = BlockEquations::new(&map, &by, (&[1.0, 2.0, 3.0], 0.5), coordinates);
         for (row, corner) in [([1.0, 2.0, 3.0], 0.5), ([0.0, -1.0, 0.2], 2.0)] {
-            let found = around.solve((&row, corner), (&right, 0.7), coordinates).unwrap_or_default();
+            let found = equations.solve((&row, corner), (&right, 0.7), coordinates).unwrap_or_default();
             let exact = solve_bordered(&energy, &by, (&row, corner), (&right, 0.7)).unwrap_or_default();
             let apart = found.0.iter().zip(&exact.0).map(|(a, b)| (a - b).abs()).fold((found.1 - exact.1).abs(), f64::max);
             let size = exact.0.iter().fold(exact.1.abs(), |max, x| max.max(x.abs()));
