@@ -14,7 +14,7 @@ from .result import Along, Floats, Integers, Result, Truths, Variable, html_tabl
 class BasinsResult(Result):
     """The attractors that a cloud or a grid of starts ends on; arrays of shape ``(attractor,)`` and, of the starts, ``(start,)``."""
 
-    #: Drive cycles of the period and a letter by falling power, ``"1a"``; ``"chaos"``, ``"torus"``, ``"unsettled"``.
+    #: Drive cycles of the period and a letter by falling power, ``"1a"``; ``"chaos"``, ``"torus"``, ``"undecided"``.
     attractor: list[str]
     #: Period in drive cycles; 0 for none.
     period_cycles: Annotated[Integers, Along("attractor", "1", "period in drive cycles, 0 for none")]

@@ -33,7 +33,7 @@ class DiagramResult(Result):
     direction: list[str]
     #: Number of the start in its cloud; 0 when stepped.
     start: Integers
-    #: ``"orbit"``, ``"chaos"``, ``"torus"``, ``"unsettled"``, ``"lost"``.
+    #: ``"orbit"``, ``"chaos"``, ``"torus"``, ``"undecided"``, ``"lost"``.
     motion: list[str]
     #: Period in drive cycles; 0 for none.
     period_cycles: Integers

@@ -5,7 +5,7 @@ use crate::frame::Frame;
 use crate::halt::Halt;
 use crate::session::Session;
 use jounce::orbit::Harvester;
-use jounce::study::{Basins, Grid, GridAxis, GridSide, Parameter, SectionPoint, Starts};
+use jounce::study::{Basins, Grid, GridAxis, GridSide, Parameter, Recognition, SectionPoint, Starts};
 use serde_json::json;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
@@ -40,7 +40,7 @@ pub fn respond(session: &Session, id: u64, design: &Design, side: usize, halt: &
     let count = side.clamp(2, MOST_VALUES);
     let axis = |axis, reach: f64| GridSide { axis, from: -reach, to: reach, count };
     let starts = Starts::Grid(Grid { sides: vec![axis(GridAxis::Displacement, reach_m), axis(GridAxis::Velocity, reach_m_s)] });
-    let study = Basins { base: &base, parameter: &parameter, value, starts, tolerance: TOLERANCE };
+    let study = Basins { base: &base, parameter: &parameter, value, starts, recognition: Recognition::at(TOLERANCE) };
     let (of, finished, began) = (study.starts.len(), AtomicUsize::new(0), Instant::now());
     let answer = study.run(&|| {
         let done = 1 + finished.fetch_add(1, Ordering::Relaxed);

@@ -51,7 +51,7 @@ pub fn basins<'py>(
         let base = spec.prepared(watch)?;
         driven::check(&base.kernel.plant, "a basin")?;
         let parameter = Parameter::new(&base, &key, value);
-        let study = Basins { base: &base, parameter: &parameter, value, starts, tolerance };
+        let study = Basins { base: &base, parameter: &parameter, value, starts, recognition: Recognition::at(tolerance) };
         // Before the marches, so that nothing is left to do for a call that is stopped.
         let places = places(&base.kernel.plant, &study.starts);
         Ok((on_threads(threads, || Ok(study.run(&|| ())?))?, places))
@@ -74,7 +74,7 @@ fn told<'py>(py: Python<'py>, found: &BasinsAnswer, places: &[SectionPoint], man
     let answer = Answer::new(py)
         .with("attractor", all.iter().map(|a| a.id.clone()).collect::<Vec<_>>())?
         .each("period_cycles", all, |a| i64::from(a.period_cycles))?
-        .each("chaotic", all, |a| a.chaotic)?
+        .each("chaotic", all, |a| a.is_chaotic())?
         .each("mean_power_w", all, |a| a.mean_power_w)?
         .each("contacts_per_period", all, |a| a.contacts_per_period as i64)?
         .each("fraction", all, |a| a.share.fraction)?

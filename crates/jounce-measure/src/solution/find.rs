@@ -5,7 +5,7 @@ use jounce::orbit::{Orbit, Shooting};
 use jounce::plant::Plant;
 use jounce::run::StartState;
 use jounce::spec::{NumericKey, Spec};
-use jounce::study::{Basins, Cloud, Parameter, Prepared, Starts};
+use jounce::study::{Basins, Cloud, Parameter, Prepared, Recognition, Starts};
 
 use super::{SolutionError, Waveform};
 
@@ -62,7 +62,7 @@ pub fn solutions(spec: &Spec, search: &Search, watch: &Watch) -> Result<Vec<Solu
     let key = NumericKey::find(&base.spec, &format!("drive.{name}.frequency"))?;
     let parameter = Parameter::new(&base, &key, drive_hz);
     let starts = Starts::Cloud(Cloud { starts: search.starts, seed: search.seed, spread: search.spread });
-    let study = Basins { base: &base, parameter: &parameter, value: drive_hz, starts, tolerance: search.tolerance };
+    let study = Basins { base: &base, parameter: &parameter, value: drive_hz, starts, recognition: Recognition::at(search.tolerance) };
     let answer = study.run(&|| ())?;
     if let (true, Some((_, first))) = (answer.attractors.is_empty(), answer.lost.first()) {
         return Err(SolutionError::Lost { starts: search.starts, first: first.clone() });

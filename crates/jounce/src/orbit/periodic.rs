@@ -81,9 +81,14 @@ impl Orbit {
 
     /// True when the orbit is one of fewer cycles, gone through several times.
     pub fn repeats_early(&self) -> bool {
+        self.shorter_period().is_some()
+    }
+
+    /// The least number of cycles, fewer than those of the period, after which the orbit repeats.
+    pub fn shorter_period(&self) -> Option<u32> {
         let apart = |look: &[f64]| (ColRef::from_slice(look) - ColRef::from_slice(self.start())).norm_l2();
-        let cycles = self.period_cycles as usize;
-        (1..cycles).any(|shorter| cycles.is_multiple_of(shorter) && apart(&self.looks[shorter]) < SAME * self.size())
+        let repeats = |shorter: &u32| apart(&self.looks[*shorter as usize]) < SAME * self.size();
+        (1..self.period_cycles).filter(|shorter| self.period_cycles.is_multiple_of(*shorter)).find(repeats)
     }
 
     /// `det(M - s I)` up to a positive factor, for `s` of modulus one.

@@ -54,6 +54,7 @@ impl<H: Harvester> Shooting<'_, H> {
             map: OnceLock::new(),
             equations: OnceLock::new(),
             period_s,
+            keeps_charge: false,
             trajectories,
             contacts: statistics.contacts,
             max_penetration_m: statistics.max_penetration_m,

@@ -59,7 +59,7 @@ impl<'h, H: Harvester> Shooting<'h, H> {
     }
 
     /// Marches the period; true when the derivative with respect to the parameter is exact.
-    pub(super) fn shoot(&self, unknown: &[f64], parameter: f64) -> Result<(Shot, bool), OrbitError<H::Error>> {
+    pub(crate) fn shoot(&self, unknown: &[f64], parameter: f64) -> Result<(Shot, bool), OrbitError<H::Error>> {
         let setting = self.harvester.at(parameter).map_err(OrbitError::Harvester)?;
         let kernel = setting.kernel;
         let plant = &kernel.plant;
@@ -105,6 +105,7 @@ impl<'h, H: Harvester> Shooting<'h, H> {
             map: OnceLock::new(),
             equations: OnceLock::new(),
             period_s: cycle_s * f64::from(self.cycles),
+            keeps_charge: !kept.is_empty(),
             trajectories,
             contacts,
             max_penetration_m,

@@ -28,6 +28,8 @@ pub struct Shot {
     pub(super) equations: OnceLock<BlockEquations>,
     /// Period, s.
     pub period_s: f64,
+    /// True where nothing lets some charge go in the period: the orbit is one of a family over it.
+    pub keeps_charge: bool,
     /// The cycles.
     pub trajectories: Vec<Trajectory>,
     /// Contacts that began.

@@ -5,7 +5,7 @@ use super::{Quantity, SurveyError};
 use crate::linear::{self, Input, Random, RandomError, RandomLoad, RandomStop, Response};
 use crate::run::{RunPlan, simulate};
 use crate::spec::{DriveKind, NumericKey, Spec};
-use crate::study::{BandwidthSearch, Basins, BranchSearch, Cloud, Ensemble, Method, Parameter, Prepared, Starts, StudyError};
+use crate::study::{BandwidthSearch, Basins, BranchSearch, Cloud, Ensemble, Method, Parameter, Prepared, Recognition, Starts, StudyError};
 use std::f64::consts::TAU;
 use std::path::Path;
 
@@ -98,7 +98,8 @@ fn modes(prepared: &Prepared, count: usize) -> Vec<f64> {
 fn basins(prepared: &Prepared, cloud: Cloud, tolerance: f64) -> Result<Vec<f64>, SurveyError> {
     let (key, value) = drive_key(prepared)?;
     let parameter = Parameter::new(prepared, &key, value);
-    let study = Basins { base: prepared, parameter: &parameter, value, starts: Starts::Cloud(cloud), tolerance };
+    let study =
+        Basins { base: prepared, parameter: &parameter, value, starts: Starts::Cloud(cloud), recognition: Recognition::at(tolerance) };
     let found = study.run(&|| ())?;
     let highest = found.attractors.iter().max_by(|a, b| a.mean_power_w.total_cmp(&b.mean_power_w));
     Ok(vec![

@@ -2,7 +2,7 @@
 
 use crate::orbit::OrbitError;
 use crate::spec::{KeyRange, NumericKey};
-use crate::study::{BranchKind, CurveKind, Diagram, Direction, JumpSearch, Motion, Order, Parameter, Prepared, StudyError, Sweep};
+use crate::study::{AttractorKind, BranchKind, CurveKind, Diagram, Direction, JumpSearch, Order, Parameter, Prepared, StudyError, Sweep};
 use std::path::Path;
 
 /// Cycles kept of a motion without a period: only what it is counts here.
@@ -34,9 +34,9 @@ pub(super) fn diagram(prepared: &Prepared, (over, values): (&str, &[f64]), order
     let parameter = Parameter::new(prepared, &key, if width > 0.0 { width } else { values[0].abs().max(1e-12) });
     let study = Diagram { base: prepared, parameter: &parameter, values, order, cycles: CYCLES, tolerance };
     let visits = study.run(None, &|_| ()).map_err(|error| error.to_string())?;
-    let found: Vec<_> = visits.iter().filter(|visit| visit.motion != Motion::Lost).collect();
+    let found: Vec<_> = visits.iter().filter(|visit| visit.motion != AttractorKind::Lost).collect();
     let highest = found.iter().max_by(|a, b| a.mean_power_w.total_cmp(&b.mean_power_w)).ok_or("every march failed")?;
-    let aperiodic = found.iter().filter(|visit| visit.motion != Motion::Orbit).count();
+    let aperiodic = found.iter().filter(|visit| visit.motion != AttractorKind::Orbit).count();
     Ok(vec![
         highest.mean_power_w,
         highest.parameter,

@@ -5,7 +5,9 @@ use jounce::march::{Kernel, Marcher};
 use jounce::orbit::Harvester;
 use jounce::reference::ImpactOscillator;
 use jounce::study::largest_exponent;
-use jounce::study::{Basins, BasinsAnswer, Cloud, Grid, GridAxis, GridSide, Parameter, Prepared, SectionPoint, Starts, Wandering};
+use jounce::study::{
+    AttractorKind, Basins, BasinsAnswer, Cloud, Grid, GridAxis, GridSide, Parameter, Prepared, Recognition, SectionPoint, Starts,
+};
 use std::f64::consts::TAU;
 
 const CLOUD: Cloud = Cloud { starts: 24, seed: 3, spread: 20.0 };
@@ -15,7 +17,9 @@ fn basins(frequency_hz: f64) -> BasinsAnswer {
     let base = Prepared::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
-    Basins { base: &base, parameter: &parameter, value: frequency_hz, starts: Starts::Cloud(CLOUD), tolerance: 1e-8 }.run(&|| ()).unwrap()
+    Basins { base: &base, parameter: &parameter, value: frequency_hz, starts: Starts::Cloud(CLOUD), recognition: Recognition::at(1e-8) }
+        .run(&|| ())
+        .unwrap()
 }
 
 /// Mean power over the last cycles of a long march.
@@ -66,10 +70,10 @@ fn what_settles_slowly_is_recognised_at_every_frequency() {
     let parameter = Parameter::new(&base, &key, 1.0);
     for (value, seed) in [(5.0, 1), (8.0, 2), (11.0, 5), (12.3, 3), (13.0, 1), (13.34, 2), (16.0, 5), (19.0, 1)] {
         let starts = Starts::Cloud(Cloud { starts: 12, seed, spread: 10.0 });
-        let answer = Basins { base: &base, parameter: &parameter, value, starts, tolerance: 1e-8 }.run(&|| ()).unwrap();
+        let answer = Basins { base: &base, parameter: &parameter, value, starts, recognition: Recognition::at(1e-8) }.run(&|| ()).unwrap();
         let ids: Vec<&str> = answer.attractors.iter().map(|a| a.id.as_str()).collect();
         eprintln!("{value} Hz: {ids:?}");
-        let wanders = |id: &str| ["chaos", "unsettled"].contains(&id) || (id == "torus" && value != 12.3);
+        let wanders = |id: &str| ["chaos", "undecided"].contains(&id) || (id == "torus" && value != 12.3);
         assert!(answer.lost.is_empty() && !ids.iter().any(|id| wanders(id)), "{value} Hz: {ids:?}");
     }
 }
@@ -99,7 +103,7 @@ fn the_exponent_of_a_linear_plant_is_its_slowest_decay() {
     let slowest = kernel.plant.diagonal.block.eigenvalues().iter().map(|value| value.re).fold(f64::NEG_INFINITY, f64::max);
     let found = largest_exponent(&kernel, &vec![0.0; kernel.plant.len()], 640, 1e-8).unwrap();
     eprintln!("exponent {} +- {}, slowest decay {slowest}", found.exponent_per_s, found.error_per_s);
-    assert!((found.exponent_per_s / slowest - 1.0).abs() < 2e-2 && found.wandering() == Wandering::Unsettled);
+    assert!((found.exponent_per_s / slowest - 1.0).abs() < 2e-2 && found.kind() == AttractorKind::Undecided);
 }
 
 fn oscillator(gap: f64, frequency_ratio: f64) -> ImpactOscillator {
@@ -127,7 +131,7 @@ fn the_exponent_of_a_stable_orbit_is_that_of_its_multiplier() {
     marcher.advance_to(TAU / 0.8).unwrap();
     let found = largest_exponent(&kernel, &marcher.state(), 320, 1e-12).unwrap();
     eprintln!("{} +- {}, closed form {exact}", found.exponent_per_s, found.error_per_s);
-    assert!((found.exponent_per_s / exact - 1.0).abs() < 2e-2 && found.wandering() == Wandering::Unsettled);
+    assert!((found.exponent_per_s / exact - 1.0).abs() < 2e-2 && found.kind() == AttractorKind::Undecided);
 }
 
 /// Chaos at `w = 2.8` on a stop without gap: two marches side by side part as fast as the exponent says.
@@ -155,6 +159,6 @@ fn chaos_is_told_by_its_exponent() {
     }
     let marched = growth / (f64::from(cycles) * cycle_s);
     eprintln!("exponent {} +- {}, two marches {marched}", found.exponent_per_s, found.error_per_s);
-    assert!(found.wandering() == Wandering::Chaos);
+    assert!(found.kind() == AttractorKind::Chaos);
     assert!((found.exponent_per_s - marched).abs() < 5.0 * found.error_per_s, "{} {marched}", found.exponent_per_s);
 }

@@ -1,7 +1,7 @@
 //! Bifurcation diagrams by marching against the continued branches, and attractors matched along the key.
 
 use crate::harvesters::{bench, branches};
-use jounce::study::{Branch, BranchKind, Cloud, Diagram, History, Method, Motion, Order, Parameter, Prepared, Visit};
+use jounce::study::{AttractorKind, Branch, BranchKind, Cloud, Diagram, History, Method, Order, Parameter, Prepared, Visit};
 
 fn visits(values: &[f64], order: Order) -> (Vec<Visit>, Option<History>) {
     let file = bench();
@@ -33,7 +33,7 @@ fn stepped_marches_lie_on_the_branches_and_jump_at_their_folds() {
     let (visits, _) = visits(&values, Order::Both);
     assert_eq!(visits.len(), 62);
     let on = |visit: &Visit| powers_w(&found, visit.parameter).iter().any(|power_w| (visit.mean_power_w / power_w - 1.0).abs() < 0.02);
-    assert!(visits.iter().filter(|visit| visit.motion == Motion::Orbit && visit.period_cycles == 1).all(on));
+    assert!(visits.iter().filter(|visit| visit.motion == AttractorKind::Orbit && visit.period_cycles == 1).all(on));
     // On the way up power falls by more than ten at the fold.
     let up = &visits[..31];
     let jump = up.windows(2).find(|pair| pair[1].mean_power_w < 0.1 * pair[0].mean_power_w).unwrap();
@@ -95,7 +95,7 @@ fn any_number_of_threads_gives_the_same_diagram() {
 #[test]
 fn a_section_of_an_orbit_has_a_point_for_each_cycle() {
     let (visits, _) = visits(&[13.6], Order::Starts(Cloud { starts: 6, seed: 1, spread: 10.0 }));
-    for visit in visits.iter().filter(|visit| visit.motion == Motion::Orbit) {
+    for visit in visits.iter().filter(|visit| visit.motion == AttractorKind::Orbit) {
         assert_eq!(visit.section.len(), visit.period_cycles as usize);
     }
 }

@@ -4,7 +4,7 @@ use jounce::linear::{Input, Response, frf};
 use jounce::plant::{Plant, System};
 use jounce::spec::{Spec, SpecFile};
 use jounce::structure::modes;
-use jounce::study::{Basins, BasinsAnswer, Cloud, Parameter, Prepared, Starts};
+use jounce::study::{Basins, BasinsAnswer, Cloud, Parameter, Prepared, Recognition, Starts};
 
 const TABLE: &str = r#"
 [mass.ball]
@@ -64,7 +64,7 @@ fn basins(text: &str, amplitude: &str, starts: usize) -> BasinsAnswer {
     let value = key.get(&base.spec).unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
     let starts = Starts::Cloud(Cloud { starts, seed: 1, spread: 10.0 });
-    Basins { base: &base, parameter: &parameter, value, starts, tolerance: 1e-8 }.run(&|| {}).unwrap()
+    Basins { base: &base, parameter: &parameter, value, starts, recognition: Recognition::at(1e-8) }.run(&|| {}).unwrap()
 }
 
 /// The ball leaves the table where this falls faster than the ball does, `a sin(w t) > g`, and so nowhere below 1 g.

@@ -13,7 +13,7 @@ use clap::Args;
 use jounce::picture::{Colour, Figure, Marker, Panel, Series};
 use jounce::plant::Plant;
 use jounce::run::Exceeded;
-use jounce::study::{Attractor, Basins as Study, BasinsAnswer, Cloud, GridAxis, Parameter, Prepared, SectionPoint, Starts};
+use jounce::study::{Attractor, Basins as Study, BasinsAnswer, Cloud, GridAxis, Parameter, Prepared, Recognition, SectionPoint, Starts};
 use jounce::table::{Column, Table};
 
 /// Arguments of `basins`.
@@ -34,9 +34,15 @@ pub struct Basins {
     /// displacement=-5mm:5mm:21x, velocity=-1m/s:1m/s:21x or voltage=-10V:10V:5x.
     #[arg(long, value_name = "SIDE=FROM:TO:Nx", allow_hyphen_values = true, conflicts_with_all = ["starts", "seed", "spread"])]
     grid: Vec<String>,
-    /// Relative tolerance of the marches.
+    /// Relative tolerance of the integration.
     #[arg(long, default_value_t = 1e-8)]
     tolerance: f64,
+    /// Longest period of an attractor, drive cycles.
+    #[arg(long, default_value_t = 64, value_parser = clap::value_parser!(u32).range(1..))]
+    longest_period: u32,
+    /// Drive cycles after which a start without a proved attractor counts as chaos or undecided.
+    #[arg(long, default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(1..))]
+    max_cycles: u32,
     #[command(flatten)]
     threads: ThreadsArgument,
     #[command(flatten)]
@@ -66,7 +72,9 @@ impl Basins {
             None => Starts::Cloud(Cloud { starts: self.starts, seed: self.seed, spread: self.spread }),
         };
         let of = starts.len();
-        let study = Study { base: &base, parameter: &parameter, value, starts, tolerance: self.tolerance };
+        let (longest_period, max_cycles) = (self.longest_period, self.max_cycles);
+        let recognition = Recognition { longest_period, max_cycles, ..Recognition::at(self.tolerance) };
+        let study = Study { base: &base, parameter: &parameter, value, starts, recognition };
         interruption::heed(&base.kernel.watch);
         let bar = progress::counted(of, "starts");
         let answer = self.threads.run(|| study.run(&|| bar.inc(1)))??;
@@ -126,7 +134,8 @@ fn listed(a: &Attractor) -> serde_json::Value {
     serde_json::json!({
         "id": a.id,
         "period_cycles": a.period_cycles,
-        "chaotic": a.chaotic,
+        "chaotic": a.is_chaotic(),
+        "mirror_of": a.mirror_of,
         "mean_power_w": a.mean_power_w,
         "contacts_per_period": a.contacts_per_period,
         "lyapunov_per_s": a.lyapunov.map(|(exponent, _)| exponent),
@@ -151,7 +160,7 @@ fn table(answer: &BasinsAnswer) -> Result<Table, Failure> {
             "period in drive cycles, 0 for none",
             all.iter().map(|a| u64::from(a.period_cycles)).collect::<Vec<_>>(),
         ),
-        Column::new("chaotic", "", "neighbouring motions part", all.iter().map(|a| a.chaotic).collect::<Vec<bool>>()),
+        Column::new("chaotic", "", "neighbouring motions part", all.iter().map(|a| a.is_chaotic()).collect::<Vec<bool>>()),
         number("mean_power_w", "W", "mean power of all loads", |a| a.mean_power_w),
         number("fraction", "", "share of the starts", |a| a.share.fraction),
         number("fraction_low", "", "lower end of its 95 % interval", |a| a.share.low),

@@ -13,7 +13,7 @@ use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
 use jounce::spec::{KeyRange, Spec};
 use jounce::study::Visit;
-use jounce::study::{Branch, BranchSearch, Cloud, Diagram as Study, History, Journal, Method, Motion, Order, Parameter, Prepared};
+use jounce::study::{AttractorKind, Branch, BranchSearch, Cloud, Diagram as Study, History, Journal, Method, Order, Parameter, Prepared};
 
 /// The cloud of starts that is meant if nothing else is said: their number at each value, ...
 const STARTS: usize = 20;
@@ -157,7 +157,7 @@ impl Diagram {
             return Err(Failure::Interrupted(text));
         }
         journal.finish()?;
-        let lost = visits.iter().filter(|visit| visit.motion == Motion::Lost).count();
+        let lost = visits.iter().filter(|visit| visit.motion == AttractorKind::Lost).count();
         if lost == visits.len() {
             return Err(Failure::NotConverged("every march failed; a larger --tolerance or another range may help".to_owned()));
         }

@@ -98,7 +98,7 @@ pub fn points(key: &NumericKey, answer: &Answer) -> Result<Table, Failure> {
         text("direction", "how the value was reached", &|visit, _| visit.direction.name().to_owned()),
         count("start", "number of the start in its cloud", |visit| visit.start as u64),
         text("attractor", "id of the attractor, from starts only", &|_, id| id.to_owned()),
-        text("motion", "orbit, chaos, torus or unsettled", &|visit, _| visit.motion.name().to_owned()),
+        text("motion", "orbit, chaos, torus or undecided", &|visit, _| visit.motion.name().to_owned()),
         count("period_cycles", "period in drive cycles, 0 for none", |visit| u64::from(visit.period_cycles)),
         count("contacts_per_period", "contacts per period, 0 for none", |visit| visit.contacts_per_period),
         number("mean_power_w", "W", "mean power of all loads", |visit, _| visit.mean_power_w),

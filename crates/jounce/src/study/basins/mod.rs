@@ -1,22 +1,21 @@
 //! Attractors, how likely each is from a cloud of starts, and the power to be expected.
 
+mod attractor;
 mod basin;
 mod cloud;
 mod expected;
-mod fate;
 mod grid;
 mod grid_text;
-mod lyapunov;
+mod letters;
+mod mirror;
 mod share;
-mod signature;
 mod starts;
 
-pub use basin::{Attractor, Basins, BasinsAnswer};
+pub use attractor::{Attractor, BasinsAnswer};
+pub use basin::Basins;
 pub use cloud::Cloud;
-pub use fate::Fate;
 pub use grid::{Grid, GridAxis, GridSide};
 pub use grid_text::GridError;
-pub use lyapunov::{Lyapunov, Wandering, largest_exponent};
+pub(super) use letters::letters;
 pub use share::{Share, wilson};
-pub(super) use signature::{Signature, letters};
 pub use starts::Starts;

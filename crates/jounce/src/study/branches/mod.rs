@@ -2,7 +2,6 @@
 
 mod astray;
 mod branch;
-mod candidate;
 mod carry;
 mod chase;
 mod eased;
@@ -13,7 +12,6 @@ mod free;
 mod passed;
 mod refine;
 mod search;
-mod settled_orbit;
 mod thinned;
 
 pub use branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
@@ -21,5 +19,3 @@ pub use carry::{BranchCarry, Carried, Trend};
 pub use chase::{BranchChase, KnownOrbit};
 pub(super) use follow::RESOLUTION;
 pub use search::{BranchSearch, Method};
-pub(super) use settled_orbit::settled_motion;
-pub use settled_orbit::settled_orbit;

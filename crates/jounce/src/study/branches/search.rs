@@ -7,10 +7,9 @@
 use super::branch::{Branch, BranchKind, BranchPoint};
 use super::eased::eased;
 use super::follow::{Following, RESOLUTION, newton_goal};
-use super::settled_orbit::settled_orbit;
 use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, correct, settle, tangent};
 use crate::orbit::{HarmonicBalance, Harvester, Orbit, OrbitError, OrbitMethod, Shooting, null_vector};
-use crate::study::{Parameter, Prepared, StudyError};
+use crate::study::{Parameter, Prepared, StudyError, settled_orbit};
 use faer::{ColRef, Mat};
 use rayon::prelude::*;
 

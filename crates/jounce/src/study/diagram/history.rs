@@ -8,9 +8,9 @@
 
 use super::lineage::{Lineage, Seen, Turn};
 use super::march::Diagram;
-use super::visit::{Motion, Place, Visit};
+use super::visit::{Place, Visit};
 use crate::study::basins::wilson;
-use crate::study::{StudyError, Way};
+use crate::study::{AttractorKind, StudyError, Way};
 use rayon::prelude::*;
 
 /// Distance of two sections, beside their size, below which one march is enough.
@@ -47,7 +47,7 @@ impl Diagram<'_> {
             let mut here = groups(visits, *value);
             let forward = self.followed(&before, *value)?;
             for (visit, _) in &forward {
-                if visit.motion != Motion::Lost && !here.iter().any(|group| group.first.is_of(visit)) {
+                if visit.motion != AttractorKind::Lost && !here.iter().any(|group| group.first.is_of(visit)) {
                     here.push(Group { first: visit.clone(), visits: Vec::new() });
                 }
             }
@@ -72,7 +72,7 @@ impl Diagram<'_> {
                 let other = ahead[i].0.map(|j| history.attractors[homes[j]].id.clone());
                 history.attractors[*home].died = Some(Turn { parameter: *value, other });
             }
-            let of = visits.iter().filter(|visit| visit.parameter == *value && visit.motion != Motion::Lost).count();
+            let of = visits.iter().filter(|visit| visit.parameter == *value && visit.motion != AttractorKind::Lost).count();
             here.iter().zip(&homes).for_each(|(group, home)| history.see(group, *home, of));
             before = here.into_iter().zip(homes).collect();
         }
@@ -172,7 +172,7 @@ fn partners(before: &[(Group, usize)], here: &[Group], ahead: &[(Option<usize>, 
 /// Visits at a value by attractor, by period and falling power.
 fn groups(visits: &[Visit], value: f64) -> Vec<Group> {
     let mut groups: Vec<Group> = Vec::new();
-    let own = visits.iter().enumerate().filter(|(_, visit)| visit.parameter == value && visit.motion != Motion::Lost);
+    let own = visits.iter().enumerate().filter(|(_, visit)| visit.parameter == value && visit.motion != AttractorKind::Lost);
     for (k, visit) in own {
         match groups.iter_mut().find(|group| group.first.is_of(visit)) {
             Some(group) => group.visits.push(k),

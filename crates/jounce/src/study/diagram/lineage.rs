@@ -1,6 +1,7 @@
 //! One attractor along the key.
 
-use super::visit::{Motion, Visit};
+use super::visit::Visit;
+use crate::study::AttractorKind;
 use serde::Serialize;
 
 /// An attractor at one value.
@@ -35,7 +36,7 @@ pub struct Lineage {
     /// Drive cycles of the period and a letter by first appearance: `1a`, `2a`; `chaos-a`.
     pub id: String,
     /// What the motion is.
-    pub motion: Motion,
+    pub motion: AttractorKind,
     /// Drive cycles of the period, 0 for none.
     pub period_cycles: u32,
     /// How it came about; `None` where it is there at the first value.
@@ -52,7 +53,7 @@ impl Lineage {
         let alike = |known: &&Lineage| known.motion == of.motion && known.period_cycles == of.period_cycles;
         let letters = crate::study::basins::letters(known.iter().filter(alike).count());
         match of.motion {
-            Motion::Orbit => format!("{}{letters}", of.period_cycles),
+            AttractorKind::Orbit => format!("{}{letters}", of.period_cycles),
             other => format!("{}-{letters}", other.name()),
         }
     }

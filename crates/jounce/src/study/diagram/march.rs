@@ -1,8 +1,8 @@
 //! Marches at every value of a key: stepped up or down with the state carried over, or from a cloud of starts.
 
-use super::visit::{Motion, Place, Visit};
+use super::visit::{Place, Visit};
 use crate::orbit::Harvester;
-use crate::study::{Cloud, Journal, Parameter, Prepared, StudyError, Way};
+use crate::study::{AttractorKind, Cloud, Journal, Parameter, Prepared, StudyError, Way};
 use rayon::prelude::*;
 
 /// Order of visit.
@@ -128,7 +128,7 @@ impl Diagram<'_> {
         let rest = vec![0.0; self.base.kernel.plant.len()];
         let mut visits = found.to_vec();
         for place in self.places().into_iter().skip(found.len()) {
-            let start = visits.last().filter(|last| last.motion != Motion::Lost).map_or(&rest, |last| &last.end).clone();
+            let start = visits.last().filter(|last| last.motion != AttractorKind::Lost).map_or(&rest, |last| &last.end).clone();
             let Some(visit) = self.finished(place, &start)? else { break };
             visits.push(finish(visit)?);
         }

@@ -10,4 +10,4 @@ pub use history::History;
 pub use lineage::{Lineage, Seen, Turn};
 pub use march::{Diagram, Order};
 pub use section::SectionPoint;
-pub use visit::{Motion, Visit};
+pub use visit::Visit;

@@ -3,28 +3,11 @@
 use super::SectionPoint;
 use crate::march::{Kernel, MarchError, Marcher};
 use crate::orbit::Harvester;
-use crate::study::basins::Signature;
-use crate::study::{Fate, Parameter, Prepared, StudyError, Wandering, Way};
+use crate::study::{AttractorKind, Parameter, Prepared, Recognition, Recognizer, SteadyState, StudyError, Way};
 use serde::{Deserialize, Serialize};
 
-/// Drive cycles before points of a motion without a period are kept.
-const TRANSIENT_CYCLES: u32 = 500;
-
-/// What a motion is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Motion {
-    /// Periodic.
-    Orbit,
-    /// Neighbours part exponentially.
-    Chaos,
-    /// Neighbours keep their distance.
-    Torus,
-    /// Not settled after a long march.
-    Unsettled,
-    /// The march failed.
-    Lost,
-}
+/// Distance of two sections, relative to their size, below which they are of one orbit: far above the error of an orbit.
+const SAME: f64 = 1e-4;
 
 /// A march at one value.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -38,7 +21,7 @@ pub struct Visit {
     /// Number of the start in its cloud, 0 when stepped.
     pub start: usize,
     /// What the motion is.
-    pub motion: Motion,
+    pub motion: AttractorKind,
     /// Drive cycles of the period, 0 for none.
     pub period_cycles: u32,
     /// Contacts per period, 0 for none.
@@ -60,29 +43,6 @@ pub struct Place {
     pub start: usize,
 }
 
-impl Motion {
-    /// Name in answers.
-    pub fn name(self) -> &'static str {
-        match self {
-            Motion::Orbit => "orbit",
-            Motion::Chaos => "chaos",
-            Motion::Torus => "torus",
-            Motion::Unsettled => "unsettled",
-            Motion::Lost => "lost",
-        }
-    }
-}
-
-impl From<Wandering> for Motion {
-    fn from(kind: Wandering) -> Self {
-        match kind {
-            Wandering::Chaos => Motion::Chaos,
-            Wandering::Torus => Motion::Torus,
-            Wandering::Unsettled => Motion::Unsettled,
-        }
-    }
-}
-
 impl Visit {
     /// Marches from a physical start; motions without a period show `cycles` points.
     pub(super) fn march(
@@ -98,39 +58,42 @@ impl Visit {
             parameter: value,
             direction,
             start: number,
-            motion: Motion::Lost,
+            motion: AttractorKind::Lost,
             period_cycles: 0,
             contacts_per_period: 0,
             mean_power_w: 0.0,
             section: Vec::new(),
             end: vec![0.0; start.len()],
         };
-        match Fate::of(parameter, (&kernel, value), start, tolerance) {
-            Fate::Orbit(orbit) => {
+        let options = Recognition::at(tolerance);
+        let found = Recognizer { harvester: parameter, kernel: &kernel, parameter: value, options }.settle(start, &[]);
+        visit.motion = found.kind();
+        match found {
+            SteadyState::Periodic(found) => {
+                let orbit = &found.orbit;
                 let shooting = crate::orbit::Shooting::new(parameter, &base.kernel, orbit.period_cycles, tolerance);
-                visit.motion = Motion::Orbit;
                 visit.period_cycles = orbit.period_cycles;
                 visit.contacts_per_period = orbit.contacts;
                 visit.mean_power_w = orbit.mean_power_w;
                 visit.end = shooting.physical(orbit.start());
-                visit.section = SectionPoint::of_orbit(base, parameter, value, &orbit)?;
+                visit.section = SectionPoint::of_orbit(base, parameter, value, orbit)?;
             }
-            Fate::Wandering(found) => {
-                if let Ok(states) = looks(&kernel, start, cycles, tolerance) {
-                    visit.motion = found.wandering().into();
+            SteadyState::Aperiodic(found) => match strobe_states(&kernel, &found.state, cycles, tolerance) {
+                Ok(states) => {
                     visit.mean_power_w = found.mean_power_w;
                     visit.section = states.iter().map(|state| SectionPoint::of(&kernel.plant.system, state)).collect();
                     visit.end = states.into_iter().next_back().unwrap_or(visit.end);
                 }
-            }
-            Fate::Lost(_) => {}
+                Err(_) => visit.motion = AttractorKind::Lost,
+            },
+            SteadyState::Failed(_) => {}
         }
         Ok(visit)
     }
 
     /// True when both end on the same attractor: one orbit, or motions of one kind.
     pub(super) fn is_of(&self, other: &Visit) -> bool {
-        self.motion == other.motion && (self.motion != Motion::Orbit || self.signature().is(&other.signature()))
+        self.motion == other.motion && (self.motion != AttractorKind::Orbit || self.apart(other).is_some_and(|apart| apart < SAME))
     }
 
     /// Distance of the sections of two orbits of one period beside the larger of them, at the best order of their points; `None`
@@ -150,18 +113,14 @@ impl Visit {
         let turned = |by: usize| (0..cycles).map(|k| between(&self.section[k], &other.section[(k + by) % cycles])).fold(0.0, f64::max);
         (0..cycles).map(turned).min_by(f64::total_cmp)
     }
-
-    fn signature(&self) -> Signature {
-        Signature { period_cycles: self.period_cycles, contacts: self.contacts_per_period, mean_power_w: self.mean_power_w }
-    }
 }
 
-/// Physical states at the start of drive cycles after a transient.
-fn looks(kernel: &Kernel, start: &[f64], cycles: u32, tolerance: f64) -> Result<Vec<Vec<f64>>, MarchError> {
+/// Physical states at the start of drive cycles, the given one first.
+fn strobe_states(kernel: &Kernel, start: &[f64], cycles: u32, tolerance: f64) -> Result<Vec<Vec<f64>>, MarchError> {
     let cycle_s = kernel.plant.period_s().unwrap_or(1.0);
     let mut marcher = Marcher::new(kernel, &kernel.plant.from_physical(start, 0.0), 0.0, tolerance)?;
-    let mut states = Vec::new();
-    for cycle in TRANSIENT_CYCLES..TRANSIENT_CYCLES + cycles.max(1) {
+    let mut states = vec![start.to_vec()];
+    for cycle in 1..cycles.max(1) {
         marcher.advance_to(f64::from(cycle) * cycle_s)?;
         states.push(kernel.plant.to_physical(&marcher.state(), 0.0));
     }

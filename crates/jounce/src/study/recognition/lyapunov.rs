@@ -7,6 +7,7 @@
 //! taken cycle by cycle along one direction that is brought back to length one after each; the scatter of the means over blocks of
 //! cycles gives the error.
 
+use super::attractor_kind::AttractorKind;
 use crate::march::{Drift, Kernel, Variation, VariationError};
 
 /// An exponent with its error.
@@ -23,37 +24,16 @@ pub struct Lyapunov {
 /// Blocks whose means are compared.
 const BLOCKS: usize = 16;
 
-/// What an exponent says of a motion that is on no orbit of a short period.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Wandering {
-    /// Neighbours part: positive beyond three times the error.
-    Chaos,
-    /// Neighbours keep their distance: a torus, or an orbit at the edge of its stability.
-    Torus,
-    /// Neighbours close up: still on the way to an orbit, or on one of a long period.
-    Unsettled,
-}
-
 impl Lyapunov {
-    /// The kind of motion.
-    pub fn wandering(&self) -> Wandering {
+    /// Chaos where neighbours part, torus where they keep their distance, undecided where they still close up; each beyond three times
+    /// the error.
+    pub fn kind(&self) -> AttractorKind {
         if self.exponent_per_s > 3.0 * self.error_per_s {
-            Wandering::Chaos
+            AttractorKind::Chaos
         } else if self.exponent_per_s < -3.0 * self.error_per_s {
-            Wandering::Unsettled
+            AttractorKind::Undecided
         } else {
-            Wandering::Torus
-        }
-    }
-}
-
-impl Wandering {
-    /// Name in answers.
-    pub fn name(self) -> &'static str {
-        match self {
-            Wandering::Chaos => "chaos",
-            Wandering::Torus => "torus",
-            Wandering::Unsettled => "unsettled",
+            AttractorKind::Torus
         }
     }
 }

@@ -1,0 +1,26 @@
+//! The attractor that an integration reaches.
+//!
+//! A start belongs to a periodic orbit when its motion has come into the ball in which the derivative of the orbit proves that it attracts
+//! (see [`AttractingOrbit`]), and contracts there as the bound says. Orbits are found by the return times of the motion: Newton
+//! starts from the state at the end, over the period after which the motion comes back nearest. A motion that reaches no orbit is a torus where
+//! its averages converge and its largest exponent is zero, chaos where that exponent is positive after all cycles allowed, and
+//! undecided otherwise.
+
+mod adapted_norm;
+mod attracting_orbit;
+mod attractor_kind;
+mod lyapunov;
+mod orbit_search;
+mod recognizer;
+mod return_times;
+mod settled_orbit;
+mod steady_state;
+mod transient;
+mod weighted_average;
+
+pub use attracting_orbit::AttractingOrbit;
+pub use attractor_kind::AttractorKind;
+pub use lyapunov::{Lyapunov, largest_exponent};
+pub use recognizer::{Recognition, Recognizer};
+pub use settled_orbit::settled_orbit;
+pub use steady_state::{Aperiodic, SteadyState};

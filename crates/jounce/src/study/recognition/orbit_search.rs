@@ -1,0 +1,121 @@
+//! From the return times of a motion to the orbit that attracts it.
+
+use super::attracting_orbit::{AttractingOrbit, Period};
+use super::transient::Transient;
+use crate::continuation::{Corrected, Corrector, Metric, Position, WalkError, settle};
+use crate::march::{Kernel, MarchError, Marcher, VariationError};
+use crate::orbit::{Harvester, Orbit, OrbitError, OrbitMethod, Shooting, Shot};
+
+/// Evaluations of Newton.
+const MAX_EVALUATIONS: u32 = 12;
+
+/// How much tighter the tolerance is against which the error of a period is measured.
+const TIGHTER: f64 = 1e-2;
+
+/// Change over a period, relative to the size of the state, of a motion that has settled where the flow has no derivative: how it came to rest
+/// is forgotten, so that the change is what other modes still do.
+const RESTED: f64 = 1e-8;
+
+/// What a search found.
+pub enum Found {
+    /// A stable orbit with the ball in which it attracts.
+    Attracting(AttractingOrbit),
+    /// A stable orbit that attracts too weakly for the tolerance of the integration.
+    Weak,
+}
+
+/// A search for orbits at one value of the parameter.
+#[derive(Debug, Clone, Copy)]
+pub struct OrbitSearch<'h, H> {
+    pub harvester: &'h H,
+    pub kernel: &'h Kernel,
+    pub parameter: f64,
+    /// Newton's goal.
+    pub goal: f64,
+}
+
+type Failure<H> = WalkError<OrbitError<<H as Harvester>::Error>>;
+
+impl<H: Harvester> OrbitSearch<'_, H> {
+    /// The orbit near a motion, over the periods after which it nearly returns; `None` without a stable one.
+    pub fn near(&self, motion: &Transient<'_>) -> Option<Found> {
+        let mut weak = None;
+        for cycles in motion.returns.periods() {
+            match self.of_period(motion, cycles) {
+                Some(Found::Attracting(orbit)) => return Some(Found::Attracting(orbit)),
+                Some(Found::Weak) => weak = Some(Found::Weak),
+                None => {}
+            }
+        }
+        weak
+    }
+
+    fn of_period(&self, motion: &Transient<'_>, cycles: u32) -> Option<Found> {
+        let (tolerance, physical) = (motion.tolerance, motion.physical());
+        let shooting = Shooting::new(self.harvester, self.kernel, cycles, tolerance).charged_as(&physical);
+        let (shooting, orbit, shot) = match self.newton(shooting, &motion.state) {
+            Ok(found) => found,
+            // The flow has no derivative where a point comes to rest, or where two rigid stops are struck together.
+            Err(WalkError::Family(OrbitError::March(VariationError::Rests { .. } | VariationError::StruckTogether { .. }))) => {
+                return self.observed(motion, cycles).map(Found::Attracting);
+            }
+            Err(_) => return None,
+        };
+        if !orbit.is_stable() {
+            return None;
+        }
+        let displacement: Vec<f64> = motion.state.iter().zip(orbit.start()).map(|(state, start)| state - start).collect();
+        let start = orbit.start().to_vec();
+        let period = |away: &[f64]| -> Result<Period, Failure<H>> {
+            let from: Vec<f64> = start.iter().zip(away).map(|(x, d)| x + d).collect();
+            let (moved, _) = shooting.shoot(&from, self.parameter).map_err(WalkError::Family)?;
+            let ends = [tolerance, TIGHTER * tolerance].map(|tolerance| self.end(&shooting, &from, tolerance));
+            let [coarse, fine] = ends.map(|end| end.map_err(|error| WalkError::Family(OrbitError::March(error.into()))));
+            let error = coarse?.iter().zip(fine?).map(|(a, b)| a - b).collect();
+            Ok(Period { derivative: moved.map().clone(), error })
+        };
+        let found = AttractingOrbit::prove(orbit, shot.keeps_charge, &displacement, period);
+        Some(found.map_or(Found::Weak, Found::Attracting))
+    }
+
+    /// The orbit that Newton finds, of the least period that divides the given one.
+    fn newton<'s>(&'s self, shooting: Shooting<'s, H>, state: &[f64]) -> Result<(Shooting<'s, H>, Orbit, Shot), Failure<H>> {
+        let position = Position { unknown: state.to_vec(), parameter: self.parameter };
+        let metric = Metric::at(&position, 1.0);
+        let corrector = Corrector { goal: self.goal, most: MAX_EVALUATIONS };
+        let Corrected { local: shot, error, .. } = settle(&shooting, &corrector, &metric, position)?;
+        let orbit = shooting.orbit(&shot, error).map_err(WalkError::Family)?;
+        if let Some(cycles) = orbit.shorter_period() {
+            let shorter = Shooting { cycles, charged: shooting.charged.clone(), scale: shooting.scale.clone(), ..shooting };
+            // Just after a doubling both orbits lie close to each other, and the shorter one is unstable.
+            let found = self.newton(shorter, orbit.start()).ok().filter(|(_, orbit, _)| orbit.is_stable());
+            return Ok(found.unwrap_or((shooting, orbit, shot)));
+        }
+        Ok((shooting, orbit, shot))
+    }
+
+    /// State after a period integrated without its derivative, energy coordinates.
+    fn end(&self, shooting: &Shooting<'_, H>, from: &[f64], tolerance: f64) -> Result<Vec<f64>, MarchError> {
+        let plant = &self.kernel.plant;
+        let cycle_s = plant.period_s().unwrap_or(1.0);
+        let mut marcher = Marcher::new(self.kernel, &plant.from_physical(&shooting.physical(from), 0.0), 0.0, tolerance)?;
+        marcher.advance_to(f64::from(shooting.cycles) * cycle_s)?;
+        Ok(shooting.unknown(&plant.to_physical(&marcher.state(), 0.0)))
+    }
+
+    /// An orbit that a motion without a derivative has come to, by the contraction seen over the last three periods.
+    fn observed(&self, motion: &Transient<'_>, cycles: u32) -> Option<AttractingOrbit> {
+        let size = motion.state.iter().map(|u| u * u).sum::<f64>().sqrt();
+        let change = |back: u32| motion.returns.distance((back * cycles) as usize, cycles);
+        let [now, before] = [change(0)?, change(1)?];
+        let rate = now / before;
+        // The changes to come are a geometric series, down to what the integration leaves.
+        let left = if rate < 1.0 { now * rate / (1.0 - rate) } else { f64::INFINITY };
+        if now > RESTED * size || left > RESTED * size && now > RESTED * TIGHTER * size {
+            return None;
+        }
+        let shooting = Shooting::new(self.harvester, self.kernel, cycles, motion.tolerance);
+        let orbit = shooting.marched_orbit(&motion.physical(), self.parameter).ok()?;
+        Some(AttractingOrbit::observed(orbit))
+    }
+}
