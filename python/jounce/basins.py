@@ -14,13 +14,16 @@ from .result import Along, Floats, Integers, Result, Truths, Variable, html_tabl
 class BasinsResult(Result):
     """The attractors that a cloud or a grid of starts ends on; arrays of shape ``(attractor,)`` and, of the starts, ``(start,)``."""
 
-    #: Drive cycles of the period and a letter by falling power, ``"1a"``; ``"chaos"``, ``"torus"``, ``"undecided"``.
+    #: Drive cycles of the period and a letter by falling power, ``"1a"``; ``"chaos"``, ``"torus"``, ``"undecided"`` for
+    #: the starts for which no attractor was proved.
     attractor: list[str]
     #: Period in drive cycles; 0 for none.
     period_cycles: Annotated[Integers, Along("attractor", "1", "period in drive cycles, 0 for none")]
     chaotic: Annotated[Truths, Along("attractor", "1", "neighbouring motions part")]
     mean_power_w: Annotated[Floats, Along("attractor", "W", "mean power of all loads")]
     contacts_per_period: Annotated[Integers, Along("attractor", "1", "contacts that begin in a period")]
+    #: Id of the orbit of which each is the mirror image half a drive cycle later; ``None`` for all others.
+    mirror_of: list[str | None]
     #: Share of the starts and its 95 % interval.
     fraction: Annotated[Floats, Along("attractor", "1", "share of the starts")]
     fraction_low: Annotated[Floats, Along("attractor", "1", "lower end of its 95 % interval")]
@@ -48,7 +51,7 @@ class BasinsResult(Result):
 
     def _summary(self) -> list[tuple[str, str]]:
         finished = int((self.ends_in >= 0).sum())
-        lines = [("starts", f"{len(self.ends_in)}, {finished} of them recognised")]
+        lines = [("starts", f"{len(self.ends_in)}, {finished} of them recognized")]
         for k, name in enumerate(self.attractor):
             share = f"share {self.fraction[k]:.3f} ({self.fraction_low[k]:.3f} to {self.fraction_high[k]:.3f})"
             lines.append((name, f"{self.mean_power_w[k]:.6e} W, {share}"))

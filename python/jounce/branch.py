@@ -22,6 +22,7 @@ class Branch(Data):
     mean_power_w: Annotated[Floats, Along("point", "W", "mean power of all loads")]
     voltage_rms_v: Annotated[Floats, Along("point", "V", "voltage of the first load, else of what the first rectifier feeds, rms")]
     stable: Annotated[Truths, Along("point", "1", "attracts")]
+    stability_undecided: Annotated[Truths, Along("point", "1", "a multiplier has modulus one within its error")]
     #: Largest modulus of a Floquet multiplier.
     floquet_max_abs: Annotated[Floats, Along("point", "1", "largest modulus of a Floquet multiplier")]
     contacts_per_period: Annotated[Integers, Along("point", "1", "contacts that begin in a period")]

@@ -181,6 +181,8 @@ class Spec(SpecOnRig):
         spread: float | None = None,
         grid: Mapping[str, Any] | None = None,
         tolerance: float = 1e-8,
+        longest_period: int | None = None,
+        max_cycles: int | None = None,
         threads: int | None = None,
         progress: bool | Progress | None = None,
     ) -> BasinsResult:
@@ -188,10 +190,14 @@ class Spec(SpecOnRig):
 
         The starts are a cloud of ``starts`` (200) starts with the ``seed`` 1, ``spread`` (10) gaps wide, or every combination of the
         sides of a ``grid``: ``{"displacement": "-5 mm:5 mm:21x", "velocity": ("-1 m/s", "1 m/s", 21)}``, and ``"voltage"``.
+
+        A start belongs to the orbit that its motion is proved to reach, of a period of up to ``longest_period`` (64) drive cycles. A start
+        without a proved attractor after ``max_cycles`` (20000) is chaos or undecided.
         """
-        check_wholes(starts=starts, seed=seed, threads=threads)
+        check_wholes(starts=starts, seed=seed, longest_period=longest_period, max_cycles=max_cycles, threads=threads)
         with told(progress) as tell:
-            return BasinsResult._handed(_core.basins(self._spec, starts, seed, spread, sides(grid), tolerance, threads, tell))
+            cloud = (starts, seed, spread, sides(grid))
+            return BasinsResult._handed(_core.basins(self._spec, *cloud, tolerance, longest_period, max_cycles, threads, tell))
 
     def diagram(
         self,

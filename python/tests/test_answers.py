@@ -83,7 +83,7 @@ def test_branches_are_those_of_the_command_line(harvester, command_line):
     assert len(found) == len(told["branches"])
     for one, listed in zip(found, told["branches"]):
         assert one.period_cycles == listed["period_cycles"] and one.endings == listed["endings"]
-        for name in ("parameter", "mean_power_w", "stable", "floquet_max_abs", "contacts_per_period"):
+        for name in ("parameter", "mean_power_w", "stable", "stability_undecided", "floquet_max_abs", "contacts_per_period"):
             same(getattr(one, name), [point[name] for point in listed["points"]])
         same(one.bifurcation_parameter, [place["parameter"] for place in listed["bifurcations"]])
     assert len(found.bifurcations_to_pandas()) == sum(len(one.bifurcation_kind) for one in found)

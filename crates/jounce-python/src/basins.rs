@@ -10,7 +10,7 @@ use crate::spec::Spec;
 use crate::watched::{handed, on_threads, watched};
 use jounce::plant::Plant;
 use jounce::run::{Exceeded, Worst};
-use jounce::study::{Attractor, Basins, BasinsAnswer, Grid, Parameter, SectionPoint, Starts};
+use jounce::study::{Attractor, Basins, BasinsAnswer, Grid, Parameter, Recognition, SectionPoint, Starts};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -31,10 +31,17 @@ pub fn basins<'py>(
     spread: Option<f64>,
     grid: Vec<String>,
     tolerance: f64,
+    longest_period: Option<u32>,
+    max_cycles: Option<u32>,
     threads: Option<usize>,
     progress: Option<Bound<'py, PyAny>>,
 ) -> Handed<'py> {
-    let tolerance = checked_tolerance(tolerance)?;
+    let given = Recognition::at(checked_tolerance(tolerance)?);
+    let recognition = Recognition {
+        longest_period: longest_period.unwrap_or(given.longest_period).max(1),
+        max_cycles: max_cycles.unwrap_or(given.max_cycles).max(1),
+        ..given
+    };
     let cloud = GivenCloud { starts, seed, spread };
     let (key, value) = driven::frequency(spec, "a basin")?;
     let (starts, options) = if grid.is_empty() {
@@ -51,7 +58,7 @@ pub fn basins<'py>(
         let base = spec.prepared(watch)?;
         driven::check(&base.kernel.plant, "a basin")?;
         let parameter = Parameter::new(&base, &key, value);
-        let study = Basins { base: &base, parameter: &parameter, value, starts, recognition: Recognition::at(tolerance) };
+        let study = Basins { base: &base, parameter: &parameter, value, starts, recognition };
         // Before the marches, so that nothing is left to do for a call that is stopped.
         let places = places(&base.kernel.plant, &study.starts);
         Ok((on_threads(threads, || Ok(study.run(&|| ())?))?, places))
@@ -77,6 +84,7 @@ fn told<'py>(py: Python<'py>, found: &BasinsAnswer, places: &[SectionPoint], man
         .each("chaotic", all, |a| a.is_chaotic())?
         .each("mean_power_w", all, |a| a.mean_power_w)?
         .each("contacts_per_period", all, |a| a.contacts_per_period as i64)?
+        .with("mirror_of", all.iter().map(|a| a.mirror_of.clone()).collect::<Vec<_>>())?
         .each("fraction", all, |a| a.share.fraction)?
         .each("fraction_low", all, |a| a.share.low)?
         .each("fraction_high", all, |a| a.share.high)?

@@ -123,6 +123,7 @@ pub fn one<'py>(py: Python<'py>, branch: &Branch, width: Option<&Bandwidth>) -> 
         .each("mean_power_w", points, |p| p.orbit.mean_power_w)?
         .each("voltage_rms_v", points, |p| p.orbit.voltage_rms_v)?
         .each("stable", points, |p| p.orbit.is_stable())?
+        .each("stability_undecided", points, |p| p.orbit.is_stability_undecided())?
         .each("floquet_max_abs", points, |p| p.orbit.floquet_max_abs())?
         .each("contacts_per_period", points, |p| p.orbit.contacts as i64)?
         .each("max_penetration_m", points, |p| p.orbit.max_penetration_m)?

@@ -187,7 +187,9 @@ impl Branch {
         }
         for (branch, width) in branches.iter().zip(&widths.branches) {
             let stable = branch.points.iter().filter(|point| point.orbit.is_stable()).count();
-            line(format!("branch of period {}: {} points, {stable} of them stable", branch.period_cycles, branch.points.len()));
+            let undecided = branch.points.iter().filter(|point| point.orbit.is_stability_undecided()).count();
+            let doubt = if undecided > 0 { format!(", {undecided} of undecided stability") } else { String::new() };
+            line(format!("branch of period {}: {} points, {stable} of them stable{doubt}", branch.period_cycles, branch.points.len()));
             for found in &branch.bifurcations {
                 let (at, unit) = (&found.at, key.unit());
                 let (value, of) = (shown.value(at), shown.unit());
@@ -287,6 +289,7 @@ fn listed_point(point: &BranchPoint, passed: &[Exceeded]) -> serde_json::Value {
         "mean_power_w": orbit.mean_power_w,
         "voltage_rms_v": orbit.voltage_rms_v,
         "stable": orbit.is_stable(),
+        "stability_undecided": orbit.is_stability_undecided(),
         "floquet_max_abs": orbit.floquet_max_abs(),
         "contacts_per_period": orbit.contacts,
         "max_penetration_m": orbit.max_penetration_m,

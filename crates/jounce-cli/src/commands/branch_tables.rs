@@ -22,6 +22,12 @@ pub fn points_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failu
         number("mean_power_w", "W", "mean power of all loads", |p| p.orbit.mean_power_w),
         number("voltage_rms_v", "V", "voltage of the first load, else of what the first rectifier feeds, rms", |p| p.orbit.voltage_rms_v),
         Column::new("stable", "", "attracts", all.iter().map(|(_, _, p)| p.orbit.is_stable()).collect::<Vec<bool>>()),
+        Column::new(
+            "stability_undecided",
+            "",
+            "a multiplier has modulus one within its error",
+            all.iter().map(|(_, _, p)| p.orbit.is_stability_undecided()).collect::<Vec<bool>>(),
+        ),
         number("floquet_max_abs", "", "largest modulus of a Floquet multiplier", |p| p.orbit.floquet_max_abs()),
         count("contacts_per_period", "contacts that begin in a period", |(_, _, p)| p.orbit.contacts),
         number("max_penetration_m", "m", "largest penetration of the stop", |p| p.orbit.max_penetration_m),

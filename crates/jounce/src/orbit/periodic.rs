@@ -63,6 +63,11 @@ impl Orbit {
         self.floquet_max_abs() < 1.0
     }
 
+    /// True when the largest modulus of a multiplier lies within the error of the orbit of one, so that it says nothing of stability.
+    pub fn is_stability_undecided(&self) -> bool {
+        !self.multipliers.is_empty() && (self.floquet_max_abs() - 1.0).abs() <= self.error_estimate
+    }
+
     /// State at the start of the period, energy coordinates.
     pub fn start(&self) -> &[f64] {
         &self.looks[0]
@@ -116,4 +121,20 @@ pub fn pairs_outside(multipliers: &[c64]) -> usize {
 /// `det(M - s I)` of a period map: zero where `s` is a multiplier.
 pub fn determinant_at(map: &Mat<f64>, s: f64) -> f64 {
     Mat::from_fn(map.nrows(), map.ncols(), |i, j| map[(i, j)] - if i == j { s } else { 0.0 }).determinant()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_multiplier_within_the_error_of_one_decides_nothing() {
+        let orbit = |modulus: f64, error_estimate: f64| Orbit {
+            multipliers: vec![c64::new(-modulus, 0.0)],
+            error_estimate,
+            ..Orbit::of_cycles(8)
+        };
+        assert!(orbit(1.0 + 1e-9, 1e-8).is_stability_undecided() && orbit(1.0 - 1e-9, 1e-8).is_stability_undecided());
+        assert!(!orbit(1.0 + 1e-7, 1e-8).is_stability_undecided() && !Orbit::of_cycles(1).is_stability_undecided());
+    }
 }

@@ -25,9 +25,9 @@ pub(super) fn evaluate(quantity: &Quantity, prepared: &Prepared, folder: &Path) 
         Quantity::Jumps { keys, ranges, seeds, longest_period, tolerance } => {
             jumps(prepared, keys, *ranges, (*seeds, *longest_period, *tolerance))
         }
-        Quantity::Basins { starts, seed, spread, tolerance } => {
+        Quantity::Basins { starts, seed, spread, recognition } => {
             let cloud = Cloud { starts: *starts, seed: *seed, spread: *spread };
-            basins(prepared, cloud, *tolerance).map_err(|error| error.to_string())
+            basins(prepared, cloud, *recognition).map_err(|error| error.to_string())
         }
         Quantity::Branch { over, range, seeds, longest_period, tolerance } => {
             let key = NumericKey::find(&prepared.spec, over).map_err(|fault| fault.to_string())?;
@@ -95,20 +95,21 @@ fn modes(prepared: &Prepared, count: usize) -> Vec<f64> {
     (0..count).flat_map(|mode| [each(&modes.frequency_rad_s, mode) / TAU, each(&modes.damping_ratio, mode)]).collect()
 }
 
-fn basins(prepared: &Prepared, cloud: Cloud, tolerance: f64) -> Result<Vec<f64>, SurveyError> {
+fn basins(prepared: &Prepared, cloud: Cloud, recognition: Recognition) -> Result<Vec<f64>, SurveyError> {
     let (key, value) = drive_key(prepared)?;
     let parameter = Parameter::new(prepared, &key, value);
-    let study =
-        Basins { base: prepared, parameter: &parameter, value, starts: Starts::Cloud(cloud), recognition: Recognition::at(tolerance) };
+    let study = Basins { base: prepared, parameter: &parameter, value, starts: Starts::Cloud(cloud), recognition };
     let found = study.run(&|| ())?;
-    let highest = found.attractors.iter().max_by(|a, b| a.mean_power_w.total_cmp(&b.mean_power_w));
+    let (undecided, attractors): (Vec<_>, Vec<_>) = found.attractors.iter().partition(|one| one.is_undecided());
+    let highest = attractors.iter().max_by(|a, b| a.mean_power_w.total_cmp(&b.mean_power_w));
     Ok(vec![
         found.expected_power_w,
         found.expected_power_low_w,
         found.expected_power_high_w,
-        found.attractors.len() as f64,
+        attractors.len() as f64,
         highest.map_or(f64::NAN, |one| one.mean_power_w),
         highest.map_or(f64::NAN, |one| one.share.fraction),
+        undecided.iter().map(|one| one.share.fraction).sum(),
         found.lost.len() as f64,
     ])
 }

@@ -1,6 +1,6 @@
 //! What is computed at each point.
 
-use crate::study::{Direction, Order};
+use crate::study::{Direction, Order, Recognition};
 use crate::table::{Column, Values};
 
 /// A command and its options.
@@ -65,8 +65,8 @@ pub enum Quantity {
         seed: u64,
         /// Size of the cloud, in gaps.
         spread: f64,
-        /// Relative tolerance of the marches.
-        tolerance: f64,
+        /// How attractors are recognized.
+        recognition: Recognition,
     },
     /// Highest stable power over a key, and its half-power bandwidth.
     Branch {
@@ -214,6 +214,7 @@ fn basins() -> Vec<Measure> {
         count("attractors", "attractors that were found"),
         number("highest_power_w", "W", "mean power of the attractor that gives most"),
         number("highest_fraction", "", "share of the starts that end on it"),
+        number("undecided_fraction", "", "share of the starts for which no attractor was proved"),
         count("lost", "marches that failed"),
     ]
 }

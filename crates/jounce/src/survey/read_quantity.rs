@@ -5,7 +5,7 @@ use super::evaluation::shaken;
 use super::faults::Reader;
 use crate::linear::Response;
 use crate::spec::{Drive, DriveSignal, KeyRange, Quantity as Kind, SpecFile};
-use crate::study::{Direction, Order};
+use crate::study::{Direction, Order, Recognition};
 use toml_edit::{Item, Table};
 
 /// Commands that answer a study.
@@ -30,7 +30,7 @@ pub(super) fn quantity(reader: &mut Reader, item: Option<&Item>, file: &SpecFile
         "diagram" => &["over", "direction", "tolerance"],
         "branch" => &["over", "seeds", "longest_period", "tolerance"],
         "jumps" => &["over", "against", "seeds", "longest_period", "tolerance"],
-        "basins" => &["starts", "seed", "spread", "tolerance"],
+        "basins" => &["starts", "seed", "spread", "tolerance", "longest_period", "max_cycles"],
         "ensemble" => &["members", "seed"],
         _ => &[],
     };
@@ -49,7 +49,7 @@ pub(super) fn quantity(reader: &mut Reader, item: Option<&Item>, file: &SpecFile
             starts: asked.whole(reader, "starts", 1_000_000, 50) as usize,
             seed: asked.whole(reader, "seed", 1 << 53, 1),
             spread: reader.positive("quantity.spread", table.get("spread"), 10.0),
-            tolerance: asked.tolerance(reader, 1e-8),
+            recognition: asked.recognition(reader),
         },
         "ensemble" => Quantity::Ensemble {
             members: asked.whole(reader, "members", 1_000_000, 16) as usize,
@@ -154,6 +154,16 @@ impl Asked<'_> {
 
     fn tolerance(&self, reader: &mut Reader, default: f64) -> f64 {
         reader.positive("quantity.tolerance", self.table.get("tolerance"), default)
+    }
+
+    fn recognition(&self, reader: &mut Reader) -> Recognition {
+        let given = Recognition::at(self.tolerance(reader, 1e-8));
+        let most = u64::from(u32::MAX);
+        Recognition {
+            longest_period: self.whole(reader, "longest_period", most, u64::from(given.longest_period)) as u32,
+            max_cycles: self.whole(reader, "max_cycles", most, u64::from(given.max_cycles)) as u32,
+            ..given
+        }
     }
 
     fn span(&self, key: &str) -> Option<std::ops::Range<usize>> {

@@ -127,8 +127,12 @@ impl AttractingOrbit {
             let apart_w = (one.mean_power_w - two.mean_power_w).abs();
             return one.contacts == two.contacts && apart_w <= SAME_POWER * one.mean_power_w.abs().max(two.mean_power_w.abs());
         }
-        let holds = |ball: &Self, orbit: &Orbit| orbit.looks.iter().any(|state| ball.distance(state).is_some());
-        holds(self, two) || holds(other, one)
+        self.holds(two) || other.holds(one)
+    }
+
+    /// True when an orbit passes the ball, where there is one orbit of the period only.
+    pub(super) fn holds(&self, orbit: &Orbit) -> bool {
+        self.orbit.period_cycles == orbit.period_cycles && self.passes(&orbit.looks)
     }
 
     /// True when one of the states (energy coordinates at the start of a drive cycle) is one of the orbit.

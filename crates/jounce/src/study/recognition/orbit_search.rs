@@ -5,6 +5,7 @@ use super::transient::Transient;
 use crate::continuation::{Corrected, Corrector, Metric, Position, WalkError, settle};
 use crate::march::{Kernel, MarchError, Marcher, VariationError};
 use crate::orbit::{Harvester, Orbit, OrbitError, OrbitMethod, Shooting, Shot};
+use std::sync::Arc;
 
 /// Evaluations of Newton.
 const MAX_EVALUATIONS: u32 = 12;
@@ -37,11 +38,11 @@ pub struct OrbitSearch<'h, H> {
 type Failure<H> = WalkError<OrbitError<<H as Harvester>::Error>>;
 
 impl<H: Harvester> OrbitSearch<'_, H> {
-    /// The orbit near a motion, over the periods after which it nearly returns; `None` without a stable one.
-    pub fn near(&self, motion: &Transient<'_>) -> Option<Found> {
+    /// The orbit near a motion, over the periods after which it nearly returns; `None` without a stable one that is not known.
+    pub fn near(&self, motion: &Transient<'_>, known: &[Arc<AttractingOrbit>]) -> Option<Found> {
         let mut weak = None;
         for cycles in motion.returns.periods() {
-            match self.of_period(motion, cycles) {
+            match self.of_period(motion, cycles, known) {
                 Some(Found::Attracting(orbit)) => return Some(Found::Attracting(orbit)),
                 Some(Found::Weak) => weak = Some(Found::Weak),
                 None => {}
@@ -50,7 +51,7 @@ impl<H: Harvester> OrbitSearch<'_, H> {
         weak
     }
 
-    fn of_period(&self, motion: &Transient<'_>, cycles: u32) -> Option<Found> {
+    fn of_period(&self, motion: &Transient<'_>, cycles: u32, known: &[Arc<AttractingOrbit>]) -> Option<Found> {
         let (tolerance, physical) = (motion.tolerance, motion.physical());
         let shooting = Shooting::new(self.harvester, self.kernel, cycles, tolerance).charged_as(&physical);
         let (shooting, orbit, shot) = match self.newton(shooting, &motion.state) {
@@ -61,7 +62,7 @@ impl<H: Harvester> OrbitSearch<'_, H> {
             }
             Err(_) => return None,
         };
-        if !orbit.is_stable() {
+        if !orbit.is_stable() || known.iter().any(|known| known.holds(&orbit)) {
             return None;
         }
         let displacement: Vec<f64> = motion.state.iter().zip(orbit.start()).map(|(state, start)| state - start).collect();

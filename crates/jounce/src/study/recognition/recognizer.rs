@@ -29,7 +29,7 @@ const CONFIRMATION_CYCLES: usize = 4 * EXPONENT_CYCLES;
 const TIGHTER: f64 = 1e-2;
 const TIGHTEST: f64 = 1e-12;
 
-/// Least step towards the proof that an orbit attracts: an orbit that the motion is known to approach is not searched for again.
+/// The entry of a motion into the ball of an orbit.
 #[derive(Debug, Clone, Copy)]
 struct Entry {
     /// Number of the orbit.
@@ -96,8 +96,8 @@ impl<H: Harvester> Recognizer<'_, H> {
                 continue;
             }
             next_search = (SEARCH_GROWTH * f64::from(motion.cycles)).ceil() as u32;
-            match search.near(&motion) {
-                Some(Found::Attracting(orbit)) if !orbits.iter().any(|known| known.is_same(&orbit)) => orbits.push(Arc::new(orbit)),
+            match search.near(&motion, &orbits) {
+                Some(Found::Attracting(orbit)) => orbits.push(Arc::new(orbit)),
                 Some(Found::Weak) if motion.tolerance > TIGHTEST => {
                     motion.restart((TIGHTER * motion.tolerance).max(TIGHTEST))?;
                     search.goal = search.goal.min(10.0 * motion.tolerance);
