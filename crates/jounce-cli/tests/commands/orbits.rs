@@ -11,7 +11,16 @@ fn branch_answers_with_every_key_by_both_methods() {
         assert_eq!(code, 0);
         let branch = &json["branches"][0];
         has(branch, &["period_cycles", "points", "bifurcations"]);
-        let keys = ["parameter", "mean_power_w", "voltage_rms_v", "stable", "stability_undecided", "floquet_max_abs", "contacts_per_period", "error_estimate"];
+        let keys = [
+            "parameter",
+            "mean_power_w",
+            "voltage_rms_v",
+            "stable",
+            "stability_undecided",
+            "floquet_max_abs",
+            "contacts_per_period",
+            "error_estimate",
+        ];
         has(&branch["points"][0], &keys);
         let all: Vec<&Value> = json["branches"].as_array().unwrap().iter().flat_map(|b| b["bifurcations"].as_array().unwrap()).collect();
         let fold = all.iter().find(|found| found["kind"] == "fold").unwrap();

@@ -129,11 +129,8 @@ mod tests {
 
     #[test]
     fn a_multiplier_within_the_error_of_one_decides_nothing() {
-        let orbit = |modulus: f64, error_estimate: f64| Orbit {
-            multipliers: vec![c64::new(-modulus, 0.0)],
-            error_estimate,
-            ..Orbit::of_cycles(8)
-        };
+        let orbit =
+            |modulus: f64, error_estimate: f64| Orbit { multipliers: vec![c64::new(-modulus, 0.0)], error_estimate, ..Orbit::of_cycles(8) };
         assert!(orbit(1.0 + 1e-9, 1e-8).is_stability_undecided() && orbit(1.0 - 1e-9, 1e-8).is_stability_undecided());
         assert!(!orbit(1.0 + 1e-7, 1e-8).is_stability_undecided() && !Orbit::of_cycles(1).is_stability_undecided());
     }

@@ -18,6 +18,7 @@ mod oscillators;
 mod paper;
 mod peaks;
 mod planes;
+mod recognition;
 mod rectified;
 mod rested;
 #[path = "../linear/rows.rs"]

@@ -10,6 +10,12 @@ use std::sync::Arc;
 /// Evaluations of Newton.
 const MAX_EVALUATIONS: u32 = 12;
 
+/// Cost of a search over a period, in integrations of that period: some evaluations, each with its derivative.
+const SEARCH_COST: u32 = 20;
+
+/// Share of the cost of the integration so far that searches may cost: a long period is tried after many cycles only.
+const COST_SHARE: f64 = 0.25;
+
 /// How much tighter the tolerance is against which the error of a period is measured.
 const TIGHTER: f64 = 1e-2;
 
@@ -39,9 +45,15 @@ type Failure<H> = WalkError<OrbitError<<H as Harvester>::Error>>;
 
 impl<H: Harvester> OrbitSearch<'_, H> {
     /// The orbit near a motion, over the periods after which it nearly returns; `None` without a stable one that is not known.
-    pub fn near(&self, motion: &Transient<'_>, known: &[Arc<AttractingOrbit>]) -> Option<Found> {
+    pub fn near(&self, motion: &mut Transient<'_>, known: &[Arc<AttractingOrbit>]) -> Option<Found> {
         let mut weak = None;
         for cycles in motion.returns.periods() {
+            let cost = motion.search_cost_cycles + SEARCH_COST * cycles;
+            let share = std::env::var("JC").map_or(COST_SHARE, |v| v.parse().unwrap_or(0.0));
+            if f64::from(cost) > share * f64::from(motion.cycles) {
+                continue;
+            }
+            motion.search_cost_cycles = cost;
             match self.of_period(motion, cycles, known) {
                 Some(Found::Attracting(orbit)) => return Some(Found::Attracting(orbit)),
                 Some(Found::Weak) => weak = Some(Found::Weak),

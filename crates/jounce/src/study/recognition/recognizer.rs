@@ -10,11 +10,11 @@ use crate::march::{Kernel, VariationError};
 use crate::orbit::{Harvester, Shooting};
 use std::sync::Arc;
 
-/// Drive cycles before the first search for an orbit.
-const FIRST_SEARCH_CYCLES: u32 = 32;
-
 /// Growth of the number of cycles from one search to the next: the cycles integrated in vain stay in proportion to those needed.
 const SEARCH_GROWTH: f64 = 1.25;
+
+/// Drive cycles before the first search for an orbit.
+const FIRST_SEARCH_CYCLES: u32 = 32;
 
 /// Drive cycles before averages are examined for a torus; both windows then hold more than the hundred samples that they need.
 const FIRST_AVERAGE_CYCLES: u32 = 1000;
@@ -96,7 +96,7 @@ impl<H: Harvester> Recognizer<'_, H> {
                 continue;
             }
             next_search = (SEARCH_GROWTH * f64::from(motion.cycles)).ceil() as u32;
-            match search.near(&motion, &orbits) {
+            match search.near(&mut motion, &orbits) {
                 Some(Found::Attracting(orbit)) => orbits.push(Arc::new(orbit)),
                 Some(Found::Weak) if motion.tolerance > TIGHTEST => {
                     motion.restart((TIGHTER * motion.tolerance).max(TIGHTEST))?;

@@ -19,13 +19,15 @@ pub struct Transient<'k> {
     scale: Vec<f64>,
     /// Drive cycles so far.
     pub cycles: u32,
+    /// Cost of searches for orbits so far, drive cycles.
+    pub search_cost_cycles: u32,
     /// Drive cycles since the last restart.
     since: u32,
     /// Relative tolerance of the integration.
     pub tolerance: f64,
     /// Energy delivered since the last restart, J.
     delivered_j: f64,
-    /// Energy delivered in each drive cycle, J.
+    /// Energy delivered in each drive cycle after the first restart, J: few starts take longer, and reading meters has a cost.
     energies_j: Vec<f64>,
     /// States at the start of the last drive cycles, energy coordinates.
     pub returns: ReturnTimes,
@@ -48,6 +50,7 @@ impl<'k> Transient<'k> {
             cycle_s,
             scale: scale.to_vec(),
             cycles: 0,
+            search_cost_cycles: 0,
             since: 0,
             tolerance,
             delivered_j: 0.0,
@@ -65,9 +68,11 @@ impl<'k> Transient<'k> {
         self.since += 1;
         self.cycles += 1;
         self.marcher.advance_to(f64::from(self.since) * self.cycle_s)?;
-        let delivered_j = self.marcher.energies().delivered_j();
-        self.energies_j.push(delivered_j - self.delivered_j);
-        self.delivered_j = delivered_j;
+        if self.cycles > RESTART_CYCLES {
+            let delivered_j = self.marcher.energies().delivered_j();
+            self.energies_j.push(delivered_j - self.delivered_j);
+            self.delivered_j = delivered_j;
+        }
         self.state = self.physical().iter().zip(&self.scale).map(|(x, w)| x * w).collect();
         self.returns.push(self.state.clone());
         Ok(())
@@ -91,10 +96,13 @@ impl<'k> Transient<'k> {
         self.kernel.plant.to_physical(&self.marcher.state(), 0.0)
     }
 
-    /// Mean power over the second half of the cycles, W.
+    /// Mean power, W, over the second half of the cycles after the first restart, or over all that there are.
     pub fn mean_power_w(&self) -> f64 {
         let late = &self.energies_j[self.energies_j.len() / 2..];
-        late.iter().sum::<f64>() / (late.len() as f64 * self.cycle_s)
+        match late.len() {
+            0 => self.marcher.energies().delivered_j() / self.marcher.time_s(),
+            count => late.iter().sum::<f64>() / (count as f64 * self.cycle_s),
+        }
     }
 
     /// True when the averages of the power over the second half of the cycles have converged as those of a quasi-periodic motion do.
