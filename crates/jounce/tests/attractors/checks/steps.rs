@@ -1,0 +1,95 @@
+//! Against itself at a hundredth of the error, and against the classical Runge-Kutta method with the laws as they stand and no events.
+
+use crate::brute::{Flow, Model};
+use crate::drawn::drawn;
+use jounce::plant::Plant;
+use jounce::spec::SpecFile;
+use jounce::study::{Cloud, Prepared};
+
+const CLOUD: Cloud = Cloud { starts: 4, seed: 9, spread: 3.0 };
+
+fn plant(index: u64) -> Plant {
+    Prepared::new(SpecFile::from_text(drawn(22, index)).spec().unwrap()).unwrap().kernel.plant.clone()
+}
+
+/// Calls a function with the model of a drawn harvester and its starts.
+macro_rules! with_model {
+    ($plant:expr, $function:ident) => {{
+        let starts: Vec<Vec<f64>> = (0..CLOUD.starts).map(|index| CLOUD.start(&$plant, index)).collect();
+        match $plant.system.modes.len() {
+            1 => $function(&Model::<1, 4>::of(&$plant.system), &starts),
+            2 => $function(&Model::<2, 6>::of(&$plant.system), &starts),
+            _ => $function(&Model::<3, 8>::of(&$plant.system), &starts),
+        }
+    }};
+}
+
+fn distance<const N: usize, const D: usize>(model: &Model<N, D>, a: &[f64; D], b: &[f64; D]) -> f64 {
+    model.weights.square(&std::array::from_fn(|i| a[i] - b[i])).sqrt()
+}
+
+/// Largest difference over one cycle, of each of 30 cycles of every start, to the same cycle at a hundredth of the error per step.
+fn halved<const N: usize, const D: usize>(model: &Model<N, D>, starts: &[Vec<f64>]) -> f64 {
+    let [coarse, fine] = [1e-12, 1e-14].map(|tolerance| Flow { model, tolerance });
+    let mut largest = 0.0_f64;
+    for start in starts {
+        let mut motion = coarse.start(model.state(start));
+        for _ in 0..30 {
+            let mut finer = motion.clone();
+            coarse.cycle(&mut motion);
+            fine.cycle(&mut finer);
+            largest = largest.max(distance(model, &motion.state, &finer.state) / motion.size);
+        }
+    }
+    largest
+}
+
+/// The error of a cycle is below 1e-9 of the size of the motion.
+#[test]
+fn steps_of_a_hundredth_of_the_error_change_a_cycle_by_less_than_1e_9() {
+    let mut all: Vec<(f64, u64)> = (0..40).map(|index| (with_model!(plant(index), halved), index)).collect();
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    eprintln!("{:?}", &all[..8]);
+    assert!(all[0].0 < 1e-9, "{:?}", &all[..8]);
+}
+
+/// Largest difference after two cycles to 50,000 steps a cycle of the classical method of order 4.
+fn plain<const N: usize, const D: usize>(model: &Model<N, D>, starts: &[Vec<f64>]) -> f64 {
+    let flow = Flow { model, tolerance: 1e-12 };
+    let mut largest = 0.0_f64;
+    for start in starts {
+        let mut motion = flow.start(model.state(start));
+        let mut y = motion.state;
+        for _ in 0..2 {
+            flow.cycle(&mut motion);
+            y = plain_cycle(model, y, 50_000);
+        }
+        largest = largest.max(distance(model, &motion.state, &y) / motion.size);
+    }
+    largest
+}
+
+fn plain_cycle<const N: usize, const D: usize>(model: &Model<N, D>, mut y: [f64; D], steps: u32) -> [f64; D] {
+    let h = model.cycle_s / f64::from(steps);
+    let rate = |t: f64, y: &[f64; D]| model.rate(t, y, &model.phases(y), usize::MAX);
+    let moved = |y: &[f64; D], h: f64, k: &[f64; D]| -> [f64; D] { std::array::from_fn(|i| y[i] + h * k[i]) };
+    for step in 0..steps {
+        let t = f64::from(step) * h;
+        let k1 = rate(t, &y);
+        let k2 = rate(t + 0.5 * h, &moved(&y, 0.5 * h, &k1));
+        let k3 = rate(t + 0.5 * h, &moved(&y, 0.5 * h, &k2));
+        let k4 = rate(t + h, &moved(&y, h, &k3));
+        y = std::array::from_fn(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]));
+    }
+    y
+}
+
+/// A method without events is off by the square of its step where a force jumps; nothing is missed by more.
+#[test]
+fn a_plain_method_without_events_gives_the_same_motion() {
+    let compliant = (0..24).filter(|index| !drawn(22, *index).contains("rigid"));
+    let mut all: Vec<(f64, u64)> = compliant.map(|index| (with_model!(plant(index), plain), index)).collect();
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    eprintln!("{:?}", &all[..8]);
+    assert!(all.len() > 8 && all[0].0 < 1e-4, "{:?}", &all[..8]);
+}
