@@ -184,3 +184,10 @@ mod tests {
         }
     }
 }
+
+#[test]
+fn show() {
+    for i in std::env::var("SHOW").unwrap_or_default().split(',').filter_map(|x| x.parse().ok()) {
+        eprintln!("=== {i}\n{}", drawn(22, i));
+    }
+}

@@ -11,9 +11,12 @@ use super::model::STOPS;
 /// Distance to the limit, relative to the size of the motion, within which an orbit is reached.
 const CLOSE: f64 = 1e-8;
 
-/// Distance over a period that is roundoff and the error of the steps: it does not shrink, and tells no contraction. A motion that contracts
-/// by 3e-5 a period or more is within [`CLOSE`] of its orbit there.
-const NOISE: f64 = 3e-13;
+/// Distance over a period, in errors of a step, that may be their sum and roundoff: it need not shrink. With an error per step of 1e-12 a
+/// motion that contracts by 3e-4 a period or more is within [`CLOSE`] of its orbit there.
+const NOISE: f64 = 3.0;
+
+/// Distance over a part of a period below which the part is the period: far above what is left of the way to the orbit.
+const ONE: f64 = 1e-6;
 
 /// Drive cycles between checks, and least length of the window over which a contraction is taken.
 const BETWEEN: usize = 32;
@@ -87,8 +90,15 @@ impl<const N: usize, const D: usize> History<'_, N, D> {
         self.flow.model.weights.square(&std::array::from_fn(|i| a[i] - b[i])).sqrt()
     }
 
-    /// The least period within the limit that has been reached.
+    /// The period within the limit that has been reached. That of a motion which turns about its orbit as it settles may be found by a
+    /// multiple first, which hides the turning: the least part over which the states repeat is the period.
     fn period(&self, longest: usize, size: f64) -> Option<usize> {
+        let period = self.reached(longest, size)?;
+        let repeats = |part: &usize| (0..period).all(|back| self.repeats(*part, back) <= ONE * size);
+        (1..=period).find(|part| period.is_multiple_of(*part) && repeats(part))
+    }
+
+    fn reached(&self, longest: usize, size: f64) -> Option<usize> {
         (1..=longest).find(|period| {
             let window = period * BETWEEN.div_ceil(*period);
             if self.states.len() <= window + period {
@@ -100,7 +110,7 @@ impl<const N: usize, const D: usize> History<'_, N, D> {
             }
             let before = self.repeats(*period, window);
             let contraction = (now / before).powf(*period as f64 / window as f64);
-            let noise = NOISE * size;
+            let noise = NOISE * self.flow.tolerance * size;
             (now <= noise && before <= noise) || (contraction < 1.0 && now * contraction <= CLOSE * size * (1.0 - contraction))
         })
     }

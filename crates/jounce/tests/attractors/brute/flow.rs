@@ -105,9 +105,10 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
                     rate = model.rate(t, &motion.state, &motion.phases, NONE);
                 }
             }
-            largest = largest.max(model.weights.square(&motion.state));
+            largest = largest.max(model.weights.square(&motion.state).sqrt());
+            motion.size = motion.size.max(largest);
         }
-        motion.size = largest.sqrt().max(model.least_size());
+        motion.size = largest.max(model.least_size());
     }
 
     fn step(&self, motion: &Motion<D>, t: f64, h: f64, rate: &[f64; D]) -> Stepped<D> {
@@ -126,14 +127,20 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         for guard in self.model.guards(phases).iter() {
             let start = self.model.guard(guard, phases, t, (&motion.state, rate));
             let last = self.model.guard(guard, phases, t + end.part * h, (&end.state, &end.rate));
-            let negative = if last[0] < 0.0 { Some(end.part) } else { self.dip(motion, (t, h), rate, (guard, &start, &last, end.part)) };
-            let Some(part) = negative else { continue };
-            // A contact that starts at its surface has to leave it first.
-            let starts_at_zero = start[0] <= 1e-9 * last[0].abs();
-            if starts_at_zero && part * h > LEAST_STEP * self.model.cycle_s {
-                return Event::Unclear;
-            }
-            let there = if starts_at_zero { 0.0 } else { self.root(motion, (t, h), rate, (guard, start, part)) };
+            let roundoff = self.model.roundoff(guard, &motion.state);
+            let is_negative = last[0] < -roundoff;
+            let negative = if is_negative { Some(end.part) } else { self.dip(motion, (t, h), rate, (guard, &start, &last, end.part)) };
+            let is_at_zero = start[0] <= roundoff;
+            let leaves = self.model.direction(guard, phases, start[1], (&motion.state, rate)) > 0.0;
+            let there = match negative {
+                None => continue,
+                // A contact that starts at its surface and does not leave it changes at once.
+                Some(_) if is_at_zero && !leaves => 0.0,
+                // One that leaves it and is back within the step needs a shorter one.
+                Some(part) if is_at_zero && part * h > LEAST_STEP * self.model.cycle_s => return Event::Unclear,
+                Some(_) if is_at_zero => 0.0,
+                Some(part) => self.root(motion, (t, h), rate, (guard, roundoff, part)),
+            };
             end = self.part(motion, (t, h), rate, there);
             found = Some(guard);
         }
@@ -171,7 +178,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
             let at = if secant > low.0 + 0.01 * width && secant < high.0 - 0.01 * width { secant } else { middle };
             let end = self.part(motion, (t, h), rate, at);
             let [value, slope] = self.model.guard(guard, &motion.phases, t + at * h, (&end.state, &end.rate));
-            if value < 0.0 {
+            if value < -self.model.roundoff(guard, &motion.state) {
                 return Some(at);
             }
             // No way down is left that reaches zero.
@@ -184,24 +191,25 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
     }
 
     /// The part of a step at which a guard that is positive at first and negative at `high` vanishes: Newton's method within a bracket.
-    fn root(&self, motion: &Motion<D>, (t, h): (f64, f64), rate: &[f64; D], (guard, start, high): (Guard, [f64; 2], f64)) -> f64 {
+    fn root(&self, motion: &Motion<D>, (t, h): (f64, f64), rate: &[f64; D], (guard, roundoff, high): (Guard, f64, f64)) -> f64 {
         let (mut low, mut high) = (0.0, high);
         let mut at = 0.5 * high;
         for _ in 0..100 {
             let end = self.part(motion, (t, h), rate, at);
             let [value, slope] = self.model.guard(guard, &motion.phases, t + at * h, (&end.state, &end.rate));
             if value > 0.0 { low = at } else { high = at }
-            if high - low < LOCATED || value.abs() <= 1e-15 * start[0] {
+            if value.abs() <= 0.25 * roundoff {
                 return at;
+            }
+            // Behind the event: a holding force that has vanished must not be there any more.
+            if high - low < LOCATED {
+                return high;
             }
             let next = at - value / (slope * h);
             let is_inside = next > low && next < high;
-            if is_inside && (next - at).abs() < LOCATED {
-                return next;
-            }
             at = if is_inside { next } else { 0.5 * (low + high) };
         }
-        at
+        high
     }
 
     /// What a contact does when its guard vanishes.

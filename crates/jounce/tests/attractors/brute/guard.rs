@@ -72,4 +72,32 @@ impl<const N: usize, const D: usize> Model<N, D> {
             }
         }
     }
+
+    /// What of a guard is roundoff: nothing of a holding force, whose sign alone counts.
+    pub fn roundoff(&self, guard: Guard, y: &[f64; D]) -> f64 {
+        let terms = |p: usize, from: usize| (0..N).map(|i| (self.stops[p].shape[i] * y[from + i]).abs()).sum::<f64>();
+        let depth = |p: usize| self.stops[p].gap.abs() + terms(p, 0);
+        8.0 * f64::EPSILON
+            * match guard {
+                Guard::Surface(p) => depth(p),
+                Guard::Push(p) => match self.stops[p].law {
+                    Law::Viscous { k, c } => k * depth(p) + c * terms(p, N),
+                    _ => 1.0,
+                },
+                Guard::Hold(_) => 0.0,
+            }
+    }
+
+    /// Where a guard that is zero goes: its rate, or where that of a surface is roundoff, the rate of the rate.
+    pub fn direction(&self, guard: Guard, phases: &Phases, slope: f64, (y, rate): (&[f64; D], &[f64; D])) -> f64 {
+        let Guard::Surface(p) = guard else { return slope };
+        let stop = &self.stops[p];
+        let roundoff = 8.0 * f64::EPSILON * (0..N).map(|i| (stop.shape[i] * y[N + i]).abs()).sum::<f64>();
+        let acceleration = self.depth(stop, rate)[1];
+        match phases[p] {
+            _ if slope.abs() > roundoff => slope,
+            Phase::Free => -acceleration,
+            _ => acceleration,
+        }
+    }
 }

@@ -113,10 +113,10 @@ impl<const N: usize, const D: usize> Model<N, D> {
         scaled[..n].iter().chain(&scaled[N..N + n]).chain(voltage).copied().collect()
     }
 
-    /// Size below which no motion is measured: what the drive alone does to the velocities in a radian.
+    /// Size below which no motion is measured: a thousandth of what drive and gravity alone do to the velocities in a radian.
     pub fn least_size(&self) -> f64 {
-        let driven = self.driven.iter().map(|p| p * p).sum::<f64>().sqrt();
-        1e-3 * driven / self.angular
+        let norm = |force: &[f64; N]| force.iter().map(|p| p * p).sum::<f64>().sqrt();
+        1e-3 * (norm(&self.driven) + norm(&self.steady)) / self.angular
     }
 
     /// The phases in which contacts start at a state.
