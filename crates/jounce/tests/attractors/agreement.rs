@@ -12,8 +12,9 @@ use std::time::Instant;
 /// Largest relative difference of the powers of one attractor.
 const POWER: f64 = 1e-4;
 
-/// Power below which there is none, relative to that of the strongest attractor: `V^2` of a voltage that is roundoff.
-const NO_POWER: f64 = 1e-12;
+/// Distance from the limit at which a motion counts as periodic, relative to its size, with a margin of ten: the power of a voltage that is
+/// small in the motion is known no better than this allows.
+const CLOSE: f64 = 1e-7;
 
 /// Largest distance of the states of one attractor, relative to the size of the motion.
 const STATES: f64 = 1e-4;
@@ -69,19 +70,25 @@ fn same_states(a: &[Vec<f64>], b: &[Vec<f64>], size: f64) -> bool {
     n == b.len() && (0..n).any(|shift| (0..n).all(|i| distance(&a[i], &b[(i + shift) % n]) <= STATES * size))
 }
 
-fn same_power(a: f64, b: f64, strongest: f64) -> bool {
-    (a - b).abs() <= POWER * a.abs().max(b.abs()) + NO_POWER * strongest
+/// Whether a power is that of an ending: relative to itself, and within what the states leave open, `2 sqrt(P P_close) + P_close`.
+fn same_power(ending: &Ending, power_w: f64) -> bool {
+    let (larger, close) = (ending.mean_power_w.max(power_w), CLOSE * CLOSE * ending.power_scale_w);
+    (ending.mean_power_w - power_w).abs() <= POWER * larger + 2.0 * (larger * close).sqrt() + close
 }
 
 /// Whether an account describes an ending.
-fn verdict(ending: &Ending, account: Option<&Account>, strongest: f64) -> Verdict {
+fn verdict(ending: &Ending, account: Option<&Account>) -> Verdict {
     let Some(account) = account else { return Verdict::Undecided };
     match (ending.kind, account.kind) {
         (Kind::Lost | Kind::Unsettled, _) => Verdict::Unknown,
         (_, AccountKind::Undecided) => Verdict::Undecided,
         (Kind::Periodic(own), AccountKind::Periodic(theirs)) => {
-            let powers = same_power(ending.mean_power_w, account.mean_power_w, strongest);
-            if own == theirs && powers && same_states(&ending.strobe, &account.strobe, ending.size) { Verdict::Same } else { Verdict::Different }
+            let powers = same_power(ending, account.mean_power_w);
+            if own == theirs && powers && same_states(&ending.strobe, &account.strobe, ending.size) {
+                Verdict::Same
+            } else {
+                Verdict::Different
+            }
         }
         (Kind::Torus, AccountKind::Torus) | (Kind::Chaos, AccountKind::Chaos) => Verdict::Same,
         // A period that brute force does not look for may be there.
@@ -91,15 +98,14 @@ fn verdict(ending: &Ending, account: Option<&Account>, strongest: f64) -> Verdic
 }
 
 /// Endings that are one attractor, by their numbers; those without a period by their kind.
-fn groups(endings: &[Ending], strongest: f64) -> Vec<Vec<usize>> {
+fn groups(endings: &[Ending]) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for (index, ending) in endings.iter().enumerate() {
         let is_one = |group: &&mut Vec<usize>| {
             let known = &endings[group[0]];
             known.kind == ending.kind
                 && (!matches!(ending.kind, Kind::Periodic(_))
-                    || same_power(known.mean_power_w, ending.mean_power_w, strongest)
-                        && same_states(&known.strobe, &ending.strobe, ending.size))
+                    || same_power(known, ending.mean_power_w) && same_states(&known.strobe, &ending.strobe, ending.size))
         };
         match groups.iter_mut().find(is_one) {
             Some(group) => group.push(index),
@@ -111,26 +117,32 @@ fn groups(endings: &[Ending], strongest: f64) -> Vec<Vec<usize>> {
 }
 
 /// Compares both on one spec.
-pub fn compare(file: &SpecFile, cloud: Cloud, patience: Patience, tolerance: f64) -> Agreement {
+pub fn compare(file: &SpecFile, starts: Starts, patience: Patience, tolerance: f64) -> Agreement {
     let prepared = Prepared::new(file.spec().unwrap()).unwrap();
     let plant = &prepared.kernel.plant;
     let drive = &plant.system.drives[0];
     let key = (format!("drive.{}.frequency", drive.name), drive.frequency_hz);
     let begin = Instant::now();
-    let found = accounts(file, (&key.0, key.1), Starts::Cloud(cloud));
+    let found = accounts(file, (&key.0, key.1), starts.clone());
     let library_s = begin.elapsed().as_secs_f64();
     let begin = Instant::now();
-    let starts: Vec<Vec<f64>> = (0..cloud.starts).map(|index| cloud.start(plant, index)).collect();
-    let endings = endings(&plant.system, &starts, patience, tolerance);
+    let physical: Vec<Vec<f64>> = (0..starts.len()).map(|index| starts.start(plant, index)).collect();
+    let endings = endings(&plant.system, &physical, patience, tolerance);
     let brute_s = begin.elapsed().as_secs_f64();
-    let strongest = endings.iter().map(|ending| ending.mean_power_w).fold(0.0, f64::max);
     let of = |index: usize| found.iter().find(|account| account.starts.contains(&index));
-    let verdicts = endings.iter().enumerate().map(|(index, ending)| verdict(ending, of(index), strongest)).collect();
-    let part = cloud.starts / HELD_BACK;
-    let held_back = accounts(file, (&key.0, key.1), Starts::Cloud(Cloud { starts: part, ..cloud }));
+    let verdicts = endings.iter().enumerate().map(|(index, ending)| verdict(ending, of(index))).collect();
+    // The starts of a cloud are drawn one by one, so that its first ones are a cloud too.
+    let other_starts = match starts {
+        Starts::Cloud(cloud) => {
+            let part = cloud.starts / HELD_BACK;
+            let held_back = accounts(file, (&key.0, key.1), Starts::Cloud(Cloud { starts: part, ..cloud }));
+            covered(&endings[part..], &held_back, part)
+        }
+        Starts::Grid(_) => [0, 0],
+    };
     Agreement {
-        same_starts: covered(&endings, &found, cloud.starts, strongest),
-        other_starts: covered(&endings[part..], &held_back, part, strongest),
+        same_starts: covered(&endings, &found, starts.len()),
+        other_starts,
         endings,
         accounts: found,
         verdicts,
@@ -139,11 +151,11 @@ pub fn compare(file: &SpecFile, cloud: Cloud, patience: Patience, tolerance: f64
 }
 
 /// Attractors of brute force, and those whose share lies in the interval that the library gives of `of` starts.
-fn covered(endings: &[Ending], accounts: &[Account], of: usize, strongest: f64) -> [usize; 2] {
-    let groups = groups(endings, strongest);
+fn covered(endings: &[Ending], accounts: &[Account], of: usize) -> [usize; 2] {
+    let groups = groups(endings);
     let holds = |group: &&Vec<usize>| {
         let ending = &endings[group[0]];
-        let own = accounts.iter().find(|account| verdict(ending, Some(account), strongest) == Verdict::Same);
+        let own = accounts.iter().find(|account| verdict(ending, Some(account)) == Verdict::Same);
         let [low, high] = own.map_or_else(|| unseen(of), |account| [account.share.low, account.share.high]);
         (low..=high).contains(&(group.len() as f64 / endings.len() as f64))
     };
@@ -155,16 +167,6 @@ impl Agreement {
     pub fn count(&self, verdict: Verdict) -> usize {
         self.verdicts.iter().filter(|own| **own == verdict).count()
     }
-
-    fn strongest(&self) -> f64 {
-        self.endings.iter().map(|ending| ending.mean_power_w).fold(0.0, f64::max)
-    }
-
-    /// Attractors by brute force: kind, mean power, starts.
-    pub fn attractors(&self) -> Vec<(Kind, f64, usize)> {
-        let of = |group: &Vec<usize>| (self.endings[group[0]].kind, self.endings[group[0]].mean_power_w, group.len());
-        groups(&self.endings, self.strongest()).iter().map(of).collect()
-    }
 }
 
 impl Display for Agreement {
@@ -175,9 +177,12 @@ impl Display for Agreement {
         let [all, held] = self.same_starts;
         let [others, held_others] = self.other_starts;
         writeln!(f, "  shares in their intervals: {held} of {all}; of other starts {held_others} of {others}")?;
-        writeln!(f, "  library {library_s:.2} s, brute force {brute_s:.2} s")?;
-        for (kind, power, count) in self.attractors() {
-            writeln!(f, "  brute force {kind:?} {power:.9e} W: {count}")?;
+        let cycles: usize = self.endings.iter().map(|ending| ending.cycles).sum();
+        writeln!(f, "  library {library_s:.2} s, brute force {brute_s:.2} s over {cycles} cycles")?;
+        for group in groups(&self.endings) {
+            let Ending { kind, mean_power_w, exponent, .. } = &self.endings[group[0]];
+            let exponent = exponent.map_or(String::new(), |[value, error]| format!(", exponent {value:.5} +- {error:.5} a cycle"));
+            writeln!(f, "  brute force {kind:?} {mean_power_w:.9e} W: {}{exponent}", group.len())?;
         }
         for account in &self.accounts {
             writeln!(f, "  library     {} {:.9e} W: {}", account.id, account.mean_power_w, account.starts.len())?;

@@ -77,7 +77,10 @@ pub fn drawn(seed: u64, index: u64) -> String {
     let magnified = ((1.0 - ratio * ratio).powi(2) + (0.1 * ratio).powi(2)).sqrt();
     let amplitude = draw.decades(0.7, 8.0) * scales.length * scales.stiffness * magnified;
     let phase = draw.one_of(&[0.0, 0.1, 2.0]);
-    _ = write!(text, "[drive.d]\nat = \"h.tip\"\namplitude = \"{amplitude:.6} N\"\nfrequency = \"{frequency:.6} Hz\"\nphase = \"{phase} rad\"\n");
+    _ = write!(
+        text,
+        "[drive.d]\nat = \"h.tip\"\namplitude = \"{amplitude:.6} N\"\nfrequency = \"{frequency:.6} Hz\"\nphase = \"{phase} rad\"\n"
+    );
     if draw.happens(0.4) {
         // Gravity bends the first mode by up to a length at the tip.
         let sag = scales.length * draw.within(-1.0, 1.0) * scales.angular().powi(2) / (scales.tip[0] * 0.8);
@@ -177,17 +180,23 @@ mod tests {
             assert!(Spec::from_toml(text).is_ok(), "number {index}:\n{text}\n{:?}", Spec::from_toml(text).err());
             assert_eq!(*text, drawn(1, index as u64));
         }
-        let kinds = ["hertz", "spring", "kelvin-voigt", "hunt-crossley", "rigid", "cubic", "[gravity]", "gap = \"-", "gap = \"0.000000000", "s1", "h.side", "[circuit"];
+        let kinds = [
+            "hertz",
+            "spring",
+            "kelvin-voigt",
+            "hunt-crossley",
+            "rigid",
+            "cubic",
+            "[gravity]",
+            "gap = \"-",
+            "gap = \"0.000000000",
+            "s1",
+            "h.side",
+            "[circuit",
+        ];
         for kind in kinds {
             let count = texts.iter().filter(|text| text.contains(kind)).count();
             assert!((10..300).contains(&count), "{kind}: {count} of 300");
         }
-    }
-}
-
-#[test]
-fn show() {
-    for i in std::env::var("SHOW").unwrap_or_default().split(',').filter_map(|x| x.parse().ok()) {
-        eprintln!("=== {i}\n{}", drawn(22, i));
     }
 }

@@ -70,6 +70,8 @@ pub struct Ending {
     pub strobe: Vec<Vec<f64>>,
     /// Size of the motion in energy coordinates.
     pub size: f64,
+    /// Square of that size per drive cycle, W.
+    pub power_scale_w: f64,
     /// Largest exponent with its error, 1/cycle, of a motion without a period.
     pub exponent: Option<[f64; 2]>,
     /// Drive cycles marched.
@@ -129,7 +131,8 @@ impl<const N: usize, const D: usize> History<'_, N, D> {
         };
         let model = self.flow.model;
         let strobe = self.states[self.states.len() - states..].iter().map(|y| model.energy_coordinates(y)).collect();
-        Ending { kind, mean_power_w: self.mean_power_w(averaged), strobe, size, exponent, cycles }
+        let power_scale_w = size * size / model.cycle_s;
+        Ending { kind, mean_power_w: self.mean_power_w(averaged), strobe, size, power_scale_w, exponent, cycles }
     }
 }
 

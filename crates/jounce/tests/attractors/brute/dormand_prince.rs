@@ -121,5 +121,5 @@ pub fn step<const D: usize>(
     let gained: [f64; D] = std::array::from_fn(|i| state[i] - y[i]);
     let by_third = weights.square(&moved(&gained, h, third));
     let both = by_fifth + 0.01 * by_third;
-    Stepped { state, error: if both > 0.0 { by_fifth / both.sqrt() } else { 0.0 } }
+    Stepped { state, error: if both == 0.0 { 0.0 } else { by_fifth / both.sqrt() } }
 }

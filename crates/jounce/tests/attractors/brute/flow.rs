@@ -83,8 +83,9 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
             let h = motion.length.min(remaining);
             let Stepped { state, error } = self.step(motion, t, h, &rate);
             // Steps grow slowly, so that they stay as short as the contact before and behind them needs.
-            let next = h * (0.9 * error.max(1e-12).powf(-0.125)).clamp(0.2, 4.0);
-            if error > 1.0 && h > LEAST_STEP * end {
+            let next = if error.is_finite() { h * (0.9 * error.max(1e-12).powf(-0.125)).clamp(0.2, 4.0) } else { 0.2 * h };
+            // Not a number where a stage ran far away: the step was much too long.
+            if (error.is_nan() || error > 1.0) && h > LEAST_STEP * end {
                 motion.length = next;
                 continue;
             }
@@ -197,7 +198,11 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         for _ in 0..100 {
             let end = self.part(motion, (t, h), rate, at);
             let [value, slope] = self.model.guard(guard, &motion.phases, t + at * h, (&end.state, &end.rate));
-            if value > 0.0 { low = at } else { high = at }
+            if value > 0.0 {
+                low = at
+            } else {
+                high = at
+            }
             if value.abs() <= 0.25 * roundoff {
                 return at;
             }

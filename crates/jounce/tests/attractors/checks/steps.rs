@@ -28,26 +28,33 @@ fn distance<const N: usize, const D: usize>(model: &Model<N, D>, a: &[f64; D], b
     model.weights.square(&std::array::from_fn(|i| a[i] - b[i])).sqrt()
 }
 
-/// Largest difference over one cycle, of each of 30 cycles of every start, to the same cycle at a hundredth of the error per step.
-fn halved<const N: usize, const D: usize>(model: &Model<N, D>, starts: &[Vec<f64>]) -> f64 {
+/// Largest difference over one cycle, of each of 30 cycles of every start, to the same cycle at a hundredth of the error per step: in the
+/// size of the motion, and in what the cycle makes of a start that is off by 1e-9 of that size.
+fn refined<const N: usize, const D: usize>(model: &Model<N, D>, starts: &[Vec<f64>]) -> f64 {
     let [coarse, fine] = [1e-12, 1e-14].map(|tolerance| Flow { model, tolerance });
     let mut largest = 0.0_f64;
     for start in starts {
         let mut motion = coarse.start(model.state(start));
         for _ in 0..30 {
-            let mut finer = motion.clone();
+            let (mut finer, mut moved) = (motion.clone(), motion.clone());
+            // Along the velocities, in which an error of a contact force shows.
+            (0..N).for_each(|i| moved.state[N + i] *= 1.0 + 1e-7);
+            let apart = distance(model, &motion.state, &moved.state).max(1e-12 * motion.size);
             coarse.cycle(&mut motion);
             fine.cycle(&mut finer);
-            largest = largest.max(distance(model, &motion.state, &finer.state) / motion.size);
+            fine.cycle(&mut moved);
+            let growth = distance(model, &finer.state, &moved.state) / apart;
+            assert!(!motion.is_lost && !finer.is_lost);
+            largest = largest.max(distance(model, &motion.state, &finer.state) / motion.size / growth.max(1.0));
         }
     }
     largest
 }
 
-/// The error of a cycle is below 1e-9 of the size of the motion.
+/// A cycle ends where one ends that starts within 1e-9 of the size of the motion.
 #[test]
 fn steps_of_a_hundredth_of_the_error_change_a_cycle_by_less_than_1e_9() {
-    let mut all: Vec<(f64, u64)> = (0..40).map(|index| (with_model!(plant(index), halved), index)).collect();
+    let mut all: Vec<(f64, u64)> = (0..40).map(|index| (with_model!(plant(index), refined), index)).collect();
     all.sort_by(|a, b| b.0.total_cmp(&a.0));
     eprintln!("{:?}", &all[..8]);
     assert!(all[0].0 < 1e-9, "{:?}", &all[..8]);
@@ -84,12 +91,14 @@ fn plain_cycle<const N: usize, const D: usize>(model: &Model<N, D>, mut y: [f64;
     y
 }
 
-/// A method without events is off by the square of its step where a force jumps; nothing is missed by more.
+/// A method without events is off by its step where a force jumps or bends; a contact that is missed, or a phase that is wrong, by far more.
+/// Laws that jump and preloads that are struck many times a cycle are left out.
 #[test]
 fn a_plain_method_without_events_gives_the_same_motion() {
-    let compliant = (0..24).filter(|index| !drawn(22, *index).contains("rigid"));
-    let mut all: Vec<(f64, u64)> = compliant.map(|index| (with_model!(plant(index), plain), index)).collect();
+    let is_smooth = |text: &str| !text.contains("rigid") && !text.contains("kelvin-voigt") && !text.contains("gap = \"-");
+    let smooth = (0..40).filter(|index| is_smooth(&drawn(22, *index)));
+    let mut all: Vec<(f64, u64)> = smooth.map(|index| (with_model!(plant(index), plain), index)).collect();
     all.sort_by(|a, b| b.0.total_cmp(&a.0));
-    eprintln!("{:?}", &all[..8]);
-    assert!(all.len() > 8 && all[0].0 < 1e-4, "{:?}", &all[..8]);
+    eprintln!("{all:?}");
+    assert!(all.len() > 8 && all[0].0 < 1e-5, "{all:?}");
 }
