@@ -17,7 +17,7 @@ use jounce::study::{Cloud, Starts};
 const SEED: u64 = 22;
 
 /// Error of a step by brute force, relative to the size of the motion.
-const TOLERANCE: f64 = 1e-12;
+const TOLERANCE: f64 = 1e-13;
 
 fn number(name: &str) -> Option<usize> {
     std::env::var(name).ok().map(|text| text.parse().unwrap_or_else(|_| panic!("{name} is `{text}`, no number")))

@@ -11,9 +11,9 @@ use super::model::STOPS;
 /// Distance to the limit, relative to the size of the motion, within which an orbit is reached.
 const CLOSE: f64 = 1e-8;
 
-/// Distance over a period, in errors of a step, that may be their sum and roundoff: it need not shrink. With an error per step of 1e-12 a
-/// motion that contracts by 3e-4 a period or more is within [`CLOSE`] of its orbit there.
-const NOISE: f64 = 3.0;
+/// Distance over a period, relative to the size of the motion, that may be the errors of its steps and roundoff: it need not shrink. A motion
+/// that contracts by 3e-4 a period or more is within [`CLOSE`] of its orbit there.
+const NOISE: f64 = 3e-12;
 
 /// Distance over a part of a period below which the part is the period: far above what is left of the way to the orbit.
 const ONE: f64 = 1e-6;
@@ -112,7 +112,7 @@ impl<const N: usize, const D: usize> History<'_, N, D> {
             }
             let before = self.repeats(*period, window);
             let contraction = (now / before).powf(*period as f64 / window as f64);
-            let noise = NOISE * self.flow.tolerance * size;
+            let noise = NOISE * size;
             (now <= noise && before <= noise) || (contraction < 1.0 && now * contraction <= CLOSE * size * (1.0 - contraction))
         })
     }

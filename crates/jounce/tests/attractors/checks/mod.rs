@@ -1,4 +1,4 @@
-//! The brute force itself: against closed forms, against steps of a hundredth of the error, against a plain method without events.
+//! The brute force itself: against closed forms, against steps of a tenth of the error, against a plain method without events.
 
 mod closed_forms;
 mod published;

@@ -1,4 +1,4 @@
-//! Against itself at a hundredth of the error, and against the classical Runge-Kutta method with the laws as they stand and no events.
+//! Against itself at a tenth of the error, and against the classical Runge-Kutta method with the laws as they stand and no events.
 
 use crate::brute::{Flow, Model};
 use crate::drawn::drawn;
@@ -6,7 +6,7 @@ use jounce::plant::Plant;
 use jounce::spec::SpecFile;
 use jounce::study::{Cloud, Prepared};
 
-const CLOUD: Cloud = Cloud { starts: 4, seed: 9, spread: 3.0 };
+const CLOUD: Cloud = Cloud { starts: 3, seed: 9, spread: 3.0 };
 
 fn plant(index: u64) -> Plant {
     Prepared::new(SpecFile::from_text(drawn(22, index)).spec().unwrap()).unwrap().kernel.plant.clone()
@@ -28,10 +28,10 @@ fn distance<const N: usize, const D: usize>(model: &Model<N, D>, a: &[f64; D], b
     model.weights.square(&std::array::from_fn(|i| a[i] - b[i])).sqrt()
 }
 
-/// Largest difference over one cycle, of each of 30 cycles of every start, to the same cycle at a hundredth of the error per step: in the
+/// Largest difference over one cycle, of each of 30 cycles of every start, to the same cycle at a tenth of the error per step: in the
 /// size of the motion, and in what the cycle makes of a start that is off by 1e-9 of that size.
 fn refined<const N: usize, const D: usize>(model: &Model<N, D>, starts: &[Vec<f64>]) -> f64 {
-    let [coarse, fine] = [1e-12, 1e-14].map(|tolerance| Flow { model, tolerance });
+    let [coarse, fine] = [1e-13, 1e-14].map(|tolerance| Flow { model, tolerance });
     let mut largest = 0.0_f64;
     for start in starts {
         let mut motion = coarse.start(model.state(start));
@@ -53,25 +53,24 @@ fn refined<const N: usize, const D: usize>(model: &Model<N, D>, starts: &[Vec<f6
 
 /// A cycle ends where one ends that starts within 1e-9 of the size of the motion.
 #[test]
-fn steps_of_a_hundredth_of_the_error_change_a_cycle_by_less_than_1e_9() {
+fn steps_of_a_tenth_of_the_error_change_a_cycle_by_less_than_1e_9() {
     let mut all: Vec<(f64, u64)> = (0..40).map(|index| (with_model!(plant(index), refined), index)).collect();
     all.sort_by(|a, b| b.0.total_cmp(&a.0));
     eprintln!("{:?}", &all[..8]);
     assert!(all[0].0 < 1e-9, "{:?}", &all[..8]);
 }
 
-/// Largest difference after two cycles to 50,000 steps a cycle of the classical method of order 4.
-fn plain<const N: usize, const D: usize>(model: &Model<N, D>, starts: &[Vec<f64>]) -> f64 {
-    let flow = Flow { model, tolerance: 1e-12 };
-    let mut largest = 0.0_f64;
+/// Largest differences after a cycle to 20,000 and to 160,000 steps of the classical method of order 4.
+fn plain<const N: usize, const D: usize>(model: &Model<N, D>, starts: &[Vec<f64>]) -> [f64; 2] {
+    let flow = Flow { model, tolerance: 1e-13 };
+    let mut largest = [0.0_f64; 2];
     for start in starts {
         let mut motion = flow.start(model.state(start));
-        let mut y = motion.state;
-        for _ in 0..2 {
-            flow.cycle(&mut motion);
-            y = plain_cycle(model, y, 50_000);
+        let begin = motion.state;
+        flow.cycle(&mut motion);
+        for (largest, steps) in largest.iter_mut().zip([20_000, 160_000]) {
+            *largest = largest.max(distance(model, &motion.state, &plain_cycle(model, begin, steps)) / motion.size);
         }
-        largest = largest.max(distance(model, &motion.state, &y) / motion.size);
     }
     largest
 }
@@ -91,14 +90,15 @@ fn plain_cycle<const N: usize, const D: usize>(model: &Model<N, D>, mut y: [f64;
     y
 }
 
-/// A method without events is off by its step where a force jumps or bends; a contact that is missed, or a phase that is wrong, by far more.
-/// Laws that jump and preloads that are struck many times a cycle are left out.
+/// Eight times shorter steps bring a method without events nearer to the same motion: 64 times or more where a force bends, eight times in
+/// the mean where it jumps, for the place of the jump in its step is chance. A contact that is missed, or a phase that is wrong, would stay,
+/// and leave both distances equal.
 #[test]
-fn a_plain_method_without_events_gives_the_same_motion() {
-    let is_smooth = |text: &str| !text.contains("rigid") && !text.contains("kelvin-voigt") && !text.contains("gap = \"-");
-    let smooth = (0..40).filter(|index| is_smooth(&drawn(22, *index)));
-    let mut all: Vec<(f64, u64)> = smooth.map(|index| (with_model!(plant(index), plain), index)).collect();
-    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+fn a_plain_method_without_events_converges_to_the_same_motion() {
+    let compliant = (0..40).filter(|index| !drawn(22, *index).contains("rigid"));
+    let mut all: Vec<([f64; 2], u64)> = compliant.map(|index| (with_model!(plant(index), plain), index)).collect();
+    all.sort_by(|a, b| b.0[1].total_cmp(&a.0[1]));
     eprintln!("{all:?}");
-    assert!(all.len() > 8 && all[0].0 < 1e-5, "{all:?}");
+    let converges = |[coarse, fine]: [f64; 2]| fine < 1e-9 || fine < 0.6 * coarse;
+    assert!(all.len() > 20 && all.iter().all(|(errors, _)| converges(*errors)), "{all:?}");
 }
