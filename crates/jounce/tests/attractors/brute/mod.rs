@@ -2,6 +2,7 @@
 
 mod classify;
 mod dormand_prince;
+mod events;
 mod flow;
 mod guard;
 mod law;
