@@ -22,6 +22,9 @@ const STATES: f64 = 1e-4;
 /// Part of the starts, one in so many, whose intervals are held against the shares of all the others.
 const HELD_BACK: usize = 8;
 
+/// Errors per step, relative to that of the comparison, with which a start is marched again that ends elsewhere.
+const AGAIN: [f64; 3] = [3.0, 10.0, 100.0];
+
 /// One start.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
@@ -29,6 +32,9 @@ pub enum Verdict {
     Same,
     /// They end on different ones.
     Different,
+    /// They do, but brute force with a larger error per step ends where the library does: the start lies so near the edge of a basin, or
+    /// wanders so long, that steps of this error do not decide.
+    Sensitive,
     /// The library does not decide.
     Undecided,
     /// Brute force does not decide.
@@ -130,7 +136,15 @@ pub fn compare(file: &SpecFile, starts: Starts, patience: Patience, tolerance: f
     let endings = endings(&plant.system, &physical, patience, tolerance);
     let brute_s = begin.elapsed().as_secs_f64();
     let of = |index: usize| found.iter().find(|account| account.starts.contains(&index));
-    let verdicts = endings.iter().enumerate().map(|(index, ending)| verdict(ending, of(index))).collect();
+    let again = |index: usize, factor: f64| {
+        let start = std::slice::from_ref(&physical[index]);
+        verdict(&self::endings(&plant.system, start, patience, factor * tolerance)[0], of(index))
+    };
+    let decide = |(index, ending): (usize, &Ending)| match verdict(ending, of(index)) {
+        Verdict::Different if AGAIN.iter().any(|factor| again(index, *factor) == Verdict::Same) => Verdict::Sensitive,
+        decided => decided,
+    };
+    let verdicts = endings.iter().enumerate().map(decide).collect();
     // The starts of a cloud are drawn one by one, so that its first ones are a cloud too.
     let other_starts = match starts {
         Starts::Cloud(cloud) => {
@@ -163,6 +177,12 @@ fn covered(endings: &[Ending], accounts: &[Account], of: usize) -> [usize; 2] {
 }
 
 impl Agreement {
+    /// Number of attractors by brute force and by the library.
+    pub fn attractors(&self) -> [usize; 2] {
+        let decided = self.accounts.iter().filter(|account| account.kind != AccountKind::Undecided);
+        [groups(&self.endings).len(), decided.count()]
+    }
+
     /// Number of starts with a verdict.
     pub fn count(&self, verdict: Verdict) -> usize {
         self.verdicts.iter().filter(|own| **own == verdict).count()
@@ -172,8 +192,12 @@ impl Agreement {
 impl Display for Agreement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [library_s, brute_s] = self.seconds;
-        let counts = [Verdict::Same, Verdict::Different, Verdict::Undecided, Verdict::Unknown].map(|verdict| self.count(verdict));
-        writeln!(f, "same {} different {} undecided {} unknown {}", counts[0], counts[1], counts[2], counts[3])?;
+        let counts = [Verdict::Same, Verdict::Different, Verdict::Sensitive, Verdict::Undecided, Verdict::Unknown]
+            .map(|verdict| self.count(verdict));
+        let [same, different, sensitive, undecided, unknown] = counts;
+        let [own, theirs] = self.attractors();
+        writeln!(f, "same {same} different {different} sensitive {sensitive} undecided {undecided} unknown {unknown}")?;
+        writeln!(f, "  attractors by brute force {own}, by the library {theirs}")?;
         let [all, held] = self.same_starts;
         let [others, held_others] = self.other_starts;
         writeln!(f, "  shares in their intervals: {held} of {all}; of other starts {held_others} of {others}")?;

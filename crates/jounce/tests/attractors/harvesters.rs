@@ -38,6 +38,7 @@ fn a_few_drawn_harvesters_end_where_brute_force_ends() {
         eprint!("{index:3} {found}");
         assert!(found.count(Verdict::Different) == 0, "harvester {index}: {found}");
         assert!(found.count(Verdict::Same) >= 38, "harvester {index}: {found}");
+        assert_eq!(found.attractors()[0], found.attractors()[1], "harvester {index}: {found}");
         assert_eq!(found.same_starts[0], found.same_starts[1], "harvester {index}: {found}");
     }
 }
@@ -58,10 +59,10 @@ fn many_drawn_harvesters_end_where_brute_force_ends() {
         eprint!("{index:3} {found}");
         checked += found.other_starts[0];
         held += found.other_starts[1];
-        if found.count(Verdict::Different) > 0 {
+        if found.count(Verdict::Different) > 0 || found.attractors()[0] != found.attractors()[1] {
             wrong.push(index);
         }
     }
     eprintln!("shares of other starts in their intervals: {held} of {checked}");
-    assert!(wrong.is_empty(), "harvesters with starts attributed wrongly: {wrong:?}");
+    assert!(wrong.is_empty(), "harvesters with other attractors or starts attributed wrongly: {wrong:?}");
 }

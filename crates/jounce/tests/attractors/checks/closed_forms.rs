@@ -114,6 +114,20 @@ fn the_impact_oscillator_stays_on_its_closed_form() {
     }
 }
 
+/// At 2.8 times its frequency, on a stop without gap, the same oscillator is chaotic (the exponent in `tests/orbits/basins.rs`, found
+/// by another method); at twice its frequency the orbit with one impact a cycle is stable in closed form.
+#[test]
+fn chaos_and_a_period_are_told_apart() {
+    let ending = |frequency_ratio: f64| {
+        let oscillator = ImpactOscillator { frequency_ratio, damping_ratio: 0.05, restitution: 0.8, gap: 0.0 };
+        let model = Model::<1, 4>::of(&oscillator.system(0.3));
+        classify(Flow { model: &model, tolerance: TOLERANCE }, &[-0.1, 0.0], Patience { cycles: 3000, period: 64 })
+    };
+    let (chaos, orbit) = (ending(2.8), ending(2.0));
+    eprintln!("{:?} {:?}, {:?}", chaos.kind, chaos.exponent, orbit.kind);
+    assert!(chaos.kind == Kind::Chaos && orbit.kind == Kind::Periodic(1));
+}
+
 /// Pressed onto a rigid stop by a steady force, a mass bounces ever lower and rests there.
 #[test]
 fn chatter_ends_at_rest() {
