@@ -77,14 +77,14 @@ pub fn drawn(seed: u64, index: u64) -> String {
     let magnified = ((1.0 - ratio * ratio).powi(2) + (0.1 * ratio).powi(2)).sqrt();
     let amplitude = draw.decades(0.7, 8.0) * scales.length * scales.stiffness * magnified;
     let phase = draw.one_of(&[0.0, 0.1, 2.0]);
-    _ = write!(
+    _ = writeln!(
         text,
-        "[drive.d]\nat = \"h.tip\"\namplitude = \"{amplitude:.6} N\"\nfrequency = \"{frequency:.6} Hz\"\nphase = \"{phase} rad\"\n"
+        "[drive.d]\nat = \"h.tip\"\namplitude = \"{amplitude:.6} N\"\nfrequency = \"{frequency:.6} Hz\"\nphase = \"{phase} rad\""
     );
     if draw.happens(0.4) {
         // Gravity bends the first mode by up to a length at the tip.
         let sag = scales.length * draw.within(-1.0, 1.0) * scales.angular().powi(2) / (scales.tip[0] * 0.8);
-        _ = write!(text, "[gravity]\nacceleration = \"{sag:.6} m/s^2\"\n");
+        _ = writeln!(text, "[gravity]\nacceleration = \"{sag:.6} m/s^2\"");
     }
     text + "[run]\nduration = \"100 s\"\naverage_over = \"50 s\"\n"
 }
@@ -111,10 +111,10 @@ fn modal(draw: &mut Draw, scales: &Scales) -> String {
         let coupling = (0..modes).map(|i| if i == 0 { first } else { first * draw.within(-2.0, 2.0) });
         let coupling = coupling.map(|value| format!("{value:.9}")).collect::<Vec<_>>().join(", ");
         let resistance = draw.decades(0.1, 10.0) / (capacitance * scales.angular());
-        _ = write!(
+        _ = writeln!(
             text,
             "[modal.h.patch.p]\ncoupling_n_per_v = [{coupling}]\ncapacitance = \"1 uF\"\n\
-             [circuit.c]\npatch = \"h.p\"\nresistance = \"{resistance:.3} ohm\"\n"
+             [circuit.c]\npatch = \"h.p\"\nresistance = \"{resistance:.3} ohm\""
         );
     }
     text
@@ -137,7 +137,7 @@ fn stops(draw: &mut Draw, scales: &Scales, text: &mut String) {
                 "rigid" => draw.one_of(&[0.0, 0.3, 1.0]),
                 _ => draw.one_of(&[0.0, 0.2, 1.0, 1.0, -0.2, -1.0]) * draw.within(0.5, 1.0),
             };
-        _ = write!(text, "[stop.s{number}]\nat = \"h.{at}\"\nside = \"{side}\"\ngap = \"{gap:.9} m\"\nlaw = \"{word}\"\n");
+        _ = writeln!(text, "[stop.s{number}]\nat = \"h.{at}\"\nside = \"{side}\"\ngap = \"{gap:.9} m\"\nlaw = \"{word}\"");
         law(draw, scales, word, text);
     }
 }
@@ -149,22 +149,22 @@ fn law(draw: &mut Draw, scales: &Scales, word: &str, text: &mut String) {
     let powered = stiffness / (exponent * (0.1 * scales.length).powf(exponent - 1.0));
     let mass = scales.tip[0].powi(-2);
     _ = match word {
-        "hertz" => write!(text, "stiffness = \"{powered:.3} N/m^{exponent}\"\nexponent = {exponent}\n"),
+        "hertz" => writeln!(text, "stiffness = \"{powered:.3} N/m^{exponent}\"\nexponent = {exponent}"),
         "hunt-crossley" => {
             let damping = draw.decades(0.02, 1.0) / (scales.angular() * scales.length);
-            write!(text, "stiffness = \"{powered:.3} N/m^{exponent}\"\nexponent = {exponent}\ndamping = \"{damping:.6} s/m\"\n")
+            writeln!(text, "stiffness = \"{powered:.3} N/m^{exponent}\"\nexponent = {exponent}\ndamping = \"{damping:.6} s/m\"")
         }
-        "spring" => write!(text, "stiffness = \"{stiffness:.3} N/m\"\n"),
+        "spring" => writeln!(text, "stiffness = \"{stiffness:.3} N/m\""),
         "kelvin-voigt" => {
             let damping = 2.0 * draw.decades(0.01, 0.4) * (stiffness * mass).sqrt();
-            write!(text, "stiffness = \"{stiffness:.3} N/m\"\ndamping = \"{damping:.6} N s/m\"\n")
+            writeln!(text, "stiffness = \"{stiffness:.3} N/m\"\ndamping = \"{damping:.6} N s/m\"")
         }
         "cubic" => {
             let (linear, cubic) = (scales.stiffness * draw.within(-0.6, 2.0), scales.stiffness * draw.decades(0.1, 20.0));
             let cubic = cubic / scales.length.powi(2);
-            write!(text, "stiffness = \"{linear:.3} N/m\"\ncubic_stiffness = \"{cubic:.3} N/m^3\"\n")
+            writeln!(text, "stiffness = \"{linear:.3} N/m\"\ncubic_stiffness = \"{cubic:.3} N/m^3\"")
         }
-        _ => write!(text, "restitution = {:.2}\n", draw.within(0.2, 0.95)),
+        _ => writeln!(text, "restitution = {:.2}", draw.within(0.2, 0.95)),
     };
 }
 

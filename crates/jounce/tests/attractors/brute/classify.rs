@@ -148,7 +148,7 @@ pub fn classify<const N: usize, const D: usize>(flow: Flow<'_, N, D>, start: &[f
         if motion.is_lost {
             return history.ending(Kind::Lost, motion.size, None);
         }
-        if history.states.len() % BETWEEN == 0 {
+        if history.states.len().is_multiple_of(BETWEEN) {
             let period = history.period(patience.period, motion.size);
             times = if period.is_some() && period == found { times + 1 } else { 1 };
             found = period;
