@@ -90,9 +90,9 @@ fn plain_cycle<const N: usize, const D: usize>(model: &Model<N, D>, mut y: [f64;
     y
 }
 
-/// Eight times shorter steps bring a method without events nearer to the same motion: 64 times or more where a force bends, eight times in
-/// the mean where it jumps, for the place of the jump in its step is chance. A contact that is missed, or a phase that is wrong, would stay,
-/// and leave both distances equal.
+/// Eight times shorter steps bring a method without events nearer to the same motion: with the square of the step where a force bends, with
+/// the step where it jumps, and there the place of the jump within its step is chance. A contact that is missed, or a phase that is wrong,
+/// would stay, and leave both distances equal.
 #[test]
 fn a_plain_method_without_events_converges_to_the_same_motion() {
     let compliant = (0..40).filter(|index| !drawn(22, *index).contains("rigid"));
