@@ -1,0 +1,134 @@
+//! The flow over drive cycles: steps of controlled error from event to event, and what contacts do at events.
+
+use super::dormand_prince::{Stepped, step};
+use super::events::{End, Event, LEAST_STEP};
+use super::guard::Guard;
+use super::law::{Law, Phase};
+use super::model::{Model, Phases};
+
+/// No stop's number.
+pub const NONE: usize = usize::MAX;
+
+/// Rebound speed in units of the size of the motion below which bounces that die away within [`CHATTER_CYCLES`] are left out. What is left
+/// out moves the point by the speed times that time, below 1e-9 of the size of the motion.
+const CHATTER_SPEED: f64 = 1e-6;
+
+/// Longest time of bounces that are left out, drive cycles.
+const CHATTER_CYCLES: f64 = 1e-3;
+
+/// Events of a cycle above which a contact rattles by roundoff; a bounce of restitution 0.95 dies away within 300.
+const MOST_EVENTS: usize = 20_000;
+
+/// A motion on its way. Time runs from zero in each drive cycle.
+#[derive(Debug, Clone)]
+pub struct Motion<const D: usize> {
+    pub state: [f64; D],
+    pub phases: Phases,
+    pub size: f64,
+    /// Events of the last cycle outgrew [`MOST_EVENTS`]: the motion is not followed any more.
+    pub is_lost: bool,
+    length: f64,
+}
+
+/// The flow of a model with an error per step relative to the size of the motion.
+#[derive(Debug, Clone, Copy)]
+pub struct Flow<'m, const N: usize, const D: usize> {
+    pub model: &'m Model<N, D>,
+    pub tolerance: f64,
+}
+
+impl<const N: usize, const D: usize> Flow<'_, N, D> {
+    /// A motion from a state at the start of a drive cycle.
+    pub fn start(&self, state: [f64; D]) -> Motion<D> {
+        let model = self.model;
+        let phases = model.phases(&state);
+        let size = model.weights.square(&state).sqrt().max(model.least_size());
+        let mut motion = Motion { state, phases, size, is_lost: false, length: model.cycle_s / 64.0 };
+        for p in 0..model.stops.len() {
+            let [d, rate] = model.depth(&model.stops[p], &motion.state);
+            if matches!(model.stops[p].law, Law::Rigid { .. }) && d >= 0.0 && rate >= 0.0 {
+                self.strike(&mut motion, p, 0.0);
+            }
+        }
+        motion
+    }
+
+    /// Advances by a drive cycle.
+    pub fn cycle(&self, motion: &mut Motion<D>) {
+        let (model, end) = (self.model, self.model.cycle_s);
+        let (mut t, mut largest, mut events) = (0.0, 0.0_f64, 0);
+        let mut rate = model.rate(0.0, &motion.state, &motion.phases, NONE);
+        while t < end && !motion.is_lost {
+            let remaining = end - t;
+            let is_last = motion.length >= remaining;
+            let h = motion.length.min(remaining);
+            let Stepped { state, error } = self.step(motion, t, h, &rate);
+            // Steps grow slowly, so that they stay as short as the contact before and behind them needs.
+            let next = if error.is_finite() { h * (0.9 * error.max(1e-12).powf(-0.125)).clamp(0.2, 4.0) } else { 0.2 * h };
+            // Not a number where a stage ran far away: the step was much too long.
+            if (error.is_nan() || error > 1.0) && h > LEAST_STEP * end {
+                motion.length = next;
+                continue;
+            }
+            let whole = End { part: 1.0, state, rate: model.rate(t + h, &state, &motion.phases, NONE) };
+            match self.event(motion, (t, h), &rate, whole) {
+                Event::Unclear => motion.length = 0.5 * h,
+                Event::None(whole) => {
+                    t = if is_last { end } else { t + h };
+                    (motion.state, rate) = (whole.state, whole.rate);
+                    motion.length = if is_last { motion.length.max(next) } else { next };
+                }
+                Event::At(guard, there) => {
+                    t += there.part * h;
+                    events += 1;
+                    motion.is_lost = events > MOST_EVENTS;
+                    motion.state = there.state;
+                    self.change(motion, guard, t);
+                    rate = model.rate(t, &motion.state, &motion.phases, NONE);
+                }
+            }
+            largest = largest.max(model.weights.square(&motion.state).sqrt());
+            motion.size = motion.size.max(largest);
+        }
+        motion.size = largest.max(model.least_size());
+    }
+
+    /// A step of length `h` in the phases of a motion, its error relative to the tolerance.
+    pub fn step(&self, motion: &Motion<D>, t: f64, h: f64, rate: &[f64; D]) -> Stepped<D> {
+        let right = |t: f64, y: &[f64; D]| self.model.rate(t, y, &motion.phases, NONE);
+        let mut stepped = step(right, (t, h), (&motion.state, rate), &self.model.weights);
+        stepped.error /= self.tolerance * motion.size;
+        stepped
+    }
+
+    /// What a contact does when its guard vanishes.
+    fn change(&self, motion: &mut Motion<D>, guard: Guard, t: f64) {
+        let (Guard::Surface(p) | Guard::Push(p) | Guard::Hold(p)) = guard;
+        let is_rigid = matches!(self.model.stops[p].law, Law::Rigid { .. });
+        motion.phases[p] = match (guard, motion.phases[p]) {
+            (Guard::Surface(_), Phase::Free) if is_rigid => return self.strike(motion, p, t),
+            (Guard::Surface(_), Phase::Free) | (Guard::Push(_), Phase::Slack) => Phase::Pushing,
+            (Guard::Push(_), _) => Phase::Slack,
+            (Guard::Surface(_) | Guard::Hold(_), _) => Phase::Free,
+        };
+    }
+
+    /// An impact on a rigid stop; where what presses the point ends its bounces soon, it rests.
+    fn strike(&self, motion: &mut Motion<D>, p: usize, t: f64) {
+        let stop = &self.model.stops[p];
+        let Law::Rigid { e } = stop.law else { return };
+        let [depth, before] = self.model.depth(stop, &motion.state);
+        let pressed = self.model.depth(stop, &self.model.rate(t, &motion.state, &motion.phases, NONE))[1];
+        let after = e * before.max(0.0);
+        let is_slow = after <= CHATTER_SPEED * stop.square.sqrt() * motion.size;
+        let rests = is_slow && 2.0 * after <= CHATTER_CYCLES * self.model.cycle_s * pressed * (1.0 - e) && pressed > 0.0;
+        let change = if rests { before } else { before + after };
+        for i in 0..N {
+            motion.state[i] -= depth * stop.shape[i] / stop.square;
+            motion.state[N + i] -= change * stop.shape[i] / stop.square;
+        }
+        if rests {
+            motion.phases[p] = Phase::Resting;
+        }
+    }
+}

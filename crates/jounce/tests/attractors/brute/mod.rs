@@ -1,0 +1,14 @@
+//! Brute force: marches of every start by a method that shares nothing with the library's.
+
+mod classify;
+mod dormand_prince;
+mod events;
+mod flow;
+mod guard;
+mod law;
+mod model;
+mod scales;
+
+pub use classify::{Ending, Kind, Patience, classify};
+pub use flow::Flow;
+pub use model::Model;

@@ -1,0 +1,59 @@
+//! The library's account of a cloud: all that is used of its analysis of basins.
+
+use jounce::spec::SpecFile;
+use jounce::study::{Attractor, Basins, Parameter, Prepared, Share, Starts, wilson};
+
+/// What the library says of the starts that end on one attractor.
+#[derive(Debug, Clone)]
+pub struct Account {
+    pub id: String,
+    pub kind: AccountKind,
+    pub mean_power_w: f64,
+    /// States at the starts of drive cycles, energy coordinates; none without an orbit.
+    pub strobe: Vec<Vec<f64>>,
+    pub share: Share,
+    pub starts: Vec<usize>,
+}
+
+/// Kind of what a start is counted for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AccountKind {
+    /// A periodic orbit of some drive cycles.
+    Periodic(usize),
+    Torus,
+    Chaos,
+    Undecided,
+}
+
+/// The accounts of all starts; a start that none lists is undecided. `key` is any numeric key of the spec.
+pub fn accounts(file: &SpecFile, (key, value): (&str, f64), starts: Starts) -> Vec<Account> {
+    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let key = file.numeric_key(key).unwrap();
+    let parameter = Parameter::new(&base, &key, 1.0);
+    let answer = Basins { base: &base, parameter: &parameter, value, starts, tolerance: 1e-8 }.run(&|| ()).unwrap();
+    answer.attractors.iter().map(account).collect()
+}
+
+fn account(attractor: &Attractor) -> Account {
+    let kind = match attractor.id.as_str() {
+        "torus" => AccountKind::Torus,
+        "chaos" => AccountKind::Chaos,
+        "unsettled" => AccountKind::Undecided,
+        _ => AccountKind::Periodic(attractor.period_cycles as usize),
+    };
+    Account {
+        id: attractor.id.clone(),
+        kind,
+        mean_power_w: attractor.mean_power_w,
+        // The last state is the first again.
+        strobe: attractor.orbit.as_ref().map_or(Vec::new(), |orbit| orbit.looks[..orbit.period_cycles as usize].to_vec()),
+        share: attractor.share,
+        starts: attractor.starts.clone(),
+    }
+}
+
+/// The interval of an attractor that none of some starts has reached.
+pub fn unseen(of: usize) -> [f64; 2] {
+    let share = wilson(0, of);
+    [share.low, share.high]
+}

@@ -1,0 +1,9 @@
+//! Where the starts of a cloud end: the library's analysis of basins against brute force, which shares no code with it.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod agreement;
+mod brute;
+mod checks;
+mod drawn;
+mod harvesters;
+mod library;
