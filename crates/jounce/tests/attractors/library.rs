@@ -1,7 +1,7 @@
 //! The library's account of a cloud: all that is used of its analysis of basins.
 
 use jounce::spec::SpecFile;
-use jounce::study::{Attractor, Basins, Parameter, Prepared, Share, Starts, wilson};
+use jounce::study::{Attractor, AttractorKind, Basins, Parameter, Prepared, Recognition, Share, Starts, wilson};
 
 /// What the library says of the starts that end on one attractor.
 #[derive(Debug, Clone)]
@@ -30,16 +30,16 @@ pub fn accounts(file: &SpecFile, (key, value): (&str, f64), starts: Starts) -> V
     let base = Prepared::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key(key).unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
-    let answer = Basins { base: &base, parameter: &parameter, value, starts, tolerance: 1e-8 }.run(&|| ()).unwrap();
+    let answer = Basins { base: &base, parameter: &parameter, value, starts, recognition: Recognition::at(1e-8) }.run(&|| ()).unwrap();
     answer.attractors.iter().map(account).collect()
 }
 
 fn account(attractor: &Attractor) -> Account {
-    let kind = match attractor.id.as_str() {
-        "torus" => AccountKind::Torus,
-        "chaos" => AccountKind::Chaos,
-        "unsettled" => AccountKind::Undecided,
-        _ => AccountKind::Periodic(attractor.period_cycles as usize),
+    let kind = match attractor.kind {
+        AttractorKind::Torus => AccountKind::Torus,
+        AttractorKind::Chaos => AccountKind::Chaos,
+        AttractorKind::Undecided | AttractorKind::Lost => AccountKind::Undecided,
+        AttractorKind::Orbit => AccountKind::Periodic(attractor.period_cycles as usize),
     };
     Account {
         id: attractor.id.clone(),
