@@ -25,6 +25,7 @@ pub use journal::{Journal, JournalError};
 pub use jumps::{CurveKind, JumpCurve, JumpPoint, JumpSearch, KeyPlane};
 pub use parameter::Parameter;
 pub use prepared::{Prepared, StudyError};
+pub(crate) use recognition::settled_orbits;
 pub use recognition::{Aperiodic, AttractingOrbit, AttractorKind, Lyapunov, Recognition, Recognizer, SteadyState};
 pub use recognition::{largest_exponent, settled_orbit};
 pub use started::Started;

@@ -9,7 +9,7 @@ use super::eased::eased;
 use super::follow::{Following, RESOLUTION, newton_goal};
 use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, correct, settle, tangent};
 use crate::orbit::{HarmonicBalance, Harvester, Orbit, OrbitError, OrbitMethod, Shooting, null_vector};
-use crate::study::{Parameter, Prepared, StudyError, settled_orbit};
+use crate::study::{Parameter, Prepared, StudyError, settled_orbits};
 use faer::{ColRef, Mat};
 use rayon::prelude::*;
 
@@ -180,20 +180,22 @@ impl BranchSearch<'_> {
         let (low, high) = self.range;
         let inner = (1..=self.seeds).map(|k| low + (high - low) * k as f64 / (self.seeds + 1) as f64);
         let values: Vec<f64> = [low, high].into_iter().chain(inner).collect();
-        let own = values.iter().flat_map(|value| [Start::Rest, Start::Steady, Start::Kicked].map(|start| (*value, start)));
-        // Last, so that they only add to what the others find.
-        let eased = values.iter().filter(|_| self.seeds > 0).map(|value| (*value, Start::Eased));
-        let jobs: Vec<(f64, Start)> = own.chain(eased).collect();
-        let goal = self.following().corrector.goal;
+        let kinds = [Start::Rest, Start::Steady, Start::Kicked, Start::Eased];
+        // Without seeds only what a plain integration reaches.
+        let kinds = &kinds[..if self.seeds > 0 { 4 } else { 3 }];
         let watch = &self.base.kernel.watch;
-        watch.expect(jobs.len());
-        (jobs.into_par_iter())
-            .filter_map(|(value, start)| {
-                let found = self.start(value, start).and_then(|start| settled_orbit(self.parameter, value, &start, self.tolerance, goal));
-                watch.count();
-                Some((found?, value))
-            })
-            .collect()
+        watch.expect(values.len());
+        let settled = |value: &f64| -> Vec<(Start, (Orbit, f64))> {
+            let starts = kinds.iter().filter_map(|kind| Some((*kind, self.start(*value, *kind)?)));
+            let (kinds, starts): (Vec<Start>, Vec<Vec<f64>>) = starts.unzip();
+            let found = settled_orbits(self.parameter, *value, &starts, self.tolerance);
+            watch.count();
+            kinds.into_iter().zip(found).filter_map(|(kind, orbit)| Some((kind, (orbit?, *value)))).collect()
+        };
+        let found: Vec<(Start, (Orbit, f64))> = values.par_iter().flat_map_iter(settled).collect();
+        // The eased starts last, so that they only add to what the others find.
+        let (eased, others): (Vec<_>, Vec<_>) = found.into_iter().partition(|(kind, _)| *kind == Start::Eased);
+        others.into_iter().chain(eased).map(|(_, found)| found).collect()
     }
 
     /// The physical state of a start.

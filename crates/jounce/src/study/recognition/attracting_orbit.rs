@@ -67,9 +67,7 @@ impl AttractingOrbit {
         period: impl Fn(&[f64]) -> Result<Period, E>,
     ) -> Option<Self> {
         let still = period(&vec![0.0; displacement.len()]).ok()?;
-        let ev = |name: &str, default: f64| std::env::var(name).map_or(default, |v| v.parse().unwrap_or(0.0));
-        let share = ev("JS", 0.5);
-        let rate = (1.0 - share) * orbit.floquet_max_abs() + share;
+        let rate = 0.5 * (1.0 + orbit.floquet_max_abs());
         let norm = AdaptedNorm::of(&still.derivative, rate)?;
         let directions = directions(&norm, &still.derivative, displacement);
         let bound = |radius: f64| -> Option<(f64, f64)> {
@@ -92,14 +90,6 @@ impl AttractingOrbit {
             let Some(wider) = bound(2.0 * radius) else { break };
             (rate, error) = wider;
             radius *= 2.0;
-        }
-        if std::env::var("DBG").is_ok() {
-            eprintln!(
-                "period {} radius {radius:e} rate {rate} error {error:e} size {} rho {}",
-                orbit.period_cycles,
-                orbit.size(),
-                orbit.floquet_max_abs()
-            );
         }
         Some(Self { orbit, keeps_charge, ball: Ball { norm, rate, error, radius } })
     }

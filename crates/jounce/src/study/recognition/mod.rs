@@ -22,5 +22,5 @@ pub use attracting_orbit::AttractingOrbit;
 pub use attractor_kind::AttractorKind;
 pub use lyapunov::{Lyapunov, largest_exponent};
 pub use recognizer::{Recognition, Recognizer};
-pub use settled_orbit::settled_orbit;
+pub use settled_orbit::{settled_orbit, settled_orbits};
 pub use steady_state::{Aperiodic, SteadyState};

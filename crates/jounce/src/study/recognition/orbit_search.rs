@@ -14,7 +14,7 @@ const MAX_EVALUATIONS: u32 = 12;
 const SEARCH_COST: u32 = 20;
 
 /// Share of the cost of the integration so far that searches may cost: a long period is tried after many cycles only.
-const COST_SHARE: f64 = 0.25;
+const COST_SHARE: f64 = 0.1;
 
 /// How much tighter the tolerance is against which the error of a period is measured.
 const TIGHTER: f64 = 1e-2;
@@ -49,8 +49,7 @@ impl<H: Harvester> OrbitSearch<'_, H> {
         let mut weak = None;
         for cycles in motion.returns.periods() {
             let cost = motion.search_cost_cycles + SEARCH_COST * cycles;
-            let share = std::env::var("JC").map_or(COST_SHARE, |v| v.parse().unwrap_or(0.0));
-            if f64::from(cost) > share * f64::from(motion.cycles) {
+            if f64::from(cost) > COST_SHARE * f64::from(motion.cycles) {
                 continue;
             }
             motion.search_cost_cycles = cost;
