@@ -34,4 +34,4 @@ pub use periodic::{Orbit, determinant_at, nearest_pair_to_circle, pairs_outside}
 pub use shooting::Shooting;
 pub use shot::Shot;
 pub use tracking::{Condition, Gradient, Plane, Touch, Tracked, Tracking};
-pub use turning_points::{Turn, displacement_peak_m, nearest_extremum_m, nearest_turn};
+pub use turning_points::{Turn, displacement_peak_m, nearest_extremum_m, nearest_turn, turns};

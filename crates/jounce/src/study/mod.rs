@@ -17,7 +17,7 @@ mod sweep_point;
 pub use bandwidth::{Bandwidth, BandwidthSearch, Bandwidths, Edge, Interval, Limit, Peak};
 pub use basins::{Attractor, Basins, BasinsAnswer, Cloud, Fate, Grid, GridAxis, GridError, GridSide, Lyapunov, Share, Starts, Wandering};
 pub use basins::{largest_exponent, wilson};
-pub use branches::{Bifurcation, Branch, BranchCarry, BranchChase, BranchKind, BranchPoint, BranchSearch, Carried, Ending, KnownOrbit};
+pub use branches::{Bifurcation, Branch, BranchCarry, BranchChase, BranchKind, BranchPoint, BranchSearch, Carried, Ending, KnownOrbit, NotProved};
 pub use branches::{Method, Trend, settled_orbit};
 pub use diagram::{Diagram, History, Lineage, Motion, Order, SectionPoint, Seen, Turn, Visit};
 pub use ensemble::{ContactCount, Ensemble, EnsembleAnswer, Estimate, IntervalOver, Member, MemberStop, StopEstimates, VoltageSpectrum};

@@ -1,5 +1,6 @@
 //! What a branch answers.
 
+use super::events::NotProved;
 use crate::orbit::Orbit;
 use faer::ColRef;
 use serde::Serialize;
@@ -16,6 +17,8 @@ pub struct Branch {
     pub points: Vec<BranchPoint>,
     /// Bifurcations in the order of the curve.
     pub bifurcations: Vec<Bifurcation>,
+    /// Where the rule of events was not met.
+    pub not_proved: Vec<NotProved>,
     /// How its two ends came about, first point and last point.
     pub endings: Vec<Ending>,
 }
@@ -157,9 +160,11 @@ impl Branch {
     pub fn joined(mut self, other: Branch) -> Branch {
         self.points.reverse();
         self.bifurcations.reverse();
+        self.not_proved.reverse();
         self.endings.reverse();
         self.points.extend(other.points.into_iter().skip(1));
         self.bifurcations.extend(other.bifurcations);
+        self.not_proved.extend(other.not_proved);
         self.endings.extend(other.endings);
         self
     }

@@ -107,6 +107,7 @@ impl BranchCarry<'_> {
                 period_cycles: branch.period_cycles,
                 points: places.iter().map(|place| place.point.clone()).collect(),
                 bifurcations: bifurcations.into_iter().flatten().collect(),
+                not_proved: Vec::new(),
                 endings: branch.endings.clone(),
             });
         }

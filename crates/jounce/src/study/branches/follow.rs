@@ -2,11 +2,13 @@
 
 use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
 use super::edge::Leaving;
+use super::events::Readings;
 use super::finer::SPARE;
 use super::free::Left;
 use super::passed::{add_passed, drop_doubling};
 use crate::continuation::{Corrected, Corrector, Direction, Mark, Metric, Position, Step, StepControl, Walk, passes, settle, tangent};
-use crate::orbit::OrbitMethod;
+use crate::orbit::{OrbitMethod, nearest_extremum_m};
+use std::sync::OnceLock;
 
 /// Distance from the stop, beside the size of the motion, below which an orbit touches it.
 const GRAZES: f64 = 1e-6;
@@ -44,12 +46,18 @@ pub struct Following {
 pub(super) struct Place<M: OrbitMethod> {
     pub step: Step<M::Local>,
     pub point: BranchPoint,
+    readings: OnceLock<Option<Readings>>,
 }
 
 impl<M: OrbitMethod> Place<M> {
     /// Computes the orbit at a step.
     pub fn new(method: &M, step: Step<M::Local>) -> Result<Self, M::Error> {
-        Ok(Self { point: point(method, &step)?, step })
+        Ok(Self { point: point(method, &step)?, step, readings: OnceLock::new() })
+    }
+
+    /// What its test functions are made of, here and ahead; made when first asked for.
+    pub fn readings(&self, method: &M, parameter_scale: f64) -> Option<&Readings> {
+        self.readings.get_or_init(|| Readings::of(method, &self.step, parameter_scale)).as_ref()
     }
 }
 
@@ -145,7 +153,7 @@ impl Following {
             if self.may_be_astray(&before, &after) && walk.retreat(mark.clone()) {
                 continue;
             }
-            let places = self.refined(method, &before, after)?;
+            let places = self.resolved(method, &before, after, &mut branch.not_proved)?;
             // Newton may have strayed to an orbit of fewer cycles; if a short step gets there too, the branch ends on it.
             let merges = places.iter().any(|place| place.point.orbit.repeats_early());
             if merges && walk.retreat(mark.clone()) {
@@ -208,9 +216,10 @@ impl Following {
     /// Ends a branch that cannot be followed: at a grazing where the orbit touches the stop there, for on a stiff stop a branch turns
     /// at its grazing more sharply than any step can follow.
     fn give_up<M: OrbitMethod>(&self, method: &M, last: Place<M>, why: String, branch: &mut Branch) -> Result<(), M::Error> {
-        let distance_m = method.nearest_extremum_m(&last.step.local)?.map_or(f64::INFINITY, f64::abs);
+        let shot = method.shot(&last.step.local)?;
+        let distance_m = nearest_extremum_m(shot).map_or(f64::INFINITY, f64::abs);
         let parameter = last.point.parameter;
-        if distance_m < GRAZES * method.scale_m(&last.step.local) {
+        if distance_m < GRAZES * shot.kernel.plant.scale_m() {
             branch.bifurcations.push(Bifurcation { kind: BranchKind::Grazing, at: last.point });
             branch.endings.push(Ending::Grazing { why, parameter });
         } else {

@@ -3,7 +3,7 @@
 use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint};
 use super::follow::{Following, Place, point};
 use crate::continuation::{Metric, Position, Step, locate};
-use crate::orbit::{Orbit, OrbitMethod, determinant_at, multipliers, nearest_pair_to_circle, pairs_outside};
+use crate::orbit::{Orbit, OrbitMethod, determinant_at, multipliers, nearest_extremum_m, nearest_pair_to_circle, pairs_outside};
 
 /// Distance beside their size of the halves of a doubled orbit that is the one that it left: a fold is located to a share of the step, and
 /// the distance goes with its root.
@@ -109,11 +109,12 @@ fn test<M: OrbitMethod>(method: &M, passed: Passed, step: &Step<M::Local>, befor
     if passed.kind == BranchKind::Fold {
         return step.tangent.parameter;
     }
+    let Ok(shot) = method.shot(&step.local) else { return 0.0 };
     if passed.kind == BranchKind::Grazing {
-        let distance = method.nearest_extremum_m(&step.local).ok().flatten().map_or(0.0, f64::abs);
-        return if method.contacts(&step.local).is_ok_and(|contacts| contacts <= passed.fewer) { -distance } else { distance };
+        let distance = nearest_extremum_m(shot).map_or(0.0, f64::abs);
+        return if shot.contacts <= passed.fewer { -distance } else { distance };
     }
-    let Ok(map) = method.map(&step.local) else { return 0.0 };
+    let map = &shot.block_map;
     match passed.kind {
         BranchKind::PeriodDoubling => determinant_at(map, -1.0),
         BranchKind::NeimarkSacker => {

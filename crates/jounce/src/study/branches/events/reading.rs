@@ -1,0 +1,92 @@
+//! What the test functions of a point are made of, there and a little ahead on the curve: the difference is their derivative along it.
+
+use super::pairing::paired;
+use crate::continuation::{Metric, Step};
+use crate::orbit::{OrbitMethod, Shot, Turn, multipliers, turns};
+use faer::c64;
+
+/// Way ahead, in the metric, beside the root of the tolerance of the marches: there the error that a march leaves in the difference and the
+/// bend that the difference leaves out are alike.
+const AHEAD: f64 = 10.0;
+
+/// What the test functions of an orbit are made of.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::study::branches) struct Reading {
+    /// Floquet multipliers.
+    pub multipliers: Vec<c64>,
+    /// Turning points of the ports.
+    pub turns: Vec<Turn>,
+    /// Period, s.
+    pub period_s: f64,
+    /// Drive cycles of the period.
+    pub cycles: usize,
+    /// True where no stop and no switch acts.
+    pub is_free: bool,
+}
+
+/// The same at two places near each other; what lies ahead stands in the order of what is here.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::study::branches) struct Readings {
+    pub here: Reading,
+    /// Multipliers ahead.
+    pub multipliers: Vec<c64>,
+    /// Turning points ahead; `None` where one ends on the way.
+    pub turns: Vec<Option<Turn>>,
+    /// From here to ahead, in the metric.
+    pub length: f64,
+}
+
+impl Reading {
+    fn of(shot: &Shot) -> Option<Self> {
+        let switches = shot.trajectories.iter().any(|trajectory| !trajectory.changes().is_empty());
+        Some(Self {
+            multipliers: multipliers(&shot.block_map)?,
+            turns: turns(shot),
+            period_s: shot.period_s,
+            cycles: shot.trajectories.len(),
+            is_free: shot.contacts == 0 && shot.max_penetration_m == 0.0 && !switches,
+        })
+    }
+
+    /// Time of a turning point as a share of the period.
+    pub fn phase(&self, turn: &Turn) -> f64 {
+        (turn.cycle as f64 / self.cycles as f64 + turn.time_s / self.period_s).rem_euclid(1.0)
+    }
+}
+
+impl Readings {
+    /// At a step of a curve, in the direction of its tangent; `None` where nothing can be marched ahead of it or behind it.
+    pub fn of<M: OrbitMethod>(method: &M, step: &Step<M::Local>, parameter_scale: f64) -> Option<Self> {
+        let shot = method.shot(&step.local).ok()?;
+        let here = Reading::of(shot)?;
+        let metric = Metric::at(&step.position, parameter_scale);
+        let unit = metric.unit(step.tangent.clone());
+        [1.0, -1.0].into_iter().find_map(|side| {
+            let length = side * AHEAD * shot.tolerance().sqrt();
+            let there = step.position.moved(&unit, length);
+            let local = method.at(&there.unknown, there.parameter).ok()?;
+            let ahead = Reading::of(method.shot(&local).ok()?)?;
+            Some(Self::joined(here.clone(), &ahead, length))
+        })
+    }
+
+    fn joined(here: Reading, ahead: &Reading, length: f64) -> Self {
+        let apart = |i: usize, j: usize| (here.multipliers[i] - ahead.multipliers[j]).norm();
+        let same = paired(here.multipliers.len(), ahead.multipliers.len(), apart);
+        let multipliers = same.into_iter().map(|(_, j)| ahead.multipliers[j]).collect();
+        let mut turns = vec![None; here.turns.len()];
+        for (i, j) in paired(here.turns.len(), ahead.turns.len(), |i, j| way((&here, &here.turns[i]), (ahead, &ahead.turns[j])).abs()) {
+            turns[i] = Some(ahead.turns[j]);
+        }
+        Self { here, multipliers, turns, length }
+    }
+}
+
+/// Way in phase from a turning point of an orbit to one of another; infinite where they are no two of a kind.
+pub(super) fn way((one, from): (&Reading, &Turn), (two, to): (&Reading, &Turn)) -> f64 {
+    if (from.port, from.is_maximum) != (to.port, to.is_maximum) {
+        return f64::INFINITY;
+    }
+    let way = two.phase(to) - one.phase(from);
+    way - way.round()
+}
