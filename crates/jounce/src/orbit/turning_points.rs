@@ -61,8 +61,7 @@ pub fn turns(shot: &Shot) -> Vec<Turn> {
 fn turns_of(shot: &Shot, port: usize, cycle_s: f64) -> Vec<Turn> {
     let kernel = &shot.kernel;
     let strikes = matches!(kernel.plant.system.stops[port].law, Law::Rigid(_));
-    let looks: Vec<Vec<Motion>> =
-        shot.trajectories.iter().map(|trajectory| looks(kernel, port, trajectory, (FEWER, cycle_s))).collect();
+    let looks: Vec<Vec<Motion>> = shot.trajectories.iter().map(|trajectory| looks(kernel, port, trajectory, (FEWER, cycle_s))).collect();
     let mut found = Vec::new();
     for (cycle, own) in looks.iter().enumerate() {
         // The first look of the next cycle is at the end of this one.

@@ -46,6 +46,8 @@ pub enum BranchKind {
     BranchPoint,
     /// A contact appears or goes.
     Grazing,
+    /// A quantity passes a level that the user gives.
+    Level,
 }
 
 /// A located bifurcation.
@@ -53,6 +55,8 @@ pub enum BranchKind {
 pub struct Bifurcation {
     /// What it is.
     pub kind: BranchKind,
+    /// The level that is passed.
+    pub level: Option<String>,
     /// Where.
     pub at: BranchPoint,
 }
@@ -99,6 +103,7 @@ impl BranchKind {
             BranchKind::NeimarkSacker => "neimark-sacker",
             BranchKind::BranchPoint => "branch-point",
             BranchKind::Grazing => "grazing",
+            BranchKind::Level => "level",
         }
     }
 }
@@ -146,7 +151,7 @@ impl Branch {
             let off = (way - faer::Scale(share) * &chord).norm_l2();
             ((0.0..=1.0).contains(&share) && off < chord.norm_l2()).then_some(off)
         };
-        let found = self.bifurcations.iter().filter(|found| found.kind != BranchKind::Grazing);
+        let found = self.bifurcations.iter().filter(|found| !matches!(found.kind, BranchKind::Grazing | BranchKind::Level));
         let found = found.filter_map(|found| Some((off(&found.at)?, &found.at)));
         found.min_by(|one, two| one.0.total_cmp(&two.0)).map(|(_, at)| at)
     }

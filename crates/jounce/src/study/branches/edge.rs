@@ -4,7 +4,8 @@
 //! to the other side of it.
 
 use super::branch::{Branch, Ending};
-use super::follow::{Following, Place, point};
+use super::follow::Following;
+use super::place::{Place, point};
 use crate::continuation::{Metric, Position, Step, locate, settle, tangent};
 use crate::orbit::OrbitMethod;
 

@@ -2,13 +2,13 @@
 
 use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
 use super::edge::Leaving;
-use super::events::Readings;
+use super::events::Level;
 use super::finer::SPARE;
 use super::free::Left;
 use super::passed::{add_passed, drop_doubling};
+use super::place::{Place, point};
 use crate::continuation::{Corrected, Corrector, Direction, Mark, Metric, Position, Step, StepControl, Walk, passes, settle, tangent};
 use crate::orbit::{OrbitMethod, nearest_extremum_m};
-use std::sync::OnceLock;
 
 /// Distance from the stop, beside the size of the motion, below which an orbit touches it.
 const GRAZES: f64 = 1e-6;
@@ -28,7 +28,7 @@ pub(super) fn newton_goal(tolerance: f64) -> f64 {
 }
 
 /// How branches are followed.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Following {
     /// Ends of the range of the key.
     pub range: (f64, f64),
@@ -40,25 +40,8 @@ pub struct Following {
     pub most_points: usize,
     /// Length in the metric to which bifurcations are located.
     pub resolution: f64,
-}
-
-/// A walked point with its orbit.
-pub(super) struct Place<M: OrbitMethod> {
-    pub step: Step<M::Local>,
-    pub point: BranchPoint,
-    readings: OnceLock<Option<Readings>>,
-}
-
-impl<M: OrbitMethod> Place<M> {
-    /// Computes the orbit at a step.
-    pub fn new(method: &M, step: Step<M::Local>) -> Result<Self, M::Error> {
-        Ok(Self { point: point(method, &step)?, step, readings: OnceLock::new() })
-    }
-
-    /// What its test functions are made of, here and ahead; made when first asked for.
-    pub fn readings(&self, method: &M, parameter_scale: f64) -> Option<&Readings> {
-        self.readings.get_or_init(|| Readings::of(method, &self.step, parameter_scale)).as_ref()
-    }
+    /// Levels of quantities that are labelled.
+    pub levels: Vec<Level>,
 }
 
 impl Following {
@@ -220,7 +203,7 @@ impl Following {
         let distance_m = nearest_extremum_m(shot).map_or(f64::INFINITY, f64::abs);
         let parameter = last.point.parameter;
         if distance_m < GRAZES * shot.kernel.plant.scale_m() {
-            branch.bifurcations.push(Bifurcation { kind: BranchKind::Grazing, at: last.point });
+            branch.bifurcations.push(Bifurcation { kind: BranchKind::Grazing, level: None, at: last.point });
             branch.endings.push(Ending::Grazing { why, parameter });
         } else {
             branch.endings.push(Ending::Failed { why, parameter });
@@ -290,10 +273,4 @@ impl Beginning {
         let carried = |origin: Position| Position { unknown: method.carried(&origin.unknown), ..origin };
         Self { origins: self.origins.into_iter().map(carried).collect(), ..self }
     }
-}
-
-/// The point of a branch at a step.
-pub(super) fn point<M: OrbitMethod>(method: &M, step: &Step<M::Local>) -> Result<BranchPoint, M::Error> {
-    let orbit = method.orbit(&step.local, step.error)?;
-    Ok(BranchPoint { parameter: step.position.parameter, orbit })
 }

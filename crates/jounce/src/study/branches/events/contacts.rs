@@ -61,6 +61,11 @@ impl End<'_> {
         self.ahead(k).map_or(f64::NAN, |(here, ahead)| (ahead.past_m - here.past_m) * self.per())
     }
 
+    /// Change of a level over the step, by its derivative.
+    pub fn level(&self, k: usize) -> f64 {
+        (self.readings.levels[k] - self.readings.here.levels[k]) * self.per()
+    }
+
     /// Change of the phase over the step, by its derivative.
     fn turn(&self, k: usize) -> f64 {
         let here = &self.readings.here;

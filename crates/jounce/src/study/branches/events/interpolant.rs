@@ -157,6 +157,34 @@ mod tests {
         assert!(proved > 1000, "{proved}");
     }
 
+    /// The rule on a curve whose events are known: `prod (s - s_k)` with pairs of zeros as near as a ten millionth. Every zero lies on a step of
+    /// its own or on a part that is not proved, and none of those is longer than the shortest step.
+    #[test]
+    fn every_zero_of_a_pair_is_found_or_not_proved() {
+        for k in 0..400_u32 {
+            let unit = |j: u32| (f64::from(k * 5 + j) * 0.618_033_988_749_895).fract();
+            let (first, second, apart) = (0.1 + 0.3 * unit(1), 0.6 + 0.3 * unit(2), 10.0_f64.powf(-1.0 - 6.0 * unit(3)));
+            let zeros = [first, first + apart, second];
+            let value = |s: f64| zeros.iter().map(|z| s - z).product::<f64>();
+            let slope = |s: f64| (0..3).map(|k| (0..3).filter(|j| *j != k).map(|j| s - zeros[j]).product::<f64>()).sum::<f64>();
+            let (mut steps, mut found, mut open) = (vec![(0.0, 1.0)], 0, 0);
+            while let Some((from, to)) = steps.pop() {
+                let inside = zeros.iter().filter(|z| (from..to).contains(*z)).count();
+                match of(value, slope, (from, to)).crossings() {
+                    Some(count) if count < 2 => {
+                        assert_eq!(count, inside, "{from} {to} {zeros:?}");
+                        found += count;
+                    }
+                    _ if to - from < 1.5 / 1024.0 => open += inside,
+                    _ => steps.extend([(from, 0.5 * (from + to)), (0.5 * (from + to), to)]),
+                }
+            }
+            assert_eq!(found + open, 3, "{zeros:?}");
+            // Zeros a few shortest steps apart are found.
+            assert!(apart < 4e-3 || open == 0, "{zeros:?}");
+        }
+    }
+
     /// A kink in the middle of the step that dips below zero, with slopes that show it.
     #[test]
     fn a_kink_below_zero_is_not_proved_away() {

@@ -8,10 +8,12 @@
 
 mod contacts;
 mod interpolant;
+mod level;
 mod pairing;
 mod reading;
 mod rule;
 mod spectrum;
 
-pub use rule::NotProved;
+pub use level::Level;
 pub(super) use reading::Readings;
+pub use rule::NotProved;

@@ -2,7 +2,8 @@
 
 /// Pairs of places in two lists of some lengths, the least cost first; what has no finite cost with anything left stays alone.
 pub fn paired(from: usize, to: usize, cost: impl Fn(usize, usize) -> f64) -> Vec<(usize, usize)> {
-    let mut costs: Vec<(f64, usize, usize)> = (0..from).flat_map(|i| (0..to).map(move |j| (i, j))).map(|(i, j)| (cost(i, j), i, j)).collect();
+    let mut costs: Vec<(f64, usize, usize)> =
+        (0..from).flat_map(|i| (0..to).map(move |j| (i, j))).map(|(i, j)| (cost(i, j), i, j)).collect();
     costs.retain(|(cost, ..)| cost.is_finite());
     costs.sort_by(|a, b| a.0.total_cmp(&b.0));
     let (mut taken_from, mut taken_to) = (vec![false; from], vec![false; to]);

@@ -1,8 +1,9 @@
 //! What the test functions of a point are made of, there and a little ahead on the curve: the difference is their derivative along it.
 
+use super::level::Level;
 use super::pairing::paired;
 use crate::continuation::{Metric, Step};
-use crate::orbit::{OrbitMethod, Shot, Turn, multipliers, turns};
+use crate::orbit::{Orbit, OrbitMethod, Shot, Turn, discs, multipliers, turns};
 use faer::c64;
 
 /// Way ahead, in the metric, beside the root of the tolerance of the marches: there the error that a march leaves in the difference and the
@@ -14,8 +15,12 @@ const AHEAD: f64 = 10.0;
 pub(in crate::study::branches) struct Reading {
     /// Floquet multipliers.
     pub multipliers: Vec<c64>,
+    /// Radius about zero that each multiplier stays in by the block that it belongs to.
+    pub radii: Vec<f64>,
     /// Turning points of the ports.
     pub turns: Vec<Turn>,
+    /// Values of the quantities of which the user gives a level, less that.
+    pub levels: Vec<f64>,
     /// Period, s.
     pub period_s: f64,
     /// Drive cycles of the period.
@@ -32,20 +37,32 @@ pub(in crate::study::branches) struct Readings {
     pub multipliers: Vec<c64>,
     /// Turning points ahead; `None` where one ends on the way.
     pub turns: Vec<Option<Turn>>,
+    /// Levels ahead.
+    pub levels: Vec<f64>,
     /// From here to ahead, in the metric.
     pub length: f64,
 }
 
 impl Reading {
-    fn of(shot: &Shot) -> Option<Self> {
+    fn of(shot: &Shot, multipliers: Vec<c64>, levels: &[Level]) -> Self {
         let switches = shot.trajectories.iter().any(|trajectory| !trajectory.changes().is_empty());
-        Some(Self {
-            multipliers: multipliers(&shot.block_map)?,
+        Self {
+            multipliers,
+            radii: Vec::new(),
             turns: turns(shot),
+            levels: levels.iter().map(|level| level.off(shot)).collect(),
             period_s: shot.period_s,
             cycles: shot.trajectories.len(),
             is_free: shot.contacts == 0 && shot.max_penetration_m == 0.0 && !switches,
-        })
+        }
+    }
+
+    /// With the radius of the disc of the block that each multiplier lies nearest to.
+    fn with_radii(mut self, shot: &Shot) -> Self {
+        let discs = discs(&shot.block_map, shot.kernel.plant.diagonal.block.pairs.len());
+        let pairs = paired(self.multipliers.len(), discs.len(), |i, j| (self.multipliers[i] - discs[j].value).norm());
+        self.radii = pairs.into_iter().map(|(_, j)| discs[j].radius).collect();
+        self
     }
 
     /// Time of a turning point as a share of the period.
@@ -56,16 +73,22 @@ impl Reading {
 
 impl Readings {
     /// At a step of a curve, in the direction of its tangent; `None` where nothing can be marched ahead of it or behind it.
-    pub fn of<M: OrbitMethod>(method: &M, step: &Step<M::Local>, parameter_scale: f64) -> Option<Self> {
+    pub fn of<M: OrbitMethod>(
+        method: &M,
+        (step, orbit): (&Step<M::Local>, &Orbit),
+        parameter_scale: f64,
+        levels: &[Level],
+    ) -> Option<Self> {
         let shot = method.shot(&step.local).ok()?;
-        let here = Reading::of(shot)?;
+        let here = Reading::of(shot, orbit.multipliers.clone(), levels).with_radii(shot);
         let metric = Metric::at(&step.position, parameter_scale);
         let unit = metric.unit(step.tangent.clone());
         [1.0, -1.0].into_iter().find_map(|side| {
             let length = side * AHEAD * shot.tolerance().sqrt();
             let there = step.position.moved(&unit, length);
             let local = method.at(&there.unknown, there.parameter).ok()?;
-            let ahead = Reading::of(method.shot(&local).ok()?)?;
+            let shot = method.shot(&local).ok()?;
+            let ahead = Reading::of(shot, multipliers(&shot.block_map)?, levels);
             Some(Self::joined(here.clone(), &ahead, length))
         })
     }
@@ -78,7 +101,7 @@ impl Readings {
         for (i, j) in paired(here.turns.len(), ahead.turns.len(), |i, j| way((&here, &here.turns[i]), (ahead, &ahead.turns[j])).abs()) {
             turns[i] = Some(ahead.turns[j]);
         }
-        Self { here, multipliers, turns, length }
+        Self { here, multipliers, turns, levels: ahead.levels.clone(), length }
     }
 }
 

@@ -2,11 +2,12 @@
 
 use super::contacts::extrema;
 use super::interpolant::Interpolant;
-use super::spectrum::{End, between, doubling, fold, groups, torus};
+use super::spectrum::{End, Group, between, doubling, fold, groups, is_enclosed, torus};
 use crate::continuation::{Metric, Step, Stretch, correct, tangent};
 use crate::orbit::OrbitMethod;
 use crate::study::branches::branch::BranchKind;
-use crate::study::branches::follow::{Following, Place};
+use crate::study::branches::follow::Following;
+use crate::study::branches::place::Place;
 use serde::Serialize;
 
 /// Most halvings of one step: what is not proved on a thousandth of it is listed.
@@ -85,7 +86,7 @@ impl Following {
         if self.turns(&before.step, &after.step).crossings().is_none_or(|count| count > 1) {
             doubts.push(BranchKind::Fold);
         }
-        let readings = [before, after].map(|place| place.readings(method, self.parameter_scale()));
+        let readings = [before, after].map(|place| place.readings(method, self));
         let [Some(one), Some(two)] = readings else {
             doubts.extend([BranchKind::PeriodDoubling, BranchKind::NeimarkSacker, BranchKind::Grazing]);
             return doubts;
@@ -101,12 +102,17 @@ impl Following {
         }
         let passes = extrema(ends).map(|all| {
             let counts = all.iter().map(|one| (one.past_m.crossings(), one.adds()));
-            let passed: Vec<Option<i32>> = counts.filter(|(count, _)| *count != Some(0)).map(|(count, adds)| (count == Some(1)).then_some(adds)).collect();
+            let passed: Vec<Option<i32>> =
+                counts.filter(|(count, _)| *count != Some(0)).map(|(count, adds)| (count == Some(1)).then_some(adds)).collect();
             passed
         });
         // As many contacts come as go: none is seen by their number.
         if passes.is_none_or(|passes| passes.contains(&None) || passes.contains(&Some(1)) && passes.contains(&Some(-1))) {
             doubts.push(BranchKind::Grazing);
+        }
+        let level = |k: usize| Interpolant { values: [one, two].map(|at| at.here.levels[k]), slopes: ends.map(|end| end.level(k)) };
+        if (0..self.levels.len()).any(|k| level(k).crossings().is_none_or(|count| count > 1)) {
+            doubts.push(BranchKind::Level);
         }
         doubts
     }
@@ -126,7 +132,7 @@ impl Following {
 
 /// Kinds of which more than one multiplier may pass its critical value, or one of them more than once.
 fn doubtful_multipliers(ends: [End; 2]) -> Vec<BranchKind> {
-    let groups = groups(ends);
+    let groups: Vec<Group> = groups(ends).into_iter().filter(|group| !is_enclosed(ends, group)).collect();
     let kinds: [(BranchKind, fn(&[faer::c64]) -> f64); 3] =
         [(BranchKind::PeriodDoubling, doubling), (BranchKind::BranchPoint, fold), (BranchKind::NeimarkSacker, torus)];
     let is_doubtful = |f: fn(&[faer::c64]) -> f64| {

@@ -70,6 +70,14 @@ pub(super) fn between([a, b]: [End; 2], group: &Group, f: fn(&[c64]) -> f64) -> 
     Interpolant { values: [from.0, to.0], slopes: [from.1, to.1] }
 }
 
+/// True where the blocks that the group belongs to keep it inside the unit circle on the step: their discs lie inside it at both ends, and stay
+/// inside where they change once more as much.
+pub(super) fn is_enclosed([a, b]: [End; 2], group: &Group) -> bool {
+    let radius = |end: End, own: &[usize]| own.iter().map(|i| end.readings.here.radii[*i]).fold(0.0, f64::max);
+    let [one, two] = [radius(a, &group.from), radius(b, &group.to)];
+    one.max(two) + (one - two).abs() < 1.0
+}
+
 /// Zero where one of the group is -1.
 pub(super) fn doubling(values: &[c64]) -> f64 {
     values.iter().map(|mu| 1.0 + mu).product::<c64>().re
@@ -154,8 +162,9 @@ mod tests {
 
     /// Readings of multipliers at a place of a curve, and at 1e-6 ahead.
     fn at(multipliers: impl Fn(f64) -> Vec<c64>, s: f64) -> Readings {
-        let here = Reading { multipliers: multipliers(s), turns: Vec::new(), period_s: 1.0, cycles: 1, is_free: false };
-        Readings { here, multipliers: multipliers(s + 1e-6), turns: Vec::new(), length: 1e-6 }
+        let (turns, levels, radii) = (Vec::new(), Vec::new(), vec![2.0; multipliers(s).len()]);
+        let here = Reading { multipliers: multipliers(s), radii, turns, levels, period_s: 1.0, cycles: 1, is_free: false };
+        Readings { here, multipliers: multipliers(s + 1e-6), turns: Vec::new(), levels: Vec::new(), length: 1e-6 }
     }
 
     fn groups_of(multipliers: impl Fn(f64) -> Vec<c64>, (from, to): (f64, f64)) -> (Vec<Group>, [Readings; 2]) {
