@@ -212,8 +212,8 @@ impl Branch {
             for found in &branch.bifurcations {
                 let (at, unit) = (&found.at, key.unit());
                 let (value, of) = (shown.value(at), shown.unit());
-                let level = found.level.as_ref().map_or_else(String::new, |level| format!("  {level}"));
-                line(format!("  {:<16} {:>12} {unit}  {value:.6e} {of}{level}", found.kind.name(), output::key_value(at.parameter)));
+                let name = found.level.as_ref().or(found.stop.as_ref()).map_or_else(String::new, |name| format!("  {name}"));
+                line(format!("  {:<16} {:>12} {unit}  {value:.6e} {of}{name}", found.kind.name(), output::key_value(at.parameter)));
             }
             width.iter().for_each(|width| bandwidth::tell(width, &key.unit()));
         }
@@ -327,8 +327,10 @@ fn listed_bifurcation(found: &Bifurcation) -> serde_json::Value {
         "displacement_peak_m": found.at.orbit.displacement_peak_m,
         "contacts_per_period": found.at.orbit.contacts,
     });
-    if let Some(level) = &found.level {
-        listed["level"] = level.as_str().into();
+    for (key, name) in [("level", &found.level), ("stop", &found.stop)] {
+        if let Some(name) = name {
+            listed[key] = name.as_str().into();
+        }
     }
     listed
 }

@@ -1,7 +1,7 @@
 //! What a branch answers.
 
 use super::events::NotProved;
-use crate::orbit::Orbit;
+use crate::orbit::{Orbit, Shot, nearest_turn};
 use faer::ColRef;
 use serde::Serialize;
 
@@ -55,8 +55,10 @@ pub enum BranchKind {
 pub struct Bifurcation {
     /// What it is.
     pub kind: BranchKind,
-    /// The level that is passed.
+    /// The level that is passed, as it was given.
     pub level: Option<String>,
+    /// Name of the stop that is grazed.
+    pub stop: Option<String>,
     /// Where.
     pub at: BranchPoint,
 }
@@ -92,6 +94,15 @@ pub enum Ending {
 /// State on the chord between two points.
 fn between(a: &BranchPoint, b: &BranchPoint, share: f64) -> Vec<f64> {
     a.orbit.start().iter().zip(b.orbit.start()).map(|(a, b)| a + share * (b - a)).collect()
+}
+
+impl Bifurcation {
+    /// A grazing, with the stop whose surface a turning point lies nearest to.
+    pub(super) fn grazing(at: BranchPoint, shot: &Shot) -> Self {
+        let stops = &shot.kernel.plant.system.stops;
+        let stop = nearest_turn(shot).and_then(|turn| stops.get(turn.port)).map(|stop| stop.name.clone());
+        Self { kind: BranchKind::Grazing, level: None, stop, at }
+    }
 }
 
 impl BranchKind {

@@ -1,6 +1,6 @@
 //! Follows one branch from one of its orbits, and names what it passes.
 
-use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
+use super::branch::{Bifurcation, Branch, BranchPoint, Ending};
 use super::edge::Leaving;
 use super::events::Level;
 use super::finer::SPARE;
@@ -203,7 +203,7 @@ impl Following {
         let distance_m = nearest_extremum_m(shot).map_or(f64::INFINITY, f64::abs);
         let parameter = last.point.parameter;
         if distance_m < GRAZES * shot.kernel.plant.scale_m() {
-            branch.bifurcations.push(Bifurcation { kind: BranchKind::Grazing, level: None, at: last.point });
+            branch.bifurcations.push(Bifurcation::grazing(last.point, shot));
             branch.endings.push(Ending::Grazing { why, parameter });
         } else {
             branch.endings.push(Ending::Failed { why, parameter });

@@ -65,10 +65,12 @@ impl Following {
             // Two real multipliers that meet outside the circle are no torus.
             let on_circle = at.orbit.multipliers.iter().any(|value| value.im > 1e-9 && (value.norm() - 1.0).abs() < 1e-4);
             if kind != BranchKind::NeimarkSacker || on_circle {
-                found.push((
-                    self.along(&a.step, &b.step, &place.position),
-                    Bifurcation { kind, level: level.map(|level| level.text.clone()), at },
-                ));
+                let level = level.map(|level| level.text.clone());
+                let found_here = match kind {
+                    BranchKind::Grazing => Bifurcation::grazing(at, method.shot(&place.local)?),
+                    kind => Bifurcation { kind, level, stop: None, at },
+                };
+                found.push((self.along(&a.step, &b.step, &place.position), found_here));
             }
         }
         // By the key alone what lies about a fold has no order.
@@ -94,7 +96,7 @@ impl Following {
 pub(super) fn add_passed(turns: bool, at: &BranchPoint, branch: &mut Branch) {
     let Some(last) = branch.points.last() else { return };
     let found = passed(&last.orbit, &at.orbit, turns);
-    branch.bifurcations.extend(found.into_iter().map(|passed| Bifurcation { kind: passed.kind, level: None, at: at.clone() }));
+    branch.bifurcations.extend(found.into_iter().map(|passed| Bifurcation { kind: passed.kind, level: None, stop: None, at: at.clone() }));
 }
 
 /// Takes the last labels of a doubled branch that has come to the one that it left: there it turns, and meets its own other half, which is

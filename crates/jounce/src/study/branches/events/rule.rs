@@ -13,6 +13,9 @@ use serde::Serialize;
 /// Most halvings of one step: what is not proved on a thousandth of it is listed.
 const HALVINGS: u32 = 10;
 
+/// Most points put on one step: five for each of its halvings, so that a step on which a proof fails everywhere costs no more.
+const POINTS: u32 = 50;
+
 /// An event of which there may be two more on a part of a branch than are listed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct NotProved {
@@ -24,6 +27,16 @@ pub struct NotProved {
     pub to: f64,
     /// What stood against the proof.
     pub why: String,
+}
+
+impl NotProved {
+    /// Adds a part to a list, to the part before it where that is of the same kind.
+    fn add(list: &mut Vec<Self>, event: BranchKind, [from, to]: [f64; 2], why: &str) {
+        match list.iter_mut().rev().find(|known| known.event == event).filter(|known| known.to == from && known.why == why) {
+            Some(known) => known.to = to,
+            None => list.push(Self { event, from, to, why: why.to_owned() }),
+        }
+    }
 }
 
 impl Following {
@@ -38,32 +51,33 @@ impl Following {
         after: Place<M>,
         not_proved: &mut Vec<NotProved>,
     ) -> Result<Vec<Place<M>>, M::Error> {
-        self.halved(method, before, after, HALVINGS, not_proved)
+        self.halved(method, (before, after), HALVINGS, &mut { POINTS }, not_proved)
     }
 
     fn halved<M: OrbitMethod>(
         &self,
         method: &M,
-        before: &Place<M>,
-        after: Place<M>,
-        left: u32,
+        (before, after): (&Place<M>, Place<M>),
+        halvings: u32,
+        points: &mut u32,
         not_proved: &mut Vec<NotProved>,
     ) -> Result<Vec<Place<M>>, M::Error> {
         let doubts = self.doubts(method, before, &after);
         if doubts.is_empty() {
             return Ok(vec![after]);
         }
-        let middle = if left > 0 { self.half_way(method, &before.step, &after.step) } else { None };
+        let is_left = halvings > 0 && *points > 0;
+        let middle = if is_left { self.half_way(method, &before.step, &after.step) } else { None };
         let Some(middle) = middle else {
-            let why = if left > 0 { "no orbit was found half-way" } else { "the shortest step does not prove it" };
-            let (from, to) = (before.point.parameter, after.point.parameter);
-            not_proved.extend(doubts.into_iter().map(|event| NotProved { event, from, to, why: why.to_owned() }));
+            let why = if is_left { "no orbit was found half-way" } else { "the shortest steps do not prove it" };
+            doubts.into_iter().for_each(|event| NotProved::add(not_proved, event, [before, &after].map(|at| at.point.parameter), why));
             return Ok(vec![after]);
         };
+        *points -= 1;
         let middle = Place::new(method, middle)?;
-        let mut places = self.halved(method, before, middle, left - 1, not_proved)?;
+        let mut places = self.halved(method, (before, middle), halvings - 1, points, not_proved)?;
         if let Some(last) = places.pop() {
-            let rest = self.halved(method, &last, after, left - 1, not_proved)?;
+            let rest = self.halved(method, (&last, after), halvings - 1, points, not_proved)?;
             places.push(last);
             places.extend(rest);
         }
