@@ -12,11 +12,11 @@ use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
 use jounce::orbit::OrbitError;
 use jounce::picture::{self, Axis, BranchLine, BranchMark};
-use jounce::plant::System;
+use jounce::plant::{Plant, System};
 use jounce::run::{Exceeded, Limits};
 use jounce::spec::{NumericKey, Spec};
 use jounce::study::{Bandwidth, BandwidthSearch, Bandwidths, Bifurcation, Branch as Curve, BranchPoint};
-use jounce::study::{BranchSearch, Ending, Method, Parameter, Prepared, StudyError};
+use jounce::study::{BranchOptions, BranchSearch, Ending, Level, Method, NotProved, Parameter, Prepared, StudyError};
 use std::path::Path;
 
 /// Harmonics with which harmonic balance begins.
@@ -54,6 +54,13 @@ pub struct Branch {
     /// Longest period of a branch, in drive cycles; longer ones are left out.
     #[arg(long, default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..))]
     longest_period: u32,
+    /// Level to label where a branch passes it, in quotes, as in --level "mean_power=50 uW", "voltage.PATCH=5 V", "strain.PATCH=3e-4" or
+    /// "contact_force.STOP=2 N"; can be given several times.
+    #[arg(long = "level", value_name = "QUANTITY=VALUE")]
+    levels: Vec<String>,
+    /// Largest step along a branch, in relative changes of the state or twentieths of the range.
+    #[arg(long, default_value_t = BranchOptions::default().largest_step)]
+    largest_step: f64,
     #[command(flatten)]
     threads: ThreadsArgument,
     #[command(flatten)]
@@ -80,10 +87,11 @@ impl Branch {
             seeds: self.seeds,
             longest_period: self.longest_period,
         };
+        let options = self.options(&base.kernel.plant)?;
         let width = BandwidthSearch { base: &base, parameter: &parameter, range, tolerance: self.tolerance };
         let limits = Limits::of(&base.spec, &base.kernel.plant);
         let work = || -> Result<_, OrbitError<StudyError>> {
-            let branches = search.run()?;
+            let branches = search.run_with(&options)?;
             let passed: Result<Vec<_>, StudyError> =
                 branches.iter().map(|branch| branch.exceeded(&parameter, &limits, self.tolerance)).collect();
             let passed = match passed {
@@ -115,6 +123,15 @@ impl Branch {
             return Ok(());
         }
         Err(Failure::Incomplete("no branch is whole: each ends where it could not be followed".to_owned()))
+    }
+
+    fn options(&self, plant: &Plant) -> Result<BranchOptions, Failure> {
+        let largest_step = self.largest_step;
+        if !(1e-3..=1.0).contains(&largest_step) {
+            return Err(Failure::usage(format!("--largest-step {largest_step}: give a number from 0.001 to 1")));
+        }
+        let levels = self.levels.iter().map(|text| Level::parse(text, plant)).collect::<Result<_, _>>();
+        Ok(BranchOptions { largest_step, levels: levels.map_err(|why| Failure::usage(format!("--level {why}")))? })
     }
 
     fn method(&self) -> Result<Method, Failure> {
@@ -152,6 +169,10 @@ impl Branch {
                 Ending::Range | Ending::Closed | Ending::Merged => continue,
             };
             eprintln!("a branch of period {} {what} at {parameter} {}: {why}", branch.period_cycles, unit);
+        }
+        for (branch, part) in branches.iter().flat_map(|branch| branch.not_proved.iter().map(move |part| (branch, part))) {
+            let (cycles, event, NotProved { from, to, why, .. }) = (branch.period_cycles, part.event.name(), part);
+            eprintln!("warning: a branch of period {cycles} may hold two more events `{event}` from {from} to {to} {unit}: {why}");
         }
         let estimates = branches.iter().flat_map(|branch| &branch.points).map(|point| (point.orbit.error_estimate, point.parameter));
         if let Some((worst, parameter)) = estimates.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(worst, _)| *worst > 1e-3) {
@@ -193,7 +214,8 @@ impl Branch {
             for found in &branch.bifurcations {
                 let (at, unit) = (&found.at, key.unit());
                 let (value, of) = (shown.value(at), shown.unit());
-                line(format!("  {:<16} {:>12} {unit}  {value:.6e} {of}", found.kind.name(), output::key_value(at.parameter)));
+                let name = found.level.as_ref().or(found.stop.as_ref()).map_or_else(String::new, |name| format!("  {name}"));
+                line(format!("  {:<16} {:>12} {unit}  {value:.6e} {of}{name}", found.kind.name(), output::key_value(at.parameter)));
             }
             width.iter().for_each(|width| bandwidth::tell(width, &key.unit()));
         }
@@ -276,6 +298,7 @@ fn listed(branch: &Curve, passed: &[Vec<Exceeded>], width: Option<&Bandwidth>) -
         "period_cycles": branch.period_cycles,
         "points": points,
         "bifurcations": bifurcations,
+        "not_proved": branch.not_proved,
         "endings": branch.endings,
         "peak": width.map(|width| width.peak),
         "half_power_bandwidth": width.map(bandwidth::listed),
@@ -300,13 +323,19 @@ fn listed_point(point: &BranchPoint, passed: &[Exceeded]) -> serde_json::Value {
 }
 
 fn listed_bifurcation(found: &Bifurcation) -> serde_json::Value {
-    serde_json::json!({
+    let mut listed = serde_json::json!({
         "kind": found.kind,
         "parameter": found.at.parameter,
         "mean_power_w": found.at.orbit.mean_power_w,
         "displacement_peak_m": found.at.orbit.displacement_peak_m,
         "contacts_per_period": found.at.orbit.contacts,
-    })
+    });
+    for (key, name) in [("level", &found.level), ("stop", &found.stop)] {
+        if let Some(name) = name {
+            listed[key] = name.as_str().into();
+        }
+    }
+    listed
 }
 
 fn drawn(branch: &Curve, shown: Shown) -> BranchLine {
@@ -319,5 +348,6 @@ fn drawn(branch: &Curve, shown: Shown) -> BranchLine {
 }
 
 fn mark(found: &Bifurcation, shown: Shown) -> BranchMark {
-    BranchMark { kind: found.kind.name().to_owned(), parameter: found.at.parameter, value: shown.value(&found.at) }
+    let kind = found.level.clone().unwrap_or_else(|| found.kind.name().to_owned());
+    BranchMark { kind, parameter: found.at.parameter, value: shown.value(&found.at) }
 }

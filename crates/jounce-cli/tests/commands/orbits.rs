@@ -29,6 +29,30 @@ fn branch_answers_with_every_key_by_both_methods() {
     }
 }
 
+/// A level is labelled with its own text, in JSON and in words; a wrong one and a wrong step are one clear error.
+#[test]
+fn branch_labels_levels_and_refuses_wrong_ones() {
+    let call = ["branch", PLANT, "--over", "drive.shaker.frequency=12Hz:13Hz", "--seeds", "0"];
+    let level = "mean_power=50 uW";
+    let (code, json, _) = jounce(&[&call[..], &["--json", "--level", level]].concat());
+    assert_eq!(code, 0);
+    let branches = json["branches"].as_array().unwrap();
+    assert!(branches.iter().all(|branch| branch["not_proved"].as_array().is_some_and(Vec::is_empty)), "{json}");
+    let all: Vec<&Value> = branches.iter().flat_map(|branch| branch["bifurcations"].as_array().unwrap()).collect();
+    let labels: Vec<&&Value> = all.iter().filter(|found| found["kind"] == "level").collect();
+    let power = |found: &Value| found["mean_power_w"].as_f64().unwrap();
+    assert!(
+        !labels.is_empty() && labels.iter().all(|found| found["level"] == level && (power(found) / 50e-6 - 1.0).abs() < 1e-6),
+        "{json}"
+    );
+    for wrong in [["--level", "power=50 uW"], ["--level", "mean_power=50 V"], ["--level", "strain.mfc=1 mm"], ["--largest-step", "2"]] {
+        let (code, _, text) = jounce(&[&call[..], &wrong].concat());
+        assert!(code == 2 && text.contains(wrong[0]) && text.trim().lines().count() == 1, "{wrong:?}: {code} {text}");
+    }
+    let (_, _, text) = jounce(&[&call[..], &["--level", "power=50 uW"]].concat());
+    assert!(text.contains("mean_power") && text.contains("contact_force.tip"), "{text}");
+}
+
 #[test]
 fn jumps_answers_with_every_key() {
     let (over, against) = ("drive.shaker.frequency=11Hz:13Hz", "stop.tip.gap=0.9mm:1.1mm");

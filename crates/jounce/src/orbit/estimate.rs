@@ -1,6 +1,5 @@
 //! What a shot says of the orbit near it, and how far off that may be.
 
-use super::contact_starts::contact_starts;
 use super::{Harvester, Orbit, OrbitError, Shooting, Shot, displacement_peak_m, multipliers};
 use crate::continuation::Linear;
 use crate::march::{Kernel, Marcher, VariationError};
@@ -87,7 +86,6 @@ impl Shot {
             mean_power_w: self.loads_w.iter().sum::<f64>() + 0.0,
             voltage_rms_v: self.loads_w.first().map_or(f64::NAN, |power_w| voltage_rms_v(&self.kernel.plant.system, *power_w)),
             contacts: self.contacts,
-            contact_starts: contact_starts(&self.trajectories, self.period_s),
             switches: self.trajectories.iter().map(|trajectory| trajectory.changes().len() as u64).sum(),
             max_penetration_m: self.max_penetration_m,
             displacement_peak_m: displacement_peak_m(self),

@@ -1,8 +1,7 @@
 //! What a method of computing orbits gives, beside its residual.
 
-use super::{Orbit, OrbitError};
+use super::{Orbit, OrbitError, Shot};
 use crate::continuation::Family;
-use faer::Mat;
 
 /// A method on the harvesters of one family.
 pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>> {
@@ -18,26 +17,11 @@ pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>> {
     /// Multipliers that cannot be computed.
     fn orbit(&self, local: &Self::Local, error: f64) -> Result<Orbit, Self::Error>;
 
-    /// Derivative of the flow over the period, block coordinates.
+    /// The period marched on the exact flow from a place: its multipliers, its contacts, its turning points.
     ///
     /// # Errors
     /// A march that fails.
-    fn map<'l>(&self, local: &'l Self::Local) -> Result<&'l Mat<f64>, Self::Error>;
-
-    /// Contacts that begin in a period.
-    ///
-    /// # Errors
-    /// A march that fails.
-    fn contacts(&self, local: &Self::Local) -> Result<u64, Self::Error>;
-
-    /// Distance past the stop, m, of the turning point nearest to its surface.
-    ///
-    /// # Errors
-    /// A march that fails.
-    fn nearest_extremum_m(&self, local: &Self::Local) -> Result<Option<f64>, Self::Error>;
-
-    /// Size of the motion at the port, m: its steady amplitude or the gap, whichever is larger.
-    fn scale_m(&self, local: &Self::Local) -> f64;
+    fn shot<'l>(&self, local: &'l Self::Local) -> Result<&'l Shot, Self::Error>;
 
     /// The unknown that stands for a state in energy coordinates.
     ///

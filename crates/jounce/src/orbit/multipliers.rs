@@ -32,6 +32,34 @@ pub fn multipliers(map: &Mat<f64>) -> Option<Vec<c64>> {
     Some(values)
 }
 
+/// An eigenvalue of the diagonal block of a map with the radius about zero that no multiplier of the block leaves: the largest singular value of
+/// the block and those of the other blocks of its rows, summed.
+///
+/// Source: D. G. Feingold and R. S. Varga, Pacific J. Math. 12 (1962) 1241 (Gershgorin's discs of blocks).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Disc {
+    /// The eigenvalue.
+    pub value: c64,
+    /// The radius.
+    pub radius: f64,
+}
+
+/// Discs of a map in block coordinates, in which its first `pairs` blocks have two states; one for each of them.
+pub fn discs(map: &Mat<f64>, pairs: usize) -> Vec<Disc> {
+    let (map, n) = (balanced(map), map.nrows());
+    let blocks = (0..pairs).map(|k| [2 * k, 2 * k + 1]).chain((2 * pairs..n).map(|k| [k, k]));
+    let of_block = |[i, j]: [usize; 2]| {
+        let rows = if i == j { vec![i] } else { vec![i, j] };
+        let beside = (0..n).filter(|k| !rows.contains(k)).map(|k| rows.iter().map(|r| map[(*r, k)].powi(2)).sum::<f64>().sqrt());
+        // A block turns by its even part and stretches by its odd one.
+        let (a, b, c, d) = (map[(i, i)], map[(i, j)], map[(j, i)], map[(j, j)]);
+        let largest = if i == j { a.abs() } else { 0.5 * ((a + d).hypot(c - b) + (a - d).hypot(b + c)) };
+        let radius = largest + beside.sum::<f64>();
+        own(&map, [i, j]).into_iter().map(move |value| Disc { value, radius }).collect::<Vec<_>>()
+    };
+    blocks.flat_map(of_block).collect()
+}
+
 /// The map with each state scaled by a power of two, so that its row and its column are about equally long (the diagonal left out).
 fn balanced(map: &Mat<f64>) -> Mat<f64> {
     let n = map.nrows();
@@ -142,6 +170,26 @@ mod tests {
             let apart = values.iter().map(|value| (value - exact).norm()).fold(f64::INFINITY, f64::min);
             assert!(apart < 1e-13, "{exact}: {apart:e} {values:?}");
         }
+    }
+
+    /// Every multiplier lies in the union of the discs, and the fast pair keeps to its own.
+    #[test]
+    fn discs_hold_the_multipliers() {
+        let rows = [
+            [0.6, -0.7, 0.02, 0.0, 0.1],
+            [0.7, 0.6, 0.0, 0.03, 0.0],
+            [0.02, 0.01, 0.3, -0.4, 0.0],
+            [0.0, 0.03, 0.4, 0.3, 0.0],
+            [0.0, 0.1, 0.0, 0.0, 0.5],
+        ];
+        let map = Mat::from_fn(5, 5, |i, j| rows[i][j]);
+        let discs = discs(&map, 2);
+        assert_eq!(discs.len(), 5);
+        let (fast, widest) = (discs[2].radius, discs.iter().map(|disc| disc.radius).fold(0.0, f64::max));
+        assert!(fast < 0.6 && (discs[2].value.norm() - 0.5).abs() < 1e-12, "{discs:?}");
+        let values = multipliers(&map).unwrap_or_default();
+        assert_eq!(values.iter().filter(|value| value.norm() <= fast).count(), 3);
+        assert!(values.iter().all(|value| value.norm() <= widest));
     }
 
     /// Scales of very different size change nothing: the companion matrix of `(s - 1)(s - 2)(s - 3)`.

@@ -1,6 +1,5 @@
 //! A periodic orbit and its stability.
 
-use super::ContactStart;
 use faer::{ColRef, Mat, c64};
 
 /// Distance beside their size below which two states of an orbit are one.
@@ -19,8 +18,6 @@ pub struct Orbit {
     pub voltage_rms_v: f64,
     /// Contacts that begin in a period.
     pub contacts: u64,
-    /// Where they begin, by stop and time.
-    pub contact_starts: Vec<ContactStart>,
     /// Changes of regime of rectified circuits in a period.
     pub switches: u64,
     /// Largest penetration, m.
@@ -44,7 +41,6 @@ impl Orbit {
             mean_power_w: 0.0,
             voltage_rms_v: 0.0,
             contacts: 1,
-            contact_starts: Vec::new(),
             switches: 0,
             max_penetration_m: 0.0,
             displacement_peak_m: 0.0,

@@ -9,7 +9,7 @@
 //! parameter it is exact for drive, gap and stiffness, and a difference otherwise.
 
 use super::charges::{kept_charges, without};
-use super::{Change, Harvester, Orbit, OrbitError, OrbitMethod, Shot, nearest_extremum_m};
+use super::{Change, Harvester, Orbit, OrbitError, OrbitMethod, Shot};
 use crate::continuation::Family;
 use crate::march::{Drift, Kernel, Variation};
 use crate::plant::{Plant, product};
@@ -164,20 +164,8 @@ impl<H: Harvester> OrbitMethod for Shooting<'_, H> {
         Ok(orbit)
     }
 
-    fn map<'l>(&self, shot: &'l Shot) -> Result<&'l Mat<f64>, Self::Error> {
-        Ok(&shot.block_map)
-    }
-
-    fn contacts(&self, shot: &Shot) -> Result<u64, Self::Error> {
-        Ok(shot.contacts)
-    }
-
-    fn nearest_extremum_m(&self, shot: &Shot) -> Result<Option<f64>, Self::Error> {
-        Ok(nearest_extremum_m(shot))
-    }
-
-    fn scale_m(&self, shot: &Shot) -> f64 {
-        shot.kernel.plant.scale_m()
+    fn shot<'l>(&self, shot: &'l Shot) -> Result<&'l Shot, Self::Error> {
+        Ok(shot)
     }
 
     fn unknown_of(&self, state: &[f64], _parameter: f64) -> Result<Vec<f64>, Self::Error> {

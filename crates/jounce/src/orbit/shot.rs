@@ -65,6 +65,11 @@ impl Shot {
         Some((across, length))
     }
 
+    /// Relative tolerance of the march.
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
     /// Displacement of the port of a stop, m, at `samples` equal times of the period.
     pub fn displacements_m(&self, stop: usize, samples: usize) -> Vec<f64> {
         let plant = &self.kernel.plant;

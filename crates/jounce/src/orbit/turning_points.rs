@@ -30,6 +30,8 @@ pub struct Turn {
     pub time_s: f64,
     /// Distance past the stop, m.
     pub past_m: f64,
+    /// True for a maximum.
+    pub is_maximum: bool,
 }
 
 /// The turning point (maximum or minimum) of any port nearest to the surface of its stop; `None` without one. Laws that act on both
@@ -41,10 +43,39 @@ pub fn nearest_turn(shot: &Shot) -> Option<Turn> {
     let turning = ports.flat_map(|port| {
         shot.trajectories.iter().enumerate().flat_map(move |(cycle, trajectory)| {
             let found = turning_points(&shot.kernel, port, trajectory, cycle_s);
-            found.into_iter().map(move |(time_s, past_m)| Turn { port, cycle, time_s, past_m })
+            found.into_iter().map(move |(time_s, past_m, is_maximum)| Turn { port, cycle, time_s, past_m, is_maximum })
         })
     });
     turning.min_by(|a, b| a.past_m.abs().total_cmp(&b.past_m.abs()))
+}
+
+/// All turning points of the displacements of the ports, each by the cubic between two looks. An impact on a rigid stop is none. Laws that
+/// act on both sides of their surface have none.
+pub fn turns(shot: &Shot) -> Vec<Turn> {
+    let cycle_s = shot.period_s / shot.trajectories.len() as f64;
+    let stops = &shot.kernel.plant.system.stops;
+    let ports = (0..stops.len()).filter(|port| !stops[*port].law.acts_on_both_sides());
+    ports.flat_map(|port| turns_of(shot, port, cycle_s)).collect()
+}
+
+fn turns_of(shot: &Shot, port: usize, cycle_s: f64) -> Vec<Turn> {
+    let kernel = &shot.kernel;
+    let strikes = matches!(kernel.plant.system.stops[port].law, Law::Rigid(_));
+    let looks: Vec<Vec<Motion>> = shot.trajectories.iter().map(|trajectory| looks(kernel, port, trajectory, (FEWER, cycle_s))).collect();
+    let mut found = Vec::new();
+    for (cycle, own) in looks.iter().enumerate() {
+        // The first look of the next cycle is at the end of this one.
+        let end = looks[(cycle + 1) % looks.len()].first().map(|next| (cycle_s, next.1, next.2));
+        let own: Vec<Motion> = own.iter().copied().chain(end).collect();
+        for (from, to) in own.windows(2).map(|pair| (pair[0], pair[1])) {
+            let to = if strikes { unstruck(kernel, port, &shot.trajectories[cycle], (from, to)) } else { to };
+            if from.2 * to.2 < 0.0 {
+                let (share, past_m) = turn_between(from, to);
+                found.push(Turn { port, cycle, time_s: from.0 + share * (to.0 - from.0), past_m, is_maximum: from.2 > 0.0 });
+            }
+        }
+    }
+    found
 }
 
 /// Distance past the stop, m, of [`nearest_turn`].
@@ -63,7 +94,7 @@ pub fn displacement_peak_m(shot: &Shot) -> f64 {
     let range = cycles.fold((f64::INFINITY, f64::NEG_INFINITY), |range, (trajectory, looks)| {
         let own = looks.windows(2).flat_map(|pair| {
             let to = if strikes { unstruck(&shot.kernel, 0, trajectory, (pair[0], pair[1])) } else { pair[1] };
-            [pair[0].1, turn_between(pair[0], to)]
+            [pair[0].1, turn_between(pair[0], to).1]
         });
         own.chain(looks.last().map(|last| last.1)).fold(range, |(low, high), past_m| (low.min(past_m), high.max(past_m)))
     });
@@ -82,11 +113,11 @@ fn unstruck(kernel: &Kernel, port: usize, trajectory: &Trajectory, (from, to): (
     (to.0, to.1, rate_m_s)
 }
 
-/// Distance where the cubic through two neighbouring looks turns; that of the first where it does not.
-fn turn_between(from: Motion, to: Motion) -> f64 {
+/// Where the cubic through two neighbouring looks turns, as a share of the way, and the distance there; the first look where it does not.
+fn turn_between(from: Motion, to: Motion) -> (f64, f64) {
     let (step_s, [u, v]) = (to.0 - from.0, [from.2, to.2]);
     if u * v >= 0.0 {
-        return from.1;
+        return (0.0, from.1);
     }
     // The slope of the cubic in x = t / step: u + 2 b x + c x^2, with b and c from both speeds and the chord.
     let chord = (to.1 - from.1) / step_s;
@@ -95,18 +126,19 @@ fn turn_between(from: Motion, to: Motion) -> f64 {
     // The slope changes sign once: of both roots the one inside.
     let q = -(b + root.copysign(b));
     let x = [u / q, q / c].into_iter().find(|x| (0.0..=1.0).contains(x)).unwrap_or(0.5);
-    from.1 + step_s * x * (u + x * (b + x * c / 3.0))
+    (x, from.1 + step_s * x * (u + x * (b + x * c / 3.0)))
 }
 
 /// Time, distance past the stop and its rate.
 type Motion = (f64, f64, f64);
 
-fn turning_points(kernel: &Kernel, port: usize, trajectory: &Trajectory, cycle_s: f64) -> Vec<(f64, f64)> {
+fn turning_points(kernel: &Kernel, port: usize, trajectory: &Trajectory, cycle_s: f64) -> Vec<(f64, f64, bool)> {
     let looks = looks(kernel, port, trajectory, (LOOKS, cycle_s));
     let mut turns: Vec<(Motion, Motion)> = looks.windows(2).map(|pair| (pair[0], pair[1])).filter(|(a, b)| a.2 * b.2 <= 0.0).collect();
     turns.sort_by(|a, b| a.0.1.abs().total_cmp(&b.0.1.abs()));
     turns.truncate(NEAREST);
-    turns.into_iter().filter_map(|(from, to)| closer(kernel, port, trajectory, from.0, to.0)).collect()
+    let closer = |from: Motion, to: Motion| closer(kernel, port, trajectory, from.0, to.0);
+    turns.into_iter().filter_map(|(from, to)| closer(from, to).map(|(time_s, past_m)| (time_s, past_m, from.2 > 0.0))).collect()
 }
 
 /// Motion at the start of every step, and between those of a flight.
@@ -154,10 +186,10 @@ mod tests {
     fn a_cubic_finds_the_top_of_a_sine() {
         let look = |t: f64| (t, t.sin(), t.cos());
         for from in [1.53, 1.55, 1.569] {
-            let error = turn_between(look(from), look(from + 0.049)) - 1.0;
+            let error = turn_between(look(from), look(from + 0.049)).1 - 1.0;
             assert!(error.abs() < 2e-8, "{error:e}");
         }
-        let line = turn_between((0.0, 1.0, -2.0), (2.0, 1.0, 2.0));
+        let (_, line) = turn_between((0.0, 1.0, -2.0), (2.0, 1.0, 2.0));
         assert!((line + 1.0 - 1.0).abs() < 1e-15, "{line}");
     }
 }

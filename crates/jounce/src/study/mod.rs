@@ -17,8 +17,8 @@ mod sweep_point;
 
 pub use bandwidth::{Bandwidth, BandwidthSearch, Bandwidths, Edge, Interval, Limit, Peak};
 pub use basins::{Attractor, Basins, BasinsAnswer, Cloud, Grid, GridAxis, GridError, GridSide, Share, Starts, wilson};
-pub use branches::{Bifurcation, Branch, BranchCarry, BranchChase, BranchKind, BranchPoint, BranchSearch, Carried, Ending, KnownOrbit};
-pub use branches::{Method, Trend};
+pub use branches::{Bifurcation, Branch, BranchCarry, BranchChase, BranchKind, BranchOptions, BranchPoint, BranchSearch, Carried, Ending};
+pub use branches::{KnownOrbit, Level, Method, NotProved, Trend};
 pub use diagram::{Diagram, History, Lineage, Order, SectionPoint, Seen, Turn, Visit};
 pub use ensemble::{ContactCount, Ensemble, EnsembleAnswer, Estimate, IntervalOver, Member, MemberStop, StopEstimates, VoltageSpectrum};
 pub use journal::{Journal, JournalError};

@@ -9,6 +9,7 @@ mod carried;
 mod closed_forms;
 mod diagrams;
 mod duffing;
+mod events;
 mod hard_cases;
 mod harvesters;
 mod isolated;

@@ -8,8 +8,8 @@ use crate::contact::Law;
 use crate::continuation::{Family, Linear, Position};
 use crate::march::{Kernel, MarchError, VariationError};
 use crate::orbit::compliance::{Grid, Transfer, moves_without_end};
-use crate::orbit::{Harvester, Orbit, OrbitError, OrbitMethod, Setting, Shooting, Shot, nearest_extremum_m};
-use faer::{Mat, c64};
+use crate::orbit::{Harvester, Orbit, OrbitError, OrbitMethod, Setting, Shooting, Shot};
+use faer::c64;
 use std::sync::Arc;
 
 /// Most harmonics of a drive cycle.
@@ -69,15 +69,6 @@ impl<'h, H: Harvester> HarmonicBalance<'h, H> {
         let Shooting { harvester, cycles, tolerance, ref scale, ref charged } = self.shooting;
         let shooting = Shooting { harvester, cycles, tolerance, scale: scale.clone(), charged: charged.clone() };
         Self { shooting, harmonics, accuracy: self.accuracy, stops: self.stops, grid: grid(harmonics), rules: Arc::clone(&self.rules) }
-    }
-
-    fn shot<'b>(&self, local: &'b Balance) -> Result<&'b Shot, OrbitError<H::Error>> {
-        if let Some(shot) = local.shot.get() {
-            return Ok(shot);
-        }
-        let state = local.kernel.plant.to_physical(&local.state(&self.rules), 0.0);
-        let shot = self.shooting.at(&self.shooting.unknown(&state), local.parameter)?;
-        Ok(local.shot.get_or_init(|| shot))
     }
 
     /// Of the mean power beside the accuracy, or of the state beside `STATE` times that, the larger one.
@@ -153,20 +144,13 @@ impl<H: Harvester> OrbitMethod for HarmonicBalance<'_, H> {
         Ok(orbit)
     }
 
-    fn map<'l>(&self, local: &'l Balance) -> Result<&'l Mat<f64>, Self::Error> {
-        Ok(&self.shot(local)?.block_map)
-    }
-
-    fn contacts(&self, local: &Balance) -> Result<u64, Self::Error> {
-        Ok(self.shot(local)?.contacts)
-    }
-
-    fn nearest_extremum_m(&self, local: &Balance) -> Result<Option<f64>, Self::Error> {
-        Ok(nearest_extremum_m(self.shot(local)?))
-    }
-
-    fn scale_m(&self, local: &Balance) -> f64 {
-        local.kernel.plant.scale_m()
+    fn shot<'b>(&self, local: &'b Balance) -> Result<&'b Shot, Self::Error> {
+        if let Some(shot) = local.shot.get() {
+            return Ok(shot);
+        }
+        let state = local.kernel.plant.to_physical(&local.state(&self.rules), 0.0);
+        let shot = self.shooting.at(&self.shooting.unknown(&state), local.parameter)?;
+        Ok(local.shot.get_or_init(|| shot))
     }
 
     fn unknown_of(&self, state: &[f64], parameter: f64) -> Result<Vec<f64>, Self::Error> {

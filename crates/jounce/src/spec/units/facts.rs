@@ -31,6 +31,7 @@ impl Quantity {
             Self::Inductance => "an inductance",
             Self::Permittivity => "a permittivity",
             Self::Voltage => "a voltage",
+            Self::Power => "a power",
         }
     }
 
@@ -61,6 +62,7 @@ impl Quantity {
             Self::Inductance => &["H", "mH", "kH"],
             Self::Permittivity => &["nF/m", "pF/m", "F/m"],
             Self::Voltage => &["V", "mV", "kV"],
+            Self::Power => &["W", "mW", "uW"],
         };
         units.iter().map(|unit| (*unit).to_owned()).collect()
     }
@@ -113,6 +115,7 @@ impl Quantity {
             Self::Inductance => [1, 2, -2, -2, 0],
             Self::Permittivity => [-1, -3, 4, 2, 0],
             Self::Voltage => [1, 2, -3, -1, 0],
+            Self::Power => [1, 2, -3, 0, 0],
         })
     }
 
@@ -134,6 +137,7 @@ impl Quantity {
             Self::Inductance => &[("uH", -6), ("mH", -3), ("H", 0), ("kH", 3)],
             Self::Permittivity => &[("pF/m", -12), ("nF/m", -9), ("F/m", 0)],
             Self::Voltage => &[("mV", -3), ("V", 0), ("kV", 3)],
+            Self::Power => &[("uW", -6), ("mW", -3), ("W", 0)],
             other => return vec![(other.si_unit(), 0)],
         };
         scales.iter().map(|(unit, power)| ((*unit).to_owned(), *power)).collect()

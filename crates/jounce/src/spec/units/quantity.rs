@@ -63,6 +63,8 @@ pub enum Quantity {
     Permittivity,
     /// V
     Voltage,
+    /// W
+    Power,
 }
 
 impl Quantity {

@@ -1,6 +1,7 @@
 //! Steps that may have led to another sheet of the curve.
 
-use super::follow::{Following, Place};
+use super::follow::Following;
+use super::place::Place;
 use crate::continuation::Metric;
 use crate::orbit::OrbitMethod;
 

@@ -1,6 +1,7 @@
 //! What a branch answers.
 
-use crate::orbit::Orbit;
+use super::events::NotProved;
+use crate::orbit::{Orbit, Shot, nearest_turn};
 use faer::ColRef;
 use serde::Serialize;
 
@@ -16,6 +17,8 @@ pub struct Branch {
     pub points: Vec<BranchPoint>,
     /// Bifurcations in the order of the curve.
     pub bifurcations: Vec<Bifurcation>,
+    /// Where the rule of events was not met.
+    pub not_proved: Vec<NotProved>,
     /// How its two ends came about, first point and last point.
     pub endings: Vec<Ending>,
 }
@@ -43,6 +46,8 @@ pub enum BranchKind {
     BranchPoint,
     /// A contact appears or goes.
     Grazing,
+    /// A quantity passes a level that the user gives.
+    Level,
 }
 
 /// A located bifurcation.
@@ -50,6 +55,10 @@ pub enum BranchKind {
 pub struct Bifurcation {
     /// What it is.
     pub kind: BranchKind,
+    /// The level that is passed, as it was given.
+    pub level: Option<String>,
+    /// Name of the stop that is grazed.
+    pub stop: Option<String>,
     /// Where.
     pub at: BranchPoint,
 }
@@ -87,6 +96,15 @@ fn between(a: &BranchPoint, b: &BranchPoint, share: f64) -> Vec<f64> {
     a.orbit.start().iter().zip(b.orbit.start()).map(|(a, b)| a + share * (b - a)).collect()
 }
 
+impl Bifurcation {
+    /// A grazing, with the stop whose surface a turning point lies nearest to.
+    pub(super) fn grazing(at: BranchPoint, shot: &Shot) -> Self {
+        let stops = &shot.kernel.plant.system.stops;
+        let stop = nearest_turn(shot).and_then(|turn| stops.get(turn.port)).map(|stop| stop.name.clone());
+        Self { kind: BranchKind::Grazing, level: None, stop, at }
+    }
+}
+
 impl BranchKind {
     /// Name in answers.
     pub fn name(self) -> &'static str {
@@ -96,6 +114,7 @@ impl BranchKind {
             BranchKind::NeimarkSacker => "neimark-sacker",
             BranchKind::BranchPoint => "branch-point",
             BranchKind::Grazing => "grazing",
+            BranchKind::Level => "level",
         }
     }
 }
@@ -143,7 +162,7 @@ impl Branch {
             let off = (way - faer::Scale(share) * &chord).norm_l2();
             ((0.0..=1.0).contains(&share) && off < chord.norm_l2()).then_some(off)
         };
-        let found = self.bifurcations.iter().filter(|found| found.kind != BranchKind::Grazing);
+        let found = self.bifurcations.iter().filter(|found| !matches!(found.kind, BranchKind::Grazing | BranchKind::Level));
         let found = found.filter_map(|found| Some((off(&found.at)?, &found.at)));
         found.min_by(|one, two| one.0.total_cmp(&two.0)).map(|(_, at)| at)
     }
@@ -157,9 +176,11 @@ impl Branch {
     pub fn joined(mut self, other: Branch) -> Branch {
         self.points.reverse();
         self.bifurcations.reverse();
+        self.not_proved.reverse();
         self.endings.reverse();
         self.points.extend(other.points.into_iter().skip(1));
         self.bifurcations.extend(other.bifurcations);
+        self.not_proved.extend(other.not_proved);
         self.endings.extend(other.endings);
         self
     }

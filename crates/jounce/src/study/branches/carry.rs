@@ -7,7 +7,8 @@
 //! finds them all.
 
 use super::branch::{Bifurcation, Branch, BranchPoint};
-use super::follow::{Following, Place};
+use super::follow::Following;
+use super::place::Place;
 use crate::continuation::{Corrector, Direction, Metric, Position, Step, StepControl, correct, tangent};
 use crate::march::Kernel;
 use crate::orbit::{OrbitMethod, Shooting};
@@ -61,6 +62,7 @@ impl BranchCarry<'_> {
             control: StepControl::default(),
             most_points: usize::MAX,
             resolution: self.resolution,
+            levels: Vec::new(),
         };
         let mut carried = Carried::default();
         for (index, branch) in known.iter().enumerate() {
@@ -107,6 +109,7 @@ impl BranchCarry<'_> {
                 period_cycles: branch.period_cycles,
                 points: places.iter().map(|place| place.point.clone()).collect(),
                 bifurcations: bifurcations.into_iter().flatten().collect(),
+                not_proved: Vec::new(),
                 endings: branch.endings.clone(),
             });
         }

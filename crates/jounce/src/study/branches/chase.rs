@@ -51,6 +51,7 @@ impl BranchChase<'_> {
             control: self.control,
             most_points: 2000,
             resolution: self.resolution,
+            levels: Vec::new(),
         };
         let mut branches: Vec<Branch> = Vec::new();
         for orbit in known {

@@ -4,7 +4,8 @@
 //! to the other side of it.
 
 use super::branch::{Branch, Ending};
-use super::follow::{Following, Place, point};
+use super::follow::Following;
+use super::place::{Place, point};
 use crate::continuation::{Metric, Position, Step, locate, settle, tangent};
 use crate::orbit::OrbitMethod;
 
@@ -41,7 +42,7 @@ impl Following {
         let beyond = self.beyond(method, &before.step, step);
         if let Some(outside) = if self.is_outside(step.position.parameter) { Some(step) } else { beyond.as_ref() } {
             let Some(last) = self.on_edge(method, &before.step, outside) else { return Ok(Leaving::Lost) };
-            let places = self.refined(method, before, Place::new(method, last)?)?;
+            let places = self.resolved(method, before, Place::new(method, last)?, &mut branch.not_proved)?;
             for (index, after) in places.iter().enumerate() {
                 branch.bifurcations.extend(self.between(method, if index == 0 { before } else { &places[index - 1] }, after)?);
                 branch.points.push(after.point.clone());

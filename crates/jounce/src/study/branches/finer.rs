@@ -25,7 +25,7 @@ impl Following {
         if method.excess(&place.local, self.parameter_scale())? <= 1.0 {
             return Ok(place);
         }
-        let closer = Following { corrector: Corrector { goal: CLOSER * self.corrector.goal, ..self.corrector }, ..*self };
+        let closer = Following { corrector: Corrector { goal: CLOSER * self.corrector.goal, ..self.corrector }, ..self.clone() };
         let fits = |there: &Step<M::Local>| method.excess(&there.local, self.parameter_scale()).is_ok_and(|excess| excess <= 1.0);
         Ok(closer.carried(method, &place).filter(fits).unwrap_or(place))
     }

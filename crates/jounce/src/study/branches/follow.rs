@@ -1,12 +1,14 @@
 //! Follows one branch from one of its orbits, and names what it passes.
 
-use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
+use super::branch::{Bifurcation, Branch, BranchPoint, Ending};
 use super::edge::Leaving;
+use super::events::Level;
 use super::finer::SPARE;
 use super::free::Left;
 use super::passed::{add_passed, drop_doubling};
+use super::place::{Place, point};
 use crate::continuation::{Corrected, Corrector, Direction, Mark, Metric, Position, Step, StepControl, Walk, passes, settle, tangent};
-use crate::orbit::OrbitMethod;
+use crate::orbit::{OrbitMethod, nearest_extremum_m};
 
 /// Distance from the stop, beside the size of the motion, below which an orbit touches it.
 const GRAZES: f64 = 1e-6;
@@ -26,7 +28,7 @@ pub(super) fn newton_goal(tolerance: f64) -> f64 {
 }
 
 /// How branches are followed.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Following {
     /// Ends of the range of the key.
     pub range: (f64, f64),
@@ -38,19 +40,8 @@ pub struct Following {
     pub most_points: usize,
     /// Length in the metric to which bifurcations are located.
     pub resolution: f64,
-}
-
-/// A walked point with its orbit.
-pub(super) struct Place<M: OrbitMethod> {
-    pub step: Step<M::Local>,
-    pub point: BranchPoint,
-}
-
-impl<M: OrbitMethod> Place<M> {
-    /// Computes the orbit at a step.
-    pub fn new(method: &M, step: Step<M::Local>) -> Result<Self, M::Error> {
-        Ok(Self { point: point(method, &step)?, step })
-    }
+    /// Levels of quantities that are labelled.
+    pub levels: Vec<Level>,
 }
 
 impl Following {
@@ -145,7 +136,7 @@ impl Following {
             if self.may_be_astray(&before, &after) && walk.retreat(mark.clone()) {
                 continue;
             }
-            let places = self.refined(method, &before, after)?;
+            let places = self.resolved(method, &before, after, &mut branch.not_proved)?;
             // Newton may have strayed to an orbit of fewer cycles; if a short step gets there too, the branch ends on it.
             let merges = places.iter().any(|place| place.point.orbit.repeats_early());
             if merges && walk.retreat(mark.clone()) {
@@ -208,10 +199,11 @@ impl Following {
     /// Ends a branch that cannot be followed: at a grazing where the orbit touches the stop there, for on a stiff stop a branch turns
     /// at its grazing more sharply than any step can follow.
     fn give_up<M: OrbitMethod>(&self, method: &M, last: Place<M>, why: String, branch: &mut Branch) -> Result<(), M::Error> {
-        let distance_m = method.nearest_extremum_m(&last.step.local)?.map_or(f64::INFINITY, f64::abs);
+        let shot = method.shot(&last.step.local)?;
+        let distance_m = nearest_extremum_m(shot).map_or(f64::INFINITY, f64::abs);
         let parameter = last.point.parameter;
-        if distance_m < GRAZES * method.scale_m(&last.step.local) {
-            branch.bifurcations.push(Bifurcation { kind: BranchKind::Grazing, at: last.point });
+        if distance_m < GRAZES * shot.kernel.plant.scale_m() {
+            branch.bifurcations.push(Bifurcation::grazing(last.point, shot));
             branch.endings.push(Ending::Grazing { why, parameter });
         } else {
             branch.endings.push(Ending::Failed { why, parameter });
@@ -281,10 +273,4 @@ impl Beginning {
         let carried = |origin: Position| Position { unknown: method.carried(&origin.unknown), ..origin };
         Self { origins: self.origins.into_iter().map(carried).collect(), ..self }
     }
-}
-
-/// The point of a branch at a step.
-pub(super) fn point<M: OrbitMethod>(method: &M, step: &Step<M::Local>) -> Result<BranchPoint, M::Error> {
-    let orbit = method.orbit(&step.local, step.error)?;
-    Ok(BranchPoint { parameter: step.position.parameter, orbit })
 }

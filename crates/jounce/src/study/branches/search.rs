@@ -7,6 +7,7 @@
 use super::branch::{Branch, BranchKind, BranchPoint};
 use super::eased::eased;
 use super::follow::{Following, RESOLUTION, newton_goal};
+use super::options::BranchOptions;
 use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, correct, settle, tangent};
 use crate::orbit::{HarmonicBalance, Harvester, Orbit, OrbitError, OrbitMethod, Shooting, null_vector};
 use crate::study::{Parameter, Prepared, StudyError, settled_orbits};
@@ -79,12 +80,17 @@ type Failure = OrbitError<StudyError>;
 
 impl BranchSearch<'_> {
     fn following(&self) -> Following {
+        self.following_with(&BranchOptions::default())
+    }
+
+    fn following_with(&self, options: &BranchOptions) -> Following {
         Following {
             range: self.range,
             corrector: Corrector { goal: newton_goal(self.tolerance), most: 8 },
-            control: StepControl::default(),
+            control: StepControl { longest: options.largest_step, ..StepControl::default() },
             most_points: 4000,
             resolution: RESOLUTION,
+            levels: options.levels.clone(),
         }
     }
 
@@ -97,17 +103,29 @@ impl BranchSearch<'_> {
     /// # Errors
     /// [`OrbitError`].
     pub fn run(&self) -> Result<Vec<Branch>, Failure> {
+        self.run_with(&BranchOptions::default())
+    }
+
+    /// The same with options of its own.
+    ///
+    /// # Errors
+    /// [`OrbitError`].
+    pub fn run_with(&self, options: &BranchOptions) -> Result<Vec<Branch>, Failure> {
+        let following = self.following_with(options);
         match self.method {
-            Method::Shooting => self.run_by(|cycles| Ok(self.shooting(cycles))),
-            Method::HarmonicBalance { harmonics } => self.run_by(|cycles| {
+            Method::Shooting => self.run_by(&following, |cycles| Ok(self.shooting(cycles))),
+            Method::HarmonicBalance { harmonics } => self.run_by(&following, |cycles| {
                 let accuracy = ACCURACY * self.tolerance;
                 HarmonicBalance::new(self.shooting(cycles), &self.base.kernel, harmonics * cycles as usize, accuracy)
             }),
         }
     }
 
-    fn run_by<M: OrbitMethod<Fault = StudyError>>(&self, make: impl Fn(u32) -> Result<M, Failure>) -> Result<Vec<Branch>, Failure> {
-        let following = self.following();
+    fn run_by<M: OrbitMethod<Fault = StudyError>>(
+        &self,
+        following: &Following,
+        make: impl Fn(u32) -> Result<M, Failure>,
+    ) -> Result<Vec<Branch>, Failure> {
         self.check_ends()?;
         make(1)?;
         let watch = &self.base.kernel.watch;
@@ -125,7 +143,7 @@ impl BranchSearch<'_> {
                 // One that could not be followed to its end may be a part of one that was begun elsewhere.
                 branches.retain(|known| known.is_whole() || !branch.as_ref().is_some_and(|whole| self.is_part(known, whole)));
                 branches.extend(branch);
-                self.doubled(&following, &make, &mut branches)
+                self.doubled(following, &make, &mut branches)
             });
             if !watch.is_stopped() {
                 found?;

@@ -63,7 +63,7 @@ impl Seed {
             CurveKind::Bifurcation(BranchKind::PeriodDoubling) => Condition::Multiplier(-1.0),
             CurveKind::Bifurcation(BranchKind::NeimarkSacker) => Condition::Circle,
             CurveKind::Bifurcation(BranchKind::Grazing) => Condition::Touching(Touch::of(shot)?),
-            CurveKind::Bifurcation(BranchKind::BranchPoint) => return None,
+            CurveKind::Bifurcation(BranchKind::BranchPoint | BranchKind::Level) => return None,
         })
     }
 }

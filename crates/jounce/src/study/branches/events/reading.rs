@@ -1,0 +1,115 @@
+//! What the test functions of a point are made of, there and a little ahead on the curve: the difference is their derivative along it.
+
+use super::level::Level;
+use super::pairing::paired;
+use crate::continuation::{Metric, Step};
+use crate::orbit::{Orbit, OrbitMethod, Shot, Turn, discs, multipliers, turns};
+use faer::c64;
+
+/// Way ahead, in the metric, beside the root of the tolerance of the marches: there the error that a march leaves in the difference and the
+/// bend that the difference leaves out are alike.
+const AHEAD: f64 = 10.0;
+
+/// What the test functions of an orbit are made of.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::study::branches) struct Reading {
+    /// Floquet multipliers.
+    pub multipliers: Vec<c64>,
+    /// Radius about zero that each multiplier stays in by the block that it belongs to.
+    pub radii: Vec<f64>,
+    /// Turning points of the ports.
+    pub turns: Vec<Turn>,
+    /// Values of the quantities of which the user gives a level, less that.
+    pub levels: Vec<f64>,
+    /// Period, s.
+    pub period_s: f64,
+    /// Drive cycles of the period.
+    pub cycles: usize,
+    /// True where no stop and no switch acts.
+    pub is_free: bool,
+}
+
+/// The same at two places near each other; what lies ahead stands in the order of what is here.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::study::branches) struct Readings {
+    pub here: Reading,
+    /// Multipliers ahead.
+    pub multipliers: Vec<c64>,
+    /// Turning points ahead; `None` where one ends on the way.
+    pub turns: Vec<Option<Turn>>,
+    /// Levels ahead.
+    pub levels: Vec<f64>,
+    /// From here to ahead, in the metric.
+    pub length: f64,
+}
+
+impl Reading {
+    fn of(shot: &Shot, multipliers: Vec<c64>, levels: &[Level]) -> Self {
+        let switches = shot.trajectories.iter().any(|trajectory| !trajectory.changes().is_empty());
+        Self {
+            multipliers,
+            radii: Vec::new(),
+            turns: turns(shot),
+            levels: levels.iter().map(|level| level.off(shot)).collect(),
+            period_s: shot.period_s,
+            cycles: shot.trajectories.len(),
+            is_free: shot.contacts == 0 && shot.max_penetration_m == 0.0 && !switches,
+        }
+    }
+
+    /// With the radius of the disc of the block that each multiplier lies nearest to.
+    fn with_radii(mut self, shot: &Shot) -> Self {
+        let discs = discs(&shot.block_map, shot.kernel.plant.diagonal.block.pairs.len());
+        let pairs = paired(self.multipliers.len(), discs.len(), |i, j| (self.multipliers[i] - discs[j].value).norm());
+        self.radii = pairs.into_iter().map(|(_, j)| discs[j].radius).collect();
+        self
+    }
+
+    /// Time of a turning point as a share of the period.
+    pub fn phase(&self, turn: &Turn) -> f64 {
+        (turn.cycle as f64 / self.cycles as f64 + turn.time_s / self.period_s).rem_euclid(1.0)
+    }
+}
+
+impl Readings {
+    /// At a step of a curve, in the direction of its tangent; `None` where nothing can be marched ahead of it or behind it.
+    pub fn of<M: OrbitMethod>(
+        method: &M,
+        (step, orbit): (&Step<M::Local>, &Orbit),
+        parameter_scale: f64,
+        levels: &[Level],
+    ) -> Option<Self> {
+        let shot = method.shot(&step.local).ok()?;
+        let here = Reading::of(shot, orbit.multipliers.clone(), levels).with_radii(shot);
+        let metric = Metric::at(&step.position, parameter_scale);
+        let unit = metric.unit(step.tangent.clone());
+        [1.0, -1.0].into_iter().find_map(|side| {
+            let length = side * AHEAD * shot.tolerance().sqrt();
+            let there = step.position.moved(&unit, length);
+            let local = method.at(&there.unknown, there.parameter).ok()?;
+            let shot = method.shot(&local).ok()?;
+            let ahead = Reading::of(shot, multipliers(&shot.block_map)?, levels);
+            Some(Self::joined(here.clone(), &ahead, length))
+        })
+    }
+
+    fn joined(here: Reading, ahead: &Reading, length: f64) -> Self {
+        let apart = |i: usize, j: usize| (here.multipliers[i] - ahead.multipliers[j]).norm();
+        let same = paired(here.multipliers.len(), ahead.multipliers.len(), apart);
+        let multipliers = same.into_iter().map(|(_, j)| ahead.multipliers[j]).collect();
+        let mut turns = vec![None; here.turns.len()];
+        for (i, j) in paired(here.turns.len(), ahead.turns.len(), |i, j| way((&here, &here.turns[i]), (ahead, &ahead.turns[j])).abs()) {
+            turns[i] = Some(ahead.turns[j]);
+        }
+        Self { here, multipliers, turns, levels: ahead.levels.clone(), length }
+    }
+}
+
+/// Way in phase from a turning point of an orbit to one of another; infinite where they are no two of a kind.
+pub(super) fn way((one, from): (&Reading, &Turn), (two, to): (&Reading, &Turn)) -> f64 {
+    if (from.port, from.is_maximum) != (to.port, to.is_maximum) {
+        return f64::INFINITY;
+    }
+    let way = two.phase(to) - one.phase(from);
+    way - way.round()
+}

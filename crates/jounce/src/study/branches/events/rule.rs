@@ -1,0 +1,157 @@
+//! The rule by which a step of a curve is accepted.
+
+use super::contacts::extrema;
+use super::interpolant::Interpolant;
+use super::spectrum::{End, Group, between, doubling, fold, groups, is_enclosed, torus};
+use crate::continuation::{Metric, Step, Stretch, correct, tangent};
+use crate::orbit::OrbitMethod;
+use crate::study::branches::branch::BranchKind;
+use crate::study::branches::follow::Following;
+use crate::study::branches::place::Place;
+use serde::Serialize;
+
+/// Most halvings of one step: what is not proved on a thousandth of it is listed.
+const HALVINGS: u32 = 10;
+
+/// Most points put on one step: five for each of its halvings, so that a step on which a proof fails everywhere costs no more.
+const POINTS: u32 = 50;
+
+/// An event of which there may be two more on a part of a branch than are listed.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct NotProved {
+    /// Kind of the event.
+    pub event: BranchKind,
+    /// Value of the key where the part begins, SI.
+    pub from: f64,
+    /// Value of the key where it ends, SI.
+    pub to: f64,
+    /// What stood against the proof.
+    pub why: String,
+}
+
+impl NotProved {
+    /// Adds a part to a list, to the part before it where that is of the same kind.
+    fn add(list: &mut Vec<Self>, event: BranchKind, [from, to]: [f64; 2], why: &str) {
+        match list.iter_mut().rev().find(|known| known.event == event).filter(|known| known.to == from && known.why == why) {
+            Some(known) => known.to = to,
+            None => list.push(Self { event, from, to, why: why.to_owned() }),
+        }
+    }
+}
+
+impl Following {
+    /// The point after another one, and before it those that prove what happens on the way; what they do not prove joins a list.
+    ///
+    /// # Errors
+    /// As [`Following::walk`].
+    pub(in crate::study::branches) fn resolved<M: OrbitMethod>(
+        &self,
+        method: &M,
+        before: &Place<M>,
+        after: Place<M>,
+        not_proved: &mut Vec<NotProved>,
+    ) -> Result<Vec<Place<M>>, M::Error> {
+        self.halved(method, (before, after), HALVINGS, &mut { POINTS }, not_proved)
+    }
+
+    fn halved<M: OrbitMethod>(
+        &self,
+        method: &M,
+        (before, after): (&Place<M>, Place<M>),
+        halvings: u32,
+        points: &mut u32,
+        not_proved: &mut Vec<NotProved>,
+    ) -> Result<Vec<Place<M>>, M::Error> {
+        let doubts = self.doubts(method, before, &after);
+        if doubts.is_empty() {
+            return Ok(vec![after]);
+        }
+        let is_left = halvings > 0 && *points > 0;
+        let middle = if is_left { self.half_way(method, &before.step, &after.step) } else { None };
+        let Some(middle) = middle else {
+            let why = if is_left { "no orbit was found half-way" } else { "the shortest steps do not prove it" };
+            doubts.into_iter().for_each(|event| NotProved::add(not_proved, event, [before, &after].map(|at| at.point.parameter), why));
+            return Ok(vec![after]);
+        };
+        *points -= 1;
+        let middle = Place::new(method, middle)?;
+        let mut places = self.halved(method, (before, middle), halvings - 1, points, not_proved)?;
+        if let Some(last) = places.pop() {
+            let rest = self.halved(method, (&last, after), halvings - 1, points, not_proved)?;
+            places.push(last);
+            places.extend(rest);
+        }
+        Ok(places)
+    }
+
+    /// The point of the curve half-way between two.
+    fn half_way<M: OrbitMethod>(&self, method: &M, before: &Step<M::Local>, after: &Step<M::Local>) -> Option<Step<M::Local>> {
+        let metric = Metric::at(&before.position, self.parameter_scale());
+        let stretch = Stretch::between(&metric, (&before.position, &before.tangent), (&after.position, &after.tangent));
+        let ahead = metric.unit(before.position.to(&after.position));
+        let found = correct(method, &self.corrector, &metric, &ahead, stretch.at(0.5 * stretch.length)).ok()?;
+        let ahead = tangent(&found.local, &metric, &ahead)?;
+        Some(Step { position: found.position, tangent: ahead, local: found.local, error: found.error })
+    }
+
+    /// Kinds of events of which a step may hold more than one.
+    fn doubts<M: OrbitMethod>(&self, method: &M, before: &Place<M>, after: &Place<M>) -> Vec<BranchKind> {
+        let mut doubts = Vec::new();
+        if self.turns(&before.step, &after.step).crossings().is_none_or(|count| count > 1) {
+            doubts.push(BranchKind::Fold);
+        }
+        let readings = [before, after].map(|place| place.readings(method, self));
+        let [Some(one), Some(two)] = readings else {
+            doubts.extend([BranchKind::PeriodDoubling, BranchKind::NeimarkSacker, BranchKind::Grazing]);
+            return doubts;
+        };
+        let length = |at: &Place<M>| {
+            let metric = Metric::at(&at.step.position, self.parameter_scale());
+            metric.length(&before.step.position.to(&after.step.position))
+        };
+        let ends = [End { readings: one, length: length(before) }, End { readings: two, length: length(after) }];
+        // Without contacts and switches multipliers are those of the plant, all inside.
+        if !(one.here.is_free && two.here.is_free) {
+            doubts.extend(doubtful_multipliers(ends));
+        }
+        let passes = extrema(ends).map(|all| {
+            let counts = all.iter().map(|one| (one.past_m.crossings(), one.adds()));
+            let passed: Vec<Option<i32>> =
+                counts.filter(|(count, _)| *count != Some(0)).map(|(count, adds)| (count == Some(1)).then_some(adds)).collect();
+            passed
+        });
+        // As many contacts come as go: none is seen by their number.
+        if passes.is_none_or(|passes| passes.contains(&None) || passes.contains(&Some(1)) && passes.contains(&Some(-1))) {
+            doubts.push(BranchKind::Grazing);
+        }
+        let level = |k: usize| Interpolant { values: [one, two].map(|at| at.here.levels[k]), slopes: ends.map(|end| end.level(k)) };
+        if (0..self.levels.len()).any(|k| level(k).crossings().is_none_or(|count| count > 1)) {
+            doubts.push(BranchKind::Level);
+        }
+        doubts
+    }
+
+    /// The parameter's share of the tangent, by the cubic of the parameter itself.
+    fn turns<L>(&self, before: &Step<L>, after: &Step<L>) -> Interpolant {
+        let metric = Metric::at(&before.position, self.parameter_scale());
+        let way = before.position.to(&after.position);
+        let length = metric.length(&way);
+        let rate = |step: &Step<L>| metric.unit(step.tangent.clone()).parameter * length;
+        let [first, last] = [rate(before), rate(after)];
+        // Bernstein coefficients of its derivative: first, middle, last.
+        let middle = 3.0 * way.parameter - first - last;
+        Interpolant { values: [first, last], slopes: [2.0 * (middle - first), 2.0 * (last - middle)] }
+    }
+}
+
+/// Kinds of which more than one multiplier may pass its critical value, or one of them more than once.
+fn doubtful_multipliers(ends: [End; 2]) -> Vec<BranchKind> {
+    let groups: Vec<Group> = groups(ends).into_iter().filter(|group| !is_enclosed(ends, group)).collect();
+    let kinds: [(BranchKind, fn(&[faer::c64]) -> f64); 3] =
+        [(BranchKind::PeriodDoubling, doubling), (BranchKind::BranchPoint, fold), (BranchKind::NeimarkSacker, torus)];
+    let is_doubtful = |f: fn(&[faer::c64]) -> f64| {
+        let counts: Option<Vec<usize>> = groups.iter().map(|group| between(ends, group, f).crossings()).collect();
+        counts.is_none_or(|counts| counts.iter().sum::<usize>() > 1)
+    };
+    kinds.into_iter().filter(|(_, f)| is_doubtful(*f)).map(|(kind, _)| kind).collect()
+}
