@@ -136,7 +136,11 @@ impl Following {
             if self.may_be_astray(&before, &after) && walk.retreat(mark.clone()) {
                 continue;
             }
-            let places = self.resolved(method, &before, after, &mut branch.not_proved)?;
+            let mut not_proved = Vec::new();
+            let places = match after.point.orbit.repeats_early() {
+                true => vec![after],
+                false => self.resolved(method, &before, after, &mut not_proved)?,
+            };
             // Newton may have strayed to an orbit of fewer cycles; if a short step gets there too, the branch ends on it.
             let merges = places.iter().any(|place| place.point.orbit.repeats_early());
             if merges && walk.retreat(mark.clone()) {
@@ -146,6 +150,7 @@ impl Following {
                 end(Ending::Merged, branch);
                 return Ok(());
             }
+            branch.not_proved.extend(not_proved);
             for after in places {
                 if self.ends_with(method, &mut beginning, (&before, &after), branch)? {
                     return Ok(());
