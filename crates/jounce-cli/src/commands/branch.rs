@@ -1,6 +1,7 @@
 //! `jounce branch SPEC --over KEY=FROM:TO`
 
 use super::bandwidth;
+use super::branch_json::listed;
 use super::branch_tables::{bifurcations_table, points_table};
 use crate::failure::Failure;
 use crate::interruption;
@@ -61,6 +62,9 @@ pub struct Branch {
     /// Largest step along a branch, in relative changes of the state or twentieths of the range.
     #[arg(long, default_value_t = BranchOptions::default().largest_step)]
     largest_step: f64,
+    /// Work that following branches may cost: drive cycles of all their orbits. What is left then is counted, not followed.
+    #[arg(long, default_value_t = BranchOptions::default().budget)]
+    budget: usize,
     #[command(flatten)]
     threads: ThreadsArgument,
     #[command(flatten)]
@@ -131,7 +135,7 @@ impl Branch {
             return Err(Failure::usage(format!("--largest-step {largest_step}: give a number from 0.001 to 1")));
         }
         let levels = self.levels.iter().map(|text| Level::parse(text, plant)).collect::<Result<_, _>>();
-        Ok(BranchOptions { largest_step, levels: levels.map_err(|why| Failure::usage(format!("--level {why}")))? })
+        Ok(BranchOptions { largest_step, budget: self.budget, levels: levels.map_err(|why| Failure::usage(format!("--level {why}")))? })
     }
 
     fn method(&self) -> Result<Method, Failure> {
@@ -163,12 +167,17 @@ impl Branch {
                 Ending::Grazing { why, parameter } => ("grazes and turns sharply", why, parameter),
                 Ending::Points => {
                     let points = branch.points.len();
-                    eprintln!("a branch of period {} is left after {points} points; give a shorter range", branch.period_cycles);
+                    let cycles = branch.period_cycles;
+                    eprintln!("a branch of period {cycles} is left after {points} points: give a shorter range or a larger --budget");
                     continue;
                 }
                 Ending::Range | Ending::Closed | Ending::Merged => continue,
             };
             eprintln!("a branch of period {} {what} at {parameter} {}: {why}", branch.period_cycles, unit);
+        }
+        let not_followed: usize = branches.iter().map(|branch| branch.not_followed).sum();
+        if not_followed > 0 {
+            eprintln!("warning: the branches of {not_followed} period doublings were not followed: --budget {} is spent", self.budget);
         }
         for (branch, part) in branches.iter().flat_map(|branch| branch.not_proved.iter().map(move |part| (branch, part))) {
             let (cycles, event, NotProved { from, to, why, .. }) = (branch.period_cycles, part.event.name(), part);
@@ -289,53 +298,6 @@ impl Shown {
             Self::Displacement => Axis::linear("Displacement amplitude", "m"),
         }
     }
-}
-
-fn listed(branch: &Curve, passed: &[Vec<Exceeded>], width: Option<&Bandwidth>) -> serde_json::Value {
-    let points: Vec<_> = branch.points.iter().zip(passed).map(|(point, passed)| listed_point(point, passed)).collect();
-    let bifurcations: Vec<_> = branch.bifurcations.iter().map(listed_bifurcation).collect();
-    serde_json::json!({
-        "period_cycles": branch.period_cycles,
-        "points": points,
-        "bifurcations": bifurcations,
-        "not_proved": branch.not_proved,
-        "endings": branch.endings,
-        "peak": width.map(|width| width.peak),
-        "half_power_bandwidth": width.map(bandwidth::listed),
-    })
-}
-
-fn listed_point(point: &BranchPoint, passed: &[Exceeded]) -> serde_json::Value {
-    let orbit = &point.orbit;
-    serde_json::json!({
-        "parameter": point.parameter,
-        "mean_power_w": orbit.mean_power_w,
-        "voltage_rms_v": orbit.voltage_rms_v,
-        "stable": orbit.is_stable(),
-        "stability_undecided": orbit.is_stability_undecided(),
-        "floquet_max_abs": orbit.floquet_max_abs(),
-        "contacts_per_period": orbit.contacts,
-        "max_penetration_m": orbit.max_penetration_m,
-        "displacement_peak_m": orbit.displacement_peak_m,
-        "error_estimate": orbit.error_estimate,
-        "warnings": passed,
-    })
-}
-
-fn listed_bifurcation(found: &Bifurcation) -> serde_json::Value {
-    let mut listed = serde_json::json!({
-        "kind": found.kind,
-        "parameter": found.at.parameter,
-        "mean_power_w": found.at.orbit.mean_power_w,
-        "displacement_peak_m": found.at.orbit.displacement_peak_m,
-        "contacts_per_period": found.at.orbit.contacts,
-    });
-    for (key, name) in [("level", &found.level), ("stop", &found.stop)] {
-        if let Some(name) = name {
-            listed[key] = name.as_str().into();
-        }
-    }
-    listed
 }
 
 fn drawn(branch: &Curve, shown: Shown) -> BranchLine {

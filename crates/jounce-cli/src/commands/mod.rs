@@ -3,6 +3,7 @@
 mod bandwidth;
 pub mod basins;
 pub mod branch;
+mod branch_json;
 mod branch_tables;
 pub mod check;
 pub mod completions;

@@ -7,7 +7,7 @@ use jounce::plant::PlantError;
 use jounce::reference::ImpactOscillator;
 use jounce::run::{RunPlan, StartState, simulate};
 use jounce::spec::SpecFile;
-use jounce::study::{Branch, BranchKind, BranchSearch, Ending, Method, Parameter, Prepared, StudyError};
+use jounce::study::{Branch, BranchKind, BranchOptions, BranchSearch, Ending, Method, Parameter, Prepared, StudyError};
 
 fn with(changes: &[(&str, &str)]) -> SpecFile {
     let mut file = bench();
@@ -262,4 +262,24 @@ fn every_kind_of_key_leads_through_the_same_orbit() {
         powers.push(first.orbit.mean_power_w);
     }
     assert!(powers.iter().all(|power_w| (power_w / powers[0] - 1.0).abs() < 1e-8), "{powers:?}");
+}
+
+/// A budget of ten orbits: what was reached is there, cut where the budget ends, and what is left is counted.
+#[test]
+fn a_budget_ends_the_search_and_counts_what_is_left() {
+    let file = bench();
+    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let key = file.numeric_key("drive.shaker.frequency").unwrap();
+    let range = (5.0, 20.0);
+    let parameter = Parameter::new(&base, &key, range.1 - range.0);
+    let (method, tolerance, seeds, longest_period) = (Method::Shooting, 1e-8, 2, 2);
+    let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance, seeds, longest_period };
+    let with = |budget: usize| search.run_with(&BranchOptions { budget, ..BranchOptions::default() }).unwrap();
+    let work = |branches: &[Branch]| branches.iter().map(|own| own.points.len() * own.period_cycles as usize).sum::<usize>();
+    let (cut, full) = (with(10), with(50_000));
+    assert!(work(&full) > 100 && full.iter().all(|branch| branch.is_whole() && branch.not_followed == 0));
+    let doublings = full.iter().flat_map(|own| &own.bifurcations).filter(|found| found.kind == BranchKind::PeriodDoubling).count();
+    assert!(doublings > 0);
+    // Both ways of the first branch may use the budget, and each start that is left is a point of its own.
+    assert!(work(&cut) < 40 && cut.iter().any(|branch| branch.endings.contains(&Ending::Points)), "{}", work(&cut));
 }

@@ -117,8 +117,9 @@ impl Basins {
         line("attractor      period  contacts    mean_power_w  share (95 %)");
         for a in &answer.attractors {
             let share = &a.share;
+            let mirror = a.mirror_of.as_ref().map_or_else(String::new, |id| format!("  mirror image of {id}"));
             line(format!(
-                "{:<13} {:>7} {:>9}    {:.6e}  {:.3} ({:.3} to {:.3})",
+                "{:<13} {:>7} {:>9}    {:.6e}  {:.3} ({:.3} to {:.3}){mirror}",
                 a.id, a.period_cycles, a.contacts_per_period, a.mean_power_w, share.fraction, share.low, share.high
             ));
         }

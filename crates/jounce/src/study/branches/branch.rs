@@ -21,6 +21,8 @@ pub struct Branch {
     pub not_proved: Vec<NotProved>,
     /// How its two ends came about, first point and last point.
     pub endings: Vec<Ending>,
+    /// Doublings whose branch was not followed, for want of budget.
+    pub not_followed: usize,
 }
 
 /// A point of a branch.
@@ -120,6 +122,17 @@ impl BranchKind {
 }
 
 impl Branch {
+    /// A branch of which one orbit is known and none was followed, for want of budget.
+    pub(super) fn of_one(orbit: Orbit, parameter: f64) -> Self {
+        let (period_cycles, endings) = (orbit.period_cycles, vec![Ending::Points; 2]);
+        Self { period_cycles, points: vec![BranchPoint { parameter, orbit }], endings, ..Self::default() }
+    }
+
+    /// Drive cycles of its orbits: the work that following it has cost.
+    pub(super) fn work(&self) -> usize {
+        self.points.len() * self.period_cycles as usize
+    }
+
     /// Points where the branch passes a value of the key, states and power interpolated linearly.
     pub fn crossings(&self, parameter: f64) -> Vec<(Vec<f64>, f64)> {
         let read = |(a, b, t): (&BranchPoint, &BranchPoint, f64)| {
@@ -182,6 +195,7 @@ impl Branch {
         self.bifurcations.extend(other.bifurcations);
         self.not_proved.extend(other.not_proved);
         self.endings.extend(other.endings);
+        self.not_followed += other.not_followed;
         self
     }
 }

@@ -61,6 +61,7 @@ impl BranchCarry<'_> {
             corrector,
             control: StepControl::default(),
             most_points: usize::MAX,
+            budget: usize::MAX,
             resolution: self.resolution,
             levels: Vec::new(),
         };

@@ -50,6 +50,7 @@ impl BranchChase<'_> {
             corrector: Corrector { goal, most: 8 },
             control: self.control,
             most_points: 2000,
+            budget: usize::MAX,
             resolution: self.resolution,
             levels: Vec::new(),
         };

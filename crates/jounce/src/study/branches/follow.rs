@@ -38,6 +38,8 @@ pub struct Following {
     pub control: StepControl,
     /// Most points.
     pub most_points: usize,
+    /// Most drive cycles of all orbits on the branches.
+    pub budget: usize,
     /// Length in the metric to which bifurcations are located.
     pub resolution: f64,
     /// Levels of quantities that are labelled.
@@ -45,6 +47,13 @@ pub struct Following {
 }
 
 impl Following {
+    /// The same for one more branch of a period, with as many points as the budget leaves; `None` where that is not one step.
+    pub(super) fn within(&self, branches: &[Branch], cycles: u32) -> Option<Self> {
+        let left = self.budget.saturating_sub(branches.iter().map(Branch::work).sum());
+        let most_points = self.most_points.min(left / cycles as usize);
+        (most_points > 1).then(|| Self { most_points, ..self.clone() })
+    }
+
     /// Scale of the parameter in the metric.
     pub fn parameter_scale(&self) -> f64 {
         (self.range.1 - self.range.0) / 20.0
@@ -136,7 +145,11 @@ impl Following {
             if self.may_be_astray(&before, &after) && walk.retreat(mark.clone()) {
                 continue;
             }
-            let places = self.resolved(method, &before, after, &mut branch.not_proved)?;
+            let mut not_proved = Vec::new();
+            let places = match after.point.orbit.repeats_early() {
+                true => vec![after],
+                false => self.resolved(method, &before, after, &mut not_proved)?,
+            };
             // Newton may have strayed to an orbit of fewer cycles; if a short step gets there too, the branch ends on it.
             let merges = places.iter().any(|place| place.point.orbit.repeats_early());
             if merges && walk.retreat(mark.clone()) {
@@ -146,6 +159,7 @@ impl Following {
                 end(Ending::Merged, branch);
                 return Ok(());
             }
+            branch.not_proved.extend(not_proved);
             for after in places {
                 if self.ends_with(method, &mut beginning, (&before, &after), branch)? {
                     return Ok(());

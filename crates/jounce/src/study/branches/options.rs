@@ -3,17 +3,22 @@
 use super::events::Level;
 use crate::continuation::StepControl;
 
+/// Budget by default, drive cycles: some fifty times what the harvester of the paper needs over its whole range.
+const BUDGET: usize = 50_000;
+
 /// How branches are followed, beside what a search needs in any case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BranchOptions {
     /// Largest step along a branch, in the metric of continuation: a relative change of the state, or 1/20 of the range of the key.
     pub largest_step: f64,
+    /// Work that following may cost: drive cycles of all orbits on the branches. What is left then is counted, not followed.
+    pub budget: usize,
     /// Levels of quantities that are labelled where a branch passes them.
     pub levels: Vec<Level>,
 }
 
 impl Default for BranchOptions {
     fn default() -> Self {
-        Self { largest_step: StepControl::default().longest, levels: Vec::new() }
+        Self { largest_step: StepControl::default().longest, budget: BUDGET, levels: Vec::new() }
     }
 }

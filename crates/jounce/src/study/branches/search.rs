@@ -58,6 +58,9 @@ enum Start {
     Eased,
 }
 
+/// Most points of a branch.
+const MAX_POINTS: usize = 4000;
+
 /// Share of the range at which no two frequencies, of which one goes with the key, have a common period by chance: that of the golden section.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
@@ -88,7 +91,8 @@ impl BranchSearch<'_> {
             range: self.range,
             corrector: Corrector { goal: newton_goal(self.tolerance), most: 8 },
             control: StepControl { longest: options.largest_step, ..StepControl::default() },
-            most_points: 4000,
+            most_points: MAX_POINTS,
+            budget: options.budget,
             resolution: RESOLUTION,
             levels: options.levels.clone(),
         }
@@ -137,6 +141,11 @@ impl BranchSearch<'_> {
                 watch.count();
                 continue;
             }
+            let Some(following) = following.within(&branches, orbit.period_cycles) else {
+                branches.push(Branch::of_one(orbit, parameter));
+                watch.count();
+                continue;
+            };
             let method = make(orbit.period_cycles)?;
             let found = following.both_ways(&method, orbit.start(), parameter);
             let found = found.and_then(|branch| {
@@ -258,8 +267,12 @@ impl BranchSearch<'_> {
                 continue;
             }
             for at in doublings {
+                let Some(following) = following.within(branches, cycles) else {
+                    branches[next - 1].not_followed += 1;
+                    continue;
+                };
                 let method = make(cycles)?;
-                let Some((first, ahead)) = self.off(following, &method, &at) else { continue };
+                let Some((first, ahead)) = self.off(&following, &method, &at) else { continue };
                 let orbit = method.orbit(&first.local, first.error)?;
                 if !branches.iter().any(|branch| self.lies_on(branch, &orbit, first.position.parameter)) {
                     let found = following.walk(&method, first, ahead)?;

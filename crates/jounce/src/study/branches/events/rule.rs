@@ -4,7 +4,7 @@ use super::contacts::extrema;
 use super::interpolant::Interpolant;
 use super::spectrum::{End, Group, between, doubling, fold, groups, is_enclosed, torus};
 use crate::continuation::{Metric, Step, Stretch, correct, tangent};
-use crate::orbit::OrbitMethod;
+use crate::orbit::{Orbit, OrbitMethod};
 use crate::study::branches::branch::BranchKind;
 use crate::study::branches::follow::Following;
 use crate::study::branches::place::Place;
@@ -97,7 +97,8 @@ impl Following {
     /// Kinds of events of which a step may hold more than one.
     fn doubts<M: OrbitMethod>(&self, method: &M, before: &Place<M>, after: &Place<M>) -> Vec<BranchKind> {
         let mut doubts = Vec::new();
-        if self.turns(&before.step, &after.step).crossings().is_none_or(|count| count > 1) {
+        let meets = meets_halves(&before.point.orbit, &after.point.orbit);
+        if !meets && self.turns(&before.step, &after.step).crossings().is_none_or(|count| count > 1) {
             doubts.push(BranchKind::Fold);
         }
         let readings = [before, after].map(|place| place.readings(method, self));
@@ -112,7 +113,7 @@ impl Following {
         let ends = [End { readings: one, length: length(before) }, End { readings: two, length: length(after) }];
         // Without contacts and switches multipliers are those of the plant, all inside.
         if !(one.here.is_free && two.here.is_free) {
-            doubts.extend(doubtful_multipliers(ends));
+            doubts.extend(doubtful_multipliers(ends).into_iter().filter(|kind| !(meets && *kind == BranchKind::BranchPoint)));
         }
         let passes = extrema(ends).map(|all| {
             let counts = all.iter().map(|one| (one.past_m.crossings(), one.adds()));
@@ -142,6 +143,15 @@ impl Following {
         let middle = 3.0 * way.parameter - first - last;
         Interpolant { values: [first, last], slopes: [2.0 * (middle - first), 2.0 * (last - middle)] }
     }
+}
+
+/// True where an orbit and the same half a period on come so near to each other, or part so, that their distance changes by half or passes zero.
+/// There a doubled branch meets the one that it left: it turns, and the square of the distance is a factor of its distance from +1.
+fn meets_halves(one: &Orbit, two: &Orbit) -> bool {
+    let (Some(one), Some(two)) = (one.halves_apart(), two.halves_apart()) else { return false };
+    let inner = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let [from, to] = [&one, &two].map(|apart| inner(apart, apart).sqrt());
+    inner(&one, &two) <= 0.0 || from.min(to) < 0.5 * from.max(to)
 }
 
 /// Kinds of which more than one multiplier may pass its critical value, or one of them more than once.

@@ -1,0 +1,54 @@
+//! Branches as JSON.
+
+use super::bandwidth;
+use jounce::run::Exceeded;
+use jounce::study::{Bandwidth, Bifurcation, Branch as Curve, BranchPoint};
+
+/// A branch with its points and what it passes.
+pub fn listed(branch: &Curve, passed: &[Vec<Exceeded>], width: Option<&Bandwidth>) -> serde_json::Value {
+    let points: Vec<_> = branch.points.iter().zip(passed).map(|(point, passed)| listed_point(point, passed)).collect();
+    let bifurcations: Vec<_> = branch.bifurcations.iter().map(listed_bifurcation).collect();
+    serde_json::json!({
+        "period_cycles": branch.period_cycles,
+        "points": points,
+        "bifurcations": bifurcations,
+        "not_proved": branch.not_proved,
+        "endings": branch.endings,
+        "not_followed": branch.not_followed,
+        "peak": width.map(|width| width.peak),
+        "half_power_bandwidth": width.map(bandwidth::listed),
+    })
+}
+
+fn listed_point(point: &BranchPoint, passed: &[Exceeded]) -> serde_json::Value {
+    let orbit = &point.orbit;
+    serde_json::json!({
+        "parameter": point.parameter,
+        "mean_power_w": orbit.mean_power_w,
+        "voltage_rms_v": orbit.voltage_rms_v,
+        "stable": orbit.is_stable(),
+        "stability_undecided": orbit.is_stability_undecided(),
+        "floquet_max_abs": orbit.floquet_max_abs(),
+        "contacts_per_period": orbit.contacts,
+        "max_penetration_m": orbit.max_penetration_m,
+        "displacement_peak_m": orbit.displacement_peak_m,
+        "error_estimate": orbit.error_estimate,
+        "warnings": passed,
+    })
+}
+
+fn listed_bifurcation(found: &Bifurcation) -> serde_json::Value {
+    let mut listed = serde_json::json!({
+        "kind": found.kind,
+        "parameter": found.at.parameter,
+        "mean_power_w": found.at.orbit.mean_power_w,
+        "displacement_peak_m": found.at.orbit.displacement_peak_m,
+        "contacts_per_period": found.at.orbit.contacts,
+    });
+    for (key, name) in [("level", &found.level), ("stop", &found.stop)] {
+        if let Some(name) = name {
+            listed[key] = name.as_str().into();
+        }
+    }
+    listed
+}
