@@ -112,6 +112,7 @@ impl BranchCarry<'_> {
                 bifurcations: bifurcations.into_iter().flatten().collect(),
                 not_proved: Vec::new(),
                 endings: branch.endings.clone(),
+                not_followed: 0,
             });
         }
     }

@@ -141,13 +141,13 @@ impl BranchSearch<'_> {
                 watch.count();
                 continue;
             }
-            let Some(following) = following.within(&branches, orbit.period_cycles) else {
+            let Some(within) = following.within(&branches, orbit.period_cycles) else {
                 branches.push(Branch::of_one(orbit, parameter));
                 watch.count();
                 continue;
             };
             let method = make(orbit.period_cycles)?;
-            let found = following.both_ways(&method, orbit.start(), parameter);
+            let found = within.both_ways(&method, orbit.start(), parameter);
             let found = found.and_then(|branch| {
                 // One that could not be followed to its end may be a part of one that was begun elsewhere.
                 branches.retain(|known| known.is_whole() || !branch.as_ref().is_some_and(|whole| self.is_part(known, whole)));
@@ -267,15 +267,15 @@ impl BranchSearch<'_> {
                 continue;
             }
             for at in doublings {
-                let Some(following) = following.within(branches, cycles) else {
+                let Some(within) = following.within(branches, cycles) else {
                     branches[next - 1].not_followed += 1;
                     continue;
                 };
                 let method = make(cycles)?;
-                let Some((first, ahead)) = self.off(&following, &method, &at) else { continue };
+                let Some((first, ahead)) = self.off(following, &method, &at) else { continue };
                 let orbit = method.orbit(&first.local, first.error)?;
                 if !branches.iter().any(|branch| self.lies_on(branch, &orbit, first.position.parameter)) {
-                    let found = following.walk(&method, first, ahead)?;
+                    let found = within.walk(&method, first, ahead)?;
                     branches.push(found);
                 }
             }
