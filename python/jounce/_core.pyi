@@ -103,6 +103,8 @@ def basins(
     spread: float | None,
     grid: list[str],
     tolerance: float,
+    longest_period: int | None,
+    max_cycles: int | None,
     threads: int | None,
     progress: _Progress,
 ) -> _Handed: ...
