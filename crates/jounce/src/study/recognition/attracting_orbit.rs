@@ -18,6 +18,9 @@ use super::adapted_norm::AdaptedNorm;
 use crate::orbit::Orbit;
 use faer::{ColRef, Mat};
 
+/// Least radius that is tried first, relative to the size of the orbit: a motion that begins on the orbit says nothing of the ball about it.
+const FIRST_RADIUS: f64 = 1e-3;
+
 /// Doublings of a radius: where no stop is in reach every radius satisfies the bound.
 const MAX_ENLARGEMENTS: usize = 20;
 
@@ -58,7 +61,7 @@ pub struct AttractingOrbit {
 }
 
 impl AttractingOrbit {
-    /// Proves that an orbit attracts: from the distance of a motion (energy coordinates), enlarged as long as the bound holds, or reduced
+    /// Proves that an orbit attracts: in a ball as large as the distance of a motion (energy coordinates), enlarged as long as the bound holds, or reduced
     /// until it does. `period` integrates one period from a displaced start. `None` where no radius satisfies the bound.
     pub(super) fn prove<E>(
         orbit: Orbit,
@@ -78,8 +81,9 @@ impl AttractingOrbit {
             }
             (worst.0 + worst.1 / radius < 1.0).then_some(worst)
         };
-        let least = norm.length(&still.error) / (1.0 - rate);
-        let mut radius = norm.length(displacement).max(2.0 * least);
+        let size = orbit.size().max(f64::MIN_POSITIVE);
+        let least = (norm.length(&still.error) / (1.0 - rate)).max(f64::EPSILON * size);
+        let mut radius = norm.length(displacement).max(2.0 * least).max(FIRST_RADIUS * size);
         let mut found = bound(radius);
         while found.is_none() && radius > least {
             radius *= 0.5;
@@ -130,9 +134,9 @@ impl AttractingOrbit {
         self.holds(two) || other.holds(one)
     }
 
-    /// True when an orbit passes the ball, where there is one orbit of the period only.
+    /// True when an orbit passes the ball, where there is one orbit of the period only; of a family over a charge there are more.
     pub(super) fn holds(&self, orbit: &Orbit) -> bool {
-        self.orbit.period_cycles == orbit.period_cycles && self.passes(&orbit.looks)
+        !self.keeps_charge && self.orbit.period_cycles == orbit.period_cycles && self.passes(&orbit.looks)
     }
 
     /// True when one of the states (energy coordinates at the start of a drive cycle) is one of the orbit.

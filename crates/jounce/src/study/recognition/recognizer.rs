@@ -136,7 +136,8 @@ fn arrived(motion: &Transient<'_>, orbits: &[Arc<AttractingOrbit>], entry: &mut 
             return Some(Arc::clone(reached));
         }
     }
-    *entry = orbits.iter().enumerate().find_map(|(orbit, own)| {
+    // The latest first: it was found from this very motion.
+    *entry = orbits.iter().enumerate().rev().find_map(|(orbit, own)| {
         let distance = own.distance(&motion.state)?;
         Some(Entry { orbit, distance, until: motion.cycles + own.orbit.period_cycles })
     });
