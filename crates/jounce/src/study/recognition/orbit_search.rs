@@ -26,7 +26,7 @@ const RESTED: f64 = 1e-8;
 /// What a search found.
 pub enum Found {
     /// A stable orbit with the ball in which it attracts.
-    Attracting(AttractingOrbit),
+    Attracting(Arc<AttractingOrbit>),
     /// A stable orbit that attracts too weakly for the tolerance of the integration.
     Weak,
 }
@@ -69,7 +69,7 @@ impl<H: Harvester> OrbitSearch<'_, H> {
             Ok(found) => found,
             // The flow has no derivative where a point comes to rest, or where two rigid stops are struck together.
             Err(WalkError::Family(OrbitError::March(VariationError::Rests { .. } | VariationError::StruckTogether { .. }))) => {
-                return self.observed(motion, cycles).map(Found::Attracting);
+                return self.observed(motion, cycles).map(|orbit| Found::Attracting(Arc::new(orbit)));
             }
             Err(_) => return None,
         };
@@ -87,7 +87,7 @@ impl<H: Harvester> OrbitSearch<'_, H> {
             Ok(Period { derivative: moved.map().clone(), error })
         };
         let found = AttractingOrbit::prove(orbit, shot.keeps_charge, &displacement, period);
-        Some(found.map_or(Found::Weak, Found::Attracting))
+        Some(found.map_or(Found::Weak, |orbit| Found::Attracting(Arc::new(orbit))))
     }
 
     /// The orbit that Newton finds, of the least period that divides the given one.

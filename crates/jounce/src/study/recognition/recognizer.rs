@@ -97,7 +97,7 @@ impl<H: Harvester> Recognizer<'_, H> {
             }
             next_search = (SEARCH_GROWTH * f64::from(motion.cycles)).ceil() as u32;
             match search.near(&mut motion, &orbits) {
-                Some(Found::Attracting(orbit)) => orbits.push(Arc::new(orbit)),
+                Some(Found::Attracting(orbit)) => orbits.push(orbit),
                 Some(Found::Weak) if motion.tolerance > TIGHTEST => {
                     motion.restart((TIGHTER * motion.tolerance).max(TIGHTEST))?;
                     search.goal = search.goal.min(10.0 * motion.tolerance);
