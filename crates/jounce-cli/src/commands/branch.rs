@@ -16,7 +16,7 @@ use jounce::picture::{self, Axis, BranchLine, BranchMark};
 use jounce::plant::{Plant, System};
 use jounce::run::{Exceeded, Limits};
 use jounce::spec::{NumericKey, Spec};
-use jounce::study::{Bandwidth, BandwidthSearch, Bandwidths, Bifurcation, Branch as Curve, BranchPoint};
+use jounce::study::{BandwidthSearch, Bandwidths, Bifurcation, Branch as Curve, BranchPoint};
 use jounce::study::{BranchOptions, BranchSearch, Ending, Level, Method, NotProved, Parameter, Prepared, StudyError};
 use std::path::Path;
 
