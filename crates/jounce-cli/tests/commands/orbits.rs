@@ -33,7 +33,7 @@ fn branch_answers_with_every_key_by_both_methods() {
 #[test]
 fn branch_labels_levels_and_refuses_wrong_ones() {
     let call = ["branch", PLANT, "--over", "drive.shaker.frequency=12Hz:13Hz", "--seeds", "0"];
-    let level = "mean_power=50 uW";
+    let level = "mean_power=1 mW";
     let (code, json, _) = jounce(&[&call[..], &["--json", "--level", level]].concat());
     assert_eq!(code, 0);
     let branches = json["branches"].as_array().unwrap();
@@ -41,10 +41,7 @@ fn branch_labels_levels_and_refuses_wrong_ones() {
     let all: Vec<&Value> = branches.iter().flat_map(|branch| branch["bifurcations"].as_array().unwrap()).collect();
     let labels: Vec<&&Value> = all.iter().filter(|found| found["kind"] == "level").collect();
     let power = |found: &Value| found["mean_power_w"].as_f64().unwrap();
-    assert!(
-        !labels.is_empty() && labels.iter().all(|found| found["level"] == level && (power(found) / 50e-6 - 1.0).abs() < 1e-6),
-        "{json}"
-    );
+    assert!(!labels.is_empty() && labels.iter().all(|found| found["level"] == level && (power(found) / 1e-3 - 1.0).abs() < 1e-6), "{json}");
     for wrong in [["--level", "power=50 uW"], ["--level", "mean_power=50 V"], ["--level", "strain.mfc=1 mm"], ["--largest-step", "2"]] {
         let (code, _, text) = jounce(&[&call[..], &wrong].concat());
         assert!(code == 2 && text.contains(wrong[0]) && text.trim().lines().count() == 1, "{wrong:?}: {code} {text}");
