@@ -2,7 +2,7 @@
 
 use super::contacts::extrema;
 use super::interpolant::Interpolant;
-use super::spectrum::{End, Group, between, doubling, fold, groups, is_enclosed, torus};
+use super::spectrum::{End, Group, TestFunction, between, doubling, fold, groups, is_enclosed, torus};
 use crate::continuation::{Metric, Step, Stretch, correct, tangent};
 use crate::orbit::{Orbit, OrbitMethod};
 use crate::study::branches::branch::BranchKind;
@@ -157,9 +157,9 @@ fn meets_halves(one: &Orbit, two: &Orbit) -> bool {
 /// Kinds of which more than one multiplier may pass its critical value, or one of them more than once.
 fn doubtful_multipliers(ends: [End; 2]) -> Vec<BranchKind> {
     let groups: Vec<Group> = groups(ends).into_iter().filter(|group| !is_enclosed(ends, group)).collect();
-    let kinds: [(BranchKind, fn(&[faer::c64]) -> f64); 3] =
+    let kinds: [(BranchKind, TestFunction); 3] =
         [(BranchKind::PeriodDoubling, doubling), (BranchKind::BranchPoint, fold), (BranchKind::NeimarkSacker, torus)];
-    let is_doubtful = |f: fn(&[faer::c64]) -> f64| {
+    let is_doubtful = |f: TestFunction| {
         let counts: Option<Vec<usize>> = groups.iter().map(|group| between(ends, group, f).crossings()).collect();
         counts.is_none_or(|counts| counts.iter().sum::<usize>() > 1)
     };

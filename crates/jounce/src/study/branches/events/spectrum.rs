@@ -16,6 +16,9 @@ use super::reading::Readings;
 use faer::c64;
 use std::f64::consts::TAU;
 
+/// A function of the multipliers of a group.
+pub(super) type TestFunction = fn(&[c64]) -> f64;
+
 /// Multipliers that belong together, by their numbers at the two ends of a step.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Group {
@@ -57,7 +60,7 @@ impl End<'_> {
     }
 
     /// A function of some multipliers, and its change over the step by its derivative.
-    fn of(&self, own: &[usize], f: fn(&[c64]) -> f64) -> (f64, f64) {
+    fn of(&self, own: &[usize], f: TestFunction) -> (f64, f64) {
         let all = |values: &[c64]| f(&own.iter().map(|i| values[*i]).collect::<Vec<_>>());
         let here = all(&self.readings.here.multipliers);
         (here, (all(&self.readings.multipliers) - here) * self.per())
@@ -65,7 +68,7 @@ impl End<'_> {
 }
 
 /// A function of a group between two ends.
-pub(super) fn between([a, b]: [End; 2], group: &Group, f: fn(&[c64]) -> f64) -> Interpolant {
+pub(super) fn between([a, b]: [End; 2], group: &Group, f: TestFunction) -> Interpolant {
     let (from, to) = (a.of(&group.from, f), b.of(&group.to, f));
     Interpolant { values: [from.0, to.0], slopes: [from.1, to.1] }
 }
