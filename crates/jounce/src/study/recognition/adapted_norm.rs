@@ -78,7 +78,7 @@ mod tests {
         assert!((euclidean - 100.0).abs() < 0.1, "{euclidean}");
         let norm = AdaptedNorm::of(&map, 0.95).unwrap_or_else(|| AdaptedNorm::euclidean(2));
         let stretch = norm.stretch(&map).unwrap_or(1.0);
-        assert!(stretch < 0.95 && stretch >= 0.9, "{stretch}");
+        assert!((0.9..0.95).contains(&stretch), "{stretch}");
         assert!(norm.length(&[1.0, 2.0]) >= 5.0_f64.sqrt(), "V >= I");
     }
 
