@@ -117,6 +117,8 @@ def branch(
     tolerance: float,
     seeds: int,
     longest_period: int,
+    levels: list[str],
+    step_and_budget: tuple[float, int],
     threads: int | None,
     progress: _Progress,
 ) -> _Handed: ...
@@ -159,6 +161,7 @@ def jumps(
     seeds: int,
     longest_period: int,
     peaks: bool,
+    levels: list[str],
     threads: int | None,
     progress: _Progress,
 ) -> _Handed: ...

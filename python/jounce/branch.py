@@ -30,11 +30,17 @@ class Branch(Data):
     displacement_peak_m: Annotated[Floats, Along("point", "m", "half of the range of the displacement at the first stop")]
     #: Estimated relative error of the state.
     error_estimate: Annotated[Floats, Along("point", "1", "estimated relative error of the state")]
-    #: ``"fold"``, ``"period-doubling"``, ``"neimark-sacker"``, ``"branch-point"``, ``"grazing"``.
+    #: ``"fold"``, ``"period-doubling"``, ``"neimark-sacker"``, ``"branch-point"``, ``"grazing"``, ``"sticking"``, ``"level"``.
     bifurcation_kind: list[str]
+    #: The level that is passed, or the stop that is grazed; ``None`` for the others.
+    bifurcation_name: list[str | None]
     bifurcation_parameter: Floats
     bifurcation_power_w: Floats
     bifurcation_displacement_peak_m: Floats
+    #: Parts that may hold two more events of a kind than are listed: ``event``, ``from``, ``to``, ``why``.
+    not_proved: list[dict[str, Any]]
+    #: Period doublings whose branch was not followed, for want of budget.
+    not_followed: int
     #: How its two ends came about.
     endings: list[dict[str, Any]]
     #: Peak and half-power bandwidth of its stable part; ``None`` without one.
@@ -43,7 +49,7 @@ class Branch(Data):
     @classmethod
     def made(cls, one: dict[str, Any]) -> Self:
         """From what the compiled module answers."""
-        return cls(**{**one, "endings": json.loads(one["endings"]), "half_power": json.loads(one["half_power"])})
+        return cls(**{**one, **{name: json.loads(one[name]) for name in ("not_proved", "endings", "half_power")}})
 
     def __len__(self) -> int:
         return len(self.parameter)
@@ -79,8 +85,12 @@ class BranchResult(Result):
         lines = [("over", f"{self.key} [{self.unit}]")]
         for number, one in enumerate(self.branches):
             lines.append((f"branch {number}", f"period {one.period_cycles}: {len(one)} points, {int(one.stable.sum())} of them stable"))
-            for kind, at in zip(one.bifurcation_kind, one.bifurcation_parameter):
-                lines.append(("", f"{kind} at {at:.6g} {self.unit}"))
+            for kind, name, at in zip(one.bifurcation_kind, one.bifurcation_name, one.bifurcation_parameter):
+                lines.append(("", f"{kind}{f' ({name})' if name else ''} at {at:.6g} {self.unit}"))
+            for part in one.not_proved:
+                lines.append(("warning", f"from {part['from']:.6g} to {part['to']:.6g} {self.unit} two more of {part['event']} are possible"))
+            if one.not_followed:
+                lines.append(("warning", f"the branches of {one.not_followed} period doublings were not followed: the budget is spent"))
         if self.half_power is not None:
             peak, width = self.half_power["peak"], self.half_power["width"]
             lines.append(("highest stable power", f"{peak['mean_power_w']:.6e} W at {peak['parameter']:.6g} {self.unit}"))
@@ -128,11 +138,13 @@ class BranchResult(Result):
     def bifurcations_to_pandas(self) -> Any:
         """A ``pandas.DataFrame`` with a row for each bifurcation."""
         rows = [
-            (number, kind, at, power)
+            (number, kind, name, at, power)
             for number, one in enumerate(self.branches)
-            for kind, at, power in zip(one.bifurcation_kind, one.bifurcation_parameter, one.bifurcation_power_w)
+            for kind, name, at, power in zip(
+                one.bifurcation_kind, one.bifurcation_name, one.bifurcation_parameter, one.bifurcation_power_w
+            )
         ]
-        names = ("branch", "kind", "parameter", "mean_power_w")
+        names = ("branch", "kind", "name", "parameter", "mean_power_w")
         return self._frame({name: [row[k] for row in rows] for k, name in enumerate(names)})
 
     def plot_branch(self, ax: Any = None) -> Any:

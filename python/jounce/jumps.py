@@ -15,8 +15,11 @@ from .result import Data, Floats, Integers, Result, Variable
 class JumpCurve(Data):
     """A curve of one kind of bifurcation; arrays of shape ``(point,)`` along it."""
 
-    #: ``"fold"``, ``"period-doubling"``, ``"neimark-sacker"``, ``"grazing"``, or ``"peak"``: the largest mean power along a branch.
+    #: ``"fold"``, ``"period-doubling"``, ``"neimark-sacker"``, ``"grazing"``, ``"level"``, or ``"peak"``: the largest mean power along a
+    #: branch.
     kind: str
+    #: The level that is passed, as it was given; ``None`` for other kinds.
+    level: str | None
     period_cycles: int
     #: Values of the two keys, SI.
     parameter: Floats
@@ -56,7 +59,7 @@ class JumpsResult(Result):
         plane = " against ".join(f"{key} [{unit}]" for key, unit in zip(self.keys, self.units))
         return [
             ("over", plane),
-            *((f"curve {k}", f"{one.kind} of period {one.period_cycles}, {len(one)} points") for k, one in enumerate(self.curves)),
+            *((f"curve {k}", f"{one.level or one.kind} of period {one.period_cycles}, {len(one)} points") for k, one in enumerate(self.curves)),
         ]
 
     def _table(self) -> dict[str, Any]:
@@ -67,7 +70,7 @@ class JumpsResult(Result):
         numbers: Integers = np.repeat(np.arange(len(self), dtype=np.int64), lengths)
         return {
             "curve": numbers,
-            "kind": [one.kind for one in self.curves for _ in range(len(one))],
+            "kind": [one.level or one.kind for one in self.curves for _ in range(len(one))],
             "period_cycles": np.repeat(np.array([one.period_cycles for one in self.curves], dtype=np.int64), lengths),
             "parameter": joined("parameter"),
             "parameter_2": joined("parameter_2"),
@@ -80,7 +83,7 @@ class JumpsResult(Result):
         columns = self._table()
         about = {
             "curve": ("curve", "1", "number of the curve"),
-            "kind": ("kind", "", "what happens"),
+            "kind": ("kind", "", "what happens, or the level that is passed"),
             "period_cycles": ("period_cycles", "1", "period in drive cycles"),
             "parameter": ("parameter", self.units[0], self.keys[0]),
             "parameter_2": ("parameter_2", self.units[1], self.keys[1]),

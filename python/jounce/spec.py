@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 
 from . import _core
-from .arguments import check_wholes, frequencies
+from .arguments import check_wholes, frequencies, names
 from .arguments import si as in_si
 from .basins import BasinsResult
 from .branch import BranchResult
@@ -134,6 +134,9 @@ class Spec(SpecOnRig):
         tolerance: float = 5e-10,
         seeds: int = 12,
         longest_period: int = 12,
+        levels: str | Sequence[str] = (),
+        largest_step: float = 0.4,
+        budget: int = 12000,
         threads: int | None = None,
         progress: bool | Progress | None = None,
     ) -> BranchResult:
@@ -141,11 +144,16 @@ class Spec(SpecOnRig):
 
         Branches that no march of the ``seeds`` settles on are not found, and none of a period above ``longest_period`` cycles; more of
         both find more. ``harmonics`` is where harmonic balance begins, 64 if left out.
+
+        ``levels`` are labelled where a branch passes them: ``"mean_power=50 uW"``, ``"voltage.PATCH=5 V"``, ``"strain.PATCH=3e-4"``,
+        ``"contact_force.STOP=2 N"``. ``largest_step`` is in relative changes of the state or twentieths of the range. After orbits of
+        ``budget`` drive cycles no further branch is followed; the rest is counted in ``not_followed``.
         """
-        check_wholes(harmonics=harmonics, seeds=seeds, longest_period=longest_period, threads=threads)
+        check_wholes(harmonics=harmonics, seeds=seeds, longest_period=longest_period, budget=budget, threads=threads)
         ends = span(range, key)
         with told(progress) as tell:
-            found = _core.branch(self._spec, key, ends, method, harmonics, tolerance, seeds, longest_period, threads, tell)
+            options = (method, harmonics, tolerance, seeds, longest_period, names(levels), (largest_step, budget))
+            found = _core.branch(self._spec, key, ends, *options, threads, tell)
             return BranchResult._handed(found)
 
     def jumps(
@@ -159,10 +167,13 @@ class Spec(SpecOnRig):
         seeds: int = 4,
         longest_period: int = 2,
         peaks: bool = True,
+        levels: str | Sequence[str] = (),
         threads: int | None = None,
         progress: bool | Progress | None = None,
     ) -> JumpsResult:
         """Follows the places where the answer jumps (folds, doublings, tori, grazings) over two keys, and the ``peaks`` of power.
+
+        ``levels`` are followed too, given as in :meth:`branch`.
 
         Curves that pass neither an edge of the two ranges nor the spec's own value of ``key_2`` are not found, nor those of branches that
         no march of the ``seeds`` settles on or of a period above ``longest_period`` cycles.
@@ -170,7 +181,8 @@ class Spec(SpecOnRig):
         check_wholes(seeds=seeds, longest_period=longest_period, threads=threads)
         ends = (span(range, key), span(range_2, key_2))
         with told(progress) as tell:
-            found = _core.jumps(self._spec, (key, key_2), *ends, tolerance, seeds, longest_period, peaks, threads, tell)
+            options = (tolerance, seeds, longest_period, peaks, names(levels))
+            found = _core.jumps(self._spec, (key, key_2), *ends, *options, threads, tell)
             return JumpsResult._handed(found)
 
     def basins(

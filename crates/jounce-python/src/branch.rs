@@ -5,8 +5,10 @@ use crate::failure::Failure;
 use crate::run::Handed;
 use crate::spec::Spec;
 use crate::watched::{handed, on_threads, watched};
+use jounce::plant::Plant;
 use jounce::run::{Exceeded, Limits, Worst};
-use jounce::study::{Bandwidth, BandwidthSearch, Bifurcation, Branch, BranchPoint, BranchSearch, Method, Parameter, Prepared, StudyError};
+use jounce::study::{Bandwidth, BandwidthSearch, Bifurcation, Branch, BranchPoint, Parameter, Prepared, StudyError};
+use jounce::study::{BranchOptions, BranchSearch, Level, Method};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -53,6 +55,20 @@ pub fn checked_seeds(seeds: usize) -> Result<usize, Failure> {
     Err(Failure::new("ArgumentError", format!("seeds is {seeds}; it must be at most {MOST_SEEDS}")).with(details))
 }
 
+/// Levels of quantities of an orbit.
+pub fn checked_levels(levels: &[String], plant: &Plant) -> Result<Vec<Level>, Failure> {
+    let read = |text: &String| Level::parse(text, plant).map_err(|why| Failure::new("ArgumentError", format!("levels: {why}")));
+    levels.iter().map(read).collect()
+}
+
+fn checked_step(largest_step: f64) -> Result<f64, Failure> {
+    if (1e-3..=1.0).contains(&largest_step) {
+        return Ok(largest_step);
+    }
+    let details = serde_json::json!({ "largest_step": largest_step, "least": 1e-3, "most": 1.0 });
+    Err(Failure::new("ArgumentError", format!("largest_step is {largest_step}; it must be from 0.001 to 1")).with(details))
+}
+
 /// Follows every branch over a range of a key.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "one argument per option of the Python method, which calls by name")]
@@ -66,6 +82,8 @@ pub fn branch<'py>(
     tolerance: f64,
     seeds: usize,
     longest_period: u32,
+    levels: Vec<String>,
+    step_and_budget: (f64, usize),
     threads: Option<usize>,
     progress: Option<Bound<'py, PyAny>>,
 ) -> Handed<'py> {
@@ -76,9 +94,11 @@ pub fn branch<'py>(
         let base = spec.prepared(watch)?;
         let parameter = Parameter::new(&base, &found_key, range.1 - range.0);
         let search = BranchSearch { base: &base, parameter: &parameter, range, method: way, tolerance, seeds, longest_period };
+        let levels = checked_levels(&levels, &base.kernel.plant)?;
+        let options = BranchOptions { levels, largest_step: checked_step(step_and_budget.0)?, budget: step_and_budget.1 };
         let width = BandwidthSearch { base: &base, parameter: &parameter, range, tolerance };
         on_threads(threads, || {
-            let branches = search.run()?;
+            let branches = search.run_with(&options)?;
             let warnings = match warnings(&base, &parameter, &branches, tolerance) {
                 // What was followed so far is worth more than its warnings.
                 Err(_) if watch.is_stopped() => Vec::new(),
@@ -130,9 +150,12 @@ pub fn one<'py>(py: Python<'py>, branch: &Branch, width: Option<&Bandwidth>) -> 
         .each("displacement_peak_m", points, |p| p.orbit.displacement_peak_m)?
         .each("error_estimate", points, |p| p.orbit.error_estimate)?
         .with("bifurcation_kind", bifurcations.iter().map(|found| found.kind.name()).collect::<Vec<_>>())?
+        .with("bifurcation_name", bifurcations.iter().map(|found| found.level.clone().or(found.stop.clone())).collect::<Vec<_>>())?
         .each("bifurcation_parameter", bifurcations, |found| found.at.parameter)?
         .each("bifurcation_power_w", bifurcations, |found| found.at.orbit.mean_power_w)?
         .each("bifurcation_displacement_peak_m", bifurcations, |found| found.at.orbit.displacement_peak_m)?
+        .with("not_proved", json(&branch.not_proved)?)?
+        .with("not_followed", branch.not_followed)?
         .with("endings", json(&branch.endings)?)?
         .with("half_power", json(&width)?)?;
     Ok(answer.dict())

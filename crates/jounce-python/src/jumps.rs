@@ -1,16 +1,16 @@
 //! Curves over two keys where the answer jumps.
 
 use crate::arrays::Answer;
-use crate::branch::{checked_seeds, checked_tolerance};
+use crate::branch::{checked_levels, checked_seeds, checked_tolerance};
 use crate::failure::Failure;
 use crate::run::Handed;
 use crate::spec::Spec;
 use crate::watched::{handed, on_threads, watched};
-use jounce::study::{JumpCurve, JumpPoint, JumpSearch};
+use jounce::study::{BranchOptions, JumpCurve, JumpPoint, JumpSearch};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Follows folds, doublings and grazings over two keys.
+/// Follows folds, doublings, tori, grazings and levels over two keys.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "one argument per option of the Python method, which calls by name")]
 pub fn jumps<'py>(
@@ -23,6 +23,7 @@ pub fn jumps<'py>(
     seeds: usize,
     longest_period: u32,
     peaks: bool,
+    levels: Vec<String>,
     threads: Option<usize>,
     progress: Option<Bound<'py, PyAny>>,
 ) -> Handed<'py> {
@@ -37,7 +38,8 @@ pub fn jumps<'py>(
     let found = watched(py, progress.as_ref(), |watch| {
         let base = spec.prepared(watch)?;
         let search = JumpSearch { base: &base, keys: [&key, &key_2], ranges: [range, range_2], tolerance, seeds, longest_period, peaks };
-        on_threads(threads, || Ok(search.run()?))
+        let options = BranchOptions { levels: checked_levels(&levels, &base.kernel.plant)?, ..BranchOptions::default() };
+        on_threads(threads, || Ok(search.run_with(&options)?))
     });
     handed(py, found, |curves| {
         let listed = curves.iter().map(|curve| one(py, curve)).collect::<PyResult<Vec<_>>>()?;
@@ -53,6 +55,7 @@ fn one<'py>(py: Python<'py>, curve: &JumpCurve) -> PyResult<Bound<'py, PyDict>> 
     let points: &[JumpPoint] = &curve.points;
     let answer = Answer::new(py)
         .with("kind", curve.kind.name())?
+        .with("level", curve.level.clone())?
         .with("period_cycles", curve.period_cycles)?
         .each("parameter", points, |p| p.parameter)?
         .each("parameter_2", points, |p| p.parameter_2)?

@@ -5,6 +5,7 @@ use super::branch_json::listed;
 use super::branch_tables::{bifurcations_table, points_table};
 use crate::failure::Failure;
 use crate::interruption;
+use crate::level_arguments::LevelArguments;
 use crate::limit_warnings;
 use crate::output::{self, line, print};
 use crate::progress;
@@ -17,7 +18,7 @@ use jounce::plant::{Plant, System};
 use jounce::run::{Exceeded, Limits};
 use jounce::spec::{NumericKey, Spec};
 use jounce::study::{BandwidthSearch, Bandwidths, Bifurcation, Branch as Curve, BranchPoint};
-use jounce::study::{BranchOptions, BranchSearch, Ending, Level, Method, NotProved, Parameter, Prepared, StudyError};
+use jounce::study::{BranchOptions, BranchSearch, Ending, Method, NotProved, Parameter, Prepared, StudyError};
 use std::path::Path;
 
 /// Harmonics with which harmonic balance begins.
@@ -55,10 +56,8 @@ pub struct Branch {
     /// Longest period of a branch, in drive cycles; longer ones are left out.
     #[arg(long, default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..))]
     longest_period: u32,
-    /// Level to label where a branch passes it, in quotes, as in --level "mean_power=50 uW", "voltage.PATCH=5 V", "strain.PATCH=3e-4" or
-    /// "contact_force.STOP=2 N"; can be given several times.
-    #[arg(long = "level", value_name = "QUANTITY=VALUE")]
-    levels: Vec<String>,
+    #[command(flatten)]
+    levels: LevelArguments,
     /// Largest step along a branch, in relative changes of the state or twentieths of the range.
     #[arg(long, default_value_t = BranchOptions::default().largest_step)]
     largest_step: f64,
@@ -134,8 +133,7 @@ impl Branch {
         if !(1e-3..=1.0).contains(&largest_step) {
             return Err(Failure::usage(format!("--largest-step {largest_step}: give a number from 0.001 to 1")));
         }
-        let levels = self.levels.iter().map(|text| Level::parse(text, plant)).collect::<Result<_, _>>();
-        Ok(BranchOptions { largest_step, budget: self.budget, levels: levels.map_err(|why| Failure::usage(format!("--level {why}")))? })
+        Ok(BranchOptions { largest_step, budget: self.budget, levels: self.levels.read(plant)? })
     }
 
     fn method(&self) -> Result<Method, Failure> {
@@ -165,6 +163,7 @@ impl Branch {
             let (what, why, parameter) = match ending {
                 Ending::Failed { why, parameter } => ("ends", why, parameter),
                 Ending::Grazing { why, parameter } => ("grazes and turns sharply", why, parameter),
+                Ending::Sticking { why, parameter } => ("begins to stick", why, parameter),
                 Ending::Points => {
                     let points = branch.points.len();
                     let cycles = branch.period_cycles;

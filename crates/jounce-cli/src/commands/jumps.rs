@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::interruption;
+use crate::level_arguments::LevelArguments;
 use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments, check_tolerance};
@@ -9,7 +10,7 @@ use crate::threads::ThreadsArgument;
 use clap::Args;
 use jounce::picture::{self, Axis, JumpLine};
 use jounce::spec::{NumericKey, Spec};
-use jounce::study::{JumpCurve, JumpPoint, JumpSearch, Prepared};
+use jounce::study::{BranchOptions, JumpCurve, JumpPoint, JumpSearch, Prepared};
 use jounce::table::{Column, Table};
 
 /// Arguments of `jumps`.
@@ -36,6 +37,8 @@ pub struct Jumps {
     #[arg(long)]
     no_peaks: bool,
     #[command(flatten)]
+    levels: LevelArguments,
+    #[command(flatten)]
     threads: ThreadsArgument,
     #[command(flatten)]
     pub output: OutputArguments,
@@ -61,10 +64,11 @@ impl Jumps {
             longest_period: self.longest_period,
             peaks: !self.no_peaks,
         };
+        let options = BranchOptions { levels: self.levels.read(&base.kernel.plant)?, ..BranchOptions::default() };
         interruption::heed(&base.kernel.watch);
-        let curves = progress::watched(&base.kernel.watch, || self.threads.run(|| search.run()))??;
+        let curves = progress::watched(&base.kernel.watch, || self.threads.run(|| search.run_with(&options)))??;
         for (curve, why) in curves.iter().flat_map(|curve| curve.failures.iter().map(move |why| (curve, why))) {
-            eprintln!("a curve of kind {} ends early in {}: {why}", curve.kind.name(), key_2.path());
+            eprintln!("a curve of kind {} ends early in {}: {why}", name(curve), key_2.path());
         }
         self.tell(&base.spec, [&key, &key_2], &curves)?;
         interruption::end(&base.kernel.watch, || format!("the {} curves that were finished", curves.len()))?;
@@ -97,10 +101,10 @@ impl Jumps {
             return Ok(());
         }
         if curves.is_empty() {
-            line(format!("no fold, doubling, torus, grazing or peak over {} for {}", self.over, self.against));
+            line(format!("no fold, doubling, torus, grazing, level or peak over {} for {}", self.over, self.against));
         }
         for curve in curves {
-            line(format!("{} of period {}: {} points", curve.kind.name(), curve.period_cycles, curve.points.len()));
+            line(format!("{} of period {}: {} points", name(curve), curve.period_cycles, curve.points.len()));
             for point in curve.points.first().into_iter().chain(curve.points.last()) {
                 let (unit, unit_2) = (keys[0].unit(), keys[1].unit());
                 let stable = point.stable.map_or("", |stable| if stable { "  stable" } else { "  unstable" });
@@ -125,13 +129,22 @@ impl Jumps {
     }
 }
 
+/// What a curve is of: a level as it was given, else the kind.
+fn name(curve: &JumpCurve) -> &str {
+    curve.level.as_deref().unwrap_or(curve.kind.name())
+}
+
 fn listed(curve: &JumpCurve) -> serde_json::Value {
-    serde_json::json!({
+    let mut listed = serde_json::json!({
         "kind": curve.kind,
         "period_cycles": curve.period_cycles,
         "points": curve.points,
         "failures": curve.failures,
-    })
+    });
+    if let Some(level) = &curve.level {
+        listed["level"] = level.as_str().into();
+    }
+    listed
 }
 
 fn table(keys: [&NumericKey; 2], curves: &[JumpCurve]) -> Result<Table, Failure> {
@@ -142,7 +155,12 @@ fn table(keys: [&NumericKey; 2], curves: &[JumpCurve]) -> Result<Table, Failure>
     };
     Ok(Table::new(vec![
         Column::new("curve", "", "number of the curve, from 0", all.iter().map(|(k, ..)| *k).collect::<Vec<u64>>()),
-        Column::new("kind", "", "what happens", all.iter().map(|(_, curve, _)| curve.kind.name().to_owned()).collect::<Vec<_>>()),
+        Column::new(
+            "kind",
+            "",
+            "what happens, or the level that is passed",
+            all.iter().map(|(_, curve, _)| name(curve).to_owned()).collect::<Vec<_>>(),
+        ),
         Column::new(
             "period_cycles",
             "",
@@ -157,7 +175,7 @@ fn table(keys: [&NumericKey; 2], curves: &[JumpCurve]) -> Result<Table, Failure>
 
 fn drawn(curve: &JumpCurve) -> JumpLine {
     JumpLine {
-        kind: curve.kind.name().to_owned(),
+        kind: name(curve).to_owned(),
         x: curve.points.iter().map(|point| point.parameter).collect(),
         y: curve.points.iter().map(|point| point.parameter_2).collect(),
     }

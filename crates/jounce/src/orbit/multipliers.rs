@@ -13,6 +13,7 @@
 //!
 //! Source: B. N. Parlett and C. Reinsch, Numer. Math. 13 (1969) 293; G. W. Stewart and J. Sun, *Matrix Perturbation Theory* (1990), ch. V.
 
+use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
 
 /// `|c| |r|` below which a block stands alone: it moves a multiplier of the size of one by no more, which is less than marches leave.
@@ -58,6 +59,23 @@ pub fn discs(map: &Mat<f64>, pairs: usize) -> Vec<Disc> {
         own(&map, [i, j]).into_iter().map(move |value| Disc { value, radius }).collect::<Vec<_>>()
     };
     blocks.flat_map(of_block).collect()
+}
+
+/// How strongly another map ties the multipliers of a map to each other: `sqrt |C_ij C_ji|` of the other map in the eigenvectors of the first,
+/// `C = V^-1 B V`. Fast blocks that stand alone in both maps are left out. Two multipliers at one place part by that in either direction.
+///
+/// Source: G. W. Stewart and J. Sun, *Matrix Perturbation Theory* (1990), ch. V.
+pub fn couplings(map: &Mat<f64>, other: &Mat<f64>) -> Option<(Vec<c64>, Mat<f64>)> {
+    let [one, two] = [map, other].map(|map| blocks(&balanced(map)).1);
+    let tied: Vec<usize> = (0..map.nrows()).filter(|k| one.contains(k) || two.contains(k)).collect();
+    let of = |map: &Mat<f64>| Mat::from_fn(tied.len(), tied.len(), |i, j| map[(tied[i], tied[j])]);
+    let eigen = of(map).eigen().ok()?;
+    let vectors = eigen.U();
+    let other = of(other);
+    let complex = Mat::from_fn(tied.len(), tied.len(), |i, j| c64::new(other[(i, j)], 0.0));
+    let seen = vectors.partial_piv_lu().solve(complex * vectors);
+    let values = (0..tied.len()).map(|k| eigen.S()[k]).collect();
+    Some((values, Mat::from_fn(tied.len(), tied.len(), |i, j| (seen[(i, j)] * seen[(j, i)]).norm().sqrt())))
 }
 
 /// The map with each state scaled by a power of two, so that its row and its column are about equally long (the diagonal left out).

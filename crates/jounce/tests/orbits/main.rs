@@ -14,6 +14,7 @@ mod hard_cases;
 mod harvesters;
 mod isolated;
 mod labels;
+mod levels;
 mod open_patch;
 mod oscillators;
 mod paper;
@@ -25,6 +26,7 @@ mod rested;
 #[path = "../linear/rows.rs"]
 #[expect(dead_code, reason = "rows are checked one by one here")]
 mod rows;
+mod same_labels;
 mod several;
 mod square_root;
 mod summed;

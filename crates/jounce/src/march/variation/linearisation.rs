@@ -74,8 +74,9 @@ impl<'a> Linearisation<'a> {
         if segment.forces.is_empty() {
             self.pending_s += segment.length_s;
         } else {
-            if segment.forces.iter().any(|force| matches!(self.law(force.port), Law::Rigid(_))) {
-                return Err(VariationError::Rests { time_s: segment.start_s });
+            if let Some(held) = segment.forces.iter().find(|force| matches!(self.law(force.port), Law::Rigid(_))) {
+                let stop = self.kernel.plant.system.stops[held.port].name.clone();
+                return Err(VariationError::Rests { stop, time_s: segment.start_s });
             }
             self.fly(w);
             self.contact(w, segment, after);

@@ -69,9 +69,11 @@ pub enum VariationError {
     March(#[from] MarchError),
     /// Rest on a rigid stop.
     #[error(
-        "at t = {time_s} s the point comes to rest on the rigid stop, where the derivative of the flow loses rank; use a compliant law or a larger restitution"
+        "at t = {time_s} s the point comes to rest on the rigid stop `{stop}`, where the derivative of the flow loses rank; use a compliant law or a larger restitution"
     )]
     Rests {
+        /// Name of the stop.
+        stop: String,
         /// Time, s.
         time_s: f64,
     },

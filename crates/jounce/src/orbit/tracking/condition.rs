@@ -2,8 +2,9 @@
 
 use super::circle;
 use super::critical::Critical;
+use super::level;
 use super::touching::Touch;
-use crate::orbit::Shot;
+use crate::orbit::{OrbitQuantity, Shot};
 
 /// The condition of a bifurcation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,6 +15,8 @@ pub enum Condition {
     Circle,
     /// A turning point of a port on the surface of its stop; where a curve begins.
     Touching(Touch),
+    /// A quantity of the orbit at a level.
+    Level(OrbitQuantity, f64),
     /// Mean power stationary along the curve over the first parameter.
     Peak,
 }
@@ -44,7 +47,7 @@ impl Gradient {
 }
 
 impl Condition {
-    /// `g` at a shot, for a condition on its multipliers. `moved` shoots from a start moved by a vector, `aside` are shots at
+    /// `g` at a shot, for a condition on its multipliers or a level. `moved` shoots from a start moved by a vector, `aside` are shots at
     /// parameters moved by `differences`.
     ///
     /// `None` where there is no such condition: a singular border, no complex pair, or a condition of another kind.
@@ -61,6 +64,7 @@ impl Condition {
                 None => Ok(None),
             },
             Condition::Circle => circle::gradient(shot, aside, differences, moved),
+            Condition::Level(quantity, value) => level::gradient((quantity, value), shot, aside, differences, moved).map(Some),
             Condition::Touching(_) | Condition::Peak => Ok(None),
         }
     }

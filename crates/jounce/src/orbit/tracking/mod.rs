@@ -5,12 +5,14 @@
 //! ```
 //!
 //! `R` is that of shooting, `g` is zero at the place that is followed: a multiplier +1 (fold) or -1 (doubling), a complex pair on the
-//! unit circle (Neimark-Sacker), a turning point on the surface of the stop (grazing), or power stationary along the curve (peak). Unknown are `u` and `p`; `p2` is the parameter of the curve, which continuation follows through its own folds.
+//! unit circle (Neimark-Sacker), a turning point on the surface of the stop (grazing), a quantity at a level, or power
+//! stationary along the curve (peak). Unknown are `u` and `p`; `p2` is the parameter of the curve, which continuation follows through its own folds.
 
 mod circle;
 mod condition;
 mod critical;
 mod foot;
+mod level;
 mod pair;
 mod peak;
 mod plane;

@@ -5,9 +5,6 @@ use crate::orbit::{Orbit, Shot, nearest_turn};
 use faer::ColRef;
 use serde::Serialize;
 
-/// Distance beside its size below which an orbit lies on a branch whose states are read between its points.
-const NEAR: f64 = 0.03;
-
 /// A curve of periodic orbits.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Branch {
@@ -48,6 +45,8 @@ pub enum BranchKind {
     BranchPoint,
     /// A contact appears or goes.
     Grazing,
+    /// A point begins to stick to a rigid stop: impacts become a sequence without end.
+    Sticking,
     /// A quantity passes a level that the user gives.
     Level,
 }
@@ -59,7 +58,7 @@ pub struct Bifurcation {
     pub kind: BranchKind,
     /// The level that is passed, as it was given.
     pub level: Option<String>,
-    /// Name of the stop that is grazed.
+    /// Name of the stop that is grazed, or stuck to.
     pub stop: Option<String>,
     /// Where.
     pub at: BranchPoint,
@@ -79,6 +78,13 @@ pub enum Ending {
     Points,
     /// At a grazing, where it turns more sharply than any step can follow.
     Grazing {
+        /// What stopped the walk.
+        why: String,
+        /// Value of the key there.
+        parameter: f64,
+    },
+    /// A point begins to stick to a rigid stop: beyond, orbits have no derivative.
+    Sticking {
         /// What stopped the walk.
         why: String,
         /// Value of the key there.
@@ -116,6 +122,7 @@ impl BranchKind {
             BranchKind::NeimarkSacker => "neimark-sacker",
             BranchKind::BranchPoint => "branch-point",
             BranchKind::Grazing => "grazing",
+            BranchKind::Sticking => "sticking",
             BranchKind::Level => "level",
         }
     }
@@ -133,19 +140,20 @@ impl Branch {
         self.points.len() * self.period_cycles as usize
     }
 
+    /// Area below its mean power over the key, W times the unit of the key; a branch that goes to and fro counts each way.
+    pub(super) fn area_w(&self) -> f64 {
+        let below = |pair: &[BranchPoint]| {
+            (pair[1].parameter - pair[0].parameter).abs() * 0.5 * (pair[0].orbit.mean_power_w + pair[1].orbit.mean_power_w)
+        };
+        self.points.windows(2).map(below).sum()
+    }
+
     /// Points where the branch passes a value of the key, states and power interpolated linearly.
     pub fn crossings(&self, parameter: f64) -> Vec<(Vec<f64>, f64)> {
         let read = |(a, b, t): (&BranchPoint, &BranchPoint, f64)| {
             (between(a, b, t), a.orbit.mean_power_w + t * (b.orbit.mean_power_w - a.orbit.mean_power_w))
         };
         self.passing(parameter).map(read).collect()
-    }
-
-    /// States on the chords that pass a value of the key, each with the length of its chord.
-    pub(super) fn chords(&self, parameter: f64) -> Vec<(Vec<f64>, f64)> {
-        let length =
-            |a: &BranchPoint, b: &BranchPoint| (ColRef::from_slice(a.orbit.start()) - ColRef::from_slice(b.orbit.start())).norm_l2();
-        self.passing(parameter).map(|(a, b, t)| (between(a, b, t), length(a, b))).collect()
     }
 
     /// Neighbouring points between which the branch passes a value of the key, and its share of the way.
@@ -158,13 +166,6 @@ impl Branch {
         })
     }
 
-    /// True when an orbit lies on the branch, at whichever of its drive cycles it is looked at.
-    pub(super) fn holds(&self, orbit: &Orbit, parameter: f64) -> bool {
-        let near = |state: &[f64], look: &[f64]| (ColRef::from_slice(look) - ColRef::from_slice(state)).norm_l2() < NEAR * orbit.size();
-        let crossings = self.crossings(parameter);
-        self.period_cycles == orbit.period_cycles && crossings.iter().any(|(state, _)| orbit.looks.iter().any(|look| near(state, look)))
-    }
-
     /// Between two neighbouring points, the bifurcation nearest to their chord at which stability may be lost.
     pub(in crate::study) fn bifurcation_between(&self, [a, b]: [&BranchPoint; 2]) -> Option<&BranchPoint> {
         let [from, to] = [a, b].map(|point| ColRef::from_slice(point.orbit.start()));
@@ -175,7 +176,8 @@ impl Branch {
             let off = (way - faer::Scale(share) * &chord).norm_l2();
             ((0.0..=1.0).contains(&share) && off < chord.norm_l2()).then_some(off)
         };
-        let found = self.bifurcations.iter().filter(|found| !matches!(found.kind, BranchKind::Grazing | BranchKind::Level));
+        let found =
+            self.bifurcations.iter().filter(|found| !matches!(found.kind, BranchKind::Grazing | BranchKind::Sticking | BranchKind::Level));
         let found = found.filter_map(|found| Some((off(&found.at)?, &found.at)));
         found.min_by(|one, two| one.0.total_cmp(&two.0)).map(|(_, at)| at)
     }

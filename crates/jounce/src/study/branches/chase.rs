@@ -66,7 +66,7 @@ impl BranchChase<'_> {
                 continue;
             };
             let there = shooting.orbit(&found.local, found.error)?;
-            if there.repeats_early() || branches.iter().any(|branch| branch.holds(&there, parameter)) {
+            if there.repeats_early() || branches.iter().any(|branch| branch.holds(&following, &shooting, (&there, parameter))) {
                 continue;
             }
             branches.extend(following.both_ways(&shooting, there.start(), parameter)?);

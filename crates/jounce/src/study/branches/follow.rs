@@ -1,14 +1,17 @@
 //! Follows one branch from one of its orbits, and names what it passes.
 
-use super::branch::{Bifurcation, Branch, BranchPoint, Ending};
+use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};
 use super::edge::Leaving;
 use super::events::Level;
 use super::finer::SPARE;
 use super::free::Left;
 use super::passed::{add_passed, drop_doubling};
 use super::place::{Place, point};
-use crate::continuation::{Corrected, Corrector, Direction, Mark, Metric, Position, Step, StepControl, Walk, passes, settle, tangent};
-use crate::orbit::{OrbitMethod, nearest_extremum_m};
+use crate::continuation::{
+    Corrected, Corrector, Direction, Mark, Metric, Position, Step, StepControl, Walk, WalkError, passes, settle, tangent,
+};
+use crate::march::VariationError;
+use crate::orbit::{OrbitError, OrbitMethod, nearest_extremum_m};
 
 /// Distance from the stop, beside the size of the motion, below which an orbit touches it.
 const GRAZES: f64 = 1e-6;
@@ -126,7 +129,7 @@ impl Following {
             let step = match next {
                 Ok(step) => step,
                 // Beyond the range a key may have no meaning at all.
-                Err(error) => return self.give_up(method, before, error.to_string(), branch),
+                Err(error) => return self.give_up(method, before, error, branch),
             };
             match self.leaves_range(method, &before, &step, branch)? {
                 Leaving::Stays => {}
@@ -210,13 +213,16 @@ impl Following {
         Ok(ends)
     }
 
-    /// Ends a branch that cannot be followed: at a grazing where the orbit touches the stop there, for on a stiff stop a branch turns
-    /// at its grazing more sharply than any step can follow.
-    fn give_up<M: OrbitMethod>(&self, method: &M, last: Place<M>, why: String, branch: &mut Branch) -> Result<(), M::Error> {
+    /// Ends a branch that cannot be followed: where the shortest step leads to a motion that sticks; at a grazing where the orbit touches the
+    /// stop there, for on a stiff stop a branch turns at its grazing more sharply than any step can follow.
+    fn give_up<M: OrbitMethod>(&self, method: &M, last: Place<M>, error: WalkError<M::Error>, branch: &mut Branch) -> Result<(), M::Error> {
         let shot = method.shot(&last.step.local)?;
         let distance_m = nearest_extremum_m(shot).map_or(f64::INFINITY, f64::abs);
-        let parameter = last.point.parameter;
-        if distance_m < GRAZES * shot.kernel.plant.scale_m() {
+        let (parameter, why) = (last.point.parameter, error.to_string());
+        if let WalkError::Family(OrbitError::March(VariationError::Rests { stop, .. })) = error {
+            branch.bifurcations.push(Bifurcation { kind: BranchKind::Sticking, level: None, stop: Some(stop), at: last.point });
+            branch.endings.push(Ending::Sticking { why, parameter });
+        } else if distance_m < GRAZES * shot.kernel.plant.scale_m() {
             branch.bifurcations.push(Bifurcation::grazing(last.point, shot));
             branch.endings.push(Ending::Grazing { why, parameter });
         } else {

@@ -10,10 +10,12 @@ mod events;
 mod finer;
 mod follow;
 mod free;
+mod known;
 mod options;
 mod passed;
 mod place;
 mod search;
+mod starts;
 mod thinned;
 
 pub use branch::{Bifurcation, Branch, BranchKind, BranchPoint, Ending};

@@ -1,18 +1,18 @@
 //! All branches of a spec over a range of one key.
 //!
-//! The branches through the two ends of the range are followed first; then every orbit that marches from rest, from the steady state without
-//! the stop, from a hard kick and from a stronger drive settle on, at values across the range, unless it lies on a branch already known. Doubled branches are entered where a branch
-//! doubles. Marches run in parallel; everything after them is in a fixed order.
+//! First the branches on which marches settle: at both ends of the range and at values across it, from rest, from the steady state without
+//! the stop, from a hard kick and from a stronger drive. Then those that leave them at period doublings, shorter periods first, and of one
+//! period those first whose parent has power over a wide part of the range. Marches run in parallel; everything after them is in a fixed
+//! order, and ends where the budget does.
 
 use super::branch::{Branch, BranchKind, BranchPoint};
-use super::eased::eased;
 use super::follow::{Following, RESOLUTION, newton_goal};
+use super::known::is_end_of_one;
 use super::options::BranchOptions;
-use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, correct, settle, tangent};
+use crate::continuation::{Corrected, Corrector, Direction, Family, Metric, Position, StepControl, correct, tangent};
 use crate::orbit::{HarmonicBalance, Harvester, Orbit, OrbitError, OrbitMethod, Shooting, null_vector};
-use crate::study::{Parameter, Prepared, StudyError, settled_orbits};
-use faer::{ColRef, Mat};
-use rayon::prelude::*;
+use crate::study::{Parameter, Prepared, StudyError};
+use faer::Mat;
 
 /// How orbits are computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,36 +45,11 @@ pub struct BranchSearch<'s> {
     pub longest_period: u32,
 }
 
-/// Where a march begins.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Start {
-    /// At rest.
-    Rest,
-    /// In the steady state without the stop: where that does not touch, it is the exact low branch.
-    Steady,
-    /// With the shape of the stop's port moving fast towards it.
-    Kicked,
-    /// Where a stronger drive leaves it that is eased; left out where no seeds are asked for.
-    Eased,
-}
-
 /// Most points of a branch.
 const MAX_POINTS: usize = 4000;
 
 /// Share of the range at which no two frequencies, of which one goes with the key, have a common period by chance: that of the golden section.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
-
-/// Speed of a kick, beside that of the steady motion.
-const KICK: f64 = 20.0;
-
-/// Tolerance of marches that only lead to where others start.
-const COARSE: f64 = 1e-6;
-
-/// Distance beside their size below which two orbits are one, ...
-const SAME: f64 = 1e-4;
-
-/// ... or in goals of Newton, where marches are so coarse that those are more.
-const SAME_GOALS: f64 = 10.0;
 
 /// Error of the mean power that is allowed in harmonic balance, beside the tolerance of a march.
 const ACCURACY: f64 = 300.0;
@@ -82,11 +57,7 @@ const ACCURACY: f64 = 300.0;
 type Failure = OrbitError<StudyError>;
 
 impl BranchSearch<'_> {
-    fn following(&self) -> Following {
-        self.following_with(&BranchOptions::default())
-    }
-
-    fn following_with(&self, options: &BranchOptions) -> Following {
+    fn following(&self, options: &BranchOptions) -> Following {
         Following {
             range: self.range,
             corrector: Corrector { goal: newton_goal(self.tolerance), most: 8 },
@@ -115,7 +86,7 @@ impl BranchSearch<'_> {
     /// # Errors
     /// [`OrbitError`].
     pub fn run_with(&self, options: &BranchOptions) -> Result<Vec<Branch>, Failure> {
-        let following = self.following_with(options);
+        let following = self.following(options);
         match self.method {
             Method::Shooting => self.run_by(&following, |cycles| Ok(self.shooting(cycles))),
             Method::HarmonicBalance { harmonics } => self.run_by(&following, |cycles| {
@@ -137,29 +108,22 @@ impl BranchSearch<'_> {
         let starts = self.starts();
         watch.expect(starts.len());
         for (orbit, parameter) in starts {
-            if orbit.period_cycles > self.longest_period || branches.iter().any(|branch| self.lies_on(branch, &orbit, parameter)) {
-                watch.count();
-                continue;
-            }
-            let Some(within) = following.within(&branches, orbit.period_cycles) else {
-                branches.push(Branch::of_one(orbit, parameter));
-                watch.count();
-                continue;
-            };
-            let method = make(orbit.period_cycles)?;
-            let found = within.both_ways(&method, orbit.start(), parameter);
-            let found = found.and_then(|branch| {
-                // One that could not be followed to its end may be a part of one that was begun elsewhere.
-                branches.retain(|known| known.is_whole() || !branch.as_ref().is_some_and(|whole| self.is_part(known, whole)));
-                branches.extend(branch);
-                self.doubled(following, &make, &mut branches)
-            });
-            if !watch.is_stopped() {
-                found?;
+            if orbit.period_cycles <= self.longest_period && !self.is_known(&branches, following, (&orbit, parameter)) {
+                match following.within(&branches, orbit.period_cycles) {
+                    Some(within) => {
+                        let found = within.both_ways(&make(orbit.period_cycles)?, orbit.start(), parameter);
+                        branches.extend(if watch.is_stopped() { found.unwrap_or(None) } else { found? });
+                    }
+                    None => branches.push(Branch::of_one(orbit, parameter)),
+                }
             }
             watch.count();
         }
-        Ok(branches)
+        let doubled = self.doubled(following, &make, &mut branches);
+        if !watch.is_stopped() {
+            doubled?;
+        }
+        Ok(self.each_once(following, branches))
     }
 
     /// Harvesters exist at both ends of the range, with drives that repeat themselves together there and in between.
@@ -175,77 +139,29 @@ impl BranchSearch<'_> {
         Ok(())
     }
 
-    /// True when an orbit lies on a branch, at whichever of its drive cycles it is looked at. Where the branch leaves the chord between
-    /// two of its points, by less than the length of that, Newton tells whether it is the branch that passes there.
-    fn lies_on(&self, branch: &Branch, orbit: &Orbit, parameter: f64) -> bool {
-        if branch.period_cycles != orbit.period_cycles || branch.holds(orbit, parameter) {
-            return branch.period_cycles == orbit.period_cycles;
-        }
-        let shooting = self.shooting(orbit.period_cycles);
-        let same = (SAME_GOALS * newton_goal(self.tolerance)).max(SAME);
-        let apart = |a: &[f64], b: &[f64]| (ColRef::from_slice(a) - ColRef::from_slice(b)).norm_l2();
-        let nearest = |state: &[f64]| orbit.looks.iter().map(|look| apart(state, look)).fold(f64::INFINITY, f64::min);
-        branch.chords(parameter).into_iter().any(|(guess, length)| {
-            if nearest(&guess) > length {
-                return false;
-            }
-            let guess = Position { unknown: guess, parameter };
-            let metric = Metric::at(&guess, 1.0);
-            let found = settle(&shooting, &self.following().corrector, &metric, guess);
-            found.is_ok_and(|found| nearest(&found.position.unknown) < same * orbit.size())
-        })
+    /// True when an orbit lies on one of the branches.
+    fn is_known(&self, branches: &[Branch], following: &Following, orbit: (&Orbit, f64)) -> bool {
+        let shooting = self.shooting(orbit.0.period_cycles);
+        branches.iter().any(|branch| branch.holds(following, &shooting, orbit))
     }
 
-    /// True when a branch lies on another one, by its ends and its middle.
-    fn is_part(&self, part: &Branch, whole: &Branch) -> bool {
-        let count = part.points.len();
-        [0, count / 2, count - 1].into_iter().all(|k| self.lies_on(whole, &part.points[k].orbit, part.points[k].parameter))
-    }
-
-    /// Settled orbits: lower end, upper end, then across the range.
-    fn starts(&self) -> Vec<(Orbit, f64)> {
-        let (low, high) = self.range;
-        let inner = (1..=self.seeds).map(|k| low + (high - low) * k as f64 / (self.seeds + 1) as f64);
-        let values: Vec<f64> = [low, high].into_iter().chain(inner).collect();
-        let kinds = [Start::Rest, Start::Steady, Start::Kicked, Start::Eased];
-        // Without seeds only what a plain integration reaches.
-        let kinds = &kinds[..if self.seeds > 0 { 4 } else { 3 }];
-        let watch = &self.base.kernel.watch;
-        watch.expect(values.len());
-        let settled = |value: &f64| -> Vec<(Start, (Orbit, f64))> {
-            let starts = kinds.iter().filter_map(|kind| Some((*kind, self.start(*value, *kind)?)));
-            let (kinds, starts): (Vec<Start>, Vec<Vec<f64>>) = starts.unzip();
-            let found = settled_orbits(self.parameter, *value, &starts, self.tolerance);
-            watch.count();
-            kinds.into_iter().zip(found).filter_map(|(kind, orbit)| Some((kind, (orbit?, *value)))).collect()
-        };
-        let found: Vec<(Start, (Orbit, f64))> = values.par_iter().flat_map_iter(settled).collect();
-        // The eased starts last, so that they only add to what the others find.
-        let (eased, others): (Vec<_>, Vec<_>) = found.into_iter().partition(|(kind, _)| *kind == Start::Eased);
-        others.into_iter().chain(eased).map(|(_, found)| found).collect()
-    }
-
-    /// The physical state of a start.
-    fn start(&self, value: f64, start: Start) -> Option<Vec<f64>> {
-        let kernel = self.parameter.at(value).ok()?.kernel;
-        let plant = &kernel.plant;
-        let mut state = vec![0.0; plant.len()];
-        match start {
-            Start::Rest => {}
-            Start::Eased => state = eased(&kernel, self.tolerance.max(COARSE))?,
-            Start::Steady => state = plant.to_physical(&state, 0.0),
-            Start::Kicked => {
-                let w = plant.tones.first()?.angular_frequency_rad_s;
-                let n = plant.system.modes.len();
-                let speed = KICK * w * plant.scale_m();
-                // Towards every stop at once.
-                for stop in &plant.system.stops {
-                    let square: f64 = stop.shape.iter().map(|s| s * s).sum();
-                    stop.shape.iter().enumerate().for_each(|(i, s)| state[n + i] += s / square * speed);
+    /// Without branches that are parts of others, as one is that could not be followed to its end and was begun again beyond it.
+    fn each_once(&self, following: &Following, mut branches: Vec<Branch>) -> Vec<Branch> {
+        let mut k = 0;
+        while k < branches.len() {
+            let (part, shooting) = (&branches[k], self.shooting(branches[k].period_cycles));
+            let is_longer = |other: usize| (branches[other].points.len(), k) > (part.points.len(), other);
+            let others = (0..branches.len()).filter(|other| *other != k && is_longer(*other));
+            let whole = others.into_iter().find(|other| part.is_part_of(&branches[*other], following, &shooting));
+            match whole {
+                Some(whole) => {
+                    branches[whole].not_followed += branches[k].not_followed;
+                    branches.remove(k);
                 }
+                None => k += 1,
             }
         }
-        Some(state)
+        branches
     }
 
     /// Enters doubled branches until none is left.
@@ -255,32 +171,39 @@ impl BranchSearch<'_> {
         make: &impl Fn(u32) -> Result<M, Failure>,
         branches: &mut Vec<Branch>,
     ) -> Result<(), Failure> {
-        let mut next = 0;
-        while next < branches.len() {
-            let cycles = 2 * branches[next].period_cycles;
-            let doublings: Vec<BranchPoint> = (branches[next].bifurcations.iter())
-                .filter(|found| found.kind == BranchKind::PeriodDoubling)
-                .map(|found| found.at.clone())
-                .collect();
-            next += 1;
-            if cycles > self.longest_period {
-                continue;
-            }
+        let mut entered = vec![false; branches.len()];
+        while let Some(parent) = self.next_parent(branches, &entered) {
+            entered[parent] = true;
+            let cycles = 2 * branches[parent].period_cycles;
+            let doublings = branches[parent].bifurcations.iter().filter(|found| found.kind == BranchKind::PeriodDoubling);
+            let doublings: Vec<BranchPoint> = doublings.map(|found| found.at.clone()).collect();
             for at in doublings {
+                if is_end_of_one(branches, &at, following) {
+                    continue;
+                }
                 let Some(within) = following.within(branches, cycles) else {
-                    branches[next - 1].not_followed += 1;
+                    branches[parent].not_followed += 1;
                     continue;
                 };
                 let method = make(cycles)?;
                 let Some((first, ahead)) = self.off(following, &method, &at) else { continue };
                 let orbit = method.orbit(&first.local, first.error)?;
-                if !branches.iter().any(|branch| self.lies_on(branch, &orbit, first.position.parameter)) {
-                    let found = within.walk(&method, first, ahead)?;
-                    branches.push(found);
+                if !self.is_known(branches, following, (&orbit, first.position.parameter)) {
+                    branches.push(within.walk(&method, first, ahead)?);
+                    entered.push(false);
                 }
             }
         }
         Ok(())
+    }
+
+    /// The branch whose doublings come next: of the shortest period, and among those of the largest area below its power.
+    fn next_parent(&self, branches: &[Branch], entered: &[bool]) -> Option<usize> {
+        let left = (0..branches.len()).filter(|k| !entered[*k] && 2 * branches[*k].period_cycles <= self.longest_period);
+        left.min_by(|one, two| {
+            let [one, two] = [one, two].map(|k| &branches[*k]);
+            one.period_cycles.cmp(&two.period_cycles).then(two.area_w().total_cmp(&one.area_w()))
+        })
     }
 
     /// A first orbit on the doubled branch, off the doubling along the eigenvector of the multiplier -1.

@@ -32,6 +32,8 @@ const ON_START: f64 = 1e-5;
 pub struct JumpCurve {
     /// What happens on it.
     pub kind: CurveKind,
+    /// The level that is passed, as it was given.
+    pub level: Option<String>,
     /// Period of its orbits in drive cycles.
     pub period_cycles: u32,
     /// Points along it.
@@ -90,6 +92,11 @@ impl JumpCurve {
         self.points.truncate(turn + 1);
         let at = self.points.last().map_or(f64::NAN, |last| last.parameter_2);
         self.failures.push(format!("from {at} the walk came back over its own points"));
+    }
+
+    /// True when another curve is of the same kind and period.
+    pub(super) fn is_alike(&self, other: &JumpCurve) -> bool {
+        (self.kind, &self.level, self.period_cycles) == (other.kind, &other.level, other.period_cycles)
     }
 
     /// Joins a walk in the other direction from the same first point.

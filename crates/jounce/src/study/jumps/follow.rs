@@ -1,7 +1,7 @@
 //! Follows one curve through the plane of two keys to its ends.
 
 use super::corner;
-use super::curve::{CurveKind, JumpCurve, JumpPoint};
+use super::curve::{JumpCurve, JumpPoint};
 use super::cusp::{self, Onward};
 use super::key_plane::KeyPlane;
 use super::search::JumpSearch;
@@ -46,17 +46,15 @@ enum Home {
 }
 
 impl JumpSearch<'_> {
-    /// From a place of the curve in a direction until it ends.
+    /// From the first place of a curve in a direction until it ends; `curve` has no points yet.
     pub(super) fn walk(
         &self,
         tracking: &Tracking<KeyPlane>,
         corrector: Corrector,
-        first: Corrected<Tracked>,
-        ahead: Direction,
-        kind: CurveKind,
+        (first, ahead): (Corrected<Tracked>, Direction),
+        mut curve: JumpCurve,
     ) -> JumpCurve {
-        let points = vec![point(tracking, &first.position, &first.local)];
-        let mut curve = JumpCurve { kind, period_cycles: tracking.cycles, points, failures: Vec::new() };
+        curve.points.push(point(tracking, &first.position, &first.local));
         let (origin, outset) = (first.position.clone(), ahead.clone());
         let mut walk = self.walk_from(tracking, corrector, first.position, ahead);
         let (mut here, mut came_back) = (first.local, false);

@@ -7,7 +7,7 @@ use crate::continuation::{Corrector, Direction, Family, Metric, Position, settle
 use crate::orbit::{OrbitError, Plane, Shooting, Tracking};
 use crate::spec::NumericKey;
 use crate::study::bandwidth::Piece;
-use crate::study::{Branch, BranchSearch, Method, Parameter, Prepared, StudyError};
+use crate::study::{Branch, BranchOptions, BranchSearch, Method, Parameter, Prepared, StudyError};
 use faer::ColRef;
 
 /// A search to be made.
@@ -47,6 +47,14 @@ impl JumpSearch<'_> {
     /// # Errors
     /// [`OrbitError`].
     pub fn run(&self) -> Result<Vec<JumpCurve>, Failure> {
+        self.run_with(&BranchOptions::default())
+    }
+
+    /// The same with options of its own for the branches that it starts from; the levels among them are followed too.
+    ///
+    /// # Errors
+    /// [`OrbitError`].
+    pub fn run_with(&self, options: &BranchOptions) -> Result<Vec<JumpCurve>, Failure> {
         for key in self.keys {
             Parameter::check_key(key).map_err(OrbitError::Harvester)?;
         }
@@ -57,7 +65,11 @@ impl JumpSearch<'_> {
         let of_second = own.into_iter().chain([low, high]).map(|value| (1, value));
         let of_first = <[f64; 2]>::from(self.ranges[0]).map(|value| (0, value));
         for (held, value) in of_second.chain(of_first) {
-            let found = if held == 1 { self.through(&plane, value, &mut curves) } else { self.across(&plane, value, &mut curves) };
+            let found = if held == 1 {
+                self.through(&plane, (value, options), &mut curves)
+            } else {
+                self.across(&plane, (value, options), &mut curves)
+            };
             if self.base.kernel.watch.is_stopped() {
                 break;
             }
@@ -67,13 +79,13 @@ impl JumpSearch<'_> {
     }
 
     /// Adds the curves that pass an edge of the first range, where the second key alone shows them.
-    fn across(&self, plane: &KeyPlane, parameter: f64, curves: &mut Vec<JumpCurve>) -> Result<(), Failure> {
+    fn across(&self, plane: &KeyPlane, (parameter, options): (f64, &BranchOptions), curves: &mut Vec<JumpCurve>) -> Result<(), Failure> {
         let mut spec = self.base.spec.clone();
         self.keys[0].set(&mut spec, parameter).map_err(|fault| OrbitError::Harvester(fault.into()))?;
         let prepared = self.base.changed(spec).map_err(OrbitError::Harvester)?;
-        let branches = self.branches(&prepared, 1)?;
+        let branches = self.branches(&prepared, 1, options)?;
         for (branch, found) in branches.iter().flat_map(|branch| branch.bifurcations.iter().map(move |found| (branch, found))) {
-            let seed = Seed { parameter, ..Seed::bifurcation(branch, found) };
+            let seed = Seed { parameter, ..Seed::bifurcation(branch, found, &options.levels) };
             let parameter_2 = found.at.parameter;
             if !curves.iter().any(|curve| self.holds(curve, &seed, parameter_2) || self.ends_at(curve, &seed, parameter_2)) {
                 self.add(self.both_ways(plane, &seed, parameter_2)?, curves);
@@ -83,16 +95,16 @@ impl JumpSearch<'_> {
     }
 
     /// Branches over one of the keys, at the value of the other that is prepared.
-    fn branches(&self, prepared: &Prepared, key: usize) -> Result<Vec<Branch>, Failure> {
+    fn branches(&self, prepared: &Prepared, key: usize, options: &BranchOptions) -> Result<Vec<Branch>, Failure> {
         let range = self.ranges[key];
         let parameter = Parameter::new(prepared, self.keys[key], range.1 - range.0);
         let (method, tolerance, seeds, longest_period) = (Method::Shooting, self.tolerance, self.seeds, self.longest_period);
-        BranchSearch { base: prepared, parameter: &parameter, range, method, tolerance, seeds, longest_period }.run()
+        BranchSearch { base: prepared, parameter: &parameter, range, method, tolerance, seeds, longest_period }.run_with(options)
     }
 
     /// Adds the curves through one line.
-    fn through(&self, plane: &KeyPlane, parameter_2: f64, curves: &mut Vec<JumpCurve>) -> Result<(), Failure> {
-        for seed in self.seeds(plane, parameter_2)? {
+    fn through(&self, plane: &KeyPlane, (parameter_2, options): (f64, &BranchOptions), curves: &mut Vec<JumpCurve>) -> Result<(), Failure> {
+        for seed in self.seeds(plane, parameter_2, options)? {
             if !curves.iter().any(|curve| self.holds(curve, &seed, parameter_2)) {
                 self.add(self.both_ways(plane, &seed, parameter_2)?, curves);
             }
@@ -101,12 +113,13 @@ impl JumpSearch<'_> {
     }
 
     /// Places on one line from which curves may start.
-    fn seeds(&self, plane: &KeyPlane, parameter_2: f64) -> Result<Vec<Seed>, Failure> {
+    fn seeds(&self, plane: &KeyPlane, parameter_2: f64, options: &BranchOptions) -> Result<Vec<Seed>, Failure> {
         let line = plane.line(parameter_2).map_err(OrbitError::Harvester)?;
         let range = self.ranges[0];
         let parameter = Parameter::new(&line.prepared, self.keys[0], range.1 - range.0);
-        let branches = self.branches(&line.prepared, 0)?;
-        let bifurcations = branches.iter().flat_map(|branch| branch.bifurcations.iter().map(|found| Seed::bifurcation(branch, found)));
+        let branches = self.branches(&line.prepared, 0, options)?;
+        let bifurcations =
+            branches.iter().flat_map(|branch| branch.bifurcations.iter().map(|found| Seed::bifurcation(branch, found, &options.levels)));
         let corrector = Corrector { goal: (10.0 * self.tolerance).clamp(1e-11, 1e-6), most: 8 };
         let peaks = branches.iter().filter(|_| self.peaks).flat_map(|branch| {
             let shooting = || Shooting::new(&parameter, &line.prepared.kernel, branch.period_cycles, self.tolerance);
@@ -129,21 +142,23 @@ impl JumpSearch<'_> {
     /// True when a curve lies on another, by its first point and two inside.
     fn is_part(&self, part: &JumpCurve, whole: &JumpCurve) -> bool {
         let count = part.points.len();
-        [0, count / 2, 3 * count / 4].into_iter().all(|k| {
-            let JumpPoint { parameter, parameter_2, mean_power_w, .. } = part.points[k];
-            let place = Seed { kind: part.kind, cycles: part.period_cycles, state: Vec::new(), parameter, mean_power_w };
-            self.holds(whole, &place, parameter_2)
-        })
+        let passes = |k: usize| self.passes(whole, &part.points[k]);
+        part.is_alike(whole) && [0, count / 2, 3 * count / 4].into_iter().all(passes)
     }
 
     /// True when a place lies on a curve already known.
     fn holds(&self, curve: &JumpCurve, seed: &Seed, parameter_2: f64) -> bool {
+        seed.is_of(curve) && self.passes(curve, &seed.point(parameter_2))
+    }
+
+    /// True when a curve passes near a point.
+    fn passes(&self, curve: &JumpCurve, point: &JumpPoint) -> bool {
         let (low, high) = self.ranges[0];
         let near = |(parameter, power_w): &(f64, f64)| {
-            (parameter - seed.parameter).abs() < NEAR * (high - low)
-                && (power_w - seed.mean_power_w).abs() <= SAME_POWER * seed.mean_power_w
+            (parameter - point.parameter).abs() < NEAR * (high - low)
+                && (power_w - point.mean_power_w).abs() <= SAME_POWER * point.mean_power_w
         };
-        curve.kind == seed.kind && curve.period_cycles == seed.cycles && curve.crossings(parameter_2).iter().any(near)
+        curve.crossings(point.parameter_2).iter().any(near)
     }
 
     /// True when a curve ends at a place.
@@ -155,7 +170,7 @@ impl JumpSearch<'_> {
                 && (end.mean_power_w - seed.mean_power_w).abs() <= SAME_POWER * seed.mean_power_w.abs()
         };
         let ends = curve.points.first().into_iter().chain(curve.points.last());
-        curve.kind == seed.kind && curve.period_cycles == seed.cycles && ends.into_iter().any(near)
+        seed.is_of(curve) && ends.into_iter().any(near)
     }
 
     fn both_ways(&self, plane: &KeyPlane, seed: &Seed, parameter_2: f64) -> Result<Option<JumpCurve>, Failure> {
@@ -181,7 +196,7 @@ impl JumpSearch<'_> {
             let Ok(first) = settle(&tracking, &corrector, &metric, position.clone()) else { return Ok(None) };
             let up = Direction { unknown: vec![0.0; position.unknown.len()], parameter: sign };
             let Some(ahead) = tangent(&first.local, &metric, &up) else { return Ok(None) };
-            ways.push(self.walk(&tracking, corrector, first, ahead, seed.kind));
+            ways.push(self.walk(&tracking, corrector, (first, ahead), seed.curve()));
         }
         let up = ways.pop();
         Ok(ways.pop().zip(up).map(|(down, up)| down.joined(up)))

@@ -1,9 +1,9 @@
 //! Places on one line of the plane from which curves start.
 
-use super::CurveKind;
+use super::{CurveKind, JumpCurve, JumpPoint};
 use crate::orbit::{Condition, Harvester, Shot, Touch};
 use crate::study::bandwidth::{Piece, Zero};
-use crate::study::{Bifurcation, Branch, BranchKind, BranchPoint};
+use crate::study::{Bifurcation, Branch, BranchKind, BranchPoint, Level};
 
 /// Slope of power that a seed may keep, beside the power, per share of a piece: tracking mends it.
 const LEFT: f64 = 1e-7;
@@ -13,6 +13,8 @@ const LEFT: f64 = 1e-7;
 pub struct Seed {
     /// What the curve is of.
     pub kind: CurveKind,
+    /// Of a level, which.
+    pub level: Option<Level>,
     /// Drive cycles of the period.
     pub cycles: u32,
     /// State at the start of the period, energy coordinates.
@@ -24,10 +26,11 @@ pub struct Seed {
 }
 
 impl Seed {
-    /// A bifurcation of a branch.
-    pub fn bifurcation(branch: &Branch, found: &Bifurcation) -> Self {
+    /// A bifurcation of a branch, that of a level among those which were given.
+    pub fn bifurcation(branch: &Branch, found: &Bifurcation, levels: &[Level]) -> Self {
         Self {
             kind: CurveKind::Bifurcation(found.kind),
+            level: levels.iter().find(|level| found.level.as_ref() == Some(&level.text)).cloned(),
             cycles: branch.period_cycles,
             state: found.at.orbit.start().to_vec(),
             parameter: found.at.parameter,
@@ -47,12 +50,29 @@ impl Seed {
         };
         let seed = |found: Zero| Self {
             kind: CurveKind::Peak,
+            level: None,
             cycles: branch.period_cycles,
             state: found.place.start().to_vec(),
             parameter: found.place.parameter(),
             mean_power_w: found.place.mean_power_w(),
         };
         highest.filter_map(around).map(seed).collect()
+    }
+
+    /// The curve from here, without points.
+    pub fn curve(&self) -> JumpCurve {
+        let level = self.level.as_ref().map(|level| level.text.clone());
+        JumpCurve { kind: self.kind, level, period_cycles: self.cycles, points: Vec::new(), failures: Vec::new() }
+    }
+
+    /// True when a curve is of the kind and period that one from here is of.
+    pub fn is_of(&self, curve: &JumpCurve) -> bool {
+        self.curve().is_alike(curve)
+    }
+
+    /// As a point of a curve.
+    pub fn point(&self, parameter_2: f64) -> JumpPoint {
+        JumpPoint { parameter: self.parameter, parameter_2, mean_power_w: self.mean_power_w, stable: None }
     }
 
     /// What is zero on the curve, whose first orbit is given; `None` for what is not followed.
@@ -63,7 +83,11 @@ impl Seed {
             CurveKind::Bifurcation(BranchKind::PeriodDoubling) => Condition::Multiplier(-1.0),
             CurveKind::Bifurcation(BranchKind::NeimarkSacker) => Condition::Circle,
             CurveKind::Bifurcation(BranchKind::Grazing) => Condition::Touching(Touch::of(shot)?),
-            CurveKind::Bifurcation(BranchKind::BranchPoint | BranchKind::Level) => return None,
+            CurveKind::Bifurcation(BranchKind::Level) => {
+                let level = self.level.as_ref()?;
+                Condition::Level(level.quantity, level.value)
+            }
+            CurveKind::Bifurcation(BranchKind::BranchPoint | BranchKind::Sticking) => return None,
         })
     }
 }

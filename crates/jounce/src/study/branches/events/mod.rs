@@ -7,6 +7,7 @@
 //! is not proved on the shortest steps is listed with its place.
 
 mod contacts;
+mod coupling;
 mod interpolant;
 mod level;
 mod pairing;

@@ -72,7 +72,7 @@ impl Reading {
 }
 
 impl Readings {
-    /// At a step of a curve, in the direction of its tangent; `None` where nothing can be marched ahead of it or behind it.
+    /// At a step of a curve, in the direction of its tangent or against it; `None` where nothing can be marched ahead of it or behind it.
     pub fn of<M: OrbitMethod>(
         method: &M,
         (step, orbit): (&Step<M::Local>, &Orbit),
@@ -83,14 +83,23 @@ impl Readings {
         let here = Reading::of(shot, orbit.multipliers.clone(), levels).with_radii(shot);
         let metric = Metric::at(&step.position, parameter_scale);
         let unit = metric.unit(step.tangent.clone());
-        [1.0, -1.0].into_iter().find_map(|side| {
+        let beside = |side: f64| {
             let length = side * AHEAD * shot.tolerance().sqrt();
             let there = step.position.moved(&unit, length);
             let local = method.at(&there.unknown, there.parameter).ok()?;
-            let shot = method.shot(&local).ok()?;
-            let ahead = Reading::of(shot, multipliers(&shot.block_map)?, levels);
-            Some(Self::joined(here.clone(), &ahead, length))
-        })
+            let beside = method.shot(&local).ok()?;
+            let reading = Reading::of(beside, multipliers(&beside.block_map)?, levels);
+            Some((beside.contacts == shot.contacts, Self::joined(here.clone(), &reading, length)))
+        };
+        // Across a grazing there is no derivative, on a rigid stop least of all: it is taken on the side of the orbit.
+        let mut other = None;
+        for side in [1.0, -1.0] {
+            match beside(side) {
+                Some((true, found)) => return Some(found),
+                found => other = other.or(found.map(|(_, found)| found)),
+            }
+        }
+        other
     }
 
     fn joined(here: Reading, ahead: &Reading, length: f64) -> Self {

@@ -1,6 +1,7 @@
 //! The rule by which a step of a curve is accepted.
 
 use super::contacts::extrema;
+use super::coupling::{Couplings, may_push_out};
 use super::interpolant::Interpolant;
 use super::spectrum::{End, Group, TestFunction, between, doubling, fold, groups, is_enclosed, torus};
 use crate::continuation::{Metric, Step, Stretch, correct, tangent};
@@ -113,7 +114,9 @@ impl Following {
         let ends = [End { readings: one, length: length(before) }, End { readings: two, length: length(after) }];
         // Without contacts and switches multipliers are those of the plant, all inside.
         if !(one.here.is_free && two.here.is_free) {
-            doubts.extend(doubtful_multipliers(ends).into_iter().filter(|kind| !(meets && *kind == BranchKind::BranchPoint)));
+            let couplings = self.couplings(method, before, after);
+            let is_tied = |one, two| couplings.as_ref().is_none_or(|couplings| may_push_out(ends, couplings, one, two));
+            doubts.extend(doubtful_multipliers(ends, is_tied).into_iter().filter(|kind| !(meets && *kind == BranchKind::BranchPoint)));
         }
         let passes = extrema(ends).map(|all| {
             let counts = all.iter().map(|one| (one.past_m.crossings(), one.adds()));
@@ -130,6 +133,14 @@ impl Following {
             doubts.push(BranchKind::Level);
         }
         doubts
+    }
+
+    /// Couplings of the multipliers at both ends of a step by the map at the other end.
+    fn couplings<M: OrbitMethod>(&self, method: &M, before: &Place<M>, after: &Place<M>) -> Option<[Couplings; 2]> {
+        let [one, two] = [before, after].map(|place| method.shot(&place.step.local).ok());
+        let (one, two) = (&one?.block_map, &two?.block_map);
+        let of = |place: &Place<M>, map, other| Couplings::of(&place.point.orbit.multipliers, map, other);
+        Some([of(before, one, two), of(after, two, one)])
     }
 
     /// The parameter's share of the tangent, by the cubic of the parameter itself.
@@ -155,8 +166,8 @@ fn meets_halves(one: &Orbit, two: &Orbit) -> bool {
 }
 
 /// Kinds of which more than one multiplier may pass its critical value, or one of them more than once.
-fn doubtful_multipliers(ends: [End; 2]) -> Vec<BranchKind> {
-    let groups: Vec<Group> = groups(ends).into_iter().filter(|group| !is_enclosed(ends, group)).collect();
+fn doubtful_multipliers(ends: [End; 2], is_tied: impl Fn((usize, usize), (usize, usize)) -> bool) -> Vec<BranchKind> {
+    let groups: Vec<Group> = groups(ends, is_tied).into_iter().filter(|group| !is_enclosed(ends, group)).collect();
     let kinds: [(BranchKind, TestFunction); 3] =
         [(BranchKind::PeriodDoubling, doubling), (BranchKind::BranchPoint, fold), (BranchKind::NeimarkSacker, torus)];
     let is_doubtful = |f: TestFunction| {

@@ -34,12 +34,12 @@ pub(super) struct End<'r> {
 }
 
 impl End<'_> {
-    fn value(&self, i: usize) -> c64 {
+    pub fn value(&self, i: usize) -> c64 {
         self.readings.here.multipliers[i]
     }
 
     /// Change of a multiplier over the step, by its derivative.
-    fn change(&self, i: usize) -> c64 {
+    pub fn change(&self, i: usize) -> c64 {
         (self.readings.multipliers[i] - self.value(i)) * self.per()
     }
 
@@ -118,8 +118,8 @@ fn cost([a, b]: [End; 2], (i, j): (usize, usize)) -> f64 {
     if off.is_finite() { off } else { (to - from).norm() }
 }
 
-/// Groups between two ends.
-pub(super) fn groups(ends: [End; 2]) -> Vec<Group> {
+/// Groups between two ends; `is_tied` tells which two complex multipliers, by their numbers at both ends, belong together besides.
+pub(super) fn groups(ends: [End; 2], is_tied: impl Fn((usize, usize), (usize, usize)) -> bool) -> Vec<Group> {
     let [a, b] = ends;
     let pairs = paired(a.count(), b.count(), |i, j| cost(ends, (i, j)));
     // The number of the group of each pair.
@@ -147,7 +147,8 @@ pub(super) fn groups(ends: [End; 2]) -> Vec<Group> {
             let values = [a.value(one.0), a.value(two.0), b.value(one.1), b.value(two.1)];
             let is_real = values.iter().all(|mu| mu.im == 0.0 && (mu.re > 0.0) == (values[0].re > 0.0));
             let both = Group { from: vec![one.0, two.0], to: vec![one.1, two.1] };
-            if is_real && group[k] != group[other] && between(ends, &both, discriminant).crossings() != Some(0) {
+            let meets = || is_real && between(ends, &both, discriminant).crossings() != Some(0);
+            if group[k] != group[other] && (meets() || is_tied(one, two)) {
                 join(&mut group, k, other);
             }
         }
@@ -173,7 +174,7 @@ mod tests {
     fn groups_of(multipliers: impl Fn(f64) -> Vec<c64>, (from, to): (f64, f64)) -> (Vec<Group>, [Readings; 2]) {
         let readings = [at(&multipliers, from), at(&multipliers, to)];
         let ends = readings.each_ref().map(|readings| End { readings, length: to - from });
-        (groups(ends), readings.clone())
+        (groups(ends, |_, _| false), readings.clone())
     }
 
     /// A pair that meets at -0.9, passes -1 on the real axis and comes back: `mu^2 + 2 b mu + 0.9` with `b` from 0.9 to 0.97 and back.

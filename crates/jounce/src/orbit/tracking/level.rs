@@ -1,0 +1,35 @@
+//! A quantity of the orbit at a level, as a scalar that is zero there.
+//!
+//! ```text
+//! g = Q / L - 1
+//! ```
+//!
+//! Largest values over a period have no derivative in closed form: the gradient is one of differences, one shot for each state.
+
+use super::condition::Gradient;
+use crate::orbit::{OrbitQuantity, Shot};
+use faer::ColRef;
+
+/// Move of a state for the derivative, beside the size of all.
+const MOVE: f64 = 1e-6;
+
+/// `g` with its gradient. See [`super::Condition::gradient`].
+pub fn gradient<E>(
+    (quantity, value): (OrbitQuantity, f64),
+    shot: &Shot,
+    aside: [&Shot; 2],
+    differences: [f64; 2],
+    moved: impl Fn(&[f64]) -> Result<Shot, E>,
+) -> Result<Gradient, E> {
+    let off = |shot: &Shot| quantity.of(shot) / value - 1.0;
+    let here = off(shot);
+    let states = shot.looks[0].len();
+    let step = MOVE * ColRef::from_slice(&shot.looks[0]).norm_l2();
+    let by = |j: usize| {
+        let change: Vec<f64> = (0..states).map(|i| if i == j { step } else { 0.0 }).collect();
+        Ok((off(&moved(&change)?) - here) / step)
+    };
+    let by_unknown = (0..states).map(by).collect::<Result<_, E>>()?;
+    let by_parameters = [0, 1].map(|k| (off(aside[k]) - here) / differences[k]);
+    Ok(Gradient { value: here, by_unknown, by_parameters, by_phase: 0.0, bend: None, is_resonant: false })
+}
