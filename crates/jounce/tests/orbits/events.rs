@@ -146,7 +146,8 @@ fn stability_agrees_with_marches_from_a_kick() {
     assert!(checked > 180 && unstable > 20);
 }
 
-/// Factor per cycle by which a kick grows over the last two thirds of 300 cycles, or until it is a thousand times itself or a thousandth.
+/// Factor per cycle by which a kick grows over the last two thirds of 300 cycles, or until it is a thousand times itself or a thousandth: by the
+/// line of least squares through the logarithms, for the size of a pair that turns goes up and down.
 fn growth<H: Harvester>(kernel: &jounce::march::Kernel, shooting: &Shooting<'_, H>, start: &[f64]) -> f64 {
     let size = |u: &[f64]| u.iter().map(|u| u * u).sum::<f64>().sqrt();
     let kick = 1e-6 * size(start);
@@ -165,6 +166,12 @@ fn growth<H: Harvester>(kernel: &jounce::march::Kernel, shooting: &Shooting<'_, 
     let apart: Vec<f64> = from.iter().zip(&plain).map(|(a, b)| size(&a.iter().zip(b).map(|(a, b)| a - b).collect::<Vec<_>>())).collect();
     let is_far = |off: &f64| !(1e-3 * kick..1e3 * kick).contains(off);
     let end = apart.iter().position(is_far).unwrap_or(apart.len() - 1);
-    let begin = end / 3;
-    (apart[end] / apart[begin]).powf(1.0 / (end - begin).max(1) as f64)
+    let part = &apart[end / 3..=end];
+    let middle = 0.5 * (part.len() - 1) as f64;
+    let (mut up, mut along) = (0.0, 0.0);
+    for (k, off) in part.iter().enumerate() {
+        let away = k as f64 - middle;
+        (up, along) = (up + away * off.ln(), along + away * away);
+    }
+    if along == 0.0 { apart[end] / apart[0] } else { (up / along).exp() }
 }

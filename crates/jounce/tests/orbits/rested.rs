@@ -1,10 +1,12 @@
 //! A ball on a table that shakes: rest on a rigid stop is an attractor, as long as the table does not throw it.
 
 use jounce::linear::{Input, Response, frf};
+use jounce::orbit::Harvester;
 use jounce::plant::{Plant, System};
+use jounce::run::{RunPlan, StartState, simulate};
 use jounce::spec::{Spec, SpecFile};
 use jounce::structure::modes;
-use jounce::study::{Basins, BasinsAnswer, Cloud, Parameter, Prepared, Recognition, Starts};
+use jounce::study::{Basins, BasinsAnswer, BranchKind, BranchSearch, Cloud, Method, Parameter, Prepared, Recognition, Starts};
 
 const TABLE: &str = r#"
 [mass.ball]
@@ -108,4 +110,30 @@ fn a_ball_at_rest_loads_its_disc_by_its_mass() {
     let error = rest.mean_power_w / exact_w - 1.0;
     eprintln!("{:e} W, {exact_w:e} W exactly: {error:e}", rest.mean_power_w);
     assert!(error.abs() < 1e-9);
+}
+
+/// A branch on which impacts become a sequence without end: runs on its two sides rest on the wall in every cycle, and never.
+#[test]
+fn a_branch_ends_where_a_point_begins_to_stick() {
+    let mut file = SpecFile::from_text(include_str!("../../../../examples/bouncing-and-impact-oscillators/impact.toml"));
+    // 0.6 rad/s.
+    file.set("drive.force.frequency", "\"0.09549296585513721 Hz\"").unwrap();
+    file.set("stop.wall.restitution", "0.02").unwrap();
+    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let key = file.numeric_key("stop.wall.gap").unwrap();
+    let (range, method, tolerance) = ((0.84, 0.86), Method::Shooting, 1e-10);
+    let parameter = Parameter::new(&base, &key, range.1 - range.0);
+    let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance, seeds: 6, longest_period: 1 };
+    let found = search.run().unwrap();
+    let labels = found.iter().flat_map(|branch| &branch.bifurcations).filter(|label| label.kind == BranchKind::Sticking);
+    let [label] = labels.collect::<Vec<_>>()[..] else { panic!("{found:?}") };
+    assert_eq!(label.stop.as_deref(), Some("wall"));
+    eprintln!("{} m", label.at.parameter);
+    let duty = |gap_m: f64| {
+        let kernel = parameter.at(gap_m).unwrap().kernel;
+        let plan = RunPlan { duration_s: 2000.0, average_over_s: 1000.0, tolerance, record_s: 0.0 };
+        simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap().stops[0].contact_duty
+    };
+    assert_eq!(duty(label.at.parameter + 1e-4), 0.0);
+    assert!(duty(label.at.parameter - 1e-4) > 1e-4);
 }

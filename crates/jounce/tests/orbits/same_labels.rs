@@ -51,7 +51,7 @@ impl Case {
     fn of_bench(changes: &[(&str, &str)]) -> Self {
         let mut file = bench();
         changes.iter().for_each(|(key, value)| file.set(key, value).unwrap());
-        Self { file, key: "drive.shaker.frequency", range: (6.5, 20.0) }
+        Self { file, key: "drive.shaker.frequency", range: (4.0, 20.0) }
     }
 
     fn drawn(index: u64) -> Self {
@@ -74,7 +74,7 @@ impl Case {
             let range = (ends[0], ends[1]);
             let parameter = Parameter::new(&base, &key, range.1 - range.0);
             let (method, tolerance) = (Method::Shooting, settings.tolerance);
-            let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance, seeds: 2, longest_period: 2 };
+            let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance, seeds: 0, longest_period: 2 };
             let options = BranchOptions { largest_step: settings.largest_step, ..BranchOptions::default() };
             match search.run_with(&options) {
                 Ok(found) => found,
@@ -164,30 +164,40 @@ fn is_real(kind: BranchKind) -> bool {
     matches!(kind, BranchKind::Fold | BranchKind::BranchPoint)
 }
 
-#[test]
-fn labels_of_the_cases_of_these_tests_are_the_same_for_all_settings() {
-    let cases: [&[(&str, &str)]; 12] = [
-        &[],
-        &[("drive.shaker.amplitude", "\"80 N\""), ("circuit.load.resistance", "\"100 kohm\"")],
-        &[("drive.shaker.amplitude", "\"80 N\""), ("circuit.load.resistance", "\"100 kohm\""), ("stop.tip.frame", "\"harvester.table\"")],
-        &[("drive.shaker.amplitude", "\"100 N\""), ("modal.harvester.damping_ratio.1", "0.3")],
-        &[("drive.shaker.amplitude", "\"40 N\""), ("stop.tip.stiffness", "\"10000 N/m^1.5\""), ("modal.harvester.damping_ratio.1", "0.3")],
-        &[("stop.tip.gap", "\"0 mm\"")],
-        &[("stop.tip.gap", "\"-0.2 mm\"")],
-        &[("stop.tip.gap", "\"500 mm\"")],
-        &[("stop.tip.stiffness", "\"1e6 N/m^1.5\"")],
-        &[("stop.tip.stiffness", "\"100 N/m^1.5\"")],
-        &[("circuit.load.resistance", "\"10 kohm\"")],
-        &[("stop.tip.gap", "\"3 mm\""), ("drive.shaker.amplitude", "\"100 N\"")],
-    ];
-    let wrong: usize = cases.iter().enumerate().map(|(k, changes)| Case::of_bench(changes).check(&format!("case {k}"))).sum();
-    assert_eq!(wrong, 0, "labels that one search has and another lacks");
+fn number(name: &str) -> Option<u64> {
+    std::env::var(name).ok().map(|text| text.parse().unwrap_or_else(|_| panic!("{name} is `{text}`, no number")))
 }
 
 #[test]
+fn labels_of_the_cases_of_these_tests_are_the_same_for_all_settings() {
+    let cases: [&[(&str, &str)]; 10] = [
+        &[],
+        &[("drive.shaker.amplitude", "\"80 N\""), ("circuit.load.resistance", "\"100 kohm\""), ("stop.tip.frame", "\"harvester.table\"")],
+        &[("drive.shaker.amplitude", "\"100 N\""), ("modal.harvester.damping_ratio.1", "0.3")],
+        &[("stop.tip.gap", "\"0 mm\"")],
+        &[("stop.tip.gap", "\"3 mm\""), ("drive.shaker.amplitude", "\"100 N\"")],
+        &[("stop.tip.gap", "\"-0.2 mm\"")],
+        &[("stop.tip.gap", "\"500 mm\"")],
+        &[("stop.tip.stiffness", "\"100 N/m^1.5\"")],
+        &[("circuit.load.resistance", "\"10 kohm\"")],
+        &[("drive.shaker.amplitude", "\"80 N\""), ("circuit.load.resistance", "\"100 kohm\"")],
+    ];
+    // The first ones in every run, all where drawn harvesters are asked for.
+    let count = if number("JOUNCE_DRAWN_SYSTEMS").is_some() { cases.len() } else { 5 };
+    let wrong: usize = cases[..count].iter().enumerate().map(|(k, changes)| Case::of_bench(changes).check(&format!("case {k}"))).sum();
+    assert_eq!(wrong, 0, "labels that one search has and another lacks");
+}
+
+/// Drawn harvesters that cost little: their motions at both ends of the range settle soon.
+const QUICK: [u64; 6] = [1, 10, 12, 14, 17, 19];
+
+#[test]
 fn labels_of_drawn_harvesters_are_the_same_for_all_settings() {
-    let number = |name: &str| std::env::var(name).ok().map(|text| text.parse::<u64>().unwrap());
-    let (first, count) = (number("JOUNCE_DRAWN_FIRST").unwrap_or(0), number("JOUNCE_DRAWN_SYSTEMS").unwrap_or(4));
-    let wrong: usize = (first..first + count).map(|index| Case::drawn(index).check(&format!("drawn {index}"))).sum();
+    let asked = number("JOUNCE_DRAWN_SYSTEMS").map(|count| {
+        let first = number("JOUNCE_DRAWN_FIRST").unwrap_or(0);
+        (first..first + count).collect()
+    });
+    let indices: Vec<u64> = asked.unwrap_or_else(|| QUICK.to_vec());
+    let wrong: usize = indices.into_iter().map(|index| Case::drawn(index).check(&format!("drawn {index}"))).sum();
     assert_eq!(wrong, 0, "labels that one search has and another lacks");
 }

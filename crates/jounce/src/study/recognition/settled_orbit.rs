@@ -7,7 +7,7 @@ use crate::orbit::{Harvester, Orbit, OrbitMethod, Shooting};
 use std::sync::Arc;
 
 /// Drive cycles after which a start gives no orbit.
-const MAX_CYCLES: u32 = 1024;
+const MAX_CYCLES: u32 = 4096;
 
 /// Tolerance that is fine enough to recognize an orbit; Newton then finds it at the tolerance asked for.
 const RECOGNITION_TOLERANCE: f64 = 1e-8;

@@ -66,7 +66,7 @@ fn may_meet(ends: [End; 2], one: (usize, usize), two: (usize, usize)) -> bool {
     let slopes = [rate(a, one.0) - rate(a, two.0), rate(b, one.1) - rate(b, two.1)];
     let reach = slopes[0].abs().max(slopes[1].abs());
     let (low, high) = ((from.min(to) - reach) / TAU, (from.max(to) + reach) / TAU);
-    if !(high - low < MOST_TURNS) {
+    if (high - low).is_nan() || high - low >= MOST_TURNS {
         return true;
     }
     let meets = |k: i64| Interpolant { values: [from, to].map(|angle| angle - TAU * k as f64), slopes }.crossings() != Some(0);
