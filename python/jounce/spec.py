@@ -179,10 +179,10 @@ class Spec(SpecOnRig):
         no march of the ``seeds`` settles on or of a period above ``longest_period`` cycles.
         """
         check_wholes(seeds=seeds, longest_period=longest_period, threads=threads)
-        ends = (span(range, key), span(range_2, key_2))
+        over, against = span(range, key), span(range_2, key_2)
         with told(progress) as tell:
             options = (tolerance, seeds, longest_period, peaks, names(levels))
-            found = _core.jumps(self._spec, (key, key_2), *ends, *options, threads, tell)
+            found = _core.jumps(self._spec, (key, key_2), over, against, *options, threads, tell)
             return JumpsResult._handed(found)
 
     def basins(

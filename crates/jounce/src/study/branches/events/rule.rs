@@ -3,7 +3,7 @@
 use super::contacts::extrema;
 use super::coupling::{Couplings, may_push_out};
 use super::interpolant::Interpolant;
-use super::spectrum::{End, Group, TestFunction, between, doubling, fold, groups, is_enclosed, torus};
+use super::spectrum::{End, Group, TestFunction, between, crosses_as_pairs, doubling, fold, groups, is_enclosed, torus};
 use crate::continuation::{Metric, Step, Stretch, correct, tangent};
 use crate::orbit::{Orbit, OrbitMethod};
 use crate::study::branches::branch::BranchKind;
@@ -170,9 +170,15 @@ fn doubtful_multipliers(ends: [End; 2], is_tied: impl Fn((usize, usize), (usize,
     let groups: Vec<Group> = groups(ends, is_tied).into_iter().filter(|group| !is_enclosed(ends, group)).collect();
     let kinds: [(BranchKind, TestFunction); 3] =
         [(BranchKind::PeriodDoubling, doubling), (BranchKind::BranchPoint, fold), (BranchKind::NeimarkSacker, torus)];
-    let is_doubtful = |f: TestFunction| {
-        let counts: Option<Vec<usize>> = groups.iter().map(|group| between(ends, group, f).crossings()).collect();
-        counts.is_none_or(|counts| counts.iter().sum::<usize>() > 1)
+    let is_doubtful = |kind: BranchKind, f: TestFunction| {
+        let mut count = 0;
+        for group in &groups {
+            let Some(own) = between(ends, group, f).crossings() else { return true };
+            let crosses = if kind == BranchKind::NeimarkSacker && own > 0 { crosses_as_pairs(ends, group) } else { Some(true) };
+            let Some(crosses) = crosses else { return true };
+            count += if crosses { own } else { 0 };
+        }
+        count > 1
     };
-    kinds.into_iter().filter(|(_, f)| is_doubtful(*f)).map(|(kind, _)| kind).collect()
+    kinds.into_iter().filter(|(kind, f)| is_doubtful(*kind, *f)).map(|(kind, _)| kind).collect()
 }

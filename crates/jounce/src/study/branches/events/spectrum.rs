@@ -102,6 +102,19 @@ fn discriminant(values: &[c64]) -> f64 {
     (values[0] - values[1]).powi(2).re
 }
 
+/// True where a product of two of the group that passes one on a step is that of complex pairs, a torus; false where it is that of two real ones,
+/// which is no event; `None` where the two may meet on the way, so that it may be either.
+pub(super) fn crosses_as_pairs(ends: [End; 2], group: &Group) -> Option<bool> {
+    let [a, b] = ends;
+    let is_real = |i: &usize, end: End| end.value(*i).im == 0.0;
+    let real = group.from.iter().filter(|i| is_real(i, a)).count() + group.to.iter().filter(|i| is_real(i, b)).count();
+    match real {
+        0 => Some(true),
+        4 if group.from.len() == 2 && between(ends, group, discriminant).crossings() == Some(0) => Some(false),
+        _ => None,
+    }
+}
+
 /// Distance from where the derivatives at both ends lead one multiplier to the other end.
 fn cost([a, b]: [End; 2], (i, j): (usize, usize)) -> f64 {
     let (from, to) = (a.value(i), b.value(j));
