@@ -88,7 +88,9 @@ class BranchResult(Result):
             for kind, name, at in zip(one.bifurcation_kind, one.bifurcation_name, one.bifurcation_parameter):
                 lines.append(("", f"{kind}{f' ({name})' if name else ''} at {at:.6g} {self.unit}"))
             for part in one.not_proved:
-                lines.append(("warning", f"from {part['from']:.6g} to {part['to']:.6g} {self.unit} two more of {part['event']} are possible"))
+                lines.append(
+                    ("warning", f"from {part['from']:.6g} to {part['to']:.6g} {self.unit} two more of {part['event']} are possible")
+                )
             if one.not_followed:
                 lines.append(("warning", f"the branches of {one.not_followed} period doublings were not followed: the budget is spent"))
         if self.half_power is not None:
@@ -140,9 +142,7 @@ class BranchResult(Result):
         rows = [
             (number, kind, name, at, power)
             for number, one in enumerate(self.branches)
-            for kind, name, at, power in zip(
-                one.bifurcation_kind, one.bifurcation_name, one.bifurcation_parameter, one.bifurcation_power_w
-            )
+            for kind, name, at, power in zip(one.bifurcation_kind, one.bifurcation_name, one.bifurcation_parameter, one.bifurcation_power_w)
         ]
         names = ("branch", "kind", "name", "parameter", "mean_power_w")
         return self._frame({name: [row[k] for row in rows] for k, name in enumerate(names)})

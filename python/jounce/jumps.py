@@ -59,7 +59,10 @@ class JumpsResult(Result):
         plane = " against ".join(f"{key} [{unit}]" for key, unit in zip(self.keys, self.units))
         return [
             ("over", plane),
-            *((f"curve {k}", f"{one.level or one.kind} of period {one.period_cycles}, {len(one)} points") for k, one in enumerate(self.curves)),
+            *(
+                (f"curve {k}", f"{one.level or one.kind} of period {one.period_cycles}, {len(one)} points")
+                for k, one in enumerate(self.curves)
+            ),
         ]
 
     def _table(self) -> dict[str, Any]:
