@@ -39,7 +39,7 @@ class Branch(Data):
     bifurcation_displacement_peak_m: Floats
     #: Parts that may hold two more events of a kind than are listed: ``event``, ``from``, ``to``, ``why``.
     not_proved: list[dict[str, Any]]
-    #: Period doublings whose branch was not followed, for want of budget.
+    #: Period doublings whose branch was not followed, for want of budget or of a first orbit on it.
     not_followed: int
     #: How its two ends came about.
     endings: list[dict[str, Any]]
@@ -92,7 +92,7 @@ class BranchResult(Result):
                     ("warning", f"from {part['from']:.6g} to {part['to']:.6g} {self.unit} two more of {part['event']} are possible")
                 )
             if one.not_followed:
-                lines.append(("warning", f"the branches of {one.not_followed} period doublings were not followed: the budget is spent"))
+                lines.append(("warning", f"the branches of {one.not_followed} period doublings were not followed"))
         if self.half_power is not None:
             peak, width = self.half_power["peak"], self.half_power["width"]
             lines.append(("highest stable power", f"{peak['mean_power_w']:.6e} W at {peak['parameter']:.6g} {self.unit}"))

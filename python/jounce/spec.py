@@ -136,7 +136,7 @@ class Spec(SpecOnRig):
         longest_period: int = 12,
         levels: str | Sequence[str] = (),
         largest_step: float = 0.4,
-        budget: int = 12000,
+        budget: int = 10000,
         threads: int | None = None,
         progress: bool | Progress | None = None,
     ) -> BranchResult:

@@ -176,7 +176,10 @@ impl Branch {
         }
         let not_followed: usize = branches.iter().map(|branch| branch.not_followed).sum();
         if not_followed > 0 {
-            eprintln!("warning: the branches of {not_followed} period doublings were not followed: --budget {} is spent", self.budget);
+            eprintln!(
+                "warning: the branches of {not_followed} period doublings were not followed: --budget {} is spent, or no first orbit was found on them",
+                self.budget
+            );
         }
         for (branch, part) in branches.iter().flat_map(|branch| branch.not_proved.iter().map(move |part| (branch, part))) {
             let (cycles, event, NotProved { from, to, why, .. }) = (branch.period_cycles, part.event.name(), part);

@@ -18,7 +18,7 @@ pub struct Branch {
     pub not_proved: Vec<NotProved>,
     /// How its two ends came about, first point and last point.
     pub endings: Vec<Ending>,
-    /// Doublings whose branch was not followed, for want of budget.
+    /// Doublings whose branch was not followed, for want of budget or of a first orbit on it.
     pub not_followed: usize,
 }
 

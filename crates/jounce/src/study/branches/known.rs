@@ -21,6 +21,9 @@ const SAME_GOALS: f64 = 10.0;
 /// Farthest that an orbit on the curve may lie from its chord, beside the length of that: a curve that turns by a right angle at a corner.
 const OFF: f64 = 0.5;
 
+/// Farthest from a doubling that the place where a branch merges may lie, beside the length of its last step.
+const AT_END: f64 = 0.2;
+
 /// Points at which one branch is compared with another, first and last included.
 const COMPARED: usize = 5;
 
@@ -145,6 +148,6 @@ pub(super) fn is_end_of_one(branches: &[Branch], doubling: &BranchPoint, followi
     };
     ends.into_iter().any(|end| {
         let own = away(&end, doubling);
-        own < end.0.length && doublings.iter().all(|other| own <= away(&end, other))
+        own < AT_END * end.0.length && doublings.iter().all(|other| own <= away(&end, other))
     })
 }

@@ -3,8 +3,8 @@
 use super::events::Level;
 use crate::continuation::StepControl;
 
-/// Budget by default, drive cycles: some fifteen times what the harvester of the paper needs over its whole range.
-const BUDGET: usize = 12_000;
+/// Budget by default, drive cycles: some thirteen times what the harvester of the paper needs over its whole range.
+const BUDGET: usize = 10_000;
 
 /// How branches are followed, beside what a search needs in any case.
 #[derive(Debug, Clone, PartialEq)]

@@ -186,10 +186,19 @@ impl BranchSearch<'_> {
                     continue;
                 };
                 let method = make(cycles)?;
-                let Some((first, ahead)) = self.off(following, &method, &at) else { continue };
+                let Some((first, ahead)) = self.off(following, &method, &at) else {
+                    branches[parent].not_followed += 1;
+                    continue;
+                };
                 let orbit = method.orbit(&first.local, first.error)?;
                 if !self.is_known(branches, following, (&orbit, first.position.parameter)) {
-                    branches.push(within.walk(&method, first, ahead)?);
+                    let found = within.walk(&method, first, ahead)?;
+                    // One that merges at once has fallen back to the branch that it was to leave.
+                    if found.points.len() < 2 {
+                        branches[parent].not_followed += 1;
+                        continue;
+                    }
+                    branches.push(found);
                     entered.push(false);
                 }
             }
