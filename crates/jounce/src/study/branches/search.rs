@@ -192,13 +192,7 @@ impl BranchSearch<'_> {
                 };
                 let orbit = method.orbit(&first.local, first.error)?;
                 if !self.is_known(branches, following, (&orbit, first.position.parameter)) {
-                    let found = within.walk(&method, first, ahead)?;
-                    // One that merges at once has fallen back to the branch that it was to leave.
-                    if found.points.len() < 2 {
-                        branches[parent].not_followed += 1;
-                        continue;
-                    }
-                    branches.push(found);
+                    branches.push(within.walk(&method, first, ahead)?);
                     entered.push(false);
                 }
             }
