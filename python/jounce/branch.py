@@ -39,7 +39,7 @@ class Branch(Data):
     bifurcation_displacement_peak_m: Floats
     #: Parts that may hold two more events of a kind than are listed: ``event``, ``from``, ``to``, ``why``.
     not_proved: list[dict[str, Any]]
-    #: Period doublings whose branch was not followed, for want of budget or of a first orbit on it.
+    #: Number of period doublings whose branch was not followed: the budget was spent, or Newton found no first orbit.
     not_followed: int
     #: How its two ends came about.
     endings: list[dict[str, Any]]

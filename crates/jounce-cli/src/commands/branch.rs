@@ -177,7 +177,7 @@ impl Branch {
         let not_followed: usize = branches.iter().map(|branch| branch.not_followed).sum();
         if not_followed > 0 {
             eprintln!(
-                "warning: the branches of {not_followed} period doublings were not followed: --budget {} is spent, or no first orbit was found on them",
+                "warning: the branches of {not_followed} period doublings were not followed: the --budget of {} is spent, or Newton found no first orbit",
                 self.budget
             );
         }

@@ -61,8 +61,8 @@ pub fn discs(map: &Mat<f64>, pairs: usize) -> Vec<Disc> {
     blocks.flat_map(of_block).collect()
 }
 
-/// How strongly another map ties the multipliers of a map to each other: `sqrt |C_ij C_ji|` of the other map in the eigenvectors of the first,
-/// `C = V^-1 B V`. Fast blocks that stand alone in both maps are left out. Two multipliers at one place part by that in either direction.
+/// Eigenvalues of a map, and their couplings in another map `B`: `sqrt |C_ij C_ji|` with `C = V^-1 B V` and the eigenvectors `V` of the first map.
+/// Two equal eigenvalues split by their coupling. Fast blocks that stand alone in both maps are left out.
 ///
 /// Source: G. W. Stewart and J. Sun, *Matrix Perturbation Theory* (1990), ch. V.
 pub fn couplings(map: &Mat<f64>, other: &Mat<f64>) -> Option<(Vec<c64>, Mat<f64>)> {

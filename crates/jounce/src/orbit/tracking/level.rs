@@ -4,14 +4,14 @@
 //! g = Q / L - 1
 //! ```
 //!
-//! Largest values over a period have no derivative in closed form: the gradient is one of differences, one shot for each state.
+//! The largest value over a period has no derivative in closed form. The gradient is a difference quotient with one shot for each state.
 
 use super::condition::Gradient;
 use crate::orbit::{OrbitQuantity, Shot};
 use faer::ColRef;
 
-/// Move of a state for the derivative, beside the size of all.
-const MOVE: f64 = 1e-6;
+/// Step of the difference quotient, relative to the norm of the state.
+const RELATIVE_STEP: f64 = 1e-6;
 
 /// `g` with its gradient. See [`super::Condition::gradient`].
 pub fn gradient<E>(
@@ -24,7 +24,7 @@ pub fn gradient<E>(
     let off = |shot: &Shot| quantity.of(shot) / value - 1.0;
     let here = off(shot);
     let states = shot.looks[0].len();
-    let step = MOVE * ColRef::from_slice(&shot.looks[0]).norm_l2();
+    let step = RELATIVE_STEP * ColRef::from_slice(&shot.looks[0]).norm_l2();
     let by = |j: usize| {
         let change: Vec<f64> = (0..states).map(|i| if i == j { step } else { 0.0 }).collect();
         Ok((off(&moved(&change)?) - here) / step)

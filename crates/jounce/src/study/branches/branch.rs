@@ -18,7 +18,7 @@ pub struct Branch {
     pub not_proved: Vec<NotProved>,
     /// How its two ends came about, first point and last point.
     pub endings: Vec<Ending>,
-    /// Doublings whose branch was not followed, for want of budget or of a first orbit on it.
+    /// Number of period doublings whose branch was not followed: the budget was spent, or Newton found no first orbit.
     pub not_followed: usize,
 }
 
@@ -45,7 +45,7 @@ pub enum BranchKind {
     BranchPoint,
     /// A contact appears or goes.
     Grazing,
-    /// A point begins to stick to a rigid stop: impacts become a sequence without end.
+    /// Sticking to a rigid stop begins: the impacts accumulate.
     Sticking,
     /// A quantity passes a level that the user gives.
     Level,
@@ -83,7 +83,7 @@ pub enum Ending {
         /// Value of the key there.
         parameter: f64,
     },
-    /// A point begins to stick to a rigid stop: beyond, orbits have no derivative.
+    /// Sticking to a rigid stop begins. Beyond this value the flow has no derivative.
     Sticking {
         /// What stopped the walk.
         why: String,
@@ -140,7 +140,7 @@ impl Branch {
         self.points.len() * self.period_cycles as usize
     }
 
-    /// Area below its mean power over the key, W times the unit of the key; a branch that goes to and fro counts each way.
+    /// Area below the mean power over the key, W times the unit of the key; parts at the same value of the key all count.
     pub(super) fn area_w(&self) -> f64 {
         let below = |pair: &[BranchPoint]| {
             (pair[1].parameter - pair[0].parameter).abs() * 0.5 * (pair[0].orbit.mean_power_w + pair[1].orbit.mean_power_w)

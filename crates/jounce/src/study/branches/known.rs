@@ -1,31 +1,33 @@
-//! Whether an orbit lies on a branch that is known, and where branches are one.
+//! Tests whether an orbit lies on a known branch, and whether one branch is a part of another.
 //!
 //! ```text
 //! F = a + s c,   <c, (u, p) - F> = 0,   R(u, p) = 0
 //! ```
 //!
-//! `a` is a point of the branch, `c` the unit chord to the next one, and `F` the foot of the orbit on it. The curve meets the plane across the
-//! chord through `F` once, at folds too, and Newton from `F` finds where. The orbit lies on the branch when it is that place.
+//! `a` is a point of the branch, `c` the unit chord to the next one, and `F` the foot of the orbit on it. The plane through `F`
+//! normal to the chord intersects the curve once, at a fold too. Newton starts at `F` and finds the intersection. The orbit lies on the branch when
+//! it is that intersection.
 
 use super::branch::{Branch, BranchKind, BranchPoint, Ending};
 use super::follow::Following;
 use crate::continuation::{Direction, Metric, Position, correct};
 use crate::orbit::{Harvester, Orbit, Shooting};
+use std::rc::Rc;
 
-/// Distance beside their size below which two orbits are one, ...
+/// Relative distance below which two orbits are the same.
 const SAME: f64 = 1e-4;
 
-/// ... or in goals of Newton, where marches are so coarse that those are more.
+/// The same distance in tolerances of Newton; the larger one counts.
 const SAME_GOALS: f64 = 10.0;
 
-/// Farthest that an orbit on the curve may lie from its chord, beside the length of that: a curve that turns by a right angle at a corner.
-const OFF: f64 = 0.5;
+/// Largest distance of the curve from its chord, relative to the length of the chord: reached by a corner of a right angle.
+const MAX_DISTANCE_FROM_CHORD: f64 = 0.5;
 
-/// Farthest from a doubling that the place where a branch merges may lie, beside the length of its last step.
-const AT_END: f64 = 0.2;
+/// Largest distance between a doubling and the end of a branch that merges there, relative to the last chord.
+const MAX_DISTANCE_AT_MERGE: f64 = 0.2;
 
-/// Points at which one branch is compared with another, first and last included.
-const COMPARED: usize = 5;
+/// Number of points at which two branches are compared, the first and the last included.
+const COMPARED_POINTS: usize = 5;
 
 /// Two neighbouring points of a branch.
 struct Chord {
@@ -36,11 +38,11 @@ struct Chord {
     length: f64,
 }
 
-/// Where an orbit lies beside a chord.
+/// The projection of an orbit onto a chord.
 struct Foot {
     /// The place on the chord.
     at: Position,
-    /// The orbit, at the drive cycle that was looked at.
+    /// The orbit, at one of its drive cycles.
     orbit: Position,
     /// Distance between the two, in the metric.
     off: f64,
@@ -55,10 +57,10 @@ impl Chord {
         Self { metric, from, ahead: metric.unit(way), length }
     }
 
-    /// The foot of an orbit that may lie on the curve here. An end of the branch may be passed by as much as the last step.
+    /// The foot of an orbit that may lie on this part of the curve. At an end of the branch the foot may lie one chord beyond.
     fn foot(&self, orbit: Position, is_first: bool, is_last: bool) -> Option<Foot> {
         let along = self.metric.inner(&self.ahead, &self.from.to(&orbit));
-        let slack = OFF * self.length;
+        let slack = MAX_DISTANCE_FROM_CHORD * self.length;
         let low = if is_first { -self.length } else { -slack };
         let high = self.length + if is_last { self.length } else { slack };
         let at = self.from.moved(&self.ahead, along);
@@ -78,7 +80,7 @@ fn looks(orbit: &Orbit, parameter: f64) -> impl Iterator<Item = Position> {
 }
 
 impl Branch {
-    /// True when an orbit lies on the branch, at whichever of its drive cycles it is looked at; `shooting` is that of its period.
+    /// True when an orbit lies on the branch, shifted by any number of drive cycles; `shooting` has the period of the orbit.
     pub(super) fn holds<H: Harvester>(&self, following: &Following, shooting: &Shooting<'_, H>, (orbit, parameter): (&Orbit, f64)) -> bool {
         if self.period_cycles != orbit.period_cycles {
             return false;
@@ -90,14 +92,11 @@ impl Branch {
             return looks(orbit, parameter).any(|look| metric.length(&only.to(&look)) < same);
         }
         let last = self.points.len().saturating_sub(2);
-        let mut feet: Vec<(Chord, Foot)> = Vec::new();
+        let mut feet: Vec<(Rc<Chord>, Foot)> = Vec::new();
         for (k, pair) in self.points.windows(2).enumerate() {
-            for look in looks(orbit, parameter) {
-                let chord = Chord::between(&pair[0], &pair[1], following.parameter_scale());
-                if let Some(foot) = chord.foot(look, k == 0, k == last) {
-                    feet.push((chord, foot));
-                }
-            }
+            let chord = Rc::new(Chord::between(&pair[0], &pair[1], following.parameter_scale()));
+            let near = looks(orbit, parameter).filter_map(|look| chord.foot(look, k == 0, k == last));
+            feet.extend(near.map(|foot| (Rc::clone(&chord), foot)));
         }
         feet.sort_by(|one, two| (one.1.off / one.0.length).total_cmp(&(two.1.off / two.0.length)));
         feet.into_iter().any(|(chord, foot)| {
@@ -109,11 +108,11 @@ impl Branch {
     /// True when all of a branch lies on another one.
     pub(super) fn is_part_of<H: Harvester>(&self, whole: &Branch, following: &Following, shooting: &Shooting<'_, H>) -> bool {
         let last = self.points.len() - 1;
-        let mut compared = (0..COMPARED).map(|k| &self.points[k * last / (COMPARED - 1)]);
+        let mut compared = (0..COMPARED_POINTS).map(|k| &self.points[k * last / (COMPARED_POINTS - 1)]);
         self.period_cycles == whole.period_cycles && compared.all(|point| whole.holds(following, shooting, (&point.orbit, point.parameter)))
     }
 
-    /// Places where the branch merged with one of half its period, each with the chord that led there.
+    /// Ends at which the branch merges with one of half its period, each with the last chord.
     fn merged(&self, following: &Following) -> Vec<(Chord, Position)> {
         let count = self.points.len();
         let ends = match (&self.endings[..], count) {
@@ -126,7 +125,7 @@ impl Branch {
             let [a, b] = pair.map(|k| &self.points[k]);
             let (from, to) = (a.orbit.halves_apart()?, b.orbit.halves_apart()?);
             let inner = |one: &[f64], two: &[f64]| one.iter().zip(two).map(|(x, y)| x * y).sum::<f64>();
-            // Along the curve the distance of the halves goes through zero in proportion.
+            // The distance of the halves is linear along the curve near its zero.
             let share = inner(&from, &from) / (inner(&from, &from) - inner(&from, &to));
             let chord = Chord::between(a, b, following.parameter_scale());
             let at = chord.from.moved(&chord.ahead, share * chord.length);
@@ -136,7 +135,7 @@ impl Branch {
     }
 }
 
-/// True when one of the branches ends at a period doubling: of all doublings it is the nearest to that end.
+/// True when a branch ends at this period doubling, the nearest one to its end.
 pub(super) fn is_end_of_one(branches: &[Branch], doubling: &BranchPoint, following: &Following) -> bool {
     let cycles = doubling.orbit.period_cycles;
     let ends = branches.iter().filter(|branch| branch.period_cycles == 2 * cycles).flat_map(|branch| branch.merged(following));
@@ -148,6 +147,6 @@ pub(super) fn is_end_of_one(branches: &[Branch], doubling: &BranchPoint, followi
     };
     ends.into_iter().any(|end| {
         let own = away(&end, doubling);
-        own < AT_END * end.0.length && doublings.iter().all(|other| own <= away(&end, other))
+        own < MAX_DISTANCE_AT_MERGE * end.0.length && doublings.iter().all(|other| own <= away(&end, other))
     })
 }

@@ -1,9 +1,9 @@
 //! All branches of a spec over a range of one key.
 //!
-//! First the branches on which marches settle: at both ends of the range and at values across it, from rest, from the steady state without
-//! the stop, from a hard kick and from a stronger drive. Then those that leave them at period doublings, shorter periods first, and of one
-//! period those first whose parent has power over a wide part of the range. Marches run in parallel; everything after them is in a fixed
-//! order, and ends where the budget does.
+//! The search first follows the branches on which integrations settle: at both ends of the range and at values between them, from rest, from the
+//! steady state without the stop, from a hard kick and from a stronger drive. It then follows the branches that leave these at period
+//! doublings, shorter periods first. Among branches of one period it takes the parent with the largest area below its power first.
+//! Integrations run in parallel; the order of the rest is fixed. The search ends when its budget is spent.
 
 use super::branch::{Branch, BranchKind, BranchPoint};
 use super::follow::{Following, RESOLUTION, newton_goal};
@@ -145,14 +145,14 @@ impl BranchSearch<'_> {
         branches.iter().any(|branch| branch.holds(following, &shooting, orbit))
     }
 
-    /// Without branches that are parts of others, as one is that could not be followed to its end and was begun again beyond it.
+    /// The branches without those that are parts of others. Two walks may have followed the same curve from different points.
     fn each_once(&self, following: &Following, mut branches: Vec<Branch>) -> Vec<Branch> {
         let mut k = 0;
         while k < branches.len() {
             let (part, shooting) = (&branches[k], self.shooting(branches[k].period_cycles));
             let is_longer = |other: usize| (branches[other].points.len(), k) > (part.points.len(), other);
-            let others = (0..branches.len()).filter(|other| *other != k && is_longer(*other));
-            let whole = others.into_iter().find(|other| part.is_part_of(&branches[*other], following, &shooting));
+            let mut others = (0..branches.len()).filter(|other| *other != k && is_longer(*other));
+            let whole = others.find(|other| part.is_part_of(&branches[*other], following, &shooting));
             match whole {
                 Some(whole) => {
                     branches[whole].not_followed += branches[k].not_followed;
@@ -192,8 +192,14 @@ impl BranchSearch<'_> {
                 };
                 let orbit = method.orbit(&first.local, first.error)?;
                 if !self.is_known(branches, following, (&orbit, first.position.parameter)) {
-                    branches.push(within.walk(&method, first, ahead)?);
-                    entered.push(false);
+                    let found = within.walk(&method, first, ahead)?;
+                    // A walk of one point has fallen back to the parent.
+                    if found.points.len() > 1 {
+                        branches.push(found);
+                        entered.push(false);
+                    } else {
+                        branches[parent].not_followed += 1;
+                    }
                 }
             }
         }

@@ -1,8 +1,7 @@
-//! Complex pairs that may meet between two points and push each other out of the unit circle.
+//! Complex pairs of multipliers that may meet between two points and leave the unit circle.
 //!
-//! Where two pairs come to one place on the way, the coupling `k` between them parts their moduli by up to `k`, and they meet again on the other
-//! side: a tongue, of which neither the moduli at both ends nor their derivatives tell anything. Symmetric functions of both pairs are smooth
-//! through it.
+//! Where two pairs have the same angle, the coupling `k` between them changes their moduli by up to `k`: an instability tongue. Moduli and derivatives
+//! at the two points do not show it. Symmetric functions of both pairs are smooth through it.
 
 use super::interpolant::Interpolant;
 use super::pairing::paired;
@@ -11,17 +10,17 @@ use crate::orbit::couplings;
 use faer::{Mat, c64};
 use std::f64::consts::TAU;
 
-/// Couplings by which two pairs may part: what the ends tell, and once more as much.
-const SAFETY: f64 = 2.0;
+/// Factor on the coupling read at the two points.
+const COUPLING_MARGIN: f64 = 2.0;
 
-/// Turns of one pair past another on one step above which they are taken to meet.
-const MOST_TURNS: f64 = 4.0;
+/// Relative turns of two pairs on one step above which they are assumed to meet.
+const MAX_TURNS: f64 = 4.0;
 
-/// The couplings of a step, in the numbers of the multipliers at one of its ends.
+/// Couplings between the multipliers at one end of a step, in their order; `None` where the eigenvectors are not known.
 pub(super) struct Couplings(Option<Vec<Vec<f64>>>);
 
 impl Couplings {
-    /// Of the multipliers of a period map by another map.
+    /// Couplings that another map has in the eigenvectors of a map with these multipliers.
     pub fn of(values: &[c64], map: &Mat<f64>, other: &Mat<f64>) -> Self {
         let Some((own, tied)) = couplings(map, other) else { return Self(None) };
         let mut all = vec![vec![0.0; values.len()]; values.len()];
@@ -34,13 +33,14 @@ impl Couplings {
         Self(Some(all))
     }
 
-    /// Between two multipliers; infinite where it is not known.
+    /// Coupling of two multipliers; infinite where it is not known.
     fn between(&self, i: usize, j: usize) -> f64 {
-        self.0.as_ref().map_or(f64::INFINITY, |all| all[i][j]).max(0.0)
+        let known = self.0.as_ref().map(|all| all[i][j]);
+        known.filter(|coupling| !coupling.is_nan()).unwrap_or(f64::INFINITY)
     }
 }
 
-/// True where two complex multipliers, by their numbers at both ends, may meet on the way and leave the unit circle.
+/// True where two complex multipliers may meet on the step and leave the unit circle; each is given by its index at both ends.
 pub(super) fn may_push_out(ends: [End; 2], couplings: &[Couplings; 2], one: (usize, usize), two: (usize, usize)) -> bool {
     let [a, b] = ends;
     let values = [a.value(one.0), a.value(two.0), b.value(one.1), b.value(two.1)];
@@ -49,10 +49,10 @@ pub(super) fn may_push_out(ends: [End; 2], couplings: &[Couplings; 2], one: (usi
     }
     let coupling = couplings[0].between(one.0, two.0).max(couplings[1].between(one.1, two.1));
     let largest = values.iter().map(|mu| mu.norm()).fold(0.0, f64::max);
-    (largest + SAFETY * coupling >= 1.0 || coupling.is_nan()) && may_meet(ends, one, two)
+    largest + COUPLING_MARGIN * coupling >= 1.0 && may_meet(ends, one, two)
 }
 
-/// True where the angles of two multipliers may be the same on the way.
+/// True where the angles of two multipliers may be equal somewhere on the step.
 fn may_meet(ends: [End; 2], one: (usize, usize), two: (usize, usize)) -> bool {
     let [a, b] = ends;
     let rate = |end: End, i: usize| (end.change(i) / end.value(i)).im;
@@ -66,7 +66,7 @@ fn may_meet(ends: [End; 2], one: (usize, usize), two: (usize, usize)) -> bool {
     let slopes = [rate(a, one.0) - rate(a, two.0), rate(b, one.1) - rate(b, two.1)];
     let reach = slopes[0].abs().max(slopes[1].abs());
     let (low, high) = ((from.min(to) - reach) / TAU, (from.max(to) + reach) / TAU);
-    if (high - low).is_nan() || high - low >= MOST_TURNS {
+    if (high - low).is_nan() || high - low >= MAX_TURNS {
         return true;
     }
     let meets = |k: i64| Interpolant { values: [from, to].map(|angle| angle - TAU * k as f64), slopes }.crossings() != Some(0);

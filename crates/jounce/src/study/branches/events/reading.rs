@@ -83,18 +83,18 @@ impl Readings {
         let here = Reading::of(shot, orbit.multipliers.clone(), levels).with_radii(shot);
         let metric = Metric::at(&step.position, parameter_scale);
         let unit = metric.unit(step.tangent.clone());
-        let beside = |side: f64| {
+        let on_side = |side: f64| {
             let length = side * AHEAD * shot.tolerance().sqrt();
             let there = step.position.moved(&unit, length);
             let local = method.at(&there.unknown, there.parameter).ok()?;
-            let beside = method.shot(&local).ok()?;
-            let reading = Reading::of(beside, multipliers(&beside.block_map)?, levels);
-            Some((beside.contacts == shot.contacts, Self::joined(here.clone(), &reading, length)))
+            let near = method.shot(&local).ok()?;
+            let reading = Reading::of(near, multipliers(&near.block_map)?, levels);
+            Some((near.contacts == shot.contacts, Self::joined(here.clone(), &reading, length)))
         };
-        // Across a grazing there is no derivative, on a rigid stop least of all: it is taken on the side of the orbit.
+        // The flow has no derivative across a grazing on a rigid stop: the difference is taken on the side with the same contacts.
         let mut other = None;
         for side in [1.0, -1.0] {
-            match beside(side) {
+            match on_side(side) {
                 Some((true, found)) => return Some(found),
                 found => other = other.or(found.map(|(_, found)| found)),
             }

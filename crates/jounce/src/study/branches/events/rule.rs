@@ -3,7 +3,7 @@
 use super::contacts::extrema;
 use super::coupling::{Couplings, may_push_out};
 use super::interpolant::Interpolant;
-use super::spectrum::{End, Group, TestFunction, between, crosses_as_pairs, doubling, fold, groups, is_enclosed, torus};
+use super::spectrum::{End, Group, TestFunction, between, doubling, fold, groups, is_enclosed, is_torus_crossing, torus};
 use crate::continuation::{Metric, Step, Stretch, correct, tangent};
 use crate::orbit::{Orbit, OrbitMethod};
 use crate::study::branches::branch::BranchKind;
@@ -135,7 +135,7 @@ impl Following {
         doubts
     }
 
-    /// Couplings of the multipliers at both ends of a step by the map at the other end.
+    /// Couplings of the multipliers at each end of a step, read from the map at the other end.
     fn couplings<M: OrbitMethod>(&self, method: &M, before: &Place<M>, after: &Place<M>) -> Option<[Couplings; 2]> {
         let [one, two] = [before, after].map(|place| method.shot(&place.step.local).ok());
         let (one, two) = (&one?.block_map, &two?.block_map);
@@ -174,7 +174,7 @@ fn doubtful_multipliers(ends: [End; 2], is_tied: impl Fn((usize, usize), (usize,
         let mut count = 0;
         for group in &groups {
             let Some(own) = between(ends, group, f).crossings() else { return true };
-            let crosses = if kind == BranchKind::NeimarkSacker && own > 0 { crosses_as_pairs(ends, group) } else { Some(true) };
+            let crosses = if kind == BranchKind::NeimarkSacker && own > 0 { is_torus_crossing(ends, group) } else { Some(true) };
             let Some(crosses) = crosses else { return true };
             count += if crosses { own } else { 0 };
         }

@@ -102,9 +102,9 @@ fn discriminant(values: &[c64]) -> f64 {
     (values[0] - values[1]).powi(2).re
 }
 
-/// True where a product of two of the group that passes one on a step is that of complex pairs, a torus; false where it is that of two real ones,
-/// which is no event; `None` where the two may meet on the way, so that it may be either.
-pub(super) fn crosses_as_pairs(ends: [End; 2], group: &Group) -> Option<bool> {
+/// True where the multipliers whose product passes one are a complex pair: a torus bifurcation. False where they are real: no event. `None`
+/// where two real ones may become a pair on the step, so that either may hold.
+pub(super) fn is_torus_crossing(ends: [End; 2], group: &Group) -> Option<bool> {
     let [a, b] = ends;
     let is_real = |i: &usize, end: End| end.value(*i).im == 0.0;
     let real = group.from.iter().filter(|i| is_real(i, a)).count() + group.to.iter().filter(|i| is_real(i, b)).count();
@@ -131,7 +131,7 @@ fn cost([a, b]: [End; 2], (i, j): (usize, usize)) -> f64 {
     if off.is_finite() { off } else { (to - from).norm() }
 }
 
-/// Groups between two ends; `is_tied` tells which two complex multipliers, by their numbers at both ends, belong together besides.
+/// Groups between two ends. `is_tied` returns true for two complex multipliers, given by their indices at both ends, that belong to one group.
 pub(super) fn groups(ends: [End; 2], is_tied: impl Fn((usize, usize), (usize, usize)) -> bool) -> Vec<Group> {
     let [a, b] = ends;
     let pairs = paired(a.count(), b.count(), |i, j| cost(ends, (i, j)));
