@@ -4,9 +4,9 @@ use super::{Orbit, OrbitError, Shot};
 use crate::continuation::Family;
 
 /// A method on the harvesters of one family.
-pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>> {
+pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>, Local: Send + Sync> + Sync {
     /// Why a harvester cannot be made.
-    type Fault: std::error::Error;
+    type Fault: std::error::Error + Send;
 
     /// Drive cycles of the period.
     fn cycles(&self) -> u32;

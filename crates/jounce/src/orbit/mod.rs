@@ -27,7 +27,7 @@ pub use balance::{Balance, HarmonicBalance};
 pub use error::OrbitError;
 pub use harvester::{Change, Harvester, Setting};
 pub use method::OrbitMethod;
-pub use multipliers::{Disc, couplings, discs, multipliers};
+pub use multipliers::{Disc, Eigenbasis, discs, multipliers};
 pub use null_vector::null_vector;
 pub use periodic::{Orbit, determinant_at, nearest_pair_to_circle, pairs_outside};
 pub use quantity::OrbitQuantity;

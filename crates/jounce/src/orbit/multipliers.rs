@@ -27,8 +27,7 @@ pub fn multipliers(map: &Mat<f64>) -> Option<Vec<c64>> {
     let balanced = balanced(map);
     let (blocks, rest) = blocks(&balanced);
     let mut values: Vec<c64> = blocks.into_iter().flat_map(|block| own(&balanced, block)).collect();
-    let whole = Mat::from_fn(rest.len(), rest.len(), |i, j| balanced[(rest[i], rest[j])]);
-    values.extend(whole.eigenvalues().ok()?);
+    values.extend(part(&balanced, &rest).eigenvalues().ok()?);
     values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
     Some(values)
 }
@@ -61,21 +60,52 @@ pub fn discs(map: &Mat<f64>, pairs: usize) -> Vec<Disc> {
     blocks.flat_map(of_block).collect()
 }
 
-/// Eigenvalues of a map, and their couplings in another map `B`: `sqrt |C_ij C_ji|` with `C = V^-1 B V` and the eigenvectors `V` of the first map.
-/// Two equal eigenvalues split by their coupling. Fast blocks that stand alone in both maps are left out.
-///
-/// Source: G. W. Stewart and J. Sun, *Matrix Perturbation Theory* (1990), ch. V.
-pub fn couplings(map: &Mat<f64>, other: &Mat<f64>) -> Option<(Vec<c64>, Mat<f64>)> {
-    let [one, two] = [map, other].map(|map| blocks(&balanced(map)).1);
-    let tied: Vec<usize> = (0..map.nrows()).filter(|k| one.contains(k) || two.contains(k)).collect();
-    let of = |map: &Mat<f64>| Mat::from_fn(tied.len(), tied.len(), |i, j| map[(tied[i], tied[j])]);
-    let eigen = of(map).eigen().ok()?;
-    let vectors = eigen.U();
-    let other = of(other);
-    let complex = Mat::from_fn(tied.len(), tied.len(), |i, j| c64::new(other[(i, j)], 0.0));
-    let seen = vectors.partial_piv_lu().solve(complex * vectors);
-    let values = (0..tied.len()).map(|k| eigen.S()[k]).collect();
-    Some((values, Mat::from_fn(tied.len(), tied.len(), |i, j| (seen[(i, j)] * seen[(j, i)]).norm().sqrt())))
+/// Eigenvalues and eigenvectors of a period map, without the fast blocks that stand alone.
+#[derive(Debug, Clone)]
+pub struct Eigenbasis {
+    /// Numbers of the states that it spans.
+    states: Vec<usize>,
+    /// Eigenvalues.
+    pub values: Vec<c64>,
+    vectors: Mat<c64>,
+    inverse: Mat<c64>,
+}
+
+impl Eigenbasis {
+    /// Of a map; `None` where the eigenvectors cannot be computed.
+    pub fn of(map: &Mat<f64>) -> Option<Self> {
+        Self::over(map, blocks(&balanced(map)).1)
+    }
+
+    fn over(map: &Mat<f64>, states: Vec<usize>) -> Option<Self> {
+        let n = states.len();
+        let eigen = part(map, &states).eigen().ok()?;
+        let vectors = eigen.U().to_owned();
+        let inverse = vectors.partial_piv_lu().solve(Mat::<c64>::identity(n, n));
+        Some(Self { states, values: (0..n).map(|k| eigen.S()[k]).collect(), vectors, inverse })
+    }
+
+    /// The couplings of the eigenvalues in another map `B`: `sqrt |C_ij C_ji|` with `C = V^-1 B V` and the eigenvectors `V`. Two equal eigenvalues split
+    /// by their coupling. `other` is the basis of `B`, `map` the map of this one. The result has the eigenvalues in its order.
+    ///
+    /// Source: G. W. Stewart and J. Sun, *Matrix Perturbation Theory* (1990), ch. V.
+    pub fn couplings(&self, map: &Mat<f64>, (other, beyond): (&Self, &Mat<f64>)) -> Option<(Vec<c64>, Mat<f64>)> {
+        // A block that stands alone in one map need not do so in the other.
+        let more: Vec<usize> = other.states.iter().copied().filter(|k| !self.states.contains(k)).collect();
+        if !more.is_empty() {
+            return Self::over(map, [&self.states[..], &more].concat())?.couplings(map, (other, beyond));
+        }
+        let n = self.states.len();
+        let own = part(beyond, &self.states);
+        let complex = Mat::from_fn(n, n, |i, j| c64::new(own[(i, j)], 0.0));
+        let seen = &self.inverse * (complex * &self.vectors);
+        Some((self.values.clone(), Mat::from_fn(n, n, |i, j| (seen[(i, j)] * seen[(j, i)]).norm().sqrt())))
+    }
+}
+
+/// The rows and columns of some states.
+fn part(map: &Mat<f64>, states: &[usize]) -> Mat<f64> {
+    Mat::from_fn(states.len(), states.len(), |i, j| map[(states[i], states[j])])
 }
 
 /// The map with each state scaled by a power of two, so that its row and its column are about equally long (the diagonal left out).

@@ -32,6 +32,22 @@ pub struct Turn {
     pub past_m: f64,
     /// True for a maximum.
     pub is_maximum: bool,
+    /// True where an impact on a rigid stop takes the place of the turning point: the distance is that of the motion without the impact.
+    pub is_struck: bool,
+}
+
+impl Turn {
+    /// The same turning point with its time and distance by more looks near it.
+    pub fn refined(self, shot: &Shot) -> Self {
+        if self.is_struck {
+            return self;
+        }
+        let cycle_s = shot.period_s / shot.trajectories.len() as f64;
+        let half_s = 0.5 * cycle_s / FEWER;
+        let (from_s, to_s) = ((self.time_s - half_s).max(0.0), (self.time_s + half_s).min(cycle_s));
+        let found = closer(&shot.kernel, self.port, &shot.trajectories[self.cycle], from_s, to_s);
+        found.map_or(self, |(time_s, past_m)| Self { time_s, past_m, ..self })
+    }
 }
 
 /// The turning point (maximum or minimum) of any port nearest to the surface of its stop; `None` without one. Laws that act on both
@@ -43,14 +59,15 @@ pub fn nearest_turn(shot: &Shot) -> Option<Turn> {
     let turning = ports.flat_map(|port| {
         shot.trajectories.iter().enumerate().flat_map(move |(cycle, trajectory)| {
             let found = turning_points(&shot.kernel, port, trajectory, cycle_s);
-            found.into_iter().map(move |(time_s, past_m, is_maximum)| Turn { port, cycle, time_s, past_m, is_maximum })
+            found.into_iter().map(move |(time_s, past_m, is_maximum)| Turn { port, cycle, time_s, past_m, is_maximum, is_struck: false })
         })
     });
     turning.min_by(|a, b| a.past_m.abs().total_cmp(&b.past_m.abs()))
 }
 
-/// All turning points of the displacements of the ports, each by the cubic between two looks. An impact on a rigid stop is none. Laws that
-/// act on both sides of their surface have none.
+/// All turning points of the displacements of the ports, each by the cubic between two looks. An impact on a rigid stop stands for the maximum
+/// that the motion would have beyond the stop, so that its distance is zero at the grazing and smooth through it. Laws that act on both sides of their
+/// surface have none.
 pub fn turns(shot: &Shot) -> Vec<Turn> {
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
     let stops = &shot.kernel.plant.system.stops;
@@ -68,10 +85,14 @@ fn turns_of(shot: &Shot, port: usize, cycle_s: f64) -> Vec<Turn> {
         let end = looks[(cycle + 1) % looks.len()].first().map(|next| (cycle_s, next.1, next.2));
         let own: Vec<Motion> = own.iter().copied().chain(end).collect();
         for (from, to) in own.windows(2).map(|pair| (pair[0], pair[1])) {
-            let to = if strikes { unstruck(kernel, port, &shot.trajectories[cycle], (from, to)) } else { to };
-            if from.2 * to.2 < 0.0 {
-                let (share, past_m) = turn_between(from, to);
-                found.push(Turn { port, cycle, time_s: from.0 + share * (to.0 - from.0), past_m, is_maximum: from.2 > 0.0 });
+            let coming = if strikes { unstruck(kernel, port, &shot.trajectories[cycle], (from, to)) } else { to };
+            let turn =
+                |time_s: f64, past_m: f64, is_struck: bool| Turn { port, cycle, time_s, past_m, is_maximum: from.2 > 0.0, is_struck };
+            if from.2 * coming.2 < 0.0 {
+                let (share, past_m) = turn_between(from, coming);
+                found.push(turn(from.0 + share * (coming.0 - from.0), past_m, false));
+            } else if from.2 > 0.0 && to.2 < 0.0 {
+                found.push(turn(to.0, beyond(from, coming), true));
             }
         }
     }
@@ -111,6 +132,13 @@ fn unstruck(kernel: &Kernel, port: usize, trajectory: &Trajectory, (from, to): (
     let coming = trajectory.at(kernel, &[just_before_s]);
     let rate_m_s = coming.first().and_then(|at| motion(kernel, port, at.time_s, &at.state)).map_or(to.2, |coming| coming.2);
     (to.0, to.1, rate_m_s)
+}
+
+/// Distance beyond a rigid stop, m, at which a motion would turn that strikes it: `v^2 / (2 a)`, but no farther than half the way of a look.
+fn beyond(from: Motion, coming: Motion) -> f64 {
+    let (step_s, speed_m_s) = (coming.0 - from.0, coming.2);
+    let slowing_m_s2 = ((from.2 - speed_m_s) / step_s).max(speed_m_s / step_s);
+    0.5 * speed_m_s * speed_m_s / slowing_m_s2
 }
 
 /// Where the cubic through two neighbouring looks turns, as a share of the way, and the distance there; the first look where it does not.

@@ -27,7 +27,8 @@ pub fn wilson(hits: usize, of: usize) -> Share {
     let p = hits as f64 / n;
     let middle = (p + z * z / (2.0 * n)) / (1.0 + z * z / n);
     let half = z * (p * (1.0 - p) / n + z * z / (4.0 * n * n)).sqrt() / (1.0 + z * z / n);
-    Share { fraction: p, low: (middle - half).max(0.0), high: (middle + half).min(1.0) }
+    // The interval holds the fraction, which roundoff would deny where all or none were hit.
+    Share { fraction: p, low: (middle - half).clamp(0.0, p), high: (middle + half).clamp(p, 1.0) }
 }
 
 #[cfg(test)]
@@ -43,7 +44,15 @@ mod tests {
                 let gap = (share.fraction - end).powi(2) - QUANTILE_95.powi(2) * end * (1.0 - end) / of as f64;
                 assert!(gap.abs() < 1e-14, "{hits} of {of}: {share:?}");
             }
-            assert!(share.low <= share.fraction && share.fraction <= share.high);
+        }
+    }
+
+    #[test]
+    fn the_interval_holds_the_fraction() {
+        for (hits, of) in (1..500).flat_map(|of| [0, of / 3, of].map(|hits| (hits, of))) {
+            let share = wilson(hits, of);
+            assert!(0.0 <= share.low && share.low <= share.fraction, "{hits} of {of}: {share:?}");
+            assert!(share.fraction <= share.high && share.high <= 1.0, "{hits} of {of}: {share:?}");
         }
     }
 }

@@ -5,7 +5,8 @@ use super::edge::Leaving;
 use super::events::Level;
 use super::finer::SPARE;
 use super::free::Left;
-use super::passed::{add_passed, drop_doubling};
+use super::halves::{drop_doubling, merge, turns_round};
+use super::passed::add_passed;
 use super::place::{Place, point};
 use crate::continuation::{
     Corrected, Corrector, Direction, Mark, Metric, Position, Step, StepControl, Walk, WalkError, passes, settle, tangent,
@@ -124,9 +125,9 @@ impl Following {
         if let Some(mark) = &mark {
             add_passed(mark.tangent().parameter * before.step.tangent.parameter < 0.0, &before.point, branch);
         }
-        let (mut mark, mut spare) = (walk.mark(), SPARE);
-        while let Some(next) = walk.next() {
-            let step = match next {
+        let (mut mark, mut spare, mut next) = (walk.mark(), SPARE, walk.next());
+        while let Some(found) = next {
+            let step = match found {
                 Ok(step) => step,
                 // Beyond the range a key may have no meaning at all.
                 Err(error) => return self.give_up(method, before, error, branch),
@@ -134,7 +135,10 @@ impl Following {
             match self.leaves_range(method, &before, &step, branch)? {
                 Leaving::Stays => {}
                 Leaving::Left => return Ok(()),
-                Leaving::Lost if walk.retreat(mark.clone()) => continue,
+                Leaving::Lost if walk.retreat(mark.clone()) => {
+                    next = walk.next();
+                    continue;
+                }
                 Leaving::Lost => {
                     branch.endings.push(lost_at_edge(before.point.parameter));
                     return Ok(());
@@ -146,17 +150,26 @@ impl Following {
             }
             let after = Place::new(method, step)?;
             if self.may_be_astray(&before, &after) && walk.retreat(mark.clone()) {
+                next = walk.next();
                 continue;
             }
-            let mut not_proved = Vec::new();
-            let places = match after.point.orbit.repeats_early() {
-                true => vec![after],
-                false => self.resolved(method, &before, after, &mut not_proved)?,
+            let (reached, mut not_proved) = (walk.mark(), Vec::new());
+            let (places, mut beyond) = match after.point.orbit.repeats_early() {
+                true => (Ok(vec![after]), None),
+                // The next step is taken while this one is proved.
+                false => rayon::join(|| self.resolved(method, &before, after, &mut not_proved), || walk.next()),
             };
+            let places = places?;
             // Newton may have strayed to an orbit of fewer cycles; if a short step gets there too, the branch ends on it.
             let merges = places.iter().any(|place| place.point.orbit.repeats_early());
-            if merges && walk.retreat(mark.clone()) {
-                continue;
+            if merges || turns_round(&before, &places) {
+                walk.restore(reached.clone());
+                let is_shorter = walk.retreat(mark.clone());
+                beyond = walk.next();
+                if is_shorter {
+                    next = beyond;
+                    continue;
+                }
             }
             if merges {
                 end(Ending::Merged, branch);
@@ -169,7 +182,7 @@ impl Following {
                 }
                 before = after;
             }
-            mark = walk.mark();
+            (mark, next) = (reached, beyond);
             if let Some((coarser, start)) = self.coarser(method, &before.step, &mut spare)? {
                 return self.walk_on(&coarser, start, (beginning.carried(&coarser), Some(mark)), branch);
             }
@@ -196,10 +209,12 @@ impl Following {
         branch: &mut Branch,
     ) -> Result<bool, M::Error> {
         beginning.left = Left::between(&before.point, &after.point, branch).or(beginning.left);
-        let home = self.home(beginning, before, after, branch.points.len() + 1);
-        branch.bifurcations.extend(match home {
-            // What lies beyond its start was told when it set out.
-            Some(origin) => self.until(method, (before, after), origin)?,
+        let points = branch.points.len() + 1;
+        let home = self.home(beginning, before, after, points);
+        let merge = if home.is_none() && points > 3 { merge(before, after) } else { None };
+        branch.bifurcations.extend(match home.or(merge.as_ref()) {
+            // What lies beyond its start was listed when it set out; beyond a merge its other half repeats what was listed before.
+            Some(end) => self.until(method, (before, after), end)?,
             None => self.between(method, before, after)?,
         });
         branch.points.push(after.point.clone());
@@ -207,7 +222,8 @@ impl Following {
             left.end(branch, back_at);
             return Ok(true);
         }
-        let ending = if home.is_some() { Some(Ending::Closed) } else { self.ending(before, after, branch.points.len()) };
+        let last = (points >= self.most_points).then_some(Ending::Points);
+        let ending = home.map(|_| Ending::Closed).or(merge.map(|_| Ending::Merged)).or(last);
         let ends = ending.is_some();
         ending.into_iter().for_each(|ending| end(ending, branch));
         Ok(ends)
@@ -244,17 +260,6 @@ impl Following {
         let goes_alike = beginning.sense * after.step.tangent.parameter > 0.0;
         let closes = |origin: &&Position| passes(&metric, origin, &before.step.position, &after.step.position);
         if points > 4 && goes_alike { beginning.origins.iter().find(closes) } else { None }
-    }
-
-    fn ending<M: OrbitMethod>(&self, before: &Place<M>, after: &Place<M>, points: usize) -> Option<Ending> {
-        // The halves of a doubled orbit pass through each other where it merges with the branch that it left.
-        if let (Some(a), Some(b)) = (before.point.orbit.halves_apart(), after.point.orbit.halves_apart()) {
-            let product: f64 = a.iter().zip(&b).map(|(a, b)| a * b).sum();
-            if product < 0.0 && points > 3 {
-                return Some(Ending::Merged);
-            }
-        }
-        (points >= self.most_points).then_some(Ending::Points)
     }
 }
 

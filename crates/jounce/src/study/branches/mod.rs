@@ -10,6 +10,7 @@ mod events;
 mod finer;
 mod follow;
 mod free;
+mod halves;
 mod known;
 mod options;
 mod passed;

@@ -1,21 +1,36 @@
 //! What a branch passes between two of its points.
 
 use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint};
+use super::events::{Extremum, extrema};
 use super::follow::Following;
 use super::place::{Place, point};
 use crate::continuation::{Metric, Position, Step, locate};
-use crate::orbit::{Orbit, OrbitMethod, determinant_at, multipliers, nearest_extremum_m, nearest_pair_to_circle, pairs_outside};
-
-/// Distance beside their size of the halves of a doubled orbit that is the one that it left: a fold is located to a share of the step, and
-/// the distance goes with its root.
-const MERGED: f64 = 0.01;
+use crate::orbit::{Orbit, OrbitMethod, Shot, determinant_at, multipliers, nearest_pair_to_circle, pairs_outside};
 
 /// What two neighbouring orbits have between them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Passed {
-    kind: BranchKind,
-    /// Of a grazing: contacts on its side of fewer. Of a level: its number.
-    which: u64,
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Passed {
+    Fold,
+    BranchPoint,
+    PeriodDoubling,
+    NeimarkSacker,
+    /// This turning point passes the surface of its stop.
+    Grazing(Extremum),
+    /// The level of this number.
+    Level(usize),
+}
+
+impl Passed {
+    fn kind(self) -> BranchKind {
+        match self {
+            Passed::Fold => BranchKind::Fold,
+            Passed::BranchPoint => BranchKind::BranchPoint,
+            Passed::PeriodDoubling => BranchKind::PeriodDoubling,
+            Passed::NeimarkSacker => BranchKind::NeimarkSacker,
+            Passed::Grazing(_) => BranchKind::Grazing,
+            Passed::Level(_) => BranchKind::Level,
+        }
+    }
 }
 
 impl Following {
@@ -49,45 +64,45 @@ impl Following {
     }
 
     fn on_the_way<M: OrbitMethod>(&self, method: &M, a: &Place<M>, b: &Place<M>) -> Result<Vec<(f64, Bifurcation)>, M::Error> {
-        let (one, two) = (&a.point.orbit, &b.point.orbit);
         let turns = a.step.tangent.parameter * b.step.tangent.parameter < 0.0;
+        let length = self.along(&a.step, &b.step, &b.step.position);
         let mut found = Vec::new();
-        for passed in passed(one, two, turns).into_iter().chain(self.levels_passed(method, a, b)) {
-            let kind = passed.kind;
-            let level = if kind == BranchKind::Level { self.levels.get(passed.which as usize) } else { None };
-            let value = |step: &Step<M::Local>| match level {
-                Some(level) => method.shot(&step.local).map_or(0.0, |shot| level.off(shot)),
-                None => test(method, passed, step, one),
+        for passed in passed(&a.point.orbit, &b.point.orbit, turns).into_iter().chain(self.read_between(method, a, b)) {
+            let share = |step: &Step<M::Local>| self.along(&a.step, &b.step, &step.position) / length;
+            let value = |step: &Step<M::Local>| match (passed, method.shot(&step.local)) {
+                (Passed::Fold, _) => step.tangent.parameter,
+                (_, Err(_)) => 0.0,
+                (Passed::Grazing(turn), Ok(shot)) => turn.past_m(shot, share(step)),
+                (Passed::Level(number), Ok(shot)) => self.levels[number].off(shot),
+                (_, Ok(shot)) => of_multipliers(passed, step, (shot, &a.point.orbit)),
             };
             let place = locate(method, &self.corrector, self.parameter_scale(), (&a.step, &b.step), self.resolution, value);
             let Some(place) = place else { continue };
             let at = point(method, &place)?;
             // Two real multipliers that meet outside the circle are no torus.
             let on_circle = at.orbit.multipliers.iter().any(|value| value.im > 1e-9 && (value.norm() - 1.0).abs() < 1e-4);
-            if kind != BranchKind::NeimarkSacker || on_circle {
-                let level = level.map(|level| level.text.clone());
-                let found_here = match kind {
-                    BranchKind::Grazing => Bifurcation::grazing(at, method.shot(&place.local)?),
-                    kind => Bifurcation { kind, level, stop: None, at },
-                };
-                found.push((self.along(&a.step, &b.step, &place.position), found_here));
+            if passed == Passed::NeimarkSacker && !on_circle {
+                continue;
             }
+            let stops = &method.shot(&place.local)?.kernel.plant.system.stops;
+            let (level, stop) = match passed {
+                Passed::Level(number) => (Some(self.levels[number].text.clone()), None),
+                Passed::Grazing(turn) => (None, stops.get(turn.from.port).map(|stop| stop.name.clone())),
+                _ => (None, None),
+            };
+            found.push((self.along(&a.step, &b.step, &place.position), Bifurcation { kind: passed.kind(), level, stop, at }));
         }
         // By the key alone what lies about a fold has no order.
         found.sort_by(|x, y| x.0.total_cmp(&y.0));
         Ok(found)
     }
-}
 
-impl Following {
-    /// Levels that are passed between two points.
-    fn levels_passed<M: OrbitMethod>(&self, method: &M, a: &Place<M>, b: &Place<M>) -> Vec<Passed> {
-        if self.levels.is_empty() {
-            return Vec::new();
-        }
-        let (Some(one), Some(two)) = (a.readings(method, self), b.readings(method, self)) else { return Vec::new() };
-        let signs = one.here.levels.iter().zip(&two.here.levels).map(|(one, two)| (*one > 0.0) != (*two > 0.0));
-        signs.enumerate().filter(|(_, passes)| *passes).map(|(k, _)| Passed { kind: BranchKind::Level, which: k as u64 }).collect()
+    /// Grazings and levels between two points, by the signs of their test functions.
+    fn read_between<M: OrbitMethod>(&self, method: &M, a: &Place<M>, b: &Place<M>) -> Vec<Passed> {
+        let Some(ends) = self.ends(method, a, b) else { return Vec::new() };
+        let [one, two] = ends.map(|end| &end.readings.here.levels);
+        let levels = (0..self.levels.len()).filter(|k| (one[*k] > 0.0) != (two[*k] > 0.0)).map(Passed::Level);
+        extrema(ends).into_iter().filter(Extremum::grazes).map(Passed::Grazing).chain(levels).collect()
     }
 }
 
@@ -95,70 +110,34 @@ impl Following {
 /// method may have the place on its other side.
 pub(super) fn add_passed(turns: bool, at: &BranchPoint, branch: &mut Branch) {
     let Some(last) = branch.points.last() else { return };
-    let found = passed(&last.orbit, &at.orbit, turns);
-    branch.bifurcations.extend(found.into_iter().map(|passed| Bifurcation { kind: passed.kind, level: None, stop: None, at: at.clone() }));
-}
-
-/// Takes the last labels of a doubled branch that has come to the one that it left: there it turns, and meets its own other half, which is
-/// the doubling that the other branch tells.
-pub(super) fn drop_doubling(branch: &mut Branch) {
-    let is_doubling = |found: &Bifurcation| {
-        let orbit = &found.at.orbit;
-        let apart = orbit.halves_apart().map_or(f64::INFINITY, |apart| apart.iter().map(|d| d * d).sum::<f64>().sqrt());
-        matches!(found.kind, BranchKind::Fold | BranchKind::BranchPoint) && apart < MERGED * orbit.size()
-    };
-    while branch.bifurcations.last().is_some_and(is_doubling) {
-        branch.bifurcations.pop();
-    }
+    let grazes = (last.orbit.contacts != at.orbit.contacts).then_some(BranchKind::Grazing);
+    let kinds = passed(&last.orbit, &at.orbit, turns).into_iter().map(Passed::kind).chain(grazes);
+    branch.bifurcations.extend(kinds.map(|kind| Bifurcation { kind, level: None, stop: None, at: at.clone() }));
 }
 
 /// What must lie between two orbits of a branch that turns between them, or does not.
 fn passed(one: &Orbit, two: &Orbit, turns: bool) -> Vec<Passed> {
     let passes = |s: f64| one.determinant_at(s) * two.determinant_at(s) < 0.0;
     let found = [
-        (BranchKind::Fold, turns),
-        (BranchKind::BranchPoint, passes(1.0) != turns),
-        (BranchKind::PeriodDoubling, passes(-1.0)),
-        (BranchKind::NeimarkSacker, one.pairs_outside() != two.pairs_outside()),
+        (Passed::Fold, turns),
+        (Passed::BranchPoint, passes(1.0) != turns),
+        (Passed::PeriodDoubling, passes(-1.0)),
+        (Passed::NeimarkSacker, one.pairs_outside() != two.pairs_outside()),
     ];
-    let found = found.into_iter().filter(|(_, is_there)| *is_there).map(|(kind, _)| Passed { kind, which: 0 });
-    let (fewer, more) = (one.contacts.min(two.contacts), one.contacts.max(two.contacts));
-    found.chain((fewer..more).map(|which| Passed { kind: BranchKind::Grazing, which })).collect()
+    found.into_iter().filter(|(_, is_there)| *is_there).map(|(passed, _)| passed).collect()
 }
 
-/// The function of the curve that is zero at a bifurcation, for two points on its two sides.
-fn test<M: OrbitMethod>(method: &M, passed: Passed, step: &Step<M::Local>, before: &Orbit) -> f64 {
-    if passed.kind == BranchKind::Fold {
-        return step.tangent.parameter;
-    }
-    let Ok(shot) = method.shot(&step.local) else { return 0.0 };
-    if passed.kind == BranchKind::Grazing {
-        let distance = nearest_extremum_m(shot).map_or(0.0, f64::abs);
-        return if shot.contacts <= passed.which { -distance } else { distance };
-    }
+/// The function of the multipliers that is zero at a bifurcation, for two points on its two sides.
+fn of_multipliers<L>(passed: Passed, step: &Step<L>, (shot, before): (&Shot, &Orbit)) -> f64 {
     let map = &shot.block_map;
-    match passed.kind {
-        BranchKind::PeriodDoubling => determinant_at(map, -1.0),
-        BranchKind::NeimarkSacker => {
+    match passed {
+        Passed::PeriodDoubling => determinant_at(map, -1.0),
+        Passed::NeimarkSacker => {
             // The count decides on the sign: where real multipliers meet on the way, that of any product says nothing.
             let Some(values) = multipliers(map) else { return 0.0 };
             let distance = nearest_pair_to_circle(&values);
             if pairs_outside(&values) == before.pairs_outside() { -distance } else { distance }
         }
         _ => determinant_at(map, 1.0) * step.tangent.parameter.signum(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// 18 contacts before and 16 after: one goes, then another.
-    #[test]
-    fn two_contacts_that_go_in_one_step_are_two_grazings() {
-        let [one, two] = [18, 16].map(|contacts| Orbit { contacts, ..Orbit::of_cycles(11) });
-        let grazing = |which| Passed { kind: BranchKind::Grazing, which };
-        assert_eq!(passed(&one, &two, false), [grazing(16), grazing(17)]);
-        assert_eq!(passed(&two, &one, false), [grazing(16), grazing(17)]);
     }
 }

@@ -1,47 +1,88 @@
 //! Distances of the turning points of the ports past their stops, joined between two neighbouring points by port, kind and phase.
 //!
-//! A maximum that rises through the surface begins a contact, a minimum that falls through it divides one: a contact more. The other way
-//! round it is a contact less.
+//! A grazing is a zero of one of these distances. A maximum that rises through the surface begins a contact, a minimum that falls through it
+//! divides one.
 
 use super::interpolant::Interpolant;
 use super::pairing::paired;
-use super::reading::way;
+use super::reading::{Reading, way};
 use super::spectrum::End;
-use crate::orbit::Turn;
+use crate::orbit::{Shot, Turn, turns};
 
 /// A turning point on a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Extremum {
+pub(in crate::study::branches) struct Extremum {
     /// Distance past the surface, m.
     pub past_m: Interpolant,
-    /// True for a maximum.
-    pub is_maximum: bool,
+    /// The turning point at the beginning of the step.
+    pub from: Turn,
+    /// Its phase there, a share of the period.
+    phase: f64,
+    /// Change of the phase over the step.
+    way: f64,
 }
 
 impl Extremum {
-    /// Contacts that it adds where it passes the surface once.
-    pub fn adds(&self) -> i32 {
-        let rises = self.past_m.values[1] > self.past_m.values[0];
-        if rises == self.is_maximum { 1 } else { -1 }
+    /// True where the turning point lies on different sides of the surface at the two ends.
+    pub fn grazes(&self) -> bool {
+        let [from, to] = self.past_m.values;
+        (from > 0.0) != (to > 0.0)
+    }
+
+    /// Distance past the surface, m, of the turning point on an orbit of the step, a share of the way from its beginning; not a number without one.
+    pub fn past_m(&self, shot: &Shot, share: f64) -> f64 {
+        let cycles = shot.trajectories.len() as f64;
+        let expected = self.phase + share * self.way;
+        let off = |turn: &Turn| {
+            let off = (turn.cycle as f64 + turn.time_s * cycles / shot.period_s) / cycles - expected;
+            (off - off.round()).abs()
+        };
+        let alike = turns(shot).into_iter().filter(|turn| (turn.port, turn.is_maximum) == (self.from.port, self.from.is_maximum));
+        alike.min_by(|a, b| off(a).total_cmp(&off(b))).map_or(f64::NAN, |turn| turn.refined(shot).past_m)
     }
 }
 
-/// Turning points between two ends; `None` where one that may have touched ends on the way or begins there.
-pub(super) fn extrema(ends: [End; 2]) -> Option<Vec<Extremum>> {
+/// Turning points that both ends of a step have.
+pub(in crate::study::branches) fn extrema(ends: [End; 2]) -> Vec<Extremum> {
     let [a, b] = ends;
-    let turns = ends.map(|end| &end.readings.here.turns);
-    let pairs = paired(turns[0].len(), turns[1].len(), |i, j| off(ends, (i, j)));
+    let (from, to) = (&a.readings.here, &b.readings.here);
+    let joined = |(i, j): (usize, usize)| Extremum {
+        past_m: Interpolant { values: [from.turns[i].past_m, to.turns[j].past_m], slopes: [a.fall_m(i), b.fall_m(j)] },
+        from: from.turns[i],
+        phase: from.phase(&from.turns[i]),
+        way: way((from, &from.turns[i]), (to, &to.turns[j])),
+    };
+    pairs(ends).into_iter().map(joined).collect()
+}
+
+/// True where a turning point that may have touched its stop ends on a step or begins there.
+pub(super) fn may_touch_unseen(ends: [End; 2]) -> bool {
+    let pairs = pairs(ends);
     let is_alone = |side: usize, k: usize| !pairs.iter().any(|pair| [pair.0, pair.1][side] == k);
-    let may_touch = [a, b].iter().enumerate().any(|(side, end)| {
+    ends.iter().enumerate().any(|(side, end)| {
+        let turns = &end.readings.here.turns;
         // It moves by what its derivative says, or by as much again.
-        let stays = |k: usize| end.readings.here.turns[k].past_m.abs() >= 2.0 * end.fall_m(k).abs();
-        (0..turns[side].len()).any(|k| is_alone(side, k) && !stays(k))
-    });
-    let joined = pairs.iter().map(|(i, j)| Extremum {
-        past_m: Interpolant { values: [turns[0][*i].past_m, turns[1][*j].past_m], slopes: [a.fall_m(*i), b.fall_m(*j)] },
-        is_maximum: turns[0][*i].is_maximum,
-    });
-    (!may_touch).then(|| joined.collect())
+        let stays = |k: usize| turns[k].past_m.abs() >= 2.0 * end.fall_m(k).abs();
+        (0..turns.len()).any(|k| is_alone(side, k) && !stays(k))
+    })
+}
+
+fn pairs(ends: [End; 2]) -> Vec<(usize, usize)> {
+    let [from, to] = ends.map(|end| &end.readings.here);
+    let [near, far] = [from, to].map(|reading| (0..reading.turns.len()).map(|k| to_neighbour(reading, k)).collect::<Vec<f64>>());
+    paired(near.len(), far.len(), |i, j| {
+        let off = off(ends, (i, j));
+        // A turning point cannot pass its neighbours.
+        if off < near[i].min(far[j]) { off } else { f64::INFINITY }
+    })
+}
+
+/// Distance in phase from a turning point to the nearest one of the other kind of its port; infinite without one.
+fn to_neighbour(reading: &Reading, k: usize) -> f64 {
+    let own = &reading.turns[k];
+    let neighbours = reading.turns.iter().filter(|turn| turn.port == own.port && turn.is_maximum != own.is_maximum);
+    let away = neighbours.map(|turn| reading.phase(turn) - reading.phase(own)).map(|away| (away - away.round()).abs());
+    away.fold(f64::INFINITY, f64::min)
 }
 
 /// Distance in phase from where the derivatives at both ends lead a turning point to the other end.

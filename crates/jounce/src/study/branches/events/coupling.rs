@@ -6,7 +6,7 @@
 use super::interpolant::Interpolant;
 use super::pairing::paired;
 use super::spectrum::End;
-use crate::orbit::couplings;
+use crate::orbit::Eigenbasis;
 use faer::{Mat, c64};
 use std::f64::consts::TAU;
 
@@ -21,10 +21,11 @@ pub(super) struct Couplings(Option<Vec<Vec<f64>>>);
 
 impl Couplings {
     /// Couplings that another map has in the eigenvectors of a map with these multipliers.
-    pub fn of(values: &[c64], map: &Mat<f64>, other: &Mat<f64>) -> Self {
-        let Some((own, tied)) = couplings(map, other) else { return Self(None) };
+    pub fn of(values: &[c64], [own, other]: [(&Mat<f64>, &Option<Eigenbasis>); 2]) -> Self {
+        let tied = own.1.as_ref().zip(other.1.as_ref()).and_then(|(basis, beyond)| basis.couplings(own.0, (beyond, other.0)));
+        let Some((own, tied)) = tied else { return Self(None) };
         let mut all = vec![vec![0.0; values.len()]; values.len()];
-        let pairs = paired(values.len(), own.len(), |i, k| (values[i] - own[k]).norm());
+        let pairs = paired(values.len(), own.len(), |i, k| (values[i] - own[k]).norm_sqr());
         for (i, k) in &pairs {
             for (j, l) in &pairs {
                 all[*i][*j] = tied[(*k, *l)];
@@ -40,16 +41,28 @@ impl Couplings {
     }
 }
 
-/// True where two complex multipliers may meet on the step and leave the unit circle; each is given by its index at both ends.
-pub(super) fn may_push_out(ends: [End; 2], couplings: &[Couplings; 2], one: (usize, usize), two: (usize, usize)) -> bool {
+/// True where two complex multipliers may meet on the step and leave the unit circle; each is given by its index at both ends. The couplings at both
+/// ends are asked for where nothing else excludes it.
+pub(super) fn may_push_out<'c>(
+    ends: [End; 2],
+    couplings: impl FnOnce() -> Option<&'c [Couplings; 2]>,
+    one: (usize, usize),
+    two: (usize, usize),
+) -> bool {
     let [a, b] = ends;
     let values = [a.value(one.0), a.value(two.0), b.value(one.1), b.value(two.1)];
-    if values.iter().any(|mu| mu.im == 0.0) {
+    if values.iter().any(|mu| mu.im == 0.0) || !may_meet(ends, one, two) {
         return false;
     }
-    let coupling = couplings[0].between(one.0, two.0).max(couplings[1].between(one.1, two.1));
-    let largest = values.iter().map(|mu| mu.norm()).fold(0.0, f64::max);
-    largest + COUPLING_MARGIN * coupling >= 1.0 && may_meet(ends, one, two)
+    let Some(couplings) = couplings() else { return true };
+    let coupling = COUPLING_MARGIN * couplings[0].between(one.0, two.0).max(couplings[1].between(one.1, two.1));
+    let [first, second] = [values[0].norm().max(values[2].norm()), values[1].norm().max(values[3].norm())];
+    largest_coupled(first, second, coupling) >= 1.0
+}
+
+/// The larger modulus of two multipliers of one angle that a coupling ties: the larger eigenvalue of `[a k; k b]`.
+fn largest_coupled(a: f64, b: f64, coupling: f64) -> f64 {
+    0.5 * (a + b) + (0.5 * (a - b)).hypot(coupling)
 }
 
 /// True where the angles of two multipliers may be equal somewhere on the step.

@@ -15,6 +15,7 @@ mod reading;
 mod rule;
 mod spectrum;
 
+pub(super) use contacts::{Extremum, extrema};
 pub use level::Level;
 pub(super) use reading::Readings;
 pub use rule::NotProved;

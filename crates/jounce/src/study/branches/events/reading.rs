@@ -60,7 +60,7 @@ impl Reading {
     /// With the radius of the disc of the block that each multiplier lies nearest to.
     fn with_radii(mut self, shot: &Shot) -> Self {
         let discs = discs(&shot.block_map, shot.kernel.plant.diagonal.block.pairs.len());
-        let pairs = paired(self.multipliers.len(), discs.len(), |i, j| (self.multipliers[i] - discs[j].value).norm());
+        let pairs = paired(self.multipliers.len(), discs.len(), |i, j| (self.multipliers[i] - discs[j].value).norm_sqr());
         self.radii = pairs.into_iter().map(|(_, j)| discs[j].radius).collect();
         self
     }
@@ -103,7 +103,7 @@ impl Readings {
     }
 
     fn joined(here: Reading, ahead: &Reading, length: f64) -> Self {
-        let apart = |i: usize, j: usize| (here.multipliers[i] - ahead.multipliers[j]).norm();
+        let apart = |i: usize, j: usize| (here.multipliers[i] - ahead.multipliers[j]).norm_sqr();
         let same = paired(here.multipliers.len(), ahead.multipliers.len(), apart);
         let multipliers = same.into_iter().map(|(_, j)| ahead.multipliers[j]).collect();
         let mut turns = vec![None; here.turns.len()];

@@ -1,15 +1,17 @@
 //! The rule by which a step of a curve is accepted.
 
-use super::contacts::extrema;
+use super::contacts::{Extremum, extrema, may_touch_unseen};
 use super::coupling::{Couplings, may_push_out};
 use super::interpolant::Interpolant;
 use super::spectrum::{End, Group, TestFunction, between, doubling, fold, groups, is_enclosed, is_torus_crossing, torus};
 use crate::continuation::{Metric, Step, Stretch, correct, tangent};
-use crate::orbit::{Orbit, OrbitMethod};
+use crate::orbit::OrbitMethod;
 use crate::study::branches::branch::BranchKind;
 use crate::study::branches::follow::Following;
+use crate::study::branches::halves::meets_halves;
 use crate::study::branches::place::Place;
 use serde::Serialize;
+use std::cell::OnceCell;
 
 /// Most halvings of one step: what is not proved on a thousandth of it is listed.
 const HALVINGS: u32 = 10;
@@ -102,30 +104,20 @@ impl Following {
         if !meets && self.turns(&before.step, &after.step).crossings().is_none_or(|count| count > 1) {
             doubts.push(BranchKind::Fold);
         }
-        let readings = [before, after].map(|place| place.readings(method, self));
-        let [Some(one), Some(two)] = readings else {
+        let Some(ends) = self.ends(method, before, after) else {
             doubts.extend([BranchKind::PeriodDoubling, BranchKind::NeimarkSacker, BranchKind::Grazing]);
             return doubts;
         };
-        let length = |at: &Place<M>| {
-            let metric = Metric::at(&at.step.position, self.parameter_scale());
-            metric.length(&before.step.position.to(&after.step.position))
-        };
-        let ends = [End { readings: one, length: length(before) }, End { readings: two, length: length(after) }];
+        let [one, two] = ends.map(|end| end.readings);
         // Without contacts and switches multipliers are those of the plant, all inside.
         if !(one.here.is_free && two.here.is_free) {
-            let couplings = self.couplings(method, before, after);
-            let is_tied = |one, two| couplings.as_ref().is_none_or(|couplings| may_push_out(ends, couplings, one, two));
+            let couplings = OnceCell::new();
+            let known = || couplings.get_or_init(|| Self::couplings(method, before, after)).as_ref();
+            let is_tied = |one, two| may_push_out(ends, known, one, two);
             doubts.extend(doubtful_multipliers(ends, is_tied).into_iter().filter(|kind| !(meets && *kind == BranchKind::BranchPoint)));
         }
-        let passes = extrema(ends).map(|all| {
-            let counts = all.iter().map(|one| (one.past_m.crossings(), one.adds()));
-            let passed: Vec<Option<i32>> =
-                counts.filter(|(count, _)| *count != Some(0)).map(|(count, adds)| (count == Some(1)).then_some(adds)).collect();
-            passed
-        });
-        // As many contacts come as go: none is seen by their number.
-        if passes.is_none_or(|passes| passes.contains(&None) || passes.contains(&Some(1)) && passes.contains(&Some(-1))) {
+        let is_open = |turn: &Extremum| turn.past_m.crossings().is_none_or(|count| count > 1);
+        if may_touch_unseen(ends) || extrema(ends).iter().any(is_open) {
             doubts.push(BranchKind::Grazing);
         }
         let level = |k: usize| Interpolant { values: [one, two].map(|at| at.here.levels[k]), slopes: ends.map(|end| end.level(k)) };
@@ -135,12 +127,27 @@ impl Following {
         doubts
     }
 
+    /// The ends of a step with what the test functions are made of; `None` where that cannot be computed.
+    pub(in crate::study::branches) fn ends<'p, M: OrbitMethod>(
+        &self,
+        method: &M,
+        before: &'p Place<M>,
+        after: &'p Place<M>,
+    ) -> Option<[End<'p>; 2]> {
+        let end = |at: &'p Place<M>| {
+            let metric = Metric::at(&at.step.position, self.parameter_scale());
+            Some(End { readings: at.readings(method, self)?, length: metric.length(&before.step.position.to(&after.step.position)) })
+        };
+        Some([end(before)?, end(after)?])
+    }
+
     /// Couplings of the multipliers at each end of a step, read from the map at the other end.
-    fn couplings<M: OrbitMethod>(&self, method: &M, before: &Place<M>, after: &Place<M>) -> Option<[Couplings; 2]> {
-        let [one, two] = [before, after].map(|place| method.shot(&place.step.local).ok());
-        let (one, two) = (&one?.block_map, &two?.block_map);
-        let of = |place: &Place<M>, map, other| Couplings::of(&place.point.orbit.multipliers, map, other);
-        Some([of(before, one, two), of(after, two, one)])
+    fn couplings<M: OrbitMethod>(method: &M, before: &Place<M>, after: &Place<M>) -> Option<[Couplings; 2]> {
+        let maps = [before, after].map(|place| method.shot(&place.step.local).ok());
+        let one = (&maps[0]?.block_map, before.eigenbasis(method));
+        let two = (&maps[1]?.block_map, after.eigenbasis(method));
+        let of = |place: &Place<M>, maps| Couplings::of(&place.point.orbit.multipliers, maps);
+        Some([of(before, [one, two]), of(after, [two, one])])
     }
 
     /// The parameter's share of the tangent, by the cubic of the parameter itself.
@@ -154,15 +161,6 @@ impl Following {
         let middle = 3.0 * way.parameter - first - last;
         Interpolant { values: [first, last], slopes: [2.0 * (middle - first), 2.0 * (last - middle)] }
     }
-}
-
-/// True where an orbit and the same half a period on come so near to each other, or part so, that their distance changes by half or passes zero.
-/// There a doubled branch meets the one that it left: it turns, and the square of the distance is a factor of its distance from +1.
-fn meets_halves(one: &Orbit, two: &Orbit) -> bool {
-    let (Some(one), Some(two)) = (one.halves_apart(), two.halves_apart()) else { return false };
-    let inner = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let [from, to] = [&one, &two].map(|apart| inner(apart, apart).sqrt());
-    inner(&one, &two) <= 0.0 || from.min(to) < 0.5 * from.max(to)
 }
 
 /// Kinds of which more than one multiplier may pass its critical value, or one of them more than once.

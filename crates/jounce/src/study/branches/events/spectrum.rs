@@ -28,7 +28,7 @@ pub(super) struct Group {
 
 /// One end of a step: readings, and the length of the step as it is measured there.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct End<'r> {
+pub(in crate::study::branches) struct End<'r> {
     pub readings: &'r Readings,
     pub length: f64,
 }
@@ -115,26 +115,42 @@ pub(super) fn is_torus_crossing(ends: [End; 2], group: &Group) -> Option<bool> {
     }
 }
 
-/// Distance from where the derivatives at both ends lead one multiplier to the other end.
-fn cost([a, b]: [End; 2], (i, j): (usize, usize)) -> f64 {
-    let (from, to) = (a.value(i), b.value(j));
-    let size = from.norm().max(to.norm());
-    if size == 0.0 {
-        return 0.0;
+/// A multiplier with what leads it to the other end of the step.
+struct Led {
+    value: c64,
+    log: c64,
+    /// Half of its relative change over the step.
+    half: c64,
+}
+
+impl Led {
+    fn all(end: End) -> Vec<Self> {
+        let led = |i: usize| Self { value: end.value(i), log: end.value(i).ln(), half: 0.5 * end.change(i) / end.value(i) };
+        (0..end.count()).map(led).collect()
     }
-    let led = (to / from).ln() - 0.5 * (a.change(i) / from + b.change(j) / to);
-    let turns = led.im - TAU * (led.im / TAU).round();
-    let off = size * led.re.hypot(turns);
-    // Where two real ones meet their derivatives have no bound.
-    let is_real = from.im == 0.0 || to.im == 0.0;
-    let off = if is_real { off.min((to - from).norm()) } else { off };
-    if off.is_finite() { off } else { (to - from).norm() }
+
+    /// Square of the distance from where the derivatives at both ends lead one multiplier to the other end.
+    fn off(&self, to: &Self) -> f64 {
+        let size = self.value.norm_sqr().max(to.value.norm_sqr());
+        let way = (to.value - self.value).norm_sqr();
+        if size == 0.0 {
+            return 0.0;
+        }
+        let led = to.log - self.log - (self.half + to.half);
+        let turns = led.im - TAU * (led.im / TAU).round();
+        let off = size * (led.re * led.re + turns * turns);
+        // Where two real ones meet their derivatives have no bound.
+        let is_real = self.value.im == 0.0 || to.value.im == 0.0;
+        let off = if is_real { off.min(way) } else { off };
+        if off.is_finite() { off } else { way }
+    }
 }
 
 /// Groups between two ends. `is_tied` returns true for two complex multipliers, given by their indices at both ends, that belong to one group.
 pub(super) fn groups(ends: [End; 2], is_tied: impl Fn((usize, usize), (usize, usize)) -> bool) -> Vec<Group> {
     let [a, b] = ends;
-    let pairs = paired(a.count(), b.count(), |i, j| cost(ends, (i, j)));
+    let (from, to) = (Led::all(a), Led::all(b));
+    let pairs = paired(from.len(), to.len(), |i, j| from[i].off(&to[j]));
     // The number of the group of each pair.
     let mut group: Vec<usize> = (0..pairs.len()).collect();
     let join = |group: &mut Vec<usize>, one: usize, two: usize| {
