@@ -121,18 +121,12 @@ impl<'f, F: Family> Walk<'f, F> {
         self.length = mark.length;
     }
 
-    /// Goes back to where a mark was made.
-    pub fn restore(&mut self, mark: Mark) {
-        (self.position, self.tangent, self.behind, self.length) = (mark.position, mark.tangent, mark.behind, mark.length);
-        self.ended = false;
-    }
-
     /// Goes back to a mark, to try a shorter step from there; false, and no change, when the step would be too short.
     pub fn retreat(&mut self, mark: Mark) -> bool {
         let length = self.control.shorter(mark.length.min(self.length));
         let is_long_enough = length > self.control.shortest;
         if is_long_enough {
-            self.restore(Mark { length, ..mark });
+            (self.position, self.tangent, self.behind, self.length) = (mark.position, mark.tangent, mark.behind, length);
         }
         is_long_enough
     }

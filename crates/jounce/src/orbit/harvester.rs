@@ -25,7 +25,7 @@ pub struct Change {
 /// Harvesters over one parameter.
 pub trait Harvester: Sync {
     /// Why there is none at a value.
-    type Error: std::error::Error + Send;
+    type Error: std::error::Error;
 
     /// The harvester at a value of the parameter.
     ///

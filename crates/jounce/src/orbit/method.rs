@@ -4,9 +4,9 @@ use super::{Orbit, OrbitError, Shot};
 use crate::continuation::Family;
 
 /// A method on the harvesters of one family.
-pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>, Local: Send + Sync> + Sync {
+pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>> {
     /// Why a harvester cannot be made.
-    type Fault: std::error::Error + Send;
+    type Fault: std::error::Error;
 
     /// Drive cycles of the period.
     fn cycles(&self) -> u32;

@@ -152,7 +152,9 @@ impl Case {
             for (who, missing) in [("more", self.missing(&other, &usual)), ("missing", self.missing(&usual, &other))] {
                 for found in missing {
                     wrong += 1;
-                    listed += &format!("\n  {settings:?}: {who} {:?} at {}", found.kind, found.at.parameter);
+                    let (at, orbit) = (found.at.parameter, &found.at.orbit);
+                    let (cycles, power_w, error) = (orbit.period_cycles, orbit.mean_power_w, orbit.error_estimate);
+                    listed += &format!("\n  {settings:?}: {who} {:?} of period {cycles} at {at}, {power_w:e} W +- {error:e}", found.kind);
                 }
             }
         }

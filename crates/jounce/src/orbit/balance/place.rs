@@ -11,7 +11,7 @@ use crate::orbit::compliance::{Grid, add_tone};
 use crate::orbit::{Change, Shot};
 use crate::plant::Port;
 use faer::c64;
-use std::sync::OnceLock;
+use std::cell::OnceCell;
 use std::f64::consts::TAU;
 
 /// Highest harmonic at which modes are told apart from rest at the start of the period: a force that starts like `t^1.5` and lasts
@@ -30,16 +30,16 @@ pub struct Balance {
     /// `w / p`, rad/s.
     pub(super) step_rad_s: f64,
     /// The period marched from the state that the forces give.
-    pub(super) shot: OnceLock<Shot>,
+    pub(super) shot: OnceCell<Shot>,
     /// Distance from the curve of the exact flow, beside the one allowed.
-    pub(super) excess: OnceLock<f64>,
+    pub(super) excess: OnceCell<f64>,
     pub(super) by_parameter: Vec<f64>,
     unknown: Vec<f64>,
     grid: Grid,
     between: Between,
     sides: Vec<Side>,
     residual: Vec<f64>,
-    condensed: OnceLock<Option<Condensed>>,
+    condensed: OnceCell<Option<Condensed>>,
 }
 
 impl Balance {
@@ -64,7 +64,7 @@ impl Balance {
             });
         }
         let (by_parameter, unknown, grid) = (vec![0.0; unknown.len()], unknown.to_vec(), grid.clone());
-        let (shot, excess, condensed) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
+        let (shot, excess, condensed) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
         Self { parameter, kernel, forces, step_rad_s, shot, excess, by_parameter, unknown, grid, between, sides, residual, condensed }
     }
 

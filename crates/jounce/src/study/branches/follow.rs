@@ -125,9 +125,9 @@ impl Following {
         if let Some(mark) = &mark {
             add_passed(mark.tangent().parameter * before.step.tangent.parameter < 0.0, &before.point, branch);
         }
-        let (mut mark, mut spare, mut next) = (walk.mark(), SPARE, walk.next());
-        while let Some(found) = next {
-            let step = match found {
+        let (mut mark, mut spare) = (walk.mark(), SPARE);
+        while let Some(next) = walk.next() {
+            let step = match next {
                 Ok(step) => step,
                 // Beyond the range a key may have no meaning at all.
                 Err(error) => return self.give_up(method, before, error, branch),
@@ -135,10 +135,7 @@ impl Following {
             match self.leaves_range(method, &before, &step, branch)? {
                 Leaving::Stays => {}
                 Leaving::Left => return Ok(()),
-                Leaving::Lost if walk.retreat(mark.clone()) => {
-                    next = walk.next();
-                    continue;
-                }
+                Leaving::Lost if walk.retreat(mark.clone()) => continue,
                 Leaving::Lost => {
                     branch.endings.push(lost_at_edge(before.point.parameter));
                     return Ok(());
@@ -150,26 +147,17 @@ impl Following {
             }
             let after = Place::new(method, step)?;
             if self.may_be_astray(&before, &after) && walk.retreat(mark.clone()) {
-                next = walk.next();
                 continue;
             }
-            let (reached, mut not_proved) = (walk.mark(), Vec::new());
-            let (places, mut beyond) = match after.point.orbit.repeats_early() {
-                true => (Ok(vec![after]), None),
-                // The next step is taken while this one is proved.
-                false => rayon::join(|| self.resolved(method, &before, after, &mut not_proved), || walk.next()),
+            let mut not_proved = Vec::new();
+            let places = match after.point.orbit.repeats_early() {
+                true => vec![after],
+                false => self.resolved(method, &before, after, &mut not_proved)?,
             };
-            let places = places?;
             // Newton may have strayed to an orbit of fewer cycles; if a short step gets there too, the branch ends on it.
             let merges = places.iter().any(|place| place.point.orbit.repeats_early());
-            if merges || turns_round(&before, &places) {
-                walk.restore(reached.clone());
-                let is_shorter = walk.retreat(mark.clone());
-                beyond = walk.next();
-                if is_shorter {
-                    next = beyond;
-                    continue;
-                }
+            if (merges || turns_round(&before, &places)) && walk.retreat(mark.clone()) {
+                continue;
             }
             if merges {
                 end(Ending::Merged, branch);
@@ -182,7 +170,7 @@ impl Following {
                 }
                 before = after;
             }
-            (mark, next) = (reached, beyond);
+            mark = walk.mark();
             if let Some((coarser, start)) = self.coarser(method, &before.step, &mut spare)? {
                 return self.walk_on(&coarser, start, (beginning.carried(&coarser), Some(mark)), branch);
             }

@@ -87,14 +87,13 @@ impl BranchSearch<'_> {
     /// [`OrbitError`].
     pub fn run_with(&self, options: &BranchOptions) -> Result<Vec<Branch>, Failure> {
         let following = self.following(options);
-        // On a thread of the pool, which shares its work without delay.
-        rayon::scope(|_| match self.method {
+        match self.method {
             Method::Shooting => self.run_by(&following, |cycles| Ok(self.shooting(cycles))),
             Method::HarmonicBalance { harmonics } => self.run_by(&following, |cycles| {
                 let accuracy = ACCURACY * self.tolerance;
                 HarmonicBalance::new(self.shooting(cycles), &self.base.kernel, harmonics * cycles as usize, accuracy)
             }),
-        })
+        }
     }
 
     fn run_by<M: OrbitMethod<Fault = StudyError>>(

@@ -41,23 +41,17 @@ impl Couplings {
     }
 }
 
-/// True where two complex multipliers may meet on the step and leave the unit circle; each is given by its index at both ends. The couplings at both
-/// ends are asked for where nothing else excludes it.
-pub(super) fn may_push_out<'c>(
-    ends: [End; 2],
-    couplings: impl FnOnce() -> Option<&'c [Couplings; 2]>,
-    one: (usize, usize),
-    two: (usize, usize),
-) -> bool {
+/// True where two complex multipliers may meet on the step and leave the unit circle; each is given by its index at both ends. Of two conjugates the
+/// upper one stands for both.
+pub(super) fn may_push_out(ends: [End; 2], couplings: &[Couplings; 2], one: (usize, usize), two: (usize, usize)) -> bool {
     let [a, b] = ends;
     let values = [a.value(one.0), a.value(two.0), b.value(one.1), b.value(two.1)];
-    if values.iter().any(|mu| mu.im == 0.0) || !may_meet(ends, one, two) {
+    if values[0].im <= 0.0 || values.iter().any(|mu| mu.im == 0.0) {
         return false;
     }
-    let Some(couplings) = couplings() else { return true };
     let coupling = COUPLING_MARGIN * couplings[0].between(one.0, two.0).max(couplings[1].between(one.1, two.1));
     let [first, second] = [values[0].norm().max(values[2].norm()), values[1].norm().max(values[3].norm())];
-    largest_coupled(first, second, coupling) >= 1.0
+    largest_coupled(first, second, coupling) >= 1.0 && may_meet(ends, one, two)
 }
 
 /// The larger modulus of two multipliers of one angle that a coupling ties: the larger eigenvalue of `[a k; k b]`.

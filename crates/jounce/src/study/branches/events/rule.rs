@@ -11,7 +11,6 @@ use crate::study::branches::follow::Following;
 use crate::study::branches::halves::meets_halves;
 use crate::study::branches::place::Place;
 use serde::Serialize;
-use std::cell::OnceCell;
 
 /// Most halvings of one step: what is not proved on a thousandth of it is listed.
 const HALVINGS: u32 = 10;
@@ -111,9 +110,8 @@ impl Following {
         let [one, two] = ends.map(|end| end.readings);
         // Without contacts and switches multipliers are those of the plant, all inside.
         if !(one.here.is_free && two.here.is_free) {
-            let couplings = OnceCell::new();
-            let known = || couplings.get_or_init(|| Self::couplings(method, before, after)).as_ref();
-            let is_tied = |one, two| may_push_out(ends, known, one, two);
+            let couplings = Self::couplings(method, before, after);
+            let is_tied = |one, two| couplings.as_ref().is_none_or(|couplings| may_push_out(ends, couplings, one, two));
             doubts.extend(doubtful_multipliers(ends, is_tied).into_iter().filter(|kind| !(meets && *kind == BranchKind::BranchPoint)));
         }
         let is_open = |turn: &Extremum| turn.past_m.crossings().is_none_or(|count| count > 1);
