@@ -137,7 +137,7 @@ fn tell_warnings(hits: &[ImpactHit]) {
             let fault = faults.entry(fault(*warning)).or_default();
             // A hit that bounces many times is one double hit.
             if fault.last().is_none_or(|(last, _)| *last != number) {
-                fault.push((number, format!("warning: hit {number} of {:.4} N {}", hit.peak_force_n, told(*warning))));
+                fault.push((number, format!("warning: hit {number} of {:.4} N {warning}", hit.peak_force_n)));
             }
         }
     }
@@ -165,17 +165,5 @@ fn fault(warning: HitWarning) -> &'static str {
         HitWarning::Coarse { .. } => "coarse",
         HitWarning::Cut => "cut",
         HitWarning::Ringing { .. } => "while a response still moves",
-    }
-}
-
-fn told(warning: HitWarning) -> String {
-    match warning {
-        HitWarning::Double { after_s, force_n } => format!("is double: {force_n:.4} N again after {after_s:.4e} s"),
-        HitWarning::Clipped { samples } => format!("is clipped: {samples} equal samples at the top"),
-        HitWarning::Coarse { samples } => format!("is coarse: {samples} samples only"),
-        HitWarning::Cut => "is cut by the record's end".to_owned(),
-        HitWarning::Ringing { share } => format!(
-            "comes while a response still moves, with {share:.4} of its rms in the block: wait longer between hits, or strike once in each recording"
-        ),
     }
 }

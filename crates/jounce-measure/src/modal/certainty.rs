@@ -80,9 +80,9 @@ impl Certainty {
 
     /// Share of each line of each response of a band that the unknowns take up; that of lines which the fit leaves out is nothing.
     pub fn taken(&self, data: &Data, outputs: &[Left], band: &Band) -> Vec<Vec<f64>> {
-        let rows = 2 * data.lines.len();
+        let (rows, inputs) = (2 * data.lines.len(), responses_of_part(data, outputs));
         let of = |response: usize| {
-            let (left, from) = (&outputs[response / band.inputs], response % band.inputs * rows);
+            let (left, from) = (&outputs[response / inputs], response % inputs * rows);
             let mut shares = vec![0.0; band.frequency_hz.len()];
             for (k, line) in data.lines.iter().enumerate() {
                 shares[*line] = 0.5 * (self.share(left, from + 2 * k) + self.share(left, from + 2 * k + 1));
@@ -112,10 +112,15 @@ impl Certainty {
     }
 }
 
+/// Responses whose rows stand in one part: all of an output where its responses share a shape, else one, however many references there are.
+fn responses_of_part(data: &Data, outputs: &[Left]) -> usize {
+    data.responses.len() / outputs.len().max(1)
+}
+
 /// What a part that is left out adds to `J^T P e` over all responses, as it is and turned by 90 degrees.
 fn score(data: &Data, outputs: &[Left], left_out: &LeftOut, turns: usize) -> Mat<f64> {
     let size = outputs.first().map_or(0, |left| left.projected.ncols());
-    let inputs = data.responses.len() / outputs.len().max(1);
+    let inputs = responses_of_part(data, outputs);
     let rows = 2 * data.lines.len();
     let mut sums = Mat::<f64>::zeros(size, turns);
     for (o, left) in outputs.iter().enumerate() {
