@@ -1,14 +1,14 @@
 //! Arguments of a hammer or shaker test, which `frf --measured` and `modes --measured` share.
 
 use crate::failure::Failure;
-use crate::measured_file::{manifest, positive, record, tell, tell_findings};
+use crate::measured_file::{manifest, positive, record, tell};
 use crate::output::line;
 use clap::{Args, ValueEnum};
 use jounce::spec::Quantity as Unit;
 use jounce::table::Manifest;
 use jounce_measure::read;
 use jounce_measure::recording::Over;
-use jounce_measure::response::{Chosen, Responses};
+use jounce_measure::response::{Chosen, Excitation, Responses};
 use jounce_measure::spectral::{Estimator, HitWarning, ImpactHit, ImpactSettings};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -27,7 +27,7 @@ pub enum Noise {
 /// Arguments of a hammer test.
 #[derive(Debug, Args)]
 pub struct HammerArguments {
-    /// Recordings of a hammer or shaker test instead of a spec: force and responses over time, one or more hits in each or a force that
+    /// Recordings of a hammer or shaker test instead of a spec: input and responses over time, one or more hits in each or an input that
     /// goes on, at one place or at several that they tell; or one file of response functions over frequency. CSV or text, Parquet, NPY, MAT v5,
     /// UFF or LVM; by default the spec is used.
     #[arg(long, value_name = "FILE", num_args = 1..)]
@@ -35,7 +35,11 @@ pub struct HammerArguments {
     /// Channel of the force, by its name; by default the first one in newtons.
     #[arg(long, value_name = "CHANNEL", requires = "measured")]
     force: Option<String>,
-    /// Channel of a response, by its name; can be given several times; by default all but the force.
+    /// With --measured the channel of an input that need not be a force: the acceleration, velocity or displacement of the base, a voltage.
+    /// Without it a point of the spec that is pushed; by default the first channel in newtons, or the point of the first drive.
+    #[arg(long, value_name = "CHANNEL", conflicts_with = "force")]
+    pub input: Option<String>,
+    /// Channel of a response, by its name; can be given several times; by default all but the input.
     #[arg(long, value_name = "CHANNEL", requires = "measured")]
     pub response: Vec<String>,
     /// Where the noise is: h1 on the responses, h2 on the force, hv on both.
@@ -68,19 +72,21 @@ impl HammerArguments {
         if let [file] = &self.measured[..] {
             let recordings = read::file(file)?.recordings;
             if recordings.iter().all(|recording| recording.over == Over::Frequency) {
-                recordings.iter().for_each(tell_findings);
-                let told = recordings.iter().map(|recording| recording.findings.len()).sum();
                 let found = Responses::given(&recordings)?;
-                tell(&found.findings[told..]);
+                tell(&found.findings, None);
                 return Ok(found);
             }
         }
         let records = self.measured.iter().map(|file| record(file)).collect::<Result<Vec<_>, _>>()?;
-        records.iter().for_each(tell_findings);
-        let chosen = Chosen { force: self.force.clone(), responses: self.response.clone() };
-        let told = records.iter().map(|record| record.findings.len()).sum();
+        let excitation = match (&self.input, &self.force) {
+            (Some(channel), _) => Excitation::Channel(channel.clone()),
+            (None, Some(channel)) => Excitation::Force(channel.clone()),
+            (None, None) => Excitation::FirstForce,
+        };
+        let chosen = Chosen { excitation, responses: self.response.clone() };
         let found = Responses::of_hits(&records, &chosen, &settings)?;
-        tell(&found.findings[told..]);
+        let used: Vec<&str> = found.outputs.iter().chain([&found.input]).map(String::as_str).collect();
+        tell(&found.findings, Some(&used));
         Ok(found)
     }
 
@@ -88,7 +94,7 @@ impl HammerArguments {
     pub fn manifest(&self, command: &str) -> Result<Manifest, Failure> {
         let manifest = manifest(command, &self.measured)?.with("estimator", format!("{:?}", self.estimator));
         let manifest = manifest.with("force_window", self.force_window).with("end_ratio", self.end_ratio.unwrap_or(1.0));
-        Ok(manifest.with("shaker", self.shaker))
+        Ok(manifest.with("shaker", self.shaker).with("input", self.input.clone().unwrap_or_default()))
     }
 
     fn settings(&self) -> Result<ImpactSettings, Failure> {
@@ -116,7 +122,7 @@ pub fn tell_hits(responses: &Responses) {
     if let Some(block_s) = responses.block_s {
         if responses.hits.is_empty() {
             let blocks = responses.functions.first().map_or(0, |function| function.blocks);
-            line(format!("the force goes on, as a shaker's: {blocks} blocks of {block_s:.6} s averaged, half overlapping, Hann"));
+            line(format!("the input goes on, as a shaker's: {blocks} blocks of {block_s:.6} s averaged, half overlapping, Hann"));
         } else {
             let used = responses.hits.iter().filter(|hit| hit.used).count();
             line(format!("{used} hits of {} averaged, blocks of {block_s:.6} s", responses.hits.len()));
