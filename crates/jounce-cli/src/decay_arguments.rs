@@ -15,11 +15,11 @@ use std::path::PathBuf;
 pub struct DecayArguments {
     /// The recordings are free decays, one after each release or hit, each from its largest size on or over --span; by default they are those
     /// of a hammer or shaker.
-    #[arg(long, requires = "measured", conflicts_with_all = ["output_only", "force"])]
+    #[arg(long, requires = "measured", conflicts_with_all = ["output_only", "force", "input"])]
     pub free_decay: bool,
     /// The recording is that of a structure under noise that nobody measured; or one amplitude spectrum over frequency; by default the
     /// recordings hold a force.
-    #[arg(long, requires = "measured", conflicts_with = "force")]
+    #[arg(long, requires = "measured", conflicts_with_all = ["force", "input"])]
     pub output_only: bool,
     /// Part of each free decay that is used, in times after its first sample, as in 0.2s:3s; by default from its largest size to its end.
     #[arg(long, value_name = "FROM:TO", requires = "free_decay")]

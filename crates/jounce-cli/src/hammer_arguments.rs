@@ -7,8 +7,8 @@ use clap::{Args, ValueEnum};
 use jounce::spec::Quantity as Unit;
 use jounce::table::Manifest;
 use jounce_measure::read;
-use jounce_measure::recording::Over;
-use jounce_measure::response::{Chosen, Excitation, Responses};
+use jounce_measure::recording::{Over, Recording};
+use jounce_measure::response::{Chosen, Excitation, Parts, Responses, bridged, paired};
 use jounce_measure::spectral::{Estimator, HitWarning, ImpactHit, ImpactSettings};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -22,6 +22,17 @@ pub enum Noise {
     H2,
     /// On both.
     Hv,
+}
+
+/// What two columns of a file over frequency hold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Functions {
+    /// Real and imaginary part.
+    ReIm,
+    /// Size and phase in degrees.
+    SizeDegrees,
+    /// Size and phase in radians.
+    SizeRadians,
 }
 
 /// Arguments of a hammer test.
@@ -63,6 +74,13 @@ pub struct HammerArguments {
     /// is taken so.
     #[arg(long, requires = "measured")]
     shaker: bool,
+    /// What every two columns of a file over frequency hold, where no header tells that they are response functions; by default only complex
+    /// channels, as NAME.re and NAME.im, are.
+    #[arg(long, value_enum, value_name = "PARTS", requires = "measured")]
+    functions: Option<Functions>,
+    /// Bridges lines of response functions that are no numbers by straight lines; by default they are refused.
+    #[arg(long, requires = "measured")]
+    bridge: bool,
 }
 
 impl HammerArguments {
@@ -70,7 +88,7 @@ impl HammerArguments {
     pub fn responses(&self) -> Result<Responses, Failure> {
         let settings = self.settings()?;
         if let [file] = &self.measured[..] {
-            let recordings = read::file(file)?.recordings;
+            let recordings = self.prepared(read::file(file)?.recordings)?;
             if recordings.iter().all(|recording| recording.over == Over::Frequency) {
                 let found = Responses::given(&recordings)?;
                 tell(&found.findings, None);
@@ -88,6 +106,20 @@ impl HammerArguments {
         let used: Vec<&str> = found.outputs.iter().chain([&found.input]).map(String::as_str).collect();
         tell(&found.findings, Some(&used));
         Ok(found)
+    }
+
+    /// Recordings with their columns paired and their lines bridged, as asked for.
+    fn prepared(&self, recordings: Vec<Recording>) -> Result<Vec<Recording>, Failure> {
+        let parts = self.functions.map(|functions| match functions {
+            Functions::ReIm => Parts::ReIm,
+            Functions::SizeDegrees => Parts::SizeDegrees,
+            Functions::SizeRadians => Parts::SizeRadians,
+        });
+        let found = match parts {
+            Some(parts) => paired(recordings, parts)?,
+            None => recordings,
+        };
+        Ok(if self.bridge { bridged(found) } else { found })
     }
 
     /// Manifest of an answer.

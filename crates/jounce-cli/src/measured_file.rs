@@ -84,7 +84,11 @@ pub fn first_live(recording: &Surveyed, quantity: Quantity) -> Option<usize> {
     let live = |channel: &&(usize, &SurveyedChannel)| channel.1.sizes.peak > 0.0 && !still(&channel.1.name);
     let all: Vec<(usize, &SurveyedChannel)> = recording.channels.iter().enumerate().collect();
     let found = all.iter().filter(live).find(|(_, channel)| channel.quantity == quantity);
-    found.or_else(|| all.iter().find(live)).or_else(|| all.iter().find(|(_, channel)| channel.quantity == quantity)).or(all.first()).map(|(k, _)| *k)
+    found
+        .or_else(|| all.iter().find(live))
+        .or_else(|| all.iter().find(|(_, channel)| channel.quantity == quantity))
+        .or(all.first())
+        .map(|(k, _)| *k)
 }
 
 /// The first recording over time in a file, its numbers not in memory.

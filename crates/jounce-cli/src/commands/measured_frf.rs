@@ -36,6 +36,7 @@ pub fn run(hammer: &HammerArguments, output: &OutputArguments) -> Result<(), Fai
         print(&serde_json::json!({
             "frequency_hz": found.functions[0].frequency_hz,
             "responses": listed,
+            "input": found.input,
             "outputs": found.outputs,
             "references": found.references,
             "hits": found.hits,

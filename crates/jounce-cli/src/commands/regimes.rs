@@ -136,7 +136,10 @@ fn tell(found: &Regimes, unit: &str, powers: &[String], shown: &[Correspondence]
             .cycles
             .map_or_else(|| format!("period longer than {LONGEST_PERIOD} cycles, or none"), |cycles| format!("period {cycles} cycles"));
         let (start, end, rms) = (stretch.start_s, stretch.end_s, stretch.rms);
-        line(format!("{start:>10.3} s to {end:>10.3} s  rms {rms:.5e} {}, {period} (mismatch {:.3}){power}", unit, stretch.period.mismatch));
+        line(format!(
+            "{start:>10.3} s to {end:>10.3} s  rms {rms:.5e} {}, {period} (mismatch {:.3}){power}",
+            unit, stretch.period.mismatch
+        ));
         if let Some(shown) = shown.get(k) {
             regime_model::tell(shown);
         }

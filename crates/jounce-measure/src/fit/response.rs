@@ -79,7 +79,10 @@ impl ResponseFeature {
     pub(super) fn relative_in_words(&self, place: &str) -> Option<String> {
         let moves = matches!(self.output, Response::Displacement(_) | Response::Velocity(_) | Response::Acceleration(_));
         (moves && self.input == Input::BaseAcceleration && !self.absolute).then(|| {
-            format!("{place}: {} is taken relative to the base; write absolute = true for a sensor that stands on the structure", self.output.name())
+            format!(
+                "{place}: {} is taken relative to the base; write absolute = true for a sensor that stands on the structure",
+                self.output.name()
+            )
         })
     }
 }
@@ -151,7 +154,10 @@ impl Lines {
         let unit = found.unit.as_str();
         let silent = !found.head().tells_unit();
         if !silent && (Unit::responds(unit), Unit::per(unit)) != (Some(due.output), Some(due.input)) {
-            return Err(told(format!("channel {channel} is in {unit}, and this response is in {}; correct input, output or unit", due.unit)));
+            return Err(told(format!(
+                "channel {channel} is in {unit}, and this response is in {}; correct input, output or unit",
+                due.unit
+            )));
         }
         let assumed = silent.then(|| format!("{place}: channel {channel} tells no unit; {} is assumed", due.unit));
         let places = recording.grid.places();

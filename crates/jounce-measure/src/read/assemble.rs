@@ -9,7 +9,9 @@ use super::numbers::Numbers;
 use super::raw::{Column, Rate, Raw, SAME_RATE, Stamps};
 use super::survey::{Places, Surveyed, SurveyedChannel};
 use super::{ChannelNotes, Notes, ReadError};
-use crate::recording::{Finding, FindingKind, Grid, Over, Quantity, Series, Sizes, Stamped, Unit, inspected, may_be_counts, sizes_with, usual_step};
+use crate::recording::{
+    Finding, FindingKind, Grid, Over, Quantity, Series, Sizes, Stamped, Unit, inspected, may_be_counts, sizes_with, usual_step,
+};
 
 /// The recording of a data set.
 pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) -> Result<Surveyed, ReadError> {

@@ -112,10 +112,33 @@ pub enum ResponseError {
         force: String,
     },
     /// Spectra without phase.
-    #[error("{recording} is over frequency and holds no complex channel: a response function has a real and an imaginary part")]
+    #[error(
+        "{recording} is over frequency and holds no complex channel: a response function has a real and an imaginary part; tell what its columns \
+         hold (--functions re-im or size-degrees, functions=)"
+    )]
     NotComplex {
         /// The recording.
         recording: String,
+    },
+    /// Columns that are to be functions over what is told to be a time.
+    #[error(
+        "{recording} is read as a recording over time; write over = \"frequency\" in the notes beside the file, and time = \"1\" for its column"
+    )]
+    OverTime {
+        /// The recording.
+        recording: String,
+    },
+    /// Columns that are no pairs.
+    #[error(
+        "{recording} has {} real columns ({}), and two make a response function: leave the others out in the notes beside the file",
+        channels.len(),
+        channels.join(", ")
+    )]
+    Unpaired {
+        /// The recording.
+        recording: String,
+        /// Its real channels.
+        channels: Vec<String>,
     },
     /// Response functions over unequal frequencies.
     #[error("{first} and {other} lie at unequal frequencies; give response functions of one test")]

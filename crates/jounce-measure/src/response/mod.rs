@@ -5,9 +5,11 @@ mod error;
 mod excitation;
 mod forces;
 mod given;
+mod prepared;
 mod responses;
 
 pub use decays::{AmbientSettings, Decays};
 pub use error::ResponseError;
 pub use excitation::Excitation;
+pub use prepared::{Parts, bridged, paired};
 pub use responses::{Chosen, Responses};

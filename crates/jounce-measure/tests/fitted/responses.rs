@@ -74,7 +74,8 @@ fn a_sensor_on_the_structure_and_the_unit_of_a_file_are_minded() {
     let found = frf(&plant, &Input::BaseAcceleration, std::slice::from_ref(&output), &frequency_hz).expect("responses");
     let riding = found[0].value.iter().map(|h| h + 1.0).collect();
     let lines = Lines::Complex(frequency_hz.clone(), riding);
-    let feature = ResponseFeature { input: Input::BaseAcceleration, output, lines, absolute: true, deviation: given(0.001), set: Vec::new() };
+    let feature =
+        ResponseFeature { input: Input::BaseAcceleration, output, lines, absolute: true, deviation: given(0.001), set: Vec::new() };
     let keys = [("beam.beam.youngs_modulus", 0.1), ("damping.beyond", 0.5)];
     let riding = Features { free: free(&keys), responses: vec![feature], ..Features::default() };
     let (answer, _) = fit(&file, &model, &riding, Path::new("."), &Watch::default()).expect("a fit");

@@ -77,7 +77,13 @@ fn shaken(input: (Quantity, &str), output: (Quantity, &str), turns: impl Fn(u32)
     let values: Vec<f64> = (0..8000).map(turns).collect();
     let twice = values.iter().map(|x| 2.0 * x).collect();
     let channels = vec![Channel::new("in", input.0, input.1, values), Channel::new("out", output.0, output.1, twice)];
-    Recording { name: "shaken".to_owned(), over: Over::Time, grid: Grid::even(0.0, 1e-3, 8000).expect("a grid"), channels, findings: Vec::new() }
+    Recording {
+        name: "shaken".to_owned(),
+        over: Over::Time,
+        grid: Grid::even(0.0, 1e-3, 8000).expect("a grid"),
+        channels,
+        findings: Vec::new(),
+    }
 }
 
 fn going_on(k: u32) -> f64 {

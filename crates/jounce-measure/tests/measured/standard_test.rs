@@ -210,8 +210,10 @@ fn trial(truth: &Spec, responses: &[Vec<Complex<f64>>], seed: u64) -> Inside {
         features.modes.push(loaded(&mode, *ohm));
         features.responses.extend(FLANKS_HZ.map(|band| flank(&found, band, *ohm)));
     }
-    let (answer, fitted) = fit(&file, &guess, &features, Path::new("."), &Watch::default()).unwrap_or_else(|fault| panic!("{seed}: {fault}"));
-    for (name, key) in ["frequency", "damping", "", "", "participation"].into_iter().zip(&answer.keys).filter(|(name, _)| !name.is_empty()) {
+    let (answer, fitted) =
+        fit(&file, &guess, &features, Path::new("."), &Watch::default()).unwrap_or_else(|fault| panic!("{seed}: {fault}"));
+    for (name, key) in ["frequency", "damping", "", "", "participation"].into_iter().zip(&answer.keys).filter(|(name, _)| !name.is_empty())
+    {
         let value = file.numeric_key(&key.key).expect("a key").get(truth).expect("a value");
         inside.push((name, (key.low..=key.high).contains(&value)));
     }
