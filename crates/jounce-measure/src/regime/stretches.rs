@@ -76,8 +76,8 @@ pub enum RegimeError {
 const BLOCKS: f64 = 4.0;
 /// A change below this share of the record's largest feature is none.
 const SMALLEST: f64 = 0.05;
-/// Cost of a stretch, times the logarithm of the number of blocks, for each feature.
-const COST: f64 = 2.0;
+/// Cost of a stretch, times the logarithm of the number of blocks, for each feature: its mean, its trend and its deviation.
+const COST: f64 = 3.0;
 
 /// Cuts a record under a drive of a known frequency.
 ///
@@ -113,7 +113,7 @@ pub fn regimes_watched(samples: &Samples<'_>, drive_hz: f64, watch: &Watch) -> R
         return Err(RegimeError::Constant);
     }
     // A clean record has hardly any noise: what counts as a change is then decided by its size.
-    let floor = SMALLEST * largest / (2.0 * COST * (blocks as f64).ln()).sqrt();
+    let floor = SMALLEST * largest / (4.0 * (blocks as f64).ln()).sqrt();
     let noise: Vec<f64> = noise(&features).into_iter().map(|s| s.max(floor)).collect();
     let cost = COST * noise.len() as f64 * (blocks as f64).ln();
     let starts = changes(&features, &noise, cost, watch).ok_or(RegimeError::Stopped)?;
