@@ -26,11 +26,15 @@ class Finding:
         return self.text
 
 
+#: Kinds of findings that change no number of an answer.
+_NOTES = ("converted", "encoding", "non-ascii-unit")
+
+
 def found(text: str) -> list[Finding]:
     """From what the compiled module answers."""
     return [Finding(**one) for one in json.loads(text)]
 
 
 def told(findings: Sequence[Finding]) -> list[tuple[str, str]]:
-    """Lines for people."""
-    return [("!", one.text) for one in findings]
+    """Lines for people, each once; what changes no number of an answer is a note."""
+    return list(dict.fromkeys(("note" if one.kind in _NOTES else "!", one.text) for one in findings))

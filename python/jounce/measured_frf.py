@@ -32,7 +32,7 @@ class ImpactHit:
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class MeasuredFrf(Result):
-    """Responses per newton of a hammer test with their coherence; sign convention ``e^{+i w t}``."""
+    """Responses per input of a hammer or shaker test with their coherence; sign convention ``e^{+i w t}``."""
 
     frequency_hz: Floats
     #: Names of the sensors, and the places of the force, or its channel where no place is told; empty where responses were given
@@ -44,6 +44,10 @@ class MeasuredFrf(Result):
     responses: dict[str, Complexes]
     units: dict[str, str]
     coherence: dict[str, Floats]
+    #: Channel of the input; empty where responses were given.
+    input: str
+    #: For responses to an acceleration the factor that makes them per g, and their unit then: ``(9.80665, "V/g")``.
+    per_g: dict[str, tuple[float, str]]
     hits: list[ImpactHit]
     #: Length of a block, s; ``None`` where responses were given.
     block_s: float | None
@@ -69,7 +73,9 @@ class MeasuredFrf(Result):
         for name, values in self.responses.items():
             k = 1 + int(np.argmax(np.abs(values[1:])))
             where = f"{self.frequency_hz[k]:.5g} Hz, coherence {self.coherence[name][k]:.5f}"
-            lines.append(f"highest {abs(values[k]):.5e} {self.units[name]} at {where}")
+            factor, unit = self.per_g.get(name, (1.0, ""))
+            per_g = f" ({factor * abs(values[k]):.5e} {unit})" if unit else ""
+            lines.append(f"highest {abs(values[k]):.5e} {self.units[name]}{per_g} at {where}")
         return lines
 
     def _repr_html_(self) -> str:
@@ -102,17 +108,17 @@ class MeasuredFrf(Result):
 
 def hammer_options(
     force: str | None,
+    input: str | None,
     response: str | Sequence[str],
-    estimator: str,
-    noise_ratio: float,
-    block: Any,
-    force_window: bool,
-    end_ratio: float | None,
-    shaker: bool,
+    cut: tuple[str, float, Any, bool, float | None, bool],
+    functions: str | None,
+    bridge: bool,
 ) -> dict[str, Any]:
-    """How a hammer test is taken to responses, for the compiled module."""
+    """How a hammer or shaker test is taken to responses, for the compiled module."""
+    estimator, noise_ratio, block, force_window, end_ratio, shaker = cut
     return {
         "force": force,
+        "input": input,
         "responses": names(response),
         "estimator": estimator,
         "noise_ratio": noise_ratio,
@@ -120,6 +126,8 @@ def hammer_options(
         "force_window": force_window,
         "end_ratio": end_ratio,
         "shaker": shaker,
+        "functions": functions,
+        "bridge": bridge,
     }
 
 
@@ -138,6 +146,8 @@ def made_frf(given: list[Recording], answer: dict[str, Any], manifest: dict[str,
         responses={name: values for name, (values, _, _) in told.items()},
         units={name: unit for name, (_, unit, _) in told.items()},
         coherence={name: coherence for name, (_, _, coherence) in told.items()},
+        input=answer["input"],
+        per_g={name: one for name, one in zip(told, answer["per_g"]) if one is not None},
         hits=hits,
         block_s=answer["block_s"],
         window_decay_per_s=answer["window_decay_per_s"],
@@ -150,6 +160,7 @@ def measured_frf(
     *,
     sample_rate_hz: Any = None,
     force: str | None = None,
+    input: str | None = None,
     response: str | Sequence[str] = (),
     estimator: Literal["h1", "h2", "hv"] = "h1",
     noise_ratio: float = 1.0,
@@ -157,18 +168,26 @@ def measured_frf(
     force_window: bool = False,
     end_ratio: float | None = None,
     shaker: bool = False,
+    functions: Literal["re-im", "size-degrees", "size-radians"] | None = None,
+    bridge: bool = False,
 ) -> MeasuredFrf:
     """Frequency responses of a hammer or shaker test, ``jounce frf --measured``.
 
     ``records``: one recording or a list of them, each a :class:`Recording`, a file, or SEP005 time series over one time, with one or more
     hits; or one file of responses over frequency. Hits at several places, each recording telling its own, give one response for each sensor
-    and place. ``force`` and ``response`` name channels, by default the first in newtons and all others.
+    and place. ``force`` and ``response`` name channels, by default the first in newtons and all others. ``input`` names a channel that excites
+    without being a force: the acceleration, velocity or displacement of the base, a voltage; it goes on as a shaker's does, and responses are in
+    the unit of their channel per its unit, ``V/(m/s^2)``, with ``per_g`` for those per g.
     ``estimator``: where the noise is, ``"h1"`` on the responses, ``"h2"`` on the force, ``"hv"`` on both, with ``noise_ratio`` of their
     densities. ``block``: ``"2 s"``, by default the shortest distance of two hits. ``force_window`` takes away the force after each hit,
     ``end_ratio`` is where an exponential window ends. A force that goes on, both ways, is taken for that of a shaker, as any is with
     ``shaker``: half-overlapping blocks, by default an eighth of the shortest record long, weighed by a Hann window.
+
+    Of a file over frequency the complex channels are the responses; ``functions`` says what every two real columns hold where no header does, and
+    ``bridge`` puts lines that are no numbers on straight lines between their neighbours.
     """
     given = responses(records, sample_rate_hz)
-    options = hammer_options(force, response, estimator, noise_ratio, block, force_window, end_ratio, shaker)
+    cut = (estimator, noise_ratio, block, force_window, end_ratio, shaker)
+    options = hammer_options(force, input, response, cut, functions, bridge)
     answer = _core.measured_frf([one._core() for one in given], options)
     return made_frf(given, answer, made_manifest("frf", **names_of(given), **options))

@@ -16,7 +16,7 @@ from .given import Measured, responses
 from .measured_frf import MeasuredFrf, hammer_options, made_frf
 from .quantity import span as span_of
 from .recording import Recording, names_of
-from .result import Along, Complexes, Floats, Integers, Result, Variable, html_table, made_manifest
+from .result import Along, Complexes, Floats, Integers, Result, Variable, html_table, made_manifest, with_uncertainty
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -35,6 +35,9 @@ class MeasuredModes(Result):
     #: Places of the force where there are several, and what each moves of a mode, 1 at the largest: by reciprocity the shape there.
     reference: list[str]
     participation: Annotated[Complexes, Along("reference mode", "1", "participation of a force, by reciprocity the shape where it acts")]
+    #: Shape at each response times the participation of the base whose motion is the input; those of all modes add to 1 at each point of the
+    #: structure, and of voltages they are in V/m. NaN under another input.
+    base_participation: Annotated[Complexes, Along("response mode", "", "shape times participation of the base")]
     mac: Annotated[Floats, Along("mode other_mode", "1", "modal assurance criterion")]
     #: Squared error over the variance that the coherence tells; above 1 the deviations are widened by its root.
     misfit: float
@@ -63,7 +66,7 @@ class MeasuredModes(Result):
     def _summary(self) -> list[tuple[str, str]]:
         deviations = zip(self.quantile_95 * self.frequency_deviation_hz, self.quantile_95 * self.damping_deviation)
         lines = [
-            (f"mode {k}", f"{hz:.6g} Hz +- {dhz:.1e} Hz, damping ratio {zeta:.5g} +- {dzeta:.1e} (95 %)")
+            (f"mode {k}", f"{with_uncertainty(hz, dhz, 'Hz')}, damping ratio {with_uncertainty(zeta, dzeta)} (95 %)")
             for k, (hz, zeta, (dhz, dzeta)) in enumerate(zip(self.frequency_hz, self.damping_ratio, deviations), 1)
         ]
         if any(self.doubtful):
@@ -124,6 +127,7 @@ def measured_modes(
     order: int = 40,
     sample_rate_hz: Any = None,
     force: str | None = None,
+    input: str | None = None,
     response: str | Sequence[str] = (),
     estimator: Literal["h1", "h2", "hv"] = "h1",
     noise_ratio: float = 1.0,
@@ -131,6 +135,8 @@ def measured_modes(
     force_window: bool = False,
     end_ratio: float | None = None,
     shaker: bool = False,
+    functions: Literal["re-im", "size-degrees", "size-radians"] | None = None,
+    bridge: bool = False,
     free_decay: bool = False,
     span: Any = None,
     output_only: bool = False,
@@ -154,13 +160,14 @@ def measured_modes(
     check_wholes(order=order)
     given = responses(records, sample_rate_hz)
     if free_decay or output_only:
-        hammer = (force, estimator != "h1", noise_ratio != 1.0, block, force_window, end_ratio, shaker)
+        hammer = (force, input, estimator != "h1", noise_ratio != 1.0, block, force_window, end_ratio, shaker, functions, bridge)
         if free_decay and output_only or any(one not in (None, False) for one in hammer):
             raise ArgumentError("a test is one of free_decay, output_only and hits of a hammer; give the options of one of them")
         return _unforced(given, response, (free_decay, span, reference, lags), between, order)
     if span is not None or reference or lags is not None:
         raise ArgumentError("span is that of free_decay=True, reference and lags are those of output_only=True")
-    options = hammer_options(force, response, estimator, noise_ratio, block, force_window, end_ratio, shaker)
+    cut = (estimator, noise_ratio, block, force_window, end_ratio, shaker)
+    options = hammer_options(force, input, response, cut, functions, bridge)
     band = _ends("frequency", between, "between")
     answer = _core.measured_modes([one._core() for one in given], options, band, order)
     manifest = made_manifest("modes", **names_of(given), **options, between_hz=band, order=order)
@@ -204,10 +211,14 @@ def _shaped(answer: dict[str, Any]) -> dict[str, Any]:
     modes = len(answer["frequency_hz"])
     shape = np.array(answer["shape"]).reshape(modes, len(answer["response"])).T
     participation = np.array(answer["participation"], dtype=np.complex128).reshape(modes, len(answer["reference"])).T
+    of_base = np.array(answer.get("base_participation", []), dtype=np.complex128)
+    size = (modes, len(answer["response"]))
+    base_participation = of_base.reshape(size).T if of_base.size == size[0] * size[1] else np.full(size[::-1], np.nan + 0j)
     return {
         **answer,
         "shape": shape,
         "participation": participation,
+        "base_participation": base_participation,
         "measured": np.array(answer["measured"]),
         "model": np.array(answer["model"]),
     }

@@ -15,7 +15,7 @@ from .errors import ArgumentError
 from .finding import Finding, found, told
 from .given import Measured, recordings
 from .recording import Recording, names_of
-from .result import Along, Floats, Integers, Result, Truths, Variable, column, html_table, made_manifest, whole
+from .result import Along, Floats, Integers, Result, Truths, Variable, column, html_table, made_manifest, whole, with_uncertainty
 from .signal import Spectrum
 
 #: Multiples of the drive whose amplitudes are told.
@@ -59,7 +59,8 @@ class PowerResult(Result):
     def _summary(self) -> list[tuple[str, str]]:
         lines = []
         for k, name in enumerate(self.record):
-            power = f"{self.mean_power_w[k]:.6e} W +- {self.half_width_w[k]:.1e} W (95 %) in {self.resistance_ohm[k]:g} ohm"
+            mean = with_uncertainty(self.mean_power_w[k], self.half_width_w[k], "W")
+            power = f"{mean} (95 %) in {self.resistance_ohm[k]:g} ohm"
             lines.append((name, power + (", interval too narrow: the record is too short" if self.correlated[k] else "")))
         return lines + told(self.findings)
 

@@ -14,7 +14,7 @@ from .errors import ArgumentError
 from .finding import Finding, found, told
 from .given import Measured, recording
 from .recording import Recording, names_of
-from .result import Along, Floats, Integers, Result, Variable, column, html_table, made_manifest, whole
+from .result import Along, Floats, Integers, Result, Variable, column, html_table, made_manifest, whole, with_uncertainty
 from .spec import Spec
 
 
@@ -32,7 +32,7 @@ class RegimesResult(Result):
     rms: Floats
     period_cycles: Annotated[Integers, Along("stretch", "1", "drive cycles of the period, 0 where it is longer than 12, or none")]
     mismatch: Annotated[Floats, Along("stretch", "1", "what the repetition misses, over the rms")]
-    #: NaN where no resistance was given.
+    #: NaN where no resistance was given, and where a stretch is too short for an interval.
     mean_power_w: Annotated[Floats, Along("stretch", "W", "mean power")]
     half_width_w: Annotated[Floats, Along("stretch", "W", "half the width of its 95 % interval")]
     effective_samples: Annotated[Floats, Along("stretch", "1", "independent values of the power that the stretch is worth")]
@@ -65,7 +65,8 @@ class RegimesResult(Result):
             ("changes", f"lie within {self.uncertainty_s:.3g} s of their places"),
         ]
         for k, name in enumerate(self.names()):
-            power = f", {self.mean_power_w[k]:.5e} W +- {self.half_width_w[k]:.1e} W" if np.isfinite(self.mean_power_w[k]) else ""
+            mean = with_uncertainty(self.mean_power_w[k], self.half_width_w[k], "W")
+            power = f", {mean}" if np.isfinite(self.mean_power_w[k]) else ""
             shown = f", solution: {self.solution[k]}" if self.solution else ""
             lines.append((f"{self.start_s[k]:.3f} s to {self.end_s[k]:.3f} s", f"rms {self.rms[k]:.5e} {self.unit}, {name}{power}{shown}"))
         lines += [(f"{at_s:.3f} s", f"{reason}, the solution stays") for at_s, reason in zip(self.joint_s, self.joint_reason)]
@@ -140,7 +141,8 @@ def regimes(
     handed = _core.measured_regimes(given._core(), drive_hz, channel, ohm, None if model is None else model._spec, compared)
     answer = whole(handed)
     shown = json.loads(answer["correspondences"])
-    stretches, powers, joints = (json.loads(answer[name]) for name in ("stretches", "powers", "joints"))
+    stretches, given_powers, joints = (json.loads(answer[name]) for name in ("stretches", "powers", "joints"))
+    powers = [one or {} for one in given_powers]
     periods = [one["period"] for one in stretches]
     none: list[dict[str, Any]] = [{} for _ in stretches]
     return RegimesResult(

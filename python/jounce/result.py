@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import html
 import json
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple, Self, TypeVar, get_args, get_type_hints
 
@@ -173,6 +174,23 @@ def made_manifest(command: str, **options: Any) -> dict[str, Any]:
     """Where an answer comes from that needs no spec; options of ``None`` are those that were not given."""
     given = {name: str(value) for name, value in options.items() if value is not None}
     return {"created_by": "jounce", "version": _core.VERSION, "spec_sha256": "", "options": {"command": command, **given}}
+
+
+def with_uncertainty(value: float, half_width: float, unit: str = "") -> str:
+    """A value with half the width of its interval, both to the digit of the second one that the half width has: ``(6.9 +- 4.9)e-6 W``."""
+    behind = f" {unit}" if unit else ""
+    largest = max(abs(value), abs(half_width))
+    if not (math.isfinite(value) and math.isfinite(half_width) and largest > 0.0):
+        return f"{value:g} +- {half_width:g}{behind}"
+    power = _power_of_ten(largest)
+    exponent = 0 if -3 <= power <= 5 else power
+    digits = max(0, 1 + exponent - _power_of_ten(max(half_width, largest * 1e-12)))
+    numbers = f"{value / 10.0**exponent:.{digits}f} +- {half_width / 10.0**exponent:.{digits}f}"
+    return f"{numbers}{behind}" if exponent == 0 else f"({numbers})e{exponent}{behind}"
+
+
+def _power_of_ten(value: float) -> int:
+    return math.floor(math.log10(abs(value)))
 
 
 def html_table(title: str, header: Sequence[str], rows: Sequence[Sequence[object]]) -> str:

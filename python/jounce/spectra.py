@@ -5,8 +5,6 @@ from __future__ import annotations
 import dataclasses
 from typing import Annotated, Any, Literal
 
-import numpy as np
-
 from . import _core
 from .arguments import optional_si
 from .finding import Finding, found, told
@@ -35,6 +33,9 @@ class SpectraResult(Result):
     #: Lines, Hz, and the power spectral density there (Welch), in the unit of the channel squared per hertz.
     frequency_hz: Floats
     density: Floats
+    #: The highest peaks, five at most, the highest first, without side lobes of the window: frequency, Hz, and density.
+    peak_frequency_hz: Annotated[Floats, Along("peak", "Hz", "frequency of a peak of the density")]
+    peak_density: Floats
     #: Middle of each segment, s from the first sample, and amplitudes of shape ``(segment, frequency)``.
     time_s: Floats
     amplitude_peak: Floats
@@ -61,13 +62,13 @@ class SpectraResult(Result):
         return float(self.density[inside].sum() * self.resolution_hz)
 
     def _summary(self) -> list[tuple[str, str]]:
-        highest = int(np.argmax(self.density))
         lines = [
             ("channel", f"{self.channel} [{self.unit or 'no unit'}]"),
             ("segments", f"{len(self)} of {self.segment_s:.4g} s, {self.window} window, overlap {self.overlap:g}"),
             ("lines", f"{self.resolution_hz:.4g} Hz apart"),
-            ("highest density", f"{self.density[highest]:.4e} {self.density_unit} at {self.frequency_hz[highest]:.5g} Hz"),
         ]
+        peaks = zip(self.peak_frequency_hz, self.peak_density)
+        lines += [("peak", f"{density:.4e} {self.density_unit} at {hz:.5g} Hz") for hz, density in peaks]
         for order, hz, peak in zip(self.order, self.order_frequency_hz, self.order_amplitude_peak):
             lines.append((f"order {order:.4g}", f"{peak:.5e} {self.unit} peak at {hz:.5g} Hz"))
         return lines + told(self.findings)
@@ -84,6 +85,7 @@ class SpectraResult(Result):
             **self._variables(),
             "mean": Variable((), self.mean, self.unit, f"{self.channel}, mean"),
             "density": Variable(("frequency",), self.density, self.density_unit, f"{self.channel}, one-sided power spectral density"),
+            "peak_density": Variable(("peak",), self.peak_density, self.density_unit, "density of a peak"),
             "amplitude_peak": Variable(("time", "frequency"), self.amplitude_peak, self.unit, f"{self.channel}, amplitude zero to peak"),
             "order_amplitude_peak": Variable(("order",), self.order_amplitude_peak, self.unit, "amplitude zero to peak at a multiple"),
         }
@@ -129,7 +131,7 @@ def spectra(
     """Power spectral density (Welch), order lines and spectrogram of a channel, ``jounce spectra``.
 
     ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``; ``channel`` by default the
-    first in volts, else the first. With a ``drive``, ``"13 Hz"``, amplitudes at its multiples are fitted to the whole record, exact where
+    first in volts that moves, else the first that does. With a ``drive``, ``"13 Hz"``, amplitudes at its multiples are fitted to the whole record, exact where
     no line falls on a bin. A ``segment``, ``"2 s"``, is by default 24 cycles of the drive, or without one a thirty-second of the record.
     A sinusoid between two lines shows up to 15 % less under ``"hann"``, at most 0.1 % less under ``"flat-top"``, whose lines are wider.
 

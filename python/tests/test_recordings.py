@@ -214,6 +214,54 @@ def test_modes_of_a_hammer_test_are_those_of_the_model_and_of_the_command_line(h
     assert again.frequency_hz == pytest.approx(found.frequency_hz, rel=2e-4)
 
 
+def test_the_motion_of_a_base_is_an_input_and_that_of_the_command_line(command_line, tmp_path):
+    """A base under noise and an oscillator of 40 Hz on it: absolute motion, voltage in V/(m/s^2) and per g, participation 1."""
+    rng = np.random.default_rng(4)
+    count, rate = 1 << 15, 500.0
+    bins = np.fft.rfft(rng.normal(size=count))
+    s = 2j * np.pi * np.fft.rfftfreq(count, 1.0 / rate)
+    w = 2.0 * np.pi * 40.0
+    relative = -1.0 / (s**2 + 2.0 * 0.02 * w * s + w**2)
+    base, tip, volts = (np.fft.irfft(bins * h, count) for h in (np.ones_like(s), 1.0 + s**2 * relative, 300.0 * relative))
+    given = jounce.Recording.of(
+        {"base": base / 9.80665, "tip": tip, "piezo": volts}, rate, units={"base": "g", "tip": "m/s^2", "piezo": "V"}, name="shaken"
+    )
+    given.write(tmp_path / "shaken.csv")
+    found = jounce.measured_frf(given, input="base")
+    assert (found.input, found.units) == ("base", {"tip": "m/s^2/(m/s^2)", "piezo": "V/(m/s^2)"}) and found.per_g == {"piezo": (9.80665, "V/g")}
+    told = command_line("frf", f"--measured={tmp_path / 'shaken.csv'}", "--input=base", spec=None)
+    same(found["piezo"].real, told["responses"]["piezo"]["re"])
+    assert "V/g" in repr(found)
+    modes = jounce.measured_modes(given, input="base", between="10 Hz:100 Hz", order=8)
+    k = int(np.argmin(abs(modes.frequency_hz - 40.0)))
+    assert modes.frequency_hz[k] == pytest.approx(40.0, rel=1e-3) and modes.damping_ratio[k] == pytest.approx(0.02, rel=0.05)
+    assert modes.base_participation.shape == (2, len(modes))
+    assert modes.base_participation[:, k].real == pytest.approx([1.0, 300.0], rel=0.05)
+    with pytest.raises(jounce.ArgumentError, match="give one of them"):
+        jounce.measured_frf(given, input="base", force="base")
+
+
+def test_functions_of_plain_columns_and_their_gaps():
+    hz = np.linspace(5.0, 60.0, 600)
+    h = 1.0 / ((2 * np.pi * 20.0) ** 2 - (2 * np.pi * hz) ** 2 + 2j * 0.02 * 2 * np.pi * 20.0 * 2 * np.pi * hz)
+    h[100] = np.nan
+    given = jounce.Recording.of({"size": np.abs(h), "phase": np.angle(h, deg=True)}, frequency_hz=hz, units={"size": "m/N", "phase": ""})
+    options = {"functions": "size-degrees", "between": "6 Hz:50 Hz", "order": 8}
+    with pytest.raises(jounce.RecordingError, match="bridge"):
+        jounce.measured_modes(given, **options)
+    found = jounce.measured_modes(given, bridge=True, **options)
+    assert found.frequency_hz[0] == pytest.approx(20.0, rel=1e-4) and np.isnan(found.base_participation).all()
+    with pytest.raises(jounce.ArgumentError, match="re-im"):
+        jounce.measured_frf(given, functions="polar")
+
+
+def test_a_value_and_its_uncertainty_end_at_one_digit():
+    from jounce.result import with_uncertainty
+
+    told = [with_uncertainty(*one) for one in ((6.9123e-6, 4.9e-6, "W"), (60.312345, 1.23e-4, "Hz"), (123.0, 45.0), (1.234e7, 3e4, "Hz"))]
+    assert told == ["(6.9 +- 4.9)e-6 W", "60.31234 +- 0.00012 Hz", "123 +- 45", "(1.2340 +- 0.0030)e7 Hz"]
+
+
 def test_hits_at_two_places_give_one_response_for_each_sensor_and_place(harvester, command_line, tmp_path):
     points = ["beam.hammer", "beam.tip"]
     options = {"fixed_table": True, "hits": 1, "block": "8 s", "rate": "1024 Hz", "contact": "4 ms", "noise": 1e-4}
@@ -273,6 +321,7 @@ def test_spectra_are_those_of_the_command_line_and_of_closed_form(command_line, 
     at = [int(np.argmin(abs(found.frequency_hz - hz))) for hz in (12.0, 6.0)]
     assert found.amplitude_peak.shape == (len(found.time_s), len(found.frequency_hz))
     assert found.amplitude_peak[:, at] == pytest.approx(np.tile([2.0, 1.0], (len(found), 1)), rel=2e-3)
+    assert found.peak_frequency_hz.tolist()[:2] == [12.0, 6.0] and len(found.peak_density) == len(found.peak_frequency_hz)
     dataset = found.to_xarray()
     assert dataset.density.attrs["units"] == "V^2/Hz" and dataset.amplitude_peak.dims == ("time", "frequency")
     assert pickle.loads(pickle.dumps(found)) == found and "order 0.5" in repr(found) and len(found.orders_to_pandas()) == 10

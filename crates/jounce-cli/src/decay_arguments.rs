@@ -1,7 +1,7 @@
 //! Arguments of tests without a measured force: free decays, and outputs alone.
 
 use crate::failure::Failure;
-use crate::measured_file::{ends, manifest, positive, record, tell_findings};
+use crate::measured_file::{ends, manifest, positive, record, tell};
 use clap::Args;
 use jounce::spec::Quantity as Unit;
 use jounce::table::Manifest;
@@ -15,11 +15,11 @@ use std::path::PathBuf;
 pub struct DecayArguments {
     /// The recordings are free decays, one after each release or hit, each from its largest size on or over --span; by default they are those
     /// of a hammer or shaker.
-    #[arg(long, requires = "measured", conflicts_with_all = ["output_only", "force"])]
+    #[arg(long, requires = "measured", conflicts_with_all = ["output_only", "force", "input"])]
     pub free_decay: bool,
     /// The recording is that of a structure under noise that nobody measured; or one amplitude spectrum over frequency; by default the
     /// recordings hold a force.
-    #[arg(long, requires = "measured", conflicts_with = "force")]
+    #[arg(long, requires = "measured", conflicts_with_all = ["force", "input"])]
     pub output_only: bool,
     /// Part of each free decay that is used, in times after its first sample, as in 0.2s:3s; by default from its largest size to its end.
     #[arg(long, value_name = "FROM:TO", requires = "free_decay")]
@@ -42,20 +42,18 @@ impl DecayArguments {
     pub fn decays(&self, files: &[PathBuf], responses: &[String]) -> Result<Decays, Failure> {
         if self.free_decay {
             let records = files.iter().map(|file| record(file)).collect::<Result<Vec<_>, _>>()?;
-            records.iter().for_each(tell_findings);
-            return Ok(Decays::free(&records, responses, self.span_s()?)?);
+            return Ok(told(Decays::free(&records, responses, self.span_s()?)?));
         }
         let [file] = files else {
             return Err(Failure::usage(format!("--output-only takes one recording, and {} are given", files.len())));
         };
         if let Some(spectrum) = read::file(file)?.recordings.first().filter(|recording| recording.over == Over::Frequency) {
-            tell_findings(spectrum);
-            return Ok(Decays::of_spectrum(spectrum, responses)?);
+            return Ok(told(Decays::of_spectrum(spectrum, responses)?));
         }
         let record = record(file)?;
-        tell_findings(&record);
         let lags_s = self.lags.as_ref().map(|text| positive("--lags", text, Unit::Time)).transpose()?;
-        Ok(Decays::ambient(&record, &AmbientSettings { responses: responses.to_vec(), references: self.reference.clone(), lags_s })?)
+        let settings = AmbientSettings { responses: responses.to_vec(), references: self.reference.clone(), lags_s };
+        Ok(told(Decays::ambient(&record, &settings)?))
     }
 
     /// Manifest of an answer.
@@ -70,4 +68,11 @@ impl DecayArguments {
         let (from_s, to_s) = ends("--span", text, Unit::Time)?;
         if from_s >= 0.0 { Ok(Some((from_s, to_s))) } else { Err(Failure::usage(format!("--span {text}: a decay begins at 0"))) }
     }
+}
+
+/// Tells what was noticed of the channels in use.
+fn told(decays: Decays) -> Decays {
+    let used: Vec<&str> = decays.outputs.iter().chain(&decays.references).map(String::as_str).collect();
+    tell(&decays.findings, Some(&used));
+    decays
 }

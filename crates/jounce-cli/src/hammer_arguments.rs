@@ -1,14 +1,14 @@
 //! Arguments of a hammer or shaker test, which `frf --measured` and `modes --measured` share.
 
 use crate::failure::Failure;
-use crate::measured_file::{manifest, positive, record, tell, tell_findings};
+use crate::measured_file::{manifest, positive, record, tell};
 use crate::output::line;
 use clap::{Args, ValueEnum};
 use jounce::spec::Quantity as Unit;
 use jounce::table::Manifest;
 use jounce_measure::read;
-use jounce_measure::recording::Over;
-use jounce_measure::response::{Chosen, Responses};
+use jounce_measure::recording::{Over, Recording};
+use jounce_measure::response::{Chosen, Excitation, Parts, Responses, bridged, paired};
 use jounce_measure::spectral::{Estimator, HitWarning, ImpactHit, ImpactSettings};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -24,10 +24,21 @@ pub enum Noise {
     Hv,
 }
 
+/// What two columns of a file over frequency hold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Functions {
+    /// Real and imaginary part.
+    ReIm,
+    /// Size and phase in degrees.
+    SizeDegrees,
+    /// Size and phase in radians.
+    SizeRadians,
+}
+
 /// Arguments of a hammer test.
 #[derive(Debug, Args)]
 pub struct HammerArguments {
-    /// Recordings of a hammer or shaker test instead of a spec: force and responses over time, one or more hits in each or a force that
+    /// Recordings of a hammer or shaker test instead of a spec: input and responses over time, one or more hits in each or an input that
     /// goes on, at one place or at several that they tell; or one file of response functions over frequency. CSV or text, Parquet, NPY, MAT v5,
     /// UFF or LVM; by default the spec is used.
     #[arg(long, value_name = "FILE", num_args = 1..)]
@@ -35,7 +46,11 @@ pub struct HammerArguments {
     /// Channel of the force, by its name; by default the first one in newtons.
     #[arg(long, value_name = "CHANNEL", requires = "measured")]
     force: Option<String>,
-    /// Channel of a response, by its name; can be given several times; by default all but the force.
+    /// With --measured the channel of an input that need not be a force: the acceleration, velocity or displacement of the base, a voltage.
+    /// Without it a point of the spec that is pushed; by default the first channel in newtons, or the point of the first drive.
+    #[arg(long, value_name = "CHANNEL", conflicts_with = "force")]
+    pub input: Option<String>,
+    /// Channel of a response, by its name; can be given several times; by default all but the input.
     #[arg(long, value_name = "CHANNEL", requires = "measured")]
     pub response: Vec<String>,
     /// Where the noise is: h1 on the responses, h2 on the force, hv on both.
@@ -59,6 +74,13 @@ pub struct HammerArguments {
     /// is taken so.
     #[arg(long, requires = "measured")]
     shaker: bool,
+    /// What every two columns of a file over frequency hold, where no header tells that they are response functions; by default only complex
+    /// channels, as NAME.re and NAME.im, are.
+    #[arg(long, value_enum, value_name = "PARTS", requires = "measured")]
+    functions: Option<Functions>,
+    /// Bridges lines of response functions that are no numbers by straight lines; by default they are refused.
+    #[arg(long, requires = "measured")]
+    bridge: bool,
 }
 
 impl HammerArguments {
@@ -66,29 +88,45 @@ impl HammerArguments {
     pub fn responses(&self) -> Result<Responses, Failure> {
         let settings = self.settings()?;
         if let [file] = &self.measured[..] {
-            let recordings = read::file(file)?.recordings;
+            let recordings = self.prepared(read::file(file)?.recordings)?;
             if recordings.iter().all(|recording| recording.over == Over::Frequency) {
-                recordings.iter().for_each(tell_findings);
-                let told = recordings.iter().map(|recording| recording.findings.len()).sum();
                 let found = Responses::given(&recordings)?;
-                tell(&found.findings[told..]);
+                tell(&found.findings, None);
                 return Ok(found);
             }
         }
         let records = self.measured.iter().map(|file| record(file)).collect::<Result<Vec<_>, _>>()?;
-        records.iter().for_each(tell_findings);
-        let chosen = Chosen { force: self.force.clone(), responses: self.response.clone() };
-        let told = records.iter().map(|record| record.findings.len()).sum();
+        let excitation = match (&self.input, &self.force) {
+            (Some(channel), _) => Excitation::Channel(channel.clone()),
+            (None, Some(channel)) => Excitation::Force(channel.clone()),
+            (None, None) => Excitation::FirstForce,
+        };
+        let chosen = Chosen { excitation, responses: self.response.clone() };
         let found = Responses::of_hits(&records, &chosen, &settings)?;
-        tell(&found.findings[told..]);
+        let used: Vec<&str> = found.outputs.iter().chain([&found.input]).map(String::as_str).collect();
+        tell(&found.findings, Some(&used));
         Ok(found)
+    }
+
+    /// Recordings with their columns paired and their lines bridged, as asked for.
+    fn prepared(&self, recordings: Vec<Recording>) -> Result<Vec<Recording>, Failure> {
+        let parts = self.functions.map(|functions| match functions {
+            Functions::ReIm => Parts::ReIm,
+            Functions::SizeDegrees => Parts::SizeDegrees,
+            Functions::SizeRadians => Parts::SizeRadians,
+        });
+        let found = match parts {
+            Some(parts) => paired(recordings, parts)?,
+            None => recordings,
+        };
+        Ok(if self.bridge { bridged(found) } else { found })
     }
 
     /// Manifest of an answer.
     pub fn manifest(&self, command: &str) -> Result<Manifest, Failure> {
         let manifest = manifest(command, &self.measured)?.with("estimator", format!("{:?}", self.estimator));
         let manifest = manifest.with("force_window", self.force_window).with("end_ratio", self.end_ratio.unwrap_or(1.0));
-        Ok(manifest.with("shaker", self.shaker))
+        Ok(manifest.with("shaker", self.shaker).with("input", self.input.clone().unwrap_or_default()))
     }
 
     fn settings(&self) -> Result<ImpactSettings, Failure> {
@@ -116,7 +154,7 @@ pub fn tell_hits(responses: &Responses) {
     if let Some(block_s) = responses.block_s {
         if responses.hits.is_empty() {
             let blocks = responses.functions.first().map_or(0, |function| function.blocks);
-            line(format!("the force goes on, as a shaker's: {blocks} blocks of {block_s:.6} s averaged, half overlapping, Hann"));
+            line(format!("the input goes on, as a shaker's: {blocks} blocks of {block_s:.6} s averaged, half overlapping, Hann"));
         } else {
             let used = responses.hits.iter().filter(|hit| hit.used).count();
             line(format!("{used} hits of {} averaged, blocks of {block_s:.6} s", responses.hits.len()));
@@ -137,7 +175,7 @@ fn tell_warnings(hits: &[ImpactHit]) {
             let fault = faults.entry(fault(*warning)).or_default();
             // A hit that bounces many times is one double hit.
             if fault.last().is_none_or(|(last, _)| *last != number) {
-                fault.push((number, format!("warning: hit {number} of {:.4} N {}", hit.peak_force_n, told(*warning))));
+                fault.push((number, format!("warning: hit {number} of {:.4} N {warning}", hit.peak_force_n)));
             }
         }
     }
@@ -165,17 +203,5 @@ fn fault(warning: HitWarning) -> &'static str {
         HitWarning::Coarse { .. } => "coarse",
         HitWarning::Cut => "cut",
         HitWarning::Ringing { .. } => "while a response still moves",
-    }
-}
-
-fn told(warning: HitWarning) -> String {
-    match warning {
-        HitWarning::Double { after_s, force_n } => format!("is double: {force_n:.4} N again after {after_s:.4e} s"),
-        HitWarning::Clipped { samples } => format!("is clipped: {samples} equal samples at the top"),
-        HitWarning::Coarse { samples } => format!("is coarse: {samples} samples only"),
-        HitWarning::Cut => "is cut by the record's end".to_owned(),
-        HitWarning::Ringing { share } => format!(
-            "comes while a response still moves, with {share:.4} of its rms in the block: wait longer between hits, or strike once in each recording"
-        ),
     }
 }

@@ -5,8 +5,8 @@ use crate::spec_arguments::OutputArguments;
 use clap::Args;
 use jounce::spec::Quantity as Unit;
 use jounce::table::Manifest;
-use jounce_measure::read::{self, Surveyed};
-use jounce_measure::recording::{ChannelError, Finding, Quantity, Recording, chosen, named};
+use jounce_measure::read::{self, Surveyed, SurveyedChannel};
+use jounce_measure::recording::{ChannelError, Finding, FindingKind, Quantity, Recording, chosen, named};
 use sha2::{Digest, Sha256};
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -61,7 +61,7 @@ fn hash_hex(file: &Path) -> Result<String, Failure> {
 }
 
 /// The number of the channel of a name or number; without one, of the only channel or the first of a quantity. Where it tells no unit, what is
-/// assumed is told and kept.
+/// assumed is kept among the findings.
 pub fn channel(recording: &mut Surveyed, wanted: Option<&str>, quantity: Quantity, option: &str) -> Result<usize, Failure> {
     let number = chosen(&recording.name, &recording.heads(), wanted, quantity).map_err(|error| match error {
         ChannelError::Missing(error) => error.into(),
@@ -69,7 +69,6 @@ pub fn channel(recording: &mut Surveyed, wanted: Option<&str>, quantity: Quantit
         error @ ChannelError::Unit { .. } => Failure::Input(format!("{option}: {error}")),
     })?;
     let assumed = recording.channels[number].head().assumed(quantity);
-    tell(assumed.as_slice());
     recording.findings.extend(assumed);
     Ok(number)
 }
@@ -79,20 +78,32 @@ pub fn any_channel(recording: &Surveyed, wanted: &str) -> Result<usize, Failure>
     Ok(named(&recording.name, &recording.heads(), wanted)?)
 }
 
-/// The first recording over time in a file, its numbers not in memory; tells on stderr what was noticed.
-pub fn survey(file: &Path) -> Result<Surveyed, Failure> {
-    let recording = read::survey_record(file)?;
-    tell(&recording.findings);
-    Ok(recording)
+/// The first channel of a quantity that moves, else the first channel that does, else the first of them.
+pub fn first_live(recording: &Surveyed, quantity: Quantity) -> Option<usize> {
+    let still = |name: &str| recording.findings.iter().any(|f| f.kind == FindingKind::Constant && f.channel.as_deref() == Some(name));
+    let live = |channel: &&(usize, &SurveyedChannel)| channel.1.sizes.peak > 0.0 && !still(&channel.1.name);
+    let all: Vec<(usize, &SurveyedChannel)> = recording.channels.iter().enumerate().collect();
+    let found = all.iter().filter(live).find(|(_, channel)| channel.quantity == quantity);
+    found
+        .or_else(|| all.iter().find(live))
+        .or_else(|| all.iter().find(|(_, channel)| channel.quantity == quantity))
+        .or(all.first())
+        .map(|(k, _)| *k)
 }
 
-/// Some channels of it at even times and without missing samples, and tells on stderr what was done to them; the others never come to memory.
+/// The first recording over time in a file, its numbers not in memory.
+pub fn survey(file: &Path) -> Result<Surveyed, Failure> {
+    Ok(read::survey_record(file)?)
+}
+
+/// Some channels of it at even times and without missing samples; the others never come to memory. Tells on stderr what was noticed of these and of
+/// the whole, and what was done to them.
 pub fn loaded(recording: Surveyed, channels: &[usize]) -> Result<Recording, Failure> {
-    let told = recording.findings.len();
     let kept =
         recording.into_recording_of(channels).map_err(|fault| Failure::Input(format!("the scratch file cannot be read: {fault}")))?;
     let even = kept.into_even()?;
-    tell(&even.findings[told..]);
+    let used: Vec<&str> = even.channels.iter().map(|channel| channel.name.as_str()).collect();
+    tell(&even.findings, Some(&used));
     Ok(even)
 }
 
@@ -113,12 +124,26 @@ pub fn ends(option: &str, text: &str, quantity: Unit) -> Result<(f64, f64), Fail
     if from < to { Ok((from, to)) } else { Err(wrong()) }
 }
 
-/// Tells on stderr what was noticed and done.
-pub fn tell_findings(recording: &Recording) {
-    tell(&recording.findings);
-}
-
-/// The same of some findings.
-pub fn tell(findings: &[Finding]) {
-    findings.iter().for_each(|finding| eprintln!("{finding}"));
+/// Tells on stderr what was noticed of recordings as a whole and of the channels in use, of all without a list: each sentence once, with the number
+/// of times that it holds where it holds of several recordings. What changes no number of an answer is a note.
+pub fn tell(findings: &[Finding], used: Option<&[&str]>) {
+    let concerns = |finding: &&Finding| match (&finding.channel, used) {
+        (Some(channel), Some(used)) => used.contains(&channel.as_str()),
+        _ => true,
+    };
+    let mut told: Vec<(String, usize)> = Vec::new();
+    for finding in findings.iter().filter(concerns) {
+        let text = if finding.kind.is_note() { format!("note: {finding}") } else { finding.to_string() };
+        match told.iter_mut().find(|(known, _)| *known == text) {
+            Some((_, times)) => *times += 1,
+            None => told.push((text, 1)),
+        }
+    }
+    for (text, times) in told {
+        if times > 1 {
+            eprintln!("{text} (in {times} recordings)");
+        } else {
+            eprintln!("{text}");
+        }
+    }
 }

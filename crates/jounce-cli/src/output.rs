@@ -28,6 +28,26 @@ pub fn key_value(value: f64) -> String {
     }
 }
 
+/// Powers of ten that are written out.
+const PLAIN: std::ops::RangeInclusive<i32> = -3..=5;
+
+/// A value with half the width of its interval, both to the digit that the second one of the half width has: `(6.9 +- 4.9)e-6 W`.
+pub fn with_uncertainty(value: f64, half_width: f64, unit: &str) -> String {
+    let behind = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+    let largest = value.abs().max(half_width.abs());
+    if !(value.is_finite() && half_width.is_finite() && largest > 0.0) {
+        return format!("{value} +- {half_width}{behind}");
+    }
+    let power = |x: f64| x.abs().log10().floor() as i32;
+    let exponent = if PLAIN.contains(&power(largest)) { 0 } else { power(largest) };
+    let scale = 10f64.powi(-exponent);
+    // Of no uncertainty more digits than a number has say nothing.
+    let last = power(half_width.max(largest * 1e-12)) - exponent;
+    let digits = usize::try_from(1 - last).unwrap_or(0);
+    let numbers = format!("{:.digits$} +- {:.digits$}", value * scale, half_width * scale);
+    if exponent == 0 { format!("{numbers}{behind}") } else { format!("({numbers})e{exponent}{behind}") }
+}
+
 /// Prints a text on stdout as it is.
 pub fn text(text: &str) {
     let _ = std::io::stdout().lock().write_all(text.as_bytes());
@@ -58,6 +78,26 @@ fn make(folder: &Path) -> Result<(), Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_value_and_its_uncertainty_end_at_one_digit() {
+        let cases = [
+            (6.9123e-6, 4.9e-6, "W", "(6.9 +- 4.9)e-6 W"),
+            (2.75, 0.0012, "W", "2.7500 +- 0.0012 W"),
+            (60.312_345, 1.23e-4, "Hz", "60.31234 +- 0.00012 Hz"),
+            (0.0121, 0.000_34, "", "0.01210 +- 0.00034"),
+            (123.0, 45.0, "ohm", "123 +- 45 ohm"),
+            (1.234e7, 3.0e4, "Hz", "(1.2340 +- 0.0030)e7 Hz"),
+            (1e-9, 4.2e-7, "W", "(0.0 +- 4.2)e-7 W"),
+            (0.0, 0.0, "W", "0 +- 0 W"),
+            (1.5, f64::NAN, "W", "1.5 +- NaN W"),
+            (-2.5e-5, 1.0e-7, "V", "(-2.500 +- 0.010)e-5 V"),
+        ];
+        for (value, half_width, unit, told) in cases {
+            assert_eq!(with_uncertainty(value, half_width, unit), told);
+        }
+        assert!(with_uncertainty(2.5, 0.0, "W").starts_with("2.5000000"), "{}", with_uncertainty(2.5, 0.0, "W"));
+    }
 
     #[test]
     fn a_small_value_keeps_its_digits() {

@@ -123,7 +123,7 @@ fn tell(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
         HitSearch::default().edge * hit.peak_force_n,
         hit.impulse_n_s
     ));
-    hit.warnings.iter().take(TOLD).for_each(|warning| line(format!("  warning: {warning:?}")));
+    hit.warnings.iter().take(TOLD).for_each(|warning| line(format!("  warning: the hit {warning}")));
     if hit.warnings.len() > TOLD {
         line(format!("  warning: and {} more like these", hit.warnings.len() - TOLD));
     }

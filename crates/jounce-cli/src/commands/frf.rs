@@ -32,9 +32,6 @@ pub struct Frf {
     /// Number of frequencies, evenly spaced on a logarithmic axis.
     #[arg(long, default_value_t = 2000)]
     points: usize,
-    /// Point that is pushed; by default that of the first drive.
-    #[arg(long, value_name = "POINT")]
-    input: Option<String>,
     /// Accelerates the base instead of pushing a point; displacements are then relative to the base.
     #[arg(long, conflicts_with = "input")]
     base: bool,
@@ -62,7 +59,7 @@ impl Frf {
         let frequency_hz = self.frequencies()?;
         let held = held(&self.hold, self.fixed_table, &spec);
         let forced = spec.drive.values().find(|drive| drive.kind == DriveKind::Force);
-        let input = match (&self.input, forced) {
+        let input = match (&self.hammer.input, forced) {
             _ if self.base => Input::BaseAcceleration,
             (Some(point), _) => Input::Force(point.clone()),
             (None, Some(drive)) => Input::Force(drive.at.clone()),

@@ -24,6 +24,8 @@ pub fn run(hammer: &HammerArguments, output: &OutputArguments) -> Result<(), Fai
                 "re": re,
                 "im": im,
                 "unit": found.units[k],
+                "per_g": found.per_g(k).map(|(factor, unit)| serde_json::json!({ "factor": factor, "unit": unit })),
+                "transmissibility": found.is_transmissibility(k),
                 "coherence": function.coherence,
                 "output": found.outputs[k / references],
                 "reference": found.references.get(k % references),
@@ -34,6 +36,7 @@ pub fn run(hammer: &HammerArguments, output: &OutputArguments) -> Result<(), Fai
         print(&serde_json::json!({
             "frequency_hz": found.functions[0].frequency_hz,
             "responses": listed,
+            "input": found.input,
             "outputs": found.outputs,
             "references": found.references,
             "hits": found.hits,
@@ -44,11 +47,13 @@ pub fn run(hammer: &HammerArguments, output: &OutputArguments) -> Result<(), Fai
         return Ok(());
     }
     tell_hits(&found);
-    for ((name, unit), function) in found.names.iter().zip(&found.units).zip(&found.functions) {
+    for (number, ((name, unit), function)) in found.names.iter().zip(&found.units).zip(&found.functions).enumerate() {
         let lines = function.value.iter().enumerate().skip(1);
         if let Some((k, highest)) = lines.max_by(|a, b| a.1.norm().total_cmp(&b.1.norm())) {
-            let (frequency_hz, coherence) = (function.frequency_hz[k], function.coherence[k]);
-            line(format!("{name}: highest {:.5e} {unit} at {frequency_hz:.4} Hz, coherence {coherence:.5}", highest.norm()));
+            let (frequency_hz, coherence, size) = (function.frequency_hz[k], function.coherence[k], highest.norm());
+            let per_g = found.per_g(number).map_or_else(String::new, |(factor, unit)| format!(" ({:.5e} {unit})", size * factor));
+            let unit = if found.is_transmissibility(number) { "(transmissibility)" } else { unit };
+            line(format!("{name}: highest {size:.5e} {unit}{per_g} at {frequency_hz:.4} Hz, coherence {coherence:.5}"));
         }
     }
     Ok(())

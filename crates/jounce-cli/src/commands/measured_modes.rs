@@ -4,14 +4,14 @@ use crate::decay_arguments::DecayArguments;
 use crate::failure::Failure;
 use crate::hammer_arguments::{HammerArguments, tell_hits};
 use crate::measured_file::ends;
-use crate::output::{self, line, print};
+use crate::output::{self, line, print, with_uncertainty};
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
 use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::{modal_fit, stabilisation};
 use jounce_measure::modal::{Band, Identification, Mode, Settings, Stable, identify, identify_decays, mac_matrix};
-use jounce_measure::recording::Finding;
+use jounce_measure::recording::{Finding, Quantity};
 use jounce_measure::response::Responses;
 use std::path::Path;
 
@@ -41,7 +41,7 @@ struct Taken {
     references: Vec<String>,
     /// Responses or decays, one or more for each of them.
     functions: Vec<String>,
-    /// The responses of a hammer test.
+    /// The responses of a hammer or shaker test.
     responses: Option<Responses>,
     findings: Vec<Finding>,
 }
@@ -82,11 +82,10 @@ pub fn run(hammer: &HammerArguments, decay: &DecayArguments, band: &BandArgument
         return Ok(());
     }
     taken.responses.iter().for_each(tell_hits);
-    line("mode  frequency_hz  +- 95 %      damping_ratio  +- 95 %");
+    line("mode  frequency_hz +- 95 %         damping_ratio +- 95 %");
     for (k, mode) in found.modes.iter().enumerate() {
-        let (f, df) = (mode.frequency_hz, mode.frequency_half_width_hz());
-        let (zeta, dzeta) = (mode.damping_ratio, mode.damping_half_width());
-        line(format!("{:>4}  {f:>12.5}  {df:<11.3e}  {zeta:>13.6}  {dzeta:.3e}", k + 1));
+        let frequency = with_uncertainty(mode.frequency_hz, mode.frequency_half_width_hz(), "");
+        line(format!("{:>4}  {frequency:<28}  {}", k + 1, with_uncertainty(mode.damping_ratio, mode.damping_half_width(), "")));
     }
     if !taken.references.is_empty() {
         line(format!(
@@ -99,8 +98,18 @@ pub fn run(hammer: &HammerArguments, decay: &DecayArguments, band: &BandArgument
     tell_unexplained(&found);
     if let Some(responses) = &taken.responses {
         tell_trust(responses, &found);
+        tell_participation(responses, &found);
     }
     Ok(())
+}
+
+/// What each mode adds to the motion of each output per motion of the base.
+fn tell_participation(responses: &Responses, found: &Identification) {
+    for (k, mode) in (1..).zip(&found.modes) {
+        for (output, of) in responses.outputs.iter().zip(mode.base_participation(responses).unwrap_or_default()) {
+            line(format!("mode {k}: participation of the base at {output} {:.5} {}", of.re, of.unit));
+        }
+    }
 }
 
 fn tell_doubt(found: &Identification) {
@@ -159,6 +168,7 @@ fn answer(taken: &Taken, found: &Identification) -> serde_json::Value {
             "doubtful": mode.is_doubtful(),
             "shape": { "re": re, "im": im },
             "participation": { "re": moved_re, "im": moved_im },
+            "base_participation": taken.responses.as_ref().and_then(|responses| mode.base_participation(responses)),
         })
     };
     serde_json::json!({
@@ -221,6 +231,10 @@ fn write(folder: &Path, hammer: &HammerArguments, decay: &DecayArguments, taken:
     ])?;
     output::table(folder, "modes-stabilisation", &table, &manifest)?;
     output::figure(folder, "modes-stabilisation", &stabilisation("Stabilisation diagram", found))?;
-    let title = if decay.are_given() { "One-sided spectra" } else { "Displacement per force" };
+    let title = match &taken.responses {
+        None => "One-sided spectra",
+        Some(responses) if responses.inputs.iter().all(|input| *input == Quantity::Force) => "Displacement per force",
+        Some(_) => "Displacement, or voltage, per input",
+    };
     output::figure(folder, "modes-fit", &modal_fit(&format!("{title}: measured, and what the modes give"), &taken.functions, found))
 }

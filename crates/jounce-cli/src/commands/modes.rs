@@ -15,9 +15,14 @@ use jounce::structure;
 use jounce::table::{Column, Table};
 use std::f64::consts::TAU;
 
+/// What `--input` is here, where nothing is pushed in a spec.
+const INPUT: &str = "Channel of an input that need not be a force: the acceleration, velocity or displacement of the base, a voltage; by default the \
+                     first channel in newtons";
+
 /// Arguments of `modes`.
 #[derive(Debug, Args)]
 #[command(mut_arg("spec", |spec| spec.required(false).required_unless_present("measured")))]
+#[command(mut_arg("input", |input| input.requires("measured").help(INPUT)))]
 pub struct Modes {
     #[command(flatten)]
     spec: Option<SpecArguments>,

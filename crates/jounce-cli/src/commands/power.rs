@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::measured_file::{channel, loaded, manifest, positive, survey};
-use crate::output::{self, line, print};
+use crate::output::{self, line, print, with_uncertainty};
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
 use jounce::picture::{Scale, SpectrumLine, spectra};
@@ -118,7 +118,8 @@ impl Power {
         if self.files.len() > 1 {
             line(format!("{}, {} ohm", answer.name, answer.resistance_ohm));
         }
-        line(format!("mean power {:.6e} W +- {:.1e} W (95 %, {} batches)", power.mean_power_w, power.half_width_w, power.batches));
+        let mean = with_uncertainty(power.mean_power_w, power.half_width_w, "W");
+        line(format!("mean power {mean} (95 %, {} batches)", power.batches));
         line(format!("mean voltage {:.4e} V, {}", power.mean_voltage_v, if self.remove_mean { "taken away" } else { "kept" }));
         if let Some(square) = answer.mean_square {
             line(format!("per mean square of the base's acceleration: {:.6e} W/(m/s^2)^2", power.mean_power_w / square));

@@ -3,7 +3,7 @@
 use super::regime_model::{self, ModelArguments};
 use crate::failure::Failure;
 use crate::measured_file::{MeasuredFile, any_channel, channel, loaded, positive};
-use crate::output::{self, line, print};
+use crate::output::{self, line, print, with_uncertainty};
 use clap::Args;
 use jounce::signal::Samples;
 use jounce::spec::Quantity as Unit;
@@ -11,7 +11,7 @@ use jounce::table::{Column, Table};
 use jounce_measure::draw::{stretch_section, stretch_spectra, stretches};
 use jounce_measure::recording::{Channel, Quantity};
 use jounce_measure::regime::{Correspondence, LONGEST_PERIOD, Reason, Regimes, Stretch, regimes};
-use jounce_measure::spectral::{MeanPower, mean_power};
+use jounce_measure::spectral::{MeanPower, mean_power_if_long};
 use std::path::Path;
 
 /// Arguments of `regimes`.
@@ -49,7 +49,7 @@ impl RegimesOf {
         let power = |stretch: &Stretch| -> Result<Option<MeanPower>, Failure> {
             let Some(ohm) = resistance else { return Ok(None) };
             let part = Samples::new(&channel.values[stretch.start..stretch.end], record.rate())?;
-            Ok(Some(mean_power(&part, ohm, false)?))
+            Ok(mean_power_if_long(&part, ohm, false)?)
         };
         let powers = found.stretches.iter().map(power).collect::<Result<Vec<_>, _>>()?;
         let samples = Samples::new(&channel.values, record.rate())?;
@@ -67,8 +67,18 @@ impl RegimesOf {
             }));
             return Ok(());
         }
-        tell(&found, &channel.unit, &powers, &shown);
+        tell(&found, &channel.unit, &self.powers_in_words(&powers), &shown);
         Ok(())
+    }
+
+    /// The power of each stretch; empty without a resistance.
+    fn powers_in_words(&self, powers: &[Option<MeanPower>]) -> Vec<String> {
+        let words = |power: &Option<MeanPower>| match power {
+            _ if self.resistance.is_none() => String::new(),
+            Some(power) => format!(", {}", with_uncertainty(power.mean_power_w, power.half_width_w, "W")),
+            None => ", too short for a power with an interval".to_owned(),
+        };
+        powers.iter().map(words).collect()
     }
 
     fn write(
@@ -89,9 +99,10 @@ impl RegimesOf {
             Column::new("period_cycles", "", "drive cycles of the period; 0 where it is longer than 12, or none", cycles),
             Column::new("mismatch", "", "what the repetition misses, over the rms", numbers(&|s| s.period.mismatch)),
         ])?;
-        if let Some(powers) = powers.iter().copied().collect::<Option<Vec<MeanPower>>>() {
-            let (mean, half): (Vec<f64>, Vec<f64>) = powers.iter().map(|power| (power.mean_power_w, power.half_width_w)).unzip();
-            table.push(Column::new("mean_power_w", "W", "mean power", mean))?;
+        if self.resistance.is_some() {
+            let numbers = |power: &Option<MeanPower>| power.map_or((f64::NAN, f64::NAN), |power| (power.mean_power_w, power.half_width_w));
+            let (mean, half): (Vec<f64>, Vec<f64>) = powers.iter().map(numbers).unzip();
+            table.push(Column::new("mean_power_w", "W", "mean power; NaN where the stretch is too short for an interval", mean))?;
             table.push(Column::new("half_width_w", "W", "half the width of its interval of 95 %", half))?;
         }
         regime_model::columns(&mut table, shown)?;
@@ -107,7 +118,7 @@ impl RegimesOf {
 }
 
 /// Stretches, and the changes that are none of solution, a line each.
-fn tell(found: &Regimes, unit: &str, powers: &[Option<MeanPower>], shown: &[Correspondence]) {
+fn tell(found: &Regimes, unit: &str, powers: &[String], shown: &[Correspondence]) {
     let count = found.stretches.len();
     let stretches = if count == 1 { "stretch" } else { "stretches" };
     line(format!("{count} {stretches}; a change lies within {:.3} s of its place", found.uncertainty_s));
@@ -124,9 +135,11 @@ fn tell(found: &Regimes, unit: &str, powers: &[Option<MeanPower>], shown: &[Corr
             .period
             .cycles
             .map_or_else(|| format!("period longer than {LONGEST_PERIOD} cycles, or none"), |cycles| format!("period {cycles} cycles"));
-        let told = power.map_or(String::new(), |power| format!(", {:.5e} +- {:.1e} W", power.mean_power_w, power.half_width_w));
         let (start, end, rms) = (stretch.start_s, stretch.end_s, stretch.rms);
-        line(format!("{start:>10.3} s to {end:>10.3} s  rms {rms:.5e} {}, {period} (mismatch {:.3}){told}", unit, stretch.period.mismatch));
+        line(format!(
+            "{start:>10.3} s to {end:>10.3} s  rms {rms:.5e} {}, {period} (mismatch {:.3}){power}",
+            unit, stretch.period.mismatch
+        ));
         if let Some(shown) = shown.get(k) {
             regime_model::tell(shown);
         }

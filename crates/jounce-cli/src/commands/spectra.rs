@@ -1,7 +1,7 @@
 //! `jounce spectra FILE`
 
 use crate::failure::Failure;
-use crate::measured_file::{MeasuredFile, any_channel, loaded, positive};
+use crate::measured_file::{MeasuredFile, any_channel, first_live, loaded, positive};
 use crate::output::{self, line, print};
 use clap::{Args, ValueEnum};
 use jounce::signal::{OrderLine, Samples, Window};
@@ -9,8 +9,11 @@ use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::{densities_of, spectrogram_of};
 use jounce_measure::recording::{Channel, Quantity};
-use jounce_measure::spectral::{Density, Spectra as Found, SpectraSettings, density_unit, signal, spectra, spectrogram};
+use jounce_measure::spectral::{Spectra as Found, SpectraSettings, density_unit, signal, spectra, spectrogram};
 use std::path::Path;
+
+/// Peaks that are told, the highest first.
+const PEAKS: usize = 5;
 
 /// How segments are weighed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -28,7 +31,7 @@ enum WindowName {
 pub struct Spectra {
     #[command(flatten)]
     pub file: MeasuredFile,
-    /// Channel to transform; by default the first one in volts, else the first.
+    /// Channel to transform; by default the first one in volts that moves, else the first that moves.
     #[arg(long, value_name = "CHANNEL")]
     channel: Option<String>,
     /// Frequency of the drive, as in 13Hz: amplitudes at its multiples are told and marked.
@@ -65,11 +68,9 @@ impl Spectra {
         let drive_hz = self.drive.as_ref().map(|text| positive("--drive", text, Unit::Frequency)).transpose()?;
         let segment_s = self.segment.as_ref().map(|text| positive("--segment", text, Unit::Time)).transpose()?;
         let survey = self.file.survey()?;
-        let first = (!survey.channels.is_empty()).then_some(0);
-        let volts = survey.channels.iter().position(|channel| channel.quantity == Quantity::Voltage).or(first);
         let number = match &self.channel {
             Some(name) => any_channel(&survey, name)?,
-            None => volts.ok_or_else(|| Failure::Input(format!("{} has no channel", survey.name)))?,
+            None => first_live(&survey, Quantity::Voltage).ok_or_else(|| Failure::Input(format!("{} has no channel", survey.name)))?,
         };
         let record = loaded(survey, &[number])?;
         let channel = &record.channels[0];
@@ -110,8 +111,8 @@ impl Spectra {
         let (unit, squared) = (&answer.channel.unit, density_unit(&answer.channel.unit));
         line(format!("{}: {}", answer.channel.name, self.convention(answer)));
         line(format!("mean {:.5e} {unit}, taken away from the density", answer.found.density.mean));
-        for (frequency_hz, density) in peaks(&answer.found.density) {
-            line(format!("peak at {frequency_hz:>10.4} Hz: {density:.4e} {squared}"));
+        for peak in answer.found.peaks(PEAKS) {
+            line(format!("peak at {:>10.4} Hz: {:.4e} {squared}", peak.frequency_hz, peak.density));
         }
         for order in &answer.found.orders {
             line(format!("order {:>6.4}, {:>10.4} Hz: {:.5e} {unit} peak", order.order, order.frequency_hz, order.amplitude_peak));
@@ -130,6 +131,7 @@ impl Spectra {
             "segments": density.segments,
             "resolution_hz": density.resolution_hz,
             "mean": density.mean,
+            "peaks": answer.found.peaks(PEAKS),
             "frequency_hz": density.frequency_hz,
             "density": density.density,
             "orders": answer.found.orders.iter().map(order).collect::<Vec<_>>(),
@@ -157,14 +159,4 @@ impl Spectra {
         output::figure(folder, "spectra", &densities_of("Power spectral density", &channel.name, &channel.unit, density))?;
         output::figure(folder, "spectrogram", &spectrogram_of(&self.convention(answer), &channel.name, &channel.unit, &found, drive_hz))
     }
-}
-
-/// The five highest lines above both neighbours, by frequency.
-fn peaks(density: &Density) -> Vec<(f64, f64)> {
-    let s = &density.density;
-    let mut found: Vec<usize> = (1..s.len().saturating_sub(1)).filter(|k| s[*k] > s[k - 1] && s[*k] >= s[k + 1]).collect();
-    found.sort_by(|a, b| s[*b].total_cmp(&s[*a]));
-    found.truncate(5);
-    found.sort_unstable();
-    found.into_iter().map(|k| (density.frequency_hz[k], s[k])).collect()
 }

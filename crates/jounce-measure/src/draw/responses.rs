@@ -15,7 +15,7 @@ pub fn measured_responses(title: &str, found: &Responses) -> Figure {
         Response { label: name.clone(), re, im }
     };
     let responses: Vec<Response> = found.names.iter().zip(&found.functions).map(one).collect();
-    let quantity = if responses.len() > 1 { "Response per force" } else { &found.names[0] };
+    let quantity = if responses.len() > 1 { "Response per input" } else { &found.names[0] };
     let mut figure = frequency_responses(title, quantity, &found.units[0], Scale::Linear, &frequency_hz, &responses);
     if first.blocks > 1 {
         let axes = Panel::new(Axis::linear("Frequency", "Hz"), Axis::linear("Coherence", "").between(0.0, 1.05)).high(120.0);

@@ -9,7 +9,7 @@ use super::mode::AskedModes;
 use super::model::{Conditions, Source};
 use super::power::AskedPowers;
 use super::response::{AskedResponse, Lines};
-use super::{Deviation, Features, FitError, HistoryFeature, JumpFeature, PowerFeature, Question, ResponseFeature};
+use super::{Deviation, Features, FitError, HistoryFeature, JumpFeature, ModeFeature, PowerFeature, Question, ResponseFeature};
 
 /// A measured number.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,7 +49,7 @@ impl Asked {
     /// Reads what lies in files, and checks every key.
     pub fn of(source: Source<'_>, features: &Features) -> Result<Self, FitError> {
         let mut asked = Self::default();
-        asked.modes(features);
+        asked.modes(source, features)?;
         for (k, feature) in features.responses.iter().enumerate() {
             asked.response(source, features, feature, &format!("response {}", k + 1))?;
         }
@@ -77,23 +77,35 @@ impl Asked {
         self.measured.push(Measured { name, unit: unit.to_owned(), value, scale: None, group, on: None });
     }
 
-    fn modes(&mut self, features: &Features) {
-        let mut asked = Vec::new();
-        for mode in &features.modes {
-            if let Some((hz, deviation)) = mode.frequency {
-                let group = self.group("frequencies", deviation);
-                self.number(format!("mode {} frequency", mode.number), "Hz", hz, group);
-                asked.push((mode.number - 1, true));
-            }
-            if let Some((ratio, deviation)) = mode.damping_ratio {
-                let group = self.group("damping ratios", deviation);
-                self.number(format!("mode {} damping ratio", mode.number), "", ratio, group);
-                asked.push((mode.number - 1, false));
-            }
-        }
+    /// Modes without conditions are one question, those of each condition one more.
+    fn modes(&mut self, source: Source<'_>, features: &Features) -> Result<(), FitError> {
+        let (plain, others): (Vec<_>, Vec<_>) =
+            features.modes.iter().enumerate().partition(|(_, mode)| mode.set.is_empty() && !mode.loaded);
+        let asked = plain.into_iter().flat_map(|(_, mode)| self.mode(mode)).collect::<Vec<_>>();
         if !asked.is_empty() {
-            self.questions.push(Box::new(AskedModes(asked)));
+            self.questions.push(Box::new(AskedModes { asked, loaded: false, conditions: Conditions::default() }));
         }
+        for (k, mode) in others {
+            let (asked, conditions) = (self.mode(mode), Conditions::new(source, &mode.set, &format!("mode {}", k + 1))?);
+            self.questions.push(Box::new(AskedModes { asked, loaded: mode.loaded, conditions }));
+        }
+        Ok(())
+    }
+
+    /// The numbers of a mode, and what is asked for them.
+    fn mode(&mut self, mode: &ModeFeature) -> Vec<(usize, bool)> {
+        let (mut asked, words) = (Vec::new(), mode.conditions_in_words());
+        if let Some((hz, deviation)) = mode.frequency {
+            let group = self.group("frequencies", deviation);
+            self.number(format!("mode {} frequency{words}", mode.number), "Hz", hz, group);
+            asked.push((mode.number - 1, true));
+        }
+        if let Some((ratio, deviation)) = mode.damping_ratio {
+            let group = self.group("damping ratios", deviation);
+            self.number(format!("mode {} damping ratio{words}", mode.number), "", ratio, group);
+            asked.push((mode.number - 1, false));
+        }
+        asked
     }
 
     fn response(&mut self, source: Source<'_>, features: &Features, feature: &ResponseFeature, place: &str) -> Result<(), FitError> {
@@ -101,7 +113,10 @@ impl Asked {
         let group = self.group(place, feature.deviation);
         let (name, unit) = (feature.output.name(), feature.output.unit(&feature.input).to_owned());
         let curve = |part: &str| Curve { name: format!("{name} {part}"), unit: unit.clone(), over: "frequency_hz" };
-        let (complex, frequency_hz) = match feature.lines.read(&features.folder, place)? {
+        self.told.extend(feature.relative_in_words(place));
+        let (lines, assumed) = feature.lines.read(&features.folder, place, &feature.sides())?;
+        self.told.extend(assumed);
+        let (complex, frequency_hz) = match lines {
             Lines::Magnitude(frequency_hz, sizes) => {
                 self.curve(curve("size"), (&frequency_hz, &sizes), |_| None, group);
                 (false, frequency_hz)
@@ -114,8 +129,8 @@ impl Asked {
             }
             Lines::File { .. } => (false, Vec::new()),
         };
-        let (input, output) = (feature.input.clone(), feature.output.clone());
-        self.questions.push(Box::new(AskedResponse { input, output, frequency_hz, complex, conditions }));
+        let (input, output, absolute) = (feature.input.clone(), feature.output.clone(), feature.absolute);
+        self.questions.push(Box::new(AskedResponse { input, output, absolute, frequency_hz, complex, conditions }));
         Ok(())
     }
 

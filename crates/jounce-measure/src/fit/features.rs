@@ -121,7 +121,7 @@ mod tests {
         let text = "hold = [\"table\"]\nfrequency_deviation = 0.002\n[free]\n\"beam.b.length\" = 0.01\n[[mode]]\nnumber = 2\nfrequency = \"1.5 kHz\"\n";
         let found = Features::from_toml(text).unwrap();
         assert_eq!((found.hold[0].as_str(), &found.free[0]), ("table", &("beam.b.length".to_owned(), 0.01)));
-        assert_eq!(found.modes, [ModeFeature { number: 2, frequency: Some((1500.0, Deviation::Given(0.002))), damping_ratio: None }]);
+        assert_eq!(found.modes, [ModeFeature { number: 2, frequency: Some((1500.0, Deviation::Given(0.002))), ..ModeFeature::default() }]);
         let wrong = "hold = 3\nhodl = 1\n[free]\n\"a.b\" = -1\n[[mode]]\nnumber = 0\nfrequency = \"3 mm\"\n[[mode]]\nnumber = 1\ndamping_ratio = 0.01\n";
         let faults = Features::from_toml(wrong).unwrap_err();
         assert_eq!(faults.len(), 6, "{faults:#?}");

@@ -16,6 +16,7 @@
 //! Source: M. Friswell, J. Mottershead, Finite Element Model Updating in Structural Dynamics (1995), chapter 8; levenberg-marquardt after MINPACK.
 mod answer;
 mod asked;
+mod derived;
 mod deviation;
 mod error;
 mod features;
@@ -33,6 +34,7 @@ mod solve;
 mod warnings;
 
 pub use answer::{FitAnswer, FittedCurve, FittedDeviation, FittedFeature, FittedKey};
+pub use derived::Derived;
 pub use deviation::Deviation;
 pub use error::FitError;
 pub use features::Features;

@@ -2,15 +2,17 @@
 
 use std::f64::consts::TAU;
 
-use jounce::spec::Quantity;
-use jounce::structure;
+use jounce::plant::{Pair, Plant, PlantError, System};
+use jounce::spec::{Gravity, Quantity, Spec};
+use jounce::structure::{self, Modes};
 use toml_edit::Item;
 
+use super::model::Conditions;
 use super::reading::{Reader, positive};
 use super::{Deviation, FitError, Model, Question};
 
 /// A measured mode.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct ModeFeature {
     /// Its number in the model, from 1.
     pub number: usize,
@@ -18,9 +20,14 @@ pub struct ModeFeature {
     pub frequency: Option<(f64, Deviation)>,
     /// Damping ratio and its relative standard deviation.
     pub damping_ratio: Option<(f64, Deviation)>,
+    /// True for a mode of the harvester with its circuits connected: stiffer and more damped than that of the structure with its patches
+    /// short-circuited.
+    pub loaded: bool,
+    /// Keys that hold during the test.
+    pub set: Vec<(String, String)>,
 }
 
-const KEYS: [&str; 5] = ["number", "frequency", "frequency_deviation", "damping_ratio", "damping_deviation"];
+const KEYS: [&str; 7] = ["number", "frequency", "frequency_deviation", "damping_ratio", "damping_deviation", "loaded", "set"];
 
 impl ModeFeature {
     pub(super) fn read(reader: &mut Reader<'_>, usual: [Option<Deviation>; 2]) -> Option<Self> {
@@ -50,27 +57,61 @@ impl ModeFeature {
             Some((value, deviation?))
         };
         let (frequency, damping_ratio) = (with(frequency_hz, 0, "frequency_deviation"), with(damping, 1, "damping_deviation"));
-        Some(Self { number: number?, frequency, damping_ratio })
+        let (loaded, set) = (reader.flag("loaded"), reader.conditions());
+        Some(Self { number: number?, frequency, damping_ratio, loaded, set })
+    }
+
+    /// What stands behind its name: the keys that hold, and that circuits are connected.
+    pub(super) fn conditions_in_words(&self) -> String {
+        let set = self.set.iter().map(|(key, value)| format!("{key} = {value}"));
+        let words: Vec<String> = self.loaded.then(|| "loaded".to_owned()).into_iter().chain(set).collect();
+        if words.is_empty() { String::new() } else { format!(" ({})", words.join(", ")) }
     }
 }
 
-/// Numbers of modes, from 0, and whether their frequency or their damping ratio is asked for.
-pub(super) struct AskedModes(pub Vec<(usize, bool)>);
+/// Modes under the same conditions.
+pub(super) struct AskedModes {
+    /// Numbers of modes, from 0, and whether their frequency or their damping ratio is asked for.
+    pub asked: Vec<(usize, bool)>,
+    pub loaded: bool,
+    pub conditions: Conditions,
+}
 
 impl Question for AskedModes {
     fn ask(&self, model: &Model<'_>) -> Result<Vec<f64>, FitError> {
-        let modes = structure::modes_holding(&model.spec, model.hold)?;
+        let spec = model.spec_at(&self.conditions)?;
+        let modes = structure::modes_holding(&spec, model.hold)?;
+        let poles = if self.loaded { loaded(spec, modes)? } else { modes.frequency_rad_s.into_iter().zip(modes.damping_ratio).collect() };
         let value = |&(mode, is_frequency): &(usize, bool)| {
-            if mode >= modes.len() {
-                return Err(FitError::NoMode { number: mode + 1, modes: modes.len() });
-            }
-            let damping_ratio = modes.damping_ratio[mode];
+            let Some((angular, damping_ratio)) = poles.get(mode).copied() else {
+                return Err(FitError::NoMode { number: mode + 1, modes: poles.len() });
+            };
             match (is_frequency, damping_ratio > 0.0) {
-                (true, _) => Ok(modes.frequency_rad_s[mode] / TAU),
+                (true, _) => Ok(angular / TAU),
                 (false, true) => Ok(damping_ratio),
                 (false, false) => Err(FitError::Undamped { number: mode + 1, damping_ratio }),
             }
         };
-        self.0.iter().map(value).collect()
+        self.asked.iter().map(value).collect()
     }
+}
+
+/// Undamped frequency, rad/s, and damping ratio of every mode of the structure with its circuits: `|p|` and `-re p / |p|` of the poles `p` that
+/// turn, in ascending frequency behind the rigid-body modes.
+fn loaded(mut spec: Spec, modes: Modes) -> Result<Vec<(f64, f64)>, FitError> {
+    spec.take_drives_away();
+    spec.stop.clear();
+    spec.gravity = Gravity::default();
+    let rigid = modes.frequency_rad_s.iter().filter(|w| **w == 0.0).count();
+    let plant = Plant::new(System::assemble(&spec, modes)?)?;
+    if let Some(bridge) = plant.system.bridges.first() {
+        return Err(PlantError::Switches { circuit: bridge.name.clone() }.into());
+    }
+    let turning = |pair: &Pair| match *pair {
+        Pair::Oscillatory { decay, frequency } => Some((decay.hypot(frequency), -decay / decay.hypot(frequency))),
+        Pair::Jordan { .. } => None,
+    };
+    let mut poles: Vec<(f64, f64)> = plant.diagonal.block.pairs.iter().filter_map(turning).collect();
+    poles.sort_by(|a, b| a.0.total_cmp(&b.0));
+    Ok(std::iter::repeat_n((0.0, 0.0), rigid).chain(poles).collect())
 }

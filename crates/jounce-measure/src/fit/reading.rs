@@ -60,6 +60,16 @@ impl<'t> Reader<'t> {
         self.deviation("deviation").unwrap_or(Deviation::Residuals)
     }
 
+    /// True or false; false where it is not there.
+    pub fn flag(&mut self, key: &str) -> bool {
+        let Some(item) = self.table.get(key) else { return false };
+        let found = item.as_bool();
+        if found.is_none() {
+            self.fault(format!("{key} must be true or false"));
+        }
+        found.unwrap_or(false)
+    }
+
     /// A positive quantity with its unit.
     pub fn quantity(&mut self, key: &str, quantity: Quantity, example: &str) -> Option<f64> {
         let text = self.text(key, example)?;

@@ -12,7 +12,7 @@ use super::model::Conditions;
 use super::reading::Reader;
 use super::{Deviation, FitError, Model, Question};
 use crate::read;
-use crate::recording::Over;
+use crate::recording::{Over, Quantity as Measures, Unit};
 
 /// What was measured of a response.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,23 +41,49 @@ pub struct ResponseFeature {
     pub output: Response,
     /// What was measured.
     pub lines: Lines,
+    /// True where the motion is that of a sensor on the structure while the base moves, and not relative to the base.
+    pub absolute: bool,
     /// Relative deviation of the size at each line.
     pub deviation: Deviation,
     /// Keys that hold during the test.
     pub set: Vec<(String, String)>,
 }
 
-const KEYS: [&str; 11] = ["input", "output", "frequency", "magnitude", "re", "im", "file", "channel", "between", "deviation", "set"];
+const KEYS: [&str; 12] =
+    ["input", "output", "absolute", "frequency", "magnitude", "re", "im", "file", "channel", "between", "deviation", "set"];
 
 impl ResponseFeature {
     pub(super) fn read(reader: &mut Reader<'_>) -> Option<Self> {
         reader.refuse_all_but(&KEYS);
         let input = reader.text("input", "beam.hammer");
         let output = reader.text("output", "beam.tip.acceleration").and_then(|text| output(&text, reader));
-        let (deviation, set, lines) = (reader.own_deviation(), reader.conditions(), lines(reader));
+        let (deviation, set, lines, absolute) = (reader.own_deviation(), reader.conditions(), lines(reader), reader.flag("absolute"));
         let input = input?;
         let input = if input == "base" { Input::BaseAcceleration } else { Input::Force(input) };
-        Some(Self { input, output: output?, lines: lines?, deviation, set })
+        Some(Self { input, output: output?, lines: lines?, absolute, deviation, set })
+    }
+
+    /// What a file of it must be in.
+    pub(super) fn sides(&self) -> Sides {
+        let output = match self.output {
+            Response::Displacement(_) => Measures::Displacement,
+            Response::Velocity(_) => Measures::Velocity,
+            Response::Acceleration(_) => Measures::Acceleration,
+            Response::Voltage(_) | Response::LoadVoltage(_) => Measures::Voltage,
+        };
+        let input = if self.input == Input::BaseAcceleration { Measures::Acceleration } else { Measures::Force };
+        Sides { output, input, unit: self.output.unit(&self.input) }
+    }
+
+    /// How a motion over a moving base was taken where nothing says it.
+    pub(super) fn relative_in_words(&self, place: &str) -> Option<String> {
+        let moves = matches!(self.output, Response::Displacement(_) | Response::Velocity(_) | Response::Acceleration(_));
+        (moves && self.input == Input::BaseAcceleration && !self.absolute).then(|| {
+            format!(
+                "{place}: {} is taken relative to the base; write absolute = true for a sensor that stands on the structure",
+                self.output.name()
+            )
+        })
     }
 }
 
@@ -108,16 +134,32 @@ fn lines(reader: &mut Reader<'_>) -> Option<Lines> {
     Some(Lines::Magnitude(frequency_hz, magnitude))
 }
 
+/// What a response measures, what it is per, and its unit.
+pub(super) struct Sides {
+    output: Measures,
+    input: Measures,
+    unit: &'static str,
+}
+
 impl Lines {
-    /// The lines themselves; a file is read.
-    pub(super) fn read(&self, folder: &Path, place: &str) -> Result<Self, FitError> {
-        let Self::File { path, channel, between_hz } = self else { return Ok(self.clone()) };
+    /// The lines themselves, and what is assumed of them; a file is read.
+    pub(super) fn read(&self, folder: &Path, place: &str, due: &Sides) -> Result<(Self, Option<String>), FitError> {
+        let Self::File { path, channel, between_hz } = self else { return Ok((self.clone(), None)) };
         let told = |reason: String| FitError::File { place: place.to_owned(), path: path.clone(), reason };
         let contents = read::file(&folder.join(path)).map_err(|fault| told(fault.to_string()))?;
         let over =
             contents.recordings.into_iter().find(|recording| recording.over == Over::Frequency && recording.channel(channel).is_ok());
         let recording = over.ok_or_else(|| told(format!("it holds no channel {channel} over frequency")))?;
         let found = recording.channel(channel).map_err(|fault| told(fault.to_string()))?;
+        let unit = found.unit.as_str();
+        let silent = !found.head().tells_unit();
+        if !silent && (Unit::responds(unit), Unit::per(unit)) != (Some(due.output), Some(due.input)) {
+            return Err(told(format!(
+                "channel {channel} is in {unit}, and this response is in {}; correct input, output or unit",
+                due.unit
+            )));
+        }
+        let assumed = silent.then(|| format!("{place}: channel {channel} tells no unit; {} is assumed", due.unit));
         let places = recording.grid.places();
         let inside: Vec<usize> =
             (0..places.len()).filter(|k| places[*k] > 0.0 && (between_hz.0..=between_hz.1).contains(&places[*k])).collect();
@@ -125,10 +167,11 @@ impl Lines {
             return Err(told("no line lies in the band".to_owned()));
         }
         let frequency_hz = inside.iter().map(|k| places[*k]).collect();
-        Ok(match &found.imaginary {
+        let lines = match &found.imaginary {
             Some(imaginary) => Self::Complex(frequency_hz, inside.iter().map(|k| c64::new(found.values[*k], imaginary[*k])).collect()),
             None => Self::Magnitude(frequency_hz, inside.iter().map(|k| found.values[*k]).collect()),
-        })
+        };
+        Ok((lines, assumed))
     }
 }
 
@@ -136,6 +179,7 @@ impl Lines {
 pub(super) struct AskedResponse {
     pub input: Input,
     pub output: Response,
+    pub absolute: bool,
     pub frequency_hz: Vec<f64>,
     pub complex: bool,
     pub conditions: Conditions,
@@ -150,10 +194,24 @@ impl Question for AskedResponse {
         let modes = structure::modes_holding(&spec, model.hold)?;
         let plant = Plant::new(System::assemble(&spec, modes)?)?;
         let found = frf(&plant, &self.input, std::slice::from_ref(&self.output), &self.frequency_hz)?;
-        let value = &found[0].value;
+        let rides = |(h, hz): (&c64, &f64)| if self.absolute { h + self.of_base(*hz) } else { *h };
+        let value: Vec<c64> = found[0].value.iter().zip(&self.frequency_hz).map(rides).collect();
         Ok(match self.complex {
             true => value.iter().map(|h| h.re).chain(value.iter().map(|h| h.im)).collect(),
             false => value.iter().map(|h| h.norm()).collect(),
         })
+    }
+}
+
+impl AskedResponse {
+    /// What the motion of the base adds to that of a sensor on the structure, per acceleration of the base; nothing to a voltage, or under a force.
+    fn of_base(&self, hz: f64) -> c64 {
+        let jw = c64::new(0.0, std::f64::consts::TAU * hz);
+        match (&self.input, &self.output) {
+            (Input::BaseAcceleration, Response::Acceleration(_)) => c64::new(1.0, 0.0),
+            (Input::BaseAcceleration, Response::Velocity(_)) => 1.0 / jw,
+            (Input::BaseAcceleration, Response::Displacement(_)) => 1.0 / (jw * jw),
+            _ => c64::new(0.0, 0.0),
+        }
     }
 }

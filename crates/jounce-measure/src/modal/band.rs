@@ -74,7 +74,8 @@ struct Measured<'a> {
     value: &'a [c64],
     /// Real and imaginary part together.
     variance: Option<Vec<f64>>,
-    motion: Motion,
+    /// Power of `j w` from displacement per force, or per acceleration of the base, to it.
+    power: i32,
     without: &'a [Without],
     /// Which place of the force it is the response to.
     place: usize,
@@ -103,7 +104,7 @@ impl Band {
                 return Err(ModalError::Lengths { response: k + 1, lines, expected: value.len() });
             }
             let variance = deviation.map(|deviation| deviation.iter().zip(value).map(told).collect());
-            measured.push(Measured { value, variance, motion, without: &[], place: 0 });
+            measured.push(Measured { value, variance, power: motion as i32, without: &[], place: 0 });
         }
         Self::of_measured(frequency_hz, &measured, inputs, Sight::Whole, between_hz)
     }
@@ -131,7 +132,7 @@ impl Band {
                 return Err(ModalError::NotFinite { response: o + 1, frequency_hz: frequency_hz[*k] });
             }
         }
-        let turn = |one: &Measured<'_>, k: usize| c64::new(0.0, std::f64::consts::TAU * frequency_hz[k]).powi(-(one.motion as i32));
+        let turn = |one: &Measured<'_>, k: usize| c64::new(0.0, std::f64::consts::TAU * frequency_hz[k]).powi(-one.power);
         let displacement = |one: &Measured<'_>| inside.iter().map(|k| one.value[*k] * turn(one, *k)).collect::<Vec<c64>>();
         let variance = |one: &Measured<'_>| -> Option<Vec<f64>> {
             let variance = one.variance.as_ref()?;
@@ -165,23 +166,19 @@ impl Band {
             parts: if all_tell { parts.concat() } else { Vec::new() },
             noise: Noise::AsTold,
             swapped: false,
-            power: measured.iter().map(|one| one.motion as i32).collect(),
+            power: measured.iter().map(|one| one.power).collect(),
         })
     }
 
     /// The lines between two frequencies of measured responses. Of forces at several places the references are the sensors where these are
     /// fewer: a structure answers alike when force and sensor change places. What measures a voltage is taken for a displacement, since that of
-    /// a patch follows its strain; what tells no unit for an acceleration. Responses of several kinds may stand together. Coherence of several
-    /// blocks weighs the lines.
+    /// a patch follows its strain; what tells no unit for an acceleration. Responses of several kinds may stand together, and so may responses to a
+    /// force, to a voltage, and to the motion of the base, which pushes as its acceleration does. An accelerometer that rides on the structure adds 1
+    /// to the response per acceleration of the base, which is the term of the modes below the band. Coherence of several blocks weighs the lines.
     ///
     /// # Errors
     /// As [`Band::new`].
     pub fn of(responses: &Responses, between_hz: (f64, f64)) -> Result<Self, ModalError> {
-        let motion = |quantity: Quantity| match quantity {
-            Quantity::Displacement | Quantity::Voltage => Motion::Displacement,
-            Quantity::Velocity => Motion::Velocity,
-            _ => Motion::Acceleration,
-        };
         let first = responses.functions.first();
         let frequency_hz = first.map_or(&[][..], |function| &function.frequency_hz);
         let (functions, quantities) = (&responses.functions, &responses.quantities);
@@ -190,9 +187,9 @@ impl Band {
         let swapped = functions.len() < references * references;
         let mut measured = Vec::new();
         for k in order(functions.len(), references, swapped) {
-            let (function, motion) = (&functions[k], motion(quantities[k]));
+            let (function, power) = (&functions[k], power(quantities[k], responses.inputs[k]));
             let variance = several.then(|| variance(function));
-            measured.push(Measured { value: &function.value, variance, motion, without: &function.without, place: k % references });
+            measured.push(Measured { value: &function.value, variance, power, without: &function.without, place: k % references });
         }
         let inputs = if swapped { functions.len() / references } else { references };
         let sight = first.map_or(Sight::Whole, |function| function.sight);
@@ -267,6 +264,21 @@ impl Band {
     pub(super) fn outputs(&self) -> usize {
         self.response.len() / self.inputs
     }
+}
+
+/// Power of `j w` from displacement per force, or per acceleration of the base, to an output per input.
+fn power(output: Quantity, input: Quantity) -> i32 {
+    let of_output = match output {
+        Quantity::Displacement | Quantity::Voltage => Motion::Displacement,
+        Quantity::Velocity => Motion::Velocity,
+        _ => Motion::Acceleration,
+    };
+    let of_input = match input {
+        Quantity::Displacement => 2,
+        Quantity::Velocity => 1,
+        _ => 0,
+    };
+    of_output as i32 + of_input
 }
 
 /// Numbers of responses `o * references + i`: by their references, then by their outputs, where these change sides.

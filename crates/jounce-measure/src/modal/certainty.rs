@@ -1,16 +1,19 @@
 //! What the deviations of the poles rest on: the scatter of the blocks, the variance of the lines, or what the modes leave of the lines.
 
 use faer::linalg::solvers::DenseSolveCore;
-use faer::{Mat, Side, c64};
+use faer::{Mat, c64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 use super::Band;
 use super::band::{LeftOut, Noise};
 use super::eliminated::Left;
-use super::likelihood::Data;
+use super::likelihood::{Data, damped};
 use super::noise::LEAST_FREE;
 use super::scatter::Scatter;
+
+/// Shares by which the diagonal of the normal matrix is lifted, one after the other, until it has an inverse.
+const LIFTS: [f64; 4] = [0.0, 1e-13, 1e-11, 1e-9];
 
 /// How well the unknowns of a fit are known. The first of them are the real and imaginary parts of the poles.
 pub(super) struct Certainty {
@@ -23,12 +26,13 @@ pub(super) struct Certainty {
 }
 
 impl Certainty {
-    /// By the rows that each output leaves: those of its responses after each other, two to each line. None where the rows leave an unknown free.
+    /// By the rows that each output leaves: those of its responses after each other, two to each line. An unknown that the rows leave free, as a pole that
+    /// left the band and is one with the terms of the modes above it, has an uncertainty beyond bounds, and the others theirs.
     pub fn of(band: &Band, data: &Data, outputs: &[Left], misfit: f64) -> Option<Self> {
         let size = outputs.first()?.projected.ncols();
         let mut normal = Mat::<f64>::zeros(size, size);
         outputs.iter().for_each(|left| normal += left.projected.transpose() * &left.projected);
-        let inverse = normal.llt(Side::Lower).ok()?.inverse();
+        let inverse = LIFTS.iter().find_map(|lift| damped(&normal, *lift)).map(|factor| factor.inverse())?;
         // Without variances the misfit is all that is known of them.
         let factor = if band.variance.is_empty() { misfit } else { misfit.max(1.0) };
         let told = Self { inverse, scatter: None, factor };
@@ -80,9 +84,9 @@ impl Certainty {
 
     /// Share of each line of each response of a band that the unknowns take up; that of lines which the fit leaves out is nothing.
     pub fn taken(&self, data: &Data, outputs: &[Left], band: &Band) -> Vec<Vec<f64>> {
-        let rows = 2 * data.lines.len();
+        let (rows, inputs) = (2 * data.lines.len(), responses_of_part(data, outputs));
         let of = |response: usize| {
-            let (left, from) = (&outputs[response / band.inputs], response % band.inputs * rows);
+            let (left, from) = (&outputs[response / inputs], response % inputs * rows);
             let mut shares = vec![0.0; band.frequency_hz.len()];
             for (k, line) in data.lines.iter().enumerate() {
                 shares[*line] = 0.5 * (self.share(left, from + 2 * k) + self.share(left, from + 2 * k + 1));
@@ -112,10 +116,15 @@ impl Certainty {
     }
 }
 
+/// Responses whose rows stand in one part: all of an output where its responses share a shape, else one, however many references there are.
+fn responses_of_part(data: &Data, outputs: &[Left]) -> usize {
+    data.responses.len() / outputs.len().max(1)
+}
+
 /// What a part that is left out adds to `J^T P e` over all responses, as it is and turned by 90 degrees.
 fn score(data: &Data, outputs: &[Left], left_out: &LeftOut, turns: usize) -> Mat<f64> {
     let size = outputs.first().map_or(0, |left| left.projected.ncols());
-    let inputs = data.responses.len() / outputs.len().max(1);
+    let inputs = responses_of_part(data, outputs);
     let rows = 2 * data.lines.len();
     let mut sums = Mat::<f64>::zeros(size, turns);
     for (o, left) in outputs.iter().enumerate() {

@@ -31,7 +31,9 @@ pub enum ModalError {
         needed: usize,
     },
     /// A line that is not a number.
-    #[error("response {response} is not a number at {frequency_hz} Hz; does the force vanish there?")]
+    #[error(
+        "response {response} is not a number at {frequency_hz} Hz: does the input vanish there? Bridge such lines (--bridge, bridge=True), or leave them out of the band"
+    )]
     NotFinite {
         /// Number of the response, from 1.
         response: usize,

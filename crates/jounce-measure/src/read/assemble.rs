@@ -9,7 +9,9 @@ use super::numbers::Numbers;
 use super::raw::{Column, Rate, Raw, SAME_RATE, Stamps};
 use super::survey::{Places, Surveyed, SurveyedChannel};
 use super::{ChannelNotes, Notes, ReadError};
-use crate::recording::{Finding, FindingKind, Grid, Over, Quantity, Series, Sizes, Stamped, Unit, inspected, may_be_counts, usual_step};
+use crate::recording::{
+    Finding, FindingKind, Grid, Over, Quantity, Series, Sizes, Stamped, Unit, inspected, may_be_counts, sizes_with, usual_step,
+};
 
 /// The recording of a data set.
 pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) -> Result<Surveyed, ReadError> {
@@ -42,7 +44,7 @@ pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) 
         let counts = may_be_counts(channel.quantity, channel.imaginary.is_some());
         let (found, sizes) = inspected(&channel.values, counts).map_err(lost)?;
         findings.extend(found.into_iter().map(|finding| finding.of(&channel.name)));
-        channel.sizes = sizes;
+        channel.sizes = sizes_with(sizes, &channel.values, channel.imaginary.as_ref()).map_err(lost)?;
     }
     Ok(Surveyed { name, over: raw.over, places, channels, findings })
 }

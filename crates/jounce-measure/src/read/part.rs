@@ -5,7 +5,7 @@ use std::io;
 use super::numbers::Numbers;
 use super::shelf::Shelf;
 use super::survey::{Places, Surveyed, SurveyedChannel};
-use crate::recording::{Finding, FindingKind, Over, PIECE, Place, Series, inspected};
+use crate::recording::{Finding, FindingKind, Over, PIECE, Place, Series, inspected, sizes_with};
 
 /// Share of a step by which an end of the part may miss a sample: the roundoff of numbers such as `0.1`.
 const ROUNDOFF: f64 = 1e-6;
@@ -34,7 +34,7 @@ impl Surveyed {
             Places::Stamped { stamps, rate } => Places::Stamped { stamps: cut(stamps)?, rate: *rate },
         };
         let channel = |channel: &SurveyedChannel| -> io::Result<SurveyedChannel> {
-            let values = cut(&channel.values)?;
+            let (values, imaginary) = (cut(&channel.values)?, channel.imaginary.as_ref().map(cut).transpose()?);
             Ok(SurveyedChannel {
                 name: channel.name.clone(),
                 quantity: channel.quantity,
@@ -42,9 +42,9 @@ impl Surveyed {
                 place: channel.place.clone(),
                 reference: channel.reference.clone(),
                 direction: channel.direction.clone(),
-                sizes: inspected(&values, false)?.1,
+                sizes: sizes_with(inspected(&values, false)?.1, &values, imaginary.as_ref())?,
                 values,
-                imaginary: channel.imaginary.as_ref().map(cut).transpose()?,
+                imaginary,
             })
         };
         let channels = self.channels.iter().map(channel).collect::<io::Result<_>>()?;

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::numbers::Numbers;
 use super::{Contents, ModeShape, ReadError};
-use crate::recording::{Channel, Finding, Grid, Head, Over, PIECE, Quantity, Recording, Series, Sizes};
+use crate::recording::{Channel, Finding, Grid, Head, Over, PIECE, Quantity, Recording, Series, Sizes, sizes_with};
 
 /// What a file holds; its numbers lie in a scratch file beyond the first 16 MiB of them, so that memory does not grow with the file.
 #[derive(Debug)]
@@ -70,7 +70,7 @@ pub struct SurveyedChannel {
     pub direction: String,
     /// Where and which way the force of a response function acts, as `node 3 +z`; empty where nothing is told.
     pub reference: String,
-    /// Rms and largest size of the real parts.
+    /// Rms and largest size; of complex samples those of their absolute value.
     pub sizes: Sizes,
     /// The samples, real parts of complex ones. NaN where one is missing.
     pub values: Numbers,
@@ -150,6 +150,13 @@ impl SurveyedChannel {
     }
 }
 
+/// How large the samples of a channel in memory are.
+fn of_channel(channel: &Channel) -> Sizes {
+    let imaginary = channel.imaginary.as_deref();
+    let Ok(sizes) = sizes_with(Sizes::of(&channel.values), &channel.values.as_slice(), imaginary.as_ref());
+    sizes
+}
+
 impl From<Recording> for Surveyed {
     fn from(recording: Recording) -> Self {
         let rate = recording.rate();
@@ -158,7 +165,7 @@ impl From<Recording> for Surveyed {
             Grid::Stamped(stamps) => Places::Stamped { stamps: stamps.into(), rate },
         };
         let channel = |channel: Channel| SurveyedChannel {
-            sizes: Sizes::of(&channel.values),
+            sizes: of_channel(&channel),
             name: channel.name,
             quantity: channel.quantity,
             unit: channel.unit,

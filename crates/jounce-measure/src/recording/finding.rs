@@ -81,6 +81,13 @@ pub enum FindingKind {
     Assumed,
 }
 
+impl FindingKind {
+    /// True for what changes no number of an answer.
+    pub fn is_note(self) -> bool {
+        matches!(self, Self::NonAsciiUnit | Self::Encoding | Self::Converted)
+    }
+}
+
 impl Finding {
     /// A finding about a whole recording.
     pub fn new(kind: FindingKind, count: usize, first: Option<Place>, about: String) -> Self {

@@ -3,6 +3,7 @@
 //! Nothing is repaired in silence: what was converted, missing, clipped or resampled is a [`Finding`] with its count and its first place.
 mod channel;
 mod choose;
+mod complex_sizes;
 mod even;
 mod finding;
 mod grid;
@@ -15,6 +16,7 @@ mod unit;
 
 pub use channel::Channel;
 pub use choose::{ChannelError, Head, chosen, named};
+pub(crate) use complex_sizes::sizes_with;
 pub use finding::{Finding, FindingKind, Place};
 pub use grid::{Grid, GridError, Over};
 pub use inspect::{Sizes, inspect};

@@ -92,6 +92,11 @@ impl Unit {
         Self::quotient(text).map(|(above, _)| above.quantity)
     }
 
+    /// What stands below the line in the unit of a response: a force in `m/s^2/N`.
+    pub fn per(text: &str) -> Option<Quantity> {
+        Self::quotient(text).map(|(_, below)| below.quantity)
+    }
+
     /// The unit of one quantity.
     fn plain(text: &str) -> Option<Self> {
         let plain = spelled(text);

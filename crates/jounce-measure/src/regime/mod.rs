@@ -4,11 +4,13 @@
 //! and 3 of the drive. The stretches are the partition of the blocks that minimises
 //!
 //! ```text
-//! sum over stretches of sum |y_b - mean|^2 / s^2  +  c ln(B) per stretch
+//! sum over stretches and features of n ln v + e / (s^2 v)  +  c ln(B) per stretch,   v = max(1, e / (n s^2))
 //! ```
 //!
-//! with `s` the noise of each feature, from the median difference of neighbouring blocks: a change counts only where it is larger than the
-//! noise, and larger than 5 % of the record's largest feature. The optimum is found exactly, by dynamic programming.
+//! with `e` what a mean and a trend leave of the `n` blocks of a stretch, and `s` the noise of each feature, from the median difference of
+//! neighbouring blocks: a change counts only where it is larger than the noise, and larger than 5 % of the record's largest feature. A stretch that is
+//! irregular, as a start or chaos, has its own larger noise, and one whose size changes slowly its trend; neither is cut. The optimum is found
+//! exactly, by dynamic programming.
 //!
 //! Neighbouring stretches whose amplitudes, freed of noise, are equal, or drift, are joined again, and the reason is told.
 //!
@@ -16,7 +18,7 @@
 //!
 //! [`correspond`] names, for a stretch, the solution of a model whose voltage it shows.
 //!
-//! Source: B. Jackson et al., An algorithm for optimal partitioning of data on an interval, IEEE Signal Process. Lett. 12 (2005) 105.
+//! Source: for the cost R. Killick, P. Fearnhead, I. Eckley, Optimal detection of changepoints, J. Am. Stat. Assoc. 107 (2012) 1590; B. Jackson et al., An algorithm for optimal partitioning of data on an interval, IEEE Signal Process. Lett. 12 (2005) 105.
 mod alike;
 mod correspond;
 mod features;

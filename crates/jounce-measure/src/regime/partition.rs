@@ -1,4 +1,7 @@
-//! The best partition of a row of feature vectors into pieces of constant mean.
+//! The best partition of a row of feature vectors into pieces, each with a mean, a trend and a deviation of its own.
+//!
+//! The deviation of a piece is at least that between neighbouring blocks of the whole record: a piece that is quieter is no piece of its own, while
+//! one that is irregular stays one piece.
 
 use jounce::march::Watch;
 
@@ -22,21 +25,50 @@ pub(super) fn changes(features: &[Vec<f64>], noise: &[f64], cost: f64, watch: &W
     Some(changes)
 }
 
-/// First blocks of the pieces. `noise` is the deviation of each feature within a piece, `cost` what a piece more costs.
+/// Blocks of a piece from which on its features may change evenly.
+const TREND: usize = 4;
+
+/// Sums of one feature over its noise up to a block: values, values times their block, squares.
+#[derive(Clone, Copy, Default)]
+struct Sums {
+    x: f64,
+    tx: f64,
+    xx: f64,
+}
+
+impl Sums {
+    fn with(self, block: usize, x: f64) -> Self {
+        Self { x: self.x + x, tx: self.tx + block as f64 * x, xx: self.xx + x * x }
+    }
+
+    /// What a mean, and in a piece long enough a trend, leave of the squares from one block to another.
+    fn rest(self, before: Self, (from, to): (usize, usize)) -> f64 {
+        let count = (to - from) as f64;
+        let (sum, middle) = (self.x - before.x, (from + to - 1) as f64 / 2.0);
+        let mut rest = self.xx - before.xx - sum * sum / count;
+        if to - from >= TREND {
+            let along = self.tx - before.tx - middle * sum;
+            rest -= along * along / (count * (count * count - 1.0) / 12.0);
+        }
+        rest.max(0.0)
+    }
+}
+
+/// First blocks of the pieces. `noise` is the least deviation of each feature within a piece, `cost` what a piece more costs.
 fn pieces(features: &[Vec<f64>], noise: &[f64], cost: f64, watch: &Watch) -> Option<Vec<usize>> {
     let count = features.len();
-    let width = noise.len();
-    // Sums and squared sums up to each block, of features over their noise.
-    let mut sums = vec![vec![0.0; width]; count + 1];
-    let mut squares = vec![0.0; count + 1];
+    let mut sums = vec![vec![Sums::default(); noise.len()]; count + 1];
     for (b, block) in features.iter().enumerate() {
-        let scaled: Vec<f64> = block.iter().zip(noise).map(|(x, s)| x / s).collect();
-        sums[b + 1] = sums[b].iter().zip(&scaled).map(|(sum, x)| sum + x).collect();
-        squares[b + 1] = squares[b] + scaled.iter().map(|x| x * x).sum::<f64>();
+        sums[b + 1] = sums[b].iter().zip(block.iter().zip(noise)).map(|(sums, (x, s))| sums.with(b, x / s)).collect();
     }
     let spread = |from: usize, to: usize| {
-        let mean = sums[to].iter().zip(&sums[from]).map(|(b, a)| (b - a).powi(2)).sum::<f64>() / (to - from) as f64;
-        squares[to] - squares[from] - mean
+        let length = (to - from) as f64;
+        let of = |(to_here, before): (&Sums, &Sums)| {
+            let rest = to_here.rest(*before, (from, to));
+            let variance = (rest / length).max(1.0);
+            length * variance.ln() + rest / variance
+        };
+        sums[to].iter().zip(&sums[from]).map(of).sum::<f64>()
     };
     let mut best = vec![(f64::INFINITY, 0); count + 1];
     best[0].0 = 0.0;

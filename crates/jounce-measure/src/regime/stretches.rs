@@ -5,7 +5,7 @@ use jounce::signal::{Samples, SignalError};
 use serde::Serialize;
 
 use super::Period;
-use super::alike::{Joint, joined};
+use super::alike::{Joint, Reason, drifts, joined, lines};
 use super::features::{CYCLES, of_block};
 use super::partition::{changes, noise};
 use super::period::period_watched;
@@ -76,8 +76,8 @@ pub enum RegimeError {
 const BLOCKS: f64 = 4.0;
 /// A change below this share of the record's largest feature is none.
 const SMALLEST: f64 = 0.05;
-/// Cost of a stretch, times the logarithm of the number of blocks, for each feature.
-const COST: f64 = 2.0;
+/// Cost of a stretch, times the logarithm of the number of blocks, for each feature: its mean, its trend and its deviation.
+const COST: f64 = 3.0;
 
 /// Cuts a record under a drive of a known frequency.
 ///
@@ -113,11 +113,12 @@ pub fn regimes_watched(samples: &Samples<'_>, drive_hz: f64, watch: &Watch) -> R
         return Err(RegimeError::Constant);
     }
     // A clean record has hardly any noise: what counts as a change is then decided by its size.
-    let floor = SMALLEST * largest / (2.0 * COST * (blocks as f64).ln()).sqrt();
+    let floor = SMALLEST * largest / (4.0 * (blocks as f64).ln()).sqrt();
     let noise: Vec<f64> = noise(&features).into_iter().map(|s| s.max(floor)).collect();
     let cost = COST * noise.len() as f64 * (blocks as f64).ln();
     let starts = changes(&features, &noise, cost, watch).ok_or(RegimeError::Stopped)?;
-    let (starts, joints) = joined(samples, drive_hz, starts, (blocks, length));
+    let lines = lines(samples, drive_hz, (blocks, length));
+    let (starts, mut joints) = joined(samples, drive_hz, starts, (&lines, length));
     let edge = |k: usize| starts.get(k).map_or(samples.values().len(), |b| (b * length).round() as usize);
     let last = starts.len().saturating_sub(1);
     let inner = |k: usize| {
@@ -126,7 +127,15 @@ pub fn regimes_watched(samples: &Samples<'_>, drive_hz: f64, watch: &Watch) -> R
         (edge(k) + if k > 0 { block } else { 0 }, edge(k + 1) - if k < last { block } else { 0 })
     };
     let one = |k: usize| stretch(samples, drive_hz, (edge(k), edge(k + 1)), inner(k), watch);
-    let stretches = (0..starts.len()).map(one).collect::<Result<_, _>>()?;
+    let stretches = (0..starts.len()).map(one).collect::<Result<Vec<Stretch>, _>>()?;
+    for (k, stretch) in stretches.iter().enumerate().filter(|(_, stretch)| stretch.period.cycles.is_some()) {
+        let told = joints.iter().any(|joint| (stretch.start_s..stretch.end_s).contains(&joint.at_s));
+        let end = starts.get(k + 1).map_or(blocks, |end| end.floor() as usize);
+        if !told && drifts(&lines[starts[k].ceil() as usize..end]) {
+            joints.push(Joint { at_s: 0.5 * (stretch.start_s + stretch.end_s), reason: Reason::Drifts });
+        }
+    }
+    joints.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
     Ok(Regimes { stretches, joints, uncertainty_s: length / rate_hz })
 }
 

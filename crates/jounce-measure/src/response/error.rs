@@ -11,7 +11,11 @@ pub enum ResponseError {
     #[error(transparent)]
     Channel(#[from] NoChannel),
     /// No channel that is a force.
-    #[error("{recording} has no channel in newtons: name that of the force; there are {}", channels.join(", "))]
+    #[error(
+        "{recording} has no channel in newtons: name that of the force, or the input of another kind, as the acceleration of the base (--input, \
+         input=); there are {}",
+        channels.join(", ")
+    )]
     NoForce {
         /// The recording.
         recording: String,
@@ -20,7 +24,8 @@ pub enum ResponseError {
     },
     /// A force in another unit.
     #[error(
-        "channel {channel} of {recording} is in {unit}, not in newtons; choose another one, or correct its unit in the notes beside it"
+        "channel {channel} of {recording} is in {unit}, not in newtons; choose another one, give it as the input where it excites without being a \
+         force (--input, input=), or correct its unit in the notes beside it"
     )]
     NotForce {
         /// The recording.
@@ -29,6 +34,41 @@ pub enum ResponseError {
         channel: String,
         /// Its unit.
         unit: String,
+    },
+    /// An input without a unit that tells what it is.
+    #[error(
+        "channel {channel} of {recording} tells {}; an input must be in N, m/s^2, g, m/s, m, V or Pa: give its unit in the notes beside the \
+         recording",
+        if unit.is_empty() { "no unit".to_owned() } else { format!("the unit {unit}") }
+    )]
+    NotInput {
+        /// The recording.
+        recording: String,
+        /// The channel.
+        channel: String,
+        /// Its unit.
+        unit: String,
+    },
+    /// An input that is one quantity in one recording and another one in the next.
+    #[error("the input {channel} is in {unit} in {}, and not in {}; give recordings of one kind of input", recordings[1], recordings[0])]
+    InputUnits {
+        /// The channel.
+        channel: String,
+        /// Two recordings.
+        recordings: [String; 2],
+        /// Its unit in the second one.
+        unit: String,
+    },
+    /// A pulse of what is no force.
+    #[error(
+        "the input {channel} of {recording} does not go on as a shaker's does: hits are sought in forces only; record noise or a sweep, or take \
+         it for that of a shaker (--shaker, shaker=True)"
+    )]
+    Pulse {
+        /// The recording.
+        recording: String,
+        /// The channel.
+        channel: String,
     },
     /// Forces at several places, some of which are not told.
     #[error(
@@ -55,16 +95,16 @@ pub enum ResponseError {
         /// Two of its places, each with a recording.
         places: [String; 2],
     },
-    /// Nothing beside the force.
-    #[error("{recording} holds no channel beside the force {force}")]
+    /// Nothing beside the input.
+    #[error("{recording} holds no channel beside the input {force}")]
     NoResponse {
         /// The recording.
         recording: String,
         /// The force.
         force: String,
     },
-    /// The force as a response to itself.
-    #[error("{force} of {recording} is the force, and cannot respond to itself: name a channel beside it, or another force")]
+    /// The input as a response to itself.
+    #[error("{force} of {recording} is the input, and cannot respond to itself: name a channel beside it, or another input")]
     OwnResponse {
         /// The recording.
         recording: String,
@@ -72,10 +112,33 @@ pub enum ResponseError {
         force: String,
     },
     /// Spectra without phase.
-    #[error("{recording} is over frequency and holds no complex channel: a response function has a real and an imaginary part")]
+    #[error(
+        "{recording} is over frequency and holds no complex channel: a response function has a real and an imaginary part; tell what its columns \
+         hold (--functions re-im or size-degrees, functions=)"
+    )]
     NotComplex {
         /// The recording.
         recording: String,
+    },
+    /// Columns that are to be functions over what is told to be a time.
+    #[error(
+        "{recording} is read as a recording over time; write over = \"frequency\" in the notes beside the file, and time = \"1\" for its column"
+    )]
+    OverTime {
+        /// The recording.
+        recording: String,
+    },
+    /// Columns that are no pairs.
+    #[error(
+        "{recording} has {} real columns ({}), and two make a response function: leave the others out in the notes beside the file",
+        channels.len(),
+        channels.join(", ")
+    )]
+    Unpaired {
+        /// The recording.
+        recording: String,
+        /// Its real channels.
+        channels: Vec<String>,
     },
     /// Response functions over unequal frequencies.
     #[error("{first} and {other} lie at unequal frequencies; give response functions of one test")]

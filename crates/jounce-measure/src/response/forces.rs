@@ -1,6 +1,6 @@
-//! Recordings of a hammer or shaker test by the place of their force.
+//! Recordings of a hammer or shaker test by the place of their input.
 
-use super::responses::force;
+use super::excitation::input;
 use super::{Chosen, ResponseError};
 use crate::recording::{Channel, Finding, FindingKind, Recording};
 
@@ -20,7 +20,7 @@ pub(super) fn place(channel: &Channel) -> String {
 /// The places in the order in which they first come. Where none of several recordings tells its place, or some do and tell one place, it is taken
 /// for that of all, which is a finding.
 pub(super) fn references<'a>(records: &'a [Recording], chosen: &Chosen) -> Result<(Vec<Reference<'a>>, Option<Finding>), ResponseError> {
-    let told = records.iter().map(|record| Ok(place(force(record, chosen)?))).collect::<Result<Vec<String>, ResponseError>>()?;
+    let told = records.iter().map(|record| Ok(place(input(record, chosen)?))).collect::<Result<Vec<String>, ResponseError>>()?;
     let mut names: Vec<&String> = Vec::new();
     for name in told.iter().filter(|name| !name.is_empty()) {
         if !names.contains(&name) {
@@ -39,7 +39,7 @@ pub(super) fn references<'a>(records: &'a [Recording], chosen: &Chosen) -> Resul
     let found = match names[..] {
         [] => {
             let name =
-                records.first().map(|record| force(record, chosen)).transpose()?.map_or_else(String::new, |force| force.name.clone());
+                records.first().map(|record| input(record, chosen)).transpose()?.map_or_else(String::new, |input| input.name.clone());
             vec![Reference { name, records: numbered().collect() }]
         }
         [name] => vec![Reference { name: name.clone(), records: numbered().collect() }],

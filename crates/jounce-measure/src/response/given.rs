@@ -4,7 +4,7 @@ use realfft::num_complex::Complex;
 
 use super::forces::place;
 use super::{ResponseError, Responses};
-use crate::recording::{Channel, Finding, FindingKind, Recording, Unit};
+use crate::recording::{Channel, Finding, FindingKind, Quantity, Recording, Unit};
 use crate::spectral::{FrequencyResponse, Sight};
 
 /// Which function stands for which output and which reference.
@@ -54,6 +54,8 @@ impl Responses {
             names,
             units: each().map(|channel| channel.unit.clone()).collect(),
             quantities: each().map(|channel| Unit::responds(&channel.unit).unwrap_or(channel.quantity)).collect(),
+            input: String::new(),
+            inputs: each().map(|channel| Unit::per(&channel.unit).unwrap_or(Quantity::Unknown)).collect(),
             functions: order.iter().map(function).collect(),
             hits: Vec::new(),
             block_s: None,

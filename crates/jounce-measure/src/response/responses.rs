@@ -3,6 +3,7 @@
 use jounce::signal::{Samples, SignalError};
 
 use super::ResponseError;
+use super::excitation::{self, Excitation, input};
 use super::forces::{Reference, check_sensors, references};
 use crate::recording::{Channel, Finding, FindingKind, Quantity, Recording};
 use crate::spectral::{FrequencyResponse, ImpactAnswer, ImpactHit, ImpactRecord, ImpactSettings, SpectralError, impact};
@@ -10,9 +11,9 @@ use crate::spectral::{FrequencyResponse, ImpactAnswer, ImpactHit, ImpactRecord, 
 /// Which channels are what.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Chosen {
-    /// The force; none for the first channel in newtons.
-    pub force: Option<String>,
-    /// The responses; empty for all channels but the force.
+    /// The input.
+    pub excitation: Excitation,
+    /// The responses; empty for all channels but the input.
     pub responses: Vec<String>,
 }
 
@@ -21,15 +22,19 @@ pub struct Chosen {
 pub struct Responses {
     /// Name of each output.
     pub outputs: Vec<String>,
-    /// Where the force acts: its places, or its channel where none is told; none where response functions were given that tell none.
+    /// Where the input acts: its places, or its channel where none is told; none where response functions were given that tell none.
     pub references: Vec<String>,
     /// Name of each response: that of output `o` to reference `i` at `o * references + i`. It is that of the output alone where there are no
     /// several references.
     pub names: Vec<String>,
-    /// Unit of each, per newton.
+    /// Unit of each: that of the output per that of the input.
     pub units: Vec<String>,
     /// What each measures.
     pub quantities: Vec<Quantity>,
+    /// The channel of the input; empty where response functions were given.
+    pub input: String,
+    /// What each is a response to: a force, the motion of the base, a voltage; unknown where the unit of a function tells none.
+    pub inputs: Vec<Quantity>,
     /// The response functions.
     pub functions: Vec<FrequencyResponse>,
     /// The hits; none under a shaker, or where response functions were given.
@@ -43,37 +48,39 @@ pub struct Responses {
 }
 
 impl Responses {
-    /// The responses of a hammer or shaker test: recordings over even times, with one or more hits in each or a force that goes on, the
-    /// channels the same in all. Recordings of each place of the force are averaged for themselves, over blocks of one length.
+    /// The responses of a hammer or shaker test: recordings over even times, with one or more hits in each or an input that goes on, the
+    /// channels the same in all. An input that is no force is averaged in blocks, as that of a shaker. Recordings of each place of the force are averaged for themselves, over blocks of one length.
     ///
     /// # Errors
     /// A channel that is not there or no force, the force as its own response, forces some of which tell their places, sensors that move, nothing beside the force, what
     /// [`impact`] refuses.
     pub fn of_hits(records: &[Recording], chosen: &Chosen, settings: &ImpactSettings) -> Result<Self, ResponseError> {
         let first = records.first().ok_or(ResponseError::Nothing)?;
-        let hammer = force(first, chosen)?;
+        let driven = input(first, chosen)?;
+        let settings = &excitation::settings(records, chosen, settings)?;
         let outputs: Vec<String> = match &chosen.responses[..] {
-            [] => first.channels.iter().map(|channel| channel.name.clone()).filter(|name| *name != hammer.name).collect(),
+            [] => first.channels.iter().map(|channel| channel.name.clone()).filter(|name| *name != driven.name).collect(),
             wanted => wanted.iter().map(|name| Ok(first.channel(name)?.name.clone())).collect::<Result<_, ResponseError>>()?,
         };
-        if outputs.contains(&hammer.name) {
-            return Err(ResponseError::OwnResponse { recording: first.name.clone(), force: hammer.name.clone() });
+        if outputs.contains(&driven.name) {
+            return Err(ResponseError::OwnResponse { recording: first.name.clone(), force: driven.name.clone() });
         }
         if outputs.is_empty() {
-            return Err(ResponseError::NoResponse { recording: first.name.clone(), force: hammer.name.clone() });
+            return Err(ResponseError::NoResponse { recording: first.name.clone(), force: driven.name.clone() });
         }
         let (forces, place) = references(records, chosen)?;
         check_sensors(records, &outputs)?;
         let answers = answers(&forces, chosen, &outputs, settings)?;
         let channels = outputs.iter().map(|name| first.channel(name)).collect::<Result<Vec<_>, _>>()?;
-        let unit = |channel: &&Channel| if channel.unit.is_empty() { "1/N".to_owned() } else { format!("{}/N", channel.unit) };
         let several = forces.len() > 1;
         let name = |o: usize, i: usize| if several { format!("{} from {}", outputs[o], forces[i].name) } else { outputs[o].clone() };
         let each = || (0..outputs.len()).flat_map(|o| (0..forces.len()).map(move |i| (o, i)));
         Ok(Self {
             names: each().map(|(o, i)| name(o, i)).collect(),
-            units: each().map(|(o, _)| unit(&channels[o])).collect(),
+            units: each().map(|(o, _)| excitation::unit(channels[o], driven)).collect(),
             quantities: each().map(|(o, _)| channels[o].quantity).collect(),
+            input: driven.name.clone(),
+            inputs: each().map(|_| excitation::quantity(driven)).collect(),
             functions: each().map(|(o, i)| answers[i].responses[o].clone()).collect(),
             hits: in_order(&forces, &answers),
             block_s: Some(answers[0].block_s),
@@ -82,28 +89,29 @@ impl Responses {
             findings: records
                 .iter()
                 .flat_map(|recording| recording.findings.clone())
-                .chain(hammer.head().assumed(Quantity::Force))
+                .chain(driven.head().assumed(Quantity::Force))
                 .chain(place)
                 .chain(answers.iter().find(|answer| answer.swept).map(|answer| swept(settings, answer.block_s)))
                 .collect(),
             outputs,
         })
     }
+
+    /// For a response to an acceleration, its values in m/s^2 times this are per g, and the unit that they then have; none for a response to
+    /// something else, and for one in the unit of its input.
+    pub fn per_g(&self, response: usize) -> Option<(f64, String)> {
+        let above = self.units[response].strip_suffix("/(m/s^2)").filter(|_| self.inputs[response] == Quantity::Acceleration)?;
+        (self.quantities[response] != Quantity::Acceleration).then(|| (STANDARD_GRAVITY_M_S2, format!("{above}/g")))
+    }
+
+    /// True for a response in the unit of its input, a pure number.
+    pub fn is_transmissibility(&self, response: usize) -> bool {
+        self.inputs[response] != Quantity::Unknown && self.quantities[response] == self.inputs[response]
+    }
 }
 
-pub(super) fn force<'a>(recording: &'a Recording, chosen: &Chosen) -> Result<&'a Channel, ResponseError> {
-    let named = chosen.force.as_ref().map(|name| recording.channel(name)).transpose()?;
-    let first = || recording.channels.iter().find(|channel| channel.quantity == Quantity::Force);
-    let Some(found) = named.or_else(first) else {
-        let channels = recording.channels.iter().map(|channel| channel.name.clone()).collect();
-        return Err(ResponseError::NoForce { recording: recording.name.clone(), channels });
-    };
-    // A channel that tells no unit may be the force; one that tells another is not.
-    if found.head().may_be(Quantity::Force) {
-        return Ok(found);
-    }
-    Err(ResponseError::NotForce { recording: recording.name.clone(), channel: found.name.clone(), unit: found.unit.clone() })
-}
+/// m/s^2 in a g (NIST SP 811).
+const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 
 /// What the recordings of each place give. Unless a length is told, blocks are as long as the shortest ones of any place.
 fn answers(
@@ -160,7 +168,7 @@ fn impact_record<'a>(recording: &'a Recording, chosen: &Chosen, names: &[String]
     let told = |fault: SignalError| ResponseError::Spectral(SpectralError::Signal(fault));
     let samples = |channel: &'a Channel| Samples::new(&channel.values, recording.rate()).map_err(told);
     let responses = names.iter().map(|name| samples(recording.channel(name)?)).collect::<Result<_, _>>()?;
-    Ok(ImpactRecord { force: samples(force(recording, chosen)?)?, responses })
+    Ok(ImpactRecord { force: samples(input(recording, chosen)?)?, responses })
 }
 
 #[cfg(test)]
@@ -225,7 +233,7 @@ mod tests {
     #[test]
     fn a_force_that_responds_to_itself_is_refused() {
         for responses in [vec!["force".to_owned()], vec!["a".to_owned(), "force".to_owned()]] {
-            let chosen = Chosen { force: None, responses };
+            let chosen = Chosen { responses, ..Chosen::default() };
             let fault = Responses::of_hits(&[struck("one", "")], &chosen, &ImpactSettings::default()).unwrap_err();
             assert!(matches!(&fault, ResponseError::OwnResponse { .. }), "{fault}");
         }

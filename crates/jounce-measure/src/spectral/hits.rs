@@ -73,6 +73,23 @@ pub enum HitWarning {
     },
 }
 
+/// What stands behind "the hit": the fault with its numbers.
+impl std::fmt::Display for HitWarning {
+    fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Double { after_s, force_n } => write!(to, "is double: {force_n:.4} N again after {after_s:.4e} s"),
+            Self::Clipped { samples } => write!(to, "is clipped: {samples} equal samples at the top"),
+            Self::Coarse { samples } => write!(to, "is coarse: {samples} samples only"),
+            Self::Cut => write!(to, "is cut by the record's end"),
+            Self::Ringing { share } => write!(
+                to,
+                "comes while a response still moves, with {share:.4} of its rms in the block: wait longer between hits, or strike once in each \
+                 recording"
+            ),
+        }
+    }
+}
+
 /// Fewer samples than this do not tell the shape of a pulse.
 const COARSE: usize = 4;
 /// A force this many times the noise is a hit.

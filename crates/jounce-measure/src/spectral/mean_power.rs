@@ -120,6 +120,17 @@ fn correlation(values: &[f64]) -> f64 {
     if variance > 0.0 { both / variance } else { 0.0 }
 }
 
+/// The same of a part of a record; none where it is too short for an interval.
+///
+/// # Errors
+/// As [`mean_power`] but for a record too short.
+pub fn mean_power_if_long(samples: &Samples<'_>, resistance_ohm: f64, remove_mean: bool) -> Result<Option<MeanPower>, SpectralError> {
+    match mean_power(samples, resistance_ohm, remove_mean) {
+        Err(SpectralError::Short { .. }) => Ok(None),
+        found => found.map(Some),
+    }
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {

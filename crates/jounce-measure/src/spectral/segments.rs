@@ -57,6 +57,11 @@ impl Segments {
         self.weights.iter().map(|w| w * w).sum()
     }
 
+    /// Weights of the samples of a segment.
+    pub(super) fn weights(&self) -> &[f64] {
+        &self.weights
+    }
+
     /// Sum of the weights.
     pub fn gain(&self) -> f64 {
         self.weights.iter().sum()

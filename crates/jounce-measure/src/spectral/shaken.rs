@@ -54,7 +54,7 @@ fn sweeps(force: &Samples<'_>) -> Result<bool, SpectralError> {
 }
 
 /// True for a force that goes on, both ways, instead of striking: its peak is near its rms, and it pulls as well as it pushes.
-pub(super) fn goes_on(force: &Samples<'_>) -> bool {
+pub(crate) fn goes_on(force: &Samples<'_>) -> bool {
     let mean = force.mean();
     let (mut squares, mut push, mut pull) = (0.0, 0.0_f64, 0.0_f64);
     for x in force.values().iter().map(|x| x - mean) {

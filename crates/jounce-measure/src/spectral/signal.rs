@@ -3,7 +3,7 @@
 use jounce::signal::Samples;
 
 use super::SpectralError;
-use crate::recording::Channel;
+use crate::recording::{Channel, Quantity, Recording};
 
 /// The samples of a channel that shows a signal.
 ///
@@ -19,11 +19,35 @@ pub fn signal(channel: &Channel, rate_hz: f64) -> Result<Samples<'_>, SpectralEr
     }
 }
 
+/// The first channel of a quantity that moves, else the first channel that does, else the first of them.
+pub fn first_live(record: &Recording, quantity: Quantity) -> Option<&Channel> {
+    let live = |channel: &&Channel| signal(channel, record.rate()).is_ok();
+    let all = || record.channels.iter();
+    let of_quantity = |channel: &&Channel| channel.quantity == quantity;
+    all().filter(of_quantity).find(live).or_else(|| all().find(live)).or_else(|| all().find(of_quantity)).or(record.channels.first())
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::recording::Quantity;
+    use crate::recording::{Grid, Over};
+
+    #[test]
+    fn the_first_live_channel_is_the_default() {
+        let of = |channels: &[(&str, Quantity, f64)]| {
+            let channel = |(name, quantity, last): &(&str, Quantity, f64)| Channel::new(name, *quantity, "", vec![1.0, 1.0, *last]);
+            let channels = channels.iter().map(channel).collect();
+            let grid = Grid::even(0.0, 1.0, 3).unwrap();
+            let record = Recording { name: "r".to_owned(), over: Over::Time, grid, channels, findings: Vec::new() };
+            first_live(&record, Quantity::Voltage).map(|channel| channel.name.clone())
+        };
+        let (volts, motion) = (Quantity::Voltage, Quantity::Acceleration);
+        assert_eq!(of(&[("a", motion, 2.0), ("dead", volts, 1.0), ("v", volts, 3.0)]).as_deref(), Some("v"));
+        assert_eq!(of(&[("dead", volts, 1.0), ("a", motion, 2.0)]).as_deref(), Some("a"));
+        assert_eq!(of(&[("a", motion, 1.0), ("dead", volts, 1.0)]).as_deref(), Some("dead"));
+        assert_eq!(of(&[]), None);
+    }
 
     #[test]
     fn a_channel_that_never_moves_is_no_signal() {

@@ -35,7 +35,8 @@ const KEYS: [(&str, f64); 2] = [("beam.beam.root_stiffness", 1.0), ("mass.sensor
 const NOTED_HZ: [f64; 3] = [6.57, 41.47, 117.93];
 
 fn features(frequency_hz: &[f64]) -> Features {
-    let mode = |(k, hz): (usize, &f64)| ModeFeature { number: k + 1, frequency: Some((*hz, Deviation::Residuals)), damping_ratio: None };
+    let mode =
+        |(k, hz): (usize, &f64)| ModeFeature { number: k + 1, frequency: Some((*hz, Deviation::Residuals)), ..ModeFeature::default() };
     Features { free: free(&KEYS), modes: frequency_hz.iter().enumerate().map(mode).collect(), ..Features::default() }
 }
 

@@ -56,6 +56,7 @@ fn shares(trials: u64) -> [f64; 5] {
             number: k + 1,
             frequency: Some((moved(*hz, FREQUENCY), given(FREQUENCY))),
             damping_ratio: (k < 2).then(|| (moved(*ratio, DAMPING), given(DAMPING))),
+            ..ModeFeature::default()
         };
         let measured = true_modes.iter().enumerate().map(mode).collect();
         let features = Features { free: free(&KEYS), modes: measured, ..Features::default() };

@@ -35,6 +35,7 @@ fn features(keys: &[(&str, f64)], ratios: &[f64]) -> Features {
         number: k + 1,
         frequency: Some((*hz, given(FREQUENCY))),
         damping_ratio: Some((*ratio, given(DAMPING))),
+        ..ModeFeature::default()
     };
     Features { free: free(keys), modes: hz.iter().zip(&ratios).enumerate().map(mode).collect(), ..Features::default() }
 }

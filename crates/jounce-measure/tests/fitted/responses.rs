@@ -4,9 +4,11 @@ use super::{HARVESTER, free, given, noisy, recovered, spec};
 use faer::c64;
 use jounce::drive::Stream;
 use jounce::linear::{Input, Response, frf};
+use jounce::march::Watch;
 use jounce::plant::{Plant, System};
 use jounce::structure;
-use jounce_measure::fit::{Deviation, Features, Lines, ResponseFeature};
+use jounce_measure::fit::{Deviation, Features, Lines, ResponseFeature, fit};
+use std::path::Path;
 
 const KEYS: [(&str, f64); 3] = [("beam.beam.youngs_modulus", 0.1), ("patch.mfc.capacitance", 0.2), ("damping.beyond", 0.5)];
 const TRUTH: [f64; 3] = [72.5e9, 66e-9, 0.016];
@@ -22,8 +24,8 @@ fn voltage() -> (Vec<f64>, Vec<c64>) {
 }
 
 fn features(lines: Lines, deviation: Deviation) -> Features {
-    let feature =
-        ResponseFeature { input: Input::BaseAcceleration, output: Response::Voltage("mfc".to_owned()), lines, deviation, set: Vec::new() };
+    let (input, output) = (Input::BaseAcceleration, Response::Voltage("mfc".to_owned()));
+    let feature = ResponseFeature { input, output, lines, absolute: false, deviation, set: Vec::new() };
     Features { free: free(&KEYS), responses: vec![feature], ..Features::default() }
 }
 
@@ -58,4 +60,45 @@ fn keys_come_back_from_complex_values() {
     assert_eq!((answer.curves.len(), answer.features.len()), (2, 0));
     eprintln!("chi square {:.1} for 80 numbers", answer.chi_square);
     assert!((40.0..125.0).contains(&answer.chi_square) && answer.warnings.is_empty(), "{:?}", answer.warnings);
+}
+
+/// A sensor on the tip moves with the base too: its transmissibility, 1 and what the tip does relative to the base, gives the keys back where it is
+/// said to be absolute. A file in V/N is refused where V per acceleration of the base is due; one in V/g is converted.
+#[test]
+fn a_sensor_on_the_structure_and_the_unit_of_a_file_are_minded() {
+    let (file, model) = spec(HARVESTER, &[]);
+    let (_, truth) = spec(HARVESTER, &[("beam.beam.youngs_modulus", "72.5 GPa"), ("damping.beyond", "0.016")]);
+    let plant = Plant::new(System::assemble(&truth, structure::modes(&truth).expect("modes")).expect("system")).expect("plant");
+    let frequency_hz: Vec<f64> = (0..40).map(|k| 40.0 + 1.5 * f64::from(k)).collect();
+    let output = Response::Acceleration("beam.end".to_owned());
+    let found = frf(&plant, &Input::BaseAcceleration, std::slice::from_ref(&output), &frequency_hz).expect("responses");
+    let riding = found[0].value.iter().map(|h| h + 1.0).collect();
+    let lines = Lines::Complex(frequency_hz.clone(), riding);
+    let feature =
+        ResponseFeature { input: Input::BaseAcceleration, output, lines, absolute: true, deviation: given(0.001), set: Vec::new() };
+    let keys = [("beam.beam.youngs_modulus", 0.1), ("damping.beyond", 0.5)];
+    let riding = Features { free: free(&keys), responses: vec![feature], ..Features::default() };
+    let (answer, _) = fit(&file, &model, &riding, Path::new("."), &Watch::default()).expect("a fit");
+    let off = [answer.keys[0].after / 72.5e9 - 1.0, answer.keys[1].after / 0.016 - 1.0];
+    eprintln!("absolute: {:.1e} {:.1e} off", off[0], off[1]);
+    assert!(off.iter().all(|off| off.abs() < 1e-4) && answer.warnings.is_empty(), "{off:?} {:?}", answer.warnings);
+    let folder = tempfile::tempdir().expect("a folder");
+    for (unit, fits) in [("V/g", true), ("V/N", false), ("V", false), ("", true)] {
+        let (_, value) = voltage();
+        let row = |(hz, h): (&f64, &c64)| format!("{hz},{:e},{:e}\n", h.re * 9.80665, h.im * 9.80665);
+        let rows: String = frequency_hz.iter().zip(&value).map(row).collect();
+        let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
+        std::fs::write(folder.path().join("frf.csv"), format!("frequency [Hz],mfc.re{unit},mfc.im{unit}\n{rows}")).expect("a file");
+        let lines = Lines::File { path: "frf.csv".into(), channel: "mfc".to_owned(), between_hz: (0.0, 1e3) };
+        let features = Features { folder: folder.path().to_owned(), ..features(lines, given(0.01)) };
+        match fit(&file, &model, &features, Path::new("."), &Watch::default()) {
+            Ok((answer, _)) => {
+                assert!(fits, "{unit}");
+                assert_eq!(answer.warnings.iter().any(|told| told.contains("tells no unit")), unit.is_empty(), "{:?}", answer.warnings);
+                let off = answer.keys[1].after / TRUTH[1] - 1.0;
+                assert!(unit.is_empty() || off.abs() < 1e-3, "{off:e}");
+            }
+            Err(fault) => assert!(!fits && fault.to_string().contains("is in V/(m/s^2)"), "{unit}: {fault}"),
+        }
+    }
 }

@@ -6,7 +6,7 @@ use jounce_measure::contact;
 use jounce_measure::modal::{Band, Motion, Settings, identify};
 use jounce_measure::read;
 use jounce_measure::recording::Recording;
-use jounce_measure::response::{Chosen, Responses};
+use jounce_measure::response::{Chosen, Excitation, Responses};
 use jounce_measure::spectral::{Averages, Estimator, FrequencyResponse, HitSearch, ImpactSettings, Segments, Sight, hits};
 
 fn records() -> Option<Vec<Recording>> {
@@ -137,7 +137,7 @@ fn modes_are_those_of_an_independent_package() {
 #[test]
 fn modes_are_found_in_the_whole_band() {
     let Some(records) = records() else { return };
-    let chosen = Chosen { force: Some("channel 2".to_owned()), responses: Vec::new() };
+    let chosen = Chosen { excitation: Excitation::Force("channel 2".to_owned()), responses: Vec::new() };
     let responses = Responses::of_hits(&records, &chosen, &ImpactSettings::default()).unwrap_or_else(|fault| panic!("{fault}"));
     let found = identify(&Band::of(&responses, (0.0, 12_800.0)).expect("a band"), Settings::default()).expect("modes");
     let told: Vec<(f64, f64)> = found.modes.iter().map(|mode| (mode.frequency_hz, mode.frequency_half_width_hz())).collect();

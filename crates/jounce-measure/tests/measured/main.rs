@@ -1,6 +1,7 @@
 //! Recordings: files of every format, cut files, and real recordings where they lie beside the repository.
 
 mod arrays;
+mod base_input;
 mod cantilever;
 mod cut;
 mod driven;
@@ -11,6 +12,7 @@ mod real;
 mod references;
 mod samples;
 mod seven;
+mod standard_test;
 mod through_a_file;
 mod untold;
 mod written;

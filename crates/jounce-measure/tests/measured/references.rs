@@ -62,6 +62,8 @@ fn responses(modes: &[(f64, f64)], sensors: &[usize], forces: &[usize], noise: f
         names: pairs.iter().map(|(o, i)| format!("a{o} from point {i}")).collect(),
         units: vec!["m/s^2/N".to_owned(); pairs.len()],
         quantities: vec![Quantity::Acceleration; pairs.len()],
+        input: "force".to_owned(),
+        inputs: vec![Quantity::Force; pairs.len()],
         functions: pairs.iter().map(|(o, i)| function(*o, *i)).collect(),
         hits: Vec::new(),
         block_s: None,

@@ -107,6 +107,8 @@ fn voltages_and_accelerations_stand_together() {
         names: (0..4).map(|place| format!("place {place}")).collect(),
         units: vec![String::new(); 4],
         quantities: (0..4).map(kind).collect(),
+        input: "force".to_owned(),
+        inputs: vec![Quantity::Force; 4],
         functions: (0..4).map(function).collect(),
         hits: Vec::new(),
         block_s: None,

@@ -5,11 +5,11 @@ use super::recording::{Given, findings};
 use crate::arrays::Answer;
 use crate::branch::json;
 use crate::failure::Failure;
-use jounce_measure::modal::{Band, Settings, identify};
-use jounce_measure::recording::Over;
-use jounce_measure::response::{Chosen, Responses};
+use jounce_measure::modal::{Band, Mode, Settings, identify};
+use jounce_measure::recording::{Over, Recording};
+use jounce_measure::response::{Chosen, Excitation, Parts, Responses, bridged, paired};
 use jounce_measure::spectral::{Estimator, ImpactSettings};
-use numpy::PyArray1;
+use numpy::{Complex64, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -18,6 +18,7 @@ use pyo3::types::PyDict;
 #[pyo3(from_item_all)]
 pub struct Hammer {
     force: Option<String>,
+    input: Option<String>,
     responses: Vec<String>,
     estimator: String,
     noise_ratio: f64,
@@ -25,6 +26,8 @@ pub struct Hammer {
     force_window: bool,
     end_ratio: Option<f64>,
     shaker: bool,
+    functions: Option<String>,
+    bridge: bool,
 }
 
 impl Hammer {
@@ -46,15 +49,38 @@ impl Hammer {
         Ok(ImpactSettings { estimator, block_s, force_window, end_ratio, shaker })
     }
 
+    /// Recordings with their columns paired and their lines bridged, as asked for.
+    fn prepared(&self, recordings: Vec<Recording>) -> Result<Vec<Recording>, Failure> {
+        let found = match self.functions.as_deref() {
+            None => recordings,
+            Some("re-im") => paired(recordings, Parts::ReIm)?,
+            Some("size-degrees") => paired(recordings, Parts::SizeDegrees)?,
+            Some("size-radians") => paired(recordings, Parts::SizeRadians)?,
+            Some(other) => {
+                let why = format!("functions is \"{other}\"; it must be \"re-im\", \"size-degrees\" or \"size-radians\"");
+                return Err(Failure::new("ArgumentError", why));
+            }
+        };
+        Ok(if self.bridge { bridged(found) } else { found })
+    }
+
     /// The responses of recordings over time; those over frequency as they stand there.
     fn responses(&self, py: Python<'_>, given: &[Given<'_>]) -> Result<Responses, Failure> {
         let settings = self.settings()?;
-        let recordings = given.iter().map(Given::recording).collect::<Result<Vec<_>, _>>()?;
+        let recordings = self.prepared(given.iter().map(Given::recording).collect::<Result<Vec<_>, _>>()?)?;
         if recordings.iter().all(|recording| recording.over == Over::Frequency) {
             return Ok(Responses::given(&recordings)?);
         }
         let records = given.iter().map(Given::even).collect::<Result<Vec<_>, _>>()?;
-        let chosen = Chosen { force: self.force.clone(), responses: self.responses.clone() };
+        let excitation = match (&self.input, &self.force) {
+            (Some(_), Some(_)) => {
+                return Err(Failure::new("ArgumentError", "force is an input in newtons and input one of any kind; give one of them"));
+            }
+            (Some(channel), None) => Excitation::Channel(channel.clone()),
+            (None, Some(channel)) => Excitation::Force(channel.clone()),
+            (None, None) => Excitation::FirstForce,
+        };
+        let chosen = Chosen { excitation, responses: self.responses.clone() };
         py.detach(|| Ok(Responses::of_hits(&records, &chosen, &settings)?))
     }
 }
@@ -87,7 +113,14 @@ pub fn measured_modes<'py>(
     let found = found.map_err(|failure| failure.raised(py))?;
     let references = if responses.references.len() > 1 { &responses.references[..] } else { &[] };
     let answer = identified(py, (&responses.outputs, references), &responses.names, &found)?;
-    Ok(answer.with("frf", told(py, &responses)?.dict())?.dict())
+    let base = found.modes.iter().map(|mode| base_participation(py, mode, &responses)).collect::<Vec<_>>();
+    Ok(answer.with("base_participation", base)?.with("frf", told(py, &responses)?.dict())?.dict())
+}
+
+/// Participation of each output in a mode under the motion of the base; empty under another input.
+fn base_participation<'py>(py: Python<'py>, mode: &Mode, responses: &Responses) -> Bound<'py, PyArray1<Complex64>> {
+    let parts = mode.base_participation(responses).unwrap_or_default();
+    PyArray1::from_vec(py, parts.iter().map(|part| Complex64::new(part.re, part.im)).collect())
 }
 
 /// Responses for Python.
@@ -99,6 +132,8 @@ fn told<'py>(py: Python<'py>, found: &Responses) -> PyResult<Answer<'py>> {
     Answer::new(py)
         .array("frequency_hz", found.functions.first().map_or_else(Vec::new, |function| function.frequency_hz.clone()))?
         .with("responses", all)?
+        .with("input", &found.input)?
+        .with("per_g", (0..found.names.len()).map(|k| found.per_g(k)).collect::<Vec<_>>())?
         .with("outputs", &found.outputs)?
         .with("references", &found.references)?
         .with("hits", json(&found.hits)?)?

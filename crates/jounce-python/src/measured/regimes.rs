@@ -12,7 +12,7 @@ use jounce::signal::Samples;
 use jounce_measure::recording::{Channel, Quantity, Recording};
 use jounce_measure::regime::{Correspondence, Regimes, correspond, regimes_watched};
 use jounce_measure::solution::{Search, Solution, as_recorded, solutions};
-use jounce_measure::spectral::{MeanPower, mean_power};
+use jounce_measure::spectral::{MeanPower, mean_power_if_long};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -30,7 +30,8 @@ pub struct Compared {
 struct Told {
     channel: Channel,
     found: Regimes,
-    powers: Vec<MeanPower>,
+    /// None where a stretch is too short for an interval; empty without a resistance.
+    powers: Vec<Option<MeanPower>>,
     shown: Vec<Correspondence>,
 }
 
@@ -57,7 +58,7 @@ pub fn measured_regimes<'py>(
         let mut powers = Vec::new();
         for stretch in found.stretches.iter().filter(|_| resistance_ohm.is_some()) {
             let part = Samples::new(&channel.values[stretch.start..stretch.end], record.rate())?;
-            powers.push(mean_power(&part, resistance_ohm.unwrap_or(f64::NAN), false)?);
+            powers.push(mean_power_if_long(&part, resistance_ohm.unwrap_or(f64::NAN), false)?);
         }
         let samples = Samples::new(&channel.values, record.rate())?;
         let shown = match model {

@@ -7,9 +7,12 @@ use crate::run::Handed;
 use crate::watched::{handed, left_alone};
 use jounce::signal::Window;
 use jounce_measure::recording::{Channel, Finding, Quantity};
-use jounce_measure::spectral::{Spectra, SpectraSettings, Spectrogram, signal, spectra_watched, spectrogram_watched};
+use jounce_measure::spectral::{Spectra, SpectraSettings, Spectrogram, first_live, signal, spectra_watched, spectrogram_watched};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+
+/// Peaks of a density that are told, the highest first.
+const PEAKS: usize = 5;
 
 /// How a record is cut into segments.
 #[derive(FromPyObject)]
@@ -36,15 +39,15 @@ impl Cut {
     }
 }
 
-/// Power spectral density, spectrogram and order lines of a channel; by default of the first one in volts, else of the first.
+/// Power spectral density, spectrogram and order lines of a channel; by default of the first one in volts that moves, else of the first that does.
 #[pyfunction]
 pub fn measured_spectra<'py>(py: Python<'py>, given: Given<'py>, channel: Option<String>, cut: Cut) -> Handed<'py> {
     let (record, settings) = (given.even()?, cut.settings()?);
     let found = left_alone(py, move |watch| {
-        let volts = || record.channels.iter().find(|channel| channel.quantity == Quantity::Voltage).or(record.channels.first());
         let channel = match &channel {
             Some(name) => record.channel(name)?,
-            None => volts().ok_or_else(|| Failure::new("RecordingError", format!("{} has no channel", record.name)))?,
+            None => first_live(&record, Quantity::Voltage)
+                .ok_or_else(|| Failure::new("RecordingError", format!("{} has no channel", record.name)))?,
         };
         let samples = signal(channel, record.rate())?;
         let found = spectra_watched(&samples, &settings, watch)?;
@@ -58,6 +61,7 @@ fn told<'py>(
     py: Python<'py>,
     (channel, told_of, found, spectrogram): (Channel, Vec<Finding>, Spectra, Spectrogram),
 ) -> PyResult<Bound<'py, PyDict>> {
+    let peaks = found.peaks(PEAKS);
     let (density, lines) = (found.density, found.orders);
     let width = spectrogram.frequency_hz.len();
     let answer = Answer::new(py)
@@ -69,6 +73,8 @@ fn told<'py>(
         .with("resolution_hz", spectrogram.resolution_hz)?
         .array("frequency_hz", density.frequency_hz)?
         .array("density", density.density)?
+        .each("peak_frequency_hz", &peaks, |peak| peak.frequency_hz)?
+        .each("peak_density", &peaks, |peak| peak.density)?
         .array("time_s", spectrogram.time_s)?
         .rows("amplitude_peak", &spectrogram.amplitude_peak, width)?
         .each("order", &lines, |line| line.order)?

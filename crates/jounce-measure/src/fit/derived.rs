@@ -1,0 +1,54 @@
+//! Numbers that follow from a fitted spec, with their uncertainty.
+//!
+//! ```text
+//! var ln y = sum_kl g_k g_l cov(x_k, x_l),   g_k = d ln y / d ln p_k
+//! ```
+//!
+//! to first order in the keys `p_k`, whose logarithms have the covariance of the fit.
+
+use jounce::spec::{Fault, Spec};
+
+use super::FitAnswer;
+
+/// By how much the logarithm of a key is moved for a derivative.
+const MOVED: f64 = 1e-4;
+
+/// A number that follows from a fitted spec.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct Derived {
+    /// Its value.
+    pub value: f64,
+    /// Relative standard deviation, from that of the keys.
+    pub deviation: f64,
+    /// Lower end of the interval of 95 %.
+    pub low: f64,
+    /// Its upper end.
+    pub high: f64,
+}
+
+impl FitAnswer {
+    /// What `of` makes of the spec as fitted, a number above 0 such as a power or an optimal load, with the interval that the keys leave it.
+    ///
+    /// # Errors
+    /// Those of `of`, and of a key that a moved value cannot have.
+    ///
+    /// # Limits
+    /// To first order in the keys; a further measurement of the number scatters by its own noise besides.
+    pub fn derived<E: From<Fault>>(&self, fitted: &Spec, of: impl Fn(&Spec) -> Result<f64, E>) -> Result<Derived, E> {
+        let value = of(fitted)?;
+        let slope = |key: &super::FittedKey| {
+            let moved = |by: f64| {
+                let mut spec = fitted.clone();
+                spec.set_si(&key.key, key.after * by.exp())?;
+                of(&spec)
+            };
+            Ok((moved(MOVED)? / moved(-MOVED)?).ln() / (2.0 * MOVED))
+        };
+        let slopes = self.keys.iter().map(slope).collect::<Result<Vec<f64>, E>>()?;
+        let part = |k: usize| slopes[k] * self.keys[k].deviation;
+        let each = |k: usize| (0..slopes.len()).map(move |l| part(k) * part(l) * self.correlation[k][l]).sum::<f64>();
+        let deviation = (0..slopes.len()).map(each).sum::<f64>().max(0.0).sqrt();
+        let [low, high] = [-1.0, 1.0].map(|sign| value * (sign * self.quantile * deviation).exp());
+        Ok(Derived { value, deviation, low, high })
+    }
+}

@@ -1,0 +1,146 @@
+//! Responses to the motion of a base and to a voltage: units, the same modes from every kind of input, and what is refused.
+
+use jounce_measure::modal::{Band, Settings, identify};
+use jounce_measure::recording::{Channel, Grid, Over, Quantity, Recording};
+use jounce_measure::response::{Chosen, Excitation, ResponseError, Responses};
+use jounce_measure::spectral::{Estimator, FrequencyResponse, ImpactSettings, Sight};
+use realfft::num_complex::Complex;
+use std::f64::consts::TAU;
+
+/// Frequency, Hz, damping ratio, participation at the tip: these add to 1, as those of all modes of a structure do.
+const MODES: [(f64, f64, f64); 3] = [(40.0, 0.01, 1.5), (150.0, 0.015, -0.7), (290.0, 0.02, 0.2)];
+
+/// Acceleration of the tip relative to the base, per acceleration of the base.
+fn relative(hz: f64) -> Complex<f64> {
+    let w = TAU * hz;
+    let of = |(f, z, part): &(f64, f64, f64)| *part * w * w / Complex::new((TAU * f).powi(2) - w * w, 2.0 * z * TAU * f * w);
+    MODES.iter().map(of).sum()
+}
+
+/// The tip's motion of a kind per motion of the base of a kind: both change by `j w` from kind to kind.
+fn transferred(output: Quantity, input: Quantity, hz: f64) -> Complex<f64> {
+    let power = |quantity: Quantity| match quantity {
+        Quantity::Displacement => 0,
+        Quantity::Velocity => 1,
+        _ => 2,
+    };
+    (relative(hz) + 1.0) * Complex::new(0.0, TAU * hz).powi(power(output) - power(input))
+}
+
+fn responses(output: Quantity, input: Quantity) -> Responses {
+    let frequency_hz: Vec<f64> = (40..1400).map(|k| f64::from(k) * 0.25).collect();
+    let value: Vec<_> = frequency_hz.iter().map(|hz| transferred(output, input, *hz)).collect();
+    let coherence = vec![1.0; value.len()];
+    Responses {
+        outputs: vec!["tip".to_owned()],
+        references: vec!["base".to_owned()],
+        names: vec!["tip".to_owned()],
+        units: vec![String::new()],
+        quantities: vec![output],
+        input: "base".to_owned(),
+        inputs: vec![input],
+        functions: vec![FrequencyResponse { frequency_hz, value, coherence, blocks: 1, sight: Sight::Whole, without: Vec::new() }],
+        hits: Vec::new(),
+        block_s: None,
+        window_decay_per_s: 0.0,
+        findings: Vec::new(),
+    }
+}
+
+/// Nine pairs of displacement, velocity and acceleration of tip and base: the same modes, and the same participation. Measured: all within
+/// 1e-15.
+#[test]
+fn every_motion_of_tip_and_base_gives_the_same_modes_and_participation() {
+    let kinds = [Quantity::Displacement, Quantity::Velocity, Quantity::Acceleration];
+    for (output, input) in kinds.iter().flat_map(|output| kinds.iter().map(move |input| (*output, *input))) {
+        let responses = responses(output, input);
+        let found = identify(&Band::of(&responses, (10.0, 349.0)).expect("a band"), Settings { order: 16 }).expect("modes");
+        assert_eq!(found.modes.len(), 3, "{output:?} {input:?}: {:?}", found.modes);
+        for (mode, (hz, ratio, part)) in found.modes.iter().zip(MODES) {
+            let told = mode.base_participation(&responses).expect("a base")[0];
+            let off = [mode.frequency_hz / hz - 1.0, mode.damping_ratio / ratio - 1.0, told.re / part - 1.0, told.im / part];
+            eprintln!("{output:?} per {input:?}, {hz} Hz: {:.1e} {:.1e} {:.1e}", off[0], off[1], off[2]);
+            assert!(off.iter().all(|off| off.abs() < 1e-12), "{off:?}");
+        }
+    }
+    assert_eq!(found_under_a_force(), None);
+}
+
+fn found_under_a_force() -> Option<usize> {
+    let responses = responses(Quantity::Acceleration, Quantity::Force);
+    let found = identify(&Band::of(&responses, (10.0, 349.0)).expect("a band"), Settings { order: 16 }).expect("modes");
+    found.modes[0].base_participation(&responses).map(|parts| parts.len())
+}
+
+/// A signal of noise-like turns and twice of it as the response, in some units.
+fn shaken(input: (Quantity, &str), output: (Quantity, &str), turns: impl Fn(u32) -> f64) -> Recording {
+    let values: Vec<f64> = (0..8000).map(turns).collect();
+    let twice = values.iter().map(|x| 2.0 * x).collect();
+    let channels = vec![Channel::new("in", input.0, input.1, values), Channel::new("out", output.0, output.1, twice)];
+    Recording {
+        name: "shaken".to_owned(),
+        over: Over::Time,
+        grid: Grid::even(0.0, 1e-3, 8000).expect("a grid"),
+        channels,
+        findings: Vec::new(),
+    }
+}
+
+fn going_on(k: u32) -> f64 {
+    (f64::from(k) * 0.7).sin() + (f64::from(k).powi(2) * 1e-4).sin()
+}
+
+fn of(record: &Recording, settings: &ImpactSettings) -> Result<Responses, ResponseError> {
+    let chosen = Chosen { excitation: Excitation::Channel("in".to_owned()), ..Chosen::default() };
+    Responses::of_hits(std::slice::from_ref(record), &chosen, settings)
+}
+
+const PLAIN: ImpactSettings =
+    ImpactSettings { estimator: Estimator::H1, block_s: None, force_window: false, end_ratio: None, shaker: false };
+
+#[test]
+fn units_are_those_of_output_and_input() {
+    use Quantity::{Acceleration, Displacement, Force, Velocity, Voltage};
+    let cases = [
+        ((Acceleration, "m/s^2"), (Voltage, "V"), "V/(m/s^2)", Some("V/g"), false),
+        ((Acceleration, "m/s^2"), (Acceleration, "m/s^2"), "m/s^2/(m/s^2)", None, true),
+        ((Acceleration, "m/s^2"), (Displacement, "m"), "m/(m/s^2)", Some("m/g"), false),
+        ((Displacement, "m"), (Displacement, "m"), "m/m", None, true),
+        ((Velocity, "m/s"), (Voltage, "V"), "V/(m/s)", None, false),
+        ((Voltage, "V"), (Velocity, "m/s"), "m/s/V", None, false),
+        ((Force, "N"), (Acceleration, "m/s^2"), "m/s^2/N", None, false),
+    ];
+    for (input, output, unit, per_g, transmits) in cases {
+        let found = of(&shaken(input, output, going_on), &PLAIN).unwrap_or_else(|fault| panic!("{fault}"));
+        assert_eq!((found.units[0].as_str(), found.inputs[0], found.references[0].as_str()), (unit, input.0, "in"));
+        assert_eq!(found.per_g(0).map(|(factor, unit)| (factor, unit)), per_g.map(|unit| (9.806_65, unit.to_owned())));
+        assert_eq!(found.is_transmissibility(0), transmits);
+        assert!((found.functions[0].value[112] - 2.0).norm() < 1e-9);
+        // What it writes is what a file of responses is read as.
+        assert_eq!(jounce_measure::recording::Unit::per(unit), Some(input.0));
+    }
+}
+
+#[test]
+fn what_cannot_be_an_input_is_refused() {
+    let volts = (Quantity::Voltage, "V");
+    let told = |record: &Recording, chosen: &Chosen| {
+        Responses::of_hits(std::slice::from_ref(record), chosen, &PLAIN).expect_err("a refusal").to_string()
+    };
+    let channel = |name: &str| Chosen { excitation: Excitation::Channel(name.to_owned()), ..Chosen::default() };
+    let silent = shaken((Quantity::Unknown, ""), volts, going_on);
+    assert!(told(&silent, &channel("in")).contains("tells no unit"));
+    let counts = shaken((Quantity::Unknown, "counts"), volts, going_on);
+    assert!(told(&counts, &channel("in")).contains("the unit counts"));
+    let base = shaken((Quantity::Acceleration, "m/s^2"), volts, going_on);
+    assert!(told(&base, &Chosen::default()).contains("--input"));
+    assert!(told(&base, &Chosen { excitation: Excitation::Force("in".to_owned()), ..Chosen::default() }).contains("--input"));
+    assert!(told(&base, &channel("nowhere")).contains("nowhere"));
+    assert!(told(&base, &Chosen { responses: vec!["in".to_owned()], ..channel("in") }).contains("cannot respond to itself"));
+    let pulse = shaken((Quantity::Acceleration, "m/s^2"), volts, |k| if (20..30).contains(&k) { 50.0 } else { 0.0 });
+    assert!(told(&pulse, &channel("in")).contains("--shaker"));
+    assert!(of(&pulse, &ImpactSettings { shaker: true, ..PLAIN }).is_ok());
+    let other = shaken((Quantity::Velocity, "m/s"), volts, going_on);
+    let fault = Responses::of_hits(&[base, other], &channel("in"), &PLAIN).expect_err("a refusal").to_string();
+    assert!(fault.contains("one kind of input"), "{fault}");
+}
