@@ -2,6 +2,7 @@
 
 mod arrays;
 mod cantilever;
+mod containers;
 mod cut;
 mod driven;
 mod formats;
@@ -13,4 +14,5 @@ mod samples;
 mod seven;
 mod through_a_file;
 mod untold;
+mod writers;
 mod written;
