@@ -53,7 +53,12 @@ fn matlab(compressed: bool) -> Vec<u8> {
     let signal = |name| vec![column(&sine(40)), Value::Text(name), Value::Text("g")];
     let signals = Value::Structs(vec!["values", "label", "unit"], vec![signal("tip"), signal("base")]);
     let response = fields(vec![("freq", column(&ramp(20))), ("h", Value::Complex(vec![20, 2], sine(40), sine(40)))]);
-    let data = fields(vec![("time", column(&ramp(40))), ("signal", signals), ("frf", response), ("cells", Value::Cell(vec![column(&sine(40)); 3]))]);
+    let data = fields(vec![
+        ("time", column(&ramp(40))),
+        ("signal", signals),
+        ("frf", response),
+        ("cells", Value::Cell(vec![column(&sine(40)); 3])),
+    ]);
     file(&[("data", data), ("fs", column(&[1000.0])), ("n", Value::Short((0..40).collect()))], compressed)
 }
 
@@ -76,7 +81,11 @@ fn whole(folder: &Path) -> Vec<(&'static str, Vec<u8>)> {
         std::fs::read(&path).expect("it was written")
     };
     let rows = [ramp(50), sine(50)];
-    let channel = |path| Channel { path, values: sine(40), properties: vec![Property::Text("unit_string", "V"), Property::Number("wf_increment", 1e-3)] };
+    let channel = |path| Channel {
+        path,
+        values: sine(40),
+        properties: vec![Property::Text("unit_string", "V"), Property::Number("wf_increment", 1e-3)],
+    };
     let channels = || [channel("/'run'/'a'"), channel("/'run'/'b'")];
     let shapes = b"    -1\n    55\nNONE\nNONE\nNONE\nNONE\nNONE\n         1         2         2         8         2         3\n         2         4         1         1\n  1.0e+01  0.0e+00  1.0e-02  0.0e+00\n         1\n -1.4e+00 -1.4e+00 -1.4e+00\n    -1\n";
     let entries = [("time.npy", samples::npy(&rows[..1])), ("tip.npy", samples::npy(&rows[1..]))];

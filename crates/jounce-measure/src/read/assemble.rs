@@ -26,7 +26,11 @@ pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) 
     if notes.over_frequency {
         raw.over = Over::Frequency;
     }
-    let time = if let Stamps::Column | Stamps::Rate(_) | Stamps::Of { .. } = raw.stamps { time_column(&mut raw, &said, notes).map_err(lost)? } else { None };
+    let time = if let Stamps::Column | Stamps::Rate(_) | Stamps::Of { .. } = raw.stamps {
+        time_column(&mut raw, &said, notes).map_err(lost)?
+    } else {
+        None
+    };
     let places = places(path, &mut raw, time, notes, columns, &mut findings)?;
     let left_out = said.iter().any(|said| said.left_out);
     let mut channels = Vec::new();

@@ -1,4 +1,4 @@
-//! Files of other programs by their first bytes, else by their ending: what they are, and how to convert them.
+//! Identifies binary files that jounce does not read, by magic number or extension, and names a converter.
 
 use std::path::Path;
 
@@ -32,13 +32,14 @@ const BEGINNINGS: [(usize, &[u8], &str); 27] = [
     (0, b"OggS", "Ogg sound: convert it to WAV, as by ffmpeg -i FILE FILE.wav"),
     (0, b"\x1f\x8b", "compressed by gzip: unpack it with gunzip and read what comes out"),
 ];
-const IDE: &str = "EBML, as IDE recordings of enDAQ and Slam Stick loggers are: export it as CSV or MAT in enDAQ Lab, or with idelib in Python";
+const IDE: &str =
+    "EBML, as IDE recordings of enDAQ and Slam Stick loggers are: export it as CSV or MAT in enDAQ Lab, or with idelib in Python";
 const KEYSIGHT: &str = "a waveform of a Keysight or Agilent oscilloscope: save it as CSV on the instrument";
 const RIGOL: &str = "a waveform of a Rigol oscilloscope: save it as CSV on the instrument, or convert it with RigolWFM in Python";
-const TEKTRONIX: &str = "a waveform of a Tektronix oscilloscope: save it as CSV on the instrument, or convert it with tm_data_types in Python";
+const TEKTRONIX: &str =
+    "a waveform of a Tektronix oscilloscope: save it as CSV on the instrument, or convert it with tm_data_types in Python";
 const LECROY: &str = "a waveform of a LeCroy oscilloscope: save it as ASCII on the instrument, or convert it with lecroyparser in Python";
-const NETCDF: &str =
-    "NetCDF 3: convert it in Python: import xarray; xarray.open_dataset('FILE').to_netcdf('FILE.h5', engine='h5netcdf')";
+const NETCDF: &str = "NetCDF 3: convert it in Python: import xarray; xarray.open_dataset('FILE').to_netcdf('FILE.h5', engine='h5netcdf')";
 const PICKLE: &str = "a pickle of Python: save the arrays in it with numpy.savez";
 
 /// Endings of names, in small letters, and what such files usually are.

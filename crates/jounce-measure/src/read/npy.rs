@@ -106,9 +106,8 @@ impl Header {
         if dtype.starts_with('[') || dtype.contains('V') {
             return Err(Damage::new(format!("its numbers are records ({dtype}); save each as an array of its own")));
         }
-        let other = || {
-            Damage::new(format!("its numbers are of type {dtype}; real numbers are due, of 2, 4 or 8 bytes, or whole ones of 1 to 8"))
-        };
+        let other =
+            || Damage::new(format!("its numbers are of type {dtype}; real numbers are due, of 2, 4 or 8 bytes, or whole ones of 1 to 8"));
         let little_endian = match dtype.chars().next() {
             Some('<' | '|') => true,
             Some('>') => false,
@@ -165,7 +164,12 @@ mod tests {
         assert_eq!((found.dtype.as_str(), found.fortran, &found.shape[..]), ("[('a', '<f8'), ('b', '<i4')]", true, &[7][..]));
         assert!(found.scalar().is_err());
         assert_eq!(header("{'shape': (), 'fortran_order': False, 'descr': '|b1'}").unwrap().scalar().unwrap().0.size, 1);
-        for wrong in ["", "{'descr': '<f8'}", "{'descr': '<f8', 'fortran_order': 1, 'shape': (3,)}", "{'descr': '<f8', 'fortran_order': True, 'shape': (-3,)}"] {
+        for wrong in [
+            "",
+            "{'descr': '<f8'}",
+            "{'descr': '<f8', 'fortran_order': 1, 'shape': (3,)}",
+            "{'descr': '<f8', 'fortran_order': True, 'shape': (-3,)}",
+        ] {
             assert_eq!(header(wrong), None, "{wrong}");
         }
         let complex = Header { dtype: ">c16".into(), fortran: false, shape: vec![2] };

@@ -51,7 +51,9 @@ pub(super) fn read(path: &FilePath, shelf: &Shelf) -> Result<Found, Damage> {
         io::copy(&mut checked.take(bytes), &mut io::sink()).map_err(|fault| of_array(Damage::cut(fault)))?;
     }
     if found == 0 {
-        return Err(Damage::new("it is a ZIP archive without arrays of NumPy: unpack it and read the files in it; an Excel workbook (.xlsx) save as CSV; a PicoScope recording (.psdata) save as CSV there"));
+        return Err(Damage::new(
+            "it is a ZIP archive without arrays of NumPy: unpack it and read the files in it; an Excel workbook (.xlsx) save as CSV; a PicoScope recording (.psdata) save as CSV there",
+        ));
     }
     into_found(tree)
 }

@@ -1,4 +1,4 @@
-//! Numbers as formats store them, to `f64`.
+//! Decoding of stored numbers to `f64`.
 
 use std::io::{self, Read};
 
@@ -9,7 +9,7 @@ use super::error::Damage;
 /// Bytes that are read at once: a multiple of every size of a number.
 const AT_ONCE: usize = 3 << 14;
 
-/// How a number is stored. Whole numbers beyond 2^53 are rounded to the nearest `f64`.
+/// Storage type of a number. Integers beyond 2^53 are rounded to the nearest `f64`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Scalar {
     pub kind: Kind,

@@ -55,7 +55,9 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
             }
             b"fmt " => format = Some(Format::read(&mut source, length).map_err(|damage| damage.from_byte(at))?),
             b"data" => {
-                let Some(format) = format else { return Err(Damage::new("no description of the samples stands before them").from_byte(at)) };
+                let Some(format) = format else {
+                    return Err(Damage::new("no description of the samples stands before them").from_byte(at));
+                };
                 let length = if length == u64::from(u32::MAX) { long.unwrap_or(length) } else { length };
                 return samples(&mut source, format, length, size - at, at, shelf);
             }

@@ -69,11 +69,7 @@ fn several_grids_in_one_file_are_several_recordings() {
     let found = all("a.mat", &bytes);
     let told: Vec<_> = found.recordings.iter().map(|one| (one.over, names(one))).collect();
     let h = ["frf.h(1,1)", "frf.h(2,1)", "frf.h(1,2)", "frf.h(2,2)"].map(|name| (name, ""));
-    let due = [
-        (Over::Time, vec![("run1.acc", ""), ("run3.acc", "")]),
-        (Over::Time, vec![("run2.acc", "")]),
-        (Over::Frequency, h.to_vec()),
-    ];
+    let due = [(Over::Time, vec![("run1.acc", ""), ("run3.acc", "")]), (Over::Time, vec![("run2.acc", "")]), (Over::Frequency, h.to_vec())];
     assert_eq!(told, due);
     assert_eq!(found.recordings[1].channels[0].values, sine(200, 1.0));
     let h12 = &found.recordings[2].channels[2];
@@ -191,7 +187,9 @@ fn wav_samples_of_every_size_are_read() {
         counts.iter().flat_map(each).collect()
     };
     let bytes: Vec<u8> = counts.iter().map(|x| (x + 128) as u8).collect();
-    for (kind, size, samples) in [(1, 1, bytes), (1, 2, whole(2)), (1, 3, whole(3)), (1, 4, whole(4)), (3, 4, floats(false)), (3, 8, floats(true))] {
+    for (kind, size, samples) in
+        [(1, 1, bytes), (1, 2, whole(2)), (1, 3, whole(3)), (1, 4, whole(4)), (3, 4, floats(false)), (3, 8, floats(true))]
+    {
         let found = one("a.wav", &wav::file(kind, size, 2, 48_000, &samples), None);
         assert_eq!((found.channels.len(), found.rate().round()), (2, 48_000.0));
         let due: Vec<f64> = counts.iter().skip(1).step_by(2).map(|x| f64::from(*x)).collect();

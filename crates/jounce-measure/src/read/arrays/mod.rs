@@ -1,4 +1,4 @@
-//! Formats that hold named arrays (MAT, NPZ, HDF5): which arrays are times or frequencies, and which are channels over them.
+//! Named arrays of MAT, NPZ, HDF5 and TDMS files: assigns each array to a time or frequency axis.
 mod grids;
 mod layout;
 mod names;
@@ -13,25 +13,25 @@ use crate::recording::{Finding, FindingKind, Series};
 pub(super) use grids::into_found;
 pub(super) use layout::Layout;
 
-/// Arrays that a file may hold.
+/// Maximum number of arrays in a file.
 pub(super) const MAX_ARRAYS: usize = 100_000;
 
-/// The names that lead to an array: those of the structs or groups around it, and its own one last.
+/// Path of an array: the names of the enclosing structs or groups, then the name of the array.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
 pub(super) struct Path(pub Vec<String>);
 
 impl Path {
-    /// The path of something inside.
+    /// Path of a member.
     pub fn to(&self, name: impl Into<String>) -> Self {
         Self(self.0.iter().cloned().chain([name.into()]).collect())
     }
 
-    /// Its own name.
+    /// Name of the array.
     pub fn name(&self) -> &str {
         self.0.last().map_or("", String::as_str)
     }
 
-    /// The names around it.
+    /// Names of the enclosing structs or groups.
     pub fn scope(&self) -> &[String] {
         &self.0[..self.0.len().saturating_sub(1)]
     }
@@ -52,13 +52,13 @@ impl fmt::Display for Path {
 #[derive(Debug)]
 pub(super) struct Array {
     pub path: Path,
-    /// Unit, where the array itself tells one.
+    /// Unit stored with the array; empty without one.
     pub unit: String,
     /// Real parts.
     pub series: Vec<Numbers>,
     /// Imaginary parts of a complex array.
     pub imaginary: Option<Vec<Numbers>>,
-    /// Places of the series in the array, `(2,1)`; empty for a single one.
+    /// Indices of the series in the array, `(2,1)`; empty for a single series.
     pub labels: Vec<String>,
 }
 
@@ -69,22 +69,22 @@ impl Array {
     }
 }
 
-/// Everything that a file of arrays holds.
+/// Contents of a file of arrays.
 #[derive(Debug, Default)]
 pub(super) struct Tree {
     pub arrays: Vec<Array>,
-    /// Texts, one or several, by the names around them and by their own one.
+    /// Texts by scope and name.
     texts: HashMap<Vec<String>, BTreeMap<String, Vec<String>>>,
     pub findings: Vec<Finding>,
 }
 
 impl Tree {
-    /// Notes that something was left out.
+    /// Records a skipped item.
     pub fn skip(&mut self, about: impl Into<String>) {
         self.findings.push(Finding::new(FindingKind::Skipped, 1, None, about.into()));
     }
 
-    /// Notes a text; blanks around it and empty texts are no text.
+    /// Stores trimmed texts unless all are empty.
     pub fn text(&mut self, path: &Path, texts: Vec<String>) {
         let texts: Vec<String> = texts.into_iter().map(|text| text.trim_matches(['\0', ' ']).to_owned()).collect();
         if texts.iter().any(|text| !text.is_empty()) {
@@ -92,7 +92,7 @@ impl Tree {
         }
     }
 
-    /// The text of that name inside these names.
+    /// Texts of a name in a scope.
     fn text_at(&self, scope: &[String], name: &str) -> Option<&Vec<String>> {
         self.texts.get(scope)?.get(name)
     }

@@ -1,14 +1,14 @@
-//! Names and units that texts beside an array tell.
+//! Names and units of channels from texts in the same struct.
 
 use super::super::name;
 use super::spacing::plain;
 use super::{Array, Path, Tree};
 
-/// Names of a text that tells the unit of the array beside it, or its name, in small letters and without underlines.
+/// Names of texts that hold a unit or a channel name, in small letters and without underlines.
 const UNITS: [&str; 4] = ["unit", "units", "unitlabel", "yunit"];
 const NAMES: [&str; 7] = ["name", "names", "label", "labels", "channelname", "channelnames", "channels"];
 
-/// Name and unit of each series of an array. Texts beside it count where it is `alone`, the only one in its struct that could be meant.
+/// Name and unit of each series of an array. Texts of the struct apply only if the array is `alone`, the only data array in it.
 pub(super) fn heads(tree: &Tree, array: &Array, alone: bool) -> Vec<(String, String)> {
     let count = array.series.len();
     let beside = |names: &[&str]| if alone { beside(tree, array, names, count) } else { None };
@@ -28,7 +28,7 @@ pub(super) fn heads(tree: &Tree, array: &Array, alone: bool) -> Vec<(String, Str
     (0..count).map(head).collect()
 }
 
-/// The unit that the array tells, or a text `NAME_unit` beside it.
+/// Unit stored with the array, or in a text `NAME_unit`.
 fn own_unit(tree: &Tree, array: &Array) -> Option<Vec<String>> {
     if !array.unit.is_empty() {
         return Some(vec![array.unit.clone()]);

@@ -1,4 +1,4 @@
-//! Single numbers that tell when the samples of arrays beside them were taken.
+//! Sampling rates and steps that a file stores as scalars.
 
 use std::collections::HashMap;
 use std::io;
@@ -15,18 +15,18 @@ const STEPS: [&str; 9] =
 const FREQUENCY_STEPS: [&str; 4] = ["df", "deltaf", "frequencystep", "freqstep"];
 const STARTS: [&str; 6] = ["startvalue", "xstart", "t0", "starttime", "x0", "wfstartoffset"];
 
-/// An even grid that single numbers of a struct tell.
+/// Uniform grid given by scalars of one struct.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Spacing {
-    /// Names around the numbers.
+    /// Scope of the scalars.
     pub scope: Vec<String>,
     pub rate: Rate,
-    /// The first place, where it is told.
+    /// First place, if stored.
     pub start: Option<f64>,
     pub over: Over,
 }
 
-/// The spacings that single numbers tell; where several of one struct disagree the first counts, and that is told.
+/// Spacings of all scopes; if scalars of one scope disagree, the first is used and a finding is added.
 pub(super) fn spacings(singles: &[Array], tree: &mut Tree) -> io::Result<Vec<Spacing>> {
     let mut found: Vec<Spacing> = Vec::new();
     let mut by_scope: HashMap<Vec<String>, usize> = HashMap::new();
@@ -51,7 +51,7 @@ pub(super) fn spacings(singles: &[Array], tree: &mut Tree) -> io::Result<Vec<Spa
     Ok(found)
 }
 
-/// The spacing that a single number tells by its name.
+/// Spacing given by one scalar, recognised by its name.
 fn spacing(single: &Array, tree: &Tree) -> io::Result<Option<Spacing>> {
     let name = plain(single.path.name());
     let is = |names: &[&str]| names.contains(&name.as_str());
@@ -67,7 +67,7 @@ fn spacing(single: &Array, tree: &Tree) -> io::Result<Option<Spacing>> {
     Ok((rate_hz > 0.0 && rate_hz.is_finite()).then_some(Spacing { scope, rate, start: None, over }))
 }
 
-/// First places by the names around them.
+/// First places by scope.
 fn starts(singles: &[Array]) -> io::Result<HashMap<&[String], f64>> {
     let is_start = |single: &&Array| STARTS.contains(&plain(single.path.name()).as_str());
     singles.iter().filter(is_start).map(|single| Ok((single.path.scope(), value(single)?))).collect()

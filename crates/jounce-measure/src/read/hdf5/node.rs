@@ -100,7 +100,8 @@ impl Walk<'_> {
         let attributes = dataset.attrs().unwrap_or_default();
         let class = Class::of(&attributes);
         if class == Class::Object {
-            self.tree.skip(format!("{path} is an object (timeseries, table) and was left out: save its numbers, as t = x.Time; v = x.Data"));
+            self.tree
+                .skip(format!("{path} is an object (timeseries, table) and was left out: save its numbers, as t = x.Time; v = x.Data"));
         }
         if matches!(class, Class::Object | Class::Empty) {
             return Ok(());
@@ -252,7 +253,9 @@ fn stored(datatype: &Datatype) -> Option<Stored> {
         }
     };
     match datatype {
-        Datatype::Enumeration { base_type, .. } => plain(base_type).map(|scalar| Stored { scalar, width: scalar.size, real: 0, imaginary: None }),
+        Datatype::Enumeration { base_type, .. } => {
+            plain(base_type).map(|scalar| Stored { scalar, width: scalar.size, real: 0, imaginary: None })
+        }
         Datatype::Compound { size, members } => {
             let [a, b] = &members[..] else { return None };
             let scalar = plain(&a.datatype).filter(|scalar| plain(&b.datatype) == Some(*scalar))?;

@@ -105,7 +105,8 @@ impl<'a> Elements<'a> {
 
     /// Hands each number to `take`; there must be as many as are due.
     pub fn numbers(&mut self, tag: &Tag, due: u64, mut take: impl FnMut(u64, f64) -> io::Result<()>) -> Result<(), Damage> {
-        let scalar = tag.scalar(self.little_endian).ok_or_else(|| Damage::new(format!("numbers are due, not data of type {}", tag.kind)))?;
+        let scalar =
+            tag.scalar(self.little_endian).ok_or_else(|| Damage::new(format!("numbers are due, not data of type {}", tag.kind)))?;
         let there = tag.length / scalar.size as u64;
         if there != due {
             return Err(Damage::new(format!("{due} numbers are due, {there} follow: was the file cut?")));

@@ -20,7 +20,13 @@ const SPARSE: u8 = 5;
 const NUMBERS: std::ops::RangeInclusive<u8> = 6..=15;
 
 /// Reads the content of a matrix; a text is given back too.
-pub(super) fn read(elements: &mut Elements<'_>, path: &Path, depth: usize, shelf: &Shelf, tree: &mut Tree) -> Result<Option<String>, Damage> {
+pub(super) fn read(
+    elements: &mut Elements<'_>,
+    path: &Path,
+    depth: usize,
+    shelf: &Shelf,
+    tree: &mut Tree,
+) -> Result<Option<String>, Damage> {
     if depth > MAX_DEPTH {
         return Err(Damage::new(format!("{path} lies inside more than {MAX_DEPTH} structs and cells")));
     }
@@ -109,7 +115,9 @@ impl Inside<'_> {
         let count = self.dimensions.iter().try_fold(each, |product, size| product.checked_mul(*size));
         let fits = count.filter(|count| elements.may_hold(*count));
         let path = self.path;
-        fits.ok_or_else(|| Damage::new(format!("{path} has the size {:?}, and so many elements do not follow: was the file cut?", self.dimensions)))
+        fits.ok_or_else(|| {
+            Damage::new(format!("{path} has the size {:?}, and so many elements do not follow: was the file cut?", self.dimensions))
+        })
     }
 
     fn child(&self, elements: &mut Elements<'_>, path: &Path, tree: &mut Tree) -> Result<Option<String>, Damage> {

@@ -41,10 +41,7 @@ fn element(source: &mut impl Read, left: u64, little_endian: bool, shelf: &Shelf
     let tag = Tag::read(source, little_endian)?;
     let left = left.saturating_sub(8);
     if tag.length > left {
-        return Err(Damage::new(format!(
-            "the element that begins here is {} bytes long, {left} follow: was the file cut?",
-            tag.length
-        )));
+        return Err(Damage::new(format!("the element that begins here is {} bytes long, {left} follow: was the file cut?", tag.length)));
     }
     let mut content = source.by_ref().take(tag.length);
     if tag.kind == COMPRESSED {

@@ -45,8 +45,7 @@ pub(super) fn read(path: &FilePath, shelf: &Shelf) -> Result<Found, Damage> {
     let file = File::open(path).map_err(Damage::cut)?;
     let size = file.metadata().map_err(Damage::cut)?.len();
     let source = BufReader::with_capacity(1 << 16, file);
-    let mut reader =
-        Reader { source, size, metadata: Metadata::default(), channels: HashMap::new(), shelf, findings: Vec::new() };
+    let mut reader = Reader { source, size, metadata: Metadata::default(), channels: HashMap::new(), shelf, findings: Vec::new() };
     let mut at = 0;
     while at < size {
         at = reader.segment(at).map_err(|damage| damage.from_byte(at))?;
@@ -61,14 +60,19 @@ impl Reader<'_> {
         let mut lead = [0; LEAD_IN as usize];
         self.source.read_exact(&mut lead).map_err(Damage::cut)?;
         if !lead.starts_with(BEGIN) {
-            return Err(Damage::new(format!("a segment is due, which begins with TDSm, not with {:?}", String::from_utf8_lossy(&lead[..4]))));
+            return Err(Damage::new(format!(
+                "a segment is due, which begins with TDSm, not with {:?}",
+                String::from_utf8_lossy(&lead[..4])
+            )));
         }
         let word = |from: usize| u64::from_le_bytes(std::array::from_fn(|k| lead[from + k]));
         let (marks, next, data) = (word(4) as u32, word(12), word(20));
         let left = self.size - at - LEAD_IN;
         let length = if next == OPEN { left } else { next };
         if length > left || data > length && data != OPEN {
-            return Err(Damage::new(format!("a segment of {length} bytes with data from {data} on is due, {left} bytes follow: was the file cut?")));
+            return Err(Damage::new(format!(
+                "a segment of {length} bytes with data from {data} on is due, {left} bytes follow: was the file cut?"
+            )));
         }
         let little_endian = marks & IS_BIG_ENDIAN == 0;
         if marks & HAS_METADATA != 0 {

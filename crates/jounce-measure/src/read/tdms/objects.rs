@@ -126,7 +126,12 @@ impl Metadata {
             }
         };
         if stored.bytes().is_none() {
-            return Err(Damage::new(format!("{} has {} values of type {}, which is not known", object.names.join("/"), stored.count, stored.kind)));
+            return Err(Damage::new(format!(
+                "{} has {} values of type {}, which is not known",
+                object.names.join("/"),
+                stored.count,
+                stored.kind
+            )));
         }
         object.is_time = stored.is_time();
         object.left_out = match stored.kind {
@@ -150,7 +155,8 @@ impl Metadata {
                 TIME => values.skip(16)?,
                 kind => {
                     let stored = Stored { kind, count: 1, texts: 0 };
-                    let size = stored.bytes().ok_or_else(|| Damage::new(format!("the property {name} is of type {kind}, which is not known")))?;
+                    let size =
+                        stored.bytes().ok_or_else(|| Damage::new(format!("the property {name} is of type {kind}, which is not known")))?;
                     let mut bytes = vec![0; size as usize];
                     values.exact(&mut bytes)?;
                     if let Some((scalar, 1)) = stored.scalar(values.little_endian) {

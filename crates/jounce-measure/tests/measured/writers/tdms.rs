@@ -27,7 +27,9 @@ pub fn segment(channels: &[Channel], interleaved: bool, closed: bool) -> Vec<u8>
         metadata.extend((channel.properties.len() as u32).to_le_bytes());
         for property in &channel.properties {
             match property {
-                Property::Number(name, x) => metadata.extend([text(name), 10_u32.to_le_bytes().to_vec(), x.to_le_bytes().to_vec()].concat()),
+                Property::Number(name, x) => {
+                    metadata.extend([text(name), 10_u32.to_le_bytes().to_vec(), x.to_le_bytes().to_vec()].concat())
+                }
                 Property::Text(name, told) => metadata.extend([text(name), 0x20_u32.to_le_bytes().to_vec(), text(told)].concat()),
             }
         }
