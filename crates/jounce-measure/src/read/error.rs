@@ -127,7 +127,7 @@ impl Damage {
     }
 
     /// The same at a byte, where it has no place yet.
-    pub(super) fn from_byte(self, byte: u64) -> Self {
+    pub(super) fn at_byte(self, byte: u64) -> Self {
         let place = self.place.or(Some(Place::Byte(usize::try_from(byte).unwrap_or(usize::MAX))));
         Self { place, ..self }
     }

@@ -43,20 +43,20 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     let (mut at, mut format, mut long) = (12_u64, None, None);
     loop {
         let mut head = [0; 8];
-        source.read_exact(&mut head).map_err(|fault| Damage::cut(fault).from_byte(at))?;
+        source.read_exact(&mut head).map_err(|fault| Damage::cut(fault).at_byte(at))?;
         let [a, b, c, d, lengths @ ..] = head;
         let length = u64::from(u32::from_le_bytes(lengths));
         at += 8;
         match &[a, b, c, d] {
             b"ds64" => {
                 let mut sizes = [0; 16];
-                source.read_exact(&mut sizes).map_err(|fault| Damage::cut(fault).from_byte(at))?;
+                source.read_exact(&mut sizes).map_err(|fault| Damage::cut(fault).at_byte(at))?;
                 long = sizes.last_chunk::<8>().map(|bytes| u64::from_le_bytes(*bytes));
             }
-            b"fmt " => format = Some(Format::read(&mut source, length).map_err(|damage| damage.from_byte(at))?),
+            b"fmt " => format = Some(Format::read(&mut source, length).map_err(|damage| damage.at_byte(at))?),
             b"data" => {
                 let Some(format) = format else {
-                    return Err(Damage::new("no description of the samples stands before them").from_byte(at));
+                    return Err(Damage::new("no description of the samples stands before them").at_byte(at));
                 };
                 let length = if length == u64::from(u32::MAX) { long.unwrap_or(length) } else { length };
                 return samples(&mut source, format, length, size - at, at, shelf);
@@ -64,7 +64,7 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
             _ => {}
         }
         at = at.saturating_add(length.next_multiple_of(2));
-        source.seek(SeekFrom::Start(at)).map_err(|fault| Damage::cut(fault).from_byte(at))?;
+        source.seek(SeekFrom::Start(at)).map_err(|fault| Damage::cut(fault).at_byte(at))?;
     }
 }
 
@@ -108,7 +108,7 @@ fn samples(source: &mut impl Read, format: Format, length: u64, left: u64, at: u
     // Recorders that were switched off leave a length of 0 or of everything.
     if length > left && length < u64::from(u32::MAX) - 1024 {
         let why = format!("{length} bytes of samples are due, {left} follow: was the file cut?");
-        return Err(Damage::new(why).from_byte(at));
+        return Err(Damage::new(why).at_byte(at));
     }
     let there = if length == 0 { left / block } else { there };
     if length == 0 || length > left {

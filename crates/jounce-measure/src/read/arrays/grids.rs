@@ -22,7 +22,7 @@ const MAX_NAMED: usize = 8;
 /// Where the samples of a recording lie.
 enum Axis {
     /// At the numbers of an array.
-    Array(Column, Over),
+    Array(Box<Column>, Over),
     /// As a number tells.
     Even(Spacing),
     /// Nothing tells.
@@ -47,8 +47,7 @@ pub(in super::super) fn into_found(mut tree: Tree) -> Result<Found, Damage> {
     }
     let spacings = spacings(&singles, &mut tree)?;
     let lonely = lonely(&arrays)?;
-    let (axes, channels) = axes(arrays)?;
-    let (mut sets, left) = assigned(&tree, axes, channels, &spacings, &lonely);
+    let (mut sets, left) = assigned(&tree, Sorted::new(arrays)?, &spacings, &lonely);
     sets.retain(|set| !set.columns.is_empty() || !matches!(set.axis, Axis::Even(_)));
     if sets.iter().any(|set| !set.columns.is_empty()) {
         for set in sets.iter().filter(|set| set.columns.is_empty()) {
@@ -99,15 +98,23 @@ fn over_by_name(array: &Array) -> Option<Over> {
 }
 
 /// Arrays that are times or frequencies, and all others.
-fn axes(arrays: Vec<Array>) -> io::Result<(Vec<(Array, Over)>, Vec<Array>)> {
-    let (mut axes, mut channels) = (Vec::new(), Vec::new());
-    for array in arrays {
-        match over_by_name(&array) {
-            Some(over) if ascends(&array)? => axes.push((array, over)),
-            _ => channels.push(array),
+#[derive(Default)]
+struct Sorted {
+    axes: Vec<(Array, Over)>,
+    channels: Vec<Array>,
+}
+
+impl Sorted {
+    fn new(arrays: Vec<Array>) -> io::Result<Self> {
+        let mut sorted = Self::default();
+        for array in arrays {
+            match over_by_name(&array) {
+                Some(over) if ascends(&array)? => sorted.axes.push((array, over)),
+                _ => sorted.channels.push(array),
+            }
         }
+        Ok(sorted)
     }
-    Ok((axes, channels))
 }
 
 fn ascends(array: &Array) -> io::Result<bool> {
@@ -120,24 +127,18 @@ fn ascends(array: &Array) -> io::Result<bool> {
 }
 
 /// Every array to its set; names and lengths of what has none.
-fn assigned(
-    tree: &Tree,
-    axes: Vec<(Array, Over)>,
-    channels: Vec<Array>,
-    spacings: &[Spacing],
-    lonely: &HashMap<Path, bool>,
-) -> (Vec<Set>, Vec<(String, usize)>) {
+fn assigned(tree: &Tree, arrays: Sorted, spacings: &[Spacing], lonely: &HashMap<Path, bool>) -> (Vec<Set>, Vec<(String, usize)>) {
     let (mut by_axis, mut timed) = (Nearest::default(), Nearest::default());
     let mut sets: Vec<Set> = Vec::new();
     let columns_of = |array: Array| {
         let alone = lonely.get(&array.path).copied().unwrap_or_default();
         columns(tree, array, alone)
     };
-    for (array, over) in axes {
+    for (array, over) in arrays.axes {
         let (length, scope) = (array.length(), array.path.scope().to_vec());
         by_axis.insert((length, over), &scope, sets.len());
         timed.insert((), &scope, sets.len());
-        let axis = columns_of(array).pop().map_or(Axis::Unknown, |axis| Axis::Array(axis, over));
+        let axis = columns_of(array).pop().map_or(Axis::Unknown, |axis| Axis::Array(Box::new(axis), over));
         sets.push(Set { axis, length, scope, columns: Vec::new() });
     }
     let times = sets.len();
@@ -147,7 +148,7 @@ fn assigned(
         free.insert((), &spacing.scope, k);
     }
     let mut even = HashMap::<(Option<usize>, usize), usize>::new();
-    for array in channels {
+    for array in arrays.channels {
         let (length, scope, path) = (array.length(), array.path.scope().to_vec(), array.path.0.clone());
         let order = if array.imaginary.is_some() { [Over::Frequency, Over::Time] } else { [Over::Time, Over::Frequency] };
         let at = by_axis.nearest(&order.map(|over| (length, over)), &scope).unwrap_or_else(|| {
@@ -273,7 +274,7 @@ fn raw(set: Set, rate: Option<Rate>, findings: Vec<Finding>) -> Raw {
     let title = Path(scope).to_string();
     let (over, stamps) = match axis {
         Axis::Array(axis, over) => {
-            columns.insert(0, axis);
+            columns.insert(0, *axis);
             (over, Stamps::Of { column: 0, rate: rate.filter(|_| over == Over::Time) })
         }
         Axis::Even(Spacing { rate, start, over, .. }) => match (start, over) {

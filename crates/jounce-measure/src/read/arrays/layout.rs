@@ -31,7 +31,7 @@ impl Layout {
         let along = fastest_first.iter().position(|size| *size == longest).unwrap_or(0);
         let product = |sizes: &[u64]| sizes.iter().try_fold(1_u64, |product, size| product.checked_mul(*size));
         let total = product(&fastest_first)?;
-        let count = if longest == 0 { 0 } else { total / longest };
+        let count = total.checked_div(longest).unwrap_or(0);
         let stride = product(fastest_first.get(..along).unwrap_or_default())?.max(1);
         (count <= MAX_SERIES).then_some(Self { dimensions: fastest_first, turned, along, stride, length: longest, count })
     }

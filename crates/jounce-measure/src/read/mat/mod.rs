@@ -31,7 +31,7 @@ pub(super) fn read(path: &FilePath, shelf: &Shelf) -> Result<Found, Damage> {
     let mut tree = Tree::default();
     let mut at = HEADER as u64;
     while at < size {
-        at += element(&mut source, size - at, little_endian, shelf, &mut tree).map_err(|damage| damage.from_byte(at))?;
+        at += element(&mut source, size - at, little_endian, shelf, &mut tree).map_err(|damage| damage.at_byte(at))?;
     }
     into_found(tree)
 }

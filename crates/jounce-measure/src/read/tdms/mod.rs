@@ -48,7 +48,7 @@ pub(super) fn read(path: &FilePath, shelf: &Shelf) -> Result<Found, Damage> {
     let mut reader = Reader { source, size, metadata: Metadata::default(), channels: HashMap::new(), shelf, findings: Vec::new() };
     let mut at = 0;
     while at < size {
-        at = reader.segment(at).map_err(|damage| damage.from_byte(at))?;
+        at = reader.segment(at).map_err(|damage| damage.at_byte(at))?;
     }
     into_found(reader.into_tree()?)
 }
