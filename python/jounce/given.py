@@ -1,4 +1,4 @@
-"""What the functions on recordings take: recordings, files, SEP005 time series and arrays."""
+"""What the functions on recordings take: recordings, files, SEP005 time series, labelled and plain arrays."""
 
 from __future__ import annotations
 
@@ -10,14 +10,19 @@ import numpy as np
 
 from .arguments import rate_hz
 from .errors import ArgumentError
-from .quantity import is_quantity, unit_of
+from .labelled import agreed, series_of
+from .quantity import is_quantity
 from .recorded_file import RecordedFile, read_recordings
 from .recording import Recording
 from .result import Floats
 from .sep005 import checked, numbers
 
-#: A recording, a file, a SEP005 time series or a list of those over one time, or an array with its sample rate.
+#: A recording, a file, a SEP005 time series or a list of those over one time, an array of xarray or pandas with its times and units, a
+#: history, or an array with its sample rate.
 Measured = Any
+
+#: Relative difference up to which two rates are the same.
+SAME_RATE = 1e-3
 
 
 def recording(given: Measured, sample_rate_hz: Any = None) -> Recording:
@@ -34,8 +39,12 @@ def recordings(given: Measured, sample_rate_hz: Any = None) -> list[Recording]:
     if isinstance(given, (list, tuple)) and not given:
         raise ArgumentError("there is no recording; give at least one")
     kinds = (Recording, RecordedFile, str, PathLike, list, np.ndarray)
-    several = isinstance(given, (list, tuple)) and any(isinstance(one, kinds) for one in given)
+    several = isinstance(given, (list, tuple)) and any(isinstance(one, kinds) or _is_labelled(one) for one in given)
     return [recording(one, sample_rate_hz) for one in given] if several else [recording(given, sample_rate_hz)]
+
+
+def _is_labelled(values: Any) -> bool:
+    return hasattr(values, "to_sep005") or type(values).__module__.partition(".")[0] in ("xarray", "pandas")
 
 
 def responses(given: Measured, sample_rate_hz: Any = None) -> list[Recording]:
@@ -49,14 +58,34 @@ def responses(given: Measured, sample_rate_hz: Any = None) -> list[Recording]:
 def of_arrays(values: Any, grid: Mapping[str, Any], units: str | Mapping[str, str] | None, name: str) -> dict[str, Any]:
     """Arrays with their units over a grid, as the compiled module takes a recording."""
     series = _series(values, units)
+    frequency_hz = series[0].get("frequency")
+    if frequency_hz is not None:
+        grid = {**grid, "frequency_hz": _one_axis(frequency_hz, grid["frequency_hz"], "frequency_hz")}
     over = "time" if grid["frequency_hz"] is None else "frequency"
     if over == "frequency" and not all(grid[other] is None for other in ("sample_rate_hz", "time_s")):
         raise ArgumentError("frequency_hz is given beside times; a recording is over one of them")
     if over == "frequency":
+        _check_lengths(series)
         places, step = numbers(grid["frequency_hz"], "the frequencies"), None
     else:
         places, step = _times(series, grid["sample_rate_hz"], grid["time_s"])
     return {"name": name, "over": over, "places": places, "step": step, "channels": [_channel(one, over) for one in series]}
+
+
+def _one_axis(own: Floats, given: Any, what: str) -> Floats:
+    """The places that an array carries; those that are given beside it must be the same."""
+    if given is not None:
+        places = numbers(given, what)
+        if places.shape != own.shape or not np.allclose(places, own, rtol=SAME_RATE, atol=0.0):
+            raise ArgumentError(f"{what} is given, but the array has other ones; give one of them")
+    return own
+
+
+def _check_lengths(series: Sequence[Mapping[str, Any]]) -> None:
+    """Channels over the frequencies that they carry have the same ones."""
+    for one in series[1:]:
+        if "frequency" in series[0] and not np.array_equal(one.get("frequency", ()), series[0]["frequency"]):
+            raise ArgumentError(f"{one['name']} and {series[0]['name']} lie at other frequencies; make a recording of each")
 
 
 def _channel(one: Mapping[str, Any], over: str) -> dict[str, Any]:
@@ -73,28 +102,52 @@ def _channel(one: Mapping[str, Any], over: str) -> dict[str, Any]:
 
 def _times(series: Sequence[Mapping[str, Any]], sample_rate_hz: Any, time_s: Any) -> tuple[Floats, float | None]:
     """Times of the samples, and their distance where they are even."""
-    first = series[0]
-    start_s = 0.0
-    if sample_rate_hz is None and time_s is None:
-        _check_clocks(series)
-        sample_rate_hz, time_s = first.get("fs"), first.get("time")
-        if sample_rate_hz is not None and time_s is not None:
-            stamps, time_s = numbers(time_s, "the times"), None
-            start_s = float(stamps[0]) if len(stamps) else 0.0
-    if time_s is not None and sample_rate_hz is None:
-        return numbers(time_s, "the times"), None
-    if time_s is not None:
+    if sample_rate_hz is not None and time_s is not None:
         raise ArgumentError("sample_rate_hz and time_s are both given; give one of them")
-    step = 1.0 / rate_hz(sample_rate_hz)
+    _check_clocks(series)
+    first = series[0]
+    own_rate, own_time = first.get("fs"), first.get("time")
+    stamps = None if own_time is None else numbers(own_time, f"the times of {first['name']}")
+    told = [(what, rate_hz(rate)) for what, rate in (("sample_rate_hz", sample_rate_hz), ("fs", own_rate)) if rate is not None]
+    if stamps is not None and time_s is not None:
+        return _one_axis(stamps, time_s, "time_s"), None
+    if time_s is not None:
+        stamps = numbers(time_s, "the times")
+    _check_rates(first["name"], told, stamps)
+    if stamps is not None and (not told or not _is_even(stamps, told[0][1])):
+        return stamps, None
+    step = 1.0 / (told[0][1] if told else rate_hz(None))
+    start_s = float(stamps[0]) if stamps is not None and len(stamps) else 0.0
     places: Floats = start_s + step * np.arange(np.size(first["data"]), dtype=np.float64)
     return places, step
 
 
+def _check_rates(name: Any, told: Sequence[tuple[str, float]], stamps: Floats | None) -> None:
+    """Refuses rates that contradict each other or the times."""
+    all_told = list(told)
+    if stamps is not None and len(stamps) > 1:
+        step = float(np.median(np.diff(stamps)))
+        all_told += [("its times", 1.0 / step)] if step > 0.0 else []
+    for what, rate in all_told[1:]:
+        if abs(rate / all_told[0][1] - 1.0) > SAME_RATE:
+            told_text = f"{all_told[0][0]} is {all_told[0][1]:g} Hz, but {what} say{'' if what == 'its times' else 's'} {rate:g} Hz"
+            raise ArgumentError(f"{name}: {told_text}; give one of them", {"rates_hz": [all_told[0][1], rate]})
+
+
+def _is_even(stamps: Floats, rate: float) -> bool:
+    """True where a rate explains all times within a thousandth of a step."""
+    even = stamps[:1] + np.arange(len(stamps)) / rate
+    return bool(np.all(np.abs(stamps - even) * rate <= SAME_RATE))
+
+
 def _series(values: Any, units: str | Mapping[str, str] | None) -> list[Mapping[str, Any]]:
     """Every channel as a SEP005 time series; without ``fs`` and ``time`` where an array has none."""
+    labelled = series_of(values)
+    if labelled is not None:
+        return [_with_unit(one, units) for one in labelled]
     # A time series without its data is told so: it is no dict of arrays by their names.
     if isinstance(values, Mapping) and ("data" in values or isinstance(values.get("unit_str"), str)):
-        return [checked(values)]
+        return [_with_unit(checked(values), units)]
     if isinstance(values, Mapping):
         if not values:
             raise ArgumentError("there is no channel; give at least one array")
@@ -104,17 +157,34 @@ def _series(values: Any, units: str | Mapping[str, str] | None) -> list[Mapping[
         unknown = [name for name in given if name not in values]
         if unknown:
             raise ArgumentError(f"units are given for {', '.join(map(str, unknown))}, but the channels are {', '.join(map(str, values))}")
-        return [_array(name, one, given.get(name, "")) for name, one in values.items()]
+        return [found for name, one in values.items() for found in _named(name, one, given.get(name, ""))]
     if isinstance(values, Sequence) and values and all(isinstance(one, Mapping) for one in values):
-        return [checked(one) for one in values]
+        return [_with_unit(checked(one), units) for one in values]
     if units is not None and not isinstance(units, str):
         raise ArgumentError('one array has one unit: give units="V"')
     return [_array("signal", values, units or "")]
 
 
+def _named(name: Any, values: Any, unit: str) -> list[Mapping[str, Any]]:
+    """An array of a dict by its name there, with the times and the unit that it carries."""
+    labelled = series_of(values)
+    if labelled is None:
+        return [_array(name, values, unit)]
+    renamed = [{**one, "name": name} for one in labelled] if len(labelled) == 1 else labelled
+    return [_with_unit(one, unit) for one in renamed]
+
+
+def _with_unit(series: Mapping[str, Any], units: str | Mapping[str, str] | None) -> Mapping[str, Any]:
+    """A series with the unit that is given for it, which must be its own one where it has one."""
+    unit = units if isinstance(units, str) else (units or {}).get(series["name"], "")
+    own = str(series["unit_str"])
+    if unit and own and unit != own:
+        raise ArgumentError(f"{series['name']} is in {own}, but {unit} is given for it; give one of them", {"own": own, "given": unit})
+    return {**series, "unit_str": agreed(series["name"], series["data"], unit or own)}
+
+
 def _array(name: Any, values: Any, unit: str) -> Mapping[str, Any]:
-    own = unit_of(values) if is_quantity(values) else unit
-    return {"name": name, "data": values, "unit_str": own}
+    return {"name": name, "data": values, "unit_str": agreed(name, values, unit)}
 
 
 def _check_clocks(series: Sequence[Mapping[str, Any]]) -> None:

@@ -101,8 +101,9 @@ class History(Result):
         return self._dataset(variables, coords)
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each sample and a column for each channel."""
-        return self._frame({"time_s": self.time_s, **{name: values for name, (values, _) in self.channels().items()}})
+        """A ``pandas.DataFrame`` with a row for each sample and a column for each channel; units stand in ``attrs["units"]``."""
+        units = {"time_s": "s", **{name: unit for name, (_, unit) in self.channels().items()}}
+        return self._frame({"time_s": self.time_s, **{name: values for name, (values, _) in self.channels().items()}}, units)
 
     def plot_time_history(self, ax: Any = None, channel: str | None = None) -> Any:
         """Draws a channel over time."""

@@ -87,7 +87,7 @@ class RecordedFile(Result):
 
 
 def read_recordings(path: str | PathLike[str]) -> RecordedFile:
-    """Reads a file of an instrument: CSV and text with any header, Parquet, NPY, MAT v5, UFF 55, 58 and 58b, LVM.
+    """Reads a file of an instrument: CSV and text with any header, Parquet, NPY, NPZ, MAT, HDF5, TDMS, WAV, UFF 55, 58 and 58b, LVM.
 
     Notes beside it in ``FILE.channels.toml`` name what the file does not. Everything odd is a :class:`Finding`.
     """

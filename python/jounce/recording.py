@@ -82,8 +82,10 @@ class Recording(Result):
         units: str | Mapping[str, str] | None = None,
         name: str = "recording",
     ) -> Self:
-        """A recording of arrays: one, a dict of them by channel, a SEP005 time series, or a list of these.
+        """A recording of arrays: one, a dict of them by channel, a SEP005 time series, or a list of these; or of a history.
 
+        Arrays of xarray and pandas bring their names, their times or frequencies, and the units in their ``attrs``; arrays of pint bring
+        their units. What is given beside them must not contradict them.
         ``units`` is the unit of one array, or that of each channel, as an instrument writes it (``"g"``, ``"m/s2"``, ``"lbf"``): values
         become SI. There are ``sample_rate_hz`` samples per second, or they lie at ``time_s``, whose jitter and gaps are found; NaN are
         missing samples. With ``frequency_hz`` they are accelerations per force, complex and for ``e^{+i w t}``.
@@ -167,8 +169,9 @@ class Recording(Result):
         return self._dataset(variables, {axis: Variable((axis,), self.places, unit, axis)})
 
     def to_pandas(self) -> Any:
-        """A ``pandas.DataFrame`` with a row for each sample and a column for each channel."""
-        return self._frame({self._grid()[1]: self.places, **{one.name: one.values for one in self.channels}})
+        """A ``pandas.DataFrame`` with a row for each sample and a column for each channel; units stand in ``attrs["units"]``."""
+        units = {self._grid()[1]: self._grid()[2], **{one.name: one.unit for one in self.channels}}
+        return self._frame({self._grid()[1]: self.places, **{one.name: one.values for one in self.channels}}, units)
 
     def plot_recording(self, ax: Any = None, channel: str | None = None) -> Any:
         """Draws a channel, by default the first; a complex one by its size."""

@@ -137,10 +137,12 @@ class Result(Data):
         attrs = {"manifest": json.dumps(self.manifest, sort_keys=True), "created_by": "jounce", "version": self.manifest["version"]}
         return xarray.Dataset(described(variables), described(coords), attrs)
 
-    def _frame(self, columns: Mapping[str, Any]) -> Any:
-        """A pandas.DataFrame with the manifest in its attributes."""
+    def _frame(self, columns: Mapping[str, Any], units: Mapping[str, str] | None = None) -> Any:
+        """A pandas.DataFrame with the manifest in its attributes, and the units of its columns where they are given."""
         frame = needed("pandas", "pandas").DataFrame(dict(columns))
         frame.attrs["manifest"] = self.manifest
+        if units is not None:
+            frame.attrs["units"] = dict(units)
         return frame
 
 

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 /// A recording and the form of the answer.
 #[derive(Debug, Args)]
 pub struct MeasuredFile {
-    /// The recording: CSV or text, Parquet, NPY, MAT v5, UFF or LVM; notes beside it in FILE.channels.toml.
+    /// The recording: CSV or text, Parquet, NPY, NPZ, MAT, HDF5, TDMS, WAV, UFF or LVM; notes beside it in FILE.channels.toml.
     pub file: PathBuf,
     #[command(flatten)]
     pub output: OutputArguments,

@@ -1,5 +1,5 @@
 //! Memory that reading and converting take does not grow with the file: the peak of the process, as Linux counts it, over small and large files of
-//! each format. MAT is left out: its library holds a whole file.
+//! each format. HDF5 is left out: its library holds an array of one row whole.
 #![cfg(target_os = "linux")]
 
 use jounce_measure::read::{Survey, survey};
@@ -85,6 +85,23 @@ fn uff58b(path: &Path, rows: usize) {
     to.flush().expect("written");
 }
 
+/// A matrix of four columns beside its rate, as MATLAB 5 writes them.
+fn mat(path: &Path, rows: usize) {
+    let mut to = BufWriter::new(File::create(path).expect("a file"));
+    let words = |words: &[u32]| words.iter().flat_map(|word| word.to_le_bytes()).collect::<Vec<u8>>();
+    to.write_all(&[format!("{:<124}", "MATLAB 5.0 MAT-file").into_bytes(), vec![0, 1, b'I', b'M']].concat()).expect("written");
+    for (name, rows, columns) in [(b"fs", 1, 1), (b"ab", rows, 4)] {
+        let bytes = (8 * rows * columns) as u32;
+        let head = words(&[14, 48 + bytes, 6, 8, 6, 0, 5, 8, rows as u32, columns as u32, 2 << 16 | 1]);
+        to.write_all(&[head, name.to_vec(), vec![0; 2], words(&[9, bytes])].concat()).expect("written");
+        for column in 0..columns {
+            let number = |row| if columns == 1 { RATE_HZ } else { sample(row, column) };
+            (0..rows).for_each(|row| to.write_all(&number(row).to_le_bytes()).expect("written"));
+        }
+    }
+    to.flush().expect("written");
+}
+
 fn read(path: &Path) -> Survey {
     survey(path).unwrap_or_else(|fault| panic!("{fault}"))
 }
@@ -96,6 +113,7 @@ fn peaks(folder: &Path, rows: usize, before: u64) -> Vec<(&'static str, u64)> {
     let lvm = "LabVIEW Measurement\t\nSeparator\tTab\nX_Columns\tOne\n***End_of_Header***\t\n\t\nChannels\t4\nDelta_X\t0.001\n***End_of_Header***\t\nX_Value\ta\tb\tc\td\n";
     text(&at("a.lvm"), lvm, rows, '\t');
     npy(&at("a.npy"), rows);
+    mat(&at("a.mat"), rows);
     uff58b(&at("b.uff"), rows);
     let mut found = Vec::new();
     let (peak, whole) = peak_of(before, || read(&at("a.csv")));
@@ -107,9 +125,15 @@ fn peaks(folder: &Path, rows: usize, before: u64) -> Vec<(&'static str, u64)> {
         found.push((name, peak));
     }
     drop(whole);
-    for (name, file) in
-        [("LVM", "a.lvm"), ("NPY", "a.npy"), ("UFF 58b", "b.uff"), ("Parquet", "c.parquet"), ("UFF 58", "c.uff"), ("CSV", "c.csv")]
-    {
+    for (name, file) in [
+        ("LVM", "a.lvm"),
+        ("MAT", "a.mat"),
+        ("NPY", "a.npy"),
+        ("UFF 58b", "b.uff"),
+        ("Parquet", "c.parquet"),
+        ("UFF 58", "c.uff"),
+        ("CSV", "c.csv"),
+    ] {
         let (peak, survey) = peak_of(before, || read(&at(file)));
         let recording = &survey.recordings[0];
         assert_eq!(recording.places.count() * recording.channels.len(), 4 * rows, "{name}");

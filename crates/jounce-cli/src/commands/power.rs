@@ -20,7 +20,7 @@ const ORDERS: [f64; 8] = [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0];
 /// Arguments of `power`.
 #[derive(Debug, Args)]
 pub struct Power {
-    /// The recordings, one for each load: CSV or text, Parquet, NPY, MAT v5, UFF or LVM; notes beside each in FILE.channels.toml.
+    /// The recordings, one for each load: CSV or text, Parquet, NPY, NPZ, MAT, HDF5, TDMS, WAV, UFF or LVM; notes beside each in FILE.channels.toml.
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Resistance of the load, as in 100kohm: one for all recordings, or one for each in their order.

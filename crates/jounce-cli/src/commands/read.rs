@@ -7,7 +7,7 @@ use clap::Args;
 use jounce::picture::{Axis, Figure, Line, Panel, Series, Trace, time_histories};
 use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
-use jounce_measure::read::{Survey, Surveyed, SurveyedChannel, survey};
+use jounce_measure::read::{ModeShape, Survey, Surveyed, SurveyedChannel, survey};
 use jounce_measure::recording::{Finding, Over, Series as _, Sizes};
 use jounce_measure::write::write_surveyed;
 use std::path::{Path, PathBuf};
@@ -42,15 +42,27 @@ impl Read {
         }
         if self.file.output.json {
             let recordings: Vec<_> = contents.recordings.iter().map(listed).collect();
-            let shapes: Vec<_> = contents.shapes.iter().map(|shape| shape.frequency_hz).collect();
-            print(&serde_json::json!({ "recordings": recordings, "shape_frequencies_hz": shapes, "findings": contents.findings }));
+            let shapes: Vec<_> = contents.shapes.iter().map(mode_shape).collect();
+            let frequencies: Vec<_> = contents.shapes.iter().map(|shape| shape.frequency_hz).collect();
+            print(&serde_json::json!({
+                "recordings": recordings,
+                "shape_frequencies_hz": frequencies,
+                "shapes": shapes,
+                "findings": contents.findings,
+            }));
             return Ok(());
         }
         for recording in &contents.recordings {
             tell(recording);
         }
         for shape in &contents.shapes {
-            line(format!("shape at {} Hz, {} nodes", shape.frequency_hz, shape.nodes.len()));
+            let components = shape.real.first().map_or(0, Vec::len);
+            let damping = if shape.damping_ratio.is_nan() { "not given".to_owned() } else { format!("{:.3e}", shape.damping_ratio) };
+            line(format!(
+                "shape at {} Hz, damping ratio {damping}, {} nodes of {components} components",
+                shape.frequency_hz,
+                shape.nodes.len()
+            ));
         }
         contents.findings.iter().for_each(line);
         Ok(())
@@ -153,6 +165,16 @@ fn tell(recording: &Surveyed) {
         line(format!("  {:>3}  {}  rms {rms:.5e}, peak {peak:.5e} {unit}{kind}  {}{from}", k + 1, channel.name, place.trim()));
     }
     recording.findings.iter().for_each(|finding| line(format!("  ! {finding}")));
+}
+
+fn mode_shape(shape: &ModeShape) -> serde_json::Value {
+    serde_json::json!({
+        "frequency_hz": shape.frequency_hz,
+        "damping_ratio": shape.damping_ratio,
+        "nodes": shape.nodes,
+        "real": shape.real,
+        "imaginary": shape.imaginary,
+    })
 }
 
 fn listed(recording: &Surveyed) -> serde_json::Value {

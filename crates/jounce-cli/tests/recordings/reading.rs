@@ -9,7 +9,7 @@ fn read_tells_channels_and_findings_and_writes_them() {
     switching(folder.path());
     let (code, json, _) = jounce(folder.path(), &["read", "switch.csv", "--json", "--out", "out", "--to", "again.uff"]);
     assert_eq!(code, 0);
-    has(&json, &["recordings", "shape_frequencies_hz", "findings"]);
+    has(&json, &["recordings", "shape_frequencies_hz", "shapes", "findings"]);
     let recording = &json["recordings"][0];
     has(recording, &["name", "over", "samples", "rate", "channels", "findings"]);
     assert_eq!((&recording["samples"], &recording["channels"][0]["unit"]), (&Value::from(10_240), &Value::from("V")));

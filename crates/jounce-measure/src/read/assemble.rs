@@ -28,7 +28,11 @@ pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) 
     if notes.over_frequency {
         raw.over = Over::Frequency;
     }
-    let time = if let Stamps::Column | Stamps::Rate(_) = raw.stamps { time_column(&mut raw, &said, notes).map_err(lost)? } else { None };
+    let time = if let Stamps::Column | Stamps::Rate(_) | Stamps::Of { .. } = raw.stamps {
+        time_column(&mut raw, &said, notes).map_err(lost)?
+    } else {
+        None
+    };
     let places = places(path, &mut raw, time, notes, columns, &mut findings)?;
     let left_out = said.iter().any(|said| said.left_out);
     let mut channels = Vec::new();
@@ -85,6 +89,9 @@ fn time_column(raw: &mut Raw, said: &[ChannelNotes], notes: &Notes) -> io::Resul
     if notes.rate_hz.is_some() {
         return Ok(None);
     }
+    if let Stamps::Of { column, .. } = raw.stamps {
+        return Ok(Some(column));
+    }
     let name = |k: usize| said[k].name.as_deref().unwrap_or(&raw.columns[k].name);
     if let Some(k) = (0..raw.columns.len()).find(|k| is_time(name(*k))) {
         return Ok(Some(k));
@@ -128,7 +135,10 @@ fn places(
     let even = |start, step, count| Grid::even(start, step, count).map(|_| Places::Even { start, step, count }).map_err(fault);
     let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
     let count = raw.columns.first().map_or(0, |column| column.values.count());
-    let told = std::mem::replace(&mut raw.stamps, Stamps::Column);
+    let told = match std::mem::replace(&mut raw.stamps, Stamps::Column) {
+        Stamps::Of { rate, .. } => rate.map_or(Stamps::Column, Stamps::Rate),
+        other => other,
+    };
     let number = if let Stamps::Rate(rate) = &told { Some(rate.clone()) } else { None };
     let differs = |rate_hz: f64, what: &str, used: &str| {
         let number = number.as_ref().filter(|number| number.differs_from(rate_hz))?;
@@ -139,8 +149,8 @@ fn places(
         (Stamps::Even { start, step }, ..) => return even(start, step, count),
         (Stamps::Given(stamps), ..) => stamps,
         // A time column is no channel: its numbers may be taken.
-        (Stamps::Column | Stamps::Rate(_), Some(k), _) => seconds(&mut raw.columns[k], raw.over, findings),
-        (Stamps::Column | Stamps::Rate(_), None, Some(rate_hz)) => {
+        (Stamps::Column | Stamps::Rate(_) | Stamps::Of { .. }, Some(k), _) => seconds(&mut raw.columns[k], raw.over, findings),
+        (Stamps::Column | Stamps::Rate(_) | Stamps::Of { .. }, None, Some(rate_hz)) => {
             findings.extend(differs(rate_hz, "the notes say", "the notes are"));
             return even(0.0, 1.0 / rate_hz, count);
         }
@@ -149,7 +159,7 @@ fn places(
             findings.push(Finding::new(FindingKind::Assumed, 1, None, about));
             return even(0.0, 1.0 / rate_hz, count);
         }
-        (Stamps::Column, None, None) => {
+        (Stamps::Column | Stamps::Of { .. }, None, None) => {
             return Err(ReadError::NoTime { path: path.to_owned(), columns, notes: Notes::path_of(path) });
         }
     };

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::error::Damage;
 use super::raw::Raw;
 use super::shelf::Shelf;
-use super::{Notes, ReadError, Survey, Surveyed, assemble, lvm, mat, npy, parquet, text, uff};
+use super::{Notes, ReadError, Survey, Surveyed, assemble, hdf5, lvm, magic, mat, npy, npz, parquet, tdms, text, uff, wav};
 use crate::recording::{Finding, FindingKind, Over, Recording};
 
 /// What a file holds.
@@ -58,8 +58,8 @@ pub fn file(path: &Path) -> Result<Contents, ReadError> {
     read(path, &Shelf::Memory)?.into_contents(path)
 }
 
-/// Reads a file as [`file()`] does, with its numbers in a scratch file: memory does not grow with the file, but for MAT, whose library holds
-/// a whole file.
+/// Reads a file as [`file()`] does, with its numbers in a scratch file: memory does not grow with the file, but for HDF5, whose library holds
+/// an array of one row whole.
 ///
 /// # Errors
 /// As [`file()`], and a scratch file that cannot be written.
@@ -129,15 +129,19 @@ fn format_of(path: &Path) -> Result<(&'static str, Reader), ReadError> {
     match () {
         () if head.trim_ascii().is_empty() => refused("it is empty"),
         () if head.starts_with(b"PAR1") => Ok(("Parquet", parquet::read as Reader)),
-        () if head.starts_with(b"\x93NUMPY") => Ok(("NPY", npy::read)),
-        () if head.starts_with(b"MATLAB 7.3") || head.starts_with(b"\x89HDF") => {
-            refused("it is HDF5 (MAT v7.3): save it with `-v7`, or read it with h5py in Python")
-        }
+        () if head.starts_with(npy::BEGIN) => Ok(("NPY", npy::read)),
+        () if head.starts_with(b"PK\x03\x04") || head.starts_with(b"PK\x05\x06") => Ok(("NPZ", npz::read)),
+        () if hdf5::begins(&head) => Ok(("HDF5", hdf5::read)),
         () if head.starts_with(b"MATLAB 5.0") => Ok(("MAT v5", mat::read)),
+        () if head.starts_with(tdms::BEGIN) => Ok(("TDMS", tdms::read)),
+        () if wav::begins(&head) => Ok(("WAV", wav::read)),
         () if first_line == b"-1" => Ok(("UFF", uff::read)),
         () if head.starts_with(b"LabVIEW Measurement") => Ok(("LVM", lvm::read)),
         () if head.starts_with(b"\xff\xfe") || head.starts_with(b"\xfe\xff") => refused("it is UTF-16 text: save it as UTF-8"),
-        () if head.contains(&0) => refused("it is binary and begins like no known format"),
+        () if head.contains(&0) => match magic::named(path, &head) {
+            Some(what) => refused(&format!("it is {what}")),
+            None => refused("it is binary and begins like no known format"),
+        },
         () => Ok(("text", text::read)),
     }
 }

@@ -16,7 +16,7 @@ pub enum ReadError {
         reason: std::io::Error,
     },
     /// It is none of the formats.
-    #[error("{}: {why}; CSV and text, Parquet, NPY, MAT v5, UFF and LVM can be read", path.display())]
+    #[error("{}: {why}; CSV and text, Parquet, NPY, NPZ, MAT, HDF5, TDMS, WAV, UFF and LVM can be read", path.display())]
     Format {
         /// The file.
         path: PathBuf,
@@ -118,6 +118,18 @@ impl From<std::io::Error> for Damage {
 impl Damage {
     pub(super) fn new(why: impl Into<String>) -> Self {
         Self { place: None, why: why.into() }
+    }
+
+    /// A source that cannot be read to its end.
+    pub(super) fn cut(reason: std::io::Error) -> Self {
+        let why = if reason.kind() == std::io::ErrorKind::UnexpectedEof { "it ends too early".to_owned() } else { reason.to_string() };
+        Self::new(format!("{why}; was the file cut?"))
+    }
+
+    /// The same at a byte, where it has no place yet.
+    pub(super) fn at_byte(self, byte: u64) -> Self {
+        let place = self.place.or(Some(Place::Byte(usize::try_from(byte).unwrap_or(usize::MAX))));
+        Self { place, ..self }
     }
 
     pub(super) fn at(place: Place, why: impl Into<String>) -> Self {

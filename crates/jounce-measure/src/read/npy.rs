@@ -1,93 +1,181 @@
 //! NumPy arrays: one or two dimensions of real numbers; the longer side is time.
+//!
+//! Source: NumPy Enhancement Proposal 1, "A Simple File Format for NumPy Arrays", versions 1.0 to 3.0.
 
 use std::fs::File;
-use std::io::BufReader;
+use std::io::{BufReader, Read};
 use std::path::Path;
 
-use npyz::half::f16;
-use npyz::{DType, Deserialize, NpyFile, Order};
-
+use super::arrays::Layout;
 use super::contents::Found;
 use super::error::Damage;
+use super::numbers::Numbers;
 use super::raw::{Column, Raw};
+use super::scalar::{Kind, Scalar};
 use super::shelf::Shelf;
 use crate::recording::{Finding, FindingKind};
 
+pub(super) const BEGIN: &[u8] = b"\x93NUMPY";
+/// Bytes of a header that is read.
+const LONGEST: usize = 1 << 16;
+
+/// What the header of an array says.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Header {
+    /// Type of the numbers, `<f8`; the whole description where they are records.
+    pub dtype: String,
+    fortran: bool,
+    pub shape: Vec<u64>,
+}
+
+/// An array as series along its longest side.
+pub(super) struct SeriesOf {
+    pub series: Vec<Numbers>,
+    pub imaginary: Option<Vec<Numbers>>,
+    pub labels: Vec<String>,
+}
+
 pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
-    let told = |fault: std::io::Error| Damage::new(format!("{fault}; was the file cut?"));
-    let file = File::open(path).map_err(told)?;
-    let bytes = file.metadata().map_err(told)?.len();
-    let array = NpyFile::new(BufReader::new(file)).map_err(told)?;
-    let shape = array.shape().to_vec();
-    let (rows, columns) = match shape[..] {
+    let file = File::open(path).map_err(Damage::cut)?;
+    let bytes = file.metadata().map_err(Damage::cut)?.len();
+    let mut source = BufReader::with_capacity(1 << 16, file);
+    let header = Header::read(&mut source)?;
+    let (rows, columns) = match header.shape[..] {
         [count] => (1, count),
         [rows, columns] => (rows, columns),
-        _ => return Err(Damage::new(format!("the array has {} dimensions; one or two are due", shape.len()))),
+        _ => return Err(Damage::new(format!("the array has {} dimensions; one or two are due", header.shape.len()))),
     };
-    let order = array.order();
-    let numbers = rows.checked_mul(columns).filter(|numbers| *numbers <= bytes);
-    if numbers.is_none() {
+    let (_, complex) = header.scalar()?;
+    if complex {
         return Err(Damage::new(format!(
-            "an array of {rows} x {columns} numbers is more than the {bytes} bytes of the file hold; was it cut?"
+            "its numbers are complex ({}), and an array without names is a record of real ones: save real and imaginary parts of a response \
+             over frequency as columns NAME.re and NAME.im beside frequency_hz in CSV or Parquet, which `modes --measured` takes, or with \
+             numpy.savez(file, frequency_hz=..., NAME=...), or the real parts alone of a record over time",
+            header.dtype
         )));
     }
-    // The longer side is time; numbers of a row (C) or of a column (Fortran) follow each other in the file.
-    let (inner, outer_is_row) = if order == Order::C { (columns, true) } else { (rows, false) };
-    let series_are_rows = columns >= rows;
-    let (count, length) = (rows.min(columns) as usize, rows.max(columns) as usize);
-    let mut series: Vec<_> = (0..count).map(|_| shelf.column()).collect();
-    if !series.iter_mut().all(|numbers| numbers.expect(length)) {
-        return Err(Damage::new(format!("an array of {rows} x {columns} numbers does not fit into memory")));
-    }
-    let mut place = 0;
-    each(array, |value| {
-        let (outer, inside) = (place / inner, place % inner);
-        let of = if series_are_rows == outer_is_row { outer } else { inside };
-        place += 1;
-        series[of as usize].push(value)
-    })?;
-    let series = series.into_iter().enumerate().map(|(k, values)| Column::new(&format!("channel {}", k + 1), "", values)).collect();
+    let array = header.numbers(&mut source, bytes, shelf)?;
+    let name = |k: usize| format!("channel {}", k + 1);
+    let series = array.series.into_iter().enumerate().map(|(k, values)| Column::new(&name(k), "", values)).collect();
     let about = format!("an array of {rows} x {columns} without names: its longer side is taken as time");
     Ok(Raw::columns(series, vec![Finding::new(FindingKind::Assumed, 1, None, about)]).into())
 }
 
-/// Every number in the order of the file.
-fn each(array: NpyFile<BufReader<File>>, take: impl FnMut(f64) -> std::io::Result<()>) -> Result<(), Damage> {
-    let dtype = match array.dtype() {
-        DType::Plain(kind) => kind.to_string(),
-        other => return Err(Damage::new(format!("its numbers are records ({}); save each as an array of its own", other.descr()))),
-    };
-    match dtype.get(1..).unwrap_or_default() {
-        "f8" => typed(array, |x: f64| x, take),
-        "f4" => typed(array, |x: f32| x.into(), take),
-        "f2" => typed(array, f16::to_f64, take),
-        "i8" => typed(array, |x: i64| x as f64, take),
-        "i4" => typed(array, |x: i32| x.into(), take),
-        "i2" => typed(array, |x: i16| x.into(), take),
-        "i1" => typed(array, |x: i8| x.into(), take),
-        "u8" => typed(array, |x: u64| x as f64, take),
-        "u4" => typed(array, |x: u32| x.into(), take),
-        "u2" => typed(array, |x: u16| x.into(), take),
-        "u1" => typed(array, |x: u8| x.into(), take),
-        "c8" | "c16" => Err(Damage::new(format!(
-            "its numbers are complex ({dtype}), and an array without names is a record of real ones: save real and imaginary parts of a response \
-             over frequency as columns NAME.re and NAME.im beside frequency_hz in CSV or Parquet, which `modes --measured` takes, or the real \
-             parts alone of a record over time"
-        ))),
-        _ => {
-            Err(Damage::new(format!("its numbers are of type {dtype}; real numbers are due, of 2, 4 or 8 bytes, or whole ones of 1 to 8")))
+impl Header {
+    /// Reads `{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }` and what stands before it.
+    pub fn read(source: &mut dyn Read) -> Result<Self, Damage> {
+        let mut begin = [0; 8];
+        source.read_exact(&mut begin).map_err(Damage::cut)?;
+        let version = begin[BEGIN.len()];
+        if !begin.starts_with(BEGIN) || !(1..=3).contains(&version) {
+            return Err(Damage::new(format!("version {version} of the format is not known; 1 to 3 are")));
         }
+        let mut length = [0; 4];
+        source.read_exact(&mut length[..if version == 1 { 2 } else { 4 }]).map_err(Damage::cut)?;
+        let length = u32::from_le_bytes(length) as usize;
+        if length > LONGEST {
+            return Err(Damage::new(format!("its header is {length} bytes long; at most {LONGEST} are due")));
+        }
+        let mut text = vec![0; length];
+        source.read_exact(&mut text).map_err(Damage::cut)?;
+        let text: String = text.iter().map(|b| char::from(*b)).collect();
+        Self::parse(&text).ok_or_else(|| Damage::new(format!("its header tells no type, order and shape: {:?}", text.trim())))
+    }
+
+    fn parse(text: &str) -> Option<Self> {
+        let value = |key: &str| {
+            let behind = text.split_once(&format!("'{key}'")).or_else(|| text.split_once(&format!("\"{key}\"")))?.1;
+            Some(behind.trim_start().strip_prefix(':')?.trim_start())
+        };
+        let descr = value("descr")?;
+        let dtype = match descr.chars().next()? {
+            quote @ ('\'' | '"') => descr[1..].split(quote).next()?.to_owned(),
+            _ => descr.split("'fortran_order'").next()?.trim_end_matches([' ', ',']).to_owned(),
+        };
+        let order = value("fortran_order")?;
+        let fortran = order.starts_with("True");
+        let inside = value("shape")?.strip_prefix('(')?.split(')').next()?;
+        let sizes = inside.split(',').map(str::trim).filter(|size| !size.is_empty());
+        let shape = sizes.map(|size| size.trim_end_matches('L').parse().ok()).collect::<Option<Vec<u64>>>()?;
+        (fortran || order.starts_with("False")).then_some(Self { dtype, fortran, shape })
+    }
+
+    /// How the numbers are stored, and whether each is a pair of real and imaginary part.
+    pub fn scalar(&self) -> Result<(Scalar, bool), Damage> {
+        let dtype = self.dtype.as_str();
+        if dtype.starts_with('[') || dtype.contains('V') {
+            return Err(Damage::new(format!("its numbers are records ({dtype}); save each as an array of its own")));
+        }
+        let other =
+            || Damage::new(format!("its numbers are of type {dtype}; real numbers are due, of 2, 4 or 8 bytes, or whole ones of 1 to 8"));
+        let little_endian = match dtype.chars().next() {
+            Some('<' | '|') => true,
+            Some('>') => false,
+            Some('=') => cfg!(target_endian = "little"),
+            _ => return Err(other()),
+        };
+        let kind = dtype.get(1..2).unwrap_or_default();
+        let size: usize = dtype.get(2..).unwrap_or_default().parse().map_err(|_| other())?;
+        let (kind, size, complex) = match kind {
+            "f" => (Kind::Float, size, false),
+            "c" => (Kind::Float, size / 2, true),
+            "i" => (Kind::Signed, size, false),
+            "u" | "b" => (Kind::Unsigned, size, false),
+            _ => return Err(other()),
+        };
+        Ok((Scalar::new(kind, size, little_endian).ok_or_else(other)?, complex))
+    }
+
+    /// The numbers behind the header, of which at most so many bytes can follow.
+    pub fn numbers(&self, source: &mut dyn Read, bytes: u64, shelf: &Shelf) -> Result<SeriesOf, Damage> {
+        let (scalar, complex) = self.scalar()?;
+        let sizes = self.shape.iter().map(u64::to_string).collect::<Vec<_>>().join(" x ");
+        let layout = Layout::new(&self.shape, !self.fortran);
+        let layout = layout.ok_or_else(|| Damage::new(format!("an array of {sizes} numbers is no series of numbers")))?;
+        let parts = if complex { 2 } else { 1 };
+        let total = layout.total() * parts;
+        if total.checked_mul(scalar.size as u64).is_none_or(|due| due > bytes) {
+            return Err(Damage::new(format!("an array of {sizes} numbers is more than the {bytes} bytes of the file hold; was it cut?")));
+        }
+        let mut series = layout.series(shelf)?;
+        let mut imaginary = if complex { Some(layout.series(shelf)?) } else { None };
+        let mut number = 0;
+        scalar.each(source, total, |x| {
+            let place = number / parts;
+            let part = if number % parts == 0 { Some(&mut series) } else { imaginary.as_mut() };
+            number += 1;
+            part.map_or(Ok(()), |part| layout.push(part, place, x))
+        })?;
+        Ok(SeriesOf { series, imaginary, labels: layout.labels() })
     }
 }
 
-fn typed<T: Deserialize>(
-    array: NpyFile<BufReader<File>>,
-    number: impl Fn(T) -> f64,
-    mut take: impl FnMut(f64) -> std::io::Result<()>,
-) -> Result<(), Damage> {
-    let told = |fault: std::io::Error| Damage::new(format!("{fault}; was the file cut?"));
-    for value in array.data::<T>().map_err(|fault| Damage::new(fault.to_string()))? {
-        take(number(value.map_err(told)?))?;
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn headers_are_read_in_every_form() {
+        let header = |text| Header::parse(text);
+        let found = header("{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }   \n").unwrap();
+        assert_eq!((found.dtype.as_str(), found.fortran, &found.shape[..]), ("<f8", false, &[3, 2][..]));
+        let found = header("{'descr': [('a', '<f8'), ('b', '<i4')], 'fortran_order': True, 'shape': (7L,), }").unwrap();
+        assert_eq!((found.dtype.as_str(), found.fortran, &found.shape[..]), ("[('a', '<f8'), ('b', '<i4')]", true, &[7][..]));
+        assert!(found.scalar().is_err());
+        assert_eq!(header("{'shape': (), 'fortran_order': False, 'descr': '|b1'}").unwrap().scalar().unwrap().0.size, 1);
+        for wrong in [
+            "",
+            "{'descr': '<f8'}",
+            "{'descr': '<f8', 'fortran_order': 1, 'shape': (3,)}",
+            "{'descr': '<f8', 'fortran_order': True, 'shape': (-3,)}",
+        ] {
+            assert_eq!(header(wrong), None, "{wrong}");
+        }
+        let complex = Header { dtype: ">c16".into(), fortran: false, shape: vec![2] };
+        assert_eq!(complex.scalar().unwrap(), (Scalar { kind: Kind::Float, size: 8, little_endian: false }, true));
+        for dtype in ["<f3", "<U3", "|O", "<M8", "f8", "<f", "\u{e9}f8"] {
+            assert!(Header { dtype: dtype.into(), fortran: false, shape: vec![2] }.scalar().is_err(), "{dtype}");
+        }
     }
-    Ok(())
 }

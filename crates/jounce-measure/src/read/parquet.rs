@@ -24,7 +24,9 @@ const BATCH: usize = 1 << 16;
 pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     let told = |fault: &dyn std::fmt::Display| Damage::new(format!("{fault}; was the file cut?"));
     let file = File::open(path).map_err(|fault| told(&fault))?;
+    let size = file.metadata().map_err(|fault| told(&fault))?.len();
     let reader = SerializedFileReader::new(file).map_err(|fault| told(&fault))?;
+    check_places(&reader, size)?;
     let notes = notes(&reader);
     let (mut columns, mut findings) = (Vec::new(), Vec::new());
     let schema = reader.metadata().file_metadata().schema_descr_ptr();
@@ -49,6 +51,22 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
         return Err(Damage::new("it holds no column of numbers"));
     }
     Ok(Raw::columns(columns, findings).into())
+}
+
+/// Refuses columns outside the file and negative counts, at which the library would panic.
+fn check_places(reader: &SerializedFileReader<File>, size: u64) -> Result<(), Damage> {
+    for group in reader.metadata().row_groups() {
+        for column in group.columns() {
+            let start = column.dictionary_page_offset().unwrap_or_else(|| column.data_page_offset());
+            let numbers = [start, column.data_page_offset(), column.compressed_size(), column.uncompressed_size(), column.num_values()];
+            let end = numbers[0].checked_add(column.compressed_size()).and_then(|end| u64::try_from(end).ok());
+            if group.num_rows() < 0 || numbers.iter().any(|number| *number < 0) || end.is_none_or(|end| end > size) {
+                let why = format!("column {} lies at bytes {start} and on, outside the file of {size}", column.column_path().string());
+                return Err(Damage::new(format!("{why}; was the file cut?")));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// What jounce noted; none in a file of another program.

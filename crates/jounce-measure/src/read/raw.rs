@@ -26,6 +26,8 @@ pub(super) enum Stamps {
     Column,
     /// By one of the columns, or else by a number that tells the rate.
     Rate(Rate),
+    /// By that column, counted from 0, beside which a number may tell the rate.
+    Of { column: usize, rate: Option<Rate> },
 }
 
 /// Relative difference up to which two rates are the same.

@@ -4,7 +4,7 @@ use super::Finding;
 use super::stamps::{self, Stamped};
 
 /// What the samples are taken over.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Over {
     /// Time, s.
     Time,

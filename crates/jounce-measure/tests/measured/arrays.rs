@@ -105,8 +105,8 @@ fn a_matrix_file_is_read_element_by_element() {
     let begin = both.len() - second.len();
     assert!(told.contains(&format!("byte {begin}")) && told.contains("was the file cut?"), "{told}");
     let mut odd = both.clone();
-    // The class of the second array becomes that of a cell.
-    odd[begin + 16] = 1;
+    // The class of the second array becomes that of an object.
+    odd[begin + 16] = 17;
     let rate = Some("rate = \"1 kHz\"\n");
     assert!(kinds(&one("a.mat", &odd, rate)).contains(&FindingKind::Skipped));
 }

@@ -191,7 +191,7 @@ fn what_is_no_recording_is_refused_with_its_reason() {
         ("a.csv", b"no numbers\nat all\n", "no rows of numbers"),
         ("a.csv", b"a,b\n5,1\n3,2\n4,3\n", "no column ascends"),
         ("a.csv", b"t,b\n0,1\n2,2\n1,3\n", "before"),
-        ("a.mat", b"MATLAB 7.3 MAT-file", "HDF5"),
+        ("a.h5", b"\x89HDF\r\n\x1a\n", "was the file cut?"),
         ("a.bin", b"\x01\x02\x00\x00", "binary"),
         ("a.txt", b"\xff\xfet\x00", "UTF-16"),
         ("a.uff", b"    -1\n   164\n         1  SI\n    -1\n", "no data set 55 or 58"),

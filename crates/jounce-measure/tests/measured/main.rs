@@ -3,6 +3,7 @@
 mod arrays;
 mod base_input;
 mod cantilever;
+mod containers;
 mod cut;
 mod driven;
 mod formats;
@@ -15,4 +16,5 @@ mod seven;
 mod standard_test;
 mod through_a_file;
 mod untold;
+mod writers;
 mod written;

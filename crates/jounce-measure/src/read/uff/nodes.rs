@@ -47,13 +47,32 @@ pub(super) fn read(block: &Block) -> Result<ModeShape, Damage> {
     Ok(ModeShape { frequency_hz, damping_ratio, nodes, real, imaginary: complex.then_some(imaginary) })
 }
 
-/// Frequency and damping: normal modes tell them (2), complex modes by their eigenvalue in rad/s (3, 7).
+/// Frequency and damping: normal modes tell them (2), complex modes by their eigenvalue in rad/s (3, 7). A normal mode has a viscous damping ratio
+/// or, where that is 0, a loss factor, which is twice the ratio at resonance.
 fn frequency(analysis: f64, numbers: &[f64]) -> (f64, f64) {
     let at = |k: usize| numbers.get(k).copied().unwrap_or(f64::NAN);
     if analysis == 3.0 || analysis == 7.0 {
         let modulus = at(0).hypot(at(1));
-        (modulus / std::f64::consts::TAU, -at(0) / modulus)
-    } else {
-        (at(0), if analysis == 2.0 { at(2) } else { f64::NAN })
+        return (modulus / std::f64::consts::TAU, -at(0) / modulus);
+    }
+    let damping = match (at(2), at(3)) {
+        (0.0, loss_factor) if loss_factor > 0.0 => loss_factor / 2.0,
+        (ratio, _) => ratio,
+    };
+    (at(0), if analysis == 2.0 { damping } else { f64::NAN })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::frequency;
+
+    #[test]
+    fn modes_tell_their_damping_in_each_form() {
+        assert_eq!(frequency(2.0, &[12.5, 1.0, 0.013, 0.0]), (12.5, 0.013));
+        assert_eq!(frequency(2.0, &[12.5, 1.0, 0.0, 0.04]), (12.5, 0.02));
+        assert_eq!(frequency(2.0, &[12.5, 1.0, 0.0]), (12.5, 0.0));
+        let (hertz, damping) = frequency(3.0, &[-3.0, 4.0, 1.0, 0.0, 0.0, 0.0]);
+        assert!((hertz - 5.0 / std::f64::consts::TAU).abs() < 1e-15 && damping == 0.6);
+        assert!(frequency(5.0, &[12.5, 1.0, 0.013]).1.is_nan());
     }
 }

@@ -1,0 +1,314 @@
+//! Arrays to recordings: each array goes to the time or frequency of its length that lies nearest to it among the structs of the file.
+//!
+//! Near is what shares the most names from the outermost on: `data.run(2).acc` belongs to `data.run(2).t` rather than to `data.t`. Without
+//! such an array a number beside it, a rate or a step, tells its times. Recordings over equal grids become one.
+
+use std::collections::HashMap;
+use std::hash::Hash;
+use std::io;
+
+use super::super::contents::Found;
+use super::super::error::Damage;
+use super::super::name::{is_frequency, is_time, split};
+use super::super::raw::{Column, Rate, Raw, Stamps};
+use super::names::heads;
+use super::spacing::{Spacing, spacings};
+use super::{Array, Path, Tree};
+use crate::recording::{Finding, FindingKind, Over, Series};
+
+/// Arrays that are named one by one where they were left out.
+const MAX_NAMED: usize = 8;
+
+/// Where the samples of a recording lie.
+enum Axis {
+    /// At the numbers of an array.
+    Array(Box<Column>, Over),
+    /// As a number tells.
+    Even(Spacing),
+    /// Nothing tells.
+    Unknown,
+}
+
+/// A recording in the making.
+struct Set {
+    axis: Axis,
+    length: usize,
+    scope: Vec<String>,
+    columns: Vec<Column>,
+}
+
+/// The recordings in a file of arrays.
+pub(in super::super) fn into_found(mut tree: Tree) -> Result<Found, Damage> {
+    let arrays = std::mem::take(&mut tree.arrays);
+    let (singles, arrays): (Vec<Array>, Vec<Array>) = arrays.into_iter().filter(|array| array.length() > 0).partition(is_single);
+    if arrays.is_empty() {
+        let told = if tree.findings.is_empty() { String::new() } else { format!(" ({})", tree.findings[0].about) };
+        return Err(Damage::new(format!("it holds no numeric array that could be a record{told}; was the file cut?")));
+    }
+    let spacings = spacings(&singles, &mut tree)?;
+    let lonely = lonely(&arrays)?;
+    let (mut sets, left) = assigned(&tree, Sorted::new(arrays)?, &spacings, &lonely);
+    sets.retain(|set| !set.columns.is_empty() || !matches!(set.axis, Axis::Even(_)));
+    if sets.iter().any(|set| !set.columns.is_empty()) {
+        for set in sets.iter().filter(|set| set.columns.is_empty()) {
+            if let Axis::Array(axis, _) = &set.axis {
+                tree.skip(format!("{} has {} places, and no channel is as long", axis.name, set.length));
+            }
+        }
+        sets.retain(|set| !set.columns.is_empty());
+    } else {
+        // Times without a channel of their length: the longest one will be refused with what was left out.
+        sets.sort_by_key(|set| std::cmp::Reverse(set.length));
+        sets.truncate(1);
+    }
+    tell_left(&mut tree, &left, &sets);
+    let sets = merged(sets)?;
+    let several = sets.len() > 1;
+    let (findings, mut of_set) = if several { (tree.findings, Vec::new()) } else { (Vec::new(), tree.findings) };
+    let mut rates = Nearest::default();
+    spacings.iter().enumerate().for_each(|(k, spacing)| rates.insert(spacing.over, &spacing.scope, k));
+    let raws = sets.into_iter().map(|set| {
+        let rate = rates.nearest(&[Over::Time], &set.scope).map(|k| spacings[k].rate.clone());
+        raw(set, rate, std::mem::take(&mut of_set))
+    });
+    Ok(Found { sets: raws.collect(), shapes: Vec::new(), findings })
+}
+
+fn is_single(array: &Array) -> bool {
+    array.length() == 1 && array.series.len() == 1
+}
+
+/// True for each array that is the only one beside a time in its struct, so that texts beside it are about it.
+fn lonely(arrays: &[Array]) -> io::Result<HashMap<Path, bool>> {
+    let mut in_scope: HashMap<&[String], usize> = HashMap::new();
+    let is_axis = |array: &Array| over_by_name(array).is_some();
+    for array in arrays.iter().filter(|array| !is_axis(array)) {
+        *in_scope.entry(array.path.scope()).or_default() += 1;
+    }
+    Ok(arrays.iter().map(|array| (array.path.clone(), !is_axis(array) && in_scope.get(array.path.scope()) == Some(&1))).collect())
+}
+
+/// What the name of a real series says that it holds.
+fn over_by_name(array: &Array) -> Option<Over> {
+    let one = array.series.len() == 1 && array.imaginary.is_none();
+    let (name, _) = split(array.path.name());
+    let over = if is_time(&name) || is_time(array.path.name()) { Over::Time } else { Over::Frequency };
+    let named = over == Over::Time || is_frequency(&name) || is_frequency(array.path.name());
+    (one && named).then_some(over)
+}
+
+/// Arrays that are times or frequencies, and all others.
+#[derive(Default)]
+struct Sorted {
+    axes: Vec<(Array, Over)>,
+    channels: Vec<Array>,
+}
+
+impl Sorted {
+    fn new(arrays: Vec<Array>) -> io::Result<Self> {
+        let mut sorted = Self::default();
+        for array in arrays {
+            match over_by_name(&array) {
+                Some(over) if ascends(&array)? => sorted.axes.push((array, over)),
+                _ => sorted.channels.push(array),
+            }
+        }
+        Ok(sorted)
+    }
+}
+
+fn ascends(array: &Array) -> io::Result<bool> {
+    let (mut before, mut ascends) = (f64::NEG_INFINITY, true);
+    array.series[0].each(|x| {
+        ascends &= x > before;
+        before = x;
+    })?;
+    Ok(ascends)
+}
+
+/// Every array to its set; names and lengths of what has none.
+fn assigned(tree: &Tree, arrays: Sorted, spacings: &[Spacing], lonely: &HashMap<Path, bool>) -> (Vec<Set>, Vec<(String, usize)>) {
+    let (mut by_axis, mut timed) = (Nearest::default(), Nearest::default());
+    let mut sets: Vec<Set> = Vec::new();
+    let columns_of = |array: Array| {
+        let alone = lonely.get(&array.path).copied().unwrap_or_default();
+        columns(tree, array, alone)
+    };
+    for (array, over) in arrays.axes {
+        let (length, scope) = (array.length(), array.path.scope().to_vec());
+        by_axis.insert((length, over), &scope, sets.len());
+        timed.insert((), &scope, sets.len());
+        let axis = columns_of(array).pop().map_or(Axis::Unknown, |axis| Axis::Array(Box::new(axis), over));
+        sets.push(Set { axis, length, scope, columns: Vec::new() });
+    }
+    let times = sets.len();
+    // A number beside a time of its own tells the rate of that time, and of nothing else.
+    let mut free = Nearest::default();
+    for (k, spacing) in spacings.iter().enumerate().filter(|(_, spacing)| timed.inside((), &spacing.scope).is_none()) {
+        free.insert((), &spacing.scope, k);
+    }
+    let mut even = HashMap::<(Option<usize>, usize), usize>::new();
+    for array in arrays.channels {
+        let (length, scope, path) = (array.length(), array.path.scope().to_vec(), array.path.0.clone());
+        let order = if array.imaginary.is_some() { [Over::Frequency, Over::Time] } else { [Over::Time, Over::Frequency] };
+        let at = by_axis.nearest(&order.map(|over| (length, over)), &scope).unwrap_or_else(|| {
+            // A number may stand inside the array, as an attribute.
+            let spacing = free.nearest(&[()], &path);
+            *even.entry((spacing, length)).or_insert_with(|| {
+                let axis = spacing.map_or(Axis::Unknown, |k| Axis::Even(spacings[k].clone()));
+                sets.push(Set { axis, length, scope, columns: Vec::new() });
+                sets.len() - 1
+            })
+        });
+        sets[at].columns.extend(columns_of(array));
+    }
+    let left = longest_only(&mut sets, times);
+    (sets, left)
+}
+
+/// Of the arrays whose times one number tells, and of those without any, the longest are the record; gives the others.
+fn longest_only(sets: &mut Vec<Set>, times: usize) -> Vec<(String, usize)> {
+    let key = |set: &Set| if let Axis::Even(spacing) = &set.axis { Some(spacing.scope.clone()) } else { None };
+    let mut longest: HashMap<Option<Vec<String>>, usize> = HashMap::new();
+    for set in &sets[times..] {
+        let length = longest.entry(key(set)).or_default();
+        *length = set.length.max(*length);
+    }
+    let known = sets[..times].iter().any(|set| !set.columns.is_empty()) || longest.keys().any(Option::is_some);
+    let mut left = Vec::new();
+    let mut number = 0;
+    sets.retain(|set| {
+        number += 1;
+        let of = key(set);
+        let is_kept = number <= times || (of.is_some() || !known && times == 0) && longest.get(&of) == Some(&set.length);
+        if !is_kept {
+            left.extend(set.columns.iter().map(|column| (column.name.clone(), set.length)));
+        }
+        is_kept
+    });
+    left
+}
+
+/// Things by the names around them: which one of a kind shares the most names with an array, from the outermost on.
+struct Nearest<K>(HashMap<(K, Vec<String>), usize>);
+
+impl<K> Default for Nearest<K> {
+    fn default() -> Self {
+        Self(HashMap::new())
+    }
+}
+
+impl<K: Copy + Eq + Hash> Nearest<K> {
+    /// The first one inside each list of outermost names is kept.
+    fn insert(&mut self, kind: K, scope: &[String], number: usize) {
+        for depth in 0..=scope.len() {
+            self.0.entry((kind, scope[..depth].to_vec())).or_insert(number);
+        }
+    }
+
+    /// The first one inside these names.
+    fn inside(&self, kind: K, scope: &[String]) -> Option<usize> {
+        self.0.get(&(kind, scope.to_vec())).copied()
+    }
+
+    /// The nearest one; of kinds that are equally near the first.
+    fn nearest(&self, kinds: &[K], scope: &[String]) -> Option<usize> {
+        (0..=scope.len()).rev().find_map(|depth| kinds.iter().find_map(|kind| self.inside(*kind, &scope[..depth])))
+    }
+}
+
+fn columns(tree: &Tree, array: Array, alone: bool) -> Vec<Column> {
+    let heads = heads(tree, &array, alone);
+    let mut imaginary = array.imaginary.map(|imaginary| imaginary.into_iter());
+    let column = |((name, unit), values): ((String, String), _)| Column {
+        imaginary: imaginary.as_mut().and_then(Iterator::next),
+        ..Column::new(&name, &unit, values)
+    };
+    heads.into_iter().zip(array.series).map(column).collect()
+}
+
+/// Recordings over equal grids to one.
+fn merged(sets: Vec<Set>) -> io::Result<Vec<Set>> {
+    let mut kept: Vec<Set> = Vec::new();
+    let mut alike: HashMap<(Over, usize, [u64; 3]), Vec<usize>> = HashMap::new();
+    for set in sets {
+        let key = match &set.axis {
+            Axis::Array(axis, over) => {
+                let (first, last) = axis.values.ends()?.unwrap_or_default();
+                (*over, set.length, [first.to_bits(), last.to_bits(), 0])
+            }
+            Axis::Even(spacing) => {
+                let start = spacing.start.map_or(u64::MAX, f64::to_bits);
+                (spacing.over, set.length, [start, spacing.rate.rate_hz.to_bits(), 1])
+            }
+            Axis::Unknown => (Over::Time, set.length, [0, 0, 2]),
+        };
+        let among = alike.entry(key).or_default();
+        let mut at = None;
+        for number in among.iter().copied() {
+            if at.is_none() && same(&kept[number].axis, &set.axis)? {
+                at = Some(number);
+            }
+        }
+        match at {
+            Some(number) => kept[number].columns.extend(set.columns),
+            None => {
+                among.push(kept.len());
+                kept.push(set);
+            }
+        }
+    }
+    Ok(kept)
+}
+
+fn same(a: &Axis, b: &Axis) -> io::Result<bool> {
+    match (a, b) {
+        (Axis::Array(a, _), Axis::Array(b, _)) => Ok(a.unit == b.unit && a.values.same(&b.values)?),
+        _ => Ok(true),
+    }
+}
+
+fn raw(set: Set, rate: Option<Rate>, findings: Vec<Finding>) -> Raw {
+    let Set { axis, scope, mut columns, .. } = set;
+    unlike(&mut columns);
+    let title = Path(scope).to_string();
+    let (over, stamps) = match axis {
+        Axis::Array(axis, over) => {
+            columns.insert(0, *axis);
+            (over, Stamps::Of { column: 0, rate: rate.filter(|_| over == Over::Time) })
+        }
+        Axis::Even(Spacing { rate, start, over, .. }) => match (start, over) {
+            (None, Over::Time) => (over, Stamps::Rate(rate)),
+            _ => (over, Stamps::Even { start: start.unwrap_or_default(), step: 1.0 / rate.rate_hz }),
+        },
+        Axis::Unknown => (Over::Time, Stamps::Column),
+    };
+    Raw { title, over, stamps, columns, findings }
+}
+
+/// Names that texts of the file give to several columns get a number.
+fn unlike(columns: &mut [Column]) {
+    let mut times: HashMap<String, (usize, usize)> = HashMap::new();
+    columns.iter().for_each(|column| times.entry(column.name.clone()).or_default().0 += 1);
+    for column in columns {
+        if let Some((2.., number)) = times.get_mut(&column.name) {
+            *number += 1;
+            column.name = format!("{} ({number})", column.name);
+        }
+    }
+}
+
+/// Tells which arrays were left out.
+fn tell_left(tree: &mut Tree, left: &[(String, usize)], sets: &[Set]) {
+    let record = match sets {
+        [set] => format!("where the record has {}", set.length),
+        _ => "and no time or frequency in the file is as long".to_owned(),
+    };
+    for (name, length) in left.iter().take(MAX_NAMED) {
+        tree.skip(format!("{name} has {length} samples {record}"));
+    }
+    if let Some(more) = left.len().checked_sub(MAX_NAMED).filter(|more| *more > 0) {
+        let about = "arrays of other lengths than the record were left out".to_owned();
+        tree.findings.push(Finding::new(FindingKind::Skipped, more, None, about));
+    }
+}

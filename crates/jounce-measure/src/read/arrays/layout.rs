@@ -1,0 +1,124 @@
+//! Numbers of an array of any dimensions to series along its longest side.
+
+use super::super::error::Damage;
+use super::super::numbers::Numbers;
+use super::super::shelf::Shelf;
+
+/// Series that an array may hold; with more it is an image or a table of another kind.
+const MAX_SERIES: u64 = 4096;
+
+/// Where each number of an array belongs. With the first dimension the fastest, number `n` is sample `n / s % l` of series
+/// `n % s + n / (s l) s`, for the longest side `l` and the product `s` of the dimensions before it.
+#[derive(Debug, Clone, PartialEq)]
+pub(in super::super) struct Layout {
+    /// Sizes, the fastest first.
+    dimensions: Vec<u64>,
+    /// The last dimension comes first in names.
+    turned: bool,
+    /// Number of the longest dimension.
+    along: usize,
+    stride: u64,
+    length: u64,
+    count: u64,
+}
+
+impl Layout {
+    /// The layout of an array whose first dimension is the fastest (MATLAB), or whose last one is (`turned`: C); `None` where it holds more series
+    /// than could be channels, or more numbers than can be counted.
+    pub fn new(dimensions: &[u64], turned: bool) -> Option<Self> {
+        let fastest_first: Vec<u64> = if turned { dimensions.iter().rev().copied().collect() } else { dimensions.to_vec() };
+        let longest = fastest_first.iter().copied().max().unwrap_or(1);
+        let along = fastest_first.iter().position(|size| *size == longest).unwrap_or(0);
+        let product = |sizes: &[u64]| sizes.iter().try_fold(1_u64, |product, size| product.checked_mul(*size));
+        let total = product(&fastest_first)?;
+        let count = total.checked_div(longest).unwrap_or(0);
+        let stride = product(fastest_first.get(..along).unwrap_or_default())?.max(1);
+        (count <= MAX_SERIES).then_some(Self { dimensions: fastest_first, turned, along, stride, length: longest, count })
+    }
+
+    /// All numbers.
+    pub fn total(&self) -> u64 {
+        self.length * self.count
+    }
+
+    /// Empty series for [`Self::push`].
+    ///
+    /// # Errors
+    /// There is not room for so many numbers.
+    pub fn series(&self, shelf: &Shelf) -> Result<Vec<Numbers>, Damage> {
+        let mut series: Vec<Numbers> = (0..self.count).map(|_| shelf.column()).collect();
+        let room = series.iter_mut().all(|numbers| usize::try_from(self.length).is_ok_and(|length| numbers.expect(length)));
+        if room { Ok(series) } else { Err(Damage::new(format!("{} numbers do not fit into memory", self.total()))) }
+    }
+
+    /// Puts a number, counted from 0 in the order of the file, behind the others of its series.
+    pub fn push(&self, series: &mut [Numbers], number: u64, x: f64) -> std::io::Result<()> {
+        let of = number % self.stride + number / (self.stride * self.length) * self.stride;
+        series.get_mut(of as usize).map_or(Ok(()), |numbers| numbers.push(x))
+    }
+
+    /// Places of the series in the array, from 1: `(2)`, `(2,1)`; none for a single series.
+    pub fn labels(&self) -> Vec<String> {
+        if self.count < 2 {
+            return Vec::new();
+        }
+        let others: Vec<u64> =
+            self.dimensions.iter().enumerate().filter(|(k, size)| *k != self.along && **size > 1).map(|(_, size)| *size).collect();
+        let label = |series: u64| {
+            let mut left = series;
+            let mut places: Vec<String> = Vec::new();
+            for size in &others {
+                places.push((left % size + 1).to_string());
+                left /= size;
+            }
+            if self.turned {
+                places.reverse();
+            }
+            format!("({})", places.join(","))
+        };
+        (0..self.count).map(label).collect()
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::recording::Series as _;
+
+    /// The array `a[i, j, k] = 100 i + 10 j + k` in both orders, with its longest side anywhere.
+    #[test]
+    fn series_run_along_the_longest_side() {
+        for dimensions in [[5, 2, 3], [2, 5, 3], [2, 3, 5], [5, 1, 1], [1, 1, 5]] {
+            for turned in [false, true] {
+                let layout = Layout::new(&dimensions, turned).unwrap();
+                let mut series = layout.series(&Shelf::Memory).unwrap();
+                let sizes: Vec<u64> = if turned { dimensions.iter().rev().copied().collect() } else { dimensions.to_vec() };
+                for n in 0..layout.total() {
+                    let mut at = [n % sizes[0], n / sizes[0] % sizes[1], n / sizes[0] / sizes[1]];
+                    if turned {
+                        at.reverse();
+                    }
+                    layout.push(&mut series, n, (100 * at[0] + 10 * at[1] + at[2]) as f64).unwrap();
+                }
+                let along = dimensions.iter().position(|size| *size == 5).unwrap();
+                let step = [100.0, 10.0, 1.0][along];
+                for (series, label) in series.iter().zip(layout.labels()) {
+                    let values = series.piece(0).unwrap();
+                    let rest: Vec<String> = [100.0, 10.0, 1.0]
+                        .iter()
+                        .enumerate()
+                        .filter(|(k, _)| *k != along && dimensions[*k] > 1)
+                        .map(|(_, step)| ((values[0] / step).floor() % 10.0 + 1.0).to_string())
+                        .collect();
+                    assert_eq!(label, format!("({})", rest.join(",")), "{dimensions:?} {turned}");
+                    assert!(values.windows(2).all(|pair| pair[1] - pair[0] == step) && values.len() == 5, "{dimensions:?} {values:?}");
+                }
+            }
+        }
+        assert_eq!(Layout::new(&[1 << 20, 1 << 20], false), None);
+        assert_eq!(Layout::new(&[u64::MAX, 3], true), None);
+        assert_eq!(Layout::new(&[0, 3], true).unwrap().total(), 0);
+        assert_eq!(Layout::new(&[], true).unwrap().total(), 1);
+    }
+}

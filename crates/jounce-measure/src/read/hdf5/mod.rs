@@ -1,0 +1,40 @@
+//! HDF5, and the MATLAB files of version 7.3 in it: arrays of numbers in groups of any depth, cells and structs of MATLAB among them.
+//!
+//! The crate `hdf5-pure` reads the format. What it would make room for is compared with the size of the file before it is asked, since a damaged
+//! file may claim any size.
+mod checked;
+mod matlab;
+mod node;
+
+use std::path::Path as FilePath;
+
+use hdf5_pure::File;
+
+use super::arrays::{Path, Tree, into_found};
+use super::contents::Found;
+use super::error::Damage;
+use super::shelf::Shelf;
+use node::Walk;
+
+const BEGIN: &[u8] = b"\x89HDF\r\n\x1a\n";
+
+/// True where a file begins like HDF5, perhaps behind a block of 512, 1024 or 2048 bytes that another program uses, as MATLAB does.
+pub(super) fn begins(head: &[u8]) -> bool {
+    [0, 512, 1024, 2048].iter().any(|from| head.get(*from..).is_some_and(|head| head.starts_with(BEGIN)))
+}
+
+pub(super) fn read(path: &FilePath, shelf: &Shelf) -> Result<Found, Damage> {
+    let size = std::fs::metadata(path).map_err(Damage::cut)?.len();
+    let file = File::open_streaming(path).map_err(|fault| wrong(&fault))?;
+    let mut walk = Walk { shelf, size, tree: Tree::default(), visited: 0 };
+    walk.group(&file.root(), &Path::default())?;
+    into_found(walk.tree)
+}
+
+/// What the library says, with what converts a file that it cannot read.
+fn wrong(fault: &dyn std::fmt::Display) -> Damage {
+    Damage::new(format!(
+        "{fault}; was the file cut? Else convert it in Python: import h5py, numpy; f = h5py.File('FILE'); \
+         numpy.savez('FILE.npz', t=f['time'][...].ravel(), v=f['NAME'][...].ravel())"
+    ))
+}

@@ -1,0 +1,176 @@
+//! Elements of a MAT file: a tag with type and length, the data, and zeros up to the next eight bytes.
+
+use std::io::{self, Read};
+
+use super::super::error::Damage;
+use super::super::scalar::{Kind, Scalar};
+
+pub(super) const MATRIX: u32 = 14;
+pub(super) const COMPRESSED: u32 = 15;
+/// Texts of 1 byte for each character, and of 2.
+pub(super) const UTF8: u32 = 16;
+pub(super) const UTF16: u32 = 17;
+
+/// Bytes of a name or a text that are read at most.
+const LONGEST: u64 = 1 << 20;
+
+/// What stands before the data of an element.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Tag {
+    pub kind: u32,
+    /// Bytes of the data.
+    pub length: u64,
+    /// The data themselves, where they are at most four bytes and stand in the tag.
+    small: Option<[u8; 4]>,
+}
+
+impl Tag {
+    /// The tag of a whole element of the file, which is never a small one.
+    pub fn read(source: &mut dyn Read, little_endian: bool) -> Result<Self, Damage> {
+        let mut words = [[0; 4]; 2];
+        for word in &mut words {
+            source.read_exact(word).map_err(Damage::cut)?;
+        }
+        let [kind, length] = words.map(|word| whole(word, little_endian));
+        Ok(Self { kind, length: u64::from(length), small: None })
+    }
+
+    /// How its numbers are stored; `None` where they are no numbers.
+    pub fn scalar(&self, little_endian: bool) -> Option<Scalar> {
+        let (kind, size) = match self.kind {
+            1 => (Kind::Signed, 1),
+            2 | UTF8 => (Kind::Unsigned, 1),
+            3 => (Kind::Signed, 2),
+            4 | UTF16 => (Kind::Unsigned, 2),
+            5 => (Kind::Signed, 4),
+            6 => (Kind::Unsigned, 4),
+            7 => (Kind::Float, 4),
+            9 => (Kind::Float, 8),
+            12 => (Kind::Signed, 8),
+            13 => (Kind::Unsigned, 8),
+            _ => return None,
+        };
+        Scalar::new(kind, size, little_endian)
+    }
+}
+
+fn whole(bytes: [u8; 4], little_endian: bool) -> u32 {
+    if little_endian { u32::from_le_bytes(bytes) } else { u32::from_be_bytes(bytes) }
+}
+
+/// The elements inside a matrix, one after the other.
+pub(super) struct Elements<'a> {
+    source: &'a mut dyn Read,
+    /// Bytes that the matrix still holds.
+    left: u64,
+    pub little_endian: bool,
+}
+
+impl<'a> Elements<'a> {
+    pub fn new(source: &'a mut dyn Read, length: u64, little_endian: bool) -> Self {
+        Self { source, left: length, little_endian }
+    }
+
+    /// The next tag; its data must lie inside the matrix.
+    pub fn tag(&mut self) -> Result<Tag, Damage> {
+        let mut word = [0; 4];
+        self.exact(&mut word)?;
+        let first = whole(word, self.little_endian);
+        self.exact(&mut word)?;
+        // A length in the upper half marks a small element.
+        if first >> 16 != 0 {
+            let (kind, length) = (first & 0xffff, u64::from(first >> 16));
+            return if length <= 4 { Ok(Tag { kind, length, small: Some(word) }) } else { Err(outside(length, 4)) };
+        }
+        let length = u64::from(whole(word, self.little_endian));
+        if length > self.left {
+            return Err(outside(length, self.left));
+        }
+        Ok(Tag { kind: first, length, small: None })
+    }
+
+    /// Data of names and texts.
+    pub fn bytes(&mut self, tag: &Tag) -> Result<Vec<u8>, Damage> {
+        if let Some(small) = tag.small {
+            return Ok(small[..tag.length.min(4) as usize].to_vec());
+        }
+        if tag.length > LONGEST {
+            return Err(Damage::new(format!("a name or text of {} bytes; at most 1 MiB is due", tag.length)));
+        }
+        let mut bytes = vec![0; tag.length as usize];
+        self.exact(&mut bytes)?;
+        self.pad(tag)?;
+        Ok(bytes)
+    }
+
+    /// Hands each number to `take`; there must be as many as are due.
+    pub fn numbers(&mut self, tag: &Tag, due: u64, mut take: impl FnMut(u64, f64) -> io::Result<()>) -> Result<(), Damage> {
+        let scalar =
+            tag.scalar(self.little_endian).ok_or_else(|| Damage::new(format!("numbers are due, not data of type {}", tag.kind)))?;
+        let there = tag.length / scalar.size as u64;
+        if there != due {
+            return Err(Damage::new(format!("{due} numbers are due, {there} follow: was the file cut?")));
+        }
+        let mut number = 0;
+        let mut counted = |x| {
+            number += 1;
+            take(number - 1, x)
+        };
+        if let Some(small) = tag.small {
+            return scalar.each(&mut small.as_slice(), due, &mut counted);
+        }
+        let bytes = due * scalar.size as u64;
+        scalar.each(&mut self.source, due, &mut counted)?;
+        self.left = self.left.saturating_sub(bytes);
+        self.pad(tag)
+    }
+
+    /// Goes into a matrix inside; gives what [`Self::leave`] needs.
+    pub fn enter(&mut self, tag: &Tag) -> u64 {
+        let outside = self.left - tag.length.min(self.left);
+        self.left -= outside;
+        outside
+    }
+
+    /// Leaves a matrix, whatever of it was not read.
+    pub fn leave(&mut self, tag: &Tag, outside: u64) -> Result<(), Damage> {
+        self.skip_rest()?;
+        self.left = outside;
+        self.pad(tag)
+    }
+
+    /// Leaves out what is left.
+    pub fn skip_rest(&mut self) -> Result<(), Damage> {
+        self.skip(self.left)
+    }
+
+    /// True where so many elements may follow, each of eight bytes or more.
+    pub fn may_hold(&self, elements: u64) -> bool {
+        elements.checked_mul(8).is_some_and(|bytes| bytes <= self.left)
+    }
+
+    fn pad(&mut self, tag: &Tag) -> Result<(), Damage> {
+        let padding = if tag.small.is_some() { 0 } else { tag.length.next_multiple_of(8) - tag.length };
+        self.skip(padding.min(self.left))
+    }
+
+    fn skip(&mut self, bytes: u64) -> Result<(), Damage> {
+        let skipped = io::copy(&mut self.source.take(bytes), &mut io::sink()).map_err(Damage::cut)?;
+        self.left = self.left.saturating_sub(bytes);
+        if skipped < bytes { Err(Damage::cut(io::ErrorKind::UnexpectedEof.into())) } else { Ok(()) }
+    }
+
+    fn exact(&mut self, bytes: &mut [u8]) -> Result<(), Damage> {
+        let due = bytes.len() as u64;
+        if due > self.left {
+            return Err(outside(due, self.left));
+        }
+        self.source.read_exact(bytes).map_err(Damage::cut)?;
+        self.left -= due;
+        Ok(())
+    }
+}
+
+fn outside(due: u64, left: u64) -> Damage {
+    Damage::new(format!("{due} bytes are due inside an array that ends after {left}: was the file cut?"))
+}

@@ -1,0 +1,206 @@
+//! TDMS of LabVIEW and DIAdem: channels in groups, in any number of segments.
+//!
+//! Source: National Instruments, "TDMS File Format Internal Structure". Raw data of DAQmx and texts among the channels are left out. The crates
+//! for the format hold a file whole.
+mod objects;
+
+use std::collections::HashMap;
+use std::fs::File;
+use std::io::{BufReader, Read, Seek as _, SeekFrom};
+use std::path::Path as FilePath;
+
+use super::arrays::{Array, Path, Tree, into_found};
+use super::contents::Found;
+use super::error::Damage;
+use super::numbers::Numbers;
+use super::scalar::Scalar;
+use super::shelf::Shelf;
+use crate::recording::{Finding, FindingKind, PIECE, Place, Series};
+use objects::{Metadata, Object, Stored};
+
+pub(super) const BEGIN: &[u8] = b"TDSm";
+/// Bytes before the metadata of a segment.
+const LEAD_IN: u64 = 28;
+/// Marks of a segment.
+const HAS_METADATA: u32 = 1 << 1;
+const IS_NEW_LIST: u32 = 1 << 2;
+const HAS_DATA: u32 = 1 << 3;
+const IS_INTERLEAVED: u32 = 1 << 5;
+const IS_BIG_ENDIAN: u32 = 1 << 6;
+/// The length of a segment that was not closed.
+const OPEN: u64 = u64::MAX;
+
+/// A file that is read segment by segment.
+struct Reader<'a> {
+    source: BufReader<File>,
+    size: u64,
+    metadata: Metadata,
+    /// Numbers of each channel, real and imaginary parts.
+    channels: HashMap<usize, [Numbers; 2]>,
+    shelf: &'a Shelf,
+    findings: Vec<Finding>,
+}
+
+pub(super) fn read(path: &FilePath, shelf: &Shelf) -> Result<Found, Damage> {
+    let file = File::open(path).map_err(Damage::cut)?;
+    let size = file.metadata().map_err(Damage::cut)?.len();
+    let source = BufReader::with_capacity(1 << 16, file);
+    let mut reader = Reader { source, size, metadata: Metadata::default(), channels: HashMap::new(), shelf, findings: Vec::new() };
+    let mut at = 0;
+    while at < size {
+        at = reader.segment(at).map_err(|damage| damage.at_byte(at))?;
+    }
+    into_found(reader.into_tree()?)
+}
+
+impl Reader<'_> {
+    /// Reads the segment that begins there; gives where the next one does.
+    fn segment(&mut self, at: u64) -> Result<u64, Damage> {
+        self.source.seek(SeekFrom::Start(at)).map_err(Damage::cut)?;
+        let mut lead = [0; LEAD_IN as usize];
+        self.source.read_exact(&mut lead).map_err(Damage::cut)?;
+        if !lead.starts_with(BEGIN) {
+            return Err(Damage::new(format!(
+                "a segment is due, which begins with TDSm, not with {:?}",
+                String::from_utf8_lossy(&lead[..4])
+            )));
+        }
+        let word = |from: usize| u64::from_le_bytes(std::array::from_fn(|k| lead[from + k]));
+        let (marks, next, data) = (word(4) as u32, word(12), word(20));
+        let left = self.size - at - LEAD_IN;
+        let length = if next == OPEN { left } else { next };
+        if length > left || data > length && data != OPEN {
+            return Err(Damage::new(format!(
+                "a segment of {length} bytes with data from {data} on is due, {left} bytes follow: was the file cut?"
+            )));
+        }
+        let little_endian = marks & IS_BIG_ENDIAN == 0;
+        if marks & HAS_METADATA != 0 {
+            let bytes = data.min(length);
+            let mut source = (&mut self.source).take(bytes);
+            self.metadata.read(&mut source, little_endian, marks & IS_NEW_LIST != 0)?;
+        }
+        if next == OPEN {
+            let about = "the last segment was not closed: the program that wrote it ended early; what is there is read".to_owned();
+            self.findings.push(Finding::new(FindingKind::HeaderDisagrees, 1, Some(Place::Byte(at as usize)), about));
+        }
+        if marks & HAS_DATA != 0 && data < length {
+            self.source.seek(SeekFrom::Start(at + LEAD_IN + data)).map_err(Damage::cut)?;
+            self.data(length - data, marks & IS_INTERLEAVED != 0, little_endian)?;
+        }
+        Ok(at + LEAD_IN + length)
+    }
+
+    /// Chunks of so many numbers of each channel, one after the other.
+    fn data(&mut self, bytes: u64, interleaved: bool, little_endian: bool) -> Result<(), Damage> {
+        let active = self.metadata.active.clone();
+        let chunk: Option<u64> = active.iter().try_fold(0_u64, |sum, (_, stored)| sum.checked_add(stored.bytes()?));
+        let Some(chunk) = chunk.filter(|chunk| *chunk > 0) else { return Ok(()) };
+        if interleaved {
+            return self.interleaved(&active, bytes, little_endian);
+        }
+        let mut left = bytes;
+        while left > 0 {
+            // The last chunk of an open segment may be cut, between its channels or inside one.
+            let mut of_chunk = left.min(chunk);
+            left -= of_chunk;
+            for (channel, stored) in &active {
+                let due = stored.bytes().unwrap_or(0);
+                let there = due.min(of_chunk);
+                of_chunk -= there;
+                self.numbers(*channel, *stored, there, little_endian)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Numbers of a channel in so many bytes.
+    fn numbers(&mut self, channel: usize, stored: Stored, bytes: u64, little_endian: bool) -> Result<(), Damage> {
+        let Some((scalar, parts)) = stored.scalar(little_endian) else {
+            std::io::copy(&mut (&mut self.source).take(bytes), &mut std::io::sink()).map_err(Damage::cut)?;
+            return Ok(());
+        };
+        let width = scalar.size as u64 * parts as u64;
+        let shelf = self.shelf;
+        let numbers = self.channels.entry(channel).or_insert_with(|| [shelf.column(), shelf.column()]);
+        // Times put the seconds first where the highest byte stands first.
+        let mut part = usize::from(stored.is_time() && !little_endian);
+        scalar.each(&mut self.source, bytes / width * parts as u64, |x| {
+            let pushed = numbers[part].push(x);
+            part = (part + 1) % parts;
+            pushed
+        })?;
+        std::io::copy(&mut (&mut self.source).take(bytes % width), &mut std::io::sink()).map_err(Damage::cut)?;
+        Ok(())
+    }
+
+    /// One number of each channel by turns.
+    fn interleaved(&mut self, active: &[(usize, Stored)], bytes: u64, little_endian: bool) -> Result<(), Damage> {
+        let scalars: Vec<Option<(Scalar, usize)>> = active.iter().map(|(_, stored)| stored.scalar(little_endian)).collect();
+        let row: u64 = scalars.iter().flatten().map(|(scalar, parts)| (scalar.size * parts) as u64).sum();
+        if row == 0 || scalars.contains(&None) {
+            return Err(Damage::new("channels of numbers by turns with others than numbers; save it again in DIAdem or LabVIEW"));
+        }
+        for _ in 0..bytes / row {
+            for (channel, stored) in active {
+                let width = stored.scalar(little_endian).map_or(0, |(scalar, parts)| (scalar.size * parts) as u64);
+                self.numbers(*channel, *stored, width, little_endian)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Channels with their properties.
+    fn into_tree(mut self) -> Result<Tree, Damage> {
+        let mut tree = Tree::default();
+        tree.findings.append(&mut self.findings);
+        let groups: std::collections::BTreeSet<&str> =
+            self.metadata.objects.iter().filter_map(|object| object.names.first().map(String::as_str)).collect();
+        let one_group = groups.len() < 2;
+        for (number, object) in self.metadata.objects.iter().enumerate() {
+            let names = if one_group { object.names.get(1..).unwrap_or_default() } else { &object.names };
+            let path = Path(names.to_vec());
+            properties(object, &path, self.shelf, &mut tree)?;
+            let Some([real, imaginary]) = self.channels.remove(&number) else {
+                if let Some(why) = object.left_out {
+                    tree.skip(format!("{path} was left out: {why}"));
+                }
+                continue;
+            };
+            let unit = object.texts.iter().find(|(name, _)| name == "unit_string").map_or_else(String::new, |(_, unit)| unit.clone());
+            let (real, unit, imaginary) = if object.is_time {
+                (since_the_first(&real, &imaginary, self.shelf)?, "s".to_owned(), None)
+            } else {
+                (real, unit, (imaginary.count() > 0).then(|| vec![imaginary]))
+            };
+            tree.arrays.push(Array { path, unit, series: vec![real], imaginary, labels: Vec::new() });
+        }
+        Ok(tree)
+    }
+}
+
+/// Times of a day, in parts of a second of 2^-64 s and seconds, as seconds since the first one.
+fn since_the_first(parts: &Numbers, seconds: &Numbers, shelf: &Shelf) -> std::io::Result<Numbers> {
+    let mut since = shelf.column();
+    let first = (parts.ends()?.map_or(0.0, |(first, _)| first), seconds.ends()?.map_or(0.0, |(first, _)| first));
+    for index in 0..seconds.count().div_ceil(PIECE) {
+        let (parts, seconds) = (parts.piece(index)?, seconds.piece(index)?);
+        for (part, second) in parts.iter().zip(seconds.iter()) {
+            since.push((second - first.1) + (part - first.0) / 2_f64.powi(64))?;
+        }
+    }
+    Ok(since)
+}
+
+/// Numbers and texts that stand as properties of an object.
+fn properties(object: &Object, path: &Path, shelf: &Shelf, tree: &mut Tree) -> Result<(), Damage> {
+    for (name, number) in &object.numbers {
+        let mut numbers = shelf.column();
+        numbers.push(*number)?;
+        tree.arrays.push(Array { path: path.to(name), unit: String::new(), series: vec![numbers], imaginary: None, labels: Vec::new() });
+    }
+    for (name, text) in &object.texts {
+        tree.text(&path.to(name), vec![text.clone()]);
+    }
+    Ok(())
+}

@@ -1,0 +1,132 @@
+//! WAV: samples of sound cards and acoustic analysers, whole numbers or floating point, any number of channels.
+//!
+//! Source: IBM and Microsoft, "Multimedia Programming Interface and Data Specifications 1.0", 1991; EBU Tech 3306 for files beyond 4 GiB (RF64).
+//! The crate `hound` does not read 64-bit samples, which SciPy writes.
+
+use std::fs::File;
+use std::io::{self, BufReader, Read, Seek as _, SeekFrom};
+use std::path::Path;
+
+use super::contents::Found;
+use super::error::Damage;
+use super::raw::{Column, Raw, Stamps};
+use super::scalar::{Kind, Scalar};
+use super::shelf::Shelf;
+use crate::recording::{Finding, FindingKind, Over, Place};
+
+/// Kinds of samples: whole numbers, floating point, and one of both that stands further behind.
+const WHOLE: u16 = 1;
+const FLOAT: u16 = 3;
+const EXTENDED: u16 = 0xfffe;
+/// Bytes of the description of samples that are read.
+const FORMAT: usize = 40;
+
+/// How samples are stored.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Format {
+    scalar: Scalar,
+    channels: u16,
+    rate_hz: u32,
+    /// What stands for 0.
+    zero: f64,
+}
+
+pub(super) fn begins(head: &[u8]) -> bool {
+    (head.starts_with(b"RIFF") || head.starts_with(b"RF64")) && head.get(8..12) == Some(b"WAVE")
+}
+
+pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
+    let file = File::open(path).map_err(Damage::cut)?;
+    let size = file.metadata().map_err(Damage::cut)?.len();
+    let mut source = BufReader::with_capacity(1 << 16, file);
+    source.seek(SeekFrom::Start(12)).map_err(Damage::cut)?;
+    let (mut at, mut format, mut long) = (12_u64, None, None);
+    loop {
+        let mut head = [0; 8];
+        source.read_exact(&mut head).map_err(|fault| Damage::cut(fault).at_byte(at))?;
+        let [a, b, c, d, lengths @ ..] = head;
+        let length = u64::from(u32::from_le_bytes(lengths));
+        at += 8;
+        match &[a, b, c, d] {
+            b"ds64" => {
+                let mut sizes = [0; 16];
+                source.read_exact(&mut sizes).map_err(|fault| Damage::cut(fault).at_byte(at))?;
+                long = sizes.last_chunk::<8>().map(|bytes| u64::from_le_bytes(*bytes));
+            }
+            b"fmt " => format = Some(Format::read(&mut source, length).map_err(|damage| damage.at_byte(at))?),
+            b"data" => {
+                let Some(format) = format else {
+                    return Err(Damage::new("no description of the samples stands before them").at_byte(at));
+                };
+                let length = if length == u64::from(u32::MAX) { long.unwrap_or(length) } else { length };
+                return samples(&mut source, format, length, size - at, at, shelf);
+            }
+            _ => {}
+        }
+        at = at.saturating_add(length.next_multiple_of(2));
+        source.seek(SeekFrom::Start(at)).map_err(|fault| Damage::cut(fault).at_byte(at))?;
+    }
+}
+
+impl Format {
+    fn read(source: &mut impl Read, length: u64) -> Result<Self, Damage> {
+        let mut bytes = Vec::new();
+        source.take(length.min(FORMAT as u64)).read_to_end(&mut bytes).map_err(Damage::cut)?;
+        if bytes.len() < 16 {
+            return Err(Damage::new("the description of the samples is not whole: was the file cut?"));
+        }
+        let half = |at: usize| u16::from_le_bytes([bytes[at], bytes[at + 1]]);
+        let code = if half(0) == EXTENDED && bytes.len() >= 26 { half(24) } else { half(0) };
+        let (channels, rate_hz) = (half(2), u32::from_le_bytes([bytes[4], bytes[5], bytes[6], bytes[7]]));
+        let (block, bits) = (half(12), half(14));
+        let size = usize::from(block).checked_div(usize::from(channels)).unwrap_or_default();
+        let kind = match code {
+            WHOLE if size == 1 => Some(Kind::Unsigned),
+            WHOLE => Some(Kind::Signed),
+            FLOAT => Some(Kind::Float),
+            _ => None,
+        };
+        let scalar = kind.and_then(|kind| Scalar::new(kind, size, true));
+        match scalar {
+            Some(scalar) if channels > 0 && rate_hz > 0 && size * usize::from(channels) == usize::from(block) => {
+                Ok(Self { scalar, channels, rate_hz, zero: if size == 1 { 128.0 } else { 0.0 } })
+            }
+            _ => Err(Damage::new(format!(
+                "{channels} channels of {bits} bits of kind {code} at {rate_hz} Hz: whole numbers of 8 to 64 bits and floating point of 32 and 64 \
+                 bits can be read; save it as one of these, for example with Audacity"
+            ))),
+        }
+    }
+}
+
+/// The samples of all channels by turns.
+fn samples(source: &mut impl Read, format: Format, length: u64, left: u64, at: u64, shelf: &Shelf) -> Result<Found, Damage> {
+    let channels = u64::from(format.channels);
+    let block = format.scalar.size as u64 * channels;
+    let mut findings = Vec::new();
+    let there = length.min(left) / block;
+    // Recorders that were switched off leave a length of 0 or of everything.
+    if length > left && length < u64::from(u32::MAX) - 1024 {
+        let why = format!("{length} bytes of samples are due, {left} follow: was the file cut?");
+        return Err(Damage::new(why).at_byte(at));
+    }
+    let there = if length == 0 { left / block } else { there };
+    if length == 0 || length > left {
+        let about = format!("the header tells no length; all {there} samples up to the end of the file are taken");
+        let place = Place::Byte(usize::try_from(at).unwrap_or(usize::MAX));
+        findings.push(Finding::new(FindingKind::HeaderDisagrees, 1, Some(place), about));
+    }
+    let mut series: Vec<_> = (0..channels).map(|_| shelf.column()).collect();
+    if !series.iter_mut().all(|numbers| usize::try_from(there).is_ok_and(|there| numbers.expect(there))) {
+        return Err(Damage::new(format!("{there} samples of {channels} channels do not fit into memory")));
+    }
+    let mut channel = 0;
+    format.scalar.each(source as &mut dyn Read, there * channels, |x| {
+        let numbers: io::Result<()> = series[channel].push(x - format.zero);
+        channel = (channel + 1) % series.len();
+        numbers
+    })?;
+    let columns = series.into_iter().enumerate().map(|(k, values)| Column::new(&format!("channel {}", k + 1), "", values)).collect();
+    let stamps = Stamps::Even { start: 0.0, step: 1.0 / f64::from(format.rate_hz) };
+    Ok(Raw { title: String::new(), over: Over::Time, stamps, columns, findings }.into())
+}

@@ -1,0 +1,153 @@
+"""Arrays that carry names, units and times: xarray, pandas, histories. Each becomes time series in the form of SEP005."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import product
+from typing import Any
+
+import numpy as np
+
+from .errors import ArgumentError
+from .quantity import is_quantity, unit_of
+from .result import Floats
+
+#: Names of a coordinate, an index or a column that holds times or frequencies, in small letters.
+_TIMES = ("time", "t", "time_s", "times", "seconds", "timestamp", "cycle_time")
+_FREQUENCIES = ("frequency", "f", "freq", "frequency_hz", "frequencies")
+#: Seconds and hertz in the units that coordinates are written in.
+_TO_SI = {"s": 1.0, "sec": 1.0, "second": 1.0, "seconds": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "min": 60.0, "h": 3600.0}
+_TO_SI |= {"hz": 1.0, "khz": 1e3, "mhz": 1e6}
+
+
+def series_of(values: Any) -> list[Mapping[str, Any]] | None:
+    """The channels of labelled arrays; ``None`` for what carries no labels. Frequencies stand under ``frequency``."""
+    if hasattr(values, "to_sep005"):
+        return list(values.to_sep005())
+    kind = f"{type(values).__module__.partition('.')[0]}.{type(values).__name__}"
+    if kind == "xarray.DataArray":
+        return list(_of_array(values.name or "signal", values))
+    if kind == "xarray.Dataset":
+        return _of_dataset(values)
+    if kind == "pandas.Series":
+        return [_of_column(str(values.name or "signal"), values, _text(values.attrs.get("units")), _of_index(values.index))]
+    if kind == "pandas.DataFrame":
+        return _of_frame(values)
+    return None
+
+
+def _of_dataset(dataset: Any) -> list[Mapping[str, Any]]:
+    """The variables of a dataset that lie along time, or along frequency where none does."""
+    along = [name for name in dataset.dims if str(name).lower() in _TIMES[:-1]]
+    along = along or [name for name in dataset.dims if _axis(name, dataset) is not None] or list(dataset.dims)[:1]
+    variables = {str(name): one for name, one in dataset.data_vars.items() if along and along[0] in one.dims and one.dtype.kind in "biufc"}
+    found: list[Mapping[str, Any]] = []
+    for name, one in variables.items():
+        stem, part = name[:-3], name[-3:]
+        if part == "_im" and f"{stem}_re" in variables:
+            continue
+        if part == "_re" and f"{stem}_im" in variables:
+            one = (one + 1j * variables[f"{stem}_im"]).assign_attrs(one.attrs)
+            name = stem
+        found += _of_array(name, one, along[0])
+    if not found:
+        raise ArgumentError(f"no variable of the dataset lies along a time or a frequency; it has {', '.join(map(str, dataset.variables))}")
+    return found
+
+
+def _of_array(name: Any, array: Any, along: Any = None) -> Iterator[Mapping[str, Any]]:
+    """A channel for each place along the other dimensions, ``tip.voltage``."""
+    if along is None:
+        named = [dim for dim in array.dims if _axis(dim, array) is not None]
+        along = (named or list(array.dims) or [None])[0]
+    others = [dim for dim in array.dims if dim != along]
+    clock = _clock(along, array.coords[along]) if along in array.coords else {}
+    for place in product(*(range(array.sizes[dim]) for dim in others)):
+        at = dict(zip(others, place))
+        labels = [str(array.coords[dim].values[k]) if dim in array.coords else str(k + 1) for dim, k in at.items()]
+        yield {"name": ".".join([*labels, str(name)]), "data": array.isel(at).data, "unit_str": _text(array.attrs.get("units")), **clock}
+
+
+def _axis(dim: Any, array: Any) -> str | None:
+    """``"time"`` or ``"frequency"`` where a dimension is one by its name or the unit of its coordinate."""
+    small = str(dim).lower()
+    unit = _text(array.coords[dim].attrs.get("units")).lower() if dim in array.coords else ""
+    if small in _FREQUENCIES or unit.endswith("hz"):
+        return "frequency"
+    return "time" if small in _TIMES or unit in _TO_SI else None
+
+
+def _clock(name: Any, coordinate: Any) -> dict[str, Floats]:
+    """The times in s, or the frequencies in Hz, of a coordinate."""
+    unit = _text(coordinate.attrs.get("units"))
+    axis = "frequency" if str(name).lower() in _FREQUENCIES or unit.lower().endswith("hz") else "time"
+    return {axis: _places(coordinate.data, unit, str(name))}
+
+
+def _places(values: Any, unit: str, name: str) -> Floats:
+    """Stamps as numbers in s or Hz; dates and times of a day count from the first one."""
+    if is_quantity(values):
+        values, unit = values.to_base_units().magnitude, ""
+    values = np.asarray(values)
+    if values.dtype.kind in "mM":
+        since: Floats = (values - values[:1]) / np.timedelta64(1, "ns") * 1e-9
+        return since
+    factor = _TO_SI.get(unit.lower(), 1.0 if not unit else None)
+    if factor is None:
+        raise ArgumentError(f'{name} is in {unit}, which is no time and no frequency; write it in "s" or "Hz"', {"units": unit})
+    places: Floats = values.astype(np.float64) * factor
+    return places
+
+
+def _of_frame(frame: Any) -> list[Mapping[str, Any]]:
+    """A channel for each column of numbers, over the column or the index that is a time or a frequency."""
+    units = frame.attrs.get("units") or {}
+    if not isinstance(units, Mapping):
+        raise ArgumentError('the units of a DataFrame are a dict by column: frame.attrs["units"] = {"tip": "mV"}', {"units": str(units)})
+    axis = next((name for name in frame.columns if str(name).lower() in (*_TIMES, *_FREQUENCIES)), None)
+    if axis is None:
+        clock = _of_index(frame.index)
+    else:
+        kind = "frequency" if str(axis).lower() in _FREQUENCIES else "time"
+        clock = {kind: _places(frame[axis].to_numpy(), _text(units.get(axis)), str(axis))}
+    rest = [name for name in frame.columns if name != axis and frame[name].dtype.kind in "biufc"]
+    if not rest:
+        raise ArgumentError("the DataFrame has no column of numbers beside its times")
+    return [_of_column(str(name), frame[name], _text(units.get(name)), clock) for name in rest]
+
+
+def _of_column(name: str, column: Any, unit: str, clock: Mapping[str, Floats]) -> Mapping[str, Any]:
+    return {"name": name, "data": column.to_numpy(), "unit_str": unit, **clock}
+
+
+def _of_index(index: Any) -> dict[str, Floats]:
+    """Times of an index; nothing where it only counts the rows."""
+    values = index.to_numpy()
+    small = str(index.name or "").lower()
+    if values.dtype.kind in "mM" or small in _TIMES:
+        return {"time": _places(values, "", small)}
+    if small in _FREQUENCIES:
+        return {"frequency": _places(values, "", small)}
+    if values.dtype.kind == "f":
+        raise ArgumentError('the index of numbers has no name; call it "time" (s) or "frequency" (Hz), or reset it')
+    return {}
+
+
+def _text(unit: Any) -> str:
+    return "" if unit is None or unit == "dimensionless" else str(unit)
+
+
+def agreed(name: Any, values: Any, unit: str) -> str:
+    """The unit of values, which may carry one and may have been given one; both must be the same."""
+    if not is_quantity(values):
+        return unit
+    own = values.units
+    same = not unit
+    if unit:
+        try:
+            same = values._REGISTRY.Unit(unit) == own
+        except Exception:  # A unit of instruments that pint does not know, such as m/s2 or "g" for 9.80665 m/s^2.
+            same = unit == format(own, "~C")
+    if not same:
+        raise ArgumentError(f"{name} is in {own:~}, but {unit} is given for it; give one of them", {"own": f"{own:~}", "given": unit})
+    return unit_of(values)
