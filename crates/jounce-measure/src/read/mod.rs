@@ -17,6 +17,7 @@ mod error;
 mod given;
 mod lvm;
 mod mat;
+mod moment;
 mod name;
 mod notes;
 mod npy;
@@ -29,6 +30,7 @@ mod raw;
 mod shelf;
 mod survey;
 mod text;
+mod time;
 mod uff;
 mod written;
 

@@ -3,6 +3,8 @@
 //! Nothing is repaired in silence: what was converted, missing, clipped or resampled is a [`Finding`] with its count and its first place.
 mod channel;
 mod choose;
+mod corridor;
+mod digits;
 mod even;
 mod finding;
 mod grid;
