@@ -4,6 +4,7 @@ use std::io;
 use std::path::Path;
 
 use super::decibels::Decibels;
+use super::numbers::Numbers;
 use super::raw::{Column, Header, Rate, Raw, SAME_RATE, Stamps};
 use super::survey::{Places, Surveyed, SurveyedChannel};
 use super::time::{self, UntoldUnit, is_counter, is_time_column, time_column};
@@ -26,7 +27,7 @@ pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) 
         raw.over = Over::Frequency;
     }
     let by_column = match &raw.stamps {
-        Stamps::Column | Stamps::Rate(_) => true,
+        Stamps::Column | Stamps::Named | Stamps::Rate(_) => true,
         Stamps::Header(header) => header.stamps.is_none(),
         Stamps::Even { .. } | Stamps::Given(_) => false,
     };
@@ -42,7 +43,9 @@ pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) 
         match no_channel(&column, &said, by_column).map_err(lost)? {
             None => channels.push(settled(column, said, &mut findings)),
             Some(why) if why.is_empty() => {}
-            Some(why) => findings.push(Finding::new(FindingKind::Skipped, 1, None, format!("{why}; the column is no channel")).of(&column.name)),
+            Some(why) => {
+                findings.push(Finding::new(FindingKind::Skipped, 1, None, format!("{why}; the column is no channel")).of(&column.name))
+            }
         }
     }
     if channels.is_empty() && !left_out {
@@ -99,6 +102,7 @@ fn no_channel(column: &Column, said: &ChannelNotes, by_column: bool) -> io::Resu
     Ok(rises.then(|| "it is a time that is not used, since the time comes from elsewhere".to_owned()))
 }
 
+/// Where the samples lie: by stamps, or by the first of the rates that the notes and the file give.
 fn places(
     path: &Path,
     raw: &mut Raw,
@@ -106,62 +110,79 @@ fn places(
     notes: &Notes,
     findings: &mut Vec<Finding>,
 ) -> Result<Places, ReadError> {
-    let fault = |fault| ReadError::Grid { path: path.to_owned(), fault };
-    let even = |start, step, count| Grid::even(start, step, count).map(|_| Places::Even { start, step, count }).map_err(fault);
     let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
     let count = raw.columns.first().map_or(0, |column| column.values.count());
-    let over = raw.over;
     let (rate, start, given) = match std::mem::replace(&mut raw.stamps, Stamps::Column) {
-        Stamps::Even { start, step } => return even(start, step, count),
+        Stamps::Even { start, step } => return even(path, start, step, count),
         Stamps::Given(stamps) => (None, 0.0, Some(stamps)),
-        Stamps::Column => (None, 0.0, None),
+        Stamps::Column | Stamps::Named => (None, 0.0, None),
         Stamps::Rate(rate) => (Some(rate), 0.0, None),
         Stamps::Header(Header { rate, start, stamps }) => (Some(rate), start, stamps),
     };
     let stamps = match (given, time) {
-        (Some(stamps), _) => Some(stamps),
+        (Some(stamps), _) => stamps,
         // A time column is no channel: its numbers may be taken.
         (None, Some((k, said))) => {
-            let named = (over, rate.as_ref(), notes.time.is_some());
+            let named = (raw.over, rate.as_ref(), notes.time.is_some());
             let found = time::seconds(&mut raw.columns[k], said, named, findings).map_err(lost)?;
-            Some(found.map_err(|UntoldUnit { column, step }| ReadError::StampUnit {
+            found.map_err(|UntoldUnit { column, step }| ReadError::StampUnit {
                 path: path.to_owned(),
                 column,
                 step,
                 notes: Notes::path_of(path),
-            })?)
+            })?
         }
-        (None, None) => None,
-    };
-    let differs = |rate_hz: f64, what: &str, used: &str| {
-        let rate = rate.as_ref().filter(|rate| rate.differs_from(rate_hz))?;
-        let about = format!("{} in the file is {} Hz, {what} {rate_hz:.6} Hz; {used} used", rate.told, rate.rate_hz);
-        Some(Finding::new(FindingKind::HeaderDisagrees, 1, None, about))
-    };
-    let Some(stamps) = stamps else {
-        return match (notes.rate_hz, &rate) {
-            (Some(rate_hz), _) => {
-                findings.extend(differs(rate_hz, "the notes say", "the notes are"));
-                even(start, 1.0 / rate_hz, count)
-            }
-            (None, Some(Rate { told, rate_hz })) => {
-                let about = format!("no column is a time; the samples are taken at {rate_hz} Hz from {start} s on, by {told} in the file");
-                findings.push(Finding::new(FindingKind::Assumed, 1, None, about));
-                even(start, 1.0 / rate_hz, count)
-            }
-            (None, None) => {
+        (None, None) => {
+            let Some((step, about)) = told_step(rate.as_ref(), start, notes) else {
                 let columns = raw.columns.iter().filter(|column| column.left_out.is_none()).map(|column| column.name.clone()).collect();
                 let about = time::told(&raw.columns).map_err(lost)?;
-                Err(ReadError::NoTime { path: path.to_owned(), columns, about, notes: Notes::path_of(path) })
-            }
-        };
+                return Err(ReadError::NoTime { path: path.to_owned(), columns, about, notes: Notes::path_of(path) });
+            };
+            findings.extend(about);
+            return even(path, start, step, count);
+        }
     };
+    by_stamps(path, stamps, raw.over, (rate.as_ref(), notes), findings)
+}
+
+fn even(path: &Path, start: f64, step: f64, count: usize) -> Result<Places, ReadError> {
+    let fault = |fault| ReadError::Grid { path: path.to_owned(), fault };
+    Grid::even(start, step, count).map(|_| Places::Even { start, step, count }).map_err(fault)
+}
+
+/// How a rate of the file that differs from another one is told.
+fn differs(rate: Option<&Rate>, rate_hz: f64, what: &str, used: &str) -> Option<Finding> {
+    let rate = rate.filter(|rate| rate.differs_from(rate_hz))?;
+    let about = format!("{} in the file is {} Hz, {what} {rate_hz:.6} Hz; {used} used", rate.told, rate.rate_hz);
+    Some(Finding::new(FindingKind::HeaderDisagrees, 1, None, about))
+}
+
+/// The step that the notes or else the file give where no column is a time, and what is said of it.
+fn told_step(rate: Option<&Rate>, start: f64, notes: &Notes) -> Option<(f64, Option<Finding>)> {
+    if let Some(rate_hz) = notes.rate_hz {
+        return Some((1.0 / rate_hz, differs(rate, rate_hz, "the notes say", "the notes are")));
+    }
+    let Rate { told, rate_hz } = rate?;
+    let about = format!("no column is a time; the samples are taken at {rate_hz} Hz from {start} s on, by {told} in the file");
+    Some((1.0 / rate_hz, Some(Finding::new(FindingKind::Assumed, 1, None, about))))
+}
+
+/// The places of stamps, in s or Hz, beside a rate of the file and the notes.
+fn by_stamps(
+    path: &Path,
+    stamps: Numbers,
+    over: Over,
+    (rate, notes): (Option<&Rate>, &Notes),
+    findings: &mut Vec<Finding>,
+) -> Result<Places, ReadError> {
+    let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
+    let fault = |fault| ReadError::Grid { path: path.to_owned(), fault };
     let unit = if over == Over::Time { "s" } else { "Hz" };
-    let told = notes.rate_hz.or(rate.as_ref().map(|rate| rate.rate_hz)).map(|rate_hz| 1.0 / rate_hz);
-    let (rate, places) = match Stamped::of(&stamps, told, unit).map_err(lost)?.map_err(fault)? {
+    let told = notes.rate_hz.or(rate.map(|rate| rate.rate_hz)).map(|rate_hz| 1.0 / rate_hz);
+    let (found, places) = match Stamped::of(&stamps, told, unit).map_err(lost)?.map_err(fault)? {
         Stamped::Even { start, step, noticed } => {
             findings.extend(noticed);
-            (1.0 / step, even(start, step, stamps.count())?)
+            (1.0 / step, even(path, start, step, stamps.count())?)
         }
         Stamped::Uneven(odd) => {
             findings.extend(odd);
@@ -169,9 +190,9 @@ fn places(
             (rate, Places::Stamped { stamps, rate })
         }
     };
-    findings.extend(differs(rate, "the stamps say", "the stamps are"));
-    if let Some(rate_hz) = notes.rate_hz.filter(|rate_hz| (rate_hz / rate - 1.0).abs() > SAME_RATE) {
-        let about = format!("the notes say {rate_hz} Hz, the stamps {rate:.6} Hz; the stamps are used");
+    findings.extend(differs(rate, found, "the stamps say", "the stamps are"));
+    if let Some(rate_hz) = notes.rate_hz.filter(|rate_hz| (rate_hz / found - 1.0).abs() > SAME_RATE) {
+        let about = format!("the notes say {rate_hz} Hz, the stamps {found:.6} Hz; the stamps are used");
         findings.push(Finding::new(FindingKind::HeaderDisagrees, 1, None, about));
     }
     Ok(places)

@@ -39,6 +39,9 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     Ok(Found { sets, shapes: Vec::new(), findings })
 }
 
+/// Channels with the numbers of their columns.
+type Members = Vec<(usize, Column)>;
+
 /// What the two headers say.
 struct Header {
     layout: Layout,
@@ -106,7 +109,7 @@ impl Header {
             let why = format!("{rows} rows of {channels} channels follow; at least two rows of one are due");
             return Err(Damage::at(Place::Line(self.layout.skip), why));
         }
-        let mut groups: Vec<(Option<Numbers>, Vec<(usize, Column)>)> = vec![(None, Vec::new())];
+        let mut groups: Vec<(Option<Numbers>, Members)> = vec![(None, Vec::new())];
         for (k, mut column) in columns.into_iter().enumerate() {
             match column.name.as_str() {
                 X_VALUE => groups.push((Some(column.values), Vec::new())),
@@ -119,7 +122,7 @@ impl Header {
                 }
             }
         }
-        let mut sets: Vec<(Option<Numbers>, Vec<(usize, Column)>)> = Vec::new();
+        let mut sets: Vec<(Option<Numbers>, Members)> = Vec::new();
         for (x, members) in groups.into_iter().filter(|(_, members)| !members.is_empty()) {
             let mut same = None;
             for (at, (other, _)) in sets.iter().enumerate() {
@@ -144,7 +147,7 @@ impl Header {
     }
 
     /// Channels over one column of times.
-    fn set(&self, x: Option<Numbers>, members: Vec<(usize, Column)>, mut findings: Vec<Finding>, shelf: &Shelf) -> Result<Raw, Damage> {
+    fn set(&self, x: Option<Numbers>, members: Members, mut findings: Vec<Finding>, shelf: &Shelf) -> Result<Raw, Damage> {
         let first = members.first().map_or(1, |(k, _)| *k);
         let (x, members) = ended(x, members, shelf)?;
         let rows = members.first().map_or(0, |(_, column)| column.values.count());
@@ -182,7 +185,7 @@ impl Header {
         Ok(Raw { title: String::new(), over, stamps, columns, findings })
     }
 
-/// A step of the header that is not that of the stamps.
+    /// A step of the header that is not that of the stamps.
     fn rescaled(&self, told: f64, count: usize, ends: Option<(f64, f64)>) -> Option<Finding> {
         let (first, last) = ends?;
         let step = (last - first) / (count - 1) as f64;
@@ -216,8 +219,7 @@ fn is_whole(x: &Numbers) -> Result<bool, Damage> {
 }
 
 /// Channels up to the row where their column of times ends: a channel may be shorter than those beside it.
-#[allow(clippy::type_complexity, reason = "what comes in goes out")]
-fn ended(x: Option<Numbers>, members: Vec<(usize, Column)>, shelf: &Shelf) -> Result<(Option<Numbers>, Vec<(usize, Column)>), Damage> {
+fn ended(x: Option<Numbers>, members: Members, shelf: &Shelf) -> Result<(Option<Numbers>, Members), Damage> {
     let Some(times) = x else { return Ok((None, members)) };
     let (mut number, mut last) = (0, 0);
     times.each(|t| {

@@ -32,6 +32,7 @@ mod survey;
 mod text;
 mod time;
 mod uff;
+mod verdict;
 mod written;
 
 pub use contents::{Contents, ModeShape, file, record, survey, survey_record};

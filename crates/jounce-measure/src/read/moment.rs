@@ -188,7 +188,21 @@ mod tests {
         assert_eq!(Moment::read("07:01.25"), at(false, 421 * SECOND + 250_000_000));
         assert_eq!(Moment::read("12:00:00 AM"), at(false, 0));
         assert_eq!(Moment::read("2024-03-05"), at(true, day));
-        for text in ["", "12:00", "1.2.3", "1-2", "2024-13-05", "2024-02-30 1:02:03", "14:07:61.0", "14:77:01.0", "1:2:3:4:5", "5/6/7", "::", "9:9:9x", "1-2-3-4"] {
+        for text in [
+            "",
+            "12:00",
+            "1.2.3",
+            "1-2",
+            "2024-13-05",
+            "2024-02-30 1:02:03",
+            "14:07:61.0",
+            "14:77:01.0",
+            "1:2:3:4:5",
+            "5/6/7",
+            "::",
+            "9:9:9x",
+            "1-2-3-4",
+        ] {
             assert_eq!(Moment::read(text), None, "{text}");
         }
     }
@@ -197,7 +211,10 @@ mod tests {
     fn a_clock_passes_midnight_and_keeps_its_digits() {
         let read = |text: &str| Moment::read(text).unwrap();
         let mut clock = Clock::from(read("23:59:59.999"));
-        assert_eq!([clock.seconds(read("23:59:59.999")), clock.seconds(read("00:00:00.000")), clock.seconds(read("00:00:00.001"))], [0.0, 0.001, 0.002]);
+        assert_eq!(
+            [clock.seconds(read("23:59:59.999")), clock.seconds(read("00:00:00.000")), clock.seconds(read("00:00:00.001"))],
+            [0.0, 0.001, 0.002]
+        );
         let mut clock = Clock::from(read("2023-12-31T23:59:59.9"));
         assert_eq!(clock.seconds(read("2024-01-01T00:00:00.1")), 0.2);
     }

@@ -141,7 +141,8 @@ pub(super) fn split(head: &str) -> (String, String) {
         return (name.to_owned(), unit.to_owned());
     }
     // `CH1V` of Rigol.
-    let numbered = head.strip_suffix('V').filter(|name| name.starts_with("CH") && name.len() > 2 && name[2..].bytes().all(|b| b.is_ascii_digit()));
+    let numbered =
+        head.strip_suffix('V').filter(|name| name.starts_with("CH") && name.len() > 2 && name[2..].bytes().all(|b| b.is_ascii_digit()));
     if let Some(name) = numbered {
         return (name.to_owned(), "V".to_owned());
     }
@@ -223,7 +224,9 @@ fn bracketed(head: &str, open: char, close: char) -> Option<(&str, &str)> {
 pub(super) fn is_time(name: &str) -> bool {
     let small = name.trim().to_lowercase();
     let whole = ["t", "time", "zeit", "x_value", "timestamp", "uhrzeit", "temps", "elapsed", "datetime", "date time", "date/time"];
-    time_unit(name).is_some() || whole.contains(&small.as_str()) || ["time", "timestamp", "t_", "t ["].iter().any(|start| small.starts_with(start))
+    time_unit(name).is_some()
+        || whole.contains(&small.as_str())
+        || ["time", "timestamp", "t_", "t ["].iter().any(|start| small.starts_with(start))
 }
 
 /// The unit of names that are one: `seconds`, `millis`.

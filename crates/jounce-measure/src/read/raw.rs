@@ -22,8 +22,10 @@ pub(super) enum Stamps {
     Even { start: f64, step: f64 },
     /// By stamps in SI.
     Given(Numbers),
-    /// By one of the columns, or not at all.
+    /// By one of the columns, or not at all; columns have no names of their own, so that a first one that rises evenly may be meant.
     Column,
+    /// By a column whose name or unit says so, or not at all.
+    Named,
     /// By one of the columns, or else by a number that tells the rate.
     Rate(Rate),
     /// By a header with a rate and a start, and by stamps or one of the columns where there are any.

@@ -1,7 +1,8 @@
 //! Which column of a data set holds the time, and in which unit.
 //!
 //! A column is the time where the notes say so, where its name or its unit does, or where it has the step of a rate that is told. A column that only
-//! ascends is none: it may count samples, or hold milliseconds.
+//! ascends is none: it may count samples, or hold milliseconds. Arrays of NPY and MAT have no name for it: there a first one that rises evenly by a
+//! fraction is taken in seconds, and that is told.
 
 use std::borrow::Cow;
 use std::io;
@@ -116,13 +117,20 @@ pub(super) fn time_column(raw: &mut Raw, said: &[ChannelNotes], notes: &Notes) -
         }
     }
     let told = match &raw.stamps {
-        Stamps::Rate(rate) => rate,
-        Stamps::Header(header) => &header.rate,
+        Stamps::Rate(rate) => Some(rate),
+        Stamps::Header(header) => Some(&header.rate),
+        Stamps::Column => None,
         _ => return Ok(None),
     };
     let Some(first) = all().next().filter(|_| raw.columns.len() > 1) else { return Ok(None) };
-    let step = even_step(&raw.columns[first].values)?;
-    Ok(step.filter(|step| !told.differs_from(1.0 / step)).map(|_| first))
+    let values = &raw.columns[first].values;
+    let Some(step) = even_step(values)? else { return Ok(None) };
+    // Arrays cannot name their time: one that rises evenly by a fraction neither counts nor holds whole milliseconds.
+    let may_be = match told {
+        Some(rate) => !rate.differs_from(1.0 / step),
+        None => !is_whole(values)?,
+    };
+    Ok(may_be.then_some(first))
 }
 
 /// The step of a column that ascends evenly.
@@ -199,10 +207,15 @@ pub(super) fn told(columns: &[Column]) -> io::Result<Vec<String>> {
         if is_counter(column)? {
             told.push(format!("{:?} counts", column.name));
         } else if let Some(step) = even_step(&column.values)? {
-            told.push(format!("{:?} rises by {step} and tells no unit of time", column.name));
+            told.push(format!("{:?} rises by {} and tells no unit of time", column.name, short(step)));
         }
     }
     Ok(told)
+}
+
+/// A number without the roundoff behind its ninth digit.
+fn short(step: f64) -> f64 {
+    format!("{step:.8e}").parse().unwrap_or(step)
 }
 
 /// The stamps of a column in s or Hz. Stamps without a unit are seconds where their column's name says that it is a time and they have fractions of one; a
@@ -219,7 +232,10 @@ pub(super) fn seconds(
     let noticed = |kind, about: String| Finding::new(kind, 1, None, about).of(&name);
     let known = |unit: &str| Unit::read(unit).filter(|unit| unit.quantity == due).map(|unit| unit.factor);
     let by_name = || time_unit(&name).filter(|_| over == Over::Time);
-    let (unit, factor) = match known(&told).map(|factor| (told, factor)).or_else(|| by_name().and_then(|unit| Some((unit.to_owned(), known(unit)?)))) {
+    let (unit, factor) = match known(&told)
+        .map(|factor| (told, factor))
+        .or_else(|| by_name().and_then(|unit| Some((unit.to_owned(), known(unit)?))))
+    {
         Some(found) => found,
         None if over == Over::Time && !named => {
             let step = even_step(&column.values)?;
@@ -231,9 +247,11 @@ pub(super) fn seconds(
             } else if said.scale.is_none() && is_whole(&column.values)? {
                 let steps = column.values.ends()?.map_or(f64::NAN, |(first, last)| last - first);
                 let step = step.unwrap_or(steps / (column.values.count().max(2) - 1) as f64);
-                return Ok(Err(UntoldUnit { column: column.name.clone(), step }));
+                return Ok(Err(UntoldUnit { column: column.name.clone(), step: short(step) }));
             } else {
-                findings.push(noticed(FindingKind::Assumed, format!("the stamps tell no unit that is known; {si} is assumed")));
+                let what =
+                    if is_time(&name) { "the stamps tell no unit that is known" } else { "no name and no unit says that this is the time" };
+                findings.push(noticed(FindingKind::Assumed, format!("{what}; {si} is assumed")));
                 (si.to_owned(), 1.0)
             }
         }

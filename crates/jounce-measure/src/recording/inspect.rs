@@ -1,20 +1,14 @@
 //! Looks at the samples of a channel for what instruments do to signals.
 
+use super::flat_tops::{End, FLAT, FlatTops};
 use super::{Channel, Finding, FindingKind, Place, Quantity, Series};
 
 /// Leading or trailing zeros from this many on are padding.
 const PADDING: usize = 10;
-/// Equal samples in a row at an extreme from this many on may be a flat top.
-const FLAT: usize = 3;
-/// Samples at the end of a converter's range from this many on are clipped, each of them apart from its neighbours by more than this share of it.
-const AT_FULL_SCALE: usize = 2;
-const APART: f64 = 0.1;
 /// Bits of converters.
 const BITS: [i32; 4] = [8, 12, 16, 24];
 /// How far a value may lie from a whole number of the smallest steps, in such steps.
 const OFF_CODE: f64 = 1e-6;
-/// A signal that passes from one flat top to the next in fewer samples than this, on average, is a square wave.
-const SQUARE: usize = 2;
 /// Roundoff of a conversion to SI, and 1 g, m/s^2.
 const ROUND: f64 = 1e-12;
 const GRAVITY: f64 = 9.80665;
@@ -60,9 +54,9 @@ pub(crate) fn may_be_counts(quantity: Quantity, complex: bool) -> bool {
 pub(crate) fn inspected<S: Series>(samples: &S, may_be_counts: bool) -> Result<(Vec<Finding>, Sizes), S::Fault> {
     let mut look = Look::default();
     samples.each(|x| look.take(x))?;
-    let ends = [look.low, look.high].map(|value| End { value, is_full_scale: look.is_full_scale(value), ..End::default() });
-    let mut tops = FlatTops { ends, quantum: look.quantum, ..FlatTops::default() };
-    if look.low < look.high && (look.longest >= FLAT || ends.iter().any(|end| end.is_full_scale)) {
+    let ends = [look.low, look.high].map(|value| End::at(value, look.is_full_scale(value)));
+    let mut tops = FlatTops::between(ends, look.quantum);
+    if look.low < look.high && (look.longest >= FLAT || ends.iter().any(End::is_full_scale)) {
         samples.each(|x| tops.take(x))?;
         tops.close(None);
     }
@@ -180,102 +174,23 @@ impl Look {
     /// counts or in the smallest steps of the channel.
     fn is_full_scale(&self, value: f64) -> bool {
         let is_round = |size: f64| size > 1.5 && (size / size.log2().round().exp2() - 1.0).abs() < ROUND;
-        let step = if self.whole { 1.0 } else { self.quantum };
-        let code = (value / step).round();
-        let is_last = |bits: &i32| {
-            let half = f64::from(bits - 1).exp2();
-            [half - 1.0, 2.0 * half - 1.0, -half, 1.0 - half].contains(&code)
+        // The two ends of a range differ by one code; the smallest step from sample to sample is one where the signal is slow.
+        let steps = if self.whole { [1.0; 2] } else { [self.quantum, (self.low + self.high).abs()] };
+        let is_last = |step: &f64| {
+            let code = (value / step).round();
+            let last = |bits: &i32| {
+                let half = f64::from(bits - 1).exp2();
+                [half - 1.0, 2.0 * half - 1.0, -half, 1.0 - half].contains(&code)
+            };
+            (value / step - code).abs() < OFF_CODE && BITS.iter().any(last)
         };
         let by_size = value.abs() == self.peak && (is_round(self.peak) || is_round(self.peak / GRAVITY));
-        by_size || (value / step - code).abs() < OFF_CODE && BITS.iter().any(is_last)
+        by_size || steps.iter().any(is_last)
     }
 
     fn counts(&self) -> Option<Finding> {
         let about = "whole numbers without unit: counts of a converter? give the scale in the notes beside the file";
         (self.whole && self.peak > COUNTS).then(|| Finding::new(FindingKind::RawCounts, self.number, None, about.to_owned()))
-    }
-}
-
-/// One end of the range of a channel.
-#[derive(Clone, Copy, Default)]
-struct End {
-    value: f64,
-    /// True where a converter ends there too.
-    is_full_scale: bool,
-    /// Samples at it, and the first of them.
-    samples: usize,
-    first: Option<usize>,
-    /// True once a flat top was entered or left by a jump.
-    is_flat: bool,
-    /// Samples at it that stand out.
-    strokes: usize,
-}
-
-/// The flat tops of a channel whose range and smallest step are known.
-#[derive(Default)]
-struct FlatTops {
-    ends: [End; 2],
-    quantum: f64,
-    /// Samples so far.
-    number: usize,
-    /// The run of equal samples that lasts: its value, its length, and the sample before it.
-    value: f64,
-    run: usize,
-    before: Option<f64>,
-    /// Flat runs at the ends so far, samples since the last of them, and samples between any two that follow each other.
-    runs: usize,
-    since: usize,
-    between: usize,
-}
-
-impl FlatTops {
-    fn take(&mut self, x: f64) {
-        if self.run > 0 && x != self.value {
-            self.close(Some(x));
-            (self.before, self.run) = (Some(self.value), 0);
-        }
-        self.value = x;
-        self.run += 1;
-        self.number += 1;
-    }
-
-    /// Judges the run that ends before the sample `next`.
-    fn close(&mut self, next: Option<f64>) {
-        let (value, run) = (self.value, self.run);
-        let beside = || [self.before, next].into_iter().flatten();
-        let steep = beside().any(|beside| (value - beside).abs() > 2.0 * self.quantum);
-        let stands_out = beside().all(|beside| (value - beside).abs() > APART * value.abs());
-        let at_end = self.ends.iter_mut().find(|end| end.value == value);
-        let is_long = run >= FLAT && at_end.is_some();
-        if let Some(end) = at_end {
-            end.samples += run;
-            end.first = end.first.or(Some(self.number - run));
-            end.is_flat |= is_long && steep && value != 0.0;
-            end.strokes += if end.is_full_scale && stands_out { run } else { 0 };
-        }
-        if is_long {
-            self.between += if self.runs > 0 { self.since } else { 0 };
-            (self.runs, self.since) = (self.runs + 1, 0);
-        } else {
-            self.since += run;
-        }
-    }
-
-    fn finding(&self) -> Option<Finding> {
-        let is_square = self.runs > 1 && self.between < SQUARE * (self.runs - 1);
-        let clipped = |is: fn(&End) -> bool, about: String| {
-            let ends: Vec<&End> = self.ends.iter().filter(|end| is(end)).collect();
-            let first = ends.iter().filter_map(|end| end.first).min()?;
-            Some(Finding::new(FindingKind::Clipping, ends.iter().map(|end| end.samples).sum(), Some(Place::Sample(first)), about))
-        };
-        let [low, high] = self.ends;
-        if low.is_flat || high.is_flat {
-            let about = format!("flat tops at the ends of the range {} to {}: the signal was clipped", low.value, high.value);
-            return clipped(|end| end.is_flat || end.is_full_scale && end.strokes > 0, about).filter(|_| !is_square);
-        }
-        let full = [low, high].into_iter().find(|end| end.strokes > 0)?;
-        let about = format!("samples are exactly at the end of a range of {}: the signal was probably clipped there", full.value.abs());
-        clipped(|end| end.strokes > 0, about).filter(|_| low.strokes + high.strokes >= AT_FULL_SCALE)
     }
 }
 
@@ -333,7 +248,10 @@ mod tests {
             let values: Vec<f64> = (0..997).map(over).collect();
             let ends = values.iter().filter(|x| **x == -half * scale || **x == (half - 1.0) * scale).count();
             let clipped = found(values);
-            assert!(ends > 100 && clipped.len() == 1 && clipped[0].0 == FindingKind::Clipping && clipped[0].1 == ends, "{bits} bits: {clipped:?}");
+            assert!(
+                ends > 100 && clipped.len() == 1 && clipped[0].0 == FindingKind::Clipping && clipped[0].1 == ends,
+                "{bits} bits: {clipped:?}"
+            );
         }
         let padded = [vec![0.0; 40], sine(1.0, 300), vec![0.0; 3]].concat();
         assert_eq!(found(padded), [(FindingKind::ZeroPadding, 40, Some(Place::Sample(0)))]);

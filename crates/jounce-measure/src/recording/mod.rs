@@ -7,6 +7,7 @@ mod corridor;
 mod digits;
 mod even;
 mod finding;
+mod flat_tops;
 mod grid;
 mod inspect;
 mod quantity;

@@ -46,7 +46,11 @@ impl Stamped {
         if let Some(places) = even_places(stamps, &digits, (start, step), told)? {
             return Ok(Ok(places.stamped(stamps.count(), unit)));
         }
-        Ok(Ok(if off <= ROUNDED { Self::Even { start, step, noticed: Vec::new() } } else { Self::Uneven(oddities(stamps, &digits, unit)?) }))
+        Ok(Ok(if off <= ROUNDED {
+            Self::Even { start, step, noticed: Vec::new() }
+        } else {
+            Self::Uneven(oddities(stamps, &digits, unit)?)
+        }))
     }
 }
 
@@ -285,8 +289,9 @@ fn oddities<S: Series>(stamps: &S, digits: &Digits, unit: &str) -> Result<Vec<Fi
         repeated.add(step == 0.0, sample);
     })?;
     if let Some(Holed { step, missing }) = holed {
-        let about =
-            format!("samples are missing, {missing} in all: a step of up to {longest:.6e} {unit} where {step:.6e} {unit} is usual; all others are even");
+        let about = format!(
+            "samples are missing, {missing} in all: a step of up to {longest:.6e} {unit} where {step:.6e} {unit} is usual; all others are even"
+        );
         return Ok(vec![gaps.finding(FindingKind::Gap, about)]);
     }
     let deviation = (squares / even.max(1) as f64).sqrt();

@@ -7,8 +7,8 @@ use crate::recording::Finding;
 
 /// Words in a line of units that are no units that are known here, in small letters.
 const UNIT_WORDS: [&str; 22] = [
-    "", "-", "none", "unknown", "sequence", "number", "ts", "rn", "a", "ma", "amp", "amps", "ampere", "amperes", "w", "watt", "ohm", "\u{b0}c", "degc",
-    "celsius", "value", "logic",
+    "", "-", "none", "unknown", "sequence", "number", "ts", "rn", "a", "ma", "amp", "amps", "ampere", "amperes", "w", "watt", "ohm",
+    "\u{b0}c", "degc", "celsius", "value", "logic",
 ];
 /// Those that say that there is no unit.
 const NO_UNITS: [&str; 9] = ["-", "none", "unknown", "sequence", "number", "ts", "rn", "value", "logic"];
@@ -39,7 +39,8 @@ impl Head {
 pub(super) fn heads(above: &[&str], used: usize, count: usize, delimiter: Delimiter) -> (Vec<Head>, Vec<Finding>) {
     // A word alone in a line is a title.
     let is_alone = |fields: &[String]| fields.len() > 1 && fields[1..].iter().all(|field| field.trim().is_empty());
-    let is_reduction = |fields: &[String]| fields.iter().all(|field| REDUCTIONS.contains(&field.trim().trim_matches('"').to_lowercase().as_str()));
+    let is_reduction =
+        |fields: &[String]| fields.iter().all(|field| REDUCTIONS.contains(&field.trim().trim_matches('"').to_lowercase().as_str()));
     let fits =
         |fields: &Vec<String>| (used..=count).contains(&fields.len()) && !is_pair(fields) && !is_alone(fields) && !is_reduction(fields);
     let mut rows = above.iter().rev().map(|line| fields_of_head(line, used, count, delimiter)).filter(fits);
@@ -71,12 +72,14 @@ pub(super) fn numbered(first: &str, below: &[&str], delimiter: Delimiter) -> Opt
     let in_order = names[named..].iter().enumerate().all(|(k, name)| *name == (from + k).to_string());
     // A whole number in each column below could be the next row of counters.
     let whole = |field: &String| field.parse::<i64>().is_ok();
-    let rows: Vec<Vec<String>> = below.iter().map(|line| bare(&delimiter.fields(line))).filter(|fields| fields.len() == names.len()).collect();
+    let rows: Vec<Vec<String>> =
+        below.iter().map(|line| bare(&delimiter.fields(line))).filter(|fields| fields.len() == names.len()).collect();
     let differ = !rows.is_empty() && rows.iter().all(|fields| !fields[named..].iter().any(whole));
     if named > 1 || names.len() - named < 2 || !in_order || !differ {
         return None;
     }
-    let head = |(k, name): (usize, &String)| if name.is_empty() { Head::numbered(k) } else { Head { name: name.clone(), ..Head::default() } };
+    let head =
+        |(k, name): (usize, &String)| if name.is_empty() { Head::numbered(k) } else { Head { name: name.clone(), ..Head::default() } };
     Some(names.iter().enumerate().map(head).collect())
 }
 

@@ -67,7 +67,9 @@ impl Layout {
         let used = blank.iter().rposition(|blank| !blank).map_or(count, |last| last + 1);
         let beside = blank.iter().position(|blank| !blank).unwrap_or(0);
         let (mut columns, mut doubts) = heads(&lines[..skip], used, count, delimiter);
-        if let Some(named) = lines.get(skip).and_then(|first| numbered(first, &lines[skip + 1..lines.len().min(skip + 1 + ROWS[0])], delimiter)) {
+        if let Some(named) =
+            lines.get(skip).and_then(|first| numbered(first, &lines[skip + 1..lines.len().min(skip + 1 + ROWS[0])], delimiter))
+        {
             (columns, doubts, skip) = (named, Vec::new(), skip + 1);
         }
         for (k, (head, blank)) in columns.iter_mut().zip(&blank).enumerate() {
@@ -79,17 +81,25 @@ impl Layout {
     }
 }
 
-/// The fields of the lines above the rows, and of those `beside` them, as far as they hold text.
+/// Rows beside which settings may stand.
+const BESIDE: usize = 64;
+
+/// The fields of the lines above the rows, and of those `beside` the first rows.
 fn said(lines: &[&str], skip: usize, beside: usize, delimiter: Delimiter, decimal_comma: bool) -> Vec<Vec<String>> {
-    let fields = |line: &&str| match delimiter {
+    // A single column tells no delimiter; that of the lines above is the one that stands there most often.
+    let written = |byte: &u8| lines[..skip].iter().map(|line| line.bytes().filter(|b| b == byte).count()).sum::<usize>();
+    let single = delimiter != Delimiter::Blanks && lines.get(skip).is_some_and(|row| delimiter.fields(row).len() == 1);
+    let above =
+        [b',', b';', b'\t'].into_iter().max_by_key(written).filter(|byte| single && written(byte) > 0).map_or(delimiter, Delimiter::Byte);
+    let fields = |line: &&str| match above {
         Delimiter::Blanks if line.contains([':', '=']) => vec![(*line).to_owned()],
-        _ => delimiter.fields(line),
+        _ => above.fields(line),
     };
     let beside = |line: &&str| delimiter.fields(line).into_iter().take(beside).collect::<Vec<String>>();
     let has_text = |fields: &Vec<String>| fields.iter().any(|field| !field.trim().is_empty());
     let plain = |fields: Vec<String>| if decimal_comma { fields.iter().map(|field| field.replace(',', ".")).collect() } else { fields };
     let above = lines[..skip].iter().map(fields);
-    above.chain(lines[skip..].iter().map(beside).take_while(has_text)).map(plain).collect()
+    above.chain(lines[skip..].iter().take(BESIDE).map(beside).filter(has_text)).map(plain).collect()
 }
 
 /// First line, number of columns, delimiter and decimal comma that give the most columns.
@@ -155,8 +165,20 @@ mod tests {
             ("t,a\n0,1\n1\n2,3\n3,4\n4,5\n", Delimiter::Byte(b','), false, 1, vec!["t", "a"]),
             ("5\nt a\n0 1\n1 2\n2 3\n", Delimiter::Blanks, false, 2, vec!["t", "a"]),
             ("\"x, y\",b\n1,2\n3,4\n5,6\n", Delimiter::Byte(b','), false, 1, vec!["x, y", "b"]),
-            ("X,CH1,Start,Increment,\nSequence,Volt,-1e-3,1e-4,\n0,1,\n1,2,\n2,3,\n", Delimiter::Byte(b','), false, 2, vec!["X", "CH1|Volt"]),
-            ("Time(s),CH1V,t0 =-1e-3, tInc = 1e-4,\n-1e-3,1,,\n0,2,,\n1e-3,3,,\n", Delimiter::Byte(b','), false, 1, vec!["Time|s", "CH1|V"]),
+            (
+                "X,CH1,Start,Increment,\nSequence,Volt,-1e-3,1e-4,\n0,1,\n1,2,\n2,3,\n",
+                Delimiter::Byte(b','),
+                false,
+                2,
+                vec!["X", "CH1|Volt"],
+            ),
+            (
+                "Time(s),CH1V,t0 =-1e-3, tInc = 1e-4,\n-1e-3,1,,\n0,2,,\n1e-3,3,,\n",
+                Delimiter::Byte(b','),
+                false,
+                1,
+                vec!["Time|s", "CH1|V"],
+            ),
             ("Rate,5,,0,1,\nMode,x,,1,2,\n,,,2,3,\n,,,3,4,\n,,,4,5,\n", Delimiter::Byte(b','), false, 0, vec!["column 4", "column 5"]),
             (",0,1\n0,1.5,2.5\n1,2.5,0.5\n2,3.5,1.5\n", Delimiter::Byte(b','), false, 1, vec!["column 1", "0", "1"]),
             ("1,2\n0.5,1.5\n0.25,2.5\n", Delimiter::Byte(b','), false, 1, vec!["1", "2"]),

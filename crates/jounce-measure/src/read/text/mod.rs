@@ -46,7 +46,7 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     }
     let stamps = match layout.preamble.rate {
         Some(rate) => Stamps::Header(Header { rate, start: layout.preamble.start.unwrap_or(0.0), stamps: None }),
-        None => Stamps::Column,
+        None => Stamps::Named,
     };
     Ok(Raw { stamps, ..Raw::columns(columns, findings) }.into())
 }

@@ -170,7 +170,8 @@ impl Preamble {
         let Some(first) = &preamble.rate else { return preamble };
         let other = steps.iter().chain(&rates).find(|other| other.differs_from(first.rate_hz));
         preamble.doubts.extend(other.map(|other| {
-            let about = format!("{} is a rate of {} Hz, {} one of {} Hz; the first is taken", first.told, first.rate_hz, other.told, other.rate_hz);
+            let about =
+                format!("{} is a rate of {} Hz, {} one of {} Hz; the first is taken", first.told, first.rate_hz, other.told, other.rate_hz);
             Finding::new(FindingKind::HeaderDisagrees, 1, None, about)
         }));
         preamble
@@ -189,7 +190,8 @@ impl Preamble {
             let usable = rate.filter(|(_, rate_hz)| *rate_hz > 0.0 && rate_hz.is_finite());
             rates.extend(usable.map(|(number, rate_hz)| Rate { told: told(number), rate_hz }));
         } else if STARTS.contains(&word) && self.start.is_none() {
-            self.start = number(values, &unit).and_then(|(number, unit)| Some(number * time_factor(&unit)?)).filter(|start| start.is_finite());
+            self.start =
+                number(values, &unit).and_then(|(number, unit)| Some(number * time_factor(&unit)?)).filter(|start| start.is_finite());
         } else if UNITS.contains(&word) && self.units.is_empty() {
             self.units = listed(values);
         } else if TIME_UNITS.contains(&word) {
@@ -213,7 +215,8 @@ fn number(values: &[String], unit: &str) -> Option<(f64, String)> {
     let value = values.first()?.trim().trim_matches('"');
     let value = if value.contains(':') { value.split_whitespace().next()?.rsplit(':').next()? } else { value };
     let longest = (1..=value.len()).rev().filter(|end| value.is_char_boundary(*end));
-    let (number, behind) = longest.map(|end| value.split_at(end)).find_map(|(text, behind)| Some((text.trim().parse::<f64>().ok()?, behind.trim())))?;
+    let (number, behind) =
+        longest.map(|end| value.split_at(end)).find_map(|(text, behind)| Some((text.trim().parse::<f64>().ok()?, behind.trim())))?;
     let next = values.get(1).map(|next| next.trim().trim_matches('"')).filter(|next| next.starts_with(char::is_alphabetic));
     let told = [behind, next.unwrap_or_default(), unit].into_iter().find(|text| !text.is_empty()).unwrap_or_default();
     Some((number, told.to_owned()))
@@ -262,6 +265,7 @@ mod tests {
             ("Sample Interval,Analog:1.0E-09", 1e9, None),
             ("Sampling Period,2.000e-06,", 5e5, None),
             ("XInc:,5e-11\nXOrg:,-2.5e-7", 2e10, Some(-2.5e-7)),
+            ("Start:,0\nXInc:,5e-11\nXOrg:,-2.5e-7", 2e10, Some(-2.5e-7)),
             ("; Samplerate: 1 kHz", 1e3, None),
             ("# Sampling rate = 25.6 kS/s", 25_600.0, None),
             ("Sample Rate(Hz),2048", 2048.0, None),
@@ -276,7 +280,9 @@ mod tests {
             }
             assert_eq!(found.start, start, "{text}");
         }
-        for text in ["Sample Interval,0", "Sample Interval,-1", "Sample Interval,soon", "Sample Rate,5 furlong", "rate,channel", "Time Scale,0.5"] {
+        for text in
+            ["Sample Interval,0", "Sample Interval,-1", "Sample Interval,soon", "Sample Rate,5 furlong", "rate,channel", "Time Scale,0.5"]
+        {
             assert_eq!(read(text).rate, None, "{text}");
         }
         assert_eq!(read("Sample Rate,1000\nSample Interval,0.002").doubts.len(), 1);
@@ -285,7 +291,14 @@ mod tests {
     #[test]
     fn units_and_names_are_listed() {
         let found = read("Vertical Units,CH1:V CH2:mV\nHorizontal Units,S\nSource,CH1,CH2");
-        assert_eq!((found.units, found.time_unit.as_deref(), found.names), (vec!["V".into(), "mV".into()], Some("s"), vec!["CH1".into(), "CH2".into()]));
-        assert!(is_pair(&["Time".into(), "12-Mar-2020 14:25:31".into()]) && !is_pair(&["Time".into(), "Ampl".into()]) && !is_pair(&["CH1".into(), "CH2".into()]));
+        assert_eq!(
+            (found.units, found.time_unit.as_deref(), found.names),
+            (vec!["V".into(), "mV".into()], Some("s"), vec!["CH1".into(), "CH2".into()])
+        );
+        assert!(
+            is_pair(&["Time".into(), "12-Mar-2020 14:25:31".into()])
+                && !is_pair(&["Time".into(), "Ampl".into()])
+                && !is_pair(&["CH1".into(), "CH2".into()])
+        );
     }
 }

@@ -14,10 +14,13 @@ pub(super) fn settle(columns: &mut [Column], layout: &Layout) -> io::Result<()> 
     let mut time = (0..columns.len()).find(|k| columns[*k].left_out.is_none() && is_time_column(&columns[*k]));
     if let (None, Some(rate)) = (time, &preamble.rate) {
         let first = (0..columns.len()).find(|k| columns[*k].left_out.is_none() && columns[*k].values.count() > 0);
-        if let Some(k) = first.filter(|k| unnamed(*k) && columns[*k].unit.is_empty()) {
+        if let Some(k) = first.filter(|k| columns[*k].unit.is_empty()) {
             let is_time = has_step(&columns[k], rate)?;
             if is_time {
-                (columns[k].name, columns[k].unit) = ("Time".to_owned(), "s".to_owned());
+                columns[k].unit = "s".to_owned();
+            }
+            if is_time && unnamed(k) {
+                columns[k].name = "Time".to_owned();
             }
             time = is_time.then_some(k);
         }

@@ -32,7 +32,12 @@ fn rigol() -> Vec<Layout> {
     let counted = rows(|k| format!("{k},{},{},", v(0, k), v(1, k)));
     let lines = rows(|k| format!("{k},{},{},0x{:02x},0x00,", v(0, k), v(1, k), k % 256));
     vec![
-        Layout { program: RIGOL, series: "DS1000D, DS1000E", text: "X,CH1,CH2,\nSecond,Volt,Volt,\n".to_owned() + &table(","), ..Layout::default() },
+        Layout {
+            program: RIGOL,
+            series: "DS1000D, DS1000E",
+            text: "X,CH1,CH2,\nSecond,Volt,Volt,\n".to_owned() + &table(","),
+            ..Layout::default()
+        },
         Layout {
             program: RIGOL,
             series: "DS1000E with screen data",
@@ -87,9 +92,9 @@ fn tektronix() -> Vec<Layout> {
         "Pt Fmt,Y,",
         "Yzero,0.000000e+00,",
         "Probe Atten,1.000000e+01,",
-        "Model Number,TDS2014B",
-        "Serial Number,C000001",
-        "Firmware Version,FV:v22.01",
+        "Model Number,TDS2014B,",
+        "Serial Number,C000001,",
+        "Firmware Version,FV:v22.01,",
     ];
     let quoted = [
         "\"Record Length\",400,\"Points\"",
@@ -120,7 +125,12 @@ fn tektronix() -> Vec<Layout> {
             channels: &[("CH1", "V")],
             ..Layout::default()
         },
-        Layout { program: TEKTRONIX, series: "DPO3000, DPO4000, MDO3000, MDO4000", text: model.to_owned() + &table(""), ..Layout::default() },
+        Layout {
+            program: TEKTRONIX,
+            series: "DPO3000, DPO4000, MDO3000, MDO4000",
+            text: model.to_owned() + &table(""),
+            ..Layout::default()
+        },
         Layout { program: TEKTRONIX, series: "4, 5 and 6 Series MSO", text: newer.to_owned() + &table(""), ..Layout::default() },
         Layout {
             program: TEKTRONIX,
@@ -142,7 +152,8 @@ fn keysight() -> Vec<Layout> {
             program: KEYSIGHT,
             series: "InfiniiVision 2000 X to 6000 X",
             recognised: "rate, start, units; names are numbers",
-            text: "x-axis,1,2\nsecond,Volt,Volt\n".to_owned() + &rows(|k| format!("{:+.8E},{:+.5E},{:+.5E}", scope_time(k), sample(0, k), sample(1, k))),
+            text: "x-axis,1,2\nsecond,Volt,Volt\n".to_owned()
+                + &rows(|k| format!("{:+.8E},{:+.5E},{:+.5E}", scope_time(k), sample(0, k), sample(1, k))),
             channels: &[("1", "V"), ("2", "V")],
             ..Layout::default()
         },
@@ -166,12 +177,7 @@ fn keysight() -> Vec<Layout> {
             channels: &[("CH1", "V")],
             ..Layout::default()
         },
-        Layout {
-            program: KEYSIGHT,
-            series: "BenchVue",
-            text: "Time (s),CH1 (V),CH2 (V)\n".to_owned() + &table(""),
-            ..Layout::default()
-        },
+        Layout { program: KEYSIGHT, series: "BenchVue", text: "Time (s),CH1 (V),CH2 (V)\n".to_owned() + &table(""), ..Layout::default() },
     ]
 }
 
@@ -188,9 +194,24 @@ fn others() -> Vec<Layout> {
     };
     const PICO: &[(&str, &str)] = &[("Channel A", "V"), ("Channel B", "V")];
     vec![
-        Layout { program: "Siglent", series: "SDS1000X-E, SDS2000X, SDS5000X", text: siglent.to_owned() + "Second,Volt,Volt\n" + &table(""), ..Layout::default() },
-        Layout { program: "Siglent", series: "the same with heads `Second,Value`", text: siglent.to_owned() + "Second,Value,Value\n" + &table(""), ..Layout::default() },
-        Layout { program: "Siglent, Atten", series: "SDS1000CNL, ADS1000CL", text: atten.to_owned() + "Second,Volt,Volt\n" + &table(""), ..Layout::default() },
+        Layout {
+            program: "Siglent",
+            series: "SDS1000X-E, SDS2000X, SDS5000X",
+            text: siglent.to_owned() + "Second,Volt,Volt\n" + &table(""),
+            ..Layout::default()
+        },
+        Layout {
+            program: "Siglent",
+            series: "the same with heads `Second,Value`",
+            text: siglent.to_owned() + "Second,Value,Value\n" + &table(""),
+            ..Layout::default()
+        },
+        Layout {
+            program: "Siglent, Atten",
+            series: "SDS1000CNL, ADS1000CL",
+            text: atten.to_owned() + "Second,Volt,Volt\n" + &table(""),
+            ..Layout::default()
+        },
         Layout {
             program: "Teledyne LeCroy",
             series: "WaveSurfer, WaveRunner, HDO: CSV",
@@ -237,8 +258,18 @@ fn others() -> Vec<Layout> {
                 + &rows(|k| format!("{k},{:.7},{:.2},{:.2}", 1e3 * scope_time(k), 1e3 * sample(0, k), 1e3 * sample(1, k))),
             ..Layout::default()
         },
-        Layout { program: "Yokogawa", series: "DLM2000, DL850", text: yokogawa.to_owned() + &rows(|k| format!(",{},{},", v(0, k), v(1, k))), ..Layout::default() },
-        Layout { program: "Rohde & Schwarz", series: "RTB, RTM, RTA", text: "in s,CH1 in V,CH2 in V\n".to_owned() + &table(""), ..Layout::default() },
+        Layout {
+            program: "Yokogawa",
+            series: "DLM2000, DL850",
+            text: yokogawa.to_owned() + &rows(|k| format!(",{},{},", v(0, k), v(1, k))),
+            ..Layout::default()
+        },
+        Layout {
+            program: "Rohde & Schwarz",
+            series: "RTB, RTM, RTA",
+            text: "in s,CH1 in V,CH2 in V\n".to_owned() + &table(""),
+            ..Layout::default()
+        },
         Layout {
             program: "Rohde & Schwarz",
             series: "RTO, RTE: values, the settings in a file of their own",
