@@ -143,7 +143,8 @@ pub(super) fn is_pair(fields: &[String]) -> bool {
     let lists = [&STEPS[..], &RATES, &STARTS, &UNITS, &TIME_UNITS, &OTHERS];
     let is_key = lists.iter().any(|list| list.contains(&name.as_str()));
     // `time,model` is a line of heads; `Time,12-Mar-2020 14:25:31` is none.
-    let is_head = ["time", "rate", "interval", "start", "dt", "count", "label", "points", "samples", "segment"].contains(&name.as_str())
+    let is_head = ["time", "date", "rate", "interval", "start", "dt", "count", "label", "points", "samples", "segment"]
+        .contains(&name.as_str())
         && second.trim().starts_with(char::is_alphabetic);
     // `Frame:,DSO90404A`.
     first.trim().trim_matches('"').ends_with(':') || is_key && !is_head
@@ -189,9 +190,10 @@ impl Preamble {
             let rate = number(values, &unit).and_then(|(number, unit)| Some((number, number * rate_factor(&unit)?)));
             let usable = rate.filter(|(_, rate_hz)| *rate_hz > 0.0 && rate_hz.is_finite());
             rates.extend(usable.map(|(number, rate_hz)| Rate { told: told(number), rate_hz }));
-        } else if STARTS.contains(&word) && self.start.is_none() {
-            self.start =
-                number(values, &unit).and_then(|(number, unit)| Some(number * time_factor(&unit)?)).filter(|start| start.is_finite());
+        } else if STARTS.contains(&word) && (self.start.is_none() || !word.starts_with("start")) {
+            // `Start` may be the number of a point where an origin stands beside it.
+            let start = number(values, &unit).and_then(|(number, unit)| Some(number * time_factor(&unit)?));
+            self.start = start.filter(|start| start.is_finite()).or(self.start);
         } else if UNITS.contains(&word) && self.units.is_empty() {
             self.units = listed(values);
         } else if TIME_UNITS.contains(&word) {
