@@ -162,7 +162,7 @@ impl Header {
         }
         let step = self.number("Delta_X", first).filter(|step| *step > 0.0);
         let start = self.number("X0", first).unwrap_or(0.0);
-        let whole = x.as_ref().map(|x| is_whole(x)).transpose()?.unwrap_or(false);
+        let whole = x.as_ref().map(is_whole).transpose()?.unwrap_or(false);
         let stamps = match (x.filter(|_| self.x_columns != "No" && whole), step) {
             (Some(x), Some(step)) => {
                 findings.extend(self.rescaled(step, x.count(), x.ends()?));

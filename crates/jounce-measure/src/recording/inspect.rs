@@ -211,7 +211,7 @@ mod tests {
 
     #[test]
     fn a_square_wave_and_a_step_are_not_clipped() {
-        let square = |k: u32| if k / 25 % 2 == 0 { 5.0 } else { -5.0 };
+        let square = |k: u32| if (k / 25).is_multiple_of(2) { 5.0 } else { -5.0 };
         assert_eq!(found((0..1000).map(square).collect()), []);
         assert_eq!(found((0..1000).map(|k| if k % 25 == 0 { 0.4 } else { square(k) }).collect()), []);
         assert_eq!(found((0..1000).map(|k| if k < 400 { 1.5 } else { 3.3 }).collect()), []);

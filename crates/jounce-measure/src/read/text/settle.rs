@@ -25,10 +25,8 @@ pub(super) fn settle(columns: &mut [Column], layout: &Layout) -> io::Result<()> 
             time = is_time.then_some(k);
         }
     }
-    if let (Some(k), Some(unit)) = (time, &preamble.time_unit) {
-        if columns[k].unit.is_empty() {
-            columns[k].unit.clone_from(unit);
-        }
+    if let Some((k, unit)) = time.zip(preamble.time_unit.as_ref()).filter(|(k, _)| columns[*k].unit.is_empty()) {
+        columns[k].unit.clone_from(unit);
     }
     let mut channels = Vec::new();
     for (k, column) in columns.iter().enumerate() {
