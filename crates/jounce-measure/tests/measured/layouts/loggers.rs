@@ -123,7 +123,7 @@ fn cards() -> Vec<Layout> {
 fn twelve(k: usize) -> String {
     let text = clock(k);
     let hour: usize = text[..2].parse().unwrap_or(0);
-    format!("{}{} {}", if hour % 12 == 0 { 12 } else { hour % 12 }, &text[2..], if hour < 12 { "AM" } else { "PM" })
+    format!("{}{} {}", (hour + 11) % 12 + 1, &text[2..], if hour < 12 { "AM" } else { "PM" })
 }
 
 /// A LabVIEW measurement whose times have fewer digits than its step.
