@@ -104,6 +104,7 @@ impl Read {
             Column::new("unit", "", "unit of the next columns", text(&|_, c| c.unit.clone())),
             Column::new("rms", "", "rms of the samples that are numbers", number(&|_, c| c.sizes.rms)),
             Column::new("peak", "", "largest size", number(&|_, c| c.sizes.peak)),
+            Column::new("mean", "", "mean of the samples that are numbers", number(&|_, c| c.sizes.mean)),
             Column::new("rate", "", "samples per second, or per hertz", number(&|r, _| r.rate())),
         ])?;
         output::table(folder, "read", &table, &manifest)?;
@@ -157,14 +158,20 @@ fn tell(recording: &Surveyed) {
     let (rate, over) = if recording.over == Over::Time { ("Hz", "over time") } else { ("lines per Hz", "over frequency") };
     line(format!("{}: {} samples {over}, {:.6} {rate}", recording.name, recording.places.count(), recording.rate()));
     for (k, channel) in recording.channels.iter().enumerate() {
-        let Sizes { rms, peak } = channel.sizes;
+        let Sizes { rms, peak, mean } = channel.sizes;
         let unit = if channel.unit.is_empty() { "(no unit)" } else { &channel.unit };
         let kind = if channel.imaginary.is_some() { ", complex" } else { "" };
         let place = format!("{} {}", channel.place, channel.direction);
         let from = if channel.reference.is_empty() { String::new() } else { format!("  from {}", channel.reference) };
-        line(format!("  {:>3}  {}  rms {rms:.5e}, peak {peak:.5e} {unit}{kind}  {}{from}", k + 1, channel.name, place.trim()));
+        line(format!(
+            "  {:>3}  {}  rms {rms:.5e}, peak {peak:.5e}, mean {mean:.5e} {unit}{kind}  {}{from}",
+            k + 1,
+            channel.name,
+            place.trim()
+        ));
     }
     recording.findings.iter().for_each(|finding| line(format!("  ! {finding}")));
+    line(format!("  {}", recording.verdict()));
 }
 
 fn mode_shape(shape: &ModeShape) -> serde_json::Value {
@@ -189,6 +196,7 @@ fn listed(recording: &Surveyed) -> serde_json::Value {
             "complex": channel.imaginary.is_some(),
             "rms": channel.sizes.rms,
             "peak": channel.sizes.peak,
+            "mean": channel.sizes.mean,
         })
     };
     serde_json::json!({
@@ -198,5 +206,6 @@ fn listed(recording: &Surveyed) -> serde_json::Value {
         "rate": recording.rate(),
         "channels": recording.channels.iter().map(channel).collect::<Vec<_>>(),
         "findings": recording.findings,
+        "verdict": recording.verdict(),
     })
 }

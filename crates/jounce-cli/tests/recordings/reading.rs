@@ -13,7 +13,7 @@ fn read_tells_channels_and_findings_and_writes_them() {
     let recording = &json["recordings"][0];
     has(recording, &["name", "over", "samples", "rate", "channels", "findings"]);
     assert_eq!((&recording["samples"], &recording["channels"][0]["unit"]), (&Value::from(10_240), &Value::from("V")));
-    has(&recording["channels"][0], &["name", "quantity", "unit", "place", "direction", "complex", "rms", "peak"]);
+    has(&recording["channels"][0], &["name", "quantity", "unit", "place", "direction", "complex", "rms", "peak", "mean"]);
     written(&folder.path().join("out"), &["read", "read-findings"], &["read-1"]);
     let (_, again, _) = jounce(folder.path(), &["read", "again.uff", "--json"]);
     assert_eq!(again["recordings"][0]["channels"][1]["quantity"], "acceleration");

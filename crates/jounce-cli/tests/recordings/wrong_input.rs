@@ -26,7 +26,7 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
         (vec!["read", "missing.csv"], 4, "missing.csv"),
         (vec!["read", "."], 4, "no file"),
         (vec!["read", "cut.npy"], 4, "NPY"),
-        (vec!["read", "timeless.csv"], 4, "no column ascends"),
+        (vec!["read", "timeless.csv"], 4, "nothing tells when the samples were taken"),
         (vec!["read", "switch.csv", "--to", "a.xlsx"], 4, ".parquet"),
         (vec!["read", "switch.csv", "--out", "/proc/nowhere"], 4, "/proc/nowhere"),
         (vec!["power", "switch.csv"], 2, "--resistance"),

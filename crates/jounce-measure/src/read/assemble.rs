@@ -4,10 +4,10 @@ use std::io;
 use std::path::Path;
 
 use super::decibels::Decibels;
-use super::name::{is_frequency, is_time};
 use super::numbers::Numbers;
-use super::raw::{Column, Rate, Raw, SAME_RATE, Stamps};
+use super::raw::{Column, Header, Rate, Raw, SAME_RATE, Stamps};
 use super::survey::{Places, Surveyed, SurveyedChannel};
+use super::time::{self, UntoldUnit, is_counter, is_time_column, time_column};
 use super::{ChannelNotes, Notes, ReadError};
 use crate::recording::{
     Finding, FindingKind, Grid, Over, Quantity, Series, Sizes, Stamped, Unit, inspected, may_be_counts, sizes_with, usual_step,
@@ -28,17 +28,26 @@ pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) 
     if notes.over_frequency {
         raw.over = Over::Frequency;
     }
-    let time = if let Stamps::Column | Stamps::Rate(_) | Stamps::Of { .. } = raw.stamps {
-        time_column(&mut raw, &said, notes).map_err(lost)?
-    } else {
-        None
+    let by_column = match &raw.stamps {
+        Stamps::Column | Stamps::Named | Stamps::Rate(_) | Stamps::Of { .. } => true,
+        Stamps::Header(header) => header.stamps.is_none(),
+        Stamps::Even { .. } | Stamps::Given(_) => false,
     };
-    let places = places(path, &mut raw, time, notes, columns, &mut findings)?;
+    let time = if by_column { time_column(&mut raw, &said, notes).map_err(lost)? } else { None };
+    let time_said = time.and_then(|k| said.get(k)).cloned().unwrap_or_default();
+    let places = places(path, &mut raw, time.map(|k| (k, &time_said)), notes, &mut findings)?;
     let left_out = said.iter().any(|said| said.left_out);
     let mut channels = Vec::new();
     for (k, (column, said)) in raw.columns.into_iter().zip(said).enumerate() {
-        if Some(k) != time && !said.left_out {
-            channels.push(settled(column, said, &mut findings));
+        if Some(k) == time || said.left_out {
+            continue;
+        }
+        match no_channel(&column, &said, by_column).map_err(lost)? {
+            None => channels.push(settled(column, said, &mut findings)),
+            Some(why) if why.is_empty() => {}
+            Some(why) => {
+                findings.push(Finding::new(FindingKind::Skipped, 1, None, format!("{why}; the column is no channel")).of(&column.name))
+            }
         }
     }
     if channels.is_empty() && !left_out {
@@ -48,6 +57,8 @@ pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) 
         let counts = may_be_counts(channel.quantity, channel.imaginary.is_some());
         let (found, sizes) = inspected(&channel.values, counts).map_err(lost)?;
         findings.extend(found.into_iter().map(|finding| finding.of(&channel.name)));
+        let equal = if sizes.peak > 0.0 { time::equals(&channel.values, &places).map_err(lost)? } else { None };
+        findings.extend(equal.map(|about| Finding::new(FindingKind::EqualsTime, channel.values.count(), None, about).of(&channel.name)));
         channel.sizes = sizes_with(sizes, &channel.values, channel.imaginary.as_ref()).map_err(lost)?;
     }
     Ok(Surveyed { name, over: raw.over, places, channels, findings })
@@ -80,121 +91,114 @@ fn check_notes(path: &Path, notes: &Notes, columns: &[String]) -> Result<(), Rea
     if faults.is_empty() { Ok(()) } else { Err(ReadError::Notes { path: Notes::path_of(path), faults }) }
 }
 
-/// The column that holds the time (or frequency): the one that the notes name, that a name tells, or a first one that ascends evenly.
-fn time_column(raw: &mut Raw, said: &[ChannelNotes], notes: &Notes) -> io::Result<Option<usize>> {
-    if let Some(wanted) = &notes.time {
-        let numbered = || wanted.parse::<usize>().ok().and_then(|number| number.checked_sub(1));
-        return Ok(raw.columns.iter().position(|column| column.name == *wanted).or_else(numbered));
+/// Why a column beside the time is no channel: nobody would take it for one, it counts the samples, or it is a time that is not used. What the notes
+/// speak of is one.
+fn no_channel(column: &Column, said: &ChannelNotes, by_column: bool) -> io::Result<Option<String>> {
+    if column.left_out.is_some() || *said != ChannelNotes::default() || !by_column {
+        return Ok(column.left_out.clone());
     }
-    if notes.rate_hz.is_some() {
-        return Ok(None);
+    if is_counter(column)? {
+        return Ok(Some("it counts the samples".to_owned()));
     }
-    if let Stamps::Of { column, .. } = raw.stamps {
-        return Ok(Some(column));
-    }
-    let name = |k: usize| said[k].name.as_deref().unwrap_or(&raw.columns[k].name);
-    if let Some(k) = (0..raw.columns.len()).find(|k| is_time(name(*k))) {
-        return Ok(Some(k));
-    }
-    if let Some(k) = (0..raw.columns.len()).find(|k| is_frequency(name(*k))) {
-        raw.over = Over::Frequency;
-        return Ok(Some(k));
-    }
-    if raw.columns.len() < 2 {
-        return Ok(None);
-    }
-    let step = even_step(&raw.columns[0].values)?;
-    // Where a number tells the rate, a first column without the name of a time is one only if it has that rate.
-    let fits = |step: &f64| !matches!(&raw.stamps, Stamps::Rate(rate) if rate.differs_from(1.0 / step));
-    Ok(step.filter(fits).map(|_| 0))
+    let rises = is_time_column(column) && time::ascends(&column.values)?;
+    Ok(rises.then(|| "it is a time that is not used, since the time comes from elsewhere".to_owned()))
 }
 
-/// The step of a column that ascends evenly.
-fn even_step(values: &Numbers) -> io::Result<Option<f64>> {
-    let Some((first, last)) = values.ends()? else { return Ok(None) };
-    let step = (last - first) / (values.count().max(2) - 1) as f64;
-    let (mut even, mut k) = (step > 0.0 && values.count() > 2, 0.0);
-    if even {
-        values.each(|t| {
-            even &= ((t - first) / step - k).abs() < 0.5;
-            k += 1.0;
-        })?;
-    }
-    Ok(even.then_some(step))
-}
-
+/// Where the samples lie: by stamps, or by the first of the rates that the notes and the file give.
 fn places(
     path: &Path,
     raw: &mut Raw,
-    time: Option<usize>,
+    time: Option<(usize, &ChannelNotes)>,
     notes: &Notes,
-    columns: Vec<String>,
     findings: &mut Vec<Finding>,
 ) -> Result<Places, ReadError> {
-    let fault = |fault| ReadError::Grid { path: path.to_owned(), fault };
-    let even = |start, step, count| Grid::even(start, step, count).map(|_| Places::Even { start, step, count }).map_err(fault);
     let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
     let count = raw.columns.first().map_or(0, |column| column.values.count());
-    let told = match std::mem::replace(&mut raw.stamps, Stamps::Column) {
-        Stamps::Of { rate, .. } => rate.map_or(Stamps::Column, Stamps::Rate),
-        other => other,
+    let (rate, start, given) = match std::mem::replace(&mut raw.stamps, Stamps::Column) {
+        Stamps::Even { start, step } => return even(path, start, step, count),
+        Stamps::Given(stamps) => (None, 0.0, Some(stamps)),
+        Stamps::Column | Stamps::Named => (None, 0.0, None),
+        Stamps::Rate(rate) => (Some(rate), 0.0, None),
+        Stamps::Of { rate, .. } => (rate, 0.0, None),
+        Stamps::Header(Header { rate, start, stamps }) => (Some(rate), start, stamps),
     };
-    let number = if let Stamps::Rate(rate) = &told { Some(rate.clone()) } else { None };
-    let differs = |rate_hz: f64, what: &str, used: &str| {
-        let number = number.as_ref().filter(|number| number.differs_from(rate_hz))?;
-        let about = format!("{} in the file is {} Hz, {what} {rate_hz:.6} Hz; {used} used", number.told, number.rate_hz);
-        Some(Finding::new(FindingKind::HeaderDisagrees, 1, None, about))
-    };
-    let stamps = match (told, time, notes.rate_hz) {
-        (Stamps::Even { start, step }, ..) => return even(start, step, count),
-        (Stamps::Given(stamps), ..) => stamps,
+    let stamps = match (given, time) {
+        (Some(stamps), _) => stamps,
         // A time column is no channel: its numbers may be taken.
-        (Stamps::Column | Stamps::Rate(_) | Stamps::Of { .. }, Some(k), _) => seconds(&mut raw.columns[k], raw.over, findings),
-        (Stamps::Column | Stamps::Rate(_) | Stamps::Of { .. }, None, Some(rate_hz)) => {
-            findings.extend(differs(rate_hz, "the notes say", "the notes are"));
-            return even(0.0, 1.0 / rate_hz, count);
+        (None, Some((k, said))) => {
+            let named = (raw.over, rate.as_ref(), notes.time.is_some());
+            let found = time::seconds(&mut raw.columns[k], said, named, findings).map_err(lost)?;
+            found.map_err(|UntoldUnit { column, step }| ReadError::StampUnit {
+                path: path.to_owned(),
+                column,
+                step,
+                notes: Notes::path_of(path),
+            })?
         }
-        (Stamps::Rate(Rate { told, rate_hz }), None, None) => {
-            let about = format!("no array is a time; the samples are taken at {rate_hz} Hz from 0 s on, by {told} in the file");
-            findings.push(Finding::new(FindingKind::Assumed, 1, None, about));
-            return even(0.0, 1.0 / rate_hz, count);
-        }
-        (Stamps::Column | Stamps::Of { .. }, None, None) => {
-            return Err(ReadError::NoTime { path: path.to_owned(), columns, notes: Notes::path_of(path) });
+        (None, None) => {
+            let Some((step, about)) = told_step(rate.as_ref(), start, notes) else {
+                let columns = raw.columns.iter().filter(|column| column.left_out.is_none()).map(|column| column.name.clone()).collect();
+                let about = time::told(&raw.columns).map_err(lost)?;
+                return Err(ReadError::NoTime { path: path.to_owned(), columns, about, notes: Notes::path_of(path) });
+            };
+            findings.extend(about);
+            return even(path, start, step, count);
         }
     };
-    let (rate, places) = match Stamped::of(&stamps).map_err(lost)?.map_err(fault)? {
-        Stamped::Even { start, step } => (1.0 / step, even(start, step, stamps.count())?),
+    by_stamps(path, stamps, raw.over, (rate.as_ref(), notes), findings)
+}
+
+fn even(path: &Path, start: f64, step: f64, count: usize) -> Result<Places, ReadError> {
+    let fault = |fault| ReadError::Grid { path: path.to_owned(), fault };
+    Grid::even(start, step, count).map(|_| Places::Even { start, step, count }).map_err(fault)
+}
+
+/// How a rate of the file that differs from another one is told.
+fn differs(rate: Option<&Rate>, rate_hz: f64, what: &str, used: &str) -> Option<Finding> {
+    let rate = rate.filter(|rate| rate.differs_from(rate_hz))?;
+    let about = format!("{} in the file is {} Hz, {what} {rate_hz:.6} Hz; {used} used", rate.told, rate.rate_hz);
+    Some(Finding::new(FindingKind::HeaderDisagrees, 1, None, about))
+}
+
+/// The step that the notes or else the file give where no column is a time, and what is said of it.
+fn told_step(rate: Option<&Rate>, start: f64, notes: &Notes) -> Option<(f64, Option<Finding>)> {
+    if let Some(rate_hz) = notes.rate_hz {
+        return Some((1.0 / rate_hz, differs(rate, rate_hz, "the notes say", "the notes are")));
+    }
+    let Rate { told, rate_hz } = rate?;
+    let about = format!("no column is a time; the samples are taken at {rate_hz} Hz from {start} s on, by {told} in the file");
+    Some((1.0 / rate_hz, Some(Finding::new(FindingKind::Assumed, 1, None, about))))
+}
+
+/// The places of stamps, in s or Hz, beside a rate of the file and the notes.
+fn by_stamps(
+    path: &Path,
+    stamps: Numbers,
+    over: Over,
+    (rate, notes): (Option<&Rate>, &Notes),
+    findings: &mut Vec<Finding>,
+) -> Result<Places, ReadError> {
+    let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
+    let fault = |fault| ReadError::Grid { path: path.to_owned(), fault };
+    let unit = if over == Over::Time { "s" } else { "Hz" };
+    let told = notes.rate_hz.or(rate.map(|rate| rate.rate_hz)).map(|rate_hz| 1.0 / rate_hz);
+    let (found, places) = match Stamped::of(&stamps, told, unit).map_err(lost)?.map_err(fault)? {
+        Stamped::Even { start, step, noticed } => {
+            findings.extend(noticed);
+            (1.0 / step, even(path, start, step, stamps.count())?)
+        }
         Stamped::Uneven(odd) => {
             findings.extend(odd);
             let rate = 1.0 / usual_step(&stamps).map_err(lost)?;
             (rate, Places::Stamped { stamps, rate })
         }
     };
-    findings.extend(differs(rate, "the stamps say", "the stamps are"));
-    if let Some(rate_hz) = notes.rate_hz.filter(|rate_hz| (rate_hz / rate - 1.0).abs() > SAME_RATE) {
-        let about = format!("the notes say {rate_hz} Hz, the stamps {rate:.6} Hz; the stamps are used");
+    findings.extend(differs(rate, found, "the stamps say", "the stamps are"));
+    if let Some(rate_hz) = notes.rate_hz.filter(|rate_hz| (rate_hz / found - 1.0).abs() > SAME_RATE) {
+        let about = format!("the notes say {rate_hz} Hz, the stamps {found:.6} Hz; the stamps are used");
         findings.push(Finding::new(FindingKind::HeaderDisagrees, 1, None, about));
     }
     Ok(places)
-}
-
-/// The stamps of a column in s or Hz.
-fn seconds(column: &mut Column, over: Over, findings: &mut Vec<Finding>) -> Numbers {
-    let due = if over == Over::Time { Quantity::Time } else { Quantity::Frequency };
-    let unit = Unit::read(&column.unit).filter(|unit| unit.quantity == due);
-    let factor = unit.as_ref().map_or(1.0, |unit| unit.factor);
-    let si = if over == Over::Time { "s" } else { "Hz" };
-    if unit.is_none() {
-        let about = format!("the stamps tell no unit that is known; {si} is assumed");
-        findings.push(Finding::new(FindingKind::Assumed, 1, None, about).of(&column.name));
-    } else if factor != 1.0 {
-        findings.push(
-            Finding::new(FindingKind::Converted, 1, None, format!("stamps in {} times {factor} are {si}", column.unit)).of(&column.name),
-        );
-    }
-    column.values.scale(factor);
-    std::mem::replace(&mut column.values, Vec::new().into())
 }
 
 /// A column in SI, its samples not looked at yet.
@@ -224,6 +228,6 @@ pub(super) fn settled(mut column: Column, said: ChannelNotes, findings: &mut Vec
     imaginary.iter_mut().for_each(|numbers| numbers.scale(factor));
     let (place, direction) = (said.place.unwrap_or(column.place), said.direction.unwrap_or(column.direction));
     let reference = said.reference.unwrap_or(column.reference);
-    let sizes = Sizes { rms: f64::NAN, peak: f64::NAN };
+    let sizes = Sizes { rms: f64::NAN, peak: f64::NAN, mean: f64::NAN };
     SurveyedChannel { name, quantity, unit, place, direction, reference, sizes, values, imaginary }
 }

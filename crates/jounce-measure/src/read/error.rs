@@ -37,14 +37,33 @@ pub enum ReadError {
     },
     /// Nothing tells when the samples were taken.
     #[error(
-        "{}: no column ascends like time (columns: {}); name one with `time = \"...\"`, or give `rate = \"... Hz\"`, in {}",
-        path.display(), columns.join(", "), notes.display()
+        "{}: nothing tells when the samples were taken: no column has a unit of time or the name of one, and no rate is given (columns: {}{}); write \
+         `rate = \"... Hz\"`, or `time = \"COLUMN\"` and under `[channel.\"COLUMN\"]` its `unit = \"s\"`, in {}",
+        path.display(), columns.join(", "), noted(about), notes.display()
     )]
     NoTime {
         /// The file.
         path: PathBuf,
         /// Its columns.
         columns: Vec<String>,
+        /// What is known of columns that are no time.
+        about: Vec<String>,
+        /// Where the notes belong.
+        notes: PathBuf,
+    },
+    /// Its stamps are whole numbers of an unknown unit.
+    #[error(
+        "{}: the stamps of {column:?} are whole numbers without a unit, {step} from one to the next: in s that is {:.6} Hz, in ms {:.6} Hz, in us {:.6} Hz; \
+         write under `[channel.\"{column}\"]` its `unit = \"s\"`, `\"ms\"` or `\"us\"` in {}",
+        path.display(), 1.0 / step, 1e3 / step, 1e6 / step, notes.display()
+    )]
+    StampUnit {
+        /// The file.
+        path: PathBuf,
+        /// The column.
+        column: String,
+        /// Its usual step.
+        step: f64,
         /// Where the notes belong.
         notes: PathBuf,
     },
@@ -86,6 +105,10 @@ pub enum ReadError {
         /// One sentence each.
         faults: Vec<String>,
     },
+}
+
+fn noted(about: &[String]) -> String {
+    if about.is_empty() { String::new() } else { format!("; {}", about.join(", ")) }
 }
 
 fn noticed(findings: &[Finding]) -> String {

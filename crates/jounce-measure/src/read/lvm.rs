@@ -1,7 +1,9 @@
 //! LabVIEW measurement files (LVM): text with a header of the file and a header of each segment.
 //!
-//! Source: National Instruments, "LabVIEW Measurement File (LVM) Format". The stamps of the data win over the header: programs that thin out
-//! a record often leave its `Delta_X` and `Samples` behind.
+//! With `X_Columns` `Multi` a column of times stands before each channel, and what the header says of a channel stands above it, not above its times.
+//!
+//! Source: National Instruments, "LabVIEW Measurement File (LVM) Format". Where the stamps of the data fit `Delta_X` of the header within their digits, it
+//! is their step. Elsewhere they win: programs that thin out a record often leave its `Delta_X` and `Samples` behind.
 
 use std::fs::File;
 use std::io::{BufReader, Read as _};
@@ -10,12 +12,16 @@ use std::path::Path;
 use super::contents::Found;
 use super::decibels::Decibels;
 use super::error::Damage;
-use super::raw::{Column, Raw, Stamps};
+use super::numbers::Numbers;
+use super::raw::{Column, Header as HeaderTime, Rate, Raw, Stamps};
 use super::shelf::Shelf;
-use super::text::{Delimiter, Layout, Rows, columns, decoded};
+use super::text::{Delimiter, Head, Layout, Preamble, Rows, columns, decoded, line_end, whole_lines};
 use crate::recording::{Finding, FindingKind, Over, Place, Series};
 
 const HEAD_BYTES: u64 = 1 << 18;
+/// Heads of a column of times, and of one of remarks.
+const X_VALUE: &str = "X_Value";
+const COMMENT: &str = "Comment";
 /// How far a step of the header may lie from that of the stamps, relative.
 const SAME_STEP: f64 = 1e-3;
 
@@ -23,112 +29,223 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     let told = |fault: std::io::Error| Damage::new(fault.to_string());
     let mut head = Vec::new();
     File::open(path).map_err(told)?.take(HEAD_BYTES).read_to_end(&mut head).map_err(told)?;
+    let end = line_end(&head);
     let (head, _) = decoded(&head);
-    let header = Header::read(&head)?;
+    let header = Header::read(&head, end)?;
     let file = File::open(path).map_err(told)?;
     let size = file.metadata().map_err(told)?.len();
     let Rows { columns, findings } = columns(BufReader::with_capacity(1 << 20, file), size, &header.layout, shelf)?;
-    header.segment(columns, findings).map(Found::from)
+    let (sets, findings) = header.sets(columns, findings, shelf)?;
+    Ok(Found { sets, shapes: Vec::new(), findings })
 }
+
+/// Channels with the numbers of their columns.
+type Members = Vec<(usize, Column)>;
 
 /// What the two headers say.
 struct Header {
     layout: Layout,
+    /// The keys of the segment with their values, one for each column of the data.
+    fields: Vec<(String, Vec<String>)>,
     x_columns: String,
-    samples: Option<usize>,
-    step: Option<f64>,
-    start: f64,
-    units: Vec<String>,
 }
 
 impl Header {
-    fn read(head: &str) -> Result<Self, Damage> {
-        let lines: Vec<&str> = head.lines().collect();
-        let heads = lines.iter().position(|line| line.starts_with("X_Value"));
+    fn read(head: &str, end: u8) -> Result<Self, Damage> {
+        let lines = whole_lines(head, end, true);
+        let heads = lines.iter().position(|line| line.starts_with(X_VALUE));
         let heads = heads
             .ok_or_else(|| Damage::at(Place::Line(lines.len()), "no line of column heads (X_Value ...) follows; was the file cut?"))?;
-        let separator = if value(&lines[..heads], "Separator") == Some("Comma") { b',' } else { b'\t' };
+        let separator = if value(&lines[..heads], "Separator") == Some("Comma") { ',' } else { '\t' };
         let decimal_comma = value(&lines[..heads], "Decimal_Separator") == Some(",");
-        let delimiter = Delimiter::Byte(separator);
-        let number = |text: &str| text.trim().replace(',', ".").parse::<f64>().ok();
-        let fields = |key: &str| -> Vec<String> {
-            let line = lines[..heads].iter().rev().find(|line| line.split(char::from(separator)).next() == Some(key));
-            line.map(|line| line.split(char::from(separator)).skip(1).map(|field| field.trim().to_owned()).collect()).unwrap_or_default()
-        };
-        let mut names: Vec<String> = lines[heads].split(char::from(separator)).map(|name| name.trim().to_owned()).collect();
-        while names.len() > 1 && names.last().is_some_and(|name| name.is_empty() || name == "Comment") {
+        let parts = |line: &str| -> Vec<String> { line.split(separator).map(|field| field.trim().to_owned()).collect() };
+        let mut names = parts(lines[heads]);
+        while names.len() > 1 && names.last().is_some_and(String::is_empty) {
             names.pop();
         }
+        let least = names.iter().rposition(|name| name != COMMENT && !name.is_empty()).map_or(1, |last| last + 1);
+        let head = |name: String| Head { blank: name == COMMENT || name.is_empty(), name, ..Head::default() };
+        let segment = lines[..heads].iter().rposition(|line| line.split(separator).next() == Some("Channels")).unwrap_or(0);
+        let field = |line: &&str| {
+            let fields = parts(line);
+            (fields.first().cloned().unwrap_or_default(), fields)
+        };
         Ok(Self {
             x_columns: value(&lines[..heads], "X_Columns").unwrap_or("One").to_owned(),
-            samples: fields("Samples").first().and_then(|text| text.parse().ok()),
-            step: fields("Delta_X").first().and_then(|text| number(text)),
-            start: fields("X0").first().and_then(|text| number(text)).unwrap_or(0.0),
-            units: fields("Y_Unit_Label"),
+            fields: lines[segment..heads].iter().map(field).collect(),
             layout: Layout {
-                delimiter,
+                delimiter: Delimiter::Byte(separator as u8),
                 decimal_comma,
+                line_end: end,
                 skip: heads + 1,
-                heads: names.into_iter().map(|name| (name, String::new())).collect(),
+                least,
+                heads: names.into_iter().map(head).collect(),
+                preamble: Preamble::default(),
                 doubts: Vec::new(),
             },
         })
     }
 
-    /// The columns as one data set.
-    fn segment(&self, columns: Vec<Column>, mut findings: Vec<Finding>) -> Result<Raw, Damage> {
+    /// The value of a key for a column. It stands in that column; some programs leave no room for the columns of times and write one value behind the other.
+    fn value(&self, key: &str, column: usize) -> Option<&str> {
+        let (_, fields) = self.fields.iter().rev().find(|(name, _)| name == key)?;
+        let names = || self.layout.heads.iter().map(|head| head.name.as_str()).enumerate();
+        let packed = names().any(|(k, name)| k > 0 && name == X_VALUE && fields.get(k).is_some_and(|field| !field.is_empty()));
+        let channel = names().take(column).filter(|(_, name)| *name != X_VALUE).count() + 1;
+        fields.get(if packed { channel } else { column }).map(String::as_str).filter(|text| !text.is_empty())
+    }
+
+    fn number(&self, key: &str, column: usize) -> Option<f64> {
+        // Where all channels share a value it may stand once.
+        let text = self.value(key, column).or_else(|| self.value(key, 1))?;
+        text.replace(',', ".").parse::<f64>().ok().filter(|number| number.is_finite())
+    }
+
+    /// The channels by their times: one set for all that share them.
+    fn sets(&self, columns: Vec<Column>, findings: Vec<Finding>, shelf: &Shelf) -> Result<(Vec<Raw>, Vec<Finding>), Damage> {
         let rows = columns.first().map_or(0, |column| column.values.count());
-        let is_x = |column: &Column| column.name == "X_Value";
-        let (x, mut columns): (Vec<Column>, Vec<Column>) = columns.into_iter().partition(is_x);
-        let x = x.into_iter().next().map_or_else(|| Vec::new().into(), |column| column.values);
-        if columns.is_empty() || rows < 2 {
-            return Err(Damage::at(
-                Place::Line(self.layout.skip),
-                format!("{rows} rows of {} channels follow; at least two rows of one are due", columns.len()),
-            ));
+        let channels = columns.iter().filter(|column| column.name != X_VALUE && column.name != COMMENT && !column.name.is_empty()).count();
+        if channels == 0 || rows < 2 {
+            let why = format!("{rows} rows of {channels} channels follow; at least two rows of one are due");
+            return Err(Damage::at(Place::Line(self.layout.skip), why));
         }
-        for (column, unit) in columns.iter_mut().zip(&self.units) {
-            column.unit.clone_from(unit);
+        let mut groups: Vec<(Option<Numbers>, Members)> = vec![(None, Vec::new())];
+        for (k, mut column) in columns.into_iter().enumerate() {
+            match column.name.as_str() {
+                X_VALUE => groups.push((Some(column.values), Vec::new())),
+                COMMENT | "" => {}
+                _ => {
+                    column.unit = self.value("Y_Unit_Label", k).unwrap_or_default().to_owned();
+                    if let Some((_, members)) = groups.last_mut() {
+                        members.push((k, column));
+                    }
+                }
+            }
         }
-        if let Some(samples) = self.samples.filter(|samples| *samples != rows) {
+        let mut sets: Vec<(Option<Numbers>, Members)> = Vec::new();
+        for (x, members) in groups.into_iter().filter(|(_, members)| !members.is_empty()) {
+            let mut same = None;
+            for (at, (other, _)) in sets.iter().enumerate() {
+                let equal = match (&x, other) {
+                    (Some(a), Some(b)) => a.same(b)?,
+                    (a, b) => a.is_none() && b.is_none(),
+                };
+                same = same.or(equal.then_some(at));
+            }
+            match same.and_then(|at| sets.get_mut(at)) {
+                Some((_, all)) => all.extend(members),
+                None => sets.push((x, members)),
+            }
+        }
+        let (one, mut findings) = (sets.len() == 1, findings);
+        let mut found = Vec::new();
+        for (x, members) in sets {
+            let about = if one { std::mem::take(&mut findings) } else { Vec::new() };
+            found.push(self.set(x, members, about, shelf)?);
+        }
+        Ok((found, findings))
+    }
+
+    /// Channels over one column of times.
+    fn set(&self, x: Option<Numbers>, members: Members, mut findings: Vec<Finding>, shelf: &Shelf) -> Result<Raw, Damage> {
+        let first = members.first().map_or(1, |(k, _)| *k);
+        let (x, members) = ended(x, members, shelf)?;
+        let rows = members.first().map_or(0, |(_, column)| column.values.count());
+        let mut columns: Vec<Column> = members.into_iter().map(|(_, column)| column).collect();
+        if rows < 2 {
+            let name = columns.first().map_or(String::new(), |column| column.name.clone());
+            return Err(Damage::at(Place::Line(self.layout.skip), format!("{rows} rows of {name} follow; at least two are due")));
+        }
+        if let Some(samples) = self.value("Samples", first).and_then(|text| text.parse::<usize>().ok()).filter(|samples| *samples != rows) {
             let about = format!("the header says {samples} samples, {rows} follow");
             findings.push(Finding::new(FindingKind::HeaderDisagrees, samples.abs_diff(rows), None, about));
         }
-        let mut whole = true;
-        x.each(|x| whole &= x.is_finite())?;
-        let stamps = if self.x_columns == "No" || !whole {
-            let step = self.step.ok_or_else(|| Damage::new("neither a column X_Value nor a Delta_X tells when the samples were taken"))?;
-            Stamps::Even { start: self.start, step }
-        } else {
-            findings.extend(self.rescaled(x.count(), x.ends()?));
-            Stamps::Given(x)
+        let step = self.number("Delta_X", first).filter(|step| *step > 0.0);
+        let start = self.number("X0", first).unwrap_or(0.0);
+        let whole = x.as_ref().map(is_whole).transpose()?.unwrap_or(false);
+        let stamps = match (x.filter(|_| self.x_columns != "No" && whole), step) {
+            (Some(x), Some(step)) => {
+                findings.extend(self.rescaled(step, x.count(), x.ends()?));
+                // Of two steps that explain the stamps the header's is the one that was set.
+                let rate = Rate { told: format!("Delta_X = {step}"), rate_hz: 1.0 / step };
+                if findings.iter().any(|finding| finding.kind == FindingKind::RescaledStamps) {
+                    Stamps::Given(x)
+                } else {
+                    Stamps::Header(HeaderTime { rate, start, stamps: Some(x) })
+                }
+            }
+            (Some(x), None) => Stamps::Given(x),
+            (None, Some(step)) => Stamps::Even { start, step },
+            (None, None) => return Err(Damage::new("neither a column X_Value nor a Delta_X tells when the samples were taken")),
         };
         let over = if columns.iter().all(|column| column.name.contains("FFT")) { Over::Frequency } else { Over::Time };
         if over == Over::Frequency {
-            let about = "the channels are spectra by their names; the first column is taken as frequency in Hz, whatever X_Dimension says";
-            findings.push(Finding::new(FindingKind::HeaderDisagrees, 1, None, about.to_owned()));
-            // An amplitude is never negative: such a spectrum holds levels.
-            for column in &mut columns {
-                let mut negative = false;
-                column.values.each(|x| negative |= x < 0.0)?;
-                let levels = Decibels::meant(&column.unit).filter(|_| negative);
-                findings.extend(levels.map(|levels| column.made_linear(levels)));
-            }
+            findings.extend(linear(&mut columns)?);
         }
         Ok(Raw { title: String::new(), over, stamps, columns, findings })
     }
 
     /// A step of the header that is not that of the stamps.
-    fn rescaled(&self, count: usize, ends: Option<(f64, f64)>) -> Option<Finding> {
+    fn rescaled(&self, told: f64, count: usize, ends: Option<(f64, f64)>) -> Option<Finding> {
         let (first, last) = ends?;
         let step = (last - first) / (count - 1) as f64;
-        let told = self.step.filter(|told| (told / step - 1.0).abs() > SAME_STEP)?;
+        let told = Some(told).filter(|told| (told / step - 1.0).abs() > SAME_STEP)?;
         let about = format!(
             "the header says Delta_X = {told:.6e}, the stamps are {step:.6e} apart ({:.4} times as much); the stamps are used",
             step / told
         );
         Some(Finding::new(FindingKind::RescaledStamps, count, Some(Place::Line(self.layout.skip + 1)), about))
     }
+}
+
+/// What spectra in levels become, and that they are spectra.
+fn linear(columns: &mut [Column]) -> Result<Vec<Finding>, Damage> {
+    let about = "the channels are spectra by their names; the first column is taken as frequency in Hz, whatever X_Dimension says";
+    let mut findings = vec![Finding::new(FindingKind::HeaderDisagrees, 1, None, about.to_owned())];
+    // An amplitude is never negative: such a spectrum holds levels.
+    for column in columns {
+        let mut negative = false;
+        column.values.each(|x| negative |= x < 0.0)?;
+        let levels = Decibels::meant(&column.unit).filter(|_| negative);
+        findings.extend(levels.map(|levels| column.made_linear(levels)));
+    }
+    Ok(findings)
+}
+
+fn is_whole(x: &Numbers) -> Result<bool, Damage> {
+    let mut whole = true;
+    x.each(|x| whole &= x.is_finite())?;
+    Ok(whole)
+}
+
+/// Channels up to the row where their column of times ends: a channel may be shorter than those beside it.
+fn ended(x: Option<Numbers>, members: Members, shelf: &Shelf) -> Result<(Option<Numbers>, Members), Damage> {
+    let Some(times) = x else { return Ok((None, members)) };
+    let (mut number, mut last) = (0, 0);
+    times.each(|t| {
+        number += 1;
+        last = if t.is_finite() { number } else { last };
+    })?;
+    // Without a single time the header tells them all.
+    if last == number || last == 0 {
+        return Ok((Some(times), members));
+    }
+    let cut = |numbers: Numbers| -> Result<Numbers, Damage> {
+        let (mut kept, mut left, mut fault) = (shelf.column(), last, Ok(()));
+        numbers.each(|x| {
+            if left > 0 && fault.is_ok() {
+                fault = kept.push(x);
+                left -= 1;
+            }
+        })?;
+        fault?;
+        Ok(kept)
+    };
+    let short = |(k, column): (usize, Column)| {
+        let imaginary = column.imaginary.map(cut).transpose()?;
+        Ok((k, Column { values: cut(column.values)?, imaginary, ..Column::new(&column.name, &column.unit, Vec::new().into()) }))
+    };
+    Ok((Some(cut(times)?), members.into_iter().map(short).collect::<Result<_, Damage>>()?))
 }
 
 /// The first value of a key of the header.

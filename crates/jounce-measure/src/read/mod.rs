@@ -23,6 +23,7 @@ mod hdf5;
 mod lvm;
 mod magic;
 mod mat;
+mod moment;
 mod name;
 mod notes;
 mod npy;
@@ -38,7 +39,9 @@ mod shelf;
 mod survey;
 mod tdms;
 mod text;
+mod time;
 mod uff;
+mod verdict;
 mod wav;
 mod written;
 

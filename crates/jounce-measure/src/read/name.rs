@@ -119,6 +119,13 @@ pub(super) fn split(head: &str) -> (String, String) {
         if let Some((name, unit)) = bracketed(head, open, close) {
             // In `a/(m/s^2)` a line stands between name and unit; brackets with something else inside belong to the name.
             let name = name.trim_end_matches('/').trim_end();
+            if name.eq_ignore_ascii_case("v") && !matches!(Unit::read(unit), Some(Unit { quantity: Quantity::Voltage, .. })) {
+                // The voltage of a node, `V(in)`.
+                break;
+            }
+            if is_time(name) && unit.ends_with('S') && Unit::read(unit).is_none() {
+                return (name.to_owned(), unit.to_lowercase());
+            }
             if !name.is_empty() && (open == '[' || is_known(unit) || may_be_unit(name, unit)) {
                 return (name.to_owned(), unit.to_owned());
             }
@@ -127,8 +134,17 @@ pub(super) fn split(head: &str) -> (String, String) {
     if let Some((name, unit)) = head.rsplit_once(", ").filter(|(_, unit)| is_known(unit)) {
         return (name.to_owned(), unit.to_owned());
     }
+    if let Some((name, unit)) = format!(" {head}").rsplit_once(" in ").filter(|(_, unit)| is_known(unit)) {
+        return (name.trim().to_owned(), unit.to_owned());
+    }
     if let Some((name, unit)) = divided(head) {
         return (name.to_owned(), unit.to_owned());
+    }
+    // `CH1V` of Rigol.
+    let numbered =
+        head.strip_suffix('V').filter(|name| name.starts_with("CH") && name.len() > 2 && name[2..].bytes().all(|b| b.is_ascii_digit()));
+    if let Some(name) = numbered {
+        return (name.to_owned(), "V".to_owned());
     }
     let small = head.to_ascii_lowercase();
     let ending = ENDINGS.iter().find(|(ending, _)| small.ends_with(ending) && small.len() > ending.len());
@@ -207,8 +223,21 @@ fn bracketed(head: &str, open: char, close: char) -> Option<(&str, &str)> {
 /// True for names of a time.
 pub(super) fn is_time(name: &str) -> bool {
     let small = name.trim().to_lowercase();
-    let whole = ["t", "time", "zeit", "x_value", "seconds", "sec", "timestamp", "uhrzeit", "temps"];
-    whole.contains(&small.as_str()) || ["time", "timestamp", "t_", "t ["].iter().any(|start| small.starts_with(start))
+    let whole = ["t", "time", "zeit", "x_value", "timestamp", "uhrzeit", "temps", "elapsed", "datetime", "date time", "date/time"];
+    time_unit(name).is_some()
+        || whole.contains(&small.as_str())
+        || ["time", "timestamp", "t_", "t ["].iter().any(|start| small.starts_with(start))
+}
+
+/// The unit of names that are one: `seconds`, `millis`.
+pub(super) fn time_unit(name: &str) -> Option<&'static str> {
+    match name.trim().to_lowercase().as_str() {
+        "s" | "sec" | "second" | "seconds" | "sekunden" => Some("s"),
+        "ms" | "msec" | "millis" | "millisecond" | "milliseconds" => Some("ms"),
+        "us" | "usec" | "micros" | "microsecond" | "microseconds" => Some("us"),
+        "ns" | "nsec" | "nanosecond" | "nanoseconds" => Some("ns"),
+        _ => None,
+    }
 }
 
 /// True for names of a frequency.
@@ -263,6 +292,13 @@ mod tests {
             ("accel_x", "accel_x", ""),
             ("_s", "_s", ""),
             ("temp_c", "temp_c", ""),
+            ("CH1V", "CH1", "V"),
+            ("C1 in V", "C1", "V"),
+            ("in s", "", "s"),
+            ("Time(S)", "Time", "s"),
+            ("V(in)", "V(in)", ""),
+            ("V(out)", "V(out)", ""),
+            ("V (mV)", "V", "mV"),
         ];
         for (head, name, unit) in cases {
             assert_eq!(split(head), (name.to_owned(), unit.to_owned()), "{head}");

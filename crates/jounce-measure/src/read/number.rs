@@ -1,5 +1,7 @@
 //! Numbers as files spell them.
 
+use super::moment::Moment;
+
 /// What a field of a text holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Field {
@@ -7,14 +9,16 @@ pub(super) enum Field {
     Real(f64),
     /// A complex number.
     Complex(f64, f64),
-    /// Nothing, or a word for nothing.
+    /// A date, a time of day, or both.
+    Moment(Moment),
+    /// Nothing, or a word for nothing; a sample beyond the range of an instrument too.
     Missing,
     /// Something else.
     Text,
 }
 
 /// Words for a sample that is missing, in small letters.
-const MISSING: [&str; 8] = ["", "nan", "na", "n/a", "null", "none", "-", "--"];
+const MISSING: [&str; 11] = ["", "nan", "na", "n/a", "null", "none", "-", "--", "\u{221e}", "-\u{221e}", "+\u{221e}"];
 
 impl Field {
     /// Reads a field; Fortran's `D` is an exponent too, and a comma is the decimal mark where asked for.
@@ -34,8 +38,11 @@ impl Field {
         if decimal_comma && text.matches(',').count() == 1 && !text.contains('.') {
             return Self::read(&text.replace(',', "."), false);
         }
-        if let Some(value) = fortran(text) {
+        if let Some(value) = fortran(text).or_else(|| hexadecimal(text)) {
             return Self::Real(value);
+        }
+        if let Some(moment) = Moment::read(text) {
+            return Self::Moment(moment);
         }
         complex(text).map_or(Self::Text, |(re, im)| Self::Complex(re, im))
     }
@@ -44,6 +51,17 @@ impl Field {
     pub(super) fn is_sample(self) -> bool {
         self != Self::Text
     }
+
+    /// True for a number, and for a date or a time.
+    pub(super) fn is_value(self) -> bool {
+        !matches!(self, Self::Text | Self::Missing)
+    }
+}
+
+/// `0x1f`, as instruments write eight digital lines.
+fn hexadecimal(text: &str) -> Option<f64> {
+    let digits = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")).filter(|digits| !digits.starts_with('+'))?;
+    u32::from_str_radix(digits, 16).ok().map(f64::from)
 }
 
 fn fortran(text: &str) -> Option<f64> {
@@ -74,10 +92,12 @@ mod tests {
         assert_eq!(Field::read("0,25", false), Field::Text);
         assert_eq!(Field::read("(-0.5+2.5e-08j)", false), Field::Complex(-0.5, 2.5e-8));
         assert_eq!(Field::read("1-2i", false), Field::Complex(1.0, -2.0));
-        for text in ["", "NaN", "N/A", "inf", "null"] {
+        for text in ["", "NaN", "N/A", "inf", "null", "-\u{221e}"] {
             assert_eq!(Field::read(text, false), Field::Missing, "{text}");
         }
-        for text in ["x", "1.2.3", "12:00", "2020/08/06", "(", "()", "1 2", "\u{b5}"] {
+        assert_eq!(Field::read("0x1F", false), Field::Real(31.0));
+        assert!(matches!(Field::read("12:00:01,5", true), Field::Moment(_)));
+        for text in ["x", "1.2.3", "12:00", "0x", "0x+1", "(", "()", "1 2", "\u{b5}"] {
             assert_eq!(Field::read(text, true), Field::Text, "{text}");
         }
     }

@@ -11,7 +11,7 @@ use super::contents::Found;
 use super::error::Damage;
 use super::name;
 use super::numbers::Numbers;
-use super::raw::{Column, Raw};
+use super::raw::{Column, Raw, Stamps};
 use super::shelf::Shelf;
 use super::written::Written;
 use crate::recording::{Finding, FindingKind, Series};
@@ -50,7 +50,7 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     if columns.is_empty() {
         return Err(Damage::new("it holds no column of numbers"));
     }
-    Ok(Raw::columns(columns, findings).into())
+    Ok(Raw { stamps: Stamps::Named, ..Raw::columns(columns, findings) }.into())
 }
 
 /// Refuses columns outside the file and negative counts, at which the library would panic.

@@ -22,12 +22,26 @@ pub(super) enum Stamps {
     Even { start: f64, step: f64 },
     /// By stamps in SI.
     Given(Numbers),
-    /// By one of the columns, or not at all.
+    /// By one of the columns, or not at all; columns have no names of their own, so that a first one that rises evenly may be meant.
     Column,
+    /// By a column whose name or unit says so, or not at all.
+    Named,
     /// By one of the columns, or else by a number that tells the rate.
     Rate(Rate),
     /// By that column, counted from 0, beside which a number may tell the rate.
     Of { column: usize, rate: Option<Rate> },
+    /// By a header with a rate and a start, and by stamps or one of the columns where there are any.
+    Header(Header),
+}
+
+/// What a header says of the time.
+#[derive(Debug)]
+pub(super) struct Header {
+    pub rate: Rate,
+    /// Of the first sample, s.
+    pub start: f64,
+    /// Stamps in SI beside it.
+    pub stamps: Option<Numbers>,
 }
 
 /// Relative difference up to which two rates are the same.
@@ -56,6 +70,8 @@ pub(super) struct Column {
     pub place: String,
     pub direction: String,
     pub reference: String,
+    /// Why it is no channel, one sentence, or an empty text where nobody would take it for one; none for a channel.
+    pub left_out: Option<String>,
     /// The samples, real parts of complex ones.
     pub values: Numbers,
     /// Imaginary parts of a complex column, as many.
@@ -91,7 +107,7 @@ impl RawChannel {
 impl From<RawChannel> for Column {
     fn from(channel: RawChannel) -> Self {
         let RawChannel { name, unit, place, direction, reference, values, imaginary } = channel;
-        Self { name, unit, place, direction, reference, values: values.into(), imaginary: imaginary.map(Numbers::from) }
+        Self { name, unit, place, direction, reference, left_out: None, values: values.into(), imaginary: imaginary.map(Numbers::from) }
     }
 }
 
@@ -100,7 +116,7 @@ impl Column {
     pub(super) fn new(name: &str, unit: &str, values: Numbers) -> Self {
         let (name, unit) = (name.to_owned(), unit.to_owned());
         let [place, direction, reference] = [(); 3].map(|()| String::new());
-        Self { name, unit, place, direction, reference, values, imaginary: None }
+        Self { name, unit, place, direction, reference, left_out: None, values, imaginary: None }
     }
 
     /// Levels `L` in decibels to amplitudes `10^(L/20)`, or densities `10^(L/10)`, times their reference, in its unit.

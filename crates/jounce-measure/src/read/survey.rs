@@ -90,10 +90,7 @@ impl Survey {
 impl Surveyed {
     /// Samples per second (over time) or per hertz (over frequency).
     pub fn rate(&self) -> f64 {
-        match &self.places {
-            Places::Even { step, .. } => 1.0 / step,
-            Places::Stamped { rate, .. } => *rate,
-        }
+        self.places.rate()
     }
 
     /// What each channel is chosen by: see [`crate::recording::chosen`].
@@ -177,6 +174,16 @@ impl From<Recording> for Surveyed {
         };
         let channels = recording.channels.into_iter().map(channel).collect();
         Self { name: recording.name, over: recording.over, places, channels, findings: recording.findings }
+    }
+}
+
+impl Places {
+    /// Samples per second (over time) or per hertz (over frequency).
+    pub fn rate(&self) -> f64 {
+        match self {
+            Self::Even { step, .. } => 1.0 / step,
+            Self::Stamped { rate, .. } => *rate,
+        }
     }
 }
 

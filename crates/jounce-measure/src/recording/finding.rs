@@ -39,6 +39,10 @@ pub enum FindingKind {
     Gap,
     /// A stamp that is not later than the one before.
     RepeatedStamp,
+    /// Time stamps with so few digits that only all of them together show their even places.
+    RoundedStamps,
+    /// A channel that holds the time, or counts the samples.
+    EqualsTime,
     /// The header's step is not that of the stamps.
     RescaledStamps,
     /// The header says something else than the data.

@@ -79,14 +79,15 @@ impl Grid {
         }
     }
 
-    /// Places from stamps: even where the stamps are, within 2 % of a step, and as they stand elsewhere; with what was noticed.
+    /// Places from stamps: even where they explain all stamps within the digits that these were printed with, or within 2 % of a step, and as they
+    /// stand elsewhere; with what was noticed.
     ///
     /// # Errors
     /// Fewer than two stamps, one that is not a number, one that goes back.
     pub fn from_stamps(stamps: Vec<f64>) -> Result<(Self, Vec<Finding>), GridError> {
-        let Ok(found) = Stamped::of(&stamps.as_slice());
+        let Ok(found) = Stamped::of(&stamps.as_slice(), None, "s");
         Ok(match found? {
-            Stamped::Even { start, step } => (Self::Even { start, step, count: stamps.len() }, Vec::new()),
+            Stamped::Even { start, step, noticed } => (Self::Even { start, step, count: stamps.len() }, noticed),
             Stamped::Uneven(findings) => (Self::Stamped(stamps), findings),
         })
     }

@@ -1,14 +1,14 @@
 //! Looks at the samples of a channel for what instruments do to signals.
 
+use super::flat_tops::{End, FLAT, FlatTops};
 use super::{Channel, Finding, FindingKind, Place, Quantity, Series};
 
 /// Leading or trailing zeros from this many on are padding.
 const PADDING: usize = 10;
-/// Equal samples in a row at an extreme from this many on may be a flat top.
-const FLAT: usize = 3;
-/// Samples at the end of a round range from this many on are clipped, each of them apart from its neighbours by more than this share of it.
-const AT_FULL_SCALE: usize = 2;
-const APART: f64 = 0.1;
+/// Bits of converters.
+const BITS: [i32; 4] = [8, 12, 16, 24];
+/// How far a value may lie from a whole number of the smallest steps, in such steps.
+const OFF_CODE: f64 = 1e-6;
 /// Roundoff of a conversion to SI, and 1 g, m/s^2.
 const ROUND: f64 = 1e-12;
 const GRAVITY: f64 = 9.80665;
@@ -22,6 +22,8 @@ pub struct Sizes {
     pub rms: f64,
     /// Largest size of them.
     pub peak: f64,
+    /// Their mean.
+    pub mean: f64,
 }
 
 impl Sizes {
@@ -35,7 +37,7 @@ impl Sizes {
 /// Everything that is odd about the samples of a channel.
 ///
 /// A flat top is told from a slow maximum of a coarsely quantised signal by how the signal enters it: by a jump of more than two of the
-/// smallest steps that the channel makes.
+/// smallest steps that the channel makes. A square wave has flat tops of its own, and is not clipped.
 pub fn inspect(channel: &Channel) -> Vec<Finding> {
     let counts = may_be_counts(channel.quantity, channel.imaginary.is_some());
     let Ok((found, _)) = inspected(&channel.values.as_slice(), counts);
@@ -52,15 +54,15 @@ pub(crate) fn may_be_counts(quantity: Quantity, complex: bool) -> bool {
 pub(crate) fn inspected<S: Series>(samples: &S, may_be_counts: bool) -> Result<(Vec<Finding>, Sizes), S::Fault> {
     let mut look = Look::default();
     samples.each(|x| look.take(x))?;
-    let full = look.full_scale();
-    let mut tops = FlatTops { low: look.low, high: look.high, quantum: look.quantum, full, ..FlatTops::default() };
-    if look.low < look.high && (look.longest >= FLAT || full.is_some()) {
+    let ends = [look.low, look.high].map(|value| End::at(value, look.is_full_scale(value)));
+    let mut tops = FlatTops::between(ends, look.quantum);
+    if look.low < look.high && (look.longest >= FLAT || ends.iter().any(End::is_full_scale)) {
         samples.each(|x| tops.take(x))?;
         tops.close(None);
     }
     let found = [look.not_a_number(), look.constant(), look.padding(), tops.finding(), look.counts().filter(|_| may_be_counts)];
-    let rms = f64::sqrt(look.squares / f64::max((look.number - look.missing) as f64, 1.0));
-    Ok((found.into_iter().flatten().collect(), Sizes { rms, peak: look.peak }))
+    let numbers = f64::max((look.number - look.missing) as f64, 1.0);
+    Ok((found.into_iter().flatten().collect(), Sizes { rms: f64::sqrt(look.squares / numbers), peak: look.peak, mean: look.sum / numbers }))
 }
 
 /// What one pass over samples tells.
@@ -85,6 +87,7 @@ struct Look {
     run: usize,
     longest: usize,
     whole: bool,
+    sum: f64,
     squares: f64,
     peak: f64,
 }
@@ -106,6 +109,7 @@ impl Default for Look {
             run: 0,
             longest: 0,
             whole: true,
+            sum: 0.0,
             squares: 0.0,
             peak: 0.0,
         }
@@ -135,6 +139,7 @@ impl Look {
             self.low = self.low.min(x);
             self.high = self.high.max(x);
             self.whole &= x.fract() == 0.0;
+            self.sum += x;
             self.squares += x * x;
             self.peak = self.peak.max(x.abs());
         } else {
@@ -165,73 +170,27 @@ impl Look {
         Some(Finding::new(FindingKind::ZeroPadding, leading + trailing, Some(Place::Sample(first)), about))
     }
 
-    /// The end of the range where the largest size is a round one: 2, 4, 8, 16 and so on, in SI or in g.
-    fn full_scale(&self) -> Option<f64> {
+    /// True for an end of a converter's range: a round size of 2, 4, 8, 16 and so on, in SI or in g, or the last code of 8, 12, 16 or 24 bits, in
+    /// counts or in the smallest steps of the channel.
+    fn is_full_scale(&self, value: f64) -> bool {
         let is_round = |size: f64| size > 1.5 && (size / size.log2().round().exp2() - 1.0).abs() < ROUND;
-        (is_round(self.peak) || is_round(self.peak / GRAVITY)).then_some(self.peak)
+        // The two ends of a range differ by one code; the smallest step from sample to sample is one where the signal is slow.
+        let steps = if self.whole { [1.0; 2] } else { [self.quantum, (self.low + self.high).abs()] };
+        let is_last = |step: &f64| {
+            let code = (value / step).round();
+            let last = |bits: &i32| {
+                let half = f64::from(bits - 1).exp2();
+                [half - 1.0, 2.0 * half - 1.0, -half, 1.0 - half].contains(&code)
+            };
+            (value / step - code).abs() < OFF_CODE && BITS.iter().any(last)
+        };
+        let by_size = value.abs() == self.peak && (is_round(self.peak) || is_round(self.peak / GRAVITY));
+        by_size || steps.iter().any(is_last)
     }
 
     fn counts(&self) -> Option<Finding> {
         let about = "whole numbers without unit: counts of a converter? give the scale in the notes beside the file";
         (self.whole && self.peak > COUNTS).then(|| Finding::new(FindingKind::RawCounts, self.number, None, about.to_owned()))
-    }
-}
-
-/// The flat tops of a channel whose range and smallest step are known.
-#[derive(Default)]
-struct FlatTops {
-    low: f64,
-    high: f64,
-    quantum: f64,
-    /// The end of a round range.
-    full: Option<f64>,
-    /// Samples at it that stand out, and the first of them.
-    at_full: usize,
-    first_at_full: Option<usize>,
-    /// Samples so far.
-    number: usize,
-    /// The run of equal samples that lasts: its value, its length, and the sample before it.
-    value: f64,
-    run: usize,
-    before: Option<f64>,
-    /// Samples of flat tops, and the first of them.
-    count: usize,
-    first: Option<usize>,
-}
-
-impl FlatTops {
-    fn take(&mut self, x: f64) {
-        if self.run > 0 && x != self.value {
-            self.close(Some(x));
-            (self.before, self.run) = (Some(self.value), 0);
-        }
-        self.value = x;
-        self.run += 1;
-        self.number += 1;
-    }
-
-    /// Judges the run that ends before the sample `next`.
-    fn close(&mut self, next: Option<f64>) {
-        let extreme = self.value == self.low || self.value == self.high;
-        let steep = [self.before, next].into_iter().flatten().any(|beside| (self.value - beside).abs() > 2.0 * self.quantum);
-        if extreme && self.run >= FLAT && steep && self.value != 0.0 {
-            self.count += self.run;
-            self.first = self.first.or(Some(self.number - self.run));
-        }
-        let beside = |full: &f64| [self.before, next].into_iter().flatten().all(|x| (self.value - x).abs() > APART * full);
-        if self.full.filter(|full| self.value.abs() == *full).is_some_and(|full| beside(&full)) {
-            self.at_full += self.run;
-            self.first_at_full = self.first_at_full.or(Some(self.number - self.run));
-        }
-    }
-
-    fn finding(&self) -> Option<Finding> {
-        if let (None, Some(full), true) = (self.first, self.full, self.at_full >= AT_FULL_SCALE) {
-            let about = format!("samples are exactly at the end of a range of {full}: the signal was probably clipped there");
-            return Some(Finding::new(FindingKind::Clipping, self.at_full, self.first_at_full.map(Place::Sample), about));
-        }
-        let about = format!("flat tops at the ends of the range {} to {}: the signal was clipped", self.low, self.high);
-        self.first.map(|first| Finding::new(FindingKind::Clipping, self.count, Some(Place::Sample(first)), about))
     }
 }
 
@@ -248,6 +207,17 @@ mod tests {
 
     fn sine(peak: f64, count: usize) -> Vec<f64> {
         (0..count).map(|k| peak * (TAU * k as f64 / 100.0 + 0.1).sin()).collect()
+    }
+
+    #[test]
+    fn a_square_wave_and_a_step_are_not_clipped() {
+        let square = |k: u32| if (k / 25).is_multiple_of(2) { 5.0 } else { -5.0 };
+        assert_eq!(found((0..1000).map(square).collect()), []);
+        assert_eq!(found((0..1000).map(|k| if k % 25 == 0 { 0.4 } else { square(k) }).collect()), []);
+        assert_eq!(found((0..1000).map(|k| if k < 400 { 1.5 } else { 3.3 }).collect()), []);
+        assert_eq!(found((0..1000).map(|k| if k == 400 { 3.0 } else { 3.3 }).collect()), []);
+        let Sizes { rms, peak, mean } = Sizes::of(&[3.0, -1.0, f64::NAN]);
+        assert_eq!((rms, peak, mean), (5f64.sqrt(), 3.0, 1.0));
     }
 
     #[test]
@@ -271,6 +241,18 @@ mod tests {
         assert_eq!(found(strokes(8.0)), [(FindingKind::Clipping, 2, Some(Place::Sample(200)))]);
         assert_eq!(found(strokes(7.9)), []);
         assert_eq!(found((0..1000).map(|k| [0.0, 5.0, 7.6, 8.0, 7.6, 5.0][k % 6]).collect()), []);
+        // Codes of converters, at one sample in five, in counts and in volts; all of them are counted.
+        for (bits, scale) in [(8, 1.0), (12, 1.0), (16, 1.0), (24, 1.0), (12, 10.0 / 4096.0), (16, 1e-4)] {
+            let half = f64::from(bits - 1).exp2();
+            let over = |k: u32| (1.3 * half * (TAU * 0.2013 * f64::from(k)).sin()).round().clamp(-half, half - 1.0) * scale;
+            let values: Vec<f64> = (0..997).map(over).collect();
+            let ends = values.iter().filter(|x| **x == -half * scale || **x == (half - 1.0) * scale).count();
+            let clipped = found(values);
+            assert!(
+                ends > 100 && clipped.len() == 1 && clipped[0].0 == FindingKind::Clipping && clipped[0].1 == ends,
+                "{bits} bits: {clipped:?}"
+            );
+        }
         let padded = [vec![0.0; 40], sine(1.0, 300), vec![0.0; 3]].concat();
         assert_eq!(found(padded), [(FindingKind::ZeroPadding, 40, Some(Place::Sample(0)))]);
         let mut holed = sine(1.0, 300);

@@ -4,8 +4,11 @@
 mod channel;
 mod choose;
 mod complex_sizes;
+mod corridor;
+mod digits;
 mod even;
 mod finding;
+mod flat_tops;
 mod grid;
 mod inspect;
 mod quantity;

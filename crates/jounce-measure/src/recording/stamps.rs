@@ -1,6 +1,8 @@
 //! How even the stamps of samples are, found in a few passes over them.
 
-use super::{Finding, FindingKind, GridError, Place, Series};
+use super::corridor::Corridor;
+use super::digits::Digits;
+use super::{Finding, FindingKind, GridError, PIECE, Place, Series};
 
 /// Stamps closer to even places than this share of a step are even: their digits end there.
 const ROUNDED: f64 = 0.02;
@@ -13,17 +15,21 @@ const ONE_STEP: f64 = 1.5;
 /// Share of steps over places without a stamp beyond which no samples were lost, but the stamps have too few digits for the rate.
 const RARE: f64 = 0.05;
 
+/// Stamps that differ from even places by less than this share of a step are those places, and their roundoff.
+const EXACT: f64 = 1e-6;
+
 /// What stamps are.
 pub(crate) enum Stamped {
-    /// Even places, within 2 % of a step.
-    Even { start: f64, step: f64 },
+    /// Even places, with what was noticed: all stamps within the digits that they were printed with, or within 2 % of a step.
+    Even { start: f64, step: f64, noticed: Vec<Finding> },
     /// Uneven ones, with what was noticed.
     Uneven(Vec<Finding>),
 }
 
 impl Stamped {
-    /// Looks at stamps; the inner error is one of the stamps, the outer one of where they lie.
-    pub(crate) fn of<S: Series>(stamps: &S) -> Result<Result<Self, GridError>, S::Fault> {
+    /// Looks at stamps, in s or Hz by `unit`. Of steps that explain them all, `told` of a header wins. The inner error is one of the stamps, the outer
+    /// one of where they lie.
+    pub(crate) fn of<S: Series>(stamps: &S, told: Option<f64>, unit: &str) -> Result<Result<Self, GridError>, S::Fault> {
         let (start, end) = match checked(stamps)? {
             Ok(ends) => ends,
             Err(error) => return Ok(Err(error)),
@@ -32,12 +38,82 @@ impl Stamped {
             return Ok(Err(GridError::Step { start, step: 0.0 }));
         }
         let step = (end - start) / (stamps.count() - 1) as f64;
-        let (mut off, mut k) = (0.0, 0.0);
-        stamps.each(|t| {
-            off = f64::max(off, ((t - start) / step - k).abs());
-            k += 1.0;
-        })?;
-        Ok(Ok(if off <= ROUNDED { Self::Even { start, step } } else { Self::Uneven(oddities(stamps)?) }))
+        let off = farthest_off(stamps, start, step)?;
+        if off <= EXACT && told.is_none() {
+            return Ok(Ok(Self::Even { start, step, noticed: Vec::new() }));
+        }
+        let digits = Digits::of(stamps)?;
+        if let Some(places) = even_places(stamps, &digits, (start, step), told)? {
+            return Ok(Ok(places.stamped(stamps.count(), unit)));
+        }
+        Ok(Ok(if off <= ROUNDED {
+            Self::Even { start, step, noticed: Vec::new() }
+        } else {
+            Self::Uneven(oddities(stamps, &digits, unit)?)
+        }))
+    }
+}
+
+/// The largest distance of a stamp from its even place, in steps.
+fn farthest_off<S: Series>(stamps: &S, start: f64, step: f64) -> Result<f64, S::Fault> {
+    let (mut off, mut k) = (0.0, 0.0);
+    stamps.each(|t| {
+        off = f64::max(off, ((t - start) / step - k).abs());
+        k += 1.0;
+    })?;
+    Ok(off)
+}
+
+/// Even places that explain all stamps within their digits.
+struct EvenPlaces {
+    start: f64,
+    step: f64,
+    /// Half the range of steps that would do.
+    uncertain: f64,
+    /// The largest rounding of a stamp.
+    rounding: f64,
+}
+
+/// The even places behind rounded stamps, if there are any: those of the step `told` where it fits, else of the mean step, else of the middle of all
+/// steps that fit.
+fn even_places<S: Series>(stamps: &S, digits: &Digits, mean: (f64, f64), told: Option<f64>) -> Result<Option<EvenPlaces>, S::Fault> {
+    // Distances from the places of the mean step keep their digits.
+    let (start, step) = mean;
+    let (mut corridor, mut rounding, mut k) = (Corridor::default(), 0.0, 0.0);
+    stamps.each(|t| {
+        let (off, reach) = (t - (start + k * step), digits.rounding(t));
+        corridor.take(k, off - reach, off + reach);
+        rounding = f64::max(rounding, reach);
+        k += 1.0;
+    })?;
+    let Some((low, high)) = corridor.slopes() else { return Ok(None) };
+    let wanted = told.map(|told| told - step).filter(|slope| (low..=high).contains(slope));
+    let slope = wanted.or((low..=high).contains(&0.0).then_some(0.0)).unwrap_or(0.5 * (low + high));
+    let (mut least, mut most, mut k) = (f64::NEG_INFINITY, f64::INFINITY, 0.0);
+    stamps.each(|t| {
+        let (off, reach) = (t - (start + k * step) - k * slope, digits.rounding(t));
+        least = f64::max(least, off - reach);
+        most = f64::min(most, off + reach);
+        k += 1.0;
+    })?;
+    // The first stamp stays where it is if it may.
+    let shift = if (least..=most).contains(&0.0) { 0.0 } else { 0.5 * (least + most) };
+    Ok(Some(EvenPlaces { start: start + shift, step: step + slope, uncertain: 0.5 * (high - low), rounding }))
+}
+
+impl EvenPlaces {
+    /// Stamps that were rounded by more than a small share of a step say so.
+    fn stamped(self, count: usize, unit: &str) -> Stamped {
+        let Self { start, step, uncertain, rounding } = self;
+        let share = 200.0 * rounding / step;
+        let about = format!(
+            "the stamps are rounded to {:.1e} {unit}, {share:.3} % of a step; even places explain them all: a step of {step:.9e} {unit}, within {:.1e}",
+            2.0 * rounding,
+            uncertain / step
+        );
+        let coarse = rounding > ROUNDED * step;
+        let noticed = coarse.then(|| Finding::new(FindingKind::RoundedStamps, count, None, about)).into_iter().collect();
+        Stamped::Even { start, step, noticed }
     }
 }
 
@@ -108,13 +184,13 @@ pub(crate) struct Holed {
 }
 
 impl Holed {
-    /// The places of stamps that lie within 2 % of a step of them, each at a place of its own, and few places empty; none where there are no such
-    /// places.
+    /// The places of stamps that lie within their digits or 2 % of a step of them, each at a place of its own, and few places empty; none where
+    /// there are no such places.
     pub(crate) fn of<S: Series>(stamps: &S) -> Result<Option<Self>, S::Fault> {
-        Self::about(stamps, median_step(stamps)?)
+        Self::about(stamps, median_step(stamps)?, &Digits::of(stamps)?)
     }
 
-    fn about<S: Series>(stamps: &S, median: f64) -> Result<Option<Self>, S::Fault> {
+    fn about<S: Series>(stamps: &S, median: f64, digits: &Digits) -> Result<Option<Self>, S::Fault> {
         let near = mean_below(stamps, ONE_STEP * median)?;
         let (mut total, mut places, mut long, mut apart) = (0.0, 0.0, 0.0, true);
         steps(stamps, |_, step| {
@@ -125,15 +201,18 @@ impl Holed {
             apart &= passed >= 1.0;
         })?;
         let step = total / places;
-        let (mut at, mut place, mut off) = (0.0, 0.0, 0.0);
+        let (mut at, mut place, mut inside) = (0.0, 0.0, true);
+        let last = stamps.piece(stamps.count().saturating_sub(1) / PIECE)?.last().copied().unwrap_or(0.0);
+        // The first stamp and the last one are rounded too.
+        let rounding = 2.0 * digits.rounding(last);
         steps(stamps, |_, passed| {
             at += passed;
             place += places_passed(passed, near);
-            off = f64::max(off, (at / step - place).abs());
+            inside &= (at - place * step).abs() <= f64::max(ROUNDED * step, rounding);
         })?;
         let count = stamps.count() as f64 - 1.0;
         let missing = places - count;
-        Ok((apart && long <= RARE * count && off <= ROUNDED).then_some(Self { step, missing: missing as usize }))
+        Ok((apart && inside && long <= RARE * count).then_some(Self { step, missing: missing as usize }))
     }
 }
 
@@ -146,7 +225,7 @@ fn places_passed(step: f64, near: f64) -> f64 {
 /// follow the digits of coarse stamps.
 pub(crate) fn usual_step<S: Series>(stamps: &S) -> Result<f64, S::Fault> {
     let median = median_step(stamps)?;
-    match Holed::about(stamps, median)? {
+    match Holed::about(stamps, median, &Digits::of(stamps)?)? {
         Some(holed) => Ok(holed.step),
         None => mean_step(stamps, median),
     }
@@ -194,9 +273,9 @@ impl Tally {
     }
 }
 
-fn oddities<S: Series>(stamps: &S) -> Result<Vec<Finding>, S::Fault> {
+fn oddities<S: Series>(stamps: &S, digits: &Digits, unit: &str) -> Result<Vec<Finding>, S::Fault> {
     let usual = median_step(stamps)?;
-    let (holed, mean) = (Holed::about(stamps, usual)?, mean_step(stamps, usual)?);
+    let (holed, mean) = (Holed::about(stamps, usual, digits)?, mean_step(stamps, usual)?);
     let (mut uneven, mut gaps, mut repeated) = (Tally::default(), Tally::default(), Tally::default());
     let (mut squares, mut even, mut longest) = (0.0, 0usize, 0.0);
     steps(stamps, |sample, step| {
@@ -210,13 +289,17 @@ fn oddities<S: Series>(stamps: &S) -> Result<Vec<Finding>, S::Fault> {
         repeated.add(step == 0.0, sample);
     })?;
     if let Some(Holed { step, missing }) = holed {
-        let about =
-            format!("samples are missing, {missing} in all: a step of up to {longest:.6e} where {step:.6e} is usual; all others are even");
+        let about = format!(
+            "samples are missing, {missing} in all: a step of up to {longest:.6e} {unit} where {step:.6e} {unit} is usual; all others are even"
+        );
         return Ok(vec![gaps.finding(FindingKind::Gap, about)]);
     }
     let deviation = (squares / even.max(1) as f64).sqrt();
-    let jitter = format!("steps between stamps vary: median {usual:.6e}, mean {mean:.6e}, standard deviation {deviation:.2e}");
-    let missing = format!("samples are missing: a step of up to {longest:.6e} where {usual:.6e} is usual");
+    let jitter = format!(
+        "steps between stamps vary by {deviation:.2e} {unit}, {:.2} % of the mean step (standard deviation): median {usual:.6e} {unit}, mean {mean:.6e} {unit}",
+        100.0 * deviation / mean
+    );
+    let missing = format!("samples are missing: a step of up to {longest:.6e} {unit} where {usual:.6e} {unit} is usual");
     let again = "the stamp is that of the sample before".to_owned();
     let found = [(uneven, FindingKind::Jitter, jitter), (gaps, FindingKind::Gap, missing), (repeated, FindingKind::RepeatedStamp, again)];
     let told = |(tally, kind, about): (Tally, FindingKind, String)| {

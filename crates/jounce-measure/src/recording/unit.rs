@@ -54,12 +54,15 @@ const CUSTOMARY: [(&[&str], Quantity, &str, f64); 12] = [
 ];
 
 /// Whole words for symbols, in small letters.
-const WORDS: [(&str, &str); 12] = [
+const WORDS: [(&str, &str); 15] = [
     ("volts", "V"),
     ("volt", "V"),
     ("newton", "N"),
     ("newtons", "N"),
     ("seconds", "s"),
+    ("second", "s"),
+    ("milliseconds", "ms"),
+    ("microseconds", "us"),
     ("sec", "s"),
     ("hertz", "Hz"),
     ("pascal", "Pa"),
@@ -208,6 +211,8 @@ mod tests {
             ("mV", Quantity::Voltage, 1e-3),
             ("ms", Quantity::Time, 1e-3),
             ("Sec", Quantity::Time, 1.0),
+            ("Second", Quantity::Time, 1.0),
+            ("milliseconds", Quantity::Time, 1e-3),
             ("kHz", Quantity::Frequency, 1000.0),
             ("um", Quantity::Displacement, 1e-6),
             ("inch", Quantity::Displacement, 0.0254),

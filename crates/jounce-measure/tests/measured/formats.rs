@@ -189,8 +189,8 @@ fn what_is_no_recording_is_refused_with_its_reason() {
     let cases: [(&str, &[u8], &str); 8] = [
         ("a.csv", b"", "empty"),
         ("a.csv", b"no numbers\nat all\n", "no rows of numbers"),
-        ("a.csv", b"a,b\n5,1\n3,2\n4,3\n", "no column ascends"),
-        ("a.csv", b"t,b\n0,1\n2,2\n1,3\n", "before"),
+        ("a.csv", b"a,b\n5,1\n3,2\n4,3\n", "no column has a unit of time"),
+        ("a.csv", b"t [s],b\n0,1\n2,2\n1,3\n", "before"),
         ("a.h5", b"\x89HDF\r\n\x1a\n", "was the file cut?"),
         ("a.bin", b"\x01\x02\x00\x00", "binary"),
         ("a.txt", b"\xff\xfet\x00", "UTF-16"),
@@ -200,6 +200,6 @@ fn what_is_no_recording_is_refused_with_its_reason() {
         let told = read(name, bytes, None).expect_err(why).to_string();
         assert!(told.contains(why), "{told}");
     }
-    let constant = one("a.csv", b"t,a\n0,1\n1,1\n2,1\n3,1\n", None);
+    let constant = one("a.csv", b"t [s],a\n0,1\n1,1\n2,1\n3,1\n", None);
     assert!(kinds(&constant).contains(&FindingKind::Constant));
 }

@@ -9,6 +9,7 @@ mod driven;
 mod formats;
 mod hammer;
 mod intervals;
+mod layouts;
 mod real;
 mod references;
 mod samples;

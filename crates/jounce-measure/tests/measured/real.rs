@@ -117,5 +117,5 @@ fn every_universal_file_is_read_or_refused_with_its_reason() {
     let refused = read::file(&real("uff/groups_test.uff").expect("there")).expect_err("geometry only").to_string();
     assert!(refused.contains("2411") && refused.contains("2467"), "{refused}");
     let refused = read::file(&real("uff/meas_point_1.txt").expect("there")).expect_err("no time").to_string();
-    assert!(refused.contains("no column ascends"), "{refused}");
+    assert!(refused.contains("no column has a unit of time"), "{refused}");
 }

@@ -1,8 +1,8 @@
 //! Where the numbers of a text begin, and what parts them.
 
-use super::super::error::Damage;
-use super::super::name;
 use super::super::number::Field;
+use super::heads::{Head, heads, numbered};
+use super::preamble::Preamble;
 use crate::recording::Finding;
 
 /// What parts the fields of a line.
@@ -19,10 +19,16 @@ pub(crate) enum Delimiter {
 pub(crate) struct Layout {
     pub delimiter: Delimiter,
     pub decimal_comma: bool,
+    /// The byte that ends a line.
+    pub line_end: u8,
     /// Lines before the first row of numbers.
     pub skip: usize,
+    /// Fields of a whole row at least.
+    pub least: usize,
     /// Name and unit of each column.
-    pub heads: Vec<(String, String)>,
+    pub heads: Vec<Head>,
+    /// What stands above the rows, or beside them.
+    pub preamble: Preamble,
     /// How heads were read that can be read in two ways.
     pub doubts: Vec<Finding>,
 }
@@ -48,15 +54,52 @@ impl Delimiter {
 }
 
 impl Layout {
-    /// Finds the layout: the delimiter that gives the most columns of numbers, at the first place where it gives them in a row.
-    pub(super) fn find(head: &str) -> Result<Self, Damage> {
-        let lines: Vec<&str> = head.lines().collect();
-        let best = ROWS.iter().find_map(|rows| most_columns(&lines, *rows));
-        let (skip, count, delimiter, decimal_comma) =
-            best.ok_or_else(|| Damage::new("it holds no rows of numbers (dates and times of day are none: write seconds)"))?;
-        let (heads, doubts) = heads(&lines[..skip], count, delimiter);
-        Ok(Self { delimiter, decimal_comma, skip, heads, doubts })
+    /// Finds the layout of lines that end with a byte: the delimiter that gives the most columns of numbers, at the first place where it gives them in a
+    /// row. None where there is no such place.
+    pub(super) fn find(lines: &[&str], line_end: u8) -> Option<Self> {
+        let (mut skip, count, delimiter, decimal_comma) = ROWS.iter().find_map(|rows| most_columns(lines, *rows))?;
+        let read = |line: &&str| -> Vec<Field> { delimiter.fields(line).iter().map(|field| Field::read(field, decimal_comma)).collect() };
+        let first: Vec<Vec<Field>> = lines[skip..].iter().map(read).filter(|row| row.len() == count).take(ROWS[0]).collect();
+        let blank: Vec<bool> = (0..count).map(|k| first.iter().all(|row| !row[k].is_value())).collect();
+        // Rows above that hold text only where the first rows hold nothing belong to them: some oscilloscopes write their settings there.
+        let belongs = |row: &Vec<Field>| row.len() == count && row.iter().zip(&blank).all(|(field, blank)| *blank || field.is_value());
+        skip -= lines[..skip].iter().rev().take_while(|line| belongs(&read(line))).count();
+        let used = blank.iter().rposition(|blank| !blank).map_or(count, |last| last + 1);
+        let beside = blank.iter().position(|blank| !blank).unwrap_or(0);
+        let (mut columns, mut doubts) = heads(&lines[..skip], used, count, delimiter);
+        if let Some(named) =
+            lines.get(skip).and_then(|first| numbered(first, &lines[skip + 1..lines.len().min(skip + 1 + ROWS[0])], delimiter))
+        {
+            (columns, doubts, skip) = (named, Vec::new(), skip + 1);
+        }
+        for (k, (head, blank)) in columns.iter_mut().zip(&blank).enumerate() {
+            (head.blank, head.beside) = (*blank, k < beside);
+        }
+        let preamble = Preamble::read(&said(lines, skip, beside, delimiter, decimal_comma));
+        doubts.extend(preamble.doubts.iter().cloned());
+        Some(Self { delimiter, decimal_comma, line_end, skip, least: count, heads: columns, preamble, doubts })
     }
+}
+
+/// Rows beside which settings may stand.
+const BESIDE: usize = 64;
+
+/// The fields of the lines above the rows, and of those `beside` the first rows.
+fn said(lines: &[&str], skip: usize, beside: usize, delimiter: Delimiter, decimal_comma: bool) -> Vec<Vec<String>> {
+    // A single column tells no delimiter; that of the lines above is the one that stands there most often.
+    let written = |byte: &u8| lines[..skip].iter().map(|line| line.bytes().filter(|b| b == byte).count()).sum::<usize>();
+    let single = delimiter != Delimiter::Blanks && lines.get(skip).is_some_and(|row| delimiter.fields(row).len() == 1);
+    let above =
+        [b',', b';', b'\t'].into_iter().max_by_key(written).filter(|byte| single && written(byte) > 0).map_or(delimiter, Delimiter::Byte);
+    let fields = |line: &&str| match above {
+        Delimiter::Blanks if line.contains([':', '=']) => vec![(*line).to_owned()],
+        _ => above.fields(line),
+    };
+    let beside = |line: &&str| delimiter.fields(line).into_iter().take(beside).collect::<Vec<String>>();
+    let has_text = |fields: &Vec<String>| fields.iter().any(|field| !field.trim().is_empty());
+    let plain = |fields: Vec<String>| if decimal_comma { fields.iter().map(|field| field.replace(',', ".")).collect() } else { fields };
+    let above = lines[..skip].iter().map(fields);
+    above.chain(lines[skip..].iter().take(BESIDE).map(beside).filter(has_text)).map(plain).collect()
 }
 
 /// First line, number of columns, delimiter and decimal comma that give the most columns.
@@ -81,7 +124,8 @@ fn counts(lines: &[&str], delimiter: Delimiter, decimal_comma: bool) -> Vec<usiz
     let numbers = |line: &str| {
         let fields = delimiter.fields(line);
         let read: Vec<Field> = fields.iter().map(|field| Field::read(field, decimal_comma)).collect();
-        let row = read.iter().all(|field| field.is_sample()) && read.iter().any(|field| *field != Field::Missing);
+        let number = |field: &Field| matches!(field, Field::Real(_) | Field::Complex(..));
+        let row = read.iter().all(|field| field.is_sample()) && read.iter().any(number);
         if row { fields.len() } else { 0 }
     };
     lines.iter().map(|line| if line.trim().is_empty() { 0 } else { numbers(line) }).collect()
@@ -96,52 +140,16 @@ fn first_rows(counts: &[usize], rows: usize) -> Option<(usize, usize)> {
     Some((above.unwrap_or(found), counts[found]))
 }
 
-/// Names and units from the last line above the numbers with as many fields, and a line of units below it; and what is doubtful about them.
-fn heads(above: &[&str], count: usize, delimiter: Delimiter) -> (Vec<(String, String)>, Vec<Finding>) {
-    let mut rows = above.iter().rev().map(|line| fields_of_head(line, count, delimiter)).filter(|fields| fields.len() == count);
-    let Some(last) = rows.next() else {
-        return ((1..=count).map(|number| (format!("column {number}"), String::new())).collect(), Vec::new());
-    };
-    let are_units = last.iter().all(|field| name::is_known(field));
-    let (names, units) = match rows.next().filter(|_| are_units) {
-        Some(names) => (names, Some(last)),
-        None => (last, None),
-    };
-    let head = |(k, field): (usize, &String)| {
-        let (name, unit) = name::split(field);
-        let name = if name.is_empty() { format!("column {}", k + 1) } else { name };
-        (name, units.as_ref().map_or(unit, |units| units[k].trim().to_owned()))
-    };
-    let doubts = if units.is_none() { names.iter().filter_map(|name| name::doubt(name)).collect() } else { Vec::new() };
-    (distinct(names.iter().enumerate().map(head).collect()), doubts)
-}
-
-/// The fields of a line of heads, its comment sign taken away; fields that blanks part may be parted by two blanks or more.
-fn fields_of_head(line: &str, count: usize, delimiter: Delimiter) -> Vec<String> {
-    let line = line.trim_start_matches(['#', '%', '!']).trim();
-    let fields = delimiter.fields(line);
-    if delimiter != Delimiter::Blanks || fields.len() == count {
-        return fields;
-    }
-    let wide: Vec<String> = line.split("  ").map(str::trim).filter(|field| !field.is_empty()).map(str::to_owned).collect();
-    if wide.len() == count { wide } else { Delimiter::Byte(b',').fields(line) }
-}
-
-/// Names used twice get their column's number.
-fn distinct(heads: Vec<(String, String)>) -> Vec<(String, String)> {
-    let twice = |name: &str| heads.iter().filter(|(other, _)| other == name).count() > 1;
-    let name = |k: usize, name: &str| if twice(name) { format!("{name} {}", k + 1) } else { name.to_owned() };
-    heads.iter().enumerate().map(|(k, (head, unit))| (name(k, head), unit.clone())).collect()
-}
-
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
 
     fn found(text: &str) -> (Delimiter, bool, usize, Vec<String>) {
-        let layout = Layout::find(text).unwrap();
-        let heads = layout.heads.iter().map(|(name, unit)| if unit.is_empty() { name.clone() } else { format!("{name}|{unit}") });
+        let lines: Vec<&str> = text.lines().collect();
+        let layout = Layout::find(&lines, b'\n').unwrap();
+        let heads = layout.heads.iter().filter(|head| !head.blank || !head.unnamed);
+        let heads = heads.map(|head| if head.unit.is_empty() { head.name.clone() } else { format!("{}|{}", head.name, head.unit) });
         (layout.delimiter, layout.decimal_comma, layout.skip, heads.collect())
     }
 
@@ -157,10 +165,28 @@ mod tests {
             ("t,a\n0,1\n1\n2,3\n3,4\n4,5\n", Delimiter::Byte(b','), false, 1, vec!["t", "a"]),
             ("5\nt a\n0 1\n1 2\n2 3\n", Delimiter::Blanks, false, 2, vec!["t", "a"]),
             ("\"x, y\",b\n1,2\n3,4\n5,6\n", Delimiter::Byte(b','), false, 1, vec!["x, y", "b"]),
+            (
+                "X,CH1,Start,Increment,\nSequence,Volt,-1e-3,1e-4,\n0,1,\n1,2,\n2,3,\n",
+                Delimiter::Byte(b','),
+                false,
+                2,
+                vec!["X", "CH1|Volt"],
+            ),
+            (
+                "Time(s),CH1V,t0 =-1e-3, tInc = 1e-4,\n-1e-3,1,,\n0,2,,\n1e-3,3,,\n",
+                Delimiter::Byte(b','),
+                false,
+                1,
+                vec!["Time|s", "CH1|V"],
+            ),
+            ("Rate,5,,0,1,\nMode,x,,1,2,\n,,,2,3,\n,,,3,4,\n,,,4,5,\n", Delimiter::Byte(b','), false, 0, vec!["column 4", "column 5"]),
+            (",0,1\n0,1.5,2.5\n1,2.5,0.5\n2,3.5,1.5\n", Delimiter::Byte(b','), false, 1, vec!["column 1", "0", "1"]),
+            ("1,2\n0.5,1.5\n0.25,2.5\n", Delimiter::Byte(b','), false, 1, vec!["1", "2"]),
+            ("1,2\n2,3\n3,4\n", Delimiter::Byte(b','), false, 0, vec!["column 1", "column 2"]),
         ];
         for (text, delimiter, comma, skip, heads) in cases {
             assert_eq!(found(text), (delimiter, comma, skip, heads.into_iter().map(str::to_owned).collect()), "{text}");
         }
-        assert!(Layout::find("no numbers here\nat all\n").is_err());
+        assert_eq!(Layout::find(&["no numbers here", "at all"], b'\n'), None);
     }
 }

@@ -38,6 +38,7 @@ pub(super) fn read(block: Block, shelf: &Shelf) -> Result<Raw, Damage> {
         place: place(&header.response),
         direction: direction(&header.response),
         reference: if over == Over::Frequency { told(&header.reference) } else { String::new() },
+        left_out: None,
         values: next(),
         imaginary: header.complex.then(next),
     };

@@ -1,0 +1,221 @@
+//! Dates and times of day as loggers write them.
+//!
+//! | written | read as |
+//! |---|---|
+//! | `2024-03-05T14:07:01.25`, `2024/03/05 14:07:01,25`, behind it `Z` or `+01:00` | a moment |
+//! | `05.03.2024 14:07:01.25` | a moment, the day before the month |
+//! | `03/05/2024 2:07:01.25 PM`, `05-Mar-2024 14:07:01` | the time of day: nothing tells the order of day and month in all of them |
+//! | `14:07:01.25`, `14:07:01:250` | a time of day |
+//! | `07:01.25` | minutes and seconds |
+//!
+//! A date without a time is the beginning of its day.
+
+use chrono::NaiveDate;
+
+/// Nanoseconds of a second, and of a day.
+const SECOND: i64 = 1_000_000_000;
+const DAY: i64 = 86_400 * SECOND;
+
+/// A point in time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Moment {
+    /// Since 1970 where it has a date, else since midnight, ns.
+    pub nanoseconds: i64,
+    /// True where it has a date that counts.
+    pub dated: bool,
+}
+
+/// Moments of a column one after the other to seconds since the first one.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Clock {
+    first: i64,
+    before: i64,
+    days: i64,
+}
+
+impl Clock {
+    /// Starts with a first moment.
+    pub(super) fn from(first: Moment) -> Self {
+        Self { first: first.nanoseconds, before: first.nanoseconds, days: 0 }
+    }
+
+    /// Seconds since the first moment. A time of day that falls back by more than half a day is one of the next day.
+    pub(super) fn seconds(&mut self, moment: Moment) -> f64 {
+        if !moment.dated && self.before.saturating_sub(moment.nanoseconds) > DAY / 2 {
+            self.days += 1;
+        }
+        self.before = moment.nanoseconds;
+        let passed = moment.nanoseconds.saturating_sub(self.first).saturating_add(self.days.saturating_mul(DAY));
+        // Whole seconds and the rest apart, so that long records keep their digits.
+        (passed / SECOND) as f64 + (passed % SECOND) as f64 / SECOND as f64
+    }
+}
+
+impl Moment {
+    /// Reads a moment; none for anything else.
+    pub(super) fn read(text: &str) -> Option<Self> {
+        if !text.starts_with(|c: char| c.is_ascii_digit()) || text.len() > 48 || !text.is_ascii() {
+            return None;
+        }
+        let clock_at = text.find(':');
+        // The date ends at the last blank or `T` before the first colon.
+        let split = clock_at.and_then(|at| text[..at].rfind(['T', ' ', '_']));
+        match (clock_at, split) {
+            (None, _) => date(text)?.map(|days| Self { nanoseconds: days, dated: true }),
+            (Some(_), None) => Some(Self { nanoseconds: time(text)?, dated: false }),
+            (Some(_), Some(at)) => {
+                let (day, inside) = (date(text[..at].trim())?, time(text[at + 1..].trim())?);
+                let nanoseconds = day.map_or(Some(inside), |day| day.checked_add(inside))?;
+                Some(Self { nanoseconds, dated: day.is_some() })
+            }
+        }
+    }
+}
+
+impl std::fmt::Display for Moment {
+    fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (day, inside) = (self.nanoseconds.div_euclid(DAY), self.nanoseconds.rem_euclid(DAY));
+        let date = self.dated.then(|| NaiveDate::default().checked_add_signed(chrono::TimeDelta::days(day))).flatten();
+        if let Some(date) = date {
+            write!(to, "{date} ")?;
+        }
+        let (seconds, rest) = (inside / SECOND, inside % SECOND);
+        write!(to, "{:02}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60)?;
+        let fraction = format!("{rest:09}");
+        let fraction = fraction.trim_end_matches('0');
+        if fraction.is_empty() { Ok(()) } else { write!(to, ".{fraction}") }
+    }
+}
+
+/// The beginning of a day since 1970, ns; the inner none where the order of day and month is not told.
+fn date(text: &str) -> Option<Option<i64>> {
+    let parts: Vec<&str> = text.split(['-', '/', '.']).collect();
+    let [a, b, c] = parts[..] else { return None };
+    let separator = text.as_bytes().get(a.len()).copied()?;
+    let number = |part: &str| part.parse::<u32>().ok().filter(|_| part.len() <= 4);
+    let is_month = |part: &str| part.len() == 3 && part.bytes().all(|b| b.is_ascii_alphabetic());
+    if is_month(b) {
+        return (number(a).is_some() && number(c).is_some()).then_some(None);
+    }
+    let (year, month, day) = match (a.len(), separator, c.len()) {
+        (4, ..) => (number(a)?, number(b)?, number(c)?),
+        (1 | 2, b'.', 4) => (number(c)?, number(b)?, number(a)?),
+        (1 | 2, b'/' | b'-', 2 | 4) => {
+            let fits = number(a)?.max(number(b)?) <= 31 && number(c).is_some();
+            return fits.then_some(None);
+        }
+        _ => return None,
+    };
+    let days = NaiveDate::from_ymd_opt(i32::try_from(year).ok()?, month, day)?.signed_duration_since(NaiveDate::default()).num_days();
+    days.checked_mul(DAY).map(Some)
+}
+
+/// Time of day since midnight in its own zone taken to Greenwich where it tells one, ns.
+fn time(text: &str) -> Option<i64> {
+    let (text, noon) = match text.len().checked_sub(2).map(|at| (&text[..at], text[at..].to_ascii_uppercase())) {
+        Some((clock, half)) if half == "PM" => (clock.trim_end(), Some(12)),
+        Some((clock, half)) if half == "AM" => (clock.trim_end(), Some(0)),
+        _ => (text, None),
+    };
+    let (text, offset) = zone(text)?;
+    let parts: Vec<&str> = text.split(':').collect();
+    let whole = |part: &str| part.parse::<i64>().ok().filter(|_| (1..=4).contains(&part.len()) && part.bytes().all(|b| b.is_ascii_digit()));
+    let (hours, minutes, seconds) = match parts[..] {
+        [hours, minutes, seconds] => (whole(hours)?, whole(minutes)?, fraction(seconds)?),
+        [hours, minutes, seconds, thousandths] if thousandths.len() == 3 => {
+            (whole(hours)?, whole(minutes)?, fraction(&format!("{seconds}.{thousandths}"))?)
+        }
+        // Without a fraction `14:07` may be hours and minutes.
+        [minutes, seconds] if seconds.contains(['.', ',']) => (0, whole(minutes)?, fraction(seconds)?),
+        _ => return None,
+    };
+    let hours = noon.map_or(hours, |noon| hours % 12 + noon);
+    (minutes < 60).then_some((hours * 3600 + minutes * 60) * SECOND + seconds - offset)
+}
+
+/// The text before a zone, and the offset of the zone from Greenwich, ns.
+fn zone(text: &str) -> Option<(&str, i64)> {
+    if let Some(bare) = text.strip_suffix(['Z', 'z']) {
+        return Some((bare, 0));
+    }
+    let Some(at) = text.find(['+', '-']) else { return Some((text, 0)) };
+    let digits: String = text[at + 1..].chars().filter(|c| *c != ':').collect();
+    let all = digits.len() == 4 && digits.bytes().all(|b| b.is_ascii_digit());
+    let [hours, minutes] = [digits.get(..2)?, digits.get(2..)?].map(|part| part.parse::<i64>().ok());
+    let offset = (hours.filter(|_| all)? * 3600 + minutes? * 60) * SECOND;
+    Some((text[..at].trim_end(), if text[at..].starts_with('-') { -offset } else { offset }))
+}
+
+/// Seconds below 61 with a fraction of any length, ns.
+fn fraction(text: &str) -> Option<i64> {
+    let (whole, rest) = text.split_once(['.', ',']).unwrap_or((text, ""));
+    let digits = |part: &str| part.bytes().all(|b| b.is_ascii_digit());
+    if !(1..=2).contains(&whole.len()) || !digits(whole) || !digits(rest) {
+        return None;
+    }
+    let padded = format!("{rest:0<9}");
+    let seconds = whole.parse::<i64>().ok().filter(|seconds| *seconds < 61)?;
+    Some(seconds * SECOND + padded.get(..9)?.parse::<i64>().ok()?)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn moments_of_every_spelling_are_read_and_nothing_else() {
+        let at = |dated, nanoseconds| Some(Moment { nanoseconds, dated });
+        let clock = (14 * 3600 + 7 * 60 + 1) * SECOND + 250_000_000;
+        let day = 19_787 * DAY;
+        let dated = [
+            "2024-03-05T14:07:01.25",
+            "2024-03-05 14:07:01,25",
+            "2024/03/05 14:07:01.250000",
+            "2024-03-05T14:07:01.25Z",
+            "2024-03-05T15:07:01.25+01:00",
+            "2024-03-05T09:07:01.25-0500",
+            "05.03.2024 14:07:01.25",
+            "5.3.2024 14:07:01:250",
+        ];
+        for text in dated {
+            assert_eq!(Moment::read(text), at(true, day + clock), "{text}");
+        }
+        for text in ["14:07:01.25", "03/05/2024 2:07:01.25 PM", "05-Mar-2024 14:07:01.25", "14:07:01:250", "03/05/24 14:07:01.25"] {
+            assert_eq!(Moment::read(text), at(false, clock), "{text}");
+        }
+        assert_eq!(Moment::read("2024-03-05T15:07:01.25+01:00").unwrap().to_string(), "2024-03-05 14:07:01.25");
+        assert_eq!(Moment::read("07:01.25"), at(false, 421 * SECOND + 250_000_000));
+        assert_eq!(Moment::read("12:00:00 AM"), at(false, 0));
+        assert_eq!(Moment::read("2024-03-05"), at(true, day));
+        for text in [
+            "",
+            "12:00",
+            "1.2.3",
+            "1-2",
+            "2024-13-05",
+            "2024-02-30 1:02:03",
+            "14:07:61.0",
+            "14:77:01.0",
+            "1:2:3:4:5",
+            "5/6/7",
+            "::",
+            "9:9:9x",
+            "1-2-3-4",
+        ] {
+            assert_eq!(Moment::read(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_clock_passes_midnight_and_keeps_its_digits() {
+        let read = |text: &str| Moment::read(text).unwrap();
+        let mut clock = Clock::from(read("23:59:59.999"));
+        assert_eq!(
+            [clock.seconds(read("23:59:59.999")), clock.seconds(read("00:00:00.000")), clock.seconds(read("00:00:00.001"))],
+            [0.0, 0.001, 0.002]
+        );
+        let mut clock = Clock::from(read("2023-12-31T23:59:59.9"));
+        assert_eq!(clock.seconds(read("2024-01-01T00:00:00.1")), 0.2);
+    }
+}

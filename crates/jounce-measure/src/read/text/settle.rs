@@ -1,0 +1,51 @@
+//! What the preamble of a text says of its columns.
+
+use std::io;
+
+use super::super::raw::{Column, Rate};
+use super::super::time::{even_step, is_counter, is_time_column};
+use super::Layout;
+use crate::recording::Series as _;
+
+/// Gives columns the names and units that the preamble tells, and finds the column of the time where none is named but one has the step of the preamble.
+pub(super) fn settle(columns: &mut [Column], layout: &Layout) -> io::Result<()> {
+    let preamble = &layout.preamble;
+    let unnamed = |k: usize| layout.heads.get(k).is_some_and(|head| head.unnamed);
+    let mut time = (0..columns.len()).find(|k| columns[*k].left_out.is_none() && is_time_column(&columns[*k]));
+    if let (None, Some(rate)) = (time, &preamble.rate) {
+        let first = (0..columns.len()).find(|k| columns[*k].left_out.is_none() && columns[*k].values.count() > 0);
+        if let Some(k) = first.filter(|k| columns[*k].unit.is_empty()) {
+            let is_time = has_step(&columns[k], rate)?;
+            if is_time {
+                columns[k].unit = "s".to_owned();
+            }
+            if is_time && unnamed(k) {
+                columns[k].name = "Time".to_owned();
+            }
+            time = is_time.then_some(k);
+        }
+    }
+    if let Some((k, unit)) = time.zip(preamble.time_unit.as_ref()).filter(|(k, _)| columns[*k].unit.is_empty()) {
+        columns[k].unit.clone_from(unit);
+    }
+    let mut channels = Vec::new();
+    for (k, column) in columns.iter().enumerate() {
+        if Some(k) != time && column.left_out.is_none() && !is_counter(column)? {
+            channels.push(k);
+        }
+    }
+    for (place, k) in channels.iter().enumerate() {
+        let unit = if preamble.units.len() == channels.len() { preamble.units.get(place) } else { preamble.units.first() };
+        if let Some(unit) = unit.filter(|_| columns[*k].unit.is_empty() && [1, channels.len()].contains(&preamble.units.len())) {
+            columns[*k].unit.clone_from(unit);
+        }
+        if let Some(name) = preamble.names.get(place).filter(|_| preamble.names.len() == channels.len()) {
+            columns[*k].name.clone_from(name);
+        }
+    }
+    Ok(())
+}
+
+fn has_step(column: &Column, rate: &Rate) -> io::Result<bool> {
+    Ok(even_step(&column.values)?.is_some_and(|step| !rate.differs_from(1.0 / step)))
+}

@@ -1,0 +1,278 @@
+//! Which column of a data set holds the time, and in which unit.
+//!
+//! A column is the time where the notes say so, where its name or its unit does, or where it has the step of a rate that is told. A column that only
+//! ascends is none: it may count samples, or hold milliseconds. Arrays of NPY and MAT have no name for it: there a first one that rises evenly by a
+//! fraction is taken in seconds, and that is told.
+
+use std::borrow::Cow;
+use std::io;
+
+use super::name::{is_frequency, is_time, time_unit};
+use super::numbers::Numbers;
+use super::raw::{Column, Rate, Raw, Stamps};
+use super::{ChannelNotes, Notes, Places};
+use crate::recording::{Finding, FindingKind, Over, PIECE, Quantity, Series, Unit};
+
+/// Names of columns that count, in small letters without blanks and dots.
+const COUNTERS: [&str; 29] = [
+    "#",
+    "n",
+    "no",
+    "nr",
+    "num",
+    "i",
+    "k",
+    "x",
+    "idx",
+    "index",
+    "id",
+    "sample",
+    "samples",
+    "sample#",
+    "sampleno",
+    "samplenumber",
+    "sequence",
+    "seq",
+    "count",
+    "counter",
+    "point",
+    "points",
+    "row",
+    "record",
+    "recno",
+    "scan",
+    "frame",
+    "line",
+    "number",
+];
+/// Units that stamps without one are tried in where a rate is told: seconds in each.
+const UNITS: [(&str, f64); 4] = [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9)];
+
+/// Share of a step by which a number may miss the time of its sample and still be it.
+const SAME_PLACE: f64 = 0.02;
+
+/// A column that tells no unit where it must.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct UntoldUnit {
+    pub column: String,
+    /// Its usual step, in its unit.
+    pub step: f64,
+}
+
+/// What the notes make of the name and the unit of a column.
+fn head<'a>(column: &'a Column, said: Option<&'a ChannelNotes>) -> (&'a str, &'a str) {
+    let name = said.and_then(|said| said.name.as_deref()).unwrap_or(&column.name);
+    (name, said.and_then(|said| said.unit.as_deref()).unwrap_or(&column.unit))
+}
+
+fn measures(unit: &str) -> Option<Quantity> {
+    Unit::read(unit).map(|unit| unit.quantity)
+}
+
+/// True for a column whose name or unit says that it holds the time.
+pub(super) fn is_time_column(column: &Column) -> bool {
+    says_time(head(column, None))
+}
+
+fn says_time((name, unit): (&str, &str)) -> bool {
+    // A time constant in V is none.
+    let silent = matches!(unit.trim(), "" | "NONE");
+    measures(unit) == Some(Quantity::Time) || silent && is_time(name)
+}
+
+fn says_frequency((name, unit): (&str, &str)) -> bool {
+    let silent = matches!(unit.trim(), "" | "NONE");
+    is_frequency(name) && (silent || measures(unit) == Some(Quantity::Frequency))
+}
+
+/// The column that holds the time (or frequency): the one that the notes name, whose name or unit tells it, or a first one with the step of a rate that
+/// is told.
+pub(super) fn time_column(raw: &mut Raw, said: &[ChannelNotes], notes: &Notes) -> io::Result<Option<usize>> {
+    if let Some(wanted) = &notes.time {
+        let numbered = || wanted.parse::<usize>().ok().and_then(|number| number.checked_sub(1));
+        return Ok(raw.columns.iter().position(|column| column.name == *wanted).or_else(numbered));
+    }
+    if notes.rate_hz.is_some() {
+        return Ok(None);
+    }
+    if let Stamps::Of { column, .. } = raw.stamps {
+        return Ok(Some(column));
+    }
+    let may_be = |k: &usize| raw.columns[*k].left_out.is_none();
+    let heads: Vec<(String, String)> = (0..raw.columns.len())
+        .map(|k| {
+            let (name, unit) = head(&raw.columns[k], said.get(k));
+            (name.to_owned(), unit.to_owned())
+        })
+        .collect();
+    let of = |k: usize| (heads[k].0.as_str(), heads[k].1.as_str());
+    let all = || (0..heads.len()).filter(may_be);
+    if let Some(k) = all().find(|k| says_time(of(*k)) && is_time(of(*k).0)) {
+        return Ok(Some(k));
+    }
+    if let Some(k) = all().find(|k| says_frequency(of(*k))) {
+        raw.over = Over::Frequency;
+        return Ok(Some(k));
+    }
+    for k in all() {
+        if says_time(of(k)) && ascends(&raw.columns[k].values)? {
+            return Ok(Some(k));
+        }
+    }
+    let told = match &raw.stamps {
+        Stamps::Rate(rate) => Some(rate),
+        Stamps::Header(header) => Some(&header.rate),
+        Stamps::Column => None,
+        _ => return Ok(None),
+    };
+    let Some(first) = all().next().filter(|_| raw.columns.len() > 1) else { return Ok(None) };
+    let values = &raw.columns[first].values;
+    let Some(step) = even_step(values)? else { return Ok(None) };
+    // Arrays cannot name their time: one that rises evenly by a fraction neither counts nor holds whole milliseconds.
+    let may_be = match told {
+        Some(rate) => !rate.differs_from(1.0 / step),
+        None => !is_whole(values)?,
+    };
+    Ok(may_be.then_some(first))
+}
+
+/// The step of a column that ascends evenly.
+pub(super) fn even_step(values: &Numbers) -> io::Result<Option<f64>> {
+    let Some((first, last)) = values.ends()? else { return Ok(None) };
+    let step = (last - first) / (values.count().max(2) - 1) as f64;
+    let (mut even, mut k) = (step > 0.0 && values.count() > 2, 0.0);
+    if even {
+        values.each(|t| {
+            even &= ((t - first) / step - k).abs() < 0.5;
+            k += 1.0;
+        })?;
+    }
+    Ok(even.then_some(step))
+}
+
+/// What a channel is that holds the time of its samples, or counts them; none for any other.
+pub(super) fn equals(values: &Numbers, places: &Places) -> io::Result<Option<String>> {
+    if counts(values)? == Some(1.0) {
+        return Ok(Some("it counts the samples".to_owned()));
+    }
+    let (step, mut equal, mut k) = (1.0 / places.rate(), values.count() > 2, 0);
+    let (mut piece, mut at) = (Vec::new(), 0);
+    values.each(|x| {
+        // Both series come in pieces of one length.
+        if equal && k % PIECE == 0 {
+            piece = places.piece(k / PIECE).map(Cow::into_owned).unwrap_or_default();
+            at = 0;
+        }
+        equal &= piece.get(at).is_some_and(|place| (x - place).abs() < SAME_PLACE * step);
+        (k, at) = (k + 1, at + 1);
+    })?;
+    Ok(equal.then(|| "it holds the time of its samples".to_owned()))
+}
+
+/// True for numbers that never fall and end above where they begin.
+pub(super) fn ascends(values: &Numbers) -> io::Result<bool> {
+    let (mut rises, mut before) = (true, f64::NEG_INFINITY);
+    values.each(|x| {
+        rises &= x >= before;
+        before = x;
+    })?;
+    Ok(rises && values.ends()?.is_some_and(|(first, last)| last > first))
+}
+
+/// True for a column by the name of a counter whose numbers are whole and rise by the same whole number, and for one without a name that rises by 1.
+pub(super) fn is_counter(column: &Column) -> io::Result<bool> {
+    let name: String = column.name.to_lowercase().chars().filter(|c| !c.is_whitespace() && !"._".contains(*c)).collect();
+    let unnamed = name.starts_with("column") && name["column".len()..].bytes().all(|b| b.is_ascii_digit());
+    if !column.unit.is_empty() || column.imaginary.is_some() || !(unnamed || COUNTERS.contains(&name.as_str())) {
+        return Ok(false);
+    }
+    Ok(counts(&column.values)?.is_some_and(|step| !unnamed || step == 1.0))
+}
+
+/// The step of whole numbers that all rise by it.
+fn counts(values: &Numbers) -> io::Result<Option<f64>> {
+    let Some((first, last)) = values.ends()? else { return Ok(None) };
+    let step = (last - first) / (values.count().max(2) - 1) as f64;
+    let (mut counts, mut k) = (step >= 1.0 && step.fract() == 0.0 && first.fract() == 0.0 && values.count() > 2, 0.0);
+    if counts {
+        values.each(|x| {
+            counts &= x == first + k * step;
+            k += 1.0;
+        })?;
+    }
+    Ok(counts.then_some(step))
+}
+
+/// What is said of columns that are not read as channels, for an error: `a counts the samples`.
+pub(super) fn told(columns: &[Column]) -> io::Result<Vec<String>> {
+    let mut told = Vec::new();
+    for column in columns.iter().filter(|column| column.left_out.is_none()) {
+        if is_counter(column)? {
+            told.push(format!("{:?} counts", column.name));
+        } else if let Some(step) = even_step(&column.values)? {
+            told.push(format!("{:?} rises by {} and tells no unit of time", column.name, short(step)));
+        }
+    }
+    Ok(told)
+}
+
+/// A number without the roundoff behind its ninth digit.
+fn short(step: f64) -> f64 {
+    format!("{step:.8e}").parse().unwrap_or(step)
+}
+
+/// The stamps of a column in s or Hz. Stamps without a unit are seconds where their column's name says that it is a time and they have fractions of one; a
+/// `rate` that is told may tell the unit too. Whole numbers may be anything.
+pub(super) fn seconds(
+    column: &mut Column,
+    said: &ChannelNotes,
+    (over, rate, named): (Over, Option<&Rate>, bool),
+    findings: &mut Vec<Finding>,
+) -> io::Result<Result<Numbers, UntoldUnit>> {
+    let (due, si) = if over == Over::Time { (Quantity::Time, "s") } else { (Quantity::Frequency, "Hz") };
+    let name = said.name.clone().unwrap_or_else(|| column.name.clone());
+    let told = said.unit.clone().unwrap_or_else(|| column.unit.clone());
+    let noticed = |kind, about: String| Finding::new(kind, 1, None, about).of(&name);
+    let known = |unit: &str| Unit::read(unit).filter(|unit| unit.quantity == due).map(|unit| unit.factor);
+    let by_name = || time_unit(&name).filter(|_| over == Over::Time);
+    let (unit, factor) = match known(&told)
+        .map(|factor| (told, factor))
+        .or_else(|| by_name().and_then(|unit| Some((unit.to_owned(), known(unit)?))))
+    {
+        Some(found) => found,
+        None if over == Over::Time && !named => {
+            let step = even_step(&column.values)?;
+            let fits = |(_, factor): &&(&str, f64)| rate.zip(step).is_some_and(|(rate, step)| !rate.differs_from(1.0 / (step * factor)));
+            if let Some((unit, factor)) = UNITS.iter().find(fits) {
+                let by = rate.map_or("", |rate| &rate.told);
+                findings.push(noticed(FindingKind::Assumed, format!("the stamps tell no unit; they are in {unit} by {by}")));
+                ((*unit).to_owned(), *factor)
+            } else if said.scale.is_none() && is_whole(&column.values)? {
+                let steps = column.values.ends()?.map_or(f64::NAN, |(first, last)| last - first);
+                let step = step.unwrap_or(steps / (column.values.count().max(2) - 1) as f64);
+                return Ok(Err(UntoldUnit { column: column.name.clone(), step: short(step) }));
+            } else {
+                let what =
+                    if is_time(&name) { "the stamps tell no unit that is known" } else { "no name and no unit says that this is the time" };
+                findings.push(noticed(FindingKind::Assumed, format!("{what}; {si} is assumed")));
+                (si.to_owned(), 1.0)
+            }
+        }
+        None => {
+            findings.push(noticed(FindingKind::Assumed, format!("the stamps tell no unit that is known; {si} is assumed")));
+            (si.to_owned(), 1.0)
+        }
+    };
+    let scale = said.scale.unwrap_or(1.0);
+    if factor * scale != 1.0 {
+        findings.push(noticed(FindingKind::Converted, format!("stamps in {unit} times {} are {si}", factor * scale)));
+    }
+    column.values.scale(factor * scale);
+    Ok(Ok(std::mem::replace(&mut column.values, Vec::new().into())))
+}
+
+fn is_whole(values: &Numbers) -> io::Result<bool> {
+    let mut whole = true;
+    values.each(|x| whole &= x.fract() == 0.0)?;
+    Ok(whole)
+}

@@ -1,0 +1,78 @@
+//! What a recording is, and what can be done with it next, in one line.
+
+use super::{Places, Surveyed, SurveyedChannel};
+use crate::recording::{FindingKind, Over, Quantity, Series as _};
+
+impl Surveyed {
+    /// One line: what the recording holds, and the commands that take it, or what its notes must say first.
+    pub fn verdict(&self) -> String {
+        let live: Vec<&SurveyedChannel> = self.channels.iter().filter(|channel| !self.is_dead(channel)).collect();
+        let has = |quantity: Quantity| live.iter().any(|channel| channel.quantity == quantity);
+        let count = |quantity: Quantity| live.iter().filter(|channel| channel.quantity == quantity).count();
+        let named = [
+            (Quantity::Voltage, "voltage"),
+            (Quantity::Acceleration, "acceleration"),
+            (Quantity::Velocity, "velocity"),
+            (Quantity::Displacement, "displacement"),
+            (Quantity::Force, "force"),
+            (Quantity::Pressure, "pressure"),
+            (Quantity::Response, "response"),
+            (Quantity::Unknown, "channel of an unknown unit"),
+        ];
+        let counted: Vec<String> = named
+            .iter()
+            .map(|(quantity, name)| (count(*quantity), name))
+            .filter(|(count, _)| *count > 0)
+            .map(|(count, name)| format!("{count} {name}"))
+            .collect();
+        let holds = if counted.is_empty() { "no live channel".to_owned() } else { counted.join(", ") };
+        let motion = has(Quantity::Acceleration) || has(Quantity::Velocity) || has(Quantity::Displacement);
+        let next = match self.over {
+            _ if live.is_empty() => "nothing can be computed from it",
+            _ if live.iter().all(|channel| channel.quantity == Quantity::Unknown) => {
+                "spectra; give units in the notes beside the file for power, frf, modes and contact"
+            }
+            Over::Frequency if has(Quantity::Response) => "modes --measured",
+            Over::Frequency => "spectra over frequency: modes --output-only where it is an amplitude spectrum",
+            Over::Time if has(Quantity::Force) && (motion || has(Quantity::Voltage)) => "frf and modes --measured, contact, spectra",
+            Over::Time if has(Quantity::Force) => "contact, spectra",
+            Over::Time if has(Quantity::Voltage) && motion => "power, regimes, spectra; fit",
+            Over::Time if has(Quantity::Voltage) => "power --resistance, regimes, spectra",
+            Over::Time if motion => "spectra, modes --output-only or --free-decay; rig --base as the motion of a base",
+            Over::Time => "spectra",
+        };
+        let even = if matches!(self.places, Places::Even { .. }) { "even" } else { "uneven, resampled where used" };
+        let unit = if self.over == Over::Time { "Hz" } else { "lines per Hz" };
+        format!("{holds}; {} samples, {:.6} {unit}, {even}; next: {next}", self.places.count(), self.rate())
+    }
+
+    /// True for a channel that holds no signal.
+    fn is_dead(&self, channel: &SurveyedChannel) -> bool {
+        let dead = |kind: FindingKind| matches!(kind, FindingKind::Constant | FindingKind::EqualsTime);
+        let number = channel.sizes.peak == 0.0;
+        number || self.findings.iter().any(|finding| dead(finding.kind) && finding.channel.as_ref() == Some(&channel.name))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recording::{Channel, Finding, Grid, Recording};
+
+    fn verdict(channels: &[(Quantity, &str)], constant: Option<&str>) -> String {
+        let channel = |(quantity, name): &(Quantity, &str)| Channel::new(name, *quantity, quantity.si_unit(), vec![1.0, 2.0, 1.0]);
+        let grid = Grid::Even { start: 0.0, step: 0.01, count: 3 };
+        let findings = constant.map(|name| Finding::new(FindingKind::Constant, 3, None, String::new()).of(name)).into_iter().collect();
+        let recording = Recording { name: "r".into(), over: Over::Time, grid, channels: channels.iter().map(channel).collect(), findings };
+        Surveyed::from(recording).verdict()
+    }
+
+    #[test]
+    fn a_verdict_names_what_there_is_and_what_is_next() {
+        let run = verdict(&[(Quantity::Voltage, "v"), (Quantity::Acceleration, "a")], None);
+        assert_eq!(run, "1 voltage, 1 acceleration; 3 samples, 100.000000 Hz, even; next: power, regimes, spectra; fit");
+        assert!(verdict(&[(Quantity::Force, "f"), (Quantity::Acceleration, "a")], None).contains("frf and modes"));
+        assert!(verdict(&[(Quantity::Unknown, "x")], None).contains("give units"));
+        assert!(verdict(&[(Quantity::Voltage, "v")], Some("v")).contains("no live channel"));
+    }
+}

@@ -1,0 +1,89 @@
+//! How finely stamps were printed, found from the numbers themselves.
+
+use std::fmt::Write as _;
+
+use super::Series;
+
+/// Roundoff of a stamp that was read, scaled and compared, relative.
+const ROUNDOFF: f64 = 8.0 * f64::EPSILON;
+/// Digits that a double keeps whatever roundoff of a few units in its last place it suffers.
+const SURE: usize = 15;
+/// A number of at most so many digits was printed so, and its further digits are roundoff.
+const PRINTED: usize = 13;
+
+/// The digits that numbers were printed with: so many behind the point, or so many that count, whichever is coarser for a number. The shortest
+/// decimal of a double that reads back as the same double shows them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Digits {
+    decimals: i32,
+    significant: i32,
+}
+
+impl Digits {
+    /// Digits of numbers as they were printed, or times a power of ten since.
+    pub(crate) fn of<S: Series>(stamps: &S) -> Result<Self, S::Fault> {
+        let mut digits = Self { decimals: 0, significant: 1 };
+        let mut text = String::new();
+        stamps.each(|x| {
+            if let Some((count, exponent)) = printed(x, &mut text) {
+                digits.significant = digits.significant.max(count);
+                digits.decimals = digits.decimals.max(count - 1 - exponent);
+            }
+        })?;
+        Ok(digits)
+    }
+
+    /// How far the number behind a stamp may lie from it: half a unit of its last digit.
+    pub(crate) fn rounding(&self, stamp: f64) -> f64 {
+        let size = stamp.abs();
+        let power = if size > 0.0 { size.log10().floor() as i32 } else { -self.decimals };
+        let last = (-self.decimals).max(power - self.significant + 1);
+        0.5 * 10f64.powi(last) + ROUNDOFF * size
+    }
+}
+
+/// How many digits a number was printed with, and the power of ten of the first one; `text` is room to write in.
+fn printed(x: f64, text: &mut String) -> Option<(i32, i32)> {
+    if !x.is_finite() {
+        return None;
+    }
+    text.clear();
+    write!(text, "{x:e}").ok()?;
+    let mut found = counted(text)?;
+    if found.0 > SURE {
+        text.clear();
+        write!(text, "{x:.*e}", SURE - 1).ok()?;
+        found = counted(text).filter(|(count, _)| *count <= PRINTED).unwrap_or(found);
+    }
+    Some((found.0 as i32, found.1))
+}
+
+/// Digits before the zeros at the end, and the exponent.
+fn counted(text: &str) -> Option<(usize, i32)> {
+    let (mantissa, power) = text.split_once('e')?;
+    let count = mantissa.trim_end_matches('0').bytes().filter(u8::is_ascii_digit).count();
+    Some((count.max(1), power.parse().ok()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn printed_digits_are_found_in_either_notation() {
+        let near = |found: f64, due: f64| assert!((found / due - 1.0).abs() < 1e-6, "{found} {due}");
+        let fixed: Vec<f64> = (0..2000).map(|k| (f64::from(k) * 1e6 / 1536.0).round() / 1e6).collect();
+        let scaled: Vec<f64> = fixed.iter().map(|t| t * 1e-3).collect();
+        let Ok(digits) = Digits::of(&fixed.as_slice());
+        near(digits.rounding(1.0), 0.5e-6);
+        near(digits.rounding(0.002), 0.5e-6);
+        let Ok(digits) = Digits::of(&scaled.as_slice());
+        near(digits.rounding(0.001), 0.5e-9);
+        let scientific: Vec<f64> = (0..2000).map(|k| format!("{:.4e}", f64::from(k) / 1536.0).parse().unwrap_or(f64::NAN)).collect();
+        let Ok(digits) = Digits::of(&scientific.as_slice());
+        near(digits.rounding(1.2), 0.5e-4);
+        let full: Vec<f64> = (1..2000).map(|k| f64::from(k) / 1536.7).collect();
+        let Ok(digits) = Digits::of(&full.as_slice());
+        assert!(digits.rounding(1.0) < 1e-14);
+    }
+}

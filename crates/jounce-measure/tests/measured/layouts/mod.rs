@@ -1,0 +1,150 @@
+//! Layouts of the texts that oscilloscopes, loggers and programs write: one writer each, and what is read of it. The table of the book holds the same list.
+
+mod faults;
+mod loggers;
+mod oscilloscopes;
+mod programs;
+
+use super::through_a_file::read;
+use jounce_measure::recording::{Grid, Over};
+use std::f64::consts::TAU;
+
+/// Samples of each channel.
+const COUNT: usize = 400;
+
+/// A layout, and what is read of it.
+struct Layout {
+    /// Who writes it.
+    program: &'static str,
+    series: &'static str,
+    /// What is read of it, for the table.
+    recognised: &'static str,
+    /// What the notes must say, for the table and as notes: of time, rate and channels.
+    by_hand: &'static str,
+    notes: &'static str,
+    /// What the error says without the notes.
+    refused: &'static str,
+    text: String,
+    rate_hz: f64,
+    start_s: f64,
+    /// Names and SI units of the channels.
+    channels: &'static [(&'static str, &'static str)],
+}
+
+const TWO: &[(&str, &str)] = &[("CH1", "V"), ("CH2", "V")];
+
+impl Default for Layout {
+    fn default() -> Self {
+        let (program, series, recognised, by_hand, notes, refused) = ("", "", "rate, start, names, units", "", "", "");
+        Self { program, series, recognised, by_hand, notes, refused, text: String::new(), rate_hz: 1e4, start_s: -0.02, channels: TWO }
+    }
+}
+
+/// Sample `k` of a channel in its SI unit: ten samples in a cycle, another phase and size in each channel.
+fn sample(channel: usize, k: usize) -> f64 {
+    [0.8, 0.4, 0.3][channel % 3] * (TAU * 0.1 * k as f64 + channel as f64).sin()
+}
+
+/// Rows of a text, each made from its number.
+fn rows(row: impl Fn(usize) -> String) -> String {
+    (0..COUNT).map(|k| row(k) + "\n").collect()
+}
+
+/// The time of sample `k` of records at 10 kHz that begin 20 ms before the trigger.
+fn scope_time(k: usize) -> f64 {
+    (k as f64 - 200.0) * 1e-4
+}
+
+fn all() -> Vec<Layout> {
+    [oscilloscopes::all(), loggers::all(), programs::all()].into_iter().flatten().collect()
+}
+
+fn file_name(layout: &Layout) -> &'static str {
+    if layout.text.starts_with("LabVIEW Measurement") { "a.lvm" } else { "a.csv" }
+}
+
+/// What is wrong with a recording of a layout.
+fn faults(layout: &Layout, text: &str) -> Vec<String> {
+    let notes = (!layout.notes.is_empty()).then_some(layout.notes);
+    let contents = match read(file_name(layout), text.as_bytes(), notes) {
+        Ok(contents) => contents,
+        Err(fault) => return vec![fault.to_string()],
+    };
+    let [found] = &contents.recordings[..] else { return vec![format!("{} recordings", contents.recordings.len())] };
+    let mut faults = Vec::new();
+    let heads: Vec<(&str, &str)> = found.channels.iter().map(|channel| (channel.name.as_str(), channel.unit.as_str())).collect();
+    if heads != layout.channels || found.over != Over::Time {
+        faults.push(format!("channels {heads:?}"));
+    }
+    let off = (found.rate() / layout.rate_hz - 1.0).abs();
+    if off > 1e-9 || !matches!(found.grid, Grid::Even { .. }) {
+        faults.push(format!("{} Hz", found.rate()));
+    }
+    if (found.grid.at(0) - layout.start_s).abs() > 1e-9 {
+        faults.push(format!("starts at {}", found.grid.at(0)));
+    }
+    for (c, channel) in found.channels.iter().enumerate() {
+        let off = channel.values.iter().enumerate().map(|(k, x)| (x - sample(c, k)).abs()).fold(0.0, f64::max);
+        if channel.values.len() != COUNT || off.is_nan() || off > 6e-3 {
+            faults.push(format!("{}: {} samples, off by {off}", channel.name, channel.values.len()));
+        }
+    }
+    if !faults.is_empty() {
+        faults.extend(found.findings.iter().map(ToString::to_string));
+    }
+    faults
+}
+
+fn report(faults: Vec<(String, Vec<String>)>) {
+    let wrong: Vec<String> =
+        faults.into_iter().filter(|(_, faults)| !faults.is_empty()).map(|(name, faults)| format!("{name}: {faults:#?}")).collect();
+    assert!(wrong.is_empty(), "{} layouts are read wrong:\n{}", wrong.len(), wrong.join("\n"));
+}
+
+fn name(layout: &Layout) -> String {
+    format!("{}, {}", layout.program, layout.series)
+}
+
+/// Each layout gives its rate, start, names, units and samples; where something must be said by hand the file is refused until the notes say it.
+#[test]
+fn every_layout_is_read_as_the_table_says() {
+    let judged = |layout: &Layout| {
+        let mut found = faults(layout, &layout.text);
+        if !layout.refused.is_empty() {
+            match read(file_name(layout), layout.text.as_bytes(), None) {
+                Ok(_) => found.push("it is not refused without notes".to_owned()),
+                Err(fault) => {
+                    let told = fault.to_string();
+                    found.extend(Some(told).filter(|told| !told.contains(layout.refused) || !told.contains(".channels.toml")));
+                }
+            }
+        }
+        (name(layout), found)
+    };
+    report(all().iter().map(judged).collect());
+}
+
+/// The same with other ends of lines and empty rows at the end.
+#[test]
+fn ends_of_lines_and_empty_rows_at_the_end_change_nothing() {
+    let judged = |layout: &Layout| {
+        let last = layout.text.lines().last().unwrap_or_default();
+        let delimiter = last.chars().find(|c| ",;\t".contains(*c)).unwrap_or(' ');
+        let empty = format!("{}\n", delimiter.to_string().repeat(last.matches(delimiter).count()));
+        let texts = [layout.text.replace('\n', "\r\n"), layout.text.replace('\n', "\r"), layout.text.clone() + &empty.repeat(3)];
+        (name(layout), texts.iter().flat_map(|text| faults(layout, text)).collect())
+    };
+    report(all().iter().map(judged).collect());
+}
+
+/// The table of the book holds each layout, and no other.
+#[test]
+fn the_table_of_the_book_is_this_list() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/howto/text-layouts.md");
+    let book = std::fs::read_to_string(&path).unwrap_or_else(|fault| panic!("{}: {fault}", path.display()));
+    let row = |layout: &Layout| format!("| {} | {} | {} | {} |", layout.program, layout.series, layout.recognised, layout.by_hand);
+    let due: Vec<String> = all().iter().map(row).collect();
+    let found: Vec<&str> = book.lines().filter(|line| line.starts_with("| ")).skip(1).collect();
+    assert!(due.len() >= 40, "{}", due.len());
+    assert_eq!(found, due, "the table should be\n{}", due.join("\n"));
+}
