@@ -1,11 +1,15 @@
 //! Apache Parquet: every column of numbers; unit and meaning from the notes of jounce where it wrote the file.
 
+mod pages;
+
 use std::fs::File;
 use std::path::Path;
 
-use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
+use parquet::basic::Type;
+use parquet::column::reader::{ColumnReader, ColumnReaderImpl, get_column_reader};
 use parquet::data_type::DataType;
 use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::schema::types::ColumnDescPtr;
 
 use super::contents::Found;
 use super::error::Damage;
@@ -15,6 +19,7 @@ use super::raw::{Column, Raw, Stamps};
 use super::shelf::Shelf;
 use super::written::Written;
 use crate::recording::{Finding, FindingKind, Series};
+use pages::CheckedPages;
 
 /// Key of the notes of jounce in the metadata.
 const NOTES: &str = "jounce";
@@ -32,7 +37,7 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     let schema = reader.metadata().file_metadata().schema_descr_ptr();
     for (index, column) in schema.columns().iter().enumerate() {
         let head = column.path().string();
-        match values(&reader, index, column.max_def_level(), shelf).map_err(|why| Damage::new(format!("column {head}: {why}")))? {
+        match values(&reader, index, column, shelf).map_err(|why| Damage::new(format!("column {head}: {why}")))? {
             Some(values) => {
                 // The notes of jounce tell the unit, and the head is the name, whatever brackets it ends in.
                 let noted = notes.as_ref().and_then(|notes| notes.unit(&head)).map(|unit| (head.clone(), unit));
@@ -55,11 +60,21 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
 
 /// Refuses columns outside the file and negative counts, at which the library would panic.
 fn check_places(reader: &SerializedFileReader<File>, size: u64) -> Result<(), Damage> {
-    for group in reader.metadata().row_groups() {
+    let metadata = reader.metadata();
+    let rows = metadata.row_groups().iter().try_fold(0_i64, |rows, group| rows.checked_add(group.num_rows()));
+    if rows != Some(metadata.file_metadata().num_rows()) {
+        return Err(Damage::new("its groups have another number of rows than the file: was the file cut?"));
+    }
+    for group in metadata.row_groups() {
         for column in group.columns() {
             let start = column.dictionary_page_offset().unwrap_or_else(|| column.data_page_offset());
             let numbers = [start, column.data_page_offset(), column.compressed_size(), column.uncompressed_size(), column.num_values()];
             let end = numbers[0].checked_add(column.compressed_size()).and_then(|end| u64::try_from(end).ok());
+            let is_list = column.column_descr().max_rep_level() > 0;
+            if !is_list && column.num_values() != group.num_rows() {
+                let (path, values, rows) = (column.column_path().string(), column.num_values(), group.num_rows());
+                return Err(Damage::new(format!("column {path} has {values} values for {rows} rows: was the file cut?")));
+            }
             if group.num_rows() < 0 || numbers.iter().any(|number| *number < 0) || end.is_none_or(|end| end > size) {
                 let why = format!("column {} lies at bytes {start} and on, outside the file of {size}", column.column_path().string());
                 return Err(Damage::new(format!("{why}; was the file cut?")));
@@ -76,7 +91,12 @@ fn notes(reader: &SerializedFileReader<File>) -> Option<Written> {
 }
 
 /// The numbers of a column, NaN where one is absent; none where it holds something else.
-fn values(reader: &SerializedFileReader<File>, index: usize, optional: i16, shelf: &Shelf) -> Result<Option<Numbers>, String> {
+fn values(reader: &SerializedFileReader<File>, index: usize, column: &ColumnDescPtr, shelf: &Shelf) -> Result<Option<Numbers>, String> {
+    let is_number = matches!(column.physical_type(), Type::DOUBLE | Type::FLOAT | Type::INT32 | Type::INT64);
+    if !is_number || column.max_rep_level() > 0 {
+        return Ok(None);
+    }
+    let optional = column.max_def_level();
     let mut values = shelf.column();
     let rows = usize::try_from(reader.metadata().file_metadata().num_rows()).map_err(|fault| fault.to_string())?;
     if !values.expect(rows) {
@@ -86,7 +106,8 @@ fn values(reader: &SerializedFileReader<File>, index: usize, optional: i16, shel
         let rows = reader.get_row_group(group).map_err(|fault| fault.to_string())?;
         let count = usize::try_from(rows.metadata().num_rows()).map_err(|fault| fault.to_string())?;
         let target = values.count() + count;
-        match rows.get_column_reader(index).map_err(|fault| fault.to_string())? {
+        let pages = rows.get_column_page_reader(index).map_err(|fault| fault.to_string())?;
+        match get_column_reader(column.clone(), Box::new(CheckedPages::new(pages, optional))) {
             ColumnReader::DoubleColumnReader(r) => typed(r, count, optional, |x| x, &mut values)?,
             ColumnReader::FloatColumnReader(r) => typed(r, count, optional, f64::from, &mut values)?,
             ColumnReader::Int32ColumnReader(r) => typed(r, count, optional, f64::from, &mut values)?,
