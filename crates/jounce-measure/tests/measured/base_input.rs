@@ -113,7 +113,7 @@ fn units_are_those_of_output_and_input() {
     for (input, output, unit, per_g, transmits) in cases {
         let found = of(&shaken(input, output, going_on), &PLAIN).unwrap_or_else(|fault| panic!("{fault}"));
         assert_eq!((found.units[0].as_str(), found.inputs[0], found.references[0].as_str()), (unit, input.0, "in"));
-        assert_eq!(found.per_g(0).map(|(factor, unit)| (factor, unit)), per_g.map(|unit| (9.806_65, unit.to_owned())));
+        assert_eq!(found.per_g(0), per_g.map(|unit| (9.806_65, unit.to_owned())));
         assert_eq!(found.is_transmissibility(0), transmits);
         assert!((found.functions[0].value[112] - 2.0).norm() < 1e-9);
         // What it writes is what a file of responses is read as.

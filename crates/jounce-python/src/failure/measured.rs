@@ -56,12 +56,13 @@ impl From<ResponseError> for Failure {
 
 impl From<jounce_measure::read::ReadError> for Failure {
     fn from(error: jounce_measure::read::ReadError) -> Self {
-        use jounce_measure::read::ReadError::{Damaged, Format, Grid, NoChannel, NoRecord, NoTime, Notes, Open, Scratch};
+        use jounce_measure::read::ReadError::{Damaged, Format, Grid, NoChannel, NoRecord, NoTime, Notes, Open, Scratch, StampUnit};
         match &error {
             Open { path, reason } | Scratch { path, reason } => Self::of_file(&error, path, Some(reason)),
             Format { path, .. }
             | Damaged { path, .. }
             | NoTime { path, .. }
+            | StampUnit { path, .. }
             | NoChannel { path, .. }
             | NoRecord { path }
             | Grid { path, .. }
