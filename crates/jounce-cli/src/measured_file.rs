@@ -63,7 +63,12 @@ fn hash_hex(file: &Path) -> Result<String, Failure> {
 /// The number of the channel of a name or number; without one, of the only channel or the first of a quantity. Where it tells no unit, what is
 /// assumed is kept among the findings.
 pub fn channel(recording: &mut Surveyed, wanted: Option<&str>, quantity: Quantity, option: &str) -> Result<usize, Failure> {
-    let number = chosen(&recording.name, &recording.heads(), wanted, quantity).map_err(|error| match error {
+    let found = chosen(&recording.name, &recording.heads(), wanted, quantity);
+    if found.is_err() {
+        // Which recording was taken may be why it has no such channel.
+        tell(&recording.findings, Some(&[]));
+    }
+    let number = found.map_err(|error| match error {
         ChannelError::Missing(error) => error.into(),
         error @ ChannelError::Unnamed { .. } => Failure::usage(format!("{option}: {error}")),
         error @ ChannelError::Unit { .. } => Failure::Input(format!("{option}: {error}")),

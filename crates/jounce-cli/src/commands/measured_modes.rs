@@ -107,7 +107,7 @@ pub fn run(hammer: &HammerArguments, decay: &DecayArguments, band: &BandArgument
 fn tell_participation(responses: &Responses, found: &Identification) {
     for (k, mode) in (1..).zip(&found.modes) {
         for (output, of) in responses.outputs.iter().zip(mode.base_participation(responses).unwrap_or_default()) {
-            line(format!("mode {k}: participation of the base at {output} {:.5} {}", of.re, of.unit));
+            line(format!("mode {k}: participation of the base at {output} {:.5} {}", of.re, of.unit).trim_end());
         }
     }
 }
