@@ -41,7 +41,8 @@ def test_mat_arrays_structs_and_cells(tmp_path, compressed):
     scipy.io.savemat(path, {"data": data}, do_compression=compressed)
     over_time, over_frequency = jounce.read_recordings(path)
     back = scipy.io.loadmat(path, squeeze_me=True, struct_as_record=False)["data"]
-    same(over_time.places, back.time)
+    # An even grid has its start and its step: its places are those of the file but for roundoff.
+    assert np.allclose(over_time.places, back.time, rtol=1e-12, atol=1e-15)
     same(over_time["tip"], back.signal[0].values)
     same(over_time["base"], back.signal[1].values)
     same(over_time["data.cells{2}"], back.cells[1])
@@ -85,7 +86,7 @@ def test_complex_and_named_arrays_of_numpy(tmp_path):
     same(found["cube(2,3)"], cube[:, 1, 2])
 
 
-@pytest.mark.parametrize("libver", ["earliest", "latest"])
+@pytest.mark.parametrize("libver", ["earliest", ("earliest", "v110")])
 def test_hdf5_groups_attributes_and_filters(tmp_path, libver):
     path = tmp_path / "a.h5"
     with h5py.File(path, "w", libver=libver) as file:
