@@ -184,18 +184,14 @@ fn mode(pole: Pole, (frequency_deviation_hz, damping_deviation): (f64, f64), fre
     Mode { frequency_hz, frequency_deviation_hz, damping_ratio, damping_deviation, quantile_95, residue, participation }
 }
 
-/// The poles to go on with where some are not known well enough to be modes; none where all are. Of those that are not the worse half goes: two poles on
-/// one mode are both unknown until one of them is left out.
+/// The poles that are known well enough to be modes where some are not; none where all are.
 fn known(band: &Band, poles: &[Pole], deviation: &[(f64, f64)]) -> Result<Option<Vec<Pole>>, ModalError> {
-    let relative = |r: &usize| deviation[*r].0 / poles[*r].frequency_hz;
-    let mut unknown: Vec<usize> = (0..poles.len()).filter(|r| relative(r).is_nan() || relative(r) >= LARGEST_DEVIATION).collect();
-    if unknown.is_empty() {
-        return Ok(None);
+    let known = |(pole, deviation): &(&Pole, &(f64, f64))| deviation.0 < LARGEST_DEVIATION * pole.frequency_hz;
+    let left: Vec<Pole> = poles.iter().zip(deviation).filter(known).map(|(pole, _)| *pole).collect();
+    if left.is_empty() {
+        return Err(none(band));
     }
-    unknown.sort_by(|a, b| relative(b).total_cmp(&relative(a)));
-    unknown.truncate(unknown.len().div_ceil(2));
-    let left: Vec<Pole> = (0..poles.len()).filter(|r| !unknown.contains(r)).map(|r| poles[r]).collect();
-    if left.is_empty() { Err(none(band)) } else { Ok(Some(left)) }
+    Ok((left.len() < poles.len()).then_some(left))
 }
 
 /// The stabilisation diagram of a band and the poles that stay.
