@@ -1,19 +1,16 @@
 //! What the deviations of the poles rest on: the scatter of the blocks, the variance of the lines, or what the modes leave of the lines.
 
 use faer::linalg::solvers::DenseSolveCore;
-use faer::{Mat, c64};
+use faer::{Mat, Side, c64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 use super::Band;
 use super::band::{LeftOut, Noise};
 use super::eliminated::Left;
-use super::likelihood::{Data, damped};
+use super::likelihood::Data;
 use super::noise::LEAST_FREE;
 use super::scatter::Scatter;
-
-/// Shares by which the diagonal of the normal matrix is lifted, one after the other, until it has an inverse.
-const LIFTS: [f64; 4] = [0.0, 1e-13, 1e-11, 1e-9];
 
 /// How well the unknowns of a fit are known. The first of them are the real and imaginary parts of the poles.
 pub(super) struct Certainty {
@@ -26,13 +23,12 @@ pub(super) struct Certainty {
 }
 
 impl Certainty {
-    /// By the rows that each output leaves: those of its responses after each other, two to each line. An unknown that the rows leave free, as a pole that
-    /// left the band and is one with the terms of the modes above it, has an uncertainty beyond bounds, and the others theirs.
+    /// By the rows that each output leaves: those of its responses after each other, two to each line. None where the rows leave an unknown free.
     pub fn of(band: &Band, data: &Data, outputs: &[Left], misfit: f64) -> Option<Self> {
         let size = outputs.first()?.projected.ncols();
         let mut normal = Mat::<f64>::zeros(size, size);
         outputs.iter().for_each(|left| normal += left.projected.transpose() * &left.projected);
-        let inverse = LIFTS.iter().find_map(|lift| damped(&normal, *lift)).map(|factor| factor.inverse())?;
+        let inverse = normal.llt(Side::Lower).ok()?.inverse();
         // Without variances the misfit is all that is known of them.
         let factor = if band.variance.is_empty() { misfit } else { misfit.max(1.0) };
         let told = Self { inverse, scatter: None, factor };
