@@ -66,8 +66,9 @@ mod tests {
     #[test]
     fn one_channel_is_taken_and_one_of_several_is_named() {
         let one: String = (0..50).map(|k| format!("{},{}\n", 0.01 * f64::from(k), k % 7)).collect();
-        let (text, _) = drop(&one, None).unwrap();
+        let (text, _) = drop(&format!("time (s),x\n{one}"), None).unwrap();
         assert_eq!((text.lines().count(), text.lines().nth(9)), (50, Some("0.09,2.0")));
+        assert!(drop(&one, None).unwrap_err().contains("no column has a unit of time"));
         let two: String = (0..50).map(|k| format!("{},{},{}\n", 0.01 * f64::from(k), k % 7, k % 5)).collect();
         let two = format!("time (s),left (g),right (m/s^2)\n{two}");
         let words = drop(&two, None).unwrap_err();

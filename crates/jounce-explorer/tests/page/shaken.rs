@@ -24,7 +24,8 @@ async fn a_recorded_sinusoid_gives_the_power_of_the_sinusoid() {
     let due = simulate(&base.kernel, &StartState::rest(&base.kernel.plant), &plan).unwrap().mean_power_w;
 
     let value = |k: u32| drive.amplitude_n * (std::f64::consts::TAU * drive.frequency_hz * f64::from(k) / 1000.0 + drive.phase_rad).sin();
-    let text: String = (0..=5000).map(|k| format!("{},{:e}\n", f64::from(k) / 1000.0, value(k))).collect();
+    let rows: String = (0..=5000).map(|k| format!("{},{:e}\n", f64::from(k) / 1000.0, value(k))).collect();
+    let text = format!("time (s),value\n{rows}");
     let served = Served::new(&paper(), Limits::default());
     let mut page = served.page().await;
     let by = json!({ "recording": { "name": "sine.csv", "bytes": STANDARD.encode(text), "scale": 1.0 } });

@@ -41,8 +41,11 @@ fn peaks(density: &Density, segments: &Segments, most: usize) -> Vec<DensityPeak
             let valley = s[k.min(*higher)..k.max(*higher)].iter().copied().fold(f64::INFINITY, f64::min);
             // What the peak leaks from where it is, from its mirror image beyond 0 or half the rate, and the scatter may add up in phase.
             let image = (k + higher).min(2 * (s.len() - 1) - k - higher);
-            let leaked = [k.abs_diff(*higher), image].map(|lines| s[*higher] * leaks[lines.min(leaks.len() - 1)]);
-            let most = leaked.into_iter().chain([rise * valley]).map(f64::sqrt).sum::<f64>();
+            let leak = |lines: usize| leaks[lines.min(leaks.len() - 1)];
+            let leaked = [k.abs_diff(*higher), image].map(|lines| s[*higher] * leak(lines));
+            // Beside 0 a line and its own mirror image are one.
+            let own = s[k] * leak((2 * k).min(2 * (s.len() - 1 - k)));
+            let most = leaked.into_iter().chain([own, rise * valley]).map(f64::sqrt).sum::<f64>();
             s[k] > most * most
         };
         if found.iter().all(stands) {
