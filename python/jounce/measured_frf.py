@@ -175,16 +175,16 @@ def measured_frf(
 
     ``records``: one recording or a list of them, each a :class:`Recording`, a file, or SEP005 time series over one time, with one or more
     hits; or one file of responses over frequency. Hits at several places, each recording telling its own, give one response for each sensor
-    and place. ``force`` and ``response`` name channels, by default the first in newtons and all others. ``input`` names a channel that excites
-    without being a force: the acceleration, velocity or displacement of the base, a voltage; it goes on as a shaker's does, and responses are in
-    the unit of their channel per its unit, ``V/(m/s^2)``, with ``per_g`` for those per g.
+    and place. ``force`` and ``response`` name channels, by default the first in newtons and all others. ``input`` names a channel that
+    excites without being a force: the acceleration, velocity or displacement of the base, or a voltage. It excites all the time, as a
+    shaker does. Responses are in the unit of their channel per its unit, ``V/(m/s^2)``, with ``per_g`` for those per g.
     ``estimator``: where the noise is, ``"h1"`` on the responses, ``"h2"`` on the force, ``"hv"`` on both, with ``noise_ratio`` of their
     densities. ``block``: ``"2 s"``, by default the shortest distance of two hits. ``force_window`` takes away the force after each hit,
     ``end_ratio`` is where an exponential window ends. A force that goes on, both ways, is taken for that of a shaker, as any is with
     ``shaker``: half-overlapping blocks, by default an eighth of the shortest record long, weighed by a Hann window.
 
-    Of a file over frequency the complex channels are the responses; ``functions`` says what every two real columns hold where no header does, and
-    ``bridge`` puts lines that are no numbers on straight lines between their neighbours.
+    Of a file over frequency the complex channels are the responses; ``functions`` says what every two real columns hold where no header
+    does, and ``bridge`` puts lines that are no numbers on straight lines between their neighbours.
     """
     given = responses(records, sample_rate_hz)
     cut = (estimator, noise_ratio, block, force_window, end_ratio, shaker)

@@ -35,8 +35,8 @@ class MeasuredModes(Result):
     #: Places of the force where there are several, and what each moves of a mode, 1 at the largest: by reciprocity the shape there.
     reference: list[str]
     participation: Annotated[Complexes, Along("reference mode", "1", "participation of a force, by reciprocity the shape where it acts")]
-    #: Shape at each response times the participation of the base whose motion is the input; those of all modes add to 1 at each point of the
-    #: structure, and of voltages they are in V/m. NaN under another input.
+    #: Shape at each response times the participation of the base whose motion is the input; those of all modes add to 1 at each point of
+    #: the structure, and of voltages they are in V/m. NaN under another input.
     base_participation: Annotated[Complexes, Along("response mode", "", "shape times participation of the base")]
     mac: Annotated[Floats, Along("mode other_mode", "1", "modal assurance criterion")]
     #: Squared error over the variance that the coherence tells; above 1 the deviations are widened by its root.

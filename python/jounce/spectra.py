@@ -131,8 +131,9 @@ def spectra(
     """Power spectral density (Welch), order lines and spectrogram of a channel, ``jounce spectra``.
 
     ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``; ``channel`` by default the
-    first in volts that moves, else the first that does. With a ``drive``, ``"13 Hz"``, amplitudes at its multiples are fitted to the whole record, exact where
-    no line falls on a bin. A ``segment``, ``"2 s"``, is by default 24 cycles of the drive, or without one a thirty-second of the record.
+    first in volts that moves, else the first that does. With a ``drive``, ``"13 Hz"``, amplitudes at its multiples are fitted to the
+    whole record, exact where no line falls on a bin. A ``segment``, ``"2 s"``, is by default 24 cycles of the drive, or without one a
+    thirty-second of the record.
     A sinusoid between two lines shows up to 15 % less under ``"hann"``, at most 0.1 % less under ``"flat-top"``, whose lines are wider.
 
     Raises :class:`ArgumentError` for a channel, window or unit that there is not, :class:`RecordingError` for segments that do not fit the

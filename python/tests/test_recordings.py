@@ -228,7 +228,8 @@ def test_the_motion_of_a_base_is_an_input_and_that_of_the_command_line(command_l
     )
     given.write(tmp_path / "shaken.csv")
     found = jounce.measured_frf(given, input="base")
-    assert (found.input, found.units) == ("base", {"tip": "m/s^2/(m/s^2)", "piezo": "V/(m/s^2)"}) and found.per_g == {"piezo": (9.80665, "V/g")}
+    assert (found.input, found.units) == ("base", {"tip": "m/s^2/(m/s^2)", "piezo": "V/(m/s^2)"})
+    assert found.per_g == {"piezo": (9.80665, "V/g")}
     told = command_line("frf", f"--measured={tmp_path / 'shaken.csv'}", "--input=base", spec=None)
     same(found["piezo"].real, told["responses"]["piezo"]["re"])
     assert "V/g" in repr(found)
@@ -258,7 +259,7 @@ def test_functions_of_plain_columns_and_their_gaps():
 def test_a_value_and_its_uncertainty_end_at_one_digit():
     from jounce.result import with_uncertainty
 
-    told = [with_uncertainty(*one) for one in ((6.9123e-6, 4.9e-6, "W"), (60.312345, 1.23e-4, "Hz"), (123.0, 45.0), (1.234e7, 3e4, "Hz"))]
+    told = [with_uncertainty(*one) for one in ((6.9123e-6, 4.9e-6, "W"), (60.312341, 1.23e-4, "Hz"), (123.0, 45.0), (1.234e7, 3e4, "Hz"))]
     assert told == ["(6.9 +- 4.9)e-6 W", "60.31234 +- 0.00012 Hz", "123 +- 45", "(1.2340 +- 0.0030)e7 Hz"]
 
 

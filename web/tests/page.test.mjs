@@ -160,7 +160,7 @@ test("a recording that is dropped shakes the harvester, and a file of another ki
         document.body.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
     }, [name, text]);
     const sine = Array.from({ length: 3001 }, (_, k) => `${k / 1000},${(200 * Math.sin(2 * Math.PI * 13 * k / 1000)).toFixed(6)}`);
-    await drop("shaker.csv", sine.join("\n"));
+    await drop("shaker.csv", ["time (s),force", ...sine].join("\n"));
     await page.waitForFunction(() => /shaker\.csv \(.+\): [\d.]+ .?W on average over 3 s/.test(document.getElementById("shake-words").textContent));
     assert.ok((await inked(page, "#chart-shake-voltage canvas")) > 0.01);
     await drop("picture.png", "\u0089PNG\r\n");

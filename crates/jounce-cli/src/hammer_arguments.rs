@@ -39,8 +39,8 @@ enum Functions {
 #[derive(Debug, Args)]
 pub struct HammerArguments {
     /// Recordings of a hammer or shaker test instead of a spec: input and responses over time, one or more hits in each or an input that
-    /// goes on, at one place or at several that they tell; or one file of response functions over frequency. CSV or text, Parquet, NPY, MAT v5,
-    /// UFF or LVM; by default the spec is used.
+    /// goes on, at one place or at several that they tell; or one file of response functions over frequency. CSV or text, Parquet, NPY,
+    /// NPZ, MAT, HDF5, TDMS, WAV, UFF or LVM; by default the spec is used.
     #[arg(long, value_name = "FILE", num_args = 1..)]
     pub measured: Vec<PathBuf>,
     /// Channel of the force, by its name; by default the first one in newtons.
