@@ -46,7 +46,7 @@ RECORDING = """
 kind = "base-acceleration"
 signal = "recording"
 file = "recording.csv"
-scale = "5 m/s^2"
+scale = 5
 """
 
 

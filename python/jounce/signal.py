@@ -64,15 +64,16 @@ def spectrum(values: Any, sample_rate_hz: float | None = None, *, name: str = "s
 def write_recording(path: str | PathLike[str], values: Any, sample_rate_hz: float | None = None) -> None:
     """Writes evenly spaced samples, or a time series in the form of SEP005, as the CSV file that a drive reads.
 
-    ``jounce.Drive(kind="base-acceleration", signal="recording", file=PATH, scale="1 m/s^2")``; ``scale`` says what the value 1 stands for.
+    ``jounce.Drive(kind="base-acceleration", signal="recording", file=PATH)``; values without a unit are in that of ``unit=``, by default SI.
     """
     row, row_rate_hz = _samples(values, sample_rate_hz)
+    unit = values["unit_str"] if isinstance(values, Mapping) else unit_of(values) if is_quantity(values) else ""
     if not np.isfinite(row).all() or len(row) < 2:
         raise ArgumentError("a recording needs two samples at least, all of them finite")
     times = np.arange(len(row)) / row_rate_hz
     try:
         with open(path, "w", encoding="utf-8", newline="\n") as file:
-            file.write("time_s,value\n")
+            file.write(f"time (s),value ({unit})\n" if unit else "time (s),value\n")
             file.writelines(f"{time!r},{value!r}\n" for time, value in zip(times.tolist(), row.tolist()))
     except OSError as error:
         raise FileError(f"the recording {path} cannot be written: {error}", {"path": str(path), "errno": error.errno}) from error

@@ -11,6 +11,7 @@ from typing import Any, Self
 from . import _core
 from .arguments import names, of_tables
 from .errors import ArgumentError, SpecError, UnknownKeyError
+from .finding import Finding, found
 from .quantity import name as name_of
 from .quantity import setting
 from .result import html_table
@@ -50,6 +51,11 @@ class SpecText:
     def to_toml(self, canonical: bool = False) -> str:
         """The text, comments and layout kept; or in canonical form: every key that applies, with its default."""
         return self._spec.to_toml() if canonical else self._spec.text
+
+    @property
+    def findings(self) -> list[Finding]:
+        """What was noticed of the recordings of its drives, and what was done to them."""
+        return found(self._spec.findings())
 
     def to_dict(self, canonical: bool = False) -> dict[str, Any]:
         """The tables; ``Spec(spec.to_dict()) == spec``."""

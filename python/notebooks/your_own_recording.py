@@ -31,7 +31,7 @@ jounce.spectrum(recording).plot_spectrum()
 folder = Path(tempfile.mkdtemp())
 jounce.write_recording(folder / "floor.csv", recording)
 tables = jounce.examples()["impact-harvester-2019"].to_dict()
-tables["drive"] = {"floor": jounce.Drive(kind="base-acceleration", signal="recording", file=str(folder / "floor.csv"), scale="1 m/s^2")}
+tables["drive"] = {"floor": jounce.Drive(kind="base-acceleration", signal="recording", file=str(folder / "floor.csv"))}
 tables["run"] = {"duration": "10 s", "average_over": "8 s"}
 harvester = jounce.Spec(tables)
 

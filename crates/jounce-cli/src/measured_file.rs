@@ -107,8 +107,7 @@ pub fn loaded(recording: Surveyed, channels: &[usize]) -> Result<Recording, Fail
     let kept =
         recording.into_recording_of(channels).map_err(|fault| Failure::Input(format!("the scratch file cannot be read: {fault}")))?;
     let even = kept.into_even()?;
-    let used: Vec<&str> = even.channels.iter().map(|channel| channel.name.as_str()).collect();
-    tell(&even.findings, Some(&used));
+    tell(&even.findings, None);
     Ok(even)
 }
 

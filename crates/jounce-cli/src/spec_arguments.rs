@@ -48,7 +48,14 @@ impl SpecArguments {
 
     /// The spec itself.
     pub fn spec(&self) -> Result<Spec, Failure> {
-        self.checked(self.file()?.spec())
+        self.read(&self.file()?)
+    }
+
+    /// The spec of the file with its overrides; prints on stderr what was noticed of the recordings of its drives.
+    pub fn read(&self, file: &SpecFile) -> Result<Spec, Failure> {
+        let spec = self.checked(file.spec())?;
+        tell_recorded(&spec);
+        Ok(spec)
     }
 
     /// Faults with the name of the file.
@@ -77,6 +84,14 @@ impl SpecArguments {
     /// Manifest of an answer.
     pub fn manifest(&self, spec: &Spec, command: &str) -> Manifest {
         Manifest::new(&spec.hash_hex()).with("command", command).with("set", self.set.join(" "))
+    }
+}
+
+/// Prints on stderr what was noticed of the recordings of the drives.
+pub fn tell_recorded(spec: &Spec) {
+    for (drive, finding) in spec.findings() {
+        let kind = if finding.kind.is_note() { "note" } else { "warning" };
+        eprintln!("{kind}: drive {drive}: {finding}");
     }
 }
 

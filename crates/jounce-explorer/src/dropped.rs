@@ -31,7 +31,7 @@ pub fn dropped(name: &str, bytes: &str, wanted: Option<&str>, folder: &Path) -> 
     let here = received.join("").display().to_string();
     let recording = read::record(&received.join(own)).map_err(|error| Wrong::Text(error.to_string().replace(&here, "")))?.into_even()?;
     let channel = chosen(&recording, wanted).map_err(|error| Wrong::Text(format!("{name}: {error}")))?;
-    let mut text = String::new();
+    let mut text = "time (s),value\n".to_owned();
     for (place, value) in recording.grid.places().iter().zip(&channel.values) {
         let _ = writeln!(text, "{place:?},{value:?}");
     }
@@ -67,14 +67,14 @@ mod tests {
     fn one_channel_is_taken_and_one_of_several_is_named() {
         let one: String = (0..50).map(|k| format!("{},{}\n", 0.01 * f64::from(k), k % 7)).collect();
         let (text, _) = drop(&format!("time (s),x\n{one}"), None).unwrap();
-        assert_eq!((text.lines().count(), text.lines().nth(9)), (50, Some("0.09,2.0")));
+        assert_eq!((text.lines().count(), text.lines().nth(9)), (51, Some("0.08,1.0")));
         assert!(drop(&one, None).unwrap_err().contains("no column has a unit of time"));
         let two: String = (0..50).map(|k| format!("{},{},{}\n", 0.01 * f64::from(k), k % 7, k % 5)).collect();
         let two = format!("time (s),left (g),right (m/s^2)\n{two}");
         let words = drop(&two, None).unwrap_err();
         assert!(words.starts_with("bridge.csv: name the channel; bridge has left, right"), "{words}");
         let (text, channel) = drop(&two, Some("2")).unwrap();
-        assert!(text.lines().nth(9).unwrap().ends_with(",4.0") && channel == "right in m/s^2", "{text} {channel}");
+        assert!(text.lines().nth(10).unwrap().ends_with(",4.0") && channel == "right in m/s^2", "{text} {channel}");
         assert!(drop(&two, Some("middle")).unwrap_err().contains("no channel \"middle\""));
     }
 

@@ -43,7 +43,7 @@ pub fn respond(session: &Session, id: u64, design: &Design, by: &Shaking, folder
     };
     let mut spec = shaken(design, by, record.as_ref(), folder)?;
     let recorded_s = spec.drive.values().find_map(|drive| match &drive.signal {
-        DriveSignal::Recording { record: Some(record), .. } => Some(record.step_s * (record.values.len() - 1) as f64),
+        DriveSignal::Recording { record: Some(record), .. } => Some(record.duration_s()),
         _ => None,
     });
     let duration_s = recorded_s.unwrap_or(NOISE_S);
@@ -88,7 +88,11 @@ fn shaken(design: &Design, by: &Shaking, record: Option<&Dropped>, folder: &Path
     drive.signal = match *by {
         Shaking::Noise { density, low_hz, high_hz } => DriveSignal::Noise { density, low_hz, high_hz, sample_rate_hz: None, seed: 1 },
         Shaking::Recording { scale, .. } => {
-            DriveSignal::Recording { file: recording.clone(), scale, start_s: 0.0, sample_rate_hz: None, record: None }
+            let mut signal = DriveSignal::recording(&recording);
+            if let DriveSignal::Recording { scale: factor, keep_mean, .. } = &mut signal {
+                (*factor, *keep_mean) = (scale, Some(true));
+            }
+            signal
         }
     };
     let found = SpecFile::from_text(spec.to_toml()).spec();

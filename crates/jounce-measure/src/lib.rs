@@ -5,13 +5,13 @@
 //!
 //! The layers of this crate stand in ARCHITECTURE.md; a folder uses only what stands before it there.
 
+pub use jounce_data::{read, recording};
+
 pub mod contact;
 pub mod draw;
 pub mod experiment;
 pub mod fit;
 pub mod modal;
-pub mod read;
-pub mod recording;
 pub mod regime;
 pub mod response;
 pub mod rig;

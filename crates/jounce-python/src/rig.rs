@@ -9,10 +9,10 @@ use jounce::linear::Response;
 use jounce::march::Watch;
 use jounce::plant::{Plant, System};
 use jounce::run::StartState;
-use jounce::spec::Gravity;
+use jounce::spec::{Gravity, driving_channel};
 use jounce::structure::modes_holding;
 use jounce_measure::recording::{Quantity, Recording};
-use jounce_measure::rig::{Cable, HammerTest, Sensor, ShakerTest, Wander, carry, hammer_test, on_recorded_base, shaker_test, start_of_run};
+use jounce_measure::rig::{Cable, HammerTest, RigError, Sensor, ShakerTest, Wander, carry, hammer_test, on_recorded_base, shaker_test, start_of_run};
 use jounce_measure::solution::{Search, solutions, start_of};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -112,8 +112,9 @@ fn shaken(own: &Spec, sensors: &Sensors, shaker: &Shaker, base: Option<&Recordin
     let mut spec = own.spec.clone();
     sensors.fit(&mut spec)?;
     if let Some(base) = base {
-        let channel = &base.choose(shaker.base_channel.as_deref(), Quantity::Acceleration)?.name;
-        on_recorded_base(&mut spec, base, channel, shaker.keep_mean)?;
+        let wanted = shaker.base_channel.as_deref();
+        let number = driving_channel((&base.name, &base.heads(), &base.findings), wanted, Quantity::Acceleration).map_err(RigError::from)?;
+        on_recorded_base(&mut spec, base, &base.channels[number].name, shaker.keep_mean)?;
     }
     let modes = modes_holding(&spec, &sensors.hold)?;
     let run = &spec.run;

@@ -67,6 +67,12 @@ impl Spec {
         self.spec.to_toml()
     }
 
+    /// What was noticed of the recordings of its drives, as JSON.
+    fn findings(&self) -> PyResult<String> {
+        let findings: Vec<_> = self.spec.findings().map(|(_, finding)| finding.clone()).collect();
+        crate::measured::recording::findings(&findings)
+    }
+
     /// SHA-256 of the canonical form.
     fn hash_hex(&self) -> &str {
         self.hash_hex.get_or_init(|| self.spec.hash_hex())

@@ -76,7 +76,7 @@ impl Branch {
         check_tolerance(self.tolerance)?;
         let method = self.method()?;
         let file = self.spec.file()?;
-        let spec = self.spec.checked(file.spec())?;
+        let spec = self.spec.read(&file)?;
         let (key, range) = self.spec.key_and_ends(&file, &self.over)?;
         let base = Prepared::new(spec)?;
         let shown = Shown::of(&base.kernel.plant.system)?;

@@ -5,6 +5,7 @@ use crate::output::{line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
 use jounce::study::Prepared;
+use jounce_measure::recording::Finding;
 
 /// Arguments of `check`.
 #[derive(Debug, Args)]
@@ -27,9 +28,11 @@ impl Check {
             }
             other => other?,
         };
+        let noticed = |(drive, finding): (&str, &Finding)| serde_json::json!({ "drive": drive, "finding": finding });
+        let findings: Vec<_> = spec.findings().map(noticed).collect();
         Prepared::new(spec)?;
         if self.output.json {
-            print(&serde_json::json!({ "valid": true, "faults": [] }));
+            print(&serde_json::json!({ "valid": true, "faults": [], "findings": findings }));
         } else {
             line(format!("{}: valid", self.spec.spec.display()));
         }

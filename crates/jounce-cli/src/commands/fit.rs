@@ -51,7 +51,7 @@ impl Fit {
     pub fn run(&self) -> Result<(), Failure> {
         let features = Features::read(&self.to)?;
         let file = self.spec.file()?;
-        let spec = self.spec.checked(file.spec())?;
+        let spec = self.spec.read(&file)?;
         let watch = Watch::default();
         let (answer, _) =
             progress::counting("models tried", &|| watch.progress().0, || fit(&file, &spec, &features, &self.spec.folder(), &watch))?;

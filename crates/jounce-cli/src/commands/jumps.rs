@@ -49,7 +49,7 @@ impl Jumps {
     pub fn run(&self) -> Result<(), Failure> {
         check_tolerance(self.tolerance)?;
         let file = self.spec.file()?;
-        let base = Prepared::new(self.spec.checked(file.spec())?)?;
+        let base = Prepared::new(self.spec.read(&file)?)?;
         let (key, range) = self.spec.key_and_ends(&file, &self.over)?;
         let (key_2, range_2) = self.spec.key_and_ends(&file, &self.against)?;
         if key.path() == key_2.path() {

@@ -1,13 +1,13 @@
 //! `jounce read FILE`
 
 use crate::failure::Failure;
-use crate::measured_file::{MeasuredFile, ends};
+use crate::measured_file::{MeasuredFile, any_channel, ends, positive};
 use crate::output::{self, line, print};
 use clap::Args;
 use jounce::picture::{Axis, Figure, Line, Panel, Series, Trace, time_histories};
 use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
-use jounce_measure::read::{ModeShape, Survey, Surveyed, SurveyedChannel, survey};
+use jounce_measure::read::{ModeShape, Notes, Survey, Surveyed, SurveyedChannel, survey_noted};
 use jounce_measure::recording::{Finding, Over, Series as _, Sizes};
 use jounce_measure::write::write_surveyed;
 use std::path::{Path, PathBuf};
@@ -25,15 +25,28 @@ pub struct Read {
     /// Writes the first recording in SI to this file: .uff (UFF 58 in ASCII), .parquet or .csv.
     #[arg(long, value_name = "FILE")]
     to: Option<PathBuf>,
-    /// Part of it that is written, in its own times or frequencies, as in 10s:60s or 5Hz:200Hz.
+    /// Part of it that is written, in its own times or frequencies, as in 10s:60s or 5Hz:200Hz; by default all of it.
     #[arg(long, value_name = "FROM:TO", requires = "to")]
     span: Option<String>,
+    /// Channel that is written, by name or by number from 1; can be given several times; by default all of them.
+    #[arg(long, value_name = "CHANNEL", requires = "to")]
+    channel: Vec<String>,
+    /// Writes it at even times, without missing samples; by default as it is.
+    #[arg(long, requires = "to")]
+    even: bool,
+    /// Samples per second where the file does not tell them, as in 25600Hz; its times are not used. By default the times of the file.
+    #[arg(long, value_name = "RATE")]
+    rate: Option<String>,
 }
 
 impl Read {
     /// Reads and tells.
     pub fn run(&self) -> Result<(), Failure> {
-        let contents = survey(&self.file.file)?;
+        let mut notes = Notes::beside(&self.file.file)?;
+        if let Some(rate) = &self.rate {
+            notes.rate_hz = Some(positive("--rate", rate, Unit::Frequency)?);
+        }
+        let contents = survey_noted(&self.file.file, &notes)?;
         if let Some(path) = &self.to {
             self.write_first(path, &contents)?;
         }
@@ -78,9 +91,10 @@ impl Read {
                 contents.shapes.len()
             )));
         };
-        let part = self.span.as_ref().map(|span| part(first, span)).transpose()?;
+        let part = self.part(first)?;
         write_surveyed(part.as_ref().unwrap_or(first), path)?;
-        part.iter().filter_map(|part| part.findings.last()).for_each(|told| eprintln!("{}: {told}", path.display()));
+        let added = part.iter().flat_map(|part| &part.findings).filter(|finding| !first.findings.contains(finding));
+        added.for_each(|told| eprintln!("{}: {told}", path.display()));
         let mut left: Vec<String> = others.iter().map(|recording| recording.name.clone()).collect();
         if !contents.shapes.is_empty() {
             left.push(format!("{} mode shapes", contents.shapes.len()));
@@ -89,6 +103,24 @@ impl Read {
             eprintln!("{}: {} is written; left out: {}", path.display(), first.name, left.join(", "));
         }
         Ok(())
+    }
+
+    /// What is asked for of a recording; none where all of it is.
+    fn part(&self, recording: &Surveyed) -> Result<Option<Surveyed>, Failure> {
+        if self.span.is_none() && self.channel.is_empty() && !self.even {
+            return Ok(None);
+        }
+        let all = (f64::NEG_INFINITY, f64::INFINITY);
+        let span = self.span.as_ref().map_or(Ok(all), |span| span_of(recording, span))?;
+        let named = self.channel.iter().map(|channel| any_channel(recording, channel)).collect::<Result<Vec<_>, _>>()?;
+        let channels = if named.is_empty() { (0..recording.channels.len()).collect() } else { named };
+        let lost = |fault| Failure::Input(format!("the scratch file cannot be used: {fault}"));
+        let nothing = || Failure::usage(format!("--span: no sample of {} lies there", recording.name));
+        let part = recording.part(span, &channels).map_err(lost)?.ok_or_else(nothing)?;
+        if !self.even {
+            return Ok(Some(part));
+        }
+        Ok(Some(part.into_recording().map_err(lost)?.into_even()?.into()))
     }
 
     /// The list of channels, the list of findings, and a picture of each recording.
@@ -124,8 +156,8 @@ impl Read {
     }
 }
 
-/// What an option asks for of a recording.
-fn part(recording: &Surveyed, span: &str) -> Result<Surveyed, Failure> {
+/// The ends of a part of a recording.
+fn span_of(recording: &Surveyed, span: &str) -> Result<(f64, f64), Failure> {
     let (quantity, unit) = if recording.over == Over::Time { (Unit::Time, "s") } else { (Unit::Frequency, "Hz") };
     let (from, to) = ends("--span", span, quantity)?;
     let lost = |fault| Failure::Input(format!("the scratch file cannot be used: {fault}"));
@@ -136,7 +168,7 @@ fn part(recording: &Surveyed, span: &str) -> Result<Surveyed, Failure> {
     let [least, most] = [last(&f64::min)?, last(&f64::max)?];
     let nothing =
         || Failure::usage(format!("--span {span}: no sample lies there; {} goes from {least} {unit} to {most} {unit}", recording.name));
-    recording.part(from, to).map_err(lost)?.ok_or_else(nothing)
+    if from <= most && to >= least { Ok((from, to)) } else { Err(nothing()) }
 }
 
 /// The first channels over time, or their sizes over frequency.

@@ -42,7 +42,7 @@ impl Run {
         if let Some(tolerance) = self.tolerance {
             file.set("run.tolerance", &format!("{tolerance:e}")).map_err(|fault| Failure::faults(&self.spec.spec, vec![fault]))?;
         }
-        let mut spec = self.spec.checked(file.spec())?;
+        let mut spec = self.spec.read(&file)?;
         let mut folder = self.spec.folder();
         if let Some(start) = &self.start {
             spec.run.start = jounce::spec::Start::State(start.display().to_string());
@@ -63,7 +63,8 @@ impl Run {
             self.write(folder, &prepared, &kernel, &answer, &plan)?;
         }
         let warnings = Warning::of(&prepared.spec, &kernel, &plan, &answer);
-        warnings.iter().for_each(|warning| eprintln!("warning: {warning}"));
+        let untold = warnings.iter().filter(|warning| !matches!(warning, Warning::Recording { .. }));
+        untold.for_each(|warning| eprintln!("warning: {warning}"));
         self.tell(&kernel, &answer, &plan, &warnings);
         Ok(())
     }

@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use crate::interruption;
 use crate::output::{line, print};
 use crate::progress;
+use crate::spec_arguments::tell_recorded;
 use crate::threads::ThreadsArgument;
 use clap::{Args, Subcommand};
 use jounce::march::Watch;
@@ -88,6 +89,7 @@ impl Study {
 impl Run {
     fn run(&self) -> Result<(), Failure> {
         let study = Survey::read(&self.study)?;
+        tell_recorded(&study.spec);
         let folder = Folder::of(&self.out, &study)?;
         let watch = Watch::default();
         interruption::heed(&watch);

@@ -40,7 +40,8 @@ pub struct Sweep {
     /// Order in which the points are visited.
     #[arg(long, value_enum, default_value = "up")]
     direction: Order,
-    /// Every point runs for run.duration and averages over run.average_over, instead of until it has settled.
+    /// Every point runs for run.duration and averages over run.average_over, instead of until it has settled; so does every point under a
+    /// drive that never repeats itself, which begins anew at each.
     #[arg(long)]
     fixed_duration: bool,
     /// Wanted relative error of the response; overrides run.tolerance.
@@ -59,7 +60,7 @@ impl Sweep {
         if let Some(tolerance) = self.tolerance {
             file.set("run.tolerance", &format!("{tolerance:e}")).map_err(|fault| Failure::faults(&self.spec.spec, vec![fault]))?;
         }
-        let spec = self.spec.checked(file.spec())?;
+        let spec = self.spec.read(&file)?;
         let range = self.spec.checked(file.range(&self.over))?;
         let direction = match self.direction {
             Order::Up => Direction::Up,
@@ -89,7 +90,8 @@ impl Sweep {
     }
 
     fn tell(&self, spec: &Spec, range: &KeyRange, points: &[SweepPoint]) -> Result<(), Failure> {
-        let unsettled = points.iter().filter(|point| !point.settled).count();
+        let repeats = spec.drive.values().all(|drive| drive.frequency_hz().is_some());
+        let unsettled = points.iter().filter(|point| repeats && !point.settled).count();
         if unsettled > 0 {
             eprintln!("{unsettled} of {} points had not settled when they were averaged; they are marked settled = false", points.len());
         }

@@ -4,6 +4,7 @@
 
 mod base;
 mod decays;
+mod drives;
 mod fits;
 mod hammers;
 mod reading;

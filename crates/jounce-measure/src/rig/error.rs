@@ -2,8 +2,9 @@
 
 use jounce::plant::PlantError;
 use jounce::run::RunError;
+use jounce::spec::RecordingError;
 
-use crate::recording::{GridError, NoChannel};
+use crate::recording::GridError;
 
 /// A test that cannot be simulated.
 #[derive(Debug, thiserror::Error)]
@@ -52,31 +53,9 @@ pub enum RigError {
         /// What there is.
         known: String,
     },
-    /// A base that is moved by no acceleration.
-    #[error("channel {channel} is in {unit}, which is no acceleration; name another one, or correct its unit in the notes beside the file")]
-    NotAcceleration {
-        /// The channel.
-        channel: String,
-        /// Its unit.
-        unit: String,
-    },
-    /// A base that does not move.
-    #[error("channel {channel} is {mean_m_s2} m/s^2 throughout: it moves no base; name another one with the base channel")]
-    Still {
-        /// The channel.
-        channel: String,
-        /// Its mean.
-        mean_m_s2: f64,
-    },
-    /// A recording without even times.
-    #[error("{recording} has no even times: interpolate it before it moves a base")]
-    NotEven {
-        /// Its name.
-        recording: String,
-    },
-    /// A channel that is not there.
+    /// A recording that moves no base.
     #[error(transparent)]
-    Channel(#[from] NoChannel),
+    Recording(#[from] RecordingError),
     /// A march that fails.
     #[error(transparent)]
     Run(#[from] RunError),

@@ -95,15 +95,13 @@ pub(super) fn disturbed(spec: &Spec, courses: &[(String, Course)], from_s: f64) 
     let mut spec = spec.clone();
     for (name, course) in courses {
         let Some(drive) = spec.drive.get_mut(name) else { continue };
-        let record = Recording { step_s: course.step_s, values: Arc::from(course.values.as_slice()) };
+        let values: Arc<[f64]> = Arc::from(course.values.as_slice());
         let kind = if drive.kind == DriveKind::Force { DriveKind::Force } else { DriveKind::BaseAcceleration };
-        let signal = DriveSignal::Recording {
-            file: "wander of the shaker".to_owned(),
-            scale: 1.0,
-            start_s: -from_s,
-            sample_rate_hz: None,
-            record: Some(Arc::new(record)),
-        };
+        let mut signal = DriveSignal::recording("wander of the shaker");
+        if let DriveSignal::Recording { start_s, record, .. } = &mut signal {
+            let samples = Recording { step_s: course.step_s, values, mean: 0.0, findings: Vec::new() };
+            (*start_s, *record) = (-from_s, Some(Arc::new(samples)));
+        }
         *drive = Drive { at: drive.at.clone(), kind, signal };
     }
     spec

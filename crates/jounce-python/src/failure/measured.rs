@@ -109,10 +109,8 @@ fn rig_details(error: &RigError) -> Value {
         RigError::Undamped { frequency_hz } => json!({ "frequency_hz": frequency_hz }),
         RigError::Long { samples, most } => json!({ "samples": samples, "most": most }),
         RigError::UnknownPoint { point, known } => json!({ "point": point, "known": known }),
-        RigError::NotAcceleration { channel, unit } => json!({ "channel": channel, "unit": unit }),
         RigError::Bases { base, what } => json!({ "base": base, "what": what }),
-        RigError::Still { channel, mean_m_s2 } => json!({ "channel": channel, "mean_m_s2": mean_m_s2 }),
-        RigError::NotEven { recording } => json!({ "recording": recording }),
+        RigError::Recording(error) => serde_json::to_value(error).unwrap_or_default(),
         _ => Value::Null,
     }
 }

@@ -3,6 +3,7 @@
 use super::{Exceeded, Limits, RunAnswer, RunPlan};
 use crate::march::Kernel;
 use crate::spec::{DriveSignal, Spec};
+use jounce_data::recording::Finding;
 use serde::Serialize;
 
 /// Share of the averaging window that may lie after the end of a recording.
@@ -32,6 +33,14 @@ pub enum Warning {
         /// End of the averaging window, s.
         to_s: f64,
     },
+    /// Something odd about the recording of a drive.
+    #[error("drive {drive}: {finding}")]
+    Recording {
+        /// Name of the drive.
+        drive: String,
+        /// What was noticed or done.
+        finding: Finding,
+    },
     /// The energy balance does not close.
     #[error(
         "the energy residual is {residual_relative:.1e} of the largest energy: roundoff rules these answers; look for a dimension or a number that is far from the others (`jounce show` draws the harvester to scale)"
@@ -48,7 +57,7 @@ impl Warning {
         let (from_s, to_s) = (plan.duration_s - plan.average_over_s, plan.duration_s);
         let ends = spec.drive.iter().filter_map(|(name, drive)| match &drive.signal {
             DriveSignal::Recording { start_s, record: Some(record), .. } => {
-                Some((name.clone(), start_s + record.step_s * (record.values.len() - 1) as f64))
+                Some((name.clone(), start_s + record.duration_s()))
             }
             _ => None,
         });
@@ -62,7 +71,9 @@ impl Warning {
         let residual_relative = answer.energies.residual_relative();
         let is_unbalanced = !(residual_relative.abs() <= UNBALANCED || answer.nothing_happened());
         let unbalanced = is_unbalanced.then_some(Self::Unbalanced { residual_relative });
-        limits.chain(Self::of_recordings(spec, plan)).chain(unbalanced).collect()
+        let noticed = spec.findings().filter(|(_, finding)| !finding.kind.is_note());
+        let noticed = noticed.map(|(drive, finding)| Self::Recording { drive: drive.to_owned(), finding: finding.clone() });
+        limits.chain(Self::of_recordings(spec, plan)).chain(noticed).chain(unbalanced).collect()
     }
 }
 

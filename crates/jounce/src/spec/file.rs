@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use jounce_data::recording::Finding;
+
 use super::fault::{Fault, Faults};
 use super::key::Kind;
 use super::keys::SPEC;
@@ -96,11 +98,13 @@ impl SpecFile {
     fn read_recordings(&self, spec: &mut Spec) -> Vec<(String, String)> {
         let mut broken = Vec::new();
         for (name, drive) in &mut spec.drive {
-            let DriveSignal::Recording { file, sample_rate_hz, record, .. } = &mut drive.signal else { continue };
+            let DriveSignal::Recording { file, .. } = &drive.signal else { continue };
             if file.is_empty() {
                 continue;
             }
-            match Recording::read(&self.folder.join(&*file), *sample_rate_hz) {
+            let found = Recording::read(&self.folder.join(file), drive);
+            let DriveSignal::Recording { record, .. } = &mut drive.signal else { continue };
+            match found {
                 Ok(found) => *record = Some(Arc::new(found)),
                 Err(message) => broken.push((format!("drive.{name}.file"), format!("drive.{name}.file: {message}"))),
             }
@@ -190,6 +194,19 @@ impl Spec {
     /// Everything that is wrong, sorted by place.
     pub fn from_toml(text: &str) -> Result<Self, Faults> {
         SpecFile::from_text(text).spec()
+    }
+}
+
+impl Spec {
+    /// What was noticed of the recordings of its drives, by the name of the drive.
+    pub fn findings(&self) -> impl Iterator<Item = (&str, &Finding)> {
+        self.drive.iter().flat_map(|(name, drive)| {
+            let findings = match &drive.signal {
+                DriveSignal::Recording { record: Some(record), .. } => &record.findings[..],
+                _ => &[],
+            };
+            findings.iter().map(move |finding| (name.as_str(), finding))
+        })
     }
 }
 

@@ -13,7 +13,7 @@ use super::fault::Fault;
 use super::key::{Kind, Range};
 use super::nearest::clip;
 use super::numeric_key::NumericKey;
-use super::units::Decimal;
+use jounce_units::Decimal;
 
 /// The longest sweep.
 const MOST_POINTS: usize = 1_000_000;

@@ -59,6 +59,7 @@ fn holds(kind: Kind) -> String {
         Kind::NamedNumbers => "list of numbers by name".to_owned(),
         Kind::ChoiceOrPath(_) => "choice or path".to_owned(),
         Kind::Path => "path".to_owned(),
+        Kind::Text => "text".to_owned(),
         Kind::Choice(_) => "choice".to_owned(),
         Kind::Reference { what } => format!("name of {what}"),
         Kind::References { what } => format!("list of names of {what}"),
@@ -71,6 +72,7 @@ fn allowed(kind: Kind, range: &Range) -> String {
         Kind::Choice(words) => words.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", "),
         Kind::ChoiceOrPath(_)
         | Kind::Path
+        | Kind::Text
         | Kind::Reference { .. }
         | Kind::References { .. }
         | Kind::Things

@@ -19,7 +19,6 @@ mod read_error;
 mod recording;
 mod schema;
 mod source;
-mod units;
 mod write;
 
 pub use fault::{Fault, Faults};
@@ -30,6 +29,6 @@ pub use model::*;
 pub(crate) use nearest::nearest;
 pub use numeric_key::NumericKey;
 pub use read_error::ReadError;
-pub use recording::Recording;
+pub use recording::{Recording, RecordingError, driving_channel};
 pub use schema::schema;
-pub use units::{Quantity, QuantityError};
+pub use jounce_units::{Quantity, QuantityError};

@@ -1,5 +1,7 @@
 //! The known word nearest to one that is not known.
 
+pub(super) use jounce_units::clip;
+
 /// Longer words are no misspelling of anything, and the distance of two long words takes long.
 const LONGEST: usize = 64;
 
@@ -38,23 +40,6 @@ pub(super) fn listed<'c>(words: impl IntoIterator<Item = &'c str>) -> String {
 pub(super) fn sentence(key: &str, text: &str) -> String {
     let reads_on = ["is ", "has ", "does "].iter().any(|verb| text.starts_with(verb));
     format!("{}{} {text}", clip(key), if reads_on { "" } else { ":" })
-}
-
-/// A text from the user, short enough for a message.
-pub(super) fn clip(text: &str) -> String {
-    let mut clipped = String::new();
-    for (count, c) in text.chars().enumerate() {
-        match c {
-            _ if count == LONGEST => {
-                clipped.push_str("...");
-                break;
-            }
-            // A control character would garble the terminal that shows the message.
-            c if c.is_control() => clipped.extend(c.escape_debug()),
-            c => clipped.push(c),
-        }
-    }
-    clipped
 }
 
 #[cfg(test)]

@@ -27,7 +27,7 @@ impl Override {
     /// An override of a key that is known.
     pub(super) fn new(key: &str, value: &str, info: &KeyInfo, index: usize) -> Self {
         let mut node = read_value(value);
-        let wants_text = matches!(info.kind, Kind::ChoiceOrPath(_) | Kind::Path | Kind::Choice(_) | Kind::Reference { .. });
+        let wants_text = matches!(info.kind, Kind::ChoiceOrPath(_) | Kind::Path | Kind::Text | Kind::Choice(_) | Kind::Reference { .. });
         if wants_text && !matches!(node.value, Value::Text(_)) {
             node.value = Value::Text(value.to_owned());
         }

@@ -65,7 +65,7 @@ fn property(row: &Row) -> Value {
         Kind::Count => number(row, "integer"),
         Kind::Numbers => numbers(row),
         Kind::NamedNumbers => by_name(numbers(row)),
-        Kind::ChoiceOrPath(_) | Kind::Path | Kind::Reference { .. } => json!({ "type": "string", "minLength": 1 }),
+        Kind::ChoiceOrPath(_) | Kind::Path | Kind::Text | Kind::Reference { .. } => json!({ "type": "string", "minLength": 1 }),
         Kind::References { .. } => json!({ "type": "array", "items": { "type": "string", "minLength": 1 }, "minItems": 1 }),
         Kind::Choice(words) => json!({ "type": "string", "enum": words }),
         Kind::Things => by_name(table(&row.inner)),

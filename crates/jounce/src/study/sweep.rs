@@ -7,7 +7,7 @@
 use super::{Journal, Prepared, StudyError, SweepPoint, Way};
 use crate::march::{MarchError, Watch};
 use crate::run::{RunAnswer, RunError, RunPlan, StartState, exceeded, simulate};
-use crate::spec::{KeyRange, Spec};
+use crate::spec::{Drive, DriveSignal, KeyRange, Spec};
 use rayon::prelude::*;
 use std::path::PathBuf;
 
@@ -33,7 +33,8 @@ pub struct Sweep<'s> {
     pub range: &'s KeyRange,
     /// Order of visit.
     pub direction: Direction,
-    /// True: every point runs for `run.duration`; false: until it has settled.
+    /// True: every point runs for `run.duration`; false: until it has settled. Where a drive never repeats itself nothing settles, and every point
+    /// runs for `run.duration`, its drives from their beginning.
     pub fixed_duration: bool,
     /// Folder against which a start state file is read.
     pub folder: PathBuf,
@@ -69,8 +70,9 @@ impl Sweep<'_> {
         done: &(dyn Fn(&SweepPoint) + Sync),
     ) -> Result<Vec<SweepPoint>, StudyError> {
         let base = Prepared::watched(self.spec.clone(), watch)?;
-        if let Some(drive) = base.kernel.plant.system.aperiodic() {
-            return Err(StudyError::Aperiodic { drive: drive.to_owned() });
+        let noise = |drive: &Drive| matches!(drive.signal, DriveSignal::Noise { .. });
+        if let Some((drive, _)) = self.spec.drive.iter().find(|(_, drive)| noise(drive)) {
+            return Err(StudyError::Aperiodic { drive: drive.clone() });
         }
         watch.expect(self.len());
         let mut points = match self.direction {
@@ -161,8 +163,9 @@ impl Sweep<'_> {
     /// Marches one point.
     fn point(&self, prepared: &Prepared, mut start: StartState, index: usize, value: f64, way: Way) -> Result<SweepPoint, StudyError> {
         let run = &prepared.spec.run;
+        let fixed_duration = self.fixed_duration || prepared.kernel.plant.system.aperiodic().is_some();
         let cycle_s = prepared.kernel.plant.period_s().unwrap_or(run.duration_s).min(run.duration_s);
-        let plan = match self.fixed_duration {
+        let plan = match fixed_duration {
             true => RunPlan::of(run, 0.0),
             false => RunPlan {
                 duration_s: CYCLES_PER_LOOK * cycle_s,
@@ -178,7 +181,7 @@ impl Sweep<'_> {
             let answer = simulate(&kernel, &start, &plan)?;
             marched_s += plan.duration_s;
             start = answer.end.clone();
-            if self.fixed_duration || answer.settlement.is_some_and(|found| found.settled) || marched_s >= MOST_DURATIONS * run.duration_s {
+            if fixed_duration || answer.settlement.is_some_and(|found| found.settled) || marched_s >= MOST_DURATIONS * run.duration_s {
                 let exceeded = exceeded(&prepared.spec, &kernel, &answer.trajectory);
                 return Ok(SweepPoint { exceeded, ..point_of(&answer, &plan, (index, value, way), marched_s) });
             }

@@ -9,6 +9,7 @@ mod overlap;
 mod overrides;
 mod pores;
 mod random;
+mod recordings;
 mod round_trip;
 mod schema;
 mod sweeps;

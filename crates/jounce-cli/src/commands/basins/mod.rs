@@ -57,7 +57,7 @@ impl Basins {
             return Err(Failure::usage(format!("--starts {} and --spread {}: give numbers greater than 0", self.starts, self.spread)));
         }
         let file = self.spec.file()?;
-        let base = Prepared::new(self.spec.checked(file.spec())?)?;
+        let base = Prepared::new(self.spec.read(&file)?)?;
         let Some((name, drive)) = base.spec.drive.iter().next() else {
             return Err(Failure::Input("a basin needs a drive: add [drive.NAME] to the spec".to_owned()));
         };

@@ -88,7 +88,7 @@ impl Diagram {
         check_tolerance(self.tolerance)?;
         let order = self.order()?;
         let file = self.spec.file()?;
-        let spec = self.spec.checked(file.spec())?;
+        let spec = self.spec.read(&file)?;
         let range = self.spec.checked(file.range(&self.over))?;
         let values = range.values();
         if values.windows(2).any(|pair| pair[0] >= pair[1]) {

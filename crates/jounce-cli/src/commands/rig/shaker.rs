@@ -2,11 +2,11 @@
 
 use super::SensingArguments;
 use crate::failure::Failure;
-use crate::measured_file::{channel, loaded, positive, survey};
+use crate::measured_file::{loaded, positive, survey};
 use clap::Args;
 use jounce::march::Watch;
 use jounce::run::StartState;
-use jounce::spec::{Quantity as Unit, Spec};
+use jounce::spec::{Quantity as Unit, Spec, driving_channel};
 use jounce::structure;
 use jounce_measure::recording::{Quantity, Recording};
 use jounce_measure::rig::{ShakerTest, Wander, on_recorded_base, shaker_test, start_of_run};
@@ -87,7 +87,11 @@ impl ShakerArguments {
 
     fn move_base(&self, spec: &mut Spec, file: &Path) -> Result<(), Failure> {
         let mut survey = survey(file)?;
-        let number = channel(&mut survey, self.base_channel.as_deref(), Quantity::Acceleration, "--base-channel")?;
+        let heads = survey.heads();
+        let found = driving_channel((&survey.name, &heads, &survey.findings), self.base_channel.as_deref(), Quantity::Acceleration);
+        let number = found.map_err(|error| Failure::usage(format!("--base-channel: {error}")))?;
+        let assumed = heads[number].assumed(Quantity::Acceleration);
+        survey.findings.extend(assumed);
         let recording = loaded(survey, &[number])?;
         let name = &recording.channels[0].name;
         let mean = on_recorded_base(spec, &recording, name, self.keep_mean)?;

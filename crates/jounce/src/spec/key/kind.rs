@@ -19,6 +19,8 @@ pub(in crate::spec) enum Kind {
     ChoiceOrPath(&'static [&'static str]),
     /// The path of a file.
     Path,
+    /// Any text.
+    Text,
     /// The name of another thing; `what` names it in the docs.
     Reference {
         /// what kind of thing, `"a beam"`
@@ -52,6 +54,7 @@ impl Kind {
             Self::Choice(words) => format!("one of {} is due", quoted(words)),
             Self::ChoiceOrPath(words) => format!("one of {} is due, or the path of a file, as in \"./NAME\"", quoted(words)),
             Self::Path => "the path of a file is due, in quotes".to_owned(),
+            Self::Text => "a text is due, in quotes".to_owned(),
             Self::Reference { what } => format!("the name of {what} is due, in quotes"),
             Self::References { what } => format!("a list of names of {what} is due, as in [\"one\", \"-other\"]"),
             Self::Things | Self::Table => "a table is due".to_owned(),

@@ -158,7 +158,7 @@ pub(super) static KEYS: &[Key<Drive>] = &[
     Key::text(
         "file",
         Kind::Path,
-        "CSV file of times in s and values, in its first two columns; relative to the spec",
+        "recording of an instrument, in any format that `jounce read` takes; relative to the spec",
         |d: &Drive| if let DriveSignal::Recording { file, .. } = &d.signal { file.clone() } else { String::new() },
         |d, x| {
             if let DriveSignal::Recording { file, .. } = &mut d.signal {
@@ -167,10 +167,35 @@ pub(super) static KEYS: &[Key<Drive>] = &[
         },
     )
     .when("signal", &["recording"]),
-    Key::quantity(
+    Key::text(
+        "channel",
+        Kind::Text,
+        "name of its channel, or number from 1; the only one that moves and has a fitting unit where it is not given",
+        |d: &Drive| recorded(d).and_then(|[channel, _]| channel.clone()).unwrap_or_default(),
+        |d, x| {
+            if let DriveSignal::Recording { channel, .. } = &mut d.signal {
+                *channel = Some(x.to_owned());
+            }
+        },
+    )
+    .when("signal", &["recording"])
+    .optional(),
+    Key::text(
+        "unit",
+        Kind::Text,
+        "unit of the channel where the file gives none, as in `\"g\"`",
+        |d: &Drive| recorded(d).and_then(|[_, unit]| unit.clone()).unwrap_or_default(),
+        |d, x| {
+            if let DriveSignal::Recording { unit, .. } = &mut d.signal {
+                *unit = Some(x.to_owned());
+            }
+        },
+    )
+    .when("signal", &["recording"])
+    .optional(),
+    Key::number(
         "scale",
-        Quantity::Force,
-        "what the value 1 in the file stands for; an acceleration (m/s^2, g) with `base-acceleration`",
+        "factor of the values of the recording",
         |d: &Drive| if let DriveSignal::Recording { scale, .. } = d.signal { scale } else { f64::NAN },
         |d, x| {
             if let DriveSignal::Recording { scale, .. } = &mut d.signal {
@@ -179,12 +204,27 @@ pub(super) static KEYS: &[Key<Drive>] = &[
         },
     )
     .when("signal", &["recording"])
-    .measured_by("kind", size)
+    .optional(),
+    Key::text(
+        "mean",
+        Kind::Choice(&["kept", "removed"]),
+        "whether the mean of the channel is part of the drive: by default that of a force is, that of an acceleration (gravity and offset) is not",
+        |d: &Drive| match d.signal {
+            DriveSignal::Recording { keep_mean: Some(kept), .. } => if kept { "kept" } else { "removed" }.to_owned(),
+            _ => String::new(),
+        },
+        |d, x| {
+            if let DriveSignal::Recording { keep_mean, .. } = &mut d.signal {
+                *keep_mean = Some(x == "kept");
+            }
+        },
+    )
+    .when("signal", &["recording"])
     .optional(),
     Key::with_slot(
         "sample_rate",
         Kind::Quantity(Quantity::Frequency),
-        "samples of noise per second (10 times `high` where it is not given), or the rate that a recording must have",
+        "samples of noise per second (10 times `high` where it is not given), or those of a recording, where its file does not tell its times",
         Slot::Optional {
             get: |d: &Drive| match d.signal {
                 DriveSignal::Noise { sample_rate_hz, .. } | DriveSignal::Recording { sample_rate_hz, .. } => sample_rate_hz,
@@ -201,6 +241,11 @@ pub(super) static KEYS: &[Key<Drive>] = &[
     .when("signal", &["noise", "recording"])
     .optional(),
 ];
+
+/// Channel and unit of a recording.
+fn recorded(drive: &Drive) -> Option<[&Option<String>; 2]> {
+    if let DriveSignal::Recording { channel, unit, .. } = &drive.signal { Some([channel, unit]) } else { None }
+}
 
 /// None for a displacement by samples: there is no such drive.
 fn size(drive: &Drive) -> Option<Quantity> {

@@ -28,7 +28,7 @@ pub(super) fn blank_signal(word: &str) -> DriveSignal {
         "half-sine" => DriveSignal::HalfSine { amplitude: hole, start_s, duration_s: hole },
         "velocity-step" => DriveSignal::VelocityStep { velocity_m_s: hole, start_s },
         "noise" => DriveSignal::Noise { density: hole, low_hz: 0.0, high_hz: hole, sample_rate_hz: None, seed: 1 },
-        "recording" => DriveSignal::Recording { file: String::new(), scale: 1.0, start_s, sample_rate_hz: None, record: None },
+        "recording" => DriveSignal::recording(""),
         _ => DriveSignal::Sine { amplitude: hole, frequency_hz: hole, phase_rad: 0.0 },
     }
 }

@@ -63,13 +63,19 @@ pub enum DriveSignal {
     },
     /// `"recording"`: samples of a file, joined by straight lines; 0 before the first and after the last.
     Recording {
-        /// `file`: path of a CSV file, relative to the spec.
+        /// `file`: path of the recording, relative to the spec.
         file: String,
-        /// `scale`: what 1 in the file stands for, in SI; default 1.
+        /// `channel`: its name, or its number from 1; the only fitting one where it is not given.
+        channel: Option<String>,
+        /// `unit`: that of the channel, where the file gives none of this quantity.
+        unit: Option<String>,
+        /// `scale`: factor of the values; default 1.
         scale: f64,
+        /// `mean`: true where the mean of the channel is kept; see [`DriveKind::keeps_mean`](crate::spec::DriveKind::keeps_mean).
+        keep_mean: Option<bool>,
         /// `start`: time of the first sample in the run, s; default 0.
         start_s: f64,
-        /// `sample_rate`: what the file is checked against.
+        /// `sample_rate`: that of a file which tells none; what one that does is checked against.
         sample_rate_hz: Option<f64>,
         /// What the file holds; `None` until it is read.
         record: Option<Arc<Recording>>,
@@ -91,4 +97,18 @@ impl DriveSignal {
     pub const SAMPLES_PER_CYCLE: f64 = 10.0;
     /// Samples of a chirp in its shortest cycle.
     pub const CHIRP_SAMPLES_PER_CYCLE: f64 = 256.0;
+
+    /// The recording of a file, nothing else said of it and not read yet.
+    pub fn recording(file: &str) -> Self {
+        Self::Recording {
+            file: file.to_owned(),
+            channel: None,
+            unit: None,
+            scale: 1.0,
+            keep_mean: None,
+            start_s: 0.0,
+            sample_rate_hz: None,
+            record: None,
+        }
+    }
 }

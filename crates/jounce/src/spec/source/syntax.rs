@@ -8,7 +8,7 @@ use toml_edit::Document;
 use super::lines::{Lines, boundary};
 use super::node::{Node, Value, entries};
 use crate::spec::nearest::clip;
-use crate::spec::units::Decimal;
+use jounce_units::Decimal;
 
 /// No more syntax errors than this are looked for.
 const MOST: usize = 20;

@@ -2,7 +2,7 @@
 
 /// `digits * 10^exponent`, the digits as they were written.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Decimal<'t> {
+pub struct Decimal<'t> {
     negative: bool,
     digits: &'t str,
     exponent: i64,
@@ -10,7 +10,7 @@ pub(crate) struct Decimal<'t> {
 
 impl<'t> Decimal<'t> {
     /// Splits a number off the front of a text: `"0.98 mm"` to 0.98 and `" mm"`. `None` where no number stands there.
-    pub(crate) fn split(text: &'t str) -> Option<(Self, &'t str)> {
+    pub fn split(text: &'t str) -> Option<(Self, &'t str)> {
         let (negative, unsigned) = match text.strip_prefix(['-', '\u{2212}']) {
             Some(rest) => (true, rest),
             None => (false, text.strip_prefix('+').unwrap_or(text)),
@@ -26,14 +26,14 @@ impl<'t> Decimal<'t> {
     }
 
     /// The `f64` nearest to the number times `10^power`; infinite where it does not fit.
-    pub(crate) fn scaled(self, power: i64) -> f64 {
+    pub fn scaled(self, power: i64) -> f64 {
         let text = format!("{}e{}", self.digits, self.exponent.saturating_add(power));
         let value = text.parse::<f64>().unwrap_or(f64::INFINITY);
         if self.negative { -value } else { value }
     }
 
     /// The number times `10^power` as whole digits and a power of ten, where the digits fit.
-    pub(crate) fn whole(self, power: i64) -> Option<(i128, i64)> {
+    pub fn whole(self, power: i64) -> Option<(i128, i64)> {
         let decimals = self.digits.split_once('.').map_or(0, |(_, after)| after.len());
         let digits = self.digits.replace('.', "").parse::<i128>().ok()?;
         let exponent = self.exponent.saturating_add(power) - i64::try_from(decimals).ok()?;
@@ -41,7 +41,7 @@ impl<'t> Decimal<'t> {
     }
 
     /// True when every digit is 0.
-    pub(crate) fn is_zero(self) -> bool {
+    pub fn is_zero(self) -> bool {
         self.digits.chars().all(|c| c == '0' || c == '.')
     }
 }

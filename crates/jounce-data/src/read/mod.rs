@@ -45,7 +45,7 @@ mod verdict;
 mod wav;
 mod written;
 
-pub use contents::{Contents, ModeShape, file, record, survey, survey_record};
+pub use contents::{Contents, ModeShape, file, record, survey, survey_noted, survey_record, survey_record_noted};
 pub use error::ReadError;
 pub use given::{GivenError, given};
 pub use notes::{ChannelNotes, Notes};
@@ -53,4 +53,4 @@ pub use numbers::Numbers;
 pub use outline::Outline;
 pub use raw::RawChannel;
 pub use survey::{Places, Survey, Surveyed, SurveyedChannel};
-pub(crate) use written::{DIRECTION, PLACE, REFERENCE};
+pub use written::{DIRECTION, PLACE, REFERENCE};

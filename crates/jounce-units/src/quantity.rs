@@ -3,7 +3,7 @@
 use super::decimal::Decimal;
 use super::error::QuantityError;
 use super::expression::{Refusal, Unit};
-use crate::spec::nearest::clip;
+use super::clip::clip;
 use std::borrow::Cow;
 
 /// No quantity needs more characters than this.
@@ -77,7 +77,7 @@ impl Quantity {
     /// `units::quantity::tests::values_are_the_nearest_floats`: bit for bit the literal wherever the factor is a power of ten.
     ///
     /// ```
-    /// use jounce::spec::Quantity;
+    /// use jounce_units::Quantity;
     /// assert_eq!(Quantity::Length.read("0.98 mm"), Ok(0.98e-3));
     /// assert!(Quantity::Frequency.read("13 mm").is_err());
     /// ```
@@ -94,7 +94,7 @@ impl Quantity {
     }
 
     /// A text as whole digits times a power of ten, where it is exactly that in SI.
-    pub(crate) fn exact(self, text: &str) -> Option<(i128, i64)> {
+    pub fn exact(self, text: &str) -> Option<(i128, i64)> {
         let (number, unit) = self.split(text).ok()?;
         let decimal = unit.up == 1.0 && unit.down == 1.0 && unit.power_of_ten.fract() == 0.0;
         if decimal { number.whole(unit.power_of_ten as i64) } else { None }

@@ -108,7 +108,7 @@ impl Recording {
     }
 
     /// What each channel is chosen by.
-    pub(super) fn heads(&self) -> Vec<Head<'_>> {
+    pub fn heads(&self) -> Vec<Head<'_>> {
         self.channels.iter().map(Channel::head).collect()
     }
 

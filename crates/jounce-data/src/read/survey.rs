@@ -99,7 +99,7 @@ impl Surveyed {
     }
 
     /// The recording with the numbers of some channels in memory and without the others. Channels are numbered from 0 and come in the order asked
-    /// for; what was noticed of the others stays in the findings.
+    /// for; what was noticed of the others is left out, that of the times stays.
     ///
     /// # Errors
     /// The scratch file cannot be read, or there is no such channel.
@@ -114,7 +114,8 @@ impl Surveyed {
                 None => left.get_mut(*number).and_then(Option::take).ok_or_else(missing)?.into_channel()?,
             });
         }
-        drop(left);
+        let names: Vec<String> = left.into_iter().flatten().map(|channel| channel.name).collect();
+        self.findings.retain(|finding| !finding.channel.as_ref().is_some_and(|of| names.contains(of)));
         self.channels = Vec::new();
         Ok(Recording { channels: found, ..self.into_recording()? })
     }

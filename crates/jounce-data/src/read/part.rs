@@ -11,12 +11,12 @@ use crate::recording::{Finding, FindingKind, Over, PIECE, Place, Series, inspect
 const ROUNDOFF: f64 = 1e-6;
 
 impl Surveyed {
-    /// The samples from one place to another (s or Hz), both included; `None` where there are none. What was noticed stays that of the whole, whose
-    /// samples are numbered from its own first one.
+    /// Some channels, numbered from 0, from one place to another (s or Hz), both included; `None` where no sample lies there. What was noticed of
+    /// them stays that of the whole, whose samples are numbered from its own first one.
     ///
     /// # Errors
     /// The scratch file cannot be read or written.
-    pub fn part(&self, from: f64, to: f64) -> io::Result<Option<Self>> {
+    pub fn part(&self, (from, to): (f64, f64), channels: &[usize]) -> io::Result<Option<Self>> {
         let slack = ROUNDOFF / self.rate();
         let (mut first, mut count, mut number) = (0, 0, 0);
         self.places.each(|place| {
@@ -47,11 +47,15 @@ impl Surveyed {
                 imaginary,
             })
         };
-        let channels = self.channels.iter().map(channel).collect::<io::Result<_>>()?;
+        let channels = channels.iter().filter_map(|k| self.channels.get(*k)).map(channel).collect::<io::Result<Vec<_>>>()?;
+        let left_out = |name: &String| self.channels.iter().any(|own| own.name == *name) && channels.iter().all(|own| own.name != *name);
+        let is_kept = |finding: &&Finding| !finding.channel.as_ref().is_some_and(left_out);
+        let mut findings: Vec<Finding> = self.findings.iter().filter(is_kept).cloned().collect();
         let unit = if self.over == Over::Time { "s" } else { "Hz" };
         let about = format!("{count} of {number} samples, from {from} {unit} to {to} {unit}; the other findings are those of the whole");
-        let told = Finding::new(FindingKind::Cut, count, Some(Place::Sample(first)), about);
-        let findings = self.findings.iter().cloned().chain([told]).collect();
+        if count < number {
+            findings.push(Finding::new(FindingKind::Cut, count, Some(Place::Sample(first)), about));
+        }
         Ok(Some(Self { name: self.name.clone(), over: self.over, places, channels, findings }))
     }
 }
@@ -90,11 +94,11 @@ mod tests {
         for whole in [even, stamped] {
             for (first, last) in [(0, 0), (3, 7), (PIECE - 1, PIECE), (PIECE, 3 * PIECE + 10)] {
                 let place = |k: usize| 0.1 * (k as f64 + 5.0);
-                let part = whole.part(place(first), place(last)).unwrap().unwrap().into_recording().unwrap();
+                let part = whole.part((place(first), place(last)), &[0]).unwrap().unwrap().into_recording().unwrap();
                 assert!(part.channels[0].values.iter().copied().eq((first..=last).map(|k| k as f64)), "{first} to {last}");
                 assert!((part.grid.at(0) - place(first)).abs() < 1e-9 && part.findings.len() == 1);
             }
-            assert!(whole.part(0.51, 0.59).unwrap().is_none() && whole.part(-3.0, 0.4).unwrap().is_none());
+            assert!(whole.part((0.51, 0.59), &[0]).unwrap().is_none() && whole.part((-3.0, 0.4), &[0]).unwrap().is_none());
         }
     }
 }

@@ -55,7 +55,7 @@ type Reader = fn(&Path, &Shelf) -> Result<Found, Damage>;
 /// # Errors
 /// A file that cannot be opened, that is none of the formats or damaged, that tells no time, or whose notes are wrong.
 pub fn file(path: &Path) -> Result<Contents, ReadError> {
-    read(path, &Shelf::Memory)?.into_contents(path)
+    read(path, &Shelf::Memory, &Notes::beside(path)?)?.into_contents(path)
 }
 
 /// Reads a file as [`file()`] does, with its numbers in a scratch file: memory does not grow with the file, but for HDF5, whose library holds
@@ -64,12 +64,19 @@ pub fn file(path: &Path) -> Result<Contents, ReadError> {
 /// # Errors
 /// As [`file()`], and a scratch file that cannot be written.
 pub fn survey(path: &Path) -> Result<Survey, ReadError> {
-    read(path, &Shelf::scratch())
+    survey_noted(path, &Notes::beside(path)?)
 }
 
-fn read(path: &Path, shelf: &Shelf) -> Result<Survey, ReadError> {
+/// Reads a file as [`survey()`] does, with these notes in place of those beside it.
+///
+/// # Errors
+/// As [`survey()`].
+pub fn survey_noted(path: &Path, notes: &Notes) -> Result<Survey, ReadError> {
+    read(path, &Shelf::scratch(), notes)
+}
+
+fn read(path: &Path, shelf: &Shelf, notes: &Notes) -> Result<Survey, ReadError> {
     let (format, reader) = format_of(path)?;
-    let notes = Notes::beside(path)?;
     let found = reader(path, shelf).map_err(|Damage { place, why }| ReadError::Damaged { path: path.to_owned(), format, place, why })?;
     let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     let several = found.sets.len() > 1;
@@ -80,7 +87,7 @@ fn read(path: &Path, shelf: &Shelf) -> Result<Survey, ReadError> {
             (true, true) => format!("{stem} {}", k + 1),
             (true, false) => format!("{stem} {}: {}", k + 1, set.title),
         };
-        survey.recordings.push(assemble::recording(path, name, set, &notes)?);
+        survey.recordings.push(assemble::recording(path, name, set, notes)?);
     }
     Ok(survey)
 }
@@ -91,7 +98,7 @@ fn read(path: &Path, shelf: &Shelf) -> Result<Survey, ReadError> {
 /// As [`file()`], and a file without one.
 pub fn record(path: &Path) -> Result<Recording, ReadError> {
     let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
-    first_over_time(path, read(path, &Shelf::Memory)?)?.into_recording().map_err(lost)
+    first_over_time(path, read(path, &Shelf::Memory, &Notes::beside(path)?)?)?.into_recording().map_err(lost)
 }
 
 /// The same with its numbers in a scratch file, so that only the channels that are needed come to memory.
@@ -99,7 +106,15 @@ pub fn record(path: &Path) -> Result<Recording, ReadError> {
 /// # Errors
 /// As [`survey()`], and a file without one.
 pub fn survey_record(path: &Path) -> Result<Surveyed, ReadError> {
-    first_over_time(path, survey(path)?)
+    survey_record_noted(path, &Notes::beside(path)?)
+}
+
+/// The same with these notes in place of those beside the file.
+///
+/// # Errors
+/// As [`survey_record()`].
+pub fn survey_record_noted(path: &Path, notes: &Notes) -> Result<Surveyed, ReadError> {
+    first_over_time(path, survey_noted(path, notes)?)
 }
 
 /// The first recording over time; it tells which others were left out.

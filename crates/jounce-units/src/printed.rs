@@ -6,7 +6,7 @@ impl Quantity {
     /// Prints a value in SI with the unit that keeps the number short; [`Quantity::read`] gives the same bits back.
     ///
     /// ```
-    /// use jounce::spec::Quantity;
+    /// use jounce_units::Quantity;
     /// assert_eq!(Quantity::Pressure.write(65e9), "65 GPa");
     /// ```
     pub fn write(self, value: f64) -> String {

@@ -1,11 +1,11 @@
 //! Units as instruments write them, to SI.
 //!
-//! The grammar of units is that of the specs ([`jounce::spec::Quantity`]); this file adds the spellings and the customary units that
+//! The grammar of units is that of the specs ([`jounce_units::Quantity`]); this file adds the spellings and the customary units that
 //! recordings bring.
 
 use std::borrow::Cow;
 
-use jounce::spec::Quantity as Spec;
+use jounce_units::Quantity as Spec;
 
 use super::Quantity;
 

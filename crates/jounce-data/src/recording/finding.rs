@@ -75,6 +75,8 @@ pub enum FindingKind {
     Bridged,
     /// Samples interpolated at even times.
     Resampled,
+    /// The mean taken away.
+    MeanRemoved,
     /// The structure still rings from one hit when the next one comes.
     Ringing,
     /// A part of a longer recording.

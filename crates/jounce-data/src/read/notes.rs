@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use jounce::spec::Quantity as Spec;
+use jounce_units::Quantity as Spec;
 use toml_edit::{DocumentMut, Item, Table};
 
 use super::ReadError;

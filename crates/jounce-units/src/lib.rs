@@ -13,6 +13,7 @@
 //!
 //! Source: The International System of Units (BIPM, 9th edition), tables 2, 4, 7 and 8.
 
+mod clip;
 mod decimal;
 mod dimension;
 mod error;
@@ -22,6 +23,7 @@ mod printed;
 mod quantity;
 mod symbol;
 
-pub(crate) use decimal::Decimal;
+pub use clip::clip;
+pub use decimal::Decimal;
 pub use error::QuantityError;
 pub use quantity::Quantity;

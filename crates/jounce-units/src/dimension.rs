@@ -10,20 +10,20 @@ const SAME: f64 = 1e-9;
 
 /// Exponents of kg, m, s, A, rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Dimension([f64; 5]);
+pub struct Dimension([f64; 5]);
 
 impl Dimension {
     /// A plain number.
-    pub(crate) const NONE: Self = Self([0.0; 5]);
+    pub const NONE: Self = Self([0.0; 5]);
 
     /// Exponents of kg, m, s, A, rad.
-    pub(crate) const fn new(exponents: [i8; 5]) -> Self {
+    pub const fn new(exponents: [i8; 5]) -> Self {
         let [kg, m, s, a, rad] = exponents;
         Self([kg as f64, m as f64, s as f64, a as f64, rad as f64])
     }
 
     /// The dimension of `self * other^power`.
-    pub(crate) fn times(self, other: Self, power: f64) -> Self {
+    pub fn times(self, other: Self, power: f64) -> Self {
         let mut out = self;
         for (mine, theirs) in out.0.iter_mut().zip(other.0) {
             *mine += theirs * power;
@@ -32,12 +32,12 @@ impl Dimension {
     }
 
     /// True when both measure the same kind of quantity.
-    pub(crate) fn is(self, other: Self) -> bool {
+    pub fn is(self, other: Self) -> bool {
         self.0.iter().zip(other.0).all(|(a, b)| (a - b).abs() < SAME)
     }
 
     /// The kind in words with its article, `"a length"`; base units where the kind has no name here.
-    pub(crate) fn kind(self) -> String {
+    pub fn kind(self) -> String {
         let named = KINDS.iter().find(|(_, exponents)| self.is(Self::new(*exponents)));
         let [kg, m, s, rest @ ..] = self.0;
         match named {

@@ -1,23 +1,31 @@
 //! What jounce noted of a file that it wrote: in the metadata of Parquet, in `NAME.manifest.json` beside `NAME.csv`.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
-use jounce::table::Manifest;
 use serde::Deserialize;
 
 use super::name;
 use super::raw::Column;
 
-/// What stands before the name of a channel in the notes where they tell its place, its direction, and where the force of a response function acts.
-pub(crate) const PLACE: &str = "place of ";
-pub(crate) const DIRECTION: &str = "direction of ";
-pub(crate) const REFERENCE: &str = "reference of ";
+/// What stands before the name of a channel in the notes that tell where it was measured.
+pub const PLACE: &str = "place of ";
+/// The same for its direction.
+pub const DIRECTION: &str = "direction of ";
+/// The same for where the force of a response function acts.
+pub const REFERENCE: &str = "reference of ";
 
 /// The notes of a file of columns.
 #[derive(Deserialize)]
 pub(super) struct Written {
     manifest: Manifest,
     columns: Vec<Noted>,
+}
+
+/// Of the manifest, what a reader needs.
+#[derive(Deserialize)]
+struct Manifest {
+    options: BTreeMap<String, String>,
 }
 
 #[derive(Deserialize)]
