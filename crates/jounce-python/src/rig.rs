@@ -12,7 +12,9 @@ use jounce::run::StartState;
 use jounce::spec::{Gravity, driving_channel};
 use jounce::structure::modes_holding;
 use jounce_measure::recording::{Quantity, Recording};
-use jounce_measure::rig::{Cable, HammerTest, RigError, Sensor, ShakerTest, Wander, carry, hammer_test, on_recorded_base, shaker_test, start_of_run};
+use jounce_measure::rig::{
+    Cable, HammerTest, RigError, Sensor, ShakerTest, Wander, carry, hammer_test, on_recorded_base, shaker_test, start_of_run,
+};
 use jounce_measure::solution::{Search, solutions, start_of};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -113,7 +115,8 @@ fn shaken(own: &Spec, sensors: &Sensors, shaker: &Shaker, base: Option<&Recordin
     sensors.fit(&mut spec)?;
     if let Some(base) = base {
         let wanted = shaker.base_channel.as_deref();
-        let number = driving_channel((&base.name, &base.heads(), &base.findings), wanted, Quantity::Acceleration).map_err(RigError::from)?;
+        let number =
+            driving_channel((&base.name, &base.heads(), &base.findings), wanted, Quantity::Acceleration).map_err(RigError::from)?;
         on_recorded_base(&mut spec, base, &base.channels[number].name, shaker.keep_mean)?;
     }
     let modes = modes_holding(&spec, &sensors.hold)?;

@@ -1,9 +1,9 @@
 //! The kinds of quantity that a spec knows, their reading and their printing.
 
+use super::clip::clip;
 use super::decimal::Decimal;
 use super::error::QuantityError;
 use super::expression::{Refusal, Unit};
-use super::clip::clip;
 use std::borrow::Cow;
 
 /// No quantity needs more characters than this.

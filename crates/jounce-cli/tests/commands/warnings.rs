@@ -62,9 +62,9 @@ fn limits_warn_under_noise_too() {
 #[test]
 fn a_recording_that_ends_before_the_run_is_told() {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("road.csv"), "0,0\n0.5,1\n1,-2\n").unwrap();
+    std::fs::write(folder.path().join("road.csv"), "time (s),a (g)\n0,0\n0.5,1\n1,-2\n").unwrap();
     let text = "[mass.m]\nmass = \"1 kg\"\nfrequency = \"3 Hz\"\ndamping_ratio = 0.1\n[drive.road]\nkind = \"base-acceleration\"\nsignal = \"recording\"\n\
-        file = \"road.csv\"\nscale = \"1 g\"\n[run]\nduration = \"3 s\"\naverage_over = \"1 s\"\n";
+        file = \"road.csv\"\nmean = \"kept\"\n[run]\nduration = \"3 s\"\naverage_over = \"1 s\"\n";
     let spec = written(&folder, text);
     let (code, run, text) = jounce(&["run", &spec, "--json"]);
     let warning = &run["warnings"][0];

@@ -168,6 +168,15 @@ mod tests {
         }
     }
 
+    /// Stamps in steps of their last digit: one that is missing is lost; where the rate is lower than the digits, every 19th step is long.
+    #[test]
+    fn a_lost_sample_is_no_rounded_stamp() {
+        let kinds =
+            |stamps: Vec<f64>| -> Vec<FindingKind> { Grid::from_stamps(stamps).unwrap().1.iter().map(|found| found.kind).collect() };
+        assert_eq!(kinds((0..2000).filter(|k| *k != 777).map(|k| f64::from(k) / 100.0).collect()), [FindingKind::Gap]);
+        assert_eq!(kinds((0..2000).map(|k| (f64::from(k) / 0.95).round() / 100.0).collect()), [FindingKind::RoundedStamps]);
+    }
+
     #[test]
     fn stamps_with_few_digits_are_even_and_backward_ones_refused() {
         let stamps: Vec<f64> = (0..1000).map(|k| (f64::from(k) * 1e6 / 1536.0).round() * 1e-6).collect();

@@ -15,6 +15,9 @@ const ONE_STEP: f64 = 1.5;
 /// Share of steps over places without a stamp beyond which no samples were lost, but the stamps have too few digits for the rate.
 const RARE: f64 = 0.05;
 
+/// Long steps between equal ones that are lost samples, though stamps rounded to a whole step would have them too.
+const FEW: usize = 2;
+
 /// Stamps that differ from even places by less than this share of a step are those places, and their roundoff.
 const EXACT: f64 = 1e-6;
 
@@ -43,6 +46,9 @@ impl Stamped {
             return Ok(Ok(Self::Even { start, step, noticed: Vec::new() }));
         }
         let digits = Digits::of(stamps)?;
+        if has_lost_samples(stamps)? {
+            return Ok(Ok(Self::Uneven(oddities(stamps, &digits, unit)?)));
+        }
         if let Some(places) = even_places(stamps, &digits, (start, step), told)? {
             return Ok(Ok(places.stamped(stamps.count(), unit)));
         }
@@ -52,6 +58,19 @@ impl Stamped {
             Self::Uneven(oddities(stamps, &digits, unit)?)
         }))
     }
+}
+
+/// True where all steps are equal to the last digit but for one or two, which are multiples of the others. A stamp rounded to a whole step would
+/// explain a few of these too; three or more have to be evenly spread for that.
+fn has_lost_samples<S: Series>(stamps: &S) -> Result<bool, S::Fault> {
+    let usual = median_step(stamps)?;
+    let (mut equal, mut long) = (true, 0);
+    steps(stamps, |_, step| {
+        let passed = places_passed(step, usual);
+        equal &= passed >= 1.0 && (step - passed * usual).abs() <= EXACT * usual;
+        long += usize::from(passed > 1.0);
+    })?;
+    Ok(equal && (1..=FEW).contains(&long) && long as f64 <= RARE * stamps.count() as f64)
 }
 
 /// The largest distance of a stamp from its even place, in steps.

@@ -8,12 +8,12 @@ use jounce::table::TableError;
 
 use crate::fit::FitError;
 use crate::modal::ModalError;
-use crate::recording::NoChannel;
 use crate::regime::RegimeError;
 use crate::response::ResponseError;
 use crate::rig::RigError;
 use crate::solution::SolutionError;
 use crate::spectral::SpectralError;
+use jounce_data::recording::NoChannel;
 
 /// Why the experimental half could not be computed.
 #[derive(Debug, thiserror::Error)]

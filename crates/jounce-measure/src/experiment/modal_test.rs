@@ -11,10 +11,10 @@ use std::f64::consts::TAU;
 use super::ExperimentError;
 use crate::draw::{measured_responses, stabilisation};
 use crate::modal::{Band, Identification, Mode, Settings, identify};
-use crate::recording::Recording;
 use crate::response::{Chosen, Responses};
 use crate::rig::{HammerTest, Sensor, hammer_test};
 use crate::spectral::ImpactSettings;
+use jounce_data::recording::Recording;
 
 /// Recordings of one hit each, so that the beam is at rest before each: its first mode needs 45 s to fall to 1 %.
 const HITS: u64 = 4;

@@ -11,7 +11,7 @@ use super::model::Conditions;
 use super::reading::Reader;
 use super::response::output;
 use super::{Deviation, FitError, Model, Question};
-use crate::read;
+use jounce_data::read;
 
 /// A record whose stamps are times of the run, unless it says when it begins.
 #[derive(Debug, Clone, PartialEq)]

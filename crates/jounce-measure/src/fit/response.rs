@@ -11,8 +11,8 @@ use jounce::structure;
 use super::model::Conditions;
 use super::reading::Reader;
 use super::{Deviation, FitError, Model, Question};
-use crate::read;
-use crate::recording::{Over, Quantity as Measures, Unit};
+use jounce_data::read;
+use jounce_data::recording::{Over, Quantity as Measures, Unit};
 
 /// What was measured of a response.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,9 +4,9 @@ use faer::c64;
 
 use super::ModalError;
 use super::noise::variance;
-use crate::recording::Quantity;
 use crate::response::Responses;
 use crate::spectral::{Sight, Without};
+use jounce_data::recording::Quantity;
 
 /// Lowest frequency over the highest of a band that begins far from 0.
 const FAR: f64 = 0.25;

@@ -134,9 +134,9 @@ fn deviations(mean: &[Vec<c64>], blocks: &[Vec<Vec<c64>>]) -> Vec<Vec<f64>> {
 mod tests {
     use super::super::plscf::tests::{POLES, shape};
     use super::*;
-    use crate::recording::{Channel, Grid, Over, Quantity, Recording};
     use crate::response::AmbientSettings;
     use jounce::drive::Stream;
+    use jounce_data::recording::{Channel, Grid, Over, Quantity, Recording};
 
     const RATE: f64 = 250.0;
 

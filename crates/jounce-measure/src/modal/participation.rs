@@ -13,8 +13,8 @@
 use faer::c64;
 
 use super::Mode;
-use crate::recording::Quantity;
 use crate::response::Responses;
+use jounce_data::recording::Quantity;
 
 /// Shape at an output times the participation of the base.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]

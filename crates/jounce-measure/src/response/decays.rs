@@ -15,8 +15,8 @@ use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 
 use super::ResponseError;
-use crate::recording::{Finding, Over, Recording};
 use crate::spectral::{SpectralError, signal};
+use jounce_data::recording::{Finding, Over, Recording};
 
 /// Decays of outputs, one for each record or for each reference.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,7 +1,7 @@
 //! Why recordings give no frequency response.
 
-use crate::recording::NoChannel;
 use crate::spectral::SpectralError;
+use jounce_data::recording::NoChannel;
 
 /// Recordings that give no frequency response.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]

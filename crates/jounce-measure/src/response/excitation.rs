@@ -3,8 +3,8 @@
 use jounce::signal::Samples;
 
 use super::{Chosen, ResponseError};
-use crate::recording::{Channel, Quantity, Recording};
 use crate::spectral::{ImpactSettings, SpectralError, goes_on};
+use jounce_data::recording::{Channel, Quantity, Recording};
 
 /// What excites the structure.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -49,7 +49,7 @@ pub(super) fn quantity(input: &Channel) -> Quantity {
     if input.quantity == Quantity::Unknown { Quantity::Force } else { input.quantity }
 }
 
-/// Unit of a response per input, as [`crate::recording::Unit`] writes it.
+/// Unit of a response per input, as [`jounce_data::recording::Unit`] writes it.
 pub(super) fn unit(output: &Channel, input: &Channel) -> String {
     let above = if output.unit.is_empty() { "1" } else { &output.unit };
     let below = quantity(input).si_unit();

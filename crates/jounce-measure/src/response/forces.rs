@@ -2,7 +2,7 @@
 
 use super::excitation::input;
 use super::{Chosen, ResponseError};
-use crate::recording::{Channel, Finding, FindingKind, Recording};
+use jounce_data::recording::{Channel, Finding, FindingKind, Recording};
 
 /// The recordings of one place of the force.
 pub(super) struct Reference<'a> {

@@ -4,8 +4,8 @@ use realfft::num_complex::Complex;
 
 use super::forces::place;
 use super::{ResponseError, Responses};
-use crate::recording::{Channel, Finding, FindingKind, Quantity, Recording, Unit};
 use crate::spectral::{FrequencyResponse, Sight};
+use jounce_data::recording::{Channel, Finding, FindingKind, Quantity, Recording, Unit};
 
 /// Which function stands for which output and which reference.
 struct Sides {

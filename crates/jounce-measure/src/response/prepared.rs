@@ -1,7 +1,7 @@
 //! Response functions of files that hold them as columns of real numbers, or with lines that are no numbers.
 
 use super::ResponseError;
-use crate::recording::{Channel, Finding, FindingKind, Over, Place, Recording};
+use jounce_data::recording::{Channel, Finding, FindingKind, Over, Place, Recording};
 
 /// What the two columns of a response function hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -96,7 +96,7 @@ fn bridge(channel: &mut Channel, places: &[f64]) -> Option<Finding> {
 mod tests {
     use super::super::Responses;
     use super::*;
-    use crate::recording::{Grid, Quantity};
+    use jounce_data::recording::{Grid, Quantity};
 
     fn recording(over: Over, columns: &[[f64; 4]]) -> Recording {
         let channel = |(k, values): (usize, &[f64; 4])| Channel::new(&format!("column {}", k + 2), Quantity::Unknown, "", values.to_vec());

@@ -5,8 +5,8 @@ use jounce::signal::{Samples, SignalError};
 use super::ResponseError;
 use super::excitation::{self, Excitation, input};
 use super::forces::{Reference, check_sensors, references};
-use crate::recording::{Channel, Finding, FindingKind, Quantity, Recording};
 use crate::spectral::{FrequencyResponse, ImpactAnswer, ImpactHit, ImpactRecord, ImpactSettings, SpectralError, impact};
+use jounce_data::recording::{Channel, Finding, FindingKind, Quantity, Recording};
 
 /// Which channels are what.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -175,7 +175,7 @@ fn impact_record<'a>(recording: &'a Recording, chosen: &Chosen, names: &[String]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::recording::{FindingKind, Grid, Over};
+    use jounce_data::recording::{FindingKind, Grid, Over};
 
     fn struck(name: &str, place: &str) -> Recording {
         let values: Vec<f64> = (0..1000).map(|k| if (20..30).contains(&k) { 50.0 } else { 0.0 }).collect();
@@ -223,7 +223,7 @@ mod tests {
             let mut hit = struck("one", place);
             hit.channels[0].direction = "-z".to_owned();
             crate::write::write(&hit, &path).unwrap();
-            let read = crate::read::file(&path).unwrap().recordings.remove(0);
+            let read = jounce_data::read::file(&path).unwrap().recordings.remove(0);
             let force = read.channel("force").unwrap();
             assert_eq!((force.place.as_str(), force.direction.as_str()), (place, "-z"), "{ending}");
             assert_eq!(read.channel("a").unwrap().place, if ending == "uff" { "node 2" } else { "" });

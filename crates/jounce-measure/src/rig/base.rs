@@ -5,7 +5,7 @@ use std::sync::Arc;
 use jounce::spec::{self, Drive, DriveKind, DriveSignal, Spec};
 
 use super::RigError;
-use crate::recording::Recording;
+use jounce_data::recording::Recording;
 
 /// Takes every drive away and moves the base by a channel of a recording at even times, for as long as the recording lasts; the mean of
 /// that time is averaged over. Gives the mean of the channel, m/s^2: where `keep_mean` is false it is taken away, because that of an
@@ -15,7 +15,7 @@ use crate::recording::Recording;
 /// [`spec::RecordingError`], and a base beside the ground.
 pub fn on_recorded_base(spec: &mut Spec, recording: &Recording, channel: &str, keep_mean: bool) -> Result<f64, RigError> {
     let kind = DriveKind::BaseAcceleration;
-    let record = spec::Recording::of(recording, channel, kind, keep_mean)?;
+    let record = spec::Recording::of(recording, channel, kind, (1.0, keep_mean))?;
     if let Some(base) = spec.bases().first() {
         return Err(RigError::Bases { base: (*base).to_owned(), what: "a recorded base" });
     }
@@ -35,8 +35,8 @@ pub fn on_recorded_base(spec: &mut Spec, recording: &Recording, channel: &str, k
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::recording::{Channel, Grid, Over, Quantity};
     use jounce::reproduce::paper_spec;
+    use jounce_data::recording::{Channel, Grid, Over, Quantity};
 
     fn of_base(values: Vec<f64>, keep_mean: bool) -> Result<f64, RigError> {
         let grid = Grid::even(0.0, 1e-3, values.len()).unwrap();

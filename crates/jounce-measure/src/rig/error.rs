@@ -4,7 +4,7 @@ use jounce::plant::PlantError;
 use jounce::run::RunError;
 use jounce::spec::RecordingError;
 
-use crate::recording::GridError;
+use jounce_data::recording::GridError;
 
 /// A test that cannot be simulated.
 #[derive(Debug, thiserror::Error)]

@@ -8,7 +8,7 @@ use jounce::plant::Plant;
 use realfft::RealFftPlanner;
 
 use super::{RigError, Sensor};
-use crate::recording::{Channel, Finding, FindingKind, Grid, Over, Quantity, Recording};
+use jounce_data::recording::{Channel, Finding, FindingKind, Grid, Over, Quantity, Recording};
 
 /// A hammer test.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,8 +4,8 @@ use jounce::spec::{DriveKind, Spec};
 use jounce::structure::Modes;
 
 use super::RigError;
-use crate::recording::Quantity;
 use crate::solution::Output;
+use jounce_data::recording::Quantity;
 
 /// A channel to be.
 pub(super) struct SensedAs {

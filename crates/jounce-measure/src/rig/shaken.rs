@@ -10,8 +10,8 @@ use jounce::structure::Modes;
 use super::sensed::{SensedAs, sensors};
 use super::wander::{courses, disturbed};
 use super::{RigError, Sensor, Wander};
-use crate::recording::{Channel, Finding, FindingKind, Grid, Over, Recording};
 use crate::solution::{Output, outputs};
+use jounce_data::recording::{Channel, Finding, FindingKind, Grid, Over, Recording};
 
 /// A shaker test.
 #[derive(Debug, Clone, PartialEq)]
@@ -134,12 +134,12 @@ fn marched(spec: &Spec, modes: &Modes, (start, duration_s): (&StartState, f64), 
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::recording::Quantity;
     use crate::rig::on_recorded_base;
     use jounce::linear::{Input, Response, frf};
     use jounce::reproduce::paper_spec;
     use jounce::signal::Samples;
     use jounce::structure::{modes, modes_holding};
+    use jounce_data::recording::Quantity;
 
     /// 6 Hz, 20 N, linear steady state, 100 kohm.
     fn linear() -> (Spec, Modes) {

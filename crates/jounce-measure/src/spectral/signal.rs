@@ -3,7 +3,7 @@
 use jounce::signal::Samples;
 
 use super::SpectralError;
-use crate::recording::{Channel, Quantity, Recording};
+use jounce_data::recording::{Channel, Quantity, Recording};
 
 /// The samples of a channel that shows a signal.
 ///
@@ -31,7 +31,7 @@ pub fn first_live(record: &Recording, quantity: Quantity) -> Option<&Channel> {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::recording::{Grid, Over};
+    use jounce_data::recording::{Grid, Over};
 
     #[test]
     fn the_first_live_channel_is_the_default() {

@@ -3,8 +3,8 @@
 use jounce::table::{Column, Manifest, Table};
 
 use super::WriteError;
-use crate::read::{DIRECTION, Numbers, PLACE, REFERENCE, Surveyed, SurveyedChannel};
-use crate::recording::{Over, PIECE, Series};
+use jounce_data::read::{DIRECTION, Numbers, PLACE, REFERENCE, Surveyed, SurveyedChannel};
+use jounce_data::recording::{Over, PIECE, Series};
 
 /// Numbers in a table, of all columns together.
 const NUMBERS: usize = 1 << 20;

@@ -7,8 +7,8 @@ use jounce::store::{self, StoreError};
 use jounce::table::{Table, TableError};
 
 use super::{columns, uff58};
-use crate::read::Surveyed;
-use crate::recording::Recording;
+use jounce_data::read::Surveyed;
+use jounce_data::recording::Recording;
 
 /// A recording that cannot be written.
 #[derive(Debug, thiserror::Error)]

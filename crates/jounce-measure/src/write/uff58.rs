@@ -6,8 +6,8 @@
 use std::io::Write;
 
 use super::WriteError;
-use crate::read::{Places, Surveyed, SurveyedChannel};
-use crate::recording::{Over, PIECE, Quantity, Series};
+use jounce_data::read::{Places, Surveyed, SurveyedChannel};
+use jounce_data::recording::{Over, PIECE, Quantity, Series};
 
 /// Writes one data set for each channel, piece by piece.
 pub(super) fn encode(recording: &Surveyed, mut to: impl Write) -> Result<(), WriteError> {

@@ -56,9 +56,7 @@ impl Warning {
     pub fn of_recordings(spec: &Spec, plan: &RunPlan) -> Vec<Self> {
         let (from_s, to_s) = (plan.duration_s - plan.average_over_s, plan.duration_s);
         let ends = spec.drive.iter().filter_map(|(name, drive)| match &drive.signal {
-            DriveSignal::Recording { start_s, record: Some(record), .. } => {
-                Some((name.clone(), start_s + record.duration_s()))
-            }
+            DriveSignal::Recording { start_s, record: Some(record), .. } => Some((name.clone(), start_s + record.duration_s())),
             _ => None,
         });
         let early = ends.filter(|(_, ends_s)| to_s - ends_s > UNRECORDED * plan.average_over_s);

@@ -23,6 +23,7 @@ mod write;
 
 pub use fault::{Fault, Faults};
 pub use file::SpecFile;
+pub use jounce_units::{Quantity, QuantityError};
 pub use key_range::KeyRange;
 pub use key_reference::reference_markdown;
 pub use model::*;
@@ -31,4 +32,3 @@ pub use numeric_key::NumericKey;
 pub use read_error::ReadError;
 pub use recording::{Recording, RecordingError, driving_channel};
 pub use schema::schema;
-pub use jounce_units::{Quantity, QuantityError};

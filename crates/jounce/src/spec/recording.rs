@@ -44,7 +44,9 @@ pub enum RecordingError {
         wanted: &'static str,
     },
     /// A unit that the file gives already.
-    #[error("the file gives channel {channel} in a unit of its own, in SI {unit}: leave `unit` out, or correct it in notes beside the file")]
+    #[error(
+        "the file gives channel {channel} in a unit of its own, in SI {unit}: leave `unit` out, or correct it in notes beside the file"
+    )]
     UnitTwice {
         /// The channel.
         channel: String,
@@ -144,11 +146,11 @@ pub fn driving_channel(
 }
 
 impl Recording {
-    /// A channel of a recording at even times as the signal of a drive; its mean is taken away where it is not kept.
+    /// A channel of a recording at even times as the signal of a drive that multiplies it by `scale`; its mean is taken away where it is not kept.
     ///
     /// # Errors
     /// [`RecordingError`].
-    pub fn of(measured: &Measured, channel: &str, kind: DriveKind, keep_mean: bool) -> Result<Self, RecordingError> {
+    pub fn of(measured: &Measured, channel: &str, kind: DriveKind, (scale, keep_mean): (f64, bool)) -> Result<Self, RecordingError> {
         let channel = measured.channel(channel)?;
         let quantity = kind.measured();
         if !channel.head().may_be(quantity) {
@@ -175,7 +177,7 @@ impl Recording {
         let is_own = |finding: &&Finding| !finding.channel.as_ref().is_some_and(of_another);
         let mut findings: Vec<Finding> = measured.findings.iter().filter(is_own).cloned().collect();
         if offset.abs() > ROUNDOFF * largest {
-            let about = format!("its mean of {mean:.5} {} is taken away", quantity.si_unit());
+            let about = format!("its mean of {:.5} {} is taken away", scale * mean, quantity.si_unit());
             findings.push(Finding::new(FindingKind::MeanRemoved, values.len(), None, about).of(&channel.name));
         }
         Ok(Self { step_s: *step, values, mean, findings })
@@ -186,29 +188,36 @@ impl Recording {
     /// # Errors
     /// One sentence with the file and what to do.
     pub(super) fn read(path: &Path, drive: &Drive) -> Result<Self, String> {
-        let DriveSignal::Recording { channel, unit, keep_mean, sample_rate_hz, .. } = &drive.signal else {
+        let DriveSignal::Recording { channel, unit, scale, keep_mean, sample_rate_hz, .. } = &drive.signal else {
             return Err("the signal is no recording".to_owned());
         };
         let shown = path.display();
         let fault = |error: RecordingError| format!("{shown}: {error}");
         let quantity = drive.kind.measured();
-        let mut survey = survey(path, *sample_rate_hz).map_err(|error| error.to_string())?;
+        let mut survey = survey(path, *sample_rate_hz).map_err(|error| match error {
+            ReadError::NoTime { .. } | ReadError::StampUnit { .. } => format!("{error}; or give the drive a `sample_rate`"),
+            error => error.to_string(),
+        })?;
         let number = driving_channel((&survey.name, &survey.heads(), &survey.findings), channel.as_deref(), quantity).map_err(fault)?;
         if let Some(wanted_hz) = sample_rate_hz.filter(|wanted_hz| (wanted_hz / survey.rate() - 1.0).abs() > RATE_ERROR) {
-            return Err(format!("{shown} is sampled at {:.6} Hz, not at `sample_rate` = {wanted_hz} Hz; correct one of them", survey.rate()));
+            return Err(format!(
+                "{shown} is sampled at {:.6} Hz, not at `sample_rate` = {wanted_hz} Hz; correct one of them",
+                survey.rate()
+            ));
         }
         let head = survey.channels[number].head();
         let assumed = if unit.is_none() { head.assumed(quantity) } else { None };
         survey.findings.extend(assumed);
         let lost = |error: std::io::Error| format!("{shown}: {error}");
-        let mut measured =
-            survey.into_recording_of(&[number]).map_err(lost)?.into_even().map_err(|error| format!("{shown}: {error}"))?;
+        let mut measured = survey.into_recording_of(&[number]).map_err(lost)?.into_even().map_err(|error| format!("{shown}: {error}"))?;
         let channel = &mut measured.channels[0];
         if let Some(unit) = unit {
             in_unit(channel, unit, quantity)?;
+            measured.findings.retain(|finding| finding.kind != FindingKind::RawCounts);
         }
+        let channel = &measured.channels[0];
         let (name, keep_mean) = (channel.name.clone(), keep_mean.unwrap_or(drive.kind.keeps_mean()));
-        Self::of(&measured, &name, drive.kind, keep_mean).map_err(fault)
+        Self::of(&measured, &name, drive.kind, (*scale, keep_mean)).map_err(fault)
     }
 
     /// Time from the first sample to the last, s.

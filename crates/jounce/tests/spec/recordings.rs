@@ -62,7 +62,7 @@ fn what_the_file_does_not_tell_is_said_by_a_key() {
     let read = |file, keys| spec(folder.path(), file, keys);
     let bare = ("bare.csv", "a\n1\n-1\n3\n-3\n");
     let fault = read(bare, "").unwrap_err();
-    assert!(fault.contains("nothing tells when the samples were taken"), "{fault}");
+    assert!(fault.contains("nothing tells when the samples were taken") && fault.contains("give the drive a `sample_rate`"), "{fault}");
     let found = read(bare, "sample_rate = \"250 Hz\"\nunit = \"g\"\n").unwrap();
     assert_eq!((record(&found).step_s, &record(&found).values[..]), (0.004, &[G, -G, 3.0 * G, -3.0 * G][..]));
     assert!(findings(&found).is_empty(), "{:?}", findings(&found));
