@@ -64,7 +64,8 @@ def spectrum(values: Any, sample_rate_hz: float | None = None, *, name: str = "s
 def write_recording(path: str | PathLike[str], values: Any, sample_rate_hz: float | None = None) -> None:
     """Writes evenly spaced samples, or a time series in the form of SEP005, as the CSV file that a drive reads.
 
-    ``jounce.Drive(kind="base-acceleration", signal="recording", file=PATH)``; values without a unit are in that of ``unit=``, by default SI.
+    ``jounce.Drive(kind="base-acceleration", signal="recording", file=PATH)``; values without a unit are in SI, or in
+    that of ``unit=``.
     """
     row, row_rate_hz = _samples(values, sample_rate_hz)
     unit = values["unit_str"] if isinstance(values, Mapping) else unit_of(values) if is_quantity(values) else ""
