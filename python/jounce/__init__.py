@@ -16,6 +16,7 @@ from .basins import BasinsResult
 from .branch import Branch, BranchResult
 from .contact import ContactResult, Pulse, contact
 from .diagram import DiagramResult
+from .elements import Beam, Circuit, Damping, Drive, Gravity, Layer, Mass, Modal, Patch, Reduction, Run, Stop
 from .ensemble import EnsembleResult
 from .errors import (
     ArgumentError,
@@ -38,10 +39,10 @@ from .errors import (
 )
 from .examples import Examples, examples
 from .explore import Explorer, explore
-from .finding import Finding
 from .fit import FitCurve, FitDeviation, FitResult
 from .frf import FrfResult
 from .history import History
+from .issue import Finding
 from .jumps import JumpCurve, JumpsResult
 from .materials import Material, Materials, materials
 from .measured_frf import ImpactHit, MeasuredFrf, measured_frf
@@ -61,7 +62,6 @@ from .starters import keys, new, schema, starters
 from .study import Study
 from .study_result import StudyResult, StudyStatus, StudyTable
 from .sweep import SweepResult
-from .things import Beam, Circuit, Damping, Drive, Gravity, Layer, Mass, Modal, Patch, Reduction, Run, Stop
 
 __all__ = [
     "ArgumentError",

@@ -10,8 +10,8 @@ import numpy as np
 
 from . import _core
 from .arguments import optional_si
-from .finding import Finding, found, told
-from .given import Measured, recording
+from .inputs import Measured, recording
+from .issue import Finding, found, told
 from .recording import names_of
 from .result import Along, Data, Floats, Result, Variable, column, html_table, made_manifest
 

@@ -13,8 +13,8 @@ from . import _core
 from .arguments import names, optional_si
 from .contact import kind_of
 from .errors import ArgumentError
-from .finding import Finding, found, told
-from .given import Measured, responses
+from .inputs import Measured, responses
+from .issue import Finding, found, told
 from .recording import Recording, names_of
 from .result import Complexes, Floats, Result, Variable, html_table, made_manifest
 

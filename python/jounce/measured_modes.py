@@ -11,8 +11,8 @@ import numpy as np
 from . import _core
 from .arguments import check_wholes, names, optional_si, si
 from .errors import ArgumentError
-from .finding import Finding, found
-from .given import Measured, responses
+from .inputs import Measured, responses
+from .issue import Finding, found
 from .measured_frf import MeasuredFrf, hammer_options, made_frf
 from .quantity import span as span_of
 from .recording import Recording, names_of

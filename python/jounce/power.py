@@ -12,8 +12,8 @@ import numpy as np
 from . import _core
 from .arguments import optional_si, positive_si
 from .errors import ArgumentError
-from .finding import Finding, found, told
-from .given import Measured, recordings
+from .inputs import Measured, recordings
+from .issue import Finding, found, told
 from .recording import Recording, names_of
 from .result import Along, Floats, Integers, Result, Truths, Variable, column, html_table, made_manifest, whole, with_uncertainty
 from .signal import Spectrum

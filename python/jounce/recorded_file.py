@@ -10,7 +10,7 @@ from typing import Any
 
 from . import _core
 from .errors import ArgumentError
-from .finding import Finding, found, told
+from .issue import Finding, found, told
 from .recording import Recording, digest_of
 from .result import Complexes, Data, Floats, Integers, Result, Variable, html_table, made_manifest
 

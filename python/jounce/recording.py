@@ -12,7 +12,7 @@ import numpy as np
 
 from . import _core
 from .errors import ArgumentError
-from .finding import Finding, found, told
+from .issue import Finding, found, told
 from .result import Complexes, Data, Floats, Result, Variable, html_table, made_manifest
 
 
@@ -90,7 +90,7 @@ class Recording(Result):
         become SI. There are ``sample_rate_hz`` samples per second, or they lie at ``time_s``, whose jitter and gaps are found; NaN are
         missing samples. With ``frequency_hz`` they are accelerations per force, complex and for ``e^{+i w t}``.
         """
-        from .given import of_arrays
+        from .inputs import of_arrays
 
         grid = {"sample_rate_hz": sample_rate_hz, "time_s": time_s, "frequency_hz": frequency_hz}
         return cls._of(_core.recording_given(of_arrays(values, grid, units, name)), made_manifest("read"))

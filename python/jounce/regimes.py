@@ -11,8 +11,8 @@ import numpy as np
 from . import _core
 from .arguments import check_wholes, optional_si, positive_si
 from .errors import ArgumentError
-from .finding import Finding, found, told
-from .given import Measured, recording
+from .inputs import Measured, recording
+from .issue import Finding, found, told
 from .recording import Recording, names_of
 from .result import Along, Floats, Integers, Result, Variable, column, html_table, made_manifest, whole, with_uncertainty
 from .spec import Spec

@@ -12,7 +12,7 @@ from . import _core
 from .arguments import check_wholes, names, optional_si, positive_si
 from .errors import ArgumentError
 from .fit import FitResult, made_fit
-from .given import Measured, recording
+from .inputs import Measured, recording
 from .progress import Progress, told
 from .quantity import toml
 from .recording import Recording

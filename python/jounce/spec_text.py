@@ -11,7 +11,7 @@ from typing import Any, Self
 from . import _core
 from .arguments import names, of_tables
 from .errors import ArgumentError, SpecError, UnknownKeyError
-from .finding import Finding, found
+from .issue import Finding, found
 from .quantity import name as name_of
 from .quantity import setting
 from .result import html_table

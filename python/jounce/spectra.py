@@ -7,8 +7,8 @@ from typing import Annotated, Any, Literal
 
 from . import _core
 from .arguments import optional_si
-from .finding import Finding, found, told
-from .given import Measured, recording
+from .inputs import Measured, recording
+from .issue import Finding, found, told
 from .recording import names_of
 from .result import Along, Floats, Result, Variable, html_table, made_manifest, whole
 

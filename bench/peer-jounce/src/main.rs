@@ -15,14 +15,14 @@
 //! all that the command `run` asks of the library once a spec is prepared: the kernel of the run, `simulate`, peak voltages, charges and
 //! warnings.
 
-use jounce::continuation::{Corrector, Direction, Metric, Position, StepControl, Walk, settle, tangent};
-use jounce::march::{Kernel, Watch};
-use jounce::orbit::{HarmonicBalance, Harvester, OrbitMethod, Shooting};
+use jounce::analysis::{Model, Parameter, settled_orbit};
+use jounce::continuation::{Continuation, Corrector, Direction, Metric, Position, StepControl, correct_at, tangent};
+use jounce::march::{Control, Kernel};
+use jounce::orbit::{HarmonicBalance, OrbitMethod, ParametricModel, Shooting};
 use jounce::plant::{Plant, System};
-use jounce::run::{RunAnswer, RunPlan, StartState, Warning, charges, simulate, voltage_peaks};
+use jounce::run::{RunPlan, RunResult, StartState, Warning, charges, simulate, voltage_peaks};
 use jounce::spec::{NumericKey, Spec, SpecFile};
 use jounce::structure;
-use jounce::study::{Parameter, Prepared, settled_orbit};
 use rustix::time::{ClockId, clock_gettime};
 use std::error::Error;
 use std::hint::black_box;
@@ -54,7 +54,7 @@ fn alone(spec: &Spec, is_warm: bool) -> Result<String, Box<dyn Error>> {
     let whole = RunPlan::of(&spec.run, 0.0);
     let timed = || -> Result<[f64; 4], Box<dyn Error>> {
         let (begun, before_s) = (Instant::now(), cpu_s());
-        let RunAnswer { mean_power_w, march_s, .. } = simulate(&kernel, &rest, &whole)?;
+        let RunResult { mean_power_w, march_s, .. } = simulate(&kernel, &rest, &whole)?;
         Ok([cpu_s() - before_s, begun.elapsed().as_secs_f64(), march_s, mean_power_w])
     };
     let mut runs = vec![timed()?];
@@ -67,9 +67,9 @@ fn alone(spec: &Spec, is_warm: bool) -> Result<String, Box<dyn Error>> {
 }
 
 /// All that the command `run` asks of the library for a prepared harvester.
-fn whole_run(prepared: &Prepared) -> Result<String, Box<dyn Error>> {
+fn whole_run(prepared: &Model) -> Result<String, Box<dyn Error>> {
     let begun = Instant::now();
-    let own = prepared.watched_by(&Watch::default())?;
+    let own = prepared.with_control(&Control::default())?;
     let start = own.start(Path::new(""))?;
     let kernel = own.from_state(&start)?;
     let plan = RunPlan::of(&own.spec.run, 0.0).watching(&own.spec, &kernel.plant).balancing(&kernel.plant);
@@ -78,7 +78,7 @@ fn whole_run(prepared: &Prepared) -> Result<String, Box<dyn Error>> {
     let simulate_s = begun.elapsed().as_secs_f64() - before_s;
     black_box(Warning::of(&own.spec, &kernel, &plan, &answer));
     black_box((voltage_peaks(&kernel, &answer, &plan), charges(&kernel, &answer, &plan)));
-    let (run_s, RunAnswer { mean_power_w, march_s, .. }) = (begun.elapsed().as_secs_f64(), answer);
+    let (run_s, RunResult { mean_power_w, march_s, .. }) = (begun.elapsed().as_secs_f64(), answer);
     Ok(format!(r#"{{"mean_power_w": {mean_power_w:e}, "run_s": {run_s:e}, "simulate_s": {simulate_s:e}, "march_s": {march_s:e}}}"#))
 }
 
@@ -89,7 +89,7 @@ const HARMONICS: usize = 64;
 /// A walk by the equations of harmonic balance alone, or with the orbit of each point.
 fn balance(spec: Spec, with_orbits: bool) -> Result<String, Box<dyn Error>> {
     let key = NumericKey::find(&spec, "drive.shaker.frequency")?;
-    let base = Prepared::new(spec)?;
+    let base = Model::new(spec)?;
     let [low_hz, high_hz] = WALKED_HZ;
     let parameter = Parameter::new(&base, &key, high_hz - low_hz);
     let corrector = Corrector { goal: 5e-8, most: 8 };
@@ -103,9 +103,9 @@ fn balance(spec: Spec, with_orbits: bool) -> Result<String, Box<dyn Error>> {
     let up = Direction { unknown: vec![0.0; guess.unknown.len()], parameter: 1.0 };
     let mut walks = Vec::new();
     for _ in 0..RUNS {
-        let first = settle(&method, &corrector, &metric, guess.clone())?;
+        let first = correct_at(&method, &corrector, &metric, guess.clone())?;
         let ahead = tangent(&first.local, &metric, &up).ok_or("no tangent at the start")?;
-        let mut walk = Walk::new(&method, corrector, StepControl::default(), scale, first.position, ahead);
+        let mut walk = Continuation::new(&method, corrector, StepControl::default(), scale, first.position, ahead);
         let (before_s, mut points) = (cpu_s(), 0);
         while walk.position.parameter < high_hz {
             let step = walk.next().ok_or("the walk ended")??;
@@ -126,7 +126,7 @@ fn measure(path: &str, start: &str, changes: &[String]) -> Result<(), Box<dyn Er
     match start {
         "warm" | "first" => println!("{}", alone(&spec, start == "warm")?),
         "each" => {
-            let prepared = Prepared::new(spec)?;
+            let prepared = Model::new(spec)?;
             whole_run(&prepared)?;
             for line in std::io::stdin().lines() {
                 line?;

@@ -2,7 +2,7 @@
 
 use crate::commands::{
     basins, branch, check, completions, contact, diagram, ensemble, explore, fit, frf, jumps, materials, modes, new, noise, power, read,
-    regimes, reproduce, rig, run, show, spectra, study, sweep,
+    reproduce, rig, run, segments, show, spectra, study, sweep,
 };
 use clap::{Parser, Subcommand};
 
@@ -60,7 +60,7 @@ pub enum Command {
     /// Contact time, exponent, restitution and stiffness from the force pulses of a hammer.
     Contact(contact::Contact),
     /// Cuts a long recording into stretches of one solution each, and names the solution of a model that each shows.
-    Regimes(regimes::RegimesOf),
+    Regimes(segments::Segments),
     /// Power spectral density, order lines and spectrogram of a recorded channel.
     Spectra(spectra::Spectra),
     /// Fits keys of a spec to what was measured (modes, frequency responses, powers, jumps, time histories), with intervals.

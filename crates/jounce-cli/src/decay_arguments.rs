@@ -1,7 +1,7 @@
 //! Arguments of tests without a measured force: free decays, and outputs alone.
 
 use crate::failure::Failure;
-use crate::measured_file::{ends, manifest, positive, record, tell};
+use crate::measured_file::{ends, manifest, positive, print_issues, record};
 use clap::Args;
 use jounce::spec::Quantity as Unit;
 use jounce::table::Manifest;
@@ -42,18 +42,18 @@ impl DecayArguments {
     pub fn decays(&self, files: &[PathBuf], responses: &[String]) -> Result<Decays, Failure> {
         if self.free_decay {
             let records = files.iter().map(|file| record(file)).collect::<Result<Vec<_>, _>>()?;
-            return Ok(told(Decays::free(&records, responses, self.span_s()?)?));
+            return Ok(reported(Decays::free(&records, responses, self.span_s()?)?));
         }
         let [file] = files else {
             return Err(Failure::usage(format!("--output-only takes one recording, and {} are given", files.len())));
         };
         if let Some(spectrum) = read::file(file)?.recordings.first().filter(|recording| recording.over == Over::Frequency) {
-            return Ok(told(Decays::of_spectrum(spectrum, responses)?));
+            return Ok(reported(Decays::of_spectrum(spectrum, responses)?));
         }
         let record = record(file)?;
         let lags_s = self.lags.as_ref().map(|text| positive("--lags", text, Unit::Time)).transpose()?;
         let settings = AmbientSettings { responses: responses.to_vec(), references: self.reference.clone(), lags_s };
-        Ok(told(Decays::ambient(&record, &settings)?))
+        Ok(reported(Decays::ambient(&record, &settings)?))
     }
 
     /// Manifest of an answer.
@@ -71,8 +71,8 @@ impl DecayArguments {
 }
 
 /// Tells what was noticed of the channels in use.
-fn told(decays: Decays) -> Decays {
+fn reported(decays: Decays) -> Decays {
     let used: Vec<&str> = decays.outputs.iter().chain(&decays.references).map(String::as_str).collect();
-    tell(&decays.findings, Some(&used));
+    print_issues(&decays.findings, Some(&used));
     decays
 }

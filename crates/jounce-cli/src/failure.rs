@@ -1,9 +1,9 @@
 //! How a command ends when it does not succeed.
 
 use crate::output::print;
+use jounce::analysis::AnalysisError;
 use jounce::orbit::OrbitError;
 use jounce::spec::{Fault, ReadError};
-use jounce::study::StudyError;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -29,7 +29,7 @@ pub enum Failure {
     /// Stopped by the user; finished work is kept: exit code 130.
     Interrupted(String),
     /// Stopped by the user, the answer of what was finished already told: exit code 130.
-    Shortened(String),
+    Partial(String),
 }
 
 impl Failure {
@@ -46,7 +46,7 @@ impl Failure {
     /// Tells the user and gives the exit code.
     pub fn report(self, json: bool) -> ExitCode {
         let (code, text, faults) = match self {
-            Failure::Shortened(text) => {
+            Failure::Partial(text) => {
                 eprintln!("{text}");
                 return ExitCode::from(INTERRUPTED);
             }
@@ -85,17 +85,17 @@ impl From<ReadError> for Failure {
     }
 }
 
-impl From<StudyError> for Failure {
-    fn from(error: StudyError) -> Self {
+impl From<AnalysisError> for Failure {
+    fn from(error: AnalysisError) -> Self {
         match &error {
-            StudyError::Run(jounce::run::RunError::March(_)) => Failure::NotConverged(error.to_string()),
+            AnalysisError::Run(jounce::run::RunError::March(_)) => Failure::NotConverged(error.to_string()),
             _ => Failure::Input(error.to_string()),
         }
     }
 }
 
-impl From<OrbitError<StudyError>> for Failure {
-    fn from(error: OrbitError<StudyError>) -> Self {
+impl From<OrbitError<AnalysisError>> for Failure {
+    fn from(error: OrbitError<AnalysisError>) -> Self {
         match error {
             OrbitError::Harvester(error) => error.into(),
             OrbitError::Frequencies { .. }
@@ -125,7 +125,7 @@ input_failure!(
     jounce::table::TableError,
     jounce::picture::PictureError,
     jounce::signal::SignalError,
-    jounce::study::JournalError,
+    jounce::analysis::JournalError,
     jounce::reproduce::ReproduceError,
     jounce::store::StoreError,
     jounce_measure::read::ReadError,
@@ -139,5 +139,5 @@ input_failure!(
     jounce_measure::rig::RigError,
     jounce_measure::experiment::ExperimentError,
     jounce_measure::solution::SolutionError,
-    jounce_measure::regime::RegimeError
+    jounce_measure::segmentation::SegmentationError
 );

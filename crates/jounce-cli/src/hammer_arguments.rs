@@ -1,14 +1,14 @@
 //! Arguments of a hammer or shaker test, which `frf --measured` and `modes --measured` share.
 
 use crate::failure::Failure;
-use crate::measured_file::{manifest, positive, record, tell};
+use crate::measured_file::{manifest, positive, print_issues, record};
 use crate::output::line;
 use clap::{Args, ValueEnum};
 use jounce::spec::Quantity as Unit;
 use jounce::table::Manifest;
 use jounce_measure::read;
 use jounce_measure::recording::{Over, Recording};
-use jounce_measure::response::{Chosen, Excitation, Parts, Responses, bridged, paired};
+use jounce_measure::response::{ChannelChoice, ComplexParts, Excitation, MeasuredResponses, bridged, paired};
 use jounce_measure::spectral::{Estimator, HitWarning, ImpactHit, ImpactSettings};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -85,13 +85,13 @@ pub struct HammerArguments {
 
 impl HammerArguments {
     /// The responses; those of a file over frequency as they stand there.
-    pub fn responses(&self) -> Result<Responses, Failure> {
+    pub fn responses(&self) -> Result<MeasuredResponses, Failure> {
         let settings = self.settings()?;
         if let [file] = &self.measured[..] {
             let recordings = self.prepared(read::file(file)?.recordings)?;
             if recordings.iter().all(|recording| recording.over == Over::Frequency) {
-                let found = Responses::given(&recordings)?;
-                tell(&found.findings, None);
+                let found = MeasuredResponses::given(&recordings)?;
+                print_issues(&found.findings, None);
                 return Ok(found);
             }
         }
@@ -101,19 +101,19 @@ impl HammerArguments {
             (None, Some(channel)) => Excitation::Force(channel.clone()),
             (None, None) => Excitation::FirstForce,
         };
-        let chosen = Chosen { excitation, responses: self.response.clone() };
-        let found = Responses::of_hits(&records, &chosen, &settings)?;
+        let chosen = ChannelChoice { excitation, responses: self.response.clone() };
+        let found = MeasuredResponses::of_hits(&records, &chosen, &settings)?;
         let used: Vec<&str> = found.outputs.iter().chain([&found.input]).map(String::as_str).collect();
-        tell(&found.findings, Some(&used));
+        print_issues(&found.findings, Some(&used));
         Ok(found)
     }
 
     /// Recordings with their columns paired and their lines bridged, as asked for.
     fn prepared(&self, recordings: Vec<Recording>) -> Result<Vec<Recording>, Failure> {
         let parts = self.functions.map(|functions| match functions {
-            Functions::ReIm => Parts::ReIm,
-            Functions::SizeDegrees => Parts::SizeDegrees,
-            Functions::SizeRadians => Parts::SizeRadians,
+            Functions::ReIm => ComplexParts::ReIm,
+            Functions::SizeDegrees => ComplexParts::SizeDegrees,
+            Functions::SizeRadians => ComplexParts::SizeRadians,
         });
         let found = match parts {
             Some(parts) => paired(recordings, parts)?,
@@ -147,10 +147,10 @@ impl HammerArguments {
 }
 
 /// Hits of one fault that are told one by one; of more, their number and the first ones.
-const TOLD: usize = 3;
+const MAX_LISTED_HITS: usize = 3;
 
 /// Tells the hits, and what is wrong with them, or the blocks of a shaker test.
-pub fn tell_hits(responses: &Responses) {
+pub fn print_hits(responses: &MeasuredResponses) {
     if let Some(block_s) = responses.block_s {
         if responses.hits.is_empty() {
             let blocks = responses.functions.first().map_or(0, |function| function.blocks);
@@ -160,7 +160,7 @@ pub fn tell_hits(responses: &Responses) {
             line(format!("{used} hits of {} averaged, blocks of {block_s:.6} s", responses.hits.len()));
         }
     }
-    tell_warnings(&responses.hits);
+    print_warnings(&responses.hits);
     let left: Vec<usize> = (1..).zip(&responses.hits).filter(|(_, hit)| !hit.used).map(|(number, _)| number).collect();
     if !left.is_empty() {
         line(format!("left out: {}, whose blocks would reach beyond the record", numbered(&left)));
@@ -168,7 +168,7 @@ pub fn tell_hits(responses: &Responses) {
 }
 
 /// Tells what is wrong with hits: of each fault the first few, and how many more there are.
-fn tell_warnings(hits: &[ImpactHit]) {
+fn print_warnings(hits: &[ImpactHit]) {
     let mut faults: BTreeMap<&str, Vec<(usize, String)>> = BTreeMap::new();
     for (number, ImpactHit { hit, .. }) in (1..).zip(hits) {
         for warning in &hit.warnings {
@@ -180,8 +180,8 @@ fn tell_warnings(hits: &[ImpactHit]) {
         }
     }
     for (fault, found) in faults {
-        found.iter().take(TOLD).for_each(|(_, about)| line(about));
-        let more: Vec<usize> = found.iter().skip(TOLD).map(|(number, _)| *number).collect();
+        found.iter().take(MAX_LISTED_HITS).for_each(|(_, about)| line(about));
+        let more: Vec<usize> = found.iter().skip(MAX_LISTED_HITS).map(|(number, _)| *number).collect();
         if !more.is_empty() {
             line(format!("warning: {fault} too: {}", numbered(&more)));
         }
@@ -190,8 +190,8 @@ fn tell_warnings(hits: &[ImpactHit]) {
 
 /// `hit 4, 5, 6 and 20 more`.
 fn numbered(hits: &[usize]) -> String {
-    let first: Vec<String> = hits.iter().take(TOLD).map(ToString::to_string).collect();
-    let more = hits.len().saturating_sub(TOLD);
+    let first: Vec<String> = hits.iter().take(MAX_LISTED_HITS).map(ToString::to_string).collect();
+    let more = hits.len().saturating_sub(MAX_LISTED_HITS);
     let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
     format!("hit {}{rest}", first.join(", "))
 }

@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use clap::Args;
+use jounce::analysis::QuantityLevel;
 use jounce::plant::Plant;
-use jounce::study::Level;
 
 /// Levels that are labelled on branches and followed over two keys.
 #[derive(Debug, Args)]
@@ -16,8 +16,8 @@ pub struct LevelArguments {
 
 impl LevelArguments {
     /// The levels, for a plant.
-    pub fn read(&self, plant: &Plant) -> Result<Vec<Level>, Failure> {
-        let levels = self.levels.iter().map(|text| Level::parse(text, plant));
+    pub fn read(&self, plant: &Plant) -> Result<Vec<QuantityLevel>, Failure> {
+        let levels = self.levels.iter().map(|text| QuantityLevel::parse(text, plant));
         levels.collect::<Result<_, _>>().map_err(|why| Failure::usage(format!("--level {why}")))
     }
 }

@@ -5,8 +5,8 @@ use crate::spec_arguments::OutputArguments;
 use clap::Args;
 use jounce::spec::Quantity as Unit;
 use jounce::table::Manifest;
-use jounce_measure::read::{self, Surveyed, SurveyedChannel};
-use jounce_measure::recording::{ChannelError, Finding, FindingKind, Quantity, Recording, chosen, named};
+use jounce_measure::read::{self, ChannelSummary, RecordingSummary};
+use jounce_measure::recording::{ChannelError, Issue, IssueKind, Quantity, Recording, chosen, named};
 use sha2::{Digest, Sha256};
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -21,9 +21,9 @@ pub struct MeasuredFile {
 }
 
 impl MeasuredFile {
-    /// As [`survey()`].
-    pub fn survey(&self) -> Result<Surveyed, Failure> {
-        survey(&self.file)
+    /// As [`summary()`].
+    pub fn survey(&self) -> Result<RecordingSummary, Failure> {
+        summary(&self.file)
     }
 
     /// Manifest of an answer.
@@ -62,11 +62,11 @@ fn hash_hex(file: &Path) -> Result<String, Failure> {
 
 /// The number of the channel of a name or number; without one, of the only channel or the first of a quantity. Where it tells no unit, what is
 /// assumed is kept among the findings.
-pub fn channel(recording: &mut Surveyed, wanted: Option<&str>, quantity: Quantity, option: &str) -> Result<usize, Failure> {
+pub fn channel(recording: &mut RecordingSummary, wanted: Option<&str>, quantity: Quantity, option: &str) -> Result<usize, Failure> {
     let found = chosen(&recording.name, &recording.heads(), wanted, quantity);
     if found.is_err() {
         // Which recording was taken may be why it has no such channel.
-        tell(&recording.findings, Some(&[]));
+        print_issues(&recording.findings, Some(&[]));
     }
     let number = found.map_err(|error| match error {
         ChannelError::Missing(error) => error.into(),
@@ -79,15 +79,15 @@ pub fn channel(recording: &mut Surveyed, wanted: Option<&str>, quantity: Quantit
 }
 
 /// The number of the channel of a name or number, whatever it measures.
-pub fn any_channel(recording: &Surveyed, wanted: &str) -> Result<usize, Failure> {
+pub fn any_channel(recording: &RecordingSummary, wanted: &str) -> Result<usize, Failure> {
     Ok(named(&recording.name, &recording.heads(), wanted)?)
 }
 
 /// The first channel of a quantity that moves, else the first channel that does, else the first of them.
-pub fn first_live(recording: &Surveyed, quantity: Quantity) -> Option<usize> {
-    let still = |name: &str| recording.findings.iter().any(|f| f.kind == FindingKind::Constant && f.channel.as_deref() == Some(name));
-    let live = |channel: &&(usize, &SurveyedChannel)| channel.1.sizes.peak > 0.0 && !still(&channel.1.name);
-    let all: Vec<(usize, &SurveyedChannel)> = recording.channels.iter().enumerate().collect();
+pub fn first_live(recording: &RecordingSummary, quantity: Quantity) -> Option<usize> {
+    let still = |name: &str| recording.findings.iter().any(|f| f.kind == IssueKind::Constant && f.channel.as_deref() == Some(name));
+    let live = |channel: &&(usize, &ChannelSummary)| channel.1.sizes.peak > 0.0 && !still(&channel.1.name);
+    let all: Vec<(usize, &ChannelSummary)> = recording.channels.iter().enumerate().collect();
     let found = all.iter().filter(live).find(|(_, channel)| channel.quantity == quantity);
     found
         .or_else(|| all.iter().find(live))
@@ -97,17 +97,17 @@ pub fn first_live(recording: &Surveyed, quantity: Quantity) -> Option<usize> {
 }
 
 /// The first recording over time in a file, its numbers not in memory.
-pub fn survey(file: &Path) -> Result<Surveyed, Failure> {
+pub fn summary(file: &Path) -> Result<RecordingSummary, Failure> {
     Ok(read::survey_record(file)?)
 }
 
 /// Some channels of it at even times and without missing samples; the others never come to memory. Tells on stderr what was noticed of these and of
 /// the whole, and what was done to them.
-pub fn loaded(recording: Surveyed, channels: &[usize]) -> Result<Recording, Failure> {
+pub fn loaded(recording: RecordingSummary, channels: &[usize]) -> Result<Recording, Failure> {
     let kept =
         recording.into_recording_of(channels).map_err(|fault| Failure::Input(format!("the scratch file cannot be read: {fault}")))?;
     let even = kept.into_even()?;
-    tell(&even.findings, None);
+    print_issues(&even.findings, None);
     Ok(even)
 }
 
@@ -130,8 +130,8 @@ pub fn ends(option: &str, text: &str, quantity: Unit) -> Result<(f64, f64), Fail
 
 /// Tells on stderr what was noticed of recordings as a whole and of the channels in use, of all without a list: each sentence once, with the number
 /// of times that it holds where it holds of several recordings. What changes no number of an answer is a note.
-pub fn tell(findings: &[Finding], used: Option<&[&str]>) {
-    let concerns = |finding: &&Finding| match (&finding.channel, used) {
+pub fn print_issues(findings: &[Issue], used: Option<&[&str]>) {
+    let concerns = |finding: &&Issue| match (&finding.channel, used) {
         (Some(channel), Some(used)) => used.contains(&channel.as_str()),
         _ => true,
     };

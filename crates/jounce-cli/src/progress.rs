@@ -1,15 +1,15 @@
 //! Progress of long work on stderr, rate and time left: a bar where stderr is a terminal, else a plain line every ten seconds.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use jounce::march::Watch;
+use jounce::march::Control;
 use std::io::{IsTerminal, Write};
 use std::time::{Duration, Instant};
 
 /// Time between two looks at a counter.
-const LOOK: Duration = Duration::from_millis(100);
+const POLL_INTERVAL: Duration = Duration::from_millis(100);
 
 /// Time between two plain lines.
-const LINE: Duration = Duration::from_secs(10);
+const LINE_INTERVAL: Duration = Duration::from_secs(10);
 
 /// A bar for a number of points.
 pub fn bar(points: usize) -> ProgressBar {
@@ -25,13 +25,13 @@ pub fn counted(things: usize, name: &'static str) -> ProgressBar {
     bar
 }
 
-/// Shows the orbits that a watch counts while `work` runs: curves have no length that is known before their end, so there is no time left.
-pub fn watched<T>(watch: &Watch, work: impl FnOnce() -> T) -> T {
-    counting("orbits tried", &|| watch.harvesters(), work)
+/// Shows the orbits that a control counts while `work` runs: curves have no length that is known before their end, so there is no time left.
+pub fn with_progress<T>(control: &Control, work: impl FnOnce() -> T) -> T {
+    with_count("orbits tried", &|| control.harvesters(), work)
 }
 
 /// Shows a count of things of one name, whose end is not known, while `work` runs.
-pub fn counting<T>(name: &'static str, count: &(dyn Fn() -> u64 + Sync), work: impl FnOnce() -> T) -> T {
+pub fn with_count<T>(name: &'static str, count: &(dyn Fn() -> u64 + Sync), work: impl FnOnce() -> T) -> T {
     let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
     let style = ProgressStyle::with_template(&format!("{{spinner}} {{pos}} {name}  {{per_sec}}  {{elapsed}} so far"));
     let bar = bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
@@ -39,7 +39,7 @@ pub fn counting<T>(name: &'static str, count: &(dyn Fn() -> u64 + Sync), work: i
     let (end, ended) = std::sync::mpsc::channel::<()>();
     std::thread::scope(|scope| {
         scope.spawn(move || {
-            while ended.recv_timeout(LOOK) == Err(std::sync::mpsc::RecvTimeoutError::Timeout) {
+            while ended.recv_timeout(POLL_INTERVAL) == Err(std::sync::mpsc::RecvTimeoutError::Timeout) {
                 bar.set_position(count());
             }
             bar.finish_and_clear();
@@ -53,18 +53,18 @@ pub fn counting<T>(name: &'static str, count: &(dyn Fn() -> u64 + Sync), work: i
 fn lines_without_terminal(bar: &ProgressBar, name: &'static str) {
     if !std::io::stderr().is_terminal() {
         // A closed stderr is no reason to end the work.
-        tell(bar, name, LINE, |line| drop(writeln!(std::io::stderr(), "{line}")));
+        print_lines(bar, name, LINE_INTERVAL, |line| drop(writeln!(std::io::stderr(), "{line}")));
     }
 }
 
 /// Says a line about a bar now and then, from a thread that ends with the bar.
-fn tell(bar: &ProgressBar, name: &'static str, every: Duration, say: impl Fn(String) + Send + 'static) {
+fn print_lines(bar: &ProgressBar, name: &'static str, every: Duration, say: impl Fn(String) + Send + 'static) {
     let bar = bar.downgrade();
     std::thread::spawn(move || {
         let clock = Instant::now();
         let (mut next, mut before) = (every, None);
         loop {
-            std::thread::sleep(LOOK.min(every));
+            std::thread::sleep(POLL_INTERVAL.min(every));
             let Some(bar) = bar.upgrade().filter(|bar| !bar.is_finished()) else { return };
             // What an earlier run has finished is none of this one's rate.
             let before = *before.get_or_insert(bar.position());
@@ -107,7 +107,7 @@ mod tests {
     fn lines_come_until_the_bar_is_finished() {
         let (said, heard) = std::sync::mpsc::channel();
         let bar = ProgressBar::with_draw_target(Some(10), ProgressDrawTarget::hidden());
-        tell(&bar, "points", Duration::from_millis(20), move |line| drop(said.send(line)));
+        print_lines(&bar, "points", Duration::from_millis(20), move |line| drop(said.send(line)));
         let first = heard.recv_timeout(Duration::from_secs(60)).unwrap();
         bar.inc(4);
         // Some lines may have been said before.

@@ -2,10 +2,10 @@
 
 use crate::failure::Failure;
 use clap::Args;
+use jounce::analysis::AnalysisError;
 use jounce::orbit::OrbitError;
 use jounce::plant::Plant;
 use jounce::spec::{Faults, KeyRange, NumericKey, Quantity, Spec, SpecFile};
-use jounce::study::StudyError;
 use jounce::table::Manifest;
 use std::path::{Path, PathBuf};
 
@@ -54,7 +54,7 @@ impl SpecArguments {
     /// The spec of the file with its overrides; prints on stderr what was noticed of the recordings of its drives.
     pub fn read(&self, file: &SpecFile) -> Result<Spec, Failure> {
         let spec = self.checked(file.spec())?;
-        tell_recorded(&spec);
+        print_recording_issues(&spec);
         Ok(spec)
     }
 
@@ -88,7 +88,7 @@ impl SpecArguments {
 }
 
 /// Prints on stderr what was noticed of the recordings of the drives.
-pub fn tell_recorded(spec: &Spec) {
+pub fn print_recording_issues(spec: &Spec) {
     for (drive, finding) in spec.findings() {
         let kind = if finding.kind.is_note() { "note" } else { "warning" };
         eprintln!("{kind}: drive {drive}: {finding}");
@@ -111,7 +111,7 @@ pub fn check_tolerance(tolerance: f64) -> Result<(), Failure> {
 /// Drives that repeat themselves together, and move: without them nothing attracts but rest.
 pub fn check_drive(spec: &SpecArguments, plant: &Plant, what: &str) -> Result<(), Failure> {
     if let Some(drive) = plant.system.aperiodic() {
-        return Err(StudyError::Aperiodic { drive: drive.to_owned() }.into());
+        return Err(AnalysisError::Aperiodic { drive: drive.to_owned() }.into());
     }
     let moving = plant.system.drives.iter().any(|drive| drive.amplitude_n != 0.0);
     match (plant.period_s(), moving) {
@@ -120,6 +120,6 @@ pub fn check_drive(spec: &SpecArguments, plant: &Plant, what: &str) -> Result<()
             "{}: drive.amplitude is 0, but {what} needs a drive that moves: give it an amplitude greater than 0",
             spec.spec.display()
         ))),
-        (None, _) => Err(OrbitError::<StudyError>::Frequencies { frequencies: plant.tones.len() }.into()),
+        (None, _) => Err(OrbitError::<AnalysisError>::Frequencies { frequencies: plant.tones.len() }.into()),
     }
 }

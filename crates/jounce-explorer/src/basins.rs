@@ -1,31 +1,31 @@
 //! Where starts end: a plane of displacements and velocities at the drive of the design.
 
-use crate::design::{Design, Wrong};
+use crate::cancellation::Cancellation;
+use crate::design::{Design, DesignFault};
 use crate::frame::Frame;
-use crate::halt::Halt;
 use crate::session::Session;
-use jounce::orbit::Harvester;
-use jounce::study::{Basins, Grid, GridAxis, GridSide, Parameter, Recognition, SectionPoint, Starts};
+use jounce::analysis::{Basins, Grid, GridAxis, GridSide, InitialStates, Parameter, Recognition, SectionPoint};
+use jounce::orbit::ParametricModel;
 use serde_json::json;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 /// Half the width of the plane, in sizes of the motion (steady amplitude or gap).
-const REACH: f64 = 5.0;
+const HALF_WIDTH: f64 = 5.0;
 /// Most values on a side.
-const MOST_VALUES: usize = 81;
+const MAX_SIDE_VALUES: usize = 81;
 /// Tolerance of the marches.
 const TOLERANCE: f64 = 1e-6;
 
 /// Answers with the attractors, their shares, and where each start ends.
 ///
 /// # Errors
-/// [`Wrong`].
-pub fn respond(session: &Session, id: u64, design: &Design, side: usize, halt: &Halt) -> Result<(), Wrong> {
-    let base = session.prepared(&design.spec, halt)?;
+/// [`DesignFault`].
+pub fn respond(session: &Session, id: u64, design: &Design, side: usize, cancellation: &Cancellation) -> Result<(), DesignFault> {
+    let base = session.prepared(&design.spec, cancellation)?;
     let sine = design.spec.drive.iter().find_map(|(name, drive)| Some((name, drive.frequency_hz()?)));
     let Some((name, value)) = sine else {
-        return Err(Wrong::Text("a basin needs a drive of one frequency: give a drive a frequency".to_owned()));
+        return Err(DesignFault::Text("a basin needs a drive of one frequency: give a drive a frequency".to_owned()));
     };
     let key = design.key(&format!("drive.{name}.frequency"))?;
     let parameter = Parameter::new(&base, &key, value);
@@ -33,20 +33,20 @@ pub fn respond(session: &Session, id: u64, design: &Design, side: usize, halt: &
     parameter.at(value)?;
     let plant = &base.kernel.plant;
     let Some(tone) = plant.tones.first().filter(|_| !plant.ports.is_empty()) else {
-        return Err(Wrong::Text("a basin needs a stop and a drive that moves".to_owned()));
+        return Err(DesignFault::Text("a basin needs a stop and a drive that moves".to_owned()));
     };
-    let reach_m = REACH * plant.scale_m();
+    let reach_m = HALF_WIDTH * plant.scale_m();
     let reach_m_s = reach_m * tone.angular_frequency_rad_s;
-    let count = side.clamp(2, MOST_VALUES);
+    let count = side.clamp(2, MAX_SIDE_VALUES);
     let axis = |axis, reach: f64| GridSide { axis, from: -reach, to: reach, count };
-    let starts = Starts::Grid(Grid { sides: vec![axis(GridAxis::Displacement, reach_m), axis(GridAxis::Velocity, reach_m_s)] });
+    let starts = InitialStates::Grid(Grid { sides: vec![axis(GridAxis::Displacement, reach_m), axis(GridAxis::Velocity, reach_m_s)] });
     let study = Basins { base: &base, parameter: &parameter, value, starts, recognition: Recognition::at(TOLERANCE) };
     let (of, finished, began) = (study.starts.len(), AtomicUsize::new(0), Instant::now());
     let answer = study.run(&|| {
         let done = 1 + finished.fetch_add(1, Ordering::Relaxed);
         let mut frame = Frame::new(id, "basins", "progress");
         frame.put("done", done).put("of", of).put("seconds", began.elapsed().as_secs_f64());
-        session.hint(halt, frame);
+        session.hint(cancellation, frame);
     })?;
     let all: Vec<SectionPoint> = (0..of).map(|index| SectionPoint::of(&plant.system, &study.starts.start(plant, index))).collect();
     let home = |index: usize| answer.attractors.iter().position(|a| a.starts.contains(&index)).map_or(-1.0, |k| k as f64);
@@ -65,6 +65,6 @@ pub fn respond(session: &Session, id: u64, design: &Design, side: usize, halt: &
     frame.array("displacement", all.iter().map(|point| point.displacement_m));
     frame.array("velocity", all.iter().map(|point| point.velocity_m_per_s));
     frame.array("home", (0..of).map(home));
-    session.send(halt, frame);
+    session.send(cancellation, frame);
     Ok(())
 }

@@ -1,36 +1,38 @@
 //! The response over a key: first the branches near those of the design before, then all that `jounce branch` finds.
 
-use crate::answers::{Answered, Origin};
-use crate::design::{Design, Wrong};
+use crate::cancellation::Cancellation;
+use crate::design::{Design, DesignFault};
 use crate::frame::Frame;
-use crate::halt::Halt;
-use crate::request::Over;
+use crate::request::KeySpan;
+use crate::responses::{Origin, StoredResponse};
 use crate::session::Session;
+use jounce::analysis::{
+    BandwidthSearch, Bifurcation, Branch, BranchPoint, BranchSearch, BranchUpdate, KnownOrbit, OrbitMethodKind, WarmStart,
+};
+use jounce::analysis::{Extrapolation, Model, Parameter, settled_orbit};
 use jounce::continuation::StepControl;
-use jounce::study::{BandwidthSearch, Bifurcation, Branch, BranchCarry, BranchChase, BranchPoint, BranchSearch, KnownOrbit, Method};
-use jounce::study::{Parameter, Prepared, Trend, settled_orbit};
 use serde_json::{Value, json};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// Tolerance of the marches of the first answer.
-const COARSE: f64 = 1e-6;
+const COARSE_TOLERANCE: f64 = 1e-6;
 /// Corrections of carried points below this share of them are left out: curves are right to a thousandth of their height.
-const UNSEEN: f64 = 5e-4;
+const MIN_CORRECTION: f64 = 5e-4;
 /// Points are carried without which a curve would be off by more than this share of the height of its picture.
-const THIN: f64 = 1e-3;
+const SIMPLIFY_SHARE: f64 = 1e-3;
 /// Longest last move in the search for its bifurcations, a two-hundredth of the range: what is left is of second order in it.
-const SEEN: f64 = 0.1;
+const MAX_LAST_MOVE: f64 = 0.1;
 /// Share of points that may be lost in carrying branches over.
-const MOST_LOST: f64 = 0.3;
+const MAX_LOST_SHARE: f64 = 0.3;
 /// Tolerance of the second.
-const FINE: f64 = 1e-9;
+const FINE_TOLERANCE: f64 = 1e-9;
 /// Values across the range at which the second one looks for branches that stand alone.
-const SEEDS: usize = 6;
+const START_VALUES: usize = 6;
 /// Longest period that it follows, drive cycles.
-const LONGEST_PERIOD: u32 = 8;
+const MAX_PERIOD_CYCLES: u32 = 8;
 /// A slider must rest that long before the second answer begins.
-const REST: Duration = Duration::from_millis(120);
+const SLIDER_REST: Duration = Duration::from_millis(120);
 
 /// Long steps for the first answer.
 const LONG_STEPS: StepControl = StepControl { first: 0.1, longest: 1.2, shortest: 1e-6, turn: 0.45, stray: 0.25, most_evaluations: 6 };
@@ -38,11 +40,11 @@ const LONG_STEPS: StepControl = StepControl { first: 0.1, longest: 1.2, shortest
 /// Answers twice; a third time with peaks and widths.
 ///
 /// # Errors
-/// [`Wrong`]: faults of the design, of the range, or of the harvester.
-pub fn respond(session: &Session, id: u64, design: Design, over: &Over, halt: &Halt) -> Result<(), Wrong> {
+/// [`DesignFault`]: faults of the design, of the range, or of the harvester.
+pub fn respond(session: &Session, id: u64, design: Design, over: &KeySpan, cancellation: &Cancellation) -> Result<(), DesignFault> {
     let key = design.range(&over.over, over.from, over.to)?;
     let range = (over.from, over.to);
-    let base = session.prepared(&design.spec, halt)?;
+    let base = session.prepared(&design.spec, cancellation)?;
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
     let began = Instant::now();
     let (found, linear) =
@@ -52,77 +54,88 @@ pub fn respond(session: &Session, id: u64, design: Design, over: &Over, halt: &H
         frame.put("over", key.path()).put("unit", key.unit()).put("ms", 1e3 * began.elapsed().as_secs_f64());
         linear.put(&mut frame);
         put_branches(&mut frame, &branches);
-        if !halt.is_stopped() {
+        if !cancellation.is_stopped() {
             let (spec, branches) = (design.spec.clone(), Arc::new(branches));
-            let answered = Answered { id, spec, key: key.clone(), range, branches, origin };
+            let answered = StoredResponse { id, spec, key: key.clone(), range, branches, origin };
             session.answers.keep(answered);
         }
-        session.send(halt, frame);
+        session.send(cancellation, frame);
     };
     let (branches, origin) = found;
     send("coarse", branches, origin, began);
 
     let (rested, look) = (Instant::now(), Duration::from_millis(5));
-    while rested.elapsed() < REST && !halt.is_stopped() {
+    while rested.elapsed() < SLIDER_REST && !cancellation.is_stopped() {
         std::thread::sleep(look);
     }
-    if halt.is_stopped() {
+    if cancellation.is_stopped() {
         return Ok(());
     }
     let began = Instant::now();
-    let (method, seeds, longest_period) = (Method::Shooting, SEEDS, LONGEST_PERIOD);
-    let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance: FINE, seeds, longest_period };
+    let (method, seeds, longest_period) = (OrbitMethodKind::Shooting, START_VALUES, MAX_PERIOD_CYCLES);
+    let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance: FINE_TOLERANCE, seeds, longest_period };
     let branches = search.run()?;
     send("fine", branches.clone(), None, began);
-    if !halt.is_stopped() && !branches.is_empty() {
-        let width = BandwidthSearch { base: &base, parameter: &parameter, range, tolerance: FINE };
+    if !cancellation.is_stopped() && !branches.is_empty() {
+        let width = BandwidthSearch { base: &base, parameter: &parameter, range, tolerance: FINE_TOLERANCE };
         let widths = width.run(&branches);
         let mut frame = Frame::new(id, "response", "widths");
         if let Some(together) = &widths.together {
             frame.put("peak", json!(together.peak)).put("intervals", json!(together.intervals)).put("width", together.width);
         }
-        session.send(halt, frame);
+        session.send(cancellation, frame);
     }
     Ok(())
 }
 
 /// The branches near those of the design before: carried over point by point, walked again where that loses points or the range is
 /// another one, and walked from settled orbits where nothing is known.
-fn coarse(session: &Session, design: &Design, base: &Prepared, parameter: &Parameter, range: (f64, f64)) -> (Vec<Branch>, Option<Origin>) {
+fn coarse(session: &Session, design: &Design, base: &Model, parameter: &Parameter, range: (f64, f64)) -> (Vec<Branch>, Option<Origin>) {
     let kernel = &base.kernel;
     let last = session.answers.last(parameter.key().path());
     if let Some(last) = last.as_ref().filter(|last| last.range == range) {
         // A fine answer has more points than a curve needs; what was carried over keeps its points, so that they go on as they went.
         let known = match last.origin {
             Some(_) => Arc::clone(&last.branches),
-            None => Arc::new(last.branches.iter().map(|branch| branch.thinned(THIN)).collect()),
+            None => Arc::new(last.branches.iter().map(|branch| branch.thinned(SIMPLIFY_SHARE)).collect()),
         };
-        let trend =
-            last.origin.as_ref().and_then(|(spec, branches)| Some(Trend { before: branches, reach: design.reach(spec, &last.spec)? }));
-        let carry = BranchCarry { harvester: parameter, kernel, range, tolerance: COARSE, accuracy: UNSEEN, resolution: SEEN, trend };
+        let trend = last
+            .origin
+            .as_ref()
+            .and_then(|(spec, branches)| Some(Extrapolation { before: branches, reach: design.reach(spec, &last.spec)? }));
+        let carry = BranchUpdate {
+            harvester: parameter,
+            kernel,
+            range,
+            tolerance: COARSE_TOLERANCE,
+            accuracy: MIN_CORRECTION,
+            resolution: MAX_LAST_MOVE,
+            trend,
+        };
         let carried = carry.run(&known);
         let points: usize = known.iter().map(|branch| branch.points.len()).sum();
-        if (carried.lost as f64) <= MOST_LOST * points as f64 {
+        if (carried.lost as f64) <= MAX_LOST_SHARE * points as f64 {
             return (carried.branches, Some((last.spec.clone(), known)));
         }
     }
-    let chase = BranchChase { harvester: parameter, kernel, range, tolerance: COARSE, control: LONG_STEPS, resolution: SEEN };
+    let chase =
+        WarmStart { harvester: parameter, kernel, range, tolerance: COARSE_TOLERANCE, control: LONG_STEPS, resolution: MAX_LAST_MOVE };
     let found = last.map(|last| chase.run(&last.orbits()).unwrap_or_default()).unwrap_or_default();
-    if !found.is_empty() || kernel.watch.is_stopped() {
+    if !found.is_empty() || kernel.control.is_stopped() {
         return (found, None);
     }
     (chase.run(&settled(parameter, base, range)).unwrap_or_default(), None)
 }
 
 /// Orbits on which a march from rest and from the steady state settles at both ends of the range.
-fn settled(family: &Parameter, base: &Prepared, range: (f64, f64)) -> Vec<KnownOrbit> {
+fn settled(family: &Parameter, base: &Model, range: (f64, f64)) -> Vec<KnownOrbit> {
     let plant = &base.kernel.plant;
     let rest = vec![0.0; plant.len()];
     let steady = plant.to_physical(&rest, 0.0);
     let (low, high) = range;
     let jobs = [(low, &steady), (high, &steady), (low, &rest), (high, &rest)];
     let known = |(parameter, start): (f64, &Vec<f64>)| {
-        let orbit = settled_orbit(family, parameter, start, COARSE, 1e-6)?;
+        let orbit = settled_orbit(family, parameter, start, COARSE_TOLERANCE, 1e-6)?;
         Some(KnownOrbit { period_cycles: orbit.period_cycles, state: orbit.start().to_vec(), parameter })
     };
     let ([a, b], [c, d]) = ([jobs[0], jobs[1]], [jobs[2], jobs[3]]);

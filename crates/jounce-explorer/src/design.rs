@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use std::path::Path;
 
 /// A change more than so many times the one before says nothing from it.
-const FARTHEST: f64 = 4.0;
+const MAX_CHANGE_RATIO: f64 = 4.0;
 
 /// A design without faults.
 pub struct Design {
@@ -20,20 +20,20 @@ pub struct Design {
 
 /// What is wrong with a design.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Wrong {
+pub enum DesignFault {
     /// By key, in the words of the command line.
     Faults(Vec<Fault>),
     /// As a whole.
     Text(String),
 }
 
-impl<E: std::error::Error> From<E> for Wrong {
+impl<E: std::error::Error> From<E> for DesignFault {
     fn from(error: E) -> Self {
-        Wrong::Text(error.to_string())
+        DesignFault::Text(error.to_string())
     }
 }
 
-impl Wrong {
+impl DesignFault {
     /// A list of faults for the page: key, place, words.
     pub fn listed(&self, path: &Path) -> Value {
         let words = |fault: &Fault| match fault.set {
@@ -42,8 +42,8 @@ impl Wrong {
             None => format!("{}:{fault}", path.display()),
         };
         match self {
-            Wrong::Text(text) => json!([{ "key": "", "line": 0, "message": text }]),
-            Wrong::Faults(faults) => {
+            DesignFault::Text(text) => json!([{ "key": "", "line": 0, "message": text }]),
+            DesignFault::Faults(faults) => {
                 let listed = |fault: &Fault| {
                     let set = fault.set.as_ref().and_then(|set| set.strip_prefix("--set ")?.split_once('='));
                     let key = set.map_or(fault.key.as_str(), |(key, _)| key);
@@ -59,31 +59,31 @@ impl Design {
     /// Reads the spec as it is now and applies overrides of numbers.
     ///
     /// # Errors
-    /// [`Wrong`]: a file that cannot be read, faults in it, an override of something that is no number, a value that is not allowed.
-    pub fn read(source: &Source, set: &[(String, String)]) -> Result<Self, Wrong> {
+    /// [`DesignFault`]: a file that cannot be read, faults in it, an override of something that is no number, a value that is not allowed.
+    pub fn read(source: &Source, set: &[(String, String)]) -> Result<Self, DesignFault> {
         let mut file = source.read()?;
         if !set.is_empty() {
             // A page may change numbers only: no path of a file comes from it.
-            let base = file.spec().map_err(|faults| Wrong::Faults(faults.as_slice().to_vec()))?;
+            let base = file.spec().map_err(|faults| DesignFault::Faults(faults.as_slice().to_vec()))?;
             let mut faults = Vec::new();
             for (key, value) in set {
                 let put = NumericKey::find(&base, key).and_then(|_| file.set(key, value));
                 faults.extend(put.err());
             }
             if !faults.is_empty() {
-                return Err(Wrong::Faults(faults));
+                return Err(DesignFault::Faults(faults));
             }
         }
-        let spec = file.spec().map_err(|faults| Wrong::Faults(faults.as_slice().to_vec()))?;
+        let spec = file.spec().map_err(|faults| DesignFault::Faults(faults.as_slice().to_vec()))?;
         Ok(Self { file, spec, overridden: set.iter().map(|(key, _)| key.clone()).collect() })
     }
 
     /// A key with a number.
     ///
     /// # Errors
-    /// [`Wrong::Faults`] for a key that is none.
-    pub fn key(&self, path: &str) -> Result<NumericKey, Wrong> {
-        self.file.numeric_key(path).map_err(|faults| Wrong::Faults(faults.as_slice().to_vec()))
+    /// [`DesignFault::Faults`] for a key that is none.
+    pub fn key(&self, path: &str) -> Result<NumericKey, DesignFault> {
+        self.file.numeric_key(path).map_err(|faults| DesignFault::Faults(faults.as_slice().to_vec()))
     }
 
     /// The change from one spec to this design, in units of the change that led to that spec; nothing where the two changes are of
@@ -101,20 +101,20 @@ impl Design {
         let reach = along / square;
         // Of two keys that move, each must go on as it went.
         let strays = all - reach * along > 0.01 * all;
-        (square > 0.0 && reach.abs() < FARTHEST && !strays).then_some(reach)
+        (square > 0.0 && reach.abs() < MAX_CHANGE_RATIO && !strays).then_some(reach)
     }
 
     /// A key and its range, both ends allowed.
     ///
     /// # Errors
-    /// [`Wrong`] as on the command line.
-    pub fn range(&self, path: &str, from: f64, to: f64) -> Result<NumericKey, Wrong> {
+    /// [`DesignFault`] as on the command line.
+    pub fn range(&self, path: &str, from: f64, to: f64) -> Result<NumericKey, DesignFault> {
         let key = self.key(path)?;
         if !(from < to && from.is_finite() && to.is_finite()) {
-            return Err(Wrong::Text(format!("{path}: the range must go from a smaller to a larger value")));
+            return Err(DesignFault::Text(format!("{path}: the range must go from a smaller to a larger value")));
         }
         for value in [from, to] {
-            key.set(&mut self.spec.clone(), value).map_err(|fault| Wrong::Faults(vec![fault]))?;
+            key.set(&mut self.spec.clone(), value).map_err(|fault| DesignFault::Faults(vec![fault]))?;
         }
         Ok(key)
     }

@@ -17,7 +17,7 @@
 //!
 //! *Order.* Each socket has one lane per kind of request. A new request of a kind stops the one before it: its computation ends within
 //! one march of a period, and its answer is never sent. A response comes first as `coarse` (branches chased from the orbits of the
-//! design before), then as `fine` (the search of `jounce branch`). Work that takes longer than [`Limits::longest`] is stopped and says so.
+//! design before), then as `fine` (the search of `jounce branch`). Work that takes longer than [`ServerLimits::longest`] is stopped and says so.
 //!
 //! *Safety.* The server listens on the loopback interface unless told otherwise. Every request and every socket must carry the token
 //! (128 random bits) in its path, a `Host` that names this server, and, where the browser tells one, an `Origin` that is this server.
@@ -31,33 +31,33 @@
 //! *Failure.* What is wrong with a design comes back as faults in the words of the command line, by key. The file may change: the page is
 //! told and asks again.
 
-mod answers;
 mod assets;
+mod authenticator;
 mod basins;
 mod branches;
+mod cancellation;
 mod controls;
 mod design;
 mod drawing;
-mod dropped;
+mod excitation;
 mod file_watch;
 mod frame;
-mod guard;
-mod halt;
-mod kept;
-mod lanes;
+mod latest_requests;
 mod launch;
 mod linear;
-mod load;
+mod load_sweep;
 mod orbit;
 mod request;
+mod responses;
+mod saved_address;
 mod server;
 mod session;
-mod shake;
 mod socket;
 mod source;
 mod sweep;
+mod upload;
 
-pub use kept::state_folder;
 pub use launch::open_in_browser;
-pub use server::{ExploreError, Explorer, Limits, Options, Stopper};
+pub use saved_address::state_folder;
+pub use server::{ExploreError, Explorer, ServerLimits, ServerOptions, Stopper};
 pub use source::Source;

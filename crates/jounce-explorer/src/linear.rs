@@ -1,10 +1,10 @@
 //! The harvester that never touches its stop, kept as long as only stops change.
 
 use crate::frame::Frame;
+use jounce::analysis::Parameter;
 use jounce::linear::steady_power_w;
-use jounce::orbit::Harvester;
+use jounce::orbit::ParametricModel;
 use jounce::spec::Spec;
-use jounce::study::Parameter;
 use rayon::prelude::*;
 use std::sync::{Arc, Mutex, PoisonError};
 

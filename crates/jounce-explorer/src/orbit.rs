@@ -1,42 +1,47 @@
 //! The orbit behind a point of a response, sampled over its period.
 
-use crate::design::Wrong;
+use crate::cancellation::Cancellation;
+use crate::design::DesignFault;
 use crate::frame::Frame;
-use crate::halt::Halt;
 use crate::session::{Session, Shapes};
-use jounce::continuation::{Corrector, Metric, Position, settle};
-use jounce::march::Instant;
-use jounce::orbit::{OrbitMethod, Shooting, Shot};
+use jounce::analysis::Parameter;
+use jounce::continuation::{Corrector, Metric, Position, correct_at};
+use jounce::march::TrajectoryState;
+use jounce::orbit::{OrbitMethod, Shooting, ShootingEvaluation};
 use jounce::plant::Plant;
 use jounce::signal::{Samples, Window};
-use jounce::study::Parameter;
 use serde_json::json;
 
 /// Samples of a drive cycle.
-const SAMPLES: usize = 480;
+const SAMPLES_PER_CYCLE: usize = 480;
 /// Most samples of a period.
-const MOST_SAMPLES: usize = 1920;
+const MAX_SAMPLES: usize = 1920;
 /// Pictures of the beam in a period.
-const PICTURES: usize = 240;
+const FRAMES_PER_PERIOD: usize = 240;
 /// Orders of the drive in the spectrum.
-const ORDERS: f64 = 12.0;
+const SHOWN_ORDERS: f64 = 12.0;
 /// Tolerance of the march.
 const TOLERANCE: f64 = 1e-9;
 
 /// Answers with the orbit of a point: number of the response, of the branch, of the point.
 ///
 /// # Errors
-/// [`Wrong`]: a response that is no longer kept, a point that it does not have, an orbit that cannot be computed.
-pub fn respond(session: &Session, id: u64, (answer, branch, point): (u64, usize, usize), halt: &Halt) -> Result<(), Wrong> {
+/// [`DesignFault`]: a response that is no longer kept, a point that it does not have, an orbit that cannot be computed.
+pub fn respond(
+    session: &Session,
+    id: u64,
+    (answer, branch, point): (u64, usize, usize),
+    cancellation: &Cancellation,
+) -> Result<(), DesignFault> {
     let answered = session.answered(answer)?;
     let curve = answered.branches.get(branch).and_then(|branch| Some((branch.period_cycles, branch.points.get(point)?)));
-    let Some((cycles, point)) = curve else { return Err(Wrong::Text("this response has no such point".to_owned())) };
-    let base = session.prepared(&answered.spec, halt)?;
+    let Some((cycles, point)) = curve else { return Err(DesignFault::Text("this response has no such point".to_owned())) };
+    let base = session.prepared(&answered.spec, cancellation)?;
     let parameter = Parameter::new(&base, &answered.key, answered.range.1 - answered.range.0);
     let shooting = Shooting::new(&parameter, &base.kernel, cycles, TOLERANCE);
     let position = Position { unknown: point.orbit.start().to_vec(), parameter: point.parameter };
     let metric = Metric::at(&position, 1.0);
-    let found = settle(&shooting, &Corrector { goal: 50.0 * TOLERANCE, most: 10 }, &metric, position)?;
+    let found = correct_at(&shooting, &Corrector { goal: 50.0 * TOLERANCE, most: 10 }, &metric, position)?;
     let orbit = shooting.orbit(&found.local, found.error)?;
 
     let mut frame = Frame::new(id, "orbit", "done");
@@ -50,12 +55,12 @@ pub fn respond(session: &Session, id: u64, (answer, branch, point): (u64, usize,
     put_histories(&mut frame, &found.local)?;
     put_pictures(&mut frame, &found.local, &session.shapes(&answered.spec)?);
     put_stops(&mut frame, &answered.spec, &found.local.kernel.plant);
-    session.send(halt, frame);
+    session.send(cancellation, frame);
     Ok(())
 }
 
 /// States at `samples` equal times of the period.
-fn sampled(shot: &Shot, samples: usize) -> Vec<Instant> {
+fn sampled(shot: &ShootingEvaluation, samples: usize) -> Vec<TrajectoryState> {
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
     let per_cycle = samples / shot.trajectories.len();
     let times: Vec<f64> = (0..per_cycle).map(|k| cycle_s * k as f64 / per_cycle as f64).collect();
@@ -63,10 +68,10 @@ fn sampled(shot: &Shot, samples: usize) -> Vec<Instant> {
 }
 
 /// Times, displacements towards the stops, velocities, forces, voltage and its spectrum.
-fn put_histories(frame: &mut Frame, shot: &Shot) -> Result<(), Wrong> {
+fn put_histories(frame: &mut Frame, shot: &ShootingEvaluation) -> Result<(), DesignFault> {
     let plant = &shot.kernel.plant;
     let cycles = shot.trajectories.len();
-    let per_cycle = SAMPLES.min(MOST_SAMPLES / cycles).max(60);
+    let per_cycle = SAMPLES_PER_CYCLE.min(MAX_SAMPLES / cycles).max(60);
     let instants = sampled(shot, per_cycle * cycles);
     let states: Vec<Vec<f64>> = instants.iter().map(|at| plant.to_physical(&at.state, at.time_s)).collect();
     let step_s = shot.period_s / instants.len() as f64;
@@ -81,7 +86,7 @@ fn put_histories(frame: &mut Frame, shot: &Shot) -> Result<(), Wrong> {
     let voltage: Vec<f64> = states.iter().map(|state| plant.patch_voltages_v(state).first().copied().unwrap_or(0.0)).collect();
     if voltage.len() > 1 {
         let spectrum = Samples::new(&voltage, 1.0 / step_s)?.spectrum(Window::Rectangular);
-        let highest = ORDERS * cycles as f64 / shot.period_s * 1.0001;
+        let highest = SHOWN_ORDERS * cycles as f64 / shot.period_s * 1.0001;
         let kept = spectrum.frequency_hz.iter().take_while(|f| **f <= highest).count();
         frame.array("spectrum.frequency", spectrum.frequency_hz[..kept].iter().copied());
         frame.array("spectrum.amplitude", spectrum.amplitude_peak[..kept].iter().copied());
@@ -91,15 +96,15 @@ fn put_histories(frame: &mut Frame, shot: &Shot) -> Result<(), Wrong> {
 }
 
 /// The beams in motion: displacement at each place, picture by picture.
-fn put_pictures(frame: &mut Frame, shot: &Shot, shapes: &Shapes) {
+fn put_pictures(frame: &mut Frame, shot: &ShootingEvaluation, shapes: &Shapes) {
     let plant = &shot.kernel.plant;
-    let instants = sampled(shot, PICTURES);
+    let instants = sampled(shot, FRAMES_PER_PERIOD);
     let modes = plant.system.modes.len();
     let mut beams = Vec::new();
     for (name, beam) in shapes.iter() {
         beams.push(json!({ "name": name, "places": beam.place_m.len() }));
         frame.array(&format!("place.{name}"), beam.place_m.iter().copied());
-        let picture = |at: &Instant| {
+        let picture = |at: &TrajectoryState| {
             let state = plant.to_physical(&at.state, at.time_s);
             let bent = |shape: &Vec<f64>| shape.iter().zip(&state[..modes]).map(|(s, q)| s * q).sum::<f64>();
             beam.shape.iter().map(bent).collect::<Vec<f64>>()

@@ -3,7 +3,7 @@
 use serde::Deserialize;
 
 /// Most overrides of a request.
-pub const MOST_OVERRIDES: usize = 500;
+pub const MAX_OVERRIDES: usize = 500;
 
 /// One request.
 #[derive(Debug, Clone, Deserialize)]
@@ -15,12 +15,12 @@ pub struct Request {
     pub set: Vec<(String, String)>,
     /// What is asked.
     #[serde(flatten)]
-    pub ask: Ask,
+    pub ask: RequestKind,
 }
 
 /// A range of a key, SI.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
-pub struct Over {
+pub struct KeySpan {
     /// The key.
     pub over: String,
     /// Lower end.
@@ -32,7 +32,7 @@ pub struct Over {
 /// What takes the place of the first drive.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Shaking {
+pub enum ExcitationRequest {
     /// Noise of a flat one-sided density.
     Noise {
         /// In the square of the unit of the drive per Hz.
@@ -58,11 +58,11 @@ pub enum Shaking {
 /// What is asked.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(tag = "ask", rename_all = "kebab-case")]
-pub enum Ask {
+pub enum RequestKind {
     /// Faults, controls and drawing.
     Design,
     /// Branches over a key.
-    Response(Over),
+    Response(KeySpan),
     /// The orbit of a point of a response.
     Orbit {
         /// Number of the response.
@@ -76,7 +76,7 @@ pub enum Ask {
     Sweep {
         /// The range.
         #[serde(flatten)]
-        range: Over,
+        range: KeySpan,
         /// Number of values.
         points: usize,
     },
@@ -95,10 +95,10 @@ pub enum Ask {
     /// The harvester under noise or a recording.
     Shake {
         /// What shakes it.
-        by: Shaking,
+        by: ExcitationRequest,
     },
     /// The spec as text, with the overrides written into it, and the lines that give the same response.
-    Export(Over),
+    Export(KeySpan),
     /// Stops the work on one kind of request.
     Stop {
         /// The kind.
@@ -106,19 +106,19 @@ pub enum Ask {
     },
 }
 
-impl Ask {
+impl RequestKind {
     /// Name of the lane.
     pub fn name(&self) -> &'static str {
         match self {
-            Ask::Design => "design",
-            Ask::Response(_) => "response",
-            Ask::Orbit { .. } => "orbit",
-            Ask::Sweep { .. } => "sweep",
-            Ask::Load { .. } => "load",
-            Ask::Basins { .. } => "basins",
-            Ask::Shake { .. } => "shake",
-            Ask::Export(_) => "export",
-            Ask::Stop { .. } => "stop",
+            RequestKind::Design => "design",
+            RequestKind::Response(_) => "response",
+            RequestKind::Orbit { .. } => "orbit",
+            RequestKind::Sweep { .. } => "sweep",
+            RequestKind::Load { .. } => "load",
+            RequestKind::Basins { .. } => "basins",
+            RequestKind::Shake { .. } => "shake",
+            RequestKind::Export(_) => "export",
+            RequestKind::Stop { .. } => "stop",
         }
     }
 }
@@ -134,9 +134,9 @@ mod tests {
             r#"{"id": 7, "ask": "response", "set": [["stop.tip.gap", "0.9 mm"]], "over": "drive.shaker.frequency", "from": 12, "to": 14}"#;
         let request: Request = serde_json::from_str(text).unwrap();
         assert_eq!((request.id, request.ask.name(), request.set.len()), (7, "response", 1));
-        assert!(matches!(request.ask, Ask::Response(Over { from, .. }) if from == 12.0));
+        assert!(matches!(request.ask, RequestKind::Response(KeySpan { from, .. }) if from == 12.0));
         let request: Request =
             serde_json::from_str(r#"{"id": 8, "ask": "sweep", "over": "a.b", "from": 1, "to": 2, "points": 9}"#).unwrap();
-        assert!(matches!(request.ask, Ask::Sweep { points: 9, .. }));
+        assert!(matches!(request.ask, RequestKind::Sweep { points: 9, .. }));
     }
 }

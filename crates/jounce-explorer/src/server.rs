@@ -1,8 +1,8 @@
 //! The server: one address, one spec.
 
 use crate::assets::{refused, serve};
-use crate::guard::{Guard, Refusal};
-use crate::kept::Kept;
+use crate::authenticator::{Authenticator, RequestRefusal};
+use crate::saved_address::SavedAddress;
 use crate::source::Source;
 use crate::{file_watch, socket};
 use axum::Router;
@@ -23,7 +23,7 @@ const QUICK_PER_CORE: usize = 3;
 
 /// What a server is to do.
 #[derive(Debug, Clone)]
-pub struct Options {
+pub struct ServerOptions {
     /// The spec.
     pub spec: Source,
     /// Overrides with which the page begins, as in `--set`.
@@ -34,12 +34,12 @@ pub struct Options {
     /// of a spec that no file holds.
     pub keep: Option<PathBuf>,
     /// Limits.
-    pub limits: Limits,
+    pub limits: ServerLimits,
 }
 
 /// Limits of a server.
 #[derive(Debug, Clone)]
-pub struct Limits {
+pub struct ServerLimits {
     /// Pages at once.
     pub sockets: usize,
     /// Bytes of a message from a page.
@@ -48,7 +48,7 @@ pub struct Limits {
     pub longest: Duration,
 }
 
-impl Default for Limits {
+impl Default for ServerLimits {
     fn default() -> Self {
         Self { sockets: 64, message_bytes: 16 << 20, longest: Duration::from_secs(120) }
     }
@@ -78,8 +78,8 @@ pub enum ExploreError {
 pub struct Explorer {
     listener: std::net::TcpListener,
     address: SocketAddr,
-    guard: Guard,
-    options: Options,
+    guard: Authenticator,
+    options: ServerOptions,
     stop: watch::Sender<bool>,
 }
 
@@ -98,9 +98,9 @@ impl Stopper {
 #[derive(Debug)]
 pub struct Host {
     /// The checks.
-    pub guard: Guard,
+    pub guard: Authenticator,
     /// What the server is to do.
-    pub options: Options,
+    pub options: ServerOptions,
     /// One permit for each further page.
     pub sockets: Arc<Semaphore>,
     /// One permit for each further computation that a page waits for.
@@ -118,17 +118,17 @@ impl Explorer {
     ///
     /// # Errors
     /// [`ExploreError`].
-    pub fn bind(options: Options) -> Result<Self, ExploreError> {
+    pub fn bind(options: ServerOptions) -> Result<Self, ExploreError> {
         options.spec.read()?;
         let keep = options.keep.as_deref().zip(options.spec.file());
-        let kept = keep.and_then(|(folder, spec)| Kept::read(folder, spec));
+        let kept = keep.and_then(|(folder, spec)| SavedAddress::read(folder, spec));
         let listener = listen(&options, kept.as_ref().map(|kept| kept.port))?;
         let address = listener.local_addr().map_err(|error| ExploreError::System(error.to_string()))?;
         let before = kept.filter(|kept| kept.port == address.port()).map(|kept| kept.token);
-        let guard = Guard::new(address, before).map_err(|error| ExploreError::System(error.to_string()))?;
+        let guard = Authenticator::new(address, before).map_err(|error| ExploreError::System(error.to_string()))?;
         if let Some((folder, spec)) = keep {
             // Without it the page works all the same, until the server ends.
-            let _ = Kept { port: address.port(), token: guard.token().to_owned() }.write(folder, spec);
+            let _ = SavedAddress { port: address.port(), token: guard.token().to_owned() }.write(folder, spec);
         }
         Ok(Self { listener, address, guard, options, stop: watch::Sender::new(false) })
     }
@@ -188,7 +188,7 @@ impl Explorer {
 }
 
 /// Takes the address that is wanted; without a wish the port of the server before, or a free one.
-fn listen(options: &Options, before: Option<u16>) -> Result<std::net::TcpListener, ExploreError> {
+fn listen(options: &ServerOptions, before: Option<u16>) -> Result<std::net::TcpListener, ExploreError> {
     let local = |port| SocketAddr::from((Ipv4Addr::LOCALHOST, port));
     let wanted = options.listen.unwrap_or_else(|| local(0));
     let again = before.filter(|_| options.listen.is_none()).and_then(|port| std::net::TcpListener::bind(local(port)).ok());
@@ -208,9 +208,11 @@ async fn answer(
     let path = uri.path().strip_prefix('/').unwrap_or_default();
     let (token, name) = path.split_once('/').unwrap_or((path, "socket"));
     match host.guard.check(token, &headers, name == "socket") {
-        Err(Refusal::Host) => return refused(StatusCode::MISDIRECTED_REQUEST, "this server is not asked by that name"),
-        Err(Refusal::Origin) => return refused(StatusCode::FORBIDDEN, "this server answers its own page only"),
-        Err(Refusal::Token) => return refused(StatusCode::FORBIDDEN, "use the address that `jounce explore` printed, with its token"),
+        Err(RequestRefusal::Host) => return refused(StatusCode::MISDIRECTED_REQUEST, "this server is not asked by that name"),
+        Err(RequestRefusal::Origin) => return refused(StatusCode::FORBIDDEN, "this server answers its own page only"),
+        Err(RequestRefusal::Token) => {
+            return refused(StatusCode::FORBIDDEN, "use the address that `jounce explore` printed, with its token");
+        }
         Ok(()) => {}
     }
     if method != Method::GET {

@@ -1,19 +1,19 @@
 //! What one page has asked for, and what makes its next answer faster.
 
-use crate::answers::{Answered, Answers};
+use crate::cancellation::Cancellation;
 use crate::controls::controls;
-use crate::design::{Design, Wrong};
+use crate::design::{Design, DesignFault};
 use crate::drawing::drawing;
 use crate::frame::Frame;
-use crate::halt::Halt;
-use crate::lanes::Lanes;
+use crate::latest_requests::LatestRequests;
 use crate::linear::LastLinear;
-use crate::request::{Ask, Over, Request};
+use crate::request::{KeySpan, Request, RequestKind};
+use crate::responses::{Responses, StoredResponse};
 use crate::server::Host;
-use crate::{basins, branches, load, orbit, shake, sweep};
+use crate::{basins, branches, excitation, load_sweep, orbit, sweep};
+use jounce::analysis::{AnalysisError, Model};
 use jounce::spec::Spec;
 use jounce::structure::{BeamShape, shapes_along_beams};
-use jounce::study::{Prepared, StudyError};
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -29,11 +29,11 @@ pub type Shapes = Arc<BTreeMap<String, BeamShape>>;
 pub struct Session {
     host: Arc<Host>,
     out: mpsc::Sender<Vec<u8>>,
-    lanes: Lanes,
-    base: Mutex<Option<Arc<Prepared>>>,
+    lanes: LatestRequests,
+    base: Mutex<Option<Arc<Model>>>,
     shapes: Mutex<Option<(Spec, Shapes)>>,
     /// Responses given so far.
-    pub answers: Answers,
+    pub answers: Responses,
     /// The last curve of the harvester that never strikes.
     pub linear: LastLinear,
 }
@@ -42,7 +42,7 @@ impl Session {
     /// A page that has asked nothing.
     pub fn new(host: Arc<Host>, out: mpsc::Sender<Vec<u8>>) -> Self {
         let (base, shapes) = (Mutex::new(None), Mutex::new(None));
-        Self { host, out, lanes: Lanes::default(), base, shapes, answers: Answers::default(), linear: LastLinear::default() }
+        Self { host, out, lanes: LatestRequests::default(), base, shapes, answers: Responses::default(), linear: LastLinear::default() }
     }
 
     /// Sends a frame.
@@ -51,15 +51,15 @@ impl Session {
     }
 
     /// Sends a frame from a thread that computes, unless nobody waits for it any more.
-    pub fn send(&self, halt: &Halt, frame: Frame) {
-        if !halt.is_stopped() {
+    pub fn send(&self, cancellation: &Cancellation, frame: Frame) {
+        if !cancellation.is_stopped() {
             let _ = self.out.blocking_send(frame.encode());
         }
     }
 
     /// Sends a frame that may be lost: progress.
-    pub fn hint(&self, halt: &Halt, frame: Frame) {
-        if !halt.is_stopped() {
+    pub fn hint(&self, cancellation: &Cancellation, frame: Frame) {
+        if !cancellation.is_stopped() {
             let _ = self.out.try_send(frame.encode());
         }
     }
@@ -82,37 +82,40 @@ impl Session {
 
     /// Takes a request.
     pub fn ask(self: &Arc<Self>, request: Request) {
-        if let Ask::Stop { what } = &request.ask {
+        if let RequestKind::Stop { what } = &request.ask {
             return self.lanes.stop(what);
         }
-        let halt = self.lanes.enter(request.ask.name());
+        let cancellation = self.lanes.enter(request.ask.name());
         let session = Arc::clone(self);
         tokio::spawn(async move {
-            let is_long = matches!(request.ask, Ask::Sweep { .. } | Ask::Load { .. } | Ask::Basins { .. } | Ask::Shake { .. });
+            let is_long = matches!(
+                request.ask,
+                RequestKind::Sweep { .. } | RequestKind::Load { .. } | RequestKind::Basins { .. } | RequestKind::Shake { .. }
+            );
             let permits = if is_long { &session.host.long } else { &session.host.quick };
             let Ok(_permit) = Arc::clone(permits).acquire_owned().await else { return };
-            if halt.is_stopped() {
+            if cancellation.is_stopped() {
                 return;
             }
             let longest = session.host.options.limits.longest;
-            let late = halt.clone();
+            let late = cancellation.clone();
             let timer = tokio::spawn(async move {
                 tokio::time::sleep(longest).await;
                 late.stop_late();
             });
             let (id, name) = (request.id, request.ask.name());
-            let (worker, wish) = (Arc::clone(&session), halt.clone());
+            let (worker, wish) = (Arc::clone(&session), cancellation.clone());
             let done = tokio::task::spawn_blocking(move || worker.work(&request, &wish)).await;
             timer.abort();
             let wrong = match done {
-                _ if halt.is_late() => {
-                    Some(Wrong::Text(format!("this took longer than {} s and was stopped; ask for less", longest.as_secs())))
+                _ if cancellation.is_late() => {
+                    Some(DesignFault::Text(format!("this took longer than {} s and was stopped; ask for less", longest.as_secs())))
                 }
                 Ok(Ok(())) => None,
                 Ok(Err(wrong)) => Some(wrong),
-                Err(_) => Some(Wrong::Text("the computation broke off; please report the spec that did it".to_owned())),
+                Err(_) => Some(DesignFault::Text("the computation broke off; please report the spec that did it".to_owned())),
             };
-            if let Some(wrong) = wrong.filter(|_| !halt.is_stopped() || halt.is_late()) {
+            if let Some(wrong) = wrong.filter(|_| !cancellation.is_stopped() || cancellation.is_late()) {
                 let mut frame = Frame::new(id, name, "fault");
                 frame.put("faults", wrong.listed(session.host.options.spec.name()));
                 session.tell(frame).await;
@@ -120,34 +123,34 @@ impl Session {
         });
     }
 
-    fn work(&self, request: &Request, halt: &Halt) -> Result<(), Wrong> {
+    fn work(&self, request: &Request, cancellation: &Cancellation) -> Result<(), DesignFault> {
         let design = Design::read(&self.host.options.spec, &request.set)?;
         let id = request.id;
         match &request.ask {
-            Ask::Design => {
+            RequestKind::Design => {
                 let mut frame = Frame::new(id, "design", "done");
                 let title = self.host.options.spec.name().file_stem().unwrap_or_default().to_string_lossy().into_owned();
                 frame.put("drawing", drawing(&title, &design)).put("controls", controls(&design));
                 frame.put("drives", design.spec.drive.keys().cloned().collect::<Vec<_>>());
-                self.send(halt, frame);
+                self.send(cancellation, frame);
                 Ok(())
             }
-            Ask::Response(over) => branches::respond(self, id, design, over, halt),
-            Ask::Orbit { answer, branch, point } => orbit::respond(self, id, (*answer, *branch, *point), halt),
-            Ask::Sweep { range, points } => sweep::respond(self, id, &design, range, *points, halt),
-            Ask::Load { over, points } => load::respond(self, id, &design, over, *points, halt),
-            Ask::Basins { side } => basins::respond(self, id, &design, *side, halt),
-            Ask::Shake { by } => shake::respond(self, id, &design, by, self.host.options.spec.folder(), halt),
-            Ask::Export(over) => {
-                self.send(halt, self.export(id, &design, over, &request.set)?);
+            RequestKind::Response(over) => branches::respond(self, id, design, over, cancellation),
+            RequestKind::Orbit { answer, branch, point } => orbit::respond(self, id, (*answer, *branch, *point), cancellation),
+            RequestKind::Sweep { range, points } => sweep::respond(self, id, &design, range, *points, cancellation),
+            RequestKind::Load { over, points } => load_sweep::respond(self, id, &design, over, *points, cancellation),
+            RequestKind::Basins { side } => basins::respond(self, id, &design, *side, cancellation),
+            RequestKind::Shake { by } => excitation::respond(self, id, &design, by, self.host.options.spec.folder(), cancellation),
+            RequestKind::Export(over) => {
+                self.send(cancellation, self.export(id, &design, over, &request.set)?);
                 Ok(())
             }
-            Ask::Stop { .. } => Ok(()),
+            RequestKind::Stop { .. } => Ok(()),
         }
     }
 
     /// The spec as text, and the lines that give the response on the screen.
-    fn export(&self, id: u64, design: &Design, over: &Over, set: &[(String, String)]) -> Result<Frame, Wrong> {
+    fn export(&self, id: u64, design: &Design, over: &KeySpan, set: &[(String, String)]) -> Result<Frame, DesignFault> {
         let key = design.range(&over.over, over.from, over.to)?;
         let path = self.host.options.spec.name().display().to_string();
         let range = format!("{}:{}", key.show(over.from), key.show(over.to));
@@ -161,31 +164,31 @@ impl Session {
         Ok(frame)
     }
 
-    /// A design ready to be computed under a watch; what the one before shares with it is kept.
+    /// A design ready to be computed under a control; what the one before shares with it is kept.
     ///
     /// # Errors
-    /// [`StudyError`].
-    pub fn prepared(&self, spec: &Spec, halt: &Halt) -> Result<Prepared, StudyError> {
+    /// [`AnalysisError`].
+    pub fn prepared(&self, spec: &Spec, cancellation: &Cancellation) -> Result<Model, AnalysisError> {
         let before = self.base.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let prepared = match before {
             Some(before) if before.spec == *spec => before,
             before => {
                 let prepared = Arc::new(match before {
                     Some(before) => before.changed(spec.clone())?,
-                    None => Prepared::new(spec.clone())?,
+                    None => Model::new(spec.clone())?,
                 });
                 *self.base.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&prepared));
                 prepared
             }
         };
-        prepared.watched_by(halt.watch())
+        prepared.with_control(cancellation.control())
     }
 
     /// Shapes of the modes along the beams of a design.
     ///
     /// # Errors
-    /// [`StudyError`].
-    pub fn shapes(&self, spec: &Spec) -> Result<Shapes, StudyError> {
+    /// [`AnalysisError`].
+    pub fn shapes(&self, spec: &Spec) -> Result<Shapes, AnalysisError> {
         let same = |known: &Spec| {
             (&known.beam, &known.patch, &known.mass, &known.modal) == (&spec.beam, &spec.patch, &spec.mass, &spec.modal)
                 && known.reduction == spec.reduction
@@ -202,9 +205,11 @@ impl Session {
     /// A response given before.
     ///
     /// # Errors
-    /// [`Wrong::Text`] where it is too old.
-    pub fn answered(&self, id: u64) -> Result<Arc<Answered>, Wrong> {
-        self.answers.find(id).ok_or_else(|| Wrong::Text("this response is no longer kept; move a slider to compute it again".to_owned()))
+    /// [`DesignFault::Text`] where it is too old.
+    pub fn answered(&self, id: u64) -> Result<Arc<StoredResponse>, DesignFault> {
+        self.answers
+            .find(id)
+            .ok_or_else(|| DesignFault::Text("this response is no longer kept; move a slider to compute it again".to_owned()))
     }
 }
 

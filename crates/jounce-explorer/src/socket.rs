@@ -1,7 +1,7 @@
 //! One page: its socket from opening to close.
 
 use crate::frame::Frame;
-use crate::request::{MOST_OVERRIDES, Request};
+use crate::request::{MAX_OVERRIDES, Request};
 use crate::server::Host;
 use crate::session::Session;
 use axum::extract::ws::{Message, WebSocket};
@@ -59,10 +59,10 @@ async fn ended(stopped: &mut watch::Receiver<bool>) {
 
 async fn hear(session: &Arc<Session>, text: &str) {
     match serde_json::from_str::<Request>(text) {
-        Ok(request) if request.set.len() <= MOST_OVERRIDES => session.ask(request),
+        Ok(request) if request.set.len() <= MAX_OVERRIDES => session.ask(request),
         Ok(request) => {
             let mut frame = Frame::new(request.id, request.ask.name(), "fault");
-            frame.put("message", format!("{} overrides are too many; {MOST_OVERRIDES} are allowed", request.set.len()));
+            frame.put("message", format!("{} overrides are too many; {MAX_OVERRIDES} are allowed", request.set.len()));
             session.tell(frame).await;
         }
         Err(error) => {

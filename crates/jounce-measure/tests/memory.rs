@@ -2,8 +2,8 @@
 //! each format. HDF5 is left out: its library holds an array of one row whole.
 #![cfg(target_os = "linux")]
 
-use jounce_measure::read::{Survey, survey};
-use jounce_measure::recording::{FindingKind, Series};
+use jounce_measure::read::{FileSummary, summary};
+use jounce_measure::recording::{IssueKind, Series};
 use jounce_measure::write::write_surveyed;
 use std::fmt::Write as _;
 use std::fs::File;
@@ -102,8 +102,8 @@ fn mat(path: &Path, rows: usize) {
     to.flush().expect("written");
 }
 
-fn read(path: &Path) -> Survey {
-    survey(path).unwrap_or_else(|fault| panic!("{fault}"))
+fn read(path: &Path) -> FileSummary {
+    summary(path).unwrap_or_else(|fault| panic!("{fault}"))
 }
 
 /// Peaks of reading each format, and of writing two of them; the numbers must be all there.
@@ -118,7 +118,7 @@ fn peaks(folder: &Path, rows: usize, before: u64) -> Vec<(&'static str, u64)> {
     let mut found = Vec::new();
     let (peak, whole) = peak_of(before, || read(&at("a.csv")));
     found.push(("CSV", peak));
-    let jitter = whole.recordings[0].findings.iter().find(|finding| finding.kind == FindingKind::Jitter);
+    let jitter = whole.recordings[0].findings.iter().find(|finding| finding.kind == IssueKind::Jitter);
     assert_eq!(jitter.map(|finding| finding.count), Some(2 * rows.div_ceil(1000)), "each late stamp makes two odd steps");
     for (name, file) in [("to Parquet", "c.parquet"), ("to UFF", "c.uff"), ("to CSV", "c.csv")] {
         let (peak, ()) = peak_of(before, || write_surveyed(&whole.recordings[0], &at(file)).unwrap_or_else(|fault| panic!("{fault}")));

@@ -9,7 +9,7 @@ mod samples;
 #[path = "measured/writers/mod.rs"]
 mod writers;
 
-use jounce_measure::read::{Notes, survey};
+use jounce_measure::read::{Notes, summary};
 use jounce_measure::write::write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -163,7 +163,7 @@ static NUMBER: AtomicU64 = AtomicU64::new(0);
 static SINCE_MS: AtomicU64 = AtomicU64::new(0);
 
 /// Ends the process where an input takes too long: nothing else ends it.
-fn watch(begin: Instant) {
+fn control(begin: Instant) {
     std::thread::spawn(move || {
         loop {
             std::thread::sleep(Duration::from_secs(1));
@@ -184,11 +184,11 @@ fn damaged_files_give_a_result_or_an_error() {
         let path = folder.path().join(format!("whole.{ending}"));
         std::fs::write(&path, bytes).expect("a file");
         std::fs::write(Notes::path_of(&path), if *ending == "npy" { "rate = \"1 kHz\"\n" } else { "" }).expect("notes");
-        survey(&path).unwrap_or_else(|fault| panic!("the whole file: {fault}"));
+        summary(&path).unwrap_or_else(|fault| panic!("the whole file: {fault}"));
     }
     let (from, count) = (asked("JOUNCE_MUTATIONS_FROM", 0), asked("JOUNCE_MUTATIONS", COUNT));
     let begin = Instant::now();
-    watch(begin);
+    control(begin);
     let (mut slowest, mut read, before) = (Duration::ZERO, 0, status("VmRSS"));
     for number in from..from + count {
         let mut random = Random(number);
@@ -199,7 +199,7 @@ fn damaged_files_give_a_result_or_an_error() {
         NUMBER.store(number, Ordering::Relaxed);
         SINCE_MS.store(begin.elapsed().as_millis() as u64, Ordering::Relaxed);
         let since = Instant::now();
-        let found = catch_unwind(AssertUnwindSafe(|| survey(&path).map(|_| ()).map_err(|fault| fault.to_string())));
+        let found = catch_unwind(AssertUnwindSafe(|| summary(&path).map(|_| ()).map_err(|fault| fault.to_string())));
         slowest = slowest.max(since.elapsed());
         match found {
             Ok(Ok(())) => read += 1,

@@ -5,9 +5,9 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 /// An answer on its way to Python: arrays and values by name.
-pub struct Answer<'py>(Bound<'py, PyDict>);
+pub struct PythonDict<'py>(Bound<'py, PyDict>);
 
-impl<'py> Answer<'py> {
+impl<'py> PythonDict<'py> {
     /// An empty one.
     pub fn new(py: Python<'py>) -> Self {
         Self(PyDict::new(py))

@@ -1,16 +1,16 @@
 //! Attractors and how likely each is.
 
-use crate::arrays::Answer;
+use crate::arrays::PythonDict;
 use crate::branch::checked_tolerance;
-use crate::cloud::GivenCloud;
+use crate::cancellable::{cancellable, on_threads, to_python_result};
+use crate::cloud::CloudOptions;
 use crate::driven;
 use crate::failure::Failure;
-use crate::run::Handed;
+use crate::run::PythonResult;
 use crate::spec::Spec;
-use crate::watched::{handed, on_threads, watched};
+use jounce::analysis::{Attractor, Basins, BasinsResult, Grid, InitialStates, Parameter, Recognition, SectionPoint};
 use jounce::plant::Plant;
-use jounce::run::{Exceeded, Worst};
-use jounce::study::{Attractor, Basins, BasinsAnswer, Grid, Parameter, Recognition, SectionPoint, Starts};
+use jounce::run::{ExceededLimit, WorstExcess};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -35,27 +35,27 @@ pub fn basins<'py>(
     max_cycles: Option<u32>,
     threads: Option<usize>,
     progress: Option<Bound<'py, PyAny>>,
-) -> Handed<'py> {
+) -> PythonResult<'py> {
     let given = Recognition::at(checked_tolerance(tolerance)?);
     let recognition = Recognition {
         longest_period: longest_period.unwrap_or(given.longest_period).max(1),
         max_cycles: max_cycles.unwrap_or(given.max_cycles).max(1),
         ..given
     };
-    let cloud = GivenCloud { starts, seed, spread };
+    let cloud = CloudOptions { starts, seed, spread };
     let (key, value) = driven::frequency(spec, "a basin")?;
     let (starts, options) = if grid.is_empty() {
         let cloud = cloud.cloud(STARTS)?;
         let told = vec![("starts", cloud.starts.to_string()), ("seed", cloud.seed.to_string()), ("spread", cloud.spread.to_string())];
-        (Starts::Cloud(cloud), told)
+        (InitialStates::Cloud(cloud), told)
     } else {
         cloud.refuse("leave the grid")?;
         let read = Grid::read(&grid, spec.spec.stop.len());
         let read = read.map_err(|error| Failure::new("ArgumentError", error).with(serde_json::json!({ "grid": grid })))?;
-        (Starts::Grid(read), vec![("grid", grid.join(" "))])
+        (InitialStates::Grid(read), vec![("grid", grid.join(" "))])
     };
-    let found = watched(py, progress.as_ref(), |watch| {
-        let base = spec.prepared(watch)?;
+    let found = cancellable(py, progress.as_ref(), |control| {
+        let base = spec.prepared(control)?;
         driven::check(&base.kernel.plant, "a basin")?;
         let parameter = Parameter::new(&base, &key, value);
         let study = Basins { base: &base, parameter: &parameter, value, starts, recognition };
@@ -64,21 +64,21 @@ pub fn basins<'py>(
         Ok((on_threads(threads, || Ok(study.run(&|| ())?))?, places))
     });
     let manifest = spec.manifest("basins", &options);
-    handed(py, found, |(answer, places)| told(py, &answer, &places, manifest))
+    to_python_result(py, found, |(answer, places)| into_python(py, &answer, &places, manifest))
 }
 
 /// Where every start is.
-fn places(plant: &Plant, starts: &Starts) -> Vec<SectionPoint> {
+fn places(plant: &Plant, starts: &InitialStates) -> Vec<SectionPoint> {
     (0..starts.len()).map(|index| SectionPoint::of(&plant.system, &starts.start(plant, index))).collect()
 }
 
-fn told<'py>(py: Python<'py>, found: &BasinsAnswer, places: &[SectionPoint], manifest: String) -> PyResult<Bound<'py, PyDict>> {
+fn into_python<'py>(py: Python<'py>, found: &BasinsResult, places: &[SectionPoint], manifest: String) -> PyResult<Bound<'py, PyDict>> {
     let mut ends_in = vec![NOWHERE; places.len()];
     for (number, attractor) in found.attractors.iter().enumerate() {
         attractor.starts.iter().for_each(|start| ends_in[*start] = number as i64);
     }
     let all: &[Attractor] = &found.attractors;
-    let answer = Answer::new(py)
+    let answer = PythonDict::new(py)
         .with("attractor", all.iter().map(|a| a.id.clone()).collect::<Vec<_>>())?
         .each("period_cycles", all, |a| i64::from(a.period_cycles))?
         .each("chaotic", all, |a| a.is_chaotic())?
@@ -105,6 +105,6 @@ fn told<'py>(py: Python<'py>, found: &BasinsAnswer, places: &[SectionPoint], man
 
 /// Limits of patches that attractors pass.
 fn warnings(all: &[Attractor]) -> Vec<String> {
-    let passed: Vec<&[Exceeded]> = all.iter().map(|attractor| attractor.exceeded.as_slice()).collect();
-    Worst::told(&passed, "attractors", |place| format!("attractor {}", all[place].id))
+    let passed: Vec<&[ExceededLimit]> = all.iter().map(|attractor| attractor.exceeded.as_slice()).collect();
+    WorstExcess::messages(&passed, "attractors", |place| format!("attractor {}", all[place].id))
 }

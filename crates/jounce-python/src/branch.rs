@@ -1,14 +1,14 @@
 //! Branches of periodic orbits.
 
-use crate::arrays::Answer;
+use crate::arrays::PythonDict;
+use crate::cancellable::{cancellable, on_threads, to_python_result};
 use crate::failure::Failure;
-use crate::run::Handed;
+use crate::run::PythonResult;
 use crate::spec::Spec;
-use crate::watched::{handed, on_threads, watched};
+use jounce::analysis::{AnalysisError, Bandwidth, BandwidthSearch, Bifurcation, Branch, BranchPoint, Model, Parameter};
+use jounce::analysis::{BranchOptions, BranchSearch, OrbitMethodKind, QuantityLevel};
 use jounce::plant::Plant;
-use jounce::run::{Exceeded, Limits, Worst};
-use jounce::study::{Bandwidth, BandwidthSearch, Bifurcation, Branch, BranchPoint, Parameter, Prepared, StudyError};
-use jounce::study::{BranchOptions, BranchSearch, Level, Method};
+use jounce::run::{ExceededLimit, Limits, WorstExcess};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -16,18 +16,18 @@ use pyo3::types::PyDict;
 const HARMONICS: usize = 64;
 
 /// How orbits are computed, by name.
-fn method_of(name: &str, harmonics: Option<usize>) -> Result<Method, Failure> {
+fn method_of(name: &str, harmonics: Option<usize>) -> Result<OrbitMethodKind, Failure> {
     if let Some(harmonics) = harmonics.filter(|harmonics| !(4..=2048).contains(harmonics)) {
         let details = serde_json::json!({ "harmonics": harmonics, "least": 4, "most": 2048 });
         return Err(Failure::new("ArgumentError", format!("harmonics is {harmonics}; it must be from 4 to 2048")).with(details));
     }
     match (name, harmonics) {
-        ("shooting", None) => Ok(Method::Shooting),
+        ("shooting", None) => Ok(OrbitMethodKind::Shooting),
         ("shooting", Some(harmonics)) => {
             let why = format!("harmonics is {harmonics}; shooting has none: give method=\"harmonic-balance\" or leave harmonics out");
             Err(Failure::new("ArgumentError", why).with(serde_json::json!({ "harmonics": harmonics, "method": name })))
         }
-        ("harmonic-balance", harmonics) => Ok(Method::HarmonicBalance { harmonics: harmonics.unwrap_or(HARMONICS) }),
+        ("harmonic-balance", harmonics) => Ok(OrbitMethodKind::HarmonicBalance { harmonics: harmonics.unwrap_or(HARMONICS) }),
         _ => Err(Failure::new("ArgumentError", format!("method is \"{name}\"; it must be \"shooting\" or \"harmonic-balance\""))),
     }
 }
@@ -44,20 +44,20 @@ pub fn checked_tolerance(tolerance: f64) -> Result<f64, Failure> {
 }
 
 /// Most values at which orbits are sought by marching.
-const MOST_SEEDS: usize = 100_000;
+const MAX_SEEDS: usize = 100_000;
 
 /// A number of seeds.
 pub fn checked_seeds(seeds: usize) -> Result<usize, Failure> {
-    if seeds <= MOST_SEEDS {
+    if seeds <= MAX_SEEDS {
         return Ok(seeds);
     }
-    let details = serde_json::json!({ "seeds": seeds, "least": 0, "most": MOST_SEEDS });
-    Err(Failure::new("ArgumentError", format!("seeds is {seeds}; it must be at most {MOST_SEEDS}")).with(details))
+    let details = serde_json::json!({ "seeds": seeds, "least": 0, "most": MAX_SEEDS });
+    Err(Failure::new("ArgumentError", format!("seeds is {seeds}; it must be at most {MAX_SEEDS}")).with(details))
 }
 
 /// Levels of quantities of an orbit.
-pub fn checked_levels(levels: &[String], plant: &Plant) -> Result<Vec<Level>, Failure> {
-    let read = |text: &String| Level::parse(text, plant).map_err(|why| Failure::new("ArgumentError", format!("levels: {why}")));
+pub fn checked_levels(levels: &[String], plant: &Plant) -> Result<Vec<QuantityLevel>, Failure> {
+    let read = |text: &String| QuantityLevel::parse(text, plant).map_err(|why| Failure::new("ArgumentError", format!("levels: {why}")));
     levels.iter().map(read).collect()
 }
 
@@ -86,12 +86,12 @@ pub fn branch<'py>(
     step_and_budget: (f64, usize),
     threads: Option<usize>,
     progress: Option<Bound<'py, PyAny>>,
-) -> Handed<'py> {
+) -> PythonResult<'py> {
     let (way, tolerance, seeds) = (method_of(method, harmonics)?, checked_tolerance(tolerance)?, checked_seeds(seeds)?);
     let over = format!("{key}={}:{}", range.0, range.1);
     let (found_key, range) = spec.ends(key, range)?;
-    let found = watched(py, progress.as_ref(), |watch| {
-        let base = spec.prepared(watch)?;
+    let found = cancellable(py, progress.as_ref(), |control| {
+        let base = spec.prepared(control)?;
         let parameter = Parameter::new(&base, &found_key, range.1 - range.0);
         let search = BranchSearch { base: &base, parameter: &parameter, range, method: way, tolerance, seeds, longest_period };
         let levels = checked_levels(&levels, &base.kernel.plant)?;
@@ -101,7 +101,7 @@ pub fn branch<'py>(
             let branches = search.run_with(&options)?;
             let warnings = match warnings(&base, &parameter, &branches, tolerance) {
                 // What was followed so far is worth more than its warnings.
-                Err(_) if watch.is_stopped() => Vec::new(),
+                Err(_) if control.is_stopped() => Vec::new(),
                 warnings => warnings?,
             };
             Ok((width.run(&branches), branches, warnings))
@@ -109,23 +109,23 @@ pub fn branch<'py>(
     });
     let options = [("over", over), ("method", method.to_owned()), ("tolerance", tolerance.to_string()), ("seeds", seeds.to_string())];
     let manifest = spec.manifest("branch", &options);
-    handed(py, found, |(widths, branches, warnings)| {
+    to_python_result(py, found, |(widths, branches, warnings)| {
         let each = branches.iter().zip(&widths.branches);
         let listed = each.map(|(branch, width)| one(py, branch, width.as_ref())).collect::<PyResult<Vec<_>>>()?;
-        let answer = Answer::new(py).with("key", key)?.with("unit", found_key.unit())?.with("branches", listed)?;
+        let answer = PythonDict::new(py).with("key", key)?.with("unit", found_key.unit())?.with("branches", listed)?;
         let answer = answer.with("warnings", warnings)?.with("half_power", json(&widths.together.as_ref())?)?;
         Ok(answer.with("manifest", manifest)?.dict())
     })
 }
 
 /// Limits of patches that points of branches pass.
-fn warnings(base: &Prepared, parameter: &Parameter<'_>, branches: &[Branch], tolerance: f64) -> Result<Vec<String>, Failure> {
+fn warnings(base: &Model, parameter: &Parameter<'_>, branches: &[Branch], tolerance: f64) -> Result<Vec<String>, Failure> {
     let limits = Limits::of(&base.spec, &base.kernel.plant);
-    let passed = branches.iter().map(|branch| branch.exceeded(parameter, &limits, tolerance)).collect::<Result<Vec<_>, StudyError>>()?;
-    let all: Vec<&[Exceeded]> = passed.iter().flatten().map(Vec::as_slice).collect();
+    let passed = branches.iter().map(|branch| branch.exceeded(parameter, &limits, tolerance)).collect::<Result<Vec<_>, AnalysisError>>()?;
+    let all: Vec<&[ExceededLimit]> = passed.iter().flatten().map(Vec::as_slice).collect();
     let values: Vec<f64> = branches.iter().flat_map(|branch| &branch.points).map(|point| point.parameter).collect();
     let (path, unit) = (parameter.key().path(), parameter.key().unit());
-    Ok(Worst::told(&all, "points", |place| format!("{path} = {:.6} {unit}", values[place])))
+    Ok(WorstExcess::messages(&all, "points", |place| format!("{path} = {:.6} {unit}", values[place])))
 }
 
 /// A value as JSON.
@@ -137,7 +137,7 @@ pub fn json(value: &impl serde::Serialize) -> PyResult<String> {
 pub fn one<'py>(py: Python<'py>, branch: &Branch, width: Option<&Bandwidth>) -> PyResult<Bound<'py, PyDict>> {
     let points: &[BranchPoint] = &branch.points;
     let bifurcations: &[Bifurcation] = &branch.bifurcations;
-    let answer = Answer::new(py)
+    let answer = PythonDict::new(py)
         .with("period_cycles", branch.period_cycles)?
         .each("parameter", points, |p| p.parameter)?
         .each("mean_power_w", points, |p| p.orbit.mean_power_w)?

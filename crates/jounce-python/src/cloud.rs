@@ -1,10 +1,10 @@
 //! The cloud of starts of a call.
 
 use crate::failure::Failure;
-use jounce::study::Cloud;
+use jounce::analysis::Cloud;
 
 /// Most starts of a cloud.
-const MOST_STARTS: usize = 100_000_000;
+const MAX_STARTS: usize = 100_000_000;
 
 /// Its seed and its size, in gaps, that are meant if nothing else is said.
 const SEED: u64 = 1;
@@ -12,23 +12,23 @@ const SPREAD: f64 = 10.0;
 
 /// The numbers of a cloud that a call gives.
 #[derive(Clone, Copy)]
-pub struct GivenCloud {
+pub struct CloudOptions {
     pub starts: Option<usize>,
     pub seed: Option<u64>,
     pub spread: Option<f64>,
 }
 
-impl GivenCloud {
+impl CloudOptions {
     /// The cloud, of so many starts if nothing else is said.
     pub fn cloud(self, starts: usize) -> Result<Cloud, Failure> {
         let cloud = Cloud { starts: self.starts.unwrap_or(starts), seed: self.seed.unwrap_or(SEED), spread: self.spread.unwrap_or(SPREAD) };
         let &Cloud { starts, spread, .. } = &cloud;
-        if (1..=MOST_STARTS).contains(&starts) && spread > 0.0 && spread.is_finite() {
+        if (1..=MAX_STARTS).contains(&starts) && spread > 0.0 && spread.is_finite() {
             return Ok(cloud);
         }
         let why =
-            format!("starts is {starts} and spread {spread}; starts must be from 1 to {MOST_STARTS}, spread greater than 0 and finite");
-        let details = serde_json::json!({ "starts": starts, "least_starts": 1, "most_starts": MOST_STARTS, "spread": spread });
+            format!("starts is {starts} and spread {spread}; starts must be from 1 to {MAX_STARTS}, spread greater than 0 and finite");
+        let details = serde_json::json!({ "starts": starts, "least_starts": 1, "most_starts": MAX_STARTS, "spread": spread });
         Err(Failure::new("ArgumentError", why).with(details))
     }
 

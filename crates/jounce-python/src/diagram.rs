@@ -1,34 +1,36 @@
 //! Bifurcation diagrams.
 
-use crate::arrays::Answer;
+use crate::arrays::PythonDict;
 use crate::branch::{checked_tolerance, json, one};
-use crate::cloud::GivenCloud;
+use crate::cancellable::{cancellable, on_threads, to_python_result};
+use crate::cloud::CloudOptions;
 use crate::driven;
 use crate::failure::Failure;
-use crate::run::Handed;
+use crate::run::PythonResult;
 use crate::spec::Spec;
-use crate::watched::{handed, on_threads, watched};
-use jounce::march::Watch;
+use jounce::analysis::{
+    AttractorTracks, Branch, BranchSearch, Diagram, DiagramOrder, DiagramPoint, OrbitMethodKind, Parameter, SectionPoint,
+};
+use jounce::march::Control;
 use jounce::spec::KeyRange;
-use jounce::study::{Branch, BranchSearch, Diagram, History, Method, Order, Parameter, SectionPoint, Visit};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 /// Values at which branches beside the diagram are sought by marching.
-const SEEDS: usize = 4;
+const DEFAULT_START_VALUES: usize = 4;
 
 /// Starts at each value that are meant if nothing else is said.
 const STARTS: usize = 20;
 
 /// Longest period of a continued branch, drive cycles.
-const LONGEST_PERIOD: u32 = 4;
+const DEFAULT_MAX_PERIOD: u32 = 4;
 
 /// Number of the attractor of a march that has none.
 const NOWHERE: i64 = -1;
 
 /// What is asked for beside the spec and its key.
-struct Options {
-    order: Order,
+struct DiagramOptions {
+    order: DiagramOrder,
     cycles: u32,
     tolerance: f64,
     branches: bool,
@@ -36,9 +38,9 @@ struct Options {
     threads: Option<usize>,
 }
 
-struct Found {
-    visits: Vec<Visit>,
-    history: Option<History>,
+struct DiagramResult {
+    visits: Vec<DiagramPoint>,
+    history: Option<AttractorTracks>,
     branches: Vec<Branch>,
 }
 
@@ -60,38 +62,38 @@ pub fn diagram<'py>(
     longest_period: Option<u32>,
     threads: Option<usize>,
     progress: Option<Bound<'py, PyAny>>,
-) -> Handed<'py> {
+) -> PythonResult<'py> {
     if let Some(longest_period) = longest_period.filter(|_| !branches) {
         let why = format!("longest_period is {longest_period}, and there are no continued branches: leave it or branches=False out");
         return Err(Failure::new("ArgumentError", why).with(serde_json::json!({ "longest_period": longest_period })).raised(py));
     }
-    let order = order_of(direction, GivenCloud { starts, seed, spread })?;
-    let longest_period = longest_period.unwrap_or(LONGEST_PERIOD);
+    let order = order_of(direction, CloudOptions { starts, seed, spread })?;
+    let longest_period = longest_period.unwrap_or(DEFAULT_MAX_PERIOD);
     if !(1..=100_000).contains(&cycles) {
         let why = format!("cycles is {cycles}; it must be from 1 to 100000");
         let details = serde_json::json!({ "cycles": cycles, "least": 1, "most": 100_000 });
         return Err(Failure::new("ArgumentError", why).with(details).raised(py));
     }
-    let options = Options { order, cycles, tolerance: checked_tolerance(tolerance)?, branches, longest_period, threads };
+    let options = DiagramOptions { order, cycles, tolerance: checked_tolerance(tolerance)?, branches, longest_period, threads };
     let range = spec.range(key, values)?;
     if range.values().windows(2).any(|pair| pair[0] >= pair[1]) {
         return Err(Failure::new("ArgumentError", format!("{key}: the values of a diagram must rise")).raised(py));
     }
-    let found = watched(py, progress.as_ref(), |watch| marched(spec, &range, &options, watch));
+    let found = cancellable(py, progress.as_ref(), |control| marched(spec, &range, &options, control));
     let mut told_options = vec![("over", format!("{key}={values}")), ("direction", direction.to_owned())];
-    if let Order::Starts(cloud) = order {
+    if let DiagramOrder::Starts(cloud) = order {
         told_options.push(("seed", cloud.seed.to_string()));
     }
     let manifest = spec.manifest("diagram", &told_options);
-    handed(py, found, |found| told(py, (key, range.key().unit(), manifest), &found))
+    to_python_result(py, found, |found| into_python(py, (key, range.key().unit(), manifest), &found))
 }
 
-fn order_of(direction: &str, cloud: GivenCloud) -> Result<Order, Failure> {
+fn order_of(direction: &str, cloud: CloudOptions) -> Result<DiagramOrder, Failure> {
     let order = match direction {
-        "up" => Order::Up,
-        "down" => Order::Down,
-        "both" => Order::Both,
-        "starts" => return Ok(Order::Starts(cloud.cloud(STARTS)?)),
+        "up" => DiagramOrder::Up,
+        "down" => DiagramOrder::Down,
+        "both" => DiagramOrder::Both,
+        "starts" => return Ok(DiagramOrder::Starts(cloud.cloud(STARTS)?)),
         _ => {
             let why = format!("direction is \"{direction}\"; it must be \"up\", \"down\", \"both\" or \"starts\"");
             return Err(Failure::new("ArgumentError", why));
@@ -101,30 +103,30 @@ fn order_of(direction: &str, cloud: GivenCloud) -> Result<Order, Failure> {
     Ok(order)
 }
 
-fn marched(spec: &Spec, range: &KeyRange, options: &Options, watch: &Watch) -> Result<Found, Failure> {
-    let base = spec.prepared(watch)?;
+fn marched(spec: &Spec, range: &KeyRange, options: &DiagramOptions, control: &Control) -> Result<DiagramResult, Failure> {
+    let base = spec.prepared(control)?;
     driven::check(&base.kernel.plant, "a diagram")?;
     let values = range.values();
     let (low, high) = (values[0], values[values.len() - 1]);
     let width = if high > low { high - low } else { high.abs().max(1e-12) };
     let parameter = Parameter::new(&base, range.key(), width);
-    let &Options { order, cycles, tolerance, longest_period, .. } = options;
+    let &DiagramOptions { order, cycles, tolerance, longest_period, .. } = options;
     let study = Diagram { base: &base, parameter: &parameter, values, order, cycles, tolerance };
-    let (method, range) = (Method::Shooting, (low, high));
-    let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance, seeds: SEEDS, longest_period };
+    let (method, range) = (OrbitMethodKind::Shooting, (low, high));
+    let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance, seeds: DEFAULT_START_VALUES, longest_period };
     on_threads(options.threads, || {
         let visits = study.run(None, &|_| ())?;
-        let matched = matches!(order, Order::Starts(_)) && !watch.is_stopped();
+        let matched = matches!(order, DiagramOrder::Starts(_)) && !control.is_stopped();
         let history = if matched { Some(study.history(&visits)?) } else { None };
-        let followed = options.branches && high > low && !watch.is_stopped();
+        let followed = options.branches && high > low && !control.is_stopped();
         let branches = if followed { search.run()? } else { Vec::new() };
         // A history whose marches were stopped says nothing.
-        Ok(Found { visits, history: history.filter(|_| !watch.is_stopped()), branches })
+        Ok(DiagramResult { visits, history: history.filter(|_| !control.is_stopped()), branches })
     })
 }
 
-fn told<'py>(py: Python<'py>, (key, unit, manifest): (&str, String, String), found: &Found) -> PyResult<Bound<'py, PyDict>> {
-    let visits: &[Visit] = &found.visits;
+fn into_python<'py>(py: Python<'py>, (key, unit, manifest): (&str, String, String), found: &DiagramResult) -> PyResult<Bound<'py, PyDict>> {
+    let visits: &[DiagramPoint] = &found.visits;
     let section: Vec<(i64, &SectionPoint)> =
         visits.iter().enumerate().flat_map(|(k, visit)| visit.section.iter().map(move |point| (k as i64, point))).collect();
     let homes = match &found.history {
@@ -133,7 +135,7 @@ fn told<'py>(py: Python<'py>, (key, unit, manifest): (&str, String, String), fou
     };
     let branches = found.branches.iter().map(|branch| one(py, branch, None)).collect::<PyResult<Vec<_>>>()?;
     let attractors = found.history.as_ref().map(|history| &history.attractors);
-    let answer = Answer::new(py)
+    let answer = PythonDict::new(py)
         .with("key", key)?
         .with("unit", unit)?
         .each("parameter", visits, |v| v.parameter)?

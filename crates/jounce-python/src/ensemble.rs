@@ -1,20 +1,20 @@
 //! Many realisations of noise.
 
-use crate::arrays::Answer;
+use crate::arrays::PythonDict;
+use crate::cancellable::{cancellable, on_threads, to_python_result};
 use crate::failure::Failure;
-use crate::run::Handed;
+use crate::run::PythonResult;
 use crate::spec::Spec;
-use crate::watched::{handed, on_threads, watched};
-use jounce::run::{Exceeded, Worst};
-use jounce::study::{Ensemble, EnsembleAnswer, Estimate, IntervalOver, Member, StopEstimates, VoltageSpectrum};
+use jounce::analysis::{Ensemble, EnsembleResult, Estimate, IntervalOver, Member, StopEstimates, VoltageSpectrum};
+use jounce::run::{ExceededLimit, WorstExcess};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 /// Most members of a round.
-const MOST_MEMBERS: usize = 1_000_000;
+const MAX_MEMBERS: usize = 1_000_000;
 
 /// Rounds of members after which a width that is not reached is reported as it is.
-const MOST_ROUNDS: usize = 100;
+const MAX_ROUNDS: usize = 100;
 
 /// Marches realisations of the noise, by rounds until the interval is narrow enough where a width is wanted.
 #[pyfunction]
@@ -29,14 +29,14 @@ pub fn ensemble<'py>(
     tolerance: Option<f64>,
     threads: Option<usize>,
     progress: Option<Bound<'py, PyAny>>,
-) -> Handed<'py> {
-    if !(1..=MOST_MEMBERS).contains(&members) || relative_width.is_some_and(|width| !(width > 0.0 && width < 1.0)) {
+) -> PythonResult<'py> {
+    if !(1..=MAX_MEMBERS).contains(&members) || relative_width.is_some_and(|width| !(width > 0.0 && width < 1.0)) {
         let width = relative_width.map_or_else(|| "None".to_owned(), |width| width.to_string());
         let why = format!(
-            "members is {members} and relative_width {width}; members must be from 1 to {MOST_MEMBERS}, relative_width between 0 and 1"
+            "members is {members} and relative_width {width}; members must be from 1 to {MAX_MEMBERS}, relative_width between 0 and 1"
         );
         let details =
-            serde_json::json!({ "members": members, "relative_width": relative_width, "least_members": 1, "most_members": MOST_MEMBERS });
+            serde_json::json!({ "members": members, "relative_width": relative_width, "least_members": 1, "most_members": MAX_MEMBERS });
         return Err(Failure::new("ArgumentError", why).with(details).raised(py));
     }
     if spectrum && members < 2 {
@@ -46,22 +46,22 @@ pub fn ensemble<'py>(
     }
     let own = spec.with_tolerance(tolerance)?;
     let spec = own.as_ref().unwrap_or(spec);
-    let found = watched(py, progress.as_ref(), |watch| {
-        let base = spec.prepared(watch)?;
+    let found = cancellable(py, progress.as_ref(), |control| {
+        let base = spec.prepared(control)?;
         let start = base.start(&spec.folder())?;
-        let most_rounds = if relative_width.is_some() { MOST_ROUNDS } else { 1 };
+        let most_rounds = if relative_width.is_some() { MAX_ROUNDS } else { 1 };
         let study = Ensemble { base: &base, start, members, seed, relative_width, most_rounds, with_spectrum: spectrum };
         on_threads(threads, || Ok(study.run(&|_| ())?))
     });
     let options = [("members", members.to_string()), ("seed", seed.to_string()), ("spectrum", spectrum.to_string())];
     let manifest = spec.manifest("ensemble", &options);
-    handed(py, found, |answer| told(py, &answer, manifest))
+    to_python_result(py, found, |answer| into_python(py, &answer, manifest))
 }
 
-fn told<'py>(py: Python<'py>, found: &EnsembleAnswer, manifest: String) -> PyResult<Bound<'py, PyDict>> {
+fn into_python<'py>(py: Python<'py>, found: &EnsembleResult, manifest: String) -> PyResult<Bound<'py, PyDict>> {
     let all: &[Member] = &found.members;
     let over = if found.power_w.interval == IntervalOver::Members { "members" } else { "batches" };
-    let answer = Answer::new(py)
+    let answer = PythonDict::new(py)
         .with("mean_power_w", found.power_w.mean)?
         .with("mean_power_half_width_w", found.power_w.half_width)?
         .with("interval_over", over)?
@@ -82,14 +82,14 @@ fn told<'py>(py: Python<'py>, found: &EnsembleAnswer, manifest: String) -> PyRes
         .each("member_energy_residual_relative", all, |m| m.energy_residual_relative)?
         .with("warnings", warnings(all))?
         .with("manifest", manifest)?;
-    spectra(stops(answer, &found.stops)?, &found.spectra).map(Answer::dict)
+    spectra(stops(answer, &found.stops)?, &found.spectra).map(PythonDict::dict)
 }
 
 /// Names of a mean and of half its interval, and the estimate.
 type Named = (&'static str, &'static str, fn(&StopEstimates) -> &Estimate);
 
 /// Contacts of each stop.
-fn stops<'py>(answer: Answer<'py>, stops: &[StopEstimates]) -> PyResult<Answer<'py>> {
+fn stops<'py>(answer: PythonDict<'py>, stops: &[StopEstimates]) -> PyResult<PythonDict<'py>> {
     let estimates: [Named; 4] = [
         ("stop_contact_rate_hz", "stop_contact_rate_half_width_hz", |stop| &stop.contact_rate_hz),
         ("stop_mean_strike_m_s", "stop_mean_strike_half_width_m_s", |stop| &stop.mean_strike_m_s),
@@ -108,7 +108,7 @@ fn stops<'py>(answer: Answer<'py>, stops: &[StopEstimates]) -> PyResult<Answer<'
 }
 
 /// Densities of the voltages, a row for each patch.
-fn spectra<'py>(answer: Answer<'py>, spectra: &[VoltageSpectrum]) -> PyResult<Answer<'py>> {
+fn spectra<'py>(answer: PythonDict<'py>, spectra: &[VoltageSpectrum]) -> PyResult<PythonDict<'py>> {
     let frequency_hz = spectra.first().map_or_else(Vec::new, |first| first.frequency_hz.clone());
     let rows = |of: fn(&Estimate) -> f64| spectra.iter().map(|own| own.density.iter().map(of).collect()).collect::<Vec<Vec<f64>>>();
     let bins = frequency_hz.len();
@@ -123,6 +123,6 @@ fn spectra<'py>(answer: Answer<'py>, spectra: &[VoltageSpectrum]) -> PyResult<An
 
 /// Limits of patches that members pass.
 fn warnings(all: &[Member]) -> Vec<String> {
-    let passed: Vec<&[Exceeded]> = all.iter().map(|member| member.exceeded.as_slice()).collect();
-    Worst::told(&passed, "members", |place| format!("member {}", all[place].index))
+    let passed: Vec<&[ExceededLimit]> = all.iter().map(|member| member.exceeded.as_slice()).collect();
+    WorstExcess::messages(&passed, "members", |place| format!("member {}", all[place].index))
 }

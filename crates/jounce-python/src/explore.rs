@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::spec::Spec;
-use jounce_explorer::{ExploreError, Explorer as Server, Limits, Options, Source, Stopper, open_in_browser, state_folder};
+use jounce_explorer::{ExploreError, Explorer as Server, ServerLimits, ServerOptions, Source, Stopper, open_in_browser, state_folder};
 use pyo3::prelude::*;
 use std::any::Any;
 use std::net::SocketAddr;
@@ -12,7 +12,7 @@ use std::thread::JoinHandle;
 use std::time::Duration;
 
 /// Time between two looks for Ctrl-C.
-const LOOK: Duration = Duration::from_millis(20);
+const POLL_INTERVAL: Duration = Duration::from_millis(20);
 
 /// A running server.
 #[pyclass(frozen, module = "jounce._core")]
@@ -38,7 +38,8 @@ impl Explorer {
         let wrong = |text: &str| format!("listen is \"{text}\"; write ADDRESS:PORT, as in 127.0.0.1:8080");
         let parsed = |text: &str| text.parse::<SocketAddr>().map_err(|_| Failure::new("ArgumentError", wrong(text)));
         let listen = listen.map(parsed).transpose()?;
-        let server = Server::bind(Options { spec: source, set: Vec::new(), listen, keep: state_folder(), limits: Limits::default() })?;
+        let server =
+            Server::bind(ServerOptions { spec: source, set: Vec::new(), listen, keep: state_folder(), limits: ServerLimits::default() })?;
         let (address, stopper) = (server.page(), server.stopper());
         let running = Mutex::new(Some(std::thread::spawn(move || server.run())));
         Ok(Self { address, stopper, running, opened: Mutex::new(None) })
@@ -81,7 +82,7 @@ impl Explorer {
     /// Waits until it has ended; raises what a signal raises.
     fn wait(&self, py: Python<'_>) -> PyResult<()> {
         while self.running() {
-            py.detach(|| std::thread::sleep(LOOK));
+            py.detach(|| std::thread::sleep(POLL_INTERVAL));
             py.check_signals()?;
         }
         self.stop(py)

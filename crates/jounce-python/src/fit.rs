@@ -1,11 +1,11 @@
 //! Keys of a spec fitted to what was measured.
 
 use crate::branch::json;
+use crate::cancellable::cancellable;
 use crate::failure::Failure;
 use crate::spec::Spec;
-use crate::watched::watched;
-use jounce::march::Watch;
-use jounce_measure::fit::{Features, FitAnswer, FitError};
+use jounce::march::Control;
+use jounce_measure::fit::{Features, FitError, FitResult};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
@@ -16,17 +16,17 @@ type Fitted = PyResult<(Option<String>, Option<PyErr>)>;
 #[pyfunction]
 #[pyo3(signature = (spec, *, text = None, path = None, progress = None))]
 pub fn fit<'py>(py: Python<'py>, spec: &Spec, text: Option<&str>, path: Option<PathBuf>, progress: Option<Bound<'py, PyAny>>) -> Fitted {
-    match watched(py, progress.as_ref(), |watch| fitted(spec, text, path, watch)) {
+    match cancellable(py, progress.as_ref(), |control| fitted(spec, text, path, control)) {
         (Ok(answer), ended) => Ok((Some(json(&answer)?), ended)),
         (Err(_), Some(ended)) => Ok((None, Some(ended))),
         (Err(failure), None) => Err(failure.raised(py)),
     }
 }
 
-fn fitted(spec: &Spec, text: Option<&str>, path: Option<PathBuf>, watch: &Watch) -> Result<FitAnswer, Failure> {
+fn fitted(spec: &Spec, text: Option<&str>, path: Option<PathBuf>, control: &Control) -> Result<FitResult, Failure> {
     let features = match &path {
         Some(path) => Features::read(path)?,
         None => Features::from_toml(text.unwrap_or_default()).map_err(|faults| FitError::Features { faults })?,
     };
-    Ok(jounce_measure::fit::fit(&spec.file(), &spec.spec, &features, &spec.folder(), watch)?.0)
+    Ok(jounce_measure::fit::fit(&spec.file(), &spec.spec, &features, &spec.folder(), control)?.0)
 }

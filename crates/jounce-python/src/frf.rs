@@ -1,12 +1,12 @@
 //! Frequency response functions without contact.
 
-use crate::arrays::Answer;
+use crate::arrays::PythonDict;
+use crate::cancellable::{cancellable, to_python_result};
 use crate::failure::Failure;
-use crate::run::Handed;
+use crate::run::PythonResult;
 use crate::spec::Spec;
-use crate::watched::{handed, watched};
-use jounce::linear::{self, Frf, Input, Response};
-use jounce::march::Watch;
+use jounce::linear::{self, Frf, FrfInput, FrfResponse};
+use jounce::march::Control;
 use jounce::plant::{Plant, System};
 use jounce::spec::{DriveKind, Gravity};
 use jounce::structure::modes_holding;
@@ -25,21 +25,21 @@ pub fn frf<'py>(
     base: bool,
     hold: Vec<String>,
     open_circuit: bool,
-) -> Handed<'py> {
+) -> PythonResult<'py> {
     let frequency_hz = frequency_hz.as_array().to_vec();
     let input = input_of(spec, input, base)?;
-    let found = watched(py, None, |watch| {
-        let found = responses(spec, &frequency_hz, &input, &hold, open_circuit, watch)?;
-        Failure::unless_stopped(watch, found)
+    let found = cancellable(py, None, |control| {
+        let found = responses(spec, &frequency_hz, &input, &hold, open_circuit, control)?;
+        Failure::unless_stopped(control, found)
     });
     let options = [("input", input_name(&input)), ("hold", hold.join(" ")), ("open_circuit", open_circuit.to_string())];
-    handed(py, found, |answers| told(py, answers, &input, hold, frequency_hz, spec.manifest("frf", &options)))
+    to_python_result(py, found, |answers| into_python(py, answers, &input, hold, frequency_hz, spec.manifest("frf", &options)))
 }
 
-fn told<'py>(
+fn into_python<'py>(
     py: Python<'py>,
     answers: Vec<Frf>,
-    input: &Input,
+    input: &FrfInput,
     hold: Vec<String>,
     frequency_hz: Vec<f64>,
     manifest: String,
@@ -50,26 +50,26 @@ fn told<'py>(
         all.set_item(frf.response.name(), (numpy::PyArray1::from_vec(py, values), frf.response.unit(input)))?;
     }
     let answer =
-        Answer::new(py).with("input", input_name(input))?.with("held", hold)?.with("responses", all)?.with("manifest", manifest)?;
+        PythonDict::new(py).with("input", input_name(input))?.with("held", hold)?.with("responses", all)?.with("manifest", manifest)?;
     Ok(answer.array("frequency_hz", frequency_hz)?.dict())
 }
 
-fn input_name(input: &Input) -> String {
+fn input_name(input: &FrfInput) -> String {
     match input {
-        Input::Force(point) => point.clone(),
-        Input::BaseAcceleration => "base".to_owned(),
+        FrfInput::Force(point) => point.clone(),
+        FrfInput::BaseAcceleration => "base".to_owned(),
     }
 }
 
 /// What shakes it: by default the point of the first force.
-fn input_of(spec: &Spec, named: Option<String>, base: bool) -> Result<Input, Failure> {
+fn input_of(spec: &Spec, named: Option<String>, base: bool) -> Result<FrfInput, Failure> {
     let wrong = |why: String| Err(Failure::new("ArgumentError", why));
     if base {
         if named.is_some() {
             return wrong("input and base are both given; give one of them".to_owned());
         }
         return match spec.spec.modal.iter().find(|(_, modal)| modal.participation_sqrt_kg.is_empty()) {
-            None => Ok(Input::BaseAcceleration),
+            None => Ok(FrfInput::BaseAcceleration),
             Some((name, _)) => wrong(format!(
                 "modal.{name}.participation_sqrt_kg is missing: without it jounce cannot know how an acceleration of the base shakes this structure"
             )),
@@ -77,7 +77,7 @@ fn input_of(spec: &Spec, named: Option<String>, base: bool) -> Result<Input, Fai
     }
     let forced = spec.spec.drive.values().find(|drive| drive.kind == DriveKind::Force);
     match named.or_else(|| forced.map(|drive| drive.at.clone())) {
-        Some(point) => Ok(Input::Force(point)),
+        Some(point) => Ok(FrfInput::Force(point)),
         None => {
             wrong("this spec has no force: name the point to push with input=\"POINT\", or accelerate the base with base=True".to_owned())
         }
@@ -87,10 +87,10 @@ fn input_of(spec: &Spec, named: Option<String>, base: bool) -> Result<Input, Fai
 fn responses(
     spec: &Spec,
     frequency_hz: &[f64],
-    input: &Input,
+    input: &FrfInput,
     hold: &[String],
     open_circuit: bool,
-    watch: &Watch,
+    control: &Control,
 ) -> Result<Vec<Frf>, Failure> {
     let mut spec = spec.spec.clone();
     if open_circuit {
@@ -100,11 +100,11 @@ fn responses(
     spec.gravity = Gravity::default();
     spec.stop.clear();
     let modes = modes_holding(&spec, hold)?;
-    let motion = if *input == Input::BaseAcceleration { Response::Displacement } else { Response::Acceleration };
+    let motion = if *input == FrfInput::BaseAcceleration { FrfResponse::Displacement } else { FrfResponse::Acceleration };
     let points = modes.shape.keys().map(|point| motion(point.clone()));
-    let patches = modes.patch.keys().map(|patch| Response::Voltage(patch.clone()));
-    let loads = spec.circuit.keys().map(|load| Response::LoadVoltage(load.clone()));
-    let wanted: Vec<Response> = points.chain(patches).chain(loads).collect();
+    let patches = modes.patch.keys().map(|patch| FrfResponse::Voltage(patch.clone()));
+    let loads = spec.circuit.keys().map(|load| FrfResponse::LoadVoltage(load.clone()));
+    let wanted: Vec<FrfResponse> = points.chain(patches).chain(loads).collect();
     let plant = Plant::new(System::assemble(&spec, modes)?)?;
-    Ok(linear::frf_until(&plant, input, &wanted, frequency_hz, &|| watch.is_stopped())?)
+    Ok(linear::frf_until(&plant, input, &wanted, frequency_hz, &|| control.is_stopped())?)
 }

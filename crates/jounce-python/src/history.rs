@@ -1,8 +1,8 @@
 //! Samples of the recorded end of a run.
 
-use crate::arrays::Answer;
+use crate::arrays::PythonDict;
 use jounce::march::Kernel;
-use jounce::run::{RunAnswer, RunPlan};
+use jounce::run::{RunPlan, RunResult};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -28,7 +28,7 @@ pub struct History {
 
 impl History {
     /// Samples the record of a plan.
-    pub fn new(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, sample_rate_hz: f64) -> Self {
+    pub fn new(kernel: &Kernel, answer: &RunResult, plan: &RunPlan, sample_rate_hz: f64) -> Self {
         let system = &kernel.plant.system;
         let begin_s = plan.duration_s - plan.record_s;
         let count = (plan.record_s * sample_rate_hz * (1.0 + 1e-12)) as usize + 1;
@@ -47,14 +47,14 @@ impl History {
 
     /// For Python.
     pub fn dict<'py>(self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let answer = Answer::new(py).with("point", self.point)?.with("patch", self.patch)?.with("stop", self.stop)?;
+        let answer = PythonDict::new(py).with("point", self.point)?.with("patch", self.patch)?.with("stop", self.stop)?;
         let answer = self.even.told(answer, "")?;
         Ok(self.strobed.told(answer, "strobed_")?.dict())
     }
 }
 
 impl Samples {
-    fn new(kernel: &Kernel, answer: &RunAnswer, time_s: Vec<f64>) -> Self {
+    fn new(kernel: &Kernel, answer: &RunResult, time_s: Vec<f64>) -> Self {
         let plant = &kernel.plant;
         let (modes, n) = (&plant.system.modes, plant.system.modes.len());
         let instants = answer.trajectory.at(kernel, &time_s);
@@ -73,7 +73,7 @@ impl Samples {
         }
     }
 
-    fn told<'py>(self, answer: Answer<'py>, prefix: &str) -> PyResult<Answer<'py>> {
+    fn told<'py>(self, answer: PythonDict<'py>, prefix: &str) -> PyResult<PythonDict<'py>> {
         let name = |name: &str| format!("{prefix}{name}");
         let columns = self.time_s.len();
         answer

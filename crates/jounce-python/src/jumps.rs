@@ -1,12 +1,12 @@
 //! Curves over two keys where the answer jumps.
 
-use crate::arrays::Answer;
+use crate::arrays::PythonDict;
 use crate::branch::{checked_levels, checked_seeds, checked_tolerance};
+use crate::cancellable::{cancellable, on_threads, to_python_result};
 use crate::failure::Failure;
-use crate::run::Handed;
+use crate::run::PythonResult;
 use crate::spec::Spec;
-use crate::watched::{handed, on_threads, watched};
-use jounce::study::{BranchOptions, JumpCurve, JumpPoint, JumpSearch};
+use jounce::analysis::{BifurcationCurve, BifurcationCurvePoint, BifurcationSearch, BranchOptions};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -26,7 +26,7 @@ pub fn jumps<'py>(
     levels: Vec<String>,
     threads: Option<usize>,
     progress: Option<Bound<'py, PyAny>>,
-) -> Handed<'py> {
+) -> PythonResult<'py> {
     let (tolerance, seeds) = (checked_tolerance(tolerance)?, checked_seeds(seeds)?);
     if keys.0 == keys.1 {
         return Err(Failure::new("ArgumentError", format!("both keys are {}; give two different ones", keys.0)).raised(py));
@@ -35,15 +35,16 @@ pub fn jumps<'py>(
     let options = [("over", named(&keys.0, &over)), ("against", named(&keys.1, &against)), ("tolerance", tolerance.to_string())];
     let manifest = spec.manifest("jumps", &options);
     let ((key, range), (key_2, range_2)) = (spec.ends(&keys.0, over)?, spec.ends(&keys.1, against)?);
-    let found = watched(py, progress.as_ref(), |watch| {
-        let base = spec.prepared(watch)?;
-        let search = JumpSearch { base: &base, keys: [&key, &key_2], ranges: [range, range_2], tolerance, seeds, longest_period, peaks };
+    let found = cancellable(py, progress.as_ref(), |control| {
+        let base = spec.prepared(control)?;
+        let search =
+            BifurcationSearch { base: &base, keys: [&key, &key_2], ranges: [range, range_2], tolerance, seeds, longest_period, peaks };
         let options = BranchOptions { levels: checked_levels(&levels, &base.kernel.plant)?, ..BranchOptions::default() };
         on_threads(threads, || Ok(search.run_with(&options)?))
     });
-    handed(py, found, |curves| {
+    to_python_result(py, found, |curves| {
         let listed = curves.iter().map(|curve| one(py, curve)).collect::<PyResult<Vec<_>>>()?;
-        let answer = Answer::new(py).with("keys", keys)?.with("units", (key.unit(), key_2.unit()))?.with("curves", listed)?;
+        let answer = PythonDict::new(py).with("keys", keys)?.with("units", (key.unit(), key_2.unit()))?.with("curves", listed)?;
         Ok(answer.with("manifest", manifest)?.dict())
     })
 }
@@ -51,9 +52,9 @@ pub fn jumps<'py>(
 /// Stability where it is not asked for: on every curve but those of peaks.
 const UNKNOWN: i64 = -1;
 
-fn one<'py>(py: Python<'py>, curve: &JumpCurve) -> PyResult<Bound<'py, PyDict>> {
-    let points: &[JumpPoint] = &curve.points;
-    let answer = Answer::new(py)
+fn one<'py>(py: Python<'py>, curve: &BifurcationCurve) -> PyResult<Bound<'py, PyDict>> {
+    let points: &[BifurcationCurvePoint] = &curve.points;
+    let answer = PythonDict::new(py)
         .with("kind", curve.kind.name())?
         .with("level", curve.level.clone())?
         .with("period_cycles", curve.period_cycles)?

@@ -3,6 +3,7 @@
 mod arrays;
 mod basins;
 mod branch;
+mod cancellable;
 mod cloud;
 mod diagram;
 mod driven;
@@ -26,7 +27,6 @@ mod spec;
 mod starters;
 mod study;
 mod sweep;
-mod watched;
 
 /// The module as Python sees it.
 #[pyo3::pymodule]
@@ -62,7 +62,7 @@ mod _core {
     #[pymodule_export]
     use super::measured::recording::{recording_even, recording_given, recording_read, recording_write};
     #[pymodule_export]
-    use super::measured::regimes::measured_regimes;
+    use super::measured::segments::measured_regimes;
     #[pymodule_export]
     use super::measured::spectra::measured_spectra;
     #[pymodule_export]

@@ -1,6 +1,6 @@
 //! Modes and couplings.
 
-use crate::arrays::{Answer, matrix};
+use crate::arrays::{PythonDict, matrix};
 use crate::failure::Failure;
 use crate::spec::Spec;
 use jounce::linear::couplings;
@@ -30,7 +30,7 @@ pub fn modes<'py>(py: Python<'py>, spec: &Spec, hold: Vec<String>) -> PyResult<B
         let rows: Vec<Vec<f64>> = (0..modes.len()).filter_map(|mode| beam.mode(mode)).collect();
         along.set_item(name, (numpy::PyArray1::from_slice(py, &beam.place_m), matrix(py, &rows, beam.place_m.len())?))?;
     }
-    let answer = Answer::new(py)
+    let answer = PythonDict::new(py)
         .each("frequency_hz", &modes.frequency_rad_s, |w| w / TAU)?
         .with("point", modes.shape.keys().collect::<Vec<_>>())?
         .rows("shape", &modes.shape.values().cloned().collect::<Vec<_>>(), modes.len())?

@@ -1,12 +1,12 @@
 //! The exact answer to noise without contact.
 
-use crate::arrays::Answer;
+use crate::arrays::PythonDict;
+use crate::cancellable::{cancellable, to_python_result};
 use crate::failure::Failure;
-use crate::run::Handed;
+use crate::run::PythonResult;
 use crate::spec::Spec;
-use crate::watched::{handed, watched};
-use jounce::linear::{Density, Random, RandomAnswer};
-use jounce::march::Watch;
+use jounce::linear::{Density, Random, RandomResponse};
+use jounce::march::Control;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -16,20 +16,20 @@ use std::ops::RangeInclusive;
 const POINTS: RangeInclusive<usize> = 2..=1_000_000;
 
 /// What a spec answers to its noises.
-struct Answered {
-    answer: RandomAnswer,
+struct NoiseResult {
+    answer: RandomResponse,
     frequency_hz: Vec<f64>,
     densities: Vec<Density>,
 }
 
 /// Means and mean squares, and densities at so many frequencies from one to another, Hz; by default over the band of the noises.
 #[pyfunction]
-pub fn noise<'py>(py: Python<'py>, spec: &Spec, low_hz: Option<f64>, high_hz: Option<f64>, points: usize) -> Handed<'py> {
-    let found = watched(py, None, |watch| answered(spec, low_hz, high_hz, points, watch));
-    handed(py, found, |found| told(py, found, spec.manifest("noise", &[("points", points.to_string())])))
+pub fn noise<'py>(py: Python<'py>, spec: &Spec, low_hz: Option<f64>, high_hz: Option<f64>, points: usize) -> PythonResult<'py> {
+    let found = cancellable(py, None, |control| answered(spec, low_hz, high_hz, points, control));
+    to_python_result(py, found, |found| into_python(py, found, spec.manifest("noise", &[("points", points.to_string())])))
 }
 
-fn answered(spec: &Spec, low_hz: Option<f64>, high_hz: Option<f64>, points: usize, watch: &Watch) -> Result<Answered, Failure> {
+fn answered(spec: &Spec, low_hz: Option<f64>, high_hz: Option<f64>, points: usize, control: &Control) -> Result<NoiseResult, Failure> {
     let random = Random::new(&spec.spec)?;
     let [low, high] = random.usual_band_hz();
     let (low, high) = (low_hz.unwrap_or(low), high_hz.unwrap_or(high));
@@ -43,19 +43,19 @@ fn answered(spec: &Spec, low_hz: Option<f64>, high_hz: Option<f64>, points: usiz
     }
     let frequency_hz = random.frequencies_hz(low, high, points);
     let answer = random.answer()?;
-    let densities = random.densities_until(&frequency_hz, &|| watch.is_stopped())?;
-    Failure::unless_stopped(watch, Answered { answer, densities, frequency_hz })
+    let densities = random.densities_until(&frequency_hz, &|| control.is_stopped())?;
+    Failure::unless_stopped(control, NoiseResult { answer, densities, frequency_hz })
 }
 
-fn told<'py>(py: Python<'py>, found: Answered, manifest: String) -> PyResult<Bound<'py, PyDict>> {
-    let Answered { answer, frequency_hz, densities } = found;
+fn into_python<'py>(py: Python<'py>, found: NoiseResult, manifest: String) -> PyResult<Bound<'py, PyDict>> {
+    let NoiseResult { answer, frequency_hz, densities } = found;
     let all = PyDict::new(py);
     for density in densities {
         all.set_item(density.name, (PyArray1::from_vec(py, density.value), density.unit))?;
     }
-    let RandomAnswer { loads, patches, points, stops, .. } = &answer;
+    let RandomResponse { loads, patches, points, stops, .. } = &answer;
     let bandwidths: Vec<Vec<f64>> = loads.iter().map(|load| load.noise_bandwidth_hz.clone()).collect();
-    let told = Answer::new(py)
+    let told = PythonDict::new(py)
         .rows("load_noise_bandwidth_hz", &bandwidths, answer.drives.len())?
         .with("drive", &answer.drives)?
         .with("left_out", &answer.left_out)?

@@ -1,10 +1,10 @@
 //! The paper computed again.
 
-use crate::arrays::Answer;
+use crate::arrays::PythonDict;
+use crate::cancellable::{cancellable, on_threads, to_python_result};
 use crate::failure::Failure;
-use crate::run::Handed;
-use crate::watched::{handed, on_threads, watched};
-use jounce::march::Watch;
+use crate::run::PythonResult;
+use jounce::march::Control;
 use jounce::reproduce::{Claim, Reproduction, Written, folders};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -12,21 +12,21 @@ use std::path::{Path, PathBuf};
 
 /// Computes everything and writes the report into a folder.
 #[pyfunction]
-pub fn reproduce<'py>(py: Python<'py>, out: PathBuf, threads: Option<usize>, progress: Option<Bound<'py, PyAny>>) -> Handed<'py> {
-    let found = watched(py, progress.as_ref(), |watch| on_threads(threads, || written(&out, watch)));
-    handed(py, found, |(written, claims)| told(py, &written, &claims))
+pub fn reproduce<'py>(py: Python<'py>, out: PathBuf, threads: Option<usize>, progress: Option<Bound<'py, PyAny>>) -> PythonResult<'py> {
+    let found = cancellable(py, progress.as_ref(), |control| on_threads(threads, || written(&out, control)));
+    to_python_result(py, found, |(written, claims)| into_python(py, &written, &claims))
 }
 
-fn written(out: &Path, watch: &Watch) -> Result<(Written, Vec<Claim>), Failure> {
+fn written(out: &Path, control: &Control) -> Result<(Written, Vec<Claim>), Failure> {
     folders(out)?;
-    let simulated = jounce::reproduce::reproduce(watch, &|_| ())?;
-    let chapters = jounce_measure::experiment::chapters(&simulated, watch)?;
+    let simulated = jounce::reproduce::reproduce(control, &|_| ())?;
+    let chapters = jounce_measure::experiment::chapters(&simulated, control)?;
     let reproduction = chapters.into_iter().fold(simulated, Reproduction::with);
     Ok((reproduction.write(out)?, reproduction.claims))
 }
 
-fn told<'py>(py: Python<'py>, written: &Written, claims: &[Claim]) -> PyResult<Bound<'py, PyDict>> {
-    let answer = Answer::new(py)
+fn into_python<'py>(py: Python<'py>, written: &Written, claims: &[Claim]) -> PyResult<Bound<'py, PyDict>> {
+    let answer = PythonDict::new(py)
         .with("report", &written.report)?
         .with("tables", &written.tables)?
         .with("figures", &written.figures)?

@@ -1,21 +1,21 @@
 //! What the sensors of a virtual rig record of a harvester.
 
+use crate::cancellable::{cancellable, to_python_result};
 use crate::failure::Failure;
-use crate::measured::recording::{Given, told};
-use crate::run::Handed;
+use crate::measured::recording::{GivenRecording, into_python};
+use crate::run::PythonResult;
 use crate::spec::Spec;
-use crate::watched::{handed, watched};
-use jounce::linear::Response;
-use jounce::march::Watch;
+use jounce::linear::FrfResponse;
+use jounce::march::Control;
 use jounce::plant::{Plant, System};
 use jounce::run::StartState;
 use jounce::spec::{Gravity, driving_channel};
 use jounce::structure::modes_holding;
 use jounce_measure::recording::{Quantity, Recording};
 use jounce_measure::rig::{
-    Cable, HammerTest, RigError, Sensor, ShakerTest, Wander, carry, hammer_test, on_recorded_base, shaker_test, start_of_run,
+    Cable, Disturbance, HammerTest, RigError, Sensor, ShakerTest, carry, hammer_test, on_recorded_base, shaker_test, start_of_run,
 };
-use jounce_measure::solution::{Search, solutions, start_of};
+use jounce_measure::solution::{SolutionSearch, solutions, start_of};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -82,8 +82,8 @@ impl Sensors {
 }
 
 impl Shaker {
-    fn wander(&self) -> Wander {
-        let wander = Wander {
+    fn wander(&self) -> Disturbance {
+        let wander = Disturbance {
             amplitude_ratio: self.amplitude_wander,
             frequency_ratio: self.frequency_wander,
             memory_s: self.wander_time_s,
@@ -91,26 +91,32 @@ impl Shaker {
             frequency_drift: self.frequency_drift,
         };
         // A memory of nothing is none.
-        let still = Wander { memory_s: wander.memory_s, ..Wander::NONE } == wander;
-        if still { Wander::NONE } else { wander }
+        let still = Disturbance { memory_s: wander.memory_s, ..Disturbance::NONE } == wander;
+        if still { Disturbance::NONE } else { wander }
     }
 
     /// Times and states of the solutions that are asked for.
-    fn solutions(&self, spec: &jounce::spec::Spec, watch: &Watch) -> Result<Vec<(f64, StartState)>, Failure> {
-        let found = solutions(spec, &Search { starts: self.starts, seed: self.starts_seed, ..Search::default() }, watch)?;
+    fn solutions(&self, spec: &jounce::spec::Spec, control: &Control) -> Result<Vec<(f64, StartState)>, Failure> {
+        let found = solutions(spec, &SolutionSearch { starts: self.starts, seed: self.starts_seed, ..SolutionSearch::default() }, control)?;
         self.solution.iter().map(|(id, at_s)| Ok((*at_s, start_of(&found, id)?))).collect()
     }
 }
 
 /// Marches the run, or what moves the base in its place; what the sensors record over its averaging window.
 #[pyfunction]
-pub fn rig_shaken<'py>(py: Python<'py>, spec: &Spec, sensors: Sensors, shaker: Shaker, base: Option<Given<'py>>) -> Handed<'py> {
+pub fn rig_shaken<'py>(
+    py: Python<'py>,
+    spec: &Spec,
+    sensors: Sensors,
+    shaker: Shaker,
+    base: Option<GivenRecording<'py>>,
+) -> PythonResult<'py> {
     let base = base.map(|base| base.even()).transpose()?;
-    let found = watched(py, None, |watch| shaken(spec, &sensors, &shaker, base.as_ref(), watch));
-    handed(py, found, |recording| told(py, recording))
+    let found = cancellable(py, None, |control| shaken(spec, &sensors, &shaker, base.as_ref(), control));
+    to_python_result(py, found, |recording| into_python(py, recording))
 }
 
-fn shaken(own: &Spec, sensors: &Sensors, shaker: &Shaker, base: Option<&Recording>, watch: &Watch) -> Result<Recording, Failure> {
+fn shaken(own: &Spec, sensors: &Sensors, shaker: &Shaker, base: Option<&Recording>, control: &Control) -> Result<Recording, Failure> {
     let mut spec = own.spec.clone();
     sensors.fit(&mut spec)?;
     if let Some(base) = base {
@@ -123,7 +129,7 @@ fn shaken(own: &Spec, sensors: &Sensors, shaker: &Shaker, base: Option<&Recordin
     let run = &spec.run;
     let (starts, before_s) = match shaker.solution.is_empty() {
         true => (vec![(0.0, start_of_run(&spec, &modes, &own.folder())?)], run.duration_s - run.average_over_s),
-        false => (shaker.solutions(&spec, watch)?, 0.0),
+        false => (shaker.solutions(&spec, control)?, 0.0),
     };
     let test = ShakerTest {
         rate_hz: sensors.rate_hz,
@@ -135,14 +141,14 @@ fn shaken(own: &Spec, sensors: &Sensors, shaker: &Shaker, base: Option<&Recordin
         sensor: sensors.sensor(),
         seed: sensors.seed,
     };
-    Ok(shaker_test(&spec, &modes, &test, watch)?)
+    Ok(shaker_test(&spec, &modes, &test, control)?)
 }
 
 /// Strikes a point with a hammer, stops and drives taken away; without points to record at, every point and patch records.
 #[pyfunction]
 pub fn rig_struck<'py>(py: Python<'py>, spec: &Spec, sensors: Sensors, hits: Hits) -> PyResult<Bound<'py, PyDict>> {
     let found = py.detach(|| struck(spec, &sensors, hits)).map_err(|failure| failure.raised(py))?;
-    told(py, found)
+    into_python(py, found)
 }
 
 fn struck(spec: &Spec, sensors: &Sensors, hits: Hits) -> Result<Recording, Failure> {
@@ -154,8 +160,8 @@ fn struck(spec: &Spec, sensors: &Sensors, hits: Hits) -> Result<Recording, Failu
     let modes = modes_holding(&spec, &sensors.hold)?;
     let everywhere = sensors.at.is_empty();
     let points: Vec<String> = if everywhere { modes.shape.keys().cloned().collect() } else { sensors.at.clone() };
-    let patches = modes.patch.keys().filter(|_| everywhere).map(|patch| Response::Voltage(patch.clone()));
-    let responses = points.into_iter().map(Response::Acceleration).chain(patches).collect();
+    let patches = modes.patch.keys().filter(|_| everywhere).map(|patch| FrfResponse::Voltage(patch.clone()));
+    let responses = points.into_iter().map(FrfResponse::Acceleration).chain(patches).collect();
     let Hits { point, hits, block_s, peak_force_n, contact_time_s } = hits;
     let (rate_hz, sensor, seed) = (sensors.rate_hz, sensors.sensor(), sensors.seed);
     let test = HammerTest { point, responses, hits, block_s, peak_force_n, contact_time_s, rate_hz, sensor, seed };

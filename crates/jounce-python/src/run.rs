@@ -1,25 +1,25 @@
 //! One run.
 
-use crate::arrays::Answer;
+use crate::arrays::PythonDict;
+use crate::cancellable::{to_python_result, visited};
 use crate::failure::Failure;
 use crate::history::History;
 use crate::spec::Spec;
-use crate::watched::{handed, visited};
-use jounce::march::{Energies, RectifiedEnergies, Watch};
+use jounce::march::{Control, Energies, RectifiedEnergies};
 use jounce::run::{
-    ChargeAnswer, RectifiedAnswer, RunAnswer, RunPlan, StartState, StopAnswer, VoltagePeaks, Warning, charges, simulate, voltage_peaks,
+    ChargeResult, RectifiedResult, RunPlan, RunResult, StartState, StopResult, VoltagePeaks, Warning, charges, simulate, voltage_peaks,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 /// What a call answers: the answer, if there is one, and what ended it early.
-pub type Handed<'py> = PyResult<(Option<Bound<'py, PyDict>>, Option<PyErr>)>;
+pub type PythonResult<'py> = PyResult<(Option<Bound<'py, PyDict>>, Option<PyErr>)>;
 
 /// Most samples of a record.
-const MOST_SAMPLES: f64 = 1e8;
+const MAX_SAMPLES: f64 = 1e8;
 
 /// Options of a run.
-struct Options {
+struct RunOptions {
     tolerance: Option<f64>,
     start: Option<String>,
     record_s: f64,
@@ -27,15 +27,15 @@ struct Options {
 }
 
 /// What was marched.
-struct Marched {
+struct RunData {
     plan: RunPlan,
-    answer: RunAnswer,
+    answer: RunResult,
     history: Option<History>,
     /// Names of the patches.
     patch: Vec<String>,
     peaks: VoltagePeaks,
     /// Balance of charge of each circuit whose diodes feed a capacitor.
-    charges: Vec<ChargeAnswer>,
+    charges: Vec<ChargeResult>,
     /// What the answer should not be believed without, in words.
     warnings: Vec<String>,
 }
@@ -50,15 +50,15 @@ pub fn run<'py>(
     record_s: f64,
     sample_rate_hz: f64,
     progress: Option<Bound<'py, PyAny>>,
-) -> Handed<'py> {
+) -> PythonResult<'py> {
     let own = spec.with_tolerance(tolerance)?;
-    let options = Options { tolerance, start, record_s, sample_rate_hz };
-    let found = visited(py, progress.as_ref(), |watch| marched(spec, &options, watch));
-    handed(py, found, |marched| told(py, own.as_ref().unwrap_or(spec), marched))
+    let options = RunOptions { tolerance, start, record_s, sample_rate_hz };
+    let found = visited(py, progress.as_ref(), |control| marched(spec, &options, control));
+    to_python_result(py, found, |marched| into_python(py, own.as_ref().unwrap_or(spec), marched))
 }
 
-fn marched(spec: &Spec, options: &Options, watch: &Watch) -> Result<Marched, Failure> {
-    let prepared = spec.prepared(watch)?;
+fn marched(spec: &Spec, options: &RunOptions, control: &Control) -> Result<RunData, Failure> {
+    let prepared = spec.prepared(control)?;
     let start = match &options.start {
         Some(json) => serde_json::from_str::<StartState>(json).map_err(|error| {
             Failure::new("StartError", format!("the start state is not one that a run has saved: {error}; give the `end` of another run"))
@@ -74,27 +74,27 @@ fn marched(spec: &Spec, options: &Options, watch: &Watch) -> Result<Marched, Fai
         return Err(Failure::new("ArgumentError", why).with(details));
     }
     let samples = options.record_s * options.sample_rate_hz;
-    if samples > MOST_SAMPLES {
-        let why = format!("record times sample_rate makes {samples:e} samples; at most {MOST_SAMPLES:e} are kept");
-        return Err(Failure::new("ArgumentError", why).with(serde_json::json!({ "samples": samples, "most": MOST_SAMPLES })));
+    if samples > MAX_SAMPLES {
+        let why = format!("record times sample_rate makes {samples:e} samples; at most {MAX_SAMPLES:e} are kept");
+        return Err(Failure::new("ArgumentError", why).with(serde_json::json!({ "samples": samples, "most": MAX_SAMPLES })));
     }
     // As the command line does, so that both tell the same bits.
     let watching = plan.clone().watching(&prepared.spec, &kernel.plant).balancing(&kernel.plant);
-    watch.expect_run(watching.duration_s);
+    control.expect_run(watching.duration_s);
     let answer = simulate(&kernel, &start, &watching)?;
-    watch.tell_time(watching.duration_s);
+    control.report_progress(watching.duration_s);
     let history = (options.record_s > 0.0).then(|| History::new(&kernel, &answer, &plan, options.sample_rate_hz));
     let warnings = Warning::of(&prepared.spec, &kernel, &watching, &answer).iter().map(ToString::to_string).collect();
     let patch = kernel.plant.system.modes.patch.keys().cloned().collect();
     let peaks = voltage_peaks(&kernel, &answer, &watching);
     let charges = charges(&kernel, &answer, &watching);
-    Ok(Marched { plan, answer, history, patch, peaks, charges, warnings })
+    Ok(RunData { plan, answer, history, patch, peaks, charges, warnings })
 }
 
-fn told<'py>(py: Python<'py>, spec: &Spec, marched: Marched) -> PyResult<Bound<'py, PyDict>> {
+fn into_python<'py>(py: Python<'py>, spec: &Spec, marched: RunData) -> PyResult<Bound<'py, PyDict>> {
     let state = serde_json::to_string(&marched.answer.end).map_err(|error| Failure::new("JounceError", error))?;
     let work = serde_json::to_string(&marched.answer.work).map_err(|error| Failure::new("JounceError", error))?;
-    let answer = voltages(Answer::new(py), &marched)?;
+    let answer = voltages(PythonDict::new(py), &marched)?;
     let answer = rectified(answer, &marched.answer.rectified, &marched.charges)?;
     let answer = contacts(answer, &marched.answer)?;
     let answer = trust(answer, &marched)?
@@ -107,8 +107,8 @@ fn told<'py>(py: Python<'py>, spec: &Spec, marched: Marched) -> PyResult<Bound<'
 }
 
 /// Powers, and voltages of loads and patches.
-fn voltages<'py>(answer: Answer<'py>, marched: &Marched) -> PyResult<Answer<'py>> {
-    let Marched { answer: found, patch, peaks, .. } = marched;
+fn voltages<'py>(answer: PythonDict<'py>, marched: &RunData) -> PyResult<PythonDict<'py>> {
+    let RunData { answer: found, patch, peaks, .. } = marched;
     let (loads, leaks) = (&found.loads, &found.leaks);
     answer
         .with("mean_power_w", found.mean_power_w)?
@@ -123,8 +123,8 @@ fn voltages<'py>(answer: Answer<'py>, marched: &Marched) -> PyResult<Answer<'py>
 }
 
 /// What happened behind the rectifiers.
-fn rectified<'py>(answer: Answer<'py>, rectified: &[RectifiedAnswer], charges: &[ChargeAnswer]) -> PyResult<Answer<'py>> {
-    let charge = |circuit: &RectifiedAnswer, of: fn(&ChargeAnswer) -> f64| {
+fn rectified<'py>(answer: PythonDict<'py>, rectified: &[RectifiedResult], charges: &[ChargeResult]) -> PyResult<PythonDict<'py>> {
+    let charge = |circuit: &RectifiedResult, of: fn(&ChargeResult) -> f64| {
         charges.iter().find(|charge| charge.name == circuit.name).map_or(f64::NAN, of)
     };
     answer
@@ -144,8 +144,8 @@ fn rectified<'py>(answer: Answer<'py>, rectified: &[RectifiedAnswer], charges: &
 }
 
 /// What happened at the stops.
-fn contacts<'py>(answer: Answer<'py>, found: &RunAnswer) -> PyResult<Answer<'py>> {
-    let stops: &[StopAnswer] = &found.stops;
+fn contacts<'py>(answer: PythonDict<'py>, found: &RunResult) -> PyResult<PythonDict<'py>> {
+    let stops: &[StopResult] = &found.stops;
     answer
         .with("stop", stops.iter().map(|stop| stop.name.clone()).collect::<Vec<_>>())?
         .each("stop_contacts", stops, |stop| stop.contacts as i64)?
@@ -165,7 +165,7 @@ fn contacts<'py>(answer: Answer<'py>, found: &RunAnswer) -> PyResult<Answer<'py>
 }
 
 /// How far to trust the answer: has it settled, is the energy balanced, what was asked for.
-fn trust<'py>(answer: Answer<'py>, Marched { plan, answer: found, warnings, .. }: &Marched) -> PyResult<Answer<'py>> {
+fn trust<'py>(answer: PythonDict<'py>, RunData { plan, answer: found, warnings, .. }: &RunData) -> PyResult<PythonDict<'py>> {
     let settlement = found.settlement;
     answer
         .with("settled", settlement.map(|found| found.settled))?
@@ -184,7 +184,7 @@ fn trust<'py>(answer: Answer<'py>, Marched { plan, answer: found, warnings, .. }
 /// Where the energy of the whole run went, J.
 fn flows<'py>(py: Python<'py>, energies: &Energies) -> PyResult<Bound<'py, PyDict>> {
     let rectified = |of: fn(&RectifiedEnergies) -> f64| energies.rectified.iter().map(of).sum::<f64>();
-    let flows = Answer::new(py)
+    let flows = PythonDict::new(py)
         .with("input_j", energies.input_j)?
         .with("loads_j", energies.loads_j.iter().sum::<f64>())?
         .with("rectified_j", rectified(|own| own.load_j + own.battery_j))?

@@ -2,9 +2,9 @@
 
 use crate::branch::json;
 use crate::failure::Failure;
-use jounce::march::Watch;
+use jounce::analysis::Model;
+use jounce::march::Control;
 use jounce::spec::{KeyRange, NumericKey, Quantity, SpecFile};
-use jounce::study::Prepared;
 use jounce::table::Manifest;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -19,7 +19,7 @@ pub struct Spec {
     folder: PathBuf,
     /// What the text says.
     pub spec: jounce::spec::Spec,
-    prepared: OnceLock<Prepared>,
+    prepared: OnceLock<Model>,
     hash_hex: OnceLock<String>,
 }
 
@@ -98,21 +98,21 @@ impl Spec {
 }
 
 impl Spec {
-    /// The harvester, made once and shared by every call, under the watch of one call.
-    pub fn prepared(&self, watch: &Watch) -> Result<Prepared, Failure> {
+    /// The harvester, made once and shared by every call, under the control of one call.
+    pub fn prepared(&self, control: &Control) -> Result<Model, Failure> {
         let known = match self.prepared.get() {
             Some(known) => known,
             None => {
-                let made = Prepared::watched(self.spec.clone(), watch)?;
+                let made = Model::watched(self.spec.clone(), control)?;
                 // What was made for a call that ends early lacks its noise.
-                if watch.is_stopped() {
+                if control.is_stopped() {
                     return Ok(made);
                 }
-                let unwatched = made.watched_by(&Watch::default())?;
+                let unwatched = made.with_control(&Control::default())?;
                 self.prepared.get_or_init(|| unwatched)
             }
         };
-        Ok(known.watched_by(watch)?)
+        Ok(known.with_control(control)?)
     }
 
     /// The text, ready to be changed.

@@ -1,11 +1,11 @@
 //! Studies in parts.
 
-use crate::arrays::Answer;
+use crate::arrays::PythonDict;
+use crate::cancellable::{cancellable, on_threads, to_python_result};
 use crate::failure::Failure;
-use crate::run::Handed;
+use crate::run::PythonResult;
 use crate::spec::Spec;
-use crate::watched::{handed, on_threads, watched};
-use jounce::survey::{Folder, Shard, SurveyError};
+use jounce::study::{Folder, Shard, StudyError};
 use jounce::table::{Table, Values};
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -14,14 +14,14 @@ use std::path::PathBuf;
 
 /// A study, read and checked.
 #[pyclass(frozen, module = "jounce._core")]
-pub struct Study(jounce::survey::Study);
+pub struct Study(jounce::study::Study);
 
 #[pymethods]
 impl Study {
     /// A study of a spec from the text of what varies.
     #[new]
     fn new(spec: &Spec, text: &str) -> Result<Self, Failure> {
-        Ok(Self(jounce::survey::Study::with_spec(spec.file(), &spec.folder(), text)?))
+        Ok(Self(jounce::study::Study::with_spec(spec.file(), &spec.folder(), text)?))
     }
 
     /// SHA-256 of all that its table depends on.
@@ -56,19 +56,19 @@ impl Study {
     }
 
     /// A part as the bytes of its file, computed on one thread.
-    fn part<'py>(&self, py: Python<'py>, part: usize) -> Handed<'py> {
+    fn part<'py>(&self, py: Python<'py>, part: usize) -> PythonResult<'py> {
         if part >= self.0.parts() {
             let why = format!("there is no part {part}; the study has {}", self.0.parts());
             let details = serde_json::json!({ "part": part, "parts": self.0.parts() });
             return Err(Failure::new("ArgumentError", why).with(details).raised(py));
         }
-        let found = watched(py, None, |watch| {
-            let table = self.0.part(part, watch)?;
-            let bytes = table.map(|table| table.to_parquet(&self.0.part_manifest(part))).transpose().map_err(SurveyError::from)?;
-            bytes.map(|bytes| (bytes, watch.marched_s())).ok_or_else(|| Failure::new("JounceError", "stopped"))
+        let found = cancellable(py, None, |control| {
+            let table = self.0.part(part, control)?;
+            let bytes = table.map(|table| table.to_parquet(&self.0.part_manifest(part))).transpose().map_err(StudyError::from)?;
+            bytes.map(|bytes| (bytes, control.wall_time_s())).ok_or_else(|| Failure::new("JounceError", "stopped"))
         });
-        handed(py, found, |(bytes, marched_s)| {
-            Ok(Answer::new(py).with("bytes", PyBytes::new(py, &bytes))?.with("marched_s", marched_s)?.dict())
+        to_python_result(py, found, |(bytes, marched_s)| {
+            Ok(PythonDict::new(py).with("bytes", PyBytes::new(py, &bytes))?.with("marched_s", marched_s)?.dict())
         })
     }
 
@@ -80,14 +80,14 @@ impl Study {
         shard: &str,
         threads: Option<usize>,
         progress: Option<Bound<'py, PyAny>>,
-    ) -> Handed<'py> {
+    ) -> PythonResult<'py> {
         let shard: Shard = shard.parse().map_err(|error: String| Failure::new("ArgumentError", error).raised(py))?;
-        let found = watched(py, progress.as_ref(), |watch| {
+        let found = cancellable(py, progress.as_ref(), |control| {
             let folder = Folder::of(&folder, &self.0)?;
-            on_threads(threads, || Ok(folder.run(&self.0, shard, watch, &|_| ())?))?;
-            Ok(watch.marched_s())
+            on_threads(threads, || Ok(folder.run(&self.0, shard, control, &|_| ())?))?;
+            Ok(control.wall_time_s())
         });
-        handed(py, found, |marched_s| Ok(Answer::new(py).with("marched_s", marched_s)?.dict()))
+        to_python_result(py, found, |marched_s| Ok(PythonDict::new(py).with("marched_s", marched_s)?.dict()))
     }
 
     /// Numbers of the parts that a folder lacks; the folder is made where there is none.

@@ -1,12 +1,12 @@
 //! Sweeps.
 
-use crate::arrays::Answer;
+use crate::arrays::PythonDict;
+use crate::cancellable::{cancellable, on_threads, to_python_result};
 use crate::failure::Failure;
-use crate::run::Handed;
+use crate::run::PythonResult;
 use crate::spec::Spec;
-use crate::watched::{handed, on_threads, watched};
-use jounce::run::{Exceeded, Worst};
-use jounce::study::{Direction, Sweep, SweepPoint};
+use jounce::analysis::{Sweep, SweepOrder, SweepPoint};
+use jounce::run::{ExceededLimit, WorstExcess};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -23,30 +23,30 @@ pub fn sweep<'py>(
     tolerance: Option<f64>,
     threads: Option<usize>,
     progress: Option<Bound<'py, PyAny>>,
-) -> Handed<'py> {
+) -> PythonResult<'py> {
     let own = spec.with_tolerance(tolerance)?;
     let spec = own.as_ref().unwrap_or(spec);
     let range = spec.range(key, values)?;
     let order = match direction {
-        "up" => Direction::Up,
-        "down" => Direction::Down,
-        "both" => Direction::Both,
-        "independent" => Direction::Independent,
+        "up" => SweepOrder::Up,
+        "down" => SweepOrder::Down,
+        "both" => SweepOrder::Both,
+        "independent" => SweepOrder::Independent,
         _ => {
             let why = format!("direction is \"{direction}\"; it must be \"up\", \"down\", \"both\" or \"independent\"");
             return Err(Failure::new("ArgumentError", why).raised(py));
         }
     };
     let study = Sweep { spec: &spec.spec, range: &range, direction: order, fixed_duration, folder: spec.folder() };
-    let found = watched(py, progress.as_ref(), |watch| on_threads(threads, || Ok(study.run(None, watch, &|_| ())?)));
+    let found = cancellable(py, progress.as_ref(), |control| on_threads(threads, || Ok(study.run(None, control, &|_| ())?)));
     let options =
         [("over", format!("{key}={values}")), ("direction", direction.to_owned()), ("fixed_duration", fixed_duration.to_string())];
     let manifest = spec.manifest("sweep", &options);
-    handed(py, found, |points| told(py, (key, &range.key().unit(), manifest), &points))
+    to_python_result(py, found, |points| into_python(py, (key, &range.key().unit(), manifest), &points))
 }
 
-fn told<'py>(py: Python<'py>, (key, unit, manifest): (&str, &str, String), points: &[SweepPoint]) -> PyResult<Bound<'py, PyDict>> {
-    let answer = Answer::new(py)
+fn into_python<'py>(py: Python<'py>, (key, unit, manifest): (&str, &str, String), points: &[SweepPoint]) -> PyResult<Bound<'py, PyDict>> {
+    let answer = PythonDict::new(py)
         .with("key", key)?
         .with("unit", unit)?
         .each("parameter", points, |p| p.parameter)?
@@ -66,6 +66,6 @@ fn told<'py>(py: Python<'py>, (key, unit, manifest): (&str, &str, String), point
 
 /// Limits of patches that points pass.
 fn warnings(key: &str, unit: &str, points: &[SweepPoint]) -> Vec<String> {
-    let passed: Vec<&[Exceeded]> = points.iter().map(|point| point.exceeded.as_slice()).collect();
-    Worst::told(&passed, "points", |place| format!("{key} = {:.6} {unit}", points[place].parameter))
+    let passed: Vec<&[ExceededLimit]> = points.iter().map(|point| point.exceeded.as_slice()).collect();
+    WorstExcess::messages(&passed, "points", |place| format!("{key} = {:.6} {unit}", points[place].parameter))
 }

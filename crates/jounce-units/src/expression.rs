@@ -9,7 +9,7 @@
 //! A product after a quotient (`N/m s`) reads both ways and is refused; parentheses say which is meant.
 
 use super::dimension::Dimension;
-use super::symbol::Symbol;
+use super::symbol::UnitSymbol;
 
 /// The largest power that a unit may carry.
 const MAX_POWER: f64 = 12.0;
@@ -27,7 +27,7 @@ pub(super) struct Unit {
 
 /// Why an expression is no unit.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Refusal {
+pub(super) enum UnitFault {
     /// No such symbol.
     Unknown(String),
     /// Not an expression, and why.
@@ -38,7 +38,7 @@ impl Unit {
     const ONE: Self = Self { power_of_ten: 0.0, up: 1.0, down: 1.0, dimension: Dimension::NONE };
 
     /// Reads a whole expression.
-    pub(super) fn parse(text: &str) -> Result<Self, Refusal> {
+    pub(super) fn parse(text: &str) -> Result<Self, UnitFault> {
         let mut parser = Parser { rest: text.trim() };
         let unit = parser.unit()?;
         if parser.rest.is_empty() { Ok(unit) } else { Err(parser.unexpected()) }
@@ -60,7 +60,7 @@ struct Parser<'t> {
 }
 
 impl<'t> Parser<'t> {
-    fn unit(&mut self) -> Result<Unit, Refusal> {
+    fn unit(&mut self) -> Result<Unit, UnitFault> {
         let mut unit = Unit::ONE;
         let mut divided = false;
         let mut first = true;
@@ -72,7 +72,7 @@ impl<'t> Parser<'t> {
             let divides = self.eat("/");
             let multiplies = !divides && !first && (self.eat("*") || self.eat("\u{b7}") || self.eat("\u{22c5}"));
             if !first && !divides && divided {
-                return Err(Refusal::Malformed("a product after a quotient reads both ways; use parentheses, as in N/(m s)".to_owned()));
+                return Err(UnitFault::Malformed("a product after a quotient reads both ways; use parentheses, as in N/(m s)".to_owned()));
             }
             if divides || multiplies {
                 self.rest = self.rest.trim_start();
@@ -83,11 +83,11 @@ impl<'t> Parser<'t> {
         }
     }
 
-    fn factor(&mut self) -> Result<Unit, Refusal> {
+    fn factor(&mut self) -> Result<Unit, UnitFault> {
         let base = if self.eat("(") {
             let inner = self.unit()?;
             if !self.eat(")") {
-                return Err(Refusal::Malformed("a parenthesis is not closed".to_owned()));
+                return Err(UnitFault::Malformed("a parenthesis is not closed".to_owned()));
             }
             inner
         } else if self.eat("1") {
@@ -97,26 +97,26 @@ impl<'t> Parser<'t> {
         };
         let power = self.power()?;
         if !power.is_finite() || power.abs() > MAX_POWER {
-            return Err(Refusal::Malformed(format!("powers go from -{MAX_POWER} to {MAX_POWER}")));
+            return Err(UnitFault::Malformed(format!("powers go from -{MAX_POWER} to {MAX_POWER}")));
         }
         Ok(Unit::ONE.times(base, power))
     }
 
-    fn symbol(&mut self) -> Result<Unit, Refusal> {
+    fn symbol(&mut self) -> Result<Unit, UnitFault> {
         let name = self.take(|c| c.is_alphabetic() || c == '\u{b0}' || c == '%');
         if name.is_empty() {
             return Err(self.unexpected());
         }
-        let Some(found) = Symbol::find(name) else {
-            return Err(Refusal::Unknown(name.to_owned()));
+        let Some(found) = UnitSymbol::find(name) else {
+            return Err(UnitFault::Unknown(name.to_owned()));
         };
         if self.rest.starts_with(|c: char| c.is_ascii_digit()) {
-            return Err(Refusal::Malformed(format!("a power is written with ^, as in {name}^2")));
+            return Err(UnitFault::Malformed(format!("a power is written with ^, as in {name}^2")));
         }
         Ok(Unit { power_of_ten: f64::from(found.power_of_ten), up: found.up, down: found.down, dimension: found.dimension })
     }
 
-    fn power(&mut self) -> Result<f64, Refusal> {
+    fn power(&mut self) -> Result<f64, UnitFault> {
         if self.eat("^") || self.eat("**") {
             if !self.eat("(") {
                 return self.number();
@@ -125,7 +125,7 @@ impl<'t> Parser<'t> {
             if self.eat("/") {
                 power /= self.number()?;
             }
-            return if self.eat(")") { Ok(power) } else { Err(Refusal::Malformed("a parenthesis is not closed".to_owned())) };
+            return if self.eat(")") { Ok(power) } else { Err(UnitFault::Malformed("a parenthesis is not closed".to_owned())) };
         }
         let sign = if self.eat("⁻") { -1.0 } else { 1.0 };
         let digits = self.take(|c| SUPERSCRIPTS.contains(&c));
@@ -136,11 +136,11 @@ impl<'t> Parser<'t> {
         Ok(sign * value.fold(0.0, |sum, digit| 10.0 * sum + digit as f64))
     }
 
-    fn number(&mut self) -> Result<f64, Refusal> {
+    fn number(&mut self) -> Result<f64, UnitFault> {
         let sign = if self.eat("-") || self.eat("\u{2212}") { -1.0 } else { 1.0 };
         self.eat("+");
         let digits = self.take(|c| c.is_ascii_digit() || c == '.');
-        digits.parse::<f64>().map(|value| sign * value).map_err(|_| Refusal::Malformed("a power is a number, as in m^1.5".to_owned()))
+        digits.parse::<f64>().map(|value| sign * value).map_err(|_| UnitFault::Malformed("a power is a number, as in m^1.5".to_owned()))
     }
 
     fn eat(&mut self, token: &str) -> bool {
@@ -156,8 +156,8 @@ impl<'t> Parser<'t> {
         taken
     }
 
-    fn unexpected(&self) -> Refusal {
-        Refusal::Malformed(match self.rest.chars().next() {
+    fn unexpected(&self) -> UnitFault {
+        UnitFault::Malformed(match self.rest.chars().next() {
             Some(c) => format!("`{}` is not expected there", c.escape_debug()),
             None => "the unit stops too early".to_owned(),
         })

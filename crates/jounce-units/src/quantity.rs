@@ -3,7 +3,7 @@
 use super::clip::clip;
 use super::decimal::Decimal;
 use super::error::QuantityError;
-use super::expression::{Refusal, Unit};
+use super::expression::{Unit, UnitFault};
 use std::borrow::Cow;
 
 /// No quantity needs more characters than this.
@@ -116,8 +116,8 @@ impl Quantity {
             return Err(QuantityError::Malformed { text: shown, why: "decimals take a point, not a comma".to_owned(), due: due() });
         }
         let unit = Unit::parse(&self.spelled(rest)).map_err(|refusal| match refusal {
-            Refusal::Unknown(unit) => QuantityError::UnknownUnit { text: shown.clone(), unit, due: due() },
-            Refusal::Malformed(why) => QuantityError::Malformed { text: shown.clone(), why, due: due() },
+            UnitFault::Unknown(unit) => QuantityError::UnknownUnit { text: shown.clone(), unit, due: due() },
+            UnitFault::Malformed(why) => QuantityError::Malformed { text: shown.clone(), why, due: due() },
         })?;
         if !unit.dimension.is(self.dimension()) {
             return Err(QuantityError::WrongKind { text: shown, kind: unit.dimension.kind(), due: due() });

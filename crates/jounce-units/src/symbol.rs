@@ -4,7 +4,7 @@ use super::dimension::Dimension;
 
 /// A symbol in SI: `10^power_of_ten * up / down` of its dimension.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Symbol {
+pub(super) struct UnitSymbol {
     pub(super) power_of_ten: i32,
     pub(super) up: f64,
     pub(super) down: f64,
@@ -65,7 +65,7 @@ const PREFIXES: &[(&str, i32)] = &[
     ("Y", 24),
 ];
 
-impl Symbol {
+impl UnitSymbol {
     /// Looks a symbol up: as it stands first, then as prefix and symbol.
     pub(super) fn find(name: &str) -> Option<Self> {
         Self::bare(name).or_else(|| {
@@ -96,15 +96,15 @@ mod tests {
 
     #[test]
     fn a_symbol_wins_over_prefix_and_symbol() {
-        assert_eq!(Symbol::find("min").unwrap().up, 60.0);
-        assert_eq!(Symbol::find("Pa").unwrap().power_of_ten, 0);
-        assert_eq!(Symbol::find("h").unwrap().up, 3600.0);
-        assert_eq!(Symbol::find("hPa").unwrap().power_of_ten, 2);
-        assert_eq!(Symbol::find("kg").unwrap().power_of_ten, 0);
-        assert_eq!(Symbol::find("dam").unwrap().power_of_ten, 1);
-        assert_eq!(Symbol::find("\u{b5}\u{3a9}").unwrap().power_of_ten, -6);
-        assert!(Symbol::find("kmin").is_none());
-        assert!(Symbol::find("").is_none());
-        assert!(Symbol::find("k").is_none());
+        assert_eq!(UnitSymbol::find("min").unwrap().up, 60.0);
+        assert_eq!(UnitSymbol::find("Pa").unwrap().power_of_ten, 0);
+        assert_eq!(UnitSymbol::find("h").unwrap().up, 3600.0);
+        assert_eq!(UnitSymbol::find("hPa").unwrap().power_of_ten, 2);
+        assert_eq!(UnitSymbol::find("kg").unwrap().power_of_ten, 0);
+        assert_eq!(UnitSymbol::find("dam").unwrap().power_of_ten, 1);
+        assert_eq!(UnitSymbol::find("\u{b5}\u{3a9}").unwrap().power_of_ten, -6);
+        assert!(UnitSymbol::find("kmin").is_none());
+        assert!(UnitSymbol::find("").is_none());
+        assert!(UnitSymbol::find("k").is_none());
     }
 }

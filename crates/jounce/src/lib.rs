@@ -7,6 +7,7 @@
 //! `march` (time) -> `continuation` (curves of solutions) -> `orbit` (periodic answers) -> `run` -> `signal` -> `study` (sweeps) -> `table` -> `survey` (studies in parts) -> `picture` -> `show` (drawings) -> `report` -> `reproduce` (the paper);
 //! `reference` holds exact answers.
 
+pub mod analysis;
 pub mod contact;
 pub mod continuation;
 pub mod drive;
@@ -22,14 +23,13 @@ pub mod reproduce;
 pub mod run;
 pub mod show;
 pub mod signal;
+pub mod simd;
 pub mod spec;
 pub mod starter;
 pub mod store;
 pub mod structure;
 pub mod study;
-pub mod survey;
 pub mod table;
-pub mod wide;
 
 /// The Rust code of the README, compiled with the documentation tests.
 #[cfg(doctest)]

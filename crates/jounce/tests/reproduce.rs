@@ -2,13 +2,13 @@
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use jounce::march::Watch;
+use jounce::march::Control;
 use jounce::reproduce::{Reproduction, reproduce};
 use jounce::table::Values;
 use std::path::Path;
 use std::sync::LazyLock;
 
-static PAPER: LazyLock<Reproduction> = LazyLock::new(|| reproduce(&Watch::default(), &|stage| eprintln!("{stage}")).unwrap());
+static PAPER: LazyLock<Reproduction> = LazyLock::new(|| reproduce(&Control::default(), &|stage| eprintln!("{stage}")).unwrap());
 
 fn floats(table: &str, column: &str) -> Vec<f64> {
     PAPER.table(table).unwrap().table.floats(column).unwrap().to_vec()

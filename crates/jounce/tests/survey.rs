@@ -2,12 +2,12 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-use jounce::linear::{Input, Response, frf};
-use jounce::march::Watch;
+use jounce::analysis::{Model, Sweep, SweepOrder};
+use jounce::linear::{FrfInput, FrfResponse, frf};
+use jounce::march::Control;
 use jounce::run::{RunPlan, StartState, simulate};
 use jounce::spec::SpecFile;
-use jounce::study::{Direction, Prepared, Sweep};
-use jounce::survey::{Folder, Shard, Study, SurveyError};
+use jounce::study::{Folder, Shard, Study, StudyError};
 use jounce::table::{Table, Values};
 use std::path::{Path, PathBuf};
 
@@ -35,7 +35,7 @@ fn study(text: &str) -> Study {
 fn merged(study: &Study, folder: &Path, shards: usize) -> Vec<u8> {
     for index in 1..=shards {
         let found = Folder::of(folder, study).unwrap();
-        found.run(study, Shard { index, of: shards }, &Watch::default(), &|_| ()).unwrap();
+        found.run(study, Shard { index, of: shards }, &Control::default(), &|_| ()).unwrap();
     }
     std::fs::read(Folder::open(folder).unwrap().merge().unwrap()).unwrap()
 }
@@ -70,14 +70,14 @@ fn a_list_takes_its_values_side_by_side_and_drawn_points_stay_in_their_range() {
 #[test]
 fn a_row_is_the_run_that_the_changed_spec_gives() {
     let study = study(GRID);
-    let table = study.part(1, &Watch::default()).unwrap().unwrap();
+    let table = study.part(1, &Control::default()).unwrap().unwrap();
     let mut file = SpecFile::read(beside().join("harvester.toml")).unwrap();
     // Point 5: the second gap, the first frequency, the second load.
     let keys = [("stop.tip.gap", "1 mm"), ("drive.shaker.frequency", "11 Hz"), ("circuit.load.resistance", "1 Mohm")];
     for (key, value) in keys.into_iter().chain([("run.duration", "0.5 s"), ("run.average_over", "0.25 s")]) {
         file.set(key, value).unwrap();
     }
-    let prepared = Prepared::new(file.spec().unwrap()).unwrap();
+    let prepared = Model::new(file.spec().unwrap()).unwrap();
     let plan = RunPlan { duration_s: 0.5, average_over_s: 0.25, tolerance: prepared.spec.run.tolerance, record_s: 0.0 };
     let answer = simulate(&prepared.kernel, &StartState::rest(&prepared.kernel.plant), &plan).unwrap();
     assert_eq!(table.floats("mean_power_w").unwrap()[2], answer.mean_power_w);
@@ -106,7 +106,7 @@ fn what_is_damaged_is_computed_anew() {
     std::fs::copy(part(1), part(2)).unwrap();
     let found = Folder::open(folder.path()).unwrap();
     assert_eq!((found.status().finished, found.status().damaged.len(), found.missing()), (1, 2, vec![0, 2]));
-    assert!(matches!(found.merge(), Err(SurveyError::Table(_) | SurveyError::Damaged { .. })));
+    assert!(matches!(found.merge(), Err(StudyError::Table(_) | StudyError::Damaged { .. })));
     assert_eq!(whole, merged(&study, folder.path(), 1));
 }
 
@@ -114,12 +114,12 @@ fn what_is_damaged_is_computed_anew() {
 fn a_stopped_study_keeps_what_is_finished_and_goes_on() {
     let (study, folder) = (study(GRID), tempfile::tempdir().unwrap());
     let found = Folder::of(folder.path(), &study).unwrap();
-    let watch = Watch::default();
+    let control = Control::default();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     pool.install(|| {
-        found.run(&study, Shard::WHOLE, &watch, &|points| {
+        found.run(&study, Shard::WHOLE, &control, &|points| {
             if points > 0 {
-                watch.stop()
+                control.stop()
             }
         })
     })
@@ -136,15 +136,15 @@ fn a_folder_belongs_to_one_study_and_a_shard_to_one_process() {
     let folder = tempfile::tempdir().unwrap();
     let found = Folder::of(folder.path(), &study(GRID)).unwrap();
     let other = Folder::of(folder.path(), &study(&GRID.replace("0.5mm", "0.6mm"))).unwrap_err();
-    assert!(matches!(other, SurveyError::OtherStudy { .. }), "{other}");
+    assert!(matches!(other, StudyError::OtherStudy { .. }), "{other}");
     let nothing = Folder::open(&folder.path().join("parts")).unwrap_err();
     assert!(nothing.to_string().contains("holds no study"), "{nothing}");
     let lock = std::fs::File::create(folder.path().join(".shard-1-of-2.lock")).unwrap();
     lock.lock().unwrap();
     let study = study(GRID);
-    let busy = found.run(&study, Shard { index: 1, of: 2 }, &Watch::default(), &|_| ()).unwrap_err();
+    let busy = found.run(&study, Shard { index: 1, of: 2 }, &Control::default(), &|_| ()).unwrap_err();
     assert!(busy.to_string().contains("another process works on shard 1/2"), "{busy}");
-    found.run(&study, Shard { index: 2, of: 2 }, &Watch::default(), &|_| ()).unwrap();
+    found.run(&study, Shard { index: 2, of: 2 }, &Control::default(), &|_| ()).unwrap();
     assert_eq!(found.status().finished, 1);
 }
 
@@ -155,7 +155,7 @@ fn a_point_that_has_no_answer_says_why() {
             .replace("0.5mm,1mm", "1mm,2mm")
             .replace("\"circuit.load.resistance\" = \"100kohm:1Mohm:2log\"", "\"patch.mfc.start\" = \"9mm,300mm\""),
     );
-    let table = study.part(1, &Watch::default()).unwrap().unwrap();
+    let table = study.part(1, &Control::default()).unwrap().unwrap();
     let Values::Text(why) = &table.column("failure").unwrap().values else { panic!("reasons are texts") };
     let power = table.floats("mean_power_w").unwrap();
     assert!(why[0].is_empty() && power[0] > 0.0 && why[1].contains("patch.mfc") && power[1].is_nan(), "{why:?} {power:?}");
@@ -173,7 +173,7 @@ fn first(table: &Table, column: &str) -> f64 {
 fn row(quantity: &str) -> Table {
     let set = "[set]\n\"run.duration\" = \"2 s\"\n\"run.average_over\" = \"1 s\"\n";
     let text = format!("spec = \"harvester.toml\"\n{set}[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\n{quantity}\n");
-    study(&text).part(0, &Watch::default()).unwrap().unwrap()
+    study(&text).part(0, &Control::default()).unwrap().unwrap()
 }
 
 #[test]
@@ -183,7 +183,7 @@ fn a_frequency_response_has_the_peak_of_the_linear_harvester() {
     spec.stop.clear();
     let modes = jounce::structure::modes(&spec).unwrap();
     let plant = jounce::plant::Plant::new(jounce::plant::System::assemble(&spec, modes).unwrap()).unwrap();
-    let (input, response) = (Input::Force("table".to_owned()), Response::LoadVoltage("load".to_owned()));
+    let (input, response) = (FrfInput::Force("table".to_owned()), FrfResponse::LoadVoltage("load".to_owned()));
     let hz = first(&found, "peak_frequency_hz");
     let at = |hz: f64| frf(&plant, &input, std::slice::from_ref(&response), &[hz]).unwrap()[0].value[0].norm();
     assert_eq!(first(&found, "peak_voltage"), at(hz));
@@ -199,8 +199,8 @@ fn a_sweep_as_a_quantity_is_the_sweep() {
         file.set(key, value).unwrap();
     }
     let (spec, range) = (file.spec().unwrap(), file.range("drive.shaker.frequency=11Hz:13Hz:1Hz").unwrap());
-    let sweep = Sweep { spec: &spec, range: &range, direction: Direction::Up, fixed_duration: true, folder: beside() };
-    let points = sweep.run(None, &Watch::default(), &|_| ()).unwrap();
+    let sweep = Sweep { spec: &spec, range: &range, direction: SweepOrder::Up, fixed_duration: true, folder: beside() };
+    let points = sweep.run(None, &Control::default(), &|_| ()).unwrap();
     let highest = points.iter().max_by(|a, b| a.mean_power_w.total_cmp(&b.mean_power_w)).unwrap();
     assert_eq!((first(&found, "peak_power_w"), first(&found, "peak_parameter")), (highest.mean_power_w, highest.parameter));
     let unsettled = points.iter().filter(|point| !point.settled).count();
@@ -219,14 +219,14 @@ fn every_quantity_fills_its_columns() {
     ];
     for (quantity, column) in quantities {
         let text = format!("spec = \"harvester.toml\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\n{quantity}\n");
-        let table = study(&text).part(0, &Watch::default()).unwrap().unwrap();
+        let table = study(&text).part(0, &Control::default()).unwrap().unwrap();
         assert!(first(&table, column) > 0.0, "{quantity}: {:?}", table.column("failure"));
     }
     let noisy = beside().join("../random-base");
     for quantity in ["command = \"ensemble\"\nmembers = 2", "command = \"noise\""] {
         let short = "[set]\n\"run.duration\" = \"1 s\"\n\"run.average_over\" = \"0.5 s\"\n";
         let text = format!("spec = \"harvester.toml\"\n{short}[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\n{quantity}\n");
-        let table = Study::parse(&text, &noisy).unwrap().part(0, &Watch::default()).unwrap().unwrap();
+        let table = Study::parse(&text, &noisy).unwrap().part(0, &Control::default()).unwrap().unwrap();
         assert!(table.floats("mean_power_w").unwrap()[0] > 0.0, "{quantity}: {:?}", table.column("failure"));
     }
 }
@@ -234,7 +234,7 @@ fn every_quantity_fills_its_columns() {
 #[test]
 fn all_faults_of_a_text_come_at_once_with_their_lines() {
     let text = "spec = \"harvester.toml\"\nsampling = \"grod\"\nseed = -1\npoint = 3\n[vary]\n\"stop.tip.gapp\" = \"1mm\"\n\"stop.tip.gap\" = \"1kg\"\n[quantity]\ncommand = \"guess\"\n";
-    let Err(SurveyError::Faults(faults)) = Study::parse(text, &beside()) else { panic!("this text is wrong") };
+    let Err(StudyError::Faults(faults)) = Study::parse(text, &beside()) else { panic!("this text is wrong") };
     let mut lines: Vec<usize> = faults.iter().map(|fault| fault.line).collect();
     lines.sort_unstable();
     assert_eq!(lines, [2, 3, 4, 6, 7, 9], "{faults:?}");

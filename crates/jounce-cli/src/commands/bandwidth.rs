@@ -2,17 +2,17 @@
 
 use crate::failure::Failure;
 use crate::output::{key_value, line};
+use jounce::analysis::{BandLimit, Bandwidth, Bandwidths, IntervalEdge};
 use jounce::spec::NumericKey;
-use jounce::study::{Bandwidth, Bandwidths, Edge, Limit};
 use jounce::table::{Column, Table};
 
 /// As JSON: the width, its error and its intervals; the peak stands beside it.
-pub fn listed(width: &Bandwidth) -> serde_json::Value {
+pub fn to_json(width: &Bandwidth) -> serde_json::Value {
     serde_json::json!({ "width": width.width, "width_error": width.width_error, "intervals": width.intervals })
 }
 
 /// As lines of text.
-pub fn tell(width: &Bandwidth, unit: &str) {
+pub fn print(width: &Bandwidth, unit: &str) {
     let peak = &width.peak;
     line(format!("  {:<16} {:>12} {unit}  {:.6e} W  ({})", "largest stable", key_value(peak.parameter), peak.mean_power_w, why(peak.at)));
     line(format!("  {:<16} {:>12} {unit}  +- {:.1e}", "half-power width", key_value(width.width), width.width_error));
@@ -23,17 +23,17 @@ pub fn tell(width: &Bandwidth, unit: &str) {
 }
 
 /// What a place is.
-fn why(limit: Limit) -> &'static str {
+fn why(limit: BandLimit) -> &'static str {
     match limit {
-        Limit::Maximum => "maximum",
-        Limit::HalfPower => "half power",
-        Limit::Stability => "stability lost",
-        Limit::End => "end of the branch",
+        BandLimit::Maximum => "maximum",
+        BandLimit::HalfPower => "half power",
+        BandLimit::Stability => "stability lost",
+        BandLimit::End => "end of the branch",
     }
 }
 
 /// A branch with its bandwidth, and both ends of an interval.
-type Row<'w> = (String, &'w Bandwidth, Edge, Edge);
+type Row<'w> = (String, &'w Bandwidth, IntervalEdge, IntervalEdge);
 
 /// One row for each interval of each branch, and of all together.
 pub fn table(key: &NumericKey, widths: &Bandwidths) -> Result<Table, Failure> {

@@ -1,7 +1,7 @@
 //! `jounce branch SPEC --over KEY=FROM:TO`
 
 use super::bandwidth;
-use super::branch_json::listed;
+use super::branch_json::branch_to_json;
 use super::branch_tables::{bifurcations_table, points_table};
 use crate::failure::Failure;
 use crate::interruption;
@@ -12,13 +12,13 @@ use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments, check_tolerance};
 use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
+use jounce::analysis::{AnalysisError, BranchOptions, BranchSearch, Model, NotProved, OrbitMethodKind, Parameter, Termination};
+use jounce::analysis::{BandwidthSearch, Bandwidths, Bifurcation, Branch as Curve, BranchPoint};
 use jounce::orbit::OrbitError;
 use jounce::picture::{self, Axis, BranchLine, BranchMark};
 use jounce::plant::{Plant, System};
-use jounce::run::{Exceeded, Limits};
+use jounce::run::{ExceededLimit, Limits};
 use jounce::spec::{NumericKey, Spec};
-use jounce::study::{BandwidthSearch, Bandwidths, Bifurcation, Branch as Curve, BranchPoint};
-use jounce::study::{BranchOptions, BranchSearch, Ending, Method, NotProved, Parameter, Prepared, StudyError};
 use std::path::Path;
 
 /// Harmonics with which harmonic balance begins.
@@ -26,7 +26,7 @@ const HARMONICS: usize = 64;
 
 /// How orbits are computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Way {
+enum OrbitMethod {
     /// On the exact flow: every law, every period.
     Shooting,
     /// Harmonics at the ports of the stops: laws with a finite force.
@@ -43,7 +43,7 @@ pub struct Branch {
     over: String,
     /// How orbits are computed.
     #[arg(long, value_enum, default_value = "shooting")]
-    method: Way,
+    method: OrbitMethod,
     /// Harmonics of the drive with which --method harmonic-balance begins, 64 if left out; it takes as many more as the tolerance needs.
     #[arg(long)]
     harmonics: Option<usize>,
@@ -78,8 +78,8 @@ impl Branch {
         let file = self.spec.file()?;
         let spec = self.spec.read(&file)?;
         let (key, range) = self.spec.key_and_ends(&file, &self.over)?;
-        let base = Prepared::new(spec)?;
-        let shown = Shown::of(&base.kernel.plant.system)?;
+        let base = Model::new(spec)?;
+        let shown = OrbitQuantityShown::of(&base.kernel.plant.system)?;
         let parameter = Parameter::new(&base, &key, range.1 - range.0);
         let search = BranchSearch {
             base: &base,
@@ -93,20 +93,20 @@ impl Branch {
         let options = self.options(&base.kernel.plant)?;
         let width = BandwidthSearch { base: &base, parameter: &parameter, range, tolerance: self.tolerance };
         let limits = Limits::of(&base.spec, &base.kernel.plant);
-        let work = || -> Result<_, OrbitError<StudyError>> {
+        let work = || -> Result<_, OrbitError<AnalysisError>> {
             let branches = search.run_with(&options)?;
-            let passed: Result<Vec<_>, StudyError> =
+            let passed: Result<Vec<_>, AnalysisError> =
                 branches.iter().map(|branch| branch.exceeded(&parameter, &limits, self.tolerance)).collect();
             let passed = match passed {
                 // What was followed so far is worth more than its warnings.
-                Err(_) if base.kernel.watch.is_stopped() => branches.iter().map(|branch| vec![Vec::new(); branch.points.len()]).collect(),
+                Err(_) if base.kernel.control.is_stopped() => branches.iter().map(|branch| vec![Vec::new(); branch.points.len()]).collect(),
                 passed => passed.map_err(OrbitError::Harvester)?,
             };
             Ok((width.run(&branches), passed, branches))
         };
-        interruption::heed(&base.kernel.watch);
-        let (widths, passed, branches) = progress::watched(&base.kernel.watch, || self.threads.run(work))??;
-        if branches.is_empty() && base.kernel.watch.is_stopped() {
+        interruption::install(&base.kernel.control);
+        let (widths, passed, branches) = progress::with_progress(&base.kernel.control, || self.threads.run(work))??;
+        if branches.is_empty() && base.kernel.control.is_stopped() {
             return Err(Failure::Interrupted("stopped before the first branch was finished".to_owned()));
         }
         if branches.is_empty() {
@@ -118,11 +118,11 @@ impl Branch {
         }
         self.tell_doubts(&branches, key.unit().as_ref());
         let values: Vec<f64> = branches.iter().flat_map(|branch| &branch.points).map(|point| point.parameter).collect();
-        let all: Vec<&[Exceeded]> = passed.iter().flatten().map(Vec::as_slice).collect();
+        let all: Vec<&[ExceededLimit]> = passed.iter().flatten().map(Vec::as_slice).collect();
         limit_warnings::warn(&all, "points", |place| format!("{} = {:.6} {}", key.path(), values[place], key.unit()));
         self.tell((&base.spec, shown), &key, (&branches, &passed), &widths)?;
-        interruption::end(&base.kernel.watch, || format!("the {} branches that were finished", branches.len()))?;
-        if branches.iter().any(Curve::is_whole) {
+        interruption::end(&base.kernel.control, || format!("the {} branches that were finished", branches.len()))?;
+        if branches.iter().any(Curve::is_complete) {
             return Ok(());
         }
         Err(Failure::Incomplete("no branch is whole: each ends where it could not be followed".to_owned()))
@@ -136,16 +136,16 @@ impl Branch {
         Ok(BranchOptions { largest_step, budget: self.budget, levels: self.levels.read(plant)? })
     }
 
-    fn method(&self) -> Result<Method, Failure> {
+    fn method(&self) -> Result<OrbitMethodKind, Failure> {
         match (self.method, self.harmonics) {
             (_, Some(harmonics)) if !(4..=2048).contains(&harmonics) => {
                 Err(Failure::usage(format!("--harmonics {harmonics}: give a number from 4 to 2048")))
             }
-            (Way::Shooting, Some(harmonics)) => Err(Failure::usage(format!(
+            (OrbitMethod::Shooting, Some(harmonics)) => Err(Failure::usage(format!(
                 "--harmonics {harmonics}: --method shooting has no harmonics; add --method harmonic-balance or leave --harmonics out"
             ))),
-            (Way::Shooting, None) => Ok(Method::Shooting),
-            (Way::HarmonicBalance, harmonics) => Ok(Method::HarmonicBalance { harmonics: harmonics.unwrap_or(HARMONICS) }),
+            (OrbitMethod::Shooting, None) => Ok(OrbitMethodKind::Shooting),
+            (OrbitMethod::HarmonicBalance, harmonics) => Ok(OrbitMethodKind::HarmonicBalance { harmonics: harmonics.unwrap_or(HARMONICS) }),
         }
     }
 
@@ -161,16 +161,16 @@ impl Branch {
     fn tell_doubts(&self, branches: &[Curve], unit: &str) {
         for (branch, ending) in branches.iter().flat_map(|branch| branch.endings.iter().map(move |ending| (branch, ending))) {
             let (what, why, parameter) = match ending {
-                Ending::Failed { why, parameter } => ("ends", why, parameter),
-                Ending::Grazing { why, parameter } => ("grazes and turns sharply", why, parameter),
-                Ending::Sticking { why, parameter } => ("begins to stick", why, parameter),
-                Ending::Points => {
+                Termination::Failed { why, parameter } => ("ends", why, parameter),
+                Termination::Grazing { why, parameter } => ("grazes and turns sharply", why, parameter),
+                Termination::Sticking { why, parameter } => ("begins to stick", why, parameter),
+                Termination::Points => {
                     let points = branch.points.len();
                     let cycles = branch.period_cycles;
                     eprintln!("a branch of period {cycles} is left after {points} points: give a shorter range or a larger --budget");
                     continue;
                 }
-                Ending::Range | Ending::Closed | Ending::Merged => continue,
+                Termination::Range | Termination::Closed | Termination::Merged => continue,
             };
             eprintln!("a branch of period {} {what} at {parameter} {}: {why}", branch.period_cycles, unit);
         }
@@ -187,16 +187,16 @@ impl Branch {
         }
         let estimates = branches.iter().flat_map(|branch| &branch.points).map(|point| (point.orbit.error_estimate, point.parameter));
         if let Some((worst, parameter)) = estimates.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(worst, _)| *worst > 1e-3) {
-            let other = if self.method == Way::Shooting { "" } else { " or --method shooting" };
+            let other = if self.method == OrbitMethod::Shooting { "" } else { " or --method shooting" };
             eprintln!("the largest error estimate is {worst:.1e}, at {parameter} {}: a smaller --tolerance{other} brings it down", unit);
         }
     }
 
     fn tell(
         &self,
-        (spec, shown): (&Spec, Shown),
+        (spec, shown): (&Spec, OrbitQuantityShown),
         key: &NumericKey,
-        (branches, passed): (&[Curve], &[Vec<Vec<Exceeded>>]),
+        (branches, passed): (&[Curve], &[Vec<Vec<ExceededLimit>>]),
         widths: &Bandwidths,
     ) -> Result<(), Failure> {
         if let Some(folder) = &self.output.out {
@@ -204,7 +204,7 @@ impl Branch {
         }
         if self.output.json {
             let listed: Vec<_> = (branches.iter().zip(passed).zip(&widths.branches))
-                .map(|((branch, passed), width)| listed(branch, passed, width.as_ref()))
+                .map(|((branch, passed), width)| branch_to_json(branch, passed, width.as_ref()))
                 .collect();
             let together = widths.together.as_ref();
             print(&serde_json::json!({
@@ -212,7 +212,7 @@ impl Branch {
                 "unit": key.unit(),
                 "branches": listed,
                 "peak": together.map(|width| width.peak),
-                "half_power_bandwidth": together.map(bandwidth::listed),
+                "half_power_bandwidth": together.map(bandwidth::to_json),
                 "note": self.note(),
             }));
             return Ok(());
@@ -228,11 +228,11 @@ impl Branch {
                 let name = found.level.as_ref().or(found.stop.as_ref()).map_or_else(String::new, |name| format!("  {name}"));
                 line(format!("  {:<16} {:>12} {unit}  {value:.6e} {of}{name}", found.kind.name(), output::key_value(at.parameter)));
             }
-            width.iter().for_each(|width| bandwidth::tell(width, &key.unit()));
+            width.iter().for_each(|width| bandwidth::print(width, &key.unit()));
         }
         if let Some(together) = widths.together.as_ref().filter(|_| branches.len() > 1) {
             line("all branches together");
-            bandwidth::tell(together, &key.unit());
+            bandwidth::print(together, &key.unit());
         }
         line(self.note());
         Ok(())
@@ -241,7 +241,7 @@ impl Branch {
     fn write(
         &self,
         folder: &Path,
-        (spec, shown): (&Spec, Shown),
+        (spec, shown): (&Spec, OrbitQuantityShown),
         key: &NumericKey,
         branches: &[Curve],
         widths: &Bandwidths,
@@ -250,7 +250,7 @@ impl Branch {
         output::table(folder, "branches", &points_table(key, branches)?, &manifest)?;
         output::table(folder, "bifurcations", &bifurcations_table(key, branches)?, &manifest)?;
         output::table(folder, "bandwidths", &bandwidth::table(key, widths)?, &manifest)?;
-        let lines: Vec<BranchLine> = branches.iter().map(|branch| drawn(branch, shown)).collect();
+        let lines: Vec<BranchLine> = branches.iter().map(|branch| branch_line(branch, shown)).collect();
         let marks = branches.iter().flat_map(|branch| branch.bifurcations.iter().map(|found| mark(found, shown)));
         let marks: Vec<BranchMark> = marks.collect();
         let (x, y) = (Axis::linear(key.path(), &key.unit()), shown.axis());
@@ -261,14 +261,14 @@ impl Branch {
 
 /// What is told of an orbit beside its parameter.
 #[derive(Debug, Clone, Copy)]
-enum Shown {
+enum OrbitQuantityShown {
     /// Mean power.
     Power,
     /// How far the point of the first stop swings, where nothing takes power.
     Displacement,
 }
 
-impl Shown {
+impl OrbitQuantityShown {
     fn of(system: &System) -> Result<Self, Failure> {
         match (system.loads.is_empty() && system.bridges.is_empty(), system.stops.is_empty()) {
             (false, _) => Ok(Self::Power),
@@ -302,7 +302,7 @@ impl Shown {
     }
 }
 
-fn drawn(branch: &Curve, shown: Shown) -> BranchLine {
+fn branch_line(branch: &Curve, shown: OrbitQuantityShown) -> BranchLine {
     BranchLine {
         label: format!("period {}", branch.period_cycles),
         parameter: branch.points.iter().map(|point| point.parameter).collect(),
@@ -311,7 +311,7 @@ fn drawn(branch: &Curve, shown: Shown) -> BranchLine {
     }
 }
 
-fn mark(found: &Bifurcation, shown: Shown) -> BranchMark {
+fn mark(found: &Bifurcation, shown: OrbitQuantityShown) -> BranchMark {
     let kind = found.level.clone().unwrap_or_else(|| found.kind.name().to_owned());
     BranchMark { kind, parameter: found.at.parameter, value: shown.value(&found.at) }
 }

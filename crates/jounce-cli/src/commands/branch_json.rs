@@ -1,13 +1,13 @@
 //! Branches as JSON.
 
 use super::bandwidth;
-use jounce::run::Exceeded;
-use jounce::study::{Bandwidth, Bifurcation, Branch as Curve, BranchPoint};
+use jounce::analysis::{Bandwidth, Bifurcation, Branch as Curve, BranchPoint};
+use jounce::run::ExceededLimit;
 
 /// A branch with its points and what it passes.
-pub fn listed(branch: &Curve, passed: &[Vec<Exceeded>], width: Option<&Bandwidth>) -> serde_json::Value {
-    let points: Vec<_> = branch.points.iter().zip(passed).map(|(point, passed)| listed_point(point, passed)).collect();
-    let bifurcations: Vec<_> = branch.bifurcations.iter().map(listed_bifurcation).collect();
+pub fn branch_to_json(branch: &Curve, passed: &[Vec<ExceededLimit>], width: Option<&Bandwidth>) -> serde_json::Value {
+    let points: Vec<_> = branch.points.iter().zip(passed).map(|(point, passed)| point_to_json(point, passed)).collect();
+    let bifurcations: Vec<_> = branch.bifurcations.iter().map(bifurcation_to_json).collect();
     serde_json::json!({
         "period_cycles": branch.period_cycles,
         "points": points,
@@ -16,11 +16,11 @@ pub fn listed(branch: &Curve, passed: &[Vec<Exceeded>], width: Option<&Bandwidth
         "endings": branch.endings,
         "not_followed": branch.not_followed,
         "peak": width.map(|width| width.peak),
-        "half_power_bandwidth": width.map(bandwidth::listed),
+        "half_power_bandwidth": width.map(bandwidth::to_json),
     })
 }
 
-fn listed_point(point: &BranchPoint, passed: &[Exceeded]) -> serde_json::Value {
+fn point_to_json(point: &BranchPoint, passed: &[ExceededLimit]) -> serde_json::Value {
     let orbit = &point.orbit;
     serde_json::json!({
         "parameter": point.parameter,
@@ -37,7 +37,7 @@ fn listed_point(point: &BranchPoint, passed: &[Exceeded]) -> serde_json::Value {
     })
 }
 
-fn listed_bifurcation(found: &Bifurcation) -> serde_json::Value {
+fn bifurcation_to_json(found: &Bifurcation) -> serde_json::Value {
     let mut listed = serde_json::json!({
         "kind": found.kind,
         "parameter": found.at.parameter,

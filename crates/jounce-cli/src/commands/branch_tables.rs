@@ -1,8 +1,8 @@
 //! The tables of `jounce branch`.
 
 use crate::failure::Failure;
+use jounce::analysis::{Bifurcation, Branch as Curve, BranchPoint};
 use jounce::spec::NumericKey;
-use jounce::study::{Bifurcation, Branch as Curve, BranchPoint};
 use jounce::table::{Column, Table};
 
 /// Every point of every branch.

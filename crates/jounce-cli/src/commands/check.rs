@@ -4,8 +4,8 @@ use crate::failure::{Failure, described};
 use crate::output::{line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::study::Prepared;
-use jounce_measure::recording::Finding;
+use jounce::analysis::Model;
+use jounce_measure::recording::Issue;
 
 /// Arguments of `check`.
 #[derive(Debug, Args)]
@@ -28,9 +28,9 @@ impl Check {
             }
             other => other?,
         };
-        let noticed = |(drive, finding): (&str, &Finding)| serde_json::json!({ "drive": drive, "finding": finding });
+        let noticed = |(drive, finding): (&str, &Issue)| serde_json::json!({ "drive": drive, "finding": finding });
         let findings: Vec<_> = spec.findings().map(noticed).collect();
-        Prepared::new(spec)?;
+        Model::new(spec)?;
         if self.output.json {
             print(&serde_json::json!({ "valid": true, "faults": [], "findings": findings }));
         } else {

@@ -7,14 +7,14 @@ use clap::Args;
 use jounce::signal::Samples;
 use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
-use jounce_measure::contact::{ContactFit, HeldLaw, Told, fit};
-use jounce_measure::draw::{Pulse, pulses};
+use jounce_measure::contact::{AllowedLaws, ContactFit, FixedExponentLaw, fit};
+use jounce_measure::draw::{PulseFigure, pulses};
 use jounce_measure::recording::Quantity;
 use jounce_measure::spectral::{Hit, HitSearch, hits};
 use std::path::Path;
 
 /// Pulses in the picture: more cannot be told apart.
-const SHOWN: usize = 6;
+const MAX_SHOWN_PULSES: usize = 6;
 
 /// Arguments of `contact`.
 #[derive(Debug, Args)]
@@ -55,7 +55,7 @@ impl Contact {
             return Ok(());
         }
         for (hit, fitted) in found.iter().zip(&fits) {
-            tell(hit, fitted, record.rate());
+            print_hit(hit, fitted, record.rate());
         }
         Ok(())
     }
@@ -95,13 +95,14 @@ impl Contact {
             table.push(Column::new("speed_m_s", "m/s", "speed of the hammer", law(&|law| law.speed_m_s.unwrap_or(f64::NAN))))?;
         }
         output::table(folder, "contact", &table, &self.file.manifest("contact")?)?;
-        let drawn: Vec<Pulse> = found.iter().zip(fits).take(SHOWN).map(|(hit, law)| Pulse::of(force, hit, law.as_ref().ok())).collect();
+        let drawn: Vec<PulseFigure> =
+            found.iter().zip(fits).take(MAX_SHOWN_PULSES).map(|(hit, law)| PulseFigure::of(force, hit, law.as_ref().ok())).collect();
         output::figure(folder, "contact-pulses", &pulses("Force pulses and the laws fitted to them", &drawn))
     }
 }
 
 /// Name, unit of the stiffness, words, and what was fitted of it.
-type Law = (&'static str, &'static str, &'static str, fn(&ContactFit) -> Option<HeldLaw>);
+type Law = (&'static str, &'static str, &'static str, fn(&ContactFit) -> Option<FixedExponentLaw>);
 
 /// Laws of given exponents.
 const LAWS: [Law; 2] = [("linear", "N/m", "a linear spring", |law| law.linear), ("hertz", "N/m^1.5", "Hertz's law", |law| law.hertz)];
@@ -112,9 +113,9 @@ fn end_95(interval: Option<(f64, f64)>, end: usize) -> f64 {
 }
 
 /// Warnings of a hit that are told one by one.
-const TOLD: usize = 3;
+const MAX_LISTED_WARNINGS: usize = 3;
 
-fn tell(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
+fn print_hit(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
     let at = hit.peak as f64 / rate_hz;
     line(format!(
         "hit at {at:.6} s: peak {:.4} N, {:.4e} s above a tenth of it ({:.4} N), impulse {:.4e} N s",
@@ -123,9 +124,9 @@ fn tell(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
         HitSearch::default().edge * hit.peak_force_n,
         hit.impulse_n_s
     ));
-    hit.warnings.iter().take(TOLD).for_each(|warning| line(format!("  warning: the hit {warning}")));
-    if hit.warnings.len() > TOLD {
-        line(format!("  warning: and {} more like these", hit.warnings.len() - TOLD));
+    hit.warnings.iter().take(MAX_LISTED_WARNINGS).for_each(|warning| line(format!("  warning: the hit {warning}")));
+    if hit.warnings.len() > MAX_LISTED_WARNINGS {
+        line(format!("  warning: and {} more like these", hit.warnings.len() - MAX_LISTED_WARNINGS));
     }
     match fitted {
         Err(why) => line(format!("  no law: {why}")),
@@ -149,10 +150,10 @@ fn tell(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
                 }
             }
             line(match law.told {
-                Told::Neither => "  neither a linear spring nor Hertz's law fits",
-                Told::Linear => "  a linear spring fits, Hertz's law does not",
-                Told::Hertz => "  Hertz's law fits, a linear spring does not",
-                Told::Both => "  the data cannot tell a linear spring from Hertz's law",
+                AllowedLaws::Neither => "  neither a linear spring nor Hertz's law fits",
+                AllowedLaws::Linear => "  a linear spring fits, Hertz's law does not",
+                AllowedLaws::Hertz => "  Hertz's law fits, a linear spring does not",
+                AllowedLaws::Both => "  the data cannot tell a linear spring from Hertz's law",
             });
         }
     }

@@ -8,14 +8,14 @@ use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use crate::threads::ThreadsArgument;
 use clap::Args;
+use jounce::analysis::{Ensemble as Study, EnsembleResult, Estimate, IntervalOver, Member, Model, StopEstimates, VoltageSpectrum};
 use jounce::picture::{self, DensityLine};
-use jounce::run::{Exceeded, RunPlan, Warning};
-use jounce::study::{Ensemble as Study, EnsembleAnswer, Estimate, IntervalOver, Member, Prepared, StopEstimates, VoltageSpectrum};
+use jounce::run::{ExceededLimit, RunPlan, Warning};
 use jounce::table::{Column, Table};
 use std::path::Path;
 
 /// Rounds of members after which a width that is not reached is reported as it is.
-const MOST_ROUNDS: usize = 100;
+const MAX_ROUNDS: usize = 100;
 
 /// Arguments of `ensemble`.
 #[derive(Debug, Args)]
@@ -49,17 +49,17 @@ impl Ensemble {
         if self.spectrum && self.members < 2 {
             return Err(Failure::usage("--spectrum needs two --members at least: one alone tells no density from its scatter".to_owned()));
         }
-        let base = Prepared::new(self.spec.spec()?)?;
+        let base = Model::new(self.spec.spec()?)?;
         let study = Study {
             start: base.start(&self.spec.folder())?,
             base: &base,
             members: self.members,
             seed: self.seed,
             relative_width: self.relative_width,
-            most_rounds: if self.relative_width.is_some() { MOST_ROUNDS } else { 1 },
+            most_rounds: if self.relative_width.is_some() { MAX_ROUNDS } else { 1 },
             with_spectrum: self.spectrum,
         };
-        interruption::heed(&base.kernel.watch);
+        interruption::install(&base.kernel.control);
         let bar = progress::counted(self.members, "members");
         let done = |member: &Member| {
             bar.set_length((member.index / self.members + 1) as u64 * self.members as u64);
@@ -73,16 +73,16 @@ impl Ensemble {
         for warning in Warning::of_recordings(&base.spec, &RunPlan::of(&base.spec.run, 0.0)) {
             eprintln!("warning: {warning}");
         }
-        let passed: Vec<&[Exceeded]> = answer.members.iter().map(|member| member.exceeded.as_slice()).collect();
+        let passed: Vec<&[ExceededLimit]> = answer.members.iter().map(|member| member.exceeded.as_slice()).collect();
         limit_warnings::warn(&passed, "members", |place| format!("member {}", answer.members[place].index));
         if let Some(folder) = &self.output.out {
             self.write(folder, &base, &answer)?;
         }
         self.tell(&answer);
-        interruption::end(&base.kernel.watch, || format!("the {} members that were finished", answer.members.len()))
+        interruption::end(&base.kernel.control, || format!("the {} members that were finished", answer.members.len()))
     }
 
-    fn tell(&self, answer: &EnsembleAnswer) {
+    fn tell(&self, answer: &EnsembleResult) {
         let power = &answer.power_w;
         let worst = answer.members.iter().fold(0.0_f64, |max, member| max.max(member.energy_residual_relative.abs()));
         if self.output.json {
@@ -120,7 +120,7 @@ impl Ensemble {
             ));
         }
         for stop in &answer.stops {
-            tell_stop(stop);
+            print_stop(stop);
         }
         for spectrum in &answer.spectra {
             let (mean, width) = (spectrum.bandwidth_hz.mean, spectrum.bandwidth_hz.half_width);
@@ -129,7 +129,7 @@ impl Ensemble {
         line(format!("energy residual    {worst:.1e} of the largest energy"));
     }
 
-    fn write(&self, folder: &Path, base: &Prepared, answer: &EnsembleAnswer) -> Result<(), Failure> {
+    fn write(&self, folder: &Path, base: &Model, answer: &EnsembleResult) -> Result<(), Failure> {
         let manifest = self.spec.manifest(&base.spec, "ensemble").with("seed", self.seed).with("members", answer.members.len());
         output::table(folder, "ensemble", &table(&answer.members)?, &manifest)?;
         self.write_spectra(folder, base, answer)?;
@@ -140,7 +140,7 @@ impl Ensemble {
 }
 
 impl Ensemble {
-    fn write_spectra(&self, folder: &Path, base: &Prepared, answer: &EnsembleAnswer) -> Result<(), Failure> {
+    fn write_spectra(&self, folder: &Path, base: &Model, answer: &EnsembleResult) -> Result<(), Failure> {
         let Some(first) = answer.spectra.first() else { return Ok(()) };
         let mut table = Table::new(vec![Column::new("frequency_hz", "Hz", "middle of the bin", first.frequency_hz.clone())])?;
         let mut lines = Vec::new();
@@ -160,21 +160,25 @@ impl Ensemble {
 }
 
 /// A mean with its interval for reading.
-fn told(estimate: &Estimate, unit: &str) -> String {
+fn with_interval(estimate: &Estimate, unit: &str) -> String {
     match finite(estimate.half_width) {
         Some(half_width) => format!("{:.4e} +- {half_width:.1e} {unit}", estimate.mean),
         None => format!("{:.4e} {unit}, too few for an interval", estimate.mean),
     }
 }
 
-fn tell_stop(stop: &StopEstimates) {
+fn print_stop(stop: &StopEstimates) {
     if stop.contact_rate_hz.mean == 0.0 {
         return line(format!("stop {:<12}  no contacts", stop.name));
     }
-    line(format!("stop {:<12}  {}", stop.name, told(&stop.contact_rate_hz, "contacts per second")));
-    line(format!("  approach speed   {}, {:.4e} m/s at most", told(&stop.mean_strike_m_s, "m/s"), stop.max_strike_m_s));
-    line(format!("  dwell            {}, {:.4e} s at most", told(&stop.mean_dwell_s, "s"), stop.max_dwell_s));
-    line(format!("  duty             {}, force {:.4e} N at most", told(&stop.contact_duty, "of the time"), stop.max_contact_force_n));
+    line(format!("stop {:<12}  {}", stop.name, with_interval(&stop.contact_rate_hz, "contacts per second")));
+    line(format!("  approach speed   {}, {:.4e} m/s at most", with_interval(&stop.mean_strike_m_s, "m/s"), stop.max_strike_m_s));
+    line(format!("  dwell            {}, {:.4e} s at most", with_interval(&stop.mean_dwell_s, "s"), stop.max_dwell_s));
+    line(format!(
+        "  duty             {}, force {:.4e} N at most",
+        with_interval(&stop.contact_duty, "of the time"),
+        stop.max_contact_force_n
+    ));
 }
 
 fn estimate_json(estimate: &Estimate) -> serde_json::Value {

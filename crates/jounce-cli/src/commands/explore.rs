@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::output::{line, print};
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
-use jounce_explorer::{ExploreError, Explorer, Limits, Options, Source, open_in_browser, state_folder};
+use jounce_explorer::{ExploreError, Explorer, ServerLimits, ServerOptions, Source, open_in_browser, state_folder};
 use std::net::SocketAddr;
 
 /// Arguments of `explore`.
@@ -31,12 +31,12 @@ impl Explore {
             None => Err(Failure::usage(format!("--set {text}: write KEY=VALUE, as in --set stop.tip.gap=\"0.5 mm\""))),
         };
         let set = self.spec.set.iter().map(pair).collect::<Result<_, _>>()?;
-        let options = Options {
+        let options = ServerOptions {
             spec: Source::File(self.spec.spec.clone()),
             set,
             listen: self.listen,
             keep: state_folder(),
-            limits: Limits::default(),
+            limits: ServerLimits::default(),
         };
         let explorer = Explorer::bind(options)?;
         let page = explorer.page();

@@ -5,11 +5,11 @@ use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::march::Watch;
+use jounce::march::Control;
 use jounce::spec::{Spec, SpecFile};
 use jounce::table::{Column, Table};
 use jounce_measure::draw::fitted;
-use jounce_measure::fit::{Features, FitAnswer, FittedCurve, FittedFeature, FittedKey, fit};
+use jounce_measure::fit::{Features, FitResult, FittedCurve, FittedFeature, FittedKey, fit};
 use std::path::{Path, PathBuf};
 
 /// What a file of features looks like; no line is longer than a terminal is wide.
@@ -52,21 +52,21 @@ impl Fit {
         let features = Features::read(&self.to)?;
         let file = self.spec.file()?;
         let spec = self.spec.read(&file)?;
-        let watch = Watch::default();
+        let control = Control::default();
         let (answer, _) =
-            progress::counting("models tried", &|| watch.progress().0, || fit(&file, &spec, &features, &self.spec.folder(), &watch))?;
+            progress::with_count("models tried", &|| control.progress().0, || fit(&file, &spec, &features, &self.spec.folder(), &control))?;
         if let Some(folder) = &self.output.out {
             self.write(folder, file, &spec, &answer)?;
         }
         if self.output.json {
             print(&serde_json::to_value(&answer).map_err(|error| Failure::Input(error.to_string()))?);
         } else {
-            tell(&answer);
+            print_fit(&answer);
         }
         Ok(())
     }
 
-    fn write(&self, folder: &Path, mut file: SpecFile, spec: &Spec, answer: &FitAnswer) -> Result<(), Failure> {
+    fn write(&self, folder: &Path, mut file: SpecFile, spec: &Spec, answer: &FitResult) -> Result<(), Failure> {
         let key = |of: &dyn Fn(&FittedKey) -> f64| answer.keys.iter().map(of).collect::<Vec<f64>>();
         let feature = |of: &dyn Fn(&FittedFeature) -> f64| answer.features.iter().map(of).collect::<Vec<f64>>();
         let table = Table::new(vec![
@@ -116,7 +116,7 @@ fn curve_table(curve: &FittedCurve) -> Result<Table, Failure> {
     ])?)
 }
 
-fn tell(answer: &FitAnswer) {
+fn print_fit(answer: &FitResult) {
     for key in &answer.keys {
         let (path, unit) = (&key.key, &key.unit);
         line(format!("{path}: {:.6e} {unit} -> {:.6e} {unit}, 95 % from {:.6e} to {:.6e}", key.before, key.after, key.low, key.high));

@@ -1,13 +1,13 @@
 //! `jounce frf SPEC`
 
 use super::measured_frf;
-use super::modes::held;
+use super::modes::fixed_bodies;
 use crate::failure::Failure;
 use crate::hammer_arguments::HammerArguments;
 use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments, frequency_hz};
 use clap::Args;
-use jounce::linear::{self, Input, Response};
+use jounce::linear::{self, FrfInput, FrfResponse};
 use jounce::picture::{self, Scale};
 use jounce::plant::{Plant, System};
 use jounce::spec::{DriveKind, Gravity};
@@ -57,12 +57,12 @@ impl Frf {
         let arguments = self.spec.as_ref().ok_or_else(neither)?;
         let mut spec = arguments.spec()?;
         let frequency_hz = self.frequencies()?;
-        let held = held(&self.hold, self.fixed_table, &spec);
+        let held = fixed_bodies(&self.hold, self.fixed_table, &spec);
         let forced = spec.drive.values().find(|drive| drive.kind == DriveKind::Force);
         let input = match (&self.hammer.input, forced) {
-            _ if self.base => Input::BaseAcceleration,
-            (Some(point), _) => Input::Force(point.clone()),
-            (None, Some(drive)) => Input::Force(drive.at.clone()),
+            _ if self.base => FrfInput::BaseAcceleration,
+            (Some(point), _) => FrfInput::Force(point.clone()),
+            (None, Some(drive)) => FrfInput::Force(drive.at.clone()),
             (None, None) => {
                 let why = "this spec has no force: name the point to push with --input POINT, or accelerate the base with --base";
                 return Err(Failure::usage(why.into()));
@@ -81,11 +81,11 @@ impl Frf {
         spec.gravity = Gravity::default();
         spec.stop.clear();
         let modes = structure::modes_holding(&spec, &held)?;
-        let motion = if self.base { Response::Displacement } else { Response::Acceleration };
+        let motion = if self.base { FrfResponse::Displacement } else { FrfResponse::Acceleration };
         let points = modes.shape.keys().map(|point| motion(point.clone()));
-        let patches = modes.patch.keys().map(|patch| Response::Voltage(patch.clone()));
-        let loads = spec.circuit.keys().map(|load| Response::LoadVoltage(load.clone()));
-        let responses: Vec<Response> = points.chain(patches).chain(loads).collect();
+        let patches = modes.patch.keys().map(|patch| FrfResponse::Voltage(patch.clone()));
+        let loads = spec.circuit.keys().map(|load| FrfResponse::LoadVoltage(load.clone()));
+        let responses: Vec<FrfResponse> = points.chain(patches).chain(loads).collect();
         let plant = Plant::new(System::assemble(&spec, modes)?)?;
         let answers = linear::frf(&plant, &input, &responses, &frequency_hz)?;
         if let Some(folder) = &self.output.out {
@@ -95,7 +95,7 @@ impl Frf {
         Ok(())
     }
 
-    fn tell(&self, input: &Input, held: &[String], frequency_hz: &[f64], answers: &[linear::Frf]) {
+    fn tell(&self, input: &FrfInput, held: &[String], frequency_hz: &[f64], answers: &[linear::Frf]) {
         if self.output.json {
             let listed: serde_json::Map<String, serde_json::Value> = (answers.iter())
                 .map(|frf| {
@@ -125,14 +125,14 @@ impl Frf {
     }
 }
 
-fn write(folder: &Path, manifest: &Manifest, frequency_hz: &[f64], answers: &[linear::Frf], input: &Input) -> Result<(), Failure> {
+fn write(folder: &Path, manifest: &Manifest, frequency_hz: &[f64], answers: &[linear::Frf], input: &FrfInput) -> Result<(), Failure> {
     let mut table = Table::new(vec![Column::new("frequency_hz", "Hz", "frequency", frequency_hz.to_vec())])?;
     for frf in answers {
         let (name, unit) = (frf.response.name(), frf.response.unit(input));
         let (re, im): (Vec<f64>, Vec<f64>) = frf.value.iter().map(|v| (v.re, v.im)).unzip();
         table.push(Column::new(&format!("{name}.re"), unit, "real part", re.clone()))?;
         table.push(Column::new(&format!("{name}.im"), unit, "imaginary part", im.clone()))?;
-        let response = picture::Response { label: name.clone(), re, im };
+        let response = picture::ResponseLine { label: name.clone(), re, im };
         let figure = picture::frequency_responses(&name, &name, unit, Scale::Log, frequency_hz, &[response]);
         output::figure(folder, &format!("frf-{name}"), &figure)?;
     }
@@ -144,9 +144,9 @@ pub fn neither() -> Failure {
     Failure::usage("give a SPEC, or recordings of a hammer test with --measured FILE...".to_owned())
 }
 
-fn shown(input: &Input) -> &str {
+fn shown(input: &FrfInput) -> &str {
     match input {
-        Input::Force(point) => point,
-        Input::BaseAcceleration => "base",
+        FrfInput::Force(point) => point,
+        FrfInput::BaseAcceleration => "base",
     }
 }

@@ -8,9 +8,9 @@ use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments, check_tolerance};
 use crate::threads::ThreadsArgument;
 use clap::Args;
-use jounce::picture::{self, Axis, JumpLine};
+use jounce::analysis::{BifurcationCurve, BifurcationCurvePoint, BifurcationSearch, BranchOptions, Model};
+use jounce::picture::{self, Axis, BifurcationLine};
 use jounce::spec::{NumericKey, Spec};
-use jounce::study::{BranchOptions, JumpCurve, JumpPoint, JumpSearch, Prepared};
 use jounce::table::{Column, Table};
 
 /// Arguments of `jumps`.
@@ -49,13 +49,13 @@ impl Jumps {
     pub fn run(&self) -> Result<(), Failure> {
         check_tolerance(self.tolerance)?;
         let file = self.spec.file()?;
-        let base = Prepared::new(self.spec.read(&file)?)?;
+        let base = Model::new(self.spec.read(&file)?)?;
         let (key, range) = self.spec.key_and_ends(&file, &self.over)?;
         let (key_2, range_2) = self.spec.key_and_ends(&file, &self.against)?;
         if key.path() == key_2.path() {
             return Err(Failure::usage(format!("--over and --against are both {}: give two different keys", key.path())));
         }
-        let search = JumpSearch {
+        let search = BifurcationSearch {
             base: &base,
             keys: [&key, &key_2],
             ranges: [range, range_2],
@@ -65,20 +65,20 @@ impl Jumps {
             peaks: !self.no_peaks,
         };
         let options = BranchOptions { levels: self.levels.read(&base.kernel.plant)?, ..BranchOptions::default() };
-        interruption::heed(&base.kernel.watch);
-        let curves = progress::watched(&base.kernel.watch, || self.threads.run(|| search.run_with(&options)))??;
+        interruption::install(&base.kernel.control);
+        let curves = progress::with_progress(&base.kernel.control, || self.threads.run(|| search.run_with(&options)))??;
         for (curve, why) in curves.iter().flat_map(|curve| curve.failures.iter().map(move |why| (curve, why))) {
             eprintln!("a curve of kind {} ends early in {}: {why}", name(curve), key_2.path());
         }
         self.tell(&base.spec, [&key, &key_2], &curves)?;
-        interruption::end(&base.kernel.watch, || format!("the {} curves that were finished", curves.len()))?;
+        interruption::end(&base.kernel.control, || format!("the {} curves that were finished", curves.len()))?;
         if curves.is_empty() || curves.iter().any(|curve| curve.failures.is_empty()) {
             return Ok(());
         }
         Err(Failure::Incomplete("no curve is whole: each ends where it could not be followed".to_owned()))
     }
 
-    fn tell(&self, spec: &Spec, keys: [&NumericKey; 2], curves: &[JumpCurve]) -> Result<(), Failure> {
+    fn tell(&self, spec: &Spec, keys: [&NumericKey; 2], curves: &[BifurcationCurve]) -> Result<(), Failure> {
         if let Some(folder) = &self.output.out {
             let manifest = self.spec.manifest(spec, "jumps").with("over", &self.over).with("against", &self.against);
             output::table(folder, "jumps", &table(keys, curves)?, &manifest)?;
@@ -86,7 +86,7 @@ impl Jumps {
             output::figure(
                 folder,
                 "jumps",
-                &picture::jumps("Where the answer jumps", x, y, &curves.iter().map(drawn).collect::<Vec<_>>()),
+                &picture::bifurcations("Where the answer jumps", x, y, &curves.iter().map(curve_line).collect::<Vec<_>>()),
             )?;
         }
         if self.output.json {
@@ -95,7 +95,7 @@ impl Jumps {
                 "unit": keys[0].unit(),
                 "against": keys[1].path(),
                 "unit_2": keys[1].unit(),
-                "curves": curves.iter().map(listed).collect::<Vec<_>>(),
+                "curves": curves.iter().map(to_json).collect::<Vec<_>>(),
                 "note": self.note(),
             }));
             return Ok(());
@@ -130,11 +130,11 @@ impl Jumps {
 }
 
 /// What a curve is of: a level as it was given, else the kind.
-fn name(curve: &JumpCurve) -> &str {
+fn name(curve: &BifurcationCurve) -> &str {
     curve.level.as_deref().unwrap_or(curve.kind.name())
 }
 
-fn listed(curve: &JumpCurve) -> serde_json::Value {
+fn to_json(curve: &BifurcationCurve) -> serde_json::Value {
     let mut listed = serde_json::json!({
         "kind": curve.kind,
         "period_cycles": curve.period_cycles,
@@ -147,10 +147,10 @@ fn listed(curve: &JumpCurve) -> serde_json::Value {
     listed
 }
 
-fn table(keys: [&NumericKey; 2], curves: &[JumpCurve]) -> Result<Table, Failure> {
-    let all: Vec<(u64, &JumpCurve, &JumpPoint)> =
+fn table(keys: [&NumericKey; 2], curves: &[BifurcationCurve]) -> Result<Table, Failure> {
+    let all: Vec<(u64, &BifurcationCurve, &BifurcationCurvePoint)> =
         curves.iter().enumerate().flat_map(|(k, curve)| curve.points.iter().map(move |point| (k as u64, curve, point))).collect();
-    let number = |name: &str, unit: &str, about: &str, value: fn(&JumpPoint) -> f64| {
+    let number = |name: &str, unit: &str, about: &str, value: fn(&BifurcationCurvePoint) -> f64| {
         Column::new(name, unit, about, all.iter().map(|(_, _, point)| value(point)).collect::<Vec<f64>>())
     };
     Ok(Table::new(vec![
@@ -173,8 +173,8 @@ fn table(keys: [&NumericKey; 2], curves: &[JumpCurve]) -> Result<Table, Failure>
     ])?)
 }
 
-fn drawn(curve: &JumpCurve) -> JumpLine {
-    JumpLine {
+fn curve_line(curve: &BifurcationCurve) -> BifurcationLine {
+    BifurcationLine {
         kind: name(curve).to_owned(),
         x: curve.points.iter().map(|point| point.parameter).collect(),
         y: curve.points.iter().map(|point| point.parameter_2).collect(),

@@ -1,12 +1,12 @@
 //! `jounce frf --measured FILE...`
 
 use crate::failure::Failure;
-use crate::hammer_arguments::{HammerArguments, tell_hits};
+use crate::hammer_arguments::{HammerArguments, print_hits};
 use crate::output::{self, line, print};
 use crate::spec_arguments::OutputArguments;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::measured_responses;
-use jounce_measure::response::Responses;
+use jounce_measure::response::MeasuredResponses;
 use jounce_measure::spectral::FrequencyResponse;
 use std::path::Path;
 
@@ -46,7 +46,7 @@ pub fn run(hammer: &HammerArguments, output: &OutputArguments) -> Result<(), Fai
         }));
         return Ok(());
     }
-    tell_hits(&found);
+    print_hits(&found);
     for (number, ((name, unit), function)) in found.names.iter().zip(&found.units).zip(&found.functions).enumerate() {
         let lines = function.value.iter().enumerate().skip(1);
         if let Some((k, highest)) = lines.max_by(|a, b| a.1.norm().total_cmp(&b.1.norm())) {
@@ -59,7 +59,7 @@ pub fn run(hammer: &HammerArguments, output: &OutputArguments) -> Result<(), Fai
     Ok(())
 }
 
-fn write(folder: &Path, hammer: &HammerArguments, found: &Responses) -> Result<(), Failure> {
+fn write(folder: &Path, hammer: &HammerArguments, found: &MeasuredResponses) -> Result<(), Failure> {
     let frequency_hz = found.functions[0].frequency_hz.clone();
     let mut table = Table::new(vec![Column::new("frequency_hz", "Hz", "frequency", frequency_hz)])?;
     for ((name, unit), function) in found.names.iter().zip(&found.units).zip(&found.functions) {

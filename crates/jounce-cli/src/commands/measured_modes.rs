@@ -2,7 +2,7 @@
 
 use crate::decay_arguments::DecayArguments;
 use crate::failure::Failure;
-use crate::hammer_arguments::{HammerArguments, tell_hits};
+use crate::hammer_arguments::{HammerArguments, print_hits};
 use crate::measured_file::ends;
 use crate::output::{self, line, print, with_uncertainty};
 use crate::spec_arguments::OutputArguments;
@@ -10,9 +10,9 @@ use clap::Args;
 use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::{modal_fit, stabilisation};
-use jounce_measure::modal::{Band, Identification, Mode, Settings, Stable, identify, identify_decays, mac_matrix};
-use jounce_measure::recording::{Finding, Quantity};
-use jounce_measure::response::Responses;
+use jounce_measure::modal::{Band, Identification, ModalSettings, Mode, Stability, identify, identify_decays, mac_matrix};
+use jounce_measure::recording::{Issue, Quantity};
+use jounce_measure::response::MeasuredResponses;
 use std::path::Path;
 
 /// How modes are sought in measured responses.
@@ -34,7 +34,7 @@ impl BandArguments {
 }
 
 /// What the modes were taken from.
-struct Taken {
+struct ModeSource {
     /// Places that shapes are known at.
     outputs: Vec<String>,
     /// Places of the force where there are several: each takes part in a mode.
@@ -42,8 +42,8 @@ struct Taken {
     /// Responses or decays, one or more for each of them.
     functions: Vec<String>,
     /// The responses of a hammer or shaker test.
-    responses: Option<Responses>,
-    findings: Vec<Finding>,
+    responses: Option<MeasuredResponses>,
+    findings: Vec<Issue>,
 }
 
 /// Prints the modes of a hammer test, of free decays or of outputs alone.
@@ -51,12 +51,12 @@ pub fn run(hammer: &HammerArguments, decay: &DecayArguments, band: &BandArgument
     if !(2..=400).contains(&band.order) {
         return Err(Failure::usage(format!("--order {}: give 2 to 400", band.order)));
     }
-    let settings = Settings { order: band.order };
+    let settings = ModalSettings { order: band.order };
     let (taken, found) = if decay.are_given() {
         let decays = decay.decays(&hammer.measured, &hammer.response)?;
         let found = identify_decays(&decays, band.between_hz(0.5 * decays.rate_hz)?, settings)?;
         (
-            Taken {
+            ModeSource {
                 functions: decays.names(),
                 outputs: decays.outputs,
                 references: Vec::new(),
@@ -70,18 +70,18 @@ pub fn run(hammer: &HammerArguments, decay: &DecayArguments, band: &BandArgument
         let highest = responses.functions[0].frequency_hz.last().copied().unwrap_or(0.0);
         let mut found = identify(&Band::of(&responses, band.between_hz(highest)?)?, settings)?;
         found.modes.iter_mut().for_each(|mode| mode.without_decay(responses.window_decay_per_s));
-        let Responses { outputs, names: functions, findings, .. } = responses.clone();
+        let MeasuredResponses { outputs, names: functions, findings, .. } = responses.clone();
         let references = if responses.references.len() > 1 { responses.references.clone() } else { Vec::new() };
-        (Taken { outputs, references, functions, responses: Some(responses), findings }, found)
+        (ModeSource { outputs, references, functions, responses: Some(responses), findings }, found)
     };
     if let Some(folder) = &output.out {
         write(folder, hammer, decay, &taken, &found)?;
     }
     if output.json {
-        print(&answer(&taken, &found));
+        print(&to_json(&taken, &found));
         return Ok(());
     }
-    taken.responses.iter().for_each(tell_hits);
+    taken.responses.iter().for_each(print_hits);
     line("mode  frequency_hz +- 95 %         damping_ratio +- 95 %");
     for (k, mode) in found.modes.iter().enumerate() {
         let frequency = with_uncertainty(mode.frequency_hz, mode.frequency_half_width_hz(), "");
@@ -94,17 +94,17 @@ pub fn run(hammer: &HammerArguments, decay: &DecayArguments, band: &BandArgument
             taken.references.join(", ")
         ));
     }
-    tell_doubt(&found);
-    tell_unexplained(&found);
+    print_doubt(&found);
+    print_unexplained(&found);
     if let Some(responses) = &taken.responses {
-        tell_trust(responses, &found);
-        tell_participation(responses, &found);
+        print_trust(responses, &found);
+        print_participation(responses, &found);
     }
     Ok(())
 }
 
 /// What each mode adds to the motion of each output per motion of the base.
-fn tell_participation(responses: &Responses, found: &Identification) {
+fn print_participation(responses: &MeasuredResponses, found: &Identification) {
     for (k, mode) in (1..).zip(&found.modes) {
         for (output, of) in responses.outputs.iter().zip(mode.base_participation(responses).unwrap_or_default()) {
             line(format!("mode {k}: participation of the base at {output} {:.5} {}", of.re, of.unit).trim_end());
@@ -112,7 +112,7 @@ fn tell_participation(responses: &Responses, found: &Identification) {
     }
 }
 
-fn tell_doubt(found: &Identification) {
+fn print_doubt(found: &Identification) {
     let doubtful: Vec<String> = (1..).zip(&found.modes).filter(|(_, mode)| mode.is_doubtful()).map(|(k, _)| k.to_string()).collect();
     if !doubtful.is_empty() {
         line(format!(
@@ -124,12 +124,12 @@ fn tell_doubt(found: &Identification) {
 }
 
 /// Peaks that are told one by one.
-const TOLD: usize = 8;
+const MAX_LISTED_PEAKS: usize = 8;
 
-fn tell_unexplained(found: &Identification) {
-    let peaks: Vec<String> = found.unexplained.iter().take(TOLD).map(|peak| format!("{:.6}", peak.frequency_hz)).collect();
+fn print_unexplained(found: &Identification) {
+    let peaks: Vec<String> = found.unexplained.iter().take(MAX_LISTED_PEAKS).map(|peak| format!("{:.6}", peak.frequency_hz)).collect();
     if !peaks.is_empty() {
-        let more = found.unexplained.len().saturating_sub(TOLD);
+        let more = found.unexplained.len().saturating_sub(MAX_LISTED_PEAKS);
         line(format!(
             "warning: the responses have peaks at {}{} Hz that no mode explains; try a --between around them, or a larger --order",
             peaks.join(", "),
@@ -138,7 +138,7 @@ fn tell_unexplained(found: &Identification) {
     }
 }
 
-fn tell_trust(responses: &Responses, found: &Identification) {
+fn print_trust(responses: &MeasuredResponses, found: &Identification) {
     if responses.window_decay_per_s > 0.0 {
         line(format!("damping of the exponential window, {:.5} 1/s, was taken off", responses.window_decay_per_s));
     }
@@ -154,7 +154,7 @@ fn tell_trust(responses: &Responses, found: &Identification) {
 }
 
 /// Modes with their shapes, of size 1 at the largest response.
-fn answer(taken: &Taken, found: &Identification) -> serde_json::Value {
+fn to_json(taken: &ModeSource, found: &Identification) -> serde_json::Value {
     let mode = |mode: &Mode| {
         let (re, im): (Vec<f64>, Vec<f64>) = mode.shape().iter().map(|s| (s.re, s.im)).unzip();
         let moved = mode.participation.iter().take(taken.references.len());
@@ -186,7 +186,13 @@ fn answer(taken: &Taken, found: &Identification) -> serde_json::Value {
     })
 }
 
-fn write(folder: &Path, hammer: &HammerArguments, decay: &DecayArguments, taken: &Taken, found: &Identification) -> Result<(), Failure> {
+fn write(
+    folder: &Path,
+    hammer: &HammerArguments,
+    decay: &DecayArguments,
+    taken: &ModeSource,
+    found: &Identification,
+) -> Result<(), Failure> {
     let manifest = if decay.are_given() { decay.manifest(&hammer.measured)? } else { hammer.manifest("modes")? };
     let number = |of: &dyn Fn(&Mode) -> f64| found.modes.iter().map(of).collect::<Vec<f64>>();
     let mut table = Table::new(vec![
@@ -212,10 +218,10 @@ fn write(folder: &Path, hammer: &HammerArguments, decay: &DecayArguments, taken:
         mac.push(Column::new(&format!("mode_{k}"), "", "modal assurance criterion with this mode", row))?;
     }
     output::table(folder, "modes-mac", &mac, &manifest)?;
-    let stable = |stable: Stable| match stable {
-        Stable::New => "new",
-        Stable::Frequency => "frequency",
-        Stable::Pole => "pole",
+    let stable = |stable: Stability| match stable {
+        Stability::New => "new",
+        Stability::Frequency => "frequency",
+        Stability::Pole => "pole",
     };
     let diagram = &found.diagram;
     let table = Table::new(vec![

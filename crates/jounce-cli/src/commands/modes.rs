@@ -9,7 +9,7 @@ use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
 use jounce::linear::couplings;
-use jounce::picture::{ModeShape, Patch, mode_shapes};
+use jounce::picture::{ModeShape, ShapePatch, mode_shapes};
 use jounce::spec::Spec;
 use jounce::structure;
 use jounce::table::{Column, Table};
@@ -43,7 +43,7 @@ pub struct Modes {
 }
 
 /// Names of the bodies to hold.
-pub fn held(hold: &[String], fixed_table: bool, spec: &Spec) -> Vec<String> {
+pub fn fixed_bodies(hold: &[String], fixed_table: bool, spec: &Spec) -> Vec<String> {
     let masses = spec.mass.keys().filter(|_| fixed_table);
     hold.iter().chain(masses).cloned().collect()
 }
@@ -56,7 +56,7 @@ impl Modes {
         }
         let arguments = self.spec.as_ref().ok_or_else(neither)?;
         let spec = arguments.spec()?;
-        let held = held(&self.hold, self.fixed_table, &spec);
+        let held = fixed_bodies(&self.hold, self.fixed_table, &spec);
         let modes = structure::modes_holding(&spec, &held)?;
         let frequency_hz: Vec<f64> = modes.frequency_rad_s.iter().map(|w| w / TAU).collect();
         let couplings = couplings(&modes);
@@ -105,9 +105,9 @@ impl Modes {
                     Some(ModeShape { label: format!("{}: {:.2} Hz", mode + 1, frequency_hz[mode]), displacement: along.mode(mode)? })
                 })
                 .collect();
-            let patches: Vec<Patch> = (spec.patch.iter())
+            let patches: Vec<ShapePatch> = (spec.patch.iter())
                 .filter(|(_, patch)| patch.on == name)
-                .map(|(label, patch)| Patch { label: label.clone(), start_m: patch.start_m, end_m: patch.start_m + patch.length_m })
+                .map(|(label, patch)| ShapePatch { label: label.clone(), start_m: patch.start_m, end_m: patch.start_m + patch.length_m })
                 .collect();
             let figure = mode_shapes(&format!("Mode shapes of {name}"), &along.place_m, &shapes, &patches);
             output::figure(folder, &format!("modes-{name}"), &figure)?;

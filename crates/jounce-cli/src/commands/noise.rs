@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments, frequency_hz};
 use clap::Args;
-use jounce::linear::{Density, Random, RandomAnswer};
+use jounce::linear::{Density, Random, RandomResponse};
 use jounce::picture::{self, DensityLine};
 use jounce::spec::Spec;
 use jounce::table::{Column, Table};
@@ -41,7 +41,7 @@ impl Noise {
         if self.output.json {
             print(&serde_json::to_value(&answer).map_err(|error| Failure::Input(error.to_string()))?);
         } else {
-            tell(&answer);
+            print_response(&answer);
         }
         Ok(())
     }
@@ -74,7 +74,7 @@ impl Noise {
     }
 }
 
-fn tell(answer: &RandomAnswer) {
+fn print_response(answer: &RandomResponse) {
     line(format!("mean power         {:.6e} W", answer.mean_power_w));
     for load in &answer.loads {
         line(format!("load {:<12}  {:.6} V rms, {:.9e} W by the Lyapunov equation", load.name, load.voltage_rms_v, load.mean_power_w));

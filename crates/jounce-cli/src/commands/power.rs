@@ -1,7 +1,7 @@
 //! `jounce power FILE... --resistance R...`
 
 use crate::failure::Failure;
-use crate::measured_file::{channel, loaded, manifest, positive, survey};
+use crate::measured_file::{channel, loaded, manifest, positive, summary};
 use crate::output::{self, line, print, with_uncertainty};
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
@@ -10,12 +10,12 @@ use jounce::signal::{OrderLine, Spectrum, Window};
 use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
 use jounce_measure::draw::{LoadPoint, power_over_load};
-use jounce_measure::recording::{Finding, Quantity};
+use jounce_measure::recording::{Issue, Quantity};
 use jounce_measure::spectral::{MeanPower, mean_power, signal};
 use std::path::{Path, PathBuf};
 
 /// Multiples of the drive whose amplitudes are told.
-const ORDERS: [f64; 8] = [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0];
+const REPORTED_ORDERS: [f64; 8] = [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0];
 
 /// Arguments of `power`.
 #[derive(Debug, Args)]
@@ -43,7 +43,7 @@ pub struct Power {
 }
 
 /// What one recording tells.
-struct Answer {
+struct PowerResult {
     name: String,
     channel: String,
     resistance_ohm: f64,
@@ -53,7 +53,7 @@ struct Answer {
     orders: Vec<OrderLine>,
     /// Where it is drawn; it takes several times the memory of the voltage.
     spectrum: Option<SpectrumLine>,
-    findings: Vec<Finding>,
+    findings: Vec<Issue>,
 }
 
 impl Power {
@@ -75,15 +75,15 @@ impl Power {
             self.write(folder, &answers, drive_hz)?;
         }
         if self.output.json {
-            print(&serde_json::json!({ "records": answers.iter().map(listed).collect::<Vec<_>>() }));
+            print(&serde_json::json!({ "records": answers.iter().map(to_json).collect::<Vec<_>>() }));
         } else {
             answers.iter().for_each(|answer| self.tell(answer));
         }
         Ok(())
     }
 
-    fn answer(&self, file: &Path, resistance_ohm: f64, drive_hz: Option<f64>) -> Result<Answer, Failure> {
-        let mut survey = survey(file)?;
+    fn answer(&self, file: &Path, resistance_ohm: f64, drive_hz: Option<f64>) -> Result<PowerResult, Failure> {
+        let mut survey = summary(file)?;
         let voltage = channel(&mut survey, self.voltage.as_deref(), Quantity::Voltage, "--voltage")?;
         let base = self.base.as_ref().map(|name| channel(&mut survey, Some(name), Quantity::Acceleration, "--base")).transpose()?;
         let wanted: Vec<usize> = std::iter::once(voltage).chain(base).collect();
@@ -101,7 +101,7 @@ impl Power {
         let orders = match drive_hz {
             None => Vec::new(),
             Some(drive_hz) => {
-                let inside: Vec<f64> = ORDERS.into_iter().filter(|order| order * drive_hz < 0.5 * record.rate()).collect();
+                let inside: Vec<f64> = REPORTED_ORDERS.into_iter().filter(|order| order * drive_hz < 0.5 * record.rate()).collect();
                 samples.orders(drive_hz, &inside)?.lines
             }
         };
@@ -110,10 +110,10 @@ impl Power {
             SpectrumLine { label: format!("{}: {resistance_ohm} ohm", record.name), frequency_hz, amplitude_peak }
         });
         let (name, channel) = (record.name.clone(), voltage.name.clone());
-        Ok(Answer { name, channel, resistance_ohm, power, mean_square, orders, spectrum, findings: record.findings })
+        Ok(PowerResult { name, channel, resistance_ohm, power, mean_square, orders, spectrum, findings: record.findings })
     }
 
-    fn tell(&self, answer: &Answer) {
+    fn tell(&self, answer: &PowerResult) {
         let power = answer.power;
         if self.files.len() > 1 {
             line(format!("{}, {} ohm", answer.name, answer.resistance_ohm));
@@ -132,8 +132,8 @@ impl Power {
         }
     }
 
-    fn write(&self, folder: &Path, answers: &[Answer], drive_hz: Option<f64>) -> Result<(), Failure> {
-        let numbers = |of: &dyn Fn(&Answer) -> f64| answers.iter().map(of).collect::<Vec<f64>>();
+    fn write(&self, folder: &Path, answers: &[PowerResult], drive_hz: Option<f64>) -> Result<(), Failure> {
+        let numbers = |of: &dyn Fn(&PowerResult) -> f64| answers.iter().map(of).collect::<Vec<f64>>();
         let mut table = Table::new(vec![
             Column::new("recording", "", "name of the recording", answers.iter().map(|a| a.name.clone()).collect::<Vec<_>>()),
             Column::new("resistance_ohm", "ohm", "resistance of the load", numbers(&|a| a.resistance_ohm)),
@@ -148,7 +148,7 @@ impl Power {
         }
         let manifest = manifest("power", &self.files)?.with("remove_mean", self.remove_mean);
         output::table(folder, "power", &table, &manifest)?;
-        let point = |(k, answer): (usize, &Answer)| {
+        let point = |(k, answer): (usize, &PowerResult)| {
             let per = squares.as_ref().map_or(1.0, |squares| squares[k]);
             let (power, half_width) = (answer.power.mean_power_w / per, answer.power.half_width_w / per);
             LoadPoint { resistance_ohm: answer.resistance_ohm, power, half_width }
@@ -162,7 +162,7 @@ impl Power {
     }
 }
 
-fn listed(answer: &Answer) -> serde_json::Value {
+fn to_json(answer: &PowerResult) -> serde_json::Value {
     let order = |order: &OrderLine| serde_json::json!({ "order": order.order, "frequency_hz": order.frequency_hz, "amplitude_peak_v": order.amplitude_peak });
     serde_json::json!({
         "recording": answer.name,

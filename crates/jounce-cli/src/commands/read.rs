@@ -7,15 +7,15 @@ use clap::Args;
 use jounce::picture::{Axis, Figure, Line, Panel, Series, Trace, time_histories};
 use jounce::spec::Quantity as Unit;
 use jounce::table::{Column, Table};
-use jounce_measure::read::{ModeShape, Notes, Survey, Surveyed, SurveyedChannel, survey_noted};
-use jounce_measure::recording::{Finding, Over, Series as _, Sizes};
+use jounce_measure::read::{ChannelSummary, FileSummary, ModeShape, Notes, RecordingSummary, survey_noted};
+use jounce_measure::recording::{Issue, Over, Series as _, Sizes};
 use jounce_measure::write::write_surveyed;
 use std::path::{Path, PathBuf};
 
 /// Channels in the picture of a recording.
-const SHOWN: usize = 8;
+const MAX_SHOWN_CHANNELS: usize = 8;
 /// Points of a channel in it at most: many more than it has columns of pixels.
-const DRAWN: usize = 200_000;
+const MAX_DRAWN_POINTS: usize = 200_000;
 
 /// Arguments of `read`.
 #[derive(Debug, Args)]
@@ -54,7 +54,7 @@ impl Read {
             self.write(folder, &contents)?;
         }
         if self.file.output.json {
-            let recordings: Vec<_> = contents.recordings.iter().map(listed).collect();
+            let recordings: Vec<_> = contents.recordings.iter().map(to_json).collect();
             let shapes: Vec<_> = contents.shapes.iter().map(mode_shape).collect();
             let frequencies: Vec<_> = contents.shapes.iter().map(|shape| shape.frequency_hz).collect();
             print(&serde_json::json!({
@@ -66,7 +66,7 @@ impl Read {
             return Ok(());
         }
         for recording in &contents.recordings {
-            tell(recording);
+            print_recording(recording);
         }
         for shape in &contents.shapes {
             let components = shape.real.first().map_or(0, Vec::len);
@@ -82,7 +82,7 @@ impl Read {
     }
 
     /// The first recording to another file; the others are told.
-    fn write_first(&self, path: &Path, contents: &Survey) -> Result<(), Failure> {
+    fn write_first(&self, path: &Path, contents: &FileSummary) -> Result<(), Failure> {
         let Some((first, others)) = contents.recordings.split_first() else {
             return Err(Failure::Input(format!(
                 "--to {}: {} holds no recording to write, only {} mode shapes; it is the recordings that are written",
@@ -106,7 +106,7 @@ impl Read {
     }
 
     /// What is asked for of a recording; none where all of it is.
-    fn part(&self, recording: &Surveyed) -> Result<Option<Surveyed>, Failure> {
+    fn part(&self, recording: &RecordingSummary) -> Result<Option<RecordingSummary>, Failure> {
         if self.span.is_none() && self.channel.is_empty() && !self.even {
             return Ok(None);
         }
@@ -124,12 +124,13 @@ impl Read {
     }
 
     /// The list of channels, the list of findings, and a picture of each recording.
-    fn write(&self, folder: &Path, contents: &Survey) -> Result<(), Failure> {
+    fn write(&self, folder: &Path, contents: &FileSummary) -> Result<(), Failure> {
         let manifest = self.file.manifest("read")?;
-        let channels: Vec<(&Surveyed, &SurveyedChannel)> =
+        let channels: Vec<(&RecordingSummary, &ChannelSummary)> =
             contents.recordings.iter().flat_map(|recording| recording.channels.iter().map(move |channel| (recording, channel))).collect();
-        let text = |of: &dyn Fn(&Surveyed, &SurveyedChannel) -> String| channels.iter().map(|(r, c)| of(r, c)).collect::<Vec<String>>();
-        let number = |of: &dyn Fn(&Surveyed, &SurveyedChannel) -> f64| channels.iter().map(|(r, c)| of(r, c)).collect::<Vec<f64>>();
+        let text =
+            |of: &dyn Fn(&RecordingSummary, &ChannelSummary) -> String| channels.iter().map(|(r, c)| of(r, c)).collect::<Vec<String>>();
+        let number = |of: &dyn Fn(&RecordingSummary, &ChannelSummary) -> f64| channels.iter().map(|(r, c)| of(r, c)).collect::<Vec<f64>>();
         let table = Table::new(vec![
             Column::new("recording", "", "name of the recording", text(&|r, _| r.name.clone())),
             Column::new("channel", "", "name of the channel", text(&|_, c| c.name.clone())),
@@ -140,8 +141,8 @@ impl Read {
             Column::new("rate", "", "samples per second, or per hertz", number(&|r, _| r.rate())),
         ])?;
         output::table(folder, "read", &table, &manifest)?;
-        let findings: Vec<&Finding> = contents.recordings.iter().flat_map(|r| &r.findings).chain(&contents.findings).collect();
-        let told = |of: &dyn Fn(&Finding) -> String| findings.iter().map(|finding| of(finding)).collect::<Vec<String>>();
+        let findings: Vec<&Issue> = contents.recordings.iter().flat_map(|r| &r.findings).chain(&contents.findings).collect();
+        let told = |of: &dyn Fn(&Issue) -> String| findings.iter().map(|finding| of(finding)).collect::<Vec<String>>();
         let counts: Vec<u64> = findings.iter().map(|finding| finding.count as u64).collect();
         let table = Table::new(vec![
             Column::new("channel", "", "the channel; empty where it concerns all", told(&|f| f.channel.clone().unwrap_or_default())),
@@ -150,14 +151,14 @@ impl Read {
         ])?;
         output::table(folder, "read-findings", &table, &manifest)?;
         for (k, recording) in contents.recordings.iter().enumerate() {
-            output::figure(folder, &format!("read-{}", k + 1), &drawn(recording)?)?;
+            output::figure(folder, &format!("read-{}", k + 1), &figure(recording)?)?;
         }
         Ok(())
     }
 }
 
 /// The ends of a part of a recording.
-fn span_of(recording: &Surveyed, span: &str) -> Result<(f64, f64), Failure> {
+fn span_of(recording: &RecordingSummary, span: &str) -> Result<(f64, f64), Failure> {
     let (quantity, unit) = if recording.over == Over::Time { (Unit::Time, "s") } else { (Unit::Frequency, "Hz") };
     let (from, to) = ends("--span", span, quantity)?;
     let lost = |fault| Failure::Input(format!("the scratch file cannot be used: {fault}"));
@@ -172,21 +173,23 @@ fn span_of(recording: &Surveyed, span: &str) -> Result<(f64, f64), Failure> {
 }
 
 /// The first channels over time, or their sizes over frequency.
-fn drawn(recording: &Surveyed) -> Result<Figure, Failure> {
-    let outline = recording.outline(SHOWN, DRAWN).map_err(|fault| Failure::Input(format!("the scratch file cannot be read: {fault}")))?;
+fn figure(recording: &RecordingSummary) -> Result<Figure, Failure> {
+    let outline = recording
+        .outline(MAX_SHOWN_CHANNELS, MAX_DRAWN_POINTS)
+        .map_err(|fault| Failure::Input(format!("the scratch file cannot be read: {fault}")))?;
     let shown = recording.channels.iter().zip(outline.channels);
     if recording.over == Over::Time {
-        let trace = |(channel, values): (&SurveyedChannel, _)| Trace { quantity: channel.name.clone(), unit: channel.unit.clone(), values };
+        let trace = |(channel, values): (&ChannelSummary, _)| Trace { quantity: channel.name.clone(), unit: channel.unit.clone(), values };
         return Ok(time_histories(&recording.name, &outline.places, &shown.map(trace).collect::<Vec<_>>()));
     }
-    let panel = |(channel, size): (&SurveyedChannel, _)| {
+    let panel = |(channel, size): (&ChannelSummary, _)| {
         let axes = Panel::new(Axis::linear("Frequency", "Hz"), Axis::log(&channel.name, &channel.unit)).high(200.0);
         axes.with(Series::line(outline.places.clone(), size).style(Line::Thin))
     };
     Ok(Figure { panels: shown.map(panel).collect(), ..Figure::new(&recording.name) })
 }
 
-fn tell(recording: &Surveyed) {
+fn print_recording(recording: &RecordingSummary) {
     let (rate, over) = if recording.over == Over::Time { ("Hz", "over time") } else { ("lines per Hz", "over frequency") };
     line(format!("{}: {} samples {over}, {:.6} {rate}", recording.name, recording.places.count(), recording.rate()));
     for (k, channel) in recording.channels.iter().enumerate() {
@@ -216,8 +219,8 @@ fn mode_shape(shape: &ModeShape) -> serde_json::Value {
     })
 }
 
-fn listed(recording: &Surveyed) -> serde_json::Value {
-    let channel = |channel: &SurveyedChannel| {
+fn to_json(recording: &RecordingSummary) -> serde_json::Value {
+    let channel = |channel: &ChannelSummary| {
         serde_json::json!({
             "name": channel.name,
             "quantity": channel.quantity,

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::output::{line, print};
 use clap::Args;
-use jounce::march::Watch;
+use jounce::march::Control;
 use jounce::reproduce::{Reproduction, folders};
 use std::path::PathBuf;
 
@@ -21,11 +21,11 @@ pub struct Reproduce {
 impl Reproduce {
     /// Computes and writes everything.
     pub fn run(&self) -> Result<(), Failure> {
-        let watch = Watch::default();
+        let control = Control::default();
         folders(&self.out)?;
-        let simulated = jounce::reproduce::reproduce(&watch, &|stage| eprintln!("{stage}"))?;
+        let simulated = jounce::reproduce::reproduce(&control, &|stage| eprintln!("{stage}"))?;
         eprintln!("Table 2 measured and figures 10 to 13, from the virtual rig; the model updated to Table 2");
-        let chapters = jounce_measure::experiment::chapters(&simulated, &watch)?;
+        let chapters = jounce_measure::experiment::chapters(&simulated, &control)?;
         let reproduction = chapters.into_iter().fold(simulated, Reproduction::with);
         let written = reproduction.write(&self.out)?;
         let names = |paths: &[PathBuf]| paths.iter().map(|path| path.display().to_string()).collect::<Vec<_>>();

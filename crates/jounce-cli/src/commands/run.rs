@@ -4,18 +4,18 @@ use crate::failure::Failure;
 use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
+use jounce::analysis::Model;
 use jounce::march::Kernel;
 use jounce::picture::{Scale, SpectrumLine, Trace, spectra, time_histories};
-use jounce::run::{ChargeAnswer, RunAnswer, RunPlan, StopAnswer, VoltagePeaks, Warning, charges, simulate, voltage_peaks};
+use jounce::run::{ChargeResult, RunPlan, RunResult, StopResult, VoltagePeaks, Warning, charges, simulate, voltage_peaks};
 use jounce::signal::{Samples, Window};
-use jounce::study::Prepared;
 use jounce::table::{Column, Table};
 use std::path::{Path, PathBuf};
 
 /// Samples per second of the tables and pictures of a run.
 const SAMPLE_RATE_HZ: f64 = 4096.0;
 /// Fewest samples of them, however short the averaging window is.
-const FEWEST_SAMPLES: f64 = 1024.0;
+const MIN_SAMPLES: f64 = 1024.0;
 
 /// Arguments of `run`.
 #[derive(Debug, Args)]
@@ -48,13 +48,13 @@ impl Run {
             spec.run.start = jounce::spec::Start::State(start.display().to_string());
             folder = PathBuf::new();
         }
-        let prepared = Prepared::new(spec)?;
+        let prepared = Model::new(spec)?;
         let start = prepared.start(&folder)?;
         let kernel = prepared.from_state(&start)?;
         let run = &prepared.spec.run;
         let plan = RunPlan::of(run, if self.output.out.is_some() { run.average_over_s } else { 0.0 });
         let plan = plan.watching(&prepared.spec, &kernel.plant).balancing(&kernel.plant);
-        let answer = simulate(&kernel, &start, &plan).map_err(jounce::study::StudyError::from)?;
+        let answer = simulate(&kernel, &start, &plan).map_err(jounce::analysis::AnalysisError::from)?;
         if let Some(path) = &self.save_state {
             let text = serde_json::to_string_pretty(&answer.end).map_err(|error| Failure::Input(error.to_string()))?;
             jounce::store::write(path, text.as_bytes())?;
@@ -69,7 +69,7 @@ impl Run {
         Ok(())
     }
 
-    fn tell(&self, kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[Warning]) {
+    fn tell(&self, kernel: &Kernel, answer: &RunResult, plan: &RunPlan, warnings: &[Warning]) {
         match self.output.json {
             true => print_json(kernel, answer, plan, warnings),
             false => print_lines(kernel, answer, plan),
@@ -77,8 +77,8 @@ impl Run {
     }
 
     /// Time histories, spectrum and table of the averaging window.
-    fn write(&self, folder: &Path, prepared: &Prepared, kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) -> Result<(), Failure> {
-        let rate_hz = SAMPLE_RATE_HZ.max(FEWEST_SAMPLES / plan.average_over_s);
+    fn write(&self, folder: &Path, prepared: &Model, kernel: &Kernel, answer: &RunResult, plan: &RunPlan) -> Result<(), Failure> {
+        let rate_hz = SAMPLE_RATE_HZ.max(MIN_SAMPLES / plan.average_over_s);
         let count = ((plan.average_over_s * rate_hz).round() as usize).max(2);
         let begin = plan.duration_s - plan.average_over_s;
         let time_s: Vec<f64> = (0..count).map(|k| begin + k as f64 / rate_hz).collect();
@@ -137,7 +137,7 @@ impl Run {
 }
 
 /// The answer as one JSON object.
-fn print_json(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[Warning]) {
+fn print_json(kernel: &Kernel, answer: &RunResult, plan: &RunPlan, warnings: &[Warning]) {
     let settlement = answer.settlement;
     let peaks = voltage_peaks(kernel, answer, plan);
     let names = kernel.plant.system.modes.patch.keys();
@@ -187,11 +187,11 @@ fn print_json(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan, warnings: &[W
 }
 
 /// The answer as lines to read.
-fn print_lines(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) {
+fn print_lines(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) {
     let residual = answer.energies.residual_relative();
     // A sum of nothing may be -0.
     line(format!("mean power         {:.6e} W", answer.mean_power_w + 0.0));
-    tell_voltages(kernel, answer, &voltage_peaks(kernel, answer, plan));
+    print_voltages(kernel, answer, &voltage_peaks(kernel, answer, plan));
     let charges = charges(kernel, answer, plan);
     for circuit in &answer.rectified {
         // Synchronous extraction hands over energy, no charge that diodes pass.
@@ -201,7 +201,7 @@ fn print_lines(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) {
         let [diodes, switch, leakage] = [circuit.diode_loss_w, circuit.switch_loss_w, circuit.leakage_w].map(|loss_w| loss_w.max(0.0));
         line(format!("  delivered        {:.4e} W, filling the storage {:.4e} W", circuit.mean_power_w, circuit.storage_w));
         line(format!("  lost             diodes {diodes:.4e} W, switch {switch:.4e} W, leakage {leakage:.4e} W"));
-        charges.iter().filter(|charge| charge.name == circuit.name).for_each(tell_charge);
+        charges.iter().filter(|charge| charge.name == circuit.name).for_each(print_charge);
     }
     for leak in &answer.leaks {
         line(format!("leakage            {:.6e} W  (patch {})", leak.mean_power_w, leak.patch));
@@ -213,7 +213,7 @@ fn print_lines(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) {
         line(format!("penetration, peak  {:.6e} m, force {:.4e} N", answer.max_penetration_m, answer.max_contact_force_n));
     }
     for stop in &answer.stops {
-        tell_stop(stop, answer.stops.len() > 1);
+        print_stop(stop, answer.stops.len() > 1);
     }
     match answer.nothing_happened() {
         true => line("energy             nothing happened: no contact began, and no energy flowed or changed by more than roundoff"),
@@ -237,7 +237,7 @@ fn print_lines(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) {
 }
 
 /// Voltages of the loads, and the largest of each patch where no load tells it.
-fn tell_voltages(kernel: &Kernel, answer: &RunAnswer, peaks: &VoltagePeaks) {
+fn print_voltages(kernel: &Kernel, answer: &RunResult, peaks: &VoltagePeaks) {
     for (load, peak_v) in answer.loads.iter().zip(&peaks.loads_v) {
         line(format!("voltage, rms       {:.6} V  (load {})", load.voltage_rms_v, load.name));
         if peak_v.is_finite() {
@@ -251,14 +251,14 @@ fn tell_voltages(kernel: &Kernel, answer: &RunAnswer, peaks: &VoltagePeaks) {
 }
 
 /// Where the charge of a circuit went, and whether that is all of it.
-fn tell_charge(charge: &ChargeAnswer) {
-    let ChargeAnswer { passed_c, load_c, leakage_c, storage_c, residual_relative, .. } = charge;
+fn print_charge(charge: &ChargeResult) {
+    let ChargeResult { passed_c, load_c, leakage_c, storage_c, residual_relative, .. } = charge;
     line(format!("  charge           diodes {passed_c:.4e} C = load {load_c:.4e} + leakage {leakage_c:.4e} + storage {storage_c:.4e} C"));
     line(format!("  charge residual  {residual_relative:.1e} of the largest charge"));
 }
 
 /// Contacts of one stop; `beside` others also what `print_lines` tells of all together.
-fn tell_stop(stop: &StopAnswer, beside: bool) {
+fn print_stop(stop: &StopResult, beside: bool) {
     if beside {
         let (contacts, depth, force) = (stop.contacts, stop.max_penetration_m, stop.max_contact_force_n);
         let share = 100.0 * stop.contact_duty;

@@ -13,7 +13,7 @@ use jounce_measure::spectral::{Spectra as Found, SpectraSettings, density_unit, 
 use std::path::Path;
 
 /// Peaks that are told, the highest first.
-const PEAKS: usize = 5;
+const REPORTED_PEAKS: usize = 5;
 
 /// How segments are weighed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -49,13 +49,13 @@ pub struct Spectra {
 }
 
 /// What the record tells.
-struct Answer<'a> {
+struct SpectraResult<'a> {
     channel: &'a Channel,
     samples: Samples<'a>,
     found: Found,
 }
 
-impl Answer<'_> {
+impl SpectraResult<'_> {
     /// A number of samples, s.
     fn seconds(&self, samples: usize) -> f64 {
         samples as f64 / self.samples.rate_hz()
@@ -81,7 +81,7 @@ impl Spectra {
             WindowName::Rectangular => Window::Rectangular,
         };
         let found = spectra(&samples, &SpectraSettings { drive_hz, segment_s, overlap: self.overlap, window })?;
-        let answer = Answer { channel, samples, found };
+        let answer = SpectraResult { channel, samples, found };
         if let Some(folder) = &self.file.output.out {
             self.write(folder, &answer, drive_hz)?;
         }
@@ -94,7 +94,7 @@ impl Spectra {
     }
 
     /// Window, overlap and amplitude in words.
-    fn convention(&self, answer: &Answer<'_>) -> String {
+    fn convention(&self, answer: &SpectraResult<'_>) -> String {
         let Found { density, segments, .. } = &answer.found;
         let window = format!("{:?}", self.window).to_lowercase().replace("flattop", "flat-top");
         format!(
@@ -107,11 +107,11 @@ impl Spectra {
         )
     }
 
-    fn tell(&self, answer: &Answer<'_>) {
+    fn tell(&self, answer: &SpectraResult<'_>) {
         let (unit, squared) = (&answer.channel.unit, density_unit(&answer.channel.unit));
         line(format!("{}: {}", answer.channel.name, self.convention(answer)));
         line(format!("mean {:.5e} {unit}, taken away from the density", answer.found.density.mean));
-        for peak in answer.found.peaks(PEAKS) {
+        for peak in answer.found.peaks(REPORTED_PEAKS) {
             line(format!("peak at {:>10.4} Hz: {:.4e} {squared}", peak.frequency_hz, peak.density));
         }
         for order in &answer.found.orders {
@@ -119,7 +119,7 @@ impl Spectra {
         }
     }
 
-    fn listed(&self, answer: &Answer<'_>, findings: &[jounce_measure::recording::Finding]) -> serde_json::Value {
+    fn listed(&self, answer: &SpectraResult<'_>, findings: &[jounce_measure::recording::Issue]) -> serde_json::Value {
         let order = |order: &OrderLine| serde_json::json!({ "order": order.order, "frequency_hz": order.frequency_hz, "amplitude_peak": order.amplitude_peak });
         let Found { density, segments, .. } = &answer.found;
         serde_json::json!({
@@ -131,7 +131,7 @@ impl Spectra {
             "segments": density.segments,
             "resolution_hz": density.resolution_hz,
             "mean": density.mean,
-            "peaks": answer.found.peaks(PEAKS),
+            "peaks": answer.found.peaks(REPORTED_PEAKS),
             "frequency_hz": density.frequency_hz,
             "density": density.density,
             "orders": answer.found.orders.iter().map(order).collect::<Vec<_>>(),
@@ -139,7 +139,7 @@ impl Spectra {
         })
     }
 
-    fn write(&self, folder: &Path, answer: &Answer<'_>, drive_hz: Option<f64>) -> Result<(), Failure> {
+    fn write(&self, folder: &Path, answer: &SpectraResult<'_>, drive_hz: Option<f64>) -> Result<(), Failure> {
         let (channel, density) = (answer.channel, &answer.found.density);
         let found = spectrogram(&answer.samples, &answer.found.segments)?;
         let manifest = self.file.manifest("spectra")?.with("convention", self.convention(answer)).with("channel", channel.name.clone());

@@ -4,11 +4,11 @@ use crate::failure::Failure;
 use crate::interruption;
 use crate::output::{line, print};
 use crate::progress;
-use crate::spec_arguments::tell_recorded;
+use crate::spec_arguments::print_recording_issues;
 use crate::threads::ThreadsArgument;
 use clap::{Args, Subcommand};
-use jounce::march::Watch;
-use jounce::survey::{Folder, Shard, Status, Study as Survey, SurveyError};
+use jounce::march::Control;
+use jounce::study::{Folder, Shard, Status, Study as Survey, StudyError};
 use std::path::PathBuf;
 
 /// Arguments of `study`.
@@ -79,7 +79,7 @@ impl Study {
                 Ok(())
             }
             Action::Status(existing) => {
-                tell(&Folder::open(&existing.folder)?.status(), existing.json);
+                print_status(&Folder::open(&existing.folder)?.status(), existing.json);
                 Ok(())
             }
         }
@@ -89,27 +89,27 @@ impl Study {
 impl Run {
     fn run(&self) -> Result<(), Failure> {
         let study = Survey::read(&self.study)?;
-        tell_recorded(&study.spec);
+        print_recording_issues(&study.spec);
         let folder = Folder::of(&self.out, &study)?;
-        let watch = Watch::default();
-        interruption::heed(&watch);
+        let control = Control::default();
+        interruption::install(&control);
         let own = (0..study.parts()).filter(|part| self.shard.takes(*part)).map(|part| study.points(part).len()).sum();
         let bar = progress::bar(own);
-        self.threads.run(|| folder.run(&study, self.shard, &watch, &|points| bar.inc(points as u64)))??;
+        self.threads.run(|| folder.run(&study, self.shard, &control, &|points| bar.inc(points as u64)))??;
         bar.finish_and_clear();
-        if watch.is_stopped() {
+        if control.is_stopped() {
             return Err(Failure::Interrupted("stopped; finished parts are kept, the same command goes on from there".to_owned()));
         }
         let status = folder.status();
         if status.finished == status.parts {
             folder.merge()?;
         }
-        tell(&folder.status(), self.json);
+        print_status(&folder.status(), self.json);
         Ok(())
     }
 }
 
-fn tell(status: &Status, json: bool) {
+fn print_status(status: &Status, json: bool) {
     if json {
         print(&serde_json::json!(status));
         return;
@@ -120,10 +120,10 @@ fn tell(status: &Status, json: bool) {
     line(format!("merged     {}", if status.merged { "yes" } else { "no" }));
 }
 
-impl From<SurveyError> for Failure {
-    fn from(error: SurveyError) -> Self {
+impl From<StudyError> for Failure {
+    fn from(error: StudyError) -> Self {
         match error {
-            SurveyError::Study(error) => error.into(),
+            StudyError::Study(error) => error.into(),
             error => Failure::Input(error.to_string()),
         }
     }

@@ -9,11 +9,11 @@ use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
-use jounce::march::Watch;
+use jounce::analysis::{Journal, Sweep as Study, SweepDirection, SweepOrder, SweepPoint};
+use jounce::march::Control;
 use jounce::picture::{self, Axis, SweepLine, SweepLook};
-use jounce::run::Exceeded;
+use jounce::run::ExceededLimit;
 use jounce::spec::{KeyRange, Spec};
-use jounce::study::{Direction, Journal, Sweep as Study, SweepPoint, Way};
 use jounce::table::{Column, Table};
 
 /// Order of visit.
@@ -63,10 +63,10 @@ impl Sweep {
         let spec = self.spec.read(&file)?;
         let range = self.spec.checked(file.range(&self.over))?;
         let direction = match self.direction {
-            Order::Up => Direction::Up,
-            Order::Down => Direction::Down,
-            Order::Both => Direction::Both,
-            Order::Independent => Direction::Independent,
+            Order::Up => SweepOrder::Up,
+            Order::Down => SweepOrder::Down,
+            Order::Both => SweepOrder::Both,
+            Order::Independent => SweepOrder::Independent,
         };
         let study = Study { spec: &spec, range: &range, direction, fixed_duration: self.fixed_duration, folder: self.spec.folder() };
         let options = format!("{} {:?} {}", self.over, self.direction, self.fixed_duration);
@@ -76,9 +76,9 @@ impl Sweep {
         if !journal.found().is_empty() {
             eprintln!("going on after {} finished points", journal.found().len());
         }
-        let watch = Watch::default();
-        interruption::heed(&watch);
-        let points = self.threads.run(|| study.run(Some(&journal), &watch, &|_| bar.inc(1)))??;
+        let control = Control::default();
+        interruption::install(&control);
+        let points = self.threads.run(|| study.run(Some(&journal), &control, &|_| bar.inc(1)))??;
         bar.finish_and_clear();
         if points.len() < study.len() {
             let text = format!("stopped after {} of {} points; the same command goes on from there", points.len(), study.len());
@@ -95,14 +95,14 @@ impl Sweep {
         if unsettled > 0 {
             eprintln!("{unsettled} of {} points had not settled when they were averaged; they are marked settled = false", points.len());
         }
-        let passed: Vec<&[Exceeded]> = points.iter().map(|point| point.exceeded.as_slice()).collect();
+        let passed: Vec<&[ExceededLimit]> = points.iter().map(|point| point.exceeded.as_slice()).collect();
         let key = range.key();
         limit_warnings::warn(&passed, "points", |place| format!("{} = {:.6} {}", key.path(), points[place].parameter, key.unit()));
         if let Some(folder) = &self.output.out {
             self.write(folder, spec, range, points)?;
         }
         if self.output.json {
-            let listed: Vec<_> = points.iter().map(listed).collect();
+            let listed: Vec<_> = points.iter().map(to_json).collect();
             print(&serde_json::json!({ "over": range.key().path(), "unit": range.key().unit(), "points": listed }));
             return Ok(());
         }
@@ -147,13 +147,16 @@ impl Sweep {
             column("energy_residual_relative", "", "energy residual of the march", |p| p.energy_residual_relative),
         ])?;
         output::table(folder, "sweep", &table, &self.spec.manifest(spec, "sweep").with("over", &self.over))?;
-        let lines: Vec<SweepLine> = [Way::Up, Way::Down, Way::Independent].into_iter().filter_map(|way| drawn(points, way)).collect();
+        let lines: Vec<SweepLine> = [SweepDirection::Up, SweepDirection::Down, SweepDirection::Independent]
+            .into_iter()
+            .filter_map(|way| sweep_line(points, way))
+            .collect();
         let look = SweepLook { parameter: Axis::linear(range.key().path(), &unit), value: Axis::log("Mean power", "W") };
         output::figure(folder, "sweep", &picture::sweep(&format!("Mean power over {}", range.key().path()), &look, &lines))
     }
 }
 
-fn listed(point: &SweepPoint) -> serde_json::Value {
+fn to_json(point: &SweepPoint) -> serde_json::Value {
     serde_json::json!({
         "parameter": point.parameter,
         "direction": point.direction.name(),
@@ -169,13 +172,13 @@ fn listed(point: &SweepPoint) -> serde_json::Value {
     })
 }
 
-fn drawn(points: &[SweepPoint], way: Way) -> Option<SweepLine> {
+fn sweep_line(points: &[SweepPoint], way: SweepDirection) -> Option<SweepLine> {
     let mut own: Vec<&SweepPoint> = points.iter().filter(|point| point.direction == way).collect();
     own.sort_by(|a, b| a.parameter.total_cmp(&b.parameter));
     let direction = match way {
-        Way::Up => picture::Direction::Up,
-        Way::Down => picture::Direction::Down,
-        Way::Independent => picture::Direction::Independent,
+        SweepDirection::Up => picture::LineDirection::Up,
+        SweepDirection::Down => picture::LineDirection::Down,
+        SweepDirection::Independent => picture::LineDirection::Independent,
     };
     (!own.is_empty()).then(|| SweepLine {
         label: "mean power".into(),

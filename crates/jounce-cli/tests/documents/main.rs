@@ -95,7 +95,7 @@ fn every_spec_is_valid() {
 fn every_study_is_valid() {
     let beside = root().join("examples/impact-harvester-2019");
     let refused = |block: Block| {
-        let error = jounce::survey::Study::parse(&block.text, &beside).err()?;
+        let error = jounce::study::Study::parse(&block.text, &beside).err()?;
         Some(format!("{}: this study is refused\n{error}", block.place()))
     };
     let found = all_blocks(|block| block.info == "toml study");

@@ -1,7 +1,7 @@
 //! `jounce modes --measured` without a measured force.
 
 use super::{csv, has, jounce, written};
-use jounce::drive::Stream;
+use jounce::drive::RandomStream;
 use std::f64::consts::TAU;
 use std::path::Path;
 
@@ -11,7 +11,7 @@ const MODES: [(f64, f64, f64); 2] = [(11.0, 0.01, 0.6), (37.0, 0.006, -0.8)];
 
 /// Decays of two modes at two places; the first 0.1 s the structure is still held.
 fn released(folder: &Path, name: &str, noise: f64) {
-    let mut stream = Stream::new(4, 0);
+    let mut stream = RandomStream::new(4, 0);
     let mut row = |k: usize| {
         let t = k as f64 / RATE;
         let mode = |(f, zeta, _): &(f64, f64, f64)| {
@@ -27,7 +27,7 @@ fn released(folder: &Path, name: &str, noise: f64) {
 
 /// The same structure under white noise for 300 s.
 fn shaken_by_noise(folder: &Path, name: &str) {
-    let mut stream = Stream::new(7, 0);
+    let mut stream = RandomStream::new(7, 0);
     let (mut state, mut rows) = ([[0.0_f64; 2]; 2], Vec::new());
     for k in 0..60_000 {
         for (q, (f, zeta, _)) in state.iter_mut().zip(MODES) {

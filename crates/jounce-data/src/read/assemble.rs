@@ -4,17 +4,17 @@ use std::io;
 use std::path::Path;
 
 use super::decibels::Decibels;
-use super::numbers::Numbers;
-use super::raw::{Column, Header, Rate, Raw, SAME_RATE, Stamps};
-use super::survey::{Places, Surveyed, SurveyedChannel};
-use super::time::{self, UntoldUnit, is_counter, is_time_column, time_column};
+use super::numbers::ColumnNumbers;
+use super::raw::{Header, Rate, Raw, RawColumn, SAME_RATE, TimeStamps};
+use super::summary::{ChannelSummary, RecordingSummary, SamplePlaces};
+use super::time::{self, MissingUnit, is_counter, is_time_column, time_column};
 use super::{ChannelNotes, Notes, ReadError};
 use crate::recording::{
-    Finding, FindingKind, Grid, Over, Quantity, Series, Sizes, Stamped, Unit, inspected, may_be_counts, sizes_with, usual_step,
+    Grid, Issue, IssueKind, Over, Quantity, Series, Sizes, Stamped, Unit, inspected, may_be_counts, sizes_with, usual_step,
 };
 
 /// The recording of a data set.
-pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) -> Result<Surveyed, ReadError> {
+pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) -> Result<RecordingSummary, ReadError> {
     raw.columns = paired(raw.columns);
     let columns: Vec<String> = raw.columns.iter().map(|column| column.name.clone()).collect();
     let said: Vec<ChannelNotes> = columns.iter().enumerate().map(|(k, name)| notes.of(name, k + 1)).collect();
@@ -24,14 +24,14 @@ pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) 
     // What the notes tell of a channel is assumed no more.
     let is_told =
         |name: &String| columns.iter().zip(&said).any(|(column, said)| column == name && (said.unit.is_some() || said.name.is_some()));
-    findings.retain(|finding| finding.kind != FindingKind::Assumed || !finding.channel.as_ref().is_some_and(is_told));
+    findings.retain(|finding| finding.kind != IssueKind::Assumed || !finding.channel.as_ref().is_some_and(is_told));
     if notes.over_frequency {
         raw.over = Over::Frequency;
     }
     let by_column = match &raw.stamps {
-        Stamps::Column | Stamps::Named | Stamps::Rate(_) | Stamps::Of { .. } => true,
-        Stamps::Header(header) => header.stamps.is_none(),
-        Stamps::Even { .. } | Stamps::Given(_) => false,
+        TimeStamps::Column | TimeStamps::Named | TimeStamps::Rate(_) | TimeStamps::Of { .. } => true,
+        TimeStamps::Header(header) => header.stamps.is_none(),
+        TimeStamps::Even { .. } | TimeStamps::Given(_) => false,
     };
     let time = if by_column { time_column(&mut raw, &said, notes).map_err(lost)? } else { None };
     let time_said = time.and_then(|k| said.get(k)).cloned().unwrap_or_default();
@@ -46,7 +46,7 @@ pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) 
             None => channels.push(settled(column, said, &mut findings)),
             Some(why) if why.is_empty() => {}
             Some(why) => {
-                findings.push(Finding::new(FindingKind::Skipped, 1, None, format!("{why}; the column is no channel")).of(&column.name))
+                findings.push(Issue::new(IssueKind::Skipped, 1, None, format!("{why}; the column is no channel")).of(&column.name))
             }
         }
     }
@@ -58,17 +58,17 @@ pub(super) fn recording(path: &Path, name: String, mut raw: Raw, notes: &Notes) 
         let (found, sizes) = inspected(&channel.values, counts).map_err(lost)?;
         findings.extend(found.into_iter().map(|finding| finding.of(&channel.name)));
         let equal = if sizes.peak > 0.0 { time::equals(&channel.values, &places).map_err(lost)? } else { None };
-        findings.extend(equal.map(|about| Finding::new(FindingKind::EqualsTime, channel.values.count(), None, about).of(&channel.name)));
+        findings.extend(equal.map(|about| Issue::new(IssueKind::EqualsTime, channel.values.count(), None, about).of(&channel.name)));
         channel.sizes = sizes_with(sizes, &channel.values, channel.imaginary.as_ref()).map_err(lost)?;
     }
-    Ok(Surveyed { name, over: raw.over, places, channels, findings })
+    Ok(RecordingSummary { name, over: raw.over, places, channels, findings })
 }
 
 /// A column `NAME.im` behind `NAME.re` in the same unit holds its imaginary parts: so are complex channels written.
-fn paired(columns: Vec<Column>) -> Vec<Column> {
-    let mut paired: Vec<Column> = Vec::new();
+fn paired(columns: Vec<RawColumn>) -> Vec<RawColumn> {
+    let mut paired: Vec<RawColumn> = Vec::new();
     for column in columns {
-        let is_real = |before: &&mut Column| {
+        let is_real = |before: &&mut RawColumn| {
             let stems = before.name.strip_suffix(".re").zip(column.name.strip_suffix(".im"));
             stems.is_some_and(|(re, im)| re == im) && before.unit == column.unit && before.imaginary.is_none() && column.imaginary.is_none()
         };
@@ -93,7 +93,7 @@ fn check_notes(path: &Path, notes: &Notes, columns: &[String]) -> Result<(), Rea
 
 /// Why a column beside the time is no channel: nobody would take it for one, it counts the samples, or it is a time that is not used. What the notes
 /// speak of is one.
-fn no_channel(column: &Column, said: &ChannelNotes, by_column: bool) -> io::Result<Option<String>> {
+fn no_channel(column: &RawColumn, said: &ChannelNotes, by_column: bool) -> io::Result<Option<String>> {
     if column.left_out.is_some() || *said != ChannelNotes::default() || !by_column {
         return Ok(column.left_out.clone());
     }
@@ -110,17 +110,17 @@ fn places(
     raw: &mut Raw,
     time: Option<(usize, &ChannelNotes)>,
     notes: &Notes,
-    findings: &mut Vec<Finding>,
-) -> Result<Places, ReadError> {
+    findings: &mut Vec<Issue>,
+) -> Result<SamplePlaces, ReadError> {
     let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
     let count = raw.columns.first().map_or(0, |column| column.values.count());
-    let (rate, start, given) = match std::mem::replace(&mut raw.stamps, Stamps::Column) {
-        Stamps::Even { start, step } => return even(path, start, step, count),
-        Stamps::Given(stamps) => (None, 0.0, Some(stamps)),
-        Stamps::Column | Stamps::Named => (None, 0.0, None),
-        Stamps::Rate(rate) => (Some(rate), 0.0, None),
-        Stamps::Of { rate, .. } => (rate, 0.0, None),
-        Stamps::Header(Header { rate, start, stamps }) => (Some(rate), start, stamps),
+    let (rate, start, given) = match std::mem::replace(&mut raw.stamps, TimeStamps::Column) {
+        TimeStamps::Even { start, step } => return even(path, start, step, count),
+        TimeStamps::Given(stamps) => (None, 0.0, Some(stamps)),
+        TimeStamps::Column | TimeStamps::Named => (None, 0.0, None),
+        TimeStamps::Rate(rate) => (Some(rate), 0.0, None),
+        TimeStamps::Of { rate, .. } => (rate, 0.0, None),
+        TimeStamps::Header(Header { rate, start, stamps }) => (Some(rate), start, stamps),
     };
     let stamps = match (given, time) {
         (Some(stamps), _) => stamps,
@@ -128,7 +128,7 @@ fn places(
         (None, Some((k, said))) => {
             let named = (raw.over, rate.as_ref(), notes.time.is_some());
             let found = time::seconds(&mut raw.columns[k], said, named, findings).map_err(lost)?;
-            found.map_err(|UntoldUnit { column, step }| ReadError::StampUnit {
+            found.map_err(|MissingUnit { column, step }| ReadError::StampUnit {
                 path: path.to_owned(),
                 column,
                 step,
@@ -148,36 +148,36 @@ fn places(
     by_stamps(path, stamps, raw.over, (rate.as_ref(), notes), findings)
 }
 
-fn even(path: &Path, start: f64, step: f64, count: usize) -> Result<Places, ReadError> {
+fn even(path: &Path, start: f64, step: f64, count: usize) -> Result<SamplePlaces, ReadError> {
     let fault = |fault| ReadError::Grid { path: path.to_owned(), fault };
-    Grid::even(start, step, count).map(|_| Places::Even { start, step, count }).map_err(fault)
+    Grid::even(start, step, count).map(|_| SamplePlaces::Even { start, step, count }).map_err(fault)
 }
 
 /// How a rate of the file that differs from another one is told.
-fn differs(rate: Option<&Rate>, rate_hz: f64, what: &str, used: &str) -> Option<Finding> {
+fn differs(rate: Option<&Rate>, rate_hz: f64, what: &str, used: &str) -> Option<Issue> {
     let rate = rate.filter(|rate| rate.differs_from(rate_hz))?;
     let about = format!("{} in the file is {} Hz, {what} {rate_hz:.6} Hz; {used} used", rate.told, rate.rate_hz);
-    Some(Finding::new(FindingKind::HeaderDisagrees, 1, None, about))
+    Some(Issue::new(IssueKind::HeaderDisagrees, 1, None, about))
 }
 
 /// The step that the notes or else the file give where no column is a time, and what is said of it.
-fn told_step(rate: Option<&Rate>, start: f64, notes: &Notes) -> Option<(f64, Option<Finding>)> {
+fn told_step(rate: Option<&Rate>, start: f64, notes: &Notes) -> Option<(f64, Option<Issue>)> {
     if let Some(rate_hz) = notes.rate_hz {
         return Some((1.0 / rate_hz, differs(rate, rate_hz, "the notes say", "the notes are")));
     }
     let Rate { told, rate_hz } = rate?;
     let about = format!("no column is a time; the samples are taken at {rate_hz} Hz from {start} s on, by {told} in the file");
-    Some((1.0 / rate_hz, Some(Finding::new(FindingKind::Assumed, 1, None, about))))
+    Some((1.0 / rate_hz, Some(Issue::new(IssueKind::Assumed, 1, None, about))))
 }
 
 /// The places of stamps, in s or Hz, beside a rate of the file and the notes.
 fn by_stamps(
     path: &Path,
-    stamps: Numbers,
+    stamps: ColumnNumbers,
     over: Over,
     (rate, notes): (Option<&Rate>, &Notes),
-    findings: &mut Vec<Finding>,
-) -> Result<Places, ReadError> {
+    findings: &mut Vec<Issue>,
+) -> Result<SamplePlaces, ReadError> {
     let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
     let fault = |fault| ReadError::Grid { path: path.to_owned(), fault };
     let unit = if over == Over::Time { "s" } else { "Hz" };
@@ -190,44 +190,44 @@ fn by_stamps(
         Stamped::Uneven(odd) => {
             findings.extend(odd);
             let rate = 1.0 / usual_step(&stamps).map_err(lost)?;
-            (rate, Places::Stamped { stamps, rate })
+            (rate, SamplePlaces::Stamped { stamps, rate })
         }
     };
     findings.extend(differs(rate, found, "the stamps say", "the stamps are"));
     if let Some(rate_hz) = notes.rate_hz.filter(|rate_hz| (rate_hz / found - 1.0).abs() > SAME_RATE) {
         let about = format!("the notes say {rate_hz} Hz, the stamps {found:.6} Hz; the stamps are used");
-        findings.push(Finding::new(FindingKind::HeaderDisagrees, 1, None, about));
+        findings.push(Issue::new(IssueKind::HeaderDisagrees, 1, None, about));
     }
     Ok(places)
 }
 
 /// A column in SI, its samples not looked at yet.
-pub(super) fn settled(mut column: Column, said: ChannelNotes, findings: &mut Vec<Finding>) -> SurveyedChannel {
+pub(super) fn settled(mut column: RawColumn, said: ChannelNotes, findings: &mut Vec<Issue>) -> ChannelSummary {
     if let Some(levels) = Decibels::read(&column.unit) {
         findings.push(column.made_linear(levels));
     }
     let name = said.name.unwrap_or(column.name);
     let told = said.unit.unwrap_or(column.unit);
     let scale = said.scale.unwrap_or(1.0);
-    let noticed = |kind, count, about: String| Finding::new(kind, count, None, about).of(&name);
+    let noticed = |kind, count, about: String| Issue::new(kind, count, None, about).of(&name);
     if !told.is_ascii() {
-        findings.push(noticed(FindingKind::NonAsciiUnit, 1, format!("the unit {told:?} holds characters outside ASCII")));
+        findings.push(noticed(IssueKind::NonAsciiUnit, 1, format!("the unit {told:?} holds characters outside ASCII")));
     }
     let unit = Unit::read(&told);
     let factor = scale * unit.as_ref().map_or(1.0, |unit| unit.factor);
     if let Some(unit) = unit.as_ref().filter(|unit| unit.converts()) {
         let about = format!("values in {told} times {} are {}", unit.factor, unit.si);
-        findings.push(noticed(FindingKind::Converted, column.values.count(), about));
+        findings.push(noticed(IssueKind::Converted, column.values.count(), about));
     }
     if unit.is_none() && !told.trim().is_empty() && told.trim() != "NONE" {
-        findings.push(noticed(FindingKind::UnknownUnit, 1, format!("the unit {told:?} is not known; values are as in the file")));
+        findings.push(noticed(IssueKind::UnknownUnit, 1, format!("the unit {told:?} is not known; values are as in the file")));
     }
     let (quantity, unit) = unit.map_or((Quantity::Unknown, told.clone()), |unit| (unit.quantity, unit.si.into_owned()));
-    let Column { mut values, mut imaginary, .. } = column;
+    let RawColumn { mut values, mut imaginary, .. } = column;
     values.scale(factor);
     imaginary.iter_mut().for_each(|numbers| numbers.scale(factor));
     let (place, direction) = (said.place.unwrap_or(column.place), said.direction.unwrap_or(column.direction));
     let reference = said.reference.unwrap_or(column.reference);
     let sizes = Sizes { rms: f64::NAN, peak: f64::NAN, mean: f64::NAN };
-    SurveyedChannel { name, quantity, unit, place, direction, reference, sizes, values, imaginary }
+    ChannelSummary { name, quantity, unit, place, direction, reference, sizes, values, imaginary }
 }

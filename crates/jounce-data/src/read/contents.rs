@@ -5,9 +5,9 @@ use std::path::Path;
 
 use super::error::Damage;
 use super::raw::Raw;
-use super::shelf::Shelf;
-use super::{Notes, ReadError, Survey, Surveyed, assemble, hdf5, lvm, magic, mat, npy, npz, parquet, tdms, text, uff, wav};
-use crate::recording::{Finding, FindingKind, Over, Recording};
+use super::samples::SampleStore;
+use super::{FileSummary, Notes, ReadError, RecordingSummary, assemble, hdf5, lvm, magic, mat, npy, npz, parquet, tdms, text, uff, wav};
+use crate::recording::{Issue, IssueKind, Over, Recording};
 
 /// What a file holds.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -17,7 +17,7 @@ pub struct Contents {
     /// Its mode shapes (UFF 55).
     pub shapes: Vec<ModeShape>,
     /// What concerns the file as a whole.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<Issue>,
 }
 
 /// A mode shape, or another set of numbers at nodes, of UFF 55.
@@ -36,26 +36,26 @@ pub struct ModeShape {
 }
 
 /// What a reader of a format returns.
-pub(super) struct Found {
+pub(super) struct FormatContents {
     pub sets: Vec<Raw>,
     pub shapes: Vec<ModeShape>,
-    pub findings: Vec<Finding>,
+    pub findings: Vec<Issue>,
 }
 
-impl From<Raw> for Found {
+impl From<Raw> for FormatContents {
     fn from(set: Raw) -> Self {
         Self { sets: vec![set], shapes: Vec::new(), findings: Vec::new() }
     }
 }
 
-type Reader = fn(&Path, &Shelf) -> Result<Found, Damage>;
+type Reader = fn(&Path, &SampleStore) -> Result<FormatContents, Damage>;
 
 /// Reads a file of any known format, with the notes beside it.
 ///
 /// # Errors
 /// A file that cannot be opened, that is none of the formats or damaged, that tells no time, or whose notes are wrong.
 pub fn file(path: &Path) -> Result<Contents, ReadError> {
-    read(path, &Shelf::Memory, &Notes::beside(path)?)?.into_contents(path)
+    read(path, &SampleStore::Memory, &Notes::beside(path)?)?.into_contents(path)
 }
 
 /// Reads a file as [`file()`] does, with its numbers in a scratch file: memory does not grow with the file, but for HDF5, whose library holds
@@ -63,24 +63,24 @@ pub fn file(path: &Path) -> Result<Contents, ReadError> {
 ///
 /// # Errors
 /// As [`file()`], and a scratch file that cannot be written.
-pub fn survey(path: &Path) -> Result<Survey, ReadError> {
+pub fn summary(path: &Path) -> Result<FileSummary, ReadError> {
     survey_noted(path, &Notes::beside(path)?)
 }
 
-/// Reads a file as [`survey()`] does, with these notes in place of those beside it.
+/// Reads a file as [`summary()`] does, with these notes in place of those beside it.
 ///
 /// # Errors
-/// As [`survey()`].
-pub fn survey_noted(path: &Path, notes: &Notes) -> Result<Survey, ReadError> {
-    read(path, &Shelf::scratch(), notes)
+/// As [`summary()`].
+pub fn survey_noted(path: &Path, notes: &Notes) -> Result<FileSummary, ReadError> {
+    read(path, &SampleStore::scratch(), notes)
 }
 
-fn read(path: &Path, shelf: &Shelf, notes: &Notes) -> Result<Survey, ReadError> {
+fn read(path: &Path, store: &SampleStore, notes: &Notes) -> Result<FileSummary, ReadError> {
     let (format, reader) = format_of(path)?;
-    let found = reader(path, shelf).map_err(|Damage { place, why }| ReadError::Damaged { path: path.to_owned(), format, place, why })?;
+    let found = reader(path, store).map_err(|Damage { place, why }| ReadError::Damaged { path: path.to_owned(), format, place, why })?;
     let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     let several = found.sets.len() > 1;
-    let mut survey = Survey { recordings: Vec::new(), shapes: found.shapes, findings: found.findings };
+    let mut survey = FileSummary { recordings: Vec::new(), shapes: found.shapes, findings: found.findings };
     for (k, set) in found.sets.into_iter().enumerate() {
         let name = match (several, set.title.is_empty()) {
             (false, _) => stem.clone(),
@@ -98,14 +98,14 @@ fn read(path: &Path, shelf: &Shelf, notes: &Notes) -> Result<Survey, ReadError> 
 /// As [`file()`], and a file without one.
 pub fn record(path: &Path) -> Result<Recording, ReadError> {
     let lost = |reason| ReadError::Scratch { path: path.to_owned(), reason };
-    first_over_time(path, read(path, &Shelf::Memory, &Notes::beside(path)?)?)?.into_recording().map_err(lost)
+    first_over_time(path, read(path, &SampleStore::Memory, &Notes::beside(path)?)?)?.into_recording().map_err(lost)
 }
 
 /// The same with its numbers in a scratch file, so that only the channels that are needed come to memory.
 ///
 /// # Errors
-/// As [`survey()`], and a file without one.
-pub fn survey_record(path: &Path) -> Result<Surveyed, ReadError> {
+/// As [`summary()`], and a file without one.
+pub fn survey_record(path: &Path) -> Result<RecordingSummary, ReadError> {
     survey_record_noted(path, &Notes::beside(path)?)
 }
 
@@ -113,19 +113,19 @@ pub fn survey_record(path: &Path) -> Result<Surveyed, ReadError> {
 ///
 /// # Errors
 /// As [`survey_record()`].
-pub fn survey_record_noted(path: &Path, notes: &Notes) -> Result<Surveyed, ReadError> {
+pub fn survey_record_noted(path: &Path, notes: &Notes) -> Result<RecordingSummary, ReadError> {
     first_over_time(path, survey_noted(path, notes)?)
 }
 
 /// The first recording over time; it tells which others were left out.
-fn first_over_time(path: &Path, survey: Survey) -> Result<Surveyed, ReadError> {
+fn first_over_time(path: &Path, survey: FileSummary) -> Result<RecordingSummary, ReadError> {
     let mut others = survey.recordings;
     let first = others.iter().position(|recording| recording.over == Over::Time);
     let mut taken = others.remove(first.ok_or_else(|| ReadError::NoRecord { path: path.to_owned() })?);
     if !others.is_empty() {
         let names: Vec<&str> = others.iter().map(|recording| recording.name.as_str()).collect();
         let about = format!("{} is taken, the first recording over time of its file; left out: {}", taken.name, names.join(", "));
-        taken.findings.push(Finding::new(FindingKind::Skipped, others.len(), None, about));
+        taken.findings.push(Issue::new(IssueKind::Skipped, others.len(), None, about));
     }
     Ok(taken)
 }

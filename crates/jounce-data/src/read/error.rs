@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::recording::{Finding, GridError, Place};
+use crate::recording::{GridError, Issue, IssuePlace};
 
 /// A file that cannot be read.
 #[derive(Debug, thiserror::Error)]
@@ -31,7 +31,7 @@ pub enum ReadError {
         /// The format.
         format: &'static str,
         /// Where.
-        place: Option<Place>,
+        place: Option<IssuePlace>,
         /// What is wrong, and what to do.
         why: String,
     },
@@ -73,7 +73,7 @@ pub enum ReadError {
         /// The file.
         path: PathBuf,
         /// What was noticed, columns that were left out among it.
-        findings: Vec<Finding>,
+        findings: Vec<Issue>,
     },
     /// It holds nothing over time, only over frequency or mode shapes.
     #[error("{} holds no recording over time", path.display())]
@@ -111,24 +111,24 @@ fn noted(about: &[String]) -> String {
     if about.is_empty() { String::new() } else { format!("; {}", about.join(", ")) }
 }
 
-fn noticed(findings: &[Finding]) -> String {
+fn noticed(findings: &[Issue]) -> String {
     let told: Vec<String> = findings.iter().map(ToString::to_string).collect();
     if told.is_empty() { String::new() } else { format!(" ({}); save channels and time equally long", told.join("; ")) }
 }
 
-fn at(place: Option<Place>) -> String {
+fn at(place: Option<IssuePlace>) -> String {
     place.map(|place| format!("{place}: ")).unwrap_or_default()
 }
 
 fn kept(reason: &std::io::Error) -> String {
-    let folder = super::shelf::folder();
+    let folder = super::samples::folder();
     format!("its numbers cannot be kept in {}: {reason}; set TMPDIR to a folder with room for 8 bytes per number", folder.display())
 }
 
 /// What is wrong inside a file, before its name is known.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Damage {
-    pub place: Option<Place>,
+    pub place: Option<IssuePlace>,
     pub why: String,
 }
 
@@ -151,11 +151,11 @@ impl Damage {
 
     /// The same at a byte, where it has no place yet.
     pub(super) fn at_byte(self, byte: u64) -> Self {
-        let place = self.place.or(Some(Place::Byte(usize::try_from(byte).unwrap_or(usize::MAX))));
+        let place = self.place.or(Some(IssuePlace::Byte(usize::try_from(byte).unwrap_or(usize::MAX))));
         Self { place, ..self }
     }
 
-    pub(super) fn at(place: Place, why: impl Into<String>) -> Self {
+    pub(super) fn at(place: IssuePlace, why: impl Into<String>) -> Self {
         Self { place: Some(place), why: why.into() }
     }
 }

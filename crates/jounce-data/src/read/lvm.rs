@@ -9,14 +9,14 @@ use std::fs::File;
 use std::io::{BufReader, Read as _};
 use std::path::Path;
 
-use super::contents::Found;
+use super::contents::FormatContents;
 use super::decibels::Decibels;
 use super::error::Damage;
-use super::numbers::Numbers;
-use super::raw::{Column, Header as HeaderTime, Rate, Raw, Stamps};
-use super::shelf::Shelf;
-use super::text::{Delimiter, Head, Layout, Preamble, Rows, columns, decoded, line_end, whole_lines};
-use crate::recording::{Finding, FindingKind, Over, Place, Series};
+use super::numbers::ColumnNumbers;
+use super::raw::{Header as HeaderTime, Rate, Raw, RawColumn, TimeStamps};
+use super::samples::SampleStore;
+use super::text::{ColumnHead, Delimiter, Preamble, Rows, TextLayout, columns, decoded, line_end, whole_lines};
+use crate::recording::{Issue, IssueKind, IssuePlace, Over, Series};
 
 const HEAD_BYTES: u64 = 1 << 18;
 /// Heads of a column of times, and of one of remarks.
@@ -25,7 +25,7 @@ const COMMENT: &str = "Comment";
 /// How far a step of the header may lie from that of the stamps, relative.
 const SAME_STEP: f64 = 1e-3;
 
-pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
+pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, Damage> {
     let told = |fault: std::io::Error| Damage::new(fault.to_string());
     let mut head = Vec::new();
     File::open(path).map_err(told)?.take(HEAD_BYTES).read_to_end(&mut head).map_err(told)?;
@@ -34,17 +34,17 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     let header = Header::read(&head, end)?;
     let file = File::open(path).map_err(told)?;
     let size = file.metadata().map_err(told)?.len();
-    let Rows { columns, findings } = columns(BufReader::with_capacity(1 << 20, file), size, &header.layout, shelf)?;
-    let (sets, findings) = header.sets(columns, findings, shelf)?;
-    Ok(Found { sets, shapes: Vec::new(), findings })
+    let Rows { columns, findings } = columns(BufReader::with_capacity(1 << 20, file), size, &header.layout, store)?;
+    let (sets, findings) = header.sets(columns, findings, store)?;
+    Ok(FormatContents { sets, shapes: Vec::new(), findings })
 }
 
 /// Channels with the numbers of their columns.
-type Members = Vec<(usize, Column)>;
+type Members = Vec<(usize, RawColumn)>;
 
 /// What the two headers say.
 struct Header {
-    layout: Layout,
+    layout: TextLayout,
     /// The keys of the segment with their values, one for each column of the data.
     fields: Vec<(String, Vec<String>)>,
     x_columns: String,
@@ -55,7 +55,7 @@ impl Header {
         let lines = whole_lines(head, end, true);
         let heads = lines.iter().position(|line| line.starts_with(X_VALUE));
         let heads = heads
-            .ok_or_else(|| Damage::at(Place::Line(lines.len()), "no line of column heads (X_Value ...) follows; was the file cut?"))?;
+            .ok_or_else(|| Damage::at(IssuePlace::Line(lines.len()), "no line of column heads (X_Value ...) follows; was the file cut?"))?;
         let separator = if value(&lines[..heads], "Separator") == Some("Comma") { ',' } else { '\t' };
         let decimal_comma = value(&lines[..heads], "Decimal_Separator") == Some(",");
         let parts = |line: &str| -> Vec<String> { line.split(separator).map(|field| field.trim().to_owned()).collect() };
@@ -64,7 +64,7 @@ impl Header {
             names.pop();
         }
         let least = names.iter().rposition(|name| name != COMMENT && !name.is_empty()).map_or(1, |last| last + 1);
-        let head = |name: String| Head { blank: name == COMMENT || name.is_empty(), name, ..Head::default() };
+        let head = |name: String| ColumnHead { blank: name == COMMENT || name.is_empty(), name, ..ColumnHead::default() };
         let segment = lines[..heads].iter().rposition(|line| line.split(separator).next() == Some("Channels")).unwrap_or(0);
         let field = |line: &&str| {
             let fields = parts(line);
@@ -73,7 +73,7 @@ impl Header {
         Ok(Self {
             x_columns: value(&lines[..heads], "X_Columns").unwrap_or("One").to_owned(),
             fields: lines[segment..heads].iter().map(field).collect(),
-            layout: Layout {
+            layout: TextLayout {
                 delimiter: Delimiter::Byte(separator as u8),
                 decimal_comma,
                 line_end: end,
@@ -102,14 +102,14 @@ impl Header {
     }
 
     /// The channels by their times: one set for all that share them.
-    fn sets(&self, columns: Vec<Column>, findings: Vec<Finding>, shelf: &Shelf) -> Result<(Vec<Raw>, Vec<Finding>), Damage> {
+    fn sets(&self, columns: Vec<RawColumn>, findings: Vec<Issue>, store: &SampleStore) -> Result<(Vec<Raw>, Vec<Issue>), Damage> {
         let rows = columns.first().map_or(0, |column| column.values.count());
         let channels = columns.iter().filter(|column| column.name != X_VALUE && column.name != COMMENT && !column.name.is_empty()).count();
         if channels == 0 || rows < 2 {
             let why = format!("{rows} rows of {channels} channels follow; at least two rows of one are due");
-            return Err(Damage::at(Place::Line(self.layout.skip), why));
+            return Err(Damage::at(IssuePlace::Line(self.layout.skip), why));
         }
-        let mut groups: Vec<(Option<Numbers>, Members)> = vec![(None, Vec::new())];
+        let mut groups: Vec<(Option<ColumnNumbers>, Members)> = vec![(None, Vec::new())];
         for (k, mut column) in columns.into_iter().enumerate() {
             match column.name.as_str() {
                 X_VALUE => groups.push((Some(column.values), Vec::new())),
@@ -122,7 +122,7 @@ impl Header {
                 }
             }
         }
-        let mut sets: Vec<(Option<Numbers>, Members)> = Vec::new();
+        let mut sets: Vec<(Option<ColumnNumbers>, Members)> = Vec::new();
         for (x, members) in groups.into_iter().filter(|(_, members)| !members.is_empty()) {
             let mut same = None;
             for (at, (other, _)) in sets.iter().enumerate() {
@@ -141,24 +141,24 @@ impl Header {
         let mut found = Vec::new();
         for (x, members) in sets {
             let about = if one { std::mem::take(&mut findings) } else { Vec::new() };
-            found.push(self.set(x, members, about, shelf)?);
+            found.push(self.set(x, members, about, store)?);
         }
         Ok((found, findings))
     }
 
     /// Channels over one column of times.
-    fn set(&self, x: Option<Numbers>, members: Members, mut findings: Vec<Finding>, shelf: &Shelf) -> Result<Raw, Damage> {
+    fn set(&self, x: Option<ColumnNumbers>, members: Members, mut findings: Vec<Issue>, store: &SampleStore) -> Result<Raw, Damage> {
         let first = members.first().map_or(1, |(k, _)| *k);
-        let (x, members) = ended(x, members, shelf)?;
+        let (x, members) = ended(x, members, store)?;
         let rows = members.first().map_or(0, |(_, column)| column.values.count());
-        let mut columns: Vec<Column> = members.into_iter().map(|(_, column)| column).collect();
+        let mut columns: Vec<RawColumn> = members.into_iter().map(|(_, column)| column).collect();
         if rows < 2 {
             let name = columns.first().map_or(String::new(), |column| column.name.clone());
-            return Err(Damage::at(Place::Line(self.layout.skip), format!("{rows} rows of {name} follow; at least two are due")));
+            return Err(Damage::at(IssuePlace::Line(self.layout.skip), format!("{rows} rows of {name} follow; at least two are due")));
         }
         if let Some(samples) = self.value("Samples", first).and_then(|text| text.parse::<usize>().ok()).filter(|samples| *samples != rows) {
             let about = format!("the header says {samples} samples, {rows} follow");
-            findings.push(Finding::new(FindingKind::HeaderDisagrees, samples.abs_diff(rows), None, about));
+            findings.push(Issue::new(IssueKind::HeaderDisagrees, samples.abs_diff(rows), None, about));
         }
         let step = self.number("Delta_X", first).filter(|step| *step > 0.0);
         let start = self.number("X0", first).unwrap_or(0.0);
@@ -168,14 +168,14 @@ impl Header {
                 findings.extend(self.rescaled(step, x.count(), x.ends()?));
                 // Of two steps that explain the stamps the header's is the one that was set.
                 let rate = Rate { told: format!("Delta_X = {step}"), rate_hz: 1.0 / step };
-                if findings.iter().any(|finding| finding.kind == FindingKind::RescaledStamps) {
-                    Stamps::Given(x)
+                if findings.iter().any(|finding| finding.kind == IssueKind::RescaledStamps) {
+                    TimeStamps::Given(x)
                 } else {
-                    Stamps::Header(HeaderTime { rate, start, stamps: Some(x) })
+                    TimeStamps::Header(HeaderTime { rate, start, stamps: Some(x) })
                 }
             }
-            (Some(x), None) => Stamps::Given(x),
-            (None, Some(step)) => Stamps::Even { start, step },
+            (Some(x), None) => TimeStamps::Given(x),
+            (None, Some(step)) => TimeStamps::Even { start, step },
             (None, None) => return Err(Damage::new("neither a column X_Value nor a Delta_X tells when the samples were taken")),
         };
         let over = if columns.iter().all(|column| column.name.contains("FFT")) { Over::Frequency } else { Over::Time };
@@ -186,7 +186,7 @@ impl Header {
     }
 
     /// A step of the header that is not that of the stamps.
-    fn rescaled(&self, told: f64, count: usize, ends: Option<(f64, f64)>) -> Option<Finding> {
+    fn rescaled(&self, told: f64, count: usize, ends: Option<(f64, f64)>) -> Option<Issue> {
         let (first, last) = ends?;
         let step = (last - first) / (count - 1) as f64;
         let told = Some(told).filter(|told| (told / step - 1.0).abs() > SAME_STEP)?;
@@ -194,14 +194,14 @@ impl Header {
             "the header says Delta_X = {told:.6e}, the stamps are {step:.6e} apart ({:.4} times as much); the stamps are used",
             step / told
         );
-        Some(Finding::new(FindingKind::RescaledStamps, count, Some(Place::Line(self.layout.skip + 1)), about))
+        Some(Issue::new(IssueKind::RescaledStamps, count, Some(IssuePlace::Line(self.layout.skip + 1)), about))
     }
 }
 
 /// What spectra in levels become, and that they are spectra.
-fn linear(columns: &mut [Column]) -> Result<Vec<Finding>, Damage> {
+fn linear(columns: &mut [RawColumn]) -> Result<Vec<Issue>, Damage> {
     let about = "the channels are spectra by their names; the first column is taken as frequency in Hz, whatever X_Dimension says";
-    let mut findings = vec![Finding::new(FindingKind::HeaderDisagrees, 1, None, about.to_owned())];
+    let mut findings = vec![Issue::new(IssueKind::HeaderDisagrees, 1, None, about.to_owned())];
     // An amplitude is never negative: such a spectrum holds levels.
     for column in columns {
         let mut negative = false;
@@ -212,14 +212,14 @@ fn linear(columns: &mut [Column]) -> Result<Vec<Finding>, Damage> {
     Ok(findings)
 }
 
-fn is_whole(x: &Numbers) -> Result<bool, Damage> {
+fn is_whole(x: &ColumnNumbers) -> Result<bool, Damage> {
     let mut whole = true;
     x.each(|x| whole &= x.is_finite())?;
     Ok(whole)
 }
 
 /// Channels up to the row where their column of times ends: a channel may be shorter than those beside it.
-fn ended(x: Option<Numbers>, members: Members, shelf: &Shelf) -> Result<(Option<Numbers>, Members), Damage> {
+fn ended(x: Option<ColumnNumbers>, members: Members, store: &SampleStore) -> Result<(Option<ColumnNumbers>, Members), Damage> {
     let Some(times) = x else { return Ok((None, members)) };
     let (mut number, mut last) = (0, 0);
     times.each(|t| {
@@ -230,8 +230,8 @@ fn ended(x: Option<Numbers>, members: Members, shelf: &Shelf) -> Result<(Option<
     if last == number || last == 0 {
         return Ok((Some(times), members));
     }
-    let cut = |numbers: Numbers| -> Result<Numbers, Damage> {
-        let (mut kept, mut left, mut fault) = (shelf.column(), last, Ok(()));
+    let cut = |numbers: ColumnNumbers| -> Result<ColumnNumbers, Damage> {
+        let (mut kept, mut left, mut fault) = (store.column(), last, Ok(()));
         numbers.each(|x| {
             if left > 0 && fault.is_ok() {
                 fault = kept.push(x);
@@ -241,9 +241,9 @@ fn ended(x: Option<Numbers>, members: Members, shelf: &Shelf) -> Result<(Option<
         fault?;
         Ok(kept)
     };
-    let short = |(k, column): (usize, Column)| {
+    let short = |(k, column): (usize, RawColumn)| {
         let imaginary = column.imaginary.map(cut).transpose()?;
-        Ok((k, Column { values: cut(column.values)?, imaginary, ..Column::new(&column.name, &column.unit, Vec::new().into()) }))
+        Ok((k, RawColumn { values: cut(column.values)?, imaginary, ..RawColumn::new(&column.name, &column.unit, Vec::new().into()) }))
     };
     Ok((Some(cut(times)?), members.into_iter().map(short).collect::<Result<_, Damage>>()?))
 }

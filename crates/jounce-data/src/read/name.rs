@@ -1,7 +1,7 @@
 //! Units in the heads of columns.
 
 use super::decibels::Decibels;
-use crate::recording::{Finding, FindingKind, Quantity, Unit};
+use crate::recording::{Issue, IssueKind, Quantity, Unit};
 
 /// Endings of names that tell a unit: `accel_m_s2`, `timestamp_ms`.
 const ENDINGS: [(&str, &str); 21] = [
@@ -178,7 +178,7 @@ fn is_labelled(name: &str) -> bool {
 }
 
 /// How one letter in round brackets was read that may be a unit and a label: `sensor (V)`, `channel (A)`; none in a head without such.
-pub(super) fn doubt(head: &str) -> Option<Finding> {
+pub(super) fn doubt(head: &str) -> Option<Issue> {
     let head = head.trim().trim_matches('"').trim();
     let (_, letter) = bracketed(head, '(', ')').filter(|(name, letter)| letter.chars().count() == 1 && is_labelled(name))?;
     let about = match Unit::read(letter) {
@@ -192,7 +192,7 @@ pub(super) fn doubt(head: &str) -> Option<Finding> {
         }
         None => return None,
     };
-    Some(Finding::new(FindingKind::Assumed, 1, None, about).of(&split(head).0))
+    Some(Issue::new(IssueKind::Assumed, 1, None, about).of(&split(head).0))
 }
 
 /// `U/V` and `t/s`: a name over its unit, as in axes of figures. A quotient of two units is none.

@@ -6,18 +6,18 @@ use std::fs::File;
 use std::io::{BufReader, Read};
 use std::path::Path;
 
-use super::arrays::Layout;
-use super::contents::Found;
+use super::arrays::ArrayLayout;
+use super::contents::FormatContents;
 use super::error::Damage;
-use super::numbers::Numbers;
-use super::raw::{Column, Raw};
+use super::numbers::ColumnNumbers;
+use super::raw::{Raw, RawColumn};
+use super::samples::SampleStore;
 use super::scalar::{Kind, Scalar};
-use super::shelf::Shelf;
-use crate::recording::{Finding, FindingKind};
+use crate::recording::{Issue, IssueKind};
 
 pub(super) const BEGIN: &[u8] = b"\x93NUMPY";
 /// Bytes of a header that is read.
-const LONGEST: usize = 1 << 16;
+const MAX_HEADER_BYTES: usize = 1 << 16;
 
 /// What the header of an array says.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,12 +30,12 @@ pub(super) struct Header {
 
 /// An array as series along its longest side.
 pub(super) struct SeriesOf {
-    pub series: Vec<Numbers>,
-    pub imaginary: Option<Vec<Numbers>>,
+    pub series: Vec<ColumnNumbers>,
+    pub imaginary: Option<Vec<ColumnNumbers>>,
     pub labels: Vec<String>,
 }
 
-pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
+pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, Damage> {
     let file = File::open(path).map_err(Damage::cut)?;
     let bytes = file.metadata().map_err(Damage::cut)?.len();
     let mut source = BufReader::with_capacity(1 << 16, file);
@@ -54,11 +54,11 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
             header.dtype
         )));
     }
-    let array = header.numbers(&mut source, bytes, shelf)?;
+    let array = header.numbers(&mut source, bytes, store)?;
     let name = |k: usize| format!("channel {}", k + 1);
-    let series = array.series.into_iter().enumerate().map(|(k, values)| Column::new(&name(k), "", values)).collect();
+    let series = array.series.into_iter().enumerate().map(|(k, values)| RawColumn::new(&name(k), "", values)).collect();
     let about = format!("an array of {rows} x {columns} without names: its longer side is taken as time");
-    Ok(Raw::columns(series, vec![Finding::new(FindingKind::Assumed, 1, None, about)]).into())
+    Ok(Raw::columns(series, vec![Issue::new(IssueKind::Assumed, 1, None, about)]).into())
 }
 
 impl Header {
@@ -73,8 +73,8 @@ impl Header {
         let mut length = [0; 4];
         source.read_exact(&mut length[..if version == 1 { 2 } else { 4 }]).map_err(Damage::cut)?;
         let length = u32::from_le_bytes(length) as usize;
-        if length > LONGEST {
-            return Err(Damage::new(format!("its header is {length} bytes long; at most {LONGEST} are due")));
+        if length > MAX_HEADER_BYTES {
+            return Err(Damage::new(format!("its header is {length} bytes long; at most {MAX_HEADER_BYTES} are due")));
         }
         let mut text = vec![0; length];
         source.read_exact(&mut text).map_err(Damage::cut)?;
@@ -127,18 +127,18 @@ impl Header {
     }
 
     /// The numbers behind the header, of which at most so many bytes can follow.
-    pub fn numbers(&self, source: &mut dyn Read, bytes: u64, shelf: &Shelf) -> Result<SeriesOf, Damage> {
+    pub fn numbers(&self, source: &mut dyn Read, bytes: u64, store: &SampleStore) -> Result<SeriesOf, Damage> {
         let (scalar, complex) = self.scalar()?;
         let sizes = self.shape.iter().map(u64::to_string).collect::<Vec<_>>().join(" x ");
-        let layout = Layout::new(&self.shape, !self.fortran);
+        let layout = ArrayLayout::new(&self.shape, !self.fortran);
         let layout = layout.ok_or_else(|| Damage::new(format!("an array of {sizes} numbers is no series of numbers")))?;
         let parts = if complex { 2 } else { 1 };
         let total = layout.total() * parts;
         if total.checked_mul(scalar.size as u64).is_none_or(|due| due > bytes) {
             return Err(Damage::new(format!("an array of {sizes} numbers is more than the {bytes} bytes of the file hold; was it cut?")));
         }
-        let mut series = layout.series(shelf)?;
-        let mut imaginary = if complex { Some(layout.series(shelf)?) } else { None };
+        let mut series = layout.series(store)?;
+        let mut imaginary = if complex { Some(layout.series(store)?) } else { None };
         let mut number = 0;
         scalar.each(source, total, |x| {
             let place = number / parts;

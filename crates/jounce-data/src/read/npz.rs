@@ -8,17 +8,17 @@ use flate2::read::DeflateDecoder;
 use rawzip::{CompressionMethod, RECOMMENDED_BUFFER_SIZE, ZipArchive};
 
 use super::arrays::{Array, MAX_ARRAYS, Path, Tree, into_found};
-use super::contents::Found;
+use super::contents::FormatContents;
 use super::error::Damage;
 use super::npy::Header;
-use super::shelf::Shelf;
+use super::samples::SampleStore;
 
 /// Bytes that one compressed byte can stand for.
 const MAX_RATIO: u64 = 1032;
 /// Characters of all texts of an array.
 const MAX_CHARACTERS: u64 = 1 << 20;
 
-pub(super) fn read(path: &FilePath, shelf: &Shelf) -> Result<Found, Damage> {
+pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContents, Damage> {
     let file = File::open(path).map_err(Damage::cut)?;
     let mut buffer = vec![0; RECOMMENDED_BUFFER_SIZE];
     let archive = ZipArchive::from_file(file, &mut buffer).map_err(|fault| wrong(&fault))?;
@@ -46,7 +46,7 @@ pub(super) fn read(path: &FilePath, shelf: &Shelf) -> Result<Found, Damage> {
             other => return Err(of_array(Damage::new(format!("it is compressed by {other:?}; save it by numpy.savez_compressed")))),
         };
         let mut checked = place.verifying_reader(content);
-        array(&mut checked, &Path::default().to(name), bytes, shelf, &mut tree).map_err(of_array)?;
+        array(&mut checked, &Path::default().to(name), bytes, store, &mut tree).map_err(of_array)?;
         // The check sum is looked at behind the last byte.
         io::copy(&mut checked.take(bytes), &mut io::sink()).map_err(|fault| of_array(Damage::cut(fault)))?;
     }
@@ -62,7 +62,7 @@ fn wrong(fault: &rawzip::Error) -> Damage {
     Damage::new(format!("{fault}; was the file cut?"))
 }
 
-fn array(source: &mut dyn Read, path: &Path, bytes: u64, shelf: &Shelf, tree: &mut Tree) -> Result<(), Damage> {
+fn array(source: &mut dyn Read, path: &Path, bytes: u64, store: &SampleStore, tree: &mut Tree) -> Result<(), Damage> {
     let header = Header::read(source)?;
     if let Some(length) = header.dtype.strip_prefix("<U").and_then(|length| length.parse().ok()) {
         tree.text(path, texts(source, &header, length)?);
@@ -70,7 +70,7 @@ fn array(source: &mut dyn Read, path: &Path, bytes: u64, shelf: &Shelf, tree: &m
     }
     match header.scalar() {
         Ok(_) => {
-            let found = header.numbers(source, bytes, shelf)?;
+            let found = header.numbers(source, bytes, store)?;
             tree.arrays.push(Array {
                 path: path.clone(),
                 unit: String::new(),

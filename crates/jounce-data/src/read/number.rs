@@ -4,7 +4,7 @@ use super::moment::Moment;
 
 /// What a field of a text holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Field {
+pub(super) enum TextField {
     /// A number.
     Real(f64),
     /// A complex number.
@@ -20,7 +20,7 @@ pub(super) enum Field {
 /// Words for a sample that is missing, in small letters.
 const MISSING: [&str; 11] = ["", "nan", "na", "n/a", "null", "none", "-", "--", "\u{221e}", "-\u{221e}", "+\u{221e}"];
 
-impl Field {
+impl TextField {
     /// Reads a field; Fortran's `D` is an exponent too, and a comma is the decimal mark where asked for.
     pub(super) fn read(text: &str, decimal_comma: bool) -> Self {
         let text = text.trim().trim_matches('"').trim();
@@ -81,24 +81,24 @@ fn complex(text: &str) -> Option<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
-    use super::Field;
+    use super::TextField;
 
     #[test]
     fn numbers_of_every_spelling_are_read() {
         for (text, value) in [("1.5", 1.5), (" -2e-3 ", -2e-3), ("1.25D+01", 12.5), ("\"7\"", 7.0), (".5", 0.5), ("+3", 3.0)] {
-            assert_eq!(Field::read(text, false), Field::Real(value), "{text}");
+            assert_eq!(TextField::read(text, false), TextField::Real(value), "{text}");
         }
-        assert_eq!(Field::read("0,25", true), Field::Real(0.25));
-        assert_eq!(Field::read("0,25", false), Field::Text);
-        assert_eq!(Field::read("(-0.5+2.5e-08j)", false), Field::Complex(-0.5, 2.5e-8));
-        assert_eq!(Field::read("1-2i", false), Field::Complex(1.0, -2.0));
+        assert_eq!(TextField::read("0,25", true), TextField::Real(0.25));
+        assert_eq!(TextField::read("0,25", false), TextField::Text);
+        assert_eq!(TextField::read("(-0.5+2.5e-08j)", false), TextField::Complex(-0.5, 2.5e-8));
+        assert_eq!(TextField::read("1-2i", false), TextField::Complex(1.0, -2.0));
         for text in ["", "NaN", "N/A", "inf", "null", "-\u{221e}"] {
-            assert_eq!(Field::read(text, false), Field::Missing, "{text}");
+            assert_eq!(TextField::read(text, false), TextField::Missing, "{text}");
         }
-        assert_eq!(Field::read("0x1F", false), Field::Real(31.0));
-        assert!(matches!(Field::read("12:00:01,5", true), Field::Moment(_)));
+        assert_eq!(TextField::read("0x1F", false), TextField::Real(31.0));
+        assert!(matches!(TextField::read("12:00:01,5", true), TextField::Moment(_)));
         for text in ["x", "1.2.3", "12:00", "0x", "0x+1", "(", "()", "1 2", "\u{b5}"] {
-            assert_eq!(Field::read(text, true), Field::Text, "{text}");
+            assert_eq!(TextField::read(text, true), TextField::Text, "{text}");
         }
     }
 }

@@ -5,13 +5,13 @@ use std::cell::RefCell;
 use std::io;
 use std::rc::Rc;
 
-use super::shelf::{Piece, Scratch, Shelf};
+use super::samples::{SampleStore, Scratch, StoredPiece};
 use crate::recording::{PIECE, Series};
 
 /// The numbers of a column.
 #[derive(Debug)]
-pub struct Numbers {
-    kept: Kept,
+pub struct ColumnNumbers {
+    kept: NumberStore,
     /// Where the numbers are levels in decibels of what is asked for: the decibels of a factor of ten.
     levels: Option<f64>,
     /// What is asked for over what was put in.
@@ -19,16 +19,16 @@ pub struct Numbers {
 }
 
 #[derive(Debug)]
-enum Kept {
+enum NumberStore {
     Memory(Vec<f64>),
-    Shelf { scratch: Rc<RefCell<Scratch>>, pieces: Vec<Piece>, last: Vec<f64> },
+    Shelf { scratch: Rc<RefCell<Scratch>>, pieces: Vec<StoredPiece>, last: Vec<f64> },
 }
 
-impl Numbers {
-    pub(super) fn on(shelf: &Shelf) -> Self {
-        let kept = match shelf {
-            Shelf::Memory => Kept::Memory(Vec::new()),
-            Shelf::Scratch(scratch) => Kept::Shelf { scratch: Rc::clone(scratch), pieces: Vec::new(), last: Vec::new() },
+impl ColumnNumbers {
+    pub(super) fn on(store: &SampleStore) -> Self {
+        let kept = match store {
+            SampleStore::Memory => NumberStore::Memory(Vec::new()),
+            SampleStore::Scratch(scratch) => NumberStore::Shelf { scratch: Rc::clone(scratch), pieces: Vec::new(), last: Vec::new() },
         };
         Self { kept, levels: None, factor: 1.0 }
     }
@@ -36,8 +36,8 @@ impl Numbers {
     /// Puts a number behind the others; it may fail where the scratch file cannot be written.
     pub(super) fn push(&mut self, x: f64) -> io::Result<()> {
         match &mut self.kept {
-            Kept::Memory(numbers) => numbers.push(x),
-            Kept::Shelf { scratch, pieces, last } => {
+            NumberStore::Memory(numbers) => numbers.push(x),
+            NumberStore::Shelf { scratch, pieces, last } => {
                 last.push(x);
                 if last.len() == PIECE {
                     pieces.push(scratch.borrow_mut().put(last)?);
@@ -50,25 +50,25 @@ impl Numbers {
     /// Takes room for so many more numbers, where they go to memory; false where there is none.
     pub(super) fn expect(&mut self, more: usize) -> bool {
         match &mut self.kept {
-            Kept::Memory(numbers) => numbers.try_reserve_exact(more).is_ok(),
-            Kept::Shelf { .. } => true,
+            NumberStore::Memory(numbers) => numbers.try_reserve_exact(more).is_ok(),
+            NumberStore::Shelf { .. } => true,
         }
     }
 
     /// From now on numbers are asked for that are so many times as large.
     pub(super) fn scale(&mut self, factor: f64) {
         match &mut self.kept {
-            Kept::Memory(numbers) if factor != 1.0 => numbers.iter_mut().for_each(|x| *x *= factor),
-            Kept::Memory(_) => {}
-            Kept::Shelf { .. } => self.factor *= factor,
+            NumberStore::Memory(numbers) if factor != 1.0 => numbers.iter_mut().for_each(|x| *x *= factor),
+            NumberStore::Memory(_) => {}
+            NumberStore::Shelf { .. } => self.factor *= factor,
         }
     }
 
     /// From now on sizes `10^(L/decade)` are asked for of the levels `L` that were put in.
     pub(super) fn made_linear(&mut self, decade: f64) {
         match &mut self.kept {
-            Kept::Memory(numbers) => numbers.iter_mut().for_each(|level| *level = size(*level, decade)),
-            Kept::Shelf { .. } => self.levels = Some(decade),
+            NumberStore::Memory(numbers) => numbers.iter_mut().for_each(|level| *level = size(*level, decade)),
+            NumberStore::Shelf { .. } => self.levels = Some(decade),
         }
     }
 
@@ -94,7 +94,7 @@ impl Numbers {
 
     /// All numbers in memory.
     pub(super) fn into_vec(self) -> io::Result<Vec<f64>> {
-        if let Kept::Memory(numbers) = self.kept {
+        if let NumberStore::Memory(numbers) = self.kept {
             return Ok(numbers);
         }
         let mut numbers = Vec::with_capacity(self.count());
@@ -103,33 +103,33 @@ impl Numbers {
     }
 }
 
-impl From<Vec<f64>> for Numbers {
+impl From<Vec<f64>> for ColumnNumbers {
     fn from(numbers: Vec<f64>) -> Self {
-        Self { kept: Kept::Memory(numbers), levels: None, factor: 1.0 }
+        Self { kept: NumberStore::Memory(numbers), levels: None, factor: 1.0 }
     }
 }
 
-impl Series for Numbers {
+impl Series for ColumnNumbers {
     type Fault = io::Error;
 
     fn count(&self) -> usize {
         match &self.kept {
-            Kept::Memory(numbers) => numbers.len(),
-            Kept::Shelf { pieces, last, .. } => pieces.len() * PIECE + last.len(),
+            NumberStore::Memory(numbers) => numbers.len(),
+            NumberStore::Shelf { pieces, last, .. } => pieces.len() * PIECE + last.len(),
         }
     }
 
     fn piece(&self, index: usize) -> io::Result<Cow<'_, [f64]>> {
         let (scratch, pieces, last) = match &self.kept {
-            Kept::Memory(numbers) => {
+            NumberStore::Memory(numbers) => {
                 let from = (index * PIECE).min(numbers.len());
                 return Ok(Cow::Borrowed(&numbers[from..(from + PIECE).min(numbers.len())]));
             }
-            Kept::Shelf { scratch, pieces, last } => (scratch, pieces, last),
+            NumberStore::Shelf { scratch, pieces, last } => (scratch, pieces, last),
         };
         let mut numbers = match pieces.get(index) {
-            Some(Piece::Memory(numbers)) => Cow::Borrowed(numbers.as_slice()),
-            Some(Piece::Scratch(begin)) => Cow::Owned(scratch.borrow_mut().get(*begin)?),
+            Some(StoredPiece::Memory(numbers)) => Cow::Borrowed(numbers.as_slice()),
+            Some(StoredPiece::Scratch(begin)) => Cow::Owned(scratch.borrow_mut().get(*begin)?),
             None => Cow::Borrowed(last.as_slice()),
         };
         if let Some(decade) = self.levels {
@@ -154,8 +154,8 @@ mod tests {
     /// More numbers than stay in memory, in two columns by turns.
     #[test]
     fn a_shelf_gives_back_what_was_put_on_it() {
-        let shelf = Shelf::scratch();
-        let (mut a, mut b) = (shelf.column(), shelf.column());
+        let store = SampleStore::scratch();
+        let (mut a, mut b) = (store.column(), store.column());
         let count = (3 << 20) + 77;
         for k in 0..count {
             a.push(f64::from(k)).unwrap();

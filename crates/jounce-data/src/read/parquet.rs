@@ -11,14 +11,14 @@ use parquet::data_type::DataType;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::schema::types::ColumnDescPtr;
 
-use super::contents::Found;
+use super::contents::FormatContents;
 use super::error::Damage;
+use super::jounce_notes::WrittenNotes;
 use super::name;
-use super::numbers::Numbers;
-use super::raw::{Column, Raw, Stamps};
-use super::shelf::Shelf;
-use super::written::Written;
-use crate::recording::{Finding, FindingKind, Series};
+use super::numbers::ColumnNumbers;
+use super::raw::{Raw, RawColumn, TimeStamps};
+use super::samples::SampleStore;
+use crate::recording::{Issue, IssueKind, Series};
 use pages::CheckedPages;
 
 /// Key of the notes of jounce in the metadata.
@@ -26,7 +26,7 @@ const NOTES: &str = "jounce";
 /// Numbers that are decoded at once.
 const BATCH: usize = 1 << 16;
 
-pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
+pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, Damage> {
     let told = |fault: &dyn std::fmt::Display| Damage::new(format!("{fault}; was the file cut?"));
     let file = File::open(path).map_err(|fault| told(&fault))?;
     let size = file.metadata().map_err(|fault| told(&fault))?.len();
@@ -37,7 +37,7 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     let schema = reader.metadata().file_metadata().schema_descr_ptr();
     for (index, column) in schema.columns().iter().enumerate() {
         let head = column.path().string();
-        match values(&reader, index, column, shelf).map_err(|why| Damage::new(format!("column {head}: {why}")))? {
+        match values(&reader, index, column, store).map_err(|why| Damage::new(format!("column {head}: {why}")))? {
             Some(values) => {
                 // The notes of jounce tell the unit, and the head is the name, whatever brackets it ends in.
                 let noted = notes.as_ref().and_then(|notes| notes.unit(&head)).map(|unit| (head.clone(), unit));
@@ -45,17 +45,17 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
                     findings.extend(name::doubt(&head));
                     name::split(&head)
                 });
-                let mut column = Column::new(&name, &unit, values);
+                let mut column = RawColumn::new(&name, &unit, values);
                 notes.iter().for_each(|notes| notes.tell(&mut column));
                 columns.push(column);
             }
-            None => findings.push(Finding::new(FindingKind::Skipped, 1, None, format!("column {head} holds no numbers"))),
+            None => findings.push(Issue::new(IssueKind::Skipped, 1, None, format!("column {head} holds no numbers"))),
         }
     }
     if columns.is_empty() {
         return Err(Damage::new("it holds no column of numbers"));
     }
-    Ok(Raw { stamps: Stamps::Named, ..Raw::columns(columns, findings) }.into())
+    Ok(Raw { stamps: TimeStamps::Named, ..Raw::columns(columns, findings) }.into())
 }
 
 /// Refuses columns outside the file and negative counts, at which the library would panic.
@@ -85,19 +85,24 @@ fn check_places(reader: &SerializedFileReader<File>, size: u64) -> Result<(), Da
 }
 
 /// What jounce noted; none in a file of another program.
-fn notes(reader: &SerializedFileReader<File>) -> Option<Written> {
+fn notes(reader: &SerializedFileReader<File>) -> Option<WrittenNotes> {
     let noted = reader.metadata().file_metadata().key_value_metadata()?;
-    Written::from_json(noted.iter().find(|pair| pair.key == NOTES)?.value.as_deref()?)
+    WrittenNotes::from_json(noted.iter().find(|pair| pair.key == NOTES)?.value.as_deref()?)
 }
 
 /// The numbers of a column, NaN where one is absent; none where it holds something else.
-fn values(reader: &SerializedFileReader<File>, index: usize, column: &ColumnDescPtr, shelf: &Shelf) -> Result<Option<Numbers>, String> {
+fn values(
+    reader: &SerializedFileReader<File>,
+    index: usize,
+    column: &ColumnDescPtr,
+    store: &SampleStore,
+) -> Result<Option<ColumnNumbers>, String> {
     let is_number = matches!(column.physical_type(), Type::DOUBLE | Type::FLOAT | Type::INT32 | Type::INT64);
     if !is_number || column.max_rep_level() > 0 {
         return Ok(None);
     }
     let optional = column.max_def_level();
-    let mut values = shelf.column();
+    let mut values = store.column();
     let rows = usize::try_from(reader.metadata().file_metadata().num_rows()).map_err(|fault| fault.to_string())?;
     if !values.expect(rows) {
         return Err(format!("{rows} rows do not fit into memory"));
@@ -126,7 +131,7 @@ fn typed<T: DataType>(
     count: usize,
     optional: i16,
     number: impl Fn(T::T) -> f64,
-    values: &mut Numbers,
+    values: &mut ColumnNumbers,
 ) -> Result<(), String> {
     let (mut present, mut levels, mut read) = (Vec::new(), Vec::new(), 0);
     while read < count {

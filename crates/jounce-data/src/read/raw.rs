@@ -1,8 +1,8 @@
 //! What a format's reader finds, before names, units and time are settled.
 
 use super::decibels::Decibels;
-use super::numbers::Numbers;
-use crate::recording::{Finding, FindingKind, Over, Place, Series};
+use super::numbers::ColumnNumbers;
+use crate::recording::{Issue, IssueKind, IssuePlace, Over, Series};
 
 /// Columns of equal length as they stand in a file.
 #[derive(Debug)]
@@ -10,18 +10,18 @@ pub(super) struct Raw {
     /// Title of the data set; empty where it has none.
     pub title: String,
     pub over: Over,
-    pub stamps: Stamps,
-    pub columns: Vec<Column>,
-    pub findings: Vec<Finding>,
+    pub stamps: TimeStamps,
+    pub columns: Vec<RawColumn>,
+    pub findings: Vec<Issue>,
 }
 
 /// How a file tells when its samples were taken.
 #[derive(Debug)]
-pub(super) enum Stamps {
+pub(super) enum TimeStamps {
     /// By a start and a step, in SI.
     Even { start: f64, step: f64 },
     /// By stamps in SI.
-    Given(Numbers),
+    Given(ColumnNumbers),
     /// By one of the columns, or not at all; columns have no names of their own, so that a first one that rises evenly may be meant.
     Column,
     /// By a column whose name or unit says so, or not at all.
@@ -41,7 +41,7 @@ pub(super) struct Header {
     /// Of the first sample, s.
     pub start: f64,
     /// Stamps in SI beside it.
-    pub stamps: Option<Numbers>,
+    pub stamps: Option<ColumnNumbers>,
 }
 
 /// Relative difference up to which two rates are the same.
@@ -64,7 +64,7 @@ impl Rate {
 
 /// A column as it stands in a file, its numbers wherever they were put.
 #[derive(Debug)]
-pub(super) struct Column {
+pub(super) struct RawColumn {
     pub name: String,
     pub unit: String,
     pub place: String,
@@ -73,9 +73,9 @@ pub(super) struct Column {
     /// Why it is no channel, one sentence, or an empty text where nobody would take it for one; none for a channel.
     pub left_out: Option<String>,
     /// The samples, real parts of complex ones.
-    pub values: Numbers,
+    pub values: ColumnNumbers,
     /// Imaginary parts of a complex column, as many.
-    pub imaginary: Option<Numbers>,
+    pub imaginary: Option<ColumnNumbers>,
 }
 
 /// A column as it stands in a file.
@@ -104,23 +104,32 @@ impl RawChannel {
     }
 }
 
-impl From<RawChannel> for Column {
+impl From<RawChannel> for RawColumn {
     fn from(channel: RawChannel) -> Self {
         let RawChannel { name, unit, place, direction, reference, values, imaginary } = channel;
-        Self { name, unit, place, direction, reference, left_out: None, values: values.into(), imaginary: imaginary.map(Numbers::from) }
+        Self {
+            name,
+            unit,
+            place,
+            direction,
+            reference,
+            left_out: None,
+            values: values.into(),
+            imaginary: imaginary.map(ColumnNumbers::from),
+        }
     }
 }
 
-impl Column {
+impl RawColumn {
     /// A real column without place and direction.
-    pub(super) fn new(name: &str, unit: &str, values: Numbers) -> Self {
+    pub(super) fn new(name: &str, unit: &str, values: ColumnNumbers) -> Self {
         let (name, unit) = (name.to_owned(), unit.to_owned());
         let [place, direction, reference] = [(); 3].map(|()| String::new());
         Self { name, unit, place, direction, reference, left_out: None, values, imaginary: None }
     }
 
     /// Levels `L` in decibels to amplitudes `10^(L/20)`, or densities `10^(L/10)`, times their reference, in its unit.
-    pub(super) fn made_linear(&mut self, levels: Decibels) -> Finding {
+    pub(super) fn made_linear(&mut self, levels: Decibels) -> Issue {
         let Decibels { reference, unit, decade } = levels;
         self.values.made_linear(decade);
         self.values.scale(reference);
@@ -129,13 +138,13 @@ impl Column {
         let of = if unit.is_empty() { "an unknown unit" } else { &unit };
         let about = format!("levels in decibels became {sizes} {times}10^(L/{decade}) in {of}");
         self.unit = unit;
-        Finding::new(FindingKind::Decibels, self.values.count(), Some(Place::Sample(0)), about).of(&self.name)
+        Issue::new(IssueKind::Decibels, self.values.count(), Some(IssuePlace::Sample(0)), about).of(&self.name)
     }
 }
 
 impl Raw {
     /// Columns over a time that one of them may hold.
-    pub(super) fn columns(columns: Vec<Column>, findings: Vec<Finding>) -> Self {
-        Self { title: String::new(), over: Over::Time, stamps: Stamps::Column, columns, findings }
+    pub(super) fn columns(columns: Vec<RawColumn>, findings: Vec<Issue>) -> Self {
+        Self { title: String::new(), over: Over::Time, stamps: TimeStamps::Column, columns, findings }
     }
 }

@@ -7,7 +7,7 @@ use half::f16;
 use super::error::Damage;
 
 /// Bytes that are read at once: a multiple of every size of a number.
-const AT_ONCE: usize = 3 << 14;
+const BYTES_AT_ONCE: usize = 3 << 14;
 
 /// Storage type of a number. Integers beyond 2^53 are rounded to the nearest `f64`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,9 +64,9 @@ impl Scalar {
     /// The source ends before, or `take` fails.
     pub fn each(self, source: &mut dyn Read, count: u64, mut take: impl FnMut(f64) -> io::Result<()>) -> Result<(), Damage> {
         let mut left = count.saturating_mul(self.size as u64);
-        let mut bytes = vec![0; AT_ONCE.min(usize::try_from(left).unwrap_or(AT_ONCE))];
+        let mut bytes = vec![0; BYTES_AT_ONCE.min(usize::try_from(left).unwrap_or(BYTES_AT_ONCE))];
         while left > 0 {
-            let due = bytes.len().min(usize::try_from(left).unwrap_or(AT_ONCE));
+            let due = bytes.len().min(usize::try_from(left).unwrap_or(BYTES_AT_ONCE));
             source.read_exact(&mut bytes[..due]).map_err(Damage::cut)?;
             bytes[..due].chunks_exact(self.size).try_for_each(|number| take(self.number(number)))?;
             left -= due as u64;

@@ -8,10 +8,10 @@ use std::borrow::Cow;
 use std::io;
 
 use super::name::{is_frequency, is_time, time_unit};
-use super::numbers::Numbers;
-use super::raw::{Column, Rate, Raw, Stamps};
-use super::{ChannelNotes, Notes, Places};
-use crate::recording::{Finding, FindingKind, Over, PIECE, Quantity, Series, Unit};
+use super::numbers::ColumnNumbers;
+use super::raw::{Rate, Raw, RawColumn, TimeStamps};
+use super::{ChannelNotes, Notes, SamplePlaces};
+use crate::recording::{Issue, IssueKind, Over, PIECE, Quantity, Series, Unit};
 
 /// Names of columns that count, in small letters without blanks and dots.
 const COUNTERS: [&str; 29] = [
@@ -49,18 +49,18 @@ const COUNTERS: [&str; 29] = [
 const UNITS: [(&str, f64); 4] = [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9)];
 
 /// Share of a step by which a number may miss the time of its sample and still be it.
-const SAME_PLACE: f64 = 0.02;
+const MAX_STAMP_DEVIATION: f64 = 0.02;
 
 /// A column that tells no unit where it must.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct UntoldUnit {
+pub(super) struct MissingUnit {
     pub column: String,
     /// Its usual step, in its unit.
     pub step: f64,
 }
 
 /// What the notes make of the name and the unit of a column.
-fn head<'a>(column: &'a Column, said: Option<&'a ChannelNotes>) -> (&'a str, &'a str) {
+fn head<'a>(column: &'a RawColumn, said: Option<&'a ChannelNotes>) -> (&'a str, &'a str) {
     let name = said.and_then(|said| said.name.as_deref()).unwrap_or(&column.name);
     (name, said.and_then(|said| said.unit.as_deref()).unwrap_or(&column.unit))
 }
@@ -70,7 +70,7 @@ fn measures(unit: &str) -> Option<Quantity> {
 }
 
 /// True for a column whose name or unit says that it holds the time.
-pub(super) fn is_time_column(column: &Column) -> bool {
+pub(super) fn is_time_column(column: &RawColumn) -> bool {
     says_time(head(column, None))
 }
 
@@ -95,7 +95,7 @@ pub(super) fn time_column(raw: &mut Raw, said: &[ChannelNotes], notes: &Notes) -
     if notes.rate_hz.is_some() {
         return Ok(None);
     }
-    if let Stamps::Of { column, .. } = raw.stamps {
+    if let TimeStamps::Of { column, .. } = raw.stamps {
         return Ok(Some(column));
     }
     let may_be = |k: &usize| raw.columns[*k].left_out.is_none();
@@ -120,9 +120,9 @@ pub(super) fn time_column(raw: &mut Raw, said: &[ChannelNotes], notes: &Notes) -
         }
     }
     let told = match &raw.stamps {
-        Stamps::Rate(rate) => Some(rate),
-        Stamps::Header(header) => Some(&header.rate),
-        Stamps::Column => None,
+        TimeStamps::Rate(rate) => Some(rate),
+        TimeStamps::Header(header) => Some(&header.rate),
+        TimeStamps::Column => None,
         _ => return Ok(None),
     };
     let Some(first) = all().next().filter(|_| raw.columns.len() > 1) else { return Ok(None) };
@@ -137,7 +137,7 @@ pub(super) fn time_column(raw: &mut Raw, said: &[ChannelNotes], notes: &Notes) -
 }
 
 /// The step of a column that ascends evenly.
-pub(super) fn even_step(values: &Numbers) -> io::Result<Option<f64>> {
+pub(super) fn even_step(values: &ColumnNumbers) -> io::Result<Option<f64>> {
     let Some((first, last)) = values.ends()? else { return Ok(None) };
     let step = (last - first) / (values.count().max(2) - 1) as f64;
     let (mut even, mut k) = (step > 0.0 && values.count() > 2, 0.0);
@@ -151,7 +151,7 @@ pub(super) fn even_step(values: &Numbers) -> io::Result<Option<f64>> {
 }
 
 /// What a channel is that holds the time of its samples, or counts them; none for any other.
-pub(super) fn equals(values: &Numbers, places: &Places) -> io::Result<Option<String>> {
+pub(super) fn equals(values: &ColumnNumbers, places: &SamplePlaces) -> io::Result<Option<String>> {
     if counts(values)? == Some(1.0) {
         return Ok(Some("it counts the samples".to_owned()));
     }
@@ -163,14 +163,14 @@ pub(super) fn equals(values: &Numbers, places: &Places) -> io::Result<Option<Str
             piece = places.piece(k / PIECE).map(Cow::into_owned).unwrap_or_default();
             at = 0;
         }
-        equal &= piece.get(at).is_some_and(|place| (x - place).abs() < SAME_PLACE * step);
+        equal &= piece.get(at).is_some_and(|place| (x - place).abs() < MAX_STAMP_DEVIATION * step);
         (k, at) = (k + 1, at + 1);
     })?;
     Ok(equal.then(|| "it holds the time of its samples".to_owned()))
 }
 
 /// True for numbers that never fall and end above where they begin.
-pub(super) fn ascends(values: &Numbers) -> io::Result<bool> {
+pub(super) fn ascends(values: &ColumnNumbers) -> io::Result<bool> {
     let (mut rises, mut before) = (true, f64::NEG_INFINITY);
     values.each(|x| {
         rises &= x >= before;
@@ -180,7 +180,7 @@ pub(super) fn ascends(values: &Numbers) -> io::Result<bool> {
 }
 
 /// True for a column by the name of a counter whose numbers are whole and rise by the same whole number, and for one without a name that rises by 1.
-pub(super) fn is_counter(column: &Column) -> io::Result<bool> {
+pub(super) fn is_counter(column: &RawColumn) -> io::Result<bool> {
     let name: String = column.name.to_lowercase().chars().filter(|c| !c.is_whitespace() && !"._".contains(*c)).collect();
     let unnamed = name.starts_with("column") && name["column".len()..].bytes().all(|b| b.is_ascii_digit());
     if !column.unit.is_empty() || column.imaginary.is_some() || !(unnamed || COUNTERS.contains(&name.as_str())) {
@@ -190,7 +190,7 @@ pub(super) fn is_counter(column: &Column) -> io::Result<bool> {
 }
 
 /// The step of whole numbers that all rise by it.
-fn counts(values: &Numbers) -> io::Result<Option<f64>> {
+fn counts(values: &ColumnNumbers) -> io::Result<Option<f64>> {
     let Some((first, last)) = values.ends()? else { return Ok(None) };
     let step = (last - first) / (values.count().max(2) - 1) as f64;
     let (mut counts, mut k) = (step >= 1.0 && step.fract() == 0.0 && first.fract() == 0.0 && values.count() > 2, 0.0);
@@ -204,7 +204,7 @@ fn counts(values: &Numbers) -> io::Result<Option<f64>> {
 }
 
 /// What is said of columns that are not read as channels, for an error: `a counts the samples`.
-pub(super) fn told(columns: &[Column]) -> io::Result<Vec<String>> {
+pub(super) fn told(columns: &[RawColumn]) -> io::Result<Vec<String>> {
     let mut told = Vec::new();
     for column in columns.iter().filter(|column| column.left_out.is_none()) {
         if is_counter(column)? {
@@ -224,15 +224,15 @@ fn short(step: f64) -> f64 {
 /// The stamps of a column in s or Hz. Stamps without a unit are seconds where their column's name says that it is a time and they have fractions of one; a
 /// `rate` that is told may tell the unit too. Whole numbers may be anything.
 pub(super) fn seconds(
-    column: &mut Column,
+    column: &mut RawColumn,
     said: &ChannelNotes,
     (over, rate, named): (Over, Option<&Rate>, bool),
-    findings: &mut Vec<Finding>,
-) -> io::Result<Result<Numbers, UntoldUnit>> {
+    findings: &mut Vec<Issue>,
+) -> io::Result<Result<ColumnNumbers, MissingUnit>> {
     let (due, si) = if over == Over::Time { (Quantity::Time, "s") } else { (Quantity::Frequency, "Hz") };
     let name = said.name.clone().unwrap_or_else(|| column.name.clone());
     let told = said.unit.clone().unwrap_or_else(|| column.unit.clone());
-    let noticed = |kind, about: String| Finding::new(kind, 1, None, about).of(&name);
+    let noticed = |kind, about: String| Issue::new(kind, 1, None, about).of(&name);
     let known = |unit: &str| Unit::read(unit).filter(|unit| unit.quantity == due).map(|unit| unit.factor);
     let by_name = || time_unit(&name).filter(|_| over == Over::Time);
     let (unit, factor) = match known(&told)
@@ -245,33 +245,33 @@ pub(super) fn seconds(
             let fits = |(_, factor): &&(&str, f64)| rate.zip(step).is_some_and(|(rate, step)| !rate.differs_from(1.0 / (step * factor)));
             if let Some((unit, factor)) = UNITS.iter().find(fits) {
                 let by = rate.map_or("", |rate| &rate.told);
-                findings.push(noticed(FindingKind::Assumed, format!("the stamps tell no unit; they are in {unit} by {by}")));
+                findings.push(noticed(IssueKind::Assumed, format!("the stamps tell no unit; they are in {unit} by {by}")));
                 ((*unit).to_owned(), *factor)
             } else if said.scale.is_none() && is_whole(&column.values)? {
                 let steps = column.values.ends()?.map_or(f64::NAN, |(first, last)| last - first);
                 let step = step.unwrap_or(steps / (column.values.count().max(2) - 1) as f64);
-                return Ok(Err(UntoldUnit { column: column.name.clone(), step: short(step) }));
+                return Ok(Err(MissingUnit { column: column.name.clone(), step: short(step) }));
             } else {
                 let what =
                     if is_time(&name) { "the stamps tell no unit that is known" } else { "no name and no unit says that this is the time" };
-                findings.push(noticed(FindingKind::Assumed, format!("{what}; {si} is assumed")));
+                findings.push(noticed(IssueKind::Assumed, format!("{what}; {si} is assumed")));
                 (si.to_owned(), 1.0)
             }
         }
         None => {
-            findings.push(noticed(FindingKind::Assumed, format!("the stamps tell no unit that is known; {si} is assumed")));
+            findings.push(noticed(IssueKind::Assumed, format!("the stamps tell no unit that is known; {si} is assumed")));
             (si.to_owned(), 1.0)
         }
     };
     let scale = said.scale.unwrap_or(1.0);
     if factor * scale != 1.0 {
-        findings.push(noticed(FindingKind::Converted, format!("stamps in {unit} times {} are {si}", factor * scale)));
+        findings.push(noticed(IssueKind::Converted, format!("stamps in {unit} times {} are {si}", factor * scale)));
     }
     column.values.scale(factor * scale);
     Ok(Ok(std::mem::replace(&mut column.values, Vec::new().into())))
 }
 
-fn is_whole(values: &Numbers) -> io::Result<bool> {
+fn is_whole(values: &ColumnNumbers) -> io::Result<bool> {
     let mut whole = true;
     values.each(|x| whole &= x.fract() == 0.0)?;
     Ok(whole)

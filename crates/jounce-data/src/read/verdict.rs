@@ -1,12 +1,12 @@
 //! What a recording is, and what can be done with it next, in one line.
 
-use super::{Places, Surveyed, SurveyedChannel};
-use crate::recording::{FindingKind, Over, Quantity, Series as _};
+use super::{ChannelSummary, RecordingSummary, SamplePlaces};
+use crate::recording::{IssueKind, Over, Quantity, Series as _};
 
-impl Surveyed {
+impl RecordingSummary {
     /// One line: what the recording holds, and the commands that take it, or what its notes must say first.
     pub fn verdict(&self) -> String {
-        let live: Vec<&SurveyedChannel> = self.channels.iter().filter(|channel| !self.is_dead(channel)).collect();
+        let live: Vec<&ChannelSummary> = self.channels.iter().filter(|channel| !self.is_dead(channel)).collect();
         let has = |quantity: Quantity| live.iter().any(|channel| channel.quantity == quantity);
         let count = |quantity: Quantity| live.iter().filter(|channel| channel.quantity == quantity).count();
         let named = [
@@ -41,14 +41,14 @@ impl Surveyed {
             Over::Time if motion => "spectra, modes --output-only or --free-decay; rig --base as the motion of a base",
             Over::Time => "spectra",
         };
-        let even = if matches!(self.places, Places::Even { .. }) { "even" } else { "uneven, resampled where used" };
+        let even = if matches!(self.places, SamplePlaces::Even { .. }) { "even" } else { "uneven, resampled where used" };
         let unit = if self.over == Over::Time { "Hz" } else { "lines per Hz" };
         format!("{holds}; {} samples, {:.6} {unit}, {even}; next: {next}", self.places.count(), self.rate())
     }
 
     /// True for a channel that holds no signal.
-    fn is_dead(&self, channel: &SurveyedChannel) -> bool {
-        let dead = |kind: FindingKind| matches!(kind, FindingKind::Constant | FindingKind::EqualsTime);
+    fn is_dead(&self, channel: &ChannelSummary) -> bool {
+        let dead = |kind: IssueKind| matches!(kind, IssueKind::Constant | IssueKind::EqualsTime);
         let number = channel.sizes.peak == 0.0;
         number || self.findings.iter().any(|finding| dead(finding.kind) && finding.channel.as_ref() == Some(&channel.name))
     }
@@ -57,14 +57,14 @@ impl Surveyed {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::recording::{Channel, Finding, Grid, Recording};
+    use crate::recording::{Channel, Grid, Issue, Recording};
 
     fn verdict(channels: &[(Quantity, &str)], constant: Option<&str>) -> String {
         let channel = |(quantity, name): &(Quantity, &str)| Channel::new(name, *quantity, quantity.si_unit(), vec![1.0, 2.0, 1.0]);
         let grid = Grid::Even { start: 0.0, step: 0.01, count: 3 };
-        let findings = constant.map(|name| Finding::new(FindingKind::Constant, 3, None, String::new()).of(name)).into_iter().collect();
+        let findings = constant.map(|name| Issue::new(IssueKind::Constant, 3, None, String::new()).of(name)).into_iter().collect();
         let recording = Recording { name: "r".into(), over: Over::Time, grid, channels: channels.iter().map(channel).collect(), findings };
-        Surveyed::from(recording).verdict()
+        RecordingSummary::from(recording).verdict()
     }
 
     #[test]

@@ -7,12 +7,12 @@ use std::fs::File;
 use std::io::{self, BufReader, Read, Seek as _, SeekFrom};
 use std::path::Path;
 
-use super::contents::Found;
+use super::contents::FormatContents;
 use super::error::Damage;
-use super::raw::{Column, Raw, Stamps};
+use super::raw::{Raw, RawColumn, TimeStamps};
+use super::samples::SampleStore;
 use super::scalar::{Kind, Scalar};
-use super::shelf::Shelf;
-use crate::recording::{Finding, FindingKind, Over, Place};
+use crate::recording::{Issue, IssueKind, IssuePlace, Over};
 
 /// Kinds of samples: whole numbers, floating point, and one of both that stands further behind.
 const WHOLE: u16 = 1;
@@ -35,7 +35,7 @@ pub(super) fn begins(head: &[u8]) -> bool {
     (head.starts_with(b"RIFF") || head.starts_with(b"RF64")) && head.get(8..12) == Some(b"WAVE")
 }
 
-pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
+pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, Damage> {
     let file = File::open(path).map_err(Damage::cut)?;
     let size = file.metadata().map_err(Damage::cut)?.len();
     let mut source = BufReader::with_capacity(1 << 16, file);
@@ -59,7 +59,7 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
                     return Err(Damage::new("no description of the samples stands before them").at_byte(at));
                 };
                 let length = if length == u64::from(u32::MAX) { long.unwrap_or(length) } else { length };
-                return samples(&mut source, format, length, size - at, at, shelf);
+                return samples(&mut source, format, length, size - at, at, store);
             }
             _ => {}
         }
@@ -100,7 +100,7 @@ impl Format {
 }
 
 /// The samples of all channels by turns.
-fn samples(source: &mut impl Read, format: Format, length: u64, left: u64, at: u64, shelf: &Shelf) -> Result<Found, Damage> {
+fn samples(source: &mut impl Read, format: Format, length: u64, left: u64, at: u64, store: &SampleStore) -> Result<FormatContents, Damage> {
     let channels = u64::from(format.channels);
     let block = format.scalar.size as u64 * channels;
     let mut findings = Vec::new();
@@ -113,10 +113,10 @@ fn samples(source: &mut impl Read, format: Format, length: u64, left: u64, at: u
     let there = if length == 0 { left / block } else { there };
     if length == 0 || length > left {
         let about = format!("the header tells no length; all {there} samples up to the end of the file are taken");
-        let place = Place::Byte(usize::try_from(at).unwrap_or(usize::MAX));
-        findings.push(Finding::new(FindingKind::HeaderDisagrees, 1, Some(place), about));
+        let place = IssuePlace::Byte(usize::try_from(at).unwrap_or(usize::MAX));
+        findings.push(Issue::new(IssueKind::HeaderDisagrees, 1, Some(place), about));
     }
-    let mut series: Vec<_> = (0..channels).map(|_| shelf.column()).collect();
+    let mut series: Vec<_> = (0..channels).map(|_| store.column()).collect();
     if !series.iter_mut().all(|numbers| usize::try_from(there).is_ok_and(|there| numbers.expect(there))) {
         return Err(Damage::new(format!("{there} samples of {channels} channels do not fit into memory")));
     }
@@ -126,7 +126,7 @@ fn samples(source: &mut impl Read, format: Format, length: u64, left: u64, at: u
         channel = (channel + 1) % series.len();
         numbers
     })?;
-    let columns = series.into_iter().enumerate().map(|(k, values)| Column::new(&format!("channel {}", k + 1), "", values)).collect();
-    let stamps = Stamps::Even { start: 0.0, step: 1.0 / f64::from(format.rate_hz) };
+    let columns = series.into_iter().enumerate().map(|(k, values)| RawColumn::new(&format!("channel {}", k + 1), "", values)).collect();
+    let stamps = TimeStamps::Even { start: 0.0, step: 1.0 / f64::from(format.rate_hz) };
     Ok(Raw { title: String::new(), over: Over::Time, stamps, columns, findings }.into())
 }

@@ -1,6 +1,6 @@
 //! One channel.
 
-use super::{Head, Quantity};
+use super::{ChannelHead, Quantity};
 
 /// Samples of one quantity at one place.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,7 +39,7 @@ impl Channel {
     }
 
     /// What it is chosen by.
-    pub fn head(&self) -> Head<'_> {
-        Head { name: &self.name, quantity: self.quantity, unit: &self.unit }
+    pub fn head(&self) -> ChannelHead<'_> {
+        ChannelHead { name: &self.name, quantity: self.quantity, unit: &self.unit }
     }
 }

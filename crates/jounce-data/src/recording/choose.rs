@@ -1,6 +1,6 @@
 //! The channel that a question is about.
 
-use super::{Channel, Finding, FindingKind, NoChannel, Quantity, Recording};
+use super::{Channel, Issue, IssueKind, NoChannel, Quantity, Recording};
 
 /// A channel that cannot be chosen.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -32,7 +32,7 @@ pub enum ChannelError {
 
 /// What a channel is chosen by.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Head<'a> {
+pub struct ChannelHead<'a> {
     /// Its name.
     pub name: &'a str,
     /// What it measures.
@@ -41,7 +41,7 @@ pub struct Head<'a> {
     pub unit: &'a str,
 }
 
-impl Head<'_> {
+impl ChannelHead<'_> {
     /// True where it tells a unit, known or not.
     pub fn tells_unit(&self) -> bool {
         !matches!(self.unit.trim(), "" | "NONE")
@@ -53,10 +53,10 @@ impl Head<'_> {
     }
 
     /// What is assumed where it is taken for a quantity without telling a unit.
-    pub fn assumed(&self, quantity: Quantity) -> Option<Finding> {
+    pub fn assumed(&self, quantity: Quantity) -> Option<Issue> {
         let about = || format!("no unit is told; {} is assumed", quantity.si_unit());
         let silent = self.quantity == Quantity::Unknown && !self.tells_unit();
-        silent.then(|| Finding::new(FindingKind::Assumed, 1, None, about()).of(self.name))
+        silent.then(|| Issue::new(IssueKind::Assumed, 1, None, about()).of(self.name))
     }
 }
 
@@ -64,7 +64,7 @@ impl Head<'_> {
 ///
 /// # Errors
 /// No such channel; the error lists those that there are.
-pub fn named(recording: &str, heads: &[Head<'_>], wanted: &str) -> Result<usize, NoChannel> {
+pub fn named(recording: &str, heads: &[ChannelHead<'_>], wanted: &str) -> Result<usize, NoChannel> {
     let numbered = || wanted.parse::<usize>().ok().and_then(|number| number.checked_sub(1)).filter(|k| *k < heads.len());
     heads.iter().position(|head| head.name == wanted).or_else(numbered).ok_or_else(|| NoChannel {
         wanted: wanted.to_owned(),
@@ -78,7 +78,7 @@ pub fn named(recording: &str, heads: &[Head<'_>], wanted: &str) -> Result<usize,
 ///
 /// # Errors
 /// [`ChannelError`].
-pub fn chosen(recording: &str, heads: &[Head<'_>], wanted: Option<&str>, quantity: Quantity) -> Result<usize, ChannelError> {
+pub fn chosen(recording: &str, heads: &[ChannelHead<'_>], wanted: Option<&str>, quantity: Quantity) -> Result<usize, ChannelError> {
     let of_quantity = || heads.iter().position(|head| head.quantity == quantity);
     let only = || (heads.len() == 1).then_some(0);
     let unnamed = || ChannelError::Unnamed { recording: recording.to_owned(), channels: names(heads) };
@@ -93,7 +93,7 @@ pub fn chosen(recording: &str, heads: &[Head<'_>], wanted: Option<&str>, quantit
     Err(ChannelError::Unit { channel: head.name.to_owned(), unit: head.unit.to_owned(), recording: recording.to_owned() })
 }
 
-fn names(heads: &[Head<'_>]) -> Vec<String> {
+fn names(heads: &[ChannelHead<'_>]) -> Vec<String> {
     heads.iter().map(|head| head.name.to_owned()).collect()
 }
 
@@ -108,7 +108,7 @@ impl Recording {
     }
 
     /// What each channel is chosen by.
-    pub fn heads(&self) -> Vec<Head<'_>> {
+    pub fn heads(&self) -> Vec<ChannelHead<'_>> {
         self.channels.iter().map(Channel::head).collect()
     }
 

@@ -8,25 +8,25 @@ pub(super) struct Corridor {
     /// Lower ends that bound slopes from above, a concave chain, and the first of them that still counts; upper ends the other way round.
     lower: Chain,
     upper: Chain,
-    steepest: Option<Line>,
-    flattest: Option<Line>,
+    steepest: Option<CorridorLine>,
+    flattest: Option<CorridorLine>,
     closed: bool,
 }
 
 #[derive(Clone, Copy)]
-struct Point {
+struct CorridorPoint {
     x: f64,
     y: f64,
 }
 
 #[derive(Clone, Copy)]
-struct Line {
-    through: Point,
+struct CorridorLine {
+    through: CorridorPoint,
     slope: f64,
 }
 
-impl Line {
-    fn between(a: Point, b: Point) -> Self {
+impl CorridorLine {
+    fn between(a: CorridorPoint, b: CorridorPoint) -> Self {
         Self { through: b, slope: slope(a, b) }
     }
 
@@ -35,29 +35,29 @@ impl Line {
     }
 }
 
-fn slope(a: Point, b: Point) -> f64 {
+fn slope(a: CorridorPoint, b: CorridorPoint) -> f64 {
     (b.y - a.y) / (b.x - a.x)
 }
 
 #[derive(Default)]
 struct Chain {
-    points: Vec<Point>,
+    points: Vec<CorridorPoint>,
     first: usize,
 }
 
 impl Chain {
     /// The line from a point of the chain to a later one that `better` prefers over its neighbours; points before it count no more.
-    fn tangent(&mut self, to: Point, better: fn(f64, f64) -> bool) -> Option<Line> {
+    fn tangent(&mut self, to: CorridorPoint, better: fn(f64, f64) -> bool) -> Option<CorridorLine> {
         let mut best = slope(*self.points.get(self.first)?, to);
         while let Some(next) = self.points.get(self.first + 1).map(|point| slope(*point, to)).filter(|next| better(*next, best)) {
             best = next;
             self.first += 1;
         }
-        Some(Line { through: to, slope: best })
+        Some(CorridorLine { through: to, slope: best })
     }
 
     /// Puts a point behind the others; `bends` tells from the slopes before and behind a point whether the chain keeps it.
-    fn push(&mut self, point: Point, bends: fn(f64, f64) -> bool) {
+    fn push(&mut self, point: CorridorPoint, bends: fn(f64, f64) -> bool) {
         while let [.., a, b] = self.points[self.first..] {
             if bends(slope(a, b), slope(b, point)) {
                 break;
@@ -74,7 +74,7 @@ impl Corridor {
         if self.closed {
             return;
         }
-        let (low, high) = (Point { x, y: low }, Point { x, y: high });
+        let (low, high) = (CorridorPoint { x, y: low }, CorridorPoint { x, y: high });
         match (self.steepest, self.flattest) {
             (Some(steepest), Some(flattest)) => {
                 self.closed = low.y > steepest.at(x) || high.y < flattest.at(x);
@@ -86,8 +86,8 @@ impl Corridor {
                 }
             }
             _ => {
-                self.steepest = self.lower.points.first().map(|first| Line::between(*first, high));
-                self.flattest = self.upper.points.first().map(|first| Line::between(*first, low));
+                self.steepest = self.lower.points.first().map(|first| CorridorLine::between(*first, high));
+                self.flattest = self.upper.points.first().map(|first| CorridorLine::between(*first, low));
             }
         }
         self.lower.push(low, |before, behind| before > behind);

@@ -5,9 +5,9 @@ use std::fmt::Write as _;
 use super::Series;
 
 /// Roundoff of a stamp that was read, scaled and compared, relative.
-const ROUNDOFF: f64 = 8.0 * f64::EPSILON;
+const DIGIT_ROUNDOFF: f64 = 8.0 * f64::EPSILON;
 /// Digits that a double keeps whatever roundoff of a few units in its last place it suffers.
-const SURE: usize = 15;
+const MIN_SURE_DIGITS: usize = 15;
 /// A number of at most so many digits was printed so, and its further digits are roundoff.
 const PRINTED: usize = 13;
 
@@ -38,7 +38,7 @@ impl Digits {
         let size = stamp.abs();
         let power = if size > 0.0 { size.log10().floor() as i32 } else { -self.decimals };
         let last = (-self.decimals).max(power - self.significant + 1);
-        0.5 * 10f64.powi(last) + ROUNDOFF * size
+        0.5 * 10f64.powi(last) + DIGIT_ROUNDOFF * size
     }
 }
 
@@ -50,9 +50,9 @@ fn printed(x: f64, text: &mut String) -> Option<(i32, i32)> {
     text.clear();
     write!(text, "{x:e}").ok()?;
     let mut found = counted(text)?;
-    if found.0 > SURE {
+    if found.0 > MIN_SURE_DIGITS {
         text.clear();
-        write!(text, "{x:.*e}", SURE - 1).ok()?;
+        write!(text, "{x:.*e}", MIN_SURE_DIGITS - 1).ok()?;
         found = counted(text).filter(|(count, _)| *count <= PRINTED).unwrap_or(found);
     }
     Some((found.0 as i32, found.1))

@@ -1,6 +1,6 @@
 //! A recording at even places, without missing samples.
 
-use super::{Channel, Finding, FindingKind, Grid, GridError, Holed, Place, Recording};
+use super::{Channel, Grid, GridError, Issue, IssueKind, IssuePlace, Recording, StampsWithGaps};
 
 impl Recording {
     /// The recording at even places: samples that are not numbers are bridged by straight lines (ends by the nearest number), and stamped
@@ -29,7 +29,7 @@ impl Recording {
             return Ok(self);
         }
         if let Grid::Stamped(stamps) = &even.grid {
-            let Ok(holed) = Holed::of(&stamps.as_slice());
+            let Ok(holed) = StampsWithGaps::of(&stamps.as_slice());
             if let Some(holed) = holed {
                 return self.filled(&holed);
             }
@@ -45,12 +45,12 @@ impl Recording {
         }
         let about =
             format!("{} stamped samples were interpolated by straight lines at {} even places, {:.6} Hz", stamps.len(), count, 1.0 / step);
-        even.findings.push(Finding::new(FindingKind::Resampled, count as usize, None, about));
+        even.findings.push(Issue::new(IssueKind::Resampled, count as usize, None, about));
         Ok(self)
     }
 
     /// Every sample at its own place, the empty ones bridged by straight lines.
-    fn filled(mut self, holed: &Holed) -> Result<Self, GridError> {
+    fn filled(mut self, holed: &StampsWithGaps) -> Result<Self, GridError> {
         let start = self.grid.at(0);
         let count = self.grid.len() + holed.missing;
         let grid = Grid::even(start, holed.step, count)?;
@@ -60,9 +60,9 @@ impl Recording {
             channel.imaginary = channel.imaginary.as_ref().map(|imaginary| spread(&places, imaginary, count));
         }
         self.grid = grid;
-        let first = places.iter().enumerate().find(|(k, place)| k < *place).map(|(k, _)| Place::Sample(k));
+        let first = places.iter().enumerate().find(|(k, place)| k < *place).map(|(k, _)| IssuePlace::Sample(k));
         let about = format!("missing samples were bridged by straight lines at {:.6} Hz; all others are as they were", 1.0 / holed.step);
-        self.findings.push(Finding::new(FindingKind::Bridged, holed.missing, first, about));
+        self.findings.push(Issue::new(IssueKind::Bridged, holed.missing, first, about));
         Ok(self)
     }
 }
@@ -81,7 +81,7 @@ fn spread(places: &[usize], values: &[f64], count: usize) -> Vec<f64> {
 }
 
 /// Replaces runs of NaN between numbers by straight lines, at the ends by the nearest number.
-fn bridged(channel: &mut Channel) -> Option<Finding> {
+fn bridged(channel: &mut Channel) -> Option<Issue> {
     let values = &mut channel.values;
     let first = values.iter().position(|x| !x.is_finite())?;
     let known: Vec<usize> = (0..values.len()).filter(|k| values[*k].is_finite()).collect();
@@ -95,7 +95,7 @@ fn bridged(channel: &mut Channel) -> Option<Finding> {
         values[pair[0] + 1..pair[1]].iter_mut().enumerate().for_each(|(k, value)| *value = a + (k + 1) as f64 * step);
     }
     let about = "samples that are no numbers were bridged by straight lines".to_owned();
-    Some(Finding::new(FindingKind::Bridged, values.len() - known.len(), Some(Place::Sample(first)), about).of(&channel.name))
+    Some(Issue::new(IssueKind::Bridged, values.len() - known.len(), Some(IssuePlace::Sample(first)), about).of(&channel.name))
 }
 
 fn interpolated(stamps: &[f64], values: &[f64], grid: &Grid) -> Vec<f64> {
@@ -140,7 +140,7 @@ mod tests {
             assert!(error < if (18.0..22.0).contains(&place) { 1.3 } else { 1e-9 }, "{k}: {error}");
         }
         let kinds: Vec<_> = even.findings.iter().map(|finding| finding.kind).collect();
-        for kind in [FindingKind::Jitter, FindingKind::Gap, FindingKind::Bridged, FindingKind::Resampled] {
+        for kind in [IssueKind::Jitter, IssueKind::Gap, IssueKind::Bridged, IssueKind::Resampled] {
             assert!(kinds.contains(&kind), "{kind:?} is missing in {kinds:?}");
         }
     }
@@ -155,7 +155,7 @@ mod tests {
             let stamps: Vec<f64> = kept.iter().map(|k| (f64::from(*k) * 1e4 + f64::from(k % 3) - 1.0).round() * 1e-7).collect();
             let found = recording(stamps, kept.iter().map(|k| sine(*k)).collect());
             let kinds: Vec<_> = found.findings.iter().map(|finding| finding.kind).collect();
-            assert_eq!(kinds, [FindingKind::Gap]);
+            assert_eq!(kinds, [IssueKind::Gap]);
             assert!((found.rate() / 1000.0 - 1.0).abs() < 1e-7, "{}", found.rate());
             let even = found.even().unwrap();
             let Grid::Even { step, count, .. } = even.grid else { panic!("even places") };
@@ -164,17 +164,16 @@ mod tests {
             assert!(kept.iter().all(|k| values[*k as usize] == sine(*k)));
             let power = values.iter().map(|x| x * x).sum::<f64>() / 4000.0;
             assert!((power - 1.0).abs() < 2.0 * lost.len() as f64 / 4000.0, "{power}");
-            assert_eq!(even.findings.last().map(|finding| (finding.kind, finding.count)), Some((FindingKind::Bridged, lost.len())));
+            assert_eq!(even.findings.last().map(|finding| (finding.kind, finding.count)), Some((IssueKind::Bridged, lost.len())));
         }
     }
 
     /// Stamps in steps of their last digit: one that is missing is lost; where the rate is lower than the digits, every 19th step is long.
     #[test]
     fn a_lost_sample_is_no_rounded_stamp() {
-        let kinds =
-            |stamps: Vec<f64>| -> Vec<FindingKind> { Grid::from_stamps(stamps).unwrap().1.iter().map(|found| found.kind).collect() };
-        assert_eq!(kinds((0..2000).filter(|k| *k != 777).map(|k| f64::from(k) / 100.0).collect()), [FindingKind::Gap]);
-        assert_eq!(kinds((0..2000).map(|k| (f64::from(k) / 0.95).round() / 100.0).collect()), [FindingKind::RoundedStamps]);
+        let kinds = |stamps: Vec<f64>| -> Vec<IssueKind> { Grid::from_stamps(stamps).unwrap().1.iter().map(|found| found.kind).collect() };
+        assert_eq!(kinds((0..2000).filter(|k| *k != 777).map(|k| f64::from(k) / 100.0).collect()), [IssueKind::Gap]);
+        assert_eq!(kinds((0..2000).map(|k| (f64::from(k) / 0.95).round() / 100.0).collect()), [IssueKind::RoundedStamps]);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Flat tops of a signal: where it was clipped.
 
-use super::{Finding, FindingKind, Place};
+use super::{Issue, IssueKind, IssuePlace};
 
 /// Equal samples in a row at an extreme from this many on may be a flat top.
 pub(super) const FLAT: usize = 3;
@@ -12,7 +12,7 @@ const SQUARE: usize = 2;
 
 /// One end of the range of a channel.
 #[derive(Clone, Copy, Default)]
-pub(super) struct End {
+pub(super) struct RangeEnd {
     value: f64,
     /// True where a converter ends there too.
     is_full_scale: bool,
@@ -28,7 +28,7 @@ pub(super) struct End {
 /// The flat tops of a channel whose range and smallest step are known.
 #[derive(Default)]
 pub(super) struct FlatTops {
-    ends: [End; 2],
+    ends: [RangeEnd; 2],
     quantum: f64,
     /// Samples so far.
     number: usize,
@@ -42,7 +42,7 @@ pub(super) struct FlatTops {
     between: usize,
 }
 
-impl End {
+impl RangeEnd {
     /// An end without samples yet, and whether a converter ends there too.
     pub(super) fn at(value: f64, is_full_scale: bool) -> Self {
         Self { value, is_full_scale, ..Self::default() }
@@ -56,7 +56,7 @@ impl End {
 
 impl FlatTops {
     /// Of a channel between two ends, whose smallest step is `quantum`.
-    pub(super) fn between(ends: [End; 2], quantum: f64) -> Self {
+    pub(super) fn between(ends: [RangeEnd; 2], quantum: f64) -> Self {
         Self { ends, quantum, ..Self::default() }
     }
 
@@ -92,12 +92,12 @@ impl FlatTops {
         }
     }
 
-    pub(super) fn finding(&self) -> Option<Finding> {
+    pub(super) fn finding(&self) -> Option<Issue> {
         let is_square = self.runs > 1 && self.between < SQUARE * (self.runs - 1);
-        let clipped = |is: fn(&End) -> bool, about: String| {
-            let ends: Vec<&End> = self.ends.iter().filter(|end| is(end)).collect();
+        let clipped = |is: fn(&RangeEnd) -> bool, about: String| {
+            let ends: Vec<&RangeEnd> = self.ends.iter().filter(|end| is(end)).collect();
             let first = ends.iter().filter_map(|end| end.first).min()?;
-            Some(Finding::new(FindingKind::Clipping, ends.iter().map(|end| end.samples).sum(), Some(Place::Sample(first)), about))
+            Some(Issue::new(IssueKind::Clipping, ends.iter().map(|end| end.samples).sum(), Some(IssuePlace::Sample(first)), about))
         };
         let [low, high] = self.ends;
         if low.is_flat || high.is_flat {

@@ -1,6 +1,6 @@
 //! Where samples lie in time or frequency.
 
-use super::Finding;
+use super::Issue;
 use super::stamps::{self, Stamped};
 
 /// What the samples are taken over.
@@ -84,7 +84,7 @@ impl Grid {
     ///
     /// # Errors
     /// Fewer than two stamps, one that is not a number, one that goes back.
-    pub fn from_stamps(stamps: Vec<f64>) -> Result<(Self, Vec<Finding>), GridError> {
+    pub fn from_stamps(stamps: Vec<f64>) -> Result<(Self, Vec<Issue>), GridError> {
         let Ok(found) = Stamped::of(&stamps.as_slice(), None, "s");
         Ok(match found? {
             Stamped::Even { start, step, noticed } => (Self::Even { start, step, count: stamps.len() }, noticed),

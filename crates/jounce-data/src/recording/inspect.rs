@@ -1,7 +1,7 @@
 //! Looks at the samples of a channel for what instruments do to signals.
 
-use super::flat_tops::{End, FLAT, FlatTops};
-use super::{Channel, Finding, FindingKind, Place, Quantity, Series};
+use super::flat_tops::{FLAT, FlatTops, RangeEnd};
+use super::{Channel, Issue, IssueKind, IssuePlace, Quantity, Series};
 
 /// Leading or trailing zeros from this many on are padding.
 const PADDING: usize = 10;
@@ -38,7 +38,7 @@ impl Sizes {
 ///
 /// A flat top is told from a slow maximum of a coarsely quantised signal by how the signal enters it: by a jump of more than two of the
 /// smallest steps that the channel makes. A square wave has flat tops of its own, and is not clipped.
-pub fn inspect(channel: &Channel) -> Vec<Finding> {
+pub fn inspect(channel: &Channel) -> Vec<Issue> {
     let counts = may_be_counts(channel.quantity, channel.imaginary.is_some());
     let Ok((found, _)) = inspected(&channel.values.as_slice(), counts);
     found.into_iter().map(|finding| finding.of(&channel.name)).collect()
@@ -51,12 +51,12 @@ pub(crate) fn may_be_counts(quantity: Quantity, complex: bool) -> bool {
 
 /// What is odd about samples, not yet said of a channel, and how large they are: one pass over them, and a second one where some are
 /// equal for so long that they may be a flat top.
-pub(crate) fn inspected<S: Series>(samples: &S, may_be_counts: bool) -> Result<(Vec<Finding>, Sizes), S::Fault> {
-    let mut look = Look::default();
+pub(crate) fn inspected<S: Series>(samples: &S, may_be_counts: bool) -> Result<(Vec<Issue>, Sizes), S::Fault> {
+    let mut look = ChannelStatistics::default();
     samples.each(|x| look.take(x))?;
-    let ends = [look.low, look.high].map(|value| End::at(value, look.is_full_scale(value)));
+    let ends = [look.low, look.high].map(|value| RangeEnd::at(value, look.is_full_scale(value)));
     let mut tops = FlatTops::between(ends, look.quantum);
-    if look.low < look.high && (look.longest >= FLAT || ends.iter().any(End::is_full_scale)) {
+    if look.low < look.high && (look.longest >= FLAT || ends.iter().any(RangeEnd::is_full_scale)) {
         samples.each(|x| tops.take(x))?;
         tops.close(None);
     }
@@ -66,7 +66,7 @@ pub(crate) fn inspected<S: Series>(samples: &S, may_be_counts: bool) -> Result<(
 }
 
 /// What one pass over samples tells.
-struct Look {
+struct ChannelStatistics {
     /// Samples so far.
     number: usize,
     first: f64,
@@ -92,7 +92,7 @@ struct Look {
     peak: f64,
 }
 
-impl Default for Look {
+impl Default for ChannelStatistics {
     fn default() -> Self {
         Self {
             number: 0,
@@ -116,7 +116,7 @@ impl Default for Look {
     }
 }
 
-impl Look {
+impl ChannelStatistics {
     fn take(&mut self, x: f64) {
         if self.number == 0 {
             self.first = x;
@@ -149,17 +149,17 @@ impl Look {
         self.number += 1;
     }
 
-    fn not_a_number(&self) -> Option<Finding> {
-        let first = Place::Sample(self.first_missing?);
-        Some(Finding::new(FindingKind::NotANumber, self.missing, Some(first), "samples are no numbers".to_owned()))
+    fn not_a_number(&self) -> Option<Issue> {
+        let first = IssuePlace::Sample(self.first_missing?);
+        Some(Issue::new(IssueKind::NotANumber, self.missing, Some(first), "samples are no numbers".to_owned()))
     }
 
-    fn constant(&self) -> Option<Finding> {
+    fn constant(&self) -> Option<Issue> {
         let about = format!("all samples are {}; there is no signal", self.first);
-        (self.same && self.number > 1).then(|| Finding::new(FindingKind::Constant, self.number, None, about))
+        (self.same && self.number > 1).then(|| Issue::new(IssueKind::Constant, self.number, None, about))
     }
 
-    fn padding(&self) -> Option<Finding> {
+    fn padding(&self) -> Option<Issue> {
         if self.leading == self.number || self.leading.max(self.trailing) < PADDING {
             return None;
         }
@@ -167,7 +167,7 @@ impl Look {
         let (leading, trailing) = (counted(self.leading), counted(self.trailing));
         let first = if leading > 0 { 0 } else { self.number - trailing };
         let about = format!("{leading} exact zeros stand before the signal and {trailing} after it");
-        Some(Finding::new(FindingKind::ZeroPadding, leading + trailing, Some(Place::Sample(first)), about))
+        Some(Issue::new(IssueKind::ZeroPadding, leading + trailing, Some(IssuePlace::Sample(first)), about))
     }
 
     /// True for an end of a converter's range: a round size of 2, 4, 8, 16 and so on, in SI or in g, or the last code of 8, 12, 16 or 24 bits, in
@@ -188,9 +188,9 @@ impl Look {
         by_size || steps.iter().any(is_last)
     }
 
-    fn counts(&self) -> Option<Finding> {
+    fn counts(&self) -> Option<Issue> {
         let about = "whole numbers without unit: counts of a converter? give the scale in the notes beside the file";
-        (self.whole && self.peak > COUNTS).then(|| Finding::new(FindingKind::RawCounts, self.number, None, about.to_owned()))
+        (self.whole && self.peak > COUNTS).then(|| Issue::new(IssueKind::RawCounts, self.number, None, about.to_owned()))
     }
 }
 
@@ -200,7 +200,7 @@ mod tests {
     use super::*;
     use std::f64::consts::TAU;
 
-    fn found(values: Vec<f64>) -> Vec<(FindingKind, usize, Option<Place>)> {
+    fn found(values: Vec<f64>) -> Vec<(IssueKind, usize, Option<IssuePlace>)> {
         let quantity = Quantity::Acceleration;
         inspect(&Channel::new("a", quantity, "m/s^2", values)).into_iter().map(|f| (f.kind, f.count, f.first)).collect()
     }
@@ -231,14 +231,14 @@ mod tests {
         let clipped: Vec<f64> = sine(1.0, 1000).into_iter().map(|x| x.min(0.9)).collect();
         let flat = clipped.iter().filter(|x| **x == 0.9).count();
         let first = clipped.iter().position(|x| *x == 0.9).unwrap();
-        assert_eq!(found(clipped), [(FindingKind::Clipping, flat, Some(Place::Sample(first)))]);
+        assert_eq!(found(clipped), [(IssueKind::Clipping, flat, Some(IssuePlace::Sample(first)))]);
         // Two single samples at the end of a range of 8, where the strokes are steep; at 7.9, or smooth as a sine's peaks of 8, they are none.
         let strokes = |end: f64| {
             let mut values = sine(1.0, 1000);
             (values[200], values[700]) = (-end, -end);
             values
         };
-        assert_eq!(found(strokes(8.0)), [(FindingKind::Clipping, 2, Some(Place::Sample(200)))]);
+        assert_eq!(found(strokes(8.0)), [(IssueKind::Clipping, 2, Some(IssuePlace::Sample(200)))]);
         assert_eq!(found(strokes(7.9)), []);
         assert_eq!(found((0..1000).map(|k| [0.0, 5.0, 7.6, 8.0, 7.6, 5.0][k % 6]).collect()), []);
         // Codes of converters, at one sample in five, in counts and in volts; all of them are counted.
@@ -249,17 +249,17 @@ mod tests {
             let ends = values.iter().filter(|x| **x == -half * scale || **x == (half - 1.0) * scale).count();
             let clipped = found(values);
             assert!(
-                ends > 100 && clipped.len() == 1 && clipped[0].0 == FindingKind::Clipping && clipped[0].1 == ends,
+                ends > 100 && clipped.len() == 1 && clipped[0].0 == IssueKind::Clipping && clipped[0].1 == ends,
                 "{bits} bits: {clipped:?}"
             );
         }
         let padded = [vec![0.0; 40], sine(1.0, 300), vec![0.0; 3]].concat();
-        assert_eq!(found(padded), [(FindingKind::ZeroPadding, 40, Some(Place::Sample(0)))]);
+        assert_eq!(found(padded), [(IssueKind::ZeroPadding, 40, Some(IssuePlace::Sample(0)))]);
         let mut holed = sine(1.0, 300);
         (holed[7], holed[9]) = (f64::NAN, f64::INFINITY);
-        assert_eq!(found(holed), [(FindingKind::NotANumber, 2, Some(Place::Sample(7)))]);
-        assert_eq!(found(vec![3.0; 50]), [(FindingKind::Constant, 50, None)]);
+        assert_eq!(found(holed), [(IssueKind::NotANumber, 2, Some(IssuePlace::Sample(7)))]);
+        assert_eq!(found(vec![3.0; 50]), [(IssueKind::Constant, 50, None)]);
         let counts = Channel::new("a", Quantity::Unknown, "", sine(16_000.0, 300).into_iter().map(f64::round).collect());
-        assert!(inspect(&counts).iter().any(|finding| finding.kind == FindingKind::RawCounts));
+        assert!(inspect(&counts).iter().any(|finding| finding.kind == IssueKind::RawCounts));
     }
 }

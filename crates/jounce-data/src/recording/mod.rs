@@ -1,16 +1,16 @@
 //! Recordings: channels in SI units over time or frequency, with everything that is odd about them.
 //!
-//! Nothing is repaired in silence: what was converted, missing, clipped or resampled is a [`Finding`] with its count and its first place.
+//! Nothing is repaired in silence: what was converted, missing, clipped or resampled is a [`Issue`] with its count and its first place.
 mod channel;
 mod choose;
 mod complex_sizes;
 mod corridor;
 mod digits;
 mod even;
-mod finding;
 mod flat_tops;
 mod grid;
 mod inspect;
+mod issue;
 mod quantity;
 mod recorded;
 mod series;
@@ -18,15 +18,15 @@ mod stamps;
 mod unit;
 
 pub use channel::Channel;
-pub use choose::{ChannelError, Head, chosen, named};
+pub use choose::{ChannelError, ChannelHead, chosen, named};
 pub(crate) use complex_sizes::sizes_with;
-pub use finding::{Finding, FindingKind, Place};
 pub use grid::{Grid, GridError, Over};
 pub use inspect::{Sizes, inspect};
 pub(crate) use inspect::{inspected, may_be_counts};
+pub use issue::{Issue, IssueKind, IssuePlace};
 pub use quantity::Quantity;
 pub use recorded::{NoChannel, Recording};
 pub use series::{PIECE, Series};
-pub(crate) use stamps::{Holed, Stamped, usual_step};
+pub(crate) use stamps::{Stamped, StampsWithGaps, usual_step};
 pub use unit::Unit;
 pub(crate) use unit::unbracketed;

@@ -1,7 +1,7 @@
 //! A recording: channels over one grid.
 
 use super::choose::named;
-use super::{Channel, Finding, Grid, Over};
+use super::{Channel, Grid, Issue, Over};
 
 /// Channels of equal length over one grid of time or frequency.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,7 +15,7 @@ pub struct Recording {
     /// The channels, each with one sample for each place of the grid.
     pub channels: Vec<Channel>,
     /// Everything that was noticed or done.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<Issue>,
 }
 
 /// A channel that a recording does not have.

@@ -2,7 +2,7 @@
 
 use super::corridor::Corridor;
 use super::digits::Digits;
-use super::{Finding, FindingKind, GridError, PIECE, Place, Series};
+use super::{GridError, Issue, IssueKind, IssuePlace, PIECE, Series};
 
 /// Stamps closer to even places than this share of a step are even: their digits end there.
 const ROUNDED: f64 = 0.02;
@@ -24,9 +24,9 @@ const EXACT: f64 = 1e-6;
 /// What stamps are.
 pub(crate) enum Stamped {
     /// Even places, with what was noticed: all stamps within the digits that they were printed with, or within 2 % of a step.
-    Even { start: f64, step: f64, noticed: Vec<Finding> },
+    Even { start: f64, step: f64, noticed: Vec<Issue> },
     /// Uneven ones, with what was noticed.
-    Uneven(Vec<Finding>),
+    Uneven(Vec<Issue>),
 }
 
 impl Stamped {
@@ -84,7 +84,7 @@ fn farthest_off<S: Series>(stamps: &S, start: f64, step: f64) -> Result<f64, S::
 }
 
 /// Even places that explain all stamps within their digits.
-struct EvenPlaces {
+struct EvenStamps {
     start: f64,
     step: f64,
     /// Half the range of steps that would do.
@@ -95,7 +95,7 @@ struct EvenPlaces {
 
 /// The even places behind rounded stamps, if there are any: those of the step `told` where it fits, else of the mean step, else of the middle of all
 /// steps that fit.
-fn even_places<S: Series>(stamps: &S, digits: &Digits, mean: (f64, f64), told: Option<f64>) -> Result<Option<EvenPlaces>, S::Fault> {
+fn even_places<S: Series>(stamps: &S, digits: &Digits, mean: (f64, f64), told: Option<f64>) -> Result<Option<EvenStamps>, S::Fault> {
     // Distances from the places of the mean step keep their digits.
     let (start, step) = mean;
     let (mut corridor, mut rounding, mut k) = (Corridor::default(), 0.0, 0.0);
@@ -117,10 +117,10 @@ fn even_places<S: Series>(stamps: &S, digits: &Digits, mean: (f64, f64), told: O
     })?;
     // The first stamp stays where it is if it may.
     let shift = if (least..=most).contains(&0.0) { 0.0 } else { 0.5 * (least + most) };
-    Ok(Some(EvenPlaces { start: start + shift, step: step + slope, uncertain: 0.5 * (high - low), rounding }))
+    Ok(Some(EvenStamps { start: start + shift, step: step + slope, uncertain: 0.5 * (high - low), rounding }))
 }
 
-impl EvenPlaces {
+impl EvenStamps {
     /// Stamps that were rounded by more than a small share of a step say so.
     fn stamped(self, count: usize, unit: &str) -> Stamped {
         let Self { start, step, uncertain, rounding } = self;
@@ -131,7 +131,7 @@ impl EvenPlaces {
             uncertain / step
         );
         let coarse = rounding > ROUNDED * step;
-        let noticed = coarse.then(|| Finding::new(FindingKind::RoundedStamps, count, None, about)).into_iter().collect();
+        let noticed = coarse.then(|| Issue::new(IssueKind::RoundedStamps, count, None, about)).into_iter().collect();
         Stamped::Even { start, step, noticed }
     }
 }
@@ -195,14 +195,14 @@ fn median_step<S: Series>(stamps: &S) -> Result<f64, S::Fault> {
 }
 
 /// Even places at which all stamps lie, some places without a stamp.
-pub(crate) struct Holed {
+pub(crate) struct StampsWithGaps {
     /// The distance of the places.
     pub step: f64,
     /// Places without a stamp.
     pub missing: usize,
 }
 
-impl Holed {
+impl StampsWithGaps {
     /// The places of stamps that lie within their digits or 2 % of a step of them, each at a place of its own, and few places empty; none where
     /// there are no such places.
     pub(crate) fn of<S: Series>(stamps: &S) -> Result<Option<Self>, S::Fault> {
@@ -244,7 +244,7 @@ fn places_passed(step: f64, near: f64) -> f64 {
 /// follow the digits of coarse stamps.
 pub(crate) fn usual_step<S: Series>(stamps: &S) -> Result<f64, S::Fault> {
     let median = median_step(stamps)?;
-    match Holed::about(stamps, median, &Digits::of(stamps)?)? {
+    match StampsWithGaps::about(stamps, median, &Digits::of(stamps)?)? {
         Some(holed) => Ok(holed.step),
         None => mean_step(stamps, median),
     }
@@ -277,9 +277,9 @@ fn mean_step<S: Series>(stamps: &S, median: f64) -> Result<f64, S::Fault> {
 
 /// How often, and at which sample first.
 #[derive(Default)]
-struct Tally(usize, Option<usize>);
+struct StampTally(usize, Option<usize>);
 
-impl Tally {
+impl StampTally {
     fn add(&mut self, is: bool, sample: usize) {
         if is {
             self.0 += 1;
@@ -287,15 +287,15 @@ impl Tally {
         }
     }
 
-    fn finding(&self, kind: FindingKind, about: String) -> Finding {
-        Finding::new(kind, self.0, self.1.map(Place::Sample), about)
+    fn finding(&self, kind: IssueKind, about: String) -> Issue {
+        Issue::new(kind, self.0, self.1.map(IssuePlace::Sample), about)
     }
 }
 
-fn oddities<S: Series>(stamps: &S, digits: &Digits, unit: &str) -> Result<Vec<Finding>, S::Fault> {
+fn oddities<S: Series>(stamps: &S, digits: &Digits, unit: &str) -> Result<Vec<Issue>, S::Fault> {
     let usual = median_step(stamps)?;
-    let (holed, mean) = (Holed::about(stamps, usual, digits)?, mean_step(stamps, usual)?);
-    let (mut uneven, mut gaps, mut repeated) = (Tally::default(), Tally::default(), Tally::default());
+    let (holed, mean) = (StampsWithGaps::about(stamps, usual, digits)?, mean_step(stamps, usual)?);
+    let (mut uneven, mut gaps, mut repeated) = (StampTally::default(), StampTally::default(), StampTally::default());
     let (mut squares, mut even, mut longest) = (0.0, 0usize, 0.0);
     steps(stamps, |sample, step| {
         if step < GAP * usual {
@@ -307,11 +307,11 @@ fn oddities<S: Series>(stamps: &S, digits: &Digits, unit: &str) -> Result<Vec<Fi
         gaps.add(step >= GAP * usual, sample);
         repeated.add(step == 0.0, sample);
     })?;
-    if let Some(Holed { step, missing }) = holed {
+    if let Some(StampsWithGaps { step, missing }) = holed {
         let about = format!(
             "samples are missing, {missing} in all: a step of up to {longest:.6e} {unit} where {step:.6e} {unit} is usual; all others are even"
         );
-        return Ok(vec![gaps.finding(FindingKind::Gap, about)]);
+        return Ok(vec![gaps.finding(IssueKind::Gap, about)]);
     }
     let deviation = (squares / even.max(1) as f64).sqrt();
     let jitter = format!(
@@ -320,9 +320,9 @@ fn oddities<S: Series>(stamps: &S, digits: &Digits, unit: &str) -> Result<Vec<Fi
     );
     let missing = format!("samples are missing: a step of up to {longest:.6e} {unit} where {usual:.6e} {unit} is usual");
     let again = "the stamp is that of the sample before".to_owned();
-    let found = [(uneven, FindingKind::Jitter, jitter), (gaps, FindingKind::Gap, missing), (repeated, FindingKind::RepeatedStamp, again)];
-    let told = |(tally, kind, about): (Tally, FindingKind, String)| {
-        (tally.0 > 0 || kind == FindingKind::Jitter).then(|| tally.finding(kind, about))
+    let found = [(uneven, IssueKind::Jitter, jitter), (gaps, IssueKind::Gap, missing), (repeated, IssueKind::RepeatedStamp, again)];
+    let told = |(tally, kind, about): (StampTally, IssueKind, String)| {
+        (tally.0 > 0 || kind == IssueKind::Jitter).then(|| tally.finding(kind, about))
     };
     Ok(found.into_iter().filter_map(told).collect())
 }

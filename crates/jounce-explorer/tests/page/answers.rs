@@ -1,16 +1,16 @@
 //! What is answered, and that it is what the library says.
 
 use crate::client::{Served, paper};
+use jounce::analysis::{BranchSearch, Model, OrbitMethodKind, Parameter};
 use jounce::spec::SpecFile;
-use jounce::study::{BranchSearch, Method, Parameter, Prepared};
-use jounce_explorer::{Limits, Source};
+use jounce_explorer::{ServerLimits, Source};
 use serde_json::json;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 #[tokio::test]
 async fn a_design_has_a_drawing_and_controls() {
-    let served = Served::new(&paper(), Limits::default());
+    let served = Served::new(&paper(), ServerLimits::default());
     let mut page = served.page().await;
     page.ask("design", json!({ "set": [["stop.tip.gap", "0.5 mm"]] })).await;
     let heard = page.until("design", "done").await;
@@ -26,7 +26,7 @@ async fn a_design_has_a_drawing_and_controls() {
 /// The words of a fault are those of the command line.
 #[tokio::test]
 async fn a_wrong_value_is_told_by_its_key() {
-    let served = Served::new(&paper(), Limits::default());
+    let served = Served::new(&paper(), ServerLimits::default());
     let mut page = served.page().await;
     page.ask("design", json!({ "set": [["circuit.load.resistance", "-1 ohm"]] })).await;
     let heard = page.until("design", "fault").await;
@@ -40,17 +40,17 @@ async fn a_wrong_value_is_told_by_its_key() {
 /// The fine answer is that of the library, number by number; the coarse one runs through it.
 #[tokio::test]
 async fn a_response_is_the_branch_of_the_library() {
-    let served = Served::new(&paper(), Limits::default());
+    let served = Served::new(&paper(), ServerLimits::default());
     let mut page = served.page().await;
     let range = json!({ "over": "drive.shaker.frequency", "from": 12.6, "to": 13.0 });
     let id = page.ask("response", range.clone()).await;
     let coarse = page.until("response", "coarse").await;
     let fine = page.until("response", "fine").await;
     let file = SpecFile::read(paper()).unwrap();
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, 13.0 - 12.6);
-    let (range, method) = ((12.6, 13.0), Method::Shooting);
+    let (range, method) = ((12.6, 13.0), OrbitMethodKind::Shooting);
     let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance: 1e-9, seeds: 6, longest_period: 8 };
     let due = search.run().unwrap();
     assert_eq!(fine.head["branches"].as_array().unwrap().len(), due.len());
@@ -81,7 +81,7 @@ async fn a_response_is_the_branch_of_the_library() {
 
 #[tokio::test]
 async fn a_new_position_stops_the_old_computation() {
-    let served = Served::new(&paper(), Limits::default());
+    let served = Served::new(&paper(), ServerLimits::default());
     let mut page = served.page().await;
     for k in 0..30 {
         let set = json!([["stop.tip.gap", format!("{} mm", 0.9 + 0.005 * f64::from(k))]]);
@@ -102,7 +102,7 @@ async fn the_page_follows_the_file() {
     let path = folder.path().join("harvester.toml");
     let text = std::fs::read_to_string(paper()).unwrap();
     std::fs::write(&path, &text).unwrap();
-    let served = Served::new(&path, Limits::default());
+    let served = Served::new(&path, ServerLimits::default());
     let mut page = served.page().await;
     std::fs::write(&path, text.replace("gap = \"1 mm\"", "gap = \"oops\"")).unwrap();
     page.until("file", "done").await;
@@ -117,7 +117,7 @@ async fn the_page_follows_the_file() {
 
 #[tokio::test]
 async fn exported_text_is_the_design() {
-    let served = Served::new(&paper(), Limits::default());
+    let served = Served::new(&paper(), ServerLimits::default());
     let mut page = served.page().await;
     let set = json!([["stop.tip.gap", "0.5 mm"]]);
     page.ask("export", json!({ "set": set, "over": "drive.shaker.frequency", "from": 12.0, "to": 13.0 })).await;
@@ -134,7 +134,7 @@ async fn a_spec_without_a_file_is_served() {
     let keep = tempfile::tempdir().unwrap();
     let text = std::fs::read_to_string(paper()).unwrap().replace("gap = \"1 mm\"", "gap = \"2 mm\"");
     let source = Source::Text { text: text.clone(), folder: PathBuf::new() };
-    let served = Served::of(source, Limits::default(), Some(keep.path().to_path_buf()));
+    let served = Served::of(source, ServerLimits::default(), Some(keep.path().to_path_buf()));
     let mut page = served.page().await;
     page.ask("design", json!({})).await;
     page.until("design", "done").await;
@@ -150,7 +150,7 @@ async fn a_spec_without_a_file_is_served() {
 #[tokio::test]
 async fn a_page_comes_back_with_its_server() {
     let folder = tempfile::tempdir().unwrap();
-    let serve = || Served::kept(&paper(), Limits::default(), Some(folder.path().to_path_buf()));
+    let serve = || Served::kept(&paper(), ServerLimits::default(), Some(folder.path().to_path_buf()));
     let first = serve();
     let (host, token) = (first.host.clone(), first.token.clone());
     let beside = serve();

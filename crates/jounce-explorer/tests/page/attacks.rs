@@ -2,14 +2,14 @@
 
 use crate::client::{Served, paper};
 use futures_util::SinkExt;
-use jounce_explorer::Limits;
+use jounce_explorer::ServerLimits;
 use serde_json::json;
 use std::time::Duration;
 use tokio_tungstenite::tungstenite::Message;
 
 #[test]
 fn only_the_right_token_and_host_see_the_page() {
-    let served = Served::new(&paper(), Limits::default());
+    let served = Served::new(&paper(), ServerLimits::default());
     let (token, port) = (&served.token, served.host.rsplit(':').next().unwrap().to_owned());
     let (status, page) = served.get(&format!("/{token}/"), "");
     assert_eq!(status, 200);
@@ -31,7 +31,7 @@ fn only_the_right_token_and_host_see_the_page() {
 
 #[test]
 fn no_path_leads_out_of_the_page() {
-    let served = Served::new(&paper(), Limits::default());
+    let served = Served::new(&paper(), ServerLimits::default());
     let token = &served.token;
     for path in
         ["../Cargo.toml", "..%2f..%2fCargo.toml", "%2e%2e/Cargo.toml", "/etc/passwd", "//etc/passwd", "app.js/../../x", "app.js%00", "."]
@@ -44,7 +44,7 @@ fn no_path_leads_out_of_the_page() {
 
 #[test]
 fn bodies_and_other_methods_are_refused() {
-    let served = Served::new(&paper(), Limits::default());
+    let served = Served::new(&paper(), ServerLimits::default());
     let (token, host) = (&served.token, &served.host);
     for method in ["POST", "PUT", "DELETE", "OPTIONS", "TRACE"] {
         let request = format!("{method} /{token}/ HTTP/1.1\r\nHost: {host}\r\nContent-Length: 10000000000\r\nConnection: close\r\n\r\n");
@@ -61,7 +61,7 @@ fn bodies_and_other_methods_are_refused() {
 
 #[tokio::test]
 async fn sockets_need_token_and_origin() {
-    let served = Served::new(&paper(), Limits::default());
+    let served = Served::new(&paper(), ServerLimits::default());
     let own = format!("http://{}", served.host);
     assert_eq!(served.open(&served.token, None).await.err(), Some(403));
     assert_eq!(served.open(&served.token, Some("http://evil.example")).await.err(), Some(403));
@@ -72,7 +72,7 @@ async fn sockets_need_token_and_origin() {
 
 #[tokio::test]
 async fn sockets_messages_and_times_are_limited() {
-    let served = Served::new(&paper(), Limits { sockets: 2, message_bytes: 20_000, longest: Duration::from_millis(20) });
+    let served = Served::new(&paper(), ServerLimits { sockets: 2, message_bytes: 20_000, longest: Duration::from_millis(20) });
     let own = format!("http://{}", served.host);
     let (mut one, two) = (served.page().await, served.page().await);
     assert_eq!(served.open(&served.token, Some(&own)).await.err(), Some(503));
@@ -96,7 +96,7 @@ async fn sockets_messages_and_times_are_limited() {
 
 #[tokio::test]
 async fn a_page_sets_numbers_and_no_paths() {
-    let served = Served::new(&paper(), Limits::default());
+    let served = Served::new(&paper(), ServerLimits::default());
     let mut page = served.page().await;
     for (key, value) in [("run.start", "./secret.json"), ("drive.shaker.file", "/etc/passwd"), ("stop.tip.law", "rigid")] {
         page.ask("design", json!({ "set": [[key, value]] })).await;
@@ -107,7 +107,7 @@ async fn a_page_sets_numbers_and_no_paths() {
 
 #[tokio::test]
 async fn nonsense_is_told_and_harms_nothing() {
-    let served = Served::new(&paper(), Limits::default());
+    let served = Served::new(&paper(), ServerLimits::default());
     let mut page = served.page().await;
     for text in ["", "{", "[]", "{\"id\": -1}", "{\"id\": 1, \"ask\": \"everything\"}", "\u{0}"] {
         page.socket.send(Message::Text(text.into())).await.unwrap();

@@ -1,7 +1,7 @@
 //! A page without a browser: a running server, raw requests, and its socket.
 
 use futures_util::{SinkExt, StreamExt};
-use jounce_explorer::{Explorer, Limits, Options, Source};
+use jounce_explorer::{Explorer, ServerLimits, ServerOptions, Source};
 use serde_json::Value;
 use std::io::{Read, Write};
 use std::net::TcpStream;
@@ -23,18 +23,18 @@ pub struct Served {
 
 impl Served {
     /// Serves a spec with some limits.
-    pub fn new(spec: &Path, limits: Limits) -> Self {
+    pub fn new(spec: &Path, limits: ServerLimits) -> Self {
         Self::kept(spec, limits, None)
     }
 
     /// The same, its address kept in a folder.
-    pub fn kept(spec: &Path, limits: Limits, keep: Option<PathBuf>) -> Self {
+    pub fn kept(spec: &Path, limits: ServerLimits, keep: Option<PathBuf>) -> Self {
         Self::of(Source::File(spec.to_path_buf()), limits, keep)
     }
 
     /// Serves a spec, wherever it comes from.
-    pub fn of(spec: Source, limits: Limits, keep: Option<PathBuf>) -> Self {
-        let explorer = Explorer::bind(Options { spec, set: Vec::new(), listen: None, keep, limits }).unwrap();
+    pub fn of(spec: Source, limits: ServerLimits, keep: Option<PathBuf>) -> Self {
+        let explorer = Explorer::bind(ServerOptions { spec, set: Vec::new(), listen: None, keep, limits }).unwrap();
         let page = explorer.page();
         let (host, token) = page.strip_prefix("http://").unwrap().trim_end_matches('/').split_once('/').unwrap();
         let (host, token) = (host.to_owned(), token.to_owned());

@@ -3,10 +3,10 @@
 use crate::client::{Served, paper};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
+use jounce::analysis::Model;
 use jounce::run::{RunPlan, StartState, simulate};
 use jounce::spec::SpecFile;
-use jounce::study::Prepared;
-use jounce_explorer::Limits;
+use jounce_explorer::ServerLimits;
 use serde_json::json;
 
 /// A stop that nothing reaches.
@@ -18,7 +18,7 @@ const FAR: [[&str; 2]; 1] = [["stop.tip.gap", "200 mm"]];
 async fn a_recorded_sinusoid_gives_the_power_of_the_sinusoid() {
     let mut file = SpecFile::read(paper()).unwrap();
     file.set("stop.tip.gap", "200 mm").unwrap();
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let drive = &base.kernel.plant.system.drives[0];
     let plan = RunPlan { duration_s: 5.0, average_over_s: 5.0, tolerance: 1e-8, record_s: 0.0 };
     let due = simulate(&base.kernel, &StartState::rest(&base.kernel.plant), &plan).unwrap().mean_power_w;
@@ -26,7 +26,7 @@ async fn a_recorded_sinusoid_gives_the_power_of_the_sinusoid() {
     let value = |k: u32| drive.amplitude_n * (std::f64::consts::TAU * drive.frequency_hz * f64::from(k) / 1000.0 + drive.phase_rad).sin();
     let rows: String = (0..=5000).map(|k| format!("{},{:e}\n", f64::from(k) / 1000.0, value(k))).collect();
     let text = format!("time (s),value\n{rows}");
-    let served = Served::new(&paper(), Limits::default());
+    let served = Served::new(&paper(), ServerLimits::default());
     let mut page = served.page().await;
     let by = json!({ "recording": { "name": "sine.csv", "bytes": STANDARD.encode(text), "scale": 1.0 } });
     page.ask("shake", json!({ "set": FAR, "by": by })).await;
@@ -41,7 +41,7 @@ async fn a_recorded_sinusoid_gives_the_power_of_the_sinusoid() {
 /// Without contacts the marched power scatters about the one of the Lyapunov equation: 1 % off in this realisation, a quarter in others.
 #[tokio::test]
 async fn noise_gives_the_power_of_its_closed_form() {
-    let served = Served::new(&paper(), Limits::default());
+    let served = Served::new(&paper(), ServerLimits::default());
     let mut page = served.page().await;
     let by = json!({ "noise": { "density": 1e-4, "low_hz": 5.0, "high_hz": 30.0 } });
     page.ask("shake", json!({ "set": FAR, "by": by })).await;
@@ -55,7 +55,7 @@ async fn noise_gives_the_power_of_its_closed_form() {
 /// What is wrong with a file is told with the name that the user knows, its line, and no path of this machine.
 #[tokio::test]
 async fn a_wrong_recording_is_told_by_its_name() {
-    let served = Served::new(&paper(), Limits::default());
+    let served = Served::new(&paper(), ServerLimits::default());
     let mut page = served.page().await;
     for text in ["", "hello", "\u{89}PNG\r\n\u{1a}\n\0\0", "0,1\n0,2\n"] {
         let by = json!({ "recording": { "name": "road.csv", "bytes": STANDARD.encode(text), "scale": 1.0 } });

@@ -3,14 +3,14 @@
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
-use super::problem::Problem;
+use super::problem::PulseProblem;
 use super::pulse::{QUANTILE_95, minimised};
-use super::{ContactError, Shape};
+use super::{ContactError, PulseShape};
 use crate::spectral::Hit;
 
 /// A law whose exponent is held, fitted to the same pulse.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct HeldLaw {
+pub struct FixedExponentLaw {
     /// Its exponent: 1 for a linear spring, 1.5 for Hertz.
     pub exponent: f64,
     /// Speed after over speed before.
@@ -25,7 +25,7 @@ pub struct HeldLaw {
     pub relative_error: f64,
 }
 
-impl HeldLaw {
+impl FixedExponentLaw {
     /// Fits the law of an exponent.
     pub(super) fn of(exponent: f64, (time_s, force_n): (&[f64], &[f64]), hit: &Hit, mass_kg: Option<f64>) -> Result<Self, ContactError> {
         let (problem, squared) = minimised(time_s, force_n, hit, Some(exponent))?;
@@ -34,7 +34,7 @@ impl HeldLaw {
         let [.., damping] = problem.parameters(&problem.unknowns);
         Ok(Self {
             exponent,
-            restitution: Shape::new(exponent, damping).restitution,
+            restitution: PulseShape::new(exponent, damping).restitution,
             stiffness: stiffness.as_ref().map(|stiffness| stiffness.value),
             stiffness_95: stiffness.as_ref().map(Stiffness::interval_95),
             speed_m_s: mass_kg.map(|mass_kg| speed_m_s(&problem, mass_kg)),
@@ -44,7 +44,7 @@ impl HeldLaw {
 }
 
 /// Covariance of the unknowns of a fit, each over its size, by what is left over.
-pub(super) fn covariance(problem: &Problem<'_>, squared: f64) -> Result<DMatrix<f64>, ContactError> {
+pub(super) fn covariance(problem: &PulseProblem<'_>, squared: f64) -> Result<DMatrix<f64>, ContactError> {
     let j = problem.derivatives();
     let freedom = (problem.time_s.len() - problem.unknowns.len()) as f64;
     Ok((j.transpose() * &j).try_inverse().ok_or(ContactError::NoFit)? * (squared / freedom))
@@ -56,7 +56,7 @@ pub(super) fn relative_error(squared: f64, time_s: &[f64], hit: &Hit) -> f64 {
 }
 
 /// Speed of the hammer, m/s.
-pub(super) fn speed_m_s(problem: &Problem<'_>, mass_kg: f64) -> f64 {
+pub(super) fn speed_m_s(problem: &PulseProblem<'_>, mass_kg: f64) -> f64 {
     let [_, unit_s, unit_n, ..] = problem.parameters(&problem.unknowns);
     unit_n * unit_s / mass_kg
 }
@@ -70,7 +70,7 @@ pub(super) struct Stiffness {
 }
 
 impl Stiffness {
-    pub fn of(problem: &Problem<'_>, covariance: &DMatrix<f64>, mass_kg: f64) -> Self {
+    pub fn of(problem: &PulseProblem<'_>, covariance: &DMatrix<f64>, mass_kg: f64) -> Self {
         let [_, unit_s, unit_n, exponent, _] = problem.parameters(&problem.unknowns);
         let value = mass_kg.powf(exponent) * unit_n.powf(1.0 - exponent) * unit_s.powf(-2.0 * exponent);
         // Slopes of ln k over start, unit of time, unit of force, the exponent where it is free, and damping.

@@ -19,6 +19,6 @@ mod pulse;
 mod shape;
 
 pub use error::ContactError;
-pub use law::HeldLaw;
-pub use pulse::{ContactFit, PulseUnits, Told, fit};
-pub use shape::Shape;
+pub use law::FixedExponentLaw;
+pub use pulse::{AllowedLaws, ContactFit, PulseUnits, fit};
+pub use shape::PulseShape;

@@ -4,11 +4,11 @@ use levenberg_marquardt::LeastSquaresProblem;
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
 
-use super::Shape;
+use super::PulseShape;
 
 /// Unknowns: start (s), unit of time (s), force unit (N), then the exponent where it is free, then the damping; each over its first guess.
 #[derive(Clone)]
-pub(super) struct Problem<'a> {
+pub(super) struct PulseProblem<'a> {
     pub time_s: &'a [f64],
     pub force_n: &'a [f64],
     /// The exponent where it is held.
@@ -19,12 +19,12 @@ pub(super) struct Problem<'a> {
 }
 
 /// Share of an unknown's size by which it is moved for a derivative.
-const MOVED: f64 = 1e-4;
+const DIFFERENCE_SHARE: f64 = 1e-4;
 const EXPONENTS: (f64, f64) = (0.5, 5.0);
 /// Below 0 the body would gain speed: noise around a lossless contact must be free to go there, or the fit would end on an edge.
 const DAMPINGS: (f64, f64) = (-0.5, 20.0);
 
-impl Problem<'_> {
+impl PulseProblem<'_> {
     /// Start, unit of time, unit of force, exponent, damping.
     pub fn parameters(&self, unknowns: &DVector<f64>) -> [f64; 5] {
         let value = |k: usize| unknowns[k] * self.scale[k];
@@ -36,7 +36,7 @@ impl Problem<'_> {
 
     pub fn errors(&self, unknowns: &DVector<f64>) -> DVector<f64> {
         let [start, unit_s, unit_n, exponent, damping] = self.parameters(unknowns);
-        let shape = Shape::new(exponent.clamp(EXPONENTS.0, EXPONENTS.1), damping.clamp(DAMPINGS.0, DAMPINGS.1));
+        let shape = PulseShape::new(exponent.clamp(EXPONENTS.0, EXPONENTS.1), damping.clamp(DAMPINGS.0, DAMPINGS.1));
         let model = |t: &f64| unit_n * shape.at((t - start) / unit_s);
         DVector::from_iterator(self.time_s.len(), self.time_s.iter().zip(self.force_n).map(|(t, f)| model(t) - f))
     }
@@ -48,13 +48,13 @@ impl Problem<'_> {
                 unknowns[k] += by;
                 self.errors(&unknowns)
             };
-            (moved(MOVED) - moved(-MOVED)) / (2.0 * MOVED)
+            (moved(DIFFERENCE_SHARE) - moved(-DIFFERENCE_SHARE)) / (2.0 * DIFFERENCE_SHARE)
         };
         DMatrix::from_columns(&(0..self.unknowns.len()).map(column).collect::<Vec<_>>())
     }
 }
 
-impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
+impl LeastSquaresProblem<f64, Dyn, Dyn> for PulseProblem<'_> {
     type ResidualStorage = Owned<f64, Dyn>;
     type JacobianStorage = Owned<f64, Dyn, Dyn>;
     type ParameterStorage = Owned<f64, Dyn>;

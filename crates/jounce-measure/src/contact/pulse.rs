@@ -6,8 +6,8 @@ use nalgebra::DVector;
 use serde::Serialize;
 
 use super::law::{Stiffness, covariance, relative_error, speed_m_s};
-use super::problem::Problem;
-use super::{ContactError, HeldLaw, Shape};
+use super::problem::PulseProblem;
+use super::{ContactError, FixedExponentLaw, PulseShape};
 use crate::spectral::Hit;
 
 /// A law of contact with its uncertainty, as standard deviations.
@@ -34,11 +34,11 @@ pub struct ContactFit {
     /// Rms of what the law leaves over the peak force.
     pub relative_error: f64,
     /// What the pulse tells about the law.
-    pub told: Told,
+    pub told: AllowedLaws,
     /// The same pulse under a linear spring; none where the pulse does not allow it.
-    pub linear: Option<HeldLaw>,
+    pub linear: Option<FixedExponentLaw>,
     /// The same pulse under Hertz's law; none where the pulse does not allow it.
-    pub hertz: Option<HeldLaw>,
+    pub hertz: Option<FixedExponentLaw>,
     /// Where the fitted pulse lies and how large its units are.
     #[serde(skip)]
     pub units: PulseUnits,
@@ -70,7 +70,7 @@ impl ContactFit {
 
     /// The force of the law at times of the record, N.
     pub fn force_n(&self, time_s: &[f64]) -> Vec<f64> {
-        let shape = Shape::new(self.exponent, self.units.damping);
+        let shape = PulseShape::new(self.exponent, self.units.damping);
         time_s.iter().map(|t| self.units.unit_n * shape.at((t - self.units.start_s) / self.units.unit_s)).collect()
     }
 }
@@ -78,7 +78,7 @@ impl ContactFit {
 /// Which laws a pulse allows, at 95 %.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Told {
+pub enum AllowedLaws {
     /// Neither the linear spring nor Hertz's law.
     Neither,
     /// The linear spring, not Hertz's law.
@@ -90,9 +90,9 @@ pub enum Told {
 }
 
 /// Unknowns of the fit with a free exponent, and a sample for the noise.
-const NEEDED: usize = 6;
+const MIN_SAMPLES: usize = 6;
 /// Samples beside the pulse that are fitted as well, as a share of it.
-const BESIDE: f64 = 0.25;
+const MARGIN_SHARE: f64 = 0.25;
 pub(super) const QUANTILE_95: f64 = 1.959_963_984_540_054;
 
 /// Fits the law to one hit of a record of force. The body is taken to stand still during the contact.
@@ -103,23 +103,23 @@ pub fn fit(force: &Samples<'_>, hit: &Hit, hammer_mass_kg: Option<f64>) -> Resul
     if let Some(mass_kg) = hammer_mass_kg.filter(|mass| !(*mass > 0.0 && mass.is_finite())) {
         return Err(ContactError::Mass { mass_kg });
     }
-    let beside = ((hit.end - hit.start) as f64 * BESIDE).ceil() as usize;
+    let beside = ((hit.end - hit.start) as f64 * MARGIN_SHARE).ceil() as usize;
     let (first, last) = (hit.start.saturating_sub(beside), (hit.end + beside).min(force.values().len()));
-    if hit.end - hit.start < NEEDED {
-        return Err(ContactError::Coarse { samples: hit.end - hit.start, needed: NEEDED });
+    if hit.end - hit.start < MIN_SAMPLES {
+        return Err(ContactError::Coarse { samples: hit.end - hit.start, needed: MIN_SAMPLES });
     }
     let time_s: Vec<f64> = (first..last).map(|k| k as f64 / force.rate_hz()).collect();
     let force_n = &force.values()[first..last];
     let (problem, squared) = minimised(&time_s, force_n, hit, None)?;
     let [start_s, unit_s, unit_n, exponent, damping] = problem.parameters(&problem.unknowns);
-    let shape = Shape::new(exponent, damping);
+    let shape = PulseShape::new(exponent, damping);
     let covariance = covariance(&problem, squared)?;
     let deviation = |k: usize| covariance[(k, k)].sqrt() * problem.scale[k];
     let told = told(exponent, deviation(3));
-    let slope = (Shape::new(exponent, damping + 0.01).restitution - shape.restitution) / 0.01;
+    let slope = (PulseShape::new(exponent, damping + 0.01).restitution - shape.restitution) / 0.01;
     let stiffness = hammer_mass_kg.map(|mass_kg| Stiffness::of(&problem, &covariance, mass_kg));
-    let held = |allowed: &[Told], exponent: f64| {
-        let held = allowed.contains(&told).then(|| HeldLaw::of(exponent, (&time_s, force_n), hit, hammer_mass_kg));
+    let held = |allowed: &[AllowedLaws], exponent: f64| {
+        let held = allowed.contains(&told).then(|| FixedExponentLaw::of(exponent, (&time_s, force_n), hit, hammer_mass_kg));
         held.transpose()
     };
     Ok(ContactFit {
@@ -134,19 +134,19 @@ pub fn fit(force: &Samples<'_>, hit: &Hit, hammer_mass_kg: Option<f64>) -> Resul
         speed_m_s: hammer_mass_kg.map(|mass_kg| speed_m_s(&problem, mass_kg)),
         relative_error: relative_error(squared, &time_s, hit),
         told,
-        linear: held(&[Told::Linear, Told::Both], 1.0)?,
-        hertz: held(&[Told::Hertz, Told::Both], 1.5)?,
+        linear: held(&[AllowedLaws::Linear, AllowedLaws::Both], 1.0)?,
+        hertz: held(&[AllowedLaws::Hertz, AllowedLaws::Both], 1.5)?,
         units: PulseUnits { start_s, unit_s, unit_n, damping },
     })
 }
 
-fn told(exponent: f64, deviation: f64) -> Told {
+fn told(exponent: f64, deviation: f64) -> AllowedLaws {
     let allows = |value: f64| (exponent - value).abs() <= QUANTILE_95 * deviation;
     match (allows(1.0), allows(1.5)) {
-        (true, true) => Told::Both,
-        (true, false) => Told::Linear,
-        (false, true) => Told::Hertz,
-        (false, false) => Told::Neither,
+        (true, true) => AllowedLaws::Both,
+        (true, false) => AllowedLaws::Linear,
+        (false, true) => AllowedLaws::Hertz,
+        (false, false) => AllowedLaws::Neither,
     }
 }
 
@@ -156,12 +156,12 @@ pub(super) fn minimised<'a>(
     force_n: &'a [f64],
     hit: &Hit,
     exponent: Option<f64>,
-) -> Result<(Problem<'a>, f64), ContactError> {
-    let mut best: Option<(Problem<'a>, f64)> = None;
+) -> Result<(PulseProblem<'a>, f64), ContactError> {
+    let mut best: Option<(PulseProblem<'a>, f64)> = None;
     // The damping's guess decides on which side of a nearly symmetrical pulse the fit begins.
     for (guess, damping) in [(1.5, 0.1), (1.5, 0.6), (2.5, 0.3)] {
         let guess = exponent.unwrap_or(guess);
-        let shape = Shape::new(guess, damping);
+        let shape = PulseShape::new(guess, damping);
         let (peak, at) = shape.peak();
         let unit_s = 1.15 * hit.contact_time_s / shape.length;
         let peak_s = time_s[0] + (hit.peak as f64 - (time_s[0] * rate(time_s)).round()) / rate(time_s);
@@ -171,7 +171,7 @@ pub(super) fn minimised<'a>(
         let mut unknowns = DVector::from_element(scale.len(), 1.0);
         unknowns[0] = (peak_s - at * unit_s) / unit_s;
         *unknowns.get_mut(scale.len() - 1).ok_or(ContactError::NoFit)? = damping;
-        let problem = Problem { time_s, force_n, exponent, scale, unknowns };
+        let problem = PulseProblem { time_s, force_n, exponent, scale, unknowns };
         let (problem, report) = LevenbergMarquardt::new().with_patience(60).minimize(problem);
         let squared = 2.0 * report.objective_function;
         let sound = squared.is_finite() && problem.unknowns.iter().all(|x| x.is_finite());
@@ -191,15 +191,15 @@ fn rate(time_s: &[f64]) -> f64 {
 mod tests {
     use super::*;
     use crate::spectral::{HitSearch, hits};
-    use jounce::drive::Stream;
+    use jounce::drive::RandomStream;
 
     const RATE: f64 = 200_000.0;
 
     /// A pulse of a known law with noise: mass 0.1 kg at 0.5 m/s.
     fn record(exponent: f64, damping: f64, noise_n: f64, seed: u64) -> (Vec<f64>, f64) {
         let (mass, speed, unit_s) = (0.1, 0.5, 1e-4);
-        let shape = Shape::new(exponent, damping);
-        let mut stream = Stream::new(seed, 0);
+        let shape = PulseShape::new(exponent, damping);
+        let mut stream = RandomStream::new(seed, 0);
         let values = (0..2000).map(|k| {
             let time = f64::from(k) / RATE - 1.03e-3;
             mass * speed / unit_s * shape.at(time / unit_s) + noise_n * stream.normal_pair()[0]
@@ -222,7 +222,7 @@ mod tests {
             let (values, stiffness) = record(exponent, damping, 1e-6, 1);
             let found = fitted(&values);
             assert!((found.exponent - exponent).abs() < 1e-7, "{exponent}: {found:?}");
-            assert!((found.restitution - Shape::new(exponent, damping).restitution).abs() < 1e-7, "{found:?}");
+            assert!((found.restitution - PulseShape::new(exponent, damping).restitution).abs() < 1e-7, "{found:?}");
             assert!((found.stiffness.unwrap() / stiffness - 1.0).abs() < 1e-6, "{} {stiffness}", found.stiffness.unwrap());
             assert!((found.speed_m_s.unwrap() / 0.5 - 1.0).abs() < 1e-7);
         }
@@ -242,7 +242,7 @@ mod tests {
         }
         let (values, _) = record(1.2, 0.3, 1e-6, 1);
         let neither = fitted(&values);
-        assert_eq!((neither.told, neither.linear, neither.hertz), (Told::Neither, None, None));
+        assert_eq!((neither.told, neither.linear, neither.hertz), (AllowedLaws::Neither, None, None));
         let (values, stiffness) = record(1.5, 0.4, 40.0, 3);
         let coarse: Vec<f64> = values.into_iter().step_by(5).collect();
         let samples = Samples::new(&coarse, RATE / 5.0).unwrap();
@@ -276,7 +276,7 @@ mod tests {
             let held = [
                 (low..=high).contains(&stiffness),
                 (found.exponent - 1.5).abs() <= found.exponent_half_width(),
-                (found.restitution - Shape::new(1.5, 0.4).restitution).abs() <= found.restitution_half_width(),
+                (found.restitution - PulseShape::new(1.5, 0.4).restitution).abs() <= found.restitution_half_width(),
             ];
             inside.iter_mut().zip(held).for_each(|(share, held)| *share += f64::from(u8::from(held)) / 150.0);
             if let Some((low, high)) = found.hertz.and_then(|hertz| hertz.stiffness_95) {
@@ -291,11 +291,11 @@ mod tests {
 
     #[test]
     fn much_noise_cannot_tell_laws_apart_and_little_can() {
-        assert_eq!(fitted(&record(1.5, 0.4, 0.5, 3).0).told, Told::Hertz);
+        assert_eq!(fitted(&record(1.5, 0.4, 0.5, 3).0).told, AllowedLaws::Hertz);
         let noisy: Vec<f64> = record(1.5, 0.4, 40.0, 3).0.into_iter().step_by(5).collect();
         let samples = Samples::new(&noisy, RATE / 5.0).unwrap();
         let found = fit(&samples, &hits(&samples, HitSearch::default()).unwrap()[0], None).unwrap();
-        assert_eq!(found.told, Told::Both, "{found:?}");
+        assert_eq!(found.told, AllowedLaws::Both, "{found:?}");
         let (values, _) = record(1.5, 0.4, 0.5, 3);
         let coarse: Vec<f64> = values.into_iter().step_by(20).collect();
         let samples = Samples::new(&coarse, RATE / 20.0).unwrap();

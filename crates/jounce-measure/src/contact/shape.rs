@@ -2,7 +2,7 @@
 
 /// The pulse of one exponent and one damping, in units of the pulse.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Shape {
+pub struct PulseShape {
     /// Force at even times.
     force: Vec<f64>,
     /// Distance of those times.
@@ -14,18 +14,18 @@ pub struct Shape {
 }
 
 /// Steps of a lossless contact.
-const STEPS: f64 = 400.0;
+const LOSSLESS_STEPS: f64 = 400.0;
 /// No contact lasts longer than this in its own unit.
-const LONGEST: f64 = 30.0;
+const MAX_DURATION: f64 = 30.0;
 
-impl Shape {
+impl PulseShape {
     /// `x'' = -x^n (1 + c x')` from `x = 0`, `x' = 1` until `x` returns to 0, by the classical Runge-Kutta method; the force is never pulling.
     pub fn new(exponent: f64, damping: f64) -> Self {
         let law = |x: f64, v: f64| (x.max(0.0).powf(exponent) * (1.0 + damping * v)).max(0.0);
-        let step = std::f64::consts::PI / STEPS;
+        let step = std::f64::consts::PI / LOSSLESS_STEPS;
         let (mut x, mut v, mut force) = (0.0, 1.0, vec![0.0]);
-        let (mut length, mut restitution) = (LONGEST, 0.0);
-        while (force.len() as f64) * step < LONGEST {
+        let (mut length, mut restitution) = (MAX_DURATION, 0.0);
+        while (force.len() as f64) * step < MAX_DURATION {
             let (k1x, k1v) = (v, -law(x, v));
             let (k2x, k2v) = (v + 0.5 * step * k1v, -law(x + 0.5 * step * k1x, v + 0.5 * step * k1v));
             let (k3x, k3v) = (v + 0.5 * step * k2v, -law(x + 0.5 * step * k2x, v + 0.5 * step * k2v));
@@ -72,7 +72,7 @@ mod tests {
     /// (Goldsmith 1960: T = 2.943275 d/v, d = (1.25)^0.4 units). Measured: lengths 3e-11 and 3e-9, force 9e-7 relative.
     #[test]
     fn linear_and_hertzian_pulses_are_the_known_ones() {
-        let linear = Shape::new(1.0, 0.0);
+        let linear = PulseShape::new(1.0, 0.0);
         assert!(
             (linear.length / PI - 1.0).abs() < 1e-8 && (linear.restitution - 1.0).abs() < 1e-4,
             "{} {}",
@@ -80,7 +80,7 @@ mod tests {
             linear.restitution
         );
         assert!((linear.at(1.0) - 1f64.sin()).abs() < 1e-4);
-        let hertz = Shape::new(1.5, 0.0);
+        let hertz = PulseShape::new(1.5, 0.0);
         assert!((hertz.length / (2.943_275_184 * 1.25_f64.powf(0.4)) - 1.0).abs() < 1e-7, "{}", hertz.length);
         // Depth (5/4)^(2/5), force its power 3/2.
         assert!((hertz.peak().0 / 1.25_f64.powf(0.6) - 1.0).abs() < 1e-5);
@@ -92,7 +92,7 @@ mod tests {
     #[test]
     fn restitution_is_that_of_the_closed_form_and_of_the_centre() {
         for (exponent, damping) in [(1.0, 0.2), (1.5, 0.2), (1.5, 0.6), (2.5, 0.6)] {
-            let shape = Shape::new(exponent, damping);
+            let shape = PulseShape::new(exponent, damping);
             // v dv / (1 + c v) = -x^n dx, both ways over the same depth: g(1) = g(-e), g(v) = v/c - ln(1 + c v)/c^2.
             let g = |v: f64| v / damping - (1.0 + damping * v).ln() / damping.powi(2);
             assert!((g(1.0) - g(-shape.restitution)).abs() < 1e-5, "{exponent} {damping}");

@@ -2,11 +2,11 @@
 
 use jounce::picture::{Along, Axis, Colour, Figure, Line, Marker, Panel, Series};
 
-use crate::fit::{FitAnswer, FittedCurve, FittedFeature};
+use crate::fit::{FitResult, FittedCurve, FittedFeature};
 
 /// Relative error of every feature before and after, in percent, upright lines being the intervals of 95 % of the measurement; every measured
 /// curve with that of the model before and after, and the interval of 95 % of a further measurement.
-pub fn fitted(title: &str, answer: &FitAnswer) -> Figure {
+pub fn fitted(title: &str, answer: &FitResult) -> Figure {
     let mut panels = Vec::new();
     if !answer.features.is_empty() {
         panels.push(numbers(answer));
@@ -15,7 +15,7 @@ pub fn fitted(title: &str, answer: &FitAnswer) -> Figure {
     Figure { panels, ..Figure::new(title) }
 }
 
-fn numbers(answer: &FitAnswer) -> Panel {
+fn numbers(answer: &FitResult) -> Panel {
     let number: Vec<f64> = (1..=answer.features.len()).map(|k| k as f64).collect();
     let percent = |of: &dyn Fn(&FittedFeature) -> f64| answer.features.iter().map(|feature| 100.0 * of(feature)).collect::<Vec<f64>>();
     let upright = |(k, feature): (usize, &FittedFeature)| {

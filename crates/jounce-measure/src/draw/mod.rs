@@ -3,12 +3,12 @@ mod fitted;
 mod loads;
 mod pulses;
 mod responses;
+mod segments;
 mod spectrogram;
-mod stretches;
 
 pub use fitted::fitted;
 pub use loads::{LoadPoint, power_over_load};
-pub use pulses::{Pulse, pulses};
+pub use pulses::{PulseFigure, pulses};
 pub use responses::{measured_responses, modal_fit, stabilisation};
+pub use segments::{segments, stretch_section, stretch_spectra};
 pub use spectrogram::{densities_of, spectrogram_of};
-pub use stretches::{stretch_section, stretch_spectra, stretches};

@@ -7,11 +7,11 @@ use crate::contact::ContactFit;
 use crate::spectral::Hit;
 
 /// Points of a law for each sample of the pulse.
-const FINER: usize = 20;
+const POINTS_PER_SAMPLE: usize = 20;
 
 /// The samples of one pulse, and the law fitted to it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Pulse {
+pub struct PulseFigure {
     /// Name in the legend.
     pub label: String,
     /// Time of each sample, s from the largest force.
@@ -22,14 +22,15 @@ pub struct Pulse {
     pub law: (Vec<f64>, Vec<f64>),
 }
 
-impl Pulse {
+impl PulseFigure {
     /// The samples of a hit, half its length on both sides too, and the law between them.
     pub fn of(force: &Samples<'_>, hit: &Hit, law: Option<&ContactFit>) -> Self {
         let beside = (hit.end - hit.start) / 2 + 1;
         let (first, last) = (hit.start.saturating_sub(beside), (hit.end + beside).min(force.values().len()));
         let at = |k: f64| k / force.rate_hz();
         let peak_s = at(hit.peak as f64);
-        let finer: Vec<f64> = (first * FINER..=(last - 1) * FINER).map(|k| at(k as f64 / FINER as f64)).collect();
+        let finer: Vec<f64> =
+            (first * POINTS_PER_SAMPLE..=(last - 1) * POINTS_PER_SAMPLE).map(|k| at(k as f64 / POINTS_PER_SAMPLE as f64)).collect();
         Self {
             label: format!("{peak_s:.4} s"),
             time_s: (first..last).map(|k| at(k as f64) - peak_s).collect(),
@@ -40,9 +41,9 @@ impl Pulse {
 }
 
 /// Pulses in one panel: rings for samples, lines for laws.
-pub fn pulses(title: &str, pulses: &[Pulse]) -> Figure {
+pub fn pulses(title: &str, pulses: &[PulseFigure]) -> Figure {
     let panel = Panel::new(Axis::linear("Time from the largest force", "s"), Axis::linear("Force", "N")).high(340.0);
-    let drawn = |panel: Panel, (index, pulse): (usize, &Pulse)| {
+    let drawn = |panel: Panel, (index, pulse): (usize, &PulseFigure)| {
         let colour = Colour::nth(index);
         let samples = Series::points(pulse.time_s.clone(), pulse.force_n.clone(), Marker::Ring).colour(colour).label(&pulse.label);
         panel.with(samples).with(Series::line(pulse.law.0.clone(), pulse.law.1.clone()).colour(colour))

@@ -1,20 +1,20 @@
 //! Frequency responses with their coherence, stabilisation diagrams, and the modes' fit to the responses.
 
-use jounce::picture::{Along, Axis, Colour, Figure, Line, Marker, Panel, Response, Scale, Series, frequency_responses};
+use jounce::picture::{Along, Axis, Colour, Figure, Line, Marker, Panel, ResponseLine, Scale, Series, frequency_responses};
 
-use crate::modal::{Identification, Stable};
-use crate::response::Responses;
+use crate::modal::{Identification, Stability};
+use crate::response::MeasuredResponses;
 
 /// Magnitude, phase and, where there are several blocks, coherence of every response.
-pub fn measured_responses(title: &str, found: &Responses) -> Figure {
+pub fn measured_responses(title: &str, found: &MeasuredResponses) -> Figure {
     let Some(first) = found.functions.first() else { return Figure::new(title) };
     // The line at 0 Hz is that of the sensor's offset.
     let frequency_hz = first.frequency_hz[1..].to_vec();
     let one = |(name, function): (&String, &crate::spectral::FrequencyResponse)| {
         let (re, im) = function.value[1..].iter().map(|h| (h.re, h.im)).unzip();
-        Response { label: name.clone(), re, im }
+        ResponseLine { label: name.clone(), re, im }
     };
-    let responses: Vec<Response> = found.names.iter().zip(&found.functions).map(one).collect();
+    let responses: Vec<ResponseLine> = found.names.iter().zip(&found.functions).map(one).collect();
     let quantity = if responses.len() > 1 { "Response per input" } else { &found.names[0] };
     let mut figure = frequency_responses(title, quantity, &found.units[0], Scale::Linear, &frequency_hz, &responses);
     if first.blocks > 1 {
@@ -37,9 +37,9 @@ pub fn stabilisation(title: &str, found: &Identification) -> Figure {
         panel = panel.reference(Along::X, mode.frequency_hz, None);
     }
     let kinds = [
-        (Stable::Pole, Marker::Circle, Colour::nth(0), "frequency and damping stay"),
-        (Stable::Frequency, Marker::Ring, Colour::nth(1), "frequency stays"),
-        (Stable::New, Marker::Square, Colour::Grey, "new"),
+        (Stability::Pole, Marker::Circle, Colour::nth(0), "frequency and damping stay"),
+        (Stability::Frequency, Marker::Ring, Colour::nth(1), "frequency stays"),
+        (Stability::New, Marker::Square, Colour::Grey, "new"),
     ];
     for (stable, marker, colour, label) in kinds {
         let inside = |hz: f64| (low..=high).contains(&hz);

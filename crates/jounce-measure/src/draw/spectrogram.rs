@@ -5,7 +5,7 @@ use jounce::picture::{DensityLine, Figure, TimeSpectrum, densities, spectrogram}
 use crate::spectral::{Density, Spectrogram, density_unit};
 
 /// Multiples of the drive that a picture shows.
-const ORDERS: f64 = 8.0;
+const SHOWN_ORDERS: f64 = 8.0;
 
 /// A spectrogram, up to eight times the drive where that is known; each spectrum stands for the time around the middle of its segment, each line for the frequencies around it.
 pub fn spectrogram_of(title: &str, quantity: &str, unit: &str, found: &Spectrogram, drive_hz: Option<f64>) -> Figure {
@@ -13,7 +13,7 @@ pub fn spectrogram_of(title: &str, quantity: &str, unit: &str, found: &Spectrogr
         let first = middles.first().copied().unwrap_or(0.0) - 0.5 * step;
         (0..=middles.len()).map(|k| first + step * k as f64).collect::<Vec<f64>>()
     };
-    let highest_hz = drive_hz.map_or(f64::INFINITY, |f| (ORDERS + 0.5) * f);
+    let highest_hz = drive_hz.map_or(f64::INFINITY, |f| (SHOWN_ORDERS + 0.5) * f);
     let kept = found.frequency_hz.iter().take_while(|f| **f <= highest_hz).count();
     let mut frequency_hz = edges(&found.frequency_hz[..kept], found.resolution_hz);
     if let Some(lowest) = frequency_hz.first_mut() {

@@ -8,9 +8,9 @@ use jounce::table::TableError;
 
 use crate::fit::FitError;
 use crate::modal::ModalError;
-use crate::regime::RegimeError;
 use crate::response::ResponseError;
 use crate::rig::RigError;
+use crate::segmentation::SegmentationError;
 use crate::solution::SolutionError;
 use crate::spectral::SpectralError;
 use jounce_data::recording::NoChannel;
@@ -50,7 +50,7 @@ pub enum ExperimentError {
     Modal(#[from] ModalError),
     /// The stretches of the record.
     #[error(transparent)]
-    Regime(#[from] RegimeError),
+    Regime(#[from] SegmentationError),
     /// The fit to Table 2.
     #[error(transparent)]
     Fit(#[from] FitError),

@@ -1,7 +1,7 @@
 //! Figures 10 and 11: mean power over the load from records, normalised by the mean square of the base's acceleration.
 
-use jounce::march::Watch;
-use jounce::picture::{Direction, SweepLine, power_against_resistance};
+use jounce::march::Control;
+use jounce::picture::{LineDirection, SweepLine, power_against_resistance};
 use jounce::plant::{Plant, System};
 use jounce::reproduce::{NamedFigure, NamedTable, paper_spec};
 use jounce::run::StartState;
@@ -11,7 +11,7 @@ use jounce::table::{Column, Table};
 use rayon::prelude::*;
 
 use super::{ExperimentError, NOISE, RATE_HZ, RECORD_S};
-use crate::rig::{Sensor, ShakerTest, Wander, shaker_test};
+use crate::rig::{Disturbance, Sensor, ShakerTest, shaker_test};
 use crate::spectral::mean_power;
 
 /// A drive of the experiment. The paper prints the frequencies only; the forces are those of its figures 8 and 9.
@@ -23,9 +23,9 @@ pub(super) struct Case {
 }
 
 /// Figure 10.
-pub(super) const ABOVE: Case = Case { number: 10, frequency: "13.5 Hz", amplitude: "200 N" };
+pub(super) const ABOVE_RESONANCE: Case = Case { number: 10, frequency: "13.5 Hz", amplitude: "200 N" };
 /// Figure 11.
-pub(super) const BELOW: Case = Case { number: 11, frequency: "6 Hz", amplitude: "50 N" };
+pub(super) const BELOW_RESONANCE: Case = Case { number: 11, frequency: "6 Hz", amplitude: "50 N" };
 
 const LOADS_OHM: [f64; 6] = [1e4, 3e4, 6e4, 1e5, 2e5, 1e6];
 /// A stop so far away that it is never reached.
@@ -51,10 +51,10 @@ pub(super) struct PowerOverLoad {
 
 impl PowerOverLoad {
     /// A record for each load, with the stop and without.
-    pub fn compute(case: Case, watch: &Watch) -> Result<Self, ExperimentError> {
+    pub fn compute(case: Case, control: &Control) -> Result<Self, ExperimentError> {
         let all: Vec<(usize, f64)> = (0..GAPS.len()).flat_map(|gap| LOADS_OHM.map(|ohm| (gap, ohm))).collect();
-        watch.expect(all.len());
-        let counted = |(gap, ohm): &(usize, f64)| recorded((case, GAPS[*gap], *ohm), watch).inspect(|_| watch.count());
+        control.expect(all.len());
+        let counted = |(gap, ohm): &(usize, f64)| recorded((case, GAPS[*gap], *ohm), control).inspect(|_| control.count());
         let points = all.par_iter().map(counted).collect::<Result<Vec<Point>, _>>()?;
         let (impact, linear) = points.split_at(LOADS_OHM.len());
         Ok(Self { case, impact: impact.to_vec(), linear: linear.to_vec() })
@@ -81,7 +81,8 @@ impl PowerOverLoad {
             value: points.iter().map(|point| point.power_w / point.mean_square_m2_s4).collect(),
             settled: Vec::new(),
         };
-        let lines = [line("without impact", Direction::Linear, &self.linear), line("with impact", Direction::Independent, &self.impact)];
+        let lines =
+            [line("without impact", LineDirection::Linear, &self.linear), line("with impact", LineDirection::Independent, &self.impact)];
         let Case { number, frequency, amplitude } = self.case;
         let title = format!("Mean power per mean square of the base's acceleration at {frequency} (simulated)");
         let caption = format!(
@@ -130,7 +131,7 @@ pub(super) fn words(loads: &[PowerOverLoad]) -> Vec<String> {
     std::iter::once(first).chain(loads.iter().map(told)).collect()
 }
 
-fn recorded((case, gap, resistance_ohm): (Case, &str, f64), watch: &Watch) -> Result<Point, ExperimentError> {
+fn recorded((case, gap, resistance_ohm): (Case, &str, f64), control: &Control) -> Result<Point, ExperimentError> {
     let load = format!("{resistance_ohm} ohm");
     let settings = [
         ("drive.shaker.frequency", case.frequency),
@@ -146,12 +147,12 @@ fn recorded((case, gap, resistance_ohm): (Case, &str, f64), watch: &Watch) -> Re
         duration_s: RECORD_S,
         before_s: BEFORE_S,
         starts: vec![(0.0, StartState::rest(&plant))],
-        wander: Wander::NONE,
+        wander: Disturbance::NONE,
         accelerometers: Vec::new(),
         sensor: Sensor { noise_ratio: NOISE, bits: Some(16) },
         seed: resistance_ohm as u64,
     };
-    let record = shaker_test(&spec, &modes, &test, watch)?;
+    let record = shaker_test(&spec, &modes, &test, control)?;
     let voltage = Samples::new(&record.channel("mfc.voltage")?.values, RATE_HZ)?;
     let base = Samples::new(&record.channel("base.acceleration")?.values, RATE_HZ)?;
     let power = mean_power(&voltage, resistance_ohm, false)?;
@@ -166,7 +167,7 @@ fn recorded((case, gap, resistance_ohm): (Case, &str, f64), watch: &Watch) -> Re
 #[cfg(test)]
 mod tests {
     use super::*;
-    use jounce::linear::{Input, Response, frf, steady_power_w};
+    use jounce::linear::{FrfInput, FrfResponse, frf, steady_power_w};
 
     /// Without contact the power of a record and the mean square of its base are the closed forms; noise of 1 % adds 1e-4 to both.
     #[test]
@@ -174,13 +175,13 @@ mod tests {
         let settings = [("drive.shaker.frequency", "13.5 Hz"), ("drive.shaker.amplitude", "200 N")];
         let spec = paper_spec(&[&settings[..], &[("stop.tip.gap", "1 m"), ("circuit.load.resistance", "100 kohm")]].concat())?;
         let plant = Plant::new(System::assemble(&spec, structure::modes(&spec)?)?)?;
-        let table = [Response::Acceleration("table".to_owned())];
-        let base = frf(&plant, &Input::Force("table".to_owned()), &table, &[13.5])?[0].value[0].norm() * 200.0;
-        let found = recorded((ABOVE, "1 m", 1e5), &Watch::default())?;
+        let table = [FrfResponse::Acceleration("table".to_owned())];
+        let base = frf(&plant, &FrfInput::Force("table".to_owned()), &table, &[13.5])?[0].value[0].norm() * 200.0;
+        let found = recorded((ABOVE_RESONANCE, "1 m", 1e5), &Control::default())?;
         let (power, square) = (found.power_w / steady_power_w(&plant) - 1.0, found.mean_square_m2_s4 / (0.5 * base * base) - 1.0);
         eprintln!("power {power:.1e}, mean square {square:.1e} off");
         assert!(power.abs() < 2e-3 && square.abs() < 1e-3, "{power:e} {square:e}");
-        let one = PowerOverLoad { case: ABOVE, impact: vec![found], linear: vec![found] };
+        let one = PowerOverLoad { case: ABOVE_RESONANCE, impact: vec![found], linear: vec![found] };
         assert!(one.gains() == (1.0, 1.0) && one.table()?.table.rows() == 2 && one.figure().figure.to_svg().is_ok());
         assert!(words(&[one])[1].contains("1.00 to 1.00 times"));
         Ok(())

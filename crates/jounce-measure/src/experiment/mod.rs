@@ -11,13 +11,13 @@ mod modal_test;
 mod record;
 mod updated;
 
-use jounce::march::Watch;
+use jounce::march::Control;
 use jounce::reproduce::{Chapter, NamedFigure, NamedTable, Reproduction};
 use rayon::prelude::*;
 
 pub use error::ExperimentError;
 
-use load::{ABOVE, BELOW, PowerOverLoad};
+use load::{ABOVE_RESONANCE, BELOW_RESONANCE, PowerOverLoad};
 use modal_test::ModalTest;
 use record::Alternating;
 use updated::Updated;
@@ -29,18 +29,23 @@ const RECORD_S: f64 = 85.0;
 /// White noise of every sensor, over the rms of its signal: a guess, the paper does not tell.
 const NOISE: f64 = 0.01;
 
-/// Table 2 and figures 10 to 13 from the virtual rig, and the model updated to Table 2; `paper` has the printed numbers beside them, `watch` ends the marches early.
+/// Table 2 and figures 10 to 13 from the virtual rig, and the model updated to Table 2; `paper` has the printed numbers beside them, `control` ends the marches early.
 ///
 /// # Errors
-/// None is expected but where the watch stops it: the inputs are built in. See [`ExperimentError`].
-pub fn chapters(paper: &Reproduction, watch: &Watch) -> Result<Vec<Chapter>, ExperimentError> {
+/// None is expected but where the control stops it: the inputs are built in. See [`ExperimentError`].
+pub fn chapters(paper: &Reproduction, control: &Control) -> Result<Vec<Chapter>, ExperimentError> {
     let printed = |column: &str| paper.table("table-2").and_then(|named| named.table.floats(column)).unwrap_or_default();
     let (modal, (loads, record)) = rayon::join(
-        || Ok::<_, ExperimentError>((ModalTest::compute(printed("measured_hz"))?, Updated::compute(watch)?)),
+        || Ok::<_, ExperimentError>((ModalTest::compute(printed("measured_hz"))?, Updated::compute(control)?)),
         || {
             rayon::join(
-                || [ABOVE, BELOW].into_par_iter().map(|case| PowerOverLoad::compute(case, watch)).collect::<Result<Vec<_>, _>>(),
-                || Alternating::compute(watch),
+                || {
+                    [ABOVE_RESONANCE, BELOW_RESONANCE]
+                        .into_par_iter()
+                        .map(|case| PowerOverLoad::compute(case, control))
+                        .collect::<Result<Vec<_>, _>>()
+                },
+                || Alternating::compute(control),
             )
         },
     );

@@ -1,6 +1,6 @@
 //! Table 2 measured: a hammer test of the virtual rig, identified.
 
-use jounce::linear::Response;
+use jounce::linear::FrfResponse;
 use jounce::picture::Figure;
 use jounce::plant::{Plant, System};
 use jounce::reproduce::{NamedFigure, NamedTable, paper_spec};
@@ -10,8 +10,8 @@ use std::f64::consts::TAU;
 
 use super::ExperimentError;
 use crate::draw::{measured_responses, stabilisation};
-use crate::modal::{Band, Identification, Mode, Settings, identify};
-use crate::response::{Chosen, Responses};
+use crate::modal::{Band, Identification, ModalSettings, Mode, identify};
+use crate::response::{ChannelChoice, MeasuredResponses};
 use crate::rig::{HammerTest, Sensor, hammer_test};
 use crate::spectral::ImpactSettings;
 use jounce_data::recording::Recording;
@@ -39,7 +39,7 @@ pub(super) struct ModalTest {
     paper_hz: Vec<f64>,
     /// First mode with the patch short-circuited.
     short_circuit_hz: f64,
-    responses: Responses,
+    responses: MeasuredResponses,
     whole: Identification,
 }
 
@@ -54,9 +54,9 @@ impl ModalTest {
         let plant = Plant::new(System::assemble(&spec, modes)?)?;
         let records = (1..=HITS).map(|seed| struck(&plant, seed)).collect::<Result<Vec<Recording>, _>>()?;
         let settings = ImpactSettings { end_ratio: Some(END_RATIO), ..ImpactSettings::default() };
-        let responses = Responses::of_hits(&records, &Chosen::default(), &settings)?;
+        let responses = MeasuredResponses::of_hits(&records, &ChannelChoice::default(), &settings)?;
         let identified = |between_hz| -> Result<Identification, ExperimentError> {
-            let mut found = identify(&Band::of(&responses, between_hz)?, Settings { order: ORDER })?;
+            let mut found = identify(&Band::of(&responses, between_hz)?, ModalSettings { order: ORDER })?;
             found.modes.iter_mut().for_each(|mode| mode.without_decay(responses.window_decay_per_s));
             Ok(found)
         };
@@ -155,7 +155,7 @@ impl ModalTest {
 }
 
 fn struck(plant: &Plant, seed: u64) -> Result<Recording, ExperimentError> {
-    let at = |point: &str| Response::Acceleration(point.to_owned());
+    let at = |point: &str| FrfResponse::Acceleration(point.to_owned());
     let test = HammerTest {
         point: "beam.hammer".to_owned(),
         responses: vec![at("beam.tip"), at("beam.hammer")],

@@ -1,16 +1,16 @@
 //! Figures 12 and 13: a record that goes from one solution to another, cut into its stretches.
 
-use jounce::march::Watch;
+use jounce::march::Control;
 use jounce::reproduce::{NamedFigure, NamedTable, paper_spec};
 use jounce::signal::{Samples, Window};
 use jounce::structure;
 use jounce::table::{Column, Table};
 
 use super::{ExperimentError, NOISE, RATE_HZ, RECORD_S};
-use crate::draw::{spectrogram_of, stretch_section, stretch_spectra, stretches};
-use crate::regime::{Correspondence, Regimes, correspond, regimes};
-use crate::rig::{Sensor, ShakerTest, Wander, shaker_test};
-use crate::solution::{Search, Solution, solutions, start_of};
+use crate::draw::{segments, spectrogram_of, stretch_section, stretch_spectra};
+use crate::rig::{Disturbance, Sensor, ShakerTest, shaker_test};
+use crate::segmentation::{SegmentMatches, Segmentation, match_segments, regimes};
+use crate::solution::{Solution, SolutionSearch, solutions, start_of};
 use crate::spectral::{MeanPower, Segments, mean_power, spectrogram};
 
 /// The paper's drive and load, at the force at which the model's solutions have the ratio of powers that the paper measured.
@@ -19,13 +19,14 @@ const LOAD_OHM: f64 = 1e5;
 const SETTINGS: [(&str, &str); 3] =
     [("drive.shaker.frequency", "13.5 Hz"), ("drive.shaker.amplitude", "42 N"), ("circuit.load.resistance", "100 kohm")];
 /// What the record shows, and from when on, s.
-const SHOWN: [(&str, f64); 3] = [("1a", 0.0), ("3a", 31.0), ("1a", 63.0)];
+const SHOWN_SOLUTIONS: [(&str, f64); 3] = [("1a", 0.0), ("3a", 31.0), ("1a", 63.0)];
 /// Mean powers of the paper's two stretches, W.
 const PAPER_W: [f64; 2] = [31.1e-6, 48.1e-6];
 /// The shaker wanders: a guess, the paper does not tell.
-const WANDER: Wander = Wander { amplitude_ratio: 2e-3, frequency_ratio: 5e-5, memory_s: 5.0, amplitude_drift: 0.0, frequency_drift: 0.0 };
+const WANDER: Disturbance =
+    Disturbance { amplitude_ratio: 2e-3, frequency_ratio: 5e-5, memory_s: 5.0, amplitude_drift: 0.0, frequency_drift: 0.0 };
 /// Largest distance at which a solution fits.
-const WITHIN: f64 = 0.2;
+const MAX_SOLUTION_DISTANCE: f64 = 0.2;
 /// Cycles of the drive in a segment of the spectrogram, and how much the next one overlaps.
 const SEGMENT_CYCLES: f64 = 24.0;
 const OVERLAP: f64 = 0.5;
@@ -33,28 +34,28 @@ const OVERLAP: f64 = 0.5;
 /// The record and what it tells.
 pub(super) struct Alternating {
     voltage_v: Vec<f64>,
-    found: Regimes,
+    found: Segmentation,
     powers: Vec<MeanPower>,
-    shown: Vec<Correspondence>,
+    shown: Vec<SegmentMatches>,
     known: Vec<Solution>,
 }
 
 impl Alternating {
     /// Records the model and analyses the record.
-    pub fn compute(watch: &Watch) -> Result<Self, ExperimentError> {
+    pub fn compute(control: &Control) -> Result<Self, ExperimentError> {
         let spec = paper_spec(&SETTINGS)?;
-        let known = solutions(&spec, &Search { starts: 8, ..Search::default() }, watch)?;
+        let known = solutions(&spec, &SolutionSearch { starts: 8, ..SolutionSearch::default() }, control)?;
         let test = ShakerTest {
             rate_hz: RATE_HZ,
             duration_s: RECORD_S,
             before_s: 0.0,
-            starts: SHOWN.iter().map(|(id, at_s)| Ok((*at_s, start_of(&known, id)?))).collect::<Result<_, ExperimentError>>()?,
+            starts: SHOWN_SOLUTIONS.iter().map(|(id, at_s)| Ok((*at_s, start_of(&known, id)?))).collect::<Result<_, ExperimentError>>()?,
             wander: WANDER,
             accelerometers: Vec::new(),
             sensor: Sensor { noise_ratio: NOISE, bits: Some(16) },
             seed: 1,
         };
-        let record = shaker_test(&spec, &structure::modes(&spec)?, &test, watch)?;
+        let record = shaker_test(&spec, &structure::modes(&spec)?, &test, control)?;
         let voltage_v = record.channel("mfc.voltage")?.values.clone();
         let samples = Samples::new(&voltage_v, RATE_HZ)?;
         let found = regimes(&samples, DRIVE_HZ)?;
@@ -62,12 +63,13 @@ impl Alternating {
             Ok(mean_power(&Samples::new(&voltage_v[part.0..part.1], RATE_HZ)?, LOAD_OHM, false)?)
         };
         let powers = found.stretches.iter().map(|stretch| power(stretch.inner)).collect::<Result<_, _>>()?;
-        let shown = found.stretches.iter().map(|stretch| correspond(&samples, DRIVE_HZ, stretch, &known, WITHIN)).collect();
+        let shown =
+            found.stretches.iter().map(|stretch| match_segments(&samples, DRIVE_HZ, stretch, &known, MAX_SOLUTION_DISTANCE)).collect();
         Ok(Self { found, powers, shown, known, voltage_v })
     }
 
     pub fn words(&self) -> Vec<String> {
-        let put_in: Vec<String> = SHOWN.iter().map(|(id, at_s)| format!("{id} from {at_s} s")).collect();
+        let put_in: Vec<String> = SHOWN_SOLUTIONS.iter().map(|(id, at_s)| format!("{id} from {at_s} s")).collect();
         let found: Vec<String> = (self.found.stretches.iter().zip(&self.shown))
             .map(|(stretch, shown)| format!("{} from {:.2} s", shown.id().unwrap_or("no solution"), stretch.start_s))
             .collect();
@@ -98,7 +100,7 @@ impl Alternating {
 
     pub fn table(&self) -> Result<NamedTable, ExperimentError> {
         let stretches = &self.found.stretches;
-        let nearest = |of: &dyn Fn(&crate::regime::Candidate) -> f64| {
+        let nearest = |of: &dyn Fn(&crate::segmentation::Candidate) -> f64| {
             self.shown.iter().map(|shown| shown.candidates.first().map_or(f64::NAN, of)).collect::<Vec<f64>>()
         };
         let ids = self.shown.iter().map(|shown| shown.id().unwrap_or("none").to_owned()).collect::<Vec<_>>();
@@ -131,7 +133,7 @@ impl Alternating {
             (
                 "figure-12",
                 "Figure 12, simulated: the voltage at 13.5 Hz and 100 kΩ, and its rms by stretches.",
-                stretches("Voltage at 13.5 Hz (simulated)", quantity, unit, &samples, &self.found),
+                segments("Voltage at 13.5 Hz (simulated)", quantity, unit, &samples, &self.found),
             ),
             (
                 "figure-12-section",
@@ -161,9 +163,9 @@ mod tests {
     /// within 0.003, powers within 0.4 % of the orbits': the amplitude wanders by 0.2 %.
     #[test]
     fn the_record_is_cut_where_it_was_put_together() {
-        let found = Alternating::compute(&Watch::default()).unwrap_or_else(|fault| panic!("{fault}"));
-        assert_eq!(found.found.stretches.len(), SHOWN.len());
-        for (k, (id, at_s)) in SHOWN.into_iter().enumerate() {
+        let found = Alternating::compute(&Control::default()).unwrap_or_else(|fault| panic!("{fault}"));
+        assert_eq!(found.found.stretches.len(), SHOWN_SOLUTIONS.len());
+        for (k, (id, at_s)) in SHOWN_SOLUTIONS.into_iter().enumerate() {
             let (stretch, shown) = (&found.found.stretches[k], &found.shown[k]);
             let first = &shown.candidates[0];
             let power = found.powers[k].mean_power_w / first.mean_power_w - 1.0;

@@ -1,6 +1,6 @@
 //! The laminate model fitted to the measured column of Table 2.
 
-use jounce::march::Watch;
+use jounce::march::Control;
 use jounce::picture::Figure;
 use jounce::reproduce::{NamedFigure, NamedTable, paper_file};
 use jounce::table::{Column, Table};
@@ -8,23 +8,23 @@ use std::path::Path;
 
 use super::ExperimentError;
 use crate::draw::fitted;
-use crate::fit::{Features, FitAnswer, FitError, FittedFeature, FittedKey, fit};
+use crate::fit::{Features, FitError, FitResult, FittedFeature, FittedKey, fit};
 
 /// What was measured, and what may move to meet it.
 const MEASURED: &str = include_str!("../../../../examples/impact-harvester-2019/measured.toml");
 
 /// The model before and after.
 pub(super) struct Updated {
-    answer: FitAnswer,
+    answer: FitResult,
 }
 
 impl Updated {
     /// The fit.
-    pub fn compute(watch: &Watch) -> Result<Self, ExperimentError> {
+    pub fn compute(control: &Control) -> Result<Self, ExperimentError> {
         let features = Features::from_toml(MEASURED).map_err(|faults| FitError::Features { faults })?;
         let file = paper_file(&[("patch.mfc.section", "laminate")])?;
         let spec = file.spec().map_err(jounce::reproduce::ReproduceError::from)?;
-        let (answer, _) = fit(&file, &spec, &features, Path::new(""), watch)?;
+        let (answer, _) = fit(&file, &spec, &features, Path::new(""), control)?;
         Ok(Self { answer })
     }
 
@@ -55,7 +55,7 @@ impl Updated {
     }
 
     pub fn tables(&self) -> Result<Vec<NamedTable>, ExperimentError> {
-        let FitAnswer { keys, features, .. } = &self.answer;
+        let FitResult { keys, features, .. } = &self.answer;
         let number = |of: &dyn Fn(&FittedFeature) -> f64| features.iter().map(of).collect::<Vec<f64>>();
         let modes = Table::new(vec![
             Column::new("mode", "", "Mode", (1..=features.len() as u64).collect::<Vec<_>>()),
@@ -96,7 +96,7 @@ mod tests {
     /// columns (278.9 Hz for 262.8 Hz).
     #[test]
     fn the_updated_model_meets_all_seven_frequencies_within_half_a_percent() {
-        let updated = Updated::compute(&Watch::default()).unwrap_or_else(|fault| panic!("{fault}"));
+        let updated = Updated::compute(&Control::default()).unwrap_or_else(|fault| panic!("{fault}"));
         let (before, after) = updated.worst();
         assert!(updated.answer.features.len() == 7 && after < 0.005 && after < before, "{before} {after}");
         let words = updated.words(&[8.66, 50.3, 140.9, 278.9, 457.6, 681.9, 960.5]);

@@ -8,10 +8,10 @@
 
 use jounce::spec::{Fault, Spec};
 
-use super::FitAnswer;
+use super::FitResult;
 
 /// By how much the logarithm of a key is moved for a derivative.
-const MOVED: f64 = 1e-4;
+const LOG_DIFFERENCE: f64 = 1e-4;
 
 /// A number that follows from a fitted spec.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -26,7 +26,7 @@ pub struct Derived {
     pub high: f64,
 }
 
-impl FitAnswer {
+impl FitResult {
     /// What `of` makes of the spec as fitted, a number above 0 such as a power or an optimal load, with the interval that the keys leave it.
     ///
     /// # Errors
@@ -42,7 +42,7 @@ impl FitAnswer {
                 spec.set_si(&key.key, key.after * by.exp())?;
                 of(&spec)
             };
-            Ok((moved(MOVED)? / moved(-MOVED)?).ln() / (2.0 * MOVED))
+            Ok((moved(LOG_DIFFERENCE)? / moved(-LOG_DIFFERENCE)?).ln() / (2.0 * LOG_DIFFERENCE))
         };
         let slopes = self.keys.iter().map(slope).collect::<Result<Vec<f64>, E>>()?;
         let part = |k: usize| slopes[k] * self.keys[k].deviation;

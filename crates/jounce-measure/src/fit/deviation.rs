@@ -10,23 +10,23 @@ pub enum Deviation {
 }
 
 /// What a fit begins with where nothing is known.
-const FIRST: f64 = 0.01;
+const INITIAL_DEVIATION: f64 = 0.01;
 /// Residuals are not believed to be smaller than this.
-pub(super) const LEAST: f64 = 1e-7;
+pub(super) const MIN_DEVIATION: f64 = 1e-7;
 
 impl Deviation {
     /// What a fit begins with.
     pub(super) fn first(self) -> f64 {
         match self {
             Self::Given(deviation) => deviation,
-            Self::Residuals => FIRST,
+            Self::Residuals => INITIAL_DEVIATION,
         }
     }
 }
 
 /// Measurements that share a deviation.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Group {
+pub(super) struct DeviationGroup {
     pub name: String,
     pub deviation: Deviation,
 }

@@ -126,7 +126,7 @@ pub enum FitError {
     Plant(#[from] jounce::plant::PlantError),
     /// What a march or a study refuses.
     #[error(transparent)]
-    Study(#[from] jounce::study::StudyError),
+    Study(#[from] jounce::analysis::AnalysisError),
     /// A value that the spec refuses.
     #[error(transparent)]
     Value(#[from] Fault),

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use toml_edit::{DocumentMut, Item, TableLike};
 
-use super::reading::{Reader, positive};
+use super::feature_table::{FeatureTable, positive};
 use super::{FitError, HistoryFeature, JumpFeature, ModeFeature, PowerFeature, ResponseFeature};
 
 /// Free keys and everything that was measured.
@@ -50,7 +50,7 @@ impl Features {
     pub fn from_toml(text: &str) -> Result<Self, Vec<String>> {
         let document = text.parse::<DocumentMut>().map_err(|fault| vec![fault.to_string().trim_end().to_owned()])?;
         let (root, mut faults) = (document.as_table(), Vec::new());
-        let mut reader = Reader { table: root, place: String::new(), faults: &mut faults };
+        let mut reader = FeatureTable { table: root, place: String::new(), faults: &mut faults };
         reader.refuse_all_but(&KEYS);
         let usual = [reader.deviation("frequency_deviation"), reader.deviation("damping_deviation")];
         let (hold, free) = (hold(&mut reader), free(&mut reader));
@@ -76,18 +76,19 @@ impl Features {
 }
 
 /// Every table of a kind, with its number in front of its faults.
-fn each<T>(root: &dyn TableLike, kind: &str, faults: &mut Vec<String>, read: impl Fn(&mut Reader<'_>) -> Option<T>) -> Vec<T> {
+fn each<T>(root: &dyn TableLike, kind: &str, faults: &mut Vec<String>, read: impl Fn(&mut FeatureTable<'_>) -> Option<T>) -> Vec<T> {
     let Some(item) = root.get(kind) else { return Vec::new() };
     let Some(tables) = item.as_array_of_tables() else {
         faults.push(format!("{kind} must be tables: write [[{kind}]] before each"));
         return Vec::new();
     };
-    let one =
-        |(k, table): (usize, &toml_edit::Table)| read(&mut Reader { table, place: format!("{kind} {}, ", k + 1), faults: &mut *faults });
+    let one = |(k, table): (usize, &toml_edit::Table)| {
+        read(&mut FeatureTable { table, place: format!("{kind} {}, ", k + 1), faults: &mut *faults })
+    };
     tables.iter().enumerate().filter_map(one).collect()
 }
 
-fn hold(reader: &mut Reader<'_>) -> Vec<String> {
+fn hold(reader: &mut FeatureTable<'_>) -> Vec<String> {
     let Some(item) = reader.table.get("hold") else { return Vec::new() };
     let names = item.as_array().and_then(|list| list.iter().map(|name| name.as_str().map(str::to_owned)).collect());
     if names.is_none() {
@@ -96,7 +97,7 @@ fn hold(reader: &mut Reader<'_>) -> Vec<String> {
     names.unwrap_or_default()
 }
 
-fn free(reader: &mut Reader<'_>) -> Vec<(String, f64)> {
+fn free(reader: &mut FeatureTable<'_>) -> Vec<(String, f64)> {
     let (mut free, before) = (Vec::new(), reader.faults.len());
     for (key, item) in reader.table.get("free").and_then(Item::as_table_like).into_iter().flat_map(|table| table.iter()) {
         match positive(item) {

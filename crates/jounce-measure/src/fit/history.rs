@@ -2,15 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
-use jounce::linear::Response;
+use jounce::analysis::{AnalysisError, Model};
+use jounce::linear::FrfResponse;
 use jounce::run::{RunPlan, simulate};
 use jounce::spec::Quantity;
-use jounce::study::{Prepared, StudyError};
 
+use super::feature_table::FeatureTable;
 use super::model::Conditions;
-use super::reading::Reader;
 use super::response::output;
-use super::{Deviation, FitError, Model, Question};
+use super::{Deviation, FitError, FitModel, Question};
 use jounce_data::read;
 
 /// A record whose stamps are times of the run, unless it says when it begins.
@@ -21,7 +21,7 @@ pub struct HistoryFeature {
     /// Its channel.
     pub channel: String,
     /// What the channel measures: a displacement, a velocity, or the voltage of a patch.
-    pub output: Response,
+    pub output: FrfResponse,
     /// Deviation of each sample over the rms of the record.
     pub deviation: Deviation,
     /// Time of the run at the first sample, s; without it the stamps of the record are times of the run.
@@ -33,13 +33,13 @@ pub struct HistoryFeature {
 const KEYS: [&str; 6] = ["file", "channel", "output", "begins", "deviation", "set"];
 const HISTORIES: &str = "a history is a .displacement, a .velocity or the .voltage of a patch";
 /// Fewest samples that are a history.
-const FEWEST: usize = 8;
+const MIN_SAMPLES: usize = 8;
 /// Share of a step by which a stamp may miss the start of the run, or its end: roundoff.
-const ROUNDOFF: f64 = 1e-6;
+const STAMP_ROUNDOFF: f64 = 1e-6;
 const BEGINS: &str = "give `begins`, the time of the run at the first sample, as in begins = \"0 s\" where it is that of the start";
 
 /// The samples of a record at times of the run.
-pub(super) struct Samples {
+pub(super) struct HistorySamples {
     pub time_s: Vec<f64>,
     pub values: Vec<f64>,
     pub unit: String,
@@ -48,11 +48,11 @@ pub(super) struct Samples {
 }
 
 impl HistoryFeature {
-    pub(super) fn read(reader: &mut Reader<'_>) -> Option<Self> {
+    pub(super) fn read(reader: &mut FeatureTable<'_>) -> Option<Self> {
         reader.refuse_all_but(&KEYS);
         let (file, channel) = (reader.text("file", "run.csv"), reader.text("channel", "voltage"));
         let found = reader.text("output", "mfc.voltage").and_then(|text| output(&text, reader));
-        if matches!(found, Some(Response::Acceleration(_) | Response::LoadVoltage(_))) {
+        if matches!(found, Some(FrfResponse::Acceleration(_) | FrfResponse::LoadVoltage(_))) {
             reader.fault(format!("output: {HISTORIES}"));
             return None;
         }
@@ -72,18 +72,18 @@ impl HistoryFeature {
     }
 
     /// The samples with their times.
-    pub(super) fn samples(&self, folder: &Path, place: &str) -> Result<Samples, FitError> {
+    pub(super) fn samples(&self, folder: &Path, place: &str) -> Result<HistorySamples, FitError> {
         let told = |reason: String| self.told(place, reason);
         let record = read::record(&folder.join(&self.file)).map_err(|fault| told(fault.to_string()))?;
         let channel = record.channel(&self.channel).map_err(|fault| told(fault.to_string()))?;
         let places = record.grid.places();
-        if places.len() < FEWEST || channel.values.iter().any(|x| !x.is_finite()) {
-            return Err(told(format!("a history needs at least {FEWEST} samples, each a number")));
+        if places.len() < MIN_SAMPLES || channel.values.iter().any(|x| !x.is_finite()) {
+            return Err(told(format!("a history needs at least {MIN_SAMPLES} samples, each a number")));
         }
         if channel.values.iter().all(|x| *x == 0.0) {
             return Err(told(format!("channel {} is zero throughout", channel.name)));
         }
-        let slack_s = ROUNDOFF * (places[places.len() - 1] - places[0]) / (places.len() - 1) as f64;
+        let slack_s = STAMP_ROUNDOFF * (places[places.len() - 1] - places[0]) / (places.len() - 1) as f64;
         let first_s = match self.begins_s {
             Some(begins_s) => begins_s,
             None if places[0] < -slack_s => {
@@ -92,7 +92,7 @@ impl HistoryFeature {
             None if places[0] <= slack_s => 0.0,
             None => places[0],
         };
-        Ok(Samples {
+        Ok(HistorySamples {
             time_s: places.iter().map(|time_s| first_s + (time_s - places[0])).collect(),
             values: channel.values.clone(),
             unit: channel.unit.clone(),
@@ -103,7 +103,7 @@ impl HistoryFeature {
     /// Stamps beyond the run are hardly times of it: a clock has them that was not set.
     pub(super) fn within(&self, time_s: &[f64], duration_s: f64, place: &str) -> Result<(), FitError> {
         let (first_s, last_s) = (time_s[0], time_s[time_s.len() - 1]);
-        if last_s <= duration_s + ROUNDOFF * (last_s - first_s) {
+        if last_s <= duration_s + STAMP_ROUNDOFF * (last_s - first_s) {
             return Ok(());
         }
         let reason = format!(
@@ -123,21 +123,21 @@ impl HistoryFeature {
 }
 
 /// The run at the times of the record.
-pub(super) struct AskedHistory {
-    pub output: Response,
+pub(super) struct HistoryQuestion {
+    pub output: FrfResponse,
     pub time_s: Vec<f64>,
     pub conditions: Conditions,
 }
 
-impl Question for AskedHistory {
-    fn ask(&self, model: &Model<'_>) -> Result<Vec<f64>, FitError> {
+impl Question for HistoryQuestion {
+    fn ask(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError> {
         let prepared = model.prepared_at(&self.conditions)?;
         let start = prepared.start(model.folder)?;
         let kernel = prepared.from_state(&start)?;
         let duration_s = self.time_s.last().copied().unwrap_or(0.0);
         let tolerance = prepared.spec.run.tolerance;
         let plan = RunPlan { duration_s, average_over_s: duration_s / 2.0, tolerance, record_s: duration_s };
-        let answer = simulate(&kernel, &start, &plan).map_err(StudyError::from)?;
+        let answer = simulate(&kernel, &start, &plan).map_err(AnalysisError::from)?;
         let read = self.reader(&prepared)?;
         let instants = answer.trajectory.at(&kernel, &self.time_s);
         Ok(instants.iter().map(|at| read(&kernel.plant.to_physical(&at.state, at.time_s))).collect())
@@ -147,9 +147,9 @@ impl Question for AskedHistory {
 /// An output of a physical state.
 type Reading<'p> = Box<dyn Fn(&[f64]) -> f64 + 'p>;
 
-impl AskedHistory {
+impl HistoryQuestion {
     /// What a physical state has of the output.
-    fn reader<'p>(&self, prepared: &'p Prepared) -> Result<Reading<'p>, FitError> {
+    fn reader<'p>(&self, prepared: &'p Model) -> Result<Reading<'p>, FitError> {
         let plant = &prepared.kernel.plant;
         let modes = &plant.system.modes;
         let unknown = |name: &str, known: Vec<&String>| FitError::NoPlace {
@@ -161,13 +161,13 @@ impl AskedHistory {
             Box::new(move |x: &[f64]| shape.iter().zip(&x[first..]).map(|(s, q)| s * q).sum())
         };
         match &self.output {
-            Response::Velocity(point) => Ok(along(shape(point)?, modes.len())),
-            Response::Voltage(patch) => {
+            FrfResponse::Velocity(point) => Ok(along(shape(point)?, modes.len())),
+            FrfResponse::Voltage(patch) => {
                 let place = modes.patch.keys().position(|name| name == patch);
                 let place = place.ok_or_else(|| unknown(patch, modes.patch.keys().collect()))?;
                 Ok(Box::new(move |x: &[f64]| plant.patch_voltages_v(x)[place]))
             }
-            Response::Displacement(point) => Ok(along(shape(point)?, 0)),
+            FrfResponse::Displacement(point) => Ok(along(shape(point)?, 0)),
             other => Err(FitError::Features { faults: vec![format!("history: output is {}; {HISTORIES}", other.name())] }),
         }
     }

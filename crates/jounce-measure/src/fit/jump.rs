@@ -1,11 +1,11 @@
 //! Jumps as features: the value of a key at which a branch of periodic answers turns back.
 
+use jounce::analysis::{BranchKind, BranchSearch, OrbitMethodKind, Parameter};
 use jounce::spec::NumericKey;
-use jounce::study::{BranchKind, BranchSearch, Method, Parameter};
 
+use super::feature_table::FeatureTable;
 use super::model::Conditions;
-use super::reading::Reader;
-use super::{Deviation, FitError, Model, Question};
+use super::{Deviation, FitError, FitModel, Question};
 
 /// A measured jump.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,7 +25,7 @@ pub struct JumpFeature {
 const KEYS: [&str; 5] = ["over", "at", "between", "deviation", "set"];
 
 impl JumpFeature {
-    pub(super) fn read(reader: &mut Reader<'_>) -> Option<Self> {
+    pub(super) fn read(reader: &mut FeatureTable<'_>) -> Option<Self> {
         reader.refuse_all_but(&KEYS);
         let (over, at) = (reader.text("over", "drive.shaker.frequency"), reader.text("at", "12.6 Hz"));
         let between = reader.texts("between", "12 Hz");
@@ -39,22 +39,22 @@ impl JumpFeature {
 }
 
 /// The fold nearest to where the jump was measured, on the branches through both ends of a range.
-pub(super) struct AskedJump {
+pub(super) struct JumpQuestion {
     pub key: NumericKey,
     pub at: f64,
     pub range: (f64, f64),
     pub conditions: Conditions,
 }
 
-impl Question for AskedJump {
-    fn ask(&self, model: &Model<'_>) -> Result<Vec<f64>, FitError> {
+impl Question for JumpQuestion {
+    fn ask(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError> {
         let prepared = model.prepared_at(&self.conditions)?;
         let parameter = Parameter::new(&prepared, &self.key, self.range.1 - self.range.0);
         let search = BranchSearch {
             base: &prepared,
             parameter: &parameter,
             range: self.range,
-            method: Method::Shooting,
+            method: OrbitMethodKind::Shooting,
             tolerance: prepared.spec.run.tolerance,
             seeds: 0,
             longest_period: 1,

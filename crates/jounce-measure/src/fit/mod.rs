@@ -14,26 +14,25 @@
 //! expected within the deviation of the model, from `C`, and that of the measurement together.
 //!
 //! Source: M. Friswell, J. Mottershead, Finite Element Model Updating in Structural Dynamics (1995), chapter 8; levenberg-marquardt after MINPACK.
-mod answer;
-mod asked;
 mod derived;
 mod deviation;
+mod discrepancy;
 mod error;
+mod feature_table;
 mod features;
 mod history;
 mod jump;
-mod missed;
 mod mode;
 mod model;
+mod observations;
 mod power;
 mod problem;
 mod profile;
-mod reading;
 mod response;
+mod result;
 mod solve;
 mod warnings;
 
-pub use answer::{FitAnswer, FittedCurve, FittedDeviation, FittedFeature, FittedKey};
 pub use derived::Derived;
 pub use deviation::Deviation;
 pub use error::FitError;
@@ -42,7 +41,8 @@ pub use history::HistoryFeature;
 pub use jump::JumpFeature;
 pub use mode::ModeFeature;
 pub use power::PowerFeature;
-pub use response::{Lines, ResponseFeature};
+pub use response::{MeasuredLines, ResponseFeature};
+pub use result::{FitResult, FittedCurve, FittedDeviation, FittedFeature, FittedKey};
 pub use solve::fit;
 
-use model::{Model, Question};
+use model::{FitModel, Question};

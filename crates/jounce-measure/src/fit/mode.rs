@@ -2,14 +2,14 @@
 
 use std::f64::consts::TAU;
 
-use jounce::plant::{Pair, Plant, PlantError, System};
+use jounce::plant::{BlockPair, Plant, PlantError, System};
 use jounce::spec::{Gravity, Quantity, Spec};
 use jounce::structure::{self, Modes};
 use toml_edit::Item;
 
+use super::feature_table::{FeatureTable, positive};
 use super::model::Conditions;
-use super::reading::{Reader, positive};
-use super::{Deviation, FitError, Model, Question};
+use super::{Deviation, FitError, FitModel, Question};
 
 /// A measured mode.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -30,7 +30,7 @@ pub struct ModeFeature {
 const KEYS: [&str; 7] = ["number", "frequency", "frequency_deviation", "damping_ratio", "damping_deviation", "loaded", "set"];
 
 impl ModeFeature {
-    pub(super) fn read(reader: &mut Reader<'_>, usual: [Option<Deviation>; 2]) -> Option<Self> {
+    pub(super) fn read(reader: &mut FeatureTable<'_>, usual: [Option<Deviation>; 2]) -> Option<Self> {
         reader.refuse_all_but(&KEYS);
         let number = reader.table.get("number").and_then(Item::as_integer).and_then(|number| usize::try_from(number).ok());
         let number = number.filter(|number| *number > 0);
@@ -70,15 +70,15 @@ impl ModeFeature {
 }
 
 /// Modes under the same conditions.
-pub(super) struct AskedModes {
+pub(super) struct ModeQuestion {
     /// Numbers of modes, from 0, and whether their frequency or their damping ratio is asked for.
     pub asked: Vec<(usize, bool)>,
     pub loaded: bool,
     pub conditions: Conditions,
 }
 
-impl Question for AskedModes {
-    fn ask(&self, model: &Model<'_>) -> Result<Vec<f64>, FitError> {
+impl Question for ModeQuestion {
+    fn ask(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError> {
         let spec = model.spec_at(&self.conditions)?;
         let modes = structure::modes_holding(&spec, model.hold)?;
         let poles = if self.loaded { loaded(spec, modes)? } else { modes.frequency_rad_s.into_iter().zip(modes.damping_ratio).collect() };
@@ -107,9 +107,9 @@ fn loaded(mut spec: Spec, modes: Modes) -> Result<Vec<(f64, f64)>, FitError> {
     if let Some(bridge) = plant.system.bridges.first() {
         return Err(PlantError::Switches { circuit: bridge.name.clone() }.into());
     }
-    let turning = |pair: &Pair| match *pair {
-        Pair::Oscillatory { decay, frequency } => Some((decay.hypot(frequency), -decay / decay.hypot(frequency))),
-        Pair::Jordan { .. } => None,
+    let turning = |pair: &BlockPair| match *pair {
+        BlockPair::Oscillatory { decay, frequency } => Some((decay.hypot(frequency), -decay / decay.hypot(frequency))),
+        BlockPair::Jordan { .. } => None,
     };
     let mut poles: Vec<(f64, f64)> = plant.diagonal.block.pairs.iter().filter_map(turning).collect();
     poles.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -3,35 +3,35 @@
 use std::cell::OnceCell;
 use std::path::Path;
 
-use jounce::march::Watch;
+use jounce::analysis::Model;
+use jounce::march::Control;
 use jounce::spec::{NumericKey, Spec, SpecFile};
-use jounce::study::Prepared;
 
 use super::FitError;
 
 /// The spec of a fit, and the folder in which its files lie.
 #[derive(Clone, Copy)]
-pub(super) struct Source<'a> {
+pub(super) struct FitSource<'a> {
     pub file: &'a SpecFile,
     pub folder: &'a Path,
 }
 
 /// The model at one set of keys.
-pub(super) struct Model<'a> {
+pub(super) struct FitModel<'a> {
     pub spec: Spec,
     pub hold: &'a [String],
     /// Folder of the spec, where its files lie.
     pub folder: &'a Path,
     /// Ends its marches early.
-    pub watch: Watch,
+    pub control: Control,
     /// The harvester without conditions, made when first asked for.
-    pub prepared: OnceCell<Prepared>,
+    pub prepared: OnceCell<Model>,
 }
 
 /// Something that was measured, to be asked of the model too.
 pub(super) trait Question {
     /// What the model has for every measured number of this test.
-    fn ask(&self, model: &Model<'_>) -> Result<Vec<f64>, FitError>;
+    fn ask(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError>;
 }
 
 /// Values of keys that hold during a test.
@@ -40,7 +40,7 @@ pub(super) struct Conditions(Vec<(NumericKey, f64)>);
 
 impl Conditions {
     /// Keys and values as on a command line.
-    pub fn new(source: Source<'_>, set: &[(String, String)], place: &str) -> Result<Self, FitError> {
+    pub fn new(source: FitSource<'_>, set: &[(String, String)], place: &str) -> Result<Self, FitError> {
         let one = |(key, value): &(String, String)| {
             let told = |reason: String| FitError::Condition { place: place.to_owned(), key: key.clone(), reason };
             let found = source.file.numeric_key(key).map_err(|faults| told(faults.to_string()))?;
@@ -53,7 +53,7 @@ impl Conditions {
     }
 
     /// The spec as given, under these.
-    pub fn spec(&self, source: Source<'_>) -> Result<Spec, FitError> {
+    pub fn spec(&self, source: FitSource<'_>) -> Result<Spec, FitError> {
         let mut spec = source.file.spec().map_err(|faults| FitError::Features { faults: vec![faults.to_string()] })?;
         self.0.iter().try_for_each(|(key, value)| key.set(&mut spec, *value))?;
         Ok(spec)
@@ -70,7 +70,7 @@ impl Conditions {
     }
 }
 
-impl Model<'_> {
+impl FitModel<'_> {
     /// The spec under conditions.
     pub fn spec_at(&self, conditions: &Conditions) -> Result<Spec, FitError> {
         let mut spec = self.spec.clone();
@@ -81,11 +81,11 @@ impl Model<'_> {
     }
 
     /// The harvester under conditions.
-    pub fn prepared_at(&self, conditions: &Conditions) -> Result<Prepared, FitError> {
+    pub fn prepared_at(&self, conditions: &Conditions) -> Result<Model, FitError> {
         let base = match self.prepared.get() {
             Some(base) => base,
             None => {
-                let made = Prepared::watched(self.spec.clone(), &self.watch)?;
+                let made = Model::watched(self.spec.clone(), &self.control)?;
                 self.prepared.get_or_init(|| made)
             }
         };

@@ -1,11 +1,11 @@
 //! Mean powers over a key, such as the load, as features.
 
+use jounce::analysis::AnalysisError;
 use jounce::run::{RunPlan, simulate};
-use jounce::study::StudyError;
 
+use super::feature_table::FeatureTable;
 use super::model::Conditions;
-use super::reading::Reader;
-use super::{Deviation, FitError, Model, Question};
+use super::{Deviation, FitError, FitModel, Question};
 
 /// Measured mean powers of all loads over one key.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,7 +25,7 @@ pub struct PowerFeature {
 const KEYS: [&str; 5] = ["over", "values", "mean_power_w", "deviation", "set"];
 
 impl PowerFeature {
-    pub(super) fn read(reader: &mut Reader<'_>) -> Option<Self> {
+    pub(super) fn read(reader: &mut FeatureTable<'_>) -> Option<Self> {
         reader.refuse_all_but(&KEYS);
         let over = reader.text("over", "circuit.load.resistance");
         let values = reader.texts("values", "100 kohm");
@@ -39,16 +39,16 @@ impl PowerFeature {
 }
 
 /// One run of `run.duration` for each condition; its mean power.
-pub(super) struct AskedPowers(pub Vec<Conditions>);
+pub(super) struct PowerQuestion(pub Vec<Conditions>);
 
-impl Question for AskedPowers {
-    fn ask(&self, model: &Model<'_>) -> Result<Vec<f64>, FitError> {
+impl Question for PowerQuestion {
+    fn ask(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError> {
         let power = |conditions: &Conditions| {
             let prepared = model.prepared_at(conditions)?;
             let start = prepared.start(model.folder)?;
             let plan = RunPlan::of(&prepared.spec.run, 0.0);
             let kernel = prepared.from_state(&start)?;
-            let answer = simulate(&kernel, &start, &plan).map_err(StudyError::from)?;
+            let answer = simulate(&kernel, &start, &plan).map_err(AnalysisError::from)?;
             if answer.mean_power_w > 0.0 { Ok(answer.mean_power_w) } else { Err(FitError::NoPower { mean_power_w: answer.mean_power_w }) }
         };
         self.0.iter().map(power).collect()

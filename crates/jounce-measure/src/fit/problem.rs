@@ -3,38 +3,38 @@
 use std::cell::{Cell, OnceCell, RefCell};
 use std::path::Path;
 
-use jounce::march::Watch;
+use jounce::march::Control;
 use jounce::spec::{NumericKey, Spec};
 use levenberg_marquardt::LeastSquaresProblem;
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
 
-use super::asked::{Asked, Measured};
-use super::{FitError, Model};
+use super::observations::{MeasuredNumber, Observations};
+use super::{FitError, FitModel};
 
 /// Keys as `p0 exp(x)`; residuals of the features, then of the priors.
-pub(super) struct Problem<'a> {
+pub(super) struct FitProblem<'a> {
     pub spec: &'a Spec,
     pub folder: &'a Path,
     pub hold: &'a [String],
     pub keys: Vec<NumericKey>,
     pub start: Vec<f64>,
     pub prior: Vec<f64>,
-    pub asked: &'a Asked,
+    pub asked: &'a Observations,
     /// Deviation of each group.
     pub deviation: Vec<f64>,
     pub unknowns: DVector<f64>,
     pub evaluations: Cell<usize>,
     /// Counts them, and ends the fit early.
-    pub watch: &'a Watch,
+    pub control: &'a Control,
     /// Why the model could not be evaluated last.
     pub fault: RefCell<Option<FitError>>,
 }
 
 /// By how much the logarithm of a key is moved for a derivative: errors of the frequencies (1e-9) and of the quotient (1e-8) are alike.
-const MOVED: f64 = 1e-4;
+const LOG_DIFFERENCE: f64 = 1e-4;
 
-impl Problem<'_> {
+impl FitProblem<'_> {
     /// The spec with these unknowns.
     pub fn changed(&self, unknowns: &DVector<f64>) -> Result<Spec, FitError> {
         let mut spec = self.spec.clone();
@@ -47,19 +47,19 @@ impl Problem<'_> {
     /// What the model has for every measured number.
     pub fn model(&self, unknowns: &DVector<f64>) -> Result<Vec<f64>, FitError> {
         self.evaluations.set(self.evaluations.get() + 1);
-        self.watch.count();
-        if self.watch.is_stopped() {
+        self.control.count();
+        if self.control.is_stopped() {
             return Err(FitError::Stopped { evaluations: self.evaluations.get() });
         }
         // Orbits count on their own: what is counted here are evaluations.
-        let (spec, watch) = (self.changed(unknowns)?, self.watch.apart());
-        let model = Model { spec, hold: self.hold, folder: self.folder, watch, prepared: OnceCell::new() };
+        let (spec, control) = (self.changed(unknowns)?, self.control.apart());
+        let model = FitModel { spec, hold: self.hold, folder: self.folder, control, prepared: OnceCell::new() };
         let answers = self.asked.questions.iter().map(|question| question.ask(&model)).collect::<Result<Vec<_>, _>>()?;
         Ok(answers.concat())
     }
 
     /// Deviation of a measured number.
-    pub fn deviation_of(&self, measured: &Measured) -> f64 {
+    pub fn deviation_of(&self, measured: &MeasuredNumber) -> f64 {
         self.deviation[measured.group]
     }
 
@@ -79,7 +79,7 @@ impl Problem<'_> {
                 unknowns[k] += by;
                 self.errors(&unknowns)
             };
-            Ok((moved(MOVED)? - moved(-MOVED)?) / (2.0 * MOVED))
+            Ok((moved(LOG_DIFFERENCE)? - moved(-LOG_DIFFERENCE)?) / (2.0 * LOG_DIFFERENCE))
         };
         Ok(DMatrix::from_columns(&(0..self.keys.len()).map(column).collect::<Result<Vec<_>, FitError>>()?))
     }
@@ -89,7 +89,7 @@ impl Problem<'_> {
     }
 }
 
-impl Measured {
+impl MeasuredNumber {
     /// Error of the model before its deviation is looked at.
     pub fn error(&self, model: f64) -> f64 {
         match self.scale {
@@ -107,7 +107,7 @@ impl Measured {
     }
 }
 
-impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
+impl LeastSquaresProblem<f64, Dyn, Dyn> for FitProblem<'_> {
     type ResidualStorage = Owned<f64, Dyn>;
     type JacobianStorage = Owned<f64, Dyn, Dyn>;
     type ParameterStorage = Owned<f64, Dyn>;

@@ -18,21 +18,21 @@ use nalgebra::{DMatrix, DVector};
 use super::FitError;
 
 /// Distance from the minimum, relative to the quantile, within which an end is found.
-const FOUND: f64 = 0.005;
+const END_TOLERANCE: f64 = 0.005;
 /// Steps towards an end.
-const STEPS: usize = 40;
+const MAX_STEPS: usize = 40;
 /// What the other keys may still gain at an end, beside the square of the quantile.
-const FOLLOWED: f64 = 0.01;
+const MAX_REMAINING_GAIN: f64 = 0.01;
 /// Most by which the distance of an end from the minimum changes in a step.
-const MOST: f64 = 2.0;
+const MAX_DISTANCE_CHANGE: f64 = 2.0;
 
 /// Errors at a set of unknowns.
-pub(super) type Errors<'p> = dyn Fn(&DVector<f64>) -> Result<DVector<f64>, FitError> + 'p;
+pub(super) type ErrorFunction<'p> = dyn Fn(&DVector<f64>) -> Result<DVector<f64>, FitError> + 'p;
 
 /// A minimum from which ends are sought.
 pub(super) struct Profile<'p> {
     /// Errors over their deviations at a set of unknowns.
-    pub errors: &'p Errors<'p>,
+    pub errors: &'p ErrorFunction<'p>,
     /// Where it lies.
     pub least: &'p DVector<f64>,
     /// Errors there.
@@ -54,14 +54,14 @@ impl Profile<'_> {
         let mut derivatives = self.derivatives.clone();
         let away = quantile * self.covariance[(k, k)].sqrt();
         let mut unknowns = self.least + self.covariance.column(k) / self.covariance[(k, k)] * away;
-        let (mut before, mut reached_before) = (Place { unknowns: self.least.clone(), errors: self.at_least.clone() }, 0.0);
-        for _ in 0..STEPS {
+        let (mut before, mut reached_before) = (ProfilePoint { unknowns: self.least.clone(), errors: self.at_least.clone() }, 0.0);
+        for _ in 0..MAX_STEPS {
             let errors = match (self.errors)(&unknowns) {
                 Ok(errors) => errors,
                 Err(stopped @ FitError::Stopped { .. }) => return Err(stopped),
                 Err(_) => return Ok(None),
             };
-            let here = Place { unknowns, errors };
+            let here = ProfilePoint { unknowns, errors };
             derivatives += self.update(&derivatives, &before, &here);
             let Some(covariance) = (derivatives.transpose() * &derivatives).try_inverse() else { return Ok(None) };
             let others = derivatives.clone().remove_column(k);
@@ -70,14 +70,18 @@ impl Profile<'_> {
             let step = -inverse * &slope;
             let left = -slope.dot(&step);
             let reached = (here.errors.norm_squared() - left - self.objective).max(0.0).sqrt();
-            let found = (reached / quantile.abs() - 1.0).abs() < FOUND && left < FOLLOWED * quantile * quantile;
+            let found = (reached / quantile.abs() - 1.0).abs() < END_TOLERANCE && left < MAX_REMAINING_GAIN * quantile * quantile;
             if found {
                 return Ok(Some(here.unknowns[k]));
             }
             // By the secant, as far as it goes.
             let been = here.unknowns[k] - self.least[k];
             let slant = (been - (before.unknowns[k] - self.least[k])) / (reached - reached_before);
-            let share = if slant.is_finite() { ((been + (quantile.abs() - reached) * slant) / been).clamp(1.0 / MOST, MOST) } else { 1.0 };
+            let share = if slant.is_finite() {
+                ((been + (quantile.abs() - reached) * slant) / been).clamp(1.0 / MAX_DISTANCE_CHANGE, MAX_DISTANCE_CHANGE)
+            } else {
+                1.0
+            };
             unknowns = &here.unknowns + covariance.column(k) / covariance[(k, k)] * (been * (share - 1.0)) + step.insert_row(k, 0.0);
             (before, reached_before) = (here, reached);
         }
@@ -85,7 +89,7 @@ impl Profile<'_> {
     }
 
     /// What a step tells of the derivatives: the least change, each unknown beside its deviation, that gives the errors at its end.
-    fn update(&self, derivatives: &DMatrix<f64>, from: &Place, to: &Place) -> DMatrix<f64> {
+    fn update(&self, derivatives: &DMatrix<f64>, from: &ProfilePoint, to: &ProfilePoint) -> DMatrix<f64> {
         let moved = &to.unknowns - &from.unknowns;
         let missed = &to.errors - &from.errors - derivatives * &moved;
         let beside = moved.component_div(&self.covariance.diagonal());
@@ -94,7 +98,7 @@ impl Profile<'_> {
 }
 
 /// A set of unknowns and the errors there.
-struct Place {
+struct ProfilePoint {
     unknowns: DVector<f64>,
     errors: DVector<f64>,
 }

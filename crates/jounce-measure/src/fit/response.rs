@@ -3,20 +3,20 @@
 use std::path::{Path, PathBuf};
 
 use faer::c64;
-use jounce::linear::{Input, Response, frf};
+use jounce::linear::{FrfInput, FrfResponse, frf};
 use jounce::plant::{Plant, System};
 use jounce::spec::{Gravity, Quantity};
 use jounce::structure;
 
+use super::feature_table::FeatureTable;
 use super::model::Conditions;
-use super::reading::Reader;
-use super::{Deviation, FitError, Model, Question};
+use super::{Deviation, FitError, FitModel, Question};
 use jounce_data::read;
 use jounce_data::recording::{Over, Quantity as Measures, Unit};
 
 /// What was measured of a response.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Lines {
+pub enum MeasuredLines {
     /// Its size at frequencies, Hz, per newton or per m/s^2 of the base.
     Magnitude(Vec<f64>, Vec<f64>),
     /// Its complex value there.
@@ -36,11 +36,11 @@ pub enum Lines {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ResponseFeature {
     /// What shakes it.
-    pub input: Input,
+    pub input: FrfInput,
     /// What is looked at.
-    pub output: Response,
+    pub output: FrfResponse,
     /// What was measured.
-    pub lines: Lines,
+    pub lines: MeasuredLines,
     /// True where the motion is that of a sensor on the structure while the base moves, and not relative to the base.
     pub absolute: bool,
     /// Relative deviation of the size at each line.
@@ -53,32 +53,32 @@ const KEYS: [&str; 12] =
     ["input", "output", "absolute", "frequency", "magnitude", "re", "im", "file", "channel", "between", "deviation", "set"];
 
 impl ResponseFeature {
-    pub(super) fn read(reader: &mut Reader<'_>) -> Option<Self> {
+    pub(super) fn read(reader: &mut FeatureTable<'_>) -> Option<Self> {
         reader.refuse_all_but(&KEYS);
         let input = reader.text("input", "beam.hammer");
         let output = reader.text("output", "beam.tip.acceleration").and_then(|text| output(&text, reader));
         let (deviation, set, lines, absolute) = (reader.own_deviation(), reader.conditions(), lines(reader), reader.flag("absolute"));
         let input = input?;
-        let input = if input == "base" { Input::BaseAcceleration } else { Input::Force(input) };
+        let input = if input == "base" { FrfInput::BaseAcceleration } else { FrfInput::Force(input) };
         Some(Self { input, output: output?, lines: lines?, absolute, deviation, set })
     }
 
     /// What a file of it must be in.
-    pub(super) fn sides(&self) -> Sides {
+    pub(super) fn sides(&self) -> ResponseChannels {
         let output = match self.output {
-            Response::Displacement(_) => Measures::Displacement,
-            Response::Velocity(_) => Measures::Velocity,
-            Response::Acceleration(_) => Measures::Acceleration,
-            Response::Voltage(_) | Response::LoadVoltage(_) => Measures::Voltage,
+            FrfResponse::Displacement(_) => Measures::Displacement,
+            FrfResponse::Velocity(_) => Measures::Velocity,
+            FrfResponse::Acceleration(_) => Measures::Acceleration,
+            FrfResponse::Voltage(_) | FrfResponse::LoadVoltage(_) => Measures::Voltage,
         };
-        let input = if self.input == Input::BaseAcceleration { Measures::Acceleration } else { Measures::Force };
-        Sides { output, input, unit: self.output.unit(&self.input) }
+        let input = if self.input == FrfInput::BaseAcceleration { Measures::Acceleration } else { Measures::Force };
+        ResponseChannels { output, input, unit: self.output.unit(&self.input) }
     }
 
     /// How a motion over a moving base was taken where nothing says it.
     pub(super) fn relative_in_words(&self, place: &str) -> Option<String> {
-        let moves = matches!(self.output, Response::Displacement(_) | Response::Velocity(_) | Response::Acceleration(_));
-        (moves && self.input == Input::BaseAcceleration && !self.absolute).then(|| {
+        let moves = matches!(self.output, FrfResponse::Displacement(_) | FrfResponse::Velocity(_) | FrfResponse::Acceleration(_));
+        (moves && self.input == FrfInput::BaseAcceleration && !self.absolute).then(|| {
             format!(
                 "{place}: {} is taken relative to the base; write absolute = true for a sensor that stands on the structure",
                 self.output.name()
@@ -88,15 +88,15 @@ impl ResponseFeature {
 }
 
 /// What is looked at, by the name that `frf` gives it.
-pub(super) fn output(text: &str, reader: &mut Reader<'_>) -> Option<Response> {
+pub(super) fn output(text: &str, reader: &mut FeatureTable<'_>) -> Option<FrfResponse> {
     let found = text.rsplit_once('.').and_then(|(name, kind)| {
         let name = name.to_owned();
         Some(match kind {
-            "displacement" => Response::Displacement(name),
-            "velocity" => Response::Velocity(name),
-            "acceleration" => Response::Acceleration(name),
-            "voltage" => Response::Voltage(name),
-            "load_voltage" => Response::LoadVoltage(name),
+            "displacement" => FrfResponse::Displacement(name),
+            "velocity" => FrfResponse::Velocity(name),
+            "acceleration" => FrfResponse::Acceleration(name),
+            "voltage" => FrfResponse::Voltage(name),
+            "load_voltage" => FrfResponse::LoadVoltage(name),
             _ => return None,
         })
     });
@@ -108,7 +108,7 @@ pub(super) fn output(text: &str, reader: &mut Reader<'_>) -> Option<Response> {
     found
 }
 
-fn lines(reader: &mut Reader<'_>) -> Option<Lines> {
+fn lines(reader: &mut FeatureTable<'_>) -> Option<MeasuredLines> {
     if let Some(file) = reader.text_if_any("file", "frf.uff") {
         let channel = reader.text("channel", "tip")?;
         let between = if reader.table.contains_key("between") {
@@ -120,30 +120,30 @@ fn lines(reader: &mut Reader<'_>) -> Option<Lines> {
             reader.fault("between must be two frequencies");
             return None;
         };
-        return Some(Lines::File { path: file.into(), channel, between_hz: (low, high) });
+        return Some(MeasuredLines::File { path: file.into(), channel, between_hz: (low, high) });
     }
     let frequency_hz = reader.quantities("frequency", Quantity::Frequency, "9 Hz");
     if reader.table.contains_key("re") || reader.table.contains_key("im") {
         let (re, im) = (reader.numbers("re", frequency_hz.len()), reader.numbers("im", frequency_hz.len()));
-        return Some(Lines::Complex(frequency_hz, re.into_iter().zip(im).map(|(re, im)| c64::new(re, im)).collect()));
+        return Some(MeasuredLines::Complex(frequency_hz, re.into_iter().zip(im).map(|(re, im)| c64::new(re, im)).collect()));
     }
     let magnitude = reader.numbers("magnitude", frequency_hz.len());
     if magnitude.iter().any(|size| *size <= 0.0) {
         reader.fault("magnitude must hold numbers above 0");
     }
-    Some(Lines::Magnitude(frequency_hz, magnitude))
+    Some(MeasuredLines::Magnitude(frequency_hz, magnitude))
 }
 
 /// What a response measures, what it is per, and its unit.
-pub(super) struct Sides {
+pub(super) struct ResponseChannels {
     output: Measures,
     input: Measures,
     unit: &'static str,
 }
 
-impl Lines {
+impl MeasuredLines {
     /// The lines themselves, and what is assumed of them; a file is read.
-    pub(super) fn read(&self, folder: &Path, place: &str, due: &Sides) -> Result<(Self, Option<String>), FitError> {
+    pub(super) fn read(&self, folder: &Path, place: &str, due: &ResponseChannels) -> Result<(Self, Option<String>), FitError> {
         let Self::File { path, channel, between_hz } = self else { return Ok((self.clone(), None)) };
         let told = |reason: String| FitError::File { place: place.to_owned(), path: path.clone(), reason };
         let contents = read::file(&folder.join(path)).map_err(|fault| told(fault.to_string()))?;
@@ -176,17 +176,17 @@ impl Lines {
 }
 
 /// A response to be asked for: sizes, or real parts and then imaginary parts.
-pub(super) struct AskedResponse {
-    pub input: Input,
-    pub output: Response,
+pub(super) struct ResponseQuestion {
+    pub input: FrfInput,
+    pub output: FrfResponse,
     pub absolute: bool,
     pub frequency_hz: Vec<f64>,
     pub complex: bool,
     pub conditions: Conditions,
 }
 
-impl Question for AskedResponse {
-    fn ask(&self, model: &Model<'_>) -> Result<Vec<f64>, FitError> {
+impl Question for ResponseQuestion {
+    fn ask(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError> {
         let mut spec = model.spec_at(&self.conditions)?;
         spec.take_drives_away();
         spec.stop.clear();
@@ -203,14 +203,14 @@ impl Question for AskedResponse {
     }
 }
 
-impl AskedResponse {
+impl ResponseQuestion {
     /// What the motion of the base adds to that of a sensor on the structure, per acceleration of the base; nothing to a voltage, or under a force.
     fn of_base(&self, hz: f64) -> c64 {
         let jw = c64::new(0.0, std::f64::consts::TAU * hz);
         match (&self.input, &self.output) {
-            (Input::BaseAcceleration, Response::Acceleration(_)) => c64::new(1.0, 0.0),
-            (Input::BaseAcceleration, Response::Velocity(_)) => 1.0 / jw,
-            (Input::BaseAcceleration, Response::Displacement(_)) => 1.0 / (jw * jw),
+            (FrfInput::BaseAcceleration, FrfResponse::Acceleration(_)) => c64::new(1.0, 0.0),
+            (FrfInput::BaseAcceleration, FrfResponse::Velocity(_)) => 1.0 / jw,
+            (FrfInput::BaseAcceleration, FrfResponse::Displacement(_)) => 1.0 / (jw * jw),
             _ => c64::new(0.0, 0.0),
         }
     }

@@ -3,22 +3,22 @@
 use std::cell::{Cell, RefCell};
 use std::path::Path;
 
-use jounce::march::Watch;
+use jounce::march::Control;
 use jounce::spec::{NumericKey, Spec, SpecFile};
 use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
 use nalgebra::{DMatrix, DVector};
 
-use super::asked::Asked;
-use super::deviation::{Deviation, LEAST};
-use super::model::Source;
-use super::problem::Problem;
-use super::{Features, FitAnswer, FitError};
+use super::deviation::{Deviation, MIN_DEVIATION};
+use super::model::FitSource;
+use super::observations::Observations;
+use super::problem::FitProblem;
+use super::{Features, FitError, FitResult};
 
 /// Rounds in which deviations are taken from residuals.
-const ROUNDS: usize = 40;
-const ROUNDOFF: f64 = 1e-6;
+const MAX_ROUNDS: usize = 40;
+const DEVIATION_ROUNDOFF: f64 = 1e-6;
 /// A deviation that changes by less than this share is found.
-const SETTLED: f64 = 1e-3;
+const DEVIATION_TOLERANCE: f64 = 1e-3;
 
 /// A minimum and what surrounds it.
 pub(super) struct Minimum {
@@ -30,7 +30,7 @@ pub(super) struct Minimum {
     pub freedom: Vec<Option<f64>>,
 }
 
-/// Fits the free keys of a spec, and gives the spec as fitted. Files that the spec names lie in `folder`; `watch` counts the evaluations of
+/// Fits the free keys of a spec, and gives the spec as fitted. Files that the spec names lie in `folder`; `control` counts the evaluations of
 /// the model and ends them early.
 ///
 /// A deviation `"residuals"` is that at which the residuals of its group have the size that is expected of them,
@@ -47,10 +47,10 @@ pub(super) struct Minimum {
 ///
 /// # Source
 /// D. MacKay, Bayesian interpolation, Neural Computation 4 (1992) 415, for deviations from residuals.
-pub fn fit(file: &SpecFile, spec: &Spec, features: &Features, folder: &Path, watch: &Watch) -> Result<(FitAnswer, Spec), FitError> {
+pub fn fit(file: &SpecFile, spec: &Spec, features: &Features, folder: &Path, control: &Control) -> Result<(FitResult, Spec), FitError> {
     let Unknowns { keys, start, prior } = Unknowns::of(file, spec, &features.free)?;
-    let asked = Asked::of(Source { file, folder }, features)?;
-    let problem = Problem {
+    let asked = Observations::of(FitSource { file, folder }, features)?;
+    let problem = FitProblem {
         spec,
         folder,
         hold: &features.hold,
@@ -61,12 +61,12 @@ pub fn fit(file: &SpecFile, spec: &Spec, features: &Features, folder: &Path, wat
         deviation: asked.groups.iter().map(|group| group.deviation.first()).collect(),
         asked: &asked,
         evaluations: Cell::new(0),
-        watch,
+        control,
         fault: RefCell::new(None),
     };
     let before = problem.model(&problem.unknowns)?;
     let (problem, minimum) = settled(problem)?;
-    let answer = FitAnswer::of(&problem, &minimum, &before)?;
+    let answer = FitResult::of(&problem, &minimum, &before)?;
     Ok((answer, problem.changed(&problem.unknowns)?))
 }
 
@@ -101,8 +101,8 @@ impl Unknowns {
 }
 
 /// Fits, and again until the deviations that come from residuals stay.
-fn settled(mut problem: Problem<'_>) -> Result<(Problem<'_>, Minimum), FitError> {
-    for _ in 0..ROUNDS {
+fn settled(mut problem: FitProblem<'_>) -> Result<(FitProblem<'_>, Minimum), FitError> {
+    for _ in 0..MAX_ROUNDS {
         problem = minimised(problem)?;
         let minimum = minimum(&problem)?;
         let errors = problem.errors(&problem.unknowns)?;
@@ -112,17 +112,17 @@ fn settled(mut problem: Problem<'_>) -> Result<(Problem<'_>, Minimum), FitError>
             let of_group = problem.asked.measured.iter().enumerate().filter(|(_, measured)| measured.group == g);
             let size = of_group.map(|(i, _)| errors[i].powi(2)).sum::<f64>() / freedom;
             let before = problem.deviation[g];
-            problem.deviation[g] = (before * size.sqrt()).max(LEAST);
+            problem.deviation[g] = (before * size.sqrt()).max(MIN_DEVIATION);
             moved = moved.max((problem.deviation[g] / before - 1.0).abs());
         }
-        if moved < SETTLED {
+        if moved < DEVIATION_TOLERANCE {
             return Ok((problem, minimum));
         }
     }
     Err(FitError::NotConverged { evaluations: problem.evaluations.get() })
 }
 
-fn minimised(problem: Problem<'_>) -> Result<Problem<'_>, FitError> {
+fn minimised(problem: FitProblem<'_>) -> Result<FitProblem<'_>, FitError> {
     let (problem, report) = LevenbergMarquardt::new().with_ftol(1e-12).with_xtol(1e-10).with_patience(50).minimize(problem);
     // Where the noise of a march hides what is left to gain, the minimum is as good as found.
     let found = report.termination.was_successful() || matches!(report.termination, TerminationReason::NoImprovementPossible(_));
@@ -133,7 +133,7 @@ fn minimised(problem: Problem<'_>) -> Result<Problem<'_>, FitError> {
     Err(problem.fault.take().unwrap_or(FitError::NotConverged { evaluations }))
 }
 
-fn minimum(problem: &Problem<'_>) -> Result<Minimum, FitError> {
+fn minimum(problem: &FitProblem<'_>) -> Result<Minimum, FitError> {
     let derivatives = problem.derivatives()?;
     // The priors make every unknown determined, so that the matrix has an inverse.
     let evaluations = problem.evaluations.get();
@@ -147,7 +147,7 @@ fn minimum(problem: &Problem<'_>) -> Result<Minimum, FitError> {
         let taken: f64 = of_group().map(|i| (derivatives.row(i) * &covariance * derivatives.row(i).transpose())[(0, 0)]).sum();
         let features = of_group().count();
         let left = features as f64 - taken;
-        if left < 1.0 - ROUNDOFF {
+        if left < 1.0 - DEVIATION_ROUNDOFF {
             Err(FitError::NoResiduals { name: group.name.clone(), features, taken })
         } else {
             Ok(Some(left.max(1.0)))

@@ -3,17 +3,17 @@
 use nalgebra::DMatrix;
 
 use super::Deviation;
-use super::problem::Problem;
+use super::problem::FitProblem;
 use super::solve::Minimum;
 
 /// A deviation after the test of more than this share of the one before: the test says nothing of the key.
-const LEARNT: f64 = 0.8;
+const MAX_POSTERIOR_RATIO: f64 = 0.8;
 /// Two keys correlated beyond this cannot be told apart.
-const APART: f64 = 0.95;
+const MAX_CORRELATION: f64 = 0.95;
 
 /// One sentence for each thing that the features cannot tell; `linear` names the keys whose interval could not be followed.
 pub(super) fn warnings(
-    problem: &Problem<'_>,
+    problem: &FitProblem<'_>,
     minimum: &Minimum,
     deviation: &[f64],
     (correlation, linear): (&[Vec<f64>], &[&str]),
@@ -30,14 +30,14 @@ pub(super) fn warnings(
     }
     for k in 0..count {
         let share = deviation[k] / problem.prior[k];
-        if share > LEARNT {
+        if share > MAX_POSTERIOR_RATIO {
             found.push(format!("the features say next to nothing of {}: its deviation is {:.0} % of the prior's", path(k), 100.0 * share));
         }
         let moved = problem.unknowns[k] / problem.prior[k];
         if moved.abs() > 2.0 {
             found.push(format!("{} went {:.1} deviations of its prior away: is the model missing something?", path(k), moved.abs()));
         }
-        for other in (0..k).filter(|other| correlation[k][*other].abs() > APART) {
+        for other in (0..k).filter(|other| correlation[k][*other].abs() > MAX_CORRELATION) {
             found.push(format!("{} and {} cannot be told apart: correlation {:.3}", path(other), path(k), correlation[k][other]));
         }
     }

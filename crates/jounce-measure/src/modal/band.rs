@@ -4,16 +4,16 @@ use faer::c64;
 
 use super::ModalError;
 use super::noise::variance;
-use crate::response::Responses;
-use crate::spectral::{Sight, Without};
+use crate::response::MeasuredResponses;
+use crate::spectral::{LeaveOneOutResponse, WindowBias};
 use jounce_data::recording::Quantity;
 
 /// Lowest frequency over the highest of a band that begins far from 0.
-const FAR: f64 = 0.25;
+const FAR_BAND_RATIO: f64 = 0.25;
 
 /// What the responses measure, per force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Motion {
+pub enum ResponseQuantity {
     /// Displacement.
     Displacement,
     /// Velocity.
@@ -35,12 +35,12 @@ pub struct Band {
     /// Variance of each line of each response, real and imaginary part together; empty where nothing is told.
     pub(super) variance: Vec<Vec<f64>>,
     /// What is known of the noise.
-    pub(super) noise: Noise,
+    pub(super) noise: BandNoise,
     pub(super) inputs: usize,
     /// What the blocks see of a free decay.
-    pub(super) sight: Sight,
+    pub(super) sight: WindowBias,
     /// What leaving out one part of the blocks changes, for each part.
-    pub(super) parts: Vec<LeftOut>,
+    pub(super) parts: Vec<LeaveOneOutChange>,
     /// True where the forces stand for the outputs and the sensors for the references.
     pub(super) swapped: bool,
     /// Power of `j w` from displacement to what each response measures.
@@ -49,7 +49,7 @@ pub struct Band {
 
 /// What is known of the noise of a band.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Noise {
+pub(super) enum BandNoise {
     /// Nothing, or what blocks tell.
     AsTold,
     /// It is alike on all lines.
@@ -60,7 +60,7 @@ pub(super) enum Noise {
 
 /// What leaving out a part of the blocks changes.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct LeftOut {
+pub(super) struct LeaveOneOutChange {
     /// Share of the blocks that is left out.
     pub share: f64,
     /// Which place of the force the blocks are of.
@@ -70,13 +70,13 @@ pub(super) struct LeftOut {
 }
 
 /// What one response measures, at each line.
-struct Measured<'a> {
+struct MeasuredResponse<'a> {
     value: &'a [c64],
     /// Real and imaginary part together.
     variance: Option<Vec<f64>>,
     /// Power of `j w` from displacement per force, or per acceleration of the base, to it.
     power: i32,
-    without: &'a [Without],
+    without: &'a [LeaveOneOutResponse],
     /// Which place of the force it is the response to.
     place: usize,
 }
@@ -92,7 +92,7 @@ impl Band {
         response: &[Vec<c64>],
         relative_deviation: &[Vec<f64>],
         inputs: usize,
-        motion: Motion,
+        motion: ResponseQuantity,
         between_hz: (f64, f64),
     ) -> Result<Self, ModalError> {
         // |H| takes half of the variance, the phase the other half.
@@ -104,16 +104,16 @@ impl Band {
                 return Err(ModalError::Lengths { response: k + 1, lines, expected: value.len() });
             }
             let variance = deviation.map(|deviation| deviation.iter().zip(value).map(told).collect());
-            measured.push(Measured { value, variance, power: motion as i32, without: &[], place: 0 });
+            measured.push(MeasuredResponse { value, variance, power: motion as i32, without: &[], place: 0 });
         }
-        Self::of_measured(frequency_hz, &measured, inputs, Sight::Whole, between_hz)
+        Self::of_measured(frequency_hz, &measured, inputs, WindowBias::Whole, between_hz)
     }
 
     fn of_measured(
         frequency_hz: &[f64],
-        measured: &[Measured<'_>],
+        measured: &[MeasuredResponse<'_>],
         inputs: usize,
-        sight: Sight,
+        sight: WindowBias,
         (low_hz, high_hz): (f64, f64),
     ) -> Result<Self, ModalError> {
         let expected = frequency_hz.len();
@@ -132,27 +132,27 @@ impl Band {
                 return Err(ModalError::NotFinite { response: o + 1, frequency_hz: frequency_hz[*k] });
             }
         }
-        let turn = |one: &Measured<'_>, k: usize| c64::new(0.0, std::f64::consts::TAU * frequency_hz[k]).powi(-one.power);
-        let displacement = |one: &Measured<'_>| inside.iter().map(|k| one.value[*k] * turn(one, *k)).collect::<Vec<c64>>();
-        let variance = |one: &Measured<'_>| -> Option<Vec<f64>> {
+        let turn = |one: &MeasuredResponse<'_>, k: usize| c64::new(0.0, std::f64::consts::TAU * frequency_hz[k]).powi(-one.power);
+        let displacement = |one: &MeasuredResponse<'_>| inside.iter().map(|k| one.value[*k] * turn(one, *k)).collect::<Vec<c64>>();
+        let variance = |one: &MeasuredResponse<'_>| -> Option<Vec<f64>> {
             let variance = one.variance.as_ref()?;
             Some(inside.iter().map(|k| variance[*k] * turn(one, *k).norm_sqr()).collect())
         };
-        let change = |one: &Measured<'_>, part: usize| -> Vec<c64> {
+        let change = |one: &MeasuredResponse<'_>, part: usize| -> Vec<c64> {
             inside.iter().map(|k| (one.without[part].value[*k] - one.value[*k]) * turn(one, *k)).collect()
         };
         let places = measured.iter().map(|one| one.place).max().map_or(0, |last| last + 1);
         let of_place = |place: usize| {
             let parts =
                 measured.iter().filter(|one| one.place == place).map(|one| one.without).min_by_key(|parts| parts.len()).unwrap_or(&[]);
-            let left_out = |(part, without): (usize, &Without)| LeftOut {
+            let left_out = |(part, without): (usize, &LeaveOneOutResponse)| LeaveOneOutChange {
                 share: without.share,
                 place,
                 change: measured.iter().map(|one| if one.place == place { change(one, part) } else { Vec::new() }).collect(),
             };
             parts.iter().enumerate().map(left_out).collect::<Vec<_>>()
         };
-        let parts: Vec<Vec<LeftOut>> = (0..places).map(of_place).collect();
+        let parts: Vec<Vec<LeaveOneOutChange>> = (0..places).map(of_place).collect();
         // A place of a single block leaves the scatter of the others without a meaning.
         let all_tell = parts.iter().all(|parts| !parts.is_empty());
         Ok(Self {
@@ -164,7 +164,7 @@ impl Band {
             inputs,
             sight,
             parts: if all_tell { parts.concat() } else { Vec::new() },
-            noise: Noise::AsTold,
+            noise: BandNoise::AsTold,
             swapped: false,
             power: measured.iter().map(|one| one.power).collect(),
         })
@@ -178,7 +178,7 @@ impl Band {
     ///
     /// # Errors
     /// As [`Band::new`].
-    pub fn of(responses: &Responses, between_hz: (f64, f64)) -> Result<Self, ModalError> {
+    pub fn of(responses: &MeasuredResponses, between_hz: (f64, f64)) -> Result<Self, ModalError> {
         let first = responses.functions.first();
         let frequency_hz = first.map_or(&[][..], |function| &function.frequency_hz);
         let (functions, quantities) = (&responses.functions, &responses.quantities);
@@ -189,10 +189,10 @@ impl Band {
         for k in order(functions.len(), references, swapped) {
             let (function, power) = (&functions[k], power(quantities[k], responses.inputs[k]));
             let variance = several.then(|| variance(function));
-            measured.push(Measured { value: &function.value, variance, power, without: &function.without, place: k % references });
+            measured.push(MeasuredResponse { value: &function.value, variance, power, without: &function.without, place: k % references });
         }
         let inputs = if swapped { functions.len() / references } else { references };
-        let sight = first.map_or(Sight::Whole, |function| function.sight);
+        let sight = first.map_or(WindowBias::Whole, |function| function.sight);
         Ok(Self { swapped, ..Self::of_measured(frequency_hz, &measured, inputs, sight, between_hz)? })
     }
 
@@ -224,17 +224,17 @@ impl Band {
 
     /// The band with the variances that what a fit left of its lines tells.
     pub(super) fn told_by(&self, variance: Vec<Vec<f64>>) -> Self {
-        Self { variance, noise: Noise::ByRest, parts: Vec::new(), ..self.clone() }
+        Self { variance, noise: BandNoise::ByRest, parts: Vec::new(), ..self.clone() }
     }
 
     /// The band with noise that is alike on all lines, where nothing else tells it.
     pub(super) fn evenly_noisy(self) -> Self {
-        Self { noise: Noise::Even, ..self }
+        Self { noise: BandNoise::Even, ..self }
     }
 
     /// True where only a fit can tell the noise.
     pub(super) fn leaves_noise_untold(&self) -> bool {
-        self.variance.is_empty() && self.noise == Noise::AsTold
+        self.variance.is_empty() && self.noise == BandNoise::AsTold
     }
 
     /// A response as it was measured.
@@ -249,7 +249,7 @@ impl Band {
 
     /// True where so much of the circle lies below the band that an order of 40 cannot be counted from 0 on.
     pub(super) fn begins_far_from_zero(&self) -> bool {
-        matches!(self.frequency_hz[..], [first, .., last] if first > FAR * last)
+        matches!(self.frequency_hz[..], [first, .., last] if first > FAR_BAND_RATIO * last)
     }
 
     /// Mean distance of two lines, Hz.
@@ -269,9 +269,9 @@ impl Band {
 /// Power of `j w` from displacement per force, or per acceleration of the base, to an output per input.
 fn power(output: Quantity, input: Quantity) -> i32 {
     let of_output = match output {
-        Quantity::Displacement | Quantity::Voltage => Motion::Displacement,
-        Quantity::Velocity => Motion::Velocity,
-        _ => Motion::Acceleration,
+        Quantity::Displacement | Quantity::Voltage => ResponseQuantity::Displacement,
+        Quantity::Velocity => ResponseQuantity::Velocity,
+        _ => ResponseQuantity::Acceleration,
     };
     let of_input = match input {
         Quantity::Displacement => 2,

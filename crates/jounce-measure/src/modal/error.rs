@@ -74,10 +74,10 @@ pub enum ModalError {
 }
 
 /// Frequencies that are told one by one.
-const TOLD: usize = 6;
+const MAX_LISTED_FREQUENCIES: usize = 6;
 
 fn first(frequency_hz: &[f64]) -> String {
-    let first: Vec<String> = frequency_hz.iter().take(TOLD).map(|f| format!("{f:.4}")).collect();
-    let more = if frequency_hz.len() > TOLD { ", ..." } else { "" };
+    let first: Vec<String> = frequency_hz.iter().take(MAX_LISTED_FREQUENCIES).map(|f| format!("{f:.4}")).collect();
+    let more = if frequency_hz.len() > MAX_LISTED_FREQUENCIES { ", ..." } else { "" };
     format!("{}{more}", first.join(", "))
 }

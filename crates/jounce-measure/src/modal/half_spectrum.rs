@@ -21,18 +21,18 @@
 use faer::c64;
 use realfft::RealFftPlanner;
 
-use super::identify::{Identification, Settings, candidates, refined};
+use super::identify::{Identification, ModalSettings, candidates, refined};
 use super::jackknife::leave_out;
 use super::warp::{Warp, without_decay};
-use super::{Band, ModalError, Mode, Motion, Pole};
+use super::{Band, ModalError, Mode, Pole, ResponseQuantity};
 use crate::response::Decays;
 
 /// Highest frequency over the rate: warped frequencies grow beyond bounds towards a half.
-const HIGHEST: f64 = 0.45;
+const MAX_FREQUENCY_RATIO: f64 = 0.45;
 /// Where the window of the decays ends in which poles are sought.
 const END_RATIO: f64 = 0.03;
 /// Lines on both sides of a line over which the variance that blocks tell is averaged.
-const BESIDE: usize = 4;
+const NEIGHBOUR_LINES: usize = 4;
 
 /// Finds the modes of decays between two frequencies, as [`super::identify`] does those of responses. Where the decays are correlations in blocks,
 /// each line is weighed by the variance over the blocks, and the deviations come from leaving out one block after the other.
@@ -44,9 +44,9 @@ const BESIDE: usize = 4;
 /// `tests`: exact decays that have fallen by 45 % only give back their frequencies within 2e-16 and damping ratios within 2e-14, relative; with
 /// noise the truth lies within the stated intervals of 95 % in 93 % of 200 cases. The modes of 400 s under white noise: frequencies within
 /// 0.18 %, damping ratios within 8.6 %, 17 of 18 within their intervals.
-pub fn identify_decays(decays: &Decays, between_hz: (f64, f64), settings: Settings) -> Result<Identification, ModalError> {
+pub fn identify_decays(decays: &Decays, between_hz: (f64, f64), settings: ModalSettings) -> Result<Identification, ModalError> {
     let warp = Warp { rate_hz: decays.rate_hz };
-    let between_hz = (between_hz.0, between_hz.1.min(HIGHEST * decays.rate_hz));
+    let between_hz = (between_hz.0, between_hz.1.min(MAX_FREQUENCY_RATIO * decays.rate_hz));
     let length_s = (decays.values[0].len() - 1) as f64 / decays.rate_hz;
     let frequency_hz: Vec<f64> = (0..decays.values[0].len() / 2).map(|m| m as f64 / length_s).collect();
     let warped_hz: Vec<f64> = frequency_hz.iter().map(|f| warp.there(*f)).collect();
@@ -58,7 +58,7 @@ pub fn identify_decays(decays: &Decays, between_hz: (f64, f64), settings: Settin
         values.iter().enumerate().map(|(k, x)| x * (-decay_per_s * k as f64 / decays.rate_hz).exp()).collect::<Vec<f64>>()
     };
     let dying = cut(&spectra(&decays.values.iter().map(dying).collect::<Vec<_>>()), lines);
-    let sought = Band::new(&frequency_hz, &dying, &[], references, Motion::Displacement, between_hz)?;
+    let sought = Band::new(&frequency_hz, &dying, &[], references, ResponseQuantity::Displacement, between_hz)?;
     let (mut diagram, mut start) = candidates(&sought, settings)?;
     diagram.iter_mut().map(|stable| &mut stable.pole).chain(&mut start).for_each(|pole| *pole = without_decay(*pole, decay_per_s));
     let start: Vec<Pole> = start.into_iter().map(|pole| warp.warped(pole)).collect();
@@ -68,7 +68,7 @@ pub fn identify_decays(decays: &Decays, between_hz: (f64, f64), settings: Settin
     let between = (warp.there(between_hz.0), warp.there(between_hz.1));
     // White noise of a decay is white in its spectrum.
     let band = |response: &[Vec<c64>]| {
-        Ok(Band::new(&warped_hz, &cut(response, lines), &deviation, references, Motion::Displacement, between)?.evenly_noisy())
+        Ok(Band::new(&warped_hz, &cut(response, lines), &deviation, references, ResponseQuantity::Displacement, between)?.evenly_noisy())
     };
     let unwarped = |fault| match fault {
         ModalError::NoMode { .. } => ModalError::NoMode { low_hz: between_hz.0, high_hz: between_hz.1 },
@@ -120,7 +120,7 @@ fn deviations(mean: &[Vec<c64>], blocks: &[Vec<Vec<c64>>]) -> Vec<Vec<f64>> {
         let spread = |k: usize| blocks.iter().map(|block| (block[f][k] - mean[k]).norm_sqr()).sum::<f64>() / (count * (count - 1.0));
         let variance: Vec<f64> = (0..mean.len()).map(spread).collect();
         let around = |k: usize| {
-            let near = &variance[k.saturating_sub(BESIDE)..(k + BESIDE + 1).min(variance.len())];
+            let near = &variance[k.saturating_sub(NEIGHBOUR_LINES)..(k + NEIGHBOUR_LINES + 1).min(variance.len())];
             near.iter().sum::<f64>() / near.len() as f64
         };
         // Half of the variance lies along the line, as for a response.
@@ -135,7 +135,7 @@ mod tests {
     use super::super::plscf::tests::{POLES, shape};
     use super::*;
     use crate::response::AmbientSettings;
-    use jounce::drive::Stream;
+    use jounce::drive::RandomStream;
     use jounce_data::recording::{Channel, Grid, Over, Quantity, Recording};
 
     const RATE: f64 = 250.0;
@@ -178,7 +178,7 @@ mod tests {
     fn cut_decays_give_back_their_poles_without_leakage() {
         let record = recording(decay(&POLES, 500));
         let decays = Decays::free(&[record], &[], Some((0.2, 1.0))).unwrap();
-        let found = identify_decays(&decays, (5.0, 105.0), Settings { order: 20 }).unwrap();
+        let found = identify_decays(&decays, (5.0, 105.0), ModalSettings { order: 20 }).unwrap();
         let (frequency, damping) = worst(&found.modes, &POLES);
         eprintln!("frequencies {frequency:.1e}, damping ratios {damping:.1e} off");
         assert!(frequency < 1e-11 && damping < 1e-9, "{frequency:e} {damping:e}");
@@ -193,11 +193,11 @@ mod tests {
         let clean = decay(&poles, 500);
         let (mut inside, mut all) = (0, 0);
         for seed in 0..50 {
-            let mut stream = Stream::new(seed, 9);
+            let mut stream = RandomStream::new(seed, 9);
             let noisy = |values: &Vec<f64>| values.iter().map(|x| x + 0.05 * values[0].abs() * stream.normal_pair()[0]).collect();
             let record = recording(clean.iter().map(noisy).collect());
             let decays = Decays::free(&[record], &[], Some((0.0, 1.9))).unwrap();
-            let found = identify_decays(&decays, (5.0, 105.0), Settings { order: 12 }).unwrap();
+            let found = identify_decays(&decays, (5.0, 105.0), ModalSettings { order: 12 }).unwrap();
             for pole in &poles {
                 let mode = found
                     .modes
@@ -220,11 +220,11 @@ mod tests {
     /// The band of the message is the one asked for, not the warped one.
     #[test]
     fn noise_has_no_modes_in_the_band_that_was_asked_for() {
-        let mut stream = Stream::new(4, 0);
+        let mut stream = RandomStream::new(4, 0);
         let noise: Vec<f64> = (0..4000).flat_map(|_| stream.normal_pair()).collect();
         let decays = Decays::ambient(&recording(vec![noise]), &AmbientSettings::default()).unwrap();
-        let told = identify_decays(&decays, (5.0, 500.0), Settings { order: 20 }).unwrap_err();
-        assert_eq!(told, ModalError::NoMode { low_hz: 5.0, high_hz: HIGHEST * RATE });
+        let told = identify_decays(&decays, (5.0, 500.0), ModalSettings { order: 20 }).unwrap_err();
+        assert_eq!(told, ModalError::NoMode { low_hz: 5.0, high_hz: MAX_FREQUENCY_RATIO * RATE });
     }
 
     /// White noise, as a record of a structure that nothing moves and as decays: whatever poles are stable in it, they are no modes.
@@ -232,12 +232,12 @@ mod tests {
     fn noise_alone_has_no_modes() {
         let (mut doubtful, mut none) = (0, 0);
         for seed in 0..12 {
-            let mut stream = Stream::new(seed, 3);
+            let mut stream = RandomStream::new(seed, 3);
             let noise: Vec<f64> = (0..1000).flat_map(|_| stream.normal_pair()).collect();
             let record = recording(vec![noise]);
             let settings = AmbientSettings { lags_s: Some(1.0), ..AmbientSettings::default() };
             for decays in [Decays::ambient(&record, &settings).unwrap(), Decays::free(&[record], &[], Some((0.0, 7.9))).unwrap()] {
-                match identify_decays(&decays, (5.0, 100.0), Settings { order: 20 }) {
+                match identify_decays(&decays, (5.0, 100.0), ModalSettings { order: 20 }) {
                     Err(ModalError::Doubtful { .. }) => doubtful += 1,
                     Err(ModalError::NoMode { .. }) => none += 1,
                     other => eprintln!("{seed}: {other:?}"),
@@ -250,7 +250,7 @@ mod tests {
 
     /// Three modes under white noise forces, exact at the samples: `q_k+1 = exp(p T) q_k + (complex white noise)`.
     fn ambient(seed: u64, poles: &[Pole], count: usize) -> Recording {
-        let mut stream = Stream::new(seed, 1);
+        let mut stream = RandomStream::new(seed, 1);
         let turn: Vec<c64> = poles.iter().map(|pole| (pole.complex() / RATE).exp()).collect();
         let mut q = vec![c64::new(0.0, 0.0); poles.len()];
         let mut values = vec![Vec::new(); 2];
@@ -279,7 +279,7 @@ mod tests {
             let settings = AmbientSettings { references: vec!["a0".to_owned()], lags_s: Some(2.0), ..AmbientSettings::default() };
             let decays = Decays::ambient(&record, &settings).unwrap();
             assert_eq!((decays.values.len(), decays.blocks.len()), (2, 16));
-            let found = identify_decays(&decays, (5.0, 100.0), Settings { order: 20 }).unwrap();
+            let found = identify_decays(&decays, (5.0, 100.0), ModalSettings { order: 20 }).unwrap();
             let (frequency, damping) = worst(&found.modes, &poles);
             (worst_hz, worst_ratio) = (worst_hz.max(frequency), worst_ratio.max(damping));
             for (mode, pole) in found.modes.iter().zip(&poles) {
@@ -304,14 +304,14 @@ mod tests {
         let settings = AmbientSettings { lags_s: Some(2.0), ..AmbientSettings::default() };
         let decays = Decays::ambient(&ambient(0, &poles, 100_000), &settings).unwrap();
         assert_eq!((decays.outputs.len(), decays.references.len(), decays.values.len()), (2, 2, 4));
-        let found = identify_decays(&decays, (5.0, 100.0), Settings { order: 20 }).unwrap();
+        let found = identify_decays(&decays, (5.0, 100.0), ModalSettings { order: 20 }).unwrap();
         let (frequency, damping) = worst(&found.modes, &poles);
         eprintln!("frequencies {frequency:.1e}, damping ratios {damping:.1e} off");
         assert!(frequency < 3e-3 && damping < 0.3, "{frequency:e} {damping:e}");
-        let mut stream = Stream::new(11, 0);
+        let mut stream = RandomStream::new(11, 0);
         let noise = (0..3).map(|_| (0..2000).flat_map(|_| stream.normal_pair()).collect()).collect();
         let decays = Decays::ambient(&recording(noise), &AmbientSettings::default()).unwrap();
-        let told = identify_decays(&decays, (5.0, 100.0), Settings { order: 20 });
+        let told = identify_decays(&decays, (5.0, 100.0), ModalSettings { order: 20 });
         assert!(!matches!(&told, Ok(found) if !found.modes.iter().any(Mode::is_doubtful)), "{told:?}");
     }
 
@@ -330,7 +330,7 @@ mod tests {
         let spectrum = Recording { name: "spectrum".to_owned(), over: Over::Frequency, grid, channels, findings: Vec::new() };
         let decays = Decays::of_spectrum(&spectrum, &[]).unwrap();
         assert!((decays.rate_hz - RATE).abs() < 1e-9);
-        let found = identify_decays(&decays, (5.0, 100.0), Settings { order: 20 }).unwrap();
+        let found = identify_decays(&decays, (5.0, 100.0), ModalSettings { order: 20 }).unwrap();
         let (frequency, damping) = worst(&found.modes, &poles);
         eprintln!("frequencies {frequency:.1e}, damping ratios {damping:.1e} off");
         assert!(frequency < 1e-4 && damping < 1e-2, "{frequency:e} {damping:e}");

@@ -4,26 +4,26 @@ use faer::c64;
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-use super::close::apart;
-use super::likelihood::{Fit, fit};
-use super::nested::stable;
-use super::peaks::{Peak, unexplained};
+use super::close_modes::apart;
+use super::likelihood::{ModalFit, fit};
+use super::multi_band::stable;
+use super::peaks::{ResponsePeak, unexplained};
 use super::references::fit_shared;
-use super::stabilisation::LARGEST_DAMPING;
+use super::stabilisation::MAX_DAMPING;
 use super::{Band, ModalError, Pole, StablePole};
 use crate::spectral::student_95;
 
 /// A pole whose frequency has a standard deviation above this share stands for no mode: the diagram asks as much from order to order.
-const LARGEST_DEVIATION: f64 = 0.01;
+const MAX_FREQUENCY_DEVIATION: f64 = 0.01;
 
 /// How modes are sought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Settings {
+pub struct ModalSettings {
     /// Largest order of the denominator.
     pub order: usize,
 }
 
-impl Default for Settings {
+impl Default for ModalSettings {
     fn default() -> Self {
         Self { order: 40 }
     }
@@ -122,7 +122,7 @@ pub struct Identification {
     /// responses where no variance is told.
     pub misfit: f64,
     /// Peaks of the responses that no mode explains; none are sought in decays.
-    pub unexplained: Vec<Peak>,
+    pub unexplained: Vec<ResponsePeak>,
 }
 
 /// Finds the modes of a band: pLSCF poles in it and in its lower parts, those that are stable, their maximum-likelihood refinement. Peaks of
@@ -131,7 +131,7 @@ pub struct Identification {
 ///
 /// # Errors
 /// Too few lines, responses that are zero, no stable pole.
-pub fn identify(band: &Band, settings: Settings) -> Result<Identification, ModalError> {
+pub fn identify(band: &Band, settings: ModalSettings) -> Result<Identification, ModalError> {
     let (diagram, start) = candidates(band, settings)?;
     let mut found = if band.inputs > 1 { shared(band, diagram, &start)? } else { explained(band, diagram, &start)? };
     if band.swapped {
@@ -166,7 +166,7 @@ fn shared(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> Result<Ident
     while let Some(left) = known(band, &found.poles, &found.deviation)? {
         found = fit_shared(band, &left).ok_or(none(band))?;
     }
-    let Fit { poles, deviation, residue, participation, model, misfit, freedom, .. } = found;
+    let ModalFit { poles, deviation, residue, participation, model, misfit, freedom, .. } = found;
     let mode = |r: usize| {
         let mut mode = mode(poles[r], deviation[r], freedom[r], residue.iter().map(|output| output[r]).collect());
         mode.participation = over_largest(&participation[r]);
@@ -186,7 +186,7 @@ fn mode(pole: Pole, (frequency_deviation_hz, damping_deviation): (f64, f64), fre
 
 /// The poles that are known well enough to be modes where some are not; none where all are.
 fn known(band: &Band, poles: &[Pole], deviation: &[(f64, f64)]) -> Result<Option<Vec<Pole>>, ModalError> {
-    let known = |(pole, deviation): &(&Pole, &(f64, f64))| deviation.0 < LARGEST_DEVIATION * pole.frequency_hz;
+    let known = |(pole, deviation): &(&Pole, &(f64, f64))| deviation.0 < MAX_FREQUENCY_DEVIATION * pole.frequency_hz;
     let left: Vec<Pole> = poles.iter().zip(deviation).filter(known).map(|(pole, _)| *pole).collect();
     if left.is_empty() {
         return Err(none(band));
@@ -195,7 +195,7 @@ fn known(band: &Band, poles: &[Pole], deviation: &[(f64, f64)]) -> Result<Option
 }
 
 /// The stabilisation diagram of a band and the poles that stay.
-pub(super) fn candidates(band: &Band, settings: Settings) -> Result<(Vec<StablePole>, Vec<Pole>), ModalError> {
+pub(super) fn candidates(band: &Band, settings: ModalSettings) -> Result<(Vec<StablePole>, Vec<Pole>), ModalError> {
     let (diagram, start) = stable(band, settings)?;
     if start.is_empty() { Err(none(band)) } else { Ok((diagram, start)) }
 }
@@ -210,7 +210,7 @@ pub(super) fn refined(band: &Band, diagram: Vec<StablePole>, start: &[Pole]) -> 
     while let Some(left) = known(band, &found.poles, &found.deviation)? {
         found = fit(band, &left).ok_or(none(band))?;
     }
-    let Fit { poles, deviation, residue, model, misfit, freedom, .. } = found;
+    let ModalFit { poles, deviation, residue, model, misfit, freedom, .. } = found;
     let modes = (0..poles.len()).map(|r| mode(poles[r], deviation[r], freedom[r], residue.iter().map(|response| response[r]).collect()));
     identification(band, diagram, modes.collect(), model, misfit)
 }
@@ -223,7 +223,7 @@ fn identification(
     model: Vec<Vec<c64>>,
     misfit: f64,
 ) -> Result<Identification, ModalError> {
-    modes.retain(|mode| (band.low_hz..=band.high_hz).contains(&mode.frequency_hz) && mode.damping_ratio < LARGEST_DAMPING);
+    modes.retain(|mode| (band.low_hz..=band.high_hz).contains(&mode.frequency_hz) && mode.damping_ratio < MAX_DAMPING);
     if modes.is_empty() {
         return Err(none(band));
     }
@@ -236,9 +236,9 @@ fn identification(
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::super::plscf::tests::{POLES, exact, shape};
-    use super::super::{Motion, mac};
+    use super::super::{ResponseQuantity, mac};
     use super::*;
-    use jounce::drive::Stream;
+    use jounce::drive::RandomStream;
 
     fn lines() -> Vec<f64> {
         (1..1200).map(|k| f64::from(k) * 0.1).collect()
@@ -248,8 +248,8 @@ mod tests {
     #[test]
     fn exact_responses_give_back_frequencies_damping_and_shapes() {
         let response = exact(&lines(), &POLES, shape, 4, 1);
-        let band = Band::new(&lines(), &response, &[], 1, Motion::Displacement, (1.0, 110.0)).unwrap();
-        let found = identify(&band, Settings::default()).unwrap();
+        let band = Band::new(&lines(), &response, &[], 1, ResponseQuantity::Displacement, (1.0, 110.0)).unwrap();
+        let found = identify(&band, ModalSettings::default()).unwrap();
         assert_eq!(found.modes.len(), 4, "{:?}", found.modes);
         for (r, (mode, pole)) in found.modes.iter().zip(POLES).enumerate() {
             assert!((mode.frequency_hz / pole.frequency_hz - 1.0).abs() < 1e-12, "{mode:?}");
@@ -272,7 +272,7 @@ mod tests {
         let clean = exact(&frequency_hz, &poles, shape, 2, 1);
         let (mut inside, mut all) = (0, 0);
         for seed in 0..100 {
-            let mut stream = Stream::new(seed, 3);
+            let mut stream = RandomStream::new(seed, 3);
             let deviation = 0.05;
             let mut noisy = |h: &c64| {
                 let [re, im] = stream.normal_pair();
@@ -280,8 +280,8 @@ mod tests {
             };
             let response: Vec<Vec<c64>> = clean.iter().map(|h| h.iter().map(&mut noisy).collect()).collect();
             let told = vec![vec![deviation; frequency_hz.len()]; 2];
-            let band = Band::new(&frequency_hz, &response, &told, 1, Motion::Displacement, (10.0, 60.0)).unwrap();
-            let Fit { poles: found, deviation: stated, .. } = fit(&band, &poles).unwrap();
+            let band = Band::new(&frequency_hz, &response, &told, 1, ResponseQuantity::Displacement, (10.0, 60.0)).unwrap();
+            let ModalFit { poles: found, deviation: stated, .. } = fit(&band, &poles).unwrap();
             for (r, pole) in poles.iter().enumerate() {
                 let off = [
                     (found[r].frequency_hz - pole.frequency_hz) / stated[r].0,
@@ -297,7 +297,7 @@ mod tests {
 
     #[test]
     fn noise_has_no_modes() {
-        let mut stream = Stream::new(5, 0);
+        let mut stream = RandomStream::new(5, 0);
         let noise: Vec<c64> = lines()
             .iter()
             .map(|_| {
@@ -305,8 +305,8 @@ mod tests {
                 c64::new(re, im)
             })
             .collect();
-        let band = Band::new(&lines(), &[noise], &[], 1, Motion::Displacement, (1.0, 110.0)).unwrap();
-        let found = identify(&band, Settings::default());
+        let band = Band::new(&lines(), &[noise], &[], 1, ResponseQuantity::Displacement, (1.0, 110.0)).unwrap();
+        let found = identify(&band, ModalSettings::default());
         assert!(matches!(found, Err(ModalError::NoMode { .. })), "{:?}", found.map(|found| found.modes));
     }
 }

@@ -8,17 +8,17 @@ use faer::{Mat, Side, c64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-use super::certainty::Certainty;
-use super::eliminated::{Eliminated, Left};
+use super::covariance::PoleCovariance;
+use super::design_matrix::{DesignMatrix, LinearTerms};
+use super::line_selection::kept;
 use super::noise;
-use super::semi_normal::Normal;
-use super::terms::{LinearTerms, Terms};
-use super::thinned::kept;
+use super::semi_normal::NormalEquations;
+use super::variable_projection::{LinearSolution, ProjectedProblem};
 use super::{Band, Pole};
-use crate::spectral::Sight;
+use crate::spectral::WindowBias;
 
 /// Poles, their covariance, and the residues of every response.
-pub(super) struct Fit {
+pub(super) struct ModalFit {
     pub poles: Vec<Pole>,
     /// Standard deviations of frequency (Hz) and damping ratio.
     pub deviation: Vec<(f64, f64)>,
@@ -37,31 +37,31 @@ pub(super) struct Fit {
     pub taken: Vec<Vec<f64>>,
 }
 
-pub(super) const STEPS: usize = 30;
-pub(super) const SETTLED: f64 = 1e-10;
+pub(super) const MAX_STEPS: usize = 30;
+pub(super) const STEP_TOLERANCE: f64 = 1e-10;
 /// A step that takes less than this share off the error moves the poles by less than a ten-thousandth of their deviations.
-const GAIN: f64 = 1e-12;
+const MIN_ERROR_GAIN: f64 = 1e-12;
 
 /// The most terms `w^0, w^2, ..` that stand for the modes above the band.
-pub(super) const MOST_UPPER: usize = 8;
+pub(super) const MAX_UPPER_TERMS: usize = 8;
 
 /// A response's part of the normal equations, however much its columns are alike.
-pub(super) fn by_orthogonal_columns(response: &Weighed, terms: &Terms) -> Normal {
-    let Left { projected, rest, .. } = part(response, terms);
-    Normal { normal: projected.transpose() * &projected, right: projected.transpose() * &rest, error: rest.squared_norm_l2() }
+pub(super) fn by_orthogonal_columns(response: &WeightedResponse, terms: &DesignMatrix) -> NormalEquations {
+    let ProjectedProblem { projected, rest, .. } = part(response, terms);
+    NormalEquations { normal: projected.transpose() * &projected, right: projected.transpose() * &rest, error: rest.squared_norm_l2() }
 }
 
 /// The fit to one reference that begins at given poles.
-pub(super) fn fit(band: &Band, start: &[Pole]) -> Option<Fit> {
+pub(super) fn fit(band: &Band, start: &[Pole]) -> Option<ModalFit> {
     reweighed(band, start, weighed)
 }
 
 /// A fit by the weights of a band. Where nothing tells the noise, what the modes leave of each line does, and the lines are weighed anew.
-pub(super) fn reweighed(band: &Band, start: &[Pole], weighed: impl Fn(&Band, &[Pole]) -> Option<Fit>) -> Option<Fit> {
+pub(super) fn reweighed(band: &Band, start: &[Pole], weighed: impl Fn(&Band, &[Pole]) -> Option<ModalFit>) -> Option<ModalFit> {
     let mut found = weighed(band, start)?;
     if band.leaves_noise_untold() {
         let misfit = found.misfit;
-        for _ in 0..noise::REWEIGHED {
+        for _ in 0..noise::RESIDUAL_FITS {
             let told = band.told_by(noise::of_what_is_left(band, &found.model, &found.taken));
             found = weighed(&told, &found.poles)?;
         }
@@ -72,10 +72,10 @@ pub(super) fn reweighed(band: &Band, start: &[Pole], weighed: impl Fn(&Band, &[P
 
 /// The fit by the weights of a band, with as many terms for the modes above it as the responses ask for: one more is kept where the error
 /// falls by more than the terms' number lets it (the criterion of Akaike).
-fn weighed(band: &Band, start: &[Pole]) -> Option<Fit> {
-    let data = Data::of(band, start);
+fn weighed(band: &Band, start: &[Pole]) -> Option<ModalFit> {
+    let data = FitData::of(band, start);
     let mut found = settled(&data, start.iter().map(|pole| pole.complex()).collect(), 1)?;
-    for upper in 2..=MOST_UPPER {
+    for upper in 2..=MAX_UPPER_TERMS {
         let Some(tried) = settled(&data, found.poles.clone(), upper).filter(|tried| data.asks_for(found.error, tried.error)) else { break };
         found = tried;
     }
@@ -83,16 +83,16 @@ fn weighed(band: &Band, start: &[Pole]) -> Option<Fit> {
 }
 
 /// Poles at the least error, with so many terms for the modes above the band.
-struct Settled {
+struct ConvergedFit {
     poles: Vec<c64>,
     upper: usize,
     error: f64,
 }
 
-fn settled(data: &Data, mut poles: Vec<c64>, upper: usize) -> Option<Settled> {
+fn settled(data: &FitData, mut poles: Vec<c64>, upper: usize) -> Option<ConvergedFit> {
     let (mut normal, mut right, mut error) = equations(data, &poles, upper)?;
     let mut damping = 1e-6;
-    for _ in 0..STEPS {
+    for _ in 0..MAX_STEPS {
         let step = damped(&normal, damping)?.solve(&right);
         let tried: Vec<c64> = poles.iter().enumerate().map(|(r, p)| p + c64::new(step[(2 * r, 0)], step[(2 * r + 1, 0)])).collect();
         let size = tried.iter().zip(&poles).map(|(a, b)| (a - b).norm() / b.norm()).fold(0.0, f64::max);
@@ -105,15 +105,15 @@ fn settled(data: &Data, mut poles: Vec<c64>, upper: usize) -> Option<Settled> {
                 poles = tried;
                 (normal, right, error) = better;
                 damping = f64::max(damping * 0.1, 1e-12);
-                if size < SETTLED || gain < GAIN * before {
+                if size < STEP_TOLERANCE || gain < MIN_ERROR_GAIN * before {
                     break;
                 }
             }
-            None if damping > 1e6 || size < SETTLED => break,
+            None if damping > 1e6 || size < STEP_TOLERANCE => break,
             None => damping *= 10.0,
         }
     }
-    Some(Settled { poles, upper, error })
+    Some(ConvergedFit { poles, upper, error })
 }
 
 /// The normal matrix with its diagonal lifted.
@@ -123,19 +123,19 @@ pub(super) fn damped(normal: &Mat<f64>, share: f64) -> Option<faer::linalg::solv
 }
 
 /// What the fit is made to.
-pub(super) struct Data {
+pub(super) struct FitData {
     /// The lines that are used.
     pub lines: Vec<usize>,
     /// Of each of them, rad/s.
     pub angular: Vec<f64>,
-    pub sight: Sight,
-    pub responses: Vec<Weighed>,
+    pub sight: WindowBias,
+    pub responses: Vec<WeightedResponse>,
     /// What the responses measure, each kind once.
     pub powers: Vec<i32>,
 }
 
 /// A response at the lines that are used.
-pub(super) struct Weighed {
+pub(super) struct WeightedResponse {
     /// Place of its power of `j w` among those of the data.
     pub kind: usize,
     /// One over the standard deviation of each part.
@@ -144,11 +144,11 @@ pub(super) struct Weighed {
     pub value: Vec<c64>,
 }
 
-impl Data {
+impl FitData {
     pub fn of(band: &Band, start: &[Pole]) -> Self {
         let lines = kept(&band.frequency_hz, start);
         // Where blocks see all of a decay, what the power changes is a part of the terms above and below the band.
-        let power = |o: usize| if band.sight == Sight::Whole { 0 } else { band.power[o] };
+        let power = |o: usize| if band.sight == WindowBias::Whole { 0 } else { band.power[o] };
         let mut powers: Vec<i32> = (0..band.response.len()).map(power).collect();
         powers.sort_unstable();
         powers.dedup();
@@ -156,7 +156,7 @@ impl Data {
             let kind = powers.iter().position(|of| *of == power(o)).unwrap_or(0);
             let weight = weights(band, o, &lines);
             let value = lines.iter().zip(&weight).map(|(k, weight)| band.response[o][*k] * *weight).collect();
-            Weighed { kind, weight, value }
+            WeightedResponse { kind, weight, value }
         };
         Self {
             angular: lines.iter().map(|k| TAU * band.frequency_hz[*k]).collect(),
@@ -168,7 +168,7 @@ impl Data {
     }
 }
 
-impl Data {
+impl FitData {
     /// True where one more term of each response takes more off the error than its two numbers would of noise.
     pub fn asks_for(&self, before: f64, after: f64) -> bool {
         let numbers = (2 * self.angular.len() * self.responses.len()) as f64;
@@ -177,14 +177,14 @@ impl Data {
 }
 
 /// Normal equations of the poles over all responses, and the weighed squared error.
-fn equations(data: &Data, poles: &[c64], upper: usize) -> Option<(Mat<f64>, Mat<f64>, f64)> {
+fn equations(data: &FitData, poles: &[c64], upper: usize) -> Option<(Mat<f64>, Mat<f64>, f64)> {
     let size = 2 * poles.len();
     let (mut normal, mut right, mut error) = (Mat::zeros(size, size), Mat::zeros(size, 1), 0.0);
     // Responses in parallel, their parts added in order: the same bits for any number of threads.
-    let terms = Terms::of_kinds(data.sight, &data.powers, &data.angular, poles, upper);
-    let of = |response: &Weighed| {
+    let terms = DesignMatrix::of_kinds(data.sight, &data.powers, &data.angular, poles, upper);
+    let of = |response: &WeightedResponse| {
         let terms = &terms[response.kind];
-        Normal::of(response, terms).unwrap_or_else(|| by_orthogonal_columns(response, terms))
+        NormalEquations::of(response, terms).unwrap_or_else(|| by_orthogonal_columns(response, terms))
     };
     let parts = data.responses.par_iter().map(of).collect::<Vec<_>>();
     for part in parts {
@@ -208,12 +208,12 @@ fn weights(band: &Band, o: usize, lines: &[usize]) -> Vec<f64> {
     }
 }
 
-fn part(response: &Weighed, terms: &Terms) -> Left {
+fn part(response: &WeightedResponse, terms: &DesignMatrix) -> ProjectedProblem {
     let (rows, width) = (terms.linear.nrows(), terms.linear.ncols());
     let weight = &response.weight;
     let a = Mat::from_fn(rows, width, |r, c| weight[r / 2] * terms.linear[(r, c)]);
     let b = Mat::from_fn(rows, 1, |r, _| if r % 2 == 0 { response.value[r / 2].re } else { response.value[r / 2].im });
-    let eliminated = Eliminated::new(a, &b);
+    let eliminated = LinearSolution::new(a, &b);
     let linear = &eliminated.linear;
     // Derivatives by the real and imaginary part x + j y of each pole's residue times u, and its conjugate.
     let by_poles = Mat::from_fn(rows, terms.squares.ncols(), |row, c| {
@@ -225,13 +225,13 @@ fn part(response: &Weighed, terms: &Terms) -> Left {
     eliminated.left(&by_poles)
 }
 
-fn finished(band: &Band, data: &Data, found: &Settled) -> Option<Fit> {
+fn finished(band: &Band, data: &FitData, found: &ConvergedFit) -> Option<ModalFit> {
     let (poles, upper) = (&found.poles, found.upper);
     let linear = band.response.len() * (2 * poles.len() + 2 + 2 * upper);
     let misfit = found.error / ((2 * data.angular.len() * band.response.len()) as f64 - (2 * poles.len() + linear) as f64).max(1.0);
-    let terms = Terms::of_kinds(data.sight, &data.powers, &data.angular, poles, upper);
-    let parts = data.responses.par_iter().map(|response| part(response, &terms[response.kind])).collect::<Vec<Left>>();
-    let certainty = Certainty::of(band, data, &parts, misfit)?;
+    let terms = DesignMatrix::of_kinds(data.sight, &data.powers, &data.angular, poles, upper);
+    let parts = data.responses.par_iter().map(|response| part(response, &terms[response.kind])).collect::<Vec<ProjectedProblem>>();
+    let certainty = PoleCovariance::of(band, data, &parts, misfit)?;
     let (mut residue, mut model) = (Vec::new(), Vec::new());
     for (part, response) in parts.iter().zip(&data.responses) {
         let (linear, power) = (&part.linear, data.powers[response.kind]);
@@ -240,7 +240,7 @@ fn finished(band: &Band, data: &Data, found: &Settled) -> Option<Fit> {
         let at = |f: &f64| terms.sum(TAU * f, linear.col(0).iter().copied());
         model.push(band.frequency_hz.iter().map(at).collect());
     }
-    Some(Fit {
+    Some(ModalFit {
         poles: poles.iter().map(|p| Pole::of(*p)).collect(),
         deviation: certainty.deviations(poles),
         residue,
@@ -253,9 +253,9 @@ fn finished(band: &Band, data: &Data, found: &Settled) -> Option<Fit> {
 }
 
 /// Residues at some poles, with one term for the modes above the band: response, mode.
-pub(super) fn residues(data: &Data, poles: &[c64]) -> Vec<Vec<c64>> {
-    let terms = Terms::of_kinds(data.sight, &data.powers, &data.angular, poles, 1);
-    let of = |response: &Weighed| {
+pub(super) fn residues(data: &FitData, poles: &[c64]) -> Vec<Vec<c64>> {
+    let terms = DesignMatrix::of_kinds(data.sight, &data.powers, &data.angular, poles, 1);
+    let of = |response: &WeightedResponse| {
         let linear = part(response, &terms[response.kind]).linear;
         (0..poles.len()).map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)])).collect()
     };

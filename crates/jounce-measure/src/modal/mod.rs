@@ -10,7 +10,7 @@
 //!
 //! (`m` = 0, 1, 2 for displacement, velocity and acceleration per force) to all responses at once, each line with the variance that the
 //! coherence around it tells, and with as many terms `U` for the modes above the band as the responses ask for. `1 / (j w - p)` stands for what
-//! the blocks see of a decay ([`crate::spectral::Sight`]). Leaving out one part of the blocks after the other gives the uncertainty of
+//! the blocks see of a decay ([`crate::spectral::WindowBias`]). Leaving out one part of the blocks after the other gives the uncertainty of
 //! frequencies and damping ratios; without blocks what the modes leave of each line does. Of forces at several places the residues of a mode are its shape times its
 //! participation in each; sensors and places of forces may change sides, by reciprocity, so that the fewer are the references.
 //!
@@ -18,16 +18,18 @@
 //! M. El-Kafafy et al., Fast maximum-likelihood identification of modal parameters with uncertainty intervals, Mech. Syst. Signal Process. 37
 //! (2013) 422.
 mod band;
-mod certainty;
-mod close;
-mod eliminated;
+mod close_modes;
+mod complex_plscf;
+mod covariance;
+mod design_matrix;
 mod error;
 mod half_spectrum;
 mod identify;
 mod jackknife;
 mod likelihood;
+mod line_selection;
 mod mac;
-mod nested;
+mod multi_band;
 mod noise;
 mod participation;
 mod peaks;
@@ -36,20 +38,18 @@ mod pole;
 mod references;
 mod scatter;
 mod semi_normal;
-mod shifted;
 mod stabilisation;
 mod sums;
-mod terms;
-mod thinned;
+mod variable_projection;
 mod warp;
 
-pub use band::{Band, Motion};
+pub use band::{Band, ResponseQuantity};
 pub use error::ModalError;
 pub use half_spectrum::identify_decays;
-pub use identify::{Identification, Mode, Settings, identify};
+pub use identify::{Identification, ModalSettings, Mode, identify};
 pub use mac::{mac, mac_matrix};
 pub use participation::Participation;
-pub use peaks::Peak;
+pub use peaks::ResponsePeak;
 pub use plscf::poles;
 pub use pole::Pole;
-pub use stabilisation::{Stable, StablePole, diagram};
+pub use stabilisation::{Stability, StablePole, diagram};

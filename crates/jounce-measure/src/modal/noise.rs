@@ -17,17 +17,17 @@ use super::Band;
 use crate::spectral::FrequencyResponse;
 
 /// Lines on both sides of a line that are fitted together.
-const BESIDE: usize = 12;
+const NEIGHBOUR_LINES: usize = 12;
 /// The same where each line is a single draw.
-const BESIDE_SINGLE: usize = 100;
+const NEIGHBOUR_LINES_SINGLE: usize = 100;
 /// The least deviation of a line, over its size.
-const LEAST: f64 = 1e-6;
+const MIN_RELATIVE_DEVIATION: f64 = 1e-6;
 /// Weighed fits, one after the other.
-const ROUNDS: usize = 3;
+const WEIGHTED_FITS: usize = 3;
 /// Fits by what the fit before left, one after the other.
-pub(super) const REWEIGHED: usize = 2;
+pub(super) const RESIDUAL_FITS: usize = 2;
 /// The least share of a line that is taken for left by a fit.
-pub(super) const LEAST_FREE: f64 = 0.05;
+pub(super) const MIN_FREE_SHARE: f64 = 0.05;
 
 /// Variance of each line of a response of several blocks, real and imaginary part together.
 pub(super) fn variance(function: &FrequencyResponse) -> Vec<f64> {
@@ -35,7 +35,7 @@ pub(super) fn variance(function: &FrequencyResponse) -> Vec<f64> {
     // A relative deviation is that of the size alone: half of the variance.
     let told = |k: usize| 2.0 * (function.relative_deviation(k).powi(2) * square[k]);
     let own: Vec<f64> = (0..square.len()).map(|k| if square[k] > 0.0 { told(k) } else { 0.0 }).collect();
-    shared(&own, &square, BESIDE)
+    shared(&own, &square, NEIGHBOUR_LINES)
 }
 
 /// Variance of each line of each response of a band, from what a fit leaves of it and the share of it that the fit took up.
@@ -43,13 +43,13 @@ pub(super) fn of_what_is_left(band: &Band, model: &[Vec<c64>], taken: &[Vec<f64>
     let of = |o: usize| {
         // As it was measured: what sensors add to an acceleration is smooth there, and not in the displacement.
         let turn = |k: usize| band.as_measured(o, k).norm_sqr();
-        let free = |k: usize| (1.0 - taken[o][k]).max(LEAST_FREE);
+        let free = |k: usize| (1.0 - taken[o][k]).max(MIN_FREE_SHARE);
         let own: Vec<f64> = (0..taken[o].len()).map(|k| (band.response[o][k] - model[o][k]).norm_sqr() * turn(k) / free(k)).collect();
         let square: Vec<f64> = (0..own.len()).map(|k| model[o][k].norm_sqr() * turn(k)).collect();
         if own.iter().chain(&square).all(|size| *size == 0.0) {
             return vec![1.0; own.len()];
         }
-        shared(&own, &square, BESIDE_SINGLE).iter().enumerate().map(|(k, v)| v / turn(k)).collect()
+        shared(&own, &square, NEIGHBOUR_LINES_SINGLE).iter().enumerate().map(|(k, v)| v / turn(k)).collect()
     };
     (0..band.response.len()).map(of).collect()
 }
@@ -59,12 +59,12 @@ fn shared(own: &[f64], square: &[f64], beside: usize) -> Vec<f64> {
     let near = |k: usize| k.saturating_sub(beside)..(k + beside + 1).min(own.len());
     let mean = |k: usize| own[near(k)].iter().sum::<f64>() / near(k).len() as f64;
     let mut smooth: Vec<f64> = (0..own.len()).map(mean).collect();
-    for _ in 0..ROUNDS {
-        let least: Vec<f64> = square.iter().map(|square| LEAST * LEAST * square).collect();
+    for _ in 0..WEIGHTED_FITS {
+        let least: Vec<f64> = square.iter().map(|square| MIN_RELATIVE_DEVIATION * MIN_RELATIVE_DEVIATION * square).collect();
         let weight: Vec<f64> = smooth.iter().zip(&least).map(|(v, least)| v.max(*least).max(f64::MIN_POSITIVE).recip()).collect();
         smooth = (0..own.len()).map(|k| around(own, square, &weight, near(k), square[k])).collect();
     }
-    smooth.iter().zip(square).map(|(v, square)| v.max(2.0 * LEAST * LEAST * square)).collect()
+    smooth.iter().zip(square).map(|(v, square)| v.max(2.0 * MIN_RELATIVE_DEVIATION * MIN_RELATIVE_DEVIATION * square)).collect()
 }
 
 /// `a + b |H|^2` at a line. `weight` is one over the deviation of each line's own variance.
@@ -91,15 +91,15 @@ fn around(own: &[f64], square: &[f64], weight: &[f64], near: std::ops::Range<usi
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::spectral::{Averages, Estimator, Sight};
+    use crate::spectral::{Estimator, SpectrumAverages, WindowBias};
     use faer::c64;
-    use jounce::drive::Stream;
+    use jounce::drive::RandomStream;
 
     /// Five blocks of a response with a sharp peak, noise of the response and of the force: the variance that the lines share is that of
     /// theory, within 25 % (rms) where the lines' own are 50 % off.
     #[test]
     fn the_shared_variance_is_that_of_the_noise() {
-        let mut stream = Stream::new(3, 0);
+        let mut stream = RandomStream::new(3, 0);
         let lines = 400;
         let exact = |k: usize| 1.0 / c64::new(1.0 - (k as f64 / 200.0).powi(2), 0.02);
         let (of_response, of_force): (f64, f64) = (0.5, 0.01);
@@ -107,13 +107,13 @@ mod tests {
             let [re, im] = stream.normal_pair();
             c64::new(re, im) * (size / 2f64.sqrt())
         };
-        let mut averages = Averages::new(lines);
+        let mut averages = SpectrumAverages::new(lines);
         for _ in 0..5 {
             let force: Vec<c64> = (0..lines).map(|_| 1.0 + draw(of_force)).collect();
             let response: Vec<c64> = (0..lines).map(|k| exact(k) + draw(of_response)).collect();
             averages.add(&force, &response).unwrap();
         }
-        let found = averages.response(vec![0.0; lines], Estimator::H1, Sight::Whole).unwrap();
+        let found = averages.response(vec![0.0; lines], Estimator::H1, WindowBias::Whole).unwrap();
         let off = |of: &[f64]| {
             let truth = |k: usize| (of_response.powi(2) + (of_force * exact(k).norm()).powi(2)) / 5.0;
             ((0..lines).map(|k| (of[k] / truth(k) - 1.0).powi(2)).sum::<f64>() / lines as f64).sqrt()

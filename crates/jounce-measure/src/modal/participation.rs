@@ -13,7 +13,7 @@
 use faer::c64;
 
 use super::Mode;
-use crate::response::Responses;
+use crate::response::MeasuredResponses;
 use jounce_data::recording::Quantity;
 
 /// Shape at an output times the participation of the base.
@@ -35,7 +35,7 @@ impl Mode {
     }
 
     /// For responses to the motion of a base: shape at each output times the participation of the base. None under another input.
-    pub fn base_participation(&self, responses: &Responses) -> Option<Vec<Participation>> {
+    pub fn base_participation(&self, responses: &MeasuredResponses) -> Option<Vec<Participation>> {
         let moves = |input: &Quantity| matches!(input, Quantity::Acceleration | Quantity::Velocity | Quantity::Displacement);
         if !responses.inputs.iter().all(moves) {
             return None;

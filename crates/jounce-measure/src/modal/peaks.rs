@@ -9,20 +9,20 @@ use faer::c64;
 use super::{Band, Mode, Pole};
 
 /// Heights above the higher of its two valleys, and above the noise, from which on a peak counts.
-const ABOVE_VALLEYS: f64 = 4.0;
-const ABOVE_NOISE: f64 = 50.0;
+const MIN_VALLEY_RATIO: f64 = 4.0;
+const MIN_NOISE_RATIO: f64 = 50.0;
 /// Lines whose second differences are put together to one level.
-const TOGETHER: usize = 101;
+const LEVEL_LINES: usize = 101;
 /// The median of the squared size of complex noise over its mean.
-const MEDIAN: f64 = std::f64::consts::LN_2;
+const NOISE_MEDIAN: f64 = std::f64::consts::LN_2;
 /// A mode within so many lines of a peak explains it.
-const LINES: f64 = 1.5;
+const EXPLAINED_LINES: f64 = 1.5;
 /// The most peaks, the highest above the noise.
-const MOST: usize = 64;
+const MAX_PEAKS: usize = 64;
 
 /// A peak of the responses.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
-pub struct Peak {
+pub struct ResponsePeak {
     /// Frequency of its highest line, Hz.
     pub frequency_hz: f64,
     /// Half of its width at half its power, Hz.
@@ -32,28 +32,28 @@ pub struct Peak {
     height: f64,
 }
 
-impl Peak {
+impl ResponsePeak {
     /// The pole that would make it.
     pub(super) fn pole(self) -> Pole {
         Pole { frequency_hz: self.frequency_hz, damping_ratio: self.half_width_hz / self.frequency_hz }
     }
 
     fn is_explained(&self, modes: &[Mode], line_hz: f64) -> bool {
-        let reach = self.half_width_hz.max(LINES * line_hz);
+        let reach = self.half_width_hz.max(EXPLAINED_LINES * line_hz);
         modes.iter().any(|mode| (mode.frequency_hz - self.frequency_hz).abs() <= reach)
     }
 }
 
 /// The peaks that no mode explains, in ascending frequency.
-pub(super) fn unexplained(band: &Band, modes: &[Mode]) -> Vec<Peak> {
-    let mut left: Vec<Peak> = peaks(band).into_iter().filter(|peak| !peak.is_explained(modes, band.line_hz())).collect();
+pub(super) fn unexplained(band: &Band, modes: &[Mode]) -> Vec<ResponsePeak> {
+    let mut left: Vec<ResponsePeak> = peaks(band).into_iter().filter(|peak| !peak.is_explained(modes, band.line_hz())).collect();
     left.sort_by(|a, b| b.height.total_cmp(&a.height));
-    left.truncate(MOST);
+    left.truncate(MAX_PEAKS);
     left.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
     left
 }
 
-fn peaks(band: &Band) -> Vec<Peak> {
+fn peaks(band: &Band) -> Vec<ResponsePeak> {
     let lines = band.frequency_hz.len();
     let (mut power, mut noise) = (vec![0.0; lines], vec![0.0; lines]);
     for o in 0..band.response.len() {
@@ -66,13 +66,13 @@ fn peaks(band: &Band) -> Vec<Peak> {
             noise[k] += rough[k].max(told) / mean;
         }
     }
-    let highest = |k: &usize| power[*k] > power[k - 1] && power[*k] >= power[k + 1] && power[*k] > ABOVE_NOISE * noise[*k];
-    let stands = |k: &usize| power[*k] > ABOVE_VALLEYS * valley(&power, *k, true).max(valley(&power, *k, false));
+    let highest = |k: &usize| power[*k] > power[k - 1] && power[*k] >= power[k + 1] && power[*k] > MIN_NOISE_RATIO * noise[*k];
+    let stands = |k: &usize| power[*k] > MIN_VALLEY_RATIO * valley(&power, *k, true).max(valley(&power, *k, false));
     let peak = |k: usize| {
         let above =
             |step: &dyn Fn(usize) -> usize| (1..lines).take_while(|n| power.get(step(*n)).is_some_and(|x| *x > 0.5 * power[k])).count();
         let width = above(&|n| k + n) + above(&|n| k.wrapping_sub(n)) + 1;
-        Peak {
+        ResponsePeak {
             frequency_hz: band.frequency_hz[k],
             half_width_hz: 0.5 * width as f64 * band.line_hz(),
             height: power[k] / noise[k].max(f64::MIN_POSITIVE),
@@ -89,10 +89,10 @@ fn valley(power: &[f64], from: usize, up: bool) -> f64 {
 
 /// Variance of the noise that second differences tell, around each line.
 fn roughness(values: &[c64]) -> Vec<f64> {
-    let second = |k: usize| (values[k + 1] - 2.0 * values[k] + values[k - 1]).norm_sqr() / (6.0 * MEDIAN);
+    let second = |k: usize| (values[k + 1] - 2.0 * values[k] + values[k - 1]).norm_sqr() / (6.0 * NOISE_MEDIAN);
     let mut found = Vec::with_capacity(values.len());
-    for from in (0..values.len()).step_by(TOGETHER) {
-        let until = (from + TOGETHER).min(values.len());
+    for from in (0..values.len()).step_by(LEVEL_LINES) {
+        let until = (from + LEVEL_LINES).min(values.len());
         let mut level: Vec<f64> = (from.max(1)..until.min(values.len() - 1)).map(second).collect();
         level.sort_by(f64::total_cmp);
         let median = level.get(level.len() / 2).copied().or(found.last().copied()).unwrap_or(0.0);

@@ -17,10 +17,10 @@ use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 use super::sums::{both_ways, signals};
-use super::{Band, ModalError, Pole, shifted};
+use super::{Band, ModalError, Pole, complex_plscf};
 
 /// Sums over the lines that every order shares.
-struct Moments {
+struct PlscfMoments {
     inputs: usize,
     /// `re sum z^k`
     r: Vec<f64>,
@@ -40,9 +40,9 @@ struct Moments {
 pub fn poles(band: &Band, most: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
     enough(band, most)?;
     if band.begins_far_from_zero() {
-        return shifted::poles(band, most);
+        return complex_plscf::poles(band, most);
     }
-    from_zero(band, most).or_else(|_| shifted::poles(band, most))
+    from_zero(band, most).or_else(|_| complex_plscf::poles(band, most))
 }
 
 /// The same with real coefficients, the circle counted from 0 Hz on.
@@ -51,7 +51,7 @@ pub fn poles(band: &Band, most: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
 /// Too few lines; lines that leave too much of the circle free for the order; responses that are all zero.
 pub(super) fn from_zero(band: &Band, most: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
     enough(band, most)?;
-    let moments = Moments::of(band, most);
+    let moments = PlscfMoments::of(band, most);
     let normal = moments.normal()?;
     normal.into_par_iter().map(|m| moments.poles(&m)).collect()
 }
@@ -64,7 +64,7 @@ fn enough(band: &Band, most: usize) -> Result<(), ModalError> {
     Ok(())
 }
 
-impl Moments {
+impl PlscfMoments {
     fn of(band: &Band, most: usize) -> Self {
         let (inputs, outputs) = (band.inputs, band.outputs());
         let highest = band.frequency_hz.iter().copied().fold(0.0, f64::max);
@@ -138,7 +138,7 @@ impl Moments {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 pub(super) mod tests {
-    use super::super::Motion;
+    use super::super::ResponseQuantity;
     use super::*;
 
     /// Displacement per force of outputs and inputs for known poles and shapes (mass 1).
@@ -181,7 +181,7 @@ pub(super) mod tests {
         let frequency_hz: Vec<f64> = (1..1200).map(|k| f64::from(k) * 0.1).collect();
         for inputs in [1, 2] {
             let response = exact(&frequency_hz, &POLES, shape, 4, inputs);
-            let band = Band::new(&frequency_hz, &response, &[], inputs, Motion::Displacement, (1.0, 110.0)).unwrap();
+            let band = Band::new(&frequency_hz, &response, &[], inputs, ResponseQuantity::Displacement, (1.0, 110.0)).unwrap();
             let found = poles(&band, 20).unwrap().pop().unwrap();
             for pole in POLES {
                 let distance = |p: &&Pole| (p.frequency_hz / pole.frequency_hz - 1.0).abs() + (p.damping_ratio - pole.damping_ratio).abs();
@@ -195,7 +195,7 @@ pub(super) mod tests {
     #[test]
     fn too_few_lines_and_zero_responses_are_errors() {
         let frequency_hz: Vec<f64> = (1..30).map(f64::from).collect();
-        let band = |h: Vec<c64>| Band::new(&frequency_hz, &[h], &[], 1, Motion::Acceleration, (1.0, 29.0)).unwrap();
+        let band = |h: Vec<c64>| Band::new(&frequency_hz, &[h], &[], 1, ResponseQuantity::Acceleration, (1.0, 29.0)).unwrap();
         assert!(matches!(poles(&band(vec![c64::new(1.0, 0.0); 29]), 20), Err(ModalError::Few { .. })));
         assert!(matches!(poles(&band(vec![c64::new(0.0, 0.0); 29]), 4), Err(ModalError::Singular { .. })));
     }

@@ -13,15 +13,15 @@ use faer::{Mat, c64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-use super::certainty::Certainty;
-use super::eliminated::{Eliminated, Left};
-use super::likelihood::{Data, Fit, MOST_UPPER, SETTLED, STEPS, damped, residues, reweighed};
-use super::terms::{LinearTerms, Terms};
+use super::covariance::PoleCovariance;
+use super::design_matrix::{DesignMatrix, LinearTerms};
+use super::likelihood::{FitData, MAX_STEPS, MAX_UPPER_TERMS, ModalFit, STEP_TOLERANCE, damped, residues, reweighed};
+use super::variable_projection::{LinearSolution, ProjectedProblem};
 use super::{Band, Pole};
 
 /// What is fitted: poles, and what of each mode every reference moves.
 #[derive(Clone)]
-struct Modal {
+struct ReferenceModel {
     poles: Vec<c64>,
     /// Mode, reference.
     participation: Vec<Vec<c64>>,
@@ -30,22 +30,22 @@ struct Modal {
 }
 
 /// Modes at the least error, with so many terms for those above the band.
-struct Settled {
-    modal: Modal,
+struct ConvergedModel {
+    modal: ReferenceModel,
     upper: usize,
     error: f64,
 }
 
 /// The fit to several references that begins at given poles.
-pub(super) fn fit_shared(band: &Band, start: &[Pole]) -> Option<Fit> {
+pub(super) fn fit_shared(band: &Band, start: &[Pole]) -> Option<ModalFit> {
     reweighed(band, start, weighed)
 }
 
 /// The fit by the weights of a band, with as many terms for the modes above it as the responses ask for.
-fn weighed(band: &Band, start: &[Pole]) -> Option<Fit> {
-    let data = Data::of(band, start);
-    let mut found = settled(&data, band, Modal::begin(band, &data, start)?, 1)?;
-    for upper in 2..=MOST_UPPER {
+fn weighed(band: &Band, start: &[Pole]) -> Option<ModalFit> {
+    let data = FitData::of(band, start);
+    let mut found = settled(&data, band, ReferenceModel::begin(band, &data, start)?, 1)?;
+    for upper in 2..=MAX_UPPER_TERMS {
         let tried = settled(&data, band, found.modal.clone(), upper);
         let Some(tried) = tried.filter(|tried| data.asks_for(found.error, tried.error)) else { break };
         found = tried;
@@ -53,10 +53,10 @@ fn weighed(band: &Band, start: &[Pole]) -> Option<Fit> {
     finished(band, &data, &found)
 }
 
-fn settled(data: &Data, band: &Band, mut modal: Modal, upper: usize) -> Option<Settled> {
+fn settled(data: &FitData, band: &Band, mut modal: ReferenceModel, upper: usize) -> Option<ConvergedModel> {
     let (mut normal, mut right, mut error) = equations(data, band, &modal, upper)?;
     let mut damping = 1e-6;
-    for _ in 0..STEPS {
+    for _ in 0..MAX_STEPS {
         let tried = modal.stepped(&damped(&normal, damping)?.solve(&right));
         let apart = tried.poles.iter().zip(&modal.poles).map(|(a, b)| (a - b).norm() / b.norm());
         let turned = tried.participation.iter().flatten().zip(modal.participation.iter().flatten()).map(|(a, b)| (a - b).norm());
@@ -67,20 +67,20 @@ fn settled(data: &Data, band: &Band, mut modal: Modal, upper: usize) -> Option<S
                 modal = tried;
                 (normal, right, error) = better;
                 damping = f64::max(damping * 0.1, 1e-12);
-                if size < SETTLED {
+                if size < STEP_TOLERANCE {
                     break;
                 }
             }
-            None if damping > 1e6 || size < SETTLED => break,
+            None if damping > 1e6 || size < STEP_TOLERANCE => break,
             None => damping *= 10.0,
         }
     }
-    Some(Settled { modal, upper, error })
+    Some(ConvergedModel { modal, upper, error })
 }
 
-impl Modal {
+impl ReferenceModel {
     /// From residues that are free of each other: their first right singular vector.
-    fn begin(band: &Band, data: &Data, start: &[Pole]) -> Option<Self> {
+    fn begin(band: &Band, data: &FitData, start: &[Pole]) -> Option<Self> {
         let poles: Vec<c64> = start.iter().map(|pole| pole.complex()).collect();
         let residue = residues(data, &poles);
         let begun = |r: usize| {
@@ -112,10 +112,10 @@ impl Modal {
 }
 
 /// Normal equations over all outputs, in parallel and added in order, and the weighed squared error.
-fn equations(data: &Data, band: &Band, modal: &Modal, upper: usize) -> Option<(Mat<f64>, Mat<f64>, f64)> {
+fn equations(data: &FitData, band: &Band, modal: &ReferenceModel, upper: usize) -> Option<(Mat<f64>, Mat<f64>, f64)> {
     let size = 2 * (modal.poles.len() + modal.free().len());
     let (mut normal, mut right, mut error) = (Mat::zeros(size, size), Mat::zeros(size, 1), 0.0);
-    let terms = Terms::of_kinds(data.sight, &data.powers, &data.angular, &modal.poles, upper);
+    let terms = DesignMatrix::of_kinds(data.sight, &data.powers, &data.angular, &modal.poles, upper);
     let parts = (0..band.outputs()).into_par_iter().map(|o| part(o, data, &terms, modal)).collect::<Vec<_>>();
     for part in parts {
         normal += part.projected.transpose() * &part.projected;
@@ -126,7 +126,7 @@ fn equations(data: &Data, band: &Band, modal: &Modal, upper: usize) -> Option<(M
 }
 
 /// The rows are the lines of one reference after those of the other.
-fn part(o: usize, data: &Data, terms: &[Terms], modal: &Modal) -> Left {
+fn part(o: usize, data: &FitData, terms: &[DesignMatrix], modal: &ReferenceModel) -> ProjectedProblem {
     let (modes, inputs, lines) = (modal.poles.len(), modal.participation[0].len(), terms[0].linear.nrows());
     let residuals = terms[0].linear.ncols() - 2 * modes;
     let (rows, width) = (inputs * lines, 2 * modes + residuals * inputs);
@@ -149,7 +149,7 @@ fn part(o: usize, data: &Data, terms: &[Terms], modal: &Modal) -> Left {
     let a = Mat::from_fn(rows, width, column);
     let value = |row: usize| response(row).value[row % lines / 2];
     let b = Mat::from_fn(rows, 1, |row, _| if row % 2 == 0 { value(row).re } else { value(row).im });
-    let eliminated = Eliminated::new(a, &b);
+    let eliminated = LinearSolution::new(a, &b);
     let linear = &eliminated.linear;
     let shape = |r: usize| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)]);
     let free = modal.free();
@@ -167,16 +167,16 @@ fn part(o: usize, data: &Data, terms: &[Terms], modal: &Modal) -> Left {
     eliminated.left(&by_modes)
 }
 
-fn finished(band: &Band, data: &Data, Settled { modal, upper, error }: &Settled) -> Option<Fit> {
+fn finished(band: &Band, data: &FitData, ConvergedModel { modal, upper, error }: &ConvergedModel) -> Option<ModalFit> {
     let (modes, inputs, outputs) = (modal.poles.len(), band.inputs, band.outputs());
     let residuals = 2 + 2 * upper;
     let unknowns = 2 * (modes + modal.free().len()) + outputs * (2 * modes + residuals * inputs);
     let misfit = error / ((2 * data.angular.len() * band.response.len()) as f64 - unknowns as f64).max(1.0);
-    let terms = Terms::of_kinds(data.sight, &data.powers, &data.angular, &modal.poles, *upper);
+    let terms = DesignMatrix::of_kinds(data.sight, &data.powers, &data.angular, &modal.poles, *upper);
     let parts = (0..outputs).into_par_iter().map(|o| part(o, data, &terms, modal)).collect::<Vec<_>>();
-    let certainty = Certainty::of(band, data, &parts, misfit)?;
+    let certainty = PoleCovariance::of(band, data, &parts, misfit)?;
     let (mut residue, mut model) = (Vec::new(), Vec::new());
-    for (o, Left { linear, .. }) in parts.iter().enumerate() {
+    for (o, ProjectedProblem { linear, .. }) in parts.iter().enumerate() {
         let shape: Vec<c64> = (0..modes).map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)])).collect();
         for i in 0..inputs {
             let residues = (0..modes).map(|r| shape[r] * modal.participation[r][i]).flat_map(|x| [x.re, x.im]);
@@ -188,7 +188,7 @@ fn finished(band: &Band, data: &Data, Settled { modal, upper, error }: &Settled)
         }
         residue.push(shape);
     }
-    Some(Fit {
+    Some(ModalFit {
         poles: modal.poles.iter().map(|p| Pole::of(*p)).collect(),
         deviation: certainty.deviations(&modal.poles),
         residue,

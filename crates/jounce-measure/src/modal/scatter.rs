@@ -13,22 +13,22 @@
 
 use faer::Mat;
 
-use super::band::LeftOut;
-use crate::spectral::Sight;
+use super::band::LeaveOneOutChange;
+use crate::spectral::WindowBias;
 
 /// From so many parts on their scatter is known well enough as it is.
-const MANY: usize = 8;
+const ENOUGH_PARTS: usize = 8;
 /// The least variance where neighbours count, over that without them.
-const LEAST: f64 = 0.2;
+const MIN_VARIANCE_RATIO: f64 = 0.2;
 
 /// What each part of the data does to the unknowns.
 pub(super) struct Scatter {
     /// Changes of the unknowns, scaled so that their squares add to the variance: place of the force, part, then unknown and turn.
     places: Vec<Vec<Mat<f64>>>,
-    kind: Kind,
+    kind: ScatterKind,
 }
 
-enum Kind {
+enum ScatterKind {
     /// Parts that know nothing of each other.
     Parts,
     /// Parts that leak into the next.
@@ -38,37 +38,39 @@ enum Kind {
 
 impl Scatter {
     /// How often what parts leave out is turned.
-    pub fn turns(parts: usize, sight: Sight) -> usize {
-        if parts < MANY && matches!(sight, Sight::Cut { .. }) { 2 } else { 1 }
+    pub fn turns(parts: usize, sight: WindowBias) -> usize {
+        if parts < ENOUGH_PARTS && matches!(sight, WindowBias::Cut { .. }) { 2 } else { 1 }
     }
 
     /// `change` is what each part that is left out does to the unknowns, by turns.
-    pub fn of_parts(change: Vec<Mat<f64>>, left_out: &[LeftOut], sight: Sight) -> Self {
+    pub fn of_parts(change: Vec<Mat<f64>>, left_out: &[LeaveOneOutChange], sight: WindowBias) -> Self {
         let mut places: Vec<Vec<Mat<f64>>> = Vec::new();
         for (change, left) in change.into_iter().zip(left_out) {
             let scale = ((1.0 - left.share) / change.ncols() as f64).sqrt();
             places.resize_with(places.len().max(left.place + 1), Vec::new);
             places[left.place].push(change * scale);
         }
-        let neighbours = matches!(sight, Sight::Hann { .. }) && places.iter().all(|parts| parts.len() >= MANY);
-        Self { places, kind: if neighbours { Kind::Neighbours } else { Kind::Parts } }
+        let neighbours = matches!(sight, WindowBias::Hann { .. }) && places.iter().all(|parts| parts.len() >= ENOUGH_PARTS);
+        Self { places, kind: if neighbours { ScatterKind::Neighbours } else { ScatterKind::Parts } }
     }
 
     /// `change` is what the rest of each line did to the unknowns, in two turns.
     pub fn of_lines(change: Vec<Mat<f64>>) -> Self {
-        Self { places: vec![change], kind: Kind::Lines }
+        Self { places: vec![change], kind: ScatterKind::Lines }
     }
 
     /// Degrees of freedom of the variances of a pole's numbers.
     pub fn freedom(&self, r: usize) -> f64 {
         let parts = |parts: &Vec<Mat<f64>>| parts.len() as f64;
         match self.kind {
-            Kind::Neighbours => self.places.iter().map(parts).sum::<f64>() / 3.0,
-            Kind::Parts => {
+            ScatterKind::Neighbours => self.places.iter().map(parts).sum::<f64>() / 3.0,
+            ScatterKind::Parts => {
                 let turns = self.places.iter().flatten().next().map_or(1, Mat::ncols) as f64;
                 self.places.iter().map(|of| parts(of) - 1.0).sum::<f64>() * turns
             }
-            Kind::Lines => [[1.0, 0.0], [0.0, 1.0]].map(|slope| self.freedom_of_lines(r, slope)).into_iter().fold(f64::INFINITY, f64::min),
+            ScatterKind::Lines => {
+                [[1.0, 0.0], [0.0, 1.0]].map(|slope| self.freedom_of_lines(r, slope)).into_iter().fold(f64::INFINITY, f64::min)
+            }
         }
     }
 
@@ -90,13 +92,13 @@ impl Scatter {
 
     fn of_place(&self, parts: &[Mat<f64>], r: usize, slope: [f64; 2]) -> f64 {
         let own: f64 = parts.iter().flat_map(|change| (0..change.ncols()).map(move |turn| moved(change, turn, r, slope).powi(2))).sum();
-        if !matches!(self.kind, Kind::Neighbours) {
+        if !matches!(self.kind, ScatterKind::Neighbours) {
             return own;
         }
         let pairs = parts.windows(2).map(|pair| moved(&pair[0], 0, r, slope) * moved(&pair[1], 0, r, slope)).sum::<f64>();
         // The mean was taken from the same parts, three times in each of these sums.
         let parts = parts.len() as f64;
-        f64::max(own + 2.0 * pairs, LEAST * own) * (parts - 1.0) / (parts - 3.0)
+        f64::max(own + 2.0 * pairs, MIN_VARIANCE_RATIO * own) * (parts - 1.0) / (parts - 3.0)
     }
 }
 

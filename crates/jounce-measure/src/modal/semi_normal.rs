@@ -16,18 +16,18 @@ use faer::linalg::matmul::triangular::{BlockStructure, matmul as triangular};
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Accum, Mat, Par, Side};
 
-use super::likelihood::Weighed;
-use super::terms::Terms;
+use super::design_matrix::DesignMatrix;
+use super::likelihood::WeightedResponse;
 
 /// Rows that are multiplied at once: so many of all columns stay near the processor.
-const ROWS: usize = 256;
+const ROWS_AT_ONCE: usize = 256;
 /// The linear unknowns are as good as from orthogonal columns once a correction, or the next one as the last two tell, is below this share.
-const SETTLED: f64 = 1e-15;
+const CORRECTION_TOLERANCE: f64 = 1e-15;
 /// Corrections above this share of the one before tell columns too much alike.
-const SHRINKS: f64 = 1e-2;
+const MAX_CORRECTION_RATIO: f64 = 1e-2;
 
 /// One response's part of the normal equations.
-pub(super) struct Normal {
+pub(super) struct NormalEquations {
     /// `J^T P J` and `J^T P e`.
     pub normal: Mat<f64>,
     pub right: Mat<f64>,
@@ -35,9 +35,9 @@ pub(super) struct Normal {
     pub error: f64,
 }
 
-impl Normal {
+impl NormalEquations {
     /// None where the linear columns are too much alike for it.
-    pub fn of(weighed: &Weighed, terms: &Terms) -> Option<Self> {
+    pub fn of(weighed: &WeightedResponse, terms: &DesignMatrix) -> Option<Self> {
         let (width, columns) = (terms.linear.ncols(), terms.linear.ncols() + terms.squares.ncols());
         let products = products(weighed, terms);
         let scale: Vec<f64> = (0..columns).map(|c| products[(c, c)].sqrt()).collect();
@@ -48,7 +48,7 @@ impl Normal {
         let factor = Mat::from_fn(width, width, of).llt(Side::Lower).ok()?;
         let mixed = Mat::from_fn(width, columns - width, |r, c| of(r, width + c));
         let begun = factor.solve(Mat::from_fn(width, 1, |r, _| products[(columns, r)] / scale[r]));
-        let Left { unknown, right, error } = Left::corrected(weighed, terms, (&scale, &factor, &mixed), begun)?;
+        let LinearResidual { unknown, right, error } = LinearResidual::corrected(weighed, terms, (&scale, &factor, &mixed), begun)?;
         let mut taken = mixed.clone();
         factor.L().solve_lower_triangular_in_place(&mut taken);
         let beyond = Mat::from_fn(columns - width, columns - width, |r, c| of(width + r, width + c)) - taken.transpose() * &taken;
@@ -69,17 +69,17 @@ impl Normal {
 }
 
 /// The linear unknowns and what they leave.
-struct Left {
+struct LinearResidual {
     unknown: Mat<f64>,
     /// `S^T P b`, scaled as the columns.
     right: Mat<f64>,
     error: f64,
 }
 
-impl Left {
+impl LinearResidual {
     fn corrected(
-        weighed: &Weighed,
-        terms: &Terms,
+        weighed: &WeightedResponse,
+        terms: &DesignMatrix,
         (scale, factor, mixed): (&[f64], &Llt<f64>, &Mat<f64>),
         mut scaled: Mat<f64>,
     ) -> Option<Self> {
@@ -92,7 +92,7 @@ impl Left {
             let change = factor.solve(&wrong);
             let (size, all) = (change.norm_l2(), scaled.norm_l2());
             scaled += &change;
-            if size * size <= SETTLED * before * all {
+            if size * size <= CORRECTION_TOLERANCE * before * all {
                 let right =
                     Mat::from_fn(mixed.ncols(), 1, |c, _| by_columns[(width + c, 0)] / scale[width + c]) - mixed.transpose() * &change;
                 return Some(Self {
@@ -101,7 +101,7 @@ impl Left {
                     error: (square - (change.transpose() * &wrong)[(0, 0)]).max(0.0),
                 });
             }
-            let shrinks = size <= SHRINKS * before;
+            let shrinks = size <= MAX_CORRECTION_RATIO * before;
             if !shrinks {
                 return None;
             }
@@ -111,12 +111,12 @@ impl Left {
 }
 
 /// Products of all columns with each other: those of `A`, of `S`, then `b`. The lower triangle.
-fn products(weighed: &Weighed, terms: &Terms) -> Mat<f64> {
+fn products(weighed: &WeightedResponse, terms: &DesignMatrix) -> Mat<f64> {
     let (rows, width, squares) = (terms.linear.nrows(), terms.linear.ncols(), terms.squares.ncols());
     let all = width + squares + 1;
-    let (mut sums, mut block) = (Mat::<f64>::zeros(all, all), Mat::<f64>::zeros(ROWS, all));
-    for from in (0..rows).step_by(ROWS) {
-        let count = ROWS.min(rows - from);
+    let (mut sums, mut block) = (Mat::<f64>::zeros(all, all), Mat::<f64>::zeros(ROWS_AT_ONCE, all));
+    for from in (0..rows).step_by(ROWS_AT_ONCE) {
+        let count = ROWS_AT_ONCE.min(rows - from);
         let weight = &weighed.weight[from / 2..(from + count) / 2];
         for (c, column) in block.col_iter_mut().enumerate() {
             let Some(column) = column.try_as_col_major_mut() else { continue };
@@ -138,12 +138,12 @@ fn products(weighed: &Weighed, terms: &Terms) -> Mat<f64> {
 }
 
 /// What linear unknowns leave of the response: its products with the columns of `A` and of `S`, its square.
-fn left(weighed: &Weighed, terms: &Terms, unknown: &Mat<f64>) -> (Mat<f64>, f64) {
+fn left(weighed: &WeightedResponse, terms: &DesignMatrix, unknown: &Mat<f64>) -> (Mat<f64>, f64) {
     let (rows, width, squares) = (terms.linear.nrows(), terms.linear.ncols(), terms.squares.ncols());
     let (mut sums, mut square) = (Mat::<f64>::zeros(width + squares, 1), 0.0);
-    let mut rest = Mat::<f64>::zeros(ROWS, 1);
-    for from in (0..rows).step_by(ROWS) {
-        let count = ROWS.min(rows - from);
+    let mut rest = Mat::<f64>::zeros(ROWS_AT_ONCE, 1);
+    for from in (0..rows).step_by(ROWS_AT_ONCE) {
+        let count = ROWS_AT_ONCE.min(rows - from);
         let (linear, own) = (terms.linear.subrows(from, count), terms.squares.subrows(from, count));
         let mut rest = rest.subrows_mut(0, count);
         matmul(&mut rest, Accum::Replace, linear, unknown, 1.0, Par::Seq);
@@ -165,16 +165,16 @@ fn left(weighed: &Weighed, terms: &Terms, unknown: &Mat<f64>) -> (Mat<f64>, f64)
 mod tests {
     use super::super::likelihood::by_orthogonal_columns;
     use super::*;
-    use crate::spectral::Sight;
+    use crate::spectral::WindowBias;
     use faer::c64;
-    use jounce::drive::Stream;
+    use jounce::drive::RandomStream;
 
     /// A response of three modes, two of them close, in noise and under uneven weights, and what a fit needs at poles that are a little off.
-    fn made(poles: &[c64], upper: usize) -> (Weighed, Terms) {
+    fn made(poles: &[c64], upper: usize) -> (WeightedResponse, DesignMatrix) {
         let angular: Vec<f64> = (40..900).map(|k| 1.5 * f64::from(k)).collect();
-        let sight = Sight::Cut { length_s: 2.0 };
-        let terms = Terms::of_kinds(sight, &[2], &angular, poles, upper).remove(0);
-        let mut stream = Stream::new(3, 9);
+        let sight = WindowBias::Cut { length_s: 2.0 };
+        let terms = DesignMatrix::of_kinds(sight, &[2], &angular, poles, upper).remove(0);
+        let mut stream = RandomStream::new(3, 9);
         let weight: Vec<f64> = angular.iter().map(|w| 1.0 + (0.02 * w).sin().powi(2)).collect();
         let value = (0..angular.len()).map(|k| {
             let sum: f64 = (0..2 * poles.len()).map(|c| terms.linear[(2 * k, c)]).sum();
@@ -183,7 +183,7 @@ mod tests {
             c64::new(1.01 * sum + 1e-3 * re, odd + 1e-3 * im) * weight[k]
         });
         let value = value.collect();
-        (Weighed { kind: 0, weight, value }, terms)
+        (WeightedResponse { kind: 0, weight, value }, terms)
     }
 
     /// Against orthogonal columns. Measured: right side and error within 6e-15 of their sizes; the matrix, on which the lengths of steps rest and no
@@ -193,7 +193,7 @@ mod tests {
         let poles = [c64::new(-2.0, 200.0), c64::new(-3.0, 204.0), c64::new(-5.0, 900.0)];
         for upper in [1, 4, 8] {
             let (weighed, terms) = made(&poles, upper);
-            let (found, due) = (Normal::of(&weighed, &terms).unwrap(), by_orthogonal_columns(&weighed, &terms));
+            let (found, due) = (NormalEquations::of(&weighed, &terms).unwrap(), by_orthogonal_columns(&weighed, &terms));
             let off = [
                 (&found.normal - &due.normal).norm_l2() / due.normal.norm_l2(),
                 (&found.right - &due.right).norm_l2() / (due.normal.norm_l2() * due.error).sqrt(),
@@ -208,6 +208,6 @@ mod tests {
     #[test]
     fn columns_that_are_alike_are_left_to_orthogonal_ones() {
         let (weighed, terms) = made(&[c64::new(-2.0, 200.0), c64::new(-2.0, 200.0)], 1);
-        assert!(Normal::of(&weighed, &terms).is_none());
+        assert!(NormalEquations::of(&weighed, &terms).is_none());
     }
 }

@@ -7,7 +7,7 @@ use super::Pole;
 /// How a pole compares with those of the order below.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Stable {
+pub enum Stability {
     /// No pole near it.
     New,
     /// One within 1 % in frequency.
@@ -24,37 +24,37 @@ pub struct StablePole {
     /// The pole.
     pub pole: Pole,
     /// How it compares.
-    pub stable: Stable,
+    pub stable: Stability,
 }
 
 /// Limits of the usual diagram.
-const FREQUENCY: f64 = 0.01;
-const DAMPING: f64 = 0.05;
+const FREQUENCY_LIMIT: f64 = 0.01;
+const DAMPING_LIMIT: f64 = 0.05;
 /// Half widths `zeta f` that differ by less than this share of a line are alike too, up to this share of the damping.
-const OF_A_LINE: f64 = 0.1;
-const COARSE_DAMPING: f64 = 0.2;
+const HALF_WIDTH_LINE_SHARE: f64 = 0.1;
+const COARSE_DAMPING_LIMIT: f64 = 0.2;
 /// A structure's damping ratio is below this: what is above stands for no mode.
-pub(super) const LARGEST_DAMPING: f64 = 0.2;
+pub(super) const MAX_DAMPING: f64 = 0.2;
 /// Stable poles closer than this, relative, belong to one mode.
-pub(super) const ONE_MODE: f64 = 2e-3;
+pub(super) const SAME_MODE_DISTANCE: f64 = 2e-3;
 /// A mode is stable in frequency in at least this share of the orders above its first, and in damping too in the second share of those.
-const SHARE: f64 = 0.6;
-const DAMPED_ALIKE: f64 = 0.3;
+const MIN_ORDER_SHARE: f64 = 0.6;
+const SAME_DAMPING_DISTANCE: f64 = 0.3;
 
 /// The diagram of the poles of each order from 1, found from lines `line_hz` apart.
 pub fn diagram(poles: &[Vec<Pole>], line_hz: f64) -> Vec<StablePole> {
     let mut found = Vec::new();
     for (k, order) in poles.iter().enumerate() {
         let before: &[Pole] = k.checked_sub(1).map_or(&[], |before| &poles[before]);
-        for pole in order.iter().filter(|pole| pole.damping_ratio < LARGEST_DAMPING) {
-            let near = |other: &&Pole| (other.frequency_hz / pole.frequency_hz - 1.0).abs() <= FREQUENCY;
+        for pole in order.iter().filter(|pole| pole.damping_ratio < MAX_DAMPING) {
+            let near = |other: &&Pole| (other.frequency_hz / pole.frequency_hz - 1.0).abs() <= FREQUENCY_LIMIT;
             let width_hz = pole.damping_ratio * pole.frequency_hz;
-            let limit = (OF_A_LINE * line_hz / width_hz).clamp(DAMPING, COARSE_DAMPING);
+            let limit = (HALF_WIDTH_LINE_SHARE * line_hz / width_hz).clamp(DAMPING_LIMIT, COARSE_DAMPING_LIMIT);
             let alike = |other: &Pole| (other.damping_ratio / pole.damping_ratio - 1.0).abs() <= limit;
             let stable = match () {
-                () if before.iter().filter(near).any(alike) => Stable::Pole,
-                () if before.iter().any(|other| near(&other)) => Stable::Frequency,
-                () => Stable::New,
+                () if before.iter().filter(near).any(alike) => Stability::Pole,
+                () if before.iter().any(|other| near(&other)) => Stability::Frequency,
+                () => Stability::New,
             };
             found.push(StablePole { order: k + 1, pole: *pole, stable });
         }
@@ -65,14 +65,15 @@ pub fn diagram(poles: &[Vec<Pole>], line_hz: f64) -> Vec<StablePole> {
 /// The poles that stay, one for each mode: of every cluster of stable poles the middle one of its upper orders. A cluster must be stable in
 /// most of the orders from its first on, and in five of them.
 pub(super) fn modes(diagram: &[StablePole], low_hz: f64, high_hz: f64) -> Vec<Pole> {
-    let inside = |p: &&StablePole| p.stable != Stable::New && (low_hz..=high_hz).contains(&p.pole.frequency_hz);
+    let inside = |p: &&StablePole| p.stable != Stability::New && (low_hz..=high_hz).contains(&p.pole.frequency_hz);
     let mut stable: Vec<&StablePole> = diagram.iter().filter(inside).collect();
     stable.sort_by(|a, b| a.pole.frequency_hz.total_cmp(&b.pole.frequency_hz));
     let last = diagram.iter().map(|p| p.order).max().unwrap_or(0);
     let mut clusters: Vec<Vec<&StablePole>> = Vec::new();
     for pole in stable {
-        let joins =
-            |cluster: &Vec<&StablePole>| cluster.last().is_some_and(|p| pole.pole.frequency_hz / p.pole.frequency_hz - 1.0 <= ONE_MODE);
+        let joins = |cluster: &Vec<&StablePole>| {
+            cluster.last().is_some_and(|p| pole.pole.frequency_hz / p.pole.frequency_hz - 1.0 <= SAME_MODE_DISTANCE)
+        };
         match clusters.last_mut().filter(|cluster| joins(cluster)) {
             Some(cluster) => cluster.push(pole),
             None => clusters.push(vec![pole]),
@@ -86,11 +87,11 @@ fn middle(cluster: &[&StablePole], last: usize) -> Option<Pole> {
     let mut orders: Vec<usize> = cluster.iter().map(|p| p.order).collect();
     orders.sort_unstable();
     orders.dedup();
-    if orders.len() < 5 || (orders.len() as f64) < SHARE * (last + 1 - first) as f64 {
+    if orders.len() < 5 || (orders.len() as f64) < MIN_ORDER_SHARE * (last + 1 - first) as f64 {
         return None;
     }
-    let alike = cluster.iter().filter(|p| p.stable == Stable::Pole).count() as f64;
-    if alike < DAMPED_ALIKE * cluster.len() as f64 {
+    let alike = cluster.iter().filter(|p| p.stable == Stability::Pole).count() as f64;
+    if alike < SAME_DAMPING_DISTANCE * cluster.len() as f64 {
         return None;
     }
     let from = orders[orders.len() / 2];

@@ -34,7 +34,7 @@ fn of_one_size<'a>(responses: impl Iterator<Item = &'a mut Vec<c64>>) {
 }
 
 /// Lines whose sums are made at once; these are added in order, so that any number of threads gives the same bits.
-const LINES: usize = 1024;
+const LINES_AT_ONCE: usize = 1024;
 /// Numbers that are added side by side.
 const LANES: usize = 8;
 
@@ -42,7 +42,7 @@ const LANES: usize = 8;
 /// `a - b` and `a + b`, and the powers of `z` serve all signals.
 pub(super) fn both_ways(turn: &[c64], signals: &[Vec<c64>], most: usize) -> Vec<Vec<f64>> {
     let part = |from: usize| -> Vec<[f64; 2]> {
-        let lines = from..(from + LINES).min(turn.len());
+        let lines = from..(from + LINES_AT_ONCE).min(turn.len());
         let apart = |of: &[c64]| of[lines.clone()].iter().flat_map(|x| [x.re, x.im]).collect::<Vec<f64>>();
         let signals: Vec<Vec<f64>> = signals.iter().map(|h| apart(h)).collect();
         let mut power = [1.0, 0.0].repeat(lines.len());
@@ -55,7 +55,7 @@ pub(super) fn both_ways(turn: &[c64], signals: &[Vec<c64>], most: usize) -> Vec<
         }
         sums
     };
-    let parts: Vec<Vec<[f64; 2]>> = (0..turn.len()).into_par_iter().step_by(LINES).map(part).collect();
+    let parts: Vec<Vec<[f64; 2]>> = (0..turn.len()).into_par_iter().step_by(LINES_AT_ONCE).map(part).collect();
     let mut sums = vec![vec![0.0; 2 * most + 1]; signals.len()];
     for part in parts {
         for (index, [a, b]) in part.into_iter().enumerate() {

@@ -7,12 +7,12 @@ use faer::c64;
 use super::{Identification, Pole};
 
 /// A pole to begin with is damped at least so.
-const LEAST_DAMPING: f64 = 1e-4;
+const MIN_START_DAMPING: f64 = 1e-4;
 
 /// The pole of a decay before a window made it die faster.
 pub(super) fn without_decay(pole: Pole, decay_per_s: f64) -> Pole {
     let p = pole.complex();
-    Pole::of(c64::new((p.re + decay_per_s).min(-LEAST_DAMPING * p.im), p.im))
+    Pole::of(c64::new((p.re + decay_per_s).min(-MIN_START_DAMPING * p.im), p.im))
 }
 
 /// Between frequencies and warped ones.

@@ -16,7 +16,7 @@ use realfft::num_complex::Complex;
 
 use super::ResponseError;
 use crate::spectral::{SpectralError, signal};
-use jounce_data::recording::{Finding, Over, Recording};
+use jounce_data::recording::{Issue, Over, Recording};
 
 /// Decays of outputs, one for each record or for each reference.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,7 +32,7 @@ pub struct Decays {
     /// The same from each block alone; empty for free decays and spectra.
     pub blocks: Vec<Vec<Vec<f64>>>,
     /// What is odd about the recordings.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<Issue>,
 }
 
 /// Which channels of an ambient record are what, and how far correlations go.
@@ -47,11 +47,11 @@ pub struct AmbientSettings {
 }
 
 /// Blocks that a record is cut into.
-const BLOCKS: usize = 16;
+const RECORD_BLOCKS: usize = 16;
 /// Fewest samples of a decay.
-const FEWEST: usize = 32;
+const MIN_DECAY_SAMPLES: usize = 32;
 /// Longest lag of an autocorrelation from a spectrum, over the length of the record behind it: what wraps around is small there.
-const FROM_SPECTRUM: usize = 4;
+const MAX_LAG_DIVISOR: usize = 4;
 
 impl Decays {
     /// Free decays: the same channels of each record, between two times after its first sample; by default from the largest size of the first
@@ -73,8 +73,12 @@ impl Decays {
                 Some((from_s, to_s)) => ((from_s * rate_hz).round() as usize, ((to_s * rate_hz).round() as usize + 1).min(samples)),
                 None => (largest(channels[0]), samples),
             };
-            if from + FEWEST > to {
-                return Err(ResponseError::Short { recording: record.name.clone(), samples: to.saturating_sub(from), needed: FEWEST });
+            if from + MIN_DECAY_SAMPLES > to {
+                return Err(ResponseError::Short {
+                    recording: record.name.clone(),
+                    samples: to.saturating_sub(from),
+                    needed: MIN_DECAY_SAMPLES,
+                });
             }
             of_records.push(channels.into_iter().map(|values| values[from..to].to_vec()).collect::<Vec<_>>());
         }
@@ -99,8 +103,8 @@ impl Decays {
         let references = if settings.references.is_empty() { outputs.clone() } else { named(record, &settings.references)? };
         let (samples, rate_hz) = (record.grid.len(), record.rate());
         let lags = settings.lags_s.map_or_else(|| usual_lags(samples), |lags_s| (lags_s * rate_hz).round() as usize);
-        if lags < FEWEST {
-            return Err(ResponseError::Short { recording: record.name.clone(), samples: lags, needed: FEWEST });
+        if lags < MIN_DECAY_SAMPLES {
+            return Err(ResponseError::Short { recording: record.name.clone(), samples: lags, needed: MIN_DECAY_SAMPLES });
         }
         if lags > samples / 4 {
             return Err(ResponseError::Lags {
@@ -115,12 +119,12 @@ impl Decays {
         };
         let own: Vec<Vec<f64>> = channels(record, &outputs)?.into_iter().map(centred).collect();
         let others: Vec<Vec<f64>> = channels(record, &references)?.into_iter().map(centred).collect();
-        let length = (samples - lags) / BLOCKS;
+        let length = (samples - lags) / RECORD_BLOCKS;
         let pairs = || own.iter().flat_map(|output| others.iter().map(move |reference| (output, reference)));
         let correlation = Correlation::new(length, lags);
         let block = |b: usize| pairs().map(|(output, reference)| correlation.of(output, reference, b * length)).collect::<Vec<_>>();
-        let blocks: Vec<Vec<Vec<f64>>> = (0..BLOCKS).map(block).collect();
-        let mean = |f: usize| (0..=lags).map(|k| blocks.iter().map(|block| block[f][k]).sum::<f64>() / BLOCKS as f64).collect();
+        let blocks: Vec<Vec<Vec<f64>>> = (0..RECORD_BLOCKS).map(block).collect();
+        let mean = |f: usize| (0..=lags).map(|k| blocks.iter().map(|block| block[f][k]).sum::<f64>() / RECORD_BLOCKS as f64).collect();
         Ok(Self {
             values: (0..outputs.len() * references.len()).map(mean).collect(),
             outputs,
@@ -149,8 +153,12 @@ impl Decays {
             return Err(told("its lines must be evenly spaced, multiples of their distance"));
         }
         let lines = before as usize + places.len();
-        if lines < FEWEST * FROM_SPECTRUM {
-            return Err(ResponseError::Short { recording: spectrum.name.clone(), samples: lines, needed: FEWEST * FROM_SPECTRUM });
+        if lines < MIN_DECAY_SAMPLES * MAX_LAG_DIVISOR {
+            return Err(ResponseError::Short {
+                recording: spectrum.name.clone(),
+                samples: lines,
+                needed: MIN_DECAY_SAMPLES * MAX_LAG_DIVISOR,
+            });
         }
         let of = |amplitude: &[f64]| {
             let mut bins = vec![Complex::new(0.0, 0.0); lines];
@@ -159,7 +167,7 @@ impl Decays {
             let plan = RealFftPlanner::new().plan_fft_inverse(length);
             let mut values = plan.make_output_vec();
             plan.process(&mut bins, &mut values).expect("the plan made the length, and the bins are real");
-            values.truncate(length / FROM_SPECTRUM + 1);
+            values.truncate(length / MAX_LAG_DIVISOR + 1);
             values
         };
         Ok(Self {
@@ -193,7 +201,7 @@ fn channels<'r>(recording: &'r Recording, names: &[String]) -> Result<Vec<&'r [f
     names.iter().map(|name| Ok(signal(recording.channel(name)?, recording.rate())?.values())).collect()
 }
 
-fn findings(records: &[Recording]) -> Vec<Finding> {
+fn findings(records: &[Recording]) -> Vec<Issue> {
     records.iter().flat_map(|record| record.findings.clone()).collect()
 }
 

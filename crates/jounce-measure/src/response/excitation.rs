@@ -2,7 +2,7 @@
 
 use jounce::signal::Samples;
 
-use super::{Chosen, ResponseError};
+use super::{ChannelChoice, ResponseError};
 use crate::spectral::{ImpactSettings, SpectralError, goes_on};
 use jounce_data::recording::{Channel, Quantity, Recording};
 
@@ -23,7 +23,7 @@ const INPUTS: [Quantity; 6] =
     [Quantity::Force, Quantity::Acceleration, Quantity::Velocity, Quantity::Displacement, Quantity::Voltage, Quantity::Pressure];
 
 /// The channel of a recording that excites.
-pub(super) fn input<'a>(recording: &'a Recording, chosen: &Chosen) -> Result<&'a Channel, ResponseError> {
+pub(super) fn input<'a>(recording: &'a Recording, chosen: &ChannelChoice) -> Result<&'a Channel, ResponseError> {
     let found = match &chosen.excitation {
         Excitation::Channel(name) => {
             let found = recording.channel(name)?;
@@ -60,7 +60,7 @@ pub(super) fn unit(output: &Channel, input: &Channel) -> String {
 ///
 /// # Errors
 /// A pulse of what is no force; recordings in which one name stands for two quantities.
-pub(super) fn settings(records: &[Recording], chosen: &Chosen, asked: &ImpactSettings) -> Result<ImpactSettings, ResponseError> {
+pub(super) fn settings(records: &[Recording], chosen: &ChannelChoice, asked: &ImpactSettings) -> Result<ImpactSettings, ResponseError> {
     let Some(first) = records.first() else { return Ok(*asked) };
     let due = quantity(input(first, chosen)?);
     for record in records {

@@ -1,11 +1,11 @@
 //! Recordings of a hammer or shaker test by the place of their input.
 
 use super::excitation::input;
-use super::{Chosen, ResponseError};
-use jounce_data::recording::{Channel, Finding, FindingKind, Recording};
+use super::{ChannelChoice, ResponseError};
+use jounce_data::recording::{Channel, Issue, IssueKind, Recording};
 
 /// The recordings of one place of the force.
-pub(super) struct Reference<'a> {
+pub(super) struct ReferenceRecords<'a> {
     /// The place and the direction; the channel of the force where neither is told.
     pub name: String,
     /// The recordings with their numbers.
@@ -19,7 +19,10 @@ pub(super) fn place(channel: &Channel) -> String {
 
 /// The places in the order in which they first come. Where none of several recordings tells its place, or some do and tell one place, it is taken
 /// for that of all, which is a finding.
-pub(super) fn references<'a>(records: &'a [Recording], chosen: &Chosen) -> Result<(Vec<Reference<'a>>, Option<Finding>), ResponseError> {
+pub(super) fn references<'a>(
+    records: &'a [Recording],
+    chosen: &ChannelChoice,
+) -> Result<(Vec<ReferenceRecords<'a>>, Option<Issue>), ResponseError> {
     let told = records.iter().map(|record| Ok(place(input(record, chosen)?))).collect::<Result<Vec<String>, ResponseError>>()?;
     let mut names: Vec<&String> = Vec::new();
     for name in told.iter().filter(|name| !name.is_empty()) {
@@ -34,18 +37,18 @@ pub(super) fn references<'a>(records: &'a [Recording], chosen: &Chosen) -> Resul
     let about =
         "recordings do not tell where the force acts; it is taken to act at one place in all, give the place in the notes beside them";
     let finding = (!silent.is_empty() && records.len() > 1)
-        .then(|| Finding::new(FindingKind::Assumed, silent.len(), None, format!("{} of {} {about}", silent.len(), records.len())));
+        .then(|| Issue::new(IssueKind::Assumed, silent.len(), None, format!("{} of {} {about}", silent.len(), records.len())));
     let numbered = || records.iter().enumerate();
     let found = match names[..] {
         [] => {
             let name =
                 records.first().map(|record| input(record, chosen)).transpose()?.map_or_else(String::new, |input| input.name.clone());
-            vec![Reference { name, records: numbered().collect() }]
+            vec![ReferenceRecords { name, records: numbered().collect() }]
         }
-        [name] => vec![Reference { name: name.clone(), records: numbered().collect() }],
+        [name] => vec![ReferenceRecords { name: name.clone(), records: numbered().collect() }],
         _ => {
             let of = |name: &&String| numbered().filter(|(k, _)| told[*k] == **name).collect();
-            names.iter().map(|name| Reference { name: (*name).clone(), records: of(name) }).collect()
+            names.iter().map(|name| ReferenceRecords { name: (*name).clone(), records: of(name) }).collect()
         }
     };
     Ok((found, finding))

@@ -4,13 +4,13 @@ use jounce::signal::{Samples, SignalError};
 
 use super::ResponseError;
 use super::excitation::{self, Excitation, input};
-use super::forces::{Reference, check_sensors, references};
-use crate::spectral::{FrequencyResponse, ImpactAnswer, ImpactHit, ImpactRecord, ImpactSettings, SpectralError, impact};
-use jounce_data::recording::{Channel, Finding, FindingKind, Quantity, Recording};
+use super::forces::{ReferenceRecords, check_sensors, references};
+use crate::spectral::{FrequencyResponse, ImpactHit, ImpactRecord, ImpactResponses, ImpactSettings, SpectralError, impact};
+use jounce_data::recording::{Channel, Issue, IssueKind, Quantity, Recording};
 
 /// Which channels are what.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Chosen {
+pub struct ChannelChoice {
     /// The input.
     pub excitation: Excitation,
     /// The responses; empty for all channels but the input.
@@ -19,7 +19,7 @@ pub struct Chosen {
 
 /// Response functions over common frequencies, and what they rest on.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Responses {
+pub struct MeasuredResponses {
     /// Name of each output.
     pub outputs: Vec<String>,
     /// Where the input acts: its places, or its channel where none is told; none where response functions were given that tell none.
@@ -44,17 +44,17 @@ pub struct Responses {
     /// Damping that the window adds to every mode, 1/s.
     pub window_decay_per_s: f64,
     /// What is odd about the recordings.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<Issue>,
 }
 
-impl Responses {
+impl MeasuredResponses {
     /// The responses of a hammer or shaker test: recordings over even times, with one or more hits in each or an input that goes on, the
     /// channels the same in all. An input that is no force is averaged in blocks, as that of a shaker. Recordings of each place of the force are averaged for themselves, over blocks of one length.
     ///
     /// # Errors
     /// A channel that is not there or no force, the force as its own response, forces some of which tell their places, sensors that move, nothing beside the force, what
     /// [`impact`] refuses.
-    pub fn of_hits(records: &[Recording], chosen: &Chosen, settings: &ImpactSettings) -> Result<Self, ResponseError> {
+    pub fn of_hits(records: &[Recording], chosen: &ChannelChoice, settings: &ImpactSettings) -> Result<Self, ResponseError> {
         let first = records.first().ok_or(ResponseError::Nothing)?;
         let driven = input(first, chosen)?;
         let settings = &excitation::settings(records, chosen, settings)?;
@@ -115,12 +115,12 @@ const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 
 /// What the recordings of each place give. Unless a length is told, blocks are as long as the shortest ones of any place.
 fn answers(
-    forces: &[Reference<'_>],
-    chosen: &Chosen,
+    forces: &[ReferenceRecords<'_>],
+    chosen: &ChannelChoice,
     outputs: &[String],
     settings: &ImpactSettings,
-) -> Result<Vec<ImpactAnswer>, ResponseError> {
-    let answer = |force: &Reference<'_>, settings: &ImpactSettings| -> Result<ImpactAnswer, ResponseError> {
+) -> Result<Vec<ImpactResponses>, ResponseError> {
+    let answer = |force: &ReferenceRecords<'_>, settings: &ImpactSettings| -> Result<ImpactResponses, ResponseError> {
         let blocks = force.records.iter().map(|(_, record)| impact_record(record, chosen, outputs)).collect::<Result<Vec<_>, _>>()?;
         Ok(impact(&blocks, settings)?)
     };
@@ -131,7 +131,7 @@ fn answers(
     let found = forces.iter().map(|force| answer(force, settings)).collect::<Result<Vec<_>, _>>()?;
     let shortest_s = found.iter().map(|answer| answer.block_s).fold(f64::INFINITY, f64::min);
     let settings = ImpactSettings { block_s: Some(shortest_s), ..*settings };
-    let again = |(force, found): (&Reference<'_>, ImpactAnswer)| {
+    let again = |(force, found): (&ReferenceRecords<'_>, ImpactResponses)| {
         // Only lengths of whole samples differ by more than roundoff.
         let alike = (found.block_s - shortest_s) * rates[0] < 0.5;
         if alike { Ok(found) } else { answer(force, &settings) }
@@ -140,8 +140,8 @@ fn answers(
 }
 
 /// The hits of all places, each with the number of its record, in the order of the records.
-fn in_order(forces: &[Reference<'_>], answers: &[ImpactAnswer]) -> Vec<ImpactHit> {
-    let of = |(force, answer): (&Reference<'_>, &ImpactAnswer)| {
+fn in_order(forces: &[ReferenceRecords<'_>], answers: &[ImpactResponses]) -> Vec<ImpactHit> {
+    let of = |(force, answer): (&ReferenceRecords<'_>, &ImpactResponses)| {
         let numbered = |hit: &ImpactHit| ImpactHit { record: force.records[hit.record].0, ..hit.clone() };
         answer.hits.iter().map(numbered).collect::<Vec<_>>()
     };
@@ -151,7 +151,7 @@ fn in_order(forces: &[Reference<'_>], answers: &[ImpactAnswer]) -> Vec<ImpactHit
 }
 
 /// What a sweep means for its blocks.
-fn swept(settings: &ImpactSettings, block_s: f64) -> Finding {
+fn swept(settings: &ImpactSettings, block_s: f64) -> Issue {
     let about = match settings.block_s {
         None => format!(
             "the force sweeps: each recording is one block of {block_s:.4} s without a window, and the coherence of a single one tells nothing"
@@ -161,10 +161,10 @@ fn swept(settings: &ImpactSettings, block_s: f64) -> Finding {
              recording is one"
         ),
     };
-    Finding::new(FindingKind::Assumed, 1, None, about)
+    Issue::new(IssueKind::Assumed, 1, None, about)
 }
 
-fn impact_record<'a>(recording: &'a Recording, chosen: &Chosen, names: &[String]) -> Result<ImpactRecord<'a>, ResponseError> {
+fn impact_record<'a>(recording: &'a Recording, chosen: &ChannelChoice, names: &[String]) -> Result<ImpactRecord<'a>, ResponseError> {
     let told = |fault: SignalError| ResponseError::Spectral(SpectralError::Signal(fault));
     let samples = |channel: &'a Channel| Samples::new(&channel.values, recording.rate()).map_err(told);
     let responses = names.iter().map(|name| samples(recording.channel(name)?)).collect::<Result<_, _>>()?;
@@ -175,7 +175,7 @@ fn impact_record<'a>(recording: &'a Recording, chosen: &Chosen, names: &[String]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use jounce_data::recording::{FindingKind, Grid, Over};
+    use jounce_data::recording::{Grid, IssueKind, Over};
 
     fn struck(name: &str, place: &str) -> Recording {
         let values: Vec<f64> = (0..1000).map(|k| if (20..30).contains(&k) { 50.0 } else { 0.0 }).collect();
@@ -186,7 +186,7 @@ mod tests {
 
     #[test]
     fn hits_at_several_places_are_not_averaged() {
-        let of = |records: &[Recording]| Responses::of_hits(records, &Chosen::default(), &ImpactSettings::default());
+        let of = |records: &[Recording]| MeasuredResponses::of_hits(records, &ChannelChoice::default(), &ImpactSettings::default());
         let found = of(&[struck("one", "mid"), struck("two", "end"), struck("three", "mid")]).unwrap();
         assert_eq!((&found.references[..], &found.outputs[..]), (&["mid".to_owned(), "end".to_owned()][..], &["a".to_owned()][..]));
         assert_eq!((&found.names[..], found.functions.len()), (&["a from mid".to_owned(), "a from end".to_owned()][..], 2));
@@ -196,7 +196,7 @@ mod tests {
         assert!(told.contains("(mid, end), and three tell none"), "{told}");
         assert!(of(&[struck("one", "mid"), struck("two", "mid")]).unwrap().findings.is_empty());
         let silent = of(&[struck("one", "mid"), struck("two", "")]).unwrap().findings;
-        assert!(silent.len() == 1 && silent[0].kind == FindingKind::Assumed && silent[0].about.starts_with("1 of 2"), "{silent:?}");
+        assert!(silent.len() == 1 && silent[0].kind == IssueKind::Assumed && silent[0].about.starts_with("1 of 2"), "{silent:?}");
         assert!(of(&[struck("one", "")]).unwrap().findings.is_empty());
     }
 
@@ -208,7 +208,7 @@ mod tests {
             record.channels[1].place = place.to_owned();
             record
         };
-        let of = |records: &[Recording]| Responses::of_hits(records, &Chosen::default(), &ImpactSettings::default());
+        let of = |records: &[Recording]| MeasuredResponses::of_hits(records, &ChannelChoice::default(), &ImpactSettings::default());
         let told = of(&[at("one", "tip"), at("two", "root")]).unwrap_err().to_string();
         assert!(told.contains("tip in one, and at root in two"), "{told}");
         assert!(of(&[at("one", "tip"), at("two", "tip")]).is_ok());
@@ -233,8 +233,8 @@ mod tests {
     #[test]
     fn a_force_that_responds_to_itself_is_refused() {
         for responses in [vec!["force".to_owned()], vec!["a".to_owned(), "force".to_owned()]] {
-            let chosen = Chosen { responses, ..Chosen::default() };
-            let fault = Responses::of_hits(&[struck("one", "")], &chosen, &ImpactSettings::default()).unwrap_err();
+            let chosen = ChannelChoice { responses, ..ChannelChoice::default() };
+            let fault = MeasuredResponses::of_hits(&[struck("one", "")], &chosen, &ImpactSettings::default()).unwrap_err();
             assert!(matches!(&fault, ResponseError::OwnResponse { .. }), "{fault}");
         }
     }

@@ -2,13 +2,13 @@
 
 use std::f64::consts::PI;
 
-use jounce::drive::Stream;
-use jounce::linear::{Input, Response, frf};
+use jounce::drive::RandomStream;
+use jounce::linear::{FrfInput, FrfResponse, frf};
 use jounce::plant::Plant;
 use realfft::RealFftPlanner;
 
 use super::{RigError, Sensor};
-use jounce_data::recording::{Channel, Finding, FindingKind, Grid, Over, Quantity, Recording};
+use jounce_data::recording::{Channel, Grid, Issue, IssueKind, Over, Quantity, Recording};
 
 /// A hammer test.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,7 +16,7 @@ pub struct HammerTest {
     /// The point that is struck.
     pub point: String,
     /// What is recorded beside the force.
-    pub responses: Vec<Response>,
+    pub responses: Vec<FrfResponse>,
     /// Number of hits.
     pub hits: usize,
     /// Time from hit to hit, s.
@@ -34,17 +34,17 @@ pub struct HammerTest {
 }
 
 /// A mode has died when its answer has fallen by `exp(-18)`, to 1.5e-8.
-const DEAD: f64 = 18.0;
+const DECAY_EXPONENT: f64 = 18.0;
 /// The most samples of a record with its padding.
-const MOST: usize = 1 << 23;
+const MAX_SAMPLES: usize = 1 << 23;
 /// Share of a block before its hit.
-const BEFORE: f64 = 0.02;
-const PEAKS: f64 = 0.2;
-const TIMES: f64 = 0.1;
+const PRE_TRIGGER_SHARE: f64 = 0.02;
+const PEAK_SCATTER: f64 = 0.2;
+const TIME_SCATTER: f64 = 0.1;
 
 /// What is left of a mode when the next hit comes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ringing {
+pub struct ResidualRinging {
     /// Frequency of the slowest mode, Hz.
     pub frequency_hz: f64,
     /// Share of its motion that is left after a block, `exp(-zeta w T)`.
@@ -54,15 +54,15 @@ pub struct Ringing {
 }
 
 /// Share of a mode's motion at the next hit from which on it is told.
-const RINGING: f64 = 0.01;
+const MIN_REPORTED_RINGING: f64 = 0.01;
 
 /// The mode that rings longest between the hits of a test. What is left of it at the next hit is taken for an answer to that hit: with
 /// blocks of equal length it does not average out, and the coherence does not show it.
-pub fn ringing(plant: &Plant, block_s: f64) -> Option<Ringing> {
+pub fn ringing(plant: &Plant, block_s: f64) -> Option<ResidualRinging> {
     let modes = &plant.system.modes;
     let rates = modes.frequency_rad_s.iter().zip(&modes.damping_ratio).map(|(w, zeta)| (*w, w * zeta)).filter(|(_, rate)| *rate > 0.0);
     let (w, rate) = rates.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    Some(Ringing { frequency_hz: w / std::f64::consts::TAU, left: (-rate * block_s).exp(), block_s: 100f64.ln() / rate })
+    Some(ResidualRinging { frequency_hz: w / std::f64::consts::TAU, left: (-rate * block_s).exp(), block_s: 100f64.ln() / rate })
 }
 
 /// The recording of a hammer test on a linear plant: `force`, then the responses under their names.
@@ -73,7 +73,7 @@ pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigErr
     check(test)?;
     let count = (test.hits as f64 * test.block_s * test.rate_hz).round() as usize;
     let padded = padded(plant, count, test.rate_hz)?;
-    let mut stream = Stream::new(test.seed, 0);
+    let mut stream = RandomStream::new(test.seed, 0);
     let force = force(test, count, &mut stream);
     let mut planner = RealFftPlanner::new();
     let forward = planner.plan_fft_forward(padded);
@@ -82,9 +82,9 @@ pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigErr
     input.resize(padded, 0.0);
     forward.process(&mut input, &mut spectrum).expect("the plan made the length");
     let frequency_hz: Vec<f64> = (0..spectrum.len()).map(|k| k as f64 * test.rate_hz / padded as f64).collect();
-    let functions = frf(plant, &Input::Force(test.point.clone()), &test.responses, &frequency_hz)?;
+    let functions = frf(plant, &FrfInput::Force(test.point.clone()), &test.responses, &frequency_hz)?;
     let backward = planner.plan_fft_inverse(padded);
-    let sensed = |truth: &[f64], stream: &mut Stream| test.sensor.read(truth, stream);
+    let sensed = |truth: &[f64], stream: &mut RandomStream| test.sensor.read(truth, stream);
     let struck = Channel::new("force", Quantity::Force, "N", sensed(&force, &mut stream));
     let mut channels = vec![Channel { place: test.point.clone(), ..struck }];
     for function in functions {
@@ -99,13 +99,13 @@ pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigErr
         channels.push(Channel::new(&function.response.name(), quantity, unit, sensed(&truth, &mut stream)));
     }
     let grid = Grid::even(0.0, 1.0 / test.rate_hz, count)?;
-    let slowest = ringing(plant, test.block_s).filter(|slowest| test.hits > 1 && slowest.left > RINGING);
+    let slowest = ringing(plant, test.block_s).filter(|slowest| test.hits > 1 && slowest.left > MIN_REPORTED_RINGING);
     let findings = slowest.into_iter().map(|slowest| slowest.finding()).collect();
     Ok(Recording { name: format!("hammer at {}", test.point), over: Over::Time, grid, channels, findings })
 }
 
-impl Ringing {
-    fn finding(&self) -> Finding {
+impl ResidualRinging {
+    fn finding(&self) -> Issue {
         let about = format!(
             "the mode at {:.4} Hz still has {:.1} % of its motion when the next hit comes, and what it does then is taken for an answer to that \
              hit: make a block {:.0} s long, or strike once in each recording",
@@ -113,7 +113,7 @@ impl Ringing {
             100.0 * self.left,
             self.block_s.ceil()
         );
-        Finding::new(FindingKind::Ringing, 1, None, about)
+        Issue::new(IssueKind::Ringing, 1, None, about)
     }
 }
 
@@ -141,19 +141,19 @@ fn padded(plant: &Plant, count: usize, rate_hz: f64) -> Result<usize, RigError> 
         }
         slowest = slowest.min(w * zeta);
     }
-    let samples = count as f64 + DEAD / slowest * rate_hz;
-    if samples > MOST as f64 {
-        return Err(RigError::Long { samples, most: MOST });
+    let samples = count as f64 + DECAY_EXPONENT / slowest * rate_hz;
+    if samples > MAX_SAMPLES as f64 {
+        return Err(RigError::Long { samples, most: MAX_SAMPLES });
     }
     Ok((samples.ceil() as usize).next_power_of_two())
 }
 
-fn force(test: &HammerTest, count: usize, stream: &mut Stream) -> Vec<f64> {
+fn force(test: &HammerTest, count: usize, stream: &mut RandomStream) -> Vec<f64> {
     let mut force = vec![0.0; count];
     for hit in 0..test.hits {
-        let peak = test.peak_force_n * (1.0 + PEAKS * stream.symmetric());
-        let length_s = test.contact_time_s * (1.0 + TIMES * stream.symmetric());
-        let start_s = (hit as f64 + BEFORE) * test.block_s;
+        let peak = test.peak_force_n * (1.0 + PEAK_SCATTER * stream.symmetric());
+        let length_s = test.contact_time_s * (1.0 + TIME_SCATTER * stream.symmetric());
+        let start_s = (hit as f64 + PRE_TRIGGER_SHARE) * test.block_s;
         for (k, value) in force.iter_mut().enumerate() {
             let share = (k as f64 / test.rate_hz - start_s) / length_s;
             if (0.0..1.0).contains(&share) {
@@ -164,11 +164,11 @@ fn force(test: &HammerTest, count: usize, stream: &mut Stream) -> Vec<f64> {
     force
 }
 
-fn measured(response: &Response) -> (Quantity, &'static str) {
+fn measured(response: &FrfResponse) -> (Quantity, &'static str) {
     match response {
-        Response::Displacement(_) => (Quantity::Displacement, "m"),
-        Response::Velocity(_) => (Quantity::Velocity, "m/s"),
-        Response::Acceleration(_) => (Quantity::Acceleration, "m/s^2"),
-        Response::Voltage(_) | Response::LoadVoltage(_) => (Quantity::Voltage, "V"),
+        FrfResponse::Displacement(_) => (Quantity::Displacement, "m"),
+        FrfResponse::Velocity(_) => (Quantity::Velocity, "m/s"),
+        FrfResponse::Acceleration(_) => (Quantity::Acceleration, "m/s^2"),
+        FrfResponse::Voltage(_) | FrfResponse::LoadVoltage(_) => (Quantity::Voltage, "V"),
     }
 }

@@ -4,24 +4,24 @@
 //! `IDFT(H(f) DFT(F))` with the record padded by zeros until the slowest mode has died: exact for the band-limited force that the samples
 //! stand for. A sensor adds white noise and rounds to the steps of its converter.
 //!
-//! A shaker holds what it is told but for its [`Wander`], or moves the base as it was recorded ([`on_recorded_base`]). Cables and
+//! A shaker holds what it is told but for its [`Disturbance`], or moves the base as it was recorded ([`on_recorded_base`]). Cables and
 //! accelerometers change the harvester itself ([`Cable`], [`carry`]). Between solutions that live side by side the record of a
 //! [`ShakerTest`] jumps at the times that it is told.
 mod base;
+mod disturbance;
 mod error;
-mod fitting;
 mod hammer;
-mod sensed;
+mod sensed_channel;
 mod sensor;
-mod shaken;
+mod sensor_loading;
+mod shaker;
 mod start;
-mod wander;
 
 pub use base::on_recorded_base;
+pub use disturbance::{Disturbance, DriveCourse, SAMPLES_PER_CYCLE};
 pub use error::RigError;
-pub use fitting::{Cable, carry};
-pub use hammer::{HammerTest, Ringing, hammer_test, ringing};
+pub use hammer::{HammerTest, ResidualRinging, hammer_test, ringing};
 pub use sensor::Sensor;
-pub use shaken::{ShakerTest, shaker_test};
+pub use sensor_loading::{Cable, carry};
+pub use shaker::{ShakerTest, shaker_test};
 pub use start::start_of_run;
-pub use wander::{Course, SAMPLES, Wander};

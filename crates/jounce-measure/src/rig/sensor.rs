@@ -1,6 +1,6 @@
 //! A sensor with its amplifier and converter.
 
-use jounce::drive::Stream;
+use jounce::drive::RandomStream;
 
 use super::RigError;
 
@@ -14,7 +14,7 @@ pub struct Sensor {
 }
 
 /// Full scale of the converter over the largest size of the signal.
-const HEADROOM: f64 = 1.25;
+const FULL_SCALE_RATIO: f64 = 1.25;
 
 impl Sensor {
     pub(super) fn check(&self) -> Result<(), RigError> {
@@ -30,13 +30,13 @@ impl Sensor {
     }
 
     /// Samples as recorded. The converter's range is set to 1.25 times the largest size of the noisy signal, as a careful experimenter would.
-    pub fn read(&self, truth: &[f64], stream: &mut Stream) -> Vec<f64> {
+    pub fn read(&self, truth: &[f64], stream: &mut RandomStream) -> Vec<f64> {
         let rms = (truth.iter().map(|x| x * x).sum::<f64>() / truth.len().max(1) as f64).sqrt();
         let level = self.noise_ratio * rms;
         let noisy: Vec<f64> = truth.iter().map(|x| x + level * stream.normal_pair()[0]).collect();
         let Some(bits) = self.bits else { return noisy };
         let largest = noisy.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
-        let step = 2.0 * HEADROOM * largest / 2f64.powi(bits as i32);
+        let step = 2.0 * FULL_SCALE_RATIO * largest / 2f64.powi(bits as i32);
         if step > 0.0 { noisy.iter().map(|x| (x / step).round() * step).collect() } else { noisy }
     }
 }
@@ -50,7 +50,7 @@ mod tests {
     fn noise_and_steps_have_their_known_rms() {
         let truth: Vec<f64> = (0..40_000).map(|k| 2.0 * (0.1 * f64::from(k)).sin()).collect();
         let rms_of_error = |sensor: Sensor| {
-            let read = sensor.read(&truth, &mut Stream::new(1, 0));
+            let read = sensor.read(&truth, &mut RandomStream::new(1, 0));
             (truth.iter().zip(&read).map(|(a, b)| (a - b).powi(2)).sum::<f64>() / truth.len() as f64).sqrt()
         };
         let noise = rms_of_error(Sensor { noise_ratio: 0.1, bits: None }) / (0.1 * 2f64.sqrt()) - 1.0;

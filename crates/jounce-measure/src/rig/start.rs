@@ -2,21 +2,21 @@
 
 use std::path::Path;
 
+use jounce::analysis::{AnalysisError, Model};
 use jounce::plant::{Plant, System};
 use jounce::run::StartState;
 use jounce::spec::{Spec, Start};
 use jounce::structure::Modes;
-use jounce::study::{Prepared, StudyError};
 
 /// The start that `run.start` of a spec names, for modes with bodies held still; a state file lies in `folder`.
 ///
 /// # Errors
 /// A plant that cannot be made, a state file that cannot be read or does not fit.
-pub fn start_of_run(spec: &Spec, modes: &Modes, folder: &Path) -> Result<StartState, StudyError> {
+pub fn start_of_run(spec: &Spec, modes: &Modes, folder: &Path) -> Result<StartState, AnalysisError> {
     let plant = || Plant::new(System::assemble(spec, modes.clone())?);
     Ok(match spec.run.start {
         Start::Rest => StartState::rest(&plant()?),
         Start::Linear => StartState::linear(&plant()?),
-        Start::State(_) => Prepared::new(spec.clone())?.start(folder)?,
+        Start::State(_) => Model::new(spec.clone())?.start(folder)?,
     })
 }

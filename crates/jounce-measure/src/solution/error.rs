@@ -1,10 +1,10 @@
 //! Why the solutions of a model cannot be found.
 
+use jounce::analysis::AnalysisError;
 use jounce::orbit::OrbitError;
 use jounce::plant::PlantError;
 use jounce::run::RunError;
 use jounce::spec::Fault;
-use jounce::study::StudyError;
 
 /// A model without solutions to compare with.
 #[derive(Debug, thiserror::Error)]
@@ -47,7 +47,7 @@ pub enum SolutionError {
     Key(#[from] Fault),
     /// The harvester.
     #[error(transparent)]
-    Study(#[from] StudyError),
+    Study(#[from] AnalysisError),
     /// The plant.
     #[error(transparent)]
     Plant(#[from] PlantError),
@@ -56,5 +56,5 @@ pub enum SolutionError {
     Run(#[from] RunError),
     /// An orbit.
     #[error(transparent)]
-    Orbit(#[from] OrbitError<StudyError>),
+    Orbit(#[from] OrbitError<AnalysisError>),
 }

@@ -1,17 +1,17 @@
 //! The attractors of a model with what is needed to march them again.
 
-use jounce::march::Watch;
+use jounce::analysis::{Basins, Cloud, InitialStates, Model, Parameter, Recognition};
+use jounce::march::Control;
 use jounce::orbit::{Orbit, Shooting};
 use jounce::plant::Plant;
 use jounce::run::StartState;
 use jounce::spec::{NumericKey, Spec};
-use jounce::study::{Basins, Cloud, Parameter, Prepared, Recognition, Starts};
 
 use super::{SolutionError, Waveform};
 
 /// How solutions are sought.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Search {
+pub struct SolutionSearch {
     /// Random starts.
     pub starts: usize,
     /// Their seed.
@@ -24,7 +24,7 @@ pub struct Search {
     pub load: Option<String>,
 }
 
-impl Default for Search {
+impl Default for SolutionSearch {
     fn default() -> Self {
         Self { starts: 40, seed: 1, spread: 10.0, tolerance: 1e-8, load: None }
     }
@@ -33,7 +33,7 @@ impl Default for Search {
 /// A solution of a model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
-    /// Drive cycles of its period and a letter by falling power, as [`jounce::study::Attractor`]: `1a`, `3a`; `chaos`; `torus`.
+    /// Drive cycles of its period and a letter by falling power, as [`jounce::analysis::Attractor`]: `1a`, `3a`; `chaos`; `torus`.
     pub id: String,
     /// Drive cycles of its period; none where there is no orbit.
     pub period_cycles: Option<u32>,
@@ -50,24 +50,24 @@ pub struct Solution {
 }
 
 /// The solutions of a spec under its one sinusoidal drive; a solution whose share is below about `3 / starts` may be missed.
-/// `watch` ends the marches early.
+/// `control` ends the marches early.
 ///
 /// # Errors
 /// [`SolutionError`].
-pub fn solutions(spec: &Spec, search: &Search, watch: &Watch) -> Result<Vec<Solution>, SolutionError> {
-    let base = Prepared::watched(spec.clone(), watch)?;
+pub fn solutions(spec: &Spec, search: &SolutionSearch, control: &Control) -> Result<Vec<Solution>, SolutionError> {
+    let base = Model::watched(spec.clone(), control)?;
     let drives: Vec<(&String, f64)> = base.spec.drive.iter().filter_map(|(name, drive)| Some((name, drive.frequency_hz()?))).collect();
     let [(name, drive_hz)] = drives[..] else { return Err(SolutionError::Drives { found: drives.len() }) };
     let load = load(&base.kernel.plant, search.load.as_deref())?;
     let key = NumericKey::find(&base.spec, &format!("drive.{name}.frequency"))?;
     let parameter = Parameter::new(&base, &key, drive_hz);
-    let starts = Starts::Cloud(Cloud { starts: search.starts, seed: search.seed, spread: search.spread });
+    let starts = InitialStates::Cloud(Cloud { starts: search.starts, seed: search.seed, spread: search.spread });
     let study = Basins { base: &base, parameter: &parameter, value: drive_hz, starts, recognition: Recognition::at(search.tolerance) };
     let answer = study.run(&|| ())?;
     if let (true, Some((_, first))) = (answer.attractors.is_empty(), answer.lost.first()) {
         return Err(SolutionError::Lost { starts: search.starts, first: first.clone() });
     }
-    let solution = |attractor: jounce::study::Attractor| -> Result<Solution, SolutionError> {
+    let solution = |attractor: jounce::analysis::Attractor| -> Result<Solution, SolutionError> {
         let of = |orbit: &Orbit| -> Result<(StartState, Waveform), SolutionError> {
             let physical = Shooting::new(&parameter, &base.kernel, orbit.period_cycles, search.tolerance).physical(orbit.start());
             let plant = &base.kernel.plant;

@@ -15,7 +15,7 @@ mod recorded;
 mod waveform;
 
 pub use error::SolutionError;
-pub use find::{Search, Solution, solutions};
-pub use output::{Output, outputs};
+pub use find::{Solution, SolutionSearch, solutions};
+pub use output::{SensorOutput, outputs};
 pub use recorded::{as_recorded, start_of};
-pub use waveform::{ORDERS, Waveform};
+pub use waveform::{MAX_ORDER, Waveform};

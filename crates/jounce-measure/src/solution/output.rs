@@ -10,14 +10,14 @@
 //! An acceleration is the rate of a velocity. Points move relative to the base that they stand on: the acceleration of that comes on top.
 
 use faer::c64;
-use jounce::march::{Instant, Kernel, Trajectory};
+use jounce::march::{Kernel, Trajectory, TrajectoryState};
 use jounce::plant::Plant;
 use jounce::spec::Spec;
 use std::f64::consts::TAU;
 
 /// What is seen.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Output {
+pub enum SensorOutput {
     /// Voltage of patch number so many, V.
     PatchVoltage(usize),
     /// Voltage over the resistor of load number so many, V.
@@ -31,7 +31,7 @@ pub enum Output {
 }
 
 /// How one output is read from a state.
-enum Reader {
+enum OutputReader {
     State { row: Vec<f64>, steady: Vec<c64> },
     Force(usize),
     Rate { row: Vec<f64>, signals: Vec<f64>, ports: Vec<f64>, steady: Vec<c64> },
@@ -41,10 +41,10 @@ enum Reader {
 /// Each output at ascending times of a record of a march of `spec`, one row for each output.
 ///
 /// A point that is not there reads 0: names are checked where they are given.
-pub fn outputs(spec: &Spec, kernel: &Kernel, trajectory: &Trajectory, times_s: &[f64], wanted: &[Output]) -> Vec<Vec<f64>> {
+pub fn outputs(spec: &Spec, kernel: &Kernel, trajectory: &Trajectory, times_s: &[f64], wanted: &[SensorOutput]) -> Vec<Vec<f64>> {
     let plant = &kernel.plant;
-    let readers: Vec<Reader> = wanted.iter().map(|output| reader(plant, output)).collect();
-    let bases: Vec<Option<Base>> = wanted.iter().map(|output| Base::under(spec, plant, output)).collect();
+    let readers: Vec<OutputReader> = wanted.iter().map(|output| reader(plant, output)).collect();
+    let bases: Vec<Option<BaseMotion>> = wanted.iter().map(|output| BaseMotion::under(spec, plant, output)).collect();
     let mut rows = vec![Vec::with_capacity(times_s.len()); wanted.len()];
     for instant in trajectory.at(kernel, times_s) {
         let turns: Vec<c64> = plant.tones.iter().map(|tone| c64::cis(tone.angular_frequency_rad_s * instant.time_s)).collect();
@@ -57,19 +57,19 @@ pub fn outputs(spec: &Spec, kernel: &Kernel, trajectory: &Trajectory, times_s: &
     rows
 }
 
-fn reader(plant: &Plant, output: &Output) -> Reader {
-    let state = |row: Vec<f64>| Reader::State { steady: plant.steady_output(&row), row };
+fn reader(plant: &Plant, output: &SensorOutput) -> OutputReader {
+    let state = |row: Vec<f64>| OutputReader::State { steady: plant.steady_output(&row), row };
     match output {
-        Output::PatchVoltage(patch) => state(plant.voltage_row(*patch)),
-        Output::LoadVoltage(load) => state(plant.load_voltage_row(*load)),
-        Output::StopForce(stop) => Reader::Force(*stop),
-        Output::Base(_) => Reader::Base,
-        Output::Acceleration(point) => {
+        SensorOutput::PatchVoltage(patch) => state(plant.voltage_row(*patch)),
+        SensorOutput::LoadVoltage(load) => state(plant.load_voltage_row(*load)),
+        SensorOutput::StopForce(stop) => OutputReader::Force(*stop),
+        SensorOutput::Base(_) => OutputReader::Base,
+        SensorOutput::Acceleration(point) => {
             let still = vec![0.0; plant.system.modes.len()];
             let velocity = plant.velocity_row(plant.system.modes.shape.get(point).unwrap_or(&still));
             let along = |column: &[f64]| velocity.iter().zip(column).map(|(c, b)| c * b).sum::<f64>();
             let speeded = |(y, tone): (c64, &jounce::plant::Tone)| y * c64::new(0.0, tone.angular_frequency_rad_s);
-            Reader::Rate {
+            OutputReader::Rate {
                 row: plant.diagonal.block.rate_row(&velocity),
                 signals: plant.system.signals.iter().map(|signal| along(&plant.force_column(&signal.shape))).collect(),
                 ports: plant.ports.iter().map(|port| along(&port.force)).collect(),
@@ -79,16 +79,16 @@ fn reader(plant: &Plant, output: &Output) -> Reader {
     }
 }
 
-fn read(reader: &Reader, instant: &Instant, turns: &[c64], sizes: &[f64]) -> f64 {
+fn read(reader: &OutputReader, instant: &TrajectoryState, turns: &[c64], sizes: &[f64]) -> f64 {
     let dot = |row: &[f64], of: &[f64]| row.iter().zip(of).map(|(c, y)| c * y).sum::<f64>();
     let turned = |steady: &[c64]| steady.iter().zip(turns).map(|(y, turn)| (*y * *turn).re).sum::<f64>();
     match reader {
-        Reader::State { row, steady } => dot(row, &instant.state) + turned(steady),
-        Reader::Force(stop) => instant.forces_n[*stop],
-        Reader::Rate { row, signals, ports, steady } => {
+        OutputReader::State { row, steady } => dot(row, &instant.state) + turned(steady),
+        OutputReader::Force(stop) => instant.forces_n[*stop],
+        OutputReader::Rate { row, signals, ports, steady } => {
             dot(row, &instant.state) + dot(signals, sizes) + dot(ports, &instant.forces_n) + turned(steady)
         }
-        Reader::Base => 0.0,
+        OutputReader::Base => 0.0,
     }
 }
 
@@ -97,19 +97,19 @@ fn size(wave: &jounce::drive::Wave, time_s: f64) -> f64 {
 }
 
 /// What moves a base: sinusoids, and numbers of signals.
-struct Base {
+struct BaseMotion {
     /// Acceleration (m/s^2, peak), frequency (Hz), angle at time 0.
     tones: Vec<(f64, f64, f64)>,
     signals: Vec<usize>,
 }
 
-impl Base {
+impl BaseMotion {
     /// The base that an acceleration comes on top of.
-    fn under(spec: &Spec, plant: &Plant, output: &Output) -> Option<Self> {
+    fn under(spec: &Spec, plant: &Plant, output: &SensorOutput) -> Option<Self> {
         let base = match output {
-            Output::Acceleration(point) => spec.base_under(point),
-            Output::Base(base) => base,
-            Output::PatchVoltage(_) | Output::LoadVoltage(_) | Output::StopForce(_) => return None,
+            SensorOutput::Acceleration(point) => spec.base_under(point),
+            SensorOutput::Base(base) => base,
+            SensorOutput::PatchVoltage(_) | SensorOutput::LoadVoltage(_) | SensorOutput::StopForce(_) => return None,
         };
         // The plant knows at which angle its march begins.
         let tones = plant.system.drives.iter().filter(|own| own.base.as_deref() == Some(base));

@@ -6,19 +6,19 @@ use jounce::run::{RunError, RunPlan, StartState, simulate};
 use jounce::spec::Spec;
 use std::f64::consts::TAU;
 
-use super::{Output, outputs};
+use super::{SensorOutput, outputs};
 
 /// Highest order of the drive that is looked at.
-pub const ORDERS: u32 = 8;
+pub const MAX_ORDER: u32 = 8;
 /// Samples of a drive cycle: what lies beyond order 56 is folded back.
-const SAMPLES: u32 = 64;
+const SAMPLES_PER_CYCLE: u32 = 64;
 
 /// A periodic voltage.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Waveform {
     /// Drive cycles of its period.
     pub period_cycles: u32,
-    /// Line `k` is that of order `(k + 1) / period_cycles`, V peak, up to order [`ORDERS`].
+    /// Line `k` is that of order `(k + 1) / period_cycles`, V peak, up to order [`MAX_ORDER`].
     pub lines_v: Vec<c64>,
 }
 
@@ -38,11 +38,11 @@ impl Waveform {
         let period_s = f64::from(period_cycles) / drive_hz;
         let plan = RunPlan { duration_s: period_s, average_over_s: period_s, tolerance, record_s: period_s };
         let answer = simulate(kernel, start, &plan)?;
-        let count = (SAMPLES * period_cycles) as usize;
+        let count = (SAMPLES_PER_CYCLE * period_cycles) as usize;
         let times_s: Vec<f64> = (0..count).map(|k| period_s * k as f64 / count as f64).collect();
         // No output of the ground is read: an empty spec has nothing that moves it.
-        let voltage = outputs(&Spec::default(), kernel, &answer.trajectory, &times_s, &[Output::LoadVoltage(load)]).swap_remove(0);
-        Ok(Self { period_cycles, lines_v: (1..=(ORDERS * period_cycles) as usize).map(|k| line(&voltage, k)).collect() })
+        let voltage = outputs(&Spec::default(), kernel, &answer.trajectory, &times_s, &[SensorOutput::LoadVoltage(load)]).swap_remove(0);
+        Ok(Self { period_cycles, lines_v: (1..=(MAX_ORDER * period_cycles) as usize).map(|k| line(&voltage, k)).collect() })
     }
 
     /// The line of an order `of / cycles`; 0 where the waveform has none there.

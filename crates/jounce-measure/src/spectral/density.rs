@@ -1,6 +1,6 @@
 //! Power spectral density after Welch.
 
-use jounce::march::Watch;
+use jounce::march::Control;
 use jounce::signal::{Samples, Window};
 
 use super::{Segments, SpectralError};
@@ -35,19 +35,19 @@ impl Density {
     /// # Errors
     /// A segment longer than the record.
     pub fn welch(samples: &Samples<'_>, segments: &Segments) -> Result<Self, SpectralError> {
-        Self::welch_watched(samples, segments, &Watch::default())
+        Self::welch_watched(samples, segments, &Control::default())
     }
 
-    /// The same under a watch, which is looked at before each segment.
+    /// The same under a control, which is looked at before each segment.
     ///
     /// # Errors
     /// As [`Density::welch`], and [`SpectralError::Stopped`].
-    pub fn welch_watched(samples: &Samples<'_>, segments: &Segments, watch: &Watch) -> Result<Self, SpectralError> {
+    pub fn welch_watched(samples: &Samples<'_>, segments: &Segments, control: &Control) -> Result<Self, SpectralError> {
         let mean = samples.mean();
         let frequency_hz = segments.frequency_hz(samples.rate_hz());
         let (mut sum, mut count) = (vec![0.0; frequency_hz.len()], 0);
         for start in segments.starts(samples.values().len())? {
-            if watch.is_stopped() {
+            if control.is_stopped() {
                 return Err(SpectralError::Stopped);
             }
             let bins = segments.transform(samples, start, mean);
@@ -83,12 +83,12 @@ impl Segments {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use jounce::drive::Stream;
+    use jounce::drive::RandomStream;
     use realfft::num_complex::Complex;
     use std::f64::consts::TAU;
 
     fn noise(count: usize, seed: u64) -> Vec<f64> {
-        let mut stream = Stream::new(seed, 0);
+        let mut stream = RandomStream::new(seed, 0);
         (0..count / 2).flat_map(|_| stream.normal_pair()).collect()
     }
 
@@ -143,9 +143,9 @@ mod tests {
             Density::welch(&samples, &Segments::new(64, 0.5, Window::Hann).unwrap()),
             Err(SpectralError::Segment { samples: 63, .. })
         ));
-        let watch = Watch::default();
-        watch.stop();
-        let stopped = Density::welch_watched(&samples, &Segments::new(32, 0.5, Window::Hann).unwrap(), &watch);
+        let control = Control::default();
+        control.stop();
+        let stopped = Density::welch_watched(&samples, &Segments::new(32, 0.5, Window::Hann).unwrap(), &control);
         assert_eq!(stopped, Err(SpectralError::Stopped));
     }
 }

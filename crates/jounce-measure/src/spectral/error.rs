@@ -80,7 +80,7 @@ pub enum SpectralError {
         /// Samples needed.
         needed: usize,
     },
-    /// Stopped by its watch.
+    /// Stopped by its control.
     #[error("stopped")]
     Stopped,
 }

@@ -91,11 +91,11 @@ impl std::fmt::Display for HitWarning {
 }
 
 /// Fewer samples than this do not tell the shape of a pulse.
-const COARSE: usize = 4;
+const MIN_PULSE_SAMPLES: usize = 4;
 /// A force this many times the noise is a hit.
-const ABOVE_NOISE: f64 = 8.0;
+const MIN_NOISE_RATIO: f64 = 8.0;
 /// Equal samples at the top from this many on are a flat top.
-const FLAT: usize = 3;
+const MIN_FLAT_SAMPLES: usize = 3;
 
 /// Every hit in a record of force, compression positive.
 ///
@@ -105,7 +105,7 @@ pub fn hits(force: &Samples<'_>, search: HitSearch) -> Result<Vec<Hit>, Spectral
     let values = force.values();
     let largest_n = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let noise_n = noise(values);
-    if largest_n <= ABOVE_NOISE * noise_n || largest_n <= 0.0 {
+    if largest_n <= MIN_NOISE_RATIO * noise_n || largest_n <= 0.0 {
         return Err(SpectralError::NoHit { largest_n, noise_n });
     }
     let pulses = pulses(values, search, largest_n, noise_n);
@@ -137,7 +137,7 @@ fn noise(values: &[f64]) -> f64 {
 
 /// First sample, peak and end of every stretch above the edge of its own peak.
 fn pulses(values: &[f64], search: HitSearch, largest_n: f64, noise_n: f64) -> Vec<(usize, usize, usize)> {
-    let floor = (search.double * search.trigger * largest_n).max(ABOVE_NOISE * noise_n);
+    let floor = (search.double * search.trigger * largest_n).max(MIN_NOISE_RATIO * noise_n);
     let mut found: Vec<(usize, usize, usize)> = Vec::new();
     let mut k = 0;
     while k < values.len() {
@@ -182,11 +182,11 @@ fn hit(force: &Samples<'_>, search: HitSearch, start: usize, peak: usize, end: u
     let fall = last.map_or(values.len() as f64, |i| i as f64 - (edge - values[i]) / (values[i - 1] - values[i]));
     let mut warnings = Vec::new();
     let flat = values[start..end].iter().filter(|x| **x == values[peak]).count();
-    if flat >= FLAT {
+    if flat >= MIN_FLAT_SAMPLES {
         warnings.push(HitWarning::Clipped { samples: flat });
     }
     let inside = last.unwrap_or(values.len()) - first.map_or(0, |i| i + 1);
-    if inside < COARSE {
+    if inside < MIN_PULSE_SAMPLES {
         warnings.push(HitWarning::Coarse { samples: inside });
     }
     if first.is_none() || last.is_none() {
@@ -257,7 +257,7 @@ mod tests {
     fn a_noisy_slow_pulse_is_found() {
         let time = 5e-3 * (1.0 - 2.0 * 0.1_f64.asin() / PI);
         for seed in 0..40 {
-            let mut stream = jounce::drive::Stream::new(seed, 0);
+            let mut stream = jounce::drive::RandomStream::new(seed, 0);
             let mut values: Vec<f64> = (0..20_000).map(|_| 3.0 * stream.normal_pair()[0]).collect();
             (0..500).for_each(|k| values[5_000 + k] += 150.0 * (PI * k as f64 / 500.0).sin());
             let found = hits(&Samples::new(&values, RATE).unwrap(), HitSearch::default()).unwrap();

@@ -4,10 +4,11 @@ use jounce::signal::{Samples, Window};
 use realfft::num_complex::Complex;
 use serde::Serialize;
 
-use super::quiet::ringing;
-use super::shaken::{goes_on, shaken};
+use super::pre_trigger_check::ringing;
+use super::shaker::{goes_on, shaken};
 use super::{
-    Averages, Estimator, FrequencyResponse, Hit, HitSearch, Segments, Sight, SpectralError, exponential_window, force_window, hits,
+    Estimator, FrequencyResponse, Hit, HitSearch, Segments, SpectralError, SpectrumAverages, WindowBias, exponential_window, force_window,
+    hits,
 };
 
 /// How the blocks are cut and weighed.
@@ -55,7 +56,7 @@ pub struct ImpactHit {
 
 /// The responses of a hammer test.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ImpactAnswer {
+pub struct ImpactResponses {
     /// One response function for each response.
     pub responses: Vec<FrequencyResponse>,
     /// Every hit that was found; none where the force goes on.
@@ -69,15 +70,15 @@ pub struct ImpactAnswer {
 }
 
 /// Share of a block that lies before its hit.
-const BEFORE: f64 = 0.01;
+const PRE_TRIGGER_SHARE: f64 = 0.01;
 /// Length of the slope of the force window over that of the pulse.
-const SLOPE: f64 = 1.0;
+const WINDOW_SLOPE_RATIO: f64 = 1.0;
 
 /// Averages the blocks of all hits of all records, or, where the force goes on, all their blocks.
 ///
 /// # Errors
 /// No record, records of unequal rate or number of responses, one without a hit, a block longer than its record.
-pub fn impact(records: &[ImpactRecord<'_>], settings: &ImpactSettings) -> Result<ImpactAnswer, SpectralError> {
+pub fn impact(records: &[ImpactRecord<'_>], settings: &ImpactSettings) -> Result<ImpactResponses, SpectralError> {
     let first = records.first().ok_or(SpectralError::Nothing)?;
     let rate_hz = first.force.rate_hz();
     for record in records {
@@ -109,12 +110,12 @@ pub fn impact(records: &[ImpactRecord<'_>], settings: &ImpactSettings) -> Result
         Some(end_ratio) => exponential_window(length, rate_hz, end_ratio),
         None => (vec![1.0; length], 0.0),
     };
-    let mut averages = vec![Averages::new(length / 2 + 1); first.responses.len()];
+    let mut averages = vec![SpectrumAverages::new(length / 2 + 1); first.responses.len()];
     let (mut listed, mut tails_s) = (Vec::new(), Vec::new());
     for (number, (record, found)) in records.iter().zip(found).enumerate() {
         let whole = found.len() == 1 && record.force.values().len() == length;
         for mut hit in found {
-            let start = if whole { 0 } else { hit.start.saturating_sub((BEFORE * length as f64) as usize) };
+            let start = if whole { 0 } else { hit.start.saturating_sub((PRE_TRIGGER_SHARE * length as f64) as usize) };
             let used = start + length <= record.force.values().len();
             if used {
                 tails_s.push((start + length - hit.peak) as f64 / rate_hz);
@@ -129,10 +130,10 @@ pub fn impact(records: &[ImpactRecord<'_>], settings: &ImpactSettings) -> Result
         }
     }
     let frequency_hz = segments.frequency_hz(rate_hz);
-    let sight = Sight::Cut { length_s: tails_s.iter().sum::<f64>() / tails_s.len().max(1) as f64 };
-    let response = |average: &Averages| average.response(frequency_hz.clone(), settings.estimator, sight);
+    let sight = WindowBias::Cut { length_s: tails_s.iter().sum::<f64>() / tails_s.len().max(1) as f64 };
+    let response = |average: &SpectrumAverages| average.response(frequency_hz.clone(), settings.estimator, sight);
     let responses = averages.iter().map(response).collect::<Result<_, _>>()?;
-    Ok(ImpactAnswer { responses, hits: listed, swept: false, block_s: length as f64 / rate_hz, window_decay_per_s })
+    Ok(ImpactResponses { responses, hits: listed, swept: false, block_s: length as f64 / rate_hz, window_decay_per_s })
 }
 
 /// A whole record where each holds one hit, else the shortest distance of two hits or of the last one to the end.
@@ -153,7 +154,7 @@ fn force_weights(settings: &ImpactSettings, hit: &Hit, start: usize, decay: &[f6
     if !settings.force_window {
         return decay.to_vec();
     }
-    let slope = (SLOPE * (hit.end - hit.start) as f64).ceil() as usize;
+    let slope = (WINDOW_SLOPE_RATIO * (hit.end - hit.start) as f64).ceil() as usize;
     force_window(decay.len(), hit.end - start, slope).iter().zip(decay).map(|(a, b)| a * b).collect()
 }
 
@@ -199,7 +200,7 @@ mod tests {
     /// Two hits before the structure is quiet: told for the second one, whether or not there is noise; noise alone is not told.
     #[test]
     fn a_structure_that_still_rings_is_told() {
-        let mut stream = jounce::drive::Stream::new(5, 0);
+        let mut stream = jounce::drive::RandomStream::new(5, 0);
         let noise: Vec<f64> = (0..8000).map(|_| stream.normal_pair()[0]).collect();
         for (damping_ratio, level, ringing) in [(0.002, 0.0, true), (0.002, 1e-2, true), (0.05, 1e-2, false), (0.05, 0.0, false)] {
             let force = struck(&[200, 4200], 8000);

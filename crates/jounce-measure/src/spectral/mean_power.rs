@@ -25,7 +25,7 @@ use jounce::signal::Samples;
 use serde::Serialize;
 
 use super::SpectralError;
-use super::long_run::long_run;
+use super::long_run_variance::long_run;
 
 /// A mean power with its interval of 95 %.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -50,17 +50,17 @@ pub struct MeanPower {
 /// Numbers of batches, each with the quantile of Student's distribution for a two-sided interval of 95 % (Abramowitz and Stegun, table 26.10).
 const BATCHES: [(usize, f64); 2] = [(16, 2.131_450), (8, 2.364_624)];
 /// Means that tell the memory, and the independent values that are enough for an interval.
-const MEANS: usize = 256;
-const ENOUGH: f64 = 12.0;
+const MEMORY_MEANS: usize = 256;
+const MIN_INDEPENDENT_VALUES: f64 = 12.0;
 /// So many need no interval of their own.
-const PLENTY: f64 = 128.0;
+const MANY_INDEPENDENT_VALUES: f64 = 128.0;
 /// Share of the square of the relative half width by which it grows: `2/3 + 1 / (3 1.96^2)`.
-const SKEWED: f64 = 0.753_4;
-const ROUNDOFF: f64 = 1e-9;
+const SKEW_FACTOR: f64 = 0.753_4;
+const POWER_ROUNDOFF: f64 = 1e-9;
 /// Samples of a batch at least.
-const BATCH_SAMPLES: usize = 4;
+const MIN_BATCH_SAMPLES: usize = 4;
 /// A correlation of neighbours beyond this many standard deviations (1/sqrt of their number) is one: 5 % on one side.
-const SIGNIFICANT: f64 = 1.645;
+const SIGNIFICANT_DEVIATIONS: f64 = 1.645;
 
 /// Mean power of a voltage over a resistance: `mean(v^2) / R`, the voltage's mean taken away first where `remove_mean`.
 ///
@@ -70,8 +70,8 @@ pub fn mean_power(voltage: &Samples<'_>, resistance_ohm: f64, remove_mean: bool)
     let mean_voltage_v = voltage.mean();
     let offset = if remove_mean { mean_voltage_v } else { 0.0 };
     let samples = voltage.values();
-    let short = SpectralError::Short { samples: samples.len(), needed: BATCHES[0].0 * BATCH_SAMPLES };
-    if samples.len() < BATCHES[0].0 * BATCH_SAMPLES {
+    let short = SpectralError::Short { samples: samples.len(), needed: BATCHES[0].0 * MIN_BATCH_SAMPLES };
+    if samples.len() < BATCHES[0].0 * MIN_BATCH_SAMPLES {
         return Err(short);
     }
     let power_w = |part: &[f64]| part.iter().map(|v| (v - offset).powi(2) / resistance_ohm).sum::<f64>() / part.len() as f64;
@@ -87,24 +87,24 @@ pub fn mean_power(voltage: &Samples<'_>, resistance_ohm: f64, remove_mean: bool)
             half_width_w: quantile * (variance / count).sqrt(),
             batches,
             batch_correlation,
-            effective_samples: MEANS as f64,
+            effective_samples: MEMORY_MEANS as f64,
             // Means that differ by roundoff only are those of a periodic record: their correlation says nothing.
-            correlated: batch_correlation > SIGNIFICANT / count.sqrt() && variance > (ROUNDOFF * middle).powi(2),
+            correlated: batch_correlation > SIGNIFICANT_DEVIATIONS / count.sqrt() && variance > (POWER_ROUNDOFF * middle).powi(2),
             mean_voltage_v,
         }
     };
     let tried = BATCHES.map(of);
     let found = tried.into_iter().find(|found| !found.correlated).or(tried.last().copied()).ok_or(short)?;
-    let count = MEANS.min(samples.len());
+    let count = MEMORY_MEANS.min(samples.len());
     let means: Vec<f64> = (0..count).map(|k| power_w(&samples[k * samples.len() / count..(k + 1) * samples.len() / count])).collect();
     let row = long_run(&means);
     let effective_samples = row.effective;
-    if effective_samples >= PLENTY || row.variance <= (ROUNDOFF * mean_power_w).powi(2) {
+    if effective_samples >= MANY_INDEPENDENT_VALUES || row.variance <= (POWER_ROUNDOFF * mean_power_w).powi(2) {
         return Ok(MeanPower { effective_samples, ..found });
     }
     let relative = row.half_width / mean_power_w;
-    let half_width_w = row.half_width * (1.0 + SKEWED * relative.min(1.0));
-    let correlated = effective_samples < ENOUGH;
+    let half_width_w = row.half_width * (1.0 + SKEW_FACTOR * relative.min(1.0));
+    let correlated = effective_samples < MIN_INDEPENDENT_VALUES;
     Ok(MeanPower { effective_samples, half_width_w: found.half_width_w.max(half_width_w), correlated, ..found })
 }
 
@@ -135,13 +135,13 @@ pub fn mean_power_if_long(samples: &Samples<'_>, resistance_ohm: f64, remove_mea
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use jounce::drive::Stream;
+    use jounce::drive::RandomStream;
     use rayon::prelude::*;
     use std::f64::consts::TAU;
 
     /// A voltage that remembers about 20 samples, of variance 1 / (1 - 0.9^2).
     fn voltage(seed: u64, count: usize) -> Vec<f64> {
-        let mut stream = Stream::new(seed, 1);
+        let mut stream = RandomStream::new(seed, 1);
         let mut state = 0.0;
         let start = 200;
         let noise: Vec<f64> = (0..(count + start) / 2).flat_map(|_| stream.normal_pair()).collect();
@@ -170,7 +170,7 @@ mod tests {
 
     /// A voltage of a peak of the relative width `2 zeta` at a twentieth of the rate; its power forgets like `exp(-2 zeta w t)`. Of variance 1.
     fn narrow_band(seed: u64, count: usize, zeta: f64) -> Vec<f64> {
-        let mut stream = Stream::new(seed, 2);
+        let mut stream = RandomStream::new(seed, 2);
         let w = TAU * 0.05;
         let turn = faer::c64::from_polar((-zeta * w).exp(), w);
         let spread = (1.0 - turn.norm_sqr()).sqrt();

@@ -6,35 +6,35 @@
 //!
 //! Source: J. Bendat, A. Piersol, Random Data, 4th ed. (2010), chapters 9 and 11; P. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70.
 mod density;
+mod density_peaks;
 mod error;
 mod hits;
 mod impact;
-mod lobes;
-mod long_run;
+mod long_run_variance;
 mod mean_power;
-mod quiet;
+mod pre_trigger_check;
 mod response;
 mod segments;
-mod shaken;
-mod sight;
+mod shaker;
 mod signal;
 mod spectra;
 mod spectrogram;
 mod student;
 mod taper;
+mod window_bias;
 
 pub use density::{Density, density_unit};
+pub use density_peaks::DensityPeak;
 pub use error::SpectralError;
 pub use hits::{Hit, HitSearch, HitWarning, hits};
-pub use impact::{ImpactAnswer, ImpactHit, ImpactRecord, ImpactSettings, impact};
-pub use lobes::DensityPeak;
+pub use impact::{ImpactHit, ImpactRecord, ImpactResponses, ImpactSettings, impact};
 pub use mean_power::{MeanPower, mean_power, mean_power_if_long};
-pub use response::{Averages, Estimator, FrequencyResponse, Without};
+pub use response::{Estimator, FrequencyResponse, LeaveOneOutResponse, SpectrumAverages};
 pub use segments::Segments;
-pub(crate) use shaken::goes_on;
-pub use sight::Sight;
+pub(crate) use shaker::goes_on;
 pub use signal::{first_live, signal};
 pub use spectra::{Spectra, SpectraSettings, spectra, spectra_watched};
 pub use spectrogram::{Spectrogram, spectrogram, spectrogram_watched};
 pub(crate) use student::student_95;
 pub use taper::{exponential_window, force_window};
+pub use window_bias::WindowBias;

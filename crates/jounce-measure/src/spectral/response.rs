@@ -14,7 +14,7 @@
 use realfft::num_complex::Complex;
 use serde::Serialize;
 
-use super::{Sight, SpectralError};
+use super::{SpectralError, WindowBias};
 
 /// Which noise is thought of.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -32,28 +32,28 @@ pub enum Estimator {
 }
 
 /// The most parts that the blocks are put into, to be left out one after the other.
-const PARTS: usize = 16;
+const MAX_PARTS: usize = 16;
 
 /// Sums of spectra of blocks, all of one length and rate.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Averages {
-    all: Sums,
+pub struct SpectrumAverages {
+    all: SpectrumSums,
     /// The same of blocks in a row, as many in each part but the last.
-    parts: Vec<Sums>,
+    parts: Vec<SpectrumSums>,
     /// Blocks in a part.
     each: usize,
 }
 
 /// Sums of products of spectra.
 #[derive(Debug, Clone, PartialEq)]
-struct Sums {
+struct SpectrumSums {
     xx: Vec<f64>,
     yy: Vec<f64>,
     xy: Vec<Complex<f64>>,
     blocks: usize,
 }
 
-impl Sums {
+impl SpectrumSums {
     fn new(lines: usize) -> Self {
         Self { xx: vec![0.0; lines], yy: vec![0.0; lines], xy: vec![Complex::new(0.0, 0.0); lines], blocks: 0 }
     }
@@ -105,24 +105,24 @@ pub struct FrequencyResponse {
     /// Number of blocks averaged.
     pub blocks: usize,
     /// What the blocks see of a free decay.
-    pub sight: Sight,
+    pub sight: WindowBias,
     /// The response without one part of the blocks, for each of up to 32 parts; none for one block.
-    pub without: Vec<Without>,
+    pub without: Vec<LeaveOneOutResponse>,
 }
 
 /// A response without a part of its blocks.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Without {
+pub struct LeaveOneOutResponse {
     /// Share of the blocks that is left out.
     pub share: f64,
     /// The response of the others.
     pub value: Vec<Complex<f64>>,
 }
 
-impl Averages {
+impl SpectrumAverages {
     /// No block yet, for spectra of so many lines.
     pub fn new(lines: usize) -> Self {
-        Self { all: Sums::new(lines), parts: Vec::new(), each: 1 }
+        Self { all: SpectrumSums::new(lines), parts: Vec::new(), each: 1 }
     }
 
     /// Adds the transforms of one block of force and response.
@@ -136,10 +136,10 @@ impl Averages {
         }
         self.all.add(force, response);
         if self.parts.last().is_none_or(|part| part.blocks == self.each) {
-            if self.parts.len() == 2 * PARTS {
+            if self.parts.len() == 2 * MAX_PARTS {
                 self.halve();
             }
-            self.parts.push(Sums::new(lines));
+            self.parts.push(SpectrumSums::new(lines));
         }
         if let Some(part) = self.parts.last_mut() {
             part.add(force, response);
@@ -164,7 +164,7 @@ impl Averages {
     ///
     /// # Errors
     /// No block was added.
-    pub fn response(&self, frequency_hz: Vec<f64>, estimator: Estimator, sight: Sight) -> Result<FrequencyResponse, SpectralError> {
+    pub fn response(&self, frequency_hz: Vec<f64>, estimator: Estimator, sight: WindowBias) -> Result<FrequencyResponse, SpectralError> {
         let all = &self.all;
         if all.blocks == 0 {
             return Err(SpectralError::Nothing);
@@ -173,10 +173,10 @@ impl Averages {
             let both = all.xx[k] * all.yy[k];
             if both > 0.0 { (all.xy[k].norm_sqr() / both).min(1.0) } else { 0.0 }
         });
-        let without = |part: &Sums| {
+        let without = |part: &SpectrumSums| {
             let mut others = all.clone();
             others.join(part, -1.0);
-            Without { share: part.blocks as f64 / all.blocks as f64, value: others.values(estimator) }
+            LeaveOneOutResponse { share: part.blocks as f64 / all.blocks as f64, value: others.values(estimator) }
         };
         let several = self.parts.iter().filter(|_| self.parts.len() > 1);
         let (coherence, without) = (coherence.collect(), several.map(without).collect());
@@ -199,7 +199,7 @@ impl FrequencyResponse {
 pub(super) mod tests {
     use super::super::Segments;
     use super::*;
-    use jounce::drive::Stream;
+    use jounce::drive::RandomStream;
     use jounce::signal::{Samples, Window};
     use std::f64::consts::TAU;
 
@@ -235,14 +235,14 @@ pub(super) mod tests {
     }
 
     fn noise(count: usize, seed: u64) -> Vec<f64> {
-        let mut stream = Stream::new(seed, 0);
+        let mut stream = RandomStream::new(seed, 0);
         (0..count / 2).flat_map(|_| stream.normal_pair()).collect()
     }
 
-    fn averaged(force: &[f64], response: &[f64], length: usize, window: Window) -> (Averages, Vec<f64>) {
+    fn averaged(force: &[f64], response: &[f64], length: usize, window: Window) -> (SpectrumAverages, Vec<f64>) {
         let (x, y) = (Samples::new(force, 1000.0).unwrap(), Samples::new(response, 1000.0).unwrap());
         let segments = Segments::new(length, 0.5, window).unwrap();
-        let mut averages = Averages::new(length / 2 + 1);
+        let mut averages = SpectrumAverages::new(length / 2 + 1);
         for start in segments.starts(force.len()).unwrap() {
             averages.add(&segments.transform(&x, start, 0.0), &segments.transform(&y, start, 0.0)).unwrap();
         }
@@ -261,7 +261,7 @@ pub(super) mod tests {
         let (averages, frequency_hz) = averaged(&force, &response, 4096, Window::Rectangular);
         let peak = oscillator.exact(0.04).norm();
         for estimator in [Estimator::H1, Estimator::H2, Estimator::Hv { noise_ratio: 1e-10 }] {
-            let found = averages.response(frequency_hz.clone(), estimator, Sight::Whole).unwrap();
+            let found = averages.response(frequency_hz.clone(), estimator, WindowBias::Whole).unwrap();
             // The half sine of 8 samples has no force at line 768.
             let error = (0..700).map(|k| (found.value[k] - oscillator.exact(frequency_hz[k] / 1000.0)).norm() / peak).fold(0.0, f64::max);
             eprintln!("{estimator:?}: {error:.1e} of the peak");
@@ -282,8 +282,8 @@ pub(super) mod tests {
         let noisy: Vec<f64> = clean.iter().zip(noise(1 << 17, 2)).map(|(y, n)| y + 0.5 * level * n).collect();
         let (averages, frequency_hz) = averaged(&force, &noisy, 512, Window::Hann);
         let (h1, h2) = (
-            averages.response(frequency_hz.clone(), Estimator::H1, Sight::Whole).unwrap(),
-            averages.response(frequency_hz.clone(), Estimator::H2, Sight::Whole).unwrap(),
+            averages.response(frequency_hz.clone(), Estimator::H1, WindowBias::Whole).unwrap(),
+            averages.response(frequency_hz.clone(), Estimator::H2, WindowBias::Whole).unwrap(),
         );
         let (mut one, mut two, mut lines) = (0.0, 0.0, 0.0);
         for (k, f) in frequency_hz.iter().enumerate().take(120).skip(10) {
@@ -297,7 +297,7 @@ pub(super) mod tests {
 
     #[test]
     fn nothing_averaged_is_an_error() {
-        assert_eq!(Averages::new(4).response(vec![0.0; 4], Estimator::H1, Sight::Whole), Err(SpectralError::Nothing));
-        assert!(Averages::new(4).add(&[], &[]).is_err());
+        assert_eq!(SpectrumAverages::new(4).response(vec![0.0; 4], Estimator::H1, WindowBias::Whole), Err(SpectralError::Nothing));
+        assert!(SpectrumAverages::new(4).add(&[], &[]).is_err());
     }
 }

@@ -9,7 +9,7 @@ use realfft::{RealFftPlanner, RealToComplex};
 use super::SpectralError;
 
 /// Samples of a segment at least.
-const SHORTEST: usize = 8;
+const MIN_SEGMENT_SAMPLES: usize = 8;
 
 /// How records are cut: equally long segments that overlap, each with the same weights.
 #[derive(Clone)]
@@ -32,7 +32,7 @@ impl Segments {
     /// # Errors
     /// Fewer than 8 samples, an overlap outside 0 to 0.95.
     pub fn new(length: usize, overlap: f64, window: Window) -> Result<Self, SpectralError> {
-        if length < SHORTEST {
+        if length < MIN_SEGMENT_SAMPLES {
             return Err(SpectralError::Few { samples: length });
         }
         if !(0.0..=0.95).contains(&overlap) {
@@ -72,7 +72,7 @@ impl Segments {
     /// # Errors
     /// A record shorter than one segment.
     pub fn starts(&self, samples: usize) -> Result<impl Iterator<Item = usize> + use<>, SpectralError> {
-        if samples < SHORTEST {
+        if samples < MIN_SEGMENT_SAMPLES {
             return Err(SpectralError::Few { samples });
         }
         if samples < self.length {

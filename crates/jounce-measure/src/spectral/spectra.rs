@@ -1,18 +1,18 @@
 //! What a channel shows over frequency: its density, and the lines of its drive.
 
-use jounce::march::Watch;
+use jounce::march::Control;
 use jounce::signal::{OrderLine, Samples, Window};
 
 use super::{Density, Segments, SpectralError};
 
 /// Multiples of the drive whose amplitudes are told.
-const ORDERS: [f64; 10] = [1.0 / 3.0, 0.5, 2.0 / 3.0, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0];
+const REPORTED_ORDERS: [f64; 10] = [1.0 / 3.0, 0.5, 2.0 / 3.0, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0];
 /// Segments of a record by default, were they side by side.
-const SEGMENTS: usize = 32;
+const DEFAULT_SEGMENTS: usize = 32;
 /// Cycles of the drive in a segment by default: its third is then eight lines away from the next multiple.
-const CYCLES: f64 = 24.0;
+const DEFAULT_SEGMENT_CYCLES: f64 = 24.0;
 /// Samples of the shortest segment by default.
-const SHORTEST: usize = 256;
+const MIN_DEFAULT_SEGMENT: usize = 256;
 
 /// How a record is taken to spectra.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,27 +43,27 @@ pub struct Spectra {
 /// # Errors
 /// A segment that does not fit the record, an overlap out of its range, a record too short to tell the lines of the drive apart.
 pub fn spectra(samples: &Samples<'_>, settings: &SpectraSettings) -> Result<Spectra, SpectralError> {
-    spectra_watched(samples, settings, &Watch::default())
+    spectra_watched(samples, settings, &Control::default())
 }
 
-/// The same under a watch.
+/// The same under a control.
 ///
 /// # Errors
 /// As [`spectra`], and [`SpectralError::Stopped`].
-pub fn spectra_watched(samples: &Samples<'_>, settings: &SpectraSettings, watch: &Watch) -> Result<Spectra, SpectralError> {
+pub fn spectra_watched(samples: &Samples<'_>, settings: &SpectraSettings, control: &Control) -> Result<Spectra, SpectralError> {
     let (count, rate_hz) = (samples.values().len(), samples.rate_hz());
-    let usual = || (count / SEGMENTS).max(SHORTEST).min(count);
-    let cycles_s = settings.drive_hz.map(|f| CYCLES / f).filter(|s| s * rate_hz <= count as f64);
+    let usual = || (count / DEFAULT_SEGMENTS).max(MIN_DEFAULT_SEGMENT).min(count);
+    let cycles_s = settings.drive_hz.map(|f| DEFAULT_SEGMENT_CYCLES / f).filter(|s| s * rate_hz <= count as f64);
     let length = settings.segment_s.or(cycles_s).map_or_else(usual, |s| (s * rate_hz).round() as usize) / 2 * 2;
     let segments = Segments::new(length, settings.overlap, settings.window)?;
     let orders = match settings.drive_hz {
         None => Vec::new(),
         Some(drive_hz) => {
-            let inside: Vec<f64> = ORDERS.into_iter().filter(|order| order * drive_hz < 0.5 * rate_hz).collect();
+            let inside: Vec<f64> = REPORTED_ORDERS.into_iter().filter(|order| order * drive_hz < 0.5 * rate_hz).collect();
             samples.orders(drive_hz, &inside)?.lines
         }
     };
-    Ok(Spectra { density: Density::welch_watched(samples, &segments, watch)?, segments, orders })
+    Ok(Spectra { density: Density::welch_watched(samples, &segments, control)?, segments, orders })
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@
 //! window; beside a line a Hann window shows up to 15 % less, a flat top up to 0.1 %. A segment resolves `r / L` times the width of the
 //! window (4 lines for Hann, 10 for a flat top), and sees nothing shorter than itself.
 
-use jounce::march::Watch;
+use jounce::march::Control;
 use jounce::signal::Samples;
 
 use super::{Segments, SpectralError};
@@ -35,18 +35,18 @@ pub struct Spectrogram {
 /// # Errors
 /// A segment longer than the record.
 pub fn spectrogram(samples: &Samples<'_>, segments: &Segments) -> Result<Spectrogram, SpectralError> {
-    spectrogram_watched(samples, segments, &Watch::default())
+    spectrogram_watched(samples, segments, &Control::default())
 }
 
-/// The same under a watch, which is looked at before each segment.
+/// The same under a control, which is looked at before each segment.
 ///
 /// # Errors
 /// As [`spectrogram`], and [`SpectralError::Stopped`].
-pub fn spectrogram_watched(samples: &Samples<'_>, segments: &Segments, watch: &Watch) -> Result<Spectrogram, SpectralError> {
+pub fn spectrogram_watched(samples: &Samples<'_>, segments: &Segments, control: &Control) -> Result<Spectrogram, SpectralError> {
     let gain = segments.gain();
     let starts: Vec<usize> = segments.starts(samples.values().len())?.collect();
     let spectrum = |start: &usize| -> Result<Vec<f64>, SpectralError> {
-        if watch.is_stopped() {
+        if control.is_stopped() {
             return Err(SpectralError::Stopped);
         }
         let bins = segments.transform(samples, *start, 0.0);

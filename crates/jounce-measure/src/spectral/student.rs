@@ -1,19 +1,19 @@
 //! Student's distribution.
 
 /// Panels of Simpson's rule.
-const PANELS: usize = 400;
+const SIMPSON_PANELS: usize = 400;
 /// Deviations of a normal number beyond which nothing is left.
-const FAR: f64 = 9.0;
+const MAX_NORMAL_DEVIATIONS: f64 = 9.0;
 
 /// Quantile of Student's distribution for a two-sided interval of 95 %, from 1 degree of freedom on, whole or not: with
 /// `t = sqrt(n) tan(a)` the distribution of `a` is `cos(a)^(n - 1)`.
 pub(crate) fn student_95(freedom: f64) -> f64 {
-    let end = (FAR / freedom.sqrt()).min(std::f64::consts::FRAC_PI_2);
+    let end = (MAX_NORMAL_DEVIATIONS / freedom.sqrt()).min(std::f64::consts::FRAC_PI_2);
     let density = |a: f64| if freedom == 1.0 { 1.0 } else { a.cos().max(0.0).powf(freedom - 1.0) };
     let integral = |to: f64| {
-        let step = to / PANELS as f64;
-        let weight = |k: usize| if k == 0 || k == PANELS { 1.0 } else { 2.0 + 2.0 * (k % 2) as f64 };
-        (0..=PANELS).map(|k| weight(k) * density(k as f64 * step)).sum::<f64>() * step / 3.0
+        let step = to / SIMPSON_PANELS as f64;
+        let weight = |k: usize| if k == 0 || k == SIMPSON_PANELS { 1.0 } else { 2.0 + 2.0 * (k % 2) as f64 };
+        (0..=SIMPSON_PANELS).map(|k| weight(k) * density(k as f64 * step)).sum::<f64>() * step / 3.0
     };
     let wanted = 0.95 * integral(end);
     let (mut low, mut high) = (0.0, end);

@@ -7,7 +7,7 @@ use jounce::store::{self, StoreError};
 use jounce::table::{Table, TableError};
 
 use super::{columns, uff58};
-use jounce_data::read::Surveyed;
+use jounce_data::read::RecordingSummary;
 use jounce_data::recording::Recording;
 
 /// A recording that cannot be written.
@@ -85,7 +85,7 @@ pub fn write(recording: &Recording, path: &Path) -> Result<(), WriteError> {
 ///
 /// # Errors
 /// As [`write()`], and a scratch file that cannot be read.
-pub fn write_surveyed(recording: &Surveyed, path: &Path) -> Result<(), WriteError> {
+pub fn write_surveyed(recording: &RecordingSummary, path: &Path) -> Result<(), WriteError> {
     match path.extension().and_then(|ending| ending.to_str()) {
         Some("uff" | "unv") => uff(recording, path),
         Some(ending @ ("parquet" | "csv")) => {
@@ -95,7 +95,7 @@ pub fn write_surveyed(recording: &Surveyed, path: &Path) -> Result<(), WriteErro
     }
 }
 
-fn uff(recording: &Surveyed, path: &Path) -> Result<(), WriteError> {
+fn uff(recording: &RecordingSummary, path: &Path) -> Result<(), WriteError> {
     let mut failure = None;
     let stored = store::write_from(path, |file| {
         uff58::encode(recording, BufWriter::new(file)).map_err(|error| {

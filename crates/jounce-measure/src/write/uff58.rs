@@ -6,11 +6,11 @@
 use std::io::Write;
 
 use super::WriteError;
-use jounce_data::read::{Places, Surveyed, SurveyedChannel};
+use jounce_data::read::{ChannelSummary, RecordingSummary, SamplePlaces};
 use jounce_data::recording::{Over, PIECE, Quantity, Series};
 
 /// Writes one data set for each channel, piece by piece.
-pub(super) fn encode(recording: &Surveyed, mut to: impl Write) -> Result<(), WriteError> {
+pub(super) fn encode(recording: &RecordingSummary, mut to: impl Write) -> Result<(), WriteError> {
     fits("the recording", "name", &recording.name, LINE)?;
     for (k, channel) in recording.channels.iter().enumerate() {
         finite(channel)?;
@@ -41,7 +41,7 @@ fn fits(of: &str, what: &'static str, text: &str, most: usize) -> Result<(), Wri
 }
 
 /// Refuses a channel with a sample that is no finite number.
-fn finite(channel: &SurveyedChannel) -> Result<(), WriteError> {
+fn finite(channel: &ChannelSummary) -> Result<(), WriteError> {
     for numbers in std::iter::once(&channel.values).chain(&channel.imaginary) {
         let (mut sample, mut odd) = (0, None);
         numbers.each(|x| {
@@ -55,7 +55,7 @@ fn finite(channel: &SurveyedChannel) -> Result<(), WriteError> {
     Ok(())
 }
 
-fn header(to: &mut impl Write, recording: &Surveyed, channel: &SurveyedChannel, number: usize) -> std::io::Result<()> {
+fn header(to: &mut impl Write, recording: &RecordingSummary, channel: &ChannelSummary, number: usize) -> std::io::Result<()> {
     let over_time = recording.over == Over::Time;
     let function = match (over_time, channel.quantity) {
         (true, _) => 1,
@@ -65,8 +65,8 @@ fn header(to: &mut impl Write, recording: &Surveyed, channel: &SurveyedChannel, 
     };
     let kind = if channel.imaginary.is_some() { 6 } else { 4 };
     let (start, step, even) = match recording.places {
-        Places::Even { start, step, .. } => (start, step, 1),
-        Places::Stamped { .. } => (0.0, 0.0, 0),
+        SamplePlaces::Even { start, step, .. } => (start, step, 1),
+        SamplePlaces::Stamped { .. } => (0.0, 0.0, 0),
     };
     let (place, node) = place(channel, number);
     writeln!(to, "{:<80}\n{:<80}\n{:<80}\n{:<80}\n{:<80}", recording.name, "NONE", "NONE", channel.name, "NONE")?;
@@ -90,8 +90,8 @@ fn axis(to: &mut impl Write, kind: u32, label: &str, unit: &str) -> std::io::Res
     writeln!(to, "{kind:>10}{:>5}{:>5}{:>5} {:<20} {:<20}", 0, 0, 0, label.chars().take(LABEL).collect::<String>(), unit)
 }
 
-fn data(to: &mut impl Write, recording: &Surveyed, channel: &SurveyedChannel) -> std::io::Result<()> {
-    let stamped = matches!(recording.places, Places::Stamped { .. });
+fn data(to: &mut impl Write, recording: &RecordingSummary, channel: &ChannelSummary) -> std::io::Result<()> {
+    let stamped = matches!(recording.places, SamplePlaces::Stamped { .. });
     let points_in_line = match (stamped, channel.imaginary.is_some()) {
         (false, false) => 4,
         (true, true) => 1,
@@ -156,7 +156,7 @@ fn node(place: &str) -> Option<usize> {
 }
 
 /// Name and node of a channel: a place is a node, or a name, which a number beside it would hide; a channel without one is a node of its own.
-fn place(channel: &SurveyedChannel, number: usize) -> (&str, usize) {
+fn place(channel: &ChannelSummary, number: usize) -> (&str, usize) {
     match (channel.place.as_str(), node(&channel.place)) {
         ("", _) => ("NONE", number),
         (_, Some(node)) => ("NONE", node),
@@ -165,7 +165,7 @@ fn place(channel: &SurveyedChannel, number: usize) -> (&str, usize) {
 }
 
 /// Name, node and direction of the force that a response function refers to.
-fn reference(channel: &SurveyedChannel) -> (&str, usize, i32) {
+fn reference(channel: &ChannelSummary) -> (&str, usize, i32) {
     let text = channel.reference.as_str();
     let (place, way) = text.rsplit_once(' ').map_or((text, 0), |(place, way)| (place, direction(way)));
     let place = if way == 0 { text } else { place };

@@ -1,10 +1,10 @@
 //! Clamp and sensor of a steel cantilever, from its three lowest frequencies.
 
 use super::{free, noisy, recovered, spec};
-use jounce::march::Watch;
+use jounce::march::Control;
 use jounce::structure;
-use jounce_measure::fit::{Deviation, Features, FitAnswer, ModeFeature, fit};
-use jounce_measure::modal::{Settings, identify_decays};
+use jounce_measure::fit::{Deviation, Features, FitResult, ModeFeature, fit};
+use jounce_measure::modal::{ModalSettings, identify_decays};
 use jounce_measure::read;
 use jounce_measure::response::Decays;
 use std::f64::consts::TAU;
@@ -40,10 +40,10 @@ fn features(frequency_hz: &[f64]) -> Features {
     Features { free: free(&KEYS), modes: frequency_hz.iter().enumerate().map(mode).collect(), ..Features::default() }
 }
 
-fn fitted(frequency_hz: &[f64]) -> (FitAnswer, Vec<f64>) {
+fn fitted(frequency_hz: &[f64]) -> (FitResult, Vec<f64>) {
     let (file, spec) = spec(CANTILEVER, &[]);
     let (answer, fitted) =
-        fit(&file, &spec, &features(frequency_hz), Path::new("."), &Watch::default()).unwrap_or_else(|fault| panic!("{fault}"));
+        fit(&file, &spec, &features(frequency_hz), Path::new("."), &Control::default()).unwrap_or_else(|fault| panic!("{fault}"));
     let modes = structure::modes(&fitted).expect("modes");
     (answer, modes.frequency_rad_s.iter().map(|w| w / TAU).collect())
 }
@@ -67,7 +67,7 @@ fn a_real_cantilever_is_met_within_half_a_percent() {
     if spectrum.exists() {
         let recording = read::file(&spectrum).unwrap_or_else(|fault| panic!("{fault}")).recordings.remove(0);
         let decays = Decays::of_spectrum(&recording, &[]).expect("amplitudes over even lines");
-        let found = identify_decays(&decays, (2.0, 160.0), Settings { order: 20 }).expect("modes");
+        let found = identify_decays(&decays, (2.0, 160.0), ModalSettings { order: 20 }).expect("modes");
         cases.push((found.modes.iter().map(|mode| mode.frequency_hz).collect(), 0.7));
     } else {
         eprintln!(

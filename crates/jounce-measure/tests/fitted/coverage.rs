@@ -1,8 +1,8 @@
 //! How often stated intervals hold the truth.
 
 use super::{free, given, spec};
-use jounce::drive::Stream;
-use jounce::march::Watch;
+use jounce::drive::RandomStream;
+use jounce::march::Control;
 use jounce::structure;
 use jounce_measure::fit::{Features, ModeFeature, fit};
 use std::f64::consts::TAU;
@@ -48,7 +48,7 @@ fn shares(trials: u64) -> [f64; 5] {
     let mut inside = [0_u32; 4];
     let (mut further, mut all) = (0, 0);
     for seed in 0..trials {
-        let mut stream = Stream::new(seed, 11);
+        let mut stream = RandomStream::new(seed, 11);
         let mut moved = |value: f64, deviation: f64| value * (deviation * stream.normal_pair()[0]).exp();
         let truth: Vec<f64> = start.iter().zip(KEYS).map(|(value, (_, prior))| moved(*value, prior)).collect();
         let true_modes = modes(&truth);
@@ -60,7 +60,8 @@ fn shares(trials: u64) -> [f64; 5] {
         };
         let measured = true_modes.iter().enumerate().map(mode).collect();
         let features = Features { free: free(&KEYS), modes: measured, ..Features::default() };
-        let (answer, _) = fit(&file, &spec, &features, Path::new("."), &Watch::default()).unwrap_or_else(|fault| panic!("{seed}: {fault}"));
+        let (answer, _) =
+            fit(&file, &spec, &features, Path::new("."), &Control::default()).unwrap_or_else(|fault| panic!("{seed}: {fault}"));
         for (inside, (key, truth)) in inside.iter_mut().zip(answer.keys.iter().zip(&truth)) {
             *inside += u32::from((key.low..=key.high).contains(truth));
         }

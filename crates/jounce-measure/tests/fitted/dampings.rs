@@ -1,7 +1,7 @@
 //! Damping ratios of a list, all of them and one.
 
 use super::{free, given, noisy, recovered, spec};
-use jounce::march::Watch;
+use jounce::march::Control;
 use jounce::structure;
 use jounce_measure::fit::{Features, ModeFeature, fit};
 use std::f64::consts::TAU;
@@ -63,7 +63,7 @@ fn one_damping_ratio_of_a_list_comes_back() {
     let features = features(&keys, &[0.01, 0.01, TRUTH[2], 0.01]);
     recovered(CANTILEVER, &features, &[72e9, TRUTH[2]], 0.15);
     let (file, spec) = spec(CANTILEVER, &[]);
-    let (_, fitted) = fit(&file, &spec, &features, Path::new("."), &Watch::default()).expect("a fit");
+    let (_, fitted) = fit(&file, &spec, &features, Path::new("."), &Control::default()).expect("a fit");
     assert_eq!([fitted.damping.ratios[0], fitted.damping.ratios[1], fitted.damping.ratios[3]], [0.01; 3]);
 }
 
@@ -71,7 +71,7 @@ fn one_damping_ratio_of_a_list_comes_back() {
 fn a_number_beyond_the_list_or_named_twice_is_told() {
     let told = |keys: &[(&str, f64)]| {
         let (file, spec) = spec(CANTILEVER, &[]);
-        fit(&file, &spec, &features(keys, &TRUTH), Path::new("."), &Watch::default()).expect_err("a fault").to_string()
+        fit(&file, &spec, &features(keys, &TRUTH), Path::new("."), &Control::default()).expect_err("a fault").to_string()
     };
     let beyond = "free.damping.ratios.5: damping.ratios.5: damping.ratios holds 4 numbers; name one of them, from damping.ratios.1 to damping.ratios.4";
     assert_eq!(told(&[("damping.ratios.5", 0.3)]), beyond);

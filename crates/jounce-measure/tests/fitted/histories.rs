@@ -1,13 +1,13 @@
 //! A voltage history of a run with impacts.
 
 use super::{HARVESTER, free, given, recovered, spec};
-use jounce::linear::Response;
-use jounce::march::Watch;
+use jounce::analysis::Model;
+use jounce::linear::FrfResponse;
+use jounce::march::Control;
 use jounce::run::{RunPlan, simulate};
-use jounce::study::Prepared;
 use jounce_measure::fit::{Features, HistoryFeature, fit};
 use jounce_measure::recording::{Grid, Recording};
-use jounce_measure::rig::{Sensor, ShakerTest, Wander, shaker_test};
+use jounce_measure::rig::{Disturbance, Sensor, ShakerTest, shaker_test};
 use jounce_measure::write::write;
 use std::path::Path;
 
@@ -31,7 +31,7 @@ average_over = \"0.1 s\"
 /// The first 0.16 s from rest of the harvester with another stop, which it strikes, recorded with noise of 3 %.
 fn recorded(text: &str) -> Recording {
     let (_, spec) = spec(text, &[("stop.tip.gap", "0.21 mm"), ("stop.tip.stiffness", "5000 N/m")]);
-    let prepared = Prepared::new(spec).expect("a harvester");
+    let prepared = Model::new(spec).expect("a harvester");
     let start = prepared.start(Path::new(".")).expect("a start");
     let kernel = prepared.from_state(&start).expect("a kernel");
     let answer = simulate(&kernel, &start, &RunPlan::of(&prepared.spec.run, 0.16)).expect("a run");
@@ -42,12 +42,12 @@ fn recorded(text: &str) -> Recording {
         duration_s: 0.16,
         before_s: 0.0,
         starts: vec![(0.0, start)],
-        wander: Wander::NONE,
+        wander: Disturbance::NONE,
         accelerometers: Vec::new(),
         sensor: Sensor { noise_ratio: 0.03, bits: Some(14) },
         seed: 2,
     };
-    shaker_test(&prepared.spec, &kernel.plant.system.modes, &test, &Watch::default()).expect("a record")
+    shaker_test(&prepared.spec, &kernel.plant.system.modes, &test, &Control::default()).expect("a record")
 }
 
 /// A voltage in `run.csv` of a folder, and the stop to be found from it.
@@ -55,7 +55,7 @@ fn features(folder: &Path, begins_s: Option<f64>) -> Features {
     let feature = HistoryFeature {
         file: "run.csv".into(),
         channel: "mfc.voltage".to_owned(),
-        output: Response::Voltage("mfc".to_owned()),
+        output: FrfResponse::Voltage("mfc".to_owned()),
         deviation: given(0.03),
         begins_s,
         set: Vec::new(),
@@ -98,7 +98,7 @@ fn a_record_that_begins_later_is_met_at_its_own_times() {
     assert!(answer.warnings.iter().any(|warning| warning.contains("its first stamp is 0.05 s, and is taken as that time")), "{answer:?}");
     assert!((answer.curves[0].at[0] - 0.05).abs() < 1e-12 && answer.curves[0].errors().1 < 0.04, "{answer:?}");
     let (file, spec) = spec(&text, &[]);
-    let fitted = |features: &Features| fit(&file, &spec, features, Path::new("."), &Watch::default()).map(|(answer, _)| answer);
+    let fitted = |features: &Features| fit(&file, &spec, features, Path::new("."), &Control::default()).map(|(answer, _)| answer);
     let clock = cut(3600.0);
     let told = fitted(&features(clock.path(), None)).expect_err("beyond the run").to_string();
     assert!(told.contains("from 3600.05 to") && told.contains("run.duration = 0.16 s") && told.contains("begins = \"0 s\""), "{told}");

@@ -1,8 +1,8 @@
 //! Jump frequencies.
 
 use super::{HARVESTER, free, given, recovered, spec};
+use jounce::analysis::{BranchKind, BranchSearch, Model, OrbitMethodKind, Parameter};
 use jounce::spec::NumericKey;
-use jounce::study::{BranchKind, BranchSearch, Method, Parameter, Prepared};
 use jounce_measure::fit::{Features, JumpFeature};
 
 const RUN: &str = "
@@ -26,7 +26,7 @@ tolerance = 1e-6
 fn the_stiffness_of_a_stop_comes_back_from_a_jump() {
     let text = format!("{HARVESTER}{RUN}").replace("modes = 2", "modes = 1");
     let (_, spec) = spec(&text, &[("stop.tip.stiffness", "330 N/m")]);
-    let prepared = Prepared::new(spec).expect("a harvester");
+    let prepared = Model::new(spec).expect("a harvester");
     let key = NumericKey::find(&prepared.spec, "drive.shaker.frequency").expect("a key");
     let range = (60.0, 95.0);
     let parameter = Parameter::new(&prepared, &key, range.1 - range.0);
@@ -34,7 +34,7 @@ fn the_stiffness_of_a_stop_comes_back_from_a_jump() {
         base: &prepared,
         parameter: &parameter,
         range,
-        method: Method::Shooting,
+        method: OrbitMethodKind::Shooting,
         tolerance: 1e-6,
         seeds: 0,
         longest_period: 1,

@@ -8,10 +8,10 @@ mod jumps;
 mod powers;
 mod responses;
 
-use jounce::drive::Stream;
-use jounce::march::Watch;
+use jounce::drive::RandomStream;
+use jounce::march::Control;
 use jounce::spec::{Spec, SpecFile};
-use jounce_measure::fit::{Deviation, Features, FitAnswer, fit};
+use jounce_measure::fit::{Deviation, Features, FitResult, fit};
 use std::path::Path;
 
 /// A small harvester with a patch and a load.
@@ -27,9 +27,9 @@ pub fn spec(text: &str, set: &[(&str, &str)]) -> (SpecFile, Spec) {
 
 /// Fits the harvester to features, and holds every free key against the truth: the error is told in stated deviations and must be within four of
 /// them, and within `most`, relative.
-pub fn recovered(text: &str, features: &Features, truth: &[f64], most: f64) -> FitAnswer {
+pub fn recovered(text: &str, features: &Features, truth: &[f64], most: f64) -> FitResult {
     let (file, spec) = spec(text, &[]);
-    let (answer, _) = fit(&file, &spec, features, Path::new("."), &Watch::default()).unwrap_or_else(|fault| panic!("{fault}"));
+    let (answer, _) = fit(&file, &spec, features, Path::new("."), &Control::default()).unwrap_or_else(|fault| panic!("{fault}"));
     for (key, truth) in answer.keys.iter().zip(truth) {
         let off = key.after / truth - 1.0;
         eprintln!(
@@ -47,7 +47,7 @@ pub fn recovered(text: &str, features: &Features, truth: &[f64], most: f64) -> F
 
 /// Numbers with noise of a relative deviation.
 pub fn noisy(values: &[f64], deviation: f64, seed: u64) -> Vec<f64> {
-    let mut stream = Stream::new(seed, 0);
+    let mut stream = RandomStream::new(seed, 0);
     values.iter().map(|value| value * (deviation * stream.normal_pair()[0]).exp()).collect()
 }
 

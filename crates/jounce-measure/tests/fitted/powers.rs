@@ -1,8 +1,8 @@
 //! Mean powers over the load.
 
 use super::{HARVESTER, free, given, noisy, recovered, spec};
+use jounce::analysis::Model;
 use jounce::run::{RunPlan, simulate};
-use jounce::study::Prepared;
 use jounce_measure::fit::{Features, PowerFeature};
 use std::path::Path;
 
@@ -26,7 +26,7 @@ fn coupling_and_capacitance_come_back_from_powers_over_the_load() {
     let power = |load: &&str| {
         let (_, spec) =
             spec(&text, &[("patch.mfc.d31", "-190 pC/N"), ("patch.mfc.capacitance", "50 nF"), ("circuit.load.resistance", load)]);
-        let prepared = Prepared::new(spec).expect("a harvester");
+        let prepared = Model::new(spec).expect("a harvester");
         let start = prepared.start(Path::new(".")).expect("a start");
         let kernel = prepared.from_state(&start).expect("a kernel");
         simulate(&kernel, &start, &RunPlan::of(&prepared.spec.run, 0.0)).expect("a run").mean_power_w

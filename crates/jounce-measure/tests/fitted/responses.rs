@@ -2,12 +2,12 @@
 
 use super::{HARVESTER, free, given, noisy, recovered, spec};
 use faer::c64;
-use jounce::drive::Stream;
-use jounce::linear::{Input, Response, frf};
-use jounce::march::Watch;
+use jounce::drive::RandomStream;
+use jounce::linear::{FrfInput, FrfResponse, frf};
+use jounce::march::Control;
 use jounce::plant::{Plant, System};
 use jounce::structure;
-use jounce_measure::fit::{Deviation, Features, Lines, ResponseFeature, fit};
+use jounce_measure::fit::{Deviation, Features, MeasuredLines, ResponseFeature, fit};
 use std::path::Path;
 
 const KEYS: [(&str, f64); 3] = [("beam.beam.youngs_modulus", 0.1), ("patch.mfc.capacitance", 0.2), ("damping.beyond", 0.5)];
@@ -19,12 +19,12 @@ fn voltage() -> (Vec<f64>, Vec<c64>) {
         spec(HARVESTER, &[("beam.beam.youngs_modulus", "72.5 GPa"), ("patch.mfc.capacitance", "66 nF"), ("damping.beyond", "0.016")]);
     let plant = Plant::new(System::assemble(&spec, structure::modes(&spec).expect("modes")).expect("system")).expect("plant");
     let frequency_hz: Vec<f64> = (0..40).map(|k| 40.0 + 1.5 * f64::from(k)).collect();
-    let found = frf(&plant, &Input::BaseAcceleration, &[Response::Voltage("mfc".to_owned())], &frequency_hz).expect("responses");
+    let found = frf(&plant, &FrfInput::BaseAcceleration, &[FrfResponse::Voltage("mfc".to_owned())], &frequency_hz).expect("responses");
     (frequency_hz, found[0].value.clone())
 }
 
-fn features(lines: Lines, deviation: Deviation) -> Features {
-    let (input, output) = (Input::BaseAcceleration, Response::Voltage("mfc".to_owned()));
+fn features(lines: MeasuredLines, deviation: Deviation) -> Features {
+    let (input, output) = (FrfInput::BaseAcceleration, FrfResponse::Voltage("mfc".to_owned()));
     let feature = ResponseFeature { input, output, lines, absolute: false, deviation, set: Vec::new() };
     Features { free: free(&KEYS), responses: vec![feature], ..Features::default() }
 }
@@ -35,7 +35,7 @@ fn keys_come_back_from_sizes_and_their_deviation_from_residuals() {
     let (frequency_hz, value) = voltage();
     let sizes: Vec<f64> = value.iter().map(|h| h.norm()).collect();
     let answer =
-        recovered(HARVESTER, &features(Lines::Magnitude(frequency_hz, noisy(&sizes, 0.02, 1)), Deviation::Residuals), &TRUTH, 0.05);
+        recovered(HARVESTER, &features(MeasuredLines::Magnitude(frequency_hz, noisy(&sizes, 0.02, 1)), Deviation::Residuals), &TRUTH, 0.05);
     let found = &answer.deviations[0];
     eprintln!("deviation {:.2e} with {:.1?} degrees of freedom", found.deviation, found.degrees_of_freedom);
     assert!((found.deviation / 0.02 - 1.0).abs() < 0.3 && found.degrees_of_freedom.is_some_and(|freedom| (freedom - 37.0).abs() < 1.0));
@@ -50,13 +50,13 @@ fn keys_come_back_from_sizes_and_their_deviation_from_residuals() {
 #[test]
 fn keys_come_back_from_complex_values() {
     let (frequency_hz, value) = voltage();
-    let mut stream = Stream::new(5, 0);
+    let mut stream = RandomStream::new(5, 0);
     let noisy = |h: &c64| {
         let [re, im] = stream.normal_pair();
         h + c64::new(re, im) * (0.02 * h.norm())
     };
     let value = value.iter().map(noisy).collect();
-    let answer = recovered(HARVESTER, &features(Lines::Complex(frequency_hz, value), given(0.02)), &TRUTH, 0.03);
+    let answer = recovered(HARVESTER, &features(MeasuredLines::Complex(frequency_hz, value), given(0.02)), &TRUTH, 0.03);
     assert_eq!((answer.curves.len(), answer.features.len()), (2, 0));
     eprintln!("chi square {:.1} for 80 numbers", answer.chi_square);
     assert!((40.0..125.0).contains(&answer.chi_square) && answer.warnings.is_empty(), "{:?}", answer.warnings);
@@ -70,15 +70,15 @@ fn a_sensor_on_the_structure_and_the_unit_of_a_file_are_minded() {
     let (_, truth) = spec(HARVESTER, &[("beam.beam.youngs_modulus", "72.5 GPa"), ("damping.beyond", "0.016")]);
     let plant = Plant::new(System::assemble(&truth, structure::modes(&truth).expect("modes")).expect("system")).expect("plant");
     let frequency_hz: Vec<f64> = (0..40).map(|k| 40.0 + 1.5 * f64::from(k)).collect();
-    let output = Response::Acceleration("beam.end".to_owned());
-    let found = frf(&plant, &Input::BaseAcceleration, std::slice::from_ref(&output), &frequency_hz).expect("responses");
+    let output = FrfResponse::Acceleration("beam.end".to_owned());
+    let found = frf(&plant, &FrfInput::BaseAcceleration, std::slice::from_ref(&output), &frequency_hz).expect("responses");
     let riding = found[0].value.iter().map(|h| h + 1.0).collect();
-    let lines = Lines::Complex(frequency_hz.clone(), riding);
+    let lines = MeasuredLines::Complex(frequency_hz.clone(), riding);
     let feature =
-        ResponseFeature { input: Input::BaseAcceleration, output, lines, absolute: true, deviation: given(0.001), set: Vec::new() };
+        ResponseFeature { input: FrfInput::BaseAcceleration, output, lines, absolute: true, deviation: given(0.001), set: Vec::new() };
     let keys = [("beam.beam.youngs_modulus", 0.1), ("damping.beyond", 0.5)];
     let riding = Features { free: free(&keys), responses: vec![feature], ..Features::default() };
-    let (answer, _) = fit(&file, &model, &riding, Path::new("."), &Watch::default()).expect("a fit");
+    let (answer, _) = fit(&file, &model, &riding, Path::new("."), &Control::default()).expect("a fit");
     let off = [answer.keys[0].after / 72.5e9 - 1.0, answer.keys[1].after / 0.016 - 1.0];
     eprintln!("absolute: {:.1e} {:.1e} off", off[0], off[1]);
     assert!(off.iter().all(|off| off.abs() < 1e-4) && answer.warnings.is_empty(), "{off:?} {:?}", answer.warnings);
@@ -89,9 +89,9 @@ fn a_sensor_on_the_structure_and_the_unit_of_a_file_are_minded() {
         let rows: String = frequency_hz.iter().zip(&value).map(row).collect();
         let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
         std::fs::write(folder.path().join("frf.csv"), format!("frequency [Hz],mfc.re{unit},mfc.im{unit}\n{rows}")).expect("a file");
-        let lines = Lines::File { path: "frf.csv".into(), channel: "mfc".to_owned(), between_hz: (0.0, 1e3) };
+        let lines = MeasuredLines::File { path: "frf.csv".into(), channel: "mfc".to_owned(), between_hz: (0.0, 1e3) };
         let features = Features { folder: folder.path().to_owned(), ..features(lines, given(0.01)) };
-        match fit(&file, &model, &features, Path::new("."), &Watch::default()) {
+        match fit(&file, &model, &features, Path::new("."), &Control::default()) {
             Ok((answer, _)) => {
                 assert!(fits, "{unit}");
                 assert_eq!(answer.warnings.iter().any(|told| told.contains("tells no unit")), unit.is_empty(), "{:?}", answer.warnings);

@@ -3,7 +3,7 @@
 use super::samples::{mat, npy};
 use super::through_a_file::{kinds, one, read};
 use jounce_measure::read::ReadError;
-use jounce_measure::recording::FindingKind;
+use jounce_measure::recording::IssueKind;
 
 #[test]
 fn arrays_need_notes_where_they_tell_no_time() {
@@ -65,7 +65,7 @@ fn a_single_number_of_a_matrix_file_tells_the_rate() {
     for (name, number) in [("fs", 2000.0), ("Fs", 2000.0), ("sample_rate", 2000.0), ("dt", 5e-4)] {
         let found = one("a.mat", &with(&[(name, number)], false), None);
         assert!((found.rate() / 2000.0 - 1.0).abs() < 1e-12 && found.grid.at(0) == 0.0, "{name}: {}", found.rate());
-        assert_eq!((found.channels.len(), &found.channels[0].values, kinds(&found)), (1, &tip, vec![FindingKind::Assumed]), "{name}");
+        assert_eq!((found.channels.len(), &found.channels[0].values, kinds(&found)), (1, &tip, vec![IssueKind::Assumed]), "{name}");
         assert!(found.findings[0].to_string().contains(&format!("at 2000 Hz from 0 s on, by {name} = {number} ")), "{:?}", found.findings);
     }
     let told = |bytes: &[u8], notes: Option<&str>, rate: f64, words: &str| {
@@ -82,7 +82,7 @@ fn a_single_number_of_a_matrix_file_tells_the_rate() {
     );
     told(&with(&[("fs", 2000.0)], false), Some("rate = \"500 Hz\"\n"), 500.0, "the notes say 500.000000 Hz; the notes are used");
     told(&with(&[("fs", 2000.0), ("dt", 1e-3)], false), None, 2000.0, "dt = 0.001 one of 1000 Hz; the first is taken");
-    assert!(!kinds(&one("a.mat", &with(&[("fs", 1000.0), ("dt", 1e-3)], true), None)).contains(&FindingKind::HeaderDisagrees));
+    assert!(!kinds(&one("a.mat", &with(&[("fs", 1000.0), ("dt", 1e-3)], true), None)).contains(&IssueKind::HeaderDisagrees));
     // The first column of a matrix is its time where it has that rate.
     let both = |ramp: Vec<f64>| [mat("m", &[ramp, tip.clone()]), mat("fs", &[vec![1000.0]]).split_off(128)].concat();
     assert_eq!(one("a.mat", &both(ramp.clone()), None).channels.len(), 1);

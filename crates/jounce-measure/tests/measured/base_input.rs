@@ -1,9 +1,9 @@
 //! Responses to the motion of a base and to a voltage: units, the same modes from every kind of input, and what is refused.
 
-use jounce_measure::modal::{Band, Settings, identify};
+use jounce_measure::modal::{Band, ModalSettings, identify};
 use jounce_measure::recording::{Channel, Grid, Over, Quantity, Recording};
-use jounce_measure::response::{Chosen, Excitation, ResponseError, Responses};
-use jounce_measure::spectral::{Estimator, FrequencyResponse, ImpactSettings, Sight};
+use jounce_measure::response::{ChannelChoice, Excitation, MeasuredResponses, ResponseError};
+use jounce_measure::spectral::{Estimator, FrequencyResponse, ImpactSettings, WindowBias};
 use realfft::num_complex::Complex;
 use std::f64::consts::TAU;
 
@@ -27,11 +27,11 @@ fn transferred(output: Quantity, input: Quantity, hz: f64) -> Complex<f64> {
     (relative(hz) + 1.0) * Complex::new(0.0, TAU * hz).powi(power(output) - power(input))
 }
 
-fn responses(output: Quantity, input: Quantity) -> Responses {
+fn responses(output: Quantity, input: Quantity) -> MeasuredResponses {
     let frequency_hz: Vec<f64> = (40..1400).map(|k| f64::from(k) * 0.25).collect();
     let value: Vec<_> = frequency_hz.iter().map(|hz| transferred(output, input, *hz)).collect();
     let coherence = vec![1.0; value.len()];
-    Responses {
+    MeasuredResponses {
         outputs: vec!["tip".to_owned()],
         references: vec!["base".to_owned()],
         names: vec!["tip".to_owned()],
@@ -39,7 +39,7 @@ fn responses(output: Quantity, input: Quantity) -> Responses {
         quantities: vec![output],
         input: "base".to_owned(),
         inputs: vec![input],
-        functions: vec![FrequencyResponse { frequency_hz, value, coherence, blocks: 1, sight: Sight::Whole, without: Vec::new() }],
+        functions: vec![FrequencyResponse { frequency_hz, value, coherence, blocks: 1, sight: WindowBias::Whole, without: Vec::new() }],
         hits: Vec::new(),
         block_s: None,
         window_decay_per_s: 0.0,
@@ -54,7 +54,7 @@ fn every_motion_of_tip_and_base_gives_the_same_modes_and_participation() {
     let kinds = [Quantity::Displacement, Quantity::Velocity, Quantity::Acceleration];
     for (output, input) in kinds.iter().flat_map(|output| kinds.iter().map(move |input| (*output, *input))) {
         let responses = responses(output, input);
-        let found = identify(&Band::of(&responses, (10.0, 349.0)).expect("a band"), Settings { order: 16 }).expect("modes");
+        let found = identify(&Band::of(&responses, (10.0, 349.0)).expect("a band"), ModalSettings { order: 16 }).expect("modes");
         assert_eq!(found.modes.len(), 3, "{output:?} {input:?}: {:?}", found.modes);
         for (mode, (hz, ratio, part)) in found.modes.iter().zip(MODES) {
             let told = mode.base_participation(&responses).expect("a base")[0];
@@ -68,7 +68,7 @@ fn every_motion_of_tip_and_base_gives_the_same_modes_and_participation() {
 
 fn found_under_a_force() -> Option<usize> {
     let responses = responses(Quantity::Acceleration, Quantity::Force);
-    let found = identify(&Band::of(&responses, (10.0, 349.0)).expect("a band"), Settings { order: 16 }).expect("modes");
+    let found = identify(&Band::of(&responses, (10.0, 349.0)).expect("a band"), ModalSettings { order: 16 }).expect("modes");
     found.modes[0].base_participation(&responses).map(|parts| parts.len())
 }
 
@@ -90,9 +90,9 @@ fn going_on(k: u32) -> f64 {
     (f64::from(k) * 0.7).sin() + (f64::from(k).powi(2) * 1e-4).sin()
 }
 
-fn of(record: &Recording, settings: &ImpactSettings) -> Result<Responses, ResponseError> {
-    let chosen = Chosen { excitation: Excitation::Channel("in".to_owned()), ..Chosen::default() };
-    Responses::of_hits(std::slice::from_ref(record), &chosen, settings)
+fn of(record: &Recording, settings: &ImpactSettings) -> Result<MeasuredResponses, ResponseError> {
+    let chosen = ChannelChoice { excitation: Excitation::Channel("in".to_owned()), ..ChannelChoice::default() };
+    MeasuredResponses::of_hits(std::slice::from_ref(record), &chosen, settings)
 }
 
 const PLAIN: ImpactSettings =
@@ -124,23 +124,23 @@ fn units_are_those_of_output_and_input() {
 #[test]
 fn what_cannot_be_an_input_is_refused() {
     let volts = (Quantity::Voltage, "V");
-    let told = |record: &Recording, chosen: &Chosen| {
-        Responses::of_hits(std::slice::from_ref(record), chosen, &PLAIN).expect_err("a refusal").to_string()
+    let told = |record: &Recording, chosen: &ChannelChoice| {
+        MeasuredResponses::of_hits(std::slice::from_ref(record), chosen, &PLAIN).expect_err("a refusal").to_string()
     };
-    let channel = |name: &str| Chosen { excitation: Excitation::Channel(name.to_owned()), ..Chosen::default() };
+    let channel = |name: &str| ChannelChoice { excitation: Excitation::Channel(name.to_owned()), ..ChannelChoice::default() };
     let silent = shaken((Quantity::Unknown, ""), volts, going_on);
     assert!(told(&silent, &channel("in")).contains("tells no unit"));
     let counts = shaken((Quantity::Unknown, "counts"), volts, going_on);
     assert!(told(&counts, &channel("in")).contains("the unit counts"));
     let base = shaken((Quantity::Acceleration, "m/s^2"), volts, going_on);
-    assert!(told(&base, &Chosen::default()).contains("--input"));
-    assert!(told(&base, &Chosen { excitation: Excitation::Force("in".to_owned()), ..Chosen::default() }).contains("--input"));
+    assert!(told(&base, &ChannelChoice::default()).contains("--input"));
+    assert!(told(&base, &ChannelChoice { excitation: Excitation::Force("in".to_owned()), ..ChannelChoice::default() }).contains("--input"));
     assert!(told(&base, &channel("nowhere")).contains("nowhere"));
-    assert!(told(&base, &Chosen { responses: vec!["in".to_owned()], ..channel("in") }).contains("cannot respond to itself"));
+    assert!(told(&base, &ChannelChoice { responses: vec!["in".to_owned()], ..channel("in") }).contains("cannot respond to itself"));
     let pulse = shaken((Quantity::Acceleration, "m/s^2"), volts, |k| if (20..30).contains(&k) { 50.0 } else { 0.0 });
     assert!(told(&pulse, &channel("in")).contains("--shaker"));
     assert!(of(&pulse, &ImpactSettings { shaker: true, ..PLAIN }).is_ok());
     let other = shaken((Quantity::Velocity, "m/s"), volts, going_on);
-    let fault = Responses::of_hits(&[base, other], &channel("in"), &PLAIN).expect_err("a refusal").to_string();
+    let fault = MeasuredResponses::of_hits(&[base, other], &channel("in"), &PLAIN).expect_err("a refusal").to_string();
     assert!(fault.contains("one kind of input"), "{fault}");
 }

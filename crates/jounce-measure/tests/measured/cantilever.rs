@@ -1,7 +1,7 @@
 //! A steel cantilever of which only the amplitude spectrum of its answer to a hit was kept.
 
 use super::samples::real;
-use jounce_measure::modal::{Settings, identify_decays};
+use jounce_measure::modal::{ModalSettings, identify_decays};
 use jounce_measure::read;
 use jounce_measure::response::Decays;
 
@@ -13,7 +13,7 @@ fn found_hz() -> Option<Vec<f64>> {
     let spectrum =
         read::file(&real("hrshm_cantilever/impulse_FFT_data.lvm")?).unwrap_or_else(|fault| panic!("{fault}")).recordings.remove(0);
     let decays = Decays::of_spectrum(&spectrum, &[]).expect("amplitudes over even lines");
-    let found = identify_decays(&decays, (2.0, 160.0), Settings { order: 20 }).expect("modes");
+    let found = identify_decays(&decays, (2.0, 160.0), ModalSettings { order: 20 }).expect("modes");
     Some(found.modes.iter().map(|mode| mode.frequency_hz).collect())
 }
 

@@ -7,7 +7,7 @@ use super::writers::tdms::{Channel, Property, segment};
 use super::writers::{wav, zip};
 use hdf5_pure::{AttrValue, FileBuilder};
 use jounce_measure::read::Contents;
-use jounce_measure::recording::{FindingKind, Over, Quantity, Recording};
+use jounce_measure::recording::{IssueKind, Over, Quantity, Recording};
 
 fn ramp(count: u32, step: f64) -> Vec<f64> {
     (0..count).map(|k| f64::from(k) * step).collect()
@@ -102,7 +102,7 @@ fn whole_numbers_and_objects_in_matlab_files() {
     let short: Vec<i16> = (-20..20).map(|k| k * 7 % 40 * 800).collect();
     let found = one("a.mat", &file(&[("x", Value::Short(short.clone())), ("fs", column(&[100.0]))], false), None);
     assert!(found.channels[0].values.iter().zip(&short).all(|(a, b)| *a == f64::from(*b)));
-    assert!(kinds(&found).contains(&FindingKind::RawCounts));
+    assert!(kinds(&found).contains(&IssueKind::RawCounts));
 }
 
 #[test]
@@ -169,7 +169,7 @@ fn tdms_channels_run_through_all_segments() {
         assert_eq!(found.channels[1].values, b.iter().map(|x| x * 1e-3).collect::<Vec<f64>>());
         let open = one("a.tdms", &[part(0, 70, true), part(70, 200, false)].concat(), None);
         assert_eq!(open.channels, found.channels);
-        assert!(kinds(&open).contains(&FindingKind::HeaderDisagrees));
+        assert!(kinds(&open).contains(&IssueKind::HeaderDisagrees));
         let whole = part(0, 200, true);
         let told = read("a.tdms", &whole[..whole.len() - 8], None).expect_err("it is cut").to_string();
         assert!(told.contains("was the file cut?"), "{told}");

@@ -5,16 +5,16 @@
 //! beyond half the rate.
 
 use super::samples::real;
-use jounce::linear::{Input, Response, frf};
-use jounce::march::Watch;
+use jounce::linear::{FrfInput, FrfResponse, frf};
+use jounce::march::Control;
 use jounce::plant::{Plant, System};
 use jounce::reproduce::paper_spec;
 use jounce::run::StartState;
 use jounce::signal::Samples;
 use jounce::structure::modes_holding;
 use jounce_measure::read;
-use jounce_measure::recording::{FindingKind, Grid, Recording};
-use jounce_measure::rig::{Sensor, ShakerTest, Wander, on_recorded_base, shaker_test};
+use jounce_measure::recording::{Grid, IssueKind, Recording};
+use jounce_measure::rig::{Disturbance, Sensor, ShakerTest, on_recorded_base, shaker_test};
 use jounce_measure::spectral::{MeanPower, mean_power};
 use realfft::RealFftPlanner;
 
@@ -28,7 +28,7 @@ struct Motion {
     /// What 1 in the file stands for, m/s^2.
     scale: f64,
     between_s: (f64, f64),
-    traps: &'static [FindingKind],
+    traps: &'static [IssueKind],
 }
 
 fn motion(of: &Motion) -> Option<Recording> {
@@ -56,12 +56,12 @@ fn driven(motion: &Recording, gap: &str) -> (Plant, Recording, MeanPower) {
         duration_s: spec.run.duration_s,
         before_s: 0.0,
         starts: vec![(0.0, StartState::rest(&plant))],
-        wander: Wander::NONE,
+        wander: Disturbance::NONE,
         accelerometers: Vec::new(),
         sensor: Sensor { noise_ratio: 0.0, bits: None },
         seed: 1,
     };
-    let record = shaker_test(&spec, &modes, &test, &Watch::default()).unwrap_or_else(|fault| panic!("{fault}"));
+    let record = shaker_test(&spec, &modes, &test, &Control::default()).unwrap_or_else(|fault| panic!("{fault}"));
     let power = mean_power(&Samples::new(&record.channels[0].values, RATE_HZ).expect("samples"), LOAD_OHM, false).expect("power");
     (plant, record, power)
 }
@@ -78,7 +78,7 @@ fn transformed_w(plant: &Plant, record: &Recording) -> f64 {
     let mut bins = forward.make_output_vec();
     forward.process(&mut input, &mut bins).expect("the plan made both");
     let hz: Vec<f64> = (0..bins.len()).map(|k| k as f64 * RATE_HZ / padded as f64).collect();
-    let h = &frf(plant, &Input::BaseAcceleration, &[Response::LoadVoltage("load".to_owned())], &hz).expect("a response")[0].value;
+    let h = &frf(plant, &FrfInput::BaseAcceleration, &[FrfResponse::LoadVoltage("load".to_owned())], &hz).expect("a response")[0].value;
     bins.iter_mut().zip(h).for_each(|(bin, h)| *bin *= h);
     let last = bins.len() - 1;
     (bins[0].im, bins[last].im) = (0.0, 0.0);
@@ -114,7 +114,7 @@ fn el_centro_drives_the_harvester() {
 /// strongest.
 #[test]
 fn a_foot_drives_the_harvester() {
-    let (file, traps) = ("human_gait/foot_data.mat", &[FindingKind::ZeroPadding, FindingKind::Constant, FindingKind::Assumed][..]);
+    let (file, traps) = ("human_gait/foot_data.mat", &[IssueKind::ZeroPadding, IssueKind::Constant, IssueKind::Assumed][..]);
     for between_s in [(70.0, 170.0), (315.0, 359.0)] {
         check(&Motion { file, channel: "foot_data(5)", scale: 9.80665, between_s, traps }, 5e-3);
     }
@@ -123,13 +123,13 @@ fn a_foot_drives_the_harvester() {
 /// Stamps jitter by more than a percent.
 #[test]
 fn a_hand_carried_logger_drives_the_harvester() {
-    let (file, traps) = ("endaq_ide/test_si.csv", &[FindingKind::Jitter, FindingKind::Resampled][..]);
+    let (file, traps) = ("endaq_ide/test_si.csv", &[IssueKind::Jitter, IssueKind::Resampled][..]);
     check(&Motion { file, channel: "ay_m_s2", scale: 1.0, between_s: (0.0, 60.0), traps }, 5e-3);
 }
 
 /// Counts of a converter of +-2 g (16384 to 1 g), stamps in whole milliseconds with gaps.
 #[test]
 fn a_sawn_tree_drives_the_harvester() {
-    let (file, traps) = ("tree_vibration/chainsaw_1.csv", &[FindingKind::Jitter, FindingKind::Gap, FindingKind::RawCounts][..]);
+    let (file, traps) = ("tree_vibration/chainsaw_1.csv", &[IssueKind::Jitter, IssueKind::Gap, IssueKind::RawCounts][..]);
     check(&Motion { file, channel: "accel_x", scale: 9.80665 / 16384.0, between_s: (0.0, 60.0), traps }, 5e-3);
 }

@@ -2,10 +2,10 @@
 
 use super::samples::{lvm, record, uff58b};
 use super::through_a_file::{kinds, one, read};
-use jounce_measure::modal::{Band, Settings, identify};
+use jounce_measure::modal::{Band, ModalSettings, identify};
 use jounce_measure::read;
-use jounce_measure::recording::{FindingKind, Grid, Quantity, Recording};
-use jounce_measure::response::Responses;
+use jounce_measure::recording::{Grid, IssueKind, Quantity, Recording};
+use jounce_measure::response::MeasuredResponses;
 use jounce_measure::write::write;
 use std::f64::consts::TAU;
 
@@ -22,9 +22,9 @@ fn a_response_is_what_its_unit_says() {
         }
         let found = one("h.csv", text.as_bytes(), None);
         assert_eq!((found.channels[0].quantity, found.channels[0].unit.as_str()), (Quantity::Response, si));
-        let responses = Responses::given(&[found]).expect("responses");
+        let responses = MeasuredResponses::given(&[found]).expect("responses");
         let band = Band::of(&responses, (10.0, 30.0)).expect("a band");
-        let modes = identify(&band, Settings { order: 10 }).expect("modes").modes;
+        let modes = identify(&band, ModalSettings { order: 10 }).expect("modes").modes;
         assert_eq!(modes.len(), 1, "{unit}");
         let (f, damping) = (modes[0].frequency_hz / 20.0 - 1.0, modes[0].damping_ratio / zeta - 1.0);
         eprintln!("{unit}: frequency off by {f:.1e}, damping by {damping:.1e}");
@@ -41,14 +41,13 @@ fn a_text_with_units_gaps_and_words_is_read_and_told() {
     assert!((found.channels[0].values[1] + 1.5 * 9.80665).abs() < 1e-14);
     assert_eq!((found.channels[1].quantity, found.channels[1].name.as_str()), (Quantity::Force, "Kraft"));
     let kinds = kinds(&found);
-    for kind in [FindingKind::Converted, FindingKind::NotANumber, FindingKind::Ragged, FindingKind::Skipped] {
+    for kind in [IssueKind::Converted, IssueKind::NotANumber, IssueKind::Ragged, IssueKind::Skipped] {
         assert!(kinds.contains(&kind), "{kind:?} is missing in {kinds:?}");
     }
     let latin = one("b.csv", b"t [s],a [m/s\xb2]\n0,1\n1,2\n2,3\n", None);
     assert_eq!(latin.channels[0].quantity, Quantity::Acceleration);
     assert!(
-        latin.findings.iter().any(|f| f.kind == FindingKind::Encoding)
-            && latin.findings.iter().any(|f| f.kind == FindingKind::NonAsciiUnit)
+        latin.findings.iter().any(|f| f.kind == IssueKind::Encoding) && latin.findings.iter().any(|f| f.kind == IssueKind::NonAsciiUnit)
     );
 }
 
@@ -57,7 +56,7 @@ fn a_text_with_units_gaps_and_words_is_read_and_told() {
 fn a_unit_that_is_not_known_is_told_in_brackets_of_any_kind() {
     for head in ["U (furlong)", "U [furlong]", "U (pC)", "U (mA)", "U (dBm)", "U [dBm]", "U (dB re 1 furlong)"] {
         let found = one("a.csv", format!("t (s),{head}\n0,1\n1,20\n2,3\n").as_bytes(), None);
-        assert_eq!((kinds(&found), found.channels[0].name.as_str()), (vec![FindingKind::UnknownUnit], "U"), "{head}");
+        assert_eq!((kinds(&found), found.channels[0].name.as_str()), (vec![IssueKind::UnknownUnit], "U"), "{head}");
         assert_eq!((found.channels[0].quantity, &found.channels[0].values[..]), (Quantity::Unknown, &[1.0, 20.0, 3.0][..]), "{head}");
     }
     for head in ["sensor (top)", "channel (1)", "a (ch2)"] {
@@ -77,7 +76,7 @@ fn a_letter_that_may_be_a_label_is_told() {
     let names: Vec<(&str, &str)> = found.channels.iter().map(|channel| (channel.name.as_str(), channel.unit.as_str())).collect();
     assert_eq!(names, [("sensor (A)", ""), ("channel", "V"), ("channel (B)", "")]);
     let told: Vec<String> = found.findings.iter().map(ToString::to_string).collect();
-    assert!(kinds(&found) == [FindingKind::Assumed; 2] && told[0].contains("as a label") && told[1].contains("as the unit V"), "{told:?}");
+    assert!(kinds(&found) == [IssueKind::Assumed; 2] && told[0].contains("as a label") && told[1].contains("as the unit V"), "{told:?}");
     let notes = "[channel.\"sensor (A)\"]\nname = \"sensor A\"\n[channel.channel]\nunit = \"V\"\n";
     assert_eq!(kinds(&one("a.csv", text, Some(notes))), []);
     let labelled = one("a.lvm", lvm().replace("X_Value\tVoltage\t", "X_Value\tsensor (A)\t").as_bytes(), None);
@@ -103,7 +102,7 @@ fn decibels_are_told_of_their_reference() {
         let value = found.channels[0].values[1];
         assert!((value / due - 1.0).abs() < 1e-13, "{head}: {value}");
         assert_eq!(found.channels[0].unit, unit, "{head}");
-        assert!(kinds(&found).contains(&FindingKind::Decibels), "{head}");
+        assert!(kinds(&found).contains(&IssueKind::Decibels), "{head}");
     }
 }
 
@@ -143,7 +142,7 @@ fn the_stamps_of_an_lvm_win_over_its_header() {
     assert!((found.rate() - 800.0).abs() < 1e-9);
     assert_eq!(found.channels.iter().map(|c| c.quantity).collect::<Vec<_>>(), [Quantity::Voltage, Quantity::Force]);
     let kinds = kinds(&found);
-    assert!(kinds.contains(&FindingKind::RescaledStamps) && kinds.contains(&FindingKind::HeaderDisagrees), "{kinds:?}");
+    assert!(kinds.contains(&IssueKind::RescaledStamps) && kinds.contains(&IssueKind::HeaderDisagrees), "{kinds:?}");
 }
 
 /// The header of a second segment is no data: it is told where it ends.
@@ -162,7 +161,7 @@ fn a_text_whose_lines_differ_is_no_table() {
     let wrong = read("a.txt", text.as_bytes(), Some("rate = \"10 Hz\"\n")).expect_err("no table").to_string();
     assert!(wrong.contains("line 4") && wrong.contains("29 more of 33 lines") && wrong.contains(".channels.toml"), "{wrong}");
     let odd = "t a\n".to_owned() + &"1 2\n3 4\n5 6\n".repeat(10) + "1 2 3\n";
-    assert!(kinds(&one("a.txt", odd.as_bytes(), Some("rate = \"10 Hz\"\n"))).contains(&FindingKind::Ragged));
+    assert!(kinds(&one("a.txt", odd.as_bytes(), Some("rate = \"10 Hz\"\n"))).contains(&IssueKind::Ragged));
 }
 
 #[test]
@@ -201,5 +200,5 @@ fn what_is_no_recording_is_refused_with_its_reason() {
         assert!(told.contains(why), "{told}");
     }
     let constant = one("a.csv", b"t [s],a\n0,1\n1,1\n2,1\n3,1\n", None);
-    assert!(kinds(&constant).contains(&FindingKind::Constant));
+    assert!(kinds(&constant).contains(&IssueKind::Constant));
 }

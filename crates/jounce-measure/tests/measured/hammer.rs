@@ -3,11 +3,11 @@
 use super::samples::real;
 use jounce::signal::{Samples, Window};
 use jounce_measure::contact;
-use jounce_measure::modal::{Band, Motion, Settings, identify};
+use jounce_measure::modal::{Band, ModalSettings, ResponseQuantity, identify};
 use jounce_measure::read;
 use jounce_measure::recording::Recording;
-use jounce_measure::response::{Chosen, Excitation, Responses};
-use jounce_measure::spectral::{Averages, Estimator, FrequencyResponse, HitSearch, ImpactSettings, Segments, Sight, hits};
+use jounce_measure::response::{ChannelChoice, Excitation, MeasuredResponses};
+use jounce_measure::spectral::{Estimator, FrequencyResponse, HitSearch, ImpactSettings, Segments, SpectrumAverages, WindowBias, hits};
 
 fn records() -> Option<Vec<Recording>> {
     let paths: Option<Vec<_>> = (1..=5).map(|k| real(&format!("pyfrf_hammer/measurements_{k}.npy"))).collect();
@@ -17,13 +17,13 @@ fn records() -> Option<Vec<Recording>> {
 
 fn averaged(records: &[Recording], estimator: Estimator) -> FrequencyResponse {
     let segments = Segments::new(25_600, 0.0, Window::Rectangular).expect("segments");
-    let mut averages = Averages::new(12_801);
+    let mut averages = SpectrumAverages::new(12_801);
     for record in records {
         let transform =
             |channel: usize| segments.transform(&Samples::new(&record.channels[channel].values, 25_600.0).expect("samples"), 0, 0.0);
         averages.add(&transform(0), &transform(1)).expect("lines");
     }
-    averages.response(segments.frequency_hz(25_600.0), estimator, Sight::Whole).expect("five blocks")
+    averages.response(segments.frequency_hz(25_600.0), estimator, WindowBias::Whole).expect("five blocks")
 }
 
 /// Values of pyFRF 1.5.0 (`FRF(25600, exc, resp, window="none", fft_len=25600)`, `get_FRF(estimator, "accelerance")`, `get_coherence()`), lines
@@ -104,8 +104,8 @@ fn bands_far_from_zero_hold_the_same_modes() {
     ];
     for (between_hz, resonances) in bands {
         let (value, deviation) = (std::slice::from_ref(&found.value), std::slice::from_ref(&deviation));
-        let band = Band::new(&found.frequency_hz, value, deviation, 1, Motion::Acceleration, between_hz).expect("a band");
-        let identified = identify(&band, Settings::default()).unwrap_or_else(|fault| panic!("{fault}"));
+        let band = Band::new(&found.frequency_hz, value, deviation, 1, ResponseQuantity::Acceleration, between_hz).expect("a band");
+        let identified = identify(&band, ModalSettings::default()).unwrap_or_else(|fault| panic!("{fault}"));
         for expected in resonances {
             let off = |hz: f64| (hz / expected - 1.0).abs();
             let nearest = identified.modes.iter().map(|mode| mode.frequency_hz).min_by(|a, b| off(*a).total_cmp(&off(*b)));
@@ -123,8 +123,15 @@ fn modes_are_those_of_an_independent_package() {
     let Some(records) = records() else { return };
     let found = averaged(&records, Estimator::H1);
     let deviation: Vec<f64> = (0..found.value.len()).map(|k| found.relative_deviation(k)).collect();
-    let band = Band::new(&found.frequency_hz, std::slice::from_ref(&found.value), &[deviation], 1, Motion::Acceleration, (500.0, 4300.0));
-    let identified = identify(&band.expect("a band"), Settings::default()).unwrap_or_else(|fault| panic!("{fault}"));
+    let band = Band::new(
+        &found.frequency_hz,
+        std::slice::from_ref(&found.value),
+        &[deviation],
+        1,
+        ResponseQuantity::Acceleration,
+        (500.0, 4300.0),
+    );
+    let identified = identify(&band.expect("a band"), ModalSettings::default()).unwrap_or_else(|fault| panic!("{fault}"));
     for expected in [900.020, 2640.196, 3668.706, 4128.050] {
         let near = identified.modes.iter().any(|mode| (mode.frequency_hz / expected - 1.0).abs() < 1e-3);
         assert!(near, "no mode at {expected} Hz: {:?}", identified.modes);
@@ -137,9 +144,9 @@ fn modes_are_those_of_an_independent_package() {
 #[test]
 fn modes_are_found_in_the_whole_band() {
     let Some(records) = records() else { return };
-    let chosen = Chosen { excitation: Excitation::Force("channel 2".to_owned()), responses: Vec::new() };
-    let responses = Responses::of_hits(&records, &chosen, &ImpactSettings::default()).unwrap_or_else(|fault| panic!("{fault}"));
-    let found = identify(&Band::of(&responses, (0.0, 12_800.0)).expect("a band"), Settings::default()).expect("modes");
+    let chosen = ChannelChoice { excitation: Excitation::Force("channel 2".to_owned()), responses: Vec::new() };
+    let responses = MeasuredResponses::of_hits(&records, &chosen, &ImpactSettings::default()).unwrap_or_else(|fault| panic!("{fault}"));
+    let found = identify(&Band::of(&responses, (0.0, 12_800.0)).expect("a band"), ModalSettings::default()).expect("modes");
     let told: Vec<(f64, f64)> = found.modes.iter().map(|mode| (mode.frequency_hz, mode.frequency_half_width_hz())).collect();
     eprintln!("{told:.2?}, misfit {:.1}, unexplained {:?}", found.misfit, found.unexplained);
     for expected in [900.020, 2640.196, 3668.706, 4128.050] {

@@ -1,13 +1,13 @@
 //! How often the stated intervals of identified modes hold the truth of the virtual rig.
 
-use jounce::drive::Stream;
-use jounce::linear::{Input, Response, frf};
+use jounce::drive::RandomStream;
+use jounce::linear::{FrfInput, FrfResponse, frf};
 use jounce::plant::{Plant, System};
 use jounce::spec::SpecFile;
 use jounce::structure;
-use jounce_measure::modal::{Band, Settings, identify};
+use jounce_measure::modal::{Band, ModalSettings, identify};
 use jounce_measure::recording::{Channel, Grid, Over, Quantity, Recording};
-use jounce_measure::response::{Chosen, Responses};
+use jounce_measure::response::{ChannelChoice, MeasuredResponses};
 use jounce_measure::rig::{HammerTest, Sensor, hammer_test};
 use jounce_measure::spectral::{Estimator, ImpactSettings};
 use rayon::prelude::*;
@@ -34,8 +34,8 @@ fn plant() -> Plant {
     Plant::new(System::assemble(&spec, modes).expect("a system")).expect("a plant")
 }
 
-fn accelerations() -> Vec<Response> {
-    ["beam.tip", "beam.middle"].map(|point| Response::Acceleration(point.to_owned())).to_vec()
+fn accelerations() -> Vec<FrfResponse> {
+    ["beam.tip", "beam.middle"].map(|point| FrfResponse::Acceleration(point.to_owned())).to_vec()
 }
 
 /// Hits in one recording.
@@ -56,14 +56,14 @@ fn struck(plant: &Plant, (hits, block_s, noise): (usize, f64, f64), seed: u64) -
 
 /// A shaker's white noise, its answer in the steady state.
 fn shaken(plant: &Plant, (samples, noise): (usize, f64), seed: u64) -> Recording {
-    let mut stream = Stream::new(seed, 7);
+    let mut stream = RandomStream::new(seed, 7);
     let force: Vec<f64> = (0..samples / 2).flat_map(|_| stream.normal_pair()).collect();
     let mut planner = RealFftPlanner::new();
     let (forward, backward) = (planner.plan_fft_forward(samples), planner.plan_fft_inverse(samples));
     let (mut input, mut spectrum) = (force.clone(), forward.make_output_vec());
     forward.process(&mut input, &mut spectrum).expect("the plan made the length");
     let frequency_hz: Vec<f64> = (0..spectrum.len()).map(|k| k as f64 * RATE_HZ / samples as f64).collect();
-    let functions = frf(plant, &Input::Force("beam.struck".to_owned()), &accelerations(), &frequency_hz).expect("responses");
+    let functions = frf(plant, &FrfInput::Force("beam.struck".to_owned()), &accelerations(), &frequency_hz).expect("responses");
     let sensor = Sensor { noise_ratio: noise, bits: Some(16) };
     let mut channels = vec![Channel::new("force", Quantity::Force, "N", sensor.read(&force, &mut stream))];
     for function in functions {
@@ -80,8 +80,8 @@ fn shaken(plant: &Plant, (samples, noise): (usize, f64), seed: u64) -> Recording
 
 /// Errors over half widths of one trial: frequency and damping ratio of each mode.
 fn trial(record: Recording, settings: &ImpactSettings) -> [[f64; 2]; 3] {
-    let responses = Responses::of_hits(&[record], &Chosen::default(), settings).unwrap_or_else(|fault| panic!("{fault}"));
-    let mut found = identify(&Band::of(&responses, BAND_HZ).expect("a band"), Settings { order: 12 }).expect("modes");
+    let responses = MeasuredResponses::of_hits(&[record], &ChannelChoice::default(), settings).unwrap_or_else(|fault| panic!("{fault}"));
+    let mut found = identify(&Band::of(&responses, BAND_HZ).expect("a band"), ModalSettings { order: 12 }).expect("modes");
     found.modes.iter_mut().for_each(|mode| mode.without_decay(responses.window_decay_per_s));
     TRUTH.map(|(hz, ratio)| {
         let near = found.modes.iter().find(|mode| (mode.frequency_hz / hz - 1.0).abs() < 0.02);

@@ -1,9 +1,9 @@
 //! Real recordings beside the repository: what is in them and what is wrong with them. Skipped aloud where they are absent.
 
 use super::samples::real;
-use jounce_measure::modal::{Settings, identify_decays};
+use jounce_measure::modal::{ModalSettings, identify_decays};
 use jounce_measure::read;
-use jounce_measure::recording::{FindingKind, Over, Recording};
+use jounce_measure::recording::{IssueKind, Over, Recording};
 use jounce_measure::response::Decays;
 
 fn recording(file: &str) -> Option<Recording> {
@@ -11,7 +11,7 @@ fn recording(file: &str) -> Option<Recording> {
     contents.recordings.into_iter().next()
 }
 
-fn kinds(recording: &Recording) -> Vec<(FindingKind, Option<&str>, usize)> {
+fn kinds(recording: &Recording) -> Vec<(IssueKind, Option<&str>, usize)> {
     recording.findings.iter().map(|finding| (finding.kind, finding.channel.as_deref(), finding.count)).collect()
 }
 
@@ -42,16 +42,16 @@ fn the_wrong_header_of_the_thinned_lvm_is_noticed() {
     let Some(found) = recording("hrshm_cantilever/test1_downsampled_by_64.lvm") else { return };
     assert!((found.rate() - 800.0).abs() < 1e-6, "{}", found.rate());
     let found_kinds = kinds(&found);
-    assert!(found_kinds.iter().any(|(kind, ..)| *kind == FindingKind::RescaledStamps), "{found_kinds:?}");
-    assert!(found_kinds.iter().any(|(kind, ..)| *kind == FindingKind::HeaderDisagrees), "{found_kinds:?}");
-    assert!(found_kinds.iter().any(|(kind, channel, _)| *kind == FindingKind::Converted && *channel == Some("Force")));
+    assert!(found_kinds.iter().any(|(kind, ..)| *kind == IssueKind::RescaledStamps), "{found_kinds:?}");
+    assert!(found_kinds.iter().any(|(kind, ..)| *kind == IssueKind::HeaderDisagrees), "{found_kinds:?}");
+    assert!(found_kinds.iter().any(|(kind, channel, _)| *kind == IssueKind::Converted && *channel == Some("Force")));
 }
 
 #[test]
 fn the_spectrum_in_decibels_becomes_amplitudes_over_frequency() {
     let Some(found) = recording("hrshm_cantilever/impulse_FFT_data.lvm") else { return };
     assert_eq!(found.over, Over::Frequency);
-    assert!(found.findings.iter().any(|finding| finding.kind == FindingKind::Decibels));
+    assert!(found.findings.iter().any(|finding| finding.kind == IssueKind::Decibels));
     let highest =
         (20..150_000).map(|k| (found.channels[0].values[k], found.grid.at(k))).filter(|(_, f)| *f < 8.0).max_by(|a, b| a.0.total_cmp(&b.0));
     assert!((highest.expect("lines").1 - 6.57).abs() < 0.05, "{highest:?}");
@@ -63,7 +63,7 @@ fn the_spectrum_in_decibels_becomes_amplitudes_over_frequency() {
 fn doubt_leaves_the_three_modes_of_the_cantilever() {
     let Some(found) = recording("hrshm_cantilever/impulse_FFT_data.lvm") else { return };
     let decays = Decays::of_spectrum(&found, &[]).expect("amplitudes over even lines");
-    let modes = identify_decays(&decays, (3.0, 150.0), Settings { order: 40 }).expect("modes").modes;
+    let modes = identify_decays(&decays, (3.0, 150.0), ModalSettings { order: 40 }).expect("modes").modes;
     let sure: Vec<f64> = modes.iter().filter(|mode| !mode.is_doubtful()).map(|mode| mode.frequency_hz).collect();
     eprintln!("{sure:?} Hz of {}", modes.len());
     assert!(sure.len() == 3 && modes.len() > 3, "{modes:?}");
@@ -77,19 +77,19 @@ fn doubt_leaves_the_three_modes_of_the_cantilever() {
 fn the_zero_padding_of_the_gait_is_found() {
     let Some(found) = recording("human_gait/foot_data.mat") else { return };
     assert!((found.rate() - 100.0).abs() < 1e-6);
-    let constant = found.findings.iter().filter(|finding| finding.kind == FindingKind::Constant).count();
+    let constant = found.findings.iter().filter(|finding| finding.kind == IssueKind::Constant).count();
     assert_eq!(constant, 3);
-    let padding = found.findings.iter().find(|finding| finding.kind == FindingKind::ZeroPadding).expect("padding");
+    let padding = found.findings.iter().find(|finding| finding.kind == IssueKind::ZeroPadding).expect("padding");
     assert!(padding.count >= 598, "{padding}");
 }
 
 #[test]
 fn jitter_and_raw_counts_of_the_tree_are_found() {
     let Some(found) = recording("tree_vibration/chainsaw_1.csv") else { return };
-    let kinds: Vec<FindingKind> = found.findings.iter().map(|finding| finding.kind).collect();
-    assert!(kinds.contains(&FindingKind::Jitter) && kinds.contains(&FindingKind::RawCounts), "{kinds:?}");
+    let kinds: Vec<IssueKind> = found.findings.iter().map(|finding| finding.kind).collect();
+    assert!(kinds.contains(&IssueKind::Jitter) && kinds.contains(&IssueKind::RawCounts), "{kinds:?}");
     let even = found.even().expect("even");
-    assert!(even.findings.iter().any(|finding| finding.kind == FindingKind::Resampled));
+    assert!(even.findings.iter().any(|finding| finding.kind == IssueKind::Resampled));
     assert!((even.rate() - 333.33).abs() < 1.0);
 }
 
@@ -111,7 +111,7 @@ fn every_universal_file_is_read_or_refused_with_its_reason() {
     assert!((sine.rate() - 100.0).abs() < 1e-6 && (peak(&sine, 0) - 9.80665).abs() < 1e-6);
     let psd = recording("uff/sample_dataset58_psd.uff").expect("there");
     assert_eq!(psd.over, Over::Frequency);
-    assert!(psd.findings.iter().any(|finding| finding.kind == FindingKind::NonAsciiUnit), "{:?}", kinds(&psd));
+    assert!(psd.findings.iter().any(|finding| finding.kind == IssueKind::NonAsciiUnit), "{:?}", kinds(&psd));
     let shapes = read::file(&real("uff/uff55_translation.uff").expect("there")).expect("shapes").shapes;
     assert_eq!((shapes.len(), shapes[0].nodes.len(), shapes[0].real[1][2]), (3, 4, 0.150_162));
     let refused = read::file(&real("uff/groups_test.uff").expect("there")).expect_err("geometry only").to_string();

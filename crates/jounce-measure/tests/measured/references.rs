@@ -1,12 +1,12 @@
 //! Modes from responses to forces at several places.
 
 use faer::c64;
-use jounce::drive::Stream;
-use jounce_measure::modal::{Band, Identification, Settings, identify, mac};
+use jounce::drive::RandomStream;
+use jounce_measure::modal::{Band, Identification, ModalSettings, identify, mac};
 use jounce_measure::read;
 use jounce_measure::recording::{Channel, Grid, Over, Quantity, Recording};
-use jounce_measure::response::Responses;
-use jounce_measure::spectral::{FrequencyResponse, Sight};
+use jounce_measure::response::MeasuredResponses;
+use jounce_measure::spectral::{FrequencyResponse, WindowBias};
 use jounce_measure::write::write;
 use std::f64::consts::TAU;
 
@@ -35,9 +35,9 @@ fn acceleration(modes: &[(f64, f64)], place: usize, force: usize, frequency_hz: 
 }
 
 /// The responses at sensors to forces, each with white noise of a share of its rms.
-fn responses(modes: &[(f64, f64)], sensors: &[usize], forces: &[usize], noise: f64) -> Responses {
+fn responses(modes: &[(f64, f64)], sensors: &[usize], forces: &[usize], noise: f64) -> MeasuredResponses {
     let frequency_hz: Vec<f64> = (160..=880).map(|k| 0.25 * f64::from(k)).collect();
-    let mut stream = Stream::new(7, 0);
+    let mut stream = RandomStream::new(7, 0);
     let mut function = |o: usize, i: usize| {
         let exact: Vec<c64> = frequency_hz.iter().map(|hz| acceleration(modes, o, i, *hz)).collect();
         let rms = (exact.iter().map(|h| h.norm_sqr()).sum::<f64>() / exact.len() as f64).sqrt();
@@ -51,12 +51,12 @@ fn responses(modes: &[(f64, f64)], sensors: &[usize], forces: &[usize], noise: f
             frequency_hz: frequency_hz.clone(),
             value,
             blocks: 1,
-            sight: Sight::Whole,
+            sight: WindowBias::Whole,
             without: Vec::new(),
         }
     };
     let pairs: Vec<(usize, usize)> = sensors.iter().flat_map(|o| forces.iter().map(move |i| (*o, *i))).collect();
-    Responses {
+    MeasuredResponses {
         outputs: sensors.iter().map(|o| format!("a{o}")).collect(),
         references: forces.iter().map(|i| format!("point {i}")).collect(),
         names: pairs.iter().map(|(o, i)| format!("a{o} from point {i}")).collect(),
@@ -72,9 +72,9 @@ fn responses(modes: &[(f64, f64)], sensors: &[usize], forces: &[usize], noise: f
     }
 }
 
-fn modes_of(responses: &Responses, order: usize) -> Identification {
+fn modes_of(responses: &MeasuredResponses, order: usize) -> Identification {
     let band = Band::of(responses, (40.0, 220.0)).expect("a band");
-    identify(&band, Settings { order }).expect("modes")
+    identify(&band, ModalSettings { order }).expect("modes")
 }
 
 fn of_shape(mode: usize, places: &[usize]) -> Vec<c64> {
@@ -135,7 +135,7 @@ fn two_references_separate_two_close_modes_in_noise() {
 }
 
 /// The responses as channels over frequency, each with its sensor, and with where the force acts.
-fn recording(given: &Responses, (sensors, forces): (&[usize], &[usize]), reference: impl Fn(usize) -> String) -> Recording {
+fn recording(given: &MeasuredResponses, (sensors, forces): (&[usize], &[usize]), reference: impl Fn(usize) -> String) -> Recording {
     let hz = &given.functions[0].frequency_hz;
     let channel = |(k, function): (usize, &FrequencyResponse)| {
         let real = function.value.iter().map(|h| h.re).collect();
@@ -170,7 +170,7 @@ fn references_of_a_file_of_response_functions_are_used() {
         written.channels.reverse();
         write(&written, &path).expect("a file");
         let read = read::file(&path).expect("what was written").recordings;
-        let given = Responses::given(&read).expect("responses");
+        let given = MeasuredResponses::given(&read).expect("responses");
         assert_eq!(given.references, [reference(3), reference(0)], "{ending}");
         assert_eq!((given.outputs.len(), given.functions.len()), (6, 12));
         assert_eq!(given.names[1], format!("{} from {}", given.outputs[0], reference(0)));
@@ -204,11 +204,11 @@ fn references_without_all_their_functions_are_told() {
         [(without, "0 of output node 11 +z to node 3 +z"), (twice, "2 of output node 11 +z to node 0 +z"), (silent, "not told")]
     {
         let count = odd.channels.len();
-        let given = Responses::given(&[odd]).expect("responses");
+        let given = MeasuredResponses::given(&[odd]).expect("responses");
         assert!(given.references.is_empty() && given.outputs.len() == count, "{told}");
         assert!(given.findings.len() == 1 && given.findings[0].about.contains(told), "{:?}", given.findings);
     }
-    let given = Responses::given(&[whole]).expect("responses");
+    let given = MeasuredResponses::given(&[whole]).expect("responses");
     assert_eq!((given.references.len(), given.outputs.len(), given.findings.len()), (2, 3, 0));
 }
 

@@ -1,11 +1,11 @@
 //! Seven modes from eight noisy frequency responses, and modes from responses of several kinds.
 
 use faer::c64;
-use jounce::drive::Stream;
-use jounce_measure::modal::{Band, Motion, Settings, identify};
+use jounce::drive::RandomStream;
+use jounce_measure::modal::{Band, ModalSettings, ResponseQuantity, identify};
 use jounce_measure::recording::Quantity;
-use jounce_measure::response::Responses;
-use jounce_measure::spectral::{FrequencyResponse, Sight};
+use jounce_measure::response::MeasuredResponses;
+use jounce_measure::spectral::{FrequencyResponse, WindowBias};
 use std::f64::consts::TAU;
 use std::time::Instant;
 
@@ -38,7 +38,7 @@ fn acceleration(modes: &[(f64, f64)], place: usize, frequency_hz: f64) -> c64 {
 #[test]
 fn seven_modes_come_from_eight_responses() {
     let frequency_hz: Vec<f64> = (1..=2000).map(|k| 0.5 * f64::from(k)).collect();
-    let mut stream = Stream::new(1, 0);
+    let mut stream = RandomStream::new(1, 0);
     let mut noisy = |place: usize, hz: f64| {
         let exact = acceleration(&MODES, place, hz);
         let [re, im] = stream.normal_pair();
@@ -55,7 +55,7 @@ fn seven_modes_come_from_eight_responses() {
 #[test]
 fn a_narrow_first_mode_is_found_in_a_wide_band() {
     let frequency_hz: Vec<f64> = (1..=12_800).map(|k| 0.1 * f64::from(k)).collect();
-    let mut stream = Stream::new(2, 0);
+    let mut stream = RandomStream::new(2, 0);
     let mut noisy = |place: usize| -> Vec<c64> {
         let exact: Vec<c64> = frequency_hz.iter().map(|hz| acceleration(&SLENDER, place, *hz)).collect();
         let rms = (exact.iter().map(|h| h.norm_sqr()).sum::<f64>() / exact.len() as f64).sqrt();
@@ -73,8 +73,8 @@ fn a_narrow_first_mode_is_found_in_a_wide_band() {
 /// The modes found against those put in, none more and none less: largest relative errors of frequency and damping ratio.
 fn found(modes: &[(f64, f64)], frequency_hz: &[f64], responses: &[Vec<c64>], told: &[Vec<f64>], between_hz: (f64, f64)) -> [f64; 2] {
     let clock = Instant::now();
-    let band = Band::new(frequency_hz, responses, told, 1, Motion::Acceleration, between_hz).expect("a band");
-    let found = identify(&band, Settings::default()).expect("modes");
+    let band = Band::new(frequency_hz, responses, told, 1, ResponseQuantity::Acceleration, between_hz).expect("a band");
+    let found = identify(&band, ModalSettings::default()).expect("modes");
     let time_s = clock.elapsed().as_secs_f64();
     assert_eq!(found.modes.len(), modes.len(), "{:?}", found.modes);
     let mut worst = [0.0_f64; 2];
@@ -98,10 +98,10 @@ fn voltages_and_accelerations_stand_together() {
         let displacement = |hz: f64| acceleration(modes, place, hz) / -(TAU * hz).powi(2);
         let of = |hz: &f64| if place < 2 { displacement(*hz) } else { acceleration(modes, place, *hz) };
         let (value, coherence) = (frequency_hz.iter().map(of).collect(), vec![1.0; frequency_hz.len()]);
-        FrequencyResponse { frequency_hz: frequency_hz.clone(), value, coherence, blocks: 1, sight: Sight::Whole, without: Vec::new() }
+        FrequencyResponse { frequency_hz: frequency_hz.clone(), value, coherence, blocks: 1, sight: WindowBias::Whole, without: Vec::new() }
     };
     let kind = |place: usize| if place < 2 { Quantity::Voltage } else { Quantity::Acceleration };
-    let responses = Responses {
+    let responses = MeasuredResponses {
         outputs: (0..4).map(|place| format!("place {place}")).collect(),
         references: Vec::new(),
         names: (0..4).map(|place| format!("place {place}")).collect(),
@@ -115,7 +115,7 @@ fn voltages_and_accelerations_stand_together() {
         window_decay_per_s: 0.0,
         findings: Vec::new(),
     };
-    let found = identify(&Band::of(&responses, (40.0, 400.0)).expect("a band"), Settings::default()).expect("modes");
+    let found = identify(&Band::of(&responses, (40.0, 400.0)).expect("a band"), ModalSettings::default()).expect("modes");
     assert_eq!(found.modes.len(), 4, "{:?}", found.modes);
     for (mode, (hz, zeta)) in found.modes.iter().zip(modes) {
         let off = [(mode.frequency_hz / hz - 1.0).abs(), (mode.damping_ratio / zeta - 1.0).abs()];

@@ -4,17 +4,17 @@
 //! damping, coupling, capacitance; the flanks of the responses, where damping counts for little, its participation. From the fitted spec follow the
 //! optimal load, and the power over a fifth load under the base as it was recorded there.
 
-use jounce::drive::Stream;
-use jounce::linear::{Input, Response, frf, optimal_resistance};
-use jounce::march::Watch;
+use jounce::analysis::AnalysisError;
+use jounce::drive::RandomStream;
+use jounce::linear::{FrfInput, FrfResponse, frf, optimal_resistance};
+use jounce::march::Control;
 use jounce::plant::{Plant, System};
 use jounce::spec::{Spec, SpecFile};
 use jounce::structure;
-use jounce::study::StudyError;
-use jounce_measure::fit::{Deviation, Features, Lines, ModeFeature, ResponseFeature, fit};
-use jounce_measure::modal::{Band, Mode, Settings, identify};
+use jounce_measure::fit::{Deviation, Features, MeasuredLines, ModeFeature, ResponseFeature, fit};
+use jounce_measure::modal::{Band, ModalSettings, Mode, identify};
 use jounce_measure::recording::{Channel, Grid, Over, Quantity, Recording};
-use jounce_measure::response::{Chosen, Excitation, Responses};
+use jounce_measure::response::{ChannelChoice, Excitation, MeasuredResponses};
 use jounce_measure::rig::Sensor;
 use jounce_measure::spectral::{ImpactSettings, mean_power};
 use rayon::prelude::*;
@@ -89,8 +89,8 @@ fn over_load(spec: &Spec, ohm: f64) -> Plant {
 
 /// Voltage over the load per acceleration of the base.
 fn voltage(plant: &Plant, frequency_hz: &[f64]) -> Vec<Complex<f64>> {
-    let output = [Response::LoadVoltage("load".to_owned())];
-    frf(plant, &Input::BaseAcceleration, &output, frequency_hz).expect("a response").remove(0).value
+    let output = [FrfResponse::LoadVoltage("load".to_owned())];
+    frf(plant, &FrfInput::BaseAcceleration, &output, frequency_hz).expect("a response").remove(0).value
 }
 
 fn line_hz() -> Vec<f64> {
@@ -98,7 +98,7 @@ fn line_hz() -> Vec<f64> {
 }
 
 /// A base under white noise of 3 m/s^2 rms and the voltage in the steady state, with noise of 1 % of the rms of each.
-fn record(response: &[Complex<f64>], stream: &mut Stream) -> Recording {
+fn record(response: &[Complex<f64>], stream: &mut RandomStream) -> Recording {
     let base: Vec<f64> = (0..SAMPLES / 2).flat_map(|_| stream.normal_pair()).map(|x| 3.0 * x).collect();
     let mut planner = RealFftPlanner::new();
     let (forward, backward) = (planner.plan_fft_forward(SAMPLES), planner.plan_fft_inverse(SAMPLES));
@@ -119,13 +119,13 @@ fn record(response: &[Complex<f64>], stream: &mut Stream) -> Recording {
 }
 
 /// The response that a record gives, and the one mode in its band.
-fn identified(record: Recording) -> (Responses, Mode) {
-    let chosen = Chosen { excitation: Excitation::Channel("base".to_owned()), ..Chosen::default() };
-    let responses = Responses::of_hits(&[record], &chosen, &ImpactSettings { block_s: Some(BLOCK_S), ..ImpactSettings::default() })
+fn identified(record: Recording) -> (MeasuredResponses, Mode) {
+    let chosen = ChannelChoice { excitation: Excitation::Channel("base".to_owned()), ..ChannelChoice::default() };
+    let responses = MeasuredResponses::of_hits(&[record], &chosen, &ImpactSettings { block_s: Some(BLOCK_S), ..ImpactSettings::default() })
         .unwrap_or_else(|fault| panic!("{fault}"));
     assert_eq!((responses.units[0].as_str(), responses.functions[0].blocks), ("V/(m/s^2)", 31));
     assert_eq!(responses.per_g(0), Some((9.806_65, "V/g".to_owned())));
-    let sought = |band| identify(&Band::of(&responses, band).expect("a band"), Settings::default()).ok();
+    let sought = |band| identify(&Band::of(&responses, band).expect("a band"), ModalSettings::default()).ok();
     let found = BANDS_HZ.into_iter().find_map(sought).expect("modes in one of the bands");
     let mode = found.modes.into_iter().filter(|mode| (55.0..68.0).contains(&mode.frequency_hz));
     let mode = mode.max_by(|a, b| a.residue[0].norm().total_cmp(&b.residue[0].norm())).expect("a mode");
@@ -153,16 +153,16 @@ fn loaded(mode: &Mode, ohm: f64) -> ModeFeature {
 }
 
 /// Lines of a flank with the deviation that their coherence tells.
-fn flank(responses: &Responses, (low, high): (f64, f64), ohm: f64) -> ResponseFeature {
+fn flank(responses: &MeasuredResponses, (low, high): (f64, f64), ohm: f64) -> ResponseFeature {
     let function = &responses.functions[0];
     let inside = (0..function.value.len()).filter(|k| (low..=high).contains(&function.frequency_hz[*k]));
     let lines: Vec<usize> = inside.step_by(EACH).collect();
     let square = lines.iter().map(|k| function.relative_deviation(*k).powi(2)).sum::<f64>() / lines.len() as f64;
     let value = lines.iter().map(|k| function.value[*k]).collect();
     ResponseFeature {
-        input: Input::BaseAcceleration,
-        output: Response::LoadVoltage("load".to_owned()),
-        lines: Lines::Complex(lines.iter().map(|k| function.frequency_hz[*k]).collect(), value),
+        input: FrfInput::BaseAcceleration,
+        output: FrfResponse::LoadVoltage("load".to_owned()),
+        lines: MeasuredLines::Complex(lines.iter().map(|k| function.frequency_hz[*k]).collect(), value),
         absolute: false,
         deviation: Deviation::Given(square.sqrt()),
         set: conditions(ohm),
@@ -170,16 +170,16 @@ fn flank(responses: &Responses, (low, high): (f64, f64), ohm: f64) -> ResponseFe
 }
 
 /// Where the load draws the most under the drive of the spec.
-fn optimum(spec: &Spec) -> Result<f64, StudyError> {
+fn optimum(spec: &Spec) -> Result<f64, AnalysisError> {
     Ok(optimal_resistance(&plant(spec), 0).expect("an optimum").resistance_ohm)
 }
 
-fn coupling_squared(spec: &Spec) -> Result<f64, StudyError> {
+fn coupling_squared(spec: &Spec) -> Result<f64, AnalysisError> {
     Ok(jounce::linear::couplings(&structure::modes(spec).expect("modes"))[0].coupling_squared)
 }
 
 /// Mean power over the fifth load under a base as it was recorded, all its lines that the first mode answers.
-fn power(spec: &Spec, base: &[(f64, f64)]) -> Result<f64, StudyError> {
+fn power(spec: &Spec, base: &[(f64, f64)]) -> Result<f64, AnalysisError> {
     let frequency_hz: Vec<f64> = base.iter().map(|(hz, _)| *hz).collect();
     let found = voltage(&over_load(spec, FIFTH_OHM), &frequency_hz);
     Ok(found.iter().zip(base).map(|(h, (_, square))| h.norm_sqr() * square).sum::<f64>() / FIFTH_OHM)
@@ -202,7 +202,7 @@ fn place((low, high): (f64, f64), truth: f64) -> f64 {
 }
 
 fn trial(truth: &Spec, responses: &[Vec<Complex<f64>>], seed: u64) -> Inside {
-    let mut stream = Stream::new(seed, 23);
+    let mut stream = RandomStream::new(seed, 23);
     let mut guess = truth.clone();
     let file = file();
     for (key, prior) in KEYS {
@@ -220,13 +220,13 @@ fn trial(truth: &Spec, responses: &[Vec<Complex<f64>>], seed: u64) -> Inside {
         features.responses.extend(FLANKS_HZ.map(|band| flank(&found, band, *ohm)));
     }
     let (answer, fitted) =
-        fit(&file, &guess, &features, Path::new("."), &Watch::default()).unwrap_or_else(|fault| panic!("{seed}: {fault}"));
+        fit(&file, &guess, &features, Path::new("."), &Control::default()).unwrap_or_else(|fault| panic!("{seed}: {fault}"));
     for (name, key) in ["frequency", "damping", "", "", "participation"].into_iter().zip(&answer.keys).filter(|(name, _)| !name.is_empty())
     {
         let value = file.numeric_key(&key.key).expect("a key").get(truth).expect("a value");
         inside.push((name, place((key.low, key.high), value)));
     }
-    let mut holds = |name, of: &dyn Fn(&Spec) -> Result<f64, StudyError>| {
+    let mut holds = |name, of: &dyn Fn(&Spec) -> Result<f64, AnalysisError>| {
         let (found, value) = (answer.derived(&fitted, of).expect("a number"), of(truth).expect("a number"));
         inside.push((name, place((found.low, found.high), value)));
     };

@@ -1,7 +1,7 @@
 //! Bytes and recordings through a file and back.
 
 use jounce_measure::read::{self, Contents, ReadError};
-use jounce_measure::recording::{FindingKind, Recording};
+use jounce_measure::recording::{IssueKind, Recording};
 use jounce_measure::write::write;
 
 pub fn read(name: &str, bytes: &[u8], notes: Option<&str>) -> Result<Contents, ReadError> {
@@ -27,7 +27,7 @@ pub fn again(recording: &Recording, name: &str) -> Recording {
     read::file(&path).unwrap_or_else(|fault| panic!("{fault}")).recordings.remove(0)
 }
 
-pub fn kinds(recording: &Recording) -> Vec<FindingKind> {
+pub fn kinds(recording: &Recording) -> Vec<IssueKind> {
     recording.findings.iter().map(|finding| finding.kind).collect()
 }
 

@@ -1,8 +1,8 @@
 //! How often the stated intervals of modes hold the truth where response functions tell no noise.
 
 use faer::c64;
-use jounce::drive::Stream;
-use jounce_measure::modal::{Band, Identification, Motion, Settings, identify};
+use jounce::drive::RandomStream;
+use jounce_measure::modal::{Band, Identification, ModalSettings, ResponseQuantity, identify};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -32,7 +32,7 @@ struct Noise {
 }
 
 fn trial(outputs: usize, references: usize, noise: Noise, seed: u64) -> Identification {
-    let mut stream = Stream::new(seed, 11);
+    let mut stream = RandomStream::new(seed, 11);
     let mut draw = |size: f64| {
         let [re, im] = stream.normal_pair();
         c64::new(re, im) * (size / 2f64.sqrt())
@@ -47,8 +47,8 @@ fn trial(outputs: usize, references: usize, noise: Noise, seed: u64) -> Identifi
             clean.iter().zip(&force[i]).map(|(h, force)| h * force * (1.0 + draw(noise.response)) + draw(noise.sensor * rms)).collect(),
         );
     }
-    let band = Band::new(&frequency_hz, &response, &[], references, Motion::Acceleration, (40.0, 200.0)).expect("a band");
-    identify(&band, Settings { order: 12 }).expect("modes")
+    let band = Band::new(&frequency_hz, &response, &[], references, ResponseQuantity::Acceleration, (40.0, 200.0)).expect("a band");
+    identify(&band, ModalSettings { order: 12 }).expect("modes")
 }
 
 /// Shares of trials in which the intervals hold frequencies and damping ratios.

@@ -3,7 +3,7 @@
 use super::samples::{record, response};
 use super::through_a_file::{again, differs, kinds};
 use jounce_measure::read;
-use jounce_measure::recording::{FindingKind, Grid, Over, Quantity, Recording};
+use jounce_measure::recording::{Grid, IssueKind, Over, Quantity, Recording};
 use jounce_measure::write::write;
 
 #[test]
@@ -32,7 +32,7 @@ fn what_is_written_is_read_back() {
             ("accelerance", Quantity::Response, "m/s^2/N"),
             "{name}"
         );
-        assert!(!kinds(&read).contains(&FindingKind::UnknownUnit), "{name}");
+        assert!(!kinds(&read).contains(&IssueKind::UnknownUnit), "{name}");
     }
 }
 

@@ -6,11 +6,11 @@ use jounce_measure::contact::ContactError;
 use jounce_measure::experiment::ExperimentError;
 use jounce_measure::fit::FitError;
 use jounce_measure::modal::ModalError;
-use jounce_measure::read::GivenError;
+use jounce_measure::read::ArraysError;
 use jounce_measure::recording::{ChannelError, GridError, NoChannel};
-use jounce_measure::regime::RegimeError;
 use jounce_measure::response::ResponseError;
 use jounce_measure::rig::RigError;
+use jounce_measure::segmentation::SegmentationError;
 use jounce_measure::solution::SolutionError;
 use jounce_measure::spectral::SpectralError;
 use jounce_measure::write::WriteError;
@@ -27,7 +27,7 @@ macro_rules! of_recordings {
     };
 }
 
-of_recordings!(GivenError, GridError, SignalError, SpectralError, RegimeError, ContactError, ModalError);
+of_recordings!(ArraysError, GridError, SignalError, SpectralError, SegmentationError, ContactError, ModalError);
 
 impl From<NoChannel> for Failure {
     fn from(error: NoChannel) -> Self {

@@ -2,8 +2,9 @@
 
 mod measured;
 
+use jounce::analysis::AnalysisError;
 use jounce::linear::RandomError;
-use jounce::march::{VariationError, Watch};
+use jounce::march::{Control, SensitivityError};
 use jounce::orbit::OrbitError;
 use jounce::plant::PlantError;
 use jounce::reproduce::ReproduceError;
@@ -13,7 +14,6 @@ use jounce::starter::UnknownKind;
 use jounce::store::StoreError;
 use jounce::structure::StructureError;
 use jounce::study::StudyError;
-use jounce::survey::SurveyError;
 use jounce::table::TableError;
 use jounce_explorer::ExploreError;
 use pyo3::prelude::*;
@@ -56,8 +56,8 @@ impl Failure {
     }
 
     /// What was computed, if it is whole.
-    pub fn unless_stopped<T>(watch: &Watch, found: T) -> Result<T, Self> {
-        if watch.is_stopped() { Err(Self::stopped()) } else { Ok(found) }
+    pub fn unless_stopped<T>(control: &Control, found: T) -> Result<T, Self> {
+        if control.is_stopped() { Err(Self::stopped()) } else { Ok(found) }
     }
 
     /// Of what has been stopped: no answer.
@@ -157,18 +157,18 @@ impl From<RunError> for Failure {
     }
 }
 
-impl From<StudyError> for Failure {
-    fn from(error: StudyError) -> Self {
+impl From<AnalysisError> for Failure {
+    fn from(error: AnalysisError) -> Self {
         match error {
-            StudyError::Structure(error) => error.into(),
-            StudyError::Plant(error) => error.into(),
-            StudyError::Run(error) => error.into(),
-            StudyError::Value(fault) => fault.into(),
-            StudyError::StartFile { ref path, .. } => Self::new("StartError", &error).with(json!({ "path": path })),
-            StudyError::Journal(error) => Self::of("FileError", &error),
-            StudyError::Aperiodic { ref drive } => Self::new("OrbitError", &error).with(json!({ "drive": drive })),
-            StudyError::OfRuns { ref key } => Self::new("ArgumentError", &error).with(json!({ "key": key })),
-            StudyError::NoNoise => {
+            AnalysisError::Structure(error) => error.into(),
+            AnalysisError::Plant(error) => error.into(),
+            AnalysisError::Run(error) => error.into(),
+            AnalysisError::Value(fault) => fault.into(),
+            AnalysisError::StartFile { ref path, .. } => Self::new("StartError", &error).with(json!({ "path": path })),
+            AnalysisError::Journal(error) => Self::of("FileError", &error),
+            AnalysisError::Aperiodic { ref drive } => Self::new("OrbitError", &error).with(json!({ "drive": drive })),
+            AnalysisError::OfRuns { ref key } => Self::new("ArgumentError", &error).with(json!({ "key": key })),
+            AnalysisError::NoNoise => {
                 let why = "an ensemble needs noise: give a drive `signal = \"noise\"`; Spec.run marches what is not random";
                 Self::new("ArgumentError", why)
             }
@@ -176,33 +176,33 @@ impl From<StudyError> for Failure {
     }
 }
 
-impl From<SurveyError> for Failure {
-    fn from(error: SurveyError) -> Self {
+impl From<StudyError> for Failure {
+    fn from(error: StudyError) -> Self {
         match error {
-            SurveyError::Study(error) => error.into(),
-            SurveyError::Faults(faults) => Self::faults(&faults),
-            SurveyError::Spec(faults) => faults.into(),
+            StudyError::Study(error) => error.into(),
+            StudyError::Faults(faults) => Self::faults(&faults),
+            StudyError::Spec(faults) => faults.into(),
             error => Self::new("StudyError", &error).with(survey_details(&error)),
         }
     }
 }
 
-fn survey_details(error: &SurveyError) -> Value {
+fn survey_details(error: &StudyError) -> Value {
     match error {
-        SurveyError::Unreadable { path, .. } | SurveyError::Damaged { path, .. } => json!({ "path": path }),
-        SurveyError::OtherStudy { folder, found, wanted } => json!({ "folder": folder, "found": found, "wanted": wanted }),
-        SurveyError::NoStudy { folder } | SurveyError::Folder { folder, .. } => json!({ "folder": folder }),
-        SurveyError::Busy { folder, shard } => json!({ "folder": folder, "shard": shard }),
-        SurveyError::Missing { missing, parts, first } => json!({ "missing": missing, "parts": parts, "first": first }),
+        StudyError::Unreadable { path, .. } | StudyError::Damaged { path, .. } => json!({ "path": path }),
+        StudyError::OtherStudy { folder, found, wanted } => json!({ "folder": folder, "found": found, "wanted": wanted }),
+        StudyError::NoStudy { folder } | StudyError::Folder { folder, .. } => json!({ "folder": folder }),
+        StudyError::Busy { folder, shard } => json!({ "folder": folder, "shard": shard }),
+        StudyError::Missing { missing, parts, first } => json!({ "missing": missing, "parts": parts, "first": first }),
         _ => Value::Null,
     }
 }
 
-impl From<OrbitError<StudyError>> for Failure {
-    fn from(error: OrbitError<StudyError>) -> Self {
+impl From<OrbitError<AnalysisError>> for Failure {
+    fn from(error: OrbitError<AnalysisError>) -> Self {
         match error {
             OrbitError::Harvester(error) => error.into(),
-            OrbitError::March(VariationError::March(error)) => Self::of("MarchError", &error),
+            OrbitError::March(SensitivityError::March(error)) => Self::of("MarchError", &error),
             OrbitError::March(error) => Self::new("MarchError", error),
             OrbitError::Frequencies { frequencies } | OrbitError::Summed { frequencies } => {
                 Self::new("OrbitError", &error).with(json!({ "frequencies": frequencies }))

@@ -1,12 +1,12 @@
 //! Force pulses of a hammer and the laws of contact fitted to them.
 
-use super::recording::{Given, findings};
-use crate::arrays::Answer;
+use super::recording::{GivenRecording, findings};
+use crate::arrays::PythonDict;
 use crate::branch::json;
 use crate::failure::Failure;
 use jounce::signal::Samples;
 use jounce_measure::contact::fit;
-use jounce_measure::draw::Pulse;
+use jounce_measure::draw::PulseFigure;
 use jounce_measure::recording::Quantity;
 use jounce_measure::spectral::{HitSearch, hits};
 use numpy::PyArray1;
@@ -17,7 +17,7 @@ use pyo3::types::PyDict;
 #[pyfunction]
 pub fn measured_contact<'py>(
     py: Python<'py>,
-    given: Given<'py>,
+    given: GivenRecording<'py>,
     force: Option<String>,
     mass_kg: Option<f64>,
 ) -> PyResult<Bound<'py, PyDict>> {
@@ -27,7 +27,7 @@ pub fn measured_contact<'py>(
         let samples = Samples::new(&force.values, record.rate())?;
         let hits = hits(&samples, HitSearch::default())?;
         let fits: Vec<_> = hits.iter().map(|hit| fit(&samples, hit, mass_kg)).collect();
-        let pulses: Vec<Pulse> = hits.iter().zip(&fits).map(|(hit, law)| Pulse::of(&samples, hit, law.as_ref().ok())).collect();
+        let pulses: Vec<PulseFigure> = hits.iter().zip(&fits).map(|(hit, law)| PulseFigure::of(&samples, hit, law.as_ref().ok())).collect();
         Ok::<_, Failure>((force.name.clone(), hits, fits, pulses))
     });
     let (channel, hits, fits, pulses) = found.map_err(|failure| failure.raised(py))?;
@@ -36,7 +36,7 @@ pub fn measured_contact<'py>(
     let row = |values: Vec<f64>| PyArray1::from_vec(py, values);
     let pulses: Vec<_> =
         pulses.into_iter().map(|pulse| (row(pulse.time_s), row(pulse.force_n), row(pulse.law.0), row(pulse.law.1))).collect();
-    let answer = Answer::new(py)
+    let answer = PythonDict::new(py)
         .with("channel", channel)?
         .with("rate_hz", record.rate())?
         .with("hits", json(&hits)?)?

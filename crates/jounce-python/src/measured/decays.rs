@@ -1,9 +1,9 @@
 //! Modes of structures without a measured force: free decays, and outputs alone.
 
 use super::modes::{check_order, identified};
-use super::recording::{Given, findings};
+use super::recording::{GivenRecording, findings};
 use crate::failure::Failure;
-use jounce_measure::modal::{Settings, identify_decays};
+use jounce_measure::modal::{ModalSettings, identify_decays};
 use jounce_measure::recording::Over;
 use jounce_measure::response::{AmbientSettings, Decays};
 use pyo3::prelude::*;
@@ -22,9 +22,9 @@ pub struct Unforced {
 }
 
 impl Unforced {
-    fn decays(&self, py: Python<'_>, given: &[Given<'_>]) -> Result<Decays, Failure> {
+    fn decays(&self, py: Python<'_>, given: &[GivenRecording<'_>]) -> Result<Decays, Failure> {
         if self.free {
-            let records = given.iter().map(Given::even).collect::<Result<Vec<_>, _>>()?;
+            let records = given.iter().map(GivenRecording::even).collect::<Result<Vec<_>, _>>()?;
             return py.detach(|| Ok(Decays::free(&records, &self.responses, self.span_s)?));
         }
         let [one] = given else {
@@ -43,7 +43,7 @@ impl Unforced {
 #[pyfunction]
 pub fn measured_decays<'py>(
     py: Python<'py>,
-    given: Vec<Given<'py>>,
+    given: Vec<GivenRecording<'py>>,
     unforced: Unforced,
     between_hz: Option<(f64, f64)>,
     order: usize,
@@ -51,7 +51,7 @@ pub fn measured_decays<'py>(
     check_order(order)?;
     let decays = unforced.decays(py, &given)?;
     let between_hz = between_hz.unwrap_or((0.0, 0.5 * decays.rate_hz));
-    let found = py.detach(|| Ok::<_, Failure>(identify_decays(&decays, between_hz, Settings { order })?));
+    let found = py.detach(|| Ok::<_, Failure>(identify_decays(&decays, between_hz, ModalSettings { order })?));
     let found = found.map_err(|failure| failure.raised(py))?;
     let answer = identified(py, (&decays.outputs, &[]), &decays.names(), &found)?;
     Ok(answer.with("findings", findings(&decays.findings)?)?.dict())

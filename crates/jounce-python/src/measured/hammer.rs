@@ -1,13 +1,13 @@
 //! Frequency responses and modes of a hammer test.
 
 use super::modes::{check_order, identified};
-use super::recording::{Given, findings};
-use crate::arrays::Answer;
+use super::recording::{GivenRecording, findings};
+use crate::arrays::PythonDict;
 use crate::branch::json;
 use crate::failure::Failure;
-use jounce_measure::modal::{Band, Mode, Settings, identify};
+use jounce_measure::modal::{Band, ModalSettings, Mode, identify};
 use jounce_measure::recording::{Over, Recording};
-use jounce_measure::response::{Chosen, Excitation, Parts, Responses, bridged, paired};
+use jounce_measure::response::{ChannelChoice, ComplexParts, Excitation, MeasuredResponses, bridged, paired};
 use jounce_measure::spectral::{Estimator, ImpactSettings};
 use numpy::{Complex64, PyArray1};
 use pyo3::prelude::*;
@@ -53,9 +53,9 @@ impl Hammer {
     fn prepared(&self, recordings: Vec<Recording>) -> Result<Vec<Recording>, Failure> {
         let found = match self.functions.as_deref() {
             None => recordings,
-            Some("re-im") => paired(recordings, Parts::ReIm)?,
-            Some("size-degrees") => paired(recordings, Parts::SizeDegrees)?,
-            Some("size-radians") => paired(recordings, Parts::SizeRadians)?,
+            Some("re-im") => paired(recordings, ComplexParts::ReIm)?,
+            Some("size-degrees") => paired(recordings, ComplexParts::SizeDegrees)?,
+            Some("size-radians") => paired(recordings, ComplexParts::SizeRadians)?,
             Some(other) => {
                 let why = format!("functions is \"{other}\"; it must be \"re-im\", \"size-degrees\" or \"size-radians\"");
                 return Err(Failure::new("ArgumentError", why));
@@ -65,13 +65,13 @@ impl Hammer {
     }
 
     /// The responses of recordings over time; those over frequency as they stand there.
-    fn responses(&self, py: Python<'_>, given: &[Given<'_>]) -> Result<Responses, Failure> {
+    fn responses(&self, py: Python<'_>, given: &[GivenRecording<'_>]) -> Result<MeasuredResponses, Failure> {
         let settings = self.settings()?;
-        let recordings = self.prepared(given.iter().map(Given::recording).collect::<Result<Vec<_>, _>>()?)?;
+        let recordings = self.prepared(given.iter().map(GivenRecording::recording).collect::<Result<Vec<_>, _>>()?)?;
         if recordings.iter().all(|recording| recording.over == Over::Frequency) {
-            return Ok(Responses::given(&recordings)?);
+            return Ok(MeasuredResponses::given(&recordings)?);
         }
-        let records = given.iter().map(Given::even).collect::<Result<Vec<_>, _>>()?;
+        let records = given.iter().map(GivenRecording::even).collect::<Result<Vec<_>, _>>()?;
         let excitation = match (&self.input, &self.force) {
             (Some(_), Some(_)) => {
                 return Err(Failure::new("ArgumentError", "force is an input in newtons and input one of any kind; give one of them"));
@@ -80,23 +80,23 @@ impl Hammer {
             (None, Some(channel)) => Excitation::Force(channel.clone()),
             (None, None) => Excitation::FirstForce,
         };
-        let chosen = Chosen { excitation, responses: self.responses.clone() };
-        py.detach(|| Ok(Responses::of_hits(&records, &chosen, &settings)?))
+        let chosen = ChannelChoice { excitation, responses: self.responses.clone() };
+        py.detach(|| Ok(MeasuredResponses::of_hits(&records, &chosen, &settings)?))
     }
 }
 
 /// The frequency responses of a hammer test.
 #[pyfunction]
-pub fn measured_frf<'py>(py: Python<'py>, given: Vec<Given<'py>>, hammer: Hammer) -> PyResult<Bound<'py, PyDict>> {
+pub fn measured_frf<'py>(py: Python<'py>, given: Vec<GivenRecording<'py>>, hammer: Hammer) -> PyResult<Bound<'py, PyDict>> {
     let found = hammer.responses(py, &given)?;
-    Ok(told(py, &found)?.dict())
+    Ok(into_python(py, &found)?.dict())
 }
 
 /// The modes of a hammer test between two frequencies; the whole band without them.
 #[pyfunction]
 pub fn measured_modes<'py>(
     py: Python<'py>,
-    given: Vec<Given<'py>>,
+    given: Vec<GivenRecording<'py>>,
     hammer: Hammer,
     between_hz: Option<(f64, f64)>,
     order: usize,
@@ -106,7 +106,7 @@ pub fn measured_modes<'py>(
     let highest = responses.functions[0].frequency_hz.last().copied().unwrap_or(0.0);
     let between_hz = between_hz.unwrap_or((0.0, highest));
     let found = py.detach(|| {
-        let mut found = identify(&Band::of(&responses, between_hz)?, Settings { order })?;
+        let mut found = identify(&Band::of(&responses, between_hz)?, ModalSettings { order })?;
         found.modes.iter_mut().for_each(|mode| mode.without_decay(responses.window_decay_per_s));
         Ok::<_, Failure>(found)
     });
@@ -114,22 +114,22 @@ pub fn measured_modes<'py>(
     let references = if responses.references.len() > 1 { &responses.references[..] } else { &[] };
     let answer = identified(py, (&responses.outputs, references), &responses.names, &found)?;
     let base = found.modes.iter().map(|mode| base_participation(py, mode, &responses)).collect::<Vec<_>>();
-    Ok(answer.with("base_participation", base)?.with("frf", told(py, &responses)?.dict())?.dict())
+    Ok(answer.with("base_participation", base)?.with("frf", into_python(py, &responses)?.dict())?.dict())
 }
 
 /// Participation of each output in a mode under the motion of the base; empty under another input.
-fn base_participation<'py>(py: Python<'py>, mode: &Mode, responses: &Responses) -> Bound<'py, PyArray1<Complex64>> {
+fn base_participation<'py>(py: Python<'py>, mode: &Mode, responses: &MeasuredResponses) -> Bound<'py, PyArray1<Complex64>> {
     let parts = mode.base_participation(responses).unwrap_or_default();
     PyArray1::from_vec(py, parts.iter().map(|part| Complex64::new(part.re, part.im)).collect())
 }
 
 /// Responses for Python.
-fn told<'py>(py: Python<'py>, found: &Responses) -> PyResult<Answer<'py>> {
+fn into_python<'py>(py: Python<'py>, found: &MeasuredResponses) -> PyResult<PythonDict<'py>> {
     let all = PyDict::new(py);
     for ((name, unit), function) in found.names.iter().zip(&found.units).zip(&found.functions) {
         all.set_item(name, (PyArray1::from_slice(py, &function.value), unit, PyArray1::from_slice(py, &function.coherence)))?;
     }
-    Answer::new(py)
+    PythonDict::new(py)
         .array("frequency_hz", found.functions.first().map_or_else(Vec::new, |function| function.frequency_hz.clone()))?
         .with("responses", all)?
         .with("input", &found.input)?

@@ -6,5 +6,5 @@ pub mod hammer;
 pub mod modes;
 pub mod power;
 pub mod recording;
-pub mod regimes;
+pub mod segments;
 pub mod spectra;

@@ -1,6 +1,6 @@
 //! Modes that were identified, for Python.
 
-use crate::arrays::Answer;
+use crate::arrays::PythonDict;
 use crate::branch::json;
 use crate::failure::Failure;
 use jounce_measure::modal::{Identification, Mode, mac_matrix};
@@ -25,11 +25,11 @@ pub fn identified<'py>(
     (outputs, references): (&[String], &[String]),
     functions: &[String],
     found: &Identification,
-) -> PyResult<Answer<'py>> {
+) -> PyResult<PythonDict<'py>> {
     let (modes, diagram) = (&found.modes, &found.diagram);
     let rows = |rows: &[Vec<Complex64>]| rows.iter().map(|row| PyArray1::from_slice(py, row)).collect::<Vec<_>>();
     let stable: Vec<String> = diagram.iter().map(|pole| Ok(json(&pole.stable)?.trim_matches('"').to_owned())).collect::<PyResult<_>>()?;
-    Answer::new(py)
+    PythonDict::new(py)
         .each("frequency_hz", modes, |mode| mode.frequency_hz)?
         .each("frequency_deviation_hz", modes, |mode| mode.frequency_deviation_hz)?
         .each("damping_ratio", modes, |mode| mode.damping_ratio)?

@@ -1,26 +1,26 @@
 //! Mean power of a recorded voltage.
 
-use super::recording::{Given, findings};
-use crate::arrays::Answer;
+use super::recording::{GivenRecording, findings};
+use crate::arrays::PythonDict;
 use crate::branch::json;
+use crate::cancellable::{left_alone, to_python_result};
 use crate::failure::Failure;
-use crate::run::Handed;
-use crate::watched::{handed, left_alone};
+use crate::run::PythonResult;
 use jounce::signal::{OrderLine, Window};
-use jounce_measure::recording::{Finding, Quantity};
+use jounce_measure::recording::{Issue, Quantity};
 use jounce_measure::spectral::{MeanPower, mean_power, signal};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 /// What one recording tells.
-struct Told {
+struct PowerData {
     channel: String,
     power: MeanPower,
     /// Of the base's acceleration about its mean, m^2/s^4; NaN where it is not asked for.
     mean_square: f64,
     orders: Vec<OrderLine>,
     spectrum: jounce::signal::Spectrum,
-    findings: Vec<Finding>,
+    findings: Vec<Issue>,
 }
 
 /// Mean power over a resistance with its interval, amplitudes at the given multiples of a drive, and the spectrum of the voltage.
@@ -28,16 +28,16 @@ struct Told {
 #[expect(clippy::too_many_arguments, reason = "one argument per option of the Python function, which calls by name")]
 pub fn measured_power<'py>(
     py: Python<'py>,
-    given: Given<'py>,
+    given: GivenRecording<'py>,
     resistance_ohm: f64,
     voltage: Option<String>,
     base: Option<String>,
     drive_hz: Option<f64>,
     orders: Vec<f64>,
     remove_mean: bool,
-) -> Handed<'py> {
+) -> PythonResult<'py> {
     let record = given.even()?;
-    let found = left_alone(py, move |watch| {
+    let found = left_alone(py, move |control| {
         let voltage = record.choose(voltage.as_deref(), Quantity::Voltage)?;
         let samples = signal(voltage, record.rate())?;
         let mean_square = match &base {
@@ -48,22 +48,29 @@ pub fn measured_power<'py>(
             }
         };
         let inside = |drive_hz: f64| orders.iter().copied().filter(|order| order * drive_hz < 0.5 * record.rate()).collect::<Vec<_>>();
-        Failure::unless_stopped(watch, ())?;
+        Failure::unless_stopped(control, ())?;
         let orders = match drive_hz {
             None => Vec::new(),
             Some(drive_hz) => samples.orders(drive_hz, &inside(drive_hz))?.lines,
         };
-        Failure::unless_stopped(watch, ())?;
+        Failure::unless_stopped(control, ())?;
         let power = mean_power(&samples, resistance_ohm, remove_mean)?;
-        Failure::unless_stopped(watch, ())?;
+        Failure::unless_stopped(control, ())?;
         let spectrum = samples.spectrum(Window::Hann);
-        Ok::<_, Failure>(Told { channel: voltage.name.clone(), power, mean_square, orders, spectrum, findings: record.findings.clone() })
+        Ok::<_, Failure>(PowerData {
+            channel: voltage.name.clone(),
+            power,
+            mean_square,
+            orders,
+            spectrum,
+            findings: record.findings.clone(),
+        })
     });
-    handed(py, found, |found| told(py, found))
+    to_python_result(py, found, |found| into_python(py, found))
 }
 
-fn told<'py>(py: Python<'py>, found: Told) -> PyResult<Bound<'py, PyDict>> {
-    let answer = Answer::new(py)
+fn into_python<'py>(py: Python<'py>, found: PowerData) -> PyResult<Bound<'py, PyDict>> {
+    let answer = PythonDict::new(py)
         .with("channel", found.channel)?
         .with("power", json(&found.power)?)?
         .with("mean_square_base_acceleration_m2_s4", found.mean_square)?

@@ -1,10 +1,10 @@
 //! Recordings from Python and back.
 
-use crate::arrays::Answer;
+use crate::arrays::PythonDict;
 use crate::branch::json;
 use crate::failure::Failure;
 use jounce_measure::read::{self, ModeShape, RawChannel};
-use jounce_measure::recording::{Channel, Finding, Grid, Over, Quantity, Recording};
+use jounce_measure::recording::{Channel, Grid, Issue, Over, Quantity, Recording};
 use jounce_measure::write::write;
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -17,7 +17,7 @@ type Row<'py> = PyReadonlyArray1<'py, f64>;
 /// A recording as Python hands it over.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
-pub struct Given<'py> {
+pub struct GivenRecording<'py> {
     name: String,
     over: String,
     /// The places of the samples, s or Hz.
@@ -42,7 +42,7 @@ struct GivenChannel<'py> {
     imaginary: Option<Row<'py>>,
 }
 
-impl Given<'_> {
+impl GivenRecording<'_> {
     /// As the library knows it, the values in SI.
     pub fn recording(&self) -> Result<Recording, Failure> {
         let channels = self.channels.iter().map(GivenChannel::channel).collect::<Result<_, Failure>>()?;
@@ -100,15 +100,15 @@ impl GivenChannel<'_> {
 #[pyfunction]
 pub fn recording_read(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> {
     let contents = py.detach(|| read::file(&path)).map_err(|error| Failure::from(error).raised(py))?;
-    let recordings = contents.recordings.into_iter().map(|one| told(py, one)).collect::<PyResult<Vec<_>>>()?;
+    let recordings = contents.recordings.into_iter().map(|one| into_python(py, one)).collect::<PyResult<Vec<_>>>()?;
     let shapes = contents.shapes.iter().map(|one| shape(py, one)).collect::<PyResult<Vec<_>>>()?;
-    let answer = Answer::new(py).with("recordings", recordings)?.with("shapes", shapes)?;
+    let answer = PythonDict::new(py).with("recordings", recordings)?.with("shapes", shapes)?;
     Ok(answer.with("findings", findings(&contents.findings)?)?.dict())
 }
 
 /// Samples with units as instruments write them, to a recording in SI.
 #[pyfunction]
-pub fn recording_given<'py>(py: Python<'py>, given: Given<'py>) -> PyResult<Bound<'py, PyDict>> {
+pub fn recording_given<'py>(py: Python<'py>, given: GivenRecording<'py>) -> PyResult<Bound<'py, PyDict>> {
     let (over, stamps) = (given.over()?, given.places.as_array().to_vec());
     let (grid, odd) = match given.step {
         Some(_) => (given.grid()?, Vec::new()),
@@ -117,31 +117,31 @@ pub fn recording_given<'py>(py: Python<'py>, given: Given<'py>) -> PyResult<Boun
     let channels = given.channels.iter().map(GivenChannel::raw).collect();
     let mut recording = read::given(&given.name, over, grid, channels).map_err(Failure::from)?;
     recording.findings.splice(0..0, odd);
-    told(py, recording)
+    into_python(py, recording)
 }
 
 /// A recording at even places, without missing samples.
 #[pyfunction]
-pub fn recording_even<'py>(py: Python<'py>, given: Given<'py>) -> PyResult<Bound<'py, PyDict>> {
+pub fn recording_even<'py>(py: Python<'py>, given: GivenRecording<'py>) -> PyResult<Bound<'py, PyDict>> {
     let recording = given.recording()?;
     let even = py.detach(|| recording.even()).map_err(|error| Failure::from(error).raised(py))?;
-    told(py, even)
+    into_python(py, even)
 }
 
 /// Writes a recording in the format that the ending of the path tells.
 #[pyfunction]
-pub fn recording_write(py: Python<'_>, given: Given<'_>, path: PathBuf) -> PyResult<()> {
+pub fn recording_write(py: Python<'_>, given: GivenRecording<'_>, path: PathBuf) -> PyResult<()> {
     let recording = given.recording()?;
     py.detach(|| write(&recording, &path)).map_err(|error| Failure::from(error).raised(py))
 }
 
 /// A recording for Python.
-pub fn told(py: Python<'_>, recording: Recording) -> PyResult<Bound<'_, PyDict>> {
+pub fn into_python(py: Python<'_>, recording: Recording) -> PyResult<Bound<'_, PyDict>> {
     let step = match &recording.grid {
         Grid::Even { step, .. } => Some(*step),
         Grid::Stamped(_) => None,
     };
-    let answer = Answer::new(py)
+    let answer = PythonDict::new(py)
         .with("over", if recording.over == Over::Time { "time" } else { "frequency" })?
         .with("findings", findings(&recording.findings)?)?
         .with("rate", recording.rate())?
@@ -153,7 +153,7 @@ pub fn told(py: Python<'_>, recording: Recording) -> PyResult<Bound<'_, PyDict>>
 }
 
 fn channel(py: Python<'_>, channel: Channel) -> PyResult<Bound<'_, PyDict>> {
-    let answer = Answer::new(py)
+    let answer = PythonDict::new(py)
         .with("quantity", json(&channel.quantity)?.trim_matches('"'))?
         .with("name", channel.name)?
         .with("unit", channel.unit)?
@@ -167,7 +167,7 @@ fn channel(py: Python<'_>, channel: Channel) -> PyResult<Bound<'_, PyDict>> {
 
 fn shape<'py>(py: Python<'py>, shape: &ModeShape) -> PyResult<Bound<'py, PyDict>> {
     let width = shape.real.first().map_or(0, Vec::len);
-    let answer = Answer::new(py)
+    let answer = PythonDict::new(py)
         .with("frequency_hz", shape.frequency_hz)?
         .with("damping_ratio", shape.damping_ratio)?
         .array("node", shape.nodes.clone())?
@@ -177,8 +177,8 @@ fn shape<'py>(py: Python<'py>, shape: &ModeShape) -> PyResult<Bound<'py, PyDict>
 }
 
 /// Findings as JSON, each with the sentence that tells it.
-pub fn findings(found: &[Finding]) -> PyResult<String> {
-    let one = |finding: &Finding| {
+pub fn findings(found: &[Issue]) -> PyResult<String> {
+    let one = |finding: &Issue| {
         serde_json::json!({
             "kind": finding.kind,
             "channel": finding.channel,

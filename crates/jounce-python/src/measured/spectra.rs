@@ -1,12 +1,12 @@
 //! Spectra of a recorded channel.
 
-use super::recording::{Given, findings};
-use crate::arrays::Answer;
+use super::recording::{GivenRecording, findings};
+use crate::arrays::PythonDict;
+use crate::cancellable::{left_alone, to_python_result};
 use crate::failure::Failure;
-use crate::run::Handed;
-use crate::watched::{handed, left_alone};
+use crate::run::PythonResult;
 use jounce::signal::Window;
-use jounce_measure::recording::{Channel, Finding, Quantity};
+use jounce_measure::recording::{Channel, Issue, Quantity};
 use jounce_measure::spectral::{Spectra, SpectraSettings, Spectrogram, first_live, signal, spectra_watched, spectrogram_watched};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -17,14 +17,14 @@ const PEAKS: usize = 5;
 /// How a record is cut into segments.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
-pub struct Cut {
+pub struct SegmentOptions {
     drive_hz: Option<f64>,
     segment_s: Option<f64>,
     overlap: f64,
     window: String,
 }
 
-impl Cut {
+impl SegmentOptions {
     fn settings(&self) -> Result<SpectraSettings, Failure> {
         let window = match self.window.as_str() {
             "hann" => Window::Hann,
@@ -41,30 +41,35 @@ impl Cut {
 
 /// Power spectral density, spectrogram and order lines of a channel; by default of the first one in volts that moves, else of the first that does.
 #[pyfunction]
-pub fn measured_spectra<'py>(py: Python<'py>, given: Given<'py>, channel: Option<String>, cut: Cut) -> Handed<'py> {
+pub fn measured_spectra<'py>(
+    py: Python<'py>,
+    given: GivenRecording<'py>,
+    channel: Option<String>,
+    cut: SegmentOptions,
+) -> PythonResult<'py> {
     let (record, settings) = (given.even()?, cut.settings()?);
-    let found = left_alone(py, move |watch| {
+    let found = left_alone(py, move |control| {
         let channel = match &channel {
             Some(name) => record.channel(name)?,
             None => first_live(&record, Quantity::Voltage)
                 .ok_or_else(|| Failure::new("RecordingError", format!("{} has no channel", record.name)))?,
         };
         let samples = signal(channel, record.rate())?;
-        let found = spectra_watched(&samples, &settings, watch)?;
-        let over_time = spectrogram_watched(&samples, &found.segments, watch)?;
+        let found = spectra_watched(&samples, &settings, control)?;
+        let over_time = spectrogram_watched(&samples, &found.segments, control)?;
         Ok::<_, Failure>((channel.clone(), record.findings, found, over_time))
     });
-    handed(py, found, |found| told(py, found))
+    to_python_result(py, found, |found| into_python(py, found))
 }
 
-fn told<'py>(
+fn into_python<'py>(
     py: Python<'py>,
-    (channel, told_of, found, spectrogram): (Channel, Vec<Finding>, Spectra, Spectrogram),
+    (channel, told_of, found, spectrogram): (Channel, Vec<Issue>, Spectra, Spectrogram),
 ) -> PyResult<Bound<'py, PyDict>> {
     let peaks = found.peaks(PEAKS);
     let (density, lines) = (found.density, found.orders);
     let width = spectrogram.frequency_hz.len();
-    let answer = Answer::new(py)
+    let answer = PythonDict::new(py)
         .with("channel", channel.name)?
         .with("unit", channel.unit)?
         .with("mean", density.mean)?

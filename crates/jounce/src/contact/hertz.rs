@@ -1,7 +1,7 @@
 //! Hertz contact `F = k max(0, delta)^n` (paper eq. (4) with `n = 3/2`); the one-sided linear spring is `n = 1`.
 
 use super::{ContactLaw, Slopes};
-use crate::wide::{Lane, Wide};
+use crate::simd::{F64x8, Simd};
 
 /// Elastic contact with a power law.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,7 +29,7 @@ impl ContactLaw for Hertz {
     }
 
     #[inline(always)]
-    fn forces_n<W: Wide>(&self, wide: W, penetration_m: W::Register, _rate_m_s: W::Register) -> W::Register {
+    fn forces_n<W: Simd>(&self, wide: W, penetration_m: W::Register, _rate_m_s: W::Register) -> W::Register {
         let depth_m = wide.max(penetration_m, wide.zero());
         let stiffness = wide.splat(self.stiffness);
         if self.exponent == 1.5 {
@@ -38,7 +38,7 @@ impl ContactLaw for Hertz {
             wide.mul(stiffness, depth_m)
         } else {
             let depth_m = wide.store(depth_m).0;
-            wide.load(&Lane(depth_m.map(|depth_m| self.force_n(depth_m, 0.0))))
+            wide.load(&F64x8(depth_m.map(|depth_m| self.force_n(depth_m, 0.0))))
         }
     }
 
@@ -68,11 +68,11 @@ impl ContactLaw for Hertz {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wide::Portable;
+    use crate::simd::Portable;
 
     #[test]
     fn eight_forces_are_the_force_eight_times() {
-        let depths = Lane([-1e-3, 0.0, 1e-9, 1e-6, 1e-4, 1e-3, 0.1, 2.0]);
+        let depths = F64x8([-1e-3, 0.0, 1e-9, 1e-6, 1e-4, 1e-3, 0.1, 2.0]);
         for exponent in [1.0, 1.3, 1.5, 2.5] {
             let law = Hertz { stiffness: 1e3, exponent };
             let wide = Portable::new();

@@ -3,7 +3,7 @@
 //! Source: Hunt and Crossley, J. Appl. Mech. 42 (1975) 440; for small `a v` the restitution is about `1 - (2/3) a v`.
 
 use super::{ContactLaw, Hertz, Slopes};
-use crate::wide::Wide;
+use crate::simd::Simd;
 
 /// Hertz force times a rate factor.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,7 +23,7 @@ impl ContactLaw for HuntCrossley {
     }
 
     #[inline(always)]
-    fn forces_n<W: Wide>(&self, wide: W, penetration_m: W::Register, rate_m_s: W::Register) -> W::Register {
+    fn forces_n<W: Simd>(&self, wide: W, penetration_m: W::Register, rate_m_s: W::Register) -> W::Register {
         let factor = wide.fma(wide.splat(self.damping_s_m), rate_m_s, wide.splat(1.0));
         wide.mul(self.elastic.forces_n(wide, penetration_m, rate_m_s), wide.max(factor, wide.zero()))
     }

@@ -1,8 +1,8 @@
 //! The contract of a contact law, and the choice among them.
 
 use super::{Cubic, Hertz, HuntCrossley, KelvinVoigt, Rigid};
+use crate::simd::{F64x8, Simd};
 use crate::spec::StopLaw;
-use crate::wide::{Lane, Wide};
 
 /// Derivatives of a contact force.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,9 +38,9 @@ pub trait ContactLaw: Copy + Send + Sync {
 
     /// The force at eight instants at once; a law overrides it where that is faster.
     #[inline(always)]
-    fn forces_n<W: Wide>(&self, wide: W, penetration_m: W::Register, rate_m_s: W::Register) -> W::Register {
+    fn forces_n<W: Simd>(&self, wide: W, penetration_m: W::Register, rate_m_s: W::Register) -> W::Register {
         let (penetration_m, rate_m_s) = (wide.store(penetration_m).0, wide.store(rate_m_s).0);
-        wide.load(&Lane(std::array::from_fn(|i| self.force_n(penetration_m[i], rate_m_s[i]))))
+        wide.load(&F64x8(std::array::from_fn(|i| self.force_n(penetration_m[i], rate_m_s[i]))))
     }
 
     /// Both slopes of the force; one-sided (from inside the contact) on its edge.
@@ -84,7 +84,7 @@ impl ContactLaw for Law {
     }
 
     #[inline(always)]
-    fn forces_n<W: Wide>(&self, wide: W, penetration_m: W::Register, rate_m_s: W::Register) -> W::Register {
+    fn forces_n<W: Simd>(&self, wide: W, penetration_m: W::Register, rate_m_s: W::Register) -> W::Register {
         match self {
             Law::Hertz(law) => law.forces_n(wide, penetration_m, rate_m_s),
             Law::KelvinVoigt(law) => law.forces_n(wide, penetration_m, rate_m_s),

@@ -1,10 +1,10 @@
 //! Why a curve ends.
 
-use super::Parts;
+use super::ResidualReport;
 
 /// A walk that could not go on.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum WalkError<E> {
+pub enum ContinuationError<E> {
     /// The problem itself.
     #[error(transparent)]
     Family(E),
@@ -20,7 +20,7 @@ pub enum WalkError<E> {
         /// Wanted.
         goal: f64,
         /// What the residual is made of there.
-        left: Parts,
+        left: ResidualReport,
     },
     /// The derivative is singular in more than one direction.
     #[error("the derivative is singular at parameter {parameter}; start at another value")]
@@ -40,6 +40,6 @@ pub enum WalkError<E> {
         /// Last correction.
         error: f64,
         /// What the residual was made of when it was given up.
-        left: Parts,
+        left: ResidualReport,
     },
 }

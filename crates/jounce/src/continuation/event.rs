@@ -1,19 +1,19 @@
 //! The place between two points at which a function of the curve passes zero.
 
-use super::{Bracket, Corrector, Direction, Family, Metric, Position, Step, Stretch, correct, tangent};
+use super::{Bracket, Corrector, CurvePoint, Direction, HermiteSegment, Metric, Position, Problem, correct, tangent};
 
 /// Most places tried.
-const MOST: u32 = 40;
+const MAX_TRIALS: u32 = 40;
 
 /// Where Newton fails: length of the bracket, beside the resolution, in which any place has come near.
-const NARROW: f64 = 10.0;
+const NARROW_BRACKET: f64 = 10.0;
 
 /// Where Newton fails: value, beside those at the two ends, of a place that has come near.
-const SMALL: f64 = 0.01;
+const SMALL_VALUE: f64 = 0.01;
 
 /// One side of the zero.
 #[derive(Debug, Clone)]
-struct Side {
+struct BracketEnd {
     position: Position,
     tangent: Direction,
     /// Distance along the chord.
@@ -28,35 +28,36 @@ struct Side {
 /// at the two ends.
 /// Where Newton fails on the way, as it may within roundoff of a kink, the place with the least value so far is the answer, if it has come
 /// near; otherwise there is none, as between two points of which one has been carried past the other.
-pub fn locate<F: Family>(
+pub fn locate<F: Problem>(
     family: &F,
     corrector: &Corrector,
     parameter_scale: f64,
-    (before, after): (&Step<F::Local>, &Step<F::Local>),
+    (before, after): (&CurvePoint<F::Evaluation>, &CurvePoint<F::Evaluation>),
     resolution: f64,
-    value: impl Fn(&Step<F::Local>) -> f64,
-) -> Option<Step<F::Local>> {
+    value: impl Fn(&CurvePoint<F::Evaluation>) -> f64,
+) -> Option<CurvePoint<F::Evaluation>> {
     let metric = Metric::at(&before.position, parameter_scale);
     let chord = before.position.to(&after.position);
     let length = metric.length(&chord);
     let unit = metric.unit(chord);
-    let side = |step: &Step<F::Local>, place: f64| Side { position: step.position.clone(), tangent: step.tangent.clone(), place };
+    let side =
+        |step: &CurvePoint<F::Evaluation>, place: f64| BracketEnd { position: step.position.clone(), tangent: step.tangent.clone(), place };
     let (at_low, at_high) = (value(before), value(after));
     let size = at_low.abs().max(at_high.abs());
     let mut bracket = Bracket::between((0.0, at_low), (length, at_high));
     let (mut low, mut high) = (side(before, 0.0), side(after, length));
-    let mut best: Option<(f64, Step<F::Local>)> = None;
-    for _ in 0..MOST {
-        let stretch = Stretch::between(&metric, (&low.position, &low.tangent), (&high.position, &high.tangent));
+    let mut best: Option<(f64, CurvePoint<F::Evaluation>)> = None;
+    for _ in 0..MAX_TRIALS {
+        let stretch = HermiteSegment::between(&metric, (&low.position, &low.tangent), (&high.position, &high.tangent));
         let share = (bracket.next(resolution) - low.place) / (high.place - low.place);
         let guess = stretch.at(share * stretch.length);
         let found = correct(family, corrector, &metric, &unit, guess).ok();
         let found = found.and_then(|found| Some((tangent(&found.local, &metric, &unit)?, found)));
         let Some((ahead, found)) = found else {
-            let is_narrow = bracket.length() <= NARROW * resolution;
-            return best.filter(|(own, _)| is_narrow || *own <= SMALL * size).map(|(_, step)| step);
+            let is_narrow = bracket.length() <= NARROW_BRACKET * resolution;
+            return best.filter(|(own, _)| is_narrow || *own <= SMALL_VALUE * size).map(|(_, step)| step);
         };
-        let step = Step { position: found.position, tangent: ahead, local: found.local, error: found.error };
+        let step = CurvePoint { position: found.position, tangent: ahead, local: found.local, error: found.error };
         let (place, here) = (metric.inner(&unit, &before.position.to(&step.position)), value(&step));
         let moved = bracket.put(place, here);
         *(if (here > 0.0) == (at_high > 0.0) { &mut high } else { &mut low }) = side(&step, place);

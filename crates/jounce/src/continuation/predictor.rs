@@ -10,7 +10,7 @@ use super::{Direction, Metric, Position};
 
 /// Two neighbouring places of a curve with their tangents.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Stretch {
+pub struct HermiteSegment {
     /// Where it starts.
     start: Position,
     /// From there to its end.
@@ -21,7 +21,7 @@ pub struct Stretch {
     pub length: f64,
 }
 
-impl Stretch {
+impl HermiteSegment {
     /// Between two places with their tangents.
     pub fn between(metric: &Metric, (start, ahead): (&Position, &Direction), (end, beyond): (&Position, &Direction)) -> Self {
         let chord = start.to(end);
@@ -66,7 +66,7 @@ mod tests {
         let place = |angle: f64| Position { unknown: vec![angle.cos()], parameter: angle.sin() };
         let tangent = |angle: f64| Direction { unknown: vec![-angle.sin()], parameter: angle.cos() };
         let error = |step: f64| {
-            let stretch = Stretch::between(&metric, (&place(0.3), &tangent(0.3)), (&place(0.3 + step), &tangent(0.3 + step)));
+            let stretch = HermiteSegment::between(&metric, (&place(0.3), &tangent(0.3)), (&place(0.3 + step), &tangent(0.3 + step)));
             assert!(metric.length(&place(0.3).to(&stretch.at(0.0))) < 1e-15);
             assert!(metric.length(&place(0.3 + step).to(&stretch.at(stretch.length))) < 1e-15);
             let ahead = stretch.at(2.0 * stretch.length);
@@ -84,7 +84,7 @@ mod tests {
         let metric = Metric { unknown: 1.0, parameter: 1.0 };
         let place = |angle: f64| Position { unknown: vec![angle.cos(), 3.0 * angle], parameter: angle.sin() };
         let tangent = |angle: f64| Direction { unknown: vec![-angle.sin(), 3.0], parameter: angle.cos() };
-        let stretch = Stretch::between(&metric, (&place(0.3), &tangent(0.3)), (&place(0.5), &tangent(0.5)));
+        let stretch = HermiteSegment::between(&metric, (&place(0.3), &tangent(0.3)), (&place(0.5), &tangent(0.5)));
         let map = |unknown: &[f64]| vec![2.0 * unknown[0], 0.0, unknown[1] - unknown[0]];
         let (read, carried) = (stretch.at(0.7), stretch.carried(&map).at(0.7));
         assert!(metric.length(&carried.to(&Position { unknown: map(&read.unknown), ..read })) < 1e-14);

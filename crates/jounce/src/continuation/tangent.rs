@@ -1,9 +1,9 @@
 //! The tangent of a curve: `R_u du + R_p dp = 0`, oriented like a direction known before.
 
-use super::{Direction, Linear, Metric};
+use super::{Direction, Linearization, Metric};
 
 /// Unit tangent; `None` where the derivative has lost more than one rank.
-pub fn tangent<L: Linear>(local: &L, metric: &Metric, before: &Direction) -> Option<Direction> {
+pub fn tangent<L: Linearization>(local: &L, metric: &Metric, before: &Direction) -> Option<Direction> {
     let (row, corner) = metric.row(before);
     let zero = vec![0.0; row.len()];
     let (unknown, parameter) = local.bordered(&row, corner, &zero, 1.0)?;

@@ -14,12 +14,12 @@ mod travel;
 mod wave;
 
 pub use displaced::displaced;
-pub use noise::{Band, noise};
+pub use noise::{NoiseBand, noise};
 pub use pulse::half_sine;
-pub use random::Stream;
+pub use random::RandomStream;
 pub use sweep::{Chirp, chirp};
 pub use travel::Travel;
-pub use wave::{Piece, Wave};
+pub use wave::{Wave, WavePiece};
 
 use crate::spec::DriveSignal;
 use std::f64::consts::TAU;
@@ -36,7 +36,7 @@ pub fn wave(signal: &DriveSignal, duration_s: f64, is_stopped: &dyn Fn() -> bool
         DriveSignal::VelocityStep { velocity_m_s, start_s } => Some(Wave::Impulse { time_s: start_s, size_s: velocity_m_s }),
         DriveSignal::Noise { density, low_hz, high_hz, sample_rate_hz, seed } => {
             let sample_rate_hz = sample_rate_hz.unwrap_or(DriveSignal::SAMPLES_PER_CYCLE * high_hz);
-            Some(noise(&Band { density, low_hz, high_hz, sample_rate_hz }, duration_s, seed, is_stopped))
+            Some(noise(&NoiseBand { density, low_hz, high_hz, sample_rate_hz }, duration_s, seed, is_stopped))
         }
         DriveSignal::Recording { scale, start_s, ref record, .. } => record.as_ref().map(|record| Wave::Sampled {
             start_s,

@@ -9,7 +9,7 @@
 //!
 //! Source: M. Shinozuka, C.-M. Jan, J. Sound Vib. 25 (1972) 111, with random amplitudes instead of random phases.
 
-use super::{Stream, Wave, hold};
+use super::{RandomStream, Wave, hold};
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 use std::sync::mpsc::{RecvTimeoutError, channel};
@@ -17,7 +17,7 @@ use std::time::Duration;
 
 /// A band of noise.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Band {
+pub struct NoiseBand {
     /// One-sided power spectral density, unit^2/Hz.
     pub density: f64,
     /// Lower end, Hz.
@@ -29,18 +29,18 @@ pub struct Band {
 }
 
 /// Samples of a realisation that takes long enough, a tenth of a second, to be left in the middle.
-const LONG: usize = 1 << 20;
+const INTERRUPTIBLE_SAMPLES: usize = 1 << 20;
 
 /// Time between two looks at whether it is still wanted.
-const LOOK: Duration = Duration::from_millis(5);
+const STOP_CHECK_INTERVAL: Duration = Duration::from_millis(5);
 
 /// A realisation of at least `duration_s`, the same for the same seed; silence where `is_stopped` says so on the way.
-pub fn noise(band: &Band, duration_s: f64, seed: u64, is_stopped: &dyn Fn() -> bool) -> Wave {
+pub fn noise(band: &NoiseBand, duration_s: f64, seed: u64, is_stopped: &dyn Fn() -> bool) -> Wave {
     let (band, step_s) = (*band, 1.0 / band.sample_rate_hz);
     let count = smooth_length((duration_s * band.sample_rate_hz).ceil() as usize + 2);
     let sizes = match count {
         _ if is_stopped() => vec![0.0; 2],
-        LONG.. => unless_stopped(move || realised(&band, count, seed), is_stopped),
+        INTERRUPTIBLE_SAMPLES.. => unless_stopped(move || realised(&band, count, seed), is_stopped),
         _ => realised(&band, count, seed),
     };
     Wave::Sampled { start_s: 0.0, step_s, sizes: sizes.into() }
@@ -51,7 +51,7 @@ fn unless_stopped(compute: impl FnOnce() -> Vec<f64> + Send + 'static, is_stoppe
     let (sender, receiver) = channel();
     std::thread::spawn(move || sender.send(compute()));
     loop {
-        match receiver.recv_timeout(LOOK) {
+        match receiver.recv_timeout(STOP_CHECK_INTERVAL) {
             Ok(sizes) => return sizes,
             Err(RecvTimeoutError::Timeout) if !is_stopped() => {}
             Err(_) => return vec![0.0; 2],
@@ -60,13 +60,13 @@ fn unless_stopped(compute: impl FnOnce() -> Vec<f64> + Send + 'static, is_stoppe
 }
 
 /// One period of `count` samples.
-fn realised(band: &Band, count: usize, seed: u64) -> Vec<f64> {
+fn realised(band: &NoiseBand, count: usize, seed: u64) -> Vec<f64> {
     let step_s = 1.0 / band.sample_rate_hz;
     let df = band.sample_rate_hz / count as f64;
     let mut planner = RealFftPlanner::<f64>::new();
     let inverse = planner.plan_fft_inverse(count);
     let mut lines = inverse.make_input_vec();
-    let mut stream = Stream::new(seed, 0);
+    let mut stream = RandomStream::new(seed, 0);
     let first = (band.low_hz / df).ceil().max(1.0) as usize;
     let last = ((band.high_hz / df).floor() as usize).min(lines.len() - 2);
     for (j, line) in lines.iter_mut().enumerate().take(last + 1).skip(first) {
@@ -105,7 +105,7 @@ mod tests {
     /// The mean square is `G (high - low)`; over 4000 lines its relative deviation is `sqrt(2 / 8000)`, 1.6 %.
     #[test]
     fn mean_square_is_density_times_band() {
-        let band = Band { density: 0.02, low_hz: 50.0, high_hz: 250.0, sample_rate_hz: 2500.0 };
+        let band = NoiseBand { density: 0.02, low_hz: 50.0, high_hz: 250.0, sample_rate_hz: 2500.0 };
         let Wave::Sampled { sizes, .. } = noise(&band, 20.0, 11, &|| false) else { panic!("not sampled") };
         // The straight lines leave sinc^2 of each frequency: sample it away at the edges of the band.
         let square = sizes.iter().map(|u| u * u).sum::<f64>() / sizes.len() as f64;
@@ -119,7 +119,7 @@ mod tests {
     /// At the first look, and on the way; who does not stop it gets every sample, the same as on a thread of its own.
     #[test]
     fn a_realisation_that_nobody_waits_for_is_silence() {
-        let band = Band { density: 0.02, low_hz: 50.0, high_hz: 250.0, sample_rate_hz: 2500.0 };
+        let band = NoiseBand { density: 0.02, low_hz: 50.0, high_hz: 250.0, sample_rate_hz: 2500.0 };
         for looks in [0_usize, 1] {
             let left = std::cell::Cell::new(looks);
             let is_stopped = || left.replace(left.get().saturating_sub(1)) == 0;

@@ -7,9 +7,9 @@ use std::f64::consts::TAU;
 
 /// A stream of numbers of its own for each seed and index.
 #[derive(Debug, Clone)]
-pub struct Stream(u64);
+pub struct RandomStream(u64);
 
-impl Stream {
+impl RandomStream {
     /// Stream number `index` of a seed: the same whatever else is drawn.
     pub fn new(seed: u64, index: u64) -> Self {
         Self(mixed(seed) ^ mixed(index.wrapping_add(1)))
@@ -56,7 +56,7 @@ mod tests {
 
     #[test]
     fn numbers_fill_their_range_evenly() {
-        let mut stream = Stream::new(7, 0);
+        let mut stream = RandomStream::new(7, 0);
         let values: Vec<f64> = (0..20_000).map(|_| stream.symmetric()).collect();
         let mean = values.iter().sum::<f64>() / 2e4;
         let square = values.iter().map(|v| v * v).sum::<f64>() / 2e4;
@@ -67,7 +67,7 @@ mod tests {
     /// Moments 1 to 4 of a normal distribution are 0, 1, 0, 3; their errors over 40000 numbers are below 0.005, 0.007, 0.02, 0.05.
     #[test]
     fn normal_numbers_have_the_moments_of_their_distribution() {
-        let mut stream = Stream::new(3, 5);
+        let mut stream = RandomStream::new(3, 5);
         let values: Vec<f64> = (0..20_000).flat_map(|_| stream.normal_pair()).collect();
         let moment = |power: i32| values.iter().map(|v| v.powi(power)).sum::<f64>() / values.len() as f64;
         let found = [1, 2, 3, 4].map(moment);

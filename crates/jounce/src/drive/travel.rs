@@ -8,7 +8,7 @@
 //!
 //! exactly. The base is at rest at 0 before the course begins; an impulse of acceleration is a jump of `v`.
 
-use super::{Piece, Wave};
+use super::{Wave, WavePiece};
 
 /// Displacement (m) and velocity (m/s) of a base at the start of each piece of its acceleration.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,13 +31,13 @@ impl Travel {
 
     /// Displacement, m, and velocity, m/s, at a time of a piece, which is number `index` of the wave.
     #[inline(always)]
-    pub fn at(&self, index: usize, piece: &Piece, time_s: f64) -> [f64; 2] {
+    pub fn at(&self, index: usize, piece: &WavePiece, time_s: f64) -> [f64; 2] {
         if index == 0 { [0.0; 2] } else { moved(piece, self.starts[index], time_s - piece.from_s) }
     }
 }
 
 #[inline(always)]
-fn moved(piece: &Piece, [x, v]: [f64; 2], t: f64) -> [f64; 2] {
+fn moved(piece: &WavePiece, [x, v]: [f64; 2], t: f64) -> [f64; 2] {
     let (u, s) = (piece.size, piece.slope);
     [x + t * (v + t * (0.5 * u + s * t / 6.0)), v + t * (u + 0.5 * s * t)]
 }

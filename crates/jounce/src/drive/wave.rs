@@ -27,7 +27,7 @@ pub enum Wave {
 
 /// A stretch of time on which a wave is linear.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Piece {
+pub struct WavePiece {
     /// Its start, s; minus infinity for the first.
     pub from_s: f64,
     /// Its end, s; infinity for the last.
@@ -44,7 +44,7 @@ pub struct Piece {
     pub impulse_s: f64,
 }
 
-impl Piece {
+impl WavePiece {
     const SILENT: Self = Self {
         from_s: f64::NEG_INFINITY,
         until_s: f64::INFINITY,
@@ -76,17 +76,17 @@ impl Wave {
     }
 
     /// Piece number `index`, in order of time.
-    pub fn piece(&self, index: usize) -> Piece {
+    pub fn piece(&self, index: usize) -> WavePiece {
         match *self {
-            Wave::Constant(size) => Piece { size, end_size: size, ..Piece::SILENT },
-            Wave::Impulse { time_s, .. } if index == 0 => Piece { until_s: time_s, ..Piece::SILENT },
-            Wave::Impulse { time_s, size_s } => Piece { from_s: time_s, impulse_s: size_s, ..Piece::SILENT },
+            Wave::Constant(size) => WavePiece { size, end_size: size, ..WavePiece::SILENT },
+            Wave::Impulse { time_s, .. } if index == 0 => WavePiece { until_s: time_s, ..WavePiece::SILENT },
+            Wave::Impulse { time_s, size_s } => WavePiece { from_s: time_s, impulse_s: size_s, ..WavePiece::SILENT },
             Wave::Sampled { start_s, step_s, ref sizes } => {
                 let time_s = |sample: usize| start_s + step_s * sample as f64;
                 match index {
-                    0 => Piece { until_s: start_s, ..Piece::SILENT },
-                    _ if index >= sizes.len() => Piece { from_s: time_s(sizes.len() - 1), ..Piece::SILENT },
-                    _ => Piece {
+                    0 => WavePiece { until_s: start_s, ..WavePiece::SILENT },
+                    _ if index >= sizes.len() => WavePiece { from_s: time_s(sizes.len() - 1), ..WavePiece::SILENT },
+                    _ => WavePiece {
                         from_s: time_s(index - 1),
                         until_s: time_s(index),
                         length_s: step_s,

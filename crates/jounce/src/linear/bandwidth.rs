@@ -9,23 +9,23 @@
 //! its width for the second. Source: J. S. Bendat, A. G. Piersol, Random Data, 4th ed. (2010), sections 8.2 and 8.5.
 
 use super::covariance::{covariance, product};
-use super::noise::{Noise, gain, spectral_moment};
+use super::noise::{NoiseInput, gain, spectral_moment};
 use super::random::RandomError;
 use crate::plant::Plant;
 use std::f64::consts::TAU;
 
 /// Places looked at on each side of a resonance, in units of its decay.
-const BESIDE: [f64; 5] = [0.1, 0.3, 1.0, 3.0, 10.0];
+const SEARCH_DISTANCES: [f64; 5] = [0.1, 0.3, 1.0, 3.0, 10.0];
 
 /// Relative width of the bracket of a maximum at which the search ends: `|H|^2` is flat there to its square.
-const CLOSE: f64 = 1e-8;
+const MAX_BRACKET_WIDTH: f64 = 1e-8;
 
 /// Noise bandwidth of an output per unit of a noise, Hz; 0 where the noise does not reach it.
 ///
 /// # Errors
 /// [`RandomError::Unsteady`], [`RandomError::Plant`].
-pub fn noise_bandwidth_hz(plant: &Plant, noise: &Noise, row: &[f64]) -> Result<f64, RandomError> {
-    let unit = Noise { density: 1.0, ..noise.white() };
+pub fn noise_bandwidth_hz(plant: &Plant, noise: &NoiseInput, row: &[f64]) -> Result<f64, RandomError> {
+    let unit = NoiseInput { density: 1.0, ..noise.white() };
     let whole = product(&covariance(plant, std::slice::from_ref(&unit)).map_err(RandomError::unsteady)?, row, row);
     let highest = largest_gain(plant, &unit, row)?;
     Ok(if highest > 0.0 { whole / highest } else { 0.0 })
@@ -35,7 +35,7 @@ pub fn noise_bandwidth_hz(plant: &Plant, noise: &Noise, row: &[f64]) -> Result<f
 ///
 /// # Errors
 /// [`RandomError::Plant`].
-pub fn statistical_bandwidth_hz(plant: &Plant, noises: &[Noise], row: &[f64]) -> Result<f64, RandomError> {
+pub fn statistical_bandwidth_hz(plant: &Plant, noises: &[NoiseInput], row: &[f64]) -> Result<f64, RandomError> {
     let (first, second) = (spectral_moment(plant, noises, row, 1)?, spectral_moment(plant, noises, row, 2)?);
     Ok(if second > 0.0 { first * first / second } else { 0.0 })
 }
@@ -45,7 +45,7 @@ pub(super) fn telling_frequencies_hz(plant: &Plant) -> Vec<f64> {
     let mut all = Vec::new();
     for value in plant.diagonal.block.eigenvalues().into_iter().filter(|value| value.im >= 0.0 && value.norm() > 0.0) {
         all.extend([value.im, value.norm()]);
-        all.extend(BESIDE.iter().flat_map(|k| [value.im - k * value.re, value.im + k * value.re]));
+        all.extend(SEARCH_DISTANCES.iter().flat_map(|k| [value.im - k * value.re, value.im + k * value.re]));
         all.extend([0.3, 0.6, 0.9, 1.1, 1.6].map(|k| k * value.norm()));
     }
     all.retain(|w| *w > 0.0);
@@ -55,7 +55,7 @@ pub(super) fn telling_frequencies_hz(plant: &Plant) -> Vec<f64> {
 }
 
 /// Largest `|H|^2` over all frequencies: the best place among many, then golden section between its neighbours.
-fn largest_gain(plant: &Plant, noise: &Noise, row: &[f64]) -> Result<f64, RandomError> {
+fn largest_gain(plant: &Plant, noise: &NoiseInput, row: &[f64]) -> Result<f64, RandomError> {
     let at = |frequency_hz: f64| gain(plant, noise, row, frequency_hz);
     let places = telling_frequencies_hz(plant);
     let sizes = places.iter().map(|place| at(*place)).collect::<Result<Vec<f64>, _>>()?;
@@ -64,7 +64,7 @@ fn largest_gain(plant: &Plant, noise: &Noise, row: &[f64]) -> Result<f64, Random
     let mut high = places.get(best + 1).copied().unwrap_or(2.0 * places[best]);
     let golden = (5f64.sqrt() - 1.0) / 2.0;
     let mut highest = sizes[best];
-    while high - low > CLOSE * high {
+    while high - low > MAX_BRACKET_WIDTH * high {
         let (one, two) = (high - golden * (high - low), low + golden * (high - low));
         let (first, second) = (at(one)?, at(two)?);
         highest = highest.max(first).max(second);

@@ -16,26 +16,26 @@
 //!
 //! Source: W. Gawronski, J.-N. Juang, Int. J. Systems Sci. 21 (1990) 349.
 
-use super::Noise;
-use crate::plant::{Block, Pair, Plant, Side, lyapunov};
+use super::NoiseInput;
+use crate::plant::{BlockDiagonal, BlockPair, LyapunovSide, Plant, lyapunov};
 use faer::{Mat, c64};
 use std::f64::consts::{PI, TAU};
 
 /// Part of a drive that reaches what nothing brings back by roundoff only: the charge of an open patch.
-const ROUNDOFF: f64 = 1e-9;
+const COVARIANCE_ROUNDOFF: f64 = 1e-9;
 
 /// Covariance of the block coordinates under independent noises.
 ///
 /// # Errors
 /// The drive and the frequency, Hz, of a mode that it excites and nothing damps or brings back.
-pub fn covariance(plant: &Plant, noises: &[Noise]) -> Result<Mat<f64>, (String, f64)> {
+pub fn covariance(plant: &Plant, noises: &[NoiseInput]) -> Result<Mat<f64>, (String, f64)> {
     let block = &plant.diagonal.block;
     let mut sum = Mat::zeros(block.len(), block.len());
     for noise in noises {
         let mut column = plant.force_column(&noise.shape);
         let largest = column.iter().fold(0.0_f64, |max, b| max.max(b.abs()));
         for (b, free) in column.iter_mut().zip(block.free()) {
-            if free && b.abs() > ROUNDOFF * largest {
+            if free && b.abs() > COVARIANCE_ROUNDOFF * largest {
                 return Err((noise.name.clone(), 0.0));
             } else if free {
                 *b = 0.0;
@@ -43,7 +43,7 @@ pub fn covariance(plant: &Plant, noises: &[Noise]) -> Result<Mat<f64>, (String, 
         }
         let kept = filtered(block, &column, noise.band_hz.map(|end_hz| TAU * end_hz));
         let source = |i: usize, j: usize| 0.5 * noise.density * (kept[i] * column[j] + column[i] * kept[j]);
-        sum += lyapunov(block, Side::Columns, source).map_err(|mode_hz| (noise.name.clone(), mode_hz))?;
+        sum += lyapunov(block, LyapunovSide::Columns, source).map_err(|mode_hz| (noise.name.clone(), mode_hz))?;
     }
     Ok(sum)
 }
@@ -54,7 +54,7 @@ pub fn product(covariance: &Mat<f64>, c: &[f64], d: &[f64]) -> f64 {
 }
 
 /// `F b`.
-fn filtered(block: &Block, column: &[f64], band_rad_s: [f64; 2]) -> Vec<f64> {
+fn filtered(block: &BlockDiagonal, column: &[f64], band_rad_s: [f64; 2]) -> Vec<f64> {
     let mut out = Vec::with_capacity(column.len());
     for (pair, b) in block.pairs.iter().zip(column.chunks_exact(2)) {
         if b == [0.0, 0.0] {
@@ -62,11 +62,11 @@ fn filtered(block: &Block, column: &[f64], band_rad_s: [f64; 2]) -> Vec<f64> {
             continue;
         }
         match *pair {
-            Pair::Oscillatory { .. } => {
+            BlockPair::Oscillatory { .. } => {
                 let turned = share(pair.eigenvalue(), band_rad_s) * c64::new(b[0], b[1]);
                 out.extend([turned.re, turned.im]);
             }
-            Pair::Jordan { rate } => {
+            BlockPair::Jordan { rate } => {
                 let [f, slope] = [share(pair.eigenvalue(), band_rad_s).re, share_slope(rate, band_rad_s)];
                 out.extend([f * b[0] + slope * b[1], f * b[1]]);
             }

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 /// What shakes it.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Input {
+pub enum FrfInput {
     /// A force on a point, N.
     Force(String),
     /// An acceleration of the base, m/s^2; displacements, velocities and accelerations of points are then relative to the base.
@@ -15,7 +15,7 @@ pub enum Input {
 
 /// What is looked at.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Response {
+pub enum FrfResponse {
     /// Displacement of a point, m.
     Displacement(String),
     /// Velocity of a point, m/s.
@@ -32,34 +32,34 @@ pub enum Response {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Frf {
     /// What is looked at.
-    pub response: Response,
+    pub response: FrfResponse,
     /// Value per newton, or per m/s^2 of the base, at each frequency.
     pub value: Vec<c64>,
 }
 
-impl Response {
+impl FrfResponse {
     /// Name for tables, with the unit as its suffix.
     pub fn name(&self) -> String {
         match self {
-            Response::Displacement(point) => format!("{point}.displacement"),
-            Response::Velocity(point) => format!("{point}.velocity"),
-            Response::Acceleration(point) => format!("{point}.acceleration"),
-            Response::Voltage(patch) => format!("{patch}.voltage"),
-            Response::LoadVoltage(load) => format!("{load}.load_voltage"),
+            FrfResponse::Displacement(point) => format!("{point}.displacement"),
+            FrfResponse::Velocity(point) => format!("{point}.velocity"),
+            FrfResponse::Acceleration(point) => format!("{point}.acceleration"),
+            FrfResponse::Voltage(patch) => format!("{patch}.voltage"),
+            FrfResponse::LoadVoltage(load) => format!("{load}.load_voltage"),
         }
     }
 
     /// Unit per unit of the input.
-    pub fn unit(&self, input: &Input) -> &'static str {
+    pub fn unit(&self, input: &FrfInput) -> &'static str {
         match (self, input) {
-            (Response::Displacement(_), Input::Force(_)) => "m/N",
-            (Response::Velocity(_), Input::Force(_)) => "m/(s N)",
-            (Response::Acceleration(_), Input::Force(_)) => "m/(s^2 N)",
-            (Response::Voltage(_) | Response::LoadVoltage(_), Input::Force(_)) => "V/N",
-            (Response::Displacement(_), Input::BaseAcceleration) => "m/(m/s^2)",
-            (Response::Velocity(_), Input::BaseAcceleration) => "(m/s)/(m/s^2)",
-            (Response::Acceleration(_), Input::BaseAcceleration) => "(m/s^2)/(m/s^2)",
-            (Response::Voltage(_) | Response::LoadVoltage(_), Input::BaseAcceleration) => "V/(m/s^2)",
+            (FrfResponse::Displacement(_), FrfInput::Force(_)) => "m/N",
+            (FrfResponse::Velocity(_), FrfInput::Force(_)) => "m/(s N)",
+            (FrfResponse::Acceleration(_), FrfInput::Force(_)) => "m/(s^2 N)",
+            (FrfResponse::Voltage(_) | FrfResponse::LoadVoltage(_), FrfInput::Force(_)) => "V/N",
+            (FrfResponse::Displacement(_), FrfInput::BaseAcceleration) => "m/(m/s^2)",
+            (FrfResponse::Velocity(_), FrfInput::BaseAcceleration) => "(m/s)/(m/s^2)",
+            (FrfResponse::Acceleration(_), FrfInput::BaseAcceleration) => "(m/s^2)/(m/s^2)",
+            (FrfResponse::Voltage(_) | FrfResponse::LoadVoltage(_), FrfInput::BaseAcceleration) => "V/(m/s^2)",
         }
     }
 }
@@ -68,7 +68,7 @@ impl Response {
 ///
 /// # Errors
 /// [`PlantError::UnknownName`] for a point, patch or circuit that is not there, [`PlantError::UndampedResonance`], [`PlantError::Switches`].
-pub fn frf(plant: &Plant, input: &Input, responses: &[Response], frequencies_hz: &[f64]) -> Result<Vec<Frf>, PlantError> {
+pub fn frf(plant: &Plant, input: &FrfInput, responses: &[FrfResponse], frequencies_hz: &[f64]) -> Result<Vec<Frf>, PlantError> {
     frf_until(plant, input, responses, frequencies_hz, &|| false)
 }
 
@@ -78,8 +78,8 @@ pub fn frf(plant: &Plant, input: &Input, responses: &[Response], frequencies_hz:
 /// As [`frf`].
 pub fn frf_until(
     plant: &Plant,
-    input: &Input,
-    responses: &[Response],
+    input: &FrfInput,
+    responses: &[FrfResponse],
     frequencies_hz: &[f64],
     is_stopped: &dyn Fn() -> bool,
 ) -> Result<Vec<Frf>, PlantError> {
@@ -87,8 +87,8 @@ pub fn frf_until(
         return Err(PlantError::Switches { circuit: bridge.name.clone() });
     }
     let force: Vec<c64> = match input {
-        Input::Force(point) => shape(plant, point)?.iter().map(|s| c64::new(*s, 0.0)).collect(),
-        Input::BaseAcceleration => plant.system.modes.participation_sqrt_kg.iter().map(|p| c64::new(-p, 0.0)).collect(),
+        FrfInput::Force(point) => shape(plant, point)?.iter().map(|s| c64::new(*s, 0.0)).collect(),
+        FrfInput::BaseAcceleration => plant.system.modes.participation_sqrt_kg.iter().map(|p| c64::new(-p, 0.0)).collect(),
     };
     let rows = responses.iter().map(|response| row(plant, response)).collect::<Result<Vec<_>, _>>()?;
     let mut answers: Vec<Frf> = responses.iter().map(|r| Frf { response: r.clone(), value: Vec::new() }).collect();
@@ -97,23 +97,23 @@ pub fn frf_until(
         let state = plant.steady_state(w, &force)?;
         for (answer, row) in answers.iter_mut().zip(&rows) {
             let value = crate::plant::dot(row, &state);
-            let speeded = matches!(answer.response, Response::Acceleration(_));
+            let speeded = matches!(answer.response, FrfResponse::Acceleration(_));
             answer.value.push(if speeded { value * c64::new(0.0, w) } else { value });
         }
     }
     Ok(answers)
 }
 
-fn row(plant: &Plant, response: &Response) -> Result<Vec<f64>, PlantError> {
+fn row(plant: &Plant, response: &FrfResponse) -> Result<Vec<f64>, PlantError> {
     Ok(match response {
-        Response::Displacement(point) => plant.displacement_row(shape(plant, point)?),
-        Response::Velocity(point) | Response::Acceleration(point) => plant.velocity_row(shape(plant, point)?),
-        Response::Voltage(patch) => {
+        FrfResponse::Displacement(point) => plant.displacement_row(shape(plant, point)?),
+        FrfResponse::Velocity(point) | FrfResponse::Acceleration(point) => plant.velocity_row(shape(plant, point)?),
+        FrfResponse::Voltage(patch) => {
             let patches: Vec<&String> = plant.system.modes.patch.keys().collect();
             let index = patches.iter().position(|name| *name == patch).ok_or_else(|| unknown("response", patch, &patches))?;
             plant.voltage_row(index)
         }
-        Response::LoadVoltage(name) => {
+        FrfResponse::LoadVoltage(name) => {
             let loads = &plant.system.loads;
             let known: Vec<&String> = loads.iter().map(|load| &load.name).collect();
             let index = loads.iter().position(|load| load.name == *name).ok_or_else(|| unknown("response", name, &known))?;

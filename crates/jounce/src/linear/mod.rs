@@ -12,14 +12,14 @@ mod noise;
 mod optimum;
 mod quadrature;
 mod random;
-mod random_answer;
+mod random_response;
 
 pub use bandwidth::{noise_bandwidth_hz, statistical_bandwidth_hz};
 pub use coupling::{Coupling, couplings};
 pub use covariance::{covariance, product};
 pub use crossing::Crossing;
-pub use frf::{Frf, Input, Response, frf, frf_until};
-pub use noise::{Noise, density, noise_powers_between_w, spectral_moment, white_noise_powers_w};
+pub use frf::{Frf, FrfInput, FrfResponse, frf, frf_until};
+pub use noise::{NoiseInput, density, noise_powers_between_w, spectral_moment, white_noise_powers_w};
 pub use optimum::{Optimum, optimal_resistance, steady_power_w};
 pub use random::{Random, RandomError};
-pub use random_answer::{Density, RandomAnswer, RandomLoad, RandomPatch, RandomPoint, RandomStop};
+pub use random_response::{Density, RandomLoad, RandomPatch, RandomPoint, RandomResponse, RandomStop};

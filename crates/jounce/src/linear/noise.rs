@@ -23,7 +23,7 @@ use std::f64::consts::TAU;
 
 /// A stationary Gaussian drive of a flat spectrum; different ones are independent.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Noise {
+pub struct NoiseInput {
     /// Name of the drive.
     pub name: String,
     /// The base that it accelerates.
@@ -36,7 +36,7 @@ pub struct Noise {
     pub band_hz: [f64; 2],
 }
 
-impl Noise {
+impl NoiseInput {
     /// The noises among the drives of a spec.
     ///
     /// # Errors
@@ -87,7 +87,7 @@ pub fn white_noise_powers_w(plant: &Plant, density_m2_s3: f64) -> Result<Vec<f64
 /// # Errors
 /// [`PlantError::UndampedResonance`] where an undamped mode lies in the band.
 pub fn noise_powers_between_w(plant: &Plant, density_m2_s3: f64, band_hz: [f64; 2]) -> Result<Vec<f64>, PlantError> {
-    let noise = [Noise::of_base(plant, density_m2_s3, band_hz)];
+    let noise = [NoiseInput::of_base(plant, density_m2_s3, band_hz)];
     (plant.system.loads.iter().enumerate())
         .map(|(index, load)| Ok(spectral_moment(plant, &noise, &plant.load_voltage_row(index), 1)? / load.resistance_ohm))
         .collect()
@@ -97,7 +97,7 @@ pub fn noise_powers_between_w(plant: &Plant, density_m2_s3: f64, band_hz: [f64; 
 ///
 /// # Errors
 /// [`PlantError::UndampedResonance`].
-pub fn density(plant: &Plant, noises: &[Noise], row: &[f64], frequency_hz: f64) -> Result<f64, PlantError> {
+pub fn density(plant: &Plant, noises: &[NoiseInput], row: &[f64], frequency_hz: f64) -> Result<f64, PlantError> {
     let mut sum = 0.0;
     for noise in noises {
         let size = noise.density_at(frequency_hz);
@@ -109,7 +109,7 @@ pub fn density(plant: &Plant, noises: &[Noise], row: &[f64], frequency_hz: f64) 
 }
 
 /// `|H|^2` of an output per unit of a noise.
-pub(super) fn gain(plant: &Plant, noise: &Noise, row: &[f64], frequency_hz: f64) -> Result<f64, PlantError> {
+pub(super) fn gain(plant: &Plant, noise: &NoiseInput, row: &[f64], frequency_hz: f64) -> Result<f64, PlantError> {
     let force: Vec<c64> = noise.shape.iter().map(|s| c64::new(*s, 0.0)).collect();
     Ok(dot(row, &plant.steady_state(TAU * frequency_hz, &force)?).norm_sqr())
 }
@@ -118,7 +118,7 @@ pub(super) fn gain(plant: &Plant, noise: &Noise, row: &[f64], frequency_hz: f64)
 ///
 /// # Errors
 /// [`PlantError::UndampedResonance`] where an undamped mode lies in a band.
-pub fn spectral_moment(plant: &Plant, noises: &[Noise], row: &[f64], power: i32) -> Result<f64, PlantError> {
+pub fn spectral_moment(plant: &Plant, noises: &[NoiseInput], row: &[f64], power: i32) -> Result<f64, PlantError> {
     let ends = noises.iter().flat_map(|noise| noise.band_hz);
     let (low_hz, high_hz) = ends.clone().fold((f64::INFINITY, 0.0_f64), |(low, high), end| (low.min(end), high.max(end)));
     let mut cuts_hz: Vec<f64> = plant.diagonal.block.eigenvalues().iter().map(|value| value.norm() / TAU).collect();
@@ -130,7 +130,7 @@ pub fn spectral_moment(plant: &Plant, noises: &[Noise], row: &[f64], power: i32)
     for piece in cuts_hz.windows(2) {
         let middle_hz = if piece[1].is_finite() { 0.5 * (piece[0] + piece[1]) } else { 2.0 * piece[0] };
         // The ends of bands are ends of pieces: what drives a piece drives all of it.
-        let driving: Vec<Noise> = noises.iter().filter(|noise| noise.density_at(middle_hz) > 0.0).map(Noise::white).collect();
+        let driving: Vec<NoiseInput> = noises.iter().filter(|noise| noise.density_at(middle_hz) > 0.0).map(NoiseInput::white).collect();
         if driving.is_empty() {
             continue;
         }

@@ -10,11 +10,11 @@
 use std::f64::consts::FRAC_PI_2;
 
 /// Relative change between two steps at which the sum is accepted.
-const AGREED: f64 = 1e-11;
+const QUADRATURE_TOLERANCE: f64 = 1e-11;
 /// Most halvings of the step.
-const MOST_HALVINGS: u32 = 12;
+const MAX_HALVINGS: u32 = 12;
 /// Beyond this the points coincide with the ends.
-const REACH: f64 = 4.0;
+const MAX_ABSCISSA: f64 = 4.0;
 
 /// Integral of `f` from `a` to `b`; `b` may be infinite where `a` is positive and `f` falls at least like `1 / x^2`.
 pub(super) fn integral(mut f: impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {
@@ -35,15 +35,15 @@ fn finite(mut f: impl FnMut(f64, f64) -> f64, length: f64) -> f64 {
         if left > 0.0 && right > 0.0 && weight > 0.0 { weight * f(left, right) } else { 0.0 }
     };
     let mut step = 0.5;
-    let count = (REACH / step) as i32;
+    let count = (MAX_ABSCISSA / step) as i32;
     let mut sum: f64 = (-count..=count).map(|k| term(f64::from(k) * step)).sum();
     let mut before = sum * step;
-    for _ in 0..MOST_HALVINGS {
+    for _ in 0..MAX_HALVINGS {
         step *= 0.5;
-        let count = (REACH / step) as i32;
+        let count = (MAX_ABSCISSA / step) as i32;
         sum += (-count..=count).filter(|k| k % 2 != 0).map(|k| term(f64::from(k) * step)).sum::<f64>();
         let now = sum * step;
-        if (now - before).abs() <= AGREED * now.abs() {
+        if (now - before).abs() <= QUADRATURE_TOLERANCE * now.abs() {
             return now;
         }
         before = now;

@@ -7,8 +7,8 @@
 use super::bandwidth::{noise_bandwidth_hz, statistical_bandwidth_hz, telling_frequencies_hz};
 use super::covariance::{covariance, product};
 use super::crossing::Crossing;
-use super::noise::{Noise, density, spectral_moment};
-use super::random_answer::{Density, RandomAnswer, RandomLoad, RandomPatch, RandomPoint, RandomStop};
+use super::noise::{NoiseInput, density, spectral_moment};
+use super::random_response::{Density, RandomLoad, RandomPatch, RandomPoint, RandomResponse, RandomStop};
 use crate::plant::{Plant, PlantError, System};
 use crate::spec::{Interface, Spec, Stop};
 use crate::structure::{self, StructureError};
@@ -61,7 +61,7 @@ impl RandomError {
 #[derive(Debug)]
 pub struct Random {
     plant: Plant,
-    noises: Vec<Noise>,
+    noises: Vec<NoiseInput>,
     covariance: Mat<f64>,
     left_out: Vec<String>,
     /// The noise that moves one side of a stop alone, by the name of the stop.
@@ -78,7 +78,7 @@ impl Random {
             return Err(RandomError::Rectified { circuit: name.clone() });
         }
         let modes = structure::modes(spec)?;
-        let noises = Noise::of_spec(spec, &modes)?;
+        let noises = NoiseInput::of_spec(spec, &modes)?;
         if noises.is_empty() {
             return Err(RandomError::NoNoise);
         }
@@ -95,7 +95,7 @@ impl Random {
     ///
     /// # Errors
     /// [`RandomError::Plant`] where a quadrature meets an undamped mode.
-    pub fn answer(&self) -> Result<RandomAnswer, RandomError> {
+    pub fn answer(&self) -> Result<RandomResponse, RandomError> {
         let modes = &self.plant.system.modes;
         let loads = (0..self.plant.system.loads.len()).map(|load| self.load(load)).collect::<Result<Vec<_>, _>>()?;
         let patches = modes.patch.keys().enumerate();
@@ -104,7 +104,7 @@ impl Random {
             displacement_rms_m: self.rms(&self.plant.displacement_row(shape)),
             velocity_rms_m_s: self.rms(&self.plant.velocity_row(shape)),
         };
-        Ok(RandomAnswer {
+        Ok(RandomResponse {
             drives: self.noises.iter().map(|noise| noise.name.clone()).collect(),
             left_out: self.left_out.clone(),
             mean_power_w: loads.iter().map(|load| load.mean_power_w).fold(0.0, |sum, own| sum + own),
@@ -210,8 +210,8 @@ impl Random {
 }
 
 /// The noise that moves the base of one side of a stop and not that of the other.
-fn carrier(spec: &Spec, stop: &Stop, noises: &[Noise]) -> Option<String> {
+fn carrier(spec: &Spec, stop: &Stop, noises: &[NoiseInput]) -> Option<String> {
     let under = [&stop.at, &stop.frame].map(|point| spec.base_under(point));
-    let carries = |noise: &&Noise| noise.base.as_deref().is_some_and(|base| (under[0] == base) != (under[1] == base));
+    let carries = |noise: &&NoiseInput| noise.base.as_deref().is_some_and(|base| (under[0] == base) != (under[1] == base));
     noises.iter().find(carries).map(|noise| noise.name.clone())
 }

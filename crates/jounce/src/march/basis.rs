@@ -9,11 +9,11 @@
 //!
 //! Gauss nodes make the state at the end of the step about twice as accurate in order as the force inside it.
 
-use crate::wide::{Lane, WIDTH};
+use crate::simd::{F64x8, LANES};
 use std::sync::LazyLock;
 
 /// Number of nodes.
-pub const NODES: usize = WIDTH - 1;
+pub const NODES: usize = LANES - 1;
 
 /// Legendre coefficients kept of a basis function that is not a polynomial: the rest falls off like their number to the power
 /// `-2 n - 3` in the displacement.
@@ -21,17 +21,17 @@ const SINGULAR_TERMS: usize = 64;
 
 /// Seven functions on `[0, 1]`.
 #[derive(Debug, Clone)]
-pub struct Basis {
+pub struct BasisFunctions {
     /// The nodes, then 1.
-    pub places: [f64; WIDTH],
+    pub places: [f64; LANES],
     /// Integral of each function; the last place is 0.
-    pub weights: Lane,
+    pub weights: F64x8,
     /// Value of each function at 0; the last place is 0.
-    pub at_start: Lane,
+    pub at_start: F64x8,
     /// Value of each function at 1; the last place is 0.
-    pub at_end: Lane,
+    pub at_end: F64x8,
     /// Legendre coefficients, row by row: place `j` is function `j`, the last place is 0.
-    pub series: Vec<Lane>,
+    pub series: Vec<F64x8>,
     /// `n` and `q`; both of no account for the smooth basis.
     powers: Option<[f64; 2]>,
     /// Barycentric weights of the polynomial part.
@@ -39,7 +39,7 @@ pub struct Basis {
 }
 
 /// Polynomials of degree 6.
-pub static SMOOTH: LazyLock<Basis> = LazyLock::new(|| Basis::new(None));
+pub static SMOOTH_BASIS: LazyLock<BasisFunctions> = LazyLock::new(|| BasisFunctions::new(None));
 
 /// Shifted Legendre polynomials `P_0(x) .. P_{count-1}(x)` on `[0, 1]`.
 pub fn legendre(x: f64, count: usize) -> Vec<f64> {
@@ -53,7 +53,7 @@ pub fn legendre(x: f64, count: usize) -> Vec<f64> {
     values
 }
 
-impl Basis {
+impl BasisFunctions {
     /// For the first step of a contact whose force starts like `t^exponent`; `None` where that is smooth.
     pub fn onset(exponent: f64) -> Option<Self> {
         if exponent.fract() == 0.0 {
@@ -71,9 +71,9 @@ impl Basis {
             std::array::from_fn(|i| (0..NODES).filter(|j| *j != i).map(|j| 1.0 / (nodes[i] - nodes[j])).product());
         let mut basis = Self {
             places: std::array::from_fn(|i| if i < NODES { nodes[i].powf(1.0 / q) } else { 1.0 }),
-            weights: Lane::ZERO,
-            at_start: Lane::ZERO,
-            at_end: Lane::ZERO,
+            weights: F64x8::ZERO,
+            at_start: F64x8::ZERO,
+            at_end: F64x8::ZERO,
             series: Vec::new(),
             powers,
             barycentric,
@@ -103,12 +103,12 @@ impl Basis {
 }
 
 /// The last place 0.
-fn padded(values: [f64; NODES]) -> Lane {
-    Lane(std::array::from_fn(|j| values.get(j).copied().unwrap_or(0.0)))
+fn padded(values: [f64; NODES]) -> F64x8 {
+    F64x8(std::array::from_fn(|j| values.get(j).copied().unwrap_or(0.0)))
 }
 
 /// Legendre coefficients by the quadrature of the nodes itself, which is exact to degree 13.
-fn smooth_series(nodes: &[f64; NODES]) -> Vec<Lane> {
+fn smooth_series(nodes: &[f64; NODES]) -> Vec<F64x8> {
     let weighted = nodes.map(|x| {
         let (s, n) = (2.0 * x - 1.0, NODES as f64);
         let values = legendre(x, NODES + 1);
@@ -116,15 +116,15 @@ fn smooth_series(nodes: &[f64; NODES]) -> Vec<Lane> {
         let weight = 1.0 / (x * (1.0 - x) * slope * slope);
         values.iter().map(|value| weight * value).collect::<Vec<_>>()
     });
-    (0..NODES).map(|a| Lane(std::array::from_fn(|j| weighted.get(j).map_or(0.0, |row| (2 * a + 1) as f64 * row[a])))).collect()
+    (0..NODES).map(|a| F64x8(std::array::from_fn(|j| weighted.get(j).map_or(0.0, |row| (2 * a + 1) as f64 * row[a])))).collect()
 }
 
 /// Legendre coefficients through those of the powers of `x`.
-fn singular_series(nodes: &[f64; NODES], n: f64, q: f64) -> Vec<Lane> {
+fn singular_series(nodes: &[f64; NODES], n: f64, q: f64) -> Vec<F64x8> {
     let powers: Vec<Vec<f64>> = (0..NODES).map(|m| power_series(n + q * m as f64, SINGULAR_TERMS)).collect();
     let functions: [[f64; NODES]; NODES] = std::array::from_fn(|j| monomial_coefficients(nodes, j).map(|c| c * nodes[j].powf(-n / q)));
     let at = |a: usize, function: &[f64; NODES]| function.iter().zip(&powers).map(|(c, power)| c * power[a]).sum();
-    (0..SINGULAR_TERMS).map(|a| Lane(std::array::from_fn(|j| functions.get(j).map_or(0.0, |function| at(a, function))))).collect()
+    (0..SINGULAR_TERMS).map(|a| F64x8(std::array::from_fn(|j| functions.get(j).map_or(0.0, |function| at(a, function))))).collect()
 }
 
 /// Legendre coefficients of `x^p`: `(2 a + 1) int x^p P_a`, with `int x^p P_a = int x^p P_{a-1} (p - a + 1) / (p + a + 1)`.
@@ -196,13 +196,13 @@ fn jacobi(alpha: f64, u: f64) -> [f64; 2] {
 mod tests {
     use super::*;
 
-    fn quadrature(basis: &Basis, f: impl Fn(f64) -> f64) -> f64 {
+    fn quadrature(basis: &BasisFunctions, f: impl Fn(f64) -> f64) -> f64 {
         (0..NODES).map(|j| basis.weights.0[j] * f(basis.places[j])).sum()
     }
 
     #[test]
     fn smooth_integrates_degree_thirteen_and_interpolates_degree_six() {
-        let b = &*SMOOTH;
+        let b = &*SMOOTH_BASIS;
         for degree in 0..=13 {
             let sum = quadrature(b, |x| x.powi(degree));
             assert!((sum - 1.0 / f64::from(degree + 1)).abs() < 4e-15, "degree {degree}: {sum}");
@@ -218,7 +218,7 @@ mod tests {
     #[test]
     fn onset_integrates_and_interpolates_its_powers() {
         for (exponent, step) in [(1.5, 0.5), (1.3, 1.0), (2.5, 0.5)] {
-            let b = Basis::onset(exponent).unwrap();
+            let b = BasisFunctions::onset(exponent).unwrap();
             for m in 0..=13 {
                 let power = exponent + step * f64::from(m);
                 let sum = quadrature(&b, |x| x.powf(power));
@@ -230,13 +230,13 @@ mod tests {
                 assert!((at - 0.3_f64.powf(power)).abs() < 1e-12, "power {power}");
             }
         }
-        assert!(Basis::onset(1.0).is_none());
+        assert!(BasisFunctions::onset(1.0).is_none());
     }
 
     /// Beyond the terms kept, `x^1.5` has coefficients like `a^-4`; polynomials have none. The largest seen is 2.3e-5.
     #[test]
     fn series_sum_to_the_functions() {
-        for (basis, allowed) in [(SMOOTH.clone(), 1e-12), (Basis::onset(1.5).unwrap(), 3e-5)] {
+        for (basis, allowed) in [(SMOOTH_BASIS.clone(), 1e-12), (BasisFunctions::onset(1.5).unwrap(), 3e-5)] {
             for x in [0.11, 0.5, 0.97] {
                 let powers = legendre(x, basis.series.len());
                 for (j, value) in basis.at(x).into_iter().enumerate() {

@@ -5,62 +5,62 @@
 //! starts like `t^1.5`: the first step has a basis that does so too (see [`super::basis`]). The error is seen at the two ends of the
 //! step, where the force in the basis is not made to meet the law.
 
-use super::basis::{Basis, NODES, SMOOTH};
-use super::crossed::Crossed;
-use super::kernel::{Kernel, Shape};
-use super::marcher::Marcher;
+use super::basis::{BasisFunctions, NODES, SMOOTH_BASIS};
+use super::contact_table::ContactTable;
+use super::flow_row::FlowRow;
+use super::integrator::Integrator;
+use super::kernel::{ForceBasis, Kernel};
 use super::peak::interpolated_peak;
-use super::port_state::Regime;
+use super::phasor::PhasorSamples;
+use super::port_state::ContactState;
 use super::state::{columns, dot, pushed, pushed_by, spread};
-use super::table::Table;
-use super::tone::Swing;
 use super::trajectory::PortForce;
 use crate::contact::ContactLaw;
-use crate::wide::{Lane, Wide};
+use crate::simd::{F64x8, Simd};
 use faer::c64;
 
 /// Most fixed-point iterations of a step; beyond, a shorter step is cheaper.
-pub(super) const MOST_ITERATIONS: u32 = 24;
+pub(super) const MAX_FIXED_POINT_ITERATIONS: u32 = 24;
 
 /// A step of a port to be taken: its tables and the drive over it.
-pub(super) struct Step<'a> {
+pub(super) struct ContactStep<'a> {
     pub(super) port: usize,
-    pub(super) table: &'a Table,
-    pub(super) basis: &'a Basis,
-    pub(super) shape: Shape,
+    pub(super) table: &'a ContactTable,
+    pub(super) basis: &'a BasisFunctions,
+    pub(super) shape: ForceBasis,
     /// The drive's share of the free displacement at the nodes and the end, the gap taken away.
-    pub(super) drive: Lane,
+    pub(super) drive: F64x8,
     /// The same for the velocity.
-    pub(super) drive_rate: Lane,
+    pub(super) drive_rate: F64x8,
 }
 
-impl<'a> Step<'a> {
+impl<'a> ContactStep<'a> {
     /// A step on which a force is given, not found.
-    pub(super) fn held(port: usize, table: &'a Table) -> Self {
-        Self { port, table, basis: &SMOOTH, shape: Shape::Smooth, drive: Lane::ZERO, drive_rate: Lane::ZERO }
+    pub(super) fn held(port: usize, table: &'a ContactTable) -> Self {
+        Self { port, table, basis: &SMOOTH_BASIS, shape: ForceBasis::Smooth, drive: F64x8::ZERO, drive_rate: F64x8::ZERO }
     }
 }
 
 /// A step as solved: nodal penetrations, rates and forces (last place: end of the step).
-pub(super) struct Solved {
-    pub(super) penetration: Lane,
-    pub(super) rate: Lane,
-    pub(super) force: Lane,
+pub(super) struct SolvedStep {
+    pub(super) penetration: F64x8,
+    pub(super) rate: F64x8,
+    pub(super) force: F64x8,
     /// Estimated error of the impulse, N s.
     pub(super) error_n_s: f64,
 }
 
-impl<'k> Marcher<'k> {
+impl<'k> Integrator<'k> {
     #[inline(always)]
-    pub(super) fn step_in_contact<'a, W: Wide, L: ContactLaw>(
+    pub(super) fn step_in_contact<'a, W: Simd, L: ContactLaw>(
         &mut self,
         w: W,
         law: L,
-        (table, port): (&'a Table, usize),
-        shape: Shape,
+        (table, port): (&'a ContactTable, usize),
+        shape: ForceBasis,
         level: i32,
         landing: bool,
-    ) -> Step<'a>
+    ) -> ContactStep<'a>
     where
         'k: 'a,
     {
@@ -71,7 +71,7 @@ impl<'k> Marcher<'k> {
             let frequency = tone.angular_frequency_rad_s;
             let z = tone.displacement_m[port] * tone.turn;
             if landing {
-                tone.swing[port] = Swing::over(frequency, basis, table.length_s);
+                tone.swing[port] = PhasorSamples::over(frequency, basis, table.length_s);
             } else {
                 tone.swing_over(kernel, port, shape, level);
             }
@@ -80,13 +80,13 @@ impl<'k> Marcher<'k> {
                 drive_rate = tone.swing[port].real(w, z * c64::new(0.0, frequency), drive_rate);
             }
         }
-        [drive, drive_rate] = self.forced.motions(w, port, &basis.places, table.length_s, [drive, drive_rate]);
-        Step { port, table, basis, shape, drive: w.store(drive), drive_rate: w.store(drive_rate) }
+        [drive, drive_rate] = self.excitation.motions(w, port, &basis.places, table.length_s, [drive, drive_rate]);
+        ContactStep { port, table, basis, shape, drive: w.store(drive), drive_rate: w.store(drive_rate) }
     }
 
     /// Solves one step for its nodal forces; `None` when the fixed point does not converge.
     #[inline(always)]
-    pub(super) fn solve<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, step: &Step) -> Option<Solved> {
+    pub(super) fn solve<W: Simd, L: ContactLaw>(&mut self, w: W, law: L, step: &ContactStep) -> Option<SolvedStep> {
         let table = step.table;
         let free = columns(w, &self.layout, &self.y, &table.displacement.columns, w.load(&step.drive));
         let mut free_rate = w.zero();
@@ -107,7 +107,7 @@ impl<'k> Marcher<'k> {
         // Neighbouring steps need the same number of iterations: before that one nothing is asked.
         let expected = self.ports[step.port].iterations;
         let mut iteration = 0;
-        while iteration < MOST_ITERATIONS {
+        while iteration < MAX_FIXED_POINT_ITERATIONS {
             iteration += 1;
             let last_but_one = std::mem::replace(&mut last, force);
             let nodal = w.store(force);
@@ -149,7 +149,7 @@ impl<'k> Marcher<'k> {
 
     /// Takes a solved step.
     #[inline(always)]
-    pub(super) fn take<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, step: &Step, solved: &Solved) {
+    pub(super) fn take<W: Simd, L: ContactLaw>(&mut self, w: W, law: L, step: &ContactStep, solved: &SolvedStep) {
         let table = step.table;
         let mut force = solved.force;
         force.0[NODES] = 0.0;
@@ -161,7 +161,7 @@ impl<'k> Marcher<'k> {
         self.integrate_force(w, step, &force);
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += table.length_s;
-        self.forced.pass(self.kernel, table.length_s, self.time_s, &mut self.y);
+        self.excitation.pass(self.kernel, table.length_s, self.time_s, &mut self.y);
         for tone in &mut self.tones {
             tone.turn *= tone.swing[step.port].end();
         }
@@ -171,9 +171,9 @@ impl<'k> Marcher<'k> {
 
     /// Sets a port to what it does at the end of a step that has been taken.
     #[inline(always)]
-    pub(super) fn arrive<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, step: &Step, solved: &Solved) {
+    pub(super) fn arrive<W: Simd, L: ContactLaw>(&mut self, w: W, law: L, step: &ContactStep, solved: &SolvedStep) {
         let p = step.port;
-        let speed = self.forced.motion_after(p, 0.0)[1] + self.tones.iter().map(|tone| tone.motion(p)[1]).sum::<f64>();
+        let speed = self.excitation.motion_after(p, 0.0)[1] + self.tones.iter().map(|tone| tone.motion(p)[1]).sum::<f64>();
         let started = (self.ports[p].penetration_m, self.ports[p].rate_m_s);
         let rate_m_s = dot(w, &self.ports[p].rows.velocity, &self.y) + speed;
         self.set_motion(p, [solved.penetration.0[NODES], rate_m_s]);
@@ -182,13 +182,13 @@ impl<'k> Marcher<'k> {
         if law.acts_on_both_sides() {
             port.strike_m_s = port.strike_m_s.max(port.rate_m_s.abs());
         } else if port.penetration_m < 0.0 {
-            port.regime = Regime::Flight;
+            port.regime = ContactState::Flight;
         }
     }
 
     /// Adds the step to the statistics.
     #[inline(always)]
-    fn observe<W: Wide, L: ContactLaw>(&mut self, w: W, law: L, step: &Step, solved: &Solved, started: (f64, f64)) {
+    fn observe<W: Simd, L: ContactLaw>(&mut self, w: W, law: L, step: &ContactStep, solved: &SolvedStep, started: (f64, f64)) {
         let (length_s, weights) = (step.table.length_s, &step.basis.weights);
         let port = &mut self.ports[step.port];
         let (end_m, end_m_s) = (port.penetration_m, port.rate_m_s);
@@ -202,7 +202,7 @@ impl<'k> Marcher<'k> {
         let depth = w.mul(w.splat(side), w.load(&solved.penetration));
         let highest = w.largest(depth).max(side * started.0);
         if highest > 0.98 * statistics.max_penetration_m {
-            let turns = step.shape == Shape::Smooth && side * started.1 > 0.0 && side * end_m_s < 0.0;
+            let turns = step.shape == ForceBasis::Smooth && side * started.1 > 0.0 && side * end_m_s < 0.0;
             let peak = if turns { interpolated_peak(side * started.0, &w.store(depth)) } else { highest };
             if peak > statistics.max_penetration_m {
                 statistics.max_penetration_m = peak;
@@ -221,14 +221,14 @@ impl<'k> Marcher<'k> {
 
     /// Adds what the nodal forces of a step, last place 0, do to the state at its end to `next`.
     #[inline(always)]
-    pub(super) fn push_on<W: Wide>(&mut self, w: W, step: &Step, force: &Lane) {
+    pub(super) fn push_on<W: Simd>(&mut self, w: W, step: &ContactStep, force: &F64x8) {
         let column = &self.kernel.vectors[step.port].column;
         step.table.duhamel.act(w, column, force, &mut self.next, &mut self.from_start);
     }
 
     /// Adds the nodal forces of a step that have just pushed to the integrals that the energy meters need.
     #[inline(always)]
-    pub(super) fn integrate_force<W: Wide>(&mut self, w: W, step: &Step, force: &Lane) {
+    pub(super) fn integrate_force<W: Simd>(&mut self, w: W, step: &ContactStep, force: &F64x8) {
         let (table, basis, p) = (step.table, step.basis, step.port);
         let vectors = &self.kernel.vectors[p];
         let spread = spread(w, force);
@@ -240,7 +240,7 @@ impl<'k> Marcher<'k> {
         self.integrals.damping_j += metered_j(w, &vectors.damping, motion, own, force);
         let weighted = w.mul(w.mul(w.splat(table.length_s), w.load(&basis.weights)), w.load(force));
         self.ports[p].statistics.impulse_n_s += w.sum(weighted);
-        self.forced.push(p, &basis.places, table.length_s, &w.store(weighted));
+        self.excitation.push(p, &basis.places, table.length_s, &w.store(weighted));
         for (sum, tone) in self.integrals.tones_n_s[p].iter_mut().zip(&self.tones) {
             let (cos, sin) = (w.mul(weighted, w.load(&tone.swing[p].cos)), w.mul(weighted, w.load(&tone.swing[p].sin)));
             *sum += tone.turn * c64::new(w.sum(cos), w.sum(sin));
@@ -250,7 +250,7 @@ impl<'k> Marcher<'k> {
 
 /// What a meter makes of the nodal forces of a step: `integral f (row . y) dt`, of what the forces find and of what they move themselves.
 #[inline(always)]
-fn metered_j<W: Wide>(w: W, row: &Crossed, (from_start, y): (&[Lane], &[Lane]), own: W::Register, force: &Lane) -> f64 {
+fn metered_j<W: Simd>(w: W, row: &FlowRow, (from_start, y): (&[F64x8], &[F64x8]), own: W::Register, force: &F64x8) -> f64 {
     w.sum(w.fma(own, w.load(force), row.read(w, from_start, y)))
 }
 
@@ -258,14 +258,14 @@ fn metered_j<W: Wide>(w: W, row: &Crossed, (from_start, y): (&[Lane], &[Lane]), 
 ///
 /// Penetration, rate and force hold the nodes and the end; `at_start` is the force of the law at the start, N.
 #[inline(always)]
-pub(super) fn judge<W: Wide, L: ContactLaw>(
+pub(super) fn judge<W: Simd, L: ContactLaw>(
     w: W,
     law: L,
-    step: &Step,
+    step: &ContactStep,
     [penetration, rate, force]: [W::Register; 3],
     at_start: f64,
-) -> Solved {
-    let by_basis = |at: &Lane| w.sum(w.mul(w.load(at), force));
+) -> SolvedStep {
+    let by_basis = |at: &F64x8| w.sum(w.mul(w.load(at), force));
     let (start, end) = (by_basis(&step.basis.at_start), by_basis(&step.basis.at_end));
     let size = at_start.abs().max(w.largest(w.abs(force)));
     let (penetration, rate, force) = (w.store(penetration), w.store(rate), w.store(force));
@@ -275,11 +275,11 @@ pub(super) fn judge<W: Wide, L: ContactLaw>(
     // A force that is there at the end only has been missed altogether.
     let ratio = if size > 0.0 { mismatch / size } else { 1.0 };
     let error_n_s = step.table.length_s * mismatch * ratio.sqrt().min(1.0);
-    Solved { penetration, rate, force, error_n_s }
+    SolvedStep { penetration, rate, force, error_n_s }
 }
 
 /// Largest of eight values; of their magnitudes where the law acts on both sides.
 #[inline(always)]
-pub(super) fn largest<W: Wide, L: ContactLaw>(w: W, law: L, values: W::Register) -> f64 {
+pub(super) fn largest<W: Simd, L: ContactLaw>(w: W, law: L, values: W::Register) -> f64 {
     w.largest(if law.acts_on_both_sides() { w.abs(values) } else { values })
 }

@@ -18,7 +18,7 @@ pub struct Crossing {
 }
 
 /// Relative accuracy of the zero of `H`; the margin of a crossing is ten times as wide.
-const LOCATED: f64 = 1e-10;
+const CROSSING_TOLERANCE: f64 = 1e-10;
 
 impl FlightStep {
     /// The first crossing, when it can be proved to be one.
@@ -31,7 +31,7 @@ impl FlightStep {
         if slope <= rate {
             return None;
         }
-        let half_s = 1.5 * self.uncertainty_m() / (slope - rate) + 10.0 * LOCATED * guess_s;
+        let half_s = 1.5 * self.uncertainty_m() / (slope - rate) + 10.0 * CROSSING_TOLERANCE * guess_s;
         let (from_s, to_s) = ((guess_s - half_s).max(0.0), (guess_s + half_s).min(h));
         let rises = {
             // The parabola H' on [from, to] lies above the least of its Bernstein coefficients.
@@ -85,7 +85,7 @@ impl FlightStep {
             }
             let newton = x - at / (self.length_s * self.slope(x));
             let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-            let done = (next - x).abs() <= LOCATED * next;
+            let done = (next - x).abs() <= CROSSING_TOLERANCE * next;
             x = next;
             if done {
                 break;

@@ -1,5 +1,5 @@
 //! What the nodal forces of a step do to the blocks: the integrals `int f a dt` and `int f b dt` of the entries of the flow (see
-//! [`super::crossed`]), counted from the start of the step and towards its end.
+//! [`super::flow_row`]), counted from the start of the step and towards its end.
 //!
 //! Towards the end they move the state: `y(h) = e^{A h} y(0) + int f(t) e^{A (h - t)} c dt` (Duhamel). From the start they meter the
 //! work of the force on the free motion: `int f(t) r e^{A t} y(0) dt`.
@@ -9,65 +9,65 @@
 //! step is half as much as a table for the state and one for each meter.
 
 use super::basis::NODES;
-use super::crossed::Crossed;
+use super::flow_row::FlowRow;
 use super::state::{pushed_by, spread};
-use crate::wide::{Lane, Wide};
+use crate::simd::{F64x8, Simd};
 
 /// The node in the middle.
-const MIDDLE: usize = NODES / 2;
+const MIDDLE_NODE: usize = NODES / 2;
 
 /// Per lane of integrals (`a` of all pairs, `b` of all pairs, single rates), one lane per nodal force.
-pub type Integrals = Vec<[Lane; NODES]>;
+pub type DuhamelIntegrals = Vec<[F64x8; NODES]>;
 
 /// The integrals of a step.
 #[derive(Debug, Clone)]
 pub enum Duhamel {
     /// Of a basis that is its own mirror image: even halves of the nodes up to the middle, then odd halves of the nodes before it.
-    Mirrored(Integrals),
+    Mirrored(DuhamelIntegrals),
     /// Of any basis: from the start, and towards the end.
-    Each([Integrals; 2]),
+    Each([DuhamelIntegrals; 2]),
 }
 
 impl Duhamel {
     /// Of integrals from the start of a mirrored basis.
-    pub fn mirrored(from_start: &[[Lane; NODES]]) -> Self {
-        let half = |lanes: &[Lane; NODES], j: usize, sign: f64| {
-            Lane::ZERO.add_scaled(0.5, &lanes[j]).add_scaled(0.5 * sign, &lanes[NODES - 1 - j])
+    pub fn mirrored(from_start: &[[F64x8; NODES]]) -> Self {
+        let half = |lanes: &[F64x8; NODES], j: usize, sign: f64| {
+            F64x8::ZERO.add_scaled(0.5, &lanes[j]).add_scaled(0.5 * sign, &lanes[NODES - 1 - j])
         };
-        let halves = |lanes: &[Lane; NODES]| {
+        let halves = |lanes: &[F64x8; NODES]| {
             std::array::from_fn(|j| match j {
-                ..MIDDLE => half(lanes, j, 1.0),
-                MIDDLE => lanes[MIDDLE],
-                _ => half(lanes, j - MIDDLE - 1, -1.0),
+                ..MIDDLE_NODE => half(lanes, j, 1.0),
+                MIDDLE_NODE => lanes[MIDDLE_NODE],
+                _ => half(lanes, j - MIDDLE_NODE - 1, -1.0),
             })
         };
         Self::Mirrored(from_start.iter().map(halves).collect())
     }
 
     /// Lanes of the state at the end of the step per unit nodal force, whose column is given.
-    pub fn pushes(&self, column: &Crossed) -> Vec<[Lane; NODES]> {
+    pub fn pushes(&self, column: &FlowRow) -> Vec<[F64x8; NODES]> {
         let p = column.pairs.len();
-        let unfolded: Integrals;
+        let unfolded: DuhamelIntegrals;
         let towards_end = match self {
             Self::Mirrored(halves) => {
-                let end = |lanes: &[Lane; NODES], j: usize| match j {
-                    ..MIDDLE => lanes[j].add_scaled(-1.0, &lanes[MIDDLE + 1 + j]),
-                    MIDDLE => lanes[MIDDLE],
-                    _ => lanes[NODES - 1 - j].add_scaled(1.0, &lanes[MIDDLE + NODES - j]),
+                let end = |lanes: &[F64x8; NODES], j: usize| match j {
+                    ..MIDDLE_NODE => lanes[j].add_scaled(-1.0, &lanes[MIDDLE_NODE + 1 + j]),
+                    MIDDLE_NODE => lanes[MIDDLE_NODE],
+                    _ => lanes[NODES - 1 - j].add_scaled(1.0, &lanes[MIDDLE_NODE + NODES - j]),
                 };
                 unfolded = halves.iter().map(|lanes| std::array::from_fn(|j| end(lanes, j))).collect();
                 &unfolded
             }
             Self::Each([_, towards_end]) => towards_end,
         };
-        let product = |a: &Lane, b: &Lane| Lane(std::array::from_fn(|i| a.0[i] * b.0[i]));
-        let of_pair = |lane: usize, [along, across]: [usize; 2]| -> [Lane; NODES] {
+        let product = |a: &F64x8, b: &F64x8| F64x8(std::array::from_fn(|i| a.0[i] * b.0[i]));
+        let of_pair = |lane: usize, [along, across]: [usize; 2]| -> [F64x8; NODES] {
             let entries = &column.pairs[lane];
             std::array::from_fn(|j| {
                 product(&towards_end[lane][j], &entries[along]).add_scaled(1.0, &product(&towards_end[p + lane][j], &entries[across]))
             })
         };
-        let of_real = |(lane, real): (usize, &Lane)| std::array::from_fn(|j| product(&towards_end[2 * p + lane][j], real));
+        let of_real = |(lane, real): (usize, &F64x8)| std::array::from_fn(|j| product(&towards_end[2 * p + lane][j], real));
         let u = (0..p).map(|lane| of_pair(lane, [0, 2]));
         let v = (0..p).map(|lane| of_pair(lane, [1, 3]));
         u.chain(v).chain(column.reals.iter().enumerate().map(of_real)).collect()
@@ -76,26 +76,26 @@ impl Duhamel {
     /// Adds what nodal forces, last place 0, make of a unit force's column to the state at the end of the step, and leaves the
     /// integrals from its start.
     #[inline(always)]
-    pub fn act<W: Wide>(&self, w: W, column: &Crossed, force: &Lane, next: &mut [Lane], from_start: &mut [Lane]) {
+    pub fn act<W: Simd>(&self, w: W, column: &FlowRow, force: &F64x8, next: &mut [F64x8], from_start: &mut [F64x8]) {
         match self {
             Self::Mirrored(halves) => {
                 let f = &force.0;
                 let mut folded = [w.zero(); NODES];
-                for j in 0..MIDDLE {
+                for j in 0..MIDDLE_NODE {
                     folded[j] = w.splat(f[j] + f[NODES - 1 - j]);
-                    folded[MIDDLE + 1 + j] = w.splat(f[j] - f[NODES - 1 - j]);
+                    folded[MIDDLE_NODE + 1 + j] = w.splat(f[j] - f[NODES - 1 - j]);
                 }
-                folded[MIDDLE] = w.splat(f[MIDDLE]);
+                folded[MIDDLE_NODE] = w.splat(f[MIDDLE_NODE]);
                 act_by(
                     w,
                     (column, next, from_start),
                     #[inline(always)]
                     |k: usize| {
-                        let lanes: &[Lane; NODES] = &halves[k];
-                        let (mut even, mut odd) = (w.mul(folded[MIDDLE], w.load(&lanes[MIDDLE])), w.zero());
-                        for j in 0..MIDDLE {
+                        let lanes: &[F64x8; NODES] = &halves[k];
+                        let (mut even, mut odd) = (w.mul(folded[MIDDLE_NODE], w.load(&lanes[MIDDLE_NODE])), w.zero());
+                        for j in 0..MIDDLE_NODE {
                             even = w.fma(folded[j], w.load(&lanes[j]), even);
-                            odd = w.fma(folded[MIDDLE + 1 + j], w.load(&lanes[MIDDLE + 1 + j]), odd);
+                            odd = w.fma(folded[MIDDLE_NODE + 1 + j], w.load(&lanes[MIDDLE_NODE + 1 + j]), odd);
                         }
                         [w.add(even, odd), w.sub(even, odd)]
                     },
@@ -116,7 +116,7 @@ impl Duhamel {
 
 /// The same, given the integrals from the start and towards the end of each lane.
 #[inline(always)]
-fn act_by<W: Wide>(w: W, (column, next, from_start): (&Crossed, &mut [Lane], &mut [Lane]), sums: impl Fn(usize) -> [W::Register; 2]) {
+fn act_by<W: Simd>(w: W, (column, next, from_start): (&FlowRow, &mut [F64x8], &mut [F64x8]), sums: impl Fn(usize) -> [W::Register; 2]) {
     let p = column.pairs.len();
     for (k, [along_u, along_v, across_u, across_v]) in column.pairs.iter().enumerate() {
         let ([a_start, a], [b_start, b]) = (sums(k), sums(p + k));
@@ -135,29 +135,29 @@ fn act_by<W: Wide>(w: W, (column, next, from_start): (&Crossed, &mut [Lane], &mu
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::march::basis::{Basis, SMOOTH};
-    use crate::march::layout::Layout;
-    use crate::march::response::{Making, Responses};
-    use crate::plant::{Block, Pair};
-    use crate::wide::{Portable, widest};
+    use crate::march::basis::{BasisFunctions, SMOOTH_BASIS};
+    use crate::march::layout::StateLayout;
+    use crate::march::output_rows::{OutputRows, OutputRowsTask};
+    use crate::plant::{BlockDiagonal, BlockPair};
+    use crate::simd::{Portable, widest};
 
     const LENGTH_S: f64 = 2e-3;
     const COLUMN: [f64; 5] = [0.7, -0.4, 1.1, 0.6, -0.9];
     const FORCE_N: [f64; NODES] = [0.1, 0.9, 0.3, -0.8, 1.4, 0.2, 0.5];
 
-    fn block() -> Block {
-        let pairs = vec![Pair::Oscillatory { decay: -9.0, frequency: 800.0 }, Pair::Jordan { rate: -40.0 }];
-        Block { pairs, reals: vec![-700.0] }
+    fn block() -> BlockDiagonal {
+        let pairs = vec![BlockPair::Oscillatory { decay: -9.0, frequency: 800.0 }, BlockPair::Jordan { rate: -40.0 }];
+        BlockDiagonal { pairs, reals: vec![-700.0] }
     }
 
     /// `int f(t) g(t) dt` over the step, in `t = h r^2`, in which onset functions are smooth.
-    fn integral(basis: &Basis, g: impl Fn(f64) -> Vec<f64>) -> Vec<f64> {
+    fn integral(basis: &BasisFunctions, g: impl Fn(f64) -> Vec<f64>) -> Vec<f64> {
         let (panels, mut sum) = (40, vec![0.0; COLUMN.len()]);
         for p in 0..panels {
             for i in 0..NODES {
-                let r = (f64::from(p) + SMOOTH.places[i]) / f64::from(panels);
+                let r = (f64::from(p) + SMOOTH_BASIS.places[i]) / f64::from(panels);
                 let force: f64 = basis.at(r * r).iter().zip(&FORCE_N).map(|(phi, f)| phi * f).sum();
-                let weight = force * LENGTH_S * SMOOTH.weights.0[i] * 2.0 * r / f64::from(panels);
+                let weight = force * LENGTH_S * SMOOTH_BASIS.weights.0[i] * 2.0 * r / f64::from(panels);
                 sum.iter_mut().zip(g(r * r * LENGTH_S)).for_each(|(sum, g)| *sum += weight * g);
             }
         }
@@ -171,15 +171,15 @@ mod tests {
 
     #[test]
     fn force_and_motion_meet_as_quadrature_says() {
-        let (w, block, layout) = (Portable::new(), block(), Layout { pairs: 2, reals: 1, pair_lanes: 1, real_lanes: 1 });
-        let onset = Basis::onset(1.5).unwrap();
-        let column = Crossed::column(&layout, &block, &COLUMN);
-        let force = Lane(std::array::from_fn(|j| FORCE_N.get(j).copied().unwrap_or(0.0)));
+        let (w, block, layout) = (Portable::new(), block(), StateLayout { pairs: 2, reals: 1, pair_lanes: 1, real_lanes: 1 });
+        let onset = BasisFunctions::onset(1.5).unwrap();
+        let column = FlowRow::column(&layout, &block, &COLUMN);
+        let force = F64x8(std::array::from_fn(|j| FORCE_N.get(j).copied().unwrap_or(0.0)));
         // Onset functions are cut off after 64 Legendre terms.
-        for (basis, is_folded, within) in [(&*SMOOTH, true, 1e-14), (&*SMOOTH, false, 1e-14), (&onset, false, 1e-7)] {
+        for (basis, is_folded, within) in [(&*SMOOTH_BASIS, true, 1e-14), (&*SMOOTH_BASIS, false, 1e-14), (&onset, false, 1e-7)] {
             let (block, layout) = (&block, &layout);
-            let making = Making { block, layout, basis, reader: basis, force: &COLUMN, rows: &[], length_s: LENGTH_S };
-            let Responses { from_start, towards_end, .. } = widest(making);
+            let making = OutputRowsTask { block, layout, basis, reader: basis, force: &COLUMN, rows: &[], length_s: LENGTH_S };
+            let OutputRows { from_start, towards_end, .. } = widest(making);
             let duhamel = if is_folded { Duhamel::mirrored(&from_start) } else { Duhamel::Each([from_start, towards_end]) };
             let (mut end, mut integrals) = (layout.pack(&[0.0; 5]), layout.pack(&[0.0; 5]));
             duhamel.act(w, &column, &force, &mut end, &mut integrals);
@@ -193,7 +193,7 @@ mod tests {
             assert!(worst(&summed.collect::<Vec<f64>>(), &moved) < 1e-14);
             // Every state alone, read by a row over all of them.
             let row = [1.3, -0.2, 0.5, 0.8, 2.0];
-            let crossed = Crossed::row(layout, block, &row);
+            let crossed = FlowRow::row(layout, block, &row);
             let unit = |state: usize| std::array::from_fn::<f64, 5, _>(|i| if i == state { 1.0 } else { 0.0 });
             let read: Vec<f64> = (0..5).map(|state| w.sum(crossed.read(w, &integrals, &layout.pack(&unit(state))))).collect();
             let along = |t: f64| (0..5).map(|state| block.flow(t, &unit(state)).iter().zip(&row).map(|(y, r)| y * r).sum()).collect();

@@ -1,7 +1,7 @@
 //! The energy balance of a march, from exact integrals (see [`crate::plant::EnergyMeter`]).
 
-use super::marcher::Marcher;
-use super::port_state::Regime;
+use super::integrator::Integrator;
+use super::port_state::ContactState;
 use super::rectified::RectifiedEnergies;
 use crate::drive::Wave;
 use crate::plant::Tone;
@@ -30,7 +30,7 @@ pub struct Energies {
 }
 
 /// Part of the largest energy below which an energy is roundoff.
-const ROUNDOFF: f64 = 1e-13;
+const ENERGY_ROUNDOFF: f64 = 1e-13;
 
 impl Energies {
     /// Delivered to all loads, batteries and loads behind rectifiers, J.
@@ -42,7 +42,7 @@ impl Energies {
     pub fn are_still(&self) -> bool {
         let loads = self.loads_j.iter().chain(&self.leaks_j).copied().chain(self.rectified.iter().map(RectifiedEnergies::sum_j));
         let flows = loads.chain([self.input_j, self.damping_j, self.contact_loss_j, self.stored_j]);
-        flows.fold(0.0_f64, |max, flow| max.max(flow.abs())) <= ROUNDOFF * self.scale_j
+        flows.fold(0.0_f64, |max, flow| max.max(flow.abs())) <= ENERGY_ROUNDOFF * self.scale_j
     }
 
     /// `input - loads - rectified - leaks - damping - contact loss - stored`, J: zero but for the error of the contact integration and roundoff.
@@ -60,14 +60,14 @@ impl Energies {
 
 /// Meter readings at the start of a march.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Opening {
+pub(super) struct MeterReadings {
     pub input_j: f64,
     pub loads_j: Vec<f64>,
     pub damping_j: f64,
     pub stored_j: f64,
 }
 
-impl Marcher<'_> {
+impl Integrator<'_> {
     /// Energies from the start of the march to the present time.
     pub fn energies(&self) -> Energies {
         let system = &self.kernel.plant.system;
@@ -90,7 +90,7 @@ impl Marcher<'_> {
             let impulses = self.integrals.tones_n_s.iter().enumerate().take(ports);
             impulses.map(|(port, tones)| meter.contact_j(port, if port == 0 { work_j } else { 0.0 }, tones)).sum()
         };
-        let (sums, works_j) = self.forced.ledger.until(self.kernel, &self.forced.sizes, &self.own_state(), self.time_s);
+        let (sums, works_j) = self.excitation.ledger.until(self.kernel, &self.excitation.sizes, &self.own_state(), self.time_s);
         let count = meters.loads.len();
         let loads_j: Vec<f64> = (0..count)
             .map(|k| {
@@ -101,17 +101,17 @@ impl Marcher<'_> {
         let lost_j = contact(&meters.damping, self.integrals.damping_j + works_j[count]);
         let damping_j = now.damping_j - open.damping_j + lost_j + meters.damping.signals().energy_j(&sums);
         let input_j =
-            now.input_j - open.input_j + contact(&meters.input, 0.0) + meters.input.signals().energy_j(&sums) + self.forced.base_work_j;
+            now.input_j - open.input_j + contact(&meters.input, 0.0) + meters.input.signals().energy_j(&sums) + self.excitation.base_work_j;
         let stored_j = now.stored_j - open.stored_j;
         let flows = input_j.abs().max(damping_j.abs()).max(loads_j.iter().map(|j| j.abs()).sum());
         let scale_j = flows.max(now.stored_j.abs()).max(open.stored_j.abs()).max(self.potential_j());
         Energies { input_j, loads_j, damping_j, contact_loss_j: self.integrals.loss_j, stored_j, scale_j, ..Energies::default() }
     }
 
-    pub(super) fn readings(&self) -> Opening {
+    pub(super) fn readings(&self) -> MeterReadings {
         let (y, t) = (self.own_state(), self.time_s);
         let meters = self.kernel.meters();
-        Opening {
+        MeterReadings {
             input_j: meters.input.boundary_j(&y, t),
             loads_j: meters.loads.iter().map(|meter| meter.boundary_j(&y, t)).collect(),
             damping_j: meters.damping.boundary_j(&y, t),
@@ -145,7 +145,7 @@ impl Marcher<'_> {
         let x = plant.to_physical(y, self.time_s);
         let mechanical: f64 = (0..n).map(|i| 0.5 * (x[n + i].powi(2) + (modes.frequency_rad_s[i] * x[i]).powi(2))).sum();
         let electrical: f64 = plant.electrical.energy_scale().zip(&x[2 * n..]).map(|(scale, x)| 0.5 * (scale * x).powi(2)).sum();
-        let pressed = self.ports.iter().zip(&plant.system.stops).filter(|(port, _)| port.regime == Regime::Contact);
+        let pressed = self.ports.iter().zip(&plant.system.stops).filter(|(port, _)| port.regime == ContactState::Contact);
         let compressed: f64 = pressed.map(|(port, stop)| stop.law.energy_j(port.penetration_m)).sum();
         mechanical + electrical + compressed
     }

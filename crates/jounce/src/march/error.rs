@@ -3,7 +3,7 @@
 /// A march that could not go on.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
-pub enum MarchError {
+pub enum IntegrationError {
     /// The contact force did not converge on any step length.
     #[error(
         "at t = {time_s} s the contact force of stop `{stop}` did not converge, even on a step of {step_s:e} s (penetration {penetration_m:e} m); check its stiffness and damping"
@@ -37,7 +37,7 @@ pub enum MarchError {
         /// Time, s.
         time_s: f64,
     },
-    /// Somebody asked for it, see [`super::Watch::stop`].
+    /// Somebody asked for it, see [`super::Control::stop`].
     #[error("the march was stopped at t = {time_s} s")]
     Stopped {
         /// Time, s.

@@ -1,24 +1,24 @@
-//! The tridiagonal matrix `I - z S` of [`super::answers`], factored for eight blocks at once.
+//! The tridiagonal matrix `I - z S` of [`super::step_response`], factored for eight blocks at once.
 
-use super::answers::Part;
-use super::basis::Basis;
-use crate::wide::{Lane, Wide};
+use super::basis::BasisFunctions;
+use super::step_response::BlockOnStep;
+use crate::simd::{F64x8, Simd};
 use faer::c64;
 
 /// One row of `I - z S` factored, for eight values of `z` at once: real and imaginary parts of what it takes from the row before,
 /// from the row after, and of one over its pivot.
 #[derive(Debug, Clone, Copy)]
-pub struct Factors {
-    pub before: [Lane; 2],
-    pub after: [Lane; 2],
-    pub inverse: [Lane; 2],
+pub struct TridiagonalFactors {
+    pub before: [F64x8; 2],
+    pub after: [F64x8; 2],
+    pub inverse: [F64x8; 2],
 }
 
 /// Factors of up to eight blocks on a step, as many rows as the neediest of them has terms.
 #[inline(always)]
-pub fn factored<W: Wide>(w: W, parts: &[Part], basis: &Basis, h: f64) -> Vec<Factors> {
+pub fn factored<W: Simd>(w: W, parts: &[BlockOnStep], basis: &BasisFunctions, h: f64) -> Vec<TridiagonalFactors> {
     let count = parts.iter().map(|part| terms(part, basis, h)).max().unwrap_or(0);
-    let rates = |read: fn(c64) -> f64| Lane(std::array::from_fn(|i| parts.get(i).map_or(0.0, |part| h * read(part.rate()))));
+    let rates = |read: fn(c64) -> f64| F64x8(std::array::from_fn(|i| parts.get(i).map_or(0.0, |part| h * read(part.rate()))));
     let z = [w.load(&rates(|z| z.re)), w.load(&rates(|z| z.im))];
     let scaled = |by: f64| z.map(|part| w.mul(w.splat(by), part));
     let (one, none) = (w.splat(1.0), w.zero());
@@ -26,38 +26,38 @@ pub fn factored<W: Wide>(w: W, parts: &[Part], basis: &Basis, h: f64) -> Vec<Fac
     let mut inverse = reciprocal(w, [w.add(one, half[0]), half[1]]);
     let mut rows = Vec::with_capacity(count);
     let stored = |pair: [W::Register; 2]| pair.map(|part| w.store(part));
-    rows.push(Factors { before: stored([none, none]), after: stored(scaled(below(1))), inverse: stored(inverse) });
+    rows.push(TridiagonalFactors { before: stored([none, none]), after: stored(scaled(below(1))), inverse: stored(inverse) });
     for n in 1..count {
         let before = product(w, scaled(below(n - 1)), inverse);
         let pivot = product(w, before, scaled(below(n)));
         inverse = reciprocal(w, [w.add(one, pivot[0]), pivot[1]]);
-        rows.push(Factors { before: stored(before), after: stored(scaled(below(n + 1))), inverse: stored(inverse) });
+        rows.push(TridiagonalFactors { before: stored(before), after: stored(scaled(below(n + 1))), inverse: stored(inverse) });
     }
     rows
 }
 
 /// Product of complex numbers.
 #[inline(always)]
-fn product<W: Wide>(w: W, [a, b]: [W::Register; 2], [c, d]: [W::Register; 2]) -> [W::Register; 2] {
+fn product<W: Simd>(w: W, [a, b]: [W::Register; 2], [c, d]: [W::Register; 2]) -> [W::Register; 2] {
     [w.sub(w.mul(a, c), w.mul(b, d)), w.fma(a, d, w.mul(b, c))]
 }
 
 /// One over complex numbers.
 #[inline(always)]
-fn reciprocal<W: Wide>(w: W, [a, b]: [W::Register; 2]) -> [W::Register; 2] {
+fn reciprocal<W: Simd>(w: W, [a, b]: [W::Register; 2]) -> [W::Register; 2] {
     let size = w.store(w.fma(a, a, w.mul(b, b)));
-    let scale = w.load(&Lane(size.0.map(|size| 1.0 / size)));
+    let scale = w.load(&F64x8(size.0.map(|size| 1.0 / size)));
     [w.mul(a, scale), w.sub(w.zero(), w.mul(b, scale))]
 }
 
 /// Decay over a step above which a real rate needs fewer coefficients than a turning one.
-const STIFF: f64 = 300.0;
+const STIFF_DECAY: f64 = 300.0;
 
 /// Coefficients that a block needs on a step. Those of a decay `e^{-z x}` fall off like `e^{-n^2 / z}`, those of a turning block only
 /// beyond `|z| / 2`.
-pub fn terms(part: &Part, basis: &Basis, h: f64) -> usize {
+pub fn terms(part: &BlockOnStep, basis: &BasisFunctions, h: f64) -> usize {
     let z = h * part.rate().norm();
-    let own = if z > STIFF && part.rate().im == 0.0 { 8.0 * z.sqrt() } else { 0.75 * z };
+    let own = if z > STIFF_DECAY && part.rate().im == 0.0 { 8.0 * z.sqrt() } else { 0.75 * z };
     (18 + own.ceil() as usize) + basis.series.len()
 }
 

@@ -2,42 +2,42 @@
 
 use super::certificate::FlightStep;
 use super::crossing::Crossing;
-use super::error::MarchError;
+use super::error::IntegrationError;
+use super::integrator::Integrator;
 use super::kernel::Kernel;
-use super::level::PER_OCTAVE;
-use super::marcher::Marcher;
-use super::port_state::Regime;
+use super::port_state::ContactState;
 use super::state::{dot, dot_abs};
+use super::step_size::LEVELS_PER_OCTAVE;
 use crate::contact::Law;
-use crate::wide::Wide;
+use crate::simd::Simd;
 
 /// Certificate uncertainty, relative to the motion, below which a step that is neither clear nor a proved crossing is taken for
 /// what its interpolant says: a contact that could hide in it is shallower than this fraction of the motion.
-pub(super) const LOCATED: f64 = 1e-12;
+pub(super) const RESOLVED_UNCERTAINTY: f64 = 1e-12;
 
 /// Shallower than the resolution: nothing the force law could feel, unless the interpolant itself crosses. What was let go from rest does not
 /// come back within what the interpolant does not know, though that may well rise first.
 #[inline(always)]
-pub(super) fn by_interpolant(step: &FlightStep, from_rest: bool) -> Verdict {
+pub(super) fn by_interpolant(step: &FlightStep, from_rest: bool) -> FlightVerdict {
     match step.crossing_s() {
-        None => Verdict::Clear,
-        Some(_) if from_rest && step.highest_m() <= step.uncertainty_m() => Verdict::Clear,
-        Some(guess_s) => Verdict::Strike(Crossing { from_s: 0.0, guess_s, to_s: step.length_s }),
+        None => FlightVerdict::Clear,
+        Some(_) if from_rest && step.highest_m() <= step.uncertainty_m() => FlightVerdict::Clear,
+        Some(guess_s) => FlightVerdict::Strike(Crossing { from_s: 0.0, guess_s, to_s: step.length_s }),
     }
 }
 
 /// What became of one attempted step.
-pub(super) enum Verdict {
+pub(super) enum FlightVerdict {
     Clear,
     Strike(Crossing),
     /// Levels to go down before the next attempt.
     Unclear(i32),
 }
 
-impl Marcher<'_> {
+impl Integrator<'_> {
     /// Flies until contact or until the end.
     #[inline(always)]
-    pub(super) fn flight<W: Wide>(&mut self, w: W, end_s: f64) -> Result<(), MarchError> {
+    pub(super) fn flight<W: Simd>(&mut self, w: W, end_s: f64) -> Result<(), IntegrationError> {
         w.apart(
             #[inline(always)]
             || self.fly_alone(w, end_s),
@@ -45,34 +45,34 @@ impl Marcher<'_> {
     }
 
     #[inline(always)]
-    fn fly_alone<W: Wide>(&mut self, w: W, end_s: f64) -> Result<(), MarchError> {
+    fn fly_alone<W: Simd>(&mut self, w: W, end_s: f64) -> Result<(), IntegrationError> {
         if self.kernel.plant.ports.is_empty() {
-            let length_s = self.forced.remaining_s(self.time_s, end_s);
-            self.look_ahead(w, length_s);
+            let length_s = self.excitation.remaining_s(self.time_s, end_s);
+            self.propagate_to(w, length_s);
             self.move_on(length_s, end_s);
             self.work.flight_steps += 1;
             return Ok(());
         }
-        let (mut grow, begun_s) = (PER_OCTAVE, self.time_s);
+        let (mut grow, begun_s) = (LEVELS_PER_OCTAVE, self.time_s);
         while self.time_s < end_s {
             let level = self.flight_level;
             let length_s = Kernel::length_s(level);
-            let remaining_s = self.forced.remaining_s(self.time_s, end_s);
+            let remaining_s = self.excitation.remaining_s(self.time_s, end_s);
             let landing = length_s >= remaining_s;
             // Of a step that ends early, the shortest level that bounds it from above.
             let tight = if landing { level.max(Kernel::level_within(remaining_s) - 1) } else { level };
             let verdict = if landing { self.land(w, tight, remaining_s, end_s) } else { self.attempt(w, level) };
             match verdict {
-                Verdict::Clear => {
+                FlightVerdict::Clear => {
                     self.work.flight_steps += 1;
                     let longer = (level - grow).max(Kernel::coarsest());
                     // If this flight lasts as long as the one before, a step much longer than what is left of it would be lost.
                     let left_s = begun_s + self.flight_s - self.time_s;
                     let reaches_far = left_s > 0.0 && Kernel::length_s(longer) > 2.0 * left_s;
                     self.flight_level = if reaches_far { level } else { longer };
-                    grow = PER_OCTAVE;
+                    grow = LEVELS_PER_OCTAVE;
                 }
-                Verdict::Strike(crossing) => {
+                FlightVerdict::Strike(crossing) => {
                     let (after_s, motion) = self.locate(w, 0, crossing);
                     self.move_on(after_s, self.time_s + after_s);
                     self.set_motion(0, motion);
@@ -84,13 +84,13 @@ impl Marcher<'_> {
                     self.struck(0);
                     return Ok(());
                 }
-                Verdict::Unclear(down) => {
+                FlightVerdict::Unclear(down) => {
                     self.work.flight_rejections += 1;
                     // The step after the next would fail as this one did.
                     grow = 0;
                     self.flight_level = (tight + down).min(Kernel::finest());
                     if !self.ports[0].penetration_m.is_finite() {
-                        return Err(MarchError::NotFinite { time_s: self.time_s });
+                        return Err(IntegrationError::NotFinite { time_s: self.time_s });
                     }
                 }
             }
@@ -100,10 +100,10 @@ impl Marcher<'_> {
 
     /// One step of a level; taken only if clear.
     #[inline(always)]
-    fn attempt<W: Wide>(&mut self, w: W, level: i32) -> Verdict {
+    fn attempt<W: Simd>(&mut self, w: W, level: i32) -> FlightVerdict {
         let kernel = self.kernel;
         kernel.flow(level).apply(w, &self.y, &mut self.next);
-        let mut drive = self.forced.motion_after(0, Kernel::length_s(level));
+        let mut drive = self.excitation.motion_after(0, Kernel::length_s(level));
         for tone in &mut self.tones {
             let turn = tone.end(level);
             let [place, speed] = tone.motion_after(0, turn);
@@ -113,7 +113,7 @@ impl Marcher<'_> {
         let motion = [dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m, dot(w, &rows.velocity, &self.next) + drive[1]];
         let step = self.step_of(w, 0, level, Kernel::length_s(level), motion, drive);
         let verdict = self.judge_flight(0, &step, motion[0]);
-        if let Verdict::Clear = verdict {
+        if let FlightVerdict::Clear = verdict {
             let length_s = step.length_s;
             if self.record.is_some() {
                 self.note(length_s, &[]);
@@ -124,7 +124,7 @@ impl Marcher<'_> {
                 let turn = tone.end(level);
                 tone.turn *= turn;
             }
-            self.forced.pass(self.kernel, length_s, self.time_s, &mut self.y);
+            self.excitation.pass(self.kernel, length_s, self.time_s, &mut self.y);
             self.set_motion(0, motion);
         }
         verdict
@@ -132,13 +132,13 @@ impl Marcher<'_> {
 
     /// A last step of any length, to the end.
     #[inline(always)]
-    fn land<W: Wide>(&mut self, w: W, level: i32, length_s: f64, end_s: f64) -> Verdict {
-        self.look_ahead(w, length_s);
+    fn land<W: Simd>(&mut self, w: W, level: i32, length_s: f64, end_s: f64) -> FlightVerdict {
+        self.propagate_to(w, length_s);
         let motion = self.motion_ahead(w, 0, length_s);
         // The level bounds the length from above: its split into slow and fast serves.
         let step = self.step_of(w, 0, level, length_s, motion, self.drive_after(0, length_s));
         let verdict = self.judge_flight(0, &step, motion[0]);
-        if let Verdict::Clear = verdict {
+        if let FlightVerdict::Clear = verdict {
             self.move_on(length_s, end_s);
             self.set_motion(0, motion);
         }
@@ -147,13 +147,13 @@ impl Marcher<'_> {
 
     /// The certificate's view of a step that ends in `next` with `motion` of a port there, of which `drive` is the drives' share.
     #[inline(always)]
-    pub(super) fn step_of<W: Wide>(&self, w: W, p: usize, level: i32, length_s: f64, motion: [f64; 2], drive: [f64; 2]) -> FlightStep {
+    pub(super) fn step_of<W: Simd>(&self, w: W, p: usize, level: i32, length_s: f64, motion: [f64; 2], drive: [f64; 2]) -> FlightStep {
         let (flight, port) = (self.kernel.flight(p, level), &self.ports[p]);
         let mut step = FlightStep {
             length_s,
             distance_m: [port.penetration_m, motion[0]],
             speed_m_s: [port.rate_m_s, motion[1]],
-            fourth_bound: dot_abs(w, &flight.slow_fourth, &self.y) + port.rows.tone_fourth + self.forced.fourth_bound(p, length_s),
+            fourth_bound: dot_abs(w, &flight.slow_fourth, &self.y) + port.rows.tone_fourth + self.excitation.fourth_bound(p, length_s),
             fast_m: 0.0,
             fast_bound_m: 0.0,
             fast_bound_m_s: 0.0,
@@ -171,20 +171,20 @@ impl Marcher<'_> {
     }
 
     #[inline(always)]
-    pub(super) fn judge_flight(&self, p: usize, step: &FlightStep, displacement_m: f64) -> Verdict {
+    pub(super) fn judge_flight(&self, p: usize, step: &FlightStep, displacement_m: f64) -> FlightVerdict {
         if step.is_clear() {
-            return Verdict::Clear;
+            return FlightVerdict::Clear;
         }
         if let Some(crossing) = step.crossing() {
-            return Verdict::Strike(crossing);
+            return FlightVerdict::Strike(crossing);
         }
         let uncertainty_m = step.uncertainty_m();
-        if uncertainty_m <= LOCATED * self.scale_m(p, displacement_m) {
+        if uncertainty_m <= RESOLVED_UNCERTAINTY * self.scale_m(p, displacement_m) {
             return by_interpolant(step, self.leaves_from_rest(p));
         }
         // The uncertainty falls like the fourth power of the length: two levels where one is not enough.
-        let far = uncertainty_m > 16.0 * self.ports[p].penetration_m.abs().max(LOCATED * self.scale_m(p, displacement_m));
-        Verdict::Unclear(if far { 2 * PER_OCTAVE } else { PER_OCTAVE })
+        let far = uncertainty_m > 16.0 * self.ports[p].penetration_m.abs().max(RESOLVED_UNCERTAINTY * self.scale_m(p, displacement_m));
+        FlightVerdict::Unclear(if far { 2 * LEVELS_PER_OCTAVE } else { LEVELS_PER_OCTAVE })
     }
 
     /// A port that touches and has no speed: it flies, so that nothing presses it.
@@ -204,22 +204,22 @@ impl Marcher<'_> {
     /// Displacement and velocity of a port under the drive at the present time.
     #[inline(always)]
     fn drive(&self, p: usize) -> [f64; 2] {
-        self.tones.iter().map(|tone| tone.motion(p)).fold(self.forced.motion_after(p, 0.0), |a, b| [a[0] + b[0], a[1] + b[1]])
+        self.tones.iter().map(|tone| tone.motion(p)).fold(self.excitation.motion_after(p, 0.0), |a, b| [a[0] + b[0], a[1] + b[1]])
     }
 
     /// The same after a time.
     #[inline(always)]
     pub(super) fn drive_after(&self, p: usize, time_s: f64) -> [f64; 2] {
-        let motion = |tone: &super::tone::Turning| tone.motion_after(p, faer::c64::cis(tone.angular_frequency_rad_s * time_s));
-        self.tones.iter().map(motion).fold(self.forced.motion_after(p, time_s), |a, b| [a[0] + b[0], a[1] + b[1]])
+        let motion = |tone: &super::phasor::Phasor| tone.motion_after(p, faer::c64::cis(tone.angular_frequency_rad_s * time_s));
+        self.tones.iter().map(motion).fold(self.excitation.motion_after(p, time_s), |a, b| [a[0] + b[0], a[1] + b[1]])
     }
 
     /// Time until a port strikes, by Newton on the exact flow inside the proved interval, and its motion then; the state there is
     /// in `next`.
     #[inline(always)]
-    pub(super) fn locate<W: Wide>(&mut self, w: W, p: usize, crossing: Crossing) -> (f64, [f64; 2]) {
+    pub(super) fn locate<W: Simd>(&mut self, w: W, p: usize, crossing: Crossing) -> (f64, [f64; 2]) {
         let Crossing { mut from_s, mut guess_s, mut to_s } = crossing;
-        self.look_ahead(w, guess_s);
+        self.propagate_to(w, guess_s);
         let mut motion = self.motion_ahead(w, p, guess_s);
         for _ in 0..20 {
             if motion[0] > 0.0 {
@@ -230,7 +230,7 @@ impl Marcher<'_> {
             let newton = guess_s - motion[0] / motion[1];
             let next = if newton >= from_s && newton <= to_s { newton } else { 0.5 * (from_s + to_s) };
             let change = (next - guess_s).abs();
-            self.look_on(w, guess_s, next);
+            self.propagate_from(w, guess_s, next);
             let before = motion;
             motion = self.motion_ahead(w, p, next);
             guess_s = next;
@@ -253,6 +253,6 @@ impl Marcher<'_> {
         port.statistics.contacts += 1;
         port.statistics.strike_sum_m_s += port.rate_m_s;
         port.statistics.max_strike_m_s = port.statistics.max_strike_m_s.max(port.rate_m_s);
-        port.regime = Regime::Contact;
+        port.regime = ContactState::Contact;
     }
 }

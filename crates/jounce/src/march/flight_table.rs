@@ -1,36 +1,36 @@
 //! The rows and bounds that prove a flight step free of contact (see [`super::certificate`]).
 
-use super::layout::Layout;
-use crate::plant::{Block, Pair, Port};
-use crate::wide::Lane;
+use super::layout::StateLayout;
+use crate::plant::{BlockDiagonal, BlockPair, Port};
+use crate::simd::F64x8;
 
 /// What the certificate needs of a flight step of one length. All rows are padded.
 #[derive(Debug, Clone)]
 pub struct FlightTable {
     /// Factors of the bound on the fourth derivative of the slow part, m/s^4.
-    pub slow_fourth: Vec<Lane>,
+    pub slow_fourth: Vec<F64x8>,
     /// What some block too fast for this length adds; `None` without such a block.
-    pub fast: Option<FastPart>,
+    pub fast: Option<FastBlocks>,
 }
 
 /// Blocks whose own size is a better bound than their interpolation error.
 #[derive(Debug, Clone)]
-pub struct FastPart {
+pub struct FastBlocks {
     /// Row of the displacement of the slow part.
-    pub slow_displacement: Vec<Lane>,
+    pub slow_displacement: Vec<F64x8>,
     /// Row of its velocity.
-    pub slow_velocity: Vec<Lane>,
+    pub slow_velocity: Vec<F64x8>,
     /// Factors of the bound on the displacement of the fast part, m.
-    pub displacement_bound: Vec<Lane>,
+    pub displacement_bound: Vec<F64x8>,
     /// Factors of the bound on its velocity, m/s.
-    pub velocity_bound: Vec<Lane>,
+    pub velocity_bound: Vec<F64x8>,
 }
 
 /// `|lambda| h` above which a block counts as fast.
-const FAST: f64 = 4.4;
+const FAST_BLOCK: f64 = 4.4;
 
 /// Bounds on one block's share of the displacement, as factors on the magnitudes of its states.
-struct Share {
+struct BlockBounds {
     states: Vec<usize>,
     speed_rad_s: f64,
     displacement: Vec<f64>,
@@ -41,11 +41,11 @@ struct Share {
 
 impl FlightTable {
     /// For steps of one length.
-    pub fn new(block: &Block, layout: &Layout, port: &Port, h: f64) -> Self {
+    pub fn new(block: &BlockDiagonal, layout: &StateLayout, port: &Port, h: f64) -> Self {
         let n = block.len();
         let (mut fourth, mut bound, mut speed, mut slow) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![1.0; n]);
         for share in shares(block, &port.displacement, h) {
-            let is_fast = share.may_be_fast && share.speed_rad_s * h >= FAST;
+            let is_fast = share.may_be_fast && share.speed_rad_s * h >= FAST_BLOCK;
             for (i, state) in share.states.iter().enumerate() {
                 if is_fast {
                     (bound[*state], speed[*state], slow[*state]) = (share.displacement[i], share.velocity[i], 0.0);
@@ -55,7 +55,7 @@ impl FlightTable {
             }
         }
         let kept = |row: &[f64]| layout.pack(&row.iter().zip(&slow).map(|(c, kept)| c * kept).collect::<Vec<_>>());
-        let fast = slow.contains(&0.0).then(|| FastPart {
+        let fast = slow.contains(&0.0).then(|| FastBlocks {
             slow_displacement: kept(&port.displacement),
             slow_velocity: kept(&port.velocity),
             displacement_bound: layout.pack(&bound),
@@ -66,22 +66,22 @@ impl FlightTable {
 }
 
 /// The blocks decay, so that bounds at the start of a step hold throughout.
-fn shares(block: &Block, row: &[f64], h: f64) -> Vec<Share> {
-    let pair = |(k, pair): (usize, &Pair)| {
+fn shares(block: &BlockDiagonal, row: &[f64], h: f64) -> Vec<BlockBounds> {
+    let pair = |(k, pair): (usize, &BlockPair)| {
         let own = [row[2 * k], row[2 * k + 1]];
         let (states, speed_rad_s) = (vec![2 * k, 2 * k + 1], pair.eigenvalue().norm());
         match *pair {
-            Pair::Oscillatory { .. } => {
+            BlockPair::Oscillatory { .. } => {
                 let gain = own[0].hypot(own[1]);
                 let both = |factor: f64| vec![gain * factor; 2];
                 let (velocity, fourth) = (both(speed_rad_s), both(speed_rad_s.powi(4)));
-                Share { states, speed_rad_s, displacement: both(1.0), velocity, fourth, may_be_fast: true }
+                BlockBounds { states, speed_rad_s, displacement: both(1.0), velocity, fourth, may_be_fast: true }
             }
             // w = (c_u u + c_v v + c_u v t) e^{r t}, r <= 0
-            Pair::Jordan { rate } => {
+            BlockPair::Jordan { rate } => {
                 let ([cu, cv], r) = (own.map(f64::abs), rate.abs());
                 let fourth = vec![cu * r.powi(4), (cv + cu * h) * r.powi(4) + 4.0 * cu * r.powi(3)];
-                Share { states, speed_rad_s, displacement: vec![0.0; 2], velocity: vec![0.0; 2], fourth, may_be_fast: false }
+                BlockBounds { states, speed_rad_s, displacement: vec![0.0; 2], velocity: vec![0.0; 2], fourth, may_be_fast: false }
             }
         }
     };
@@ -89,7 +89,7 @@ fn shares(block: &Block, row: &[f64], h: f64) -> Vec<Share> {
     let real = |(k, rate): (usize, &f64)| {
         let (gain, speed_rad_s) = (row[first + k].abs(), rate.abs());
         let (velocity, fourth) = (vec![gain * speed_rad_s], vec![gain * speed_rad_s.powi(4)]);
-        Share { states: vec![first + k], speed_rad_s, displacement: vec![gain], velocity, fourth, may_be_fast: true }
+        BlockBounds { states: vec![first + k], speed_rad_s, displacement: vec![gain], velocity, fourth, may_be_fast: true }
     };
     block.pairs.iter().enumerate().map(pair).chain(block.reals.iter().enumerate().map(real)).collect()
 }

@@ -1,30 +1,30 @@
 //! Exact flow of all blocks at once: over a level length by a table, over a short time by its power series.
 
-use super::layout::Layout;
-use crate::plant::Block;
-use crate::wide::{Lane, WIDTH, Wide};
+use super::layout::StateLayout;
+use crate::plant::BlockDiagonal;
+use crate::simd::{F64x8, LANES, Simd};
 
 /// Entries `a, b, c, d` of the 2 x 2 blocks, then the 1 x 1 blocks, in padded lanes: a flow, or its generator.
 #[derive(Debug, Clone)]
 pub struct Flow {
-    pairs: [Vec<Lane>; 4],
-    reals: Vec<Lane>,
+    pairs: [Vec<F64x8>; 4],
+    reals: Vec<F64x8>,
 }
 
 /// Largest `|lambda| t` of the power series of a flow.
-pub const SHORT: f64 = 0.125;
+pub const MAX_SERIES_ARGUMENT: f64 = 0.125;
 
 /// Size of the first term of the power series that is left out.
-const NEGLIGIBLE: f64 = 3e-20;
+const NEGLIGIBLE_TERM: f64 = 3e-20;
 
-/// Most pairs of terms of the power series after the first two, those of [`SHORT`].
-const MOST: usize = 6;
+/// Most pairs of terms of the power series after the first two, those of [`MAX_SERIES_ARGUMENT`].
+const MAX_SERIES_PAIRS: usize = 6;
 
 /// Factors from one term to the next but one, of even and of odd powers: `1 / (n (n - 1))` for `n = 2, 4, ..` and for `n = 3, 5, ..`.
-const FACTORS: [[f64; 2]; MOST] = {
-    let mut factors = [[1.0; 2]; MOST];
+const SERIES_FACTORS: [[f64; 2]; MAX_SERIES_PAIRS] = {
+    let mut factors = [[1.0; 2]; MAX_SERIES_PAIRS];
     let mut m = 0;
-    while m < MOST {
+    while m < MAX_SERIES_PAIRS {
         let n = (2 * m + 2) as f64;
         factors[m] = [1.0 / (n * (n - 1.0)), 1.0 / (n * (n + 1.0))];
         m += 1;
@@ -36,34 +36,34 @@ const FACTORS: [[f64; 2]; MOST] = {
 #[inline(always)]
 fn factors(size: f64) -> &'static [[f64; 2]] {
     let (mut count, mut next) = (0, size * size);
-    while next > 2.0 * NEGLIGIBLE && count < MOST {
+    while next > 2.0 * NEGLIGIBLE_TERM && count < MAX_SERIES_PAIRS {
         count += 1;
-        next *= size * size * FACTORS[count.min(MOST - 1)][0];
+        next *= size * size * SERIES_FACTORS[count.min(MAX_SERIES_PAIRS - 1)][0];
     }
-    &FACTORS[..count]
+    &SERIES_FACTORS[..count]
 }
 
 impl Flow {
     /// `e^{A t}`.
-    pub fn over(block: &Block, layout: &Layout, time_s: f64) -> Self {
+    pub fn over(block: &BlockDiagonal, layout: &StateLayout, time_s: f64) -> Self {
         Self::of(layout, block.pairs.iter().map(|pair| pair.flow(time_s)), block.reals.iter().map(|rate| (rate * time_s).exp()))
     }
 
     /// `A` itself.
-    pub fn generator(block: &Block, layout: &Layout) -> Self {
-        Self::of(layout, block.pairs.iter().map(crate::plant::Pair::matrix), block.reals.iter().copied())
+    pub fn generator(block: &BlockDiagonal, layout: &StateLayout) -> Self {
+        Self::of(layout, block.pairs.iter().map(crate::plant::BlockPair::matrix), block.reals.iter().copied())
     }
 
-    fn of(layout: &Layout, pairs: impl Iterator<Item = [f64; 4]>, reals: impl Iterator<Item = f64>) -> Self {
-        let lanes = || vec![Lane::ZERO; layout.pair_lanes];
-        let mut flow = Self { pairs: [lanes(), lanes(), lanes(), lanes()], reals: vec![Lane::ZERO; layout.real_lanes] };
+    fn of(layout: &StateLayout, pairs: impl Iterator<Item = [f64; 4]>, reals: impl Iterator<Item = f64>) -> Self {
+        let lanes = || vec![F64x8::ZERO; layout.pair_lanes];
+        let mut flow = Self { pairs: [lanes(), lanes(), lanes(), lanes()], reals: vec![F64x8::ZERO; layout.real_lanes] };
         for (k, entries) in pairs.enumerate() {
             for (lanes, entry) in flow.pairs.iter_mut().zip(entries) {
-                lanes[k / WIDTH].0[k % WIDTH] = entry;
+                lanes[k / LANES].0[k % LANES] = entry;
             }
         }
         for (k, entry) in reals.enumerate() {
-            flow.reals[k / WIDTH].0[k % WIDTH] = entry;
+            flow.reals[k / LANES].0[k % LANES] = entry;
         }
         flow
     }
@@ -71,24 +71,24 @@ impl Flow {
     /// Entries `a, b, c, d` of pair `k`.
     #[inline(always)]
     pub fn pair(&self, k: usize) -> [f64; 4] {
-        std::array::from_fn(|entry| self.pairs[entry][k / WIDTH].0[k % WIDTH])
+        std::array::from_fn(|entry| self.pairs[entry][k / LANES].0[k % LANES])
     }
 
     /// Entry of real `k`.
     #[inline(always)]
     pub fn real(&self, k: usize) -> f64 {
-        self.reals[k / WIDTH].0[k % WIDTH]
+        self.reals[k / LANES].0[k % LANES]
     }
 
     #[inline(always)]
-    fn entries<W: Wide>(&self, w: W, k: usize) -> [W::Register; 4] {
+    fn entries<W: Simd>(&self, w: W, k: usize) -> [W::Register; 4] {
         let [a, b, c, d] = &self.pairs;
         [w.load(&a[k]), w.load(&b[k]), w.load(&c[k]), w.load(&d[k])]
     }
 
     /// Applies the blocks to a state.
     #[inline(always)]
-    pub fn apply<W: Wide>(&self, w: W, y: &[Lane], out: &mut [Lane]) {
+    pub fn apply<W: Simd>(&self, w: W, y: &[F64x8], out: &mut [F64x8]) {
         let p = self.pairs[0].len();
         for k in 0..p {
             let (u, v) = (w.load(&y[k]), w.load(&y[p + k]));
@@ -102,11 +102,11 @@ impl Flow {
     }
 
     /// Carries a state along flows, one after the other, and then over a short time of either sign, by the power series of the flow of
-    /// this generator, even and odd powers side by side. `fastest_rad_s` bounds its eigenvalues; their product with the time is at most [`SHORT`].
+    /// this generator, even and odd powers side by side. `fastest_rad_s` bounds its eigenvalues; their product with the time is at most [`MAX_SERIES_ARGUMENT`].
     ///
     /// Each lane goes all the way in registers.
     #[inline(always)]
-    pub fn carry<W: Wide>(&self, w: W, flows: &[&Flow], (short_s, fastest_rad_s): (f64, f64), y: &mut [Lane]) {
+    pub fn carry<W: Simd>(&self, w: W, flows: &[&Flow], (short_s, fastest_rad_s): (f64, f64), y: &mut [F64x8]) {
         let p = self.pairs[0].len();
         let factors = factors(short_s * fastest_rad_s);
         let time = w.splat(short_s);
@@ -146,13 +146,13 @@ impl Flow {
 
 /// Blocks times states.
 #[inline(always)]
-fn applied<W: Wide>(w: W, [a, b, c, d]: [W::Register; 4], u: W::Register, v: W::Register) -> (W::Register, W::Register) {
+fn applied<W: Simd>(w: W, [a, b, c, d]: [W::Register; 4], u: W::Register, v: W::Register) -> (W::Register, W::Register) {
     (w.fma(a, u, w.mul(b, v)), w.fma(c, u, w.mul(d, v)))
 }
 
 /// Blocks times themselves.
 #[inline(always)]
-fn squared<W: Wide>(w: W, [a, b, c, d]: [W::Register; 4]) -> [W::Register; 4] {
+fn squared<W: Simd>(w: W, [a, b, c, d]: [W::Register; 4]) -> [W::Register; 4] {
     let (cross, trace) = (w.mul(b, c), w.add(a, d));
     [w.fma(a, a, cross), w.mul(b, trace), w.mul(c, trace), w.fma(d, d, cross)]
 }
@@ -160,14 +160,16 @@ fn squared<W: Wide>(w: W, [a, b, c, d]: [W::Register; 4]) -> [W::Register; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plant::Pair;
-    use crate::wide::Portable;
+    use crate::plant::BlockPair;
+    use crate::simd::Portable;
 
     #[test]
     fn series_and_closed_form_agree() {
-        let block =
-            Block { pairs: vec![Pair::Oscillatory { decay: -3.0, frequency: 900.0 }, Pair::Jordan { rate: -40.0 }], reals: vec![-700.0] };
-        let layout = Layout { pairs: 2, reals: 1, pair_lanes: 1, real_lanes: 1 };
+        let block = BlockDiagonal {
+            pairs: vec![BlockPair::Oscillatory { decay: -3.0, frequency: 900.0 }, BlockPair::Jordan { rate: -40.0 }],
+            reals: vec![-700.0],
+        };
+        let layout = StateLayout { pairs: 2, reals: 1, pair_lanes: 1, real_lanes: 1 };
         let start = [1.0, -0.3, 0.7, 2.0, 1.5];
         // Up to the whole reach of the series, and after two flows.
         for (time_s, long_s) in [(1.3e-4, 0.0), (-1.3e-4, 0.0), (1e-9, 0.0), (1.3e-4, 0.004)] {
@@ -183,10 +185,10 @@ mod tests {
     #[test]
     fn the_series_ends_where_its_terms_no_longer_count() {
         let left_out = |size: f64, count: usize| (1..=2 * count + 2).fold(1.0, |term, n| term * size / n as f64);
-        for size in [SHORT, 0.03, 1e-3] {
+        for size in [MAX_SERIES_ARGUMENT, 0.03, 1e-3] {
             let count = factors(size).len();
-            assert!(left_out(size, count) <= NEGLIGIBLE && left_out(size, count - 1) > NEGLIGIBLE, "{size}: {count}");
+            assert!(left_out(size, count) <= NEGLIGIBLE_TERM && left_out(size, count - 1) > NEGLIGIBLE_TERM, "{size}: {count}");
         }
-        assert_eq!((factors(SHORT).len(), factors(0.0).len()), (MOST, 0));
+        assert_eq!((factors(MAX_SERIES_ARGUMENT).len(), factors(0.0).len()), (MAX_SERIES_PAIRS, 0));
     }
 }

@@ -9,40 +9,41 @@
 //! where `z'(0)` is not zero only for an output whose rate the force changes at once: the current of a patch, at which a switch
 //! looks. `z - H` is known as a Legendre series in `x`. As no Legendre polynomial passes 1 in magnitude, the sum of the magnitudes of
 //! its coefficients bounds `|z - H|` on the whole step, and the same holds for `|z' - H'|`. Both are linear in the nodal forces,
-//! so that the bound keeps what the forces of all nodes cancel. It holds to the accuracy of the series (see [`super::answers`]).
+//! so that the bound keeps what the forces of all nodes cancel. It holds to the accuracy of the series (see [`super::step_response`]).
 //! The certificate takes this rest for a fast part that starts at zero (see [`super::certificate`]).
 
 use super::basis::NODES;
-use super::few::Held;
-use super::kernel::{Kernel, Shape};
-use super::response::{Making, Reading, Row};
+use super::kernel::{ForceBasis, Kernel};
+use super::output_rows::{OutputRowsTask, RowReading, RowRequest};
+use super::small_list::SharedOrOwned;
 use super::state::pushed;
-use crate::wide::{Lane, WIDTH, Wide, widest};
+use crate::simd::{F64x8, LANES, Simd, widest};
 
 /// Legendre coefficients of `3 x^2 - 2 x^3`, of `x^3 - x^2` and of `x^3 - 2 x^2 + x` ...
-const INTERPOLANT: [[f64; 4]; 3] = [[0.5, 0.6, 0.0, -0.1], [-1.0 / 12.0, -0.05, 1.0 / 12.0, 0.05], [1.0 / 12.0, -0.05, -1.0 / 12.0, 0.05]];
+const HERMITE_VALUES: [[f64; 4]; 3] =
+    [[0.5, 0.6, 0.0, -0.1], [-1.0 / 12.0, -0.05, 1.0 / 12.0, 0.05], [1.0 / 12.0, -0.05, -1.0 / 12.0, 0.05]];
 
 /// ... and of their slopes.
-const SLOPE: [[f64; 3]; 3] = [[1.0, 0.0, -1.0], [0.0, 0.5, 0.5], [0.0, -0.5, 0.5]];
+const HERMITE_SLOPES: [[f64; 3]; 3] = [[1.0, 0.0, -1.0], [0.0, 0.5, 0.5], [0.0, -0.5, 0.5]];
 
 /// One lane per nodal force.
 #[derive(Debug, Clone)]
 pub struct ForcedFlight {
     /// Displacement (first place, m) and velocity (second place, m/s) at the end of the step, and velocity at its start (third place).
-    pub end: [Lane; NODES],
+    pub end: [F64x8; NODES],
     /// Coefficients of `z - H`, m, eight to a lane.
-    rest: Vec<[Lane; NODES]>,
+    rest: Vec<[F64x8; NODES]>,
     /// Coefficients of `z' - H'`, m/s.
-    rest_rate: Vec<[Lane; NODES]>,
+    rest_rate: Vec<[F64x8; NODES]>,
 }
 
 impl ForcedFlight {
     /// For the force of a port, in a basis, as felt by the port `seen`.
-    pub fn new(kernel: &Kernel, (port, shape): (usize, Shape), seen: usize, length_s: f64) -> Self {
+    pub fn new(kernel: &Kernel, (port, shape): (usize, ForceBasis), seen: usize, length_s: f64) -> Self {
         let (plant, basis) = (&kernel.plant, kernel.basis(port, shape));
-        let pointwise = |row: &[f64]| Row { row: row.to_vec(), reading: Reading::Pointwise };
+        let pointwise = |row: &[f64]| RowRequest { row: row.to_vec(), reading: RowReading::Pointwise };
         let felt = &plant.ports[seen];
-        let made = widest(Making {
+        let made = widest(OutputRowsTask {
             block: &plant.diagonal.block,
             layout: &kernel.layout,
             basis,
@@ -56,17 +57,17 @@ impl ForcedFlight {
         // A force that acts on the rate at once does so as it is, beside what the states make of it.
         let direct = kernel.directly(port, seen);
         if direct != 0.0 {
-            speed.resize(speed.len().max(basis.series.len()), Lane::ZERO);
+            speed.resize(speed.len().max(basis.series.len()), F64x8::ZERO);
             speed.iter_mut().zip(&basis.series).for_each(|(lane, force)| *lane = lane.add_scaled(direct, force));
         }
-        let end: [Lane; NODES] = std::array::from_fn(|j| {
+        let end: [F64x8; NODES] = std::array::from_fn(|j| {
             let [place, speed] = [0, 1].map(|row: usize| made.rows[row].push[j].0[NODES]);
             let ends = [place, speed + direct * basis.at_end.0[j], direct * basis.at_start.0[j]];
-            Lane(std::array::from_fn(|i| ends.get(i).copied().unwrap_or(0.0)))
+            F64x8(std::array::from_fn(|i| ends.get(i).copied().unwrap_or(0.0)))
         });
         for (j, end) in end.iter().enumerate() {
             let ends = [end.0[0], length_s * end.0[1], length_s * end.0[2]];
-            for (ends, (interpolant, slope)) in ends.iter().zip(INTERPOLANT.iter().zip(&SLOPE)) {
+            for (ends, (interpolant, slope)) in ends.iter().zip(HERMITE_VALUES.iter().zip(&HERMITE_SLOPES)) {
                 place.iter_mut().zip(interpolant).for_each(|(lane, c)| lane.0[j] -= ends * c);
                 speed.iter_mut().zip(slope).for_each(|(lane, c)| lane.0[j] -= ends / length_s * c);
             }
@@ -76,15 +77,15 @@ impl ForcedFlight {
 }
 
 /// From one lane per coefficient to one lane per nodal force, eight coefficients at a time.
-fn by_force(series: &[Lane]) -> Vec<[Lane; NODES]> {
-    let of = |rows: &[Lane]| std::array::from_fn(|j| Lane(std::array::from_fn(|i| rows.get(i).map_or(0.0, |row| row.0[j]))));
-    series.chunks(WIDTH).map(of).collect()
+fn by_force(series: &[F64x8]) -> Vec<[F64x8; NODES]> {
+    let of = |rows: &[F64x8]| std::array::from_fn(|j| F64x8(std::array::from_fn(|i| rows.get(i).map_or(0.0, |row| row.0[j]))));
+    series.chunks(LANES).map(of).collect()
 }
 
 /// Bounds on `|z - H|` (m) and `|z' - H'|` (m/s) under the nodal forces of several ports: the sums of the magnitudes of their
 /// common coefficients.
 #[inline(always)]
-pub fn rest_bounds<W: Wide>(w: W, flights: &[Held<ForcedFlight>], forces: &[Lane]) -> [f64; 2] {
+pub fn rest_bounds<W: Simd>(w: W, flights: &[SharedOrOwned<ForcedFlight>], forces: &[F64x8]) -> [f64; 2] {
     let longest = flights.iter().map(|flight| flight.rest.len()).max().unwrap_or(0);
     let (mut place, mut speed) = (w.zero(), w.zero());
     for chunk in 0..longest {

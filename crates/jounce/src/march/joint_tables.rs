@@ -1,16 +1,16 @@
 //! The tables of a step for all ports in contact: those of each, and what each does to the others.
 
 use super::basis::NODES;
+use super::contact_table::ContactTable;
 use super::cross_table::CrossTable;
-use super::few::{Few, Held};
 use super::forced_flight::ForcedFlight;
-use super::kernel::{Kernel, Shape};
-use super::table::Table;
-use crate::wide::Lane;
+use super::kernel::{ForceBasis, Kernel};
+use super::small_list::{SharedOrOwned, SmallList};
+use crate::simd::F64x8;
 
 /// Length of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Length {
+pub enum StepLength {
     /// Of a level: its tables are shared.
     Level(i32),
     /// Any other: its tables are made for this step alone.
@@ -22,35 +22,37 @@ pub enum Length {
     },
 }
 
-impl Length {
+impl StepLength {
     /// In seconds.
     pub fn seconds(self) -> f64 {
         match self {
-            Length::Level(level) => Kernel::length_s(level),
-            Length::Odd { length_s, .. } => length_s,
+            StepLength::Level(level) => Kernel::length_s(level),
+            StepLength::Odd { length_s, .. } => length_s,
         }
     }
 
     /// The level, or the one that was wanted.
     pub fn level(self) -> i32 {
         match self {
-            Length::Level(level) | Length::Odd { level, .. } => level,
+            StepLength::Level(level) | StepLength::Odd { level, .. } => level,
         }
     }
 
     /// Table of a port on a step of this length.
-    pub fn table(self, kernel: &Kernel, (port, shape): (usize, Shape)) -> Held<'_, Table> {
+    pub fn table(self, kernel: &Kernel, (port, shape): (usize, ForceBasis)) -> SharedOrOwned<'_, ContactTable> {
         match self {
-            Length::Level(level) => Held::Shared(kernel.table(port, shape, level)),
-            Length::Odd { length_s, .. } => Held::Own(Box::new(Table::new(kernel, port, kernel.basis(port, shape), length_s))),
+            StepLength::Level(level) => SharedOrOwned::Shared(kernel.table(port, shape, level)),
+            StepLength::Odd { length_s, .. } => {
+                SharedOrOwned::Own(Box::new(ContactTable::new(kernel, port, kernel.basis(port, shape), length_s)))
+            }
         }
     }
 
     /// What the force of a port does to the flight of another.
-    pub fn flight(self, kernel: &Kernel, port: (usize, Shape), seen: usize) -> Held<'_, ForcedFlight> {
+    pub fn flight(self, kernel: &Kernel, port: (usize, ForceBasis), seen: usize) -> SharedOrOwned<'_, ForcedFlight> {
         match self {
-            Length::Level(level) => Held::Shared(kernel.forced_flight(port, seen, level)),
-            Length::Odd { length_s, .. } => Held::Own(Box::new(ForcedFlight::new(kernel, port, seen, length_s))),
+            StepLength::Level(level) => SharedOrOwned::Shared(kernel.forced_flight(port, seen, level)),
+            StepLength::Odd { length_s, .. } => SharedOrOwned::Own(Box::new(ForcedFlight::new(kernel, port, seen, length_s))),
         }
     }
 }
@@ -59,24 +61,24 @@ impl Length {
 #[derive(Debug, Clone)]
 pub struct JointTables<'a> {
     /// The ports with their bases.
-    pub ports: Few<(usize, Shape)>,
+    pub ports: SmallList<(usize, ForceBasis)>,
     /// The length.
-    pub length: Length,
-    own: Few<Held<'a, Table>>,
+    pub length: StepLength,
+    own: SmallList<SharedOrOwned<'a, ContactTable>>,
     /// From the force of the first index to the port of the second, row by row, the port itself left out.
-    cross: Few<Held<'a, CrossTable>>,
+    cross: SmallList<SharedOrOwned<'a, CrossTable>>,
 }
 
 impl<'a> JointTables<'a> {
     /// Of ports on a step.
-    pub fn new(kernel: &'a Kernel, ports: &[(usize, Shape)], length: Length) -> Self {
-        let cross = |from: (usize, Shape), to: (usize, Shape)| match length {
-            Length::Level(level) => Held::Shared(kernel.cross([from, to], level)),
-            Length::Odd { length_s, .. } => Held::Own(Box::new(CrossTable::new(kernel, [from, to], length_s))),
+    pub fn new(kernel: &'a Kernel, ports: &[(usize, ForceBasis)], length: StepLength) -> Self {
+        let cross = |from: (usize, ForceBasis), to: (usize, ForceBasis)| match length {
+            StepLength::Level(level) => SharedOrOwned::Shared(kernel.cross([from, to], level)),
+            StepLength::Odd { length_s, .. } => SharedOrOwned::Own(Box::new(CrossTable::new(kernel, [from, to], length_s))),
         };
         let pairs = ports.iter().flat_map(|from| ports.iter().filter(move |to| to.0 != from.0).map(move |to| (*from, *to)));
         Self {
-            ports: Few::from_slice(ports),
+            ports: SmallList::from_slice(ports),
             length,
             own: ports.iter().map(|port| length.table(kernel, *port)).collect(),
             cross: pairs.map(|(from, to)| cross(from, to)).collect(),
@@ -85,7 +87,7 @@ impl<'a> JointTables<'a> {
 
     /// Table of a port by its place among those of the step.
     #[inline(always)]
-    pub fn own(&self, place: usize) -> &Table {
+    pub fn own(&self, place: usize) -> &ContactTable {
         &self.own[place]
     }
 
@@ -97,7 +99,7 @@ impl<'a> JointTables<'a> {
 
     /// Displacement and velocity of one place under the nodal forces of another, or of its own.
     #[inline(always)]
-    pub fn answers(&self, from: usize, to: usize) -> [&[Lane; NODES]; 2] {
+    pub fn answers(&self, from: usize, to: usize) -> [&[F64x8; NODES]; 2] {
         if from == to {
             [&self.own(to).displacement.push, &self.own(to).velocity.push]
         } else {

@@ -1,31 +1,31 @@
 //! A plant laid out for marching.
 //!
-//! Steps have the lengths of [`super::level`], so that their tables are shared by all runs of a plant, whatever its drive.
+//! Steps have the lengths of [`super::step_size`], so that their tables are shared by all runs of a plant, whatever its drive.
 
-use super::basis::Basis;
+use super::basis::BasisFunctions;
+use super::control::Control;
 use super::flow::Flow;
-use super::layout::Layout;
+use super::layout::StateLayout;
 use super::port_vectors::PortVectors;
-use super::shelf::{Level, levels};
-use super::watch::Watch;
+use super::table_cache::{StepTables, levels};
 use crate::contact::Law;
-use crate::plant::{BridgeState, Change, Meters, Plant, PlantError, Quadratics, Signal, Stop};
-use crate::wide::WIDTH;
+use crate::plant::{BridgeChange, BridgeState, Meters, Plant, PlantError, Quadratics, Signal, Stop};
+use crate::simd::LANES;
 use std::sync::{Arc, OnceLock};
 
 /// The basis of the force on a contact step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Shape {
+pub enum ForceBasis {
     /// Inside a contact.
     Smooth,
     /// The first step of a contact.
     Onset,
 }
 
-impl Shape {
+impl ForceBasis {
     /// Place in lists of both.
     pub(super) fn index(self) -> usize {
-        usize::from(self == Shape::Onset)
+        usize::from(self == ForceBasis::Onset)
     }
 }
 
@@ -39,7 +39,7 @@ pub struct Kernel {
     /// ... and the meters under its drives, made when first asked for.
     meters: OnceLock<Meters>,
     /// Where its states stand in lanes.
-    pub(super) layout: Layout,
+    pub(super) layout: StateLayout,
     /// `A` in lanes.
     pub(super) generator: Flow,
     /// Largest `|eigenvalue|` of what steps resolve, rad/s.
@@ -47,13 +47,13 @@ pub struct Kernel {
     /// Largest `|eigenvalue|` of all, rad/s.
     pub(super) stiffest_rad_s: f64,
     /// Who watches the marches of this kernel.
-    pub watch: Watch,
+    pub control: Control,
     /// Per port: what its force pushes and what its work is metered by.
     pub(super) vectors: Arc<Vec<PortVectors>>,
     /// Per port: the basis of the first step of a contact, where it is not smooth.
-    pub(super) onset: Arc<Vec<Option<Basis>>>,
+    pub(super) onset: Arc<Vec<Option<BasisFunctions>>>,
     /// They depend on the plant without its drives only, so that plants that differ in drives share them.
-    pub(super) levels: Arc<Vec<Level>>,
+    pub(super) levels: Arc<Vec<StepTables>>,
     /// The same plant in each other regime of its bridges, made when first entered; the first stays empty.
     regimes: Regimes,
     /// Those of the plant from which this one came by a change of drives or stops, whose tables they share.
@@ -70,7 +70,7 @@ impl Kernel {
     pub fn new(plant: Plant) -> Result<Self, PlantError> {
         let quadratics = Arc::new(Quadratics::of(&plant)?);
         let meters = Meters::under(&quadratics, &plant);
-        let layout = Layout::of(&plant);
+        let layout = StateLayout::of(&plant);
         Ok(Self {
             layout,
             generator: Flow::generator(&plant.diagonal.block, &layout),
@@ -81,17 +81,17 @@ impl Kernel {
             levels: Arc::new(levels(&plant)),
             regimes: regimes(&plant),
             kin: regimes(&plant),
-            watch: Watch::default(),
+            control: Control::default(),
             quadratics,
             meters: OnceLock::from(meters),
             plant,
         })
     }
 
-    /// The same, its marches watched: they end with [`super::MarchError::Stopped`] when the watch says so.
+    /// The same, its marches watched: they end with [`super::IntegrationError::Stopped`] when the control says so.
     #[must_use]
-    pub fn watched_by(self, watch: &Watch) -> Self {
-        Self { watch: watch.clone(), regimes: regimes(&self.plant), ..self }
+    pub fn with_control(self, control: &Control) -> Self {
+        Self { control: control.clone(), regimes: regimes(&self.plant), ..self }
     }
 
     /// The same plant under other drives, the tables made so far kept.
@@ -122,7 +122,7 @@ impl Kernel {
             vectors: Arc::clone(&self.vectors),
             onset: Arc::clone(&self.onset),
             levels: Arc::clone(&self.levels),
-            watch: self.watch.clone(),
+            control: self.control.clone(),
         }
     }
 
@@ -149,7 +149,7 @@ impl Kernel {
             levels: if fit { Arc::clone(&self.levels) } else { Arc::new(levels(&plant)) },
             regimes: regimes(&plant),
             kin: Arc::clone(&self.kin),
-            watch: self.watch.clone(),
+            control: self.control.clone(),
             plant,
         }
     }
@@ -171,7 +171,7 @@ impl Kernel {
             let system = self.plant.system.in_regime(regime);
             let first = self.kin[regime].get_or_init(|| Self::new(Plant::new(system.clone())?)).as_ref().map_err(Clone::clone)?;
             let own = first.with_stops(system.stops).with_drives(system.drives)?.with_signals(system.signals);
-            Ok(own.watched_by(&self.watch))
+            Ok(own.with_control(&self.control))
         };
         self.regimes[regime].get_or_init(make).as_ref().map_err(Clone::clone)
     }
@@ -180,7 +180,7 @@ impl Kernel {
     pub(super) fn directly(&self, port: usize, seen: usize) -> f64 {
         let plant = &self.plant;
         match plant.guards.get(seen.wrapping_sub(plant.system.stops.len())) {
-            Some(guard) if guard.change == Change::Switches => {
+            Some(guard) if guard.change == BridgeChange::Switches => {
                 plant.ports[seen].displacement.iter().zip(&plant.ports[port].force).map(|(row, b)| row * b).sum()
             }
             _ => 0.0,
@@ -200,8 +200,8 @@ fn regimes(plant: &Plant) -> Regimes {
     Arc::new((0..count).map(|_| OnceLock::new()).collect())
 }
 
-fn onsets(plant: &Plant) -> Vec<Option<Basis>> {
-    plant.system.stops.iter().map(|stop| onset_exponent(&stop.law).and_then(Basis::onset)).collect()
+fn onsets(plant: &Plant) -> Vec<Option<BasisFunctions>> {
+    plant.system.stops.iter().map(|stop| onset_exponent(&stop.law).and_then(BasisFunctions::onset)).collect()
 }
 
 /// Power of time with which the force of a contact starts.
@@ -214,4 +214,4 @@ fn onset_exponent(law: &Law) -> Option<f64> {
 }
 
 /// Lanes of a state are padded, and so is the step: seven nodes and its end.
-const _: () = assert!(WIDTH == super::basis::NODES + 1);
+const _: () = assert!(LANES == super::basis::NODES + 1);

@@ -1,11 +1,11 @@
 //! Where the numbers of a state stand in lanes.
 
 use crate::plant::Plant;
-use crate::wide::{Lane, WIDTH};
+use crate::simd::{F64x8, LANES};
 
 /// `u` of all pairs, then `v` of all pairs, then the reals, each padded to whole lanes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Layout {
+pub struct StateLayout {
     /// Number of pairs.
     pub pairs: usize,
     /// Number of reals.
@@ -16,12 +16,12 @@ pub struct Layout {
     pub real_lanes: usize,
 }
 
-impl Layout {
+impl StateLayout {
     /// Layout of a plant.
     pub fn of(plant: &Plant) -> Self {
         let block = &plant.diagonal.block;
         let (pairs, reals) = (block.pairs.len(), block.reals.len());
-        Self { pairs, reals, pair_lanes: pairs.div_ceil(WIDTH), real_lanes: reals.div_ceil(WIDTH) }
+        Self { pairs, reals, pair_lanes: pairs.div_ceil(LANES), real_lanes: reals.div_ceil(LANES) }
     }
 
     /// Numbers of a state.
@@ -40,31 +40,31 @@ impl Layout {
             Some(real) => (2 * self.pair_lanes, real),
             None => ((state % 2) * self.pair_lanes, state / 2),
         };
-        (base + index / WIDTH, index % WIDTH)
+        (base + index / LANES, index % LANES)
     }
 
     /// Block order to padded lanes.
-    pub fn pack(&self, values: &[f64]) -> Vec<Lane> {
-        let mut lanes = vec![Lane::ZERO; self.lanes()];
+    pub fn pack(&self, values: &[f64]) -> Vec<F64x8> {
+        let mut lanes = vec![F64x8::ZERO; self.lanes()];
         self.pack_into(values, &mut lanes);
         lanes
     }
 
     /// The same into lanes that hold zeros where nothing belongs.
     #[inline(always)]
-    pub fn pack_into(&self, values: &[f64], lanes: &mut [Lane]) {
+    pub fn pack_into(&self, values: &[f64], lanes: &mut [F64x8]) {
         let (paired, reals) = values.split_at(2 * self.pairs);
         for (k, pair) in paired.chunks_exact(2).enumerate() {
-            lanes[k / WIDTH].0[k % WIDTH] = pair[0];
-            lanes[self.pair_lanes + k / WIDTH].0[k % WIDTH] = pair[1];
+            lanes[k / LANES].0[k % LANES] = pair[0];
+            lanes[self.pair_lanes + k / LANES].0[k % LANES] = pair[1];
         }
         for (k, real) in reals.iter().enumerate() {
-            lanes[2 * self.pair_lanes + k / WIDTH].0[k % WIDTH] = *real;
+            lanes[2 * self.pair_lanes + k / LANES].0[k % LANES] = *real;
         }
     }
 
     /// Padded lanes to block order.
-    pub fn unpack(&self, lanes: &[Lane]) -> Vec<f64> {
+    pub fn unpack(&self, lanes: &[F64x8]) -> Vec<f64> {
         (0..self.states())
             .map(|state| {
                 let (lane, place) = self.place(state);

@@ -2,32 +2,32 @@
 
 use super::kernel::Kernel;
 use crate::plant::LOCAL_TERMS;
-use crate::wide::{Lane, Portable};
+use crate::simd::{F64x8, Portable};
 
 /// Lengths of steps whose motion is kept.
-const KEPT: usize = 16;
+const MAX_CACHED_LENGTHS: usize = 16;
 
 /// Motions over steps of some lengths, the latest first.
 #[derive(Debug, Clone, Default)]
-pub(super) struct LocalMotions(Vec<Moved>);
+pub(super) struct LocalMotions(Vec<LocalMotion>);
 
 /// Motion over a step by a unit size and by a unit slope, per signal.
 #[derive(Debug, Clone)]
-struct Moved {
+struct LocalMotion {
     length_s: f64,
-    by: Vec<[Vec<Lane>; 2]>,
+    by: Vec<[Vec<F64x8>; 2]>,
 }
 
 impl LocalMotions {
     /// The motion over a step of a length by a unit size and by a unit slope of each signal, whose columns are `local`.
-    pub fn over<'c>(&mut self, kernel: &Kernel, local: impl Iterator<Item = &'c Vec<Lane>>, length_s: f64) -> &[[Vec<Lane>; 2]] {
+    pub fn over<'c>(&mut self, kernel: &Kernel, local: impl Iterator<Item = &'c Vec<F64x8>>, length_s: f64) -> &[[Vec<F64x8>; 2]] {
         if self.0.first().is_none_or(|moved| moved.length_s != length_s) {
             let found = self.0.iter().position(|moved| moved.length_s == length_s);
             let moved = match found {
                 Some(place) => self.0.remove(place),
-                None => Moved { length_s, by: local.map(|column| moved(kernel, column, length_s)).collect() },
+                None => LocalMotion { length_s, by: local.map(|column| moved(kernel, column, length_s)).collect() },
             };
-            self.0.truncate(KEPT - 1);
+            self.0.truncate(MAX_CACHED_LENGTHS - 1);
             self.0.insert(0, moved);
         }
         &self.0[0].by
@@ -35,8 +35,8 @@ impl LocalMotions {
 }
 
 /// `sum_j A^(j-1) b t^j / j!` and `sum_j A^(j-1) b t^(j+1) / (j+1)!`.
-fn moved(kernel: &Kernel, local: &[Lane], t: f64) -> [Vec<Lane>; 2] {
-    let mut sums = [vec![Lane::ZERO; local.len()], vec![Lane::ZERO; local.len()]];
+fn moved(kernel: &Kernel, local: &[F64x8], t: f64) -> [Vec<F64x8>; 2] {
+    let mut sums = [vec![F64x8::ZERO; local.len()], vec![F64x8::ZERO; local.len()]];
     let (mut power, mut next) = (local.to_vec(), local.to_vec());
     let mut factor = t;
     for j in 1..=LOCAL_TERMS {

@@ -1,19 +1,19 @@
 //! What a march knows of one port.
 
-use super::layout::Layout;
-use super::several::{Clearance, SpeedBound};
-use super::tone::Turning;
-use super::totals::ContactStatistics;
+use super::layout::StateLayout;
+use super::multi_port::{Clearance, SpeedBound};
+use super::phasor::Phasor;
+use super::statistics::ContactStatistics;
 use crate::contact::Law;
 use crate::plant::Plant;
-use crate::wide::Lane;
+use crate::simd::F64x8;
 
 /// Share of the gap, and of the gap times the highest frequency, within which a start lies at rest on a rigid stop.
-const ROUNDOFF: f64 = 1e-12;
+const POSITION_ROUNDOFF: f64 = 1e-12;
 
 /// Whether the point is on the stop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Regime {
+pub enum ContactState {
     /// Off the stop.
     Flight,
     /// On it.
@@ -28,7 +28,7 @@ pub struct PortState {
     /// Its rate, m/s.
     pub rate_m_s: f64,
     /// Where it is.
-    pub regime: Regime,
+    pub regime: ContactState,
     /// Motion at the end of the flight step in hand: distance past the stop, m, and its rate, m/s.
     pub ahead: [f64; 2],
     /// With several ports: level wanted of the next step in contact ...
@@ -48,18 +48,18 @@ pub struct PortState {
     /// What is known of it since it was last seen.
     pub clearance: Clearance,
     /// Its rows.
-    pub rows: Rows,
+    pub rows: PortRows,
     /// Since the last reset.
     pub statistics: ContactStatistics,
 }
 
 /// Padded rows of a port.
 #[derive(Debug, Clone)]
-pub struct Rows {
+pub struct PortRows {
     /// Displacement towards the stop.
-    pub displacement: Vec<Lane>,
+    pub displacement: Vec<F64x8>,
     /// Its velocity.
-    pub velocity: Vec<Lane>,
+    pub velocity: Vec<F64x8>,
     /// Gap, m; infinite without a stop.
     pub gap_m: f64,
     /// Velocity lost per unit impulse, 1/kg.
@@ -74,11 +74,11 @@ pub struct Rows {
 
 impl PortState {
     /// In flight at a place yet to be seen; contacts start at a level.
-    pub fn new(plant: &Plant, layout: &Layout, tones: &[Turning], port: usize, entry_level: i32) -> Self {
+    pub fn new(plant: &Plant, layout: &StateLayout, tones: &[Phasor], port: usize, entry_level: i32) -> Self {
         Self {
             penetration_m: 0.0,
             rate_m_s: 0.0,
-            regime: Regime::Flight,
+            regime: ContactState::Flight,
             ahead: [0.0; 2],
             level: entry_level,
             entering: false,
@@ -88,7 +88,7 @@ impl PortState {
             entered_s: f64::NEG_INFINITY,
             dwell_s: 0.0,
             clearance: Clearance::default(),
-            rows: Rows::new(plant, layout, tones, port),
+            rows: PortRows::new(plant, layout, tones, port),
             statistics: ContactStatistics::default(),
         }
     }
@@ -97,16 +97,16 @@ impl PortState {
     /// which it flies at once if nothing presses it. `fastest_rad_s` is the highest frequency of the plant.
     pub fn start_pressed(&mut self, law: &Law, fastest_rad_s: f64) {
         let is_rigid = matches!(law, Law::Rigid(_));
-        let roundoff_m = ROUNDOFF * self.rows.gap_m.abs();
+        let roundoff_m = POSITION_ROUNDOFF * self.rows.gap_m.abs();
         if is_rigid && self.penetration_m.abs() <= roundoff_m && self.rate_m_s.abs() <= roundoff_m * fastest_rad_s {
-            self.regime = Regime::Contact;
+            self.regime = ContactState::Contact;
             self.rate_m_s = 0.0;
             return;
         }
         // A point that leaves a rigid stop is past it by roundoff only.
         let leaves = is_rigid && self.rate_m_s < 0.0;
         if law.acts_on_both_sides() || (self.penetration_m > 0.0 && !leaves) {
-            self.regime = Regime::Contact;
+            self.regime = ContactState::Contact;
             // The compressed stop would throw the point off at this speed: the scale of the impulse of a contact that starts at rest.
             self.strike_m_s = (2.0 * law.energy_j(self.penetration_m).max(0.0) * self.rows.mobility_per_kg).sqrt();
         }
@@ -124,7 +124,7 @@ impl PortState {
     pub fn reset_statistics(&mut self, law: &Law) {
         self.dwell_s = 0.0;
         self.statistics = ContactStatistics::default();
-        if self.regime == Regime::Contact {
+        if self.regime == ContactState::Contact {
             let depth_m = if law.acts_on_both_sides() { self.penetration_m.abs() } else { self.penetration_m.max(0.0) };
             self.statistics.max_penetration_m = depth_m;
             self.statistics.max_force_n = law.force_n(self.penetration_m, self.rate_m_s).abs();
@@ -132,11 +132,11 @@ impl PortState {
     }
 }
 
-impl Rows {
-    fn new(plant: &Plant, layout: &Layout, tones: &[Turning], index: usize) -> Self {
+impl PortRows {
+    fn new(plant: &Plant, layout: &StateLayout, tones: &[Phasor], index: usize) -> Self {
         let none = vec![0.0; plant.len()];
         let port = plant.ports.get(index);
-        let size = |tone: &Turning| tone.displacement_m[index].norm();
+        let size = |tone: &Phasor| tone.displacement_m[index].norm();
         Self {
             displacement: layout.pack(port.map_or(&none, |port| &port.displacement)),
             velocity: layout.pack(port.map_or(&none, |port| &port.velocity)),

@@ -1,28 +1,28 @@
 //! What the force of a port pushes, and the rows by which the meters read its work.
 
-use super::crossed::Crossed;
-use super::layout::Layout;
+use super::flow_row::FlowRow;
+use super::layout::StateLayout;
 use crate::plant::{Meters, Plant};
 
 /// The vectors of one port in lanes.
 #[derive(Debug)]
 pub struct PortVectors {
     /// Column of a unit force.
-    pub column: Crossed,
+    pub column: FlowRow,
     /// Row of the meter of each load.
-    pub loads: Vec<Crossed>,
+    pub loads: Vec<FlowRow>,
     /// The same for damping.
-    pub damping: Crossed,
+    pub damping: FlowRow,
 }
 
 impl PortVectors {
     /// Of every port of a plant.
-    pub fn of_all(plant: &Plant, meters: &Meters, layout: &Layout) -> Vec<Self> {
+    pub fn of_all(plant: &Plant, meters: &Meters, layout: &StateLayout) -> Vec<Self> {
         let block = &plant.diagonal.block;
         let of = |port: usize| {
-            let row = |meter: &crate::plant::EnergyMeter| Crossed::row(layout, block, meter.port_row(port));
+            let row = |meter: &crate::plant::EnergyMeter| FlowRow::row(layout, block, meter.port_row(port));
             Self {
-                column: Crossed::column(layout, block, &plant.ports[port].force),
+                column: FlowRow::column(layout, block, &plant.ports[port].force),
                 loads: meters.loads.iter().map(row).collect(),
                 damping: row(&meters.damping),
             }

@@ -11,50 +11,50 @@
 //!
 //! collocated at the nodes of a step as everywhere else; the point leaves when the force would have to pull.
 
-use super::basis::{NODES, SMOOTH};
-use super::contact_step::Step;
-use super::error::MarchError;
-use super::kernel::{Kernel, Shape};
-use super::level::PER_OCTAVE;
-use super::marcher::Marcher;
-use super::port_state::Regime;
-use super::rounds::Rounds;
+use super::basis::{NODES, SMOOTH_BASIS};
+use super::contact_step::ContactStep;
+use super::contact_table::{ContactTable, StickingTable};
+use super::error::IntegrationError;
+use super::integrator::Integrator;
+use super::kernel::{ForceBasis, Kernel};
+use super::phasor::PhasorSamples;
+use super::port_state::ContactState;
 use super::state::{columns, dot};
-use super::table::{Sticking, Table};
-use super::tone::Swing;
+use super::step_size::LEVELS_PER_OCTAVE;
 use super::trajectory::PortForce;
+use super::zeno_guard::ZenoGuard;
 use crate::contact::Rigid;
-use crate::wide::{Lane, Portable, WIDTH, Wide};
+use crate::simd::{F64x8, LANES, Portable, Simd};
 use faer::c64;
 
 /// Part of the terms of an acceleration that is roundoff.
-const ROUNDOFF: f64 = 1e-12;
+const ACCELERATION_ROUNDOFF: f64 = 1e-12;
 
 /// Height of a hop, in units of the roundoff of the distance, below which it is none: where it ends cannot be told.
-const LEAST_HOP: f64 = 64.0;
+const MIN_HOP_HEIGHT: f64 = 64.0;
 
 /// The same in units of how far past the stop it starts.
-const PAST: f64 = 2.0;
+const MIN_HOP_PAST_STOP: f64 = 2.0;
 
 /// Speed after an impact, relative to the scale of speeds, above which a hop is never that low.
-const FAST_HOP: f64 = 1e-3;
+const FAST_HOP_SPEED: f64 = 1e-3;
 
 /// Speed after an impact, relative to the fastest strike and the tolerance, below which chatter ends.
-const CHATTER_SHARE: f64 = 1e-2;
+const CHATTER_SPEED: f64 = 1e-2;
 
-impl Marcher<'_> {
+impl Integrator<'_> {
     /// Alternates flight, impacts and rest until the end.
     #[inline(always)]
-    pub(super) fn advance_rigid<W: Wide>(&mut self, w: W, law: Rigid, end_s: f64) -> Result<(), MarchError> {
-        let mut rounds = Rounds::default();
+    pub(super) fn advance_rigid<W: Simd>(&mut self, w: W, law: Rigid, end_s: f64) -> Result<(), IntegrationError> {
+        let mut rounds = ZenoGuard::default();
         while self.time_s < end_s {
-            self.check_watch()?;
+            self.poll()?;
             rounds.count(&self.kernel.plant, self.time_s)?;
             let until_s = self.next_breakpoint(w, end_s);
             match self.ports[0].regime {
-                Regime::Flight => self.flight(w, until_s)?,
-                Regime::Contact if self.ports[0].rate_m_s > 0.0 => self.impact(0, law),
-                Regime::Contact => self.stick(until_s)?,
+                ContactState::Flight => self.flight(w, until_s)?,
+                ContactState::Contact if self.ports[0].rate_m_s > 0.0 => self.impact(0, law),
+                ContactState::Contact => self.stick(until_s)?,
             }
         }
         Ok(())
@@ -66,7 +66,7 @@ impl Marcher<'_> {
         self.push_by(p, (1.0 + rebound) * before / mobility);
         self.integrals.loss_j += 0.5 * (1.0 - rebound * rebound) * before * before / mobility;
         self.rebounds(p, -rebound * before);
-        if rebound == 0.0 && self.ports[p].regime == Regime::Contact {
+        if rebound == 0.0 && self.ports[p].regime == ContactState::Contact {
             // The bounces left out, a geometric series, are no rest.
             let left_s = 2.0 * law.restitution * before / ((1.0 - law.restitution) * self.acceleration_m_s2(p));
             self.ports[p].statistics.sticking_s -= if left_s.is_finite() { left_s } else { 0.0 };
@@ -77,16 +77,16 @@ impl Marcher<'_> {
     /// roundoff, is none.
     pub(super) fn rebound(&self, p: usize, law: Rigid) -> f64 {
         let (after, strike_m_s) = (law.restitution * self.ports[p].rate_m_s, self.ports[p].strike_m_s);
-        let is_slow = after <= CHATTER_SHARE * self.tolerance * strike_m_s;
+        let is_slow = after <= CHATTER_SPEED * self.tolerance * strike_m_s;
         let is_lost = || self.is_lost(p, [self.reading(Portable::new(), p)[0], after]);
-        if is_slow || (after <= FAST_HOP * self.speed_m_s(p) && is_lost()) { 0.0 } else { law.restitution }
+        if is_slow || (after <= FAST_HOP_SPEED * self.speed_m_s(p) && is_lost()) { 0.0 } else { law.restitution }
     }
 
     /// A hop that starts past the stop by roundoff, at a speed, is pressed back before it leaves the stop and the roundoff of the distance.
     pub(super) fn is_lost(&self, p: usize, [depth_m, rate_m_s]: [f64; 2]) -> bool {
         let rows = &self.ports[p].rows;
         let roundoff_m = f64::EPSILON * self.terms_of(&rows.displacement).max(rows.tone_scale_m).max(rows.gap_m.abs());
-        let least_m = LEAST_HOP * roundoff_m + PAST * depth_m.max(0.0);
+        let least_m = MIN_HOP_HEIGHT * roundoff_m + MIN_HOP_PAST_STOP * depth_m.max(0.0);
         // Where what presses it is roundoff it leaves: rest would only let it go again.
         rate_m_s * rate_m_s <= 2.0 * self.acceleration_m_s2(p) * least_m && self.is_pressed(p)
     }
@@ -95,7 +95,7 @@ impl Marcher<'_> {
     pub(super) fn rebounds(&mut self, p: usize, rate_m_s: f64) {
         self.set_motion(p, [0.0, rate_m_s]);
         if rate_m_s != 0.0 || !self.is_pressed(p) {
-            self.ports[p].regime = Regime::Flight;
+            self.ports[p].regime = ContactState::Flight;
         }
     }
 
@@ -109,20 +109,20 @@ impl Marcher<'_> {
     pub(super) fn acceleration_roundoff_m_s2(&self, p: usize) -> f64 {
         let row = self.layout.pack(&self.kernel.acceleration_row(p));
         let free = self.terms_of(&row);
-        let size = |tone: &super::tone::Turning| tone.displacement_m[p].norm() * tone.angular_frequency_rad_s.powi(2);
-        ROUNDOFF * (free + self.tones.iter().map(size).sum::<f64>() + self.forced.acceleration_after(p, 0.0).abs())
+        let size = |tone: &super::phasor::Phasor| tone.displacement_m[p].norm() * tone.angular_frequency_rad_s.powi(2);
+        ACCELERATION_ROUNDOFF * (free + self.tones.iter().map(size).sum::<f64>() + self.excitation.acceleration_after(p, 0.0).abs())
     }
 
     /// Rate of the acceleration towards the stop without contact force, m/s^3.
     pub(super) fn jerk_m_s3(&self, p: usize) -> f64 {
         let row = self.layout.pack(&self.kernel.plant.diagonal.block.rate_row(&self.kernel.acceleration_row(p)));
-        let of = |tone: &super::tone::Turning| {
+        let of = |tone: &super::phasor::Phasor| {
             let w = tone.angular_frequency_rad_s;
             acceleration(tone.displacement_m[p] * tone.turn * c64::new(0.0, w), w)
         };
         // The displacement that signals force is a cubic: a difference is its exact rate.
         let after_s = 1.0 / self.kernel.fastest_rad_s;
-        let forced = (self.forced.acceleration_after(p, after_s) - self.forced.acceleration_after(p, 0.0)) / after_s;
+        let forced = (self.excitation.acceleration_after(p, after_s) - self.excitation.acceleration_after(p, 0.0)) / after_s;
         dot(Portable::new(), &row, &self.y) + self.tones.iter().map(of).sum::<f64>() + forced
     }
 
@@ -133,7 +133,7 @@ impl Marcher<'_> {
         }
         let kernel = self.kernel;
         let column = self.layout.pack(&kernel.plant.ports[p].force);
-        let middle: Vec<Lane> = self.y.iter().zip(&column).map(|(y, b)| y.add_scaled(0.5 * impulse_n_s, b)).collect();
+        let middle: Vec<F64x8> = self.y.iter().zip(&column).map(|(y, b)| y.add_scaled(0.5 * impulse_n_s, b)).collect();
         // The meters' integral of a force that acts in no time: force times the mean of the state before and after.
         for (sum, meter) in self.integrals.loads_j.iter_mut().zip(&kernel.meters().loads) {
             *sum += impulse_n_s * dot(Portable::new(), &self.layout.pack(meter.port_row(p)), &middle);
@@ -142,7 +142,7 @@ impl Marcher<'_> {
         for (sum, tone) in self.integrals.tones_n_s[p].iter_mut().zip(&self.tones) {
             *sum += tone.turn * impulse_n_s;
         }
-        self.forced.strike_stop(p, impulse_n_s);
+        self.excitation.strike_stop(p, impulse_n_s);
         self.ports[p].statistics.impulse_n_s += impulse_n_s;
         self.y.iter_mut().zip(&column).for_each(|(y, b)| *y = y.add_scaled(impulse_n_s, b));
     }
@@ -151,7 +151,7 @@ impl Marcher<'_> {
     pub(super) fn acceleration_m_s2(&self, p: usize) -> f64 {
         let row = self.layout.pack(&self.kernel.acceleration_row(p));
         let drive: f64 = self.tones.iter().map(|tone| acceleration(tone.displacement_m[p] * tone.turn, tone.angular_frequency_rad_s)).sum();
-        dot(Portable::new(), &row, &self.y) + drive + self.forced.acceleration_after(p, 0.0)
+        dot(Portable::new(), &row, &self.y) + drive + self.excitation.acceleration_after(p, 0.0)
     }
 
     /// Speed against which errors of a port at rest are held: the fastest strike, or what its velocity is summed from, where bodies that
@@ -166,28 +166,31 @@ impl Marcher<'_> {
     }
 
     /// Sum of the magnitudes that an output is summed from.
-    pub(super) fn terms_of(&self, row: &[Lane]) -> f64 {
-        let terms = |(row, y): (&Lane, &Lane)| row.0.iter().zip(y.0).map(|(row, y)| (row * y).abs()).sum::<f64>();
+    pub(super) fn terms_of(&self, row: &[F64x8]) -> f64 {
+        let terms = |(row, y): (&F64x8, &F64x8)| row.0.iter().zip(y.0).map(|(row, y)| (row * y).abs()).sum::<f64>();
         row.iter().zip(&self.y).map(terms).sum()
     }
 
     /// Rests on the stop until the force would have to pull, or until the end.
-    fn stick(&mut self, end_s: f64) -> Result<(), MarchError> {
+    fn stick(&mut self, end_s: f64) -> Result<(), IntegrationError> {
         let mut level = self.ports[0].entry_level;
         while self.time_s < end_s {
             let force_now = self.acceleration_m_s2(0) / self.ports[0].rows.mobility_per_kg;
             if !self.is_pressed(0) {
-                self.ports[0].regime = Regime::Flight;
+                self.ports[0].regime = ContactState::Flight;
                 return Ok(());
             }
             let remaining = end_s - self.time_s;
             let landing = Kernel::length_s(level) >= remaining;
             let odd;
             let (table, sticking) = if landing {
-                odd = (Table::new(self.kernel, 0, &SMOOTH, remaining), Sticking::new(self.kernel, 0, &SMOOTH, remaining));
+                odd = (
+                    ContactTable::new(self.kernel, 0, &SMOOTH_BASIS, remaining),
+                    StickingTable::new(self.kernel, 0, &SMOOTH_BASIS, remaining),
+                );
                 (&odd.0, &odd.1)
             } else {
-                (self.kernel.table(0, Shape::Smooth, level), self.kernel.sticking(0, level))
+                (self.kernel.table(0, ForceBasis::Smooth, level), self.kernel.sticking(0, level))
             };
             let (force, mismatch_n) = self.holding_force(table, sticking);
             let size_n = force.iter().fold(f64::MIN_POSITIVE, |max, f| max.max(f.abs()));
@@ -197,9 +200,9 @@ impl Marcher<'_> {
             let pulls = force.iter().any(|f| *f < 0.0);
             let negligible = force_now * table.length_s <= 1e-3 * self.tolerance * self.speed_m_s(0) / self.ports[0].rows.mobility_per_kg;
             if (pulls && !negligible) || mismatch_n > allowed_n {
-                level = if landing { Kernel::level_within(remaining) + 1 } else { level + PER_OCTAVE };
+                level = if landing { Kernel::level_within(remaining) + 1 } else { level + LEVELS_PER_OCTAVE };
                 if level > Kernel::finest() {
-                    return Err(MarchError::NotFinite { time_s: self.time_s });
+                    return Err(IntegrationError::NotFinite { time_s: self.time_s });
                 }
                 continue;
             }
@@ -208,43 +211,43 @@ impl Marcher<'_> {
                 self.time_s = end_s;
             }
             if pulls {
-                self.ports[0].regime = Regime::Flight;
+                self.ports[0].regime = ContactState::Flight;
                 return Ok(());
             }
             // The mismatch of a polynomial through seven nodes grows like the seventh power of the length.
             if mismatch_n * 2.0_f64.powi(NODES as i32) <= allowed_n {
-                level = (level - PER_OCTAVE).max(Kernel::coarsest());
+                level = (level - LEVELS_PER_OCTAVE).max(Kernel::coarsest());
             }
         }
         Ok(())
     }
 
     /// Nodal forces that hold the point, and their mismatch at the end of the step, N.
-    fn holding_force(&mut self, table: &Table, sticking: &Sticking) -> ([f64; NODES], f64) {
+    fn holding_force(&mut self, table: &ContactTable, sticking: &StickingTable) -> ([f64; NODES], f64) {
         let w = Portable::new();
         let mut free = w.store(columns(w, &self.layout, &self.y, &sticking.acceleration.columns, w.zero()));
         for tone in &mut self.tones {
-            let swing = Swing::over(tone.angular_frequency_rad_s, &SMOOTH, table.length_s);
+            let swing = PhasorSamples::over(tone.angular_frequency_rad_s, &SMOOTH_BASIS, table.length_s);
             tone.swing[0] = swing;
-            for i in 0..WIDTH {
+            for i in 0..LANES {
                 let turned = tone.displacement_m[0] * tone.turn * c64::new(swing.cos.0[i], swing.sin.0[i]);
                 free.0[i] += acceleration(turned, tone.angular_frequency_rad_s);
             }
         }
-        for (free, place) in free.0.iter_mut().zip(SMOOTH.places) {
-            *free += self.forced.acceleration_after(0, place * table.length_s);
+        for (free, place) in free.0.iter_mut().zip(SMOOTH_BASIS.places) {
+            *free += self.excitation.acceleration_after(0, place * table.length_s);
         }
         let force: [f64; NODES] = std::array::from_fn(|i| (0..NODES).map(|j| sticking.inverse[i][j] * free.0[j]).sum());
-        let end_by_nodes: f64 = (0..NODES).map(|j| SMOOTH.at_end.0[j] * force[j]).sum();
+        let end_by_nodes: f64 = (0..NODES).map(|j| SMOOTH_BASIS.at_end.0[j] * force[j]).sum();
         let felt: f64 = free.0[NODES] + (0..NODES).map(|j| sticking.acceleration.push[j].0[NODES] * force[j]).sum::<f64>();
         (force, (end_by_nodes - felt / self.ports[0].rows.mobility_per_kg).abs())
     }
 
     /// Takes a step under given nodal forces and puts the point back onto the stop to roundoff.
-    fn take_held(&mut self, table: &Table, force: &[f64; NODES]) {
-        let lane = Lane(std::array::from_fn(|i| if i < NODES { force[i] } else { 0.0 }));
+    fn take_held(&mut self, table: &ContactTable, force: &[f64; NODES]) {
+        let lane = F64x8(std::array::from_fn(|i| if i < NODES { force[i] } else { 0.0 }));
         let w = Portable::new();
-        let step = Step::held(0, table);
+        let step = ContactStep::held(0, table);
         self.note(table.length_s, &[PortForce::new(&step, &lane)]);
         table.flow.apply(w, &self.y, &mut self.next);
         self.push_on(w, &step, &lane);
@@ -252,14 +255,14 @@ impl Marcher<'_> {
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += table.length_s;
         self.tones.iter_mut().for_each(|tone| tone.set(self.time_s));
-        self.forced.pass(self.kernel, table.length_s, self.time_s, &mut self.y);
-        self.see(w, 0);
+        self.excitation.pass(self.kernel, table.length_s, self.time_s, &mut self.y);
+        self.update_port(w, 0);
         self.observe_rest(0, table.length_s, &lane);
         self.put_back(0);
     }
 
     /// Adds a step of rest to the statistics.
-    pub(super) fn observe_rest(&mut self, p: usize, length_s: f64, force: &Lane) {
+    pub(super) fn observe_rest(&mut self, p: usize, length_s: f64, force: &F64x8) {
         let port = &mut self.ports[p];
         port.statistics.max_force_n = force.0.iter().fold(port.statistics.max_force_n, |max, f| max.max(*f));
         port.statistics.sticking_s += length_s;

@@ -4,27 +4,27 @@
 //! zero there. A switch turns a voltage over within an instant; the energies that this takes are counted in closed form.
 //!
 //! The charge `Q` that diodes pass is what the patches displaced and did not keep or leak, `-[C V + theta . q]` without leakage, exact to
-//! roundoff (see [`super::gains`]).
+//! roundoff (see [`super::charge_balance`]).
 
+use super::charge_balance::ChargeBalance;
 use super::energies::Energies;
-use super::error::MarchError;
-use super::flip::Flip;
-use super::gains::Gains;
-use super::marcher::Marcher;
-use super::port_state::{PortState, Regime};
+use super::error::IntegrationError;
+use super::integrator::Integrator;
+use super::port_state::{ContactState, PortState};
 use super::rectified::RectifiedEnergies;
-use super::trajectory::Switched;
-use crate::plant::{BridgeNodes, BridgeState, Change, Conduction, Outlet, Output};
+use super::switch_map::SwitchMap;
+use super::trajectory::ConductionChange;
+use crate::plant::{BridgeChange, BridgeNodes, BridgeState, Conduction, EnergyOutlet, PowerOutput};
 
 /// Most changes of bridges at one instant. A switch may close many times there: where the voltage that it turns over holds the current
 /// at zero from either side, it closes until too little of the voltage is left.
-const MOST_CHANGES: usize = 1000;
+const MAX_CHANGES_PER_INSTANT: usize = 1000;
 
 /// Time from one change to the next that is no time at all, in units of the fastest motion of the plant with all bridges blocked.
-const AT_ONCE: f64 = 1e-8;
+const SIMULTANEOUS_CHANGE: f64 = 1e-8;
 
 /// Part of what a guard is summed from by which it must pass zero: what lies below is roundoff, and would change a bridge to and fro.
-const ROUNDOFF: f64 = 1e-13;
+const EVENT_ROUNDOFF: f64 = 1e-13;
 
 /// What a march knows of its bridges.
 #[derive(Debug, Clone, Default)]
@@ -41,9 +41,9 @@ pub(super) struct Switching {
     changed: (f64, usize),
 }
 
-impl Marcher<'_> {
+impl Integrator<'_> {
     /// Enters the regime in which the present state lies.
-    pub(super) fn open_switching(&mut self) -> Result<(), MarchError> {
+    pub(super) fn open_switching(&mut self) -> Result<(), IntegrationError> {
         let system = &self.base.plant.system;
         if system.bridges.is_empty() {
             return Ok(());
@@ -64,7 +64,7 @@ impl Marcher<'_> {
     }
 
     /// Changes the bridges for as long as a guard is past zero.
-    pub(super) fn change_if_met(&mut self) -> Result<(), MarchError> {
+    pub(super) fn change_if_met(&mut self) -> Result<(), IntegrationError> {
         while let Some(p) = self.switching.met.take().or_else(|| self.passed()) {
             let guard = self.kernel.plant.guards[p - self.kernel.plant.system.stops.len()].clone();
             self.count_change(guard.bridge)?;
@@ -73,9 +73,9 @@ impl Marcher<'_> {
             self.close_regime();
             let mut states: Vec<BridgeState> = self.kernel.plant.system.bridges.iter().map(|bridge| bridge.state).collect();
             match guard.change {
-                Change::Conducts(conduction) => states[guard.bridge].conduction = conduction,
-                Change::Blocks => states[guard.bridge].conduction = Conduction::Blocked,
-                Change::Switches => {
+                BridgeChange::Conducts(conduction) => states[guard.bridge].conduction = conduction,
+                BridgeChange::Blocks => states[guard.bridge].conduction = Conduction::Blocked,
+                BridgeChange::Switches => {
                     self.switch(guard.bridge, &mut x);
                     states[guard.bridge] = BridgeState { conduction: Conduction::Blocked, rising: !states[guard.bridge].rising };
                 }
@@ -86,23 +86,23 @@ impl Marcher<'_> {
     }
 
     /// Keeps a change in the record.
-    fn note_change(&mut self, change: Change, bridge: usize, x: &[f64]) {
+    fn note_change(&mut self, change: BridgeChange, bridge: usize, x: &[f64]) {
         let (regime, time_s, forces_n) = (self.switching.regime, self.time_s, self.forces_n());
         if let Some(record) = &mut self.record {
-            let flipped = (change == Change::Switches).then_some(bridge);
-            record.push_change(Switched { after: record.segments().len(), time_s, regime, flipped, state: x.to_vec(), forces_n });
+            let flipped = (change == BridgeChange::Switches).then_some(bridge);
+            record.push_change(ConductionChange { after: record.segments().len(), time_s, regime, flipped, state: x.to_vec(), forces_n });
         }
     }
 
-    fn count_change(&mut self, bridge: usize) -> Result<(), MarchError> {
+    fn count_change(&mut self, bridge: usize) -> Result<(), IntegrationError> {
         // An instant is found to the roundoff of its time and of what is watched, and no two changes lie at exactly the same one.
-        let instant_s = AT_ONCE / self.base.fastest_rad_s + 64.0 * f64::EPSILON * self.time_s;
+        let instant_s = SIMULTANEOUS_CHANGE / self.base.fastest_rad_s + 64.0 * f64::EPSILON * self.time_s;
         let (time_s, changes) = &mut self.switching.changed;
         *changes = if self.time_s - *time_s <= instant_s { *changes + 1 } else { 1 };
         *time_s = self.time_s;
-        if *changes > MOST_CHANGES {
+        if *changes > MAX_CHANGES_PER_INSTANT {
             let circuit = self.kernel.plant.system.bridges[bridge].name.clone();
-            return Err(MarchError::ChangesWithoutEnd { time_s: self.time_s, circuit, changes: *changes });
+            return Err(IntegrationError::ChangesWithoutEnd { time_s: self.time_s, circuit, changes: *changes });
         }
         Ok(())
     }
@@ -120,7 +120,7 @@ impl Marcher<'_> {
         let row = &plant.ports[p].displacement;
         let terms = row.iter().zip(self.own_state()).map(|(row, y)| (row * y).abs()).sum::<f64>();
         let mut size = terms + port.rows.tone_scale_m;
-        if guard.change != Change::Switches {
+        if guard.change != BridgeChange::Switches {
             let (nodes, first) = (plant.electrical.bridges[guard.bridge], 2 * plant.system.modes.len());
             let node = &plant.electrical.nodes[nodes.terminal];
             let displaced_c: f64 = node.coupling_n_per_v.iter().zip(x).map(|(theta, q)| (theta * q).abs()).sum();
@@ -128,16 +128,16 @@ impl Marcher<'_> {
             size += plant.system.bridges[guard.bridge].threshold_v() + displaced_c / node.capacitance_f;
         }
         // A time is not told better than to its own roundoff.
-        ROUNDOFF * size + 4.0 * f64::EPSILON * self.time_s * port.rate_m_s.abs()
+        EVENT_ROUNDOFF * size + 4.0 * f64::EPSILON * self.time_s * port.rate_m_s.abs()
     }
 
     /// Goes on from a physical state with the bridges in some states.
-    fn change_to(&mut self, states: &[BridgeState], x: &[f64]) -> Result<(), MarchError> {
+    fn change_to(&mut self, states: &[BridgeState], x: &[f64]) -> Result<(), IntegrationError> {
         let regime = self.base.plant.system.regime(states);
         let kernel = self.base.in_regime(regime)?;
-        let mut next = Marcher::in_one_regime(kernel, &kernel.plant.from_physical(x, self.time_s), self.time_s, self.tolerance);
+        let mut next = Integrator::in_one_regime(kernel, &kernel.plant.from_physical(x, self.time_s), self.time_s, self.tolerance);
         next.base = self.base;
-        (next.flight_level, next.kink) = (self.flight_level, self.kink);
+        (next.flight_level, next.release_error_factor) = (self.flight_level, self.release_error_factor);
         (next.work, next.checks) = (self.work, self.checks);
         next.record = self.record.take();
         next.switching = std::mem::take(&mut self.switching);
@@ -147,8 +147,8 @@ impl Marcher<'_> {
         for p in 0..stops {
             let seen = next.ports[p].clone();
             let [penetration_m, rate_m_s] = match self.ports[p].regime {
-                Regime::Flight => [seen.penetration_m, seen.rate_m_s],
-                Regime::Contact => [self.ports[p].penetration_m, self.ports[p].rate_m_s],
+                ContactState::Flight => [seen.penetration_m, seen.rate_m_s],
+                ContactState::Contact => [self.ports[p].penetration_m, self.ports[p].rate_m_s],
             };
             next.ports[p] = PortState { rows: seen.rows, penetration_m, rate_m_s, ..self.ports[p].clone() };
         }
@@ -163,7 +163,7 @@ impl Marcher<'_> {
 
     /// An extremum: what the switch does to the state and where the energy goes.
     fn switch(&mut self, k: usize, x: &mut [f64]) {
-        let flip = Flip::of(&self.base.plant, k, x);
+        let flip = SwitchMap::of(&self.base.plant, k, x);
         flip.enter(&self.base.plant, k, x);
         self.switching.earlier.stored_j += flip.stored_j;
         self.switching.earlier.rectified[k].add(&flip.taken);
@@ -180,18 +180,18 @@ impl Marcher<'_> {
         let (own, plant) = (self.energies_in_regime(), &self.kernel.plant);
         let mut all = self.switching.earlier.clone();
         let moved: Vec<f64> = self.physical().iter().zip(&self.switching.since.1).map(|(x, since)| x - since).collect();
-        let gains = Gains { plant, moved: &moved, length_s: self.time_s - self.switching.since.0 };
+        let gains = ChargeBalance { plant, moved: &moved, length_s: self.time_s - self.switching.since.0 };
         let loads = plant.system.loads.len();
         all.loads_j.iter_mut().zip(&own.loads_j).for_each(|(sum, own)| *sum += own);
-        let outputs: Vec<Output> = plant.bridge_outputs().into_iter().chain(plant.leak_outputs()).collect();
+        let outputs: Vec<PowerOutput> = plant.bridge_outputs().into_iter().chain(plant.leak_outputs()).collect();
         let mut leaks = all.leaks_j.iter_mut();
         for (output, energy_j) in outputs.iter().zip(&own.loads_j[loads..]) {
             let energy_j = energy_j + gains.standing_j(output);
             match output.outlet {
-                Outlet::Load => all.rectified[output.bridge].load_j += energy_j,
-                Outlet::Leakage => all.rectified[output.bridge].leakage_j += energy_j,
-                Outlet::Diodes => all.rectified[output.bridge].diodes_j += energy_j,
-                Outlet::Patch => leaks.by_ref().take(1).for_each(|sum| *sum += energy_j),
+                EnergyOutlet::Load => all.rectified[output.bridge].load_j += energy_j,
+                EnergyOutlet::Leakage => all.rectified[output.bridge].leakage_j += energy_j,
+                EnergyOutlet::Diodes => all.rectified[output.bridge].diodes_j += energy_j,
+                EnergyOutlet::Patch => leaks.by_ref().take(1).for_each(|sum| *sum += energy_j),
             }
         }
         let mut pushed_j = 0.0;

@@ -3,19 +3,19 @@
 //! A segment keeps the state at its start and the polynomial of the contact force; the state at any time inside it is the
 //! exact flow plus the Duhamel response, evaluated from its Legendre series.
 
-use super::answers::Answers;
 use super::basis::{NODES, legendre};
-use super::contact_step::Step;
-use super::few::Few;
-use super::kernel::{Kernel, Shape};
-use super::response::parts;
-use crate::plant::Size;
-use crate::wide::Lane;
+use super::contact_step::ContactStep;
+use super::kernel::{ForceBasis, Kernel};
+use super::output_rows::parts;
+use super::small_list::SmallList;
+use super::step_response::StepResponse;
+use crate::plant::SignalSample;
+use crate::simd::F64x8;
 use std::collections::HashMap;
 
 /// One step as it was taken.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Segment {
+pub struct TrajectorySegment {
     /// Time at its start, s.
     pub start_s: f64,
     /// Length, s.
@@ -23,9 +23,9 @@ pub struct Segment {
     /// State at its start less what the signals force, block coordinates.
     pub state: Vec<f64>,
     /// Size and slope of each signal at its start.
-    pub sizes: Vec<Size>,
+    pub sizes: Vec<SignalSample>,
     /// The contact forces; empty in flight.
-    pub forces: Few<PortForce>,
+    pub forces: SmallList<PortForce>,
     /// Regime of the bridges, in whose block coordinates the state is.
     pub regime: usize,
 }
@@ -36,14 +36,14 @@ pub struct PortForce {
     /// Number of the port.
     pub port: usize,
     /// Its basis.
-    pub shape: Shape,
+    pub shape: ForceBasis,
     /// Its values at the seven nodes, N.
     pub nodal_n: [f64; NODES],
 }
 
 impl PortForce {
     /// Of a step, the last place left out.
-    pub(super) fn new(step: &Step, force: &Lane) -> Self {
+    pub(super) fn new(step: &ContactStep, force: &F64x8) -> Self {
         Self { port: step.port, shape: step.shape, nodal_n: std::array::from_fn(|j| force.0[j]) }
     }
 }
@@ -51,9 +51,9 @@ impl PortForce {
 /// Consecutive segments.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Trajectory {
-    segments: Vec<Segment>,
+    segments: Vec<TrajectorySegment>,
     impacts: Vec<Impact>,
-    changes: Vec<Switched>,
+    changes: Vec<ConductionChange>,
 }
 
 /// An impulse of a rigid stop.
@@ -69,7 +69,7 @@ pub struct Impact {
 
 /// A change of regime of the bridges.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Switched {
+pub struct ConductionChange {
     /// Segments before it.
     pub after: usize,
     /// When, s.
@@ -86,7 +86,7 @@ pub struct Switched {
 
 /// A state of a trajectory.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Instant {
+pub struct TrajectoryState {
     /// Time, s.
     pub time_s: f64,
     /// Block coordinates.
@@ -96,7 +96,7 @@ pub struct Instant {
 }
 
 impl Trajectory {
-    pub(super) fn push(&mut self, segment: Segment) {
+    pub(super) fn push(&mut self, segment: TrajectorySegment) {
         self.segments.push(segment);
     }
 
@@ -104,12 +104,12 @@ impl Trajectory {
         self.impacts.push(Impact { after: self.segments.len(), port, impulse_n_s });
     }
 
-    pub(super) fn push_change(&mut self, change: Switched) {
+    pub(super) fn push_change(&mut self, change: ConductionChange) {
         self.changes.push(change);
     }
 
     /// Changes of regime.
-    pub fn changes(&self) -> &[Switched] {
+    pub fn changes(&self) -> &[ConductionChange] {
         &self.changes
     }
 
@@ -119,12 +119,12 @@ impl Trajectory {
     }
 
     /// The steps.
-    pub fn segments(&self) -> &[Segment] {
+    pub fn segments(&self) -> &[TrajectorySegment] {
         &self.segments
     }
 
     /// States at ascending times; times outside the record are taken from its nearest segment.
-    pub fn at(&self, kernel: &Kernel, times_s: &[f64]) -> Vec<Instant> {
+    pub fn at(&self, kernel: &Kernel, times_s: &[f64]) -> Vec<TrajectoryState> {
         let mut instants = Vec::with_capacity(times_s.len());
         self.each(kernel, times_s, |own, regime, mut instant| {
             if regime != 0 {
@@ -145,8 +145,8 @@ impl Trajectory {
     }
 
     /// Visits the states at ascending times, each in the coordinates of its regime.
-    fn each(&self, kernel: &Kernel, times_s: &[f64], mut visit: impl FnMut(&Kernel, usize, Instant)) {
-        let mut made = Made::default();
+    fn each(&self, kernel: &Kernel, times_s: &[f64], mut visit: impl FnMut(&Kernel, usize, TrajectoryState)) {
+        let mut made = ResponseCache::default();
         let mut index = 0;
         for &time_s in times_s {
             while index + 1 < self.segments.len() && self.segments[index + 1].start_s <= time_s {
@@ -169,18 +169,18 @@ impl Trajectory {
 }
 
 /// Answers made for steps of odd lengths: by length, port, basis and regime.
-pub(super) type Made = HashMap<(u64, usize, Shape, usize), Vec<Answers>>;
+pub(super) type ResponseCache = HashMap<(u64, usize, ForceBasis, usize), Vec<StepResponse>>;
 
-impl Segment {
+impl TrajectorySegment {
     /// The free motion.
-    fn free_at(&self, kernel: &Kernel, time_s: f64) -> Instant {
+    fn free_at(&self, kernel: &Kernel, time_s: f64) -> TrajectoryState {
         let after_s = time_s - self.start_s;
         let mut state = kernel.plant.diagonal.block.flow(after_s, &self.state);
         if !self.sizes.is_empty() {
             let forced = kernel.plant.forced(&self.sizes, after_s);
             state.iter_mut().zip(forced).for_each(|(y, forced)| *y += forced);
         }
-        Instant { time_s, state, forces_n: vec![0.0; kernel.plant.system.stops.len()] }
+        TrajectoryState { time_s, state, forces_n: vec![0.0; kernel.plant.system.stops.len()] }
     }
 
     /// Adds to a state what a force does, its Legendre series weighed.
@@ -188,7 +188,7 @@ impl Segment {
         &self,
         kernel: &Kernel,
         force: &PortForce,
-        made: &mut Made,
+        made: &mut ResponseCache,
         weights: &dyn Fn(usize) -> Vec<f64>,
         state: &mut [f64],
     ) {
@@ -197,14 +197,14 @@ impl Segment {
         let answers = if Kernel::length_s(level) == length_s {
             kernel.answers(port, shape, level)
         } else {
-            let make = || Answers::of_all(block, kernel.basis(port, shape), length_s);
+            let make = || StepResponse::of_all(block, kernel.basis(port, shape), length_s);
             made.entry((length_s.to_bits(), port, shape, self.regime)).or_insert_with(make)
         };
         let column = &kernel.plant.ports[port].force;
         let weights = weights(answers.iter().map(|answers| answers.first.len()).max().unwrap_or(0));
         for ((first, part), answers) in parts(block).zip(answers) {
-            let sum = |series: &[Lane]| -> f64 {
-                let nodal = |lane: &Lane| -> f64 { (0..NODES).map(|j| force.nodal_n[j] * lane.0[j]).sum() };
+            let sum = |series: &[F64x8]| -> f64 {
+                let nodal = |lane: &F64x8| -> f64 { (0..NODES).map(|j| force.nodal_n[j] * lane.0[j]).sum() };
                 series.iter().zip(&weights).map(|(lane, weight)| weight * nodal(lane)).sum()
             };
             let (one, two) = (sum(&answers.first), sum(&answers.second));

@@ -6,7 +6,7 @@
 //!
 //! Source: Dunn and Taya, Int. J. Solids Struct. 30 (1993) 161.
 
-use super::porous::Pores;
+use super::porous::PoreGeometry;
 use faer::Mat;
 use faer::linalg::solvers::DenseSolveCore;
 use std::f64::consts::{PI, TAU};
@@ -16,17 +16,17 @@ const POLAR_PLACES: usize = 48;
 const AROUND_PLACES: usize = 12;
 
 /// `P` of a medium, an average over the directions that the shape of the pore gives.
-pub(super) fn hill(medium: &Mat<f64>, pores: Pores) -> Mat<f64> {
+pub(super) fn hill(medium: &Mat<f64>, pores: PoreGeometry) -> Mat<f64> {
     let mut sum = Mat::zeros(9, 9);
     let polar = match pores {
-        Pores::Spheroids(_) => gauss_legendre(POLAR_PLACES),
-        Pores::Cylinders => vec![(0.0, 2.0)],
+        PoreGeometry::Spheroids(_) => gauss_legendre(POLAR_PLACES),
+        PoreGeometry::Cylinders => vec![(0.0, 2.0)],
     };
     for (cos, weight) in polar {
         for k in 0..AROUND_PLACES {
             let around = TAU * k as f64 / AROUND_PLACES as f64;
             let sin = (1.0 - cos * cos).sqrt();
-            let along = if let Pores::Spheroids(ratio) = pores { cos / ratio } else { 0.0 };
+            let along = if let PoreGeometry::Spheroids(ratio) = pores { cos / ratio } else { 0.0 };
             let b = gradient([sin * around.cos(), sin * around.sin(), along]);
             let acoustic = (b.transpose() * medium * &b).partial_piv_lu().inverse();
             sum += &b * acoustic * b.transpose() * (weight / (2.0 * AROUND_PLACES as f64));

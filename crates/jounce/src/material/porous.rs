@@ -21,12 +21,12 @@ use faer::Mat;
 use faer::linalg::solvers::DenseSolveCore;
 
 /// Relative change at which the self-consistent iteration ends, and most of its steps.
-const AGREED: f64 = 1e-12;
-const MOST_STEPS: usize = 500;
+const SCHEME_TOLERANCE: f64 = 1e-12;
+const MAX_SCHEME_STEPS: usize = 500;
 
 /// The shape of the pores.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Pores {
+pub enum PoreGeometry {
     /// Length along the pole over width; 1 for spheres.
     Spheroids(f64),
     /// Endless along the pole.
@@ -45,7 +45,7 @@ pub enum Scheme {
 impl Electroelastic {
     /// The composite with a fraction `porosity` (0 to below 1) of pores; `None` outside that, or where the iteration does not end (above
     /// the fraction at which the scheme predicts no stiffness at all).
-    pub fn porous(&self, porosity: f64, pores: Pores, scheme: Scheme) -> Option<Self> {
+    pub fn porous(&self, porosity: f64, pores: PoreGeometry, scheme: Scheme) -> Option<Self> {
         if !(0.0..1.0).contains(&porosity) {
             return None;
         }
@@ -68,10 +68,10 @@ impl Electroelastic {
 }
 
 /// The fixed point of the self-consistent equations, half a step at a time.
-fn self_consistent(matrix: &Mat<f64>, pore: &Mat<f64>, porosity: f64, pores: Pores) -> Option<Mat<f64>> {
+fn self_consistent(matrix: &Mat<f64>, pore: &Mat<f64>, porosity: f64, pores: PoreGeometry) -> Option<Mat<f64>> {
     let one = Mat::<f64>::identity(9, 9);
     let mut effective = matrix.clone();
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_SCHEME_STEPS {
         let hill = hill(&effective, pores);
         let concentration = |phase: &Mat<f64>| (&one + &hill * (phase - &effective)).partial_piv_lu().inverse();
         let (in_matrix, in_pore) = (concentration(matrix) * (1.0 - porosity), concentration(pore) * porosity);
@@ -81,7 +81,7 @@ fn self_consistent(matrix: &Mat<f64>, pore: &Mat<f64>, porosity: f64, pores: Por
         if !effective.norm_max().is_finite() || effective[(2, 2)] <= 1e-6 * matrix[(2, 2)] {
             return None;
         }
-        if change <= AGREED * effective.norm_max() {
+        if change <= SCHEME_TOLERANCE * effective.norm_max() {
             return Some(effective);
         }
     }
@@ -114,7 +114,7 @@ mod tests {
     #[test]
     fn spherical_pores_in_an_isotropic_matrix_have_closed_forms() {
         let (k, g, f) = (100e9, 60e9, 0.2);
-        let found = isotropic(k, g, 10.0).porous(f, Pores::Spheroids(1.0), Scheme::MoriTanaka).unwrap();
+        let found = isotropic(k, g, 10.0).porous(f, PoreGeometry::Spheroids(1.0), Scheme::MoriTanaka).unwrap();
         let sum = 3.0 * k + 4.0 * g;
         let bulk = k - f * k * sum / (sum - 3.0 * (1.0 - f) * k);
         let shear = g - 5.0 * f * g * g * sum / (5.0 * g * sum - 6.0 * (1.0 - f) * g * (k + 2.0 * g));
@@ -133,7 +133,7 @@ mod tests {
     fn cylinders_along_the_pole_are_exact() {
         let [d31, d33, permittivity] = PZT_5A.free();
         for scheme in [Scheme::MoriTanaka, Scheme::SelfConsistent] {
-            let found = PZT_5A.porous(0.3, Pores::Cylinders, scheme).unwrap().free();
+            let found = PZT_5A.porous(0.3, PoreGeometry::Cylinders, scheme).unwrap().free();
             let mixed = 0.7 * permittivity + 0.3 * VACUUM_PERMITTIVITY_F_M;
             for (found, exact) in found.iter().zip([d31, d33, mixed]) {
                 assert!((found / exact - 1.0).abs() < 1e-9, "{scheme:?}: {found:e} {exact:e}");
@@ -145,13 +145,18 @@ mod tests {
     /// stress, d31, d33 (pC/N). Allowed 0.1 % for Mori and Tanaka, 0.5 % for the self-consistent scheme.
     #[test]
     fn porous_pzt_5a_is_that_of_a_second_program() {
-        let spheres = Pores::Spheroids(1.0);
+        let spheres = PoreGeometry::Spheroids(1.0);
         for (pores, scheme, f, expected) in [
             (spheres, Scheme::MoriTanaka, 0.1, [92.952, 53.369, 82.747, 17.796, -3.200, 14.148, 744.36, 1451.2, -155.76, 371.90]),
             (spheres, Scheme::MoriTanaka, 0.3, [55.954, 28.100, 47.996, 12.273, -0.894, 10.393, 559.17, 1019.4, -130.75, 369.63]),
             (spheres, Scheme::SelfConsistent, 0.1, [89.35, 50.58, 79.49, 17.46, -3.02, 13.98, 746.5, 1440.0, -154.51, 372.48]),
             (spheres, Scheme::SelfConsistent, 0.3, [36.28, 15.66, 31.66, 9.37, -0.39, 8.20, 569.3, 928.5, -118.81, 376.50]),
-            (Pores::Cylinders, Scheme::MoriTanaka, 0.3, [41.079, 22.966, 54.976, 11.362, -1.649, 12.692, 594.53, 1193.0, -170.40, 373.23]),
+            (
+                PoreGeometry::Cylinders,
+                Scheme::MoriTanaka,
+                0.3,
+                [41.079, 22.966, 54.976, 11.362, -1.649, 12.692, 594.53, 1193.0, -170.40, 373.23],
+            ),
         ] {
             let c = PZT_5A.porous(f, pores, scheme).unwrap();
             let [d31, d33, permittivity] = c.free();

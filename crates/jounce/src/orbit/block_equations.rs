@@ -8,7 +8,7 @@
 //! `T` leads from block coordinates to physical ones, `D` is the size of the energy that each of them moves. No product of two matrices
 //! is needed, which would cost more than all else that a place of a curve asks for.
 
-use super::border::{Border, Bordered, Solution};
+use super::border::{Border, Bordered, BorderedSolution};
 use crate::plant::{Diagonal, product};
 use faer::Mat;
 
@@ -23,7 +23,7 @@ pub struct BlockEquations {
 
 /// How energy coordinates of a scale stand to block coordinates.
 #[derive(Debug, Clone, Copy)]
-pub struct Coordinates<'c> {
+pub struct EnergyCoordinates<'c> {
     /// `T` and its inverse.
     pub diagonal: &'c Diagonal,
     /// `W`.
@@ -32,7 +32,7 @@ pub struct Coordinates<'c> {
 
 impl BlockEquations {
     /// Of a period map in block coordinates, with the border `[R_u b; row corner]` in energy coordinates.
-    pub fn new(map: &Mat<f64>, by: &[f64], (row, corner): (&[f64], f64), coordinates: Coordinates) -> Self {
+    pub fn new(map: &Mat<f64>, by: &[f64], (row, corner): (&[f64], f64), coordinates: EnergyCoordinates) -> Self {
         let n = row.len();
         let sizes: Vec<f64> = (0..n).map(|j| coordinates.size(j)).collect();
         let mut matrix = map.clone();
@@ -46,7 +46,7 @@ impl BlockEquations {
     }
 
     /// Solves `[R_u b; row corner] (du, dp) = (right, last)`.
-    pub fn solve(&self, border: (&[f64], f64), right: (&[f64], f64), coordinates: Coordinates) -> Solution {
+    pub fn solve(&self, border: (&[f64], f64), right: (&[f64], f64), coordinates: EnergyCoordinates) -> BorderedSolution {
         self.first.other(border, right, |right, last| {
             let (own, parameter) = self.factored.solve(&coordinates.inwards(right, &self.sizes), last)?;
             Some((coordinates.outwards(&own, &self.sizes), parameter))
@@ -54,7 +54,7 @@ impl BlockEquations {
     }
 }
 
-impl Coordinates<'_> {
+impl EnergyCoordinates<'_> {
     /// Length of the energy coordinates of a unit of block coordinate `j`.
     fn size(&self, j: usize) -> f64 {
         let column = self.diagonal.to_physical.col_as_slice(j);
@@ -87,7 +87,7 @@ impl Coordinates<'_> {
 mod tests {
     use super::*;
     use crate::orbit::border::solve_bordered;
-    use crate::plant::Block;
+    use crate::plant::BlockDiagonal;
 
     /// Against the same equations in energy coordinates, under the border that came first and under another one.
     #[test]
@@ -96,12 +96,12 @@ mod tests {
         let inverse = [[1.0, -2.0, -2.0], [-3.0, 1.0, 1.0], [-3.0, 6.0, 1.0]];
         let to_physical = Mat::from_fn(3, 3, |i, j| rows[i][j]);
         let from_physical = Mat::from_fn(3, 3, |i, j| inverse[i][j] / -5.0);
-        let diagonal = Diagonal { block: Block::default(), to_physical, from_physical };
+        let diagonal = Diagonal { block: BlockDiagonal::default(), to_physical, from_physical };
         let scale = [4.0, 1.0, 0.1];
         let map = Mat::from_fn(3, 3, |i, j| [[0.6, -0.7, 0.1], [0.7, 0.6, 0.0], [0.2, 0.0, 1e-3]][i][j]);
         let whole = &diagonal.to_physical * &map * &diagonal.from_physical;
         let energy = Mat::from_fn(3, 3, |i, j| whole[(i, j)] * scale[i] / scale[j] - f64::from(u8::from(i == j)));
-        let coordinates = Coordinates { diagonal: &diagonal, scale: &scale };
+        let coordinates = EnergyCoordinates { diagonal: &diagonal, scale: &scale };
         let (by, right) = ([0.3, -2.0, 1.0], [1.0, 0.5, -0.2]);
         let equations = BlockEquations::new(&map, &by, (&[1.0, 2.0, 3.0], 0.5), coordinates);
         for (row, corner) in [([1.0, 2.0, 3.0], 0.5), ([0.0, -1.0, 0.2], 2.0)] {

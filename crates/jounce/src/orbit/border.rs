@@ -1,15 +1,15 @@
 //! A square matrix with a border of one row and one column.
 
-use super::factors::Factors;
+use super::lu_factors::LuFactors;
 use faer::Mat;
 
 /// `(x, p)`; `None` where the bordered matrix is singular.
-pub type Solution = Option<(Vec<f64>, f64)>;
+pub type BorderedSolution = Option<(Vec<f64>, f64)>;
 
 /// `[A b; row corner]`, factored. The border may have units of its own: its row and its column are brought to size one.
 #[derive(Debug)]
 pub struct Bordered {
-    factors: Factors,
+    factors: LuFactors,
     row_size: f64,
     column_size: f64,
 }
@@ -27,11 +27,11 @@ impl Bordered {
             whole[(j, n)] = column[j] / column_size;
         }
         whole[(n, n)] = corner / (row_size * column_size);
-        Self { factors: Factors::of(whole), row_size, column_size }
+        Self { factors: LuFactors::of(whole), row_size, column_size }
     }
 
     /// Solves `[A b; row corner] (x, p) = (right, last)`.
-    pub fn solve(&self, right: &[f64], last: f64) -> Solution {
+    pub fn solve(&self, right: &[f64], last: f64) -> BorderedSolution {
         let mut unknown: Vec<f64> = right.iter().copied().chain([last / self.row_size]).collect();
         self.factors.solve(&mut unknown);
         let parameter = unknown.pop()? / self.column_size;
@@ -40,7 +40,7 @@ impl Bordered {
 }
 
 /// Solves `[A b; row corner] (x, p) = (right, last)`.
-pub fn solve_bordered(matrix: &Mat<f64>, column: &[f64], border: (&[f64], f64), (right, last): (&[f64], f64)) -> Solution {
+pub fn solve_bordered(matrix: &Mat<f64>, column: &[f64], border: (&[f64], f64), (right, last): (&[f64], f64)) -> BorderedSolution {
     Bordered::new(matrix, column, border).solve(right, last)
 }
 
@@ -69,7 +69,12 @@ impl Border {
     /// ```
     ///
     /// `B` is the matrix with this border, `e` the last unit vector, `v` what the other row has more.
-    pub fn other(&self, (row, corner): (&[f64], f64), (right, last): (&[f64], f64), solve: impl Fn(&[f64], f64) -> Solution) -> Solution {
+    pub fn other(
+        &self,
+        (row, corner): (&[f64], f64),
+        (right, last): (&[f64], f64),
+        solve: impl Fn(&[f64], f64) -> BorderedSolution,
+    ) -> BorderedSolution {
         if self.row == row && self.corner == corner {
             return solve(right, last);
         }

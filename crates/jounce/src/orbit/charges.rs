@@ -12,7 +12,7 @@ use crate::plant::{Conduction, Plant};
 use faer::Mat;
 
 /// Orthonormal rows that span the charges kept, in energy coordinates of a scale.
-pub fn kept_charges(plant: &Plant, scale: &[f64], trajectories: &[Trajectory]) -> Vec<Vec<f64>> {
+pub fn conserved_charges(plant: &Plant, scale: &[f64], trajectories: &[Trajectory]) -> Vec<Vec<f64>> {
     let (electrical, first) = (&plant.electrical, 2 * plant.system.modes.len());
     let is_let_go = |node: usize| {
         let own = |bridge: &usize| electrical.bridges[*bridge].terminal == node;
@@ -42,7 +42,7 @@ fn acts(plant: &Plant, bridge: usize, trajectory: &Trajectory) -> bool {
 }
 
 /// A period map with 0 in place of the multipliers 1 of some rows.
-pub fn without(map: Mat<f64>, rows: &[Vec<f64>]) -> Mat<f64> {
+pub fn without_conserved(map: Mat<f64>, rows: &[Vec<f64>]) -> Mat<f64> {
     rows.iter().fold(map, |map, row| Mat::from_fn(map.nrows(), map.ncols(), |i, j| map[(i, j)] - row[i] * row[j]))
 }
 
@@ -55,7 +55,7 @@ mod tests {
     fn a_kept_charge_leaves_the_other_multipliers_as_they_are() {
         let map = Mat::from_fn(2, 2, |i, j| if i == j { 0.25 } else { 0.75 });
         let row = vec![0.5_f64.sqrt(); 2];
-        let left = without(map, &[row]);
+        let left = without_conserved(map, &[row]);
         let (trace, determinant) = (left[(0, 0)] + left[(1, 1)], left.determinant());
         assert!((trace + 0.5).abs() < 1e-15 && determinant.abs() < 1e-15);
     }

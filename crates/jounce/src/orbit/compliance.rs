@@ -15,20 +15,20 @@ use std::sync::Arc;
 
 /// Transforms of one length.
 #[derive(Clone)]
-pub struct Grid {
+pub struct FourierGrid {
     /// Samples per period.
     pub samples: usize,
     forward: Arc<dyn RealToComplex<f64>>,
     backward: Arc<dyn ComplexToReal<f64>>,
 }
 
-impl std::fmt::Debug for Grid {
+impl std::fmt::Debug for FourierGrid {
     fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(out, "Grid({})", self.samples)
     }
 }
 
-impl Grid {
+impl FourierGrid {
     /// A grid of an even number of samples.
     pub fn new(samples: usize) -> Self {
         let mut planner = RealFftPlanner::new();
@@ -59,14 +59,14 @@ impl Grid {
 
 /// `G = row (s I - A)^-1 b` at the harmonics of an orbit, and its change with the frequency.
 #[derive(Debug, Clone)]
-pub struct Transfer {
+pub struct TransferFunction {
     /// `G` at `s = i n w / p`, `n = 0..=harmonics`.
     pub values: Vec<c64>,
     /// `dG / ds` there.
     pub slopes: Vec<c64>,
 }
 
-impl Transfer {
+impl TransferFunction {
     /// From a force on a `column` to an output `row`; `step_rad_s` is `w / p`. States that nothing brings back are left out: see
     /// [`moves_without_end`].
     pub fn new(plant: &Plant, row: &[f64], column: &[f64], step_rad_s: f64, harmonics: usize) -> Self {
@@ -106,7 +106,7 @@ impl Transfer {
 }
 
 /// Share of a free state in the motion of a port above which the port moves it: the charge of an open patch has roundoff.
-const MOVED: f64 = 1e-9;
+const FREE_STATE_SHARE: f64 = 1e-9;
 
 /// True where a constant force at a stop moves a body without end, for nothing brings it back: `G` is infinite at rest. A free state that
 /// no stop reaches, as the charge of an open patch is, has no part in `G`.
@@ -119,7 +119,7 @@ pub fn moves_without_end(plant: &Plant) -> bool {
         let paired = 2 * plant.diagonal.block.pairs.len();
         let of = |i: usize| (row[i] * column[i]).abs() + if i < paired { share(row, column, i) } else { 0.0 };
         let whole: f64 = (0..row.len()).map(of).sum();
-        (0..row.len()).filter(|i| free[*i]).any(|i| of(i) > MOVED * whole)
+        (0..row.len()).filter(|i| free[*i]).any(|i| of(i) > FREE_STATE_SHARE * whole)
     })
 }
 
@@ -138,7 +138,7 @@ mod tests {
     #[test]
     fn a_quotient_and_its_slope() {
         let none = vec![c64::new(0.0, 0.0); 2];
-        let mut transfer = Transfer { values: none.clone(), slopes: none };
+        let mut transfer = TransferFunction { values: none.clone(), slopes: none };
         transfer.add(2.0, [0.0, 1.0], [1.0, 3.0, 5.0]);
         let below = c64::new(1.0, 6.0);
         assert!((transfer.values[1] - 1.0 / below).norm() < 1e-16);

@@ -1,6 +1,6 @@
 //! Why an orbit cannot be had.
 
-use crate::march::VariationError;
+use crate::march::SensitivityError;
 
 /// An orbit that cannot be computed; `H` says why a harvester cannot be made at a parameter.
 #[derive(Debug, thiserror::Error)]
@@ -10,7 +10,7 @@ pub enum OrbitError<H: std::error::Error> {
     Harvester(H),
     /// The march of a period.
     #[error(transparent)]
-    March(#[from] VariationError),
+    March(#[from] SensitivityError),
     /// No drive, or drives that do not repeat themselves together.
     #[error(
         "{}",

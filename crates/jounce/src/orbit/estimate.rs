@@ -1,17 +1,17 @@
 //! What a shot says of the orbit near it, and how far off that may be.
 
-use super::{Harvester, Orbit, OrbitError, Shooting, Shot, displacement_peak_m, multipliers};
-use crate::continuation::Linear;
-use crate::march::{Kernel, Marcher, VariationError};
+use super::{Orbit, OrbitError, ParametricModel, Shooting, ShootingEvaluation, displacement_peak_m, multipliers};
+use crate::continuation::Linearization;
+use crate::march::{Integrator, Kernel, SensitivityError};
 use crate::plant::{Storage, System};
 use faer::{ColRef, c64};
 
 /// Part of the energy of the motion in a period from which on the power of rectified circuits is told by its own size.
-const LEAST: f64 = 1e-6;
+const MIN_ENERGY_SHARE: f64 = 1e-6;
 
-impl<H: Harvester> Shooting<'_, H> {
+impl<H: ParametricModel> Shooting<'_, H> {
     /// What a shot says, but for its error.
-    pub(super) fn answer(&self, shot: &Shot) -> Result<Orbit, OrbitError<H::Error>> {
+    pub(super) fn answer(&self, shot: &ShootingEvaluation) -> Result<Orbit, OrbitError<H::Error>> {
         let Some(multipliers) = multipliers(&shot.block_map) else {
             return Err(OrbitError::Multipliers { frequency_hz: f64::from(self.cycles) / shot.period_s });
         };
@@ -23,19 +23,19 @@ impl<H: Harvester> Shooting<'_, H> {
     ///
     /// A defect of the march over one period reaches the orbit multiplied by `(I - M)^-1`; Newton is made to mend one of the
     /// size of the tolerance too.
-    pub(super) fn estimate(&self, shot: &Shot, orbit: &Orbit) -> f64 {
+    pub(super) fn estimate(&self, shot: &ShootingEvaluation, orbit: &Orbit) -> f64 {
         let nearest = orbit.multipliers.iter().map(|value| (*value - 1.0).norm()).fold(1.0, f64::min);
         let defect = shot.tolerance / nearest.max(f64::EPSILON);
         let Some(correction) = shot.correction() else { return f64::INFINITY };
         let size = |vector: &[f64]| ColRef::from_slice(vector).norm_l2();
-        let state = size(&correction) / size(&shot.looks[0]).max(f64::MIN_POSITIVE);
-        let there: Vec<f64> = shot.looks[0].iter().zip(&correction).map(|(u, d)| u + d).collect();
+        let state = size(&correction) / size(&shot.strobe_states[0]).max(f64::MIN_POSITIVE);
+        let there: Vec<f64> = shot.strobe_states[0].iter().zip(&correction).map(|(u, d)| u + d).collect();
         // Beside a fold the correction can lead so far that nothing can be marched there: its own length is then all that is known.
         // Diodes may pass as little as they like: power counts from a small part of what the motion holds.
         let least_w = if shot.kernel.plant.system.bridges.is_empty() {
             f64::MIN_POSITIVE
         } else {
-            LEAST * 0.5 * size(&shot.looks[0]).powi(2) / shot.period_s
+            MIN_ENERGY_SHARE * 0.5 * size(&shot.strobe_states[0]).powi(2) / shot.period_s
         };
         let power = self
             .marched_power_w(&shot.kernel, &there)
@@ -56,10 +56,10 @@ impl<H: Harvester> Shooting<'_, H> {
         let mut y = kernel.plant.from_physical(&self.physical(unknown), 0.0);
         let mut sum_j = 0.0;
         for _ in 0..self.cycles {
-            let mut marcher = Marcher::new(kernel, &y, 0.0, self.tolerance).map_err(VariationError::March)?;
-            marcher.advance_to(cycle_s).map_err(VariationError::March)?;
-            sum_j += marcher.energies().delivered_j();
-            y = marcher.state();
+            let mut integrator = Integrator::new(kernel, &y, 0.0, self.tolerance).map_err(SensitivityError::March)?;
+            integrator.advance_to(cycle_s).map_err(SensitivityError::March)?;
+            sum_j += integrator.energies().delivered_j();
+            y = integrator.state();
         }
         Ok(sum_j / (cycle_s * f64::from(self.cycles)))
     }
@@ -76,12 +76,12 @@ fn voltage_rms_v(system: &System, power_w: f64) -> f64 {
     }
 }
 
-impl Shot {
+impl ShootingEvaluation {
     /// What was marched, as an orbit of these multipliers.
     pub(super) fn as_orbit(&self, multipliers: Vec<c64>) -> Orbit {
         Orbit {
             period_cycles: self.trajectories.len() as u32,
-            looks: self.looks.clone(),
+            strobe_states: self.strobe_states.clone(),
             // A sum of nothing is -0.
             mean_power_w: self.loads_w.iter().sum::<f64>() + 0.0,
             voltage_rms_v: self.loads_w.first().map_or(f64::NAN, |power_w| voltage_rms_v(&self.kernel.plant.system, *power_w)),
@@ -96,7 +96,7 @@ impl Shot {
 
     /// Newton's correction at a fixed parameter, of the residual and of a defect of the tolerance that adds to it.
     fn correction(&self) -> Option<Vec<f64>> {
-        let size = ColRef::from_slice(&self.looks[0]).norm_l2();
+        let size = ColRef::from_slice(&self.strobe_states[0]).norm_l2();
         let defect = self.tolerance * size / (self.residual.len() as f64).sqrt();
         let right: Vec<f64> = self.residual.iter().map(|r| -r - defect.copysign(*r)).collect();
         let fixed = vec![0.0; right.len()];

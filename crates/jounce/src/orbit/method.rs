@@ -1,10 +1,10 @@
 //! What a method of computing orbits gives, beside its residual.
 
-use super::{Orbit, OrbitError, Shot};
-use crate::continuation::Family;
+use super::{Orbit, OrbitError, ShootingEvaluation};
+use crate::continuation::Problem;
 
 /// A method on the harvesters of one family.
-pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>> {
+pub trait OrbitMethod: Problem<Error = OrbitError<Self::Fault>> {
     /// Why a harvester cannot be made.
     type Fault: std::error::Error;
 
@@ -15,13 +15,13 @@ pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>> {
     ///
     /// # Errors
     /// Multipliers that cannot be computed.
-    fn orbit(&self, local: &Self::Local, error: f64) -> Result<Orbit, Self::Error>;
+    fn orbit(&self, local: &Self::Evaluation, error: f64) -> Result<Orbit, Self::Error>;
 
     /// The period marched on the exact flow from a place: its multipliers, its contacts, its turning points.
     ///
     /// # Errors
     /// A march that fails.
-    fn shot<'l>(&self, local: &'l Self::Local) -> Result<&'l Shot, Self::Error>;
+    fn shot<'l>(&self, local: &'l Self::Evaluation) -> Result<&'l ShootingEvaluation, Self::Error>;
 
     /// The unknown that stands for a state in energy coordinates.
     ///
@@ -34,7 +34,7 @@ pub trait OrbitMethod: Family<Error = OrbitError<Self::Fault>> {
     ///
     /// # Errors
     /// A march that fails.
-    fn excess(&self, _local: &Self::Local, _parameter_scale: f64) -> Result<f64, Self::Error> {
+    fn error_ratio(&self, _local: &Self::Evaluation, _parameter_scale: f64) -> Result<f64, Self::Error> {
         Ok(0.0)
     }
 

@@ -3,35 +3,35 @@
 //! Two methods that share nothing but the plant and the contact law: [`Shooting`] on the exact flow with its exact derivative, for
 //! orbits of any number of drive cycles and for every law, and [`HarmonicBalance`] at the ports. Stability always comes from the exact flow.
 
-mod balance;
 mod block_equations;
 mod border;
 mod charges;
 mod compliance;
 mod error;
 mod estimate;
-mod factors;
-mod harvester;
+mod harmonic_balance;
+mod lu_factors;
 mod method;
 mod multipliers;
 mod null_vector;
+mod parametric_model;
 mod periodic;
 mod quantity;
-mod rested;
 mod shooting;
-mod shot;
+mod shooting_evaluation;
+mod sticking_orbit;
 mod tracking;
 mod turning_points;
 
-pub use balance::{Balance, HarmonicBalance};
 pub use error::OrbitError;
-pub use harvester::{Change, Harvester, Setting};
+pub use harmonic_balance::{BalanceEvaluation, HarmonicBalance};
 pub use method::OrbitMethod;
-pub use multipliers::{Disc, Eigenbasis, discs, multipliers};
+pub use multipliers::{Eigenbasis, EigenvalueDisc, discs, multipliers};
 pub use null_vector::null_vector;
+pub use parametric_model::{ModelInstance, ParameterDerivatives, ParametricModel};
 pub use periodic::{Orbit, determinant_at, nearest_pair_to_circle, pairs_outside};
 pub use quantity::OrbitQuantity;
 pub use shooting::Shooting;
-pub use shot::Shot;
-pub use tracking::{Condition, Gradient, Plane, Touch, Tracked, Tracking};
-pub use turning_points::{Turn, displacement_peak_m, nearest_extremum_m, nearest_turn, turns};
+pub use shooting_evaluation::ShootingEvaluation;
+pub use tracking::{Condition, ExtendedEvaluation, ExtendedProblem, Gradient, GrazingPoint, TwoParameterProblem};
+pub use turning_points::{TurningPoint, displacement_peak_m, nearest_extremum_m, nearest_turn, turns};

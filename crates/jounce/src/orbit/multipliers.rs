@@ -8,7 +8,7 @@
 //! |dm| = |c| |r| / |m - D|
 //! ```
 //!
-//! Where the product is below [`APART`] its eigenvalues are taken by themselves; those of the rest cost the cube of their number. The map
+//! Where the product is below [`DECOUPLED_BLOCK`] its eigenvalues are taken by themselves; those of the rest cost the cube of their number. The map
 //! is balanced first, which makes the row and the column of each state equally long and changes no eigenvalue.
 //!
 //! Source: B. N. Parlett and C. Reinsch, Numer. Math. 13 (1969) 293; G. W. Stewart and J. Sun, *Matrix Perturbation Theory* (1990), ch. V.
@@ -17,10 +17,10 @@ use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
 
 /// `|c| |r|` below which a block stands alone: it moves a multiplier of the size of one by no more, which is less than marches leave.
-const APART: f64 = 1e-10;
+const DECOUPLED_BLOCK: f64 = 1e-10;
 
 /// Rounds of balancing.
-const ROUNDS: usize = 4;
+const BALANCING_ROUNDS: usize = 4;
 
 /// Eigenvalues of a period map, largest modulus first; `None` where they do not converge.
 pub fn multipliers(map: &Mat<f64>) -> Option<Vec<c64>> {
@@ -37,7 +37,7 @@ pub fn multipliers(map: &Mat<f64>) -> Option<Vec<c64>> {
 ///
 /// Source: D. G. Feingold and R. S. Varga, Pacific J. Math. 12 (1962) 1241 (Gershgorin's discs of blocks).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Disc {
+pub struct EigenvalueDisc {
     /// The eigenvalue.
     pub value: c64,
     /// The radius.
@@ -45,7 +45,7 @@ pub struct Disc {
 }
 
 /// Discs of a map in block coordinates, in which its first `pairs` blocks have two states; one for each of them.
-pub fn discs(map: &Mat<f64>, pairs: usize) -> Vec<Disc> {
+pub fn discs(map: &Mat<f64>, pairs: usize) -> Vec<EigenvalueDisc> {
     let (map, n) = (balanced(map), map.nrows());
     let blocks = (0..pairs).map(|k| [2 * k, 2 * k + 1]).chain((2 * pairs..n).map(|k| [k, k]));
     let of_block = |[i, j]: [usize; 2]| {
@@ -55,7 +55,7 @@ pub fn discs(map: &Mat<f64>, pairs: usize) -> Vec<Disc> {
         let (a, b, c, d) = (map[(i, i)], map[(i, j)], map[(j, i)], map[(j, j)]);
         let largest = if i == j { a.abs() } else { 0.5 * ((a + d).hypot(c - b) + (a - d).hypot(b + c)) };
         let radius = largest + beside.sum::<f64>();
-        own(&map, [i, j]).into_iter().map(move |value| Disc { value, radius }).collect::<Vec<_>>()
+        own(&map, [i, j]).into_iter().map(move |value| EigenvalueDisc { value, radius }).collect::<Vec<_>>()
     };
     blocks.flat_map(of_block).collect()
 }
@@ -112,7 +112,7 @@ fn part(map: &Mat<f64>, states: &[usize]) -> Mat<f64> {
 fn balanced(map: &Mat<f64>) -> Mat<f64> {
     let n = map.nrows();
     let mut balanced = map.clone();
-    for _ in 0..ROUNDS {
+    for _ in 0..BALANCING_ROUNDS {
         let mut is_even = true;
         for i in 0..n {
             let (row, column) = lengths(&balanced, i);
@@ -164,7 +164,7 @@ fn blocks(map: &Mat<f64>) -> (Vec<[usize; 2]>, Vec<usize>) {
             }
         }
     }
-    let is_apart = |row: f64, column: f64| row * column < APART * APART;
+    let is_apart = |row: f64, column: f64| row * column < DECOUPLED_BLOCK * DECOUPLED_BLOCK;
     let mut found = Vec::new();
     loop {
         let stands_alone = |i: &usize| {

@@ -3,7 +3,7 @@
 use faer::{ColRef, Mat, c64};
 
 /// Distance beside their size below which two states of an orbit are one.
-const SAME: f64 = 1e-5;
+const SAME_STATE_DISTANCE: f64 = 1e-5;
 
 /// A periodic orbit as a result.
 #[derive(Debug, Clone, PartialEq)]
@@ -11,7 +11,7 @@ pub struct Orbit {
     /// Period in drive cycles.
     pub period_cycles: u32,
     /// States at the start of each drive cycle and at the end of the last, energy coordinates `(w q, q', sqrt(C) V)`.
-    pub looks: Vec<Vec<f64>>,
+    pub strobe_states: Vec<Vec<f64>>,
     /// Mean power of all loads and rectified circuits, W.
     pub mean_power_w: f64,
     /// Voltage of the first load or, without one, of what the first rectified circuit feeds, rms, V; NaN where nothing takes power.
@@ -37,7 +37,7 @@ impl Orbit {
     pub(crate) fn of_cycles(period_cycles: u32) -> Self {
         Self {
             period_cycles,
-            looks: Vec::new(),
+            strobe_states: Vec::new(),
             mean_power_w: 0.0,
             voltage_rms_v: 0.0,
             contacts: 1,
@@ -66,7 +66,7 @@ impl Orbit {
 
     /// State at the start of the period, energy coordinates.
     pub fn start(&self) -> &[f64] {
-        &self.looks[0]
+        &self.strobe_states[0]
     }
 
     /// Size of the state at the start of the period.
@@ -77,7 +77,8 @@ impl Orbit {
     /// Difference of the state half a period on; `None` for an odd number of cycles.
     pub fn halves_apart(&self) -> Option<Vec<f64>> {
         let half = self.period_cycles as usize / 2;
-        (self.period_cycles.is_multiple_of(2)).then(|| self.looks[half].iter().zip(&self.looks[0]).map(|(a, b)| a - b).collect())
+        (self.period_cycles.is_multiple_of(2))
+            .then(|| self.strobe_states[half].iter().zip(&self.strobe_states[0]).map(|(a, b)| a - b).collect())
     }
 
     /// True when the orbit is one of fewer cycles, gone through several times.
@@ -88,7 +89,7 @@ impl Orbit {
     /// The least number of cycles, fewer than those of the period, after which the orbit repeats.
     pub fn shorter_period(&self) -> Option<u32> {
         let apart = |look: &[f64]| (ColRef::from_slice(look) - ColRef::from_slice(self.start())).norm_l2();
-        let repeats = |shorter: &u32| apart(&self.looks[*shorter as usize]) < SAME * self.size();
+        let repeats = |shorter: &u32| apart(&self.strobe_states[*shorter as usize]) < SAME_STATE_DISTANCE * self.size();
         (1..self.period_cycles).filter(|shorter| self.period_cycles.is_multiple_of(*shorter)).find(repeats)
     }
 

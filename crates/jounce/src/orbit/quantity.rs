@@ -1,13 +1,13 @@
 //! Quantities of an orbit of which a user may give a level.
 
-use super::Shot;
+use super::ShootingEvaluation;
 use crate::march::Trajectory;
 
 /// Times per drive cycle at which the largest value is sought.
-const SAMPLES: usize = 1024;
+const SAMPLES_PER_CYCLE: usize = 1024;
 
 /// Times between two of those about the largest one: the parabola through the highest three has its top within the error of a march.
-const CLOSER: usize = 32;
+const REFINED_SAMPLES: usize = 32;
 
 /// A quantity of an orbit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,7 +24,7 @@ pub enum OrbitQuantity {
 
 impl OrbitQuantity {
     /// Its value on an orbit, SI.
-    pub fn of(self, shot: &Shot) -> f64 {
+    pub fn of(self, shot: &ShootingEvaluation) -> f64 {
         let plant = &shot.kernel.plant;
         match self {
             OrbitQuantity::MeanPower => shot.loads_w.iter().sum(),
@@ -42,7 +42,7 @@ impl OrbitQuantity {
 }
 
 /// Largest value over the period of a function of the physical state and the contact forces.
-fn largest(shot: &Shot, value: impl Fn(&[f64], &[f64]) -> f64) -> f64 {
+fn largest(shot: &ShootingEvaluation, value: impl Fn(&[f64], &[f64]) -> f64) -> f64 {
     let plant = &shot.kernel.plant;
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
     let of_cycle = |trajectory: &Trajectory| {
@@ -50,11 +50,11 @@ fn largest(shot: &Shot, value: impl Fn(&[f64], &[f64]) -> f64) -> f64 {
             let instants = trajectory.at(&shot.kernel, times_s);
             instants.iter().map(|at| value(&plant.to_physical(&at.state, at.time_s), &at.forces_n)).collect()
         };
-        let step_s = cycle_s / SAMPLES as f64;
-        let rough = at(&(0..=SAMPLES).map(|k| k as f64 * step_s).collect::<Vec<_>>());
+        let step_s = cycle_s / SAMPLES_PER_CYCLE as f64;
+        let rough = at(&(0..=SAMPLES_PER_CYCLE).map(|k| k as f64 * step_s).collect::<Vec<_>>());
         let top = (0..rough.len()).max_by(|a, b| rough[*a].total_cmp(&rough[*b])).unwrap_or(0);
-        let (from, closer_s) = (top.saturating_sub(1) as f64 * step_s, 2.0 * step_s / CLOSER as f64);
-        let times: Vec<f64> = (0..=CLOSER).map(|k| (from + k as f64 * closer_s).min(cycle_s)).collect();
+        let (from, closer_s) = (top.saturating_sub(1) as f64 * step_s, 2.0 * step_s / REFINED_SAMPLES as f64);
+        let times: Vec<f64> = (0..=REFINED_SAMPLES).map(|k| (from + k as f64 * closer_s).min(cycle_s)).collect();
         parabola_top(&at(&times)).max(rough[top])
     };
     shot.trajectories.iter().map(of_cycle).fold(0.0, f64::max)

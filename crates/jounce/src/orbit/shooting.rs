@@ -5,13 +5,13 @@
 //! ```
 //!
 //! `u` are coordinates whose squares are energies; they outlive a change of load, stop or drive, and their size at a peak is that
-//! of the motion. The derivative is that of the flow (see [`crate::march::Variation`]), cycle by cycle; with respect to the
+//! of the motion. The derivative is that of the flow (see [`crate::march::FlowSensitivity`]), cycle by cycle; with respect to the
 //! parameter it is exact for drive, gap and stiffness, and a difference otherwise.
 
-use super::charges::{kept_charges, without};
-use super::{Change, Harvester, Orbit, OrbitError, OrbitMethod, Shot};
-use crate::continuation::Family;
-use crate::march::{Drift, Kernel, Variation};
+use super::charges::{conserved_charges, without_conserved};
+use super::{Orbit, OrbitError, OrbitMethod, ParameterDerivatives, ParametricModel, ShootingEvaluation};
+use crate::continuation::Problem;
+use crate::march::{FlowSensitivity, Kernel, ParameterSensitivity};
 use crate::plant::{Plant, product};
 use faer::Mat;
 use std::sync::OnceLock;
@@ -31,7 +31,7 @@ pub struct Shooting<'h, H> {
     pub charged: Vec<f64>,
 }
 
-impl<'h, H: Harvester> Shooting<'h, H> {
+impl<'h, H: ParametricModel> Shooting<'h, H> {
     /// Orbits of `cycles` drive cycles; `kernel` is the harvester at any value of its parameter.
     pub fn new(harvester: &'h H, kernel: &Kernel, cycles: u32, tolerance: f64) -> Self {
         let modes = &kernel.plant.system.modes;
@@ -59,7 +59,7 @@ impl<'h, H: Harvester> Shooting<'h, H> {
     }
 
     /// Marches the period; true when the derivative with respect to the parameter is exact.
-    pub(crate) fn shoot(&self, unknown: &[f64], parameter: f64) -> Result<(Shot, bool), OrbitError<H::Error>> {
+    pub(crate) fn shoot(&self, unknown: &[f64], parameter: f64) -> Result<(ShootingEvaluation, bool), OrbitError<H::Error>> {
         let setting = self.harvester.at(parameter).map_err(OrbitError::Harvester)?;
         let kernel = setting.kernel;
         let plant = &kernel.plant;
@@ -68,7 +68,11 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         };
         let exact = setting.change.is_some();
         let n = plant.len();
-        let change = setting.change.unwrap_or_else(|| Change { drift: Drift::default(), steady: vec![0.0; n], period_relative: 0.0 });
+        let change = setting.change.unwrap_or_else(|| ParameterDerivatives {
+            drift: ParameterSensitivity::default(),
+            steady: vec![0.0; n],
+            period_relative: 0.0,
+        });
         let mut y = plant.from_physical(&self.physical(unknown), 0.0);
         let steady = plant.steady_at(0.0);
         let mut looks = vec![unknown.to_vec()];
@@ -78,7 +82,7 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         let (mut trajectories, mut contacts, mut max_penetration_m, mut loads_w) =
             (Vec::new(), 0, 0.0_f64, vec![0.0; plant.system.loads.len() + plant.system.bridges.len()]);
         for _ in 0..self.cycles {
-            let cycle = Variation::march(&kernel, &y, 0.0, cycle_s, self.tolerance, &change.drift)?;
+            let cycle = FlowSensitivity::march(&kernel, &y, 0.0, cycle_s, self.tolerance, &change.drift)?;
             by_parameter = carried(&cycle, &by_parameter, cycle_s * change.period_relative);
             map = Some(map.map_or_else(|| cycle.jacobian.clone(), |before| &cycle.jacobian * &before));
             y = cycle.end;
@@ -91,13 +95,13 @@ impl<'h, H: Harvester> Shooting<'h, H> {
         }
         by_parameter.iter_mut().zip(&change.steady).for_each(|(y, s)| *y += s);
         let by_parameter = self.unknown(&product(&plant.diagonal.to_physical, &by_parameter));
-        let kept = kept_charges(plant, &self.scale, &trajectories);
+        let kept = conserved_charges(plant, &self.scale, &trajectories);
         let whole = map.unwrap_or_else(|| Mat::identity(n, n));
         let block_map = if kept.is_empty() { whole } else { self.without_kept(plant, &whole, &kept) };
         let residual = self.residual(unknown, &looks[looks.len() - 1], &kept);
-        let shot = Shot {
+        let shot = ShootingEvaluation {
             kernel,
-            looks,
+            strobe_states: looks,
             residual,
             block_map,
             by_parameter,
@@ -122,7 +126,7 @@ impl<H> Shooting<'_, H> {
         let (into, out) = (&plant.diagonal.from_physical, &plant.diagonal.to_physical);
         let left = Mat::from_fn(plant.len(), plant.len(), |i, j| self.scale[i] * out[(i, j)]);
         let right = Mat::from_fn(plant.len(), plant.len(), |i, j| into[(i, j)] / self.scale[j]);
-        &right * without(&left * whole * &right, kept) * &left
+        &right * without_conserved(&left * whole * &right, kept) * &left
     }
 
     /// `R`; charges that nothing lets go are held at those that are meant.
@@ -136,11 +140,11 @@ impl<H> Shooting<'_, H> {
     }
 }
 
-impl<H: Harvester> Family for Shooting<'_, H> {
-    type Local = Shot;
+impl<H: ParametricModel> Problem for Shooting<'_, H> {
+    type Evaluation = ShootingEvaluation;
     type Error = OrbitError<H::Error>;
 
-    fn at(&self, unknown: &[f64], parameter: f64) -> Result<Shot, Self::Error> {
+    fn at(&self, unknown: &[f64], parameter: f64) -> Result<ShootingEvaluation, Self::Error> {
         let (mut shot, exact) = self.shoot(unknown, parameter)?;
         if !exact {
             let step = self.harvester.difference();
@@ -151,20 +155,20 @@ impl<H: Harvester> Family for Shooting<'_, H> {
     }
 }
 
-impl<H: Harvester> OrbitMethod for Shooting<'_, H> {
+impl<H: ParametricModel> OrbitMethod for Shooting<'_, H> {
     type Fault = H::Error;
 
     fn cycles(&self) -> u32 {
         self.cycles
     }
 
-    fn orbit(&self, shot: &Shot, error: f64) -> Result<Orbit, Self::Error> {
+    fn orbit(&self, shot: &ShootingEvaluation, error: f64) -> Result<Orbit, Self::Error> {
         let mut orbit = self.answer(shot)?;
         orbit.error_estimate = error + self.estimate(shot, &orbit);
         Ok(orbit)
     }
 
-    fn shot<'l>(&self, shot: &'l Shot) -> Result<&'l Shot, Self::Error> {
+    fn shot<'l>(&self, shot: &'l ShootingEvaluation) -> Result<&'l ShootingEvaluation, Self::Error> {
         Ok(shot)
     }
 
@@ -174,7 +178,7 @@ impl<H: Harvester> OrbitMethod for Shooting<'_, H> {
 }
 
 /// `d y / dp` after a cycle whose length changes by `longer_s` per unit of the parameter.
-fn carried(cycle: &Variation, before: &[f64], longer_s: f64) -> Vec<f64> {
+fn carried(cycle: &FlowSensitivity, before: &[f64], longer_s: f64) -> Vec<f64> {
     let through = product(&cycle.jacobian, before);
     (0..before.len()).map(|i| through[i] + cycle.drift[i] + cycle.rate[i] * longer_s).collect()
 }

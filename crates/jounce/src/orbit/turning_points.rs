@@ -1,27 +1,27 @@
 //! Turning points of the displacements of the ports: how near an orbit comes to grazing, and how far it swings.
 
-use super::Shot;
+use super::ShootingEvaluation;
 use crate::contact::Law;
 use crate::march::{Kernel, Trajectory};
 
 /// Looks per drive cycle in flight, at least, where the turning point nearest to a surface is sought, ...
-const LOOKS: f64 = 512.0;
+const SAMPLES_PER_CYCLE: f64 = 512.0;
 
 /// ... and where the largest and the least displacement are: a cubic joins neighbours.
-const FEWER: f64 = 128.0;
+const COARSE_SAMPLES_PER_CYCLE: f64 = 128.0;
 
 /// Looks inside a stretch in which the speed changes sign.
-const CLOSER: usize = 24;
+const REFINED_SAMPLES: usize = 24;
 
 /// Turning points worth a closer look.
-const NEAREST: usize = 3;
+const MAX_REFINED_POINTS: usize = 3;
 
 /// Part of the time between two looks by which one looks before an impact.
-const BEFORE: f64 = 1e-9;
+const BEFORE_IMPACT: f64 = 1e-9;
 
 /// A turning point of a port.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Turn {
+pub struct TurningPoint {
     /// Number of the port.
     pub port: usize,
     /// Drive cycle of the period, from 0.
@@ -36,14 +36,14 @@ pub struct Turn {
     pub is_struck: bool,
 }
 
-impl Turn {
+impl TurningPoint {
     /// The same turning point with its time and distance by more looks near it.
-    pub fn refined(self, shot: &Shot) -> Self {
+    pub fn refined(self, shot: &ShootingEvaluation) -> Self {
         if self.is_struck {
             return self;
         }
         let cycle_s = shot.period_s / shot.trajectories.len() as f64;
-        let half_s = 0.5 * cycle_s / FEWER;
+        let half_s = 0.5 * cycle_s / COARSE_SAMPLES_PER_CYCLE;
         let (from_s, to_s) = ((self.time_s - half_s).max(0.0), (self.time_s + half_s).min(cycle_s));
         let found = closer(&shot.kernel, self.port, &shot.trajectories[self.cycle], from_s, to_s);
         found.map_or(self, |(time_s, past_m)| Self { time_s, past_m, ..self })
@@ -52,14 +52,21 @@ impl Turn {
 
 /// The turning point (maximum or minimum) of any port nearest to the surface of its stop; `None` without one. Laws that act on both
 /// sides of their surface have none.
-pub fn nearest_turn(shot: &Shot) -> Option<Turn> {
+pub fn nearest_turn(shot: &ShootingEvaluation) -> Option<TurningPoint> {
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
     let stops = &shot.kernel.plant.system.stops;
     let ports = (0..stops.len()).filter(|port| !stops[*port].law.acts_on_both_sides());
     let turning = ports.flat_map(|port| {
         shot.trajectories.iter().enumerate().flat_map(move |(cycle, trajectory)| {
             let found = turning_points(&shot.kernel, port, trajectory, cycle_s);
-            found.into_iter().map(move |(time_s, past_m, is_maximum)| Turn { port, cycle, time_s, past_m, is_maximum, is_struck: false })
+            found.into_iter().map(move |(time_s, past_m, is_maximum)| TurningPoint {
+                port,
+                cycle,
+                time_s,
+                past_m,
+                is_maximum,
+                is_struck: false,
+            })
         })
     });
     turning.min_by(|a, b| a.past_m.abs().total_cmp(&b.past_m.abs()))
@@ -68,26 +75,33 @@ pub fn nearest_turn(shot: &Shot) -> Option<Turn> {
 /// All turning points of the displacements of the ports, each by the cubic between two looks. An impact on a rigid stop stands for the maximum
 /// that the motion would have beyond the stop, so that its distance is zero at the grazing and smooth through it. Laws that act on both sides of their
 /// surface have none.
-pub fn turns(shot: &Shot) -> Vec<Turn> {
+pub fn turns(shot: &ShootingEvaluation) -> Vec<TurningPoint> {
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
     let stops = &shot.kernel.plant.system.stops;
     let ports = (0..stops.len()).filter(|port| !stops[*port].law.acts_on_both_sides());
     ports.flat_map(|port| turns_of(shot, port, cycle_s)).collect()
 }
 
-fn turns_of(shot: &Shot, port: usize, cycle_s: f64) -> Vec<Turn> {
+fn turns_of(shot: &ShootingEvaluation, port: usize, cycle_s: f64) -> Vec<TurningPoint> {
     let kernel = &shot.kernel;
     let strikes = matches!(kernel.plant.system.stops[port].law, Law::Rigid(_));
-    let looks: Vec<Vec<Motion>> = shot.trajectories.iter().map(|trajectory| looks(kernel, port, trajectory, (FEWER, cycle_s))).collect();
+    let looks: Vec<Vec<SampledMotion>> =
+        shot.trajectories.iter().map(|trajectory| sampled_motions(kernel, port, trajectory, (COARSE_SAMPLES_PER_CYCLE, cycle_s))).collect();
     let mut found = Vec::new();
     for (cycle, own) in looks.iter().enumerate() {
         // The first look of the next cycle is at the end of this one.
         let end = looks[(cycle + 1) % looks.len()].first().map(|next| (cycle_s, next.1, next.2));
-        let own: Vec<Motion> = own.iter().copied().chain(end).collect();
+        let own: Vec<SampledMotion> = own.iter().copied().chain(end).collect();
         for (from, to) in own.windows(2).map(|pair| (pair[0], pair[1])) {
             let coming = if strikes { unstruck(kernel, port, &shot.trajectories[cycle], (from, to)) } else { to };
-            let turn =
-                |time_s: f64, past_m: f64, is_struck: bool| Turn { port, cycle, time_s, past_m, is_maximum: from.2 > 0.0, is_struck };
+            let turn = |time_s: f64, past_m: f64, is_struck: bool| TurningPoint {
+                port,
+                cycle,
+                time_s,
+                past_m,
+                is_maximum: from.2 > 0.0,
+                is_struck,
+            };
             if from.2 * coming.2 < 0.0 {
                 let (share, past_m) = turn_between(from, coming);
                 found.push(turn(from.0 + share * (coming.0 - from.0), past_m, false));
@@ -100,18 +114,21 @@ fn turns_of(shot: &Shot, port: usize, cycle_s: f64) -> Vec<Turn> {
 }
 
 /// Distance past the stop, m, of [`nearest_turn`].
-pub fn nearest_extremum_m(shot: &Shot) -> Option<f64> {
+pub fn nearest_extremum_m(shot: &ShootingEvaluation) -> Option<f64> {
     nearest_turn(shot).map(|turn| turn.past_m)
 }
 
 /// Half of the way between the largest and the least displacement at the first stop, m; 0 without a stop.
-pub fn displacement_peak_m(shot: &Shot) -> f64 {
+pub fn displacement_peak_m(shot: &ShootingEvaluation) -> f64 {
     if shot.kernel.plant.system.stops.is_empty() {
         return 0.0;
     }
     let cycle_s = shot.period_s / shot.trajectories.len() as f64;
     let strikes = shot.kernel.plant.system.stops.iter().any(|stop| matches!(stop.law, Law::Rigid(_)));
-    let cycles = shot.trajectories.iter().map(|trajectory| (trajectory, looks(&shot.kernel, 0, trajectory, (FEWER, cycle_s))));
+    let cycles = shot
+        .trajectories
+        .iter()
+        .map(|trajectory| (trajectory, sampled_motions(&shot.kernel, 0, trajectory, (COARSE_SAMPLES_PER_CYCLE, cycle_s))));
     let range = cycles.fold((f64::INFINITY, f64::NEG_INFINITY), |range, (trajectory, looks)| {
         let own = looks.windows(2).flat_map(|pair| {
             let to = if strikes { unstruck(&shot.kernel, 0, trajectory, (pair[0], pair[1])) } else { pair[1] };
@@ -124,25 +141,25 @@ pub fn displacement_peak_m(shot: &Shot) -> f64 {
 
 /// The second of two neighbouring looks as the motion comes to it, before any impact that a rigid stop makes there: the speed jumps at no
 /// other place than the start of a step, which is a look. Only where the speed changes sign does it matter.
-fn unstruck(kernel: &Kernel, port: usize, trajectory: &Trajectory, (from, to): (Motion, Motion)) -> Motion {
+fn unstruck(kernel: &Kernel, port: usize, trajectory: &Trajectory, (from, to): (SampledMotion, SampledMotion)) -> SampledMotion {
     if from.2 * to.2 >= 0.0 {
         return to;
     }
-    let just_before_s = to.0 - BEFORE * (to.0 - from.0);
+    let just_before_s = to.0 - BEFORE_IMPACT * (to.0 - from.0);
     let coming = trajectory.at(kernel, &[just_before_s]);
     let rate_m_s = coming.first().and_then(|at| motion(kernel, port, at.time_s, &at.state)).map_or(to.2, |coming| coming.2);
     (to.0, to.1, rate_m_s)
 }
 
 /// Distance beyond a rigid stop, m, at which a motion would turn that strikes it: `v^2 / (2 a)`, but no farther than half the way of a look.
-fn beyond(from: Motion, coming: Motion) -> f64 {
+fn beyond(from: SampledMotion, coming: SampledMotion) -> f64 {
     let (step_s, speed_m_s) = (coming.0 - from.0, coming.2);
     let slowing_m_s2 = ((from.2 - speed_m_s) / step_s).max(speed_m_s / step_s);
     0.5 * speed_m_s * speed_m_s / slowing_m_s2
 }
 
 /// Where the cubic through two neighbouring looks turns, as a share of the way, and the distance there; the first look where it does not.
-fn turn_between(from: Motion, to: Motion) -> (f64, f64) {
+fn turn_between(from: SampledMotion, to: SampledMotion) -> (f64, f64) {
     let (step_s, [u, v]) = (to.0 - from.0, [from.2, to.2]);
     if u * v >= 0.0 {
         return (0.0, from.1);
@@ -158,19 +175,20 @@ fn turn_between(from: Motion, to: Motion) -> (f64, f64) {
 }
 
 /// Time, distance past the stop and its rate.
-type Motion = (f64, f64, f64);
+type SampledMotion = (f64, f64, f64);
 
 fn turning_points(kernel: &Kernel, port: usize, trajectory: &Trajectory, cycle_s: f64) -> Vec<(f64, f64, bool)> {
-    let looks = looks(kernel, port, trajectory, (LOOKS, cycle_s));
-    let mut turns: Vec<(Motion, Motion)> = looks.windows(2).map(|pair| (pair[0], pair[1])).filter(|(a, b)| a.2 * b.2 <= 0.0).collect();
+    let looks = sampled_motions(kernel, port, trajectory, (SAMPLES_PER_CYCLE, cycle_s));
+    let mut turns: Vec<(SampledMotion, SampledMotion)> =
+        looks.windows(2).map(|pair| (pair[0], pair[1])).filter(|(a, b)| a.2 * b.2 <= 0.0).collect();
     turns.sort_by(|a, b| a.0.1.abs().total_cmp(&b.0.1.abs()));
-    turns.truncate(NEAREST);
-    let closer = |from: Motion, to: Motion| closer(kernel, port, trajectory, from.0, to.0);
+    turns.truncate(MAX_REFINED_POINTS);
+    let closer = |from: SampledMotion, to: SampledMotion| closer(kernel, port, trajectory, from.0, to.0);
     turns.into_iter().filter_map(|(from, to)| closer(from, to).map(|(time_s, past_m)| (time_s, past_m, from.2 > 0.0))).collect()
 }
 
 /// Motion at the start of every step, and between those of a flight.
-fn looks(kernel: &Kernel, port: usize, trajectory: &Trajectory, (count, cycle_s): (f64, f64)) -> Vec<Motion> {
+fn sampled_motions(kernel: &Kernel, port: usize, trajectory: &Trajectory, (count, cycle_s): (f64, f64)) -> Vec<SampledMotion> {
     let mut looks = Vec::new();
     trajectory.walk(kernel, 0, cycle_s / count, &mut |own, time_s, state| looks.extend(motion(own, port, time_s, state)));
     looks
@@ -179,9 +197,9 @@ fn looks(kernel: &Kernel, port: usize, trajectory: &Trajectory, (count, cycle_s)
 /// Time and distance of the turning point between two times: the speed is taken as linear between close looks, which leaves an error of
 /// second order in a place where the distance does not depend on time.
 fn closer(kernel: &Kernel, port: usize, trajectory: &Trajectory, from_s: f64, to_s: f64) -> Option<(f64, f64)> {
-    let times: Vec<f64> = (0..=CLOSER).map(|k| from_s + (to_s - from_s) * k as f64 / CLOSER as f64).collect();
+    let times: Vec<f64> = (0..=REFINED_SAMPLES).map(|k| from_s + (to_s - from_s) * k as f64 / REFINED_SAMPLES as f64).collect();
     let states = trajectory.at(kernel, &times);
-    let motions: Vec<Motion> = states.iter().filter_map(|at| motion(kernel, port, at.time_s, &at.state)).collect();
+    let motions: Vec<SampledMotion> = states.iter().filter_map(|at| motion(kernel, port, at.time_s, &at.state)).collect();
     let (a, b) = motions.windows(2).map(|pair| (pair[0], pair[1])).find(|(a, b)| a.2 * b.2 <= 0.0)?;
     let share = if a.2 == b.2 { 0.5 } else { a.2 / (a.2 - b.2) };
     // From the nearer look with half the speed on the way.
@@ -190,14 +208,14 @@ fn closer(kernel: &Kernel, port: usize, trajectory: &Trajectory, from_s: f64, to
 }
 
 /// Distance past the stop, m, and its rate, m/s, of a port at a time in a drive cycle of the period.
-pub(super) fn port_motion(shot: &Shot, port: usize, (cycle, time_s): (usize, f64)) -> [f64; 2] {
+pub(super) fn port_motion(shot: &ShootingEvaluation, port: usize, (cycle, time_s): (usize, f64)) -> [f64; 2] {
     let at = shot.trajectories[cycle].at(&shot.kernel, &[time_s]);
     let found = at.first().and_then(|at| motion(&shot.kernel, port, at.time_s, &at.state));
     found.map_or([f64::NAN; 2], |(_, past_m, rate_m_s)| [past_m, rate_m_s])
 }
 
 /// Distance past the stop and its rate.
-fn motion(kernel: &Kernel, port: usize, time_s: f64, state: &[f64]) -> Option<Motion> {
+fn motion(kernel: &Kernel, port: usize, time_s: f64, state: &[f64]) -> Option<SampledMotion> {
     let plant = &kernel.plant;
     let (port, stop) = plant.ports.get(port).zip(plant.system.stops.get(port))?;
     let dot = |row: &[f64]| row.iter().zip(state).map(|(r, y)| r * y).sum::<f64>();

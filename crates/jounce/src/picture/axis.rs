@@ -60,7 +60,9 @@ impl Axis {
     /// The range asked for, if it is one.
     pub(super) fn checked_range(&self) -> Result<Option<(f64, f64)>, PictureError> {
         let log = self.scale == Scale::Log;
-        let fits = |(low, high): (f64, f64)| low < high && low.abs() <= LARGEST && high.abs() <= LARGEST && (!log || low > 0.0);
+        let fits = |(low, high): (f64, f64)| {
+            low < high && low.abs() <= MAX_PLOTTED_VALUE && high.abs() <= MAX_PLOTTED_VALUE && (!log || low > 0.0)
+        };
         match self.range {
             Some((low, high)) if !fits((low, high)) => Err(PictureError::Range { axis: self.quantity.clone(), low, high, log }),
             range => Ok(range),
@@ -69,4 +71,4 @@ impl Axis {
 }
 
 /// Values beyond this cannot be placed without overflow; they are treated as gaps.
-pub(super) const LARGEST: f64 = 1e300;
+pub(super) const MAX_PLOTTED_VALUE: f64 = 1e300;

@@ -9,7 +9,9 @@ pub(super) fn runs(points: impl Iterator<Item = Option<(f64, f64)>>) -> Vec<Vec<
     let mut runs = vec![Vec::new()];
     for point in points {
         match (point, runs.last_mut()) {
-            (Some((x, y)), Some(run)) => run.push((x.clamp(-FAR, FAR), y.clamp(-FAR, FAR))),
+            (Some((x, y)), Some(run)) => {
+                run.push((x.clamp(-MAX_PIXEL_DISTANCE, MAX_PIXEL_DISTANCE), y.clamp(-MAX_PIXEL_DISTANCE, MAX_PIXEL_DISTANCE)))
+            }
             _ => runs.push(Vec::new()),
         }
     }
@@ -18,7 +20,7 @@ pub(super) fn runs(points: impl Iterator<Item = Option<(f64, f64)>>) -> Vec<Vec<
 }
 
 /// Farther outside than this a point is moved to here, pixels: renderers lose their way in huge coordinates.
-const FAR: f64 = 1e5;
+const MAX_PIXEL_DISTANCE: f64 = 1e5;
 
 /// The path along the points of a run; a lone point becomes a dot.
 pub(super) fn path(run: &[(f64, f64)]) -> String {

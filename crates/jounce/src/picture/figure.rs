@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use super::frame::{frame, grid};
-use super::layout::{Layout, Plot};
-use super::legend::{self, Place};
+use super::layout::{FigureLayout, Plot};
+use super::legend::{self, LegendPlace};
 use super::marks::{markers, marks};
 use super::svg::{Anchor, Svg};
 use super::text::{LEADING, TITLE, width};
@@ -40,16 +40,17 @@ impl Figure {
     /// A range that makes no sense, a series of unequal lengths, a size that no picture can have.
     pub fn to_svg(&self) -> Result<String, PictureError> {
         self.check()?;
-        let layout = Layout::new(self, 0.0)?;
+        let layout = FigureLayout::new(self, 0.0)?;
         let places: Vec<_> = layout.plots.iter().map(legend::place).collect();
-        let beside = |(plot, place): (&Plot<'_>, &Place)| (*place == Place::Beside).then(|| legend::size(plot.panel)).flatten();
+        let beside = |(plot, place): (&Plot<'_>, &LegendPlace)| (*place == LegendPlace::Beside).then(|| legend::size(plot.panel)).flatten();
         let aside = layout.plots.iter().zip(&places).filter_map(beside).map(|(wide, _)| wide).fold(0.0, f64::max);
         if aside == 0.0 {
             return Ok(self.draw(&layout, &places));
         }
         // A narrower frame: where there was room inside there may be none now, so those legends are placed again.
-        let layout = Layout::new(self, aside)?;
-        let again = |(plot, place): (_, &Place)| if *place == Place::Beside { Place::Beside } else { legend::place(plot) };
+        let layout = FigureLayout::new(self, aside)?;
+        let again =
+            |(plot, place): (_, &LegendPlace)| if *place == LegendPlace::Beside { LegendPlace::Beside } else { legend::place(plot) };
         let places: Vec<_> = layout.plots.iter().zip(&places).map(again).collect();
         Ok(self.draw(&layout, &places))
     }
@@ -77,7 +78,7 @@ impl Figure {
             return Err(PictureError::Lengths { series: series.label.clone().unwrap_or_default(), x, y });
         }
         self.panels.iter().filter_map(|panel| panel.field.as_ref()).try_for_each(|field| field.check())?;
-        let possible = |length: f64| (1.0..=raster::LARGEST_SIDE).contains(&length);
+        let possible = |length: f64| (1.0..=raster::MAX_SIDE).contains(&length);
         match self.panels.iter().map(|panel| panel.height_px).find(|height| !possible(*height)) {
             Some(height) => Err(PictureError::Size { width: self.width_px, height }),
             None if !possible(self.width_px) => Err(PictureError::Size { width: self.width_px, height: 1.0 }),
@@ -85,7 +86,7 @@ impl Figure {
         }
     }
 
-    fn draw(&self, layout: &Layout<'_>, places: &[Place]) -> String {
+    fn draw(&self, layout: &FigureLayout<'_>, places: &[LegendPlace]) -> String {
         let mut svg = Svg::new(self.width_px, &self.title);
         let left = layout.plots.first().map_or(12.0, |plot| plot.left);
         let widest = layout.title.iter().map(|line| width(line, TITLE)).fold(0.0, f64::max);

@@ -30,7 +30,7 @@ pub(super) struct Plot<'a> {
 }
 
 /// A figure laid out.
-pub(super) struct Layout<'a> {
+pub(super) struct FigureLayout<'a> {
     pub height: f64,
     pub title: Vec<String>,
     pub plots: Vec<Plot<'a>>,
@@ -50,7 +50,7 @@ impl Plot<'_> {
     }
 }
 
-impl<'a> Layout<'a> {
+impl<'a> FigureLayout<'a> {
     /// Lays a figure out, leaving `aside` pixels at the right for legends.
     pub fn new(figure: &'a Figure, aside: f64) -> Result<Self, PictureError> {
         let spans = spans(figure)?;

@@ -15,7 +15,7 @@ const CLEAR: f64 = 6.0;
 
 /// Where a legend stands, from the upper left corner of the frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Place {
+pub(super) enum LegendPlace {
     /// Nothing to list.
     None,
     /// Inside the frame.
@@ -37,20 +37,23 @@ fn names(panel: &Panel) -> Vec<&str> {
 }
 
 /// The first place in the frame that covers no data; beside the frame where there is none.
-pub(super) fn place(plot: &Plot<'_>) -> Place {
-    let Some((w, h)) = size(plot.panel) else { return Place::None };
+pub(super) fn place(plot: &Plot<'_>) -> LegendPlace {
+    let Some((w, h)) = size(plot.panel) else { return LegendPlace::None };
     let covered = covered(plot);
     let (left, centre, right) = (CLEAR, (plot.width - w) / 2.0, plot.width - w - CLEAR);
     let (top, bottom) = (CLEAR, plot.height - h - CLEAR);
     if right < left || bottom < top {
-        return Place::Beside;
+        return LegendPlace::Beside;
     }
     let middle = (plot.height - h) / 2.0;
     let candidates =
         [(right, top), (left, top), (right, bottom), (left, bottom), (centre, top), (centre, bottom), (right, middle), (left, middle)];
     let hits =
         |(x, y): &(f64, f64), (px, py): &(f64, f64)| (x - CLEAR..x + w + CLEAR).contains(px) && (y - CLEAR..y + h + CLEAR).contains(py);
-    candidates.into_iter().find(|at| !covered.iter().any(|point| hits(at, point))).map_or(Place::Beside, |(x, y)| Place::Inside(x, y))
+    candidates
+        .into_iter()
+        .find(|at| !covered.iter().any(|point| hits(at, point)))
+        .map_or(LegendPlace::Beside, |(x, y)| LegendPlace::Inside(x, y))
 }
 
 /// Points in the frame that data and notes cover, close enough together that none slips through a legend. A reference line may be covered: it
@@ -75,13 +78,13 @@ fn covered(plot: &Plot<'_>) -> Vec<(f64, f64)> {
 }
 
 /// Draws the legend of a panel at its place.
-pub(super) fn legend(svg: &mut Svg, plot: &Plot<'_>, place: Place) {
+pub(super) fn legend(svg: &mut Svg, plot: &Plot<'_>, place: LegendPlace) {
     let (x, y) = match place {
-        Place::None => return,
-        Place::Inside(x, y) => (plot.left + x, plot.top + y),
-        Place::Beside => (plot.left + plot.width + PADDING, plot.top),
+        LegendPlace::None => return,
+        LegendPlace::Inside(x, y) => (plot.left + x, plot.top + y),
+        LegendPlace::Beside => (plot.left + plot.width + PADDING, plot.top),
     };
-    if let (Place::Inside(..), Some((w, h))) = (place, size(plot.panel)) {
+    if let (LegendPlace::Inside(..), Some((w, h))) = (place, size(plot.panel)) {
         let look = "class=\"jounce-paper jounce-grid\" fill=\"#ffffff\" stroke=\"#cccccc\" stroke-width=\"0.8\"";
         svg.rect(x, y, w, h, look);
     }

@@ -14,11 +14,11 @@ pub struct Panel {
     /// Data, drawn in this order.
     pub series: Vec<Series>,
     /// Shaded ranges behind the data.
-    pub bands: Vec<Band>,
+    pub bands: Vec<PanelBand>,
     /// Lines across the panel.
-    pub references: Vec<Reference>,
+    pub references: Vec<ReferenceLine>,
     /// Texts at points.
-    pub notes: Vec<Note>,
+    pub notes: Vec<PanelNote>,
     /// Height of the frame, pixels.
     pub height_px: f64,
 }
@@ -34,7 +34,7 @@ pub enum Along {
 
 /// A shaded range of one axis.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Band {
+pub struct PanelBand {
     /// The axis on which the range lies.
     pub along: Along,
     /// Lower end.
@@ -49,7 +49,7 @@ pub struct Band {
 
 /// A thin dotted line across the panel at one value. A vertical line has its name above the frame, a horizontal one at the right of it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Reference {
+pub struct ReferenceLine {
     /// The axis on which the value lies.
     pub along: Along,
     /// The value.
@@ -60,7 +60,7 @@ pub struct Reference {
 
 /// A text at a point, right above it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Note {
+pub struct PanelNote {
     /// Abscissa of the point.
     pub x: f64,
     /// Ordinate of the point.
@@ -92,21 +92,21 @@ impl Panel {
     /// The same with a shaded range.
     #[must_use]
     pub fn band(mut self, along: Along, low: f64, high: f64, label: Option<&str>) -> Self {
-        self.bands.push(Band { along, low, high, label: label.map(str::to_owned), colour: Colour::Grey });
+        self.bands.push(PanelBand { along, low, high, label: label.map(str::to_owned), colour: Colour::Grey });
         self
     }
 
     /// The same with a reference line.
     #[must_use]
     pub fn reference(mut self, along: Along, value: f64, label: Option<&str>) -> Self {
-        self.references.push(Reference { along, value, label: label.map(str::to_owned) });
+        self.references.push(ReferenceLine { along, value, label: label.map(str::to_owned) });
         self
     }
 
     /// The same with a text at a point.
     #[must_use]
     pub fn note(mut self, x: f64, y: f64, text: &str) -> Self {
-        self.notes.push(Note { x, y, text: text.to_owned() });
+        self.notes.push(PanelNote { x, y, text: text.to_owned() });
         self
     }
 

@@ -8,7 +8,7 @@ use resvg::usvg::{Options, Tree, fontdb};
 use super::PictureError;
 
 /// Longest side of a picture, pixels.
-pub(super) const LARGEST_SIDE: f64 = 20_000.0;
+pub(super) const MAX_SIDE: f64 = 20_000.0;
 
 static FONTS: LazyLock<Arc<fontdb::Database>> = LazyLock::new(|| {
     let mut fonts = fontdb::Database::new();
@@ -23,7 +23,7 @@ pub(super) fn png(svg: &str, scale: f64) -> Result<Vec<u8>, PictureError> {
     let options = Options { fontdb: FONTS.clone(), font_family: "DejaVu Sans".to_owned(), ..Options::default() };
     let tree = Tree::from_str(svg, &options).map_err(|fault| render(fault.to_string()))?;
     let (width, height) = (f64::from(tree.size().width()) * scale, f64::from(tree.size().height()) * scale);
-    let possible = |length: f64| (1.0..=LARGEST_SIDE).contains(&length.round());
+    let possible = |length: f64| (1.0..=MAX_SIDE).contains(&length.round());
     if !(possible(width) && possible(height)) {
         return Err(PictureError::Size { width, height });
     }

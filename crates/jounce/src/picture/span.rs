@@ -2,7 +2,7 @@
 //!
 //! Linear: `(x - low) / (high - low)`; logarithmic: `ln(x / low) / ln(high / low)`; 0 at the low end, 1 at the high end.
 
-use super::axis::LARGEST;
+use super::axis::MAX_PLOTTED_VALUE;
 use super::{Axis, PictureError, Scale};
 
 /// Both ends of an axis and its scale.
@@ -41,7 +41,7 @@ impl Span {
 }
 
 fn drawable(scale: Scale, value: f64) -> bool {
-    value.abs() <= LARGEST && (scale == Scale::Linear || value > 1.0 / LARGEST)
+    value.abs() <= MAX_PLOTTED_VALUE && (scale == Scale::Linear || value > 1.0 / MAX_PLOTTED_VALUE)
 }
 
 fn around(scale: Scale, data: impl Iterator<Item = f64>, margin: f64) -> (f64, f64) {
@@ -62,7 +62,7 @@ fn around(scale: Scale, data: impl Iterator<Item = f64>, margin: f64) -> (f64, f
 /// A span too narrow for its ticks to be told apart is opened to something readable around its value.
 fn widen(low: f64, high: f64, margin: f64) -> (f64, f64) {
     let size = low.abs().max(high.abs());
-    if size < 1.0 / LARGEST {
+    if size < 1.0 / MAX_PLOTTED_VALUE {
         (-1.0, 1.0)
     } else if high - low < 1e-6 * size {
         (low - 0.1 * size, high + 0.1 * size)

@@ -2,7 +2,7 @@
 //!
 //! A path of two diodes carries `i = (|V| - V_s - E) / r >= 0`, with `V` the voltage of the patches, `V_s` that of the storage, `E` the
 //! drop of both diodes (and the voltage of a battery) and `r` their resistance. While nothing changes between carrying and blocking the
-//! circuit is linear; it changes where a [`Guard`] is met.
+//! circuit is linear; it changes where a [`EventFunction`] is met.
 //!
 //! Sources: Y. C. Shu and I. C. Lien, Smart Mater. Struct. 15 (2006) 1499 (bridge); D. Guyomar, A. Badel, E. Lefeuvre and C. Richard,
 //! IEEE Trans. UFFC 52 (2005) 584 (synchronised switches); E. Lefeuvre et al., Sens. Actuators A 126 (2006) 405 (comparison).

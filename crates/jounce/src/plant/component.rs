@@ -1,39 +1,39 @@
 //! Components of the coupled system: what is coupled to each other, and its eigenvectors.
 //!
-//! Everything here is in energy coordinates, `(w q, q', sqrt(C) V, sqrt(L) i)`, those of conducting paths turned ([`super::path`]); see
+//! Everything here is in energy coordinates, `(w q, q', sqrt(C) V, sqrt(L) i)`, those of conducting paths turned ([`super::conduction_path`]); see
 //! [`super::diagonal`](super::Diagonal).
 
-use super::path::Path;
-use super::refined::refined;
-use super::{Electrical, Pair, PlantError, System};
+use super::conduction_path::ConductionPath;
+use super::eigen_refinement::refined;
+use super::{BlockPair, Electrical, PlantError, System};
 use faer::{Mat, c64};
 
 /// One block with its columns of `T`, and whether it is known in closed form.
-pub(super) struct Piece {
+pub(super) struct ComponentBlock {
     pub block: PieceBlock,
     pub exact: bool,
 }
 
 /// A block and its columns, in energy coordinates.
 pub(super) enum PieceBlock {
-    Pair(Pair, [Vec<f64>; 2]),
+    Pair(BlockPair, [Vec<f64>; 2]),
     Real(f64, Vec<f64>),
 }
 
-/// `A` in energy coordinates, those of conducting paths turned (see [`Path`]).
-pub(super) struct Assembly {
+/// `A` in energy coordinates, those of conducting paths turned (see [`ConductionPath`]).
+pub(super) struct CoupledMatrix {
     pub matrix: Mat<f64>,
     /// Factor of each physical state that makes its square an energy.
     pub scale: Vec<f64>,
     /// Diodes that conduct.
-    pub paths: Vec<Path>,
+    pub paths: Vec<ConductionPath>,
     /// Number of modes.
     pub modes: usize,
     /// Nodes that keep their charge.
     open: Vec<usize>,
 }
 
-impl Assembly {
+impl CoupledMatrix {
     pub fn of(system: &System, electrical: &Electrical) -> Self {
         let (n, nodes) = (system.modes.len(), electrical.nodes.len());
         let size = 2 * n + electrical.len();
@@ -68,7 +68,7 @@ impl Assembly {
         }
         let open = (0..nodes).filter(|node| electrical.is_open(*node)).map(|node| 2 * n + node).collect();
         let mut matrix = Mat::from_fn(size, size, |i, j| matrix[(i, j)] * scale[i] / scale[j]);
-        let paths = Path::of_all(electrical, 2 * n);
+        let paths = ConductionPath::of_all(electrical, 2 * n);
         paths.iter().for_each(|path| path.enter(&mut matrix));
         Self { matrix, scale, paths, modes: n, open }
     }
@@ -124,7 +124,7 @@ pub(super) fn components(system: &System, electrical: &Electrical) -> Vec<Vec<us
 }
 
 /// Closed form of a mode that drives no patch, in energy coordinates `(w q, q')`; `(q, q')` of a free body.
-pub(super) fn single_mode(system: &System, mode: usize, assembly: &Assembly) -> Vec<PieceBlock> {
+pub(super) fn single_mode(system: &System, mode: usize, assembly: &CoupledMatrix) -> Vec<PieceBlock> {
     let w = system.modes.frequency_rad_s[mode];
     let friction_per_s: f64 = system.dashpots.iter().map(|dashpot| dashpot.damping_per_s(mode, mode)).sum();
     let column = |displacement: f64, velocity: f64| {
@@ -140,16 +140,16 @@ pub(super) fn single_mode(system: &System, mode: usize, assembly: &Assembly) -> 
         return vec![PieceBlock::Real(0.0, column(1.0, 0.0)), PieceBlock::Real(-friction_per_s, slowing)];
     }
     if w == 0.0 {
-        return vec![PieceBlock::Pair(Pair::Jordan { rate: 0.0 }, [column(1.0, 0.0), column(0.0, 1.0)])];
+        return vec![PieceBlock::Pair(BlockPair::Jordan { rate: 0.0 }, [column(1.0, 0.0), column(0.0, 1.0)])];
     }
     let zeta = system.modes.damping_ratio[mode] + 0.5 * friction_per_s / w;
     if zeta == 1.0 {
-        return vec![PieceBlock::Pair(Pair::Jordan { rate: -w }, [column(1.0, -1.0), column(0.0, 1.0 / w)])];
+        return vec![PieceBlock::Pair(BlockPair::Jordan { rate: -w }, [column(1.0, -1.0), column(0.0, 1.0 / w)])];
     }
     let decay = -zeta * w;
     if zeta < 1.0 {
         let frequency = w * ((1.0 - zeta) * (1.0 + zeta)).sqrt();
-        let pair = Pair::Oscillatory { decay, frequency };
+        let pair = BlockPair::Oscillatory { decay, frequency };
         return vec![PieceBlock::Pair(pair, [column(1.0, decay / w), column(0.0, -frequency / w)])];
     }
     let fast = decay - w * ((zeta - 1.0) * (zeta + 1.0)).sqrt();
@@ -161,18 +161,18 @@ pub(super) fn single_mode(system: &System, mode: usize, assembly: &Assembly) -> 
 }
 
 /// Eigenvectors of a component with patches, in energy coordinates.
-pub(super) fn coupled(states: &[usize], assembly: &Assembly) -> Result<Vec<Piece>, PlantError> {
+pub(super) fn coupled(states: &[usize], assembly: &CoupledMatrix) -> Result<Vec<ComponentBlock>, PlantError> {
     let n = assembly.modes;
     let all: Vec<usize> = states.iter().flat_map(|&s| if s < n { vec![s, n + s] } else { vec![s] }).collect();
     let local = Mat::from_fn(all.len(), all.len(), |i, j| assembly.matrix[(all[i], all[j])]);
-    let charged = kept_charges(&all, &local, assembly);
+    let charged = conserved_charges(&all, &local, assembly);
     let spread = |value: &dyn Fn(usize) -> f64| {
         let mut column = vec![0.0; assembly.scale.len()];
         all.iter().enumerate().for_each(|(i, &state)| column[state] = value(i));
         column
     };
     let kept = charged.iter().map(|state| PieceBlock::Real(0.0, spread(&|i: usize| state[i])));
-    let kept: Vec<Piece> = kept.map(|block| Piece { block, exact: true }).collect();
+    let kept: Vec<ComponentBlock> = kept.map(|block| ComponentBlock { block, exact: true }).collect();
     if kept.len() == all.len() {
         return Ok(kept);
     }
@@ -191,14 +191,16 @@ pub(super) fn coupled(states: &[usize], assembly: &Assembly) -> Result<Vec<Piece
     order.sort_by(|&i, &j| values[i].im.total_cmp(&values[j].im).then(values[i].re.total_cmp(&values[j].re)));
     let pieces = order.into_iter().map(|j| match values[j] {
         c64 { re, im: 0.0 } => PieceBlock::Real(re, column(j, |x| x.re)),
-        c64 { re, im } => PieceBlock::Pair(Pair::Oscillatory { decay: re, frequency: im }, [column(j, |x| x.re), column(j, |x| -x.im)]),
+        c64 { re, im } => {
+            PieceBlock::Pair(BlockPair::Oscillatory { decay: re, frequency: im }, [column(j, |x| x.re), column(j, |x| -x.im)])
+        }
     });
-    Ok(pieces.map(|block| Piece { block, exact: false }).chain(kept).collect())
+    Ok(pieces.map(|block| ComponentBlock { block, exact: false }).chain(kept).collect())
 }
 
 /// The states at rest that the charges of open nodes hold, `sqrt(C) V = 1` and `w q = theta V / w`, one per open node of a component;
 /// none where a rigid-body mode is coupled, whose rest they do not define.
-fn kept_charges(all: &[usize], local: &Mat<f64>, assembly: &Assembly) -> Vec<Vec<f64>> {
+fn conserved_charges(all: &[usize], local: &Mat<f64>, assembly: &CoupledMatrix) -> Vec<Vec<f64>> {
     let n = assembly.modes;
     let open = all.iter().enumerate().filter(|(_, state)| assembly.open.contains(state));
     let at_rest = |(k, _): (usize, &usize)| -> Option<Vec<f64>> {

@@ -16,19 +16,19 @@
 //!
 //! Validation: `tests/plant` checks the residual of `A T = T J` and the eigenvalues against the secular equation.
 
-use super::component::{Assembly, Piece, PieceBlock, components, coupled, single_mode};
-use super::{Block, Electrical, Pair, PlantError, System};
+use super::component::{ComponentBlock, CoupledMatrix, PieceBlock, components, coupled, single_mode};
+use super::{BlockDiagonal, BlockPair, Electrical, PlantError, System};
 use faer::Mat;
 use faer::linalg::solvers::DenseSolveCore;
 
 /// Largest condition number of the eigenvectors (in energy coordinates) that is accepted.
-const CONDITION_ALLOWED: f64 = 1e7;
+const MAX_CONDITION: f64 = 1e7;
 
 /// `x = T y` with `x = (q, q', V, i)`, and the blocks of `A` in `y`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Diagonal {
     /// The blocks.
-    pub block: Block,
+    pub block: BlockDiagonal,
     /// `T`, rows `q_0.., q'_0.., V_0.., i_0..`; columns as the states of the blocks.
     pub to_physical: Mat<f64>,
     /// `T^-1`.
@@ -41,12 +41,12 @@ impl Diagonal {
     /// # Errors
     /// [`PlantError::Defective`], [`PlantError::NoEigenvalues`].
     pub fn of(system: &System, electrical: &Electrical) -> Result<Self, PlantError> {
-        let assembly = Assembly::of(system, electrical);
+        let assembly = CoupledMatrix::of(system, electrical);
         let mut pieces = Vec::new();
         for component in components(system, electrical) {
             match component.as_slice() {
                 [mode] if *mode < assembly.modes => {
-                    pieces.extend(single_mode(system, *mode, &assembly).into_iter().map(|block| Piece { block, exact: true }))
+                    pieces.extend(single_mode(system, *mode, &assembly).into_iter().map(|block| ComponentBlock { block, exact: true }))
                 }
                 states => pieces.extend(coupled(states, &assembly)?),
             }
@@ -56,9 +56,9 @@ impl Diagonal {
         Self::gather(pieces, &assembly)
     }
 
-    fn gather(pieces: Vec<Piece>, assembly: &Assembly) -> Result<Self, PlantError> {
+    fn gather(pieces: Vec<ComponentBlock>, assembly: &CoupledMatrix) -> Result<Self, PlantError> {
         let n = assembly.scale.len();
-        let (mut block, mut columns) = (Block::default(), Vec::with_capacity(n));
+        let (mut block, mut columns) = (BlockDiagonal::default(), Vec::with_capacity(n));
         let exact: Vec<bool> = pieces.iter().map(|piece| piece.exact).collect();
         for piece in pieces {
             match piece.block {
@@ -75,8 +75,8 @@ impl Diagonal {
         let vectors = Mat::from_fn(n, n, |i, j| columns[j][i]);
         let singular = vectors.singular_values().map_err(|_| PlantError::NoEigenvalues { states: n })?;
         let condition = singular[0] / singular[n - 1];
-        if condition.is_nan() || condition > CONDITION_ALLOWED {
-            return Err(PlantError::Defective { condition, allowed: CONDITION_ALLOWED });
+        if condition.is_nan() || condition > MAX_CONDITION {
+            return Err(PlantError::Defective { condition, allowed: MAX_CONDITION });
         }
         let inverse = vectors.partial_piv_lu().inverse();
         polish(&mut block, &exact, &(&inverse * &assembly.matrix * &vectors));
@@ -94,10 +94,10 @@ impl Diagonal {
 /// Replaces each computed eigenvalue by the diagonal of `T^-1 A T`: the Rayleigh correction, which holds low frequencies to
 /// their own relative roundoff where the eigenvalue solver only holds the largest. Closed forms stay: next to critical damping
 /// their difference would drown in the roundoff of the product.
-fn polish(block: &mut Block, exact: &[bool], transformed: &Mat<f64>) {
+fn polish(block: &mut BlockDiagonal, exact: &[bool], transformed: &Mat<f64>) {
     for (k, pair) in block.pairs.iter_mut().enumerate().filter(|(k, _)| !exact[*k]) {
         let (u, v) = (2 * k, 2 * k + 1);
-        if let Pair::Oscillatory { decay, frequency } = pair {
+        if let BlockPair::Oscillatory { decay, frequency } = pair {
             *decay = 0.5 * (transformed[(u, u)] + transformed[(v, v)]);
             *frequency = 0.5 * (transformed[(v, u)] - transformed[(u, v)]);
         }

@@ -23,7 +23,7 @@ use crate::spec::Wiring;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Electrical {
     /// Capacitive nodes.
-    pub nodes: Vec<Node>,
+    pub nodes: Vec<ElectricalNode>,
     /// Inductors.
     pub inductors: Vec<Inductor>,
     /// Voltage of each patch (in the order of `modes.patch`) as a sum of node voltages: `(node, factor)`.
@@ -31,7 +31,7 @@ pub struct Electrical {
     /// Where the voltage across the resistor of each load is read (in the order of `loads`); `None` for a load without a patch.
     pub load: Vec<Option<Across>>,
     /// Conducting diodes.
-    pub links: Vec<Link>,
+    pub links: Vec<Conductance>,
     /// Leaking patches, in the order of `modes.patch`.
     pub leaks: Vec<Leak>,
     /// The nodes of each bridge, in the order of `bridges`.
@@ -42,7 +42,7 @@ pub struct Electrical {
 
 /// A conductance from one node to another, or to the zero of its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Link {
+pub struct Conductance {
     /// Number of the bridge.
     pub bridge: usize,
     /// From here ...
@@ -64,7 +64,7 @@ pub struct BridgeNodes {
 
 /// One capacitive node.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Node {
+pub struct ElectricalNode {
     /// Capacitance, F.
     pub capacitance_f: f64,
     /// Modal coupling, N/V per unit modal coordinate.
@@ -149,7 +149,7 @@ impl Electrical {
         let sign = bridge.state.conduction.sign();
         if sign != 0.0 {
             let to = storage.map(|node| (node, sign));
-            self.links.push(Link { bridge: number, node: terminal, to, conductance_per_ohm: 1.0 / bridge.diode_ohm });
+            self.links.push(Conductance { bridge: number, node: terminal, to, conductance_per_ohm: 1.0 / bridge.diode_ohm });
         }
     }
 
@@ -178,7 +178,7 @@ impl Electrical {
     }
 
     pub(super) fn add(&mut self, capacitance_f: f64, coupling_n_per_v: Vec<f64>) -> usize {
-        self.nodes.push(Node { capacitance_f, coupling_n_per_v, resistance_ohm: None });
+        self.nodes.push(ElectricalNode { capacitance_f, coupling_n_per_v, resistance_ohm: None });
         self.nodes.len() - 1
     }
 

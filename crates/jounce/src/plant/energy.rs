@@ -182,7 +182,7 @@ impl EnergyMeter {
         Self {
             port_rows: plant.ports.iter().map(|port| product(&port.force)).collect(),
             port_cross: (plant.ports.iter())
-                .map(|port| cross.iter().map(|(_, row)| super::coupled::dot(&port.force, row)).collect())
+                .map(|port| cross.iter().map(|(_, row)| super::coupled_plant::dot(&port.force, row)).collect())
                 .collect(),
             signals: SignalMeter::new(plant, power, product, &tone_rows),
             quadratic,

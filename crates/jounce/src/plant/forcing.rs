@@ -28,12 +28,12 @@ pub struct Forcing {
 }
 
 /// Size and slope of a signal.
-pub type Size = [f64; 2];
+pub type SignalSample = [f64; 2];
 
 /// `|eigenvalue|` times the sampling step below which a block is local.
-const SLOW: f64 = 0.5;
+const LOCAL_BLOCK_RATE: f64 = 0.5;
 
-/// Terms of the series of local blocks: with `|eigenvalue| t` up to 0.5 (`SLOW`) the first left out is below 1e-17 of their sum.
+/// Terms of the series of local blocks: with `|eigenvalue| t` up to 0.5 (`LOCAL_BLOCK_RATE`) the first left out is below 1e-17 of their sum.
 pub const LOCAL_TERMS: usize = 16;
 
 impl Forcing {
@@ -50,7 +50,7 @@ impl Plant {
     /// States of local blocks under signals: those that nothing brings back, and those that are slow beside the finest samples.
     pub(super) fn local_states(&self, signals: &[Signal]) -> Vec<bool> {
         let steps = signals.iter().filter_map(|signal| if let Wave::Sampled { step_s, .. } = signal.wave { Some(step_s) } else { None });
-        let fastest_rad_s = steps.reduce(f64::min).map_or(0.0, |step_s| SLOW / step_s);
+        let fastest_rad_s = steps.reduce(f64::min).map_or(0.0, |step_s| LOCAL_BLOCK_RATE / step_s);
         let block = &self.diagonal.block;
         block.free().into_iter().zip(block.speeds()).map(|(free, speed)| free || speed <= fastest_rad_s).collect()
     }
@@ -59,11 +59,11 @@ impl Plant {
     pub fn local_limit_s(&self) -> f64 {
         let speeds = self.diagonal.block.speeds().into_iter().zip(self.diagonal.block.free()).zip(&self.local);
         let fastest = speeds.filter(|((_, free), local)| **local && !free).fold(0.0_f64, |max, ((speed, _), _)| max.max(speed));
-        if fastest > 0.0 { SLOW / fastest } else { f64::INFINITY }
+        if fastest > 0.0 { LOCAL_BLOCK_RATE / fastest } else { f64::INFINITY }
     }
 
     /// `P`, the part of the state that signals force, a time after local blocks began anew.
-    pub fn forced(&self, sizes: &[Size], after_s: f64) -> Vec<f64> {
+    pub fn forced(&self, sizes: &[SignalSample], after_s: f64) -> Vec<f64> {
         let mut state = vec![0.0; self.len()];
         for (forcing, [size, slope]) in self.forcings.iter().zip(sizes) {
             let now = size + slope * after_s;
@@ -84,7 +84,7 @@ impl Plant {
     }
 
     /// The integral of [`Self::forced`] from when local blocks began anew.
-    pub fn forced_integral(&self, sizes: &[Size], until_s: f64) -> Vec<f64> {
+    pub fn forced_integral(&self, sizes: &[SignalSample], until_s: f64) -> Vec<f64> {
         let mut state = vec![0.0; self.len()];
         for (forcing, [size, slope]) in self.forcings.iter().zip(sizes) {
             let (held_s, passed) = (size * until_s + 0.5 * slope * until_s * until_s, slope * until_s);

@@ -7,17 +7,17 @@
 //!
 //! `A` has blocks of one or two states, so each pair of blocks is a dense system of at most four unknowns.
 
-use super::Block;
+use super::BlockDiagonal;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 use std::f64::consts::TAU;
 
 /// Decay of a block, relative to its speed, below which it is none.
-const UNDAMPED: f64 = 1e-14;
+const UNDAMPED_RATIO: f64 = 1e-14;
 
 /// Which of the two equations is solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
+pub enum LyapunovSide {
     /// `A^T P + P A = -Q`.
     Rows,
     /// `A P + P A^T = -Q`.
@@ -28,7 +28,7 @@ pub enum Side {
 ///
 /// # Errors
 /// The frequency, Hz, of a block that `Q` reaches and nothing damps.
-pub fn lyapunov(block: &Block, side: Side, source: impl Fn(usize, usize) -> f64) -> Result<Mat<f64>, f64> {
+pub fn lyapunov(block: &BlockDiagonal, side: LyapunovSide, source: impl Fn(usize, usize) -> f64) -> Result<Mat<f64>, f64> {
     let spans = spans(block, side);
     let mut solution = Mat::zeros(block.len(), block.len());
     for first in &spans {
@@ -39,7 +39,7 @@ pub fn lyapunov(block: &Block, side: Side, source: impl Fn(usize, usize) -> f64)
             }
             let local = sylvester(first, second, &right);
             let rate = (first.decay + second.decay).abs();
-            if !local.norm_max().is_finite() || rate <= UNDAMPED * (first.speed + second.speed) && first.start == second.start {
+            if !local.norm_max().is_finite() || rate <= UNDAMPED_RATIO * (first.speed + second.speed) && first.start == second.start {
                 return Err(first.speed / TAU);
             }
             (0..first.size).for_each(|i| (0..second.size).for_each(|j| solution[(first.start + i, second.start + j)] = local[(i, j)]));
@@ -49,7 +49,7 @@ pub fn lyapunov(block: &Block, side: Side, source: impl Fn(usize, usize) -> f64)
 }
 
 /// One block: where it stands and its matrix, transposed for columns.
-struct Span {
+struct BlockSpan {
     start: usize,
     size: usize,
     matrix: [f64; 4],
@@ -57,19 +57,21 @@ struct Span {
     speed: f64,
 }
 
-fn spans(block: &Block, side: Side) -> Vec<Span> {
-    let turned = |[a, b, c, d]: [f64; 4]| if side == Side::Rows { [a, b, c, d] } else { [a, c, b, d] };
+fn spans(block: &BlockDiagonal, side: LyapunovSide) -> Vec<BlockSpan> {
+    let turned = |[a, b, c, d]: [f64; 4]| if side == LyapunovSide::Rows { [a, b, c, d] } else { [a, c, b, d] };
     let pairs = block.pairs.iter().enumerate().map(|(k, pair)| {
         let value = pair.eigenvalue();
-        Span { start: 2 * k, size: 2, matrix: turned(pair.matrix()), decay: value.re, speed: value.norm() }
+        BlockSpan { start: 2 * k, size: 2, matrix: turned(pair.matrix()), decay: value.re, speed: value.norm() }
     });
     let first = 2 * block.pairs.len();
     let reals = block.reals.iter().enumerate();
-    pairs.chain(reals.map(|(k, r)| Span { start: first + k, size: 1, matrix: [*r, 0.0, 0.0, 0.0], decay: *r, speed: r.abs() })).collect()
+    pairs
+        .chain(reals.map(|(k, r)| BlockSpan { start: first + k, size: 1, matrix: [*r, 0.0, 0.0, 0.0], decay: *r, speed: r.abs() }))
+        .collect()
 }
 
 /// Solves `A1^T P + P A2 = source` for blocks of size 1 or 2.
-fn sylvester(first: &Span, second: &Span, source: &Mat<f64>) -> Mat<f64> {
+fn sylvester(first: &BlockSpan, second: &BlockSpan, source: &Mat<f64>) -> Mat<f64> {
     let (m, n) = (first.size, second.size);
     let a1 = |i: usize, j: usize| first.matrix[2 * i + j];
     let a2 = |i: usize, j: usize| second.matrix[2 * i + j];

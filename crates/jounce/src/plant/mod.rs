@@ -10,22 +10,22 @@
 //! steady state under the drive without contact. Between contacts the flow of `y` is therefore known exactly. Drives that are
 //! not sinusoidal are [`Signal`]s, linear in time between breakpoints, whose answer is known exactly too ([`Forcing`]).
 
-mod approach;
-mod block;
+mod base_motion;
+mod block_diagonal;
 mod bridge;
 mod component;
-mod coupled;
+mod conduction_path;
+mod coupled_plant;
 mod diagonal;
+mod eigen_refinement;
 mod electrical;
 mod energy;
 mod error;
+mod event_function;
 mod forcing;
-mod guard;
 mod leak;
 mod lyapunov;
-mod path;
 mod quadratic;
-mod refined;
 mod signal;
 mod signal_meter;
 mod stiff;
@@ -33,18 +33,18 @@ mod system;
 mod tone;
 mod wiring;
 
-pub use block::{Block, Pair};
+pub use block_diagonal::{BlockDiagonal, BlockPair};
 pub use bridge::{Bridge, BridgeState, Conduction, Scheme, Storage};
-pub use coupled::{Plant, Port};
-pub(crate) use coupled::{dot, product};
+pub use coupled_plant::{Plant, Port};
+pub(crate) use coupled_plant::{dot, product};
 pub use diagonal::Diagonal;
-pub use electrical::{Across, BridgeNodes, Electrical, Inductor, Link, Node};
+pub use electrical::{Across, BridgeNodes, Conductance, Electrical, ElectricalNode, Inductor};
 pub use energy::{EnergyMeter, Meters};
 pub use error::PlantError;
-pub use forcing::{Forcing, LOCAL_TERMS, Size};
-pub use guard::{Change, Guard, Outlet, Output};
+pub use event_function::{BridgeChange, EnergyOutlet, EventFunction, PowerOutput};
+pub use forcing::{Forcing, LOCAL_TERMS, SignalSample};
 pub use leak::Leak;
-pub use lyapunov::{Side, lyapunov};
+pub use lyapunov::{LyapunovSide, lyapunov};
 pub use quadratic::Quadratics;
 pub use signal::Signal;
 pub use signal_meter::{SignalIntegrals, SignalMeter};

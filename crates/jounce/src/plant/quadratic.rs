@@ -1,6 +1,6 @@
 //! Powers that are sums of squares, in block coordinates: what no drive changes of them.
 
-use super::lyapunov::{Side, lyapunov};
+use super::lyapunov::{LyapunovSide, lyapunov};
 use super::{Plant, PlantError};
 use faer::{Mat, c64};
 use std::sync::Arc;
@@ -59,7 +59,7 @@ impl Quadratic {
     fn of(plant: &Plant, what: &str, squares: &[Square]) -> Result<Arc<Self>, PlantError> {
         let n = plant.len();
         let power = Mat::from_fn(n, n, |i, j| squares.iter().map(|(weight, row)| weight * row[i] * row[j]).sum::<f64>());
-        let gramian = lyapunov(&plant.diagonal.block, Side::Rows, |i, j| power[(i, j)]);
+        let gramian = lyapunov(&plant.diagonal.block, LyapunovSide::Rows, |i, j| power[(i, j)]);
         let gramian = gramian.map_err(|mode_hz| PlantError::Undamped { what: what.to_owned(), mode_hz })?;
         Ok(Arc::new(Self { power, gramian }))
     }

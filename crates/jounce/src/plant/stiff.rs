@@ -1,15 +1,15 @@
 //! Circuits that are too fast to be computed beside the modes.
 //!
-//! Eigenvectors come with a relative error of the roundoff times the spread of the eigenvalues. A circuit `MOST` times faster than the
+//! Eigenvectors come with a relative error of the roundoff times the spread of the eigenvalues. A circuit `MAX_RATE_RATIO` times faster than the
 //! fastest mode leaves about eight digits, and long before that it does what it would do at any higher speed.
 
 use super::{Across, Electrical, PlantError, System};
 
 /// Most that a circuit may be faster than the fastest mode.
-const MOST: f64 = 1e8;
+const MAX_RATE_RATIO: f64 = 1e8;
 
 /// A key of a circuit that makes it fast where it is small.
-struct Key<'a> {
+struct StiffKey<'a> {
     circuit: &'a str,
     key: &'static str,
     value: f64,
@@ -19,11 +19,11 @@ struct Key<'a> {
     swings: bool,
 }
 
-impl Key<'_> {
+impl StiffKey<'_> {
     fn check(&self, fastest_rad_s: f64) -> Result<(), PlantError> {
         let power = if self.swings { 2.0 } else { 1.0 };
         let time_s = (self.value * self.capacitance_f).powf(1.0 / power);
-        let shortest_s = 1.0 / (MOST * fastest_rad_s);
+        let shortest_s = 1.0 / (MAX_RATE_RATIO * fastest_rad_s);
         if time_s >= shortest_s {
             return Ok(());
         }
@@ -34,7 +34,7 @@ impl Key<'_> {
             unit: self.unit,
             capacitance_f: self.capacitance_f,
             time_s,
-            most: MOST,
+            most: MAX_RATE_RATIO,
             mode_hz: fastest_rad_s / std::f64::consts::TAU,
             least: shortest_s.powf(power) / self.capacitance_f,
         })
@@ -59,16 +59,16 @@ pub(super) fn check_speeds(system: &System, electrical: &Electrical) -> Result<(
         let (circuit, capacitance_f) = (load.name.as_str(), electrical.nodes[node].capacitance_f);
         if is_across {
             let value = load.resistance_ohm;
-            Key { circuit, key: "resistance", value, unit: "ohm", capacitance_f, swings: false }.check(fastest_rad_s)?;
+            StiffKey { circuit, key: "resistance", value, unit: "ohm", capacitance_f, swings: false }.check(fastest_rad_s)?;
         }
         if let Some((value, _)) = load.inductor {
-            Key { circuit, key: "inductance", value, unit: "H", capacitance_f, swings: true }.check(fastest_rad_s)?;
+            StiffKey { circuit, key: "inductance", value, unit: "H", capacitance_f, swings: true }.check(fastest_rad_s)?;
         }
     }
     for link in &electrical.links {
         let (bridge, capacitance_f) = (&system.bridges[link.bridge], electrical.nodes[link.node].capacitance_f);
         let (circuit, value) = (bridge.name.as_str(), bridge.diode_ohm);
-        Key { circuit, key: "diode_resistance", value, unit: "ohm", capacitance_f, swings: false }.check(fastest_rad_s)?;
+        StiffKey { circuit, key: "diode_resistance", value, unit: "ohm", capacitance_f, swings: false }.check(fastest_rad_s)?;
     }
     Ok(())
 }

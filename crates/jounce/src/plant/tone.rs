@@ -1,14 +1,14 @@
 //! Sinusoidal drives: what each frequency does to the plant without contact.
 
-use super::block::grown;
+use super::block_diagonal::grown;
 use super::{Plant, PlantError, Port, dot};
 use faer::c64;
 
 /// Most cycles of the slowest drive that a common period may take.
-const MOST_CYCLES: usize = 100;
+const MAX_COMMON_CYCLES: usize = 100;
 
 /// Part of a number of cycles by which it may miss a whole one.
-const WHOLE: f64 = 1e-9;
+const WHOLE_CYCLE_ERROR: f64 = 1e-9;
 
 /// A sinusoid that all drives of one frequency make together.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,8 +33,9 @@ impl Plant {
         for tone in &self.tones {
             // The least multiple of the cycles so far that is whole for this tone too.
             let ratio = tone.angular_frequency_rad_s / slowest;
-            let is_whole = |count: usize| (ratio * count as f64 - (ratio * count as f64).round()).abs() <= WHOLE * ratio * count as f64;
-            cycles = (1..=MOST_CYCLES / cycles).map(|times| times * cycles).find(|count| is_whole(*count))?;
+            let is_whole =
+                |count: usize| (ratio * count as f64 - (ratio * count as f64).round()).abs() <= WHOLE_CYCLE_ERROR * ratio * count as f64;
+            cycles = (1..=MAX_COMMON_CYCLES / cycles).map(|times| times * cycles).find(|count| is_whole(*count))?;
         }
         Some(cycles as f64 * std::f64::consts::TAU / slowest)
     }

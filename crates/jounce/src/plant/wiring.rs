@@ -5,7 +5,7 @@ use super::{Electrical, System};
 use crate::spec::Wiring;
 
 /// A part that no motion drives by more than this, relative to what its patches are driven by, is left out.
-const DRIVEN: f64 = 1e-12;
+const MIN_DRIVEN_SHARE: f64 = 1e-12;
 
 impl Electrical {
     /// Adds the nodes of patches; the first is that of their terminals.
@@ -38,7 +38,7 @@ impl Electrical {
                 let theta = coupling(&share);
                 let size = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
                 let driven: f64 = patches.iter().map(|patch| size(&patch.coupling_n_per_v)).fold(0.0, f64::max);
-                if leaks || size(&theta) > DRIVEN * driven {
+                if leaks || size(&theta) > MIN_DRIVEN_SHARE * driven {
                     let energy: f64 = share.iter().zip(&capacitances_f).map(|(u, c)| c * u * u).sum();
                     self.add(energy, theta);
                     shares.push(share);

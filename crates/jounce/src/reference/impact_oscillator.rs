@@ -16,7 +16,7 @@
 use super::Reference;
 use super::single_mode::{oscillator, shape, state, with_stop};
 use crate::contact::{Law, Rigid};
-use crate::plant::{Drive, Pair, System};
+use crate::plant::{BlockPair, Drive, System};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// A driven oscillator with a rigid stop.
@@ -114,7 +114,7 @@ impl ImpactOscillator {
     fn flow(&self, time: f64) -> [f64; 4] {
         let zeta = self.damping_ratio;
         let frequency = ((1.0 - zeta) * (1.0 + zeta)).sqrt();
-        let [ec, _, es, _] = Pair::Oscillatory { decay: -zeta, frequency }.flow(time);
+        let [ec, _, es, _] = BlockPair::Oscillatory { decay: -zeta, frequency }.flow(time);
         let es = es / frequency;
         [ec + zeta * es, es, -es, ec - zeta * es]
     }

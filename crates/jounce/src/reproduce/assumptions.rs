@@ -1,9 +1,9 @@
 //! What the paper leaves open: the choice made here, the other choice, and the power at 13 Hz and 200 N with each.
 
-use super::harvester::{ABOVE_RESONANCE, Harvester};
+use super::harvester::{ABOVE_RESONANCE, PaperHarvester};
 use super::impact::long_run;
 use super::{NamedTable, ReproduceError};
-use crate::march::Watch;
+use crate::march::Control;
 use crate::spec::Spec;
 use crate::structure::section::CrossSection;
 use crate::table::{Column, Table};
@@ -45,15 +45,15 @@ pub(super) struct Variant {
 }
 
 /// Marches every choice.
-pub(super) fn variants(watch: &Watch) -> Result<Vec<Variant>, ReproduceError> {
+pub(super) fn variants(control: &Control) -> Result<Vec<Variant>, ReproduceError> {
     let own = |(key, value): &(&str, &str)| ((*key).to_owned(), (*value).to_owned());
     let mut choices: Vec<_> =
         CHOICES.iter().map(|(question, default, other, keys)| (*question, *default, *other, keys.iter().map(own).collect())).collect();
-    let axis = ("effective neutral axis in eq. (2)", "of beam and patch", "mid-plane of the beam", mid_plane(&Harvester::spec(&[])?));
+    let axis = ("effective neutral axis in eq. (2)", "of beam and patch", "mid-plane of the beam", mid_plane(&PaperHarvester::spec(&[])?));
     choices.insert(choices.len() - 1, axis);
     choices
         .into_par_iter()
-        .map(|(question, default, other, settings)| Variant::compute((question, default, other), &settings, watch))
+        .map(|(question, default, other, settings)| Variant::compute((question, default, other), &settings, control))
         .collect()
 }
 
@@ -70,9 +70,9 @@ impl Variant {
     fn compute(
         (question, default, other): (&'static str, &'static str, &'static str),
         settings: &[(String, String)],
-        watch: &Watch,
+        control: &Control,
     ) -> Result<Self, ReproduceError> {
-        let harvester = Harvester::with(settings, watch)?;
+        let harvester = PaperHarvester::with(settings, control)?;
         let (short, long) = (harvester.run(ABOVE_RESONANCE)?, long_run(&harvester)?);
         let power_w = [short.mean_power_w, long.mean_power_w];
         Ok(Self {

@@ -2,7 +2,7 @@
 
 use super::impact::{Impact, LONG_RUN_S};
 use super::power_over_resistance::PowerOverResistance;
-use super::stepped::{Branch, Level};
+use super::stepped::{DriveLevel, SteppedBranch};
 use super::{Claim, NamedTable, ReproduceError};
 use crate::table::{Column, Table};
 
@@ -130,7 +130,7 @@ fn hardening(computed: &Impact) -> Claim {
     Claim::new(claim, rises && jumps && hysteresis, evidence)
 }
 
-fn told_level(level: &Level) -> String {
+fn told_level(level: &DriveLevel) -> String {
     let (before, factor) = level.up.steepest();
     let both = &level.coexistence;
     format!(
@@ -146,7 +146,7 @@ fn told_level(level: &Level) -> String {
 }
 
 fn similar_peak(computed: &Impact) -> Claim {
-    let highest = |branch: &Branch| branch.power_w_n2[branch.peak()];
+    let highest = |branch: &SteppedBranch| branch.power_w_n2[branch.peak()];
     let linear = highest(&computed.frequency.linear);
     let ratios: Vec<f64> = computed.frequency.levels.iter().map(|level| highest(&level.up) / linear).collect();
     let told: Vec<String> = computed

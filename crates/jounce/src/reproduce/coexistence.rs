@@ -1,9 +1,9 @@
 //! Do the ways up and down end on different orbits? Both are marched on at one frequency until transients are gone.
 
 use super::ReproduceError;
-use super::harvester::{Case, Harvester, MEGOHM};
+use super::harvester::{MEGOHM, PaperCase, PaperHarvester};
 use super::impact::LONG_RUN_S;
-use super::stepped::Branch;
+use super::stepped::SteppedBranch;
 use crate::run::{RunPlan, StartState, simulate};
 
 /// Where jumps are looked for: so far from the peak on the way up, Hz.
@@ -21,7 +21,7 @@ pub(super) struct Coexistence {
 
 impl Coexistence {
     /// At the frequency near the peak where both ways differ most.
-    pub fn compute(harvester: &Harvester, amplitude_n: f64, up: &Branch, down: &Branch) -> Result<Self, ReproduceError> {
+    pub fn compute(harvester: &PaperHarvester, amplitude_n: f64, up: &SteppedBranch, down: &SteppedBranch) -> Result<Self, ReproduceError> {
         let (count, peak_hz) = (up.frequency_hz.len(), up.frequency_hz[up.peak()]);
         let factor = |place: usize| {
             let factor = up.power_w_n2[place] / down.power_w_n2[count - 1 - place];
@@ -29,7 +29,7 @@ impl Coexistence {
         };
         let near = (0..count).filter(|place| (up.frequency_hz[*place] - peak_hz).abs() <= AROUND_PEAK_HZ);
         let place = near.max_by(|a, b| factor(*a).total_cmp(&factor(*b))).unwrap_or(0);
-        let case = Case { frequency_hz: up.frequency_hz[place], amplitude_n, resistance_ohm: MEGOHM };
+        let case = PaperCase { frequency_hz: up.frequency_hz[place], amplitude_n, resistance_ohm: MEGOHM };
         let on = |state: &StartState| march_on(harvester, case, state);
         Ok(Self { frequency_hz: case.frequency_hz, up_w_n2: on(&up.state[place])?, down_w_n2: on(&down.state[count - 1 - place])? })
     }
@@ -40,7 +40,7 @@ impl Coexistence {
     }
 }
 
-fn march_on(harvester: &Harvester, case: Case, state: &StartState) -> Result<f64, ReproduceError> {
+fn march_on(harvester: &PaperHarvester, case: PaperCase, state: &StartState) -> Result<f64, ReproduceError> {
     let kernel = harvester.kernel(case)?;
     let mut drives = kernel.plant.system.drives.clone();
     drives.iter_mut().zip(&state.drive_angle_rad).for_each(|(drive, angle_rad)| drive.phase_rad = *angle_rad);

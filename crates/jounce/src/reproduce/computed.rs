@@ -4,10 +4,10 @@ use super::ReproduceError;
 use super::assumptions::{Variant, variants};
 use super::frequency_responses::HammerTest;
 use super::impact::Impact;
-use super::orbits::Orbits;
+use super::orbits::PaperOrbits;
 use super::power_over_frequency::{FEWER_LEVELS_N, LEVELS_N};
 use super::table_2::Frequencies;
-use crate::march::Watch;
+use crate::march::Control;
 
 /// Everything that is computed.
 pub(super) struct Computed {
@@ -17,21 +17,21 @@ pub(super) struct Computed {
     pub ground: Impact,
     /// The stop on the shaker table.
     pub table: Impact,
-    pub orbits: Orbits,
+    pub orbits: PaperOrbits,
     pub variants: Vec<Variant>,
 }
 
 impl Computed {
     /// Computes everything.
-    pub fn new(watch: &Watch, progress: &dyn Fn(&str)) -> Result<Self, ReproduceError> {
+    pub fn new(control: &Control, progress: &dyn Fn(&str)) -> Result<Self, ReproduceError> {
         progress("Table 2, figures 4 and 5: modes and frequency responses");
         let (table_2, hammer) = (Frequencies::compute()?, HammerTest::compute()?);
         progress("figures 6 to 9, with the stop on the ground and on the table: about 1700 runs of 20 s");
         let (ground, table) =
-            rayon::join(|| Impact::compute("ground", &LEVELS_N, watch), || Impact::compute("table", &FEWER_LEVELS_N, watch));
+            rayon::join(|| Impact::compute("ground", &LEVELS_N, control), || Impact::compute("table", &FEWER_LEVELS_N, control));
         progress("branches under figure 6, and jumps against the gap");
-        let orbits = Orbits::compute(watch)?;
+        let orbits = PaperOrbits::compute(control)?;
         progress("assumptions: 13 Hz and 200 N with the other choices");
-        Ok(Self { table_2, hammer, ground: ground?, table: table?, orbits, variants: variants(watch)? })
+        Ok(Self { table_2, hammer, ground: ground?, table: table?, orbits, variants: variants(control)? })
     }
 }

@@ -1,5 +1,6 @@
 //! Why the paper could not be computed again or written down.
 
+use crate::analysis::AnalysisError;
 use crate::orbit::OrbitError;
 use crate::picture::PictureError;
 use crate::plant::PlantError;
@@ -8,7 +9,6 @@ use crate::signal::SignalError;
 use crate::spec::{Fault, Faults};
 use crate::store::StoreError;
 use crate::structure::StructureError;
-use crate::study::StudyError;
 use crate::table::TableError;
 use std::path::PathBuf;
 
@@ -40,12 +40,12 @@ pub enum ReproduceError {
     /// See [`StoreError`].
     #[error(transparent)]
     Store(#[from] StoreError),
-    /// See [`StudyError`].
+    /// See [`AnalysisError`].
     #[error(transparent)]
-    Study(#[from] StudyError),
+    Study(#[from] AnalysisError),
     /// See [`OrbitError`].
     #[error(transparent)]
-    Orbit(#[from] OrbitError<StudyError>),
+    Orbit(#[from] OrbitError<AnalysisError>),
     /// The output folder cannot be made.
     #[error("cannot create the folder \"{path}\": {reason}; choose another one")]
     Folder {

@@ -1,9 +1,9 @@
 //! Figures 4 and 5: tip acceleration and open-circuit patch voltage per force of a hammer 15 mm from the root, table fixed.
 
-use super::harvester::Harvester;
+use super::harvester::PaperHarvester;
 use super::{NamedFigure, NamedTable, ReproduceError};
-use crate::linear::{Input, Response, frf};
-use crate::picture::{Response as Curve, Scale, frequency_responses};
+use crate::linear::{FrfInput, FrfResponse, frf};
+use crate::picture::{ResponseLine as Curve, Scale, frequency_responses};
 use crate::plant::{Plant, System};
 use crate::structure::modes_holding;
 use crate::table::{Column, Table};
@@ -20,7 +20,7 @@ pub(super) struct HammerTest {
 impl HammerTest {
     /// From 1 to 1000 Hz.
     pub fn compute() -> Result<Self, ReproduceError> {
-        let spec = Harvester::spec(&[])?;
+        let spec = PaperHarvester::spec(&[])?;
         let mut system = System::assemble(&spec, modes_holding(&spec, &["table".to_owned()])?)?;
         // Without its resistor the patch is open.
         system.loads.clear();
@@ -28,8 +28,8 @@ impl HammerTest {
         system.drives.clear();
         let plant = Plant::new(system)?;
         let frequency_hz = frequencies_hz(&plant);
-        let wanted = [Response::Acceleration("beam.tip".to_owned()), Response::Voltage("mfc".to_owned())];
-        let hammer = Input::Force("beam.hammer".to_owned());
+        let wanted = [FrfResponse::Acceleration("beam.tip".to_owned()), FrfResponse::Voltage("mfc".to_owned())];
+        let hammer = FrfInput::Force("beam.hammer".to_owned());
         let mut curves = frf(&plant, &hammer, &wanted, &frequency_hz)?.into_iter().map(|answer| Curve {
             label: answer.response.name(),
             re: answer.value.iter().map(|z| z.re).collect(),

@@ -1,9 +1,9 @@
 //! The paper's harvester, its variants, and its cases of drive and load.
 
 use super::ReproduceError;
-use crate::march::{Kernel, Watch};
+use crate::march::{Control, Kernel};
 use crate::plant::{Plant, System};
-use crate::run::{RunAnswer, RunPlan, StartState, simulate};
+use crate::run::{RunPlan, RunResult, StartState, simulate};
 use crate::spec::{Spec, SpecFile};
 use crate::structure::modes;
 
@@ -30,16 +30,16 @@ pub fn paper_file(settings: &[(&str, &str)]) -> Result<SpecFile, ReproduceError>
 }
 
 /// A harvester with its modes: cases of drive and load are made from it without solving the structure again.
-pub(super) struct Harvester {
+pub(super) struct PaperHarvester {
     pub spec: Spec,
     pub system: System,
     /// Ends its marches early, and counts the runs of the figures.
-    pub watch: Watch,
+    pub control: Control,
 }
 
 /// A drive and a load.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Case {
+pub(super) struct PaperCase {
     pub frequency_hz: f64,
     pub amplitude_n: f64,
     pub resistance_ohm: f64,
@@ -49,17 +49,17 @@ pub(super) struct Case {
 pub(super) const MEGOHM: f64 = 1e6;
 
 /// The case of figure 7; figure 8 varies its load.
-pub(super) const ABOVE_RESONANCE: Case = Case { frequency_hz: 13.0, amplitude_n: 200.0, resistance_ohm: MEGOHM };
+pub(super) const ABOVE_RESONANCE: PaperCase = PaperCase { frequency_hz: 13.0, amplitude_n: 200.0, resistance_ohm: MEGOHM };
 
 /// The case of figure 9, at the load of figure 7.
-pub(super) const BELOW_RESONANCE: Case = Case { frequency_hz: 6.0, amplitude_n: 50.0, resistance_ohm: MEGOHM };
+pub(super) const BELOW_RESONANCE: PaperCase = PaperCase { frequency_hz: 6.0, amplitude_n: 50.0, resistance_ohm: MEGOHM };
 
-impl Harvester {
-    /// The paper's harvester with some keys set, its marches under a watch.
-    pub fn with(settings: &[(String, String)], watch: &Watch) -> Result<Self, ReproduceError> {
+impl PaperHarvester {
+    /// The paper's harvester with some keys set, its marches under a control.
+    pub fn with(settings: &[(String, String)], control: &Control) -> Result<Self, ReproduceError> {
         let spec = Self::spec(settings)?;
         let system = System::assemble(&spec, modes(&spec)?)?;
-        Ok(Self { spec, system, watch: watch.clone() })
+        Ok(Self { spec, system, control: control.clone() })
     }
 
     /// Its spec alone.
@@ -69,7 +69,7 @@ impl Harvester {
     }
 
     /// The linear plant of a case.
-    pub fn plant(&self, case: Case) -> Result<Plant, ReproduceError> {
+    pub fn plant(&self, case: PaperCase) -> Result<Plant, ReproduceError> {
         let mut system = self.system.clone();
         for load in &mut system.loads {
             load.resistance_ohm = case.resistance_ohm;
@@ -82,8 +82,8 @@ impl Harvester {
     }
 
     /// A case ready to be marched.
-    pub fn kernel(&self, case: Case) -> Result<Kernel, ReproduceError> {
-        Ok(Kernel::new(self.plant(case)?)?.watched_by(&self.watch))
+    pub fn kernel(&self, case: PaperCase) -> Result<Kernel, ReproduceError> {
+        Ok(Kernel::new(self.plant(case)?)?.with_control(&self.control))
     }
 
     /// The paper's run: 20 s, the last 10 s averaged.
@@ -92,13 +92,13 @@ impl Harvester {
     }
 
     /// The paper's run of one case from rest.
-    pub fn run(&self, case: Case) -> Result<RunAnswer, ReproduceError> {
+    pub fn run(&self, case: PaperCase) -> Result<RunResult, ReproduceError> {
         let kernel = self.kernel(case)?;
         Ok(simulate(&kernel, &StartState::rest(&kernel.plant), &self.plan())?)
     }
 }
 
-impl Case {
+impl PaperCase {
     /// Mean power per force squared, W/N^2.
     pub fn normalised(&self, power_w: f64) -> f64 {
         power_w / (self.amplitude_n * self.amplitude_n)

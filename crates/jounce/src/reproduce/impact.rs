@@ -1,27 +1,27 @@
 //! All impact results of the paper under one reading of where the stop stands.
 
 use super::ReproduceError;
-use super::harvester::{ABOVE_RESONANCE, BELOW_RESONANCE, Harvester};
+use super::harvester::{ABOVE_RESONANCE, BELOW_RESONANCE, PaperHarvester};
 use super::power_over_frequency::PowerOverFrequency;
 use super::power_over_resistance::PowerOverResistance;
 use super::voltage::VoltageRecord;
 use crate::linear::{Coupling, couplings};
-use crate::march::Watch;
-use crate::run::{RunAnswer, RunPlan, StartState, simulate};
+use crate::march::Control;
+use crate::run::{RunPlan, RunResult, StartState, simulate};
 
 /// Length of the runs that show what a case settles to, s.
 pub(super) const LONG_RUN_S: f64 = 100.0;
 
 /// Figures 6 to 9 and the runs beside them.
 pub(super) struct Impact {
-    pub harvester: Harvester,
+    pub harvester: PaperHarvester,
     pub frequency: PowerOverFrequency,
     pub voltage: VoltageRecord,
     pub above: PowerOverResistance,
     pub below: PowerOverResistance,
-    pub below_run: RunAnswer,
+    pub below_run: RunResult,
     /// 13 Hz and 200 N for [`LONG_RUN_S`].
-    pub long_run: RunAnswer,
+    pub long_run: RunResult,
     /// The first bending mode of the harvester on its table.
     pub first_mode: Coupling,
     /// Frequency of its second bending mode, Hz.
@@ -30,8 +30,8 @@ pub(super) struct Impact {
 
 impl Impact {
     /// Marches everything with the stop on `"ground"` or `"table"`, figure 6 at some levels of force, N; the many runs share all cores.
-    pub fn compute(frame: &str, levels_n: &[f64], watch: &Watch) -> Result<Self, ReproduceError> {
-        let harvester = Harvester::with(&[("stop.tip.frame".to_owned(), frame.to_owned())], watch)?;
+    pub fn compute(frame: &str, levels_n: &[f64], control: &Control) -> Result<Self, ReproduceError> {
+        let harvester = PaperHarvester::with(&[("stop.tip.frame".to_owned(), frame.to_owned())], control)?;
         let (frequency, (above, below)) = rayon::join(
             || PowerOverFrequency::compute(&harvester, levels_n),
             || {
@@ -56,7 +56,7 @@ impl Impact {
 }
 
 /// 13 Hz and 200 N from rest for [`LONG_RUN_S`], the last 10 s averaged.
-pub(super) fn long_run(harvester: &Harvester) -> Result<RunAnswer, ReproduceError> {
+pub(super) fn long_run(harvester: &PaperHarvester) -> Result<RunResult, ReproduceError> {
     let kernel = harvester.kernel(ABOVE_RESONANCE)?;
     let plan = RunPlan { duration_s: LONG_RUN_S, ..harvester.plan() };
     Ok(simulate(&kernel, &StartState::rest(&kernel.plant), &plan)?)

@@ -4,8 +4,8 @@
 //! built in. Figures 10 to 13 are measured: what takes recordings to answers uses this library, and adds them as a [`Chapter`].
 //!
 //! ```no_run
-//! let watch = jounce::march::Watch::default();
-//! let reproduction = jounce::reproduce::reproduce(&watch, &|stage| eprintln!("{stage}"))?;
+//! let control = jounce::march::Control::default();
+//! let reproduction = jounce::reproduce::reproduce(&control, &|stage| eprintln!("{stage}"))?;
 //! let written = reproduction.write(std::path::Path::new("reproduction"))?;
 //! println!("{}", written.report.display());
 //! # Ok::<(), jounce::reproduce::ReproduceError>(())

@@ -28,16 +28,16 @@ pub struct NamedFigure {
 }
 
 /// Where the stop stands, as it enters names and captions.
-pub(super) struct Stop {
+pub(super) struct NamedStop {
     pub suffix: &'static str,
     pub words: &'static str,
 }
 
 /// Eq. (5) as printed; the default.
-pub(super) const ON_GROUND: Stop = Stop { suffix: "", words: "" };
+pub(super) const ON_GROUND: NamedStop = NamedStop { suffix: "", words: "" };
 
 /// The other reading.
-pub(super) const ON_TABLE: Stop = Stop { suffix: "-stop-on-table", words: " Here the stop rides on the shaker table." };
+pub(super) const ON_TABLE: NamedStop = NamedStop { suffix: "-stop-on-table", words: " Here the stop rides on the shaker table." };
 
 impl NamedTable {
     /// A table under the name of its files.

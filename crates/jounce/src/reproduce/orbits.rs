@@ -1,12 +1,14 @@
 //! What the paper could not see by stepping: every branch under figure 6, and where the jumps go when the gap is tuned.
 
-use super::harvester::{Harvester, MEGOHM};
+use super::harvester::{MEGOHM, PaperHarvester};
 use super::power_over_frequency::{LEVELS_N, PowerOverFrequency};
 use super::{NamedFigure, NamedTable, ReproduceError};
-use crate::march::Watch;
-use crate::picture::{Axis, BranchLine, BranchMark, Colour, JumpLine, Marker, Series, branches, jumps};
+use crate::analysis::{
+    BifurcationCurve, BifurcationCurvePoint, BifurcationSearch, Branch, BranchPoint, BranchSearch, Model, OrbitMethodKind, Parameter,
+};
+use crate::march::Control;
+use crate::picture::{Axis, BifurcationLine, BranchLine, BranchMark, Colour, Marker, Series, bifurcations, branches};
 use crate::spec::NumericKey;
-use crate::study::{Branch, BranchPoint, BranchSearch, JumpCurve, JumpPoint, JumpSearch, Method, Parameter, Prepared};
 use crate::table::{Column, Table};
 use rayon::prelude::*;
 
@@ -19,24 +21,24 @@ const GAPS_M: (f64, f64) = (0.25e-3, 2e-3);
 const MAP_LEVEL_N: f64 = 50.0;
 
 /// Frequencies between the ends at which branches are sought by marching, and the longest period of one, drive cycles.
-const SEEDS: usize = 15;
-const LONGEST_PERIOD: u32 = 4;
+const START_VALUES: usize = 15;
+const MAX_PERIOD_CYCLES: u32 = 4;
 
 /// Relative tolerance of the marches.
 const TOLERANCE: f64 = 1e-9;
 
 /// Branches of every level of force, N, and the map of jumps.
-pub(super) struct Orbits {
+pub(super) struct PaperOrbits {
     levels: Vec<(f64, Vec<Branch>)>,
-    jumps: Vec<JumpCurve>,
+    jumps: Vec<BifurcationCurve>,
 }
 
-impl Orbits {
+impl PaperOrbits {
     /// Follows everything, with the stop on the ground.
-    pub fn compute(watch: &Watch) -> Result<Self, ReproduceError> {
+    pub fn compute(control: &Control) -> Result<Self, ReproduceError> {
         let (levels, jumps) = rayon::join(
-            || LEVELS_N.into_par_iter().map(|level| Ok((level, followed(level, watch)?))).collect::<Result<Vec<_>, ReproduceError>>(),
-            || map_of_jumps(watch),
+            || LEVELS_N.into_par_iter().map(|level| Ok((level, followed(level, control)?))).collect::<Result<Vec<_>, ReproduceError>>(),
+            || map_of_jumps(control),
         );
         Ok(Self { levels: levels?, jumps: jumps? })
     }
@@ -73,8 +75,8 @@ impl Orbits {
 
     /// The map of jumps over frequency and gap.
     pub fn map(&self) -> NamedFigure {
-        let lines: Vec<JumpLine> = (self.jumps.iter())
-            .map(|curve| JumpLine {
+        let lines: Vec<BifurcationLine> = (self.jumps.iter())
+            .map(|curve| BifurcationLine {
                 kind: curve.kind.name().to_owned(),
                 x: curve.points.iter().map(|point| point.parameter).collect(),
                 y: curve.points.iter().map(|point| 1e3 * point.parameter_2).collect(),
@@ -82,7 +84,7 @@ impl Orbits {
             .collect();
         let (x, y) = (Axis::linear("Drive frequency", "Hz"), Axis::linear("Gap", "mm"));
         let caption = "Frequencies at which the answer jumps at 50 N, against the gap: the harvester is tuned by moving its stop.";
-        NamedFigure::new("jumps-over-gap", caption, jumps("Where the answer jumps", x, y, &lines))
+        NamedFigure::new("jumps-over-gap", caption, bifurcations("Where the answer jumps", x, y, &lines))
     }
 
     /// Data of both figures.
@@ -106,9 +108,9 @@ impl Orbits {
             ),
             Column::new("stable", "", "Attracts", points.iter().map(|(.., point)| point.orbit.is_stable()).collect::<Vec<bool>>()),
         ])?;
-        let jumps: Vec<(&JumpCurve, &JumpPoint)> =
+        let jumps: Vec<(&BifurcationCurve, &BifurcationCurvePoint)> =
             self.jumps.iter().flat_map(|curve| curve.points.iter().map(move |point| (curve, point))).collect();
-        let floats = |read: fn(&JumpPoint) -> f64| jumps.iter().map(|(_, point)| read(point)).collect::<Vec<f64>>();
+        let floats = |read: fn(&BifurcationCurvePoint) -> f64| jumps.iter().map(|(_, point)| read(point)).collect::<Vec<f64>>();
         let map = Table::new(vec![
             Column::new("kind", "", "What happens", jumps.iter().map(|(curve, _)| curve.kind.name().to_owned()).collect::<Vec<_>>()),
             Column::new("frequency_hz", "Hz", "Drive frequency", floats(|point| point.parameter)),
@@ -123,33 +125,33 @@ impl Orbits {
 }
 
 /// The harvester at a level of force, with its frequency as a key.
-fn prepared(level_n: f64, watch: &Watch) -> Result<(Prepared, NumericKey), ReproduceError> {
+fn prepared(level_n: f64, control: &Control) -> Result<(Model, NumericKey), ReproduceError> {
     let set = |key: &str, value: String| (key.to_owned(), value);
     let settings = [set("drive.shaker.amplitude", format!("{level_n} N")), set("circuit.load.resistance", format!("{MEGOHM} ohm"))];
-    let spec = Harvester::spec(&settings)?;
+    let spec = PaperHarvester::spec(&settings)?;
     let key = NumericKey::find(&spec, "drive.shaker.frequency")?;
-    Ok((Prepared::watched(spec, watch)?, key))
+    Ok((Model::watched(spec, control)?, key))
 }
 
-fn followed(level_n: f64, watch: &Watch) -> Result<Vec<Branch>, ReproduceError> {
-    let (base, key) = prepared(level_n, watch)?;
+fn followed(level_n: f64, control: &Control) -> Result<Vec<Branch>, ReproduceError> {
+    let (base, key) = prepared(level_n, control)?;
     let parameter = Parameter::new(&base, &key, FREQUENCIES_HZ.1 - FREQUENCIES_HZ.0);
     let search = BranchSearch {
         base: &base,
         parameter: &parameter,
         range: FREQUENCIES_HZ,
-        method: Method::Shooting,
+        method: OrbitMethodKind::Shooting,
         tolerance: TOLERANCE,
-        seeds: SEEDS,
-        longest_period: LONGEST_PERIOD,
+        seeds: START_VALUES,
+        longest_period: MAX_PERIOD_CYCLES,
     };
     Ok(search.run()?)
 }
 
-fn map_of_jumps(watch: &Watch) -> Result<Vec<JumpCurve>, ReproduceError> {
-    let (base, key) = prepared(MAP_LEVEL_N, watch)?;
+fn map_of_jumps(control: &Control) -> Result<Vec<BifurcationCurve>, ReproduceError> {
+    let (base, key) = prepared(MAP_LEVEL_N, control)?;
     let gap = NumericKey::find(&base.spec, "stop.tip.gap")?;
     let (keys, ranges) = ([&key, &gap], [MAP_HZ, GAPS_M]);
-    let search = JumpSearch { base: &base, keys, ranges, tolerance: TOLERANCE, seeds: 0, longest_period: 1, peaks: false };
+    let search = BifurcationSearch { base: &base, keys, ranges, tolerance: TOLERANCE, seeds: 0, longest_period: 1, peaks: false };
     Ok(search.run()?.into_iter().filter(|curve| curve.period_cycles == 1).collect())
 }

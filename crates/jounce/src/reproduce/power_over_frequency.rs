@@ -2,12 +2,12 @@
 //!
 //! The paper gives neither the levels nor the step; 50, 100 and 200 N (two of which its figures 7 to 9 name) and 0.1 Hz are guesses.
 
-use super::harvester::{Case, Harvester, MEGOHM};
-use super::named::Stop;
-use super::stepped::{Branch, Level, stepped};
+use super::harvester::{MEGOHM, PaperCase, PaperHarvester};
+use super::named::NamedStop;
+use super::stepped::{DriveLevel, SteppedBranch, stepped};
 use super::{NamedFigure, NamedTable, ReproduceError};
-use crate::linear::{Input, Response, frf};
-use crate::picture::{Direction, Scale, SweepLine, SweepLook, sweep};
+use crate::linear::{FrfInput, FrfResponse, frf};
+use crate::picture::{LineDirection, Scale, SweepLine, SweepLook, sweep};
 use crate::table::{Column, Table};
 use rayon::prelude::*;
 
@@ -19,33 +19,33 @@ pub(super) const FEWER_LEVELS_N: [f64; 2] = [50.0, 200.0];
 
 /// All curves of the figure.
 pub(super) struct PowerOverFrequency {
-    pub linear: Branch,
-    pub levels: Vec<Level>,
+    pub linear: SteppedBranch,
+    pub levels: Vec<DriveLevel>,
 }
 
 impl PowerOverFrequency {
     /// 4 to 20 Hz in steps of 0.1 Hz; the linear case in closed form in steps of 10 mHz, 1 mHz at its resonance.
-    pub fn compute(harvester: &Harvester, levels_n: &[f64]) -> Result<Self, ReproduceError> {
+    pub fn compute(harvester: &PaperHarvester, levels_n: &[f64]) -> Result<Self, ReproduceError> {
         let frequencies_hz: Vec<f64> = (40..=200).map(|i| f64::from(i) / 10.0).collect();
-        harvester.watch.expect(2 * frequencies_hz.len() * levels_n.len());
+        harvester.control.expect(2 * frequencies_hz.len() * levels_n.len());
         let levels = levels_n.par_iter().map(|level| stepped(harvester, *level, &frequencies_hz)).collect::<Result<Vec<_>, _>>()?;
         Ok(Self { linear: linear(harvester)?, levels })
     }
 
     /// Figure 6.
-    pub fn figure(&self, stop: &Stop) -> NamedFigure {
-        let line = |label: &str, direction, branch: &Branch| SweepLine {
+    pub fn figure(&self, stop: &NamedStop) -> NamedFigure {
+        let line = |label: &str, direction, branch: &SteppedBranch| SweepLine {
             label: label.to_owned(),
             direction,
             parameter: branch.frequency_hz.clone(),
             value: branch.power_w_n2.clone(),
             settled: branch.settled.clone(),
         };
-        let mut lines = vec![line("linear", Direction::Linear, &self.linear)];
+        let mut lines = vec![line("linear", LineDirection::Linear, &self.linear)];
         for level in &self.levels {
             let label = format!("{} N", level.amplitude_n);
-            lines.push(line(&label, Direction::Up, &level.up));
-            lines.push(line(&label, Direction::Down, &level.down));
+            lines.push(line(&label, LineDirection::Up, &level.up));
+            lines.push(line(&label, LineDirection::Down, &level.down));
         }
         let figure = sweep("Mean power per force squared", &SweepLook::power_over_frequency(Scale::Log), &lines);
         let caption = "Figure 6. Mean power over the last 10 s of 20 s at each frequency, divided by the force squared; 1 MΩ. The frequency \
@@ -54,12 +54,13 @@ impl PowerOverFrequency {
     }
 
     /// Every point of the stepped curves.
-    pub fn table(&self, stop: &Stop) -> Result<NamedTable, ReproduceError> {
-        let ways: Vec<(f64, &str, &Branch)> =
+    pub fn table(&self, stop: &NamedStop) -> Result<NamedTable, ReproduceError> {
+        let ways: Vec<(f64, &str, &SteppedBranch)> =
             self.levels.iter().flat_map(|level| [(level.amplitude_n, "up", &level.up), (level.amplitude_n, "down", &level.down)]).collect();
-        let each = |(amplitude_n, way, branch): &(f64, &str, &Branch)| vec![(*amplitude_n, (*way).to_owned()); branch.frequency_hz.len()];
+        let each =
+            |(amplitude_n, way, branch): &(f64, &str, &SteppedBranch)| vec![(*amplitude_n, (*way).to_owned()); branch.frequency_hz.len()];
         let (amplitude_n, direction): (Vec<f64>, Vec<String>) = ways.iter().flat_map(each).unzip();
-        let all = |of: fn(&Branch) -> &Vec<f64>| ways.iter().flat_map(|way| of(way.2).clone()).collect::<Vec<f64>>();
+        let all = |of: fn(&SteppedBranch) -> &Vec<f64>| ways.iter().flat_map(|way| of(way.2).clone()).collect::<Vec<f64>>();
         let settled: Vec<bool> = ways.iter().flat_map(|way| way.2.settled.clone()).collect();
         let table = Table::new(vec![
             Column::new("amplitude_n", "N", "Force, peak", amplitude_n),
@@ -73,13 +74,13 @@ impl PowerOverFrequency {
     }
 }
 
-fn linear(harvester: &Harvester) -> Result<Branch, ReproduceError> {
-    let plant = harvester.plant(Case { frequency_hz: 4.0, amplitude_n: 1.0, resistance_ohm: MEGOHM })?;
+fn linear(harvester: &PaperHarvester) -> Result<SteppedBranch, ReproduceError> {
+    let plant = harvester.plant(PaperCase { frequency_hz: 4.0, amplitude_n: 1.0, resistance_ohm: MEGOHM })?;
     let coarse = (400..=2000).map(|i| f64::from(i) / 100.0);
     let fine = (8600..=8800).map(|i| f64::from(i) / 1000.0);
     let mut frequency_hz: Vec<f64> = coarse.filter(|f| !(8.6..=8.8).contains(f)).chain(fine).collect();
     frequency_hz.sort_by(f64::total_cmp);
-    let answers = frf(&plant, &Input::Force("table".to_owned()), &[Response::Voltage("mfc".to_owned())], &frequency_hz)?;
+    let answers = frf(&plant, &FrfInput::Force("table".to_owned()), &[FrfResponse::Voltage("mfc".to_owned())], &frequency_hz)?;
     let power_w_n2 = answers.iter().flat_map(|answer| &answer.value).map(|v| v.norm_sqr() / (2.0 * MEGOHM)).collect();
-    Ok(Branch { frequency_hz, power_w_n2, ..Branch::default() })
+    Ok(SteppedBranch { frequency_hz, power_w_n2, ..SteppedBranch::default() })
 }

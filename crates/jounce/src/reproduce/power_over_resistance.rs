@@ -2,11 +2,11 @@
 //!
 //! Every resistance is a run of its own from rest; without impact the power is the closed form.
 
-use super::harvester::{Case, Harvester};
-use super::named::Stop;
+use super::harvester::{PaperCase, PaperHarvester};
+use super::named::NamedStop;
 use super::{NamedFigure, NamedTable, ReproduceError};
 use crate::linear::{Optimum, optimal_resistance, steady_power_w};
-use crate::picture::{Direction, SweepLine, power_against_resistance};
+use crate::picture::{LineDirection, SweepLine, power_against_resistance};
 use crate::table::{Column, Table};
 use rayon::prelude::*;
 
@@ -18,7 +18,7 @@ const PER_DECADE: u32 = 10;
 
 /// One of the two figures.
 pub(super) struct PowerOverResistance {
-    pub case: Case,
+    pub case: PaperCase,
     pub resistance_ohm: Vec<f64>,
     pub impact_w: Vec<f64>,
     pub settled: Vec<bool>,
@@ -33,11 +33,11 @@ pub(super) struct PowerOverResistance {
 
 impl PowerOverResistance {
     /// 10 kohm to 10 Mohm at the drive of a case.
-    pub fn compute(harvester: &Harvester, case: Case) -> Result<Self, ReproduceError> {
+    pub fn compute(harvester: &PaperHarvester, case: PaperCase) -> Result<Self, ReproduceError> {
         let resistance_ohm = resistances_ohm(PER_DECADE);
-        let at = |resistance_ohm: &f64| Case { resistance_ohm: *resistance_ohm, ..case };
-        harvester.watch.expect(resistance_ohm.len());
-        let counted = |r| harvester.run(at(r)).inspect(|_| harvester.watch.count());
+        let at = |resistance_ohm: &f64| PaperCase { resistance_ohm: *resistance_ohm, ..case };
+        harvester.control.expect(resistance_ohm.len());
+        let counted = |r| harvester.run(at(r)).inspect(|_| harvester.control.count());
         let answers = resistance_ohm.par_iter().map(counted).collect::<Result<Vec<_>, _>>()?;
         let line_ohm = resistances_ohm(LINE_PER_DECADE);
         let linear =
@@ -63,7 +63,7 @@ impl PowerOverResistance {
     }
 
     /// The figure under its number in the paper.
-    pub fn figure(&self, number: u32, stop: &Stop) -> NamedFigure {
+    pub fn figure(&self, number: u32, stop: &NamedStop) -> NamedFigure {
         let line = |label: &str, direction, ohm: &[f64], value: &[f64], settled: &[bool]| SweepLine {
             label: label.to_owned(),
             direction,
@@ -72,8 +72,8 @@ impl PowerOverResistance {
             settled: settled.to_vec(),
         };
         let lines = [
-            line("without impact", Direction::Linear, &self.linear_line.0, &self.linear_line.1, &[]),
-            line("with impact", Direction::Independent, &self.resistance_ohm, &self.impact_w, &self.settled),
+            line("without impact", LineDirection::Linear, &self.linear_line.0, &self.linear_line.1, &[]),
+            line("with impact", LineDirection::Independent, &self.resistance_ohm, &self.impact_w, &self.settled),
         ];
         let title = format!("Mean power at {} Hz and {} N", self.case.frequency_hz, self.case.amplitude_n);
         let caption = format!(
@@ -85,7 +85,7 @@ impl PowerOverResistance {
     }
 
     /// Its data.
-    pub fn table(&self, number: u32, stop: &Stop) -> Result<NamedTable, ReproduceError> {
+    pub fn table(&self, number: u32, stop: &NamedStop) -> Result<NamedTable, ReproduceError> {
         let table = Table::new(vec![
             Column::new("resistance_ohm", "ohm", "Load resistance", self.resistance_ohm.clone()),
             Column::new("impact_power_w", "W", "Mean power with impact", self.impact_w.clone()),

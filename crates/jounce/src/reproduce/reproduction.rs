@@ -3,7 +3,7 @@
 use super::computed::Computed;
 use super::named::{ON_GROUND, ON_TABLE};
 use super::{Chapter, Claim, NamedFigure, NamedTable, ReproduceError, assumptions, claims, page, runs};
-use crate::march::Watch;
+use crate::march::Control;
 use crate::table::Manifest;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
@@ -33,14 +33,14 @@ pub struct Written {
     pub figures: Vec<PathBuf>,
 }
 
-/// Computes the paper's simulated tables and figures and judges its claims; `progress` is told each stage, `watch` ends the marches early.
+/// Computes the paper's simulated tables and figures and judges its claims; `progress` is told each stage, `control` ends the marches early.
 ///
 /// The numbers are the same bits for any number of threads.
 ///
 /// # Errors
-/// None is expected but where the watch stops it: the inputs are built in. See [`ReproduceError`].
-pub fn reproduce(watch: &Watch, progress: &dyn Fn(&str)) -> Result<Reproduction, ReproduceError> {
-    let computed = Computed::new(watch, progress)?;
+/// None is expected but where the control stops it: the inputs are built in. See [`ReproduceError`].
+pub fn reproduce(control: &Control, progress: &dyn Fn(&str)) -> Result<Reproduction, ReproduceError> {
+    let computed = Computed::new(control, progress)?;
     let mut figures = computed.hammer.figures();
     figures.push(computed.ground.frequency.figure(&ON_GROUND));
     figures.extend(computed.ground.voltage.figures()?);

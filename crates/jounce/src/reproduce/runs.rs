@@ -1,25 +1,25 @@
 //! The two runs that the paper's figures 7 to 9 start from, in numbers.
 
-use super::harvester::{ABOVE_RESONANCE, BELOW_RESONANCE, Case};
+use super::harvester::{ABOVE_RESONANCE, BELOW_RESONANCE, PaperCase};
 use super::impact::{Impact, LONG_RUN_S};
 use super::{NamedTable, ReproduceError};
 use crate::linear::steady_power_w;
-use crate::run::RunAnswer;
+use crate::run::RunResult;
 use crate::table::{Column, Table};
 
 /// The table of both runs, and of the first one going on until it has settled.
 pub(super) fn table(computed: &Impact) -> Result<NamedTable, ReproduceError> {
     let duration_s = computed.harvester.spec.run.duration_s;
-    let rows: [(Case, f64, &RunAnswer); 3] = [
+    let rows: [(PaperCase, f64, &RunResult); 3] = [
         (ABOVE_RESONANCE, duration_s, &computed.voltage.answer),
         (ABOVE_RESONANCE, LONG_RUN_S, &computed.long_run),
         (BELOW_RESONANCE, duration_s, &computed.below_run),
     ];
     let linear_w = rows.iter().map(|(case, ..)| Ok(steady_power_w(&computed.harvester.plant(*case)?)));
     let linear_w = linear_w.collect::<Result<Vec<f64>, ReproduceError>>()?;
-    let of = |read: fn(&RunAnswer) -> f64| rows.iter().map(|(.., answer)| read(answer)).collect::<Vec<f64>>();
+    let of = |read: fn(&RunResult) -> f64| rows.iter().map(|(.., answer)| read(answer)).collect::<Vec<f64>>();
     let normalised = |power_w: &[f64]| rows.iter().zip(power_w).map(|((case, ..), p)| case.normalised(*p)).collect::<Vec<f64>>();
-    let case = |read: fn(&Case) -> f64| rows.iter().map(|(case, ..)| read(case)).collect::<Vec<f64>>();
+    let case = |read: fn(&PaperCase) -> f64| rows.iter().map(|(case, ..)| read(case)).collect::<Vec<f64>>();
     let power_w = of(|answer| answer.mean_power_w);
     let table = Table::new(vec![
         Column::new("frequency_hz", "Hz", "Drive", case(|case| case.frequency_hz)),

@@ -2,12 +2,12 @@
 
 use super::ReproduceError;
 use super::coexistence::Coexistence;
-use super::harvester::{Case, Harvester, MEGOHM};
+use super::harvester::{MEGOHM, PaperCase, PaperHarvester};
 use crate::run::{StartState, simulate};
 
 /// One way of a stepped sweep.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Branch {
+pub(super) struct SteppedBranch {
     pub frequency_hz: Vec<f64>,
     /// Mean power per force squared, W/N^2.
     pub power_w_n2: Vec<f64>,
@@ -20,19 +20,19 @@ pub(super) struct Branch {
 
 /// A level of force swept up and then down.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Level {
+pub(super) struct DriveLevel {
     pub amplitude_n: f64,
-    pub up: Branch,
-    pub down: Branch,
+    pub up: SteppedBranch,
+    pub down: SteppedBranch,
     pub coexistence: Coexistence,
 }
 
 /// Sweeps up through the frequencies and then down through them, from rest at the first.
-pub(super) fn stepped(harvester: &Harvester, amplitude_n: f64, frequencies_hz: &[f64]) -> Result<Level, ReproduceError> {
-    let first = Case { frequency_hz: frequencies_hz[0], amplitude_n, resistance_ohm: MEGOHM };
+pub(super) fn stepped(harvester: &PaperHarvester, amplitude_n: f64, frequencies_hz: &[f64]) -> Result<DriveLevel, ReproduceError> {
+    let first = PaperCase { frequency_hz: frequencies_hz[0], amplitude_n, resistance_ohm: MEGOHM };
     let (mut kernel, plan) = (harvester.kernel(first)?, harvester.plan());
     let mut state = StartState::rest(&kernel.plant);
-    let (mut up, mut down) = (Branch::default(), Branch::default());
+    let (mut up, mut down) = (SteppedBranch::default(), SteppedBranch::default());
     let back = frequencies_hz.iter().rev().map(|frequency_hz| (frequency_hz, false));
     for (&frequency_hz, is_up) in frequencies_hz.iter().map(|frequency_hz| (frequency_hz, true)).chain(back) {
         let mut drives = kernel.plant.system.drives.clone();
@@ -42,7 +42,7 @@ pub(super) fn stepped(harvester: &Harvester, amplitude_n: f64, frequencies_hz: &
         }
         kernel = kernel.with_drives(drives)?;
         let answer = simulate(&kernel, &state, &plan)?;
-        harvester.watch.count();
+        harvester.control.count();
         let branch = if is_up { &mut up } else { &mut down };
         branch.frequency_hz.push(frequency_hz);
         branch.power_w_n2.push(first.normalised(answer.mean_power_w));
@@ -52,10 +52,10 @@ pub(super) fn stepped(harvester: &Harvester, amplitude_n: f64, frequencies_hz: &
         state = answer.end;
     }
     let coexistence = Coexistence::compute(harvester, amplitude_n, &up, &down)?;
-    Ok(Level { amplitude_n, up, down, coexistence })
+    Ok(DriveLevel { amplitude_n, up, down, coexistence })
 }
 
-impl Branch {
+impl SteppedBranch {
     /// Place of the highest power.
     pub fn peak(&self) -> usize {
         (0..self.power_w_n2.len()).max_by(|&a, &b| self.power_w_n2[a].total_cmp(&self.power_w_n2[b])).unwrap_or(0)

@@ -2,7 +2,7 @@
 //!
 //! Source: impact-harvester paper (2019), Table 2; density of the patch 5440 kg/m^3 from its manufacturer (the paper neglects its mass).
 
-use super::harvester::Harvester;
+use super::harvester::PaperHarvester;
 use super::{NamedTable, ReproduceError};
 use crate::structure::modes_holding;
 use crate::table::{Column, Table};
@@ -24,7 +24,7 @@ impl Frequencies {
     /// Both sections.
     pub fn compute() -> Result<Self, ReproduceError> {
         let clamped = |section: &str| -> Result<Vec<f64>, ReproduceError> {
-            let spec = Harvester::spec(&[("patch.mfc.section".to_owned(), section.to_owned())])?;
+            let spec = PaperHarvester::spec(&[("patch.mfc.section".to_owned(), section.to_owned())])?;
             let modes = modes_holding(&spec, &["table".to_owned()])?;
             Ok(modes.frequency_rad_s.iter().map(|w| w / std::f64::consts::TAU).collect())
         };

@@ -1,9 +1,9 @@
 //! Figure 7: the voltage over the last second at 13 Hz and 200 N, its spectrum, and its lines at multiples of the drive frequency.
 
-use super::harvester::{ABOVE_RESONANCE, Harvester};
+use super::harvester::{ABOVE_RESONANCE, PaperHarvester};
 use super::{NamedFigure, NamedTable, ReproduceError};
 use crate::picture::{Scale, SpectrumLine, Trace, spectra, time_histories};
-use crate::run::{RunAnswer, RunPlan, StartState, simulate};
+use crate::run::{RunPlan, RunResult, StartState, simulate};
 use crate::signal::{OrderLine, Samples, Window};
 use crate::table::{Column, Table};
 
@@ -16,7 +16,7 @@ const HIGHEST_ORDER: u32 = 9;
 
 /// The run and its voltage over the averaging window.
 pub(super) struct VoltageRecord {
-    pub answer: RunAnswer,
+    pub answer: RunResult,
     time_s: Vec<f64>,
     voltage_v: Vec<f64>,
     /// Lines at half orders and orders.
@@ -25,7 +25,7 @@ pub(super) struct VoltageRecord {
 
 impl VoltageRecord {
     /// Marches 13 Hz and 200 N from rest.
-    pub fn compute(harvester: &Harvester) -> Result<Self, ReproduceError> {
+    pub fn compute(harvester: &PaperHarvester) -> Result<Self, ReproduceError> {
         let kernel = harvester.kernel(ABOVE_RESONANCE)?;
         let plan = RunPlan { record_s: harvester.spec.run.average_over_s, ..harvester.plan() };
         let answer = simulate(&kernel, &StartState::rest(&kernel.plant), &plan)?;

@@ -11,14 +11,14 @@
 //! Validation: `tests/march/rectified.rs`, 4e-15 behind a bridge and both kinds of SSHI, beside a stop, and behind diodes that settle within
 //! 1e-9 to 1/4000 of a step; `tests/impact_examples`, 2e-13 with a storage of 2000 times the patch.
 
-use super::{RunAnswer, RunPlan};
+use super::{RunPlan, RunResult};
 use crate::march::Kernel;
 use crate::plant::{Scheme, Storage};
 use serde::Serialize;
 
 /// Where the charge of one rectified circuit went within the averaging window.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct ChargeAnswer {
+pub struct ChargeResult {
     /// Name of the circuit.
     pub name: String,
     /// Passed by the diodes, C.
@@ -35,7 +35,7 @@ pub struct ChargeAnswer {
 
 /// The charges of every circuit whose diodes feed a capacitor. The run must keep a record of its averaging window (see
 /// [`RunPlan::balancing`]); without one there is no answer.
-pub fn charges(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) -> Vec<ChargeAnswer> {
+pub fn charges(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) -> Vec<ChargeResult> {
     let plant = &kernel.plant;
     let from_s = plan.duration_s - plan.average_over_s;
     let recorded = answer.trajectory.segments().first().is_some_and(|first| first.start_s <= from_s * (1.0 + 1e-12));
@@ -57,7 +57,7 @@ pub fn charges(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) -> Vec<Charg
         let largest_c = [passed_c, load_c, leakage_c, storage_c].iter().fold(0.0_f64, |max, charge| max.max(charge.abs()));
         let left_c = passed_c - load_c - leakage_c - storage_c;
         let residual_relative = if largest_c > 0.0 { left_c / largest_c } else { 0.0 };
-        found.push(ChargeAnswer { name: bridge.name.clone(), passed_c, load_c, leakage_c, storage_c, residual_relative });
+        found.push(ChargeResult { name: bridge.name.clone(), passed_c, load_c, leakage_c, storage_c, residual_relative });
     }
     found
 }

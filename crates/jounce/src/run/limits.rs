@@ -11,12 +11,12 @@ use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// How many times the record is looked at.
-const LOOKS: usize = 2048;
+const RECORD_SAMPLES: usize = 2048;
 
 /// What of a patch has limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Limited {
+pub enum LimitedQuantity {
     /// Strain along the beam, dimensionless.
     Strain,
     /// Voltage, V.
@@ -25,32 +25,32 @@ pub enum Limited {
 
 /// A limit of a patch that a run has passed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Exceeded {
+pub struct ExceededLimit {
     /// Name of the patch.
     pub patch: String,
     /// What of it.
-    pub quantity: Limited,
+    pub quantity: LimitedQuantity,
     /// The value furthest beyond.
     pub reached: f64,
     /// Lowest and highest value that it bears.
     pub limits: [f64; 2],
 }
 
-impl fmt::Display for Exceeded {
+impl fmt::Display for ExceededLimit {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [low, high] = self.limits;
         match self.quantity {
-            Limited::Strain => {
+            LimitedQuantity::Strain => {
                 write!(out, "patch {}: its strain reaches {:.0} ppm; {:.0} ppm are recommended", self.patch, 1e6 * self.reached, 1e6 * high)
             }
-            Limited::Voltage => {
+            LimitedQuantity::Voltage => {
                 write!(out, "patch {}: its voltage reaches {:.3} V; it bears {low} V to {high} V", self.patch, self.reached)
             }
         }
     }
 }
 
-impl Exceeded {
+impl ExceededLimit {
     /// How far beyond its limits it is, in its unit.
     fn excess(&self) -> f64 {
         excess(self.reached, self.limits)
@@ -59,18 +59,18 @@ impl Exceeded {
 
 /// One limit over many answers.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Worst {
+pub struct WorstExcess {
     /// Where it is passed furthest.
-    pub exceeded: Exceeded,
+    pub exceeded: ExceededLimit,
     /// Place of that answer among all.
     pub place: usize,
     /// How many answers pass it.
     pub answers: usize,
 }
 
-impl Worst {
+impl WorstExcess {
     /// Each limit that some of many answers pass.
-    pub fn of<'e>(answers: impl IntoIterator<Item = &'e [Exceeded]>) -> Vec<Self> {
+    pub fn of<'e>(answers: impl IntoIterator<Item = &'e [ExceededLimit]>) -> Vec<Self> {
         let mut found: Vec<Self> = Vec::new();
         for (place, exceeded) in answers.into_iter().enumerate().flat_map(|(place, own)| own.iter().map(move |exceeded| (place, exceeded)))
         {
@@ -88,7 +88,7 @@ impl Worst {
     }
 
     /// The same in words: `what` are the answers, `place` tells where one of them is.
-    pub fn told(answers: &[&[Exceeded]], what: &str, place: impl Fn(usize) -> String) -> Vec<String> {
+    pub fn messages(answers: &[&[ExceededLimit]], what: &str, place: impl Fn(usize) -> String) -> Vec<String> {
         let sentence = |worst: Self| {
             let (count, of) = (worst.answers, answers.len());
             format!("{}; {count} of {of} {what} pass the limit, worst at {}", worst.exceeded, place(worst.place))
@@ -116,21 +116,21 @@ impl Limits {
     }
 
     /// The limits that a record passes.
-    pub fn exceeded(&self, kernel: &Kernel, trajectory: &Trajectory) -> Vec<Exceeded> {
+    pub fn exceeded(&self, kernel: &Kernel, trajectory: &Trajectory) -> Vec<ExceededLimit> {
         let (Some(first), Some(last)) = (trajectory.segments().first(), trajectory.segments().last()) else { return Vec::new() };
         if self.is_empty() {
             return Vec::new();
         }
         let plant = &kernel.plant;
         let (begin_s, end_s) = (first.start_s, last.start_s + last.length_s);
-        let times: Vec<f64> = (0..=LOOKS).map(|k| begin_s + (end_s - begin_s) * k as f64 / LOOKS as f64).collect();
+        let times: Vec<f64> = (0..=RECORD_SAMPLES).map(|k| begin_s + (end_s - begin_s) * k as f64 / RECORD_SAMPLES as f64).collect();
         let states: Vec<Vec<f64>> = trajectory.at(kernel, &times).iter().map(|at| plant.to_physical(&at.state, at.time_s)).collect();
         self.patches.iter().flat_map(|patch| patch.exceeded(plant, &states)).collect()
     }
 }
 
 /// The limits that the recorded part of a run passes. The record is looked at only where a patch has a limit.
-pub fn exceeded(spec: &Spec, kernel: &Kernel, trajectory: &Trajectory) -> Vec<Exceeded> {
+pub fn exceeded(spec: &Spec, kernel: &Kernel, trajectory: &Trajectory) -> Vec<ExceededLimit> {
     Limits::of(spec, &kernel.plant).exceeded(kernel, trajectory)
 }
 
@@ -153,22 +153,22 @@ impl PatchLimits {
     }
 
     /// What the states do beyond its limits.
-    fn exceeded(&self, plant: &Plant, states: &[Vec<f64>]) -> Vec<Exceeded> {
+    fn exceeded(&self, plant: &Plant, states: &[Vec<f64>]) -> Vec<ExceededLimit> {
         let strained = self.strain.and_then(|limit| {
             let strain = |x: &Vec<f64>, shape: &Vec<f64>| shape.iter().zip(x).map(|(s, q)| s * q).sum::<f64>();
             let shapes = &plant.system.modes.patch[&self.name].strain;
             let strains = states.iter().flat_map(|x| shapes.iter().map(move |shape| strain(x, shape)));
-            beyond(&self.name, Limited::Strain, strains, [-limit, limit])
+            beyond(&self.name, LimitedQuantity::Strain, strains, [-limit, limit])
         });
         let voltages = || states.iter().map(|x| plant.patch_voltages_v(x)[self.index]);
-        let charged = self.voltages_v.and_then(|limits| beyond(&self.name, Limited::Voltage, voltages(), limits));
+        let charged = self.voltages_v.and_then(|limits| beyond(&self.name, LimitedQuantity::Voltage, voltages(), limits));
         strained.into_iter().chain(charged).collect()
     }
 }
 
-fn beyond(patch: &str, quantity: Limited, values: impl Iterator<Item = f64>, limits: [f64; 2]) -> Option<Exceeded> {
+fn beyond(patch: &str, quantity: LimitedQuantity, values: impl Iterator<Item = f64>, limits: [f64; 2]) -> Option<ExceededLimit> {
     let reached = values.max_by(|one, other| excess(*one, limits).total_cmp(&excess(*other, limits)))?;
-    (excess(reached, limits) > 0.0).then(|| Exceeded { patch: patch.to_owned(), quantity, reached, limits })
+    (excess(reached, limits) > 0.0).then(|| ExceededLimit { patch: patch.to_owned(), quantity, reached, limits })
 }
 
 /// How far a value lies beyond its limits; negative within them.
@@ -200,12 +200,12 @@ mod tests {
         let warned = exceeded(&spec, &kernel, &answer.trajectory);
         let section = crate::structure::section::CrossSection::covered(&spec.beam["b"], spec.patch.values());
         let strain = 6.0 * 0.1 / section.bending_stiffness_n_m2 * (1.3e-3 - section.neutral_axis_m);
-        assert_eq!((warned.len(), warned[0].quantity), (1, Limited::Strain));
+        assert_eq!((warned.len(), warned[0].quantity), (1, LimitedQuantity::Strain));
         // Twelve modes give the curvature at the root within 5 %.
         assert!((warned[0].reached.abs() / strain - 1.0).abs() < 0.05, "{} {strain}", warned[0].reached);
         assert!(warned[0].to_string().contains("600 ppm are recommended"), "{}", warned[0]);
-        let worse = Exceeded { reached: 2.0 * warned[0].reached, ..warned[0].clone() };
-        let worst = Worst::of([&warned[..], &[], std::slice::from_ref(&worse)]);
-        assert_eq!(worst, [Worst { exceeded: worse, place: 2, answers: 2 }]);
+        let worse = ExceededLimit { reached: 2.0 * warned[0].reached, ..warned[0].clone() };
+        let worst = WorstExcess::of([&warned[..], &[], std::slice::from_ref(&worse)]);
+        assert_eq!(worst, [WorstExcess { exceeded: worse, place: 2, answers: 2 }]);
     }
 }

@@ -9,9 +9,9 @@ mod start;
 mod voltage_peak;
 mod warning;
 
-pub use charge::{ChargeAnswer, charges};
-pub use limits::{Exceeded, Limited, Limits, Worst, exceeded};
-pub use result::{LeakAnswer, LoadAnswer, RectifiedAnswer, RunAnswer, StopAnswer};
+pub use charge::{ChargeResult, charges};
+pub use limits::{ExceededLimit, LimitedQuantity, Limits, WorstExcess, exceeded};
+pub use result::{LeakResult, LoadResult, RectifiedResult, RunResult, StopResult};
 pub use settle::Settlement;
 pub(crate) use simulate::check_outside;
 pub use simulate::{RunError, RunPlan, simulate};

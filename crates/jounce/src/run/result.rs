@@ -6,7 +6,7 @@ use serde::Serialize;
 
 /// One electrical load over the averaging window.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct LoadAnswer {
+pub struct LoadResult {
     /// Name of the circuit.
     pub name: String,
     /// Mean power, W (paper eq. (7)).
@@ -17,7 +17,7 @@ pub struct LoadAnswer {
 
 /// One rectified circuit over the averaging window.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct RectifiedAnswer {
+pub struct RectifiedResult {
     /// Name of the circuit.
     pub name: String,
     /// Mean power into the load or the battery, W.
@@ -38,7 +38,7 @@ pub struct RectifiedAnswer {
 
 /// One patch that leaks over the averaging window.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct LeakAnswer {
+pub struct LeakResult {
     /// Name of the patch.
     pub patch: String,
     /// Mean power that its leakage takes, W.
@@ -47,7 +47,7 @@ pub struct LeakAnswer {
 
 /// One stop over the averaging window.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct StopAnswer {
+pub struct StopResult {
     /// Name of the stop.
     pub name: String,
     /// Contacts that began.
@@ -74,17 +74,17 @@ pub struct StopAnswer {
 
 /// Answers over the averaging window, and the audit of the whole run.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RunAnswer {
+pub struct RunResult {
     /// Mean power of all loads and rectified circuits together, W.
     pub mean_power_w: f64,
     /// Each load.
-    pub loads: Vec<LoadAnswer>,
+    pub loads: Vec<LoadResult>,
     /// Each rectified circuit.
-    pub rectified: Vec<RectifiedAnswer>,
+    pub rectified: Vec<RectifiedResult>,
     /// Each patch that leaks.
-    pub leaks: Vec<LeakAnswer>,
+    pub leaks: Vec<LeakResult>,
     /// Each stop.
-    pub stops: Vec<StopAnswer>,
+    pub stops: Vec<StopResult>,
     /// Largest penetration of any stop, m.
     pub max_penetration_m: f64,
     /// Largest contact force of any stop, N.
@@ -109,7 +109,7 @@ pub struct RunAnswer {
     pub trajectory: Trajectory,
 }
 
-impl RunAnswer {
+impl RunResult {
     /// True where nothing struck and no energy flowed or changed by more than roundoff, so that the energy residual says nothing.
     pub fn nothing_happened(&self) -> bool {
         self.contacts_in_all == 0 && self.energies.are_still()

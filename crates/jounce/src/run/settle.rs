@@ -19,20 +19,20 @@ pub struct Settlement {
 }
 
 /// Longest orbit looked for, in drive cycles.
-pub(super) const LONGEST_PERIOD: usize = 4;
+pub(super) const MAX_PERIOD_CYCLES: usize = 4;
 
 /// States looked at: two changes of the longest orbit need three of its periods.
-pub(super) const LOOKS: usize = 2 * LONGEST_PERIOD + 1;
+pub(super) const STROBE_STATES: usize = 2 * MAX_PERIOD_CYCLES + 1;
 
 /// Relative distance to the orbit below which a run counts as settled.
-pub const SETTLED: f64 = 1e-4;
+pub const SETTLED_DISTANCE: f64 = 1e-4;
 
 /// Judges states one drive period apart, oldest first, in energy coordinates.
 ///
 /// Changes below `noise` are the march's own error, of which no ratio can be taken; a state smaller than `least` is held against that.
 pub(super) fn settlement(states: &[Vec<f64>], noise: f64, least: f64) -> Settlement {
     let mut best: Option<Settlement> = None;
-    for period in 1..=LONGEST_PERIOD {
+    for period in 1..=MAX_PERIOD_CYCLES {
         let Some(first) = states.len().checked_sub(2 * period + 1) else { break };
         let (old, middle, last) = (&states[first], &states[first + period], &states[first + 2 * period]);
         let size = norm(last.iter().copied());
@@ -44,7 +44,7 @@ pub(super) fn settlement(states: &[Vec<f64>], noise: f64, least: f64) -> Settlem
             false if ratio < 1.0 => now * (ratio / (1.0 - ratio)).max(1.0),
             false => f64::INFINITY,
         };
-        let found = Settlement { settled: distance < SETTLED, period_cycles: period as u32, change: now, distance };
+        let found = Settlement { settled: distance < SETTLED_DISTANCE, period_cycles: period as u32, change: now, distance };
         if found.settled {
             return found;
         }
@@ -65,14 +65,14 @@ mod tests {
 
     #[test]
     fn a_slow_decay_is_not_settled_though_it_changes_little() {
-        let states: Vec<Vec<f64>> = (0..LOOKS).map(|k| vec![1.0 + 0.05 * 0.999_f64.powi(k as i32)]).collect();
+        let states: Vec<Vec<f64>> = (0..STROBE_STATES).map(|k| vec![1.0 + 0.05 * 0.999_f64.powi(k as i32)]).collect();
         let found = settlement(&states, 1e-12, 0.0);
         assert!(!found.settled && found.change < 1e-4 && (found.distance / 0.0472 - 1.0).abs() < 0.02, "{found:?}");
     }
 
     #[test]
     fn an_orbit_of_two_cycles_is_found() {
-        let states: Vec<Vec<f64>> = (0..LOOKS).map(|k| vec![1.0, if k % 2 == 0 { 0.1 } else { -0.1 }]).collect();
+        let states: Vec<Vec<f64>> = (0..STROBE_STATES).map(|k| vec![1.0, if k % 2 == 0 { 0.1 } else { -0.1 }]).collect();
         let found = settlement(&states, 1e-12, 0.0);
         assert!(found.settled && found.period_cycles == 2, "{found:?}");
     }

@@ -1,18 +1,18 @@
 //! Marches a plan and reads its answers.
 
-use super::settle::{LOOKS, norm, settlement};
-use super::{LeakAnswer, Limits, LoadAnswer, RectifiedAnswer, RunAnswer, Settlement, StartState, StopAnswer};
+use super::settle::{STROBE_STATES, norm, settlement};
+use super::{LeakResult, Limits, LoadResult, RectifiedResult, RunResult, Settlement, StartState, StopResult};
 use crate::contact::Law;
-use crate::march::{ContactStatistics, Energies, Kernel, MarchError, Marcher, RectifiedEnergies};
+use crate::march::{ContactStatistics, Energies, IntegrationError, Integrator, Kernel, RectifiedEnergies};
 use crate::plant::{Bridge, Leak, Plant, Storage};
 use crate::spec::{Run, Spec};
 use std::time::Instant;
 
 /// Share of the displacements of a start by which a point may lie past a rigid stop: states that other runs saved are rounded.
-const ROUNDOFF: f64 = 1e-9;
+const START_ROUNDOFF: f64 = 1e-9;
 
 /// Part of the motion that the drives would force without contact below which a motion is rest.
-const AT_REST: f64 = 1e-9;
+const REST_MOTION_SHARE: f64 = 1e-9;
 
 /// What to march.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,9 +53,9 @@ impl RunPlan {
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
 #[serde(untagged)]
 pub enum RunError {
-    /// See [`MarchError`].
+    /// See [`IntegrationError`].
     #[error(transparent)]
-    March(#[from] MarchError),
+    March(#[from] IntegrationError),
     /// A start state of another harvester.
     #[error(
         "the start state has {modes} modes, {patches} electrical states and {drives} drives, or a value that is not finite; this harvester has {wanted_modes} modes, {wanted_patches} electrical states and {wanted_drives} drives"
@@ -95,50 +95,50 @@ pub enum RunError {
 ///
 /// # Errors
 /// [`RunError`].
-pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<RunAnswer, RunError> {
+pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<RunResult, RunError> {
     let plant = &kernel.plant;
     check(plant, start)?;
     check_outside(plant, &start.displacement)?;
     let clock = Instant::now();
     let y = plant.from_physical(&start.physical(), 0.0);
-    let mut marcher = Marcher::new(kernel, &y, 0.0, plan.tolerance)?;
+    let mut integrator = Integrator::new(kernel, &y, 0.0, plan.tolerance)?;
     let end_s = plan.duration_s;
     let window_s = end_s - plan.average_over_s;
     let period_s = plant.period_s();
-    let looks_s = period_s.map_or(0.0, |period_s| (LOOKS - 1) as f64 * period_s);
+    let looks_s = period_s.map_or(0.0, |period_s| (STROBE_STATES - 1) as f64 * period_s);
     let record_s = end_s - plan.record_s.max(looks_s).min(end_s);
     let mut opened = None;
     let mut earlier = 0;
     let mut marks = [(window_s, true), (record_s, false)];
     marks.sort_by(|a, b| a.0.total_cmp(&b.0));
     for (time_s, is_window) in marks {
-        marcher.advance_to(time_s)?;
+        integrator.advance_to(time_s)?;
         if is_window {
-            earlier = marcher.statistics().contacts;
-            marcher.reset_statistics();
-            opened = Some((marcher.energies(), StartState::from_blocks(plant, &marcher.state(), time_s)));
+            earlier = integrator.statistics().contacts;
+            integrator.reset_statistics();
+            opened = Some((integrator.energies(), StartState::from_blocks(plant, &integrator.state(), time_s)));
         } else {
-            marcher.start_record();
+            integrator.start_record();
         }
     }
-    marcher.advance_to(end_s)?;
+    integrator.advance_to(end_s)?;
     let marched = clock.elapsed();
-    kernel.watch.count_marched(marched);
+    kernel.control.add_wall_time(marched);
     let (opened, before) = opened.unwrap_or_else(|| (Energies::default(), start.clone()));
-    let trajectory = marcher.take_record();
+    let trajectory = integrator.take_record();
     let noise = 10.0 * plan.tolerance.max(1e-13);
     let settlement = period_s.map(|period_s| settled(kernel, &trajectory, end_s, period_s, noise));
-    let energies = marcher.energies();
-    let statistics = marcher.statistics();
+    let energies = integrator.energies();
+    let statistics = integrator.statistics();
     let loads = loads(plant, [&opened, &energies], plan.average_over_s);
-    let end = StartState::from_blocks(plant, &marcher.state(), end_s);
+    let end = StartState::from_blocks(plant, &integrator.state(), end_s);
     let rectified = rectified(plant, [(&opened, &before), (&energies, &end)], plan.average_over_s);
-    Ok(RunAnswer {
+    Ok(RunResult {
         mean_power_w: mean_power_w(&loads, &rectified),
         loads,
         rectified,
         leaks: leaks(plant, [&opened, &energies], plan.average_over_s),
-        stops: stops(plant, &marcher, plan.average_over_s),
+        stops: stops(plant, &integrator, plan.average_over_s),
         max_penetration_m: statistics.max_penetration_m,
         max_contact_force_n: statistics.max_force_n,
         contacts: statistics.contacts,
@@ -146,28 +146,28 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
         contact_duty: statistics.time_s / plan.average_over_s,
         settlement,
         energies,
-        work: marcher.work(),
+        work: integrator.work(),
         end,
         march_s: marched.as_secs_f64(),
         trajectory,
     })
 }
 
-fn mean_power_w(loads: &[LoadAnswer], rectified: &[RectifiedAnswer]) -> f64 {
+fn mean_power_w(loads: &[LoadResult], rectified: &[RectifiedResult]) -> f64 {
     let powers = loads.iter().map(|load| load.mean_power_w).chain(rectified.iter().map(|own| own.mean_power_w));
     powers.fold(0.0, |sum, own| sum + own)
 }
 
-fn loads(plant: &Plant, ends: [&Energies; 2], average_over_s: f64) -> Vec<LoadAnswer> {
+fn loads(plant: &Plant, ends: [&Energies; 2], average_over_s: f64) -> Vec<LoadResult> {
     (plant.system.loads.iter().zip(ends[1].loads_j.iter().zip(&ends[0].loads_j)))
         .map(|(load, (end, start))| {
             let mean_power_w = (end - start) / average_over_s;
-            LoadAnswer { name: load.name.clone(), mean_power_w, voltage_rms_v: (mean_power_w * load.resistance_ohm).max(0.0).sqrt() }
+            LoadResult { name: load.name.clone(), mean_power_w, voltage_rms_v: (mean_power_w * load.resistance_ohm).max(0.0).sqrt() }
         })
         .collect()
 }
 
-fn rectified(plant: &Plant, ends: [(&Energies, &StartState); 2], average_over_s: f64) -> Vec<RectifiedAnswer> {
+fn rectified(plant: &Plant, ends: [(&Energies, &StartState); 2], average_over_s: f64) -> Vec<RectifiedResult> {
     let answer = |(k, bridge): (usize, &Bridge)| {
         let change = |of: &dyn Fn(&Energies, &StartState) -> f64| of(ends[1].0, ends[1].1) - of(ends[0].0, ends[0].1);
         let mean = |of: fn(&RectifiedEnergies) -> f64| change(&|energies, _| energies.rectified.get(k).map_or(0.0, of)) / average_over_s;
@@ -180,7 +180,7 @@ fn rectified(plant: &Plant, ends: [(&Energies, &StartState); 2], average_over_s:
             (Storage::Battery { voltage_v }, _) => (voltage_v, 0.0),
             (Storage::Capacitor { .. }, None) => (f64::NAN, f64::NAN),
         };
-        RectifiedAnswer {
+        RectifiedResult {
             name: bridge.name.clone(),
             mean_power_w,
             voltage_rms_v,
@@ -194,15 +194,15 @@ fn rectified(plant: &Plant, ends: [(&Energies, &StartState); 2], average_over_s:
     plant.system.bridges.iter().enumerate().map(answer).collect()
 }
 
-fn leaks(plant: &Plant, [start, end]: [&Energies; 2], average_over_s: f64) -> Vec<LeakAnswer> {
+fn leaks(plant: &Plant, [start, end]: [&Energies; 2], average_over_s: f64) -> Vec<LeakResult> {
     let names: Vec<&String> = plant.system.modes.patch.keys().collect();
     let lost = start.leaks_j.iter().zip(&end.leaks_j).map(|(start, end)| (end - start) / average_over_s);
-    let answer = |(leak, mean_power_w): (&Leak, f64)| LeakAnswer { patch: names[leak.patch].clone(), mean_power_w };
+    let answer = |(leak, mean_power_w): (&Leak, f64)| LeakResult { patch: names[leak.patch].clone(), mean_power_w };
     plant.electrical.leaks.iter().zip(lost).map(answer).collect()
 }
 
-fn stops(plant: &Plant, marcher: &Marcher, average_over_s: f64) -> Vec<StopAnswer> {
-    let answer = |(stop, own): (&crate::plant::Stop, ContactStatistics)| StopAnswer {
+fn stops(plant: &Plant, integrator: &Integrator, average_over_s: f64) -> Vec<StopResult> {
+    let answer = |(stop, own): (&crate::plant::Stop, ContactStatistics)| StopResult {
         name: stop.name.clone(),
         contacts: own.contacts,
         contact_rate_hz: own.contacts as f64 / average_over_s,
@@ -215,7 +215,7 @@ fn stops(plant: &Plant, marcher: &Marcher, average_over_s: f64) -> Vec<StopAnswe
         max_contact_force_n: own.max_force_n,
         impulse_n_s: own.impulse_n_s,
     };
-    plant.system.stops.iter().zip(marcher.statistics_by_stop()).map(answer).collect()
+    plant.system.stops.iter().zip(integrator.statistics_by_stop()).map(answer).collect()
 }
 
 fn check(plant: &Plant, start: &StartState) -> Result<(), RunError> {
@@ -239,7 +239,7 @@ pub fn check_outside(plant: &Plant, displacement: &[f64]) -> Result<(), RunError
         let (along, moved_m) = (stop.shape.iter().zip(displacement), plant.approached_m(index, 0.0));
         let nothing = (moved_m, stop.gap_m.abs() + moved_m.abs());
         let (place_m, reach_m) = along.fold(nothing, |(sum, size), (s, q)| (sum + s * q, size + (s * q).abs()));
-        if place_m - stop.gap_m > ROUNDOFF * reach_m {
+        if place_m - stop.gap_m > START_ROUNDOFF * reach_m {
             return Err(RunError::StartsInside { stop: stop.name.clone(), depth_m: place_m - stop.gap_m });
         }
     }
@@ -248,7 +248,8 @@ pub fn check_outside(plant: &Plant, displacement: &[f64]) -> Result<(), RunError
 
 /// Looks at the state once per period of the drives at the end of the run.
 fn settled(kernel: &Kernel, trajectory: &crate::march::Trajectory, end_s: f64, period_s: f64, noise: f64) -> Settlement {
-    let times: Vec<f64> = (0..LOOKS).rev().map(|k| end_s - k as f64 * period_s).filter(|time_s| *time_s > -1e-9 * period_s).collect();
+    let times: Vec<f64> =
+        (0..STROBE_STATES).rev().map(|k| end_s - k as f64 * period_s).filter(|time_s| *time_s > -1e-9 * period_s).collect();
     let plant = &kernel.plant;
     let frequencies = &plant.system.modes.frequency_rad_s;
     let mechanical = frequencies.iter().copied().chain(std::iter::repeat_n(1.0, frequencies.len()));
@@ -261,5 +262,5 @@ fn settled(kernel: &Kernel, trajectory: &crate::march::Trajectory, end_s: f64, p
         let amplitude = |i: usize| (0..plant.len()).map(|j| tone.steady[j] * plant.diagonal.to_physical[(i, j)]).sum::<faer::c64>();
         norm((0..plant.len()).map(|i| scales[i] * amplitude(i).norm()))
     });
-    settlement(&states, noise, AT_REST * driven.fold(0.0, f64::max))
+    settlement(&states, noise, REST_MOTION_SHARE * driven.fold(0.0, f64::max))
 }

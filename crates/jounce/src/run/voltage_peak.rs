@@ -13,25 +13,25 @@
 //! Validation: `tests/march/voltage_peak.rs`, 5e-16 of the closed form without contact; with impacts a hundred thousand looks find nothing
 //! higher.
 
-use super::{RunAnswer, RunPlan};
+use super::{RunPlan, RunResult};
 use crate::march::{Kernel, Trajectory};
 use crate::plant::Plant;
 use faer::c64;
 
 /// Drive cycles that are looked at where a run has not settled.
-const CYCLES: f64 = 8.0;
+const UNSETTLED_CYCLES: f64 = 8.0;
 /// Looks per drive cycle.
-const LOOKS: f64 = 256.0;
+const SAMPLES_PER_CYCLE: f64 = 256.0;
 /// Looks at all that a run has kept, at least.
-const FEWEST: f64 = 4096.0;
+const MIN_SAMPLES: f64 = 4096.0;
 /// Highest looks about which a closer look is worth it, ...
-const HIGHEST: usize = 3;
+const REFINED_PEAKS: usize = 3;
 /// ... and how many there are about each.
-const CLOSER: usize = 12;
+const REFINED_SAMPLES: usize = 12;
 /// Part of a stretch by which two looks must lie apart to tell more than one.
-const APART: f64 = 1e-5;
+const MIN_SAMPLE_SPACING: f64 = 1e-5;
 /// Where a stretch is divided when no parabola tells, by the golden section.
-const GOLDEN: f64 = 0.381_966_011_250_105_1;
+const GOLDEN_SHARE: f64 = 0.381_966_011_250_105_1;
 
 /// Largest voltages, zero to peak, V.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -50,26 +50,26 @@ impl VoltagePeaks {
 }
 
 /// Largest voltages at the end of a run; not a number where the drives do not repeat themselves and the plan keeps no record.
-pub fn voltage_peaks(kernel: &Kernel, answer: &RunAnswer, plan: &RunPlan) -> VoltagePeaks {
+pub fn voltage_peaks(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) -> VoltagePeaks {
     let plant = &kernel.plant;
-    let Some(stretch) = Stretch::of(plant, answer, plan) else {
+    let Some(stretch) = RecordWindow::of(plant, answer, plan) else {
         let none = |count: usize| vec![f64::NAN; count];
         return VoltagePeaks { loads_v: none(plant.system.loads.len()), patches_v: none(plant.system.modes.patch.len()) };
     };
-    let peak_v = |place: Place| stretch.peak_v(kernel, &answer.trajectory, place);
-    let patches_v: Vec<f64> = (0..plant.system.modes.patch.len()).map(|patch| peak_v(Place::Patch(patch))).collect();
+    let peak_v = |place: VoltageSource| stretch.peak_v(kernel, &answer.trajectory, place);
+    let patches_v: Vec<f64> = (0..plant.system.modes.patch.len()).map(|patch| peak_v(VoltageSource::Patch(patch))).collect();
     let of_load = |load: usize| {
         // A load across a patch has its voltage.
-        let own = Reading::of(plant, Place::Load(load));
-        let same = (0..patches_v.len()).find(|patch| Reading::of(plant, Place::Patch(*patch)) == own);
-        same.map_or_else(|| peak_v(Place::Load(load)), |patch| patches_v[patch])
+        let own = VoltageRow::of(plant, VoltageSource::Load(load));
+        let same = (0..patches_v.len()).find(|patch| VoltageRow::of(plant, VoltageSource::Patch(*patch)) == own);
+        same.map_or_else(|| peak_v(VoltageSource::Load(load)), |patch| patches_v[patch])
     };
     VoltagePeaks { loads_v: (0..plant.system.loads.len()).map(of_load).collect(), patches_v }
 }
 
 /// Where a voltage is read.
 #[derive(Debug, Clone, Copy)]
-enum Place {
+enum VoltageSource {
     /// Across the resistor of a load.
     Load(usize),
     /// Across a patch.
@@ -78,19 +78,19 @@ enum Place {
 
 /// How a voltage follows from the state of a plant in block coordinates.
 #[derive(Debug, PartialEq)]
-struct Reading {
+struct VoltageRow {
     row: Vec<f64>,
     /// Angular frequency of each tone, rad/s, and the complex amplitude of the voltage under it, V.
     steady: Vec<(f64, c64)>,
     zero_v: f64,
 }
 
-impl Reading {
-    fn of(plant: &Plant, place: Place) -> Self {
+impl VoltageRow {
+    fn of(plant: &Plant, place: VoltageSource) -> Self {
         let electrical = &plant.electrical;
         let (row, zero_v) = match place {
-            Place::Load(load) => (plant.load_voltage_row(load), 0.0),
-            Place::Patch(patch) => {
+            VoltageSource::Load(load) => (plant.load_voltage_row(load), 0.0),
+            VoltageSource::Patch(patch) => {
                 let zeros_v = electrical.patch[patch].iter().map(|(node, factor)| factor * electrical.zero_v[*node]);
                 (plant.voltage_row(patch), zeros_v.sum())
             }
@@ -108,36 +108,36 @@ impl Reading {
 }
 
 /// The part of a record that is looked at.
-struct Stretch {
+struct RecordWindow {
     begin_s: f64,
     end_s: f64,
     /// Longest time between two looks, s.
     gap_s: f64,
 }
 
-impl Stretch {
-    fn of(plant: &Plant, answer: &RunAnswer, plan: &RunPlan) -> Option<Self> {
+impl RecordWindow {
+    fn of(plant: &Plant, answer: &RunResult, plan: &RunPlan) -> Option<Self> {
         let (kept_s, end_s) = (answer.trajectory.segments().first()?.start_s, plan.duration_s);
         let Some(period_s) = plant.period_s() else {
-            return Some(Self { begin_s: kept_s, end_s, gap_s: (end_s - kept_s) / FEWEST });
+            return Some(Self { begin_s: kept_s, end_s, gap_s: (end_s - kept_s) / MIN_SAMPLES });
         };
         let settled = answer.settlement.filter(|found| found.settled);
-        let cycles = settled.map_or(CYCLES, |found| f64::from(found.period_cycles));
+        let cycles = settled.map_or(UNSETTLED_CYCLES, |found| f64::from(found.period_cycles));
         let fastest = plant.tones.iter().map(|tone| tone.angular_frequency_rad_s).fold(0.0, f64::max);
-        Some(Self { begin_s: kept_s.max(end_s - cycles * period_s), end_s, gap_s: std::f64::consts::TAU / fastest / LOOKS })
+        Some(Self { begin_s: kept_s.max(end_s - cycles * period_s), end_s, gap_s: std::f64::consts::TAU / fastest / SAMPLES_PER_CYCLE })
     }
 
-    fn peak_v(&self, kernel: &Kernel, trajectory: &Trajectory, place: Place) -> f64 {
+    fn peak_v(&self, kernel: &Kernel, trajectory: &Trajectory, place: VoltageSource) -> f64 {
         let segments = trajectory.segments();
         // The step in which the stretch begins.
         let first = segments.partition_point(|segment| segment.start_s <= self.begin_s).saturating_sub(1);
-        let own = Reading::of(&kernel.plant, place);
+        let own = VoltageRow::of(&kernel.plant, place);
         let size_v = |time_s: f64| trajectory.at(kernel, &[time_s]).first().map_or(0.0, |at| own.size_v(time_s, &at.state));
         let mut looks = vec![(self.begin_s, size_v(self.begin_s))];
-        let mut regime: Option<(&Kernel, Reading)> = None;
+        let mut regime: Option<(&Kernel, VoltageRow)> = None;
         trajectory.walk(kernel, first, self.gap_s, &mut |in_regime, time_s, state| {
             if regime.as_ref().is_none_or(|(known, _)| !std::ptr::eq(*known, in_regime)) {
-                regime = Some((in_regime, Reading::of(&in_regime.plant, place)));
+                regime = Some((in_regime, VoltageRow::of(&in_regime.plant, place)));
             }
             let size_v = regime.as_ref().map(|(_, reading)| reading.size_v(time_s, state));
             looks.extend(size_v.filter(|_| time_s > self.begin_s).map(|size_v| (time_s, size_v)));
@@ -147,19 +147,19 @@ impl Stretch {
         let mut tops: Vec<[(f64, f64); 3]> =
             looks.windows(3).map(|three| [three[0], three[1], three[2]]).filter(|[a, m, b]| a.1 <= m.1 && m.1 >= b.1).collect();
         tops.sort_by(|one, other| other[1].1.total_cmp(&one[1].1));
-        tops.into_iter().take(HIGHEST).map(|top| highest(top, &size_v)).chain(ends).fold(0.0, f64::max)
+        tops.into_iter().take(REFINED_PEAKS).map(|top| highest(top, &size_v)).chain(ends).fold(0.0, f64::max)
     }
 }
 
 /// The largest value near the middle one of three looks `(time, value)`, none of which is higher: each further look is where the parabola
 /// through the three has its top.
 fn highest([mut from, mut top, mut to]: [(f64, f64); 3], value: &impl Fn(f64) -> f64) -> f64 {
-    for _ in 0..CLOSER {
+    for _ in 0..REFINED_SAMPLES {
         let (left, right) = (top.0 - from.0, to.0 - top.0);
         let (fall, rise) = ((from.1 - top.1) / left, (to.1 - top.1) / right);
         let parabola = top.0 + 0.5 * (left * rise - right * fall) / -(fall + rise);
-        let apart = APART * (to.0 - from.0);
-        let divided = if left > right { top.0 - GOLDEN * left } else { top.0 + GOLDEN * right };
+        let apart = MIN_SAMPLE_SPACING * (to.0 - from.0);
+        let divided = if left > right { top.0 - GOLDEN_SHARE * left } else { top.0 + GOLDEN_SHARE * right };
         let tells = parabola > from.0 + apart && parabola < to.0 - apart && (parabola - top.0).abs() > apart;
         let time_s = if tells { parabola } else { divided };
         let look = (time_s, value(time_s));

@@ -1,16 +1,16 @@
 //! What a run should not be believed without.
 
-use super::{Exceeded, Limits, RunAnswer, RunPlan};
+use super::{ExceededLimit, Limits, RunPlan, RunResult};
 use crate::march::Kernel;
 use crate::spec::{DriveSignal, Spec};
-use jounce_data::recording::Finding;
+use jounce_data::recording::Issue;
 use serde::Serialize;
 
 /// Share of the averaging window that may lie after the end of a recording.
-const UNRECORDED: f64 = 0.01;
+const MAX_UNRECORDED_SHARE: f64 = 0.01;
 
 /// Energy residual, relative to the largest energy, above which the answers are those of roundoff.
-const UNBALANCED: f64 = 1e-3;
+const MAX_ENERGY_RESIDUAL: f64 = 1e-3;
 
 /// A warning of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
@@ -18,7 +18,7 @@ const UNBALANCED: f64 = 1e-3;
 pub enum Warning {
     /// A patch is driven beyond what it bears.
     #[error("{0}")]
-    Limit(Exceeded),
+    Limit(ExceededLimit),
     /// A recording ends before the averaging window does.
     #[error(
         "drive {drive}: its recording ends at {ends_s} s, but the averaging window goes from {from_s} s to {to_s} s, and after its end the drive is 0; shorten run.duration, or give a longer recording"
@@ -39,7 +39,7 @@ pub enum Warning {
         /// Name of the drive.
         drive: String,
         /// What was noticed or done.
-        finding: Finding,
+        finding: Issue,
     },
     /// The energy balance does not close.
     #[error(
@@ -59,15 +59,15 @@ impl Warning {
             DriveSignal::Recording { start_s, record: Some(record), .. } => Some((name.clone(), start_s + record.duration_s())),
             _ => None,
         });
-        let early = ends.filter(|(_, ends_s)| to_s - ends_s > UNRECORDED * plan.average_over_s);
+        let early = ends.filter(|(_, ends_s)| to_s - ends_s > MAX_UNRECORDED_SHARE * plan.average_over_s);
         early.map(|(drive, ends_s)| Self::RecordingEnds { drive, ends_s: printed(ends_s), from_s: printed(from_s), to_s }).collect()
     }
 
     /// All of a run.
-    pub fn of(spec: &Spec, kernel: &Kernel, plan: &RunPlan, answer: &RunAnswer) -> Vec<Self> {
+    pub fn of(spec: &Spec, kernel: &Kernel, plan: &RunPlan, answer: &RunResult) -> Vec<Self> {
         let limits = Limits::of(spec, &kernel.plant).exceeded(kernel, &answer.trajectory).into_iter().map(Self::Limit);
         let residual_relative = answer.energies.residual_relative();
-        let is_unbalanced = !(residual_relative.abs() <= UNBALANCED || answer.nothing_happened());
+        let is_unbalanced = !(residual_relative.abs() <= MAX_ENERGY_RESIDUAL || answer.nothing_happened());
         let unbalanced = is_unbalanced.then_some(Self::Unbalanced { residual_relative });
         let noticed = spec.findings().filter(|(_, finding)| !finding.kind.is_note());
         let noticed = noticed.map(|(drive, finding)| Self::Recording { drive: drive.to_owned(), finding: finding.clone() });

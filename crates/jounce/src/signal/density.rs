@@ -25,13 +25,13 @@ impl Samples<'_> {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::drive::Stream;
+    use crate::drive::RandomStream;
 
     /// White numbers of variance 1 at 50 Hz have the density 2 / 50 on average: over 8000 lines within 3 / sqrt(8000), 3 %. Parseval with
     /// the rectangular window.
     #[test]
     fn white_numbers_have_a_flat_density() {
-        let mut stream = Stream::new(1, 2);
+        let mut stream = RandomStream::new(1, 2);
         let values: Vec<f64> = (0..8000).flat_map(|_| stream.normal_pair()).collect();
         let samples = Samples::new(&values, 50.0).unwrap();
         for window in [Window::Rectangular, Window::Hann] {

@@ -46,12 +46,12 @@ pub struct Faults(Vec<Fault>);
 
 impl Faults {
     /// No more faults than this are reported.
-    pub(super) const MOST: usize = 100;
+    pub(super) const MAX_REPORTED: usize = 100;
 
     pub(super) fn new(mut faults: Vec<Fault>) -> Self {
         faults.sort();
         faults.dedup();
-        faults.truncate(Self::MOST);
+        faults.truncate(Self::MAX_REPORTED);
         Self(faults)
     }
 

@@ -2,18 +2,18 @@
 
 use std::path::{Path, PathBuf};
 
-use jounce_data::recording::Finding;
+use jounce_data::recording::Issue;
 
 use super::fault::{Fault, Faults};
 use super::key::Kind;
 use super::keys::SPEC;
 use super::nearest::clip;
 use super::numeric_key::NumericKey;
-use super::over::{Override, resolve};
-use super::read::{Reading, read_keys, read_number};
-use super::read_error::{MOST_BYTES, ReadError};
-use super::source::{Lines, Place, Source, parse};
-use super::{DriveSignal, KeyRange, Quantity, Recording, Spec, cross};
+use super::overrides::{Override, resolve};
+use super::read::{ReadState, read_keys, read_number};
+use super::read_error::{MAX_SPEC_BYTES, ReadError};
+use super::source::{Lines, Source, SourcePlace, parse};
+use super::{DriveSignal, KeyRange, Quantity, Recording, Spec, validation};
 use std::sync::Arc;
 
 /// A spec as text, with overrides.
@@ -47,7 +47,7 @@ impl SpecFile {
     /// Takes the text of a spec; what is wrong inside is told by [`SpecFile::spec`]. Paths in it begin at the present folder.
     pub fn from_text(text: impl Into<String>) -> Self {
         let text = text.into();
-        let source = parse(if text.len() > MOST_BYTES { "" } else { &text });
+        let source = parse(if text.len() > MAX_SPEC_BYTES { "" } else { &text });
         Self { text, source, overrides: Vec::new(), folder: PathBuf::new() }
     }
 
@@ -77,7 +77,7 @@ impl SpecFile {
     /// # Errors
     /// Everything that is wrong, sorted by place; faults of overrides first.
     pub fn spec(&self) -> Result<Spec, Faults> {
-        if self.text.len() > MOST_BYTES {
+        if self.text.len() > MAX_SPEC_BYTES {
             return Err(Fault { line: 1, column: 1, ..Fault::without_place("", "the spec is larger than 16 MiB") }.into());
         }
         if self.source.errors.is_empty() && self.source.root.entries().is_some_and(<[_]>::is_empty) {
@@ -85,10 +85,10 @@ impl SpecFile {
             return Err(Fault { line: 1, column: 1, ..Fault::without_place("", message) }.into());
         }
         let mut spec = Spec::default();
-        let mut reading = Reading::new(self.source.complete);
+        let mut reading = ReadState::new(self.source.complete);
         read_keys(SPEC, "", &self.source.root, &mut spec, &mut reading);
         if self.source.complete {
-            reading.add_broken(cross::broken(&spec));
+            reading.add_broken(validation::broken(&spec));
             reading.add_broken(self.read_recordings(&mut spec));
         }
         if reading.found.is_empty() && self.source.errors.is_empty() { Ok(spec) } else { Err(self.faults(reading)) }
@@ -112,7 +112,7 @@ impl SpecFile {
         broken
     }
 
-    fn faults(&self, reading: Reading) -> Faults {
+    fn faults(&self, reading: ReadState) -> Faults {
         let lines = Lines::new(&self.text);
         let syntax = self.source.errors.iter().map(|error| {
             let (line, column) = lines.place(error.offset);
@@ -121,11 +121,11 @@ impl SpecFile {
         let read = reading.found.into_iter().map(|finding| {
             let fault = Fault::without_place(&clip(&finding.key), finding.message);
             match finding.place {
-                Place::At(offset) => {
+                SourcePlace::At(offset) => {
                     let (line, column) = lines.place(offset);
                     Fault { line, column, ..fault }
                 }
-                Place::Set(index) => Fault { set: self.overrides.get(index).map(Override::to_string), ..fault },
+                SourcePlace::Set(index) => Fault { set: self.overrides.get(index).map(Override::to_string), ..fault },
             }
         });
         Faults::new(syntax.chain(read).collect())
@@ -199,7 +199,7 @@ impl Spec {
 
 impl Spec {
     /// What was noticed of the recordings of its drives, by the name of the drive.
-    pub fn findings(&self) -> impl Iterator<Item = (&str, &Finding)> {
+    pub fn findings(&self) -> impl Iterator<Item = (&str, &Issue)> {
         self.drive.iter().flat_map(|(name, drive)| {
             let findings = match &drive.signal {
                 DriveSignal::Recording { record: Some(record), .. } => &record.findings[..],

@@ -16,7 +16,7 @@ use super::numeric_key::NumericKey;
 use jounce_units::Decimal;
 
 /// The longest sweep.
-const MOST_POINTS: usize = 1_000_000;
+const MAX_POINTS: usize = 1_000_000;
 
 /// A key and the values that it takes, in ascending order or as listed.
 #[derive(Debug, Clone)]
@@ -59,9 +59,9 @@ fn points(key: &NumericKey, text: &str) -> Result<Vec<f64>, String> {
         if parts.len() != 1 {
             return Err(format!("\"{}\" is no range; write FROM:TO:STEP, FROM:TO:Nx, FROM:TO:Nlog or A,B,C", clip(text)));
         }
-        return text.split(',').map(|part| Ok(Number::read(key, part)?.value)).collect();
+        return text.split(',').map(|part| Ok(DecimalNumber::read(key, part)?.value)).collect();
     };
-    let (from, to) = (Number::read(key, from)?, Number::read(key, to)?);
+    let (from, to) = (DecimalNumber::read(key, from)?, DecimalNumber::read(key, to)?);
     if from.value > to.value {
         return Err(format!("the range {} is reversed; write the smaller value first (a sweep can run down all the same)", clip(text)));
     }
@@ -71,7 +71,7 @@ fn points(key: &NumericKey, text: &str) -> Result<Vec<f64>, String> {
     if let Some(count) = spacing.strip_suffix('x') {
         return Ok(linear(from.value, to.value, count_of(count)?));
     }
-    let step = Number::read(key, spacing)?;
+    let step = DecimalNumber::read(key, spacing)?;
     if step.value <= 0.0 {
         return Err(format!("the step is {}; it must be greater than 0", clip(spacing)));
     }
@@ -79,12 +79,12 @@ fn points(key: &NumericKey, text: &str) -> Result<Vec<f64>, String> {
 }
 
 /// A number as float and, where it is one, as whole digits times a power of ten.
-struct Number {
+struct DecimalNumber {
     value: f64,
     exact: Option<(i128, i64)>,
 }
 
-impl Number {
+impl DecimalNumber {
     fn read(key: &NumericKey, text: &str) -> Result<Self, String> {
         let text = text.trim();
         if let Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) = key.kind() {
@@ -105,10 +105,10 @@ impl Number {
     }
 }
 
-fn stepped(from: &Number, to: &Number, step: &Number) -> Result<Vec<f64>, String> {
+fn stepped(from: &DecimalNumber, to: &DecimalNumber, step: &DecimalNumber) -> Result<Vec<f64>, String> {
     let steps = ((to.value - from.value) / step.value * (1.0 + 1e-12) + 1e-9).floor();
-    if steps.is_nan() || steps >= MOST_POINTS as f64 {
-        return Err(format!("the range has more than {MOST_POINTS} points; make the step larger"));
+    if steps.is_nan() || steps >= MAX_POINTS as f64 {
+        return Err(format!("the range has more than {MAX_POINTS} points; make the step larger"));
     }
     let exponent = [from, to, step].iter().filter_map(|number| number.exact).map(|(_, exponent)| exponent).min();
     let digits = exponent.and_then(|e| {
@@ -145,6 +145,6 @@ fn logarithmic(from: f64, to: f64, count: usize) -> Result<Vec<f64>, String> {
 }
 
 fn count_of(text: &str) -> Result<usize, String> {
-    let count = text.trim().parse::<usize>().ok().filter(|count| (2..=MOST_POINTS).contains(count));
-    count.ok_or_else(|| format!("\"{}\" is no number of points; give 2 to {MOST_POINTS}", clip(text)))
+    let count = text.trim().parse::<usize>().ok().filter(|count| (2..=MAX_POINTS).contains(count));
+    count.ok_or_else(|| format!("\"{}\" is no number of points; give 2 to {MAX_POINTS}", clip(text)))
 }

@@ -3,7 +3,6 @@
 //! [`SpecFile`] holds the text and its overrides, [`Spec`] what both say, in SI units. One table of keys (`keys/`) drives reading, range
 //! checks, suggestions, overrides, sweeps, printing, the JSON Schema ([`schema`]) and the key reference ([`reference_markdown`]).
 
-mod cross;
 mod fault;
 mod file;
 mod key;
@@ -13,12 +12,13 @@ mod keys;
 mod model;
 mod nearest;
 mod numeric_key;
-mod over;
+mod overrides;
 mod read;
 mod read_error;
 mod recording;
 mod schema;
 mod source;
+mod validation;
 mod write;
 
 pub use fault::{Fault, Faults};

@@ -4,7 +4,7 @@ use super::fault::Fault;
 use super::key::{Key, KeyInfo, Kind, Slot, applies};
 use super::keys::SPEC;
 use super::nearest::clip;
-use super::{Spec, cross};
+use super::{Spec, validation};
 
 /// One number of a spec that can be set over and over.
 ///
@@ -106,7 +106,7 @@ impl NumericKey {
         self.check(value_si)?;
         let before = self.get(spec)?;
         self.store(spec, value_si);
-        let broken = cross::first(spec);
+        let broken = validation::first(spec);
         if let Some((_, message)) = broken {
             self.store(spec, before);
             return Err(Fault::without_place(&self.path, format!("{} = {}: {message}", self.path, self.kind.show(value_si))));

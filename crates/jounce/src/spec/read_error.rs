@@ -7,7 +7,7 @@ use super::fault::Fault;
 use super::source::Lines;
 
 /// The largest spec, bytes.
-pub(super) const MOST_BYTES: usize = 16 << 20;
+pub(super) const MAX_SPEC_BYTES: usize = 16 << 20;
 
 /// Why a file cannot be read as a spec.
 #[derive(Debug, thiserror::Error)]
@@ -61,9 +61,9 @@ pub(super) fn read_text(path: &Path) -> Result<String, ReadError> {
     }
     let mut bytes = Vec::new();
     // One byte more than allowed, so that a device without end is not read for ever.
-    let limited = std::fs::File::open(path).map_err(unreadable)?.take(MOST_BYTES as u64 + 1);
+    let limited = std::fs::File::open(path).map_err(unreadable)?.take(MAX_SPEC_BYTES as u64 + 1);
     { limited }.read_to_end(&mut bytes).map_err(unreadable)?;
-    if bytes.len() > MOST_BYTES {
+    if bytes.len() > MAX_SPEC_BYTES {
         return Err(ReadError::TooLarge { path: owned() });
     }
     String::from_utf8(bytes).map_err(|error| ReadError::NotText { path: owned(), fault: wrong_byte(&error) })

@@ -3,16 +3,16 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use jounce_data::read::{self, Notes, ReadError, Surveyed};
-use jounce_data::recording::{Channel, Finding, FindingKind, Grid, Head, NoChannel, Over, Quantity, Recording as Measured, Unit, named};
+use jounce_data::read::{self, Notes, ReadError, RecordingSummary};
+use jounce_data::recording::{Channel, ChannelHead, Grid, Issue, IssueKind, NoChannel, Over, Quantity, Recording as Measured, Unit, named};
 
 use super::{Drive, DriveKind, DriveSignal};
 
 /// How far the rate of a file may lie from the rate that the spec names, relative.
-const RATE_ERROR: f64 = 1e-3;
+const MAX_RATE_ERROR: f64 = 1e-3;
 
 /// What a constant channel keeps of its mean by roundoff, over the mean.
-const ROUNDOFF: f64 = 1e-12;
+const CONSTANT_ROUNDOFF: f64 = 1e-12;
 
 /// Samples at even times.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,7 +24,7 @@ pub struct Recording {
     /// The mean of the channel, in the same unit, whether it was kept or taken away.
     pub mean: f64,
     /// What was noticed of the recording and this channel, and what was done to them.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<Issue>,
 }
 
 /// A channel that moves no base and no point.
@@ -122,14 +122,14 @@ impl DriveKind {
 /// # Errors
 /// No such channel, none that would do, or several.
 pub fn driving_channel(
-    (recording, heads, findings): (&str, &[Head<'_>], &[Finding]),
+    (recording, heads, findings): (&str, &[ChannelHead<'_>], &[Issue]),
     wanted: Option<&str>,
     quantity: Quantity,
 ) -> Result<usize, RecordingError> {
     if let Some(wanted) = wanted {
         return Ok(named(recording, heads, wanted)?);
     }
-    let is_still = |name: &str| findings.iter().any(|f| f.kind == FindingKind::Constant && f.channel.as_deref() == Some(name));
+    let is_still = |name: &str| findings.iter().any(|f| f.kind == IssueKind::Constant && f.channel.as_deref() == Some(name));
     let moves = |k: &usize| !is_still(heads[*k].name);
     let measuring: Vec<usize> = (0..heads.len()).filter(|k| heads[*k].quantity == quantity).filter(moves).collect();
     let silent = || (0..heads.len()).filter(|k| heads[*k].may_be(quantity)).filter(moves).collect();
@@ -170,15 +170,15 @@ impl Recording {
         let offset = if keep_mean { 0.0 } else { mean };
         let values: Arc<[f64]> = channel.values.iter().map(|value| value - offset).collect();
         let largest = values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
-        if largest <= ROUNDOFF * mean.abs() {
+        if largest <= CONSTANT_ROUNDOFF * mean.abs() {
             return Err(RecordingError::Still { channel: channel.name.clone(), mean, unit: quantity.si_unit() });
         }
         let of_another = |name: &String| *name != channel.name && measured.channels.iter().any(|other| other.name == *name);
-        let is_own = |finding: &&Finding| !finding.channel.as_ref().is_some_and(of_another);
-        let mut findings: Vec<Finding> = measured.findings.iter().filter(is_own).cloned().collect();
-        if offset.abs() > ROUNDOFF * largest {
+        let is_own = |finding: &&Issue| !finding.channel.as_ref().is_some_and(of_another);
+        let mut findings: Vec<Issue> = measured.findings.iter().filter(is_own).cloned().collect();
+        if offset.abs() > CONSTANT_ROUNDOFF * largest {
             let about = format!("its mean of {:.5} {} is taken away", scale * mean, quantity.si_unit());
-            findings.push(Finding::new(FindingKind::MeanRemoved, values.len(), None, about).of(&channel.name));
+            findings.push(Issue::new(IssueKind::MeanRemoved, values.len(), None, about).of(&channel.name));
         }
         Ok(Self { step_s: *step, values, mean, findings })
     }
@@ -199,7 +199,7 @@ impl Recording {
             error => error.to_string(),
         })?;
         let number = driving_channel((&survey.name, &survey.heads(), &survey.findings), channel.as_deref(), quantity).map_err(fault)?;
-        if let Some(wanted_hz) = sample_rate_hz.filter(|wanted_hz| (wanted_hz / survey.rate() - 1.0).abs() > RATE_ERROR) {
+        if let Some(wanted_hz) = sample_rate_hz.filter(|wanted_hz| (wanted_hz / survey.rate() - 1.0).abs() > MAX_RATE_ERROR) {
             return Err(format!(
                 "{shown} is sampled at {:.6} Hz, not at `sample_rate` = {wanted_hz} Hz; correct one of them",
                 survey.rate()
@@ -213,7 +213,7 @@ impl Recording {
         let channel = &mut measured.channels[0];
         if let Some(unit) = unit {
             in_unit(channel, unit, quantity)?;
-            measured.findings.retain(|finding| finding.kind != FindingKind::RawCounts);
+            measured.findings.retain(|finding| finding.kind != IssueKind::RawCounts);
         }
         let channel = &measured.channels[0];
         let (name, keep_mean) = (channel.name.clone(), keep_mean.unwrap_or(drive.kind.keeps_mean()));
@@ -227,7 +227,7 @@ impl Recording {
 }
 
 /// The first recording over time of a file, at a rate where neither the file nor its notes tell usable times.
-fn survey(path: &Path, sample_rate_hz: Option<f64>) -> Result<Surveyed, ReadError> {
+fn survey(path: &Path, sample_rate_hz: Option<f64>) -> Result<RecordingSummary, ReadError> {
     match (read::survey_record(path), sample_rate_hz) {
         (Err(ReadError::NoTime { .. } | ReadError::StampUnit { .. } | ReadError::Grid { .. }), Some(rate_hz)) => {
             read::survey_record_noted(path, &Notes { rate_hz: Some(rate_hz), ..Notes::beside(path)? })

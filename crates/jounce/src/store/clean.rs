@@ -6,7 +6,7 @@ use std::path::Path;
 use std::time::Duration;
 
 /// A file is locked by its writer within this time of its making.
-const YOUNG: Duration = Duration::from_secs(5);
+const MIN_AGE: Duration = Duration::from_secs(5);
 
 /// Removes the files of a folder that nobody will finish. Those that somebody writes now stay, and so does what cannot be removed: such
 /// files are hidden and nothing reads them.
@@ -21,7 +21,7 @@ fn is_left(entry: &DirEntry) -> bool {
     let is_ours = entry.file_name().to_string_lossy().starts_with(PREFIX);
     let age = || entry.metadata().ok()?.modified().ok()?.elapsed().ok();
     let is_free = || File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok());
-    is_ours && age().is_some_and(|age| age > YOUNG) && is_free()
+    is_ours && age().is_some_and(|age| age > MIN_AGE) && is_free()
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Mode shapes along the beams, for pictures.
 
-use super::solution::Solution;
+use super::solution::StructureSolution;
 use std::collections::BTreeMap;
 
 /// The modes of one beam along its length.
@@ -20,7 +20,7 @@ impl BeamShape {
 }
 
 /// The kept modes of each beam at `samples` equidistant places (at least 2).
-pub(super) fn beam_shapes(solution: &Solution, samples: usize) -> BTreeMap<String, BeamShape> {
+pub(super) fn beam_shapes(solution: &StructureSolution, samples: usize) -> BTreeMap<String, BeamShape> {
     let intervals = samples.max(2) - 1;
     let mut shapes = BTreeMap::new();
     for (part, (assembly, reduced)) in solution.parts.iter().enumerate() {

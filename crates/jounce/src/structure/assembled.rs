@@ -3,14 +3,14 @@
 use super::assembly::{Assembly, Row};
 use super::damping::{MassMode, damping_ratios};
 use super::error::StructureError;
-use super::layout::{Stretch, stretches};
+use super::layout::{PatchedSegment, stretches};
 use super::modes::{Modes, PatchModes};
 use super::section::{outer_lever_m, patch_moment_n_m_per_v};
-use super::solution::Solution;
+use super::solution::StructureSolution;
 use crate::spec::{GROUND, Patch, Spec};
 
 /// Into how many pieces each stretch of a patch is divided to find its largest strain.
-const STRAIN_PLACES: usize = 16;
+const STRAIN_POINTS: usize = 16;
 
 /// The kept modes of all assembled structures of a spec.
 ///
@@ -19,7 +19,7 @@ const STRAIN_PLACES: usize = 16;
 pub(super) fn assembled_modes(
     spec: &Spec,
     held: &[String],
-    solution: &Solution,
+    solution: &StructureSolution,
     discretisation_error: Vec<f64>,
 ) -> Result<Modes, StructureError> {
     let frequency_rad_s = solution.frequency_rad_s();
@@ -87,7 +87,7 @@ fn patch_rows<'a>(spec: &'a Spec, assembly: &Assembly) -> Result<Vec<PatchRows<'
     let mut found: Vec<PatchRows> = Vec::new();
     for (part, beam_name, beam) in assembly.body.beams() {
         // Stretches that differ by a named point only are one.
-        let mut runs: Vec<Stretch<'a>> = Vec::new();
+        let mut runs: Vec<PatchedSegment<'a>> = Vec::new();
         for stretch in stretches(spec, beam_name, beam)? {
             match runs.last_mut().filter(|run| run.patches == stretch.patches && run.layers == stretch.layers) {
                 Some(run) => run.end_m = stretch.end_m,
@@ -101,9 +101,9 @@ fn patch_rows<'a>(spec: &'a Spec, assembly: &Assembly) -> Result<Vec<PatchRows<'
                 let lever_m = outer_lever_m(beam, &section, patch);
                 let (start, end) = (assembly.slope(part, run.start_m), assembly.slope(part, run.end_m));
                 let turned = end.iter().zip(&start).map(|(end, start)| moment_n_m_per_v * (end - start));
-                let strain = (0..=STRAIN_PLACES).map(|k| {
+                let strain = (0..=STRAIN_POINTS).map(|k| {
                     // The end itself belongs to the next element, which may have another section.
-                    let part_of = k as f64 / STRAIN_PLACES as f64 * (1.0 - 1e-9);
+                    let part_of = k as f64 / STRAIN_POINTS as f64 * (1.0 - 1e-9);
                     let place_m = run.start_m + (run.end_m - run.start_m) * part_of;
                     assembly.curvature(part, place_m).iter().map(|curvature| -lever_m * curvature).collect::<Row>()
                 });
@@ -122,7 +122,7 @@ fn patch_rows<'a>(spec: &'a Spec, assembly: &Assembly) -> Result<Vec<PatchRows<'
 
 /// The kept modes in which the sprung masses have their greatest shares of the kinetic energy, a mode for each: the mass with the
 /// greatest share of all chooses first.
-fn mass_modes(solution: &Solution) -> Vec<MassMode> {
+fn mass_modes(solution: &StructureSolution) -> Vec<MassMode> {
     let mut of_masses = Vec::new();
     for (part, (assembly, reduced)) in solution.parts.iter().enumerate() {
         let mut shares: Vec<(f64, usize, usize, f64)> = Vec::new();

@@ -15,10 +15,10 @@
 //! its static displacement per unit force, exact on any mesh that has a node there. A free mass is its own coordinate 0 (`s_0 = u`)
 //! without strain energy. A mass fixed to a beam adds `sqrt(m) w` and `sqrt(J) w'` to the kinetic energy's sum of squares.
 
-use super::body::{Body, Support, Thing};
+use super::body::{Body, PartKind, Support};
 use super::element::Element;
 use super::error::StructureError;
-use super::placed::{Motion, Placed, PlacedPart, chained, clamped, placed_mass};
+use super::placement::{BodyPart, PlaceMotion, PlacedElement, chained, clamped, placed_mass};
 use faer::Mat;
 
 /// Displacement or slope per unit of each strain coordinate.
@@ -33,15 +33,15 @@ pub(super) struct Assembly<'a> {
     /// The first coordinate is a rigid-body motion.
     pub rigid: bool,
     /// One per part of the body.
-    placed: Vec<PlacedPart>,
+    placed: Vec<BodyPart>,
 }
 
 impl<'a> Assembly<'a> {
     /// Places every part on its support, `elements` being those of each beam by its place among the parts.
     pub fn new(body: Body<'a>, elements: Vec<Vec<Element>>) -> Self {
-        let has_coordinate = |thing: &Thing, on: &Support| match thing {
-            Thing::Mass(mass) => usize::from(mass.stiffness_n_m.is_some() || *on == Support::Nothing),
-            Thing::Beam(beam) => usize::from(beam.root_stiffness_n_m_rad.is_some()),
+        let has_coordinate = |thing: &PartKind, on: &Support| match thing {
+            PartKind::Mass(mass) => usize::from(mass.stiffness_n_m.is_some() || *on == Support::Nothing),
+            PartKind::Beam(beam) => usize::from(beam.root_stiffness_n_m_rad.is_some()),
         };
         let own: usize = body.parts.iter().map(|part| has_coordinate(&part.thing, &part.on)).sum();
         let columns = own + elements.iter().flatten().map(|element| element.terms).sum::<usize>();
@@ -52,8 +52,8 @@ impl<'a> Assembly<'a> {
             let part = assembly.body.parts[index];
             let support = assembly.motion_of(part.on);
             let placed = match part.thing {
-                Thing::Mass(mass) => placed_mass(mass, part.on, support, &mut next_column),
-                Thing::Beam(beam) => PlacedPart::Beam(chained(chain, clamped(beam, support, &mut next_column), &mut next_column)),
+                PartKind::Mass(mass) => placed_mass(mass, part.on, support, &mut next_column),
+                PartKind::Beam(beam) => BodyPart::Beam(chained(chain, clamped(beam, support, &mut next_column), &mut next_column)),
             };
             assembly.placed.push(placed);
         }
@@ -63,8 +63,8 @@ impl<'a> Assembly<'a> {
     /// Displacement of the mass or of the clamped root that is part `part`.
     pub fn root_displacement(&self, part: usize) -> Row {
         match &self.placed[part] {
-            PlacedPart::Mass { motion, .. } => motion.displacement.clone(),
-            PlacedPart::Beam(chain) => chain.first().map_or_else(|| vec![0.0; self.columns], |placed| placed.start.displacement.clone()),
+            BodyPart::Mass { motion, .. } => motion.displacement.clone(),
+            BodyPart::Beam(chain) => chain.first().map_or_else(|| vec![0.0; self.columns], |placed| placed.start.displacement.clone()),
         }
     }
 
@@ -81,7 +81,7 @@ impl<'a> Assembly<'a> {
     /// Slope of the beam that is part `part` at `place_m` from the root; of a mass, that of what it is fixed to.
     pub fn slope(&self, part: usize, place_m: f64) -> Row {
         let Some(placed) = self.element_at(part, place_m) else {
-            return if let PlacedPart::Mass { motion, .. } = &self.placed[part] { motion.slope.clone() } else { vec![0.0; self.columns] };
+            return if let BodyPart::Mass { motion, .. } = &self.placed[part] { motion.slope.clone() } else { vec![0.0; self.columns] };
         };
         let mut row = placed.start.slope.clone();
         placed.add(&mut row, &placed.element.slope(place_m - placed.element.start_m));
@@ -109,7 +109,7 @@ impl<'a> Assembly<'a> {
     /// # Errors
     /// `NotRepresentable` where an entry is not finite.
     pub fn mass_factor(&self) -> Result<Mat<f64>, StructureError> {
-        let rows = self.placed.iter().map(PlacedPart::mass_rows).sum::<usize>();
+        let rows = self.placed.iter().map(BodyPart::mass_rows).sum::<usize>();
         let mut factor = Mat::zeros(rows, self.columns);
         let mut row = 0;
         for placed in &self.placed {
@@ -127,20 +127,22 @@ impl<'a> Assembly<'a> {
     /// As [`Assembly::mass_factor`].
     pub fn translated_mass(&self) -> Result<Row, StructureError> {
         let factor = self.mass_factor()?;
-        let translation: Vec<f64> = self.placed.iter().flat_map(PlacedPart::translation).collect();
+        let translation: Vec<f64> = self.placed.iter().flat_map(BodyPart::translation).collect();
         Ok(factor.col_iter().map(|column| column.iter().zip(&translation).map(|(entry, unit)| entry * unit).sum()).collect())
     }
 
-    fn motion_of(&self, support: Support) -> Motion {
+    fn motion_of(&self, support: Support) -> PlaceMotion {
         match support {
-            Support::Ground | Support::Nothing => Motion { displacement: vec![0.0; self.columns], slope: vec![0.0; self.columns] },
-            Support::Mass(part) => Motion { displacement: self.root_displacement(part), slope: self.slope(part, 0.0) },
-            Support::Point(part, place_m) => Motion { displacement: self.displacement(part, place_m), slope: self.slope(part, place_m) },
+            Support::Ground | Support::Nothing => PlaceMotion { displacement: vec![0.0; self.columns], slope: vec![0.0; self.columns] },
+            Support::Mass(part) => PlaceMotion { displacement: self.root_displacement(part), slope: self.slope(part, 0.0) },
+            Support::Point(part, place_m) => {
+                PlaceMotion { displacement: self.displacement(part, place_m), slope: self.slope(part, place_m) }
+            }
         }
     }
 
-    fn element_at(&self, part: usize, place_m: f64) -> Option<&Placed> {
-        let PlacedPart::Beam(chain) = &self.placed[part] else { return None };
+    fn element_at(&self, part: usize, place_m: f64) -> Option<&PlacedElement> {
+        let BodyPart::Beam(chain) = &self.placed[part] else { return None };
         let after = chain.partition_point(|placed| placed.element.start_m <= place_m);
         chain.get(after.saturating_sub(1))
     }

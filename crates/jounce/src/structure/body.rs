@@ -8,7 +8,7 @@ use crate::spec::{Beam, GROUND, Mass, Spec};
 use std::collections::BTreeSet;
 
 /// The word of a support that is not there.
-const NOTHING: &str = "nothing";
+const NO_SUPPORT: &str = "nothing";
 
 /// A connected structure; its modes are independent of those of every other.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,13 +21,13 @@ pub(super) struct Body<'a> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Part<'a> {
     pub name: &'a str,
-    pub thing: Thing<'a>,
+    pub thing: PartKind<'a>,
     pub on: Support,
 }
 
 /// What a part is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Thing<'a> {
+pub(super) enum PartKind<'a> {
     Beam(&'a Beam),
     Mass(&'a Mass),
 }
@@ -54,16 +54,16 @@ impl<'a> Body<'a> {
     /// What carries it: a base, a held mass, or nothing.
     pub fn support(&self) -> &'a str {
         match self.parts.first().map(|part| part.thing) {
-            Some(Thing::Beam(beam)) => &beam.root,
-            Some(Thing::Mass(mass)) => &mass.on,
-            None => NOTHING,
+            Some(PartKind::Beam(beam)) => &beam.root,
+            Some(PartKind::Mass(mass)) => &mass.on,
+            None => NO_SUPPORT,
         }
     }
 
     /// The beams with their places among the parts, in the order of their names.
     pub fn beams(&self) -> Vec<(usize, &'a str, &'a Beam)> {
         let mut beams: Vec<_> = (self.parts.iter().enumerate())
-            .filter_map(|(part, it)| if let Thing::Beam(beam) = it.thing { Some((part, it.name, beam)) } else { None })
+            .filter_map(|(part, it)| if let PartKind::Beam(beam) = it.thing { Some((part, it.name, beam)) } else { None })
             .collect();
         beams.sort_by_key(|(_, name, _)| *name);
         beams
@@ -74,22 +74,22 @@ impl<'a> Body<'a> {
         self.parts
             .iter()
             .enumerate()
-            .filter_map(|(part, it)| if let Thing::Mass(mass) = it.thing { Some((part, it.name, mass)) } else { None })
+            .filter_map(|(part, it)| if let PartKind::Mass(mass) = it.thing { Some((part, it.name, mass)) } else { None })
     }
 
     /// Adds a part, then all that stand on it: masses first, then beams, each in the order of their names.
-    fn grow(&mut self, spec: &'a Spec, name: &'a str, thing: Thing<'a>, on: Support) {
+    fn grow(&mut self, spec: &'a Spec, name: &'a str, thing: PartKind<'a>, on: Support) {
         let place = self.parts.len();
         self.parts.push(Part { name, thing, on });
         let support = |text: &str| match (thing, text.split_once('.')) {
-            (Thing::Mass(_), None) if text == name => Some(Support::Mass(place)),
-            (Thing::Beam(beam), Some((of, point))) if of == name => Some(Support::Point(place, place_m(beam, point)?)),
+            (PartKind::Mass(_), None) if text == name => Some(Support::Mass(place)),
+            (PartKind::Beam(beam), Some((of, point))) if of == name => Some(Support::Point(place, place_m(beam, point)?)),
             _ => None,
         };
         let masses: Vec<_> = spec.mass.iter().filter_map(|(key, mass)| Some((key, mass, support(&mass.on)?))).collect();
         let beams: Vec<_> = spec.beam.iter().filter_map(|(key, beam)| Some((key, beam, support(&beam.root)?))).collect();
-        masses.into_iter().for_each(|(key, mass, on)| self.grow(spec, key, Thing::Mass(mass), on));
-        beams.into_iter().for_each(|(key, beam, on)| self.grow(spec, key, Thing::Beam(beam), on));
+        masses.into_iter().for_each(|(key, mass, on)| self.grow(spec, key, PartKind::Mass(mass), on));
+        beams.into_iter().for_each(|(key, beam, on)| self.grow(spec, key, PartKind::Beam(beam), on));
     }
 }
 
@@ -109,13 +109,13 @@ pub(super) fn bodies<'a>(spec: &'a Spec, held: &[String]) -> Result<Vec<Body<'a>
     };
     for (name, mass) in spec.mass.iter().filter(|(name, _)| !held.contains(name)) {
         match mass.on.as_str() {
-            NOTHING => rooted(name.as_str(), Thing::Mass(mass), Support::Nothing),
-            on if spec.is_base(on) || held.iter().any(|held| held == on) => rooted(name.as_str(), Thing::Mass(mass), Support::Ground),
+            NO_SUPPORT => rooted(name.as_str(), PartKind::Mass(mass), Support::Nothing),
+            on if spec.is_base(on) || held.iter().any(|held| held == on) => rooted(name.as_str(), PartKind::Mass(mass), Support::Ground),
             _ => {}
         }
     }
     for (name, beam) in spec.beam.iter().filter(|(_, beam)| spec.is_base(&beam.root) || held.contains(&beam.root)) {
-        rooted(name.as_str(), Thing::Beam(beam), Support::Ground);
+        rooted(name.as_str(), PartKind::Beam(beam), Support::Ground);
     }
     let placed: BTreeSet<&str> = bodies.iter().flat_map(|body| body.parts.iter().map(|part| part.name)).collect();
     let masses = spec.mass.keys().filter(|name| !held.contains(name));
@@ -140,7 +140,7 @@ fn check_references(spec: &Spec) -> Result<(), StructureError> {
         Some((name, point)) => spec.beam.get(name).is_some_and(|beam| place_m(beam, point).is_some()),
     };
     let roots = spec.beam.iter().map(|(name, beam)| (format!("beam.{name}.root"), &beam.root, &[GROUND][..]));
-    let feet = spec.mass.iter().map(|(name, mass)| (format!("mass.{name}.on"), &mass.on, &[GROUND, NOTHING][..]));
+    let feet = spec.mass.iter().map(|(name, mass)| (format!("mass.{name}.on"), &mass.on, &[GROUND, NO_SUPPORT][..]));
     if let Some((place, found, words)) = roots.chain(feet).find(|(_, support, words)| !stands(support, words)) {
         let known = listed(words.iter().copied().chain(spec.mass.keys().map(String::as_str)));
         return Err(StructureError::UnknownSupport { place, found: found.clone(), known });
@@ -162,7 +162,7 @@ fn check_mass(spec: &Spec, name: &str, mass: &Mass) -> Result<(), StructureError
     match mass.stiffness_n_m {
         None if spec.is_base(&mass.on) => Err(StructureError::MissingSpring { mass: name.into() }),
         None => Ok(()),
-        Some(_) if mass.on == NOTHING => Err(StructureError::SpringToNothing { mass: name.into() }),
+        Some(_) if mass.on == NO_SUPPORT => Err(StructureError::SpringToNothing { mass: name.into() }),
         Some(stiffness_n_m) => {
             StructureError::positive(format!("mass.{name}.stiffness"), stiffness_n_m)?;
             StructureError::not_negative(format!("mass.{name}.damping_ratio"), mass.damping_ratio.unwrap_or(f64::NAN))
@@ -173,7 +173,7 @@ fn check_mass(spec: &Spec, name: &str, mass: &Mass) -> Result<(), StructureError
 /// A mass on the ground or free can be held; one on a beam or on another mass would leave the structure statically indeterminate.
 fn check_held(spec: &Spec, name: &str) -> Result<(), StructureError> {
     let given = name.split('.').next().is_some_and(|first| spec.modal.contains_key(first));
-    let can = |mass: &Mass| spec.is_base(&mass.on) || mass.on == NOTHING;
+    let can = |mass: &Mass| spec.is_base(&mass.on) || mass.on == NO_SUPPORT;
     match (spec.mass.get(name).is_some_and(can), given) {
         (true, _) => Ok(()),
         (false, true) => Err(StructureError::CannotHoldGiven { name: name.into() }),

@@ -1,22 +1,22 @@
 //! A beam cut where something changes or is looked at: at its ends, at the ends of its layers and patches and at its named points.
 
-use super::cover::{Cover, covers};
+use super::coverage::{Covering, covers};
 use super::error::StructureError;
 use super::section::CrossSection;
 use crate::spec::{Beam, Layer, Patch, Section, Spec};
 
 /// Two cuts nearer than this part of the beam's length are one.
-pub(super) const SAME_PLACE: f64 = 1e-9;
+pub(super) const MIN_CUT_DISTANCE: f64 = 1e-9;
 
 /// A stretch of beam with one cross-section.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Segment {
+pub(super) struct BeamSegment {
     pub start_m: f64,
     pub length_m: f64,
     pub section: CrossSection,
 }
 
-impl Segment {
+impl BeamSegment {
     /// Phase of a bending wave of 1 rad/s over the segment, s^(1/2); it grows with the root of the frequency.
     pub fn phase_per_root_frequency(&self) -> f64 {
         self.length_m * self.section.wave_number_per_root_frequency()
@@ -25,7 +25,7 @@ impl Segment {
 
 /// A stretch of beam with the patches that cover it, at most one on each face.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Stretch<'a> {
+pub(super) struct PatchedSegment<'a> {
     pub start_m: f64,
     pub end_m: f64,
     /// Passive layers, at most one on each face.
@@ -34,7 +34,7 @@ pub(super) struct Stretch<'a> {
     pub patches: Vec<(&'a str, &'a Patch)>,
 }
 
-impl Stretch<'_> {
+impl PatchedSegment<'_> {
     /// Its cross-section.
     pub fn section(&self, beam: &Beam) -> CrossSection {
         CrossSection::laminated(beam, self.layers.iter().copied(), self.patches.iter().map(|(_, patch)| *patch))
@@ -42,9 +42,12 @@ impl Stretch<'_> {
 }
 
 /// The segments of the beam `name`, from root to end.
-pub(super) fn segments(spec: &Spec, name: &str, beam: &Beam) -> Result<Vec<Segment>, StructureError> {
-    let segment =
-        |stretch: Stretch| Segment { start_m: stretch.start_m, length_m: stretch.end_m - stretch.start_m, section: stretch.section(beam) };
+pub(super) fn segments(spec: &Spec, name: &str, beam: &Beam) -> Result<Vec<BeamSegment>, StructureError> {
+    let segment = |stretch: PatchedSegment| BeamSegment {
+        start_m: stretch.start_m,
+        length_m: stretch.end_m - stretch.start_m,
+        section: stretch.section(beam),
+    };
     Ok(stretches(spec, name, beam)?.into_iter().map(segment).collect())
 }
 
@@ -52,13 +55,13 @@ pub(super) fn segments(spec: &Spec, name: &str, beam: &Beam) -> Result<Vec<Segme
 ///
 /// # Errors
 /// Every variant that names a beam or a patch.
-pub(super) fn stretches<'a>(spec: &'a Spec, name: &str, beam: &Beam) -> Result<Vec<Stretch<'a>>, StructureError> {
+pub(super) fn stretches<'a>(spec: &'a Spec, name: &str, beam: &Beam) -> Result<Vec<PatchedSegment<'a>>, StructureError> {
     check_beam(name, beam)?;
     let covers = covers(spec, name, beam)?;
     let mut cuts_m = vec![0.0, beam.length_m];
     let ends = covers.iter().flat_map(|cover| [cover.start_m, cover.end_m]);
     for cut_m in ends.chain(beam.point.values().copied()) {
-        if cuts_m.iter().all(|have_m| (have_m - cut_m).abs() > SAME_PLACE * beam.length_m) {
+        if cuts_m.iter().all(|have_m| (have_m - cut_m).abs() > MIN_CUT_DISTANCE * beam.length_m) {
             cuts_m.push(cut_m);
         }
     }
@@ -66,13 +69,13 @@ pub(super) fn stretches<'a>(spec: &'a Spec, name: &str, beam: &Beam) -> Result<V
     cuts_m.windows(2).map(|ends| stretch(&covers, ends[0], ends[1])).collect()
 }
 
-fn stretch<'a>(covers: &[Cover<'a>], start_m: f64, end_m: f64) -> Result<Stretch<'a>, StructureError> {
+fn stretch<'a>(covers: &[Covering<'a>], start_m: f64, end_m: f64) -> Result<PatchedSegment<'a>, StructureError> {
     let middle_m = (start_m + end_m) / 2.0;
-    let here: Vec<&Cover> = covers.iter().filter(|cover| cover.start_m < middle_m && middle_m < cover.end_m).collect();
+    let here: Vec<&Covering> = covers.iter().filter(|cover| cover.start_m < middle_m && middle_m < cover.end_m).collect();
     let section = here.first().map_or(Section::default(), |cover| cover.section);
     match here.iter().find(|cover| cover.section != section) {
         Some(other) => Err(StructureError::SectionsDiffer { first: here[0].key(), second: other.key() }),
-        None => Ok(Stretch {
+        None => Ok(PatchedSegment {
             start_m,
             end_m,
             layers: here.iter().filter_map(|cover| cover.layer()).collect(),

@@ -3,21 +3,21 @@
 //! A mode of angular frequency `w` turns through the phase `w^(1/2) l (m/EI)^(1/4)` on a segment of length `l`, and `N` modes of a
 //! set of beams turn through about `pi N` on all of them together (Weyl's count). On a segment of phase `2a` the Legendre
 //! coefficients of `cos`, `sin`, `cosh`, `sinh` fall like `a^j / (2j + 1)!!`: the number of terms is the first at which this
-//! bound, times `2j + 1`, has passed the tolerance. Segments that would need more than `MOST_TERMS` are divided equally.
+//! bound, times `2j + 1`, has passed the tolerance. Segments that would need more than `MAX_CURVATURE_TERMS` are divided equally.
 
 use super::element::Element;
-use super::layout::Segment;
+use super::layout::BeamSegment;
 use std::f64::consts::PI;
 
 /// Highest number of curvature terms of an element (degree 23 of the displacement).
-const MOST_TERMS: usize = 22;
+const MAX_CURVATURE_TERMS: usize = 22;
 
 /// A rule that divides segments into elements.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Mesh {
     /// As many terms as the modes need.
     Spectral {
-        /// Wave phase to be resolved per unit of `Segment::phase_per_root_frequency`.
+        /// Wave phase to be resolved per unit of `BeamSegment::phase_per_root_frequency`.
         root_frequency: f64,
         /// Wanted relative error of the mode shapes.
         tolerance: f64,
@@ -31,13 +31,13 @@ pub(super) enum Mesh {
 
 impl Mesh {
     /// The mesh for the first `modes` modes of beams made of these segments.
-    pub fn spectral<'a>(modes: usize, tolerance: f64, segments: impl Iterator<Item = &'a Segment>) -> Self {
-        let phase: f64 = segments.map(Segment::phase_per_root_frequency).sum();
+    pub fn spectral<'a>(modes: usize, tolerance: f64, segments: impl Iterator<Item = &'a BeamSegment>) -> Self {
+        let phase: f64 = segments.map(BeamSegment::phase_per_root_frequency).sum();
         Self::Spectral { root_frequency: PI * modes as f64 / phase, tolerance }
     }
 
     /// The elements of a segment, from its start on.
-    pub fn elements(&self, segment: &Segment) -> Vec<Element> {
+    pub fn elements(&self, segment: &BeamSegment) -> Vec<Element> {
         let (pieces, terms) = self.division(segment);
         let length_m = segment.length_m / pieces as f64;
         let element = |piece| Element { start_m: segment.start_m + piece as f64 * length_m, length_m, section: segment.section, terms };
@@ -45,13 +45,13 @@ impl Mesh {
     }
 
     /// Number of pieces of a segment and of terms of each.
-    fn division(&self, segment: &Segment) -> (usize, usize) {
+    fn division(&self, segment: &BeamSegment) -> (usize, usize) {
         match *self {
             Self::Cubic { longest_m } => (((segment.length_m / longest_m - 1e-9).ceil() as usize).max(1), 2),
             Self::Spectral { root_frequency, tolerance } => {
                 let half_phase = root_frequency * segment.phase_per_root_frequency() / 2.0;
                 let divided = |pieces| (pieces, terms_needed(half_phase / pieces as f64, tolerance));
-                (1..).map(divided).find(|(_, terms)| *terms <= MOST_TERMS).unwrap_or((1, MOST_TERMS))
+                (1..).map(divided).find(|(_, terms)| *terms <= MAX_CURVATURE_TERMS).unwrap_or((1, MAX_CURVATURE_TERMS))
             }
         }
     }
@@ -73,9 +73,9 @@ mod tests {
     use super::*;
     use crate::structure::section::CrossSection;
 
-    fn segment(length_m: f64) -> Segment {
+    fn segment(length_m: f64) -> BeamSegment {
         let section = CrossSection { bending_stiffness_n_m2: 1.0, mass_per_length_kg_m: 1.0, neutral_axis_m: 0.0, coated_m: [0.0; 2] };
-        Segment { start_m: 0.1, length_m, section }
+        BeamSegment { start_m: 0.1, length_m, section }
     }
 
     #[test]
@@ -85,7 +85,7 @@ mod tests {
         let [short, long] = stretches.map(|stretch| mesh.elements(&stretch));
         assert_eq!((short.len(), short[0].terms), (1, 11));
         assert_eq!((long.len(), long[0].terms), (2, 21));
-        assert!((long[1].start_m - 0.55).abs() < 1e-15 && long[0].terms <= MOST_TERMS);
+        assert!((long[1].start_m - 0.55).abs() < 1e-15 && long[0].terms <= MAX_CURVATURE_TERMS);
     }
 
     #[test]

@@ -21,21 +21,21 @@ mod along;
 mod assembled;
 mod assembly;
 mod body;
-mod cover;
+mod coverage;
 mod damping;
 mod element;
 mod error;
-mod given;
 mod layout;
+mod merge_modes;
 mod mesh;
 mod modes;
-mod order;
-mod placed;
+mod placement;
 mod ply;
 mod reduction;
 mod refinement;
 pub mod section;
 mod solution;
+mod user_modes;
 
 pub use along::BeamShape;
 pub use error::StructureError;
@@ -104,10 +104,10 @@ pub fn shapes_along_beams(spec: &Spec, held: &[String], samples: usize) -> Resul
 }
 
 /// The assembled modes (part 0) merged with those of every `[modal.NAME]`.
-fn with_given(spec: &Spec, assembled: Modes) -> Result<(order::Order, Modes), StructureError> {
+fn with_given(spec: &Spec, assembled: Modes) -> Result<(merge_modes::ModeOrder, Modes), StructureError> {
     let mut parts = vec![assembled];
     for (name, modal) in &spec.modal {
-        parts.push(given::given_modes(name, modal)?);
+        parts.push(user_modes::given_modes(name, modal)?);
     }
-    Ok(order::merged(&parts))
+    Ok(merge_modes::merged(&parts))
 }

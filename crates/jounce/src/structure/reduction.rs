@@ -19,13 +19,13 @@ use faer::{Mat, MatRef, Par};
 
 /// The modes of one assembly, all of them, in ascending frequency.
 #[derive(Debug, Clone)]
-pub(super) struct Reduced {
+pub(super) struct AssemblyModes {
     pub frequency_rad_s: Vec<f64>,
     /// Strain coordinates of the mass-normalised modes, one column per mode.
     coordinates: Mat<f64>,
 }
 
-impl Reduced {
+impl AssemblyModes {
     /// Solves the eigenproblem of an assembly.
     ///
     /// # Errors
@@ -134,7 +134,7 @@ mod tests {
         for stiffness_n_m in [None, Some(50.0)] {
             let spec = spec(stiffness_n_m);
             let assembly = assembly(&spec);
-            let reduced = Reduced::new(&assembly).unwrap();
+            let reduced = AssemblyModes::new(&assembly).unwrap();
             let moved = assembly.mass_factor().unwrap() * &reduced.coordinates;
             let strained = reduced.coordinates.get(usize::from(assembly.rigid).., ..);
             for (i, w_i) in reduced.frequency_rad_s.iter().enumerate() {
@@ -154,7 +154,7 @@ mod tests {
     fn orientation_makes_the_free_end_positive() {
         let spec = spec(Some(50.0));
         let assembly = assembly(&spec);
-        let mut reduced = Reduced::new(&assembly).unwrap();
+        let mut reduced = AssemblyModes::new(&assembly).unwrap();
         reduced.coordinates.col_mut(2).iter_mut().for_each(|s| *s = -*s);
         reduced.orient(&assembly.free_ends());
         assert!(reduced.modal(&assembly.free_ends()[0], 6).iter().all(|end| *end > 0.0));

@@ -5,25 +5,25 @@
 //! its relative change in the last refinement, at least the roundoff of a double; that of the mesh which is kept is far smaller.
 
 use super::error::StructureError;
-use super::solution::{Solution, Structures};
+use super::solution::{StructureSolution, Structures};
 
 /// Most refinements tried.
-const MOST_LEVELS: i32 = 4;
+const MAX_REFINEMENTS: i32 = 4;
 /// Shapes are resolved to this even where the frequencies may be coarser: their error enters the response directly.
-const COARSEST_SHAPE: f64 = 1e-6;
+const MAX_SHAPE_ERROR: f64 = 1e-6;
 
 /// The solution on the first mesh that holds `tolerance`, and the estimated relative error of each kept frequency.
 ///
 /// # Errors
 /// `NotConverged`; those of [`Structures::solve`].
-pub(super) fn refined<'a>(structures: &Structures<'a>, tolerance: f64) -> Result<(Solution<'a>, Vec<f64>), StructureError> {
+pub(super) fn refined<'a>(structures: &Structures<'a>, tolerance: f64) -> Result<(StructureSolution<'a>, Vec<f64>), StructureError> {
     let on_mesh = |level: i32| {
-        let shape_tolerance = tolerance.min(COARSEST_SHAPE).powf(0.6 + 0.4 * f64::from(level));
+        let shape_tolerance = tolerance.min(MAX_SHAPE_ERROR).powf(0.6 + 0.4 * f64::from(level));
         structures.solve(&structures.spectral_mesh(shape_tolerance))
     };
     let mut coarse = on_mesh(0)?;
     let mut least = f64::INFINITY;
-    for level in 1..=MOST_LEVELS {
+    for level in 1..=MAX_REFINEMENTS {
         let fine = on_mesh(level)?;
         let error = relative_change(&coarse.frequency_rad_s(), &fine.frequency_rad_s());
         least = error.iter().copied().fold(0.0, f64::max).min(least);

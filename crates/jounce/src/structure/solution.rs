@@ -1,36 +1,36 @@
 //! Every connected structure of a spec, divided by one mesh rule and solved.
 
 use super::assembly::Assembly;
-use super::body::{Body, Part, Thing, bodies};
+use super::body::{Body, Part, PartKind, bodies};
 use super::element::Element;
 use super::error::StructureError;
-use super::layout::{Segment, segments};
+use super::layout::{BeamSegment, segments};
+use super::merge_modes::ModeOrder;
 use super::mesh::Mesh;
-use super::order::Order;
-use super::reduction::Reduced;
+use super::reduction::AssemblyModes;
 use crate::spec::{Mass, Reduction, Spec};
 use std::collections::BTreeMap;
 
 /// Most modes kept: beyond them a mode is far outside the reach of beam theory, and the dense solve is slow.
-const MOST_MODES: usize = 200;
+const MAX_MODES: usize = 200;
 /// Most unknowns of a mesh; a dense solve with 2000 takes some seconds.
-const MOST_UNKNOWNS: usize = 3000;
+const MAX_UNKNOWNS: usize = 3000;
 
 /// The bodies of a spec, their beams cut into segments, and how many modes are kept.
 #[derive(Debug, Clone)]
 pub(super) struct Structures<'a> {
     bodies: Vec<Body<'a>>,
-    segments: BTreeMap<&'a str, Vec<Segment>>,
+    segments: BTreeMap<&'a str, Vec<BeamSegment>>,
     /// Number of modes kept: `reduction.modes`, less one for each body held fixed.
     modes: usize,
 }
 
 /// The modes of every body on one mesh.
 #[derive(Debug, Clone)]
-pub(super) struct Solution<'a> {
-    pub parts: Vec<(Assembly<'a>, Reduced)>,
+pub(super) struct StructureSolution<'a> {
+    pub parts: Vec<(Assembly<'a>, AssemblyModes)>,
     /// The kept modes.
-    pub order: Order,
+    pub order: ModeOrder,
 }
 
 impl<'a> Structures<'a> {
@@ -46,7 +46,7 @@ impl<'a> Structures<'a> {
         let own = |mass: &Mass| usize::from(mass.stiffness_n_m.is_some() || mass.on == "nothing");
         let available = match segments.is_empty() {
             true => bodies.iter().flat_map(Body::masses).map(|(_, _, mass)| own(mass)).sum(),
-            false => MOST_MODES,
+            false => MAX_MODES,
         };
         // The default asks for no more than there are.
         let is_default = spec.reduction.modes == Reduction::default().modes;
@@ -74,13 +74,13 @@ impl<'a> Structures<'a> {
     ///
     /// # Errors
     /// `NotRepresentable`, `TooManyModes` where the mesh has fewer unknowns than modes are kept.
-    pub fn solve(&self, mesh: &Mesh) -> Result<Solution<'a>, StructureError> {
+    pub fn solve(&self, mesh: &Mesh) -> Result<StructureSolution<'a>, StructureError> {
         let parts = self.bodies.iter().map(|body| solved(self.assembled(body, mesh))).collect::<Result<Vec<_>, _>>()?;
         let frequencies: Vec<&[f64]> = parts.iter().map(|(_, reduced)| reduced.frequency_rad_s.as_slice()).collect();
-        let order = Order::ascending(&frequencies).first(self.modes);
+        let order = ModeOrder::ascending(&frequencies).first(self.modes);
         match order.len() {
             available if available < self.modes => Err(StructureError::TooManyModes { wanted: self.modes, available }),
-            _ => Ok(Solution { parts, order }),
+            _ => Ok(StructureSolution { parts, order }),
         }
     }
 
@@ -92,23 +92,23 @@ impl<'a> Structures<'a> {
         StructureError::positive("the longest element".into(), longest_m)?;
         let elements: f64 = self.segments.values().flatten().map(|segment| (segment.length_m / longest_m).ceil()).sum();
         let unknowns = ((2.0 * elements) as usize).saturating_add(self.bodies.len());
-        if unknowns > MOST_UNKNOWNS {
-            return Err(StructureError::MeshTooFine { longest_m, unknowns, allowed: MOST_UNKNOWNS });
+        if unknowns > MAX_UNKNOWNS {
+            return Err(StructureError::MeshTooFine { longest_m, unknowns, allowed: MAX_UNKNOWNS });
         }
         Ok(Mesh::Cubic { longest_m })
     }
 
     fn assembled(&self, body: &Body<'a>, mesh: &Mesh) -> Assembly<'a> {
         let elements = |part: &Part| match part.thing {
-            Thing::Beam(_) => self.segments[part.name].iter().flat_map(|segment| mesh.elements(segment)).collect::<Vec<Element>>(),
-            Thing::Mass(_) => Vec::new(),
+            PartKind::Beam(_) => self.segments[part.name].iter().flat_map(|segment| mesh.elements(segment)).collect::<Vec<Element>>(),
+            PartKind::Mass(_) => Vec::new(),
         };
         let elements = body.parts.iter().map(elements).collect();
         Assembly::new(body.clone(), elements)
     }
 }
 
-impl Solution<'_> {
+impl StructureSolution<'_> {
     /// Angular frequencies of the kept modes, rad/s.
     pub fn frequency_rad_s(&self) -> Vec<f64> {
         let lists: Vec<&[f64]> = self.parts.iter().map(|(_, reduced)| reduced.frequency_rad_s.as_slice()).collect();
@@ -122,8 +122,8 @@ impl Solution<'_> {
 }
 
 /// Solves one body and gives every mode its sign.
-fn solved(assembly: Assembly) -> Result<(Assembly, Reduced), StructureError> {
-    let mut reduced = Reduced::new(&assembly)?;
+fn solved(assembly: Assembly) -> Result<(Assembly, AssemblyModes), StructureError> {
+    let mut reduced = AssemblyModes::new(&assembly)?;
     reduced.orient(&assembly.free_ends());
     Ok((assembly, reduced))
 }

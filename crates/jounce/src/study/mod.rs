@@ -1,33 +1,28 @@
-//! Studies: many runs of one spec.
+//! Studies in parts: one quantity at many points over the keys of a spec, on as many processes as there are.
+//!
+//! The points of a study are fixed by its text and its seed, and so is how they fall into parts. A part is computed by the same operations
+//! wherever that happens, and is written whole or not at all, so that any number of processes, stopped and started in any order, come to
+//! the same table.
 
-mod bandwidth;
-mod basins;
-mod branches;
-mod diagram;
-mod ensemble;
-mod journal;
-mod jumps;
-mod orbit_limits;
-mod parameter;
-mod prepared;
-mod recognition;
-mod started;
-mod sweep;
-mod sweep_point;
+mod design;
+mod error;
+mod evaluation;
+mod faults;
+mod folder;
+mod key_quantities;
+mod lock;
+mod parametric_study;
+mod quantity;
+mod read;
+mod read_quantity;
+mod sampling;
+mod shard;
+mod sobol;
 
-pub use bandwidth::{Bandwidth, BandwidthSearch, Bandwidths, Edge, Interval, Limit, Peak};
-pub use basins::{Attractor, Basins, BasinsAnswer, Cloud, Grid, GridAxis, GridError, GridSide, Share, Starts, wilson};
-pub use branches::{Bifurcation, Branch, BranchCarry, BranchChase, BranchKind, BranchOptions, BranchPoint, BranchSearch, Carried, Ending};
-pub use branches::{KnownOrbit, Level, Method, NotProved, Trend};
-pub use diagram::{Diagram, History, Lineage, Order, SectionPoint, Seen, Turn, Visit};
-pub use ensemble::{ContactCount, Ensemble, EnsembleAnswer, Estimate, IntervalOver, Member, MemberStop, StopEstimates, VoltageSpectrum};
-pub use journal::{Journal, JournalError};
-pub use jumps::{CurveKind, JumpCurve, JumpPoint, JumpSearch, KeyPlane};
-pub use parameter::Parameter;
-pub use prepared::{Prepared, StudyError};
-pub(crate) use recognition::settled_orbits;
-pub use recognition::{Aperiodic, AttractingOrbit, AttractorKind, Lyapunov, Recognition, Recognizer, SteadyState};
-pub use recognition::{largest_exponent, settled_orbit};
-pub use started::Started;
-pub use sweep::{Direction, Sweep};
-pub use sweep_point::{SweepPoint, Way};
+pub use design::{Design, Varied};
+pub use error::StudyError;
+pub use folder::{Folder, Status};
+pub use parametric_study::Study;
+pub use quantity::Quantity;
+pub use sampling::Sampling;
+pub use shard::Shard;

@@ -1,10 +1,10 @@
 //! The library's accounts of the starts of a cloud against marches by brute force.
 
-use crate::brute::{Ending, Flow, Kind, Model, Patience, classify};
+use crate::brute::{Ending, Flow, Kind, Patience, ReferenceModel, classify};
 use crate::library::{Account, AccountKind, accounts, unseen};
+use jounce::analysis::{Cloud, InitialStates, Model};
 use jounce::plant::System;
 use jounce::spec::SpecFile;
-use jounce::study::{Cloud, Prepared, Starts};
 use rayon::prelude::*;
 use std::fmt::{self, Display};
 use std::time::Instant;
@@ -65,7 +65,7 @@ pub fn endings(system: &System, starts: &[Vec<f64>], patience: Patience, toleran
 }
 
 fn endings_of<const N: usize, const D: usize>(system: &System, starts: &[Vec<f64>], patience: Patience, tolerance: f64) -> Vec<Ending> {
-    let model = Model::<N, D>::of(system);
+    let model = ReferenceModel::<N, D>::of(system);
     starts.par_iter().map(|start| classify(Flow { model: &model, tolerance }, start, patience)).collect()
 }
 
@@ -123,8 +123,8 @@ fn groups(endings: &[Ending]) -> Vec<Vec<usize>> {
 }
 
 /// Compares both on one spec.
-pub fn compare(file: &SpecFile, starts: Starts, patience: Patience, tolerance: f64) -> Agreement {
-    let prepared = Prepared::new(file.spec().unwrap()).unwrap();
+pub fn compare(file: &SpecFile, starts: InitialStates, patience: Patience, tolerance: f64) -> Agreement {
+    let prepared = Model::new(file.spec().unwrap()).unwrap();
     let plant = &prepared.kernel.plant;
     let drive = &plant.system.drives[0];
     let key = (format!("drive.{}.frequency", drive.name), drive.frequency_hz);
@@ -147,12 +147,12 @@ pub fn compare(file: &SpecFile, starts: Starts, patience: Patience, tolerance: f
     let verdicts = endings.iter().enumerate().map(decide).collect();
     // The starts of a cloud are drawn one by one, so that its first ones are a cloud too.
     let other_starts = match starts {
-        Starts::Cloud(cloud) => {
+        InitialStates::Cloud(cloud) => {
             let part = cloud.starts / HELD_BACK;
-            let held_back = accounts(file, (&key.0, key.1), Starts::Cloud(Cloud { starts: part, ..cloud }));
+            let held_back = accounts(file, (&key.0, key.1), InitialStates::Cloud(Cloud { starts: part, ..cloud }));
             covered(&endings[part..], &held_back, part)
         }
-        Starts::Grid(_) => [0, 0],
+        InitialStates::Grid(_) => [0, 0],
     };
     Agreement {
         same_starts: covered(&endings, &found, starts.len()),

@@ -10,8 +10,8 @@
 use crate::agreement::{Verdict, compare};
 use crate::brute::Patience;
 use crate::drawn::drawn;
+use jounce::analysis::{Cloud, InitialStates};
 use jounce::spec::SpecFile;
-use jounce::study::{Cloud, Starts};
 
 /// Seed of the harvesters.
 const SEED: u64 = 22;
@@ -23,8 +23,8 @@ fn number(name: &str) -> Option<usize> {
     std::env::var(name).ok().map(|text| text.parse().unwrap_or_else(|_| panic!("{name} is `{text}`, no number")))
 }
 
-fn cloud(starts: usize) -> Starts {
-    Starts::Cloud(Cloud { starts, seed: 5, spread: 3.0 })
+fn cloud(starts: usize) -> InitialStates {
+    InitialStates::Cloud(Cloud { starts, seed: 5, spread: 3.0 })
 }
 
 /// Drawn harvesters that cost little: their motions settle within some hundred cycles. Neither the library nor brute force takes any of

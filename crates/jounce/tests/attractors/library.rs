@@ -1,7 +1,7 @@
 //! The library's account of a cloud: all that is used of its analysis of basins.
 
+use jounce::analysis::{Attractor, AttractorKind, BasinFraction, Basins, InitialStates, Model, Parameter, Recognition, wilson};
 use jounce::spec::SpecFile;
-use jounce::study::{Attractor, AttractorKind, Basins, Parameter, Prepared, Recognition, Share, Starts, wilson};
 
 /// What the library says of the starts that end on one attractor.
 #[derive(Debug, Clone)]
@@ -11,7 +11,7 @@ pub struct Account {
     pub mean_power_w: f64,
     /// States at the starts of drive cycles, energy coordinates; none without an orbit.
     pub strobe: Vec<Vec<f64>>,
-    pub share: Share,
+    pub share: BasinFraction,
     pub starts: Vec<usize>,
 }
 
@@ -26,8 +26,8 @@ pub enum AccountKind {
 }
 
 /// The accounts of all starts; a start that none lists is undecided. `key` is any numeric key of the spec.
-pub fn accounts(file: &SpecFile, (key, value): (&str, f64), starts: Starts) -> Vec<Account> {
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+pub fn accounts(file: &SpecFile, (key, value): (&str, f64), starts: InitialStates) -> Vec<Account> {
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key(key).unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
     let answer = Basins { base: &base, parameter: &parameter, value, starts, recognition: Recognition::at(1e-8) }.run(&|| ()).unwrap();
@@ -46,7 +46,7 @@ fn account(attractor: &Attractor) -> Account {
         kind,
         mean_power_w: attractor.mean_power_w,
         // The last state is the first again.
-        strobe: attractor.orbit.as_ref().map_or(Vec::new(), |orbit| orbit.looks[..orbit.period_cycles as usize].to_vec()),
+        strobe: attractor.orbit.as_ref().map_or(Vec::new(), |orbit| orbit.strobe_states[..orbit.period_cycles as usize].to_vec()),
         share: attractor.share,
         starts: attractor.starts.clone(),
     }

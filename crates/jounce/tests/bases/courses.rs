@@ -1,7 +1,7 @@
 //! A free ball on a table that moves: in the frame of the table, where the ground moves with all of its stops, and in space, where the
 //! table alone moves. Gravity, noise, pulses and steps of velocity; the energies are those of two frames, and each balance closes.
 
-use crate::systems::{LAWS, kernel, marcher, motion};
+use crate::systems::{LAWS, integrator, kernel, motion};
 use jounce::drive::Travel;
 
 const DRIVES: [&str; 4] = [
@@ -38,8 +38,8 @@ fn a_ball_falls_on_a_moving_table_in_either_frame() {
                 moved.fold(own, |[x, v], [dx, dv]| [x + dx, v + dv])
             };
             let [x, v] = table(0.0);
-            let mut one = marcher(&inside, &[0.0], &[0.0], 1e-12);
-            let mut other = marcher(&outside, &[x], &[v], 1e-12);
+            let mut one = integrator(&inside, &[0.0], &[0.0], 1e-12);
+            let mut other = integrator(&outside, &[x], &[v], 1e-12);
             let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
             for k in 1..=12 {
                 let time_s = 0.0237 * f64::from(k);
@@ -51,7 +51,7 @@ fn a_ball_falls_on_a_moving_table_in_either_frame() {
                 largest = largest.max(a.abs());
             }
             let contacts = [one.statistics().contacts, other.statistics().contacts];
-            let balance = [&one, &other].map(|marcher| marcher.energies().residual_relative().abs());
+            let balance = [&one, &other].map(|integrator| integrator.energies().residual_relative().abs());
             let name = format!("{}, {}", law.lines().next().unwrap(), drive.lines().next().unwrap());
             eprintln!("{name}: {contacts:?} contacts, apart by {:.1e}, balances {:.1e} {:.1e}", worst / largest, balance[0], balance[1]);
             // The bounces at the end of chatter are counted until they are too slow to matter, which the two frames need not agree on.

@@ -1,7 +1,7 @@
 //! A mass on a spring on a moving base strikes stops that stand still. In the frame of the base it feels inertial forces and stops that
 //! move; in space a force `k X + c X'` and stops at rest, without any base. Both must be one motion.
 
-use crate::systems::{LAWS, kernel, marcher, motion};
+use crate::systems::{LAWS, integrator, kernel, motion};
 use std::f64::consts::{PI, TAU};
 
 const MASS_KG: f64 = 1.0;
@@ -29,8 +29,8 @@ fn compare(what: &str, moving: &str, still: &str, base: impl Fn(f64) -> [f64; 2]
     let (moving, still) = (kernel(moving), kernel(still));
     let [x, v] = base(0.0);
     // At rest in space, in both.
-    let mut one = marcher(&moving, &[-x], &[-v], TOLERANCE);
-    let mut other = marcher(&still, &[0.0], &[0.0], TOLERANCE);
+    let mut one = integrator(&moving, &[-x], &[-v], TOLERANCE);
+    let mut other = integrator(&still, &[0.0], &[0.0], TOLERANCE);
     let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
     for k in 1..=40 {
         let time_s = 0.0371 * f64::from(k);

@@ -1,9 +1,9 @@
 //! Periodic orbits against a stop that stands still, by both methods, against the same orbit of the harvester that a force drives.
 
-use jounce::continuation::{Corrector, Metric, Position, settle};
+use jounce::analysis::{Model, Parameter, settled_orbit};
+use jounce::continuation::{Corrector, Metric, Position, correct_at};
 use jounce::orbit::{HarmonicBalance, Orbit, OrbitMethod, Shooting};
 use jounce::spec::SpecFile;
-use jounce::study::{Parameter, Prepared, settled_orbit};
 use std::f64::consts::TAU;
 
 const DRIVE_HZ: f64 = 7.0;
@@ -18,14 +18,14 @@ fn file(on: &str, drive: &str) -> SpecFile {
 
 /// Displacement in space at the start of a period.
 fn start_m(file: &SpecFile, x_m: f64, balance: bool) -> (Orbit, f64) {
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.d.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
     let settled = settled_orbit(&parameter, DRIVE_HZ, &vec![0.0; base.kernel.plant.len()], 1e-11, 1e-11).unwrap();
     let orbit = if balance {
         let method = HarmonicBalance::new(Shooting::new(&parameter, &base.kernel, 1, 1e-10), &base.kernel, 128, 3e-8).unwrap();
         let position = Position { unknown: method.unknown_of(settled.start(), DRIVE_HZ).unwrap(), parameter: DRIVE_HZ };
-        let found = settle(&method, &Corrector { goal: 1e-10, most: 20 }, &Metric::at(&position, 1.0), position).unwrap();
+        let found = correct_at(&method, &Corrector { goal: 1e-10, most: 20 }, &Metric::at(&position, 1.0), position).unwrap();
         method.orbit(&found.local, found.error).unwrap()
     } else {
         settled

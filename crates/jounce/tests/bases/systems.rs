@@ -1,6 +1,6 @@
 //! What several tests share.
 
-use jounce::march::{Kernel, Marcher};
+use jounce::march::{Integrator, Kernel};
 use jounce::plant::{Plant, System};
 use jounce::spec::Spec;
 use jounce::structure::modes;
@@ -12,15 +12,15 @@ pub fn kernel(text: &str) -> Kernel {
 }
 
 /// A march from displacements and velocities of all modes.
-pub fn marcher<'k>(kernel: &'k Kernel, displacement: &[f64], velocity: &[f64], tolerance: f64) -> Marcher<'k> {
+pub fn integrator<'k>(kernel: &'k Kernel, displacement: &[f64], velocity: &[f64], tolerance: f64) -> Integrator<'k> {
     let mut x: Vec<f64> = displacement.iter().chain(velocity).copied().collect();
     x.resize(kernel.plant.len(), 0.0);
-    Marcher::new(kernel, &kernel.plant.from_physical(&x, 0.0), 0.0, tolerance).unwrap()
+    Integrator::new(kernel, &kernel.plant.from_physical(&x, 0.0), 0.0, tolerance).unwrap()
 }
 
 /// Displacement and velocity of a point.
-pub fn motion(marcher: &Marcher, kernel: &Kernel, point: &str) -> [f64; 2] {
-    let (x, n) = (marcher.physical(), kernel.plant.system.modes.len());
+pub fn motion(integrator: &Integrator, kernel: &Kernel, point: &str) -> [f64; 2] {
+    let (x, n) = (integrator.physical(), kernel.plant.system.modes.len());
     let shape = &kernel.plant.system.modes.shape[point];
     [0, n].map(|first| shape.iter().zip(&x[first..]).map(|(s, q)| s * q).sum())
 }

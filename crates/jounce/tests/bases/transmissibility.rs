@@ -2,7 +2,7 @@
 //! amplitude is `(k1 + i c w) / (k1 + k2 - m w^2 + i c w)` times that of the base, and the mean power
 //! of the base, `c w^2 |Z - X|^2 / 2`, is what the dashpot between them takes.
 
-use crate::systems::{kernel, marcher, motion};
+use crate::systems::{integrator, kernel, motion};
 use faer::c64;
 use std::f64::consts::TAU;
 
@@ -22,7 +22,7 @@ fn a_mass_between_two_springs_moves_as_its_closed_form_says() {
         let relative = carried / (carried + c64::new(k2 - m * w * w, 0.0)) - c64::new(1.0, 0.0);
         // The coupled oscillator decays by c / 2 m: 60 s leave e^-56 of the start.
         let (end_s, window_s) = (60.0, 10.0 / drive_hz);
-        let mut march = marcher(&kernel, &[0.0], &[0.0], 1e-11);
+        let mut march = integrator(&kernel, &[0.0], &[0.0], 1e-11);
         march.advance_to(end_s - window_s).unwrap();
         let before_j = march.energies().input_j;
         march.advance_to(end_s).unwrap();

@@ -2,9 +2,9 @@
 
 use crate::kept::check;
 use crate::rows::folder;
+use jounce::analysis::{Bifurcation, Branch, BranchSearch, Model, OrbitMethodKind, Parameter};
 use jounce::picture::{Axis, BranchLine, BranchMark, branches};
 use jounce::spec::SpecFile;
-use jounce::study::{Bifurcation, Branch, BranchSearch, Method, Parameter, Prepared};
 
 const EXAMPLE: &str = "bouncing-and-impact-oscillators";
 
@@ -25,11 +25,11 @@ fn mark(found: &Bifurcation) -> BranchMark {
 #[test]
 fn resonance_curve_with_both_folds() {
     let file = SpecFile::read(folder(EXAMPLE).join("duffing.toml")).unwrap();
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let range = (0.95, 1.4);
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
-    let method = Method::Shooting;
+    let method = OrbitMethodKind::Shooting;
     let found = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance: 1e-10, seeds: 0, longest_period: 1 }.run();
     let found = found.unwrap();
     let lines: Vec<BranchLine> = found.iter().map(line).collect();

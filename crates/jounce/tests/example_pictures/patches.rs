@@ -3,13 +3,13 @@
 use crate::example::plant;
 use crate::kept::check;
 use crate::loads::{over_resistance, per_g, power_per_g2, spaced};
-use jounce::linear::Response;
+use jounce::linear::FrfResponse;
 use jounce::picture::{Axis, Colour, Figure, Panel, Series, power_against_resistance};
 
 /// Frequency of the highest voltage of an open patch between two frequencies, Hz.
 fn resonance_hz(example: &str, patch: &str, settings: &[(&str, &str)], low_hz: f64, high_hz: f64) -> f64 {
     let frequency_hz = spaced(low_hz, high_hz, 4001);
-    let voltage = per_g(&plant(example, settings), Response::Voltage(patch.into()), &frequency_hz);
+    let voltage = per_g(&plant(example, settings), FrfResponse::Voltage(patch.into()), &frequency_hz);
     let highest = (0..voltage.len()).max_by(|a, b| voltage[*a].total_cmp(&voltage[*b])).unwrap();
     frequency_hz[highest]
 }
@@ -25,8 +25,8 @@ fn the_two_kinds_of_macro_fibre_composite() {
         let plant = plant(EXAMPLE, &[("patch.mfc.material", kind), ("reduction.modes", "6")]);
         let line = |response| Series::line(frequency_hz.clone(), per_g(&plant, response, &frequency_hz)).colour(Colour::nth(index));
         let label = if kind == "MFC-P2" { "MFC-P2, d31" } else { "MFC-P1, d33" };
-        voltage = voltage.with(line(Response::LoadVoltage("load".into())).label(label));
-        tip = tip.with(line(Response::Displacement("substrate.end".into())));
+        voltage = voltage.with(line(FrfResponse::LoadVoltage("load".into())).label(label));
+        tip = tip.with(line(FrfResponse::Displacement("substrate.end".into())));
     }
     let title = "Two kinds of Macro Fiber Composite on one substrate whose base shakes";
     check(EXAMPLE, "responses", &Figure::new(title).with(voltage).with(tip));

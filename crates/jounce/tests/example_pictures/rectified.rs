@@ -3,10 +3,10 @@
 use crate::kept::check;
 use crate::loads::{over_resistance, spaced};
 use crate::rows::folder;
+use jounce::analysis::Model;
 use jounce::picture::{Trace, power_against_resistance, time_histories};
-use jounce::run::{RunAnswer, RunPlan, simulate};
+use jounce::run::{RunPlan, RunResult, simulate};
 use jounce::spec::SpecFile;
-use jounce::study::Prepared;
 use std::path::Path;
 
 const EXAMPLE: &str = "rectified-shu-lien-2006";
@@ -14,13 +14,13 @@ const EXAMPLE: &str = "rectified-shu-lien-2006";
 /// The diodes of the spec, nearly without resistance.
 const DIODES: (&str, &str) = ("circuit.rectifier.diode_resistance", "1 uohm");
 
-fn run(settings: &[(&str, &str)], duration_s: f64, average_over_s: f64, record_s: f64) -> (Prepared, RunAnswer) {
+fn run(settings: &[(&str, &str)], duration_s: f64, average_over_s: f64, record_s: f64) -> (Model, RunResult) {
     let text = std::fs::read_to_string(folder(EXAMPLE).join("harvester.toml")).unwrap();
     // Not every interface has diodes with a resistance of their own: those that have one set it again.
     let text: String = text.lines().filter(|line| !line.starts_with("diode_resistance")).map(|line| format!("{line}\n")).collect();
     let mut file = SpecFile::from_text(text);
     settings.iter().for_each(|(key, value)| file.set(key, value).unwrap());
-    let prepared = Prepared::new(file.spec().unwrap()).unwrap();
+    let prepared = Model::new(file.spec().unwrap()).unwrap();
     let start = prepared.start(Path::new(".")).unwrap();
     let plan = RunPlan { duration_s, average_over_s, tolerance: 1e-7, record_s };
     let answer = simulate(&prepared.kernel, &start, &plan).unwrap();

@@ -3,7 +3,7 @@
 use crate::example::plant;
 use crate::kept::check;
 use crate::loads::{over_resistance, per_g, power_per_g2, spaced};
-use jounce::linear::Response;
+use jounce::linear::FrfResponse;
 use jounce::picture::{Axis, Figure, Panel, Series, power_against_resistance};
 
 /// A panel of one line for each load.
@@ -27,14 +27,14 @@ fn unimorph_voltage_current_and_tip_at_five_loads() {
         ("1 MΩ", "1 Mohm", 1e6),
         ("10 MΩ", "10 Mohm", 1e7),
     ];
-    let lines = |response: Response, per_load: &dyn Fn(f64) -> f64| -> Vec<(&str, Vec<f64>)> {
+    let lines = |response: FrfResponse, per_load: &dyn Fn(f64) -> f64| -> Vec<(&str, Vec<f64>)> {
         let line = |(label, words, ohm): &(&'static str, &str, f64)| {
             let plant = plant(EXAMPLE, &[("circuit.load.resistance", words)]);
             (*label, per_g(&plant, response.clone(), &frequency_hz).into_iter().map(|value| value * per_load(*ohm)).collect())
         };
         loads.iter().map(line).collect()
     };
-    let voltage = || Response::LoadVoltage("load".into());
+    let voltage = || FrfResponse::LoadVoltage("load".into());
     let figure = Figure::new("Voltage, current and motion of the tip against the load, peak values per g of the base")
         .with(panel("Voltage per g", "V", &frequency_hz, &lines(voltage(), &|_| 1.0), true))
         .with(panel("Current per g", "A", &frequency_hz, &lines(voltage(), &|ohm| 1.0 / ohm), false))
@@ -42,7 +42,7 @@ fn unimorph_voltage_current_and_tip_at_five_loads() {
             "Tip per g, relative to the base",
             "m",
             &frequency_hz,
-            &lines(Response::Displacement("beam.end".into()), &|_| 1.0),
+            &lines(FrfResponse::Displacement("beam.end".into()), &|_| 1.0),
             false,
         ));
     check(EXAMPLE, "responses", &figure);

@@ -1,6 +1,6 @@
 //! `examples/ball-umeda-1996`: Umeda, Nakamura and Uehara, Jpn. J. Appl. Phys. 35 (1996) 3267.
 
-use crate::example::{kernel, marcher, motion, relative, run, system};
+use crate::example::{integrator, kernel, motion, relative, run, system};
 use crate::rows::check;
 use jounce::contact::{Law, Rigid};
 use jounce::reference::Impulse;
@@ -78,26 +78,26 @@ fn merge() -> [f64; 2] {
     system.stops[0].law = Law::Rigid(Rigid { restitution: 0.0 });
     let kernel = kernel(system);
     let start = StartState::linear(&kernel.plant);
-    let mut marcher = marcher(&kernel, &start.physical(), 1e-10);
-    let sag_m = motion(&marcher, &kernel, "disc.centre")[0];
+    let mut integrator = integrator(&kernel, &start.physical(), 1e-10);
+    let sag_m = motion(&integrator, &kernel, "disc.centre")[0];
     let meets_s = (2.0 * (FALL_M - sag_m) / G_M_S2).sqrt();
     let (speed, share) = (G_M_S2 * meets_s, BALL_KG / (BALL_KG + DISC_KG));
-    marcher.advance_to(meets_s * (1.0 - 1e-9)).unwrap();
-    assert_eq!(marcher.statistics().contacts, 0);
-    marcher.advance_to(meets_s * (1.0 + 1e-9)).unwrap();
-    let [ball, disc] = ["ball", "disc.centre"].map(|point| motion(&marcher, &kernel, point)[1]);
-    let statistics = marcher.statistics();
+    integrator.advance_to(meets_s * (1.0 - 1e-9)).unwrap();
+    assert_eq!(integrator.statistics().contacts, 0);
+    integrator.advance_to(meets_s * (1.0 + 1e-9)).unwrap();
+    let [ball, disc] = ["ball", "disc.centre"].map(|point| motion(&integrator, &kernel, point)[1]);
+    let statistics = integrator.statistics();
     let reduced_kg = share * DISC_KG;
     let errors = [
         relative(-ball, share * speed),
         relative(-disc, share * speed),
         relative(statistics.max_strike_m_s, speed),
         relative(statistics.impulse_n_s, reduced_kg * speed),
-        relative(marcher.energies().contact_loss_j, 0.5 * reduced_kg * speed * speed),
+        relative(integrator.energies().contact_loss_j, 0.5 * reduced_kg * speed * speed),
     ];
     eprintln!("merge: velocities, strike, impulse, loss {errors:?}");
     assert!(errors.iter().all(|error| *error < 1e-6), "{errors:?}");
-    [-ball, marcher.energies().contact_loss_j]
+    [-ball, integrator.energies().contact_loss_j]
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! `examples/driving-beam-gu-2011`: Gu and Livermore, Smart Mater. Struct. 20 (2011) 045004.
 
-use crate::example::{kernel, marcher, motion, relative, run, system, throw};
+use crate::example::{integrator, kernel, motion, relative, run, system, throw};
 use crate::rows::check;
-use jounce::march::{Kernel, Marcher};
+use jounce::march::{Integrator, Kernel};
 use std::f64::consts::{PI, TAU};
 
 const EXAMPLE: &str = "driving-beam-gu-2011";
@@ -29,10 +29,10 @@ fn oscillators(damping: [f64; 2]) -> Kernel {
 }
 
 /// The driving mass has just come in at 0.1 m/s.
-fn struck(kernel: &Kernel) -> Marcher<'_> {
+fn struck(kernel: &Kernel) -> Integrator<'_> {
     let mut start = vec![0.0; kernel.plant.len()];
     throw(&kernel.plant.system, &mut start, "driving", SPEED_M_S);
-    marcher(kernel, &start, 1e-11)
+    integrator(kernel, &start, 1e-11)
 }
 
 /// While together they swing as one oscillator, with its frequency and its damping. Measured: 1e-15.
@@ -40,15 +40,15 @@ fn struck(kernel: &Kernel) -> Marcher<'_> {
 fn together_they_are_one_oscillator() {
     let damping = [0.02, 0.01];
     let kernel = oscillators(damping);
-    let mut marcher = struck(&kernel);
+    let mut integrator = struck(&kernel);
     let (w, zeta) = (coupled_rad_s(), coupled_damping(damping));
     let swing = w * (1.0 - zeta * zeta).sqrt();
     let common = SPEED_M_S * MASS_KG[0] / MASS_KG.iter().sum::<f64>();
     for step in 1..=9 {
         let time_s = 0.1 * f64::from(step) * PI / w;
-        marcher.advance_to(time_s).unwrap();
+        integrator.advance_to(time_s).unwrap();
         let exact_m = common / swing * (-zeta * w * time_s).exp() * (swing * time_s).sin();
-        let error = ["driving", "generating"].map(|point| (motion(&marcher, &kernel, point)[0] - exact_m).abs() * w / common);
+        let error = ["driving", "generating"].map(|point| (motion(&integrator, &kernel, point)[0] - exact_m).abs() * w / common);
         eprintln!("after {step} tenths of the contact: {error:?}");
         assert!(error.iter().all(|error| *error < 1e-9), "{error:?}");
     }
@@ -57,10 +57,10 @@ fn together_they_are_one_oscillator() {
 /// Without damping they part where both springs are relaxed, after half a period: duration and energy lost in the merge.
 fn contact() -> [f64; 2] {
     let kernel = oscillators([0.0, 0.0]);
-    let mut marcher = struck(&kernel);
-    marcher.advance_to(1.02 * PI / coupled_rad_s()).unwrap();
-    let statistics = marcher.statistics();
-    [statistics.sticking_s, marcher.energies().contact_loss_j]
+    let mut integrator = struck(&kernel);
+    integrator.advance_to(1.02 * PI / coupled_rad_s()).unwrap();
+    let statistics = integrator.statistics();
+    [statistics.sticking_s, integrator.energies().contact_loss_j]
 }
 
 /// The spec by itself shows the strike: one contact of half a period together, and the loss of the merge. Measured without damping: 1e-7

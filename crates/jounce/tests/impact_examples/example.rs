@@ -1,12 +1,12 @@
 //! Runs of the examples.
 
 use crate::rows::folder;
-use jounce::march::{Kernel, Marcher};
+use jounce::analysis::Model;
+use jounce::march::{Integrator, Kernel};
 use jounce::plant::{Plant, System};
-use jounce::run::{RunAnswer, RunPlan, simulate};
+use jounce::run::{RunPlan, RunResult, simulate};
 use jounce::spec::{Spec, SpecFile};
 use jounce::structure::modes;
-use jounce::study::Prepared;
 
 /// A spec of an example with some keys set.
 pub fn spec(example: &str, file: &str, settings: &[(&str, &str)]) -> Spec {
@@ -27,10 +27,10 @@ pub fn kernel(system: System) -> Kernel {
 }
 
 /// The run that a spec asks for.
-pub fn run(example: &str, file: &str, settings: &[(&str, &str)]) -> (Kernel, RunAnswer) {
+pub fn run(example: &str, file: &str, settings: &[(&str, &str)]) -> (Kernel, RunResult) {
     let spec = spec(example, file, settings);
     let run = spec.run.clone();
-    let prepared = Prepared::new(spec).unwrap();
+    let prepared = Model::new(spec).unwrap();
     let start = prepared.start(&folder(example)).unwrap();
     let plan = RunPlan::of(&run, run.duration_s);
     let answer = simulate(&prepared.kernel, &start, &plan).unwrap();
@@ -52,13 +52,13 @@ pub fn own_mode(system: &System, point: &str) -> usize {
 }
 
 /// A march from a physical state at time 0.
-pub fn marcher<'k>(kernel: &'k Kernel, state: &[f64], tolerance: f64) -> Marcher<'k> {
-    Marcher::new(kernel, &kernel.plant.from_physical(state, 0.0), 0.0, tolerance).unwrap()
+pub fn integrator<'k>(kernel: &'k Kernel, state: &[f64], tolerance: f64) -> Integrator<'k> {
+    Integrator::new(kernel, &kernel.plant.from_physical(state, 0.0), 0.0, tolerance).unwrap()
 }
 
 /// Displacement and velocity of a point where a march has come to.
-pub fn motion(marcher: &Marcher, kernel: &Kernel, point: &str) -> [f64; 2] {
-    let state = kernel.plant.to_physical(&marcher.state(), marcher.time_s());
+pub fn motion(integrator: &Integrator, kernel: &Kernel, point: &str) -> [f64; 2] {
+    let state = kernel.plant.to_physical(&integrator.state(), integrator.time_s());
     let shape = &kernel.plant.system.modes.shape[point];
     let n = shape.len();
     [0, n].map(|from| shape.iter().zip(&state[from..]).map(|(s, q)| s * q).sum())

@@ -1,6 +1,6 @@
 //! `examples/missile-renaud-2009`: Renaud, Fiorini, van Schaijk and van Hoof, Smart Mater. Struct. 18 (2009) 035001.
 
-use crate::example::{kernel, marcher, motion, own_mode, relative, run, system, throw};
+use crate::example::{integrator, kernel, motion, own_mode, relative, run, system, throw};
 use crate::rows::check;
 use jounce::plant::System;
 use jounce::reference::Impulse;
@@ -30,17 +30,17 @@ fn one_impact_is_newtons() {
     let kernel = kernel(system);
     let mut start = vec![0.0; kernel.plant.len()];
     throw(&kernel.plant.system, &mut start, "missile", speed);
-    let mut marcher = marcher(&kernel, &start, 1e-10);
-    marcher.advance_to(GAP_M / speed + 1e-12).unwrap();
-    let [after, tip] = ["missile", "right.end"].map(|point| motion(&marcher, &kernel, point)[1]);
+    let mut integrator = integrator(&kernel, &start, 1e-10);
+    integrator.advance_to(GAP_M / speed + 1e-12).unwrap();
+    let [after, tip] = ["missile", "right.end"].map(|point| motion(&integrator, &kernel, point)[1]);
     let reduced = m * beam / (m + beam);
-    let statistics = marcher.statistics_by_stop()[1];
+    let statistics = integrator.statistics_by_stop()[1];
     let errors = [
         relative(after, (m - e * beam) / (m + beam) * speed),
         relative(tip, (1.0 + e) * m / (m + beam) * speed),
         relative(m * after + beam * tip, m * speed),
         relative(statistics.impulse_n_s, (1.0 + e) * reduced * speed),
-        relative(marcher.energies().contact_loss_j, 0.5 * reduced * (1.0 - e * e) * speed * speed),
+        relative(integrator.energies().contact_loss_j, 0.5 * reduced * (1.0 - e * e) * speed * speed),
     ];
     eprintln!("beam of {:.3} g: velocities, momentum, impulse, loss {errors:?}", 1e3 * beam);
     assert_eq!(statistics.contacts, 1);
@@ -64,12 +64,12 @@ fn isolated_impact() -> [f64; 2] {
     let kernel = kernel(system);
     let mut start = vec![0.0; kernel.plant.len()];
     throw(&kernel.plant.system, &mut start, "missile", speed);
-    let mut marcher = marcher(&kernel, &start, 1e-10);
-    marcher.advance_to(0.3).unwrap();
-    assert_eq!(marcher.statistics().contacts, 1);
+    let mut integrator = integrator(&kernel, &start, 1e-10);
+    integrator.advance_to(0.3).unwrap();
+    assert_eq!(integrator.statistics().contacts, 1);
     let tip_m_s = (1.0 + RESTITUTION) * m / (m + beam) * speed;
     let exact_j = blow.efficiency() * 0.5 * beam * tip_m_s * tip_m_s;
-    let found_j = marcher.energies().loads_j[1];
+    let found_j = integrator.energies().loads_j[1];
     eprintln!("{blow:?}: {found_j:e} J, {:.1e}", relative(found_j, exact_j));
     [found_j, exact_j]
 }
@@ -85,13 +85,13 @@ fn a_fall_through_the_channel_takes_its_time() {
     let mut start = StartState::linear(&kernel.plant);
     let missile = own_mode(&kernel.plant.system, "missile");
     start.displacement[missile] = -12e-3 / kernel.plant.system.modes.shape["missile"][missile];
-    let mut marcher = marcher(&kernel, &start.physical(), 1e-10);
-    let fall_m = 12e-3 + GAP_M + motion(&marcher, &kernel, "right.end")[0];
+    let mut integrator = integrator(&kernel, &start.physical(), 1e-10);
+    let fall_m = 12e-3 + GAP_M + motion(&integrator, &kernel, "right.end")[0];
     let meets_s = (2.0 * fall_m / G_M_S2).sqrt();
-    marcher.advance_to(meets_s * (1.0 - 1e-9)).unwrap();
-    assert_eq!(marcher.statistics().contacts, 0);
-    marcher.advance_to(meets_s * (1.0 + 1e-9)).unwrap();
-    let statistics = marcher.statistics_by_stop()[1];
+    integrator.advance_to(meets_s * (1.0 - 1e-9)).unwrap();
+    assert_eq!(integrator.statistics().contacts, 0);
+    integrator.advance_to(meets_s * (1.0 + 1e-9)).unwrap();
+    let statistics = integrator.statistics_by_stop()[1];
     let error = relative(statistics.max_strike_m_s, (2.0 * G_M_S2 * fall_m).sqrt());
     eprintln!("strikes after {meets_s} s with {error:.1e}");
     assert!(statistics.contacts >= 1 && error < 1e-9, "{error:e}");

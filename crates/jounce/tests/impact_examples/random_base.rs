@@ -2,8 +2,8 @@
 
 use crate::example::{run, spec};
 use crate::rows::check;
+use jounce::analysis::{Ensemble, Model};
 use jounce::linear::{Random, steady_power_w};
-use jounce::study::{Ensemble, Prepared};
 use std::path::Path;
 
 const EXAMPLE: &str = "random-base";
@@ -13,7 +13,7 @@ const ABOVE: &[(&str, &str)] = &[("drive.shaker.low", "12 Hz"), ("drive.shaker.p
 /// Mean power without and with the stop, W: in closed form, and of four members of 12 s.
 fn powers_w(file: &str, settings: &[(&str, &str)]) -> [f64; 2] {
     let short = [("run.duration", "12 s"), ("run.average_over", "10 s")];
-    let base = Prepared::new(spec(EXAMPLE, file, &[settings, &short].concat())).unwrap();
+    let base = Model::new(spec(EXAMPLE, file, &[settings, &short].concat())).unwrap();
     let start = base.start(Path::new("")).unwrap();
     let linear = Random::new(&base.spec).unwrap().answer().unwrap();
     assert!(linear.loads.iter().all(|load| load.difference_relative.abs() < 1e-10), "{:?}", linear.loads);

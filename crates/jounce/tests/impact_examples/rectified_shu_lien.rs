@@ -1,7 +1,7 @@
 //! `rectified-shu-lien-2006`: an oscillator behind a full bridge.
 
 use crate::{example, rows};
-use jounce::linear::Input;
+use jounce::linear::FrfInput;
 use jounce::plant::{Plant, PlantError, System};
 use jounce::run::{RunPlan, StartState, charges, simulate};
 use std::f64::consts::{PI, TAU};
@@ -107,6 +107,6 @@ fn what_does_not_go_together_is_told() {
 fn a_rectifier_has_no_frequency_response() {
     let spec = jounce::spec::SpecFile::read(rows::folder(EXAMPLE).join("harvester.toml")).unwrap().spec().unwrap();
     let plant = Plant::new(System::assemble(&spec, jounce::structure::modes(&spec).unwrap()).unwrap()).unwrap();
-    let refused = jounce::linear::frf(&plant, &Input::BaseAcceleration, &[], &[1.0]).unwrap_err();
+    let refused = jounce::linear::frf(&plant, &FrfInput::BaseAcceleration, &[], &[1.0]).unwrap_err();
     assert_eq!(refused, PlantError::Switches { circuit: "rectifier".to_owned() });
 }

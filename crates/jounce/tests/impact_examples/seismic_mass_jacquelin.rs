@@ -1,6 +1,6 @@
 //! `examples/seismic-mass-jacquelin-2011`: Jacquelin, Adhikari and Friswell, Smart Mater. Struct. 20 (2011) 105008.
 
-use crate::example::{kernel, marcher, motion, relative, run, system, throw};
+use crate::example::{integrator, kernel, motion, relative, run, system, throw};
 use crate::reduced_basis::{fixed_contact, free_interface};
 use crate::rows::check;
 use jounce::contact::{Hertz, Law};
@@ -52,12 +52,12 @@ fn force_n(system: System) -> (Vec<f64>, f64) {
     let kernel = kernel(system);
     let mut start = vec![0.0; kernel.plant.len()];
     throw(&kernel.plant.system, &mut start, "seismic", 0.1);
-    let mut marcher = marcher(&kernel, &start, 1e-11);
-    marcher.start_record();
-    marcher.advance_to(8e-3).unwrap();
-    let speed = motion(&marcher, &kernel, "seismic")[1];
+    let mut integrator = integrator(&kernel, &start, 1e-11);
+    integrator.start_record();
+    integrator.advance_to(8e-3).unwrap();
+    let speed = motion(&integrator, &kernel, "seismic")[1];
     let times: Vec<f64> = (0..4000).map(|k| 2e-6 * f64::from(k)).collect();
-    (marcher.take_record().at(&kernel, &times).iter().map(|at| at.forces_n[0]).collect(), speed)
+    (integrator.take_record().at(&kernel, &times).iter().map(|at| at.forces_n[0]).collect(), speed)
 }
 
 fn distance(one: &[f64], other: &[f64]) -> f64 {
@@ -96,9 +96,9 @@ fn hertz_errors(times: f64) -> [f64; 2] {
     let kernel = kernel(system);
     let mut start = vec![0.0; kernel.plant.len()];
     throw(&kernel.plant.system, &mut start, "seismic", 0.1);
-    let mut marcher = marcher(&kernel, &start, 1e-12);
-    marcher.advance_to(3.0 * problem.contact_time_s()).unwrap();
-    let statistics = marcher.statistics();
+    let mut integrator = integrator(&kernel, &start, 1e-12);
+    integrator.advance_to(3.0 * problem.contact_time_s()).unwrap();
+    let statistics = integrator.statistics();
     assert_eq!(statistics.contacts, 1);
     [relative(statistics.max_force_n, problem.peak_force_n()), relative(statistics.time_s, problem.contact_time_s())]
 }
@@ -114,10 +114,10 @@ fn a_heavy_beam_is_the_fixed_body_of_hertz() {
 }
 
 /// Largest power of all loads between two times of a recorded run, W.
-fn peak_power_w(kernel: &Kernel, answer: &jounce::run::RunAnswer, from_s: f64, to_s: f64) -> f64 {
+fn peak_power_w(kernel: &Kernel, answer: &jounce::run::RunResult, from_s: f64, to_s: f64) -> f64 {
     let plant = &kernel.plant;
     let times: Vec<f64> = (0..20_000).map(|k| from_s + (to_s - from_s) * f64::from(k) / 2e4).collect();
-    let power = |at: jounce::march::Instant| -> f64 {
+    let power = |at: jounce::march::TrajectoryState| -> f64 {
         let voltages = plant.patch_voltages_v(&plant.to_physical(&at.state, at.time_s));
         let of_patch = |name: &str| voltages[plant.system.modes.patch.keys().position(|patch| patch == name).unwrap()];
         plant.system.loads.iter().map(|load| of_patch(&load.connections[0].patch).powi(2) / load.resistance_ohm).sum()

@@ -1,6 +1,6 @@
 //! `examples/shock-cavallier-2005`: Cavallier et al., IEEE Ultrasonics Symp. (2005) 943.
 
-use crate::example::{kernel, marcher, relative, run, system};
+use crate::example::{integrator, kernel, relative, run, system};
 use crate::rows::check;
 use jounce::drive::Wave;
 use jounce::plant::System;
@@ -65,9 +65,9 @@ fn residual(periods: f64) -> f64 {
     system.signals = self::system(EXAMPLE, SPEC, &[("reduction.modes", "1"), (file.0, &file.1)]).signals;
     assert!(!matches!(system.signals[0].wave, Wave::Constant(_)));
     let kernel = kernel(system);
-    let mut marcher = marcher(&kernel, &vec![0.0; kernel.plant.len()], 1e-12);
-    marcher.advance_to(1.01 * length_s).unwrap();
-    let state = kernel.plant.to_physical(&marcher.state(), marcher.time_s());
+    let mut integrator = integrator(&kernel, &vec![0.0; kernel.plant.len()], 1e-12);
+    integrator.advance_to(1.01 * length_s).unwrap();
+    let state = kernel.plant.to_physical(&integrator.state(), integrator.time_s());
     state[0].hypot(state[1] / frequency_rad_s) * frequency_rad_s.powi(2) / (participation * PEAK_M_S2)
 }
 

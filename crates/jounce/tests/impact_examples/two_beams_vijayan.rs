@@ -1,6 +1,6 @@
 //! `examples/two-beams-vijayan-2015`: Vijayan, Friswell, Haddad Khodaparast and Adhikari, Int. J. Mech. Sci. 96-97 (2015) 101.
 
-use crate::example::{kernel, marcher, relative, run, system, throw};
+use crate::example::{integrator, kernel, relative, run, system, throw};
 use crate::rows::check;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
@@ -22,12 +22,12 @@ fn two_oscillators_swing_at_the_bilinear_frequency() {
     let mut start = vec![0.0; 4];
     throw(&kernel.plant.system, &mut start, "lower", 0.5);
     throw(&kernel.plant.system, &mut start, "upper", -0.5);
-    let mut marcher = marcher(&kernel, &start, 1e-11);
+    let mut integrator = integrator(&kernel, &start, 1e-11);
     let bilinear_rad_s = 2.0 * 1.0 * 10.0 / (1.0 + 10.0);
-    marcher.advance_to(20.0 * TAU / bilinear_rad_s * (1.0 - 1e-12)).unwrap();
-    let state = kernel.plant.to_physical(&marcher.state(), marcher.time_s());
+    integrator.advance_to(20.0 * TAU / bilinear_rad_s * (1.0 - 1e-12)).unwrap();
+    let state = kernel.plant.to_physical(&integrator.state(), integrator.time_s());
     let error = start.iter().zip(&state).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    let statistics = marcher.statistics();
+    let statistics = integrator.statistics();
     eprintln!("{error:.1e}, pressed for {:.1e} relative", relative(statistics.time_s, 20.0 * PI / 10.0));
     assert!(error < 1e-8 && relative(statistics.time_s, 20.0 * PI / 10.0) < 1e-7, "{error:e}");
 }

@@ -1,7 +1,7 @@
 //! Wiring and inductors against circuit equations written out, and the conserved charge of open patches.
 
 use faer::c64;
-use jounce::linear::{Input, Response, frf};
+use jounce::linear::{FrfInput, FrfResponse, frf};
 use jounce::plant::{Connection, Load, Meters, Plant, System};
 use jounce::spec::Wiring;
 use jounce::structure::{Modes, PatchModes};
@@ -119,7 +119,7 @@ fn solved(mut rows: Vec<Vec<c64>>) -> Vec<c64> {
 /// Every wiring of unlike patches, with and without an inductor.
 #[test]
 fn voltages_solve_the_circuit_equations() {
-    let wanted = NAMES.map(|name| Response::Voltage(name.into()));
+    let wanted = NAMES.map(|name| FrfResponse::Voltage(name.into()));
     let mut worst = 0.0_f64;
     for patches in [&[("a", 1.0), ("b", -1.0)][..], &[("c", 1.0), ("a", -1.0), ("b", 1.0)], &[("b", -1.0)]] {
         for wiring in [Wiring::Parallel, Wiring::Series] {
@@ -128,7 +128,7 @@ fn voltages_solve_the_circuit_equations() {
                 let plant = plant(&load);
                 for frequency_hz in [3.0, 9.6, 40.0, 150.0] {
                     let exact = solved(equations(&load, TAU * frequency_hz));
-                    let found = frf(&plant, &Input::BaseAcceleration, &wanted, &[frequency_hz]).unwrap();
+                    let found = frf(&plant, &FrfInput::BaseAcceleration, &wanted, &[frequency_hz]).unwrap();
                     let scale = exact[..3].iter().map(|v| v.norm()).fold(0.0, f64::max);
                     for (found, exact) in found.iter().zip(&exact) {
                         let error = (found.value[0] - exact).norm() / scale;

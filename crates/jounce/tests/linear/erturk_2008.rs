@@ -2,7 +2,7 @@
 
 use crate::expected::{best_resistance, check, peak, plant, spec, voltage_per_g};
 use faer::c64;
-use jounce::linear::{Input, Response, frf};
+use jounce::linear::{FrfInput, FrfResponse, frf};
 use jounce::reference::Cantilever;
 use jounce::structure::modes;
 use jounce::structure::section::{CrossSection, patch_moment_n_m_per_v};
@@ -105,8 +105,8 @@ fn voltage_and_motion_are_the_closed_form() {
                 (voltage * chi - closed.participation_sqrt_kg(mode)) * closed.shape(mode, closed.length_m) / dynamic(mode)
             })
             .sum();
-        let wanted = [Response::Voltage("ceramic".into()), Response::Displacement("beam.end".into())];
-        let found = frf(&plant, &Input::BaseAcceleration, &wanted, &[frequency_hz]).unwrap();
+        let wanted = [FrfResponse::Voltage("ceramic".into()), FrfResponse::Displacement("beam.end".into())];
+        let found = frf(&plant, &FrfInput::BaseAcceleration, &wanted, &[frequency_hz]).unwrap();
         for (found, exact) in found.iter().zip([voltage, tip]) {
             let error = (found.value[0] - exact).norm() / exact.norm();
             assert!(error < 1e-9, "{frequency_hz} Hz, {}: {error:e}", found.response.name());

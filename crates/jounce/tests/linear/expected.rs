@@ -3,12 +3,12 @@
 use crate::example::G_M_S2;
 pub use crate::example::{plant, spec};
 pub use crate::rows::check;
-use jounce::linear::{Input, Response, frf};
+use jounce::linear::{FrfInput, FrfResponse, frf};
 use jounce::plant::Plant;
 
 /// Voltage of the load per g of the base, V zero to peak.
 pub fn voltage_per_g(plant: &Plant, frequency_hz: f64) -> f64 {
-    let answer = frf(plant, &Input::BaseAcceleration, &[Response::LoadVoltage("load".into())], &[frequency_hz]).unwrap();
+    let answer = frf(plant, &FrfInput::BaseAcceleration, &[FrfResponse::LoadVoltage("load".into())], &[frequency_hz]).unwrap();
     answer[0].value[0].norm() * G_M_S2
 }
 
@@ -26,7 +26,7 @@ pub fn peak(plant: &Plant, mut low_hz: f64, mut high_hz: f64) -> (f64, f64) {
 pub fn best_resistance(make: impl Fn(&str) -> Plant, frequency_hz: f64) -> (f64, f64) {
     let voltage = |ohm: f64| {
         let plant = make(&format!("{ohm} ohm"));
-        frf(&plant, &Input::BaseAcceleration, &[Response::LoadVoltage("load".into())], &[frequency_hz]).unwrap()[0].value[0] * G_M_S2
+        frf(&plant, &FrfInput::BaseAcceleration, &[FrfResponse::LoadVoltage("load".into())], &[frequency_hz]).unwrap()[0].value[0] * G_M_S2
     };
     let (r1, r2) = (1e4, 1e5);
     let (v1, v2) = (voltage(r1), voltage(r2));

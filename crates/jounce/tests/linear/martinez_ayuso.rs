@@ -5,16 +5,16 @@ use crate::expected::{check, plant, spec};
 use jounce::contact::Law;
 use jounce::linear::steady_power_w;
 use jounce::march::Kernel;
-use jounce::material::porous::{PZT_5A, Pores, Scheme};
+use jounce::material::porous::{PZT_5A, PoreGeometry, Scheme};
 use jounce::plant::Plant;
-use jounce::run::{RunAnswer, RunPlan, StartState, simulate};
+use jounce::run::{RunPlan, RunResult, StartState, simulate};
 use std::f64::consts::TAU;
 
 const EXAMPLE: &str = "porous-patch-martinez-ayuso";
 
 #[test]
 fn every_expected_row_is_met() {
-    let half = PZT_5A.porous(0.5, Pores::Spheroids(1.0), Scheme::MoriTanaka).unwrap();
+    let half = PZT_5A.porous(0.5, PoreGeometry::Spheroids(1.0), Scheme::MoriTanaka).unwrap();
     let [half_d31, _, half_permittivity] = half.free();
     let load = |resistance| settled(&[("circuit.load.resistance", resistance)]);
     let (small, best, large) = (load("1 kohm"), load("600 kohm"), load("1 Mohm"));
@@ -22,8 +22,8 @@ fn every_expected_row_is_met() {
         let settings = [("drive.shaker.frequency", frequency)];
         settled(&settings).mean_power_w / steady_power_w(&plant(EXAMPLE, &[&settings[..], &[("stop.tip.gap", "1 m")]].concat()))
     };
-    let porous = PZT_5A.porous(0.3, Pores::Spheroids(1.0), Scheme::MoriTanaka).unwrap().ceramic();
-    let cylinders = PZT_5A.porous(0.3, Pores::Cylinders, Scheme::MoriTanaka).unwrap().ceramic();
+    let porous = PZT_5A.porous(0.3, PoreGeometry::Spheroids(1.0), Scheme::MoriTanaka).unwrap().ceramic();
+    let cylinders = PZT_5A.porous(0.3, PoreGeometry::Cylinders, Scheme::MoriTanaka).unwrap().ceramic();
     let spec = spec(EXAMPLE, &[]);
     let patch = &spec.patch["porous"];
     check(
@@ -36,8 +36,8 @@ fn every_expected_row_is_met() {
             ("half_porous_youngs_modulus_gpa", half.ceramic().youngs_modulus_pa() / 1e9),
             ("half_porous_d31_pc_per_n", half_d31 * 1e12),
             ("half_porous_relative_permittivity", half_permittivity / PERMITTIVITY_OF_VACUUM_F_M),
-            ("self_consistent_youngs_modulus_gpa", modulus_gpa(0.3, Pores::Spheroids(1.0), Scheme::SelfConsistent)),
-            ("cylinders_youngs_modulus_gpa", modulus_gpa(0.3, Pores::Cylinders, Scheme::MoriTanaka)),
+            ("self_consistent_youngs_modulus_gpa", modulus_gpa(0.3, PoreGeometry::Spheroids(1.0), Scheme::SelfConsistent)),
+            ("cylinders_youngs_modulus_gpa", modulus_gpa(0.3, PoreGeometry::Cylinders, Scheme::MoriTanaka)),
             ("power_at_1_kohm_uw", small.mean_power_w * 1e6),
             ("power_at_600_kohm_uw", best.mean_power_w * 1e6),
             ("power_at_1_mohm_uw", large.mean_power_w * 1e6),
@@ -58,7 +58,7 @@ fn every_expected_row_is_met() {
 /// Of vacuum, F/m.
 const PERMITTIVITY_OF_VACUUM_F_M: f64 = 8.854_187_812_8e-12;
 
-fn modulus_gpa(porosity: f64, pores: Pores, scheme: Scheme) -> f64 {
+fn modulus_gpa(porosity: f64, pores: PoreGeometry, scheme: Scheme) -> f64 {
     PZT_5A.porous(porosity, pores, scheme).unwrap().ceramic().youngs_modulus_pa() / 1e9
 }
 
@@ -67,7 +67,7 @@ fn kernel(settings: &[(&str, &str)]) -> Kernel {
 }
 
 /// The run that the spec asks for: 20 s from rest, the mean over the last 10.
-fn settled(settings: &[(&str, &str)]) -> RunAnswer {
+fn settled(settings: &[(&str, &str)]) -> RunResult {
     let run = spec(EXAMPLE, settings).run;
     let kernel = kernel(settings);
     simulate(&kernel, &StartState::rest(&kernel.plant), &RunPlan::of(&run, run.duration_s)).unwrap()

@@ -2,7 +2,7 @@
 
 use crate::expected::{plant, spec};
 use jounce::linear::{
-    Crossing, Noise, Random, RandomError, covariance, density, noise_bandwidth_hz, product, spectral_moment, statistical_bandwidth_hz,
+    Crossing, NoiseInput, Random, RandomError, covariance, density, noise_bandwidth_hz, product, spectral_moment, statistical_bandwidth_hz,
 };
 use jounce::plant::{Plant, System};
 use jounce::spec::Spec;
@@ -39,7 +39,7 @@ fn an_oscillator_under_white_noise_is_its_closed_form() {
     let mut worst = 0.0_f64;
     for zeta in [0.001, 0.02, 0.3, 0.6] {
         let plant = oscillator(zeta);
-        let noise = [Noise::of_base(&plant, DENSITY, WHITE)];
+        let noise = [NoiseInput::of_base(&plant, DENSITY, WHITE)];
         let (place, speed) = (plant.displacement_row(&[1.0]), plant.velocity_row(&[1.0]));
         let covariance = covariance(&plant, &noise).unwrap();
         let square = DENSITY * PI * FREQUENCY_HZ / (4.0 * zeta * w.powi(4));
@@ -75,11 +75,12 @@ fn a_band_is_the_integral_over_it() {
         let plant = oscillator(zeta);
         let rows = [plant.displacement_row(&[1.0]), plant.velocity_row(&[1.0])];
         for row in &rows {
-            let by_solve = |band_hz: [f64; 2]| product(&covariance(&plant, &[Noise::of_base(&plant, DENSITY, band_hz)]).unwrap(), row, row);
+            let by_solve =
+                |band_hz: [f64; 2]| product(&covariance(&plant, &[NoiseInput::of_base(&plant, DENSITY, band_hz)]).unwrap(), row, row);
             let white = by_solve(WHITE);
             let mut sum = 0.0;
             for band_hz in [[0.0, 2.0], [2.0, 6.9], [6.9, 7.1], [7.1, 50.0], [50.0, f64::INFINITY]] {
-                let noise = [Noise::of_base(&plant, DENSITY, band_hz)];
+                let noise = [NoiseInput::of_base(&plant, DENSITY, band_hz)];
                 let error = (by_solve(band_hz) - spectral_moment(&plant, &noise, row, 1).unwrap()).abs() / white;
                 worst = worst.max(error);
                 sum += by_solve(band_hz);
@@ -101,7 +102,7 @@ fn both_methods_agree_on_harvesters() {
     ] {
         let plant = plant(example, settings);
         let bands = [[0.0, 300.0], [20.0, 120.0], [80.0, f64::INFINITY]];
-        let noises: Vec<Noise> = bands.into_iter().map(|band_hz| Noise::of_base(&plant, DENSITY, band_hz)).collect();
+        let noises: Vec<NoiseInput> = bands.into_iter().map(|band_hz| NoiseInput::of_base(&plant, DENSITY, band_hz)).collect();
         let covariance = covariance(&plant, &noises).unwrap();
         let points = plant.system.modes.shape.values().flat_map(|shape| [plant.displacement_row(shape), plant.velocity_row(shape)]);
         let mut worst = 0.0_f64;
@@ -138,7 +139,7 @@ fn a_spec_is_answered_without_its_stop() {
     // Straight lines between the frequencies: 2e-5.
     assert!(relative(trapezia, load.voltage_rms_v.powi(2)) < 1e-3, "{trapezia}");
     let system = System::assemble(&spec, modes(&spec).unwrap()).unwrap();
-    let noises = Noise::of_spec(&spec, &system.modes).unwrap();
+    let noises = NoiseInput::of_spec(&spec, &system.modes).unwrap();
     let plant = Plant::new(system).unwrap();
     assert_eq!(density(&plant, &noises, &plant.load_voltage_row(0), 31.0).unwrap(), 0.0);
 }

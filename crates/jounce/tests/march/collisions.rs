@@ -20,10 +20,10 @@ struct Rebound {
 fn collide(system: System, start: &[f64], before_m: f64, speed_m_s: f64, end_s: f64, tolerance: f64) -> Rebound {
     let root_mass = 1.0 / system.stops[0].shape[0];
     let kernel = kernel(system);
-    let marcher = march(&kernel, start, 0.0, end_s, tolerance);
-    let state = physical(&marcher, &kernel);
+    let integrator = march(&kernel, start, 0.0, end_s, tolerance);
+    let state = physical(&integrator, &kernel);
     let (place_m, speed_after) = (state[0] / root_mass, state[1] / root_mass);
-    let (statistics, energies) = (marcher.statistics(), marcher.energies());
+    let (statistics, energies) = (integrator.statistics(), integrator.energies());
     assert!(place_m < 0.0 && speed_after < 0.0, "still in contact: {place_m} m, {speed_after} m/s");
     Rebound {
         speed_m_s: -speed_after,

@@ -3,7 +3,7 @@
 use crate::plants::{kernel, march, physical, relative, springs};
 use jounce::contact::{Cubic, Hertz, HuntCrossley, Law, Rigid};
 use jounce::drive::Wave;
-use jounce::march::Marcher;
+use jounce::march::Integrator;
 use jounce::plant::{Signal, Stop, System};
 use jounce::reference::BouncingBall;
 use jounce::run::{RunPlan, StartState, simulate};
@@ -27,15 +27,15 @@ fn a_merge_is_one_contact() {
         }
         let kernel = kernel(system);
         let together_s = PI * 2.0_f64.sqrt() / w;
-        let marcher = march(&kernel, &[0.0, 0.0, 1.0, 0.0], 0.0, 1e-3 + 1.1 * together_s, 1e-10);
-        let (statistics, state) = (marcher.statistics(), physical(&marcher, &kernel));
+        let integrator = march(&kernel, &[0.0, 0.0, 1.0, 0.0], 0.0, 1e-3 + 1.1 * together_s, 1e-10);
+        let (statistics, state) = (integrator.statistics(), physical(&integrator, &kernel));
         let errors = [
             relative(statistics.time_s, together_s),
             relative(statistics.max_dwell_s, together_s),
             relative(statistics.sticking_s, together_s),
             relative(statistics.max_strike_m_s, 1.0),
             relative(state[2], -0.5),
-            marcher.energies().residual_relative().abs(),
+            integrator.energies().residual_relative().abs(),
         ];
         eprintln!("beside {beside}: {errors:?}, {statistics:?}");
         assert_eq!(statistics.contacts, 1);
@@ -83,8 +83,8 @@ fn ball(height_m: f64, restitution: f64) -> System {
 fn the_strikes_of_a_bouncing_ball_are_a_geometric_series() {
     let reference = BouncingBall { height_m: 0.5, gravity_m_s2: 9.81, restitution: 0.8 };
     let kernel = kernel(ball(0.5, 0.8));
-    let marcher = march(&kernel, &[0.0, 0.0], 0.0, 0.5 * (reference.bounce_s(9) + reference.bounce_s(10)), 1e-10);
-    let (found, fastest) = (marcher.statistics(), (2.0 * 9.81 * 0.5_f64).sqrt());
+    let integrator = march(&kernel, &[0.0, 0.0], 0.0, 0.5 * (reference.bounce_s(9) + reference.bounce_s(10)), 1e-10);
+    let (found, fastest) = (integrator.statistics(), (2.0 * 9.81 * 0.5_f64).sqrt());
     let mean = fastest * (1.0 - 0.8_f64.powi(10)) / (10.0 * 0.2);
     eprintln!("{:e} {:e}", relative(found.mean_strike_m_s(), mean), relative(found.max_strike_m_s, fastest));
     assert!(found.contacts == 10 && found.mean_dwell_s() == 0.0);
@@ -95,10 +95,10 @@ fn the_strikes_of_a_bouncing_ball_are_a_geometric_series() {
 #[test]
 fn nothing_happens_to_a_ball_at_rest() {
     let kernel = kernel(ball(0.01, 0.5));
-    let marcher = march(&kernel, &[0.01, 0.0], 0.0, 1.0, 1e-7);
-    let energies = marcher.energies();
+    let integrator = march(&kernel, &[0.01, 0.0], 0.0, 1.0, 1e-7);
+    let energies = integrator.energies();
     eprintln!("{:e}, {energies:?}", energies.residual_relative());
-    assert!(energies.are_still() && energies.residual_relative().abs() < 1e-12 && marcher.statistics().contacts == 0);
+    assert!(energies.are_still() && energies.residual_relative().abs() < 1e-12 && integrator.statistics().contacts == 0);
     let falls = march(&kernel, &[0.0, 0.0], 0.0, 0.04, 1e-7).energies();
     assert!(!falls.are_still() && falls.residual_relative().abs() < 1e-12);
 }
@@ -135,16 +135,16 @@ fn a_window_that_opens_at_the_deepest_point_tells_its_force() {
         let mut system = springs(&[0.0], 0.0);
         system.stops.push(stop(&[1.0], 0.0, law));
         let kernel = kernel(system);
-        let mut marcher = Marcher::new(&kernel, &kernel.plant.from_physical(&[2e-3, 0.0], 0.0), 0.0, 1e-9).unwrap();
-        marcher.reset_statistics();
-        marcher.advance_to(1e-3).unwrap();
-        let statistics = marcher.statistics();
+        let mut integrator = Integrator::new(&kernel, &kernel.plant.from_physical(&[2e-3, 0.0], 0.0), 0.0, 1e-9).unwrap();
+        integrator.reset_statistics();
+        integrator.advance_to(1e-3).unwrap();
+        let statistics = integrator.statistics();
         eprintln!("{law:?}: {:e} N, {:e} m", statistics.max_force_n, statistics.max_penetration_m);
         assert!(relative(statistics.max_force_n, force_n) < 1e-14 && relative(statistics.max_penetration_m, 2e-3) < 1e-14);
         // Past its deepest point a contact tells where the window opens.
-        let [depth_m, rate_m_s] = [physical(&marcher, &kernel)[0], physical(&marcher, &kernel)[1]];
-        marcher.reset_statistics();
-        let opened = marcher.statistics();
+        let [depth_m, rate_m_s] = [physical(&integrator, &kernel)[0], physical(&integrator, &kernel)[1]];
+        integrator.reset_statistics();
+        let opened = integrator.statistics();
         assert!(depth_m <= 0.0 || (opened.max_force_n - law.force_n(depth_m, rate_m_s)).abs() < 1e-10 * force_n);
     }
 }

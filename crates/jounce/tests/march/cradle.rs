@@ -39,18 +39,18 @@ fn struck_in(system: System, masses_kg: &[f64], end_s: f64) -> After {
     let kernel = kernel(system);
     let mut start = vec![0.0; 2 * n];
     start[n] = masses_kg[0].sqrt();
-    let marcher = march(&kernel, &start, 0.0, end_s, 1e-12);
-    let state = physical(&marcher, &kernel);
+    let integrator = march(&kernel, &start, 0.0, end_s, 1e-12);
+    let state = physical(&integrator, &kernel);
     let speeds_m_s: Vec<f64> = (0..n).map(|i| state[n + i] / masses_kg[i].sqrt()).collect();
     let momentum: f64 = speeds_m_s.iter().zip(masses_kg).map(|(v, m)| m * v).sum();
     let energy: f64 = speeds_m_s.iter().zip(masses_kg).map(|(v, m)| m * v * v).sum();
     let after = After {
         momentum_error: momentum / masses_kg[0] - 1.0,
         energy_error: energy / masses_kg[0] - 1.0,
-        contacts: marcher.statistics_by_stop().iter().map(|own| own.contacts).collect(),
+        contacts: integrator.statistics_by_stop().iter().map(|own| own.contacts).collect(),
         speeds_m_s,
     };
-    let residual = marcher.energies().residual_relative();
+    let residual = integrator.energies().residual_relative();
     eprintln!(
         "{:?}: momentum {:.1e}, energy {:.1e}, residual {residual:.1e}, contacts {:?}",
         after.speeds_m_s, after.momentum_error, after.energy_error, after.contacts

@@ -1,8 +1,8 @@
 //! Random answers: an ensemble without contact against the closed form, and the same bits for any number of threads.
 
+use jounce::analysis::{AnalysisError, Ensemble, EnsembleResult, IntervalOver, Model};
 use jounce::linear::Random;
 use jounce::spec::Spec;
-use jounce::study::{Ensemble, EnsembleAnswer, IntervalOver, Prepared, StudyError};
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
@@ -14,7 +14,7 @@ const COUPLING_N_V: f64 = 4.57e-3;
 const CAPACITANCE_F: f64 = 4.3e-8;
 const LOAD_OHM: f64 = 3e4;
 
-fn spec(more: &str) -> Prepared {
+fn spec(more: &str) -> Model {
     let w = (STIFFNESS_N_M / MASS_KG).sqrt();
     let zeta = DASHPOT_N_S_M / (2.0 * MASS_KG * w);
     let root = MASS_KG.sqrt();
@@ -28,14 +28,14 @@ fn spec(more: &str) -> Prepared {
         1.0 / root,
         COUPLING_N_V / root
     );
-    Prepared::new(Spec::from_toml(&text).unwrap()).unwrap()
+    Model::new(Spec::from_toml(&text).unwrap()).unwrap()
 }
 
-fn run(base: &Prepared, members: usize, relative_width: Option<f64>) -> Result<EnsembleAnswer, StudyError> {
+fn run(base: &Model, members: usize, relative_width: Option<f64>) -> Result<EnsembleResult, AnalysisError> {
     marched(base, members, relative_width, false)
 }
 
-fn marched(base: &Prepared, members: usize, relative_width: Option<f64>, with_spectrum: bool) -> Result<EnsembleAnswer, StudyError> {
+fn marched(base: &Model, members: usize, relative_width: Option<f64>, with_spectrum: bool) -> Result<EnsembleResult, AnalysisError> {
     let start = base.start(Path::new("")).unwrap();
     let most_rounds = if relative_width.is_some() { 50 } else { 1 };
     let study = Ensemble { base, start, members, seed: 5, relative_width, most_rounds, with_spectrum };
@@ -46,7 +46,7 @@ fn marched(base: &Prepared, members: usize, relative_width: Option<f64>, with_sp
 #[test]
 fn a_stopped_ensemble_makes_no_more_realisations() {
     let base = spec("");
-    base.kernel.watch.stop();
+    base.kernel.control.stop();
     let begun = std::time::Instant::now();
     let answer = run(&base, 100_000, None).unwrap();
     assert!(answer.members.is_empty() && !answer.reached);
@@ -90,7 +90,7 @@ fn members_come_until_the_interval_is_narrow_and_threads_change_nothing() {
 fn an_ensemble_needs_noise_and_orbits_refuse_it() {
     let mut quiet = spec("").spec;
     quiet.drive.clear();
-    let refusal = run(&Prepared::new(quiet).unwrap(), 2, None).unwrap_err();
+    let refusal = run(&Model::new(quiet).unwrap(), 2, None).unwrap_err();
     assert!(refusal.to_string().contains("signal = \"noise\""), "{refusal}");
 }
 

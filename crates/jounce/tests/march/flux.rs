@@ -3,7 +3,7 @@
 use crate::plants::kernel;
 use crate::rectified::lossy_beside_a_stop;
 use jounce::drive::Wave;
-use jounce::march::{Kernel, Marcher, Trajectory};
+use jounce::march::{Integrator, Kernel, Trajectory};
 use jounce::plant::{Scheme, Signal, Storage};
 use std::sync::Arc;
 
@@ -51,10 +51,10 @@ fn integrals_along_a_record_are_those_by_quadrature() {
             system.signals.push(Signal { name: "sampled".into(), shape: vec![0.5], wave, base: None });
         }
         let kernel = kernel(system);
-        let mut marcher = Marcher::new(&kernel, &vec![0.0; kernel.plant.len()], 0.0, 1e-9).unwrap();
-        marcher.start_record();
-        marcher.advance_to(60.0).unwrap();
-        let (contacts, record) = (marcher.statistics().contacts, marcher.take_record());
+        let mut integrator = Integrator::new(&kernel, &vec![0.0; kernel.plant.len()], 0.0, 1e-9).unwrap();
+        integrator.start_record();
+        integrator.advance_to(60.0).unwrap();
+        let (contacts, record) = (integrator.statistics().contacts, integrator.take_record());
         let span_s = [7.123, 55.77];
         let exact = by_quadrature(&kernel, &record, span_s, 0.02);
         for (place, exact) in exact.iter().enumerate() {

@@ -36,11 +36,11 @@ fn motion(state: &[f64]) -> [f64; 2] {
 fn a_falling_mass_reaches_its_last_speed() {
     let kernel = channel(&format!("{GRAVITY}{WALL}").replace("25 mm", "100 m"));
     for time_s in [0.01, 0.3, 10.0] {
-        let marcher = march(&kernel, &thrown(0.0), 0.0, time_s, 1e-10);
-        let [x, v] = motion(&physical(&marcher, &kernel));
+        let integrator = march(&kernel, &thrown(0.0), 0.0, time_s, 1e-10);
+        let [x, v] = motion(&physical(&integrator, &kernel));
         let (last_m_s, left) = (MASS_KG * G_M_S2 / FRICTION_N_S_M, (-RATE_PER_S * time_s).exp());
         let (exact_m_s, exact_m) = (last_m_s * (1.0 - left), last_m_s * (time_s - (1.0 - left) / RATE_PER_S));
-        let energies = marcher.energies();
+        let energies = integrator.energies();
         let lost_j = MASS_KG * G_M_S2 * exact_m - 0.5 * MASS_KG * exact_m_s * exact_m_s;
         let errors = [relative(v, exact_m_s), relative(x, exact_m), relative(energies.damping_j, lost_j), energies.residual_relative()];
         eprintln!("{time_s} s: {v} of {last_m_s} m/s, errors {errors:?}");

@@ -5,10 +5,10 @@ use jounce::contact::{Hertz, Law};
 use jounce::plant::Plant;
 use jounce::plant::{Stop, System};
 use jounce::reference::Harmonic;
-use jounce::run::{RunAnswer, RunPlan, StartState, simulate};
+use jounce::run::{RunPlan, RunResult, StartState, simulate};
 
 /// A run in the steady state without contact, the drive scaled so that the closest approach is `reach` times the gap.
-fn graze(mut system: System, reach: f64, duration_s: f64) -> RunAnswer {
+fn graze(mut system: System, reach: f64, duration_s: f64) -> RunResult {
     let peak_m = Plant::new(system.clone()).unwrap().ports[0].steady_m[0].norm();
     system.drives[0].amplitude_n *= reach * system.stops[0].gap_m / peak_m;
     let kernel = kernel(system);

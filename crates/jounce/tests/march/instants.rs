@@ -2,7 +2,7 @@
 
 use crate::plants::{from_rest, kernel, march, physical, relative, springs};
 use jounce::contact::{Law, Rigid};
-use jounce::march::{Kernel, MarchError, Marcher};
+use jounce::march::{IntegrationError, Integrator, Kernel};
 use jounce::plant::{Scheme, Stop, System};
 use jounce::spec::Spec;
 
@@ -78,10 +78,10 @@ fn a_switch_that_never_comes_to_an_end_is_an_error() {
     system.bridges[0].scheme = Scheme::ParallelSshi { inversion: 1.0 };
     let kernel = kernel(system);
     let start = jounce::run::StartState::rest(&kernel.plant);
-    let mut marcher = Marcher::new(&kernel, &kernel.plant.from_physical(&start.physical(), 0.0), 0.0, 1e-7).unwrap();
-    let outcome = marcher.advance_to(0.2);
-    eprintln!("{outcome:?} at {} s", marcher.time_s());
-    assert!(matches!(outcome, Err(MarchError::ChangesWithoutEnd { circuit, .. }) if circuit == "a"));
+    let mut integrator = Integrator::new(&kernel, &kernel.plant.from_physical(&start.physical(), 0.0), 0.0, 1e-7).unwrap();
+    let outcome = integrator.advance_to(0.2);
+    eprintln!("{outcome:?} at {} s", integrator.time_s());
+    assert!(matches!(outcome, Err(IntegrationError::ChangesWithoutEnd { circuit, .. }) if circuit == "a"));
 }
 
 /// A free mass that comes in at two others, equally far away.
@@ -108,11 +108,11 @@ fn two_rigid_stops_struck_at_once_obey_newtons_law_together() {
         let q = ((1.0 + restitution[1]) * (1.0 / m + 1.0 / a) - (1.0 + restitution[0]) / m) / determinant;
         for order in [[1, 2], [2, 1]] {
             let kernel = two_stops(masses_kg, restitution, order);
-            let marcher = march(&kernel, &[0.0, 0.0, 0.0, m.sqrt(), 0.0, 0.0], 0.0, 2e-3, 1e-10);
-            let state = physical(&marcher, &kernel);
+            let integrator = march(&kernel, &[0.0, 0.0, 0.0, m.sqrt(), 0.0, 0.0], 0.0, 2e-3, 1e-10);
+            let state = physical(&integrator, &kernel);
             let speeds: Vec<f64> = (0..3).map(|i| state[3 + i] / masses_kg[i].sqrt()).collect();
             let errors = [speeds[0] - (1.0 - (p + q) / m), speeds[1] - p / a, speeds[2] - q / b].map(f64::abs);
-            let energies = marcher.energies();
+            let energies = integrator.energies();
             let lost = 0.5 * (m - masses_kg.iter().zip(&speeds).map(|(m, v)| m * v * v).sum::<f64>());
             eprintln!("{masses_kg:?} {order:?}: {speeds:?}, errors {errors:?}, lost {lost:e}");
             assert!(errors.iter().all(|error| *error < 1e-13) && lost > 0.0);
@@ -128,10 +128,10 @@ fn equal_stops_on_one_motion_share_its_impulse() {
     let law = Law::Rigid(Rigid { restitution: 0.6 });
     system.stops = ["one", "other"].map(|name| Stop { name: name.into(), shape: vec![1.0], gap_m: 1e-3, law, bases: Vec::new() }).to_vec();
     let kernel = kernel(system);
-    let marcher = march(&kernel, &[0.0, 1.0], 0.0, 2e-3, 1e-10);
-    let impulses: Vec<f64> = marcher.statistics_by_stop().iter().map(|own| own.impulse_n_s).collect();
-    eprintln!("{impulses:?}, {:?}", physical(&marcher, &kernel));
-    assert!(impulses.iter().all(|impulse| (impulse - 0.8).abs() < 1e-13) && (physical(&marcher, &kernel)[1] + 0.6).abs() < 1e-13);
+    let integrator = march(&kernel, &[0.0, 1.0], 0.0, 2e-3, 1e-10);
+    let impulses: Vec<f64> = integrator.statistics_by_stop().iter().map(|own| own.impulse_n_s).collect();
+    eprintln!("{impulses:?}, {:?}", physical(&integrator, &kernel));
+    assert!(impulses.iter().all(|impulse| (impulse - 0.8).abs() < 1e-13) && (physical(&integrator, &kernel)[1] + 0.6).abs() < 1e-13);
 }
 
 /// A ball on a table that shakes at 1.2 g: it is thrown, chatters and rests in every cycle. Measured residuals: at most 1.5e-10 at a
@@ -163,8 +163,8 @@ fn chatter_that_ends_at_rest_balances_its_energy() {
         system.stops[0].law = Law::Rigid(Rigid { restitution });
         let kernel = kernel(system);
         for tolerance in [1e-7, 1e-11] {
-            let marcher = march(&kernel, &[0.0, 0.0], 0.0, 1.0, tolerance);
-            let (statistics, residual) = (marcher.statistics(), marcher.energies().residual_relative());
+            let integrator = march(&kernel, &[0.0, 0.0], 0.0, 1.0, tolerance);
+            let (statistics, residual) = (integrator.statistics(), integrator.energies().residual_relative());
             eprintln!(
                 "e {restitution}, {tolerance:e}: {} contacts, rest {:.4} s, {residual:.1e}",
                 statistics.contacts, statistics.sticking_s
@@ -202,16 +202,16 @@ fn a_ball_does_not_sink_through_its_table() {
     );
     let kernel = kernel(system);
     for tolerance in [1e-8, 1e-10] {
-        let mut marcher = Marcher::new(&kernel, &kernel.plant.from_physical(&[0.0, 0.0], 0.0), 0.0, tolerance).unwrap();
-        marcher.advance_to(0.2).unwrap();
+        let mut integrator = Integrator::new(&kernel, &kernel.plant.from_physical(&[0.0, 0.0], 0.0), 0.0, tolerance).unwrap();
+        integrator.advance_to(0.2).unwrap();
         let (mut deepest_m, mut contacts, mut rest_s) = (0.0_f64, Vec::new(), Vec::new());
         for cycle in 4..160 {
-            marcher.reset_statistics();
+            integrator.reset_statistics();
             for part in 1..=5 {
-                marcher.advance_to(0.05 * f64::from(cycle) + 0.01 * f64::from(part)).unwrap();
-                deepest_m = deepest_m.max(-1e-3 - marcher.physical()[0] / 0.1);
+                integrator.advance_to(0.05 * f64::from(cycle) + 0.01 * f64::from(part)).unwrap();
+                deepest_m = deepest_m.max(-1e-3 - integrator.physical()[0] / 0.1);
             }
-            let statistics = marcher.statistics();
+            let statistics = integrator.statistics();
             contacts.push(statistics.contacts);
             rest_s.push(statistics.sticking_s);
         }

@@ -2,7 +2,7 @@
 
 use crate::plants::{from_rest, kernel, relative};
 use jounce::contact::{Hertz, Law};
-use jounce::march::Marcher;
+use jounce::march::Integrator;
 use jounce::plant::{Bridge, BridgeState, Connection, Drive, Load, Scheme, Stop, Storage, System};
 use jounce::run::StartState;
 use jounce::spec::Wiring;
@@ -123,13 +123,13 @@ fn leaking_patches_behind_a_bridge_meet_a_plain_integrator() {
             };
             let kernel = kernel(rectified(leaks, storage));
             let start = kernel.plant.from_physical(&StartState::rest(&kernel.plant).physical(), 0.0);
-            let mut marcher = Marcher::new(&kernel, &start, 0.0, 1e-10).unwrap();
-            marcher.advance_to(20.0).unwrap();
-            let (x, theirs) = (marcher.physical(), integrated(leaks, battery, 20.0));
+            let mut integrator = Integrator::new(&kernel, &start, 0.0, 1e-10).unwrap();
+            integrator.advance_to(20.0).unwrap();
+            let (x, theirs) = (integrator.physical(), integrated(leaks, battery, 20.0));
             let mut ours = x[..2].to_vec();
             ours.extend(kernel.plant.patch_voltages_v(&x));
             let mut error = ours.iter().zip(&theirs).map(|(ours, theirs)| (ours - theirs).abs()).fold(0.0, f64::max);
-            let (energies, rectified) = (marcher.energies(), marcher.energies().rectified[0]);
+            let (energies, rectified) = (integrator.energies(), integrator.energies().rectified[0]);
             if let Some(node) = kernel.plant.electrical.bridges[0].storage {
                 error = error.max((x[2 + node] - theirs[2 + leaks.len()]).abs());
             }

@@ -1,8 +1,8 @@
 //! Plants and runs that several tests share.
 
-use jounce::march::{Kernel, Marcher};
+use jounce::march::{Integrator, Kernel};
 use jounce::plant::{Plant, System};
-use jounce::run::{RunAnswer, RunPlan, StartState, simulate};
+use jounce::run::{RunPlan, RunResult, StartState, simulate};
 use jounce::spec::Spec;
 use jounce::structure::modes;
 use std::path::PathBuf;
@@ -50,22 +50,22 @@ pub fn springs(frequencies_hz: &[f64], damping_ratio: f64) -> System {
 }
 
 /// A run from rest, averaged over its second half.
-pub fn from_rest(kernel: &Kernel, duration_s: f64, tolerance: f64) -> RunAnswer {
+pub fn from_rest(kernel: &Kernel, duration_s: f64, tolerance: f64) -> RunResult {
     let plan = RunPlan { duration_s, average_over_s: 0.5 * duration_s, tolerance, record_s: 0.0 };
     simulate(kernel, &StartState::rest(&kernel.plant), &plan).unwrap()
 }
 
 /// A march from a physical state `(q, q', V)`.
-pub fn march<'k>(kernel: &'k Kernel, start: &[f64], start_s: f64, end_s: f64, tolerance: f64) -> Marcher<'k> {
+pub fn march<'k>(kernel: &'k Kernel, start: &[f64], start_s: f64, end_s: f64, tolerance: f64) -> Integrator<'k> {
     let y = kernel.plant.from_physical(start, start_s);
-    let mut marcher = Marcher::new(kernel, &y, start_s, tolerance).unwrap();
-    marcher.advance_to(end_s).unwrap();
-    marcher
+    let mut integrator = Integrator::new(kernel, &y, start_s, tolerance).unwrap();
+    integrator.advance_to(end_s).unwrap();
+    integrator
 }
 
 /// Physical state `(q, q', V)` where a march has come to.
-pub fn physical(marcher: &Marcher, kernel: &Kernel) -> Vec<f64> {
-    kernel.plant.to_physical(&marcher.state(), marcher.time_s())
+pub fn physical(integrator: &Integrator, kernel: &Kernel) -> Vec<f64> {
+    kernel.plant.to_physical(&integrator.state(), integrator.time_s())
 }
 
 /// Distance of two states in the energy norm, relative to the second.

@@ -123,10 +123,10 @@ fn errors(system: &System, end_s: f64) -> Vec<f64> {
     let kernel = kernel(system.clone());
     let own = distance(&kernel, &runge_kutta(system, &start, end_s, 600_000), &exact);
     let error = |tolerance| {
-        let marcher = march(&kernel, &start, 0.0, end_s, tolerance);
-        let statistics = marcher.statistics_by_stop();
+        let integrator = march(&kernel, &start, 0.0, end_s, tolerance);
+        let statistics = integrator.statistics_by_stop();
         assert!(statistics.iter().all(|own| own.contacts > 3 || own.time_s == end_s), "{statistics:?}");
-        distance(&kernel, &physical(&marcher, &kernel), &exact)
+        distance(&kernel, &physical(&integrator, &kernel), &exact)
     };
     let errors = [1e-5, 1e-7, 1e-9, 1e-11].map(error).to_vec();
     eprintln!("reference {own:.1e}, errors {errors:?}");
@@ -167,10 +167,10 @@ fn energies_balance() {
         ("rigid", rigid, 1e-9),
     ] {
         let kernel = kernel(system);
-        let marcher = march(&kernel, &vec![0.0; kernel.plant.len()], 0.0, 1.0, 1e-12);
-        let residual = marcher.energies().residual_relative();
+        let integrator = march(&kernel, &vec![0.0; kernel.plant.len()], 0.0, 1.0, 1e-12);
+        let residual = integrator.energies().residual_relative();
         eprintln!("{name}: residual {residual:.1e}");
-        assert!(marcher.statistics_by_stop().iter().all(|own| own.contacts > 3));
+        assert!(integrator.statistics_by_stop().iter().all(|own| own.contacts > 3));
         assert!(residual.abs() < allowed, "{name}: {residual:e}");
     }
 }
@@ -179,11 +179,11 @@ fn energies_balance() {
 #[test]
 fn a_record_holds_both_forces() {
     let kernel = kernel(coupled());
-    let mut marcher = jounce::march::Marcher::new(&kernel, &kernel.plant.from_physical(&[0.0; 6], 0.0), 0.0, 1e-11).unwrap();
-    marcher.start_record();
-    marcher.advance_to(0.5).unwrap();
-    let end = marcher.state();
-    let trajectory = marcher.take_record();
+    let mut integrator = jounce::march::Integrator::new(&kernel, &kernel.plant.from_physical(&[0.0; 6], 0.0), 0.0, 1e-11).unwrap();
+    integrator.start_record();
+    integrator.advance_to(0.5).unwrap();
+    let end = integrator.state();
+    let trajectory = integrator.take_record();
     let instants = trajectory.at(&kernel, &(0..=5000).map(|k| 1e-4 * f64::from(k)).collect::<Vec<_>>());
     let last = instants.last().unwrap();
     let error =

@@ -1,13 +1,13 @@
 //! Rectifiers: closed forms, numbers of others, a plain integrator, balances of charge and energy.
 
 use crate::plants::{from_rest, kernel};
+use jounce::analysis::{Model, Sweep, SweepOrder, SweepPoint};
 use jounce::contact::{Hertz, Law};
-use jounce::march::{Kernel, Marcher, Watch};
+use jounce::march::{Control, Integrator, Kernel};
 use jounce::plant::{Bridge, BridgeState, Connection, Drive, Scheme, Stop, Storage, System};
 use jounce::run::{RunPlan, StartState, charges, simulate};
 use jounce::spec::{SpecFile, Wiring};
 use jounce::structure::{Modes, PatchModes};
-use jounce::study::{Direction, Prepared, Sweep, SweepPoint};
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
@@ -96,11 +96,11 @@ fn charge_and_energy_are_balanced() {
     ] {
         let kernel = kernel(lossy_beside_a_stop(scheme, storage));
         let start = kernel.plant.from_physical(&StartState::rest(&kernel.plant).physical(), 0.0);
-        let mut marcher = Marcher::new(&kernel, &start, 0.0, 1e-10).unwrap();
-        marcher.start_record();
-        marcher.advance_to(150.0).unwrap();
-        let (energies, contacts) = (marcher.energies(), marcher.statistics().contacts);
-        let (end, record) = (marcher.physical(), marcher.take_record());
+        let mut integrator = Integrator::new(&kernel, &start, 0.0, 1e-10).unwrap();
+        integrator.start_record();
+        integrator.advance_to(150.0).unwrap();
+        let (energies, contacts) = (integrator.energies(), integrator.statistics().contacts);
+        let (end, record) = (integrator.physical(), integrator.take_record());
         let node = kernel.plant.electrical.bridges[0].storage.unwrap();
         let place = 2 * kernel.plant.system.modes.len() + node;
         let mut times = Vec::new();
@@ -113,7 +113,7 @@ fn charge_and_energy_are_balanced() {
                 weights.extend([0.5 * panel_s; 2]);
             }
         }
-        let voltage = |at: &jounce::march::Instant| kernel.plant.to_physical(&at.state, at.time_s)[place];
+        let voltage = |at: &jounce::march::TrajectoryState| kernel.plant.to_physical(&at.state, at.time_s)[place];
         let leaks: f64 = record.at(&kernel, &times).iter().zip(weights).map(|(at, weight)| weight * voltage(at)).sum();
         let taken = 5.0 * end[place] + leaks * (1.0 / 3.0 + 1.0 / 40.0);
         let rectified = energies.rectified[0];
@@ -294,9 +294,9 @@ average_over = "1 s"
         }
         let file = SpecFile::from_text(whole);
         let (spec, range) = (file.spec().unwrap(), file.range("drive.f.amplitude=1N:2N:2x").unwrap());
-        let sweep = Sweep { spec: &spec, range: &range, direction: Direction::Independent, fixed_duration: true, folder: "".into() };
-        let points = sweep.run(None, &Watch::default(), &|_| ()).unwrap();
-        let prepared = Prepared::new(spec.clone()).unwrap();
+        let sweep = Sweep { spec: &spec, range: &range, direction: SweepOrder::Independent, fixed_duration: true, folder: "".into() };
+        let points = sweep.run(None, &Control::default(), &|_| ()).unwrap();
+        let prepared = Model::new(spec.clone()).unwrap();
         let start = prepared.start(std::path::Path::new("")).unwrap();
         let run = simulate(&prepared.from_state(&start).unwrap(), &start, &RunPlan::of(&spec.run, 0.0)).unwrap();
         let found = points[0].voltage_rms_v;

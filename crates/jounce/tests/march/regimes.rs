@@ -4,7 +4,7 @@ use crate::plants::kernel;
 use crate::rectified::{cell, lossy_beside_a_stop};
 use crate::variation::{against_differences, settled};
 use jounce::contact::{KelvinVoigt, Law, Rigid};
-use jounce::march::{Drift, Kernel, Marcher, Variation};
+use jounce::march::{FlowSensitivity, Integrator, Kernel, ParameterSensitivity};
 use jounce::plant::{Scheme, Storage, System};
 
 const SCHEMES: [Scheme; 4] = [
@@ -19,12 +19,12 @@ const CAPACITOR: Storage = Storage::Capacitor { capacitance_f: 5.0, load_ohm: 3.
 /// Error of the derivative over a period, relative to its largest entry, with how many changes and contacts it passed; error of the rate.
 fn checked(kernel: &Kernel) -> (f64, f64, usize, u64) {
     let (y, period_s) = settled(kernel);
-    let found = Variation::march(kernel, &y, 0.0, period_s, 1e-12, &Drift::default()).unwrap();
+    let found = FlowSensitivity::march(kernel, &y, 0.0, period_s, 1e-12, &ParameterSensitivity::default()).unwrap();
     let error = against_differences(kernel, &y, period_s, &found);
     let later = |by: f64| {
-        let mut marcher = Marcher::new(kernel, &y, 0.0, 1e-13).unwrap();
-        marcher.advance_to(period_s * (1.0 + by)).unwrap();
-        marcher.state()
+        let mut integrator = Integrator::new(kernel, &y, 0.0, 1e-13).unwrap();
+        integrator.advance_to(period_s * (1.0 + by)).unwrap();
+        integrator.state()
     };
     let (early, late) = (later(-1e-6), later(1e-6));
     let size = found.rate.iter().fold(0.0_f64, |max, v| max.max(v.abs()));
@@ -58,7 +58,7 @@ fn diodes_that_conduct_at_once_after_a_switch() {
     let kernel = kernel(system);
     let (error, rate, changes, _) = checked(&kernel);
     let (y, period_s) = settled(&kernel);
-    let found = Variation::march(&kernel, &y, 0.0, period_s, 1e-12, &Drift::default()).unwrap();
+    let found = FlowSensitivity::march(&kernel, &y, 0.0, period_s, 1e-12, &ParameterSensitivity::default()).unwrap();
     let at_once = found.trajectory.changes().windows(2).filter(|pair| pair[0].flipped.is_some() && pair[0].after == pair[1].after).count();
     eprintln!("{error:.1e}, rate {rate:.1e}, {changes} changes, {at_once} at once");
     assert!(error < 1e-6 && rate < 1e-6 && at_once > 0, "{error:e} {rate:e}");
@@ -100,7 +100,7 @@ fn determinant_of_a_switch() {
     let (theta, inversion) = (0.4, 0.6);
     let kernel = kernel(cell(theta, 0.0, 0.8, Scheme::ParallelSshi { inversion }, Storage::Battery { voltage_v: 1e3 }));
     let y = kernel.plant.from_physical(&[0.3, 0.2, -0.1], 0.0);
-    let found = Variation::march(&kernel, &y, 0.0, 12.0, 1e-12, &Drift::default()).unwrap();
+    let found = FlowSensitivity::march(&kernel, &y, 0.0, 12.0, 1e-12, &ParameterSensitivity::default()).unwrap();
     let mut expected = 1.0;
     for change in found.trajectory.changes() {
         let (q, voltage) = (change.state[0], change.state[2]);

@@ -2,7 +2,7 @@
 
 use crate::plants::{distance, from_rest, kernel, march, physical, springs};
 use jounce::contact::{Hertz, Law, Rigid};
-use jounce::march::{MarchError, Marcher};
+use jounce::march::{IntegrationError, Integrator};
 use jounce::plant::{Stop, System};
 use jounce::spec::Spec;
 use jounce::structure::modes;
@@ -32,12 +32,12 @@ fn fixed() -> System {
 #[test]
 fn a_mass_at_rest_is_a_fixed_anvil() {
     let (two, one) = (kernel(anvil(0.0)), kernel(fixed()));
-    let marcher = march(&two, &[-PRESSED_M, 0.0, 0.0, 1.0], 0.0, 1.0, 1e-12);
+    let integrator = march(&two, &[-PRESSED_M, 0.0, 0.0, 1.0], 0.0, 1.0, 1e-12);
     let alone = march(&one, &[0.0, 1.0], 0.0, 1.0, 1e-12);
-    let state = physical(&marcher, &two);
+    let state = physical(&integrator, &two);
     let error = distance(&one, &[state[1], state[3]], &physical(&alone, &one));
-    let statistics = marcher.statistics_by_stop();
-    let residual = marcher.energies().residual_relative();
+    let statistics = integrator.statistics_by_stop();
+    let residual = integrator.energies().residual_relative();
     eprintln!("hammer {error:.1e}, anvil {:.1e} m, residual {residual:.1e}, {statistics:?}", state[0] + PRESSED_M);
     assert!(statistics[1].contacts > 5 && statistics[1].contacts == alone.statistics().contacts);
     assert!((statistics[0].sticking_s - 1.0).abs() < 1e-9);
@@ -49,8 +49,8 @@ fn a_mass_at_rest_is_a_fixed_anvil() {
 #[test]
 fn a_mass_that_chatters_to_rest_is_struck() {
     let kernel = kernel(anvil(0.5));
-    let marcher = march(&kernel, &[-PRESSED_M - 1e-3, -0.02, 0.0, 0.6], 0.0, 1.0, 1e-9);
-    let (statistics, energies) = (marcher.statistics_by_stop(), marcher.energies());
+    let integrator = march(&kernel, &[-PRESSED_M - 1e-3, -0.02, 0.0, 0.6], 0.0, 1.0, 1e-9);
+    let (statistics, energies) = (integrator.statistics_by_stop(), integrator.energies());
     eprintln!("residual {:.1e}, {statistics:?}", energies.residual_relative());
     assert!(statistics[0].contacts > 10 && statistics[0].sticking_s > 0.3 && statistics[1].contacts > 3);
     assert!(energies.residual_relative().abs() < 1e-8 && energies.contact_loss_j > 0.0);
@@ -65,18 +65,18 @@ fn rest_on_two_stops_is_held_or_refused() {
     // Both points on their stops: [1 0.2; 0.1 1] q = -pressed.
     let start = [-PRESSED_M * 0.8 / 0.98, -PRESSED_M * 0.9 / 0.98, 0.0, 0.0];
     let held = kernel(system.clone());
-    let marcher = march(&held, &start, 0.0, 0.5, 1e-10);
-    let state = physical(&marcher, &held);
+    let integrator = march(&held, &start, 0.0, 0.5, 1e-10);
+    let state = physical(&integrator, &held);
     let error = (0..4).map(|i| (state[i] - start[i]).abs()).fold(0.0, f64::max);
     // Roundoff starts them 1e-17 m above their stops, from where they fall for some nanoseconds.
-    let falling_s = marcher.statistics_by_stop().iter().map(|own| 0.5 - own.sticking_s).fold(0.0, f64::max);
+    let falling_s = integrator.statistics_by_stop().iter().map(|own| 0.5 - own.sticking_s).fold(0.0, f64::max);
     eprintln!("moved by {error:.1e}, off the stops for {falling_s:.1e} s");
     assert!(error < 1e-12 && falling_s < 1e-8);
     system.stops[1] = stop("right", &[1.0, 0.2], -PRESSED_M, rigid);
     let refused = kernel(system);
-    let mut marcher = Marcher::new(&refused, &refused.plant.from_physical(&start, 0.0), 0.0, 1e-10).unwrap();
-    let error = marcher.advance_to(0.5).unwrap_err();
-    assert!(matches!(&error, MarchError::RestsTwice { stops, .. } if stops == &["left", "right"]), "{error}");
+    let mut integrator = Integrator::new(&refused, &refused.plant.from_physical(&start, 0.0), 0.0, 1e-10).unwrap();
+    let error = integrator.advance_to(0.5).unwrap_err();
+    assert!(matches!(&error, IntegrationError::RestsTwice { stops, .. } if stops == &["left", "right"]), "{error}");
 }
 
 /// A mass on a compressed spring pushes a free one of the same mass from rest, nothing ever strikes: until the spring would pull they
@@ -93,8 +93,8 @@ fn a_mass_pushes_another_from_rest_and_lets_it_go() {
         }
         let kernel = kernel(system);
         let end_s = 0.4;
-        let marcher = march(&kernel, &[-start_m, 0.0, 0.0, 0.0], 0.0, end_s, 1e-10);
-        let found = physical(&marcher, &kernel);
+        let integrator = march(&kernel, &[-start_m, 0.0, 0.0, 0.0], 0.0, end_s, 1e-10);
+        let found = physical(&integrator, &kernel);
         let natural = std::f64::consts::TAU * frequency_hz / 2f64.sqrt();
         let decay = zeta * std::f64::consts::TAU * frequency_hz / 2.0;
         let damped = (natural * natural - decay * decay).sqrt();
@@ -104,14 +104,14 @@ fn a_mass_pushes_another_from_rest_and_lets_it_go() {
         let speed = envelope * natural * natural / damped * sin;
         let place = start_m - envelope * (cos + decay / damped * sin) + speed * (end_s - leaves_s);
         let errors = [found[1] / place - 1.0, found[3] / speed - 1.0];
-        let statistics = marcher.statistics_by_stop()[0];
+        let statistics = integrator.statistics_by_stop()[0];
         eprintln!(
             "beside {beside}: {errors:?}, {:.3e} s at rest, residual {:.1e}",
             statistics.sticking_s,
-            marcher.energies().residual_relative()
+            integrator.energies().residual_relative()
         );
         assert!(errors.iter().all(|error| error.abs() < 1e-8) && (statistics.sticking_s / leaves_s - 1.0).abs() < 1e-4);
-        assert!(marcher.energies().residual_relative().abs() < 1e-9);
+        assert!(integrator.energies().residual_relative().abs() < 1e-9);
     }
 }
 

@@ -1,7 +1,7 @@
 //! Rigid stops: periodic impacts and chatter against their closed forms.
 
 use crate::plants::{distance, kernel, march, physical, relative};
-use jounce::march::Marcher;
+use jounce::march::Integrator;
 use jounce::reference::{BouncingBall, ImpactOscillator, Reference};
 use std::f64::consts::TAU;
 
@@ -14,21 +14,21 @@ fn orbit_with_one_impact_per_cycle_repeats_itself() {
         let kernel = kernel(system);
         let period_s = TAU / frequency_ratio;
         let y = kernel.plant.from_physical(&problem.start(&orbit), 0.0);
-        let mut marcher = Marcher::new(&kernel, &y, 0.0, 1e-10).unwrap();
-        marcher.advance_to(0.5 * period_s).unwrap();
-        let first = physical(&marcher, &kernel);
-        marcher.advance_to(50.5 * period_s).unwrap();
-        let drift = distance(&kernel, &physical(&marcher, &kernel), &first);
-        let loss_j = marcher.energies().contact_loss_j;
+        let mut integrator = Integrator::new(&kernel, &y, 0.0, 1e-10).unwrap();
+        integrator.advance_to(0.5 * period_s).unwrap();
+        let first = physical(&integrator, &kernel);
+        integrator.advance_to(50.5 * period_s).unwrap();
+        let drift = distance(&kernel, &physical(&integrator, &kernel), &first);
+        let loss_j = integrator.energies().contact_loss_j;
         let exact = 50.0 * 0.5 * (1.0 - 0.8 * 0.8) * orbit.speed.powi(2);
         eprintln!(
             "w {frequency_ratio}: drift {drift:.1e}, loss {:.1e}, energy {:.1e}",
             relative(loss_j, exact),
-            marcher.energies().residual_relative()
+            integrator.energies().residual_relative()
         );
-        assert_eq!(marcher.statistics().contacts, 50);
+        assert_eq!(integrator.statistics().contacts, 50);
         assert!(drift < ImpactOscillator::TOLERANCE && relative(loss_j, exact) < ImpactOscillator::TOLERANCE, "{drift:e}");
-        assert!(marcher.energies().residual_relative().abs() < 1e-10);
+        assert!(integrator.energies().residual_relative().abs() < 1e-10);
     }
 }
 
@@ -40,12 +40,12 @@ fn chatter_ends_when_the_bouncing_ball_rests() {
     system.drives.clear();
     let kernel = kernel(system);
     let end_s = 2.0 * ball.time_to_rest_s();
-    let marcher = march(&kernel, &[-1.0 - ball.height_m, 0.0], 0.0, end_s, 1e-10);
-    let rest_s = end_s - marcher.statistics().sticking_s;
+    let integrator = march(&kernel, &[-1.0 - ball.height_m, 0.0], 0.0, end_s, 1e-10);
+    let rest_s = end_s - integrator.statistics().sticking_s;
     let error = relative(rest_s, ball.time_to_rest_s());
-    let lost = relative(marcher.energies().contact_loss_j, ball.height_m);
-    eprintln!("rest after {rest_s} s: {error:.1e}, loss {lost:.1e}, {} contacts", marcher.statistics().contacts);
+    let lost = relative(integrator.energies().contact_loss_j, ball.height_m);
+    eprintln!("rest after {rest_s} s: {error:.1e}, loss {lost:.1e}, {} contacts", integrator.statistics().contacts);
     // The pull grows by a millionth with height.
     assert!(error < 1e-5 && lost < 1e-5, "{rest_s} {error:e} {lost:e}");
-    assert!((physical(&marcher, &kernel)[0] + 1.0).abs() < 1e-14);
+    assert!((physical(&integrator, &kernel)[0] + 1.0).abs() < 1e-14);
 }

@@ -2,8 +2,8 @@
 
 use crate::plants::{bench, kernel, march, physical, relative};
 use jounce::contact::{Hertz, Law, Rigid};
-use jounce::drive::{Band, Chirp, Wave, chirp, half_sine, noise};
-use jounce::march::Marcher;
+use jounce::drive::{Chirp, NoiseBand, Wave, chirp, half_sine, noise};
+use jounce::march::Integrator;
 use jounce::plant::{Signal, Stop, System};
 use jounce::reference::{BouncingBall, Harmonic};
 use jounce::spec::{FrequencySweep, Spec};
@@ -38,23 +38,23 @@ fn a_ball_bounces_under_gravity_as_in_its_closed_form() {
     let system = with_signal(oscillator(0.0, 0.0), Wave::Constant(ball.gravity_m_s2));
     let kernel = kernel(with_stop(system, 0.0, Law::Rigid(Rigid { restitution: ball.restitution })));
     let start = kernel.plant.from_physical(&[-ball.height_m, 0.0], 0.0);
-    let mut marcher = Marcher::new(&kernel, &start, 0.0, 1e-12).unwrap();
+    let mut integrator = Integrator::new(&kernel, &start, 0.0, 1e-12).unwrap();
     let mut worst = 0.0_f64;
     for bounce in 0..8 {
         let top_s = 0.5 * (ball.bounce_s(bounce) + ball.bounce_s(bounce + 1));
-        marcher.advance_to(top_s).unwrap();
-        let state = physical(&marcher, &kernel);
+        integrator.advance_to(top_s).unwrap();
+        let state = physical(&integrator, &kernel);
         let height_m = 0.5 * ball.speed_after_m_s(bounce).powi(2) / ball.gravity_m_s2;
         worst = worst.max(relative(-state[0], height_m)).max(state[1].abs() / ball.speed_after_m_s(bounce));
-        assert_eq!(marcher.statistics().contacts, u64::from(bounce) + 1);
+        assert_eq!(integrator.statistics().contacts, u64::from(bounce) + 1);
     }
     let end_s = ball.time_to_rest_s() + 1.0;
-    marcher.advance_to(end_s).unwrap();
-    let rest = relative(end_s - marcher.statistics().sticking_s, ball.time_to_rest_s());
-    let residual = marcher.energies().residual_relative();
+    integrator.advance_to(end_s).unwrap();
+    let rest = relative(end_s - integrator.statistics().sticking_s, ball.time_to_rest_s());
+    let residual = integrator.energies().residual_relative();
     eprintln!("tops {worst:.1e}, time to rest {rest:.1e}, energy {residual:.1e}");
     assert!(worst < 1e-10 && rest < 1e-9 && residual.abs() < 1e-11, "{worst:e} {rest:e} {residual:e}");
-    assert_eq!(physical(&marcher, &kernel), [0.0, 0.0]);
+    assert_eq!(physical(&integrator, &kernel), [0.0, 0.0]);
 }
 
 /// The deepest point solves `m g (h + d) = k d^(5/2) / (5/2)`, and the ball comes back to where it fell from.
@@ -69,16 +69,16 @@ fn a_ball_falls_onto_a_hertz_stop_and_comes_back() {
         if gravity * (height_m + d) > stiffness * d.powf(2.5) / 2.5 { low = d } else { high = d }
     }
     let start = kernel.plant.from_physical(&[-height_m, 0.0], 0.0);
-    let mut marcher = Marcher::new(&kernel, &start, 0.0, 1e-11).unwrap();
+    let mut integrator = Integrator::new(&kernel, &start, 0.0, 1e-11).unwrap();
     let fall_s = (2.0 * height_m / gravity).sqrt();
     // 2.3 falls after the start the ball is on its way up.
-    marcher.advance_to(2.3 * fall_s).unwrap();
-    let state = physical(&marcher, &kernel);
+    integrator.advance_to(2.3 * fall_s).unwrap();
+    let state = physical(&integrator, &kernel);
     let energy = relative(0.5 * state[1] * state[1] - gravity * state[0], gravity * height_m);
-    let depth = relative(marcher.statistics().max_penetration_m, low);
-    let residual = marcher.energies().residual_relative();
+    let depth = relative(integrator.statistics().max_penetration_m, low);
+    let residual = integrator.energies().residual_relative();
     eprintln!("depth {depth:.1e}, height {energy:.1e}, energy {residual:.1e}");
-    assert!(marcher.statistics().contacts == 1 && depth < 1e-9 && energy < 1e-9 && residual.abs() < 1e-9, "{depth:e} {energy:e}");
+    assert!(integrator.statistics().contacts == 1 && depth < 1e-9 && energy < 1e-9 && residual.abs() < 1e-9, "{depth:e} {energy:e}");
 }
 
 #[test]
@@ -117,11 +117,11 @@ fn a_recording_moves_an_oscillator_as_the_exact_recurrence_says() {
         let [x, v] = nigam_jennings(w, zeta, step_s, &force);
         let wave = Wave::Sampled { start_s: 0.0, step_s, sizes: force.into() };
         let kernel = kernel(with_signal(oscillator(w, zeta), wave));
-        let marcher = march(&kernel, &[0.0, 0.0], 0.0, 3000.0 * step_s, 1e-12);
-        let state = physical(&marcher, &kernel);
+        let integrator = march(&kernel, &[0.0, 0.0], 0.0, 3000.0 * step_s, 1e-12);
+        let state = physical(&integrator, &kernel);
         let size = x.abs().max(v.abs() / w);
         let errors = [(state[0] - x).abs() / size, (state[1] - v).abs() / (w * size)];
-        let residual = marcher.energies().residual_relative();
+        let residual = integrator.energies().residual_relative();
         eprintln!("w {w}: {errors:?}, energy {residual:.1e}");
         assert!(errors.iter().all(|e| *e < 1e-12) && residual.abs() < 1e-12, "w {w}: {errors:?} {residual:e}");
     }
@@ -134,16 +134,16 @@ fn a_half_sine_shock_leaves_what_its_spectrum_says() {
     for (w, duration_s) in [(100.0, 0.011), (100.0, 0.07), (100.0, 0.003)] {
         let (amplitude, pulse) = (50.0, PI / duration_s);
         let kernel = kernel(with_signal(oscillator(w, 0.0), half_sine(amplitude, 0.2, duration_s)));
-        let mut marcher = march(&kernel, &[0.0, 0.0], 0.0, 0.2 + duration_s, 1e-12);
-        let state = physical(&marcher, &kernel);
+        let mut integrator = march(&kernel, &[0.0, 0.0], 0.0, 0.2 + duration_s, 1e-12);
+        let state = physical(&integrator, &kernel);
         let (r, x) = (pulse / w, amplitude / (w * w));
         let exact = [-r * (w * duration_s).sin() * x / (1.0 - r * r), (-pulse - r * w * (w * duration_s).cos()) * x / (1.0 - r * r)];
         let left = (2.0 * r * (PI / (2.0 * r)).cos() * x / (1.0 - r * r)).abs();
-        marcher.advance_to(1.0).unwrap();
-        let after = physical(&marcher, &kernel);
+        integrator.advance_to(1.0).unwrap();
+        let after = physical(&integrator, &kernel);
         let errors =
             [(state[0] - exact[0]).abs() / left, (state[1] - exact[1]).abs() / (w * left), relative(after[0].hypot(after[1] / w), left)];
-        let residual = marcher.energies().residual_relative();
+        let residual = integrator.energies().residual_relative();
         eprintln!("pulse of {duration_s} s: {errors:?}, energy {residual:.1e}");
         assert!(errors.iter().all(|e| *e < 1e-11) && residual.abs() < 1e-11, "{duration_s}: {errors:?} {residual:e}");
     }
@@ -153,11 +153,11 @@ fn a_half_sine_shock_leaves_what_its_spectrum_says() {
 #[test]
 fn a_velocity_step_is_an_impulse() {
     let kernel = kernel(with_signal(oscillator(20.0, 0.05), Wave::Impulse { time_s: 0.0, size_s: 0.3 }));
-    let marcher = march(&kernel, &[0.0, 0.1], 0.0, 0.5, 1e-12);
+    let integrator = march(&kernel, &[0.0, 0.1], 0.0, 0.5, 1e-12);
     let wd = 20.0 * (1.0_f64 - 0.0025).sqrt();
     let exact = 0.4 / wd * (-0.5_f64).exp() * (wd * 0.5).sin();
-    let energies = marcher.energies();
-    assert!(relative(physical(&marcher, &kernel)[0], exact) < 1e-13);
+    let energies = integrator.energies();
+    assert!(relative(physical(&integrator, &kernel)[0], exact) < 1e-13);
     assert!(relative(energies.input_j, 0.3 * 0.25) < 1e-13 && energies.residual_relative().abs() < 1e-14);
 }
 
@@ -192,17 +192,17 @@ fn a_chirp_without_sweep_is_a_sinusoid() {
 #[test]
 fn white_noise_gives_the_mean_square_of_its_closed_form() {
     let (w, zeta, density, high_hz) = (TAU * 10.0, 0.05, 0.4, 100.0);
-    let band = Band { density, low_hz: 0.0, high_hz, sample_rate_hz: 1000.0 };
+    let band = NoiseBand { density, low_hz: 0.0, high_hz, sample_rate_hz: 1000.0 };
     let kernel = kernel(with_signal(oscillator(w, zeta), noise(&band, 410.0, 7, &|| false)));
-    let mut marcher = Marcher::new(&kernel, &[0.0, 0.0], 0.0, 1e-8).unwrap();
-    marcher.advance_to(10.0).unwrap();
-    let before_j = marcher.energies().damping_j;
+    let mut integrator = Integrator::new(&kernel, &[0.0, 0.0], 0.0, 1e-8).unwrap();
+    integrator.advance_to(10.0).unwrap();
+    let before_j = integrator.energies().damping_j;
     let (looks, mut square) = (16_000, 0.0);
     for look in 1..=looks {
-        marcher.advance_to(10.0 + 400.0 * f64::from(look) / f64::from(looks)).unwrap();
-        square += physical(&marcher, &kernel)[0].powi(2) / f64::from(looks);
+        integrator.advance_to(10.0 + 400.0 * f64::from(look) / f64::from(looks)).unwrap();
+        square += physical(&integrator, &kernel)[0].powi(2) / f64::from(looks);
     }
-    let energies = marcher.energies();
+    let energies = integrator.energies();
     let loss_w = (energies.damping_j - before_j) / 400.0;
     // The band ends where the velocity still has a tail: G / (4 pi^2 f) of its mean square.
     let velocity = density / (8.0 * zeta * w) - density / (4.0 * PI * PI * high_hz);
@@ -219,7 +219,7 @@ fn energy_balances_under_every_kind_of_drive_through_contacts() {
     let sampled = |step_s: f64| Wave::Sampled { start_s: 0.05, step_s, sizes: rough(3000).iter().map(|x| 40.0 * x).collect() };
     let sweep = FrequencySweep::Logarithmic;
     let swept = Chirp { amplitude: 60.0, from_hz: 6.0, to_hz: 15.0, sweep, phase_rad: 0.0, start_s: 0.1, duration_s: 1.5 };
-    let band = Band { density: 60.0, low_hz: 2.0, high_hz: 60.0, sample_rate_hz: 600.0 };
+    let band = NoiseBand { density: 60.0, low_hz: 2.0, high_hz: 60.0, sample_rate_hz: 600.0 };
     for (name, tone_n, wave) in [
         ("gravity", 50.0, Wave::Constant(30.0)),
         ("recording", 0.0, sampled(1.0 / 3000.0)),
@@ -235,10 +235,10 @@ fn energy_balances_under_every_kind_of_drive_through_contacts() {
         }
         system.signals.push(Signal { name: name.into(), shape: shape.clone(), wave, base: None });
         let kernel = kernel(system);
-        let marcher = march(&kernel, &vec![0.0; kernel.plant.len()], 0.0, 2.0, 1e-10);
-        let residual = marcher.energies().residual_relative();
-        eprintln!("{name}: {} contacts, energy {residual:.1e}, {:?}", marcher.statistics().contacts, marcher.work());
-        assert!(marcher.statistics().contacts > 0 && residual.abs() < 1e-9, "{name}: {residual:e}");
+        let integrator = march(&kernel, &vec![0.0; kernel.plant.len()], 0.0, 2.0, 1e-10);
+        let residual = integrator.energies().residual_relative();
+        eprintln!("{name}: {} contacts, energy {residual:.1e}, {:?}", integrator.statistics().contacts, integrator.work());
+        assert!(integrator.statistics().contacts > 0 && residual.abs() < 1e-9, "{name}: {residual:e}");
     }
 }
 
@@ -268,13 +268,13 @@ fn a_recording_with_contacts_agrees_with_brute_force() {
     let (coarse, fine) = (brute(400), brute(800));
     let system = with_signal(oscillator(w, zeta), Wave::Sampled { start_s: 0.0, step_s, sizes: force.clone().into() });
     let kernel = kernel(with_stop(system, gap_m, Law::Hertz(Hertz { stiffness, exponent: 1.5 })));
-    let marcher = march(&kernel, &[0.0, 0.0], 0.0, 1.0, 1e-11);
-    let state = physical(&marcher, &kernel);
+    let integrator = march(&kernel, &[0.0, 0.0], 0.0, 1.0, 1e-11);
+    let state = physical(&integrator, &kernel);
     let size = fine[0].hypot(fine[1] / w);
     let off = |a: &[f64], b: &[f64]| (a[0] - b[0]).hypot((a[1] - b[1]) / w) / size;
     let (own, error) = (off(&coarse, &fine), off(&state, &fine));
-    eprintln!("{} contacts: {error:.1e}, brute force by itself {own:.1e}", marcher.statistics().contacts);
-    assert!(marcher.statistics().contacts > 5 && own < 1e-7 && error < 1e-7, "{error:e} {own:e}");
+    eprintln!("{} contacts: {error:.1e}, brute force by itself {own:.1e}", integrator.statistics().contacts);
+    assert!(integrator.statistics().contacts > 5 && own < 1e-7 && error < 1e-7, "{error:e} {own:e}");
 }
 
 fn sprung(drive: &str) -> System {

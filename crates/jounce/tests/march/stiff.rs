@@ -63,14 +63,14 @@ fn a_circuit_of_small_resistance_follows_at_once_and_costs_nothing() {
     let slow = march(&kernel(cell(1.0)), &[0.0; 3], 0.0, 20.0, 1e-10).work();
     for resistance_ohm in [1e-3, 1e-4, 1e-5, 1e-6, 1e-7] {
         let kernel = kernel(cell(resistance_ohm));
-        let marcher = march(&kernel, &[0.0; 3], 0.0, 20.0, 1e-10);
-        let (state, limit, work) = (physical(&marcher, &kernel), following(resistance_ohm, 20.0), marcher.work());
+        let integrator = march(&kernel, &[0.0; 3], 0.0, 20.0, 1e-10);
+        let (state, limit, work) = (physical(&integrator, &kernel), following(resistance_ohm, 20.0), integrator.work());
         let error = (state[0] - limit[0]).abs().max((state[1] - limit[1]).abs());
-        let (energy, residual) = ((marcher.energies().loads_j[0] / limit[2] - 1.0).abs(), marcher.energies().residual_relative());
+        let (energy, residual) = ((integrator.energies().loads_j[0] / limit[2] - 1.0).abs(), integrator.energies().residual_relative());
         eprintln!("{resistance_ohm:e} ohm: motion {error:.1e}, energy in the load {energy:.1e}, residual {residual:.1e}, {work:?}");
         let allowed = 1e-8 + 10.0 * resistance_ohm * resistance_ohm;
         assert!(
-            marcher.statistics().contacts > 1
+            integrator.statistics().contacts > 1
                 && error < allowed
                 && energy < 1e-7 + 100.0 * resistance_ohm * resistance_ohm
                 && residual.abs() < 1e-8

@@ -11,14 +11,14 @@ fn bilinear_oscillator_comes_back_after_its_period() {
         let start = problem.start(0.01);
         let kernel = kernel(problem.system());
         let swings = 20.0;
-        let marcher = march(&kernel, &start, 0.0, swings * problem.period_s(0.01), 1e-10);
-        let end = physical(&marcher, &kernel);
+        let integrator = march(&kernel, &start, 0.0, swings * problem.period_s(0.01), 1e-10);
+        let end = physical(&integrator, &kernel);
         // An error of the period turns into a speed: q' = -w^2 q dt; relative to the period it is the mean of 20 swings.
         let late = end[1] / (start[0] * 20.0 * 20.0) / (swings * problem.period_s(0.01));
-        let depth = relative(marcher.statistics().max_penetration_m, problem.peak_penetration_m(0.01));
+        let depth = relative(integrator.statistics().max_penetration_m, problem.peak_penetration_m(0.01));
         eprintln!("k {stop_stiffness_n_m:e}, gap {gap_m}: period {late:.1e}, depth {depth:.1e}");
         assert!(late.abs() <= Bilinear::TOLERANCE && depth <= 1e-8, "{late:e} {depth:e}");
-        assert_eq!(marcher.statistics().contacts, 20);
+        assert_eq!(integrator.statistics().contacts, 20);
     }
 }
 
@@ -30,13 +30,13 @@ fn preloaded_contact_is_a_spring() {
     let equilibrium_m = -60.0 * 2e-3 / (0.5 * w * w);
     let kernel = kernel(problem.system());
     for end_s in [0.01, 0.1, 1.0, 3.7] {
-        let marcher = march(&kernel, &problem.start(0.0), 0.0, end_s, 1e-10);
+        let integrator = march(&kernel, &problem.start(0.0), 0.0, end_s, 1e-10);
         let root = 0.5_f64.sqrt();
         let exact = [root * equilibrium_m * (1.0 - (w * end_s).cos()), root * equilibrium_m * w * (w * end_s).sin()];
-        let error = distance(&kernel, &physical(&marcher, &kernel), &exact);
+        let error = distance(&kernel, &physical(&integrator, &kernel), &exact);
         assert!(error < 1e-8, "{end_s}: {error:e}");
-        assert!(relative(marcher.statistics().time_s, end_s) < 1e-12);
-        assert!(marcher.energies().residual_relative().abs() < 1e-9, "{}", marcher.energies().residual_relative());
+        assert!(relative(integrator.statistics().time_s, end_s) < 1e-12);
+        assert!(integrator.energies().residual_relative().abs() < 1e-9, "{}", integrator.energies().residual_relative());
     }
 }
 
@@ -48,8 +48,8 @@ fn share_of_a_blow_that_reaches_the_resistor() {
         let mut system = blow.oscillator().system(0.0, 1.0);
         system.drives.clear();
         let kernel = kernel(system);
-        let marcher = march(&kernel, &[0.0, 3.0, 0.0], 0.0, 12_000.0, 1e-10);
-        let share = marcher.energies().loads_j[0] / 4.5;
+        let integrator = march(&kernel, &[0.0, 3.0, 0.0], 0.0, 12_000.0, 1e-10);
+        let share = integrator.energies().loads_j[0] / 4.5;
         assert!(relative(share, blow.efficiency()) < Impulse::TOLERANCE, "{share} {}", blow.efficiency());
     }
 }
@@ -63,8 +63,8 @@ fn stiffness_in_parallel_adds() {
     let equilibrium_m = -300.0 / (0.5 * w * w);
     // Let go at 1 cm from the equilibrium: one period of the stiffened spring later it is back.
     let start = [0.5_f64.sqrt() * (equilibrium_m + 0.01), 0.0];
-    let marcher = march(&kernel, &start, 0.0, 10.0 * TAU / w, 1e-10);
-    let error = distance(&kernel, &physical(&marcher, &kernel), &start);
+    let integrator = march(&kernel, &start, 0.0, 10.0 * TAU / w, 1e-10);
+    let error = distance(&kernel, &physical(&integrator, &kernel), &start);
     assert!(error < 1e-9, "{error:e}");
 }
 
@@ -77,15 +77,15 @@ fn duffing_oscillator_comes_back_after_its_elliptic_period() {
         let (start, swings) = (problem.at_rest(-amplitude_m), 20.0);
         let kernel = kernel(problem.system());
         let period_s = TAU / problem.backbone_rad_s(amplitude_m);
-        let marcher = march(&kernel, &start, 0.0, swings * period_s, 1e-10);
-        let end = physical(&marcher, &kernel);
+        let integrator = march(&kernel, &start, 0.0, swings * period_s, 1e-10);
+        let end = physical(&integrator, &kernel);
         let pull = 1.0 + cubic_stiffness_n_m3 * amplitude_m * amplitude_m;
         let late = end[1] / (start[0] * pull) / (swings * period_s);
-        let depth = relative(marcher.statistics().max_penetration_m, amplitude_m);
-        let energy = marcher.energies().residual_relative();
+        let depth = relative(integrator.statistics().max_penetration_m, amplitude_m);
+        let energy = integrator.energies().residual_relative();
         eprintln!("b {cubic_stiffness_n_m3}, amplitude {amplitude_m}: period {late:.1e}, depth {depth:.1e}, energy {energy:.1e}");
-        eprintln!("{:?}", marcher.work());
+        eprintln!("{:?}", integrator.work());
         assert!(late.abs() <= Duffing::TOLERANCE && depth <= 1e-8 && energy.abs() < 1e-9, "{late:e} {depth:e} {energy:e}");
-        assert_eq!(marcher.statistics().contacts, 0);
+        assert_eq!(integrator.statistics().contacts, 0);
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::plants::{bench, distance, from_rest, kernel, march, physical, relative, springs};
 use jounce::contact::{Hertz, Law};
-use jounce::march::Marcher;
+use jounce::march::Integrator;
 use jounce::plant::{Drive, Stop};
 use jounce::run::{RunPlan, StartState, simulate};
 use std::f64::consts::{PI, TAU};
@@ -81,7 +81,7 @@ fn landing_anywhere_gives_the_same_answer() {
     let straight = march(&kernel, &rest, 0.0, 2.0, TOLERANCE);
     for pieces in [7, 613, 20_011] {
         let y = kernel.plant.from_physical(&rest, 0.0);
-        let mut broken = Marcher::new(&kernel, &y, 0.0, TOLERANCE).unwrap();
+        let mut broken = Integrator::new(&kernel, &y, 0.0, TOLERANCE).unwrap();
         for k in 1..=pieces {
             broken.advance_to(2.0 * f64::from(k) / f64::from(pieces)).unwrap();
         }

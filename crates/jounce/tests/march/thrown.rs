@@ -1,19 +1,19 @@
 //! Masses that start with a velocity.
 
+use jounce::analysis::Model;
 use jounce::run::{RunPlan, simulate};
 use jounce::spec::Spec;
-use jounce::study::Prepared;
 use std::f64::consts::TAU;
 use std::path::Path;
 
-fn marched(text: &str) -> (Prepared, jounce::run::RunAnswer) {
-    let prepared = Prepared::new(Spec::from_toml(text).unwrap()).unwrap();
+fn marched(text: &str) -> (Model, jounce::run::RunResult) {
+    let prepared = Model::new(Spec::from_toml(text).unwrap()).unwrap();
     let start = prepared.start(Path::new(".")).unwrap();
     let answer = simulate(&prepared.kernel, &start, &RunPlan::of(&prepared.spec.run, 0.0)).unwrap();
     (prepared, answer)
 }
 
-fn speed_m_s(prepared: &Prepared, answer: &jounce::run::RunAnswer, body: &str) -> f64 {
+fn speed_m_s(prepared: &Model, answer: &jounce::run::RunResult, body: &str) -> f64 {
     prepared.kernel.plant.system.modes.shape[body].iter().zip(&answer.end.velocity).map(|(shape, q)| shape * q).sum()
 }
 

@@ -2,30 +2,30 @@
 
 use crate::plants::{bench, kernel};
 use crate::ports::{between_stops, coupled};
+use jounce::analysis::Model;
 use jounce::contact::{Cubic, Hertz, HuntCrossley, KelvinVoigt, Law, Rigid};
 use jounce::drive::Wave;
-use jounce::march::{Drift, Kernel, Marcher, Variation};
+use jounce::march::{FlowSensitivity, Integrator, Kernel, ParameterSensitivity};
 use jounce::plant::{Signal, System};
 use jounce::reference::ImpactOscillator;
 use jounce::spec::Spec;
-use jounce::study::Prepared;
 
 /// A state after some contacts, and a stretch of one drive period from there.
 pub fn settled(kernel: &Kernel) -> (Vec<f64>, f64) {
     let period_s = 1.0 / kernel.plant.system.drives[0].frequency_hz;
     let y = kernel.plant.from_physical(&vec![0.0; kernel.plant.len()], 0.0);
-    let mut marcher = Marcher::new(kernel, &y, 0.0, 1e-11).unwrap();
-    marcher.advance_to(30.0 * period_s).unwrap();
-    (marcher.state(), period_s)
+    let mut integrator = Integrator::new(kernel, &y, 0.0, 1e-11).unwrap();
+    integrator.advance_to(30.0 * period_s).unwrap();
+    (integrator.state(), period_s)
 }
 
 /// Start of the march of every check: a whole number of periods is time 0 again.
 const START_S: f64 = 0.0;
 
 fn end(kernel: &Kernel, y: &[f64], duration_s: f64) -> Vec<f64> {
-    let mut marcher = Marcher::new(kernel, y, START_S, 1e-13).unwrap();
-    marcher.advance_to(START_S + duration_s).unwrap();
-    marcher.state()
+    let mut integrator = Integrator::new(kernel, y, START_S, 1e-13).unwrap();
+    integrator.advance_to(START_S + duration_s).unwrap();
+    integrator.state()
 }
 
 fn with_law(mut system: System, law: Law) -> System {
@@ -35,13 +35,13 @@ fn with_law(mut system: System, law: Law) -> System {
 
 /// Largest error of the jacobian against central differences, relative to its largest entry, on a stretch with contacts.
 fn error(kernel: &Kernel, y: &[f64], duration_s: f64) -> f64 {
-    let found = Variation::march(kernel, y, START_S, duration_s, 1e-12, &Drift::default()).unwrap();
+    let found = FlowSensitivity::march(kernel, y, START_S, duration_s, 1e-12, &ParameterSensitivity::default()).unwrap();
     assert!(found.statistics.contacts > 0 || found.statistics.time_s > 0.0, "the check needs a contact");
     against_differences(kernel, y, duration_s, &found)
 }
 
 /// The same on any stretch.
-pub fn against_differences(kernel: &Kernel, y: &[f64], duration_s: f64, found: &Variation) -> f64 {
+pub fn against_differences(kernel: &Kernel, y: &[f64], duration_s: f64, found: &FlowSensitivity) -> f64 {
     let size = y.iter().fold(0.0_f64, |max, v| max.max(v.abs()));
     let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
     for j in 0..y.len() {
@@ -114,7 +114,7 @@ fn ball(stop: &str) -> Kernel {
         "[mass.ball]\non = \"nothing\"\nmass = \"0.5 kg\"\n[stop.t]\nat = \"ball\"\nside = \"negative\"\ngap = \"0 mm\"\n{stop}\n\
          [gravity]\nacceleration = \"-9.81 m/s^2\"\n[drive.b]\nkind = \"base-acceleration\"\namplitude = \"13 m/s^2\"\nfrequency = \"5 Hz\"\nphase = \"0.4 rad\"\n"
     );
-    Prepared::new(Spec::from_toml(&text).unwrap()).unwrap().kernel
+    Model::new(Spec::from_toml(&text).unwrap()).unwrap().kernel
 }
 
 /// Constant forces: on modes that follow them and on a free body, which does not. The derivative by the duration too. Measured: 5e-10
@@ -139,7 +139,7 @@ fn jacobian_is_the_difference_of_flows_under_gravity() {
     ] {
         let (y, period_s) = settled(&kernel);
         let found = error(&kernel, &y, period_s);
-        let rate = Variation::march(&kernel, &y, START_S, period_s, 1e-12, &Drift::default()).unwrap().rate;
+        let rate = FlowSensitivity::march(&kernel, &y, START_S, period_s, 1e-12, &ParameterSensitivity::default()).unwrap().rate;
         let h = 1e-6 * period_s;
         let (later, earlier) = (end(&kernel, &y, period_s + h), end(&kernel, &y, period_s - h));
         let size = rate.iter().fold(0.0_f64, |max, v| max.max(v.abs()));
@@ -154,7 +154,7 @@ fn jacobian_is_the_difference_of_flows_under_gravity() {
 fn determinant_is_that_of_the_plant() {
     let kernel = kernel(bench(50.0, 11.0));
     let (y, period_s) = settled(&kernel);
-    let found = Variation::march(&kernel, &y, START_S, period_s, 1e-12, &Drift::default()).unwrap();
+    let found = FlowSensitivity::march(&kernel, &y, START_S, period_s, 1e-12, &ParameterSensitivity::default()).unwrap();
     let trace: f64 = kernel.plant.diagonal.block.eigenvalues().iter().map(|value| value.re).sum();
     let error = found.jacobian.determinant() / (trace * period_s).exp() - 1.0;
     eprintln!("determinant: {error:.1e}");
@@ -169,9 +169,10 @@ fn rigid_impact_has_the_multipliers_of_the_closed_form() {
         let orbit = oscillator.orbits(1)[0];
         let kernel = kernel(oscillator.system(orbit.angle_rad));
         let period_s = std::f64::consts::TAU / frequency_ratio;
-        let mut marcher = Marcher::new(&kernel, &kernel.plant.from_physical(&oscillator.start(&orbit), 0.0), 0.0, 1e-13).unwrap();
-        marcher.advance_to(0.4 * period_s).unwrap();
-        let found = Variation::march(&kernel, &marcher.state(), 0.4 * period_s, period_s, 1e-13, &Drift::default()).unwrap();
+        let mut integrator = Integrator::new(&kernel, &kernel.plant.from_physical(&oscillator.start(&orbit), 0.0), 0.0, 1e-13).unwrap();
+        integrator.advance_to(0.4 * period_s).unwrap();
+        let found = FlowSensitivity::march(&kernel, &integrator.state(), 0.4 * period_s, period_s, 1e-13, &ParameterSensitivity::default())
+            .unwrap();
         let [trace, determinant] = orbit.trace_determinant;
         let errors = [found.jacobian[(0, 0)] + found.jacobian[(1, 1)] - trace, found.jacobian.determinant() - determinant];
         eprintln!("w = {frequency_ratio}: errors {errors:?}");
@@ -202,30 +203,35 @@ fn drift_is_the_difference_of_flows_of_changed_systems() {
     };
     let by_frequency = (shaken(1e-6) - shaken(-1e-6)) / 2e-6;
     type Change = Box<dyn Fn(&mut System, f64)>;
-    let cases: [(&str, Change, f64, Drift); 4] = [
-        ("gap", Box::new(|system, d| system.stops[0].gap_m += d), 1e-8, Drift { gap_m: vec![1.0], ..Drift::default() }),
+    let cases: [(&str, Change, f64, ParameterSensitivity); 4] = [
+        (
+            "gap",
+            Box::new(|system, d| system.stops[0].gap_m += d),
+            1e-8,
+            ParameterSensitivity { gap_m: vec![1.0], ..ParameterSensitivity::default() },
+        ),
         (
             "stiffness",
             Box::new(|system, d| system.stops[0].law = Law::Hertz(Hertz { stiffness: 1000.0 + d, exponent: 1.5 })),
             1e-2,
-            Drift { force_relative: vec![1e-3], ..Drift::default() },
+            ParameterSensitivity { force_relative: vec![1e-3], ..ParameterSensitivity::default() },
         ),
         (
             "amplitude",
             Box::new(|system, d| system.drives[0].amplitude_n += d),
             1e-3,
-            Drift { tones: vec![(vec![steady / 50.0], 0.0)], ..Drift::default() },
+            ParameterSensitivity { tones: vec![(vec![steady / 50.0], 0.0)], ..ParameterSensitivity::default() },
         ),
         (
             "frequency",
             Box::new(|system, d| system.drives[0].frequency_hz += d),
             1e-6,
-            Drift { tones: vec![(vec![by_frequency], w / 11.0)], ..Drift::default() },
+            ParameterSensitivity { tones: vec![(vec![by_frequency], w / 11.0)], ..ParameterSensitivity::default() },
         ),
     ];
     for (name, change, step, drift) in cases {
         let expected = changed(&change, step);
-        let found = Variation::march(&at, &y, START_S, period_s, 1e-12, &drift).unwrap().drift;
+        let found = FlowSensitivity::march(&at, &y, START_S, period_s, 1e-12, &drift).unwrap().drift;
         let size = expected.iter().fold(0.0_f64, |max, v| max.max(v.abs()));
         let error = expected.iter().zip(&found).fold(0.0_f64, |max, (a, b)| max.max((a - b).abs())) / size;
         eprintln!("{name}: {error:.1e}");

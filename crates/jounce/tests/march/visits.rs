@@ -1,9 +1,9 @@
-//! A visitor of the watch is let in during every kind of march, however the march goes on.
+//! A visitor of the control is let in during every kind of march, however the march goes on.
 
 use crate::plants::{bench, kernel};
 use crate::rectified::lossy_beside_a_stop;
 use jounce::contact::{Law, Rigid};
-use jounce::march::{MarchError, Marcher, Watch};
+use jounce::march::{Control, IntegrationError, Integrator};
 use jounce::plant::{Scheme, Stop, Storage, System};
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -28,14 +28,14 @@ fn a_visitor_ends_a_march_of_any_kind() {
     let rectified = lossy_beside_a_stop(Scheme::Standard, Storage::Capacitor { capacitance_f: 4.0, load_ohm: 2.0 });
     for (name, system) in [("one stop", bench(50.0, 11.0)), ("rigid", rigid()), ("two stops", two_stops()), ("rectifier", rectified)] {
         let visits = AtomicU32::new(0);
-        let watch = Watch::visited_by(move |watch| {
+        let control = Control::with_callback(move |control| {
             if visits.fetch_add(1, Ordering::Relaxed) == 2 {
-                watch.stop();
+                control.stop();
             }
         });
-        let kernel = kernel(system).watched_by(&watch);
+        let kernel = kernel(system).with_control(&control);
         let rest = vec![0.0; kernel.plant.len()];
-        let ended = Marcher::new(&kernel, &kernel.plant.from_physical(&rest, 0.0), 0.0, 1e-8).unwrap().advance_to(LONG_S);
-        assert!(matches!(ended, Err(MarchError::Stopped { time_s }) if time_s < LONG_S), "{name}: {ended:?}");
+        let ended = Integrator::new(&kernel, &kernel.plant.from_physical(&rest, 0.0), 0.0, 1e-8).unwrap().advance_to(LONG_S);
+        assert!(matches!(ended, Err(IntegrationError::Stopped { time_s }) if time_s < LONG_S), "{name}: {ended:?}");
     }
 }

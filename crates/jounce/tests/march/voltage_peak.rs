@@ -2,10 +2,10 @@
 
 use crate::plants::kernel as of_system;
 use crate::rectified::cell;
-use jounce::linear::{Input, Response, frf};
+use jounce::linear::{FrfInput, FrfResponse, frf};
 use jounce::march::Kernel;
 use jounce::plant::{Plant, Scheme, Storage, System};
-use jounce::run::{RunAnswer, RunPlan, StartState, VoltagePeaks, simulate, voltage_peaks};
+use jounce::run::{RunPlan, RunResult, StartState, VoltagePeaks, simulate, voltage_peaks};
 use jounce::spec::SpecFile;
 use jounce::structure::modes;
 use std::f64::consts::TAU;
@@ -18,7 +18,7 @@ fn changed(keys: &[(&str, &str)]) -> SpecFile {
     file
 }
 
-fn marched(file: &SpecFile, record_s: f64) -> (Kernel, RunPlan, RunAnswer, VoltagePeaks) {
+fn marched(file: &SpecFile, record_s: f64) -> (Kernel, RunPlan, RunResult, VoltagePeaks) {
     let spec = file.spec().unwrap();
     let plant = Plant::new(System::assemble(&spec, modes(&spec).unwrap()).unwrap()).unwrap();
     let start = StartState::linear(&plant);
@@ -47,9 +47,9 @@ fn peaks_without_contact_are_those_of_the_frequency_response() {
             file.set(key, value).unwrap();
         }
         let (kernel, _, answer, peaks) = marched(&file, 0.0);
-        let patches = kernel.plant.system.modes.patch.keys().map(|patch| Response::Voltage(patch.clone()));
-        let wanted: Vec<Response> = std::iter::once(Response::LoadVoltage("load".into())).chain(patches).collect();
-        let found = frf(&kernel.plant, &Input::Force("table".into()), &wanted, &[13.0]).unwrap();
+        let patches = kernel.plant.system.modes.patch.keys().map(|patch| FrfResponse::Voltage(patch.clone()));
+        let wanted: Vec<FrfResponse> = std::iter::once(FrfResponse::LoadVoltage("load".into())).chain(patches).collect();
+        let found = frf(&kernel.plant, &FrfInput::Force("table".into()), &wanted, &[13.0]).unwrap();
         let closed_v = found.iter().map(|response| 50.0 * response.value[0].norm());
         let own_v = peaks.loads_v.iter().chain(&peaks.patches_v);
         let mut errors: Vec<f64> = own_v.zip(closed_v).map(|(own_v, closed_v)| own_v / closed_v - 1.0).collect();

@@ -4,9 +4,9 @@
 //! force and damping hold each other up. What both change of the frequency at a given amplitude is of second order in the damping.
 
 use crate::harvesters::Systems;
-use jounce::continuation::{Corrector, Metric, Position, settle};
-use jounce::march::{Kernel, Marcher};
-use jounce::orbit::{HarmonicBalance, Harvester, Orbit, OrbitMethod, Shooting};
+use jounce::continuation::{Corrector, Metric, Position, correct_at};
+use jounce::march::{Integrator, Kernel};
+use jounce::orbit::{HarmonicBalance, Orbit, OrbitMethod, ParametricModel, Shooting};
 use jounce::plant::{Plant, System};
 use jounce::reference::{Bilinear, Duffing};
 use std::f64::consts::TAU;
@@ -22,7 +22,7 @@ fn orbit(make: &(impl Fn(f64) -> System + Sync), corrector: &Corrector, state: &
     let kernel = harvester.at(parameter).unwrap().kernel;
     let shooting = Shooting::new(&harvester, &kernel, 1, 1e-12);
     let position = Position { unknown: shooting.unknown(state), parameter };
-    let found = settle(&shooting, corrector, &Metric::at(&position, 1.0), position).unwrap();
+    let found = correct_at(&shooting, corrector, &Metric::at(&position, 1.0), position).unwrap();
     shooting.orbit(&found.local, found.error).unwrap()
 }
 
@@ -52,13 +52,13 @@ pub fn phase_resonance(make: impl Fn(f64) -> System + Sync, start: &[f64], param
 /// Force that holds up the damping `c x'` of the free motion that starts at rest: `c int x'^2 dt = F int x' sin(w t) dt`.
 fn balancing_force(free: System, start: &[f64], w: f64, damping_n_s_m: f64) -> f64 {
     let kernel = Kernel::new(Plant::new(free).unwrap()).unwrap();
-    let mut marcher = Marcher::new(&kernel, &kernel.plant.from_physical(start, 0.0), 0.0, 1e-10).unwrap();
+    let mut integrator = Integrator::new(&kernel, &kernel.plant.from_physical(start, 0.0), 0.0, 1e-10).unwrap();
     let looks = 256;
     let (mut lost, mut fed) = (0.0, 0.0);
     for k in 1..=looks {
         let angle = TAU * f64::from(k) / f64::from(looks);
-        marcher.advance_to(angle / w).unwrap();
-        let speed = kernel.plant.to_physical(&marcher.state(), 0.0)[1];
+        integrator.advance_to(angle / w).unwrap();
+        let speed = kernel.plant.to_physical(&integrator.state(), 0.0)[1];
         (lost, fed) = (lost + speed * speed, fed + speed * angle.sin());
     }
     damping_n_s_m * lost / fed
@@ -132,7 +132,7 @@ fn harmonic_balance_meets_shooting_on_a_cubic_spring() {
         for harmonics in [4, 8, 24] {
             let method = HarmonicBalance::new(Shooting::new(&harvester, &kernel, 1, 1e-12), &kernel, harmonics, 0.0).unwrap();
             let position = Position { unknown: method.unknown_of(exact.start(), force).unwrap(), parameter: force };
-            let found = settle(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
+            let found = correct_at(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
             let other = method.orbit(&found.local, found.error).unwrap();
             let apart = exact.start().iter().zip(other.start()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / exact.size();
             eprintln!("b {b}, gap {gap_m}, {harmonics} harmonics: state off by {apart:.1e}, estimate {:.1e}", other.error_estimate);

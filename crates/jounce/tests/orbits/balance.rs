@@ -1,12 +1,12 @@
 //! Harmonic balance against shooting: the same orbits within its own error estimate.
 
 use crate::harvesters::{bench, branches};
+use jounce::analysis::{BranchKind, Model, OrbitMethodKind, Parameter, settled_orbit};
 use jounce::contact::{Hertz, HuntCrossley, KelvinVoigt, Law, Rigid};
-use jounce::continuation::{Corrector, Family, Linear, Metric, Position, WalkError, settle};
-use jounce::orbit::{HarmonicBalance, Harvester, OrbitError, OrbitMethod, Shooting};
+use jounce::continuation::{ContinuationError, Corrector, Linearization, Metric, Position, Problem, correct_at};
+use jounce::orbit::{HarmonicBalance, OrbitError, OrbitMethod, ParametricModel, Shooting};
 use jounce::plant::System;
 use jounce::spec::SpecFile;
-use jounce::study::{BranchKind, Method, Parameter, Prepared, settled_orbit};
 
 const CORRECTOR: Corrector = Corrector { goal: 1e-10, most: 20 };
 
@@ -38,7 +38,7 @@ fn balance_meets_shooting_within_its_own_estimate() {
             let shooting = Shooting::new(&harvester, &kernel, 1, 1e-11);
             let method = HarmonicBalance::new(shooting, &kernel, harmonics, 0.0).unwrap();
             let position = Position { unknown: method.unknown_of(exact.start(), 11.0).unwrap(), parameter: 11.0 };
-            let found = settle(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
+            let found = correct_at(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
             let orbit = method.orbit(&found.local, found.error).unwrap();
             let error = (orbit.mean_power_w / exact.mean_power_w - 1.0).abs();
             let state = norm(&mut orbit.start().iter().zip(exact.start()).map(|(a, b)| a - b)) / norm(&mut exact.start().iter().copied());
@@ -60,10 +60,10 @@ fn balance_meets_shooting_within_its_own_estimate() {
 #[test]
 fn both_methods_agree_along_the_whole_branch() {
     let file = bench();
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, 16.0);
-    let curve = &branches(&file, (4.0, 20.0), Method::Shooting, 0)[0];
+    let curve = &branches(&file, (4.0, 20.0), OrbitMethodKind::Shooting, 0)[0];
     let mut worst = 0.0_f64;
     for point in curve.points.iter().step_by(5) {
         let shooting = Shooting::new(&parameter, &base.kernel, 1, 1e-10);
@@ -71,8 +71,8 @@ fn both_methods_agree_along_the_whole_branch() {
         let orbit = loop {
             let position =
                 Position { unknown: method.unknown_of(point.orbit.start(), point.parameter).unwrap(), parameter: point.parameter };
-            let found = settle(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
-            match method.finer().filter(|_| method.excess(&found.local, 0.8).unwrap() > 1.0) {
+            let found = correct_at(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
+            match method.finer().filter(|_| method.error_ratio(&found.local, 0.8).unwrap() > 1.0) {
                 Some(finer) => method = finer,
                 None => break method.orbit(&found.local, found.error).unwrap(),
             }
@@ -91,7 +91,7 @@ fn both_methods_agree_along_the_whole_branch() {
 #[test]
 fn folds_are_those_of_shooting_and_no_others() {
     let file = bench();
-    let found = [Method::Shooting, Method::HarmonicBalance { harmonics: 64 }].map(|method| {
+    let found = [OrbitMethodKind::Shooting, OrbitMethodKind::HarmonicBalance { harmonics: 64 }].map(|method| {
         let all = branches(&file, (11.5, 12.5), method, 0).remove(0).bifurcations;
         all.into_iter().map(|found| (found.kind, found.at.parameter, found.at.orbit.mean_power_w)).collect::<Vec<_>>()
     });
@@ -106,8 +106,8 @@ fn folds_are_those_of_shooting_and_no_others() {
 #[test]
 fn labels_of_the_whole_branch_are_those_of_shooting() {
     let file = bench();
-    let found =
-        [Method::Shooting, Method::HarmonicBalance { harmonics: 64 }].map(|method| branches(&file, (4.0, 20.0), method, 0).remove(0));
+    let found = [OrbitMethodKind::Shooting, OrbitMethodKind::HarmonicBalance { harmonics: 64 }]
+        .map(|method| branches(&file, (4.0, 20.0), method, 0).remove(0));
     let [one, two] = found.each_ref().map(|branch| &branch.bifurcations);
     assert_eq!(one.len(), two.len());
     for (a, b) in one.iter().zip(two) {
@@ -145,7 +145,7 @@ fn a_rigid_stop_is_refused_with_the_other_method_named() {
 #[test]
 fn the_change_with_the_parameter_is_that_of_differences() {
     let file = bench();
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     for (name, value) in
         [("drive.shaker.frequency", 11.0), ("drive.shaker.amplitude", 50.0), ("stop.tip.gap", 1e-3), ("stop.tip.stiffness", 1000.0)]
     {
@@ -180,7 +180,7 @@ fn the_work_at_a_point_is_flat_in_the_number_of_modes() {
         let ratios: Vec<f64> = (0..modes - 1).map(|mode| known[mode.min(6)]).collect();
         file.set("damping.ratios", &format!("{ratios:?}")).unwrap();
         file.set("drive.shaker.amplitude", "\"50 N\"").unwrap();
-        let base = Prepared::new(file.spec().unwrap()).unwrap();
+        let base = Model::new(file.spec().unwrap()).unwrap();
         let key = file.numeric_key("drive.shaker.frequency").unwrap();
         let parameter = Parameter::new(&base, &key, 16.0);
         let kernel = parameter.at(11.0).unwrap().kernel;
@@ -188,8 +188,8 @@ fn the_work_at_a_point_is_flat_in_the_number_of_modes() {
         let mut method = HarmonicBalance::new(Shooting::new(&parameter, &kernel, 1, 1e-9), &kernel, 64, 3e-7).unwrap();
         let (found, evaluations) = loop {
             let position = Position { unknown: method.unknown_of(start.start(), 11.0).unwrap(), parameter: 11.0 };
-            let found = settle(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
-            match method.finer().filter(|_| method.excess(&found.local, 0.8).unwrap() > 1.0) {
+            let found = correct_at(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
+            match method.finer().filter(|_| method.error_ratio(&found.local, 0.8).unwrap() > 1.0) {
                 Some(finer) => method = finer,
                 None => break (found.local, found.evaluations),
             }
@@ -215,8 +215,8 @@ fn a_failure_tells_the_residual_by_harmonic() {
     (unknown[5], unknown[6]) = (unknown[5] + 3e-7, unknown[6] - 4e-7);
     let position = Position { unknown, parameter: 11.0 };
     let hasty = Corrector { goal: 1e-10, most: 1 };
-    let failed = settle(&method, &hasty, &Metric::at(&position, 1.0), position).unwrap_err();
-    let WalkError::Diverged { left, .. } = &failed else { panic!("{failed}") };
+    let failed = correct_at(&method, &hasty, &Metric::at(&position, 1.0), position).unwrap_err();
+    let ContinuationError::Diverged { left, .. } = &failed else { panic!("{failed}") };
     let [mean, first, second, third, ..] = &left.sizes[..] else { panic!("{left:?}") };
     assert!(third.0 == "harmonic 3" && (third.1 / 5e-7 - 1.0).abs() < 1e-6, "{third:?}");
     assert!(mean.1.max(first.1).max(second.1) < 1e-12 && left.sizes.len() == 17, "{left:?}");

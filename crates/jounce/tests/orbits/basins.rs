@@ -1,34 +1,40 @@
 //! Attractors and their shares against plain marches, and exponents against closed forms.
 
 use crate::harvesters::bench;
-use jounce::march::{Kernel, Marcher};
-use jounce::orbit::Harvester;
-use jounce::reference::ImpactOscillator;
-use jounce::study::largest_exponent;
-use jounce::study::{
-    AttractorKind, Basins, BasinsAnswer, Cloud, Grid, GridAxis, GridSide, Parameter, Prepared, Recognition, SectionPoint, Starts,
+use jounce::analysis::largest_exponent;
+use jounce::analysis::{
+    AttractorKind, Basins, BasinsResult, Cloud, Grid, GridAxis, GridSide, InitialStates, Model, Parameter, Recognition, SectionPoint,
 };
+use jounce::march::{Integrator, Kernel};
+use jounce::orbit::ParametricModel;
+use jounce::reference::ImpactOscillator;
 use std::f64::consts::TAU;
 
 const CLOUD: Cloud = Cloud { starts: 24, seed: 3, spread: 20.0 };
 
-fn basins(frequency_hz: f64) -> BasinsAnswer {
+fn basins(frequency_hz: f64) -> BasinsResult {
     let file = bench();
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
-    Basins { base: &base, parameter: &parameter, value: frequency_hz, starts: Starts::Cloud(CLOUD), recognition: Recognition::at(1e-8) }
-        .run(&|| ())
-        .unwrap()
+    Basins {
+        base: &base,
+        parameter: &parameter,
+        value: frequency_hz,
+        starts: InitialStates::Cloud(CLOUD),
+        recognition: Recognition::at(1e-8),
+    }
+    .run(&|| ())
+    .unwrap()
 }
 
 /// Mean power over the last cycles of a long march.
 fn marched_power_w(kernel: &Kernel, start: &[f64], frequency_hz: f64) -> f64 {
-    let mut marcher = Marcher::new(kernel, &kernel.plant.from_physical(start, 0.0), 0.0, 1e-8).unwrap();
-    marcher.advance_to(4800.0 / frequency_hz).unwrap();
-    let before: f64 = marcher.energies().loads_j.iter().sum();
-    marcher.advance_to(4812.0 / frequency_hz).unwrap();
-    (marcher.energies().loads_j.iter().sum::<f64>() - before) * frequency_hz / 12.0
+    let mut integrator = Integrator::new(kernel, &kernel.plant.from_physical(start, 0.0), 0.0, 1e-8).unwrap();
+    integrator.advance_to(4800.0 / frequency_hz).unwrap();
+    let before: f64 = integrator.energies().loads_j.iter().sum();
+    integrator.advance_to(4812.0 / frequency_hz).unwrap();
+    (integrator.energies().loads_j.iter().sum::<f64>() - before) * frequency_hz / 12.0
 }
 
 #[test]
@@ -40,7 +46,7 @@ fn shares_are_those_of_plain_marches() {
     }
     assert!(answer.attractors.len() > 1, "two attractors are known at 14 Hz");
     let file = bench();
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let kernel = Parameter::new(&base, &key, 1.0).at(frequency_hz).unwrap().kernel;
     let mut sum = 0.0;
@@ -65,11 +71,11 @@ fn any_number_of_threads_gives_the_same_bits() {
 #[test]
 fn what_settles_slowly_is_recognised_at_every_frequency() {
     let file = bench();
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
     for (value, seed) in [(5.0, 1), (8.0, 2), (11.0, 5), (12.3, 3), (13.0, 1), (13.34, 2), (16.0, 5), (19.0, 1)] {
-        let starts = Starts::Cloud(Cloud { starts: 12, seed, spread: 10.0 });
+        let starts = InitialStates::Cloud(Cloud { starts: 12, seed, spread: 10.0 });
         let answer = Basins { base: &base, parameter: &parameter, value, starts, recognition: Recognition::at(1e-8) }.run(&|| ()).unwrap();
         let ids: Vec<&str> = answer.attractors.iter().map(|a| a.id.as_str()).collect();
         eprintln!("{value} Hz: {ids:?}");
@@ -81,7 +87,7 @@ fn what_settles_slowly_is_recognised_at_every_frequency() {
 /// A side of displacements is bent by a static force, one of velocities struck: the stop's point has just that displacement and speed.
 #[test]
 fn a_grid_starts_where_its_sides_say() {
-    let plant = Prepared::new(bench().spec().unwrap()).unwrap().kernel.plant;
+    let plant = Model::new(bench().spec().unwrap()).unwrap().kernel.plant;
     let side = |axis: GridAxis, from: f64, to: f64, count: usize| GridSide { axis, from, to, count };
     let sides =
         vec![side(GridAxis::Displacement, -5e-3, 5e-3, 3), side(GridAxis::Velocity, -0.5, 0.5, 2), side(GridAxis::Voltage, 1.0, 2.0, 2)];
@@ -99,7 +105,7 @@ fn a_grid_starts_where_its_sides_say() {
 fn the_exponent_of_a_linear_plant_is_its_slowest_decay() {
     let mut file = bench();
     file.set("stop.tip.gap", "\"500 mm\"").unwrap();
-    let kernel = Prepared::new(file.spec().unwrap()).unwrap().kernel;
+    let kernel = Model::new(file.spec().unwrap()).unwrap().kernel;
     let slowest = kernel.plant.diagonal.block.eigenvalues().iter().map(|value| value.re).fold(f64::NEG_INFINITY, f64::max);
     let found = largest_exponent(&kernel, &vec![0.0; kernel.plant.len()], 640, 1e-8).unwrap();
     eprintln!("exponent {} +- {}, slowest decay {slowest}", found.exponent_per_s, found.error_per_s);
@@ -127,9 +133,9 @@ fn the_exponent_of_a_stable_orbit_is_that_of_its_multiplier() {
     let kernel = kernel(&oscillator, angle_rad);
     let start_s = (orbit.angle_rad - angle_rad).rem_euclid(TAU) / 0.8;
     let y = kernel.plant.from_physical(&oscillator.start(&orbit), start_s);
-    let mut marcher = Marcher::new(&kernel, &y, start_s, 1e-12).unwrap();
-    marcher.advance_to(TAU / 0.8).unwrap();
-    let found = largest_exponent(&kernel, &marcher.state(), 320, 1e-12).unwrap();
+    let mut integrator = Integrator::new(&kernel, &y, start_s, 1e-12).unwrap();
+    integrator.advance_to(TAU / 0.8).unwrap();
+    let found = largest_exponent(&kernel, &integrator.state(), 320, 1e-12).unwrap();
     eprintln!("{} +- {}, closed form {exact}", found.exponent_per_s, found.error_per_s);
     assert!((found.exponent_per_s / exact - 1.0).abs() < 2e-2 && found.kind() == AttractorKind::Undecided);
 }
@@ -140,9 +146,9 @@ fn chaos_is_told_by_its_exponent() {
     let kernel = kernel(&oscillator(0.0, 2.8), 0.3);
     let cycle_s = TAU / 2.8;
     let after_cycle = |y: &[f64]| {
-        let mut marcher = Marcher::new(&kernel, y, 0.0, 1e-12).unwrap();
-        marcher.advance_to(cycle_s).unwrap();
-        marcher.state()
+        let mut integrator = Integrator::new(&kernel, y, 0.0, 1e-12).unwrap();
+        integrator.advance_to(cycle_s).unwrap();
+        integrator.state()
     };
     let mut y = kernel.plant.from_physical(&[-0.1, 0.0], 0.0);
     (0..200).for_each(|_| y = after_cycle(&y));

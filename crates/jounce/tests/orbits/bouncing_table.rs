@@ -4,12 +4,12 @@
 //! carried to zero leave those of the method.
 
 use crate::harvesters::Systems;
-use jounce::continuation::{Corrector, Metric, Position, settle};
-use jounce::march::Marcher;
-use jounce::orbit::{Harvester, OrbitMethod, Shooting};
+use jounce::analysis::{Model, Parameter};
+use jounce::continuation::{Corrector, Metric, Position, correct_at};
+use jounce::march::Integrator;
+use jounce::orbit::{OrbitMethod, ParametricModel, Shooting};
 use jounce::reference::BouncingTable;
 use jounce::spec::{NumericKey, Spec};
-use jounce::study::{Parameter, Prepared};
 use std::f64::consts::{PI, TAU};
 
 const CORRECTOR: Corrector = Corrector { goal: 1e-11, most: 20 };
@@ -26,12 +26,12 @@ fn trace_determinant(table: BouncingTable, cycles: u32, softness: f64) -> [f64; 
     let kernel = harvester.at(table.acceleration_ratio).unwrap().kernel;
     let start_s = -TAU / 3.0;
     let y = kernel.plant.from_physical(&table.start(softness, &orbit), start_s);
-    let mut marcher = Marcher::new(&kernel, &y, start_s, 1e-12).unwrap();
-    marcher.advance_to(0.0).unwrap();
+    let mut integrator = Integrator::new(&kernel, &y, start_s, 1e-12).unwrap();
+    integrator.advance_to(0.0).unwrap();
     let shooting = Shooting::new(&harvester, &kernel, cycles, 1e-12);
-    let guess = shooting.unknown(&kernel.plant.to_physical(&marcher.state(), 0.0));
+    let guess = shooting.unknown(&kernel.plant.to_physical(&integrator.state(), 0.0));
     let position = Position { unknown: guess, parameter: table.acceleration_ratio };
-    let found = settle(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
+    let found = correct_at(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
     let orbit = shooting.orbit(&found.local, found.error).unwrap();
     assert_eq!(orbit.contacts, 1);
     let [a, b] = [orbit.multipliers[0], orbit.multipliers[1]];
@@ -101,7 +101,7 @@ fn under_gravity(table: BouncingTable, cycles: u32) -> [f64; 2] {
         table.restitution,
         table.acceleration_ratio * GRAVITY_M_S2
     );
-    let base = Prepared::new(Spec::from_toml(&text).unwrap()).unwrap();
+    let base = Model::new(Spec::from_toml(&text).unwrap()).unwrap();
     let key = NumericKey::find(&base.spec, "drive.b.amplitude").unwrap();
     let amplitude = key.get(&base.spec).unwrap();
     let harvester = Parameter::new(&base, &key, 1.0);
@@ -114,7 +114,7 @@ fn under_gravity(table: BouncingTable, cycles: u32) -> [f64; 2] {
     let shooting = Shooting::new(&harvester, &base.kernel, cycles, 1e-12);
     let position = Position { unknown: shooting.unknown(&physical), parameter: amplitude };
     let metric = Metric::at(&position, 1.0);
-    let found = settle(&shooting, &CORRECTOR, &metric, position.clone()).unwrap();
+    let found = correct_at(&shooting, &CORRECTOR, &metric, position.clone()).unwrap();
     // The start is that of the closed form.
     assert!(metric.length(&position.to(&found.position)) < 1e-9);
     let orbit = shooting.orbit(&found.local, found.error).unwrap();

@@ -1,22 +1,24 @@
 //! Branches carried over to a neighbouring harvester, beside those that a search finds there.
 
 use crate::harvesters::{bench, branches};
-use jounce::march::Watch;
+use jounce::analysis::{
+    Bifurcation, Branch, BranchKind, BranchPoint, BranchUpdate, Extrapolation, Model, OrbitMethodKind, Parameter, UpdatedBranches,
+};
+use jounce::march::Control;
 use jounce::spec::SpecFile;
-use jounce::study::{Bifurcation, Branch, BranchCarry, BranchKind, BranchPoint, Carried, Method, Parameter, Prepared, Trend};
 
 const RANGE: (f64, f64) = (11.5, 12.8);
 const GAP: &str = "stop.tip.gap";
 
 /// Carries branches over to a spec; gives the evaluations that it took too.
-fn carry(file: &SpecFile, known: &[Branch], trend: Option<Trend>, accuracy: f64) -> (Carried, u64) {
-    let watch = Watch::default();
-    let base = Prepared::watched(file.spec().unwrap(), &watch).unwrap();
+fn carry(file: &SpecFile, known: &[Branch], trend: Option<Extrapolation>, accuracy: f64) -> (UpdatedBranches, u64) {
+    let control = Control::default();
+    let base = Model::watched(file.spec().unwrap(), &control).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let harvester = Parameter::new(&base, &key, RANGE.1 - RANGE.0);
     let (kernel, tolerance, resolution) = (&base.kernel, 1e-9, 1e-7);
-    let carry = BranchCarry { harvester: &harvester, kernel, range: RANGE, tolerance, accuracy, resolution, trend };
-    (carry.run(known), watch.harvesters())
+    let carry = BranchUpdate { harvester: &harvester, kernel, range: RANGE, tolerance, accuracy, resolution, trend };
+    (carry.run(known), control.harvesters())
 }
 
 fn points(branches: &[Branch]) -> usize {
@@ -35,9 +37,9 @@ fn places(branches: &[Branch], kind: BranchKind) -> Vec<&Bifurcation> {
 #[test]
 fn a_carried_branch_has_the_folds_of_a_search() {
     let mut file = bench();
-    let known = branches(&file, RANGE, Method::Shooting, 0);
+    let known = branches(&file, RANGE, OrbitMethodKind::Shooting, 0);
     file.set(GAP, "1.02 mm").unwrap();
-    let searched = branches(&file, RANGE, Method::Shooting, 0);
+    let searched = branches(&file, RANGE, OrbitMethodKind::Shooting, 0);
     let (carried, _) = carry(&file, &known, None, 5e-8);
     eprintln!("{} lost of {}, {} carried", carried.lost, points(&known), points(&carried.branches));
     let [found, wanted] = [&carried.branches, &searched].map(|branches| places(branches, BranchKind::Fold));
@@ -56,17 +58,18 @@ fn a_carried_branch_has_the_folds_of_a_search() {
 #[test]
 fn the_change_before_tells_where_points_go() {
     let mut file = bench();
-    let known: Vec<Branch> = branches(&file, RANGE, Method::Shooting, 0).iter().map(|branch| branch.thinned(1e-3)).collect();
+    let known: Vec<Branch> = branches(&file, RANGE, OrbitMethodKind::Shooting, 0).iter().map(|branch| branch.thinned(1e-3)).collect();
     file.set(GAP, "1.01 mm").unwrap();
     let (first, _) = carry(&file, &known, None, 5e-4);
     file.set(GAP, "1.02 mm").unwrap();
     let (plain, evaluations) = carry(&file, &first.branches, None, 5e-4);
-    let (told, fewer) = carry(&file, &first.branches, Some(Trend { before: &known, reach: 1.0 }), 5e-4);
+    let (told, fewer) = carry(&file, &first.branches, Some(Extrapolation { before: &known, reach: 1.0 }), 5e-4);
     let (exact, _) = carry(&file, &first.branches, None, 1e-9);
     let counts = [&plain, &told, &exact].map(|carried| points(&carried.branches));
     eprintln!("{counts:?} points, {evaluations} evaluations without the change before, {fewer} with it");
     assert!(fewer < evaluations && plain.lost + told.lost + exact.lost == 0 && counts[0] == counts[1] && counts[0] == counts[2]);
-    let all = |carried: &Carried| -> Vec<BranchPoint> { carried.branches.iter().flat_map(|branch| branch.points.clone()).collect() };
+    let all =
+        |carried: &UpdatedBranches| -> Vec<BranchPoint> { carried.branches.iter().flat_map(|branch| branch.points.clone()).collect() };
     let state = |point: &BranchPoint| point.orbit.start().to_vec();
     for carried in [&plain, &told] {
         let off = |(a, b): (&BranchPoint, &BranchPoint)| {
@@ -84,7 +87,7 @@ fn the_change_before_tells_where_points_go() {
 #[test]
 fn a_thinned_branch_draws_the_same_curve() {
     let share = 1e-3;
-    let known = branches(&bench(), RANGE, Method::Shooting, 0);
+    let known = branches(&bench(), RANGE, OrbitMethodKind::Shooting, 0);
     for branch in &known {
         let thin = branch.thinned(share);
         let power = |point: &BranchPoint| point.orbit.mean_power_w;

@@ -1,9 +1,9 @@
 //! Orbits whose multipliers, speed or frequency are known exactly.
 
 use crate::harvesters::Systems;
-use jounce::continuation::{Corrector, Metric, Position, settle};
+use jounce::continuation::{Corrector, Metric, Position, correct_at};
 use jounce::march::Kernel;
-use jounce::orbit::{Harvester, OrbitMethod, Shooting};
+use jounce::orbit::{OrbitMethod, ParametricModel, Shooting};
 use jounce::reference::ImpactOscillator;
 use std::f64::consts::TAU;
 
@@ -29,11 +29,11 @@ fn impact_oscillator_has_the_multipliers_and_the_speed_of_the_closed_form() {
         // From the impact to the start of the cycle.
         let start_s = (exact.angle_rad - angle()).rem_euclid(TAU) / 0.8;
         let y = kernel.plant.from_physical(&reference.start(&exact), start_s);
-        let mut marcher = jounce::march::Marcher::new(&kernel, &y, start_s, 1e-13).unwrap();
-        marcher.advance_to(TAU / 0.8).unwrap();
-        let guess: Vec<f64> = kernel.plant.to_physical(&marcher.state(), 0.0).iter().map(|x| x * 1.001).collect();
+        let mut integrator = jounce::march::Integrator::new(&kernel, &y, start_s, 1e-13).unwrap();
+        integrator.advance_to(TAU / 0.8).unwrap();
+        let guess: Vec<f64> = kernel.plant.to_physical(&integrator.state(), 0.0).iter().map(|x| x * 1.001).collect();
         let position = Position { unknown: shooting.unknown(&guess), parameter: gap };
-        let found = settle(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
+        let found = correct_at(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
         let orbit = shooting.orbit(&found.local, found.error).unwrap();
         let (sum, product) = (orbit.multipliers[0] + orbit.multipliers[1], orbit.multipliers[0] * orbit.multipliers[1]);
         let errors = [sum.re - exact.trace_determinant[0], product.re - exact.trace_determinant[1]];
@@ -50,7 +50,7 @@ fn orbit_without_contact_is_linear() {
     let kernel: Kernel = harvester.at(5.0).unwrap().kernel;
     let shooting = Shooting::new(&harvester, &kernel, 1, 1e-10);
     let position = Position { unknown: vec![0.3, -0.2], parameter: 5.0 };
-    let found = settle(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
+    let found = correct_at(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
     let orbit = shooting.orbit(&found.local, found.error).unwrap();
     let steady = shooting.unknown(&kernel.plant.to_physical(&[0.0, 0.0], 0.0));
     assert!(orbit.start().iter().zip(&steady).all(|(a, b)| (a - b).abs() < 1e-9), "{:?} {steady:?}", orbit.start());
@@ -77,10 +77,10 @@ fn impact_oscillator_swings_as_far_as_its_closed_form() {
         let shooting = Shooting::new(&harvester, &kernel, 1, 1e-13);
         let start_s = (-after_rad).rem_euclid(TAU) / w;
         let y = kernel.plant.from_physical(&reference.start(&exact), start_s);
-        let mut marcher = jounce::march::Marcher::new(&kernel, &y, start_s, 1e-13).unwrap();
-        marcher.advance_to(TAU / w).unwrap();
-        let position = Position { unknown: shooting.unknown(&kernel.plant.to_physical(&marcher.state(), 0.0)), parameter: gap };
-        let found = settle(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
+        let mut integrator = jounce::march::Integrator::new(&kernel, &y, start_s, 1e-13).unwrap();
+        integrator.advance_to(TAU / w).unwrap();
+        let position = Position { unknown: shooting.unknown(&kernel.plant.to_physical(&integrator.state(), 0.0)), parameter: gap };
+        let found = correct_at(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
         let orbit = shooting.orbit(&found.local, found.error).unwrap();
         let error = orbit.displacement_peak_m / (0.5 * (gap - lowest)) - 1.0;
         eprintln!("gap {gap}, {after_rad} rad on: {error:e}");

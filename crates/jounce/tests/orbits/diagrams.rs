@@ -1,16 +1,18 @@
 //! Bifurcation diagrams by marching against the continued branches, and attractors matched along the key.
 
 use crate::harvesters::{bench, branches};
-use jounce::study::{AttractorKind, Branch, BranchKind, Cloud, Diagram, History, Method, Order, Parameter, Prepared, Visit};
+use jounce::analysis::{
+    AttractorKind, AttractorTracks, Branch, BranchKind, Cloud, Diagram, DiagramOrder, DiagramPoint, Model, OrbitMethodKind, Parameter,
+};
 
-fn visits(values: &[f64], order: Order) -> (Vec<Visit>, Option<History>) {
+fn visits(values: &[f64], order: DiagramOrder) -> (Vec<DiagramPoint>, Option<AttractorTracks>) {
     let file = bench();
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
     let study = Diagram { base: &base, parameter: &parameter, values, order, cycles: 32, tolerance: 1e-8 };
     let visits = study.run(None, &|_| ()).unwrap();
-    let history = matches!(order, Order::Starts(_)).then(|| study.history(&visits).unwrap());
+    let history = matches!(order, DiagramOrder::Starts(_)).then(|| study.history(&visits).unwrap());
     (visits, history)
 }
 
@@ -26,13 +28,14 @@ fn powers_w(branches: &[Branch], value: f64) -> Vec<f64> {
 /// Stepped up and down the marches stay on the branch, and jump within one step of its fold.
 #[test]
 fn stepped_marches_lie_on_the_branches_and_jump_at_their_folds() {
-    let found = branches(&bench(), (11.4, 12.8), Method::Shooting, 0);
+    let found = branches(&bench(), (11.4, 12.8), OrbitMethodKind::Shooting, 0);
     let upper = found.iter().flat_map(|branch| &branch.bifurcations).filter(|at| at.kind == BranchKind::Fold);
     let upper_hz = upper.map(|at| at.at.parameter).fold(0.0, f64::max);
     let values = values(11.9, 12.8, 31);
-    let (visits, _) = visits(&values, Order::Both);
+    let (visits, _) = visits(&values, DiagramOrder::Both);
     assert_eq!(visits.len(), 62);
-    let on = |visit: &Visit| powers_w(&found, visit.parameter).iter().any(|power_w| (visit.mean_power_w / power_w - 1.0).abs() < 0.02);
+    let on =
+        |visit: &DiagramPoint| powers_w(&found, visit.parameter).iter().any(|power_w| (visit.mean_power_w / power_w - 1.0).abs() < 0.02);
     assert!(visits.iter().filter(|visit| visit.motion == AttractorKind::Orbit && visit.period_cycles == 1).all(on));
     // On the way up power falls by more than ten at the fold.
     let up = &visits[..31];
@@ -45,7 +48,7 @@ fn stepped_marches_lie_on_the_branches_and_jump_at_their_folds() {
 #[test]
 fn attractors_keep_their_ids() {
     let values = values(13.2, 13.8, 13);
-    let (visits, history) = visits(&values, Order::Starts(Cloud { starts: 8, seed: 1, spread: 10.0 }));
+    let (visits, history) = visits(&values, DiagramOrder::Starts(Cloud { starts: 8, seed: 1, spread: 10.0 }));
     let history = history.unwrap();
     for attractor in &history.attractors {
         eprintln!("{} {:?} {:?} {:?} {}", attractor.id, attractor.motion, attractor.born, attractor.died, attractor.seen.len());
@@ -73,7 +76,7 @@ fn attractors_keep_their_ids_over_coarse_steps() {
     let lives = 13.219458..14.186757;
     for count in [6, 11] {
         let values = values(13.2, 14.2, count);
-        let (_, history) = visits(&values, Order::Starts(Cloud { starts: 6, seed: 1, spread: 10.0 }));
+        let (_, history) = visits(&values, DiagramOrder::Starts(Cloud { starts: 6, seed: 1, spread: 10.0 }));
         let history = history.unwrap();
         let triple: Vec<_> = history.attractors.iter().filter(|attractor| attractor.period_cycles == 3).collect();
         let seen: Vec<f64> = triple.iter().flat_map(|own| own.seen.iter().map(|seen| seen.parameter)).collect();
@@ -86,7 +89,7 @@ fn attractors_keep_their_ids_over_coarse_steps() {
 fn any_number_of_threads_gives_the_same_diagram() {
     let with = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| visits(&values(13.4, 13.6, 3), Order::Starts(Cloud { starts: 4, seed: 2, spread: 10.0 })))
+        pool.install(|| visits(&values(13.4, 13.6, 3), DiagramOrder::Starts(Cloud { starts: 4, seed: 2, spread: 10.0 })))
     };
     assert_eq!(with(1), with(3));
 }
@@ -94,7 +97,7 @@ fn any_number_of_threads_gives_the_same_diagram() {
 /// The points of an orbit are the states of its cycles as the stop sees them.
 #[test]
 fn a_section_of_an_orbit_has_a_point_for_each_cycle() {
-    let (visits, _) = visits(&[13.6], Order::Starts(Cloud { starts: 6, seed: 1, spread: 10.0 }));
+    let (visits, _) = visits(&[13.6], DiagramOrder::Starts(Cloud { starts: 6, seed: 1, spread: 10.0 }));
     for visit in visits.iter().filter(|visit| visit.motion == AttractorKind::Orbit) {
         assert_eq!(visit.section.len(), visit.period_cycles as usize);
     }

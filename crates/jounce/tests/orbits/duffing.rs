@@ -3,9 +3,9 @@
 use crate::harvesters::branches;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
+use jounce::analysis::{BifurcationSearch, BranchKind, CurveKind, Model, OrbitMethodKind};
 use jounce::reference::Duffing;
 use jounce::spec::SpecFile;
-use jounce::study::{BranchKind, CurveKind, JumpSearch, Method, Prepared};
 use std::f64::consts::TAU;
 
 /// `x'' + 2 zeta w0 x' + w0^2 x + b x^3 = f sin(w t)` over a period, with its linearisation.
@@ -120,7 +120,7 @@ fn folds_are_those_of_an_independent_integration() {
         let (file, duffing) = example(cubic, force);
         let w0 = duffing.frequency_rad_s;
         let oracle = Oracle { square: w0 * w0, damping: 2.0 * duffing.damping_ratio * w0, b: cubic, force };
-        for method in [Method::Shooting, Method::HarmonicBalance { harmonics: 16 }] {
+        for method in [OrbitMethodKind::Shooting, OrbitMethodKind::HarmonicBalance { harmonics: 16 }] {
             let found = branches(&file, range, method, 0);
             let folds: Vec<_> = found[0].bifurcations.iter().filter(|found| found.kind == BranchKind::Fold).collect();
             assert_eq!((found.len(), folds.len(), found[0].bifurcations.len()), (1, 2, 2));
@@ -145,7 +145,7 @@ fn folds_of_the_first_harmonic_are_the_limit_of_small_bending() {
         let (mut file, mut duffing) = example(20.0 * scale, scale);
         duffing.damping_ratio *= scale;
         file.set("modal.oscillator.damping_ratio", &format!("[{}]", duffing.damping_ratio)).unwrap();
-        let found = branches(&file, (0.98, 1.12), Method::Shooting, 0);
+        let found = branches(&file, (0.98, 1.12), OrbitMethodKind::Shooting, 0);
         let folds = found[0].bifurcations.iter().filter(|found| found.kind == BranchKind::Fold);
         let exact = folds.map(|found| found.at.parameter).fold(f64::INFINITY, f64::min);
         let first = duffing.first_harmonic_folds(scale).iter().map(|fold| fold.0 / TAU).fold(f64::INFINITY, f64::min);
@@ -161,7 +161,7 @@ fn folds_of_the_first_harmonic_are_the_limit_of_small_bending() {
 #[test]
 fn multipliers_multiply_to_the_decay_of_a_period() {
     let (file, duffing) = example(20.0, 1.0);
-    let found = branches(&file, (0.95, 1.4), Method::Shooting, 0);
+    let found = branches(&file, (0.95, 1.4), OrbitMethodKind::Shooting, 0);
     let mut worst = 0.0_f64;
     for point in &found[0].points {
         let product = point.orbit.multipliers[0] * point.orbit.multipliers[1];
@@ -194,10 +194,17 @@ fn a_curve_of_folds_goes_through_its_cusp() {
     // The walk stops before the cusp in the one plane, behind it in the other.
     for (own, ranges) in [(0.2308, [(1.0172, 1.0178), (0.2303, 0.2313)]), (1.0, [(1.016, 1.0185), (0.229, 0.233)])] {
         let (file, _) = example(20.0, own);
-        let base = Prepared::new(file.spec().unwrap()).unwrap();
+        let base = Model::new(file.spec().unwrap()).unwrap();
         let keys = ["drive.shaker.frequency", "drive.shaker.amplitude"].map(|key| file.numeric_key(key).unwrap());
-        let search =
-            JumpSearch { base: &base, keys: [&keys[0], &keys[1]], ranges, tolerance: 1e-9, seeds: 0, longest_period: 1, peaks: false };
+        let search = BifurcationSearch {
+            base: &base,
+            keys: [&keys[0], &keys[1]],
+            ranges,
+            tolerance: 1e-9,
+            seeds: 0,
+            longest_period: 1,
+            peaks: false,
+        };
         let curves = search.run().unwrap();
         assert_eq!(curves.len(), 1);
         let (curve, points) = (&curves[0], &curves[0].points);

@@ -2,12 +2,12 @@
 //! marches.
 
 use crate::harvesters::bench;
-use jounce::march::Marcher;
-use jounce::orbit::{Harvester, Shooting};
+use jounce::analysis::{Branch, BranchKind, BranchOptions, BranchSearch, Model, OrbitMethodKind, Parameter, QuantityLevel};
+use jounce::march::Integrator;
+use jounce::orbit::{ParametricModel, Shooting};
 use jounce::spec::SpecFile;
-use jounce::study::{Branch, BranchKind, BranchOptions, BranchSearch, Level, Method, Parameter, Prepared};
 
-const METHODS: [Method; 2] = [Method::Shooting, Method::HarmonicBalance { harmonics: 64 }];
+const METHODS: [OrbitMethodKind; 2] = [OrbitMethodKind::Shooting, OrbitMethodKind::HarmonicBalance { harmonics: 64 }];
 
 fn with(changes: &[(&str, &str)]) -> SpecFile {
     let mut file = bench();
@@ -16,8 +16,8 @@ fn with(changes: &[(&str, &str)]) -> SpecFile {
 }
 
 /// Branches of one drive cycle over the frequency, with options and a tolerance.
-fn found(file: &SpecFile, range: (f64, f64), (method, tolerance): (Method, f64), options: &BranchOptions) -> Vec<Branch> {
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+fn found(file: &SpecFile, range: (f64, f64), (method, tolerance): (OrbitMethodKind, f64), options: &BranchOptions) -> Vec<Branch> {
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
     let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance, seeds: 0, longest_period: 1 };
@@ -41,7 +41,7 @@ fn finds_the_pair_of_tori(file: &SpecFile, pair: [f64; 2]) {
             for ranges in [&[(6.5, 20.0)][..], &[(6.5, 10.0), (10.0, 11.4), (11.4, 20.0)]] {
                 let options = BranchOptions { largest_step, ..BranchOptions::default() };
                 let branches: Vec<Branch> =
-                    ranges.iter().flat_map(|range| found(file, *range, (Method::Shooting, tolerance), &options)).collect();
+                    ranges.iter().flat_map(|range| found(file, *range, (OrbitMethodKind::Shooting, tolerance), &options)).collect();
                 let own = labels(&branches);
                 let tori = own.iter().filter(|(kind, at)| *kind == BranchKind::NeimarkSacker && (10.4..10.6).contains(at));
                 let tori: Vec<f64> = tori.map(|(_, at)| *at).collect();
@@ -78,9 +78,9 @@ fn a_pair_of_tori_does_not_depend_on_the_tolerance() {
 #[test]
 fn a_level_of_power_is_labelled_where_the_branch_passes_it() {
     let file = bench();
-    let plant = Prepared::new(file.spec().unwrap()).unwrap().kernel.plant;
-    let level = Level::parse("mean_power=50 uW", &plant).unwrap();
-    let force = Level::parse("contact_force.tip=0.05 N", &plant).unwrap();
+    let plant = Model::new(file.spec().unwrap()).unwrap().kernel.plant;
+    let level = QuantityLevel::parse("mean_power=50 uW", &plant).unwrap();
+    let force = QuantityLevel::parse("contact_force.tip=0.05 N", &plant).unwrap();
     let options = BranchOptions { levels: vec![level, force], ..BranchOptions::default() };
     let [shooting, balance] = METHODS.map(|method| {
         let branches = found(&file, (10.5, 14.0), (method, 1e-10), &options);
@@ -102,7 +102,7 @@ fn a_level_of_power_is_labelled_where_the_branch_passes_it() {
     eprintln!("{shooting:?} {balance:?}");
     assert!(shooting.len() == balance.len() && shooting.iter().zip(&balance).all(|(a, b)| (a - b).abs() < 1e-5));
     for wrong in ["mean_power=50 V", "force=2 N", "contact_force.wall=2 N", "mean_power=-1 W", "mean_power"] {
-        let why = Level::parse(wrong, &plant).unwrap_err();
+        let why = QuantityLevel::parse(wrong, &plant).unwrap_err();
         assert!(why.contains(wrong), "{why}");
     }
 }
@@ -124,11 +124,13 @@ fn stability_agrees_with_marches_from_a_kick() {
     let (mut checked, mut unstable) = (0, 0);
     for (which, file) in specs.iter().enumerate() {
         let range = (4.0, 20.0);
-        let base = Prepared::new(file.spec().unwrap()).unwrap();
+        let base = Model::new(file.spec().unwrap()).unwrap();
         let key = file.numeric_key("drive.shaker.frequency").unwrap();
         let parameter = Parameter::new(&base, &key, range.1 - range.0);
-        let points: Vec<_> =
-            found(file, range, (Method::Shooting, 1e-10), &BranchOptions::default()).into_iter().flat_map(|branch| branch.points).collect();
+        let points: Vec<_> = found(file, range, (OrbitMethodKind::Shooting, 1e-10), &BranchOptions::default())
+            .into_iter()
+            .flat_map(|branch| branch.points)
+            .collect();
         for k in 0..50 {
             let share = (f64::from(k * 4 + which as i32) * 0.618_033_988_749_895).fract();
             let point = &points[(share * points.len() as f64) as usize];
@@ -150,19 +152,19 @@ fn stability_agrees_with_marches_from_a_kick() {
 /// Factor per cycle by which a kick grows over the last two thirds of 300 cycles, or until it is a thousand times itself or a thousandth: by the
 /// line of least squares through the logarithms, for the size of a pair that turns goes up and down. Where the kick has changed by less than a factor
 /// of ten, the integration goes on, for up to 9600 cycles.
-fn growth<H: Harvester>(kernel: &jounce::march::Kernel, shooting: &Shooting<'_, H>, start: &[f64]) -> f64 {
+fn growth<H: ParametricModel>(kernel: &jounce::march::Kernel, shooting: &Shooting<'_, H>, start: &[f64]) -> f64 {
     let size = |u: &[f64]| u.iter().map(|u| u * u).sum::<f64>().sqrt();
     let kick = 1e-6 * size(start);
     let kicked: Vec<f64> = start.iter().enumerate().map(|(i, u)| u + kick * (1.0 + i as f64).sin()).collect();
     let cycle_s = kernel.plant.period_s().unwrap();
-    let mut marchers =
-        [start, &kicked].map(|from| Marcher::new(kernel, &kernel.plant.from_physical(&shooting.physical(from), 0.0), 0.0, 1e-11).unwrap());
+    let mut integrators = [start, &kicked]
+        .map(|from| Integrator::new(kernel, &kernel.plant.from_physical(&shooting.physical(from), 0.0), 0.0, 1e-11).unwrap());
     let mut apart = Vec::new();
     loop {
         let time_s = (apart.len() + 1) as f64 * cycle_s;
-        let [plain, from] = marchers.each_mut().map(|marcher| {
-            marcher.advance_to(time_s).unwrap();
-            shooting.unknown(&kernel.plant.to_physical(&marcher.state(), time_s))
+        let [plain, from] = integrators.each_mut().map(|integrator| {
+            integrator.advance_to(time_s).unwrap();
+            shooting.unknown(&kernel.plant.to_physical(&integrator.state(), time_s))
         });
         let off = size(&from.iter().zip(&plain).map(|(a, b)| a - b).collect::<Vec<_>>());
         apart.push(off);

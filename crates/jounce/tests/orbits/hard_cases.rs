@@ -1,13 +1,13 @@
 //! Hard cases, each with its clear outcome.
 
 use crate::harvesters::{bench, branches};
-use jounce::continuation::{Corrector, Direction, Family, Linear, Position, StepControl, Walk};
-use jounce::orbit::{Harvester, OrbitError, Shooting};
+use jounce::analysis::{AnalysisError, Branch, BranchKind, BranchOptions, BranchSearch, Model, OrbitMethodKind, Parameter, Termination};
+use jounce::continuation::{Continuation, Corrector, Direction, Linearization, Position, Problem, StepControl};
+use jounce::orbit::{OrbitError, ParametricModel, Shooting};
 use jounce::plant::PlantError;
 use jounce::reference::ImpactOscillator;
 use jounce::run::{RunPlan, StartState, simulate};
 use jounce::spec::SpecFile;
-use jounce::study::{Branch, BranchKind, BranchOptions, BranchSearch, Ending, Method, Parameter, Prepared, StudyError};
 
 fn with(changes: &[(&str, &str)]) -> SpecFile {
     let mut file = bench();
@@ -15,11 +15,12 @@ fn with(changes: &[(&str, &str)]) -> SpecFile {
     file
 }
 
-fn over(file: &SpecFile, key: &str, range: (f64, f64), tolerance: f64) -> Result<Vec<Branch>, OrbitError<StudyError>> {
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+fn over(file: &SpecFile, key: &str, range: (f64, f64), tolerance: f64) -> Result<Vec<Branch>, OrbitError<AnalysisError>> {
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key(key).unwrap();
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
-    BranchSearch { base: &base, parameter: &parameter, range, method: Method::Shooting, tolerance, seeds: 0, longest_period: 1 }.run()
+    BranchSearch { base: &base, parameter: &parameter, range, method: OrbitMethodKind::Shooting, tolerance, seeds: 0, longest_period: 1 }
+        .run()
 }
 
 /// A stop that touches at rest, and one that is pressed at rest: the first point is what a long march settles on.
@@ -27,9 +28,9 @@ fn over(file: &SpecFile, key: &str, range: (f64, f64), tolerance: f64) -> Result
 fn closed_and_preloaded_gaps_are_marched_to_the_same_power() {
     for gap in ["\"0 mm\"", "\"-0.2 mm\""] {
         let file = with(&[("stop.tip.gap", gap), ("drive.shaker.frequency", "\"13 Hz\"")]);
-        let found = branches(&file, (13.0, 14.0), Method::Shooting, 0);
+        let found = branches(&file, (13.0, 14.0), OrbitMethodKind::Shooting, 0);
         let first = found.iter().flat_map(|branch| &branch.points).find(|point| point.parameter == 13.0).unwrap();
-        let kernel = Prepared::new(file.spec().unwrap()).unwrap().kernel;
+        let kernel = Model::new(file.spec().unwrap()).unwrap().kernel;
         let plan = RunPlan { duration_s: 400.0, average_over_s: 13.0, tolerance: 1e-9, record_s: 0.0 };
         let marched = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
         eprintln!("gap {gap}: {:.9e} W, marched {:.9e} W", first.orbit.mean_power_w, marched.mean_power_w);
@@ -41,9 +42,9 @@ fn closed_and_preloaded_gaps_are_marched_to_the_same_power() {
 #[test]
 fn a_stop_that_is_never_met_leaves_the_linear_answer() {
     let file = with(&[("stop.tip.gap", "\"500 mm\"")]);
-    let found = branches(&file, (10.5, 14.0), Method::Shooting, 0);
-    assert!(found.len() == 1 && found[0].bifurcations.is_empty() && found[0].endings == [Ending::Range]);
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let found = branches(&file, (10.5, 14.0), OrbitMethodKind::Shooting, 0);
+    assert!(found.len() == 1 && found[0].bifurcations.is_empty() && found[0].endings == [Termination::Range]);
+    let base = Model::new(file.spec().unwrap()).unwrap();
     for point in &found[0].points {
         let mut drives = base.kernel.plant.system.drives.clone();
         drives[0].frequency_hz = point.parameter;
@@ -57,14 +58,14 @@ fn a_stop_that_is_never_met_leaves_the_linear_answer() {
 /// The walk starts exactly where the orbit touches the stop.
 #[test]
 fn grazing_at_the_start_is_an_ordinary_start() {
-    let first = branches(&bench(), (12.5, 14.0), Method::Shooting, 0);
+    let first = branches(&bench(), (12.5, 14.0), OrbitMethodKind::Shooting, 0);
     let grazing = first.iter().flat_map(|branch| &branch.bifurcations).find(|found| found.kind == BranchKind::Grazing).unwrap();
     let start_hz = grazing.at.parameter;
-    let found = branches(&bench(), (start_hz, 14.0), Method::Shooting, 0);
+    let found = branches(&bench(), (start_hz, 14.0), OrbitMethodKind::Shooting, 0);
     let goes_on = |branch: &Branch| {
         let first = &branch.points[0];
         let same = (first.orbit.mean_power_w / grazing.at.orbit.mean_power_w - 1.0).abs() < 1e-6;
-        first.parameter == start_hz && same && branch.endings == [Ending::Range]
+        first.parameter == start_hz && same && branch.endings == [Termination::Range]
     };
     eprintln!("{:?}", found.iter().map(|branch| (branch.period_cycles, &branch.endings)).collect::<Vec<_>>());
     assert!(found.iter().any(goes_on));
@@ -85,9 +86,12 @@ fn resonance_without_damping_says_so() {
 #[test]
 fn a_stop_of_1e10_ends_the_low_branch_at_its_grazing() {
     let file = with(&[("stop.tip.stiffness", "\"1e10 N/m^1.5\"")]);
-    let found = branches(&file, (13.0, 14.0), Method::Shooting, 0);
+    let found = branches(&file, (13.0, 14.0), OrbitMethodKind::Shooting, 0);
     let grazes = |branch: &Branch| {
-        branch.endings.iter().any(|ending| matches!(ending, Ending::Grazing { parameter, .. } if (parameter - 13.340_123).abs() < 1e-5))
+        branch
+            .endings
+            .iter()
+            .any(|ending| matches!(ending, Termination::Grazing { parameter, .. } if (parameter - 13.340_123).abs() < 1e-5))
     };
     eprintln!("{:?}", found.iter().map(|branch| &branch.endings).collect::<Vec<_>>());
     assert!(found.iter().any(grazes));
@@ -97,10 +101,12 @@ fn a_stop_of_1e10_ends_the_low_branch_at_its_grazing() {
 #[test]
 fn a_stop_of_1e10_ends_harmonic_balance_at_the_same_grazing() {
     let file = with(&[("stop.tip.stiffness", "\"1e10 N/m^1.5\"")]);
-    let found = branches(&file, (13.0, 14.0), Method::HarmonicBalance { harmonics: 64 }, 0);
+    let found = branches(&file, (13.0, 14.0), OrbitMethodKind::HarmonicBalance { harmonics: 64 }, 0);
     let low = found.iter().find(|branch| branch.points[0].parameter == 14.0).unwrap();
     eprintln!("{:?}, {} labels", low.endings, low.bifurcations.len());
-    let [Ending::Grazing { parameter, .. } | Ending::Failed { parameter, .. }] = low.endings[..] else { panic!("{:?}", low.endings) };
+    let [Termination::Grazing { parameter, .. } | Termination::Failed { parameter, .. }] = low.endings[..] else {
+        panic!("{:?}", low.endings)
+    };
     assert!((parameter - 13.340_123).abs() < 1e-5 && low.points.iter().all(|point| point.parameter <= 14.0));
     // The way back would pass every orbit again.
     let untouched = low.points.iter().filter(|point| point.orbit.contacts == 0);
@@ -111,9 +117,9 @@ fn a_stop_of_1e10_ends_harmonic_balance_at_the_same_grazing() {
 #[test]
 fn a_sharp_resonance_is_one_branch() {
     let file = with(&[("stop.tip.gap", "\"1 m\"")]);
-    for method in [Method::Shooting, Method::HarmonicBalance { harmonics: 16 }] {
+    for method in [OrbitMethodKind::Shooting, OrbitMethodKind::HarmonicBalance { harmonics: 16 }] {
         let found = branches(&file, (4.0, 20.0), method, 2);
-        assert!(found.len() == 1 && found[0].endings == [Ending::Range], "{method:?}: {} branches", found.len());
+        assert!(found.len() == 1 && found[0].endings == [Termination::Range], "{method:?}: {} branches", found.len());
     }
 }
 
@@ -121,10 +127,10 @@ fn a_sharp_resonance_is_one_branch() {
 #[test]
 fn a_branch_by_harmonic_balance_keeps_to_its_range() {
     let file = bench();
-    let (base, key) = (Prepared::new(file.spec().unwrap()).unwrap(), file.numeric_key("circuit.load.resistance").unwrap());
+    let (base, key) = (Model::new(file.spec().unwrap()).unwrap(), file.numeric_key("circuit.load.resistance").unwrap());
     let range = (100.0, 1e7);
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
-    let method = Method::HarmonicBalance { harmonics: 16 };
+    let method = OrbitMethodKind::HarmonicBalance { harmonics: 16 };
     let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance: 1e-9, seeds: 0, longest_period: 1 };
     let found = search.run().unwrap();
     let points = || found.iter().flat_map(|branch| &branch.points);
@@ -136,7 +142,7 @@ fn a_branch_by_harmonic_balance_keeps_to_its_range() {
 #[test]
 fn a_closed_gap_has_the_same_grazings_by_both_methods() {
     let file = with(&[("stop.tip.gap", "\"0 mm\"")]);
-    let grazings = [Method::Shooting, Method::HarmonicBalance { harmonics: 64 }].map(|method| {
+    let grazings = [OrbitMethodKind::Shooting, OrbitMethodKind::HarmonicBalance { harmonics: 64 }].map(|method| {
         let branch = branches(&file, (4.0, 7.0), method, 0).remove(0);
         let grazes = branch.bifurcations.iter().filter(|found| found.kind == BranchKind::Grazing);
         let mut found: Vec<f64> = grazes.map(|found| found.at.parameter).collect();
@@ -156,7 +162,7 @@ fn a_step_into_nothing_is_made_shorter() {
     let turned = -0.9;
     // The circle touches zero at its lowest place.
     let ahead = Direction { unknown: vec![-tangent(turned).unknown[0]], parameter: -tangent(turned).parameter };
-    let walk = Walk::new(
+    let walk = Continuation::new(
         &Circle,
         Corrector { goal: 1e-12, most: 8 },
         StepControl { first: 0.3, ..StepControl::default() },
@@ -181,8 +187,8 @@ struct Place {
     slopes: [f64; 2],
 }
 
-impl Family for Circle {
-    type Local = Place;
+impl Problem for Circle {
+    type Evaluation = Place;
     type Error = String;
 
     fn at(&self, unknown: &[f64], parameter: f64) -> Result<Place, String> {
@@ -195,7 +201,7 @@ impl Family for Circle {
     }
 }
 
-impl Linear for Place {
+impl Linearization for Place {
     fn residual(&self) -> &[f64] {
         &self.residual
     }
@@ -225,14 +231,14 @@ fn without_a_drive_there_is_no_orbit() {
     let file = with(&[("drive.shaker.amplitude", "\"0 N\"")]);
     let mut spec = file.spec().unwrap();
     spec.drive.clear();
-    let base = Prepared::new(spec).unwrap();
+    let base = Model::new(spec).unwrap();
     let key = file.numeric_key("stop.tip.gap").unwrap();
     let parameter = Parameter::new(&base, &key, 1e-3);
     let search = BranchSearch {
         base: &base,
         parameter: &parameter,
         range: (5e-4, 1e-3),
-        method: Method::Shooting,
+        method: OrbitMethodKind::Shooting,
         tolerance: 1e-9,
         seeds: 0,
         longest_period: 1,
@@ -268,18 +274,18 @@ fn every_kind_of_key_leads_through_the_same_orbit() {
 #[test]
 fn a_budget_ends_the_search_and_counts_what_is_left() {
     let file = bench();
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let range = (5.0, 20.0);
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
-    let (method, tolerance, seeds, longest_period) = (Method::Shooting, 1e-8, 2, 2);
+    let (method, tolerance, seeds, longest_period) = (OrbitMethodKind::Shooting, 1e-8, 2, 2);
     let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance, seeds, longest_period };
     let with = |budget: usize| search.run_with(&BranchOptions { budget, ..BranchOptions::default() }).unwrap();
     let work = |branches: &[Branch]| branches.iter().map(|own| own.points.len() * own.period_cycles as usize).sum::<usize>();
     let (cut, full) = (with(10), with(50_000));
-    assert!(work(&full) > 100 && full.iter().all(|branch| branch.is_whole() && branch.not_followed == 0));
+    assert!(work(&full) > 100 && full.iter().all(|branch| branch.is_complete() && branch.not_followed == 0));
     let doublings = full.iter().flat_map(|own| &own.bifurcations).filter(|found| found.kind == BranchKind::PeriodDoubling).count();
     assert!(doublings > 0);
     // Both ways of the first branch may use the budget, and each start that is left is a point of its own.
-    assert!(work(&cut) < 40 && cut.iter().any(|branch| branch.endings.contains(&Ending::Points)), "{}", work(&cut));
+    assert!(work(&cut) < 40 && cut.iter().any(|branch| branch.endings.contains(&Termination::Points)), "{}", work(&cut));
 }

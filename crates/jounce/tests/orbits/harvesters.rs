@@ -1,19 +1,19 @@
 //! Harvesters and searches that several tests share.
 
+use jounce::analysis::{Branch, BranchSearch, Model, OrbitMethodKind, Parameter};
 use jounce::march::Kernel;
-use jounce::orbit::{Harvester, Setting};
+use jounce::orbit::{ModelInstance, ParametricModel};
 use jounce::plant::{Plant, PlantError, System};
 use jounce::spec::SpecFile;
-use jounce::study::{Branch, BranchSearch, Method, Parameter, Prepared};
 
 /// Systems over any parameter, by a function; derivatives by differences.
 pub struct Systems<F>(pub F);
 
-impl<F: Fn(f64) -> System + Sync> Harvester for Systems<F> {
+impl<F: Fn(f64) -> System + Sync> ParametricModel for Systems<F> {
     type Error = PlantError;
 
-    fn at(&self, parameter: f64) -> Result<Setting, PlantError> {
-        Ok(Setting { kernel: Kernel::new(Plant::new((self.0)(parameter))?)?, change: None })
+    fn at(&self, parameter: f64) -> Result<ModelInstance, PlantError> {
+        Ok(ModelInstance { kernel: Kernel::new(Plant::new((self.0)(parameter))?)?, change: None })
     }
 
     fn difference(&self) -> f64 {
@@ -37,13 +37,13 @@ pub fn bench() -> SpecFile {
 }
 
 /// Branches of one drive cycle over the frequency of the shaker.
-pub fn branches(file: &SpecFile, range: (f64, f64), method: Method, seeds: usize) -> Vec<Branch> {
+pub fn branches(file: &SpecFile, range: (f64, f64), method: OrbitMethodKind, seeds: usize) -> Vec<Branch> {
     branches_of(file, range, method, seeds, 1)
 }
 
 /// Branches of several drive cycles.
-pub fn branches_of(file: &SpecFile, range: (f64, f64), method: Method, seeds: usize, longest_period: u32) -> Vec<Branch> {
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+pub fn branches_of(file: &SpecFile, range: (f64, f64), method: OrbitMethodKind, seeds: usize, longest_period: u32) -> Vec<Branch> {
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
     BranchSearch { base: &base, parameter: &parameter, range, method, tolerance: 1e-10, seeds, longest_period }.run().unwrap()

@@ -1,21 +1,21 @@
 //! Branches that no other branch leads to.
 
 use crate::harvesters::{bench, branches_of, paper};
+use jounce::analysis::{BandwidthSearch, BranchKind, BranchSearch, Model, OrbitMethodKind, Parameter, Termination};
 use jounce::spec::SpecFile;
-use jounce::study::{BandwidthSearch, BranchKind, BranchSearch, Ending, Method, Parameter, Prepared};
 
 /// Near 14 Hz the harvester has orbits of three drive cycles on a closed curve of their own. Where such a curve comes back to its start
 /// it may do so a cycle earlier or later; and a step that lands on the orbit of one cycle, gone through three times, has left it.
 #[test]
 fn a_curve_of_three_cycles_closes_and_stays_one_of_three_cycles() {
-    let found = branches_of(&bench(), (13.2, 14.4), Method::Shooting, 6, 3);
+    let found = branches_of(&bench(), (13.2, 14.4), OrbitMethodKind::Shooting, 6, 3);
     let of_three: Vec<_> = found.iter().filter(|branch| branch.period_cycles == 3).collect();
     assert_eq!(of_three.len(), 1, "{} branches", found.len());
     let branch = of_three[0];
     let folds = branch.bifurcations.iter().filter(|found| found.kind == BranchKind::Fold).count();
     eprintln!("{} points, {folds} folds, {:?}", branch.points.len(), branch.endings);
     assert!(branch.points.iter().all(|point| !point.orbit.repeats_early()));
-    assert_eq!((branch.endings.as_slice(), folds), ([Ending::Closed].as_slice(), 2));
+    assert_eq!((branch.endings.as_slice(), folds), ([Termination::Closed].as_slice(), 2));
 }
 
 /// At 12 Hz and 20 N the large answer lives beside a small one that draws every march begun at rest. Over the gap it is found from a drive that
@@ -26,10 +26,10 @@ fn a_large_answer_beside_a_small_one_is_found() {
     file.set("drive.shaker.frequency", "12 Hz").unwrap();
     file.set("drive.shaker.amplitude", "20 N").unwrap();
     let over = |file: &SpecFile, key: &str, range: (f64, f64)| {
-        let base = Prepared::new(file.spec().unwrap()).unwrap();
+        let base = Model::new(file.spec().unwrap()).unwrap();
         let key = file.numeric_key(key).unwrap();
         let parameter = Parameter::new(&base, &key, range.1 - range.0);
-        let method = Method::Shooting;
+        let method = OrbitMethodKind::Shooting;
         let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance: 1e-9, seeds: 4, longest_period: 1 };
         let found = search.run().unwrap();
         let folds = found.iter().flat_map(|branch| &branch.bifurcations).filter(|found| found.kind == BranchKind::Fold);
@@ -46,7 +46,7 @@ fn a_large_answer_beside_a_small_one_is_found() {
 #[test]
 fn a_large_answer_at_the_end_of_a_range_is_found() {
     let Some(file) = paper() else { return };
-    for method in [Method::Shooting, Method::HarmonicBalance { harmonics: 64 }] {
+    for method in [OrbitMethodKind::Shooting, OrbitMethodKind::HarmonicBalance { harmonics: 64 }] {
         let found = branches_of(&file, (12.301_22, 12.6), method, 1, 1);
         let ends = found.iter().flat_map(|branch| [branch.points.first(), branch.points.last()]).flatten();
         let stable = ends.filter(|end| end.parameter == 12.301_22 && end.orbit.is_stable()).map(|end| end.orbit.mean_power_w);
@@ -62,10 +62,10 @@ fn a_large_answer_at_the_end_of_a_range_is_found() {
 #[test]
 fn no_step_lands_beyond_a_fold() {
     let (file, range) = (bench(), (4.0, 20.0));
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
-    for method in [Method::Shooting, Method::HarmonicBalance { harmonics: 64 }] {
+    for method in [OrbitMethodKind::Shooting, OrbitMethodKind::HarmonicBalance { harmonics: 64 }] {
         for tolerance in [1e-8, 5e-10, 1e-10] {
             let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance, seeds: 12, longest_period: 3 };
             let of_three: Vec<_> = search.run().unwrap().into_iter().filter(|branch| branch.period_cycles == 3).collect();
@@ -73,7 +73,7 @@ fn no_step_lands_beyond_a_fold() {
             let mut kinds: Vec<BranchKind> = branch.bifurcations.iter().map(|found| found.kind).collect();
             kinds.sort_by_key(|kind| kind.name());
             assert_eq!(kinds, [[BranchKind::Fold; 2].as_slice(), &[BranchKind::Grazing; 4]].concat(), "{method:?} {tolerance:e}");
-            assert_eq!(branch.endings, [Ending::Closed], "{method:?} {tolerance:e}");
+            assert_eq!(branch.endings, [Termination::Closed], "{method:?} {tolerance:e}");
             let folds = branch.bifurcations.iter().filter(|found| found.kind == BranchKind::Fold).map(|found| found.at.parameter);
             let [low, high] = [folds.clone().fold(f64::INFINITY, f64::min), folds.fold(0.0, f64::max)];
             let widths = BandwidthSearch { base: &base, parameter: &parameter, range, tolerance }.run(&of_three);

@@ -1,23 +1,23 @@
 //! What a branch tells about itself: the same by both methods, for every tolerance, and each thing once.
 
 use crate::harvesters::{bench, branches, branches_of, paper};
+use jounce::analysis::{BandLimit, BandwidthSearch, BranchKind, BranchSearch, Model, OrbitMethodKind, Parameter, Termination};
 use jounce::spec::SpecFile;
-use jounce::study::{BandwidthSearch, BranchKind, BranchSearch, Ending, Limit, Method, Parameter, Prepared};
 
-const METHODS: [Method; 2] = [Method::Shooting, Method::HarmonicBalance { harmonics: 64 }];
+const METHODS: [OrbitMethodKind; 2] = [OrbitMethodKind::Shooting, OrbitMethodKind::HarmonicBalance { harmonics: 64 }];
 
 /// A range that ends 1.8 mHz, 0.3 mHz and 20 uHz below a fold: the branch comes to its edge on the side from which it came, and the other
 /// method finds the same power there.
 #[test]
 fn a_branch_that_leaves_the_range_below_a_fold_ends_on_the_edge() {
-    let whole = branches(&bench(), (10.5, 12.6), Method::Shooting, 0);
+    let whole = branches(&bench(), (10.5, 12.6), OrbitMethodKind::Shooting, 0);
     let folds = whole.iter().flat_map(|branch| &branch.bifurcations).filter(|found| found.kind == BranchKind::Fold);
     let fold = folds.map(|found| &found.at).max_by(|a, b| a.parameter.total_cmp(&b.parameter)).unwrap();
     for below in [1.8e-3, 3e-4, 2e-5] {
         let edge = fold.parameter - below;
         let powers_w = METHODS.map(|method| {
             let found = branches(&bench(), (10.5, edge), method, 0);
-            assert!(found.iter().all(|branch| branch.endings.iter().all(|ending| *ending == Ending::Range)), "{method:?} {edge}");
+            assert!(found.iter().all(|branch| branch.endings.iter().all(|ending| *ending == Termination::Range)), "{method:?} {edge}");
             let ends = found.iter().flat_map(|branch| [branch.points.first(), branch.points.last()]).flatten();
             let ends: Vec<_> = ends.collect();
             assert!(ends.iter().all(|end| end.parameter == 10.5 || end.parameter == edge), "{method:?} {edge}");
@@ -40,7 +40,7 @@ fn a_branch_goes_on_where_a_contact_begins_with_the_period() {
     let [shooting, balance] = METHODS.map(|method| {
         let found = branches(&SpecFile::from_text(damped.clone()), (4.0, 20.0), method, 0);
         let [whole] = &found[..] else { panic!("{method:?}: {} branches", found.len()) };
-        assert_eq!(whole.endings, [Ending::Range], "{method:?}");
+        assert_eq!(whole.endings, [Termination::Range], "{method:?}");
         let mut labels: Vec<(BranchKind, f64)> = whole.bifurcations.iter().map(|found| (found.kind, found.at.parameter)).collect();
         labels.sort_by(|a, b| a.1.total_cmp(&b.1));
         labels
@@ -64,7 +64,7 @@ fn a_doubled_branch_has_no_label_where_it_ends() {
         let doubled = found.iter().find(|branch| branch.period_cycles == 2).unwrap();
         let kinds: Vec<BranchKind> = doubled.bifurcations.iter().map(|found| found.kind).collect();
         eprintln!("{doublings:?} {kinds:?} {:?}", doubled.endings);
-        assert!(doublings.len() == 2 && doubled.endings.contains(&Ending::Merged));
+        assert!(doublings.len() == 2 && doubled.endings.contains(&Termination::Merged));
         assert_eq!(kinds, [BranchKind::Fold, BranchKind::Grazing, BranchKind::Fold]);
     }
 }
@@ -75,7 +75,7 @@ fn a_doubled_branch_has_no_label_where_it_ends() {
 fn a_bandwidth_ends_with_stability_at_a_fold() {
     let Some(file) = paper() else { return };
     let range = (12.9, 13.340_123_836);
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
     let tolerance = 1e-9;
@@ -88,6 +88,6 @@ fn a_bandwidth_ends_with_stability_at_a_fold() {
         let edges: Vec<_> = width.iter().flat_map(|width| &width.intervals).flat_map(|one| [one.from, one.to]).collect();
         let edge = edges.iter().min_by(|a, b| (a.parameter - fold).abs().total_cmp(&(b.parameter - fold).abs())).unwrap();
         eprintln!("{method:?}: fold {fold:.9}, {edge:?}");
-        assert!(edge.at == Limit::Stability && (edge.parameter - fold).abs() <= edge.parameter_error + 1e-8, "{edge:?}");
+        assert!(edge.at == BandLimit::Stability && (edge.parameter - fold).abs() <= edge.parameter_error + 1e-8, "{edge:?}");
     }
 }

@@ -1,22 +1,25 @@
 //! Levels followed over two keys.
 
 use crate::harvesters::bench;
+use jounce::analysis::{
+    BifurcationCurve, BifurcationSearch, BranchKind, BranchOptions, BranchSearch, CurveKind, Model, OrbitMethodKind, Parameter,
+    QuantityLevel,
+};
 use jounce::linear::steady_power_w;
 use jounce::spec::SpecFile;
-use jounce::study::{BranchKind, BranchOptions, BranchSearch, CurveKind, JumpCurve, JumpSearch, Level, Method, Parameter, Prepared};
 
 const KEYS: [&str; 2] = ["drive.shaker.frequency", "drive.shaker.amplitude"];
 
-fn options(base: &Prepared, level: &str) -> BranchOptions {
-    BranchOptions { levels: vec![Level::parse(level, &base.kernel.plant).unwrap()], ..BranchOptions::default() }
+fn options(base: &Model, level: &str) -> BranchOptions {
+    BranchOptions { levels: vec![QuantityLevel::parse(level, &base.kernel.plant).unwrap()], ..BranchOptions::default() }
 }
 
 /// Curves of a level over frequency and amplitude.
-fn curves(file: &SpecFile, level: &str, ranges: [(f64, f64); 2]) -> Vec<JumpCurve> {
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+fn curves(file: &SpecFile, level: &str, ranges: [(f64, f64); 2]) -> Vec<BifurcationCurve> {
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let keys = KEYS.map(|key| file.numeric_key(key).unwrap());
     let (tolerance, seeds) = (1e-10, 0);
-    let search = JumpSearch { base: &base, keys: [&keys[0], &keys[1]], ranges, tolerance, seeds, longest_period: 1, peaks: false };
+    let search = BifurcationSearch { base: &base, keys: [&keys[0], &keys[1]], ranges, tolerance, seeds, longest_period: 1, peaks: false };
     let mut found = search.run_with(&options(&base, level)).unwrap();
     found.retain(|curve| curve.kind == CurveKind::Bifurcation(BranchKind::Level));
     found.iter().for_each(|curve| eprintln!("{level}: {} points, {:?}", curve.points.len(), curve.failures));
@@ -32,7 +35,7 @@ fn a_level_of_power_without_contact_is_that_of_the_steady_power() {
     let found = curves(&file, "mean_power=100 uW", [(8.2, 9.4), (1.0, 20.0)]);
     let [curve] = &found[..] else { panic!("{} curves", found.len()) };
     assert!(curve.failures.is_empty() && curve.points.len() > 5);
-    let plant = Prepared::new(file.spec().unwrap()).unwrap().kernel.plant;
+    let plant = Model::new(file.spec().unwrap()).unwrap().kernel.plant;
     for point in &curve.points {
         let mut drives = plant.system.drives.clone();
         (drives[0].frequency_hz, drives[0].amplitude_n) = (point.parameter, point.parameter_2);
@@ -50,10 +53,10 @@ fn a_level_of_contact_force_passes_the_labels_along_one_key() {
     for amplitude_n in [48.0, 52.0] {
         let mut file = bench();
         file.set(KEYS[1], &format!("\"{amplitude_n} N\"")).unwrap();
-        let base = Prepared::new(file.spec().unwrap()).unwrap();
+        let base = Model::new(file.spec().unwrap()).unwrap();
         let key = file.numeric_key(KEYS[0]).unwrap();
         let parameter = Parameter::new(&base, &key, range.1 - range.0);
-        let (method, tolerance) = (Method::Shooting, 1e-10);
+        let (method, tolerance) = (OrbitMethodKind::Shooting, 1e-10);
         let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance, seeds: 0, longest_period: 1 };
         let along = search.run_with(&options(&base, level)).unwrap();
         for label in along.iter().flat_map(|branch| &branch.bifurcations).filter(|label| label.kind == BranchKind::Level) {

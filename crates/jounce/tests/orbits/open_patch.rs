@@ -1,9 +1,9 @@
 //! Orbits of a harvester with an open patch, whose charge nothing lets go: no charge is meant.
 
-use jounce::orbit::{Harvester, Shooting};
+use jounce::analysis::{BranchSearch, Model, OrbitMethodKind, Parameter};
+use jounce::orbit::{ParametricModel, Shooting};
 use jounce::run::{RunPlan, StartState, simulate};
 use jounce::spec::SpecFile;
-use jounce::study::{BranchSearch, Method, Parameter, Prepared};
 
 const HARVESTER: &str = r#"
 [beam.b]
@@ -40,12 +40,19 @@ modes = 3
 #[test]
 fn a_branch_is_that_of_a_patch_that_was_never_charged() {
     let file = SpecFile::from_text(HARVESTER);
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.base.frequency").unwrap();
     let range = (80.0, 84.0);
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
-    let search =
-        BranchSearch { base: &base, parameter: &parameter, range, method: Method::Shooting, tolerance: 1e-9, seeds: 0, longest_period: 1 };
+    let search = BranchSearch {
+        base: &base,
+        parameter: &parameter,
+        range,
+        method: OrbitMethodKind::Shooting,
+        tolerance: 1e-9,
+        seeds: 0,
+        longest_period: 1,
+    };
     let plant = &base.kernel.plant;
     let (n, node) = (plant.system.modes.len(), &plant.electrical.nodes[0]);
     let shooting = Shooting::new(&parameter, &base.kernel, 1, 1e-9);

@@ -2,12 +2,12 @@
 
 use crate::backbones::phase_resonance;
 use crate::rows;
+use jounce::analysis::{BranchKind, BranchSearch, Model, OrbitMethodKind, Parameter, settled_orbit};
 use jounce::march::Kernel;
 use jounce::plant::System;
 use jounce::reference::{BouncingBall, BouncingTable};
 use jounce::run::{RunPlan, StartState, simulate};
 use jounce::spec::SpecFile;
-use jounce::study::{BranchKind, BranchSearch, Method, Parameter, Prepared, settled_orbit};
 use std::f64::consts::TAU;
 
 /// The folder of the specs.
@@ -22,11 +22,18 @@ fn impact() -> SpecFile {
 }
 
 fn bifurcations(file: &SpecFile, key: &str, range: (f64, f64), kind: BranchKind) -> Vec<f64> {
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key(key).unwrap();
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
-    let search =
-        BranchSearch { base: &base, parameter: &parameter, range, method: Method::Shooting, tolerance: 1e-10, seeds: 0, longest_period: 1 };
+    let search = BranchSearch {
+        base: &base,
+        parameter: &parameter,
+        range,
+        method: OrbitMethodKind::Shooting,
+        tolerance: 1e-10,
+        seeds: 0,
+        longest_period: 1,
+    };
     let found = search.run().unwrap();
     let all = found.iter().flat_map(|branch| &branch.bifurcations);
     all.filter(|found| found.kind == kind).map(|found| found.at.parameter).collect()
@@ -35,7 +42,7 @@ fn bifurcations(file: &SpecFile, key: &str, range: (f64, f64), kind: BranchKind)
 #[test]
 fn impact_oscillator() {
     let file = impact();
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("stop.wall.gap").unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
     let orbit = settled_orbit(&parameter, 1.0, &[0.0, 0.0], 1e-11, 1e-10).unwrap();
@@ -72,7 +79,7 @@ fn duffing() {
 }
 
 fn kernel(text: &str) -> Kernel {
-    Prepared::new(SpecFile::from_text(text).spec().unwrap()).unwrap().kernel
+    Model::new(SpecFile::from_text(text).spec().unwrap()).unwrap().kernel
 }
 
 /// The last bounces are too small to be told apart and taken for rest: 5e-7 s early.

@@ -1,7 +1,7 @@
 //! The paper's plant: power, multipliers and folds computed by other programs.
 
 use crate::harvesters::{branches, paper};
-use jounce::study::{Branch, BranchKind, Method};
+use jounce::analysis::{Branch, BranchKind, OrbitMethodKind};
 
 fn folds(branch: &Branch) -> Vec<(f64, f64)> {
     let folds = branch.bifurcations.iter().filter(|found| found.kind == BranchKind::Fold);
@@ -11,7 +11,7 @@ fn folds(branch: &Branch) -> Vec<(f64, f64)> {
 #[test]
 fn published_points_and_folds_lie_on_the_branch() {
     let Some(file) = paper() else { return };
-    let found = branches(&file, (10.5, 14.0), Method::Shooting, 0);
+    let found = branches(&file, (10.5, 14.0), OrbitMethodKind::Shooting, 0);
     let branch = &found[0];
     let first = &branch.points[0];
     eprintln!("10.5 Hz: {:.9e} W, {:.6}", first.orbit.mean_power_w, first.orbit.floquet_max_abs());
@@ -27,7 +27,7 @@ fn published_points_and_folds_lie_on_the_branch() {
 #[test]
 fn the_stable_point_below_the_fold_is_the_published_one() {
     let Some(file) = paper() else { return };
-    let found = branches(&file, (10.5, 12.30122), Method::Shooting, 0);
+    let found = branches(&file, (10.5, 12.30122), OrbitMethodKind::Shooting, 0);
     let last = found[0].points.last().unwrap();
     eprintln!("{} Hz: {:.9e} W, stable {}", last.parameter, last.orbit.mean_power_w, last.orbit.is_stable());
     assert!(last.parameter == 12.30122 && last.orbit.is_stable());
@@ -38,7 +38,7 @@ fn the_stable_point_below_the_fold_is_the_published_one() {
 #[test]
 fn low_branch_ends_where_the_steady_amplitude_meets_the_gap() {
     let Some(file) = paper() else { return };
-    let plant = jounce::study::Prepared::new(file.spec().unwrap()).unwrap().kernel.plant;
+    let plant = jounce::analysis::Model::new(file.spec().unwrap()).unwrap().kernel.plant;
     let excess = |frequency_hz: f64| {
         let mut drives = plant.system.drives.clone();
         drives[0].frequency_hz = frequency_hz;
@@ -49,7 +49,7 @@ fn low_branch_ends_where_the_steady_amplitude_meets_the_gap() {
         let middle = 0.5 * (low + high);
         if excess(middle) > 0.0 { low = middle } else { high = middle }
     }
-    let found = branches(&file, (10.5, 14.0), Method::Shooting, 0);
+    let found = branches(&file, (10.5, 14.0), OrbitMethodKind::Shooting, 0);
     let grazing = found[0].bifurcations.iter().find(|b| b.kind == BranchKind::Grazing).unwrap();
     eprintln!("grazing at {:.9} Hz, in closed form {low:.9} Hz", grazing.at.parameter);
     assert!((grazing.at.parameter - low).abs() < 1e-6);

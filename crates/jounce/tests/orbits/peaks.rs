@@ -1,9 +1,9 @@
 //! Peaks of power and optimal loads followed over two keys, and tori against where they are found along one key.
 
 use crate::harvesters::{bench, branches};
+use jounce::analysis::{BandwidthSearch, BifurcationCurve, BifurcationSearch, BranchKind, CurveKind, Model, OrbitMethodKind, Parameter};
 use jounce::linear::{optimal_resistance, steady_power_w};
 use jounce::spec::SpecFile;
-use jounce::study::{BandwidthSearch, BranchKind, CurveKind, JumpCurve, JumpSearch, Method, Parameter, Prepared};
 
 fn untouched() -> SpecFile {
     let mut file = bench();
@@ -11,14 +11,15 @@ fn untouched() -> SpecFile {
     file
 }
 
-fn peaks(file: &SpecFile, keys: [&str; 2], ranges: [(f64, f64); 2]) -> Vec<JumpCurve> {
+fn peaks(file: &SpecFile, keys: [&str; 2], ranges: [(f64, f64); 2]) -> Vec<BifurcationCurve> {
     curves(file, keys, ranges, 0).into_iter().filter(|curve| curve.kind == CurveKind::Peak).collect()
 }
 
-fn curves(file: &SpecFile, keys: [&str; 2], ranges: [(f64, f64); 2], seeds: usize) -> Vec<JumpCurve> {
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+fn curves(file: &SpecFile, keys: [&str; 2], ranges: [(f64, f64); 2], seeds: usize) -> Vec<BifurcationCurve> {
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let keys = keys.map(|key| file.numeric_key(key).unwrap());
-    let search = JumpSearch { base: &base, keys: [&keys[0], &keys[1]], ranges, tolerance: 1e-10, seeds, longest_period: 1, peaks: true };
+    let search =
+        BifurcationSearch { base: &base, keys: [&keys[0], &keys[1]], ranges, tolerance: 1e-10, seeds, longest_period: 1, peaks: true };
     let found = search.run().unwrap();
     found.iter().for_each(|curve| eprintln!("{}: {} points, {:?}", curve.kind.name(), curve.points.len(), curve.failures));
     found
@@ -36,7 +37,7 @@ fn the_optimal_load_of_a_harvester_that_never_touches_is_the_closed_form() {
     for point in &curve.points {
         let mut spec = spec.clone();
         spec.set_si("drive.shaker.frequency", point.parameter_2).unwrap();
-        let exact = optimal_resistance(&Prepared::new(spec).unwrap().kernel.plant, 0).unwrap();
+        let exact = optimal_resistance(&Model::new(spec).unwrap().kernel.plant, 0).unwrap();
         worst = worst.max((point.parameter / exact.resistance_ohm - 1.0).abs());
         assert!((point.mean_power_w / exact.mean_power_w - 1.0).abs() < 2e-7 && point.stable == Some(true), "{point:?} {exact:?}");
     }
@@ -56,7 +57,7 @@ fn the_resonance_of_a_harvester_that_never_touches_is_that_of_the_steady_power()
     for point in &curve.points {
         let mut spec = spec.clone();
         spec.circuit.values_mut().for_each(|load| load.resistance_ohm = point.parameter_2);
-        let kernel = Prepared::new(spec).unwrap().kernel;
+        let kernel = Model::new(spec).unwrap().kernel;
         let power_w = |frequency_hz: f64| {
             let mut drives = kernel.plant.system.drives.clone();
             drives[0].frequency_hz = frequency_hz;
@@ -80,10 +81,10 @@ fn the_peak_of_the_impact_branch_is_the_one_along_the_branch() {
     for amplitude_n in [48.0, 50.0] {
         let mut file = bench();
         file.set("drive.shaker.amplitude", &format!("\"{amplitude_n} N\"")).unwrap();
-        let base = Prepared::new(file.spec().unwrap()).unwrap();
+        let base = Model::new(file.spec().unwrap()).unwrap();
         let key = file.numeric_key("drive.shaker.frequency").unwrap();
         let parameter = Parameter::new(&base, &key, 0.6);
-        let along = branches(&file, (11.9, 12.5), Method::Shooting, 0);
+        let along = branches(&file, (11.9, 12.5), OrbitMethodKind::Shooting, 0);
         let widths = BandwidthSearch { base: &base, parameter: &parameter, range: (11.9, 12.5), tolerance: 1e-10 }.run(&along);
         let peak = widths.together.unwrap().peak;
         let point = curve.points.iter().find(|point| point.parameter_2 == amplitude_n).unwrap();
@@ -98,14 +99,14 @@ fn the_peak_of_the_impact_branch_is_the_one_along_the_branch() {
 #[test]
 fn the_optimal_load_with_contact_is_the_best_of_the_branches_beside_it() {
     let found = peaks(&bench(), ["circuit.load.resistance", "drive.shaker.frequency"], [(3e4, 2e5), (12.0, 12.1)]);
-    let strongest = |curve: &&JumpCurve| curve.points.iter().map(|point| point.mean_power_w).fold(0.0, f64::max);
+    let strongest = |curve: &&BifurcationCurve| curve.points.iter().map(|point| point.mean_power_w).fold(0.0, f64::max);
     let curve = found.iter().max_by(|a, b| strongest(a).total_cmp(&strongest(b))).unwrap();
     assert!(curve.failures.is_empty());
     let best = curve.points.iter().find(|point| point.parameter_2 == 12.1).unwrap();
     let power_w = |share: f64| {
         let mut file = bench();
         file.set("circuit.load.resistance", &format!("\"{} ohm\"", share * best.parameter)).unwrap();
-        let along = branches(&file, (10.5, 12.1), Method::Shooting, 0);
+        let along = branches(&file, (10.5, 12.1), OrbitMethodKind::Shooting, 0);
         let ends = along.iter().flat_map(|branch| &branch.points).filter(|point| point.parameter == 12.1);
         ends.map(|point| point.orbit.mean_power_w).fold(0.0, f64::max)
     };
@@ -121,12 +122,12 @@ fn the_optimal_load_with_contact_is_the_best_of_the_branches_beside_it() {
 #[test]
 fn the_peak_of_an_isolated_branch_ends_where_its_folds_meet() {
     let found = curves(&bench(), ["drive.shaker.frequency", "stop.tip.stiffness"], [(12.5, 14.0), (4780.0, 5000.0)], 4);
-    let lowest = |curve: &JumpCurve| curve.points.iter().map(|point| point.parameter_2).fold(f64::INFINITY, f64::min);
-    let born = |curve: &&JumpCurve| lowest(curve) > 4781.0 && curve.points.iter().all(|point| point.parameter > 13.0);
+    let lowest = |curve: &BifurcationCurve| curve.points.iter().map(|point| point.parameter_2).fold(f64::INFINITY, f64::min);
+    let born = |curve: &&BifurcationCurve| lowest(curve) > 4781.0 && curve.points.iter().all(|point| point.parameter > 13.0);
     let peak = found.iter().filter(|curve| curve.kind == CurveKind::Peak).find(born).unwrap();
     assert!(peak.failures.is_empty() && peak.points.len() < 120, "{} points, {:?}", peak.points.len(), peak.failures);
     let end = peak.points.iter().min_by(|a, b| a.parameter_2.total_cmp(&b.parameter_2)).unwrap();
-    let folds = |curve: &&JumpCurve| {
+    let folds = |curve: &&BifurcationCurve| {
         curve.kind == CurveKind::Bifurcation(BranchKind::Fold)
             && curve.points.iter().any(|point| (point.parameter - end.parameter).abs() < 0.01)
     };

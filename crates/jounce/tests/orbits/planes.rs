@@ -1,14 +1,15 @@
 //! Curves over the whole of a plane: which are found, and each once.
 
 use crate::harvesters::bench;
+use jounce::analysis::{BifurcationCurve, BifurcationSearch, BranchKind, CurveKind, Model};
 use jounce::spec::SpecFile;
-use jounce::study::{BranchKind, CurveKind, JumpCurve, JumpSearch, Prepared};
 
-fn curves(file: &SpecFile, keys: [(&str, (f64, f64)); 2], seeds: usize) -> Vec<JumpCurve> {
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+fn curves(file: &SpecFile, keys: [(&str, (f64, f64)); 2], seeds: usize) -> Vec<BifurcationCurve> {
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let own = keys.map(|(key, _)| file.numeric_key(key).unwrap());
     let ranges = keys.map(|(_, range)| range);
-    let search = JumpSearch { base: &base, keys: [&own[0], &own[1]], ranges, tolerance: 1e-9, seeds, longest_period: 1, peaks: false };
+    let search =
+        BifurcationSearch { base: &base, keys: [&own[0], &own[1]], ranges, tolerance: 1e-9, seeds, longest_period: 1, peaks: false };
     search.run().unwrap()
 }
 
@@ -19,7 +20,7 @@ fn it_does_not_matter_which_key_comes_first() {
     let mut file = bench();
     file.set("drive.shaker.frequency", "12 Hz").unwrap();
     let (gap, amplitude) = (("stop.tip.gap", (0.5e-3, 3e-3)), ("drive.shaker.amplitude", (20.0, 80.0)));
-    let ends = |curve: &JumpCurve, first: usize| {
+    let ends = |curve: &BifurcationCurve, first: usize| {
         let place = |k: usize| {
             let point = &curve.points[k];
             let keys = [point.parameter, point.parameter_2];
@@ -48,13 +49,14 @@ fn it_does_not_matter_which_key_comes_first() {
 fn no_curve_comes_back_over_its_own_points() {
     let keys = [("drive.shaker.frequency", (12.5, 14.0)), ("stop.tip.stiffness", (4780.0, 5000.0))];
     let found = curves(&bench(), keys, 4);
-    let tori: Vec<&JumpCurve> = found.iter().filter(|curve| curve.kind == CurveKind::Bifurcation(BranchKind::NeimarkSacker)).collect();
-    let ends = |curve: &JumpCurve| [0, curve.points.len() - 1].map(|k| (curve.points[k].parameter, curve.points[k].parameter_2));
+    let tori: Vec<&BifurcationCurve> =
+        found.iter().filter(|curve| curve.kind == CurveKind::Bifurcation(BranchKind::NeimarkSacker)).collect();
+    let ends = |curve: &BifurcationCurve| [0, curve.points.len() - 1].map(|k| (curve.points[k].parameter, curve.points[k].parameter_2));
     let apart = |[a, b]: [(f64, f64); 2]| (a.0 - b.0).abs() / 1.5 + (a.1 - b.1).abs() / 220.0;
     for curve in &tori {
         eprintln!("{:?}, {} points, {:?}", ends(curve), curve.points.len(), curve.failures);
     }
     assert!(tori.iter().all(|curve| apart(ends(curve)) > 1e-3 && curve.failures.is_empty()));
-    let at_low_edge = |curve: &&&JumpCurve| ends(curve).iter().any(|end| (end.0 - 12.725_849).abs() < 1e-4);
+    let at_low_edge = |curve: &&&BifurcationCurve| ends(curve).iter().any(|end| (end.0 - 12.725_849).abs() < 1e-4);
     assert_eq!(tori.iter().filter(at_low_edge).count(), 1);
 }

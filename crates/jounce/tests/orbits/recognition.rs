@@ -1,21 +1,21 @@
 //! Every start is attributed to the attractor that a long integration ends on.
 
 use crate::harvesters::bench;
-use jounce::march::Marcher;
-use jounce::orbit::{Harvester, Orbit, Shooting};
+use jounce::analysis::{AttractorKind, Basins, BasinsResult, Grid, GridAxis, GridSide, InitialStates, Model, Parameter, Recognition};
+use jounce::march::Integrator;
+use jounce::orbit::{Orbit, ParametricModel, Shooting};
 use jounce::spec::SpecFile;
-use jounce::study::{AttractorKind, Basins, BasinsAnswer, Grid, GridAxis, GridSide, Parameter, Prepared, Recognition, Starts};
 
 /// Drive cycles of the long integration: periods 1, 3, 7, 10 and 18 divide none of its last steps alike.
 const LONG_CYCLES: u32 = 3_024;
 
-fn grid(displacement_m: f64, velocity_m_s: f64, count: usize) -> Starts {
+fn grid(displacement_m: f64, velocity_m_s: f64, count: usize) -> InitialStates {
     let side = |axis: GridAxis, reach: f64| GridSide { axis, from: -reach, to: reach, count };
-    Starts::Grid(Grid { sides: vec![side(GridAxis::Displacement, displacement_m), side(GridAxis::Velocity, velocity_m_s)] })
+    InitialStates::Grid(Grid { sides: vec![side(GridAxis::Displacement, displacement_m), side(GridAxis::Velocity, velocity_m_s)] })
 }
 
-fn with_basins<T>(file: &SpecFile, starts: &Starts, tolerance: f64, then: impl FnOnce(&Parameter, f64, &BasinsAnswer) -> T) -> T {
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+fn with_basins<T>(file: &SpecFile, starts: &InitialStates, tolerance: f64, then: impl FnOnce(&Parameter, f64, &BasinsResult) -> T) -> T {
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let value = key.get(&base.spec).unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
@@ -28,7 +28,7 @@ fn with_basins<T>(file: &SpecFile, starts: &Starts, tolerance: f64, then: impl F
 fn distance(shooting: &Shooting<Parameter>, orbit: &Orbit, physical: &[f64]) -> f64 {
     let state = shooting.unknown(physical);
     let apart = |look: &Vec<f64>| look.iter().zip(&state).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
-    orbit.looks.iter().map(apart).fold(f64::INFINITY, f64::min) / orbit.size()
+    orbit.strobe_states.iter().map(apart).fold(f64::INFINITY, f64::min) / orbit.size()
 }
 
 /// Orbits of periods 1, 1, 3, 7, 10 and 18 attract at once. The one of period 18 gives 6.027567570e-6 W by an independent integration, and
@@ -57,10 +57,10 @@ fn no_start_is_attributed_to_an_orbit_that_it_does_not_reach() {
         let shooting = Shooting::new(parameter, &kernel, 1, 1e-8);
         for index in (0..starts.len()).step_by(9) {
             let start = starts.start(&kernel.plant, index);
-            let mut marcher = Marcher::new(&kernel, &kernel.plant.from_physical(&start, 0.0), 0.0, 1e-8).unwrap();
-            marcher.advance_to(f64::from(LONG_CYCLES) / value).unwrap();
+            let mut integrator = Integrator::new(&kernel, &kernel.plant.from_physical(&start, 0.0), 0.0, 1e-8).unwrap();
+            integrator.advance_to(f64::from(LONG_CYCLES) / value).unwrap();
             let home = found.attractors.iter().find(|a| a.starts.contains(&index)).unwrap();
-            let away = distance(&shooting, home.orbit.as_ref().unwrap(), &marcher.physical());
+            let away = distance(&shooting, home.orbit.as_ref().unwrap(), &integrator.physical());
             assert!(away < 1e-5, "start {index}: {away:e} from {}", home.id);
         }
     });
@@ -92,7 +92,7 @@ fn attractors_do_not_depend_on_the_tolerance() {
 /// A budget of cycles that no start can meet: nothing is attributed, and the interval of the expected power says so.
 #[test]
 fn what_is_not_proved_is_undecided() {
-    let base = Prepared::new(bench().spec().unwrap()).unwrap();
+    let base = Model::new(bench().spec().unwrap()).unwrap();
     let file = bench();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);

@@ -1,11 +1,11 @@
 //! Orbits of rectified circuits: against closed forms, against settled marches, and their stability against the decay of a march.
 
 use crate::rows::folder;
-use jounce::continuation::{Corrector, Metric, Position, settle};
-use jounce::march::Marcher;
-use jounce::orbit::{Harvester, Orbit, OrbitError, OrbitMethod, Shooting};
+use jounce::analysis::{AnalysisError, BranchSearch, Model, OrbitMethodKind, Parameter};
+use jounce::continuation::{Corrector, Metric, Position, correct_at};
+use jounce::march::Integrator;
+use jounce::orbit::{Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting};
 use jounce::spec::SpecFile;
-use jounce::study::{BranchSearch, Method, Parameter, Prepared, StudyError};
 use std::f64::consts::{PI, TAU};
 
 /// The example without the lines of some keys.
@@ -23,8 +23,8 @@ fn file(settings: &[(&str, &str)]) -> SpecFile {
 }
 
 /// The orbit of a drive cycle that Newton finds from the linear answer and a voltage of the storage.
-fn orbit(file: &SpecFile, storage_v: f64) -> (Prepared, Orbit) {
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+fn orbit(file: &SpecFile, storage_v: f64) -> (Model, Orbit) {
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.amplitude").unwrap();
     let orbit = {
         let parameter = Parameter::new(&base, &key, 1.0);
@@ -35,7 +35,7 @@ fn orbit(file: &SpecFile, storage_v: f64) -> (Prepared, Orbit) {
             guess[2 * kernel.plant.system.modes.len() + node] = storage_v;
         }
         let position = Position { unknown: shooting.unknown(&guess), parameter: 1.0 };
-        let found = settle(&shooting, &Corrector { goal: 1e-9, most: 30 }, &Metric::at(&position, 1.0), position).unwrap();
+        let found = correct_at(&shooting, &Corrector { goal: 1e-9, most: 30 }, &Metric::at(&position, 1.0), position).unwrap();
         shooting.orbit(&found.local, found.error).unwrap()
     };
     (base, orbit)
@@ -118,9 +118,9 @@ fn a_disturbance_decays_by_the_multipliers() {
                 largest = largest.max(term.abs());
             }
             for state in [&mut on, &mut away] {
-                let mut marcher = Marcher::new(kernel, &kernel.plant.from_physical(state, 0.0), 0.0, 1e-12).unwrap();
-                marcher.advance_to(cycle_s).unwrap();
-                *state = kernel.plant.to_physical(&marcher.state(), 0.0);
+                let mut integrator = Integrator::new(kernel, &kernel.plant.from_physical(state, 0.0), 0.0, 1e-12).unwrap();
+                integrator.advance_to(cycle_s).unwrap();
+                *state = kernel.plant.to_physical(&integrator.state(), 0.0);
             }
         }
         let error = sum.iter().fold(0.0_f64, |max, s| max.max(s.abs())) / largest;
@@ -134,12 +134,19 @@ fn a_disturbance_decays_by_the_multipliers() {
 fn a_branch_over_the_load_has_the_power_of_settled_marches() {
     let settings = [("circuit.rectifier.storage", "20 F"), ("circuit.rectifier.diode_resistance", "1 mohm")];
     let file = file(&settings);
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("circuit.rectifier.resistance").unwrap();
     let range = (0.3, 1.2);
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
-    let search =
-        BranchSearch { base: &base, parameter: &parameter, range, method: Method::Shooting, tolerance: 1e-9, seeds: 0, longest_period: 1 };
+    let search = BranchSearch {
+        base: &base,
+        parameter: &parameter,
+        range,
+        method: OrbitMethodKind::Shooting,
+        tolerance: 1e-9,
+        seeds: 0,
+        longest_period: 1,
+    };
     let branches = search.run().unwrap();
     let [branch] = &branches[..] else { panic!("{} branches", branches.len()) };
     assert!(branch.points.len() > 5 && branch.points.iter().all(|point| point.orbit.is_stable()));
@@ -172,13 +179,13 @@ fn diodes_that_never_conduct_leave_a_charge_alone() {
 #[test]
 fn harmonic_balance_names_shooting() {
     let file = file(&[]);
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("circuit.rectifier.resistance").unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
-    let method = Method::HarmonicBalance { harmonics: 16 };
+    let method = OrbitMethodKind::HarmonicBalance { harmonics: 16 };
     let search =
         BranchSearch { base: &base, parameter: &parameter, range: (0.3, 1.3), method, tolerance: 1e-8, seeds: 0, longest_period: 1 };
-    let refused: OrbitError<StudyError> = search.run().unwrap_err();
+    let refused: OrbitError<AnalysisError> = search.run().unwrap_err();
     assert!(matches!(&refused, OrbitError::Rectified { circuit } if circuit == "rectifier"), "{refused}");
     assert!(refused.to_string().contains("use the method shooting"));
 }

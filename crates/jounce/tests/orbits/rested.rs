@@ -1,12 +1,14 @@
 //! A ball on a table that shakes: rest on a rigid stop is an attractor, as long as the table does not throw it.
 
-use jounce::linear::{Input, Response, frf};
-use jounce::orbit::Harvester;
+use jounce::analysis::{
+    Basins, BasinsResult, BranchKind, BranchSearch, Cloud, InitialStates, Model, OrbitMethodKind, Parameter, Recognition,
+};
+use jounce::linear::{FrfInput, FrfResponse, frf};
+use jounce::orbit::ParametricModel;
 use jounce::plant::{Plant, System};
 use jounce::run::{RunPlan, StartState, simulate};
 use jounce::spec::{Spec, SpecFile};
 use jounce::structure::modes;
-use jounce::study::{Basins, BasinsAnswer, BranchKind, BranchSearch, Cloud, Method, Parameter, Prepared, Recognition, Starts};
 
 const TABLE: &str = r#"
 [mass.ball]
@@ -58,14 +60,14 @@ amplitude = "0.3 g"
 frequency = "60 Hz"
 "#;
 
-fn basins(text: &str, amplitude: &str, starts: usize) -> BasinsAnswer {
+fn basins(text: &str, amplitude: &str, starts: usize) -> BasinsResult {
     let mut file = SpecFile::from_text(text);
     file.set("drive.base.amplitude", amplitude).unwrap();
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.base.amplitude").unwrap();
     let value = key.get(&base.spec).unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
-    let starts = Starts::Cloud(Cloud { starts, seed: 1, spread: 10.0 });
+    let starts = InitialStates::Cloud(Cloud { starts, seed: 1, spread: 10.0 });
     Basins { base: &base, parameter: &parameter, value, starts, recognition: Recognition::at(1e-8) }.run(&|| {}).unwrap()
 }
 
@@ -105,7 +107,7 @@ fn a_ball_at_rest_loads_its_disc_by_its_mass() {
     disc.patch.get_mut("p").unwrap().coupling_n_per_v[0] /= heavier.sqrt();
     (spec.mass, spec.stop, spec.drive) = Default::default();
     let plant = Plant::new(System::assemble(&spec, modes(&spec).unwrap()).unwrap()).unwrap();
-    let voltage = frf(&plant, &Input::BaseAcceleration, &[Response::LoadVoltage("load".into())], &[60.0]).unwrap()[0].value[0].norm();
+    let voltage = frf(&plant, &FrfInput::BaseAcceleration, &[FrfResponse::LoadVoltage("load".into())], &[60.0]).unwrap()[0].value[0].norm();
     let exact_w = 0.5 * (voltage * 0.3 * 9.80665).powi(2) / 5e4;
     let error = rest.mean_power_w / exact_w - 1.0;
     eprintln!("{:e} W, {exact_w:e} W exactly: {error:e}", rest.mean_power_w);
@@ -119,9 +121,9 @@ fn a_branch_ends_where_a_point_begins_to_stick() {
     // 0.6 rad/s.
     file.set("drive.force.frequency", "\"0.09549296585513721 Hz\"").unwrap();
     file.set("stop.wall.restitution", "0.02").unwrap();
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("stop.wall.gap").unwrap();
-    let (range, method, tolerance) = ((0.84, 0.86), Method::Shooting, 1e-10);
+    let (range, method, tolerance) = ((0.84, 0.86), OrbitMethodKind::Shooting, 1e-10);
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
     let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance, seeds: 6, longest_period: 1 };
     let found = search.run().unwrap();

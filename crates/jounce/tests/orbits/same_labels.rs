@@ -9,9 +9,9 @@
 mod drawn;
 
 use crate::harvesters::bench;
+use jounce::analysis::{Bifurcation, Branch, BranchKind, BranchOptions, BranchSearch, Model, OrbitMethodKind, Parameter};
 use jounce::orbit::OrbitError;
 use jounce::spec::SpecFile;
-use jounce::study::{Bifurcation, Branch, BranchKind, BranchOptions, BranchSearch, Method, Parameter, Prepared};
 
 /// Seed of the harvesters.
 const SEED: u64 = 7;
@@ -66,14 +66,14 @@ impl Case {
     }
 
     fn search(&self, settings: Settings) -> Vec<Branch> {
-        let base = Prepared::new(self.file.spec().unwrap()).unwrap();
+        let base = Model::new(self.file.spec().unwrap()).unwrap();
         let key = self.file.numeric_key(self.key).unwrap();
         let step = self.width() / settings.pieces as f64;
         let cuts: Vec<f64> = (0..=settings.pieces).map(|k| self.range.0 + step * k as f64).collect();
         let of_piece = |ends: &[f64]| {
             let range = (ends[0], ends[1]);
             let parameter = Parameter::new(&base, &key, range.1 - range.0);
-            let (method, tolerance) = (Method::Shooting, settings.tolerance);
+            let (method, tolerance) = (OrbitMethodKind::Shooting, settings.tolerance);
             let search = BranchSearch { base: &base, parameter: &parameter, range, method, tolerance, seeds: 0, longest_period: 2 };
             let options = BranchOptions { largest_step: settings.largest_step, ..BranchOptions::default() };
             match search.run_with(&options) {
@@ -118,7 +118,7 @@ impl Case {
             .filter_map(|index| own.points.get(index))
             .filter(|point| (point.parameter - label.at.parameter).abs() > SAME * BESIDE * self.width())
             .collect();
-        let passes = |branch: &Branch, point: &jounce::study::BranchPoint| {
+        let passes = |branch: &Branch, point: &jounce::analysis::BranchPoint| {
             let size = point.orbit.start().iter().map(|u| u * u).sum::<f64>().sqrt();
             branch.crossings(point.parameter).iter().any(|(state, power_w)| {
                 let off = state.iter().zip(point.orbit.start()).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();

@@ -1,10 +1,10 @@
 //! Harmonic balance with several stops, under gravity and with an open patch: against shooting, mirror images and shifted stops.
 
 use crate::harvesters::{bench, branches};
-use jounce::continuation::{Corrector, Family, Linear, Metric, Position, settle};
+use jounce::analysis::{AnalysisError, Model, OrbitMethodKind, Parameter, settled_orbit};
+use jounce::continuation::{Corrector, Linearization, Metric, Position, Problem, correct_at};
 use jounce::orbit::{HarmonicBalance, Orbit, OrbitError, OrbitMethod, Shooting};
 use jounce::spec::SpecFile;
-use jounce::study::{Method, Parameter, Prepared, StudyError, settled_orbit};
 
 const CORRECTOR: Corrector = Corrector { goal: 1e-10, most: 20 };
 
@@ -38,14 +38,14 @@ fn norm(values: &mut dyn Iterator<Item = f64>) -> f64 {
 
 /// The orbit near a state by as many harmonics as the accuracy needs.
 fn balanced(file: &SpecFile, start: &[f64], frequency_hz: f64) -> Orbit {
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key(FREQUENCY).unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
     let mut method = HarmonicBalance::new(Shooting::new(&parameter, &base.kernel, 1, 1e-10), &base.kernel, 64, 3e-8).unwrap();
     loop {
         let position = Position { unknown: method.unknown_of(start, frequency_hz).unwrap(), parameter: frequency_hz };
-        let found = settle(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
-        match method.finer().filter(|_| method.excess(&found.local, 0.8).unwrap() > 1.0) {
+        let found = correct_at(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
+        match method.finer().filter(|_| method.error_ratio(&found.local, 0.8).unwrap() > 1.0) {
             Some(finer) => method = finer,
             None => break method.orbit(&found.local, found.error).unwrap(),
         }
@@ -54,7 +54,7 @@ fn balanced(file: &SpecFile, start: &[f64], frequency_hz: f64) -> Orbit {
 
 /// The orbit that a march from rest settles on.
 fn settled(file: &SpecFile, frequency_hz: f64) -> Orbit {
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key(FREQUENCY).unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
     settled_orbit(&parameter, frequency_hz, &vec![0.0; base.kernel.plant.len()], 1e-10, 1e-10).unwrap()
@@ -62,7 +62,7 @@ fn settled(file: &SpecFile, frequency_hz: f64) -> Orbit {
 
 /// Along the branch that shooting follows, stable or not, states and mean powers lie within the sum of both estimates; the most contacts.
 fn agrees_along(file: &SpecFile, range: (f64, f64), every: usize) -> u64 {
-    let curve = &branches(file, range, Method::Shooting, 0)[0];
+    let curve = &branches(file, range, OrbitMethodKind::Shooting, 0)[0];
     let (mut most, mut unstable) = (0, 0);
     for point in curve.points.iter().step_by(every) {
         let orbit = balanced(file, point.orbit.start(), point.parameter);
@@ -128,7 +128,7 @@ fn the_derivative_over_two_stops_is_that_of_differences() {
     for mut file in [bench_with(&tip_stop("behind", "negative", "1.5 mm", "2000")), two_places()] {
         file.set(FREQUENCY, "\"11.3 Hz\"").unwrap();
         let start = settled(&file, 11.3);
-        let base = Prepared::new(file.spec().unwrap()).unwrap();
+        let base = Model::new(file.spec().unwrap()).unwrap();
         for (name, value) in [(FREQUENCY, 11.3), ("drive.shaker.amplitude", 50.0)] {
             let key = file.numeric_key(name).unwrap();
             let parameter = Parameter::new(&base, &key, value);
@@ -211,10 +211,10 @@ fn a_free_body_is_refused_with_the_other_method_named() {
         gap = \"0 mm\"\nstiffness = \"1 kN/m\"\n[gravity]\nacceleration = \"-1 g\"\n\
         [drive.shaker]\nkind = \"base-acceleration\"\namplitude = \"0.9 g\"\nfrequency = \"10 Hz\"\n[reduction]\nmodes = 1\n";
     let file = SpecFile::from_text(ball);
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key(FREQUENCY).unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
-    let refused: OrbitError<StudyError> =
+    let refused: OrbitError<AnalysisError> =
         HarmonicBalance::new(Shooting::new(&parameter, &base.kernel, 1, 1e-9), &base.kernel, 64, 1e-7).err().unwrap();
     assert!(matches!(refused, OrbitError::Free) && refused.to_string().contains("shooting"), "{refused}");
 }

@@ -7,9 +7,9 @@
 //! Source: A. B. Nordmark, J. Sound Vib. 145 (1991) 279.
 
 use crate::harvesters::Systems;
-use jounce::continuation::{Corrector, Metric, Position, settle};
-use jounce::march::{Drift, Kernel, Marcher, Variation};
-use jounce::orbit::{Harvester, OrbitMethod, Shooting};
+use jounce::continuation::{Corrector, Metric, Position, correct_at};
+use jounce::march::{FlowSensitivity, Integrator, Kernel, ParameterSensitivity};
+use jounce::orbit::{OrbitMethod, ParametricModel, Shooting};
 use jounce::plant::Plant;
 use jounce::reference::ImpactOscillator;
 use std::f64::consts::{PI, TAU};
@@ -51,16 +51,16 @@ fn one_cycle_from_the_steady_motion_leaves_it_by_the_square_root() {
         let below = 10_f64.powi(-decade);
         let kernel = kernel(below);
         let still = vec![0.0; kernel.plant.len()];
-        let mut marcher = Marcher::new(&kernel, &still, 0.0, 1e-12).unwrap();
-        marcher.advance_to(TAU / 0.8).unwrap();
-        let lost = marcher.energies().contact_loss_j;
+        let mut integrator = Integrator::new(&kernel, &still, 0.0, 1e-12).unwrap();
+        integrator.advance_to(TAU / 0.8).unwrap();
+        let lost = integrator.energies().contact_loss_j;
         let speed = 0.8 * (amplitude * amplitude - (amplitude - below).powi(2)).sqrt();
         let error = (lost / (0.5 * (1.0 - 0.64) * speed * speed)).sqrt() - 1.0;
-        assert_eq!(marcher.statistics().contacts, 1);
+        assert_eq!(integrator.statistics().contacts, 1);
         // `X^2 - d^2` keeps the roundoff of both, and the march that of the place where it strikes.
         assert!(error.abs() < 1e-9 + 4e-15 / below, "strikes {error:e} off at {below:e}");
-        distances.push((below, marcher.state().iter().map(|y| y * y).sum::<f64>().sqrt()));
-        let flow = Variation::march(&kernel, &still, 0.0, TAU / 0.8, 1e-12, &Drift::default()).unwrap();
+        distances.push((below, integrator.state().iter().map(|y| y * y).sum::<f64>().sqrt()));
+        let flow = FlowSensitivity::march(&kernel, &still, 0.0, TAU / 0.8, 1e-12, &ParameterSensitivity::default()).unwrap();
         derivatives.push((below, flow.jacobian.norm_l2()));
     }
     let ((distance, off), (derivative, wide)) = (power_law(&distances[2..]), power_law(&derivatives[2..]));
@@ -83,11 +83,11 @@ fn multiplier_of_the_impacting_orbit_diverges_towards_its_grazing() {
         // From the impact to the next start of the drive.
         let start_s = (exact.angle_rad - angle_rad + PI).rem_euclid(TAU) / 0.8;
         let y = kernel.plant.from_physical(&reference.start(&exact), start_s);
-        let mut marcher = Marcher::new(&kernel, &y, start_s, 1e-13).unwrap();
-        marcher.advance_to(TAU / 0.8).unwrap();
-        let guess = shooting.unknown(&kernel.plant.to_physical(&marcher.state(), 0.0));
+        let mut integrator = Integrator::new(&kernel, &y, start_s, 1e-13).unwrap();
+        integrator.advance_to(TAU / 0.8).unwrap();
+        let guess = shooting.unknown(&kernel.plant.to_physical(&integrator.state(), 0.0));
         let position = Position { unknown: guess, parameter: gap };
-        let found = settle(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
+        let found = correct_at(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
         let orbit = shooting.orbit(&found.local, found.error).unwrap();
         let trace = (orbit.multipliers[0] + orbit.multipliers[1]).re;
         let error = trace / exact.trace_determinant[0] - 1.0;

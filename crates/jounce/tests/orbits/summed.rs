@@ -1,9 +1,9 @@
 //! Orbits under sums of sinusoids whose frequencies have a common period.
 
-use jounce::march::{Kernel, Marcher};
+use jounce::analysis::{BranchSearch, Model, OrbitMethodKind, Parameter, settled_orbit};
+use jounce::march::{Integrator, Kernel};
 use jounce::orbit::{HarmonicBalance, OrbitError, Shooting};
 use jounce::spec::SpecFile;
-use jounce::study::{BranchSearch, Method, Parameter, Prepared, settled_orbit};
 use std::f64::consts::TAU;
 
 const GAP_M: f64 = 1e-3;
@@ -42,7 +42,7 @@ fn integrated(mut x: [f64; 2], time_s: f64) -> [f64; 2] {
 #[test]
 fn two_frequencies_with_a_common_period_have_orbits() {
     let file = file(7.5);
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("stop.wall.gap").unwrap();
     let parameter = Parameter::new(&base, &key, GAP_M);
     let kernel: &Kernel = &base.kernel;
@@ -55,20 +55,20 @@ fn two_frequencies_with_a_common_period_have_orbits() {
     let exact = (-2.0 * 0.05 * TAU * 6.0 * period_s).exp();
     eprintln!("{} cycles, {} contacts, apart by {apart:?}, product {product:e} and {exact:e}", orbit.period_cycles, orbit.contacts);
     assert!(orbit.contacts > 0 && apart.iter().all(|apart| *apart < 1e-9) && (product / exact - 1.0).abs() < 1e-7);
-    let mut marcher = Marcher::new(kernel, &kernel.plant.from_physical(&start, 0.0), 0.0, 1e-10).unwrap();
-    marcher.advance_to(period_s).unwrap();
-    assert_eq!(marcher.statistics().contacts, orbit.contacts);
+    let mut integrator = Integrator::new(kernel, &kernel.plant.from_physical(&start, 0.0), 0.0, 1e-10).unwrap();
+    integrator.advance_to(period_s).unwrap();
+    assert_eq!(integrator.statistics().contacts, orbit.contacts);
     let search = BranchSearch {
         base: &base,
         parameter: &parameter,
         range: (0.8 * GAP_M, 1.2 * GAP_M),
-        method: Method::Shooting,
+        method: OrbitMethodKind::Shooting,
         tolerance: 1e-10,
         seeds: 0,
         longest_period: orbit.period_cycles,
     };
     let branches = search.run().unwrap();
-    let spans = |branch: &jounce::study::Branch| {
+    let spans = |branch: &jounce::analysis::Branch| {
         let gaps = branch.points.iter().map(|point| point.parameter);
         branch.period_cycles == orbit.period_cycles && gaps.clone().any(|gap| gap < GAP_M) && gaps.clone().any(|gap| gap > GAP_M)
     };
@@ -79,14 +79,14 @@ fn two_frequencies_with_a_common_period_have_orbits() {
 #[test]
 fn what_cannot_be_had_of_several_frequencies_is_told() {
     let odd = file(7.123_456);
-    let base = Prepared::new(odd.spec().unwrap()).unwrap();
+    let base = Model::new(odd.spec().unwrap()).unwrap();
     let key = odd.numeric_key("stop.wall.gap").unwrap();
     let parameter = Parameter::new(&base, &key, GAP_M);
     let search = BranchSearch {
         base: &base,
         parameter: &parameter,
         range: (0.8 * GAP_M, 1.2 * GAP_M),
-        method: Method::Shooting,
+        method: OrbitMethodKind::Shooting,
         tolerance: 1e-9,
         seeds: 0,
         longest_period: 1,
@@ -94,10 +94,10 @@ fn what_cannot_be_had_of_several_frequencies_is_told() {
     let refused = search.run().unwrap_err();
     assert!(matches!(refused, OrbitError::Frequencies { frequencies: 2 }) && refused.to_string().contains("100 cycles"), "{refused}");
     let even = file(7.5);
-    let base = Prepared::new(even.spec().unwrap()).unwrap();
+    let base = Model::new(even.spec().unwrap()).unwrap();
     let parameter = Parameter::new(&base, &key, GAP_M);
     let shooting = Shooting::new(&parameter, &base.kernel, 1, 1e-9);
     let method = HarmonicBalance::new(shooting, &base.kernel, 64, 1e-7).unwrap();
-    let refused = jounce::continuation::Family::at(&method, &vec![0.0; 129], GAP_M).unwrap_err();
+    let refused = jounce::continuation::Problem::at(&method, &vec![0.0; 129], GAP_M).unwrap_err();
     assert!(matches!(refused, OrbitError::Summed { frequencies: 2 }) && refused.to_string().contains("shooting"), "{refused}");
 }

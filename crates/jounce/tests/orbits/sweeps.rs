@@ -1,17 +1,17 @@
 //! Marched runs against branches: where a march settles there is a stable stretch of a branch, with the same power.
 
 use crate::harvesters::{bench, branches};
-use jounce::study::{Direction, Method, Sweep};
+use jounce::analysis::{OrbitMethodKind, Sweep, SweepOrder};
 
 #[test]
 fn sweeps_land_on_stable_stretches_and_jump_at_the_folds() {
     let file = bench();
-    let found = branches(&file, (11.0, 13.0), Method::Shooting, 0);
+    let found = branches(&file, (11.0, 13.0), OrbitMethodKind::Shooting, 0);
     let branch = &found[0];
     let spec = file.spec().unwrap();
     let range = file.range("drive.shaker.frequency=11Hz:13Hz:0.1Hz").unwrap();
-    let sweep = Sweep { spec: &spec, range: &range, direction: Direction::Both, fixed_duration: false, folder: "".into() };
-    let points = sweep.run(None, &jounce::march::Watch::default(), &|_| ()).unwrap();
+    let sweep = Sweep { spec: &spec, range: &range, direction: SweepOrder::Both, fixed_duration: false, folder: "".into() };
+    let points = sweep.run(None, &jounce::march::Control::default(), &|_| ()).unwrap();
     let (mut met, mut worst) = (0, 0.0_f64);
     for point in points.iter().filter(|point| point.settled && point.period_cycles == 1) {
         let crossings = branch.crossings(point.parameter);

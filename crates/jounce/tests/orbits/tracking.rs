@@ -1,12 +1,12 @@
 //! Bifurcations through two parameters: closed forms, and the same places found along one parameter.
 
 use crate::harvesters::{Systems, bench, branches};
-use jounce::continuation::{Corrector, Metric, Position, settle};
-use jounce::march::Marcher;
-use jounce::orbit::{Condition, Harvester, Plane, Shooting, Tracking};
+use jounce::analysis::{BifurcationCurve, BifurcationSearch, BranchKind, CurveKind, Model, OrbitMethodKind};
+use jounce::continuation::{Corrector, Metric, Position, correct_at};
+use jounce::march::Integrator;
+use jounce::orbit::{Condition, ExtendedProblem, ParametricModel, Shooting, TwoParameterProblem};
 use jounce::plant::{PlantError, System};
 use jounce::reference::ImpactOscillator;
-use jounce::study::{BranchKind, CurveKind, JumpCurve, JumpSearch, Method, Prepared};
 use std::f64::consts::TAU;
 
 const CORRECTOR: Corrector = Corrector { goal: 1e-10, most: 20 };
@@ -20,7 +20,7 @@ struct Gaps {
     angle_rad: f64,
 }
 
-impl Plane for Gaps {
+impl TwoParameterProblem for Gaps {
     type Line = Systems<Box<dyn Fn(f64) -> System + Sync>>;
 
     fn line(&self, frequency_ratio: f64) -> Result<Self::Line, PlantError> {
@@ -60,10 +60,10 @@ fn doublings_of_the_impact_oscillator_are_those_of_the_closed_form() {
     let shooting = Shooting::new(&line, &kernel, 1, 1e-12);
     let start_s = (exact.angle_rad - plane.angle_rad).rem_euclid(TAU) / ratio;
     let y = kernel.plant.from_physical(&reference.start(&exact), start_s);
-    let mut marcher = Marcher::new(&kernel, &y, start_s, 1e-12).unwrap();
-    marcher.advance_to(TAU / ratio).unwrap();
-    let start = shooting.unknown(&kernel.plant.to_physical(&marcher.state(), 0.0));
-    let tracking = Tracking {
+    let mut integrator = Integrator::new(&kernel, &y, start_s, 1e-12).unwrap();
+    integrator.advance_to(TAU / ratio).unwrap();
+    let start = shooting.unknown(&kernel.plant.to_physical(&integrator.state(), 0.0));
+    let tracking = ExtendedProblem {
         plane: &plane,
         condition: Condition::Multiplier(-1.0),
         cycles: 1,
@@ -74,7 +74,7 @@ fn doublings_of_the_impact_oscillator_are_those_of_the_closed_form() {
     };
     for (ratio, expected) in [(ratio, gap), (0.805, doubling_gap(0.805))] {
         let position = Position { unknown: tracking.unknown(&start, 1.01 * gap), parameter: ratio };
-        let found = settle(&tracking, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
+        let found = correct_at(&tracking, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
         let there = tracking.parameter(&found.position.unknown);
         eprintln!("w = {ratio}: gap {there:.12}, closed form {expected:.12}");
         assert!((there / expected - 1.0).abs() < 1e-8, "{there} {expected}");
@@ -84,9 +84,9 @@ fn doublings_of_the_impact_oscillator_are_those_of_the_closed_form() {
 #[test]
 fn folds_tori_and_grazings_over_the_amplitude_are_those_along_the_frequency() {
     let file = bench();
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let keys = ["drive.shaker.frequency", "drive.shaker.amplitude"].map(|key| file.numeric_key(key).unwrap());
-    let search = JumpSearch {
+    let search = BifurcationSearch {
         base: &base,
         keys: [&keys[0], &keys[1]],
         ranges: [(11.0, 14.5), (45.0, 55.0)],
@@ -103,7 +103,7 @@ fn folds_tori_and_grazings_over_the_amplitude_are_those_along_the_frequency() {
     for amplitude_n in [45.0, 55.0] {
         let mut changed = bench();
         changed.set("drive.shaker.amplitude", &format!("\"{amplitude_n} N\"")).unwrap();
-        let along = branches(&changed, (11.0, 14.5), Method::Shooting, 0);
+        let along = branches(&changed, (11.0, 14.5), OrbitMethodKind::Shooting, 0);
         let wanted = along.iter().flat_map(|branch| &branch.bifurcations);
         for found in wanted.filter(|found| [BranchKind::Fold, BranchKind::NeimarkSacker, BranchKind::Grazing].contains(&found.kind)) {
             let same = curves.iter().filter(|curve| curve.kind == CurveKind::Bifurcation(found.kind)).flat_map(|curve| &curve.points);
@@ -130,15 +130,16 @@ fn the_fold_over_the_stiffness_is_whole_and_the_same_at_each_tolerance() {
     let range = (10.5, 14.0);
     let curve = |tolerance: f64| {
         let file = bench();
-        let base = Prepared::new(file.spec().unwrap()).unwrap();
+        let base = Model::new(file.spec().unwrap()).unwrap();
         let keys = ["drive.shaker.frequency", "stop.tip.stiffness"].map(|key| file.numeric_key(key).unwrap());
         let ranges = [range, (400.0, 2000.0)];
-        let search = JumpSearch { base: &base, keys: [&keys[0], &keys[1]], ranges, tolerance, seeds: 0, longest_period: 1, peaks: false };
-        let upper = |curve: &JumpCurve| {
+        let search =
+            BifurcationSearch { base: &base, keys: [&keys[0], &keys[1]], ranges, tolerance, seeds: 0, longest_period: 1, peaks: false };
+        let upper = |curve: &BifurcationCurve| {
             let top_w = curve.points.iter().map(|point| point.mean_power_w).fold(0.0, f64::max);
             curve.kind == CurveKind::Bifurcation(BranchKind::Fold) && top_w > 1e-3
         };
-        let mut found: Vec<JumpCurve> = search.run().unwrap().into_iter().filter(upper).collect();
+        let mut found: Vec<BifurcationCurve> = search.run().unwrap().into_iter().filter(upper).collect();
         assert_eq!(found.len(), 1, "at tolerance {tolerance:e}");
         found.pop().unwrap()
     };
@@ -150,7 +151,7 @@ fn the_fold_over_the_stiffness_is_whole_and_the_same_at_each_tolerance() {
     for stiffness in [400.0, 850.0, 1000.0, 2000.0] {
         let mut changed = bench();
         changed.set("stop.tip.stiffness", &format!("\"{stiffness} N/m^1.5\"")).unwrap();
-        let along = branches(&changed, range, Method::Shooting, 0);
+        let along = branches(&changed, range, OrbitMethodKind::Shooting, 0);
         let folds = along.iter().flat_map(|branch| &branch.bifurcations).filter(|found| found.kind == BranchKind::Fold);
         let fold = folds.max_by(|a, b| a.at.orbit.mean_power_w.total_cmp(&b.at.orbit.mean_power_w)).unwrap();
         for (tolerance, curve) in &curves {
@@ -168,10 +169,11 @@ fn the_fold_over_the_stiffness_is_whole_and_the_same_at_each_tolerance() {
 #[test]
 fn curves_are_cut_on_the_edges_of_both_ranges() {
     let file = bench();
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let keys = ["drive.shaker.frequency", "drive.shaker.amplitude"].map(|key| file.numeric_key(key).unwrap());
     let ranges = [(12.0, 12.33), (47.0, 55.0)];
-    let search = JumpSearch { base: &base, keys: [&keys[0], &keys[1]], ranges, tolerance: 1e-9, seeds: 0, longest_period: 1, peaks: false };
+    let search =
+        BifurcationSearch { base: &base, keys: [&keys[0], &keys[1]], ranges, tolerance: 1e-9, seeds: 0, longest_period: 1, peaks: false };
     let curves = search.run().unwrap();
     let fold = curves.iter().find(|curve| curve.kind == CurveKind::Bifurcation(BranchKind::Fold)).unwrap();
     assert!(fold.failures.is_empty(), "{:?}", fold.failures);
@@ -189,20 +191,22 @@ fn curves_are_cut_on_the_edges_of_both_ranges() {
 fn along_the_branch(stiffness: f64, range: (f64, f64), kind: BranchKind) -> Vec<f64> {
     let mut changed = bench();
     changed.set("stop.tip.stiffness", &format!("\"{stiffness} N/m^1.5\"")).unwrap();
-    let along = branches(&changed, range, Method::Shooting, 0);
+    let along = branches(&changed, range, OrbitMethodKind::Shooting, 0);
     let found = along.iter().flat_map(|branch| &branch.bifurcations).filter(|found| found.kind == kind);
     found.map(|found| found.at.parameter).collect()
 }
 
 /// Curves of a kind over the stiffness, each without a failure.
-fn over_the_stiffness(own: f64, range: (f64, f64), stiffness: (f64, f64), kind: BranchKind) -> Vec<JumpCurve> {
+fn over_the_stiffness(own: f64, range: (f64, f64), stiffness: (f64, f64), kind: BranchKind) -> Vec<BifurcationCurve> {
     let mut file = bench();
     file.set("stop.tip.stiffness", &format!("\"{own} N/m^1.5\"")).unwrap();
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let keys = ["drive.shaker.frequency", "stop.tip.stiffness"].map(|key| file.numeric_key(key).unwrap());
     let ranges = [range, stiffness];
-    let search = JumpSearch { base: &base, keys: [&keys[0], &keys[1]], ranges, tolerance: 1e-9, seeds: 0, longest_period: 1, peaks: false };
-    let curves: Vec<JumpCurve> = search.run().unwrap().into_iter().filter(|curve| curve.kind == CurveKind::Bifurcation(kind)).collect();
+    let search =
+        BifurcationSearch { base: &base, keys: [&keys[0], &keys[1]], ranges, tolerance: 1e-9, seeds: 0, longest_period: 1, peaks: false };
+    let curves: Vec<BifurcationCurve> =
+        search.run().unwrap().into_iter().filter(|curve| curve.kind == CurveKind::Bifurcation(kind)).collect();
     for curve in &curves {
         let ends = [curve.points[0], curve.points[curve.points.len() - 1]].map(|end| (end.parameter, end.parameter_2));
         eprintln!("{kind:?}: {} points from {:?} to {:?}, {:?}", curve.points.len(), ends[0], ends[1], curve.failures);
@@ -217,7 +221,7 @@ fn over_the_stiffness(own: f64, range: (f64, f64), stiffness: (f64, f64), kind: 
 fn a_curve_of_grazings_goes_through_its_cusp() {
     let (range, stiffness) = ((12.5, 13.6), (3700.0, 4400.0));
     let curves = over_the_stiffness(4200.0, range, stiffness, BranchKind::Grazing);
-    let least = |curve: &&JumpCurve| curve.points.iter().map(|point| point.parameter_2).fold(f64::INFINITY, f64::min);
+    let least = |curve: &&BifurcationCurve| curve.points.iter().map(|point| point.parameter_2).fold(f64::INFINITY, f64::min);
     let curve = curves.iter().find(|curve| least(curve) > stiffness.0).unwrap();
     let cusp = least(&curve);
     let along = along_the_branch(stiffness.1, range, BranchKind::Grazing);

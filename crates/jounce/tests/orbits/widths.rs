@@ -1,9 +1,9 @@
 //! Peaks and half-power bandwidths against closed forms, and against plain marches where the harvester strikes its stop.
 
 use crate::harvesters::bench;
+use jounce::analysis::{BandLimit, BandwidthSearch, Bandwidths, BranchSearch, Model, OrbitMethodKind, Parameter, settled_orbit};
 use jounce::linear::steady_power_w;
 use jounce::spec::SpecFile;
-use jounce::study::{BandwidthSearch, Bandwidths, BranchSearch, Limit, Method, Parameter, Prepared, settled_orbit};
 
 /// One mode whose load takes next to nothing out of it.
 const OSCILLATOR: &str = r#"
@@ -36,11 +36,18 @@ average_over = "10 s"
 "#;
 
 fn widths(file: &SpecFile, range: (f64, f64), tolerance: f64) -> Bandwidths {
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
-    let search =
-        BranchSearch { base: &base, parameter: &parameter, range, method: Method::Shooting, tolerance, seeds: 0, longest_period: 1 };
+    let search = BranchSearch {
+        base: &base,
+        parameter: &parameter,
+        range,
+        method: OrbitMethodKind::Shooting,
+        tolerance,
+        seeds: 0,
+        longest_period: 1,
+    };
     let branches = search.run().unwrap();
     BandwidthSearch { base: &base, parameter: &parameter, range, tolerance }.run(&branches)
 }
@@ -55,14 +62,14 @@ fn the_bandwidth_of_one_mode_is_that_of_the_closed_form() {
     let width = found.branches[0].as_ref().unwrap();
     let (zeta, own_hz) = (0.02_f64, 10.0);
     eprintln!("{width:?}");
-    assert!((width.peak.parameter - own_hz).abs() < 1e-7 && width.peak.at == Limit::Maximum);
+    assert!((width.peak.parameter - own_hz).abs() < 1e-7 && width.peak.at == BandLimit::Maximum);
     assert!((width.peak.parameter - own_hz).abs() < width.peak.parameter_error);
     let [interval] = width.intervals[..] else { panic!("{:?}", width.intervals) };
     for (edge, sign) in [(interval.from, -1.0), (interval.to, 1.0)] {
         let exact = own_hz * ((1.0 + zeta * zeta).sqrt() + sign * zeta);
         let off = (edge.parameter - exact).abs();
         eprintln!("edge {:.12} Hz, closed form {exact:.12}, off {off:.1e}, stated {:.1e}", edge.parameter, edge.parameter_error);
-        assert!(off < 1e-7 && off < edge.parameter_error.max(2e-8) && edge.at == Limit::HalfPower);
+        assert!(off < 1e-7 && off < edge.parameter_error.max(2e-8) && edge.at == BandLimit::HalfPower);
     }
     assert!((width.width - 2.0 * zeta * own_hz).abs() < 1e-7);
     assert_eq!(found.together.as_ref(), Some(width));
@@ -73,8 +80,8 @@ fn the_bandwidth_of_one_mode_is_that_of_the_closed_form() {
 fn a_range_that_cuts_the_peak_says_so() {
     let found = widths(&SpecFile::from_text(OSCILLATOR), (9.0, 9.9), 1e-9);
     let width = found.together.unwrap();
-    assert!(width.peak.parameter == 9.9 && width.peak.at == Limit::End, "{:?}", width.peak);
-    assert!(width.intervals.len() == 1 && width.intervals[0].to.at == Limit::End && width.intervals[0].from.at == Limit::HalfPower);
+    assert!(width.peak.parameter == 9.9 && width.peak.at == BandLimit::End, "{:?}", width.peak);
+    assert!(width.intervals.len() == 1 && width.intervals[0].to.at == BandLimit::End && width.intervals[0].from.at == BandLimit::HalfPower);
 }
 
 /// The paper's harvester with its stop out of reach: peak and edges of the steady power of all its modes.
@@ -85,7 +92,7 @@ fn the_bandwidth_without_contact_is_that_of_the_steady_power() {
     let mut file = bench();
     file.set("stop.tip.gap", "\"500 mm\"").unwrap();
     let width = widths(&file, (8.3, 9.1), 1e-10).together.unwrap();
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let power_w = |frequency_hz: f64| {
         let mut drives = base.kernel.plant.system.drives.clone();
         drives[0].frequency_hz = frequency_hz;
@@ -114,12 +121,12 @@ fn the_bandwidth_of_the_impact_branch_ends_where_it_stops_being_stable() {
     let width = found.together.unwrap();
     eprintln!("{width:?}");
     let last = width.intervals.last().unwrap();
-    assert!(last.to.at == Limit::Stability && (last.to.parameter - 12.3218).abs() < 1e-3, "{last:?}");
-    let base = Prepared::new(file.spec().unwrap()).unwrap();
+    assert!(last.to.at == BandLimit::Stability && (last.to.parameter - 12.3218).abs() < 1e-3, "{last:?}");
+    let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, 3.0);
     let first = width.intervals[0].from;
-    assert_eq!(first.at, Limit::HalfPower);
+    assert_eq!(first.at, BandLimit::HalfPower);
     let rest = vec![0.0; base.kernel.plant.len()];
     let orbit = settled_orbit(&parameter, first.parameter, &rest, 1e-9, 1e-9).unwrap();
     let off = orbit.mean_power_w / (0.5 * width.peak.mean_power_w) - 1.0;

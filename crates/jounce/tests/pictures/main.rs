@@ -67,7 +67,7 @@ fn mode_shapes_along_the_beam() {
             displacement: position_m.iter().map(|x| shape(*beta, *ratio, *x)).collect(),
         })
         .collect();
-    let patches = [Patch { label: "patch mfc".into(), start_m: 0.009, end_m: 0.094 }];
+    let patches = [ShapePatch { label: "patch mfc".into(), start_m: 0.009, end_m: 0.094 }];
     let figure = mode_shapes("Mode shapes of the clamped beam", &position_m, &shapes, &patches);
     drawn("mode-shapes", &figure, &["Position along the beam (mm)", "1: 8.66 Hz", "patch mfc", "300"]);
 }
@@ -127,7 +127,7 @@ fn frequency_response_with_phase() {
     };
     let response = |label: &str, factor: f64| {
         let (re, im) = frequency_hz.iter().map(|f| value(*f * factor)).unzip();
-        Response { label: label.into(), re, im }
+        ResponseLine { label: label.into(), re, im }
     };
     let title = "Frequency response function for the acceleration at the free end";
     let one = frequency_responses(title, "Acceleration per force", "m/s^2/N", Scale::Linear, &frequency_hz, &[response("", 1.0)]);
@@ -143,7 +143,7 @@ fn sweep_lines() -> Vec<SweepLine> {
     let linear = frequency_hz.iter().map(|f| power(*f)).collect();
     let mut lines = vec![SweepLine {
         label: "linear".into(),
-        direction: Direction::Linear,
+        direction: LineDirection::Linear,
         parameter: frequency_hz.clone(),
         value: linear,
         settled: vec![],
@@ -154,9 +154,9 @@ fn sweep_lines() -> Vec<SweepLine> {
         let up = frequency_hz.iter().map(branch(up_hz)).collect();
         let down: Vec<f64> = frequency_hz.iter().map(branch(down_hz)).collect();
         let settled = frequency_hz.iter().map(|f| label != "200 N" || (*f - 6.0).abs() > 0.35).collect();
-        lines.push(SweepLine { label: label.into(), direction: Direction::Up, parameter: frequency_hz.clone(), value: up, settled });
+        lines.push(SweepLine { label: label.into(), direction: LineDirection::Up, parameter: frequency_hz.clone(), value: up, settled });
         let (back, down) = (frequency_hz.iter().rev().copied().collect(), down.into_iter().rev().collect());
-        lines.push(SweepLine { label: label.into(), direction: Direction::Down, parameter: back, value: down, settled: vec![] });
+        lines.push(SweepLine { label: label.into(), direction: LineDirection::Down, parameter: back, value: down, settled: vec![] });
     }
     lines
 }
@@ -181,7 +181,8 @@ fn power_against_resistance_with_and_without_impact() {
         value: resistance_ohm.iter().map(|r| peak * 2.0 * r * best / (r * r + best * best)).collect(),
         settled: vec![],
     };
-    let lines = [line("without impact", Direction::Linear, 69.2e3, 4.1e-9), line("with impact", Direction::Independent, 67e3, 1.58e-8)];
+    let lines =
+        [line("without impact", LineDirection::Linear, 69.2e3, 4.1e-9), line("with impact", LineDirection::Independent, 67e3, 1.58e-8)];
     let figure = power_against_resistance("Effect of the load resistance, 13 Hz and 200 N", "W/N^2", &lines);
     drawn(
         "resistance",

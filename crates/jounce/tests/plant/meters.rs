@@ -3,7 +3,7 @@
 use crate::systems::{bench, menagerie};
 use jounce::contact::{Hertz, HuntCrossley, Law};
 use jounce::drive::Wave;
-use jounce::march::{Kernel, Marcher};
+use jounce::march::{Integrator, Kernel};
 use jounce::plant::{Drive, Meters, Plant, Signal, Stop, System};
 use jounce::reference::Impulse;
 use std::f64::consts::TAU;
@@ -52,12 +52,12 @@ fn quadrature(marks: &[f64], longest_s: f64) -> (Vec<f64>, Vec<f64>) {
 fn assert_meters(name: &str, system: System, start: &[f64], duration_s: f64, allowed: f64) {
     let kernel = Kernel::new(Plant::new(system).unwrap()).unwrap();
     let plant = &kernel.plant;
-    let mut marcher = Marcher::new(&kernel, &plant.from_physical(start, 0.0), 0.0, 1e-11).unwrap();
-    marcher.start_record();
-    marcher.advance_to(duration_s).unwrap();
-    let energies = marcher.energies();
-    let contacts = marcher.statistics().contacts;
-    let record = marcher.take_record();
+    let mut integrator = Integrator::new(&kernel, &plant.from_physical(start, 0.0), 0.0, 1e-11).unwrap();
+    integrator.start_record();
+    integrator.advance_to(duration_s).unwrap();
+    let energies = integrator.energies();
+    let contacts = integrator.statistics().contacts;
+    let record = integrator.take_record();
     let marks: Vec<f64> = record.segments().iter().map(|segment| segment.start_s).chain([duration_s]).collect();
     let (times, weights) = quadrature(&marks, (0.5 / plant.fastest_rad_s()).min(0.02));
     let (system, modes, n) = (&plant.system, &plant.system.modes, plant.system.modes.len());

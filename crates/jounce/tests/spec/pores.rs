@@ -1,6 +1,6 @@
 //! Pores of patches: constants that follow from them, and what does not go with them.
 
-use jounce::material::porous::{PZT_5A, Pores, Scheme};
+use jounce::material::porous::{PZT_5A, PoreGeometry, Scheme};
 use jounce::spec::{NumericKey, Spec};
 
 fn text(keys: &str) -> String {
@@ -14,10 +14,10 @@ fn text(keys: &str) -> String {
 fn a_porous_patch_has_the_constants_of_its_scheme() {
     let (mori_tanaka, self_consistent) = (Scheme::MoriTanaka, Scheme::SelfConsistent);
     for (keys, pores, scheme) in [
-        ("", Pores::Spheroids(1.0), mori_tanaka),
-        ("pore_shape = \"cylinders\"", Pores::Cylinders, mori_tanaka),
-        ("pore_shape = \"spheroids\"\npore_aspect_ratio = 4", Pores::Spheroids(4.0), mori_tanaka),
-        ("porosity_scheme = \"self-consistent\"", Pores::Spheroids(1.0), self_consistent),
+        ("", PoreGeometry::Spheroids(1.0), mori_tanaka),
+        ("pore_shape = \"cylinders\"", PoreGeometry::Cylinders, mori_tanaka),
+        ("pore_shape = \"spheroids\"\npore_aspect_ratio = 4", PoreGeometry::Spheroids(4.0), mori_tanaka),
+        ("porosity_scheme = \"self-consistent\"", PoreGeometry::Spheroids(1.0), self_consistent),
     ] {
         let spec = Spec::from_toml(&text(&format!("material = \"PZT-5A\"\nporosity = 0.2\n{keys}"))).unwrap();
         let (patch, exact) = (&spec.patch["p"], PZT_5A.porous(0.2, pores, scheme).unwrap().ceramic());

@@ -1,8 +1,8 @@
 //! `--grid SIDE=FROM:TO:Nx`: the sides of a plane or box of starts, and their axes in the picture.
 
 use crate::failure::Failure;
+use jounce::analysis::{Grid, GridAxis, GridError, SectionPoint};
 use jounce::picture::Axis;
-use jounce::study::{Grid, GridAxis, GridError, SectionPoint};
 
 /// Reads the sides; `None` without any.
 pub fn read(texts: &[String], stops: usize) -> Result<Option<Grid>, Failure> {

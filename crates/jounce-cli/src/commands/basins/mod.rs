@@ -10,10 +10,12 @@ use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments, check_drive, check_tolerance};
 use crate::threads::ThreadsArgument;
 use clap::Args;
+use jounce::analysis::{
+    Attractor, Basins as Study, BasinsResult, Cloud, GridAxis, InitialStates, Model, Parameter, Recognition, SectionPoint,
+};
 use jounce::picture::{Colour, Figure, Marker, Panel, Series};
 use jounce::plant::Plant;
-use jounce::run::Exceeded;
-use jounce::study::{Attractor, Basins as Study, BasinsAnswer, Cloud, GridAxis, Parameter, Prepared, Recognition, SectionPoint, Starts};
+use jounce::run::ExceededLimit;
 use jounce::table::{Column, Table};
 
 /// Arguments of `basins`.
@@ -57,25 +59,25 @@ impl Basins {
             return Err(Failure::usage(format!("--starts {} and --spread {}: give numbers greater than 0", self.starts, self.spread)));
         }
         let file = self.spec.file()?;
-        let base = Prepared::new(self.spec.read(&file)?)?;
+        let base = Model::new(self.spec.read(&file)?)?;
         let Some((name, drive)) = base.spec.drive.iter().next() else {
             return Err(Failure::Input("a basin needs a drive: add [drive.NAME] to the spec".to_owned()));
         };
         let Some(value) = drive.frequency_hz() else {
-            return Err(jounce::study::StudyError::Aperiodic { drive: name.clone() }.into());
+            return Err(jounce::analysis::AnalysisError::Aperiodic { drive: name.clone() }.into());
         };
         check_drive(&self.spec, &base.kernel.plant, "a basin")?;
         let key = self.spec.checked(file.numeric_key(&format!("drive.{name}.frequency")))?;
         let parameter = Parameter::new(&base, &key, value);
         let starts = match grid::read(&self.grid, base.spec.stop.len())? {
-            Some(grid) => Starts::Grid(grid),
-            None => Starts::Cloud(Cloud { starts: self.starts, seed: self.seed, spread: self.spread }),
+            Some(grid) => InitialStates::Grid(grid),
+            None => InitialStates::Cloud(Cloud { starts: self.starts, seed: self.seed, spread: self.spread }),
         };
         let of = starts.len();
         let (longest_period, max_cycles) = (self.longest_period, self.max_cycles);
         let recognition = Recognition { longest_period, max_cycles, ..Recognition::at(self.tolerance) };
         let study = Study { base: &base, parameter: &parameter, value, starts, recognition };
-        interruption::heed(&base.kernel.watch);
+        interruption::install(&base.kernel.control);
         let bar = progress::counted(of, "starts");
         let answer = self.threads.run(|| study.run(&|| bar.inc(1)))??;
         bar.finish_and_clear();
@@ -90,21 +92,21 @@ impl Basins {
             eprintln!("{} of {finished} marches failed; start {index}: {why}", answer.lost.len());
         }
         self.tell(&base, &study.starts, &answer)?;
-        interruption::end(&base.kernel.watch, || format!("the {finished} of {of} starts that were finished"))
+        interruption::end(&base.kernel.control, || format!("the {finished} of {of} starts that were finished"))
     }
 
-    fn tell(&self, base: &Prepared, starts: &Starts, answer: &BasinsAnswer) -> Result<(), Failure> {
-        let passed: Vec<&[Exceeded]> = answer.attractors.iter().map(|a| a.exceeded.as_slice()).collect();
+    fn tell(&self, base: &Model, starts: &InitialStates, answer: &BasinsResult) -> Result<(), Failure> {
+        let passed: Vec<&[ExceededLimit]> = answer.attractors.iter().map(|a| a.exceeded.as_slice()).collect();
         limit_warnings::warn(&passed, "attractors", |place| format!("attractor {}", answer.attractors[place].id));
         if let Some(folder) = &self.output.out {
             let manifest = self.spec.manifest(&base.spec, "basins").with("seed", self.seed).with("spread", self.spread);
             output::table(folder, "attractors", &table(answer)?, &manifest)?;
-            output::figure(folder, "basins", &drawn(&base.kernel.plant, starts, answer))?;
+            output::figure(folder, "basins", &figure(&base.kernel.plant, starts, answer))?;
             output::table(folder, "starts", &starts_table(&base.kernel.plant, starts, answer)?, &manifest)?;
         }
         if self.output.json {
             print(&serde_json::json!({
-                "attractors": answer.attractors.iter().map(listed).collect::<Vec<_>>(),
+                "attractors": answer.attractors.iter().map(to_json).collect::<Vec<_>>(),
                 "expected_power_w": answer.expected_power_w,
                 "expected_power_low_w": answer.expected_power_low_w,
                 "expected_power_high_w": answer.expected_power_high_w,
@@ -131,7 +133,7 @@ impl Basins {
     }
 }
 
-fn listed(a: &Attractor) -> serde_json::Value {
+fn to_json(a: &Attractor) -> serde_json::Value {
     serde_json::json!({
         "id": a.id,
         "period_cycles": a.period_cycles,
@@ -148,7 +150,7 @@ fn listed(a: &Attractor) -> serde_json::Value {
     })
 }
 
-fn table(answer: &BasinsAnswer) -> Result<Table, Failure> {
+fn table(answer: &BasinsResult) -> Result<Table, Failure> {
     let all = &answer.attractors;
     let number = |name: &str, unit: &str, about: &str, value: fn(&Attractor) -> f64| {
         Column::new(name, unit, about, all.iter().map(value).collect::<Vec<f64>>())
@@ -170,7 +172,7 @@ fn table(answer: &BasinsAnswer) -> Result<Table, Failure> {
 }
 
 /// One row for each start, in order.
-fn starts_table(plant: &Plant, starts: &Starts, answer: &BasinsAnswer) -> Result<Table, Failure> {
+fn starts_table(plant: &Plant, starts: &InitialStates, answer: &BasinsResult) -> Result<Table, Failure> {
     let all: Vec<SectionPoint> = (0..starts.len()).map(|index| SectionPoint::of(&plant.system, &starts.start(plant, index))).collect();
     let is_lost = |index: usize| answer.lost.iter().any(|(lost, _)| *lost == index);
     let home = |index: usize| match answer.attractors.iter().find(|a| a.starts.contains(&index)) {
@@ -191,10 +193,10 @@ fn starts_table(plant: &Plant, starts: &Starts, answer: &BasinsAnswer) -> Result
 }
 
 /// The starts by displacement and velocity towards the stop, or by the sides of their grid, coloured by where they end.
-fn drawn(plant: &Plant, starts: &Starts, answer: &BasinsAnswer) -> Figure {
+fn figure(plant: &Plant, starts: &InitialStates, answer: &BasinsResult) -> Figure {
     let sides: Vec<GridAxis> = match starts {
-        Starts::Grid(grid) => grid.sides.iter().map(|side| side.axis).collect(),
-        Starts::Cloud(_) => Vec::new(),
+        InitialStates::Grid(grid) => grid.sides.iter().map(|side| side.axis).collect(),
+        InitialStates::Cloud(_) => Vec::new(),
     };
     let plane = match sides[..] {
         [first, second, ..] => [first, second],

@@ -1,7 +1,7 @@
 //! `jounce diagram SPEC --over KEY=RANGE`
 
-mod drawn;
-mod told;
+mod figure;
+mod report;
 
 use crate::cache;
 use crate::failure::Failure;
@@ -11,18 +11,20 @@ use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments, check_drive, check_tolerance};
 use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
+use jounce::analysis::DiagramPoint;
+use jounce::analysis::{
+    AttractorKind, AttractorTracks, Branch, BranchSearch, Cloud, Diagram as Study, DiagramOrder, Journal, Model, OrbitMethodKind, Parameter,
+};
 use jounce::spec::{KeyRange, Spec};
-use jounce::study::Visit;
-use jounce::study::{AttractorKind, Branch, BranchSearch, Cloud, Diagram as Study, History, Journal, Method, Order, Parameter, Prepared};
 
 /// The cloud of starts that is meant if nothing else is said: their number at each value, ...
-const STARTS: usize = 20;
+const DEFAULT_STARTS: usize = 20;
 
 /// ... its seed ...
-const SEED: u64 = 1;
+const DEFAULT_SEED: u64 = 1;
 
 /// ... and its size.
-const SPREAD: f64 = 10.0;
+const DEFAULT_SPREAD: f64 = 10.0;
 
 /// Order of visit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -76,9 +78,9 @@ pub struct Diagram {
 }
 
 /// What a diagram has to tell.
-struct Answer {
-    visits: Vec<Visit>,
-    history: Option<History>,
+struct DiagramResult {
+    visits: Vec<DiagramPoint>,
+    history: Option<AttractorTracks>,
     branches: Vec<Branch>,
 }
 
@@ -95,32 +97,35 @@ impl Diagram {
             return Err(Failure::usage(format!("{}: the values of a diagram must rise", self.over)));
         }
         let (low, high) = (values[0], values[values.len() - 1]);
-        let base = Prepared::new(spec.clone())?;
+        let base = Model::new(spec.clone())?;
         check_drive(&self.spec, &base.kernel.plant, "a diagram")?;
         let width = if high > low { high - low } else { high.abs().max(1e-12) };
         let parameter = Parameter::new(&base, range.key(), width);
         let study = Study { base: &base, parameter: &parameter, values, order, cycles: self.cycles, tolerance: self.tolerance };
         let visits = self.marched(&study, &spec)?;
         let history = match order {
-            Order::Starts(_) => Some(progress::watched(&base.kernel.watch, || self.threads.run(|| study.history(&visits)))??),
-            Order::Up | Order::Down | Order::Both => None,
+            DiagramOrder::Starts(_) => {
+                Some(progress::with_progress(&base.kernel.control, || self.threads.run(|| study.history(&visits)))??)
+            }
+            DiagramOrder::Up | DiagramOrder::Down | DiagramOrder::Both => None,
         };
         let search = BranchSearch {
             base: &base,
             parameter: &parameter,
             range: (low, high),
-            method: Method::Shooting,
+            method: OrbitMethodKind::Shooting,
             tolerance: self.tolerance,
             seeds: 4,
             longest_period: self.longest_period,
         };
         let wanted = !self.no_branches && high > low;
-        let branches = if wanted { progress::watched(&base.kernel.watch, || self.threads.run(|| search.run()))?? } else { Vec::new() };
-        self.tell(&spec, (&base, &parameter, &range), &Answer { visits, history, branches })?;
-        interruption::end(&base.kernel.watch, || "all marches, with the histories and branches that were finished".to_owned())
+        let branches =
+            if wanted { progress::with_progress(&base.kernel.control, || self.threads.run(|| search.run()))?? } else { Vec::new() };
+        self.tell(&spec, (&base, &parameter, &range), &DiagramResult { visits, history, branches })?;
+        interruption::end(&base.kernel.control, || "all marches, with the histories and branches that were finished".to_owned())
     }
 
-    fn order(&self) -> Result<Order, Failure> {
+    fn order(&self) -> Result<DiagramOrder, Failure> {
         if let Some(spread) = self.spread.filter(|spread| !(*spread > 0.0 && spread.is_finite())) {
             return Err(Failure::usage(format!("--spread {spread}: give a number greater than 0")));
         }
@@ -129,27 +134,27 @@ impl Diagram {
             return Err(Failure::usage(format!("{option} belongs to a cloud of starts: add --direction starts or leave {option} out")));
         }
         Ok(match self.direction {
-            Direction::Up => Order::Up,
-            Direction::Down => Order::Down,
-            Direction::Both => Order::Both,
-            Direction::Starts => Order::Starts(Cloud {
-                starts: self.starts.map_or(STARTS, |starts| starts as usize),
-                seed: self.seed.unwrap_or(SEED),
-                spread: self.spread.unwrap_or(SPREAD),
+            Direction::Up => DiagramOrder::Up,
+            Direction::Down => DiagramOrder::Down,
+            Direction::Both => DiagramOrder::Both,
+            Direction::Starts => DiagramOrder::Starts(Cloud {
+                starts: self.starts.map_or(DEFAULT_STARTS, |starts| starts as usize),
+                seed: self.seed.unwrap_or(DEFAULT_SEED),
+                spread: self.spread.unwrap_or(DEFAULT_SPREAD),
             }),
         })
     }
 
     /// The marches, going on where an interrupted call of the same command stopped.
-    fn marched(&self, study: &Study, spec: &Spec) -> Result<Vec<Visit>, Failure> {
+    fn marched(&self, study: &Study, spec: &Spec) -> Result<Vec<DiagramPoint>, Failure> {
         let options = format!("diagram {} {:?} {} {}", self.over, study.order, self.cycles, self.tolerance);
-        let journal = Journal::<Visit>::open(&cache::folder(), &cache::key(&spec.hash_hex(), &options))?;
+        let journal = Journal::<DiagramPoint>::open(&cache::folder(), &cache::key(&spec.hash_hex(), &options))?;
         let bar = progress::counted(study.len(), "marches");
         bar.set_position(journal.found().len() as u64);
         if !journal.found().is_empty() {
             eprintln!("going on after {} finished marches", journal.found().len());
         }
-        interruption::heed(&study.base.kernel.watch);
+        interruption::install(&study.base.kernel.control);
         let visits = self.threads.run(|| study.run(Some(&journal), &|_| bar.inc(1)))??;
         bar.finish_and_clear();
         if visits.len() < study.len() {
@@ -167,19 +172,19 @@ impl Diagram {
         Ok(visits)
     }
 
-    fn tell(&self, spec: &Spec, (base, parameter, range): (&Prepared, &Parameter, &KeyRange), answer: &Answer) -> Result<(), Failure> {
+    fn tell(&self, spec: &Spec, (base, parameter, range): (&Model, &Parameter, &KeyRange), answer: &DiagramResult) -> Result<(), Failure> {
         if let Some(folder) = &self.output.out {
-            let manifest = self.spec.manifest(spec, "diagram").with("over", &self.over).with("seed", self.seed.unwrap_or(SEED));
-            output::table(folder, "diagram", &told::points(range.key(), answer)?, &manifest)?;
+            let manifest = self.spec.manifest(spec, "diagram").with("over", &self.over).with("seed", self.seed.unwrap_or(DEFAULT_SEED));
+            output::table(folder, "diagram", &report::points(range.key(), answer)?, &manifest)?;
             if let Some(history) = &answer.history {
-                output::table(folder, "attractors", &told::attractors(range.key(), history)?, &manifest)?;
+                output::table(folder, "attractors", &report::attractors(range.key(), history)?, &manifest)?;
             }
-            output::figure(folder, "diagram", &drawn::figure((base, parameter), range.key(), answer)?)?;
+            output::figure(folder, "diagram", &figure::figure((base, parameter), range.key(), answer)?)?;
         }
         if self.output.json {
-            told::json(range.key(), answer);
+            report::json(range.key(), answer);
         } else {
-            told::text(range.key(), answer);
+            report::text(range.key(), answer);
         }
         Ok(())
     }

@@ -4,7 +4,7 @@ use super::SensingArguments;
 use crate::failure::Failure;
 use crate::measured_file::positive;
 use clap::Args;
-use jounce::linear::Response;
+use jounce::linear::FrfResponse;
 use jounce::plant::{Plant, System};
 use jounce::spec::{Gravity, Quantity as Unit, Spec};
 use jounce::structure;
@@ -44,8 +44,8 @@ impl HammerTestArguments {
         spec.gravity = Gravity::default();
         let modes = structure::modes_holding(&spec, held)?;
         let points: Vec<String> = if sensing.at.is_empty() { modes.shape.keys().cloned().collect() } else { sensing.at.clone() };
-        let patches = modes.patch.keys().filter(|_| sensing.at.is_empty()).map(|patch| Response::Voltage(patch.clone()));
-        let responses = points.into_iter().map(Response::Acceleration).chain(patches).collect();
+        let patches = modes.patch.keys().filter(|_| sensing.at.is_empty()).map(|patch| FrfResponse::Voltage(patch.clone()));
+        let responses = points.into_iter().map(FrfResponse::Acceleration).chain(patches).collect();
         let test = HammerTest {
             point: point.to_owned(),
             responses,

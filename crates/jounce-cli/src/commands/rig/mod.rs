@@ -3,7 +3,7 @@
 mod hammer;
 mod shaker;
 
-use super::modes::held;
+use super::modes::fixed_bodies;
 use crate::failure::Failure;
 use crate::measured_file::positive;
 use crate::output::{line, print};
@@ -83,7 +83,7 @@ impl SensingArguments {
 
     /// Names of the bodies to hold.
     pub fn held(&self, spec: &Spec) -> Vec<String> {
-        held(&self.hold, self.fixed_table, spec)
+        fixed_bodies(&self.hold, self.fixed_table, spec)
     }
 
     /// Cables and accelerometers are part of what is measured.

@@ -2,15 +2,15 @@
 
 use super::SensingArguments;
 use crate::failure::Failure;
-use crate::measured_file::{loaded, positive, survey};
+use crate::measured_file::{loaded, positive, summary};
 use clap::Args;
-use jounce::march::Watch;
+use jounce::march::Control;
 use jounce::run::StartState;
 use jounce::spec::{Quantity as Unit, Spec, driving_channel};
 use jounce::structure;
 use jounce_measure::recording::{Quantity, Recording};
-use jounce_measure::rig::{ShakerTest, Wander, on_recorded_base, shaker_test, start_of_run};
-use jounce_measure::solution::{Search, solutions, start_of};
+use jounce_measure::rig::{Disturbance, ShakerTest, on_recorded_base, shaker_test, start_of_run};
+use jounce_measure::solution::{SolutionSearch, solutions, start_of};
 use std::path::{Path, PathBuf};
 
 /// What the shaker does.
@@ -64,29 +64,29 @@ impl ShakerArguments {
             [] => vec![(0.0, start_of_run(&spec, &modes, folder)?)],
             wanted => self.solutions(&spec, wanted)?,
         };
-        let wander = Wander {
+        let wander = Disturbance {
             amplitude_ratio: self.amplitude_wander,
             frequency_ratio: self.frequency_wander,
             memory_s: positive("--wander-time", &self.wander_time, Unit::Time)?,
             amplitude_drift: self.amplitude_drift,
             frequency_drift: self.frequency_drift,
         };
-        let still = Wander { memory_s: wander.memory_s, ..Wander::NONE } == wander;
+        let still = Disturbance { memory_s: wander.memory_s, ..Disturbance::NONE } == wander;
         let test = ShakerTest {
             rate_hz: sensing.rate_hz()?,
             duration_s: average_over_s,
             before_s: if self.solution.is_empty() { duration_s - average_over_s } else { 0.0 },
             starts,
-            wander: if still { Wander::NONE } else { wander },
+            wander: if still { Disturbance::NONE } else { wander },
             accelerometers: sensing.at.clone(),
             sensor: sensing.sensor(),
             seed: sensing.seed,
         };
-        Ok(shaker_test(&spec, &modes, &test, &Watch::default())?)
+        Ok(shaker_test(&spec, &modes, &test, &Control::default())?)
     }
 
     fn move_base(&self, spec: &mut Spec, file: &Path) -> Result<(), Failure> {
-        let mut survey = survey(file)?;
+        let mut survey = summary(file)?;
         let heads = survey.heads();
         let found = driving_channel((&survey.name, &heads, &survey.findings), self.base_channel.as_deref(), Quantity::Acceleration);
         let number = found.map_err(|error| Failure::usage(format!("--base-channel: {error}")))?;
@@ -102,7 +102,11 @@ impl ShakerArguments {
 
     /// Times and states of the solutions that are asked for.
     fn solutions(&self, spec: &Spec, wanted: &[String]) -> Result<Vec<(f64, StartState)>, Failure> {
-        let found = solutions(spec, &Search { starts: self.starts, seed: self.starts_seed, ..Search::default() }, &Watch::default())?;
+        let found = solutions(
+            spec,
+            &SolutionSearch { starts: self.starts, seed: self.starts_seed, ..SolutionSearch::default() },
+            &Control::default(),
+        )?;
         let one = |(number, text): (usize, &String)| {
             let (id, at) = text.split_once('@').map_or((text.as_str(), None), |(id, at)| (id, Some(at)));
             let at_s = match at {

@@ -7,22 +7,22 @@ use std::collections::HashMap;
 use std::hash::Hash;
 use std::io;
 
-use super::super::contents::Found;
+use super::super::contents::FormatContents;
 use super::super::error::Damage;
 use super::super::name::{is_frequency, is_time, split};
-use super::super::raw::{Column, Rate, Raw, Stamps};
+use super::super::raw::{Rate, Raw, RawColumn, TimeStamps};
 use super::names::heads;
 use super::spacing::{Spacing, spacings};
 use super::{Array, Path, Tree};
-use crate::recording::{Finding, FindingKind, Over, Series};
+use crate::recording::{Issue, IssueKind, Over, Series};
 
 /// Arrays that are named one by one where they were left out.
 const MAX_NAMED: usize = 8;
 
 /// Where the samples of a recording lie.
-enum Axis {
+enum SampleAxis {
     /// At the numbers of an array.
-    Array(Box<Column>, Over),
+    Array(Box<RawColumn>, Over),
     /// As a number tells.
     Even(Spacing),
     /// Nothing tells.
@@ -30,15 +30,15 @@ enum Axis {
 }
 
 /// A recording in the making.
-struct Set {
-    axis: Axis,
+struct RecordingSet {
+    axis: SampleAxis,
     length: usize,
     scope: Vec<String>,
-    columns: Vec<Column>,
+    columns: Vec<RawColumn>,
 }
 
 /// The recordings in a file of arrays.
-pub(in super::super) fn into_found(mut tree: Tree) -> Result<Found, Damage> {
+pub(in super::super) fn into_found(mut tree: Tree) -> Result<FormatContents, Damage> {
     let arrays = std::mem::take(&mut tree.arrays);
     let (singles, arrays): (Vec<Array>, Vec<Array>) = arrays.into_iter().filter(|array| array.length() > 0).partition(is_single);
     if arrays.is_empty() {
@@ -47,11 +47,11 @@ pub(in super::super) fn into_found(mut tree: Tree) -> Result<Found, Damage> {
     }
     let spacings = spacings(&singles, &mut tree)?;
     let lonely = lonely(&arrays)?;
-    let (mut sets, left) = assigned(&tree, Sorted::new(arrays)?, &spacings, &lonely);
-    sets.retain(|set| !set.columns.is_empty() || !matches!(set.axis, Axis::Even(_)));
+    let (mut sets, left) = assigned(&tree, SortedArrays::new(arrays)?, &spacings, &lonely);
+    sets.retain(|set| !set.columns.is_empty() || !matches!(set.axis, SampleAxis::Even(_)));
     if sets.iter().any(|set| !set.columns.is_empty()) {
         for set in sets.iter().filter(|set| set.columns.is_empty()) {
-            if let Axis::Array(axis, _) = &set.axis {
+            if let SampleAxis::Array(axis, _) = &set.axis {
                 tree.skip(format!("{} has {} places, and no channel is as long", axis.name, set.length));
             }
         }
@@ -65,13 +65,13 @@ pub(in super::super) fn into_found(mut tree: Tree) -> Result<Found, Damage> {
     let sets = merged(sets)?;
     let several = sets.len() > 1;
     let (findings, mut of_set) = if several { (tree.findings, Vec::new()) } else { (Vec::new(), tree.findings) };
-    let mut rates = Nearest::default();
+    let mut rates = NearestByName::default();
     spacings.iter().enumerate().for_each(|(k, spacing)| rates.insert(spacing.over, &spacing.scope, k));
     let raws = sets.into_iter().map(|set| {
         let rate = rates.nearest(&[Over::Time], &set.scope).map(|k| spacings[k].rate.clone());
         raw(set, rate, std::mem::take(&mut of_set))
     });
-    Ok(Found { sets: raws.collect(), shapes: Vec::new(), findings })
+    Ok(FormatContents { sets: raws.collect(), shapes: Vec::new(), findings })
 }
 
 fn is_single(array: &Array) -> bool {
@@ -99,12 +99,12 @@ fn over_by_name(array: &Array) -> Option<Over> {
 
 /// Arrays that are times or frequencies, and all others.
 #[derive(Default)]
-struct Sorted {
+struct SortedArrays {
     axes: Vec<(Array, Over)>,
     channels: Vec<Array>,
 }
 
-impl Sorted {
+impl SortedArrays {
     fn new(arrays: Vec<Array>) -> io::Result<Self> {
         let mut sorted = Self::default();
         for array in arrays {
@@ -127,9 +127,14 @@ fn ascends(array: &Array) -> io::Result<bool> {
 }
 
 /// Every array to its set; names and lengths of what has none.
-fn assigned(tree: &Tree, arrays: Sorted, spacings: &[Spacing], lonely: &HashMap<Path, bool>) -> (Vec<Set>, Vec<(String, usize)>) {
-    let (mut by_axis, mut timed) = (Nearest::default(), Nearest::default());
-    let mut sets: Vec<Set> = Vec::new();
+fn assigned(
+    tree: &Tree,
+    arrays: SortedArrays,
+    spacings: &[Spacing],
+    lonely: &HashMap<Path, bool>,
+) -> (Vec<RecordingSet>, Vec<(String, usize)>) {
+    let (mut by_axis, mut timed) = (NearestByName::default(), NearestByName::default());
+    let mut sets: Vec<RecordingSet> = Vec::new();
     let columns_of = |array: Array| {
         let alone = lonely.get(&array.path).copied().unwrap_or_default();
         columns(tree, array, alone)
@@ -138,12 +143,12 @@ fn assigned(tree: &Tree, arrays: Sorted, spacings: &[Spacing], lonely: &HashMap<
         let (length, scope) = (array.length(), array.path.scope().to_vec());
         by_axis.insert((length, over), &scope, sets.len());
         timed.insert((), &scope, sets.len());
-        let axis = columns_of(array).pop().map_or(Axis::Unknown, |axis| Axis::Array(Box::new(axis), over));
-        sets.push(Set { axis, length, scope, columns: Vec::new() });
+        let axis = columns_of(array).pop().map_or(SampleAxis::Unknown, |axis| SampleAxis::Array(Box::new(axis), over));
+        sets.push(RecordingSet { axis, length, scope, columns: Vec::new() });
     }
     let times = sets.len();
     // A number beside a time of its own tells the rate of that time, and of nothing else.
-    let mut free = Nearest::default();
+    let mut free = NearestByName::default();
     for (k, spacing) in spacings.iter().enumerate().filter(|(_, spacing)| timed.inside((), &spacing.scope).is_none()) {
         free.insert((), &spacing.scope, k);
     }
@@ -155,8 +160,8 @@ fn assigned(tree: &Tree, arrays: Sorted, spacings: &[Spacing], lonely: &HashMap<
             // A number may stand inside the array, as an attribute.
             let spacing = free.nearest(&[()], &path);
             *even.entry((spacing, length)).or_insert_with(|| {
-                let axis = spacing.map_or(Axis::Unknown, |k| Axis::Even(spacings[k].clone()));
-                sets.push(Set { axis, length, scope, columns: Vec::new() });
+                let axis = spacing.map_or(SampleAxis::Unknown, |k| SampleAxis::Even(spacings[k].clone()));
+                sets.push(RecordingSet { axis, length, scope, columns: Vec::new() });
                 sets.len() - 1
             })
         });
@@ -167,8 +172,8 @@ fn assigned(tree: &Tree, arrays: Sorted, spacings: &[Spacing], lonely: &HashMap<
 }
 
 /// Of the arrays whose times one number tells, and of those without any, the longest are the record; gives the others.
-fn longest_only(sets: &mut Vec<Set>, times: usize) -> Vec<(String, usize)> {
-    let key = |set: &Set| if let Axis::Even(spacing) = &set.axis { Some(spacing.scope.clone()) } else { None };
+fn longest_only(sets: &mut Vec<RecordingSet>, times: usize) -> Vec<(String, usize)> {
+    let key = |set: &RecordingSet| if let SampleAxis::Even(spacing) = &set.axis { Some(spacing.scope.clone()) } else { None };
     let mut longest: HashMap<Option<Vec<String>>, usize> = HashMap::new();
     for set in &sets[times..] {
         let length = longest.entry(key(set)).or_default();
@@ -190,15 +195,15 @@ fn longest_only(sets: &mut Vec<Set>, times: usize) -> Vec<(String, usize)> {
 }
 
 /// Things by the names around them: which one of a kind shares the most names with an array, from the outermost on.
-struct Nearest<K>(HashMap<(K, Vec<String>), usize>);
+struct NearestByName<K>(HashMap<(K, Vec<String>), usize>);
 
-impl<K> Default for Nearest<K> {
+impl<K> Default for NearestByName<K> {
     fn default() -> Self {
         Self(HashMap::new())
     }
 }
 
-impl<K: Copy + Eq + Hash> Nearest<K> {
+impl<K: Copy + Eq + Hash> NearestByName<K> {
     /// The first one inside each list of outermost names is kept.
     fn insert(&mut self, kind: K, scope: &[String], number: usize) {
         for depth in 0..=scope.len() {
@@ -217,31 +222,31 @@ impl<K: Copy + Eq + Hash> Nearest<K> {
     }
 }
 
-fn columns(tree: &Tree, array: Array, alone: bool) -> Vec<Column> {
+fn columns(tree: &Tree, array: Array, alone: bool) -> Vec<RawColumn> {
     let heads = heads(tree, &array, alone);
     let mut imaginary = array.imaginary.map(|imaginary| imaginary.into_iter());
-    let column = |((name, unit), values): ((String, String), _)| Column {
+    let column = |((name, unit), values): ((String, String), _)| RawColumn {
         imaginary: imaginary.as_mut().and_then(Iterator::next),
-        ..Column::new(&name, &unit, values)
+        ..RawColumn::new(&name, &unit, values)
     };
     heads.into_iter().zip(array.series).map(column).collect()
 }
 
 /// Recordings over equal grids to one.
-fn merged(sets: Vec<Set>) -> io::Result<Vec<Set>> {
-    let mut kept: Vec<Set> = Vec::new();
+fn merged(sets: Vec<RecordingSet>) -> io::Result<Vec<RecordingSet>> {
+    let mut kept: Vec<RecordingSet> = Vec::new();
     let mut alike: HashMap<(Over, usize, [u64; 3]), Vec<usize>> = HashMap::new();
     for set in sets {
         let key = match &set.axis {
-            Axis::Array(axis, over) => {
+            SampleAxis::Array(axis, over) => {
                 let (first, last) = axis.values.ends()?.unwrap_or_default();
                 (*over, set.length, [first.to_bits(), last.to_bits(), 0])
             }
-            Axis::Even(spacing) => {
+            SampleAxis::Even(spacing) => {
                 let start = spacing.start.map_or(u64::MAX, f64::to_bits);
                 (spacing.over, set.length, [start, spacing.rate.rate_hz.to_bits(), 1])
             }
-            Axis::Unknown => (Over::Time, set.length, [0, 0, 2]),
+            SampleAxis::Unknown => (Over::Time, set.length, [0, 0, 2]),
         };
         let among = alike.entry(key).or_default();
         let mut at = None;
@@ -261,33 +266,33 @@ fn merged(sets: Vec<Set>) -> io::Result<Vec<Set>> {
     Ok(kept)
 }
 
-fn same(a: &Axis, b: &Axis) -> io::Result<bool> {
+fn same(a: &SampleAxis, b: &SampleAxis) -> io::Result<bool> {
     match (a, b) {
-        (Axis::Array(a, _), Axis::Array(b, _)) => Ok(a.unit == b.unit && a.values.same(&b.values)?),
+        (SampleAxis::Array(a, _), SampleAxis::Array(b, _)) => Ok(a.unit == b.unit && a.values.same(&b.values)?),
         _ => Ok(true),
     }
 }
 
-fn raw(set: Set, rate: Option<Rate>, findings: Vec<Finding>) -> Raw {
-    let Set { axis, scope, mut columns, .. } = set;
+fn raw(set: RecordingSet, rate: Option<Rate>, findings: Vec<Issue>) -> Raw {
+    let RecordingSet { axis, scope, mut columns, .. } = set;
     unlike(&mut columns);
     let title = Path(scope).to_string();
     let (over, stamps) = match axis {
-        Axis::Array(axis, over) => {
+        SampleAxis::Array(axis, over) => {
             columns.insert(0, *axis);
-            (over, Stamps::Of { column: 0, rate: rate.filter(|_| over == Over::Time) })
+            (over, TimeStamps::Of { column: 0, rate: rate.filter(|_| over == Over::Time) })
         }
-        Axis::Even(Spacing { rate, start, over, .. }) => match (start, over) {
-            (None, Over::Time) => (over, Stamps::Rate(rate)),
-            _ => (over, Stamps::Even { start: start.unwrap_or_default(), step: 1.0 / rate.rate_hz }),
+        SampleAxis::Even(Spacing { rate, start, over, .. }) => match (start, over) {
+            (None, Over::Time) => (over, TimeStamps::Rate(rate)),
+            _ => (over, TimeStamps::Even { start: start.unwrap_or_default(), step: 1.0 / rate.rate_hz }),
         },
-        Axis::Unknown => (Over::Time, Stamps::Column),
+        SampleAxis::Unknown => (Over::Time, TimeStamps::Column),
     };
     Raw { title, over, stamps, columns, findings }
 }
 
 /// Names that texts of the file give to several columns get a number.
-fn unlike(columns: &mut [Column]) {
+fn unlike(columns: &mut [RawColumn]) {
     let mut times: HashMap<String, (usize, usize)> = HashMap::new();
     columns.iter().for_each(|column| times.entry(column.name.clone()).or_default().0 += 1);
     for column in columns {
@@ -299,7 +304,7 @@ fn unlike(columns: &mut [Column]) {
 }
 
 /// Tells which arrays were left out.
-fn tell_left(tree: &mut Tree, left: &[(String, usize)], sets: &[Set]) {
+fn tell_left(tree: &mut Tree, left: &[(String, usize)], sets: &[RecordingSet]) {
     let record = match sets {
         [set] => format!("where the record has {}", set.length),
         _ => "and no time or frequency in the file is as long".to_owned(),
@@ -309,6 +314,6 @@ fn tell_left(tree: &mut Tree, left: &[(String, usize)], sets: &[Set]) {
     }
     if let Some(more) = left.len().checked_sub(MAX_NAMED).filter(|more| *more > 0) {
         let about = "arrays of other lengths than the record were left out".to_owned();
-        tree.findings.push(Finding::new(FindingKind::Skipped, more, None, about));
+        tree.findings.push(Issue::new(IssueKind::Skipped, more, None, about));
     }
 }

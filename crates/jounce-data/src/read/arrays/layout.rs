@@ -1,8 +1,8 @@
 //! Numbers of an array of any dimensions to series along its longest side.
 
 use super::super::error::Damage;
-use super::super::numbers::Numbers;
-use super::super::shelf::Shelf;
+use super::super::numbers::ColumnNumbers;
+use super::super::samples::SampleStore;
 
 /// Series that an array may hold; with more it is an image or a table of another kind.
 const MAX_SERIES: u64 = 4096;
@@ -10,7 +10,7 @@ const MAX_SERIES: u64 = 4096;
 /// Where each number of an array belongs. With the first dimension the fastest, number `n` is sample `n / s % l` of series
 /// `n % s + n / (s l) s`, for the longest side `l` and the product `s` of the dimensions before it.
 #[derive(Debug, Clone, PartialEq)]
-pub(in super::super) struct Layout {
+pub(in super::super) struct ArrayLayout {
     /// Sizes, the fastest first.
     dimensions: Vec<u64>,
     /// The last dimension comes first in names.
@@ -22,7 +22,7 @@ pub(in super::super) struct Layout {
     count: u64,
 }
 
-impl Layout {
+impl ArrayLayout {
     /// The layout of an array whose first dimension is the fastest (MATLAB), or whose last one is (`turned`: C); `None` where it holds more series
     /// than could be channels, or more numbers than can be counted.
     pub fn new(dimensions: &[u64], turned: bool) -> Option<Self> {
@@ -45,14 +45,14 @@ impl Layout {
     ///
     /// # Errors
     /// There is not room for so many numbers.
-    pub fn series(&self, shelf: &Shelf) -> Result<Vec<Numbers>, Damage> {
-        let mut series: Vec<Numbers> = (0..self.count).map(|_| shelf.column()).collect();
+    pub fn series(&self, store: &SampleStore) -> Result<Vec<ColumnNumbers>, Damage> {
+        let mut series: Vec<ColumnNumbers> = (0..self.count).map(|_| store.column()).collect();
         let room = series.iter_mut().all(|numbers| usize::try_from(self.length).is_ok_and(|length| numbers.expect(length)));
         if room { Ok(series) } else { Err(Damage::new(format!("{} numbers do not fit into memory", self.total()))) }
     }
 
     /// Puts a number, counted from 0 in the order of the file, behind the others of its series.
-    pub fn push(&self, series: &mut [Numbers], number: u64, x: f64) -> std::io::Result<()> {
+    pub fn push(&self, series: &mut [ColumnNumbers], number: u64, x: f64) -> std::io::Result<()> {
         let of = number % self.stride + number / (self.stride * self.length) * self.stride;
         series.get_mut(of as usize).map_or(Ok(()), |numbers| numbers.push(x))
     }
@@ -91,8 +91,8 @@ mod tests {
     fn series_run_along_the_longest_side() {
         for dimensions in [[5, 2, 3], [2, 5, 3], [2, 3, 5], [5, 1, 1], [1, 1, 5]] {
             for turned in [false, true] {
-                let layout = Layout::new(&dimensions, turned).unwrap();
-                let mut series = layout.series(&Shelf::Memory).unwrap();
+                let layout = ArrayLayout::new(&dimensions, turned).unwrap();
+                let mut series = layout.series(&SampleStore::Memory).unwrap();
                 let sizes: Vec<u64> = if turned { dimensions.iter().rev().copied().collect() } else { dimensions.to_vec() };
                 for n in 0..layout.total() {
                     let mut at = [n % sizes[0], n / sizes[0] % sizes[1], n / sizes[0] / sizes[1]];
@@ -116,9 +116,9 @@ mod tests {
                 }
             }
         }
-        assert_eq!(Layout::new(&[1 << 20, 1 << 20], false), None);
-        assert_eq!(Layout::new(&[u64::MAX, 3], true), None);
-        assert_eq!(Layout::new(&[0, 3], true).unwrap().total(), 0);
-        assert_eq!(Layout::new(&[], true).unwrap().total(), 1);
+        assert_eq!(ArrayLayout::new(&[1 << 20, 1 << 20], false), None);
+        assert_eq!(ArrayLayout::new(&[u64::MAX, 3], true), None);
+        assert_eq!(ArrayLayout::new(&[0, 3], true).unwrap().total(), 0);
+        assert_eq!(ArrayLayout::new(&[], true).unwrap().total(), 1);
     }
 }

@@ -7,11 +7,11 @@ mod spacing;
 use std::collections::{BTreeMap, HashMap};
 use std::fmt;
 
-use super::numbers::Numbers;
-use crate::recording::{Finding, FindingKind, Series};
+use super::numbers::ColumnNumbers;
+use crate::recording::{Issue, IssueKind, Series};
 
 pub(super) use grids::into_found;
-pub(super) use layout::Layout;
+pub(super) use layout::ArrayLayout;
 
 /// Maximum number of arrays in a file.
 pub(super) const MAX_ARRAYS: usize = 100_000;
@@ -55,9 +55,9 @@ pub(super) struct Array {
     /// Unit stored with the array; empty without one.
     pub unit: String,
     /// Real parts.
-    pub series: Vec<Numbers>,
+    pub series: Vec<ColumnNumbers>,
     /// Imaginary parts of a complex array.
-    pub imaginary: Option<Vec<Numbers>>,
+    pub imaginary: Option<Vec<ColumnNumbers>>,
     /// Indices of the series in the array, `(2,1)`; empty for a single series.
     pub labels: Vec<String>,
 }
@@ -75,13 +75,13 @@ pub(super) struct Tree {
     pub arrays: Vec<Array>,
     /// Texts by scope and name.
     texts: HashMap<Vec<String>, BTreeMap<String, Vec<String>>>,
-    pub findings: Vec<Finding>,
+    pub findings: Vec<Issue>,
 }
 
 impl Tree {
     /// Records a skipped item.
     pub fn skip(&mut self, about: impl Into<String>) {
-        self.findings.push(Finding::new(FindingKind::Skipped, 1, None, about.into()));
+        self.findings.push(Issue::new(IssueKind::Skipped, 1, None, about.into()));
     }
 
     /// Stores trimmed texts unless all are empty.

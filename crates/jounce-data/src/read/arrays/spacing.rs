@@ -5,7 +5,7 @@ use std::io;
 
 use super::super::raw::Rate;
 use super::{Array, Path, Tree};
-use crate::recording::{Finding, FindingKind, Over};
+use crate::recording::{Issue, IssueKind, Over};
 
 /// Names of a number that is a rate in Hz, a step in s (Hz over frequency), or a first place, in small letters and without underlines.
 const RATES: [&str; 8] =
@@ -38,7 +38,7 @@ pub(super) fn spacings(singles: &[Array], tree: &mut Tree) -> io::Result<Vec<Spa
                 if spacing.rate.differs_from(known.rate.rate_hz) {
                     let [a, b] = [&known.rate, &spacing.rate];
                     let about = format!("{} is a rate of {} Hz, {} one of {} Hz; the first is taken", a.told, a.rate_hz, b.told, b.rate_hz);
-                    tree.findings.push(Finding::new(FindingKind::HeaderDisagrees, 1, None, about));
+                    tree.findings.push(Issue::new(IssueKind::HeaderDisagrees, 1, None, about));
                 }
             }
             _ => {

@@ -11,9 +11,9 @@ use std::path::Path as FilePath;
 use hdf5_pure::File;
 
 use super::arrays::{Path, Tree, into_found};
-use super::contents::Found;
+use super::contents::FormatContents;
 use super::error::Damage;
-use super::shelf::Shelf;
+use super::samples::SampleStore;
 use node::Walk;
 
 const BEGIN: &[u8] = b"\x89HDF\r\n\x1a\n";
@@ -23,10 +23,10 @@ pub(super) fn begins(head: &[u8]) -> bool {
     [0, 512, 1024, 2048].iter().any(|from| head.get(*from..).is_some_and(|head| head.starts_with(BEGIN)))
 }
 
-pub(super) fn read(path: &FilePath, shelf: &Shelf) -> Result<Found, Damage> {
+pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContents, Damage> {
     let size = std::fs::metadata(path).map_err(Damage::cut)?.len();
     let file = File::open_streaming(path).map_err(|fault| wrong(&fault))?;
-    let mut walk = Walk { shelf, size, tree: Tree::default(), visited: 0 };
+    let mut walk = Walk { store, size, tree: Tree::default(), visited: 0 };
     walk.group(&file.root(), &Path::default())?;
     into_found(walk.tree)
 }

@@ -4,23 +4,23 @@ use std::collections::HashMap;
 
 use hdf5_pure::{AttrValue, Dataset, Datatype, DatatypeByteOrder, Group, Object, ReferenceType};
 
-use super::super::arrays::{Array, Layout, MAX_ARRAYS, Path, Tree};
+use super::super::arrays::{Array, ArrayLayout, MAX_ARRAYS, Path, Tree};
 use super::super::error::Damage;
+use super::super::samples::SampleStore;
 use super::super::scalar::{Kind, Scalar};
-use super::super::shelf::Shelf;
 use super::matlab::{self, Class};
 use super::{checked, wrong};
 
 /// Groups inside groups.
 const MAX_DEPTH: usize = 60;
 /// Bytes that are decoded at once, where an array has several rows.
-const AT_ONCE: u64 = 4 << 20;
+const BYTES_AT_ONCE: u64 = 4 << 20;
 /// Characters of a text that is read.
 const MAX_CHARACTERS: u64 = 1 << 16;
 
 /// Where a walk through a file is.
 pub(super) struct Walk<'a> {
-    pub shelf: &'a Shelf,
+    pub store: &'a SampleStore,
     /// Bytes of the file.
     pub size: u64,
     pub tree: Tree,
@@ -73,7 +73,7 @@ impl Walk<'_> {
             if let Some(text) = matlab::text(value) {
                 self.tree.text(&path.to(name), vec![text]);
             } else if let Some(number) = matlab::number(value) {
-                let mut numbers = self.shelf.column();
+                let mut numbers = self.store.column();
                 numbers.push(number)?;
                 self.push(&path.to(name), String::new(), vec![numbers], None, Vec::new());
             }
@@ -85,8 +85,8 @@ impl Walk<'_> {
         &mut self,
         path: &Path,
         unit: String,
-        series: Vec<super::super::numbers::Numbers>,
-        imaginary: Option<Vec<super::super::numbers::Numbers>>,
+        series: Vec<super::super::numbers::ColumnNumbers>,
+        imaginary: Option<Vec<super::super::numbers::ColumnNumbers>>,
         labels: Vec<String>,
     ) {
         self.tree.arrays.push(Array { path: path.clone(), unit, series, imaginary, labels });
@@ -190,17 +190,17 @@ impl Walk<'_> {
         stored: &Stored,
         attributes: &HashMap<String, AttrValue>,
     ) -> Result<(), Damage> {
-        let Some(layout) = Layout::new(shape, true).filter(|layout| layout.total() > 0) else {
+        let Some(layout) = ArrayLayout::new(shape, true).filter(|layout| layout.total() > 0) else {
             if !shape.contains(&0) {
                 self.tree.skip(format!("the array {path} of size {shape:?} is no series of numbers"));
             }
             return Ok(());
         };
-        let mut series = layout.series(self.shelf)?;
-        let mut imaginary = stored.imaginary.map(|_| layout.series(self.shelf)).transpose()?;
+        let mut series = layout.series(self.store)?;
+        let mut imaginary = stored.imaginary.map(|_| layout.series(self.store)).transpose()?;
         let rows = shape.first().copied().unwrap_or(1);
         let row_bytes = layout.total() / rows * stored.width as u64;
-        let at_once = (AT_ONCE / row_bytes.max(1)).max(1);
+        let at_once = (BYTES_AT_ONCE / row_bytes.max(1)).max(1);
         let (mut row, mut number) = (0, 0);
         while row < rows {
             let bytes = match dataset.read_raw_rows(row, at_once.min(rows - row)) {

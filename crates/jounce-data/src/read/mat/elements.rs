@@ -12,7 +12,7 @@ pub(super) const UTF8: u32 = 16;
 pub(super) const UTF16: u32 = 17;
 
 /// Bytes of a name or a text that are read at most.
-const LONGEST: u64 = 1 << 20;
+const MAX_TEXT_BYTES: u64 = 1 << 20;
 
 /// What stands before the data of an element.
 #[derive(Debug, Clone, Copy)]
@@ -94,7 +94,7 @@ impl<'a> Elements<'a> {
         if let Some(small) = tag.small {
             return Ok(small[..tag.length.min(4) as usize].to_vec());
         }
-        if tag.length > LONGEST {
+        if tag.length > MAX_TEXT_BYTES {
             return Err(Damage::new(format!("a name or text of {} bytes; at most 1 MiB is due", tag.length)));
         }
         let mut bytes = vec![0; tag.length as usize];

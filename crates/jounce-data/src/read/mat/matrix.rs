@@ -1,8 +1,8 @@
 //! A variable of a MAT file, or what a struct or a cell holds.
 
-use super::super::arrays::{Array, Layout, MAX_ARRAYS, Path, Tree};
+use super::super::arrays::{Array, ArrayLayout, MAX_ARRAYS, Path, Tree};
 use super::super::error::Damage;
-use super::super::shelf::Shelf;
+use super::super::samples::SampleStore;
 use super::elements::{Elements, MATRIX, Tag};
 
 /// Structs inside structs.
@@ -24,7 +24,7 @@ pub(super) fn read(
     elements: &mut Elements<'_>,
     path: &Path,
     depth: usize,
-    shelf: &Shelf,
+    store: &SampleStore,
     tree: &mut Tree,
 ) -> Result<Option<String>, Damage> {
     if depth > MAX_DEPTH {
@@ -42,7 +42,7 @@ pub(super) fn read(
         return Ok(None);
     }
     let path = if depth == 0 { &path.to(own) } else { path };
-    let inside = Inside { path, depth, dimensions, shelf };
+    let inside = Inside { path, depth, dimensions, store };
     match class {
         CELL => inside.cell(elements, tree)?,
         STRUCT => inside.fields(elements, tree)?,
@@ -106,7 +106,7 @@ struct Inside<'a> {
     path: &'a Path,
     depth: usize,
     dimensions: Vec<u64>,
-    shelf: &'a Shelf,
+    store: &'a SampleStore,
 }
 
 impl Inside<'_> {
@@ -126,7 +126,7 @@ impl Inside<'_> {
             return Err(Damage::new(format!("{path}: an array is due, not data of type {}", tag.kind)));
         }
         let outside = elements.enter(&tag);
-        let text = read(elements, path, self.depth + 1, self.shelf, tree)?;
+        let text = read(elements, path, self.depth + 1, self.store, tree)?;
         elements.leave(&tag, outside)?;
         Ok(text)
     }
@@ -190,7 +190,7 @@ impl Inside<'_> {
     }
 
     fn numbers(&self, elements: &mut Elements<'_>, complex: bool, tree: &mut Tree) -> Result<(), Damage> {
-        let Some(layout) = Layout::new(&self.dimensions, false) else {
+        let Some(layout) = ArrayLayout::new(&self.dimensions, false) else {
             tree.skip(format!("the array {} of size {:?} is no series of numbers", self.path, self.dimensions));
             return Ok(());
         };
@@ -204,7 +204,7 @@ impl Inside<'_> {
                 let (path, due, there) = (self.path, layout.total(), tag.length / size);
                 return Err(Damage::new(format!("{path} has {due} numbers by its size, {there} follow: was the file cut?")));
             }
-            let mut series = layout.series(self.shelf)?;
+            let mut series = layout.series(self.store)?;
             elements.numbers(&tag, layout.total(), |number, x| layout.push(&mut series, number, x))?;
             Ok(series)
         };

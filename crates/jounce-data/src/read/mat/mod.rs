@@ -1,6 +1,6 @@
 //! MATLAB files of version 5 (`-v6`, `-v7`): numeric arrays, texts, and these inside structs, cells and objects of any depth.
 //!
-//! Source: The MathWorks, "MAT-File Format", R2023b. The numbers go to the shelf as they come, so that no array is held as a whole.
+//! Source: The MathWorks, "MAT-File Format", R2023b. The numbers go to the store as they come, so that no array is held as a whole.
 mod elements;
 mod matrix;
 
@@ -11,9 +11,9 @@ use std::path::Path as FilePath;
 use flate2::read::ZlibDecoder;
 
 use super::arrays::{Path, Tree, into_found};
-use super::contents::Found;
+use super::contents::FormatContents;
 use super::error::Damage;
-use super::shelf::Shelf;
+use super::samples::SampleStore;
 use elements::{COMPRESSED, Elements, MATRIX, Tag};
 
 /// Bytes of the header of a file, whose last two tell the byte order.
@@ -21,7 +21,7 @@ const HEADER: usize = 128;
 /// Bytes that one compressed byte can stand for: 258 by a pair of codes of one bit.
 const MAX_RATIO: u64 = 1032;
 
-pub(super) fn read(path: &FilePath, shelf: &Shelf) -> Result<Found, Damage> {
+pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContents, Damage> {
     let file = File::open(path).map_err(Damage::cut)?;
     let size = file.metadata().map_err(Damage::cut)?.len();
     let mut source = BufReader::with_capacity(1 << 16, file);
@@ -31,13 +31,13 @@ pub(super) fn read(path: &FilePath, shelf: &Shelf) -> Result<Found, Damage> {
     let mut tree = Tree::default();
     let mut at = HEADER as u64;
     while at < size {
-        at += element(&mut source, size - at, little_endian, shelf, &mut tree).map_err(|damage| damage.at_byte(at))?;
+        at += element(&mut source, size - at, little_endian, store, &mut tree).map_err(|damage| damage.at_byte(at))?;
     }
     into_found(tree)
 }
 
 /// Reads one element of the file, compressed or not, and gives its bytes.
-fn element(source: &mut impl Read, left: u64, little_endian: bool, shelf: &Shelf, tree: &mut Tree) -> Result<u64, Damage> {
+fn element(source: &mut impl Read, left: u64, little_endian: bool, store: &SampleStore, tree: &mut Tree) -> Result<u64, Damage> {
     let tag = Tag::read(source, little_endian)?;
     let left = left.saturating_sub(8);
     if tag.length > left {
@@ -51,11 +51,11 @@ fn element(source: &mut impl Read, left: u64, little_endian: bool, shelf: &Shelf
             let why = format!("{} bytes cannot be {} compressed ones: was the file cut?", inner.length, tag.length);
             return Err(Damage::new(why));
         }
-        root(&mut inflated, inner, little_endian, shelf, tree)?;
+        root(&mut inflated, inner, little_endian, store, tree)?;
         // The check sum is looked at behind the last byte.
         io::copy(&mut inflated.take(1), &mut io::sink()).map_err(Damage::cut)?;
     } else {
-        root(&mut content, tag, little_endian, shelf, tree)?;
+        root(&mut content, tag, little_endian, store, tree)?;
     }
     io::copy(&mut content, &mut io::sink()).map_err(Damage::cut)?;
     // What is not compressed is filled up to eight bytes.
@@ -66,12 +66,12 @@ fn element(source: &mut impl Read, left: u64, little_endian: bool, shelf: &Shelf
 }
 
 /// Reads a variable of the file.
-fn root(source: &mut dyn Read, tag: Tag, little_endian: bool, shelf: &Shelf, tree: &mut Tree) -> Result<(), Damage> {
+fn root(source: &mut dyn Read, tag: Tag, little_endian: bool, store: &SampleStore, tree: &mut Tree) -> Result<(), Damage> {
     if tag.kind != MATRIX {
         tree.skip(format!("an element of type {} is no variable and was left out", tag.kind));
         return Ok(());
     }
     let mut elements = Elements::new(source, tag.length, little_endian);
-    matrix::read(&mut elements, &Path::default(), 0, shelf, tree)?;
+    matrix::read(&mut elements, &Path::default(), 0, store, tree)?;
     elements.skip_rest()
 }

@@ -10,12 +10,12 @@ use std::io::{BufReader, Read, Seek as _, SeekFrom};
 use std::path::Path as FilePath;
 
 use super::arrays::{Array, Path, Tree, into_found};
-use super::contents::Found;
+use super::contents::FormatContents;
 use super::error::Damage;
-use super::numbers::Numbers;
+use super::numbers::ColumnNumbers;
+use super::samples::SampleStore;
 use super::scalar::Scalar;
-use super::shelf::Shelf;
-use crate::recording::{Finding, FindingKind, PIECE, Place, Series};
+use crate::recording::{Issue, IssueKind, IssuePlace, PIECE, Series};
 use objects::{Metadata, Object, Stored};
 
 pub(super) const BEGIN: &[u8] = b"TDSm";
@@ -36,16 +36,16 @@ struct Reader<'a> {
     size: u64,
     metadata: Metadata,
     /// Numbers of each channel, real and imaginary parts.
-    channels: HashMap<usize, [Numbers; 2]>,
-    shelf: &'a Shelf,
-    findings: Vec<Finding>,
+    channels: HashMap<usize, [ColumnNumbers; 2]>,
+    store: &'a SampleStore,
+    findings: Vec<Issue>,
 }
 
-pub(super) fn read(path: &FilePath, shelf: &Shelf) -> Result<Found, Damage> {
+pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContents, Damage> {
     let file = File::open(path).map_err(Damage::cut)?;
     let size = file.metadata().map_err(Damage::cut)?.len();
     let source = BufReader::with_capacity(1 << 16, file);
-    let mut reader = Reader { source, size, metadata: Metadata::default(), channels: HashMap::new(), shelf, findings: Vec::new() };
+    let mut reader = Reader { source, size, metadata: Metadata::default(), channels: HashMap::new(), store, findings: Vec::new() };
     let mut at = 0;
     while at < size {
         at = reader.segment(at).map_err(|damage| damage.at_byte(at))?;
@@ -82,7 +82,7 @@ impl Reader<'_> {
         }
         if next == OPEN {
             let about = "the last segment was not closed: the program that wrote it ended early; what is there is read".to_owned();
-            self.findings.push(Finding::new(FindingKind::HeaderDisagrees, 1, Some(Place::Byte(at as usize)), about));
+            self.findings.push(Issue::new(IssueKind::HeaderDisagrees, 1, Some(IssuePlace::Byte(at as usize)), about));
         }
         if marks & HAS_DATA != 0 && data < length {
             self.source.seek(SeekFrom::Start(at + LEAD_IN + data)).map_err(Damage::cut)?;
@@ -121,8 +121,8 @@ impl Reader<'_> {
             return Ok(());
         };
         let width = scalar.size as u64 * parts as u64;
-        let shelf = self.shelf;
-        let numbers = self.channels.entry(channel).or_insert_with(|| [shelf.column(), shelf.column()]);
+        let store = self.store;
+        let numbers = self.channels.entry(channel).or_insert_with(|| [store.column(), store.column()]);
         // Times put the seconds first where the highest byte stands first.
         let mut part = usize::from(stored.is_time() && !little_endian);
         scalar.each(&mut self.source, bytes / width * parts as u64, |x| {
@@ -160,7 +160,7 @@ impl Reader<'_> {
         for (number, object) in self.metadata.objects.iter().enumerate() {
             let names = if one_group { object.names.get(1..).unwrap_or_default() } else { &object.names };
             let path = Path(names.to_vec());
-            properties(object, &path, self.shelf, &mut tree)?;
+            properties(object, &path, self.store, &mut tree)?;
             let Some([real, imaginary]) = self.channels.remove(&number) else {
                 if let Some(why) = object.left_out {
                     tree.skip(format!("{path} was left out: {why}"));
@@ -169,7 +169,7 @@ impl Reader<'_> {
             };
             let unit = object.texts.iter().find(|(name, _)| name == "unit_string").map_or_else(String::new, |(_, unit)| unit.clone());
             let (real, unit, imaginary) = if object.is_time {
-                (since_the_first(&real, &imaginary, self.shelf)?, "s".to_owned(), None)
+                (since_the_first(&real, &imaginary, self.store)?, "s".to_owned(), None)
             } else {
                 (real, unit, (imaginary.count() > 0).then(|| vec![imaginary]))
             };
@@ -180,8 +180,8 @@ impl Reader<'_> {
 }
 
 /// Times of a day, in parts of a second of 2^-64 s and seconds, as seconds since the first one.
-fn since_the_first(parts: &Numbers, seconds: &Numbers, shelf: &Shelf) -> std::io::Result<Numbers> {
-    let mut since = shelf.column();
+fn since_the_first(parts: &ColumnNumbers, seconds: &ColumnNumbers, store: &SampleStore) -> std::io::Result<ColumnNumbers> {
+    let mut since = store.column();
     let first = (parts.ends()?.map_or(0.0, |(first, _)| first), seconds.ends()?.map_or(0.0, |(first, _)| first));
     for index in 0..seconds.count().div_ceil(PIECE) {
         let (parts, seconds) = (parts.piece(index)?, seconds.piece(index)?);
@@ -193,9 +193,9 @@ fn since_the_first(parts: &Numbers, seconds: &Numbers, shelf: &Shelf) -> std::io
 }
 
 /// Numbers and texts that stand as properties of an object.
-fn properties(object: &Object, path: &Path, shelf: &Shelf, tree: &mut Tree) -> Result<(), Damage> {
+fn properties(object: &Object, path: &Path, store: &SampleStore, tree: &mut Tree) -> Result<(), Damage> {
     for (name, number) in &object.numbers {
-        let mut numbers = shelf.column();
+        let mut numbers = store.column();
         numbers.push(*number)?;
         tree.arrays.push(Array { path: path.to(name), unit: String::new(), series: vec![numbers], imaginary: None, labels: Vec::new() });
     }

@@ -7,7 +7,7 @@ use super::super::error::Damage;
 use super::super::scalar::{Kind, Scalar};
 
 /// Bytes of a name or a text that are read at most.
-const LONGEST: u32 = 1 << 20;
+const MAX_TEXT_BYTES: u32 = 1 << 20;
 /// Types of values.
 const TEXT: u32 = 0x20;
 const TIME: u32 = 0x44;
@@ -201,7 +201,7 @@ impl Values<'_> {
 
     fn text(&mut self) -> Result<String, Damage> {
         let length = self.word()?;
-        if length > LONGEST {
+        if length > MAX_TEXT_BYTES {
             return Err(Damage::new(format!("a name or text of {length} bytes; at most 1 MiB is due: was the file cut?")));
         }
         let mut bytes = vec![0; length as usize];

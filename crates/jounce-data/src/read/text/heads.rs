@@ -3,7 +3,7 @@
 use super::super::name;
 use super::layout::Delimiter;
 use super::preamble::{is_of_time, is_pair};
-use crate::recording::Finding;
+use crate::recording::Issue;
 
 /// Words in a line of units that are no units that are known here, in small letters.
 const UNIT_WORDS: [&str; 22] = [
@@ -17,7 +17,7 @@ const REDUCTIONS: [&str; 8] = ["", "avg", "smp", "max", "min", "tot", "std", "me
 
 /// The name and the unit of a column.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(in crate::read) struct Head {
+pub(in crate::read) struct ColumnHead {
     pub name: String,
     pub unit: String,
     /// True where the first rows hold no number of it: text in it is none among the numbers.
@@ -28,7 +28,7 @@ pub(in crate::read) struct Head {
     pub unnamed: bool,
 }
 
-impl Head {
+impl ColumnHead {
     fn numbered(k: usize) -> Self {
         Self { name: format!("column {}", k + 1), unnamed: true, ..Self::default() }
     }
@@ -36,7 +36,7 @@ impl Head {
 
 /// Names and units from the last line above the numbers that has a field for each of the columns, `used` at least and `count` at most, and from a line of
 /// units below it; and what is doubtful about them.
-pub(super) fn heads(above: &[&str], used: usize, count: usize, delimiter: Delimiter) -> (Vec<Head>, Vec<Finding>) {
+pub(super) fn heads(above: &[&str], used: usize, count: usize, delimiter: Delimiter) -> (Vec<ColumnHead>, Vec<Issue>) {
     // A word alone in a line is a title.
     let is_alone = |fields: &[String]| fields.len() > 1 && fields[1..].iter().all(|field| field.trim().is_empty());
     let is_reduction =
@@ -45,7 +45,7 @@ pub(super) fn heads(above: &[&str], used: usize, count: usize, delimiter: Delimi
         |fields: &Vec<String>| (used..=count).contains(&fields.len()) && !is_pair(fields) && !is_alone(fields) && !is_reduction(fields);
     let mut rows = above.iter().rev().map(|line| fields_of_head(line, used, count, delimiter)).filter(fits);
     let Some(last) = rows.next() else {
-        return ((0..count).map(Head::numbered).collect(), Vec::new());
+        return ((0..count).map(ColumnHead::numbered).collect(), Vec::new());
     };
     let (names, units) = match rows.next().filter(|names| are_units(&last) && !are_units(names)) {
         Some(names) => (names, Some(last)),
@@ -58,13 +58,13 @@ pub(super) fn heads(above: &[&str], used: usize, count: usize, delimiter: Delimi
             Some(units) => units.get(k).map_or(String::new(), |unit| meant(unit)),
             None => unit,
         };
-        if name.is_empty() { Head { unit, ..Head::numbered(k) } } else { Head { name, unit, ..Head::default() } }
+        if name.is_empty() { ColumnHead { unit, ..ColumnHead::numbered(k) } } else { ColumnHead { name, unit, ..ColumnHead::default() } }
     };
     (distinct((0..count).map(head).collect()), doubts)
 }
 
 /// Names that are numbers in order, from 0 or 1 on, in a first row whose columns hold other numbers below.
-pub(super) fn numbered(first: &str, below: &[&str], delimiter: Delimiter) -> Option<Vec<Head>> {
+pub(super) fn numbered(first: &str, below: &[&str], delimiter: Delimiter) -> Option<Vec<ColumnHead>> {
     let bare = |fields: &[String]| fields.iter().map(|field| field.trim().trim_matches('"').to_owned()).collect::<Vec<String>>();
     let names = bare(&delimiter.fields(first));
     let named = names.iter().position(|name| !name.is_empty())?;
@@ -78,8 +78,9 @@ pub(super) fn numbered(first: &str, below: &[&str], delimiter: Delimiter) -> Opt
     if named > 1 || names.len() - named < 2 || !in_order || !differ {
         return None;
     }
-    let head =
-        |(k, name): (usize, &String)| if name.is_empty() { Head::numbered(k) } else { Head { name: name.clone(), ..Head::default() } };
+    let head = |(k, name): (usize, &String)| {
+        if name.is_empty() { ColumnHead::numbered(k) } else { ColumnHead { name: name.clone(), ..ColumnHead::default() } }
+    };
     Some(names.iter().enumerate().map(head).collect())
 }
 
@@ -127,8 +128,8 @@ fn fields_of_head(line: &str, used: usize, count: usize, delimiter: Delimiter) -
 }
 
 /// Names used twice get their column's number.
-fn distinct(heads: Vec<Head>) -> Vec<Head> {
+fn distinct(heads: Vec<ColumnHead>) -> Vec<ColumnHead> {
     let twice = |name: &str| heads.iter().filter(|head| head.name == name).count() > 1;
     let name = |k: usize, name: &str| if twice(name) { format!("{name} {}", k + 1) } else { name.to_owned() };
-    heads.iter().enumerate().map(|(k, head)| Head { name: name(k, &head.name), ..head.clone() }).collect()
+    heads.iter().enumerate().map(|(k, head)| ColumnHead { name: name(k, &head.name), ..head.clone() }).collect()
 }

@@ -1,9 +1,9 @@
 //! Where the numbers of a text begin, and what parts them.
 
-use super::super::number::Field;
-use super::heads::{Head, heads, numbered};
+use super::super::number::TextField;
+use super::heads::{ColumnHead, heads, numbered};
 use super::preamble::Preamble;
-use crate::recording::Finding;
+use crate::recording::Issue;
 
 /// What parts the fields of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,7 +16,7 @@ pub(crate) enum Delimiter {
 
 /// The layout of a text.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Layout {
+pub(crate) struct TextLayout {
     pub delimiter: Delimiter,
     pub decimal_comma: bool,
     /// The byte that ends a line.
@@ -26,11 +26,11 @@ pub(crate) struct Layout {
     /// Fields of a whole row at least.
     pub least: usize,
     /// Name and unit of each column.
-    pub heads: Vec<Head>,
+    pub heads: Vec<ColumnHead>,
     /// What stands above the rows, or beside them.
     pub preamble: Preamble,
     /// How heads were read that can be read in two ways.
-    pub doubts: Vec<Finding>,
+    pub doubts: Vec<Issue>,
 }
 
 /// So many lines in a row with the same number of numbers are the beginning of the data; two where there are no three.
@@ -53,16 +53,17 @@ impl Delimiter {
     }
 }
 
-impl Layout {
+impl TextLayout {
     /// Finds the layout of lines that end with a byte: the delimiter that gives the most columns of numbers, at the first place where it gives them in a
     /// row. None where there is no such place.
     pub(super) fn find(lines: &[&str], line_end: u8) -> Option<Self> {
         let (mut skip, count, delimiter, decimal_comma) = ROWS.iter().find_map(|rows| most_columns(lines, *rows))?;
-        let read = |line: &&str| -> Vec<Field> { delimiter.fields(line).iter().map(|field| Field::read(field, decimal_comma)).collect() };
-        let first: Vec<Vec<Field>> = lines[skip..].iter().map(read).filter(|row| row.len() == count).take(ROWS[0]).collect();
+        let read =
+            |line: &&str| -> Vec<TextField> { delimiter.fields(line).iter().map(|field| TextField::read(field, decimal_comma)).collect() };
+        let first: Vec<Vec<TextField>> = lines[skip..].iter().map(read).filter(|row| row.len() == count).take(ROWS[0]).collect();
         let blank: Vec<bool> = (0..count).map(|k| first.iter().all(|row| !row[k].is_value())).collect();
         // Rows above that hold text only where the first rows hold nothing belong to them: some oscilloscopes write their settings there.
-        let belongs = |row: &Vec<Field>| row.len() == count && row.iter().zip(&blank).all(|(field, blank)| *blank || field.is_value());
+        let belongs = |row: &Vec<TextField>| row.len() == count && row.iter().zip(&blank).all(|(field, blank)| *blank || field.is_value());
         skip -= lines[..skip].iter().rev().take_while(|line| belongs(&read(line))).count();
         let used = blank.iter().rposition(|blank| !blank).map_or(count, |last| last + 1);
         let beside = blank.iter().position(|blank| !blank).unwrap_or(0);
@@ -82,7 +83,7 @@ impl Layout {
 }
 
 /// Rows beside which settings may stand.
-const BESIDE: usize = 64;
+const SETTINGS_ROWS: usize = 64;
 
 /// The fields of the lines above the rows, and of those `beside` the first rows.
 fn said(lines: &[&str], skip: usize, beside: usize, delimiter: Delimiter, decimal_comma: bool) -> Vec<Vec<String>> {
@@ -99,7 +100,7 @@ fn said(lines: &[&str], skip: usize, beside: usize, delimiter: Delimiter, decima
     let has_text = |fields: &Vec<String>| fields.iter().any(|field| !field.trim().is_empty());
     let plain = |fields: Vec<String>| if decimal_comma { fields.iter().map(|field| field.replace(',', ".")).collect() } else { fields };
     let above = lines[..skip].iter().map(fields);
-    above.chain(lines[skip..].iter().take(BESIDE).map(beside).filter(has_text)).map(plain).collect()
+    above.chain(lines[skip..].iter().take(SETTINGS_ROWS).map(beside).filter(has_text)).map(plain).collect()
 }
 
 /// First line, number of columns, delimiter and decimal comma that give the most columns.
@@ -123,8 +124,8 @@ fn most_columns(lines: &[&str], rows: usize) -> Option<(usize, usize, Delimiter,
 fn counts(lines: &[&str], delimiter: Delimiter, decimal_comma: bool) -> Vec<usize> {
     let numbers = |line: &str| {
         let fields = delimiter.fields(line);
-        let read: Vec<Field> = fields.iter().map(|field| Field::read(field, decimal_comma)).collect();
-        let number = |field: &Field| matches!(field, Field::Real(_) | Field::Complex(..));
+        let read: Vec<TextField> = fields.iter().map(|field| TextField::read(field, decimal_comma)).collect();
+        let number = |field: &TextField| matches!(field, TextField::Real(_) | TextField::Complex(..));
         let row = read.iter().all(|field| field.is_sample()) && read.iter().any(number);
         if row { fields.len() } else { 0 }
     };
@@ -147,7 +148,7 @@ mod tests {
 
     fn found(text: &str) -> (Delimiter, bool, usize, Vec<String>) {
         let lines: Vec<&str> = text.lines().collect();
-        let layout = Layout::find(&lines, b'\n').unwrap();
+        let layout = TextLayout::find(&lines, b'\n').unwrap();
         let heads = layout.heads.iter().filter(|head| !head.blank || !head.unnamed);
         let heads = heads.map(|head| if head.unit.is_empty() { head.name.clone() } else { format!("{}|{}", head.name, head.unit) });
         (layout.delimiter, layout.decimal_comma, layout.skip, heads.collect())
@@ -187,6 +188,6 @@ mod tests {
         for (text, delimiter, comma, skip, heads) in cases {
             assert_eq!(found(text), (delimiter, comma, skip, heads.into_iter().map(str::to_owned).collect()), "{text}");
         }
-        assert_eq!(Layout::find(&["no numbers here", "at all"], b'\n'), None);
+        assert_eq!(TextLayout::find(&["no numbers here", "at all"], b'\n'), None);
     }
 }

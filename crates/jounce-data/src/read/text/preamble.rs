@@ -5,7 +5,7 @@
 //! field, behind `:` or `=`, or below it in a line of values.
 
 use super::super::raw::Rate;
-use crate::recording::{Finding, FindingKind, Quantity, Unit};
+use crate::recording::{Issue, IssueKind, Quantity, Unit};
 
 /// Keys of a step, small letters without blanks.
 const STEPS: [&str; 19] = [
@@ -116,7 +116,7 @@ pub(in crate::read) struct Preamble {
     /// Names of the channels.
     pub names: Vec<String>,
     /// What disagrees.
-    pub doubts: Vec<Finding>,
+    pub doubts: Vec<Issue>,
 }
 
 /// A key without its unit in brackets and the signs around it, and that unit.
@@ -173,7 +173,7 @@ impl Preamble {
         preamble.doubts.extend(other.map(|other| {
             let about =
                 format!("{} is a rate of {} Hz, {} one of {} Hz; the first is taken", first.told, first.rate_hz, other.told, other.rate_hz);
-            Finding::new(FindingKind::HeaderDisagrees, 1, None, about)
+            Issue::new(IssueKind::HeaderDisagrees, 1, None, about)
         }));
         preamble
     }

@@ -2,13 +2,13 @@
 
 use std::io;
 
-use super::super::raw::{Column, Rate};
+use super::super::raw::{Rate, RawColumn};
 use super::super::time::{even_step, is_counter, is_time_column};
-use super::Layout;
+use super::TextLayout;
 use crate::recording::Series as _;
 
 /// Gives columns the names and units that the preamble tells, and finds the column of the time where none is named but one has the step of the preamble.
-pub(super) fn settle(columns: &mut [Column], layout: &Layout) -> io::Result<()> {
+pub(super) fn settle(columns: &mut [RawColumn], layout: &TextLayout) -> io::Result<()> {
     let preamble = &layout.preamble;
     let unnamed = |k: usize| layout.heads.get(k).is_some_and(|head| head.unnamed);
     let mut time = (0..columns.len()).find(|k| columns[*k].left_out.is_none() && is_time_column(&columns[*k]));
@@ -46,6 +46,6 @@ pub(super) fn settle(columns: &mut [Column], layout: &Layout) -> io::Result<()> 
     Ok(())
 }
 
-fn has_step(column: &Column, rate: &Rate) -> io::Result<bool> {
+fn has_step(column: &RawColumn, rate: &Rate) -> io::Result<bool> {
     Ok(even_step(&column.values)?.is_some_and(|step| !rate.differs_from(1.0 / step)))
 }

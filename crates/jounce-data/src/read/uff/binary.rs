@@ -3,12 +3,12 @@
 use std::io::Read;
 
 use super::super::error::Damage;
-use super::super::numbers::Numbers;
-use super::super::shelf::Shelf;
+use super::super::numbers::ColumnNumbers;
+use super::super::samples::SampleStore;
 use super::header::Header;
 
 /// Bytes that are read at once: whole points of any width, 3 numbers of 8 bytes at most.
-const AT_ONCE: usize = 24 << 10;
+const BYTES_AT_ONCE: usize = 24 << 10;
 
 /// Binary numbers: all of one size, or an uneven abscissa in single precision beside double ordinates; the length tells which.
 pub(super) fn numbers(
@@ -16,8 +16,8 @@ pub(super) fn numbers(
     header: &Header,
     length: usize,
     little_endian: bool,
-    shelf: &Shelf,
-) -> Result<Numbers, String> {
+    store: &SampleStore,
+) -> Result<ColumnNumbers, String> {
     let (points, width) = (header.points, header.width());
     let size = if header.double { 8 } else { 4 };
     let mixed = points.checked_mul(4 + (width - 1) * size);
@@ -26,10 +26,10 @@ pub(super) fn numbers(
         return Err(format!("{points} points of {width} numbers of {size} bytes are due, {length} bytes follow"));
     }
     let point = if single_abscissa { 4 + (width - 1) * size } else { width * size };
-    let (mut found, mut bytes, mut read) = (shelf.column(), Vec::new(), 0);
+    let (mut found, mut bytes, mut read) = (store.column(), Vec::new(), 0);
     while read < length {
         bytes.clear();
-        let due = (length - read).min(AT_ONCE / point * point);
+        let due = (length - read).min(BYTES_AT_ONCE / point * point);
         source.by_ref().take(due as u64).read_to_end(&mut bytes).map_err(|fault| fault.to_string())?;
         read += bytes.len();
         if bytes.len() < due {

@@ -3,22 +3,22 @@
 use std::io;
 
 use super::super::error::Damage;
-use super::super::numbers::Numbers;
-use super::super::raw::{Column, Raw, Stamps};
-use super::super::shelf::Shelf;
+use super::super::numbers::ColumnNumbers;
+use super::super::raw::{Raw, RawColumn, TimeStamps};
+use super::super::samples::SampleStore;
 use super::blocks::{Block, Data};
 use super::header::{Dof, Header};
-use crate::recording::{Over, PIECE, Place, Series};
+use crate::recording::{IssuePlace, Over, PIECE, Series};
 
 /// Function types over time: time response, auto- and cross-correlation, shock.
 const OVER_TIME: [u32; 4] = [1, 5, 7, 24];
 
-pub(super) fn read(block: Block, shelf: &Shelf) -> Result<Raw, Damage> {
+pub(super) fn read(block: Block, store: &SampleStore) -> Result<Raw, Damage> {
     let header = Header::read(&block)?;
     let numbers = match block.data {
         Data::Binary(found) => found,
         Data::Lines(found, wrong) => {
-            checked(&found, wrong, &header).map_err(|why| Damage::at(Place::Byte(block.start), why))?;
+            checked(&found, wrong, &header).map_err(|why| Damage::at(IssuePlace::Byte(block.start), why))?;
             found
         }
     };
@@ -29,10 +29,10 @@ pub(super) fn read(block: Block, shelf: &Shelf) -> Result<Raw, Damage> {
         _ if OVER_TIME.contains(&header.function) || header.function == 0 => Over::Time,
         _ => Over::Frequency,
     };
-    let mut columns = parted(numbers, header.points, header.width(), shelf)?.into_iter();
+    let mut columns = parted(numbers, header.points, header.width(), store)?.into_iter();
     let mut next = || columns.next().unwrap_or_else(|| Vec::new().into());
-    let stamps = if header.even { Stamps::Even { start: header.start, step: header.step } } else { Stamps::Given(next()) };
-    let column = Column {
+    let stamps = if header.even { TimeStamps::Even { start: header.start, step: header.step } } else { TimeStamps::Given(next()) };
+    let column = RawColumn {
         name: name(&header),
         unit: unit(&header),
         place: place(&header.response),
@@ -46,11 +46,11 @@ pub(super) fn read(block: Block, shelf: &Shelf) -> Result<Raw, Damage> {
 }
 
 /// Points of so many numbers to one column for each; what fills up a last line is left out.
-fn parted(numbers: Numbers, points: usize, width: usize, shelf: &Shelf) -> Result<Vec<Numbers>, Damage> {
+fn parted(numbers: ColumnNumbers, points: usize, width: usize, store: &SampleStore) -> Result<Vec<ColumnNumbers>, Damage> {
     if width == 1 && numbers.count() == points {
         return Ok(vec![numbers]);
     }
-    let mut columns: Vec<Numbers> = (0..width).map(|_| shelf.column()).collect();
+    let mut columns: Vec<ColumnNumbers> = (0..width).map(|_| store.column()).collect();
     let mut place = 0;
     for index in 0..numbers.count().div_ceil(PIECE) {
         for x in numbers.piece(index)?.iter().take((points * width).saturating_sub(place)) {
@@ -94,14 +94,14 @@ fn same_grid(a: &Raw, b: &Raw) -> io::Result<bool> {
         return Ok(false);
     }
     match (&a.stamps, &b.stamps) {
-        (Stamps::Even { start: from, step: by }, Stamps::Even { start, step }) => Ok(from == start && by == step),
-        (Stamps::Given(a), Stamps::Given(b)) => a.same(b),
+        (TimeStamps::Even { start: from, step: by }, TimeStamps::Even { start, step }) => Ok(from == start && by == step),
+        (TimeStamps::Given(a), TimeStamps::Given(b)) => a.same(b),
         _ => Ok(false),
     }
 }
 
 /// Gives a new name to every column whose name is used twice.
-fn rename(columns: &mut [Column], new: impl Fn(&Column, usize) -> String) {
+fn rename(columns: &mut [RawColumn], new: impl Fn(&RawColumn, usize) -> String) {
     let names: Vec<String> = columns.iter().map(|column| column.name.clone()).collect();
     for (k, column) in columns.iter_mut().enumerate() {
         if names.iter().filter(|name| **name == column.name).count() > 1 {
@@ -111,7 +111,7 @@ fn rename(columns: &mut [Column], new: impl Fn(&Column, usize) -> String) {
 }
 
 /// Refuses text lines with a word that is no number, or with too few numbers.
-fn checked(found: &Numbers, wrong: Option<String>, header: &Header) -> Result<(), String> {
+fn checked(found: &ColumnNumbers, wrong: Option<String>, header: &Header) -> Result<(), String> {
     if let Some(word) = wrong {
         return Err(format!("{word:?} among the data is no number"));
     }

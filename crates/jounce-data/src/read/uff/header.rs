@@ -2,7 +2,7 @@
 
 use super::super::error::Damage;
 use super::blocks::Block;
-use crate::recording::Place;
+use crate::recording::IssuePlace;
 
 /// What a function is and how its numbers lie.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,7 +43,8 @@ pub(super) const LINES: usize = 11;
 
 impl Header {
     pub(super) fn read(block: &Block) -> Result<Self, Damage> {
-        let wrong = |line: usize, why: String| Damage::at(Place::Byte(block.start), format!("line {} of the data set: {why}", line + 1));
+        let wrong =
+            |line: usize, why: String| Damage::at(IssuePlace::Byte(block.start), format!("line {} of the data set: {why}", line + 1));
         if block.lines.len() < LINES {
             return Err(wrong(block.lines.len(), format!("its header has {LINES} lines; was the file cut?")));
         }

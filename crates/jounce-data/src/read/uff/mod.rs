@@ -14,18 +14,18 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
-use super::contents::Found;
+use super::contents::FormatContents;
 use super::error::Damage;
-use super::shelf::Shelf;
-use crate::recording::{Finding, FindingKind, Place};
+use super::samples::SampleStore;
+use crate::recording::{Issue, IssueKind, IssuePlace};
 
-pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
+pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, Damage> {
     let file = File::open(path).map_err(|fault| Damage::new(fault.to_string()))?;
-    let mut found = Found { sets: Vec::new(), shapes: Vec::new(), findings: Vec::new() };
+    let mut found = FormatContents { sets: Vec::new(), shapes: Vec::new(), findings: Vec::new() };
     let mut left_out: BTreeMap<u32, (usize, usize)> = BTreeMap::new();
-    blocks::blocks(BufReader::with_capacity(1 << 20, file), shelf, |block| {
+    blocks::blocks(BufReader::with_capacity(1 << 20, file), store, |block| {
         match block.number {
-            58 => found.sets.push(function::read(block, shelf)?),
+            58 => found.sets.push(function::read(block, store)?),
             55 => found.shapes.push(nodes::read(&block)?),
             other => left_out.entry(other).or_insert((0, block.start)).0 += 1,
         }
@@ -44,7 +44,7 @@ pub(super) fn read(path: &Path, shelf: &Shelf) -> Result<Found, Damage> {
     }
     for (number, (count, start)) in left_out {
         let about = format!("data set {number} is no recording and no mode shape and was left out");
-        found.findings.push(Finding::new(FindingKind::Skipped, count, Some(Place::Byte(start)), about));
+        found.findings.push(Issue::new(IssueKind::Skipped, count, Some(IssuePlace::Byte(start)), about));
     }
     Ok(found)
 }

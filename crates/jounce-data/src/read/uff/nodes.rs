@@ -4,13 +4,13 @@ use super::super::contents::ModeShape;
 use super::super::error::Damage;
 use super::blocks::Block;
 use super::numbers::numbers;
-use crate::recording::Place;
+use crate::recording::IssuePlace;
 
 /// Header lines of data set 55.
 const LINES: usize = 8;
 
 pub(super) fn read(block: &Block) -> Result<ModeShape, Damage> {
-    let wrong = |line: usize, why: String| Damage::at(Place::Byte(block.start), format!("line {} of the data set: {why}", line + 1));
+    let wrong = |line: usize, why: String| Damage::at(IssuePlace::Byte(block.start), format!("line {} of the data set: {why}", line + 1));
     let row = |line: usize| {
         let mut found = Vec::new();
         let text = block.lines.get(line).ok_or_else(|| wrong(line, "it is missing: was the file cut?".to_owned()))?;

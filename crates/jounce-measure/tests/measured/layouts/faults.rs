@@ -3,7 +3,7 @@
 use super::loggers::lvm;
 use super::{rows, sample};
 use crate::through_a_file::{kinds, one, read};
-use jounce_measure::recording::FindingKind;
+use jounce_measure::recording::IssueKind;
 use std::f64::consts::TAU;
 
 fn refused(text: &str, notes: Option<&str>) -> String {
@@ -41,7 +41,7 @@ fn what_only_rises_is_no_time() {
 fn stamps_win_over_a_header_that_disagrees() {
     let text = "Sample Interval,1e-05\nTIME,CH1\n".to_owned() + &rows(|k| format!("{:e},{:.4}", 1e-3 * k as f64, sample(0, k)));
     let found = one("a.csv", text.as_bytes(), None);
-    assert!((found.rate() - 1e3).abs() < 1e-6 && kinds(&found).contains(&FindingKind::HeaderDisagrees), "{:?}", found.findings);
+    assert!((found.rate() - 1e3).abs() < 1e-6 && kinds(&found).contains(&IssueKind::HeaderDisagrees), "{:?}", found.findings);
 }
 
 /// Stamps without a unit get it from the rate of the header.
@@ -82,7 +82,7 @@ fn rounded_stamps_leave_every_sample_as_it_is() {
         let off = (found.rate() / rate_hz - 1.0).abs();
         eprintln!("{rate_hz} Hz with {decimals} decimals: off by {off:.1e}");
         assert!(off < 10f64.powf(-(decimals as f64)) * rate_hz / 5000.0, "{rate_hz}: {off}");
-        assert_eq!(kinds(&found), [FindingKind::RoundedStamps]);
+        assert_eq!(kinds(&found), [IssueKind::RoundedStamps]);
     }
     let mut state = 1u32;
     let mut jitter = || {
@@ -92,7 +92,7 @@ fn rounded_stamps_leave_every_sample_as_it_is() {
     let text =
         "time [s],a [V]\n".to_owned() + &(0..5000).map(|k| format!("{:.7},1.5\n", 1e-3 * (k as f64 + 0.3 * jitter()))).collect::<String>();
     let found = one("a.csv", text.as_bytes(), None);
-    let told = found.findings.iter().find(|finding| finding.kind == FindingKind::Jitter).expect("jitter").to_string();
+    let told = found.findings.iter().find(|finding| finding.kind == IssueKind::Jitter).expect("jitter").to_string();
     assert!(told.contains("% of the mean step") && told.contains("e-4 s"), "{told}");
 }
 

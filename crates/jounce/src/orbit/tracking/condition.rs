@@ -1,10 +1,10 @@
 //! What is zero at a bifurcation.
 
-use super::circle;
-use super::critical::Critical;
+use super::fold_flip::CriticalMultiplier;
+use super::grazing::GrazingPoint;
 use super::level;
-use super::touching::Touch;
-use crate::orbit::{OrbitQuantity, Shot};
+use super::neimark_sacker;
+use crate::orbit::{OrbitQuantity, ShootingEvaluation};
 
 /// The condition of a bifurcation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,7 +14,7 @@ pub enum Condition {
     /// A complex pair of multipliers on the unit circle; past a strong resonance two real ones whose product is one.
     Circle,
     /// A turning point of a port on the surface of its stop; where a curve begins.
-    Touching(Touch),
+    Touching(GrazingPoint),
     /// A quantity of the orbit at a level.
     Level(OrbitQuantity, f64),
     /// Mean power stationary along the curve over the first parameter.
@@ -33,7 +33,7 @@ pub struct Gradient {
     /// By the time of a turning point, drive cycles.
     pub by_phase: f64,
     /// At a peak, second derivative of the power along the curve, beside the power: negative at a maximum.
-    pub bend: Option<f64>,
+    pub power_curvature: Option<f64>,
     /// True where a pair on the circle has met on the real axis.
     pub is_resonant: bool,
 }
@@ -42,7 +42,7 @@ impl Gradient {
     /// Of a condition that does not exist at a place.
     pub fn none(states: usize) -> Self {
         let by_unknown = vec![0.0; states];
-        Self { value: f64::NAN, by_unknown, by_parameters: [0.0; 2], by_phase: 0.0, bend: None, is_resonant: false }
+        Self { value: f64::NAN, by_unknown, by_parameters: [0.0; 2], by_phase: 0.0, power_curvature: None, is_resonant: false }
     }
 }
 
@@ -53,17 +53,17 @@ impl Condition {
     /// `None` where there is no such condition: a singular border, no complex pair, or a condition of another kind.
     pub fn gradient<E>(
         self,
-        shot: &Shot,
-        aside: [&Shot; 2],
+        shot: &ShootingEvaluation,
+        aside: [&ShootingEvaluation; 2],
         differences: [f64; 2],
-        moved: impl Fn(&[f64]) -> Result<Shot, E>,
+        moved: impl Fn(&[f64]) -> Result<ShootingEvaluation, E>,
     ) -> Result<Option<Gradient>, E> {
         match self {
-            Condition::Multiplier(s) => match Critical::of(shot.map(), s) {
+            Condition::Multiplier(s) => match CriticalMultiplier::of(shot.map(), s) {
                 Some(critical) => critical.gradient(shot, aside, differences, moved).map(Some),
                 None => Ok(None),
             },
-            Condition::Circle => circle::gradient(shot, aside, differences, moved),
+            Condition::Circle => neimark_sacker::gradient(shot, aside, differences, moved),
             Condition::Level(quantity, value) => level::gradient((quantity, value), shot, aside, differences, moved).map(Some),
             Condition::Touching(_) | Condition::Peak => Ok(None),
         }

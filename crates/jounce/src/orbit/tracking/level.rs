@@ -7,7 +7,7 @@
 //! The largest value over a period has no derivative in closed form. The gradient is a difference quotient with one shot for each state.
 
 use super::condition::Gradient;
-use crate::orbit::{OrbitQuantity, Shot};
+use crate::orbit::{OrbitQuantity, ShootingEvaluation};
 use faer::ColRef;
 
 /// Step of the difference quotient, relative to the norm of the state.
@@ -16,20 +16,20 @@ const RELATIVE_STEP: f64 = 1e-6;
 /// `g` with its gradient. See [`super::Condition::gradient`].
 pub fn gradient<E>(
     (quantity, value): (OrbitQuantity, f64),
-    shot: &Shot,
-    aside: [&Shot; 2],
+    shot: &ShootingEvaluation,
+    aside: [&ShootingEvaluation; 2],
     differences: [f64; 2],
-    moved: impl Fn(&[f64]) -> Result<Shot, E>,
+    moved: impl Fn(&[f64]) -> Result<ShootingEvaluation, E>,
 ) -> Result<Gradient, E> {
-    let off = |shot: &Shot| quantity.of(shot) / value - 1.0;
+    let off = |shot: &ShootingEvaluation| quantity.of(shot) / value - 1.0;
     let here = off(shot);
-    let states = shot.looks[0].len();
-    let step = RELATIVE_STEP * ColRef::from_slice(&shot.looks[0]).norm_l2();
+    let states = shot.strobe_states[0].len();
+    let step = RELATIVE_STEP * ColRef::from_slice(&shot.strobe_states[0]).norm_l2();
     let by = |j: usize| {
         let change: Vec<f64> = (0..states).map(|i| if i == j { step } else { 0.0 }).collect();
         Ok((off(&moved(&change)?) - here) / step)
     };
     let by_unknown = (0..states).map(by).collect::<Result<_, E>>()?;
     let by_parameters = [0, 1].map(|k| (off(aside[k]) - here) / differences[k]);
-    Ok(Gradient { value: here, by_unknown, by_parameters, by_phase: 0.0, bend: None, is_resonant: false })
+    Ok(Gradient { value: here, by_unknown, by_parameters, by_phase: 0.0, power_curvature: None, is_resonant: false })
 }

@@ -8,18 +8,18 @@
 //! unit circle (Neimark-Sacker), a turning point on the surface of the stop (grazing), a quantity at a level, or power
 //! stationary along the curve (peak). Unknown are `u` and `p`; `p2` is the parameter of the curve, which continuation follows through its own folds.
 
-mod circle;
+mod branch_projection;
 mod condition;
-mod critical;
-mod foot;
+mod extended_problem;
+mod fold_flip;
+mod grazing;
 mod level;
-mod pair;
+mod multiplier_pair;
+mod neimark_sacker;
 mod peak;
-mod plane;
-mod touching;
-mod tracked;
+mod two_parameter_problem;
 
 pub use condition::{Condition, Gradient};
-pub use plane::Plane;
-pub use touching::Touch;
-pub use tracked::{Tracked, Tracking};
+pub use extended_problem::{ExtendedEvaluation, ExtendedProblem};
+pub use grazing::GrazingPoint;
+pub use two_parameter_problem::TwoParameterProblem;

@@ -10,60 +10,60 @@
 //!
 //! Validation: `tests/orbits/peaks.rs` compares peaks and optimal loads with the closed forms of a harvester that never touches.
 
+use super::branch_projection::{BranchProjection, TrackingError};
 use super::condition::Gradient;
-use super::foot::{Failure, Foot};
-use super::plane::Plane;
-use super::tracked::Tracking;
-use crate::orbit::{OrbitError, Shot};
+use super::extended_problem::ExtendedProblem;
+use super::two_parameter_problem::TwoParameterProblem;
+use crate::orbit::{OrbitError, ShootingEvaluation};
 use faer::ColRef;
 
 /// Width of a difference along the curve, beside the size of the state.
-const WIDTH: f64 = 3e-3;
+const DIFFERENCE_WIDTH: f64 = 3e-3;
 
 /// A way that is off by less than this factor is taken as it is.
-const NEARLY: f64 = 3.0;
+const ACCEPTED_WAY_RATIO: f64 = 3.0;
 
 /// Way to the neighbouring curve that is tried first, in differences of the second parameter, ...
-const ASIDE: f64 = 10.0;
+const FIRST_WAY: f64 = 10.0;
 
 /// ... the change of `g` that it should make: over a shorter way roundoff counts, over a longer one `g` bends, ...
-const CHANGE: f64 = 1e-3;
+const WANTED_CHANGE: f64 = 1e-3;
 
 /// ... and the farthest that the state may go on it, beside its size.
-const REACH: f64 = 3e-3;
+const MAX_STATE_CHANGE: f64 = 3e-3;
 
-fn power_w(shot: &Shot) -> f64 {
+fn power_w(shot: &ShootingEvaluation) -> f64 {
     shot.loads_w.iter().sum()
 }
 
 /// `g` and its slope along the curve.
-struct Slopes {
+struct PowerSlopes {
     first: f64,
     /// By the length.
     second: f64,
 }
 
-impl<P: Plane> Tracking<'_, P> {
+impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
     /// `g` with its gradient.
     pub(super) fn peak(
         &self,
         (start, parameter, parameter_2): (&[f64], f64, f64),
         (line, beside): (&P::Line, &P::Line),
-    ) -> Result<Option<Gradient>, Failure<P>> {
+    ) -> Result<Option<Gradient>, TrackingError<P>> {
         let Some(foot) = self.foot((start, parameter, parameter_2), line)? else { return Ok(None) };
         let (n, size) = (foot.start.len(), foot.size());
-        let width = WIDTH * size;
-        let Some(Slopes { first, second }) = self.slopes(line, &foot, width)? else { return Ok(None) };
+        let width = DIFFERENCE_WIDTH * size;
+        let Some(PowerSlopes { first, second }) = self.slopes(line, &foot, width)? else { return Ok(None) };
         let difference = self.plane.differences([foot.parameter, parameter_2])[1];
         let (aside, _) = self.shooting(beside).shoot(&foot.start, foot.parameter)?;
         let right: Vec<f64> = (0..n).map(|i| -(aside.residual[i] - foot.shot.residual[i]) / difference).collect();
         let Some(to_side) = foot.tangent.across(&right) else { return Ok(None) };
         let aside = |step: f64| self.first_aside((&foot, parameter_2), &to_side, step, width);
-        let mut step = ASIDE * difference;
+        let mut step = FIRST_WAY * difference;
         let Some(mut there) = aside(step)? else { return Ok(None) };
-        let farthest = REACH * size / ColRef::from_slice(&to_side).norm_l2();
-        let better = (step * CHANGE / (there - first).abs()).min(farthest);
-        if !(1.0 / NEARLY..NEARLY).contains(&(better / step)) {
+        let farthest = MAX_STATE_CHANGE * size / ColRef::from_slice(&to_side).norm_l2();
+        let better = (step * WANTED_CHANGE / (there - first).abs()).min(farthest);
+        if !(1.0 / ACCEPTED_WAY_RATIO..ACCEPTED_WAY_RATIO).contains(&(better / step)) {
             step = better;
             let Some(other) = aside(step)? else { return Ok(None) };
             there = other;
@@ -74,13 +74,13 @@ impl<P: Plane> Tracking<'_, P> {
             by_unknown: along[..n].iter().map(|t| second * t).collect(),
             by_parameters: [second * along[n] / self.unit, (there - first) / step],
             by_phase: 0.0,
-            bend: Some(second * size),
+            power_curvature: Some(second * size),
             is_resonant: false,
         }))
     }
 
     /// By shots once and twice a width off, on both sides along the curve.
-    fn slopes(&self, line: &P::Line, foot: &Foot, width: f64) -> Result<Option<Slopes>, Failure<P>> {
+    fn slopes(&self, line: &P::Line, foot: &BranchProjection, width: f64) -> Result<Option<PowerSlopes>, TrackingError<P>> {
         let (own_w, residual) = (power_w(&foot.shot), &foot.shot.residual);
         let sides = self.sides(line, foot, width)?;
         // Half-way between the two sides the straight way has left the curve by the bend.
@@ -91,11 +91,17 @@ impl<P: Plane> Tracking<'_, P> {
         let both = |pair: usize| power_w(&sides[pair][0]) + power_w(&sides[pair][1]) - 2.0 * own_w;
         let second_w = (16.0 * both(0) - both(1)) / 12.0 + 2.0 * (bent_w - own_w);
         let unit = foot.size() / own_w;
-        Ok(Some(Slopes { first: first_w(&sides, width) * unit, second: second_w / (width * width) * unit }))
+        Ok(Some(PowerSlopes { first: first_w(&sides, width) * unit, second: second_w / (width * width) * unit }))
     }
 
     /// `g` on the neighbouring curve.
-    fn first_aside(&self, (foot, parameter_2): (&Foot, f64), to_side: &[f64], step: f64, width: f64) -> Result<Option<f64>, Failure<P>> {
+    fn first_aside(
+        &self,
+        (foot, parameter_2): (&BranchProjection, f64),
+        to_side: &[f64],
+        step: f64,
+        width: f64,
+    ) -> Result<Option<f64>, TrackingError<P>> {
         let line = self.plane.line(parameter_2 + step).map_err(OrbitError::Harvester)?;
         let there: Vec<f64> = foot.start.iter().zip(to_side).map(|(u, d)| u + step * d).collect();
         let parameter = foot.parameter + step * self.unit * to_side[there.len()];
@@ -105,20 +111,26 @@ impl<P: Plane> Tracking<'_, P> {
         Ok(Some(sense.signum() * first))
     }
 
-    fn sides(&self, line: &P::Line, foot: &Foot, width: f64) -> Result<[[Shot; 2]; 2], Failure<P>> {
+    fn sides(&self, line: &P::Line, foot: &BranchProjection, width: f64) -> Result<[[ShootingEvaluation; 2]; 2], TrackingError<P>> {
         let off = |widths: f64| self.shoot_off(line, foot, &foot.tangent.along, widths * width);
         Ok([[off(-1.0)?, off(1.0)?], [off(-2.0)?, off(2.0)?]])
     }
 
     /// A shot off a place by a change of `(u, (p - p0) / unit)`.
-    fn shoot_off(&self, line: &P::Line, foot: &Foot, change: &[f64], length: f64) -> Result<Shot, Failure<P>> {
+    fn shoot_off(
+        &self,
+        line: &P::Line,
+        foot: &BranchProjection,
+        change: &[f64],
+        length: f64,
+    ) -> Result<ShootingEvaluation, TrackingError<P>> {
         let moved: Vec<f64> = foot.start.iter().zip(change).map(|(u, d)| u + length * d).collect();
         Ok(self.shooting(line).shoot(&moved, foot.parameter + length * self.unit * change[moved.len()])?.0)
     }
 }
 
 /// Slope of the power along a curve, W per length, from the shots beside a place.
-fn first_w(sides: &[[Shot; 2]; 2], width: f64) -> f64 {
-    let across = |[before, after]: &[Shot; 2]| power_w(after) - power_w(before);
+fn first_w(sides: &[[ShootingEvaluation; 2]; 2], width: f64) -> f64 {
+    let across = |[before, after]: &[ShootingEvaluation; 2]| power_w(after) - power_w(before);
     (8.0 * across(&sides[0]) - across(&sides[1])) / (12.0 * width)
 }

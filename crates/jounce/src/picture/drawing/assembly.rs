@@ -18,7 +18,7 @@ const STEP: f64 = 40.0;
 
 /// Where a body stands: the root of a beam on its mid-plane, the middle of anything else.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Spot {
+pub struct DrawnSpot {
     /// Abscissa, px.
     pub x: f64,
     /// Height, px, growing downwards.
@@ -28,10 +28,10 @@ pub struct Spot {
 }
 
 /// Every body relative to the one at the foot of its assembly, and that one's index.
-pub fn assemblies(drawing: &Drawing, px_per_m: f64) -> Vec<(usize, Spot)> {
+pub fn assemblies(drawing: &Drawing, px_per_m: f64) -> Vec<(usize, DrawnSpot)> {
     let count = drawing.bodies.len();
-    let mut found: Vec<Option<(usize, Spot)>> =
-        (0..count).map(|k| carrier(drawing, k).is_none().then_some((k, Spot { way: 1.0, ..Spot::default() }))).collect();
+    let mut found: Vec<Option<(usize, DrawnSpot)>> =
+        (0..count).map(|k| carrier(drawing, k).is_none().then_some((k, DrawnSpot { way: 1.0, ..DrawnSpot::default() }))).collect();
     let mut carried = vec![0_usize; count];
     for _ in 0..count {
         for k in 0..count {
@@ -44,7 +44,7 @@ pub fn assemblies(drawing: &Drawing, px_per_m: f64) -> Vec<(usize, Spot)> {
         }
     }
     // A spec with supports in a circle is refused elsewhere; here each of them stands alone.
-    found.into_iter().enumerate().map(|(k, spot)| spot.unwrap_or((k, Spot { way: 1.0, ..Spot::default() }))).collect()
+    found.into_iter().enumerate().map(|(k, spot)| spot.unwrap_or((k, DrawnSpot { way: 1.0, ..DrawnSpot::default() }))).collect()
 }
 
 /// The place that carries a body.
@@ -56,7 +56,7 @@ pub fn carrier(drawing: &Drawing, body: usize) -> Option<DrawnPlace> {
 }
 
 /// Where a body stands on a place of another that has its spot; `rank` others are on it already.
-fn beside(drawing: &Drawing, body: usize, place: DrawnPlace, on: Spot, rank: usize, px_per_m: f64) -> Spot {
+fn beside(drawing: &Drawing, body: usize, place: DrawnPlace, on: DrawnSpot, rank: usize, px_per_m: f64) -> DrawnSpot {
     let x = on.x + on.way * place.along_m * px_per_m;
     let half = 0.5 * size(drawing, place.body).1;
     let own = 0.5 * size(drawing, body).1;
@@ -64,15 +64,15 @@ fn beside(drawing: &Drawing, body: usize, place: DrawnPlace, on: Spot, rank: usi
     match (&drawing.bodies[body].shape, &drawing.bodies[place.body].shape) {
         (DrawnShape::Beam(_), DrawnShape::Beam(beam)) => {
             let amid = place.along_m < 0.999 * beam.length_m;
-            Spot { x, y: on.y - if amid { STEP } else { 0.0 }, way: on.way }
+            DrawnSpot { x, y: on.y - if amid { STEP } else { 0.0 }, way: on.way }
         }
         (DrawnShape::Beam(_), _) => {
             let way = if rank.is_multiple_of(2) { 1.0 } else { -1.0 };
-            Spot { x: on.x + way * 0.5 * size(drawing, place.body).0, y: on.y - STEP * (rank / 2) as f64, way }
+            DrawnSpot { x: on.x + way * 0.5 * size(drawing, place.body).0, y: on.y - STEP * (rank / 2) as f64, way }
         }
-        (_, DrawnShape::Beam(_)) if sprung => Spot { x, y: on.y - SPRING - own, way: 1.0 },
-        (_, DrawnShape::Beam(_)) => Spot { x, y: on.y, way: 1.0 },
-        _ => Spot { x: on.x, y: on.y - half - own - if sprung { SPRING } else { 0.0 }, way: 1.0 },
+        (_, DrawnShape::Beam(_)) if sprung => DrawnSpot { x, y: on.y - SPRING - own, way: 1.0 },
+        (_, DrawnShape::Beam(_)) => DrawnSpot { x, y: on.y, way: 1.0 },
+        _ => DrawnSpot { x: on.x, y: on.y - half - own - if sprung { SPRING } else { 0.0 }, way: 1.0 },
     }
 }
 
@@ -89,7 +89,7 @@ pub fn size(drawing: &Drawing, body: usize) -> (f64, f64) {
 }
 
 /// What a body covers; a mass with contacts on both sides stands beside them, so that its spring is clear of what it strikes.
-pub fn room(drawing: &Drawing, body: usize, spot: Spot, px_per_m: f64) -> Rect {
+pub fn room(drawing: &Drawing, body: usize, spot: DrawnSpot, px_per_m: f64) -> Rect {
     match &drawing.bodies[body].shape {
         DrawnShape::Beam(beam) => {
             let (above, below) = (thickness(beam, None, true, px_per_m), thickness(beam, None, false, px_per_m));

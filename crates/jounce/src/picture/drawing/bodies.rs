@@ -3,8 +3,8 @@
 use super::assembly::{SPRING, carrier, room, sides, thick, under};
 use super::canvas::{Canvas, INK, THIN};
 use super::dimension;
-use super::hatch::{Far, HATCH, ground};
-use super::layout::Layout;
+use super::hatch::{HATCH, HatchSide, ground};
+use super::layout::DrawingLayout;
 use super::rect::Rect;
 use super::symbols::spring;
 use super::{Drawing, DrawnBeam, DrawnShape, Seat};
@@ -20,7 +20,7 @@ const STARTS: [f64; 4] = [0.0, 0.25, 0.75, 1.0];
 pub const WALL: f64 = 20.0;
 
 /// A body, with `shift` from the layout to the sheet.
-pub fn body(canvas: &mut Canvas, drawing: &Drawing, layout: &Layout, body: usize, shift: (f64, f64)) {
+pub fn body(canvas: &mut Canvas, drawing: &Drawing, layout: &DrawingLayout, body: usize, shift: (f64, f64)) {
     let drawn = &drawing.bodies[body];
     let mut spot = layout.spots[body];
     (spot.x, spot.y) = (spot.x + shift.0, spot.y + shift.1);
@@ -85,13 +85,13 @@ fn seat(canvas: &mut Canvas, drawing: &Drawing, body: usize, covered: Rect) {
     let end = if up { to - HATCH } else { to + HATCH };
     canvas.cover(Rect::between((x - 10.0, from), (x + 10.0, to)));
     if on.is_none() {
-        ground(canvas.svg, (x - 25.0, to), 50.0, if up { Far::Above } else { Far::Below });
+        ground(canvas.svg, (x - 25.0, to), 50.0, if up { HatchSide::Above } else { HatchSide::Below });
         canvas.cover(Rect::between((x - 31.0, to), (x + 31.0, end)));
     }
 }
 
 fn wall(canvas: &mut Canvas, (x, y): (f64, f64), way: f64) {
-    ground(canvas.svg, (x, y - WALL), 2.0 * WALL, if way > 0.0 { Far::Left } else { Far::Right });
+    ground(canvas.svg, (x, y - WALL), 2.0 * WALL, if way > 0.0 { HatchSide::Left } else { HatchSide::Right });
     canvas.cover(Rect::between((x, y - WALL), (x - way * HATCH, y + WALL + HATCH)));
 }
 

@@ -1,6 +1,6 @@
 //! A sheet that remembers what it covers, so that labels find free places.
 
-use super::labels::{LINE, Wanted, placed};
+use super::labels::{LINE, LabelRequest, placed};
 use super::rect::Rect;
 use crate::picture::svg::{Anchor, Svg, number};
 use crate::picture::text::SMALL;
@@ -16,7 +16,7 @@ pub struct Canvas<'s> {
     /// The document.
     pub svg: &'s mut Svg,
     covered: Vec<Rect>,
-    wanted: Vec<Wanted>,
+    wanted: Vec<LabelRequest>,
     /// Left and right edge of what labels may cover.
     page: (f64, f64),
 }
@@ -45,7 +45,7 @@ impl<'s> Canvas<'s> {
 
     /// Asks for a label of something long, whose line may start at other points of it.
     pub fn label_along(&mut self, anchor: (f64, f64), others: Vec<(f64, f64)>, toward: (f64, f64), lines: Vec<String>) {
-        self.wanted.push(Wanted { anchor, others, toward, lines });
+        self.wanted.push(LabelRequest { anchor, others, toward, lines });
     }
 
     /// Sets all labels; gives what everything together covers.

@@ -3,7 +3,7 @@
 use super::assembly::covers;
 use super::bodies::{BODY, LAYER, PATCH};
 use super::canvas::THIN;
-use super::hatch::{Far, ground};
+use super::hatch::{HatchSide, ground};
 use super::{Drawing, DrawnContact, DrawnPatch, DrawnPlace, DrawnShape, contacts, dimension, symbols};
 use crate::picture::svg::{Anchor, Svg, number};
 use crate::picture::text::SMALL;
@@ -26,7 +26,7 @@ pub fn needed(contact: &DrawnContact, px_per_m: f64) -> bool {
 }
 
 /// The sizes of a closer look.
-pub struct Closeness {
+pub struct CloseUpSize {
     /// Pixels per metre.
     scale: f64,
     /// -1 where what is struck stands above.
@@ -40,7 +40,7 @@ pub struct Closeness {
 /// Upper edge of the window under that of the whole, and its height, px.
 const WINDOW: (f64, f64) = (26.0, SIZE.1 - 54.0);
 
-impl Closeness {
+impl CloseUpSize {
     /// How close a contact is looked at.
     pub fn of(drawing: &Drawing, contact: &DrawnContact) -> Self {
         let own: f64 = plies(drawing, contact.at, contact.above).iter().map(|(thickness_m, _)| thickness_m).sum();
@@ -71,7 +71,7 @@ fn plies(drawing: &Drawing, place: DrawnPlace, top: bool) -> Vec<(f64, &'static 
 /// Draws it with its upper left corner at `(x, y)`; `px_per_m` is the scale of the side view.
 pub fn draw(svg: &mut Svg, drawing: &Drawing, contact: &DrawnContact, (x, y): (f64, f64), px_per_m: f64) {
     svg.rect(x, y, SIZE.0, SIZE.1, THIN);
-    let Closeness { scale, way, face, struck } = Closeness::of(drawing, contact);
+    let CloseUpSize { scale, way, face, struck } = CloseUpSize::of(drawing, contact);
     svg.text(x + 8.0, y + 18.0, SMALL, Anchor::Start, &format!("stop {}, {}", contact.label, contacts::gap(contact.gap_m)));
     svg.open_window(x, y + WINDOW.0, SIZE.0, WINDOW.1);
     let middle = 0.5 * SIZE.0;
@@ -82,7 +82,7 @@ pub fn draw(svg: &mut Svg, drawing: &Drawing, contact: &DrawnContact, (x, y): (f
                 &symbols::tip(middle, struck, way, 14.0),
                 "class=\"jounce-stop\" fill=\"#8a8a8a\" fill-opacity=\"0.8\" stroke=\"none\"",
             );
-            ground(svg, (middle - 50.0, struck + way * 28.0), 100.0, if contact.above { Far::Above } else { Far::Below });
+            ground(svg, (middle - 50.0, struck + way * 28.0), 100.0, if contact.above { HatchSide::Above } else { HatchSide::Below });
         }
         Some(on) => side(svg, (struck, way), &plies(drawing, on, !contact.above), scale),
     }

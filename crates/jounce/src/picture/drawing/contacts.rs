@@ -3,8 +3,8 @@
 use super::assembly::{carrier, face, room};
 use super::bodies::arm;
 use super::canvas::{Canvas, INK};
-use super::hatch::{Far, HATCH, ground};
-use super::layout::{Layout, way};
+use super::hatch::{HATCH, HatchSide, ground};
+use super::layout::{DrawingLayout, way};
 use super::rect::Rect;
 use super::symbols::tip;
 use super::{Drawing, DrawnContact, dimension};
@@ -20,7 +20,7 @@ const GROUND: f64 = 36.0;
 pub const SEEN: f64 = 14.0;
 
 /// A stop, with `shift` from the layout to the sheet.
-pub fn contact(canvas: &mut Canvas, drawing: &Drawing, layout: &Layout, index: usize, shift: (f64, f64)) {
+pub fn contact(canvas: &mut Canvas, drawing: &Drawing, layout: &DrawingLayout, index: usize, shift: (f64, f64)) {
     let drawn = &drawing.contacts[index];
     let (x, middle) = layout.point(drawing, drawn.at);
     let (x, middle, way) = (x + shift.0, middle + shift.1, way(drawn));
@@ -38,14 +38,14 @@ pub fn contact(canvas: &mut Canvas, drawing: &Drawing, layout: &Layout, index: u
 }
 
 /// Where the left end of the ground behind a stop is, relative to the layout.
-pub fn foot(drawing: &Drawing, layout: &Layout, drawn: &DrawnContact) -> (f64, f64) {
+pub fn foot(drawing: &Drawing, layout: &DrawingLayout, drawn: &DrawnContact) -> (f64, f64) {
     let (x, middle) = layout.point(drawing, drawn.at);
     let far = middle + way(drawn) * (layout.reach(drawing, drawn) + PIN);
     (x - 0.5 * GROUND, far)
 }
 
 /// Its name with the gap, and its law.
-fn words(drawing: &Drawing, layout: &Layout, index: usize) -> Vec<String> {
+fn words(drawing: &Drawing, layout: &DrawingLayout, index: usize) -> Vec<String> {
     let drawn = &drawing.contacts[index];
     let name = match drawn.on {
         // Where it stands is seen, unless it can only be said.
@@ -67,7 +67,7 @@ pub fn gap(gap_m: f64) -> String {
 }
 
 /// A tip with what holds it.
-fn stop(canvas: &mut Canvas, drawing: &Drawing, layout: &Layout, drawn: &DrawnContact, (x, y): (f64, f64), shift: (f64, f64)) {
+fn stop(canvas: &mut Canvas, drawing: &Drawing, layout: &DrawingLayout, drawn: &DrawnContact, (x, y): (f64, f64), shift: (f64, f64)) {
     let way = way(drawn);
     let far = y + way * PIN;
     canvas.svg.path(&tip(x, y, way, TIP), "class=\"jounce-stop\" fill=\"#8a8a8a\" stroke=\"none\"");
@@ -75,7 +75,7 @@ fn stop(canvas: &mut Canvas, drawing: &Drawing, layout: &Layout, drawn: &DrawnCo
     canvas.cover(Rect::between((x - TIP, y), (x + TIP, far)));
     match drawn.on {
         None => {
-            ground(canvas.svg, (x - 0.5 * GROUND, far), GROUND, if drawn.above { Far::Above } else { Far::Below });
+            ground(canvas.svg, (x - 0.5 * GROUND, far), GROUND, if drawn.above { HatchSide::Above } else { HatchSide::Below });
             canvas.cover(Rect::between((x - 24.0, far), (x + 24.0, far + way * HATCH)));
         }
         Some(on) => {

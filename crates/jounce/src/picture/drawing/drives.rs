@@ -3,7 +3,7 @@
 use super::assembly::{face, room};
 use super::bodies::WALL;
 use super::canvas::Canvas;
-use super::layout::Layout;
+use super::layout::DrawingLayout;
 use super::rect::Rect;
 use super::{Drawing, DrawnDrive, DrawnPlace, DrawnShape, Seat, contacts, dimension};
 use std::collections::BTreeSet;
@@ -15,7 +15,7 @@ const ARROW: f64 = 36.0;
 const ASIDE: f64 = 20.0;
 
 /// The forces on the bodies of a group.
-pub fn forces(canvas: &mut Canvas, drawing: &Drawing, layout: &Layout, group: usize, shift: (f64, f64)) {
+pub fn forces(canvas: &mut Canvas, drawing: &Drawing, layout: &DrawingLayout, group: usize, shift: (f64, f64)) {
     for drive in &drawing.drives {
         let Some(place) = drive.at.filter(|place| layout.group[place.body] == group) else { continue };
         let (x, y) = arrow_at(drawing, layout, place, shift);
@@ -26,7 +26,7 @@ pub fn forces(canvas: &mut Canvas, drawing: &Drawing, layout: &Layout, group: us
 }
 
 /// Where the arrow of a force stands: beside a mass, over a point of a beam.
-fn arrow_at(drawing: &Drawing, layout: &Layout, place: DrawnPlace, shift: (f64, f64)) -> (f64, f64) {
+fn arrow_at(drawing: &Drawing, layout: &DrawingLayout, place: DrawnPlace, shift: (f64, f64)) -> (f64, f64) {
     let (x, y) = layout.point(drawing, place);
     if let DrawnShape::Beam(_) = drawing.bodies[place.body].shape {
         // On the face that nothing strikes there.
@@ -45,7 +45,7 @@ fn arrow(canvas: &mut Canvas, x: f64, y: f64) {
 }
 
 /// Motions of bases, each base by itself.
-pub fn bases(canvas: &mut Canvas, drawing: &Drawing, layout: &Layout, group: usize, shift: (f64, f64)) {
+pub fn bases(canvas: &mut Canvas, drawing: &Drawing, layout: &DrawingLayout, group: usize, shift: (f64, f64)) {
     let names: BTreeSet<&String> = drawing.drives.iter().filter_map(|drive| drive.base.as_ref()).collect();
     for name in names {
         let moving: Vec<&DrawnDrive> = drawing.drives.iter().filter(|drive| drive.base.as_ref() == Some(name)).collect();
@@ -59,7 +59,7 @@ pub fn bases(canvas: &mut Canvas, drawing: &Drawing, layout: &Layout, group: usi
 
 /// Where the arrow of a base stands in a group: beside the first body that it holds, beside a stop that stands on it, or beside what
 /// is only moved by it; nowhere where the group has nothing of that base.
-fn foot(drawing: &Drawing, layout: &Layout, group: usize, drive: &DrawnDrive) -> Option<(f64, f64)> {
+fn foot(drawing: &Drawing, layout: &DrawingLayout, group: usize, drive: &DrawnDrive) -> Option<(f64, f64)> {
     let place = |body: &usize| (layout.spots[*body].x, layout.spots[*body].y);
     let carried = || layout.members(group).filter(|body| drive.carried.contains(body));
     let of = |seat: Seat| carried().filter(move |body| drawing.bodies[*body].seat == seat);

@@ -1,15 +1,15 @@
 //! The parts of a drawing that may be moved by hand, with their places on the sheet.
 
 use super::assembly::{face, thick};
-use super::close_up::{self, Closeness};
+use super::close_up::{self, CloseUpSize};
 use super::contacts::PIN;
-use super::layout::{Layout, way};
+use super::layout::{DrawingLayout, way};
 use super::rect::Rect;
 use super::{Drawing, DrawnShape};
 
 /// A drawing with the places of what is on it, px from its upper left corner.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sheet {
+pub struct GripSheet {
     /// As SVG.
     pub svg: String,
     /// The side view with its scale bar.
@@ -63,7 +63,7 @@ pub enum GripPart {
 }
 
 /// All grips; `shifts` are those of the groups from the layout to the sheet, `looks` the closer looks in the order of their contacts.
-pub fn grips(drawing: &Drawing, layout: &Layout, shifts: &[(f64, f64)], looks: &[Rect]) -> Vec<Grip> {
+pub fn grips(drawing: &Drawing, layout: &DrawingLayout, shifts: &[(f64, f64)], looks: &[Rect]) -> Vec<Grip> {
     let mut found = Vec::new();
     for body in 0..drawing.bodies.len() {
         found.extend(patches(drawing, layout, body, shifts[layout.group[body]]));
@@ -83,7 +83,7 @@ pub fn grips(drawing: &Drawing, layout: &Layout, shifts: &[(f64, f64)], looks: &
         let part = GripPart::Gap { contact: index };
         if close_up::needed(contact, layout.px_per_m) {
             let Some(look) = looks.next() else { continue };
-            let (at, px_per_m) = Closeness::of(drawing, contact).grip((look.left, look.top));
+            let (at, px_per_m) = CloseUpSize::of(drawing, contact).grip((look.left, look.top));
             found.push(Grip { part, at, px_per_m: (0.0, px_per_m) });
         } else if layout.px_per_m > 0.0 {
             found.push(Grip { part, at: (x, struck), px_per_m: (0.0, way * layout.px_per_m) });
@@ -93,7 +93,7 @@ pub fn grips(drawing: &Drawing, layout: &Layout, shifts: &[(f64, f64)], looks: &
 }
 
 /// The ends of the patches on a body.
-fn patches(drawing: &Drawing, layout: &Layout, body: usize, shift: (f64, f64)) -> Vec<Grip> {
+fn patches(drawing: &Drawing, layout: &DrawingLayout, body: usize, shift: (f64, f64)) -> Vec<Grip> {
     let DrawnShape::Beam(beam) = &drawing.bodies[body].shape else { return Vec::new() };
     let (spot, px_per_m) = (layout.spots[body], layout.px_per_m);
     let ends = beam.patches.iter().enumerate().flat_map(|(patch, drawn)| {
@@ -114,7 +114,7 @@ mod tests {
     use crate::spec::SpecFile;
 
     /// The drawing of the paper's harvester with some overrides, and the grip of a part.
-    fn gripped(set: &[(&str, &str)], part: GripPart) -> (Sheet, Grip) {
+    fn gripped(set: &[(&str, &str)], part: GripPart) -> (GripSheet, Grip) {
         let mut file = SpecFile::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/impact-harvester-2019/harvester.toml")).unwrap();
         set.iter().for_each(|(key, value)| file.set(key, value).unwrap());
         let sheet = crate::show::drawing("", &file.spec().unwrap()).sheet();

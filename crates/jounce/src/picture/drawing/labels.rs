@@ -8,7 +8,7 @@ pub const LINE: f64 = 15.0;
 
 /// A label that looks for its place.
 #[derive(Debug, Clone)]
-pub struct Wanted {
+pub struct LabelRequest {
     /// What it names.
     pub anchor: (f64, f64),
     /// Other points of what it names, from which its line may start.
@@ -40,10 +40,10 @@ const CROSSED: f64 = 200.0;
 const TURNED: f64 = 60.0;
 
 /// Gives every label the cheapest free place between two edges of the page; those that have an easy one take it first.
-pub fn placed(wanted: &[Wanted], obstacles: &[Rect], (left, right): (f64, f64)) -> Vec<Label> {
+pub fn placed(wanted: &[LabelRequest], obstacles: &[Rect], (left, right): (f64, f64)) -> Vec<Label> {
     let page = Rect { left, right, top: f64::NEG_INFINITY, bottom: f64::INFINITY };
-    let first = |want: &Wanted| cost(want, &cheapest(want, obstacles, &[], page), obstacles, &[]);
-    let mut order: Vec<(f64, &Wanted)> = wanted.iter().map(|want| (first(want), want)).collect();
+    let first = |want: &LabelRequest| cost(want, &cheapest(want, obstacles, &[], page), obstacles, &[]);
+    let mut order: Vec<(f64, &LabelRequest)> = wanted.iter().map(|want| (first(want), want)).collect();
     order.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut labels: Vec<Label> = Vec::new();
     for (_, want) in order {
@@ -61,7 +61,7 @@ pub fn size_of(lines: &[String]) -> (f64, f64) {
 
 /// The line to a label that stands apart, from where it crosses least, and what that costs. What is next to its anchor has none, unless
 /// something lies between.
-fn leader(want: &Wanted, room: &Rect, obstacles: &[Rect], labels: &[Label]) -> Option<([(f64, f64); 2], f64)> {
+fn leader(want: &LabelRequest, room: &Rect, obstacles: &[Rect], labels: &[Label]) -> Option<([(f64, f64); 2], f64)> {
     let lines = std::iter::once(want.anchor).chain(want.others.iter().copied()).map(|from| {
         let to = room.nearest(from);
         let length = distance(from, to);
@@ -80,7 +80,7 @@ fn distance(a: (f64, f64), b: (f64, f64)) -> f64 {
     (a.0 - b.0).hypot(a.1 - b.1)
 }
 
-fn cheapest(want: &Wanted, obstacles: &[Rect], labels: &[Label], page: Rect) -> Rect {
+fn cheapest(want: &LabelRequest, obstacles: &[Rect], labels: &[Label], page: Rect) -> Rect {
     let size = size_of(&want.lines);
     let free = |room: &Rect| {
         let wide = room.grown(3.0);
@@ -138,7 +138,7 @@ fn least((dx, dy): (f64, f64), (width, height): (f64, f64)) -> f64 {
 }
 
 /// Distance, and turned away from the wanted direction.
-fn alone(want: &Wanted, room: &Rect) -> f64 {
+fn alone(want: &LabelRequest, room: &Rect) -> f64 {
     let middle = (0.5 * (room.left + room.right) - want.anchor.0, 0.5 * (room.top + room.bottom) - want.anchor.1);
     let length = middle.0.hypot(middle.1).max(1.0);
     let along = (middle.0 * want.toward.0 + middle.1 * want.toward.1) / (length * want.toward.0.hypot(want.toward.1).max(1e-9));
@@ -146,7 +146,7 @@ fn alone(want: &Wanted, room: &Rect) -> f64 {
 }
 
 /// The same, and what its leader crosses.
-fn cost(want: &Wanted, room: &Rect, obstacles: &[Rect], labels: &[Label]) -> f64 {
+fn cost(want: &LabelRequest, room: &Rect, obstacles: &[Rect], labels: &[Label]) -> f64 {
     alone(want, room) + leader(want, room, obstacles, labels).map_or(0.0, |(_, crossed)| 10.0 + crossed)
 }
 
@@ -156,7 +156,7 @@ mod tests {
 
     #[test]
     fn many_labels_at_one_place_stand_apart() {
-        let want = Wanted {
+        let want = LabelRequest {
             anchor: (200.0, 100.0),
             others: Vec::new(),
             toward: (0.0, -1.0),

@@ -1,23 +1,23 @@
 //! Where the bodies stand: what strikes stands opposite to what it strikes, as far apart as the gap says.
 
-use super::assembly::{Spot, assemblies, face, room};
+use super::assembly::{DrawnSpot, assemblies, face, room};
 use super::rect::Rect;
 use super::{Drawing, DrawnContact, DrawnPlace, DrawnShape, Seat};
 
 /// Every body on the sheet.
 #[derive(Debug, Clone)]
-pub struct Layout {
+pub struct DrawingLayout {
     /// Pixels per metre.
     pub px_per_m: f64,
     /// Where each body stands, relative to the first of its group.
-    pub spots: Vec<Spot>,
+    pub spots: Vec<DrawnSpot>,
     /// The group of each body: those that strike each other.
     pub group: Vec<usize>,
     /// The contacts whose two sides stand opposite to each other.
     pub opposite: Vec<bool>,
 }
 
-impl Layout {
+impl DrawingLayout {
     /// All bodies at a scale.
     pub fn at(drawing: &Drawing, px_per_m: f64) -> Self {
         let fixed = assemblies(drawing, px_per_m);

@@ -22,7 +22,7 @@ mod scale;
 mod sheet;
 mod symbols;
 
-pub use grips::{Grip, GripPart, Sheet};
+pub use grips::{Grip, GripPart, GripSheet};
 pub use model::{
     Drawing, DrawnBeam, DrawnBody, DrawnCircuit, DrawnContact, DrawnDrive, DrawnElement, DrawnPatch, DrawnPlace, DrawnShape, Seat,
 };
@@ -38,7 +38,7 @@ impl Drawing {
     }
 
     /// The drawing with the places of what is on it, for a page that lets its parts be moved.
-    pub fn sheet(&self) -> Sheet {
+    pub fn sheet(&self) -> GripSheet {
         sheet::drawn(self)
     }
 

@@ -1,6 +1,6 @@
 //! The largest scale at which everything has room.
 
-use super::layout::Layout;
+use super::layout::DrawingLayout;
 use super::{Drawing, DrawnShape};
 
 /// Room for a group, px.
@@ -10,14 +10,14 @@ const WIDTH: f64 = 560.0;
 const HEIGHTS: [f64; 2] = [400.0, 220.0];
 
 /// All bodies at the largest scale at which every group has room; the scale is 0 where nothing has a length.
-pub fn fitted(drawing: &Drawing) -> Layout {
+pub fn fitted(drawing: &Drawing) -> DrawingLayout {
     let beams = drawing.bodies.iter().any(|body| matches!(body.shape, DrawnShape::Beam(_)));
     let gaps = drawing.contacts.iter().any(|contact| contact.gap_m > 0.0);
     if !(beams || gaps) {
-        return Layout::at(drawing, 0.0);
+        return DrawingLayout::at(drawing, 0.0);
     }
     let height = HEIGHTS[usize::from(!beams)];
-    let fits = |layout: &Layout| {
+    let fits = |layout: &DrawingLayout| {
         (0..layout.groups()).all(|group| {
             let room = layout.extent(drawing, group);
             room.width() <= WIDTH && room.height() <= height
@@ -26,7 +26,7 @@ pub fn fitted(drawing: &Drawing) -> Layout {
     let (mut low, mut high) = (-9.0_f64, 12.0_f64);
     for _ in 0..50 {
         let middle = 0.5 * (low + high);
-        if fits(&Layout::at(drawing, 10f64.powf(middle))) { low = middle } else { high = middle }
+        if fits(&DrawingLayout::at(drawing, 10f64.powf(middle))) { low = middle } else { high = middle }
     }
-    Layout::at(drawing, 10f64.powf(low))
+    DrawingLayout::at(drawing, 10f64.powf(low))
 }

@@ -2,9 +2,9 @@
 
 use super::canvas::Canvas;
 use super::grips::grips;
-use super::layout::Layout;
+use super::layout::DrawingLayout;
 use super::rect::Rect;
-use super::{Drawing, DrawnCircuit, DrawnContact, Sheet, bodies, circuit, close_up, contacts, dimension, drives, scale};
+use super::{Drawing, DrawnCircuit, DrawnContact, GripSheet, bodies, circuit, close_up, contacts, dimension, drives, scale};
 use crate::picture::svg::{Anchor, Svg};
 use crate::picture::text::{SMALL, TITLE, wrap};
 
@@ -43,17 +43,17 @@ struct Content {
 }
 
 /// The drawing with the places of its parts.
-pub fn drawn(drawing: &Drawing) -> Sheet {
+pub fn drawn(drawing: &Drawing) -> GripSheet {
     let layout = scale::fitted(drawing);
     let mut svg = Svg::new(WIDTH, &drawing.title);
     let found = content(&mut svg, drawing, &layout);
     let (circuits, looks) = found.cells.split_at(drawing.circuits.len());
     let grips = grips(drawing, &layout, &found.shifts, looks);
-    Sheet { svg: svg.finish(found.height), side: found.side, circuits: circuits.to_vec(), looks: looks.to_vec(), grips }
+    GripSheet { svg: svg.finish(found.height), side: found.side, circuits: circuits.to_vec(), looks: looks.to_vec(), grips }
 }
 
 /// Draws everything.
-fn content(svg: &mut Svg, drawing: &Drawing, layout: &Layout) -> Content {
+fn content(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout) -> Content {
     let mut y = 12.0;
     for line in wrap(&drawing.title, TITLE, WIDTH - 2.0 * EDGE) {
         y += TITLE + 4.0;
@@ -81,7 +81,7 @@ fn content(svg: &mut Svg, drawing: &Drawing, layout: &Layout) -> Content {
 }
 
 /// Draws a group with its upper edge at `y`; gives what it covers and its shift from the layout to the sheet.
-fn group(svg: &mut Svg, drawing: &Drawing, layout: &Layout, number: usize, y: f64) -> (Rect, (f64, f64)) {
+fn group(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout, number: usize, y: f64) -> (Rect, (f64, f64)) {
     let room = layout.extent(drawing, number);
     let x = 0.5 * (WIDTH - room.width()) - room.left;
     // Labels may stand above the bodies: how far shows the first attempt.
@@ -90,7 +90,7 @@ fn group(svg: &mut Svg, drawing: &Drawing, layout: &Layout, number: usize, y: f6
     (scene(svg, drawing, layout, number, shift), shift)
 }
 
-fn scene(svg: &mut Svg, drawing: &Drawing, layout: &Layout, number: usize, shift: (f64, f64)) -> Rect {
+fn scene(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout, number: usize, shift: (f64, f64)) -> Rect {
     let mut canvas = Canvas::new(svg, (EDGE, WIDTH - EDGE));
     layout.members(number).for_each(|body| bodies::body(&mut canvas, drawing, layout, body, shift));
     for (index, contact) in drawing.contacts.iter().enumerate() {
@@ -107,7 +107,13 @@ fn scene(svg: &mut Svg, drawing: &Drawing, layout: &Layout, number: usize, shift
 }
 
 /// Sets cells in lines; gives their lower edge and what each covers.
-fn cells<'d>(svg: &mut Svg, drawing: &Drawing, layout: &Layout, cells: impl Iterator<Item = Cell<'d>>, mut y: f64) -> (f64, Vec<Rect>) {
+fn cells<'d>(
+    svg: &mut Svg,
+    drawing: &Drawing,
+    layout: &DrawingLayout,
+    cells: impl Iterator<Item = Cell<'d>>,
+    mut y: f64,
+) -> (f64, Vec<Rect>) {
     let (mut x, mut high, mut covered) = (EDGE, 0.0_f64, Vec::new());
     for cell in cells {
         let (width, height) = cell.size();

@@ -4,7 +4,7 @@ use crate::picture::{Axis, Colour, Figure, Line, Panel, Scale, Series};
 
 /// A complex response over frequency.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Response {
+pub struct ResponseLine {
     /// Name in the legend; not listed where there is one response only.
     pub label: String,
     /// Real part at each frequency.
@@ -14,7 +14,14 @@ pub struct Response {
 }
 
 /// Responses of one quantity (`Tip acceleration per force`, `m/s^2/N`) over `frequency_hz`, on a linear or logarithmic frequency axis.
-pub fn frequency_responses(title: &str, quantity: &str, unit: &str, scale: Scale, frequency_hz: &[f64], responses: &[Response]) -> Figure {
+pub fn frequency_responses(
+    title: &str,
+    quantity: &str,
+    unit: &str,
+    scale: Scale,
+    frequency_hz: &[f64],
+    responses: &[ResponseLine],
+) -> Figure {
     let x = || Axis::of(scale, "Frequency", "Hz");
     let mut magnitude = Panel::new(x(), Axis::log(quantity, unit)).high(260.0);
     let mut phase = Panel::new(x(), Axis::linear("Phase", "deg").between(-195.0, 195.0).every(90.0)).high(130.0);

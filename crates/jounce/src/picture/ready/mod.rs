@@ -1,10 +1,10 @@
 //! Ready-made figures: plain data in, a [`super::Figure`] out, drawn the way the harvester paper (2019) draws its figures 4 to 9.
+mod bifurcations;
 mod branches;
 mod density;
 mod diagram;
 mod ensemble;
 mod frequency_response;
-mod jumps;
 mod mode_shapes;
 mod resistance;
 mod spectrogram;
@@ -12,15 +12,15 @@ mod spectrum;
 mod sweep;
 mod time_history;
 
+pub use bifurcations::{BifurcationLine, bifurcations};
 pub use branches::{BranchLine, BranchMark, branches};
 pub use density::{DensityLine, densities};
 pub use diagram::{DiagramDots, DiagramView, diagram};
 pub use ensemble::ensemble;
-pub use frequency_response::{Response, frequency_responses};
-pub use jumps::{JumpLine, jumps};
-pub use mode_shapes::{ModeShape, Patch, mode_shapes};
+pub use frequency_response::{ResponseLine, frequency_responses};
+pub use mode_shapes::{ModeShape, ShapePatch, mode_shapes};
 pub use resistance::power_against_resistance;
 pub use spectrogram::{TimeSpectrum, spectrogram};
 pub use spectrum::{SpectrumLine, spectra};
-pub use sweep::{Direction, SweepLine, SweepLook, sweep};
+pub use sweep::{LineDirection, SweepLine, SweepLook, sweep};
 pub use time_history::{Trace, time_histories};

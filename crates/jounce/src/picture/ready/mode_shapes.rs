@@ -13,7 +13,7 @@ pub struct ModeShape {
 
 /// A patch on the beam.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Patch {
+pub struct ShapePatch {
     /// Name in the legend.
     pub label: String,
     /// Distance of its start from the root, m.
@@ -23,7 +23,7 @@ pub struct Patch {
 }
 
 /// Shapes over the places `position_m` along the beam, each scaled to one.
-pub fn mode_shapes(title: &str, position_m: &[f64], shapes: &[ModeShape], patches: &[Patch]) -> Figure {
+pub fn mode_shapes(title: &str, position_m: &[f64], shapes: &[ModeShape], patches: &[ShapePatch]) -> Figure {
     let mut panel = Panel::new(Axis::linear("Position along the beam", "m"), Axis::linear("Shape, scaled to one", "")).high(320.0);
     panel = panel.reference(Along::Y, 0.0, None);
     for patch in patches {

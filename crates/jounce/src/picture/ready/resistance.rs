@@ -1,8 +1,8 @@
 //! Power against load resistance, with and without impact, as in the paper's figures 8 and 9.
 
-use super::sweep::{Direction, SweepLine, SweepLook, sweep};
+use super::sweep::{LineDirection, SweepLine, SweepLook, sweep};
 use crate::picture::unit::prefix;
-use crate::picture::{Along, Axis, Figure, Line, Reference};
+use crate::picture::{Along, Axis, Figure, Line, ReferenceLine};
 
 /// Lines over resistance (ohm, logarithmic axis); `unit` is that of the power: `W`, or `W/N^2` where it is divided by the force squared.
 /// The best resistance of each line, from a parabola through its three highest neighbours over `ln R`, is marked by a dotted line and stands in
@@ -15,7 +15,7 @@ pub fn power_against_resistance(title: &str, unit: &str, lines: &[SweepLine]) ->
     let mut figure = sweep(title, &look, &named);
     for panel in &mut figure.panels {
         panel.height_px = 320.0;
-        panel.references.extend(best.iter().flatten().map(|best| Reference { along: Along::X, value: *best, label: None }));
+        panel.references.extend(best.iter().flatten().map(|best| ReferenceLine { along: Along::X, value: *best, label: None }));
         // Power is a smooth function of resistance, so even independent points belong together.
         panel
             .series
@@ -29,7 +29,7 @@ pub fn power_against_resistance(title: &str, unit: &str, lines: &[SweepLine]) ->
 fn label(line: &SweepLine, best: Option<f64>) -> String {
     match best {
         // Both directions of a level keep one name, or the legend would list them twice.
-        Some(best) if !matches!(line.direction, Direction::Up | Direction::Down) => {
+        Some(best) if !matches!(line.direction, LineDirection::Up | LineDirection::Down) => {
             let thousands = (best.log10() / 3.0).floor().clamp(-1.0, 3.0) as i32;
             format!(
                 "{}, best at {} {}Ω",
@@ -64,7 +64,7 @@ mod tests {
     use super::*;
 
     fn line(parameter: Vec<f64>, value: Vec<f64>) -> SweepLine {
-        SweepLine { label: "a".into(), direction: Direction::Independent, parameter, value, settled: vec![] }
+        SweepLine { label: "a".into(), direction: LineDirection::Independent, parameter, value, settled: vec![] }
     }
 
     /// `P = P_0 2 R R_0 / (R^2 + R_0^2)` has its maximum at `R_0`; ten points a decade: measured 0.1 % off at worst.

@@ -18,14 +18,14 @@ pub struct TimeSpectrum {
 }
 
 /// Most columns and rows of a picture: more than that are joined, and the largest of them is shown.
-const MOST: (usize, usize) = (240, 160);
+const MAX_GRID_SIZE: (usize, usize) = (240, 160);
 /// Range of the colours below the largest amplitude, dB.
 const RANGE_DB: f64 = 60.0;
 
 /// A spectrogram in dB below its largest amplitude, with its scale of colours below; multiples of the drive frequency are marked.
 pub fn spectrogram(title: &str, of: &TimeSpectrum, drive_hz: Option<f64>) -> Figure {
     let largest = of.amplitude_peak.iter().flatten().copied().filter(|a| a.is_finite()).fold(f64::MIN_POSITIVE, f64::max);
-    let (columns, rows) = (blocks(&of.time_s, MOST.0), blocks(&of.frequency_hz, MOST.1));
+    let (columns, rows) = (blocks(&of.time_s, MAX_GRID_SIZE.0), blocks(&of.frequency_hz, MAX_GRID_SIZE.1));
     let decibels = |pair: &[usize]| -> Vec<f64> {
         let most = |band: &[usize]| {
             let inside = of.amplitude_peak[pair[0]..pair[1]].iter().flat_map(|spectrum| &spectrum[band[0]..band[1]]);
@@ -90,7 +90,7 @@ mod tests {
         };
         let figure = spectrogram("a", &of, Some(100.0));
         let field = figure.panels[0].field.as_ref().unwrap();
-        assert!(field.columns.len() <= MOST.0 && field.columns[0].len() <= MOST.1);
+        assert!(field.columns.len() <= MAX_GRID_SIZE.0 && field.columns[0].len() <= MAX_GRID_SIZE.1);
         let largest = field.columns.iter().flatten().copied().fold(f64::NEG_INFINITY, f64::max);
         assert!(largest == 0.0 && field.columns.iter().flatten().filter(|v| **v == 0.0).count() == 1);
         assert_eq!(figure.panels[0].references.len(), 5);

@@ -4,7 +4,7 @@ use crate::picture::{Axis, Colour, Figure, Line, Marker, Panel, Scale, Series};
 
 /// Which way the parameter was stepped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Direction {
+pub enum LineDirection {
     /// From low to high: solid line, filled triangles to the right.
     Up,
     /// From high to low: dashed line, open triangles to the left.
@@ -21,7 +21,7 @@ pub struct SweepLine {
     /// Level or case, the same for both directions of one level: `50 N`.
     pub label: String,
     /// Which way it went.
-    pub direction: Direction,
+    pub direction: LineDirection,
     /// The parameter, in its SI unit.
     pub parameter: Vec<f64>,
     /// The result at each step.
@@ -50,7 +50,7 @@ impl SweepLook {
 pub fn sweep(title: &str, look: &SweepLook, lines: &[SweepLine]) -> Figure {
     let mut panel = Panel::new(look.parameter.clone(), look.value.clone()).high(380.0);
     let levels = levels(lines);
-    let both_ways = lines.iter().any(|line| line.direction == Direction::Down);
+    let both_ways = lines.iter().any(|line| line.direction == LineDirection::Down);
     let mut named: Vec<&str> = Vec::new();
     for line in lines {
         let series = drawn(line, &levels);
@@ -60,7 +60,7 @@ pub fn sweep(title: &str, look: &SweepLook, lines: &[SweepLine]) -> Figure {
         }
         named.push(&line.label);
         // With both directions in the picture the colour alone is the level; what lines and markers mean is told apart.
-        panel = if both_ways && line.direction != Direction::Independent {
+        panel = if both_ways && line.direction != LineDirection::Independent {
             panel.with(Series::key(&line.label, Some(Line::Solid), None).colour(series.colour)).with(series)
         } else {
             panel.with(series.label(&line.label))
@@ -76,7 +76,7 @@ pub fn sweep(title: &str, look: &SweepLook, lines: &[SweepLine]) -> Figure {
 /// Levels that get a colour, in the order in which they come.
 fn levels(lines: &[SweepLine]) -> Vec<&str> {
     let mut levels: Vec<&str> = Vec::new();
-    for line in lines.iter().filter(|line| line.direction != Direction::Linear) {
+    for line in lines.iter().filter(|line| line.direction != LineDirection::Linear) {
         if !levels.contains(&line.label.as_str()) {
             levels.push(&line.label);
         }
@@ -88,10 +88,10 @@ fn drawn(line: &SweepLine, levels: &[&str]) -> Series {
     let colour = Colour::nth(levels.iter().position(|level| *level == line.label).unwrap_or(0));
     let series = Series::line(line.parameter.clone(), line.value.clone()).colour(colour);
     match line.direction {
-        Direction::Up => series.marker(Marker::Right),
-        Direction::Down => series.style(Line::Dashed).marker(Marker::Left),
-        Direction::Independent => Series { line: None, ..series.marker(Marker::Circle) },
-        Direction::Linear => series.colour(Colour::Grey),
+        LineDirection::Up => series.marker(Marker::Right),
+        LineDirection::Down => series.style(Line::Dashed).marker(Marker::Left),
+        LineDirection::Independent => Series { line: None, ..series.marker(Marker::Circle) },
+        LineDirection::Linear => series.colour(Colour::Grey),
     }
 }
 
@@ -105,10 +105,10 @@ fn unsettled(line: &SweepLine) -> Series {
 fn keys(lines: &[SweepLine]) -> Vec<Series> {
     let has = |direction| lines.iter().any(|line| line.direction == direction);
     let mut keys = Vec::new();
-    if has(Direction::Up) && (has(Direction::Down) || has(Direction::Linear)) {
+    if has(LineDirection::Up) && (has(LineDirection::Down) || has(LineDirection::Linear)) {
         keys.push(Series::key("stepped up", Some(Line::Solid), Some(Marker::Right)));
     }
-    if has(Direction::Down) {
+    if has(LineDirection::Down) {
         keys.push(Series::key("stepped down", Some(Line::Dashed), Some(Marker::Left)));
     }
     if lines.iter().any(|line| line.settled.contains(&false)) {

@@ -5,14 +5,14 @@ use std::collections::BTreeMap;
 use super::outline::{Row, rows};
 use super::{Key, Kind};
 use crate::spec::numeric_key::{Numeric, locate, store};
-use crate::spec::read::{Reading, read_keys, read_named};
+use crate::spec::read::{ReadState, read_keys, read_named};
 use crate::spec::source::Node;
 use crate::spec::write::write_keys;
 
 /// A table within a `P`, whatever type it is read into.
 pub(in crate::spec) trait Inner<P>: Sync {
     /// Reads it into the parent.
-    fn read(&self, parent: &mut P, path: &str, node: &Node, reading: &mut Reading);
+    fn read(&self, parent: &mut P, path: &str, node: &Node, reading: &mut ReadState);
     /// Prints it as TOML under its header.
     fn write(&self, parent: &P, path: &str, out: &mut String);
     /// Its keys.
@@ -33,7 +33,7 @@ pub(in crate::spec) struct Named<P: 'static, T: 'static> {
 }
 
 impl<P, T> Inner<P> for Named<P, T> {
-    fn read(&self, parent: &mut P, path: &str, node: &Node, reading: &mut Reading) {
+    fn read(&self, parent: &mut P, path: &str, node: &Node, reading: &mut ReadState) {
         read_named(path, node, Kind::Things, reading, |name, path, node, reading| {
             let mut thing = (self.blank)();
             read_keys(self.keys, path, node, &mut thing, reading);
@@ -70,7 +70,7 @@ pub(in crate::spec) struct Single<P: 'static, T: 'static> {
 }
 
 impl<P, T: Default> Inner<P> for Single<P, T> {
-    fn read(&self, parent: &mut P, path: &str, node: &Node, reading: &mut Reading) {
+    fn read(&self, parent: &mut P, path: &str, node: &Node, reading: &mut ReadState) {
         read_keys(self.keys, path, node, (self.open)(parent), reading);
     }
 

@@ -21,11 +21,11 @@ pub(super) struct Key<T: 'static> {
     pub(super) info: KeyInfo,
     pub(super) slot: Slot<T>,
     /// The kind of quantity where it depends on other keys of the same thing.
-    pub(super) quantity: Option<Measure<T>>,
+    pub(super) quantity: Option<DependentQuantity<T>>,
 }
 
 /// A kind of quantity that depends on another key of the same thing.
-pub(super) struct Measure<T> {
+pub(super) struct DependentQuantity<T> {
     /// The other key; it stands before this one in the table.
     pub(super) by: &'static str,
     /// None where a fault of other keys leaves it open; then the key is not read, so that only that fault is told.
@@ -146,7 +146,7 @@ impl<T> Key<T> {
 
     /// The kind of quantity depends on another key.
     pub(super) const fn measured_by(mut self, by: &'static str, quantity: fn(&T) -> Option<Quantity>) -> Self {
-        self.quantity = Some(Measure { by, quantity });
+        self.quantity = Some(DependentQuantity { by, quantity });
         self
     }
 

@@ -44,7 +44,7 @@ impl Range {
     /// The rule that a value breaks, in words.
     pub(in crate::spec) fn broken(&self, value: f64, kind: Kind) -> String {
         if self.limits_hold(value) {
-            return format!("must be 0 or of a size from {SMALLEST:e} to {LARGEST:e} in SI units");
+            return format!("must be 0 or of a size from {MIN_SIZE:e} to {MAX_SIZE:e} in SI units");
         }
         self.rule(kind)
     }
@@ -67,11 +67,11 @@ impl Range {
 }
 
 /// Largest and smallest size of a number of a spec that is not zero, SI: their products and squares stay far from overflow.
-const LARGEST: f64 = 1e30;
+const MAX_SIZE: f64 = 1e30;
 /// The smallest one.
-const SMALLEST: f64 = 1e-30;
+const MIN_SIZE: f64 = 1e-30;
 
 fn is_of_this_world(value: f64) -> bool {
     let size = value.abs();
-    size == 0.0 || (SMALLEST..=LARGEST).contains(&size)
+    size == 0.0 || (MIN_SIZE..=MAX_SIZE).contains(&size)
 }

@@ -16,7 +16,7 @@ const AMPLITUDES: &[&str] = &["sine", "chirp", "half-sine"];
 const FREQUENCIES: Range = Range::from(FREQUENCY_LIMITS_HZ.0, FREQUENCY_LIMITS_HZ.1);
 
 /// The largest seed: whole numbers up to here are exact wherever they pass.
-const MOST_SEED: f64 = 9_007_199_254_740_991.0;
+const MAX_SEED: f64 = 9_007_199_254_740_991.0;
 
 pub(super) fn blank() -> Drive {
     Drive { at: String::new(), kind: DriveKind::Force, signal: blank_signal("sine") }
@@ -152,7 +152,7 @@ pub(super) static KEYS: &[Key<Drive>] = &[
             },
         },
     )
-    .within(Range::from(0.0, MOST_SEED))
+    .within(Range::from(0.0, MAX_SEED))
     .when("signal", &["noise"])
     .optional(),
     Key::text(

@@ -4,7 +4,7 @@ use crate::spec::key::{Key, Kind, Range, Slot};
 use crate::spec::{Damping, Quantity, Reduction, Run, Start};
 
 /// More modes than any beam here resolves to a useful accuracy.
-const MOST_MODES: f64 = 200.0;
+const MAX_MODES: f64 = 200.0;
 
 pub(super) static DAMPING: &[Key<Damping>] = &[
     Key::with_slot(
@@ -27,7 +27,7 @@ pub(super) static DAMPING: &[Key<Damping>] = &[
 
 pub(super) static REDUCTION: &[Key<Reduction>] = &[
     Key::with_slot("modes", Kind::Count, "how many modes are kept", Slot::Count { get: |r: &Reduction| r.modes, set: |r, x| r.modes = x })
-        .within(Range::from(1.0, MOST_MODES))
+        .within(Range::from(1.0, MAX_MODES))
         .optional(),
     Key::number(
         "mesh_tolerance",

@@ -1,7 +1,7 @@
 //! `[patch.NAME]`: the pores of its material.
 
 use crate::material;
-use crate::material::porous::{Pores, Scheme};
+use crate::material::porous::{PoreGeometry, Scheme};
 
 /// What `porosity` and the keys beside it say.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -60,9 +60,9 @@ impl PatchPores {
         let porosity = self.porosity?;
         let (dense, material) = (material::full_constants(name)?, material::named(name)?);
         let pores = match self.shape {
-            PoreShape::Spheres => Pores::Spheroids(1.0),
-            PoreShape::Spheroids => Pores::Spheroids(self.aspect_ratio?),
-            PoreShape::Cylinders => Pores::Cylinders,
+            PoreShape::Spheres => PoreGeometry::Spheroids(1.0),
+            PoreShape::Spheroids => PoreGeometry::Spheroids(self.aspect_ratio?),
+            PoreShape::Cylinders => PoreGeometry::Cylinders,
         };
         let scheme = match self.scheme {
             PorosityScheme::MoriTanaka => Scheme::MoriTanaka,

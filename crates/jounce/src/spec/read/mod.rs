@@ -1,6 +1,6 @@
 //! From the tree of values to the typed spec, by the table of keys.
 
-mod doubtful;
+mod missing_choice;
 mod table;
 mod value;
 
@@ -10,35 +10,35 @@ pub(super) use value::read_number;
 use std::collections::HashMap;
 
 use super::fault::Faults;
-use super::source::Place;
+use super::source::SourcePlace;
 
 /// What comes up while a tree is read.
-pub(super) struct Reading {
+pub(super) struct ReadState {
     /// What is wrong so far.
-    pub(super) found: Vec<Finding>,
+    pub(super) found: Vec<ReadFault>,
     /// Where each key that was read stands, by its dotted path; the keys of tables too.
-    pub(super) places: HashMap<String, Place>,
+    pub(super) places: HashMap<String, SourcePlace>,
     /// False where lines of the file were left out: then nothing is called missing.
     pub(super) complete: bool,
 }
 
 /// Something wrong, and where.
-pub(super) struct Finding {
-    pub(super) place: Place,
+pub(super) struct ReadFault {
+    pub(super) place: SourcePlace,
     pub(super) key: String,
     pub(super) message: String,
 }
 
-impl Reading {
+impl ReadState {
     pub(super) fn new(complete: bool) -> Self {
         Self { found: Vec::new(), places: HashMap::new(), complete }
     }
 
     /// Notes a fault; the message names the key. Past the most that is reported nothing is kept.
-    pub(super) fn fault(&mut self, place: Place, key: &str, text: impl FnOnce() -> String) {
-        if self.found.len() < Faults::MOST {
+    pub(super) fn fault(&mut self, place: SourcePlace, key: &str, text: impl FnOnce() -> String) {
+        if self.found.len() < Faults::MAX_REPORTED {
             let message = super::nearest::sentence(key, &text());
-            self.found.push(Finding { place, key: key.to_owned(), message });
+            self.found.push(ReadFault { place, key: key.to_owned(), message });
         }
     }
 
@@ -47,28 +47,28 @@ impl Reading {
         let told: Vec<String> = self.found.iter().map(|finding| finding.key.clone()).collect();
         for (key, message) in broken {
             let below = format!("{key}.");
-            let empty = key == super::cross::NO_STRUCTURE && !told.is_empty();
+            let empty = key == super::validation::NO_STRUCTURE && !told.is_empty();
             if !empty && !told.iter().any(|other| *other == key || other.starts_with(&below)) && self.has_room() {
-                self.found.push(Finding { place: self.place(&key), key, message });
+                self.found.push(ReadFault { place: self.place(&key), key, message });
             }
         }
     }
 
     /// Where a key stands, or else the table that would hold it.
-    fn place(&self, key: &str) -> Place {
+    fn place(&self, key: &str) -> SourcePlace {
         let mut path = key;
         loop {
             match (self.places.get(path), path.rsplit_once('.')) {
                 (Some(place), _) => return *place,
                 (None, Some((parent, _))) => path = parent,
-                (None, None) => return Place::At(0),
+                (None, None) => return SourcePlace::At(0),
             }
         }
     }
 
     /// True while faults are still kept.
     pub(super) fn has_room(&self) -> bool {
-        self.found.len() < Faults::MOST
+        self.found.len() < Faults::MAX_REPORTED
     }
 }
 

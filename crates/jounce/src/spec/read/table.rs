@@ -1,13 +1,13 @@
 //! Tables: which keys stand, which are missing, which are not known.
 
 use super::value::read_slot;
-use super::{Reading, doubtful, join};
+use super::{ReadState, join, missing_choice};
 use crate::spec::key::{Key, Kind, Need, Slot, applies, chosen};
-use crate::spec::nearest::{clip, did_you_mean, listed, nearest};
+use crate::spec::nearest::{clip, did_you_mean, join_words, nearest};
 use crate::spec::source::{Entry, Node};
 
 /// Reads a table of keys into a thing. Choices come before the keys that depend on them, in the table of keys as here.
-pub(in crate::spec) fn read_keys<T>(keys: &'static [Key<T>], path: &str, node: &Node, thing: &mut T, reading: &mut Reading) {
+pub(in crate::spec) fn read_keys<T>(keys: &'static [Key<T>], path: &str, node: &Node, thing: &mut T, reading: &mut ReadState) {
     let Some(entries) = node.entries() else {
         return reading.fault(node.place, path, || format!("a table is due, [{path}] with its keys below; found {}", node.found()));
     };
@@ -18,7 +18,7 @@ pub(in crate::spec) fn read_keys<T>(keys: &'static [Key<T>], path: &str, node: &
             if first_of_its_name(keys, key)
                 && let Some(entry) = entries.iter().find(|entry| entry.name == info.name)
             {
-                doubtful::check(keys, choice, path, entry, thing, reading);
+                missing_choice::check(keys, choice, path, entry, thing, reading);
             }
             continue;
         }
@@ -53,7 +53,7 @@ fn first_of_its_name<T>(keys: &[Key<T>], key: &Key<T>) -> bool {
 }
 
 /// Reports a key that is not there but must be, unless it stands misspelt; true where one is missing.
-fn missing<T>(keys: &[Key<T>], key: &Key<T>, path: &str, node: &Node, reading: &mut Reading) -> bool {
+fn missing<T>(keys: &[Key<T>], key: &Key<T>, path: &str, node: &Node, reading: &mut ReadState) -> bool {
     let entries = node.entries().unwrap_or_default();
     let stands = |name: &&str| entries.iter().any(|entry| entry.name == *name);
     let text = || match key.info.need {
@@ -75,13 +75,13 @@ fn missing<T>(keys: &[Key<T>], key: &Key<T>, path: &str, node: &Node, reading: &
     must
 }
 
-fn check_known<T>(keys: &[Key<T>], path: &str, entry: &Entry, thing: &T, doubtful: &[&str], reading: &mut Reading) {
+fn check_known<T>(keys: &[Key<T>], path: &str, entry: &Entry, thing: &T, doubtful: &[&str], reading: &mut ReadState) {
     let named = || keys.iter().filter(|key| key.info.name == entry.name);
     let key = join(path, &entry.name);
     if named().next().is_none() {
         let names = distinct(keys.iter().map(|key| key.info.name));
         return reading.fault(entry.place, &key, || {
-            format!("unknown key{}; keys here: {}", did_you_mean(&entry.name, names.iter().copied()), listed(names.iter().copied()))
+            format!("unknown key{}; keys here: {}", did_you_mean(&entry.name, names.iter().copied()), join_words(names.iter().copied()))
         });
     }
     if named().any(|key| applies(keys, thing, &key.info)) {
@@ -90,10 +90,12 @@ fn check_known<T>(keys: &[Key<T>], path: &str, entry: &Entry, thing: &T, doubtfu
     let Some(when) = named().find_map(|key| key.info.when).filter(|when| !doubtful.contains(&when.key)) else { return };
     let word = chosen(keys, thing, when.key).unwrap_or_default();
     let words = distinct(named().filter_map(|key| key.info.when).flat_map(|when| when.is.iter().copied()));
-    reading.fault(entry.place, &key, || format!("does not go with {} = \"{word}\", only with {}", when.key, listed(words.iter().copied())));
+    reading.fault(entry.place, &key, || {
+        format!("does not go with {} = \"{word}\", only with {}", when.key, join_words(words.iter().copied()))
+    });
 }
 
-fn check_alternatives<T>(keys: &[Key<T>], path: &str, entries: &[Entry], reading: &mut Reading) {
+fn check_alternatives<T>(keys: &[Key<T>], path: &str, entries: &[Entry], reading: &mut ReadState) {
     for key in keys {
         let names = key.info.need.alternatives();
         let mut standing = entries.iter().filter(|entry| names.contains(&entry.name.as_str()));
@@ -111,8 +113,8 @@ pub(in crate::spec) fn read_named(
     path: &str,
     node: &Node,
     kind: Kind,
-    reading: &mut Reading,
-    mut read: impl FnMut(&str, &str, &Node, &mut Reading),
+    reading: &mut ReadState,
+    mut read: impl FnMut(&str, &str, &Node, &mut ReadState),
 ) {
     let Some(entries) = node.entries() else {
         let hint = match kind {

@@ -1,12 +1,12 @@
 //! Values: of the right kind, within their limits.
 
-use super::{Reading, read_named};
+use super::{ReadState, read_named};
 use crate::spec::key::{Key, KeyInfo, Kind, Need, Range, Slot};
 use crate::spec::nearest::{clip, did_you_mean, sentence};
 use crate::spec::source::{Node, Value};
 
 /// Reads the value of one key; false where it is wrong.
-pub(super) fn read_slot<T>(key: &Key<T>, path: &str, node: &Node, thing: &mut T, reading: &mut Reading) -> bool {
+pub(super) fn read_slot<T>(key: &Key<T>, path: &str, node: &Node, thing: &mut T, reading: &mut ReadState) -> bool {
     let kind = key.kind_in(thing);
     let range = key.info.range;
     match &key.slot {
@@ -56,7 +56,7 @@ pub(super) fn read_slot<T>(key: &Key<T>, path: &str, node: &Node, thing: &mut T,
     }
 }
 
-fn one_number(kind: Kind, range: Range, path: &str, node: &Node, reading: &mut Reading) -> Option<f64> {
+fn one_number(kind: Kind, range: Range, path: &str, node: &Node, reading: &mut ReadState) -> Option<f64> {
     match read_number(kind, range, node) {
         Ok(value) => Some(value),
         Err(text) => {
@@ -85,7 +85,7 @@ pub(in crate::spec) fn read_number(kind: Kind, range: Range, node: &Node) -> Res
     if range.holds(value) { Ok(value) } else { Err(format!("is {shown}; it {}", range.broken(value, kind))) }
 }
 
-fn text<'n>(info: &KeyInfo, path: &str, node: &'n Node, reading: &mut Reading) -> Option<&'n str> {
+fn text<'n>(info: &KeyInfo, path: &str, node: &'n Node, reading: &mut ReadState) -> Option<&'n str> {
     let wrong = match (&node.value, info.kind) {
         (Value::Text(text), Kind::Choice(words)) if !words.contains(&text.as_str()) => {
             let meant = did_you_mean(text, words.iter().copied());
@@ -103,7 +103,7 @@ fn text<'n>(info: &KeyInfo, path: &str, node: &'n Node, reading: &mut Reading) -
     None
 }
 
-fn texts(info: &KeyInfo, path: &str, node: &Node, reading: &mut Reading) -> Option<Vec<String>> {
+fn texts(info: &KeyInfo, path: &str, node: &Node, reading: &mut ReadState) -> Option<Vec<String>> {
     let Value::List(items) = &node.value else {
         reading.fault(node.place, path, || format!("{}; found {}", info.kind.due(), node.found()));
         return None;
@@ -122,7 +122,7 @@ fn texts(info: &KeyInfo, path: &str, node: &Node, reading: &mut Reading) -> Opti
     (list.len() == items.len()).then_some(list)
 }
 
-fn numbers(info: &KeyInfo, path: &str, node: &Node, reading: &mut Reading) -> Option<Vec<f64>> {
+fn numbers(info: &KeyInfo, path: &str, node: &Node, reading: &mut ReadState) -> Option<Vec<f64>> {
     let Value::List(items) = &node.value else {
         reading.fault(node.place, path, || format!("{}; found {}", Kind::Numbers.due(), node.found()));
         return None;

@@ -5,5 +5,5 @@ mod node;
 mod syntax;
 
 pub(super) use lines::Lines;
-pub(super) use node::{Entry, Node, Place, Value, value_of};
+pub(super) use node::{Entry, Node, SourcePlace, Value, value_of};
 pub(super) use syntax::{Source, parse};

@@ -7,7 +7,7 @@ use crate::spec::numeric_key::place_in_list;
 
 /// Where something stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::spec) enum Place {
+pub(in crate::spec) enum SourcePlace {
     /// Offset in the text, bytes.
     At(usize),
     /// The override of this index.
@@ -17,7 +17,7 @@ pub(in crate::spec) enum Place {
 /// A value and its place.
 #[derive(Debug, Clone)]
 pub(in crate::spec) struct Node {
-    pub(in crate::spec) place: Place,
+    pub(in crate::spec) place: SourcePlace,
     /// Numbers as they were written; empty for other values.
     pub(in crate::spec) raw: String,
     pub(in crate::spec) value: Value,
@@ -42,7 +42,7 @@ pub(in crate::spec) enum Value {
 pub(in crate::spec) struct Entry {
     pub(in crate::spec) name: String,
     /// Place of the key.
-    pub(in crate::spec) place: Place,
+    pub(in crate::spec) place: SourcePlace,
     pub(in crate::spec) node: Node,
 }
 
@@ -110,7 +110,7 @@ pub(super) fn entries(text: &str, table: &dyn TableLike, parent: usize) -> Vec<E
     let entry = |(name, item): (&str, &Item)| {
         let key = table.get_key_value(name).and_then(|(key, _)| key.span());
         let at = key.or_else(|| item.span()).map_or(parent, |span| span.start);
-        Entry { name: name.to_owned(), place: Place::At(at), node: node(text, item, at) }
+        Entry { name: name.to_owned(), place: SourcePlace::At(at), node: node(text, item, at) }
     };
     table.iter().map(entry).collect()
 }
@@ -143,6 +143,6 @@ pub(in crate::spec) fn value_of(text: &str, value: &toml_edit::Value, parent: us
 impl Node {
     /// A value at an offset of the text.
     pub(in crate::spec) fn at(offset: usize, value: Value) -> Self {
-        Self { place: Place::At(offset), raw: String::new(), value }
+        Self { place: SourcePlace::At(offset), raw: String::new(), value }
     }
 }

@@ -11,10 +11,10 @@ use crate::spec::nearest::clip;
 use jounce_units::Decimal;
 
 /// No more syntax errors than this are looked for.
-const MOST: usize = 20;
+const MAX_SYNTAX_ERRORS: usize = 20;
 
 /// No more bytes than this are read again, because of errors, than the file has.
-const MOST_REREAD: usize = 4 << 20;
+const MAX_REREAD_BYTES: usize = 4 << 20;
 
 /// A spec as text and as a tree.
 pub(in crate::spec) struct Source {
@@ -37,7 +37,7 @@ pub(in crate::spec) struct SyntaxError {
 pub(in crate::spec) fn parse(text: &str) -> Source {
     let mut work = text.to_owned();
     let mut source = Source { root: Node::at(0, Value::Table(Vec::new())), errors: Vec::new(), complete: true };
-    let most = (MOST_REREAD / text.len().max(1)).clamp(1, MOST);
+    let most = (MAX_REREAD_BYTES / text.len().max(1)).clamp(1, MAX_SYNTAX_ERRORS);
     while source.errors.len() < most {
         let error = match Document::parse(work.as_str()) {
             Ok(document) => {

@@ -4,7 +4,7 @@ use super::dormand_prince::{Stepped, step};
 use super::events::{End, Event, LEAST_STEP};
 use super::guard::Guard;
 use super::law::{Law, Phase};
-use super::model::{Model, Phases};
+use super::model::{Phases, ReferenceModel};
 
 /// No stop's number.
 pub const NONE: usize = usize::MAX;
@@ -33,7 +33,7 @@ pub struct Motion<const D: usize> {
 /// The flow of a model with an error per step relative to the size of the motion.
 #[derive(Debug, Clone, Copy)]
 pub struct Flow<'m, const N: usize, const D: usize> {
-    pub model: &'m Model<N, D>,
+    pub model: &'m ReferenceModel<N, D>,
     pub tolerance: f64,
 }
 

@@ -1,7 +1,7 @@
 //! What must stay positive while every contact keeps its phase, with its rate, and what a contact does when it does not.
 
 use super::law::{Law, Phase};
-use super::model::{Model, Phases, STOPS};
+use super::model::{Phases, ReferenceModel, STOPS};
 
 /// A function of the state that is positive as long as a contact keeps its phase.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,7 +33,7 @@ impl Guards {
     }
 }
 
-impl<const N: usize, const D: usize> Model<N, D> {
+impl<const N: usize, const D: usize> ReferenceModel<N, D> {
     /// The guards of some phases.
     pub fn guards(&self, phases: &Phases) -> Guards {
         let mut guards = Guards { list: [Guard::Surface(0); 2 * STOPS], count: 0 };

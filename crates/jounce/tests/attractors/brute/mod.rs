@@ -11,4 +11,4 @@ mod scales;
 
 pub use classify::{Ending, Kind, Patience, classify};
 pub use flow::Flow;
-pub use model::Model;
+pub use model::ReferenceModel;

@@ -29,7 +29,7 @@ pub struct Stop<const N: usize> {
 
 /// The numbers of a harvester with up to `N` modes and at most one patch; `D = 2 N + 2`.
 #[derive(Debug, Clone)]
-pub struct Model<const N: usize, const D: usize> {
+pub struct ReferenceModel<const N: usize, const D: usize> {
     stiffness: [f64; N],
     damping: [f64; N],
     coupling: [f64; N],
@@ -51,7 +51,7 @@ fn filled<const N: usize>(values: &[f64]) -> [f64; N] {
     std::array::from_fn(|i| values.get(i).copied().unwrap_or(0.0))
 }
 
-impl<const N: usize, const D: usize> Model<N, D> {
+impl<const N: usize, const D: usize> ReferenceModel<N, D> {
     /// The numbers of a system, which must be of the kinds that the equations above know.
     pub fn of(system: &System) -> Self {
         assert!(D == 2 * N + 2 && system.modes.len() <= N && system.stops.len() <= STOPS);

@@ -1,16 +1,16 @@
 //! Against closed forms: the linear harvester, one collision of each law, the impact oscillator of Shaw and Holmes.
 
-use crate::brute::{Flow, Kind, Model, Patience, classify};
+use crate::brute::{Flow, Kind, Patience, ReferenceModel, classify};
+use jounce::analysis::Model;
 use jounce::plant::System;
 use jounce::reference::ImpactOscillator;
 use jounce::spec::SpecFile;
-use jounce::study::Prepared;
 use std::f64::consts::{PI, TAU};
 
 const TOLERANCE: f64 = 1e-12;
 
 fn system(text: &str) -> System {
-    Prepared::new(SpecFile::from_text(text).spec().unwrap()).unwrap().kernel.plant.system.clone()
+    Model::new(SpecFile::from_text(text).spec().unwrap()).unwrap().kernel.plant.system.clone()
 }
 
 /// `|V|^2 / (2 R)` with `(-W^2 + 2 i zeta w W + w^2) q = theta V + p`, `(i W C + 1 / R) V = -i W theta q`, eliminated by hand.
@@ -22,7 +22,7 @@ fn without_contact_the_power_is_that_of_the_linear_harvester() {
         [modal.h.patch.p]\ncoupling_n_per_v = [0.004]\ncapacitance = \"1 uF\"\n[circuit.c]\npatch = \"h.p\"\nresistance = \"30 kohm\"\n\
         [drive.d]\nat = \"h.tip\"\namplitude = \"0.2 N\"\nfrequency = \"3.1 Hz\"\n[run]\nduration = \"1 s\"\naverage_over = \"1 s\"\n";
     let system = system(text);
-    let model = Model::<1, 4>::of(&system);
+    let model = ReferenceModel::<1, 4>::of(&system);
     let ending = classify(Flow { model: &model, tolerance: TOLERANCE }, &[0.0, 0.0, 0.0], Patience { cycles: 4000, period: 64 });
     // theta V = -(real + i imaginary) q
     let (admittance_re, admittance_im) = (resistance.recip(), drive * capacitance);
@@ -44,7 +44,7 @@ fn collided(law: &str) -> [f64; 2] {
          [drive.d]\nat = \"h.tip\"\namplitude = \"0 N\"\nfrequency = \"1 Hz\"\n[run]\nduration = \"1 s\"\naverage_over = \"1 s\"\n"
     );
     let system = system(&text);
-    let model = Model::<1, 4>::of(&system);
+    let model = ReferenceModel::<1, 4>::of(&system);
     let flow = Flow { model: &model, tolerance: TOLERANCE };
     let mut motion = flow.start(model.state(&[0.0, 0.5]));
     flow.cycle(&mut motion);
@@ -103,7 +103,7 @@ fn a_rigid_collision_keeps_the_restitution() {
 fn the_impact_oscillator_stays_on_its_closed_form() {
     let oscillator = ImpactOscillator { frequency_ratio: 2.0, damping_ratio: 0.05, restitution: 0.8, gap: 0.1 };
     let orbit = oscillator.orbits(1).into_iter().find(|orbit| orbit.is_stable()).unwrap();
-    let model = Model::<1, 4>::of(&oscillator.system(orbit.angle_rad));
+    let model = ReferenceModel::<1, 4>::of(&oscillator.system(orbit.angle_rad));
     let flow = Flow { model: &model, tolerance: TOLERANCE };
     let mut motion = flow.start(model.state(&oscillator.start(&orbit)));
     for cycle in 1..=50 {
@@ -120,7 +120,7 @@ fn the_impact_oscillator_stays_on_its_closed_form() {
 fn chaos_and_a_period_are_told_apart() {
     let ending = |frequency_ratio: f64| {
         let oscillator = ImpactOscillator { frequency_ratio, damping_ratio: 0.05, restitution: 0.8, gap: 0.0 };
-        let model = Model::<1, 4>::of(&oscillator.system(0.3));
+        let model = ReferenceModel::<1, 4>::of(&oscillator.system(0.3));
         classify(Flow { model: &model, tolerance: TOLERANCE }, &[-0.1, 0.0], Patience { cycles: 3000, period: 64 })
     };
     let (chaos, orbit) = (ending(2.8), ending(2.0));
@@ -135,7 +135,7 @@ fn chatter_ends_at_rest() {
          [stop.s]\nat = \"h.tip\"\ngap = \"0.1 m\"\nlaw = \"rigid\"\nrestitution = 0.7\n[gravity]\nacceleration = \"9.81 m/s^2\"\n\
          [drive.d]\nat = \"h.tip\"\namplitude = \"0 N\"\nfrequency = \"0.5 Hz\"\n[run]\nduration = \"1 s\"\naverage_over = \"1 s\"\n";
     let system = system(text);
-    let model = Model::<1, 4>::of(&system);
+    let model = ReferenceModel::<1, 4>::of(&system);
     let flow = Flow { model: &model, tolerance: TOLERANCE };
     let mut motion = flow.start(model.state(&[0.0, 0.0]));
     flow.cycle(&mut motion);

@@ -6,8 +6,8 @@
 
 use crate::agreement::{Verdict, compare, endings};
 use crate::brute::{Kind, Patience};
+use jounce::analysis::{Grid, GridAxis, GridSide, InitialStates, Model};
 use jounce::spec::SpecFile;
-use jounce::study::{Grid, GridAxis, GridSide, Prepared, Starts};
 
 /// Mean power of the orbit of 18 cycles, W.
 const POWER_W: f64 = 6.027_567_570e-6;
@@ -48,7 +48,7 @@ fn grid() -> Grid {
 /// One start of the grid for each of the orbits of 1, 3 and 18 cycles.
 #[test]
 fn starts_end_on_the_published_orbits() {
-    let plant = Prepared::new(harvester(bench()).spec().unwrap()).unwrap().kernel.plant.clone();
+    let plant = Model::new(harvester(bench()).spec().unwrap()).unwrap().kernel.plant.clone();
     let starts: Vec<Vec<f64>> = [25, 100, 150].map(|number| grid().start(&plant, number)).to_vec();
     let found = endings(&plant.system, &starts, PATIENCE, TOLERANCE);
     let kinds: Vec<Kind> = found.iter().map(|ending| ending.kind).collect();
@@ -67,7 +67,7 @@ fn the_grid_ends_where_brute_force_ends() {
         return;
     }
     let file = std::env::var("JOUNCE_GRID_PLANT").map_or_else(|_| bench(), |path| SpecFile::read(path).unwrap());
-    let found = compare(&harvester(file), Starts::Grid(grid()), PATIENCE, TOLERANCE);
+    let found = compare(&harvester(file), InitialStates::Grid(grid()), PATIENCE, TOLERANCE);
     eprintln!("{found}");
     assert_eq!(found.count(Verdict::Different), 0, "starts attributed wrongly");
 }

@@ -1,15 +1,15 @@
 //! Against itself at a tenth of the error, and against the classical Runge-Kutta method with the laws as they stand and no events.
 
-use crate::brute::{Flow, Model};
+use crate::brute::{Flow, ReferenceModel};
 use crate::drawn::drawn;
+use jounce::analysis::{Cloud, Model};
 use jounce::plant::Plant;
 use jounce::spec::SpecFile;
-use jounce::study::{Cloud, Prepared};
 
 const CLOUD: Cloud = Cloud { starts: 3, seed: 9, spread: 3.0 };
 
 fn plant(index: u64) -> Plant {
-    Prepared::new(SpecFile::from_text(drawn(22, index)).spec().unwrap()).unwrap().kernel.plant.clone()
+    Model::new(SpecFile::from_text(drawn(22, index)).spec().unwrap()).unwrap().kernel.plant.clone()
 }
 
 /// Calls a function with the model of a drawn harvester and its starts.
@@ -17,20 +17,20 @@ macro_rules! with_model {
     ($plant:expr, $function:ident) => {{
         let starts: Vec<Vec<f64>> = (0..CLOUD.starts).map(|index| CLOUD.start(&$plant, index)).collect();
         match $plant.system.modes.len() {
-            1 => $function(&Model::<1, 4>::of(&$plant.system), &starts),
-            2 => $function(&Model::<2, 6>::of(&$plant.system), &starts),
-            _ => $function(&Model::<3, 8>::of(&$plant.system), &starts),
+            1 => $function(&ReferenceModel::<1, 4>::of(&$plant.system), &starts),
+            2 => $function(&ReferenceModel::<2, 6>::of(&$plant.system), &starts),
+            _ => $function(&ReferenceModel::<3, 8>::of(&$plant.system), &starts),
         }
     }};
 }
 
-fn distance<const N: usize, const D: usize>(model: &Model<N, D>, a: &[f64; D], b: &[f64; D]) -> f64 {
+fn distance<const N: usize, const D: usize>(model: &ReferenceModel<N, D>, a: &[f64; D], b: &[f64; D]) -> f64 {
     model.weights.square(&std::array::from_fn(|i| a[i] - b[i])).sqrt()
 }
 
 /// Largest difference over one cycle, of each of 30 cycles of every start, to the same cycle at a tenth of the error per step: in the
 /// size of the motion, and in what the cycle makes of a start that is off by 1e-9 of that size.
-fn refined<const N: usize, const D: usize>(model: &Model<N, D>, starts: &[Vec<f64>]) -> f64 {
+fn refined<const N: usize, const D: usize>(model: &ReferenceModel<N, D>, starts: &[Vec<f64>]) -> f64 {
     let [coarse, fine] = [1e-13, 1e-14].map(|tolerance| Flow { model, tolerance });
     let mut largest = 0.0_f64;
     for start in starts {
@@ -61,7 +61,7 @@ fn steps_of_a_tenth_of_the_error_change_a_cycle_by_less_than_1e_9() {
 }
 
 /// Largest differences after a cycle to 20,000 and to 160,000 steps of the classical method of order 4.
-fn plain<const N: usize, const D: usize>(model: &Model<N, D>, starts: &[Vec<f64>]) -> [f64; 2] {
+fn plain<const N: usize, const D: usize>(model: &ReferenceModel<N, D>, starts: &[Vec<f64>]) -> [f64; 2] {
     let flow = Flow { model, tolerance: 1e-13 };
     let mut largest = [0.0_f64; 2];
     for start in starts {
@@ -75,7 +75,7 @@ fn plain<const N: usize, const D: usize>(model: &Model<N, D>, starts: &[Vec<f64>
     largest
 }
 
-fn plain_cycle<const N: usize, const D: usize>(model: &Model<N, D>, mut y: [f64; D], steps: u32) -> [f64; D] {
+fn plain_cycle<const N: usize, const D: usize>(model: &ReferenceModel<N, D>, mut y: [f64; D], steps: u32) -> [f64; D] {
     let h = model.cycle_s / f64::from(steps);
     let rate = |t: f64, y: &[f64; D]| model.rate(t, y, &model.phases(y), usize::MAX);
     let moved = |y: &[f64; D], h: f64, k: &[f64; D]| -> [f64; D] { std::array::from_fn(|i| y[i] + h * k[i]) };

@@ -1,0 +1,101 @@
+//! The solutions of a model beside the stretches of a record.
+
+use crate::failure::Failure;
+use crate::output::line;
+use crate::spec_arguments::SpecArguments;
+use clap::Args;
+use jounce::march::Control;
+use jounce::signal::Samples;
+use jounce::table::{Column, Table};
+use jounce_measure::segmentation::{Candidate, RecordSegment, SegmentMatch, SegmentMatches, match_segments};
+use jounce_measure::solution::{SolutionSearch, as_recorded, solutions};
+use std::path::PathBuf;
+
+/// The model that a record is compared with.
+#[derive(Debug, Args)]
+pub struct ModelArguments {
+    /// Spec of the model: each stretch is joined to the solution of it that it shows. It takes the drive frequency, and the resistance where
+    /// that is given, from the record.
+    #[arg(long, value_name = "SPEC")]
+    model: Option<PathBuf>,
+    /// Sets a key of the model, as in --set drive.shaker.amplitude="42 N"; can be given several times.
+    #[arg(long = "set", value_name = "KEY=VALUE", requires = "model")]
+    set: Vec<String>,
+    /// Random starts from which the model's solutions are sought.
+    #[arg(long, default_value_t = 40, requires = "model")]
+    starts: usize,
+    /// Seed of the starts.
+    #[arg(long, default_value_t = 1, requires = "model")]
+    seed: u64,
+    /// Circuit of the model whose voltage was recorded; by default the first.
+    #[arg(long, value_name = "CIRCUIT", requires = "model")]
+    load: Option<String>,
+    /// Largest distance of the waveforms, over that of the record, at which a solution fits.
+    #[arg(long, default_value_t = 0.2, requires = "model")]
+    within: f64,
+}
+
+impl ModelArguments {
+    /// For each stretch the solutions beside it; empty without a model.
+    pub fn correspondences(
+        &self,
+        samples: &Samples<'_>,
+        drive_hz: f64,
+        resistance_ohm: Option<f64>,
+        stretches: &[RecordSegment],
+    ) -> Result<Vec<SegmentMatches>, Failure> {
+        let Some(path) = &self.model else { return Ok(Vec::new()) };
+        if !(self.within > 0.0 && self.within <= 1.0) || self.starts == 0 {
+            return Err(Failure::usage("--within must lie above 0 and up to 1, --starts above 0".to_owned()));
+        }
+        let mut spec = SpecArguments { spec: path.clone(), set: self.set.clone() }.spec()?;
+        as_recorded(&mut spec, drive_hz, resistance_ohm, self.load.as_deref());
+        let search = SolutionSearch { starts: self.starts, seed: self.seed, load: self.load.clone(), ..SolutionSearch::default() };
+        let found = solutions(&spec, &search, &Control::default())?;
+        Ok(stretches.iter().map(|stretch| match_segments(samples, drive_hz, stretch, &found, self.within)).collect())
+    }
+}
+
+/// Tells what a stretch shows.
+pub fn print_match(shown: &SegmentMatches) {
+    let Some(first) = shown.candidates.first() else { return };
+    let words = match shown.fits {
+        SegmentMatch::One => format!("solution {}", first.id),
+        SegmentMatch::Several => "several solutions fit equally well".to_owned(),
+        SegmentMatch::None => "no solution of the model fits".to_owned(),
+    };
+    line(format!("{:>29}{words}", ""));
+    for candidate in &shown.candidates {
+        let number = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{value:.3}"));
+        line(format!(
+            "{:>31}{:<8} waveform {:>6}, spectrum {:>6} away, power of the record {:>6} times, {:.5e} W in the model{}",
+            "",
+            candidate.id,
+            number(candidate.waveform_distance),
+            number(candidate.spectrum_distance),
+            number(candidate.power_ratio),
+            candidate.mean_power_w,
+            if candidate.inverted { ", polarity inverted" } else { "" }
+        ));
+    }
+}
+
+/// Adds what each stretch shows to the table of stretches; nothing without a model.
+pub fn columns(table: &mut Table, shown: &[SegmentMatches]) -> Result<(), Failure> {
+    if shown.is_empty() {
+        return Ok(());
+    }
+    let first = |of: &dyn Fn(&Candidate) -> Option<f64>| {
+        shown.iter().map(|shown| shown.candidates.first().and_then(of).unwrap_or(f64::NAN)).collect::<Vec<f64>>()
+    };
+    let ids = shown.iter().map(|shown| match shown.fits {
+        SegmentMatch::One => shown.id().unwrap_or_default().to_owned(),
+        SegmentMatch::Several => "several".to_owned(),
+        SegmentMatch::None => "none".to_owned(),
+    });
+    table.push(Column::new("solution", "", "solution of the model that fits", ids.collect::<Vec<_>>()))?;
+    table.push(Column::new("waveform_distance", "", "distance of the nearest one's waveform", first(&|c| c.waveform_distance)))?;
+    table.push(Column::new("spectrum_distance", "", "distance of its spectrum", first(&|c| c.spectrum_distance)))?;
+    table.push(Column::new("model_power_w", "W", "its mean power", first(&|c| Some(c.mean_power_w))))?;
+    Ok(())
+}

@@ -1,0 +1,79 @@
+//! Samples that no file holds to a recording: what another program has read or measured.
+
+use super::assemble;
+use super::raw::RawChannel;
+use crate::recording::{Grid, Over, Recording, inspect};
+
+/// Samples that make no recording.
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
+#[serde(untagged)]
+pub enum ArraysError {
+    /// No channel at all.
+    #[error("there is no channel; give at least one")]
+    NoChannel,
+    /// Numbers that got lost on the way.
+    #[error("the samples cannot be kept: {reason}")]
+    Kept {
+        /// What the system says.
+        reason: String,
+    },
+    /// Channels of unequal length.
+    #[error("channel {channel} has {samples} samples for {places} places; every channel needs one sample for each")]
+    Length {
+        /// The channel.
+        channel: String,
+        /// Its samples.
+        samples: usize,
+        /// Places of the grid.
+        places: usize,
+    },
+}
+
+/// A recording of channels whose units stand as instruments write them: values become SI, and what is odd about them is found, as in a file.
+///
+/// # Errors
+/// No channel, or one of another length than the grid.
+pub fn given(name: &str, over: Over, grid: Grid, channels: Vec<RawChannel>) -> Result<Recording, ArraysError> {
+    if channels.is_empty() {
+        return Err(ArraysError::NoChannel);
+    }
+    let places = grid.len();
+    let lengths = |channel: &RawChannel| [channel.values.len(), channel.imaginary.as_ref().map_or(places, Vec::len)];
+    for channel in &channels {
+        if let Some(samples) = lengths(channel).into_iter().find(|samples| *samples != places) {
+            return Err(ArraysError::Length { channel: channel.name.clone(), samples, places });
+        }
+    }
+    let mut findings = Vec::new();
+    let settled = |channel: RawChannel| assemble::settled(channel.into(), Default::default(), &mut findings).into_channel();
+    let channels = channels
+        .into_iter()
+        .map(settled)
+        .collect::<std::io::Result<Vec<_>>>()
+        .map_err(|fault| ArraysError::Kept { reason: fault.to_string() })?;
+    findings.extend(channels.iter().flat_map(inspect));
+    Ok(Recording { name: name.to_owned(), over, grid, channels, findings })
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::recording::{IssueKind, Quantity};
+
+    fn one(unit: &str, values: Vec<f64>) -> Vec<RawChannel> {
+        vec![RawChannel::new("a", unit, values)]
+    }
+
+    #[test]
+    fn samples_become_si_and_are_looked_at() {
+        let grid = Grid::even(0.0, 0.5, 3).unwrap();
+        let made = given("x", Over::Time, grid.clone(), one("g", vec![1.0, f64::NAN, -2.0])).unwrap();
+        assert_eq!((made.channels[0].quantity, made.channels[0].values[0]), (Quantity::Acceleration, 9.806_65));
+        let kinds: Vec<IssueKind> = made.findings.iter().map(|finding| finding.kind).collect();
+        assert_eq!(kinds, [IssueKind::Converted, IssueKind::NotANumber]);
+        assert_eq!(given("x", Over::Time, grid.clone(), Vec::new()), Err(ArraysError::NoChannel));
+        let wrong = ArraysError::Length { channel: "a".into(), samples: 2, places: 3 };
+        assert_eq!(given("x", Over::Time, grid, one("g", vec![1.0, 2.0])), Err(wrong));
+    }
+}

@@ -1,0 +1,93 @@
+//! Where the numbers of a file are put: in memory, or on a store whose memory does not grow with the file.
+//!
+//! A store keeps the first numbers in memory and lays all others down in a scratch file, in pieces of one column each. The file lies in
+//! `TMPDIR`, else in `/var/tmp`, has no name and is gone with the store.
+
+use std::cell::RefCell;
+use std::fs::File;
+use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
+use std::path::PathBuf;
+use std::rc::Rc;
+
+use super::numbers::ColumnNumbers;
+use crate::recording::PIECE;
+
+/// Pieces that a store keeps in memory, 16 MiB of all columns together.
+const MAX_PIECES_IN_MEMORY: usize = (16 << 20) / (8 * PIECE);
+
+/// Where a reader puts the numbers that it finds.
+#[derive(Debug, Clone)]
+pub(super) enum SampleStore {
+    /// In memory, however many.
+    Memory,
+    /// In memory the first ones, in a scratch file all others.
+    Scratch(Rc<RefCell<Scratch>>),
+}
+
+/// A scratch file that begins to be once it is needed.
+#[derive(Debug)]
+pub(super) struct Scratch {
+    /// Pieces that may still stay in memory.
+    left: usize,
+    file: Option<File>,
+    end: u64,
+    bytes: Vec<u8>,
+}
+
+/// A piece of a column on a store.
+#[derive(Debug)]
+pub(super) enum StoredPiece {
+    Memory(Vec<f64>),
+    /// Where it begins in the scratch file.
+    Scratch(u64),
+}
+
+impl SampleStore {
+    /// A store with a scratch file.
+    pub(super) fn scratch() -> Self {
+        Self::Scratch(Rc::new(RefCell::new(Scratch { left: MAX_PIECES_IN_MEMORY, file: None, end: 0, bytes: Vec::new() })))
+    }
+
+    /// A column without numbers yet.
+    pub(super) fn column(&self) -> ColumnNumbers {
+        ColumnNumbers::on(self)
+    }
+}
+
+impl Scratch {
+    /// Puts a full piece where it belongs; `numbers` is empty afterwards.
+    pub(super) fn put(&mut self, numbers: &mut Vec<f64>) -> io::Result<StoredPiece> {
+        if self.left > 0 {
+            self.left -= 1;
+            return Ok(StoredPiece::Memory(std::mem::take(numbers)));
+        }
+        let file = match &mut self.file {
+            Some(file) => file,
+            none => none.insert(tempfile::tempfile_in(folder())?),
+        };
+        self.bytes.clear();
+        self.bytes.extend(numbers.iter().flat_map(|x| x.to_le_bytes()));
+        file.seek(SeekFrom::Start(self.end))?;
+        file.write_all(&self.bytes)?;
+        let begin = self.end;
+        self.end += self.bytes.len() as u64;
+        numbers.clear();
+        Ok(StoredPiece::Scratch(begin))
+    }
+
+    /// The piece of [`PIECE`] numbers that begins there.
+    pub(super) fn get(&mut self, begin: u64) -> io::Result<Vec<f64>> {
+        let file = self.file.as_mut().ok_or_else(|| io::Error::other("the scratch file was never made"))?;
+        file.seek(SeekFrom::Start(begin))?;
+        self.bytes.resize(8 * PIECE, 0);
+        file.read_exact(&mut self.bytes)?;
+        Ok(self.bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect())
+    }
+}
+
+/// Where scratch files go. `/tmp` itself lies in memory on many systems.
+pub(super) fn folder() -> PathBuf {
+    let wanted = std::env::var_os("TMPDIR").map(PathBuf::from);
+    let large = Some(PathBuf::from("/var/tmp")).filter(|folder| folder.is_dir());
+    wanted.or(large).unwrap_or_else(std::env::temp_dir)
+}

@@ -1,0 +1,120 @@
+//! Who may ask: the token, the host and the origin of a request.
+
+use axum::http::HeaderMap;
+use axum::http::header::{HOST, ORIGIN};
+use sha2::{Digest, Sha256};
+use std::fmt::Write as _;
+use std::net::SocketAddr;
+
+/// Random bytes of a token.
+const TOKEN_BYTES: usize = 16;
+
+/// The checks of one server.
+#[derive(Debug, Clone)]
+pub struct Authenticator {
+    token: String,
+    digest: [u8; 32],
+    hosts: Vec<String>,
+    /// Any address of this machine will do, as the server listens on all of them.
+    any_address: bool,
+    port: u16,
+}
+
+/// Why a request is refused.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RequestRefusal {
+    /// Wrong token.
+    Token,
+    /// A host that is not this server, as in an attack by DNS rebinding.
+    Host,
+    /// A page of another server.
+    Origin,
+}
+
+impl Authenticator {
+    /// A guard for a server at an address, with the token of the server before it or a fresh one.
+    ///
+    /// # Errors
+    /// No random numbers from the system.
+    pub fn new(address: SocketAddr, before: Option<String>) -> Result<Self, getrandom::Error> {
+        let token = before.map_or_else(fresh, Ok)?;
+        let port = address.port();
+        let mut hosts = vec![address.to_string()];
+        if address.ip().is_loopback() || address.ip().is_unspecified() {
+            hosts.extend(["127.0.0.1", "localhost", "[::1]"].map(|name| format!("{name}:{port}")));
+        }
+        Ok(Self { digest: Sha256::digest(token.as_bytes()).into(), token, hosts, any_address: address.ip().is_unspecified(), port })
+    }
+
+    /// The token.
+    pub fn token(&self) -> &str {
+        &self.token
+    }
+
+    /// Checks a request; `needs_origin` for a socket, which every browser opens with its origin.
+    ///
+    /// # Errors
+    /// [`RequestRefusal`].
+    pub fn check(&self, token: &str, headers: &HeaderMap, needs_origin: bool) -> Result<(), RequestRefusal> {
+        let host = headers.get(HOST).and_then(|host| host.to_str().ok()).unwrap_or_default();
+        // An attack by rebinding needs a name; an address names only what stands behind it.
+        let by_address = self.any_address && host.parse::<SocketAddr>().is_ok_and(|named| named.port() == self.port);
+        if !by_address && !self.hosts.iter().any(|known| known.eq_ignore_ascii_case(host)) {
+            return Err(RequestRefusal::Host);
+        }
+        let origins: Vec<_> = headers.get_all(ORIGIN).iter().collect();
+        let own = format!("http://{host}");
+        if origins.iter().any(|origin| !origin.as_bytes().eq_ignore_ascii_case(own.as_bytes())) || (needs_origin && origins.is_empty()) {
+            return Err(RequestRefusal::Origin);
+        }
+        // Digests are compared, so that the time taken says nothing about the token.
+        let same = <[u8; 32]>::from(Sha256::digest(token.as_bytes())) == self.digest;
+        if same { Ok(()) } else { Err(RequestRefusal::Token) }
+    }
+}
+
+/// A random token.
+fn fresh() -> Result<String, getrandom::Error> {
+    let mut bytes = [0; TOKEN_BYTES];
+    getrandom::fill(&mut bytes)?;
+    Ok(bytes.iter().fold(String::new(), |mut text, byte| {
+        let _ = write!(text, "{byte:02x}");
+        text
+    }))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use axum::http::HeaderValue;
+
+    fn asked(host: &str, origin: Option<&str>) -> HeaderMap {
+        let mut headers = HeaderMap::new();
+        headers.insert(HOST, HeaderValue::from_str(host).unwrap());
+        origin.iter().for_each(|origin| drop(headers.insert(ORIGIN, HeaderValue::from_str(origin).unwrap())));
+        headers
+    }
+
+    #[test]
+    fn only_the_own_page_with_the_token_is_let_in() {
+        let guard = Authenticator::new("127.0.0.1:4321".parse().unwrap(), None).unwrap();
+        let token = guard.token().to_owned();
+        assert_eq!(token.len(), 32);
+        assert_ne!(token, Authenticator::new("127.0.0.1:4321".parse().unwrap(), None).unwrap().token());
+        let check = |token: &str, host: &str, origin, socket| guard.check(token, &asked(host, origin), socket);
+        assert_eq!(check(&token, "localhost:4321", Some("http://localhost:4321"), true), Ok(()));
+        assert_eq!(check(&token, "127.0.0.1:4321", None, false), Ok(()));
+        assert_eq!(check(&token, "127.0.0.1:4321", None, true), Err(RequestRefusal::Origin));
+        assert_eq!(check(&token, "127.0.0.1:4321", Some("http://evil.example"), false), Err(RequestRefusal::Origin));
+        assert_eq!(check(&token, "127.0.0.1:4321", Some("null"), true), Err(RequestRefusal::Origin));
+        assert_eq!(check(&token, "evil.example:4321", Some("http://evil.example:4321"), true), Err(RequestRefusal::Host));
+        assert_eq!(check(&token, "127.0.0.1:9", None, false), Err(RequestRefusal::Host));
+        assert_eq!(check(&token[1..], "127.0.0.1:4321", None, false), Err(RequestRefusal::Token));
+        assert_eq!(check("", "127.0.0.1:4321", None, false), Err(RequestRefusal::Token));
+        let open = Authenticator::new("0.0.0.0:4321".parse().unwrap(), None).unwrap();
+        let check = |host: &str| open.check(open.token(), &asked(host, None), false);
+        assert_eq!(check("192.168.1.7:4321"), Ok(()));
+        assert_eq!(check("evil.example:4321"), Err(RequestRefusal::Host));
+    }
+}

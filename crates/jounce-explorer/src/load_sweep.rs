@@ -1,0 +1,45 @@
+//! Mean power against the load: marched points beside the closed form of the harvester that never strikes.
+
+use crate::cancellation::Cancellation;
+use crate::design::{Design, DesignFault};
+use crate::frame::Frame;
+use crate::session::Session;
+use crate::sweep::{self, MAX_POINTS};
+use jounce::analysis::{Parameter, SweepOrder};
+use jounce::linear::steady_power_w;
+use jounce::orbit::ParametricModel;
+use jounce::spec::KeyRange;
+
+/// The range goes this far below and above the present load.
+const RATIO: f64 = 100.0;
+/// Points of the linear curve.
+const LINEAR_POINTS: usize = 121;
+
+/// Answers with the linear curve first, then with each marched point.
+///
+/// # Errors
+/// [`DesignFault`].
+pub fn respond(
+    session: &Session,
+    id: u64,
+    design: &Design,
+    over: &str,
+    points: usize,
+    cancellation: &Cancellation,
+) -> Result<(), DesignFault> {
+    let key = design.key(over)?;
+    let value = key.get(&design.spec).map_err(|fault| DesignFault::Faults(vec![fault]))?;
+    let (low, high) = key.limits();
+    let (from, to) = ((value / RATIO).max(low), (value * RATIO).min(high));
+    let text = format!("{}:{}:{}log", key.show(from), key.show(to), points.clamp(2, MAX_POINTS));
+    let range = KeyRange::parse(key.clone(), &text).map_err(|fault| DesignFault::Faults(vec![fault]))?;
+    let base = session.prepared(&design.spec, cancellation)?;
+    let parameter = Parameter::new(&base, &key, to - from);
+    let at = |k: usize| from * (to / from).powf(k as f64 / (LINEAR_POINTS - 1) as f64);
+    let power = |k: usize| parameter.at(at(k)).map_or(f64::NAN, |setting| steady_power_w(&setting.kernel.plant));
+    let mut frame = Frame::new(id, "load", "linear");
+    frame.put("over", key.path()).put("unit", key.unit());
+    frame.array("linear.x", (0..LINEAR_POINTS).map(at)).array("linear.power", (0..LINEAR_POINTS).map(power));
+    session.send(cancellation, frame);
+    sweep::march(session, id, "load", design, &range, SweepOrder::Independent, cancellation)
+}

@@ -1,0 +1,92 @@
+//! The address of a page, kept for the next server of the same spec: an open page comes back with it.
+//!
+//! One small file for each spec, which only its owner may read: the token in it is as good as the address.
+
+use sha2::{Digest, Sha256};
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+/// Port and token of the last server of a spec.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SavedAddress {
+    /// The port.
+    pub port: u16,
+    /// The token.
+    pub token: String,
+}
+
+/// The folder in which this system wants programs to keep such things; none where it names none.
+pub fn state_folder() -> Option<PathBuf> {
+    let named = |name: &str| std::env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
+    let state = named("XDG_STATE_HOME").or_else(|| Some(named("HOME")?.join(".local/state")));
+    Some(state.or_else(|| named("LOCALAPPDATA"))?.join("jounce"))
+}
+
+/// The file of a spec.
+fn file(folder: &Path, spec: &Path) -> PathBuf {
+    let whole = spec.canonicalize().unwrap_or_else(|_| spec.to_path_buf());
+    let digest = Sha256::digest(whole.as_os_str().as_encoded_bytes());
+    let name = digest.iter().take(8).fold(String::from("explore-"), |mut name, byte| {
+        let _ = write!(name, "{byte:02x}");
+        name
+    });
+    folder.join(name)
+}
+
+impl SavedAddress {
+    /// What was kept for a spec. A file that others may read or write counts as none.
+    pub fn read(folder: &Path, spec: &Path) -> Option<Self> {
+        let path = file(folder, spec);
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            let about = std::fs::symlink_metadata(&path).ok()?;
+            if !about.is_file() || about.permissions().mode() & 0o077 != 0 {
+                return None;
+            }
+        }
+        let text = std::fs::read_to_string(path).ok()?;
+        let (port, token) = text.trim().split_once(' ')?;
+        let is_token = token.len() == 32 && token.bytes().all(|letter| letter.is_ascii_hexdigit());
+        Some(Self { port: port.parse().ok()?, token: token.to_owned() }).filter(|_| is_token)
+    }
+
+    /// Keeps it.
+    ///
+    /// # Errors
+    /// A folder that cannot be written.
+    pub fn write(&self, folder: &Path, spec: &Path) -> std::io::Result<()> {
+        std::fs::create_dir_all(folder)?;
+        // A temporary file is its owner's alone from the beginning.
+        let mut temporary = tempfile::NamedTempFile::new_in(folder)?;
+        writeln!(temporary, "{} {}", self.port, self.token)?;
+        temporary.persist(file(folder, spec)).map_err(|error| error.error)?;
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_kept_comes_back_unless_others_could_read_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let (one, other) = (folder.path().join("a.toml"), folder.path().join("b.toml"));
+        let kept = SavedAddress { port: 4321, token: "0123456789abcdef0123456789abcdef".into() };
+        assert_eq!(SavedAddress::read(folder.path(), &one), None);
+        kept.write(folder.path(), &one).unwrap();
+        assert_eq!((SavedAddress::read(folder.path(), &one), SavedAddress::read(folder.path(), &other)), (Some(kept.clone()), None));
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            let path = file(folder.path(), &one);
+            std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o640)).unwrap();
+            assert_eq!(SavedAddress::read(folder.path(), &one), None);
+        }
+        std::fs::write(file(folder.path(), &other), "80 short").unwrap();
+        assert_eq!(SavedAddress::read(folder.path(), &other), None);
+    }
+}

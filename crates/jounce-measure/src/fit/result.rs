@@ -1,0 +1,250 @@
+//! What a fit gives.
+
+use serde::Serialize;
+
+use super::FitError;
+use super::discrepancy::missed;
+use super::observations::MeasuredNumber;
+use super::problem::FitProblem;
+use super::profile::Profile;
+use super::solve::Minimum;
+use super::warnings::warnings;
+use crate::modal::Mode;
+use crate::spectral::student_95;
+
+/// A key before and after.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FittedKey {
+    /// Its path.
+    pub key: String,
+    /// Its SI unit.
+    pub unit: String,
+    /// Value before, SI.
+    pub before: f64,
+    /// Value after, SI.
+    pub after: f64,
+    /// Ends of the interval of 95 %, SI, by the profile of what was minimised: not always as far below as above.
+    pub low: f64,
+    /// Its upper end.
+    pub high: f64,
+    /// Relative standard deviation of the prior.
+    pub prior_deviation: f64,
+    /// Relative standard deviation after.
+    pub deviation: f64,
+}
+
+/// A feature before and after.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FittedFeature {
+    /// Its name, as in `mode 1 frequency`.
+    pub name: String,
+    /// Its unit.
+    pub unit: String,
+    /// As measured.
+    pub measured: f64,
+    /// Relative standard deviation of the measurement.
+    pub deviation: f64,
+    /// Of the model before.
+    pub before: f64,
+    /// Of the model after.
+    pub after: f64,
+    /// Relative standard deviation of the model's prediction after the fit, from that of the keys.
+    pub predicted_deviation: f64,
+    /// Lower end of the interval in which 95 % of further measurements are expected.
+    pub low: f64,
+    /// Its upper end.
+    pub high: f64,
+}
+
+/// A measured curve before and after: a frequency response or a time history.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FittedCurve {
+    /// Its name, as in `mfc.voltage`.
+    pub name: String,
+    /// Its unit.
+    pub unit: String,
+    /// What it is taken over, `frequency_hz` or `time_s`.
+    pub over: String,
+    /// The places.
+    pub at: Vec<f64>,
+    /// As measured.
+    pub measured: Vec<f64>,
+    /// Of the model before.
+    pub before: Vec<f64>,
+    /// Of the model after.
+    pub after: Vec<f64>,
+    /// Lower ends of the intervals in which 95 % of further measurements are expected.
+    pub low: Vec<f64>,
+    /// Their upper ends.
+    pub high: Vec<f64>,
+}
+
+/// The deviation of features that share one.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FittedDeviation {
+    /// The features.
+    pub name: String,
+    /// Their relative standard deviation.
+    pub deviation: f64,
+    /// Degrees of freedom that it rests on where it comes from the residuals; none where it was given.
+    pub degrees_of_freedom: Option<f64>,
+}
+
+/// Keys, features, and how far to trust them.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FitResult {
+    /// The keys.
+    pub keys: Vec<FittedKey>,
+    /// The features that are single numbers.
+    pub features: Vec<FittedFeature>,
+    /// Those that are curves.
+    pub curves: Vec<FittedCurve>,
+    /// Deviations of the features.
+    pub deviations: Vec<FittedDeviation>,
+    /// Deviations to each side that intervals of 95 % reach: those of Student's distribution where a deviation comes from residuals.
+    pub quantile: f64,
+    /// Correlation of every key with every other.
+    pub correlation: Vec<Vec<f64>>,
+    /// Sum of the squared errors of the features over their variances.
+    pub chi_square: f64,
+    /// The same plus that of the keys about their priors: what was minimised.
+    pub objective: f64,
+    /// What the data cannot tell, one sentence each.
+    pub warnings: Vec<String>,
+    /// Evaluations of the model.
+    pub evaluations: usize,
+}
+
+impl FittedFeature {
+    /// Relative error before and after.
+    pub fn errors(&self) -> (f64, f64) {
+        (self.before / self.measured - 1.0, self.after / self.measured - 1.0)
+    }
+}
+
+impl FittedCurve {
+    /// Errors before and after, rms over that of the measured curve.
+    pub fn errors(&self) -> (f64, f64) {
+        let rms = |of: &dyn Fn(usize) -> f64| (0..self.at.len()).map(|k| of(k).powi(2)).sum::<f64>().sqrt();
+        let size = rms(&|k| self.measured[k]);
+        (rms(&|k| self.before[k] - self.measured[k]) / size, rms(&|k| self.after[k] - self.measured[k]) / size)
+    }
+}
+
+/// A measured number with everything that is told of it.
+struct FeatureResult<'m> {
+    measured: &'m MeasuredNumber,
+    feature: FittedFeature,
+}
+
+impl FitResult {
+    pub(super) fn of(problem: &FitProblem<'_>, minimum: &Minimum, before: &[f64]) -> Result<Self, FitError> {
+        let (count, asked) = (problem.keys.len(), problem.asked);
+        let estimated: Vec<f64> = minimum.freedom.iter().flatten().copied().collect();
+        let quantile = if estimated.is_empty() { Mode::QUANTILE_95 } else { student_95(estimated.iter().sum()) };
+        let deviation: Vec<f64> = (0..count).map(|k| minimum.covariance[(k, k)].sqrt()).collect();
+        let correlation: Vec<Vec<f64>> =
+            (0..count).map(|a| (0..count).map(|b| minimum.covariance[(a, b)] / (deviation[a] * deviation[b])).collect()).collect();
+        let errors = problem.errors(&problem.unknowns)?;
+        let chi_square = errors.rows(0, asked.measured.len()).norm_squared();
+        let profile = Profile {
+            errors: &|unknowns| problem.errors(unknowns),
+            least: &problem.unknowns,
+            at_least: &errors,
+            objective: errors.norm_squared(),
+            derivatives: &minimum.derivatives,
+            covariance: &minimum.covariance,
+        };
+        let mut linear = Vec::new();
+        let mut keys = Vec::with_capacity(count);
+        for (k, deviation) in deviation.iter().enumerate() {
+            let ends = [profile.end(k, -quantile)?, profile.end(k, quantile)?];
+            if ends.contains(&None) {
+                linear.push(problem.keys[k].path());
+            }
+            keys.push(key(problem, k, (*deviation, quantile), ends));
+        }
+        let told = told(problem, minimum, (before, &problem.model(&problem.unknowns)?), quantile);
+        let of_group = |(g, group): (usize, &super::deviation::DeviationGroup)| FittedDeviation {
+            name: group.name.clone(),
+            deviation: problem.deviation[g],
+            degrees_of_freedom: minimum.freedom[g],
+        };
+        Ok(Self {
+            keys,
+            features: told.iter().filter(|told| told.measured.on.is_none()).map(|told| told.feature.clone()).collect(),
+            curves: (0..asked.curves.len()).map(|number| curve(problem, &told, number)).collect(),
+            deviations: asked.groups.iter().enumerate().map(of_group).collect(),
+            warnings: [
+                asked.told.clone(),
+                missed(problem, errors.as_slice()),
+                warnings(problem, minimum, &deviation, (&correlation, &linear), chi_square),
+            ]
+            .concat(),
+            quantile,
+            correlation,
+            chi_square,
+            objective: errors.norm_squared(),
+            evaluations: problem.evaluations.get(),
+        })
+    }
+}
+
+/// Where the profile has no end, that of the covariance stands in for it.
+fn key(problem: &FitProblem<'_>, k: usize, (deviation, quantile): (f64, f64), profile: [Option<f64>; 2]) -> FittedKey {
+    let (least, start) = (problem.unknowns[k], problem.start[k]);
+    let after = start * least.exp();
+    let end = |(profile, sign): (Option<f64>, f64)| start * profile.unwrap_or(least + sign * quantile * deviation).exp();
+    let ends = [(profile[0], -1.0), (profile[1], 1.0)].map(end);
+    FittedKey {
+        key: problem.keys[k].path().to_owned(),
+        unit: problem.keys[k].unit(),
+        before: problem.start[k],
+        after,
+        low: ends[0].min(ends[1]),
+        high: ends[0].max(ends[1]),
+        prior_deviation: problem.prior[k],
+        deviation,
+    }
+}
+
+fn told<'m>(problem: &'m FitProblem<'_>, minimum: &Minimum, (before, after): (&[f64], &[f64]), quantile: f64) -> Vec<FeatureResult<'m>> {
+    let one = |(i, measured): (usize, &'m MeasuredNumber)| {
+        let deviation = problem.deviation_of(measured);
+        let row = minimum.derivatives.row(i) * deviation;
+        let predicted_deviation = (&row * &minimum.covariance * row.transpose())[(0, 0)].max(0.0).sqrt();
+        let reach = quantile * deviation.hypot(predicted_deviation);
+        let ends = [-reach, reach].map(|error| measured.moved(after[i], error));
+        let feature = FittedFeature {
+            name: measured.name.clone(),
+            unit: measured.unit.clone(),
+            measured: measured.value,
+            deviation,
+            before: before[i],
+            after: after[i],
+            predicted_deviation,
+            low: ends[0].min(ends[1]),
+            high: ends[0].max(ends[1]),
+        };
+        FeatureResult { measured, feature }
+    };
+    problem.asked.measured.iter().enumerate().map(one).collect()
+}
+
+fn curve(problem: &FitProblem<'_>, told: &[FeatureResult<'_>], number: usize) -> FittedCurve {
+    let on: Vec<(&FittedFeature, f64)> =
+        told.iter().filter_map(|told| told.measured.on.filter(|(curve, _)| *curve == number).map(|(_, at)| (&told.feature, at))).collect();
+    let each = |of: fn(&FittedFeature) -> f64| on.iter().map(|(feature, _)| of(feature)).collect::<Vec<f64>>();
+    let curve = &problem.asked.curves[number];
+    FittedCurve {
+        name: curve.name.clone(),
+        unit: curve.unit.clone(),
+        over: curve.over.to_owned(),
+        at: on.iter().map(|(_, at)| *at).collect(),
+        measured: each(|feature| feature.measured),
+        before: each(|feature| feature.before),
+        after: each(|feature| feature.after),
+        low: each(|feature| feature.low),
+        high: each(|feature| feature.high),
+    }
+}

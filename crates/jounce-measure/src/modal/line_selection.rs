@@ -1,0 +1,51 @@
+//! Which lines of a band a fit needs.
+//!
+//! With `D` the distance of a line to a pole, what the line tells of the pole falls as `D^-4`, and the response there bends over distances of `D`
+//! only. So every line within some half-power widths of a pole is kept, and beyond that one line to a share of `D`.
+
+use super::Pole;
+
+/// Bands of up to so many lines keep all.
+const MAX_ALL_LINES: usize = 4096;
+/// Half-power half-widths `zeta f` on both sides of a pole within which every line is kept: what lies beyond tells below a hundredth of a pole.
+const NEAR_POLE_HALF_WIDTHS: f64 = 5.0;
+/// Lines kept to the distance from the nearest pole.
+const LINES_PER_DISTANCE: f64 = 25.0;
+
+/// Numbers of the lines to be kept, for ascending frequencies.
+pub(super) fn kept(frequency_hz: &[f64], poles: &[Pole]) -> Vec<usize> {
+    if frequency_hz.len() <= MAX_ALL_LINES {
+        return (0..frequency_hz.len()).collect();
+    }
+    let mut next_hz = f64::NEG_INFINITY;
+    let needed = |(k, hz): (usize, &f64)| {
+        if *hz < next_hz {
+            return None;
+        }
+        let beyond = |pole: &Pole| (hz - pole.frequency_hz).abs() - NEAR_POLE_HALF_WIDTHS * pole.damping_ratio * pole.frequency_hz;
+        next_hz = hz + poles.iter().map(beyond).fold(f64::INFINITY, f64::min).max(0.0) / LINES_PER_DISTANCE;
+        Some(k)
+    };
+    frequency_hz.iter().enumerate().filter_map(needed).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_near_poles_stay_and_others_thin_out() {
+        let frequency_hz: Vec<f64> = (1..=20_000).map(|k| 0.05 * f64::from(k)).collect();
+        let poles = [Pole { frequency_hz: 100.0, damping_ratio: 0.01 }, Pole { frequency_hz: 700.0, damping_ratio: 0.002 }];
+        let lines = kept(&frequency_hz, &poles);
+        assert!(lines.len() < 1200, "{}", lines.len());
+        for pole in poles {
+            let near = |hz: f64| (hz - pole.frequency_hz).abs() < NEAR_POLE_HALF_WIDTHS * pole.damping_ratio * pole.frequency_hz;
+            let all = frequency_hz.iter().filter(|hz| near(**hz)).count();
+            assert_eq!(lines.iter().filter(|k| near(frequency_hz[**k])).count(), all);
+        }
+        let widest = lines.windows(2).map(|pair| frequency_hz[pair[1]] - frequency_hz[pair[0]]).fold(0.0, f64::max);
+        assert!(widest < 13.0, "{widest}");
+        assert_eq!(kept(&frequency_hz[..4000], &poles).len(), 4000);
+    }
+}

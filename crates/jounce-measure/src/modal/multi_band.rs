@@ -1,0 +1,45 @@
+//! Stable poles from nested bands.
+//!
+//! A mode far below the upper end of a band turns the angle `pi f / f_high` of the denominator's plane by little, and its acceleration is small beside
+//! that of the modes above it: it is lost. So poles are sought in the whole band, in its lower half, in the lower half of that, and so on while
+//! there are lines enough, and each frequency is left to the narrowest band that holds it well inside. A band that begins far from 0 has no such
+//! modes, and is not searched in parts.
+
+use super::plscf::from_zero;
+use super::stabilisation::{SAME_MODE_DISTANCE, modes};
+use super::{Band, ModalError, ModalSettings, Pole, StablePole, diagram, poles};
+
+/// Upper end of a band over that of the one around it.
+const BAND_RATIO: f64 = 0.5;
+/// A band is asked for poles below this share of its upper end.
+const MAX_POLE_SHARE: f64 = 0.8;
+
+/// The diagram of the poles of all bands and those that stay, in ascending frequency.
+///
+/// # Errors
+/// Too few lines in the whole band, responses that are zero.
+pub(super) fn stable(band: &Band, settings: ModalSettings) -> Result<(Vec<StablePole>, Vec<Pole>), ModalError> {
+    let mut bands = vec![(f64::INFINITY, band.high_hz, poles(band, settings.order)?)];
+    let mut high_hz = band.frequency_hz.last().copied().unwrap_or(band.high_hz);
+    while !band.begins_far_from_zero() {
+        high_hz *= BAND_RATIO;
+        // A band without lines enough, or with nothing in it, leaves its frequencies to the one around it.
+        let Ok(found) = from_zero(&band.below(high_hz), settings.order) else { break };
+        bands.push((MAX_POLE_SHARE * high_hz, high_hz, found));
+    }
+    let (mut found, mut stay) = (Vec::new(), Vec::<Pole>::new());
+    let mut from_hz = 0.0;
+    for (to_hz, high_hz, poles) in bands.iter().rev() {
+        let own = |pole: &Pole| pole.frequency_hz > from_hz && pole.frequency_hz <= *to_hz;
+        let diagram = diagram(poles, band.line_hz());
+        for pole in modes(&diagram, band.low_hz, *high_hz).into_iter().filter(own) {
+            // At the border both bands may have found it.
+            if stay.last().is_none_or(|last| pole.frequency_hz / last.frequency_hz - 1.0 > SAME_MODE_DISTANCE) {
+                stay.push(pole);
+            }
+        }
+        found.extend(diagram.into_iter().filter(|stable| own(&stable.pole)));
+        from_hz = *to_hz;
+    }
+    Ok((found, stay))
+}

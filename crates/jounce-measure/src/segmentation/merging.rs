@@ -1,0 +1,270 @@
+//! Neighbouring stretches of the same solution: what changes between them is the noise, a slow drift, or one odd block.
+//!
+//! For each stretch the amplitude at each order is freed of noise, `A^2 = mean |x_b|^2 - mean |x_b+1 - x_b|^2 / 2` over its blocks `b`. Equal
+//! amplitudes and equal periods are one solution. Amplitudes of one shape that differ on the whole but hardly across the change drift.
+
+use faer::c64;
+use jounce::signal::Samples;
+use serde::Serialize;
+
+use super::features::lines_of_block;
+use super::period;
+
+/// Why a change within a stretch is none of solution.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum MergeReason {
+    /// What does not repeat grew or fell.
+    NoiseChanged,
+    /// The amplitude goes on changing slowly, in one shape.
+    Drifts,
+    /// A block alone differs.
+    Glitch,
+}
+
+/// A change that is none of solution.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct MergedChange {
+    /// Where it is, s from the first sample.
+    pub at_s: f64,
+    /// What changes.
+    pub reason: MergeReason,
+}
+
+/// Amplitudes that differ by less than this share of the largest are equal.
+const EQUAL_AMPLITUDE_SHARE: f64 = 0.05;
+/// Deviations of noise that count as none.
+const NOISE_DEVIATIONS: f64 = 3.0;
+/// Noise of one stretch over that of the other from which on it changed.
+const NOISE_CHANGE_RATIO: f64 = 1.2;
+/// Waveforms of one shape: what the other misses at its best size, over the whole.
+const SAME_SHAPE_SHARE: f64 = 0.1;
+/// A drift has less than this share of its change across the place where it was cut.
+const MAX_DRIFT_STEP_SHARE: f64 = 0.3;
+/// Blocks to both sides that tell what is sudden, and blocks at the change that may hold both.
+const NEIGHBOUR_BLOCKS: usize = 3;
+const TRANSITION_BLOCKS: usize = 1;
+/// A stretch of so many blocks between two of one solution is a glitch.
+const MAX_GLITCH_BLOCKS: f64 = 2.0;
+
+/// What one stretch shows, freed of noise.
+struct SegmentFeatures {
+    amplitude: Vec<f64>,
+    /// Deviation of each amplitude.
+    deviation: f64,
+    /// Noise of a block's lines.
+    noise: f64,
+}
+
+impl SegmentFeatures {
+    fn of(lines: &[Vec<c64>]) -> Self {
+        let (count, orders) = (lines.len() as f64, lines.first().map_or(0, Vec::len));
+        let steps = (lines.len().saturating_sub(1)).max(1) as f64;
+        let noise = |j: usize| lines.windows(2).map(|pair| (pair[1][j] - pair[0][j]).norm_sqr()).sum::<f64>() / (2.0 * steps);
+        let square = |j: usize| lines.iter().map(|block| block[j].norm_sqr()).sum::<f64>() / count;
+        let amplitude = (0..orders).map(|j| (square(j) - noise(j)).max(0.0).sqrt()).collect();
+        let all = ((0..orders).map(noise).sum::<f64>() / orders.max(1) as f64).sqrt();
+        Self { amplitude, deviation: all / count.max(1.0).sqrt(), noise: all }
+    }
+
+    fn largest(&self) -> f64 {
+        self.amplitude.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// The largest difference of two amplitudes.
+    fn off(&self, other: &Self) -> f64 {
+        self.amplitude.iter().zip(&other.amplitude).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    }
+
+    fn equals(&self, other: &Self) -> bool {
+        let noise = NOISE_DEVIATIONS * self.deviation.hypot(other.deviation);
+        self.off(other) < EQUAL_AMPLITUDE_SHARE * self.largest().max(other.largest()) + noise
+    }
+
+    /// True where the amplitudes are the same but for their common size.
+    fn is_shaped_as(&self, other: &Self) -> bool {
+        let product = |a: &Self, b: &Self| a.amplitude.iter().zip(&b.amplitude).map(|(a, b)| a * b).sum::<f64>();
+        let (one, two) = (product(self, self), product(other, other));
+        one * two > 0.0 && 1.0 - product(self, other).powi(2) / (one * two) < SAME_SHAPE_SHARE * SAME_SHAPE_SHARE
+    }
+}
+
+/// The starts of stretches, in blocks, without those where the solution stays, and what changes there instead.
+pub(super) fn joined(
+    samples: &Samples<'_>,
+    drive_hz: f64,
+    mut starts: Vec<f64>,
+    (lines, length): (&[Vec<c64>], f64),
+) -> (Vec<f64>, Vec<MergedChange>) {
+    let count = lines.len();
+    let mut joints = Vec::new();
+    if starts.len() < 2 {
+        return (starts, joints);
+    }
+    let same_period = |from: (f64, f64), to: (f64, f64)| {
+        let cycles = |(from, to): (f64, f64)| {
+            let part = &samples.values()[(from.ceil() * length) as usize..((to.floor() * length) as usize).min(samples.values().len())];
+            Samples::new(part, samples.rate_hz()).ok().and_then(|part| period(&part, drive_hz).cycles)
+        };
+        let (one, other) = (cycles(from), cycles(to));
+        one.is_some() && one == other
+    };
+    let mut k = 1;
+    while k < starts.len() {
+        let end = |k: usize| starts.get(k).copied().unwrap_or(count as f64);
+        let (before, after) = ((starts[k - 1], starts[k]), (starts[k], end(k + 1)));
+        let short = k + 1 < starts.len() && starts[k + 1] - starts[k] <= MAX_GLITCH_BLOCKS;
+        let beyond = (end(k + 1), end(k + 2));
+        if short && reason(lines, before, beyond).is_some() && same_period(before, beyond) {
+            joints.push(MergedChange { at_s: starts[k] * length / samples.rate_hz(), reason: MergeReason::Glitch });
+            starts.drain(k..k + 2);
+            continue;
+        }
+        match reason(lines, before, after).filter(|_| same_period(before, after)) {
+            Some(reason) => {
+                joints.push(MergedChange { at_s: starts[k] * length / samples.rate_hz(), reason });
+                starts.remove(k);
+            }
+            None => k += 1,
+        }
+    }
+    (starts, joints)
+}
+
+/// The lines of each block of a record.
+pub(super) fn lines(samples: &Samples<'_>, drive_hz: f64, (count, length): (usize, f64)) -> Vec<Vec<c64>> {
+    let first = |b: usize| (b as f64 * length).round() as usize;
+    (0..count).map(|b| lines_of_block(samples, drive_hz, first(b), length.floor() as usize)).collect()
+}
+
+/// True where a stretch ends in another size than it began with: its first third against its last.
+pub(super) fn drifts(lines: &[Vec<c64>]) -> bool {
+    let third = lines.len() / 3;
+    if third < 2 {
+        return false;
+    }
+    let (first, last) = (SegmentFeatures::of(&lines[..third]), SegmentFeatures::of(&lines[lines.len() - third..]));
+    !first.equals(&last) && first.is_shaped_as(&last)
+}
+
+/// Why two neighbouring stretches are one; none where they are not.
+fn reason(lines: &[Vec<c64>], before: (f64, f64), after: (f64, f64)) -> Option<MergeReason> {
+    let blocks = |(from, to): (f64, f64)| &lines[from.ceil() as usize..(to.floor() as usize).min(lines.len())];
+    let (one, two) = (blocks(before), blocks(after));
+    if one.len() < 2 || two.len() < 2 {
+        return None;
+    }
+    let (a, b) = (SegmentFeatures::of(one), SegmentFeatures::of(two));
+    if a.equals(&b) {
+        let changed = a.noise.max(b.noise) > NOISE_CHANGE_RATIO * a.noise.min(b.noise);
+        let odd = |block: &Vec<c64>| {
+            let sizes: Vec<f64> = block.iter().map(|x| x.norm()).collect();
+            let off = sizes.iter().zip(&a.amplitude).map(|(x, a)| (x - a).abs()).fold(0.0, f64::max);
+            off > EQUAL_AMPLITUDE_SHARE * a.largest() + NOISE_DEVIATIONS * a.noise.max(b.noise)
+        };
+        let at = after.0.floor() as usize;
+        let glitch = lines[at.saturating_sub(TRANSITION_BLOCKS)..(at + TRANSITION_BLOCKS + 1).min(lines.len())].iter().any(odd);
+        return Some(match (changed, glitch) {
+            (_, true) => MergeReason::Glitch,
+            (true, false) => MergeReason::NoiseChanged,
+            (false, false) => MergeReason::Drifts,
+        });
+    }
+    let last = one.len().saturating_sub(TRANSITION_BLOCKS);
+    let beside =
+        (&one[last.saturating_sub(NEIGHBOUR_BLOCKS)..last], &two[TRANSITION_BLOCKS..(TRANSITION_BLOCKS + NEIGHBOUR_BLOCKS).min(two.len())]);
+    if !a.is_shaped_as(&b) || beside.0.len() < NEIGHBOUR_BLOCKS || beside.1.len() < NEIGHBOUR_BLOCKS {
+        return None;
+    }
+    (SegmentFeatures::of(beside.0).off(&SegmentFeatures::of(beside.1)) < MAX_DRIFT_STEP_SHARE * a.off(&b)).then_some(MergeReason::Drifts)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::super::{Segmentation, regimes};
+    use super::*;
+    use jounce::drive::RandomStream;
+    use std::f64::consts::TAU;
+
+    /// 85 s at 1536 Hz under 13 Hz, made by `value(time, noise)`.
+    fn cut(value: impl Fn(f64, f64) -> f64) -> Segmentation {
+        let mut stream = RandomStream::new(21, 0);
+        let values: Vec<f64> = (0..130_560).map(|k| value(f64::from(k) / 1536.0, stream.normal_pair()[0])).collect();
+        regimes(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap()
+    }
+
+    fn base(t: f64) -> f64 {
+        (TAU * 13.0 * t).sin() + 0.3 * (TAU * 26.0 * t).cos()
+    }
+
+    #[test]
+    fn noise_drift_and_a_glitch_are_no_solutions() {
+        let noise = cut(|t, n| base(t) + n * if t < 40.0 { 0.1 } else { 0.4 });
+        assert_eq!(noise.stretches.len(), 1, "{:?}", noise.joints);
+        assert!(noise.joints.iter().any(|j| j.reason == MergeReason::NoiseChanged && (j.at_s - 40.0).abs() < 0.5), "{:?}", noise.joints);
+        let drift = cut(|t, n| base(t) * (1.0 + 0.3 * t / 85.0) + 0.02 * n);
+        assert_eq!(drift.stretches.len(), 1, "{:?}", drift.stretches);
+        assert!(!drift.joints.is_empty() && drift.joints.iter().all(|joint| joint.reason == MergeReason::Drifts), "{:?}", drift.joints);
+        let glitch = cut(|t, n| base(t) + 0.02 * n + if (40.0..40.2).contains(&t) { 3.0 } else { 0.0 });
+        assert_eq!(glitch.stretches.len(), 1, "{:?}", glitch.stretches);
+        assert!(
+            glitch.joints.iter().any(|joint| joint.reason == MergeReason::Glitch && (joint.at_s - 40.0).abs() < 0.5),
+            "{:?}",
+            glitch.joints
+        );
+    }
+
+    /// A slow ramp of any course, up from a tenth of its end, is one stretch that drifts. Cut where the mean changes it was 18.
+    #[test]
+    fn a_slow_ramp_is_one_stretch() {
+        let courses = [|s: f64| 0.2 + 2.0 * s, |s: f64| 0.2 + 2.0 * s * s, |s: f64| 0.2 + 2.0 * (2.0 * s).min(1.0)];
+        for (k, size) in courses.into_iter().enumerate() {
+            let found = cut(|t, n| base(t) * size(t / 85.0) + 0.02 * n);
+            assert_eq!(found.stretches.len(), 1, "{k}: {:?} {:?}", found.stretches, found.joints);
+            assert!(
+                !found.joints.is_empty() && found.joints.iter().all(|joint| joint.reason == MergeReason::Drifts),
+                "{k}: {:?}",
+                found.joints
+            );
+        }
+    }
+
+    /// 25 s of an irregular motion, whose sizes change at random from cycle to cycle, before it settles: one stretch, and then the other. Cut where the
+    /// mean changes the start was about fifty. By chance a part of it may be one of its own, as in 1 of 100 records.
+    #[test]
+    fn an_irregular_start_is_one_stretch() {
+        let mut whole = 0;
+        for seed in 1..11 {
+            let mut stream = RandomStream::new(seed, 5);
+            let mut sizes = [1.0, 0.5, 0.3];
+            let mut values = Vec::new();
+            for k in 0..130_560 {
+                let t = f64::from(k) / 1536.0;
+                let [noise, other] = stream.normal_pair();
+                if k % 118 == 0 {
+                    let [one, two] = stream.normal_pair();
+                    sizes = [0.4 + 0.6 * sizes[0] + 0.5 * one, 0.6 * sizes[1] + 0.5 * two, 0.6 * sizes[2] + 0.5 * other];
+                }
+                let irregular =
+                    1.5 * sizes[0] * (TAU * 13.0 * t).sin() + sizes[1] * (TAU * 6.5 * t).cos() + sizes[2] * (TAU * 13.0 / 3.0 * t).sin();
+                values.push(if t < 25.0 { irregular } else { 1.5 * base(t) } + 0.02 * noise);
+            }
+            let found = regimes(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap();
+            let [start, .., last] = &found.stretches[..] else { panic!("{seed}: {:?}", found.stretches) };
+            assert!(found.stretches.len() <= 3 && (last.start_s - 25.0).abs() < 2.0 * found.uncertainty_s, "{seed}: {:?}", found.stretches);
+            assert_eq!((start.period.cycles, last.period.cycles), (None, Some(1)), "{seed}");
+            whole += u32::from(found.stretches.len() == 2);
+        }
+        assert!(whole >= 9, "{whole} of 10 starts are one stretch");
+    }
+
+    /// A jump in size only, as at the fold of a nearly linear answer, and one of shape only, are other solutions.
+    #[test]
+    fn jumps_stay() {
+        for after in [|t: f64| 1.4 * base(t), |t: f64| (TAU * 13.0 * t).sin() + 0.6 * (TAU * 26.0 * t).cos()] {
+            let found = cut(|t, n| if t < 40.0 { base(t) } else { after(t) } + 0.1 * n);
+            assert_eq!((found.stretches.len(), found.joints.len()), (2, 0), "{:?}", found.joints);
+        }
+    }
+}

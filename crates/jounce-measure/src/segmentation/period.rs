@@ -1,0 +1,331 @@
+//! After how many drive cycles a record repeats.
+//!
+//! The record is taken at equal phases of the drive, a row of values for each cycle. Folded at `n` cycles, every `n`-th row is one class, and
+//!
+//! ```text
+//! V_n = mean over rows of |x - mean of its class|^2 M / (M - 1),   M rows of the class
+//! ```
+//!
+//! is the variance of the noise for the period and its multiples, and more for every other `n`, by all subharmonics that `n` cycles do not
+//! hold. The period is the smallest `n` whose `V_n` is not above the smallest one of all: not by more than batches of rows tell apart, nor by
+//! more than a hundredth of the rms. Classes are made within windows, so that a drive that is not quite the one given does not blur them.
+//!
+//! Slow noise is alike at some distances by chance, and folded at so many cycles it leaves less, as it does at the numbers beside; a period
+//! leaves less at its multiples alone. So where no number is a period by that, the smallest one is for which, its classes taken away, the best
+//! number leaves no less than those beside it.
+
+use jounce::march::Control;
+use jounce::signal::Samples;
+use serde::Serialize;
+
+/// How a stretch repeats.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct RepetitionPeriod {
+    /// Drive cycles of the period; none where it does not repeat within twelve cycles.
+    pub cycles: Option<usize>,
+    /// Rms of `x(t + n T) - x(t)` over `sqrt 2` times the rms of `x`, for that `n`, or for the best one: 0 for a perfect repetition, about 1
+    /// for none. Noise of a share `s` of the rms gives `s`.
+    pub mismatch: f64,
+}
+
+/// Longest period sought, drive cycles.
+pub const MAX_PERIOD_CYCLES: usize = 12;
+/// Longest period that is looked for to tell that none of those sought fits.
+const MAX_TESTED_PERIOD_CYCLES: usize = 48;
+/// Cycles of a window, and values that are looked at in all, at least so many in a cycle.
+const WINDOW_CYCLES: usize = 144;
+const MAX_VALUES: usize = 1 << 18;
+const MIN_VALUES_PER_CYCLE: usize = 8;
+/// What is left of a period is as little as that of another below this share of the rms, and not so above this multiple of its variance.
+const EXACT_RESIDUAL_SHARE: f64 = 0.01;
+const RESIDUAL_RATIO: f64 = 2.0;
+/// Slow noise leaves less by chance, but not below this share of its variance.
+const CHANCE_FACTOR: f64 = 3.0;
+/// Numbers on both sides that tell what slow noise leaves.
+const NEIGHBOUR_COUNT: usize = 3;
+/// Batches of rows, of at least so many each, and Student's quantile for 15 of them that noise hardly ever passes (2e-4 on one side).
+const BATCHES: usize = 16;
+const MIN_ROWS_PER_BATCH: usize = 4;
+const STUDENT_QUANTILE: f64 = 4.5;
+/// Beyond this there is no repetition.
+const MAX_RESIDUAL_SHARE: f64 = 0.5;
+
+/// The period of samples under a drive of a known frequency; samples between those of the record by cubic interpolation.
+pub fn period(samples: &Samples<'_>, drive_hz: f64) -> RepetitionPeriod {
+    let unstopped = period_watched(samples, drive_hz, &Control::default());
+    unstopped.unwrap_or(RepetitionPeriod { cycles: None, mismatch: f64::INFINITY })
+}
+
+/// The same under a control, which is looked at before each number of cycles; none where it stops the search.
+pub(super) fn period_watched(samples: &Samples<'_>, drive_hz: f64, control: &Control) -> Option<RepetitionPeriod> {
+    let cycles = Cycles::of(samples, drive_hz);
+    let longest = MAX_TESTED_PERIOD_CYCLES.min(cycles.windows().last().map_or(0, |window| window.len() / 2));
+    let folded: Vec<Folded> = (1..=longest).take_while(|_| !control.is_stopped()).map(|n| Folded::of(&cycles.folded(n))).collect();
+    if control.is_stopped() {
+        return None;
+    }
+    let Some((best_of, best)) = (1..).zip(&folded).min_by(|(_, a), (_, b)| a.mean.total_cmp(&b.mean)) else {
+        return Some(RepetitionPeriod { cycles: None, mismatch: f64::INFINITY });
+    };
+    let sought = || (1..).zip(&folded).take(MAX_PERIOD_CYCLES);
+    let by_chance =
+        |(n, one): &(usize, &Folded)| one.mean <= CHANCE_FACTOR * best.mean && cycles.without(*n).is_smooth_at(best_of, longest);
+    let found = sought().find(|(_, one)| one.is_as_well_as(best, cycles.square)).or_else(|| sought().find(by_chance)).map(|(n, _)| n);
+    Some(match found.map(|n| (n, cycles.mismatch(n))).filter(|(_, mismatch)| *mismatch < MAX_RESIDUAL_SHARE) {
+        Some((n, mismatch)) => RepetitionPeriod { cycles: Some(n), mismatch },
+        None => {
+            let all = (1..=longest.min(MAX_PERIOD_CYCLES)).map(|n| cycles.mismatch(n));
+            RepetitionPeriod { cycles: None, mismatch: all.fold(f64::INFINITY, f64::min) }
+        }
+    })
+}
+
+/// A record at equal phases of its drive, about its mean.
+struct Cycles {
+    /// Row by row.
+    values: Vec<f64>,
+    /// Values of a row.
+    width: usize,
+    /// Mean square.
+    square: f64,
+}
+
+impl Cycles {
+    fn of(samples: &Samples<'_>, drive_hz: f64) -> Self {
+        let (of, length) = (samples.values(), samples.rate_hz() / drive_hz);
+        // The cubic takes a sample before its place and two behind.
+        let count = (of.len().saturating_sub(4) as f64 / length) as usize;
+        let width = (length.ceil() as usize).min(MAX_VALUES / count.max(1)).max(MIN_VALUES_PER_CYCLE);
+        let at = |k: usize| {
+            let place = 1.0 + k as f64 * length / width as f64;
+            let whole = place.floor() as usize;
+            cubic(&of[whole - 1..whole + 3], place.fract())
+        };
+        let mut values: Vec<f64> = (0..count * width).map(at).collect();
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        values.iter_mut().for_each(|x| *x -= mean);
+        let square = values.iter().map(|x| x * x).sum::<f64>() / values.len() as f64;
+        Self { values, width, square }
+    }
+
+    fn count(&self) -> usize {
+        self.values.len() / self.width
+    }
+
+    fn row(&self, cycle: usize) -> &[f64] {
+        &self.values[cycle * self.width..(cycle + 1) * self.width]
+    }
+
+    fn windows(&self) -> impl Iterator<Item = std::ops::Range<usize>> + use<> {
+        let (count, windows) = (self.count(), (self.count() / WINDOW_CYCLES).max(1));
+        (0..windows).map(move |k| k * count / windows..(k + 1) * count / windows)
+    }
+
+    /// The mean row of a class of cycles, and how many these are.
+    fn middle(&self, class: impl Iterator<Item = usize> + Clone) -> (Vec<f64>, f64) {
+        let members = class.clone().count() as f64;
+        let mut middle = vec![0.0; self.width];
+        class.for_each(|cycle| middle.iter_mut().zip(self.row(cycle)).for_each(|(sum, x)| *sum += x / members));
+        (middle, members)
+    }
+
+    /// For each row the mean square of what its class does not hold.
+    fn folded(&self, n: usize) -> Vec<f64> {
+        let mut left = vec![0.0; self.count()];
+        for window in self.windows() {
+            for first in window.clone().take(n) {
+                let class = || (first..window.end).step_by(n);
+                let (middle, members) = self.middle(class());
+                for cycle in class() {
+                    let square: f64 = self.row(cycle).iter().zip(&middle).map(|(x, mean)| (x - mean).powi(2)).sum();
+                    left[cycle] = square / self.width as f64 * members / (members - 1.0);
+                }
+            }
+        }
+        left
+    }
+
+    /// What the classes of `n` cycles leave.
+    fn without(&self, n: usize) -> Self {
+        let mut values = self.values.clone();
+        for window in self.windows() {
+            for first in window.clone().take(n) {
+                let class = || (first..window.end).step_by(n);
+                let (middle, _) = self.middle(class());
+                for cycle in class() {
+                    let row = &mut values[cycle * self.width..(cycle + 1) * self.width];
+                    row.iter_mut().zip(&middle).for_each(|(x, mean)| *x -= mean);
+                }
+            }
+        }
+        Self { values, ..*self }
+    }
+
+    /// True where `n` cycles leave no less than the numbers beside `n` do.
+    fn is_smooth_at(&self, n: usize, longest: usize) -> bool {
+        let beside: Vec<Vec<f64>> = (n.saturating_sub(NEIGHBOUR_COUNT)..=n + NEIGHBOUR_COUNT)
+            .filter(|k| *k != n && (1..=longest).contains(k))
+            .map(|k| self.folded(k))
+            .collect();
+        let mean = |row: usize| beside.iter().map(|rows| rows[row]).sum::<f64>() / beside.len() as f64;
+        let floor: Vec<f64> = (0..self.count()).map(mean).collect();
+        !beside.is_empty() && Folded::of(&floor).is_as_well_as(&Folded::of(&self.folded(n)), self.square)
+    }
+
+    fn mismatch(&self, n: usize) -> f64 {
+        let later = &self.values[n * self.width..];
+        let square: f64 = later.iter().zip(&self.values).map(|(a, b)| (a - b).powi(2)).sum();
+        (square / later.len() as f64 / 2.0 / self.square).sqrt()
+    }
+}
+
+/// What is left of a record that is folded at some number of cycles.
+struct Folded {
+    mean: f64,
+    /// Of each batch of rows.
+    batches: Vec<f64>,
+}
+
+impl Folded {
+    fn of(rows: &[f64]) -> Self {
+        let batches = BATCHES.min(rows.len() / MIN_ROWS_PER_BATCH).max(2);
+        let mean = |rows: &[f64]| rows.iter().sum::<f64>() / rows.len() as f64;
+        let edge = |k: usize| k * rows.len() / batches;
+        Self { mean: mean(rows), batches: (0..batches).map(|k| mean(&rows[edge(k)..edge(k + 1)])).collect() }
+    }
+
+    /// True where the best one of all does not leave less: in a record of a mean square.
+    fn is_as_well_as(&self, best: &Self, square: f64) -> bool {
+        let count = self.batches.len() as f64;
+        let apart: Vec<f64> = self.batches.iter().zip(&best.batches).map(|(a, b)| a - b).collect();
+        let middle = apart.iter().sum::<f64>() / count;
+        let variance = apart.iter().map(|x| (x - middle).powi(2)).sum::<f64>() / (count - 1.0);
+        let more = self.mean - best.mean;
+        more <= EXACT_RESIDUAL_SHARE.powi(2) * square
+            || (more <= STUDENT_QUANTILE * (variance / count).sqrt() && self.mean <= RESIDUAL_RATIO * best.mean)
+    }
+}
+
+/// Lagrange's cubic through four samples, between the middle two.
+pub(super) fn cubic(y: &[f64], t: f64) -> f64 {
+    let [a, b, c, d] = [
+        -t * (t - 1.0) * (t - 2.0) / 6.0,
+        (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,
+        -(t + 1.0) * t * (t - 2.0) / 2.0,
+        (t + 1.0) * t * (t - 1.0) / 6.0,
+    ];
+    a * y[0] + b * y[1] + c * y[2] + d * y[3]
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use jounce::drive::RandomStream;
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn subharmonics_are_found_in_noise_and_noise_has_no_period() {
+        let mut stream = RandomStream::new(4, 0);
+        let noise: Vec<f64> = (0..20_000).map(|_| stream.normal_pair()[0]).collect();
+        for (cycles, level) in [(1, 0.0), (2, 0.1), (3, 0.1), (5, 0.02)] {
+            let value = |k: usize| {
+                let t = k as f64 / 1536.0 * 13.0;
+                (TAU * t).sin() + 0.4 * (TAU * t / cycles as f64).cos() + level * noise[k]
+            };
+            let values: Vec<f64> = (0..20_000).map(value).collect();
+            assert_eq!(period(&Samples::new(&values, 1536.0).unwrap(), 13.0).cycles, Some(cycles), "{cycles}");
+        }
+        assert_eq!(period(&Samples::new(&noise, 1536.0).unwrap(), 13.0).cycles, None);
+    }
+
+    /// Small subharmonics of orders up to the longest one sought are found; those beyond are not taken for a shorter period.
+    #[test]
+    fn a_period_beyond_the_longest_one_sought_is_none() {
+        let mut stream = RandomStream::new(5, 0);
+        let noise: Vec<f64> = (0..60_000).map(|_| 0.01 * stream.normal_pair()[0]).collect();
+        for (cycles, expected) in [(9, Some(9)), (12, Some(12)), (13, None), (16, None), (24, None), (48, None)] {
+            let value = |k: usize| {
+                let t = k as f64 / 1536.0 * 13.0;
+                (TAU * t).sin() + 0.2 * (TAU * t / f64::from(cycles)).sin() + noise[k]
+            };
+            let values: Vec<f64> = (0..60_000).map(value).collect();
+            let found = period(&Samples::new(&values, 1536.0).unwrap(), 13.0);
+            assert_eq!(found.cycles, expected, "{cycles}: {found:?}");
+        }
+    }
+
+    /// Every period up to the longest one sought, and four beyond it, in clean records and in noise of 2 and 5 % of the rms: the subharmonic,
+    /// of any order with that denominator, is a fifth of the answer at the drive.
+    #[test]
+    fn every_order_is_found_in_clean_and_in_noisy_records() {
+        let mut wrong = Vec::new();
+        for (cycles, seed) in [(100, 0), (300, 1), (300, 2)] {
+            let mut stream = RandomStream::new(seed, 7);
+            for order in 1..=16_usize {
+                let parts: Vec<usize> = (1..=order).filter(|part| (2..=*part).all(|d| part % d > 0 || order % d > 0)).collect();
+                let part = parts[(7 * order + seed as usize) % parts.len()];
+                let phase = stream.normal_pair();
+                let small = if order > 1 { 0.2 } else { 0.0 };
+                let clean = |k: usize| {
+                    let turns = TAU * k as f64 / 1536.0 * 13.0;
+                    turns.sin() + 0.3 * (2.0 * turns + phase[0]).sin() + small * (turns * part as f64 / order as f64 + phase[1]).sin()
+                };
+                for noise in [0.0, 0.02, 0.05] {
+                    let values: Vec<f64> = (0..cycles * 1536 / 13).map(|k| clean(k) + 0.74 * noise * stream.normal_pair()[0]).collect();
+                    let found = period(&Samples::new(&values, 1536.0).unwrap(), 13.0);
+                    if found.cycles != Some(order).filter(|order| *order <= MAX_PERIOD_CYCLES) {
+                        wrong.push((cycles, order, part, noise, found));
+                    }
+                }
+            }
+        }
+        assert!(wrong.is_empty(), "{wrong:?}");
+    }
+
+    /// Noise that remembers eight cycles of a hundred is alike at some distance by chance: every order is found in noise of 2 and 5 % of the rms, and
+    /// periods beyond are none.
+    #[test]
+    fn slow_noise_that_is_alike_by_chance_is_no_long_period() {
+        let mut wrong = Vec::new();
+        for seed in 0..12 {
+            for (order, noise) in (1..=20).flat_map(|order| [(order, 0.02), (order, 0.05)]) {
+                let mut stream = RandomStream::new(seed * 1000 + order, 23);
+                let parts: Vec<u64> = (1..=order).filter(|part| (2..=*part).all(|d| part % d > 0 || order % d > 0)).collect();
+                let turns_of = parts[(7 * order + seed) as usize % parts.len()] as f64 / order as f64;
+                let phase = stream.normal_pair();
+                let small = if order > 1 { 0.2 } else { 0.0 };
+                let mut slow = stream.normal_pair()[0];
+                let mut value = |k: usize| {
+                    slow = 0.999 * slow + (1.0_f64 - 0.999 * 0.999).sqrt() * stream.normal_pair()[0];
+                    let turns = TAU * k as f64 / 1536.0 * 13.0;
+                    turns.sin() + 0.3 * (2.0 * turns + phase[0]).sin() + small * (turns * turns_of + phase[1]).sin() + 0.74 * noise * slow
+                };
+                let values: Vec<f64> = (0..100 * 1536 / 13).map(&mut value).collect();
+                let found = period(&Samples::new(&values, 1536.0).unwrap(), 13.0);
+                if found.cycles.map(|cycles| cycles as u64) != Some(order).filter(|order| *order <= 12) {
+                    wrong.push((seed, order, noise, found));
+                }
+            }
+        }
+        assert!(wrong.is_empty(), "{wrong:?}");
+    }
+
+    /// A drive that is off by a thousandth turns by half a cycle in 500; the noise remembers nine cycles.
+    #[test]
+    fn a_drive_that_is_a_little_off_and_slow_noise_do_not_hide_the_period() {
+        let mut stream = RandomStream::new(6, 0);
+        for order in [1, 2, 3, 12] {
+            let mut slow = 0.0;
+            let mut value = |k: usize| {
+                slow = 0.999 * slow + 0.0016 * stream.normal_pair()[0];
+                let turns = TAU * 1.001 * k as f64 / 1536.0 * 13.0;
+                let small = if order > 1 { 0.2 } else { 0.0 };
+                turns.sin() + small * (turns / order as f64 + 0.3).sin() + slow
+            };
+            let values: Vec<f64> = (0..60_000).map(&mut value).collect();
+            let found = period(&Samples::new(&values, 1536.0).unwrap(), 13.0);
+            assert_eq!(found.cycles, Some(order), "{found:?}");
+        }
+    }
+}

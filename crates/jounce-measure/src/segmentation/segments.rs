@@ -1,0 +1,205 @@
+//! Stretches of a record.
+
+use jounce::march::Control;
+use jounce::signal::{Samples, SignalError};
+use serde::Serialize;
+
+use super::RepetitionPeriod;
+use super::features::{CYCLES_PER_BLOCK, of_block};
+use super::merging::{MergeReason, MergedChange, drifts, joined, lines};
+use super::partition::{changes, noise};
+use super::period::period_watched;
+
+/// A stretch of one solution.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RecordSegment {
+    /// Its begin, s from the first sample.
+    pub start_s: f64,
+    /// Its end, s.
+    pub end_s: f64,
+    /// First sample.
+    pub start: usize,
+    /// Sample after the last.
+    pub end: usize,
+    /// The samples without the blocks beside a change, which may hold both solutions.
+    #[serde(skip)]
+    pub inner: (usize, usize),
+    /// Rms about the mean, in the unit of the record; like the period without the blocks beside a change.
+    pub rms: f64,
+    /// How it repeats.
+    pub period: RepetitionPeriod,
+}
+
+/// The stretches of a record, and how sure they are.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Segmentation {
+    /// The stretches in order.
+    pub stretches: Vec<RecordSegment>,
+    /// Changes that are none of solution: of the noise, a drift, a glitch.
+    pub joints: Vec<MergedChange>,
+    /// The length of a block: how far a change may lie from its place, s.
+    pub uncertainty_s: f64,
+}
+
+/// A record that cannot be cut.
+#[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
+#[serde(untagged)]
+pub enum SegmentationError {
+    /// The samples are no signal.
+    #[error(transparent)]
+    Signal(#[from] SignalError),
+    /// A drive that makes no sense.
+    #[error("a drive of {drive_hz} Hz does not suit a record of {rate_hz} Hz; it must be above 0 and below a quarter of the rate")]
+    Drive {
+        /// The drive, Hz.
+        drive_hz: f64,
+        /// The sample rate, Hz.
+        rate_hz: f64,
+    },
+    /// Too few cycles.
+    #[error("the record holds {cycles:.1} drive cycles; at least {needed} are needed to tell solutions apart")]
+    Short {
+        /// Cycles of the record.
+        cycles: f64,
+        /// Cycles needed.
+        needed: f64,
+    },
+    /// Nothing moves.
+    #[error("all samples are equal: there is no signal to cut")]
+    Constant,
+    /// Stopped by its control.
+    #[error("stopped")]
+    Stopped,
+}
+
+/// Blocks of the shortest record.
+const MIN_RECORD_BLOCKS: f64 = 4.0;
+/// A change below this share of the record's largest feature is none.
+const MIN_CHANGE_SHARE: f64 = 0.05;
+/// Cost of a stretch, times the logarithm of the number of blocks, for each feature: its mean, its trend and its deviation.
+const SEGMENT_COST: f64 = 3.0;
+
+/// Cuts a record under a drive of a known frequency.
+///
+/// # Errors
+/// A drive that does not suit the sample rate, a record of fewer than 24 cycles, a constant record.
+pub fn regimes(samples: &Samples<'_>, drive_hz: f64) -> Result<Segmentation, SegmentationError> {
+    regimes_watched(samples, drive_hz, &Control::default())
+}
+
+/// The same under a control, which is looked at for each block, for each end of a piece and for each period tried.
+///
+/// # Errors
+/// As [`regimes`], and [`SegmentationError::Stopped`].
+pub fn regimes_watched(samples: &Samples<'_>, drive_hz: f64, control: &Control) -> Result<Segmentation, SegmentationError> {
+    let rate_hz = samples.rate_hz();
+    if !(drive_hz > 0.0 && drive_hz < rate_hz / 4.0) {
+        return Err(SegmentationError::Drive { drive_hz, rate_hz });
+    }
+    let cycles = samples.duration_s() * drive_hz;
+    if cycles < MIN_RECORD_BLOCKS * CYCLES_PER_BLOCK {
+        return Err(SegmentationError::Short { cycles, needed: MIN_RECORD_BLOCKS * CYCLES_PER_BLOCK });
+    }
+    let length = CYCLES_PER_BLOCK * rate_hz / drive_hz;
+    let blocks = (samples.values().len() as f64 / length) as usize;
+    let start = |b: usize| (b as f64 * length).round() as usize;
+    let features = (0..blocks).take_while(|_| !control.is_stopped());
+    let features: Vec<Vec<f64>> = features.map(|b| of_block(samples, drive_hz, start(b), length.floor() as usize)).collect();
+    if control.is_stopped() {
+        return Err(SegmentationError::Stopped);
+    }
+    let largest = features.iter().flatten().copied().fold(0.0, f64::max);
+    if largest <= 0.0 {
+        return Err(SegmentationError::Constant);
+    }
+    // A clean record has hardly any noise: what counts as a change is then decided by its size.
+    let floor = MIN_CHANGE_SHARE * largest / (4.0 * (blocks as f64).ln()).sqrt();
+    let noise: Vec<f64> = noise(&features).into_iter().map(|s| s.max(floor)).collect();
+    let cost = SEGMENT_COST * noise.len() as f64 * (blocks as f64).ln();
+    let starts = changes(&features, &noise, cost, control).ok_or(SegmentationError::Stopped)?;
+    let lines = lines(samples, drive_hz, (blocks, length));
+    let (starts, mut joints) = joined(samples, drive_hz, starts, (&lines, length));
+    let edge = |k: usize| starts.get(k).map_or(samples.values().len(), |b| (b * length).round() as usize);
+    let last = starts.len().saturating_sub(1);
+    let inner = |k: usize| {
+        // The blocks beside a change may hold both solutions.
+        let block = if edge(k + 1) - edge(k) > (4.0 * length) as usize { length.ceil() as usize } else { 0 };
+        (edge(k) + if k > 0 { block } else { 0 }, edge(k + 1) - if k < last { block } else { 0 })
+    };
+    let one = |k: usize| stretch(samples, drive_hz, (edge(k), edge(k + 1)), inner(k), control);
+    let stretches = (0..starts.len()).map(one).collect::<Result<Vec<RecordSegment>, _>>()?;
+    for (k, stretch) in stretches.iter().enumerate().filter(|(_, stretch)| stretch.period.cycles.is_some()) {
+        let told = joints.iter().any(|joint| (stretch.start_s..stretch.end_s).contains(&joint.at_s));
+        let end = starts.get(k + 1).map_or(blocks, |end| end.floor() as usize);
+        if !told && drifts(&lines[starts[k].ceil() as usize..end]) {
+            joints.push(MergedChange { at_s: 0.5 * (stretch.start_s + stretch.end_s), reason: MergeReason::Drifts });
+        }
+    }
+    joints.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
+    Ok(Segmentation { stretches, joints, uncertainty_s: length / rate_hz })
+}
+
+fn stretch(
+    samples: &Samples<'_>,
+    drive_hz: f64,
+    (start, end): (usize, usize),
+    inner: (usize, usize),
+    control: &Control,
+) -> Result<RecordSegment, SegmentationError> {
+    let part = Samples::new(&samples.values()[inner.0..inner.1], samples.rate_hz())?;
+    let mean = part.mean();
+    let rms = (part.values().iter().map(|x| (x - mean).powi(2)).sum::<f64>() / part.values().len() as f64).sqrt();
+    let at = |k: usize| k as f64 / samples.rate_hz();
+    let period = period_watched(&part, drive_hz, control).ok_or(SegmentationError::Stopped)?;
+    Ok(RecordSegment { start_s: at(start), end_s: at(end), start, end, inner, rms, period })
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use jounce::drive::RandomStream;
+    use std::f64::consts::TAU;
+
+    /// 85 s at 1536 Hz under 13 Hz: a small answer, from 31.7 s a large one of two cycles, from 60.2 s the small one again.
+    fn switching(noise: f64) -> Vec<f64> {
+        let mut stream = RandomStream::new(11, 0);
+        (0..130_560)
+            .map(|k| {
+                let t = f64::from(k) / 1536.0;
+                let large = (31.7..60.2).contains(&t);
+                let (a, b) = if large { (3.0, 1.2) } else { (1.0, 0.0) };
+                a * (TAU * 13.0 * t).sin() + b * (TAU * 6.5 * t).cos() + noise * stream.normal_pair()[0]
+            })
+            .collect()
+    }
+
+    /// Measured: both changes within 0.085 s, a block is 0.46 s; with noise of a third of the small answer too.
+    #[test]
+    fn changes_of_solution_are_found_with_their_periods_whatever_the_noise() {
+        for noise in [0.0, 0.3] {
+            let values = switching(noise);
+            let found = regimes(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap();
+            assert_eq!(found.stretches.len(), 3, "{noise}: {:?}", found.stretches);
+            for (k, change) in [(1, 31.7), (2, 60.2)] {
+                assert!((found.stretches[k].start_s - change).abs() < found.uncertainty_s, "{noise} {}", found.stretches[k].start_s);
+            }
+            let cycles: Vec<_> = found.stretches.iter().map(|stretch| stretch.period.cycles).collect();
+            assert_eq!(cycles, [Some(1), Some(2), Some(1)], "{noise}");
+        }
+    }
+
+    #[test]
+    fn noise_alone_is_one_stretch_and_faults_are_told() {
+        let mut stream = RandomStream::new(2, 0);
+        let values: Vec<f64> = (0..60_000).map(|k| (TAU * 13.0 * f64::from(k) / 1536.0).sin() + 0.5 * stream.normal_pair()[0]).collect();
+        let samples = Samples::new(&values, 1536.0).unwrap();
+        assert_eq!(regimes(&samples, 13.0).unwrap().stretches.len(), 1);
+        assert!(matches!(regimes(&samples, 500.0), Err(SegmentationError::Drive { .. })));
+        assert!(matches!(regimes(&samples, 0.1), Err(SegmentationError::Short { .. })));
+        assert_eq!(regimes(&Samples::new(&[1.0; 9000], 100.0).unwrap(), 5.0), Err(SegmentationError::Constant));
+        let control = Control::default();
+        control.stop();
+        assert_eq!(regimes_watched(&samples, 13.0, &control), Err(SegmentationError::Stopped));
+    }
+}

@@ -1,0 +1,179 @@
+//! A computation without the interpreter's lock, while somebody looks for Ctrl-C and tells how far it is: on a thread of its own, with
+//! Python's own thread waiting for it, or, where a thread would cost more than the work, on Python's own thread, which looks in between.
+
+use jounce::march::Control;
+use pyo3::prelude::*;
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use crate::failure::Failure;
+
+/// Time between two looks for Ctrl-C.
+const POLL_INTERVAL: Duration = Duration::from_millis(20);
+
+/// Time between two calls of `progress`.
+const REPORT_INTERVAL: Duration = Duration::from_millis(100);
+
+/// Runs `work` with the interpreter's lock released. The second value is what ended it early: `KeyboardInterrupt`, or the exception of
+/// `progress`, which is called with parts done, parts in all and seconds left.
+pub fn cancellable<T: Send>(
+    py: Python<'_>,
+    progress: Option<&Bound<'_, PyAny>>,
+    work: impl FnOnce(&Control) -> T + Send,
+) -> (T, Option<PyErr>) {
+    let control = Control::default();
+    let (sender, mut receiver) = channel::<()>();
+    let mut teller = ProgressReporter::new(progress.map(|progress| progress.clone().unbind()));
+    std::thread::scope(|scope| {
+        let inside = control.clone();
+        let worker = scope.spawn(move || {
+            let answer = work(&inside);
+            let _ = sender.send(());
+            answer
+        });
+        let mut ended = None;
+        loop {
+            let heard;
+            (receiver, heard) = py.detach(move || {
+                let heard = receiver.recv_timeout(POLL_INTERVAL);
+                (receiver, heard)
+            });
+            let waits = heard == Err(RecvTimeoutError::Timeout);
+            if ended.is_none() {
+                ended = py.check_signals().and_then(|()| teller.tell(py, &control, !waits)).err();
+            }
+            if !waits {
+                break;
+            }
+            if ended.is_some() {
+                control.stop();
+            }
+        }
+        match worker.join() {
+            Ok(answer) => (answer, ended),
+            Err(panic) => std::panic::resume_unwind(panic),
+        }
+    })
+}
+
+/// The same for work that takes long in parts without a look of their own. All that it needs belongs to it: at Ctrl-C it is left to itself, and
+/// what it gives is thrown away.
+pub fn left_alone<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce(&Control) -> Result<T, Failure> + Send + 'static,
+) -> (Result<T, Failure>, Option<PyErr>) {
+    let control = Control::default();
+    let inside = control.clone();
+    let (sender, mut receiver) = channel();
+    let worker = std::thread::spawn(move || sender.send(work(&inside)));
+    loop {
+        let heard;
+        (receiver, heard) = py.detach(move || {
+            let heard = receiver.recv_timeout(POLL_INTERVAL);
+            (receiver, heard)
+        });
+        match heard {
+            Ok(answer) => return (answer, None),
+            Err(RecvTimeoutError::Timeout) => {
+                if let Err(ended) = py.check_signals() {
+                    control.stop();
+                    return (Err(Failure::stopped()), Some(ended));
+                }
+            }
+            Err(RecvTimeoutError::Disconnected) => match worker.join() {
+                Ok(_) => return (Err(Failure::stopped()), None),
+                Err(panic) => std::panic::resume_unwind(panic),
+            },
+        }
+    }
+}
+
+/// The same on this thread, for one march: it is over before another thread would have begun, or lets somebody look in between its steps.
+pub fn visited<T: Send>(
+    py: Python<'_>,
+    progress: Option<&Bound<'_, PyAny>>,
+    work: impl FnOnce(&Control) -> T + Send,
+) -> (T, Option<PyErr>) {
+    let visit = Arc::new(Mutex::new(Visit {
+        looked: Instant::now(),
+        ended: None,
+        teller: ProgressReporter::new(progress.map(|own| own.clone().unbind())),
+    }));
+    let inside = Arc::clone(&visit);
+    let control = Control::with_callback(move |control| inside.lock().unwrap_or_else(PoisonError::into_inner).look(control));
+    let answer = py.detach(|| work(&control));
+    let mut visit = visit.lock().unwrap_or_else(PoisonError::into_inner);
+    let ended = visit.ended.take().or_else(|| py.check_signals().and_then(|()| visit.teller.tell(py, &control, true)).err());
+    (answer, ended)
+}
+
+/// A look from within the work.
+struct Visit {
+    looked: Instant,
+    ended: Option<PyErr>,
+    teller: ProgressReporter,
+}
+
+impl Visit {
+    fn look(&mut self, control: &Control) {
+        if self.ended.is_some() || self.looked.elapsed() < POLL_INTERVAL {
+            return;
+        }
+        self.ended = Python::attach(|py| py.check_signals().and_then(|()| self.teller.tell(py, control, false))).err();
+        if self.ended.is_some() {
+            control.stop();
+        }
+        self.looked = Instant::now();
+    }
+}
+
+/// Tells Python how far the work is.
+struct ProgressReporter {
+    progress: Option<Py<PyAny>>,
+    begun: Instant,
+    told: Instant,
+    last: (u64, u64),
+}
+
+impl ProgressReporter {
+    fn new(progress: Option<Py<PyAny>>) -> Self {
+        Self { progress, begun: Instant::now(), told: Instant::now(), last: (0, 0) }
+    }
+
+    fn tell(&mut self, py: Python<'_>, control: &Control, at_the_end: bool) -> PyResult<()> {
+        let Some(progress) = &self.progress else { return Ok(()) };
+        // What it answers is read at the next look.
+        control.request_progress();
+        let now = control.progress();
+        let due = at_the_end || self.told.elapsed() >= REPORT_INTERVAL;
+        if now == self.last || !due {
+            return Ok(());
+        }
+        (self.last, self.told) = (now, Instant::now());
+        let (done, expected) = now;
+        // Without a known end there is nothing left to estimate.
+        let left_s =
+            (done > 0 && expected > 0).then(|| self.begun.elapsed().as_secs_f64() * expected.saturating_sub(done) as f64 / done as f64);
+        progress.call1(py, (done, expected, left_s)).map(|_| ())
+    }
+}
+
+/// Runs `work` on a pool of its own: the shared one does not survive a `fork`.
+pub fn on_threads<T: Send>(threads: Option<usize>, work: impl FnOnce() -> Result<T, Failure> + Send) -> Result<T, Failure> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).build();
+    pool.map_err(|error| Failure::new("JounceError", format!("the threads cannot be started: {error}")))?.install(work)
+}
+
+/// An answer for Python, and what ended it early. Where that left no answer at all, only the latter counts.
+pub fn to_python_result<'py, T>(
+    py: Python<'py>,
+    (answer, ended): (Result<T, Failure>, Option<PyErr>),
+    told: impl FnOnce(T) -> PyResult<Bound<'py, pyo3::types::PyDict>>,
+) -> PyResult<(Option<Bound<'py, pyo3::types::PyDict>>, Option<PyErr>)> {
+    match (answer, ended) {
+        (Ok(answer), ended) => Ok((Some(told(answer)?), ended)),
+        (Err(_), Some(ended)) => Ok((None, Some(ended))),
+        (Err(failure), None) => Err(failure.raised(py)),
+    }
+}

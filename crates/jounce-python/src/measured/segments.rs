@@ -1,0 +1,107 @@
+//! A long record cut into stretches of one solution each.
+
+use super::recording::{GivenRecording, findings};
+use crate::arrays::PythonDict;
+use crate::branch::json;
+use crate::cancellable::{cancellable, to_python_result};
+use crate::failure::Failure;
+use crate::run::PythonResult;
+use crate::spec::Spec;
+use jounce::march::Control;
+use jounce::signal::Samples;
+use jounce_measure::recording::{Channel, Quantity, Recording};
+use jounce_measure::segmentation::{SegmentMatches, Segmentation, match_segments, regimes_watched};
+use jounce_measure::solution::{Solution, SolutionSearch, as_recorded, solutions};
+use jounce_measure::spectral::{MeanPower, mean_power_if_long};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// How the solutions of a model are sought and compared.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct ModelComparison {
+    starts: usize,
+    seed: u64,
+    load: Option<String>,
+    within: f64,
+}
+
+/// What a record tells.
+struct SegmentationData {
+    channel: Channel,
+    found: Segmentation,
+    /// None where a stretch is too short for an interval; empty without a resistance.
+    powers: Vec<Option<MeanPower>>,
+    shown: Vec<SegmentMatches>,
+}
+
+/// The stretches of a channel under a drive; the mean power of each where the channel is the voltage over a resistance, and the solutions
+/// of a model beside each where there is one.
+#[pyfunction]
+pub fn measured_regimes<'py>(
+    py: Python<'py>,
+    given: GivenRecording<'py>,
+    drive_hz: f64,
+    channel: Option<String>,
+    resistance_ohm: Option<f64>,
+    model: Option<&Spec>,
+    compared: ModelComparison,
+) -> PythonResult<'py> {
+    let record = given.even()?;
+    let found = cancellable(py, None, |control| {
+        let channel = match &channel {
+            // Any quantity can be cut; only a voltage has a power.
+            Some(name) if resistance_ohm.is_none() => record.channel(name)?,
+            wanted => record.choose(wanted.as_deref(), Quantity::Voltage)?,
+        };
+        let found = regimes_watched(&Samples::new(&channel.values, record.rate())?, drive_hz, control)?;
+        let mut powers = Vec::new();
+        for stretch in found.stretches.iter().filter(|_| resistance_ohm.is_some()) {
+            let part = Samples::new(&channel.values[stretch.start..stretch.end], record.rate())?;
+            powers.push(mean_power_if_long(&part, resistance_ohm.unwrap_or(f64::NAN), false)?);
+        }
+        let samples = Samples::new(&channel.values, record.rate())?;
+        let shown = match model {
+            None => Vec::new(),
+            Some(model) => {
+                let known = compared.solutions(model, drive_hz, resistance_ohm, control)?;
+                found.stretches.iter().map(|stretch| match_segments(&samples, drive_hz, stretch, &known, compared.within)).collect()
+            }
+        };
+        Ok::<_, Failure>(SegmentationData { channel: channel.clone(), found, powers, shown })
+    });
+    to_python_result(py, found, |found| into_python(py, &record, found))
+}
+
+impl ModelComparison {
+    /// The solutions of a model at the drive and the load of a record.
+    fn solutions(&self, model: &Spec, drive_hz: f64, resistance_ohm: Option<f64>, control: &Control) -> Result<Vec<Solution>, Failure> {
+        if !(self.within > 0.0 && self.within <= 1.0) || self.starts == 0 {
+            let why = format!("within is {} and starts {}; within must lie above 0 and up to 1, starts above 0", self.within, self.starts);
+            let details = serde_json::json!({ "within": self.within, "starts": self.starts });
+            return Err(Failure::new("ArgumentError", why).with(details));
+        }
+        let mut spec = model.spec.clone();
+        as_recorded(&mut spec, drive_hz, resistance_ohm, self.load.as_deref());
+        let search = SolutionSearch { starts: self.starts, seed: self.seed, load: self.load.clone(), ..SolutionSearch::default() };
+        let found = solutions(&spec, &search, control)?;
+        // A search that was stopped has not found them all.
+        Failure::unless_stopped(control, found)
+    }
+}
+
+fn into_python<'py>(py: Python<'py>, record: &Recording, told: SegmentationData) -> PyResult<Bound<'py, PyDict>> {
+    let SegmentationData { channel, found, powers, shown } = told;
+    let answer = PythonDict::new(py)
+        .with("channel", channel.name)?
+        .with("unit", channel.unit)?
+        .with("uncertainty_s", found.uncertainty_s)?
+        .with("stretches", json(&found.stretches)?)?
+        .with("joints", json(&found.joints)?)?
+        .with("powers", json(&powers)?)?
+        .with("correspondences", json(&shown)?)?
+        .array("time_s", record.grid.places())?
+        .array("values", channel.values)?
+        .with("findings", findings(&record.findings)?)?;
+    Ok(answer.dict())
+}

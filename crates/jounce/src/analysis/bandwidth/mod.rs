@@ -1,0 +1,13 @@
+//! How wide a branch is: its peak power, and where a stable orbit has at least half of it.
+//!
+//! Peaks and edges are places of the continued curve, each corrected by shooting, whichever method followed the branch.
+
+mod curve_piece;
+mod measure;
+mod merge;
+mod result;
+mod stable_segment;
+
+pub(super) use curve_piece::{CurvePiece, PieceZero};
+pub use measure::BandwidthSearch;
+pub use result::{BandInterval, BandLimit, Bandwidth, Bandwidths, IntervalEdge, PowerPeak};

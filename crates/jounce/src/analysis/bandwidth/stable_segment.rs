@@ -1,0 +1,71 @@
+//! A stable part of the way between two neighbouring points of a branch.
+
+use super::result::{BandLimit, IntervalEdge};
+use crate::analysis::BranchPoint;
+
+/// Part of the key's way from a stable end to an unstable one in which stability is lost hard by the former.
+const HARD_STABILITY_CHANGE: f64 = 0.01;
+
+/// An end of a segment.
+#[derive(Debug, Clone, Copy)]
+pub struct SegmentEnd {
+    /// Share of the piece.
+    pub x: f64,
+    pub power_w: f64,
+    /// Error of the power, relative to it.
+    pub power_error: f64,
+    pub edge: IntervalEdge,
+}
+
+/// A stable part of the way between two neighbouring points.
+#[derive(Clone, Copy)]
+pub struct StableSegment<'b> {
+    pub cycles: u32,
+    pub points: [&'b BranchPoint; 2],
+    pub ends: [SegmentEnd; 2],
+}
+
+impl StableSegment<'_> {
+    /// The larger power of its ends, where no neighbour goes on upwards from there.
+    pub fn tops(&self, all: &[StableSegment]) -> Option<f64> {
+        let top = usize::from(self.ends[1].power_w > self.ends[0].power_w);
+        let power_w = self.ends[top].power_w;
+        let rises = |other: &StableSegment| {
+            let shared = other.points.iter().position(|point| std::ptr::eq(*point, self.points[top]));
+            shared.is_some_and(|shared| other.ends[1 - shared].power_w > power_w)
+        };
+        (!all.iter().any(rises)).then_some(power_w)
+    }
+
+    /// Distance of a value of the key from the farther one of the two points.
+    pub fn farthest(&self, parameter: f64) -> f64 {
+        self.points.iter().map(|point| (point.parameter - parameter).abs()).fold(0.0, f64::max)
+    }
+
+    /// Where stability is lost beyond a stable end, known to the width of the piece only: the curve between its points cannot be had.
+    pub fn lost(&self, stable: usize) -> SegmentEnd {
+        let [a, b] = self.points;
+        let parameter_error = (b.parameter - a.parameter).abs();
+        let edge = IntervalEdge { parameter: self.points[stable].parameter, parameter_error, at: BandLimit::Stability };
+        SegmentEnd { edge, ..self.ends[stable] }
+    }
+
+    /// Where stability is lost at a fold hard by the stable end, the key may go farther at that end, by less than both are known: then that is
+    /// where the stable part ends.
+    pub fn turn_back(&mut self, stable: usize, lost: IntervalEdge) {
+        let [own, other] = [self.points[stable].parameter, self.points[1 - stable].parameter];
+        let way = (own - lost.parameter).abs();
+        if way < HARD_STABILITY_CHANGE * (other - lost.parameter).abs() {
+            let parameter_error = lost.parameter_error + way;
+            self.ends[stable].edge = IntervalEdge { parameter: own, parameter_error, at: BandLimit::Stability };
+        }
+    }
+
+    /// Half power by the line between the ends, where the curve between them cannot be had.
+    pub fn between(&self, half_w: f64) -> IntervalEdge {
+        let [a, b] = self.ends;
+        let way = b.edge.parameter - a.edge.parameter;
+        let share = (half_w - a.power_w) / (b.power_w - a.power_w);
+        IntervalEdge { parameter: a.edge.parameter + share * way, parameter_error: way.abs(), at: BandLimit::HalfPower }
+    }
+}

@@ -1,0 +1,101 @@
+//! Integrates every start until its attractor is recognized, and counts.
+
+use super::InitialStates;
+use super::attractor::{Attractor, BasinsResult, counted, orbits};
+use super::mirror::mirrored_states;
+use crate::analysis::orbit_limits::{passed_by_orbit, passed_over};
+use crate::analysis::{AnalysisError, AttractingOrbit, Model, Parameter, Recognition, Recognizer, SteadyState};
+use crate::march::{IntegrationError, Kernel};
+use crate::orbit::{ParametricModel, Shooting};
+use crate::run::{ExceededLimit, Limits, RunError, check_outside};
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// Drive cycles over which a motion without a period is held against limits.
+const LATE_CYCLES: u32 = 64;
+
+/// Starts in the first part of the work. Every part knows the orbits of those before it and is as large as all of them together, so that
+/// few orbits are proved twice; parts do not depend on the number of threads.
+const FIRST_BATCH: usize = 4;
+
+/// Basins of attraction to be computed.
+#[derive(Debug)]
+pub struct Basins<'s> {
+    /// The spec.
+    pub base: &'s Model,
+    /// Its harvester, as one value of any key.
+    pub parameter: &'s Parameter<'s>,
+    /// That value.
+    pub value: f64,
+    /// The starts.
+    pub starts: InitialStates,
+    /// How attractors are recognized.
+    pub recognition: Recognition,
+}
+
+impl Basins<'_> {
+    /// Integrates all starts, in parallel; `done` is called for each that is finished. Cancelled, it counts those that are.
+    ///
+    /// # Errors
+    /// A harvester that cannot be made.
+    pub fn run(&self, done: &(dyn Fn() + Sync)) -> Result<BasinsResult, AnalysisError> {
+        let kernel = self.parameter.at(self.value)?.kernel;
+        self.base.kernel.control.expect(self.starts.len());
+        let ends = self.ends(&kernel, done);
+        let scale = Shooting::new(self.parameter, &kernel, 1, self.recognition.tolerance).scale;
+        let mirrored = |one: &AttractingOrbit, two: &AttractingOrbit| {
+            mirrored_states(&kernel, &one.orbit, &scale, self.recognition.tolerance).is_ok_and(|states| two.passes(&states))
+        };
+        let mut answer = counted(&ends, mirrored);
+        let limits = Limits::of(&self.base.spec, &kernel.plant);
+        for attractor in answer.attractors.iter_mut().filter(|_| !limits.is_empty() && !self.base.kernel.control.is_stopped()) {
+            let end = ends.iter().find(|(index, _)| attractor.starts.first() == Some(index)).map(|(_, end)| end);
+            attractor.exceeded = self.passed(&limits, &kernel, attractor, end).map_err(RunError::from)?;
+        }
+        Ok(answer)
+    }
+
+    /// Where each start ends, with its number.
+    fn ends(&self, kernel: &Kernel, done: &(dyn Fn() + Sync)) -> Vec<(usize, SteadyState)> {
+        let recognizer = Recognizer { harvester: self.parameter, kernel, parameter: self.value, options: self.recognition };
+        let control = &self.base.kernel.control;
+        let end = |index: usize, known: &[Arc<AttractingOrbit>]| {
+            if control.is_stopped() {
+                return None;
+            }
+            let start = self.starts.start(&kernel.plant, index);
+            let end = match check_outside(&kernel.plant, &start[..kernel.plant.system.modes.len()]) {
+                Ok(()) => recognizer.settle(&start, known),
+                Err(inside) => SteadyState::Failed(inside.to_string()),
+            };
+            control.count();
+            done();
+            (!control.is_stopped()).then_some((index, end))
+        };
+        let mut ends: Vec<(usize, SteadyState)> = Vec::new();
+        let mut first = 0;
+        while first < self.starts.len() {
+            let next = (2 * first).max(FIRST_BATCH).min(self.starts.len());
+            let known: Vec<Arc<AttractingOrbit>> = orbits(&ends).into_iter().map(|(orbit, _)| orbit).collect();
+            ends.par_extend((first..next).into_par_iter().filter_map(|index| end(index, &known)));
+            first = next;
+        }
+        ends
+    }
+
+    /// The limits that an attractor passes: over its period, or over some cycles after those that its first start was integrated for.
+    fn passed(
+        &self,
+        limits: &Limits,
+        kernel: &Kernel,
+        attractor: &Attractor,
+        end: Option<&SteadyState>,
+    ) -> Result<Vec<ExceededLimit>, IntegrationError> {
+        let tolerance = self.recognition.tolerance;
+        match (&attractor.orbit, end) {
+            (Some(orbit), _) => passed_by_orbit(limits, (self.parameter, kernel), orbit, tolerance),
+            (None, Some(SteadyState::Aperiodic(end))) => passed_over(limits, kernel, &end.state, LATE_CYCLES, tolerance),
+            (None, _) => Ok(Vec::new()),
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! A seeded cloud of starts.
+//!
+//! Every mode gets the same range of energy: `w q` and `q'` are uniform in `[-S, S]`, `S = spread w_drive L / |shape|`, with `L` the
+//! larger of the gap and the steady amplitude at the stop and `|shape|` the norm of the port's shape, about where gravity holds the
+//! harvester. Voltages start there too. The numbers are those of [`RandomStream`].
+//!
+//! A start inside a rigid stop is mirrored there, `q - 2 (s q - gap) s / |s|^2`, until it lies inside none.
+
+use crate::contact::Law;
+use crate::drive::RandomStream;
+use crate::plant::{Plant, Stop};
+
+/// Times that a start is mirrored: between two stops it may lie many gaps away.
+const MAX_REFLECTIONS: usize = 1000;
+
+/// A cloud.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cloud {
+    /// Number of starts.
+    pub starts: usize,
+    /// Seed.
+    pub seed: u64,
+    /// Size, in gaps (or steady amplitudes, where those are larger).
+    pub spread: f64,
+}
+
+impl Cloud {
+    /// Start number `index`, physical state `(q, q', V)`: the same for the same seed, whatever else is computed.
+    pub fn start(&self, plant: &Plant, index: usize) -> Vec<f64> {
+        let modes = &plant.system.modes;
+        let n = modes.len();
+        let drive = plant.tones.first().map_or(1.0, |tone| tone.angular_frequency_rad_s);
+        let shape = plant.ports.iter().map(|port| port.mobility_per_kg.sqrt()).reduce(f64::max).unwrap_or(1.0);
+        let size = self.spread * drive * plant.scale_m() / shape;
+        let mut state = plant.resting_physical();
+        // Starts do not share a stream: each has its own, from the seed and its number.
+        let mut stream = RandomStream::new(self.seed, index as u64);
+        for i in 0..n {
+            let w = if modes.frequency_rad_s[i] > 0.0 { modes.frequency_rad_s[i] } else { drive };
+            state[i] += size * stream.symmetric() / w;
+            state[n + i] += size * stream.symmetric();
+        }
+        mirror(plant, &mut state);
+        state
+    }
+}
+
+/// Takes displacements out of rigid stops, as far as there is room between these.
+fn mirror(plant: &Plant, displacement: &mut [f64]) {
+    let stops = plant.system.stops.iter().enumerate();
+    let rigid: Vec<_> = stops.filter(|(_, stop)| matches!(stop.law, Law::Rigid(_))).collect();
+    for _ in 0..MAX_REFLECTIONS {
+        let depth_m = |(index, stop): (usize, &Stop)| {
+            let own_m: f64 = stop.shape.iter().zip(&*displacement).map(|(s, q)| s * q).sum();
+            own_m + plant.approached_m(index, 0.0) - stop.gap_m
+        };
+        let depths = rigid.iter().map(|(index, stop)| (*stop, depth_m((*index, stop))));
+        let Some((stop, depth_m)) = depths.into_iter().find(|(_, depth_m)| *depth_m > 0.0) else { return };
+        let square: f64 = stop.shape.iter().map(|s| s * s).sum();
+        displacement.iter_mut().zip(&stop.shape).for_each(|(q, s)| *q -= 2.0 * depth_m * s / square);
+    }
+}

@@ -1,0 +1,237 @@
+//! Follows one curve through the plane of two keys to its ends.
+
+use super::corner;
+use super::curve::{BifurcationCurve, BifurcationCurvePoint};
+use super::cusp::{self, RestartPoint};
+use super::key_plane::KeyPlane;
+use super::search::BifurcationSearch;
+use crate::continuation::{Continuation, CorrectedPoint, Corrector, Direction, Metric, Position, StepControl, correct, correct_at, passes};
+use crate::orbit::{Condition, ExtendedEvaluation, ExtendedProblem, multipliers};
+
+/// Distance, in the metric, from a strong resonance at which a curve of tori ends. Shorter steps come nearer to it.
+const RESONANCE_DISTANCE: f64 = 1e-3;
+
+/// Shortest step, in goals of Newton: a shorter one leads nowhere.
+const MIN_STEP_GOALS: f64 = 10.0;
+
+/// Share of a step, as far as its start may lie from an edge that counts as on it.
+const EDGE_SHARE: f64 = 1e-9;
+
+/// Share of a branch at which it is a point: an isolated one is born there, and with it its peak.
+const POINT_BRANCH_SHARE: f64 = 2e-4;
+
+/// The same, where the peak cannot be followed any nearer to it.
+const NEAR_POINT_BRANCH_SHARE: f64 = 1e-3;
+
+/// Most points of one curve.
+const MAX_CURVE_POINTS: usize = 400;
+
+/// An edge of the plane that a step passes.
+#[derive(Debug, Clone, Copy)]
+struct PlaneEdge {
+    /// Whether it is of the first key.
+    is_first: bool,
+    value: f64,
+    /// Share of the step up to it.
+    share: f64,
+}
+
+/// The sense in which a curve passes its origin again.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum CurveClosure {
+    /// As it set out.
+    Onwards,
+    /// Against that: it has come back over its own points.
+    Backwards,
+}
+
+impl BifurcationSearch<'_> {
+    /// From the first place of a curve in a direction until it ends; `curve` has no points yet.
+    pub(super) fn walk(
+        &self,
+        tracking: &ExtendedProblem<KeyPlane>,
+        corrector: Corrector,
+        (first, ahead): (CorrectedPoint<ExtendedEvaluation>, Direction),
+        mut curve: BifurcationCurve,
+    ) -> BifurcationCurve {
+        curve.points.push(point(tracking, &first.position, &first.local));
+        let (origin, outset) = (first.position.clone(), ahead.clone());
+        let mut walk = self.walk_from(tracking, corrector, first.position, ahead);
+        let (mut here, mut came_back) = (first.local, false);
+        loop {
+            let (mark, before) = (walk.mark(), walk.position.clone());
+            let (position, local) = match self.advance(tracking, corrector, &mut walk, &here) {
+                Some(Ok(found)) => found,
+                Some(Err(why)) => {
+                    curve.failures.push(why);
+                    break;
+                }
+                None => break,
+            };
+            if local.power_curvature.is_some_and(|bend| bend >= 0.0) {
+                curve.failures.push(format!("at {} the maximum of power meets a minimum", position.parameter));
+                break;
+            }
+            let metric = Metric::at(&position, self.scale_2());
+            if local.is_resonant {
+                if metric.length(&before.to(&position)) > RESONANCE_DISTANCE && walk.retreat(mark) {
+                    continue;
+                }
+                break;
+            }
+            if let Some(edge) = self.edge_between(tracking, &before, &position) {
+                if edge.share >= EDGE_SHARE && !self.end_on(tracking, corrector, (&before, &position), edge, &mut curve) {
+                    if walk.retreat(mark) {
+                        continue;
+                    }
+                    curve.failures.push(format!("just before the edge of the range, at {}", before.parameter));
+                }
+                break;
+            }
+            curve.points.push(point(tracking, &position, &local));
+            let way = (&before, &position);
+            let home = (curve.points.len() > 4).then(|| comes_home(tracking.condition, &metric, (&origin, &outset), way)).flatten();
+            came_back = home == Some(CurveClosure::Backwards);
+            if home.is_some() || is_born(&local, POINT_BRANCH_SHARE) || is_left(&mut curve, position.parameter) {
+                break;
+            }
+            here = local;
+        }
+        curve.end_where_it_turned(came_back, self.ranges.map(|(low, high)| high - low));
+        curve
+    }
+
+    fn walk_from<'t, 'p>(
+        &self,
+        tracking: &'t ExtendedProblem<'p, KeyPlane<'p>>,
+        corrector: Corrector,
+        position: Position,
+        ahead: Direction,
+    ) -> Continuation<'t, ExtendedProblem<'p, KeyPlane<'p>>> {
+        let control = StepControl { shortest: MIN_STEP_GOALS * corrector.goal, ..StepControl::default() };
+        Continuation::new(tracking, corrector, control, self.scale_2(), position, ahead)
+    }
+
+    /// The next place of a walk that stands at `here`: a step on, or where none leads on, beyond a corner or a cusp; nothing where the curve ends.
+    fn advance<'t, 'p>(
+        &self,
+        tracking: &'t ExtendedProblem<'p, KeyPlane<'p>>,
+        corrector: Corrector,
+        walk: &mut Continuation<'t, ExtendedProblem<'p, KeyPlane<'p>>>,
+        here: &ExtendedEvaluation,
+    ) -> Option<Result<(Position, ExtendedEvaluation), String>> {
+        let before = walk.position.clone();
+        match walk.next()? {
+            Ok(step) => Some(Ok((step.position, step.local))),
+            Err(_) if is_born(here, NEAR_POINT_BRANCH_SHARE) => None,
+            Err(error) => {
+                let Some(RestartPoint { found, ahead, step }) = self.beyond(tracking, &corrector, (&before, here, &walk.tangent)) else {
+                    return Some(Err(error.to_string()));
+                };
+                *walk = self.walk_from(tracking, corrector, found.position.clone(), ahead);
+                walk.length = step;
+                Some(Ok((found.position, found.local)))
+            }
+        }
+    }
+
+    /// Where a walk that stopped goes on: round a corner or through a cusp.
+    fn beyond(
+        &self,
+        tracking: &ExtendedProblem<KeyPlane>,
+        corrector: &Corrector,
+        (position, local, ahead): (&Position, &ExtendedEvaluation, &Direction),
+    ) -> Option<RestartPoint> {
+        let corner = corner::round(tracking, corrector, self.scale_2(), (position, ahead));
+        let onward = corner.map(|(found, ahead)| RestartPoint { found, ahead, step: StepControl::default().first });
+        onward.or_else(|| cusp::ahead(tracking, corrector, self.scale_2(), (position, local, ahead)))
+    }
+
+    /// Ends a curve with the point on an edge; false where that is not found, as it may be from nearer to the edge.
+    fn end_on(
+        &self,
+        tracking: &ExtendedProblem<KeyPlane>,
+        corrector: Corrector,
+        way: (&Position, &Position),
+        edge: PlaneEdge,
+        curve: &mut BifurcationCurve,
+    ) -> bool {
+        let Some(found) = self.cut(tracking, corrector, way, edge) else { return false };
+        let mut found = point(tracking, &found.position, &found.local);
+        *(if edge.is_first { &mut found.parameter } else { &mut found.parameter_2 }) = edge.value;
+        curve.points.push(found);
+        true
+    }
+
+    /// The edge of the plane that is passed first on the way between two places.
+    fn edge_between(&self, tracking: &ExtendedProblem<KeyPlane>, before: &Position, after: &Position) -> Option<PlaneEdge> {
+        let keys = |position: &Position| [tracking.parameter(&position.unknown), position.parameter];
+        let (from, to) = (keys(before), keys(after));
+        let passed = |k: usize| {
+            let (low, high) = self.ranges[k];
+            let value = if to[k] < low { low } else { high };
+            let share = ((value - from[k]) / (to[k] - from[k])).clamp(0.0, 1.0);
+            (to[k] < low || to[k] > high).then_some(PlaneEdge { is_first: k == 0, value, share })
+        };
+        [passed(0), passed(1)].into_iter().flatten().min_by(|a, b| a.share.total_cmp(&b.share))
+    }
+
+    /// The point exactly on an edge.
+    fn cut(
+        &self,
+        tracking: &ExtendedProblem<KeyPlane>,
+        corrector: Corrector,
+        (before, outside): (&Position, &Position),
+        edge: PlaneEdge,
+    ) -> Option<CorrectedPoint<ExtendedEvaluation>> {
+        let mut guess = before.moved(&before.to(outside), edge.share);
+        if !edge.is_first {
+            guess.parameter = edge.value;
+            return correct_at(tracking, &corrector, &Metric::at(&guess, self.scale_2()), guess).ok();
+        }
+        let n = guess.unknown.len();
+        let own = tracking.place_of_parameter();
+        guess.unknown[own] = (edge.value - tracking.origin) / tracking.unit;
+        let metric = Metric::at(&guess, self.scale_2());
+        // Across the first key alone: it stays as it is.
+        let mut across = Direction { unknown: vec![0.0; n], parameter: 0.0 };
+        across.unknown[own] = metric.unknown;
+        correct(tracking, &corrector, &metric, &across, guess).ok()
+    }
+}
+
+/// How a curve passes its origin again, where it does: a curve of folds that passes it the other way is on the other arm of a cusp.
+fn comes_home(
+    condition: Condition,
+    metric: &Metric,
+    (origin, outset): (&Position, &Direction),
+    (before, after): (&Position, &Position),
+) -> Option<CurveClosure> {
+    let sense = if metric.inner(outset, &before.to(after)) < 0.0 { CurveClosure::Backwards } else { CurveClosure::Onwards };
+    let is_other_arm = sense == CurveClosure::Backwards && condition == Condition::Multiplier(1.0);
+    (passes(metric, origin, before, after) && !is_other_arm).then_some(sense)
+}
+
+/// True for a curve that has grown too long, which is told.
+fn is_left(curve: &mut BifurcationCurve, parameter_2: f64) -> bool {
+    let is_long = curve.points.len() >= MAX_CURVE_POINTS;
+    if is_long {
+        curve.failures.push(format!("after {MAX_CURVE_POINTS} points, at {parameter_2}"));
+    }
+    is_long
+}
+
+/// True for a peak where its branch is born, within a share.
+fn is_born(local: &ExtendedEvaluation, share: f64) -> bool {
+    local.power_curvature.is_some() && local.share_of_branch().is_some_and(|own| own < share)
+}
+
+/// A place of a curve as a result.
+fn point(tracking: &ExtendedProblem<KeyPlane>, position: &Position, local: &ExtendedEvaluation) -> BifurcationCurvePoint {
+    BifurcationCurvePoint {
+        parameter: tracking.parameter(&position.unknown),
+        parameter_2: position.parameter,
+        mean_power_w: local.shot.loads_w.iter().fold(0.0, |sum, own| sum + own),
+        stable: local.power_curvature.and_then(|_| Some(multipliers(&local.shot.block_map)?.first()?.norm() < 1.0)),
+    }
+}

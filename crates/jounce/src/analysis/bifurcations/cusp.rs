@@ -1,0 +1,114 @@
+//! Through the cusp that a curve of folds has where two folds of one branch meet.
+//!
+//! ```text
+//! x^3 + b x + a = 0,   3 x^2 + b = 0:   b = -3 x^2,   a = 2 x^3
+//! ```
+//!
+//! By the state along the critical eigenvector, `x`, the curve is smooth, and at the cusp that direction alone is its tangent: the keys turn
+//! round. Where the plane is narrow they do so over so little of the state that no step along the tangent is short enough. From a place
+//! near the cusp the curve is sought by `x` instead, past the turn, and then where the keys stand still.
+//!
+//! Source: V. I. Arnold, Catastrophe Theory (Springer, 1992), ch. 2.
+
+use super::key_plane::KeyPlane;
+use crate::continuation::{Bracket, CorrectedPoint, Corrector, Direction, Metric, Position, correct, tangent};
+use crate::orbit::{Condition, ExtendedEvaluation, ExtendedProblem, null_vector};
+use faer::Mat;
+
+/// Ways along the eigenvector at which the curve is sought past the turn, as lengths in the metric.
+const SEARCH_DISTANCES: [f64; 7] = [1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5];
+
+/// Farthest that a place past the turn may lie.
+const MAX_RESTART_DISTANCE: f64 = 0.2;
+
+/// Speed of the keys by `x` past the turn, at least: the tangent is theirs again.
+const MIN_KEY_SPEED: f64 = 1.0;
+
+/// Speed of the keys below which they stand still.
+const MAX_CUSP_KEY_SPEED: f64 = 0.1;
+
+/// Most that the keys may be off the parabola that they run through at a cusp, beside the way that their last speed leads.
+const MAX_PARABOLA_DISTANCE: f64 = 0.1;
+
+/// Most places at which the cusp is sought.
+const MAX_TRIALS: u32 = 12;
+
+/// How near to an end of the way it is sought, beside that way.
+const MIN_END_DISTANCE: f64 = 1e-3;
+
+/// Where a walk that stopped goes on.
+#[derive(Debug)]
+pub struct RestartPoint {
+    /// The place.
+    pub found: CorrectedPoint<ExtendedEvaluation>,
+    /// The tangent there, in the direction of the walk.
+    pub ahead: Direction,
+    /// Length of the first step from there.
+    pub step: f64,
+}
+
+/// The cusp ahead of a place of the curve, or a place beyond the one just behind; `None` where there is none so near.
+pub fn ahead(
+    tracking: &ExtendedProblem<KeyPlane>,
+    corrector: &Corrector,
+    scale_2: f64,
+    (position, local, ahead): (&Position, &ExtendedEvaluation, &Direction),
+) -> Option<RestartPoint> {
+    if tracking.condition != Condition::Multiplier(1.0) {
+        return None;
+    }
+    let metric = Metric::at(position, scale_2);
+    let across = eigenvector(&metric, local, ahead);
+    let own = tracking.place_of_parameter();
+    let keys = |way: &Direction| [way.unknown[own] / metric.unknown, way.parameter / metric.parameter];
+    let speeds = |tangent: &Direction| keys(tangent).map(|key| key / metric.inner(tangent, &across));
+    // A place at a way along the eigenvector with its tangent.
+    let place = |way: f64| {
+        let found = correct(tracking, corrector, &metric, &across, position.moved(&across, way)).ok()?;
+        let tangent = tangent(&found.local, &metric, &across)?;
+        Some((found, tangent))
+    };
+    let before = speeds(ahead);
+    let is_past = |way: f64, (found, tangent): &(CorrectedPoint<ExtendedEvaluation>, Direction)| {
+        let whole = position.to(&found.position);
+        let (moved, after) = (keys(&whole), speeds(tangent));
+        let off = [0, 1].map(|k| moved[k] - 0.5 * way * (before[k] + after[k]));
+        let is_fast = length(after) > length(before).max(MIN_KEY_SPEED);
+        is_fast && metric.length(&whole) < MAX_RESTART_DISTANCE && length(off) < MAX_PARABOLA_DISTANCE * way * length(after)
+    };
+    let (beyond, (found, tangent)) =
+        SEARCH_DISTANCES.into_iter().find_map(|way| Some((way, place(way).filter(|found| is_past(way, found))?)))?;
+    // In the direction of the keys before the turn.
+    let onward = |speeds: [f64; 2]| (speeds[0] * before[0] + speeds[1] * before[1]) / length(before);
+    let after = onward(speeds(&tangent));
+    if length(before) < MAX_CUSP_KEY_SPEED || after > 0.0 {
+        return Some(RestartPoint { found, ahead: tangent, step: beyond });
+    }
+    let mut turn = Bracket::between((0.0, length(before)), (beyond, after));
+    for _ in 0..MAX_TRIALS {
+        let way = turn.next(MIN_END_DISTANCE * beyond);
+        let (found, tangent) = place(way)?;
+        let here = speeds(&tangent);
+        if length(here) < MAX_CUSP_KEY_SPEED {
+            return Some(RestartPoint { found, ahead: tangent, step: beyond - way });
+        }
+        turn.put(way, onward(here));
+    }
+    Some(RestartPoint { found, ahead: tangent, step: beyond })
+}
+
+fn length([first, second]: [f64; 2]) -> f64 {
+    first.hypot(second)
+}
+
+/// Unit direction of the state alone along the critical eigenvector, the way that the curve goes.
+fn eigenvector(metric: &Metric, local: &ExtendedEvaluation, ahead: &Direction) -> Direction {
+    let map = local.shot.map();
+    let mut unknown = null_vector(&Mat::from_fn(map.nrows(), map.ncols(), |i, j| map[(i, j)] - f64::from(u8::from(i == j))));
+    unknown.resize(ahead.unknown.len(), 0.0);
+    let mut found = metric.unit(Direction { unknown, parameter: 0.0 });
+    if metric.inner(&found, ahead) < 0.0 {
+        found.unknown.iter_mut().for_each(|d| *d = -*d);
+    }
+    found
+}

@@ -1,0 +1,220 @@
+//! All curves of jumps that pass an edge of the plane, or the spec's own value of the second key between.
+
+use super::curve::{BifurcationCurve, BifurcationCurvePoint};
+use super::key_plane::KeyPlane;
+use super::seed::CurveSeed;
+use crate::analysis::bandwidth::CurvePiece;
+use crate::analysis::{AnalysisError, Branch, BranchOptions, BranchSearch, Model, OrbitMethodKind, Parameter};
+use crate::continuation::{Corrector, Direction, Metric, Position, Problem, correct_at, tangent};
+use crate::orbit::{ExtendedProblem, OrbitError, Shooting, TwoParameterProblem};
+use crate::spec::NumericKey;
+use faer::ColRef;
+
+/// A search to be made.
+#[derive(Debug)]
+pub struct BifurcationSearch<'s> {
+    /// The spec at its own values.
+    pub base: &'s Model,
+    /// First and second key.
+    pub keys: [&'s NumericKey; 2],
+    /// Their ranges.
+    pub ranges: [(f64, f64); 2],
+    /// Relative tolerance of the marches.
+    pub tolerance: f64,
+    /// Values across a range at which orbits are sought by marching.
+    pub seeds: usize,
+    /// Longest period of a branch, drive cycles.
+    pub longest_period: u32,
+    /// Whether peaks of power are followed too.
+    pub peaks: bool,
+}
+
+type Failure = OrbitError<AnalysisError>;
+
+/// Share of a range within which two places of one kind ...
+const SAME_PLACE_SHARE: f64 = 5e-3;
+
+/// ... and of a power within which they are one.
+const SAME_POWER_SHARE: f64 = 0.05;
+
+/// Newton's goal beside the tolerance of the march. A critical multiplier is known less well than the orbit, and along its eigenvector
+/// a fold moves by that error over its curvature; the parameter moves by the square of it only.
+const NEWTON_GOAL_FACTOR: f64 = 1e3;
+
+impl BifurcationSearch<'_> {
+    /// Finds and follows the curves; stopped by its control it gives what is finished.
+    ///
+    /// # Errors
+    /// [`OrbitError`].
+    pub fn run(&self) -> Result<Vec<BifurcationCurve>, Failure> {
+        self.run_with(&BranchOptions::default())
+    }
+
+    /// The same with options of its own for the branches that it starts from; the levels among them are followed too.
+    ///
+    /// # Errors
+    /// [`OrbitError`].
+    pub fn run_with(&self, options: &BranchOptions) -> Result<Vec<BifurcationCurve>, Failure> {
+        for key in self.keys {
+            Parameter::check_key(key).map_err(OrbitError::Harvester)?;
+        }
+        let plane = KeyPlane { base: self.base, keys: self.keys, widths: self.ranges.map(|(low, high)| high - low) };
+        let (low, high) = self.ranges[1];
+        let own = self.keys[1].get(&self.base.spec).ok().filter(|own| *own > low && *own < high);
+        let mut curves: Vec<BifurcationCurve> = Vec::new();
+        let of_second = own.into_iter().chain([low, high]).map(|value| (1, value));
+        let of_first = <[f64; 2]>::from(self.ranges[0]).map(|value| (0, value));
+        for (held, value) in of_second.chain(of_first) {
+            let found = if held == 1 {
+                self.through(&plane, (value, options), &mut curves)
+            } else {
+                self.across(&plane, (value, options), &mut curves)
+            };
+            if self.base.kernel.control.is_stopped() {
+                break;
+            }
+            found?;
+        }
+        Ok(curves)
+    }
+
+    /// Adds the curves that pass an edge of the first range, where the second key alone shows them.
+    fn across(
+        &self,
+        plane: &KeyPlane,
+        (parameter, options): (f64, &BranchOptions),
+        curves: &mut Vec<BifurcationCurve>,
+    ) -> Result<(), Failure> {
+        let mut spec = self.base.spec.clone();
+        self.keys[0].set(&mut spec, parameter).map_err(|fault| OrbitError::Harvester(fault.into()))?;
+        let prepared = self.base.changed(spec).map_err(OrbitError::Harvester)?;
+        let branches = self.branches(&prepared, 1, options)?;
+        for (branch, found) in branches.iter().flat_map(|branch| branch.bifurcations.iter().map(move |found| (branch, found))) {
+            let seed = CurveSeed { parameter, ..CurveSeed::bifurcation(branch, found, &options.levels) };
+            let parameter_2 = found.at.parameter;
+            if !curves.iter().any(|curve| self.holds(curve, &seed, parameter_2) || self.ends_at(curve, &seed, parameter_2)) {
+                self.add(self.both_ways(plane, &seed, parameter_2)?, curves);
+            }
+        }
+        Ok(())
+    }
+
+    /// Branches over one of the keys, at the value of the other that is prepared.
+    fn branches(&self, prepared: &Model, key: usize, options: &BranchOptions) -> Result<Vec<Branch>, Failure> {
+        let range = self.ranges[key];
+        let parameter = Parameter::new(prepared, self.keys[key], range.1 - range.0);
+        let (method, tolerance, seeds, longest_period) = (OrbitMethodKind::Shooting, self.tolerance, self.seeds, self.longest_period);
+        BranchSearch { base: prepared, parameter: &parameter, range, method, tolerance, seeds, longest_period }.run_with(options)
+    }
+
+    /// Adds the curves through one line.
+    fn through(
+        &self,
+        plane: &KeyPlane,
+        (parameter_2, options): (f64, &BranchOptions),
+        curves: &mut Vec<BifurcationCurve>,
+    ) -> Result<(), Failure> {
+        for seed in self.seeds(plane, parameter_2, options)? {
+            if !curves.iter().any(|curve| self.holds(curve, &seed, parameter_2)) {
+                self.add(self.both_ways(plane, &seed, parameter_2)?, curves);
+            }
+        }
+        Ok(())
+    }
+
+    /// Places on one line from which curves may start.
+    fn seeds(&self, plane: &KeyPlane, parameter_2: f64, options: &BranchOptions) -> Result<Vec<CurveSeed>, Failure> {
+        let line = plane.line(parameter_2).map_err(OrbitError::Harvester)?;
+        let range = self.ranges[0];
+        let parameter = Parameter::new(&line.prepared, self.keys[0], range.1 - range.0);
+        let branches = self.branches(&line.prepared, 0, options)?;
+        let bifurcations = branches
+            .iter()
+            .flat_map(|branch| branch.bifurcations.iter().map(|found| CurveSeed::bifurcation(branch, found, &options.levels)));
+        let corrector = Corrector { goal: (10.0 * self.tolerance).clamp(1e-11, 1e-6), most: 8 };
+        let peaks = branches.iter().filter(|_| self.peaks).flat_map(|branch| {
+            let shooting = || Shooting::new(&parameter, &line.prepared.kernel, branch.period_cycles, self.tolerance);
+            CurveSeed::peaks(branch, |points| CurvePiece::new(shooting(), corrector, (range.1 - range.0) / 20.0, points))
+        });
+        Ok(bifurcations.chain(peaks).collect())
+    }
+
+    /// Adds a curve. One that could not be followed to its ends may be a part of one that was begun elsewhere and is whole.
+    fn add(&self, found: Option<BifurcationCurve>, curves: &mut Vec<BifurcationCurve>) {
+        let Some(found) = found else { return };
+        if found.failures.is_empty() {
+            curves.retain(|known| known.failures.is_empty() || !self.is_part(known, &found));
+        } else if curves.iter().any(|whole| whole.failures.is_empty() && self.is_part(&found, whole)) {
+            return;
+        }
+        curves.push(found);
+    }
+
+    /// True when a curve lies on another, by its first point and two inside.
+    fn is_part(&self, part: &BifurcationCurve, whole: &BifurcationCurve) -> bool {
+        let count = part.points.len();
+        let passes = |k: usize| self.passes(whole, &part.points[k]);
+        part.is_alike(whole) && [0, count / 2, 3 * count / 4].into_iter().all(passes)
+    }
+
+    /// True when a place lies on a curve already known.
+    fn holds(&self, curve: &BifurcationCurve, seed: &CurveSeed, parameter_2: f64) -> bool {
+        seed.is_of(curve) && self.passes(curve, &seed.point(parameter_2))
+    }
+
+    /// True when a curve passes near a point.
+    fn passes(&self, curve: &BifurcationCurve, point: &BifurcationCurvePoint) -> bool {
+        let (low, high) = self.ranges[0];
+        let near = |(parameter, power_w): &(f64, f64)| {
+            (parameter - point.parameter).abs() < SAME_PLACE_SHARE * (high - low)
+                && (power_w - point.mean_power_w).abs() <= SAME_POWER_SHARE * point.mean_power_w
+        };
+        curve.crossings(point.parameter_2).iter().any(near)
+    }
+
+    /// True when a curve ends at a place.
+    fn ends_at(&self, curve: &BifurcationCurve, seed: &CurveSeed, parameter_2: f64) -> bool {
+        let [width, width_2] = self.ranges.map(|(low, high)| high - low);
+        let near = |end: &BifurcationCurvePoint| {
+            (end.parameter - seed.parameter).abs() < SAME_PLACE_SHARE * width
+                && (end.parameter_2 - parameter_2).abs() < SAME_PLACE_SHARE * width_2
+                && (end.mean_power_w - seed.mean_power_w).abs() <= SAME_POWER_SHARE * seed.mean_power_w.abs()
+        };
+        let ends = curve.points.first().into_iter().chain(curve.points.last());
+        seed.is_of(curve) && ends.into_iter().any(near)
+    }
+
+    fn both_ways(&self, plane: &KeyPlane, seed: &CurveSeed, parameter_2: f64) -> Result<Option<BifurcationCurve>, Failure> {
+        let kernel = &self.base.kernel;
+        let line = plane.line(parameter_2).map_err(OrbitError::Harvester)?;
+        let shooting = Shooting::new(&line, kernel, seed.cycles, self.tolerance);
+        let Some(condition) = seed.condition(&shooting.at(&seed.state, seed.parameter)?) else { return Ok(None) };
+        let (low, high) = self.ranges[0];
+        let tracking = ExtendedProblem {
+            plane,
+            condition,
+            cycles: seed.cycles,
+            tolerance: self.tolerance,
+            scale: shooting.scale.clone(),
+            origin: seed.parameter,
+            unit: (high - low) / (20.0 * ColRef::from_slice(&seed.state).norm_l2()),
+        };
+        let corrector = Corrector { goal: (NEWTON_GOAL_FACTOR * self.tolerance).clamp(1e-9, 1e-4), most: 12 };
+        let position = Position { unknown: tracking.unknown(&seed.state, seed.parameter), parameter: parameter_2 };
+        let metric = Metric::at(&position, self.scale_2());
+        let mut ways = Vec::new();
+        for sign in [-1.0, 1.0] {
+            let Ok(first) = correct_at(&tracking, &corrector, &metric, position.clone()) else { return Ok(None) };
+            let up = Direction { unknown: vec![0.0; position.unknown.len()], parameter: sign };
+            let Some(ahead) = tangent(&first.local, &metric, &up) else { return Ok(None) };
+            ways.push(self.walk(&tracking, corrector, (first, ahead), seed.curve()));
+        }
+        let up = ways.pop();
+        Ok(ways.pop().zip(up).map(|(down, up)| down.joined(up)))
+    }
+
+    /// Scale of the second key in the metric.
+    pub(super) fn scale_2(&self) -> f64 {
+        (self.ranges[1].1 - self.ranges[1].0) / 20.0
+    }
+}

@@ -1,0 +1,96 @@
+//! Places on one line of the plane from which curves start.
+
+use super::{BifurcationCurve, BifurcationCurvePoint, CurveKind};
+use crate::analysis::bandwidth::{CurvePiece, PieceZero};
+use crate::analysis::{Bifurcation, Branch, BranchKind, BranchPoint, QuantityLevel};
+use crate::orbit::{Condition, GrazingPoint, ParametricModel, ShootingEvaluation};
+
+/// Slope of power that a seed may keep, beside the power, per share of a piece: tracking mends it.
+const MAX_SEED_SLOPE: f64 = 1e-7;
+
+/// A place on a branch, on or near a curve.
+#[derive(Debug, Clone)]
+pub struct CurveSeed {
+    /// What the curve is of.
+    pub kind: CurveKind,
+    /// Of a level, which.
+    pub level: Option<QuantityLevel>,
+    /// Drive cycles of the period.
+    pub cycles: u32,
+    /// State at the start of the period, energy coordinates.
+    pub state: Vec<f64>,
+    /// First key.
+    pub parameter: f64,
+    /// Mean power, W.
+    pub mean_power_w: f64,
+}
+
+impl CurveSeed {
+    /// A bifurcation of a branch, that of a level among those which were given.
+    pub fn bifurcation(branch: &Branch, found: &Bifurcation, levels: &[QuantityLevel]) -> Self {
+        Self {
+            kind: CurveKind::Bifurcation(found.kind),
+            level: levels.iter().find(|level| found.level.as_ref() == Some(&level.text)).cloned(),
+            cycles: branch.period_cycles,
+            state: found.at.orbit.start().to_vec(),
+            parameter: found.at.parameter,
+            mean_power_w: found.at.orbit.mean_power_w,
+        }
+    }
+
+    /// Maxima of power inside a branch, each where power is stationary on the curve; `piece` gives the curve between two points.
+    pub fn peaks<'h, H: ParametricModel + 'h>(
+        branch: &Branch,
+        piece: impl Fn([&BranchPoint; 2]) -> Option<CurvePiece<'h, H>>,
+    ) -> Vec<Self> {
+        let power_w = |k: usize| branch.points[k].orbit.mean_power_w;
+        let inner = 1..branch.points.len().saturating_sub(1);
+        let highest = inner.filter(|k| power_w(*k) >= power_w(k - 1) && power_w(*k) > power_w(k + 1));
+        let around = |k: usize| {
+            [k - 1, k].into_iter().find_map(|k| {
+                piece([&branch.points[k], &branch.points[k + 1]])?.maximum((0.0, 1.0), MAX_SEED_SLOPE * branch.points[k].orbit.mean_power_w)
+            })
+        };
+        let seed = |found: PieceZero| Self {
+            kind: CurveKind::Peak,
+            level: None,
+            cycles: branch.period_cycles,
+            state: found.place.start().to_vec(),
+            parameter: found.place.parameter(),
+            mean_power_w: found.place.mean_power_w(),
+        };
+        highest.filter_map(around).map(seed).collect()
+    }
+
+    /// The curve from here, without points.
+    pub fn curve(&self) -> BifurcationCurve {
+        let level = self.level.as_ref().map(|level| level.text.clone());
+        BifurcationCurve { kind: self.kind, level, period_cycles: self.cycles, points: Vec::new(), failures: Vec::new() }
+    }
+
+    /// True when a curve is of the kind and period that one from here is of.
+    pub fn is_of(&self, curve: &BifurcationCurve) -> bool {
+        self.curve().is_alike(curve)
+    }
+
+    /// As a point of a curve.
+    pub fn point(&self, parameter_2: f64) -> BifurcationCurvePoint {
+        BifurcationCurvePoint { parameter: self.parameter, parameter_2, mean_power_w: self.mean_power_w, stable: None }
+    }
+
+    /// What is zero on the curve, whose first orbit is given; `None` for what is not followed.
+    pub fn condition(&self, shot: &ShootingEvaluation) -> Option<Condition> {
+        Some(match self.kind {
+            CurveKind::Peak => Condition::Peak,
+            CurveKind::Bifurcation(BranchKind::Fold) => Condition::Multiplier(1.0),
+            CurveKind::Bifurcation(BranchKind::PeriodDoubling) => Condition::Multiplier(-1.0),
+            CurveKind::Bifurcation(BranchKind::NeimarkSacker) => Condition::Circle,
+            CurveKind::Bifurcation(BranchKind::Grazing) => Condition::Touching(GrazingPoint::of(shot)?),
+            CurveKind::Bifurcation(BranchKind::Level) => {
+                let level = self.level.as_ref()?;
+                Condition::Level(level.quantity, level.value)
+            }
+            CurveKind::Bifurcation(BranchKind::BranchPoint | BranchKind::Sticking) => return None,
+        })
+    }
+}

@@ -1,0 +1,243 @@
+//! All branches of a spec over a range of one key.
+//!
+//! The search first follows the branches on which integrations settle: at both ends of the range and at values between them, from rest, from the
+//! steady state without the stop, from a hard kick and from a stronger drive. It then follows the branches that leave these at period
+//! doublings, shorter periods first. Among branches of one period it takes the parent with the largest area below its power first.
+//! Integrations run in parallel; the order of the rest is fixed. The search ends when its budget is spent.
+
+use super::branch::{Branch, BranchKind, BranchPoint};
+use super::known::is_end_of_one;
+use super::options::BranchOptions;
+use super::tracer::{BranchTracer, RESOLUTION, newton_goal};
+use crate::analysis::{AnalysisError, Model, Parameter};
+use crate::continuation::{CorrectedPoint, Corrector, Direction, Metric, Position, Problem, StepControl, correct, tangent};
+use crate::orbit::{HarmonicBalance, Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting, null_vector};
+use faer::Mat;
+
+/// How orbits are computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OrbitMethodKind {
+    /// On the exact flow.
+    Shooting,
+    /// Harmonics at the ports, as many as the accuracy needs.
+    HarmonicBalance {
+        /// Harmonics of the drive to begin with.
+        harmonics: usize,
+    },
+}
+
+/// A search to be made.
+#[derive(Debug)]
+pub struct BranchSearch<'s> {
+    /// The spec at its own values.
+    pub base: &'s Model,
+    /// The harvesters.
+    pub parameter: &'s Parameter<'s>,
+    /// Ends of the range.
+    pub range: (f64, f64),
+    /// How orbits are computed.
+    pub method: OrbitMethodKind,
+    /// Relative tolerance of the marches.
+    pub tolerance: f64,
+    /// Values between the ends of the range at which orbits are sought by marching.
+    pub seeds: usize,
+    /// Longest period of a branch, drive cycles.
+    pub longest_period: u32,
+}
+
+/// Most points of a branch.
+const MAX_POINTS: usize = 4000;
+
+/// Share of the range at which no two frequencies, of which one goes with the key, have a common period by chance: that of the golden section.
+const GOLDEN_SHARE: f64 = 0.618_033_988_749_894_9;
+
+/// Error of the mean power that is allowed in harmonic balance, beside the tolerance of a march.
+const POWER_ERROR_FACTOR: f64 = 300.0;
+
+type Failure = OrbitError<AnalysisError>;
+
+impl BranchSearch<'_> {
+    fn following(&self, options: &BranchOptions) -> BranchTracer {
+        BranchTracer {
+            range: self.range,
+            corrector: Corrector { goal: newton_goal(self.tolerance), most: 8 },
+            control: StepControl { longest: options.largest_step, ..StepControl::default() },
+            most_points: MAX_POINTS,
+            budget: options.budget,
+            resolution: RESOLUTION,
+            levels: options.levels.clone(),
+        }
+    }
+
+    fn shooting(&self, cycles: u32) -> Shooting<'_, Parameter<'_>> {
+        Shooting::new(self.parameter, &self.base.kernel, cycles, self.tolerance)
+    }
+
+    /// Finds and follows the branches; stopped by its control it gives what is finished.
+    ///
+    /// # Errors
+    /// [`OrbitError`].
+    pub fn run(&self) -> Result<Vec<Branch>, Failure> {
+        self.run_with(&BranchOptions::default())
+    }
+
+    /// The same with options of its own.
+    ///
+    /// # Errors
+    /// [`OrbitError`].
+    pub fn run_with(&self, options: &BranchOptions) -> Result<Vec<Branch>, Failure> {
+        let following = self.following(options);
+        match self.method {
+            OrbitMethodKind::Shooting => self.run_by(&following, |cycles| Ok(self.shooting(cycles))),
+            OrbitMethodKind::HarmonicBalance { harmonics } => self.run_by(&following, |cycles| {
+                let accuracy = POWER_ERROR_FACTOR * self.tolerance;
+                HarmonicBalance::new(self.shooting(cycles), &self.base.kernel, harmonics * cycles as usize, accuracy)
+            }),
+        }
+    }
+
+    fn run_by<M: OrbitMethod<Fault = AnalysisError>>(
+        &self,
+        following: &BranchTracer,
+        make: impl Fn(u32) -> Result<M, Failure>,
+    ) -> Result<Vec<Branch>, Failure> {
+        self.check_ends()?;
+        make(1)?;
+        let control = &self.base.kernel.control;
+        let mut branches: Vec<Branch> = Vec::new();
+        let starts = self.starts();
+        control.expect(starts.len());
+        for (orbit, parameter) in starts {
+            if orbit.period_cycles <= self.longest_period && !self.is_known(&branches, following, (&orbit, parameter)) {
+                match following.within(&branches, orbit.period_cycles) {
+                    Some(within) => {
+                        let found = within.both_ways(&make(orbit.period_cycles)?, orbit.start(), parameter);
+                        branches.extend(if control.is_stopped() { found.unwrap_or(None) } else { found? });
+                    }
+                    None => branches.push(Branch::of_one(orbit, parameter)),
+                }
+            }
+            control.count();
+        }
+        let doubled = self.doubled(following, &make, &mut branches);
+        if !control.is_stopped() {
+            doubled?;
+        }
+        Ok(self.each_once(following, branches))
+    }
+
+    /// Harvesters exist at both ends of the range, with drives that repeat themselves together there and in between.
+    fn check_ends(&self) -> Result<(), Failure> {
+        Parameter::check_key(self.parameter.key()).map_err(OrbitError::Harvester)?;
+        let between = self.range.0 + GOLDEN_SHARE * (self.range.1 - self.range.0);
+        for value in [self.range.0, self.range.1, between] {
+            let kernel = self.parameter.at(value).map_err(OrbitError::Harvester)?.kernel;
+            if kernel.plant.period_s().is_none() {
+                return Err(OrbitError::Frequencies { frequencies: kernel.plant.tones.len() });
+            }
+        }
+        Ok(())
+    }
+
+    /// True when an orbit lies on one of the branches.
+    fn is_known(&self, branches: &[Branch], following: &BranchTracer, orbit: (&Orbit, f64)) -> bool {
+        let shooting = self.shooting(orbit.0.period_cycles);
+        branches.iter().any(|branch| branch.holds(following, &shooting, orbit))
+    }
+
+    /// The branches without those that are parts of others. Two walks may have followed the same curve from different points.
+    fn each_once(&self, following: &BranchTracer, mut branches: Vec<Branch>) -> Vec<Branch> {
+        let mut k = 0;
+        while k < branches.len() {
+            let (part, shooting) = (&branches[k], self.shooting(branches[k].period_cycles));
+            let is_longer = |other: usize| (branches[other].points.len(), k) > (part.points.len(), other);
+            let mut others = (0..branches.len()).filter(|other| *other != k && is_longer(*other));
+            let whole = others.find(|other| part.is_part_of(&branches[*other], following, &shooting));
+            match whole {
+                Some(whole) => {
+                    branches[whole].not_followed += branches[k].not_followed;
+                    branches.remove(k);
+                }
+                None => k += 1,
+            }
+        }
+        branches
+    }
+
+    /// Enters doubled branches until none is left.
+    fn doubled<M: OrbitMethod<Fault = AnalysisError>>(
+        &self,
+        following: &BranchTracer,
+        make: &impl Fn(u32) -> Result<M, Failure>,
+        branches: &mut Vec<Branch>,
+    ) -> Result<(), Failure> {
+        let mut entered = vec![false; branches.len()];
+        while let Some(parent) = self.next_parent(branches, &entered) {
+            entered[parent] = true;
+            let cycles = 2 * branches[parent].period_cycles;
+            let doublings = branches[parent].bifurcations.iter().filter(|found| found.kind == BranchKind::PeriodDoubling);
+            let doublings: Vec<BranchPoint> = doublings.map(|found| found.at.clone()).collect();
+            for at in doublings {
+                if is_end_of_one(branches, &at, following) {
+                    continue;
+                }
+                let Some(within) = following.within(branches, cycles) else {
+                    branches[parent].not_followed += 1;
+                    continue;
+                };
+                let method = make(cycles)?;
+                let Some((first, ahead)) = self.off(following, &method, &at) else {
+                    branches[parent].not_followed += 1;
+                    continue;
+                };
+                let orbit = method.orbit(&first.local, first.error)?;
+                if !self.is_known(branches, following, (&orbit, first.position.parameter)) {
+                    let found = within.walk(&method, first, ahead)?;
+                    // A walk of one point has fallen back to the parent.
+                    if found.points.len() > 1 {
+                        branches.push(found);
+                        entered.push(false);
+                    } else {
+                        branches[parent].not_followed += 1;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The branch whose doublings come next: of the shortest period, and among those of the largest area below its power.
+    fn next_parent(&self, branches: &[Branch], entered: &[bool]) -> Option<usize> {
+        let left = (0..branches.len()).filter(|k| !entered[*k] && 2 * branches[*k].period_cycles <= self.longest_period);
+        left.min_by(|one, two| {
+            let [one, two] = [one, two].map(|k| &branches[*k]);
+            one.period_cycles.cmp(&two.period_cycles).then(two.area_w().total_cmp(&one.area_w()))
+        })
+    }
+
+    /// A first orbit on the doubled branch, off the doubling along the eigenvector of the multiplier -1.
+    fn off<M: OrbitMethod<Fault = AnalysisError>>(
+        &self,
+        following: &BranchTracer,
+        method: &M,
+        at: &BranchPoint,
+    ) -> Option<(CorrectedPoint<M::Evaluation>, Direction)> {
+        let state = at.orbit.start();
+        let shot = self.shooting(method.cycles() / 2).at(state, at.parameter).ok()?;
+        let map = shot.map();
+        let n = state.len();
+        let vector = null_vector(&Mat::from_fn(n, n, |i, j| map[(i, j)] + if i == j { 1.0 } else { 0.0 }));
+        let size = at.orbit.size();
+        let origin = Position { unknown: method.unknown_of(state, at.parameter).ok()?, parameter: at.parameter };
+        let metric = Metric::at(&origin, following.parameter_scale());
+        [1e-2, 3e-3, 3e-2].into_iter().find_map(|length| {
+            let moved: Vec<f64> = (0..n).map(|i| state[i] + length * size * vector[i]).collect();
+            let guess = Position { unknown: method.unknown_of(&moved, at.parameter).ok()?, parameter: at.parameter };
+            let apart = guess.unknown.iter().zip(&origin.unknown).map(|(a, b)| a - b).collect();
+            let ahead = metric.unit(Direction { unknown: apart, parameter: 0.0 });
+            let found = correct(method, &following.corrector, &metric, &ahead, guess).ok()?;
+            let ahead = tangent(&found.local, &metric, &ahead)?;
+            Some((found, ahead))
+        })
+    }
+}

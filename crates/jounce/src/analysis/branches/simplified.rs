@@ -1,0 +1,52 @@
+//! Fewer points for the same picture.
+
+use super::branch::{Branch, BranchPoint};
+
+/// What a picture of a branch shows, each over the range that it takes on the branch.
+const SHOWN_QUANTITIES: [fn(&BranchPoint) -> f64; 5] = [
+    |point| point.orbit.mean_power_w,
+    |point| point.orbit.mean_power_w.max(f64::MIN_POSITIVE).ln(),
+    |point| point.orbit.voltage_rms_v,
+    |point| point.orbit.max_penetration_m,
+    |point| point.orbit.floquet_max_abs(),
+];
+
+impl Branch {
+    /// The branch by those of its points without which a curve would be off by more than a share of the height of its picture (Ramer
+    /// 1972, Douglas and Peucker 1973).
+    pub fn thinned(&self, share: f64) -> Branch {
+        let x = self.scaled(|point| point.parameter);
+        let curves = SHOWN_QUANTITIES.map(|shown| self.scaled(shown));
+        let mut kept = vec![false; self.points.len()];
+        let mut stretches = Vec::new();
+        if let Some(last) = self.points.len().checked_sub(1) {
+            (kept[0], kept[last]) = (true, true);
+            stretches.push((0, last));
+        }
+        while let Some((first, last)) = stretches.pop() {
+            let far = |k: usize| curves.iter().map(|y| distance([&x, y], (first, k, last))).fold(0.0, f64::max);
+            let farthest = (first + 1..last).map(|k| (far(k), k)).max_by(|a, b| a.0.total_cmp(&b.0));
+            if let Some((_, k)) = farthest.filter(|(far, _)| *far > share) {
+                kept[k] = true;
+                stretches.extend([(first, k), (k, last)]);
+            }
+        }
+        let points = self.points.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| point.clone()).collect();
+        Branch { points, ..self.clone() }
+    }
+
+    fn scaled(&self, shown: fn(&BranchPoint) -> f64) -> Vec<f64> {
+        let values: Vec<f64> = self.points.iter().map(shown).collect();
+        let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(*value), high.max(*value)));
+        let width = if high > low { high - low } else { 1.0 };
+        values.iter().map(|value| (value - low) / width).collect()
+    }
+}
+
+/// Distance of a point of a curve from the chord between two others.
+fn distance([x, y]: [&Vec<f64>; 2], (first, k, last): (usize, usize, usize)) -> f64 {
+    let (chord, way) = ((x[last] - x[first], y[last] - y[first]), (x[k] - x[first], y[k] - y[first]));
+    let square = chord.0 * chord.0 + chord.1 * chord.1;
+    let along = if square > 0.0 { ((way.0 * chord.0 + way.1 * chord.1) / square).clamp(0.0, 1.0) } else { 0.0 };
+    (way.0 - along * chord.0).hypot(way.1 - along * chord.1)
+}

@@ -1,0 +1,79 @@
+//! Orbits that marches settle on, from which branches are followed.
+
+use super::ramp_down::eased;
+use super::search::BranchSearch;
+use crate::analysis::settled_orbits;
+use crate::orbit::{Orbit, ParametricModel};
+use rayon::prelude::*;
+
+/// Where a march begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum SearchStart {
+    /// At rest.
+    Rest,
+    /// In the steady state without the stop: where that does not touch, it is the exact low branch.
+    Steady,
+    /// With the shape of the stop's port moving fast towards it.
+    Kicked,
+    /// Where a stronger drive leaves it that is eased; left out where no seeds are asked for.
+    Eased,
+}
+
+/// Speed of a kick, beside that of the steady motion.
+const KICK_SPEED: f64 = 20.0;
+
+/// Tolerance of marches that only lead to where others start.
+const COARSE_TOLERANCE: f64 = 1e-6;
+
+impl BranchSearch<'_> {
+    /// Settled orbits, shorter periods first: of the lower end, the upper end, then across the range.
+    pub(super) fn starts(&self) -> Vec<(Orbit, f64)> {
+        let (low, high) = self.range;
+        let inner = (1..=self.seeds).map(|k| low + (high - low) * k as f64 / (self.seeds + 1) as f64);
+        let values: Vec<f64> = [low, high].into_iter().chain(inner).collect();
+        let kinds = [SearchStart::Rest, SearchStart::Steady, SearchStart::Kicked, SearchStart::Eased];
+        // Without seeds only what a plain integration reaches.
+        let kinds = &kinds[..if self.seeds > 0 { 4 } else { 3 }];
+        let control = &self.base.kernel.control;
+        control.expect(values.len());
+        let settled = |value: &f64| -> Vec<(SearchStart, (Orbit, f64))> {
+            let starts = kinds.iter().filter_map(|kind| Some((*kind, self.start(*value, *kind)?)));
+            let (kinds, starts): (Vec<SearchStart>, Vec<Vec<f64>>) = starts.unzip();
+            let orbits = settled_orbits(self.parameter, *value, &starts, self.tolerance);
+            control.count();
+            let mut found: Vec<(SearchStart, (Orbit, f64))> = Vec::new();
+            for (kind, orbit) in kinds.into_iter().zip(orbits) {
+                let fresh = orbit.filter(|orbit| !found.iter().any(|(_, (known, _))| known == orbit));
+                found.extend(fresh.map(|orbit| (kind, (orbit, *value))));
+            }
+            found
+        };
+        let mut found: Vec<(SearchStart, (Orbit, f64))> = values.par_iter().flat_map_iter(settled).collect();
+        // The eased starts last, so that they only add to what the others find.
+        found.sort_by_key(|(kind, (orbit, _))| (orbit.period_cycles, *kind == SearchStart::Eased));
+        found.into_iter().map(|(_, found)| found).collect()
+    }
+
+    /// The physical state of a start.
+    fn start(&self, value: f64, start: SearchStart) -> Option<Vec<f64>> {
+        let kernel = self.parameter.at(value).ok()?.kernel;
+        let plant = &kernel.plant;
+        let mut state = vec![0.0; plant.len()];
+        match start {
+            SearchStart::Rest => {}
+            SearchStart::Eased => state = eased(&kernel, self.tolerance.max(COARSE_TOLERANCE))?,
+            SearchStart::Steady => state = plant.to_physical(&state, 0.0),
+            SearchStart::Kicked => {
+                let w = plant.tones.first()?.angular_frequency_rad_s;
+                let n = plant.system.modes.len();
+                let speed = KICK_SPEED * w * plant.scale_m();
+                // Towards every stop at once.
+                for stop in &plant.system.stops {
+                    let square: f64 = stop.shape.iter().map(|s| s * s).sum();
+                    stop.shape.iter().enumerate().for_each(|(i, s)| state[n + i] += s / square * speed);
+                }
+            }
+        }
+        Some(state)
+    }
+}

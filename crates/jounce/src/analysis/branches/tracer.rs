@@ -1,0 +1,301 @@
+//! Follows one branch from one of its orbits, and names what it passes.
+
+use super::adapt_order::COARSER_BELOW_ERROR;
+use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Termination};
+use super::detection::add_passed;
+use super::events::QuantityLevel;
+use super::halves::{drop_doubling, merge, turns_round};
+use super::noncontact::NoncontactEnd;
+use super::orbit_point::{OrbitPoint, point};
+use super::range_end::RangeCrossing;
+use crate::continuation::{
+    Checkpoint, Continuation, ContinuationError, CorrectedPoint, Corrector, CurvePoint, Direction, Metric, Position, StepControl,
+    correct_at, passes, tangent,
+};
+use crate::march::SensitivityError;
+use crate::orbit::{OrbitError, OrbitMethod, nearest_extremum_m};
+
+/// Distance from the stop, beside the size of the motion, below which an orbit touches it.
+const GRAZING_DISTANCE: f64 = 1e-6;
+
+/// Length in the metric to which a bifurcation is located, where nothing else is asked.
+pub(in crate::analysis) const RESOLUTION: f64 = 1e-8;
+
+/// Newton's goal beside the tolerance of a march: one more evaluation would square what is left, and the estimate tells it.
+const NEWTON_GOAL_FACTOR: f64 = 50.0;
+
+/// Least and largest goal; where marches are coarser than that, no correction is told more closely than they are.
+const NEWTON_GOAL_LIMITS: (f64, f64) = (1e-11, 1e-6);
+
+/// Newton's goal for marches of a tolerance.
+pub(super) fn newton_goal(tolerance: f64) -> f64 {
+    (NEWTON_GOAL_FACTOR * tolerance).clamp(NEWTON_GOAL_LIMITS.0, NEWTON_GOAL_LIMITS.1.max(tolerance))
+}
+
+/// How branches are followed.
+#[derive(Debug, Clone)]
+pub struct BranchTracer {
+    /// Ends of the range of the key.
+    pub range: (f64, f64),
+    /// Newton's goal.
+    pub corrector: Corrector,
+    /// The law of the step.
+    pub control: StepControl,
+    /// Most points.
+    pub most_points: usize,
+    /// Most drive cycles of all orbits on the branches.
+    pub budget: usize,
+    /// Length in the metric to which bifurcations are located.
+    pub resolution: f64,
+    /// Levels of quantities that are labelled.
+    pub levels: Vec<QuantityLevel>,
+}
+
+impl BranchTracer {
+    /// The same for one more branch of a period, with as many points as the budget leaves; `None` where that is not one step.
+    pub(super) fn within(&self, branches: &[Branch], cycles: u32) -> Option<Self> {
+        let left = self.budget.saturating_sub(branches.iter().map(Branch::work).sum());
+        let most_points = self.most_points.min(left / cycles as usize);
+        (most_points > 1).then(|| Self { most_points, ..self.clone() })
+    }
+
+    /// Scale of the parameter in the metric.
+    pub fn parameter_scale(&self) -> f64 {
+        (self.range.1 - self.range.0) / 20.0
+    }
+
+    /// Walks both ways from the orbit that Newton finds near a state in energy coordinates; nothing where it finds none.
+    ///
+    /// # Errors
+    /// As [`BranchTracer::walk`].
+    pub(super) fn both_ways<M: OrbitMethod>(&self, method: &M, state: &[f64], parameter: f64) -> Result<Option<Branch>, M::Error> {
+        let position = Position { unknown: method.unknown_of(state, parameter)?, parameter };
+        let metric = Metric::at(&position, self.parameter_scale());
+        let up = Direction { unknown: vec![0.0; position.unknown.len()], parameter: 1.0 };
+        let mut ways = Vec::new();
+        for sign in [-1.0, 1.0] {
+            let at_edge = parameter == if sign < 0.0 { self.range.0 } else { self.range.1 };
+            let Ok(first) = correct_at(method, &self.corrector, &metric, position.clone()) else { return Ok(None) };
+            let Some(mut ahead) = tangent(&first.local, &metric, &up) else { return Ok(None) };
+            ahead.unknown.iter_mut().for_each(|d| *d *= sign);
+            ahead.parameter *= sign;
+            let closed = ways.last().is_some_and(|way: &Branch| way.endings.contains(&Termination::Closed));
+            if !at_edge && !closed {
+                ways.push(self.walk(method, first, ahead)?);
+            }
+        }
+        let mut ways = ways.into_iter();
+        Ok(match (ways.next(), ways.next()) {
+            (Some(down), Some(up)) => Some(down.joined(up)),
+            (one, _) => one,
+        })
+    }
+
+    /// Walks from an orbit in a direction until the branch ends.
+    ///
+    /// # Errors
+    /// An orbit whose multipliers cannot be computed, or a harvester that cannot be made.
+    pub fn walk<M: OrbitMethod>(&self, method: &M, first: CorrectedPoint<M::Evaluation>, direction: Direction) -> Result<Branch, M::Error> {
+        let metric = Metric::at(&first.position, self.parameter_scale());
+        let tangent = metric.unit(direction);
+        let sense = tangent.parameter;
+        let start = CurvePoint { position: first.position, tangent, local: first.local, error: first.error };
+        let mut branch = Branch { period_cycles: method.cycles(), ..Branch::default() };
+        if let Some((finer, start)) = self.finer(method, &start, &start)? {
+            branch.points.push(point(&finer, &start)?);
+            let beginning = TracerStart::of(&finer, &branch.points[0], sense)?;
+            self.walk_on(&finer, start, (beginning, None), &mut branch)?;
+        } else {
+            branch.points.push(point(method, &start)?);
+            let beginning = TracerStart::of(method, &branch.points[0], sense)?;
+            self.walk_on(method, start, (beginning, None), &mut branch)?;
+        }
+        Ok(branch)
+    }
+
+    /// Walks on from the last point of a branch, as the walk did that made the mark.
+    fn walk_on<M: OrbitMethod>(
+        &self,
+        method: &M,
+        start: CurvePoint<M::Evaluation>,
+        (mut beginning, mark): (TracerStart, Option<Checkpoint>),
+        branch: &mut Branch,
+    ) -> Result<(), M::Error> {
+        let mut walk = self.resumed(method, &start, mark.as_ref());
+        let mut before = OrbitPoint::new(method, start)?;
+        if let Some(mark) = &mark {
+            add_passed(mark.tangent().parameter * before.step.tangent.parameter < 0.0, &before.point, branch);
+        }
+        let (mut mark, mut spare) = (walk.mark(), COARSER_BELOW_ERROR);
+        while let Some(next) = walk.next() {
+            let step = match next {
+                Ok(step) => step,
+                // Beyond the range a key may have no meaning at all.
+                Err(error) => return self.give_up(method, before, error, branch),
+            };
+            match self.leaves_range(method, &before, &step, branch)? {
+                RangeCrossing::Stays => {}
+                RangeCrossing::Left => return Ok(()),
+                RangeCrossing::Lost if walk.retreat(mark.clone()) => continue,
+                RangeCrossing::Lost => {
+                    branch.endings.push(lost_at_edge(before.point.parameter));
+                    return Ok(());
+                }
+            }
+            let step = self.polished(method, step)?;
+            if let Some((finer, start)) = self.finer(method, &step, &before.step)? {
+                return self.walk_on(&finer, start, (beginning.carried(&finer), Some(mark)), branch);
+            }
+            let after = OrbitPoint::new(method, step)?;
+            if self.may_be_astray(&before, &after) && walk.retreat(mark.clone()) {
+                continue;
+            }
+            let mut not_proved = Vec::new();
+            let places = match after.point.orbit.repeats_early() {
+                true => vec![after],
+                false => self.resolved(method, &before, after, &mut not_proved)?,
+            };
+            // Newton may have strayed to an orbit of fewer cycles; if a short step gets there too, the branch ends on it.
+            let merges = places.iter().any(|place| place.point.orbit.repeats_early());
+            if (merges || turns_round(&before, &places)) && walk.retreat(mark.clone()) {
+                continue;
+            }
+            if merges {
+                end(Termination::Merged, branch);
+                return Ok(());
+            }
+            branch.not_proved.extend(not_proved);
+            for after in places {
+                if self.ends_with(method, &mut beginning, (&before, &after), branch)? {
+                    return Ok(());
+                }
+                before = after;
+            }
+            mark = walk.mark();
+            if let Some((coarser, start)) = self.coarser(method, &before.step, &mut spare)? {
+                return self.walk_on(&coarser, start, (beginning.carried(&coarser), Some(mark)), branch);
+            }
+        }
+        Ok(())
+    }
+
+    /// A walk from a start, as the one did that made the mark.
+    fn resumed<'m, M: OrbitMethod>(
+        &self,
+        method: &'m M,
+        start: &CurvePoint<M::Evaluation>,
+        mark: Option<&Checkpoint>,
+    ) -> Continuation<'m, M> {
+        let (position, tangent) = (start.position.clone(), start.tangent.clone());
+        let mut walk = Continuation::new(method, self.corrector, self.control, self.parameter_scale(), position, tangent);
+        if let Some(mark) = mark {
+            walk.resume(mark, |unknown| method.carried(unknown));
+        }
+        walk
+    }
+
+    /// Adds a point with what was passed on the way to it; true where the branch ends with it.
+    fn ends_with<M: OrbitMethod>(
+        &self,
+        method: &M,
+        beginning: &mut TracerStart,
+        (before, after): (&OrbitPoint<M>, &OrbitPoint<M>),
+        branch: &mut Branch,
+    ) -> Result<bool, M::Error> {
+        beginning.left = NoncontactEnd::between(&before.point, &after.point, branch).or(beginning.left);
+        let points = branch.points.len() + 1;
+        let home = self.home(beginning, before, after, points);
+        let merge = if home.is_none() && points > 3 { merge(before, after) } else { None };
+        branch.bifurcations.extend(match home.or(merge.as_ref()) {
+            // What lies beyond its start was listed when it set out; beyond a merge its other half repeats what was listed before.
+            Some(end) => self.until(method, (before, after), end)?,
+            None => self.between(method, before, after)?,
+        });
+        branch.points.push(after.point.clone());
+        if let Some((left, back_at)) = beginning.left.and_then(|left| Some((left, left.comes_back(branch)?))) {
+            left.end(branch, back_at);
+            return Ok(true);
+        }
+        let last = (points >= self.most_points).then_some(Termination::Points);
+        let ending = home.map(|_| Termination::Closed).or(merge.map(|_| Termination::Merged)).or(last);
+        let ends = ending.is_some();
+        ending.into_iter().for_each(|ending| end(ending, branch));
+        Ok(ends)
+    }
+
+    /// Ends a branch that cannot be followed: where the shortest step leads to a motion that sticks; at a grazing where the orbit touches the
+    /// stop there, for on a stiff stop a branch turns at its grazing more sharply than any step can follow.
+    fn give_up<M: OrbitMethod>(
+        &self,
+        method: &M,
+        last: OrbitPoint<M>,
+        error: ContinuationError<M::Error>,
+        branch: &mut Branch,
+    ) -> Result<(), M::Error> {
+        let shot = method.shot(&last.step.local)?;
+        let distance_m = nearest_extremum_m(shot).map_or(f64::INFINITY, f64::abs);
+        let (parameter, why) = (last.point.parameter, error.to_string());
+        if let ContinuationError::Family(OrbitError::March(SensitivityError::Rests { stop, .. })) = error {
+            branch.bifurcations.push(Bifurcation { kind: BranchKind::Sticking, level: None, stop: Some(stop), at: last.point });
+            branch.endings.push(Termination::Sticking { why, parameter });
+        } else if distance_m < GRAZING_DISTANCE * shot.kernel.plant.scale_m() {
+            branch.bifurcations.push(Bifurcation::grazing(last.point, shot));
+            branch.endings.push(Termination::Grazing { why, parameter });
+        } else {
+            branch.endings.push(Termination::Failed { why, parameter });
+        }
+        Ok(())
+    }
+
+    /// The place of its start that a branch passes on a step.
+    fn home<'b, M: OrbitMethod>(
+        &self,
+        beginning: &'b TracerStart,
+        before: &OrbitPoint<M>,
+        after: &OrbitPoint<M>,
+        points: usize,
+    ) -> Option<&'b Position> {
+        let metric = Metric::at(&after.step.position, self.parameter_scale());
+        // Another sheet of the curve may pass near by, in the other sense.
+        let goes_alike = beginning.sense * after.step.tangent.parameter > 0.0;
+        let closes = |origin: &&Position| passes(&metric, origin, &before.step.position, &after.step.position);
+        if points > 4 && goes_alike { beginning.origins.iter().find(closes) } else { None }
+    }
+}
+
+fn lost_at_edge(parameter: f64) -> Termination {
+    let why = "beyond it the branch leaves the range, and no orbit was found on the edge: give a wider range".to_owned();
+    Termination::Failed { why, parameter }
+}
+
+fn end(ending: Termination, branch: &mut Branch) {
+    if ending == Termination::Merged {
+        drop_doubling(branch);
+    }
+    branch.endings.push(ending);
+}
+
+/// How a walk began.
+struct TracerStart {
+    /// The first orbit, looked at in each of its drive cycles: a branch closes where it comes back to any of them.
+    origins: Vec<Position>,
+    /// Sense of the parameter.
+    sense: f64,
+    /// Where the walk left the orbits that never touch.
+    left: Option<NoncontactEnd>,
+}
+
+impl TracerStart {
+    fn of<M: OrbitMethod>(method: &M, first: &BranchPoint, sense: f64) -> Result<Self, M::Error> {
+        let cycles = first.orbit.period_cycles as usize;
+        let looks = first.orbit.strobe_states.iter().take(cycles);
+        let origin = |look: &Vec<f64>| Ok(Position { unknown: method.unknown_of(look, first.parameter)?, parameter: first.parameter });
+        Ok(Self { origins: looks.map(origin).collect::<Result<_, M::Error>>()?, sense, left: None })
+    }
+
+    /// In the unknown of another method.
+    fn carried<M: OrbitMethod>(self, method: &M) -> Self {
+        let carried = |origin: Position| Position { unknown: method.carried(&origin.unknown), ..origin };
+        Self { origins: self.origins.into_iter().map(carried).collect(), ..self }
+    }
+}

@@ -1,0 +1,43 @@
+//! The motion as the stop sees it, at the start of a drive cycle.
+
+use crate::analysis::{AnalysisError, Model, Parameter};
+use crate::orbit::{Orbit, ParametricModel, Shooting};
+use crate::plant::System;
+use serde::{Deserialize, Serialize};
+
+/// A point of the Poincare section.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct SectionPoint {
+    /// Displacement of the port towards the stop, m; the first of the spec where there are several.
+    pub displacement_m: f64,
+    /// Its velocity, m/s.
+    pub velocity_m_per_s: f64,
+    /// Voltage of the first patch, V.
+    pub voltage_v: f64,
+}
+
+impl SectionPoint {
+    /// Of a physical state `(q, q', V)`; without a stop, where the first drive acts.
+    pub fn of(system: &System, state: &[f64]) -> Self {
+        let n = system.modes.len();
+        let stop = system.stops.first().map(|stop| &stop.shape);
+        let shape: &[f64] = stop.or(system.drives.first().map(|drive| &drive.shape)).map_or(&[], |shape| shape);
+        let along = |part: &[f64]| shape.iter().zip(part).map(|(s, q)| s * q).sum();
+        Self {
+            displacement_m: along(&state[..n]),
+            velocity_m_per_s: along(&state[n..2 * n]),
+            voltage_v: state.get(2 * n).copied().unwrap_or_default(),
+        }
+    }
+
+    /// Of an orbit, one for each drive cycle of its period.
+    ///
+    /// # Errors
+    /// A harvester that cannot be made.
+    pub fn of_orbit(base: &Model, parameter: &Parameter, value: f64, orbit: &Orbit) -> Result<Vec<Self>, AnalysisError> {
+        let kernel = parameter.at(value)?.kernel;
+        let shooting = Shooting::new(parameter, &base.kernel, orbit.period_cycles, 1e-9);
+        let looks = orbit.strobe_states.iter().take(orbit.period_cycles as usize);
+        Ok(looks.map(|look| Self::of(&kernel.plant.system, &shooting.physical(look))).collect())
+    }
+}

@@ -1,0 +1,13 @@
+//! Random answers: many marches under seeded noise, and what they say of the mean.
+
+mod contacts;
+mod estimate;
+mod member;
+mod search;
+mod spectrum;
+
+pub use contacts::{ContactCount, MemberStop, StopEstimates};
+pub use estimate::{Estimate, IntervalOver};
+pub use member::Member;
+pub use search::{Ensemble, EnsembleResult};
+pub use spectrum::VoltageSpectrum;

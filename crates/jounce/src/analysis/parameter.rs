@@ -1,0 +1,134 @@
+//! One numeric key of a spec as the parameter of a family of harvesters.
+//!
+//! What a drive, a gap or a stiffness changes is known in closed form: with `Y = (i w I - A)^-1 b F` the steady state,
+//!
+//! ```text
+//! dY / df = -2 pi i (i w I - A)^-1 Y,   dY / dF = Y / F,   d(penetration) / d(gap) = -1,   d(force) / dk = force / k
+//! ```
+
+use super::{AnalysisError, Model};
+use crate::contact::Law;
+use crate::march::{Kernel, ParameterSensitivity};
+use crate::orbit::{ModelInstance, ParameterDerivatives, ParametricModel};
+use crate::plant::Drive;
+use crate::spec::{DriveKind, NumericKey};
+use faer::c64;
+use std::f64::consts::TAU;
+
+/// Harvesters over one key.
+#[derive(Debug)]
+pub struct Parameter<'s> {
+    base: &'s Model,
+    key: &'s NumericKey,
+    role: KeyRole,
+    difference: f64,
+}
+
+/// What the key is to the equations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum KeyRole {
+    Frequency,
+    Amplitude,
+    Gap,
+    Stiffness,
+    Other,
+}
+
+impl<'s> Parameter<'s> {
+    /// The harvesters of a spec over a key; `width` is the range of interest.
+    pub fn new(base: &'s Model, key: &'s NumericKey, width: f64) -> Self {
+        let segments: Vec<&str> = key.path().split('.').collect();
+        let plain = matches!(base.kernel.plant.system.stops.first().map(|stop| stop.law), Some(Law::Hertz(_) | Law::HuntCrossley(_)));
+        // Where bases move against each other, the drive moves the gap too.
+        let one_drive = base.kernel.plant.system.drives.len() == 1 && base.kernel.plant.stop_between_bases().is_none();
+        // The force of a displaced base goes with the square of its frequency.
+        let moves_base = |name: &str| base.spec.drive.get(name).is_some_and(|drive| drive.kind == DriveKind::BaseDisplacement);
+        let one_stop = base.kernel.plant.system.stops.len() == 1;
+        let role = match segments[..] {
+            ["drive", name, "frequency"] if one_drive && !moves_base(name) => KeyRole::Frequency,
+            ["drive", name, "amplitude"] if one_drive && !moves_base(name) => KeyRole::Amplitude,
+            ["stop", _, "gap"] if one_stop => KeyRole::Gap,
+            ["stop", _, "stiffness"] if one_stop && plain => KeyRole::Stiffness,
+            _ => KeyRole::Other,
+        };
+        Self { base, key, role, difference: 1e-7 * width }
+    }
+
+    /// Whether periodic answers depend on a key at all.
+    ///
+    /// # Errors
+    /// [`AnalysisError::OfRuns`].
+    pub fn check_key(key: &NumericKey) -> Result<(), AnalysisError> {
+        let key = key.path();
+        if key.starts_with("run.") { Err(AnalysisError::OfRuns { key: key.to_owned() }) } else { Ok(()) }
+    }
+
+    /// The key.
+    pub fn key(&self) -> &NumericKey {
+        self.key
+    }
+
+    fn kernel(&self, parameter: f64) -> Result<Kernel, AnalysisError> {
+        let with_drive = |change: fn(&mut Drive, f64)| -> Result<Kernel, AnalysisError> {
+            let mut drives = self.base.kernel.plant.system.drives.clone();
+            drives.iter_mut().for_each(|drive| change(drive, parameter));
+            Ok(self.base.kernel.with_drives(drives)?)
+        };
+        match self.role {
+            KeyRole::Frequency => with_drive(|drive, value| drive.frequency_hz = value),
+            KeyRole::Amplitude => with_drive(|drive, value| drive.amplitude_n = value),
+            _ => {
+                let mut spec = self.base.spec.clone();
+                self.key.set(&mut spec, parameter)?;
+                Ok(self.base.changed(spec)?.kernel)
+            }
+        }
+    }
+
+    fn change(&self, kernel: &Kernel, parameter: f64) -> Option<ParameterDerivatives> {
+        let plant = &kernel.plant;
+        let zero = vec![0.0; plant.len()];
+        let still = |drift: ParameterSensitivity| ParameterDerivatives { drift, steady: zero.clone(), period_relative: 0.0 };
+        match self.role {
+            KeyRole::Gap => return Some(still(ParameterSensitivity { gap_m: vec![1.0], ..ParameterSensitivity::default() })),
+            KeyRole::Stiffness => {
+                return Some(still(ParameterSensitivity { force_relative: vec![1.0 / parameter], ..ParameterSensitivity::default() }));
+            }
+            KeyRole::Frequency | KeyRole::Amplitude | KeyRole::Other => {}
+        }
+        let tone = plant.tones.first()?;
+        let moved = |by: Vec<c64>, frequency: f64, period_relative: f64| {
+            let ports = plant.ports.iter().map(|port| port.displacement.iter().zip(&by).map(|(c, y)| *y * *c).sum()).collect();
+            let drift = ParameterSensitivity { tones: vec![(ports, frequency)], ..ParameterSensitivity::default() };
+            ParameterDerivatives { drift, steady: by.iter().map(|y| y.re).collect(), period_relative }
+        };
+        match self.role {
+            KeyRole::Frequency => {
+                let resolved = plant.diagonal.block.resolve(c64::new(0.0, tone.angular_frequency_rad_s), &tone.steady);
+                Some(moved(resolved.into_iter().map(|y| y * c64::new(0.0, -TAU)).collect(), TAU, -1.0 / parameter))
+            }
+            KeyRole::Amplitude if parameter != 0.0 => Some(moved(tone.steady.iter().map(|y| *y / parameter).collect(), 0.0, 0.0)),
+            _ => None,
+        }
+    }
+}
+
+impl ParametricModel for Parameter<'_> {
+    type Error = AnalysisError;
+
+    fn at(&self, parameter: f64) -> Result<ModelInstance, AnalysisError> {
+        self.base.kernel.control.count_harvester();
+        let kernel = self.kernel(parameter)?;
+        let system = &kernel.plant.system;
+        if let Some(drive) = system.aperiodic() {
+            return Err(AnalysisError::Aperiodic { drive: drive.to_owned() });
+        }
+        // What a parameter does is known in closed form in one regime only.
+        let change = if system.bridges.is_empty() { self.change(&kernel, parameter) } else { None };
+        Ok(ModelInstance { kernel, change })
+    }
+
+    fn difference(&self) -> f64 {
+        self.difference
+    }
+}

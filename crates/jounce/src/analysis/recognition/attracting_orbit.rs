@@ -1,0 +1,169 @@
+//! A stable periodic orbit with a neighbourhood from which every motion reaches it.
+//!
+//! ```text
+//! |P(x* + d) - x*| <= c |d| + e,   c = sup |DP|,   c + e / r < 1   for |d| <= r
+//! ```
+//!
+//! `P` is the map over the period, `x*` its fixed point, `DP` its derivative and `|.|` a norm in which `DP(x*)` contracts (see
+//! [`AdaptedNorm`]). By the mean value theorem a motion inside the radius `r` comes nearer by the factor `c` in every period, down to the
+//! error `e` of the integration, and there is no other orbit of the period inside. `e` is measured: what one period at the tolerance and
+//! one at a hundredth of it differ by, with what the orbit fails to close.
+//!
+//! Limits: `sup |DP|` is taken over states at the radius, along the displacement of the motion and both ways along the plane of the
+//! leading multipliers, not over all directions. Each motion must show the contraction of its own displacement over a period.
+//!
+//! Source: the contraction principle as "radii polynomials", J. B. van den Berg and J.-P. Lessard, Notices AMS 62 (2015) 1057.
+
+use super::adapted_norm::AdaptedNorm;
+use crate::orbit::Orbit;
+use faer::{ColRef, Mat};
+
+/// Least radius that is tried first, relative to the size of the orbit: a motion that begins on the orbit says nothing of the ball about it.
+const FIRST_RADIUS: f64 = 1e-3;
+
+/// Doublings of a radius: where no stop is in reach every radius satisfies the bound.
+const MAX_ENLARGEMENTS: usize = 20;
+
+/// Distance at which a motion has come to an orbit without a derivative, relative to its size.
+const REACHED_DISTANCE: f64 = 1e-6;
+
+/// Distance below which two orbits of a family over a charge that nothing lets go have one power, relative to it.
+const SAME_POWER_DISTANCE: f64 = 1e-5;
+
+/// States and the error of one period there, both in energy coordinates.
+pub(super) struct PeriodRun {
+    /// Derivative of the map at the start.
+    pub derivative: Mat<f64>,
+    /// By how much two integrations of the period differ at its end.
+    pub error: Vec<f64>,
+}
+
+/// A ball in which a map contracts.
+#[derive(Debug, Clone, PartialEq)]
+struct ContractionBall {
+    norm: AdaptedNorm,
+    /// `c`.
+    rate: f64,
+    /// `e`.
+    error: f64,
+    /// `r`.
+    radius: f64,
+}
+
+/// A stable orbit with its ball.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AttractingOrbit {
+    /// The orbit.
+    pub orbit: Orbit,
+    /// True where the orbit is one of a family over a charge that nothing lets go.
+    pub keeps_charge: bool,
+    ball: ContractionBall,
+}
+
+impl AttractingOrbit {
+    /// Proves that an orbit attracts: in a ball as large as the distance of a motion (energy coordinates), enlarged as long as the bound holds, or reduced
+    /// until it does. `period` integrates one period from a displaced start. `None` where no radius satisfies the bound.
+    pub(super) fn prove<E>(
+        orbit: Orbit,
+        keeps_charge: bool,
+        displacement: &[f64],
+        period: impl Fn(&[f64]) -> Result<PeriodRun, E>,
+    ) -> Option<Self> {
+        let still = period(&vec![0.0; displacement.len()]).ok()?;
+        let rate = 0.5 * (1.0 + orbit.floquet_max_abs());
+        let norm = AdaptedNorm::of(&still.derivative, rate)?;
+        let directions = directions(&norm, &still.derivative, displacement);
+        let bound = |radius: f64| -> Option<(f64, f64)> {
+            let mut worst = (norm.stretch(&still.derivative)?, norm.length(&still.error));
+            for direction in &directions {
+                let found = period(&direction.iter().map(|d| radius * d).collect::<Vec<_>>()).ok()?;
+                worst = (worst.0.max(norm.stretch(&found.derivative)?), worst.1.max(norm.length(&found.error)));
+            }
+            (worst.0 + worst.1 / radius < 1.0).then_some(worst)
+        };
+        let size = orbit.size().max(f64::MIN_POSITIVE);
+        let least = (norm.length(&still.error) / (1.0 - rate)).max(f64::EPSILON * size);
+        let mut radius = norm.length(displacement).max(2.0 * least).max(FIRST_RADIUS * size);
+        let mut found = bound(radius);
+        while found.is_none() && radius > least {
+            radius *= 0.5;
+            found = bound(radius);
+        }
+        let (mut rate, mut error) = found?;
+        for _ in 0..MAX_ENLARGEMENTS {
+            let Some(wider) = bound(2.0 * radius) else { break };
+            (rate, error) = wider;
+            radius *= 2.0;
+        }
+        Some(Self { orbit, keeps_charge, ball: ContractionBall { norm, rate, error, radius } })
+    }
+
+    /// An orbit without a derivative, as one that rests on a rigid stop, to which a motion was seen to contract.
+    pub(super) fn observed(orbit: Orbit) -> Self {
+        let reached = REACHED_DISTANCE * orbit.size().max(f64::MIN_POSITIVE);
+        let norm = AdaptedNorm::euclidean(orbit.start().len());
+        Self { orbit, keeps_charge: false, ball: ContractionBall { norm, rate: 0.0, error: reached, radius: reached } }
+    }
+
+    /// Distance of a state (energy coordinates) at the start of the period; `None` outside the ball.
+    pub(super) fn distance(&self, state: &[f64]) -> Option<f64> {
+        let away: Vec<f64> = state.iter().zip(self.orbit.start()).map(|(u, start)| u - start).collect();
+        // The norm is nowhere shorter than the Euclidean one.
+        if ColRef::from_slice(&away).norm_l2() > self.ball.radius {
+            return None;
+        }
+        let distance = self.ball.norm.length(&away);
+        (distance <= self.ball.radius).then_some(distance)
+    }
+
+    /// True when a motion went from one distance to another over a period as the bound says.
+    pub(super) fn contracts(&self, before: f64, after: f64) -> bool {
+        after <= self.ball.rate * before + self.ball.error
+    }
+
+    /// True when both are one orbit, at whichever drive cycle it begins: one lies in the ball of the other, where there is one orbit only.
+    pub fn is_same(&self, other: &Self) -> bool {
+        let (one, two) = (&self.orbit, &other.orbit);
+        if one.period_cycles != two.period_cycles {
+            return false;
+        }
+        if self.keeps_charge && other.keeps_charge {
+            let apart_w = (one.mean_power_w - two.mean_power_w).abs();
+            return one.contacts == two.contacts && apart_w <= SAME_POWER_DISTANCE * one.mean_power_w.abs().max(two.mean_power_w.abs());
+        }
+        self.holds(two) || other.holds(one)
+    }
+
+    /// True when an orbit passes the ball, where there is one orbit of the period only; of a family over a charge there are more.
+    pub(super) fn holds(&self, orbit: &Orbit) -> bool {
+        !self.keeps_charge && self.orbit.period_cycles == orbit.period_cycles && self.passes(&orbit.strobe_states)
+    }
+
+    /// True when one of the states (energy coordinates at the start of a drive cycle) is one of the orbit.
+    pub fn passes(&self, states: &[Vec<f64>]) -> bool {
+        states.iter().any(|state| self.distance(state).is_some())
+    }
+}
+
+/// Directions of length one in which the derivative is taken: that of the displacement, and both ways along the real and the imaginary
+/// part of the leading eigenvector.
+fn directions(norm: &AdaptedNorm, map: &Mat<f64>, displacement: &[f64]) -> Vec<Vec<f64>> {
+    let mut directions = vec![displacement.to_vec()];
+    if let Ok(eigen) = map.eigen() {
+        let values = eigen.S().column_vector();
+        let leading = (0..values.nrows()).max_by(|a, b| values[*a].norm().total_cmp(&values[*b].norm()));
+        for part in leading
+            .into_iter()
+            .flat_map(|k| [eigen.U().col(k).iter().map(|u| u.re).collect::<Vec<f64>>(), eigen.U().col(k).iter().map(|u| u.im).collect()])
+        {
+            directions.push(part.iter().map(|d| -d).collect());
+            directions.push(part);
+        }
+    }
+    directions.iter_mut().for_each(|direction| {
+        let length = norm.length(direction);
+        direction.iter_mut().for_each(|d| *d /= length);
+    });
+    directions.retain(|direction| direction.iter().all(|d| d.is_finite()));
+    directions
+}

@@ -1,0 +1,75 @@
+//! Return times of a motion: after how many drive cycles it comes back near its present state.
+
+use faer::ColRef;
+use std::collections::VecDeque;
+
+/// A shorter return is worth a trial where it is no farther away than so many times the nearest: a motion that spirals in on an orbit is
+/// nearest to itself after a whole turn of the spiral, which is a multiple of the period.
+const COMPARABLE_RETURN_RATIO: f64 = 4.0;
+
+/// The last states at the start of a drive cycle.
+#[derive(Debug)]
+pub struct ReturnTimes {
+    states: VecDeque<Vec<f64>>,
+    longest: usize,
+}
+
+impl ReturnTimes {
+    /// For returns after up to `longest` cycles.
+    pub fn up_to(longest: u32) -> Self {
+        Self { states: VecDeque::new(), longest: longest as usize }
+    }
+
+    /// Adds the state one cycle after the last one.
+    pub fn push(&mut self, state: Vec<f64>) {
+        // Three periods are kept: the change of the distance over one of them shows the contraction.
+        if self.states.len() > 3 * self.longest {
+            self.states.pop_back();
+        }
+        self.states.push_front(state);
+    }
+
+    /// Distance of the state `back` cycles ago from the state `cycles` before that; `None` where one of them is not kept.
+    pub fn distance(&self, back: usize, cycles: u32) -> Option<f64> {
+        let (now, before) = (self.states.get(back)?, self.states.get(back + cycles as usize)?);
+        Some((ColRef::from_slice(now) - ColRef::from_slice(before)).norm_l2())
+    }
+
+    /// Periods worth a trial, at most two: the shortest return that is nearly as near as the nearest, and the nearest.
+    pub fn periods(&self) -> Vec<u32> {
+        let distances: Vec<f64> = (1..=self.longest as u32).map_while(|cycles| self.distance(0, cycles)).collect();
+        let nearest = distances.iter().copied().fold(f64::INFINITY, f64::min);
+        let first = |bound: f64| distances.iter().position(|distance| *distance <= bound).map(|place| place as u32 + 1);
+        let mut periods: Vec<u32> = [first(COMPARABLE_RETURN_RATIO * nearest), first(nearest)].into_iter().flatten().collect();
+        periods.dedup();
+        periods
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A spiral with multipliers `0.9 exp(+-2 pi i / 3)` about an orbit of one cycle is nearest to itself after three.
+    #[test]
+    fn a_spiral_returns_after_a_whole_turn_but_the_shorter_period_is_tried_first() {
+        let mut times = ReturnTimes::up_to(12);
+        for k in 0..40 {
+            let (radius, angle) = (0.98_f64.powi(k), f64::from(k) * std::f64::consts::TAU / 3.0);
+            times.push(vec![1.0 + radius * angle.cos(), radius * angle.sin()]);
+        }
+        assert_eq!(times.periods(), [3]);
+        let mut times = ReturnTimes::up_to(12);
+        (0..40).for_each(|k| times.push(vec![1.0 + 0.9_f64.powi(k)]));
+        assert_eq!(times.periods(), [1]);
+        assert!(times.distance(39, 1).is_none());
+    }
+
+    /// Period 18, which divides 72: the shorter returns stay far away.
+    #[test]
+    fn a_long_period_is_found_at_once() {
+        let mut times = ReturnTimes::up_to(64);
+        (0..100).for_each(|k| times.push(vec![(f64::from(k % 18) * 1.7).sin(), 1e-6 * 0.5_f64.powi(k)]));
+        assert_eq!(times.periods(), [18]);
+    }
+}

@@ -1,0 +1,223 @@
+//! Sweeps over one numeric key of the spec.
+//!
+//! Stepped sweeps carry the state over and keep the drive's angle continuous, so that they stay on a branch of solutions as
+//! long as it lasts. Independent points start anew and run in parallel. Every point is computed by the same operations
+//! whatever the number of threads, so the bits are the same.
+
+use super::{AnalysisError, Journal, Model, SweepDirection, SweepPoint};
+use crate::march::{Control, IntegrationError};
+use crate::run::{RunError, RunPlan, RunResult, StartState, exceeded, simulate};
+use crate::spec::{Drive, DriveSignal, KeyRange, Spec};
+use rayon::prelude::*;
+use std::path::PathBuf;
+
+/// Order in which the points are visited.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SweepOrder {
+    /// From the first value to the last.
+    Up,
+    /// From the last value to the first.
+    Down,
+    /// Up, then down from where it arrived.
+    Both,
+    /// Each point from the start of the spec.
+    Independent,
+}
+
+/// A sweep to be made.
+#[derive(Debug)]
+pub struct Sweep<'s> {
+    /// The spec at its own values.
+    pub spec: &'s Spec,
+    /// The key and its values.
+    pub range: &'s KeyRange,
+    /// Order of visit.
+    pub direction: SweepOrder,
+    /// True: every point runs for `run.duration`; false: until it has settled. Where a drive never repeats itself nothing settles, and every point
+    /// runs for `run.duration`, its drives from their beginning.
+    pub fixed_duration: bool,
+    /// Folder against which a start state file is read.
+    pub folder: PathBuf,
+}
+
+/// Drive cycles marched between two looks at whether a point has settled.
+const CYCLES_PER_CHECK: f64 = 48.0;
+/// Drive cycles averaged once it has: a multiple of every period that is looked for.
+const CYCLES_AVERAGED: f64 = 12.0;
+/// A point that has not settled after this many run durations is reported as it is, unsettled.
+const MAX_DURATIONS: f64 = 15.0;
+
+impl Sweep<'_> {
+    /// Number of points.
+    pub fn len(&self) -> usize {
+        self.visits().len()
+    }
+
+    /// True without a point.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Makes the sweep. `done` hears of each finished point; `control` ends it early, with the points finished so far given back and kept
+    /// in the journal. Points come back in order of visit.
+    ///
+    /// # Errors
+    /// [`AnalysisError`].
+    pub fn run(
+        &self,
+        journal: Option<&Journal>,
+        control: &Control,
+        done: &(dyn Fn(&SweepPoint) + Sync),
+    ) -> Result<Vec<SweepPoint>, AnalysisError> {
+        let base = Model::watched(self.spec.clone(), control)?;
+        let noise = |drive: &Drive| matches!(drive.signal, DriveSignal::Noise { .. });
+        if let Some((drive, _)) = self.spec.drive.iter().find(|(_, drive)| noise(drive)) {
+            return Err(AnalysisError::Aperiodic { drive: drive.clone() });
+        }
+        control.expect(self.len());
+        let mut points = match self.direction {
+            SweepOrder::Independent => self.independent(&base, journal, done)?,
+            _ => self.stepped(&base, journal, done)?,
+        };
+        points.sort_by_key(|point| point.index);
+        Ok(points)
+    }
+
+    fn visits(&self) -> Vec<(f64, SweepDirection)> {
+        let values = self.range.values();
+        let up = values.iter().map(|value| (*value, SweepDirection::Up));
+        let down = values.iter().rev().map(|value| (*value, SweepDirection::Down));
+        match self.direction {
+            SweepOrder::Up => up.collect(),
+            SweepOrder::Down => down.collect(),
+            SweepOrder::Both => up.chain(down).collect(),
+            SweepOrder::Independent => values.iter().map(|value| (*value, SweepDirection::Independent)).collect(),
+        }
+    }
+
+    fn independent(
+        &self,
+        base: &Model,
+        journal: Option<&Journal>,
+        done: &(dyn Fn(&SweepPoint) + Sync),
+    ) -> Result<Vec<SweepPoint>, AnalysisError> {
+        let found = journal.map(Journal::found).unwrap_or_default();
+        let points = (self.visits().into_par_iter().enumerate())
+            .map(|(index, (value, way))| {
+                if let Some(point) = found.iter().find(|point| point.index == index) {
+                    return Ok(Some(point.clone()));
+                }
+                if base.kernel.control.is_stopped() {
+                    return Ok(None);
+                }
+                let prepared = base.changed(self.at(value)?)?;
+                let start = prepared.start(&self.folder)?;
+                let point = unless_stopped(self.point(&prepared, start, index, value, way))?;
+                point.map(|point| self.finish(base, journal, done, point)).transpose()
+            })
+            .filter_map(Result::transpose)
+            .collect::<Result<Vec<_>, AnalysisError>>()?;
+        Ok(points)
+    }
+
+    fn stepped(
+        &self,
+        base: &Model,
+        journal: Option<&Journal>,
+        done: &(dyn Fn(&SweepPoint) + Sync),
+    ) -> Result<Vec<SweepPoint>, AnalysisError> {
+        let mut points: Vec<SweepPoint> = journal.map(Journal::found).unwrap_or_default().to_vec();
+        for (index, (value, way)) in self.visits().into_iter().enumerate().skip(points.len()) {
+            let prepared = base.changed(self.at(value)?)?;
+            let start = match points.last() {
+                Some(last) => last.end.clone(),
+                None => prepared.start(&self.folder)?,
+            };
+            let Some(point) = unless_stopped(self.point(&prepared, start, index, value, way))? else { break };
+            points.push(self.finish(base, journal, done, point)?);
+        }
+        Ok(points)
+    }
+
+    fn at(&self, value: f64) -> Result<Spec, AnalysisError> {
+        let mut spec = self.spec.clone();
+        self.range.key().set(&mut spec, value)?;
+        Ok(spec)
+    }
+
+    fn finish(
+        &self,
+        base: &Model,
+        journal: Option<&Journal>,
+        done: &(dyn Fn(&SweepPoint) + Sync),
+        point: SweepPoint,
+    ) -> Result<SweepPoint, AnalysisError> {
+        if let Some(journal) = journal {
+            journal.keep(&point)?;
+        }
+        base.kernel.control.count();
+        done(&point);
+        Ok(point)
+    }
+
+    /// Marches one point.
+    fn point(
+        &self,
+        prepared: &Model,
+        mut start: StartState,
+        index: usize,
+        value: f64,
+        way: SweepDirection,
+    ) -> Result<SweepPoint, AnalysisError> {
+        let run = &prepared.spec.run;
+        let fixed_duration = self.fixed_duration || prepared.kernel.plant.system.aperiodic().is_some();
+        let cycle_s = prepared.kernel.plant.period_s().unwrap_or(run.duration_s).min(run.duration_s);
+        let plan = match fixed_duration {
+            true => RunPlan::of(run, 0.0),
+            false => RunPlan {
+                duration_s: CYCLES_PER_CHECK * cycle_s,
+                average_over_s: CYCLES_AVERAGED * cycle_s,
+                tolerance: run.tolerance,
+                record_s: 0.0,
+            },
+        };
+        let plan = plan.watching(&prepared.spec, &prepared.kernel.plant);
+        let mut marched_s = 0.0;
+        loop {
+            let kernel = prepared.from_state(&start)?;
+            let answer = simulate(&kernel, &start, &plan)?;
+            marched_s += plan.duration_s;
+            start = answer.end.clone();
+            if fixed_duration || answer.settlement.is_some_and(|found| found.settled) || marched_s >= MAX_DURATIONS * run.duration_s {
+                let exceeded = exceeded(&prepared.spec, &kernel, &answer.trajectory);
+                return Ok(SweepPoint { exceeded, ..point_of(&answer, &plan, (index, value, way), marched_s) });
+            }
+        }
+    }
+}
+
+/// `None` for a point that was stopped on its way.
+fn unless_stopped(point: Result<SweepPoint, AnalysisError>) -> Result<Option<SweepPoint>, AnalysisError> {
+    match point {
+        Err(AnalysisError::Run(RunError::March(IntegrationError::Stopped { .. }))) => Ok(None),
+        point => point.map(Some),
+    }
+}
+
+fn point_of(answer: &RunResult, plan: &RunPlan, (index, parameter, direction): (usize, f64, SweepDirection), marched_s: f64) -> SweepPoint {
+    SweepPoint {
+        index,
+        parameter,
+        direction,
+        mean_power_w: answer.mean_power_w,
+        voltage_rms_v: answer.voltage_rms_v().unwrap_or(f64::NAN),
+        max_penetration_m: answer.max_penetration_m,
+        contact_rate_hz: answer.contacts as f64 / plan.average_over_s,
+        settled: answer.settlement.is_some_and(|found| found.settled),
+        period_cycles: answer.settlement.map_or(0, |found| found.period_cycles),
+        energy_residual_relative: answer.energies.residual_relative(),
+        marched_s,
+        exceeded: Vec::new(),
+        end: answer.end.clone(),
+    }
+}

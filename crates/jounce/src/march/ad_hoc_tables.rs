@@ -1,0 +1,26 @@
+//! Tables of contact steps that end at a breakpoint of a drive or at the end of a march, the last few kept.
+
+use super::contact_table::ContactTable;
+use super::kernel::{ForceBasis, Kernel};
+use std::sync::Arc;
+
+/// How many are kept: whole, half and quarter pieces of a sampled drive, in both bases, and some to spare.
+const MAX_CACHED_TABLES: usize = 12;
+
+/// The tables used last, the latest first.
+#[derive(Debug, Clone, Default)]
+pub(super) struct AdHocTables(Vec<(ForceBasis, Arc<ContactTable>)>);
+
+impl AdHocTables {
+    /// The table of a length, made when it is not there.
+    pub fn of(&mut self, kernel: &Kernel, shape: ForceBasis, length_s: f64) -> Arc<ContactTable> {
+        let found = self.0.iter().position(|(kept, table)| *kept == shape && table.length_s == length_s);
+        let entry = match found {
+            Some(place) => self.0.remove(place),
+            None => (shape, Arc::new(ContactTable::new(kernel, 0, kernel.basis(0, shape), length_s))),
+        };
+        self.0.truncate(MAX_CACHED_TABLES - 1);
+        self.0.insert(0, entry);
+        Arc::clone(&self.0[0].1)
+    }
+}

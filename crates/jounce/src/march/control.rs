@@ -1,0 +1,185 @@
+//! A computation seen from outside: the wish that it stops, how far it is, and the time that marching took.
+//!
+//! One control is shared by whoever waits and by every march that belongs to the computation (see [`super::Kernel::with_control`]). A march
+//! looks at it before each of its steps, so that it ends within microseconds of the wish. How far a run is, it tells when it is asked,
+//! so that nobody pays for an answer that nobody reads.
+
+use std::fmt;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU8, AtomicU64, Ordering};
+use std::time::Duration;
+
+/// Nothing is wished.
+const NO_REQUEST: u8 = 0;
+/// That the march tells its time.
+const PROGRESS_REQUEST: u8 = 1;
+/// That it stops.
+const STOP_REQUEST: u8 = 2;
+
+/// Parts of a run whose time is told.
+const PROGRESS_PARTS: u64 = 1000;
+
+/// A handle; its clones are the same control.
+#[derive(Debug, Clone, Default)]
+pub struct Control {
+    wish: Arc<AtomicU8>,
+    /// Wall time of all runs, ns.
+    marched_ns: Arc<AtomicU64>,
+    counts: Arc<Counts>,
+    visitor: Option<Callback>,
+}
+
+/// Who is called by the working thread itself.
+#[derive(Clone)]
+struct Callback(Arc<dyn Fn(&Control) + Send + Sync>);
+
+impl fmt::Debug for Callback {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Visitor")
+    }
+}
+
+#[derive(Debug, Default)]
+struct Counts {
+    done: AtomicU64,
+    expected: AtomicU64,
+    harvesters: AtomicU64,
+    /// Bits of the length of the run whose time is told, s; 0 where there is none.
+    run_s: AtomicU64,
+}
+
+impl Control {
+    /// The same wish to stop, for a part of the work that counts its own parts.
+    #[must_use]
+    pub fn apart(&self) -> Self {
+        Self { wish: Arc::clone(&self.wish), marched_ns: Arc::clone(&self.marched_ns), ..Self::default() }
+    }
+
+    /// A control without a thread that waits: `visit` is called by the working thread, at its looks and every few dozen steps of its marches. It
+    /// decides whether it is time for anything.
+    #[must_use]
+    pub fn with_callback(visit: impl Fn(&Self) + Send + Sync + 'static) -> Self {
+        Self { visitor: Some(Callback(Arc::new(visit))), ..Self::default() }
+    }
+
+    /// Lets the visitor in, if there is one.
+    #[inline]
+    fn call_back(&self) {
+        if let Some(Callback(visit)) = &self.visitor {
+            visit(self);
+        }
+    }
+
+    /// Wishes that the computation stops. It keeps what is finished.
+    pub fn stop(&self) {
+        self.wish.store(STOP_REQUEST, Ordering::Relaxed);
+    }
+
+    /// True once somebody wished so.
+    #[inline]
+    pub fn is_stopped(&self) -> bool {
+        self.call_back();
+        self.wish.load(Ordering::Relaxed) == STOP_REQUEST
+    }
+
+    /// True while there is no wish.
+    #[inline(always)]
+    pub(super) fn is_quiet(&self) -> bool {
+        self.wish.load(Ordering::Relaxed) == NO_REQUEST
+    }
+
+    /// Expects one run of this length, s, whose thousandths are its parts.
+    pub fn expect_run(&self, duration_s: f64) {
+        self.counts.run_s.store(duration_s.to_bits(), Ordering::Relaxed);
+        self.expect(PROGRESS_PARTS as usize);
+    }
+
+    /// Wishes that the run tells its time, before its next step.
+    pub fn request_progress(&self) {
+        if self.counts.run_s.load(Ordering::Relaxed) != 0 {
+            let _ = self.wish.compare_exchange(NO_REQUEST, PROGRESS_REQUEST, Ordering::Relaxed, Ordering::Relaxed);
+        }
+    }
+
+    /// Tells how far the run is, s.
+    pub fn report_progress(&self, time_s: f64) {
+        let _ = self.wish.compare_exchange(PROGRESS_REQUEST, NO_REQUEST, Ordering::Relaxed, Ordering::Relaxed);
+        let run_s = f64::from_bits(self.counts.run_s.load(Ordering::Relaxed));
+        if run_s > 0.0 {
+            let parts = PROGRESS_PARTS as f64 * (time_s / run_s).clamp(0.0, 1.0);
+            self.counts.done.store(parts as u64, Ordering::Relaxed);
+        }
+    }
+
+    /// Tells how many more parts of the work there will be.
+    pub fn expect(&self, parts: usize) {
+        self.counts.expected.fetch_add(parts as u64, Ordering::Relaxed);
+    }
+
+    /// Counts a finished part.
+    pub fn count(&self) {
+        self.counts.done.fetch_add(1, Ordering::Relaxed);
+    }
+
+    /// Counts a harvester that was made: one for each trial of an orbit.
+    pub fn count_harvester(&self) {
+        self.counts.harvesters.fetch_add(1, Ordering::Relaxed);
+    }
+
+    /// Harvesters made so far, for work whose end is not known.
+    pub fn harvesters(&self) -> u64 {
+        self.counts.harvesters.load(Ordering::Relaxed)
+    }
+
+    /// Adds the wall time of a run.
+    pub fn add_wall_time(&self, time: Duration) {
+        self.marched_ns.fetch_add(time.as_nanos() as u64, Ordering::Relaxed);
+    }
+
+    /// Wall time of the marching of all runs together, s, those of parts that count on their own among them.
+    pub fn wall_time_s(&self) -> f64 {
+        1e-9 * self.marched_ns.load(Ordering::Relaxed) as f64
+    }
+
+    /// Finished and expected parts.
+    pub fn progress(&self) -> (u64, u64) {
+        (self.counts.done.load(Ordering::Relaxed), self.counts.expected.load(Ordering::Relaxed))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_visitor_may_end_the_work_at_any_look() {
+        let looks = Arc::new(AtomicU64::new(0));
+        let seen = Arc::clone(&looks);
+        let control = Control::with_callback(move |control| {
+            if seen.fetch_add(1, Ordering::Relaxed) == 2 {
+                control.stop();
+            }
+        });
+        assert_eq!([control.is_stopped(), control.is_stopped(), control.is_stopped(), control.is_quiet()], [false, false, true, false]);
+        assert!(control.apart().is_stopped() && looks.load(Ordering::Relaxed) == 3, "a part of the work shares the wish, not the visits");
+    }
+
+    #[test]
+    fn a_run_tells_its_time_once_for_each_question_and_a_wish_to_stop_stands() {
+        let control = Control::default();
+        control.request_progress();
+        assert!(control.is_quiet(), "there is no run");
+        control.expect_run(8.0);
+        assert_eq!(control.progress(), (0, 1000));
+        control.request_progress();
+        assert!(!control.is_quiet() && !control.is_stopped());
+        control.report_progress(2.0);
+        assert!(control.is_quiet());
+        assert_eq!(control.progress(), (250, 1000));
+        control.stop();
+        control.request_progress();
+        control.report_progress(8.0);
+        assert!(control.is_stopped());
+        assert_eq!(control.progress(), (1000, 1000));
+    }
+}

@@ -1,0 +1,316 @@
+//! The share of signals (drives that are linear in time between breakpoints) in a march.
+//!
+//! The integrator carries `y`, the state less its forced part `P` (see [`crate::plant::Forcing`]). What local blocks are forced to do is put
+//! into `y` at the end of each step, so that their `P` begins anew and never grows. From the present time on the forced displacement
+//! of a port is a polynomial in time whose fourth derivative is bounded term by term; it adds to the bound of the certificate, and is
+//! zero where no block is slow beside the samples of the drive. No step crosses a breakpoint. The motions of the bases that signals move
+//! are cubics beside it (see [`Travel`]).
+
+use super::excitation_row::{ExcitationRow, ExcitationSeries};
+use super::flow::Flow;
+use super::kernel::Kernel;
+use super::layout::StateLayout;
+use super::local_motions::LocalMotions;
+use super::signal_work::SignalWork;
+use crate::drive::{Travel, Wave, WavePiece};
+use crate::plant::{Forcing, Port, Signal, SignalSample};
+use crate::simd::{F64x8, LANES, Simd};
+use std::sync::Arc;
+
+/// All signals at the present time of a march.
+#[derive(Debug, Clone)]
+pub(super) struct Excitation {
+    players: Vec<SignalCursor>,
+    /// Size and slope of each signal at the present time.
+    pub sizes: Vec<SignalSample>,
+    /// Earliest breakpoint, s.
+    next_s: f64,
+    /// Longest step under signals that are not silent, s.
+    limit_s: f64,
+    /// Per port: what it reads of the signals, and that from now on.
+    ports: Vec<PortExcitation>,
+    /// Work of the bases that signals move through the contacts between them since the start, J.
+    pub base_work_j: f64,
+    has_local: bool,
+    moved: LocalMotions,
+    /// Flow over the pieces of a signal that is sampled evenly, and their length.
+    piece: Option<(f64, Flow)>,
+    pub ledger: SignalWork,
+}
+
+/// One signal and where it stands.
+#[derive(Debug, Clone)]
+struct SignalCursor {
+    index: usize,
+    piece: WavePiece,
+    travel: Option<Arc<Travel>>,
+    column: Vec<F64x8>,
+    rest: Vec<F64x8>,
+    lag: Vec<F64x8>,
+    local: Vec<F64x8>,
+}
+
+/// What one port sees of the signals.
+#[derive(Debug, Clone)]
+struct PortExcitation {
+    reading: ExcitationRow,
+    series: ExcitationSeries,
+    /// Displacement per displacement of the base that each signal moves; none where both sides of a stop stand on one.
+    approach: Vec<f64>,
+    /// The share of the bases in the series: a cubic.
+    course: [f64; 4],
+}
+
+impl Excitation {
+    pub fn new(kernel: &Kernel, time_s: f64) -> Self {
+        let (plant, layout) = (&kernel.plant, &kernel.layout);
+        let player = |((signal, forcing), travel): ((&Signal, &Forcing), &Option<Arc<Travel>>)| {
+            let (index, travel) = (signal.wave.index_at(time_s), travel.clone());
+            let [column, rest, lag, local] = [&forcing.column, &forcing.rest, &forcing.lag, &forcing.local].map(|b| layout.pack(b));
+            SignalCursor { index, piece: signal.wave.piece(index), travel, column, rest, lag, local }
+        };
+        let players: Vec<SignalCursor> = plant.system.signals.iter().zip(&plant.forcings).zip(&plant.travels).map(player).collect();
+        let sizes: Vec<SignalSample> = players.iter().map(|player| [player.piece.size_at(time_s), player.piece.slope]).collect();
+        let seen = |port: &Port| {
+            let approach = if port.approach.iter().all(|share| *share == 0.0) { Vec::new() } else { port.approach.clone() };
+            PortExcitation {
+                reading: ExcitationRow::of(plant, &port.displacement),
+                series: ExcitationSeries::ZERO,
+                approach,
+                course: [0.0; 4],
+            }
+        };
+        let ports = plant.ports.iter().filter(|_| !players.is_empty()).map(seen);
+        let piece = match &plant.system.signals[..] {
+            [Signal { wave: Wave::Sampled { step_s, .. }, .. }] => Some((*step_s, Flow::over(&plant.diagonal.block, layout, *step_s))),
+            _ => None,
+        };
+        let mut forced = Self {
+            sizes,
+            next_s: 0.0,
+            limit_s: plant.local_limit_s(),
+            ports: ports.collect(),
+            base_work_j: 0.0,
+            has_local: !players.is_empty() && plant.local.contains(&true),
+            moved: LocalMotions::default(),
+            piece,
+            ledger: SignalWork::new(kernel, time_s),
+            players,
+        };
+        forced.find_next();
+        forced.aim(time_s);
+        forced
+    }
+
+    /// Begins to count energies: `y` is the state at the start of the march.
+    pub fn open(&mut self, layout: &StateLayout, y: &[F64x8]) {
+        if !self.is_silent() {
+            self.ledger.open(&self.sizes, self.whole(layout, y));
+        }
+    }
+
+    /// True when there is no signal.
+    #[inline(always)]
+    pub fn is_silent(&self) -> bool {
+        self.players.is_empty()
+    }
+
+    /// The state with its forced part.
+    pub fn whole(&self, layout: &StateLayout, y: &[F64x8]) -> Vec<f64> {
+        let mut whole = y.to_vec();
+        for (player, [size, slope]) in self.players.iter().zip(&self.sizes) {
+            for (i, lane) in whole.iter_mut().enumerate() {
+                *lane = lane.add_scaled(*size, &player.rest[i]).add_scaled(*slope, &player.lag[i]);
+            }
+        }
+        layout.unpack(&whole)
+    }
+
+    /// The time up to which steps may go from a time on, s: a breakpoint, or what the series of local blocks allows.
+    #[inline(always)]
+    pub fn until_s(&self, time_s: f64) -> f64 {
+        if self.limit_s.is_finite() && self.sizes.iter().any(|size| *size != [0.0; 2]) {
+            self.next_s.min(time_s + self.limit_s)
+        } else {
+            self.next_s
+        }
+    }
+
+    /// True at a breakpoint that has not been passed.
+    #[inline(always)]
+    pub fn is_due(&self, time_s: f64) -> bool {
+        self.next_s <= time_s
+    }
+
+    /// Time from now to a later one, s. A whole piece of a signal that is sampled evenly has the same length to the last bit
+    /// wherever it lies, so that its tables can be kept.
+    #[inline(always)]
+    pub fn remaining_s(&self, time_s: f64, end_s: f64) -> f64 {
+        match &self.players[..] {
+            [only] if end_s == self.next_s && time_s == only.piece.from_s => only.piece.length_s,
+            _ => end_s - time_s,
+        }
+    }
+
+    /// The flow over a whole piece of a signal that is sampled evenly.
+    #[inline(always)]
+    pub fn flow_over(&self, length_s: f64) -> Option<&Flow> {
+        self.piece.as_ref().filter(|(piece_s, _)| *piece_s == length_s).map(|(_, flow)| flow)
+    }
+
+    /// Forced displacement (m) and velocity (m/s) of a port a time after the present one.
+    #[inline(always)]
+    pub fn motion_after(&self, port: usize, after_s: f64) -> [f64; 2] {
+        self.ports.get(port).map_or([0.0; 2], |seen| seen.series.motion(after_s))
+    }
+
+    /// Forced acceleration of a port a time after the present one, m/s^2.
+    #[inline(always)]
+    pub fn acceleration_after(&self, port: usize, after_s: f64) -> f64 {
+        self.ports.get(port).map_or(0.0, |seen| seen.series.curvature(after_s))
+    }
+
+    /// Bound on the fourth derivative of the forced displacement of a port over a step, m/s^4.
+    #[inline(always)]
+    pub fn fourth_bound(&self, port: usize, length_s: f64) -> f64 {
+        self.ports.get(port).map_or(0.0, |seen| seen.series.fourth_bound(length_s))
+    }
+
+    /// Forced displacement and velocity of a port at the places of a step, added to registers.
+    #[inline(always)]
+    pub fn motions<W: Simd>(&self, w: W, port: usize, places: &[f64; LANES], length_s: f64, sums: [W::Register; 2]) -> [W::Register; 2] {
+        let Some(PortExcitation { series, .. }) = self.ports.get(port) else { return sums };
+        let (mut place, mut speed) = (F64x8::ZERO, F64x8::ZERO);
+        for ((part, place), speed) in places.iter().zip(&mut place.0).zip(&mut speed.0) {
+            [*place, *speed] = series.motion(part * length_s);
+        }
+        [w.add(sums[0], w.load(&place)), w.add(sums[1], w.load(&speed))]
+    }
+
+    /// Notes the nodal forces of a step that is about to be taken; `weighted` holds force times weight times length, N s.
+    #[inline(always)]
+    pub fn push(&mut self, port: usize, places: &[f64; LANES], length_s: f64, weighted: &F64x8) {
+        if !self.players.is_empty() {
+            self.ledger.push(port, &self.sizes, places, length_s, weighted);
+            let seen = &self.ports[port];
+            if !seen.approach.is_empty() {
+                self.base_work_j +=
+                    places.iter().zip(weighted.0).map(|(part, force)| force * seen.base_speed_m_s(part * length_s)).sum::<f64>();
+            }
+        }
+    }
+
+    /// Notes an impulse of a rigid stop, N s.
+    pub fn strike_stop(&mut self, port: usize, impulse_n_s: f64) {
+        if !self.players.is_empty() {
+            self.ledger.strike_stop(port, &self.sizes, impulse_n_s);
+            self.base_work_j += impulse_n_s * self.ports[port].base_speed_m_s(0.0);
+        }
+    }
+
+    /// Goes on to the end of a step; `y` is the state there, which takes what local blocks were forced to do.
+    #[inline(always)]
+    pub fn pass(&mut self, kernel: &Kernel, length_s: f64, time_s: f64, y: &mut [F64x8]) {
+        if self.players.is_empty() {
+            return;
+        }
+        if self.has_local && self.sizes.iter().any(|size| *size != [0.0; 2]) {
+            let moved = self.moved.over(kernel, self.players.iter().map(|player| &player.local), length_s);
+            for (by, [size, slope]) in moved.iter().zip(&self.sizes) {
+                for (i, y) in y.iter_mut().enumerate() {
+                    *y = y.add_scaled(*size, &by[0][i]).add_scaled(*slope, &by[1][i]);
+                }
+            }
+            self.ledger.pass_local(kernel, &self.sizes, length_s, y);
+        }
+        self.ledger.pass();
+        for (size, player) in self.sizes.iter_mut().zip(&self.players) {
+            size[0] = player.piece.size_at(time_s);
+        }
+        self.aim(time_s);
+    }
+
+    /// Passes the breakpoints that have been reached; true where an impulse has changed the velocities.
+    pub fn cross(&mut self, kernel: &Kernel, time_s: f64, y: &mut [F64x8]) -> bool {
+        let mut struck = false;
+        let mut whole = self.whole(&kernel.layout, y);
+        self.ledger.close(kernel, &self.sizes, &whole, time_s, self.piece_s(time_s));
+        while self.next_s <= time_s {
+            for k in 0..self.players.len() {
+                if self.players[k].piece.until_s <= time_s {
+                    struck |= self.cross_one(kernel, k, time_s, y);
+                }
+            }
+            self.find_next();
+        }
+        if struck {
+            whole = self.whole(&kernel.layout, y);
+        }
+        self.ledger.open(&self.sizes, whole);
+        self.aim(time_s);
+        struck
+    }
+
+    /// Length of a whole piece of an only signal that ends now, s.
+    fn piece_s(&self, time_s: f64) -> Option<f64> {
+        match &self.players[..] {
+            [only] if self.ledger.since_s() == only.piece.from_s && time_s == only.piece.until_s => Some(only.piece.length_s),
+            _ => None,
+        }
+    }
+
+    fn cross_one(&mut self, kernel: &Kernel, k: usize, time_s: f64, y: &mut [F64x8]) -> bool {
+        let player = &mut self.players[k];
+        player.index += 1;
+        let piece = kernel.plant.system.signals[k].wave.piece(player.index);
+        player.piece = piece;
+        let (before, after) = (self.sizes[k], [piece.size_at(time_s), piece.slope]);
+        self.sizes[k] = after;
+        for (i, y) in y.iter_mut().enumerate() {
+            *y = y.add_scaled(before[0] - after[0], &player.rest[i]).add_scaled(before[1] - after[1], &player.lag[i]);
+        }
+        if piece.impulse_s != 0.0 {
+            let before = kernel.layout.unpack(y);
+            y.iter_mut().zip(&player.column).for_each(|(y, b)| *y = y.add_scaled(piece.impulse_s, b));
+            let middle: Vec<f64> = before.iter().zip(kernel.layout.unpack(y)).map(|(a, b)| 0.5 * (a + b)).collect();
+            let forced = kernel.plant.forced(&self.sizes, 0.0);
+            self.ledger.strike(k, piece.impulse_s, middle.iter().zip(&forced).map(|(y, p)| y + p), time_s);
+        }
+        piece.impulse_s != 0.0
+    }
+
+    fn find_next(&mut self) {
+        self.next_s = self.players.iter().fold(f64::INFINITY, |least, player| least.min(player.piece.until_s));
+    }
+
+    /// Forced displacements of the ports from a time on, the present one.
+    #[inline(always)]
+    fn aim(&mut self, time_s: f64) {
+        for seen in &mut self.ports {
+            seen.series = seen.reading.series(&self.sizes);
+            if !seen.approach.is_empty() {
+                seen.follow(&self.players, &self.sizes, time_s);
+            }
+        }
+    }
+}
+
+impl PortExcitation {
+    /// Adds the motions of the bases from a time on to the series.
+    fn follow(&mut self, players: &[SignalCursor], sizes: &[SignalSample], time_s: f64) {
+        self.course = [0.0; 4];
+        for ((player, [size, slope]), share) in players.iter().zip(sizes).zip(&self.approach) {
+            let Some(travel) = &player.travel else { continue };
+            let [place, speed] = travel.at(player.index, &player.piece, time_s);
+            let own = [place, speed, 0.5 * size, slope / 6.0];
+            self.course.iter_mut().zip(own).for_each(|(sum, c)| *sum += share * c);
+        }
+        self.series.add(&self.course);
+    }
+
+    /// Speed towards the stop that the bases make, a time after the present one, m/s.
+    fn base_speed_m_s(&self, after_s: f64) -> f64 {
+        let [_, speed, half, sixth] = self.course;
+        speed + after_s * (2.0 * half + after_s * 3.0 * sixth)
+    }
+}

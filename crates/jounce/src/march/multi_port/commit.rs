@@ -1,0 +1,105 @@
+//! A joint step is taken: state, statistics, energies, record.
+
+use super::free_ports::nodal;
+use crate::contact::Law;
+use crate::march::basis::NODES;
+use crate::march::contact_step::{ContactStep, SolvedStep};
+use crate::march::integrator::Integrator;
+use crate::march::joint_tables::{JointTables, StepLength};
+use crate::march::kernel::Kernel;
+use crate::march::port_state::ContactState;
+use crate::march::small_list::SmallList;
+use crate::march::state::pushed;
+use crate::march::step_size::LEVELS_PER_OCTAVE;
+use crate::march::trajectory::PortForce;
+use crate::simd::{F64x8, Simd};
+
+impl Integrator<'_> {
+    /// Takes a solved step whose free motion stands in `next`; the tables tell what several ports do to each other.
+    #[inline(always)]
+    pub(super) fn take_joint<W: Simd>(
+        &mut self,
+        w: W,
+        length: StepLength,
+        steps: &[ContactStep],
+        solved: &[SolvedStep],
+        tables: Option<&JointTables>,
+    ) {
+        w.apart(
+            #[inline(always)]
+            || self.take_all(w, length, steps, solved, tables),
+        );
+    }
+
+    #[inline(always)]
+    fn take_all<W: Simd>(&mut self, w: W, length: StepLength, steps: &[ContactStep], solved: &[SolvedStep], tables: Option<&JointTables>) {
+        let forces: SmallList<F64x8> = solved.iter().map(|own| nodal(&own.force)).collect();
+        if self.record.is_some() {
+            let noted: Vec<PortForce> = steps.iter().zip(&forces).map(|(step, force)| PortForce::new(step, force)).collect();
+            self.note(length.seconds(), &noted);
+        }
+        for (step, force) in steps.iter().zip(&forces) {
+            self.push_on(w, step, force);
+            self.integrate_force(w, step, force);
+        }
+        if let Some(tables) = tables {
+            self.integrate_crossed(w, tables, &forces);
+        }
+        std::mem::swap(&mut self.y, &mut self.next);
+        self.time_s += length.seconds();
+        self.excitation.pass(self.kernel, length.seconds(), self.time_s, &mut self.y);
+        let first = steps[0].port;
+        for tone in &mut self.tones {
+            tone.turn *= tone.swing[first].end();
+        }
+        for p in 0..self.kernel.plant.ports.len() {
+            if self.ports[p].regime == ContactState::Flight && !self.ports[p].clearance.is_unseen {
+                self.update_port(w, p);
+            }
+        }
+        self.arrive_all(w, length.level(), steps, solved);
+        self.work.contact_steps += 1;
+    }
+
+    /// Every port in contact comes to the end of the step.
+    #[inline(always)]
+    fn arrive_all<W: Simd>(&mut self, w: W, level: i32, steps: &[ContactStep], solved: &[SolvedStep]) {
+        let allowed = self.allowed_beside_n_s(steps, solved);
+        for (step, own) in steps.iter().zip(solved) {
+            let p = step.port;
+            if let Law::Rigid(_) = self.law(p) {
+                self.update_port(w, p);
+                self.observe_rest(p, step.table.length_s, &own.force);
+                self.put_back(p);
+                self.ports[p].level = (level - LEVELS_PER_OCTAVE).max(Kernel::coarsest());
+                continue;
+            }
+            self.arrive(w, self.law(p), step, own);
+            let entering = std::mem::take(&mut self.ports[p].entering);
+            self.ports[p].level = self.next_level(self.law(p), level, step, own, (allowed, entering));
+        }
+    }
+
+    /// Work of the force of each port on what the forces of the others have moved.
+    #[inline(always)]
+    fn integrate_crossed<W: Simd>(&mut self, w: W, tables: &JointTables, forces: &[F64x8]) {
+        for (from, force) in forces.iter().enumerate() {
+            for (to, felt) in forces.iter().enumerate() {
+                if from == to {
+                    continue;
+                }
+                let cross = tables.cross(from, to);
+                for (sum, load) in self.integrals.loads_j.iter_mut().zip(&cross.loads) {
+                    *sum += work(w, load, force, felt);
+                }
+                self.integrals.damping_j += work(w, &cross.damping, force, felt);
+            }
+        }
+    }
+}
+
+/// `felt . (push force)`.
+#[inline(always)]
+fn work<W: Simd>(w: W, push: &[F64x8; NODES], force: &F64x8, felt: &F64x8) -> f64 {
+    w.sum(w.mul(pushed(w, w.zero(), push, force), w.load(felt)))
+}

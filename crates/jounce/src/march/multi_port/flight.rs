@@ -1,0 +1,150 @@
+//! All ports in flight.
+
+use crate::march::certificate::FlightStep;
+use crate::march::crossing::Crossing;
+use crate::march::error::IntegrationError;
+use crate::march::flight::{FlightVerdict, RESOLVED_UNCERTAINTY, by_interpolant};
+use crate::march::integrator::Integrator;
+use crate::march::kernel::Kernel;
+use crate::march::state::{dot, dot_of_magnitudes};
+use crate::march::step_size::LEVELS_PER_OCTAVE;
+use crate::simd::Simd;
+
+/// What became of a step for all ports together.
+pub enum StepOutcome {
+    /// Free of contact.
+    Clear,
+    /// Each of these ports is proved to cross, or taken to.
+    Strikes(Vec<(usize, Crossing)>),
+    /// Levels to go down before the next attempt.
+    Unclear(i32),
+}
+
+impl StepOutcome {
+    /// Adds the verdict on one more port.
+    pub fn and(self, p: usize, verdict: FlightVerdict) -> Self {
+        match (self, verdict) {
+            (StepOutcome::Unclear(a), FlightVerdict::Unclear(b)) => StepOutcome::Unclear(a.max(b)),
+            (StepOutcome::Unclear(down), _) | (_, FlightVerdict::Unclear(down)) => StepOutcome::Unclear(down),
+            (outcome, FlightVerdict::Clear) => outcome,
+            (StepOutcome::Clear, FlightVerdict::Strike(crossing)) => StepOutcome::Strikes(vec![(p, crossing)]),
+            (StepOutcome::Strikes(mut strikes), FlightVerdict::Strike(crossing)) => {
+                strikes.push((p, crossing));
+                StepOutcome::Strikes(strikes)
+            }
+        }
+    }
+}
+
+impl Integrator<'_> {
+    /// Flies until a port strikes or until the end.
+    #[inline(always)]
+    pub(super) fn fly<W: Simd>(&mut self, w: W, end_s: f64) -> Result<(), IntegrationError> {
+        let mut grow = LEVELS_PER_OCTAVE;
+        while self.time_s < end_s {
+            let (level, remaining_s) = (self.flight_level, self.excitation.remaining_s(self.time_s, end_s));
+            let landing = Kernel::length_s(level) >= remaining_s;
+            let length_s = if landing { remaining_s } else { Kernel::length_s(level) };
+            // Of a step that ends early, the shortest level that bounds it from above.
+            let tight = if landing { level.max(Kernel::level_within(remaining_s) - 1) } else { level };
+            match self.attempt_all(w, tight, length_s, landing) {
+                StepOutcome::Clear => {
+                    let start_s = self.time_s;
+                    self.move_on(length_s, if landing { end_s } else { start_s + length_s });
+                    for port in self.ports.iter_mut().filter(|port| !port.clearance.is_unseen) {
+                        [port.penetration_m, port.rate_m_s] = port.ahead;
+                    }
+                    self.work.flight_steps += 1;
+                    self.flight_level = (level - grow).max(Kernel::coarsest());
+                    grow = LEVELS_PER_OCTAVE;
+                }
+                StepOutcome::Strikes(strikes) => {
+                    self.strike_first(w, &strikes);
+                    return Ok(());
+                }
+                StepOutcome::Unclear(down) => {
+                    self.work.flight_rejections += 1;
+                    // The step after the next would fail as this one did.
+                    grow = 0;
+                    self.flight_level = (tight + down).min(Kernel::finest());
+                    if self.ports.iter().any(|port| !port.penetration_m.is_finite()) {
+                        return Err(IntegrationError::NotFinite { time_s: self.time_s });
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Looks at a step: the state at its end is in `next`, the motion of each port there in `ahead`.
+    #[inline(always)]
+    fn attempt_all<W: Simd>(&mut self, w: W, level: i32, length_s: f64, landing: bool) -> StepOutcome {
+        if landing {
+            self.propagate_to(w, length_s);
+        } else {
+            self.kernel.flow(level).apply(w, &self.y, &mut self.next);
+        }
+        let mut outcome = StepOutcome::Clear;
+        for p in 0..self.kernel.plant.ports.len() {
+            if self.stays_clear(w, p, length_s, None) {
+                continue;
+            }
+            self.update_free_port(w, p);
+            let drive = if landing { self.drive_after(p, length_s) } else { self.drive_after_level(p, level) };
+            let rows = &self.ports[p].rows;
+            let motion = [dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m, dot(w, &rows.velocity, &self.next) + drive[1]];
+            self.ports[p].ahead = motion;
+            let step = self.step_of(w, p, level, length_s, motion, drive);
+            outcome = outcome.and(p, self.judge_beside(w, p, &step, motion[0]));
+        }
+        outcome
+    }
+
+    /// Judges the flight of one port beside others. What is shallower than the roundoff of its displacement cannot be resolved: two
+    /// bodies that touch far from the origin have neither gap nor relative motion as a scale.
+    #[inline(always)]
+    pub(super) fn judge_beside<W: Simd>(&self, w: W, p: usize, step: &FlightStep, displacement_m: f64) -> FlightVerdict {
+        match self.judge_flight(p, step, displacement_m) {
+            FlightVerdict::Unclear(_) if step.uncertainty_m() <= RESOLVED_UNCERTAINTY * self.terms_m(w, p) => {
+                by_interpolant(step, self.leaves_from_rest(p))
+            }
+            verdict => verdict,
+        }
+    }
+
+    /// Sum of the magnitudes of what a displacement is summed from, m.
+    #[inline(always)]
+    pub(super) fn terms_m<W: Simd>(&self, w: W, p: usize) -> f64 {
+        dot_of_magnitudes(w, &self.ports[p].rows.displacement, &self.y)
+    }
+
+    /// Displacement and velocity of a port under the drive after a level.
+    #[inline(always)]
+    fn drive_after_level(&mut self, p: usize, level: i32) -> [f64; 2] {
+        let mut drive = self.excitation.motion_after(p, Kernel::length_s(level));
+        for tone in &mut self.tones {
+            let turn = tone.end(level);
+            let [place, speed] = tone.motion_after(p, turn);
+            drive = [drive[0] + place, drive[1] + speed];
+        }
+        drive
+    }
+
+    /// Moves to the first of several crossings.
+    #[inline(always)]
+    fn strike_first<W: Simd>(&mut self, w: W, strikes: &[(usize, Crossing)]) {
+        let mut first = (0, f64::INFINITY);
+        for (p, crossing) in strikes {
+            let (after_s, _) = self.locate(w, *p, *crossing);
+            if after_s < first.1 {
+                first = (*p, after_s);
+            }
+        }
+        let (p, after_s) = first;
+        if strikes.len() > 1 {
+            self.propagate_to(w, after_s);
+        }
+        self.move_on(after_s, self.time_s + after_s);
+        self.join(w, p);
+    }
+}

@@ -1,0 +1,76 @@
+//! Impacts on rigid stops of a plant with several ports.
+//!
+//! An impact is one impulse (see [`crate::march::rigid`]), which moves the other ports too. Stops struck at the same instant take
+//! their impulses together (see [`super::joint_impact`]). What these strike in turn, a stop at rest or one struck again, follows after
+//! them, until no touching point moves into its stop. Where Newton's law has no joint answer, stops are struck one after another in the
+//! order of the spec. Every impulse acts through the plant, so that momentum is conserved exactly whatever the order.
+
+use crate::contact::Law;
+use crate::march::error::IntegrationError;
+use crate::march::integrator::Integrator;
+use crate::march::port_state::ContactState;
+use crate::simd::Simd;
+
+/// Speed into a stop that is roundoff, relative to the fastest strike and to the terms that it is summed from.
+const NEGLIGIBLE_SPEED: f64 = 1e-14;
+
+/// Most impacts at one instant.
+const MAX_IMPACTS_PER_INSTANT: usize = 10_000;
+
+impl Integrator<'_> {
+    /// A touched rigid stop is moved into.
+    pub(super) fn hits_rigid_stop(&self) -> bool {
+        self.in_regime(ContactState::Contact).any(|p| self.is_rigid(p) && self.moves_in(p))
+    }
+
+    fn moves_in(&self, p: usize) -> bool {
+        self.ports[p].rate_m_s > self.still_m_s(p)
+    }
+
+    fn still_m_s(&self, p: usize) -> f64 {
+        NEGLIGIBLE_SPEED * self.speed_m_s(p)
+    }
+
+    /// Resolves all impacts of the present instant.
+    ///
+    /// # Errors
+    /// [`IntegrationError::ImpactsWithoutEnd`].
+    #[inline(always)]
+    pub(super) fn collide<W: Simd>(&mut self, w: W) -> Result<(), IntegrationError> {
+        let touching: Vec<usize> = self.in_regime(ContactState::Contact).filter(|p| self.is_rigid(*p)).collect();
+        for _ in 0..MAX_IMPACTS_PER_INSTANT {
+            let struck: Vec<usize> = touching.iter().copied().filter(|p| self.moves_in(*p)).collect();
+            let Some(first) = struck.first() else {
+                self.settle(&touching);
+                return Ok(());
+            };
+            let pushed = self.impact_together(&struck).unwrap_or_else(|| self.impact_alone(*first));
+            for q in (0..self.kernel.plant.ports.len()).filter(|q| !pushed.contains(q)) {
+                let touches = self.ports[q].regime == ContactState::Contact || touching.contains(&q);
+                let kept_m = touches.then_some(self.ports[q].penetration_m);
+                self.update_port(w, q);
+                self.ports[q].penetration_m = kept_m.unwrap_or(self.ports[q].penetration_m);
+            }
+        }
+        let stops = touching.iter().map(|p| self.kernel.plant.system.stops[*p].name.clone()).collect();
+        Err(IntegrationError::ImpactsWithoutEnd { time_s: self.time_s, stops, impacts: MAX_IMPACTS_PER_INSTANT })
+    }
+
+    /// One stop by itself; the ports pushed.
+    fn impact_alone(&mut self, p: usize) -> Vec<usize> {
+        if let Law::Rigid(law) = self.law(p) {
+            self.impact(p, law);
+        }
+        vec![p]
+    }
+
+    /// Points that leave fly, the others rest.
+    fn settle(&mut self, touching: &[usize]) {
+        for p in touching {
+            let leaves = self.ports[*p].rate_m_s < -self.still_m_s(*p);
+            let port = &mut self.ports[*p];
+            port.regime = if leaves { ContactState::Flight } else { ContactState::Contact };
+            port.rate_m_s = if leaves { port.rate_m_s } else { 0.0 };
+        }
+    }
+}

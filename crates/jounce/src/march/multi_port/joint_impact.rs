@@ -1,0 +1,95 @@
+//! Rigid stops struck at one instant: Newton's law for all of them at once.
+//!
+//! Points come in at speeds `v_a > 0`. With the mobilities `M_ab` (1/kg, Delassus' matrix) and the restitutions `e_a` the impulses
+//! `p_a` (N s) and the speeds `u_a` after them obey
+//!
+//! ```text
+//! u_a = v_a - sum_b M_ab p_b,    p_a >= 0,    u_a <= -e_a v_a,    p_a (u_a + e_a v_a) = 0,
+//! ```
+//!
+//! a linear complementarity problem: a stop that the others throw off faster than its own law would takes no impulse. The energy
+//! lost is `sum p_a (v_a + u_a) / 2 = sum p_a (1 - e_a) v_a / 2`, never negative. Where the matrix is singular (stops that hold the
+//! same motion) the least impulses that answer are taken, so that equal stops share equally.
+//!
+//! Source: J. J. Moreau, Unilateral contact and dry friction in finite freedom dynamics, 1988.
+
+use super::sticking::MIN_RELATIVE_MOBILITY;
+use crate::contact::Law;
+use crate::march::integrator::Integrator;
+use faer::{Mat, Side};
+
+/// Most stops struck at once that are answered together: their subsets are tried.
+const MAX_SIMULTANEOUS_IMPACTS: usize = 8;
+
+/// Part of the fastest speed, or of the largest impulse, that is roundoff.
+const IMPULSE_ROUNDOFF: f64 = 1e-10;
+
+/// The problem, in the order of the stops struck.
+struct JointImpact {
+    speeds_m_s: Vec<f64>,
+    rebounds: Vec<f64>,
+    mobility: Mat<f64>,
+}
+
+impl JointImpact {
+    /// Impulses, N s; `None` without an answer.
+    fn impulses_n_s(&self) -> Option<Vec<f64>> {
+        let count = self.speeds_m_s.len();
+        let mut subsets: Vec<u32> = (1..1 << count).collect();
+        subsets.sort_by_key(|subset: &u32| std::cmp::Reverse(subset.count_ones()));
+        subsets.into_iter().find_map(|subset| {
+            let chosen: Vec<usize> = (0..count).filter(|a| subset & (1 << a) != 0).collect();
+            self.by(&chosen)
+        })
+    }
+
+    /// Impulses at some stops only, where these answer for all.
+    fn by(&self, chosen: &[usize]) -> Option<Vec<f64>> {
+        let matrix = Mat::from_fn(chosen.len(), chosen.len(), |a, b| self.mobility[(chosen[a], chosen[b])]);
+        let eigen = matrix.self_adjoint_eigen(Side::Lower).ok()?;
+        let (vectors, values) = (eigen.U(), eigen.S());
+        let largest = (0..chosen.len()).map(|k| values[k]).fold(0.0, f64::max);
+        let mut impulses = vec![0.0; self.speeds_m_s.len()];
+        for k in (0..chosen.len()).filter(|k| values[*k] > MIN_RELATIVE_MOBILITY * largest) {
+            let wanted = chosen.iter().enumerate().map(|(a, p)| vectors[(a, k)] * (1.0 + self.rebounds[*p]) * self.speeds_m_s[*p]);
+            let size = wanted.sum::<f64>() / values[k];
+            chosen.iter().enumerate().for_each(|(a, p)| impulses[*p] += size * vectors[(a, k)]);
+        }
+        self.answers(&impulses, chosen).then(|| impulses.into_iter().map(|impulse: f64| impulse.max(0.0)).collect())
+    }
+
+    fn answers(&self, impulses: &[f64], chosen: &[usize]) -> bool {
+        let fastest = self.speeds_m_s.iter().fold(0.0, |max: f64, v| max.max(*v));
+        let strongest = impulses.iter().fold(0.0, |max: f64, p| max.max(p.abs()));
+        (0..impulses.len()).all(|a| {
+            let lost: f64 = impulses.iter().enumerate().map(|(b, p)| self.mobility[(a, b)] * p).sum();
+            let beyond = (1.0 + self.rebounds[a]) * self.speeds_m_s[a] - lost;
+            let meets = beyond <= IMPULSE_ROUNDOFF * fastest && (!chosen.contains(&a) || beyond >= -IMPULSE_ROUNDOFF * fastest);
+            meets && impulses[a] >= -IMPULSE_ROUNDOFF * strongest
+        })
+    }
+}
+
+impl Integrator<'_> {
+    /// Impacts on several stops at once; the ports that took an impulse, or `None` for fewer than two stops, and where there is no answer.
+    pub(super) fn impact_together(&mut self, struck: &[usize]) -> Option<Vec<usize>> {
+        if !(2..=MAX_SIMULTANEOUS_IMPACTS).contains(&struck.len()) {
+            return None;
+        }
+        let rebound = |p: &usize| if let Law::Rigid(law) = self.law(*p) { self.rebound(*p, law) } else { 0.0 };
+        let together = JointImpact {
+            speeds_m_s: struck.iter().map(|p| self.ports[*p].rate_m_s).collect(),
+            rebounds: struck.iter().map(rebound).collect(),
+            mobility: Mat::from_fn(struck.len(), struck.len(), |a, b| self.mobility_per_kg(struck[a], struck[b])),
+        };
+        let impulses = together.impulses_n_s()?;
+        let pushed: Vec<usize> = (0..struck.len()).filter(|a| impulses[*a] > 0.0).collect();
+        pushed.iter().for_each(|a| self.push_by(struck[*a], impulses[*a]));
+        for a in &pushed {
+            let (before, after) = (together.speeds_m_s[*a], -together.rebounds[*a] * together.speeds_m_s[*a]);
+            self.integrals.loss_j += 0.5 * impulses[*a] * (before + after);
+            self.rebounds(struck[*a], after);
+        }
+        Some(pushed.into_iter().map(|a| struck[a]).collect())
+    }
+}

@@ -1,0 +1,189 @@
+//! The nodal forces of all ports in contact, found together.
+
+use super::sticking::StickingPorts;
+use crate::contact::{ContactLaw, Law};
+use crate::march::contact_step::{ContactStep, MAX_FIXED_POINT_ITERATIONS, SolvedStep, judge, largest};
+use crate::march::integrator::Integrator;
+use crate::march::joint_tables::{JointTables, StepLength};
+use crate::march::small_list::SmallList;
+use crate::march::state::{columns, pushed};
+use crate::simd::{F64x8, Simd};
+
+/// A step of all ports in contact.
+pub struct JointStep<'t, 'k> {
+    /// Its tables.
+    pub tables: &'t JointTables<'k>,
+    /// Each port on it, in the order of the tables.
+    pub steps: SmallList<ContactStep<'t>>,
+}
+
+/// One port on the way to its forces. Lanes hold the nodes and the end of the step.
+pub struct PortIterate {
+    law: Law,
+    /// Motion without any contact force on the step.
+    free: F64x8,
+    free_rate: F64x8,
+    penetration: F64x8,
+    rate: F64x8,
+    /// Nodal forces, N.
+    pub force: F64x8,
+    at_start_n: f64,
+    deepest_m: f64,
+    last_change_n: f64,
+}
+
+/// What an iteration says of all ports.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Convergence {
+    Converged,
+    GoesOn,
+    Diverges,
+}
+
+impl<'k> Integrator<'k> {
+    /// The step laid out.
+    #[inline(always)]
+    pub(super) fn joint_step<'t, W: Simd>(&mut self, w: W, tables: &'t JointTables<'k>) -> JointStep<'t, 'k>
+    where
+        'k: 't,
+    {
+        w.apart(
+            #[inline(always)]
+            || self.lay_out(w, tables),
+        )
+    }
+
+    #[inline(always)]
+    fn lay_out<'t, W: Simd>(&mut self, w: W, tables: &'t JointTables<'k>) -> JointStep<'t, 'k>
+    where
+        'k: 't,
+    {
+        let (level, odd) = (tables.length.level(), matches!(tables.length, StepLength::Odd { .. }));
+        let mut steps = SmallList::new();
+        for (place, (port, shape)) in tables.ports.iter().enumerate() {
+            steps.push(self.step_in_contact(w, self.law(*port), (tables.own(place), *port), *shape, level, odd));
+        }
+        JointStep { tables, steps }
+    }
+
+    /// Solves a step for the nodal forces of all its ports; `None` when the fixed point does not converge.
+    #[inline(always)]
+    pub(super) fn solve_joint<W: Simd>(&mut self, w: W, joint: &JointStep, resting: &StickingPorts) -> Option<SmallList<SolvedStep>> {
+        w.apart(
+            #[inline(always)]
+            || self.iterate(w, joint, resting),
+        )
+    }
+
+    #[inline(always)]
+    fn iterate<W: Simd>(&mut self, w: W, joint: &JointStep, resting: &StickingPorts) -> Option<SmallList<SolvedStep>> {
+        let mut iterates = self.first_guess(w, joint);
+        let goal = (0.1 * self.tolerance).clamp(4e-15, 1e-5);
+        for iteration in 1..=MAX_FIXED_POINT_ITERATIONS {
+            self.work.iterations += 1;
+            resting.hold(&mut iterates);
+            move_under_forces(w, joint, &mut iterates);
+            let mut progress = Convergence::Converged;
+            for (place, iterate) in iterates.iter_mut().enumerate() {
+                progress = progress.max(iterate.renew(w, joint.tables, (place, iteration), goal));
+            }
+            match progress {
+                Convergence::GoesOn => {}
+                Convergence::Diverges => return None,
+                Convergence::Converged => {
+                    resting.hold(&mut iterates);
+                    move_under_forces(w, joint, &mut iterates);
+                    let mut solved = SmallList::<SolvedStep>::new();
+                    for (step, own) in joint.steps.iter().zip(&iterates) {
+                        solved.push(judge(w, own.law, step, own.registers(w), own.at_start_n));
+                    }
+                    resting.judge(self, joint, &mut solved);
+                    return Some(solved);
+                }
+            }
+        }
+        None
+    }
+
+    /// Forces go on as they do now.
+    #[inline(always)]
+    fn first_guess<W: Simd>(&self, w: W, joint: &JointStep) -> SmallList<PortIterate> {
+        let mut iterates = SmallList::new();
+        for step in &joint.steps {
+            let (law, port, table) = (self.law(step.port), &self.ports[step.port], step.table);
+            let free = columns(w, &self.layout, &self.y, &table.displacement.columns, w.load(&step.drive));
+            let mut free_rate = w.zero();
+            if law.is_rate_dependent() {
+                free_rate = columns(w, &self.layout, &self.y, &table.velocity.columns, w.load(&step.drive_rate));
+            }
+            let at_start_n = law.force_n(port.penetration_m, port.rate_m_s);
+            let rise = law.slopes(port.penetration_m, port.rate_m_s).stiffness_n_m * port.rate_m_s * table.length_s;
+            let penetration = w.fma(w.splat(at_start_n), w.load(&table.constant), w.fma(w.splat(rise), w.load(&table.ramp), free));
+            iterates.push(PortIterate {
+                law,
+                free: w.store(free),
+                free_rate: w.store(free_rate),
+                penetration: w.store(penetration),
+                rate: w.store(free_rate),
+                force: w.store(law.forces_n(w, penetration, free_rate)),
+                at_start_n,
+                // However far off: where the next guess is thrown out of contact again, it says that nothing has converged.
+                deepest_m: largest(w, law, penetration),
+                last_change_n: f64::INFINITY,
+            });
+        }
+        iterates
+    }
+}
+
+/// Motion of each port under the nodal forces of all.
+#[inline(always)]
+fn move_under_forces<W: Simd>(w: W, joint: &JointStep, iterates: &mut [PortIterate]) {
+    for place in 0..iterates.len() {
+        let own = &iterates[place];
+        let needs_rate = own.law.is_rate_dependent();
+        let (mut penetration, mut rate) = (w.load(&own.free), w.load(&own.free_rate));
+        for (from, other) in iterates.iter().enumerate() {
+            let [displacement, velocity] = joint.tables.answers(from, place);
+            penetration = pushed(w, penetration, displacement, &other.force);
+            if needs_rate {
+                rate = pushed(w, rate, velocity, &other.force);
+            }
+        }
+        (iterates[place].penetration, iterates[place].rate) = (w.store(penetration), w.store(rate));
+    }
+}
+
+impl PortIterate {
+    /// Penetration, rate and force as they stand.
+    #[inline(always)]
+    fn registers<W: Simd>(&self, w: W) -> [W::Register; 3] {
+        [w.load(&self.penetration), w.load(&self.rate), w.load(&self.force)]
+    }
+
+    /// New forces by the law; a resting port has its forces from elsewhere.
+    #[inline(always)]
+    fn renew<W: Simd>(&mut self, w: W, tables: &JointTables, (place, iteration): (usize, u32), goal: f64) -> Convergence {
+        if matches!(self.law, Law::Rigid(_)) {
+            return Convergence::Converged;
+        }
+        let penetration = w.load(&self.penetration);
+        let new = self.law.forces_n(w, penetration, w.load(&self.rate));
+        let (change, size) = (w.largest(w.abs(w.sub(new, w.load(&self.force)))), largest(w, self.law, new));
+        self.force = w.store(new);
+        self.deepest_m = self.deepest_m.max(largest(w, self.law, penetration));
+        // What is still to come: at most the contraction seen so far, or foretold by the slope of the law.
+        let slopes = self.law.steepest(self.deepest_m);
+        let foretold = slopes.stiffness_n_m * tables.reach_m_n(place) + slopes.damping_n_s_m * tables.reach_m_n_s(place);
+        let seen = if iteration == 1 { 1.0 } else { (change / self.last_change_n).min(1.0) };
+        let diverges = iteration > 4 && change > self.last_change_n;
+        self.last_change_n = change;
+        if change * foretold.min(seen) <= goal * size {
+            Convergence::Converged
+        } else if diverges || !change.is_finite() {
+            Convergence::Diverges
+        } else {
+            Convergence::GoesOn
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! Marching with several ports.
+//!
+//! A port is in flight or in contact by itself; what one does to the others goes through the plant alone.
+//!
+//! - *All in flight*: one exact flow, one certificate per port. The step is taken when it is clear for all of them; the port
+//!   that is proved to cross first strikes.
+//! - *Some in contact*: one step for all of these, each with its own basis, the nodal forces found together. With the Duhamel
+//!   weights `D_pq` of the displacement of port `p` under the force of port `q`,
+//!
+//!   ```text
+//!   delta_p = free_p + sum_q D_pq f_q,   f_p = F_p(delta_p, delta_p'),
+//!   ```
+//!
+//!   a fixed point that converges as that of one port does. The ports in flight are watched by the same certificate, to which the
+//!   forces add a known cubic and a bounded rest (see [`super::forced_flight`]). Where that proves neither flight nor a first crossing,
+//!   the step is shortened, down to a length on which the rest is below the resolution of the certificate.
+//!   One compliant port in contact by itself is solved as in [`super::contact_step`]; the others are watched.
+//! - *A port that is too far off* to strike within a step is not watched at all (see [`clearance`]).
+//! - *A strike during a contact* ends the step there, by Newton on its length, so that the new contact starts on its own onset.
+//! - *Rigid stops*: see [`impacts`], [`joint_impact`] and [`sticking`].
+
+mod clearance;
+mod commit;
+mod flight;
+mod free_ports;
+mod impacts;
+mod joint_contact;
+mod joint_impact;
+mod joint_solve;
+mod single_contact;
+mod sticking;
+
+pub(super) use clearance::{Clearance, SpeedBound};
+
+use super::contact::IMPULSE_ERROR_SHARE;
+use super::contact_step::{ContactStep, SolvedStep};
+use super::error::IntegrationError;
+use super::integrator::Integrator;
+use super::kernel::Kernel;
+use super::port_state::{ContactState, PortState};
+use super::zeno_guard::ZenoGuard;
+use crate::contact::Law;
+use crate::simd::{Simd, Task};
+
+/// Share of the first step of a contact that is no time at all: a port that would strike within it strikes now.
+const SIMULTANEOUS_CONTACT: f64 = 1e-13;
+
+/// Distances, relative to what they are summed from, that cannot be told from zero.
+const RESOLVED_DISTANCE: f64 = 4.0 * f64::EPSILON;
+
+/// Carries the loop into code compiled for the vector instructions of this machine.
+pub struct AdvanceMultiPort<'m, 'k> {
+    /// The march.
+    pub integrator: &'m mut Integrator<'k>,
+    /// Its end, s.
+    pub end_s: f64,
+}
+
+impl Task for AdvanceMultiPort<'_, '_> {
+    type Output = Result<(), IntegrationError>;
+
+    /// Alternates impacts, flight and contact until the end.
+    #[inline(always)]
+    fn run<W: Simd>(self, w: W) -> Self::Output {
+        let AdvanceMultiPort { integrator, end_s } = self;
+        let mut rounds = ZenoGuard::default();
+        while integrator.time_s < end_s && integrator.switching.met.is_none() {
+            integrator.poll()?;
+            rounds.count(&integrator.kernel.plant, integrator.time_s)?;
+            let until_s = integrator.next_breakpoint(w, end_s);
+            if integrator.hits_rigid_stop() {
+                integrator.collide(w)?;
+                // An impact that turns the current of a patch over is an extremum of its charge.
+                integrator.switching.met = integrator.passed();
+            } else if integrator.in_regime(ContactState::Contact).next().is_some() {
+                integrator.together(w, until_s)?;
+            } else {
+                integrator.fly(w, until_s)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Integrator<'_> {
+    /// Ports in a regime, ascending.
+    fn in_regime(&self, regime: ContactState) -> impl Iterator<Item = usize> {
+        (0..self.kernel.plant.ports.len()).filter(move |p| self.ports[*p].regime == regime)
+    }
+
+    /// Law of the stop of a port.
+    #[inline(always)]
+    fn law(&self, p: usize) -> Law {
+        self.kernel.plant.system.stops[p].law
+    }
+
+    fn is_rigid(&self, p: usize) -> bool {
+        !self.is_guard(p) && matches!(self.law(p), Law::Rigid(_))
+    }
+
+    /// True for an output that is only watched.
+    fn is_guard(&self, p: usize) -> bool {
+        p >= self.kernel.plant.system.stops.len()
+    }
+
+    /// Distance at which a point touches, m: what the fastest striker goes in no time at all.
+    fn touch_m(&self, p: usize) -> f64 {
+        self.ports.iter().fold(0.0_f64, |max, port| max.max(port.strike_m_s))
+            * SIMULTANEOUS_CONTACT
+            * Kernel::length_s(self.ports[p].entry_level)
+    }
+
+    /// Error of an impulse that one step may make at any port, N s: a weak contact need not be better than a strong one.
+    #[inline(always)]
+    fn allowed_beside_n_s(&self, steps: &[ContactStep], solved: &[SolvedStep]) -> f64 {
+        let fastest = |port: &PortState| port.strike_m_s / port.rows.mobility_per_kg;
+        let struck = self.tolerance * IMPULSE_ERROR_SHARE * self.ports.iter().map(fastest).fold(0.0, f64::max);
+        let own = steps.iter().zip(solved).map(|(step, own)| self.allowed_n_s(self.law(step.port), step, Some(own)));
+        own.fold(struck, f64::max)
+    }
+
+    /// A port enters contact at the present time, and with it every other one that touches and moves in. All that fly on are seen: the
+    /// step that ended here was cut short.
+    #[inline(always)]
+    fn join<W: Simd>(&mut self, w: W, p: usize) {
+        if self.is_guard(p) {
+            self.switching.met = Some(p);
+            return;
+        }
+        for q in 0..self.kernel.plant.ports.len() {
+            if self.ports[q].regime == ContactState::Flight {
+                self.update_port(w, q);
+            }
+        }
+        // What is past a rigid stop by roundoff and moves out has left it, unless it is pressed back before.
+        let motion = [self.ports[p].penetration_m, self.ports[p].rate_m_s];
+        if self.is_rigid(p) && motion[1] < 0.0 && !self.is_lost(p, motion) {
+            return;
+        }
+        self.enter(p);
+        for q in 0..self.kernel.plant.system.stops.len() {
+            // Rigid stops struck together share one instant, as well as their distances tell it.
+            let roundoff_m = if self.is_rigid(q) { RESOLVED_DISTANCE * self.terms_m(w, q) } else { 0.0 };
+            let port = &self.ports[q];
+            let touches = port.penetration_m.abs() <= self.touch_m(q).max(roundoff_m);
+            if port.regime == ContactState::Flight && port.rate_m_s > 0.0 && touches {
+                self.enter(q);
+            }
+        }
+    }
+
+    fn enter(&mut self, p: usize) {
+        // Beside a stop that is struck at the same instant, a port may be let go by roundoff and come back at once: that is one contact.
+        let at_once_s = (SIMULTANEOUS_CONTACT * Kernel::length_s(self.ports[p].entry_level)).max(RESOLVED_DISTANCE * self.time_s.abs());
+        if self.time_s - self.ports[p].entered_s <= at_once_s && !self.is_rigid(p) {
+            (self.ports[p].penetration_m, self.ports[p].regime) = (0.0, ContactState::Contact);
+        } else {
+            self.struck(p);
+            self.ports[p].entered_s = self.time_s;
+        }
+        let port = &mut self.ports[p];
+        (port.level, port.entering) = (port.entry_level, true);
+    }
+}

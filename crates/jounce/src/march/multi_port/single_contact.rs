@@ -1,0 +1,53 @@
+//! One compliant port in contact by itself, the others watched: most of the time of most marches with several stops.
+
+use super::flight::StepOutcome;
+use crate::march::error::IntegrationError;
+use crate::march::integrator::Integrator;
+use crate::march::joint_tables::StepLength;
+use crate::march::kernel::ForceBasis;
+use crate::march::step_size::LEVELS_PER_OCTAVE;
+use crate::simd::Simd;
+
+impl Integrator<'_> {
+    /// Goes on as if there were no other port, for as long as none of them needs to be watched; false when that is not even a step.
+    #[inline(always)]
+    pub(super) fn stay_alone<W: Simd>(&mut self, w: W, p: usize, end_s: f64) -> Result<bool, IntegrationError> {
+        let (start_s, port) = (self.time_s, &self.ports[p]);
+        if port.rows.speed_bound.is_none() {
+            return Ok(false);
+        }
+        let start = (port.level, port.entering && port.rate_m_s > 0.0);
+        let (level, entering) = w.apart(
+            #[inline(always)]
+            || self.stay(w, self.law(p), (p, true), start, end_s),
+        )?;
+        let port = &mut self.ports[p];
+        (port.level, port.entering) = (level, entering);
+        Ok(self.time_s > start_s)
+    }
+
+    /// Tries a step; taken when it is accurate for the port in contact and clear for all in flight.
+    #[inline(always)]
+    pub(super) fn attempt_alone<W: Simd>(
+        &mut self,
+        w: W,
+        (p, shape): (usize, ForceBasis),
+        length: StepLength,
+        is_short: bool,
+    ) -> StepOutcome {
+        let (law, table) = (self.law(p), length.table(self.kernel, (p, shape)));
+        let is_odd = matches!(length, StepLength::Odd { .. });
+        let step = [self.step_in_contact(w, law, (&table, p), shape, length.level(), is_odd)];
+        let Some(solved) = self.solve(w, law, &step[0]) else { return StepOutcome::Unclear(LEVELS_PER_OCTAVE) };
+        let solved = [solved];
+        if !self.is_fine(&step, &solved, is_short) {
+            return StepOutcome::Unclear(LEVELS_PER_OCTAVE);
+        }
+        let outcome = self.watch(w, length, &step, &solved);
+        if let StepOutcome::Clear = outcome {
+            self.forget_clearances();
+            self.take_joint(w, length, &step, &solved, None);
+        }
+        outcome
+    }
+}

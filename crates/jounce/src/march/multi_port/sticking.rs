@@ -1,0 +1,208 @@
+//! Points at rest on rigid stops while other ports fly or are in contact.
+//!
+//! The forces `f_a` of the ports at rest keep their relative accelerations at zero,
+//!
+//! ```text
+//! a_a . y(t) + a_drive(t) - sum_b M_ab f_b(t) = 0   for every port a at rest,
+//! ```
+//!
+//! the sum over all ports in contact, with the mobilities `M_ab` (1/kg) between ports. At the nodes of a step this is one linear
+//! system for all ports at rest, given the forces of the others.
+
+use super::joint_solve::{JointStep, PortIterate};
+use crate::march::basis::{NODES, SMOOTH_BASIS};
+use crate::march::contact::IMPULSE_ERROR_SHARE;
+use crate::march::contact_step::SolvedStep;
+use crate::march::contact_table::StickingTable;
+use crate::march::error::IntegrationError;
+use crate::march::integrator::Integrator;
+use crate::march::joint_tables::{JointTables, StepLength};
+use crate::march::port_state::ContactState;
+use crate::march::rigid::acceleration;
+use crate::march::state::columns;
+use crate::simd::{F64x8, LANES, Portable, Simd};
+use faer::linalg::solvers::DenseSolveCore;
+use faer::{Mat, c64};
+
+/// Relative mismatch of a holding force at the end of a step that is still good, times the tolerance.
+const HOLDING_FORCE_TOLERANCE: f64 = 1e-2;
+
+/// Mobility left to a second port at rest, relative to its own, below which both hold the same motion.
+pub(super) const MIN_RELATIVE_MOBILITY: f64 = 1e-10;
+
+/// The ports at rest on a step.
+pub struct StickingPorts {
+    /// Their places among the ports of the step.
+    places: Vec<usize>,
+    /// Free acceleration of each at the nodes and the end, m/s^2.
+    free: Vec<F64x8>,
+    /// Answer of each to the force of each place, the direct share taken away at the nodes: `[rest][place][node of force]`.
+    answers: Vec<Vec<[F64x8; NODES]>>,
+    /// Mobility between each and each place, 1/kg.
+    mobility: Vec<Vec<f64>>,
+    /// From accelerations at the nodes of all to their nodal forces, kg.
+    inverse: Mat<f64>,
+    /// Relative mismatch allowed.
+    allowed: f64,
+}
+
+impl StickingPorts {
+    /// For the ports at rest among those of a step.
+    pub fn new(integrator: &Integrator, tables: &JointTables) -> Self {
+        let places: Vec<usize> = (0..tables.ports.len()).filter(|place| integrator.is_rigid(tables.ports[*place].0)).collect();
+        let mut resting = Self {
+            free: Vec::new(),
+            answers: Vec::new(),
+            mobility: Vec::new(),
+            inverse: Mat::zeros(0, 0),
+            allowed: integrator.tolerance.max(1e-12) * HOLDING_FORCE_TOLERANCE,
+            places,
+        };
+        for place in resting.places.clone() {
+            let port = tables.ports[place].0;
+            let odd;
+            let sticking = match tables.length {
+                StepLength::Level(level) => integrator.kernel.sticking(port, level),
+                StepLength::Odd { length_s, .. } => {
+                    odd = StickingTable::new(integrator.kernel, port, &SMOOTH_BASIS, length_s);
+                    &odd
+                }
+            };
+            resting.free.push(integrator.free_acceleration(sticking, port, tables.length.seconds()));
+            let answer = |from: usize| if from == place { sticking.acceleration.push } else { tables.cross(from, place).acceleration };
+            resting.answers.push((0..tables.ports.len()).map(answer).collect());
+            resting.mobility.push(tables.ports.iter().map(|(other, _)| integrator.mobility_per_kg(port, *other)).collect());
+        }
+        resting.invert();
+        resting
+    }
+
+    fn invert(&mut self) {
+        let count = self.places.len() * NODES;
+        if count == 0 {
+            return;
+        }
+        let entry = |row: usize, column: usize| {
+            let ((a, i), (b, j)) = ((row / NODES, row % NODES), (column / NODES, column % NODES));
+            let place = self.places[b];
+            (if i == j { self.mobility[a][place] } else { 0.0 }) - self.answers[a][place][j].0[i]
+        };
+        self.inverse = Mat::from_fn(count, count, entry).partial_piv_lu().inverse();
+    }
+
+    /// Sets the forces of the ports at rest, given those of the others.
+    pub fn hold(&self, iterates: &mut [PortIterate]) {
+        let mut right = Vec::with_capacity(self.places.len() * NODES);
+        for (a, free) in self.free.iter().enumerate() {
+            for i in 0..NODES {
+                let mut sum = free.0[i];
+                for (place, other) in iterates.iter().enumerate().filter(|(place, _)| !self.places.contains(place)) {
+                    sum -= self.mobility[a][place] * other.force.0[i];
+                    sum += (0..NODES).map(|j| self.answers[a][place][j].0[i] * other.force.0[j]).sum::<f64>();
+                }
+                right.push(sum);
+            }
+        }
+        for (a, place) in self.places.iter().enumerate() {
+            let force = |i: usize| right.iter().enumerate().map(|(k, right)| self.inverse[(a * NODES + i, k)] * right).sum();
+            iterates[*place].force = F64x8(std::array::from_fn(|i| if i < NODES { force(i) } else { 0.0 }));
+        }
+    }
+
+    /// Marks a step as bad on which a holding force misses the end of the step, or would have to pull for a time that matters.
+    pub fn judge(&self, integrator: &Integrator, joint: &JointStep, solved: &mut [SolvedStep]) {
+        if self.places.is_empty() {
+            return;
+        }
+        let at_end: Vec<f64> = solved.iter().map(|own| (0..NODES).map(|j| SMOOTH_BASIS.at_end.0[j] * own.force.0[j]).sum()).collect();
+        let allowed_n_s = integrator.allowed_beside_n_s(&joint.steps, solved);
+        for (a, place) in self.places.iter().enumerate() {
+            let mut mismatch = self.free[a].0[NODES];
+            for (from, other) in solved.iter().enumerate() {
+                mismatch -= self.mobility[a][from] * at_end[from];
+                mismatch += (0..NODES).map(|j| self.answers[a][from][j].0[NODES] * other.force.0[j]).sum::<f64>();
+            }
+            let (size, mobility) = (integrator.largest(&solved[*place].force), self.mobility[a][*place]);
+            let length_s = joint.tables.length.seconds();
+            let own_n_s = integrator.tolerance * IMPULSE_ERROR_SHARE * integrator.speed_m_s(joint.tables.ports[*place].0) / mobility;
+            let negligible = size * length_s <= HOLDING_FORCE_TOLERANCE * allowed_n_s.max(own_n_s);
+            let pulls = solved[*place].force.0.iter().any(|force| *force < 0.0);
+            let allowed = (self.allowed * mobility * size).max(integrator.acceleration_roundoff_m_s2(joint.tables.ports[*place].0));
+            let is_good = mismatch.abs() <= allowed && !pulls;
+            solved[*place].error_n_s = if is_good || negligible { 0.0 } else { f64::INFINITY };
+            solved[*place].force = F64x8(solved[*place].force.0.map(|force| force.max(0.0)));
+        }
+    }
+}
+
+impl Integrator<'_> {
+    /// Velocity that one port loses per unit impulse at another, 1/kg.
+    pub(super) fn mobility_per_kg(&self, port: usize, other: usize) -> f64 {
+        let stops = &self.kernel.plant.system.stops;
+        stops[port].shape.iter().zip(&stops[other].shape).map(|(a, b)| a * b).sum()
+    }
+
+    fn largest(&self, force: &F64x8) -> f64 {
+        force.0[..NODES].iter().fold(0.0, |max, force| max.max(force.abs()))
+    }
+
+    /// Relative acceleration of a port without any contact force on the step, at its nodes and its end, m/s^2.
+    fn free_acceleration(&self, sticking: &StickingTable, port: usize, length_s: f64) -> F64x8 {
+        let w = Portable::new();
+        let mut free = w.store(columns(w, &self.layout, &self.y, &sticking.acceleration.columns, w.zero()));
+        for tone in &self.tones {
+            let swing = &tone.swing[port];
+            for i in 0..LANES {
+                let turned = tone.displacement_m[port] * tone.turn * c64::new(swing.cos.0[i], swing.sin.0[i]);
+                free.0[i] += acceleration(turned, tone.angular_frequency_rad_s);
+            }
+        }
+        for (free, place) in free.0.iter_mut().zip(SMOOTH_BASIS.places) {
+            *free += self.excitation.acceleration_after(port, place * length_s);
+        }
+        free
+    }
+
+    /// Ports at rest whose stop would have to pull go to flight, the one that pulls most first.
+    ///
+    /// # Errors
+    /// [`IntegrationError::RestsTwice`] where two stops hold the same motion.
+    pub(super) fn let_go(&mut self) -> Result<(), IntegrationError> {
+        loop {
+            let resting: Vec<usize> = self.in_regime(ContactState::Contact).filter(|p| self.is_rigid(*p)).collect();
+            let Some(forces) = self.holding_forces(&resting)? else { return Ok(()) };
+            let weakest = (0..resting.len()).min_by(|a, b| forces[*a].total_cmp(&forces[*b]));
+            match weakest.filter(|place| self.pulls(resting[*place], forces[*place])) {
+                Some(place) => self.ports[resting[place]].regime = ContactState::Flight,
+                None => return Ok(()),
+            }
+        }
+    }
+
+    /// A holding force would have to pull: now, or, where it is roundoff, from now on.
+    fn pulls(&self, p: usize, force_n: f64) -> bool {
+        let roundoff_n = self.acceleration_roundoff_m_s2(p) / self.ports[p].rows.mobility_per_kg;
+        force_n < -roundoff_n || force_n <= roundoff_n && self.jerk_m_s3(p) <= 0.0
+    }
+
+    /// Forces that hold the ports at rest now, N; `None` without one.
+    fn holding_forces(&self, resting: &[usize]) -> Result<Option<Vec<f64>>, IntegrationError> {
+        if resting.is_empty() {
+            return Ok(None);
+        }
+        let pressed = self.forces_n();
+        let count = resting.len();
+        let matrix = Mat::from_fn(count, count, |a, b| self.mobility_per_kg(resting[a], resting[b]));
+        let lu = matrix.full_piv_lu();
+        let (largest, smallest) = (lu.U()[(0, 0)].abs(), lu.U()[(count - 1, count - 1)].abs());
+        if smallest <= MIN_RELATIVE_MOBILITY * largest {
+            let stops = resting.iter().map(|p| self.kernel.plant.system.stops[*p].name.clone()).collect();
+            return Err(IntegrationError::RestsTwice { time_s: self.time_s, stops });
+        }
+        let inverse = lu.inverse();
+        let right: Vec<f64> = (resting.iter())
+            .map(|a| self.acceleration_m_s2(*a) - pressed.iter().enumerate().map(|(c, f)| self.mobility_per_kg(*a, c) * f).sum::<f64>())
+            .collect();
+        Ok(Some((0..count).map(|a| (0..count).map(|b| inverse[(a, b)] * right[b]).sum()).collect()))
+    }
+}

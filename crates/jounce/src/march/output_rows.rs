@@ -1,0 +1,200 @@
+//! Output rows of the state on a contact step: what the free motion and the seven nodal forces make of them.
+
+use super::basis::{BasisFunctions, NODES};
+use super::duhamel::DuhamelIntegrals;
+use super::factors::{factored, terms};
+use super::layout::StateLayout;
+use super::step_response::{BlockOnStep, StepResponse};
+use crate::plant::{BlockDiagonal, BlockPair};
+use crate::simd::{F64x8, LANES, Simd, Task};
+
+/// One row on a step: `value_i = sum_k columns_k[i] y_k + sum_j push_j[i] f_j`.
+#[derive(Debug, Clone, Default)]
+pub struct OutputRow {
+    /// One lane per state in column order; of an integrated row none.
+    pub columns: Vec<F64x8>,
+    /// One lane per force node.
+    pub push: [F64x8; NODES],
+}
+
+/// How a row is read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RowReading {
+    /// At the nodes and at the end of the step.
+    Pointwise,
+    /// Integrated over the step against each function of the basis; the eighth place is 0.
+    Integral,
+}
+
+/// A row wanted on a step.
+#[derive(Debug, Clone)]
+pub struct RowRequest {
+    /// In block coordinates.
+    pub row: Vec<f64>,
+    /// How it is read.
+    pub reading: RowReading,
+}
+
+impl RowRequest {
+    /// Columns that it needs.
+    fn columns(&self, block: &BlockDiagonal) -> usize {
+        if self.reading == RowReading::Pointwise { block.len() } else { 0 }
+    }
+}
+
+/// All rows on a step, and the integrals of its nodal forces.
+#[derive(Debug, Clone, Default)]
+pub struct OutputRows {
+    /// In the order asked for.
+    pub rows: Vec<OutputRow>,
+    /// Their Legendre series in time under a unit force of each node, one lane per coefficient.
+    pub series: Vec<Vec<F64x8>>,
+    /// Integrals of the reader's functions from the start of the step, and of the basis of the force towards its end (see
+    /// [`super::duhamel`]).
+    pub from_start: DuhamelIntegrals,
+    /// See above.
+    pub towards_end: DuhamelIntegrals,
+}
+
+/// The making of responses.
+#[derive(Debug)]
+pub struct OutputRowsTask<'a> {
+    /// The blocks.
+    pub block: &'a BlockDiagonal,
+    /// Their places.
+    pub layout: &'a StateLayout,
+    /// The force on the step.
+    pub basis: &'a BasisFunctions,
+    /// The basis at whose places, or against whose functions, the rows are read.
+    pub reader: &'a BasisFunctions,
+    /// Column of a unit force, block coordinates.
+    pub force: &'a [f64],
+    /// Wanted rows.
+    pub rows: &'a [RowRequest],
+    /// Length, s.
+    pub length_s: f64,
+}
+
+/// The blocks with their first state.
+pub fn parts(block: &BlockDiagonal) -> impl Iterator<Item = (usize, BlockOnStep)> + '_ {
+    let pairs = block.pairs.iter().enumerate().map(|(k, pair): (usize, &BlockPair)| (2 * k, BlockOnStep::of(pair)));
+    let first = 2 * block.pairs.len();
+    pairs.chain(block.reals.iter().enumerate().map(move |(k, rate)| (first + k, BlockOnStep::Single(*rate))))
+}
+
+impl Task for OutputRowsTask<'_> {
+    type Output = OutputRows;
+
+    #[inline(always)]
+    fn run<W: Simd>(self, w: W) -> OutputRows {
+        let OutputRowsTask { block, layout, basis, reader, force, rows, length_s: h } = self;
+        let count = parts(block).map(|(_, part)| terms(&part, basis, h)).max().unwrap_or(basis.series.len());
+        let powers = legendre_lanes(w, reader, count);
+        let moments: Vec<F64x8> =
+            (reader.series.iter().enumerate()).map(|(a, lane)| w.store(w.mul(w.splat(h / (2 * a + 1) as f64), w.load(lane)))).collect();
+        let mut series = vec![vec![F64x8::ZERO; count]; rows.len()];
+        let mut out = OutputRows {
+            rows: rows.iter().map(|row| OutputRow { columns: vec![F64x8::ZERO; row.columns(block)], push: [F64x8::ZERO; NODES] }).collect(),
+            from_start: vec![[F64x8::ZERO; NODES]; layout.lanes()],
+            towards_end: vec![[F64x8::ZERO; NODES]; layout.lanes()],
+            series: Vec::new(),
+        };
+        let mut answers = StepResponse::default();
+        let all: Vec<(usize, BlockOnStep)> = parts(block).collect();
+        let mut factors = Vec::new();
+        for (index, (first, part)) in all.iter().enumerate() {
+            let (own, place) = (*first..first + part.states(), index % LANES);
+            if place == 0 {
+                let group: Vec<BlockOnStep> = all[index..].iter().take(LANES).map(|(_, part)| *part).collect();
+                factors = factored(w, &group, basis, h);
+            }
+            answers.solve(w, part, basis, h, (&factors, place));
+            let free = free_motion(w, &answers, &powers);
+            for ((wanted, response), series) in rows.iter().zip(&mut out.rows).zip(&mut series) {
+                let row = &wanted.row[own.clone()];
+                if wanted.reading == RowReading::Pointwise {
+                    for (state, [f, g]) in own.clone().zip(part.free(row, h)) {
+                        response.columns[layout.column(state)] = w.store(w.fma(w.splat(f), free[0], w.mul(w.splat(g), free[1])));
+                    }
+                }
+                let [f, g] = part.forced(row, &force[own.clone()], h);
+                let kept = if wanted.reading == RowReading::Pointwise { answers.first.len() } else { reader.series.len() };
+                for ((sum, first), second) in series.iter_mut().zip(&answers.first).zip(&answers.second).take(kept) {
+                    *sum = w.store(w.fma(w.splat(f), w.load(first), w.fma(w.splat(g), w.load(second), w.load(sum))));
+                }
+            }
+            let mean = free_motion(w, &answers, &moments).map(|sum| w.store(sum));
+            let end = ends(w, &answers).map(|sum| w.store(sum));
+            for (state, factor) in own.zip(part.entries(h)) {
+                let ((lane, place), entry) = (layout.place(state), state - *first);
+                for j in 0..NODES {
+                    out.from_start[lane][j].0[place] = factor * mean[entry].0[j];
+                    out.towards_end[lane][j].0[place] = h * factor * end[entry].0[j];
+                }
+            }
+        }
+        for ((wanted, response), series) in rows.iter().zip(&mut out.rows).zip(&series) {
+            let at = if wanted.reading == RowReading::Pointwise { &powers } else { &moments };
+            response.push = summed(w, at, series);
+        }
+        out.series = series;
+        out
+    }
+}
+
+/// Series read at eight places (lanes of factors), one lane per force node.
+#[inline(always)]
+fn summed<W: Simd>(w: W, at: &[F64x8], series: &[F64x8]) -> [F64x8; NODES] {
+    let mut sums = [w.zero(); LANES];
+    for (row, lane) in at.iter().zip(series) {
+        let lane = w.load(lane);
+        for (sum, factor) in sums.iter_mut().zip(&row.0) {
+            *sum = w.fma(w.splat(*factor), lane, *sum);
+        }
+    }
+    let mut push = [F64x8::ZERO; NODES];
+    for (i, sum) in sums.into_iter().enumerate() {
+        let by_force = w.store(sum);
+        (0..NODES).for_each(|j| push[j].0[i] = by_force.0[j]);
+    }
+    push
+}
+
+/// `P_a` at the places of a basis, one lane per `a`.
+#[inline(always)]
+fn legendre_lanes<W: Simd>(w: W, basis: &BasisFunctions, count: usize) -> Vec<F64x8> {
+    let s = w.fma(w.splat(2.0), w.load(&F64x8(basis.places)), w.splat(-1.0));
+    let mut powers = vec![w.store(w.splat(1.0)); count.max(2)];
+    let (mut before, mut now) = (w.splat(1.0), s);
+    powers[1] = w.store(s);
+    for n in 1..count.saturating_sub(1) {
+        let n_f = n as f64;
+        let (ahead, back) = ((2.0 * n_f + 1.0) / (n_f + 1.0), -n_f / (n_f + 1.0));
+        let next = w.fma(w.mul(w.splat(ahead), s), now, w.mul(w.splat(back), before));
+        (before, now) = (now, next);
+        powers[n + 1] = w.store(next);
+    }
+    powers
+}
+
+/// The free motion of both answers, summed against lanes.
+#[inline(always)]
+fn free_motion<W: Simd>(w: W, answers: &StepResponse, lanes: &[F64x8]) -> [W::Register; 2] {
+    let mut sums = [w.zero(); 2];
+    for ((lane, first), second) in lanes.iter().zip(&answers.first).zip(&answers.second) {
+        let lane = w.load(lane);
+        sums[0] = w.fma(w.splat(first.0[NODES]), lane, sums[0]);
+        sums[1] = w.fma(w.splat(second.0[NODES]), lane, sums[1]);
+    }
+    sums
+}
+
+/// Both answers at the end of the step, where every Legendre polynomial is 1.
+#[inline(always)]
+fn ends<W: Simd>(w: W, answers: &StepResponse) -> [W::Register; 2] {
+    let mut sums = [w.zero(); 2];
+    for (first, second) in answers.first.iter().zip(&answers.second) {
+        sums = [w.add(sums[0], w.load(first)), w.add(sums[1], w.load(second))];
+    }
+    sums
+}

@@ -1,0 +1,223 @@
+//! One contact step, linearised, for all ports in contact at once.
+
+use super::elimination::NodeSystem;
+use super::linearization::Linearization;
+use super::parameter_sensitivity::DrivenNodeMotion;
+use super::tangents::add_scaled;
+use crate::contact::{ContactLaw, Slopes};
+use crate::march::basis::NODES;
+use crate::march::joint_tables::{JointTables, StepLength};
+use crate::march::kernel::{ForceBasis, Kernel};
+use crate::march::state::{columns, pushed};
+use crate::march::trajectory::TrajectorySegment;
+use crate::simd::{F64x8, LANES, Simd};
+
+/// Nodes in one pass over the tangents.
+const NODES_PER_PASS: usize = LANES / 2;
+
+/// The law of a port along a step.
+struct LawNodes {
+    driven: DrivenNodeMotion,
+    /// `J` and `J'` at the nodes, last place 0.
+    stiffness_n_m: F64x8,
+    damping_n_s_m: F64x8,
+    /// Force at the nodes and at the end of the step, N.
+    force_n: F64x8,
+}
+
+impl Linearization<'_> {
+    /// Passes one step in contact; `after` is the state at its end.
+    #[inline(always)]
+    pub(super) fn contact<W: Simd>(&mut self, w: W, segment: &TrajectorySegment, after: &[f64]) {
+        let kernel = self.kernel;
+        let ports: Vec<(usize, ForceBasis)> = segment.forces.iter().map(|force| (force.port, force.shape)).collect();
+        let level = Kernel::level_within(segment.length_s);
+        let is_level = Kernel::length_s(level) == segment.length_s;
+        let odd = StepLength::Odd { length_s: segment.length_s, level };
+        let tables = JointTables::new(kernel, &ports, if is_level { StepLength::Level(level) } else { odd });
+        if self.system.ports() != ports.len() {
+            self.system = NodeSystem::new(ports.len(), self.tangents.width);
+        }
+        kernel.layout.pack_into(&segment.state, &mut self.packed);
+        let mut nodes: Vec<LawNodes> = Vec::with_capacity(ports.len());
+        for place in 0..ports.len() {
+            nodes.push(self.nodes(w, &tables, segment, place));
+        }
+        // Contacts that start at the same instant share the shift of the first: see the limits of the module.
+        let entering = ports.iter().find(|(_, shape)| *shape == ForceBasis::Onset);
+        let shift_s = entering.and_then(|(port, _)| self.onset_shift(w, segment, *port));
+        for (place, own) in nodes.iter().enumerate() {
+            self.right_sides(w, &tables, place, own);
+            self.rows(w, &tables, (place, ports[place].0), own, shift_s.as_deref());
+        }
+        self.system.solve(w);
+        self.advance(w, &tables);
+        if let Some(shift_s) = &shift_s {
+            let rate = self.rate(segment.start_s + segment.length_s, after, &segment.forces);
+            self.tangents.add_product(w, &rate, -1.0, shift_s);
+        }
+    }
+
+    /// The equations of the nodes of a place.
+    #[inline(always)]
+    fn rows<W: Simd>(&mut self, w: W, tables: &JointTables, (place, port): (usize, usize), nodes: &LawNodes, shift_s: Option<&[F64x8]>) {
+        let (stiffness, damping, driven) = (w.load(&nodes.stiffness_n_m), w.load(&nodes.damping_n_s_m), &nodes.driven);
+        let force_relative = self.drift.force_relative_of(port);
+        let by_force = w.mul(w.splat(force_relative), w.load(&nodes.force_n));
+        let moved = w.fma(stiffness, w.load(&driven.penetration_drift_m), by_force);
+        let own = w.store(w.fma(damping, w.load(&driven.rate_drift_m_s), moved));
+        let passed = w.fma(stiffness, w.load(&driven.velocity_m_s), w.mul(damping, w.load(&driven.acceleration_m_s2)));
+        let passed = w.store(passed);
+        for i in 0..NODES {
+            let right = self.system.right(place * NODES + i);
+            self.tangents.drift(right, own.0[i]);
+            if let Some(shift_s) = shift_s {
+                add_scaled(w, right, passed.0[i], shift_s);
+            }
+            for from in 0..tables.ports.len() {
+                let mut row = row(tables.answers(from, place), i, nodes.stiffness_n_m.0[i], nodes.damping_n_s_m.0[i]);
+                row.0[i] += if from == place { 1.0 } else { 0.0 };
+                *self.system.matrix(place * NODES + i, from) = row;
+            }
+        }
+    }
+
+    /// The law at the nodes of a step of a place.
+    #[inline(always)]
+    fn nodes<W: Simd>(&mut self, w: W, tables: &JointTables, segment: &TrajectorySegment, place: usize) -> LawNodes {
+        let (kernel, layout) = (self.kernel, self.kernel.layout);
+        let port = tables.ports[place].0;
+        let (law, table) = (self.law(port), tables.own(place));
+        let driven = self.driven(w, tables.ports[place], tables.length, segment);
+        let [held, carried] = self.held(tables.ports[place], segment.length_s);
+        let driven_m = w.add(w.load(&driven.displacement_m), w.load(&held));
+        let start = w.sub(driven_m, w.splat(kernel.plant.system.stops[port].gap_m));
+        let mut depth = columns(w, &layout, &self.packed, &table.displacement.columns, start);
+        let mut rate = w.zero();
+        if law.is_rate_dependent() {
+            rate = columns(w, &layout, &self.packed, &table.velocity.columns, w.add(w.load(&driven.velocity_m_s), w.load(&carried)));
+        }
+        let mut force_n = F64x8::ZERO;
+        for (from, force) in segment.forces.iter().enumerate() {
+            let mut nodal_n = F64x8::ZERO;
+            nodal_n.0[..NODES].copy_from_slice(&force.nodal_n);
+            let [displacement, velocity] = tables.answers(from, place);
+            depth = pushed(w, depth, displacement, &nodal_n);
+            if law.is_rate_dependent() {
+                rate = pushed(w, rate, velocity, &nodal_n);
+            }
+            force_n = if from == place { nodal_n } else { force_n };
+        }
+        let (depth, rate) = (w.store(depth), w.store(rate));
+        let mut nodes = LawNodes { driven, stiffness_n_m: F64x8::ZERO, damping_n_s_m: F64x8::ZERO, force_n };
+        for i in 0..NODES {
+            // Past the surface the force is zero whatever the state.
+            if law.acts_on_both_sides() || depth.0[i] > 0.0 {
+                let Slopes { stiffness_n_m, damping_n_s_m } = law.slopes(depth.0[i], rate.0[i]);
+                (nodes.stiffness_n_m.0[i], nodes.damping_n_s_m.0[i]) = (stiffness_n_m, damping_n_s_m);
+            }
+        }
+        nodes
+    }
+
+    /// Displacement (m) and velocity (m/s) by constant signals at the places of a step. They go with the time from its start, so that a
+    /// shift of that start leaves them as they are.
+    #[inline(always)]
+    fn held(&self, (port, shape): (usize, ForceBasis), length_s: f64) -> [F64x8; 2] {
+        let mut held = [F64x8::ZERO; 2];
+        let Some(series) = self.forced.get(port) else { return held };
+        for (i, place) in self.kernel.basis(port, shape).places.iter().enumerate() {
+            [held[0].0[i], held[1].0[i]] = series.motion(place * length_s);
+        }
+        held
+    }
+
+    /// `J C dy + J' C' dy` of a place.
+    #[inline(always)]
+    fn right_sides<W: Simd>(&mut self, w: W, tables: &JointTables, place: usize, nodes: &LawNodes) {
+        let layout = self.kernel.layout;
+        let (table, needs_rate) = (tables.own(place), self.law(tables.ports[place].0).is_rate_dependent());
+        let (stiffness, damping) = (w.load(&nodes.stiffness_n_m), w.load(&nodes.damping_n_s_m));
+        for (state, factor) in self.factors.iter_mut().enumerate() {
+            let column = layout.column(state);
+            let mut sum = w.mul(stiffness, w.load(&table.displacement.columns[column]));
+            if needs_rate {
+                sum = w.fma(damping, w.load(&table.velocity.columns[column]), sum);
+            }
+            *factor = w.store(sum);
+        }
+        for (lane, group) in self.tangents.groups().enumerate() {
+            // All at once they would not fit into the registers of most machines.
+            let sums = [sums(w, &self.factors, group, 0), sums(w, &self.factors, group, NODES_PER_PASS)];
+            for (i, sum) in sums.into_iter().flatten().take(NODES).enumerate() {
+                self.system.right(place * NODES + i)[lane] = w.store(sum);
+            }
+        }
+    }
+
+    /// `dy = e^{A h} dy + B X` of the first place, and `B X` of the others.
+    #[inline(always)]
+    fn advance<W: Simd>(&mut self, w: W, tables: &JointTables) {
+        let (layout, table) = (self.kernel.layout, tables.own(0));
+        let pushes = |place: usize| tables.own(place).push(&self.kernel.vectors[tables.ports[place].0].column);
+        let push = pushes(0);
+        for (lane, group) in self.tangents.groups_mut().enumerate() {
+            let solution = self.system.column(w, 0, lane);
+            let (paired, reals) = group.split_at_mut(2 * layout.pairs);
+            for (k, pair) in paired.chunks_exact_mut(2).enumerate() {
+                let ([a, b, c, d], place) = (table.flow.pair(k), k % LANES);
+                let (push_u, push_v) = (&push[k / LANES], &push[layout.pair_lanes + k / LANES]);
+                let (u, v) = (w.load(&pair[0]), w.load(&pair[1]));
+                let mut next_u = w.fma(w.splat(a), u, w.mul(w.splat(b), v));
+                let mut next_v = w.fma(w.splat(c), u, w.mul(w.splat(d), v));
+                for ((by_u, by_v), x) in push_u.iter().zip(push_v).zip(solution) {
+                    next_u = w.fma(w.splat(by_u.0[place]), x, next_u);
+                    next_v = w.fma(w.splat(by_v.0[place]), x, next_v);
+                }
+                (pair[0], pair[1]) = (w.store(next_u), w.store(next_v));
+            }
+            for (k, row) in reals.iter_mut().enumerate() {
+                let (push, place) = (&push[2 * layout.pair_lanes + k / LANES], k % LANES);
+                let mut next = w.mul(w.splat(table.flow.real(k)), w.load(row));
+                for (by, x) in push.iter().zip(solution) {
+                    next = w.fma(w.splat(by.0[place]), x, next);
+                }
+                *row = w.store(next);
+            }
+            for other in 1..tables.ports.len() {
+                let (push, solution) = (pushes(other), self.system.column(w, other, lane));
+                for (state, row) in group.iter_mut().enumerate() {
+                    let (at, place) = layout.place(state);
+                    let mut next = w.load(row);
+                    for (by, x) in push[at].iter().zip(solution) {
+                        next = w.fma(w.splat(by.0[place]), x, next);
+                    }
+                    *row = w.store(next);
+                }
+            }
+        }
+    }
+}
+
+/// Sums of a group of tangents by the factors of some nodes, from `first` on.
+#[inline(always)]
+fn sums<W: Simd>(w: W, factors: &[F64x8], group: &[F64x8], first: usize) -> [W::Register; NODES_PER_PASS] {
+    let mut sums = [w.zero(); NODES_PER_PASS];
+    for (factor, value) in factors.iter().zip(group) {
+        let value = w.load(value);
+        for (i, sum) in sums.iter_mut().enumerate() {
+            *sum = w.fma(w.splat(factor.0[first + i]), value, *sum);
+        }
+    }
+    sums
+}
+
+/// A row of `-J D - J' D'`.
+#[inline(always)]
+fn row([displacement, velocity]: [&[F64x8; NODES]; 2], i: usize, stiffness_n_m: f64, damping_n_s_m: f64) -> F64x8 {
+    let mut row = F64x8::ZERO;
+    for j in 0..NODES {
+        row.0[j] = -stiffness_n_m * displacement[j].0[i] - damping_n_s_m * velocity[j].0[i];
+    }
+    row
+}

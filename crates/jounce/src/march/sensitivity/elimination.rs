@@ -1,0 +1,96 @@
+//! The small linear system of one contact step, for all columns at once.
+
+use super::tangents::{add_scaled, scale};
+use crate::march::basis::NODES;
+use crate::simd::{F64x8, Simd};
+
+/// `A x = r` for the nodes of one or several ports: per node a row with its entries of `A`, one lane per port, and those of `r` in
+/// the lanes after them.
+#[derive(Debug)]
+pub struct NodeSystem {
+    ports: usize,
+    stride: usize,
+    rows: Vec<F64x8>,
+}
+
+impl NodeSystem {
+    /// Room for a number of ports and right sides of a number of lanes.
+    pub fn new(ports: usize, width: usize) -> Self {
+        Self { ports, stride: width + ports, rows: vec![F64x8::ZERO; ports * NODES * (width + ports)] }
+    }
+
+    /// Number of ports.
+    pub fn ports(&self) -> usize {
+        self.ports
+    }
+
+    /// Row of `A` of a node, the part that belongs to the nodes of one port.
+    #[inline(always)]
+    pub fn matrix(&mut self, node: usize, port: usize) -> &mut F64x8 {
+        &mut self.rows[node * self.stride + port]
+    }
+
+    /// Right side of a node; after [`NodeSystem::solve`] its solution.
+    #[inline(always)]
+    pub fn right(&mut self, node: usize) -> &mut [F64x8] {
+        &mut self.rows[node * self.stride + self.ports..(node + 1) * self.stride]
+    }
+
+    /// One lane of all right sides of a port, or of their solution.
+    #[inline(always)]
+    pub fn column<W: Simd>(&self, w: W, port: usize, lane: usize) -> [W::Register; NODES] {
+        let mut column = [w.zero(); NODES];
+        for (node, own) in column.iter_mut().enumerate() {
+            *own = w.load(&self.rows[(port * NODES + node) * self.stride + self.ports + lane]);
+        }
+        column
+    }
+
+    /// Solves in place by elimination with row exchange; `A` is the identity less a small integration.
+    #[inline(always)]
+    pub fn solve<W: Simd>(&mut self, w: W) {
+        let (stride, count) = (self.stride, self.ports * NODES);
+        for k in 0..count {
+            let (at, place) = (k / NODES, k % NODES);
+            let mut pivot = k;
+            for i in k + 1..count {
+                if self.rows[i * stride + at].0[place].abs() > self.rows[pivot * stride + at].0[place].abs() {
+                    pivot = i;
+                }
+            }
+            if pivot > k {
+                let (low, high) = self.rows.split_at_mut(pivot * stride);
+                low[k * stride..(k + 1) * stride].swap_with_slice(&mut high[..stride]);
+            }
+            let inverse = 1.0 / self.rows[k * stride + at].0[place];
+            scale(w, &mut self.rows[k * stride..(k + 1) * stride], inverse);
+            let (below, rest) = self.rows.split_at_mut(k * stride);
+            let (own, above) = rest.split_at_mut(stride);
+            for row in below.chunks_exact_mut(stride).chain(above.chunks_exact_mut(stride)) {
+                add_scaled(w, row, -row[at].0[place], own);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simd::Portable;
+
+    #[test]
+    fn solves_a_matrix_that_needs_its_rows_exchanged() {
+        let entry = |i: usize, j: usize| if (i + j) % NODES == 1 { 3.0 } else { 0.1 * (i * j) as f64 / 40.0 };
+        let solution = |j: usize| F64x8(std::array::from_fn(|c| (j * 3 + c) as f64 - 4.0));
+        let mut system = NodeSystem::new(1, 1);
+        for i in 0..NODES {
+            *system.matrix(i, 0) = F64x8(std::array::from_fn(|j| if j < NODES { entry(i, j) } else { 0.0 }));
+            system.right(i)[0] = (0..NODES).fold(F64x8::ZERO, |sum, j| sum.add_scaled(entry(i, j), &solution(j)));
+        }
+        system.solve(Portable::new());
+        for j in 0..NODES {
+            let found = system.right(j)[0];
+            assert!(found.0.iter().zip(solution(j).0).all(|(a, b)| (a - b).abs() < 1e-12), "row {j}: {found:?}");
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! Derivative of the flow of a march with respect to its start and to one parameter.
+//!
+//! ```text
+//! flight       dy1 = e^{A h} dy
+//! contact      dy1 = e^{A h} dy + B X,   (I - J D - J' D') X = J (C dy + dw) + J' (C' dy + dv) + F k
+//! onset        the same for Dy = dy + y' s,  s = -(c dy + dw) / v,  and back:  dy1 = Dy1 - y1' s
+//! entry        dy+ = dy- + b F(0, v) (c dy + dw) / v
+//! impact       dy+ = dy- + b m (c' dy + dv) - (b m a - A b p) (c dy + dw) / v,   m = (1 + e) / M
+//! ```
+//!
+//! `J`, `J'` are the slopes of the law at the nodes of the step (N/m, N s/m), `D`, `D'` the Duhamel weights of displacement and
+//! velocity, `C`, `C'` their columns, `B` the push to the end of the step: the linearisation of the very equations that the
+//! march has solved; with several ports in contact it is one system for all their nodes. `b`, `c`, `c'` are the force column and the rows of the port, `v` the speed at which the stop is struck, `a`
+//! the acceleration before it, `p` the impulse. `dw`, `dv` (m, m/s per unit of the parameter) is what a parameter does to the
+//! port at a fixed state, `k` what it does to the force, relative to it (see [`ParameterSensitivity`]).
+//!
+//! A contact that starts like `t^1.5` varies like `t^0.5` at a fixed time, which its basis cannot follow, but like `t^1.5` again
+//! when the time is counted from its own start: hence the shift `s` (s) of the time of the first step.
+//!
+//! Diodes and switches: see [`conduction_states`]. What a parameter does is known in one regime only: behind them [`ParameterSensitivity`] stays empty.
+//!
+//! Limits: signals are constant, as gravity is. Of contacts that start at the same instant the first gives the shift, and the basis of the others follows their variation
+//! only roughly. Impacts on several rigid stops at the same instant are refused.
+//!
+//! Validation: `tests/march/variation.rs` compares with differences of the flow, with its determinant and with closed forms.
+
+mod conduction_states;
+mod contact;
+mod crossing;
+mod elimination;
+mod linearization;
+mod parameter_sensitivity;
+mod tangents;
+
+pub use parameter_sensitivity::ParameterSensitivity;
+
+use super::error::IntegrationError;
+use super::integrator::Integrator;
+use super::kernel::Kernel;
+use super::statistics::ContactStatistics;
+use super::trajectory::Trajectory;
+use conduction_states::ConductionRoute;
+use faer::Mat;
+
+/// A marched stretch with its derivative.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FlowSensitivity {
+    /// State at the end, block coordinates.
+    pub end: Vec<f64>,
+    /// `d end / d start`, `n x n`.
+    pub jacobian: Mat<f64>,
+    /// `d end / d parameter` at a fixed duration.
+    pub drift: Vec<f64>,
+    /// `d end / d duration`, 1/s.
+    pub rate: Vec<f64>,
+    /// Contacts on the way.
+    pub statistics: ContactStatistics,
+    /// Energy delivered to each load and then to each rectified circuit, J.
+    pub delivered_j: Vec<f64>,
+    /// The march itself.
+    pub trajectory: Trajectory,
+}
+
+/// A derivative that does not exist or could not be had.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SensitivityError {
+    /// The march itself.
+    #[error(transparent)]
+    March(#[from] IntegrationError),
+    /// Rest on a rigid stop.
+    #[error(
+        "at t = {time_s} s the point comes to rest on the rigid stop `{stop}`, where the derivative of the flow loses rank; use a compliant law or a larger restitution"
+    )]
+    Rests {
+        /// Name of the stop.
+        stop: String,
+        /// Time, s.
+        time_s: f64,
+    },
+    /// Several impacts on rigid stops at one instant.
+    #[error(
+        "at t = {time_s} s several rigid stops are struck at the same instant, where the derivative of the flow depends on the direction; use a compliant law or different gaps"
+    )]
+    StruckTogether {
+        /// Time, s.
+        time_s: f64,
+    },
+}
+
+impl FlowSensitivity {
+    /// Marches from block coordinates `start` at `start_s` and linearises the flow along the way.
+    ///
+    /// # Errors
+    /// [`SensitivityError`].
+    pub fn march(
+        kernel: &Kernel,
+        start: &[f64],
+        start_s: f64,
+        duration_s: f64,
+        tolerance: f64,
+        drift: &ParameterSensitivity,
+    ) -> Result<Self, SensitivityError> {
+        let mut integrator = Integrator::new(kernel, start, start_s, tolerance)?;
+        integrator.resolve_derivative();
+        integrator.start_record();
+        integrator.advance_to(start_s + duration_s)?;
+        let (end, statistics, energies) = (integrator.state(), integrator.statistics(), integrator.energies());
+        let rectified = energies.rectified.iter().map(|own| own.load_j + own.battery_j);
+        let delivered_j = energies.loads_j.iter().copied().chain(rectified).collect();
+        let rate = conduction_states::rate(integrator.kernel, &integrator.physical(), integrator.time_s(), &integrator.forces_n());
+        let rate = kernel.plant.moving(&rate, integrator.time_s());
+        let (end_s, end_regime, own_end) = (integrator.time_s(), integrator.switching.regime, integrator.own_state());
+        let trajectory = integrator.take_record();
+        let route = ConductionRoute { base: kernel, drift, trajectory: &trajectory, end_s, end_regime, end: own_end };
+        let tangents = route.tangents()?;
+        let n = end.len();
+        let jacobian = Mat::from_fn(n, n, |i, j| tangents.entry(i, j));
+        let drift = (0..n).map(|i| tangents.entry(i, n)).collect();
+        Ok(Self { end, jacobian, drift, rate, statistics, delivered_j, trajectory })
+    }
+}

@@ -1,0 +1,82 @@
+//! What a march has seen so far: contacts, and the contact integrals that the energy meters need.
+
+use super::per_port::PerPort;
+use faer::c64;
+
+/// Work done by the integrator, for snapshots: it must not grow unnoticed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
+pub struct WorkCount {
+    /// Flight steps taken.
+    pub flight_steps: u64,
+    /// Flight steps tried and shortened, because they could not be proved free of contact.
+    pub flight_rejections: u64,
+    /// Contact steps taken.
+    pub contact_steps: u64,
+    /// Contact steps tried and shortened, because their error was too large.
+    pub contact_rejections: u64,
+    /// Fixed-point iterations of all contact steps.
+    pub iterations: u64,
+}
+
+/// Contact statistics since the last reset.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ContactStatistics {
+    /// Contacts that began.
+    pub contacts: u64,
+    /// Time in contact, s.
+    pub time_s: f64,
+    /// Largest penetration, m; 0 without contact (how near the point came is not tracked). Of a law on both sides: largest distance.
+    pub max_penetration_m: f64,
+    /// Largest magnitude of the contact force, N.
+    pub max_force_n: f64,
+    /// Time integral of the contact force, N s.
+    pub impulse_n_s: f64,
+    /// Sum over contacts of the speed at which they began, m/s.
+    pub strike_sum_m_s: f64,
+    /// Largest of these speeds, m/s.
+    pub max_strike_m_s: f64,
+    /// Longest time that one contact lasted, s; of one that was under way at the last reset, the time since.
+    pub max_dwell_s: f64,
+    /// Time spent at rest on a rigid stop, s.
+    pub sticking_s: f64,
+}
+
+impl ContactStatistics {
+    /// Mean speed at which contacts began, m/s; 0 without one.
+    pub fn mean_strike_m_s(&self) -> f64 {
+        self.strike_sum_m_s / self.contacts.max(1) as f64
+    }
+
+    /// Time in contact over the contacts that began, s; 0 without one.
+    pub fn mean_dwell_s(&self) -> f64 {
+        if self.contacts > 0 { self.time_s / self.contacts as f64 } else { 0.0 }
+    }
+
+    /// Those of two ports together: largest of the largest, sum of the others.
+    pub(super) fn and(self, other: &Self) -> Self {
+        Self {
+            contacts: self.contacts + other.contacts,
+            time_s: self.time_s + other.time_s,
+            max_penetration_m: self.max_penetration_m.max(other.max_penetration_m),
+            max_force_n: self.max_force_n.max(other.max_force_n),
+            impulse_n_s: self.impulse_n_s + other.impulse_n_s,
+            strike_sum_m_s: self.strike_sum_m_s + other.strike_sum_m_s,
+            max_strike_m_s: self.max_strike_m_s.max(other.max_strike_m_s),
+            max_dwell_s: self.max_dwell_s.max(other.max_dwell_s),
+            sticking_s: self.sticking_s + other.sticking_s,
+        }
+    }
+}
+
+/// Contact integrals since the start of the march.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ContactIntegrals {
+    /// `sum over ports of integral f (P b) . y dt` per load, J.
+    pub loads_j: Vec<f64>,
+    /// The same for damping, J.
+    pub damping_j: f64,
+    /// `integral f e^{i w t} dt` per port and tone, N s.
+    pub tones_n_s: PerPort<Vec<c64>>,
+    /// Energy lost in the contact law, J.
+    pub loss_j: f64,
+}

@@ -1,0 +1,142 @@
+//! How long the next step of a contact is.
+//!
+//! As long as the error of the last one leaves room for, and shorter towards the end of the contact: the force ends like `t^1.5`, which
+//! no polynomial follows. On a step of length `L` that begins a time `d` before the end, the error of the interpolation falls like
+//! `rho^-7` with the number of nodes, where `rho + 1/rho = 4 d / L - 2` (Bernstein's ellipse through the singularity). The estimate of
+//! [`ContactStep`] goes with its power 3/2.
+
+use super::basis::NODES;
+use super::contact::share;
+use super::contact_step::{ContactStep, SolvedStep};
+use super::integrator::Integrator;
+use super::kernel::{ForceBasis, Kernel};
+use super::port_state::PortState;
+use super::step_size::LEVELS_PER_OCTAVE;
+use crate::contact::ContactLaw;
+
+/// Factors on the error of a step for 1.5 times its length, and from there to twice its length; its power of the length is 8 to 11.
+const ERROR_PER_LEVEL: [f64; 2] = [38.0, 13.0];
+
+/// Share of its allowed error for which a step is planned: the next part of a contact may be harder than the last.
+const PLANNED_ERROR_SHARE: f64 = 0.3;
+
+/// Most levels to go up at once.
+const MAX_LEVEL_INCREASE: i32 = 3 * LEVELS_PER_OCTAVE;
+
+/// How much smaller the error is than the power of `rho` says, for an end like `t^1.5`.
+const RELEASE_ERROR_GAIN: f64 = 1000.0;
+
+/// Share of the impulse of a force like `t^1.5` that ends in the second half of a step which seven Gauss nodes miss: at most 0.0086.
+pub(super) const RELEASE_ERROR_FACTOR: f64 = 0.01;
+
+/// The same for a march whose derivative is wanted: that of the force ends like `t^0.5`, so the whole impulse left, and its like on the
+/// way, must not matter.
+pub(super) const RELEASE_ERROR_FACTOR_OF_DERIVATIVE: f64 = 2.0;
+
+/// Lengths of a step before the end of the contact beyond which the end does not matter: the power of `rho` is above 1e8 there.
+const MAX_RELEASE_DISTANCE: f64 = 2.0;
+
+impl ContactStep<'_> {
+    /// Time from the last node to the end, s.
+    fn last_gap_s(&self) -> f64 {
+        self.table.length_s * (1.0 - self.basis.places[NODES - 1])
+    }
+}
+
+impl SolvedStep {
+    /// Speed at its end, m/s, by the last node.
+    fn last_speed_m_s(&self, step: &ContactStep) -> f64 {
+        (self.penetration.0[NODES] - self.penetration.0[NODES - 1]) / step.last_gap_s()
+    }
+}
+
+impl Integrator<'_> {
+    /// Level wanted of the step after one of `level` that has been taken; `starts_next` says that the next contact starts at it too.
+    #[inline(always)]
+    pub(super) fn next_level<L: ContactLaw>(
+        &mut self,
+        law: L,
+        level: i32,
+        step: &ContactStep,
+        solved: &SolvedStep,
+        (allowed, starts_next): (f64, bool),
+    ) -> i32 {
+        let longer = level - levels_to_spare(level, solved.error_n_s, PLANNED_ERROR_SHARE * share(step.shape) * allowed);
+        if starts_next {
+            self.ports[step.port].entry_level = longer.max(coarsest(law, self.kernel));
+        }
+        // The error of the onset basis says nothing about the next step.
+        let level = if step.shape == ForceBasis::Onset { level } else { longer };
+        let level = if law.acts_on_both_sides() { level } else { self.before_leaving(level, step, solved, allowed) };
+        level.max(coarsest(law, self.kernel))
+    }
+
+    /// The level wanted, or a finer one that respects the end of the contact as it is foretold now.
+    #[inline(always)]
+    fn before_leaving(&self, wanted: i32, step: &ContactStep, solved: &SolvedStep, allowed: f64) -> i32 {
+        let Some(leaving_s) = predicted_release_s(&self.ports[step.port], step, solved) else { return wanted };
+        if leaving_s >= MAX_RELEASE_DISTANCE * Kernel::length_s(wanted) {
+            return wanted;
+        }
+        let left_n_s = leaving_s * solved.force.0[NODES - 1];
+        // What one step misses that carries the point past the surface may be too small to matter.
+        if self.release_error_factor * left_n_s <= allowed {
+            return wanted.max(Kernel::level_within(2.0 * leaving_s));
+        }
+        let whole = Kernel::level_within(leaving_s);
+        let is_enough = |level: &i32| ellipse_power(leaving_s / Kernel::length_s(*level)) * RELEASE_ERROR_GAIN * allowed >= left_n_s;
+        wanted.max((whole..whole + LEVELS_PER_OCTAVE).find(is_enough).unwrap_or(whole + LEVELS_PER_OCTAVE))
+    }
+}
+
+/// Coarsest level of a contact step. Where the motion never leaves the law, no flight carries the fast modes: steps must resolve a
+/// disturbance of them, which the motion itself need not show but its derivative does.
+#[inline(always)]
+pub(super) fn coarsest<L: ContactLaw>(law: L, kernel: &Kernel) -> i32 {
+    if law.acts_on_both_sides() { Kernel::level_within(1.0 / kernel.fastest_rad_s) } else { Kernel::coarsest() }
+}
+
+/// Time until the penetration ends, by the parabola through the last speeds of a step.
+#[inline(always)]
+fn predicted_release_s(port: &PortState, step: &ContactStep, solved: &SolvedStep) -> Option<f64> {
+    if port.rate_m_s >= 0.0 || port.penetration_m <= 0.0 {
+        return None;
+    }
+    let curvature = (port.rate_m_s - solved.last_speed_m_s(step)) / step.last_gap_s();
+    let discriminant = port.rate_m_s * port.rate_m_s - 4.0 * curvature * port.penetration_m;
+    let leaving_s = 2.0 * port.penetration_m / (-port.rate_m_s + discriminant.max(0.0).sqrt());
+    (discriminant >= 0.0).then_some(leaving_s)
+}
+
+/// `rho^10.5` for a step whose length goes `ratio` times into the time to the end of the contact.
+#[inline(always)]
+fn ellipse_power(ratio: f64) -> f64 {
+    let z = 2.0 * ratio - 1.0;
+    let rho = z + (z * z - 1.0).max(0.0).sqrt();
+    let fourth = (rho * rho) * (rho * rho);
+    fourth * fourth * (rho * rho) * rho.sqrt()
+}
+
+/// Levels by which a step should have been shorter; no more than an octave, beyond which the error is no guide.
+#[inline(always)]
+pub(super) fn levels_too_long(level: i32, error: f64, allowed: f64) -> i32 {
+    let (mut down, mut shorter) = (0, error);
+    while shorter > allowed && down < LEVELS_PER_OCTAVE {
+        down += 1;
+        shorter /= ERROR_PER_LEVEL[((level + down) & 1) as usize];
+    }
+    down
+}
+
+/// Levels by which a step might have been longer.
+#[inline(always)]
+fn levels_to_spare(level: i32, error: f64, allowed: f64) -> i32 {
+    let mut spare = 0;
+    let factor = |spare: i32| ERROR_PER_LEVEL[((level - spare) & 1) as usize];
+    let mut longer = error.max(f64::MIN_POSITIVE) * factor(0);
+    while longer < allowed && spare < MAX_LEVEL_INCREASE {
+        spare += 1;
+        longer *= factor(spare);
+    }
+    spare
+}

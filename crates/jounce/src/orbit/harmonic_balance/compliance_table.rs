@@ -1,0 +1,138 @@
+//! The displacement under a unit of force at another angle of the period, by a table.
+//!
+//! ```text
+//! K(x) = sum_(|n| <= N) G_n e^(i n x) = sum_r K^(r)(x_j) (x - x_j)^r / r!
+//! ```
+//!
+//! by Taylor's series about the nearest place of a grid. On four places per harmonic its last term leaves `(pi / 4)^6 / 6! = 3e-4` of
+//! the highest harmonic, which is itself the smallest: enough for Newton, whose residual does not come from here.
+
+use crate::orbit::compliance::FourierGrid;
+use crate::simd::{Simd, Task, widest};
+use faer::c64;
+use std::f64::consts::TAU;
+
+/// Terms of the series.
+const SERIES_TERMS: usize = 6;
+
+/// `K` on a grid.
+#[derive(Debug)]
+pub struct ComplianceTable {
+    /// Coefficients of the series in shares of the width, at each place, and at the first once more.
+    places: Vec<[f64; SERIES_TERMS]>,
+    /// Places per radian.
+    per_radian: f64,
+}
+
+impl ComplianceTable {
+    /// Of a compliance up to its last harmonic; the grid must have four places per harmonic.
+    pub fn new(compliance: &[c64], grid: &FourierGrid) -> Self {
+        let width = TAU / grid.samples as f64;
+        let mut spectrum = compliance.to_vec();
+        spectrum.resize(grid.samples / 2 + 1, c64::new(0.0, 0.0));
+        let mut places = vec![[0.0; SERIES_TERMS]; grid.samples + 1];
+        for term in 0..SERIES_TERMS {
+            let values = grid.values(&spectrum);
+            places.iter_mut().zip(values).for_each(|(place, value)| place[term] = value);
+            let share = width / (term + 1) as f64;
+            spectrum.iter_mut().enumerate().for_each(|(n, g)| *g *= c64::new(0.0, n as f64 * share));
+        }
+        places[grid.samples] = places[0];
+        Self { places, per_radian: 1.0 / width }
+    }
+
+    /// An angle counted in places, within the period.
+    pub fn place(&self, angle: f64) -> f64 {
+        (angle / TAU).rem_euclid(1.0) * self.count()
+    }
+
+    /// What a unit of force at a place makes a stop feel at its nodes, times a factor.
+    pub fn column(&self, force: f64, factor: f64, nodes: &NodePlaces, column: &mut [f64]) {
+        widest(ComplianceColumn { response: self, force, factor, nodes, column });
+    }
+
+    fn count(&self) -> f64 {
+        (self.places.len() - 1) as f64
+    }
+
+    /// The series of the nearest place, and the way from there, in widths.
+    #[inline(always)]
+    fn near(&self, apart: f64) -> (&[f64; SERIES_TERMS], f64) {
+        let apart = if apart < 0.0 { apart + self.count() } else { apart };
+        let nearest = (apart + 0.5) as u32 as usize;
+        (&self.places[nearest.min(self.places.len() - 1)], apart - nearest as f64)
+    }
+}
+
+/// The nodes of a stop as [`ComplianceTable`] counts them, with the slopes of its law.
+#[derive(Debug)]
+pub struct NodePlaces {
+    /// Where they lie.
+    pub at: Vec<f64>,
+    /// `J`, N/m.
+    pub stiffness_n_m: Vec<f64>,
+    /// `J' w / p`, N/m, of a rate per rad; empty where the law asks for no rate.
+    pub damping_n_m: Vec<f64>,
+}
+
+/// One column of the nodes.
+struct ComplianceColumn<'a> {
+    response: &'a ComplianceTable,
+    force: f64,
+    factor: f64,
+    nodes: &'a NodePlaces,
+    column: &'a mut [f64],
+}
+
+impl Task for ComplianceColumn<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Simd>(self, w: W) {
+        let Self { response, force, factor, nodes, column } = self;
+        for ((entry, place), stiffness_n_m) in column.iter_mut().zip(&nodes.at).zip(&nodes.stiffness_n_m) {
+            let ([a, b, c, d, e, f], x) = response.near(place - force);
+            // In pairs: a chain of six would wait for every link.
+            let (first, second, third) = (w.fma_one(*b, x, *a), w.fma_one(*d, x, *c), w.fma_one(*f, x, *e));
+            let square = x * x;
+            *entry = factor * stiffness_n_m * w.fma_one(third, square * square, w.fma_one(second, square, first));
+        }
+        for ((entry, place), damping_n_m) in column.iter_mut().zip(&nodes.at).zip(&nodes.damping_n_m) {
+            let (series, x) = response.near(place - force);
+            let mut slope = 0.0;
+            for r in (1..SERIES_TERMS).rev() {
+                slope = w.fma_one(slope, x, r as f64 * series[r]);
+            }
+            *entry += factor * damping_n_m * response.per_radian * slope;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `1 + 2 sum_n r^n cos n x = (1 - r^2) / (1 - 2 r cos x + r^2)` (Poisson), here up to `r^N = 5e-7`.
+    #[test]
+    fn a_geometric_compliance_gives_the_kernel_of_poisson() {
+        let (r, harmonics) = (0.8_f64, 64);
+        let compliance: Vec<c64> = (0..=harmonics).map(|n| c64::new(r.powi(n), 0.0)).collect();
+        let response = ComplianceTable::new(&compliance, &FourierGrid::new(4 * 64));
+        for (force, displacement) in [(0.3, 1.1), (5.9, 0.2), (0.2, 7.0), (2.0, 2.0)] {
+            let nodes = |stiffness: f64, damping: Vec<f64>| NodePlaces {
+                at: vec![response.place(displacement)],
+                stiffness_n_m: vec![stiffness],
+                damping_n_m: damping,
+            };
+            let [value, slope] = [nodes(1.0, Vec::new()), nodes(0.0, vec![1.0])].map(|nodes| {
+                let mut column = [f64::NAN];
+                response.column(response.place(force), 1.0, &nodes, &mut column);
+                column[0]
+            });
+            let x: f64 = displacement - force;
+            let below = 1.0 - 2.0 * r * x.cos() + r * r;
+            let exact = [(1.0 - r * r) / below, -(1.0 - r * r) * 2.0 * r * x.sin() / (below * below)];
+            assert!((value - exact[0]).abs() < 2e-5 && (slope - exact[1]).abs() < 1e-3, "{x}: {value} {slope}, {exact:?}");
+        }
+    }
+}

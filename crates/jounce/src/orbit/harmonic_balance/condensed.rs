@@ -1,0 +1,145 @@
+//! Newton's linear system, condensed to the nodes in contact.
+
+use super::compliance::PortCompliance;
+use super::compliance_table::{ComplianceTable, NodePlaces};
+use super::motion::{complex, turned};
+use super::nodes::ContactQuadrature;
+use crate::orbit::border::{Border, BorderedSolution};
+use crate::orbit::lu_factors::LuFactors;
+use faer::Mat;
+
+/// `I - J K w - J' K' w` at the nodes with the border that was asked for first, factored.
+#[derive(Debug)]
+pub struct Condensed {
+    factors: LuFactors,
+    /// The border as it was given.
+    first: Border,
+    /// Sizes of its row and its column: it has units of its own.
+    row_size: f64,
+    column_size: f64,
+}
+
+/// The nodes and the plant between them. Values at the nodes stand one stop after the other.
+#[derive(Debug, Clone, Copy)]
+pub struct CoupledNodes<'b> {
+    /// The nodes of each stop.
+    pub each: &'b [ContactQuadrature],
+    /// Up to the last harmonic.
+    pub between: &'b PortCompliance,
+    /// `w / p`, rad/s.
+    pub step_rad_s: f64,
+}
+
+impl CoupledNodes<'_> {
+    /// Nodes of all stops.
+    fn count(&self) -> usize {
+        self.each.iter().map(|side| side.nodes.len()).sum()
+    }
+
+    /// Forces at the nodes per harmonics of the displacements, `J phi + J' phi'`.
+    fn felt(&self, harmonics: &[f64]) -> Vec<f64> {
+        let mut felt = Vec::with_capacity(self.count());
+        for (side, own) in self.each.iter().zip(harmonics.chunks_exact(self.between.size())) {
+            let own = complex(own);
+            let (values, rates) = if is_damped(side) {
+                let [values, rates] = side.angles.values([&own, &turned(&own, self.step_rad_s)]);
+                (values, rates)
+            } else {
+                let [values] = side.angles.values([&own]);
+                let none = vec![0.0; values.len()];
+                (values, none)
+            };
+            let forces = values.iter().zip(&rates).zip(&side.nodes);
+            felt.extend(forces.map(|((value, rate), node)| node.slopes.stiffness_n_m * value + node.slopes.damping_n_s_m * rate));
+        }
+        felt
+    }
+
+    /// The nodes of a stop as a response counts them.
+    fn places(&self, side: &ContactQuadrature, response: &ComplianceTable) -> NodePlaces {
+        let damped = if is_damped(side) { &side.nodes[..] } else { &[] };
+        NodePlaces {
+            at: side.nodes.iter().map(|node| response.place(node.angle)).collect(),
+            stiffness_n_m: side.nodes.iter().map(|node| node.slopes.stiffness_n_m).collect(),
+            damping_n_m: damped.iter().map(|node| node.slopes.damping_n_s_m * self.step_rad_s).collect(),
+        }
+    }
+
+    /// Harmonics of the displacements per forces at the nodes, `G phi^T w`.
+    fn apply(&self, mut forces_n: impl Iterator<Item = f64>) -> Vec<f64> {
+        let mut own = |side: &ContactQuadrature| {
+            let weights: Vec<f64> = side.nodes.iter().zip(&mut forces_n).map(|(node, force_n)| force_n * node.share).collect();
+            side.gathered(&weights, self.between.harmonics())
+        };
+        self.between.apply(&self.each.iter().map(&mut own).collect::<Vec<_>>())
+    }
+
+    /// The transpose of [`Self::apply`].
+    fn apply_adjoint(&self, row: &[f64]) -> Vec<f64> {
+        let mut pulled = Vec::with_capacity(self.count());
+        for (side, back) in self.each.iter().zip(self.between.apply_adjoint(row)) {
+            let [values] = side.angles.values([&back]);
+            pulled.extend(values.iter().zip(&side.nodes).map(|(value, node)| value * node.share));
+        }
+        pulled
+    }
+}
+
+/// True where the force of a stop depends on the rate.
+fn is_damped(side: &ContactQuadrature) -> bool {
+    side.nodes.iter().any(|node| node.slopes.damping_n_s_m != 0.0)
+}
+
+impl Condensed {
+    /// At nodes between which the plant responds by tables of every pair of ports, row by row, with the border `[R_u by; row corner]`;
+    /// `None` where that is not finite.
+    pub fn new(sides: CoupledNodes<'_>, responses: &[ComplianceTable], by: &[f64], (row, corner): (&[f64], f64)) -> Option<Self> {
+        let (count, stops) = (sides.count(), sides.each.len());
+        let (felt, pulled) = (sides.felt(by), sides.apply_adjoint(row));
+        let first = Border::new((row, corner));
+        let bottom = first.along(by) + corner;
+        let largest = |values: &[f64], least: f64| values.iter().fold(least, |max, value| max.max(value.abs()));
+        let column_size = largest(&felt, f64::MIN_POSITIVE).max(if count == 0 { 1.0 } else { 0.0 });
+        let row_size = largest(&pulled, (bottom / column_size).abs());
+        let places: Vec<NodePlaces> = sides.each.iter().zip(responses).map(|(side, response)| sides.places(side, response)).collect();
+        let mut matrix = Mat::<f64>::zeros(count + 1, count + 1);
+        let pushing = sides.each.iter().zip(&places).enumerate();
+        let pushing =
+            pushing.flat_map(|(b, (side, places))| places.at.iter().zip(&side.nodes).map(move |(place, node)| (b, *place, node.share)));
+        for (p, ((b, force, share), pulled)) in pushing.zip(&pulled).enumerate() {
+            let column: &mut [f64] = matrix.col_as_slice_mut(p);
+            let mut rest = &mut column[..];
+            for (a, places) in places.iter().enumerate() {
+                let (own, after) = rest.split_at_mut(places.at.len());
+                responses[a * stops + b].column(force, -share, places, own);
+                rest = after;
+            }
+            column[p] += 1.0;
+            column[count] = pulled / row_size;
+        }
+        let border: &mut [f64] = matrix.col_as_slice_mut(count);
+        border.iter_mut().zip(&felt).for_each(|(entry, felt)| *entry = -felt / column_size);
+        border[count] = bottom / (column_size * row_size);
+        let is_finite = row_size.is_finite() && column_size.is_finite();
+        is_finite.then(|| Self { factors: LuFactors::of(matrix), first, row_size, column_size })
+    }
+
+    /// Solves `[R_u by; row corner] (du, dp) = (right, last)` with `R_u = push feel^T - I`.
+    ///
+    /// The factors are those of the border that came first.
+    pub fn bordered(&self, sides: CoupledNodes<'_>, by: &[f64], border: (&[f64], f64), right: (&[f64], f64)) -> BorderedSolution {
+        self.first.other(border, right, |right, last| self.solve(sides, by, right, last))
+    }
+
+    fn solve(&self, sides: CoupledNodes<'_>, by: &[f64], right: &[f64], last: f64) -> BorderedSolution {
+        let count = sides.count();
+        let felt = if right.iter().all(|r| *r == 0.0) { vec![0.0; count] } else { sides.felt(right) };
+        let bottom = (last + self.first.along(right)) / self.row_size;
+        let mut solution: Vec<f64> = felt.iter().map(|felt| -felt).chain([bottom]).collect();
+        self.factors.solve(&mut solution);
+        let parameter = solution[count] / self.column_size;
+        let pushed = sides.apply(solution[..count].iter().copied());
+        let unknown: Vec<f64> = pushed.iter().zip(by).zip(right).map(|((pushed, by), right)| pushed + by * parameter - right).collect();
+        (parameter.is_finite() && unknown.iter().all(|u| u.is_finite())).then_some((unknown, parameter))
+    }
+}

@@ -1,0 +1,68 @@
+//! A motion that rests on a rigid stop in every period.
+//!
+//! Where a point comes to rest the flow forgets how: its derivative loses rank, and what lies before the end of an infinite sequence of
+//! impacts has none that a march could carry. Such an orbit is what a march that has settled on it goes through.
+
+use super::{Orbit, OrbitError, ParametricModel, Shooting, ShootingEvaluation};
+use crate::march::{Integrator, SensitivityError};
+use faer::{ColRef, Mat};
+use std::sync::OnceLock;
+
+impl<H: ParametricModel> Shooting<'_, H> {
+    /// The orbit through a physical state that repeats itself, marched without its derivative: it has no multipliers, and its error
+    /// estimate is by how much it fails to close beside its size.
+    ///
+    /// # Errors
+    /// A harvester that cannot be made, one whose drives do not repeat themselves together, a march that fails.
+    pub fn marched_orbit(&self, physical: &[f64], parameter: f64) -> Result<Orbit, OrbitError<H::Error>> {
+        let kernel = self.harvester.at(parameter).map_err(OrbitError::Harvester)?.kernel;
+        let plant = &kernel.plant;
+        let Some(cycle_s) = plant.period_s() else {
+            return Err(OrbitError::Frequencies { frequencies: plant.tones.len() });
+        };
+        let period_s = cycle_s * f64::from(self.cycles);
+        let mut y = plant.from_physical(physical, 0.0);
+        // A march that begins at rest may strike once by roundoff; one that goes on from it does not.
+        let mut through = Integrator::new(&kernel, &y, 0.0, self.tolerance).map_err(SensitivityError::March)?;
+        through.advance_to(period_s).map_err(SensitivityError::March)?;
+        through.reset_statistics();
+        through.advance_to(2.0 * period_s).map_err(SensitivityError::March)?;
+        let statistics = through.statistics();
+        let (mut looks, mut trajectories) = (vec![self.unknown(physical)], Vec::new());
+        let mut loads_w = vec![0.0; plant.system.loads.len() + plant.system.bridges.len()];
+        for _ in 0..self.cycles {
+            let mut integrator = Integrator::new(&kernel, &y, 0.0, self.tolerance).map_err(SensitivityError::March)?;
+            integrator.start_record();
+            integrator.advance_to(cycle_s).map_err(SensitivityError::March)?;
+            let energies = integrator.energies();
+            let rectified = energies.rectified.iter().map(|own| own.load_j + own.battery_j);
+            let delivered_j = energies.loads_j.iter().copied().chain(rectified);
+            loads_w.iter_mut().zip(delivered_j).for_each(|(sum, j)| *sum += j / period_s);
+            y = integrator.state();
+            looks.push(self.unknown(&plant.to_physical(&y, 0.0)));
+            trajectories.push(integrator.take_record());
+        }
+        let residual: Vec<f64> = looks[looks.len() - 1].iter().zip(&looks[0]).map(|(end, start)| end - start).collect();
+        let open = ColRef::from_slice(&residual).norm_l2();
+        let shot = ShootingEvaluation {
+            kernel,
+            strobe_states: looks,
+            residual,
+            block_map: Mat::new(),
+            by_parameter: Vec::new(),
+            scale: self.scale.clone(),
+            map: OnceLock::new(),
+            equations: OnceLock::new(),
+            period_s,
+            keeps_charge: false,
+            trajectories,
+            contacts: statistics.contacts,
+            max_penetration_m: statistics.max_penetration_m,
+            loads_w,
+            tolerance: self.tolerance,
+        };
+        let mut orbit = shot.as_orbit(Vec::new());
+        orbit.error_estimate = open / orbit.size().max(f64::MIN_POSITIVE);
+        Ok(orbit)
+    }
+}

@@ -1,0 +1,105 @@
+//! A turning point on the surface of the stop, by the place and the speed of the port at its time, which is an unknown of its own.
+//!
+//! ```text
+//! c . x(t) - gap = 0,   c' . x(t) = 0,   d/du = c Phi(t),   d/dt = the speed and the acceleration
+//! ```
+//!
+//! `Phi` is the derivative of the flow up to that time. Where two turning points of the motion meet on the surface, the curve has a cusp
+//! over the parameters, at which any distance of a turning point as such ends; with the time as an unknown it is smooth there, and goes on as
+//! the curve of the other turning point.
+//!
+//! Source: A. B. Nordmark, J. Sound Vib. 145 (1991) 279 (grazing); V. I. Arnold, Catastrophe Theory (Springer, 1992), ch. 2 (cusps).
+
+use super::condition::Gradient;
+use crate::march::{FlowSensitivity, ParameterSensitivity, SensitivityError};
+use crate::orbit::turning_points::port_motion;
+use crate::orbit::{ShootingEvaluation, nearest_turn};
+use faer::{ColRef, Mat};
+
+/// Half of the width of the difference that gives the acceleration, drive cycles.
+const HALF_DIFFERENCE_CYCLES: f64 = 1e-5;
+
+/// Change of the time that counts like a change of the state by its size, drive cycles.
+const TIME_SCALE_CYCLES: f64 = 0.1;
+
+/// A turning point that touches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GrazingPoint {
+    /// Number of the port.
+    pub port: usize,
+    /// Its time in the period, drive cycles.
+    pub phase_cycles: f64,
+    /// The change of that which counts like a change of the state by one.
+    pub unit_cycles: f64,
+}
+
+impl GrazingPoint {
+    /// The turning point of an orbit that is nearest to a surface; `None` without one.
+    pub fn of(shot: &ShootingEvaluation) -> Option<Self> {
+        let cycle_s = shot.period_s / shot.trajectories.len() as f64;
+        let unit_cycles = TIME_SCALE_CYCLES / ColRef::from_slice(&shot.strobe_states[0]).norm_l2();
+        nearest_turn(shot).map(|turn| Self { port: turn.port, phase_cycles: turn.cycle as f64 + turn.time_s / cycle_s, unit_cycles })
+    }
+
+    /// The same at another value of the unknown, which is zero here.
+    pub(super) fn moved(self, unknown: f64) -> Self {
+        Self { phase_cycles: self.phase_cycles + unknown * self.unit_cycles, ..self }
+    }
+}
+
+/// Place and speed at a time, beside the scale of the motion and by drive cycles, with their gradients, those by the parameters with
+/// differences. `scale` is that of shooting.
+pub fn gradients(
+    touch: GrazingPoint,
+    shot: &ShootingEvaluation,
+    aside: [&ShootingEvaluation; 2],
+    differences: [f64; 2],
+    (scale, tolerance): (&[f64], f64),
+) -> Result<Vec<Gradient>, SensitivityError> {
+    let plant = &shot.kernel.plant;
+    let scale_m = plant.scale_m();
+    let motion = |shot: &ShootingEvaluation, ahead_cycles: f64| {
+        let cycles = shot.trajectories.len() as f64;
+        let phase = touch.phase_cycles.rem_euclid(cycles);
+        let cycle = (phase as usize).min(shot.trajectories.len() - 1);
+        let cycle_s = shot.period_s / cycles;
+        let [past_m, rate_m_s] = port_motion(shot, touch.port, (cycle, (phase - cycle as f64 + ahead_cycles) * cycle_s));
+        [past_m / scale_m, rate_m_s * cycle_s / scale_m]
+    };
+    let (here, before, after) = (motion(shot, 0.0), motion(shot, -HALF_DIFFERENCE_CYCLES), motion(shot, HALF_DIFFERENCE_CYCLES));
+    let beside = [motion(aside[0], 0.0), motion(aside[1], 0.0)];
+    let by_phase = [here[1], (after[1] - before[1]) / (2.0 * HALF_DIFFERENCE_CYCLES)];
+    let flow = flow_until(touch, shot, scale, tolerance)?;
+    let cycle_s = shot.period_s / shot.trajectories.len() as f64;
+    let rows = [(&plant.ports[touch.port].displacement, 1.0 / scale_m), (&plant.ports[touch.port].velocity, cycle_s / scale_m)];
+    let gradient = |k: usize| {
+        let (row, unit) = rows[k];
+        let by = |j: usize| row.iter().enumerate().map(|(i, c)| unit * c * flow[(i, j)]).sum();
+        Gradient {
+            value: here[k],
+            by_unknown: (0..scale.len()).map(by).collect(),
+            by_parameters: [0, 1].map(|p| (beside[p][k] - here[k]) / differences[p]),
+            by_phase: by_phase[k],
+            power_curvature: None,
+            is_resonant: false,
+        }
+    };
+    Ok(vec![gradient(0), gradient(1)])
+}
+
+/// Derivative of the state at a time by the state at the start of the period.
+fn flow_until(touch: GrazingPoint, shot: &ShootingEvaluation, scale: &[f64], tolerance: f64) -> Result<Mat<f64>, SensitivityError> {
+    let plant = &shot.kernel.plant;
+    let n = scale.len();
+    let cycle_s = shot.period_s / shot.trajectories.len() as f64;
+    let phase = touch.phase_cycles.rem_euclid(shot.trajectories.len() as f64);
+    let into = &plant.diagonal.from_physical;
+    let mut flow = Mat::from_fn(n, n, |i, j| into[(i, j)] / scale[j]);
+    for (cycle, look) in shot.strobe_states.iter().enumerate().take(phase as usize + 1) {
+        let physical: Vec<f64> = look.iter().zip(scale).map(|(u, w)| u / w).collect();
+        let until_s = cycle_s * (phase - cycle as f64).min(1.0);
+        let start = plant.from_physical(&physical, 0.0);
+        flow = &FlowSensitivity::march(&shot.kernel, &start, 0.0, until_s, tolerance, &ParameterSensitivity::default())?.jacobian * &flow;
+    }
+    Ok(flow)
+}

@@ -1,0 +1,52 @@
+//! A pair of multipliers on the unit circle, as a scalar that is zero there.
+//!
+//! ```text
+//! g = det B - 1,   B = W' M V,   M V = V B,   W' M = B W',   W' V = I,   dg = det B tr(B^-1 dB),   dB = W' dM V
+//! ```
+//!
+//! The columns of `V` span the plane of the pair, those of `W` that of the transposed map. Planes, unlike eigenvectors, stay apart where
+//! the pair meets on the real axis (strong resonance), so that `g` is smooth there; beyond, its product stays one without a torus, and
+//! the curve of tori has ended.
+//!
+//! `M` is the derivative of a flow, whose second derivative is symmetric: two shots, along the columns of `V`, give the whole gradient.
+//!
+//! Source: Y. A. Kuznetsov, Elements of Applied Bifurcation Theory (Springer, 2004), ch. 4, 5 and 10.
+
+use super::condition::Gradient;
+use super::multiplier_pair::MultiplierPair;
+use crate::orbit::ShootingEvaluation;
+use faer::ColRef;
+
+/// Move along a vector of the plane for the second derivative, beside the size of the state.
+const DIFFERENCE_STEP: f64 = 1e-5;
+
+/// `g` with its gradient; `None` without a pair. See [`super::Condition::gradient`].
+pub fn gradient<E>(
+    shot: &ShootingEvaluation,
+    aside: [&ShootingEvaluation; 2],
+    differences: [f64; 2],
+    moved: impl Fn(&[f64]) -> Result<ShootingEvaluation, E>,
+) -> Result<Option<Gradient>, E> {
+    let Some(pair) = MultiplierPair::of(shot.map()) else { return Ok(None) };
+    let n = shot.map().nrows();
+    let step = DIFFERENCE_STEP * ColRef::from_slice(&shot.strobe_states[0]).norm_l2();
+    let along = |column: usize| moved(&pair.right.col(column).iter().map(|v| step * v).collect::<Vec<_>>());
+    let sides = [along(0)?, along(1)?];
+    let by = |j: usize| {
+        pair.change(|row, column| {
+            (0..n).map(|i| pair.left[(i, row)] * (sides[column].map()[(i, j)] - shot.map()[(i, j)])).sum::<f64>() / step
+        })
+    };
+    let by_parameter = |k: usize| {
+        let change = |i: usize, j: usize| (aside[k].map()[(i, j)] - shot.map()[(i, j)]) / differences[k];
+        pair.change(|row, column| pair.between(row, column, change))
+    };
+    Ok(Some(Gradient {
+        value: pair.product() - 1.0,
+        by_unknown: (0..n).map(by).collect(),
+        by_parameters: [by_parameter(0), by_parameter(1)],
+        by_phase: 0.0,
+        power_curvature: None,
+        is_resonant: !pair.is_complex,
+    }))
+}

@@ -1,0 +1,83 @@
+//! A conducting path in a coordinate of its own, so that however fast it is nothing slow is lost beside it.
+//!
+//! Between the patches and their storage, in the roots of energies `u = sqrt(C) V`, a path of conductance `g` takes out `-g d (d . u)` with
+//! `d = (1 / sqrt(C), -s / sqrt(C_s))`. Written at both nodes, `g / C_s` swallows what the load takes; along `d / |d|` it is one entry of
+//! the diagonal, `-g |d|^2`, and across it nothing.
+
+use super::Electrical;
+use faer::Mat;
+
+/// A turn of the coordinates of two nodes, and the rate along the first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ConductionPath {
+    /// State of the patches, which becomes that along the path.
+    first: usize,
+    /// State of the storage, which becomes that across it; none for a battery.
+    second: Option<usize>,
+    cosine: f64,
+    sine: f64,
+    /// Rate along the path, 1/s.
+    rate_per_s: f64,
+}
+
+impl ConductionPath {
+    /// Of all diodes that conduct; `states` is the number of states before those of nodes.
+    pub fn of_all(electrical: &Electrical, states: usize) -> Vec<Self> {
+        let of = |link: &super::electrical::Conductance| {
+            let along = |node: usize, sign: f64| sign / electrical.nodes[node].capacitance_f.sqrt();
+            let own = [along(link.node, 1.0), link.to.map_or(0.0, |(other, sign)| along(other, -sign))];
+            let length = own[0].hypot(own[1]);
+            Self {
+                first: states + link.node,
+                second: link.to.map(|(other, _)| states + other),
+                cosine: own[0] / length,
+                sine: own[1] / length,
+                rate_per_s: -link.conductance_per_ohm * length * length,
+            }
+        };
+        electrical.links.iter().map(of).collect()
+    }
+
+    /// A matrix without the path in the coordinates of the path, and with it.
+    pub fn enter(&self, matrix: &mut Mat<f64>) {
+        if let Some(second) = self.second {
+            for j in 0..matrix.ncols() {
+                (matrix[(self.first, j)], matrix[(second, j)]) = self.turned(matrix[(self.first, j)], matrix[(second, j)]);
+            }
+            self.enter_columns(matrix);
+        }
+        matrix[(self.first, self.first)] += self.rate_per_s;
+    }
+
+    /// Rows that act on roots of energies as rows that act on the coordinates of the path.
+    fn enter_columns(&self, rows: &mut Mat<f64>) {
+        let Some(second) = self.second else { return };
+        for i in 0..rows.nrows() {
+            (rows[(i, self.first)], rows[(i, second)]) = self.turned(rows[(i, self.first)], rows[(i, second)]);
+        }
+    }
+
+    /// Columns in the coordinates of the path as roots of energies.
+    pub fn leave(&self, columns: &mut Mat<f64>) {
+        let Some(second) = self.second else { return };
+        for j in 0..columns.ncols() {
+            (columns[(self.first, j)], columns[(second, j)]) = self.turned_back(columns[(self.first, j)], columns[(second, j)]);
+        }
+    }
+
+    /// Rows that act on the coordinates of the path as rows that act on roots of energies.
+    pub fn leave_columns(&self, rows: &mut Mat<f64>) {
+        let Some(second) = self.second else { return };
+        for i in 0..rows.nrows() {
+            (rows[(i, self.first)], rows[(i, second)]) = self.turned_back(rows[(i, self.first)], rows[(i, second)]);
+        }
+    }
+
+    fn turned(&self, u: f64, v: f64) -> (f64, f64) {
+        (self.cosine * u + self.sine * v, self.cosine * v - self.sine * u)
+    }
+
+    fn turned_back(&self, along: f64, across: f64) -> (f64, f64) {
+        (self.cosine * along - self.sine * across, self.sine * along + self.cosine * across)
+    }
+}

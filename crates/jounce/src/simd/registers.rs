@@ -1,0 +1,237 @@
+//! Arithmetic on eight numbers in registers.
+
+use super::f64x8::{F64x8, LANES};
+use pulp::bytemuck::{Pod, cast};
+use pulp::{Scalar, Simd as PulpSimd};
+
+/// Arithmetic on eight numbers at once.
+pub trait Simd: Copy {
+    /// Eight numbers in registers.
+    type Register: Copy;
+
+    /// From memory.
+    fn load(self, lane: &F64x8) -> Self::Register;
+
+    /// To memory.
+    fn store(self, register: Self::Register) -> F64x8;
+
+    /// One number eight times.
+    fn splat(self, value: f64) -> Self::Register;
+
+    /// `a b + c`, fused where the machine can.
+    fn fma(self, a: Self::Register, b: Self::Register, c: Self::Register) -> Self::Register;
+
+    /// The same of single numbers.
+    fn fma_one(self, a: f64, b: f64, c: f64) -> f64;
+
+    /// `a + b`.
+    fn add(self, a: Self::Register, b: Self::Register) -> Self::Register;
+
+    /// `a - b`.
+    fn sub(self, a: Self::Register, b: Self::Register) -> Self::Register;
+
+    /// `a b`.
+    fn mul(self, a: Self::Register, b: Self::Register) -> Self::Register;
+
+    /// The larger of each.
+    fn max(self, a: Self::Register, b: Self::Register) -> Self::Register;
+
+    /// Magnitudes.
+    fn abs(self, a: Self::Register) -> Self::Register;
+
+    /// Square roots.
+    fn sqrt(self, a: Self::Register) -> Self::Register;
+
+    /// Sum of the eight numbers, in the same order on every machine.
+    fn sum(self, a: Self::Register) -> f64;
+
+    /// Largest of the eight numbers.
+    fn largest(self, a: Self::Register) -> f64;
+
+    /// Calls a function, itself `#[inline(always)]`, as code of its own with the same instructions: what several places call is
+    /// compiled once.
+    fn apart<R>(self, function: impl FnOnce() -> R) -> R;
+
+    /// Eight zeros.
+    #[inline(always)]
+    fn zero(self) -> Self::Register {
+        self.splat(0.0)
+    }
+}
+
+/// `N` registers of the instruction set `S` that make up eight numbers.
+#[derive(Debug, Clone, Copy)]
+pub struct Registers<S, const N: usize>(pub S);
+
+/// Plain numbers, for code off the hot path.
+pub type Portable = Registers<Scalar, LANES>;
+
+impl Portable {
+    /// The one value of this type.
+    pub const fn new() -> Self {
+        Registers(Scalar)
+    }
+}
+
+impl Default for Portable {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<S: PulpSimd, const N: usize> Registers<S, N>
+where
+    [S::f64s; N]: Pod,
+{
+    #[inline(always)]
+    fn one(self, a: [S::f64s; N], function: impl Fn(S, S::f64s) -> S::f64s) -> [S::f64s; N] {
+        let mut out = a;
+        for i in 0..N {
+            out[i] = function(self.0, a[i]);
+        }
+        out
+    }
+
+    #[inline(always)]
+    fn two(self, a: [S::f64s; N], b: [S::f64s; N], function: impl Fn(S, S::f64s, S::f64s) -> S::f64s) -> [S::f64s; N] {
+        let mut out = a;
+        for i in 0..N {
+            out[i] = function(self.0, a[i], b[i]);
+        }
+        out
+    }
+}
+
+impl<S: PulpSimd, const N: usize> Registers<S, N>
+where
+    [S::f64s; N]: Pod,
+{
+    /// The first half of the registers with the second, until one is left; [`PulpSimd`] goes on like this inside it.
+    #[inline(always)]
+    fn folded(self, mut a: [S::f64s; N], function: impl Fn(S, S::f64s, S::f64s) -> S::f64s) -> S::f64s {
+        let mut count = N;
+        while count > 1 {
+            count /= 2;
+            for i in 0..count {
+                a[i] = function(self.0, a[i], a[i + count]);
+            }
+        }
+        a[0]
+    }
+}
+
+impl<S: PulpSimd, const N: usize> Simd for Registers<S, N>
+where
+    [S::f64s; N]: Pod,
+{
+    type Register = [S::f64s; N];
+
+    #[inline(always)]
+    fn apart<R>(self, function: impl FnOnce() -> R) -> R {
+        self.0.vectorize(function)
+    }
+
+    #[inline(always)]
+    fn load(self, lane: &F64x8) -> Self::Register {
+        cast(lane.0)
+    }
+
+    #[inline(always)]
+    fn store(self, register: Self::Register) -> F64x8 {
+        F64x8(cast(register))
+    }
+
+    #[inline(always)]
+    fn splat(self, value: f64) -> Self::Register {
+        [self.0.splat_f64s(value); N]
+    }
+
+    #[inline(always)]
+    fn fma(self, a: Self::Register, b: Self::Register, c: Self::Register) -> Self::Register {
+        let mut out = c;
+        for i in 0..N {
+            out[i] = self.0.mul_add_e_f64s(a[i], b[i], c[i]);
+        }
+        out
+    }
+
+    #[inline(always)]
+    fn fma_one(self, a: f64, b: f64, c: f64) -> f64 {
+        // Where no instruction does it, a library would: slower than all the rest.
+        if S::F64_LANES >= 4 { a.mul_add(b, c) } else { a * b + c }
+    }
+
+    #[inline(always)]
+    fn add(self, a: Self::Register, b: Self::Register) -> Self::Register {
+        self.two(a, b, |simd, a, b| simd.add_f64s(a, b))
+    }
+
+    #[inline(always)]
+    fn sub(self, a: Self::Register, b: Self::Register) -> Self::Register {
+        self.two(a, b, |simd, a, b| simd.sub_f64s(a, b))
+    }
+
+    #[inline(always)]
+    fn mul(self, a: Self::Register, b: Self::Register) -> Self::Register {
+        self.two(a, b, |simd, a, b| simd.mul_f64s(a, b))
+    }
+
+    #[inline(always)]
+    fn max(self, a: Self::Register, b: Self::Register) -> Self::Register {
+        self.two(a, b, |simd, a, b| simd.max_f64s(a, b))
+    }
+
+    #[inline(always)]
+    fn abs(self, a: Self::Register) -> Self::Register {
+        self.one(a, |simd, a| simd.abs_f64s(a))
+    }
+
+    #[inline(always)]
+    fn sqrt(self, a: Self::Register) -> Self::Register {
+        self.one(a, |simd, a| simd.sqrt_f64s(a))
+    }
+
+    #[inline(always)]
+    fn sum(self, a: Self::Register) -> f64 {
+        self.0.reduce_sum_f64s(self.folded(a, |simd, a, b| simd.add_f64s(a, b)))
+    }
+
+    #[inline(always)]
+    fn largest(self, a: Self::Register) -> f64 {
+        self.0.reduce_max_f64s(self.folded(a, |simd, a, b| simd.max_f64s(a, b)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simd::{Task, widest};
+
+    struct Every;
+
+    impl Task for Every {
+        type Output = [F64x8; 6];
+
+        #[inline(always)]
+        fn run<W: Simd>(self, wide: W) -> Self::Output {
+            let a = wide.load(&F64x8([1.0, -2.0, 3.0, -4.0, 5.0, -6.0, 7.0, -8.5]));
+            let b = wide.splat(0.5);
+            let sums = [wide.sum(a), wide.largest(a), wide.sum(wide.sub(a, b)), 0.0, 0.0, 0.0, 0.0, 0.0];
+            [
+                wide.store(wide.fma(a, b, b)),
+                wide.store(wide.max(a, wide.zero())),
+                wide.store(wide.sqrt(wide.abs(a))),
+                wide.store(wide.add(a, b)),
+                wide.store(wide.mul(a, b)),
+                F64x8(sums),
+            ]
+        }
+    }
+
+    #[test]
+    fn this_machine_and_plain_numbers_agree() {
+        // Every value here is exact in binary but the roots, which are correctly rounded everywhere.
+        assert_eq!(widest(Every), Every.run(Portable::new()));
+        assert_eq!(Every.run(Portable::new())[5].0[..3], [-4.5, 7.0, -8.5]);
+    }
+}

@@ -1,0 +1,28 @@
+//! Foils go with an active layer that is told without them.
+
+use super::ValidationFaults;
+use crate::spec::Spec;
+use crate::spec::nearest::clip;
+
+/// Materials of the library whose constants are those of the composite with its foils.
+const FOIL_COMPOSITE_PREFIX: &str = "MFC-";
+
+pub(super) fn check(spec: &Spec, broken: &mut ValidationFaults) {
+    for (name, patch) in &spec.patch {
+        let foils = &patch.foils;
+        if foils.thickness_m.is_none() {
+            let given = [("foil_youngs_modulus", foils.youngs_modulus_pa), ("foil_density", foils.density_kg_m3)];
+            for (key, _) in given.into_iter().filter(|(_, value)| value.is_some()) {
+                broken.push(|| format!("patch.{name}.{key}"), || "has no effect without `foil_thickness`; give both or none".to_owned());
+            }
+        } else if patch.material.starts_with(FOIL_COMPOSITE_PREFIX) {
+            let text = || {
+                format!(
+                    "is given, but the constants of \"{}\" in the library are those of the composite with its foils; give those of the active layer in place of `material`, or leave the foils out",
+                    clip(&patch.material)
+                )
+            };
+            broken.push(|| format!("patch.{name}.foil_thickness"), text);
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! The points of a study.
+
+use super::sampling::{CubePoints, Sampling};
+use crate::spec::NumericKey;
+
+/// A key that is varied.
+#[derive(Debug, Clone)]
+pub struct Varied {
+    /// The key.
+    pub key: NumericKey,
+    /// Its values, SI; the two ends of its range where points are drawn.
+    pub values: Vec<f64>,
+    /// True: drawn evenly in the logarithm.
+    pub logarithmic: bool,
+}
+
+/// All points, each made when it is asked for.
+#[derive(Debug, Clone)]
+pub struct Design {
+    /// The keys that are varied.
+    pub varied: Vec<Varied>,
+    /// How points are chosen.
+    pub sampling: Sampling,
+    points: usize,
+    draw: CubePoints,
+}
+
+impl Design {
+    /// A design of so many drawn points; a grid or a list has those of its values.
+    pub fn new(varied: Vec<Varied>, sampling: Sampling, drawn: usize, seed: u64) -> Self {
+        let points = match sampling {
+            Sampling::Grid => varied.iter().map(|varied| varied.values.len()).product(),
+            Sampling::List => varied.first().map_or(0, |varied| varied.values.len()),
+            Sampling::Random | Sampling::LatinHypercube | Sampling::Sobol => drawn,
+        };
+        let draw = CubePoints::new(sampling, varied.len(), points, seed);
+        Self { varied, sampling, points, draw }
+    }
+
+    /// Number of points.
+    pub fn len(&self) -> usize {
+        self.points
+    }
+
+    /// True without a point.
+    pub fn is_empty(&self) -> bool {
+        self.points == 0
+    }
+
+    /// Value of each key at a point, SI.
+    pub fn point(&self, index: usize) -> Vec<f64> {
+        let mut rest = index;
+        let value = |(dimension, varied): (usize, &Varied)| match self.sampling {
+            Sampling::Grid => {
+                let place = rest % varied.values.len();
+                rest /= varied.values.len();
+                varied.values[place]
+            }
+            Sampling::List => varied.values[index],
+            Sampling::Random | Sampling::LatinHypercube | Sampling::Sobol => varied.between(self.draw.place(index, dimension)),
+        };
+        self.varied.iter().enumerate().map(value).collect()
+    }
+}
+
+impl Varied {
+    /// The value at a place between the two ends.
+    fn between(&self, place: f64) -> f64 {
+        let (low, high) = (self.values[0], self.values[1]);
+        let value = if self.logarithmic { low * (high / low).powf(place) } else { low + (high - low) * place };
+        value.clamp(low, high)
+    }
+}

@@ -1,0 +1,92 @@
+//! What can go wrong with a study.
+
+use crate::analysis::AnalysisError;
+use crate::spec::{Fault, Faults, ReadError};
+use crate::store::StoreError;
+use crate::table::TableError;
+use std::path::PathBuf;
+
+/// Why a study cannot be made, or one of its calls did not succeed.
+#[derive(Debug, thiserror::Error)]
+pub enum StudyError {
+    /// The study file cannot be read.
+    #[error("cannot read the study \"{path}\": {reason}")]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// What stood in the way.
+        reason: String,
+    },
+    /// What is wrong in the text of the study, all at once.
+    #[error("{}", listed(.0))]
+    Faults(Vec<Fault>),
+    /// The spec of the study cannot be read.
+    #[error(transparent)]
+    SpecFile(#[from] ReadError),
+    /// The spec of the study has faults.
+    #[error("the spec of the study: {}", listed(.0.as_slice()))]
+    Spec(Faults),
+    /// No point of the study can be had.
+    #[error(transparent)]
+    Study(#[from] AnalysisError),
+    /// The folder holds the parts of another study.
+    #[error("\"{folder}\" holds another study ({found}, this one is {wanted}); give another folder, or remove that one")]
+    OtherStudy {
+        /// The folder.
+        folder: PathBuf,
+        /// Digest of the study that is there.
+        found: String,
+        /// Digest of this study.
+        wanted: String,
+    },
+    /// The folder holds no study.
+    #[error("\"{folder}\" holds no study; `jounce study run STUDY.toml --out FOLDER` makes one")]
+    NoStudy {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// Another process works on the same shard.
+    #[error("another process works on shard {shard} of the study in \"{folder}\"; wait for it, or take another shard")]
+    Busy {
+        /// The folder.
+        folder: PathBuf,
+        /// The shard.
+        shard: String,
+    },
+    /// Parts that are not there yet.
+    #[error("{missing} of {parts} parts are missing, the first is number {first}; `jounce study run` computes them")]
+    Missing {
+        /// How many.
+        missing: usize,
+        /// Of how many.
+        parts: usize,
+        /// The first of them.
+        first: usize,
+    },
+    /// A folder that cannot be made, or into which nothing can be written.
+    #[error("cannot write into the folder \"{folder}\": {reason}; choose another one, where you may write")]
+    Folder {
+        /// The folder.
+        folder: PathBuf,
+        /// What stood in the way.
+        reason: String,
+    },
+    /// A file that is not what it should be.
+    #[error("\"{path}\" is damaged: {reason}; remove it and run the study again, which computes it anew")]
+    Damaged {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        reason: String,
+    },
+    /// A table that cannot be made or written.
+    #[error(transparent)]
+    Table(#[from] TableError),
+    /// A file that cannot be written.
+    #[error(transparent)]
+    Store(#[from] StoreError),
+}
+
+fn listed(faults: &[Fault]) -> String {
+    faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
+}

@@ -1,0 +1,218 @@
+//! A study on disk: `study.json` says which one, `parts/` holds what is finished, `study.parquet` the merged table.
+
+use super::lock::Lock;
+use super::{Shard, Study, StudyError};
+use crate::march::Control;
+use crate::store;
+use crate::table::{Table, TableError};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
+
+/// The folder of a study.
+#[derive(Debug)]
+pub struct Folder {
+    path: PathBuf,
+    card: StudyCard,
+}
+
+/// What `study.json` says.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+struct StudyCard {
+    created_by: String,
+    version: String,
+    study_sha256: String,
+    command: String,
+    points: usize,
+    parts: usize,
+}
+
+/// How far a study is.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Status {
+    /// Digest of the study.
+    pub study_sha256: String,
+    /// Points of the study.
+    pub points: usize,
+    /// Parts of the study.
+    pub parts: usize,
+    /// Parts that are there.
+    pub finished: usize,
+    /// Points without an answer in these parts.
+    pub failed_points: usize,
+    /// Files that are not the part that their name says.
+    pub damaged: Vec<PathBuf>,
+    /// True when the merged table is there.
+    pub merged: bool,
+}
+
+impl Folder {
+    /// The folder of a study, made where there is none.
+    ///
+    /// # Errors
+    /// A folder that cannot be made, or that holds another study.
+    pub fn of(path: &Path, study: &Study) -> Result<Self, StudyError> {
+        let parts = path.join("parts");
+        let unwritable = |reason: std::io::Error| StudyError::Folder { folder: parts.clone(), reason: reason.to_string() };
+        std::fs::create_dir_all(&parts).map_err(unwritable)?;
+        let manifest = study.manifest();
+        let card = StudyCard {
+            created_by: manifest.created_by,
+            version: manifest.version,
+            study_sha256: study.hash_hex().to_owned(),
+            command: study.quantity.command().to_owned(),
+            points: study.design.len(),
+            parts: study.parts(),
+        };
+        match Self::open(path) {
+            Ok(found) if found.card == card => Ok(found),
+            Ok(found) => Err(StudyError::OtherStudy {
+                folder: path.to_owned(),
+                found: short(&found.card.study_sha256),
+                wanted: short(&card.study_sha256),
+            }),
+            Err(StudyError::NoStudy { .. }) => {
+                let text = serde_json::to_string_pretty(&card).unwrap_or_default() + "\n";
+                store::write(&path.join(CARD_FILE), text.as_bytes())?;
+                Ok(Self { path: path.to_owned(), card })
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    /// A folder that holds a study.
+    ///
+    /// # Errors
+    /// A folder that holds none.
+    pub fn open(path: &Path) -> Result<Self, StudyError> {
+        let file = path.join(CARD_FILE);
+        let text = std::fs::read_to_string(&file).map_err(|_| StudyError::NoStudy { folder: path.to_owned() })?;
+        let damaged = |reason: serde_json::Error| StudyError::Damaged { path: file.clone(), reason: reason.to_string() };
+        Ok(Self { path: path.to_owned(), card: serde_json::from_str(&text).map_err(damaged)? })
+    }
+
+    /// Computes the parts of a shard that are not there, on all threads; `done` hears of the points of each that is, with those that were
+    /// found. Stopped by the control it keeps what is finished.
+    ///
+    /// # Errors
+    /// A folder that cannot be written, another process at the same shard.
+    pub fn run(&self, study: &Study, shard: Shard, control: &Control, done: &(dyn Fn(usize) + Sync)) -> Result<(), StudyError> {
+        let _lock = Lock::take(&self.path, shard)?;
+        self.clean();
+        let own: Vec<usize> = (0..self.card.parts).filter(|part| shard.takes(*part)).collect();
+        let missing: Vec<usize> = own.iter().copied().filter(|part| self.part(*part).is_err()).collect();
+        let points = |parts: &[usize]| parts.iter().map(|part| study.points(*part).len()).sum::<usize>();
+        control.expect(points(&missing));
+        done(points(&own) - points(&missing));
+        // One part at a time for each thread: they are few and long.
+        missing.into_par_iter().with_max_len(1).try_for_each(|part| {
+            if control.is_stopped() {
+                return Ok(());
+            }
+            if let Some(table) = study.part(part, control)? {
+                table.write(&self.file(part), &study.part_manifest(part))?;
+                done(table.rows());
+            }
+            Ok(())
+        })
+    }
+
+    /// Keeps a part that was computed elsewhere.
+    ///
+    /// # Errors
+    /// A file that cannot be written, bytes that are not that part.
+    pub fn keep(&self, part: usize, bytes: &[u8]) -> Result<(), StudyError> {
+        store::write(&self.file(part), bytes)?;
+        self.part(part).map(|_| ())
+    }
+
+    /// Numbers of the parts that are not there, or damaged.
+    pub fn missing(&self) -> Vec<usize> {
+        (0..self.card.parts).filter(|part| self.part(*part).is_err()).collect()
+    }
+
+    /// How far the study is.
+    pub fn status(&self) -> Status {
+        let (mut finished, mut failed_points, mut damaged) = (0, 0, Vec::new());
+        for part in 0..self.card.parts {
+            match self.part(part) {
+                Ok(table) => {
+                    finished += 1;
+                    failed_points += failures(&table);
+                }
+                Err(StudyError::Damaged { path, .. }) => damaged.push(path),
+                Err(_) => {}
+            }
+        }
+        let StudyCard { study_sha256, points, parts, .. } = self.card.clone();
+        Status { study_sha256, points, parts, finished, failed_points, damaged, merged: self.table().is_file() }
+    }
+
+    /// Where the merged table is.
+    pub fn table(&self) -> PathBuf {
+        self.path.join("study.parquet")
+    }
+
+    /// Joins all parts to one table, in the order of the points and a part at a time.
+    ///
+    /// # Errors
+    /// Parts that are missing or damaged, a file that cannot be written.
+    pub fn merge(&self) -> Result<PathBuf, StudyError> {
+        let missing: Vec<usize> = (0..self.card.parts).filter(|part| !self.file(*part).is_file()).collect();
+        if let Some(first) = missing.first() {
+            return Err(StudyError::Missing { missing: missing.len(), parts: self.card.parts, first: *first });
+        }
+        self.clean();
+        let (_, mut manifest) = Table::read(&self.file(0))?;
+        manifest.options.remove("part");
+        let parts = (0..self.card.parts).map(|part| self.part(part));
+        Table::write_joined(&self.table(), &manifest, parts)?;
+        Ok(self.table())
+    }
+
+    /// Removes what killed processes left.
+    fn clean(&self) {
+        store::clean(&self.path);
+        store::clean(&self.path.join("parts"));
+    }
+
+    /// A part that is there.
+    fn part(&self, part: usize) -> Result<Table, StudyError> {
+        let path = self.file(part);
+        if !path.is_file() {
+            return Err(StudyError::Missing { missing: 1, parts: self.card.parts, first: part });
+        }
+        let damaged = |reason: String| StudyError::Damaged { path: path.clone(), reason };
+        let (table, manifest) = Table::read(&path).map_err(|error| match error {
+            TableError::Read { reason, .. } => damaged(reason),
+            error => error.into(),
+        })?;
+        let says = |option: &str, value: &str| manifest.options.get(option).is_some_and(|found| found == value);
+        if says("study_sha256", &self.card.study_sha256) && says("part", &part.to_string()) {
+            Ok(table)
+        } else {
+            Err(damaged("it is not this part of this study".to_owned()))
+        }
+    }
+
+    fn file(&self, part: usize) -> PathBuf {
+        self.path.join("parts").join(format!("part-{part:06}.parquet"))
+    }
+}
+
+/// Name of the file that says which study a folder holds.
+const CARD_FILE: &str = "study.json";
+
+/// The beginning of a digest, enough to tell two apart.
+fn short(digest: &str) -> String {
+    digest.chars().take(12).collect()
+}
+
+/// Points without an answer.
+fn failures(table: &Table) -> usize {
+    let texts = table.column("failure").map(|column| &column.values);
+    match texts {
+        Some(crate::table::Values::Text(texts)) => texts.iter().filter(|text| !text.is_empty()).count(),
+        _ => 0,
+    }
+}
