@@ -134,14 +134,11 @@ pub fn driving_channel(
     let measuring: Vec<usize> = (0..heads.len()).filter(|k| heads[*k].quantity == quantity).filter(moves).collect();
     let silent = || (0..heads.len()).filter(|k| heads[*k].may_be(quantity)).filter(moves).collect();
     let fitting = if measuring.is_empty() { silent() } else { measuring };
-    let names = |numbers: &[usize]| numbers.iter().map(|k| heads[*k].name.to_owned()).collect();
+    let name = |head: &ChannelHead<'_>| if head.tells_unit() { format!("{} ({})", head.name, head.unit) } else { head.name.to_owned() };
     match fitting[..] {
         [only] => Ok(only),
-        [] => {
-            let channels = heads.iter().map(|head| head.name.to_owned()).collect();
-            Err(RecordingError::None { channels, wanted: quantity.si_unit() })
-        }
-        _ => Err(RecordingError::Several { channels: names(&fitting) }),
+        [] => Err(RecordingError::None { channels: heads.iter().map(name).collect(), wanted: quantity.si_unit() }),
+        _ => Err(RecordingError::Several { channels: fitting.iter().map(|k| name(&heads[*k])).collect() }),
     }
 }
 
