@@ -106,7 +106,7 @@ impl SpecFile {
             let DriveSignal::Recording { record, .. } = &mut drive.signal else { continue };
             match found {
                 Ok(found) => *record = Some(Arc::new(found)),
-                Err(message) => broken.push((format!("drive.{name}.file"), format!("drive.{name}.file: {message}"))),
+                Err((key, message)) => broken.push((format!("drive.{name}.{key}"), format!("drive.{name}.{key}: {message}"))),
             }
         }
         broken

@@ -183,38 +183,37 @@ impl Recording {
     /// Reads the file of a drive.
     ///
     /// # Errors
-    /// One sentence with the file and what to do.
-    pub(super) fn read(path: &Path, drive: &Drive) -> Result<Self, String> {
+    /// The key at fault, and one sentence with the file and what to do.
+    pub(super) fn read(path: &Path, drive: &Drive) -> Result<Self, (&'static str, String)> {
         let DriveSignal::Recording { channel, unit, scale, keep_mean, sample_rate_hz, .. } = &drive.signal else {
-            return Err("the signal is no recording".to_owned());
+            return Err(("signal", "the signal is not a recording".to_owned()));
         };
         let shown = path.display();
-        let fault = |error: RecordingError| format!("{shown}: {error}");
+        let of_file = |error: &dyn std::fmt::Display| ("file", format!("{shown}: {error}"));
         let quantity = drive.kind.measured();
         let mut survey = survey(path, *sample_rate_hz).map_err(|error| match error {
-            ReadError::NoTime { .. } | ReadError::StampUnit { .. } => format!("{error}; or give the drive a `sample_rate`"),
-            error => error.to_string(),
+            ReadError::NoTime { .. } | ReadError::StampUnit { .. } => ("file", format!("{error}; or give the drive a `sample_rate`")),
+            error => ("file", error.to_string()),
         })?;
-        let number = driving_channel((&survey.name, &survey.heads(), &survey.findings), channel.as_deref(), quantity).map_err(fault)?;
+        let number = driving_channel((&survey.name, &survey.heads(), &survey.findings), channel.as_deref(), quantity)
+            .map_err(|error| of_file(&error))?;
         if let Some(wanted_hz) = sample_rate_hz.filter(|wanted_hz| (wanted_hz / survey.rate() - 1.0).abs() > MAX_RATE_ERROR) {
-            return Err(format!(
-                "{shown} is sampled at {:.6} Hz, not at `sample_rate` = {wanted_hz} Hz; correct one of them",
-                survey.rate()
-            ));
+            let told = format!("{shown} is sampled at {:.6} Hz, not at `sample_rate` = {wanted_hz} Hz; correct one of them", survey.rate());
+            return Err(("sample_rate", told));
         }
         let head = survey.channels[number].head();
         let assumed = if unit.is_none() { head.assumed(quantity) } else { None };
         survey.findings.extend(assumed);
-        let lost = |error: std::io::Error| format!("{shown}: {error}");
-        let mut measured = survey.into_recording_of(&[number]).map_err(lost)?.into_even().map_err(|error| format!("{shown}: {error}"))?;
+        let measured = survey.into_recording_of(&[number]).map_err(|error| of_file(&error))?;
+        let mut measured = measured.into_even().map_err(|error| of_file(&error))?;
         let channel = &mut measured.channels[0];
         if let Some(unit) = unit {
-            in_unit(channel, unit, quantity)?;
+            in_unit(channel, unit, quantity).map_err(|told| ("unit", told))?;
             measured.findings.retain(|finding| finding.kind != IssueKind::RawCounts);
         }
         let channel = &measured.channels[0];
         let (name, keep_mean) = (channel.name.clone(), keep_mean.unwrap_or(drive.kind.keeps_mean()));
-        Self::of(&measured, &name, drive.kind, (*scale, keep_mean)).map_err(fault)
+        Self::of(&measured, &name, drive.kind, (*scale, keep_mean)).map_err(|error| of_file(&error))
     }
 
     /// Time from the first sample to the last, s.

@@ -44,7 +44,7 @@ fn the_unit_and_the_channel_come_from_the_file() {
         ("channel = \"out\"\n", "channel out is in V, which is no unit of m/s^2"),
         ("channel = \"dead\"\n", "channel dead is 0 m/s^2 throughout, which moves nothing"),
         ("unit = \"m/s^2\"\n", "the file gives channel floor in a unit of its own, in SI m/s^2: leave `unit` out"),
-        ("channel = \"out\"\nunit = \"mm\"\n", "`unit` = \"mm\" is no unit of m/s^2"),
+        ("channel = \"out\"\nunit = \"mm\"\n", "drive.road.unit: `unit` = \"mm\" is no unit of m/s^2"),
         ("sample_rate = \"100 Hz\"\n", "is sampled at 2.000000 Hz, not at `sample_rate` = 100 Hz"),
         ("scale = \"1 g\"\n", "a plain number is due"),
     ] {
