@@ -45,7 +45,7 @@ import pickle, resource, sys, time
 study, out, threads = pickle.loads(sys.stdin.buffer.read())
 begin = time.perf_counter()
 result = study.run(out, threads=threads)
-print(time.perf_counter() - begin, result.marched_s, 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
+print(time.perf_counter() - begin, result.wall_time_s, 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
 """
 
 
@@ -53,12 +53,12 @@ class Taken(NamedTuple):
     """What a study took: wall time and the marching of all threads together, s, and the most memory of a process, bytes."""
 
     wall_s: float
-    marched_s: float
+    wall_time_s: float
     peak_bytes: int
 
     def beside_marches(self, threads: int) -> float:
         """Wall time over that of the marches shared evenly by the threads, less 1."""
-        return self.wall_s * threads / self.marched_s - 1.0
+        return self.wall_s * threads / self.wall_time_s - 1.0
 
 
 def options() -> argparse.Namespace:
@@ -137,7 +137,7 @@ def through_dask(study: jounce.Study, folder: Path, workers: int) -> Taken:
         begin = time.perf_counter()
         result = study.run(folder, executor=client.get_executor())
         wall_s = time.perf_counter() - begin
-        return Taken(wall_s, result.marched_s, max(peak_bytes(), *client.run(peak_bytes).values()))
+        return Taken(wall_s, result.wall_time_s, max(peak_bytes(), *client.run(peak_bytes).values()))
 
 
 def measured(chosen: argparse.Namespace, folder: Path) -> dict[str, Any]:
@@ -183,7 +183,7 @@ def report(described: list[str], found: dict[str, Any]) -> str:
     lines.append("|---|---|---|---|---|")
     for name, taken in rows.items():
         share, size = 100 * taken.beside_marches(threads), taken.peak_bytes / 2**20
-        lines.append(f"| {name} | {taken.wall_s:.2f} | {taken.marched_s / threads:.2f} | {share:+.1f} % | {size:.0f} |")
+        lines.append(f"| {name} | {taken.wall_s:.2f} | {taken.wall_time_s / threads:.2f} | {share:+.1f} % | {size:.0f} |")
     lines += ["", f"- Wanted: less than {100 * WANTED_STUDY:+.0f} % beside the marches, and memory that does not grow with the points."]
     if "dask" in found:
         over, same = 100 * (found["dask"].wall_s / whole.wall_s - 1.0), "the same table" if found["dask_same_table"] else "ANOTHER table"

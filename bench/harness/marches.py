@@ -55,7 +55,7 @@ class March:
     """Times of marching, s, the steps of the march and the contacts in its averaging window; `failed` says why there are none."""
 
     task: str
-    march_s: list[float] = field(default_factory=list)
+    wall_time_s: list[float] = field(default_factory=list)
     steps: int = 0
     contacts: int = 0
     failed: str | None = None
@@ -116,21 +116,21 @@ def marches(binary: Path, plant: Path, spec: Path, repeats: int, cap_s: float) -
 
 def record(march: March, answer: dict[str, Any]) -> None:
     """Adds one repetition."""
-    march.march_s.append(float(answer["march_s"]))
+    march.wall_time_s.append(float(answer["wall_time_s"]))
     march.steps = int(answer["work"]["flight_steps"] + answer["work"]["contact_steps"])
     march.contacts = int(answer["contacts"])
 
 
 def ratio_of_stops(found: list[March]) -> list[str]:
     """What a second stop costs per frequency: in all, and per step."""
-    done = {march.task: march for march in found if march.march_s}
+    done = {march.task: march for march in found if march.wall_time_s}
     lines = []
     for hertz in FREQUENCIES_HZ:
         one = done.get(f"one stop, {hertz} Hz, 20 s")
         for kind in SECOND_GAPS:
             two = done.get(f"a second stop that is {kind}, {hertz} Hz, 20 s")
             if one and two:
-                times = median(two.march_s) / median(one.march_s)
+                times = median(two.wall_time_s) / median(one.wall_time_s)
                 steps = two.steps / one.steps
                 lines.append(f"- At {hertz} Hz a second stop that is {kind} costs {times:.2g} times one for {steps:.2g} times the steps.")
     return lines
@@ -141,6 +141,6 @@ def report(described: list[str], found: list[March]) -> str:
     head = ["# Marching alone", "", "Written by `bench/marches.py`; how to read it is in `bench/README.md`.", "", *(f"- {line}" for line in described)]
     rows = ["", "| task | march ms, median [min .. max] | steps | contacts |", "|---|---|---|---|"]
     for march in found:
-        cells = f"{march.failed} | | " if march.failed else f"{span(march.march_s)} | {march.steps} | {march.contacts}"
+        cells = f"{march.failed} | | " if march.failed else f"{span(march.wall_time_s)} | {march.steps} | {march.contacts}"
         rows.append(f"| {march.task} | {cells} |")
     return "\n".join([*head, *rows, "", *ratio_of_stops(found)]) + "\n"

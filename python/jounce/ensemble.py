@@ -27,17 +27,17 @@ class EnsembleResult(Result):
     contact_rate_hz: Annotated[float, Along("", "1/s", "contacts per second")]
     contact_rate_half_width_hz: Annotated[float, Along("", "1/s", "half the width of its 95 % interval")]
     #: Speed at which contacts began, m/s, and the time that one lasts, s; 0 without contact.
-    mean_strike_m_s: Annotated[float, Along("", "m/s", "mean speed at which contacts began")]
-    max_strike_m_s: Annotated[float, Along("", "m/s", "largest speed at which one began")]
-    mean_dwell_s: Annotated[float, Along("", "s", "mean time that a contact lasts")]
+    mean_impact_velocity_m_s: Annotated[float, Along("", "m/s", "mean speed at which contacts began")]
+    max_impact_velocity_m_s: Annotated[float, Along("", "m/s", "largest speed at which one began")]
+    mean_contact_duration_s: Annotated[float, Along("", "s", "mean time that a contact lasts")]
     #: Number of each realisation under the seed, and its own answers.
     member: Integers
     member_power_w: Annotated[Floats, Along("member", "W", "mean power of all loads")]
     member_contacts: Annotated[Integers, Along("member", "1", "contacts that began")]
     member_contact_rate_hz: Annotated[Floats, Along("member", "1/s", "contacts per second")]
-    member_mean_strike_m_s: Annotated[Floats, Along("member", "m/s", "mean speed at which contacts began")]
-    member_max_strike_m_s: Annotated[Floats, Along("member", "m/s", "largest speed at which one began")]
-    member_mean_dwell_s: Annotated[Floats, Along("member", "s", "mean time that a contact lasts")]
+    member_mean_impact_velocity_m_s: Annotated[Floats, Along("member", "m/s", "mean speed at which contacts began")]
+    member_max_impact_velocity_m_s: Annotated[Floats, Along("member", "m/s", "largest speed at which one began")]
+    member_mean_contact_duration_s: Annotated[Floats, Along("member", "s", "mean time that a contact lasts")]
     member_max_penetration_m: Annotated[Floats, Along("member", "m", "largest penetration of the stop")]
     #: Limits of patches that members pass, in words.
     warnings: list[str]
@@ -47,12 +47,12 @@ class EnsembleResult(Result):
     stop: list[str]
     stop_contact_rate_hz: Annotated[Floats, Along("stop", "1/s", "contacts per second")]
     stop_contact_rate_half_width_hz: Annotated[Floats, Along("stop", "1/s", "half the width of its 95 % interval")]
-    stop_mean_strike_m_s: Annotated[Floats, Along("stop", "m/s", "mean speed at which contacts began")]
+    stop_mean_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "mean speed at which contacts began")]
     stop_mean_strike_half_width_m_s: Annotated[Floats, Along("stop", "m/s", "half the width of its 95 % interval")]
-    stop_max_strike_m_s: Annotated[Floats, Along("stop", "m/s", "largest speed at which one began")]
-    stop_mean_dwell_s: Annotated[Floats, Along("stop", "s", "mean time that a contact lasts")]
+    stop_max_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "largest speed at which one began")]
+    stop_mean_contact_duration_s: Annotated[Floats, Along("stop", "s", "mean time that a contact lasts")]
     stop_mean_dwell_half_width_s: Annotated[Floats, Along("stop", "s", "half the width of its 95 % interval")]
-    stop_max_dwell_s: Annotated[Floats, Along("stop", "s", "longest time that one lasted")]
+    stop_max_contact_duration_s: Annotated[Floats, Along("stop", "s", "longest time that one lasted")]
     stop_contact_duty: Annotated[Floats, Along("stop", "1", "share of the time in contact")]
     stop_contact_duty_half_width: Annotated[Floats, Along("stop", "1", "half the width of its 95 % interval")]
     #: Largest contact force, N, 0 for impacts on a rigid stop, and penetration, m.
@@ -82,7 +82,7 @@ class EnsembleResult(Result):
             ("contacts", f"{self.contact_rate_hz:.4f} per second +- {self.contact_rate_half_width_hz:.2f}"),
             (
                 "strikes",
-                f"{self.mean_strike_m_s:.4e} m/s in the mean, {self.max_strike_m_s:.4e} m/s at most, {self.mean_dwell_s:.4e} s each",
+                f"{self.mean_impact_velocity_m_s:.4e} m/s in the mean, {self.max_impact_velocity_m_s:.4e} m/s at most, {self.mean_contact_duration_s:.4e} s each",
             ),
             *((f"stop {name}", self._of_stop(k)) for k, name in enumerate(self.stop)),
             *(
@@ -94,7 +94,7 @@ class EnsembleResult(Result):
 
     def _of_stop(self, k: int) -> str:
         rate = f"{self.stop_contact_rate_hz[k]:.4g} contacts per second +- {self.stop_contact_rate_half_width_hz[k]:.1e}"
-        strike = f"{self.stop_mean_strike_m_s[k]:.4e} m/s +- {self.stop_mean_strike_half_width_m_s[k]:.1e} m/s"
+        strike = f"{self.stop_mean_impact_velocity_m_s[k]:.4e} m/s +- {self.stop_mean_strike_half_width_m_s[k]:.1e} m/s"
         return f"{rate}, at {strike}, {100 * self.stop_contact_duty[k]:.3g} % of the time"
 
     def to_xarray(self) -> Any:

@@ -12,7 +12,7 @@ from .signal import Spectrum, spectrum
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class History(Result):
-    """Samples of the exact trajectory: evenly spaced, and (``strobed_``) once per drive cycle, ending with the end of the run.
+    """Samples of the exact trajectory: evenly spaced, and (``poincare_``) once per drive cycle, ending with the end of the run.
 
     Arrays have a row for each point, patch or stop and a column for each time.
     """
@@ -29,17 +29,17 @@ class History(Result):
     displacement_m: Floats
     velocity_m_s: Floats
     #: Displacement towards each stop, m; it touches at the gap.
-    towards_m: Floats
+    relative_displacement_m: Floats
     #: Voltage of each patch, V.
     voltage_v: Floats
     #: Contact force of each stop, N.
     force_n: Floats
-    strobed_time_s: Floats
-    strobed_displacement_m: Floats
-    strobed_velocity_m_s: Floats
-    strobed_towards_m: Floats
-    strobed_voltage_v: Floats
-    strobed_force_n: Floats
+    poincare_time_s: Floats
+    poincare_displacement_m: Floats
+    poincare_velocity_m_s: Floats
+    poincare_relative_displacement_m: Floats
+    poincare_voltage_v: Floats
+    poincare_force_n: Floats
 
     def _summary(self) -> list[tuple[str, str]]:
         return [
@@ -58,7 +58,7 @@ class History(Result):
             found[f"{name}.displacement"] = (self.displacement_m[row], "m")
             found[f"{name}.velocity"] = (self.velocity_m_s[row], "m/s")
         for row, name in enumerate(self.stop):
-            found[f"{name}.towards"] = (self.towards_m[row], "m")
+            found[f"{name}.towards"] = (self.relative_displacement_m[row], "m")
             found[f"{name}.force"] = (self.force_n[row], "N")
         return found
 
@@ -83,17 +83,19 @@ class History(Result):
     def to_xarray(self) -> Any:
         """An ``xarray.Dataset`` over ``time`` and ``cycle_time`` (once per drive cycle), ``point``, ``patch`` and ``stop``."""
         variables: dict[str, Variable] = {}
-        for prefix, time in (("", "time"), ("strobed_", "cycle_time")):
+        for prefix, time in (("", "time"), ("poincare_", "cycle_time")):
             variables |= {
                 f"{prefix}displacement": Variable(("point", time), getattr(self, f"{prefix}displacement_m"), "m", "displacement"),
                 f"{prefix}velocity": Variable(("point", time), getattr(self, f"{prefix}velocity_m_s"), "m/s", "velocity"),
-                f"{prefix}towards": Variable(("stop", time), getattr(self, f"{prefix}towards_m"), "m", "displacement towards the stop"),
+                f"{prefix}towards": Variable(
+                    ("stop", time), getattr(self, f"{prefix}relative_displacement_m"), "m", "displacement towards the stop"
+                ),
                 f"{prefix}voltage": Variable(("patch", time), getattr(self, f"{prefix}voltage_v"), "V", "voltage"),
                 f"{prefix}force": Variable(("stop", time), getattr(self, f"{prefix}force_n"), "N", "contact force"),
             }
         coords = {
             "time": Variable(("time",), self.time_s, "s", "time since the start of the run"),
-            "cycle_time": Variable(("cycle_time",), self.strobed_time_s, "s", "time since the start of the run, once per drive cycle"),
+            "cycle_time": Variable(("cycle_time",), self.poincare_time_s, "s", "time since the start of the run, once per drive cycle"),
             "point": Variable(("point",), self.point, "", "point"),
             "patch": Variable(("patch",), self.patch, "", "patch"),
             "stop": Variable(("stop",), self.stop, "", "stop"),

@@ -84,10 +84,10 @@ class RunResult(Result):
     stop: list[str]
     stop_contacts: Annotated[Integers, Along("stop", "1", "contacts that began")]
     stop_contact_rate_hz: Annotated[Floats, Along("stop", "1/s", "contacts per second")]
-    stop_mean_strike_m_s: Annotated[Floats, Along("stop", "m/s", "mean speed at which contacts began")]
-    stop_max_strike_m_s: Annotated[Floats, Along("stop", "m/s", "largest speed at which a contact began")]
-    stop_mean_dwell_s: Annotated[Floats, Along("stop", "s", "mean time that a contact lasted")]
-    stop_max_dwell_s: Annotated[Floats, Along("stop", "s", "longest time that a contact lasted")]
+    stop_mean_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "mean speed at which contacts began")]
+    stop_max_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "largest speed at which a contact began")]
+    stop_mean_contact_duration_s: Annotated[Floats, Along("stop", "s", "mean time that a contact lasted")]
+    stop_max_contact_duration_s: Annotated[Floats, Along("stop", "s", "longest time that a contact lasted")]
     stop_contact_duty: Annotated[Floats, Along("stop", "1", "share of the time in contact")]
     stop_max_penetration_m: Annotated[Floats, Along("stop", "m", "largest penetration")]
     stop_max_contact_force_n: Annotated[Floats, Along("stop", "N", "largest contact force")]
@@ -102,14 +102,14 @@ class RunResult(Result):
     #: where the drives do not repeat themselves, so that there is nothing to settle to.
     settled: bool | None
     period_cycles: int | None
-    settle_change: float
-    settle_distance: float
+    periodicity_change: float
+    distance_to_orbit: float
     #: Limits of patches that the recorded end of the run has passed, in words.
     warnings: list[str]
     #: Input less all outputs and what is stored, over the largest energy of the run.
     energy_residual_relative: Annotated[float, Along("", "1", "energy residual of the march")]
     #: No energy flowed or changed by more than roundoff, so that the residual says nothing.
-    nothing_happened: Annotated[bool, Along("", "1", "no contact began and no energy flowed by more than roundoff")]
+    is_trivial: Annotated[bool, Along("", "1", "no contact began and no energy flowed by more than roundoff")]
     #: Energies of the whole run, J: ``input_j``, ``loads_j``, ``rectified_j`` (into loads and batteries behind rectifiers),
     #: ``rectified_loss_j`` (in their diodes and switches, and by leakage), ``leaks_j`` (by leakage of patches), ``damping_j``,
     #: ``contact_loss_j``, ``stored_j``.
@@ -124,7 +124,7 @@ class RunResult(Result):
     #: The recorded end of the run; ``None`` unless it was asked for.
     history: History | None
     #: Wall time of the marching, s; it does not count when results are compared.
-    march_s: float = dataclasses.field(compare=False)
+    wall_time_s: float = dataclasses.field(compare=False)
 
     @classmethod
     def _made(cls, answer: dict[str, Any]) -> Self:
@@ -153,7 +153,7 @@ class RunResult(Result):
         return peaks + [(name, volts) for name, volts in of_patches if volts not in self.load_voltage_peak_v]
 
     def _summary(self) -> list[tuple[str, str]]:
-        settled = f"period {self.period_cycles} drive cycles" if self.settled else f"NOT settled, change {self.settle_change:.1e}"
+        settled = f"period {self.period_cycles} drive cycles" if self.settled else f"NOT settled, change {self.periodicity_change:.1e}"
         settled = "no period: the drives do not repeat themselves" if self.settled is None else settled
         return [
             ("mean power", f"{self.mean_power_w:.6e} W"),

@@ -159,12 +159,12 @@ class Study:
                     raise Interrupted(StudyStatus.read(folder)) from None
                 if ended is not None:
                     raise ended
-                marched_s = float(answer["marched_s"]) if answer else 0.0
+                wall_time_s = float(answer["wall_time_s"]) if answer else 0.0
             else:
-                marched_s = self._spread(folder, executor, shard, tell)
+                wall_time_s = self._spread(folder, executor, shard, tell)
         if StudyStatus.read(folder).missing == 0:
             _core.study_merge(folder)
-        return StudyResult(Path(folder), marched_s)
+        return StudyResult(Path(folder), wall_time_s)
 
     def _spread(self, folder: str, executor: concurrent.futures.Executor, shard: str, tell: Progress | None) -> float:
         """Hands parts to an executor, a few at a time so that a study larger than memory works, and writes what comes back.
@@ -174,7 +174,7 @@ class Study:
         index, of = _shard(shard)
         waiting = [part for part in self._study.missing(folder) if part % of == index - 1]
         total = sum(self._study.points_of(part) for part in waiting)
-        done, marched_s, each_s, begun = 0, 0.0, None, time.monotonic()
+        done, wall_time_s, each_s, begun = 0, 0.0, None, time.monotonic()
         tasks: dict[Any, list[int]] = {}
         try:
             while waiting or tasks:
@@ -190,7 +190,7 @@ class Study:
                     each_s = seconds / len(batch)
                     for part, (content, part_s) in zip(batch, found):
                         self._study.keep(folder, part, content)
-                        marched_s += part_s
+                        wall_time_s += part_s
                         done += self._study.points_of(part)
                     if tell is not None:
                         tell(done, total, (time.monotonic() - begun) * (total - done) / done)
@@ -199,7 +199,7 @@ class Study:
         finally:
             for task in tasks:
                 task.cancel()
-        return marched_s
+        return wall_time_s
 
 
 def _workers(executor: Any) -> int:
@@ -226,7 +226,7 @@ def _parts(study: Study, parts: Sequence[int]) -> tuple[float, list[tuple[bytes,
         if ended is not None:
             raise ended
         assert answer is not None, "a part that nothing ended has an answer"
-        found.append((answer["bytes"], answer["marched_s"]))
+        found.append((answer["bytes"], answer["wall_time_s"]))
     return time.monotonic() - begun, found
 
 

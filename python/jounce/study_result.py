@@ -42,13 +42,13 @@ class StudyStatus:
 class StudyResult:
     """The table of a study in a folder, ``jounce.StudyResult("out")``: read when it is asked for.
 
-    ``marched_s`` is the wall time of the marching of runs in the call that gave it, s, summed over all threads and workers; 0 where no
+    ``wall_time_s`` is the wall time of the marching of runs in the call that gave it, s, summed over all threads and workers; 0 where no
     part was missing.
     """
 
-    def __init__(self, folder: str | PathLike[str], marched_s: float = 0.0) -> None:
+    def __init__(self, folder: str | PathLike[str], wall_time_s: float = 0.0) -> None:
         self.folder = Path(folder)
-        self.marched_s = marched_s
+        self.wall_time_s = wall_time_s
 
     @property
     def status(self) -> StudyStatus:

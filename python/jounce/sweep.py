@@ -28,7 +28,7 @@ class SweepResult(Result):
     settled: Annotated[Truths, Along("visit", "1", "settled when it was averaged")]
     period_cycles: Annotated[Integers, Along("visit", "1", "period in drive cycles")]
     energy_residual_relative: Annotated[Floats, Along("visit", "1", "energy residual of the march")]
-    marched_s: Annotated[Floats, Along("visit", "s", "time marched")]
+    simulated_time_s: Annotated[Floats, Along("visit", "s", "time marched")]
     #: Limits of patches that points pass, in words.
     warnings: list[str]
 

@@ -66,7 +66,7 @@ ode45_w = np.trapezoid(found.y[-1] ** 2, times) / resistance
 
 # %%
 answer = harvester.run(record="1 s")
-print(f"ode45: {ode45_w:.6e} W in {ode45_s:.2f} s; jounce: {answer.mean_power_w:.6e} W in {answer.march_s:.4f} s")
+print(f"ode45: {ode45_w:.6e} W in {ode45_s:.2f} s; jounce: {answer.mean_power_w:.6e} W in {answer.wall_time_s:.4f} s")
 # Two seconds of an impacting motion from rest: both agree to the tolerance of ode45.
 assert abs(ode45_w / answer.mean_power_w - 1.0) < 1e-3
 

@@ -31,7 +31,7 @@ def test_spectra_and_stops_of_an_ensemble_are_those_of_the_command_line(command_
     for name, unit in (("contact_rate", "_hz"), ("mean_strike", "_m_s"), ("mean_dwell", "_s"), ("contact_duty", "")):
         same(getattr(found, f"stop_{name}{unit}"), [one[name + unit]["mean"] for one in told["stops"]])
         same(getattr(found, f"stop_{name}_half_width{unit}"), [one[name + unit]["half_width"] or np.inf for one in told["stops"]])
-    for name in ("max_strike_m_s", "max_dwell_s", "max_contact_force_n", "max_penetration_m"):
+    for name in ("max_impact_velocity_m_s", "max_contact_duration_s", "max_contact_force_n", "max_penetration_m"):
         same(getattr(found, f"stop_{name}"), [one[name] for one in told["stops"]])
     assert found.stop_contact_rate_hz[0] > 0.0
     (width,) = told["bandwidths_hz"].values()

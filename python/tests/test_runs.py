@@ -27,11 +27,18 @@ def test_a_run_is_that_of_the_command_line(short, command_line):
     assert answer.mean_power_w > 0.0 and abs(answer.energy_residual_relative) < 1e-6
     (tip,) = told["stops"]
     assert answer.stop == [tip["name"]] and answer.stop_contacts[0] == tip["contacts"]
-    for name in ("contact_rate_hz", "mean_strike_m_s", "max_strike_m_s", "mean_dwell_s", "max_dwell_s", "impulse_n_s"):
+    for name in (
+        "contact_rate_hz",
+        "mean_impact_velocity_m_s",
+        "max_impact_velocity_m_s",
+        "mean_contact_duration_s",
+        "max_contact_duration_s",
+        "impulse_n_s",
+    ):
         assert getattr(answer, f"stop_{name}")[0] == tip[name], name
     # The time in contact is that of so many contacts.
-    assert answer.stop_mean_dwell_s[0] * answer.contacts == pytest.approx(answer.contact_duty * answer.average_over_s, rel=1e-9)
-    assert not answer.nothing_happened and not told["nothing_happened"] and answer.stop_mean_strike_m_s[0] > 0.0
+    assert answer.stop_mean_contact_duration_s[0] * answer.contacts == pytest.approx(answer.contact_duty * answer.average_over_s, rel=1e-9)
+    assert not answer.is_trivial and not told["is_trivial"] and answer.stop_mean_impact_velocity_m_s[0] > 0.0
 
 
 def test_the_peak_voltage_is_that_of_the_record(short, command_line):
@@ -64,7 +71,7 @@ def test_leakage_of_a_patch_is_told_and_closes_the_balance(short, command_line):
 
 
 def test_a_run_in_which_nothing_happens_says_so(short):
-    assert short.changed({"drive.shaker.amplitude": "0 N"}).run().nothing_happened
+    assert short.changed({"drive.shaker.amplitude": "0 N"}).run().is_trivial
 
 
 def test_a_run_goes_on_from_the_end_of_another(short, tmp_path):
@@ -89,7 +96,7 @@ def test_a_record_is_the_motion_of_the_run(short):
     slope = np.gradient(history.displacement_m[tip], history.time_s)
     assert np.abs(slope - history.velocity_m_s[tip]).max() < 0.05 * np.abs(history.velocity_m_s[tip]).max()
     # Once per cycle, ending with the run.
-    assert np.diff(history.strobed_time_s) == pytest.approx(1.0 / 11.0) and history.strobed_time_s[-1] == 2.0
+    assert np.diff(history.poincare_time_s) == pytest.approx(1.0 / 11.0) and history.poincare_time_s[-1] == 2.0
     assert (history.force_n >= 0.0).all() and history.force_n.max() <= answer.max_contact_force_n * (1.0 + 1e-9)
 
 

@@ -36,7 +36,7 @@ def test_a_study_is_a_table(study, tmp_path):
     assert len(found) == 32 == len(study) and study.parts == 8 and found.keys == list(VARY)
     assert list(found["stop.tip.gap"][:4]) == [0.5e-3, *np.linspace(0.5e-3, 1.5e-3, 4)[1:]]
     # What is there already is not marched again.
-    assert result.marched_s > 0.0 and study.run(tmp_path).marched_s == 0.0
+    assert result.wall_time_s > 0.0 and study.run(tmp_path).wall_time_s == 0.0
     # A row is the run of the changed spec, bit by bit.
     gap, frequency, load = study.point(13)
     single = study.spec
@@ -64,7 +64,7 @@ def test_an_executor_computes_the_same_table(study, table, tmp_path, executor):
     told = []
     with executor() as workers:
         result = study.run(tmp_path, executor=workers, progress=lambda *each: told.append(each))
-    assert result.path.read_bytes() == table and told[-1][:2] == (32, 32) and result.marched_s > 0.0
+    assert result.path.read_bytes() == table and told[-1][:2] == (32, 32) and result.wall_time_s > 0.0
 
 
 def pool():

@@ -1,7 +1,7 @@
 //! Ctrl-C: the work ends soon, what is finished is told, and the exit code says that it is not all.
 
 use crate::failure::Failure;
-use jounce::march::Control;
+use jounce::integrate::Control;
 
 /// Lets Ctrl-C end the work of a control. A second handler cannot be set where another already stands; then the default, to end at once, is
 /// kept.

@@ -1,7 +1,7 @@
 //! Progress of long work on stderr, rate and time left: a bar where stderr is a terminal, else a plain line every ten seconds.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use jounce::march::Control;
+use jounce::integrate::Control;
 use std::io::{IsTerminal, Write};
 use std::time::{Duration, Instant};
 

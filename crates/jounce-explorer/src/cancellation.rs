@@ -1,6 +1,6 @@
 //! Stopping a computation from outside, and whether it was its time that was over.
 
-use jounce::march::Control;
+use jounce::integrate::Control;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 

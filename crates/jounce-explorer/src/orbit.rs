@@ -6,7 +6,7 @@ use crate::frame::Frame;
 use crate::session::{Session, Shapes};
 use jounce::analysis::Parameter;
 use jounce::continuation::{Corrector, Metric, Position, correct_at};
-use jounce::march::TrajectoryState;
+use jounce::integrate::TrajectoryState;
 use jounce::orbit::{OrbitMethod, Shooting, ShootingEvaluation};
 use jounce::plant::Plant;
 use jounce::signal::{Samples, Window};

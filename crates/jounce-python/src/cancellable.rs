@@ -1,7 +1,7 @@
 //! A computation without the interpreter's lock, while somebody looks for Ctrl-C and tells how far it is: on a thread of its own, with
 //! Python's own thread waiting for it, or, where a thread would cost more than the work, on Python's own thread, which looks in between.
 
-use jounce::march::Control;
+use jounce::integrate::Control;
 use pyo3::prelude::*;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};

@@ -11,7 +11,7 @@ use crate::spec::Spec;
 use jounce::analysis::{
     AttractorTracks, Branch, BranchSearch, Diagram, DiagramOrder, DiagramPoint, OrbitMethodKind, Parameter, SectionPoint,
 };
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::spec::KeyRange;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -68,16 +68,16 @@ fn into_python<'py>(py: Python<'py>, found: &EnsembleResult, manifest: String) -
         .with("reached", found.reached)?
         .with("contact_rate_hz", found.contact_rate_hz.mean)?
         .with("contact_rate_half_width_hz", found.contact_rate_hz.half_width)?
-        .with("mean_strike_m_s", found.mean_strike_m_s)?
-        .with("max_strike_m_s", found.max_strike_m_s)?
-        .with("mean_dwell_s", found.mean_dwell_s)?
+        .with("mean_impact_velocity_m_s", found.mean_impact_velocity_m_s)?
+        .with("max_impact_velocity_m_s", found.max_impact_velocity_m_s)?
+        .with("mean_contact_duration_s", found.mean_contact_duration_s)?
         .each("member", all, |m| m.index as i64)?
         .each("member_power_w", all, |m| m.mean_power_w)?
         .each("member_contacts", all, |m| m.contacts as i64)?
         .each("member_contact_rate_hz", all, |m| m.contact_rate_hz)?
-        .each("member_mean_strike_m_s", all, |m| m.mean_strike_m_s)?
-        .each("member_max_strike_m_s", all, |m| m.max_strike_m_s)?
-        .each("member_mean_dwell_s", all, |m| m.mean_dwell_s)?
+        .each("member_mean_impact_velocity_m_s", all, |m| m.mean_impact_velocity_m_s)?
+        .each("member_max_impact_velocity_m_s", all, |m| m.max_impact_velocity_m_s)?
+        .each("member_mean_contact_duration_s", all, |m| m.mean_contact_duration_s)?
         .each("member_max_penetration_m", all, |m| m.max_penetration_m)?
         .each("member_energy_residual_relative", all, |m| m.energy_residual_relative)?
         .with("warnings", warnings(all))?
@@ -92,8 +92,8 @@ type Named = (&'static str, &'static str, fn(&StopEstimates) -> &Estimate);
 fn stops<'py>(answer: PythonDict<'py>, stops: &[StopEstimates]) -> PyResult<PythonDict<'py>> {
     let estimates: [Named; 4] = [
         ("stop_contact_rate_hz", "stop_contact_rate_half_width_hz", |stop| &stop.contact_rate_hz),
-        ("stop_mean_strike_m_s", "stop_mean_strike_half_width_m_s", |stop| &stop.mean_strike_m_s),
-        ("stop_mean_dwell_s", "stop_mean_dwell_half_width_s", |stop| &stop.mean_dwell_s),
+        ("stop_mean_impact_velocity_m_s", "stop_mean_strike_half_width_m_s", |stop| &stop.mean_impact_velocity_m_s),
+        ("stop_mean_contact_duration_s", "stop_mean_dwell_half_width_s", |stop| &stop.mean_contact_duration_s),
         ("stop_contact_duty", "stop_contact_duty_half_width", |stop| &stop.contact_duty),
     ];
     let answer = estimates.into_iter().try_fold(answer, |answer, (mean, half_width, of)| {
@@ -101,8 +101,8 @@ fn stops<'py>(answer: PythonDict<'py>, stops: &[StopEstimates]) -> PyResult<Pyth
     })?;
     answer
         .with("stop", stops.iter().map(|stop| stop.name.as_str()).collect::<Vec<_>>())?
-        .each("stop_max_strike_m_s", stops, |stop| stop.max_strike_m_s)?
-        .each("stop_max_dwell_s", stops, |stop| stop.max_dwell_s)?
+        .each("stop_max_impact_velocity_m_s", stops, |stop| stop.max_impact_velocity_m_s)?
+        .each("stop_max_contact_duration_s", stops, |stop| stop.max_contact_duration_s)?
         .each("stop_max_contact_force_n", stops, |stop| stop.max_contact_force_n)?
         .each("stop_max_penetration_m", stops, |stop| stop.max_penetration_m)
 }

@@ -1,7 +1,7 @@
 //! Samples of the recorded end of a run.
 
 use crate::arrays::PythonDict;
-use jounce::march::Kernel;
+use jounce::integrate::Kernel;
 use jounce::run::{RunPlan, RunResult};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -12,7 +12,7 @@ pub struct Samples {
     /// Per point, stop or patch, then per time.
     displacement_m: Vec<Vec<f64>>,
     velocity_m_s: Vec<Vec<f64>>,
-    towards_m: Vec<Vec<f64>>,
+    relative_displacement_m: Vec<Vec<f64>>,
     voltage_v: Vec<Vec<f64>>,
     force_n: Vec<Vec<f64>>,
 }
@@ -49,7 +49,7 @@ impl History {
     pub fn dict<'py>(self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let answer = PythonDict::new(py).with("point", self.point)?.with("patch", self.patch)?.with("stop", self.stop)?;
         let answer = self.even.told(answer, "")?;
-        Ok(self.strobed.told(answer, "strobed_")?.dict())
+        Ok(self.strobed.told(answer, "poincare_")?.dict())
     }
 }
 
@@ -66,7 +66,7 @@ impl Samples {
         Self {
             displacement_m: modes.shape.values().map(|shape| along(shape, 0)).collect(),
             velocity_m_s: modes.shape.values().map(|shape| along(shape, n)).collect(),
-            towards_m: plant.system.stops.iter().map(|stop| along(&stop.shape, 0)).collect(),
+            relative_displacement_m: plant.system.stops.iter().map(|stop| along(&stop.shape, 0)).collect(),
             voltage_v: (0..modes.patch.len()).map(|patch| voltages.iter().map(|v| v[patch]).collect()).collect(),
             force_n: (0..plant.system.stops.len()).map(|stop| instants.iter().map(|at| at.forces_n[stop]).collect()).collect(),
             time_s,
@@ -79,7 +79,7 @@ impl Samples {
         answer
             .rows(&name("displacement_m"), &self.displacement_m, columns)?
             .rows(&name("velocity_m_s"), &self.velocity_m_s, columns)?
-            .rows(&name("towards_m"), &self.towards_m, columns)?
+            .rows(&name("relative_displacement_m"), &self.relative_displacement_m, columns)?
             .rows(&name("voltage_v"), &self.voltage_v, columns)?
             .rows(&name("force_n"), &self.force_n, columns)?
             .array(&name("time_s"), self.time_s)

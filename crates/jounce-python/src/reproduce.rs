@@ -4,7 +4,7 @@ use crate::arrays::PythonDict;
 use crate::cancellable::{cancellable, on_threads, to_python_result};
 use crate::failure::Failure;
 use crate::run::PythonResult;
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::reproduce::{Claim, Reproduction, Written, folders};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -5,7 +5,7 @@ use crate::cancellable::{to_python_result, visited};
 use crate::failure::Failure;
 use crate::history::History;
 use crate::spec::Spec;
-use jounce::march::{Control, Energies, RectifiedEnergies};
+use jounce::integrate::{Control, Energies, RectifiedEnergies};
 use jounce::run::{
     ChargeResult, RectifiedResult, RunPlan, RunResult, StartState, StopResult, VoltagePeaks, Warning, charges, simulate, voltage_peaks,
 };
@@ -150,10 +150,10 @@ fn contacts<'py>(answer: PythonDict<'py>, found: &RunResult) -> PyResult<PythonD
         .with("stop", stops.iter().map(|stop| stop.name.clone()).collect::<Vec<_>>())?
         .each("stop_contacts", stops, |stop| stop.contacts as i64)?
         .each("stop_contact_rate_hz", stops, |stop| stop.contact_rate_hz)?
-        .each("stop_mean_strike_m_s", stops, |stop| stop.mean_strike_m_s)?
-        .each("stop_max_strike_m_s", stops, |stop| stop.max_strike_m_s)?
-        .each("stop_mean_dwell_s", stops, |stop| stop.mean_dwell_s)?
-        .each("stop_max_dwell_s", stops, |stop| stop.max_dwell_s)?
+        .each("stop_mean_impact_velocity_m_s", stops, |stop| stop.mean_impact_velocity_m_s)?
+        .each("stop_max_impact_velocity_m_s", stops, |stop| stop.max_impact_velocity_m_s)?
+        .each("stop_mean_contact_duration_s", stops, |stop| stop.mean_contact_duration_s)?
+        .each("stop_max_contact_duration_s", stops, |stop| stop.max_contact_duration_s)?
         .each("stop_contact_duty", stops, |stop| stop.contact_duty)?
         .each("stop_max_penetration_m", stops, |stop| stop.max_penetration_m)?
         .each("stop_max_contact_force_n", stops, |stop| stop.max_contact_force_n)?
@@ -170,15 +170,15 @@ fn trust<'py>(answer: PythonDict<'py>, RunData { plan, answer: found, warnings, 
     answer
         .with("settled", settlement.map(|found| found.settled))?
         .with("period_cycles", settlement.map(|found| found.period_cycles))?
-        .with("settle_change", settlement.map_or(f64::NAN, |found| found.change))?
-        .with("settle_distance", settlement.map_or(f64::NAN, |found| found.distance))?
+        .with("periodicity_change", settlement.map_or(f64::NAN, |found| found.change))?
+        .with("distance_to_orbit", settlement.map_or(f64::NAN, |found| found.distance))?
         .with("warnings", warnings)?
         .with("energy_residual_relative", found.energies.residual_relative())?
-        .with("nothing_happened", found.nothing_happened())?
+        .with("is_trivial", found.is_trivial())?
         .with("duration_s", plan.duration_s)?
         .with("average_over_s", plan.average_over_s)?
         .with("tolerance", plan.tolerance)?
-        .with("march_s", found.march_s)
+        .with("wall_time_s", found.wall_time_s)
 }
 
 /// Where the energy of the whole run went, J.

@@ -3,7 +3,7 @@
 use crate::branch::json;
 use crate::failure::Failure;
 use jounce::analysis::Model;
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::spec::{KeyRange, NumericKey, Quantity, SpecFile};
 use jounce::table::Manifest;
 use pyo3::exceptions::PyValueError;

@@ -67,8 +67,8 @@ impl Study {
             let bytes = table.map(|table| table.to_parquet(&self.0.part_manifest(part))).transpose().map_err(StudyError::from)?;
             bytes.map(|bytes| (bytes, control.wall_time_s())).ok_or_else(|| Failure::new("JounceError", "stopped"))
         });
-        to_python_result(py, found, |(bytes, marched_s)| {
-            Ok(PythonDict::new(py).with("bytes", PyBytes::new(py, &bytes))?.with("marched_s", marched_s)?.dict())
+        to_python_result(py, found, |(bytes, wall_time_s)| {
+            Ok(PythonDict::new(py).with("bytes", PyBytes::new(py, &bytes))?.with("wall_time_s", wall_time_s)?.dict())
         })
     }
 
@@ -87,7 +87,7 @@ impl Study {
             on_threads(threads, || Ok(folder.run(&self.0, shard, control, &|_| ())?))?;
             Ok(control.wall_time_s())
         });
-        to_python_result(py, found, |marched_s| Ok(PythonDict::new(py).with("marched_s", marched_s)?.dict()))
+        to_python_result(py, found, |wall_time_s| Ok(PythonDict::new(py).with("wall_time_s", wall_time_s)?.dict()))
     }
 
     /// Numbers of the parts that a folder lacks; the folder is made where there is none.

@@ -58,7 +58,7 @@ fn into_python<'py>(py: Python<'py>, (key, unit, manifest): (&str, &str, String)
         .each("settled", points, |p| p.settled)?
         .each("period_cycles", points, |p| i64::from(p.period_cycles))?
         .each("energy_residual_relative", points, |p| p.energy_residual_relative)?
-        .each("marched_s", points, |p| p.marched_s)?
+        .each("simulated_time_s", points, |p| p.simulated_time_s)?
         .with("warnings", warnings(key, unit, points))?
         .with("manifest", manifest)?;
     Ok(answer.dict())

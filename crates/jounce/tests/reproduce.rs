@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::reproduce::{Reproduction, reproduce};
 use jounce::table::Values;
 use std::path::Path;

@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use jounce::analysis::{Model, Sweep, SweepOrder};
+use jounce::integrate::Control;
 use jounce::linear::{FrfInput, FrfResponse, frf};
-use jounce::march::Control;
 use jounce::run::{RunPlan, StartState, simulate};
 use jounce::spec::SpecFile;
 use jounce::study::{Folder, Shard, Study, StudyError};

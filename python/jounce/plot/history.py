@@ -36,7 +36,7 @@ def plot_spectrum(found: Spectrum, ax: Any) -> Any:
 
 def plot_poincare(history: History, ax: Any, point: str | None) -> Any:
     """Draws velocity over displacement once per drive cycle."""
-    if len(history.strobed_time_s) == 0:
+    if len(history.poincare_time_s) == 0:
         raise ArgumentError("this harvester has no drive, so there is no drive cycle to look at once")
     struck = next((name for name in history.point if name.endswith(".tip")), history.point[-1])
     point = struck if point is None else point
@@ -44,7 +44,7 @@ def plot_poincare(history: History, ax: Any, point: str | None) -> Any:
         raise ArgumentError(f"{point}: no such point; there are {', '.join(history.point)}")
     row = history.point.index(point)
     with axes(ax) as ax:
-        ax.plot(history.strobed_displacement_m[row], history.strobed_velocity_m_s[row], "o", alpha=0.7, label=point)
+        ax.plot(history.poincare_displacement_m[row], history.poincare_velocity_m_s[row], "o", alpha=0.7, label=point)
         label(ax.xaxis, f"Displacement of {point}", "m")
         label(ax.yaxis, "Velocity", "m/s")
         ax.margins(0.15)

@@ -94,9 +94,9 @@ impl Ensemble {
                 "reached": answer.reached,
                 "contact_rate_hz": answer.contact_rate_hz.mean,
                 "contact_rate_half_width_hz": finite(answer.contact_rate_hz.half_width),
-                "mean_strike_m_s": answer.mean_strike_m_s,
-                "max_strike_m_s": answer.max_strike_m_s,
-                "mean_dwell_s": answer.mean_dwell_s,
+                "mean_impact_velocity_m_s": answer.mean_impact_velocity_m_s,
+                "max_impact_velocity_m_s": answer.max_impact_velocity_m_s,
+                "mean_contact_duration_s": answer.mean_contact_duration_s,
                 "stops": answer.stops.iter().map(stop_json).collect::<Vec<_>>(),
                 "bandwidths_hz": answer.spectra.iter().map(bandwidth_json).collect::<serde_json::Map<_, _>>(),
                 "energy_residual_relative": worst,
@@ -116,7 +116,7 @@ impl Ensemble {
             line(format!("contacts           {:.4} per second +- {:.2}", rate.mean, rate.half_width));
             line(format!(
                 "strikes            {:.4e} m/s in the mean, {:.4e} m/s at most, {:.4e} s each",
-                answer.mean_strike_m_s, answer.max_strike_m_s, answer.mean_dwell_s
+                answer.mean_impact_velocity_m_s, answer.max_impact_velocity_m_s, answer.mean_contact_duration_s
             ));
         }
         for stop in &answer.stops {
@@ -172,8 +172,16 @@ fn print_stop(stop: &StopEstimates) {
         return line(format!("stop {:<12}  no contacts", stop.name));
     }
     line(format!("stop {:<12}  {}", stop.name, with_interval(&stop.contact_rate_hz, "contacts per second")));
-    line(format!("  approach speed   {}, {:.4e} m/s at most", with_interval(&stop.mean_strike_m_s, "m/s"), stop.max_strike_m_s));
-    line(format!("  dwell            {}, {:.4e} s at most", with_interval(&stop.mean_dwell_s, "s"), stop.max_dwell_s));
+    line(format!(
+        "  approach speed   {}, {:.4e} m/s at most",
+        with_interval(&stop.mean_impact_velocity_m_s, "m/s"),
+        stop.max_impact_velocity_m_s
+    ));
+    line(format!(
+        "  dwell            {}, {:.4e} s at most",
+        with_interval(&stop.mean_contact_duration_s, "s"),
+        stop.max_contact_duration_s
+    ));
     line(format!(
         "  duty             {}, force {:.4e} N at most",
         with_interval(&stop.contact_duty, "of the time"),
@@ -189,10 +197,10 @@ fn stop_json(stop: &StopEstimates) -> serde_json::Value {
     serde_json::json!({
         "name": stop.name,
         "contact_rate_hz": estimate_json(&stop.contact_rate_hz),
-        "mean_strike_m_s": estimate_json(&stop.mean_strike_m_s),
-        "max_strike_m_s": stop.max_strike_m_s,
-        "mean_dwell_s": estimate_json(&stop.mean_dwell_s),
-        "max_dwell_s": stop.max_dwell_s,
+        "mean_impact_velocity_m_s": estimate_json(&stop.mean_impact_velocity_m_s),
+        "max_impact_velocity_m_s": stop.max_impact_velocity_m_s,
+        "mean_contact_duration_s": estimate_json(&stop.mean_contact_duration_s),
+        "max_contact_duration_s": stop.max_contact_duration_s,
         "contact_duty": estimate_json(&stop.contact_duty),
         "max_contact_force_n": stop.max_contact_force_n,
         "max_penetration_m": stop.max_penetration_m,
@@ -214,9 +222,9 @@ fn table(members: &[Member]) -> Result<Table, Failure> {
         number("mean_power_w", "W", "mean power of all loads", |m| m.mean_power_w),
         whole("contacts", "contacts that began", |m| m.contacts),
         number("contact_rate_hz", "Hz", "contacts per second", |m| m.contact_rate_hz),
-        number("mean_strike_m_s", "m/s", "mean speed at which contacts began", |m| m.mean_strike_m_s),
-        number("max_strike_m_s", "m/s", "largest speed at which one began", |m| m.max_strike_m_s),
-        number("mean_dwell_s", "s", "mean time that a contact lasts", |m| m.mean_dwell_s),
+        number("mean_impact_velocity_m_s", "m/s", "mean speed at which contacts began", |m| m.mean_impact_velocity_m_s),
+        number("max_impact_velocity_m_s", "m/s", "largest speed at which one began", |m| m.max_impact_velocity_m_s),
+        number("mean_contact_duration_s", "s", "mean time that a contact lasts", |m| m.mean_contact_duration_s),
         number("max_penetration_m", "m", "largest penetration", |m| m.max_penetration_m),
         number("energy_residual_relative", "", "energy residual over the largest energy", |m| m.energy_residual_relative),
     ])?)

@@ -5,7 +5,7 @@ use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::spec::{Spec, SpecFile};
 use jounce::table::{Column, Table};
 use jounce_measure::draw::fitted;

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::output::{line, print};
 use clap::Args;
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::reproduce::{Reproduction, folders};
 use std::path::PathBuf;
 

@@ -5,7 +5,7 @@ use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
 use jounce::analysis::Model;
-use jounce::march::Kernel;
+use jounce::integrate::Kernel;
 use jounce::picture::{Scale, SpectrumLine, Trace, spectra, time_histories};
 use jounce::run::{ChargeResult, RunPlan, RunResult, StopResult, VoltagePeaks, Warning, charges, simulate, voltage_peaks};
 use jounce::signal::{Samples, Window};
@@ -165,7 +165,7 @@ fn print_json(kernel: &Kernel, answer: &RunResult, plan: &RunPlan, warnings: &[W
         "contact_duty": answer.contact_duty,
         "stops": answer.stops,
         "energy_residual_relative": answer.energies.residual_relative(),
-        "nothing_happened": answer.nothing_happened(),
+        "is_trivial": answer.is_trivial(),
         "energies": {
             "input_j": answer.energies.input_j,
             "loads_j": answer.energies.loads_j,
@@ -177,11 +177,11 @@ fn print_json(kernel: &Kernel, answer: &RunResult, plan: &RunPlan, warnings: &[W
         },
         "settled": settlement.map(|found| found.settled),
         "period_cycles": settlement.map(|found| found.period_cycles),
-        "settle_change": settlement.and_then(|found| finite(found.change)),
-        "settle_distance": settlement.and_then(|found| finite(found.distance)),
+        "periodicity_change": settlement.and_then(|found| finite(found.change)),
+        "distance_to_orbit": settlement.and_then(|found| finite(found.distance)),
         "warnings": warnings,
         "work": answer.work,
-        "march_s": answer.march_s,
+        "wall_time_s": answer.wall_time_s,
         "tolerance": plan.tolerance,
     }));
 }
@@ -215,7 +215,7 @@ fn print_lines(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) {
     for stop in &answer.stops {
         print_stop(stop, answer.stops.len() > 1);
     }
-    match answer.nothing_happened() {
+    match answer.is_trivial() {
         true => line("energy             nothing happened: no contact began, and no energy flowed or changed by more than roundoff"),
         false => line(format!("energy residual    {residual:.1e} of the largest energy")),
     }
@@ -230,7 +230,7 @@ fn print_lines(kernel: &Kernel, answer: &RunResult, plan: &RunPlan) {
     }
     line(format!(
         "marched in         {:.3} ms, {} flight and {} contact steps",
-        1e3 * answer.march_s,
+        1e3 * answer.wall_time_s,
         answer.work.flight_steps,
         answer.work.contact_steps
     ));
@@ -268,8 +268,14 @@ fn print_stop(stop: &StopResult, beside: bool) {
         ));
     }
     if stop.contacts > 0 {
-        line(format!("  approach speed   {:.4e} m/s in the mean, {:.4e} m/s at most", stop.mean_strike_m_s, stop.max_strike_m_s));
-        line(format!("  dwell            {:.4e} s in the mean, {:.4e} s at most", stop.mean_dwell_s, stop.max_dwell_s));
+        line(format!(
+            "  approach speed   {:.4e} m/s in the mean, {:.4e} m/s at most",
+            stop.mean_impact_velocity_m_s, stop.max_impact_velocity_m_s
+        ));
+        line(format!(
+            "  dwell            {:.4e} s in the mean, {:.4e} s at most",
+            stop.mean_contact_duration_s, stop.max_contact_duration_s
+        ));
     }
 }
 

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::output::line;
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::signal::Samples;
 use jounce::table::{Column, Table};
 use jounce_measure::segmentation::{Candidate, RecordSegment, SegmentMatch, SegmentMatches, match_segments};

@@ -7,7 +7,7 @@ use crate::progress;
 use crate::spec_arguments::print_recording_issues;
 use crate::threads::ThreadsArgument;
 use clap::{Args, Subcommand};
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::study::{Folder, Shard, Status, Study as Survey, StudyError};
 use std::path::PathBuf;
 

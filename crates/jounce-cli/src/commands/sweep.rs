@@ -10,7 +10,7 @@ use crate::spec_arguments::{OutputArguments, SpecArguments};
 use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
 use jounce::analysis::{Journal, Sweep as Study, SweepDirection, SweepOrder, SweepPoint};
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::picture::{self, Axis, SweepLine, SweepLook};
 use jounce::run::ExceededLimit;
 use jounce::spec::{KeyRange, Spec};
@@ -167,7 +167,7 @@ fn to_json(point: &SweepPoint) -> serde_json::Value {
         "settled": point.settled,
         "period_cycles": point.period_cycles,
         "energy_residual_relative": point.energy_residual_relative,
-        "marched_s": point.marched_s,
+        "simulated_time_s": point.simulated_time_s,
         "warnings": point.exceeded,
     })
 }

@@ -14,7 +14,7 @@ fn run_answers_with_every_key() {
         "contacts",
         "energy_residual_relative",
         "settled",
-        "march_s",
+        "wall_time_s",
     ] {
         assert!(!json[key].is_null(), "{key} is missing in {json}");
     }

@@ -51,7 +51,7 @@ fn noise_and_ensembles_answer_with_every_key() {
     let members = ["ensemble", SHAKER, "--members", "2", "--spectrum", "--json", "--out", out];
     let (code, json, stderr) = jounce(&[&members[..], &short].concat());
     assert_eq!(code, 0, "{stderr}");
-    has(&json["stops"][0], &["contact_rate_hz", "mean_strike_m_s", "max_dwell_s", "contact_duty"]);
+    has(&json["stops"][0], &["contact_rate_hz", "mean_impact_velocity_m_s", "max_contact_duration_s", "contact_duty"]);
     has(&json["bandwidths_hz"]["mfc"], &["mean", "interval"]);
     assert!(["ensemble-spectrum.csv", "ensemble-spectrum.svg"].iter().all(|name| folder.path().join(name).exists()));
     for (arguments, words) in [

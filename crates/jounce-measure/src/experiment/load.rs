@@ -1,6 +1,6 @@
 //! Figures 10 and 11: mean power over the load from records, normalised by the mean square of the base's acceleration.
 
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::picture::{LineDirection, SweepLine, power_against_resistance};
 use jounce::plant::{Plant, System};
 use jounce::reproduce::{NamedFigure, NamedTable, paper_spec};

@@ -11,7 +11,7 @@ mod modal_test;
 mod record;
 mod updated;
 
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::reproduce::{Chapter, NamedFigure, NamedTable, Reproduction};
 use rayon::prelude::*;
 

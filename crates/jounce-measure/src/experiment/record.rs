@@ -1,6 +1,6 @@
 //! Figures 12 and 13: a record that goes from one solution to another, cut into its stretches.
 
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::reproduce::{NamedFigure, NamedTable, paper_spec};
 use jounce::signal::{Samples, Window};
 use jounce::structure;

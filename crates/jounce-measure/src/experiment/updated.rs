@@ -1,6 +1,6 @@
 //! The laminate model fitted to the measured column of Table 2.
 
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::picture::Figure;
 use jounce::reproduce::{NamedFigure, NamedTable, paper_file};
 use jounce::table::{Column, Table};

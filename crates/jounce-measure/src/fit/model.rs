@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 use std::path::Path;
 
 use jounce::analysis::Model;
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::spec::{NumericKey, Spec, SpecFile};
 
 use super::FitError;

@@ -3,7 +3,7 @@
 use std::cell::{Cell, OnceCell, RefCell};
 use std::path::Path;
 
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::spec::{NumericKey, Spec};
 use levenberg_marquardt::LeastSquaresProblem;
 use nalgebra::storage::Owned;

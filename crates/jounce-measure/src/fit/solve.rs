@@ -3,7 +3,7 @@
 use std::cell::{Cell, RefCell};
 use std::path::Path;
 
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::spec::{NumericKey, Spec, SpecFile};
 use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
 use nalgebra::{DMatrix, DVector};

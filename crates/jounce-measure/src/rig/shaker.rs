@@ -1,7 +1,7 @@
 //! A shaker test of a model as its sensors record it.
 
 use jounce::drive::RandomStream;
-use jounce::march::{Control, Kernel, Trajectory};
+use jounce::integrate::{Control, Kernel, Trajectory};
 use jounce::plant::{Plant, System};
 use jounce::run::{RunPlan, StartState, simulate};
 use jounce::spec::Spec;

@@ -3,7 +3,7 @@
 //! The deviation of a piece is at least that between neighbouring blocks of the whole record: a piece that is quieter is no piece of its own, while
 //! one that is irregular stays one piece.
 
-use jounce::march::Control;
+use jounce::integrate::Control;
 
 /// Where the pieces begin, in blocks. One block alone between two pieces is the mixture at a change: the change is put in its middle.
 /// None where the control stops it.

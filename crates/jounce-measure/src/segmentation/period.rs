@@ -14,7 +14,7 @@
 //! leaves less at its multiples alone. So where no number is a period by that, the smallest one is for which, its classes taken away, the best
 //! number leaves no less than those beside it.
 
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::signal::Samples;
 use serde::Serialize;
 

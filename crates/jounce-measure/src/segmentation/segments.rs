@@ -1,6 +1,6 @@
 //! Stretches of a record.
 
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::signal::{Samples, SignalError};
 use serde::Serialize;
 

@@ -1,7 +1,7 @@
 //! The attractors of a model with what is needed to march them again.
 
 use jounce::analysis::{Basins, Cloud, InitialStates, Model, Parameter, Recognition};
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::orbit::{Orbit, Shooting};
 use jounce::plant::Plant;
 use jounce::run::StartState;

@@ -10,7 +10,7 @@
 //! An acceleration is the rate of a velocity. Points move relative to the base that they stand on: the acceleration of that comes on top.
 
 use faer::c64;
-use jounce::march::{Kernel, Trajectory, TrajectoryState};
+use jounce::integrate::{Kernel, Trajectory, TrajectoryState};
 use jounce::plant::Plant;
 use jounce::spec::Spec;
 use std::f64::consts::TAU;

@@ -1,7 +1,7 @@
 //! The voltage of an orbit as a Fourier series.
 
 use faer::c64;
-use jounce::march::Kernel;
+use jounce::integrate::Kernel;
 use jounce::run::{RunError, RunPlan, StartState, simulate};
 use jounce::spec::Spec;
 use std::f64::consts::TAU;

@@ -1,6 +1,6 @@
 //! Power spectral density after Welch.
 
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::signal::{Samples, Window};
 
 use super::{Segments, SpectralError};

@@ -1,6 +1,6 @@
 //! What a channel shows over frequency: its density, and the lines of its drive.
 
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::signal::{OrderLine, Samples, Window};
 
 use super::{Density, Segments, SpectralError};

@@ -8,7 +8,7 @@
 //! window; beside a line a Hann window shows up to 15 % less, a flat top up to 0.1 %. A segment resolves `r / L` times the width of the
 //! window (4 lines for Hann, 10 for a flat top), and sees nothing shorter than itself.
 
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::signal::Samples;
 
 use super::{Segments, SpectralError};

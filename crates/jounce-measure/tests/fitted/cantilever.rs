@@ -1,7 +1,7 @@
 //! Clamp and sensor of a steel cantilever, from its three lowest frequencies.
 
 use super::{free, noisy, recovered, spec};
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::structure;
 use jounce_measure::fit::{Deviation, Features, FitResult, ModeFeature, fit};
 use jounce_measure::modal::{ModalSettings, identify_decays};

@@ -2,7 +2,7 @@
 
 use super::{free, given, spec};
 use jounce::drive::RandomStream;
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::structure;
 use jounce_measure::fit::{Features, ModeFeature, fit};
 use std::f64::consts::TAU;

@@ -1,7 +1,7 @@
 //! Damping ratios of a list, all of them and one.
 
 use super::{free, given, noisy, recovered, spec};
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::structure;
 use jounce_measure::fit::{Features, ModeFeature, fit};
 use std::f64::consts::TAU;

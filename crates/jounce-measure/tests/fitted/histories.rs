@@ -2,8 +2,8 @@
 
 use super::{HARVESTER, free, given, recovered, spec};
 use jounce::analysis::Model;
+use jounce::integrate::Control;
 use jounce::linear::FrfResponse;
-use jounce::march::Control;
 use jounce::run::{RunPlan, simulate};
 use jounce_measure::fit::{Features, HistoryFeature, fit};
 use jounce_measure::recording::{Grid, Recording};

@@ -9,7 +9,7 @@ mod powers;
 mod responses;
 
 use jounce::drive::RandomStream;
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::spec::{Spec, SpecFile};
 use jounce_measure::fit::{Deviation, Features, FitResult, fit};
 use std::path::Path;

@@ -3,8 +3,8 @@
 use super::{HARVESTER, free, given, noisy, recovered, spec};
 use faer::c64;
 use jounce::drive::RandomStream;
+use jounce::integrate::Control;
 use jounce::linear::{FrfInput, FrfResponse, frf};
-use jounce::march::Control;
 use jounce::plant::{Plant, System};
 use jounce::structure;
 use jounce_measure::fit::{Deviation, Features, MeasuredLines, ResponseFeature, fit};

@@ -5,8 +5,8 @@
 //! beyond half the rate.
 
 use super::samples::real;
+use jounce::integrate::Control;
 use jounce::linear::{FrfInput, FrfResponse, frf};
-use jounce::march::Control;
 use jounce::plant::{Plant, System};
 use jounce::reproduce::paper_spec;
 use jounce::run::StartState;

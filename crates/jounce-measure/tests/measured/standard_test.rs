@@ -6,8 +6,8 @@
 
 use jounce::analysis::AnalysisError;
 use jounce::drive::RandomStream;
+use jounce::integrate::Control;
 use jounce::linear::{FrfInput, FrfResponse, frf, optimal_resistance};
-use jounce::march::Control;
 use jounce::plant::{Plant, System};
 use jounce::spec::{Spec, SpecFile};
 use jounce::structure;

@@ -3,8 +3,8 @@
 mod measured;
 
 use jounce::analysis::AnalysisError;
+use jounce::integrate::{Control, SensitivityError};
 use jounce::linear::RandomError;
-use jounce::march::{Control, SensitivityError};
 use jounce::orbit::OrbitError;
 use jounce::plant::PlantError;
 use jounce::reproduce::ReproduceError;

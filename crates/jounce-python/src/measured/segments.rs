@@ -7,7 +7,7 @@ use crate::cancellable::{cancellable, to_python_result};
 use crate::failure::Failure;
 use crate::run::PythonResult;
 use crate::spec::Spec;
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::signal::Samples;
 use jounce_measure::recording::{Channel, Quantity, Recording};
 use jounce_measure::segmentation::{SegmentMatches, Segmentation, match_segments, regimes_watched};

@@ -2,7 +2,7 @@
 
 use super::ModelAtStart;
 use crate::drive::RandomStream;
-use crate::march::{Control, Kernel};
+use crate::integrate::{Control, Kernel};
 use crate::plant::{Plant, PlantError, System};
 use crate::run::{RunError, StartState};
 use crate::spec::{DriveSignal, Spec, Start};

@@ -1,6 +1,6 @@
 //! A kernel to march from a state.
 
-use crate::march::Kernel;
+use crate::integrate::Kernel;
 use std::ops::Deref;
 
 /// The kernel of a harvester where its drives start at the angles of the state already, or else one whose drives do.

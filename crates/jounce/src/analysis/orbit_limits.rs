@@ -1,7 +1,7 @@
 //! What periodic orbits do to patches, against what those bear.
 
 use super::{AnalysisError, Branch, Parameter};
-use crate::march::{IntegrationError, Integrator, Kernel};
+use crate::integrate::{IntegrationError, Integrator, Kernel};
 use crate::orbit::{Orbit, ParametricModel, Shooting};
 use crate::run::{ExceededLimit, Limits, RunError};
 use rayon::prelude::*;

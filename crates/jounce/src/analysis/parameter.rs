@@ -8,7 +8,7 @@
 
 use super::{AnalysisError, Model};
 use crate::contact::Law;
-use crate::march::{Kernel, ParameterSensitivity};
+use crate::integrate::{Kernel, ParameterSensitivity};
 use crate::orbit::{ModelInstance, ParameterDerivatives, ParametricModel};
 use crate::plant::Drive;
 use crate::spec::{DriveKind, NumericKey};

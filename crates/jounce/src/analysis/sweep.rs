@@ -5,7 +5,7 @@
 //! whatever the number of threads, so the bits are the same.
 
 use super::{AnalysisError, Journal, Model, SweepDirection, SweepPoint};
-use crate::march::{Control, IntegrationError};
+use crate::integrate::{Control, IntegrationError};
 use crate::run::{RunError, RunPlan, RunResult, StartState, exceeded, simulate};
 use crate::spec::{Drive, DriveSignal, KeyRange, Spec};
 use rayon::prelude::*;
@@ -182,15 +182,16 @@ impl Sweep<'_> {
             },
         };
         let plan = plan.watching(&prepared.spec, &prepared.kernel.plant);
-        let mut marched_s = 0.0;
+        let mut simulated_time_s = 0.0;
         loop {
             let kernel = prepared.from_state(&start)?;
             let answer = simulate(&kernel, &start, &plan)?;
-            marched_s += plan.duration_s;
+            simulated_time_s += plan.duration_s;
             start = answer.end.clone();
-            if fixed_duration || answer.settlement.is_some_and(|found| found.settled) || marched_s >= MAX_DURATIONS * run.duration_s {
+            if fixed_duration || answer.settlement.is_some_and(|found| found.settled) || simulated_time_s >= MAX_DURATIONS * run.duration_s
+            {
                 let exceeded = exceeded(&prepared.spec, &kernel, &answer.trajectory);
-                return Ok(SweepPoint { exceeded, ..point_of(&answer, &plan, (index, value, way), marched_s) });
+                return Ok(SweepPoint { exceeded, ..point_of(&answer, &plan, (index, value, way), simulated_time_s) });
             }
         }
     }
@@ -204,7 +205,12 @@ fn unless_stopped(point: Result<SweepPoint, AnalysisError>) -> Result<Option<Swe
     }
 }
 
-fn point_of(answer: &RunResult, plan: &RunPlan, (index, parameter, direction): (usize, f64, SweepDirection), marched_s: f64) -> SweepPoint {
+fn point_of(
+    answer: &RunResult,
+    plan: &RunPlan,
+    (index, parameter, direction): (usize, f64, SweepDirection),
+    simulated_time_s: f64,
+) -> SweepPoint {
     SweepPoint {
         index,
         parameter,
@@ -216,7 +222,7 @@ fn point_of(answer: &RunResult, plan: &RunPlan, (index, parameter, direction): (
         settled: answer.settlement.is_some_and(|found| found.settled),
         period_cycles: answer.settlement.map_or(0, |found| found.period_cycles),
         energy_residual_relative: answer.energies.residual_relative(),
-        marched_s,
+        simulated_time_s,
         exceeded: Vec::new(),
         end: answer.end.clone(),
     }

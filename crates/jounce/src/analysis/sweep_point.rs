@@ -51,7 +51,7 @@ pub struct SweepPoint {
     /// Relative energy residual of the march.
     pub energy_residual_relative: f64,
     /// Time marched, s.
-    pub marched_s: f64,
+    pub simulated_time_s: f64,
     /// Limits of patches that it passes.
     #[serde(default)]
     pub exceeded: Vec<ExceededLimit>,

@@ -7,7 +7,7 @@
 //! Each orbit is one of a family over `Q`, so that `M - I` is singular. The orbit at one charge is meant, and its stability at that charge:
 //! `R + l' (Q - l u)` takes the place of the residual, and `M - l' l`, with 0 for the multiplier 1 and all others as they are, that of `M`.
 
-use crate::march::Trajectory;
+use crate::integrate::Trajectory;
 use crate::plant::{Conduction, Plant};
 use faer::Mat;
 

@@ -1,6 +1,6 @@
 //! Why an orbit cannot be had.
 
-use crate::march::SensitivityError;
+use crate::integrate::SensitivityError;
 
 /// An orbit that cannot be computed; `H` says why a harvester cannot be made at a parameter.
 #[derive(Debug, thiserror::Error)]

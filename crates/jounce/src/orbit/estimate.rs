@@ -2,7 +2,7 @@
 
 use super::{Orbit, OrbitError, ParametricModel, Shooting, ShootingEvaluation, displacement_peak_m, multipliers};
 use crate::continuation::Linearization;
-use crate::march::{Integrator, Kernel, SensitivityError};
+use crate::integrate::{Integrator, Kernel, SensitivityError};
 use crate::plant::{Storage, System};
 use faer::{ColRef, c64};
 

@@ -1,6 +1,6 @@
 //! A harvester that depends on a parameter.
 
-use crate::march::{Kernel, ParameterSensitivity};
+use crate::integrate::{Kernel, ParameterSensitivity};
 
 /// A harvester at one value of its parameter.
 #[derive(Debug)]

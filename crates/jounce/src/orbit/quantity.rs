@@ -1,7 +1,7 @@
 //! Quantities of an orbit of which a user may give a level.
 
 use super::ShootingEvaluation;
-use crate::march::Trajectory;
+use crate::integrate::Trajectory;
 
 /// Times per drive cycle at which the largest value is sought.
 const SAMPLES_PER_CYCLE: usize = 1024;

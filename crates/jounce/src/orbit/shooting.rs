@@ -5,13 +5,13 @@
 //! ```
 //!
 //! `u` are coordinates whose squares are energies; they outlive a change of load, stop or drive, and their size at a peak is that
-//! of the motion. The derivative is that of the flow (see [`crate::march::FlowSensitivity`]), cycle by cycle; with respect to the
+//! of the motion. The derivative is that of the flow (see [`crate::integrate::FlowSensitivity`]), cycle by cycle; with respect to the
 //! parameter it is exact for drive, gap and stiffness, and a difference otherwise.
 
 use super::charges::{conserved_charges, without_conserved};
 use super::{Orbit, OrbitError, OrbitMethod, ParameterDerivatives, ParametricModel, ShootingEvaluation};
 use crate::continuation::Problem;
-use crate::march::{FlowSensitivity, Kernel, ParameterSensitivity};
+use crate::integrate::{FlowSensitivity, Kernel, ParameterSensitivity};
 use crate::plant::{Plant, product};
 use faer::Mat;
 use std::sync::OnceLock;

@@ -2,7 +2,7 @@
 
 use super::block_equations::{BlockEquations, EnergyCoordinates};
 use crate::continuation::{Direction, Linearization, Metric, Position, ResidualReport, tangent};
-use crate::march::{Kernel, Trajectory};
+use crate::integrate::{Kernel, Trajectory};
 use faer::Mat;
 use std::sync::OnceLock;
 

@@ -4,7 +4,7 @@
 //! impacts has none that a march could carry. Such an orbit is what a march that has settled on it goes through.
 
 use super::{Orbit, OrbitError, ParametricModel, Shooting, ShootingEvaluation};
-use crate::march::{Integrator, SensitivityError};
+use crate::integrate::{Integrator, SensitivityError};
 use faer::{ColRef, Mat};
 use std::sync::OnceLock;
 

@@ -2,7 +2,7 @@
 
 use super::ShootingEvaluation;
 use crate::contact::Law;
-use crate::march::{Kernel, Trajectory};
+use crate::integrate::{Kernel, Trajectory};
 
 /// Looks per drive cycle in flight, at least, where the turning point nearest to a surface is sought, ...
 const SAMPLES_PER_CYCLE: f64 = 512.0;

@@ -3,7 +3,7 @@
 use super::harvester::{ABOVE_RESONANCE, PaperHarvester};
 use super::impact::long_run;
 use super::{NamedTable, ReproduceError};
-use crate::march::Control;
+use crate::integrate::Control;
 use crate::spec::Spec;
 use crate::structure::section::CrossSection;
 use crate::table::{Column, Table};

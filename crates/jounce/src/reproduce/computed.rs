@@ -7,7 +7,7 @@ use super::impact::Impact;
 use super::orbits::PaperOrbits;
 use super::power_over_frequency::{FEWER_LEVELS_N, LEVELS_N};
 use super::table_2::Frequencies;
-use crate::march::Control;
+use crate::integrate::Control;
 
 /// Everything that is computed.
 pub(super) struct Computed {

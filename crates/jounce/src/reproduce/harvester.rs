@@ -1,7 +1,7 @@
 //! The paper's harvester, its variants, and its cases of drive and load.
 
 use super::ReproduceError;
-use crate::march::{Control, Kernel};
+use crate::integrate::{Control, Kernel};
 use crate::plant::{Plant, System};
 use crate::run::{RunPlan, RunResult, StartState, simulate};
 use crate::spec::{Spec, SpecFile};

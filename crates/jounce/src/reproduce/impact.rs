@@ -5,8 +5,8 @@ use super::harvester::{ABOVE_RESONANCE, BELOW_RESONANCE, PaperHarvester};
 use super::power_over_frequency::PowerOverFrequency;
 use super::power_over_resistance::PowerOverResistance;
 use super::voltage::VoltageRecord;
+use crate::integrate::Control;
 use crate::linear::{Coupling, couplings};
-use crate::march::Control;
 use crate::run::{RunPlan, RunResult, StartState, simulate};
 
 /// Length of the runs that show what a case settles to, s.

@@ -4,7 +4,7 @@
 //! built in. Figures 10 to 13 are measured: what takes recordings to answers uses this library, and adds them as a [`Chapter`].
 //!
 //! ```no_run
-//! let control = jounce::march::Control::default();
+//! let control = jounce::integrate::Control::default();
 //! let reproduction = jounce::reproduce::reproduce(&control, &|stage| eprintln!("{stage}"))?;
 //! let written = reproduction.write(std::path::Path::new("reproduction"))?;
 //! println!("{}", written.report.display());

@@ -6,7 +6,7 @@ use super::{NamedFigure, NamedTable, ReproduceError};
 use crate::analysis::{
     BifurcationCurve, BifurcationCurvePoint, BifurcationSearch, Branch, BranchPoint, BranchSearch, Model, OrbitMethodKind, Parameter,
 };
-use crate::march::Control;
+use crate::integrate::Control;
 use crate::picture::{Axis, BifurcationLine, BranchLine, BranchMark, Colour, Marker, Series, bifurcations, branches};
 use crate::spec::NumericKey;
 use crate::table::{Column, Table};

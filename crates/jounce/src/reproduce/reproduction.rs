@@ -3,7 +3,7 @@
 use super::computed::Computed;
 use super::named::{ON_GROUND, ON_TABLE};
 use super::{Chapter, Claim, NamedFigure, NamedTable, ReproduceError, assumptions, claims, page, runs};
-use crate::march::Control;
+use crate::integrate::Control;
 use crate::table::Manifest;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};

@@ -12,7 +12,7 @@
 //! 1e-9 to 1/4000 of a step; `tests/impact_examples`, 2e-13 with a storage of 2000 times the patch.
 
 use super::{RunPlan, RunResult};
-use crate::march::Kernel;
+use crate::integrate::Kernel;
 use crate::plant::{Scheme, Storage};
 use serde::Serialize;
 

@@ -3,7 +3,7 @@
 //! The strain of the outer face is `sum_i strain_i q_i` at several places of each patch, the voltage that of the patch; both are looked at
 //! over the recorded end of the run.
 
-use crate::march::{Kernel, Trajectory};
+use crate::integrate::{Kernel, Trajectory};
 use crate::material;
 use crate::plant::Plant;
 use crate::spec::Spec;

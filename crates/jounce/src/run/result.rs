@@ -1,7 +1,7 @@
 //! What a run answers.
 
 use super::{Settlement, StartState};
-use crate::march::{Energies, Trajectory, WorkCount};
+use crate::integrate::{Energies, Trajectory, WorkCount};
 use serde::Serialize;
 
 /// One electrical load over the averaging window.
@@ -55,13 +55,13 @@ pub struct StopResult {
     /// Contacts per second, Hz.
     pub contact_rate_hz: f64,
     /// Mean speed at which they began, m/s.
-    pub mean_strike_m_s: f64,
+    pub mean_impact_velocity_m_s: f64,
     /// Largest of these speeds, m/s.
-    pub max_strike_m_s: f64,
+    pub max_impact_velocity_m_s: f64,
     /// Mean time that one lasts, s: time in contact over contacts that began.
-    pub mean_dwell_s: f64,
+    pub mean_contact_duration_s: f64,
     /// Longest time that one lasted within the window, s.
-    pub max_dwell_s: f64,
+    pub max_contact_duration_s: f64,
     /// Share of the time in contact, 0 to 1.
     pub contact_duty: f64,
     /// Largest penetration, m.
@@ -104,14 +104,14 @@ pub struct RunResult {
     /// State at the end.
     pub end: StartState,
     /// Wall time of the marching alone, s.
-    pub march_s: f64,
+    pub wall_time_s: f64,
     /// The last part of the run, as long as the plan asked for.
     pub trajectory: Trajectory,
 }
 
 impl RunResult {
     /// True where nothing struck and no energy flowed or changed by more than roundoff, so that the energy residual says nothing.
-    pub fn nothing_happened(&self) -> bool {
+    pub fn is_trivial(&self) -> bool {
         self.contacts_in_all == 0 && self.energies.are_still()
     }
 

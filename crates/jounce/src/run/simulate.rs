@@ -3,7 +3,7 @@
 use super::settle::{STROBE_STATES, norm, settlement};
 use super::{LeakResult, Limits, LoadResult, RectifiedResult, RunResult, Settlement, StartState, StopResult};
 use crate::contact::Law;
-use crate::march::{ContactStatistics, Energies, IntegrationError, Integrator, Kernel, RectifiedEnergies};
+use crate::integrate::{ContactStatistics, Energies, IntegrationError, Integrator, Kernel, RectifiedEnergies};
 use crate::plant::{Bridge, Leak, Plant, Storage};
 use crate::spec::{Run, Spec};
 use std::time::Instant;
@@ -148,7 +148,7 @@ pub fn simulate(kernel: &Kernel, start: &StartState, plan: &RunPlan) -> Result<R
         energies,
         work: integrator.work(),
         end,
-        march_s: marched.as_secs_f64(),
+        wall_time_s: marched.as_secs_f64(),
         trajectory,
     })
 }
@@ -206,10 +206,10 @@ fn stops(plant: &Plant, integrator: &Integrator, average_over_s: f64) -> Vec<Sto
         name: stop.name.clone(),
         contacts: own.contacts,
         contact_rate_hz: own.contacts as f64 / average_over_s,
-        mean_strike_m_s: own.mean_strike_m_s(),
-        max_strike_m_s: own.max_strike_m_s,
-        mean_dwell_s: own.mean_dwell_s(),
-        max_dwell_s: own.max_dwell_s,
+        mean_impact_velocity_m_s: own.mean_impact_velocity_m_s(),
+        max_impact_velocity_m_s: own.max_impact_velocity_m_s,
+        mean_contact_duration_s: own.mean_contact_duration_s(),
+        max_contact_duration_s: own.max_contact_duration_s,
         contact_duty: own.time_s / average_over_s,
         max_penetration_m: own.max_penetration_m,
         max_contact_force_n: own.max_force_n,
@@ -247,7 +247,7 @@ pub fn check_outside(plant: &Plant, displacement: &[f64]) -> Result<(), RunError
 }
 
 /// Looks at the state once per period of the drives at the end of the run.
-fn settled(kernel: &Kernel, trajectory: &crate::march::Trajectory, end_s: f64, period_s: f64, noise: f64) -> Settlement {
+fn settled(kernel: &Kernel, trajectory: &crate::integrate::Trajectory, end_s: f64, period_s: f64, noise: f64) -> Settlement {
     let times: Vec<f64> =
         (0..STROBE_STATES).rev().map(|k| end_s - k as f64 * period_s).filter(|time_s| *time_s > -1e-9 * period_s).collect();
     let plant = &kernel.plant;

@@ -14,7 +14,7 @@
 //! higher.
 
 use super::{RunPlan, RunResult};
-use crate::march::{Kernel, Trajectory};
+use crate::integrate::{Kernel, Trajectory};
 use crate::plant::Plant;
 use faer::c64;
 

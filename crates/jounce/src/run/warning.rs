@@ -1,7 +1,7 @@
 //! What a run should not be believed without.
 
 use super::{ExceededLimit, Limits, RunPlan, RunResult};
-use crate::march::Kernel;
+use crate::integrate::Kernel;
 use crate::spec::{DriveSignal, Spec};
 use jounce_data::recording::Issue;
 use serde::Serialize;
@@ -67,7 +67,7 @@ impl Warning {
     pub fn of(spec: &Spec, kernel: &Kernel, plan: &RunPlan, answer: &RunResult) -> Vec<Self> {
         let limits = Limits::of(spec, &kernel.plant).exceeded(kernel, &answer.trajectory).into_iter().map(Self::Limit);
         let residual_relative = answer.energies.residual_relative();
-        let is_unbalanced = !(residual_relative.abs() <= MAX_ENERGY_RESIDUAL || answer.nothing_happened());
+        let is_unbalanced = !(residual_relative.abs() <= MAX_ENERGY_RESIDUAL || answer.is_trivial());
         let unbalanced = is_unbalanced.then_some(Self::Unbalanced { residual_relative });
         let noticed = spec.findings().filter(|(_, finding)| !finding.kind.is_note());
         let noticed = noticed.map(|(drive, finding)| Self::Recording { drive: drive.to_owned(), finding: finding.clone() });

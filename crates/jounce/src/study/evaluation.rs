@@ -145,7 +145,7 @@ fn ensemble(prepared: &Model, (members, seed): (usize, u64), folder: &Path) -> R
     let found =
         Ensemble { base: prepared, start, members, seed, relative_width: None, most_rounds: 1, with_spectrum: false }.run(&|_| ())?;
     let residual = found.members.iter().fold(0.0_f64, |worst, member| worst.max(member.energy_residual_relative.abs()));
-    Ok(vec![found.power_w.mean, found.power_w.half_width, found.contact_rate_hz.mean, found.max_strike_m_s, residual])
+    Ok(vec![found.power_w.mean, found.power_w.half_width, found.contact_rate_hz.mean, found.max_impact_velocity_m_s, residual])
 }
 
 /// Of the first load and the first stop, NaN where there is none.

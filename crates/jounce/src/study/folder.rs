@@ -2,7 +2,7 @@
 
 use super::lock::Lock;
 use super::{Shard, Study, StudyError};
-use crate::march::Control;
+use crate::integrate::Control;
 use crate::store;
 use crate::table::{Table, TableError};
 use rayon::prelude::*;

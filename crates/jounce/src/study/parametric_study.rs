@@ -4,7 +4,7 @@ use super::evaluation::evaluate;
 use super::read::{StudyText, read};
 use super::{Design, Quantity, StudyError};
 use crate::analysis::{AnalysisError, Model};
-use crate::march::Control;
+use crate::integrate::Control;
 use crate::spec::{Spec, SpecFile};
 use crate::table::{Column, Manifest, Table};
 use sha2::{Digest, Sha256};

@@ -173,7 +173,7 @@ impl Quantity {
                 power,
                 number("mean_power_half_width_w", "W", "half the width of its 95 % interval"),
                 number("contact_rate_hz", "Hz", "contacts per second"),
-                number("max_strike_m_s", "m/s", "largest speed at which a contact began"),
+                number("max_impact_velocity_m_s", "m/s", "largest speed at which a contact began"),
                 residual,
             ],
             Self::Noise => vec![

@@ -1,6 +1,6 @@
 //! What several tests share.
 
-use jounce::march::{Integrator, Kernel};
+use jounce::integrate::{Integrator, Kernel};
 use jounce::plant::{Plant, System};
 use jounce::spec::Spec;
 use jounce::structure::modes;

@@ -91,7 +91,7 @@ fn merge() -> [f64; 2] {
     let errors = [
         relative(-ball, share * speed),
         relative(-disc, share * speed),
-        relative(statistics.max_strike_m_s, speed),
+        relative(statistics.max_impact_velocity_m_s, speed),
         relative(statistics.impulse_n_s, reduced_kg * speed),
         relative(integrator.energies().contact_loss_j, 0.5 * reduced_kg * speed * speed),
     ];

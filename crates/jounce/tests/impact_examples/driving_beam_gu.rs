@@ -2,7 +2,7 @@
 
 use crate::example::{integrator, kernel, motion, relative, run, system, throw};
 use crate::rows::check;
-use jounce::march::{Integrator, Kernel};
+use jounce::integrate::{Integrator, Kernel};
 use std::f64::consts::{PI, TAU};
 
 const EXAMPLE: &str = "driving-beam-gu-2011";
@@ -72,7 +72,7 @@ fn the_spec_starts_with_the_strike() {
     assert!(answer.contacts == 1 && relative(answer.energies.contact_loss_j, loss_j) < 1e-9, "{answer:?}");
     let free = [("mass.driving.damping_ratio", "0"), ("mass.generating.damping_ratio", "0"), ("run.tolerance", "1e-11")];
     let (_, answer) = run(EXAMPLE, SPEC, &free);
-    let error = relative(answer.stops[0].mean_dwell_s, PI / coupled_rad_s());
+    let error = relative(answer.stops[0].mean_contact_duration_s, PI / coupled_rad_s());
     eprintln!("dwell {error:.1e}, loss {:.1e}", relative(answer.energies.contact_loss_j, loss_j));
     assert!(answer.contacts == 1 && error < 1e-6, "{} contacts, {error:e}", answer.contacts);
 }

@@ -2,7 +2,7 @@
 
 use crate::rows::folder;
 use jounce::analysis::Model;
-use jounce::march::{Integrator, Kernel};
+use jounce::integrate::{Integrator, Kernel};
 use jounce::plant::{Plant, System};
 use jounce::run::{RunPlan, RunResult, simulate};
 use jounce::spec::{Spec, SpecFile};

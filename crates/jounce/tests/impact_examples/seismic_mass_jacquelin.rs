@@ -4,7 +4,7 @@ use crate::example::{integrator, kernel, motion, relative, run, system, throw};
 use crate::reduced_basis::{fixed_contact, free_interface};
 use crate::rows::check;
 use jounce::contact::{Hertz, Law};
-use jounce::march::Kernel;
+use jounce::integrate::Kernel;
 use jounce::plant::System;
 use jounce::reference::HertzCollision;
 use std::sync::Arc;
@@ -117,7 +117,7 @@ fn a_heavy_beam_is_the_fixed_body_of_hertz() {
 fn peak_power_w(kernel: &Kernel, answer: &jounce::run::RunResult, from_s: f64, to_s: f64) -> f64 {
     let plant = &kernel.plant;
     let times: Vec<f64> = (0..20_000).map(|k| from_s + (to_s - from_s) * f64::from(k) / 2e4).collect();
-    let power = |at: jounce::march::TrajectoryState| -> f64 {
+    let power = |at: jounce::integrate::TrajectoryState| -> f64 {
         let voltages = plant.patch_voltages_v(&plant.to_physical(&at.state, at.time_s));
         let of_patch = |name: &str| voltages[plant.system.modes.patch.keys().position(|patch| patch == name).unwrap()];
         plant.system.loads.iter().map(|load| of_patch(&load.connections[0].patch).powi(2) / load.resistance_ohm).sum()

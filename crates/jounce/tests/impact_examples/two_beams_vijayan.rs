@@ -37,7 +37,7 @@ fn two_oscillators_swing_at_the_bilinear_frequency() {
 fn the_spec_starts_as_the_oscillators_meet() {
     for settings in [vec![], vec![("mass.lower.velocity", "0.3 m/s")]] {
         let (_, answer) = run(EXAMPLE, "bilinear.toml", &settings);
-        let error = relative(answer.stops[0].mean_dwell_s, PI / 10.0);
+        let error = relative(answer.stops[0].mean_contact_duration_s, PI / 10.0);
         eprintln!("{settings:?}: {error:.1e}");
         assert!(answer.contacts == 3 && error < 1e-6, "{settings:?}: {} contacts, {error:e}", answer.contacts);
     }

@@ -3,8 +3,8 @@
 
 use crate::expected::{check, plant, spec};
 use jounce::contact::Law;
+use jounce::integrate::Kernel;
 use jounce::linear::steady_power_w;
-use jounce::march::Kernel;
 use jounce::material::porous::{PZT_5A, PoreGeometry, Scheme};
 use jounce::plant::Plant;
 use jounce::run::{RunPlan, RunResult, StartState, simulate};
@@ -41,7 +41,7 @@ fn every_expected_row_is_met() {
             ("power_at_1_kohm_uw", small.mean_power_w * 1e6),
             ("power_at_600_kohm_uw", best.mean_power_w * 1e6),
             ("power_at_1_mohm_uw", large.mean_power_w * 1e6),
-            ("strike_at_1_mohm_over_1_kohm", large.stops[0].mean_strike_m_s / small.stops[0].mean_strike_m_s),
+            ("strike_at_1_mohm_over_1_kohm", large.stops[0].mean_impact_velocity_m_s / small.stops[0].mean_impact_velocity_m_s),
             ("stop_gain_at_20_hz", over_unstopped("20 Hz")),
             ("stop_gain_at_25_hz", over_unstopped("25 Hz")),
             ("stop_gain_at_28_hz", over_unstopped("28 Hz")),

@@ -3,7 +3,7 @@
 use crate::plants::{kernel, march, physical, relative, springs};
 use jounce::contact::{Cubic, Hertz, HuntCrossley, Law, Rigid};
 use jounce::drive::Wave;
-use jounce::march::Integrator;
+use jounce::integrate::Integrator;
 use jounce::plant::{Signal, Stop, System};
 use jounce::reference::BouncingBall;
 use jounce::run::{RunPlan, StartState, simulate};
@@ -31,9 +31,9 @@ fn a_merge_is_one_contact() {
         let (statistics, state) = (integrator.statistics(), physical(&integrator, &kernel));
         let errors = [
             relative(statistics.time_s, together_s),
-            relative(statistics.max_dwell_s, together_s),
+            relative(statistics.max_contact_duration_s, together_s),
             relative(statistics.sticking_s, together_s),
-            relative(statistics.max_strike_m_s, 1.0),
+            relative(statistics.max_impact_velocity_m_s, 1.0),
             relative(state[2], -0.5),
             integrator.energies().residual_relative().abs(),
         ];
@@ -52,7 +52,7 @@ fn a_bilinear_oscillator_has_its_dwell_rate_and_duty() {
     system.stops.push(stop(&[1.0], 0.0, Law::Hertz(Hertz { stiffness: k, exponent: 1.0 })));
     let kernel = kernel(system);
     let hard = (w * w + k).sqrt();
-    let (dwell_s, period_s) = (PI / hard, PI / hard + PI / w);
+    let (contact_duration_s, period_s) = (PI / hard, PI / hard + PI / w);
     // From the middle of a flight to the middle of the tenth after it.
     let start = StartState { displacement: vec![-speed / w], velocity: vec![0.0], ..StartState::rest(&kernel.plant) };
     let plan = RunPlan { duration_s: 10.0 * period_s, average_over_s: 10.0 * period_s, tolerance: 1e-11, record_s: 0.0 };
@@ -60,11 +60,11 @@ fn a_bilinear_oscillator_has_its_dwell_rate_and_duty() {
     let found = &answer.stops[0];
     let errors = [
         relative(found.contact_rate_hz, 1.0 / period_s),
-        relative(found.mean_strike_m_s, speed),
-        relative(found.max_strike_m_s, speed),
-        relative(found.mean_dwell_s, dwell_s),
-        relative(found.max_dwell_s, dwell_s),
-        relative(found.contact_duty, dwell_s / period_s),
+        relative(found.mean_impact_velocity_m_s, speed),
+        relative(found.max_impact_velocity_m_s, speed),
+        relative(found.mean_contact_duration_s, contact_duration_s),
+        relative(found.max_contact_duration_s, contact_duration_s),
+        relative(found.contact_duty, contact_duration_s / period_s),
         relative(found.max_contact_force_n, k * speed / hard),
     ];
     eprintln!("{errors:?}");
@@ -86,9 +86,9 @@ fn the_strikes_of_a_bouncing_ball_are_a_geometric_series() {
     let integrator = march(&kernel, &[0.0, 0.0], 0.0, 0.5 * (reference.bounce_s(9) + reference.bounce_s(10)), 1e-10);
     let (found, fastest) = (integrator.statistics(), (2.0 * 9.81 * 0.5_f64).sqrt());
     let mean = fastest * (1.0 - 0.8_f64.powi(10)) / (10.0 * 0.2);
-    eprintln!("{:e} {:e}", relative(found.mean_strike_m_s(), mean), relative(found.max_strike_m_s, fastest));
-    assert!(found.contacts == 10 && found.mean_dwell_s() == 0.0);
-    assert!(relative(found.mean_strike_m_s(), mean) < 1e-10 && relative(found.max_strike_m_s, fastest) < 1e-12);
+    eprintln!("{:e} {:e}", relative(found.mean_impact_velocity_m_s(), mean), relative(found.max_impact_velocity_m_s, fastest));
+    assert!(found.contacts == 10 && found.mean_contact_duration_s() == 0.0);
+    assert!(relative(found.mean_impact_velocity_m_s(), mean) < 1e-10 && relative(found.max_impact_velocity_m_s, fastest) < 1e-12);
 }
 
 /// A ball that lies on the ground has nothing to tell but that nothing happened; one that falls has.
@@ -114,11 +114,11 @@ fn an_elastic_collision_is_something() {
         let start = StartState { velocity: vec![1.0], ..rest.clone() };
         let plan = RunPlan { duration_s: 1.0, average_over_s, tolerance: 1e-9, record_s: 0.0 };
         let answer = simulate(&kernel, &start, &plan).unwrap();
-        assert!(answer.energies.are_still() && answer.contacts == contacts && !answer.nothing_happened(), "{answer:?}");
+        assert!(answer.energies.are_still() && answer.contacts == contacts && !answer.is_trivial(), "{answer:?}");
     }
     let plan = RunPlan { duration_s: 1.0, average_over_s: 1.0, tolerance: 1e-9, record_s: 0.0 };
     let idle = simulate(&kernel, &rest, &plan).unwrap();
-    assert!(idle.contacts == 0 && idle.nothing_happened());
+    assert!(idle.contacts == 0 && idle.is_trivial());
 }
 
 /// A window that opens inside a contact, at its deepest: the force there is the largest of the window. Closed form `k d^1.5`, on a mass

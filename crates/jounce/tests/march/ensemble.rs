@@ -82,7 +82,9 @@ fn members_come_until_the_interval_is_narrow_and_threads_change_nothing() {
     let (one, three) = (with(1), with(3));
     assert_eq!(one, three);
     assert!(one.reached && one.power_w.relative_width() <= 0.15 && one.members.len().is_multiple_of(4), "{:?}", one.power_w);
-    assert!(one.contact_rate_hz.mean > 1.0 && one.mean_dwell_s > 0.0 && one.max_strike_m_s >= one.mean_strike_m_s);
+    assert!(
+        one.contact_rate_hz.mean > 1.0 && one.mean_contact_duration_s > 0.0 && one.max_impact_velocity_m_s >= one.mean_impact_velocity_m_s
+    );
     assert!(one.members.iter().all(|member| member.energy_residual_relative.abs() < 1e-6), "{:?}", one.members);
 }
 
@@ -107,9 +109,9 @@ fn a_stop_that_is_not_felt_is_struck_as_rice_says() {
     let speed = (PI / 2.0).sqrt() * exact.points.iter().find(|point| point.name == "cell.mass").unwrap().velocity_rms_m_s;
     let rows = [
         ("rate", stop.contact_rate_hz, rice_hz),
-        ("speed", stop.mean_strike_m_s, speed),
+        ("speed", stop.mean_impact_velocity_m_s, speed),
         ("duty", stop.contact_duty, rice_share),
-        ("dwell", stop.mean_dwell_s, rice_share / rice_hz),
+        ("dwell", stop.mean_contact_duration_s, rice_share / rice_hz),
         ("power", answer.power_w, exact.mean_power_w),
     ];
     for (name, found, exact) in rows {
@@ -134,7 +136,10 @@ fn counts_of_stops_add_up() {
     let contacts: u64 = answer.members.iter().map(|member| member.contacts).sum();
     assert_eq!(stop.contact_rate_hz.interval, IntervalOver::Batches);
     assert!((stop.contact_rate_hz.mean / (contacts as f64 / 6.0) - 1.0).abs() < 1e-12);
-    assert!((stop.mean_strike_m_s.mean / answer.mean_strike_m_s - 1.0).abs() < 1e-12);
-    assert!(stop.max_strike_m_s >= stop.mean_strike_m_s.mean && stop.max_dwell_s >= stop.mean_dwell_s.mean);
+    assert!((stop.mean_impact_velocity_m_s.mean / answer.mean_impact_velocity_m_s - 1.0).abs() < 1e-12);
+    assert!(
+        stop.max_impact_velocity_m_s >= stop.mean_impact_velocity_m_s.mean
+            && stop.max_contact_duration_s >= stop.mean_contact_duration_s.mean
+    );
     assert!(stop.max_contact_force_n > 0.0 && answer.spectra.is_empty());
 }

@@ -3,7 +3,7 @@
 use crate::plants::kernel;
 use crate::rectified::lossy_beside_a_stop;
 use jounce::drive::Wave;
-use jounce::march::{Integrator, Kernel, Trajectory};
+use jounce::integrate::{Integrator, Kernel, Trajectory};
 use jounce::plant::{Scheme, Signal, Storage};
 use std::sync::Arc;
 

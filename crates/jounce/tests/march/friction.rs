@@ -1,7 +1,7 @@
 //! A free mass in a channel with viscous friction, from its spec, against closed forms: rate `a = c / m`.
 
 use crate::plants::{kernel, march, physical, relative};
-use jounce::march::Kernel;
+use jounce::integrate::Kernel;
 use jounce::plant::System;
 use jounce::spec::Spec;
 use jounce::structure::modes;
@@ -64,7 +64,7 @@ fn a_thrown_mass_strikes_with_what_friction_leaves() {
     let [x, v] = motion(&physical(&after, &kernel));
     let left = (-RATE_PER_S * after_s).exp();
     let errors = [
-        relative(after.statistics().max_strike_m_s, struck_m_s),
+        relative(after.statistics().max_impact_velocity_m_s, struck_m_s),
         relative(v, -0.7 * struck_m_s * left),
         relative(gap_m - x, 0.7 * struck_m_s * (1.0 - left) / RATE_PER_S),
         after.energies().residual_relative(),

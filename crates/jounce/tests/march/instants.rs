@@ -2,7 +2,7 @@
 
 use crate::plants::{from_rest, kernel, march, physical, relative, springs};
 use jounce::contact::{Law, Rigid};
-use jounce::march::{IntegrationError, Integrator, Kernel};
+use jounce::integrate::{IntegrationError, Integrator, Kernel};
 use jounce::plant::{Scheme, Stop, System};
 use jounce::spec::Spec;
 

@@ -2,7 +2,7 @@
 
 use crate::plants::{from_rest, kernel, relative};
 use jounce::contact::{Hertz, Law};
-use jounce::march::Integrator;
+use jounce::integrate::Integrator;
 use jounce::plant::{Bridge, BridgeState, Connection, Drive, Load, Scheme, Stop, Storage, System};
 use jounce::run::StartState;
 use jounce::spec::Wiring;

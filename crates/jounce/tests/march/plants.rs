@@ -1,6 +1,6 @@
 //! Plants and runs that several tests share.
 
-use jounce::march::{Integrator, Kernel};
+use jounce::integrate::{Integrator, Kernel};
 use jounce::plant::{Plant, System};
 use jounce::run::{RunPlan, RunResult, StartState, simulate};
 use jounce::spec::Spec;

@@ -179,7 +179,7 @@ fn energies_balance() {
 #[test]
 fn a_record_holds_both_forces() {
     let kernel = kernel(coupled());
-    let mut integrator = jounce::march::Integrator::new(&kernel, &kernel.plant.from_physical(&[0.0; 6], 0.0), 0.0, 1e-11).unwrap();
+    let mut integrator = jounce::integrate::Integrator::new(&kernel, &kernel.plant.from_physical(&[0.0; 6], 0.0), 0.0, 1e-11).unwrap();
     integrator.start_record();
     integrator.advance_to(0.5).unwrap();
     let end = integrator.state();

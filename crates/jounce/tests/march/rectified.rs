@@ -3,7 +3,7 @@
 use crate::plants::{from_rest, kernel};
 use jounce::analysis::{Model, Sweep, SweepOrder, SweepPoint};
 use jounce::contact::{Hertz, Law};
-use jounce::march::{Control, Integrator, Kernel};
+use jounce::integrate::{Control, Integrator, Kernel};
 use jounce::plant::{Bridge, BridgeState, Connection, Drive, Scheme, Stop, Storage, System};
 use jounce::run::{RunPlan, StartState, charges, simulate};
 use jounce::spec::{SpecFile, Wiring};
@@ -113,7 +113,7 @@ fn charge_and_energy_are_balanced() {
                 weights.extend([0.5 * panel_s; 2]);
             }
         }
-        let voltage = |at: &jounce::march::TrajectoryState| kernel.plant.to_physical(&at.state, at.time_s)[place];
+        let voltage = |at: &jounce::integrate::TrajectoryState| kernel.plant.to_physical(&at.state, at.time_s)[place];
         let leaks: f64 = record.at(&kernel, &times).iter().zip(weights).map(|(at, weight)| weight * voltage(at)).sum();
         let taken = 5.0 * end[place] + leaks * (1.0 / 3.0 + 1.0 / 40.0);
         let rectified = energies.rectified[0];

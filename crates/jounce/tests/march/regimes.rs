@@ -4,7 +4,7 @@ use crate::plants::kernel;
 use crate::rectified::{cell, lossy_beside_a_stop};
 use crate::variation::{against_differences, settled};
 use jounce::contact::{KelvinVoigt, Law, Rigid};
-use jounce::march::{FlowSensitivity, Integrator, Kernel, ParameterSensitivity};
+use jounce::integrate::{FlowSensitivity, Integrator, Kernel, ParameterSensitivity};
 use jounce::plant::{Scheme, Storage, System};
 
 const SCHEMES: [Scheme; 4] = [

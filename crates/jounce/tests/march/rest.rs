@@ -2,7 +2,7 @@
 
 use crate::plants::{distance, from_rest, kernel, march, physical, springs};
 use jounce::contact::{Hertz, Law, Rigid};
-use jounce::march::{IntegrationError, Integrator};
+use jounce::integrate::{IntegrationError, Integrator};
 use jounce::plant::{Stop, System};
 use jounce::spec::Spec;
 use jounce::structure::modes;

@@ -1,7 +1,7 @@
 //! Rigid stops: periodic impacts and chatter against their closed forms.
 
 use crate::plants::{distance, kernel, march, physical, relative};
-use jounce::march::Integrator;
+use jounce::integrate::Integrator;
 use jounce::reference::{BouncingBall, ImpactOscillator, Reference};
 use std::f64::consts::TAU;
 

@@ -3,7 +3,7 @@
 use crate::plants::{bench, kernel, march, physical, relative};
 use jounce::contact::{Hertz, Law, Rigid};
 use jounce::drive::{Chirp, NoiseBand, Wave, chirp, half_sine, noise};
-use jounce::march::Integrator;
+use jounce::integrate::Integrator;
 use jounce::plant::{Signal, Stop, System};
 use jounce::reference::{BouncingBall, Harmonic};
 use jounce::spec::{FrequencySweep, Spec};

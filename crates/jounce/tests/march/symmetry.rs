@@ -2,7 +2,7 @@
 
 use crate::plants::{bench, distance, from_rest, kernel, march, physical, relative, springs};
 use jounce::contact::{Hertz, Law};
-use jounce::march::Integrator;
+use jounce::integrate::Integrator;
 use jounce::plant::{Drive, Stop};
 use jounce::run::{RunPlan, StartState, simulate};
 use std::f64::consts::{PI, TAU};
@@ -124,8 +124,8 @@ fn equal_stops_at_one_place_are_told_alike() {
     };
     let (one, three) = (stopped(1), stopped(3));
     let counts: Vec<u64> = three.stops.iter().map(|stop| stop.contacts).collect();
-    let dwell_s: Vec<f64> = three.stops.iter().map(|stop| stop.mean_dwell_s).collect();
-    eprintln!("{} {counts:?}, {:e} {dwell_s:?}", one.contacts, one.stops[0].mean_dwell_s);
+    let contact_duration_s: Vec<f64> = three.stops.iter().map(|stop| stop.mean_contact_duration_s).collect();
+    eprintln!("{} {counts:?}, {:e} {contact_duration_s:?}", one.contacts, one.stops[0].mean_contact_duration_s);
     assert!(one.contacts > 10 && counts == [one.contacts; 3]);
-    assert!(dwell_s.iter().all(|own| relative(*own, one.stops[0].mean_dwell_s) < 1e-6), "{dwell_s:?}");
+    assert!(contact_duration_s.iter().all(|own| relative(*own, one.stops[0].mean_contact_duration_s) < 1e-6), "{contact_duration_s:?}");
 }

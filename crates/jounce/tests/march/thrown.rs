@@ -28,7 +28,7 @@ fn a_thrown_mass_strikes_another() {
     let (a, b) = (speed_m_s(&prepared, &answer, "a"), speed_m_s(&prepared, &answer, "b"));
     assert_eq!(answer.contacts, 1);
     assert!((a - 2.0 * (1.0 - 0.6 * 3.0) / 4.0).abs() < 1e-12 && (b - 2.0 * 1.6 / 4.0).abs() < 1e-12, "{a} {b}");
-    assert!((answer.stops[0].max_strike_m_s - 2.0).abs() < 1e-12);
+    assert!((answer.stops[0].max_impact_velocity_m_s - 2.0).abs() < 1e-12);
 }
 
 /// `v(t) = v cos w t` without damping, after 7.3 cycles, of a mass that carries another. Measured 1e-13.

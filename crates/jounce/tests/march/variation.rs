@@ -5,7 +5,7 @@ use crate::ports::{between_stops, coupled};
 use jounce::analysis::Model;
 use jounce::contact::{Cubic, Hertz, HuntCrossley, KelvinVoigt, Law, Rigid};
 use jounce::drive::Wave;
-use jounce::march::{FlowSensitivity, Integrator, Kernel, ParameterSensitivity};
+use jounce::integrate::{FlowSensitivity, Integrator, Kernel, ParameterSensitivity};
 use jounce::plant::{Signal, System};
 use jounce::reference::ImpactOscillator;
 use jounce::spec::Spec;

@@ -3,7 +3,7 @@
 use crate::plants::{bench, kernel};
 use crate::rectified::lossy_beside_a_stop;
 use jounce::contact::{Law, Rigid};
-use jounce::march::{Control, IntegrationError, Integrator};
+use jounce::integrate::{Control, IntegrationError, Integrator};
 use jounce::plant::{Scheme, Stop, Storage, System};
 use std::sync::atomic::{AtomicU32, Ordering};
 

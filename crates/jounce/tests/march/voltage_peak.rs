@@ -2,8 +2,8 @@
 
 use crate::plants::kernel as of_system;
 use crate::rectified::cell;
+use jounce::integrate::Kernel;
 use jounce::linear::{FrfInput, FrfResponse, frf};
-use jounce::march::Kernel;
 use jounce::plant::{Plant, Scheme, Storage, System};
 use jounce::run::{RunPlan, RunResult, StartState, VoltagePeaks, simulate, voltage_peaks};
 use jounce::spec::SpecFile;

@@ -5,7 +5,7 @@
 
 use crate::harvesters::Systems;
 use jounce::continuation::{Corrector, Metric, Position, correct_at};
-use jounce::march::{Integrator, Kernel};
+use jounce::integrate::{Integrator, Kernel};
 use jounce::orbit::{HarmonicBalance, Orbit, OrbitMethod, ParametricModel, Shooting};
 use jounce::plant::{Plant, System};
 use jounce::reference::{Bilinear, Duffing};

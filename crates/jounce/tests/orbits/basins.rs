@@ -5,7 +5,7 @@ use jounce::analysis::largest_exponent;
 use jounce::analysis::{
     AttractorKind, Basins, BasinsResult, Cloud, Grid, GridAxis, GridSide, InitialStates, Model, Parameter, Recognition, SectionPoint,
 };
-use jounce::march::{Integrator, Kernel};
+use jounce::integrate::{Integrator, Kernel};
 use jounce::orbit::ParametricModel;
 use jounce::reference::ImpactOscillator;
 use std::f64::consts::TAU;

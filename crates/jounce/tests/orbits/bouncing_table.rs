@@ -6,7 +6,7 @@
 use crate::harvesters::Systems;
 use jounce::analysis::{Model, Parameter};
 use jounce::continuation::{Corrector, Metric, Position, correct_at};
-use jounce::march::Integrator;
+use jounce::integrate::Integrator;
 use jounce::orbit::{OrbitMethod, ParametricModel, Shooting};
 use jounce::reference::BouncingTable;
 use jounce::spec::{NumericKey, Spec};

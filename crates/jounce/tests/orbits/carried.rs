@@ -4,7 +4,7 @@ use crate::harvesters::{bench, branches};
 use jounce::analysis::{
     Bifurcation, Branch, BranchKind, BranchPoint, BranchUpdate, Extrapolation, Model, OrbitMethodKind, Parameter, UpdatedBranches,
 };
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::spec::SpecFile;
 
 const RANGE: (f64, f64) = (11.5, 12.8);

@@ -2,7 +2,7 @@
 
 use crate::harvesters::Systems;
 use jounce::continuation::{Corrector, Metric, Position, correct_at};
-use jounce::march::Kernel;
+use jounce::integrate::Kernel;
 use jounce::orbit::{OrbitMethod, ParametricModel, Shooting};
 use jounce::reference::ImpactOscillator;
 use std::f64::consts::TAU;
@@ -29,7 +29,7 @@ fn impact_oscillator_has_the_multipliers_and_the_speed_of_the_closed_form() {
         // From the impact to the start of the cycle.
         let start_s = (exact.angle_rad - angle()).rem_euclid(TAU) / 0.8;
         let y = kernel.plant.from_physical(&reference.start(&exact), start_s);
-        let mut integrator = jounce::march::Integrator::new(&kernel, &y, start_s, 1e-13).unwrap();
+        let mut integrator = jounce::integrate::Integrator::new(&kernel, &y, start_s, 1e-13).unwrap();
         integrator.advance_to(TAU / 0.8).unwrap();
         let guess: Vec<f64> = kernel.plant.to_physical(&integrator.state(), 0.0).iter().map(|x| x * 1.001).collect();
         let position = Position { unknown: shooting.unknown(&guess), parameter: gap };
@@ -77,7 +77,7 @@ fn impact_oscillator_swings_as_far_as_its_closed_form() {
         let shooting = Shooting::new(&harvester, &kernel, 1, 1e-13);
         let start_s = (-after_rad).rem_euclid(TAU) / w;
         let y = kernel.plant.from_physical(&reference.start(&exact), start_s);
-        let mut integrator = jounce::march::Integrator::new(&kernel, &y, start_s, 1e-13).unwrap();
+        let mut integrator = jounce::integrate::Integrator::new(&kernel, &y, start_s, 1e-13).unwrap();
         integrator.advance_to(TAU / w).unwrap();
         let position = Position { unknown: shooting.unknown(&kernel.plant.to_physical(&integrator.state(), 0.0)), parameter: gap };
         let found = correct_at(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();

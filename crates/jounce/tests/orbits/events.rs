@@ -3,7 +3,7 @@
 
 use crate::harvesters::bench;
 use jounce::analysis::{Branch, BranchKind, BranchOptions, BranchSearch, Model, OrbitMethodKind, Parameter, QuantityLevel};
-use jounce::march::Integrator;
+use jounce::integrate::Integrator;
 use jounce::orbit::{ParametricModel, Shooting};
 use jounce::spec::SpecFile;
 
@@ -152,7 +152,7 @@ fn stability_agrees_with_marches_from_a_kick() {
 /// Factor per cycle by which a kick grows over the last two thirds of 300 cycles, or until it is a thousand times itself or a thousandth: by the
 /// line of least squares through the logarithms, for the size of a pair that turns goes up and down. Where the kick has changed by less than a factor
 /// of ten, the integration goes on, for up to 9600 cycles.
-fn growth<H: ParametricModel>(kernel: &jounce::march::Kernel, shooting: &Shooting<'_, H>, start: &[f64]) -> f64 {
+fn growth<H: ParametricModel>(kernel: &jounce::integrate::Kernel, shooting: &Shooting<'_, H>, start: &[f64]) -> f64 {
     let size = |u: &[f64]| u.iter().map(|u| u * u).sum::<f64>().sqrt();
     let kick = 1e-6 * size(start);
     let kicked: Vec<f64> = start.iter().enumerate().map(|(i, u)| u + kick * (1.0 + i as f64).sin()).collect();

@@ -1,7 +1,7 @@
 //! Harvesters and searches that several tests share.
 
 use jounce::analysis::{Branch, BranchSearch, Model, OrbitMethodKind, Parameter};
-use jounce::march::Kernel;
+use jounce::integrate::Kernel;
 use jounce::orbit::{ModelInstance, ParametricModel};
 use jounce::plant::{Plant, PlantError, System};
 use jounce::spec::SpecFile;

@@ -3,7 +3,7 @@
 use crate::backbones::phase_resonance;
 use crate::rows;
 use jounce::analysis::{BranchKind, BranchSearch, Model, OrbitMethodKind, Parameter, settled_orbit};
-use jounce::march::Kernel;
+use jounce::integrate::Kernel;
 use jounce::plant::System;
 use jounce::reference::{BouncingBall, BouncingTable};
 use jounce::run::{RunPlan, StartState, simulate};
@@ -88,7 +88,7 @@ fn ball_on_a_floor() {
     let kernel = kernel(include_str!("../../../../examples/bouncing-and-impact-oscillators/ball.toml"));
     let plan = RunPlan { duration_s: 10.0, average_over_s: 10.0, tolerance: 1e-9, record_s: 10.0 };
     let answer = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
-    meets(10.0 - answer.stops[0].max_dwell_s, "ball_time_to_rest_s");
+    meets(10.0 - answer.stops[0].max_contact_duration_s, "ball_time_to_rest_s");
     let ball = BouncingBall { height_m: 1.0, gravity_m_s2: 9.81, restitution: 0.8 };
     let even = (0..=50_000).map(|k| f64::from(k) * 1e-4);
     let mut times_s: Vec<f64> = even.chain((0..60).map(|bounce| ball.bounce_s(bounce))).collect();
@@ -120,7 +120,7 @@ fn ball_on_a_table() {
     let plan = RunPlan { duration_s: 20.0 * period_s, average_over_s: 20.0 * period_s, tolerance: 1e-10, record_s: 0.0 };
     let answer = simulate(&kernel, &start, &plan).unwrap();
     assert_eq!(answer.contacts, 20);
-    meets(answer.stops[0].mean_strike_m_s, "table_strike_m_s");
+    meets(answer.stops[0].mean_impact_velocity_m_s, "table_impact_velocity_m_s");
     let doublings = bifurcations(&SpecFile::from_text(text), "drive.table.amplitude", (3e-3, 4.2e-3), BranchKind::PeriodDoubling);
     eprintln!("doublings {doublings:?}");
     meets(doublings[0] * 1e3, "table_doubling_amplitude_mm");

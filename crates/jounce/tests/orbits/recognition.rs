@@ -2,7 +2,7 @@
 
 use crate::harvesters::bench;
 use jounce::analysis::{AttractorKind, Basins, BasinsResult, Grid, GridAxis, GridSide, InitialStates, Model, Parameter, Recognition};
-use jounce::march::Integrator;
+use jounce::integrate::Integrator;
 use jounce::orbit::{Orbit, ParametricModel, Shooting};
 use jounce::spec::SpecFile;
 

@@ -3,7 +3,7 @@
 use crate::rows::folder;
 use jounce::analysis::{AnalysisError, BranchSearch, Model, OrbitMethodKind, Parameter};
 use jounce::continuation::{Corrector, Metric, Position, correct_at};
-use jounce::march::Integrator;
+use jounce::integrate::Integrator;
 use jounce::orbit::{Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting};
 use jounce::spec::SpecFile;
 use std::f64::consts::{PI, TAU};

@@ -8,7 +8,7 @@
 
 use crate::harvesters::Systems;
 use jounce::continuation::{Corrector, Metric, Position, correct_at};
-use jounce::march::{FlowSensitivity, Integrator, Kernel, ParameterSensitivity};
+use jounce::integrate::{FlowSensitivity, Integrator, Kernel, ParameterSensitivity};
 use jounce::orbit::{OrbitMethod, ParametricModel, Shooting};
 use jounce::plant::Plant;
 use jounce::reference::ImpactOscillator;

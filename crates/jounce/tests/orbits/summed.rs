@@ -1,7 +1,7 @@
 //! Orbits under sums of sinusoids whose frequencies have a common period.
 
 use jounce::analysis::{BranchSearch, Model, OrbitMethodKind, Parameter, settled_orbit};
-use jounce::march::{Integrator, Kernel};
+use jounce::integrate::{Integrator, Kernel};
 use jounce::orbit::{HarmonicBalance, OrbitError, Shooting};
 use jounce::spec::SpecFile;
 use std::f64::consts::TAU;

@@ -11,7 +11,7 @@ fn sweeps_land_on_stable_stretches_and_jump_at_the_folds() {
     let spec = file.spec().unwrap();
     let range = file.range("drive.shaker.frequency=11Hz:13Hz:0.1Hz").unwrap();
     let sweep = Sweep { spec: &spec, range: &range, direction: SweepOrder::Both, fixed_duration: false, folder: "".into() };
-    let points = sweep.run(None, &jounce::march::Control::default(), &|_| ()).unwrap();
+    let points = sweep.run(None, &jounce::integrate::Control::default(), &|_| ()).unwrap();
     let (mut met, mut worst) = (0, 0.0_f64);
     for point in points.iter().filter(|point| point.settled && point.period_cycles == 1) {
         let crossings = branch.crossings(point.parameter);

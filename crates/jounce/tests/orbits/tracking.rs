@@ -3,7 +3,7 @@
 use crate::harvesters::{Systems, bench, branches};
 use jounce::analysis::{BifurcationCurve, BifurcationSearch, BranchKind, CurveKind, Model, OrbitMethodKind};
 use jounce::continuation::{Corrector, Metric, Position, correct_at};
-use jounce::march::Integrator;
+use jounce::integrate::Integrator;
 use jounce::orbit::{Condition, ExtendedProblem, ParametricModel, Shooting, TwoParameterProblem};
 use jounce::plant::{PlantError, System};
 use jounce::reference::ImpactOscillator;

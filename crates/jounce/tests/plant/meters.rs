@@ -3,7 +3,7 @@
 use crate::systems::{bench, menagerie};
 use jounce::contact::{Hertz, HuntCrossley, Law};
 use jounce::drive::Wave;
-use jounce::march::{Integrator, Kernel};
+use jounce::integrate::{Integrator, Kernel};
 use jounce::plant::{Drive, Meters, Plant, Signal, Stop, System};
 use jounce::reference::Impulse;
 use std::f64::consts::TAU;

@@ -4,7 +4,7 @@ use super::SensingArguments;
 use crate::failure::Failure;
 use crate::measured_file::{loaded, positive, summary};
 use clap::Args;
-use jounce::march::Control;
+use jounce::integrate::Control;
 use jounce::run::StartState;
 use jounce::spec::{Quantity as Unit, Spec, driving_channel};
 use jounce::structure;

@@ -5,7 +5,7 @@ use super::attractor::{Attractor, BasinsResult, counted, orbits};
 use super::mirror::mirrored_states;
 use crate::analysis::orbit_limits::{passed_by_orbit, passed_over};
 use crate::analysis::{AnalysisError, AttractingOrbit, Model, Parameter, Recognition, Recognizer, SteadyState};
-use crate::march::{IntegrationError, Kernel};
+use crate::integrate::{IntegrationError, Kernel};
 use crate::orbit::{ParametricModel, Shooting};
 use crate::run::{ExceededLimit, Limits, RunError, check_outside};
 use rayon::prelude::*;

@@ -3,7 +3,7 @@
 //! A symmetric harvester under a drive with `F(t + T/2) = -F(t)` has with every motion `x(t)` the motion `-x(t + T/2)`. Whether a harvester is
 //! symmetric is not asked: of two orbits that attract, one is the mirror image of the other when it passes the mirrored states.
 
-use crate::march::{IntegrationError, Integrator, Kernel};
+use crate::integrate::{IntegrationError, Integrator, Kernel};
 use crate::orbit::Orbit;
 
 /// The mirrored states of an orbit at the start of each drive cycle, energy coordinates of a scale.

@@ -11,7 +11,7 @@ use super::orbit_point::OrbitPoint;
 use super::tracer::BranchTracer;
 use crate::analysis::Parameter;
 use crate::continuation::{Corrector, CurvePoint, Direction, Metric, Position, StepControl, correct, tangent};
-use crate::march::Kernel;
+use crate::integrate::Kernel;
 use crate::orbit::{OrbitMethod, Shooting};
 use rayon::prelude::*;
 

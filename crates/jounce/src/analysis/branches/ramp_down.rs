@@ -1,6 +1,6 @@
 //! A start from a stronger drive.
 
-use crate::march::{Integrator, Kernel};
+use crate::integrate::{Integrator, Kernel};
 
 /// How much stronger the drive is at first.
 const INITIAL_DRIVE_FACTOR: f64 = 4.0;

@@ -12,7 +12,7 @@ use crate::continuation::{
     Checkpoint, Continuation, ContinuationError, CorrectedPoint, Corrector, CurvePoint, Direction, Metric, Position, StepControl,
     correct_at, passes, tangent,
 };
-use crate::march::SensitivityError;
+use crate::integrate::SensitivityError;
 use crate::orbit::{OrbitError, OrbitMethod, nearest_extremum_m};
 
 /// Distance from the stop, beside the size of the motion, below which an orbit touches it.

@@ -7,7 +7,7 @@ use super::branch::Branch;
 use super::tracer::{BranchTracer, newton_goal};
 use crate::analysis::{AnalysisError, Parameter};
 use crate::continuation::{Corrector, Metric, Position, StepControl, correct_at};
-use crate::march::Kernel;
+use crate::integrate::Kernel;
 use crate::orbit::{OrbitError, OrbitMethod, Shooting};
 
 /// An orbit of a neighbouring harvester.

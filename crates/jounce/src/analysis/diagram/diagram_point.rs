@@ -2,7 +2,7 @@
 
 use super::SectionPoint;
 use crate::analysis::{AnalysisError, AttractorKind, Model, Parameter, Recognition, Recognizer, SteadyState, SweepDirection};
-use crate::march::{IntegrationError, Integrator, Kernel};
+use crate::integrate::{IntegrationError, Integrator, Kernel};
 use crate::orbit::ParametricModel;
 use serde::{Deserialize, Serialize};
 

@@ -2,7 +2,7 @@
 
 use super::estimate::{Estimate, IntervalOver};
 use super::member::Member;
-use crate::march::ContactStatistics;
+use crate::integrate::ContactStatistics;
 use serde::Serialize;
 
 /// Contacts of one stop in a stretch of time.
@@ -42,9 +42,9 @@ pub struct MemberStop {
     /// In each batch of the window.
     pub batches: Vec<ContactCount>,
     /// Largest speed at which a contact began, m/s.
-    pub max_strike_m_s: f64,
+    pub max_impact_velocity_m_s: f64,
     /// Longest time that a contact lasted, s.
-    pub max_dwell_s: f64,
+    pub max_contact_duration_s: f64,
     /// Largest contact force, N; 0 for impacts on a rigid stop.
     pub max_contact_force_n: f64,
     /// Largest penetration, m.
@@ -65,13 +65,13 @@ pub struct StopEstimates {
     /// Contacts per second, Hz.
     pub contact_rate_hz: Estimate,
     /// Mean speed at which contacts began, m/s.
-    pub mean_strike_m_s: Estimate,
+    pub mean_impact_velocity_m_s: Estimate,
     /// Largest of these speeds, m/s.
-    pub max_strike_m_s: f64,
+    pub max_impact_velocity_m_s: f64,
     /// Mean time that a contact lasts, s.
-    pub mean_dwell_s: Estimate,
+    pub mean_contact_duration_s: Estimate,
     /// Longest of these times, s.
-    pub max_dwell_s: f64,
+    pub max_contact_duration_s: f64,
     /// Share of the time in contact, 0 to 1.
     pub contact_duty: Estimate,
     /// Largest contact force, N; 0 for impacts on a rigid stop.
@@ -97,10 +97,10 @@ impl StopEstimates {
         Self {
             name: name.to_owned(),
             contact_rate_hz: over(|count| count.contacts as f64, |_, length_s| length_s),
-            mean_strike_m_s: over(|count| count.strike_sum_m_s, |count, _| count.contacts as f64),
-            max_strike_m_s: largest(|stop| stop.max_strike_m_s),
-            mean_dwell_s: over(|count| count.time_s, |count, _| count.contacts as f64),
-            max_dwell_s: largest(|stop| stop.max_dwell_s),
+            mean_impact_velocity_m_s: over(|count| count.strike_sum_m_s, |count, _| count.contacts as f64),
+            max_impact_velocity_m_s: largest(|stop| stop.max_impact_velocity_m_s),
+            mean_contact_duration_s: over(|count| count.time_s, |count, _| count.contacts as f64),
+            max_contact_duration_s: largest(|stop| stop.max_contact_duration_s),
             contact_duty: over(|count| count.time_s, |_, length_s| length_s),
             max_contact_force_n: largest(|stop| stop.max_contact_force_n),
             max_penetration_m: largest(|stop| stop.max_penetration_m),

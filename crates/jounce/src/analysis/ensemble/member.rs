@@ -1,7 +1,7 @@
 //! One march of an ensemble.
 
 use super::contacts::{ContactCount, MemberStop};
-use crate::march::{ContactStatistics, Energies, IntegrationError, Integrator, Kernel, Trajectory};
+use crate::integrate::{ContactStatistics, Energies, IntegrationError, Integrator, Kernel, Trajectory};
 use crate::run::{ExceededLimit, Limits, RunPlan, StartState, WorstExcess};
 use serde::Serialize;
 
@@ -24,11 +24,11 @@ pub struct Member {
     /// Contacts per second, Hz.
     pub contact_rate_hz: f64,
     /// Mean speed at which contacts began, m/s; 0 without contact.
-    pub mean_strike_m_s: f64,
+    pub mean_impact_velocity_m_s: f64,
     /// Largest of these speeds, m/s.
-    pub max_strike_m_s: f64,
+    pub max_impact_velocity_m_s: f64,
     /// Mean time that a contact lasts, s; 0 without contact.
-    pub mean_dwell_s: f64,
+    pub mean_contact_duration_s: f64,
     /// Largest penetration, m.
     pub max_penetration_m: f64,
     /// Each stop.
@@ -115,9 +115,9 @@ impl Member {
             batches_w,
             contacts: statistics.contacts,
             contact_rate_hz: statistics.contacts as f64 / window_s,
-            mean_strike_m_s: statistics.mean_strike_m_s(),
-            max_strike_m_s: statistics.max_strike_m_s,
-            mean_dwell_s: statistics.mean_dwell_s(),
+            mean_impact_velocity_m_s: statistics.mean_impact_velocity_m_s(),
+            max_impact_velocity_m_s: statistics.max_impact_velocity_m_s,
+            mean_contact_duration_s: statistics.mean_contact_duration_s(),
             max_penetration_m: statistics.max_penetration_m,
             stops,
             energy_residual_relative: energies.residual_relative(),
@@ -129,8 +129,8 @@ impl Member {
 fn member_stop(batches: Vec<ContactCount>, own: &ContactStatistics) -> MemberStop {
     MemberStop {
         batches,
-        max_strike_m_s: own.max_strike_m_s,
-        max_dwell_s: own.max_dwell_s,
+        max_impact_velocity_m_s: own.max_impact_velocity_m_s,
+        max_contact_duration_s: own.max_contact_duration_s,
         max_contact_force_n: own.max_force_n,
         max_penetration_m: own.max_penetration_m,
     }

@@ -6,7 +6,7 @@ use super::member::{BATCHES, Sampling};
 use super::spectrum::VoltagePeriodograms;
 use super::{Estimate, IntervalOver, Member, StopEstimates, VoltageSpectrum};
 use crate::analysis::{AnalysisError, Model};
-use crate::march::IntegrationError;
+use crate::integrate::IntegrationError;
 use crate::run::{Limits, RunError, RunPlan, StartState};
 use crate::signal::{Samples, Window};
 use crate::spec::DriveSignal;
@@ -47,11 +47,11 @@ pub struct EnsembleResult {
     /// Contacts per second, Hz, over the members.
     pub contact_rate_hz: Estimate,
     /// Mean speed at which contacts began, m/s, over all contacts.
-    pub mean_strike_m_s: f64,
+    pub mean_impact_velocity_m_s: f64,
     /// Largest of these speeds, m/s.
-    pub max_strike_m_s: f64,
+    pub max_impact_velocity_m_s: f64,
     /// Mean time that a contact lasts, s, over all contacts.
-    pub mean_dwell_s: f64,
+    pub mean_contact_duration_s: f64,
     /// Each stop.
     pub stops: Vec<StopEstimates>,
     /// Each patch; empty where they were not asked for.
@@ -140,9 +140,9 @@ impl Ensemble<'_> {
             spectra: Vec::new(),
             members: Vec::new(),
             contact_rate_hz: Estimate::of(&rates, IntervalOver::Members),
-            mean_strike_m_s: over_contacts(|member| member.mean_strike_m_s),
-            max_strike_m_s: members.iter().fold(0.0, |max, member| max.max(member.max_strike_m_s)),
-            mean_dwell_s: over_contacts(|member| member.mean_dwell_s),
+            mean_impact_velocity_m_s: over_contacts(|member| member.mean_impact_velocity_m_s),
+            max_impact_velocity_m_s: members.iter().fold(0.0, |max, member| max.max(member.max_impact_velocity_m_s)),
+            mean_contact_duration_s: over_contacts(|member| member.mean_contact_duration_s),
             reached: self.relative_width.is_none_or(|width| power_w.relative_width() <= width),
             power_w,
         }

@@ -8,7 +8,7 @@
 //! cycles gives the error.
 
 use super::attractor_kind::AttractorKind;
-use crate::march::{FlowSensitivity, Kernel, ParameterSensitivity, SensitivityError};
+use crate::integrate::{FlowSensitivity, Kernel, ParameterSensitivity, SensitivityError};
 
 /// An exponent with its error.
 #[derive(Debug, Clone, Copy, PartialEq)]

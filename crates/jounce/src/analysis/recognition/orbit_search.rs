@@ -3,7 +3,7 @@
 use super::attracting_orbit::{AttractingOrbit, PeriodRun};
 use super::transient::Transient;
 use crate::continuation::{ContinuationError, CorrectedPoint, Corrector, Metric, Position, correct_at};
-use crate::march::{IntegrationError, Integrator, Kernel, SensitivityError};
+use crate::integrate::{IntegrationError, Integrator, Kernel, SensitivityError};
 use crate::orbit::{Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting, ShootingEvaluation};
 use std::sync::Arc;
 

@@ -6,7 +6,7 @@ use super::lyapunov::{Lyapunov, largest_exponent};
 use super::orbit_search::{OrbitSearch, SearchOutcome};
 use super::steady_state::{Aperiodic, SteadyState};
 use super::transient::Transient;
-use crate::march::{Kernel, SensitivityError};
+use crate::integrate::{Kernel, SensitivityError};
 use crate::orbit::{ParametricModel, Shooting};
 use std::sync::Arc;
 

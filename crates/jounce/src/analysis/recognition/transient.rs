@@ -2,7 +2,7 @@
 
 use super::return_times::ReturnTimes;
 use super::weighted_average::half_difference;
-use crate::march::{IntegrationError, Integrator, Kernel};
+use crate::integrate::{IntegrationError, Integrator, Kernel};
 
 /// Drive cycles after which the integration restarts at time 0: the phase of a drive loses no digits over a long run.
 const RESTART_CYCLES: u32 = 256;

@@ -6,7 +6,7 @@ use super::impulses::after_impulses;
 use super::nodes::{ContactNode, ContactQuadrature};
 use super::quadrature::QuadratureRules;
 use crate::continuation::{Linearization, ResidualReport};
-use crate::march::Kernel;
+use crate::integrate::Kernel;
 use crate::orbit::compliance::{FourierGrid, add_tone};
 use crate::orbit::{ParameterDerivatives, ShootingEvaluation};
 use crate::plant::Port;

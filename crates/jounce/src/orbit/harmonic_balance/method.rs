@@ -6,7 +6,7 @@ use super::motion::real;
 use super::quadrature::QuadratureRules;
 use crate::contact::Law;
 use crate::continuation::{Linearization, Position, Problem};
-use crate::march::{IntegrationError, Kernel, SensitivityError};
+use crate::integrate::{IntegrationError, Kernel, SensitivityError};
 use crate::orbit::compliance::{FourierGrid, TransferFunction, moves_without_end};
 use crate::orbit::{ModelInstance, Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting, ShootingEvaluation};
 use faer::c64;

@@ -11,7 +11,7 @@
 //! Source: A. B. Nordmark, J. Sound Vib. 145 (1991) 279 (grazing); V. I. Arnold, Catastrophe Theory (Springer, 1992), ch. 2 (cusps).
 
 use super::condition::Gradient;
-use crate::march::{FlowSensitivity, ParameterSensitivity, SensitivityError};
+use crate::integrate::{FlowSensitivity, ParameterSensitivity, SensitivityError};
 use crate::orbit::turning_points::port_motion;
 use crate::orbit::{ShootingEvaluation, nearest_turn};
 use faer::{ColRef, Mat};

@@ -135,9 +135,9 @@ fn act_by<W: Simd>(w: W, (column, next, from_start): (&FlowRow, &mut [F64x8], &m
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::march::basis::{BasisFunctions, SMOOTH_BASIS};
-    use crate::march::layout::StateLayout;
-    use crate::march::output_rows::{OutputRows, OutputRowsTask};
+    use crate::integrate::basis::{BasisFunctions, SMOOTH_BASIS};
+    use crate::integrate::layout::StateLayout;
+    use crate::integrate::output_rows::{OutputRows, OutputRowsTask};
     use crate::plant::{BlockDiagonal, BlockPair};
     use crate::simd::{Portable, widest};
 

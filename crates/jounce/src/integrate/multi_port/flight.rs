@@ -1,13 +1,13 @@
 //! All ports in flight.
 
-use crate::march::certificate::FlightStep;
-use crate::march::crossing::Crossing;
-use crate::march::error::IntegrationError;
-use crate::march::flight::{FlightVerdict, RESOLVED_UNCERTAINTY, by_interpolant};
-use crate::march::integrator::Integrator;
-use crate::march::kernel::Kernel;
-use crate::march::state::{dot, dot_of_magnitudes};
-use crate::march::step_size::LEVELS_PER_OCTAVE;
+use crate::integrate::certificate::FlightStep;
+use crate::integrate::crossing::Crossing;
+use crate::integrate::error::IntegrationError;
+use crate::integrate::flight::{FlightVerdict, RESOLVED_UNCERTAINTY, by_interpolant};
+use crate::integrate::integrator::Integrator;
+use crate::integrate::kernel::Kernel;
+use crate::integrate::state::{dot, dot_of_magnitudes};
+use crate::integrate::step_size::LEVELS_PER_OCTAVE;
 use crate::simd::Simd;
 
 /// What became of a step for all ports together.

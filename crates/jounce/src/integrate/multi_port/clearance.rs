@@ -5,11 +5,11 @@
 //! impulse `J`. A port that was last seen at a distance `d` is clear for as long as `(V + G J) t < d`: nothing else is asked of it.
 
 use crate::contact::Law;
-use crate::march::integrator::Integrator;
-use crate::march::layout::StateLayout;
-use crate::march::phasor::Phasor;
-use crate::march::port_state::ContactState;
-use crate::march::state::dot_abs;
+use crate::integrate::integrator::Integrator;
+use crate::integrate::layout::StateLayout;
+use crate::integrate::phasor::Phasor;
+use crate::integrate::port_state::ContactState;
+use crate::integrate::state::dot_abs;
 use crate::plant::{BlockDiagonal, BlockPair, Plant, Port};
 use crate::simd::{F64x8, Simd};
 
@@ -70,7 +70,7 @@ fn magnitudes(block: &BlockDiagonal, row: &[f64]) -> Vec<f64> {
 impl Integrator<'_> {
     /// True when no port in flight can touch within a time, under an impulse of another port; they are left unseen.
     #[inline(always)]
-    pub(in crate::march) fn all_stay_clear<W: Simd>(&mut self, w: W, length_s: f64, push: (usize, f64)) -> bool {
+    pub(in crate::integrate) fn all_stay_clear<W: Simd>(&mut self, w: W, length_s: f64, push: (usize, f64)) -> bool {
         let mut all = true;
         for q in 0..self.kernel.plant.ports.len() {
             if self.ports[q].regime == ContactState::Flight {

@@ -248,11 +248,11 @@ impl Integrator<'_> {
     #[inline(always)]
     pub(super) fn struck(&mut self, p: usize) {
         let port = &mut self.ports[p];
-        (port.penetration_m, port.dwell_s) = (0.0, 0.0);
-        port.strike_m_s = port.strike_m_s.max(port.rate_m_s);
+        (port.penetration_m, port.contact_duration_s) = (0.0, 0.0);
+        port.impact_velocity_m_s = port.impact_velocity_m_s.max(port.rate_m_s);
         port.statistics.contacts += 1;
         port.statistics.strike_sum_m_s += port.rate_m_s;
-        port.statistics.max_strike_m_s = port.statistics.max_strike_m_s.max(port.rate_m_s);
+        port.statistics.max_impact_velocity_m_s = port.statistics.max_impact_velocity_m_s.max(port.rate_m_s);
         port.regime = ContactState::Contact;
     }
 }

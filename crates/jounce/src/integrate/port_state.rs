@@ -40,11 +40,11 @@ pub struct PortState {
     /// Level at which the next contact starts.
     pub entry_level: i32,
     /// Largest speed at which the stop was struck so far: the scale of contact impulses.
-    pub strike_m_s: f64,
+    pub impact_velocity_m_s: f64,
     /// With several ports: time at which the last contact began, s.
     pub entered_s: f64,
     /// Time that the contact in hand has lasted since it began, or since the last reset, s.
-    pub dwell_s: f64,
+    pub contact_duration_s: f64,
     /// What is known of it since it was last seen.
     pub clearance: Clearance,
     /// Its rows.
@@ -84,9 +84,9 @@ impl PortState {
             entering: false,
             iterations: 1,
             entry_level,
-            strike_m_s: 0.0,
+            impact_velocity_m_s: 0.0,
             entered_s: f64::NEG_INFINITY,
-            dwell_s: 0.0,
+            contact_duration_s: 0.0,
             clearance: Clearance::default(),
             rows: PortRows::new(plant, layout, tones, port),
             statistics: ContactStatistics::default(),
@@ -108,21 +108,21 @@ impl PortState {
         if law.acts_on_both_sides() || (self.penetration_m > 0.0 && !leaves) {
             self.regime = ContactState::Contact;
             // The compressed stop would throw the point off at this speed: the scale of the impulse of a contact that starts at rest.
-            self.strike_m_s = (2.0 * law.energy_j(self.penetration_m).max(0.0) * self.rows.mobility_per_kg).sqrt();
+            self.impact_velocity_m_s = (2.0 * law.energy_j(self.penetration_m).max(0.0) * self.rows.mobility_per_kg).sqrt();
         }
     }
 
     /// Adds time in contact.
     #[inline(always)]
     pub fn stay(&mut self, length_s: f64) {
-        self.dwell_s += length_s;
+        self.contact_duration_s += length_s;
         self.statistics.time_s += length_s;
-        self.statistics.max_dwell_s = self.statistics.max_dwell_s.max(self.dwell_s);
+        self.statistics.max_contact_duration_s = self.statistics.max_contact_duration_s.max(self.contact_duration_s);
     }
 
     /// Forgets the statistics. What a contact under way is like now counts already: it may never be as deep again.
     pub fn reset_statistics(&mut self, law: &Law) {
-        self.dwell_s = 0.0;
+        self.contact_duration_s = 0.0;
         self.statistics = ContactStatistics::default();
         if self.regime == ContactState::Contact {
             let depth_m = if law.acts_on_both_sides() { self.penetration_m.abs() } else { self.penetration_m.max(0.0) };

@@ -15,7 +15,7 @@
 
 use super::sticking::MIN_RELATIVE_MOBILITY;
 use crate::contact::Law;
-use crate::march::integrator::Integrator;
+use crate::integrate::integrator::Integrator;
 use faer::{Mat, Side};
 
 /// Most stops struck at once that are answered together: their subsets are tried.

@@ -2,16 +2,16 @@
 
 use super::free_ports::nodal;
 use crate::contact::Law;
-use crate::march::basis::NODES;
-use crate::march::contact_step::{ContactStep, SolvedStep};
-use crate::march::integrator::Integrator;
-use crate::march::joint_tables::{JointTables, StepLength};
-use crate::march::kernel::Kernel;
-use crate::march::port_state::ContactState;
-use crate::march::small_list::SmallList;
-use crate::march::state::pushed;
-use crate::march::step_size::LEVELS_PER_OCTAVE;
-use crate::march::trajectory::PortForce;
+use crate::integrate::basis::NODES;
+use crate::integrate::contact_step::{ContactStep, SolvedStep};
+use crate::integrate::integrator::Integrator;
+use crate::integrate::joint_tables::{JointTables, StepLength};
+use crate::integrate::kernel::Kernel;
+use crate::integrate::port_state::ContactState;
+use crate::integrate::small_list::SmallList;
+use crate::integrate::state::pushed;
+use crate::integrate::step_size::LEVELS_PER_OCTAVE;
+use crate::integrate::trajectory::PortForce;
 use crate::simd::{F64x8, Simd};
 
 impl Integrator<'_> {

@@ -10,16 +10,16 @@
 //! system for all ports at rest, given the forces of the others.
 
 use super::joint_solve::{JointStep, PortIterate};
-use crate::march::basis::{NODES, SMOOTH_BASIS};
-use crate::march::contact::IMPULSE_ERROR_SHARE;
-use crate::march::contact_step::SolvedStep;
-use crate::march::contact_table::StickingTable;
-use crate::march::error::IntegrationError;
-use crate::march::integrator::Integrator;
-use crate::march::joint_tables::{JointTables, StepLength};
-use crate::march::port_state::ContactState;
-use crate::march::rigid::acceleration;
-use crate::march::state::columns;
+use crate::integrate::basis::{NODES, SMOOTH_BASIS};
+use crate::integrate::contact::IMPULSE_ERROR_SHARE;
+use crate::integrate::contact_step::SolvedStep;
+use crate::integrate::contact_table::StickingTable;
+use crate::integrate::error::IntegrationError;
+use crate::integrate::integrator::Integrator;
+use crate::integrate::joint_tables::{JointTables, StepLength};
+use crate::integrate::port_state::ContactState;
+use crate::integrate::rigid::acceleration;
+use crate::integrate::state::columns;
 use crate::simd::{F64x8, LANES, Portable, Simd};
 use faer::linalg::solvers::DenseSolveCore;
 use faer::{Mat, c64};

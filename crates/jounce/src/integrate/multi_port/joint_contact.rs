@@ -3,16 +3,16 @@
 use super::RESOLVED_DISTANCE;
 use super::flight::StepOutcome;
 use super::sticking::StickingPorts;
-use crate::march::contact::share;
-use crate::march::contact_step::{ContactStep, SolvedStep};
-use crate::march::crossing::Crossing;
-use crate::march::error::IntegrationError;
-use crate::march::integrator::Integrator;
-use crate::march::joint_tables::{JointTables, StepLength};
-use crate::march::kernel::{ForceBasis, Kernel};
-use crate::march::port_state::ContactState;
-use crate::march::small_list::SmallList;
-use crate::march::step_size::LEVELS_PER_OCTAVE;
+use crate::integrate::contact::share;
+use crate::integrate::contact_step::{ContactStep, SolvedStep};
+use crate::integrate::crossing::Crossing;
+use crate::integrate::error::IntegrationError;
+use crate::integrate::integrator::Integrator;
+use crate::integrate::joint_tables::{JointTables, StepLength};
+use crate::integrate::kernel::{ForceBasis, Kernel};
+use crate::integrate::port_state::ContactState;
+use crate::integrate::small_list::SmallList;
+use crate::integrate::step_size::LEVELS_PER_OCTAVE;
 use crate::simd::Simd;
 
 /// Most Newton iterations for the length of a step that ends in a strike.

@@ -180,7 +180,7 @@ impl<'k> Integrator<'k> {
         self.observe(w, law, step, solved, started);
         let port = &mut self.ports[p];
         if law.acts_on_both_sides() {
-            port.strike_m_s = port.strike_m_s.max(port.rate_m_s.abs());
+            port.impact_velocity_m_s = port.impact_velocity_m_s.max(port.rate_m_s.abs());
         } else if port.penetration_m < 0.0 {
             port.regime = ContactState::Flight;
         }

@@ -1,14 +1,14 @@
 //! Impacts on rigid stops of a plant with several ports.
 //!
-//! An impact is one impulse (see [`crate::march::rigid`]), which moves the other ports too. Stops struck at the same instant take
+//! An impact is one impulse (see [`crate::integrate::rigid`]), which moves the other ports too. Stops struck at the same instant take
 //! their impulses together (see [`super::joint_impact`]). What these strike in turn, a stop at rest or one struck again, follows after
 //! them, until no touching point moves into its stop. Where Newton's law has no joint answer, stops are struck one after another in the
 //! order of the spec. Every impulse acts through the plant, so that momentum is conserved exactly whatever the order.
 
 use crate::contact::Law;
-use crate::march::error::IntegrationError;
-use crate::march::integrator::Integrator;
-use crate::march::port_state::ContactState;
+use crate::integrate::error::IntegrationError;
+use crate::integrate::integrator::Integrator;
+use crate::integrate::port_state::ContactState;
 use crate::simd::Simd;
 
 /// Speed into a stop that is roundoff, relative to the fastest strike and to the terms that it is summed from.

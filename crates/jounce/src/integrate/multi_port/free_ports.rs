@@ -2,16 +2,16 @@
 
 use super::flight::StepOutcome;
 use super::joint_solve::JointStep;
-use crate::march::basis::NODES;
-use crate::march::contact_step::{ContactStep, SolvedStep};
-use crate::march::crossing::Crossing;
-use crate::march::flight::FlightVerdict;
-use crate::march::forced_flight::rest_bounds;
-use crate::march::integrator::Integrator;
-use crate::march::joint_tables::StepLength;
-use crate::march::port_state::ContactState;
-use crate::march::small_list::SmallList;
-use crate::march::state::{dot, pushed};
+use crate::integrate::basis::NODES;
+use crate::integrate::contact_step::{ContactStep, SolvedStep};
+use crate::integrate::crossing::Crossing;
+use crate::integrate::flight::FlightVerdict;
+use crate::integrate::forced_flight::rest_bounds;
+use crate::integrate::integrator::Integrator;
+use crate::integrate::joint_tables::StepLength;
+use crate::integrate::port_state::ContactState;
+use crate::integrate::small_list::SmallList;
+use crate::integrate::state::{dot, pushed};
 use crate::simd::{F64x8, Simd};
 
 impl Integrator<'_> {

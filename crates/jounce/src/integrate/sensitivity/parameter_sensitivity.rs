@@ -1,10 +1,10 @@
 //! The ports at a fixed state: their motion under the drive, and what a parameter does to them.
 
 use super::linearization::Linearization;
-use crate::march::joint_tables::StepLength;
-use crate::march::kernel::ForceBasis;
-use crate::march::phasor::PhasorSamples;
-use crate::march::trajectory::TrajectorySegment;
+use crate::integrate::joint_tables::StepLength;
+use crate::integrate::kernel::ForceBasis;
+use crate::integrate::phasor::PhasorSamples;
+use crate::integrate::trajectory::TrajectorySegment;
 use crate::plant::Plant;
 use crate::simd::{F64x8, Simd};
 use faer::c64;

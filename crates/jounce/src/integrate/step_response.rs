@@ -180,7 +180,7 @@ fn integrate<W: Simd>(w: W, series: &[F64x8], out: &mut [F64x8]) {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::march::basis::{SMOOTH_BASIS, legendre};
+    use crate::integrate::basis::{SMOOTH_BASIS, legendre};
 
     /// `int_0^x e^{z (x - s)} phi(s) ds` by composite quadrature in `s = x r^2`, in which onset functions are smooth.
     fn quadrature(z: c64, basis: &BasisFunctions, j: usize, x: f64) -> c64 {

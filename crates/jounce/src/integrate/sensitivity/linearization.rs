@@ -5,10 +5,10 @@ use super::elimination::NodeSystem;
 use super::parameter_sensitivity::ParameterSensitivity;
 use super::tangents::Tangents;
 use crate::contact::Law;
-use crate::march::excitation_row::{ExcitationRow, ExcitationSeries};
-use crate::march::kernel::Kernel;
-use crate::march::phasor::Phasor;
-use crate::march::trajectory::{Impact, TrajectorySegment};
+use crate::integrate::excitation_row::{ExcitationRow, ExcitationSeries};
+use crate::integrate::kernel::Kernel;
+use crate::integrate::phasor::Phasor;
+use crate::integrate::trajectory::{Impact, TrajectorySegment};
 use crate::plant::{Port, SignalSample};
 use crate::simd::{F64x8, Simd, Task};
 

@@ -105,7 +105,7 @@ impl Integrator<'_> {
 
     /// Distance at which a point touches, m: what the fastest striker goes in no time at all.
     fn touch_m(&self, p: usize) -> f64 {
-        self.ports.iter().fold(0.0_f64, |max, port| max.max(port.strike_m_s))
+        self.ports.iter().fold(0.0_f64, |max, port| max.max(port.impact_velocity_m_s))
             * SIMULTANEOUS_CONTACT
             * Kernel::length_s(self.ports[p].entry_level)
     }
@@ -113,7 +113,7 @@ impl Integrator<'_> {
     /// Error of an impulse that one step may make at any port, N s: a weak contact need not be better than a strong one.
     #[inline(always)]
     fn allowed_beside_n_s(&self, steps: &[ContactStep], solved: &[SolvedStep]) -> f64 {
-        let fastest = |port: &PortState| port.strike_m_s / port.rows.mobility_per_kg;
+        let fastest = |port: &PortState| port.impact_velocity_m_s / port.rows.mobility_per_kg;
         let struck = self.tolerance * IMPULSE_ERROR_SHARE * self.ports.iter().map(fastest).fold(0.0, f64::max);
         let own = steps.iter().zip(solved).map(|(step, own)| self.allowed_n_s(self.law(step.port), step, Some(own)));
         own.fold(struck, f64::max)

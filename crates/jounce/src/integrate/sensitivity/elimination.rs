@@ -1,7 +1,7 @@
 //! The small linear system of one contact step, for all columns at once.
 
 use super::tangents::{add_scaled, scale};
-use crate::march::basis::NODES;
+use crate::integrate::basis::NODES;
 use crate::simd::{F64x8, Simd};
 
 /// `A x = r` for the nodes of one or several ports: per node a row with its entries of `A`, one lane per port, and those of `r` in

@@ -13,9 +13,9 @@
 use super::linearization::{ConductionSegment, Linearization, LinearizedSegment};
 use super::tangents::{Tangents, scale};
 use super::{ParameterSensitivity, SensitivityError};
-use crate::march::kernel::Kernel;
-use crate::march::switch_map::SwitchMap;
-use crate::march::trajectory::{ConductionChange, Impact, Trajectory};
+use crate::integrate::kernel::Kernel;
+use crate::integrate::switch_map::SwitchMap;
+use crate::integrate::trajectory::{ConductionChange, Impact, Trajectory};
 use crate::plant::{SignalSample, product};
 use crate::simd::{F64x8, Portable, widest};
 use faer::{Mat, c64};
@@ -60,7 +60,7 @@ impl ConductionRoute<'_> {
     }
 
     fn kernel(&self, regime: usize) -> Result<&Kernel, SensitivityError> {
-        Ok(self.base.in_regime(regime).map_err(crate::march::IntegrationError::from)?)
+        Ok(self.base.in_regime(regime).map_err(crate::integrate::IntegrationError::from)?)
     }
 
     /// From the block coordinates of one regime to those of another.

@@ -5,11 +5,11 @@ use super::linearization::Linearization;
 use super::parameter_sensitivity::DrivenNodeMotion;
 use super::tangents::add_scaled;
 use crate::contact::{ContactLaw, Slopes};
-use crate::march::basis::NODES;
-use crate::march::joint_tables::{JointTables, StepLength};
-use crate::march::kernel::{ForceBasis, Kernel};
-use crate::march::state::{columns, pushed};
-use crate::march::trajectory::TrajectorySegment;
+use crate::integrate::basis::NODES;
+use crate::integrate::joint_tables::{JointTables, StepLength};
+use crate::integrate::kernel::{ForceBasis, Kernel};
+use crate::integrate::state::{columns, pushed};
+use crate::integrate::trajectory::TrajectorySegment;
 use crate::simd::{F64x8, LANES, Simd};
 
 /// Nodes in one pass over the tangents.

@@ -34,21 +34,21 @@ pub struct ContactStatistics {
     /// Sum over contacts of the speed at which they began, m/s.
     pub strike_sum_m_s: f64,
     /// Largest of these speeds, m/s.
-    pub max_strike_m_s: f64,
+    pub max_impact_velocity_m_s: f64,
     /// Longest time that one contact lasted, s; of one that was under way at the last reset, the time since.
-    pub max_dwell_s: f64,
+    pub max_contact_duration_s: f64,
     /// Time spent at rest on a rigid stop, s.
     pub sticking_s: f64,
 }
 
 impl ContactStatistics {
     /// Mean speed at which contacts began, m/s; 0 without one.
-    pub fn mean_strike_m_s(&self) -> f64 {
+    pub fn mean_impact_velocity_m_s(&self) -> f64 {
         self.strike_sum_m_s / self.contacts.max(1) as f64
     }
 
     /// Time in contact over the contacts that began, s; 0 without one.
-    pub fn mean_dwell_s(&self) -> f64 {
+    pub fn mean_contact_duration_s(&self) -> f64 {
         if self.contacts > 0 { self.time_s / self.contacts as f64 } else { 0.0 }
     }
 
@@ -61,8 +61,8 @@ impl ContactStatistics {
             max_force_n: self.max_force_n.max(other.max_force_n),
             impulse_n_s: self.impulse_n_s + other.impulse_n_s,
             strike_sum_m_s: self.strike_sum_m_s + other.strike_sum_m_s,
-            max_strike_m_s: self.max_strike_m_s.max(other.max_strike_m_s),
-            max_dwell_s: self.max_dwell_s.max(other.max_dwell_s),
+            max_impact_velocity_m_s: self.max_impact_velocity_m_s.max(other.max_impact_velocity_m_s),
+            max_contact_duration_s: self.max_contact_duration_s.max(other.max_contact_duration_s),
             sticking_s: self.sticking_s + other.sticking_s,
         }
     }

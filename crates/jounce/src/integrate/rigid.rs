@@ -76,8 +76,8 @@ impl Integrator<'_> {
     /// Speed after an impact relative to that before it: the restitution, but a rebound too slow to matter, or to be told from
     /// roundoff, is none.
     pub(super) fn rebound(&self, p: usize, law: Rigid) -> f64 {
-        let (after, strike_m_s) = (law.restitution * self.ports[p].rate_m_s, self.ports[p].strike_m_s);
-        let is_slow = after <= CHATTER_SPEED * self.tolerance * strike_m_s;
+        let (after, impact_velocity_m_s) = (law.restitution * self.ports[p].rate_m_s, self.ports[p].impact_velocity_m_s);
+        let is_slow = after <= CHATTER_SPEED * self.tolerance * impact_velocity_m_s;
         let is_lost = || self.is_lost(p, [self.reading(Portable::new(), p)[0], after]);
         if is_slow || (after <= FAST_HOP_SPEED * self.speed_m_s(p) && is_lost()) { 0.0 } else { law.restitution }
     }
@@ -157,7 +157,7 @@ impl Integrator<'_> {
     /// Speed against which errors of a port at rest are held: the fastest strike, or what its velocity is summed from, where bodies that
     /// push each other from rest have never struck.
     pub(super) fn speed_m_s(&self, p: usize) -> f64 {
-        self.ports[p].strike_m_s.max(self.velocity_terms_m_s(p))
+        self.ports[p].impact_velocity_m_s.max(self.velocity_terms_m_s(p))
     }
 
     /// Sum of the magnitudes that the velocity of a port is summed from, m/s.

@@ -121,7 +121,7 @@ impl Integrator<'_> {
     #[inline(always)]
     pub(super) fn allowed_n_s<L: ContactLaw>(&self, law: L, step: &ContactStep, solved: Option<&SolvedStep>) -> f64 {
         let port = &self.ports[step.port];
-        let mut speed_m_s = port.strike_m_s.max(port.rate_m_s.abs());
+        let mut speed_m_s = port.impact_velocity_m_s.max(port.rate_m_s.abs());
         if let (true, Some(solved)) = (law.acts_on_both_sides(), solved) {
             // Nothing strikes: a march that starts at rest has no other scale than the speed that it takes up.
             speed_m_s = speed_m_s.max((solved.penetration.0[NODES] - port.penetration_m).abs() / step.table.length_s);

@@ -3,7 +3,7 @@
 use super::linearization::Linearization;
 use super::tangents::scale;
 use crate::contact::Law;
-use crate::march::trajectory::{Impact, PortForce, TrajectorySegment};
+use crate::integrate::trajectory::{Impact, PortForce, TrajectorySegment};
 use crate::simd::{F64x8, Simd};
 
 impl Linearization<'_> {

@@ -2,11 +2,11 @@
 
 use super::sticking::StickingPorts;
 use crate::contact::{ContactLaw, Law};
-use crate::march::contact_step::{ContactStep, MAX_FIXED_POINT_ITERATIONS, SolvedStep, judge, largest};
-use crate::march::integrator::Integrator;
-use crate::march::joint_tables::{JointTables, StepLength};
-use crate::march::small_list::SmallList;
-use crate::march::state::{columns, pushed};
+use crate::integrate::contact_step::{ContactStep, MAX_FIXED_POINT_ITERATIONS, SolvedStep, judge, largest};
+use crate::integrate::integrator::Integrator;
+use crate::integrate::joint_tables::{JointTables, StepLength};
+use crate::integrate::small_list::SmallList;
+use crate::integrate::state::{columns, pushed};
 use crate::simd::{F64x8, Simd};
 
 /// A step of all ports in contact.

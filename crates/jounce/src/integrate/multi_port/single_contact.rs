@@ -1,11 +1,11 @@
 //! One compliant port in contact by itself, the others watched: most of the time of most marches with several stops.
 
 use super::flight::StepOutcome;
-use crate::march::error::IntegrationError;
-use crate::march::integrator::Integrator;
-use crate::march::joint_tables::StepLength;
-use crate::march::kernel::ForceBasis;
-use crate::march::step_size::LEVELS_PER_OCTAVE;
+use crate::integrate::error::IntegrationError;
+use crate::integrate::integrator::Integrator;
+use crate::integrate::joint_tables::StepLength;
+use crate::integrate::kernel::ForceBasis;
+use crate::integrate::step_size::LEVELS_PER_OCTAVE;
 use crate::simd::Simd;
 
 impl Integrator<'_> {
