@@ -59,6 +59,8 @@ const FIFTH_OHM: f64 = 90e3;
 const LOAD: &str = "circuit.load.resistance";
 const RATE_HZ: f64 = 1024.0;
 const SAMPLES: usize = 1 << 16;
+/// Noise of each sensor over the rms of its signal.
+const NOISE: f64 = 0.01;
 /// Bands in which the mode is sought, the next one where none is clear in that before.
 const BANDS_HZ: [(f64, f64); 3] = [(35.0, 110.0), (45.0, 85.0), (50.0, 76.0)];
 /// Flanks of the responses, Hz: below and above the mode under every load, where it counts for little.
@@ -109,7 +111,7 @@ fn record(response: &[Complex<f64>], stream: &mut RandomStream) -> Recording {
     (bins[0].im, bins[last].im) = (0.0, 0.0);
     let mut volts = backward.make_output_vec();
     backward.process(&mut bins, &mut volts).expect("the plan made the length");
-    let sensor = Sensor { noise_ratio: 0.01, bits: Some(16) };
+    let sensor = Sensor { noise_ratio: NOISE, bits: Some(16) };
     let channels = vec![
         Channel::new("base", Quantity::Acceleration, "m/s^2", sensor.read(&base, stream)),
         Channel::new("piezo", Quantity::Voltage, "V", sensor.read(&volts, stream)),
@@ -185,6 +187,18 @@ fn power(spec: &Spec, base: &[(f64, f64)]) -> Result<f64, AnalysisError> {
     Ok(found.iter().zip(base).map(|(h, (_, square))| h.norm_sqr() * square).sum::<f64>() / FIFTH_OHM)
 }
 
+/// Standard deviation of that power by the noise of the sensors, W. Noise adds `2 Re(X* N)` to the square of a line `X`; the noise of the base
+/// stands in the prediction, that of the voltage in the measured power.
+fn sensor_deviation(spec: &Spec, base: &[(f64, f64)]) -> f64 {
+    let frequency_hz: Vec<f64> = base.iter().map(|(hz, _)| *hz).collect();
+    let found = voltage(&over_load(spec, FIFTH_OHM), &frequency_hz);
+    let squares: Vec<(f64, f64)> = found.iter().zip(base).map(|(h, (_, square))| (h.norm_sqr(), *square)).collect();
+    let base_noise = NOISE.powi(2) * base.iter().map(|(_, square)| square).sum::<f64>() / squares.len() as f64;
+    let volt_noise = NOISE.powi(2) * squares.iter().map(|(h, square)| h * square).sum::<f64>() / squares.len() as f64;
+    let variance = squares.iter().map(|(h, square)| 2.0 * h * square * (h * base_noise + volt_noise)).sum::<f64>();
+    variance.sqrt() / FIFTH_OHM
+}
+
 /// Mean square of each line of a record.
 fn squares(values: &[f64]) -> Vec<(f64, f64)> {
     let plan = RealFftPlanner::new().plan_fft_forward(values.len());
@@ -232,13 +246,15 @@ fn trial(truth: &Spec, responses: &[Vec<Complex<f64>>], seed: u64) -> Inside {
     };
     holds("coupling", &coupling_squared);
     holds("optimal load", &optimum);
-    // What was measured over the fifth load scatters by the noise of its sensors alone, which is far less than the keys leave the prediction.
     let fifth = record(&responses[LOADS_OHM.len()], &mut stream);
     let volts = jounce::signal::Samples::new(&fifth.channels[1].values, RATE_HZ).expect("samples");
     let measured = mean_power(&volts, FIFTH_OHM, false).expect("a power").mean_power_w;
     let base = squares(&fifth.channels[0].values);
     let predicted = answer.derived(&fitted, |spec| power(spec, &base)).expect("a power");
-    inside.push(("fifth load", place((predicted.low, predicted.high), measured)));
+    // The interval of the prediction is that of the fitted keys; the noise of the sensors adds to it.
+    let noise = Mode::QUANTILE_95 * sensor_deviation(&fitted, &base);
+    let widened = |end: f64, sign: f64| predicted.value + sign * (end - predicted.value).hypot(noise);
+    inside.push(("fifth load", place((widened(predicted.low, -1.0), widened(predicted.high, 1.0)), measured)));
     inside
 }
 
@@ -252,9 +268,10 @@ fn pole(plant: &Plant) -> (f64, f64) {
 /// Trials of every run; `JOUNCE_TRIALS=200` makes as many as the figure rests on.
 const TRIALS: u64 = 16;
 
-/// Measured in 800 trials: the intervals hold 93.6 % of the frequencies and 94.4 % of the damping ratios of the loaded modes, 92.8 % of those that are
-/// fitted, 95.5 % of the couplings, 92.9 % of the optimal loads and 90 % of the powers over the fifth load; each share of 800 is known to 0.9 %. The
-/// damping ratio comes out 0.16 half widths high on average, and the power, which follows it, 0.14 low: its interval is too narrow.
+/// Measured in 800 trials: the intervals hold 93.6 % of the frequencies and 94.4 % of the damping ratios of the loaded modes, 92.8 % of the
+/// fitted ones, 95.5 % of the couplings, 92.9 % of the optimal loads and 93.9 % of the powers over the fifth load; each share of 800 has a
+/// standard deviation of 0.9 %. Without the noise of the sensors the intervals hold 90 % of these powers: they are 0.22 % wide on each side,
+/// and the noise of the base moves the prediction by 0.06 % (standard deviation).
 #[test]
 fn the_standard_test_holds_the_truth_as_often_as_its_intervals_say() {
     let trials = std::env::var("JOUNCE_TRIALS").ok().and_then(|text| text.parse().ok()).unwrap_or(TRIALS);
@@ -272,7 +289,6 @@ fn the_standard_test_holds_the_truth_as_often_as_its_intervals_say() {
         let allowed = match name {
             // Of 16 trials three misses are as rare as one in a hundred.
             _ if trials < 200 => 0.8..=1.0,
-            "fifth load" => 0.88..=0.98,
             _ => 0.92..=0.98,
         };
         assert!(allowed.contains(&share), "{name}: {share}");
